@@ -1,0 +1,3 @@
+//! wearshape: see the library.
+
+fn main() {}

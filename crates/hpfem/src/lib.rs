@@ -1,0 +1,1 @@
+//! p-version finite elements.

@@ -1,0 +1,1 @@
+//! Shape optimisation and evolution by wear.

@@ -1,0 +1,1 @@
+//! Wear rules, functionals and optimal pressures.
