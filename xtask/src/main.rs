@@ -1,3 +1,42 @@
-//! Project chores.
+//! Project chores, started as `cargo xtask <chore>`.
 
-fn main() {}
+mod tidy;
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+const USAGE: &str = "\
+usage: cargo xtask <chore>
+
+  tidy      check what the compiler does not: import table, file length, printing and
+            unwrap in libraries, absolute paths
+";
+
+fn main() -> ExitCode {
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    let root = workspace_root();
+    match words.first().map(String::as_str) {
+        Some("tidy") => tidy::run(&root),
+        Some("help" | "-h" | "--help") => {
+            print!("{USAGE}");
+            ExitCode::SUCCESS
+        }
+        Some(other) => {
+            eprintln!("xtask: there is no chore `{other}`\n\n{USAGE}");
+            ExitCode::from(2)
+        }
+        None => {
+            eprint!("{USAGE}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// The folder of the workspace: the parent of this package's own folder.
+fn workspace_root() -> PathBuf {
+    let package =
+        std::env::var("CARGO_MANIFEST_DIR").unwrap_or_else(|_| env!("CARGO_MANIFEST_DIR").into());
+    Path::new(&package)
+        .parent()
+        .map_or_else(|| PathBuf::from("."), Path::to_path_buf)
+}

@@ -1,0 +1,122 @@
+//! `cargo xtask tidy`: the rules of the house that the compiler does not check.
+//!
+//! Every finding names file and line, the rule, and what to do instead.
+
+mod imports;
+mod source;
+mod strip;
+
+use std::fmt;
+use std::fs;
+use std::io;
+use std::path::Path;
+use std::process::ExitCode;
+
+/// One broken rule at one place.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Finding {
+    /// Path from the root of the workspace, with `/` on every system.
+    file: String,
+    /// Line, counted from 1.
+    line: usize,
+    /// What is wrong.
+    problem: String,
+    /// What to do instead.
+    remedy: String,
+}
+
+impl fmt::Display for Finding {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "{}:{}: {}\n    remedy: {}",
+            self.file, self.line, self.problem, self.remedy
+        )
+    }
+}
+
+/// A text file of the workspace.
+pub(crate) struct TextFile {
+    /// Path from the root of the workspace, with `/` on every system.
+    path: String,
+    text: String,
+}
+
+/// Checks the whole workspace and prints the findings; fails when there is one.
+pub(crate) fn run(root: &Path) -> ExitCode {
+    let files = match text_files(root) {
+        Ok(files) => files,
+        Err(error) => {
+            eprintln!(
+                "tidy: cannot read the workspace at {}: {error}",
+                root.display()
+            );
+            return ExitCode::from(2);
+        }
+    };
+    let findings = check(&files);
+    if findings.is_empty() {
+        println!("tidy: {} files, nothing to mend", files.len());
+        return ExitCode::SUCCESS;
+    }
+    for finding in &findings {
+        eprintln!("{finding}");
+    }
+    eprintln!(
+        "\ntidy: {} finding(s) in {} files",
+        findings.len(),
+        files.len()
+    );
+    ExitCode::FAILURE
+}
+
+/// All findings, in order of file and line.
+fn check(files: &[TextFile]) -> Vec<Finding> {
+    let mut findings = imports::check(files);
+    findings.extend(source::check(files));
+    findings.sort();
+    findings
+}
+
+/// Every file the rules speak about: sources, manifests, scripts and pages, without build output.
+fn text_files(root: &Path) -> io::Result<Vec<TextFile>> {
+    let mut files = Vec::new();
+    collect(root, "", &mut files)?;
+    files.sort_by(|a, b| a.path.cmp(&b.path));
+    Ok(files)
+}
+
+fn collect(folder: &Path, prefix: &str, files: &mut Vec<TextFile>) -> io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        let name = entry.file_name().to_string_lossy().into_owned();
+        let path = format!("{prefix}{name}");
+        if entry.file_type()?.is_dir() {
+            let built = prefix.is_empty() && matches!(name.as_str(), "target" | "out" | ".git");
+            if !built && name != "__pycache__" {
+                collect(&entry.path(), &format!("{path}/"), files)?;
+            }
+        } else if is_text(&path) {
+            // A file that is not UTF-8 is no text of ours; one that vanished meanwhile is no finding.
+            if let Ok(text) = fs::read_to_string(entry.path()) {
+                files.push(TextFile { path, text });
+            }
+        }
+    }
+    Ok(())
+}
+
+fn is_text(path: &str) -> bool {
+    let known = [".rs", ".toml", ".py", ".md", ".sh"]
+        .iter()
+        .any(|end| path.ends_with(end));
+    known || path.starts_with(".ci/")
+}
+
+#[cfg(test)]
+pub(crate) fn file(path: &str, text: &str) -> TextFile {
+    TextFile {
+        path: path.into(),
+        text: text.into(),
+    }
+}
