@@ -1,1 +1,38 @@
-//! p-version finite elements.
+//! p-version finite elements for plane and axisymmetric linear elasticity, with every body reduced to the boundary that matters.
+//!
+//! Cells are curved quadrilaterals with exact lines and arcs (blending) and hierarchic shape functions (integrated
+//! Legendre polynomials). A [`Body`] is assembled once; interiors and everything but a kept boundary are eliminated, and what
+//! is left is a small dense [`InterfaceOperator`], from which displacements, energies and reactions follow without the mesh.
+//!
+//! Units are the user's own, as long as they are consistent.
+
+mod assemble;
+mod basis;
+mod blocks;
+mod body;
+mod curve;
+mod element;
+mod elimination;
+mod error;
+mod field;
+mod interface;
+mod legendre;
+mod material;
+mod mesh;
+mod quadrature;
+mod space;
+mod trace;
+
+pub use assemble::{BoundaryPoint, EdgeTraction, LoadCase};
+pub use blocks::{Named, Ruled, Side};
+pub use body::{Body, BodyProblem, Effort};
+pub use curve::Curve;
+pub use error::Error;
+pub use field::{Field, PointState};
+pub use interface::{InterfaceOperator, InterfaceState};
+pub use legendre::{legendre, shape_functions};
+pub use material::{Kinematics, Material, Moduli};
+pub use mesh::{CELL_EDGES, Cell, Edge, Mesh, Quad};
+pub use quadrature::{Quadrature, barycentric_weights, gauss, gauss_lobatto, gauss_lobatto_jacobi, lagrange};
+pub use space::{Direction, MAX_DEGREE, RigidEdge, SpaceKind, Support};
+pub use trace::{Trace, TraceEdge, TracePoint};

@@ -1,0 +1,300 @@
+//! From cells to elements of the elimination: stiffness, condensed interior, loads, supports.
+
+use crate::basis::{LocalModes, Table};
+use crate::curve::Curve;
+use crate::elimination::{Element, factor_leading, not_held};
+use crate::element::stiffness;
+use crate::error::Error;
+use crate::legendre::shape_functions;
+use crate::material::{Kinematics, Material};
+use crate::mesh::{CELL_EDGES, Mesh};
+use crate::quadrature::{barycentric_weights, gauss, gauss_lobatto, lagrange};
+use crate::space::{Space, Target, rigid_rows};
+use faer::{Mat, MatRef};
+use std::sync::Arc;
+
+/// A point on the boundary of a body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BoundaryPoint {
+    /// Position (x, z) or (r, z).
+    pub position: [f64; 2],
+    /// Unit normal out of the body.
+    pub outward: [f64; 2],
+    /// Unit tangent: the outward normal turned anti-clockwise by a right angle.
+    pub tangent: [f64; 2],
+}
+
+/// A traction on a named boundary, force per deformed area as a function of the point: `[t_x, t_z]`, in torsion `[t_phi, _]`.
+pub struct EdgeTraction<'a> {
+    /// Name of the boundary.
+    pub boundary: String,
+    /// The traction; it must be smooth on each edge for the quadrature to be accurate.
+    pub traction: Box<dyn Fn(&BoundaryPoint) -> [f64; 2] + Sync + 'a>,
+}
+
+/// Tractions that act together; the interface operator keeps one column a load case.
+pub type LoadCase<'a> = Vec<EdgeTraction<'a>>;
+
+/// Everything needed to assemble a cell.
+pub(crate) struct Assembly<'a> {
+    pub(crate) mesh: &'a Mesh,
+    pub(crate) space: &'a Space,
+    pub(crate) kinematics: Kinematics,
+    pub(crate) materials: &'a [Material],
+    pub(crate) tables: Vec<Option<Arc<Table>>>,
+    /// `(column, traction)` for each edge, by edge.
+    pub(crate) edge_loads: Vec<Vec<(usize, usize, usize)>>,
+    pub(crate) load_cases: &'a [LoadCase<'a>],
+    /// Rigid rotation about the origin, modal coefficients of each group with prescribed parts, for the moments of reactions.
+    pub(crate) rotation: Vec<Vec<[f64; 2]>>,
+    /// Number of right-hand-side columns: load cases, one for prescribed displacements, reactions.
+    pub(crate) columns: usize,
+}
+
+/// Result of assembling one cell.
+pub(crate) struct CellElement {
+    pub(crate) element: Element,
+    /// Parts of the reactions that do not depend on active unknowns, `reactions x columns`.
+    pub(crate) constant: Mat<f64>,
+}
+
+/// Number of Gauss points a direction for a cell of the given degree; curved maps need a little more than `degree + 1`.
+pub(crate) fn points_for(degree: usize) -> usize {
+    degree + 2
+}
+
+impl Assembly<'_> {
+    /// Stiffness of the cell on its boundary modes, interior condensed; with the factor of the interior.
+    fn boundary_stiffness(&self, cell: usize, local: &LocalModes) -> Result<(Mat<f64>, usize), Error> {
+        let table = self.tables[self.space.cell_degree[cell]].as_ref().map(|t| t.as_ref());
+        let Some(table) = table else { return Err(Error::Degree { cell, degree: self.space.cell_degree[cell] }) };
+        let material = self.materials[self.mesh.cells[cell].material];
+        let mut k = stiffness(self.mesh, cell, table, local, material.moduli(self.kinematics), self.kinematics)?;
+        let ni = self.space.components * local.interior;
+        let mut none = Mat::zeros(k.nrows(), 0);
+        factor_leading(k.as_mut(), none.as_mut(), ni).map_err(|_| not_held(format!("the interior of cell {cell}")))?;
+        Ok((k, ni))
+    }
+
+    /// The cell's element on its active groups.
+    pub(crate) fn cell(&self, cell: usize, rank: &[usize]) -> Result<CellElement, Error> {
+        let space = self.space;
+        let local = space.local_modes(self.mesh, cell);
+        let (k, ni) = self.boundary_stiffness(cell, &local)?;
+        let nb = k.nrows() - ni;
+        let s = k.submatrix(ni, ni, nb, nb);
+        let load = self.cell_loads(cell, &local);
+        let targets = self.targets(cell, &local);
+        let groups = space.cell_groups(self.mesh, cell, rank);
+        let mut start = vec![0; groups.len() + 1];
+        for (i, g) in groups.iter().enumerate() {
+            start[i + 1] = start[i] + space.size[*g];
+        }
+        let n = start[groups.len()];
+        let slot = |group: usize| groups.iter().position(|g| *g == group).map(|i| start[i]);
+        // Rows of the transformation from active unknowns to local ones.
+        let rows: Vec<Vec<(usize, f64)>> = targets
+            .iter()
+            .map(|t| t.active.iter().filter_map(|(g, i, c)| slot(*g).map(|s| (s + i, *c))).collect())
+            .collect();
+        let mut matrix = Mat::zeros(n, n);
+        for j in 0..nb {
+            for (tj, cj) in &rows[j] {
+                for i in j..nb {
+                    for (ti, ci) in &rows[i] {
+                        let value = ci * cj * s[(i, j)];
+                        if ti > tj {
+                            matrix[(*ti, *tj)] += value;
+                        } else if ti < tj && i != j {
+                            matrix[(*tj, *ti)] += value;
+                        } else if ti == tj {
+                            matrix[(*ti, *tj)] += if i == j { value } else { 2.0 * value };
+                        }
+                    }
+                }
+            }
+        }
+        let mut rhs = Mat::zeros(n, self.columns);
+        for ((row, column), value) in load.iter() {
+            for (t, c) in &rows[*row] {
+                rhs[(*t, *column)] += c * value;
+            }
+        }
+        let constant = self.supports(&targets, &rows, s, &load, &mut rhs);
+        Ok(CellElement { element: Element { groups, matrix, rhs }, constant })
+    }
+
+    /// Adds the columns of prescribed displacements and reactions; returns the constant parts of the reactions.
+    fn supports(
+        &self,
+        targets: &[Target],
+        rows: &[Vec<(usize, f64)>],
+        s: MatRef<'_, f64>,
+        load: &[((usize, usize), f64)],
+        rhs: &mut Mat<f64>,
+    ) -> Mat<f64> {
+        let prescribed_column = self.load_cases.len();
+        let reactions = self.columns - prescribed_column - 1;
+        let mut constant = Mat::zeros(reactions, self.columns);
+        if targets.iter().all(|t| t.fixed.is_empty()) {
+            return constant;
+        }
+        let nb = targets.len();
+        let symmetric = |i: usize, j: usize| if i >= j { s[(i, j)] } else { s[(j, i)] };
+        let prescribed: Vec<f64> = targets.iter().map(|t| t.fixed.iter().map(|f| f.share * f.value).sum()).collect();
+        // Virtual displacements of the local unknowns, one vector a reaction.
+        let mut virtual_motion = vec![vec![0.0; nb]; reactions];
+        for (i, target) in targets.iter().enumerate() {
+            for fixed in &target.fixed {
+                let vertex = fixed.group < self.mesh.vertices.len();
+                let unit = f64::from(u8::from(vertex));
+                let rotation = self.rotation[fixed.group].get(fixed.mode).copied().unwrap_or_default();
+                for (k, motion) in [[unit, 0.0], [0.0, unit], rotation].iter().enumerate() {
+                    let along = fixed.axis[0] * motion[0] + fixed.axis[1] * motion[1];
+                    if let Some(v) = virtual_motion.get_mut(3 * fixed.support + k) {
+                        v[i] += fixed.share * along;
+                    }
+                }
+            }
+        }
+        let times = |v: &[f64]| -> Vec<f64> {
+            let mut out = vec![0.0; nb];
+            for j in (0..nb).filter(|j| v[*j] != 0.0) {
+                for (i, o) in out.iter_mut().enumerate() {
+                    *o += symmetric(i, j) * v[j];
+                }
+            }
+            out
+        };
+        let of_prescribed = times(&prescribed);
+        for (row, value) in rows.iter().zip(&of_prescribed) {
+            for (t, c) in row {
+                rhs[(*t, prescribed_column)] -= c * value;
+            }
+        }
+        for (r, motion) in virtual_motion.iter().enumerate() {
+            let column = prescribed_column + 1 + r;
+            for (row, value) in rows.iter().zip(times(motion)) {
+                for (t, c) in row {
+                    rhs[(*t, column)] += c * value;
+                }
+            }
+            constant[(r, prescribed_column)] += motion.iter().zip(&of_prescribed).map(|(a, b)| a * b).sum::<f64>();
+            for ((row, column), value) in load {
+                constant[(r, *column)] -= motion[*row] * value;
+            }
+        }
+        constant
+    }
+
+    /// Targets of the cell's local boundary unknowns, components fastest.
+    pub(crate) fn targets(&self, cell: usize, local: &LocalModes) -> Vec<Target> {
+        let c = &self.mesh.cells[cell];
+        let mut targets = Vec::new();
+        let mut push = |group, mode| {
+            (0..self.space.components).for_each(|k| targets.push(self.space.target(self.mesh, group, mode, k)));
+        };
+        c.corners.iter().for_each(|v| push(*v, 0));
+        for e in 0..4 {
+            let modes = local.edge_start[e + 1] - local.edge_start[e];
+            (0..modes).for_each(|m| push(self.mesh.vertices.len() + c.edges[e], m));
+        }
+        targets
+    }
+
+    /// Consistent loads of the cell's loaded edges: `((local boundary unknown, column), value)`.
+    fn cell_loads(&self, cell: usize, local: &LocalModes) -> Vec<((usize, usize), f64)> {
+        let mut loads = Vec::new();
+        for e in 0..4 {
+            let edge = self.mesh.cells[cell].edges[e];
+            for &(owner, case, index) in &self.edge_loads[edge] {
+                if owner != cell {
+                    continue;
+                }
+                let traction = &self.load_cases[case][index].traction;
+                let degree = self.space.edge_degree[edge];
+                let rule = gauss(points_for(degree) + 4);
+                let curve = self.mesh.local_curve(cell, e);
+                let mut sums = vec![[0.0; 2]; degree + 1];
+                for (t, w) in rule.points.iter().zip(&rule.weights) {
+                    let (point, length) = boundary_point(&curve, *t, e >= 2);
+                    let value = traction(&point);
+                    let weight = w * length * self.kinematics.measure(point.position[0]);
+                    for (sum, shape) in sums.iter_mut().zip(shape_functions(degree, *t).0) {
+                        sum[0] += weight * shape * value[0];
+                        sum[1] += weight * shape * value[1];
+                    }
+                }
+                let components = self.space.components;
+                for (mode, sum) in sums.iter().enumerate() {
+                    let scalar = if mode < 2 { CELL_EDGES[e][mode] } else { local.edge_start[e] + mode - 2 - local.interior };
+                    let odd = mode >= 2 && mode % 2 == 1 && self.mesh.cells[cell].against[e];
+                    let sign = if odd { -1.0 } else { 1.0 };
+                    for (k, value) in sum.iter().enumerate().take(components) {
+                        loads.push(((components * scalar + k, case), sign * value));
+                    }
+                }
+            }
+        }
+        loads
+    }
+
+    /// Interior unknowns of a cell from its boundary unknowns: `u_i = -K_ii^-1 K_ib u_b`, followed by the boundary unknowns.
+    pub(crate) fn recover(&self, cell: usize, boundary: &[f64]) -> Result<Vec<f64>, Error> {
+        let local = self.space.local_modes(self.mesh, cell);
+        let (k, ni) = self.boundary_stiffness(cell, &local)?;
+        let mut x = vec![0.0; ni];
+        for j in 0..ni {
+            let column = &k.col_as_slice(j)[ni..];
+            x[j] = -column.iter().zip(boundary).map(|(a, b)| a * b).sum::<f64>();
+        }
+        for j in (0..ni).rev() {
+            let column = k.col_as_slice(j);
+            let sum: f64 = column[j + 1..ni].iter().zip(&x[j + 1..]).map(|(a, b)| a * b).sum();
+            x[j] = (x[j] - sum) / column[j];
+        }
+        x.extend_from_slice(boundary);
+        Ok(x)
+    }
+}
+
+/// The boundary point of a curve at `t` and the length factor `|dx/dt|`; `clockwise` tells that the curve has the body on its right.
+pub(crate) fn boundary_point(curve: &Curve, t: f64, clockwise: bool) -> (BoundaryPoint, f64) {
+    let d = curve.derivative(t);
+    let length = d[0].hypot(d[1]);
+    let sign = if clockwise { -1.0 } else { 1.0 };
+    let tangent = [sign * d[0] / length, sign * d[1] / length];
+    (BoundaryPoint { position: curve.point(t), outward: [tangent[1], -tangent[0]], tangent }, length)
+}
+
+/// Coefficients of the modes 2.. of a field on an edge, interpolated at Lobatto points, in the edge's own parameter.
+pub(crate) fn edge_modes(curve: &Curve, degree: usize, field: impl Fn([f64; 2]) -> [f64; 2]) -> Vec<[f64; 2]> {
+    if degree < 2 {
+        return Vec::new();
+    }
+    let nodes = gauss_lobatto(degree + 1).points;
+    let barycentric = barycentric_weights(&nodes);
+    let values: Vec<[f64; 2]> = nodes.iter().map(|t| field(curve.point(*t))).collect();
+    // The N_k' are orthonormal, so the coefficient of N_k is int f' N_k'. The rule has no point in common with the nodes.
+    let rule = gauss(degree + 2);
+    let mut modes = vec![[0.0; 2]; degree - 1];
+    for (t, w) in rule.points.iter().zip(&rule.weights) {
+        let here = lagrange(&nodes, &barycentric, *t);
+        let terms: Vec<f64> = nodes.iter().zip(&barycentric).map(|(x, b)| b / (t - x)).collect();
+        let total: f64 = terms.iter().sum();
+        let slope: [f64; 2] = std::array::from_fn(|k| {
+            let f: f64 = here.iter().zip(&values).map(|(l, v)| l * v[k]).sum();
+            (0..nodes.len()).map(|i| terms[i] * (f - values[i][k]) / (t - nodes[i])).sum::<f64>() / total
+        });
+        for (mode, shape) in modes.iter_mut().zip(&shape_functions(degree, *t).1[2..]) {
+            mode[0] += w * shape * slope[0];
+            mode[1] += w * shape * slope[1];
+        }
+    }
+    modes
+}
+
+/// Rigid rotation about the origin.
+pub(crate) fn rotation_about_origin(x: [f64; 2]) -> [f64; 2] {
+    rigid_rows(x, [0.0, 0.0])[2]
+}

@@ -1,0 +1,394 @@
+//! A body: mesh, material, supports and loads, reduced to its kept boundary.
+
+use crate::assemble::{Assembly, LoadCase, edge_modes, points_for, rotation_about_origin};
+use crate::basis::Table;
+use crate::elimination::{Condensed, Plan, not_held};
+use crate::error::Error;
+use crate::field::Field;
+use crate::interface::{InterfaceOperator, InterfaceState};
+use crate::material::{Kinematics, Material};
+use crate::mesh::Mesh;
+use crate::space::{RigidEdge, Space, SpaceKind, Support, rigid_rows};
+use crate::trace::{Trace, path};
+use faer::Mat;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// The problem of one body.
+pub struct BodyProblem<'a> {
+    /// The mesh.
+    pub mesh: &'a Mesh,
+    /// Degree of every cell, `1..=`[`MAX_DEGREE`](crate::MAX_DEGREE).
+    pub degrees: Vec<usize>,
+    /// Tensor or trunk space.
+    pub space: SpaceKind,
+    /// Plane stress, plane strain, axisymmetric or torsion.
+    pub kinematics: Kinematics,
+    /// Materials, by the index of the cells.
+    pub materials: &'a [Material],
+    /// Prescribed displacement components.
+    pub supports: &'a [Support],
+    /// A boundary that moves as a rigid line.
+    pub rigid_edge: Option<RigidEdge>,
+    /// Load cases.
+    pub load_cases: &'a [LoadCase<'a>],
+    /// Name of the boundary whose unknowns are kept; `None` solves the body alone.
+    pub kept: Option<&'a str>,
+}
+
+/// A body whose interior is eliminated.
+pub struct Body<'a> {
+    /// The reduced body.
+    pub interface: InterfaceOperator,
+    /// Sizes and times of the reduction.
+    pub effort: Effort,
+    problem: BodyProblem<'a>,
+    space: Space,
+    condensed: Condensed,
+    kept_groups: Vec<usize>,
+}
+
+/// Sizes and times of a reduction.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Effort {
+    /// Number of cells.
+    pub cells: usize,
+    /// Number of unknowns of the whole body.
+    pub unknowns: usize,
+    /// Time to make the element matrices, condense them and prepare the loads.
+    pub assemble: Duration,
+    /// Time to order and eliminate the skeleton.
+    pub factor: Duration,
+}
+
+impl<'a> Body<'a> {
+    /// Assembles the body and eliminates everything but the kept boundary and the rigid edge.
+    ///
+    /// # Errors
+    /// Unknown boundary names, folded cells, degrees out of range, a body that nothing holds.
+    pub fn new(problem: BodyProblem<'a>) -> Result<Body<'a>, Error> {
+        let start = Instant::now();
+        let mesh = problem.mesh;
+        let supports = problem.supports;
+        let space = Space::new(
+            mesh,
+            problem.degrees.clone(),
+            problem.space,
+            problem.kinematics,
+            supports,
+            problem.rigid_edge.as_ref(),
+        )?;
+        let walk = problem.kept.map(|name| path(mesh, name)).transpose()?.unwrap_or_default();
+        let kept_groups = kept_groups(mesh, &space, &walk);
+        let element_groups: Vec<Vec<usize>> =
+            (0..mesh.cells.len()).map(|c| space.cell_groups(mesh, c, &[])).collect();
+        let plan = Plan::new(&element_groups, &space.size, &kept_groups);
+        let ordered = start.elapsed();
+        let assembly = assembly(&problem, &space)?;
+        let columns = assembly.columns;
+        let results = map_cells(mesh.cells.len(), |c| assembly.cell(c, &plan.rank));
+        let mut elements = Vec::with_capacity(mesh.cells.len());
+        let mut reaction_constant = Mat::zeros(3 * supports.len(), columns);
+        for result in results {
+            let cell = result?;
+            reaction_constant += &cell.constant;
+            elements.push(cell.element);
+        }
+        let assembled = start.elapsed();
+        let interior: usize = (0..mesh.cells.len()).map(|c| space.components * space.local_modes(mesh, c).interior).sum();
+        let condensed = plan.run(elements, &space.size, &kept_groups, columns).map_err(|g| not_held(place(mesh, g)))?;
+        let factored = start.elapsed();
+        let mut offsets = vec![None; space.size.len()];
+        let mut unknowns = 0;
+        for g in &kept_groups {
+            offsets[*g] = Some(unknowns);
+            unknowns += space.size[*g];
+        }
+        let trace = Trace::new(mesh, &space, problem.kinematics, &walk, |g| offsets[g], unknowns);
+        let rigid_motions = free_motions(mesh, &space, &problem);
+        let rigid_modes = rigid_columns(mesh, &space, &kept_groups, &rigid_motions, unknowns, problem.kinematics);
+        let mut frame = [None; 3];
+        if let Some((group, rigid)) = &space.frame {
+            let mut next = offsets[*group];
+            for (k, slot) in frame.iter_mut().enumerate() {
+                if rigid.free[k] {
+                    *slot = next;
+                    next = next.map(|n| n + 1);
+                }
+            }
+        }
+        let interface = InterfaceOperator {
+            kinematics: problem.kinematics,
+            trace,
+            stiffness: condensed.stiffness.clone(),
+            columns: condensed.rhs.clone(),
+            work: condensed.work.clone(),
+            rigid_modes,
+            rigid_motions,
+            load_cases: problem.load_cases.len(),
+            frame,
+            reaction_constant,
+        };
+        let effort = Effort {
+            cells: mesh.cells.len(),
+            unknowns: space.size.iter().sum::<usize>() + interior,
+            assemble: assembled - ordered,
+            factor: ordered + factored - assembled,
+        };
+        Ok(Body { interface, effort, problem, space, condensed, kept_groups })
+    }
+
+    /// The mesh of the body.
+    pub fn mesh(&self) -> &'a Mesh {
+        self.problem.mesh
+    }
+
+    /// Solves the body alone under the load-case factors (all motions held by supports or kept).
+    pub fn solve(&self, cases: &[f64]) -> InterfaceState {
+        let factors = self.interface.factors(cases);
+        let n = self.interface.stiffness.nrows();
+        let load = vec![0.0; n];
+        let right = self.interface.right_hand_side(&load, &factors);
+        let right = Mat::from_fn(n, 1, |i, _| right[i]);
+        let x = self.interface.solve(&right, &self.interface.rigid_modes);
+        InterfaceState { unknowns: (0..n).map(|i| x[(i, 0)]).collect(), factors, load }
+    }
+
+    /// Recovers the displacement of the whole body.
+    ///
+    /// # Errors
+    /// As for [`Body::new`]; cells are assembled again.
+    pub fn field(&self, state: &InterfaceState) -> Result<Field<'a>, Error> {
+        let mut values: Vec<Vec<f64>> = vec![Vec::new(); self.space.size.len()];
+        let mut at = 0;
+        for g in &self.kept_groups {
+            values[*g] = state.unknowns[at..at + self.space.size[*g]].to_vec();
+            at += self.space.size[*g];
+        }
+        self.condensed.back_substitute(&mut values, &self.space.size, &state.factors);
+        let assembly = assembly(&self.problem, &self.space)?;
+        let mesh = self.problem.mesh;
+        let coefficients = map_cells(mesh.cells.len(), |c| {
+            let local = self.space.local_modes(mesh, c);
+            let boundary: Vec<f64> = assembly
+                .targets(c, &local)
+                .iter()
+                .map(|t| {
+                    let active: f64 = t.active.iter().map(|(g, i, c)| c * values[*g][*i]).sum();
+                    active + t.fixed.iter().map(|f| f.share * f.value).sum::<f64>()
+                })
+                .collect();
+            assembly.recover(c, &boundary).map(|u| (local, u))
+        });
+        let coefficients = coefficients.into_iter().collect::<Result<Vec<_>, Error>>()?;
+        Ok(Field::new(mesh, self.problem.kinematics, self.problem.materials, &self.space, coefficients))
+    }
+}
+
+/// Applies `work` to every cell, in parallel with the `rayon` feature; results come in cell order either way.
+fn map_cells<T: Send>(cells: usize, work: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
+    #[cfg(feature = "rayon")]
+    {
+        use rayon::prelude::*;
+        (0..cells).into_par_iter().map(work).collect()
+    }
+    #[cfg(not(feature = "rayon"))]
+    {
+        (0..cells).map(work).collect()
+    }
+}
+
+/// Groups whose unknowns are kept: those of the path in order, then the rigid edge.
+fn kept_groups(mesh: &Mesh, space: &Space, walk: &[(usize, bool)]) -> Vec<usize> {
+    let mut groups = Vec::new();
+    for (i, (edge, against)) in walk.iter().enumerate() {
+        let [a, b] = mesh.edges[*edge].vertices;
+        let (from, to) = if *against { (b, a) } else { (a, b) };
+        if i == 0 {
+            groups.push(from);
+        }
+        groups.extend([mesh.vertices.len() + edge, to]);
+    }
+    groups.extend(space.frame.iter().map(|(g, _)| *g));
+    groups.retain(|g| space.size[*g] > 0);
+    groups
+}
+
+fn assembly<'b>(problem: &'b BodyProblem<'_>, space: &'b Space) -> Result<Assembly<'b>, Error> {
+    let mesh = problem.mesh;
+    let mut tables: Vec<Option<Arc<Table>>> = Vec::new();
+    for degree in &space.cell_degree {
+        if tables.len() <= *degree {
+            tables.resize(*degree + 1, None);
+        }
+        if tables[*degree].is_none() {
+            tables[*degree] = Some(Arc::new(Table::new(*degree, points_for(*degree))));
+        }
+    }
+    let neighbours = mesh.edge_cells();
+    let mut edge_loads = vec![Vec::new(); mesh.edges.len()];
+    for (case, loads) in problem.load_cases.iter().enumerate() {
+        for (index, load) in loads.iter().enumerate() {
+            for e in mesh.boundary(&load.boundary)? {
+                edge_loads[e].push((neighbours[e][0].0, case, index));
+            }
+        }
+    }
+    let mut rotation = vec![Vec::new(); space.freedom.len()];
+    for (g, freedom) in space.freedom.iter().enumerate() {
+        if freedom.fixed.iter().all(Option::is_none) {
+            continue;
+        }
+        rotation[g] = match g.checked_sub(mesh.vertices.len()) {
+            None => vec![rotation_about_origin(mesh.vertices[g])],
+            Some(e) => edge_modes(&mesh.edges[e].curve, space.edge_degree[e], rotation_about_origin),
+        };
+    }
+    Ok(Assembly {
+        mesh,
+        space,
+        kinematics: problem.kinematics,
+        materials: problem.materials,
+        tables,
+        edge_loads,
+        load_cases: problem.load_cases,
+        rotation,
+        columns: problem.load_cases.len() + 1 + 3 * problem.supports.len(),
+    })
+}
+
+/// Rigid motions `[t_x, t_z, theta]` about the origin that no support hinders, as a reduced basis.
+fn free_motions(mesh: &Mesh, space: &Space, problem: &BodyProblem<'_>) -> Vec<[f64; 3]> {
+    let size = mesh.vertices.iter().fold(0.0_f64, |m, x| m.max(x[0].abs()).max(x[1].abs()));
+    let candidates: &[usize] = match problem.kinematics {
+        Kinematics::Axisymmetric => &[1],
+        Kinematics::Torsion => &[2],
+        _ => &[0, 1, 2],
+    };
+    // Rows of conditions on (t_x, t_z, theta * size).
+    let mut rows: Vec<[f64; 3]> = Vec::new();
+    let mut condition = |x: [f64; 2], d: [f64; 2]| {
+        let motions = rigid_rows(x, [0.0, 0.0]);
+        rows.push([0, 1, 2].map(|k| (motions[k][0] * d[0] + motions[k][1] * d[1]) / if k == 2 { size } else { 1.0 }));
+    };
+    for (g, freedom) in space.freedom.iter().enumerate() {
+        let x = match g.checked_sub(mesh.vertices.len()) {
+            None => mesh.vertices[g],
+            Some(e) => mesh.edges[e].curve.point(0.0),
+        };
+        if freedom.slaved {
+            continue;
+        }
+        for axis in 0..2 {
+            if freedom.fixed[axis].is_some() {
+                if problem.kinematics == Kinematics::Torsion {
+                    // u_phi = r theta.
+                    condition([0.0, x[0]], [-1.0, 0.0]);
+                } else {
+                    condition(x, freedom.axes[axis]);
+                }
+            }
+        }
+    }
+    if let Some((_, rigid)) = &space.frame {
+        let motions = rigid_rows(rigid.reference, [0.0, 0.0]);
+        for (k, d) in [[1.0, 0.0], [0.0, 1.0]].iter().enumerate() {
+            if !rigid.free[k] {
+                rows.push([0, 1, 2].map(|m| (motions[m][0] * d[0] + motions[m][1] * d[1]) / if m == 2 { size } else { 1.0 }));
+            }
+        }
+        if !rigid.free[2] {
+            rows.push([0.0, 0.0, 1.0]);
+        }
+    }
+    // Gaussian elimination with pivoting; free columns give the motions.
+    let mut pivots: Vec<(usize, [f64; 3])> = Vec::new();
+    let mut columns: Vec<usize> = candidates.to_vec();
+    for _ in 0..candidates.len() {
+        let best = rows
+            .iter()
+            .flat_map(|r| columns.iter().map(move |c| (r, *c)))
+            .max_by(|(r, c), (s, d)| r[*c].abs().total_cmp(&s[*d].abs()));
+        let Some((row, column)) = best.map(|(r, c)| (*r, c)) else { break };
+        if row[column].abs() < 1e-9 {
+            break;
+        }
+        let pivot = row.map(|v| v / row[column]);
+        let eliminate = |r: &mut [f64; 3]| {
+            let f = r[column];
+            (0..3).for_each(|k| r[k] -= f * pivot[k]);
+        };
+        rows.iter_mut().for_each(eliminate);
+        pivots.iter_mut().for_each(|(_, r)| eliminate(r));
+        pivots.push((column, pivot));
+        columns.retain(|c| *c != column);
+    }
+    columns
+        .iter()
+        .map(|free| {
+            let mut motion = [0.0; 3];
+            motion[*free] = 1.0;
+            pivots.iter().for_each(|(c, r)| motion[*c] = -r[*free]);
+            motion[2] /= size;
+            let unit = motion.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+            if *free == 2 { motion.map(|v| v * size) } else { motion.map(|v| v / unit) }
+        })
+        .collect()
+}
+
+/// The motions as kept unknowns.
+fn rigid_columns(
+    mesh: &Mesh,
+    space: &Space,
+    kept: &[usize],
+    motions: &[[f64; 3]],
+    unknowns: usize,
+    kinematics: Kinematics,
+) -> Mat<f64> {
+    let mut columns = Mat::zeros(unknowns, motions.len());
+    let field = |m: &[f64; 3], x: [f64; 2]| -> [f64; 2] {
+        if kinematics == Kinematics::Torsion {
+            return [m[2] * x[0], 0.0];
+        }
+        let rows = rigid_rows(x, [0.0, 0.0]);
+        std::array::from_fn(|i| (0..3).map(|k| m[k] * rows[k][i]).sum())
+    };
+    let mut at = 0;
+    for g in kept {
+        for (c, motion) in motions.iter().enumerate() {
+            if let Some((group, rigid)) = &space.frame
+                && group == g
+            {
+                let t = field(motion, rigid.reference);
+                let values = [t[0], t[1], motion[2]];
+                let free = (0..3).filter(|k| rigid.free[*k]);
+                free.enumerate().for_each(|(i, k)| columns[(at + i, c)] = values[k]);
+                continue;
+            }
+            let modes = match g.checked_sub(mesh.vertices.len()) {
+                None => vec![field(motion, mesh.vertices[*g])],
+                Some(e) => edge_modes(&mesh.edges[e].curve, space.edge_degree[e], |x| field(motion, x)),
+            };
+            let freedom = &space.freedom[*g];
+            let free: Vec<usize> = (0..space.components).filter(|a| freedom.fixed[*a].is_none()).collect();
+            for (m, value) in modes.iter().enumerate() {
+                for (i, axis) in free.iter().enumerate() {
+                    let d = freedom.axes[*axis];
+                    columns[(at + m * free.len() + i, c)] = d[0] * value[0] + d[1] * value[1];
+                }
+            }
+        }
+        at += space.size[*g];
+    }
+    columns
+}
+
+/// Words for the place of a group.
+fn place(mesh: &Mesh, group: usize) -> String {
+    let at = |x: [f64; 2]| format!("({:.4}, {:.4})", x[0], x[1]);
+    match group.checked_sub(mesh.vertices.len()) {
+        None => format!("the vertex at {}", at(mesh.vertices[group])),
+        Some(e) if e < mesh.edges.len() => format!("the edge around {}", at(mesh.edges[e].curve.point(0.0))),
+        Some(_) => "the rigid edge".to_string(),
+    }
+}

@@ -1,0 +1,330 @@
+//! Elimination of all unknowns but the kept ones, front by front.
+//!
+//! A *group* is the set of unknowns of one vertex, one edge or one rigid frame; an *element* is a symmetric matrix on a few groups. At
+//! first the elements are the cells with their interior already condensed. Eliminating a group merges all elements that
+//! contain it into one dense front, factorises the part that nobody else contains (Cholesky) and leaves the Schur complement as a new
+//! element (the multifrontal method, Duff and Reid 1983, on the quotient graph of p-version groups). What is left at the end lives on the
+//! kept groups: their Schur complement `S = K_cc - K_ci K_ii^-1 K_ic` falls out by itself, and a body that floats freely
+//! needs no special care as long as the kept groups hold it.
+
+use crate::error::Error;
+use faer::linalg::cholesky::llt::factor::{LltError, cholesky_in_place, cholesky_in_place_scratch};
+use faer::linalg::matmul::matmul;
+use faer::linalg::matmul::triangular::{BlockStructure, matmul as triangular_matmul};
+use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::{Accum, Mat, MatMut, Par, Spec};
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+/// A symmetric matrix (lower triangle) and right-hand sides on the unknowns of `groups`, in that order.
+pub(crate) struct Element {
+    pub(crate) groups: Vec<usize>,
+    pub(crate) matrix: Mat<f64>,
+    pub(crate) rhs: Mat<f64>,
+}
+
+/// The order of elimination and which elements meet in which front; it depends on the mesh and the degrees alone.
+pub(crate) struct Plan {
+    /// Place of each group in the order; kept groups come last, in the order given.
+    pub(crate) rank: Vec<usize>,
+    fronts: Vec<FrontPlan>,
+    /// Elements left at the end.
+    roots: Vec<usize>,
+}
+
+struct FrontPlan {
+    children: Vec<usize>,
+    /// Groups in order of rank; the first `eliminated` of them disappear.
+    groups: Vec<usize>,
+    eliminated: usize,
+}
+
+/// One factorised front: `[L11; L21]` and the reduced right-hand sides `y = L11^-1 f`.
+struct Front {
+    groups: Vec<usize>,
+    eliminated: usize,
+    panel: Mat<f64>,
+    reduced: Mat<f64>,
+}
+
+/// The factorised interior and the condensed kept part.
+pub(crate) struct Condensed {
+    fronts: Vec<Front>,
+    /// Schur complement on the kept unknowns, both triangles filled.
+    pub(crate) stiffness: Mat<f64>,
+    /// Condensed right-hand sides.
+    pub(crate) rhs: Mat<f64>,
+    /// `f_i^T K_ii^-1 f_j` of the eliminated parts of the right-hand sides.
+    pub(crate) work: Mat<f64>,
+}
+
+impl Plan {
+    /// Minimum-degree order with approximate external degrees (Amestoy, Davis and Duff 1996), weighted by group size.
+    pub(crate) fn new(element_groups: &[Vec<usize>], size: &[usize], kept: &[usize]) -> Plan {
+        let mut is_kept = vec![false; size.len()];
+        kept.iter().for_each(|g| is_kept[*g] = true);
+        let mut members: Vec<Vec<usize>> = element_groups.to_vec();
+        let mut weight: Vec<usize> = members.iter().map(|m| m.iter().map(|g| size[*g]).sum()).collect();
+        let mut holders: Vec<Vec<usize>> = vec![Vec::new(); size.len()];
+        for (e, groups) in members.iter().enumerate() {
+            groups.iter().for_each(|g| holders[*g].push(e));
+        }
+        let mut alive = vec![true; members.len()];
+        let mut degree: Vec<usize> =
+            (0..size.len()).map(|g| holders[g].iter().map(|e| weight[*e] - size[g]).sum()).collect();
+        let mut heap: BinaryHeap<Reverse<(usize, usize)>> = (0..size.len())
+            .filter(|g| !is_kept[*g] && !holders[*g].is_empty())
+            .map(|g| Reverse((degree[g], g)))
+            .collect();
+        let mut done = vec![false; size.len()];
+        let mut stamp = vec![usize::MAX; size.len()];
+        let mut outside: Vec<usize> = vec![0; members.len()];
+        let mut outside_stamp: Vec<usize> = vec![usize::MAX; members.len()];
+        let mut order = Vec::with_capacity(size.len());
+        let mut fronts = Vec::new();
+        while let Some(Reverse((d, g))) = heap.pop() {
+            if done[g] || d != degree[g] {
+                continue;
+            }
+            let id = members.len();
+            let children = std::mem::take(&mut holders[g]);
+            let mut union = Vec::new();
+            for child in &children {
+                alive[*child] = false;
+                for h in std::mem::take(&mut members[*child]) {
+                    if stamp[h] != id {
+                        stamp[h] = id;
+                        union.push(h);
+                    }
+                }
+            }
+            let mut remaining = Vec::new();
+            let before = order.len();
+            for h in &union {
+                holders[*h].retain(|e| alive[*e]);
+                if !is_kept[*h] && holders[*h].is_empty() {
+                    done[*h] = true;
+                    order.push(*h);
+                } else {
+                    remaining.push(*h);
+                }
+            }
+            let total: usize = remaining.iter().map(|h| size[*h]).sum();
+            // |L_e \ L_id| for every element e that shares a group with the new one.
+            for h in &remaining {
+                for e in &holders[*h] {
+                    if outside_stamp[*e] != id {
+                        outside_stamp[*e] = id;
+                        outside[*e] = weight[*e];
+                    }
+                    outside[*e] -= size[*h];
+                }
+            }
+            for h in &remaining {
+                degree[*h] = total - size[*h] + holders[*h].iter().map(|e| outside[*e]).sum::<usize>();
+                holders[*h].push(id);
+                if !is_kept[*h] {
+                    heap.push(Reverse((degree[*h], *h)));
+                }
+            }
+            fronts.push(FrontPlan { children, groups: union, eliminated: order.len() - before });
+            members.push(remaining);
+            weight.push(total);
+            alive.push(true);
+            outside.push(0);
+            outside_stamp.push(usize::MAX);
+        }
+        let mut rank = vec![usize::MAX; size.len()];
+        order.iter().chain(kept).enumerate().for_each(|(i, g)| rank[*g] = i);
+        for front in &mut fronts {
+            front.groups.sort_by_key(|g| rank[*g]);
+        }
+        let roots = (0..members.len()).filter(|e| alive[*e]).collect();
+        Plan { rank, fronts, roots }
+    }
+
+    /// Largest memory the factorisation will hold at once, in bytes, without the elements handed in: all panels and the largest front.
+    pub(crate) fn bytes(&self, size: &[usize]) -> usize {
+        let mut total = 0;
+        let mut largest = 0;
+        for front in &self.fronts {
+            let n: usize = front.groups.iter().map(|g| size[*g]).sum();
+            let ne: usize = front.groups[..front.eliminated].iter().map(|g| size[*g]).sum();
+            total += 8 * n * ne;
+            largest = largest.max(8 * n * n);
+        }
+        total + 2 * largest
+    }
+
+    /// Runs the elimination on elements whose groups are sorted by [`Plan::rank`].
+    ///
+    /// # Errors
+    /// The group whose pivot lost all stiffness.
+    pub(crate) fn run(
+        &self,
+        elements: Vec<Element>,
+        size: &[usize],
+        kept: &[usize],
+        columns: usize,
+    ) -> Result<Condensed, usize> {
+        let mut elements: Vec<Option<Element>> = elements.into_iter().map(Some).collect();
+        let mut offset = vec![0; size.len()];
+        let mut fronts = Vec::with_capacity(self.fronts.len());
+        let mut work = Mat::zeros(columns, columns);
+        for plan in &self.fronts {
+            let n = place(&plan.groups, size, &mut offset);
+            let ne = plan.groups[..plan.eliminated].iter().map(|g| size[*g]).sum();
+            let mut matrix = Mat::zeros(n, n);
+            let mut rhs = Mat::zeros(n, columns);
+            for child in &plan.children {
+                if let Some(element) = elements[*child].take() {
+                    add(&element, size, &offset, &mut matrix, &mut rhs);
+                }
+            }
+            factor_leading(matrix.as_mut(), rhs.as_mut(), ne).map_err(|index| owner(&plan.groups, size, index))?;
+            let reduced = rhs.subrows(0, ne).to_owned();
+            matmul(work.as_mut(), Accum::Add, reduced.transpose(), reduced.as_ref(), 1.0, Par::Seq);
+            let panel = matrix.subcols(0, ne).to_owned();
+            elements.push(Some(Element {
+                groups: plan.groups[plan.eliminated..].to_vec(),
+                matrix: matrix.submatrix(ne, ne, n - ne, n - ne).to_owned(),
+                rhs: rhs.subrows(ne, n - ne).to_owned(),
+            }));
+            fronts.push(Front { groups: plan.groups.clone(), eliminated: plan.eliminated, panel, reduced });
+        }
+        let n = place(kept, size, &mut offset);
+        let mut stiffness = Mat::zeros(n, n);
+        let mut rhs = Mat::zeros(n, columns);
+        for root in &self.roots {
+            if let Some(element) = elements[*root].take() {
+                add(&element, size, &offset, &mut stiffness, &mut rhs);
+            }
+        }
+        for j in 0..n {
+            for i in 0..j {
+                stiffness[(i, j)] = stiffness[(j, i)];
+            }
+        }
+        Ok(Condensed { fronts, stiffness, rhs, work })
+    }
+}
+
+impl Condensed {
+    /// Recovers the eliminated unknowns: `values` holds one vector a group, those of the kept groups filled in; the right-hand
+    /// side is the combination of columns with the given `factors`.
+    pub(crate) fn back_substitute(&self, values: &mut [Vec<f64>], size: &[usize], factors: &[f64]) {
+        for front in self.fronts.iter().rev() {
+            let (gone, left) = front.groups.split_at(front.eliminated);
+            let known: Vec<f64> = left.iter().flat_map(|g| values[*g].iter().copied()).collect();
+            let ne = front.panel.ncols();
+            let mut x = Mat::from_fn(ne, 1, |i, _| {
+                factors.iter().enumerate().map(|(c, factor)| factor * front.reduced[(i, c)]).sum::<f64>()
+            });
+            let known = Mat::from_fn(known.len(), 1, |i, _| known[i]);
+            let (l11, l21) = front.panel.split_at_row(ne);
+            matmul(x.as_mut(), Accum::Add, l21.transpose(), known.as_ref(), -1.0, Par::Seq);
+            solve_upper_triangular_in_place(l11.transpose(), x.as_mut(), Par::Seq);
+            let mut at = 0;
+            for g in gone {
+                values[*g] = (at..at + size[*g]).map(|i| x[(i, 0)]).collect();
+                at += size[*g];
+            }
+        }
+    }
+}
+
+/// Factorises the leading `ne` unknowns in place: on return the first columns hold `[L11; L21]`, the trailing lower triangle the
+/// Schur complement, and the right-hand sides are reduced accordingly.
+///
+/// # Errors
+/// The index of the pivot that is not positive beyond round-off.
+pub(crate) fn factor_leading(matrix: MatMut<'_, f64>, rhs: MatMut<'_, f64>, ne: usize) -> Result<(), usize> {
+    if ne == 0 {
+        return Ok(());
+    }
+    let (mut a11, _, mut a21, a22) = matrix.split_at_mut(ne, ne);
+    let (mut f1, f2) = rhs.split_at_row_mut(ne);
+    let diagonal: Vec<f64> = (0..ne).map(|i| a11[(i, i)]).collect();
+    let mut buffer = MemBuffer::new(cholesky_in_place_scratch::<f64>(ne, Par::Seq, Spec::default()));
+    cholesky_in_place(a11.as_mut(), Default::default(), Par::Seq, MemStack::new(&mut buffer), Spec::default())
+        .map_err(|LltError::NonPositivePivot { index }| index)?;
+    // A pivot that is round-off of the diagonal it came from means a motion that nothing holds.
+    if let Some(lost) = (0..ne).find(|i| a11[(*i, *i)].powi(2) <= 1e-13 * diagonal[*i]) {
+        return Err(lost);
+    }
+    let l11 = a11.as_ref();
+    solve_lower_triangular_in_place(l11, a21.as_mut().transpose_mut(), Par::Seq);
+    triangular_matmul(
+        a22,
+        BlockStructure::TriangularLower,
+        Accum::Add,
+        a21.as_ref(),
+        BlockStructure::Rectangular,
+        a21.as_ref().transpose(),
+        BlockStructure::Rectangular,
+        -1.0,
+        Par::Seq,
+    );
+    solve_lower_triangular_in_place(l11, f1.as_mut(), Par::Seq);
+    matmul(f2, Accum::Add, a21.as_ref(), f1.as_ref(), -1.0, Par::Seq);
+    Ok(())
+}
+
+/// Sets the offsets of the groups in a front and returns its size.
+fn place(groups: &[usize], size: &[usize], offset: &mut [usize]) -> usize {
+    let mut n = 0;
+    for g in groups {
+        offset[*g] = n;
+        n += size[*g];
+    }
+    n
+}
+
+/// Adds an element into a front. Both sort their groups by rank, so lower stays lower and rows come in runs.
+fn add(element: &Element, size: &[usize], offset: &[usize], matrix: &mut Mat<f64>, rhs: &mut Mat<f64>) {
+    let mut from = 0;
+    for (b, column_group) in element.groups.iter().enumerate() {
+        for c in 0..size[*column_group] {
+            let (source, target) = (from + c, offset[*column_group] + c);
+            let column = element.matrix.col_as_slice(source);
+            let out = matrix.col_as_slice_mut(target);
+            let mut row = from;
+            for row_group in &element.groups[b..] {
+                let n = size[*row_group];
+                let start = offset[*row_group];
+                for (o, s) in out[start..start + n].iter_mut().zip(&column[row..row + n]) {
+                    *o += s;
+                }
+                row += n;
+            }
+        }
+        from += size[*column_group];
+    }
+    let mut row = 0;
+    for g in &element.groups {
+        for i in 0..size[*g] {
+            for c in 0..rhs.ncols() {
+                rhs[(offset[*g] + i, c)] += element.rhs[(row + i, c)];
+            }
+        }
+        row += size[*g];
+    }
+}
+
+/// The group that owns unknown `index` of a front.
+fn owner(groups: &[usize], size: &[usize], index: usize) -> usize {
+    let mut n = 0;
+    for g in groups {
+        n += size[*g];
+        if index < n {
+            return *g;
+        }
+    }
+    groups.last().copied().unwrap_or(0)
+}
+
+/// Turns a lost pivot into a sentence about the place.
+pub(crate) fn not_held(place: String) -> Error {
+    Error::NotHeld { place }
+}

@@ -1,0 +1,80 @@
+//! What can be wrong with a problem handed to this crate.
+
+/// Wrong input, with the numbers that show it.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Error {
+    /// A cell's map is folded or has no area.
+    #[error("cell {cell} is folded or degenerate: its Jacobian is {jacobian:.3e} at ({x:.6}, {z:.6}); its corners must run anti-clockwise with every angle below 180 degrees")]
+    FoldedCell {
+        /// Index of the cell.
+        cell: usize,
+        /// Value of the Jacobian determinant.
+        jacobian: f64,
+        /// First coordinate of the place.
+        x: f64,
+        /// Second coordinate of the place.
+        z: f64,
+    },
+    /// An edge's curve does not join the edge's vertices.
+    #[error("the curve given for the edge {a}-{b} misses its vertices by {distance:.3e}")]
+    CurveMissesVertex {
+        /// First vertex.
+        a: usize,
+        /// Second vertex.
+        b: usize,
+        /// Largest distance between curve end and vertex.
+        distance: f64,
+    },
+    /// An edge named in a curve or boundary is not an edge of any cell.
+    #[error("{a}-{b} is not an edge of any cell")]
+    NoSuchEdge {
+        /// First vertex.
+        a: usize,
+        /// Second vertex.
+        b: usize,
+    },
+    /// A boundary name that the mesh does not have.
+    #[error("the mesh has no boundary \"{name}\"; it has: {known}")]
+    NoSuchBoundary {
+        /// The name asked for.
+        name: String,
+        /// The names there are.
+        known: String,
+    },
+    /// A degree outside the supported range.
+    #[error("degree {degree} of cell {cell} is outside 1..={max}", max = crate::MAX_DEGREE)]
+    Degree {
+        /// Index of the cell.
+        cell: usize,
+        /// Its degree.
+        degree: usize,
+    },
+    /// A material that cannot exist.
+    #[error("Young's modulus {young} must be positive and Poisson's ratio {poisson} must be in (-1, 0.5)")]
+    Material {
+        /// Young's modulus.
+        young: f64,
+        /// Poisson's ratio.
+        poisson: f64,
+    },
+    /// The body can move without strain and neither a support nor the kept boundary holds it.
+    #[error("the body is not held: elimination met a pivot without stiffness at {place}; add a support, or keep the boundary that holds it")]
+    NotHeld {
+        /// Words for the place.
+        place: String,
+    },
+    /// The boundary to be kept is not one connected path of edges.
+    #[error("the edges of boundary \"{name}\" do not form one open path")]
+    NotAPath {
+        /// Name of the boundary.
+        name: String,
+    },
+    /// The point is in no cell.
+    #[error("the point ({x}, {z}) lies in no cell of the mesh")]
+    OutsideMesh {
+        /// First coordinate.
+        x: f64,
+        /// Second coordinate.
+        z: f64,
+    },
+}

@@ -1,0 +1,149 @@
+//! The displacement and stress of a whole body at any point.
+
+use crate::basis::LocalModes;
+use crate::element::cell_geometry;
+use crate::error::Error;
+use crate::legendre::shape_functions;
+use crate::material::{Kinematics, Material};
+use crate::mesh::Mesh;
+use crate::space::Space;
+
+/// A displacement field with its stresses.
+pub struct Field<'a> {
+    mesh: &'a Mesh,
+    kinematics: Kinematics,
+    materials: Vec<Material>,
+    degrees: Vec<usize>,
+    components: usize,
+    cells: Vec<(LocalModes, Vec<f64>)>,
+}
+
+/// Displacement and stress at a point.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PointState {
+    /// Displacement (u_x, u_z), (u_r, u_z) or (u_phi, 0).
+    pub displacement: [f64; 2],
+    /// Displacement gradient `[[u_x,x, u_x,z], [u_z,x, u_z,z]]`.
+    pub gradient: [[f64; 2]; 2],
+    /// Stress `[xx, zz, xz, yy]` (yy is the out-of-plane or hoop stress); in torsion `[r phi, phi z, 0, 0]`.
+    pub stress: [f64; 4],
+}
+
+impl<'a> Field<'a> {
+    pub(crate) fn new(
+        mesh: &'a Mesh,
+        kinematics: Kinematics,
+        materials: &[Material],
+        space: &Space,
+        cells: Vec<(LocalModes, Vec<f64>)>,
+    ) -> Field<'a> {
+        Field {
+            mesh,
+            kinematics,
+            materials: materials.to_vec(),
+            degrees: space.cell_degree.clone(),
+            components: space.components,
+            cells,
+        }
+    }
+
+    /// State at the reference point `(xi, eta)` of a cell.
+    pub fn at(&self, cell: usize, xi: f64, eta: f64) -> PointState {
+        let (local, u) = &self.cells[cell];
+        let n = self.degrees[cell] + 1;
+        let (vx, dx) = shape_functions(n - 1, xi);
+        let (vy, dy) = shape_functions(n - 1, eta);
+        let geometry = cell_geometry(self.mesh, cell, &[xi], &[eta]);
+        let [[xx, xe], [zx, ze]] = geometry.derivative[0];
+        let jacobian = xx * ze - xe * zx;
+        let mut value = [0.0; 2];
+        let mut slope = [[0.0; 2]; 2];
+        for j in 0..n {
+            for i in 0..n {
+                let position = local.position[i + n * j];
+                if position == usize::MAX {
+                    continue;
+                }
+                let sign = local.sign[i + n * j];
+                for c in 0..self.components {
+                    let a = sign * u[self.components * position + c];
+                    value[c] += a * vx[i] * vy[j];
+                    slope[c][0] += a * dx[i] * vy[j];
+                    slope[c][1] += a * vx[i] * dy[j];
+                }
+            }
+        }
+        let gradient: [[f64; 2]; 2] = std::array::from_fn(|c| {
+            [(slope[c][0] * ze - slope[c][1] * zx) / jacobian, (slope[c][1] * xx - slope[c][0] * xe) / jacobian]
+        });
+        let stress = self.stress(cell, geometry.position[0][0], value, gradient);
+        PointState { displacement: value, gradient, stress }
+    }
+
+    /// Position of a reference point.
+    pub fn position(&self, cell: usize, xi: f64, eta: f64) -> [f64; 2] {
+        self.mesh.map(cell, xi, eta).0
+    }
+
+    /// The cell that holds a point and its reference coordinates, by Newton's method on the map of nearby cells.
+    ///
+    /// # Errors
+    /// [`Error::OutsideMesh`].
+    pub fn locate(&self, x: [f64; 2]) -> Result<(usize, f64, f64), Error> {
+        for cell in 0..self.mesh.cells.len() {
+            let corners = self.mesh.cells[cell].corners.map(|v| self.mesh.vertices[v]);
+            let size = corners.iter().flatten().fold(0.0_f64, |m, _| m)
+                + corners.iter().map(|c| (c[0] - corners[0][0]).hypot(c[1] - corners[0][1])).fold(0.0, f64::max);
+            if corners.iter().all(|c| (c[0] - x[0]).hypot(c[1] - x[1]) > 2.0 * size) {
+                continue;
+            }
+            let mut t = [0.0; 2];
+            for _ in 0..50 {
+                let (at, [[a, b], [c, d]]) = self.mesh.map(cell, t[0], t[1]);
+                let det = a * d - b * c;
+                let r = [x[0] - at[0], x[1] - at[1]];
+                let step = [(d * r[0] - b * r[1]) / det, (a * r[1] - c * r[0]) / det];
+                t = [(t[0] + step[0]).clamp(-1.5, 1.5), (t[1] + step[1]).clamp(-1.5, 1.5)];
+                if step[0].abs() + step[1].abs() < 1e-14 {
+                    break;
+                }
+            }
+            let at = self.mesh.map(cell, t[0], t[1]).0;
+            let hit = (at[0] - x[0]).hypot(at[1] - x[1]) < 1e-9 * size;
+            if hit && t.iter().all(|v| v.abs() <= 1.0 + 1e-9) {
+                return Ok((cell, t[0].clamp(-1.0, 1.0), t[1].clamp(-1.0, 1.0)));
+            }
+        }
+        Err(Error::OutsideMesh { x: x[0], z: x[1] })
+    }
+
+    fn stress(&self, cell: usize, r: f64, u: [f64; 2], g: [[f64; 2]; 2]) -> [f64; 4] {
+        let material = self.materials[self.mesh.cells[cell].material];
+        let m = material.moduli(self.kinematics);
+        let hoop = if r > 0.0 { u[0] / r } else { g[0][0] };
+        match self.kinematics {
+            Kinematics::Torsion => [m.shear * (g[0][0] - hoop), m.shear * g[0][1], 0.0, 0.0],
+            Kinematics::Axisymmetric => [
+                m.c11 * g[0][0] + m.c12 * (g[1][1] + hoop),
+                m.c11 * g[1][1] + m.c12 * (g[0][0] + hoop),
+                m.shear * (g[0][1] + g[1][0]),
+                m.c11 * hoop + m.c12 * (g[0][0] + g[1][1]),
+            ],
+            _ => {
+                let xx = m.c11 * g[0][0] + m.c12 * g[1][1];
+                let zz = m.c11 * g[1][1] + m.c12 * g[0][0];
+                let plane_strain = matches!(self.kinematics, Kinematics::PlaneStrain { .. });
+                let yy = if plane_strain { material.poisson() * (xx + zz) } else { 0.0 };
+                [xx, zz, m.shear * (g[0][1] + g[1][0]), yy]
+            }
+        }
+    }
+}
+
+impl PointState {
+    /// Von Mises stress of the stored components (not for torsion).
+    pub fn von_mises(&self) -> f64 {
+        let [x, z, t, y] = self.stress;
+        (0.5 * ((x - z).powi(2) + (z - y).powi(2) + (y - x).powi(2)) + 3.0 * t * t).sqrt()
+    }
+}

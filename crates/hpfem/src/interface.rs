@@ -1,0 +1,115 @@
+//! What is left of a body when everything but its kept boundary is eliminated.
+
+use crate::material::Kinematics;
+use crate::trace::Trace;
+use faer::linalg::solvers::Solve;
+use faer::{Mat, Side};
+
+/// A body reduced to its kept boundary: `S u_c = f_c + sum_k a_k F_k`, with `S = K_cc - K_ci K_ii^-1 K_ic`.
+///
+/// Unknowns are the hierarchic coefficients of the trace (and the free motions of the rigid edge, last). The right-hand
+/// columns `F_k` are the condensed load cases, then one column of prescribed displacements, then the reaction functionals.
+#[derive(Clone, Debug)]
+pub struct InterfaceOperator {
+    /// Kinematics of the body.
+    pub kinematics: Kinematics,
+    /// The kept boundary.
+    pub trace: Trace,
+    /// `S`, symmetric, `unknowns x unknowns`; positive semidefinite, singular exactly for the rigid modes.
+    pub stiffness: Mat<f64>,
+    /// Condensed right-hand sides, `unknowns x columns`.
+    pub columns: Mat<f64>,
+    /// `F_i,k^T K_ii^-1 F_i,l`, `columns x columns`.
+    pub work: Mat<f64>,
+    /// Rigid motions that the supports leave free, as kept unknowns, `unknowns x modes`.
+    pub rigid_modes: Mat<f64>,
+    /// The same motions in the plane: `[t_x, t_z, theta]` about the origin.
+    pub rigid_motions: Vec<[f64; 3]>,
+    /// Number of load cases.
+    pub load_cases: usize,
+    /// Kept unknowns of the free motions of the rigid edge: `[t_x, t_z, theta]`, `None` if not free.
+    pub frame: [Option<usize>; 3],
+    /// Constant parts of the reactions, `reactions x columns`.
+    pub(crate) reaction_constant: Mat<f64>,
+}
+
+/// The state of the kept unknowns under given contact loads and load-case factors.
+#[derive(Clone, Debug)]
+pub struct InterfaceState {
+    /// Kept unknowns.
+    pub unknowns: Vec<f64>,
+    /// Factors of the columns: load cases and the prescribed displacements.
+    pub factors: Vec<f64>,
+    /// Load on the kept unknowns.
+    pub load: Vec<f64>,
+}
+
+impl InterfaceOperator {
+    /// Factors of all columns for given load-case factors; prescribed displacements count fully.
+    pub fn factors(&self, cases: &[f64]) -> Vec<f64> {
+        let mut factors = vec![0.0; self.columns.ncols()];
+        factors[..self.load_cases].copy_from_slice(&cases[..self.load_cases]);
+        factors[self.load_cases] = 1.0;
+        factors
+    }
+
+    /// Whole right-hand side: contact load plus condensed columns.
+    pub fn right_hand_side(&self, load: &[f64], factors: &[f64]) -> Vec<f64> {
+        (0..load.len())
+            .map(|i| load[i] + factors.iter().enumerate().map(|(k, a)| a * self.columns[(i, k)]).sum::<f64>())
+            .collect()
+    }
+
+    /// Solves for the kept unknowns under contact loads (`unknowns x cases`) with the rigid coordinates at zero: every
+    /// rigid mode is made orthogonal to `gauge` (`unknowns x modes`, `gauge^T rigid_modes` regular), and the load's resultant along the
+    /// rigid modes is balanced through `gauge` as well. Without rigid modes this is plain `S^-1 f`.
+    ///
+    /// Solved as the bordered system `[S G; G^T 0]`, factorised by pivoted LU.
+    pub fn solve(&self, right: &Mat<f64>, gauge: &Mat<f64>) -> Mat<f64> {
+        let n = self.stiffness.nrows();
+        let r = self.rigid_modes.ncols();
+        if r == 0 {
+            if let Ok(llt) = self.stiffness.llt(Side::Lower) {
+                return llt.solve(right);
+            }
+        }
+        // Scale the border like the stiffness so that pivoting sees comparable rows.
+        let scale = (0..n).map(|i| self.stiffness[(i, i)]).fold(0.0, f64::max);
+        let size = gauge.as_ref().norm_max().max(f64::MIN_POSITIVE);
+        let border = Mat::from_fn(n + r, n + r, |i, j| match (i < n, j < n) {
+            (true, true) => self.stiffness[(i, j)],
+            (true, false) => gauge[(i, j - n)] / size * scale,
+            (false, true) => gauge[(j, i - n)] / size * scale,
+            (false, false) => 0.0,
+        });
+        let full = Mat::from_fn(n + r, right.ncols(), |i, j| if i < n { right[(i, j)] } else { 0.0 });
+        let x = border.partial_piv_lu().solve(&full);
+        x.submatrix(0, 0, n, right.ncols()).to_owned()
+    }
+
+    /// Work of column `k` in a state: `F_k . u` of the whole body. For a load case this is the work of its loads; for a
+    /// functional, its value.
+    pub fn column_work(&self, k: usize, state: &InterfaceState) -> f64 {
+        let boundary: f64 = state.unknowns.iter().enumerate().map(|(i, u)| u * self.columns[(i, k)]).sum();
+        let interior: f64 = state.factors.iter().enumerate().map(|(l, a)| a * self.work[(k, l)]).sum();
+        boundary + interior
+    }
+
+    /// Strain energy `1/2 f . u` of a state without prescribed displacements.
+    pub fn strain_energy(&self, state: &InterfaceState) -> f64 {
+        let contact: f64 = state.load.iter().zip(&state.unknowns).map(|(f, u)| f * u).sum();
+        let loads: f64 = (0..self.load_cases).map(|k| state.factors[k] * self.column_work(k, state)).sum();
+        0.5 * (contact + loads)
+    }
+
+    /// Force and moment (about the origin) that support number `support` exerts on the body: `[x, z, moment]`; in torsion
+    /// the third is zero and the first is the sum of the circumferential nodal forces.
+    pub fn reaction(&self, support: usize, state: &InterfaceState) -> [f64; 3] {
+        std::array::from_fn(|k| {
+            let r = 3 * support + k;
+            let constant: f64 =
+                state.factors.iter().enumerate().map(|(l, a)| a * self.reaction_constant[(r, l)]).sum();
+            self.column_work(self.load_cases + 1 + r, state) + constant
+        })
+    }
+}

@@ -1,0 +1,268 @@
+//! Meshes of curved quadrilaterals.
+
+use crate::curve::Curve;
+use crate::error::Error;
+use std::collections::HashMap;
+
+/// Ends of the four edges of a cell in its corner numbering, each walked towards growing reference coordinate:
+/// edge 0 is `eta = -1`, edge 1 is `xi = 1`, edge 2 is `eta = 1`, edge 3 is `xi = -1`.
+pub const CELL_EDGES: [[usize; 2]; 4] = [[0, 1], [1, 2], [3, 2], [0, 3]];
+
+/// An edge between two vertices; its own direction is from the first to the second.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Edge {
+    /// The two vertices.
+    pub vertices: [usize; 2],
+    /// The exact shape, `t = -1` at the first vertex.
+    pub curve: Curve,
+    /// Names of the boundaries this edge belongs to, as indices into [`Mesh::boundaries`].
+    pub tags: Vec<usize>,
+}
+
+/// A quadrilateral with curved edges, the blended image of `[-1, 1]^2`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cell {
+    /// Corners, anti-clockwise, the images of (-1,-1), (1,-1), (1,1), (-1,1).
+    pub corners: [usize; 4],
+    /// Edges in the order of [`CELL_EDGES`].
+    pub edges: [usize; 4],
+    /// Whether the edge's own direction is against the direction of [`CELL_EDGES`].
+    pub against: [bool; 4],
+    /// Index of the material.
+    pub material: usize,
+    /// Number of the geometric layer around a singular point this cell lies in; 0 outside all layers.
+    pub layer: usize,
+}
+
+/// A conforming mesh of curved quadrilaterals with named boundaries. A mesh never changes; refinement makes a new one.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    /// Positions of the vertices.
+    pub vertices: Vec<[f64; 2]>,
+    /// All edges.
+    pub edges: Vec<Edge>,
+    /// All cells.
+    pub cells: Vec<Cell>,
+    /// Names that edges are tagged with.
+    pub boundaries: Vec<String>,
+}
+
+/// A quadrilateral as given by the user of [`Mesh::new`]: corner vertices anti-clockwise and a material index.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quad {
+    /// Corner vertices, anti-clockwise.
+    pub corners: [usize; 4],
+    /// Index of the material.
+    pub material: usize,
+    /// Geometric layer, see [`Cell::layer`].
+    pub layer: usize,
+}
+
+impl Mesh {
+    /// Builds a mesh from vertices, quads, the curves of those edges that are not straight, and the named edges.
+    ///
+    /// `curves` and `names` refer to edges by their two vertices in any order; a curve runs from the first vertex given.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchEdge`], [`Error::CurveMissesVertex`], [`Error::FoldedCell`].
+    pub fn new(
+        vertices: Vec<[f64; 2]>,
+        quads: &[Quad],
+        curves: &[([usize; 2], Curve)],
+        names: &[([usize; 2], &str)],
+    ) -> Result<Mesh, Error> {
+        let mut mesh = Mesh { vertices, ..Mesh::default() };
+        let mut index: HashMap<[usize; 2], usize> = HashMap::new();
+        for quad in quads {
+            let mut cell =
+                Cell { corners: quad.corners, edges: [0; 4], against: [false; 4], material: quad.material, layer: quad.layer };
+            for (local, ends) in CELL_EDGES.iter().enumerate() {
+                let walk = [quad.corners[ends[0]], quad.corners[ends[1]]];
+                let edge = *index.entry(sorted(walk)).or_insert_with(|| {
+                    let curve = Curve::Line { start: mesh.vertices[walk[0]], end: mesh.vertices[walk[1]] };
+                    mesh.edges.push(Edge { vertices: walk, curve, tags: Vec::new() });
+                    mesh.edges.len() - 1
+                });
+                cell.edges[local] = edge;
+                cell.against[local] = mesh.edges[edge].vertices != walk;
+            }
+            mesh.cells.push(cell);
+        }
+        for (walk, curve) in curves {
+            let edge = *index.get(&sorted(*walk)).ok_or(Error::NoSuchEdge { a: walk[0], b: walk[1] })?;
+            let curve = if mesh.edges[edge].vertices == *walk { *curve } else { curve.reversed() };
+            let [a, b] = mesh.edges[edge].vertices;
+            let miss = distance(curve.point(-1.0), mesh.vertices[a]).max(distance(curve.point(1.0), mesh.vertices[b]));
+            if miss > 1e-9 * curve.length() {
+                return Err(Error::CurveMissesVertex { a, b, distance: miss });
+            }
+            mesh.edges[edge].curve = curve;
+        }
+        for (walk, name) in names {
+            let edge = *index.get(&sorted(*walk)).ok_or(Error::NoSuchEdge { a: walk[0], b: walk[1] })?;
+            let tag = mesh.boundaries.iter().position(|n| n == name).unwrap_or_else(|| {
+                mesh.boundaries.push((*name).to_string());
+                mesh.boundaries.len() - 1
+            });
+            if !mesh.edges[edge].tags.contains(&tag) {
+                mesh.edges[edge].tags.push(tag);
+            }
+        }
+        for cell in 0..mesh.cells.len() {
+            mesh.check_cell(cell)?;
+        }
+        Ok(mesh)
+    }
+
+    /// The edges that carry the name.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchBoundary`].
+    pub fn boundary(&self, name: &str) -> Result<Vec<usize>, Error> {
+        let tag = self.boundaries.iter().position(|n| n == name).ok_or_else(|| Error::NoSuchBoundary {
+            name: name.to_string(),
+            known: self.boundaries.join(", "),
+        })?;
+        Ok((0..self.edges.len()).filter(|e| self.edges[*e].tags.contains(&tag)).collect())
+    }
+
+    /// For each edge the cells that share it, one or two, as `(cell, local edge)`.
+    pub fn edge_cells(&self) -> Vec<Vec<(usize, usize)>> {
+        let mut neighbours = vec![Vec::with_capacity(2); self.edges.len()];
+        for (c, cell) in self.cells.iter().enumerate() {
+            for (local, edge) in cell.edges.iter().enumerate() {
+                neighbours[*edge].push((c, local));
+            }
+        }
+        neighbours
+    }
+
+    /// The curve of a cell's local edge, walked towards growing reference coordinate.
+    pub fn local_curve(&self, cell: usize, local: usize) -> Curve {
+        let curve = &self.edges[self.cells[cell].edges[local]].curve;
+        if self.cells[cell].against[local] { curve.reversed() } else { *curve }
+    }
+
+    /// Transfinite (blended) map of a cell, `X(xi, eta)`, and its derivative as `[[dx/dxi, dx/deta], [dz/dxi, dz/deta]]`
+    /// (Gordon and Hall 1973; Szabo and Babuska 1991, sec. 6.2).
+    pub fn map(&self, cell: usize, xi: f64, eta: f64) -> ([f64; 2], [[f64; 2]; 2]) {
+        let edges: [Curve; 4] = std::array::from_fn(|e| self.local_curve(cell, e));
+        let corners = self.cells[cell].corners.map(|v| self.vertices[v]);
+        let at = |e: usize, t: f64| (edges[e].point(t), edges[e].derivative(t));
+        blend(&corners, [at(0, xi), at(1, eta), at(2, xi), at(3, eta)], xi, eta)
+    }
+
+    /// Refines towards the given vertices: `layers` times, every cell that touches such a vertex is cut into a small cell at the
+    /// vertex, `ratio` times as large, and two cells around it. No hanging nodes arise; cells away from the vertices stay.
+    ///
+    /// The layer number of a new cell is its parent's plus one per cut that made it smaller, so that degrees may fall with it.
+    /// A cell must not touch two of the vertices.
+    ///
+    /// # Errors
+    /// [`Error::FoldedCell`] if a cell cannot be cut.
+    pub fn refined_towards(&self, vertices: &[usize], ratio: f64, layers: usize) -> Result<Mesh, Error> {
+        let mut mesh = self.clone();
+        for _ in 0..layers {
+            mesh = mesh.cut_at(vertices, ratio)?;
+        }
+        Ok(mesh)
+    }
+
+    /// One cut of [`Mesh::refined_towards`].
+    fn cut_at(&self, singular: &[usize], ratio: f64) -> Result<Mesh, Error> {
+        let mut vertices = self.vertices.clone();
+        let mut quads = Vec::with_capacity(self.cells.len() + 2 * singular.len());
+        let mut curves = Vec::new();
+        let mut names: Vec<([usize; 2], &str)> = Vec::new();
+        // The vertex that cuts an edge next to a singular end, shared by both its cells.
+        let mut cut_vertex: HashMap<usize, usize> = HashMap::new();
+        for (e, edge) in self.edges.iter().enumerate() {
+            let tags = edge.tags.iter().map(|t| self.boundaries[*t].as_str());
+            let [a, b] = edge.vertices;
+            let at = match (singular.contains(&a), singular.contains(&b)) {
+                (false, false) => {
+                    curves.push(([a, b], edge.curve));
+                    names.extend(tags.map(|n| ([a, b], n)));
+                    continue;
+                }
+                (true, _) => 2.0 * ratio - 1.0,
+                (false, true) => 1.0 - 2.0 * ratio,
+            };
+            let v = vertices.len();
+            vertices.push(edge.curve.point(at));
+            cut_vertex.insert(e, v);
+            curves.push(([a, v], edge.curve.part(-1.0, at)));
+            curves.push(([v, b], edge.curve.part(at, 1.0)));
+            for name in tags {
+                names.extend([([a, v], name), ([v, b], name)]);
+            }
+        }
+        for (c, cell) in self.cells.iter().enumerate() {
+            let quad = |corners, layer| Quad { corners, material: cell.material, layer };
+            let Some(corner) = cell.corners.iter().position(|v| singular.contains(v)) else {
+                quads.push(quad(cell.corners, cell.layer));
+                continue;
+            };
+            // Walk the corners from the singular one: k0 (singular), k1, k2, k3 anti-clockwise.
+            let k: [usize; 4] = std::array::from_fn(|i| cell.corners[(corner + i) % 4]);
+            // Local edges from k0 to k1 and from k3 to k0, in any direction.
+            let (first, last) = (corner, (corner + 3) % 4);
+            let local = [0, 1, 2, 3];
+            let (Some(&m1), Some(&m3)) =
+                (cut_vertex.get(&cell.edges[local[first]]), cut_vertex.get(&cell.edges[local[last]]))
+            else {
+                return Err(Error::FoldedCell { cell: c, jacobian: 0.0, x: 0.0, z: 0.0 });
+            };
+            let reference = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+            let (near, far) = (reference[corner], reference[(corner + 2) % 4]);
+            let place: [f64; 2] = std::array::from_fn(|i| (1.0 - ratio) * near[i] + ratio * far[i]);
+            let centre = vertices.len();
+            vertices.push(self.map(c, place[0], place[1]).0);
+            quads.push(quad([k[0], m1, centre, m3], cell.layer + 1));
+            quads.push(quad([m1, k[1], k[2], centre], cell.layer));
+            quads.push(quad([m3, centre, k[2], k[3]], cell.layer));
+        }
+        Mesh::new(vertices, &quads, &curves, &names)
+    }
+
+    /// Refuses a cell whose Jacobian is not positive at its corners and centre.
+    fn check_cell(&self, cell: usize) -> Result<(), Error> {
+        let corners = self.cells[cell].corners.map(|v| self.vertices[v]);
+        let size = distance(corners[0], corners[2]).max(distance(corners[1], corners[3]));
+        for [xi, eta] in [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0], [0.0, 0.0]] {
+            let (x, d) = self.map(cell, xi, eta);
+            let jacobian = d[0][0] * d[1][1] - d[0][1] * d[1][0];
+            if !(jacobian > 1e-14 * size * size) {
+                return Err(Error::FoldedCell { cell, jacobian, x: x[0], z: x[1] });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A point of a curve and its derivative there.
+pub(crate) type CurvePoint = ([f64; 2], [f64; 2]);
+
+/// The blended map from the four edge points at `(xi, eta)`.
+pub(crate) fn blend(corners: &[[f64; 2]; 4], edges: [CurvePoint; 4], xi: f64, eta: f64) -> ([f64; 2], [[f64; 2]; 2]) {
+    let (a, b) = (0.5 * (1.0 - xi), 0.5 * (1.0 + xi));
+    let (c, d) = (0.5 * (1.0 - eta), 0.5 * (1.0 + eta));
+    let [(e0, t0), (e1, t1), (e2, t2), (e3, t3)] = edges;
+    let mut x = [0.0; 2];
+    let mut j = [[0.0; 2]; 2];
+    for i in 0..2 {
+        let v = [corners[0][i], corners[1][i], corners[2][i], corners[3][i]];
+        x[i] = c * e0[i] + d * e2[i] + a * e3[i] + b * e1[i] - (a * c * v[0] + b * c * v[1] + b * d * v[2] + a * d * v[3]);
+        j[i][0] = c * t0[i] + d * t2[i] + 0.5 * (e1[i] - e3[i]) - 0.5 * (c * (v[1] - v[0]) + d * (v[2] - v[3]));
+        j[i][1] = 0.5 * (e2[i] - e0[i]) + a * t3[i] + b * t1[i] - 0.5 * (a * (v[3] - v[0]) + b * (v[2] - v[1]));
+    }
+    (x, j)
+}
+
+fn sorted(edge: [usize; 2]) -> [usize; 2] {
+    [edge[0].min(edge[1]), edge[0].max(edge[1])]
+}
+
+fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
+}

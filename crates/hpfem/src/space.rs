@@ -1,0 +1,257 @@
+//! Degrees of freedom: degrees of cells and edges, supports, rigid edges.
+
+use crate::basis::LocalModes;
+use crate::error::Error;
+use crate::material::Kinematics;
+use crate::mesh::Mesh;
+
+/// Highest degree of a cell.
+pub const MAX_DEGREE: usize = 24;
+
+/// Which tensor products of shape functions a cell has in its interior.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SpaceKind {
+    /// All products up to the degree in each direction.
+    #[default]
+    Tensor,
+    /// Products whose degrees sum up to the degree at most (serendipity).
+    Trunk,
+}
+
+/// A direction in which a boundary is held.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// Along the first coordinate, x or r; the only component, u_phi, in torsion.
+    First,
+    /// Along the second coordinate, z.
+    Second,
+    /// Along the normal of a straight edge (an inclined roller).
+    Normal,
+}
+
+/// A displacement component prescribed on a named boundary.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Support {
+    /// Name of the boundary.
+    pub boundary: String,
+    /// Component that is prescribed.
+    pub direction: Direction,
+    /// Its value, a length; 0 holds it.
+    pub value: f64,
+}
+
+/// A boundary that moves as a rigid line: `u_x = t_x - theta (z - z0)`, `u_z = t_z + theta (x - x0)`.
+///
+/// Its free motions are kept as unknowns of the interface operator, so that force and moment or approach and tilt can be
+/// chosen later without a new factorisation. Supports of the boundary itself are expressed by `free`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RigidEdge {
+    /// Name of the boundary, which must be straight.
+    pub boundary: String,
+    /// Reference point `(x0, z0)` of the rotation.
+    pub reference: [f64; 2],
+    /// Which of `t_x`, `t_z`, `theta` are free; the others are zero.
+    pub free: [bool; 3],
+}
+
+/// Freedom of the unknowns of a vertex or an edge in its own axes.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Freedom {
+    /// Orthonormal axes.
+    pub(crate) axes: [[f64; 2]; 2],
+    /// Support that prescribes the component along each axis, with the value.
+    pub(crate) fixed: [Option<(usize, f64)>; 2],
+    /// Moves with the rigid edge.
+    pub(crate) slaved: bool,
+}
+
+const FREE: Freedom = Freedom { axes: [[1.0, 0.0], [0.0, 1.0]], fixed: [None, None], slaved: false };
+
+impl Freedom {
+    /// Number of free components out of `components`.
+    pub(crate) fn free(&self, components: usize) -> usize {
+        if self.slaved { 0 } else { self.fixed[..components].iter().filter(|f| f.is_none()).count() }
+    }
+
+    /// Index of the free axis among the free ones.
+    pub(crate) fn index(&self, axis: usize) -> usize {
+        self.fixed[..axis].iter().filter(|f| f.is_none()).count()
+    }
+
+    /// Prescribes the component along the unit vector `d`; a direction already prescribed stays as it is.
+    fn fix(&mut self, d: [f64; 2], support: usize, value: f64) {
+        let along = |a: [f64; 2]| a[0] * d[0] + a[1] * d[1];
+        match self.fixed {
+            [None, None] if d[0].abs() == 1.0 => self.fixed[0] = Some((support, value * d[0])),
+            [None, None] if d[1].abs() == 1.0 => self.fixed[1] = Some((support, value * d[1])),
+            [None, None] => {
+                self.axes = [d, [-d[1], d[0]]];
+                self.fixed[0] = Some((support, value));
+            }
+            [Some((_, known)), None] if along(self.axes[1]).abs() > 1e-12 => {
+                self.fixed[1] = Some((support, (value - known * along(self.axes[0])) / along(self.axes[1])));
+            }
+            [None, Some((_, known))] if along(self.axes[0]).abs() > 1e-12 => {
+                self.fixed[0] = Some((support, (value - known * along(self.axes[1])) / along(self.axes[0])));
+            }
+            _ => {}
+        }
+    }
+}
+
+/// Numbering of the unknowns. Group `v` belongs to vertex `v`, group `vertices + e` to edge `e`, the last group to the rigid
+/// edge.
+pub(crate) struct Space {
+    pub(crate) components: usize,
+    pub(crate) kind: SpaceKind,
+    pub(crate) cell_degree: Vec<usize>,
+    /// Minimum of the degrees of the cells that share the edge.
+    pub(crate) edge_degree: Vec<usize>,
+    pub(crate) freedom: Vec<Freedom>,
+    /// Number of active unknowns of each group.
+    pub(crate) size: Vec<usize>,
+    pub(crate) frame: Option<(usize, RigidEdge)>,
+}
+
+/// How one local unknown of a cell hangs on active unknowns.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Target {
+    /// `(group, index in group, coefficient)`.
+    pub(crate) active: Vec<(usize, usize, f64)>,
+    /// Prescribed parts.
+    pub(crate) fixed: Vec<Fixed>,
+}
+
+/// Share of a prescribed component in a local unknown.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Fixed {
+    pub(crate) support: usize,
+    pub(crate) value: f64,
+    /// The axis of the prescribed component.
+    pub(crate) axis: [f64; 2],
+    /// Component of the axis along this local unknown.
+    pub(crate) share: f64,
+    /// Group of the vertex or edge.
+    pub(crate) group: usize,
+    /// Mode in the group.
+    pub(crate) mode: usize,
+}
+
+impl Space {
+    pub(crate) fn new(
+        mesh: &Mesh,
+        cell_degree: Vec<usize>,
+        kind: SpaceKind,
+        kinematics: Kinematics,
+        supports: &[Support],
+        rigid: Option<&RigidEdge>,
+    ) -> Result<Space, Error> {
+        let components = kinematics.components();
+        if let Some(cell) = (0..mesh.cells.len()).find(|c| !(1..=MAX_DEGREE).contains(&cell_degree[*c])) {
+            return Err(Error::Degree { cell, degree: cell_degree[cell] });
+        }
+        let mut edge_degree = vec![MAX_DEGREE; mesh.edges.len()];
+        for (cell, degree) in mesh.cells.iter().zip(&cell_degree) {
+            cell.edges.iter().for_each(|e| edge_degree[*e] = edge_degree[*e].min(*degree));
+        }
+        let vertices = mesh.vertices.len();
+        let mut freedom = vec![FREE; vertices + mesh.edges.len()];
+        if let Some(rigid) = rigid {
+            for e in mesh.boundary(&rigid.boundary)? {
+                let [a, b] = mesh.edges[e].vertices;
+                [a, b, vertices + e].iter().for_each(|g| freedom[*g].slaved = true);
+            }
+        }
+        for (number, support) in supports.iter().enumerate() {
+            for e in mesh.boundary(&support.boundary)? {
+                let [a, b] = mesh.edges[e].vertices;
+                let direction = match support.direction {
+                    Direction::First => [1.0, 0.0],
+                    Direction::Second => [0.0, 1.0],
+                    Direction::Normal => {
+                        let (p, q) = (mesh.vertices[a], mesh.vertices[b]);
+                        let length = (q[0] - p[0]).hypot(q[1] - p[1]);
+                        [(q[1] - p[1]) / length, -(q[0] - p[0]) / length]
+                    }
+                };
+                freedom[a].fix(direction, number, support.value);
+                freedom[b].fix(direction, number, support.value);
+                freedom[vertices + e].fix(direction, number, 0.0);
+            }
+        }
+        let mut size: Vec<usize> = freedom
+            .iter()
+            .enumerate()
+            .map(|(g, f)| f.free(components) * if g < vertices { 1 } else { edge_degree[g - vertices] - 1 })
+            .collect();
+        let frame = rigid.map(|r| (size.len(), r.clone()));
+        if let Some(rigid) = rigid {
+            size.push(rigid.free.iter().filter(|f| **f).count());
+        }
+        Ok(Space { components, kind, cell_degree, edge_degree, freedom, size, frame })
+    }
+
+    /// Order of the modes of a cell.
+    pub(crate) fn local_modes(&self, mesh: &Mesh, cell: usize) -> LocalModes {
+        let c = &mesh.cells[cell];
+        let edges = c.edges.map(|e| self.edge_degree[e]);
+        LocalModes::new(self.cell_degree[cell], edges, c.against, self.kind == SpaceKind::Trunk)
+    }
+
+    /// Groups of a cell's corners and edges that have unknowns, the rigid edge's group included, sorted by `rank`.
+    pub(crate) fn cell_groups(&self, mesh: &Mesh, cell: usize, rank: &[usize]) -> Vec<usize> {
+        let c = &mesh.cells[cell];
+        let vertices = mesh.vertices.len();
+        let mut groups: Vec<usize> = c.corners.iter().copied().chain(c.edges.iter().map(|e| vertices + e)).collect();
+        if let Some((group, _)) = &self.frame
+            && groups.iter().any(|g| self.freedom[*g].slaved)
+        {
+            groups.push(*group);
+        }
+        groups.retain(|g| self.size[*g] > 0);
+        groups.sort_by_key(|g| rank.get(*g).copied().unwrap_or(*g));
+        groups
+    }
+
+    /// Targets of component `component` of mode `mode` (0 for a vertex value) of a vertex or edge group.
+    pub(crate) fn target(&self, mesh: &Mesh, group: usize, mode: usize, component: usize) -> Target {
+        let mut target = Target::default();
+        let freedom = &self.freedom[group];
+        let is_vertex = group < mesh.vertices.len();
+        if freedom.slaved {
+            if let (true, Some((frame, rigid))) = (is_vertex, &self.frame) {
+                let x = mesh.vertices[group];
+                let rows = rigid_rows(x, rigid.reference);
+                let mut index = 0;
+                for (k, row) in rows.iter().enumerate() {
+                    if rigid.free[k] {
+                        if row[component] != 0.0 {
+                            target.active.push((*frame, index, row[component]));
+                        }
+                        index += 1;
+                    }
+                }
+            }
+            return target;
+        }
+        let free = freedom.free(self.components);
+        for axis in 0..self.components {
+            let share = freedom.axes[axis][component];
+            if share == 0.0 {
+                continue;
+            }
+            match freedom.fixed[axis] {
+                None => target.active.push((group, mode * free + freedom.index(axis), share)),
+                Some((support, value)) => {
+                    target.fixed.push(Fixed { support, value, axis: freedom.axes[axis], share, group, mode });
+                }
+            }
+        }
+        target
+    }
+}
+
+/// Displacement at `x` of the motions `t_x`, `t_z`, `theta` about `reference`.
+pub(crate) fn rigid_rows(x: [f64; 2], reference: [f64; 2]) -> [[f64; 2]; 3] {
+    [[1.0, 0.0], [0.0, 1.0], [reference[1] - x[1], x[0] - reference[0]]]
+}

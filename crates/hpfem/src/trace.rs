@@ -1,0 +1,241 @@
+//! The kept boundary as one path of edges: points, weights and the trace of the displacement.
+
+use crate::assemble::{BoundaryPoint, boundary_point};
+use crate::curve::Curve;
+use crate::error::Error;
+use crate::legendre::shape_functions;
+use crate::material::Kinematics;
+use crate::mesh::Mesh;
+use crate::quadrature::{gauss_lobatto, gauss_lobatto_jacobi};
+use crate::space::Space;
+use faer::Mat;
+
+/// One edge of the path.
+#[derive(Clone, Debug)]
+pub struct TraceEdge {
+    /// Index of the edge in the mesh.
+    pub edge: usize,
+    /// The curve, walked along the path.
+    pub curve: Curve,
+    /// Degree of the displacement on the edge.
+    pub degree: usize,
+    /// Whether the edge's own direction is against the path.
+    pub(crate) against: bool,
+    /// Whether the body lies on the right of the path.
+    pub(crate) body_right: bool,
+    /// Arc length along the path at the start of the edge.
+    pub start: f64,
+    /// Kept unknowns of each mode (start vertex, end vertex, modes 2..) and component: `(unknown, coefficient)`.
+    unknowns: Vec<Vec<Vec<(usize, f64)>>>,
+    /// Prescribed values of the same modes.
+    prescribed: Vec<[f64; 2]>,
+}
+
+/// The kept boundary: edges in order, and the Gauss-Lobatto points where contact is checked.
+#[derive(Clone, Debug)]
+pub struct Trace {
+    /// Edges along the path, which runs towards growing first coordinate.
+    pub edges: Vec<TraceEdge>,
+    /// The points in order along the path; a point shared by two edges is there once.
+    pub points: Vec<TracePoint>,
+    /// Number of kept unknowns.
+    pub unknowns: usize,
+    components: usize,
+}
+
+/// A Gauss-Lobatto point of the path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TracePoint {
+    /// Edge of the path and parameter on it, walked along the path.
+    pub edge: usize,
+    /// Parameter in `[-1, 1]`.
+    pub parameter: f64,
+    /// Arc length from the start of the path.
+    pub arc: f64,
+    /// Position, normal, tangent.
+    pub boundary: BoundaryPoint,
+    /// Quadrature weight times the measure: the area that belongs to the point, summed over the edges that share it.
+    pub weight: f64,
+}
+
+/// Orders the edges of a boundary into a path: `(edge, against)` from the end with the smaller coordinates.
+pub(crate) fn path(mesh: &Mesh, name: &str) -> Result<Vec<(usize, bool)>, Error> {
+    let edges = mesh.boundary(name)?;
+    let broken = || Error::NotAPath { name: name.to_string() };
+    let mut at: std::collections::BTreeMap<usize, Vec<usize>> = std::collections::BTreeMap::new();
+    for e in &edges {
+        mesh.edges[*e].vertices.iter().for_each(|v| at.entry(*v).or_default().push(*e));
+    }
+    let ends: Vec<usize> = at.iter().filter(|(_, e)| e.len() == 1).map(|(v, _)| *v).collect();
+    if ends.len() != 2 || at.values().any(|e| e.len() > 2) {
+        return Err(broken());
+    }
+    let key = |v: usize| (mesh.vertices[v][0], mesh.vertices[v][1]);
+    let mut vertex = if key(ends[0]) <= key(ends[1]) { ends[0] } else { ends[1] };
+    let mut last = usize::MAX;
+    let mut walk = Vec::new();
+    while let Some(e) = at[&vertex].iter().copied().find(|e| *e != last) {
+        let against = mesh.edges[e].vertices[1] == vertex;
+        walk.push((e, against));
+        vertex = mesh.edges[e].vertices[usize::from(!against)];
+        last = e;
+    }
+    if walk.len() == edges.len() { Ok(walk) } else { Err(broken()) }
+}
+
+impl Trace {
+    pub(crate) fn new(
+        mesh: &Mesh,
+        space: &Space,
+        kinematics: Kinematics,
+        walk: &[(usize, bool)],
+        start_of_group: impl Fn(usize) -> Option<usize>,
+        unknowns: usize,
+    ) -> Trace {
+        let neighbours = mesh.edge_cells();
+        let mut trace = Trace { edges: Vec::new(), points: Vec::new(), unknowns, components: space.components };
+        let mut arc = 0.0;
+        for (edge, against) in walk {
+            let own = &mesh.edges[*edge];
+            let (cell, local) = neighbours[*edge][0];
+            // Local edges 0 and 1 run anti-clockwise, with the cell on their left.
+            let cell_left_of_own = (local < 2) != mesh.cells[cell].against[local];
+            let degree = space.edge_degree[*edge];
+            let groups = own.vertices.iter().map(|v| (*v, 0)).chain((0..degree - 1).map(|m| (mesh.vertices.len() + edge, m)));
+            let mut mode_unknowns = Vec::new();
+            let mut prescribed = Vec::new();
+            for (group, mode) in groups {
+                let mut columns = Vec::new();
+                let mut value = [0.0; 2];
+                for component in 0..space.components {
+                    let target = space.target(mesh, group, mode, component);
+                    let active = target.active.iter().filter_map(|(g, i, c)| start_of_group(*g).map(|s| (s + i, *c)));
+                    columns.push(active.collect());
+                    value[component] = target.fixed.iter().map(|f| f.share * f.value).sum();
+                }
+                mode_unknowns.push(columns);
+                prescribed.push(value);
+            }
+            let curve = if *against { own.curve.reversed() } else { own.curve };
+            trace.edges.push(TraceEdge {
+                edge: *edge,
+                curve,
+                degree,
+                against: *against,
+                body_right: cell_left_of_own == *against,
+                start: arc,
+                unknowns: mode_unknowns,
+                prescribed,
+            });
+            arc += curve.length();
+        }
+        trace.place_points(kinematics);
+        trace
+    }
+
+    /// Gauss-Lobatto points of every edge; on an edge that starts on the axis of revolution Gauss-Lobatto-Jacobi points.
+    fn place_points(&mut self, kinematics: Kinematics) {
+        for number in 0..self.edges.len() {
+            let edge = &self.edges[number];
+            let radius = |t: f64| edge.curve.point(t)[0];
+            let on_axis = kinematics.is_revolved() && radius(-1.0).abs() <= 1e-12 * radius(1.0).abs();
+            let n = edge.degree + 1;
+            let rule = if on_axis { gauss_lobatto_jacobi(n) } else { gauss_lobatto(n) };
+            for (i, (t, w)) in rule.points.iter().zip(&rule.weights).enumerate() {
+                let (boundary, length) = self.boundary_point(number, *t);
+                // The Jacobi weight 1 + t already holds the radius: r = (1 + t) times a smooth factor.
+                let measure = if on_axis {
+                    let half = if i == 0 { edge.curve.derivative(-1.0)[0] } else { radius(*t) / (1.0 + t) };
+                    kinematics.measure(half)
+                } else {
+                    kinematics.measure(boundary.position[0])
+                };
+                let weight = w * length * measure;
+                let arc = edge.start + edge.curve.part(-1.0, *t).length();
+                if i == 0 && number > 0 {
+                    if let Some(shared) = self.points.last_mut() {
+                        shared.weight += weight;
+                    }
+                } else {
+                    self.points.push(TracePoint { edge: number, parameter: *t, arc, boundary, weight });
+                }
+            }
+        }
+    }
+
+    /// Total arc length.
+    pub fn length(&self) -> f64 {
+        self.edges.last().map_or(0.0, |e| e.start + e.curve.length())
+    }
+
+    /// The boundary point at parameter `t` of an edge of the path, and the length factor `|dx/dt|`.
+    pub fn boundary_point(&self, edge: usize, t: f64) -> (BoundaryPoint, f64) {
+        let e = &self.edges[edge];
+        boundary_point(&e.curve, t, e.body_right)
+    }
+
+    /// Edge and parameter of the point at arc length `arc` from the start.
+    pub fn locate(&self, arc: f64) -> (usize, f64) {
+        let edge = self.edges.partition_point(|e| e.start <= arc).saturating_sub(1);
+        let e = &self.edges[edge];
+        (edge, (2.0 * (arc - e.start) / e.curve.length() - 1.0).clamp(-1.0, 1.0))
+    }
+
+    /// The displacement at parameter `t` of an edge as a linear function of the kept unknowns: for each component the pairs
+    /// `(unknown, coefficient)`, and the part that is prescribed.
+    pub fn displacement_row(&self, edge: usize, t: f64) -> ([Vec<(usize, f64)>; 2], [f64; 2]) {
+        let e = &self.edges[edge];
+        let own = if e.against { -t } else { t };
+        let mut rows = [Vec::new(), Vec::new()];
+        let mut constant = [0.0; 2];
+        for (mode, shape) in shape_functions(e.degree, own).0.into_iter().enumerate() {
+            for component in 0..self.components {
+                rows[component].extend(e.unknowns[mode][component].iter().map(|(u, c)| (*u, c * shape)));
+                constant[component] += shape * e.prescribed[mode][component];
+            }
+        }
+        (rows, constant)
+    }
+
+    /// Matrix that takes kept unknowns to the displacement component along `direction(point)` at the given places
+    /// `(edge, t)`: one row a place.
+    pub fn component_matrix(
+        &self,
+        places: &[(usize, f64)],
+        direction: impl Fn(&BoundaryPoint) -> [f64; 2],
+    ) -> Mat<f64> {
+        let mut matrix = Mat::zeros(places.len(), self.unknowns);
+        for (i, (edge, t)) in places.iter().enumerate() {
+            let d = direction(&self.boundary_point(*edge, *t).0);
+            let (rows, _) = self.displacement_row(*edge, *t);
+            for (row, d) in rows.iter().zip(d) {
+                row.iter().for_each(|(u, c)| matrix[(i, *u)] += d * c);
+            }
+        }
+        matrix
+    }
+
+    /// Consistent load on the kept unknowns of a traction on the path, `int N^T t dA`, by Gauss quadrature with `extra` points beyond
+    /// the degree plus two on every edge.
+    pub fn load(
+        &self,
+        kinematics: Kinematics,
+        extra: usize,
+        traction: impl Fn(&BoundaryPoint) -> [f64; 2],
+    ) -> Vec<f64> {
+        let mut load = vec![0.0; self.unknowns];
+        for (number, edge) in self.edges.iter().enumerate() {
+            let rule = crate::quadrature::gauss(edge.degree + 2 + extra);
+            for (t, w) in rule.points.iter().zip(&rule.weights) {
+                let (point, length) = self.boundary_point(number, *t);
+                let weight = w * length * kinematics.measure(point.position[0]);
+                let value = traction(&point);
+                let (rows, _) = self.displacement_row(number, *t);
+                for (row, value) in rows.iter().zip(value) {
+                    row.iter().for_each(|(u, c)| load[*u] += weight * value * c);
+                }
+            }
+        }
+        load
+    }
+}
