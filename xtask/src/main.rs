@@ -1,6 +1,7 @@
 //! Project chores, started as `cargo xtask <chore>`.
 
 mod tidy;
+mod verify;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -10,6 +11,9 @@ usage: cargo xtask <chore>
 
   tidy      check what the compiler does not: import table, file length, printing and
             unwrap in libraries, absolute paths
+  verify    compare wearshape with independent solutions by Debian's dolfinx and gmsh
+            [--install] [--quick] [--case NAME] [--fault friction-sign|young] [--can-fail]
+            [--known]
 ";
 
 fn main() -> ExitCode {
@@ -17,6 +21,7 @@ fn main() -> ExitCode {
     let root = workspace_root();
     match words.first().map(String::as_str) {
         Some("tidy") => tidy::run(&root),
+        Some("verify") => verify::run(&root, &words[1..]),
         Some("help" | "-h" | "--help") => {
             print!("{USAGE}");
             ExitCode::SUCCESS

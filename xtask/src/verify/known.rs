@@ -1,0 +1,143 @@
+//! `cargo xtask verify --known`: the scripts against numbers that others found, without wearshape.
+//!
+//! verify/known.toml holds a scene, sample points and values; they are laid out as wearshape would
+//! write them, and the script's answer is compared with them.
+
+use super::case::{Wanted, text, wanted};
+use super::report::Outcome;
+use super::{compare, report, run};
+use std::fs;
+use std::path::Path;
+use std::time::Instant;
+use toml::{Table, Value};
+
+/// Compares all known cases, or the named ones; true when all pass.
+pub(crate) fn compare(root: &Path, names: &[String]) -> Result<bool, String> {
+    let path = root.join("verify/known.toml");
+    let content =
+        fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
+    let table: Table = content
+        .parse()
+        .map_err(|error| format!("{}: {error}", path.display()))?;
+    let started = Instant::now();
+    let mut outcomes = Vec::new();
+    for value in table
+        .get("case")
+        .and_then(Value::as_array)
+        .into_iter()
+        .flatten()
+    {
+        let name = text(value, "name")?;
+        if !names.is_empty() && !names.contains(&name) {
+            continue;
+        }
+        let began = Instant::now();
+        let result = one(root, &table, value, &name);
+        let outcome = Outcome::known(
+            &name,
+            &text(value, "scene")?,
+            result,
+            began.elapsed().as_secs_f64(),
+        );
+        report::print(&outcome);
+        outcomes.push(outcome);
+    }
+    report::write(
+        &root.join("target/verify/known"),
+        &outcomes,
+        None,
+        started.elapsed().as_secs_f64(),
+    )
+}
+
+fn one(root: &Path, table: &Table, case: &Value, name: &str) -> Result<Vec<report::Row>, String> {
+    let folder = root.join("target/verify/known").join(name);
+    let ours = folder.join("ours");
+    fs::create_dir_all(&ours).map_err(|error| format!("{}: {error}", ours.display()))?;
+    let save = |name: &str, text: String| {
+        fs::write(ours.join(name), text)
+            .map_err(|error| format!("{}: {error}", ours.join(name).display()))
+    };
+    save("scene.resolved.toml", scene(table, case)?)?;
+    save("contact.csv", columns(case)?)?;
+    save("summary.json", summary(case))?;
+    run::script(root, &text(case, "script")?, &folder, None)?;
+    let list = case
+        .get("quantities")
+        .and_then(Value::as_array)
+        .ok_or(format!("{name}: no quantities"))?;
+    let quantities: Vec<Wanted> = list.iter().map(wanted).collect::<Result<_, _>>()?;
+    compare::rows(&quantities, &folder)
+}
+
+/// The named scene with the case's changes laid over it.
+fn scene(table: &Table, case: &Value) -> Result<String, String> {
+    let name = text(case, "scene")?;
+    let scene = table
+        .get("scene")
+        .and_then(|scenes| scenes.get(&name))
+        .and_then(Value::as_table);
+    let mut scene = scene
+        .ok_or(format!("known.toml has no [scene.{name}]"))?
+        .clone();
+    if let Some(changes) = case.get("change").and_then(Value::as_table) {
+        lay_over(&mut scene, changes);
+    }
+    Ok(scene.to_string())
+}
+
+fn lay_over(scene: &mut Table, changes: &Table) {
+    for (key, value) in changes {
+        match (scene.get_mut(key), value) {
+            (Some(Value::Table(inner)), Value::Table(change)) => lay_over(inner, change),
+            _ => {
+                scene.insert(key.clone(), value.clone());
+            }
+        }
+    }
+}
+
+/// contact.csv from the case's points and values.
+fn columns(case: &Value) -> Result<String, String> {
+    let table = case
+        .get("columns")
+        .and_then(Value::as_table)
+        .ok_or("no [case.columns]")?;
+    let names: Vec<&str> = table.keys().map(String::as_str).collect();
+    let values: Vec<Vec<f64>> = table
+        .values()
+        .map(|value| {
+            value
+                .as_array()
+                .into_iter()
+                .flatten()
+                .filter_map(number)
+                .collect::<Vec<f64>>()
+        })
+        .collect();
+    let count = values.first().map_or(0, Vec::len);
+    if values.iter().any(|column| column.len() != count) {
+        return Err("the columns differ in length".into());
+    }
+    let mut text = names.join(",") + "\n";
+    for row in 0..count {
+        let cells: Vec<String> = values
+            .iter()
+            .map(|column| format!("{:?}", column[row]))
+            .collect();
+        text += &(cells.join(",") + "\n");
+    }
+    Ok(text)
+}
+
+fn number(value: &Value) -> Option<f64> {
+    value
+        .as_float()
+        .or(value.as_integer().map(|whole| whole as f64))
+}
+
+/// summary.json from the case's `summary` table.
+fn summary(case: &Value) -> String {
+    let empty = Value::Table(Table::new());
+    serde_json::to_string(case.get("summary").unwrap_or(&empty)).unwrap_or_default()
+}
