@@ -1,1 +1,36 @@
-//! Wear rules, functionals and optimal pressures.
+//! Wear rules, functionals and optimal pressures, without finite elements: a surface is points with position, normal, area weight,
+//! sliding speed and drag direction.
+//!
+//! Theory: Paczelt and Mroz (2007), with the corrections listed in this crate's README. Units: N, mm, MPa, s, rad.
+
+mod cells;
+mod counterface;
+mod density;
+mod error;
+mod functional;
+mod law;
+mod mode;
+mod motion;
+mod optimum;
+mod point;
+mod problem;
+mod quadrature;
+mod reduce;
+mod report;
+mod solve;
+mod stage;
+mod surface;
+
+pub use counterface::Counterface;
+pub use error::WearError;
+pub use functional::Functional;
+pub use law::{
+    WearLaw, WearPair, log_wear_rate, wear_rate, wear_rate_curvature, wear_rate_slope,
+    wear_rate_speed_slope,
+};
+pub use mode::{Balance, MAX_MODES, Modes, RigidMode, RigidMotion};
+pub use motion::SlidingMotion;
+pub use optimum::{Character, Optimum, PointForce, Regime, optimal_pressure};
+pub use point::SurfacePoint;
+pub use problem::Problem;
+pub use surface::{Shape, Surface};

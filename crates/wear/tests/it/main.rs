@@ -1,1 +1,5 @@
-//! Integration tests.
+//! Integration tests of the wear crate.
+#![allow(clippy::unwrap_used, missing_docs)]
+
+mod reference;
+mod surfaces;

@@ -1,0 +1,387 @@
+//! Exact cells: quadrature nodes placed so that the density of the moment is integrated to round-off.
+//!
+//! Cells are halved until log f and log v are smooth on them (fourth difference) and the density varies by less than a fixed factor;
+//! at the end of contact, where f = 0, the cell ends exactly there and a Gauss-Jacobi rule takes the power f^k.
+
+use crate::SurfacePoint;
+use crate::quadrature::{ORDER, Rule, legendre};
+use crate::stage::{Node, Stage};
+use crate::surface::{Shape, Surface};
+
+const SAMPLES: usize = 5;
+const SMOOTH: f64 = 0.03;
+
+impl Surface {
+    /// Calls `visit` at a coarse set of points that includes the ends.
+    pub(crate) fn survey(&self, visit: &mut dyn FnMut(&SurfacePoint)) {
+        if let Shape::Points(points) = self.shape() {
+            points.iter().for_each(visit);
+            return;
+        }
+        let [lo, hi] = self.inner_range();
+        let [outer_lo, outer_hi] = self.outer_range().unwrap_or([0.0, 0.0]);
+        let outer_count = if self.outer_range().is_some() { 8 } else { 0 };
+        for j in 0..=outer_count {
+            let outer = if j == outer_count {
+                outer_hi
+            } else {
+                outer_lo + (outer_hi - outer_lo) * j as f64 / 8.0
+            };
+            for i in 0..=8 {
+                let inner = if i == 8 {
+                    hi
+                } else {
+                    lo + (hi - lo) * i as f64 / 8.0
+                };
+                visit(&self.at(inner, outer));
+            }
+        }
+    }
+}
+
+/// One line of the surface (fixed outer parameter) and the collector of its nodes.
+struct Line<'a, 'b> {
+    stage: &'a Stage<'b>,
+    outer: f64,
+    weight: f64,
+    settings: Settings,
+    front: &'a Rule,
+}
+
+/// Limits of one collection.
+#[derive(Clone, Copy)]
+struct Settings {
+    /// Largest change of log h over a cell.
+    spread: f64,
+    /// Cells whose density is smaller than the largest by exp(-drop) are not refined.
+    drop: f64,
+    /// Exponent of f at the end of contact.
+    exponent: f64,
+}
+
+/// An interval with marks for ends at which f = 0.
+#[derive(Clone, Copy)]
+struct Interval {
+    lo: f64,
+    hi: f64,
+    front: [bool; 2],
+}
+
+impl Stage<'_> {
+    /// Fills `nodes` with quadrature nodes of the present density; weights are areas.
+    pub(crate) fn collect(&self, nodes: &mut Vec<Node>) {
+        nodes.clear();
+        if let Shape::Points(points) = self.problem.surface.shape() {
+            nodes.extend(points.iter().map(|point| self.law.node(*point)));
+            return;
+        }
+        let powers = self.problem.wear.laws.map(|law| law.pressure_exponent);
+        let (small, large) = (
+            powers[0].min(powers[1]).min(1.0),
+            powers[0].max(powers[1]) + 1.0,
+        );
+        let exponent = self.law.density.front_exponent();
+        let settings = Settings {
+            spread: 12.0 / large.max(1.5),
+            drop: 40.0 / small,
+            exponent,
+        };
+        let front = self.front_rule.as_ref().unwrap_or(legendre());
+        let inner = self.problem.surface.inner_range();
+        match self.problem.surface.outer_range() {
+            None => {
+                let line = Line {
+                    stage: self,
+                    outer: 0.0,
+                    weight: 1.0,
+                    settings,
+                    front,
+                };
+                line.collect(inner, nodes);
+            }
+            Some(range) => self.collect_lines(range, inner, settings, front, nodes),
+        }
+    }
+
+    /// Surfaces with two parameters: lines at the Gauss points of outer cells, halved where the lines' integrals vary too much or
+    /// where the end of contact changes from one border to another.
+    fn collect_lines(
+        &self,
+        range: [f64; 2],
+        inner: [f64; 2],
+        settings: Settings,
+        front: &Rule,
+        nodes: &mut Vec<Node>,
+    ) {
+        let whole = range[1] - range[0];
+        let mut stack = vec![(range[0], range[1])];
+        let mut top = f64::NEG_INFINITY;
+        for i in 0..=16 {
+            top = top.max(
+                self.profile(range[0] + whole * f64::from(i) / 16.0, inner)
+                    .0,
+            );
+        }
+        while let Some((lo, hi)) = stack.pop() {
+            let profile: [(f64, u16); SAMPLES] = std::array::from_fn(|i| {
+                self.profile(lo + (hi - lo) * (0.02 + 0.24 * i as f64), inner)
+            });
+            let values = profile.map(|entry| entry.0);
+            let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+            top = top.max(largest);
+            let tiny = hi - lo < 1e-3 * whole;
+            let same = profile.iter().all(|entry| entry.1 == profile[0].1);
+            if largest == f64::NEG_INFINITY && (same || tiny) {
+                continue;
+            }
+            let settled = same && smooth(&values, 0.1) && spread(&values) < settings.spread;
+            let negligible = largest < top - settings.drop;
+            if settled || negligible || (tiny && !same) || hi - lo < 1e-12 * whole {
+                let rule = legendre();
+                for i in 0..ORDER {
+                    let outer = lo + (hi - lo) * rule.abscissa[i];
+                    let weight = (hi - lo) * rule.weight[i];
+                    Line {
+                        stage: self,
+                        outer,
+                        weight,
+                        settings,
+                        front,
+                    }
+                    .collect(inner, nodes);
+                }
+            } else {
+                let middle = 0.5 * (lo + hi);
+                stack.push((middle, hi));
+                stack.push((lo, middle));
+            }
+        }
+    }
+
+    /// log of a coarse integral over the line, and which of the line's ends and middle lie in contact.
+    fn profile(&self, outer: f64, inner: [f64; 2]) -> (f64, u16) {
+        let mut largest = f64::NEG_INFINITY;
+        let mut logs = [f64::NEG_INFINITY; 9];
+        let mut ends = 0;
+        for (i, entry) in logs.iter_mut().enumerate() {
+            let node = self.law.node(
+                self.problem
+                    .surface
+                    .at(inner[0] + (inner[1] - inner[0]) * i as f64 / 8.0, outer),
+            );
+            *entry = node.log_h + node.point.weight.ln();
+            largest = largest.max(*entry);
+            if (i == 0 || i == 8) && node.f > 0.0 {
+                ends |= 1 << i;
+            }
+        }
+        if largest == f64::NEG_INFINITY {
+            return (largest, ends);
+        }
+        (
+            largest
+                + logs
+                    .iter()
+                    .map(|entry| (entry - largest).exp())
+                    .sum::<f64>()
+                    .ln(),
+            ends,
+        )
+    }
+}
+
+impl Line<'_, '_> {
+    fn node(&self, inner: f64) -> Node {
+        self.stage
+            .law
+            .node(self.stage.problem.surface.at(inner, self.outer))
+    }
+
+    fn collect(&self, range: [f64; 2], nodes: &mut Vec<Node>) {
+        const BASE: usize = 2;
+        let step = (range[1] - range[0]) / BASE as f64;
+        let mut stack = [Interval {
+            lo: 0.0,
+            hi: 0.0,
+            front: [false; 2],
+        }; 64];
+        let mut depth = 0;
+        for i in (0..BASE).rev() {
+            let lo = range[0] + step * i as f64;
+            let hi = if i + 1 == BASE {
+                range[1]
+            } else {
+                range[0] + step * (i + 1) as f64
+            };
+            stack[depth] = Interval {
+                lo,
+                hi,
+                front: [false; 2],
+            };
+            depth += 1;
+        }
+        let mut top = f64::NEG_INFINITY;
+        for i in 0..=4 {
+            let node = self.node(range[0] + (range[1] - range[0]) * f64::from(i) / 4.0);
+            top = top.max(node.log_h + node.point.weight.ln());
+        }
+        while depth > 0 {
+            depth -= 1;
+            let cell = stack[depth];
+            match self.judge(&cell, &mut top) {
+                Verdict::Empty => {}
+                Verdict::Take => self.take(&cell, nodes),
+                Verdict::Halve(middle, front) if depth + 2 <= stack.len() => {
+                    stack[depth] = Interval {
+                        lo: middle,
+                        hi: cell.hi,
+                        front: [front, cell.front[1]],
+                    };
+                    stack[depth + 1] = Interval {
+                        lo: cell.lo,
+                        hi: middle,
+                        front: [cell.front[0], front],
+                    };
+                    depth += 2;
+                }
+                Verdict::Halve(..) => self.take(&cell, nodes),
+            }
+        }
+    }
+
+    fn judge(&self, cell: &Interval, top: &mut f64) -> Verdict {
+        let length = cell.hi - cell.lo;
+        let middle = 0.5 * (cell.lo + cell.hi);
+        if cell.front == [true, true] {
+            return if self.node(middle).f > 0.0 {
+                Verdict::Halve(middle, false)
+            } else {
+                Verdict::Empty
+            };
+        }
+        // Sample away from an end where f = 0.
+        let (start, stop) = match cell.front {
+            [true, _] => (0.1, 1.0),
+            [_, true] => (0.0, 0.9),
+            _ => (0.0, 1.0),
+        };
+        let place = |i: usize| {
+            cell.lo + length * (start + (stop - start) * i as f64 / (SAMPLES - 1) as f64)
+        };
+        let samples: [Node; SAMPLES] = std::array::from_fn(|i| self.node(place(i)));
+        let inside = samples.iter().filter(|node| node.f > 0.0).count();
+        if inside == 0 {
+            return Verdict::Empty;
+        }
+        if inside < SAMPLES {
+            return match (0..SAMPLES - 1)
+                .find(|i| (samples[*i].f > 0.0) != (samples[*i + 1].f > 0.0))
+            {
+                Some(i) if length > 0.0 => Verdict::Halve(self.root(place(i), place(i + 1)), true),
+                _ => Verdict::Empty,
+            };
+        }
+        let distance = |i: usize| match cell.front {
+            [true, _] => (place(i) - cell.lo).ln(),
+            [_, true] => (cell.hi - place(i)).ln(),
+            _ => 0.0,
+        };
+        let log_h: [f64; SAMPLES] =
+            std::array::from_fn(|i| samples[i].log_h + samples[i].point.weight.ln());
+        let log_f: [f64; SAMPLES] = std::array::from_fn(|i| samples[i].f.ln() - distance(i));
+        let log_v: [f64; SAMPLES] =
+            std::array::from_fn(|i| samples[i].point.sliding_speed.max(f64::MIN_POSITIVE).ln());
+        let largest = log_h.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        *top = top.max(largest);
+        if largest < *top - self.settings.drop
+            || length <= 4.0 * f64::EPSILON * cell.lo.abs().max(cell.hi.abs())
+        {
+            return Verdict::Take;
+        }
+        let plain: [f64; SAMPLES] =
+            std::array::from_fn(|i| log_h[i] - self.settings.exponent * distance(i));
+        let strong = (cell.front[0] || cell.front[1]) && self.settings.exponent > 6.0;
+        if !strong
+            && smooth(&log_f, SMOOTH)
+            && smooth(&log_v, SMOOTH)
+            && spread(&plain) < self.settings.spread
+        {
+            return Verdict::Take;
+        }
+        Verdict::Halve(middle, false)
+    }
+
+    /// Zero of f between two parameters of opposite sign.
+    fn root(&self, a: f64, b: f64) -> f64 {
+        let (mut a, mut b) = (a, b);
+        let (mut fa, mut fb) = (self.node(a).f, self.node(b).f);
+        if fa == 0.0 {
+            return a;
+        }
+        if fb == 0.0 {
+            return b;
+        }
+        // Secant steps kept inside the bracket (Illinois).
+        for _ in 0..200 {
+            let c = (a * fb - b * fa) / (fb - fa);
+            if !(c > a.min(b) && c < a.max(b)) {
+                break;
+            }
+            let fc = self.node(c).f;
+            if fc == 0.0 {
+                return c;
+            }
+            if (fc > 0.0) == (fb > 0.0) {
+                fa *= 0.5;
+            } else {
+                (a, fa) = (b, fb);
+            }
+            (b, fb) = (c, fc);
+            if (a - b).abs() <= 2.0 * f64::EPSILON * a.abs().max(b.abs()) {
+                break;
+            }
+        }
+        b
+    }
+
+    fn take(&self, cell: &Interval, nodes: &mut Vec<Node>) {
+        let length = cell.hi - cell.lo;
+        let rule = if cell.front == [false, false] {
+            legendre()
+        } else {
+            self.front
+        };
+        for i in 0..ORDER {
+            let t = rule.abscissa[i];
+            let inner = if cell.front[1] {
+                cell.hi - length * t
+            } else {
+                cell.lo + length * t
+            };
+            let mut node = self.node(inner);
+            node.point.weight *= length * rule.weight[i] * self.weight;
+            nodes.push(node);
+        }
+    }
+}
+
+enum Verdict {
+    Empty,
+    Take,
+    /// Split at the parameter; the flag marks a zero of f there.
+    Halve(f64, bool),
+}
+
+/// Small fourth difference: the function is close to a cubic on the cell.
+fn smooth(values: &[f64; SAMPLES], limit: f64) -> bool {
+    (values[0] - 4.0 * values[1] + 6.0 * values[2] - 4.0 * values[3] + values[4]).abs() < limit
+}
+
+fn spread(values: &[f64; SAMPLES]) -> f64 {
+    let (lo, hi) = values
+        .iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), v| {
+            (lo.min(*v), hi.max(*v))
+        });
+    hi - lo
+}

@@ -1,0 +1,69 @@
+//! What can be wrong with a wear problem, with the numbers in the message.
+
+use thiserror::Error;
+
+/// Wrong input, or a problem that has no answer. Every message carries the numbers that led to it.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
+pub enum WearError {
+    /// A number is outside its range.
+    #[error("{name} = {value} is out of range: it must be {wanted}")]
+    OutOfRange {
+        /// Field word of the quantity.
+        name: &'static str,
+        /// The value given.
+        value: f64,
+        /// The range it must lie in.
+        wanted: &'static str,
+    },
+    /// The surface has no points or no area.
+    #[error("the surface has no area ({points} points, area {area} mm^2)")]
+    EmptySurface {
+        /// Number of points.
+        points: usize,
+        /// Total area in mm^2.
+        area: f64,
+    },
+    /// No mode, more modes than a body has, or modes that cannot be told apart on this surface.
+    #[error("the {count} rigid modes are not usable: {why}")]
+    Modes {
+        /// Number of modes given.
+        count: usize,
+        /// The reason.
+        why: &'static str,
+    },
+    /// No pressure p >= 0 on the surface carries the prescribed resultants.
+    #[error("no pressure p >= 0 balances the load {resultants:?}: {why}")]
+    Infeasible {
+        /// Prescribed resultant of each mode (N, N mm).
+        resultants: Vec<f64>,
+        /// The reason: moment beyond the edge, self-locking, no pressing force.
+        why: &'static str,
+    },
+    /// With these exponents there is no (or no single) stationary pressure.
+    #[error("no unique stationary pressure: {why} (s1 = {s1}, s2 = {s2})")]
+    MixedExponents {
+        /// s of body 1.
+        s1: f64,
+        /// s of body 2.
+        s2: f64,
+        /// The reason.
+        why: &'static str,
+    },
+    /// No body wears, so that the wear functional says nothing about the pressure.
+    #[error("no body wears, so {functional} does not determine the pressure; {remedy}")]
+    NoWear {
+        /// Field word of the functional.
+        functional: &'static str,
+        /// What to do.
+        remedy: &'static str,
+    },
+    /// The iteration did not reach its tolerance.
+    #[error("not converged after {iterations} iterations, relative residual {residual:.1e}")]
+    NotConverged {
+        /// Number of iterations done.
+        iterations: usize,
+        /// Relative residual of the balance.
+        residual: f64,
+    },
+}

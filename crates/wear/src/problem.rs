@@ -1,0 +1,108 @@
+//! A wear problem: surface, rule, load, and what is to be made stationary.
+
+use crate::{
+    Balance, Counterface, Functional, MAX_MODES, Modes, RigidMode, Shape, Surface, WearError,
+    WearLaw, WearPair,
+};
+
+/// All that determines an optimal pressure. Every field is meaningful by itself; `new` fills the usual choices.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Problem {
+    /// Contact surface with its sliding motion.
+    pub surface: Surface,
+    /// Wear rules of the two bodies.
+    pub wear: WearPair,
+    /// Friction coefficient mu >= 0: in the power mu p v, and in the balance when `shear_in_balance`.
+    pub friction: f64,
+    /// Whether the shear mu p acts in the balance (psi) or not (psi = phi).
+    pub shear_in_balance: bool,
+    /// Free rigid modes with their resultants.
+    pub modes: Vec<RigidMode>,
+    /// What is made stationary.
+    pub functional: Functional,
+    /// Exponent q of the functional: any real, 0, negative or infinite.
+    pub q: f64,
+    /// How the pressure is scaled to the load.
+    pub balance: Balance,
+    /// Kinematic or associated modes.
+    pub mode_kind: Modes,
+    /// How body 2 passes under body 1.
+    pub counterface: Counterface,
+    /// Largest admissible pressure in MPa.
+    pub p_max: Option<f64>,
+}
+
+impl Problem {
+    /// Steady state of body 1's wear rule under one force or several modes, frictionless balance, one wearing body.
+    pub fn new(surface: Surface, law: WearLaw, modes: Vec<RigidMode>) -> Self {
+        Self {
+            surface,
+            wear: WearPair {
+                laws: [law, WearLaw::NONE],
+                active: true,
+            },
+            friction: 0.0,
+            shear_in_balance: true,
+            modes,
+            functional: Functional::Steady,
+            q: 1.0,
+            balance: Balance::Equilibrium,
+            mode_kind: Modes::Kinematic,
+            counterface: Counterface::Fresh,
+            p_max: None,
+        }
+    }
+
+    pub(crate) fn check(&self) -> Result<(), WearError> {
+        let count = self.modes.len();
+        if count == 0 || count > MAX_MODES {
+            return Err(WearError::Modes {
+                count,
+                why: "between one and six are needed",
+            });
+        }
+        if !(self.friction >= 0.0 && self.friction.is_finite()) {
+            let value = self.friction;
+            return Err(WearError::OutOfRange {
+                name: "friction coefficient",
+                value,
+                wanted: ">= 0 and finite",
+            });
+        }
+        if self.q.is_nan() {
+            return Err(WearError::OutOfRange {
+                name: "q",
+                value: self.q,
+                wanted: "a number or infinite",
+            });
+        }
+        for mode in &self.modes {
+            if !mode.resultant.is_finite() {
+                return Err(WearError::OutOfRange {
+                    name: "resultant",
+                    value: mode.resultant,
+                    wanted: "finite",
+                });
+            }
+        }
+        if let Some(cap) = self.p_max
+            && !(cap > 0.0)
+        {
+            return Err(WearError::OutOfRange {
+                name: "p_max",
+                value: cap,
+                wanted: "> 0",
+            });
+        }
+        if matches!(self.surface.shape(), Shape::Annulus { .. })
+            && self.modes.iter().any(|mode| !mode.keeps_axial_symmetry())
+        {
+            let why = "a full ring carries axial modes only; use a sector of one turn for moments";
+            return Err(WearError::Modes { count, why });
+        }
+        for law in &self.wear.laws {
+            law.check()?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,193 @@
+//! Newton's method for the multipliers: sum over the nodes of psi_k p = F_k.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::density::Density;
+use crate::stage::{Node, Stage};
+use crate::{MAX_MODES, Modes, WearError};
+
+const ITERATIONS: usize = 200;
+const TOLERANCE: f64 = 1e-14;
+
+/// Multipliers found: the stage holds y; log p = log_scale + log h at every node.
+pub(crate) struct Balanced {
+    pub(crate) log_scale: f64,
+    pub(crate) iterations: usize,
+    pub(crate) residual: f64,
+}
+
+/// Sums over the nodes, all divided by exp(shift).
+pub(crate) struct Sums {
+    pub(crate) shift: f64,
+    /// int psi_k h.
+    pub(crate) force: [f64; MAX_MODES],
+    /// int f h.
+    pub(crate) energy: f64,
+}
+
+pub(crate) fn sums(stage: &Stage<'_>, nodes: &[Node]) -> Sums {
+    let shift = nodes
+        .iter()
+        .map(|node| node.log_h)
+        .fold(f64::NEG_INFINITY, f64::max);
+    let mut sums = Sums {
+        shift,
+        force: [0.0; MAX_MODES],
+        energy: 0.0,
+    };
+    for node in nodes {
+        let share = (node.log_h - shift).exp() * node.point.weight;
+        for k in 0..stage.law.count {
+            sums.force[k] += node.modes.psi[k] * share;
+        }
+        if node.f > 0.0 {
+            sums.energy += node.f * share;
+        }
+    }
+    sums
+}
+
+/// Solves the balance for a density known up to a factor (`Power`, `Mixed`).
+pub(crate) fn balance(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<Balanced, WearError> {
+    stage.collect(nodes);
+    let resultants = || {
+        stage
+            .problem
+            .modes
+            .iter()
+            .map(|mode| mode.resultant)
+            .collect::<Vec<_>>()
+    };
+    let (Density::Power { k, .. } | Density::Mixed { k, .. }) = stage.law.density else {
+        return Err(WearError::NotConverged {
+            iterations: 0,
+            residual: f64::NAN,
+        });
+    };
+    if nodes.is_empty() || nodes.iter().all(|node| node.log_h == f64::NEG_INFINITY) {
+        return Err(WearError::Infeasible {
+            resultants: resultants(),
+            why: "no point of the surface closes under the load",
+        });
+    }
+    if k < 0.0 && nodes.iter().any(|node| node.f <= 0.0) {
+        return Err(WearError::Infeasible {
+            resultants: resultants(),
+            why: "with s < 1 the stationary pressure needs a load that closes every point of the surface",
+        });
+    }
+    let (iterations, residual) = if stage.law.count == 1 {
+        (0, 0.0)
+    } else {
+        newton(stage, nodes, k)?
+    };
+    let total = sums(stage, nodes);
+    let carried = total.force[stage.law.pivot];
+    if !(carried > 0.0) == (stage.law.resultant(stage.law.pivot) > 0.0) {
+        return Err(WearError::Infeasible {
+            resultants: stage
+                .problem
+                .modes
+                .iter()
+                .map(|mode| mode.resultant)
+                .collect(),
+            why: "the friction carries the load: self-locking",
+        });
+    }
+    let log_scale = (stage.law.resultant(stage.law.pivot) / carried).ln() - total.shift;
+    Ok(Balanced {
+        log_scale,
+        iterations,
+        residual,
+    })
+}
+
+/// Newton on the reduced residuals with the convex dual (associated modes) or the residual itself as merit.
+fn newton(stage: &mut Stage<'_>, nodes: &mut Vec<Node>, k: f64) -> Result<(usize, f64), WearError> {
+    let free: Vec<usize> = (0..stage.law.count)
+        .filter(|j| *j != stage.law.pivot)
+        .collect();
+    let associated = stage.problem.mode_kind == Modes::Associated || stage.symmetric(nodes);
+    let mut last = f64::INFINITY;
+    for iteration in 0..ITERATIONS {
+        let here = evaluate(stage, nodes, &free, k);
+        last = here.size;
+        if here.size <= TOLERANCE {
+            return Ok((iteration, here.size));
+        }
+        let Some(step) = here.jacobian.clone().lu().solve(&(-&here.residual)) else {
+            break;
+        };
+        let slope = here.residual.dot(&step) * k.signum();
+        let start = stage.law.y;
+        let mut length = 1.0;
+        let mut accepted = false;
+        for _ in 0..60 {
+            for (row, j) in free.iter().enumerate() {
+                stage.law.y[*j] = start[*j] + length * step[row];
+            }
+            stage.collect(nodes);
+            if k > 0.0 || nodes.iter().all(|node| node.f > 0.0) {
+                let there = evaluate(stage, nodes, &free, k);
+                let descends =
+                    associated && there.dual <= here.dual + 1e-4 * length * slope.min(0.0);
+                if descends || there.size < (1.0 - 1e-4 * length) * here.size {
+                    accepted = true;
+                    break;
+                }
+            }
+            length *= 0.5;
+        }
+        if !accepted {
+            stage.law.y = start;
+            stage.collect(nodes);
+            break;
+        }
+    }
+    if last <= 1e-11 {
+        return Ok((ITERATIONS, last));
+    }
+    Err(WearError::NotConverged {
+        iterations: ITERATIONS,
+        residual: last,
+    })
+}
+
+struct Evaluation {
+    residual: DVector<f64>,
+    jacobian: DMatrix<f64>,
+    /// Residual relative to the sum of absolute terms.
+    size: f64,
+    /// sign(k) log(int f h) / s', which falls towards the solution (associated modes).
+    dual: f64,
+}
+
+fn evaluate(stage: &Stage<'_>, nodes: &[Node], free: &[usize], k: f64) -> Evaluation {
+    let total = sums(stage, nodes);
+    let n = free.len();
+    let mut residual = DVector::<f64>::zeros(n);
+    let mut absolute = DVector::<f64>::zeros(n);
+    let mut jacobian = DMatrix::zeros(n, n);
+    for node in nodes.iter().filter(|node| node.f > 0.0) {
+        let share = (node.log_h - total.shift).exp() * node.point.weight / total.energy;
+        for (row, j) in free.iter().enumerate() {
+            let psi = stage.law.reduced(&node.modes.psi, *j) * share;
+            residual[row] += psi;
+            absolute[row] += psi.abs();
+            for (column, l) in free.iter().enumerate() {
+                jacobian[(row, column)] +=
+                    psi * node.slope * stage.law.reduced(&node.modes.phi, *l) / node.f;
+            }
+        }
+    }
+    let size = (0..n)
+        .map(|row| residual[row].abs() / absolute[row].max(f64::MIN_POSITIVE))
+        .fold(0.0, f64::max);
+    let dual = k.signum() * (total.energy.ln() + total.shift) / (k + 1.0);
+    Evaluation {
+        residual,
+        jacobian,
+        size,
+        dual,
+    }
+}

@@ -1,0 +1,340 @@
+//! Contact surfaces: parametric ones, on which integrals are exact to round-off, and plain lists of points.
+
+use std::f64::consts::TAU;
+
+use nalgebra::Vector3;
+
+use crate::{SlidingMotion, SurfacePoint, WearError};
+
+/// Geometry of a contact surface. Lengths in mm, angles in rad.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Shape {
+    /// Points with weights, for example the contact points of a finite element boundary.
+    Points(Vec<SurfacePoint>),
+    /// Circular arc in the x-z plane, extruded by `thickness` along y: drum and shoe, journal bearing.
+    Arc {
+        /// Radius R.
+        radius: f64,
+        /// Centre of the circle.
+        centre: Vector3<f64>,
+        /// First and last angle, from the z axis towards +x.
+        angles: [f64; 2],
+        /// Thickness along y.
+        thickness: f64,
+        /// False: body 2 is inside (drum, shaft), n = (sin, cos). True: body 2 is outside (internal shoe), n reversed.
+        internal: bool,
+    },
+    /// Plane strip along x at height z with n = +e_z: plane punch.
+    Strip {
+        /// First and last x.
+        x: [f64; 2],
+        /// Height.
+        z: f64,
+        /// Thickness along y.
+        thickness: f64,
+    },
+    /// Full ring about the z axis, integrated over the angle: only modes with axial symmetry.
+    Annulus {
+        /// Inner and outer radius.
+        radii: [f64; 2],
+    },
+    /// Sector of a ring about the z axis with n = +e_z: pad of a disc brake. A full turn is allowed (ring with moments).
+    Sector {
+        /// Inner and outer radius.
+        radii: [f64; 2],
+        /// First and last angle from the x axis towards y.
+        angles: [f64; 2],
+    },
+    /// Rectangle in the plane z = 0.
+    Rectangle {
+        /// First and last x.
+        x: [f64; 2],
+        /// First and last y.
+        y: [f64; 2],
+    },
+    /// Ellipse in the plane z = 0 about the origin.
+    Ellipse {
+        /// Semi-axes along x and y.
+        semi_axes: [f64; 2],
+    },
+}
+
+/// A contact surface with its sliding motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Surface {
+    shape: Shape,
+    motion: SlidingMotion,
+    track_area: Option<f64>,
+}
+
+impl Surface {
+    /// A list of points, taken as it is: its weights are the quadrature.
+    pub fn from_points(points: Vec<SurfacePoint>) -> Result<Self, WearError> {
+        let area: f64 = points.iter().map(|point| point.weight).sum();
+        if points.is_empty() || !(area > 0.0 && area.is_finite()) {
+            return Err(WearError::EmptySurface {
+                points: points.len(),
+                area,
+            });
+        }
+        Ok(Self {
+            shape: Shape::Points(points),
+            motion: SlidingMotion::along_x(0.0),
+            track_area: None,
+        })
+    }
+
+    /// A parametric surface with the motion of body 2 over it.
+    pub fn new(shape: Shape, motion: SlidingMotion) -> Result<Self, WearError> {
+        let surface = Self {
+            shape,
+            motion,
+            track_area: None,
+        };
+        let positive = |name, value: f64| {
+            if value > 0.0 && value.is_finite() {
+                Ok(())
+            } else {
+                Err(WearError::OutOfRange {
+                    name,
+                    value,
+                    wanted: "> 0 and finite",
+                })
+            }
+        };
+        match &surface.shape {
+            Shape::Points(points) => return Self::from_points(points.clone()),
+            Shape::Arc {
+                radius,
+                angles,
+                thickness,
+                ..
+            } => {
+                positive("radius", *radius)?;
+                positive("thickness", *thickness)?;
+                positive("angle of the arc", angles[1] - angles[0])?;
+            }
+            Shape::Strip { x, thickness, .. } => {
+                positive("length of the strip", x[1] - x[0])?;
+                positive("thickness", *thickness)?;
+            }
+            Shape::Annulus { radii } | Shape::Sector { radii, .. } => {
+                if radii[0] < 0.0 {
+                    let (name, value) = ("inner radius", radii[0]);
+                    return Err(WearError::OutOfRange {
+                        name,
+                        value,
+                        wanted: ">= 0",
+                    });
+                }
+                positive("width of the ring", radii[1] - radii[0])?;
+                if let Shape::Sector { angles, .. } = &surface.shape {
+                    positive("angle of the sector", angles[1] - angles[0])?;
+                }
+            }
+            Shape::Rectangle { x, y } => {
+                positive("width of the rectangle", x[1] - x[0])?;
+                positive("height of the rectangle", y[1] - y[0])?;
+            }
+            Shape::Ellipse { semi_axes } => {
+                positive("semi-axis along x", semi_axes[0])?;
+                positive("semi-axis along y", semi_axes[1])?;
+            }
+        }
+        Ok(surface)
+    }
+
+    /// The same surface with the area (mm^2) of body 2's closed track, needed by a revolving counter-face under a list of points.
+    pub fn with_track_area(mut self, area: f64) -> Self {
+        self.track_area = Some(area);
+        self
+    }
+
+    /// The geometry.
+    pub fn shape(&self) -> &Shape {
+        &self.shape
+    }
+
+    /// Motion of body 2 relative to body 1.
+    pub fn motion(&self) -> &SlidingMotion {
+        &self.motion
+    }
+
+    /// Area of body 2's closed track in mm^2, where it is known: given, or the full turn of an arc.
+    pub fn track_area(&self) -> Option<f64> {
+        match &self.shape {
+            Shape::Arc {
+                radius, thickness, ..
+            } => Some(TAU * radius * thickness),
+            _ => self.track_area,
+        }
+    }
+
+    /// Range of the inner parameter (along the surface; on a sector along the track).
+    pub(crate) fn inner_range(&self) -> [f64; 2] {
+        match &self.shape {
+            Shape::Points(_) => [0.0, 0.0],
+            Shape::Arc { angles, .. } | Shape::Sector { angles, .. } => *angles,
+            Shape::Strip { x, .. } => *x,
+            Shape::Annulus { radii } => log_range(radii),
+            Shape::Rectangle { y, .. } => *y,
+            Shape::Ellipse { .. } => [-1.0, 1.0],
+        }
+    }
+
+    /// Range of the outer parameter of a surface with two, `None` for one.
+    pub(crate) fn outer_range(&self) -> Option<[f64; 2]> {
+        match &self.shape {
+            Shape::Sector { radii, .. } => Some(log_range(radii)),
+            Shape::Rectangle { x, .. } => Some(*x),
+            Shape::Ellipse { .. } => Some([-TAU / 4.0, TAU / 4.0]),
+            _ => None,
+        }
+    }
+
+    /// The point at the given parameters; its weight is the area per unit of the parameters.
+    pub(crate) fn at(&self, inner: f64, outer: f64) -> SurfacePoint {
+        let up = Vector3::z();
+        let (position, normal, weight) = match &self.shape {
+            Shape::Points(points) => return points[0],
+            Shape::Arc {
+                radius,
+                centre,
+                thickness,
+                internal,
+                ..
+            } => {
+                let (sine, cosine) = inner.sin_cos();
+                let outward = Vector3::new(sine, 0.0, cosine);
+                let normal = if *internal { -outward } else { outward };
+                (centre + outward * *radius, normal, radius * thickness)
+            }
+            Shape::Strip { z, thickness, .. } => (Vector3::new(inner, 0.0, *z), up, *thickness),
+            Shape::Annulus { radii } => {
+                let r = log_radius(radii, inner);
+                (Vector3::new(r, 0.0, 0.0), up, TAU * r * r)
+            }
+            Shape::Sector { radii, .. } => {
+                let r = log_radius(radii, outer);
+                let (sine, cosine) = inner.sin_cos();
+                (Vector3::new(r * cosine, r * sine, 0.0), up, r * r)
+            }
+            Shape::Rectangle { .. } => (Vector3::new(outer, inner, 0.0), up, 1.0),
+            Shape::Ellipse { semi_axes } => {
+                let (sine, cosine) = outer.sin_cos();
+                let position =
+                    Vector3::new(semi_axes[0] * sine, semi_axes[1] * cosine * inner, 0.0);
+                (position, up, semi_axes[0] * semi_axes[1] * cosine * cosine)
+            }
+        };
+        self.point(position, normal, weight)
+    }
+
+    /// The surface point at a position with the given normal and weight; speed and drag direction from the motion.
+    pub fn point(&self, position: Vector3<f64>, normal: Vector3<f64>, weight: f64) -> SurfacePoint {
+        let (sliding_speed, drag) = self.motion.sliding(&position, &normal);
+        SurfacePoint {
+            position,
+            normal,
+            weight,
+            sliding_speed,
+            drag,
+        }
+    }
+
+    /// `count` >= 2 points equally spaced in the surface's own coordinate (angle, x, r), both ends included, with trapezoid
+    /// weights. On surfaces with two parameters: the middle line along x (rectangle, ellipse) or r (sector), with the weight of the
+    /// whole cross line. A list of points is returned as it is.
+    pub fn sample(&self, count: usize) -> Vec<SurfacePoint> {
+        if let Shape::Points(points) = &self.shape {
+            return points.clone();
+        }
+        let up = Vector3::z();
+        let (lo, hi) = match &self.shape {
+            Shape::Arc { angles, .. } => (angles[0], angles[1]),
+            Shape::Strip { x, .. } | Shape::Rectangle { x, .. } => (x[0], x[1]),
+            Shape::Annulus { radii } | Shape::Sector { radii, .. } => (radii[0], radii[1]),
+            Shape::Ellipse { semi_axes } => (-semi_axes[0], semi_axes[0]),
+            Shape::Points(_) => (0.0, 0.0),
+        };
+        let count = count.max(2);
+        let last = (count - 1) as f64;
+        let place = |index: usize| {
+            let t = index as f64 / last;
+            // Symmetric to the last bit about the middle, with exact ends.
+            let u = if index + 1 == count {
+                hi
+            } else {
+                lo * (1.0 - t) + hi * t
+            };
+            let share = if index == 0 || index + 1 == count {
+                0.5
+            } else {
+                1.0
+            };
+            let step = share * (hi - lo) / last;
+            match &self.shape {
+                Shape::Arc { .. } | Shape::Strip { .. } | Shape::Points(_) => {
+                    let mut point = self.at(u, 0.0);
+                    point.weight *= step;
+                    point
+                }
+                Shape::Annulus { .. } => self.point(Vector3::new(u, 0.0, 0.0), up, TAU * u * step),
+                Shape::Sector { angles, .. } => {
+                    let (sine, cosine) = (0.5 * (angles[0] + angles[1])).sin_cos();
+                    let width = u * (angles[1] - angles[0]);
+                    self.point(Vector3::new(u * cosine, u * sine, 0.0), up, width * step)
+                }
+                Shape::Rectangle { y, .. } => self.point(
+                    Vector3::new(u, 0.5 * (y[0] + y[1]), 0.0),
+                    up,
+                    (y[1] - y[0]) * step,
+                ),
+                Shape::Ellipse { semi_axes } => {
+                    let ratio = u / semi_axes[0];
+                    let width = 2.0 * semi_axes[1] * (1.0 - ratio * ratio).max(0.0).sqrt();
+                    self.point(Vector3::new(u, 0.0, 0.0), up, width * step)
+                }
+            }
+        };
+        (0..count).map(place).collect()
+    }
+
+    /// Area in mm^2.
+    pub fn area(&self) -> f64 {
+        match &self.shape {
+            Shape::Points(points) => points.iter().map(|point| point.weight).sum(),
+            Shape::Arc {
+                radius,
+                angles,
+                thickness,
+                ..
+            } => radius * (angles[1] - angles[0]) * thickness,
+            Shape::Strip { x, thickness, .. } => (x[1] - x[0]) * thickness,
+            Shape::Annulus { radii } => 0.5 * TAU * (radii[1] - radii[0]) * (radii[1] + radii[0]),
+            Shape::Sector { radii, angles } => {
+                0.5 * (angles[1] - angles[0]) * (radii[1] - radii[0]) * (radii[1] + radii[0])
+            }
+            Shape::Rectangle { x, y } => (x[1] - x[0]) * (y[1] - y[0]),
+            Shape::Ellipse { semi_axes } => 0.5 * TAU * semi_axes[0] * semi_axes[1],
+        }
+    }
+}
+
+/// Radii are parametrised by u = log(r / r_i), so that powers of r are exponentials of u; with r_i = 0 by log(r / r_e) from -700.
+fn log_range(radii: &[f64; 2]) -> [f64; 2] {
+    if radii[0] > 0.0 {
+        [0.0, (radii[1] / radii[0]).ln()]
+    } else {
+        [-700.0, 0.0]
+    }
+}
+
+fn log_radius(radii: &[f64; 2], u: f64) -> f64 {
+    if radii[0] > 0.0 {
+        (radii[0] * u.exp()).min(radii[1])
+    } else {
+        radii[1] * u.exp()
+    }
+}
