@@ -9,7 +9,7 @@ use crate::interface::{InterfaceOperator, InterfaceState};
 use crate::material::{Kinematics, Material};
 use crate::mesh::Mesh;
 use crate::space::{RigidEdge, Space, SpaceKind, Support, rigid_rows};
-use crate::trace::{Trace, path};
+use crate::trace::{Trace, TraceLoad, path};
 use faer::Mat;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -147,7 +147,7 @@ impl<'a> Body<'a> {
     pub fn solve(&self, cases: &[f64]) -> InterfaceState {
         let factors = self.interface.factors(cases);
         let n = self.interface.stiffness.nrows();
-        let load = vec![0.0; n];
+        let load = TraceLoad { unknowns: vec![0.0; n], ..TraceLoad::default() };
         let right = self.interface.right_hand_side(&load, &factors);
         let right = Mat::from_fn(n, 1, |i, _| right[i]);
         let x = self.interface.solve(&right, &self.interface.rigid_modes);

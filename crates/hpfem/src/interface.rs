@@ -1,7 +1,7 @@
 //! What is left of a body when everything but its kept boundary is eliminated.
 
 use crate::material::Kinematics;
-use crate::trace::Trace;
+use crate::trace::{Trace, TraceLoad};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 
@@ -40,8 +40,8 @@ pub struct InterfaceState {
     pub unknowns: Vec<f64>,
     /// Factors of the columns: load cases and the prescribed displacements.
     pub factors: Vec<f64>,
-    /// Load on the kept unknowns.
-    pub load: Vec<f64>,
+    /// Load on the kept boundary.
+    pub load: TraceLoad,
 }
 
 impl InterfaceOperator {
@@ -54,9 +54,9 @@ impl InterfaceOperator {
     }
 
     /// Whole right-hand side: contact load plus condensed columns.
-    pub fn right_hand_side(&self, load: &[f64], factors: &[f64]) -> Vec<f64> {
-        (0..load.len())
-            .map(|i| load[i] + factors.iter().enumerate().map(|(k, a)| a * self.columns[(i, k)]).sum::<f64>())
+    pub fn right_hand_side(&self, load: &TraceLoad, factors: &[f64]) -> Vec<f64> {
+        (0..self.stiffness.nrows())
+            .map(|i| load.unknowns[i] + factors.iter().enumerate().map(|(k, a)| a * self.columns[(i, k)]).sum::<f64>())
             .collect()
     }
 
@@ -97,7 +97,7 @@ impl InterfaceOperator {
 
     /// Strain energy `1/2 f . u` of a state without prescribed displacements.
     pub fn strain_energy(&self, state: &InterfaceState) -> f64 {
-        let contact: f64 = state.load.iter().zip(&state.unknowns).map(|(f, u)| f * u).sum();
+        let contact: f64 = state.load.unknowns.iter().zip(&state.unknowns).map(|(f, u)| f * u).sum();
         let loads: f64 = (0..self.load_cases).map(|k| state.factors[k] * self.column_work(k, state)).sum();
         0.5 * (contact + loads)
     }
@@ -109,7 +109,8 @@ impl InterfaceOperator {
             let r = 3 * support + k;
             let constant: f64 =
                 state.factors.iter().enumerate().map(|(l, a)| a * self.reaction_constant[(r, l)]).sum();
-            self.column_work(self.load_cases + 1 + r, state) + constant
+            let direct = state.load.supports.get(support).map_or(0.0, |l| l[k]);
+            self.column_work(self.load_cases + 1 + r, state) + constant - direct
         })
     }
 }

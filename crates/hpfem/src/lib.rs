@@ -35,4 +35,4 @@ pub use material::{Kinematics, Material, Moduli};
 pub use mesh::{CELL_EDGES, Cell, Edge, Mesh, Quad};
 pub use quadrature::{Quadrature, barycentric_weights, gauss, gauss_lobatto, gauss_lobatto_jacobi, lagrange};
 pub use space::{Direction, MAX_DEGREE, RigidEdge, SpaceKind, Support};
-pub use trace::{Trace, TraceEdge, TracePoint};
+pub use trace::{Trace, TraceEdge, TraceLoad, TracePoint};

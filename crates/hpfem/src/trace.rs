@@ -7,7 +7,7 @@ use crate::legendre::shape_functions;
 use crate::material::Kinematics;
 use crate::mesh::Mesh;
 use crate::quadrature::{gauss_lobatto, gauss_lobatto_jacobi};
-use crate::space::Space;
+use crate::space::{Space, rigid_rows};
 use faer::Mat;
 
 /// One edge of the path.
@@ -29,6 +29,8 @@ pub struct TraceEdge {
     unknowns: Vec<Vec<Vec<(usize, f64)>>>,
     /// Prescribed values of the same modes.
     prescribed: Vec<[f64; 2]>,
+    /// Prescribed parts of the same modes: `(mode, support, motions)`, the motions being those of [`Trace::support_row`].
+    fixed: Vec<(usize, usize, [[f64; 2]; 3])>,
 }
 
 /// The kept boundary: edges in order, and the Gauss-Lobatto points where contact is checked.
@@ -104,7 +106,8 @@ impl Trace {
             let groups = own.vertices.iter().map(|v| (*v, 0)).chain((0..degree - 1).map(|m| (mesh.vertices.len() + edge, m)));
             let mut mode_unknowns = Vec::new();
             let mut prescribed = Vec::new();
-            for (group, mode) in groups {
+            let mut fixed = Vec::new();
+            for (number, (group, mode)) in groups.enumerate() {
                 let mut columns = Vec::new();
                 let mut value = [0.0; 2];
                 for component in 0..space.components {
@@ -112,6 +115,15 @@ impl Trace {
                     let active = target.active.iter().filter_map(|(g, i, c)| start_of_group(*g).map(|s| (s + i, *c)));
                     columns.push(active.collect());
                     value[component] = target.fixed.iter().map(|f| f.share * f.value).sum();
+                    // A support moved by a unit translation or rotation moves the prescribed part of its vertices alike.
+                    for part in target.fixed.iter().filter(|_| group < mesh.vertices.len()) {
+                        let motions = rigid_rows(mesh.vertices[group], [0.0, 0.0]).map(|m| {
+                            let mut moved = [0.0; 2];
+                            moved[component] = part.share * (part.axis[0] * m[0] + part.axis[1] * m[1]);
+                            moved
+                        });
+                        fixed.push((number, part.support, motions));
+                    }
                 }
                 mode_unknowns.push(columns);
                 prescribed.push(value);
@@ -126,6 +138,7 @@ impl Trace {
                 start: arc,
                 unknowns: mode_unknowns,
                 prescribed,
+                fixed,
             });
             arc += curve.length();
         }
@@ -197,6 +210,17 @@ impl Trace {
         (rows, constant)
     }
 
+    /// Displacement at a place when a support moves by unit translations along the two axes and by a unit rotation about the origin,
+    /// all kept unknowns being held: `(support, motions)`. A force at the place works on it, and the support reacts.
+    pub fn support_row(&self, edge: usize, t: f64) -> Vec<(usize, [[f64; 2]; 3])> {
+        let e = &self.edges[edge];
+        if e.fixed.is_empty() {
+            return Vec::new();
+        }
+        let shapes = shape_functions(e.degree, if e.against { -t } else { t }).0;
+        e.fixed.iter().map(|(mode, support, m)| (*support, m.map(|m| m.map(|v| v * shapes[*mode])))).collect()
+    }
+
     /// Matrix that takes kept unknowns to the displacement component along `direction(point)` at the given places
     /// `(edge, t)`: one row a place.
     pub fn component_matrix(
@@ -215,27 +239,54 @@ impl Trace {
         matrix
     }
 
-    /// Consistent load on the kept unknowns of a traction on the path, `int N^T t dA`, by Gauss quadrature with `extra` points beyond
-    /// the degree plus two on every edge.
+    /// Consistent load of a traction on the path, `int N^T t dA`, by Gauss quadrature with `extra` points beyond the degree plus two on
+    /// every edge.
     pub fn load(
         &self,
         kinematics: Kinematics,
         extra: usize,
         traction: impl Fn(&BoundaryPoint) -> [f64; 2],
-    ) -> Vec<f64> {
-        let mut load = vec![0.0; self.unknowns];
+    ) -> TraceLoad {
+        let mut load = TraceLoad { unknowns: vec![0.0; self.unknowns], ..TraceLoad::default() };
         for (number, edge) in self.edges.iter().enumerate() {
             let rule = crate::quadrature::gauss(edge.degree + 2 + extra);
             for (t, w) in rule.points.iter().zip(&rule.weights) {
                 let (point, length) = self.boundary_point(number, *t);
                 let weight = w * length * kinematics.measure(point.position[0]);
-                let value = traction(&point);
-                let (rows, _) = self.displacement_row(number, *t);
-                for (row, value) in rows.iter().zip(value) {
-                    row.iter().for_each(|(u, c)| load[*u] += weight * value * c);
-                }
+                self.add_force(&mut load, (number, *t), traction(&point).map(|v| weight * v));
             }
         }
         load
     }
+
+    /// Adds a force at a place of the path to a load.
+    pub fn add_force(&self, load: &mut TraceLoad, (edge, t): (usize, f64), force: [f64; 2]) {
+        let (rows, _) = self.displacement_row(edge, t);
+        for (row, force) in rows.iter().zip(force) {
+            row.iter().for_each(|(u, c)| load.unknowns[*u] += force * c);
+        }
+        for (support, motions) in self.support_row(edge, t) {
+            if load.supports.len() <= support {
+                load.supports.resize(support + 1, [0.0; 3]);
+            }
+            for (total, m) in load.supports[support].iter_mut().zip(motions) {
+                *total += force[0] * m[0] + force[1] * m[1];
+            }
+        }
+        let x = self.boundary_point(edge, t).0.position;
+        for (total, m) in load.resultant.iter_mut().zip(rigid_rows(x, [0.0, 0.0])) {
+            *total += force[0] * m[0] + force[1] * m[1];
+        }
+    }
+}
+
+/// A load on the kept boundary.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct TraceLoad {
+    /// Load on the kept unknowns.
+    pub unknowns: Vec<f64>,
+    /// Part that goes straight into prescribed unknowns, by support: force along the two axes and moment about the origin.
+    pub supports: Vec<[f64; 3]>,
+    /// Resultant force along the two axes and moment about the origin (`x cross f`, anti-clockwise with the second axis up).
+    pub resultant: [f64; 3],
 }

@@ -1,0 +1,12 @@
+//! What can keep a shape from being found.
+
+/// Wrong input or a problem without an answer, with the numbers that show it.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Error {
+    /// No rigid part of the gap is the lowest.
+    #[error("no rigid motion of the shaped body ({modes} free) can bring the surfaces together; load it towards the counter-face")]
+    NoLowestGap {
+        /// Number of free rigid modes.
+        modes: usize,
+    },
+}

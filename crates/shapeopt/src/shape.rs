@@ -1,0 +1,227 @@
+//! The gap that produces a wanted pressure: Appendix A of Paczelt and Mroz (2007), corrected, in one linear pass.
+
+use crate::error::Error;
+use crate::rigid_part::{Curve, lowest_nonnegative};
+use contact::{ContactPoint, Pair, Side, contact_traction, normal};
+use faer::Mat;
+use hpfem::{BoundaryPoint, InterfaceOperator, InterfaceState};
+
+/// Tractions and loads under which the surfaces shall just touch everywhere.
+pub struct ShapeProblem<'a> {
+    /// The two bodies.
+    pub pair: Pair<'a>,
+    /// Wanted pressure `p >= 0` and shear along the tangent (normal turned clockwise) on body 1, at a point with given normal.
+    pub traction: &'a (dyn Fn(&SurfacePlace) -> [f64; 2] + Sync),
+    /// Factors of the load cases of body 1.
+    pub cases_shaped: &'a [f64],
+    /// Factors of the load cases of body 2.
+    pub cases_counter: &'a [f64],
+    /// What fixes the rigid coordinates of body 1 at zero.
+    pub gauge: Gauge,
+    /// How the rigid part of the gap is chosen.
+    pub rigid: RigidPart,
+    /// Gauss points an edge beyond the degree plus two, for pressures that vary fast.
+    pub extra_points: usize,
+}
+
+/// A place on the contact surface where the traction is asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurfacePlace {
+    /// Position.
+    pub position: [f64; 2],
+    /// Unit normal out of body 2 into body 1.
+    pub normal: [f64; 2],
+}
+
+/// Zero of the rigid coordinates of body 1.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Gauge {
+    /// The rigid edge is held: its free motions are zero.
+    HeldEdge,
+    /// Mean displacement of the load edge is zero: columns of the interface operator that hold the mean displacement functionals of
+    /// the free motions, one a rigid mode.
+    MeanOf(Vec<usize>),
+    /// The displacement is left orthogonal to the rigid modes, in the kept unknowns.
+    Orthogonal,
+}
+
+/// Choice of the rigid part of the gap.
+#[derive(Clone, Debug, PartialEq)]
+pub enum RigidPart {
+    /// The smallest gap that is nowhere negative: `g >= 0` with the least `int g dS`.
+    Smallest,
+    /// Prescribed coordinates of body 1's rigid modes.
+    Prescribed(Vec<f64>),
+}
+
+/// The shape that produces the wanted pressure.
+#[derive(Clone, Debug)]
+pub struct Shape {
+    /// State of body 1 with its rigid coordinates at zero.
+    pub shaped: InterfaceState,
+    /// State of body 2.
+    pub counter: Option<InterfaceState>,
+    /// Rigid coordinates of body 1 that belong to the gap, one a rigid mode.
+    pub rigid: Vec<f64>,
+    /// Sum of the contact load on body 1, integrated by the edges' own quadrature: `[x, z]`.
+    pub contact_force: [f64; 2],
+}
+
+/// Solves for the shape: loads the separated bodies by the wanted tractions, takes the jump `m = (u2 - u1) . n` and adds the
+/// rigid part, `g = m + sum_k a_k phi_k` with the closing velocities `phi_k = -n . u_k` of body 1's free modes.
+///
+/// The paper's step 6 takes `Delta = m(s*) / cos alpha*` at the minimum of `m`; that lets the gap become negative elsewhere. Here
+/// the rigid part is the lowest admissible one over the whole continuous surface.
+///
+/// # Errors
+/// [`Error::NoLowestGap`] if no rigid part makes the gap smallest (no closing mode reaches the surface).
+pub fn solve_shape(problem: &ShapeProblem<'_>) -> Result<Shape, Error> {
+    let shaped = side_state(problem, Side::Shaped, problem.pair.shaped, problem.cases_shaped);
+    let counter = problem.pair.counter.map(|c| side_state(problem, Side::Counter, c, problem.cases_counter));
+    let [x, z, _] = shaped.load.resultant;
+    let mut shape = Shape { shaped, counter, rigid: Vec::new(), contact_force: [x, z] };
+    let modes = problem.pair.shaped.rigid_modes.ncols();
+    shape.rigid = match &problem.rigid {
+        RigidPart::Prescribed(values) => values.clone(),
+        RigidPart::Smallest if modes == 0 => Vec::new(),
+        RigidPart::Smallest => {
+            let curve = SurfaceCurve { pair: problem.pair, shape: &shape };
+            lowest_nonnegative(&curve).ok_or(Error::NoLowestGap { modes })?
+        }
+    };
+    Ok(shape)
+}
+
+/// One body under its loads and the wanted tractions.
+fn side_state(problem: &ShapeProblem<'_>, side: Side, body: &InterfaceOperator, cases: &[f64]) -> InterfaceState {
+    let traction = |point: &BoundaryPoint| {
+        let place = SurfacePlace { position: point.position, normal: normal(side, point) };
+        let [pressure, shear] = (problem.traction)(&place);
+        contact_traction(side, point, pressure, shear)
+    };
+    let load = body.trace.load(body.kinematics, problem.extra_points, traction);
+    let factors = body.factors(cases);
+    let right = body.right_hand_side(&load, &factors);
+    let held = side == Side::Shaped && problem.gauge == Gauge::HeldEdge;
+    let unknowns = if held { solve_held(body, &right) } else { solve_free(body, &right) };
+    let mut state = InterfaceState { unknowns, factors, load };
+    if let (Side::Shaped, Gauge::MeanOf(columns)) = (side, &problem.gauge) {
+        remove_mean(body, columns, &mut state);
+    }
+    state
+}
+
+fn solve_free(body: &InterfaceOperator, right: &[f64]) -> Vec<f64> {
+    let right = Mat::from_fn(right.len(), 1, |i, _| right[i]);
+    let x = body.solve(&right, &body.rigid_modes);
+    x.col_as_slice(0).to_vec()
+}
+
+/// Solves with the rigid edge's motions at zero.
+fn solve_held(body: &InterfaceOperator, right: &[f64]) -> Vec<f64> {
+    let held: Vec<usize> = body.frame.iter().flatten().copied().collect();
+    let mut operator = body.clone();
+    for &h in &held {
+        for i in 0..operator.stiffness.nrows() {
+            operator.stiffness[(h, i)] = 0.0;
+            operator.stiffness[(i, h)] = 0.0;
+        }
+        operator.stiffness[(h, h)] = body.stiffness[(h, h)];
+    }
+    operator.rigid_modes = Mat::zeros(right.len(), 0);
+    let right = Mat::from_fn(right.len(), 1, |i, _| if held.contains(&i) { 0.0 } else { right[i] });
+    let x = operator.solve(&right, &operator.rigid_modes);
+    x.col_as_slice(0).to_vec()
+}
+
+/// Shifts along the rigid modes until the functionals of the given columns vanish.
+fn remove_mean(body: &InterfaceOperator, columns: &[usize], state: &mut InterfaceState) {
+    let modes = body.rigid_modes.ncols();
+    let matrix = nalgebra::DMatrix::from_fn(columns.len(), modes, |c, m| {
+        (0..state.unknowns.len()).map(|i| body.columns[(i, columns[c])] * body.rigid_modes[(i, m)]).sum::<f64>()
+    });
+    let values = nalgebra::DVector::from_iterator(columns.len(), columns.iter().map(|c| body.column_work(*c, state)));
+    if let Some(shift) = matrix.lu().solve(&values) {
+        for (i, u) in state.unknowns.iter_mut().enumerate() {
+            *u -= (0..modes).map(|m| shift[m] * body.rigid_modes[(i, m)]).sum::<f64>();
+        }
+    }
+}
+
+impl Shape {
+    /// Displacement jump `m = (u2 - u1) . n` at a point, rigid coordinates of body 1 at zero.
+    pub fn jump(&self, pair: &Pair<'_>, point: &ContactPoint) -> f64 {
+        let [n1, _] = self.displacement(pair, Side::Shaped, point);
+        let [n2, _] = self.displacement(pair, Side::Counter, point);
+        n2 - n1
+    }
+
+    /// Gap at a point.
+    pub fn gap(&self, pair: &Pair<'_>, point: &ContactPoint) -> f64 {
+        let closing: f64 = self.rigid.iter().zip(closing(pair, point)).map(|(a, phi)| a * phi).sum();
+        self.jump(pair, point) + closing
+    }
+
+    /// Normal and tangential displacement of a side at a point, along its normal and tangent.
+    pub fn displacement(&self, pair: &Pair<'_>, side: Side, point: &ContactPoint) -> [f64; 2] {
+        let state = if side == Side::Shaped { Some(&self.shaped) } else { self.counter.as_ref() };
+        let (Some(state), Some(body)) = (state, pair.side(side)) else { return [0.0; 2] };
+        let (rows, constant) = body.trace.displacement_row(point.place.0, point.place.1);
+        let u: [f64; 2] = std::array::from_fn(|k| {
+            rows[k].iter().map(|(i, c)| c * state.unknowns[*i]).sum::<f64>() + constant[k]
+        });
+        let along = |d: [f64; 2]| u[0] * d[0] + u[1] * d[1];
+        [along(point.normal), along(point.tangent)]
+    }
+}
+
+/// Closing velocities `phi_k = -n . u_k` of body 1's rigid modes at a point.
+pub fn closing(pair: &Pair<'_>, point: &ContactPoint) -> Vec<f64> {
+    let body = pair.shaped;
+    let (rows, _) = body.trace.displacement_row(point.place.0, point.place.1);
+    (0..body.rigid_modes.ncols())
+        .map(|m| {
+            let u = |k: usize| rows[k].iter().map(|(i, c)| c * body.rigid_modes[(*i, m)]).sum::<f64>();
+            -(point.normal[0] * u(0) + point.normal[1] * u(1))
+        })
+        .collect()
+}
+
+/// The jump over the whole surface, for the choice of the rigid part.
+struct SurfaceCurve<'a> {
+    pair: Pair<'a>,
+    shape: &'a Shape,
+}
+
+impl Curve for SurfaceCurve<'_> {
+    fn length(&self) -> f64 {
+        self.pair.shaped.trace.length()
+    }
+
+    fn samples(&self) -> Vec<f64> {
+        let trace = &self.pair.shaped.trace;
+        let mut samples = Vec::new();
+        for edge in &trace.edges {
+            let n = 4 * (edge.degree + 1);
+            let length = edge.curve.length();
+            samples.extend((0..n).map(|i| edge.start + length * i as f64 / n as f64));
+        }
+        samples.push(trace.length());
+        samples
+    }
+
+    fn value(&self, arc: f64) -> (f64, Vec<f64>) {
+        let point = self.pair.at_arc(arc);
+        (self.shape.jump(&self.pair, &point), closing(&self.pair, &point))
+    }
+
+    fn mean_modes(&self) -> Vec<f64> {
+        let mut sums = vec![0.0; self.pair.shaped.rigid_modes.ncols()];
+        for point in self.pair.points() {
+            for (sum, phi) in sums.iter_mut().zip(closing(&self.pair, &point)) {
+                *sum += point.weight * phi;
+            }
+        }
+        sums
+    }
+}
