@@ -1,1 +1,35 @@
-//! The wearshape program.
+//! The program `wearshape`: reads a scene, computes what it asks for, writes the report.
+//!
+//! The data goes one way: `Scene -> Problem -> Solution -> Report` by `setup`, `solve`, `report`. This is the only crate of the
+//! workspace that reads files, writes files and prints.
+
+mod args;
+mod builtin;
+mod commands;
+mod document;
+mod exit;
+mod fault;
+mod fe;
+mod flags;
+mod freedom;
+mod gap;
+mod geometry;
+mod lints;
+mod plan;
+mod profile;
+mod profile_file;
+mod read;
+mod scene;
+mod setup;
+mod solution;
+mod solve;
+mod surface;
+mod tree;
+mod units;
+
+pub use exit::Exit;
+
+/// Runs the program with the given arguments, the first of which is the program's name; prints to stdout and stderr.
+pub fn run(args: impl IntoIterator<Item = impl Into<std::ffi::OsString> + Clone>) -> Exit {
+    commands::run(args)
+}

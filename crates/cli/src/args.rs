@@ -1,0 +1,187 @@
+//! The command line.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+
+/// Contact pressure and contact shape of two bodies worn in by steady sliding, computed directly.
+#[derive(Debug, Parser)]
+#[command(
+    name = "wearshape",
+    version,
+    about,
+    max_term_width = 100,
+    disable_help_subcommand = true
+)]
+#[command(
+    after_help = "Begin with:\n  wearshape run drum-brake-block\n  wearshape new drum-brake-block my-shoe.toml\n  wearshape new --list"
+)]
+pub(crate) struct Cli {
+    /// What to do.
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Compute a scene and write its folder.
+    #[command(
+        after_help = "Examples:\n  wearshape run drum-brake-block\n  wearshape run shoe.toml -o out/soft --set body1.material.young='5 GPa' --set contact.friction=.4"
+    )]
+    Run(RunArgs),
+    /// Read a scene, say what would be done and what is wrong.
+    #[command(after_help = "Example:\n  wearshape check shoe.toml")]
+    Check(CheckArgs),
+    /// Write a commented scene to start from.
+    #[command(
+        after_help = "Examples:\n  wearshape new --list\n  wearshape new drum-brake-block shoe.toml\n  wearshape new hertz-cylinder            (to stdout)"
+    )]
+    New(NewArgs),
+    /// Compute a scene over a grid of keys; one row a point.
+    #[command(
+        after_help = "Examples:\n  wearshape sweep annular-punch --set tasks=[pressure] --over wear.b=1.05:2:20\n  wearshape sweep drum-brake-block --over contact.friction=0,.1,.25 --over optimum.functional=steady,uniform"
+    )]
+    Sweep(SweepArgs),
+    /// Error against run time over a ladder of meshes.
+    #[command(after_help = "Example:\n  wearshape study drum-brake-block")]
+    Study(StudyArgs),
+    /// Build report.html of a folder again.
+    #[command(after_help = "Example:\n  wearshape report out/drum-brake-block")]
+    Report(ReportArgs),
+    /// Recompute figures and tables of the paper.
+    #[command(after_help = "Examples:\n  wearshape reproduce fig4\n  wearshape reproduce all")]
+    Reproduce(ReproduceArgs),
+    /// Print the JSON schema of scenes (draft 7), for editors.
+    #[command(after_help = "Example:\n  wearshape schema > wearshape.schema.json")]
+    Schema,
+    /// Print a completion script.
+    #[command(
+        after_help = "Example:\n  wearshape completions bash > ~/.local/share/bash-completion/completions/wearshape"
+    )]
+    Completions {
+        /// The shell.
+        shell: clap_complete::Shell,
+    },
+}
+
+/// Options of run, study and sweep.
+#[derive(Debug, Clone, Default, Args)]
+pub(crate) struct Common {
+    /// Folder to write; default out/<scene>.
+    #[arg(short, long = "output", value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
+    /// Replace one key of the scene, as in --set contact.friction=.1; repeatable.
+    #[arg(long = "set", value_name = "KEY=VALUE", allow_hyphen_values = true)]
+    pub(crate) set: Vec<String>,
+    /// Write contact.csv at N equally spaced points.
+    #[arg(long, value_name = "N")]
+    pub(crate) sample: Option<usize>,
+    /// Print one JSON document on stdout: summary.json, or the error.
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Continue an interrupted run from its partial folder.
+    #[arg(long)]
+    pub(crate) resume: bool,
+    /// Say what would be done and write nothing.
+    #[arg(long)]
+    pub(crate) dry_run: bool,
+    /// Number of threads; default all.
+    #[arg(long, value_name = "N")]
+    pub(crate) threads: Option<usize>,
+    /// Say nothing but errors.
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+    /// Say more: the plan with its reasons, times.
+    #[arg(short, long)]
+    pub(crate) verbose: bool,
+    /// No progress bars.
+    #[arg(long)]
+    pub(crate) no_progress: bool,
+    /// Accepted; a folder that is not ours is refused all the same.
+    #[arg(long)]
+    pub(crate) force: bool,
+}
+
+/// `run`.
+#[derive(Debug, Args)]
+pub(crate) struct RunArgs {
+    /// TOML file, or name of a built-in scene.
+    pub(crate) scene: String,
+    /// Options.
+    #[command(flatten)]
+    pub(crate) common: Common,
+}
+
+/// `check`.
+#[derive(Debug, Args)]
+pub(crate) struct CheckArgs {
+    /// TOML file, or name of a built-in scene.
+    pub(crate) scene: String,
+    /// Replace one key of the scene; repeatable.
+    #[arg(long = "set", value_name = "KEY=VALUE", allow_hyphen_values = true)]
+    pub(crate) set: Vec<String>,
+    /// Print one JSON document on stdout.
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Say nothing but errors.
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+}
+
+/// `new`.
+#[derive(Debug, Args)]
+pub(crate) struct NewArgs {
+    /// Name of a built-in scene.
+    #[arg(required_unless_present = "list")]
+    pub(crate) template: Option<String>,
+    /// File to write; stdout without it.
+    pub(crate) file: Option<PathBuf>,
+    /// List the templates.
+    #[arg(long)]
+    pub(crate) list: bool,
+}
+
+/// `sweep`.
+#[derive(Debug, Args)]
+pub(crate) struct SweepArgs {
+    /// TOML file, or name of a built-in scene.
+    pub(crate) scene: String,
+    /// A key and its values, key=from:to:count or key=a,b,c; repeatable: all combinations.
+    #[arg(long, value_name = "KEY=VALUES", required = true)]
+    pub(crate) over: Vec<String>,
+    /// Options.
+    #[command(flatten)]
+    pub(crate) common: Common,
+}
+
+/// `study`.
+#[derive(Debug, Args)]
+pub(crate) struct StudyArgs {
+    /// TOML file, or name of a built-in scene.
+    pub(crate) scene: String,
+    /// Folder of a run that is taken as the truth.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) reference: Option<PathBuf>,
+    /// Options.
+    #[command(flatten)]
+    pub(crate) common: Common,
+}
+
+/// `report`.
+#[derive(Debug, Args)]
+pub(crate) struct ReportArgs {
+    /// Folder of a run.
+    pub(crate) folder: PathBuf,
+}
+
+/// `reproduce`.
+#[derive(Debug, Args)]
+pub(crate) struct ReproduceArgs {
+    /// Figure, table, or `all`.
+    #[arg(default_value = "all")]
+    pub(crate) item: String,
+    /// Folder to write; default out/reproduce.
+    #[arg(short, long = "output", value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
+}

@@ -1,0 +1,44 @@
+//! The scenes that come with the program.
+
+/// A scene in the program itself.
+pub(crate) struct Builtin {
+    /// Its name, and that of its file without the ending.
+    pub(crate) name: &'static str,
+    /// The text of the file.
+    pub(crate) text: &'static str,
+}
+
+macro_rules! scenes {
+    ($($name:literal),* $(,)?) => {
+        [$(Builtin { name: $name, text: include_str!(concat!("../../../data/scenes/", $name, ".toml")) }),*]
+    };
+}
+
+/// All built-in scenes.
+pub(crate) const SCENES: [Builtin; 14] = scenes![
+    "drum-brake-block",
+    "drum-brake-ring",
+    "translating-punch",
+    "punch-wear",
+    "annular-punch",
+    "hertz-cylinder",
+    "hertz-sphere",
+    "cattaneo-mindlin",
+    "disc-pad",
+    "pinned-shoe",
+    "pivoted-shoe",
+    "rectangular-punch",
+    "elliptic-punch",
+    "journal-arc",
+];
+
+/// The built-in scene of a name.
+pub(crate) fn find(name: &str) -> Option<&'static Builtin> {
+    SCENES.iter().find(|scene| scene.name == name)
+}
+
+/// Its title: what the file says after `title =`.
+pub(crate) fn title(scene: &Builtin) -> &'static str {
+    let line = scene.text.lines().find(|line| line.starts_with("title = "));
+    line.and_then(|line| line.split('"').nth(1)).unwrap_or("")
+}

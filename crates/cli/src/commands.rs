@@ -1,0 +1,104 @@
+//! One function a command: from arguments to an exit code.
+
+mod check;
+mod new;
+
+use std::ffi::OsString;
+use std::io::{IsTerminal, Write};
+
+use clap::{CommandFactory, Parser};
+
+use crate::args::{Cli, Command};
+use crate::exit::Exit;
+use crate::fault::Fault;
+
+/// Runs the command that the arguments ask for.
+pub(crate) fn run(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> Exit {
+    let args: Vec<OsString> = args.into_iter().map(Into::into).collect();
+    let json = args.iter().any(|arg| arg == "--json");
+    let cli = match Cli::try_parse_from(&args) {
+        Ok(cli) => cli,
+        Err(error) => return usage(&error, json),
+    };
+    let outcome = match cli.command {
+        Command::Check(args) => check::run(&args),
+        Command::New(args) => new::run(&args),
+        Command::Schema => schema(),
+        Command::Completions { shell } => completions(shell),
+        Command::Run(_) | Command::Sweep(_) | Command::Report(_) => {
+            Err(not_available("this command"))
+        }
+        Command::Study(_) => Err(not_available("study")),
+        Command::Reproduce(_) => Err(not_available("reproduce")),
+    };
+    outcome.unwrap_or_else(|fault| complain(&fault, json))
+}
+
+/// What is planned but not built.
+pub(crate) fn not_available(what: &str) -> Fault {
+    Fault::new(
+        "not-available",
+        format!("{what} is not available yet"),
+        "see the README for what this version does",
+    )
+}
+
+/// Prints a fault: the picture on stderr, with `--json` the document on stdout.
+pub(crate) fn complain(fault: &Fault, json: bool) -> Exit {
+    if json {
+        print_json(&fault.json());
+    } else {
+        let colour = std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
+        eprint!("{}", fault.render(colour));
+    }
+    Exit::Wrong
+}
+
+/// Prints one JSON document on stdout.
+pub(crate) fn print_json(document: &serde_json::Value) {
+    if let Ok(text) = serde_json::to_string_pretty(document) {
+        print_out(&(text + "\n"));
+    }
+}
+
+/// Prints to stdout; a closed pipe is no error of ours.
+pub(crate) fn print_out(text: &str) {
+    let mut out = std::io::stdout().lock();
+    let _ = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+}
+
+fn usage(error: &clap::Error, json: bool) -> Exit {
+    if !error.use_stderr() {
+        print_out(&error.render().to_string());
+        return Exit::Done;
+    }
+    if json {
+        let text = error.render().to_string();
+        let first = text
+            .lines()
+            .next()
+            .unwrap_or("")
+            .trim_start_matches("error: ")
+            .to_string();
+        return complain(&Fault::new("usage", first, "see `wearshape --help`"), true);
+    }
+    let _ = error.print();
+    Exit::Wrong
+}
+
+fn schema() -> Result<Exit, Fault> {
+    let mut settings = schemars::generate::SchemaSettings::draft07();
+    settings.inline_subschemas = false;
+    let schema = settings
+        .into_generator()
+        .into_root_schema_for::<crate::scene::Scene>();
+    print_json(schema.as_value());
+    Ok(Exit::Done)
+}
+
+fn completions(shell: clap_complete::Shell) -> Result<Exit, Fault> {
+    let mut script = Vec::new();
+    clap_complete::generate(shell, &mut Cli::command(), "wearshape", &mut script);
+    print_out(&String::from_utf8_lossy(&script));
+    Ok(Exit::Done)
+}

@@ -1,0 +1,34 @@
+//! How a call ends.
+
+use std::process::ExitCode;
+
+/// End of a call, with the number the shell sees.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Exit {
+    /// 0: done.
+    Done,
+    /// 1: computed, but the goal is not met (not converged, accuracy missed, no answer).
+    GoalMissed,
+    /// 2: wrong command, invalid scene, or a file that cannot be read or written.
+    Wrong,
+    /// 130: interrupted, resumable.
+    Interrupted,
+}
+
+impl Exit {
+    /// The number.
+    pub fn code(self) -> u8 {
+        match self {
+            Exit::Done => 0,
+            Exit::GoalMissed => 1,
+            Exit::Wrong => 2,
+            Exit::Interrupted => 130,
+        }
+    }
+}
+
+impl From<Exit> for ExitCode {
+    fn from(exit: Exit) -> ExitCode {
+        ExitCode::from(exit.code())
+    }
+}

@@ -1,0 +1,184 @@
+//! What is wrong with the input, where it stands, and what to do about it.
+
+use std::ops::Range;
+
+/// One error of the user's side: a sentence, its place and the remedy. Exit code 2.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Fault {
+    /// Kind of error in one hyphenated word, for programs.
+    pub(crate) code: &'static str,
+    /// What is wrong, with the numbers in it.
+    pub(crate) message: String,
+    /// Dotted key of the scene that is to blame, from which the place is found.
+    pub(crate) key: Option<String>,
+    /// Where it stands.
+    pub(crate) place: Option<Place>,
+    /// What to write instead.
+    pub(crate) remedy: String,
+}
+
+/// Where the wrong input was written.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Place {
+    /// In a scene file.
+    File(Spot),
+    /// On the command line; the flag as given.
+    Flag(String),
+}
+
+/// A place in a text file, with the line itself for the picture.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Spot {
+    /// Name of the file as the user knows it.
+    pub(crate) file: String,
+    /// Line number from 1.
+    pub(crate) line: usize,
+    /// Column from 1, in characters.
+    pub(crate) column: usize,
+    /// Number of characters to underline.
+    pub(crate) length: usize,
+    /// The line.
+    pub(crate) text: String,
+}
+
+impl Spot {
+    /// The place of a byte range in a text.
+    pub(crate) fn new(file: &str, text: &str, span: Range<usize>) -> Self {
+        let start = floor_boundary(text, span.start);
+        let before = &text[..start];
+        let line = before.matches('\n').count() + 1;
+        let line_start = before.rfind('\n').map_or(0, |at| at + 1);
+        let line_text = text[line_start..].lines().next().unwrap_or("");
+        let column = text[line_start..start].chars().count() + 1;
+        let end = floor_boundary(text, span.end).max(start);
+        let on_line = text[start..end].lines().next().unwrap_or("");
+        Spot {
+            file: file.to_string(),
+            line,
+            column,
+            length: on_line.chars().count().max(1),
+            text: line_text.to_string(),
+        }
+    }
+}
+
+fn floor_boundary(text: &str, at: usize) -> usize {
+    let mut at = at.min(text.len());
+    while !text.is_char_boundary(at) {
+        at -= 1;
+    }
+    at
+}
+
+impl Fault {
+    /// A fault of the whole input: no key, no place.
+    pub(crate) fn new(
+        code: &'static str,
+        message: impl Into<String>,
+        remedy: impl Into<String>,
+    ) -> Self {
+        Fault {
+            code,
+            message: message.into(),
+            key: None,
+            place: None,
+            remedy: remedy.into(),
+        }
+    }
+
+    /// A fault of one dotted key of the scene.
+    pub(crate) fn at(
+        key: impl Into<String>,
+        code: &'static str,
+        message: impl Into<String>,
+        remedy: impl Into<String>,
+    ) -> Self {
+        Fault {
+            key: Some(key.into()),
+            ..Fault::new(code, message, remedy)
+        }
+    }
+
+    /// The picture for a terminal: message, place, the line with a caret, remedy.
+    pub(crate) fn render(&self, colour: bool) -> String {
+        let (bold, red, blue, green, plain) = if colour {
+            ("\x1b[1m", "\x1b[1;31m", "\x1b[34m", "\x1b[32m", "\x1b[0m")
+        } else {
+            ("", "", "", "", "")
+        };
+        let mut out = format!("{red}error{plain}{bold}: {}{plain}\n", self.message);
+        match &self.place {
+            Some(Place::File(spot)) => {
+                let margin = spot.line.to_string().len();
+                let pad = " ".repeat(margin);
+                let tabs: String = spot
+                    .text
+                    .chars()
+                    .take(spot.column - 1)
+                    .map(|c| if c == '\t' { '\t' } else { ' ' })
+                    .collect();
+                let carets = "^".repeat(spot.length);
+                out += &format!(
+                    "{pad}{blue}-->{plain} {}:{}:{}\n",
+                    spot.file, spot.line, spot.column
+                );
+                out += &format!("{pad} {blue}|{plain}\n");
+                out += &format!("{blue}{} |{plain} {}\n", spot.line, spot.text);
+                out += &format!("{pad} {blue}|{plain} {tabs}{red}{carets}{plain}\n");
+            }
+            Some(Place::Flag(flag)) => out += &format!(" {blue}-->{plain} {flag}\n"),
+            None => {}
+        }
+        if !self.remedy.is_empty() {
+            out += &format!("{green}remedy{plain}: {}\n", self.remedy);
+        }
+        out
+    }
+
+    /// The one JSON document of a failed `--json` call.
+    pub(crate) fn json(&self) -> serde_json::Value {
+        let mut error = serde_json::Map::new();
+        error.insert("code".into(), self.code.into());
+        error.insert("message".into(), self.message.clone().into());
+        match &self.place {
+            Some(Place::File(spot)) => {
+                error.insert("file".into(), spot.file.clone().into());
+                error.insert("line".into(), spot.line.into());
+                error.insert("column".into(), spot.column.into());
+            }
+            Some(Place::Flag(flag)) => {
+                error.insert("flag".into(), flag.clone().into());
+            }
+            None => {}
+        }
+        if let Some(key) = &self.key {
+            error.insert("key".into(), key.clone().into());
+        }
+        error.insert("remedy".into(), self.remedy.clone().into());
+        serde_json::json!({ "error": error })
+    }
+}
+
+/// The nearest of some known words, when it is near enough to be meant.
+pub(crate) fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    known
+        .into_iter()
+        .map(|candidate| {
+            (
+                strsim::jaro_winkler(&word.to_lowercase(), candidate),
+                candidate,
+            )
+        })
+        .filter(|(score, _)| *score > 0.78)
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, candidate)| candidate)
+}
+
+/// "did you mean `x`?", or the list of what is known.
+pub(crate) fn did_you_mean(word: &str, known: &[&str]) -> String {
+    match nearest(word, known.iter().copied()) {
+        Some(near) => format!("did you mean `{near}`? known here: {}", known.join(", ")),
+        None if known.is_empty() => "nothing is expected here: remove it".to_string(),
+        None => format!("known here: {}", known.join(", ")),
+    }
+}

@@ -1,0 +1,241 @@
+//! Geometry of bodies and of bare surfaces as the scene writes it.
+
+use std::collections::BTreeMap;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::scene::Material;
+use crate::units::{Angle, Length};
+
+/// A body's shape; x to the right (r in axisymmetry), z up.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum Geometry {
+    /// Block above a drum, arc below, flat on top. Edges inner, left, right, top.
+    ShoeBlock(ShoeBlock),
+    /// Full ring. Edges inner, outer.
+    Ring(Ring),
+    /// Rectangle. Edges left, right, bottom, top.
+    Rectangle(Rectangle),
+    /// Ring between two vertical lines. Edges inner, outer, left, right; line centre at x = 0.
+    RingSegment(RingSegment),
+    /// Lower half of a disc, or of a ball in axisymmetry. Edges arc, top; line centre at x = 0.
+    HalfDisc(HalfDisc),
+    /// Quadrilateral cells between named curves.
+    Blocks(Blocks),
+    /// A gmsh file; edges are its physical groups.
+    Mesh(MeshFile),
+}
+
+/// Block above a drum.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct ShoeBlock {
+    /// Radius of the arc about the origin (mm).
+    pub(crate) radius: Length,
+    /// The arc reaches from minus to plus this angle from the z axis.
+    pub(crate) half_angle: Angle,
+    /// Height z of the flat top (mm).
+    pub(crate) top: Length,
+}
+
+/// Full ring.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Ring {
+    /// Inner radius (mm).
+    pub(crate) inner: Length,
+    /// Outer radius (mm).
+    pub(crate) outer: Length,
+    /// Centre [x, z]. Default the origin.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) centre: Option<[Length; 2]>,
+}
+
+/// Rectangle.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Rectangle {
+    /// From and to along x (mm).
+    pub(crate) x: [Length; 2],
+    /// From and to along z (mm).
+    pub(crate) z: [Length; 2],
+}
+
+/// Upper part of a ring about the origin, cut by two vertical lines.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RingSegment {
+    /// Inner radius (mm).
+    pub(crate) inner: Length,
+    /// Outer radius (mm).
+    pub(crate) outer: Length,
+    /// The cuts x = from and x = to (mm).
+    pub(crate) x: [Length; 2],
+}
+
+/// Lower half of a disc.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct HalfDisc {
+    /// Radius (mm).
+    pub(crate) radius: Length,
+    /// Centre [x, z]; the cut is horizontal through it.
+    pub(crate) centre: [Length; 2],
+}
+
+/// Quadrilateral cells between named curves.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Blocks {
+    /// Named points [x, z].
+    pub(crate) points: BTreeMap<String, [Length; 2]>,
+    /// Named curves between points.
+    pub(crate) curves: BTreeMap<String, CurveShape>,
+    /// Named cells.
+    pub(crate) cells: BTreeMap<String, CellShape>,
+    /// Named edges, each a list of curves.
+    pub(crate) edges: BTreeMap<String, Vec<String>>,
+    /// Named materials of cells.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub(crate) materials: BTreeMap<String, Material>,
+}
+
+/// One curve of `blocks`.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum CurveShape {
+    /// Straight between two points.
+    Line([String; 2]),
+    /// Circular arc between two points.
+    Arc(ArcShape),
+    /// Smooth curve through further points.
+    Spline(Vec<[Length; 2]>),
+}
+
+/// A circular arc.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct ArcShape {
+    /// First and last point.
+    pub(crate) ends: [String; 2],
+    /// Centre [x, z].
+    pub(crate) centre: [Length; 2],
+}
+
+/// One cell of `blocks`.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct CellShape {
+    /// Its four curves in order around it.
+    pub(crate) curves: [String; 4],
+    /// Name of its material; default the body's own.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) material: Option<String>,
+}
+
+/// A gmsh file.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct MeshFile {
+    /// Path, relative to the scene.
+    pub(crate) file: String,
+    /// Materials by physical group of cells; default the body's own.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub(crate) materials: BTreeMap<String, Material>,
+}
+
+/// A contact surface without bodies.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum SurfaceShape {
+    /// Sector of an annulus on a disc that turns about the origin.
+    DiscPad(DiscPad),
+    /// Shoe that turns about a fixed pin inside a drum.
+    PinnedShoe(PinnedShoe),
+    /// Shoe on a pivot, pressed on a drum.
+    PivotedShoe(PivotedShoe),
+    /// Rectangle on a plane, with two moments.
+    RectangularPunch(RectangularPunch),
+    /// Ellipse on a plane, with two moments.
+    EllipticPunch(EllipticPunch),
+    /// Arc of a bearing shell on a turning shaft.
+    JournalArc(JournalArc),
+}
+
+/// Sector of an annulus.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct DiscPad {
+    /// Inner radius (mm).
+    pub(crate) inner: Length,
+    /// Outer radius (mm).
+    pub(crate) outer: Length,
+    /// The sector reaches from minus to plus this angle from the x axis.
+    pub(crate) half_angle: Angle,
+}
+
+/// Shoe about a pin inside a drum. Angles are measured at the drum's centre from the direction of the pin.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct PinnedShoe {
+    /// Inner radius of the drum (mm).
+    pub(crate) radius: Length,
+    /// Width of the lining along y (mm).
+    pub(crate) width: Length,
+    /// Distance of the pin from the drum's centre (mm).
+    pub(crate) pin_distance: Length,
+    /// Where the lining begins.
+    pub(crate) from: Angle,
+    /// Where the lining ends.
+    pub(crate) to: Angle,
+    /// Lever arm of the actuating force about the pin (mm).
+    pub(crate) arm: Length,
+}
+
+/// Shoe on a pivot.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct PivotedShoe {
+    /// Radius of the drum about the origin (mm).
+    pub(crate) radius: Length,
+    /// The lining reaches from minus to plus this angle from the z axis.
+    pub(crate) half_angle: Angle,
+    /// Width of the lining along y (mm).
+    pub(crate) width: Length,
+    /// Height of the pivot above the drum's centre (mm). Default: where friction has no moment for b = 1,
+    /// 4 R sin(a0) / (2 a0 + sin(2 a0)).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) pivot: Option<Length>,
+}
+
+/// Rectangle on a plane.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct RectangularPunch {
+    /// From and to along x (mm).
+    pub(crate) x: [Length; 2],
+    /// From and to along y (mm).
+    pub(crate) y: [Length; 2],
+}
+
+/// Ellipse about the origin.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct EllipticPunch {
+    /// Half axes along x and y (mm).
+    pub(crate) half_axes: [Length; 2],
+}
+
+/// Arc of a bearing shell.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct JournalArc {
+    /// Radius of the shaft about the origin (mm).
+    pub(crate) radius: Length,
+    /// The shell reaches from minus to plus this angle from the z axis.
+    pub(crate) half_angle: Angle,
+    /// Width along y (mm).
+    pub(crate) width: Length,
+}

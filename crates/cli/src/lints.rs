@@ -1,0 +1,177 @@
+//! What the theory has to say about a scene before it is solved.
+
+use serde::Serialize;
+use wear::Shape;
+
+use crate::freedom::{Freedom, Role};
+use crate::scene::{Balance, Functional, Scene, Task};
+use crate::setup::{exponents, s_minus_1};
+use crate::surface::Patch;
+
+/// A remark: the scene is legal, and something about it is worth knowing.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(crate) struct Lint {
+    /// Hyphenated word.
+    pub(crate) code: &'static str,
+    /// One or two sentences.
+    pub(crate) message: String,
+}
+
+/// All remarks, in a fixed order.
+pub(crate) fn lints(
+    scene: &Scene,
+    tasks: &[Task],
+    patch: Option<&Patch>,
+    freedoms: &[Freedom],
+) -> Vec<Lint> {
+    let mut found = Vec::new();
+    let mut say = |code: &'static str, message: String| found.push(Lint { code, message });
+    let optimal = tasks.contains(&Task::Pressure) || tasks.contains(&Task::Shape);
+    let friction = scene
+        .contact
+        .as_ref()
+        .and_then(|contact| contact.friction)
+        .unwrap_or(0.0);
+    for (name, body) in [("body 1", &scene.body1), ("body 2", &scene.body2)] {
+        let Some(young) = body
+            .as_ref()
+            .and_then(|body| body.material)
+            .map(|material| material.young.0)
+        else {
+            continue;
+        };
+        if !(1.0..=1.3e6).contains(&young) {
+            say(
+                "young-implausible",
+                format!(
+                    "Young's modulus of {name} is {young} MPa: is the unit right? Steel has 210 GPa, rubber 1 to 10 MPa."
+                ),
+            );
+        }
+    }
+    if scene.wear.as_ref().is_some_and(|wear| wear.beta.is_some())
+        && friction == 0.0
+        && tasks != [Task::Contact]
+    {
+        let message = "Friction is 0 and wear.beta stands in front of the friction stress: nothing wears, and rates, powers, multipliers and feed are 0. Pressure and shape are as for vanishing friction; wear.k wears without friction.";
+        say("no-wear", message.to_string());
+    }
+    if !optimal {
+        return found;
+    }
+    let functional = scene
+        .optimum
+        .as_ref()
+        .and_then(|optimum| optimum.functional)
+        .unwrap_or(Functional::Steady);
+    let q = scene
+        .optimum
+        .as_ref()
+        .and_then(|optimum| optimum.q)
+        .unwrap_or(1.0);
+    if matches!(
+        functional,
+        Functional::WearVolume | Functional::FrictionPower | Functional::WearPower
+    ) {
+        for b in exponents(scene) {
+            let s_minus_1 = s_minus_1(functional, b, q);
+            let s = 1.0 + s_minus_1;
+            if s_minus_1.abs() < 1e-12 {
+                say("s-one", "s = 1: the functional has no regular optimum; its bound is approached by pressure on points or lines (the limit measure).".into());
+            } else if s < 1.0 {
+                say(
+                    "s-below-one",
+                    format!(
+                        "s = {s:.6} is less than 1: the stationary pressure is the worst one, a maximum of the functional."
+                    ),
+                );
+            }
+        }
+    }
+    let curved = patch.is_some_and(|patch| matches!(patch.surface.shape(), Shape::Arc { .. }));
+    if curved && functional == Functional::Uniform {
+        say("not-steady", "Uniform pressure on an arc wears uniformly along the normal, which no rigid motion follows: it is not the steady state. optimum.functional = \"steady\" is.".into());
+    }
+    if scene.optimum.as_ref().and_then(|optimum| optimum.balance) == Some(Balance::Paper) && curved
+    {
+        say("paper-balance", "The paper's normalisation int p dS = F0 leaves out the direction of the pressure: the vertical force comes out smaller than the load (summary: force_N).".into());
+    }
+    kern(scene, functional, q, patch, freedoms, &mut say);
+    if let (Some(patch), Some(push)) = (
+        patch,
+        freedoms.iter().find(|freedom| freedom.role == Role::Force),
+    ) {
+        let shear = scene
+            .contact
+            .as_ref()
+            .and_then(|contact| contact.shear)
+            .unwrap_or(true);
+        let mu = if shear { friction } else { 0.0 };
+        let least = patch
+            .surface
+            .sample(201)
+            .iter()
+            .map(|point| push.mode.motion.force_weight(point, mu))
+            .fold(f64::MAX, f64::min);
+        if least <= 0.0 && mu > 0.0 {
+            say(
+                "jamming",
+                format!(
+                    "With friction {mu} part of the surface lifts body 1 when pressed (self-locking): the load may have no balance."
+                ),
+            );
+        }
+    }
+    found
+}
+
+/// Moments on a plane strip: full contact needs |M| <= F c k / (k + 2), k = 1/(s - 1).
+fn kern(
+    scene: &Scene,
+    functional: Functional,
+    q: f64,
+    patch: Option<&Patch>,
+    freedoms: &[Freedom],
+    say: &mut impl FnMut(&'static str, String),
+) {
+    let Some(Shape::Strip { x, .. }) = patch.map(|patch| patch.surface.shape()) else {
+        return;
+    };
+    let find = |role: Role| {
+        freedoms
+            .iter()
+            .find(|freedom| freedom.role == role)
+            .map(|freedom| freedom.mode)
+    };
+    let (Some(force), Some(moment)) = (find(Role::Force), find(Role::Moment)) else {
+        return;
+    };
+    let wear::RigidMotion::Rotation { about, .. } = moment.motion else {
+        return;
+    };
+    let half = 0.5 * (x[1] - x[0]);
+    let arm = (moment.resultant / force.resultant + about.x - 0.5 * (x[0] + x[1])).abs();
+    if arm >= half {
+        say(
+            "moment-beyond-edge",
+            format!(
+                "The moment puts the force {arm} mm off the middle of a contact of half length {half} mm: no pressure can balance it."
+            ),
+        );
+        return;
+    }
+    let k = exponents(scene)
+        .first()
+        .map(|b| 1.0 / s_minus_1(functional, *b, q));
+    if let Some(k) = k.filter(|k| *k > 0.0) {
+        let kern = half * k / (k + 2.0);
+        if arm > kern {
+            say(
+                "moment-beyond-kern",
+                format!(
+                    "The force is {arm} mm off the middle, beyond the kern of {kern} mm for this optimum: part of the surface opens."
+                ),
+            );
+        }
+    }
+}

@@ -1,0 +1,327 @@
+//! Serde over the tree of a scene: an error knows the exact key or value that caused it.
+
+use std::fmt::Display;
+
+use serde::de::value::{StrDeserializer, StringDeserializer};
+use serde::de::{
+    DeserializeSeed, Deserializer, EnumAccess, Error as _, Expected, IntoDeserializer, MapAccess,
+    SeqAccess, Unexpected, VariantAccess, Visitor,
+};
+use serde::forward_to_deserialize_any;
+
+use crate::fault::did_you_mean;
+use crate::tree::{Entry, Node, Origin, Value};
+
+/// Why a tree is not a scene.
+#[derive(Debug, Clone)]
+pub(crate) struct Mismatch {
+    /// Kind of error in one word.
+    pub(crate) code: &'static str,
+    /// What is wrong.
+    pub(crate) message: String,
+    /// What to write instead.
+    pub(crate) remedy: String,
+    /// Dotted key, built up from the inside.
+    pub(crate) path: Vec<String>,
+    /// The key or value to blame.
+    pub(crate) origin: Option<Origin>,
+}
+
+impl Mismatch {
+    fn new(code: &'static str, message: String, remedy: String) -> Self {
+        Mismatch {
+            code,
+            message,
+            remedy,
+            path: Vec::new(),
+            origin: None,
+        }
+    }
+
+    fn at(mut self, origin: &Origin) -> Self {
+        self.origin.get_or_insert_with(|| origin.clone());
+        self
+    }
+
+    fn under(mut self, key: &str) -> Self {
+        self.path.insert(0, key.to_string());
+        self
+    }
+}
+
+impl Display for Mismatch {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for Mismatch {}
+
+impl serde::de::Error for Mismatch {
+    /// A message of two lines is the message and the remedy.
+    fn custom<T: Display>(text: T) -> Self {
+        let text = text.to_string();
+        let (message, remedy) = text.split_once('\n').unwrap_or((&text, ""));
+        Mismatch::new("wrong-value", message.to_string(), remedy.to_string())
+    }
+
+    fn invalid_type(found: Unexpected<'_>, expected: &dyn Expected) -> Self {
+        Mismatch::new(
+            "wrong-type",
+            format!("wrong type: found {found}"),
+            format!("write {expected}"),
+        )
+    }
+
+    fn invalid_value(found: Unexpected<'_>, expected: &dyn Expected) -> Self {
+        Mismatch::new(
+            "wrong-value",
+            format!("wrong value: found {found}"),
+            format!("write {expected}"),
+        )
+    }
+
+    fn invalid_length(length: usize, expected: &dyn Expected) -> Self {
+        Mismatch::new(
+            "wrong-type",
+            format!("wrong number of entries: found {length}"),
+            format!("write {expected}"),
+        )
+    }
+
+    fn unknown_variant(variant: &str, expected: &'static [&'static str]) -> Self {
+        Mismatch::new(
+            "unknown-word",
+            format!("unknown word `{variant}`"),
+            did_you_mean(variant, expected),
+        )
+    }
+
+    fn unknown_field(field: &str, expected: &'static [&'static str]) -> Self {
+        Mismatch::new(
+            "unknown-key",
+            format!("unknown key `{field}`"),
+            did_you_mean(field, expected),
+        )
+    }
+
+    fn missing_field(field: &'static str) -> Self {
+        Mismatch::new(
+            "missing-key",
+            format!("the key `{field}` is missing"),
+            format!("add `{field} = ...`"),
+        )
+    }
+}
+
+impl<'de> Deserializer<'de> for &'de Node {
+    type Error = Mismatch;
+
+    fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Mismatch> {
+        match &self.value {
+            Value::Bool(flag) => visitor.visit_bool(*flag),
+            Value::Integer(number) => visitor.visit_i64(*number),
+            Value::Float(number) => visitor.visit_f64(*number),
+            Value::Text(text) => visitor.visit_borrowed_str(text),
+            Value::List(items) => visitor.visit_seq(ListReader { items, next: 0 }),
+            Value::Table(entries) => visitor.visit_map(TableReader { entries, next: 0 }),
+        }
+        .map_err(|error| error.at(&self.origin))
+    }
+
+    fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Mismatch> {
+        visitor.visit_some(self)
+    }
+
+    fn deserialize_newtype_struct<V: Visitor<'de>>(
+        self,
+        _name: &'static str,
+        visitor: V,
+    ) -> Result<V::Value, Mismatch> {
+        visitor.visit_newtype_struct(self)
+    }
+
+    fn deserialize_enum<V: Visitor<'de>>(
+        self,
+        _name: &'static str,
+        words: &'static [&'static str],
+        visitor: V,
+    ) -> Result<V::Value, Mismatch> {
+        let entry = match &self.value {
+            Value::Text(text) => {
+                let word: StrDeserializer<'_, Mismatch> = text.as_str().into_deserializer();
+                return visitor
+                    .visit_enum(word)
+                    .map_err(|error| error.at(&self.origin));
+            }
+            Value::Table(entries) => match entries.as_slice() {
+                [entry] => entry,
+                [] => {
+                    let error = Mismatch::new(
+                        "missing-key",
+                        "an empty table".into(),
+                        format!("one of: {}", words.join(", ")),
+                    );
+                    return Err(error.at(&self.origin));
+                }
+                [first, second, ..] => {
+                    let message = format!(
+                        "both `{}` and `{}` are given, of which only one can hold",
+                        first.key, second.key
+                    );
+                    let error = Mismatch::new(
+                        "two-alternatives",
+                        message,
+                        format!("keep one of: {}", words.join(", ")),
+                    );
+                    return Err(error.at(&second.origin));
+                }
+            },
+            _ => {
+                let error = Mismatch::new(
+                    "wrong-type",
+                    "wrong type: a word is wanted here".into(),
+                    format!("one of: {}", words.join(", ")),
+                );
+                return Err(error.at(&self.origin));
+            }
+        };
+        visitor.visit_enum(VariantReader { entry })
+    }
+
+    forward_to_deserialize_any! {
+        bool i8 i16 i32 i64 i128 u8 u16 u32 u64 u128 f32 f64 char str string bytes byte_buf
+        unit unit_struct seq tuple tuple_struct map struct identifier ignored_any
+    }
+}
+
+struct ListReader<'de> {
+    items: &'de [Node],
+    next: usize,
+}
+
+impl<'de> SeqAccess<'de> for ListReader<'de> {
+    type Error = Mismatch;
+
+    fn next_element_seed<T: DeserializeSeed<'de>>(
+        &mut self,
+        seed: T,
+    ) -> Result<Option<T::Value>, Mismatch> {
+        let Some(node) = self.items.get(self.next) else {
+            return Ok(None);
+        };
+        let place = self.next.to_string();
+        self.next += 1;
+        seed.deserialize(node)
+            .map(Some)
+            .map_err(|error| error.under(&place))
+    }
+
+    fn size_hint(&self) -> Option<usize> {
+        Some(self.items.len() - self.next)
+    }
+}
+
+struct TableReader<'de> {
+    entries: &'de [Entry],
+    next: usize,
+}
+
+impl<'de> MapAccess<'de> for TableReader<'de> {
+    type Error = Mismatch;
+
+    fn next_key_seed<K: DeserializeSeed<'de>>(
+        &mut self,
+        seed: K,
+    ) -> Result<Option<K::Value>, Mismatch> {
+        let Some(entry) = self.entries.get(self.next) else {
+            return Ok(None);
+        };
+        let key: StringDeserializer<Mismatch> = entry.key.clone().into_deserializer();
+        seed.deserialize(key)
+            .map(Some)
+            .map_err(|error| error.at(&entry.origin).under(&entry.key))
+    }
+
+    fn next_value_seed<V: DeserializeSeed<'de>>(&mut self, seed: V) -> Result<V::Value, Mismatch> {
+        let Some(entry) = self.entries.get(self.next) else {
+            return Err(Mismatch::custom("a value was read twice"));
+        };
+        self.next += 1;
+        // A missing key is blamed on the table's own key, a wrong value on the value.
+        seed.deserialize(&entry.node).map_err(|error| {
+            let error = if error.code == "missing-key" && error.path.is_empty() {
+                Mismatch {
+                    origin: Some(entry.origin.clone()),
+                    ..error
+                }
+            } else {
+                error
+            };
+            error.under(&entry.key)
+        })
+    }
+}
+
+struct VariantReader<'de> {
+    entry: &'de Entry,
+}
+
+impl<'de> EnumAccess<'de> for VariantReader<'de> {
+    type Error = Mismatch;
+    type Variant = Self;
+
+    fn variant_seed<V: DeserializeSeed<'de>>(self, seed: V) -> Result<(V::Value, Self), Mismatch> {
+        let key: StrDeserializer<'_, Mismatch> = self.entry.key.as_str().into_deserializer();
+        let variant = seed
+            .deserialize(key)
+            .map_err(|error| error.at(&self.entry.origin).under(&self.entry.key))?;
+        Ok((variant, self))
+    }
+}
+
+impl<'de> VariantAccess<'de> for VariantReader<'de> {
+    type Error = Mismatch;
+
+    fn unit_variant(self) -> Result<(), Mismatch> {
+        let message = format!("`{}` takes no keys of its own", self.entry.key);
+        Err(Mismatch::new(
+            "wrong-type",
+            message,
+            format!("write \"{}\"", self.entry.key),
+        )
+        .at(&self.entry.origin))
+    }
+
+    fn newtype_variant_seed<T: DeserializeSeed<'de>>(self, seed: T) -> Result<T::Value, Mismatch> {
+        seed.deserialize(&self.entry.node).map_err(|error| {
+            let error = if error.code == "missing-key" && error.path.is_empty() {
+                Mismatch {
+                    origin: Some(self.entry.origin.clone()),
+                    ..error
+                }
+            } else {
+                error
+            };
+            error.under(&self.entry.key)
+        })
+    }
+
+    fn tuple_variant<V: Visitor<'de>>(self, _len: usize, visitor: V) -> Result<V::Value, Mismatch> {
+        self.entry
+            .node
+            .deserialize_any(visitor)
+            .map_err(|error| error.under(&self.entry.key))
+    }
+
+    fn struct_variant<V: Visitor<'de>>(
+        self,
+        _fields: &'static [&'static str],
+        visitor: V,
+    ) -> Result<V::Value, Mismatch> {
+        self.entry
+            .node
+            .deserialize_any(visitor)
+            .map_err(|error| error.under(&self.entry.key))
+    }
+}

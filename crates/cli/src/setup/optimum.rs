@@ -1,0 +1,97 @@
+//! The optimum: functional, q, and the exponent s that decides what it is.
+
+use crate::fault::Fault;
+use crate::scene::{Balance, Functional, Modes, Optimum, Scene, Task};
+use crate::setup::positive;
+use crate::units::Pair;
+
+/// Checks the optimum and fills in its defaults.
+pub(super) fn resolve(scene: &mut Scene, tasks: &[Task]) -> Result<(), Fault> {
+    if !tasks.contains(&Task::Pressure) && !tasks.contains(&Task::Shape) {
+        return Ok(());
+    }
+    let optimum = scene.optimum.get_or_insert_with(Optimum::default);
+    let functional = *optimum.functional.get_or_insert(Functional::Steady);
+    optimum.balance.get_or_insert(Balance::Equilibrium);
+    optimum.modes.get_or_insert(Modes::Kinematic);
+    if let Some(cap) = optimum.p_max {
+        positive("optimum.p_max", cap.0, "pressure", " MPa")?;
+    }
+    let with_q = matches!(
+        functional,
+        Functional::WearVolume | Functional::FrictionPower | Functional::WearPower
+    );
+    if !with_q {
+        return Ok(());
+    }
+    let q = *optimum.q.get_or_insert(1.0);
+    if q.is_nan() {
+        return Err(Fault::at(
+            "optimum.q",
+            "wrong-value",
+            "optimum.q is not a number",
+            "give any real number, or inf",
+        ));
+    }
+    let capped = optimum.p_max.is_some();
+    let alone = tasks.iter().all(|task| *task == Task::Pressure);
+    if alone || capped {
+        return Ok(());
+    }
+    for b in exponents(scene) {
+        let s_minus_1 = s_minus_1(functional, b, q);
+        if s_minus_1.abs() < 1e-12 {
+            let e = power(functional, b);
+            let [below, above] = [0.95 / e, 1.05 / e].map(|q| (q * 1e4).round() / 1e4);
+            let message = format!(
+                "optimum.q = {q} is singular: s = e q = {e} x {q} = 1, where the optimal pressure concentrates on points or lines and has no shape"
+            );
+            let remedy = format!(
+                "take a regular q such as {below} (a maximum) or {above} (a minimum), cap the pressure with optimum.p_max, or ask for tasks = [\"pressure\"] alone"
+            );
+            return Err(Fault::at("optimum.q", "singular", message, remedy));
+        }
+    }
+    Ok(())
+}
+
+/// Exponents b of the bodies that wear.
+pub(crate) fn exponents(scene: &Scene) -> Vec<f64> {
+    let Some(wear) = &scene.wear else {
+        return vec![1.0];
+    };
+    let b = match wear.b {
+        Some(Pair::Two(b)) => b,
+        Some(Pair::One(b)) => [b, b],
+        None => [1.0, 1.0],
+    };
+    let factors = match wear.beta.or(wear.k) {
+        Some(Pair::Two(factors)) => factors.map(|factor| factor.value),
+        Some(Pair::One(factor)) => [factor.value, 0.0],
+        None => [1.0, 0.0],
+    };
+    let mut kept: Vec<f64> = (0..2).filter(|i| factors[*i] > 0.0).map(|i| b[i]).collect();
+    kept.dedup();
+    kept
+}
+
+/// The power e of the pressure in the functional.
+fn power(functional: Functional, b: f64) -> f64 {
+    kind(functional).pressure_power(b)
+}
+
+/// s - 1 = e q - 1, rounded once.
+pub(crate) fn s_minus_1(functional: Functional, b: f64, q: f64) -> f64 {
+    kind(functional).s_minus_1(b, q)
+}
+
+/// The functional in the words of the theory.
+pub(crate) fn kind(functional: Functional) -> wear::Functional {
+    match functional {
+        Functional::Steady => wear::Functional::Steady,
+        Functional::WearVolume => wear::Functional::WearVolume,
+        Functional::FrictionPower => wear::Functional::FrictionPower,
+        Functional::WearPower => wear::Functional::WearPower,
+        Functional::Uniform => wear::Functional::Uniform,
+    }
+}

@@ -1,0 +1,268 @@
+//! What was computed: plain data, one struct a stage, the profile at the contact points, counters and times.
+
+use serde::Serialize;
+
+use crate::profile::Profile;
+
+/// How a run ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub(crate) enum Status {
+    /// Everything asked for was computed.
+    #[default]
+    Ok,
+    /// Computed, with an estimated error above the accuracy asked for.
+    AccuracyMissed,
+    /// An iteration did not arrive.
+    NotConverged,
+    /// The scene has no answer.
+    Refused,
+}
+
+/// Everything a run knows when it is done. A stage that did not run is `None`.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Solution {
+    /// How it ended.
+    pub(crate) status: Status,
+    /// Why, when it did not end well: one sentence.
+    pub(crate) reason: Option<String>,
+    /// The optimal pressure.
+    pub(crate) pressure: Option<PressureResult>,
+    /// The contact of the bodies as given.
+    pub(crate) contact: Option<ContactResult>,
+    /// The shape.
+    pub(crate) shape: Option<ShapeResult>,
+    /// Wear in time.
+    pub(crate) wear: Option<WearResult>,
+    /// Strain energies.
+    pub(crate) energy: Option<EnergyResult>,
+    /// Reaction of each supported edge, by "body1.left".
+    pub(crate) reactions: Vec<(String, Reaction)>,
+    /// Estimated errors.
+    pub(crate) error: Option<ErrorResult>,
+    /// What was counted.
+    pub(crate) counters: Counters,
+    /// Columns at the contact points, of the last task.
+    pub(crate) profile: Option<Profile>,
+    /// The same at evenly spaced points of a surface known without a mesh, for pictures.
+    pub(crate) curve: Option<Profile>,
+    /// Columns of history.csv: name and values.
+    pub(crate) history: Vec<(String, Vec<f64>)>,
+    /// Seconds of each stage, in order.
+    pub(crate) times: Vec<(String, f64)>,
+}
+
+/// One number for each role of a rigid mode.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub(crate) struct ByRole {
+    /// Of the pressing force.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) force: Option<f64>,
+    /// Of the moment.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) moment: Option<f64>,
+    /// Of the second moment.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) moment_y: Option<f64>,
+    /// Of the force along x.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) side_force: Option<f64>,
+}
+
+/// A concentrated force of a singular pressure.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[allow(non_snake_case)]
+pub(crate) struct PointForce {
+    /// Place.
+    pub(crate) x_mm: f64,
+    /// Place.
+    pub(crate) y_mm: f64,
+    /// Place.
+    pub(crate) z_mm: f64,
+    /// Normal force there; for lines and circles of the whole line.
+    pub(crate) force_N: f64,
+}
+
+/// `summary.pressure`.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+#[allow(non_snake_case)]
+pub(crate) struct PressureResult {
+    /// Functional in the scene's word.
+    pub(crate) functional: String,
+    /// Its q, where it is used; `inf` is written as a string.
+    pub(crate) q: Option<serde_json::Value>,
+    /// equilibrium or paper.
+    pub(crate) balance: String,
+    /// kinematic or associated.
+    pub(crate) modes: String,
+    /// Exponent s.
+    pub(crate) s: Option<f64>,
+    /// Exponent k = 1/(s - 1).
+    pub(crate) k: Option<f64>,
+    /// minimum, maximum, indifferent, stationary.
+    pub(crate) character: String,
+    /// regular, near-singular, singular, partial-contact, infeasible, several.
+    pub(crate) regime: String,
+    /// Forces of a singular pressure.
+    pub(crate) limit_measure: Vec<PointForce>,
+    /// Multiplier of each resultant.
+    pub(crate) multipliers: ByRole,
+    /// Rigid velocity of wear.
+    pub(crate) feed: Option<ByRole>,
+    /// Smallest pressure.
+    pub(crate) p_min_MPa: Option<f64>,
+    /// Largest pressure.
+    pub(crate) p_max_MPa: Option<f64>,
+    /// Mean pressure.
+    pub(crate) p_mean_MPa: Option<f64>,
+    /// Carried pressing force.
+    pub(crate) force_N: Option<f64>,
+    /// Carried moment.
+    pub(crate) moment_Nmm: Option<f64>,
+    /// int p dS.
+    pub(crate) normal_force_N: Option<f64>,
+    /// Wear volume a second of both bodies.
+    pub(crate) wear_volume_rate_mm3_per_s: Option<f64>,
+    /// Friction power.
+    pub(crate) friction_power_mW: Option<f64>,
+    /// Wear power.
+    pub(crate) wear_power_mW: Option<f64>,
+    /// Friction torque.
+    pub(crate) torque_Nmm: Option<f64>,
+    /// Torque over mu times force.
+    pub(crate) effective_radius_mm: Option<f64>,
+    /// How far the wear is from a rigid motion.
+    pub(crate) steadiness_residual: Option<f64>,
+    /// How far the wear of both bodies is from proportional.
+    pub(crate) congruence_residual: Option<f64>,
+}
+
+/// `summary.contact`.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+#[allow(non_snake_case)]
+pub(crate) struct ContactResult {
+    /// Status of the solve.
+    pub(crate) status: String,
+    /// Contact force.
+    pub(crate) force_N: Option<f64>,
+    /// Contact moment.
+    pub(crate) moment_Nmm: Option<f64>,
+    /// Closing of body 1.
+    pub(crate) approach_mm: Option<f64>,
+    /// Rotation of body 1.
+    pub(crate) tilt_rad: Option<f64>,
+    /// Ends of contact.
+    pub(crate) ends_mm: Vec<f64>,
+    /// Largest pressure.
+    pub(crate) p_max_MPa: Option<f64>,
+    /// Exponents of the pressure at sharp ends.
+    pub(crate) edge_exponents: Vec<f64>,
+    /// Ends of the sticking zone.
+    pub(crate) stick_ends_mm: Vec<f64>,
+    /// Largest shear.
+    pub(crate) q_max_MPa: Option<f64>,
+    /// Residual of p g = 0.
+    pub(crate) complementarity: Option<f64>,
+    /// Iterations.
+    pub(crate) iterations: Option<usize>,
+}
+
+/// `summary.shape`.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub(crate) struct ShapeResult {
+    /// Passes of the gap iteration.
+    pub(crate) iterations: usize,
+    /// Largest gap.
+    pub(crate) gap_max_um: Option<f64>,
+    /// Where it is.
+    pub(crate) gap_where_mm: Option<f64>,
+    /// Crown height.
+    pub(crate) crown_um: Option<f64>,
+    /// Rigid part taken out.
+    pub(crate) rigid_mm: Option<f64>,
+    /// Round trip on the same operators.
+    pub(crate) roundtrip_same: Option<f64>,
+    /// Round trip on another discretisation.
+    pub(crate) roundtrip_independent: Option<f64>,
+}
+
+/// `summary.wear`.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub(crate) struct WearResult {
+    /// Status of the integration.
+    pub(crate) status: String,
+    /// Accepted steps.
+    pub(crate) steps: usize,
+    /// Rejected steps.
+    pub(crate) rejected_steps: usize,
+    /// Time reached.
+    pub(crate) time_s: Option<f64>,
+    /// Sliding distance.
+    pub(crate) distance_mm: Option<f64>,
+    /// Whether it is steady.
+    pub(crate) steady: bool,
+    /// Depth.
+    pub(crate) depth_um: Option<f64>,
+    /// Volume.
+    pub(crate) volume_mm3: Option<f64>,
+    /// Largest stable explicit step.
+    pub(crate) explicit_step_limit_s: Option<f64>,
+    /// Run-in distance of the slowest modes.
+    pub(crate) run_in_distance_mm: Vec<f64>,
+    /// Largest growth of the Lyapunov function.
+    pub(crate) lyapunov_increase: Option<f64>,
+}
+
+/// `summary.energy`.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+#[allow(non_snake_case)]
+pub(crate) struct EnergyResult {
+    /// Strain energy of body 1.
+    pub(crate) body1_Nmm: Option<f64>,
+    /// Strain energy of body 2.
+    pub(crate) body2_Nmm: Option<f64>,
+}
+
+/// One entry of `summary.reactions`.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+#[allow(non_snake_case)]
+pub(crate) struct Reaction {
+    /// Along x.
+    pub(crate) x_N: Option<f64>,
+    /// Along z.
+    pub(crate) z_N: Option<f64>,
+    /// Moment.
+    pub(crate) moment_Nmm: Option<f64>,
+}
+
+/// `summary.error`: estimated relative errors.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub(crate) struct ErrorResult {
+    /// Of the gap.
+    pub(crate) gap_relative: Option<f64>,
+    /// Of the pressure.
+    pub(crate) pressure_relative: Option<f64>,
+    /// Of the energy.
+    pub(crate) energy_relative: Option<f64>,
+    /// How they were estimated.
+    pub(crate) how: String,
+}
+
+/// `summary.counters`.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub(crate) struct Counters {
+    /// Cells assembled.
+    pub(crate) cells: usize,
+    /// Unknowns of both bodies.
+    pub(crate) dofs: usize,
+    /// Unknowns of the contact traces.
+    pub(crate) trace_dofs: usize,
+    /// Factorisations.
+    pub(crate) factorisations: usize,
+    /// Contact solves.
+    pub(crate) contact_solves: usize,
+    /// Contact solves of the round trip.
+    pub(crate) check_solves: usize,
+    /// Wear steps.
+    pub(crate) wear_steps: usize,
+}

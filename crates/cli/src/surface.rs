@@ -1,0 +1,381 @@
+//! The contact surface where geometry alone gives it: arcs, strips, rings, and the bare surfaces.
+
+use nalgebra::Vector3;
+use wear::{Shape, SlidingMotion, Surface};
+
+use crate::fault::Fault;
+use crate::geometry::{Geometry, SurfaceShape};
+use crate::scene::{Kinematics, Scene};
+use crate::setup::{missing, positive};
+use crate::units::Length;
+
+/// A contact surface known without a mesh.
+#[derive(Debug, Clone)]
+pub(crate) struct Patch {
+    /// The surface with its sliding motion.
+    pub(crate) surface: Surface,
+    /// What kind of motion closes a track, which decides how the counter-face wears.
+    pub(crate) kind: PatchKind,
+}
+
+/// Kind of contact surface, by how body 2 passes under it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum PatchKind {
+    /// Plane strip or plane surface over which a long plate slides.
+    Plane,
+    /// Full ring on a turning disc.
+    Ring,
+    /// Arc or sector under which a drum, shaft or disc turns.
+    Turning,
+}
+
+impl Patch {
+    /// The surface of a scene; none when it takes a mesh to know it.
+    pub(crate) fn of(scene: &Scene) -> Result<Option<Patch>, Fault> {
+        let (shape, kind, centre, key) = match (&scene.surface, &scene.body1, &scene.body2) {
+            (Some(surface), _, _) => bare(surface)?,
+            (None, Some(body1), Some(body2)) => {
+                match between(scene, &body1.geometry, &body2.geometry)? {
+                    Some(found) => found,
+                    None => return Ok(None),
+                }
+            }
+            _ => return Ok(None),
+        };
+        let motion = motion(scene, kind, &shape, centre)?;
+        let surface = Surface::new(shape, motion).map_err(|error| {
+            Fault::at(
+                key,
+                "degenerate",
+                error.to_string(),
+                "give a surface with area",
+            )
+        })?;
+        Ok(Some(Patch { surface, kind }))
+    }
+}
+
+type Found = (Shape, PatchKind, [f64; 2], &'static str);
+
+fn symmetric_arc(key: &str, radius: Length, half_angle: f64, width: f64) -> Result<Shape, Fault> {
+    positive(&format!("{key}.radius"), radius.0, "radius", " mm")?;
+    positive(&format!("{key}.width"), width, "width", " mm")?;
+    angle_below_quarter(&format!("{key}.half_angle"), half_angle)?;
+    let (centre, internal) = (Vector3::zeros(), false);
+    Ok(Shape::Arc {
+        radius: radius.0,
+        centre,
+        angles: [-half_angle, half_angle],
+        thickness: width,
+        internal,
+    })
+}
+
+fn angle_below_quarter(key: &str, angle: f64) -> Result<(), Fault> {
+    if angle > 0.0 && angle < std::f64::consts::FRAC_PI_2 {
+        return Ok(());
+    }
+    let message = format!("half angle {} deg is out of range", angle.to_degrees());
+    Err(Fault::at(
+        key,
+        "degenerate",
+        message,
+        "give a half angle greater than 0 and less than 90 deg",
+    ))
+}
+
+fn bare(surface: &SurfaceShape) -> Result<Found, Fault> {
+    let range = |key: &str, range: [Length; 2]| {
+        if range[1].0 > range[0].0 {
+            return Ok([range[0].0, range[1].0]);
+        }
+        let message = format!("{key} = [{}, {}] does not increase", range[0].0, range[1].0);
+        Err(Fault::at(
+            key,
+            "degenerate",
+            message,
+            "write [from, to] with from < to",
+        ))
+    };
+    let origin = [0.0, 0.0];
+    match surface {
+        SurfaceShape::DiscPad(pad) => {
+            let key = "surface.disc-pad";
+            positive(&format!("{key}.inner"), pad.inner.0, "inner radius", " mm")?;
+            let radii = range(&format!("{key}.outer"), [pad.inner, pad.outer])?;
+            let half = pad.half_angle.0;
+            if !(half > 0.0 && half <= std::f64::consts::PI) {
+                let message = format!("half angle {} deg is out of range", half.to_degrees());
+                return Err(Fault::at(
+                    format!("{key}.half_angle"),
+                    "degenerate",
+                    message,
+                    "give 0 to 180 deg",
+                ));
+            }
+            Ok((
+                Shape::Sector {
+                    radii,
+                    angles: [-half, half],
+                },
+                PatchKind::Turning,
+                origin,
+                key,
+            ))
+        }
+        SurfaceShape::PinnedShoe(shoe) => {
+            let key = "surface.pinned-shoe";
+            positive(&format!("{key}.radius"), shoe.radius.0, "radius", " mm")?;
+            positive(&format!("{key}.width"), shoe.width.0, "width", " mm")?;
+            positive(
+                &format!("{key}.pin_distance"),
+                shoe.pin_distance.0,
+                "distance of the pin",
+                " mm",
+            )?;
+            positive(&format!("{key}.arm"), shoe.arm.0, "lever arm", " mm")?;
+            let angles = [shoe.from.0, shoe.to.0];
+            if !(angles[0] >= 0.0 && angles[1] > angles[0] && angles[1] < std::f64::consts::PI) {
+                let (from, to) = (angles[0].to_degrees(), angles[1].to_degrees());
+                let message = format!(
+                    "the lining reaches from {from} to {to} deg, where it cannot close everywhere"
+                );
+                return Err(Fault::at(
+                    format!("{key}.to"),
+                    "degenerate",
+                    message,
+                    "give 0 <= from < to < 180 deg",
+                ));
+            }
+            let shape = Shape::Arc {
+                radius: shoe.radius.0,
+                centre: Vector3::zeros(),
+                angles,
+                thickness: shoe.width.0,
+                internal: true,
+            };
+            Ok((shape, PatchKind::Turning, origin, key))
+        }
+        SurfaceShape::PivotedShoe(shoe) => {
+            let key = "surface.pivoted-shoe";
+            Ok((
+                symmetric_arc(key, shoe.radius, shoe.half_angle.0, shoe.width.0)?,
+                PatchKind::Turning,
+                origin,
+                key,
+            ))
+        }
+        SurfaceShape::JournalArc(arc) => {
+            let key = "surface.journal-arc";
+            Ok((
+                symmetric_arc(key, arc.radius, arc.half_angle.0, arc.width.0)?,
+                PatchKind::Turning,
+                origin,
+                key,
+            ))
+        }
+        SurfaceShape::RectangularPunch(punch) => {
+            let key = "surface.rectangular-punch";
+            let shape = Shape::Rectangle {
+                x: range(&format!("{key}.x"), punch.x)?,
+                y: range(&format!("{key}.y"), punch.y)?,
+            };
+            Ok((shape, PatchKind::Plane, origin, key))
+        }
+        SurfaceShape::EllipticPunch(punch) => {
+            let key = "surface.elliptic-punch";
+            for axis in punch.half_axes {
+                positive(&format!("{key}.half_axes"), axis.0, "half axis", " mm")?;
+            }
+            let semi_axes = [punch.half_axes[0].0, punch.half_axes[1].0];
+            Ok((Shape::Ellipse { semi_axes }, PatchKind::Plane, origin, key))
+        }
+    }
+}
+
+fn same(one: f64, other: f64, scale: f64) -> bool {
+    (one - other).abs() <= 1e-9 * scale
+}
+
+fn between(scene: &Scene, body1: &Geometry, body2: &Geometry) -> Result<Option<Found>, Fault> {
+    let Some(edges) = scene
+        .contact
+        .as_ref()
+        .and_then(|contact| contact.edges.as_ref())
+    else {
+        return Ok(None);
+    };
+    let axisymmetric = scene.kinematics == Some(Kinematics::Axisymmetric);
+    let thickness = scene.thickness.map_or(1.0, |thickness| thickness.0);
+    let key = "contact.edges";
+    let arc = |angles: [f64; 2], radius: f64, ring: &crate::geometry::Ring| {
+        let centre = ring
+            .centre
+            .map_or([0.0, 0.0], |centre| [centre[0].0, centre[1].0]);
+        if !same(radius, ring.outer.0, radius) || centre != [0.0, 0.0] {
+            let message = format!(
+                "the arcs do not touch: radius {radius} about [0, 0] and radius {} about {centre:?}",
+                ring.outer.0
+            );
+            return Err(Fault::at(
+                "body2.geometry.ring",
+                "no-contact",
+                message,
+                "give both the same radius and centre",
+            ));
+        }
+        let shape = Shape::Arc {
+            radius,
+            centre: Vector3::zeros(),
+            angles,
+            thickness,
+            internal: false,
+        };
+        Ok(Some((shape, PatchKind::Turning, centre, key)))
+    };
+    match (body1, edges[0].as_str(), body2, edges[1].as_str()) {
+        (Geometry::ShoeBlock(shoe), "inner", Geometry::Ring(ring), "outer") => {
+            let angle = shoe.half_angle.0;
+            arc([-angle, angle], shoe.radius.0, ring)
+        }
+        (Geometry::RingSegment(segment), "inner", Geometry::Ring(ring), "outer") => {
+            let angles = segment.x.map(|x| (x.0 / segment.inner.0).asin());
+            arc(angles, segment.inner.0, ring)
+        }
+        (Geometry::Rectangle(punch), "bottom", Geometry::Rectangle(plate), "top") => {
+            let (x, below) = (punch.x.map(|x| x.0), plate.x.map(|x| x.0));
+            let scale = x[1] - x[0];
+            if !same(punch.z[0].0, plate.z[1].0, scale) {
+                let message = format!(
+                    "the edges do not touch: z = {} and z = {}",
+                    punch.z[0].0, plate.z[1].0
+                );
+                return Err(Fault::at(
+                    key,
+                    "no-contact",
+                    message,
+                    "give body1 z[0] = body2 z[1]",
+                ));
+            }
+            if x[0] < below[0] || x[1] > below[1] {
+                let message = format!(
+                    "body 1 reaches from x = {} to {} over body 2 from {} to {}",
+                    x[0], x[1], below[0], below[1]
+                );
+                return Err(Fault::at(
+                    "body2.geometry.rectangle.x",
+                    "no-contact",
+                    message,
+                    "make body 2 as wide as body 1 or wider",
+                ));
+            }
+            if axisymmetric {
+                return Ok(Some((
+                    Shape::Annulus { radii: x },
+                    PatchKind::Ring,
+                    [0.0, punch.z[0].0],
+                    key,
+                )));
+            }
+            Ok(Some((
+                Shape::Strip {
+                    x,
+                    z: punch.z[0].0,
+                    thickness,
+                },
+                PatchKind::Plane,
+                [0.0, 0.0],
+                key,
+            )))
+        }
+        (Geometry::HalfDisc(disc), "arc", Geometry::Rectangle(plate), "top") => {
+            let lowest = disc.centre[1].0 - disc.radius.0;
+            if same(lowest, plate.z[1].0, disc.radius.0) {
+                return Ok(None);
+            }
+            let message = format!(
+                "the edges do not touch: lowest point z = {lowest}, plane z = {}",
+                plate.z[1].0
+            );
+            Err(Fault::at(
+                key,
+                "no-contact",
+                message,
+                "give centre z - radius = body2 z[1]",
+            ))
+        }
+        (Geometry::Blocks(_) | Geometry::Mesh(_), ..)
+        | (_, _, Geometry::Blocks(_) | Geometry::Mesh(_), _) => Ok(None),
+        _ => {
+            let message = format!(
+                "the edges {} of {} and {} of {} cannot touch",
+                edges[0],
+                crate::setup::template(body1),
+                edges[1],
+                crate::setup::template(body2)
+            );
+            let remedy = "pairs that touch: inner on outer (shoe-block or ring-segment on ring), bottom on top (rectangles), arc on top (half-disc on rectangle)";
+            Err(Fault::at(key, "no-contact", message, remedy))
+        }
+    }
+}
+
+/// Motion of body 2; zero when the scene has none.
+fn motion(
+    scene: &Scene,
+    kind: PatchKind,
+    shape: &Shape,
+    centre: [f64; 2],
+) -> Result<SlidingMotion, Fault> {
+    let Some(sliding) = &scene.sliding else {
+        return Ok(SlidingMotion::along_x(0.0));
+    };
+    let (wanted, found, other) = match kind {
+        PatchKind::Plane => (
+            "speed",
+            sliding.speed.map(|speed| speed.0),
+            sliding.omega.map(|_| "omega"),
+        ),
+        _ => (
+            "omega",
+            sliding.omega.map(|omega| omega.0),
+            sliding.speed.map(|_| "speed"),
+        ),
+    };
+    let example = if wanted == "speed" {
+        "sliding = { speed = \"5 mm/s\" }"
+    } else {
+        "sliding = { omega = \"2.5 rad/s\" }"
+    };
+    let Some(value) = found else {
+        return Err(match other {
+            Some(other) => Fault::at(
+                format!("sliding.{other}"),
+                "wrong-key",
+                format!(
+                    "`sliding.{other}` does not fit this contact surface, which needs `sliding.{wanted}`"
+                ),
+                format!("write {example}"),
+            ),
+            None => missing(
+                &format!("sliding.{wanted}"),
+                "it says how body 2 moves",
+                example,
+            ),
+        });
+    };
+    if value == 0.0 {
+        let message = format!("sliding.{wanted} = 0: nothing slides");
+        return Err(Fault::at(
+            format!("sliding.{wanted}"),
+            "wrong-value",
+            message,
+            format!("write {example}, or remove `sliding`"),
+        ));
+    }
+    Ok(match (kind, shape) {
+        (PatchKind::Plane, _) => SlidingMotion::along_x(value),
+        (PatchKind::Ring, _) | (_, Shape::Sector { .. }) => SlidingMotion::about_z(value),
+        _ => SlidingMotion::in_plane(value, Vector3::new(centre[0], 0.0, centre[1])),
+    })
+}
