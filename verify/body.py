@@ -66,6 +66,15 @@ class Body:
             dofs = fem.locate_dofs_topological(space, 1, entities)
             self.supports.append(fem.dirichletbc(PETSc.ScalarType(0.0), dofs, space))
 
+    def hold_axis(self):
+        """u_r = 0 on the axis of an axisymmetric body."""
+        on = [i + 1 for i, s in enumerate(self.segments) if s.a[0] == 0.0 and s.b[0] == 0.0]
+        if self.axisymmetric and on:
+            entities = np.concatenate([self.facets.find(tag) for tag in on])
+            space = self.space.sub(0)
+            dofs = fem.locate_dofs_topological(space, 1, entities)
+            self.supports.append(fem.dirichletbc(PETSc.ScalarType(0.0), dofs, space))
+
     def pin(self, point, component):
         """Fixes one component at one corner; free of force when the loads are in balance."""
         near = lambda x: np.hypot(x[0] - point[0], x[1] - point[1]) < 1e-11 * (1.0 + np.hypot(*point))

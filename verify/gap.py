@@ -15,7 +15,7 @@ import numpy as np
 import scene as scenes
 import ufl
 from body import Body, Torsion
-from mesh import Segment, mark, outline, split, triangulate
+from mesh import centre_line, mark, outline, split, triangulate
 
 # Largest cell as a share of the contact, smallest cell likewise, slope of the grading. Curved
 # edges need smaller cells: their cubic geometry is the coarser part.
@@ -63,34 +63,42 @@ def build(scene, surface, number, grading):
     template, values = scenes.geometry(part)
     ends = [tuple(surface.point(c)) for c in surface.range]
     breaks = ends + (load_ends(scene, surface) if number == 1 else [])
-    loops = split(outline(template, values), breaks)
+    loops = split(outline(template, values, surface.axisymmetric), breaks)
     mark(loops, scene["contact"]["edges"][number - 1], lambda x, z: contact_middle(surface, x, z))
     corners = {s.a for loop in loops for s in loop if template != "ring"} | set(ends)
-    cut = None
-    supports = part.get("support", {})
-    if "centre" in supports and template == "ring-segment":
-        cut = Segment((0.0, values["inner"]), (0.0, values["outer"]), "centre")
+    cut = centre_line(template, values) if "centre" in part.get("support", {}) else None
+    if cut is not None:
         loops = split(loops, [cut.a, cut.b])
         corners |= {cut.a, cut.b}
     mesh, facets, segments = triangulate(loops, grading[0], 3, sorted(corners), grading[1], grading[2], cut=cut)
     young, nu = scenes.material(part)
     body = Body(mesh, facets, segments, young, nu, scene["kinematics"], DEGREE)
-    for edge, components in supports.items():
-        body.hold(edge, [{"x": 0, "z": 1}[k] for k in components if k != "phi"])
-    load = scene["load"]
-    if number == 1:
-        if load["as"] == "rigid":
-            body.hold(load["edge"], [1])
-        else:
-            first = next(s for s in segments if s.edge == load["edge"])
-            body.pin(first.a, 1)
+    support(body, scene, number)
     body.factor()
     return body, body.tags(scene["contact"]["edges"][number - 1], True)
 
 
-def contact_middle(surface, x, z):
+def support(body, scene, number):
+    """Supports of body 1 or 2; a floating body 1 is pinned where no force arises, for its loads
+    are in balance."""
+    for edge, components in scene[f"body{number}"].get("support", {}).items():
+        body.hold(edge, [{"x": 0, "z": 1}[k] for k in components if k != "phi"])
+    body.hold_axis()
+    if number == 2:
+        return
+    load = scene["load"]
+    first = next(s for s in body.segments if s.edge == load["edge"])
+    if load["as"] == "rigid":
+        body.hold(load["edge"], [1])
+    else:
+        body.pin(first.a, 1)
+
+
+def contact_middle(surface, x, z, number=2):
+    """Whether a point of the contact edge of a body lies within the contact."""
     c = float(surface.coordinate(x, z))
-    return surface.range[0] < c < surface.range[1] and math.dist(surface.point(c), (x, z)) < 1e-6 * (1.0 + abs(z))
+    inside = surface.range[0] < c < surface.range[1]
+    return inside and math.dist(surface.on_body(c, number), (x, z)) < 1e-6 * (1.0 + abs(z))
 
 
 def load_ends(scene, surface):
@@ -99,8 +107,12 @@ def load_ends(scene, surface):
     if load["as"] != "vertical" or "width" not in load:
         return []
     _, values = scenes.geometry(scene["body1"])
-    half = 0.5 * scenes.quantity(load["width"])
-    return [(x, math.sqrt(values["outer"] ** 2 - x * x)) for x in (-half, half)]
+    return [(x, math.sqrt(values["outer"] ** 2 - x * x)) for x in load_range(load)]
+
+
+def load_range(load):
+    half, centre = 0.5 * scenes.quantity(load["width"]), scenes.quantity(load.get("centre", 0.0))
+    return centre - half, centre + half
 
 
 def respond(scene, surface, pressure, c, sign, number, body, tags):
@@ -136,8 +148,8 @@ def own_load(scene, body):
         return body.load(-normal, body.tags(load["edge"]))
     tags = body.tags(load["edge"])
     if "width" in load:
-        half = 0.5 * scenes.quantity(load["width"])
-        inside = lambda s: max(abs(s.a[0]), abs(s.b[0])) < half * (1.0 + 1e-9)
+        low, high = load_range(load)
+        inside = lambda s: low - 1e-9 < min(s.a[0], s.b[0]) and max(s.a[0], s.b[0]) < high + 1e-9
         tags = [i + 1 for i, s in enumerate(body.segments) if s.edge == load["edge"] and inside(s)]
     return body.load(ufl.as_vector((0.0, -1.0)) * normal[1], tags)
 

@@ -54,7 +54,7 @@ def polar(centre, radius, angle):
     return (centre[0] + radius * math.sin(angle), centre[1] + radius * math.cos(angle))
 
 
-def outline(template, values):
+def outline(template, values, axisymmetric=False):
     """Loops of segments of a template, counter-clockwise outside. Other loops are holes."""
     if template == "rectangle":
         (x0, x1), (z0, z1) = values["x"], values["z"]
@@ -67,11 +67,11 @@ def outline(template, values):
         return [[Segment(left, right, "inner", (0.0, 0.0)), Segment(right, (right[0], top), "right"),
                  Segment((right[0], top), (left[0], top), "top"), Segment((left[0], top), left, "left")]]
     if template == "ring-segment":
-        inner, outer, half = values["inner"], values["outer"], values["half_width"]
+        inner, outer, (left, right) = values["inner"], values["outer"], values["x"]
         o = (0.0, 0.0)
-        at = lambda radius, side: (side * half, math.sqrt(radius**2 - half**2))
-        return [[Segment(at(inner, -1), at(inner, 1), "inner", o), Segment(at(inner, 1), at(outer, 1), "right"),
-                 Segment(at(outer, 1), at(outer, -1), "outer", o), Segment(at(outer, -1), at(inner, -1), "left")]]
+        at = lambda radius, x: (x, math.sqrt(radius**2 - x**2))
+        return [[Segment(at(inner, left), at(inner, right), "inner", o), Segment(at(inner, right), at(outer, right), "right"),
+                 Segment(at(outer, right), at(outer, left), "outer", o), Segment(at(outer, left), at(inner, left), "left")]]
     if template == "ring":
         centre = tuple(values.get("centre", [0.0, 0.0]))
         loops = []
@@ -80,12 +80,23 @@ def outline(template, values):
             loops.append([Segment(p[i], p[(i + 1) % 4], edge, centre) for i in range(4)])
         return loops
     if template == "half-disc":
-        centre, radius = values["centre"], values["radius"]
-        cut = centre[1]
-        c = tuple(centre)
-        bottom, left, right = (c[0], cut - radius), (c[0] - radius, cut), (c[0] + radius, cut)
+        radius = values["radius"]
+        c = tuple(values.get("centre", [0.0, radius]))
+        bottom, left, right = (c[0], c[1] - radius), (c[0] - radius, c[1]), (c[0] + radius, c[1])
+        if axisymmetric:
+            return [[Segment(bottom, right, "arc", c), Segment(right, c, "top"), Segment(c, bottom, "axis")]]
         return [[Segment(left, bottom, "arc", c), Segment(bottom, right, "arc", c), Segment(right, left, "top")]]
     raise ValueError(f"template {template!r} is not known here")
+
+
+def centre_line(template, values):
+    """The line x = 0 through the thickness, named `centre`, or None where there is none."""
+    if template == "ring-segment":
+        return Segment((0.0, values["inner"]), (0.0, values["outer"]), "centre")
+    if template == "half-disc":
+        (x, z), radius = values.get("centre", [0.0, values["radius"]]), values["radius"]
+        return Segment((x, z - radius), (x, z), "centre")
+    return None
 
 
 def mark(loops, edge, inside):
@@ -111,13 +122,13 @@ def split(loops, points):
     return loops
 
 
-def triangulate(loops, size, order=3, sharp=(), sharp_size=1e-5, slope=0.4, divisions=None, cut=None):
+def triangulate(loops, size, order=3, sharp=(), sharp_size=1e-5, slope=0.4, divisions=None, cut=None, near=None):
     """Meshes the outline. Returns (mesh, facet tags, segments), tag i + 1 for segments[i].
 
     `size` is the largest cell, `sharp` the points towards which cells shrink to `sharp_size` with
-    size = slope * distance. `divisions`: for each segment None or the list of the interior points
-    of a prescribed division (gmsh's transfinite curve cannot take points, so the curve is cut
-    there). `cut`: a segment through the body whose nodes must lie on it.
+    size = slope * distance. `divisions`: for each segment None or its number of cells; `near`: the
+    cell size along those segments, growing away from them. `cut`: a segment through the body whose
+    nodes must lie on it.
     """
     gmsh.initialize()
     gmsh.option.setNumber("General.Terminal", 0)
@@ -161,7 +172,7 @@ def triangulate(loops, size, order=3, sharp=(), sharp_size=1e-5, slope=0.4, divi
     for i, tag in enumerate(tags):
         gmsh.model.addPhysicalGroup(1, [tag], i + 1)
     gmsh.model.addPhysicalGroup(2, [surface], 1)
-    _grade([points[(round(p[0], 12), round(p[1], 12))] for p in sharp], size, sharp_size, slope)
+    _grade([points[(round(p[0], 12), round(p[1], 12))] for p in sharp], fixed if near else [], size, sharp_size, near, slope)
     gmsh.model.mesh.generate(2)
     gmsh.model.mesh.setOrder(order)
     mesh, _, facets = gmshio.model_to_mesh(gmsh.model, MPI.COMM_SELF, 0, gdim=2)
@@ -181,18 +192,24 @@ def flatness(mesh):
     return float(np.min(area / longest) * 4.0 / math.sqrt(3.0))
 
 
-def _grade(nodes, size, sharp_size, slope):
+def _grade(nodes, curves, size, sharp_size, near, slope):
     field = gmsh.model.mesh.field
     last = field.add("MathEval")
     field.setString(last, "F", repr(float(size)))
-    if nodes:
-        distance = field.add("Distance")
-        field.setNumbers(distance, "NodesList", nodes)
-        ramp = field.add("Threshold")
-        field.setNumber(ramp, "IField", distance)
-        field.setNumber(ramp, "LcMin", sharp_size)
-        field.setNumber(ramp, "LcMax", size)
-        field.setNumber(ramp, "DistMin", sharp_size)
-        field.setNumber(ramp, "DistMax", sharp_size + (size - sharp_size) / slope)
-        last = ramp
-    field.setAsBackgroundMesh(last)
+    fields = [last]
+    for kind, tags, smallest in (("NodesList", nodes, sharp_size), ("EdgesList", curves, near)):
+        if tags:
+            distance = field.add("Distance")
+            field.setNumbers(distance, kind, tags)
+            if kind == "EdgesList":
+                field.setNumber(distance, "NNodesByEdge", 3)
+            ramp = field.add("Threshold")
+            field.setNumber(ramp, "IField", distance)
+            field.setNumber(ramp, "LcMin", smallest)
+            field.setNumber(ramp, "LcMax", size)
+            field.setNumber(ramp, "DistMin", smallest)
+            field.setNumber(ramp, "DistMax", smallest + max(size - smallest, 0.0) / slope)
+            fields.append(ramp)
+    smallest_of_all = field.add("Min")
+    field.setNumbers(smallest_of_all, "FieldsList", fields)
+    field.setAsBackgroundMesh(smallest_of_all)

@@ -67,18 +67,20 @@ class Surface:
         self.friction = quantity(scene["contact"].get("friction", 0.0))
         self.shear = bool(scene["contact"].get("shear", True))
         first, second = geometry(scene["body1"]), geometry(scene["body2"])
-        self.centre, self.radius = (0.0, 0.0), None
+        self.centre, self.radius, self.ball = (0.0, 0.0), None, None
         if first[0] == "shoe-block":
             self.radius = first[1]["radius"]
             half = first[1]["half_angle"]
             self.range = (-half, half)
         elif first[0] == "ring-segment":
             self.radius = min(first[1]["inner"], first[1]["outer"])
-            half = math.asin(first[1]["half_width"] / self.radius)
-            self.range = (-half, half)
+            self.range = tuple(math.asin(x / self.radius) for x in first[1]["x"])
         elif first[0] == "rectangle":
             self.height = second[1]["z"][1]
             self.range = (max(first[1]["x"][0], second[1]["x"][0]), min(first[1]["x"][1], second[1]["x"][1]))
+        elif first[0] == "half-disc":
+            self.height, self.ball = second[1]["z"][1], first[1]["radius"]
+            self.range = (0.0 if self.axisymmetric else -0.5 * self.ball, 0.5 * self.ball)
         else:
             raise ValueError(f"contact of a {first[0]} is not known here")
         if self.radius is not None:
@@ -101,6 +103,20 @@ class Surface:
         if self.radius is None:
             return np.stack([c, np.full_like(c, self.height)], axis=-1)
         return np.stack([self.centre[0] + self.radius * np.sin(c), self.centre[1] + self.radius * np.cos(c)], axis=-1)
+
+    def on_body(self, c, number):
+        """(x, z) on the surface of body 1 or 2; they differ where the unloaded bodies do."""
+        if self.ball is None or number == 2:
+            return self.point(c)
+        c = np.asarray(c, dtype=float)
+        return np.stack([c, self.height + self.initial_gap(c)], axis=-1)
+
+    def initial_gap(self, c):
+        """Distance of the unloaded bodies along n, mm: R - sqrt(R^2 - x^2) for a ball."""
+        c = np.asarray(c, dtype=float)
+        if self.ball is None:
+            return np.zeros_like(c)
+        return c * c / (self.ball + np.sqrt(self.ball**2 - c * c))
 
     def normal(self, c):
         """n, out of body 2 into body 1."""

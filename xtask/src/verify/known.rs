@@ -1,7 +1,7 @@
 //! `cargo xtask verify --known`: the scripts against numbers that others found, without wearshape.
 //!
-//! verify/known.toml holds a scene, sample points and values; they are laid out as wearshape would
-//! write them, and the script's answer is compared with them.
+//! verify/known.toml names a built-in scene, changes, sample points and values; they are laid out as
+//! wearshape would write them, and the script's answer is compared with them.
 
 use super::case::{Wanted, text, wanted};
 use super::report::Outcome;
@@ -32,7 +32,7 @@ pub(crate) fn compare(root: &Path, names: &[String]) -> Result<bool, String> {
             continue;
         }
         let began = Instant::now();
-        let result = one(root, &table, value, &name);
+        let result = one(root, value, &name);
         let outcome = Outcome::known(
             &name,
             &text(value, "scene")?,
@@ -50,7 +50,7 @@ pub(crate) fn compare(root: &Path, names: &[String]) -> Result<bool, String> {
     )
 }
 
-fn one(root: &Path, table: &Table, case: &Value, name: &str) -> Result<Vec<report::Row>, String> {
+fn one(root: &Path, case: &Value, name: &str) -> Result<Vec<report::Row>, String> {
     let folder = root.join("target/verify/known").join(name);
     let ours = folder.join("ours");
     fs::create_dir_all(&ours).map_err(|error| format!("{}: {error}", ours.display()))?;
@@ -58,7 +58,7 @@ fn one(root: &Path, table: &Table, case: &Value, name: &str) -> Result<Vec<repor
         fs::write(ours.join(name), text)
             .map_err(|error| format!("{}: {error}", ours.join(name).display()))
     };
-    save("scene.resolved.toml", scene(table, case)?)?;
+    save("scene.resolved.toml", scene(root, case)?)?;
     save("contact.csv", columns(case)?)?;
     save("summary.json", summary(case))?;
     run::script(root, &text(case, "script")?, &folder, None)?;
@@ -70,31 +70,38 @@ fn one(root: &Path, table: &Table, case: &Value, name: &str) -> Result<Vec<repor
     compare::rows(&quantities, &folder)
 }
 
-/// The named scene with the case's changes laid over it.
-fn scene(table: &Table, case: &Value) -> Result<String, String> {
-    let name = text(case, "scene")?;
-    let scene = table
-        .get("scene")
-        .and_then(|scenes| scenes.get(&name))
-        .and_then(Value::as_table);
-    let mut scene = scene
-        .ok_or(format!("known.toml has no [scene.{name}]"))?
-        .clone();
+/// The built-in scene with the case's changes laid over it.
+fn scene(root: &Path, case: &Value) -> Result<String, String> {
+    let path = root
+        .join("data/scenes")
+        .join(text(case, "scene")? + ".toml");
+    let mut scene = read_toml(&path)?;
     if let Some(changes) = case.get("change").and_then(Value::as_table) {
         lay_over(&mut scene, changes);
     }
     Ok(scene.to_string())
 }
 
+/// Supports replace each other; other tables are merged key by key.
 fn lay_over(scene: &mut Table, changes: &Table) {
     for (key, value) in changes {
         match (scene.get_mut(key), value) {
-            (Some(Value::Table(inner)), Value::Table(change)) => lay_over(inner, change),
+            (Some(Value::Table(inner)), Value::Table(change)) if key != "support" => {
+                lay_over(inner, change)
+            }
             _ => {
                 scene.insert(key.clone(), value.clone());
             }
         }
     }
+}
+
+fn read_toml(path: &Path) -> Result<Table, String> {
+    let content =
+        fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))?;
+    content
+        .parse()
+        .map_err(|error| format!("{}: {error}", path.display()))
 }
 
 /// contact.csv from the case's points and values.

@@ -1,0 +1,67 @@
+"""A ball or cylinder pressed on a flat, by compliance and an active set.
+
+The conditions stand on the flat side, as in the scene: n = e_z, gap R - sqrt(R^2 - x^2), pressure
+per area of body 2. The contact's end and the largest pressure come from p^2 as a polynomial of x^2.
+"""
+
+import math
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+
+import common
+import numpy as np
+import scene as scenes
+from interface import Interface
+
+# Cells over 2.4 contact half-widths, largest cell in the bodies as a share of those.
+LEVELS = [(90, 1.5), (140, 1.0)]
+
+
+def solve(scene, points, sign):
+    surface = scenes.Surface(scene)
+    guess = half_width(scene, surface)
+    low = 0.0 if surface.axisymmetric else -1.2 * guess
+    surface.range = (low, 1.2 * guess)
+    c = np.asarray(points["x_mm"])
+    levels = [press(scene, surface, c, sign, *level) for level in LEVELS]
+    inner = np.abs(c) <= 0.95 * levels[1][2]
+    if surface.axisymmetric:
+        inner &= c >= 0.05 * levels[1][2]
+    names = [("pressure_MPa", "MPa", inner), ("p_max_MPa", "MPa", None), ("half_width_mm", "mm", None)]
+    found = [common.Quantity(name, unit, levels[0][i], levels[1][i], keep=keep)
+             for i, (name, unit, keep) in enumerate(names)]
+    return found, {"hertz_half_width_mm": guess}
+
+
+def half_width(scene, surface):
+    """Hertz' half-width on half-spaces: where to put the nodes."""
+    (e1, nu1), (e2, nu2) = (scenes.material(scene[f"body{i}"]) for i in (1, 2))
+    modulus = 1.0 / ((1.0 - nu1**2) / e1 + (1.0 - nu2**2) / e2)
+    force = scenes.quantity(scene["load"]["force"])
+    if surface.axisymmetric:
+        return (0.75 * force * surface.ball / modulus) ** (1.0 / 3.0)
+    return math.sqrt(4.0 * force / surface.thickness * surface.ball / (math.pi * modulus))
+
+
+def press(scene, surface, c, sign, cells, coarse):
+    """(pressures at c, largest pressure, half-width of the contact)."""
+    if surface.axisymmetric:
+        cells //= 2
+    breaks = np.linspace(*surface.range, cells + 1)
+    pair = Interface(scene, surface, breaks, coarse, sign, grade=False)
+    goal = np.array([scenes.quantity(scene["load"]["force"])])
+    force, _, _ = pair.touch(surface.initial_gap(pair.c), goal)
+    p = np.divide(force, pair.weight, out=np.zeros_like(force), where=pair.weight > 0.0)
+    end = np.max(np.abs(pair.c[force > 0.0]))
+    use = (np.abs(pair.c) < 0.9 * end) & (pair.weight > 0.0)
+    fit = np.polynomial.Polynomial.fit(pair.c[use] ** 2, p[use] ** 2, 3)
+    roots = fit.roots()
+    real = roots[np.abs(roots.imag) < 1e-9 * end**2].real
+    width = math.sqrt(real[np.argmin(np.abs(real - end**2))])
+    return pair.at(p, c), math.sqrt(fit(0.0)), width
+
+
+if __name__ == "__main__":
+    common.main(__doc__, solve)
