@@ -22,7 +22,7 @@ def solve(scene, points, sign):
     c = surface.coordinate(points["x_mm"], points["z_mm"])
     levels = [full(scene, surface, c, sign, *level) for level in LEVELS]
     span = surface.range[1] - surface.range[0]
-    inner = np.abs(c - np.mean(surface.range)) <= 0.475 * span
+    inner = np.abs(c - np.mean(surface.range)) <= 0.475 * span * (1.0 + 1e-9)
     names = [("pressure_MPa", "MPa", inner), ("approach_mm", "mm", None), ("force_x_N", "N", None)]
     found = [common.Quantity(name, unit, levels[0][i], levels[1][i], keep=keep)
              for i, (name, unit, keep) in enumerate(names)]

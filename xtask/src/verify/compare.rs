@@ -166,7 +166,12 @@ fn reference(out: &Value, name: &str) -> Result<Reference, String> {
 fn ours(place: &str, table: &Csv, folder: &Path) -> Result<Vec<f64>, String> {
     if let Some(path) = place.strip_prefix("summary:") {
         let summary = read_json(&folder.join("ours/summary.json"))?;
-        let value = path.split('.').fold(&summary, |value, key| &value[key]);
+        let value = path
+            .split('.')
+            .fold(&summary, |value, key| match key.parse::<usize>() {
+                Ok(at) => &value[at],
+                Err(_) => &value[key],
+            });
         let list = value
             .as_array()
             .map(|list| list.iter().filter_map(Value::as_f64).collect());

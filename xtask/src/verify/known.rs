@@ -11,8 +11,8 @@ use std::path::Path;
 use std::time::Instant;
 use toml::{Table, Value};
 
-/// Compares all known cases, or the named ones; true when all pass.
-pub(crate) fn compare(root: &Path, names: &[String]) -> Result<bool, String> {
+/// Compares all known cases, the quick ones, or the named ones; true when all pass.
+pub(crate) fn compare(root: &Path, names: &[String], quick: bool) -> Result<bool, String> {
     let path = root.join("verify/known.toml");
     let content =
         fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
@@ -28,7 +28,13 @@ pub(crate) fn compare(root: &Path, names: &[String]) -> Result<bool, String> {
         .flatten()
     {
         let name = text(value, "name")?;
-        if !names.is_empty() && !names.contains(&name) {
+        let in_quick = value.get("quick").and_then(Value::as_bool) == Some(true);
+        let wanted = if names.is_empty() {
+            !quick || in_quick
+        } else {
+            names.contains(&name)
+        };
+        if !wanted {
             continue;
         }
         let began = Instant::now();
