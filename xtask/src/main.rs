@@ -1,5 +1,6 @@
 //! Project chores, started as `cargo xtask <chore>`.
 
+mod bench;
 mod tidy;
 mod verify;
 
@@ -14,6 +15,7 @@ usage: cargo xtask <chore>
   verify    compare wearshape with independent solutions by Debian's dolfinx and gmsh
             [--install] [--quick] [--case NAME] [--fault friction-sign|young] [--can-fail]
             [--known]
+  bench     run the benches of our crates and print their ratios [crate ..]
 ";
 
 fn main() -> ExitCode {
@@ -21,6 +23,7 @@ fn main() -> ExitCode {
     let root = workspace_root();
     match words.first().map(String::as_str) {
         Some("tidy") => tidy::run(&root),
+        Some("bench") => bench::run(&root, &words[1..]),
         Some("verify") => verify::run(&root, &words[1..]),
         Some("help" | "-h" | "--help") => {
             print!("{USAGE}");
