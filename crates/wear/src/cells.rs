@@ -75,17 +75,7 @@ impl Stage<'_> {
             nodes.extend(points.iter().map(|point| self.law.node(*point)));
             return;
         }
-        let powers = self.problem.wear.laws.map(|law| law.pressure_exponent);
-        let (small, large) = (
-            powers[0].min(powers[1]).min(1.0),
-            powers[0].max(powers[1]) + 1.0,
-        );
-        let exponent = self.law.density.front_exponent();
-        let settings = Settings {
-            spread: 12.0 / large.max(1.5),
-            drop: 40.0 / small,
-            exponent,
-        };
+        let settings = self.settings();
         let front = self.front_rule.as_ref().unwrap_or(legendre());
         let inner = self.problem.surface.inner_range();
         match self.problem.surface.outer_range() {
@@ -100,6 +90,30 @@ impl Stage<'_> {
                 line.collect(inner, nodes);
             }
             Some(range) => self.collect_lines(range, inner, settings, front, nodes),
+        }
+    }
+
+    /// Adds the nodes of one line of a surface with two parameters, with the area per unit of the outer parameter as weight.
+    pub(crate) fn collect_line(&self, outer: f64, nodes: &mut Vec<Node>) {
+        let front = self.front_rule.as_ref().unwrap_or(legendre());
+        let line = Line {
+            stage: self,
+            outer,
+            weight: 1.0,
+            settings: self.settings(),
+            front,
+        };
+        line.collect(self.problem.surface.inner_range(), nodes);
+    }
+
+    fn settings(&self) -> Settings {
+        let powers = self.problem.wear.laws.map(|law| law.pressure_exponent);
+        let small = powers[0].min(powers[1]).min(1.0);
+        let large = powers[0].max(powers[1]) + 1.0;
+        Settings {
+            spread: 12.0 / large.max(1.5),
+            drop: 40.0 / small,
+            exponent: self.law.density.front_exponent(),
         }
     }
 
@@ -252,6 +266,9 @@ impl Line<'_, '_> {
     fn judge(&self, cell: &Interval, top: &mut f64) -> Verdict {
         let length = cell.hi - cell.lo;
         let middle = 0.5 * (cell.lo + cell.hi);
+        if length <= 0.0 {
+            return Verdict::Empty;
+        }
         if cell.front == [true, true] {
             return if self.node(middle).f > 0.0 {
                 Verdict::Halve(middle, false)
@@ -277,9 +294,25 @@ impl Line<'_, '_> {
             return match (0..SAMPLES - 1)
                 .find(|i| (samples[*i].f > 0.0) != (samples[*i + 1].f > 0.0))
             {
-                Some(i) if length > 0.0 => Verdict::Halve(self.root(place(i), place(i + 1)), true),
-                _ => Verdict::Empty,
+                Some(i) => {
+                    let root = self.root(place(i), place(i + 1), &|node| node.f);
+                    if root > cell.lo && root < cell.hi {
+                        Verdict::Halve(root, true)
+                    } else {
+                        Verdict::Take
+                    }
+                }
+                None => Verdict::Empty,
             };
+        }
+        let kink = (0..SAMPLES - 1).find(|i| samples[*i].excess * samples[*i + 1].excess < 0.0);
+        if let Some(i) = kink.filter(|_| length > 1e-9 * cell.lo.abs().max(cell.hi.abs())) {
+            let root = self.root(place(i), place(i + 1), &|node| node.excess);
+            // An end that was put on the kink by an earlier split is left alone.
+            let margin = 1e-10 * length;
+            if root > cell.lo + margin && root < cell.hi - margin {
+                return Verdict::Halve(root, false);
+            }
         }
         let distance = |i: usize| match cell.front {
             [true, _] => (place(i) - cell.lo).ln(),
@@ -311,10 +344,10 @@ impl Line<'_, '_> {
         Verdict::Halve(middle, false)
     }
 
-    /// Zero of f between two parameters of opposite sign.
-    fn root(&self, a: f64, b: f64) -> f64 {
+    /// Zero of a node's value between two parameters of opposite sign.
+    fn root(&self, a: f64, b: f64, value: &dyn Fn(&Node) -> f64) -> f64 {
         let (mut a, mut b) = (a, b);
-        let (mut fa, mut fb) = (self.node(a).f, self.node(b).f);
+        let (mut fa, mut fb) = (value(&self.node(a)), value(&self.node(b)));
         if fa == 0.0 {
             return a;
         }
@@ -327,7 +360,7 @@ impl Line<'_, '_> {
             if !(c > a.min(b) && c < a.max(b)) {
                 break;
             }
-            let fc = self.node(c).f;
+            let fc = value(&self.node(c));
             if fc == 0.0 {
                 return c;
             }

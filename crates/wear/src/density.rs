@@ -11,6 +11,12 @@ pub(crate) enum Density {
         log_theta: f64,
         powers: [f64; 2],
     },
+    /// p ~ exp(correction / base) of f = base + correction: the limit s -> 1 where g is the pivot mode itself.
+    Exponential,
+    /// p = p_max where f > g = v^speed_power, else 0: s = 1 under a pressure cap.
+    BangBang { speed_power: f64 },
+    /// exp(log_weight) v^power p^m = f - recession of body 2.
+    Receding { log_weight: f64, power: f64, m: f64 },
     /// sum_i exp(log_weight_i) v^(powers_i) p^(m_i) = f: two bodies with b1 != b2, or two rules in the steady state.
     Sum {
         log_weight: [f64; 2],
@@ -32,6 +38,14 @@ impl Density {
                 };
                 (force - speed, k)
             }
+            // Exponential is given its exponent in place of log f; BangBang only its cap.
+            Self::Exponential => (log_f, 1.0),
+            Self::BangBang { .. } => (0.0, 0.0),
+            Self::Receding {
+                log_weight,
+                power,
+                m,
+            } => ((log_f - log_weight - times(power, log_speed)) / m, 1.0 / m),
             Self::Mixed {
                 k,
                 log_theta,
@@ -84,6 +98,8 @@ impl Density {
     pub(crate) fn front_exponent(&self) -> f64 {
         match *self {
             Self::Power { k, .. } | Self::Mixed { k, .. } => k,
+            Self::Exponential | Self::BangBang { .. } => 0.0,
+            Self::Receding { m, .. } => 1.0 / m,
             Self::Sum { m, .. } => {
                 1.0 / if m[0] > 0.0 {
                     m[0].min(m[1])
@@ -96,13 +112,18 @@ impl Density {
 
     /// True when p is known up to a factor: multiplying f by a constant multiplies p by a constant.
     pub(crate) fn scale_free(&self) -> bool {
-        !matches!(self, Self::Sum { .. })
+        matches!(
+            self,
+            Self::Power { .. } | Self::Mixed { .. } | Self::Exponential
+        )
     }
 
     /// True when a larger v makes p smaller.
     pub(crate) fn falls_with_speed(&self) -> bool {
         match *self {
-            Self::Power { speed_power, .. } => speed_power >= 0.0,
+            Self::Power { speed_power, .. } | Self::BangBang { speed_power } => speed_power >= 0.0,
+            Self::Exponential => true,
+            Self::Receding { power, .. } => power >= 0.0,
             Self::Mixed { k, powers, .. } => k * (powers[0] + powers[1]) >= 0.0,
             Self::Sum { m, powers, .. } => (powers[0] + powers[1]) * m[0] >= 0.0,
         }

@@ -3,7 +3,9 @@
 //!
 //! Theory: Paczelt and Mroz (2007), with the corrections listed in this crate's README. Units: N, mm, MPa, s, rad.
 
+mod absolute;
 mod cells;
+mod character;
 mod counterface;
 mod density;
 mod error;
@@ -11,17 +13,23 @@ mod functional;
 mod law;
 mod mode;
 mod motion;
+mod objective;
 mod optimum;
 mod point;
 mod problem;
 mod quadrature;
+mod ratio;
+mod recession;
 mod reduce;
 mod report;
+mod simplex;
+mod singular;
 mod solve;
 mod stage;
+mod steady;
 mod surface;
 
-pub use counterface::Counterface;
+pub use counterface::{Counterface, counterface_depth, counterface_depth_from_feed};
 pub use error::WearError;
 pub use functional::Functional;
 pub use law::{
@@ -30,7 +38,8 @@ pub use law::{
 };
 pub use mode::{Balance, MAX_MODES, Modes, RigidMode, RigidMotion};
 pub use motion::SlidingMotion;
-pub use optimum::{Character, Optimum, PointForce, Regime, optimal_pressure};
+pub use optimum::{Character, Optimum, PointForce, Regime, optimal_pressure, stationary_pressures};
 pub use point::SurfacePoint;
 pub use problem::Problem;
+pub use singular::{LimitSide, singular_limit};
 pub use surface::{Shape, Surface};

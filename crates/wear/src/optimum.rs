@@ -2,8 +2,14 @@
 
 use nalgebra::Vector3;
 
-use crate::stage::PressureLaw;
-use crate::{SurfacePoint, WearError};
+use crate::density::Density;
+use crate::ratio;
+use crate::reduce::{Task, reduce};
+use crate::report::{report, singular_report};
+use crate::singular::{LimitSide, limit};
+use crate::solve::balance_any;
+use crate::stage::{Node, PressureLaw, Stage};
+use crate::{Problem, SurfacePoint, WearError};
 
 /// Second-order character of a stationary pressure, said only where it is proved (optimality.md 2).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -106,7 +112,7 @@ impl Optimum {
         if self.regime == Regime::Singular {
             return f64::NEG_INFINITY;
         }
-        self.law.log_scale + self.law.node(*point).log_h
+        self.law.log_pressure(&self.law.node(*point))
     }
 
     /// Pressure in MPa at any point of the same surface.
@@ -124,7 +130,109 @@ impl Optimum {
     }
 }
 
-/// Optimal pressure of a problem.
-pub fn optimal_pressure(problem: &crate::Problem) -> Result<Optimum, WearError> {
-    crate::report::optimum(problem)
+/// Optimal pressure of a problem: the stationary pressure of its functional, the steady state, or the limit where there is no pressure.
+///
+/// Where several pressures are stationary the one with the smallest functional is returned, with the regime `Several`.
+pub fn optimal_pressure(problem: &Problem) -> Result<Optimum, WearError> {
+    let mut all = stationary_pressures(problem)?;
+    let several = all.len() > 1;
+    let value = |optimum: &Optimum| optimum.objective.unwrap_or(f64::INFINITY);
+    all.sort_by(|a, b| value(a).total_cmp(&value(b)));
+    let mut best = all.swap_remove(0);
+    if several {
+        best.regime = Regime::Several;
+    }
+    Ok(best)
+}
+
+/// All stationary pressures found: more than one is possible for the wear volume with b < 1, s > 1 and a1 != a2.
+pub fn stationary_pressures(problem: &Problem) -> Result<Vec<Optimum>, WearError> {
+    problem.check()?;
+    let mut nodes = Vec::new();
+    match reduce(problem)? {
+        Task::Density { density, s } => Ok(vec![solve(problem, density, s, &mut nodes)?]),
+        Task::Ratio(ratio) => {
+            let mut found = Vec::new();
+            for delta in ratio::roots(problem, &ratio)? {
+                let (mut stage, balanced) = ratio::at(problem, &ratio, delta, &mut nodes)?;
+                let s = if ratio.s[0] == ratio.s[1] {
+                    ratio.s[0]
+                } else {
+                    f64::NAN
+                };
+                found.push(report(&mut stage, &nodes, &balanced, s));
+            }
+            if found.is_empty() {
+                return Err(WearError::NotConverged {
+                    iterations: 0,
+                    residual: f64::NAN,
+                });
+            }
+            Ok(found)
+        }
+        Task::Linear { speed_power } => Ok(vec![linear(problem, speed_power, &mut nodes)?]),
+        Task::Revolving => {
+            let (front, rear) = (problem.wear.laws[0], problem.wear.laws[1]);
+            if front.factor == 0.0 {
+                return Err(WearError::NoWear {
+                    functional: "steady with a revolving counterface",
+                    remedy: "body 1 must wear: body 2's mean wear is uniform along its track whatever the pressure",
+                });
+            }
+            if !(rear.factor.is_finite()
+                && (problem.surface.track_area().is_some() || !problem.surface.is_listed()))
+            {
+                return Err(WearError::OutOfRange {
+                    name: "track area of the revolving counterface",
+                    value: f64::NAN,
+                    wanted: "given for a list of points",
+                });
+            }
+            let density = Density::Receding {
+                log_weight: front.factor.ln(),
+                power: front.speed_exponent,
+                m: front.pressure_exponent,
+            };
+            Ok(vec![solve(
+                problem,
+                density,
+                front.pressure_exponent + 1.0,
+                &mut nodes,
+            )?])
+        }
+    }
+}
+
+fn solve(
+    problem: &Problem,
+    density: Density,
+    s: f64,
+    nodes: &mut Vec<Node>,
+) -> Result<Optimum, WearError> {
+    let mut stage = Stage::new(problem, density)?;
+    let balanced = balance_any(&mut stage, nodes)?;
+    Ok(report(&mut stage, nodes, &balanced, s))
+}
+
+/// s = 1: concentrated forces, or, where g is the pivot mode itself (no place is preferred), the common limit of both sides.
+fn linear(
+    problem: &Problem,
+    speed_power: f64,
+    nodes: &mut Vec<Node>,
+) -> Result<Optimum, WearError> {
+    let stage = Stage::new(problem, Density::BangBang { speed_power })?;
+    let (mut low, mut high) = (f64::INFINITY, 0.0_f64);
+    problem.surface.survey(&mut |point| {
+        let cost = (point.sliding_speed / stage.law.reference_speed).powf(speed_power);
+        let ratio = cost / stage.law.mode_values(point).phi[stage.law.pivot];
+        (low, high) = (low.min(ratio), high.max(ratio));
+    });
+    if low > 0.0 && high - low <= 1e-13 * high {
+        return solve(problem, Density::Exponential, 1.0, nodes);
+    }
+    if problem.p_max.is_some() {
+        return solve(problem, Density::BangBang { speed_power }, 1.0, nodes);
+    }
+    let limit = limit(&stage, speed_power, LimitSide::Above)?;
+    Ok(singular_report(&stage, &limit, 1.0))
 }

@@ -1,7 +1,7 @@
 //! From functional, q and wear rules to the pointwise law of the stationary pressure.
 
 use crate::density::Density;
-use crate::{Counterface, Functional, Problem, WearError, WearLaw};
+use crate::{Counterface, Functional, Problem, Shape, WearError, WearLaw};
 
 /// Closest to 1 that s is told apart from 1: below it s - 1 is the rounding of decimal input such as b = 0.1, q = 10.
 const SINGULAR: f64 = 1e-15;
@@ -13,12 +13,42 @@ pub(crate) enum Task {
     Density { density: Density, s: f64 },
     /// s = 1: a linear programme with cost g = v^speed_power.
     Linear { speed_power: f64 },
-    /// Two bodies, b1 = b2, a1 != a2 and q != 1: theta is to be found.
-    Theta { s: f64, k: f64, powers: [f64; 2] },
-    /// Two bodies with b1 != b2 and q != 1: the norms A_i are to be found.
-    Norms { s: [f64; 2], minus_1: [f64; 2] },
+    /// Two bodies whose terms in (17) have a ratio that depends on the pressure itself (q != 1).
+    Ratio(Ratio),
     /// Revolving counter-face that wears: body 2's mean wear along the track is to be found.
     Revolving,
+}
+
+/// Two wearing bodies and q != 1: Q_2/Q_1 = exp(delta) is the unknown of a scalar equation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Ratio {
+    pub(crate) s: [f64; 2],
+    /// s_i - 1.
+    pub(crate) m: [f64; 2],
+    /// a_i q.
+    pub(crate) powers: [f64; 2],
+    /// log(e_2/e_1) + q log(c_2/c_1).
+    pub(crate) base: f64,
+}
+
+impl Ratio {
+    /// The pointwise law for a given ratio of the two terms.
+    pub(crate) fn density(&self, delta: f64) -> Density {
+        let (m, powers) = (self.m, self.powers);
+        if m[0] == m[1] {
+            Density::Mixed {
+                k: 1.0 / m[0],
+                log_theta: delta,
+                powers,
+            }
+        } else {
+            Density::Sum {
+                log_weight: [0.0, delta],
+                powers,
+                m,
+            }
+        }
+    }
 }
 
 /// The wear rules that matter, body 1 first.
@@ -66,6 +96,7 @@ pub(crate) fn reduce(problem: &Problem) -> Result<Task, WearError> {
     );
     if functional == Functional::Steady {
         if problem.counterface == Counterface::Revolving
+            && !matches!(problem.surface.shape(), Shape::Annulus { .. })
             && laws.last().is_some_and(|(i, _)| *i == 1)
         {
             return Ok(Task::Revolving);
@@ -98,59 +129,42 @@ pub(crate) fn reduce(problem: &Problem) -> Result<Task, WearError> {
     if a[0] == a[1] && b[0] == b[1] {
         return Ok(single(functional, q, a[0], b[0]));
     }
-    if b[0] == b[1] {
-        if q.is_infinite() {
-            return Err(WearError::OutOfRange {
-                name: "q",
-                value: q,
-                wanted: "finite for two bodies with a1 != a2",
-            });
-        }
-        let minus_1 = functional.s_minus_1(b[0], q);
-        let s = functional.pressure_power(b[0]) * q;
-        let powers = [a[0] * q, a[1] * q];
-        if minus_1.abs() <= SINGULAR {
-            return Err(WearError::MixedExponents {
-                s1: s,
-                s2: s,
-                why: "s = 1 with a1 != a2 is not answered",
-            });
-        }
-        let k = 1.0 / minus_1;
-        if q == 1.0 || q == 0.0 {
-            let log_theta = if q == 0.0 {
-                0.0
-            } else {
-                last.factor.ln() - first.factor.ln()
-            };
-            return Ok(Task::Density {
-                density: Density::Mixed {
-                    k,
-                    log_theta,
-                    powers,
-                },
-                s,
-            });
-        }
-        return Ok(Task::Theta { s, k, powers });
+    if q == 0.0 {
+        // sum_i e_i int log p under the load: p = const / f whatever the rules.
+        return Ok(Task::Density {
+            density: Density::Power {
+                k: -1.0,
+                speed_power: 0.0,
+            },
+            s: 0.0,
+        });
     }
-    let s = b.map(|b| functional.pressure_power(b) * q);
-    let minus_1 = b.map(|b| functional.s_minus_1(b, q));
-    if q.is_infinite() || q == 0.0 {
+    if q.is_infinite() {
+        let wanted = "finite for two bodies with different rules";
         return Err(WearError::OutOfRange {
             name: "q",
             value: q,
-            wanted: "finite and not 0 for two bodies with b1 != b2",
+            wanted,
         });
     }
-    if minus_1[0] * minus_1[1] <= 0.0 {
+    let s = b.map(|b| functional.pressure_power(b) * q);
+    let m = b.map(|b| functional.s_minus_1(b, q));
+    if m[0] * m[1] <= 0.0 || m[0].abs().min(m[1].abs()) <= SINGULAR {
+        let why = "s1 and s2 must lie on the same side of 1";
         return Err(WearError::MixedExponents {
             s1: s[0],
             s2: s[1],
-            why: "s1 and s2 lie on different sides of 1",
+            why,
         });
     }
-    Ok(Task::Norms { s, minus_1 })
+    let e = b.map(|b| functional.pressure_power(b));
+    let base = (e[1] / e[0]).ln() + q * (last.factor.ln() - first.factor.ln());
+    Ok(Task::Ratio(Ratio {
+        s,
+        m,
+        powers: [a[0] * q, a[1] * q],
+        base,
+    }))
 }
 
 /// One effective body: p = (f / g^s)^k with g^s = v^(a q).

@@ -1,41 +1,45 @@
 //! From a balanced density to the full answer.
 
-use nalgebra::{DMatrix, DVector, Vector3};
+use nalgebra::Vector3;
 
+use crate::character::{character, regime};
 use crate::density::Density;
-use crate::reduce::{Task, reduce};
-use crate::solve::{Balanced, balance};
+use crate::objective::{multipliers, terms};
+use crate::recession::Recession;
+use crate::reduce::wearing;
+use crate::solve::Balanced;
 use crate::stage::{Node, Stage};
+use crate::steady::{congruence, gap_rate, steadiness};
 use crate::{
-    Character, Counterface, Functional, Modes, Optimum, Problem, Regime, RigidMotion, WearError,
-    log_wear_rate, wear_rate,
+    Counterface, Functional, Optimum, Problem, Regime, RigidMotion, Shape, log_wear_rate, wear_rate,
 };
 
-pub(crate) fn optimum(problem: &Problem) -> Result<Optimum, WearError> {
-    problem.check()?;
-    let mut nodes = Vec::new();
-    match reduce(problem)? {
-        Task::Density { density, s } => {
-            let mut stage = Stage::new(problem, density)?;
-            let balanced = balance(&mut stage, &mut nodes)?;
-            Ok(report(&mut stage, &nodes, &balanced, s))
-        }
-        _ => Err(WearError::NotConverged {
-            iterations: 0,
-            residual: f64::NAN,
-        }),
-    }
-}
-
-fn report(stage: &mut Stage<'_>, nodes: &[Node], balanced: &Balanced, s: f64) -> Optimum {
+/// The answer for a balanced stage whose `nodes` belong to it.
+pub(crate) fn report(
+    stage: &mut Stage<'_>,
+    nodes: &[Node],
+    balanced: &Balanced,
+    s: f64,
+) -> Optimum {
     let problem = stage.problem;
     stage.law.log_scale = balanced.log_scale;
+    let recession = mean_recession(stage);
     let stage = &*stage;
     let log_pressure: Vec<f64> = nodes
         .iter()
-        .map(|node| balanced.log_scale + node.log_h)
+        .map(|node| stage.law.log_pressure(node))
         .collect();
     let pressure: Vec<f64> = log_pressure.iter().map(|log| log.exp()).collect();
+    let rates: Vec<[f64; 2]> = nodes
+        .iter()
+        .zip(&log_pressure)
+        .map(|(node, log)| [0, 1].map(|i| rate(problem, i, *log, node)))
+        .collect();
+    let gap: Vec<f64> = nodes
+        .iter()
+        .zip(&rates)
+        .map(|(node, rate)| gap_rate(problem, &recession, node, rate))
+        .collect();
     let integral = |value: &dyn Fn(usize, &Node) -> f64| -> f64 {
         nodes
             .iter()
@@ -43,73 +47,28 @@ fn report(stage: &mut Stage<'_>, nodes: &[Node], balanced: &Balanced, s: f64) ->
             .map(|(i, node)| node.point.weight * value(i, node))
             .sum()
     };
-    let rates: Vec<[f64; 2]> = nodes
-        .iter()
-        .zip(&log_pressure)
-        .map(|(node, log)| {
-            [0, 1].map(|i| {
-                if problem.wear.wears(i) {
-                    rate(problem, i, *log, node)
-                } else {
-                    0.0
-                }
-            })
-        })
-        .collect();
     let normal_force = integral(&|i, _| pressure[i]);
-    let friction_power =
-        problem.friction * integral(&|i, node| pressure[i] * node.point.sliding_speed);
-    let wear_power = integral(&|i, _| pressure[i] * (rates[i][0] + rates[i][1]));
-    let (mut low, mut high) = (f64::INFINITY, 0.0_f64);
-    for value in &pressure {
-        (low, high) = (low.min(*value), high.max(*value));
-    }
-    problem.surface.survey(&mut |point| {
-        let value = (balanced.log_scale + stage.law.node(*point).log_h).exp();
-        (low, high) = (low.min(value), high.max(value));
-    });
-    let partial = problem.functional != Functional::Uniform && low == 0.0 && s > 1.0;
-    let p_mean = normal_force / problem.surface.area();
-    let near = (s - 1.0).abs() <= 0.05 + 1e-12 && high >= 1.5 * p_mean || high >= 10.0 * p_mean;
-    let regime = match (partial, near) {
-        (true, _) => Regime::PartialContact,
-        (false, true) => Regime::NearSingular,
-        _ => Regime::Regular,
-    };
-    let symmetric = problem.mode_kind == Modes::Associated || stage.symmetric(nodes);
-    let character = match problem.functional {
-        _ if !symmetric => Character::Stationary,
-        _ if s > 1.0 => Character::Minimum,
-        _ => Character::Maximum,
-    };
-    let objective = objective(problem, nodes, &log_pressure);
-    let (multipliers, feed) = multipliers(stage, nodes, &log_pressure, &rates, objective);
-    let turning = problem.surface.motion().angular_velocity.norm();
-    let pressing = problem
-        .modes
-        .iter()
-        .find(|mode| matches!(mode.motion, RigidMotion::Translation { .. }))
-        .map_or(normal_force, |mode| mode.resultant);
     let swept = integral(&|i, node| pressure[i] * node.point.sliding_speed);
-    let turns = turning > 0.0 && problem.surface.motion().velocity == Vector3::zeros();
+    let p_mean = normal_force / problem.surface.area();
+    let (p_min, p_max) = extremes(stage, &pressure);
+    let terms = terms(problem, nodes, &log_pressure);
+    let lambda = multipliers(stage, nodes, &log_pressure, &gap, terms);
+    let turning = turning(problem);
     Optimum {
         points: nodes.iter().map(|node| node.point).collect(),
         s: Some(s).filter(|s| !s.is_nan()),
-        k: match stage.law.density {
-            Density::Power { k, .. } | Density::Mixed { k, .. } => Some(k),
-            Density::Sum { .. } => None,
-        },
-        character,
-        regime,
+        k: exponent(&stage.law.density),
+        character: character(stage, nodes, s),
+        regime: regime(stage, s, p_max, p_mean),
         limit_measure: Vec::new(),
-        multipliers,
-        feed,
-        objective,
+        feed: feed(problem, lambda.as_deref()),
+        multipliers: lambda.unwrap_or_default(),
+        objective: terms.map(|terms| terms[0] + terms[1]),
         wear_volume_rate: integral(&|i, _| rates[i][0] + rates[i][1]),
-        friction_power,
-        wear_power,
-        p_min: low,
-        p_max: high,
+        friction_power: problem.friction * swept,
+        wear_power: integral(&|i, _| pressure[i] * (rates[i][0] + rates[i][1])),
+        p_min,
+        p_max,
         p_mean,
         normal_force,
         resultants: problem
@@ -121,9 +80,9 @@ fn report(stage: &mut Stage<'_>, nodes: &[Node], balanced: &Balanced, s: f64) ->
                 })
             })
             .collect(),
-        torque: turns.then(|| friction_power / turning),
-        effective_radius: turns.then(|| swept / turning / pressing),
-        steadiness_residual: steadiness(stage, nodes, &rates),
+        torque: turning.map(|omega| problem.friction * swept / omega),
+        effective_radius: turning.map(|omega| swept / omega / pressing(problem, normal_force)),
+        steadiness_residual: steadiness(stage, &recession, nodes, &rates),
         congruence_residual: congruence(problem, nodes, &rates),
         iterations: balanced.iterations,
         balance_residual: balanced.residual,
@@ -133,194 +92,162 @@ fn report(stage: &mut Stage<'_>, nodes: &[Node], balanced: &Balanced, s: f64) ->
     }
 }
 
+/// Body 2's mean wear along its tracks under the present pressure.
+fn mean_recession(stage: &mut Stage<'_>) -> Recession {
+    let problem = stage.problem;
+    if matches!(stage.law.density, Density::Receding { .. }) {
+        return stage.law.recession;
+    }
+    let mut recession = Recession::none(&problem.surface);
+    if problem.counterface == Counterface::Revolving && problem.wear.wears(1) {
+        recession = if matches!(problem.surface.shape(), Shape::Annulus { .. }) {
+            recession
+        } else {
+            stage.measured_recession()
+        };
+    }
+    recession
+}
+
+/// Wear rate of a body at a node, also where p itself overflows.
 fn rate(problem: &Problem, i: usize, log_pressure: f64, node: &Node) -> f64 {
     let law = &problem.wear.laws[i];
+    if !problem.wear.wears(i) {
+        return 0.0;
+    }
     if log_pressure.abs() < 700.0 {
         return wear_rate(law, log_pressure.exp(), node.point.sliding_speed);
     }
     log_wear_rate(law, log_pressure, node.point.sliding_speed.ln()).exp()
 }
 
-/// log of the local term X_i and its factor, `None` for a body that does not contribute.
-fn log_term(problem: &Problem, i: usize, log_pressure: f64, log_speed: f64) -> f64 {
-    let law = &problem.wear.laws[i];
-    match problem.functional {
-        Functional::WearVolume => log_wear_rate(law, log_pressure, log_speed),
-        Functional::WearPower | Functional::Steady => {
-            log_wear_rate(law, log_pressure, log_speed) + log_pressure
-        }
-        Functional::FrictionPower if i == 0 => problem.friction.ln() + log_pressure + log_speed,
-        _ => f64::NEG_INFINITY,
+/// Smallest and largest pressure over the nodes and the ends of the surface.
+fn extremes(stage: &Stage<'_>, pressure: &[f64]) -> (f64, f64) {
+    let (mut low, mut high) = (f64::INFINITY, 0.0_f64);
+    for value in pressure {
+        (low, high) = (low.min(*value), high.max(*value));
+    }
+    stage.problem.surface.survey(&mut |point| {
+        let value = stage.law.log_pressure(&stage.law.node(*point)).exp();
+        (low, high) = (low.min(value), high.max(value));
+    });
+    (low, high)
+}
+
+fn exponent(density: &Density) -> Option<f64> {
+    match density {
+        Density::Power { k, .. } | Density::Mixed { k, .. } => Some(*k),
+        Density::Receding { m, .. } => Some(1.0 / m),
+        _ => None,
     }
 }
 
-/// J of equations (11)-(13): sum_i (int X_i^q dS)^(1/q), the maxima for q = inf, `None` for q = 0 and uniform.
-fn objective(problem: &Problem, nodes: &[Node], log_pressure: &[f64]) -> Option<f64> {
-    if problem.functional == Functional::Uniform || problem.functional == Functional::Steady {
-        return None;
-    }
-    if !problem.wear.active && problem.functional != Functional::FrictionPower {
-        return Some(0.0).filter(|_| problem.q != 0.0);
-    }
-    objective_terms(problem, nodes, log_pressure).map(|terms| terms[0] + terms[1])
+/// Angular velocity where body 2 only turns.
+pub(crate) fn turning(problem: &Problem) -> Option<f64> {
+    let motion = problem.surface.motion();
+    let omega = motion.angular_velocity.norm();
+    (omega > 0.0 && motion.velocity == Vector3::zeros()).then_some(omega)
 }
 
-pub(crate) fn objective_terms(
-    problem: &Problem,
-    nodes: &[Node],
-    log_pressure: &[f64],
-) -> Option<[f64; 2]> {
-    let q = problem.q;
-    if q == 0.0 {
-        return None;
-    }
-    Some([0, 1].map(|i| {
-        let logs = || {
-            nodes.iter().zip(log_pressure).map(|(node, log)| {
-                (
-                    log_term(problem, i, *log, node.point.sliding_speed.ln()),
-                    node.point.weight,
-                )
-            })
-        };
-        let largest = logs().map(|term| term.0).fold(f64::NEG_INFINITY, f64::max);
-        if largest == f64::NEG_INFINITY || q == f64::INFINITY {
-            return largest.exp();
-        }
-        let shift = logs()
-            .map(|term| q * term.0)
-            .fold(f64::NEG_INFINITY, f64::max);
-        if q == f64::NEG_INFINITY || shift == f64::INFINITY {
-            return logs()
-                .map(|term| term.0)
-                .fold(f64::INFINITY, f64::min)
-                .exp();
-        }
-        let sum: f64 = logs()
-            .map(|(log, weight)| weight * (q * log - shift).exp())
-            .sum();
-        ((sum.ln() + shift) / q).exp()
-    }))
-}
-
-/// Multipliers from Euler's identity sum_i e_i J_i = lambda . int phi p, and the feed where the state is steady.
-fn multipliers(
-    stage: &Stage<'_>,
-    nodes: &[Node],
-    log_pressure: &[f64],
-    rates: &[[f64; 2]],
-    objective: Option<f64>,
-) -> (Vec<f64>, Option<Vec<f64>>) {
-    let problem = stage.problem;
-    let gauge = stage.law.gauge_multipliers();
-    let count = stage.law.count;
-    // lambda_gauge . int phi p = int f p.
-    let work: f64 = nodes
+/// Force the load presses with: the resultant of the translation, else int p dS.
+pub(crate) fn pressing(problem: &Problem, normal_force: f64) -> f64 {
+    problem
+        .modes
         .iter()
-        .zip(log_pressure)
-        .map(|(node, log)| node.point.weight * node.f.max(0.0) * log.exp())
-        .sum();
-    let scaled = |value: f64| -> Vec<f64> {
-        gauge[..count]
-            .iter()
-            .map(|lambda| lambda * value / work)
-            .collect()
-    };
+        .find(|mode| matches!(mode.motion, RigidMotion::Translation { .. }))
+        .map_or(normal_force, |mode| mode.resultant)
+}
+
+/// Rigid velocities of wear: the multipliers themselves in the steady state, lambda/(b+1) for the wear power with q = 1 and b1 = b2.
+fn feed(problem: &Problem, lambda: Option<&[f64]>) -> Option<Vec<f64>> {
+    let lambda = lambda?;
     if problem.functional == Functional::Steady {
-        let body = |i: usize| {
-            if problem.counterface == Counterface::Fresh {
-                rates[i][0]
-            } else {
-                rates[i][0] + rates[i][1]
-            }
-        };
-        let power: f64 = nodes
-            .iter()
-            .enumerate()
-            .map(|(i, node)| node.point.weight * log_pressure[i].exp() * body(i))
-            .sum();
-        let velocity = scaled(power);
-        return (velocity.clone(), Some(velocity));
+        return Some(lambda.to_vec());
     }
-    let Some(value) = objective else {
-        return (Vec::new(), None);
-    };
-    let b = problem.wear.laws.map(|law| law.pressure_exponent);
-    let terms = objective_terms(problem, nodes, log_pressure).unwrap_or([value, 0.0]);
-    let euler = if value == 0.0 {
-        0.0
-    } else {
-        (0..2)
-            .map(|i| problem.functional.pressure_power(b[i]) * terms[i])
-            .sum()
-    };
-    let lambda = scaled(euler);
-    let same_b = b[0] == b[1] || (0..2).any(|i| problem.wear.laws[i].factor == 0.0);
-    let velocity = problem.functional == Functional::WearPower && problem.q == 1.0 && same_b;
-    let wearing = if problem.wear.laws[0].factor > 0.0 {
-        b[0]
-    } else {
-        b[1]
-    };
-    let feed = velocity.then(|| lambda.iter().map(|value| value / (wearing + 1.0)).collect());
-    (lambda, feed)
+    let laws = wearing(problem);
+    let b = laws
+        .first()
+        .map_or(problem.wear.laws[0].pressure_exponent, |(_, law)| {
+            law.pressure_exponent
+        });
+    let same = laws.iter().all(|(_, law)| law.pressure_exponent == b);
+    (problem.functional == Functional::WearPower
+        && problem.q == 1.0
+        && same
+        && problem.p_max.is_none())
+    .then(|| lambda.iter().map(|value| value / (b + 1.0)).collect())
 }
 
-/// Rate at which the gap grows at each node, by the kind of counter-face.
-fn gap_rate(problem: &Problem, rates: &[f64; 2]) -> f64 {
-    match problem.counterface {
-        Counterface::Fresh => rates[0],
-        _ => rates[0] + rates[1],
-    }
-}
-
-/// ||w' - projection on the closing velocities|| / ||w'|| in the area norm.
-fn steadiness(stage: &Stage<'_>, nodes: &[Node], rates: &[[f64; 2]]) -> Option<f64> {
-    let count = stage.law.count;
+/// A problem without pressure: forces on points or lines.
+pub(crate) fn singular_report(
+    stage: &Stage<'_>,
+    limit: &crate::singular::Limit,
+    s: f64,
+) -> Optimum {
     let problem = stage.problem;
-    let mut gram = DMatrix::<f64>::zeros(count, count);
-    let mut side = DVector::<f64>::zeros(count);
-    let mut square = 0.0;
-    let largest = rates
+    let normal_force: f64 = limit.atoms.iter().map(|atom| atom.1).sum();
+    let swept: f64 = limit
+        .atoms
         .iter()
-        .map(|rate| gap_rate(problem, rate))
-        .fold(0.0, f64::max);
-    if !(largest > 0.0 && largest.is_finite()) {
-        return None;
+        .map(|(point, force)| point.sliding_speed * force)
+        .sum();
+    // Powers of p other than the first are not defined on concentrated forces.
+    let linear = |power: f64, value: f64| if power == 1.0 { value } else { f64::NAN };
+    let wear: f64 = (0..2)
+        .filter(|i| problem.wear.wears(*i))
+        .map(|i| {
+            let law = &problem.wear.laws[i];
+            let sum = limit
+                .atoms
+                .iter()
+                .map(|(p, force)| law.factor * force * p.sliding_speed.powf(law.speed_exponent));
+            linear(law.pressure_exponent, sum.sum())
+        })
+        .sum();
+    let turning = turning(problem);
+    Optimum {
+        points: Vec::new(),
+        pressure: Vec::new(),
+        log_pressure: Vec::new(),
+        s: Some(s),
+        k: None,
+        character: crate::Character::Minimum,
+        regime: Regime::Singular,
+        limit_measure: limit
+            .atoms
+            .iter()
+            .map(|(point, force)| crate::PointForce {
+                position: point.position,
+                force: *force,
+            })
+            .collect(),
+        multipliers: Vec::new(),
+        feed: None,
+        objective: None,
+        wear_volume_rate: wear,
+        friction_power: problem.friction * swept,
+        wear_power: f64::NAN,
+        p_min: 0.0,
+        p_max: f64::INFINITY,
+        p_mean: normal_force / problem.surface.area(),
+        normal_force,
+        resultants: problem
+            .modes
+            .iter()
+            .map(|mode| {
+                limit
+                    .atoms
+                    .iter()
+                    .map(|(p, force)| force * mode.motion.force_weight(p, stage.law.friction))
+                    .sum()
+            })
+            .collect(),
+        torque: turning.map(|omega| problem.friction * swept / omega),
+        effective_radius: turning.map(|omega| swept / omega / pressing(problem, normal_force)),
+        steadiness_residual: None,
+        congruence_residual: None,
+        iterations: 0,
+        balance_residual: 0.0,
+        law: stage.law,
     }
-    let closing =
-        |node: &Node, k: usize| problem.modes[k].motion.closing(&node.point) / stage.law.scale[k];
-    for (node, rate) in nodes.iter().zip(rates) {
-        let (w, weight) = (gap_rate(problem, rate) / largest, node.point.weight);
-        square += weight * w * w;
-        for i in 0..count {
-            side[i] += weight * w * closing(node, i);
-            for j in 0..count {
-                gram[(i, j)] += weight * closing(node, i) * closing(node, j);
-            }
-        }
-    }
-    let rigid = gram.lu().solve(&side)?;
-    let mut rest = 0.0;
-    for (node, rate) in nodes.iter().zip(rates) {
-        let fit: f64 = (0..count).map(|k| rigid[k] * closing(node, k)).sum();
-        rest += node.point.weight * (gap_rate(problem, rate) / largest - fit).powi(2);
-    }
-    Some((rest / square).sqrt())
-}
-
-/// Spread of the ratio w1'/w2' over its mean, equation (7).
-fn congruence(problem: &Problem, nodes: &[Node], rates: &[[f64; 2]]) -> Option<f64> {
-    if !(problem.wear.wears(0) && problem.wear.wears(1)) {
-        return None;
-    }
-    let (mut weight, mut mean, mut square) = (0.0, 0.0, 0.0);
-    for (node, rate) in nodes.iter().zip(rates).filter(|(_, rate)| rate[1] > 0.0) {
-        let share = rate[0] / (rate[0] + rate[1]);
-        weight += node.point.weight;
-        mean += node.point.weight * share;
-        square += node.point.weight * share * share;
-    }
-    let mean = mean / weight;
-    Some((square / weight - mean * mean).max(0.0).sqrt() / mean)
 }

@@ -2,7 +2,9 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::absolute::balance_absolute;
 use crate::density::Density;
+use crate::singular;
 use crate::stage::{Node, Stage};
 use crate::{MAX_MODES, Modes, WearError};
 
@@ -47,34 +49,65 @@ pub(crate) fn sums(stage: &Stage<'_>, nodes: &[Node]) -> Sums {
     sums
 }
 
-/// Solves the balance for a density known up to a factor (`Power`, `Mixed`).
+/// Solves the balance for any density, under the pressure cap if there is one.
+pub(crate) fn balance_any(
+    stage: &mut Stage<'_>,
+    nodes: &mut Vec<Node>,
+) -> Result<Balanced, WearError> {
+    let cap = stage.problem.p_max.map_or(f64::INFINITY, f64::ln);
+    let several = stage.law.count > 1;
+    match stage.law.density {
+        Density::Power { k: 0.0, .. } if several => {
+            // Fronts jump for k = 0: come from k = 1 so that they start close to their places.
+            let limit = stage.law.density;
+            for k in [1.0, 0.3, 0.1, 0.03, 0.01] {
+                let Density::Power { speed_power, .. } = limit else {
+                    break;
+                };
+                let mut softer = Stage::new(stage.problem, Density::Power { k, speed_power })?;
+                softer.law.y = stage.law.y;
+                balance(&mut softer, nodes)?;
+                stage.law.y = softer.law.y;
+            }
+            stage.law.log_cap = cap;
+            balance_absolute(stage, nodes)
+        }
+        Density::Sum { .. } | Density::Receding { .. } | Density::BangBang { .. } => {
+            stage.law.log_cap = cap;
+            balance_absolute(stage, nodes)
+        }
+        _ => {
+            let balanced = balance(stage, nodes)?;
+            let largest = nodes
+                .iter()
+                .map(|node| node.log_h)
+                .fold(f64::NEG_INFINITY, f64::max);
+            stage.law.log_scale = balanced.log_scale;
+            if balanced.log_scale + largest <= cap {
+                return Ok(balanced);
+            }
+            stage.law.log_cap = cap;
+            balance_absolute(stage, nodes)
+        }
+    }
+}
+
+/// Solves the balance for a density known up to a factor (`Power`, `Mixed`, `Exponential`).
 pub(crate) fn balance(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<Balanced, WearError> {
     stage.collect(nodes);
-    let resultants = || {
-        stage
-            .problem
-            .modes
-            .iter()
-            .map(|mode| mode.resultant)
-            .collect::<Vec<_>>()
+    let k = match stage.law.density {
+        Density::Power { k, .. } | Density::Mixed { k, .. } => k,
+        _ => f64::INFINITY,
     };
-    let (Density::Power { k, .. } | Density::Mixed { k, .. }) = stage.law.density else {
-        return Err(WearError::NotConverged {
-            iterations: 0,
-            residual: f64::NAN,
-        });
-    };
-    if nodes.is_empty() || nodes.iter().all(|node| node.log_h == f64::NEG_INFINITY) {
-        return Err(WearError::Infeasible {
-            resultants: resultants(),
-            why: "no point of the surface closes under the load",
-        });
+    if nodes.iter().all(|node| node.log_h == f64::NEG_INFINITY) {
+        return Err(infeasible(
+            stage,
+            "no point of the surface closes under the load",
+        ));
     }
-    if k < 0.0 && nodes.iter().any(|node| node.f <= 0.0) {
-        return Err(WearError::Infeasible {
-            resultants: resultants(),
-            why: "with s < 1 the stationary pressure needs a load that closes every point of the surface",
-        });
+    if k < 0.0 && (stage.open_at_ends() || nodes.iter().any(|node| node.f <= 0.0)) {
+        let why = "with s < 1 the stationary pressure needs a load that closes every point of the surface";
+        return Err(infeasible(stage, why));
     }
     let (iterations, residual) = if stage.law.count == 1 {
         (0, 0.0)
@@ -82,24 +115,31 @@ pub(crate) fn balance(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<Ba
         newton(stage, nodes, k)?
     };
     let total = sums(stage, nodes);
-    let carried = total.force[stage.law.pivot];
-    if !(carried > 0.0) == (stage.law.resultant(stage.law.pivot) > 0.0) {
-        return Err(WearError::Infeasible {
-            resultants: stage
-                .problem
-                .modes
-                .iter()
-                .map(|mode| mode.resultant)
-                .collect(),
-            why: "the friction carries the load: self-locking",
-        });
+    let pivot = stage.law.pivot;
+    let factor = stage.law.resultant(pivot) / total.force[pivot];
+    if !(factor > 0.0 && factor.is_finite()) {
+        return Err(infeasible(
+            stage,
+            "the friction carries the load: self-locking",
+        ));
     }
-    let log_scale = (stage.law.resultant(stage.law.pivot) / carried).ln() - total.shift;
     Ok(Balanced {
-        log_scale,
+        log_scale: factor.ln() - total.shift,
         iterations,
         residual,
     })
+}
+
+pub(crate) fn infeasible(stage: &Stage<'_>, why: &'static str) -> WearError {
+    WearError::Infeasible {
+        resultants: stage
+            .problem
+            .modes
+            .iter()
+            .map(|mode| mode.resultant)
+            .collect(),
+        why,
+    }
 }
 
 /// Newton on the reduced residuals with the convex dual (associated modes) or the residual itself as merit.
@@ -127,7 +167,7 @@ fn newton(stage: &mut Stage<'_>, nodes: &mut Vec<Node>, k: f64) -> Result<(usize
                 stage.law.y[*j] = start[*j] + length * step[row];
             }
             stage.collect(nodes);
-            if k > 0.0 || nodes.iter().all(|node| node.f > 0.0) {
+            if k > 0.0 || !(stage.open_at_ends() || nodes.iter().any(|node| node.f <= 0.0)) {
                 let there = evaluate(stage, nodes, &free, k);
                 let descends =
                     associated && there.dual <= here.dual + 1e-4 * length * slope.min(0.0);
@@ -146,6 +186,16 @@ fn newton(stage: &mut Stage<'_>, nodes: &mut Vec<Node>, k: f64) -> Result<(usize
     }
     if last <= 1e-11 {
         return Ok((ITERATIONS, last));
+    }
+    if !singular::carries(stage) {
+        return Err(infeasible(
+            stage,
+            "the moment is at or beyond the edge of the surface",
+        ));
+    }
+    if (-1.0..0.0).contains(&k) {
+        let why = "with s < 0 no stationary pressure carries this moment (its limit has a force on the edge)";
+        return Err(infeasible(stage, why));
     }
     Err(WearError::NotConverged {
         iterations: ITERATIONS,
@@ -183,7 +233,12 @@ fn evaluate(stage: &Stage<'_>, nodes: &[Node], free: &[usize], k: f64) -> Evalua
     let size = (0..n)
         .map(|row| residual[row].abs() / absolute[row].max(f64::MIN_POSITIVE))
         .fold(0.0, f64::max);
-    let dual = k.signum() * (total.energy.ln() + total.shift) / (k + 1.0);
+    // The limit k -> inf (`Exponential`) has the dual log int f h itself.
+    let dual = if k.is_finite() {
+        k.signum() * (total.energy.ln() + total.shift) / (k + 1.0)
+    } else {
+        total.energy.ln() + total.shift
+    };
     Evaluation {
         residual,
         jacobian,

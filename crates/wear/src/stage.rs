@@ -2,6 +2,7 @@
 
 use crate::density::Density;
 use crate::quadrature::{Rule, jacobi};
+use crate::recession::Recession;
 use crate::{Balance, MAX_MODES, Modes, Problem, RigidMode, RigidMotion, SurfacePoint, WearError};
 
 /// Values of the modes at a point, each divided by its scale.
@@ -22,6 +23,8 @@ pub(crate) struct Node {
     pub(crate) log_h: f64,
     /// d log h / d log f.
     pub(crate) slope: f64,
+    /// Distance of the uncapped density from the cap, as a logarithm; -inf without a cap.
+    pub(crate) excess: f64,
 }
 
 /// A pressure as a function of position: f = phi_p + sum_j y_j (phi_j - ratio_j phi_p) with modes divided by their scales, so that
@@ -39,7 +42,14 @@ pub(crate) struct PressureLaw {
     pub(crate) pivot: usize,
     pub(crate) y: [f64; MAX_MODES],
     pub(crate) reference_speed: f64,
+    /// Common factor: of the pressure (`scale_free` densities) or of f.
     pub(crate) log_scale: f64,
+    /// Whether `node` applies the factor and the cap.
+    pub(crate) absolute: bool,
+    /// log of the largest admissible pressure.
+    pub(crate) log_cap: f64,
+    /// Mean wear of a revolving counter-face along its tracks.
+    pub(crate) recession: Recession,
 }
 
 impl PressureLaw {
@@ -97,29 +107,81 @@ impl PressureLaw {
         )
     }
 
-    /// The density at a point.
+    /// The density at a point; in an absolute law log h is log p itself.
     pub(crate) fn node(&self, point: SurfacePoint) -> Node {
         let modes = self.mode_values(&point);
-        let (f, log_f) = self.force_function(&modes);
-        if log_f == f64::NEG_INFINITY {
-            return Node {
-                point,
-                modes,
-                f,
-                log_h: f64::NEG_INFINITY,
-                slope: 0.0,
-            };
+        let (mut f, mut log_f) = self.force_function(&modes);
+        let before = if self.density.scale_free() {
+            0.0
+        } else {
+            self.log_scale
+        };
+        match self.density {
+            Density::Exponential if f > f64::NEG_INFINITY => {
+                let base = modes.phi[self.pivot];
+                log_f = if base > 0.0 {
+                    f / base - 1.0
+                } else {
+                    f64::NEG_INFINITY
+                };
+                f = base;
+            }
+            Density::BangBang { speed_power } => {
+                let cost = if speed_power == 0.0 {
+                    1.0
+                } else {
+                    (point.sliding_speed / self.reference_speed).powf(speed_power)
+                };
+                f = before.exp() * f / cost - 1.0;
+                log_f = if f > 0.0 { 0.0 } else { f64::NEG_INFINITY };
+            }
+            Density::Receding { .. } => {
+                f -= self.recession.at(&point) * (-before).exp();
+                log_f = if f > 0.0 {
+                    before + f.ln()
+                } else {
+                    f64::NEG_INFINITY
+                };
+            }
+            _ => log_f += before,
         }
-        let log_ratio = (point.sliding_speed / self.reference_speed).ln();
-        let (log_h, slope) = self
-            .density
-            .log_shape(log_f, point.sliding_speed.ln(), log_ratio);
-        Node {
+        let mut node = Node {
             point,
             modes,
             f,
-            log_h,
-            slope,
+            log_h: f64::NEG_INFINITY,
+            slope: 0.0,
+            excess: f64::NEG_INFINITY,
+        };
+        if log_f == f64::NEG_INFINITY {
+            return node;
+        }
+        let log_ratio = (point.sliding_speed / self.reference_speed).ln();
+        (node.log_h, node.slope) =
+            self.density
+                .log_shape(log_f, point.sliding_speed.ln(), log_ratio);
+        if self.absolute {
+            if self.density.scale_free() {
+                node.log_h += self.log_scale;
+            }
+            if matches!(self.density, Density::BangBang { .. }) {
+                node.log_h = self.log_cap;
+            } else if self.log_cap < f64::INFINITY {
+                node.excess = node.log_h - self.log_cap;
+                if node.excess >= 0.0 {
+                    (node.log_h, node.slope) = (self.log_cap, 0.0);
+                }
+            }
+        }
+        node
+    }
+
+    /// log p at a node made by this law.
+    pub(crate) fn log_pressure(&self, node: &Node) -> f64 {
+        if self.absolute {
+            node.log_h
+        } else {
+            self.log_scale + node.log_h
         }
     }
 
@@ -170,6 +232,9 @@ impl<'a> Stage<'a> {
             y: [0.0; MAX_MODES],
             reference_speed: 1.0,
             log_scale: 0.0,
+            absolute: false,
+            log_cap: f64::INFINITY,
+            recession: Recession::none(&problem.surface),
         };
         let mut largest = [0.0_f64; MAX_MODES];
         let mut smallest = f64::INFINITY;
@@ -213,6 +278,15 @@ impl<'a> Stage<'a> {
             law,
             front_rule,
         })
+    }
+
+    /// True when f <= 0 somewhere among the ends and coarse points of the surface.
+    pub(crate) fn open_at_ends(&self) -> bool {
+        let mut open = false;
+        self.problem.surface.survey(&mut |point| {
+            open |= self.law.force_function(&self.law.mode_values(point)).0 <= 0.0;
+        });
+        open
     }
 
     /// True when psi = phi at every node: the stationary pressure is a true extremum (or the modes are associated).

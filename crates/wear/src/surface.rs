@@ -151,6 +151,10 @@ impl Surface {
         self
     }
 
+    pub(crate) fn is_listed(&self) -> bool {
+        matches!(self.shape, Shape::Points(_))
+    }
+
     /// The geometry.
     pub fn shape(&self) -> &Shape {
         &self.shape

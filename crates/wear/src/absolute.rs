@@ -1,0 +1,170 @@
+//! The balance where the pressure is not known up to a factor: pressure caps, b1 != b2, revolving counter-faces, and q = inf with
+//! moments. Newton on (log scale, y) with a Jacobian by central differences: every integral is exact to round-off, so the
+//! differences are too.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::WearError;
+use crate::density::Density;
+use crate::solve::Balanced;
+use crate::stage::{Node, Stage};
+
+const ITERATIONS: usize = 60;
+const STEP: f64 = 1e-5;
+const TOLERANCE: f64 = 2e-14;
+
+/// Solves the balance from the present y; on return the law is absolute and `nodes` hold log p.
+pub(crate) fn balance_absolute(
+    stage: &mut Stage<'_>,
+    nodes: &mut Vec<Node>,
+) -> Result<Balanced, WearError> {
+    stage.law.absolute = true;
+    find_scale(stage, nodes)?;
+    let free: Vec<usize> = (0..stage.law.count)
+        .filter(|j| *j != stage.law.pivot)
+        .collect();
+    let unknowns = free.len() + 1;
+    let mut here = residual(stage, nodes, &free);
+    let mut iterations = 0;
+    while here.amax() > TOLERANCE && iterations < ITERATIONS {
+        iterations += 1;
+        let start = unknown(stage, &free);
+        let mut jacobian = DMatrix::<f64>::zeros(unknowns, unknowns);
+        for column in 0..unknowns {
+            let step = STEP
+                * if column == 0 {
+                    1.0
+                } else {
+                    start[column].abs().max(0.1)
+                };
+            let mut at = |shift: f64, stage: &mut Stage<'_>| {
+                let mut z = start.clone();
+                z[column] += shift;
+                set_unknown(stage, &free, &z);
+                residual(stage, nodes, &free)
+            };
+            let difference = (at(step, stage) - at(-step, stage)) / (2.0 * step);
+            jacobian.set_column(column, &difference);
+        }
+        let Some(full) = jacobian.lu().solve(&(-&here)) else {
+            set_unknown(stage, &free, &start);
+            break;
+        };
+        let mut length = 1.0_f64.min(3.0 / full[0].abs().max(f64::MIN_POSITIVE));
+        let mut best = None;
+        for _ in 0..40 {
+            set_unknown(stage, &free, &(&start + &full * length));
+            let there = residual(stage, nodes, &free);
+            if there.norm() < (1.0 - 1e-4 * length) * here.norm() {
+                best = Some(there);
+                break;
+            }
+            length *= 0.5;
+        }
+        match best {
+            Some(there) => here = there,
+            None => {
+                set_unknown(stage, &free, &start);
+                break;
+            }
+        }
+    }
+    here = residual(stage, nodes, &free);
+    let size = here.amax();
+    if !(size <= 1e-10) {
+        return Err(WearError::NotConverged {
+            iterations,
+            residual: size,
+        });
+    }
+    Ok(Balanced {
+        log_scale: stage.law.log_scale,
+        iterations,
+        residual: size,
+    })
+}
+
+fn unknown(stage: &Stage<'_>, free: &[usize]) -> DVector<f64> {
+    DVector::from_iterator(
+        free.len() + 1,
+        std::iter::once(stage.law.log_scale).chain(free.iter().map(|j| stage.law.y[*j])),
+    )
+}
+
+fn set_unknown(stage: &mut Stage<'_>, free: &[usize], z: &DVector<f64>) {
+    stage.law.log_scale = z[0];
+    for (row, j) in free.iter().enumerate() {
+        stage.law.y[*j] = z[row + 1];
+    }
+}
+
+/// log of the pivot resultant over its target, then the other resultants over the pivot's target.
+fn residual(stage: &mut Stage<'_>, nodes: &mut Vec<Node>, free: &[usize]) -> DVector<f64> {
+    if matches!(stage.law.density, Density::Receding { .. }) {
+        stage.settle_recession(nodes);
+    }
+    stage.collect(nodes);
+    let target = stage.law.resultant(stage.law.pivot);
+    let mut values = DVector::<f64>::zeros(free.len() + 1);
+    for node in nodes.iter() {
+        let share = node.log_h.exp() * node.point.weight / target;
+        values[0] += node.modes.psi[stage.law.pivot] * share;
+        for (row, j) in free.iter().enumerate() {
+            values[row + 1] += stage.law.reduced(&node.modes.psi, *j) * share;
+        }
+    }
+    values[0] = if values[0] > 0.0 {
+        values[0].ln()
+    } else {
+        -700.0
+    };
+    values
+}
+
+/// Common factor for which the pivot resultant is met, by bracketing: the resultant grows with the factor.
+fn find_scale(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<(), WearError> {
+    let mut at = |stage: &mut Stage<'_>, scale: f64| {
+        stage.law.log_scale = scale;
+        residual(stage, nodes, &[])[0]
+    };
+    let mut a = stage.law.log_scale;
+    let mut fa = at(stage, a);
+    let mut step = 0.5;
+    let mut b = a;
+    let mut fb = fa;
+    while (fa > 0.0) == (fb > 0.0) {
+        (a, fa) = (b, fb);
+        b -= step * fb.signum();
+        fb = at(stage, b);
+        step *= 2.0;
+        if !(step < 1e7) {
+            return Err(WearError::Infeasible {
+                resultants: stage
+                    .problem
+                    .modes
+                    .iter()
+                    .map(|mode| mode.resultant)
+                    .collect(),
+                why: "the load is larger than the surface carries under p_max, or friction carries it",
+            });
+        }
+    }
+    for _ in 0..200 {
+        if fb == 0.0 || (b - a).abs() <= 1e-14 * b.abs().max(1.0) {
+            break;
+        }
+        let mut c = (a * fb - b * fa) / (fb - fa);
+        if !(c > a.min(b) && c < a.max(b)) {
+            c = 0.5 * (a + b);
+        }
+        let fc = at(stage, c);
+        if (fc > 0.0) == (fb > 0.0) {
+            fa *= 0.5;
+        } else {
+            (a, fa) = (b, fb);
+        }
+        (b, fb) = (c, fc);
+    }
+    stage.law.log_scale = b;
+    Ok(())
+}

@@ -1,0 +1,75 @@
+//! Second-order character and regime of a stationary pressure, said only where optimality.md 2 proves it.
+
+use crate::density::Density;
+use crate::reduce::wearing;
+use crate::stage::{Node, Stage};
+use crate::{Character, Counterface, Functional, Modes, Regime};
+
+/// Character from the exponents: all s_i >= 1 and e_i >= 1 give a global minimum, all s_i <= 1 and e_i <= 1 a global maximum; one
+/// effective body needs s alone. Where psi != phi under kinematic modes there is no functional: stationary.
+pub(crate) fn character(stage: &Stage<'_>, nodes: &[Node], s: f64) -> Character {
+    let problem = stage.problem;
+    if !(problem.mode_kind == Modes::Associated || stage.symmetric(nodes)) {
+        return Character::Stationary;
+    }
+    match problem.functional {
+        // The minimum of the largest pressure, and of Phi = sum int beta~ v^a p^(b+1)/(b+1).
+        Functional::Uniform => return Character::Minimum,
+        Functional::Steady if problem.counterface != Counterface::Revolving => {
+            return Character::Minimum;
+        }
+        Functional::Steady if matches!(stage.law.density, Density::Receding { .. }) => {
+            return Character::Stationary;
+        }
+        _ => {}
+    }
+    if matches!(stage.law.density, Density::Exponential) {
+        return Character::Indifferent;
+    }
+    if matches!(stage.law.density, Density::BangBang { .. }) {
+        return Character::Minimum;
+    }
+    let single = matches!(stage.law.density, Density::Power { .. });
+    if single {
+        return if s > 1.0 {
+            Character::Minimum
+        } else {
+            Character::Maximum
+        };
+    }
+    let e: Vec<f64> = wearing(problem)
+        .iter()
+        .map(|(_, law)| problem.functional.pressure_power(law.pressure_exponent))
+        .collect();
+    let above = e.iter().all(|e| e * problem.q >= 1.0 && *e >= 1.0);
+    let below = e.iter().all(|e| e * problem.q <= 1.0 && *e <= 1.0);
+    match (above, below) {
+        (true, _) => Character::Minimum,
+        (_, true) => Character::Maximum,
+        _ => Character::Stationary,
+    }
+}
+
+/// Partial contact where p = 0 on a part of positive area; near-singular where s within 0.05 of 1 concentrates the pressure (largest
+/// over mean above 1.5), or anything concentrates it tenfold.
+pub(crate) fn regime(stage: &Stage<'_>, s: f64, largest: f64, mean: f64) -> Regime {
+    let ratio = largest / mean;
+    let near = (s - 1.0).abs() <= 0.05 + 1e-12 && ratio >= 1.5;
+    if open(stage) {
+        Regime::PartialContact
+    } else if near || ratio >= 10.0 {
+        Regime::NearSingular
+    } else {
+        Regime::Regular
+    }
+}
+
+/// True when the solution leaves a part of the surface without pressure.
+fn open(stage: &Stage<'_>) -> bool {
+    let mut open = false;
+    stage
+        .problem
+        .surface
+        .survey(&mut |point| open |= stage.law.node(*point).f <= 0.0);
+    open
+}

@@ -1,0 +1,136 @@
+//! Values of the functionals (11)-(13), in logarithms, and the multipliers that follow from Euler's identity.
+
+use crate::density::Density;
+use crate::stage::{Node, Stage};
+use crate::{Functional, Problem, log_wear_rate};
+
+/// log of the local term X_i.
+fn log_term(problem: &Problem, i: usize, log_pressure: f64, log_speed: f64) -> f64 {
+    let law = &problem.wear.laws[i];
+    match problem.functional {
+        Functional::WearVolume => log_wear_rate(law, log_pressure, log_speed),
+        Functional::WearPower | Functional::Steady => {
+            log_wear_rate(law, log_pressure, log_speed) + log_pressure
+        }
+        Functional::FrictionPower if i == 0 => problem.friction.ln() + log_pressure + log_speed,
+        _ => f64::NEG_INFINITY,
+    }
+}
+
+/// J_i = (int X_i^q dS)^(1/q) of both bodies, the maxima for q = inf; `None` where J is not defined (q = 0, uniform, steady).
+pub(crate) fn terms(problem: &Problem, nodes: &[Node], log_pressure: &[f64]) -> Option<[f64; 2]> {
+    let q = problem.q;
+    if q == 0.0 || matches!(problem.functional, Functional::Uniform | Functional::Steady) {
+        return None;
+    }
+    if !problem.wear.active && problem.functional != Functional::FrictionPower {
+        return Some([0.0; 2]);
+    }
+    Some([0, 1].map(|i| {
+        let logs = || {
+            nodes.iter().zip(log_pressure).map(move |(node, log)| {
+                (
+                    log_term(problem, i, *log, node.point.sliding_speed.ln()),
+                    node.point.weight,
+                )
+            })
+        };
+        let largest = logs().map(|term| term.0).fold(f64::NEG_INFINITY, f64::max);
+        if largest == f64::NEG_INFINITY || q == f64::INFINITY {
+            return largest.exp();
+        }
+        let shift = logs()
+            .map(|term| q * term.0)
+            .fold(f64::NEG_INFINITY, f64::max);
+        if q == f64::NEG_INFINITY || shift == f64::INFINITY {
+            return logs()
+                .map(|term| term.0)
+                .fold(f64::INFINITY, f64::min)
+                .exp();
+        }
+        let sum: f64 = logs()
+            .map(|(log, weight)| weight * (q * log - shift).exp())
+            .sum();
+        ((sum.ln() + shift) / q).exp()
+    }))
+}
+
+/// Multipliers lambda_k = dJ/dF_k in the modes as given. From sum_i e_i J_i = lambda . int phi p over the points below the cap; for
+/// the steady state the feed itself, from lambda . int phi p = int p (rate of the gap).
+pub(crate) fn multipliers(
+    stage: &Stage<'_>,
+    nodes: &[Node],
+    log_pressure: &[f64],
+    gap: &[f64],
+    terms: Option<[f64; 2]>,
+) -> Option<Vec<f64>> {
+    let problem = stage.problem;
+    let gauge = stage.law.gauge_multipliers();
+    let steady = problem.functional == Functional::Steady;
+    let absolute = matches!(
+        stage.law.density,
+        Density::Sum { .. } | Density::Receding { .. }
+    );
+    let factor = if steady && absolute {
+        if problem.wear.active {
+            stage.law.log_scale.exp()
+        } else {
+            0.0
+        }
+    } else {
+        let free = || {
+            nodes
+                .iter()
+                .zip(log_pressure)
+                .enumerate()
+                .filter(|(_, (node, _))| node.excess < 0.0)
+        };
+        let work: f64 = free()
+            .map(|(_, (node, log))| {
+                node.point.weight * stage.law.force_function(&node.modes).0.max(0.0) * log.exp()
+            })
+            .sum();
+        if steady {
+            let power: f64 = free()
+                .map(|(i, (node, log))| node.point.weight * log.exp() * gap[i])
+                .sum();
+            power / work
+        } else {
+            euler(problem, nodes, log_pressure, terms?) / work
+        }
+    };
+    Some(
+        gauge[..stage.law.count]
+            .iter()
+            .map(|lambda| lambda * factor)
+            .collect(),
+    )
+}
+
+/// sum_i e_i J_i, of which only the points below the cap count.
+fn euler(problem: &Problem, nodes: &[Node], log_pressure: &[f64], terms: [f64; 2]) -> f64 {
+    let q = problem.q;
+    (0..2)
+        .filter(|i| terms[*i] > 0.0)
+        .map(|i| {
+            let e = problem
+                .functional
+                .pressure_power(problem.wear.laws[i].pressure_exponent);
+            let capped = nodes.iter().any(|node| node.excess >= 0.0);
+            if !capped || q.is_infinite() {
+                return e * terms[i];
+            }
+            let log_norm = q * terms[i].ln();
+            let below: f64 = nodes
+                .iter()
+                .zip(log_pressure)
+                .filter(|(node, _)| node.excess < 0.0)
+                .map(|(node, log)| {
+                    let term = log_term(problem, i, *log, node.point.sliding_speed.ln());
+                    node.point.weight * (q * term - log_norm).exp()
+                })
+                .sum();
+            e * terms[i] * below
+        })
+        .sum()
+}

@@ -1,0 +1,87 @@
+//! Certificates of the steady state: is the wear a rigid motion, and do the two bodies keep their shapes?
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::recession::Recession;
+use crate::stage::{Node, Stage};
+use crate::{Counterface, Problem};
+
+/// Rate at which the gap grows at a node: body 1 alone on a fresh plate, the sum on a ring, body 1 plus body 2's mean along the track
+/// on a revolving counter-face (optimality.md 6).
+pub(crate) fn gap_rate(
+    problem: &Problem,
+    recession: &Recession,
+    node: &Node,
+    rates: &[f64; 2],
+) -> f64 {
+    match problem.counterface {
+        Counterface::Fresh => rates[0],
+        Counterface::Congruent => rates[0] + rates[1],
+        Counterface::Revolving => rates[0] + recession.at(&node.point),
+    }
+}
+
+/// ||w' - projection on the closing velocities|| / ||w'|| in the area norm; `None` when nothing wears.
+pub(crate) fn steadiness(
+    stage: &Stage<'_>,
+    recession: &Recession,
+    nodes: &[Node],
+    rates: &[[f64; 2]],
+) -> Option<f64> {
+    let count = stage.law.count;
+    let problem = stage.problem;
+    let gap: Vec<f64> = nodes
+        .iter()
+        .zip(rates)
+        .map(|(node, rate)| gap_rate(problem, recession, node, rate))
+        .collect();
+    let largest = gap.iter().copied().fold(0.0, f64::max);
+    if !(largest > 0.0 && largest.is_finite()) {
+        return None;
+    }
+    let closing =
+        |node: &Node, k: usize| problem.modes[k].motion.closing(&node.point) / stage.law.scale[k];
+    let mut gram = DMatrix::<f64>::zeros(count, count);
+    let mut side = DVector::<f64>::zeros(count);
+    let mut square = 0.0;
+    // Outside the contact the gap opens: only the worn part has to be rigid.
+    let touching = || nodes.iter().zip(&gap).filter(|(node, _)| node.f > 0.0);
+    for (node, rate) in touching() {
+        let (w, weight) = (rate / largest, node.point.weight);
+        square += weight * w * w;
+        for i in 0..count {
+            side[i] += weight * w * closing(node, i);
+            for j in 0..count {
+                gram[(i, j)] += weight * closing(node, i) * closing(node, j);
+            }
+        }
+    }
+    let rigid = gram.lu().solve(&side)?;
+    let mut rest = 0.0;
+    for (node, rate) in touching() {
+        let fit: f64 = (0..count).map(|k| rigid[k] * closing(node, k)).sum();
+        rest += node.point.weight * (rate / largest - fit).powi(2);
+    }
+    Some((rest / square).sqrt())
+}
+
+/// Standard deviation over mean of body 1's share w1'/(w1' + w2') over the surface, equation (7); `None` unless both bodies wear.
+pub(crate) fn congruence(problem: &Problem, nodes: &[Node], rates: &[[f64; 2]]) -> Option<f64> {
+    if !(problem.wear.wears(0) && problem.wear.wears(1)) {
+        return None;
+    }
+    let shares = || {
+        nodes
+            .iter()
+            .zip(rates)
+            .filter(|(_, rate)| rate[0] + rate[1] > 0.0)
+            .map(|(node, rate)| (node.point.weight, rate[0] / (rate[0] + rate[1])))
+    };
+    let area: f64 = shares().map(|(weight, _)| weight).sum();
+    let mean: f64 = shares().map(|(weight, share)| weight * share).sum::<f64>() / area;
+    let variance: f64 = shares()
+        .map(|(weight, share)| weight * (share - mean).powi(2))
+        .sum::<f64>()
+        / area;
+    Some(variance.sqrt() / mean)
+}
