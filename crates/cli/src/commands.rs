@@ -2,6 +2,9 @@
 
 mod check;
 mod new;
+mod report;
+mod run;
+mod sweep;
 
 use std::ffi::OsString;
 use std::io::{IsTerminal, Write};
@@ -25,9 +28,9 @@ pub(crate) fn run(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -
         Command::New(args) => new::run(&args),
         Command::Schema => schema(),
         Command::Completions { shell } => completions(shell),
-        Command::Run(_) | Command::Sweep(_) | Command::Report(_) => {
-            Err(not_available("this command"))
-        }
+        Command::Run(args) => run::run(&args),
+        Command::Sweep(args) => sweep::run(&args),
+        Command::Report(args) => report::run(&args),
         Command::Study(_) => Err(not_available("study")),
         Command::Reproduce(_) => Err(not_available("reproduce")),
     };

@@ -1,0 +1,86 @@
+//! `wearshape run`: from scene to folder.
+
+use std::path::PathBuf;
+use std::time::Instant;
+
+use crate::args::{Common, RunArgs};
+use crate::commands::check::describe;
+use crate::commands::{print_json, print_out};
+use crate::document::Document;
+use crate::exit::Exit;
+use crate::fault::{Fault, Place};
+use crate::report::{self, Folder};
+use crate::setup::setup;
+use crate::solution::Status;
+use crate::solve::{Options, solve};
+
+/// Computes a scene and writes its folder.
+pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
+    let start = Instant::now();
+    let common = &args.common;
+    let document = Document::open(&args.scene, &common.set)?;
+    let problem = setup(&document)?;
+    let options = options(common)?;
+    let target = common.output.clone().unwrap_or_else(|| PathBuf::from("out").join(&problem.name));
+    if common.dry_run {
+        print_out(&format!("{}\nwould write {}\n", describe(&problem), target.display()));
+        return Ok(Exit::Done);
+    }
+    crate::fe::available(&problem).map_err(|fault| document.locate(fault))?;
+    let resolved = report::resolved(&problem)?;
+    let folder = Folder::begin(&target, common.resume)?;
+    folder.write("scene.resolved.toml", &resolved)?;
+    if common.verbose && !common.quiet {
+        eprint!("{}", describe(&problem));
+    }
+    let solved = with_threads(common, || solve(&problem, options))?;
+    let mut solution = match solved {
+        Ok(solution) => solution,
+        Err(fault) => {
+            folder.discard();
+            return Err(document.locate(fault));
+        }
+    };
+    solution.times.insert(0, ("setup".into(), 0.0));
+    let summary = report::write(&folder, &problem, &solution, &resolved, start.elapsed().as_secs_f64())?;
+    folder.finish()?;
+    if common.json {
+        print_json(&summary);
+    } else if !common.quiet {
+        print_out(&report::first_screen(&problem, &solution, &target));
+    }
+    Ok(exit_of(solution.status))
+}
+
+/// The exit of a status.
+pub(crate) fn exit_of(status: Status) -> Exit {
+    match status {
+        Status::Ok => Exit::Done,
+        Status::AccuracyMissed | Status::NotConverged | Status::Refused => Exit::GoalMissed,
+    }
+}
+
+/// The options that reach the solver.
+pub(crate) fn options(common: &Common) -> Result<Options, Fault> {
+    if let Some(sample) = common.sample.filter(|sample| !(2..=10_000_000).contains(sample)) {
+        return Err(Fault {
+            place: Some(Place::Flag(format!("--sample {sample}"))),
+            ..Fault::new("wrong-flag", format!("--sample {sample} is out of range"), "ask for 2 points or more")
+        });
+    }
+    Ok(Options { sample: common.sample })
+}
+
+/// Does the work on the number of threads asked for.
+pub(crate) fn with_threads<T: Send>(common: &Common, work: impl FnOnce() -> T + Send) -> Result<T, Fault> {
+    let Some(threads) = common.threads else { return Ok(work()) };
+    let wrong = |message: String| Fault {
+        place: Some(Place::Flag(format!("--threads {threads}"))),
+        ..Fault::new("wrong-flag", message, "give a number of threads from 1 to 1024")
+    };
+    if !(1..=1024).contains(&threads) {
+        return Err(wrong(format!("--threads {threads} is out of range")));
+    }
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    Ok(pool.map_err(|error| wrong(format!("cannot start {threads} threads: {error}")))?.install(work))
+}

@@ -1,0 +1,260 @@
+//! `wearshape sweep`: a scene over a grid of keys, one row a point, failures kept as rows.
+
+use std::io::Write;
+use std::path::PathBuf;
+use std::time::Instant;
+
+use rayon::prelude::*;
+use serde_json::{Map, Value, json};
+
+use crate::args::SweepArgs;
+use crate::commands::run::{options, with_threads};
+use crate::commands::{print_json, print_out};
+use crate::document::Document;
+use crate::exit::Exit;
+use crate::fault::{Fault, Place};
+use crate::report::{self, Folder, SCHEMA_VERSION};
+use crate::setup::setup;
+use crate::solution::Status;
+use crate::solve::{Options, solve};
+use crate::{fe, interrupt};
+
+/// Points computed between two looks at Ctrl-C and two writes.
+const CHUNK: usize = 64;
+
+/// One key with its values as text.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Over {
+    /// Dotted key.
+    pub(crate) key: String,
+    /// Right-hand sides of `--set`.
+    pub(crate) values: Vec<String>,
+}
+
+/// Computes all points and writes sweep.csv and sweep.jsonl.
+pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
+    let start = Instant::now();
+    let common = &args.common;
+    let options = options(common)?;
+    let grid = args.over.iter().map(|over| read_over(over)).collect::<Result<Vec<Over>, Fault>>()?;
+    let count = grid.iter().map(|over| over.values.len()).try_fold(1usize, |n, m| n.checked_mul(m));
+    let Some(count) = count.filter(|count| *count <= 10_000_000) else {
+        return Err(Fault::new("wrong-flag", "the grid has more than ten million points", "give fewer values"));
+    };
+    let settings = |point: usize| settings_of(&grid, point, &common.set);
+    let first = Document::open(&args.scene, &settings(0))?;
+    let target = common.output.clone().unwrap_or_else(|| PathBuf::from("out").join(format!("{}-sweep", first.name)));
+    if common.dry_run {
+        print_out(&format!("{count} points of {}\nwould write {}\n", first.name, target.display()));
+        return Ok(Exit::Done);
+    }
+    interrupt::listen();
+    let plan = json!({ "scene": args.scene, "set": common.set, "over": args.over, "sample": common.sample });
+    let mark = format!("# {}\n{}", plan, report::resolved_text(&first.scene)?);
+    let folder = Folder::begin(&target, common.resume)?;
+    let mut rows = if common.resume { finished_rows(&folder, &mark) } else { Vec::new() };
+    rows.truncate(count);
+    folder.write("scene.resolved.toml", &mark)?;
+    folder.write("sweep.jsonl", &lines(&rows))?;
+    let bar = Bar::new(count, !common.quiet && !common.no_progress);
+    while rows.len() < count {
+        if interrupt::asked() {
+            eprintln!("interrupted after {} of {count} points; continue with --resume", rows.len());
+            return Ok(Exit::Interrupted);
+        }
+        let chunk: Vec<usize> = (rows.len()..count.min(rows.len() + CHUNK)).collect();
+        let new: Vec<Value> = with_threads(common, || {
+            chunk.par_iter().map(|point| row(&args.scene, &grid, *point, &settings(*point), options)).collect()
+        })?;
+        folder.append("sweep.jsonl", &lines(&new))?;
+        rows.extend(new);
+        bar.show(rows.len());
+    }
+    bar.end();
+    folder.write("sweep.csv", &table(&rows))?;
+    folder.write("timing.json", &report::pretty(&json!({ "seconds_total": start.elapsed().as_secs_f64(), "points": count })))?;
+    let failed = rows.iter().filter(|row| row["status"] != "ok").count();
+    let summary = json!({
+        "schema_version": SCHEMA_VERSION,
+        "version": env!("CARGO_PKG_VERSION"),
+        "scene": first.name,
+        "scene_sha256": report::sha256(&mark),
+        "status": if failed == 0 { Status::Ok } else { Status::NotConverged },
+        "verdict": format!("{count} points, {failed} without an answer."),
+        "over": grid.iter().map(|over| (over.key.clone(), json!(over.values))).collect::<Map<_, _>>(),
+        "points": count,
+        "failed": failed,
+    });
+    folder.write("summary.json", &report::pretty(&summary))?;
+    folder.finish()?;
+    if common.json {
+        print_json(&summary);
+    } else if !common.quiet {
+        print_out(&format!("{count} points, {failed} without an answer\nfiles     {}\n", target.join("sweep.csv").display()));
+    }
+    Ok(if failed == 0 { Exit::Done } else { Exit::GoalMissed })
+}
+
+/// `key=from:to:count` or `key=a,b,c`; commas inside brackets and quotes do not separate.
+pub(crate) fn read_over(text: &str) -> Result<Over, Fault> {
+    let wrong = |message: String| Fault {
+        place: Some(Place::Flag(format!("--over {text}"))),
+        ..Fault::new("wrong-flag", message, "write --over optimum.q=0.5:3:20 or --over contact.friction=0,.1,.25")
+    };
+    let Some((key, values)) = text.split_once('=') else {
+        return Err(wrong(format!("--over {text} has no `=`")));
+    };
+    let key = key.trim().to_string();
+    if key.is_empty() {
+        return Err(wrong(format!("--over {text} has no key")));
+    }
+    let parts: Vec<&str> = values.split(':').collect();
+    if let [from, to, count] = parts[..]
+        && let (Ok(from), Ok(to)) = (from.trim().parse::<f64>(), to.trim().parse::<f64>())
+    {
+        let count: usize = count.trim().parse().map_err(|_| wrong(format!("`{count}` is no number of values")))?;
+        if count == 0 || !from.is_finite() || !to.is_finite() {
+            return Err(wrong(format!("`{values}` has no values")));
+        }
+        let last = (count - 1).max(1) as f64;
+        let value = |i: usize| {
+            let t = i as f64 / last;
+            if i + 1 == count && count > 1 { to } else { from + (to - from) * t }
+        };
+        return Ok(Over { key, values: (0..count).map(|i| crate::profile::number_text(value(i))).collect() });
+    }
+    let mut list = vec![String::new()];
+    let (mut depth, mut quote) = (0i32, None);
+    for c in values.chars() {
+        match (c, quote) {
+            ('"' | '\'', None) => quote = Some(c),
+            (c, Some(q)) if c == q => quote = None,
+            ('[' | '{', None) => depth += 1,
+            (']' | '}', None) => depth -= 1,
+            (',', None) if depth == 0 => {
+                list.push(String::new());
+                continue;
+            }
+            _ => {}
+        }
+        if let Some(last) = list.last_mut() {
+            last.push(c);
+        }
+    }
+    let values: Vec<String> = list.iter().map(|value| value.trim().to_string()).collect();
+    if values.iter().any(String::is_empty) {
+        return Err(wrong(format!("--over {text} has an empty value")));
+    }
+    Ok(Over { key, values })
+}
+
+/// Values of the grid at a point; the last key turns fastest.
+fn values_of(grid: &[Over], mut point: usize) -> Vec<&str> {
+    let mut values = vec![""; grid.len()];
+    for (place, over) in grid.iter().enumerate().rev() {
+        values[place] = &over.values[point % over.values.len()];
+        point /= over.values.len();
+    }
+    values
+}
+
+fn settings_of(grid: &[Over], point: usize, set: &[String]) -> Vec<String> {
+    let mut all = set.to_vec();
+    all.extend(grid.iter().zip(values_of(grid, point)).map(|(over, value)| format!("{}={value}", over.key)));
+    all
+}
+
+/// One row: the keys, the status, the numbers of the summary.
+fn row(scene: &str, grid: &[Over], point: usize, settings: &[String], options: Options) -> Value {
+    let mut row = Map::new();
+    for (over, value) in grid.iter().zip(values_of(grid, point)) {
+        row.insert(over.key.clone(), value.parse::<f64>().ok().filter(|v| v.is_finite()).map_or(json!(value), |v| json!(v)));
+    }
+    let computed = Document::open(scene, settings).and_then(|document| {
+        let problem = setup(&document)?;
+        fe::available(&problem).map_err(|fault| document.locate(fault))?;
+        let solution = solve(&problem, options).map_err(|fault| document.locate(fault))?;
+        report::summary_of(&problem, &solution)
+    });
+    match computed {
+        Ok(summary) => {
+            let skipped = ["schema_version", "version", "scene", "scene_sha256"];
+            for (key, value) in report::numbers(&summary) {
+                if !skipped.contains(&key.as_str()) && !key.starts_with("counters.") {
+                    row.insert(key, value);
+                }
+            }
+        }
+        Err(fault) => {
+            row.insert("status".into(), json!("invalid"));
+            row.insert("verdict".into(), json!(fault.message));
+        }
+    }
+    Value::Object(row)
+}
+
+fn lines(rows: &[Value]) -> String {
+    rows.iter().map(|row| format!("{row}\n")).collect()
+}
+
+/// Rows of an interrupted sweep, when it was the same sweep.
+fn finished_rows(folder: &Folder, mark: &str) -> Vec<Value> {
+    let read = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap_or_default();
+    if read("scene.resolved.toml") != mark {
+        return Vec::new();
+    }
+    let text = read("sweep.jsonl");
+    let whole = text.rfind('\n').map_or("", |end| &text[..=end]);
+    whole.lines().map_while(|line| serde_json::from_str(line).ok()).collect()
+}
+
+/// CSV of all rows: the union of their keys, in order of first appearance.
+fn table(rows: &[Value]) -> String {
+    let mut columns: Vec<&String> = Vec::new();
+    for row in rows {
+        for key in row.as_object().into_iter().flatten().map(|(key, _)| key) {
+            if !columns.contains(&key) {
+                columns.push(key);
+            }
+        }
+    }
+    let cell = |value: Option<&Value>| match value {
+        None => String::new(),
+        Some(Value::String(text)) if text.contains([',', '"', '\n']) => format!("\"{}\"", text.replace('"', "\"\"")),
+        Some(Value::String(text)) => text.clone(),
+        Some(Value::Number(number)) => number.as_f64().map(crate::profile::number_text).unwrap_or_default(),
+        Some(other) => other.to_string(),
+    };
+    let mut out = columns.iter().map(|key| key.as_str()).collect::<Vec<_>>().join(",") + "\n";
+    for row in rows {
+        let cells: Vec<String> = columns.iter().map(|key| cell(row.get(key.as_str()))).collect();
+        out += &(cells.join(",") + "\n");
+    }
+    out
+}
+
+/// A line that counts, on a terminal only.
+struct Bar {
+    count: usize,
+    shown: bool,
+}
+
+impl Bar {
+    fn new(count: usize, wanted: bool) -> Bar {
+        Bar { count, shown: wanted && std::io::IsTerminal::is_terminal(&std::io::stderr()) }
+    }
+
+    fn show(&self, done: usize) {
+        if self.shown {
+            let filled = 30 * done / self.count.max(1);
+            eprint!("\r[{}{}] {done}/{}", "#".repeat(filled), " ".repeat(30 - filled), self.count);
+            let _ = std::io::stderr().flush();
+        }
+    }
+
+    fn end(&self) {
+        if self.shown {
+            eprintln!();
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! Writes what was computed: the files of the output folder and the words on the screen.
+
+mod curves;
+mod folder;
+mod line_plot;
+mod page;
+mod summary;
+mod terminal;
+
+use crate::fault::Fault;
+use crate::setup::Problem;
+use crate::solution::Solution;
+
+pub(crate) use folder::Folder;
+pub(crate) use page::page_of_folder;
+pub(crate) use summary::{numbers, sha256};
+pub(crate) use terminal::{first_screen, short};
+
+/// Version of the summary's keys.
+pub(crate) const SCHEMA_VERSION: u32 = 1;
+
+/// Text of scene.resolved.toml: the scene with every default, in base units.
+pub(crate) fn resolved(problem: &Problem) -> Result<String, Fault> {
+    let head = "# Every default filled in; units N, mm, MPa, s, rad. Running this file gives the same result.\n";
+    Ok(format!("{head}{}", resolved_text(&problem.scene)?))
+}
+
+/// A scene as TOML in base units.
+pub(crate) fn resolved_text(scene: &crate::scene::Scene) -> Result<String, Fault> {
+    toml::to_string(scene).map_err(|error| {
+        Fault::new("internal", format!("the resolved scene cannot be written: {error}"), "please report this scene")
+    })
+}
+
+/// The summary of a run that writes no folder.
+pub(crate) fn summary_of(problem: &Problem, solution: &Solution) -> Result<serde_json::Value, Fault> {
+    Ok(summary::summary(problem, solution, &resolved(problem)?))
+}
+
+/// Writes all files of a finished run into its partial folder. Returns the summary.
+pub(crate) fn write(
+    folder: &Folder,
+    problem: &Problem,
+    solution: &Solution,
+    resolved: &str,
+    seconds: f64,
+) -> Result<serde_json::Value, Fault> {
+    let summary = summary::summary(problem, solution, resolved);
+    if let Some(profile) = &solution.profile {
+        folder.write("contact.csv", &profile.csv())?;
+    }
+    if !solution.history.is_empty() {
+        folder.write("history.csv", &history(&solution.history))?;
+    }
+    let plots = curves::line_plots(problem, solution);
+    let pictures = page::pictures(&plots);
+    for ((name, _), svg) in plots.iter().zip(&pictures) {
+        folder.write(&format!("plots/{name}.svg"), svg)?;
+    }
+    let curves = page::curves_json(&plots);
+    folder.write("plots/curves.json", &format!("{curves}\n"))?;
+    folder.write("timing.json", &timing(solution, seconds))?;
+    folder.write("summary.json", &pretty(&summary))?;
+    if problem.plan.runs("report.html") {
+        folder.write("report.html", &page::page(&summary, &curves, &pictures, resolved))?;
+    }
+    Ok(summary)
+}
+
+fn history(columns: &[(String, Vec<f64>)]) -> String {
+    let names: Vec<&str> = columns.iter().map(|(name, _)| name.as_str()).collect();
+    let mut out = names.join(",") + "\n";
+    for row in 0..columns.iter().map(|(_, values)| values.len()).min().unwrap_or(0) {
+        let cells: Vec<String> =
+            columns.iter().map(|(_, values)| crate::profile::number_text(values[row])).collect();
+        out += &(cells.join(",") + "\n");
+    }
+    out
+}
+
+fn timing(solution: &Solution, seconds: f64) -> String {
+    let stages: Vec<serde_json::Value> = solution
+        .times
+        .iter()
+        .map(|(name, seconds)| serde_json::json!({ "name": name, "seconds": seconds }))
+        .collect();
+    pretty(&serde_json::json!({ "seconds_total": seconds, "stages": stages }))
+}
+
+/// JSON for a file.
+pub(crate) fn pretty(value: &serde_json::Value) -> String {
+    serde_json::to_string_pretty(value).unwrap_or_default() + "\n"
+}

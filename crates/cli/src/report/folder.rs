@@ -1,0 +1,125 @@
+//! The output folder: written beside its place, renamed when complete.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::fault::{Fault, Place};
+use crate::report::SCHEMA_VERSION;
+
+/// File that marks a partial folder as ours; it is the first to be written.
+const MARK: &str = "scene.resolved.toml";
+
+/// A folder in the making: `<dir>.partial`, to become `<dir>`.
+#[derive(Debug)]
+pub(crate) struct Folder {
+    target: PathBuf,
+    partial: PathBuf,
+}
+
+impl Folder {
+    /// Refuses a target that is not ours to replace.
+    pub(crate) fn check(target: &Path) -> Result<(), Fault> {
+        let shown = target.display();
+        let refuse = |what: &str| {
+            let message = format!("{shown} {what}, and is left as it is");
+            Err(Fault {
+                place: Some(Place::Flag(format!("-o {shown}"))),
+                ..Fault::new("foreign-folder", message, "give another folder: -o DIR")
+            })
+        };
+        if !target.exists() {
+            return Ok(());
+        }
+        if !target.is_dir() {
+            return refuse("is a file");
+        }
+        let empty = fs::read_dir(target).is_ok_and(|mut entries| entries.next().is_none());
+        if empty || ours(target) { Ok(()) } else { refuse("holds files that wearshape did not write") }
+    }
+
+    /// Begins the partial folder, or with `resume` continues one.
+    pub(crate) fn begin(target: &Path, resume: bool) -> Result<Folder, Fault> {
+        Folder::check(target)?;
+        let mut name = target.file_name().unwrap_or_default().to_os_string();
+        name.push(".partial");
+        let partial = target.with_file_name(name);
+        let folder = Folder { target: target.to_path_buf(), partial };
+        if folder.partial.exists() && !resume {
+            let empty = fs::read_dir(&folder.partial).is_ok_and(|mut entries| entries.next().is_none());
+            if !empty && !folder.partial.join(MARK).is_file() {
+                let message = format!("{} holds files that wearshape did not write", folder.partial.display());
+                return Err(Fault::new("foreign-folder", message, "remove it, or give another folder: -o DIR"));
+            }
+            fs::remove_dir_all(&folder.partial).map_err(|error| folder.unwritable(&folder.partial, &error))?;
+        }
+        fs::create_dir_all(&folder.partial).map_err(|error| folder.unwritable(&folder.partial, &error))?;
+        Ok(folder)
+    }
+
+    /// The partial folder.
+    pub(crate) fn path(&self) -> &Path {
+        &self.partial
+    }
+
+    /// Writes one file of the folder, making folders on the way.
+    pub(crate) fn write(&self, name: &str, text: &str) -> Result<(), Fault> {
+        let path = self.partial.join(name);
+        let parent = path.parent().unwrap_or(&self.partial);
+        fs::create_dir_all(parent)
+            .and_then(|()| fs::write(&path, text))
+            .map_err(|error| self.unwritable(&path, &error))
+    }
+
+    /// Adds to the end of one file of the folder.
+    pub(crate) fn append(&self, name: &str, text: &str) -> Result<(), Fault> {
+        let path = self.partial.join(name);
+        let file = fs::OpenOptions::new().append(true).create(true).open(&path);
+        file.and_then(|mut file| std::io::Write::write_all(&mut file, text.as_bytes()))
+            .map_err(|error| self.unwritable(&path, &error))
+    }
+
+    /// Takes the partial folder away: nothing was computed.
+    pub(crate) fn discard(self) {
+        let _ = fs::remove_dir_all(&self.partial);
+    }
+
+    /// Puts the finished folder in its place.
+    pub(crate) fn finish(self) -> Result<(), Fault> {
+        Folder::check(&self.target)?;
+        let aside = self.target.with_extension("old");
+        let replaced = self.target.exists();
+        if replaced {
+            if aside.exists() {
+                fs::remove_dir_all(&self.target).map_err(|error| self.unwritable(&self.target, &error))?;
+            } else {
+                fs::rename(&self.target, &aside).map_err(|error| self.unwritable(&self.target, &error))?;
+            }
+        }
+        fs::rename(&self.partial, &self.target).map_err(|error| self.unwritable(&self.target, &error))?;
+        if replaced && ours(&aside) {
+            fs::remove_dir_all(&aside).map_err(|error| self.unwritable(&aside, &error))?;
+        }
+        Ok(())
+    }
+
+    fn unwritable(&self, path: &Path, error: &std::io::Error) -> Fault {
+        Fault {
+            place: Some(Place::Flag(format!("-o {}", self.target.display()))),
+            ..Fault::new(
+                "unwritable",
+                format!("cannot write {}: {error}", path.display()),
+                "give a folder that can be written, with room on its disk: -o DIR",
+            )
+        }
+    }
+}
+
+/// Whether a folder holds a summary that this program wrote.
+fn ours(folder: &Path) -> bool {
+    let empty = fs::read_dir(folder).is_ok_and(|mut entries| entries.next().is_none());
+    let text = fs::read_to_string(folder.join("summary.json")).unwrap_or_default();
+    let summary: serde_json::Value = serde_json::from_str(&text).unwrap_or_default();
+    empty
+        || summary["schema_version"].as_u64().is_some_and(|version| version <= u64::from(SCHEMA_VERSION))
+            && summary["scene_sha256"].is_string()
+}

@@ -1,0 +1,248 @@
+//! Line plots as SVG, for print and screen: no script, no network, no font file.
+
+/// How an axis counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Axis {
+    /// Evenly.
+    Linear,
+    /// In decades.
+    Logarithmic,
+}
+
+/// One curve.
+#[derive(Debug, Clone)]
+pub(crate) struct Series {
+    /// Name in the legend; none for a single curve.
+    pub(crate) name: String,
+    /// Points; a point that is not finite interrupts the curve.
+    pub(crate) points: Vec<(f64, f64)>,
+    /// Marks at the points.
+    pub(crate) marks: bool,
+    /// Dashed line.
+    pub(crate) dashed: bool,
+}
+
+/// A plot.
+#[derive(Debug, Clone)]
+pub(crate) struct LinePlot {
+    /// Line above the plot.
+    pub(crate) title: String,
+    /// Name and unit along x.
+    pub(crate) x_label: String,
+    /// Name and unit along y.
+    pub(crate) y_label: String,
+    /// Kind of the axes along x and y.
+    pub(crate) axes: [Axis; 2],
+    /// Whether y begins at zero when all values are positive.
+    pub(crate) from_zero: bool,
+    /// The curves.
+    pub(crate) series: Vec<Series>,
+}
+
+const WIDTH: f64 = 720.0;
+const HEIGHT: f64 = 450.0;
+const LEFT: f64 = 84.0;
+const RIGHT: f64 = 24.0;
+const TOP: f64 = 48.0;
+const BOTTOM: f64 = 62.0;
+/// Colours that colour-blind readers tell apart (Okabe and Ito).
+const COLOURS: [&str; 8] =
+    ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000", "#7f7f7f"];
+
+struct Scale {
+    kind: Axis,
+    low: f64,
+    high: f64,
+    ticks: Vec<f64>,
+}
+
+impl Scale {
+    fn new(values: impl Iterator<Item = f64>, kind: Axis, from_zero: bool, count: usize) -> Scale {
+        let usable = |v: &f64| v.is_finite() && (kind == Axis::Linear || *v > 0.0);
+        let (mut low, mut high) =
+            values.filter(usable).fold((f64::MAX, f64::MIN), |(lo, hi), v| (lo.min(v), hi.max(v)));
+        if low > high {
+            (low, high) = if kind == Axis::Linear { (0.0, 1.0) } else { (0.1, 1.0) };
+        }
+        if kind == Axis::Logarithmic {
+            let (from, to) = (low.log10().floor() as i32, high.log10().ceil() as i32);
+            let to = if to == from { from + 1 } else { to };
+            let step = ((to - from) / count as i32).max(1);
+            let ticks = (from..=to).step_by(step as usize).map(|e| 10f64.powi(e)).collect();
+            return Scale { kind, low: 10f64.powi(from), high: 10f64.powi(to), ticks };
+        }
+        if from_zero && low >= 0.0 {
+            low = 0.0;
+        }
+        // A curve that is constant to round-off is drawn as constant.
+        if high - low <= 1e-9 * high.abs().max(low.abs()) {
+            let half = if high == 0.0 { 1.0 } else { 0.1 * high.abs() };
+            (low, high) = (low - half, high + half);
+        }
+        let raw = (high - low) / count as f64;
+        let magnitude = 10f64.powf(raw.log10().floor());
+        let step = [1.0, 2.0, 2.5, 5.0, 10.0].map(|m| m * magnitude).into_iter().find(|s| *s >= raw * 0.999);
+        let step = step.unwrap_or(10.0 * magnitude);
+        let (from, to) = ((low / step + 1e-9).floor(), (high / step - 1e-9).ceil());
+        let ticks = (from as i64..=to as i64).map(|i| i as f64 * step).collect();
+        Scale { kind, low: from * step, high: to * step, ticks }
+    }
+
+    fn share(&self, value: f64) -> f64 {
+        match self.kind {
+            Axis::Linear => (value - self.low) / (self.high - self.low),
+            Axis::Logarithmic => (value / self.low).log10() / (self.high / self.low).log10(),
+        }
+    }
+
+    fn label(&self, tick: f64) -> String {
+        if self.kind == Axis::Logarithmic {
+            let exponent = tick.log10().round() as i32;
+            if (-2..=3).contains(&exponent) {
+                return plain(tick);
+            }
+            return format!("10<tspan dy=\"-5\" font-size=\"10\">{}</tspan>", plain(f64::from(exponent)));
+        }
+        let step = self.ticks.get(1).map_or(1.0, |second| second - self.ticks[0]);
+        let largest = self.low.abs().max(self.high.abs());
+        if largest >= 1e6 || largest < 1e-3 {
+            return format!("{tick:.2e}").replace('-', "\u{2212}");
+        }
+        let decimals = (-(step.log10() - 1e-9).floor()).max(0.0) as usize;
+        let fine = (step * 10f64.powi(decimals as i32)).fract().abs() > 1e-6;
+        format!("{tick:.*}", decimals + usize::from(fine)).replace('-', "\u{2212}")
+    }
+}
+
+fn plain(value: f64) -> String {
+    format!("{value}").replace('-', "\u{2212}")
+}
+
+/// Text that may stand in SVG or HTML.
+pub(crate) fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+/// Draws a plot.
+pub(crate) fn line_plot(plot: &LinePlot) -> String {
+    let all = |pick: fn(&(f64, f64)) -> f64| plot.series.iter().flat_map(move |s| s.points.iter().map(pick));
+    let x = Scale::new(all(|p| p.0), plot.axes[0], false, 7);
+    let x = Scale { ..tight(x, all(|p| p.0)) };
+    let y = Scale::new(all(|p| p.1), plot.axes[1], plot.from_zero, 6);
+    let place = |point: (f64, f64)| {
+        let px = LEFT + x.share(point.0) * (WIDTH - LEFT - RIGHT);
+        let py = HEIGHT - BOTTOM - y.share(point.1) * (HEIGHT - TOP - BOTTOM);
+        (px, py)
+    };
+    let mut out = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" width=\"{WIDTH}\" height=\"{HEIGHT}\" \
+         font-family=\"'DejaVu Sans', Helvetica, Arial, sans-serif\" font-size=\"13\" fill=\"#222\">\n\
+         <title>{0}</title>\n<rect width=\"{WIDTH}\" height=\"{HEIGHT}\" fill=\"#fff\"/>\n\
+         <text x=\"{LEFT}\" y=\"26\" font-size=\"15\" font-weight=\"bold\">{0}</text>\n",
+        escaped(&plot.title)
+    );
+    let (bottom, right) = (HEIGHT - BOTTOM, WIDTH - RIGHT);
+    out += "<g stroke=\"#e3e3e3\" stroke-width=\"1\">\n";
+    for tick in x.ticks.iter().filter(|t| inside(x.share(**t))) {
+        let px = place((*tick, y.low)).0;
+        out += &format!("<path d=\"M{px:.2} {TOP}V{bottom}\"/>\n");
+    }
+    for tick in &y.ticks {
+        let py = place((x.low, *tick)).1;
+        out += &format!("<path d=\"M{LEFT} {py:.2}H{right}\"/>\n");
+    }
+    out += "</g>\n<g>\n";
+    for tick in x.ticks.iter().filter(|t| inside(x.share(**t))) {
+        let px = place((*tick, y.low)).0;
+        out += &format!("<text x=\"{px:.2}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n", bottom + 19.0, x.label(*tick));
+    }
+    for tick in &y.ticks {
+        let py = place((x.low, *tick)).1 + 4.5;
+        out += &format!("<text x=\"{}\" y=\"{py:.2}\" text-anchor=\"end\">{}</text>\n", LEFT - 8.0, y.label(*tick));
+    }
+    let (middle_x, middle_y) = (0.5 * (LEFT + right), 0.5 * (TOP + bottom));
+    out += &format!(
+        "<text x=\"{middle_x}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n",
+        HEIGHT - 18.0,
+        escaped(&plot.x_label)
+    );
+    out += &format!(
+        "<text transform=\"translate(20 {middle_y}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n</g>\n",
+        escaped(&plot.y_label)
+    );
+    out += &format!("<path d=\"M{LEFT} {TOP}V{bottom}H{right}\" fill=\"none\" stroke=\"#444\" stroke-width=\"1.2\"/>\n");
+    for (number, series) in plot.series.iter().enumerate() {
+        out += &curve(series, COLOURS[number % COLOURS.len()], &place, plot.axes);
+    }
+    out += &legend(&plot.series);
+    out + "</svg>\n"
+}
+
+/// Along x the curve fills the frame: the scale ends with the data, ticks beyond are dropped.
+fn tight(scale: Scale, values: impl Iterator<Item = f64>) -> Scale {
+    if scale.kind == Axis::Logarithmic {
+        return scale;
+    }
+    let (low, high) = values.filter(|v| v.is_finite()).fold((f64::MAX, f64::MIN), |(lo, hi), v| (lo.min(v), hi.max(v)));
+    if high > low { Scale { low, high, ..scale } } else { scale }
+}
+
+fn inside(share: f64) -> bool {
+    (-1e-9..=1.0 + 1e-9).contains(&share)
+}
+
+fn curve(series: &Series, colour: &str, place: &impl Fn((f64, f64)) -> (f64, f64), axes: [Axis; 2]) -> String {
+    let drawable = |p: &(f64, f64)| {
+        p.0.is_finite()
+            && p.1.is_finite()
+            && (axes[0] == Axis::Linear || p.0 > 0.0)
+            && (axes[1] == Axis::Linear || p.1 > 0.0)
+    };
+    let mut path = String::new();
+    let mut pen_down = false;
+    let mut marks = String::new();
+    for point in &series.points {
+        if !drawable(point) {
+            pen_down = false;
+            continue;
+        }
+        let (px, py) = place(*point);
+        path += &format!("{}{px:.2} {py:.2}", if pen_down { "L" } else { "M" });
+        pen_down = true;
+        if series.marks {
+            marks += &format!("<circle cx=\"{px:.2}\" cy=\"{py:.2}\" r=\"3.2\"/>");
+        }
+    }
+    let dash = if series.dashed { " stroke-dasharray=\"7 5\"" } else { "" };
+    let line = format!(
+        "<path d=\"{path}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"2\" stroke-linejoin=\"round\"{dash}/>\n"
+    );
+    if marks.is_empty() { line } else { format!("{line}<g fill=\"{colour}\">{marks}</g>\n") }
+}
+
+fn legend(series: &[Series]) -> String {
+    if series.iter().all(|series| series.name.is_empty()) {
+        return String::new();
+    }
+    let longest = series.iter().map(|series| series.name.chars().count()).max().unwrap_or(0);
+    let width = 44.0 + 7.4 * longest as f64;
+    let left = WIDTH - RIGHT - width - 6.0;
+    let height = 10.0 + 19.0 * series.len() as f64;
+    let mut out = format!(
+        "<rect x=\"{left:.1}\" y=\"{:.1}\" width=\"{width:.1}\" height=\"{height:.1}\" fill=\"#fff\" fill-opacity=\"0.88\" stroke=\"#ccc\"/>\n",
+        TOP + 6.0
+    );
+    for (number, series) in series.iter().enumerate() {
+        let y = TOP + 20.0 + 19.0 * number as f64;
+        let dash = if series.dashed { " stroke-dasharray=\"7 5\"" } else { "" };
+        out += &format!(
+            "<path d=\"M{:.1} {y:.1}h24\" stroke=\"{}\" stroke-width=\"2\"{dash}/><text x=\"{:.1}\" y=\"{:.1}\">{}</text>\n",
+            left + 7.0,
+            COLOURS[number % COLOURS.len()],
+            left + 37.0,
+            y + 4.5,
+            escaped(&series.name)
+        );
+    }
+    out
+}

@@ -1,0 +1,83 @@
+//! summary.json.
+
+use serde::Serialize;
+use serde_json::{Map, Value, json};
+use sha2::{Digest, Sha256};
+
+use crate::report::SCHEMA_VERSION;
+use crate::report::terminal::verdict;
+use crate::setup::Problem;
+use crate::solution::Solution;
+
+/// The whole summary: absent stages and numbers that are not finite are absent keys.
+pub(crate) fn summary(problem: &Problem, solution: &Solution, resolved: &str) -> Value {
+    let mut all = Map::new();
+    let mut put = |key: &str, value: Value| {
+        all.insert(key.to_string(), value);
+    };
+    put("schema_version", json!(SCHEMA_VERSION));
+    put("version", json!(env!("CARGO_PKG_VERSION")));
+    put("scene", json!(problem.name));
+    put("scene_sha256", json!(sha256(resolved)));
+    put("status", value(&solution.status));
+    put("verdict", json!(verdict(problem, solution)));
+    put("stages", value(&problem.plan.stages));
+    put("counters", value(&solution.counters));
+    put("unused_keys", json!(problem.unused_keys));
+    put("lints", value(&problem.lints));
+    put("pressure", value(&solution.pressure));
+    put("contact", value(&solution.contact));
+    put("shape", value(&solution.shape));
+    put("wear", value(&solution.wear));
+    put("energy", value(&solution.energy));
+    if !solution.reactions.is_empty() {
+        let reactions: Map<String, Value> =
+            solution.reactions.iter().map(|(edge, reaction)| (edge.clone(), value(reaction))).collect();
+        put("reactions", Value::Object(reactions));
+    }
+    put("error", value(&solution.error));
+    without_nulls(Value::Object(all))
+}
+
+fn value(part: &impl Serialize) -> Value {
+    serde_json::to_value(part).unwrap_or_default()
+}
+
+/// Drops keys without a value: absent stages, and numbers that JSON cannot hold.
+pub(crate) fn without_nulls(value: Value) -> Value {
+    match value {
+        Value::Object(map) => {
+            let kept = map.into_iter().filter(|(_, value)| !value.is_null());
+            Value::Object(kept.map(|(key, value)| (key, without_nulls(value))).collect())
+        }
+        Value::Array(items) => {
+            Value::Array(items.into_iter().filter(|item| !item.is_null()).map(without_nulls).collect())
+        }
+        other => other,
+    }
+}
+
+/// SHA-256 of a text in lower-case hexadecimal.
+pub(crate) fn sha256(text: &str) -> String {
+    Sha256::digest(text.as_bytes()).iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// The numbers and words of a summary under dotted keys, without lists.
+pub(crate) fn numbers(summary: &Value) -> Vec<(String, Value)> {
+    let mut out = Vec::new();
+    flatten("", summary, &mut out);
+    out
+}
+
+fn flatten(prefix: &str, value: &Value, out: &mut Vec<(String, Value)>) {
+    match value {
+        Value::Object(map) => {
+            for (key, value) in map {
+                let path = if prefix.is_empty() { key.clone() } else { format!("{prefix}.{key}") };
+                flatten(&path, value, out);
+            }
+        }
+        Value::Array(_) => {}
+        other => out.push((prefix.to_string(), other.clone())),
+    }
+}

@@ -1,0 +1,185 @@
+//! The first screen: the verdict, then the numbers, ten lines at most.
+
+use std::path::Path;
+
+use wear::Shape;
+
+use crate::profile::Profile;
+use crate::scene::Functional;
+use crate::setup::Problem;
+use crate::solution::{Solution, Status};
+
+/// A number with about six significant digits and no needless zeros.
+pub(crate) fn short(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return format!("{value}");
+    }
+    let magnitude = value.abs().log10().floor() as i32;
+    if !(-4..7).contains(&magnitude) {
+        let text = format!("{value:.4e}");
+        let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+        return format!("{}e{exponent}", trimmed(mantissa));
+    }
+    trimmed(&format!("{value:.*}", (5 - magnitude).max(0) as usize)).to_string()
+}
+
+fn trimmed(text: &str) -> &str {
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
+}
+
+/// A place in the words of the scene.
+fn place(problem: &Problem, s: f64) -> String {
+    match problem.patch.as_ref().map(|patch| patch.surface.shape()) {
+        Some(Shape::Arc { radius, angles, .. }) => {
+            let angle = (s / radius + 0.5 * (angles[0] + angles[1])).to_degrees();
+            format!("{} deg", short((angle * 1e3).round() / 1e3))
+        }
+        Some(Shape::Annulus { .. } | Shape::Sector { .. }) => format!("r = {} mm", short(s)),
+        Some(Shape::Strip { x, .. } | Shape::Rectangle { x, .. }) => format!("x = {} mm", short(s + 0.5 * (x[0] + x[1]))),
+        Some(Shape::Ellipse { .. }) => format!("x = {} mm", short(s)),
+        _ => format!("s = {} mm", short(s)),
+    }
+}
+
+fn extreme(values: &[f64], better: fn(f64, f64) -> bool) -> Option<usize> {
+    let mut best: Option<usize> = None;
+    for (row, value) in values.iter().enumerate().filter(|(_, value)| value.is_finite()) {
+        if best.is_none_or(|best| better(*value, values[best])) {
+            best = Some(row);
+        }
+    }
+    best
+}
+
+/// "5.45455 MPa at 0 deg, 4.09091 MPa at -30 deg".
+fn pressures(problem: &Problem, profile: &Profile) -> Option<String> {
+    let high = extreme(&profile.pressure, |a, b| a > b * (1.0 + 1e-9))?;
+    let low = extreme(&profile.pressure, |a, b| a < b * (1.0 - 1e-9))?;
+    let (top, bottom) = (profile.pressure[high], profile.pressure[low]);
+    if top - bottom <= 1e-9 * top {
+        return Some(format!("{} MPa everywhere", short(top)));
+    }
+    let at = |row: usize| {
+        let mirrored = profile.pressure[profile.pressure.len() - 1 - row];
+        let s = profile.s[row];
+        let even = s < 0.0 && (mirrored - profile.pressure[row]).abs() <= 1e-9 * top;
+        let word = place(problem, s);
+        if even { word.replacen('-', "+-", 1) } else { word }
+    };
+    Some(format!("{} MPa at {}, {} MPa at {}", short(top), at(high), short(bottom), at(low)))
+}
+
+/// One sentence that says how it ended.
+pub(crate) fn verdict(problem: &Problem, solution: &Solution) -> String {
+    if let Some(reason) = &solution.reason {
+        let head = match solution.status {
+            Status::Refused => "This scene has no answer",
+            Status::NotConverged => "The computation did not arrive",
+            Status::AccuracyMissed => "Done, but not to the accuracy asked for",
+            Status::Ok => "Done",
+        };
+        return format!("{head}: {reason}.");
+    }
+    if let (Some(shape), Some(profile)) = (&solution.shape, &solution.profile) {
+        let crown = shape.gap_max_um.unwrap_or(0.0);
+        let at = shape.gap_where_mm.map(|s| format!(" at {}", place(problem, s))).unwrap_or_default();
+        let steady = solution.pressure.as_ref().is_some_and(|pressure| pressure.functional == "steady");
+        let end = if steady { "it starts worn in" } else { "it has the wanted pressure" };
+        let _ = profile;
+        return format!("Machine this shape: crown {} um{at}; {end}.", short(crown));
+    }
+    if let Some(wear) = &solution.wear {
+        let time = wear.time_s.map(short).unwrap_or_default();
+        return match wear.steady {
+            true => format!("Worn in after {time} s: the pressure no longer changes."),
+            false => format!("Worn for {time} s; not yet steady."),
+        };
+    }
+    if let Some(contact) = &solution.contact {
+        let force = contact.force_N.map(short).unwrap_or_default();
+        let peak = contact.p_max_MPa.map(short).unwrap_or_default();
+        return format!("The bodies touch with {force} N, at most {peak} MPa.");
+    }
+    let Some(pressure) = &solution.pressure else { return "Nothing was asked for.".into() };
+    let what = match problem.scene.optimum.as_ref().and_then(|optimum| optimum.functional) {
+        Some(Functional::Uniform) => "The uniform pressure",
+        Some(Functional::WearVolume) => "The pressure that makes the wear volume rate stationary",
+        Some(Functional::FrictionPower) => "The pressure that makes the friction power stationary",
+        Some(Functional::WearPower) => "The pressure that makes the wear power stationary",
+        _ => "The worn-in pressure",
+    };
+    if pressure.regime == "singular" {
+        return format!("{what} concentrates on points or lines: see the limit measure.");
+    }
+    let curve = solution.curve.as_ref().or(solution.profile.as_ref());
+    let numbers = curve.and_then(|curve| pressures(problem, curve)).unwrap_or_default();
+    let kind = match pressure.character.as_str() {
+        "maximum" => ", the worst case",
+        _ => "",
+    };
+    format!("{what} is {numbers}{kind}.")
+}
+
+/// The lines for the screen.
+pub(crate) fn first_screen(problem: &Problem, solution: &Solution, folder: &Path) -> String {
+    let mut lines = vec![format!("{}   [{}]", verdict(problem, solution), bracket(solution))];
+    if let Some(pressure) = &solution.pressure {
+        let curve = solution.curve.as_ref().or(solution.profile.as_ref());
+        let q = pressure.q.as_ref().map(|q| format!(" q = {q},")).unwrap_or_default();
+        let kind = format!("({},{q} {}, {})", pressure.functional, pressure.character, pressure.regime);
+        let spread = solution.shape.as_ref().and(curve).and_then(|curve| pressures(problem, curve));
+        let mean = pressure.p_mean_MPa.map(|mean| format!("mean {} MPa", short(mean))).unwrap_or_default();
+        lines.push(format!("pressure  {} {kind}", spread.unwrap_or(mean)));
+        for atom in pressure.limit_measure.iter().take(3) {
+            lines.push(format!(
+                "          {} N at x = {}, y = {}, z = {} mm",
+                short(atom.force_N),
+                short(atom.x_mm),
+                short(atom.y_mm),
+                short(atom.z_mm)
+            ));
+        }
+        let mut wear = Vec::new();
+        if let Some(rate) = pressure.wear_volume_rate_mm3_per_s {
+            wear.push(format!("{} mm^3/s", short(rate)));
+        }
+        if let Some(power) = pressure.friction_power_mW {
+            wear.push(format!("friction {} W", short(1e-3 * power)));
+        }
+        if let Some(torque) = pressure.torque_Nmm {
+            wear.push(format!("torque {} N m", short(1e-3 * torque)));
+        }
+        if !wear.is_empty() {
+            lines.push(format!("wear      {}", wear.join(", ")));
+        }
+    }
+    if let Some(trip) = solution.shape.as_ref().and_then(|shape| shape.roundtrip_independent.or(shape.roundtrip_same)) {
+        lines.push(format!("proof     a contact solve on this shape returns the pressure within {trip:.1e}"));
+    }
+    for lint in problem.lints.iter().take(2) {
+        lines.push(format!("note      {}", lint.message));
+    }
+    if !problem.unused_keys.is_empty() {
+        lines.push(format!("unused    {}", problem.unused_keys.join(", ")));
+    }
+    lines.truncate(9);
+    lines.push(format!("files     {}", folder.display()));
+    lines.join("\n") + "\n"
+}
+
+fn bracket(solution: &Solution) -> String {
+    let status = match solution.status {
+        Status::Ok => "done",
+        Status::AccuracyMissed => "accuracy missed",
+        Status::NotConverged => "not converged",
+        Status::Refused => "refused",
+    };
+    let error = solution.error.as_ref().and_then(|error| {
+        let pressure = error.pressure_relative.filter(|value| *value > 1e-14);
+        error.gap_relative.map(|value| ("gap", value)).or(pressure.map(|value| ("pressure", value)))
+    });
+    match error {
+        Some((what, value)) => format!("{status}, {what} error {value:.0e}"),
+        None => status.to_string(),
+    }
+}
