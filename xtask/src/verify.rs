@@ -50,7 +50,7 @@ pub(crate) fn run(root: &Path, words: &[String]) -> ExitCode {
         return ExitCode::SUCCESS;
     }
     let done = if wish.known {
-        known::compare(root, &wish.cases, wish.quick)
+        known::compare(root, &wish.cases, wish.quick, wish.fault.as_deref())
     } else {
         compare_cases(root, &wish)
     };

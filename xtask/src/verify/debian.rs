@@ -13,8 +13,12 @@ const PACKAGES: [&str; 3] = [
     "libopenblas0-pthread",
 ];
 
-/// Installs the packages with apt-get, as root or through sudo.
+/// Installs the packages with apt-get, as root or through sudo; nothing to do when all are there.
 pub(crate) fn install() -> Result<(), String> {
+    if PACKAGES.iter().all(|package| is_installed(package)) {
+        println!("verify: {} are installed", PACKAGES.join(", "));
+        return Ok(());
+    }
     let as_root = user_is_root()?;
     let apt = |arguments: &[&str]| -> Result<(), String> {
         let mut command = Command::new(if as_root { "apt-get" } else { "sudo" });
@@ -34,7 +38,10 @@ pub(crate) fn install() -> Result<(), String> {
             Err(format!("apt-get {} ended with {done}", arguments.join(" ")))
         }
     };
-    apt(&["update", "-q"])?;
+    if let Err(message) = apt(&["update", "-q"]) {
+        // One broken source of many need not matter; the installation itself will tell.
+        eprintln!("verify: {message}; going on");
+    }
     let mut arguments = vec![
         "install",
         "-q",
@@ -45,6 +52,13 @@ pub(crate) fn install() -> Result<(), String> {
     ];
     arguments.extend(PACKAGES);
     apt(&arguments)
+}
+
+fn is_installed(package: &str) -> bool {
+    let output = Command::new("dpkg-query")
+        .args(["-W", "-f=${db:Status-Status}", package])
+        .output();
+    output.is_ok_and(|output| String::from_utf8_lossy(&output.stdout) == "installed")
 }
 
 fn user_is_root() -> Result<bool, String> {

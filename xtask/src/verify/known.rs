@@ -12,7 +12,12 @@ use std::time::Instant;
 use toml::{Table, Value};
 
 /// Compares all known cases, the quick ones, or the named ones; true when all pass.
-pub(crate) fn compare(root: &Path, names: &[String], quick: bool) -> Result<bool, String> {
+pub(crate) fn compare(
+    root: &Path,
+    names: &[String],
+    quick: bool,
+    fault: Option<&str>,
+) -> Result<bool, String> {
     let path = root.join("verify/known.toml");
     let content =
         fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
@@ -38,7 +43,7 @@ pub(crate) fn compare(root: &Path, names: &[String], quick: bool) -> Result<bool
             continue;
         }
         let began = Instant::now();
-        let result = one(root, value, &name);
+        let result = one(root, value, &name, fault);
         let outcome = Outcome::known(
             &name,
             &text(value, "scene")?,
@@ -56,7 +61,12 @@ pub(crate) fn compare(root: &Path, names: &[String], quick: bool) -> Result<bool
     )
 }
 
-fn one(root: &Path, case: &Value, name: &str) -> Result<Vec<report::Row>, String> {
+fn one(
+    root: &Path,
+    case: &Value,
+    name: &str,
+    fault: Option<&str>,
+) -> Result<Vec<report::Row>, String> {
     let folder = root.join("target/verify/known").join(name);
     let ours = folder.join("ours");
     fs::create_dir_all(&ours).map_err(|error| format!("{}: {error}", ours.display()))?;
@@ -67,7 +77,7 @@ fn one(root: &Path, case: &Value, name: &str) -> Result<Vec<report::Row>, String
     save("scene.resolved.toml", scene(root, case)?)?;
     save("contact.csv", columns(case)?)?;
     save("summary.json", summary(case))?;
-    run::script(root, &text(case, "script")?, &folder, None)?;
+    run::script(root, &text(case, "script")?, &folder, fault)?;
     let list = case
         .get("quantities")
         .and_then(Value::as_array)
