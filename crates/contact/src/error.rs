@@ -1,5 +1,7 @@
 //! What can be wrong with a contact problem.
 
+use crate::pair::Side;
+
 /// Wrong input, with the numbers that show it.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Error {
@@ -11,4 +13,41 @@ pub enum Error {
         /// Distance of points that should coincide.
         distance: f64,
     },
+    /// A body with its rigid edge held can still move.
+    #[error("the {} is not held although its rigid edge is", match side { Side::Shaped => "shaped body", Side::Counter => "counter-face" })]
+    NotHeld {
+        /// The body.
+        side: Side,
+    },
+    /// The gap does not fit the contact points.
+    #[error("the gap needs one finite value for each of the {points} contact points; {given} were given")]
+    Gap {
+        /// Number of values given.
+        given: usize,
+        /// Number of contact points.
+        points: usize,
+    },
+    /// The load factors do not fit the load cases.
+    #[error("body {body} has {cases} load cases and needs as many finite factors; {given} were given")]
+    Factors {
+        /// 1 or 2.
+        body: usize,
+        /// Number of factors given.
+        given: usize,
+        /// Number of load cases.
+        cases: usize,
+    },
+    /// Coefficient or directions of friction are wrong.
+    #[error("friction needs a coefficient of at least 0 (it is {coefficient}) and a drag within -1..=1 for each of the {points} contact points; {given} were given")]
+    Drag {
+        /// Coefficient of friction.
+        coefficient: f64,
+        /// Number of directions given.
+        given: usize,
+        /// Number of contact points.
+        points: usize,
+    },
+    /// Friction is asked of an operator made without shear.
+    #[error("the contact operator was made without shear; make it with shear for a load with friction")]
+    ShearNotPrepared,
 }

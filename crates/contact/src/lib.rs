@@ -3,8 +3,21 @@
 //! Signs: body 1 is shaped, body 2 the counter-face; the normal `n` points out of body 2 into body 1, the gap is positive when
 //! open, the pressure positive in compression; traction on body 1 is `p n + mu p tau`, on body 2 the opposite.
 
+mod complementarity;
 mod error;
+mod linear;
+mod load;
+mod operator;
 mod pair;
+mod pivoting;
+mod response;
+mod solution;
+mod status;
+mod verdict;
 
 pub use error::Error;
+pub use load::{ContactLoad, Friction, Motion, MomentBalance};
+pub use operator::ContactOperator;
 pub use pair::{ContactPoint, Pair, Side, contact_traction, normal};
+pub use solution::ContactSolution;
+pub use status::Status;

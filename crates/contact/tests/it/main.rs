@@ -1,1 +1,5 @@
 //! Integration tests.
+#![allow(clippy::unwrap_used, missing_docs)]
+
+mod common;
+mod full_contact;

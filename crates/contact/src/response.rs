@@ -1,0 +1,178 @@
+//! What one body does under forces at the contact points: its interface operator, solved once for every column a contact solve needs.
+
+use crate::error::Error;
+use crate::pair::{ContactPoint, Side};
+use faer::linalg::solvers::Solve;
+use faer::{Mat, Side as Triangle};
+use hpfem::InterfaceOperator;
+
+/// Kept displacements of one body as a linear function of nodal contact forces, load factors and rigid coordinates:
+/// `u = U_f a + X_n lambda + X_t sigma + Y y`, with the balance `K y = Y^T (f + N^T lambda + T^T sigma) + resultant`.
+///
+/// With a rigid edge the coordinates `y` are its free motions and everything else is solved with the edge held; without one they are
+/// the rigid motions that the supports leave free (then `K = 0`).
+#[derive(Clone, Debug)]
+pub(crate) struct Response {
+    /// Normal displacement at the points, `points x unknowns`.
+    pub(crate) normal: Mat<f64>,
+    /// Tangential displacement at the points, `points x unknowns`; no columns if shear was not asked for.
+    pub(crate) tangential: Option<Mat<f64>>,
+    /// Prescribed parts of the normal and tangential displacement.
+    pub(crate) constant: [Vec<f64>; 2],
+    /// `X_n`, `unknowns x points`.
+    pub(crate) to_normal: Mat<f64>,
+    /// `X_t`.
+    pub(crate) to_tangential: Option<Mat<f64>>,
+    /// `U_f`, `unknowns x (load cases + 1)`.
+    pub(crate) to_columns: Mat<f64>,
+    /// `Y`, `unknowns x coordinates`.
+    pub(crate) motions: Mat<f64>,
+    /// `K`, `coordinates x coordinates`.
+    pub(crate) stiffness: Mat<f64>,
+    /// `Y^T F`, `coordinates x (load cases + 1)`.
+    pub(crate) motion_columns: Mat<f64>,
+    /// For each coordinate the motion of the rigid edge it is: 0, 1, 2 for `t_x`, `t_z`, `theta`; `None` for a rigid mode.
+    pub(crate) edge_motion: Vec<Option<usize>>,
+}
+
+impl Response {
+    pub(crate) fn new(
+        body: &InterfaceOperator,
+        side: Side,
+        points: &[ContactPoint],
+        places: &[(usize, f64)],
+        shear: bool,
+    ) -> Result<Response, Error> {
+        let rows = |tangential: bool| component_rows(body, points, places, tangential);
+        let (normal, normal_constant) = rows(false);
+        let (tangential, tangential_constant) = rows(true);
+        let tangential = shear.then_some(tangential);
+        let unknowns = body.stiffness.nrows();
+        let frame: Vec<usize> = body.frame.iter().flatten().copied().collect();
+        let kept: Vec<usize> = (0..unknowns).filter(|i| !frame.contains(i)).collect();
+        let columns = body.load_cases + 1;
+        let mut right = Mat::zeros(unknowns, 0);
+        let blocks = [Some(normal.transpose()), tangential.as_ref().map(|t| t.transpose())];
+        for block in blocks.into_iter().flatten() {
+            right = beside(&right, &block.to_owned());
+        }
+        right = beside(&right, &body.columns.submatrix(0, 0, unknowns, columns).to_owned());
+        let n = points.len();
+        let (solved, motions, stiffness) = if frame.is_empty() {
+            let solved = body.solve(&right, &body.rigid_modes);
+            let modes = body.rigid_modes.ncols();
+            (solved, body.rigid_modes.clone(), Mat::zeros(modes, modes))
+        } else {
+            with_edge_held(body, &right, &kept, &frame).ok_or(Error::NotHeld { side })?
+        };
+        let motion_columns = motions.transpose() * body.columns.submatrix(0, 0, unknowns, columns);
+        let edge_motion = if frame.is_empty() {
+            vec![None; motions.ncols()]
+        } else {
+            (0..3).filter(|k| body.frame[*k].is_some()).map(Some).collect()
+        };
+        let first = if shear { 2 * n } else { n };
+        Ok(Response {
+            to_normal: solved.submatrix(0, 0, unknowns, n).to_owned(),
+            to_tangential: shear.then(|| solved.submatrix(0, n, unknowns, n).to_owned()),
+            to_columns: solved.submatrix(0, first, unknowns, columns).to_owned(),
+            normal,
+            tangential,
+            constant: [normal_constant, tangential_constant],
+            motions,
+            stiffness,
+            motion_columns,
+            edge_motion,
+        })
+    }
+
+    /// Kept unknowns under factors, nodal forces on this body (normal and tangential) and coordinates.
+    pub(crate) fn unknowns(&self, factors: &[f64], normal: &[f64], tangential: &[f64], coordinates: &[f64]) -> Vec<f64> {
+        let mut u = times(&self.to_columns, factors);
+        add(&mut u, &times(&self.to_normal, normal));
+        if let Some(matrix) = &self.to_tangential {
+            add(&mut u, &times(matrix, tangential));
+        }
+        add(&mut u, &times(&self.motions, coordinates));
+        u
+    }
+}
+
+/// Solves with the rigid edge held, and gives the motions of the edge as columns with their stiffness.
+fn with_edge_held(
+    body: &InterfaceOperator,
+    right: &Mat<f64>,
+    kept: &[usize],
+    frame: &[usize],
+) -> Option<(Mat<f64>, Mat<f64>, Mat<f64>)> {
+    let s = &body.stiffness;
+    let unknowns = s.nrows();
+    let inner = Mat::from_fn(kept.len(), kept.len(), |i, j| s[(kept[i], kept[j])]);
+    let factor = inner.llt(Triangle::Lower).ok()?;
+    let spread = |x: &Mat<f64>| {
+        let mut full = Mat::zeros(unknowns, x.ncols());
+        kept.iter().enumerate().for_each(|(i, k)| (0..x.ncols()).for_each(|j| full[(*k, j)] = x[(i, j)]));
+        full
+    };
+    let solved = spread(&factor.solve(&Mat::from_fn(kept.len(), right.ncols(), |i, j| right[(kept[i], j)])));
+    let mut motions = spread(&factor.solve(&Mat::from_fn(kept.len(), frame.len(), |i, j| -s[(kept[i], frame[j])])));
+    frame.iter().enumerate().for_each(|(j, q)| motions[(*q, j)] = 1.0);
+    let q = frame.len();
+    let stiffness = Mat::from_fn(q, q, |i, j| (0..unknowns).map(|k| s[(frame[i], k)] * motions[(k, j)]).sum());
+    // Rigid modes have no stiffness at all: P^T K P with P = I - Z (Z^T W Z)^-1 Z^T W.
+    let z = Mat::from_fn(q, body.rigid_modes.ncols(), |i, j| body.rigid_modes[(frame[i], j)]);
+    if z.ncols() == 0 {
+        return Some((solved, motions, stiffness));
+    }
+    if z.ncols() == q {
+        return Some((solved, motions, Mat::zeros(q, q)));
+    }
+    let weighted = Mat::from_fn(q, z.ncols(), |i, j| s[(frame[i], frame[i])] * z[(i, j)]);
+    let projector = Mat::<f64>::identity(q, q) - &z * (z.transpose() * &weighted).partial_piv_lu().solve(weighted.transpose());
+    Some((solved, motions, projector.transpose() * stiffness * &projector))
+}
+
+/// Normal (or tangential) displacement at the places as rows on the kept unknowns, and the prescribed part.
+fn component_rows(
+    body: &InterfaceOperator,
+    points: &[ContactPoint],
+    places: &[(usize, f64)],
+    tangential: bool,
+) -> (Mat<f64>, Vec<f64>) {
+    let mut matrix = Mat::zeros(points.len(), body.stiffness.nrows());
+    let mut constant = vec![0.0; points.len()];
+    for (i, (point, place)) in points.iter().zip(places).enumerate() {
+        let direction = if tangential { point.tangent } else { point.normal };
+        let (rows, fixed) = body.trace.displacement_row(place.0, place.1);
+        for (component, d) in direction.into_iter().enumerate() {
+            rows[component].iter().for_each(|(u, c)| matrix[(i, *u)] += d * c);
+            constant[i] += d * fixed[component];
+        }
+    }
+    (matrix, constant)
+}
+
+/// `[a b]`.
+fn beside(a: &Mat<f64>, b: &Mat<f64>) -> Mat<f64> {
+    let n = a.ncols();
+    Mat::from_fn(b.nrows(), n + b.ncols(), |i, j| if j < n { a[(i, j)] } else { b[(i, j - n)] })
+}
+
+/// Matrix times vector.
+pub(crate) fn times(matrix: &Mat<f64>, x: &[f64]) -> Vec<f64> {
+    let mut y = vec![0.0; matrix.nrows()];
+    for (j, v) in x.iter().enumerate().filter(|(_, v)| **v != 0.0) {
+        matrix.col(j).iter().zip(&mut y).for_each(|(a, y)| *y += a * v);
+    }
+    y
+}
+
+/// Transposed matrix times vector.
+pub(crate) fn transposed_times(matrix: &Mat<f64>, x: &[f64]) -> Vec<f64> {
+    (0..matrix.ncols()).map(|j| matrix.col(j).iter().zip(x).map(|(a, x)| a * x).sum()).collect()
+}
+
+/// `y += x`.
+pub(crate) fn add(y: &mut [f64], x: &[f64]) {
+    y.iter_mut().zip(x).for_each(|(y, x)| *y += x);
+}

@@ -1,0 +1,206 @@
+//! What an answer of the complementarity problem means.
+
+use crate::complementarity::{Answer, Complementarity, Point};
+use crate::response::{add, times, transposed_times};
+use crate::status::Status;
+use faer::{Mat, Side};
+
+/// Status of an answer.
+pub(crate) fn status(problem: &Complementarity, frictionless: &Complementarity, answer: &Answer) -> Status {
+    if answer.settled && problem.relative_imbalance(&answer.point) < 1e-8 {
+        let closed = answer.active.iter().filter(|a| **a).count();
+        return match closed {
+            0 => Status::NoContact,
+            _ if !answer.regular => Status::NotUnique,
+            _ if closed == answer.active.len() => Status::ClosedEverywhere,
+            _ => Status::Converged,
+        };
+    }
+    if !can_balance(frictionless) {
+        return Status::NoBalance;
+    }
+    if !can_balance(problem) || friction_resists(problem, frictionless) {
+        return Status::Jammed;
+    }
+    Status::IterationLimit { history: answer.history.clone() }
+}
+
+/// Whether some nodal forces `lambda >= 0` and coordinates `y` give `f + B^T lambda = K y`: non-negative least squares (Lawson and Hanson
+/// 1974) on scaled rows, with the range of `K` taken out.
+fn can_balance(problem: &Complementarity) -> bool {
+    let m = problem.load.len();
+    let n = problem.points();
+    // Rows scaled to unit largest entry.
+    let scale: Vec<f64> = (0..m)
+        .map(|j| (0..n).map(|i| problem.balance[(i, j)].abs()).fold(problem.load[j].abs(), f64::max))
+        .map(|s| if s > 0.0 { s } else { 1.0 })
+        .collect();
+    let held: Vec<bool> = (0..m).map(|j| problem.stiffness[(j, j)] > 0.0).collect();
+    let rows: Vec<usize> = (0..m).filter(|j| !held[*j]).collect();
+    let size = rows.iter().map(|j| (problem.load[*j] / scale[*j]).abs()).fold(0.0, f64::max);
+    if size == 0.0 {
+        return true;
+    }
+    let target: Vec<f64> = rows.iter().map(|j| -problem.load[*j] / scale[*j] / size).collect();
+    let column = |i: usize| -> Vec<f64> { rows.iter().map(|j| problem.balance[(i, *j)] / scale[*j]).collect() };
+    let columns: Vec<Vec<f64>> = (0..n).map(column).collect();
+    distance_to_cone(&columns, &target) < 1e-7
+}
+
+/// Distance of a point from the cone spanned by the columns.
+fn distance_to_cone(columns: &[Vec<f64>], target: &[f64]) -> f64 {
+    let dot = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
+    let mut chosen: Vec<usize> = Vec::new();
+    let mut weights: Vec<f64> = Vec::new();
+    let residual = |chosen: &[usize], weights: &[f64]| {
+        let mut r = target.to_vec();
+        chosen.iter().zip(weights).for_each(|(c, w)| r.iter_mut().zip(&columns[*c]).for_each(|(r, a)| *r -= w * a));
+        r
+    };
+    for _ in 0..3 * columns.len() + 10 {
+        let r = residual(&chosen, &weights);
+        let length = dot(&r, &r).sqrt();
+        let best = (0..columns.len())
+            .filter(|i| !chosen.contains(i))
+            .max_by(|i, j| dot(&columns[*i], &r).total_cmp(&dot(&columns[*j], &r)));
+        let Some(enter) = best else { return length };
+        if length < 1e-12 || dot(&columns[enter], &r) <= 1e-12 * length {
+            return length;
+        }
+        chosen.push(enter);
+        weights.push(0.0);
+        loop {
+            let least = least_squares(columns, &chosen, target);
+            if least.iter().all(|v| *v > 0.0) {
+                weights = least;
+                break;
+            }
+            let step = weights
+                .iter()
+                .zip(&least)
+                .filter(|(_, l)| **l <= 0.0)
+                .map(|(w, l)| w / (w - l))
+                .fold(1.0_f64, |m, v| if v.is_finite() { m.min(v) } else { 0.0 });
+            weights.iter_mut().zip(&least).for_each(|(w, l)| *w += step * (l - *w));
+            let keep: Vec<bool> = weights.iter().zip(&least).map(|(w, l)| *l > 0.0 || *w > 1e-14).collect();
+            if keep.iter().all(|k| *k) {
+                break;
+            }
+            let mut k = keep.iter();
+            chosen.retain(|_| *k.next().unwrap_or(&true));
+            let mut k = keep.iter();
+            weights.retain(|_| *k.next().unwrap_or(&true));
+            if chosen.is_empty() {
+                break;
+            }
+        }
+    }
+    let r = residual(&chosen, &weights);
+    dot(&r, &r).sqrt()
+}
+
+fn least_squares(columns: &[Vec<f64>], chosen: &[usize], target: &[f64]) -> Vec<f64> {
+    let matrix = nalgebra::DMatrix::from_fn(target.len(), chosen.len(), |i, j| columns[chosen[j]][i]);
+    let right = nalgebra::DVector::from_row_slice(target);
+    matrix
+        .svd(true, true)
+        .solve(&right, 1e-13)
+        .map_or_else(|_| vec![0.0; chosen.len()], |x| x.iter().copied().collect())
+}
+
+/// Pushes the body to where it would rest without friction and asks which way the contact then pushes back: jammed where
+/// `int psi p <= 0`, the shear carrying the body along with the load.
+fn friction_resists(problem: &Complementarity, frictionless: &Complementarity) -> bool {
+    if problem.symmetric || problem.load.is_empty() {
+        return false;
+    }
+    let rest = frictionless.solve(None);
+    if !rest.settled {
+        return false;
+    }
+    let mut opening = problem.opening.clone();
+    add(&mut opening, &times(&problem.influence, &rest.point.coordinates));
+    let n = problem.points();
+    let pushed = Complementarity {
+        compliance: problem.compliance.clone(),
+        influence: Mat::zeros(n, 0),
+        balance: Mat::zeros(n, 0),
+        stiffness: Mat::zeros(0, 0),
+        opening,
+        load: Vec::new(),
+        symmetric: false,
+    }
+    .solve(None);
+    if !pushed.settled {
+        return true;
+    }
+    // Work of contact and load along the motion of the frictionless body.
+    let back = transposed_times(&problem.balance, &pushed.point.force);
+    let without = transposed_times(&frictionless.balance, &rest.point.force);
+    let along: f64 = back.iter().zip(&without).zip(&problem.stiffness_units()).map(|((b, w), k)| b * w / k).sum();
+    along <= 0.0
+}
+
+/// Rigid motions without any normal trace (an arc turning about its centre) would make the problem singular: a spring holds them, which
+/// carries nothing if the load has no part along them.
+pub(crate) fn pin_idle_motions(influence: &Mat<f64>, stiffness: &mut Mat<f64>, compliance: &Mat<f64>) {
+    let (n, m) = (influence.nrows(), influence.ncols());
+    if m == 0 || n == 0 {
+        return;
+    }
+    let scale: Vec<f64> = (0..m).map(|j| (0..n).map(|i| influence[(i, j)].abs()).fold(0.0, f64::max)).collect();
+    let typical = (0..n).map(|i| compliance[(i, i)]).fold(0.0, f64::max);
+    // Motions whose normal trace is round-off of their own size.
+    let unit: Vec<f64> = scale.iter().map(|s| if *s > 1e-11 { *s } else { 1.0 }).collect();
+    let gram = Mat::from_fn(m, m, |i, j| {
+        let product: f64 = (0..n).map(|k| influence[(k, i)] / unit[i] * influence[(k, j)] / unit[j]).sum();
+        product + stiffness[(i, j)] * typical / (unit[i] * unit[j])
+    });
+    let Ok(eigen) = gram.self_adjoint_eigen(Side::Lower) else { return };
+    for k in 0..m {
+        if eigen.S()[k] > 1e-18 * n as f64 {
+            continue;
+        }
+        for i in 0..m {
+            for j in 0..m {
+                stiffness[(i, j)] += eigen.U()[(i, k)] * eigen.U()[(j, k)] * unit[i] * unit[j] / typical;
+            }
+        }
+    }
+}
+
+impl Complementarity {
+    /// Largest relative residual of the balances, each against the sum of the magnitudes in it.
+    pub(crate) fn relative_imbalance(&self, at: &Point) -> f64 {
+        let spring = times(&self.stiffness, &at.coordinates);
+        self.imbalance(at)
+            .iter()
+            .enumerate()
+            .map(|(j, r)| {
+                let contact: f64 = (0..self.points()).map(|i| (self.balance[(i, j)] * at.force[i]).abs()).sum();
+                let size = contact + self.load[j].abs() + spring[j].abs();
+                if size > 0.0 { r.abs() / size } else { 0.0 }
+            })
+            .fold(0.0, f64::max)
+    }
+
+    /// Largest relative violation of the signs and of `lambda w = 0`.
+    pub(crate) fn complementarity(&self, at: &Point, opening: &[f64]) -> f64 {
+        let force = at.force.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        let elastic = times(&self.compliance, &at.force).iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        if force == 0.0 || elastic == 0.0 {
+            return 0.0;
+        }
+        (0..self.points())
+            .map(|i| {
+                let (f, w) = (at.force[i] / force, opening[i] / elastic);
+                (-f).max(-w).max((f * w).abs())
+            })
+            .fold(0.0, f64::max)
+    }
+
+    /// A stiffness for each coordinate, to compare resultants of different unit.
+    fn stiffness_units(&self) -> Vec<f64> {
+        crate::linear::Scaling::new(self).stiffness
+    }
+}

@@ -1,0 +1,96 @@
+//! Block shoe on a drum: arc of radius 200 mm, half angle 30 degrees, ring from 100 mm, 10 kN on the flat top.
+
+use super::{falling_degrees, material, support};
+use hpfem::*;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+pub const RADIUS: f64 = 200.0;
+pub const HALF_ANGLE: f64 = PI / 6.0;
+const KINEMATICS: Kinematics = Kinematics::PlaneStress { thickness: 10.0 };
+
+pub struct Drum {
+    shoe: Mesh,
+    drum: Mesh,
+    degree: usize,
+    layers: usize,
+    young: [f64; 2],
+    supports: [Vec<Support>; 2],
+    materials: [[Material; 1]; 2],
+    load: Vec<LoadCase<'static>>,
+}
+
+impl Drum {
+    /// Meshes with `layers` cells of ratio 0.15 at both ends of the contact.
+    pub fn new(degree: usize, layers: usize, young: [f64; 2]) -> Drum {
+        let half_chord = RADIUS * HALF_ANGLE.sin();
+        let end = |sign: f64| [sign * half_chord, RADIUS * HALF_ANGLE.cos()];
+        let name = |side, name| Named { side, range: None, name };
+        let inner = Curve::Arc { centre: [0.0; 2], radius: RADIUS, from: FRAC_PI_2 + HALF_ANGLE, to: FRAC_PI_2 - HALF_ANGLE };
+        let top = Curve::Line { start: [-half_chord, 300.0], end: [half_chord, 300.0] };
+        let names = [name(Side::Bottom, "inner"), name(Side::Top, "top"), name(Side::Left, "left"), name(Side::Right, "right")];
+        let shoe = Mesh::ruled(&Ruled {
+            bottom: inner,
+            top,
+            breaks: &[-1.0, 0.0, 1.0],
+            levels: &[0.0, 1.0],
+            closed: false,
+            material: 0,
+            names: &names,
+        })
+        .unwrap();
+        let refined = |mesh: Mesh| {
+            let corners = [mesh.nearest_vertex(end(-1.0)), mesh.nearest_vertex(end(1.0))];
+            mesh.refined_towards(&corners, 0.15, layers).unwrap()
+        };
+        let breaks = [-1.0, -2.0 / 3.0, -1.0 / 3.0, -1.0 / 6.0, 0.0, 1.0 / 6.0, 1.0 / 3.0, 2.0 / 3.0, 1.0];
+        let arc = |radius| Curve::Arc { centre: [0.0; 2], radius, from: FRAC_PI_2 + PI, to: FRAC_PI_2 - PI };
+        let contact = Named { side: Side::Top, range: Some([-1.0 / 6.0, 1.0 / 6.0]), name: "contact" };
+        let drum = Mesh::ruled(&Ruled {
+            bottom: arc(100.0),
+            top: arc(RADIUS),
+            breaks: &breaks,
+            levels: &[0.0, 1.0],
+            closed: true,
+            material: 0,
+            names: &[name(Side::Bottom, "hub"), name(Side::Top, "outer"), contact],
+        })
+        .unwrap();
+        Drum {
+            shoe: refined(shoe),
+            drum: refined(drum),
+            degree,
+            layers,
+            young,
+            supports: [
+                vec![support("left", Direction::First), support("right", Direction::First)],
+                vec![support("hub", Direction::First), support("hub", Direction::Second)],
+            ],
+            materials: young.map(|e| material(e, 0.3)),
+            load: vec![vec![EdgeTraction { boundary: "top".into(), traction: Box::new(|_| [0.0, -5.0]) }]],
+        }
+    }
+
+    pub fn bodies(&self) -> (Body<'_>, Body<'_>) {
+        self.bodies_of_degrees([self.degree, self.degree])
+    }
+
+    pub fn bodies_of_degrees(&self, degrees: [usize; 2]) -> (Body<'_>, Body<'_>) {
+        let _ = self.young;
+        let body = |number: usize| {
+            let mesh = [&self.shoe, &self.drum][number];
+            Body::new(BodyProblem {
+                mesh,
+                degrees: falling_degrees(mesh, degrees[number], self.layers),
+                space: SpaceKind::Tensor,
+                kinematics: KINEMATICS,
+                materials: &self.materials[number],
+                supports: &self.supports[number],
+                rigid_edge: None,
+                load_cases: if number == 0 { &self.load } else { &[] },
+                kept: Some(["inner", "contact"][number]),
+            })
+            .unwrap()
+        };
+        (body(0), body(1))
+    }
+}

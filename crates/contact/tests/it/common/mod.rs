@@ -1,0 +1,35 @@
+//! Bodies that the tests share.
+
+pub mod drum;
+pub mod punch;
+
+use hpfem::{Direction, Material, Mesh, Support};
+
+pub const STEEL: f64 = 210e3;
+
+pub fn material(young: f64, poisson: f64) -> [Material; 1] {
+    [Material::new(young, poisson).unwrap()]
+}
+
+pub fn support(boundary: &str, direction: Direction) -> Support {
+    Support { boundary: boundary.into(), direction, value: 0.0 }
+}
+
+/// Degrees that fall from `degree` outside the layers to 2 in the innermost.
+pub fn falling_degrees(mesh: &Mesh, degree: usize, layers: usize) -> Vec<usize> {
+    let fall = |layer: usize| (layer * degree).checked_div(layers).unwrap_or(0);
+    mesh.cells.iter().map(|c| (degree + 1).saturating_sub(fall(c.layer)).clamp(2, degree)).collect()
+}
+
+/// Value at arc length `arc` of a quantity given at the contact points: the polynomial of the edge through its points.
+pub fn at_arc(operator: &contact::ContactOperator<'_>, values: &[f64], arc: f64) -> f64 {
+    let trace = &operator.pair().shaped.trace;
+    let (edge, t) = trace.locate(arc);
+    let (low, high) = (trace.edges[edge].start, trace.edges[edge].start + trace.edges[edge].curve.length());
+    let tolerance = 1e-12 * trace.length();
+    let on: Vec<usize> =
+        (0..values.len()).filter(|i| (low - tolerance..=high + tolerance).contains(&operator.points()[*i].arc)).collect();
+    let places: Vec<f64> = on.iter().map(|i| 2.0 * (operator.points()[*i].arc - low) / (high - low) - 1.0).collect();
+    let weights = hpfem::barycentric_weights(&places);
+    hpfem::lagrange(&places, &weights, t).iter().zip(&on).map(|(l, i)| l * values[*i]).sum()
+}
