@@ -1,6 +1,6 @@
 //! Runs the stages of the plan.
 
-mod pressure;
+pub(crate) mod pressure;
 
 use std::time::Instant;
 

@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::mesh::{Mesh, Quad};
 
 /// A side of a ruled region.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Side {
     /// The bottom curve.
     Bottom,
@@ -15,6 +15,8 @@ pub enum Side {
     Top,
     /// The line between the starts of the curves.
     Left,
+    /// The ruling inside at the given parameter, which must be one of the breaks.
+    Ruling(f64),
 }
 
 /// A name for a side or for the part of a side between two parameters.
@@ -91,6 +93,10 @@ impl Mesh {
                 Side::Top => along(breaks, &|i| [vertex(i, last.1), vertex(i + 1, last.1)]),
                 Side::Left => along(levels, &|j| [vertex(0, j), vertex(0, j + 1)]),
                 Side::Right => along(levels, &|j| [vertex(last.0, j), vertex(last.0, j + 1)]),
+                Side::Ruling(t) => match breaks.iter().position(|b| (b - t).abs() < 1e-12) {
+                    Some(i) => along(levels, &|j| [vertex(i, j), vertex(i, j + 1)]),
+                    None => Vec::new(),
+                },
             });
         }
         Mesh::new(vertices, &quads, &curves, &names)

@@ -1,0 +1,167 @@
+//! The bodies of a scene as finite element problems of one discretisation.
+
+use hpfem::{
+    Body, BodyProblem, Direction, EdgeTraction, Kinematics, LoadCase, Material, Mesh, RigidEdge, SpaceKind, Support,
+};
+
+use crate::fault::Fault;
+use crate::fe::template::{AXIS, CONTACT, LOAD};
+use crate::scene::{self, Component, LoadKind, Scene};
+
+/// Degree and layers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Level {
+    /// Degree of the cells outside the layers; it falls by one a layer, to 2 at least.
+    pub(crate) degree: usize,
+    /// Layers around each singular point.
+    pub(crate) layers: usize,
+}
+
+/// Everything a body of one level is made of.
+pub(crate) struct BodyParts {
+    mesh: Mesh,
+    degrees: Vec<usize>,
+    kinematics: Kinematics,
+    materials: Vec<Material>,
+    supports: Vec<Support>,
+    /// Names of the supported edges, one a support.
+    pub(crate) support_names: Vec<String>,
+    rigid_edge: Option<RigidEdge>,
+    load_cases: Vec<LoadCase<'static>>,
+}
+
+/// Load cases of body 1: the load, then mean displacement functionals of the load edge along x, z, and in rotation.
+pub(crate) const MEAN_COLUMNS: [usize; 3] = [1, 2, 3];
+
+/// Kinematics of the in-plane (or axisymmetric) problem.
+pub(crate) fn kinematics(scene: &Scene) -> Kinematics {
+    let thickness = scene.thickness.map_or(1.0, |t| t.0);
+    match scene.kinematics {
+        Some(scene::Kinematics::PlaneStrain) => Kinematics::PlaneStrain { thickness },
+        Some(scene::Kinematics::Axisymmetric) => Kinematics::Axisymmetric,
+        _ => Kinematics::PlaneStress { thickness },
+    }
+}
+
+impl BodyParts {
+    /// Body 1 (`shaped`) or body 2 on its mesh.
+    pub(crate) fn new(
+        scene: &Scene,
+        shaped: bool,
+        mesh: Mesh,
+        level: Level,
+        kinematics: Kinematics,
+    ) -> Result<BodyParts, Fault> {
+        let (key, body) = if shaped { ("body1", &scene.body1) } else { ("body2", &scene.body2) };
+        let Some(body) = body else {
+            return Err(Fault::at(key, "missing-key", format!("the key `{key}` is missing"), "describe both bodies"));
+        };
+        let material = body.material.map_or(Err(()), |m| Material::new(m.young.0, m.poisson).map_err(|_| ()));
+        let Ok(material) = material else {
+            let message = format!("{key}.material cannot exist");
+            return Err(Fault::at(format!("{key}.material"), "wrong-value", message, "give young > 0 and poisson below 0.5"));
+        };
+        let degrees = mesh.cells.iter().map(|c| level.degree.saturating_sub(c.layer).max(2.min(level.degree))).collect();
+        let rigid = scene.load.as_ref().filter(|load| shaped && load.kind == Some(LoadKind::Rigid));
+        let mut supports = Vec::new();
+        let mut support_names = Vec::new();
+        for (edge, components) in &body.support {
+            let on_rigid_edge = rigid.is_some_and(|load| load.edge.as_deref() == Some(edge));
+            for component in components {
+                let direction = match (component, kinematics) {
+                    (Component::Phi, Kinematics::Torsion) => Direction::First,
+                    (Component::X, Kinematics::Torsion) | (Component::Z, Kinematics::Torsion) => continue,
+                    (Component::Phi, _) => continue,
+                    (Component::X, _) => Direction::First,
+                    (Component::Z, _) => Direction::Second,
+                };
+                if on_rigid_edge && kinematics != Kinematics::Torsion {
+                    continue;
+                }
+                supports.push(Support { boundary: edge.clone(), direction, value: 0.0 });
+                support_names.push(format!("{key}.{edge}"));
+            }
+        }
+        if kinematics.is_revolved() && mesh.boundaries.iter().any(|name| name == AXIS) {
+            supports.push(Support { boundary: AXIS.into(), direction: Direction::First, value: 0.0 });
+            support_names.push(String::new());
+        }
+        let rigid_edge = match (rigid, kinematics) {
+            (None, _) | (_, Kinematics::Torsion) => None,
+            (Some(load), _) => {
+                let held = load.edge.as_ref().and_then(|edge| body.support.get(edge));
+                let holds = |component| held.is_some_and(|components| components.contains(&component));
+                let about = load.about.map_or([0.0; 2], |about| about.map(|x| x.0));
+                let height = mesh.boundary(LOAD).ok().and_then(|edges| {
+                    edges.first().map(|e| mesh.edges[*e].curve.point(0.0)[1])
+                });
+                let revolved = kinematics.is_revolved();
+                Some(RigidEdge {
+                    boundary: LOAD.into(),
+                    reference: [about[0], height.unwrap_or(about[1])],
+                    free: [!holds(Component::X) && !revolved, !holds(Component::Z), !revolved && load.tilt.is_none()],
+                })
+            }
+        };
+        let load_cases = match (shaped, kinematics) {
+            (true, Kinematics::Torsion) | (false, _) => Vec::new(),
+            (true, _) => load_cases(scene, &mesh, kinematics, rigid_edge.is_some()),
+        };
+        Ok(BodyParts { mesh, degrees, kinematics, materials: vec![material], supports, support_names, rigid_edge, load_cases })
+    }
+
+    /// Assembles and reduces the body.
+    pub(crate) fn reduce(&self, key: &str) -> Result<Body<'_>, Fault> {
+        Body::new(BodyProblem {
+            mesh: &self.mesh,
+            degrees: self.degrees.clone(),
+            space: SpaceKind::Tensor,
+            kinematics: self.kinematics,
+            materials: &self.materials,
+            supports: &self.supports,
+            rigid_edge: self.rigid_edge.clone(),
+            load_cases: &self.load_cases,
+            kept: Some(CONTACT),
+        })
+        .map_err(|error| {
+            let remedy = "hold it by supports so that only the load's own motions stay free";
+            Fault::at(format!("{key}.support"), "not-held", error.to_string(), remedy)
+        })
+    }
+}
+
+/// The load and the mean displacement functionals of the load edge.
+fn load_cases(scene: &Scene, mesh: &Mesh, kinematics: Kinematics, rigid: bool) -> Vec<LoadCase<'static>> {
+    let Some(load) = scene.load.as_ref().filter(|_| !rigid) else { return Vec::new() };
+    let force = load.force.map_or(0.0, |force| force.0);
+    let vertical = load.kind == Some(LoadKind::Vertical);
+    // Area, projected area, and middle of the loaded edges.
+    let (mut area, mut projected, mut middle) = (0.0, 0.0, [0.0; 2]);
+    for edge in mesh.boundary(LOAD).unwrap_or_default() {
+        let curve = &mesh.edges[edge].curve;
+        let rule = hpfem::gauss(12);
+        for (t, w) in rule.points.iter().zip(&rule.weights) {
+            let (x, d) = (curve.point(*t), curve.derivative(*t));
+            let da = w * kinematics.measure(x[0]);
+            area += da * d[0].hypot(d[1]);
+            projected += da * d[0].abs();
+            middle[0] += da * d[0].hypot(d[1]) * x[0];
+            middle[1] += da * d[0].hypot(d[1]) * x[1];
+        }
+    }
+    let middle = middle.map(|m| m / area);
+    let intensity = force / projected;
+    let traction = move |point: &hpfem::BoundaryPoint| {
+        let [nx, nz] = point.outward;
+        if vertical { [0.0, -intensity * nz.abs()] } else { [-intensity * nx, -intensity * nz] }
+    };
+    let on_load = |traction: Box<dyn Fn(&hpfem::BoundaryPoint) -> [f64; 2] + Sync>| {
+        vec![EdgeTraction { boundary: LOAD.into(), traction }]
+    };
+    vec![
+        on_load(Box::new(traction)),
+        on_load(Box::new(move |_| [1.0 / area, 0.0])),
+        on_load(Box::new(move |_| [0.0, 1.0 / area])),
+        on_load(Box::new(move |p| [(middle[1] - p.position[1]) / area, (p.position[0] - middle[0]) / area])),
+    ]
+}
