@@ -244,7 +244,7 @@ impl Line<'_, '_> {
             let cell = stack[depth];
             match self.judge(&cell, &mut top) {
                 Verdict::Empty => {}
-                Verdict::Take => self.take(&cell, nodes),
+                Verdict::Take(cell) => self.take(&cell, nodes),
                 Verdict::Halve(middle, front) if depth + 2 <= stack.len() => {
                     stack[depth] = Interval {
                         lo: middle,
@@ -296,10 +296,15 @@ impl Line<'_, '_> {
             {
                 Some(i) => {
                     let root = self.root(place(i), place(i + 1), &|node| node.f);
+                    let mut marked = *cell;
                     if root > cell.lo && root < cell.hi {
                         Verdict::Halve(root, true)
+                    } else if cell.front == [false, false] {
+                        // f = 0 exactly at an end of the surface.
+                        marked.front = [root <= cell.lo, root >= cell.hi];
+                        self.judge(&marked, top)
                     } else {
-                        Verdict::Take
+                        Verdict::Take(marked)
                     }
                 }
                 None => Verdict::Empty,
@@ -329,7 +334,7 @@ impl Line<'_, '_> {
         if largest < *top - self.settings.drop
             || length <= 4.0 * f64::EPSILON * cell.lo.abs().max(cell.hi.abs())
         {
-            return Verdict::Take;
+            return Verdict::Take(*cell);
         }
         let plain: [f64; SAMPLES] =
             std::array::from_fn(|i| log_h[i] - self.settings.exponent * distance(i));
@@ -339,7 +344,7 @@ impl Line<'_, '_> {
             && smooth(&log_v, SMOOTH)
             && spread(&plain) < self.settings.spread
         {
-            return Verdict::Take;
+            return Verdict::Take(*cell);
         }
         Verdict::Halve(middle, false)
     }
@@ -392,6 +397,7 @@ impl Line<'_, '_> {
                 cell.lo + length * t
             };
             let mut node = self.node(inner);
+            node.parameter = [inner, self.outer];
             node.point.weight *= length * rule.weight[i] * self.weight;
             nodes.push(node);
         }
@@ -400,7 +406,7 @@ impl Line<'_, '_> {
 
 enum Verdict {
     Empty,
-    Take,
+    Take(Interval),
     /// Split at the parameter; the flag marks a zero of f there.
     Halve(f64, bool),
 }

@@ -64,12 +64,12 @@ pub(crate) fn regime(stage: &Stage<'_>, s: f64, largest: f64, mean: f64) -> Regi
     }
 }
 
-/// True when the solution leaves a part of the surface without pressure.
+/// True when the solution leaves a part of the surface without pressure (f is of order 1 where the pressure is).
 fn open(stage: &Stage<'_>) -> bool {
     let mut open = false;
     stage
         .problem
         .surface
-        .survey(&mut |point| open |= stage.law.node(*point).f <= 0.0);
+        .survey(&mut |point| open |= stage.law.node(*point).f < -1e-13);
     open
 }

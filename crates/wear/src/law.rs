@@ -24,6 +24,8 @@ pub struct WearPair {
     /// False when the friction coefficient is zero while the factors are beta: the bodies do not wear, `laws` then only
     /// weigh the bodies against each other, and rates, powers, multipliers and feed are reported as zero.
     pub active: bool,
+    /// True when the factors are beta mu^b and so change with the friction coefficient (for sensitivities).
+    pub friction_driven: bool,
 }
 
 impl WearLaw {
@@ -87,6 +89,7 @@ impl WearPair {
         Self {
             laws: [law(0), law(1)],
             active: true,
+            friction_driven: false,
         }
     }
 
@@ -108,6 +111,7 @@ impl WearPair {
             return Ok(Self {
                 laws: [law(0), law(1)],
                 active: true,
+                friction_driven: true,
             });
         }
         if beta[0] > 0.0 && beta[1] > 0.0 && pressure_exponent[0] != pressure_exponent[1] {
@@ -118,6 +122,7 @@ impl WearPair {
         }
         Ok(Self {
             active: false,
+            friction_driven: true,
             ..Self::archard(beta, speed_exponent, pressure_exponent)
         })
     }

@@ -9,6 +9,7 @@ mod character;
 mod counterface;
 mod density;
 mod error;
+mod extremes;
 mod functional;
 mod law;
 mod mode;
@@ -38,6 +39,7 @@ pub use law::{
 };
 pub use mode::{Balance, MAX_MODES, Modes, RigidMode, RigidMotion};
 pub use motion::SlidingMotion;
+pub use objective::{functional_curvature, functional_gradient, functional_value};
 pub use optimum::{Character, Optimum, PointForce, Regime, optimal_pressure, stationary_pressures};
 pub use point::SurfacePoint;
 pub use problem::Problem;

@@ -2,7 +2,7 @@
 
 use crate::density::Density;
 use crate::stage::{Node, Stage};
-use crate::{Functional, Problem, log_wear_rate};
+use crate::{Functional, Problem, SurfacePoint, log_wear_rate};
 
 /// log of the local term X_i.
 fn log_term(problem: &Problem, i: usize, log_pressure: f64, log_speed: f64) -> f64 {
@@ -18,7 +18,11 @@ fn log_term(problem: &Problem, i: usize, log_pressure: f64, log_speed: f64) -> f
 }
 
 /// J_i = (int X_i^q dS)^(1/q) of both bodies, the maxima for q = inf; `None` where J is not defined (q = 0, uniform, steady).
-pub(crate) fn terms(problem: &Problem, nodes: &[Node], log_pressure: &[f64]) -> Option<[f64; 2]> {
+pub(crate) fn terms(
+    problem: &Problem,
+    points: &[SurfacePoint],
+    log_pressure: &[f64],
+) -> Option<[f64; 2]> {
     let q = problem.q;
     if q == 0.0 || matches!(problem.functional, Functional::Uniform | Functional::Steady) {
         return None;
@@ -28,10 +32,10 @@ pub(crate) fn terms(problem: &Problem, nodes: &[Node], log_pressure: &[f64]) -> 
     }
     Some([0, 1].map(|i| {
         let logs = || {
-            nodes.iter().zip(log_pressure).map(move |(node, log)| {
+            points.iter().zip(log_pressure).map(move |(point, log)| {
                 (
-                    log_term(problem, i, *log, node.point.sliding_speed.ln()),
-                    node.point.weight,
+                    log_term(problem, i, *log, point.sliding_speed.ln()),
+                    point.weight,
                 )
             })
         };
@@ -53,6 +57,87 @@ pub(crate) fn terms(problem: &Problem, nodes: &[Node], log_pressure: &[f64]) -> 
             .sum();
         ((sum.ln() + shift) / q).exp()
     }))
+}
+
+/// Value of the functional for any pressure: J of (11)-(13), or the plain power for q = 1. `None` for q = 0, uniform and steady.
+pub fn functional_value(
+    problem: &Problem,
+    points: &[SurfacePoint],
+    pressure: &[f64],
+) -> Option<f64> {
+    let logs: Vec<f64> = pressure.iter().map(|p| p.ln()).collect();
+    terms(problem, points, &logs).map(|terms| terms[0] + terms[1])
+}
+
+/// First derivative of the functional as a density at the points: dJ = sum weight * density * dp, with
+/// density = sum_i e_i J_i X_i^q / (p A_i).
+pub fn functional_gradient(
+    problem: &Problem,
+    points: &[SurfacePoint],
+    pressure: &[f64],
+) -> Option<Vec<f64>> {
+    let logs: Vec<f64> = pressure.iter().map(|p| p.ln()).collect();
+    let terms = terms(problem, points, &logs)?;
+    let density = |(point, log): (&SurfacePoint, &f64)| -> f64 {
+        (0..2)
+            .map(|i| {
+                exponent(problem, i) * terms[i] * share(problem, i, terms[i], point, *log)
+                    / log.exp()
+            })
+            .sum()
+    };
+    Some(points.iter().zip(&logs).map(density).collect())
+}
+
+/// Second derivative of the functional along a relative change z = dp/p at fixed z (p = p0 (1 + eps z)), optimality.md 2:
+/// d2J = sum_i J_i e_i [(s_i - 1) Var_i(z) + (e_i - 1) (E_i z)^2], moments under the probability X_i^q dS / A_i.
+pub fn functional_curvature(
+    problem: &Problem,
+    points: &[SurfacePoint],
+    pressure: &[f64],
+    relative_change: &[f64],
+) -> Option<f64> {
+    let logs: Vec<f64> = pressure.iter().map(|p| p.ln()).collect();
+    let terms = terms(problem, points, &logs)?;
+    let mut sum = 0.0;
+    for (i, value) in terms.iter().enumerate().filter(|(_, value)| **value > 0.0) {
+        let probability: Vec<f64> = points
+            .iter()
+            .zip(&logs)
+            .map(|(point, log)| point.weight * share(problem, i, *value, point, *log))
+            .collect();
+        let mean: f64 = probability
+            .iter()
+            .zip(relative_change)
+            .map(|(m, z)| m * z)
+            .sum();
+        let variance: f64 = probability
+            .iter()
+            .zip(relative_change)
+            .map(|(m, z)| m * (z - mean).powi(2))
+            .sum();
+        let e = exponent(problem, i);
+        let s_minus_1 = problem
+            .functional
+            .s_minus_1(problem.wear.laws[i].pressure_exponent, problem.q);
+        sum += value * e * (s_minus_1 * variance + (e - 1.0) * mean * mean);
+    }
+    Some(sum)
+}
+
+fn exponent(problem: &Problem, i: usize) -> f64 {
+    problem
+        .functional
+        .pressure_power(problem.wear.laws[i].pressure_exponent)
+}
+
+/// X_i^q / A_i at a point, with A_i = J_i^q.
+fn share(problem: &Problem, i: usize, value: f64, point: &SurfacePoint, log_pressure: f64) -> f64 {
+    if value == 0.0 {
+        return 0.0;
+    }
+    let log = log_term(problem, i, log_pressure, point.sliding_speed.ln());
+    (problem.q * (log - value.ln())).exp()
 }
 
 /// Multipliers lambda_k = dJ/dF_k in the modes as given. From sum_i e_i J_i = lambda . int phi p over the points below the cap; for

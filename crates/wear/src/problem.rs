@@ -40,6 +40,7 @@ impl Problem {
             wear: WearPair {
                 laws: [law, WearLaw::NONE],
                 active: true,
+                friction_driven: false,
             },
             friction: 0.0,
             shear_in_balance: true,

@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 
 use crate::character::{character, regime};
 use crate::density::Density;
+use crate::extremes::extremes;
 use crate::objective::{multipliers, terms};
 use crate::recession::Recession;
 use crate::reduce::wearing;
@@ -11,7 +12,8 @@ use crate::solve::Balanced;
 use crate::stage::{Node, Stage};
 use crate::steady::{congruence, gap_rate, steadiness};
 use crate::{
-    Counterface, Functional, Optimum, Problem, Regime, RigidMotion, Shape, log_wear_rate, wear_rate,
+    Counterface, Functional, Optimum, Problem, Regime, RigidMotion, Shape, SurfacePoint,
+    log_wear_rate, wear_rate,
 };
 
 /// The answer for a balanced stage whose `nodes` belong to it.
@@ -50,12 +52,13 @@ pub(crate) fn report(
     let normal_force = integral(&|i, _| pressure[i]);
     let swept = integral(&|i, node| pressure[i] * node.point.sliding_speed);
     let p_mean = normal_force / problem.surface.area();
-    let (p_min, p_max) = extremes(stage, &pressure);
-    let terms = terms(problem, nodes, &log_pressure);
+    let (p_min, p_max) = extremes(stage, nodes, &pressure);
+    let points: Vec<SurfacePoint> = nodes.iter().map(|node| node.point).collect();
+    let terms = terms(problem, &points, &log_pressure);
     let lambda = multipliers(stage, nodes, &log_pressure, &gap, terms);
     let turning = turning(problem);
     Optimum {
-        points: nodes.iter().map(|node| node.point).collect(),
+        points,
         s: Some(s).filter(|s| !s.is_nan()),
         k: exponent(&stage.law.density),
         character: character(stage, nodes, s),
@@ -119,19 +122,6 @@ fn rate(problem: &Problem, i: usize, log_pressure: f64, node: &Node) -> f64 {
         return wear_rate(law, log_pressure.exp(), node.point.sliding_speed);
     }
     log_wear_rate(law, log_pressure, node.point.sliding_speed.ln()).exp()
-}
-
-/// Smallest and largest pressure over the nodes and the ends of the surface.
-fn extremes(stage: &Stage<'_>, pressure: &[f64]) -> (f64, f64) {
-    let (mut low, mut high) = (f64::INFINITY, 0.0_f64);
-    for value in pressure {
-        (low, high) = (low.min(*value), high.max(*value));
-    }
-    stage.problem.surface.survey(&mut |point| {
-        let value = stage.law.log_pressure(&stage.law.node(*point)).exp();
-        (low, high) = (low.min(value), high.max(value));
-    });
-    (low, high)
 }
 
 fn exponent(density: &Density) -> Option<f64> {

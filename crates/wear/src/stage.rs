@@ -25,6 +25,8 @@ pub(crate) struct Node {
     pub(crate) slope: f64,
     /// Distance of the uncapped density from the cap, as a logarithm; -inf without a cap.
     pub(crate) excess: f64,
+    /// Inner and outer parameter, where the surface has them.
+    pub(crate) parameter: [f64; 2],
 }
 
 /// A pressure as a function of position: f = phi_p + sum_j y_j (phi_j - ratio_j phi_p) with modes divided by their scales, so that
@@ -152,6 +154,7 @@ impl PressureLaw {
             log_h: f64::NEG_INFINITY,
             slope: 0.0,
             excess: f64::NEG_INFINITY,
+            parameter: [0.0; 2],
         };
         if log_f == f64::NEG_INFINITY {
             return node;
