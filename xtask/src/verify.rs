@@ -182,7 +182,7 @@ fn faults_are_caught(root: &Path, wearshape: &Path, all: &[Case]) -> Result<bool
             } else {
                 "NOT caught".into()
             };
-            println!("{:<28} fault {fault:<14} {verdict}", case.name);
+            println!("{:<31} fault {fault:<14} {verdict}", case.name);
             caught_all &= caught;
             tried += 1;
         }

@@ -113,13 +113,13 @@ impl Outcome {
 /// Prints the lines of one case.
 pub(crate) fn print(outcome: &Outcome) {
     match &outcome.result {
-        Err(reason) if outcome.waits => println!("{:<28} not yet: {reason}", outcome.name),
-        Err(message) => println!("{:<28} FAILED: {message}", outcome.name),
+        Err(reason) if outcome.waits => println!("{:<31} not yet: {reason}", outcome.name),
+        Err(message) => println!("{:<31} FAILED: {message}", outcome.name),
         Ok(rows) => {
             for row in rows {
                 let norm = if row.norm == Norm::Rms { "rms" } else { "max" };
                 println!(
-                    "{:<28} {:<22} {:>4} points  {norm} {:8.1e}  allowed {:7.0e}  self-error {:7.1e}  {}",
+                    "{:<31} {:<27} {:>4} points  {norm} {:8.1e}  allowed {:7.0e}  self-error {:7.1e}  {}",
                     outcome.name,
                     row.quantity,
                     row.points,
