@@ -2,8 +2,8 @@
 
 use crate::basis::{LocalModes, Table};
 use crate::curve::Curve;
-use crate::elimination::{Element, factor_leading, not_held};
 use crate::element::stiffness;
+use crate::elimination::{Element, factor_leading, not_held};
 use crate::error::Error;
 use crate::legendre::shape_functions;
 use crate::material::{Kinematics, Material};
@@ -65,14 +65,33 @@ pub(crate) fn points_for(degree: usize) -> usize {
 
 impl Assembly<'_> {
     /// Stiffness of the cell on its boundary modes, interior condensed; with the factor of the interior.
-    fn boundary_stiffness(&self, cell: usize, local: &LocalModes) -> Result<(Mat<f64>, usize), Error> {
-        let table = self.tables[self.space.cell_degree[cell]].as_ref().map(|t| t.as_ref());
-        let Some(table) = table else { return Err(Error::Degree { cell, degree: self.space.cell_degree[cell] }) };
+    fn boundary_stiffness(
+        &self,
+        cell: usize,
+        local: &LocalModes,
+    ) -> Result<(Mat<f64>, usize), Error> {
+        let table = self.tables[self.space.cell_degree[cell]]
+            .as_ref()
+            .map(|t| t.as_ref());
+        let Some(table) = table else {
+            return Err(Error::Degree {
+                cell,
+                degree: self.space.cell_degree[cell],
+            });
+        };
         let material = self.materials[self.mesh.cells[cell].material];
-        let mut k = stiffness(self.mesh, cell, table, local, material.moduli(self.kinematics), self.kinematics)?;
+        let mut k = stiffness(
+            self.mesh,
+            cell,
+            table,
+            local,
+            material.moduli(self.kinematics),
+            self.kinematics,
+        )?;
         let ni = self.space.components * local.interior;
         let mut none = Mat::zeros(k.nrows(), 0);
-        factor_leading(k.as_mut(), none.as_mut(), ni).map_err(|_| not_held(format!("the interior of cell {cell}")))?;
+        factor_leading(k.as_mut(), none.as_mut(), ni)
+            .map_err(|_| not_held(format!("the interior of cell {cell}")))?;
         Ok((k, ni))
     }
 
@@ -95,7 +114,12 @@ impl Assembly<'_> {
         // Rows of the transformation from active unknowns to local ones.
         let rows: Vec<Vec<(usize, f64)>> = targets
             .iter()
-            .map(|t| t.active.iter().filter_map(|(g, i, c)| slot(*g).map(|s| (s + i, *c))).collect())
+            .map(|t| {
+                t.active
+                    .iter()
+                    .filter_map(|(g, i, c)| slot(*g).map(|s| (s + i, *c)))
+                    .collect()
+            })
             .collect();
         let mut matrix = Mat::zeros(n, n);
         for j in 0..nb {
@@ -121,7 +145,14 @@ impl Assembly<'_> {
             }
         }
         let constant = self.supports(&targets, &rows, s, &load, &mut rhs);
-        Ok(CellElement { element: Element { groups, matrix, rhs }, constant })
+        Ok(CellElement {
+            element: Element {
+                groups,
+                matrix,
+                rhs,
+            },
+            constant,
+        })
     }
 
     /// Adds the columns of prescribed displacements and reactions; returns the constant parts of the reactions.
@@ -141,14 +172,20 @@ impl Assembly<'_> {
         }
         let nb = targets.len();
         let symmetric = |i: usize, j: usize| if i >= j { s[(i, j)] } else { s[(j, i)] };
-        let prescribed: Vec<f64> = targets.iter().map(|t| t.fixed.iter().map(|f| f.share * f.value).sum()).collect();
+        let prescribed: Vec<f64> = targets
+            .iter()
+            .map(|t| t.fixed.iter().map(|f| f.share * f.value).sum())
+            .collect();
         // Virtual displacements of the local unknowns, one vector a reaction.
         let mut virtual_motion = vec![vec![0.0; nb]; reactions];
         for (i, target) in targets.iter().enumerate() {
             for fixed in &target.fixed {
                 let vertex = fixed.group < self.mesh.vertices.len();
                 let unit = f64::from(u8::from(vertex));
-                let rotation = self.rotation[fixed.group].get(fixed.mode).copied().unwrap_or_default();
+                let rotation = self.rotation[fixed.group]
+                    .get(fixed.mode)
+                    .copied()
+                    .unwrap_or_default();
                 for (k, motion) in [[unit, 0.0], [0.0, unit], rotation].iter().enumerate() {
                     let along = fixed.axis[0] * motion[0] + fixed.axis[1] * motion[1];
                     if let Some(v) = virtual_motion.get_mut(3 * fixed.support + k) {
@@ -179,7 +216,11 @@ impl Assembly<'_> {
                     rhs[(*t, column)] += c * value;
                 }
             }
-            constant[(r, prescribed_column)] += motion.iter().zip(&of_prescribed).map(|(a, b)| a * b).sum::<f64>();
+            constant[(r, prescribed_column)] += motion
+                .iter()
+                .zip(&of_prescribed)
+                .map(|(a, b)| a * b)
+                .sum::<f64>();
             for ((row, column), value) in load {
                 constant[(r, *column)] -= motion[*row] * value;
             }
@@ -192,7 +233,8 @@ impl Assembly<'_> {
         let c = &self.mesh.cells[cell];
         let mut targets = Vec::new();
         let mut push = |group, mode| {
-            (0..self.space.components).for_each(|k| targets.push(self.space.target(self.mesh, group, mode, k)));
+            (0..self.space.components)
+                .for_each(|k| targets.push(self.space.target(self.mesh, group, mode, k)));
         };
         c.corners.iter().for_each(|v| push(*v, 0));
         for e in 0..4 {
@@ -227,7 +269,11 @@ impl Assembly<'_> {
                 }
                 let components = self.space.components;
                 for (mode, sum) in sums.iter().enumerate() {
-                    let scalar = if mode < 2 { CELL_EDGES[e][mode] } else { local.edge_start[e] + mode - 2 - local.interior };
+                    let scalar = if mode < 2 {
+                        CELL_EDGES[e][mode]
+                    } else {
+                        local.edge_start[e] + mode - 2 - local.interior
+                    };
                     let odd = mode >= 2 && mode % 2 == 1 && self.mesh.cells[cell].against[e];
                     let sign = if odd { -1.0 } else { 1.0 };
                     for (k, value) in sum.iter().enumerate().take(components) {
@@ -250,7 +296,11 @@ impl Assembly<'_> {
         }
         for j in (0..ni).rev() {
             let column = k.col_as_slice(j);
-            let sum: f64 = column[j + 1..ni].iter().zip(&x[j + 1..]).map(|(a, b)| a * b).sum();
+            let sum: f64 = column[j + 1..ni]
+                .iter()
+                .zip(&x[j + 1..])
+                .map(|(a, b)| a * b)
+                .sum();
             x[j] = (x[j] - sum) / column[j];
         }
         x.extend_from_slice(boundary);
@@ -264,11 +314,22 @@ pub(crate) fn boundary_point(curve: &Curve, t: f64, clockwise: bool) -> (Boundar
     let length = d[0].hypot(d[1]);
     let sign = if clockwise { -1.0 } else { 1.0 };
     let tangent = [sign * d[0] / length, sign * d[1] / length];
-    (BoundaryPoint { position: curve.point(t), outward: [tangent[1], -tangent[0]], tangent }, length)
+    (
+        BoundaryPoint {
+            position: curve.point(t),
+            outward: [tangent[1], -tangent[0]],
+            tangent,
+        },
+        length,
+    )
 }
 
 /// Coefficients of the modes 2.. of a field on an edge, interpolated at Lobatto points, in the edge's own parameter.
-pub(crate) fn edge_modes(curve: &Curve, degree: usize, field: impl Fn([f64; 2]) -> [f64; 2]) -> Vec<[f64; 2]> {
+pub(crate) fn edge_modes(
+    curve: &Curve,
+    degree: usize,
+    field: impl Fn([f64; 2]) -> [f64; 2],
+) -> Vec<[f64; 2]> {
     if degree < 2 {
         return Vec::new();
     }
@@ -280,11 +341,18 @@ pub(crate) fn edge_modes(curve: &Curve, degree: usize, field: impl Fn([f64; 2]) 
     let mut modes = vec![[0.0; 2]; degree - 1];
     for (t, w) in rule.points.iter().zip(&rule.weights) {
         let here = lagrange(&nodes, &barycentric, *t);
-        let terms: Vec<f64> = nodes.iter().zip(&barycentric).map(|(x, b)| b / (t - x)).collect();
+        let terms: Vec<f64> = nodes
+            .iter()
+            .zip(&barycentric)
+            .map(|(x, b)| b / (t - x))
+            .collect();
         let total: f64 = terms.iter().sum();
         let slope: [f64; 2] = std::array::from_fn(|k| {
             let f: f64 = here.iter().zip(&values).map(|(l, v)| l * v[k]).sum();
-            (0..nodes.len()).map(|i| terms[i] * (f - values[i][k]) / (t - nodes[i])).sum::<f64>() / total
+            (0..nodes.len())
+                .map(|i| terms[i] * (f - values[i][k]) / (t - nodes[i]))
+                .sum::<f64>()
+                / total
         });
         for (mode, shape) in modes.iter_mut().zip(&shape_functions(degree, *t).1[2..]) {
             mode[0] += w * shape * slope[0];

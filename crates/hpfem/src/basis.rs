@@ -21,12 +21,23 @@ impl Table {
     pub(crate) fn new(degree: usize, points: usize) -> Table {
         let rule = gauss(points);
         let n = degree + 1;
-        let at: Vec<[Vec<f64>; 2]> = rule.points.iter().map(|x| shape_functions(degree, *x).into()).collect();
+        let at: Vec<[Vec<f64>; 2]> = rule
+            .points
+            .iter()
+            .map(|x| shape_functions(degree, *x).into())
+            .collect();
         let products = std::array::from_fn(|ab| {
-            Mat::from_fn(n * n, points, |ij, q| at[q][ab / 2][ij % n] * at[q][ab % 2][ij / n])
+            Mat::from_fn(n * n, points, |ij, q| {
+                at[q][ab / 2][ij % n] * at[q][ab % 2][ij / n]
+            })
         });
         let values = Mat::from_fn(n, points, |i, q| at[q][0][i]);
-        Table { functions: n, rule, products, values }
+        Table {
+            functions: n,
+            rule,
+            products,
+            values,
+        }
     }
 }
 
@@ -75,7 +86,12 @@ pub(crate) struct LocalModes {
 impl LocalModes {
     /// Modes of a cell of degree `degree` whose edges have degrees `edges` and are walked `against` their own direction: odd
     /// modes of such an edge change sign, which is all that continuity needs.
-    pub(crate) fn new(degree: usize, edges: [usize; 4], against: [bool; 4], trunk: bool) -> LocalModes {
+    pub(crate) fn new(
+        degree: usize,
+        edges: [usize; 4],
+        against: [bool; 4],
+        trunk: bool,
+    ) -> LocalModes {
         let n = degree + 1;
         let mut position = vec![usize::MAX; n * n];
         let mut sign = vec![1.0; n * n];
@@ -107,6 +123,12 @@ impl LocalModes {
                 }
             }
         }
-        LocalModes { position, sign, interior, modes: edge_start[4], edge_start }
+        LocalModes {
+            position,
+            sign,
+            interior,
+            modes: edge_start[4],
+            edge_start,
+        }
     }
 }

@@ -8,7 +8,8 @@ use crate::field::Field;
 use crate::interface::{InterfaceOperator, InterfaceState};
 use crate::material::{Kinematics, Material};
 use crate::mesh::Mesh;
-use crate::space::{RigidEdge, Space, SpaceKind, Support, rigid_rows};
+use crate::rigid::{free_motions, rigid_columns};
+use crate::space::{RigidEdge, Space, SpaceKind, Support};
 use crate::trace::{Trace, TraceLoad, path};
 use faer::Mat;
 use std::sync::Arc;
@@ -78,10 +79,15 @@ impl<'a> Body<'a> {
             supports,
             problem.rigid_edge.as_ref(),
         )?;
-        let walk = problem.kept.map(|name| path(mesh, name)).transpose()?.unwrap_or_default();
+        let walk = problem
+            .kept
+            .map(|name| path(mesh, name))
+            .transpose()?
+            .unwrap_or_default();
         let kept_groups = kept_groups(mesh, &space, &walk);
-        let element_groups: Vec<Vec<usize>> =
-            (0..mesh.cells.len()).map(|c| space.cell_groups(mesh, c, &[])).collect();
+        let element_groups: Vec<Vec<usize>> = (0..mesh.cells.len())
+            .map(|c| space.cell_groups(mesh, c, &[]))
+            .collect();
         let plan = Plan::new(&element_groups, &space.size, &kept_groups);
         let ordered = start.elapsed();
         let assembly = assembly(&problem, &space)?;
@@ -95,8 +101,12 @@ impl<'a> Body<'a> {
             elements.push(cell.element);
         }
         let assembled = start.elapsed();
-        let interior: usize = (0..mesh.cells.len()).map(|c| space.components * space.local_modes(mesh, c).interior).sum();
-        let condensed = plan.run(elements, &space.size, &kept_groups, columns).map_err(|g| not_held(place(mesh, g)))?;
+        let interior: usize = (0..mesh.cells.len())
+            .map(|c| space.components * space.local_modes(mesh, c).interior)
+            .sum();
+        let condensed = plan
+            .run(elements, &space.size, &kept_groups, columns)
+            .map_err(|g| not_held(place(mesh, g)))?;
         let factored = start.elapsed();
         let mut offsets = vec![None; space.size.len()];
         let mut unknowns = 0;
@@ -104,9 +114,23 @@ impl<'a> Body<'a> {
             offsets[*g] = Some(unknowns);
             unknowns += space.size[*g];
         }
-        let trace = Trace::new(mesh, &space, problem.kinematics, &walk, |g| offsets[g], unknowns);
-        let rigid_motions = free_motions(mesh, &space, &problem);
-        let rigid_modes = rigid_columns(mesh, &space, &kept_groups, &rigid_motions, unknowns, problem.kinematics);
+        let trace = Trace::new(
+            mesh,
+            &space,
+            problem.kinematics,
+            &walk,
+            |g| offsets[g],
+            unknowns,
+        );
+        let rigid_motions = free_motions(mesh, &space, problem.kinematics);
+        let rigid_modes = rigid_columns(
+            mesh,
+            &space,
+            &kept_groups,
+            &rigid_motions,
+            unknowns,
+            problem.kinematics,
+        );
         let mut frame = [None; 3];
         if let Some((group, rigid)) = &space.frame {
             let mut next = offsets[*group];
@@ -135,7 +159,14 @@ impl<'a> Body<'a> {
             assemble: assembled - ordered,
             factor: ordered + factored - assembled,
         };
-        Ok(Body { interface, effort, problem, space, condensed, kept_groups })
+        Ok(Body {
+            interface,
+            effort,
+            problem,
+            space,
+            condensed,
+            kept_groups,
+        })
     }
 
     /// The mesh of the body.
@@ -147,11 +178,18 @@ impl<'a> Body<'a> {
     pub fn solve(&self, cases: &[f64]) -> InterfaceState {
         let factors = self.interface.factors(cases);
         let n = self.interface.stiffness.nrows();
-        let load = TraceLoad { unknowns: vec![0.0; n], ..TraceLoad::default() };
+        let load = TraceLoad {
+            unknowns: vec![0.0; n],
+            ..TraceLoad::default()
+        };
         let right = self.interface.right_hand_side(&load, &factors);
         let right = Mat::from_fn(n, 1, |i, _| right[i]);
         let x = self.interface.solve(&right, &self.interface.rigid_modes);
-        InterfaceState { unknowns: (0..n).map(|i| x[(i, 0)]).collect(), factors, load }
+        InterfaceState {
+            unknowns: (0..n).map(|i| x[(i, 0)]).collect(),
+            factors,
+            load,
+        }
     }
 
     /// Recovers the displacement of the whole body.
@@ -165,7 +203,8 @@ impl<'a> Body<'a> {
             values[*g] = state.unknowns[at..at + self.space.size[*g]].to_vec();
             at += self.space.size[*g];
         }
-        self.condensed.back_substitute(&mut values, &self.space.size, &state.factors);
+        self.condensed
+            .back_substitute(&mut values, &self.space.size, &state.factors);
         let assembly = assembly(&self.problem, &self.space)?;
         let mesh = self.problem.mesh;
         let coefficients = map_cells(mesh.cells.len(), |c| {
@@ -180,8 +219,16 @@ impl<'a> Body<'a> {
                 .collect();
             assembly.recover(c, &boundary).map(|u| (local, u))
         });
-        let coefficients = coefficients.into_iter().collect::<Result<Vec<_>, Error>>()?;
-        Ok(Field::new(mesh, self.problem.kinematics, self.problem.materials, &self.space, coefficients))
+        let coefficients = coefficients
+            .into_iter()
+            .collect::<Result<Vec<_>, Error>>()?;
+        Ok(Field::new(
+            mesh,
+            self.problem.kinematics,
+            self.problem.materials,
+            &self.space,
+            coefficients,
+        ))
     }
 }
 
@@ -241,7 +288,11 @@ fn assembly<'b>(problem: &'b BodyProblem<'_>, space: &'b Space) -> Result<Assemb
         }
         rotation[g] = match g.checked_sub(mesh.vertices.len()) {
             None => vec![rotation_about_origin(mesh.vertices[g])],
-            Some(e) => edge_modes(&mesh.edges[e].curve, space.edge_degree[e], rotation_about_origin),
+            Some(e) => edge_modes(
+                &mesh.edges[e].curve,
+                space.edge_degree[e],
+                rotation_about_origin,
+            ),
         };
     }
     Ok(Assembly {
@@ -257,138 +308,14 @@ fn assembly<'b>(problem: &'b BodyProblem<'_>, space: &'b Space) -> Result<Assemb
     })
 }
 
-/// Rigid motions `[t_x, t_z, theta]` about the origin that no support hinders, as a reduced basis.
-fn free_motions(mesh: &Mesh, space: &Space, problem: &BodyProblem<'_>) -> Vec<[f64; 3]> {
-    let size = mesh.vertices.iter().fold(0.0_f64, |m, x| m.max(x[0].abs()).max(x[1].abs()));
-    let candidates: &[usize] = match problem.kinematics {
-        Kinematics::Axisymmetric => &[1],
-        Kinematics::Torsion => &[2],
-        _ => &[0, 1, 2],
-    };
-    // Rows of conditions on (t_x, t_z, theta * size).
-    let mut rows: Vec<[f64; 3]> = Vec::new();
-    let mut condition = |x: [f64; 2], d: [f64; 2]| {
-        let motions = rigid_rows(x, [0.0, 0.0]);
-        rows.push([0, 1, 2].map(|k| (motions[k][0] * d[0] + motions[k][1] * d[1]) / if k == 2 { size } else { 1.0 }));
-    };
-    for (g, freedom) in space.freedom.iter().enumerate() {
-        let x = match g.checked_sub(mesh.vertices.len()) {
-            None => mesh.vertices[g],
-            Some(e) => mesh.edges[e].curve.point(0.0),
-        };
-        if freedom.slaved {
-            continue;
-        }
-        for axis in 0..2 {
-            if freedom.fixed[axis].is_some() {
-                if problem.kinematics == Kinematics::Torsion {
-                    // u_phi = r theta.
-                    condition([0.0, x[0]], [-1.0, 0.0]);
-                } else {
-                    condition(x, freedom.axes[axis]);
-                }
-            }
-        }
-    }
-    if let Some((_, rigid)) = &space.frame {
-        let motions = rigid_rows(rigid.reference, [0.0, 0.0]);
-        for (k, d) in [[1.0, 0.0], [0.0, 1.0]].iter().enumerate() {
-            if !rigid.free[k] {
-                rows.push([0, 1, 2].map(|m| (motions[m][0] * d[0] + motions[m][1] * d[1]) / if m == 2 { size } else { 1.0 }));
-            }
-        }
-        if !rigid.free[2] {
-            rows.push([0.0, 0.0, 1.0]);
-        }
-    }
-    // Gaussian elimination with pivoting; free columns give the motions.
-    let mut pivots: Vec<(usize, [f64; 3])> = Vec::new();
-    let mut columns: Vec<usize> = candidates.to_vec();
-    for _ in 0..candidates.len() {
-        let best = rows
-            .iter()
-            .flat_map(|r| columns.iter().map(move |c| (r, *c)))
-            .max_by(|(r, c), (s, d)| r[*c].abs().total_cmp(&s[*d].abs()));
-        let Some((row, column)) = best.map(|(r, c)| (*r, c)) else { break };
-        if row[column].abs() < 1e-9 {
-            break;
-        }
-        let pivot = row.map(|v| v / row[column]);
-        let eliminate = |r: &mut [f64; 3]| {
-            let f = r[column];
-            (0..3).for_each(|k| r[k] -= f * pivot[k]);
-        };
-        rows.iter_mut().for_each(eliminate);
-        pivots.iter_mut().for_each(|(_, r)| eliminate(r));
-        pivots.push((column, pivot));
-        columns.retain(|c| *c != column);
-    }
-    columns
-        .iter()
-        .map(|free| {
-            let mut motion = [0.0; 3];
-            motion[*free] = 1.0;
-            pivots.iter().for_each(|(c, r)| motion[*c] = -r[*free]);
-            motion[2] /= size;
-            let unit = motion.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-            if *free == 2 { motion.map(|v| v * size) } else { motion.map(|v| v / unit) }
-        })
-        .collect()
-}
-
-/// The motions as kept unknowns.
-fn rigid_columns(
-    mesh: &Mesh,
-    space: &Space,
-    kept: &[usize],
-    motions: &[[f64; 3]],
-    unknowns: usize,
-    kinematics: Kinematics,
-) -> Mat<f64> {
-    let mut columns = Mat::zeros(unknowns, motions.len());
-    let field = |m: &[f64; 3], x: [f64; 2]| -> [f64; 2] {
-        if kinematics == Kinematics::Torsion {
-            return [m[2] * x[0], 0.0];
-        }
-        let rows = rigid_rows(x, [0.0, 0.0]);
-        std::array::from_fn(|i| (0..3).map(|k| m[k] * rows[k][i]).sum())
-    };
-    let mut at = 0;
-    for g in kept {
-        for (c, motion) in motions.iter().enumerate() {
-            if let Some((group, rigid)) = &space.frame
-                && group == g
-            {
-                let t = field(motion, rigid.reference);
-                let values = [t[0], t[1], motion[2]];
-                let free = (0..3).filter(|k| rigid.free[*k]);
-                free.enumerate().for_each(|(i, k)| columns[(at + i, c)] = values[k]);
-                continue;
-            }
-            let modes = match g.checked_sub(mesh.vertices.len()) {
-                None => vec![field(motion, mesh.vertices[*g])],
-                Some(e) => edge_modes(&mesh.edges[e].curve, space.edge_degree[e], |x| field(motion, x)),
-            };
-            let freedom = &space.freedom[*g];
-            let free: Vec<usize> = (0..space.components).filter(|a| freedom.fixed[*a].is_none()).collect();
-            for (m, value) in modes.iter().enumerate() {
-                for (i, axis) in free.iter().enumerate() {
-                    let d = freedom.axes[*axis];
-                    columns[(at + m * free.len() + i, c)] = d[0] * value[0] + d[1] * value[1];
-                }
-            }
-        }
-        at += space.size[*g];
-    }
-    columns
-}
-
 /// Words for the place of a group.
 fn place(mesh: &Mesh, group: usize) -> String {
     let at = |x: [f64; 2]| format!("({:.4}, {:.4})", x[0], x[1]);
     match group.checked_sub(mesh.vertices.len()) {
         None => format!("the vertex at {}", at(mesh.vertices[group])),
-        Some(e) if e < mesh.edges.len() => format!("the edge around {}", at(mesh.edges[e].curve.point(0.0))),
+        Some(e) if e < mesh.edges.len() => {
+            format!("the edge around {}", at(mesh.edges[e].curve.point(0.0)))
+        }
         Some(_) => "the rigid edge".to_string(),
     }
 }

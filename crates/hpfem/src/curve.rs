@@ -1,4 +1,10 @@
-//! Curves of cell edges: exact lines and circular arcs.
+//! Curves of cell edges: exact lines and circular arcs, and polynomial curves for splines, graphs and imported meshes.
+
+use crate::legendre::legendre;
+use crate::quadrature::{barycentric_weights, gauss, gauss_lobatto, lagrange};
+
+/// Highest degree of [`Curve::Polynomial`].
+pub const CURVE_DEGREE: usize = 8;
 
 /// A plane curve with a parameter `t` in `[-1, 1]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,9 +27,90 @@ pub enum Curve {
         /// Angle at `t = +1`.
         to: f64,
     },
+    /// Polynomial curve in the crate's own shape functions, `x(t) = N_0 start + N_1 end + sum_k modes[k - 2] N_k(t)` with
+    /// `k = 2..=8`; see [`shape_functions`](crate::shape_functions).
+    Polynomial {
+        /// Start, `t = -1`.
+        start: [f64; 2],
+        /// End, `t = +1`.
+        end: [f64; 2],
+        /// Coefficients of the modes 2, 3, ...
+        modes: [[f64; 2]; CURVE_DEGREE - 1],
+    },
 }
 
 impl Curve {
+    /// The polynomial of the given degree (at most [`CURVE_DEGREE`]) that meets `position(t)` at the Gauss-Lobatto points.
+    ///
+    /// With `y = x - linear part`, which vanishes at the ends, `c_k = int y' N_k' dt = -sqrt((2k-1)/2) int y P_{k-1}' dt`, and the
+    /// Gauss-Lobatto rule of `degree + 1` points is exact for it.
+    pub fn interpolated(degree: usize, position: impl Fn(f64) -> [f64; 2]) -> Curve {
+        let degree = degree.clamp(1, CURVE_DEGREE);
+        let (start, end) = (position(-1.0), position(1.0));
+        let mut modes = [[0.0; 2]; CURVE_DEGREE - 1];
+        let rule = gauss_lobatto(degree + 1);
+        for (t, w) in rule.points.iter().zip(&rule.weights) {
+            let x = position(*t);
+            let (a, b) = (0.5 * (1.0 - t), 0.5 * (1.0 + t));
+            let bubble: [f64; 2] = std::array::from_fn(|i| x[i] - (a * start[i] + b * end[i]));
+            let p = legendre(degree, *t);
+            // P_j' = P_{j-2}' + (2j - 1) P_{j-1}.
+            let mut slope = vec![0.0; degree + 1];
+            for j in 1..degree {
+                slope[j] = (2 * j - 1) as f64 * p[j - 1] + if j >= 2 { slope[j - 2] } else { 0.0 };
+            }
+            for k in 2..=degree {
+                let scale = (0.5 * (2 * k - 1) as f64).sqrt();
+                (0..2).for_each(|i| modes[k - 2][i] -= w * scale * slope[k - 1] * bubble[i]);
+            }
+        }
+        Curve::Polynomial { start, end, modes }
+    }
+
+    /// The polynomial through points at equally spaced parameters, the first at the start, the last at the end: the edges of
+    /// mesh files of order `points.len() - 1`. At most `CURVE_DEGREE + 1` points; two give a [`Curve::Line`].
+    pub fn through(points: &[[f64; 2]]) -> Curve {
+        let n = points.len();
+        if n == 2 {
+            return Curve::Line {
+                start: points[0],
+                end: points[1],
+            };
+        }
+        let places: Vec<f64> = (0..n)
+            .map(|i| (2 * i) as f64 / (n - 1) as f64 - 1.0)
+            .collect();
+        let weights = barycentric_weights(&places);
+        Curve::interpolated(n - 1, |t| {
+            let l = lagrange(&places, &weights, t);
+            std::array::from_fn(|i| l.iter().zip(points).map(|(l, p)| l * p[i]).sum())
+        })
+    }
+
+    /// The graph `z(x)` from `x = from` to `x = to`, interpolated with degree [`CURVE_DEGREE`]. Cut the graph at its kinks and
+    /// where it bends quickly: the error of a piece falls like its width to the ninth power.
+    pub fn graph(from: f64, to: f64, z: impl Fn(f64) -> f64) -> Curve {
+        Curve::interpolated(CURVE_DEGREE, |t| {
+            let x = 0.5 * ((1.0 - t) * from + (1.0 + t) * to);
+            [x, z(x)]
+        })
+    }
+
+    /// This curve with a profile laid on it: every point is moved by `offset(position)` along the normal on the left of the walk,
+    /// and the result interpolated with degree [`CURVE_DEGREE`]. For worn or machined shapes, cut as for [`Curve::graph`].
+    pub fn with_profile(&self, offset: impl Fn([f64; 2]) -> f64) -> Curve {
+        Curve::interpolated(CURVE_DEGREE, |t| {
+            let (x, d) = (self.point(t), self.derivative(t));
+            let step = offset(x) / d[0].hypot(d[1]);
+            [x[0] - step * d[1], x[1] + step * d[0]]
+        })
+    }
+
+    /// Whether the curve is a straight line.
+    pub fn is_straight(&self) -> bool {
+        matches!(self, Curve::Line { .. })
+    }
+
     /// Position at `t`.
     pub fn point(&self, t: f64) -> [f64; 2] {
         match *self {
@@ -31,9 +118,33 @@ impl Curve {
                 let (a, b) = (0.5 * (1.0 - t), 0.5 * (1.0 + t));
                 [a * start[0] + b * end[0], a * start[1] + b * end[1]]
             }
-            Curve::Arc { centre, radius, from, to } => {
+            Curve::Arc {
+                centre,
+                radius,
+                from,
+                to,
+            } => {
                 let angle = 0.5 * ((1.0 - t) * from + (1.0 + t) * to);
-                [centre[0] + radius * angle.cos(), centre[1] + radius * angle.sin()]
+                [
+                    centre[0] + radius * angle.cos(),
+                    centre[1] + radius * angle.sin(),
+                ]
+            }
+            Curve::Polynomial {
+                start,
+                end,
+                ref modes,
+            } => {
+                let (a, b) = (0.5 * (1.0 - t), 0.5 * (1.0 + t));
+                let mut x = [a * start[0] + b * end[0], a * start[1] + b * end[1]];
+                let mut p = [1.0, t];
+                for (k, mode) in (2..).zip(modes) {
+                    let next = next_legendre(k, t, p);
+                    let shape = (next - p[0]) / ((2 * (2 * k - 1)) as f64).sqrt();
+                    (0..2).for_each(|i| x[i] += shape * mode[i]);
+                    p = [p[1], next];
+                }
+                x
             }
         }
     }
@@ -42,10 +153,26 @@ impl Curve {
     pub fn derivative(&self, t: f64) -> [f64; 2] {
         match *self {
             Curve::Line { start, end } => [0.5 * (end[0] - start[0]), 0.5 * (end[1] - start[1])],
-            Curve::Arc { radius, from, to, .. } => {
+            Curve::Arc {
+                radius, from, to, ..
+            } => {
                 let angle = 0.5 * ((1.0 - t) * from + (1.0 + t) * to);
                 let rate = 0.5 * (to - from) * radius;
                 [-rate * angle.sin(), rate * angle.cos()]
+            }
+            Curve::Polynomial {
+                start,
+                end,
+                ref modes,
+            } => {
+                let mut d = [0.5 * (end[0] - start[0]), 0.5 * (end[1] - start[1])];
+                let mut p = [1.0, t];
+                for (k, mode) in (2..).zip(modes) {
+                    let slope = (0.5 * (2 * k - 1) as f64).sqrt() * p[1];
+                    (0..2).for_each(|i| d[i] += slope * mode[i]);
+                    p = [p[1], next_legendre(k, t, p)];
+                }
+                d
             }
         }
     }
@@ -53,19 +180,65 @@ impl Curve {
     /// The part from `t = a` to `t = b` as a curve of its own; `a > b` turns it round.
     pub fn part(&self, a: f64, b: f64) -> Curve {
         match *self {
-            Curve::Line { .. } => Curve::Line { start: self.point(a), end: self.point(b) },
-            Curve::Arc { centre, radius, from, to } => {
+            Curve::Line { .. } => Curve::Line {
+                start: self.point(a),
+                end: self.point(b),
+            },
+            Curve::Arc {
+                centre,
+                radius,
+                from,
+                to,
+            } => {
                 let angle = |t: f64| 0.5 * ((1.0 - t) * from + (1.0 + t) * to);
-                Curve::Arc { centre, radius, from: angle(a), to: angle(b) }
+                Curve::Arc {
+                    centre,
+                    radius,
+                    from: angle(a),
+                    to: angle(b),
+                }
             }
+            Curve::Polynomial { .. } => Curve::interpolated(CURVE_DEGREE, |t| {
+                self.point(0.5 * ((1.0 - t) * a + (1.0 + t) * b))
+            }),
         }
     }
 
     /// The same curve walked the other way.
     pub fn reversed(&self) -> Curve {
         match *self {
-            Curve::Line { start, end } => Curve::Line { start: end, end: start },
-            Curve::Arc { centre, radius, from, to } => Curve::Arc { centre, radius, from: to, to: from },
+            Curve::Line { start, end } => Curve::Line {
+                start: end,
+                end: start,
+            },
+            Curve::Arc {
+                centre,
+                radius,
+                from,
+                to,
+            } => Curve::Arc {
+                centre,
+                radius,
+                from: to,
+                to: from,
+            },
+            Curve::Polynomial {
+                start,
+                end,
+                mut modes,
+            } => {
+                modes
+                    .iter_mut()
+                    .skip(1)
+                    .step_by(2)
+                    .flatten()
+                    .for_each(|c| *c = -*c);
+                Curve::Polynomial {
+                    start: end,
+                    end: start,
+                    modes,
+                }
+            }
         }
     }
 
@@ -73,7 +246,48 @@ impl Curve {
     pub fn length(&self) -> f64 {
         match *self {
             Curve::Line { start, end } => (end[0] - start[0]).hypot(end[1] - start[1]),
-            Curve::Arc { radius, from, to, .. } => radius * (to - from).abs(),
+            Curve::Arc {
+                radius, from, to, ..
+            } => radius * (to - from).abs(),
+            Curve::Polynomial { .. } => self.length_until(1.0),
         }
     }
+
+    /// Length of the part before `t`.
+    pub fn length_until(&self, t: f64) -> f64 {
+        if let Curve::Polynomial { .. } = self {
+            let rule = gauss(24);
+            let at = |s: f64| self.derivative(0.5 * (1.0 + t) * (1.0 + s) - 1.0);
+            let sum: f64 = rule
+                .points
+                .iter()
+                .zip(&rule.weights)
+                .map(|(s, w)| w * at(*s)[0].hypot(at(*s)[1]))
+                .sum();
+            return 0.5 * (1.0 + t) * sum;
+        }
+        0.5 * (1.0 + t) * self.length()
+    }
+
+    /// The parameter at which the length before it is `length`, clamped to the curve.
+    pub fn parameter_at_length(&self, length: f64) -> f64 {
+        let total = self.length();
+        let mut t = (2.0 * length / total - 1.0).clamp(-1.0, 1.0);
+        if let Curve::Polynomial { .. } = self {
+            for _ in 0..30 {
+                let d = self.derivative(t);
+                let step = (self.length_until(t) - length) / d[0].hypot(d[1]);
+                t = (t - step).clamp(-1.0, 1.0);
+                if step.abs() < 1e-15 {
+                    break;
+                }
+            }
+        }
+        t
+    }
+}
+
+/// `P_k(t)` from `[P_{k-2}, P_{k-1}]`.
+fn next_legendre(k: usize, t: f64, p: [f64; 2]) -> f64 {
+    ((2 * k - 1) as f64 * t * p[1] - (k - 1) as f64 * p[0]) / k as f64
 }

@@ -8,11 +8,13 @@
 //! needs no special care as long as the kept groups hold it.
 
 use crate::error::Error;
+use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{LltError, cholesky_in_place, cholesky_in_place_scratch};
 use faer::linalg::matmul::matmul;
 use faer::linalg::matmul::triangular::{BlockStructure, matmul as triangular_matmul};
-use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
-use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::triangular_solve::{
+    solve_lower_triangular_in_place, solve_upper_triangular_in_place,
+};
 use faer::{Accum, Mat, MatMut, Par, Spec};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -65,14 +67,18 @@ impl Plan {
         let mut is_kept = vec![false; size.len()];
         kept.iter().for_each(|g| is_kept[*g] = true);
         let mut members: Vec<Vec<usize>> = element_groups.to_vec();
-        let mut weight: Vec<usize> = members.iter().map(|m| m.iter().map(|g| size[*g]).sum()).collect();
+        let mut weight: Vec<usize> = members
+            .iter()
+            .map(|m| m.iter().map(|g| size[*g]).sum())
+            .collect();
         let mut holders: Vec<Vec<usize>> = vec![Vec::new(); size.len()];
         for (e, groups) in members.iter().enumerate() {
             groups.iter().for_each(|g| holders[*g].push(e));
         }
         let mut alive = vec![true; members.len()];
-        let mut degree: Vec<usize> =
-            (0..size.len()).map(|g| holders[g].iter().map(|e| weight[*e] - size[g]).sum()).collect();
+        let mut degree: Vec<usize> = (0..size.len())
+            .map(|g| holders[g].iter().map(|e| weight[*e] - size[g]).sum())
+            .collect();
         let mut heap: BinaryHeap<Reverse<(usize, usize)>> = (0..size.len())
             .filter(|g| !is_kept[*g] && !holders[*g].is_empty())
             .map(|g| Reverse((degree[g], g)))
@@ -122,13 +128,18 @@ impl Plan {
                 }
             }
             for h in &remaining {
-                degree[*h] = total - size[*h] + holders[*h].iter().map(|e| outside[*e]).sum::<usize>();
+                degree[*h] =
+                    total - size[*h] + holders[*h].iter().map(|e| outside[*e]).sum::<usize>();
                 holders[*h].push(id);
                 if !is_kept[*h] {
                     heap.push(Reverse((degree[*h], *h)));
                 }
             }
-            fronts.push(FrontPlan { children, groups: union, eliminated: order.len() - before });
+            fronts.push(FrontPlan {
+                children,
+                groups: union,
+                eliminated: order.len() - before,
+            });
             members.push(remaining);
             weight.push(total);
             alive.push(true);
@@ -136,12 +147,20 @@ impl Plan {
             outside_stamp.push(usize::MAX);
         }
         let mut rank = vec![usize::MAX; size.len()];
-        order.iter().chain(kept).enumerate().for_each(|(i, g)| rank[*g] = i);
+        order
+            .iter()
+            .chain(kept)
+            .enumerate()
+            .for_each(|(i, g)| rank[*g] = i);
         for front in &mut fronts {
             front.groups.sort_by_key(|g| rank[*g]);
         }
         let roots = (0..members.len()).filter(|e| alive[*e]).collect();
-        Plan { rank, fronts, roots }
+        Plan {
+            rank,
+            fronts,
+            roots,
+        }
     }
 
     /// Largest memory the factorisation will hold at once, in bytes, without the elements handed in: all panels and the largest front.
@@ -150,7 +169,10 @@ impl Plan {
         let mut largest = 0;
         for front in &self.fronts {
             let n: usize = front.groups.iter().map(|g| size[*g]).sum();
-            let ne: usize = front.groups[..front.eliminated].iter().map(|g| size[*g]).sum();
+            let ne: usize = front.groups[..front.eliminated]
+                .iter()
+                .map(|g| size[*g])
+                .sum();
             total += 8 * n * ne;
             largest = largest.max(8 * n * n);
         }
@@ -174,7 +196,10 @@ impl Plan {
         let mut work = Mat::zeros(columns, columns);
         for plan in &self.fronts {
             let n = place(&plan.groups, size, &mut offset);
-            let ne = plan.groups[..plan.eliminated].iter().map(|g| size[*g]).sum();
+            let ne = plan.groups[..plan.eliminated]
+                .iter()
+                .map(|g| size[*g])
+                .sum();
             let mut matrix = Mat::zeros(n, n);
             let mut rhs = Mat::zeros(n, columns);
             for child in &plan.children {
@@ -182,16 +207,29 @@ impl Plan {
                     add(&element, size, &offset, &mut matrix, &mut rhs);
                 }
             }
-            factor_leading(matrix.as_mut(), rhs.as_mut(), ne).map_err(|index| owner(&plan.groups, size, index))?;
+            factor_leading(matrix.as_mut(), rhs.as_mut(), ne)
+                .map_err(|index| owner(&plan.groups, size, index))?;
             let reduced = rhs.subrows(0, ne).to_owned();
-            matmul(work.as_mut(), Accum::Add, reduced.transpose(), reduced.as_ref(), 1.0, Par::Seq);
+            matmul(
+                work.as_mut(),
+                Accum::Add,
+                reduced.transpose(),
+                reduced.as_ref(),
+                1.0,
+                Par::Seq,
+            );
             let panel = matrix.subcols(0, ne).to_owned();
             elements.push(Some(Element {
                 groups: plan.groups[plan.eliminated..].to_vec(),
                 matrix: matrix.submatrix(ne, ne, n - ne, n - ne).to_owned(),
                 rhs: rhs.subrows(ne, n - ne).to_owned(),
             }));
-            fronts.push(Front { groups: plan.groups.clone(), eliminated: plan.eliminated, panel, reduced });
+            fronts.push(Front {
+                groups: plan.groups.clone(),
+                eliminated: plan.eliminated,
+                panel,
+                reduced,
+            });
         }
         let n = place(kept, size, &mut offset);
         let mut stiffness = Mat::zeros(n, n);
@@ -206,7 +244,12 @@ impl Plan {
                 stiffness[(i, j)] = stiffness[(j, i)];
             }
         }
-        Ok(Condensed { fronts, stiffness, rhs, work })
+        Ok(Condensed {
+            fronts,
+            stiffness,
+            rhs,
+            work,
+        })
     }
 }
 
@@ -216,14 +259,28 @@ impl Condensed {
     pub(crate) fn back_substitute(&self, values: &mut [Vec<f64>], size: &[usize], factors: &[f64]) {
         for front in self.fronts.iter().rev() {
             let (gone, left) = front.groups.split_at(front.eliminated);
-            let known: Vec<f64> = left.iter().flat_map(|g| values[*g].iter().copied()).collect();
+            let known: Vec<f64> = left
+                .iter()
+                .flat_map(|g| values[*g].iter().copied())
+                .collect();
             let ne = front.panel.ncols();
             let mut x = Mat::from_fn(ne, 1, |i, _| {
-                factors.iter().enumerate().map(|(c, factor)| factor * front.reduced[(i, c)]).sum::<f64>()
+                factors
+                    .iter()
+                    .enumerate()
+                    .map(|(c, factor)| factor * front.reduced[(i, c)])
+                    .sum::<f64>()
             });
             let known = Mat::from_fn(known.len(), 1, |i, _| known[i]);
             let (l11, l21) = front.panel.split_at_row(ne);
-            matmul(x.as_mut(), Accum::Add, l21.transpose(), known.as_ref(), -1.0, Par::Seq);
+            matmul(
+                x.as_mut(),
+                Accum::Add,
+                l21.transpose(),
+                known.as_ref(),
+                -1.0,
+                Par::Seq,
+            );
             solve_upper_triangular_in_place(l11.transpose(), x.as_mut(), Par::Seq);
             let mut at = 0;
             for g in gone {
@@ -239,16 +296,30 @@ impl Condensed {
 ///
 /// # Errors
 /// The index of the pivot that is not positive beyond round-off.
-pub(crate) fn factor_leading(matrix: MatMut<'_, f64>, rhs: MatMut<'_, f64>, ne: usize) -> Result<(), usize> {
+pub(crate) fn factor_leading(
+    matrix: MatMut<'_, f64>,
+    rhs: MatMut<'_, f64>,
+    ne: usize,
+) -> Result<(), usize> {
     if ne == 0 {
         return Ok(());
     }
     let (mut a11, _, mut a21, a22) = matrix.split_at_mut(ne, ne);
     let (mut f1, f2) = rhs.split_at_row_mut(ne);
     let diagonal: Vec<f64> = (0..ne).map(|i| a11[(i, i)]).collect();
-    let mut buffer = MemBuffer::new(cholesky_in_place_scratch::<f64>(ne, Par::Seq, Spec::default()));
-    cholesky_in_place(a11.as_mut(), Default::default(), Par::Seq, MemStack::new(&mut buffer), Spec::default())
-        .map_err(|LltError::NonPositivePivot { index }| index)?;
+    let mut buffer = MemBuffer::new(cholesky_in_place_scratch::<f64>(
+        ne,
+        Par::Seq,
+        Spec::default(),
+    ));
+    cholesky_in_place(
+        a11.as_mut(),
+        Default::default(),
+        Par::Seq,
+        MemStack::new(&mut buffer),
+        Spec::default(),
+    )
+    .map_err(|LltError::NonPositivePivot { index }| index)?;
     // A pivot that is round-off of the diagonal it came from means a motion that nothing holds.
     if let Some(lost) = (0..ne).find(|i| a11[(*i, *i)].powi(2) <= 1e-13 * diagonal[*i]) {
         return Err(lost);
@@ -282,7 +353,13 @@ fn place(groups: &[usize], size: &[usize], offset: &mut [usize]) -> usize {
 }
 
 /// Adds an element into a front. Both sort their groups by rank, so lower stays lower and rows come in runs.
-fn add(element: &Element, size: &[usize], offset: &[usize], matrix: &mut Mat<f64>, rhs: &mut Mat<f64>) {
+fn add(
+    element: &Element,
+    size: &[usize],
+    offset: &[usize],
+    matrix: &mut Mat<f64>,
+    rhs: &mut Mat<f64>,
+) {
     let mut from = 0;
     for (b, column_group) in element.groups.iter().enumerate() {
         for c in 0..size[*column_group] {

@@ -4,7 +4,9 @@
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Error {
     /// A cell's map is folded or has no area.
-    #[error("cell {cell} is folded or degenerate: its Jacobian is {jacobian:.3e} at ({x:.6}, {z:.6}); its corners must run anti-clockwise with every angle below 180 degrees")]
+    #[error(
+        "cell {cell} is folded or degenerate: its Jacobian is {jacobian:.3e} at ({x:.6}, {z:.6}); its corners must run anti-clockwise with every angle below 180 degrees"
+    )]
     FoldedCell {
         /// Index of the cell.
         cell: usize,
@@ -50,7 +52,9 @@ pub enum Error {
         degree: usize,
     },
     /// A material that cannot exist.
-    #[error("Young's modulus {young} must be positive and Poisson's ratio {poisson} must be in (-1, 0.5)")]
+    #[error(
+        "Young's modulus {young} must be positive and Poisson's ratio {poisson} must be in (-1, 0.5)"
+    )]
     Material {
         /// Young's modulus.
         young: f64,
@@ -58,7 +62,9 @@ pub enum Error {
         poisson: f64,
     },
     /// The body can move without strain and neither a support nor the kept boundary holds it.
-    #[error("the body is not held: elimination met a pivot without stiffness at {place}; add a support, or keep the boundary that holds it")]
+    #[error(
+        "the body is not held: elimination met a pivot without stiffness at {place}; add a support, or keep the boundary that holds it"
+    )]
     NotHeld {
         /// Words for the place.
         place: String,

@@ -20,19 +20,22 @@ mod legendre;
 mod material;
 mod mesh;
 mod quadrature;
+mod rigid;
 mod space;
 mod trace;
 
 pub use assemble::{BoundaryPoint, EdgeTraction, LoadCase};
 pub use blocks::{Named, Ruled, Side};
 pub use body::{Body, BodyProblem, Effort};
-pub use curve::Curve;
+pub use curve::{CURVE_DEGREE, Curve};
 pub use error::Error;
 pub use field::{Field, PointState};
 pub use interface::{InterfaceOperator, InterfaceState};
 pub use legendre::{legendre, shape_functions};
 pub use material::{Kinematics, Material, Moduli};
 pub use mesh::{CELL_EDGES, Cell, Edge, Mesh, Quad};
-pub use quadrature::{Quadrature, barycentric_weights, gauss, gauss_lobatto, gauss_lobatto_jacobi, lagrange};
+pub use quadrature::{
+    Quadrature, barycentric_weights, gauss, gauss_lobatto, gauss_lobatto_jacobi, lagrange,
+};
 pub use space::{Direction, MAX_DEGREE, RigidEdge, SpaceKind, Support};
 pub use trace::{Trace, TraceEdge, TraceLoad, TracePoint};

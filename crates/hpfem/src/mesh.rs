@@ -71,16 +71,31 @@ impl Mesh {
         curves: &[([usize; 2], Curve)],
         names: &[([usize; 2], &str)],
     ) -> Result<Mesh, Error> {
-        let mut mesh = Mesh { vertices, ..Mesh::default() };
+        let mut mesh = Mesh {
+            vertices,
+            ..Mesh::default()
+        };
         let mut index: HashMap<[usize; 2], usize> = HashMap::new();
         for quad in quads {
-            let mut cell =
-                Cell { corners: quad.corners, edges: [0; 4], against: [false; 4], material: quad.material, layer: quad.layer };
+            let mut cell = Cell {
+                corners: quad.corners,
+                edges: [0; 4],
+                against: [false; 4],
+                material: quad.material,
+                layer: quad.layer,
+            };
             for (local, ends) in CELL_EDGES.iter().enumerate() {
                 let walk = [quad.corners[ends[0]], quad.corners[ends[1]]];
                 let edge = *index.entry(sorted(walk)).or_insert_with(|| {
-                    let curve = Curve::Line { start: mesh.vertices[walk[0]], end: mesh.vertices[walk[1]] };
-                    mesh.edges.push(Edge { vertices: walk, curve, tags: Vec::new() });
+                    let curve = Curve::Line {
+                        start: mesh.vertices[walk[0]],
+                        end: mesh.vertices[walk[1]],
+                    };
+                    mesh.edges.push(Edge {
+                        vertices: walk,
+                        curve,
+                        tags: Vec::new(),
+                    });
                     mesh.edges.len() - 1
                 });
                 cell.edges[local] = edge;
@@ -89,23 +104,43 @@ impl Mesh {
             mesh.cells.push(cell);
         }
         for (walk, curve) in curves {
-            let edge = *index.get(&sorted(*walk)).ok_or(Error::NoSuchEdge { a: walk[0], b: walk[1] })?;
-            let curve = if mesh.edges[edge].vertices == *walk { *curve } else { curve.reversed() };
+            let edge = *index.get(&sorted(*walk)).ok_or(Error::NoSuchEdge {
+                a: walk[0],
+                b: walk[1],
+            })?;
+            let curve = if mesh.edges[edge].vertices == *walk {
+                *curve
+            } else {
+                curve.reversed()
+            };
             let [a, b] = mesh.edges[edge].vertices;
-            let miss = distance(curve.point(-1.0), mesh.vertices[a]).max(distance(curve.point(1.0), mesh.vertices[b]));
+            let miss = distance(curve.point(-1.0), mesh.vertices[a])
+                .max(distance(curve.point(1.0), mesh.vertices[b]));
             // Deep layers are so small that the round-off of their coordinates counts.
-            let round_off = 64.0 * f64::EPSILON * mesh.vertices[a].iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+            let round_off =
+                64.0 * f64::EPSILON * mesh.vertices[a].iter().fold(0.0_f64, |m, x| m.max(x.abs()));
             if !(miss <= 1e-9 * curve.length() + round_off) {
-                return Err(Error::CurveMissesVertex { a, b, distance: miss });
+                return Err(Error::CurveMissesVertex {
+                    a,
+                    b,
+                    distance: miss,
+                });
             }
             mesh.edges[edge].curve = curve;
         }
         for (walk, name) in names {
-            let edge = *index.get(&sorted(*walk)).ok_or(Error::NoSuchEdge { a: walk[0], b: walk[1] })?;
-            let tag = mesh.boundaries.iter().position(|n| n == name).unwrap_or_else(|| {
-                mesh.boundaries.push((*name).to_string());
-                mesh.boundaries.len() - 1
-            });
+            let edge = *index.get(&sorted(*walk)).ok_or(Error::NoSuchEdge {
+                a: walk[0],
+                b: walk[1],
+            })?;
+            let tag = mesh
+                .boundaries
+                .iter()
+                .position(|n| n == name)
+                .unwrap_or_else(|| {
+                    mesh.boundaries.push((*name).to_string());
+                    mesh.boundaries.len() - 1
+                });
             if !mesh.edges[edge].tags.contains(&tag) {
                 mesh.edges[edge].tags.push(tag);
             }
@@ -121,11 +156,17 @@ impl Mesh {
     /// # Errors
     /// [`Error::NoSuchBoundary`].
     pub fn boundary(&self, name: &str) -> Result<Vec<usize>, Error> {
-        let tag = self.boundaries.iter().position(|n| n == name).ok_or_else(|| Error::NoSuchBoundary {
-            name: name.to_string(),
-            known: self.boundaries.join(", "),
-        })?;
-        Ok((0..self.edges.len()).filter(|e| self.edges[*e].tags.contains(&tag)).collect())
+        let tag = self
+            .boundaries
+            .iter()
+            .position(|n| n == name)
+            .ok_or_else(|| Error::NoSuchBoundary {
+                name: name.to_string(),
+                known: self.boundaries.join(", "),
+            })?;
+        Ok((0..self.edges.len())
+            .filter(|e| self.edges[*e].tags.contains(&tag))
+            .collect())
     }
 
     /// For each edge the cells that share it, one or two, as `(cell, local edge)`.
@@ -142,7 +183,11 @@ impl Mesh {
     /// The curve of a cell's local edge, walked towards growing reference coordinate.
     pub fn local_curve(&self, cell: usize, local: usize) -> Curve {
         let curve = &self.edges[self.cells[cell].edges[local]].curve;
-        if self.cells[cell].against[local] { curve.reversed() } else { *curve }
+        if self.cells[cell].against[local] {
+            curve.reversed()
+        } else {
+            *curve
+        }
     }
 
     /// Transfinite (blended) map of a cell, `X(xi, eta)`, and its derivative as `[[dx/dxi, dx/deta], [dz/dxi, dz/deta]]`
@@ -151,7 +196,12 @@ impl Mesh {
         let edges: [Curve; 4] = std::array::from_fn(|e| self.local_curve(cell, e));
         let corners = self.cells[cell].corners.map(|v| self.vertices[v]);
         let at = |e: usize, t: f64| (edges[e].point(t), edges[e].derivative(t));
-        blend(&corners, [at(0, xi), at(1, eta), at(2, xi), at(3, eta)], xi, eta)
+        blend(
+            &corners,
+            [at(0, xi), at(1, eta), at(2, xi), at(3, eta)],
+            xi,
+            eta,
+        )
     }
 
     /// Refines towards the given vertices: `layers` times, every cell that touches such a vertex is cut into a small cell at the
@@ -162,7 +212,12 @@ impl Mesh {
     ///
     /// # Errors
     /// [`Error::FoldedCell`] if a cell cannot be cut.
-    pub fn refined_towards(&self, vertices: &[usize], ratio: f64, layers: usize) -> Result<Mesh, Error> {
+    pub fn refined_towards(
+        &self,
+        vertices: &[usize],
+        ratio: f64,
+        layers: usize,
+    ) -> Result<Mesh, Error> {
         let mut mesh = self.clone();
         for _ in 0..layers {
             mesh = mesh.cut_at(vertices, ratio)?;
@@ -200,7 +255,11 @@ impl Mesh {
             }
         }
         for (c, cell) in self.cells.iter().enumerate() {
-            let quad = |corners, layer| Quad { corners, material: cell.material, layer };
+            let quad = |corners, layer| Quad {
+                corners,
+                material: cell.material,
+                layer,
+            };
             let Some(corner) = cell.corners.iter().position(|v| singular.contains(v)) else {
                 quads.push(quad(cell.corners, cell.layer));
                 continue;
@@ -210,10 +269,16 @@ impl Mesh {
             // Local edges from k0 to k1 and from k3 to k0, in any direction.
             let (first, last) = (corner, (corner + 3) % 4);
             let local = [0, 1, 2, 3];
-            let (Some(&m1), Some(&m3)) =
-                (cut_vertex.get(&cell.edges[local[first]]), cut_vertex.get(&cell.edges[local[last]]))
-            else {
-                return Err(Error::FoldedCell { cell: c, jacobian: 0.0, x: 0.0, z: 0.0 });
+            let (Some(&m1), Some(&m3)) = (
+                cut_vertex.get(&cell.edges[local[first]]),
+                cut_vertex.get(&cell.edges[local[last]]),
+            ) else {
+                return Err(Error::FoldedCell {
+                    cell: c,
+                    jacobian: 0.0,
+                    x: 0.0,
+                    z: 0.0,
+                });
             };
             let reference = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
             let (near, far) = (reference[corner], reference[(corner + 2) % 4]);
@@ -231,11 +296,22 @@ impl Mesh {
     fn check_cell(&self, cell: usize) -> Result<(), Error> {
         let corners = self.cells[cell].corners.map(|v| self.vertices[v]);
         let size = distance(corners[0], corners[2]).max(distance(corners[1], corners[3]));
-        for [xi, eta] in [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0], [0.0, 0.0]] {
+        for [xi, eta] in [
+            [-1.0, -1.0],
+            [1.0, -1.0],
+            [1.0, 1.0],
+            [-1.0, 1.0],
+            [0.0, 0.0],
+        ] {
             let (x, d) = self.map(cell, xi, eta);
             let jacobian = d[0][0] * d[1][1] - d[0][1] * d[1][0];
             if !(jacobian > 1e-14 * size * size) {
-                return Err(Error::FoldedCell { cell, jacobian, x: x[0], z: x[1] });
+                return Err(Error::FoldedCell {
+                    cell,
+                    jacobian,
+                    x: x[0],
+                    z: x[1],
+                });
             }
         }
         Ok(())
@@ -246,7 +322,12 @@ impl Mesh {
 pub(crate) type CurvePoint = ([f64; 2], [f64; 2]);
 
 /// The blended map from the four edge points at `(xi, eta)`.
-pub(crate) fn blend(corners: &[[f64; 2]; 4], edges: [CurvePoint; 4], xi: f64, eta: f64) -> ([f64; 2], [[f64; 2]; 2]) {
+pub(crate) fn blend(
+    corners: &[[f64; 2]; 4],
+    edges: [CurvePoint; 4],
+    xi: f64,
+    eta: f64,
+) -> ([f64; 2], [[f64; 2]; 2]) {
     let (a, b) = (0.5 * (1.0 - xi), 0.5 * (1.0 + xi));
     let (c, d) = (0.5 * (1.0 - eta), 0.5 * (1.0 + eta));
     let [(e0, t0), (e1, t1), (e2, t2), (e3, t3)] = edges;
@@ -254,9 +335,12 @@ pub(crate) fn blend(corners: &[[f64; 2]; 4], edges: [CurvePoint; 4], xi: f64, et
     let mut j = [[0.0; 2]; 2];
     for i in 0..2 {
         let v = [corners[0][i], corners[1][i], corners[2][i], corners[3][i]];
-        x[i] = c * e0[i] + d * e2[i] + a * e3[i] + b * e1[i] - (a * c * v[0] + b * c * v[1] + b * d * v[2] + a * d * v[3]);
-        j[i][0] = c * t0[i] + d * t2[i] + 0.5 * (e1[i] - e3[i]) - 0.5 * (c * (v[1] - v[0]) + d * (v[2] - v[3]));
-        j[i][1] = 0.5 * (e2[i] - e0[i]) + a * t3[i] + b * t1[i] - 0.5 * (a * (v[3] - v[0]) + b * (v[2] - v[1]));
+        x[i] = c * e0[i] + d * e2[i] + a * e3[i] + b * e1[i]
+            - (a * c * v[0] + b * c * v[1] + b * d * v[2] + a * d * v[3]);
+        j[i][0] = c * t0[i] + d * t2[i] + 0.5 * (e1[i] - e3[i])
+            - 0.5 * (c * (v[1] - v[0]) + d * (v[2] - v[3]));
+        j[i][1] = 0.5 * (e2[i] - e0[i]) + a * t3[i] + b * t1[i]
+            - 0.5 * (a * (v[3] - v[0]) + b * (v[2] - v[1]));
     }
     (x, j)
 }

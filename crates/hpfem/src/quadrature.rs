@@ -79,7 +79,8 @@ pub fn gauss_lobatto_jacobi(n: usize) -> Quadrature {
         jacobi[(k, k)] = (b * b - a * a) / (s * (s + 2.0));
         if k > 0 {
             let kf = k as f64;
-            let off = 4.0 * kf * (kf + a) * (kf + b) * (kf + a + b) / (s * s * (s + 1.0) * (s - 1.0));
+            let off =
+                4.0 * kf * (kf + a) * (kf + b) * (kf + a + b) / (s * s * (s + 1.0) * (s - 1.0));
             jacobi[(k, k - 1)] = off.sqrt();
             jacobi[(k - 1, k)] = off.sqrt();
         }
@@ -114,9 +115,15 @@ pub fn barycentric_weights(points: &[f64]) -> Vec<f64> {
 /// The Lagrange polynomials of `points` at `x`, by the barycentric formula of the second kind.
 pub fn lagrange(points: &[f64], barycentric: &[f64], x: f64) -> Vec<f64> {
     if let Some(hit) = points.iter().position(|y| *y == x) {
-        return (0..points.len()).map(|i| f64::from(u8::from(i == hit))).collect();
+        return (0..points.len())
+            .map(|i| f64::from(u8::from(i == hit)))
+            .collect();
     }
-    let terms: Vec<f64> = points.iter().zip(barycentric).map(|(y, w)| w / (x - y)).collect();
+    let terms: Vec<f64> = points
+        .iter()
+        .zip(barycentric)
+        .map(|(y, w)| w / (x - y))
+        .collect();
     let total: f64 = terms.iter().sum();
     terms.iter().map(|t| t / total).collect()
 }
