@@ -83,4 +83,50 @@ pub enum Error {
         /// Second coordinate.
         z: f64,
     },
+    /// A number outside its valid range.
+    #[error("{quantity} is {value}, but must be {range}")]
+    OutOfRange {
+        /// What the number is, with its place.
+        quantity: String,
+        /// Its value.
+        value: f64,
+        /// The valid range in words.
+        range: &'static str,
+    },
+    /// Two lists that belong together have different lengths, or an index points beyond its list.
+    #[error("{what}: {given} given, {expected} expected")]
+    Count {
+        /// What is counted.
+        what: String,
+        /// The number given.
+        given: usize,
+        /// The number expected.
+        expected: usize,
+    },
+    /// More than two cells share an edge, or two cells lie on the same side of it.
+    #[error("the edge {a}-{b} is walked the same way by two cells, or shared by more than two")]
+    Overlapping {
+        /// First vertex.
+        a: usize,
+        /// Second vertex.
+        b: usize,
+    },
+    /// A cell touches two of the vertices that the mesh shall be graded towards.
+    #[error("cell {cell} touches the vertices {first} and {second}, towards which the mesh shall both be graded; cut the cell between them")]
+    TwoGradedCorners {
+        /// The cell.
+        cell: usize,
+        /// First vertex.
+        first: usize,
+        /// Second vertex.
+        second: usize,
+    },
+    /// Something that needs a straight boundary was asked of a curved one.
+    #[error("{what} needs straight edges in one line, but boundary \"{boundary}\" is curved or bent")]
+    NotStraight {
+        /// What was asked.
+        what: &'static str,
+        /// Name of the boundary.
+        boundary: String,
+    },
 }

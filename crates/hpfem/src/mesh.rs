@@ -2,7 +2,7 @@
 
 use crate::curve::Curve;
 use crate::error::Error;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// Ends of the four edges of a cell in its corner numbering, each walked towards growing reference coordinate:
 /// edge 0 is `eta = -1`, edge 1 is `xi = 1`, edge 2 is `eta = 1`, edge 3 is `xi = -1`.
@@ -64,7 +64,8 @@ impl Mesh {
     /// `curves` and `names` refer to edges by their two vertices in any order; a curve runs from the first vertex given.
     ///
     /// # Errors
-    /// [`Error::NoSuchEdge`], [`Error::CurveMissesVertex`], [`Error::FoldedCell`].
+    /// [`Error::NoSuchEdge`], [`Error::CurveMissesVertex`], [`Error::FoldedCell`], [`Error::Overlapping`], numbers that are
+    /// not finite, corners that do not exist.
     pub fn new(
         vertices: Vec<[f64; 2]>,
         quads: &[Quad],
@@ -76,6 +77,7 @@ impl Mesh {
             ..Mesh::default()
         };
         let mut index: HashMap<[usize; 2], usize> = HashMap::new();
+        let mut sides: HashSet<(usize, bool)> = HashSet::new();
         for quad in quads {
             let mut cell = Cell {
                 corners: quad.corners,
@@ -100,6 +102,10 @@ impl Mesh {
                 });
                 cell.edges[local] = edge;
                 cell.against[local] = mesh.edges[edge].vertices != walk;
+                // Cells lie on the left of edges 0 and 1 and on the right of edges 2 and 3.
+                if !sides.insert((edge, (local < 2) != cell.against[local])) {
+                    return Err(Error::Overlapping { a: walk[0], b: walk[1] });
+                }
             }
             mesh.cells.push(cell);
         }
@@ -208,16 +214,25 @@ impl Mesh {
     /// vertex, `ratio` times as large, and two cells around it. No hanging nodes arise; cells away from the vertices stay.
     ///
     /// The layer number of a new cell is its parent's plus one per cut that made it smaller, so that degrees may fall with it.
-    /// A cell must not touch two of the vertices.
     ///
     /// # Errors
-    /// [`Error::FoldedCell`] if a cell cannot be cut.
-    pub fn refined_towards(
-        &self,
-        vertices: &[usize],
-        ratio: f64,
-        layers: usize,
-    ) -> Result<Mesh, Error> {
+    /// [`Error::TwoGradedCorners`] if a cell touches two of the vertices; [`Error::OutOfRange`] for a ratio outside (0, 1);
+    /// [`Error::Count`] for a vertex that does not exist; [`Error::FoldedCell`] if a cell cannot be cut.
+    pub fn refined_towards(&self, vertices: &[usize], ratio: f64, layers: usize) -> Result<Mesh, Error> {
+        if !(ratio > 0.0 && ratio < 1.0) {
+            let quantity = "the ratio of graded layers".into();
+            return Err(Error::OutOfRange { quantity, value: ratio, range: "in (0, 1)" });
+        }
+        if let Some(v) = vertices.iter().find(|v| **v >= self.vertices.len()) {
+            let what = "vertex to grade towards, vertices".into();
+            return Err(Error::Count { what, given: *v + 1, expected: self.vertices.len() });
+        }
+        for (cell, corners) in self.cells.iter().map(|c| c.corners).enumerate() {
+            let mut touched = corners.iter().filter(|v| vertices.contains(v));
+            if let (Some(first), Some(second)) = (touched.next(), touched.next()) {
+                return Err(Error::TwoGradedCorners { cell, first: *first, second: *second });
+            }
+        }
         let mut mesh = self.clone();
         for _ in 0..layers {
             mesh = mesh.cut_at(vertices, ratio)?;
@@ -343,6 +358,22 @@ pub(crate) fn blend(
             - 0.5 * (a * (v[3] - v[0]) + b * (v[2] - v[1]));
     }
     (x, j)
+}
+
+/// Refuses coordinates that are no numbers and corners that do not exist.
+fn check_vertices(vertices: &[[f64; 2]], quads: &[Quad]) -> Result<(), Error> {
+    for (i, x) in vertices.iter().enumerate() {
+        if let Some(value) = x.iter().find(|v| !v.is_finite()) {
+            return Err(Error::OutOfRange { quantity: format!("a coordinate of vertex {i}"), value: *value, range: "finite" });
+        }
+    }
+    for (cell, quad) in quads.iter().enumerate() {
+        if let Some(corner) = quad.corners.iter().find(|v| **v >= vertices.len()) {
+            let what = format!("corner of cell {cell}, vertices");
+            return Err(Error::Count { what, given: *corner + 1, expected: vertices.len() });
+        }
+    }
+    Ok(())
 }
 
 fn sorted(edge: [usize; 2]) -> [usize; 2] {

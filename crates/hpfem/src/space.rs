@@ -181,7 +181,11 @@ impl Space {
         let vertices = mesh.vertices.len();
         let mut freedom = vec![FREE; vertices + mesh.edges.len()];
         if let Some(rigid) = rigid {
-            for e in mesh.boundary(&rigid.boundary)? {
+            let edges = mesh.boundary(&rigid.boundary)?;
+            if edges.iter().any(|e| !mesh.edges[*e].curve.is_straight()) {
+                return Err(Error::NotStraight { what: "a rigid edge", boundary: rigid.boundary.clone() });
+            }
+            for e in edges {
                 let [a, b] = mesh.edges[e].vertices;
                 [a, b, vertices + e]
                     .iter()
@@ -194,6 +198,10 @@ impl Space {
                 let direction = match support.direction {
                     Direction::First => [1.0, 0.0],
                     Direction::Second => [0.0, 1.0],
+                    Direction::Normal if !mesh.edges[e].curve.is_straight() => {
+                        let boundary = support.boundary.clone();
+                        return Err(Error::NotStraight { what: "a support along the normal", boundary });
+                    }
                     Direction::Normal => {
                         let (p, q) = (mesh.vertices[a], mesh.vertices[b]);
                         let length = (q[0] - p[0]).hypot(q[1] - p[1]);
