@@ -161,9 +161,21 @@ impl Complementarity {
         answer.settled = wrong == 0;
         answer.regular = factor.sign() == if self.load.len() % 2 == 0 { 1.0 } else { -1.0 };
         answer.point = point;
+        if answer.settled {
+            answer.point.force.iter_mut().for_each(|f| *f = f.max(0.0));
+        }
         answer.opening = opening;
         answer.active = active.to_vec();
         answer.settled
+    }
+
+    /// Solves with the given points in contact, whatever the signs.
+    pub(crate) fn solve_on(&self, active: &[bool]) -> Option<Answer> {
+        let zero = Point::default();
+        let plain = Proximal { weight: 0.0, centre: &zero };
+        let (point, _) = self.on_active(&Scaling::new(self), active, &plain)?;
+        let opening = self.openings(&point);
+        Some(Answer { point, opening, active: active.to_vec(), factorisations: 1, settled: true, ..Answer::empty() })
     }
 
     /// Augmented multiplier `lambda_i - r_i w_i`.

@@ -13,6 +13,14 @@ pub enum Error {
         /// Distance of points that should coincide.
         distance: f64,
     },
+    /// The two boundaries have different numbers of edges.
+    #[error("the contact boundary of body 1 has {shaped} edges, that of body 2 has {counter}; mesh both with the same break points")]
+    EdgeCount {
+        /// Edges of the shaped body.
+        shaped: usize,
+        /// Edges of the counter-face.
+        counter: usize,
+    },
     /// A body with its rigid edge held can still move.
     #[error("the {} is not held although its rigid edge is", match side { Side::Shaped => "shaped body", Side::Counter => "counter-face" })]
     NotHeld {
@@ -47,6 +55,9 @@ pub enum Error {
         /// Number of contact points.
         points: usize,
     },
+    /// The points held in contact cannot hold the bodies.
+    #[error("the points held in contact cannot balance the load: the linear system is singular")]
+    Singular,
     /// Friction is asked of an operator made without shear.
     #[error("the contact operator was made without shear; make it with shear for a load with friction")]
     ShearNotPrepared,

@@ -76,6 +76,14 @@ impl ContactLoad {
         }
     }
 
+    /// Whether there is shear.
+    pub fn has_friction(&self) -> bool {
+        match &self.friction {
+            Friction::None => false,
+            Friction::Sliding { coefficient, .. } => *coefficient != 0.0,
+        }
+    }
+
     /// The same load with steady sliding.
     pub fn sliding(self, coefficient: f64, drag: Vec<f64>) -> ContactLoad {
         ContactLoad { friction: Friction::Sliding { coefficient, drag }, ..self }

@@ -39,10 +39,10 @@ impl<'a> ContactOperator<'a> {
     /// [`Error::NotHeld`] if a body with its rigid edge held could still move.
     pub fn new(pair: &Pair<'a>, shear: bool) -> Result<ContactOperator<'a>, Error> {
         let points = pair.points();
-        let places: Vec<(usize, f64)> = points.iter().map(|p| p.place).collect();
         let mut responses = Vec::new();
         for side in [Side::Shaped, Side::Counter] {
             if let Some(body) = pair.side(side) {
+                let places: Vec<(usize, f64)> = points.iter().map(|p| pair.place(side, p)).collect();
                 responses.push(Response::new(body, side, &points, &places, shear)?);
             }
         }
@@ -98,7 +98,7 @@ impl<'a> ContactOperator<'a> {
         let start = warm_start.map(|s| (stage.start(s), s.closed.clone()));
         let answer = stage.problem.solve(start.as_ref().map(|(p, a)| (p, a.as_slice())));
         let status = verdict::status(&stage.problem, &stage.frictionless, &answer);
-        Ok(self.solution(&stage, load, answer, status))
+        Ok(self.solution(&stage, answer, status))
     }
 
     /// Solves with the exact active-set method alone, as a second opinion.
@@ -109,7 +109,17 @@ impl<'a> ContactOperator<'a> {
         let stage = self.stage(gap, load)?;
         let answer = stage.problem.solve_by_pivoting();
         let status = verdict::status(&stage.problem, &stage.frictionless, &answer);
-        Ok(self.solution(&stage, load, answer, status))
+        Ok(self.solution(&stage, answer, status))
+    }
+
+    /// Solves with a given set of points in contact and no conditions on signs: pressures may come out negative. Node positioning uses it.
+    ///
+    /// # Errors
+    /// As [`ContactOperator::solve`].
+    pub fn solve_on(&self, gap: &[f64], load: &ContactLoad, closed: &[bool]) -> Result<Option<ContactSolution>, Error> {
+        let stage = self.stage(gap, load)?;
+        let answer = stage.problem.solve_on(closed);
+        Ok(answer.map(|a| self.solution(&stage, a, Status::Converged)))
     }
 
     /// The complementarity problem of a gap and a load.
@@ -227,13 +237,12 @@ impl<'a> ContactOperator<'a> {
         self.responses[0].edge_motion.get(j).copied().flatten()
     }
 
-    fn solution(&self, stage: &Stage, load: &ContactLoad, answer: Answer, status: Status) -> ContactSolution {
-        let _ = load;
+    fn solution(&self, stage: &Stage, answer: Answer, status: Status) -> ContactSolution {
         let n = self.points.len();
         let problem = &stage.problem;
         let complementarity = problem.complementarity(&answer.point, &answer.opening);
         let balance = problem.relative_imbalance(&answer.point);
-        let force: Vec<f64> = answer.point.force.iter().map(|f| f.max(0.0)).collect();
+        let force = answer.point.force;
         let shear: Vec<f64> = force.iter().zip(&stage.slide).map(|(f, s)| f * s).collect();
         let mut coordinates: Vec<f64> = stage.prescribed.iter().map(|p| p.unwrap_or(0.0)).collect();
         stage.free.iter().zip(&answer.point.coordinates).for_each(|(j, y)| coordinates[*j] = *y);
@@ -282,11 +291,12 @@ impl<'a> ContactOperator<'a> {
     /// State of a body, with the forces on its rigid edge counted among the loads.
     fn state(&self, body: usize, unknowns: Vec<f64>, lambda: &[f64], sigma: &[f64], factors: &[f64]) -> InterfaceState {
         let operator = self.operator(body);
+        let side = if body == 0 { Side::Shaped } else { Side::Counter };
         let stiffness = &operator.stiffness;
         let mut load = TraceLoad { unknowns: vec![0.0; unknowns.len()], ..TraceLoad::default() };
         for (i, p) in self.points.iter().enumerate() {
             let force = std::array::from_fn(|k| lambda[i] * p.normal[k] + sigma[i] * p.tangent[k]);
-            operator.trace.add_force(&mut load, p.place, force);
+            operator.trace.add_force(&mut load, self.pair.place(side, p), force);
         }
         for q in operator.frame.iter().flatten() {
             let internal: f64 = (0..unknowns.len()).map(|k| stiffness[(*q, k)] * unknowns[k]).sum();

@@ -3,3 +3,5 @@
 
 mod common;
 mod full_contact;
+mod hertz;
+mod scan;

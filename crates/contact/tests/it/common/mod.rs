@@ -1,5 +1,6 @@
 //! Bodies that the tests share.
 
+pub mod cylinder;
 pub mod drum;
 pub mod punch;
 
