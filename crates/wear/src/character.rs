@@ -54,7 +54,7 @@ pub(crate) fn character(stage: &Stage<'_>, nodes: &[Node], s: f64) -> Character 
 /// over mean above 1.5), or anything concentrates it tenfold.
 pub(crate) fn regime(stage: &Stage<'_>, s: f64, largest: f64, mean: f64) -> Regime {
     let ratio = largest / mean;
-    let near = (s - 1.0).abs() <= 0.05 + 1e-12 && ratio >= 1.5;
+    let near = (s - 1.0).abs() <= 0.05 + 1e-12 && ratio >= 1.5 && prefers_a_place(stage);
     if open(stage) {
         Regime::PartialContact
     } else if near || ratio >= 10.0 {
@@ -72,4 +72,20 @@ fn open(stage: &Stage<'_>) -> bool {
         .surface
         .survey(&mut |point| open |= stage.law.node(*point).f < -1e-13);
     open
+}
+
+/// False where g is proportional to the pivot mode (plane punch): s -> 1 then concentrates nothing (optimality.md 3.5).
+fn prefers_a_place(stage: &Stage<'_>) -> bool {
+    let (mut low, mut high) = (f64::INFINITY, 0.0_f64);
+    let Density::Power { speed_power, k } = stage.law.density else {
+        return true;
+    };
+    stage.problem.surface.survey(&mut |point| {
+        let cost = (speed_power / (k + 1.0)
+            * (point.sliding_speed / stage.law.reference_speed).ln())
+        .exp();
+        let ratio = cost / stage.law.mode_values(point).phi[stage.law.pivot];
+        (low, high) = (low.min(ratio), high.max(ratio));
+    });
+    !(low > 0.0 && high - low <= 1e-12 * high)
 }

@@ -172,7 +172,13 @@ pub(crate) fn multipliers(
         };
         let work: f64 = free()
             .map(|(_, (node, log))| {
-                node.point.weight * stage.law.force_function(&node.modes).0.max(0.0) * log.exp()
+                node.point.weight
+                    * stage
+                        .law
+                        .force_function(&node.point, &node.modes)
+                        .0
+                        .max(0.0)
+                    * log.exp()
             })
             .sum();
         if steady {

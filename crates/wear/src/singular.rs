@@ -163,13 +163,22 @@ pub(crate) fn limit(
     Ok(Limit { atoms, dual })
 }
 
-/// True when some distribution of forces p >= 0 over the surface carries the load.
+/// True when some pressure p >= 0 carries the load: the load lies inside the cone of point forces, not on its border, which is tested
+/// by taking away a billionth of a uniform pressure.
 pub(crate) fn carries(stage: &Stage<'_>) -> bool {
+    let law = &stage.law;
     let places = grid(stage, None, 1.0);
-    let target: Vec<f64> = (0..stage.law.count)
-        .map(|k| stage.law.resultant(k))
+    let mean = |k: usize| {
+        places
+            .iter()
+            .map(|place| law.mode_values(&place.1).psi[k])
+            .sum::<f64>()
+    };
+    let factor = 1e-9 * law.resultant(law.pivot) / mean(law.pivot);
+    let target: Vec<f64> = (0..law.count)
+        .map(|k| law.resultant(k) - factor * mean(k))
         .collect();
-    solve(&stage.law, &places, &target, &|_| 1.0, 1.0).is_some()
+    solve(law, &places, &target, &|_| 1.0, 1.0).is_some()
 }
 
 fn solve(

@@ -30,7 +30,7 @@ pub(crate) struct Sums {
 pub(crate) fn sums(stage: &Stage<'_>, nodes: &[Node]) -> Sums {
     let shift = nodes
         .iter()
-        .map(|node| node.log_h)
+        .map(|node| node.log_h + node.point.weight.ln())
         .fold(f64::NEG_INFINITY, f64::max);
     let mut sums = Sums {
         shift,
@@ -38,7 +38,7 @@ pub(crate) fn sums(stage: &Stage<'_>, nodes: &[Node]) -> Sums {
         energy: 0.0,
     };
     for node in nodes {
-        let share = (node.log_h - shift).exp() * node.point.weight;
+        let share = (node.log_h + node.point.weight.ln() - shift).exp();
         for k in 0..stage.law.count {
             sums.force[k] += node.modes.psi[k] * share;
         }
@@ -114,6 +114,15 @@ pub(crate) fn balance(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<Ba
     } else {
         newton(stage, nodes, k)?
     };
+    if let Density::Power { speed_power, .. } = stage.law.density
+        && speed_power >= 2.0
+        && stage.problem.surface.reaches_axis()
+    {
+        return Err(infeasible(
+            stage,
+            "the pressure is not integrable at the axis of rotation",
+        ));
+    }
     let total = sums(stage, nodes);
     let pivot = stage.law.pivot;
     let factor = stage.law.resultant(pivot) / total.force[pivot];
@@ -169,9 +178,17 @@ fn newton(stage: &mut Stage<'_>, nodes: &mut Vec<Node>, k: f64) -> Result<(usize
             stage.collect(nodes);
             if k > 0.0 || !(stage.open_at_ends() || nodes.iter().any(|node| node.f <= 0.0)) {
                 let there = evaluate(stage, nodes, &free, k);
-                let descends =
-                    associated && there.dual <= here.dual + 1e-4 * length * slope.min(0.0);
-                if descends || there.size < (1.0 - 1e-4 * length) * here.size {
+                let closer = there.size < (1.0 - 1e-4 * length) * here.size;
+                // The dual decides while it can be told apart from its rounding, then the residual.
+                let settled = (there.dual - here.dual).abs() <= 1e-11 * (1.0 + here.dual.abs());
+                let descends = there.dual <= here.dual + 1e-4 * length * slope.min(0.0);
+                if there.size.is_finite()
+                    && if associated {
+                        descends || settled && closer
+                    } else {
+                        closer
+                    }
+                {
                     accepted = true;
                     break;
                 }
@@ -219,7 +236,7 @@ fn evaluate(stage: &Stage<'_>, nodes: &[Node], free: &[usize], k: f64) -> Evalua
     let mut absolute = DVector::<f64>::zeros(n);
     let mut jacobian = DMatrix::zeros(n, n);
     for node in nodes.iter().filter(|node| node.f > 0.0) {
-        let share = (node.log_h - total.shift).exp() * node.point.weight / total.energy;
+        let share = (node.log_h + node.point.weight.ln() - total.shift).exp() / total.energy;
         for (row, j) in free.iter().enumerate() {
             let psi = stage.law.reduced(&node.modes.psi, *j) * share;
             residual[row] += psi;
@@ -230,9 +247,15 @@ fn evaluate(stage: &Stage<'_>, nodes: &[Node], free: &[usize], k: f64) -> Evalua
             }
         }
     }
-    let size = (0..n)
-        .map(|row| residual[row].abs() / absolute[row].max(f64::MIN_POSITIVE))
-        .fold(0.0, f64::max);
+    let relative = |row: usize| residual[row].abs() / absolute[row];
+    let size = if total.energy > 0.0 && nodes.len() >= n + 1 {
+        (0..n)
+            .map(relative)
+            .map(|v| if v.is_nan() { f64::INFINITY } else { v })
+            .fold(0.0, f64::max)
+    } else {
+        f64::INFINITY
+    };
     // The limit k -> inf (`Exponential`) has the dual log int f h itself.
     let dual = if k.is_finite() {
         k.signum() * (total.energy.ln() + total.shift) / (k + 1.0)

@@ -88,7 +88,7 @@ impl PressureLaw {
     }
 
     /// f and log f at a point; the logarithm keeps full accuracy where f is the pivot mode plus a small correction.
-    pub(crate) fn force_function(&self, values: &ModeValues) -> (f64, f64) {
+    pub(crate) fn force_function(&self, point: &SurfacePoint, values: &ModeValues) -> (f64, f64) {
         let base = values.phi[self.pivot];
         let mut correction = 0.0;
         for j in (0..self.count).filter(|j| *j != self.pivot) {
@@ -102,17 +102,33 @@ impl PressureLaw {
         (
             f,
             if near {
-                base.ln() + (correction / base).ln_1p()
+                self.log_base(point, base) + (correction / base).ln_1p()
             } else {
                 f.ln()
             },
         )
     }
 
+    /// log of the pivot mode. For a translation phi = cos(angle between normal and direction), whose logarithm is taken from the sine
+    /// so that it stays exact where the cosine is next to 1 and k is large.
+    fn log_base(&self, point: &SurfacePoint, base: f64) -> f64 {
+        let kinematic = self.mode_kind == Modes::Kinematic || self.friction == 0.0;
+        if let RigidMotion::Translation { direction } = self.modes[self.pivot].motion
+            && kinematic
+            && base > 0.0
+        {
+            let square = point.normal.cross(&direction).norm_squared();
+            if square < 0.25 && (direction.norm_squared() - 1.0).abs() < 1e-15 {
+                return 0.5 * (-square).ln_1p() - self.scale[self.pivot].ln();
+            }
+        }
+        base.ln()
+    }
+
     /// The density at a point; in an absolute law log h is log p itself.
     pub(crate) fn node(&self, point: SurfacePoint) -> Node {
         let modes = self.mode_values(&point);
-        let (mut f, mut log_f) = self.force_function(&modes);
+        let (mut f, mut log_f) = self.force_function(&point, &modes);
         let before = if self.density.scale_free() {
             0.0
         } else {
@@ -159,7 +175,13 @@ impl PressureLaw {
         if log_f == f64::NEG_INFINITY {
             return node;
         }
-        let log_ratio = (point.sliding_speed / self.reference_speed).ln();
+        // Speeds that differ by rounding alone are equal: with |k| = 1e8 that rounding would show in the pressure.
+        let ratio = point.sliding_speed / self.reference_speed;
+        let log_ratio = if (ratio - 1.0).abs() <= 1e-15 {
+            0.0
+        } else {
+            ratio.ln()
+        };
         (node.log_h, node.slope) =
             self.density
                 .log_shape(log_f, point.sliding_speed.ln(), log_ratio);
@@ -287,7 +309,11 @@ impl<'a> Stage<'a> {
     pub(crate) fn open_at_ends(&self) -> bool {
         let mut open = false;
         self.problem.surface.survey(&mut |point| {
-            open |= self.law.force_function(&self.law.mode_values(point)).0 <= 0.0;
+            open |= self
+                .law
+                .force_function(point, &self.law.mode_values(point))
+                .0
+                <= 0.0;
         });
         open
     }

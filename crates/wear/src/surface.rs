@@ -155,6 +155,15 @@ impl Surface {
         matches!(self.shape, Shape::Points(_))
     }
 
+    /// True for a disc without a hole that turns about its axis, where the sliding speed vanishes.
+    pub(crate) fn reaches_axis(&self) -> bool {
+        let radii = match &self.shape {
+            Shape::Annulus { radii } | Shape::Sector { radii, .. } => radii,
+            _ => return false,
+        };
+        radii[0] == 0.0 && self.motion.velocity == Vector3::zeros()
+    }
+
     /// The geometry.
     pub fn shape(&self) -> &Shape {
         &self.shape
@@ -326,12 +335,12 @@ impl Surface {
     }
 }
 
-/// Radii are parametrised by u = log(r / r_i), so that powers of r are exponentials of u; with r_i = 0 by log(r / r_e) from -700.
+/// Radii are parametrised by u = log(r / r_i), so that powers of r are exponentials of u; with r_i = 0 by log(r / r_e) from -300.
 fn log_range(radii: &[f64; 2]) -> [f64; 2] {
     if radii[0] > 0.0 {
         [0.0, (radii[1] / radii[0]).ln()]
     } else {
-        [-700.0, 0.0]
+        [-300.0, 0.0]
     }
 }
 

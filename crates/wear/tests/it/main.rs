@@ -2,5 +2,7 @@
 #![allow(clippy::unwrap_used, missing_docs)]
 
 mod benchmarks;
+mod extreme;
+mod properties;
 mod reference;
 mod surfaces;
