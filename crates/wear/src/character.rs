@@ -3,7 +3,7 @@
 use crate::density::Density;
 use crate::reduce::wearing;
 use crate::stage::{Node, Stage};
-use crate::{Character, Counterface, Functional, Modes, Regime};
+use crate::{Character, Counterface, Functional, Modes, Regime, WearLaw};
 
 /// Character from the exponents: all s_i >= 1 and e_i >= 1 give a global minimum, all s_i <= 1 and e_i <= 1 a global maximum; one
 /// effective body needs s alone. Where psi != phi under kinematic modes there is no functional: stationary.
@@ -37,12 +37,11 @@ pub(crate) fn character(stage: &Stage<'_>, nodes: &[Node], s: f64) -> Character 
             Character::Maximum
         };
     }
-    let e: Vec<f64> = wearing(problem)
-        .iter()
-        .map(|(_, law)| problem.functional.pressure_power(law.pressure_exponent))
-        .collect();
-    let above = e.iter().all(|e| e * problem.q >= 1.0 && *e >= 1.0);
-    let below = e.iter().all(|e| e * problem.q <= 1.0 && *e <= 1.0);
+    let power = |law: &WearLaw| problem.functional.pressure_power(law.pressure_exponent);
+    let above =
+        wearing(problem).all(|(_, law)| power(&law) * problem.q >= 1.0 && power(&law) >= 1.0);
+    let below =
+        wearing(problem).all(|(_, law)| power(&law) * problem.q <= 1.0 && power(&law) <= 1.0);
     match (above, below) {
         (true, _) => Character::Minimum,
         (_, true) => Character::Maximum,

@@ -29,6 +29,7 @@ mod solve;
 mod stage;
 mod steady;
 mod surface;
+mod workspace;
 
 pub use counterface::{Counterface, counterface_depth, counterface_depth_from_feed};
 pub use error::WearError;
@@ -40,8 +41,12 @@ pub use law::{
 pub use mode::{Balance, MAX_MODES, Modes, RigidMode, RigidMotion};
 pub use motion::SlidingMotion;
 pub use objective::{functional_curvature, functional_gradient, functional_value};
-pub use optimum::{Character, Optimum, PointForce, Regime, optimal_pressure, stationary_pressures};
+pub use optimum::{
+    Character, Optimum, PointForce, Regime, optimal_pressure, optimal_pressure_with,
+    stationary_pressures,
+};
 pub use point::SurfacePoint;
 pub use problem::Problem;
 pub use singular::{LimitSide, singular_limit};
 pub use surface::{Shape, Surface};
+pub use workspace::Workspace;

@@ -140,62 +140,53 @@ fn share(problem: &Problem, i: usize, value: f64, point: &SurfacePoint, log_pres
     (problem.q * (log - value.ln())).exp()
 }
 
-/// Multipliers lambda_k = dJ/dF_k in the modes as given. From sum_i e_i J_i = lambda . int phi p over the points below the cap; for
-/// the steady state the feed itself, from lambda . int phi p = int p (rate of the gap).
-pub(crate) fn multipliers(
+/// Multipliers lambda_k = dJ/dF_k over those of the law's gauge. From sum_i e_i J_i = lambda . int phi p over the points below the
+/// cap; for the steady state, where they are the feed itself, from lambda . int phi p = int p (rate of the gap).
+pub(crate) fn multiplier_factor(
     stage: &Stage<'_>,
     nodes: &[Node],
     log_pressure: &[f64],
     gap: &[f64],
     terms: Option<[f64; 2]>,
-) -> Option<Vec<f64>> {
+) -> Option<f64> {
     let problem = stage.problem;
-    let gauge = stage.law.gauge_multipliers();
     let steady = problem.functional == Functional::Steady;
-    let absolute = matches!(
-        stage.law.density,
-        Density::Sum { .. } | Density::Receding { .. }
-    );
-    let factor = if steady && absolute {
-        if problem.wear.active {
+    if steady
+        && matches!(
+            stage.law.density,
+            Density::Sum { .. } | Density::Receding { .. }
+        )
+    {
+        return Some(if problem.wear.active {
             stage.law.log_scale.exp()
         } else {
             0.0
-        }
-    } else {
-        let free = || {
-            nodes
-                .iter()
-                .zip(log_pressure)
-                .enumerate()
-                .filter(|(_, (node, _))| node.excess < 0.0)
-        };
-        let work: f64 = free()
-            .map(|(_, (node, log))| {
-                node.point.weight
-                    * stage
-                        .law
-                        .force_function(&node.point, &node.modes)
-                        .0
-                        .max(0.0)
-                    * log.exp()
-            })
-            .sum();
-        if steady {
-            let power: f64 = free()
-                .map(|(i, (node, log))| node.point.weight * log.exp() * gap[i])
-                .sum();
-            power / work
-        } else {
-            euler(problem, nodes, log_pressure, terms?) / work
-        }
-    };
-    Some(
-        gauge[..stage.law.count]
+        });
+    }
+    let free = || {
+        nodes
             .iter()
-            .map(|lambda| lambda * factor)
-            .collect(),
-    )
+            .zip(log_pressure)
+            .enumerate()
+            .filter(|(_, (node, _))| node.excess < 0.0)
+    };
+    let force = |node: &Node| {
+        stage
+            .law
+            .force_function(&node.point, &node.modes)
+            .0
+            .max(0.0)
+    };
+    let work: f64 = free()
+        .map(|(_, (node, log))| node.point.weight * force(node) * log.exp())
+        .sum();
+    if steady {
+        let power: f64 = free()
+            .map(|(i, (node, log))| node.point.weight * log.exp() * gap[i])
+            .sum();
+        return Some(power / work);
+    }
+    terms.map(|terms| euler(problem, nodes, log_pressure, terms) / work)
 }
 
 /// sum_i e_i J_i, of which only the points below the cap count.

@@ -8,8 +8,8 @@ use crate::reduce::{Task, reduce};
 use crate::report::{report, singular_report};
 use crate::singular::{LimitSide, limit};
 use crate::solve::balance_any;
-use crate::stage::{Node, PressureLaw, Stage};
-use crate::{Problem, SurfacePoint, WearError};
+use crate::stage::{PressureLaw, Stage};
+use crate::{Problem, SurfacePoint, WearError, Workspace};
 
 /// Second-order character of a stationary pressure, said only where it is proved (optimality.md 2).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -134,6 +134,18 @@ impl Optimum {
 ///
 /// Where several pressures are stationary the one with the smallest functional is returned, with the regime `Several`.
 pub fn optimal_pressure(problem: &Problem) -> Result<Optimum, WearError> {
+    optimal_pressure_with(problem, &mut Workspace::default())
+}
+
+/// The same with memory of the caller, for sweeps.
+pub fn optimal_pressure_with(
+    problem: &Problem,
+    work: &mut Workspace,
+) -> Result<Optimum, WearError> {
+    problem.check()?;
+    if let Task::Density { density, s } = reduce(problem)? {
+        return solve(problem, density, s, work);
+    }
     let mut all = stationary_pressures(problem)?;
     let several = all.len() > 1;
     let value = |optimum: &Optimum| optimum.objective.unwrap_or(f64::INFINITY);
@@ -148,19 +160,19 @@ pub fn optimal_pressure(problem: &Problem) -> Result<Optimum, WearError> {
 /// All stationary pressures found: more than one is possible for the wear volume with b < 1, s > 1 and a1 != a2.
 pub fn stationary_pressures(problem: &Problem) -> Result<Vec<Optimum>, WearError> {
     problem.check()?;
-    let mut nodes = Vec::new();
+    let mut work = Workspace::default();
     match reduce(problem)? {
-        Task::Density { density, s } => Ok(vec![solve(problem, density, s, &mut nodes)?]),
+        Task::Density { density, s } => Ok(vec![solve(problem, density, s, &mut work)?]),
         Task::Ratio(ratio) => {
             let mut found = Vec::new();
             for delta in ratio::roots(problem, &ratio)? {
-                let (mut stage, balanced) = ratio::at(problem, &ratio, delta, &mut nodes)?;
+                let (mut stage, balanced) = ratio::at(problem, &ratio, delta, &mut work.nodes)?;
                 let s = if ratio.s[0] == ratio.s[1] {
                     ratio.s[0]
                 } else {
                     f64::NAN
                 };
-                found.push(report(&mut stage, &nodes, &balanced, s));
+                found.push(report(&mut stage, &mut work, &balanced, s));
             }
             if found.is_empty() {
                 return Err(WearError::NotConverged {
@@ -170,7 +182,7 @@ pub fn stationary_pressures(problem: &Problem) -> Result<Vec<Optimum>, WearError
             }
             Ok(found)
         }
-        Task::Linear { speed_power } => Ok(vec![linear(problem, speed_power, &mut nodes)?]),
+        Task::Linear { speed_power } => Ok(vec![linear(problem, speed_power, &mut work)?]),
         Task::Revolving => {
             let (front, rear) = (problem.wear.laws[0], problem.wear.laws[1]);
             if front.factor == 0.0 {
@@ -197,7 +209,7 @@ pub fn stationary_pressures(problem: &Problem) -> Result<Vec<Optimum>, WearError
                 problem,
                 density,
                 front.pressure_exponent + 1.0,
-                &mut nodes,
+                &mut work,
             )?])
         }
     }
@@ -207,19 +219,15 @@ fn solve(
     problem: &Problem,
     density: Density,
     s: f64,
-    nodes: &mut Vec<Node>,
+    work: &mut Workspace,
 ) -> Result<Optimum, WearError> {
     let mut stage = Stage::new(problem, density)?;
-    let balanced = balance_any(&mut stage, nodes)?;
-    Ok(report(&mut stage, nodes, &balanced, s))
+    let balanced = balance_any(&mut stage, &mut work.nodes)?;
+    Ok(report(&mut stage, work, &balanced, s))
 }
 
 /// s = 1: concentrated forces, or, where g is the pivot mode itself (no place is preferred), the common limit of both sides.
-fn linear(
-    problem: &Problem,
-    speed_power: f64,
-    nodes: &mut Vec<Node>,
-) -> Result<Optimum, WearError> {
+fn linear(problem: &Problem, speed_power: f64, work: &mut Workspace) -> Result<Optimum, WearError> {
     let stage = Stage::new(problem, Density::BangBang { speed_power })?;
     let (mut low, mut high) = (f64::INFINITY, 0.0_f64);
     problem.surface.survey(&mut |point| {
@@ -228,10 +236,10 @@ fn linear(
         (low, high) = (low.min(ratio), high.max(ratio));
     });
     if low > 0.0 && high - low <= 1e-13 * high {
-        return solve(problem, Density::Exponential, 1.0, nodes);
+        return solve(problem, Density::Exponential, 1.0, work);
     }
     if problem.p_max.is_some() {
-        return solve(problem, Density::BangBang { speed_power }, 1.0, nodes);
+        return solve(problem, Density::BangBang { speed_power }, 1.0, work);
     }
     let limit = limit(&stage, speed_power, LimitSide::Above)?;
     Ok(singular_report(&stage, &limit, 1.0))

@@ -52,13 +52,13 @@ impl Ratio {
 }
 
 /// The wear rules that matter, body 1 first.
-pub(crate) fn wearing(problem: &Problem) -> Vec<(usize, WearLaw)> {
+pub(crate) fn wearing(problem: &Problem) -> impl Iterator<Item = (usize, WearLaw)> {
     let alone =
         problem.functional == Functional::Steady && problem.counterface == Counterface::Fresh;
+    let laws = problem.wear.laws;
     (0..2)
-        .filter(|i| problem.wear.laws[*i].factor > 0.0 && !(alone && *i == 1))
-        .map(|i| (i, problem.wear.laws[i]))
-        .collect()
+        .filter(move |i| laws[*i].factor > 0.0 && !(alone && *i == 1))
+        .map(move |i| (i, laws[i]))
 }
 
 pub(crate) fn reduce(problem: &Problem) -> Result<Task, WearError> {
@@ -76,20 +76,20 @@ pub(crate) fn reduce(problem: &Problem) -> Result<Task, WearError> {
         Functional::FrictionPower => return Ok(single(functional, q, 1.0, 1.0)),
         _ => {}
     }
-    let mut laws = wearing(problem);
-    if laws.is_empty() {
-        let unworn =
-            problem.wear.laws[0] == problem.wear.laws[1] || problem.wear.laws[1].factor == 0.0;
-        let fresh_counterface_only = problem.wear.laws[1].factor > 0.0;
-        if fresh_counterface_only || !unworn {
+    let given = problem.wear.laws;
+    let (first, last) = match (wearing(problem).next(), wearing(problem).last()) {
+        (Some(first), Some(last)) => (first, last),
+        // No factor at all: the exponents of body 1 still give a pressure.
+        _ if given[1].factor == 0.0 => ((0, given[0]), (0, given[0])),
+        _ => {
             return Err(WearError::NoWear {
                 functional: functional.word(),
                 remedy: "give body 1 a wear factor or choose another functional or counterface",
             });
         }
-        laws.push((0, problem.wear.laws[0]));
-    }
-    let (first, last) = (laws[0].1, laws[laws.len() - 1].1);
+    };
+    let second_wears = last.0 == 1;
+    let (first, last) = (first.1, last.1);
     let (a, b) = (
         [first.speed_exponent, last.speed_exponent],
         [first.pressure_exponent, last.pressure_exponent],
@@ -97,7 +97,7 @@ pub(crate) fn reduce(problem: &Problem) -> Result<Task, WearError> {
     if functional == Functional::Steady {
         if problem.counterface == Counterface::Revolving
             && !matches!(problem.surface.shape(), Shape::Annulus { .. })
-            && laws.last().is_some_and(|(i, _)| *i == 1)
+            && second_wears
         {
             return Ok(Task::Revolving);
         }

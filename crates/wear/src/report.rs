@@ -5,21 +5,21 @@ use nalgebra::Vector3;
 use crate::character::{character, regime};
 use crate::density::Density;
 use crate::extremes::extremes;
-use crate::objective::{multipliers, terms};
+use crate::objective::{multiplier_factor, terms};
 use crate::recession::Recession;
 use crate::reduce::wearing;
 use crate::solve::Balanced;
 use crate::stage::{Node, Stage};
 use crate::steady::{congruence, gap_rate, steadiness};
+use crate::workspace::{Vectors, Workspace};
 use crate::{
-    Counterface, Functional, Optimum, Problem, Regime, RigidMotion, Shape, SurfacePoint,
-    log_wear_rate, wear_rate,
+    Counterface, Functional, Optimum, Problem, Regime, RigidMotion, Shape, log_wear_rate, wear_rate,
 };
 
-/// The answer for a balanced stage whose `nodes` belong to it.
+/// The answer for a balanced stage whose nodes are in the workspace; its vectors come from the workspace too.
 pub(crate) fn report(
     stage: &mut Stage<'_>,
-    nodes: &[Node],
+    work: &mut Workspace,
     balanced: &Balanced,
     s: f64,
 ) -> Optimum {
@@ -27,21 +27,35 @@ pub(crate) fn report(
     stage.law.log_scale = balanced.log_scale;
     let recession = mean_recession(stage);
     let stage = &*stage;
-    let log_pressure: Vec<f64> = nodes
-        .iter()
-        .map(|node| stage.law.log_pressure(node))
-        .collect();
-    let pressure: Vec<f64> = log_pressure.iter().map(|log| log.exp()).collect();
-    let rates: Vec<[f64; 2]> = nodes
-        .iter()
-        .zip(&log_pressure)
-        .map(|(node, log)| [0, 1].map(|i| rate(problem, i, *log, node)))
-        .collect();
-    let gap: Vec<f64> = nodes
-        .iter()
-        .zip(&rates)
-        .map(|(node, rate)| gap_rate(problem, &recession, node, rate))
-        .collect();
+    let Workspace {
+        nodes,
+        rates,
+        gap,
+        spare,
+    } = work;
+    let Vectors {
+        mut points,
+        mut pressure,
+        mut log_pressure,
+        mut multipliers,
+        mut feed,
+        mut resultants,
+    } = std::mem::take(spare);
+    fill(&mut points, nodes.iter().map(|node| node.point));
+    fill(
+        &mut log_pressure,
+        nodes.iter().map(|node| stage.law.log_pressure(node)),
+    );
+    fill(&mut pressure, log_pressure.iter().map(|log| log.exp()));
+    let rate_at = |(node, log): (&Node, &f64)| [0, 1].map(|i| rate(problem, i, *log, node));
+    fill(rates, nodes.iter().zip(&log_pressure).map(rate_at));
+    fill(
+        gap,
+        nodes
+            .iter()
+            .zip(rates.iter())
+            .map(|(node, rate)| gap_rate(problem, &recession, node, rate)),
+    );
     let integral = |value: &dyn Fn(usize, &Node) -> f64| -> f64 {
         nodes
             .iter()
@@ -53,19 +67,40 @@ pub(crate) fn report(
     let swept = integral(&|i, node| pressure[i] * node.point.sliding_speed);
     let p_mean = normal_force / problem.surface.area();
     let (p_min, p_max) = extremes(stage, nodes, &pressure);
-    let points: Vec<SurfacePoint> = nodes.iter().map(|node| node.point).collect();
     let terms = terms(problem, &points, &log_pressure);
-    let lambda = multipliers(stage, nodes, &log_pressure, &gap, terms);
+    let factor = multiplier_factor(stage, nodes, &log_pressure, gap, terms);
+    let gauge = stage.law.gauge_multipliers();
+    let lambda = |count: usize| {
+        gauge
+            .into_iter()
+            .take(count)
+            .map(|lambda| lambda * factor.unwrap_or(0.0))
+    };
+    fill(
+        &mut multipliers,
+        lambda(if factor.is_some() { stage.law.count } else { 0 }),
+    );
+    let share = feed_share(problem).filter(|_| factor.is_some());
+    fill(
+        &mut feed,
+        multipliers.iter().map(|value| value * share.unwrap_or(0.0)),
+    );
+    let carried = |motion: RigidMotion| {
+        integral(&|i, node| pressure[i] * motion.force_weight(&node.point, stage.law.friction))
+    };
+    fill(
+        &mut resultants,
+        problem.modes.iter().map(|mode| carried(mode.motion)),
+    );
     let turning = turning(problem);
     Optimum {
-        points,
         s: Some(s).filter(|s| !s.is_nan()),
         k: exponent(&stage.law.density),
         character: character(stage, nodes, s),
         regime: regime(stage, s, p_max, p_mean),
         limit_measure: Vec::new(),
-        feed: feed(problem, lambda.as_deref()),
-        multipliers: lambda.unwrap_or_default(),
+        feed: share.map(|_| feed),
+        multipliers,
         objective: terms.map(|terms| terms[0] + terms[1]),
         wear_volume_rate: integral(&|i, _| rates[i][0] + rates[i][1]),
         friction_power: problem.friction * swept,
@@ -74,25 +109,23 @@ pub(crate) fn report(
         p_max,
         p_mean,
         normal_force,
-        resultants: problem
-            .modes
-            .iter()
-            .map(|mode| {
-                integral(&|i, node| {
-                    pressure[i] * mode.motion.force_weight(&node.point, stage.law.friction)
-                })
-            })
-            .collect(),
+        resultants,
         torque: turning.map(|omega| problem.friction * swept / omega),
         effective_radius: turning.map(|omega| swept / omega / pressing(problem, normal_force)),
-        steadiness_residual: steadiness(stage, &recession, nodes, &rates),
-        congruence_residual: congruence(problem, nodes, &rates),
+        steadiness_residual: steadiness(stage, nodes, gap),
+        congruence_residual: congruence(problem, nodes, rates),
         iterations: balanced.iterations,
         balance_residual: balanced.residual,
+        points,
         pressure,
         log_pressure,
         law: stage.law,
     }
+}
+
+fn fill<T>(vector: &mut Vec<T>, values: impl Iterator<Item = T>) {
+    vector.clear();
+    vector.extend(values);
 }
 
 /// Body 2's mean wear along its tracks under the present pressure.
@@ -148,24 +181,21 @@ pub(crate) fn pressing(problem: &Problem, normal_force: f64) -> f64 {
         .map_or(normal_force, |mode| mode.resultant)
 }
 
-/// Rigid velocities of wear: the multipliers themselves in the steady state, lambda/(b+1) for the wear power with q = 1 and b1 = b2.
-fn feed(problem: &Problem, lambda: Option<&[f64]>) -> Option<Vec<f64>> {
-    let lambda = lambda?;
+/// Rigid velocity of wear over multiplier: 1 in the steady state, 1/(b+1) for the wear power with q = 1 and b1 = b2.
+fn feed_share(problem: &Problem) -> Option<f64> {
     if problem.functional == Functional::Steady {
-        return Some(lambda.to_vec());
+        return Some(1.0);
     }
-    let laws = wearing(problem);
-    let b = laws
-        .first()
-        .map_or(problem.wear.laws[0].pressure_exponent, |(_, law)| {
-            law.pressure_exponent
-        });
-    let same = laws.iter().all(|(_, law)| law.pressure_exponent == b);
-    (problem.functional == Functional::WearPower
+    let first = wearing(problem)
+        .next()
+        .map_or(problem.wear.laws[0], |(_, law)| law);
+    let b = first.pressure_exponent;
+    let same = wearing(problem).all(|(_, law)| law.pressure_exponent == b);
+    let velocity = problem.functional == Functional::WearPower
         && problem.q == 1.0
         && same
-        && problem.p_max.is_none())
-    .then(|| lambda.iter().map(|value| value / (b + 1.0)).collect())
+        && problem.p_max.is_none();
+    velocity.then(|| 1.0 / (b + 1.0))
 }
 
 /// A problem without pressure: forces on points or lines.

@@ -1,10 +1,10 @@
 //! Certificates of the steady state: is the wear a rigid motion, and do the two bodies keep their shapes?
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{SMatrix, SVector};
 
 use crate::recession::Recession;
 use crate::stage::{Node, Stage};
-use crate::{Counterface, Problem};
+use crate::{Counterface, MAX_MODES, Problem, Shape};
 
 /// Rate at which the gap grows at a node: body 1 alone on a fresh plate, the sum on a ring, body 1 plus body 2's mean along the track
 /// on a revolving counter-face (optimality.md 6).
@@ -17,35 +17,30 @@ pub(crate) fn gap_rate(
     match problem.counterface {
         Counterface::Fresh => rates[0],
         Counterface::Congruent => rates[0] + rates[1],
+        // A full ring covers its tracks.
+        Counterface::Revolving if matches!(problem.surface.shape(), Shape::Annulus { .. }) => {
+            rates[0] + rates[1]
+        }
         Counterface::Revolving => rates[0] + recession.at(&node.point),
     }
 }
 
-/// ||w' - projection on the closing velocities|| / ||w'|| in the area norm; `None` when nothing wears.
-pub(crate) fn steadiness(
-    stage: &Stage<'_>,
-    recession: &Recession,
-    nodes: &[Node],
-    rates: &[[f64; 2]],
-) -> Option<f64> {
+/// ||w' - projection on the closing velocities|| / ||w'|| in the area norm; `None` when nothing wears. `gap` is the gap rate w'.
+pub(crate) fn steadiness(stage: &Stage<'_>, nodes: &[Node], gap: &[f64]) -> Option<f64> {
     let count = stage.law.count;
-    let problem = stage.problem;
-    let gap: Vec<f64> = nodes
-        .iter()
-        .zip(rates)
-        .map(|(node, rate)| gap_rate(problem, recession, node, rate))
-        .collect();
     let largest = gap.iter().copied().fold(0.0, f64::max);
     if !(largest > 0.0 && largest.is_finite()) {
         return None;
     }
     let closing =
-        |node: &Node, k: usize| problem.modes[k].motion.closing(&node.point) / stage.law.scale[k];
-    let mut gram = DMatrix::<f64>::zeros(count, count);
-    let mut side = DVector::<f64>::zeros(count);
+        |node: &Node, k: usize| stage.law.modes[k].motion.closing(&node.point) / stage.law.scale[k];
+    // Unused modes keep a unit diagonal.
+    let mut gram = SMatrix::<f64, MAX_MODES, MAX_MODES>::identity();
+    let mut side = SVector::<f64, MAX_MODES>::zeros();
+    gram.view_mut((0, 0), (count, count)).fill(0.0);
     let mut square = 0.0;
     // Outside the contact the gap opens: only the worn part has to be rigid.
-    let touching = || nodes.iter().zip(&gap).filter(|(node, _)| node.f > 0.0);
+    let touching = || nodes.iter().zip(gap).filter(|(node, _)| node.f > 0.0);
     for (node, rate) in touching() {
         let (w, weight) = (rate / largest, node.point.weight);
         square += weight * w * w;
