@@ -14,6 +14,7 @@ mod positioning;
 mod response;
 mod solution;
 mod status;
+mod system;
 mod verdict;
 
 pub use error::Error;
@@ -23,3 +24,4 @@ pub use pair::{ContactPoint, Pair, Side, contact_traction, normal};
 pub use positioning::{Positioned, Positioning, Rebuilt, position_ends};
 pub use solution::ContactSolution;
 pub use status::Status;
+pub use system::ContactSystem;

@@ -123,7 +123,7 @@ impl<'a> ContactOperator<'a> {
     }
 
     /// The complementarity problem of a gap and a load.
-    fn stage(&self, gap: &[f64], load: &ContactLoad) -> Result<Stage, Error> {
+    pub(crate) fn stage(&self, gap: &[f64], load: &ContactLoad) -> Result<Stage, Error> {
         let n = self.points.len();
         if gap.len() != n || gap.iter().any(|g| !g.is_finite()) {
             return Err(Error::Gap { given: gap.len(), points: n });
@@ -345,8 +345,8 @@ impl<'a> ContactOperator<'a> {
 }
 
 /// A load brought to the form of the complementarity problem.
-struct Stage {
-    problem: Complementarity,
+pub(crate) struct Stage {
+    pub(crate) problem: Complementarity,
     frictionless: Complementarity,
     /// All factors of each body, and those of load cases and prescribed displacements.
     factors: Vec<(Vec<f64>, Vec<f64>)>,

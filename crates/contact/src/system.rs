@@ -1,0 +1,48 @@
+//! The complementarity problem of contact as plain numbers, for laws that add to it (wear).
+
+use crate::error::Error;
+use crate::load::ContactLoad;
+use crate::operator::ContactOperator;
+use faer::Mat;
+
+/// Openings and balance as functions of nodal normal forces `f >= 0` and free rigid coordinates `y`:
+/// `opening = gap + opening_0 + A f + Psi y >= 0` with `f . opening = 0`, and `load + B^T f = K y`.
+///
+/// Nodal forces are pressure times the point's weight. Any linear contact can be written this way: the operator of two bodies
+/// ([`ContactOperator::system`]) or a closed-form compliance.
+#[derive(Clone, Debug)]
+pub struct ContactSystem {
+    /// `A`, `points x points`: opening by nodal normal forces, the shear that goes with them included.
+    pub compliance: Mat<f64>,
+    /// `Psi`, `points x coordinates`: opening by the free coordinates, the closing velocities reversed.
+    pub influence: Mat<f64>,
+    /// `B`, `points x coordinates`: work of a unit nodal force with its shear along the coordinates.
+    pub balance: Mat<f64>,
+    /// `K`, `coordinates x coordinates`: stiffness of supports and springs, zero for rigid modes.
+    pub stiffness: Mat<f64>,
+    /// Opening under the load factors and prescribed motions alone, without a gap.
+    pub opening: Vec<f64>,
+    /// Resultants along the coordinates.
+    pub load: Vec<f64>,
+    /// Whether there is no shear, so that `A` is symmetric and `B = Psi`.
+    pub symmetric: bool,
+}
+
+impl ContactOperator<'_> {
+    /// The system of a load.
+    ///
+    /// # Errors
+    /// As [`ContactOperator::solve`].
+    pub fn system(&self, load: &ContactLoad) -> Result<ContactSystem, Error> {
+        let problem = self.stage(&vec![0.0; self.points().len()], load)?.problem;
+        Ok(ContactSystem {
+            compliance: problem.compliance,
+            influence: problem.influence,
+            balance: problem.balance,
+            stiffness: problem.stiffness,
+            opening: problem.opening,
+            load: problem.load,
+            symmetric: problem.symmetric,
+        })
+    }
+}
