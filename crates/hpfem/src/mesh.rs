@@ -72,6 +72,7 @@ impl Mesh {
         curves: &[([usize; 2], Curve)],
         names: &[([usize; 2], &str)],
     ) -> Result<Mesh, Error> {
+        check_vertices(&vertices, quads)?;
         let mut mesh = Mesh {
             vertices,
             ..Mesh::default()
@@ -123,8 +124,12 @@ impl Mesh {
             let miss = distance(curve.point(-1.0), mesh.vertices[a])
                 .max(distance(curve.point(1.0), mesh.vertices[b]));
             // Deep layers are so small that the round-off of their coordinates counts.
-            let round_off =
-                64.0 * f64::EPSILON * mesh.vertices[a].iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+            let circle = match &curve {
+                Curve::Arc { centre, radius, .. } => radius + centre[0].abs().max(centre[1].abs()),
+                _ => 0.0,
+            };
+            let size = mesh.vertices[a].iter().fold(circle, |m, x| m.max(x.abs()));
+            let round_off = 64.0 * f64::EPSILON * size;
             if !(miss <= 1e-9 * curve.length() + round_off) {
                 return Err(Error::CurveMissesVertex {
                     a,

@@ -2,6 +2,7 @@
 
 use crate::common::cylinder::{Sizes, block, round};
 use crate::common::{falling_degrees, material, support};
+use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact::*;
 use hpfem::*;
 
@@ -64,11 +65,48 @@ fn positioned(degree: usize, layers: usize, force: f64) -> (Positioned, f64) {
 
 #[test]
 fn cylinder_has_the_reference_end_of_contact_and_pressure() {
-    for (degree, layers) in [(8, 4), (10, 5), (12, 6)] {
-        let (result, highest) = positioned(degree, layers, 35e3);
-        println!("{degree} {layers}: a {:.9} p0 {:.6} made {} {:.1e}", result.ends[0], highest, result.factorisations, result.history.last().unwrap());
-        let (result, highest) = positioned(degree, layers, 350.0);
-        let (a, p) = hertz(350.0);
-        println!("  350 N: {:.4e} {:.4e}", result.ends[0] / a - 1.0, highest / p - 1.0);
+    let (result, highest) = positioned(14, 7, 35e3);
+    println!("a {:.8} p0 {highest:.6} bodies made {}", result.ends[0], result.factorisations);
+    assert!(result.found);
+    assert_abs_diff_eq!(result.ends[0], 6.20119, epsilon = 1e-5);
+    assert_relative_eq!(highest, 3586.190, max_relative = 1e-6);
+    assert!(result.factorisations <= 10);
+}
+
+#[test]
+fn deviation_from_the_half_plane_falls_like_the_square_of_the_contact_length() {
+    let deviation = |force: f64| {
+        let (result, highest) = positioned(16, 8, force);
+        let (a, p) = hertz(force);
+        println!("{force} N: a {:.4e}, p0 {:.4e}", result.ends[0] / a - 1.0, highest / p - 1.0);
+        (result.ends[0] / a - 1.0, highest / p - 1.0)
+    };
+    let (large, small) = (deviation(35e3), deviation(350.0));
+    assert_abs_diff_eq!(small.0, -2.145e-5, epsilon = 1e-7);
+    assert_abs_diff_eq!(small.1, 2.14e-6, epsilon = 1e-7);
+    assert_relative_eq!(large.0 / small.0, 100.0, max_relative = 0.02);
+}
+
+#[test]
+fn signorini_on_a_fixed_mesh_agrees_with_pivoting_within_thirty_steps() {
+    for (end, candidate, degree) in [(5.0, 2.5, 8), (7.0, 1.3, 12), (2.0, 12.0, 8), (12.0, 2.0, 16)] {
+        let bodies = bodies(end, candidate, degree, 0, 35e3);
+        let pair = bodies.pair().unwrap();
+        let operator = ContactOperator::new(&pair, false).unwrap();
+        let gap: Vec<f64> = operator.points().iter().map(gap).collect();
+        let load = ContactLoad::factors(&[1.0], &[]);
+        let solution = operator.solve(&gap, &load, None).unwrap();
+        let second = operator.solve_by_pivoting(&gap, &load).unwrap();
+        let zone = solution.zones[0];
+        println!("{end} {degree}: {} in {} steps, pivoting {}, end {:.4}, {:.1e}", solution.status, solution.iterations, second.iterations, zone[1], solution.complementarity);
+        assert_eq!(solution.status, Status::Converged);
+        assert!(!solution.took_over && solution.iterations <= 30);
+        assert!(solution.complementarity < 1e-10 && solution.balance < 1e-10);
+        for (p, q) in solution.pressure.iter().zip(&second.pressure) {
+            assert_abs_diff_eq!(p, q, epsilon = 1e-8 * 3586.0);
+        }
+        assert_relative_eq!(zone[1], 6.2, max_relative = 0.05);
+        let warm = operator.solve(&gap, &load, Some(&solution)).unwrap();
+        assert!(warm.iterations <= 2, "{}", warm.iterations);
     }
 }
