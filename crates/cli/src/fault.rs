@@ -161,16 +161,16 @@ impl Fault {
 
 /// The nearest of some known words, when it is near enough to be meant.
 pub(crate) fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let word = word.to_lowercase();
+    let near = |candidate: &str| {
+        let edits = strsim::osa_distance(&word, candidate);
+        let alike = strsim::jaro_winkler(&word, candidate);
+        (alike > 0.78 || edits <= (word.chars().count() / 3).max(1)).then_some((edits, alike))
+    };
     known
         .into_iter()
-        .map(|candidate| {
-            (
-                strsim::jaro_winkler(&word.to_lowercase(), candidate),
-                candidate,
-            )
-        })
-        .filter(|(score, _)| *score > 0.78)
-        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .filter_map(|candidate| near(candidate).map(|score| (score, candidate)))
+        .min_by(|a, b| a.0.0.cmp(&b.0.0).then(b.0.1.total_cmp(&a.0.1)))
         .map(|(_, candidate)| candidate)
 }
 

@@ -1,1 +1,13 @@
-//! Integration tests.
+//! Process tests of the program `wearshape`: exit codes, what is said, what is written.
+#![allow(clippy::unwrap_used, missing_docs)]
+
+mod broken;
+mod call;
+mod commands;
+mod folder;
+mod json;
+mod pressure;
+mod resolved;
+mod set;
+mod sweep;
+mod templates;

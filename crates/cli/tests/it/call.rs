@@ -1,0 +1,82 @@
+//! Starts the program in a folder of its own.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// A folder that vanishes with the test.
+pub(crate) struct Bench {
+    folder: tempfile::TempDir,
+}
+
+/// What a call left behind.
+pub(crate) struct Call {
+    pub(crate) code: i32,
+    pub(crate) out: String,
+    pub(crate) err: String,
+}
+
+impl Bench {
+    pub(crate) fn new() -> Bench {
+        Bench { folder: tempfile::tempdir().unwrap() }
+    }
+
+    pub(crate) fn path(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+
+    pub(crate) fn file(&self, name: &str, text: &str) -> PathBuf {
+        let path = self.path(name);
+        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+        std::fs::write(&path, text).unwrap();
+        path
+    }
+
+    pub(crate) fn read(&self, name: &str) -> String {
+        std::fs::read_to_string(self.path(name)).unwrap()
+    }
+
+    pub(crate) fn bytes(&self, name: &str) -> Vec<u8> {
+        std::fs::read(self.path(name)).unwrap()
+    }
+
+    /// Calls wearshape with blank-separated arguments; `_` in an argument stands for a blank.
+    pub(crate) fn call(&self, args: &str) -> Call {
+        self.call_with(&args.split_whitespace().map(|arg| arg.replace('_', " ")).collect::<Vec<_>>())
+    }
+
+    pub(crate) fn call_with(&self, args: &[impl AsRef<std::ffi::OsStr>]) -> Call {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_wearshape"));
+        finished(command.args(args).current_dir(self.folder.path()).output().unwrap())
+    }
+
+    /// The summary of a run in out/.
+    pub(crate) fn summary(&self, name: &str) -> serde_json::Value {
+        serde_json::from_str(&self.read(&format!("out/{name}/summary.json"))).unwrap()
+    }
+}
+
+fn finished(output: Output) -> Call {
+    Call {
+        code: output.status.code().unwrap_or(-1),
+        out: String::from_utf8(output.stdout).unwrap(),
+        err: String::from_utf8(output.stderr).unwrap(),
+    }
+}
+
+/// Every file below a folder, sorted, by its path from there.
+pub(crate) fn files(folder: &Path) -> Vec<String> {
+    let mut found = Vec::new();
+    let mut open = vec![folder.to_path_buf()];
+    while let Some(next) = open.pop() {
+        for entry in std::fs::read_dir(next).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                open.push(path);
+            } else {
+                found.push(path.strip_prefix(folder).unwrap().to_string_lossy().replace('\\', "/"));
+            }
+        }
+    }
+    found.sort();
+    found
+}

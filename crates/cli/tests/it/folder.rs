@@ -1,0 +1,117 @@
+//! The output folder: complete or not there, ours or left alone, the same bytes for the same scene.
+
+use crate::call::{Bench, files};
+
+#[test]
+fn a_run_writes_its_folder_and_leaves_no_partial_one() {
+    let bench = Bench::new();
+    let call = bench.call("run disc-pad");
+    assert_eq!(call.code, 0, "{}", call.err);
+    let found = files(&bench.path("out/disc-pad"));
+    for name in ["contact.csv", "plots/pressure.svg", "report.html", "scene.resolved.toml", "summary.json", "timing.json"] {
+        assert!(found.iter().any(|file| file == name), "{name} is not among {found:?}");
+    }
+    assert_eq!(std::fs::read_dir(bench.path("out")).unwrap().count(), 1);
+}
+
+#[test]
+fn the_same_scene_gives_the_same_bytes_with_any_number_of_threads() {
+    let bench = Bench::new();
+    for (folder, threads) in [("out/a", 1), ("out/b", 2), ("out/c", 2)] {
+        let call = bench.call(&format!("run pinned-shoe -q --threads {threads} -o {folder}"));
+        assert_eq!(call.code, 0, "{}", call.err);
+    }
+    let names = files(&bench.path("out/a"));
+    assert!(names.len() > 5);
+    for other in ["out/b", "out/c"] {
+        assert_eq!(files(&bench.path(other)), names);
+        for name in names.iter().filter(|name| *name != "timing.json") {
+            assert!(bench.bytes(&format!("out/a/{name}")) == bench.bytes(&format!("{other}/{name}")), "{name} differs");
+        }
+    }
+}
+
+#[test]
+fn our_own_folder_is_replaced_without_force() {
+    let bench = Bench::new();
+    assert_eq!(bench.call("run disc-pad -q").code, 0);
+    let before = bench.read("out/disc-pad/scene.resolved.toml");
+    assert_eq!(bench.call("run disc-pad -q --set contact.friction=.1").code, 0);
+    assert_ne!(bench.read("out/disc-pad/scene.resolved.toml"), before);
+}
+
+#[test]
+fn a_folder_of_somebody_else_is_refused_even_with_force() {
+    let bench = Bench::new();
+    bench.file("photos/one.jpg", "precious");
+    for args in ["run disc-pad -o photos", "run disc-pad -o photos --force"] {
+        let call = bench.call(args);
+        assert_eq!(call.code, 2, "{args}");
+        assert!(call.err.contains("did not write") && call.err.contains("-o photos"), "{}", call.err);
+    }
+    assert_eq!(files(&bench.path("photos")), ["one.jpg"]);
+    bench.file("photos/summary.json", "{\"schema_version\": \"mine\"}");
+    assert_eq!(bench.call("run disc-pad -o photos").code, 2, "a foreign summary.json is not ours");
+    bench.file("note", "precious");
+    assert_eq!(bench.call("run disc-pad -o note").code, 2);
+    assert_eq!(bench.read("note"), "precious");
+}
+
+#[test]
+fn a_partial_folder_of_somebody_else_is_left_alone() {
+    let bench = Bench::new();
+    bench.file("x.partial/letter.txt", "precious");
+    let call = bench.call("run disc-pad -o x");
+    assert_eq!(call.code, 2, "{}", call.err);
+    assert_eq!(bench.read("x.partial/letter.txt"), "precious");
+}
+
+#[test]
+fn a_leftover_partial_folder_of_ours_is_begun_again() {
+    let bench = Bench::new();
+    bench.file("x.partial/scene.resolved.toml", "title = \"old\"");
+    bench.file("x.partial/rubbish.csv", "1");
+    assert_eq!(bench.call("run disc-pad -o x -q").code, 0);
+    assert!(!bench.path("x.partial").exists() && !bench.path("x/rubbish.csv").exists());
+}
+
+#[test]
+fn a_folder_that_cannot_be_written_is_said_with_a_remedy() {
+    let bench = Bench::new();
+    bench.file("file", "");
+    let call = bench.call("run disc-pad -o file/inside");
+    assert_eq!(call.code, 2, "{}", call.err);
+    assert!(call.err.contains("cannot write") && call.err.contains("remedy: "), "{}", call.err);
+}
+
+#[test]
+fn a_dry_run_writes_nothing() {
+    let bench = Bench::new();
+    let call = bench.call("run drum-brake-block --dry-run");
+    assert_eq!(call.code, 0);
+    assert!(call.out.contains("would write") && !bench.path("out").exists(), "{}", call.out);
+}
+
+#[test]
+fn contact_csv_has_the_columns_of_the_contract_and_reads_back() {
+    let bench = Bench::new();
+    assert_eq!(bench.call("run annular-punch --set tasks=[pressure] --sample 101 -q").code, 0);
+    let table = bench.read("out/annular-punch/contact.csv");
+    let mut rows = table.lines();
+    assert_eq!(
+        rows.next().unwrap(),
+        "s_mm,x_mm,y_mm,z_mm,nx,ny,nz,weight_mm2,pressure_MPa,pressure_solved_MPa,shear_MPa,gap_um,opening_um,\
+         wear_rate_um_per_s,un1_um,un2_um,ut1_um,ut2_um,uphi1_um,uphi2_um,status"
+    );
+    let rows: Vec<Vec<&str>> = rows.map(|row| row.split(',').collect()).collect();
+    assert_eq!(rows.len(), 101);
+    assert!(rows.iter().all(|row| row.len() == 21));
+    let number = |row: usize, column: usize| rows[row][column].parse::<f64>().unwrap();
+    assert_eq!((number(0, 0), number(100, 0)), (20.0, 120.0));
+    // Steady with a = b = 1: p r is constant; trapezoid weights are those of the area.
+    approx::assert_relative_eq!(number(50, 8), 100.0, max_relative = 1e-12);
+    let area: f64 = (0..101).map(|row| number(row, 7)).sum();
+    approx::assert_relative_eq!(area, std::f64::consts::PI * (120.0f64.powi(2) - 400.0), max_relative = 1e-12);
+    assert_eq!(rows[0][11], "nan");
+    assert_eq!(rows[0][20], "contact");
+}
