@@ -32,8 +32,8 @@ pub struct ContactPoint {
 /// Which surface carries the contact points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Surface {
-    /// One surface, common to both bodies.
-    Common,
+    /// One surface, common to both bodies; the points are those of the given side's trace.
+    Common(Side),
     /// The counter-face; the shaped body's surface lies off it along the normal.
     Counter,
 }
@@ -67,7 +67,8 @@ impl<'a> Pair<'a> {
                 }
             }
         }
-        Ok(Pair { shaped, counter, surface: Surface::Common })
+        let lead = counter.map_or(Side::Shaped, |counter| lead(shaped, counter));
+        Ok(Pair { shaped, counter, surface: Surface::Common(lead) })
     }
 
     /// Pairs two boundaries that face each other across a gap (a cylinder on a plane): points, normal, weights and gap belong to the
@@ -123,7 +124,7 @@ impl<'a> Pair<'a> {
     /// The operator whose boundary carries the points.
     fn surface(&self) -> (Side, &'a InterfaceOperator) {
         match (self.surface, self.counter) {
-            (Surface::Counter, Some(counter)) => (Side::Counter, counter),
+            (Surface::Counter | Surface::Common(Side::Counter), Some(counter)) => (Side::Counter, counter),
             _ => (Side::Shaped, self.shaped),
         }
     }
@@ -153,6 +154,18 @@ impl<'a> Pair<'a> {
         let normal = normal(side, &boundary);
         ContactPoint { place, arc, position: boundary.position, normal, tangent: [normal[1], -normal[0]], weight }
     }
+}
+
+/// The side whose trace carries the points: the softer one, since there every pressure the points can hold moves the surface; of two
+/// similar ones that of the higher degree.
+fn lead(shaped: &InterfaceOperator, counter: &InterfaceOperator) -> Side {
+    let stiffness = |body: &InterfaceOperator| {
+        let held: Vec<usize> = (0..body.stiffness.nrows()).filter(|i| !body.frame.contains(&Some(*i))).collect();
+        held.iter().map(|i| body.stiffness[(*i, *i)]).sum::<f64>() / held.len().max(1) as f64
+    };
+    let ratio = stiffness(shaped) / stiffness(counter);
+    let richer = counter.trace.points.len() > shaped.trace.points.len();
+    if ratio > 4.0 || (ratio >= 0.25 && richer) { Side::Counter } else { Side::Shaped }
 }
 
 fn same_number_of_edges(shaped: &InterfaceOperator, counter: &InterfaceOperator) -> Result<(), Error> {

@@ -4,4 +4,5 @@
 mod common;
 mod full_contact;
 mod hertz;
+mod statuses;
 mod scan;

@@ -3,6 +3,7 @@
 pub mod cylinder;
 pub mod drum;
 pub mod punch;
+pub mod wedge;
 
 use hpfem::{Direction, Material, Mesh, Support};
 
