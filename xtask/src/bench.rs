@@ -1,11 +1,13 @@
 //! `cargo xtask bench [crate ..]`: the benches of our crates, as ratios.
 //!
 //! Seconds on a shared machine mean little; a ratio of two times of one run means more. A bench is
-//! a plain program (`harness = false`) that prints lines of the form
+//! a plain program (`harness = false`). Of what it prints, lines of the form
 //!
 //! ```text
 //! bench <name> <seconds> [<name of the bench it is compared with>]
 //! ```
+//!
+//! become a table with ratios; the rest is passed on as it is.
 
 use std::fs;
 use std::path::Path;
@@ -39,8 +41,9 @@ pub(crate) fn run(root: &Path, words: &[String]) -> ExitCode {
         return stop("no crate has a benches/ folder yet");
     }
     for name in wanted {
+        println!("{name}");
         match measure(root, name) {
-            Ok(measures) => print(name, &measures),
+            Ok(measures) => print(&measures),
             Err(message) => return stop(&message),
         }
     }
@@ -80,13 +83,11 @@ fn measure(root: &Path, name: &str) -> Result<Vec<Measure>, String> {
             output.status
         ));
     }
-    let measures = parse(&String::from_utf8_lossy(&output.stdout))?;
-    if measures.is_empty() {
-        return Err(format!(
-            "the benches of {name} printed no line `bench <name> <seconds>`"
-        ));
+    let text = String::from_utf8_lossy(&output.stdout);
+    for line in text.lines().filter(|line| !line.starts_with("bench ")) {
+        println!("{line}");
     }
-    Ok(measures)
+    parse(&text)
 }
 
 fn parse(text: &str) -> Result<Vec<Measure>, String> {
@@ -109,8 +110,7 @@ fn line_of(line: &str, rest: &str) -> Result<Measure, String> {
     })
 }
 
-fn print(name: &str, measures: &[Measure]) {
-    println!("{name}");
+fn print(measures: &[Measure]) {
     for measure in measures {
         let time = readable(measure.seconds);
         match ratio(measures, measure) {

@@ -56,10 +56,12 @@ impl Axis {
     fn new(values: &[f64], from: f64, to: f64) -> Self {
         let low = values.iter().copied().fold(f64::INFINITY, f64::min);
         let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let room = if high > low {
+        // A curve that is constant but for round-off is drawn as such, in the middle.
+        let size = low.abs().max(high.abs());
+        let room = if high - low > 1e-9 * size {
             0.0
         } else {
-            low.abs().max(1e-300)
+            (0.5 * size).max(1e-300)
         };
         Self {
             low: low - room,
