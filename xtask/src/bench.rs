@@ -71,7 +71,7 @@ fn crates_with_benches(root: &Path) -> Result<Vec<String>, String> {
 fn measure(root: &Path, name: &str) -> Result<Vec<Measure>, String> {
     let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".into());
     let output = Command::new(cargo)
-        .args(["bench", "--package", name, "--benches"])
+        .args(["bench", "--package", name, "--bench", "*"])
         .current_dir(root)
         .stdin(Stdio::null())
         .stderr(Stdio::inherit())
