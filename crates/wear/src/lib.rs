@@ -6,8 +6,10 @@
 mod absolute;
 mod cells;
 mod character;
+mod continuation;
 mod counterface;
 mod density;
+mod durability;
 mod error;
 mod extremes;
 mod functional;
@@ -23,6 +25,8 @@ mod ratio;
 mod recession;
 mod reduce;
 mod report;
+mod rule;
+mod sensitivity;
 mod simplex;
 mod singular;
 mod solve;
@@ -31,7 +35,9 @@ mod steady;
 mod surface;
 mod workspace;
 
+pub use continuation::optima_over_q;
 pub use counterface::{Counterface, counterface_depth, counterface_depth_from_feed};
+pub use durability::{distance_to_depth, time_to_depth};
 pub use error::WearError;
 pub use functional::Functional;
 pub use law::{
@@ -47,6 +53,8 @@ pub use optimum::{
 };
 pub use point::SurfacePoint;
 pub use problem::Problem;
+pub use rule::{WearRule, steady_pressure_of_rule};
+pub use sensitivity::{Parameter, Sensitivity, sensitivity};
 pub use singular::{LimitSide, singular_limit};
 pub use surface::{Shape, Surface};
 pub use workspace::Workspace;

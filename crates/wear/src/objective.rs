@@ -154,7 +154,7 @@ pub(crate) fn multiplier_factor(
     if steady
         && matches!(
             stage.law.density,
-            Density::Sum { .. } | Density::Receding { .. }
+            Density::Sum { .. } | Density::Receding { .. } | Density::Rule { .. }
         )
     {
         return Some(if problem.wear.active {

@@ -51,7 +51,7 @@ pub struct PointForce {
 }
 
 /// Optimal pressure and what follows from it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Optimum {
     /// Quadrature points (of a list of points: the points themselves), weights in mm^2.
     pub points: Vec<SurfacePoint>,

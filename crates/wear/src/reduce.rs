@@ -7,7 +7,7 @@ use crate::{Counterface, Functional, Problem, Shape, WearError, WearLaw};
 const SINGULAR: f64 = 1e-15;
 
 /// What the functional asks for.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) enum Task {
     /// The density is known up to the multipliers.
     Density { density: Density, s: f64 },

@@ -47,7 +47,12 @@ pub(crate) fn report(
         nodes.iter().map(|node| stage.law.log_pressure(node)),
     );
     fill(&mut pressure, log_pressure.iter().map(|log| log.exp()));
-    let rate_at = |(node, log): (&Node, &f64)| [0, 1].map(|i| rate(problem, i, *log, node));
+    let rate_at = |(node, log): (&Node, &f64)| match stage.law.density {
+        Density::Rule { rule } if *log > f64::NEG_INFINITY => {
+            [rule(log.exp(), node.point.sliding_speed)[0], 0.0]
+        }
+        _ => [0, 1].map(|i| rate(problem, i, *log, node)),
+    };
     fill(rates, nodes.iter().zip(&log_pressure).map(rate_at));
     fill(
         gap,

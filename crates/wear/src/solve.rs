@@ -3,6 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::absolute::balance_absolute;
+use crate::continuation::balance_by_continuation;
 use crate::density::Density;
 use crate::singular;
 use crate::stage::{Node, Stage};
@@ -72,12 +73,20 @@ pub(crate) fn balance_any(
             stage.law.log_cap = cap;
             balance_absolute(stage, nodes)
         }
-        Density::Sum { .. } | Density::Receding { .. } | Density::BangBang { .. } => {
+        Density::Sum { .. }
+        | Density::Receding { .. }
+        | Density::BangBang { .. }
+        | Density::Rule { .. } => {
             stage.law.log_cap = cap;
             balance_absolute(stage, nodes)
         }
         _ => {
-            let balanced = balance(stage, nodes)?;
+            let balanced = match balance(stage, nodes) {
+                Err(WearError::NotConverged { .. }) if several => {
+                    balance_by_continuation(stage, nodes)?
+                }
+                other => other?,
+            };
             let largest = nodes
                 .iter()
                 .map(|node| node.log_h)

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, missing_docs)]
 
 mod benchmarks;
+mod engineering;
 mod extreme;
 mod properties;
 mod reference;
