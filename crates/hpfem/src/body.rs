@@ -108,8 +108,17 @@ impl<'a> Body<'a> {
         let condensed = plan
             .run(elements, &space.size, &kept_groups, columns)
             .map_err(|g| not_held(place(mesh, g)))?;
-        if let Some(value) = condensed.rhs.col_iter().flat_map(|c| c.iter().copied()).find(|v| !v.is_finite()) {
-            return Err(Error::OutOfRange { quantity: "a load or its condensed part".into(), value, range: "finite" });
+        if let Some(value) = condensed
+            .rhs
+            .col_iter()
+            .flat_map(|c| c.iter().copied())
+            .find(|v| !v.is_finite())
+        {
+            return Err(Error::OutOfRange {
+                quantity: "a load or its condensed part".into(),
+                value,
+                range: "finite",
+            });
         }
         let factored = start.elapsed();
         let mut offsets = vec![None; space.size.len()];
@@ -239,28 +248,57 @@ impl<'a> Body<'a> {
 /// Refuses a problem whose lists do not fit together or whose numbers cannot be.
 fn check(problem: &BodyProblem<'_>) -> Result<(), Error> {
     let mesh = problem.mesh;
-    let count = |what: &str, given, expected| Err(Error::Count { what: what.into(), given, expected });
+    let count = |what: &str, given, expected| {
+        Err(Error::Count {
+            what: what.into(),
+            given,
+            expected,
+        })
+    };
     if problem.degrees.len() != mesh.cells.len() {
         return count("degrees of cells", problem.degrees.len(), mesh.cells.len());
     }
-    if let Some(cell) = mesh.cells.iter().find(|c| c.material >= problem.materials.len()) {
+    if let Some(cell) = mesh
+        .cells
+        .iter()
+        .find(|c| c.material >= problem.materials.len())
+    {
         return count("materials", problem.materials.len(), cell.material + 1);
     }
-    let out = |quantity: String, value, range| Err(Error::OutOfRange { quantity, value, range });
-    if let Kinematics::PlaneStress { thickness } | Kinematics::PlaneStrain { thickness } = problem.kinematics
+    let out = |quantity: String, value, range| {
+        Err(Error::OutOfRange {
+            quantity,
+            value,
+            range,
+        })
+    };
+    if let Kinematics::PlaneStress { thickness } | Kinematics::PlaneStrain { thickness } =
+        problem.kinematics
         && !(thickness > 0.0 && thickness.is_finite())
     {
         return out("the thickness".into(), thickness, "positive and finite");
     }
-    let size = mesh.vertices.iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
+    let size = mesh
+        .vertices
+        .iter()
+        .flatten()
+        .fold(0.0_f64, |m, x| m.max(x.abs()));
     for (i, x) in mesh.vertices.iter().enumerate() {
         if problem.kinematics.is_revolved() && x[0] < -1e-12 * size {
-            return out(format!("the radius of vertex {i}"), x[0], "zero or positive");
+            return out(
+                format!("the radius of vertex {i}"),
+                x[0],
+                "zero or positive",
+            );
         }
     }
     for support in problem.supports {
         if !support.value.is_finite() {
-            return out(format!("the displacement of support \"{}\"", support.boundary), support.value, "finite");
+            return out(
+                format!("the displacement of support \"{}\"", support.boundary),
+                support.value,
+                "finite",
+            );
         }
     }
     Ok(())

@@ -112,7 +112,9 @@ pub enum Error {
         b: usize,
     },
     /// A cell touches two of the vertices that the mesh shall be graded towards.
-    #[error("cell {cell} touches the vertices {first} and {second}, towards which the mesh shall both be graded; cut the cell between them")]
+    #[error(
+        "cell {cell} touches the vertices {first} and {second}, towards which the mesh shall both be graded; cut the cell between them"
+    )]
     TwoGradedCorners {
         /// The cell.
         cell: usize,
@@ -122,7 +124,9 @@ pub enum Error {
         second: usize,
     },
     /// Something that needs a straight boundary was asked of a curved one.
-    #[error("{what} needs straight edges in one line, but boundary \"{boundary}\" is curved or bent")]
+    #[error(
+        "{what} needs straight edges in one line, but boundary \"{boundary}\" is curved or bent"
+    )]
     NotStraight {
         /// What was asked.
         what: &'static str,

@@ -136,7 +136,12 @@ impl<'a> Field<'a> {
     fn stress(&self, cell: usize, r: f64, u: [f64; 2], g: [[f64; 2]; 2]) -> [f64; 4] {
         let material = self.materials[self.mesh.cells[cell].material];
         let m = material.moduli(self.kinematics);
-        let hoop = if r > 0.0 { u[0] / r } else { g[0][0] };
+        // Near the axis u_r / r is round-off over round-off; its limit is u_r,r.
+        let corners = self.mesh.cells[cell].corners.map(|v| self.mesh.vertices[v]);
+        let size = corners
+            .iter()
+            .fold(0.0_f64, |m, c| m.max((c[0] - corners[0][0]).abs()));
+        let hoop = if r > 1e-8 * size { u[0] / r } else { g[0][0] };
         match self.kinematics {
             Kinematics::Torsion => [m.shear * (g[0][0] - hoop), m.shear * g[0][1], 0.0, 0.0],
             Kinematics::Axisymmetric => [

@@ -105,7 +105,10 @@ impl Mesh {
                 cell.against[local] = mesh.edges[edge].vertices != walk;
                 // Cells lie on the left of edges 0 and 1 and on the right of edges 2 and 3.
                 if !sides.insert((edge, (local < 2) != cell.against[local])) {
-                    return Err(Error::Overlapping { a: walk[0], b: walk[1] });
+                    return Err(Error::Overlapping {
+                        a: walk[0],
+                        b: walk[1],
+                    });
                 }
             }
             mesh.cells.push(cell);
@@ -223,19 +226,36 @@ impl Mesh {
     /// # Errors
     /// [`Error::TwoGradedCorners`] if a cell touches two of the vertices; [`Error::OutOfRange`] for a ratio outside (0, 1);
     /// [`Error::Count`] for a vertex that does not exist; [`Error::FoldedCell`] if a cell cannot be cut.
-    pub fn refined_towards(&self, vertices: &[usize], ratio: f64, layers: usize) -> Result<Mesh, Error> {
+    pub fn refined_towards(
+        &self,
+        vertices: &[usize],
+        ratio: f64,
+        layers: usize,
+    ) -> Result<Mesh, Error> {
         if !(ratio > 0.0 && ratio < 1.0) {
             let quantity = "the ratio of graded layers".into();
-            return Err(Error::OutOfRange { quantity, value: ratio, range: "in (0, 1)" });
+            return Err(Error::OutOfRange {
+                quantity,
+                value: ratio,
+                range: "in (0, 1)",
+            });
         }
         if let Some(v) = vertices.iter().find(|v| **v >= self.vertices.len()) {
             let what = "vertex to grade towards, vertices".into();
-            return Err(Error::Count { what, given: *v + 1, expected: self.vertices.len() });
+            return Err(Error::Count {
+                what,
+                given: *v + 1,
+                expected: self.vertices.len(),
+            });
         }
         for (cell, corners) in self.cells.iter().map(|c| c.corners).enumerate() {
             let mut touched = corners.iter().filter(|v| vertices.contains(v));
             if let (Some(first), Some(second)) = (touched.next(), touched.next()) {
-                return Err(Error::TwoGradedCorners { cell, first: *first, second: *second });
+                return Err(Error::TwoGradedCorners {
+                    cell,
+                    first: *first,
+                    second: *second,
+                });
             }
         }
         let mut mesh = self.clone();
@@ -369,13 +389,21 @@ pub(crate) fn blend(
 fn check_vertices(vertices: &[[f64; 2]], quads: &[Quad]) -> Result<(), Error> {
     for (i, x) in vertices.iter().enumerate() {
         if let Some(value) = x.iter().find(|v| !v.is_finite()) {
-            return Err(Error::OutOfRange { quantity: format!("a coordinate of vertex {i}"), value: *value, range: "finite" });
+            return Err(Error::OutOfRange {
+                quantity: format!("a coordinate of vertex {i}"),
+                value: *value,
+                range: "finite",
+            });
         }
     }
     for (cell, quad) in quads.iter().enumerate() {
         if let Some(corner) = quad.corners.iter().find(|v| **v >= vertices.len()) {
             let what = format!("corner of cell {cell}, vertices");
-            return Err(Error::Count { what, given: *corner + 1, expected: vertices.len() });
+            return Err(Error::Count {
+                what,
+                given: *corner + 1,
+                expected: vertices.len(),
+            });
         }
     }
     Ok(())

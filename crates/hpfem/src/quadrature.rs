@@ -20,17 +20,20 @@ pub struct Quadrature {
 pub fn gauss(n: usize) -> Quadrature {
     mirrored(n, |i| {
         let mut x = (PI * (i as f64 + 0.75) / (n as f64 + 0.5)).cos();
-        let mut slope = 1.0;
-        for _ in 0..100 {
+        // `P_n` and `P_n'` at the same x; a slope from before the last step would cost the weight two digits.
+        let at = |x: f64| {
             let p = legendre(n, x);
-            let lower = if n > 0 { p[n - 1] } else { 0.0 };
-            slope = n as f64 * (lower - x * p[n]) / (1.0 - x * x);
-            let step = p[n] / slope;
+            (p[n], n as f64 * (p[n - 1] - x * p[n]) / (1.0 - x * x))
+        };
+        for _ in 0..100 {
+            let (value, slope) = at(x);
+            let step = value / slope;
             x -= step;
             if step.abs() < 1e-15 {
                 break;
             }
         }
+        let slope = at(x).1;
         (x, 2.0 / ((1.0 - x * x) * slope * slope))
     })
 }
@@ -65,8 +68,8 @@ pub fn gauss_lobatto(n: usize) -> Quadrature {
 /// Gauss-Lobatto-Jacobi rule with `n >= 2` points for the weight `1 + x`: the rule for an edge that starts on the axis of
 /// revolution, where the area element vanishes with the radius.
 ///
-/// Both ends are points; the inner ones are the extrema of the Jacobi polynomials `P^(0,1)_{n-1}`, found by bisection between
-/// Gauss-Lobatto points and polished by Newton. The weights make `sum w_i f(x_i) = int f(x) (1 + x) dx` exact for
+/// Both ends are points; the inner ones are the extrema of the Jacobi polynomials `P^(0,1)_{n-1}`, found as eigenvalues and
+/// polished by Newton's method. The weights make `sum w_i f(x_i) = int f(x) (1 + x) dx` exact for
 /// `f` of degree `2n - 3`. The weight of the point on the axis is positive (unlike `(1 + x_0) w_0 = 0`).
 pub fn gauss_lobatto_jacobi(n: usize) -> Quadrature {
     // Inner points: roots of P^(1,2)_{n-2}, the derivative of P^(0,1)_{n-1} up to a factor; they are the eigenvalues of the
@@ -85,7 +88,18 @@ pub fn gauss_lobatto_jacobi(n: usize) -> Quadrature {
             jacobi[(k - 1, k)] = off.sqrt();
         }
     }
-    let mut points: Vec<f64> = jacobi.symmetric_eigenvalues().iter().copied().collect();
+    let mut points: Vec<f64> = Vec::with_capacity(n);
+    if m > 0 {
+        points.extend(jacobi.symmetric_eigenvalues().iter());
+        for x in &mut points {
+            for _ in 0..2 {
+                // d/dx P^(a,b)_m = (m + a + b + 1) / 2 P^(a+1,b+1)_{m-1}.
+                let slope =
+                    0.5 * (m as f64 + a + b + 1.0) * jacobi_polynomial(m - 1, a + 1.0, b + 1.0, *x);
+                *x -= jacobi_polynomial(m, a, b, *x) / slope;
+            }
+        }
+    }
     points.extend([-1.0, 1.0]);
     points.sort_by(f64::total_cmp);
     // Weights: the integral of each Lagrange polynomial against 1 + x, by an exact Gauss rule.
@@ -98,6 +112,24 @@ pub fn gauss_lobatto_jacobi(n: usize) -> Quadrature {
         }
     }
     Quadrature { points, weights }
+}
+
+/// Jacobi polynomial `P^(a,b)_n(x)` by its three-term recurrence (Abramowitz and Stegun 22.7.1).
+fn jacobi_polynomial(n: usize, a: f64, b: f64, x: f64) -> f64 {
+    let (mut lower, mut value) = (0.0, 1.0);
+    for k in 0..n {
+        let k = k as f64;
+        let s = 2.0 * k + a + b;
+        let next = if k == 0.0 {
+            0.5 * (a - b + (a + b + 2.0) * x)
+        } else {
+            let middle = (s + 1.0) * (a * a - b * b) + s * (s + 1.0) * (s + 2.0) * x;
+            (middle * value - 2.0 * (k + a) * (k + b) * (s + 2.0) * lower)
+                / (2.0 * (k + 1.0) * (k + a + b + 1.0) * s)
+        };
+        (lower, value) = (value, next);
+    }
+    value
 }
 
 /// Weights of the barycentric interpolation formula for the given points.

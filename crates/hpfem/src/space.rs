@@ -65,6 +65,10 @@ pub(crate) struct Freedom {
     pub(crate) slaved: bool,
 }
 
+/// Stands for the axis of revolution where a support's number is expected: radial displacement and turn vanish there by themselves, and
+/// no reaction belongs to it.
+const AXIS: usize = usize::MAX;
+
 const FREE: Freedom = Freedom {
     axes: [[1.0, 0.0], [0.0, 1.0]],
     fixed: [None, None],
@@ -183,7 +187,10 @@ impl Space {
         if let Some(rigid) = rigid {
             let edges = mesh.boundary(&rigid.boundary)?;
             if edges.iter().any(|e| !mesh.edges[*e].curve.is_straight()) {
-                return Err(Error::NotStraight { what: "a rigid edge", boundary: rigid.boundary.clone() });
+                return Err(Error::NotStraight {
+                    what: "a rigid edge",
+                    boundary: rigid.boundary.clone(),
+                });
             }
             for e in edges {
                 let [a, b] = mesh.edges[e].vertices;
@@ -200,7 +207,10 @@ impl Space {
                     Direction::Second => [0.0, 1.0],
                     Direction::Normal if !mesh.edges[e].curve.is_straight() => {
                         let boundary = support.boundary.clone();
-                        return Err(Error::NotStraight { what: "a support along the normal", boundary });
+                        return Err(Error::NotStraight {
+                            what: "a support along the normal",
+                            boundary,
+                        });
                     }
                     Direction::Normal => {
                         let (p, q) = (mesh.vertices[a], mesh.vertices[b]);
@@ -211,6 +221,17 @@ impl Space {
                 freedom[a].fix(direction, number, support.value);
                 freedom[b].fix(direction, number, support.value);
                 freedom[vertices + e].fix(direction, number, 0.0);
+            }
+        }
+        if kinematics.is_revolved() {
+            let on_axis = axis_vertices(mesh);
+            for v in (0..vertices).filter(|v| on_axis[*v]) {
+                freedom[v].fix([1.0, 0.0], AXIS, 0.0);
+            }
+            for (e, edge) in mesh.edges.iter().enumerate() {
+                if edge.vertices.iter().all(|v| on_axis[*v]) && edge.curve.is_straight() {
+                    freedom[vertices + e].fix([1.0, 0.0], AXIS, 0.0);
+                }
             }
         }
         let mut size: Vec<usize> = freedom
@@ -306,6 +327,7 @@ impl Space {
                 continue;
             }
             match freedom.fixed[axis] {
+                Some((AXIS, _)) => {}
                 None => target
                     .active
                     .push((group, mode * free + freedom.index(axis), share)),
@@ -332,4 +354,17 @@ pub(crate) fn rigid_rows(x: [f64; 2], reference: [f64; 2]) -> [[f64; 2]; 3] {
         [0.0, 1.0],
         [reference[1] - x[1], x[0] - reference[0]],
     ]
+}
+
+/// Which vertices lie on the axis of revolution, to round-off of the mesh's size.
+fn axis_vertices(mesh: &Mesh) -> Vec<bool> {
+    let size = mesh
+        .vertices
+        .iter()
+        .flatten()
+        .fold(0.0_f64, |m, x| m.max(x.abs()));
+    mesh.vertices
+        .iter()
+        .map(|x| x[0].abs() <= 1e-14 * size)
+        .collect()
 }
