@@ -17,6 +17,8 @@ pub(crate) enum Status {
     NotConverged,
     /// The scene has no answer.
     Refused,
+    /// The user asked to stop; the partial folder is kept.
+    Interrupted,
 }
 
 /// Everything a run knows when it is done. A stage that did not run is `None`.

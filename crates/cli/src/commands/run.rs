@@ -26,9 +26,13 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
         print_out(&format!("{}\nwould write {}\n", describe(&problem), target.display()));
         return Ok(Exit::Done);
     }
-    crate::fe::available(&problem).map_err(|fault| document.locate(fault))?;
+    if problem.plan.runs("mesh") {
+        crate::fe::available(&problem).map_err(|fault| document.locate(fault))?;
+    }
+    crate::interrupt::listen();
     let resolved = report::resolved(&problem)?;
     let folder = Folder::begin(&target, common.resume)?;
+    let ready = start.elapsed().as_secs_f64();
     folder.write("scene.resolved.toml", &resolved)?;
     if common.verbose && !common.quiet {
         eprint!("{}", describe(&problem));
@@ -41,7 +45,11 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
             return Err(document.locate(fault));
         }
     };
-    solution.times.insert(0, ("setup".into(), 0.0));
+    if solution.status == Status::Interrupted {
+        eprintln!("interrupted; continue with: wearshape run {} -o {} --resume", args.scene, target.display());
+        return Ok(Exit::Interrupted);
+    }
+    solution.times.insert(0, ("setup".into(), ready));
     let summary = report::write(&folder, &problem, &solution, &resolved, start.elapsed().as_secs_f64())?;
     folder.finish()?;
     if common.json {
@@ -57,6 +65,7 @@ pub(crate) fn exit_of(status: Status) -> Exit {
     match status {
         Status::Ok => Exit::Done,
         Status::AccuracyMissed | Status::NotConverged | Status::Refused => Exit::GoalMissed,
+        Status::Interrupted => Exit::Interrupted,
     }
 }
 

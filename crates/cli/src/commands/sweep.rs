@@ -172,7 +172,9 @@ fn row(scene: &str, grid: &[Over], point: usize, settings: &[String], options: O
     }
     let computed = Document::open(scene, settings).and_then(|document| {
         let problem = setup(&document)?;
-        fe::available(&problem).map_err(|fault| document.locate(fault))?;
+        if problem.plan.runs("mesh") {
+            fe::available(&problem).map_err(|fault| document.locate(fault))?;
+        }
         let solution = solve(&problem, options).map_err(|fault| document.locate(fault))?;
         report::summary_of(&problem, &solution)
     });

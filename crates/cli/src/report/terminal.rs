@@ -77,6 +77,7 @@ pub(crate) fn verdict(problem: &Problem, solution: &Solution) -> String {
             Status::NotConverged => "The computation did not arrive",
             Status::AccuracyMissed => "Done, but not to the accuracy asked for",
             Status::Ok => "Done",
+            Status::Interrupted => "Interrupted",
         };
         return format!("{head}: {reason}.");
     }
@@ -173,6 +174,7 @@ fn bracket(solution: &Solution) -> String {
         Status::AccuracyMissed => "accuracy missed",
         Status::NotConverged => "not converged",
         Status::Refused => "refused",
+        Status::Interrupted => "interrupted",
     };
     let error = solution.error.as_ref().and_then(|error| {
         let pressure = error.pressure_relative.filter(|value| *value > 1e-14);

@@ -106,7 +106,7 @@ fn accuracy(scene: &mut Scene) -> Result<(), Fault> {
         }
         if mesh.degree.is_some() && mesh.layers.is_none() {
             scene.mesh = Some(Mesh {
-                layers: mesh.degree,
+                layers: mesh.degree.map(|degree| degree.saturating_sub(2).max(1)),
                 ..mesh.clone()
             });
         }
