@@ -1,16 +1,19 @@
 //! From cells to elements of the elimination: stiffness, condensed interior, loads, supports.
 
 use crate::basis::{LocalModes, Table};
+use crate::cell_matrix::SharedMatrices;
 use crate::curve::Curve;
-use crate::element::stiffness;
-use crate::elimination::{Element, factor_leading, not_held};
+use crate::element::Workspace;
+use crate::elimination::Element;
 use crate::error::Error;
 use crate::legendre::shape_functions;
 use crate::material::{Kinematics, Material};
 use crate::mesh::{CELL_EDGES, Mesh};
 use crate::quadrature::{barycentric_weights, gauss, gauss_lobatto, lagrange};
 use crate::space::{Space, Target, rigid_rows};
-use faer::{Mat, MatRef};
+use faer::linalg::matmul::matmul;
+use faer::linalg::triangular_solve::solve_upper_triangular_in_place;
+use faer::{Accum, Mat, MatRef, Par};
 use std::sync::Arc;
 
 /// A point on the boundary of a body.
@@ -64,46 +67,18 @@ pub(crate) fn points_for(degree: usize) -> usize {
 }
 
 impl Assembly<'_> {
-    /// Stiffness of the cell on its boundary modes, interior condensed; with the factor of the interior.
-    fn boundary_stiffness(
+    /// The cell's element on its active groups.
+    pub(crate) fn cell(
         &self,
         cell: usize,
-        local: &LocalModes,
-    ) -> Result<(Mat<f64>, usize), Error> {
-        let table = self.tables[self.space.cell_degree[cell]]
-            .as_ref()
-            .map(|t| t.as_ref());
-        let Some(table) = table else {
-            return Err(Error::Degree {
-                cell,
-                degree: self.space.cell_degree[cell],
-            });
-        };
-        let material = self.materials[self.mesh.cells[cell].material];
-        let mut k = stiffness(
-            self.mesh,
-            cell,
-            table,
-            local,
-            material.moduli(self.kinematics),
-            self.kinematics,
-        )?;
-        let ni = self.space.components * local.interior;
-        let mut none = Mat::zeros(k.nrows(), 0);
-        factor_leading(k.as_mut(), none.as_mut(), ni)
-            .map_err(|_| not_held(format!("the interior of cell {cell}")))?;
-        Ok((k, ni))
-    }
-
-    /// The cell's element on its active groups.
-    pub(crate) fn cell(&self, cell: usize, rank: &[usize]) -> Result<CellElement, Error> {
+        rank: &[usize],
+        shared: &SharedMatrices,
+        work: &mut Workspace,
+    ) -> Result<CellElement, Error> {
         let space = self.space;
         let local = space.local_modes(self.mesh, cell);
-        let (k, ni) = self.boundary_stiffness(cell, &local)?;
-        let nb = k.nrows() - ni;
-        let s = k.submatrix(ni, ni, nb, nb);
+        let s = self.boundary_matrix(cell, &local, shared, work)?;
         let load = self.cell_loads(cell, &local);
-        let targets = self.targets(cell, &local);
         let groups = space.cell_groups(self.mesh, cell, rank);
         let mut start = vec![0; groups.len() + 1];
         for (i, g) in groups.iter().enumerate() {
@@ -111,40 +86,47 @@ impl Assembly<'_> {
         }
         let n = start[groups.len()];
         let slot = |group: usize| groups.iter().position(|g| *g == group).map(|i| start[i]);
-        // Rows of the transformation from active unknowns to local ones.
-        let rows: Vec<Vec<(usize, f64)>> = targets
-            .iter()
-            .map(|t| {
-                t.active
-                    .iter()
-                    .filter_map(|(g, i, c)| slot(*g).map(|s| (s + i, *c)))
-                    .collect()
-            })
-            .collect();
         let mut matrix = Mat::zeros(n, n);
-        for j in 0..nb {
-            for (tj, cj) in &rows[j] {
-                for i in j..nb {
-                    for (ti, ci) in &rows[i] {
-                        let value = ci * cj * s[(i, j)];
-                        if ti > tj {
-                            matrix[(*ti, *tj)] += value;
-                        } else if ti < tj && i != j {
-                            matrix[(*tj, *ti)] += value;
-                        } else if ti == tj {
-                            matrix[(*ti, *tj)] += if i == j { value } else { 2.0 * value };
-                        }
+        let mut rhs = Mat::zeros(n, self.columns);
+        if let Some(places) = self.places(cell, &local, slot) {
+            gather(&s, &places, &mut matrix);
+            for ((row, column), value) in &load {
+                rhs[(places[*row], *column)] += value;
+            }
+            let constant = Mat::zeros(self.columns - self.load_cases.len() - 1, self.columns);
+            return Ok(CellElement {
+                element: Element {
+                    groups,
+                    matrix,
+                    rhs,
+                },
+                constant,
+            });
+        }
+        // Rows of the transformation from active unknowns to local ones.
+        let targets = self.targets(cell, &local);
+        let active = |t: &Target| {
+            t.active
+                .iter()
+                .filter_map(|(g, i, c)| slot(*g).map(|s| (s + i, *c)))
+                .collect()
+        };
+        let rows: Vec<Vec<(usize, f64)>> = targets.iter().map(active).collect();
+        for (j, row) in rows.iter().enumerate() {
+            for (tj, cj) in row {
+                for (row, value) in rows.iter().zip(s.col_as_slice(j)) {
+                    for (ti, ci) in row.iter().filter(|(ti, _)| ti >= tj) {
+                        matrix[(*ti, *tj)] += ci * cj * value;
                     }
                 }
             }
         }
-        let mut rhs = Mat::zeros(n, self.columns);
-        for ((row, column), value) in load.iter() {
+        for ((row, column), value) in &load {
             for (t, c) in &rows[*row] {
                 rhs[(*t, *column)] += c * value;
             }
         }
-        let constant = self.supports(&targets, &rows, s, &load, &mut rhs);
+        let constant = self.supports(&targets, &rows, s.as_ref(), &load, &mut rhs);
         Ok(CellElement {
             element: Element {
                 groups,
@@ -153,6 +135,35 @@ impl Assembly<'_> {
             },
             constant,
         })
+    }
+
+    /// Places of the cell's boundary unknowns in its element if none is prescribed, turned or tied to a rigid edge.
+    fn places(
+        &self,
+        cell: usize,
+        local: &LocalModes,
+        slot: impl Fn(usize) -> Option<usize>,
+    ) -> Option<Vec<usize>> {
+        let c = &self.mesh.cells[cell];
+        let vertices = self.mesh.vertices.len();
+        let components = self.space.components;
+        let mut places = Vec::with_capacity(components * (local.modes - local.interior));
+        let edges = (0..4).map(|e| {
+            (
+                vertices + c.edges[e],
+                local.edge_start[e + 1] - local.edge_start[e],
+            )
+        });
+        for (group, modes) in c.corners.iter().map(|v| (*v, 1)).chain(edges) {
+            if !self.space.freedom[group].is_plain() {
+                return None;
+            }
+            if modes > 0 {
+                let start = slot(group)?;
+                places.extend(start..start + components * modes);
+            }
+        }
+        Some(places)
     }
 
     /// Adds the columns of prescribed displacements and reactions; returns the constant parts of the reactions.
@@ -171,7 +182,6 @@ impl Assembly<'_> {
             return constant;
         }
         let nb = targets.len();
-        let symmetric = |i: usize, j: usize| if i >= j { s[(i, j)] } else { s[(j, i)] };
         let prescribed: Vec<f64> = targets
             .iter()
             .map(|t| t.fixed.iter().map(|f| f.share * f.value).sum())
@@ -198,7 +208,7 @@ impl Assembly<'_> {
             let mut out = vec![0.0; nb];
             for j in (0..nb).filter(|j| v[*j] != 0.0) {
                 for (i, o) in out.iter_mut().enumerate() {
-                    *o += symmetric(i, j) * v[j];
+                    *o += s[(i, j)] * v[j];
                 }
             }
             out
@@ -286,25 +296,59 @@ impl Assembly<'_> {
     }
 
     /// Interior unknowns of a cell from its boundary unknowns: `u_i = -K_ii^-1 K_ib u_b`, followed by the boundary unknowns.
-    pub(crate) fn recover(&self, cell: usize, boundary: &[f64]) -> Result<Vec<f64>, Error> {
+    pub(crate) fn recover(
+        &self,
+        cell: usize,
+        boundary: &[f64],
+        work: &mut Workspace,
+    ) -> Result<Vec<f64>, Error> {
         let local = self.space.local_modes(self.mesh, cell);
-        let (k, ni) = self.boundary_stiffness(cell, &local)?;
-        let mut x = vec![0.0; ni];
-        for j in 0..ni {
-            let column = &k.col_as_slice(j)[ni..];
-            x[j] = -column.iter().zip(boundary).map(|(a, b)| a * b).sum::<f64>();
+        let components = self.space.components;
+        let (k, ni) = self.condensed(cell, &local, work)?;
+        // From the order of unknowns to that of the matrix: unsigned, one component after the other.
+        let modes = boundary.len() / components;
+        let mut sign = vec![1.0; local.modes];
+        local
+            .position
+            .iter()
+            .zip(&local.sign)
+            .filter(|(p, _)| **p != usize::MAX)
+            .for_each(|(p, s)| sign[*p] = *s);
+        let unsigned = |row: usize| {
+            sign[local.interior + row % modes] * boundary[components * (row % modes) + row / modes]
+        };
+        let mut x = Mat::zeros(ni, 1);
+        let known = Mat::from_fn(boundary.len(), 1, |row, _| unsigned(row));
+        let (l11, l21) = k.as_ref().subcols(0, ni).split_at_row(ni);
+        matmul(
+            x.as_mut(),
+            Accum::Replace,
+            l21.transpose(),
+            known.as_ref(),
+            -1.0,
+            Par::Seq,
+        );
+        solve_upper_triangular_in_place(l11.transpose(), x.as_mut(), Par::Seq);
+        let interior = (0..ni).map(|i| x[((i % components) * local.interior + i / components, 0)]);
+        Ok(interior.chain(boundary.iter().copied()).collect())
+    }
+}
+
+/// Copies the columns of a symmetric matrix to the lower triangle of another one, unknown `i` to `places[i]`.
+fn gather(s: &Mat<f64>, places: &[usize], matrix: &mut Mat<f64>) {
+    let mut runs: Vec<(usize, usize, usize)> = Vec::new();
+    for (i, place) in places.iter().enumerate() {
+        match runs.last_mut() {
+            Some((_, to, length)) if *to + *length == *place => *length += 1,
+            _ => runs.push((i, *place, 1)),
         }
-        for j in (0..ni).rev() {
-            let column = k.col_as_slice(j);
-            let sum: f64 = column[j + 1..ni]
-                .iter()
-                .zip(&x[j + 1..])
-                .map(|(a, b)| a * b)
-                .sum();
-            x[j] = (x[j] - sum) / column[j];
+    }
+    for (j, place) in places.iter().enumerate() {
+        let (source, target) = (s.col_as_slice(j), matrix.col_as_slice_mut(*place));
+        for (from, to, length) in &runs {
+            let skip = place.saturating_sub(*to).min(*length);
+            target[to + skip..to + length].copy_from_slice(&source[from + skip..from + length]);
         }
-        x.extend_from_slice(boundary);
-        Ok(x)
     }
 }
 

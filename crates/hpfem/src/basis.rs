@@ -5,38 +5,55 @@ use crate::quadrature::{Quadrature, gauss};
 use faer::Mat;
 
 /// Shape functions of one degree at the points of one Gauss rule, and all their pairwise products.
+///
+/// In the tables the bubbles come first and the two hats last, so that interior modes of a cell stand in runs.
 #[derive(Clone, Debug)]
 pub(crate) struct Table {
     /// Number of shape functions, `degree + 1`.
     pub(crate) functions: usize,
     /// The rule.
     pub(crate) rule: Quadrature,
-    /// `products[2 a + b][(i + functions * j, q)] = f^(a)_i(x_q) f^(b)_j(x_q)`, a and b being orders of derivative 0 or 1.
-    pub(crate) products: [Mat<f64>; 4],
-    /// Values, `functions x points`.
-    pub(crate) values: Mat<f64>,
+    /// Shape function at each place of the tables: `2, 3, .., degree, 0, 1`.
+    pub(crate) order: Vec<usize>,
+    /// `all[2 a + b][(i + functions * j, q)] = f^(a)_i(x_q) f^(b)_j(x_q)`, a and b being orders of derivative 0 or 1.
+    pub(crate) all: [Mat<f64>; 4],
+    /// The rows of `all` with `i >= j`, in the same order.
+    pub(crate) lower: [Mat<f64>; 4],
 }
 
 impl Table {
     pub(crate) fn new(degree: usize, points: usize) -> Table {
         let rule = gauss(points);
         let n = degree + 1;
-        let at: Vec<[Vec<f64>; 2]> = rule
-            .points
-            .iter()
-            .map(|x| shape_functions(degree, *x).into())
-            .collect();
-        let products = std::array::from_fn(|ab| {
-            Mat::from_fn(n * n, points, |ij, q| {
-                at[q][ab / 2][ij % n] * at[q][ab % 2][ij / n]
-            })
-        });
-        let values = Mat::from_fn(n, points, |i, q| at[q][0][i]);
+        let order: Vec<usize> = (2..n).chain([0, 1]).collect();
+        let mut all = std::array::from_fn(|_| Mat::zeros(n * n, points));
+        let mut lower = std::array::from_fn(|_| Mat::zeros(n * (n + 1) / 2, points));
+        for (q, x) in rule.points.iter().enumerate() {
+            let (values, slopes) = shape_functions(degree, *x);
+            let sorted =
+                [values, slopes].map(|f| order.iter().map(|i| f[*i]).collect::<Vec<f64>>());
+            for ab in 0..4 {
+                let (test, trial) = (&sorted[ab / 2], &sorted[ab % 2]);
+                let column: &mut [f64] = all[ab].col_as_slice_mut(q);
+                for (run, b) in column.chunks_exact_mut(n).zip(trial) {
+                    run.iter_mut().zip(test).for_each(|(out, a)| *out = a * b);
+                }
+                let mut rest: &mut [f64] = lower[ab].col_as_slice_mut(q);
+                for (j, b) in trial.iter().enumerate() {
+                    let (run, next) = rest.split_at_mut(n - j);
+                    run.iter_mut()
+                        .zip(&test[j..])
+                        .for_each(|(out, a)| *out = a * b);
+                    rest = next;
+                }
+            }
+        }
         Table {
             functions: n,
             rule,
-            products,
-            values,
+            order,
+            all,
+            lower,
         }
     }
 }
@@ -67,8 +84,8 @@ pub(crate) fn place(i: usize, j: usize) -> Place {
     }
 }
 
-/// Local degrees of freedom of a cell: interior modes first, then corners 0..4, then the modes of edges 0..4; displacement
-/// components run fastest.
+/// Local degrees of freedom of a cell: interior modes first (the mode in eta runs fastest), then corners 0..4, then the modes of
+/// edges 0..4; displacement components run fastest.
 #[derive(Clone, Debug)]
 pub(crate) struct LocalModes {
     /// Scalar position of the tensor mode `i + n * j` in the local order; `usize::MAX` if the space lacks it.
@@ -96,8 +113,8 @@ impl LocalModes {
         let mut position = vec![usize::MAX; n * n];
         let mut sign = vec![1.0; n * n];
         let mut interior = 0;
-        for j in 2..n {
-            for i in 2..n {
+        for i in 2..n {
+            for j in 2..n {
                 if !trunk || i + j <= degree {
                     position[i + n * j] = interior;
                     interior += 1;

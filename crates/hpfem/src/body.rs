@@ -2,6 +2,7 @@
 
 use crate::assemble::{Assembly, LoadCase, edge_modes, points_for, rotation_about_origin};
 use crate::basis::Table;
+use crate::cell_matrix::map_cells;
 use crate::elimination::{Condensed, Plan, not_held};
 use crate::error::Error;
 use crate::field::Field;
@@ -93,7 +94,8 @@ impl<'a> Body<'a> {
         let ordered = start.elapsed();
         let assembly = assembly(&problem, &space)?;
         let columns = assembly.columns;
-        let results = map_cells(mesh.cells.len(), |c| assembly.cell(c, &plan.rank));
+        let shared = assembly.shared_matrices()?;
+        let results = map_cells(mesh.cells.len(), |work, c| assembly.cell(c, &plan.rank, &shared, work));
         let mut elements = Vec::with_capacity(mesh.cells.len());
         let mut reaction_constant = Mat::zeros(3 * supports.len(), columns);
         for result in results {
@@ -220,7 +222,7 @@ impl<'a> Body<'a> {
             .back_substitute(&mut values, &self.space.size, &state.factors);
         let assembly = assembly(&self.problem, &self.space)?;
         let mesh = self.problem.mesh;
-        let coefficients = map_cells(mesh.cells.len(), |c| {
+        let coefficients = map_cells(mesh.cells.len(), |work, c| {
             let local = self.space.local_modes(mesh, c);
             let boundary: Vec<f64> = assembly
                 .targets(c, &local)
@@ -230,7 +232,7 @@ impl<'a> Body<'a> {
                     active + t.fixed.iter().map(|f| f.share * f.value).sum::<f64>()
                 })
                 .collect();
-            assembly.recover(c, &boundary).map(|u| (local, u))
+            assembly.recover(c, &boundary, work).map(|u| (local, u))
         });
         let coefficients = coefficients
             .into_iter()
@@ -302,19 +304,6 @@ fn check(problem: &BodyProblem<'_>) -> Result<(), Error> {
         }
     }
     Ok(())
-}
-
-/// Applies `work` to every cell, in parallel with the `rayon` feature; results come in cell order either way.
-fn map_cells<T: Send>(cells: usize, work: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
-    #[cfg(feature = "rayon")]
-    {
-        use rayon::prelude::*;
-        (0..cells).into_par_iter().map(work).collect()
-    }
-    #[cfg(not(feature = "rayon"))]
-    {
-        (0..cells).map(work).collect()
-    }
 }
 
 /// Groups whose unknowns are kept: those of the path in order, then the rigid edge.

@@ -10,7 +10,7 @@ use crate::error::Error;
 use crate::material::{Kinematics, Moduli};
 use crate::mesh::{Mesh, blend};
 use faer::linalg::matmul::matmul;
-use faer::{Accum, Mat, MatMut, Par};
+use faer::{Accum, MatMut, Par};
 
 /// Position, Jacobian and measure of a cell at a tensor grid of reference points.
 pub(crate) struct CellGeometry {
@@ -63,35 +63,59 @@ const FULL: [Term; 9] = [
     [0, 0],
 ];
 
-/// Stiffness matrix of a cell in the local order of [`LocalModes`]; only the lower triangle is filled.
+/// Memory for the matrices of a cell, kept from cell to cell.
+#[derive(Default)]
+pub(crate) struct Workspace {
+    matrix: Vec<f64>,
+    coefficients: Vec<f64>,
+    eta_side: Vec<f64>,
+    xi_side: Vec<f64>,
+    out: Vec<f64>,
+}
+
+/// A matrix on the first `rows * columns` numbers of a buffer, which grows if need be; the contents are what was there before.
+pub(crate) fn matrix_in(buffer: &mut Vec<f64>, rows: usize, columns: usize) -> MatMut<'_, f64> {
+    if buffer.len() < rows * columns {
+        buffer.resize(rows * columns, 0.0);
+    }
+    MatMut::from_column_major_slice_mut(&mut buffer[..rows * columns], rows, columns)
+}
+
+/// Stiffness matrix of a cell on its unsigned modes; only the lower triangle is filled.
+///
+/// Rows: interior modes of component 0, of component 1, boundary modes of component 0, of component 1, each in the order of
+/// [`LocalModes`].
 ///
 /// # Errors
 /// [`Error::FoldedCell`] where the Jacobian is not positive.
-pub(crate) fn stiffness(
+pub(crate) fn stiffness<'w>(
     mesh: &Mesh,
     cell: usize,
     table: &Table,
     local: &LocalModes,
     moduli: Moduli,
     kinematics: Kinematics,
-) -> Result<Mat<f64>, Error> {
+    work: &'w mut Workspace,
+) -> Result<MatMut<'w, f64>, Error> {
     let components = kinematics.components();
     let nq = table.rule.points.len();
     let geometry = cell_geometry(mesh, cell, &table.rule.points, &table.rule.points);
-    let n = table.functions;
-    let mut k = Mat::zeros(components * local.modes, components * local.modes);
-    let mut pairs = vec![(0, 0)];
-    if components == 2 {
-        pairs.extend([(1, 1), (1, 0)]);
-    }
-    for (c, d) in pairs {
+    let size = components * local.modes;
+    let layout = Layout::new(table, local, components);
+    matrix_in(&mut work.matrix, size, size);
+    let pairs: &[(usize, usize)] = if components == 2 {
+        &[(0, 0), (1, 1), (1, 0)]
+    } else {
+        &[(0, 0)]
+    };
+    for &(c, d) in pairs {
         let terms: &[Term] = if kinematics.is_revolved() && (c, d) != (1, 1) {
             &FULL
         } else {
             &GRADIENT
         };
-        // Coefficients A_kl at the points, xi index fastest in the columns of term blocks.
-        let mut coefficients = vec![Mat::<f64>::zeros(nq, nq); terms.len()];
+        // Coefficients A_kl at the points: one block of columns a term, rows eta, columns xi.
+        let mut coefficients = matrix_in(&mut work.coefficients, nq, nq * terms.len());
         for b in 0..nq {
             for a in 0..nq {
                 let [[xx, xe], [zx, ze]] = geometry.derivative[a + nq * b];
@@ -106,10 +130,8 @@ pub(crate) fn stiffness(
                     });
                 }
                 // Rows: gradient of xi, gradient of eta; the value needs the hoop strain 1/r.
-                let g = [
-                    [ze / jacobian, -xe / jacobian],
-                    [-zx / jacobian, xx / jacobian],
-                ];
+                let inverse = 1.0 / jacobian;
+                let g = [[ze * inverse, -xe * inverse], [-zx * inverse, xx * inverse]];
                 let weight = table.rule.weights[a]
                     * table.rule.weights[b]
                     * jacobian
@@ -121,76 +143,135 @@ pub(crate) fn stiffness(
                     test: c,
                     trial: d,
                 };
-                for (t, coefficient) in terms.iter().zip(&mut coefficients) {
-                    coefficient[(b, a)] =
-                        weight * form.value(operator(t[0], &g), operator(t[1], &g));
+                for (i, t) in terms.iter().enumerate() {
+                    let value = form.value(operator(t[0], &g), operator(t[1], &g));
+                    coefficients[(b, a + nq * i)] = weight * value;
                 }
             }
         }
-        let mut h = Mat::<f64>::zeros(n * n, nq * terms.len());
-        let mut xi_side = Mat::<f64>::zeros(n * n, nq * terms.len());
-        for (i, (t, coefficient)) in terms.iter().zip(&coefficients).enumerate() {
+        // A block of one component is symmetric: half of its columns will do.
+        let xi_tables = if c == d { &table.lower } else { &table.all };
+        let rows = table.all[0].nrows();
+        let columns = xi_tables[0].nrows();
+        let mut eta_side = matrix_in(&mut work.eta_side, rows, nq * terms.len());
+        let mut xi_side = matrix_in(&mut work.xi_side, columns, nq * terms.len());
+        for (i, t) in terms.iter().enumerate() {
             let product =
                 |order: usize| 2 * usize::from(t[0] == order) + usize::from(t[1] == order);
-            let columns = h.as_mut().subcols_mut(i * nq, nq);
+            let block = eta_side.as_mut().subcols_mut(i * nq, nq);
+            let coefficient = coefficients.as_ref().subcols(i * nq, nq);
             matmul(
-                columns,
+                block,
                 Accum::Replace,
-                table.products[product(2)].as_ref(),
-                coefficient.as_ref(),
+                table.all[product(2)].as_ref(),
+                coefficient,
                 1.0,
                 Par::Seq,
             );
             xi_side
                 .as_mut()
                 .subcols_mut(i * nq, nq)
-                .copy_from(&table.products[product(1)]);
+                .copy_from(&xi_tables[product(1)]);
         }
-        let mut out = Mat::<f64>::zeros(n * n, n * n);
+        let mut out = matrix_in(&mut work.out, rows, columns);
         matmul(
             out.as_mut(),
             Accum::Replace,
-            h.as_ref(),
+            eta_side.as_ref(),
             xi_side.as_ref().transpose(),
             1.0,
             Par::Seq,
         );
-        scatter(out, n, local, components, (c, d), k.as_mut());
+        layout.scatter(&work.out, (c, d), &mut work.matrix[..size * size]);
     }
-    Ok(k)
+    Ok(matrix_in(&mut work.matrix, size, size))
 }
 
-/// Copies `out[(i2 + n j2, i1 + n j1)]` (test i, trial j) into the lower triangle of `k`.
-fn scatter(
-    out: Mat<f64>,
-    n: usize,
-    local: &LocalModes,
+/// Where the products of the tables go in the matrix of a cell.
+struct Layout {
+    functions: usize,
+    /// For each place `i` of the xi table: scalar position and number of the modes with a bubble in eta, which stand in a run.
+    runs: Vec<(usize, usize)>,
+    /// Scalar positions of the modes with a hat in eta; `usize::MAX` if the space lacks them.
+    hats: Vec<[usize; 2]>,
+    interior: usize,
+    boundary: usize,
     components: usize,
-    (c, d): (usize, usize),
-    mut k: MatMut<'_, f64>,
-) {
-    for j1 in 0..n {
-        for i1 in 0..n {
-            let column = out.col_as_slice(i1 + n * j1);
-            for j2 in 0..n {
-                let trial = j1 + n * j2;
-                let pj = local.position[trial];
-                if pj == usize::MAX {
-                    continue;
-                }
-                let col = components * pj + d;
-                for i2 in 0..n {
-                    let test = i1 + n * i2;
-                    let pi = local.position[test];
-                    if pi == usize::MAX {
+}
+
+impl Layout {
+    fn new(table: &Table, local: &LocalModes, components: usize) -> Layout {
+        let n = table.functions;
+        let position = |i: usize, j: usize| local.position[i + n * j];
+        let run = |i: &usize| {
+            let length = (2..n)
+                .take_while(|j| position(*i, *j) != usize::MAX)
+                .count();
+            (if length > 0 { position(*i, 2) } else { 0 }, length)
+        };
+        Layout {
+            functions: n,
+            runs: table.order.iter().map(run).collect(),
+            hats: table
+                .order
+                .iter()
+                .map(|i| [position(*i, 0), position(*i, 1)])
+                .collect(),
+            interior: local.interior,
+            boundary: local.modes - local.interior,
+            components,
+        }
+    }
+
+    /// Row of a component of the mode at a scalar position.
+    fn row(&self, component: usize, position: usize) -> usize {
+        if position < self.interior {
+            component * self.interior + position
+        } else {
+            (self.components - 1) * self.interior + component * self.boundary + position
+        }
+    }
+
+    /// Copies `out[(i2 + n j2, (i1, j1))]` (test i, trial j) into the lower triangle of `k`; the columns are all pairs
+    /// `(i1, j1)`, for equal components those with `i1 >= j1`.
+    fn scatter(&self, out: &[f64], (c, d): (usize, usize), k: &mut [f64]) {
+        let n = self.functions;
+        let bubbles = n - 2;
+        let size = self.components * (self.interior + self.boundary);
+        let mut columns = out.chunks_exact(n * n);
+        for j1 in 0..n {
+            let (trial_start, trial_length) = self.runs[j1];
+            for i1 in if c == d { j1..n } else { 0..n } {
+                let (start, length) = self.runs[i1];
+                let row = self.row(c, start);
+                for (j2, values) in columns
+                    .next()
+                    .into_iter()
+                    .flat_map(|c| c.chunks_exact(n))
+                    .enumerate()
+                {
+                    let trial = match j2.checked_sub(bubbles) {
+                        None if j2 < trial_length => trial_start + j2,
+                        None => continue,
+                        Some(hat) => self.hats[j1][hat],
+                    };
+                    if trial == usize::MAX {
                         continue;
                     }
-                    let row = components * pi + c;
-                    let value = local.sign[test] * local.sign[trial] * column[i2 + n * j2];
-                    if row >= col {
-                        k[(row, col)] = value;
-                    } else if c != d {
-                        k[(col, row)] = value;
+                    let col = self.row(d, trial);
+                    // On the diagonal pair the same holds for the eta modes.
+                    let first = if c == d && i1 == j1 { j2 } else { 0 };
+                    if first < length && row + first >= col {
+                        k[col * size + row + first..col * size + row + length]
+                            .copy_from_slice(&values[first..length]);
+                    } else {
+                        (first..length).for_each(|i2| k[(row + i2) * size + col] = values[i2]);
+                    }
+                    for (hat, test) in self.hats[i1].iter().enumerate() {
+                        if bubbles + hat >= first && *test != usize::MAX {
+                            let row = self.row(c, *test);
+                            k[row.min(col) * size + row.max(col)] = values[bubbles + hat];
+                        }
                     }
                 }
             }

@@ -15,7 +15,7 @@ use faer::linalg::matmul::triangular::{BlockStructure, matmul as triangular_matm
 use faer::linalg::triangular_solve::{
     solve_lower_triangular_in_place, solve_upper_triangular_in_place,
 };
-use faer::{Accum, Mat, MatMut, Par, Spec};
+use faer::{Accum, Mat, MatMut, MatRef, Par, Spec};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -200,29 +200,33 @@ impl Plan {
                 .iter()
                 .map(|g| size[*g])
                 .sum();
-            let mut matrix = Mat::zeros(n, n);
+            let mut panel = Mat::zeros(n, ne);
+            let mut trailing = Mat::zeros(n - ne, n - ne);
             let mut rhs = Mat::zeros(n, columns);
             for child in &plan.children {
                 if let Some(element) = elements[*child].take() {
-                    add(&element, size, &offset, &mut matrix, &mut rhs);
+                    add(&element, size, &offset, &mut panel, &mut trailing, &mut rhs);
                 }
             }
-            factor_leading(matrix.as_mut(), rhs.as_mut(), ne)
-                .map_err(|index| owner(&plan.groups, size, index))?;
-            let reduced = rhs.subrows(0, ne).to_owned();
+            factor_panel(panel.as_mut()).map_err(|index| owner(&plan.groups, size, index))?;
+            subtract_square(panel.as_ref().subrows(ne, n - ne), trailing.as_mut());
+            let (l11, l21) = panel.as_ref().split_at_row(ne);
+            let (mut f1, mut f2) = rhs.as_mut().split_at_row_mut(ne);
+            solve_lower_triangular_in_place(l11, f1.as_mut(), Par::Seq);
+            matmul(f2.as_mut(), Accum::Add, l21, f1.as_ref(), -1.0, Par::Seq);
             matmul(
                 work.as_mut(),
                 Accum::Add,
-                reduced.transpose(),
-                reduced.as_ref(),
+                f1.as_ref().transpose(),
+                f1.as_ref(),
                 1.0,
                 Par::Seq,
             );
-            let panel = matrix.subcols(0, ne).to_owned();
+            let (reduced, rest) = (f1.to_owned(), f2.to_owned());
             elements.push(Some(Element {
                 groups: plan.groups[plan.eliminated..].to_vec(),
-                matrix: matrix.submatrix(ne, ne, n - ne, n - ne).to_owned(),
-                rhs: rhs.subrows(ne, n - ne).to_owned(),
+                matrix: trailing,
+                rhs: rest,
             }));
             fronts.push(Front {
                 groups: plan.groups.clone(),
@@ -232,11 +236,12 @@ impl Plan {
             });
         }
         let n = place(kept, size, &mut offset);
+        let mut none = Mat::zeros(n, 0);
         let mut stiffness = Mat::zeros(n, n);
         let mut rhs = Mat::zeros(n, columns);
         for root in &self.roots {
             if let Some(element) = elements[*root].take() {
-                add(&element, size, &offset, &mut stiffness, &mut rhs);
+                add(&element, size, &offset, &mut none, &mut stiffness, &mut rhs);
             }
         }
         for j in 0..n {
@@ -292,54 +297,83 @@ impl Condensed {
 }
 
 /// Factorises the leading `ne` unknowns in place: on return the first columns hold `[L11; L21]`, the trailing lower triangle the
-/// Schur complement, and the right-hand sides are reduced accordingly.
+/// Schur complement.
 ///
 /// # Errors
 /// The index of the pivot that is not positive beyond round-off.
-pub(crate) fn factor_leading(
-    matrix: MatMut<'_, f64>,
-    rhs: MatMut<'_, f64>,
-    ne: usize,
-) -> Result<(), usize> {
+pub(crate) fn factor_leading(matrix: MatMut<'_, f64>, ne: usize) -> Result<(), usize> {
+    let (mut panel, trailing) = matrix.split_at_col_mut(ne);
+    factor_panel(panel.as_mut())?;
+    let l21 = panel.as_ref().get(ne.., ..);
+    subtract_square(l21, trailing.split_at_row_mut(ne).1);
+    Ok(())
+}
+
+/// Widths of a panel up to this are factorised in narrow blocks; the plain Cholesky of faer is slow for small matrices.
+const NARROW_PANEL: usize = 160;
+/// Width of the blocks.
+const BLOCK: usize = 16;
+
+/// Cholesky factorisation of the leading columns `[A11; A21]` of a symmetric matrix, in place: `[L11; L21]`.
+///
+/// # Errors
+/// The index of the pivot that is not positive beyond round-off.
+fn factor_panel(mut panel: MatMut<'_, f64>) -> Result<(), usize> {
+    let (n, ne) = (panel.nrows(), panel.ncols());
     if ne == 0 {
         return Ok(());
     }
-    let (mut a11, _, mut a21, a22) = matrix.split_at_mut(ne, ne);
-    let (mut f1, f2) = rhs.split_at_row_mut(ne);
-    let diagonal: Vec<f64> = (0..ne).map(|i| a11[(i, i)]).collect();
+    let diagonal: Vec<f64> = (0..ne).map(|i| panel[(i, i)]).collect();
+    let block = if ne <= NARROW_PANEL { BLOCK } else { ne };
     let mut buffer = MemBuffer::new(cholesky_in_place_scratch::<f64>(
-        ne,
+        block,
         Par::Seq,
         Spec::default(),
     ));
-    cholesky_in_place(
-        a11.as_mut(),
-        Default::default(),
-        Par::Seq,
-        MemStack::new(&mut buffer),
-        Spec::default(),
-    )
-    .map_err(|LltError::NonPositivePivot { index }| index)?;
-    // A pivot that is round-off of the diagonal it came from means a motion that nothing holds.
-    if let Some(lost) = (0..ne).find(|i| a11[(*i, *i)].powi(2) <= 1e-13 * diagonal[*i]) {
-        return Err(lost);
+    for start in (0..ne).step_by(block) {
+        let width = block.min(ne - start);
+        let (done, rest) = panel.as_mut().split_at_col_mut(start);
+        let mut columns = rest.subcols_mut(0, width).subrows_mut(start, n - start);
+        if start > 0 {
+            let left = done.as_ref().subrows(start, n - start);
+            matmul(
+                columns.as_mut(),
+                Accum::Add,
+                left,
+                left.subrows(0, width).transpose(),
+                -1.0,
+                Par::Seq,
+            );
+        }
+        let (mut top, below) = columns.split_at_row_mut(width);
+        cholesky_in_place(
+            top.as_mut(),
+            Default::default(),
+            Par::Seq,
+            MemStack::new(&mut buffer),
+            Spec::default(),
+        )
+        .map_err(|LltError::NonPositivePivot { index }| start + index)?;
+        solve_lower_triangular_in_place(top.as_ref(), below.transpose_mut(), Par::Seq);
     }
-    let l11 = a11.as_ref();
-    solve_lower_triangular_in_place(l11, a21.as_mut().transpose_mut(), Par::Seq);
+    // A pivot that is round-off of the diagonal it came from means a motion that nothing holds.
+    let lost = (0..ne).find(|i| panel[(*i, *i)].powi(2) <= 1e-13 * diagonal[*i]);
+    lost.map_or(Ok(()), Err)
+}
+
+/// `A22 - L21 L21^T`, lower triangle.
+fn subtract_square(l21: MatRef<'_, f64>, a22: MatMut<'_, f64>) {
     triangular_matmul(
         a22,
         BlockStructure::TriangularLower,
         Accum::Add,
-        a21.as_ref(),
+        l21,
         BlockStructure::Rectangular,
-        a21.as_ref().transpose(),
+        l21.transpose(),
         BlockStructure::Rectangular,
         -1.0,
         Par::Seq,
     );
-    solve_lower_triangular_in_place(l11, f1.as_mut(), Par::Seq);
-    matmul(f2, Accum::Add, a21.as_ref(), f1.as_ref(), -1.0, Par::Seq);
-    Ok(())
 }
 
 /// Sets the offsets of the groups in a front and returns its size.
@@ -352,24 +386,30 @@ fn place(groups: &[usize], size: &[usize], offset: &mut [usize]) -> usize {
     n
 }
 
-/// Adds an element into a front. Both sort their groups by rank, so lower stays lower and rows come in runs.
+/// Adds an element into a front whose leading columns are `panel`. Both sort their groups by rank, so lower stays lower and rows come
+/// in runs.
 fn add(
     element: &Element,
     size: &[usize],
     offset: &[usize],
-    matrix: &mut Mat<f64>,
+    panel: &mut Mat<f64>,
+    trailing: &mut Mat<f64>,
     rhs: &mut Mat<f64>,
 ) {
+    let ne = panel.ncols();
     let mut from = 0;
     for (b, column_group) in element.groups.iter().enumerate() {
         for c in 0..size[*column_group] {
             let (source, target) = (from + c, offset[*column_group] + c);
             let column = element.matrix.col_as_slice(source);
-            let out = matrix.col_as_slice_mut(target);
+            let (out, shift) = match target.checked_sub(ne) {
+                None => (panel.col_as_slice_mut(target), 0),
+                Some(rest) => (trailing.col_as_slice_mut(rest), ne),
+            };
             let mut row = from;
             for row_group in &element.groups[b..] {
                 let n = size[*row_group];
-                let start = offset[*row_group];
+                let start = offset[*row_group] - shift;
                 for (o, s) in out[start..start + n].iter_mut().zip(&column[row..row + n]) {
                     *o += s;
                 }
@@ -380,8 +420,8 @@ fn add(
     }
     let mut row = 0;
     for g in &element.groups {
-        for i in 0..size[*g] {
-            for c in 0..rhs.ncols() {
+        for c in 0..rhs.ncols() {
+            for i in 0..size[*g] {
                 rhs[(offset[*g] + i, c)] += element.rhs[(row + i, c)];
             }
         }

@@ -10,6 +10,8 @@ mod assemble;
 mod basis;
 mod blocks;
 mod body;
+mod cell_matrix;
+mod congruence;
 mod curve;
 mod element;
 mod elimination;

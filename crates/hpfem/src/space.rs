@@ -88,6 +88,11 @@ impl Freedom {
         }
     }
 
+    /// Whether both components are unknowns along the coordinate axes.
+    pub(crate) fn is_plain(&self) -> bool {
+        !self.slaved && self.fixed.iter().all(Option::is_none) && self.axes == FREE.axes
+    }
+
     /// Index of the free axis among the free ones.
     pub(crate) fn index(&self, axis: usize) -> usize {
         self.fixed[..axis].iter().filter(|f| f.is_none()).count()
