@@ -9,4 +9,13 @@ pub enum Error {
         /// Number of free rigid modes.
         modes: usize,
     },
+    /// Numbers of a wear run do not fit each other.
+    #[error("{what}")]
+    WearInput {
+        /// What is wrong.
+        what: String,
+    },
+    /// The start of a wear run has no contact pressure that balances the load.
+    #[error("no contact pressure balances the load on the gap at the start; check the direction of the load and the gap")]
+    NoContactAtStart,
 }

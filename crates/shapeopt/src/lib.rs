@@ -1,9 +1,23 @@
 //! The contact shape that produces a wanted pressure, and its evolution by wear.
 
 mod error;
+mod evolution;
+mod gap_rate;
+mod implicit_stage;
+mod gap_curve;
 mod rigid_part;
+mod rigid_wear;
+mod run_in;
 mod shape;
+mod tableau;
+mod wear_problem;
+mod wear_state;
 
 pub use error::Error;
+pub use evolution::{Evolution, EvolutionStatus};
+pub use gap_curve::GapCurve;
 pub use rigid_part::{Curve, lowest_nonnegative};
-pub use shape::{Gauge, RigidPart, Shape, ShapeProblem, SurfacePlace, closing, solve_shape};
+pub use run_in::RunIn;
+pub use shape::{Gauge, Integration, RigidPart, Shape, ShapeProblem, SurfacePlace, closing, solve_shape};
+pub use wear_problem::{Interval, LoadStage, Scheme, Stepping, Until, WearProblem};
+pub use wear_state::WearState;

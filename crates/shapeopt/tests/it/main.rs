@@ -1,1 +1,6 @@
 //! Integration tests.
+#![allow(clippy::unwrap_used, missing_docs)]
+
+mod bodies;
+mod closed_form;
+mod steady;

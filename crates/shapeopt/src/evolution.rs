@@ -1,0 +1,412 @@
+//! Wear in time: the gap grows by the wear that the contact pressure causes, `dg/dt = w'(p(g))`.
+//!
+//! Compliance makes this stiff: the fastest mode is a ripple as short as the distance of two contact points. Implicit steps solve pressure
+//! and wear together; the gap alone is the state. Source of the model: Paczelt and Mroz (2007), section 2, with optimality theory, section 6,
+//! of this project's documents.
+
+use crate::error::Error;
+use crate::gap_rate::GapRate;
+use crate::implicit_stage::{Contact, Linear, Load};
+use crate::rigid_wear::{RigidWear, area_norm};
+use crate::run_in::{RunIn, run_in};
+use crate::tableau::Tableau;
+use crate::wear_problem::{Stepping, Until, WearProblem};
+use crate::wear_state::WearState;
+use std::fmt;
+
+/// Largest growth of the step from one to the next.
+const GROWTH: f64 = 8.0;
+/// A step shorter than this part of the time passed gives up.
+const SHORTEST: f64 = 1e-14;
+
+/// How a run stands.
+#[derive(Clone, Debug, PartialEq)]
+pub enum EvolutionStatus {
+    /// More steps follow.
+    Running,
+    /// The wear is a rigid motion: the shape no longer changes.
+    Steady,
+    /// The end time is reached.
+    TimeReached,
+    /// No step, however short, could be solved.
+    Stuck {
+        /// Time at which the run stopped.
+        time: f64,
+        /// Length of the step that failed.
+        step: f64,
+    },
+}
+
+impl fmt::Display for EvolutionStatus {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            EvolutionStatus::Running => f.write_str("the run goes on"),
+            EvolutionStatus::Steady => f.write_str("steady: the worn surfaces recede as rigid bodies and keep their shape"),
+            EvolutionStatus::TimeReached => f.write_str("the end time is reached"),
+            EvolutionStatus::Stuck { time, step } => {
+                write!(f, "not converged: at {time:.6e} s even a step of {step:.3e} s has no solution; the load may have lost its contact")
+            }
+        }
+    }
+}
+
+/// Steps of a wear run, one state at a time; the first is the start.
+pub struct Evolution<'a> {
+    problem: &'a WearProblem,
+    loads: Vec<Load<'a>>,
+    rigid: Vec<RigidWear>,
+    state: WearState,
+    status: EvolutionStatus,
+    fresh: bool,
+}
+
+/// A step tried.
+struct Trial {
+    contact: Contact,
+    gap: Vec<f64>,
+    worn: Vec<f64>,
+    recession: f64,
+    volume: [f64; 2],
+    error: f64,
+    iterations: usize,
+}
+
+impl<'a> Evolution<'a> {
+    /// Prepares a run and solves the contact at its start.
+    ///
+    /// # Errors
+    /// [`Error::WearInput`] if the numbers do not fit each other, [`Error::NoContactAtStart`] if the start has no contact pressure.
+    pub fn new(problem: &'a WearProblem) -> Result<Evolution<'a>, Error> {
+        let mut evolution = Evolution::prepare(problem)?;
+        let n = problem.points.len();
+        let load = &evolution.loads[problem.schedule[0].stage];
+        let start = Contact { pressure: vec![1.0; n], opening: vec![0.0; n], coordinates: vec![0.0; load.system.load.len()] };
+        let solved = load.solve(&problem.gap, 0.0, &start).ok_or(Error::NoContactAtStart)?;
+        if !solved.contact.pressure.iter().any(|p| *p > 0.0) {
+            return Err(Error::NoContactAtStart);
+        }
+        let mut state = WearState {
+            gap: problem.gap.clone(),
+            approach: vec![0.0; solved.contact.coordinates.len()],
+            worn: vec![0.0; n],
+            newton_iterations: solved.iterations,
+            ..WearState::default()
+        };
+        evolution.take_contact(&mut state, solved.contact);
+        state.next_step = evolution.first_step(&state);
+        evolution.state = state;
+        Ok(evolution)
+    }
+
+    /// Goes on from a state of an earlier run of the same problem; the steps that follow are the same bit for bit.
+    ///
+    /// # Errors
+    /// [`Error::WearInput`] if the numbers do not fit each other.
+    pub fn resume(problem: &'a WearProblem, state: WearState) -> Result<Evolution<'a>, Error> {
+        let mut evolution = Evolution::prepare(problem)?;
+        let n = problem.points.len();
+        let fits = [&state.gap, &state.pressure, &state.opening, &state.worn, &state.gap_rate].iter().all(|v| v.len() == n);
+        if !fits || state.interval >= problem.schedule.len() {
+            return Err(Error::WearInput { what: format!("the state to go on from does not belong to the {n} contact points") });
+        }
+        evolution.status = evolution.ended(&state);
+        evolution.state = state;
+        evolution.fresh = false;
+        Ok(evolution)
+    }
+
+    fn prepare(problem: &'a WearProblem) -> Result<Evolution<'a>, Error> {
+        problem.check()?;
+        let weights: Vec<f64> = problem.points.iter().map(|p| p.weight).collect();
+        let loads: Vec<Load<'a>> = problem
+            .stages
+            .iter()
+            .map(|stage| {
+                let rate = GapRate::new(&problem.wear, problem.counterface, &stage.speeds, &weights, problem.track_area);
+                Load::new(&stage.system, rate, weights.clone())
+            })
+            .collect();
+        let rigid = problem.stages.iter().map(|stage| RigidWear::new(&stage.system)).collect();
+        Ok(Evolution {
+            problem,
+            loads,
+            rigid,
+            state: WearState::default(),
+            status: EvolutionStatus::Running,
+            fresh: true,
+        })
+    }
+
+    /// How the run stands.
+    pub fn status(&self) -> &EvolutionStatus {
+        &self.status
+    }
+
+    /// The last state.
+    pub fn state(&self) -> &WearState {
+        &self.state
+    }
+
+    /// Modes of the linearised wear at the last state.
+    pub fn run_in(&self) -> Option<RunIn> {
+        let load = self.load(&self.state);
+        run_in(load, &self.rigid[self.stage(&self.state)], &self.state.pressure, self.mean_speed(&self.state))
+    }
+
+    fn stage(&self, state: &WearState) -> usize {
+        self.problem.schedule[state.interval].stage
+    }
+
+    fn load(&self, state: &WearState) -> &Load<'a> {
+        &self.loads[self.stage(state)]
+    }
+
+    fn mean_speed(&self, state: &WearState) -> f64 {
+        let speeds = &self.problem.stages[self.stage(state)].speeds;
+        let area: f64 = self.problem.points.iter().map(|p| p.weight).sum();
+        speeds.iter().zip(&self.problem.points).map(|(v, p)| v * p.weight).sum::<f64>() / area
+    }
+
+    /// Fills in what follows from the contact.
+    fn take_contact(&self, state: &mut WearState, contact: Contact) {
+        let load = self.load(state);
+        state.gap_rate = load.rate.total(&contact.pressure);
+        state.lyapunov = load.weights.iter().enumerate().map(|(i, w)| w * load.rate.potential(i, contact.pressure[i])).sum();
+        if state.step == 0 && state.start_rate == 0.0 {
+            state.start_rate = area_norm(&load.weights, &state.gap_rate).max(f64::MIN_POSITIVE);
+        }
+        let rigid = &self.rigid[self.stage(state)];
+        state.steady_residual = rigid.residual(&load.weights, &state.gap_rate, &contact.pressure, state.start_rate);
+        state.pressure = contact.pressure;
+        state.opening = contact.opening;
+        state.coordinates = contact.coordinates;
+    }
+
+    /// Length that the gap is measured by: elastic closing plus wear depth.
+    fn gap_scale(&self, state: &WearState) -> f64 {
+        let elastic = self.load(state).elastic(&state.pressure);
+        elastic.iter().fold(state.depth, |m, v| m.max(v.abs())).max(f64::MIN_POSITIVE)
+    }
+
+    fn first_step(&self, state: &WearState) -> f64 {
+        match self.problem.stepping {
+            Stepping::Fixed(step) => step,
+            Stepping::Adaptive { accuracy } => {
+                let fastest = state.gap_rate.iter().copied().fold(0.0, f64::max);
+                if fastest > 0.0 { accuracy * self.gap_scale(state) / fastest } else { f64::MAX }
+            }
+        }
+    }
+
+    /// Status of a state just reached.
+    fn ended(&self, state: &WearState) -> EvolutionStatus {
+        let last = state.interval + 1 == self.problem.schedule.len();
+        match self.problem.until {
+            Until::Steady { residual } if last && state.steady_residual <= residual => EvolutionStatus::Steady,
+            Until::Time(end) if state.time >= end => EvolutionStatus::TimeReached,
+            _ => EvolutionStatus::Running,
+        }
+    }
+
+    /// Time at which the interval or the run ends.
+    fn limit(&self, state: &WearState) -> f64 {
+        let last = state.interval + 1 == self.problem.schedule.len();
+        let interval = if last { f64::INFINITY } else { state.interval_start + self.problem.schedule[state.interval].duration };
+        match self.problem.until {
+            Until::Time(end) => interval.min(end),
+            Until::Steady { .. } => interval,
+        }
+    }
+
+    /// Takes one step into a new state, shorter until it is accurate enough.
+    fn advance(&mut self) -> Result<WearState, EvolutionStatus> {
+        let mut state = self.state.clone();
+        self.enter_interval(&mut state);
+        let limit = self.limit(&state);
+        let mut wanted = state.next_step;
+        loop {
+            let left = limit - state.time;
+            let fixed = matches!(self.problem.stepping, Stepping::Fixed(_));
+            // Without a rest too short for a step of its own.
+            let last = wanted * (1.0 + 1e-9) >= left;
+            let (step, cut) = match (last, fixed) {
+                (true, _) => (left, true),
+                (false, false) if 2.0 * wanted > left => (0.5 * left, true),
+                _ => (wanted, false),
+            };
+            let stuck = EvolutionStatus::Stuck { time: state.time, step };
+            if !step.is_finite() || step <= SHORTEST * state.time {
+                return Err(stuck);
+            }
+            let trial = self.try_step(&state, step);
+            let factor = match (&trial, self.problem.stepping) {
+                (None, Stepping::Fixed(_)) => return Err(stuck),
+                (None, _) => 0.2,
+                (Some(_), Stepping::Fixed(_)) => 1.0,
+                (Some(trial), Stepping::Adaptive { accuracy }) => {
+                    let power = Tableau::of(self.problem.scheme).map_or(1.0, |t| t.power);
+                    (0.9 * (accuracy / trial.error.max(f64::MIN_POSITIVE)).powf(1.0 / power)).clamp(0.1, GROWTH)
+                }
+            };
+            match trial {
+                Some(trial) if fixed || factor >= 0.9 => {
+                    let next = if cut && !fixed { (step * factor).max(wanted) } else if fixed { wanted } else { step * factor };
+                    self.accept(&mut state, trial, step, next, last.then_some(limit));
+                    return Ok(state);
+                }
+                trial => {
+                    state.newton_iterations += trial.map_or(0, |t| t.iterations);
+                    state.rejected += 1;
+                    wanted = step * factor;
+                    if wanted < 1e-300 {
+                        return Err(stuck);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Moves on to the interval that acts at the state's time; a new load changes the pressure at once.
+    fn enter_interval(&self, state: &mut WearState) {
+        let mut entered = false;
+        while state.interval + 1 < self.problem.schedule.len()
+            && state.time >= state.interval_start + self.problem.schedule[state.interval].duration
+        {
+            state.interval_start += self.problem.schedule[state.interval].duration;
+            state.interval += 1;
+            entered = true;
+        }
+        if !entered {
+            return;
+        }
+        let load = self.load(state);
+        let start = contact_of(state);
+        if let Some(solved) = load.solve(&state.gap, 0.0, &start) {
+            state.newton_iterations += solved.iterations;
+            change_approach(state, &solved.contact.coordinates);
+            self.take_contact(state, solved.contact);
+        }
+        state.next_step = state.next_step.min(self.first_step(state));
+    }
+
+    fn accept(&self, state: &mut WearState, trial: Trial, step: f64, next: f64, end: Option<f64>) {
+        let before = state.lyapunov;
+        state.step += 1;
+        state.time = end.unwrap_or(state.time + step);
+        state.distance += step * self.mean_speed(state);
+        state.gap = trial.gap;
+        state.worn = trial.worn;
+        state.depth = state.worn.iter().copied().fold(0.0, f64::max);
+        state.recession = trial.recession;
+        state.volume = trial.volume;
+        state.error = trial.error;
+        state.step_size = step;
+        state.next_step = next;
+        state.newton_iterations += trial.iterations;
+        change_approach(state, &trial.contact.coordinates);
+        self.take_contact(state, trial.contact);
+        if before > 0.0 {
+            state.lyapunov_increase = state.lyapunov_increase.max((state.lyapunov - before) / before);
+        }
+    }
+
+    fn try_step(&self, state: &WearState, step: f64) -> Option<Trial> {
+        match Tableau::of(self.problem.scheme) {
+            Some(tableau) => self.implicit_step(state, step, tableau),
+            None => self.explicit_step(state, step),
+        }
+    }
+
+    fn implicit_step(&self, state: &WearState, step: f64, tableau: &Tableau) -> Option<Trial> {
+        let load = self.load(state);
+        let n = state.gap.len();
+        let mut contact = contact_of(state);
+        let mut stages: Vec<Contact> = Vec::new();
+        let mut rates: Vec<Vec<f64>> = Vec::new();
+        let mut iterations = 0;
+        let mut linear: Option<Linear> = None;
+        for row in tableau.rows {
+            let mut known = state.gap.clone();
+            for (factor, rate) in row.iter().zip(&rates) {
+                known.iter_mut().zip(rate).for_each(|(g, r)| *g += step * factor * r);
+            }
+            let solved = load.solve(&known, step * tableau.diagonal(), &contact)?;
+            iterations += solved.iterations;
+            contact = solved.contact;
+            rates.push(load.rate.total(&contact.pressure));
+            stages.push(contact.clone());
+            linear = Some(solved.linear);
+        }
+        let weights = tableau.weights();
+        let sum = |values: &dyn Fn(&Contact) -> f64| -> f64 { weights.iter().zip(&stages).map(|(b, s)| step * b * values(s)).sum() };
+        let gap: Vec<f64> = (0..n).map(|i| state.gap[i] + (0..stages.len()).map(|s| step * weights[s] * rates[s][i]).sum::<f64>()).collect();
+        let worn: Vec<f64> = (0..n).map(|i| state.worn[i] + sum(&|s| load.rate.wear(0, i, s.pressure[i]))).collect();
+        let volume = std::array::from_fn(|body| {
+            let rate = |s: &Contact| (0..n).map(|i| load.weights[i] * load.rate.wear(body, i, s.pressure[i])).sum();
+            state.volume[body] + sum(&rate)
+        });
+        let recession = state.recession + sum(&|s| load.rate.recession(&s.pressure));
+        let error: Vec<f64> = (0..n)
+            .map(|i| {
+                let stages: f64 = rates.iter().zip(&tableau.error[1..]).map(|(r, e)| e * r[i]).sum();
+                step * (tableau.error[0] * state.gap_rate[i] + stages)
+            })
+            .collect();
+        let (gap_error, pressure_error) = load.filter(&linear?, &error)?;
+        let force = |p: &[f64]| -> f64 { p.iter().zip(&load.weights).map(|(p, w)| p.abs() * w).sum() };
+        let depth = worn.iter().copied().fold(0.0, f64::max);
+        let scale = self.gap_scale(state).max(depth);
+        let error = gap_error.iter().fold(0.0_f64, |m, e| m.max(e.abs() / scale));
+        let error = error.max(force(&pressure_error) / force(&contact.pressure));
+        Some(Trial { contact, gap, worn, recession, volume, error, iterations })
+    }
+
+    fn explicit_step(&self, state: &WearState, step: f64) -> Option<Trial> {
+        let load = self.load(state);
+        let n = state.gap.len();
+        let gap: Vec<f64> = state.gap.iter().zip(&state.gap_rate).map(|(g, r)| g + step * r).collect();
+        let wear = |body: usize, i: usize| load.rate.wear(body, i, state.pressure[i]);
+        let worn = (0..n).map(|i| state.worn[i] + step * wear(0, i)).collect();
+        let volume =
+            std::array::from_fn(|body| state.volume[body] + step * (0..n).map(|i| load.weights[i] * wear(body, i)).sum::<f64>());
+        let recession = state.recession + step * load.rate.recession(&state.pressure);
+        let solved = load.solve(&gap, 0.0, &contact_of(state))?;
+        Some(Trial { contact: solved.contact, gap, worn, recession, volume, error: 0.0, iterations: solved.iterations })
+    }
+}
+
+fn contact_of(state: &WearState) -> Contact {
+    Contact { pressure: state.pressure.clone(), opening: state.opening.clone(), coordinates: state.coordinates.clone() }
+}
+
+fn change_approach(state: &mut WearState, coordinates: &[f64]) {
+    for (j, approach) in state.approach.iter_mut().enumerate() {
+        *approach += coordinates[j] - state.coordinates[j];
+    }
+}
+
+impl Iterator for Evolution<'_> {
+    type Item = WearState;
+
+    fn next(&mut self) -> Option<WearState> {
+        if self.fresh {
+            self.fresh = false;
+            self.status = self.ended(&self.state);
+            return Some(self.state.clone());
+        }
+        if self.status != EvolutionStatus::Running {
+            return None;
+        }
+        match self.advance() {
+            Ok(state) => {
+                self.status = self.ended(&state);
+                self.state = state.clone();
+                Some(state)
+            }
+            Err(status) => {
+                self.status = status;
+                None
+            }
+        }
+    }
+}

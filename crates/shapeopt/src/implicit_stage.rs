@@ -1,0 +1,249 @@
+//! One implicit stage of wear: pressures `p >= 0` and openings `o >= 0`, `p o = 0`, with
+//! `o = known + A W p + step w'(p) + Psi y` and the balance of the free coordinates.
+//!
+//! The unknown is the normal map `u = sigma p + step w'(p) - o` (Robinson 1992) with `sigma = A_ii W_i`: positive in contact, negative in
+//! the open. Pressure is a function `p(u)` with a slope between 0 and `1 / sigma` whatever the exponent of the wear rule, so the problem
+//! `known + (A W - sigma) p(u) + Psi y + u = 0` is piecewise smooth without infinite slopes, from a contact problem without wear
+//! (`step = 0`, where Newton's method is the primal-dual active set method) to wear alone.
+
+use crate::gap_rate::GapRate;
+use contact::ContactSystem;
+use faer::Mat;
+use faer::linalg::solvers::{PartialPivLu, Solve};
+
+const NEWTON_LIMIT: usize = 60;
+/// Newton steps after which active points change one at a time.
+const PATIENCE: usize = 25;
+
+/// A load stage prepared for implicit steps.
+pub(crate) struct Load<'a> {
+    pub(crate) system: &'a ContactSystem,
+    pub(crate) rate: GapRate,
+    pub(crate) weights: Vec<f64>,
+    /// `A_ii W_i`.
+    sigma: Vec<f64>,
+    /// Coordinates that move some point by 1.
+    unit: Vec<f64>,
+}
+
+/// Pressure, opening and coordinates.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Contact {
+    pub(crate) pressure: Vec<f64>,
+    pub(crate) opening: Vec<f64>,
+    pub(crate) coordinates: Vec<f64>,
+}
+
+/// A solved stage with its last linearisation.
+pub(crate) struct Solved {
+    pub(crate) contact: Contact,
+    pub(crate) linear: Linear,
+    pub(crate) iterations: usize,
+}
+
+/// The linearised problem on the points in contact.
+pub(crate) struct Linear {
+    active: Vec<usize>,
+    /// `dp/du` on the active points.
+    slope: Vec<f64>,
+    /// Factors by which the balance rows are divided.
+    row: Vec<f64>,
+    factor: PartialPivLu<f64>,
+}
+
+impl<'a> Load<'a> {
+    pub(crate) fn new(system: &'a ContactSystem, rate: GapRate, weights: Vec<f64>) -> Load<'a> {
+        let n = weights.len();
+        let diagonal: Vec<f64> = (0..n).map(|i| system.compliance[(i, i)].abs()).collect();
+        let largest = diagonal.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+        let sigma = (0..n).map(|i| weights[i] * diagonal[i].max(1e-14 * largest)).collect();
+        let unit = (0..system.load.len())
+            .map(|j| (0..n).map(|i| system.influence[(i, j)].abs()).fold(0.0, f64::max))
+            .map(|size| if size > 0.0 { 1.0 / size } else { 1.0 })
+            .collect();
+        Load { system, rate, weights, sigma, unit }
+    }
+
+    /// `A f` with `f = W p`.
+    pub(crate) fn elastic(&self, pressure: &[f64]) -> Vec<f64> {
+        let mut opening = vec![0.0; pressure.len()];
+        for (j, p) in pressure.iter().enumerate().filter(|(_, p)| **p != 0.0) {
+            let f = p * self.weights[j];
+            self.system.compliance.col(j).iter().zip(&mut opening).for_each(|(a, o)| *o += a * f);
+        }
+        opening
+    }
+
+    /// `load + B^T f - K y`.
+    fn imbalance(&self, contact: &Contact) -> Vec<f64> {
+        let system = self.system;
+        (0..system.load.len())
+            .map(|j| {
+                let contacts: f64 = (0..self.weights.len())
+                    .map(|i| system.balance[(i, j)] * self.weights[i] * contact.pressure[i])
+                    .sum();
+                let springs: f64 = (0..system.load.len()).map(|k| system.stiffness[(j, k)] * contact.coordinates[k]).sum();
+                system.load[j] + contacts - springs
+            })
+            .collect()
+    }
+
+    /// Solves a stage. `known` is the gap without the wear of this stage; `None` if the iteration does not settle.
+    pub(crate) fn solve(&self, known: &[f64], step: f64, start: &Contact) -> Option<Solved> {
+        let n = self.weights.len();
+        let recedes = self.rate.recedes() && step > 0.0;
+        let linear_rate = step == 0.0 || (self.rate.is_linear());
+        let mut now = start.clone();
+        let mut recession = step * self.rate.recession(&now.pressure);
+        let mut u: Vec<f64> =
+            (0..n).map(|i| self.sigma[i] * now.pressure[i] + step * self.rate.local(i, now.pressure[i]) - now.opening[i]).collect();
+        for iteration in 1..=NEWTON_LIMIT {
+            let (pressure, slope): (Vec<f64>, Vec<f64>) = (0..n)
+                .map(|i| if u[i] > 0.0 { self.rate.inverse(i, self.sigma[i], step, u[i]) } else { (0.0, 0.0) })
+                .unzip();
+            now.pressure = pressure;
+            let active: Vec<usize> = (0..n).filter(|i| u[*i] > 0.0).collect();
+            let linear = self.linearise(step, &now.pressure, active, &slope, recedes)?;
+            let elastic = self.elastic(&now.pressure);
+            let residual = |i: usize, y: &[f64], recession: f64, elastic: &[f64]| {
+                known[i] + self.system.opening[i] + elastic[i] + self.rigid(i, y) + recession - self.sigma[i] * now.pressure[i]
+            };
+            let mut right: Vec<f64> =
+                linear.active.iter().map(|i| -u[*i] - residual(*i, &now.coordinates, recession, &elastic)).collect();
+            right.extend(self.imbalance(&now).iter().map(|r| -r));
+            if recedes {
+                right.push(step * self.rate.recession(&now.pressure) - recession);
+            }
+            let change = linear.solve(right)?;
+            let a = linear.active.len();
+            // Update.
+            let mut next = u.clone();
+            let mut relative = 0.0_f64;
+            let size = u.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+            for (k, i) in linear.active.iter().enumerate() {
+                next[*i] = u[*i] + change[k];
+                relative = relative.max(change[k].abs() / (u[*i].abs() + 1e-10 * size));
+            }
+            for j in 0..now.coordinates.len() {
+                now.coordinates[j] += change[a + j] * self.unit[j];
+            }
+            if recedes {
+                recession += change[a + now.coordinates.len()];
+            }
+            // Points in the open follow from the new pressures.
+            let updated: Vec<f64> = (0..n)
+                .map(|i| if next[i] > 0.0 && u[i] > 0.0 { self.rate.inverse(i, self.sigma[i], step, next[i]).0 } else { 0.0 })
+                .collect();
+            let elastic = self.elastic(&updated);
+            let mut changed = 0;
+            let mut last_change = None;
+            for i in 0..n {
+                if u[i] > 0.0 {
+                    if next[i] <= 0.0 {
+                        changed += 1;
+                        last_change = Some(i);
+                    }
+                    continue;
+                }
+                let open = known[i] + self.system.opening[i] + elastic[i] + self.rigid(i, &now.coordinates) + recession;
+                next[i] = -open;
+                if next[i] > 0.0 {
+                    changed += 1;
+                    last_change = Some(i);
+                }
+            }
+            if !next.iter().all(|v| v.is_finite()) {
+                return None;
+            }
+            if let (true, Some(only)) = (iteration > PATIENCE, last_change) {
+                for i in 0..n {
+                    if i != only && (next[i] > 0.0) != (u[i] > 0.0) {
+                        next[i] = if u[i] > 0.0 { f64::MIN_POSITIVE.max(1e-12 * u[i]) } else { 0.0 };
+                    }
+                }
+            }
+            u = next;
+            let settled = changed == 0 && (linear_rate || relative < 1e-7);
+            if settled {
+                now.pressure = updated;
+                now.opening = u.iter().map(|v| (-v).max(0.0)).collect();
+                return Some(Solved { contact: now, linear, iterations: iteration });
+            }
+        }
+        None
+    }
+
+    fn rigid(&self, i: usize, coordinates: &[f64]) -> f64 {
+        coordinates.iter().enumerate().map(|(j, y)| self.system.influence[(i, j)] * y).sum()
+    }
+
+    /// Factorises `[I + (A W - sigma) D, Psi, 1; B^T W D, -K, 0; -dR/dp D, 0, 1]` on the active points.
+    fn linearise(&self, step: f64, pressure: &[f64], active: Vec<usize>, slope: &[f64], recedes: bool) -> Option<Linear> {
+        let (a, m) = (active.len(), self.unit.len());
+        let size = a + m + usize::from(recedes);
+        if a < m.min(1) || size == 0 {
+            return None;
+        }
+        let mut matrix = Mat::zeros(size, size);
+        for (c, j) in active.iter().enumerate() {
+            let scale = self.weights[*j] * slope[*j];
+            let column = self.system.compliance.col(*j);
+            active.iter().enumerate().for_each(|(r, i)| matrix[(r, c)] = column[*i] * scale);
+            matrix[(c, c)] += 1.0 - self.sigma[*j] * slope[*j];
+            (0..m).for_each(|r| matrix[(a + r, c)] = self.system.balance[(*j, r)] * scale);
+            (0..m).for_each(|r| matrix[(c, a + r)] = self.system.influence[(*j, r)] * self.unit[r]);
+            if recedes {
+                matrix[(c, a + m)] = 1.0;
+                matrix[(a + m, c)] = -step * self.rate.recession_slope(*j, pressure[*j]) * slope[*j];
+            }
+        }
+        for r in 0..m {
+            (0..m).for_each(|c| matrix[(a + r, a + c)] = -self.system.stiffness[(r, c)] * self.unit[c]);
+        }
+        if recedes {
+            matrix[(a + m, a + m)] = 1.0;
+        }
+        let mut row = Vec::new();
+        for r in 0..m {
+            let largest = (0..size).map(|c| matrix[(a + r, c)].abs()).fold(0.0, f64::max);
+            if !(largest > 0.0 && largest.is_finite()) {
+                return None;
+            }
+            (0..size).for_each(|c| matrix[(a + r, c)] /= largest);
+            row.push(largest);
+        }
+        let slope = active.iter().map(|i| slope[*i]).collect();
+        Some(Linear { active, slope, row, factor: matrix.partial_piv_lu() })
+    }
+
+    /// Filters an error of the gap through the stage: what is left of it after an implicit step, and the error of the pressure that
+    /// belongs to it.
+    pub(crate) fn filter(&self, linear: &Linear, error: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
+        let size = linear.factor.U().nrows();
+        let mut right = vec![0.0; size];
+        linear.active.iter().enumerate().for_each(|(k, i)| right[k] = -error[*i]);
+        let change = linear.solve_scaled(&right)?;
+        let recession = if size > linear.active.len() + self.unit.len() { change[size - 1] } else { 0.0 };
+        let mut gap: Vec<f64> = error.iter().map(|e| e + recession).collect();
+        let mut pressure = vec![0.0; error.len()];
+        for (k, i) in linear.active.iter().enumerate() {
+            pressure[*i] = linear.slope[k] * change[k];
+            gap[*i] += (1.0 - self.sigma[*i] * linear.slope[k]) * change[k];
+        }
+        Some((gap, pressure))
+    }
+}
+
+impl Linear {
+    fn solve(&self, mut right: Vec<f64>) -> Option<Vec<f64>> {
+        let a = self.active.len();
+        self.row.iter().enumerate().for_each(|(r, s)| right[a + r] /= s);
+        self.solve_scaled(&right)
+    }
+
+    fn solve_scaled(&self, right: &[f64]) -> Option<Vec<f64>> {
+        let right = Mat::from_fn(right.len(), 1, |i, _| right[i]);
+        let x: Vec<f64> = self.factor.solve(&right).col_as_slice(0).to_vec();
+        x.iter().all(|v| v.is_finite()).then_some(x)
+    }
+}

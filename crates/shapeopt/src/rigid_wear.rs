@@ -1,0 +1,95 @@
+//! Rigid motions along which wear may go on for ever, and how far a wear rate is from them.
+
+use contact::ContactSystem;
+use faer::{Mat, Side};
+
+/// Stiffness of a rigid mode relative to that of a contact point.
+const IDLE: f64 = 1e-11;
+
+/// Coordinates split into rigid modes (no stiffness) and held ones.
+pub(crate) struct RigidWear {
+    /// Openings by the rigid modes, `points x modes`.
+    pub(crate) influence: Mat<f64>,
+    /// Balance columns of the rigid modes.
+    pub(crate) balance: Mat<f64>,
+    /// Openings by the held coordinates.
+    pub(crate) held_influence: Mat<f64>,
+    /// Balance columns of the held coordinates over their stiffness.
+    pub(crate) held_balance: Mat<f64>,
+}
+
+impl RigidWear {
+    pub(crate) fn new(system: &ContactSystem) -> RigidWear {
+        let (n, m) = (system.opening.len(), system.load.len());
+        let softest = (0..n).map(|i| system.compliance[(i, i)].abs()).fold(f64::MIN_POSITIVE, f64::max);
+        let unit: Vec<f64> = (0..m)
+            .map(|j| (0..n).map(|i| system.influence[(i, j)].abs()).fold(0.0, f64::max))
+            .map(|size| if size > 0.0 { 1.0 / size } else { 1.0 })
+            .collect();
+        let scaled = Mat::from_fn(m, m, |i, j| {
+            0.5 * (system.stiffness[(i, j)] + system.stiffness[(j, i)]) * unit[i] * unit[j] * softest
+        });
+        let (mut vectors, mut values) = (Mat::<f64>::identity(m, m), vec![0.0; m]);
+        if m > 0
+            && let Ok(eigen) = scaled.self_adjoint_eigen(Side::Lower)
+        {
+            vectors = eigen.U().to_owned();
+            values = (0..m).map(|j| eigen.S()[j]).collect();
+        }
+        let along = |matrix: &Mat<f64>, rigid: bool, divide: bool| {
+            let columns: Vec<usize> = (0..m).filter(|j| (values[*j] < IDLE) == rigid).collect();
+            Mat::from_fn(n, columns.len(), |i, c| {
+                let sum: f64 = (0..m).map(|j| matrix[(i, j)] * unit[j] * vectors[(j, columns[c])]).sum();
+                if divide { sum * softest / values[columns[c]] } else { sum }
+            })
+        };
+        RigidWear {
+            influence: along(&system.influence, true, false),
+            balance: along(&system.balance, true, false),
+            held_influence: along(&system.influence, false, false),
+            held_balance: along(&system.balance, false, true),
+        }
+    }
+
+    /// `||r - Proj r|| / ||r||` in the area norm over the points under pressure; without rigid modes `||r||` over `start`.
+    pub(crate) fn residual(&self, weights: &[f64], rate: &[f64], pressure: &[f64], start: f64) -> f64 {
+        let inside: Vec<usize> = (0..rate.len()).filter(|i| pressure[*i] > 0.0).collect();
+        let root: Vec<f64> = inside.iter().map(|i| weights[*i].sqrt()).collect();
+        let norm = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let mut rest: Vec<f64> = inside.iter().zip(&root).map(|(i, w)| w * rate[*i]).collect();
+        let whole = norm(&rest);
+        if whole == 0.0 {
+            return 0.0;
+        }
+        if self.influence.ncols() == 0 {
+            return whole / start;
+        }
+        let mut basis: Vec<Vec<f64>> = Vec::new();
+        for k in 0..self.influence.ncols() {
+            let mut column: Vec<f64> = inside.iter().zip(&root).map(|(i, w)| w * self.influence[(*i, k)]).collect();
+            let size = norm(&column);
+            for _ in 0..2 {
+                basis.iter().for_each(|b| remove(&mut column, b));
+            }
+            let left = norm(&column);
+            if left > 1e-10 * size {
+                column.iter_mut().for_each(|c| *c /= left);
+                basis.push(column);
+            }
+        }
+        for _ in 0..2 {
+            basis.iter().for_each(|b| remove(&mut rest, b));
+        }
+        norm(&rest) / whole
+    }
+}
+
+/// Area norm.
+pub(crate) fn area_norm(weights: &[f64], values: &[f64]) -> f64 {
+    weights.iter().zip(values).map(|(w, v)| w * v * v).sum::<f64>().sqrt()
+}
+
+fn remove(vector: &mut [f64], unit: &[f64]) {
+    let part: f64 = vector.iter().zip(unit).map(|(v, u)| v * u).sum();
+    vector.iter_mut().zip(unit).for_each(|(v, u)| *v -= part * u);
+}

@@ -1,0 +1,142 @@
+//! What a wear run is made of: plain numbers at the contact points.
+
+use crate::error::Error;
+use contact::ContactSystem;
+use wear::{Counterface, SurfacePoint, WearPair};
+
+/// Wear in time of a gap under given loads. Arrays hold one value a contact point.
+#[derive(Clone, Debug)]
+pub struct WearProblem {
+    /// The contact points; weights in mm^2. Sliding speeds here are not used: every [`LoadStage`] brings its own.
+    pub points: Vec<SurfacePoint>,
+    /// Wear rules of the two bodies.
+    pub wear: WearPair,
+    /// How body 2 passes through the contact.
+    pub counterface: Counterface,
+    /// Area (mm^2) of body 2's closed track, needed by [`Counterface::Revolving`].
+    pub track_area: Option<f64>,
+    /// Unloaded gap at the start, mm, positive open.
+    pub gap: Vec<f64>,
+    /// The loads that occur.
+    pub stages: Vec<LoadStage>,
+    /// Which stage acts when, one after another; the last one goes on until the run ends.
+    pub schedule: Vec<Interval>,
+    /// When the run ends.
+    pub until: Until,
+    /// Integrator.
+    pub scheme: Scheme,
+    /// How steps are chosen.
+    pub stepping: Stepping,
+}
+
+/// A load with its sliding speeds. A reversal is a stage of its own, since the shear turns with the sense of sliding.
+#[derive(Clone, Debug)]
+pub struct LoadStage {
+    /// Contact under the load.
+    pub system: ContactSystem,
+    /// Sliding speed at each point, mm/s, at least 0.
+    pub speeds: Vec<f64>,
+}
+
+/// A piece of the schedule.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Interval {
+    /// Number of the stage.
+    pub stage: usize,
+    /// Duration, s. That of the last interval is not used.
+    pub duration: f64,
+}
+
+/// End of a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Until {
+    /// The certificate `||w' - Proj w'|| / ||w'||` of the last interval falls below a residual.
+    Steady {
+        /// Residual.
+        residual: f64,
+    },
+    /// A time, s.
+    Time(f64),
+}
+
+/// Integrators. The implicit ones are L-stable and end on their last stage.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scheme {
+    /// Implicit Euler, order 1: without shear the Lyapunov function falls in every step, however large.
+    BackwardEuler,
+    /// Two stages, order 2 (Alexander 1977).
+    Sdirk2,
+    /// Five stages, order 4 with an embedded order 3 (Hairer and Wanner, Solving ODEs II, table IV.6.5).
+    Sdirk4,
+    /// Explicit Euler, for comparison: stable only for steps below [`RunIn::explicit_limit`](crate::RunIn::explicit_limit).
+    Explicit,
+}
+
+/// Choice of steps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stepping {
+    /// Steps whose estimated errors of pressure (force misplaced over the force) and gap (over the elastic closing plus the wear
+    /// depth) stay below `accuracy`. An explicit integrator takes 0.9 of its stability bound.
+    Adaptive {
+        /// Error of one step.
+        accuracy: f64,
+    },
+    /// Equal steps, s.
+    Fixed(f64),
+}
+
+impl WearProblem {
+    /// A run under one load until the steady state, with order 4 and an error of 1e-4 a step.
+    pub fn new(points: Vec<SurfacePoint>, wear: WearPair, counterface: Counterface, gap: Vec<f64>, system: ContactSystem) -> WearProblem {
+        let speeds = points.iter().map(|p| p.sliding_speed).collect();
+        WearProblem {
+            points,
+            wear,
+            counterface,
+            track_area: None,
+            gap,
+            stages: vec![LoadStage { system, speeds }],
+            schedule: vec![Interval { stage: 0, duration: f64::INFINITY }],
+            until: Until::Steady { residual: 1e-9 },
+            scheme: Scheme::Sdirk4,
+            stepping: Stepping::Adaptive { accuracy: 1e-4 },
+        }
+    }
+}
+
+impl WearProblem {
+    /// Checks sizes and ranges.
+    pub(crate) fn check(&self) -> Result<(), Error> {
+        let n = self.points.len();
+        let wrong = |what: String| Err(Error::WearInput { what });
+        if self.gap.len() != n || self.gap.iter().any(|g| !g.is_finite()) {
+            return wrong(format!("{} finite gaps are needed for {n} contact points, {} values were given", n, self.gap.len()));
+        }
+        if let Some(point) = self.points.iter().find(|p| !(p.weight > 0.0 && p.weight.is_finite())) {
+            return wrong(format!("a contact point has the area {}; it must be positive", point.weight));
+        }
+        for law in &self.wear.laws {
+            let sound = law.factor >= 0.0 && law.factor.is_finite() && law.pressure_exponent > 0.0 && law.pressure_exponent.is_finite();
+            if !sound {
+                return wrong(format!("the wear rule {law:?} needs a factor of at least 0 and an exponent b > 0"));
+            }
+        }
+        for stage in &self.stages {
+            let (a, m) = (&stage.system.compliance, stage.system.load.len());
+            let fits = a.nrows() == n && a.ncols() == n && stage.system.opening.len() == n && stage.system.influence.ncols() == m;
+            if !fits || stage.speeds.len() != n || stage.speeds.iter().any(|v| !(*v >= 0.0 && v.is_finite())) {
+                return wrong(format!("a load stage does not fit the {n} contact points, or a sliding speed is negative"));
+            }
+        }
+        if self.schedule.is_empty() || self.schedule.iter().any(|i| i.stage >= self.stages.len()) {
+            return wrong(format!("the schedule has to name stages 0..{}", self.stages.len()));
+        }
+        if let Some(interval) = self.schedule.iter().find(|i| !(i.duration > 0.0)) {
+            return wrong(format!("an interval of the schedule lasts {} s; it must last longer than 0", interval.duration));
+        }
+        if self.counterface == Counterface::Revolving && !self.track_area.is_some_and(|a| a > 0.0) {
+            return wrong("a revolving counter-face needs the area of its closed track".into());
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,55 @@
+//! The state of a wear run: plain numbers, all that is needed to go on.
+
+/// State after a step. Arrays hold one value a contact point unless said otherwise.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct WearState {
+    /// Steps taken.
+    pub step: usize,
+    /// Time, s.
+    pub time: f64,
+    /// Sliding distance, mm, by the area mean of the sliding speeds.
+    pub distance: f64,
+    /// Unloaded gap, mm.
+    pub gap: Vec<f64>,
+    /// Pressure, MPa.
+    pub pressure: Vec<f64>,
+    /// Opening under load, mm.
+    pub opening: Vec<f64>,
+    /// Rigid coordinates of the free motions.
+    pub coordinates: Vec<f64>,
+    /// Change of the rigid coordinates since the start by wear (and load changes).
+    pub approach: Vec<f64>,
+    /// Rate of the gap, mm/s.
+    pub gap_rate: Vec<f64>,
+    /// Depth worn off body 1, mm.
+    pub worn: Vec<f64>,
+    /// Largest depth worn off body 1, mm.
+    pub depth: f64,
+    /// Depth by which a revolving counter-face has receded, mm.
+    pub recession: f64,
+    /// Volumes worn off the bodies, mm^3.
+    pub volume: [f64; 2],
+    /// Area norm of the gap rate less its rigid part over that of the gap rate, on the points in contact. Without free
+    /// rigid modes: area norm of the gap rate over that at the start.
+    pub steady_residual: f64,
+    /// Area norm of the gap rate at the start.
+    pub start_rate: f64,
+    /// `Phi = sum int beta~ v^a p^(b+1)/(b+1) dS` of the bodies whose wear opens the gap.
+    pub lyapunov: f64,
+    /// Largest relative growth of `Phi` in one step so far, under an unchanged load.
+    pub lyapunov_increase: f64,
+    /// Length of the last step, s.
+    pub step_size: f64,
+    /// Length of the next step unless the schedule cuts it, s.
+    pub next_step: f64,
+    /// Estimated error of the last step.
+    pub error: f64,
+    /// Steps rejected so far.
+    pub rejected: usize,
+    /// Linear systems solved so far.
+    pub newton_iterations: usize,
+    /// Number of the interval of the schedule that acts.
+    pub interval: usize,
+    /// Time at which that interval began, s.
+    pub interval_start: f64,
+}

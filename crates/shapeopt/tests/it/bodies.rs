@@ -1,0 +1,158 @@
+//! Finite element bodies of the tests: translating punch on a plate, block shoe on a drum.
+
+use contact::ContactOperator;
+use hpfem::*;
+use nalgebra::Vector3;
+use std::f64::consts::{FRAC_PI_2, PI};
+use wear::SurfacePoint;
+
+pub const RADIUS: f64 = 200.0;
+pub const HALF_ANGLE: f64 = PI / 6.0;
+const PLANE_STRESS: Kinematics = Kinematics::PlaneStress { thickness: 10.0 };
+
+/// Two bodies of one discretisation.
+pub struct Bodies {
+    meshes: [Mesh; 2],
+    degree: usize,
+    layers: usize,
+    supports: [Vec<Support>; 2],
+    materials: [Material; 1],
+    rigid_edge: Option<RigidEdge>,
+    load: Vec<LoadCase<'static>>,
+}
+
+fn support(boundary: &str, direction: Direction) -> Support {
+    Support { boundary: boundary.into(), direction, value: 0.0 }
+}
+
+fn named(side: Side, name: &str) -> Named<'_> {
+    Named { side, range: None, name }
+}
+
+fn refined(mesh: &Mesh, corners: &[[f64; 2]], layers: usize) -> Mesh {
+    let at: Vec<usize> = corners.iter().map(|c| mesh.nearest_vertex(*c)).collect();
+    mesh.refined_towards(&at, 0.15, layers).unwrap()
+}
+
+fn rectangle(x: &[f64], z: &[f64], side: Side, contact: [f64; 2]) -> Mesh {
+    let ([x0, x1], [z0, z1]) = ([x[0], x[x.len() - 1]], [z[0], z[z.len() - 1]]);
+    let t = |v: f64| 2.0 * (v - x0) / (x1 - x0) - 1.0;
+    let breaks: Vec<f64> = x.iter().map(|v| t(*v)).collect();
+    let levels: Vec<f64> = z.iter().map(|v| (v - z0) / (z1 - z0)).collect();
+    Mesh::ruled(&Ruled {
+        bottom: Curve::Line { start: [x0, z0], end: [x1, z0] },
+        top: Curve::Line { start: [x0, z1], end: [x1, z1] },
+        breaks: &breaks,
+        levels: &levels,
+        closed: false,
+        material: 0,
+        names: &[
+            named(Side::Bottom, "bottom"),
+            named(Side::Top, "top"),
+            Named { side, range: Some(contact.map(t)), name: "contact" },
+        ],
+    })
+    .unwrap()
+}
+
+/// Punch 60 x 100 mm on a clamped plate 120 x 100 mm; `tilts` frees the rotation of its rigid top.
+pub fn punch(degree: usize, layers: usize, tilts: bool) -> Bodies {
+    let ends = [[-30.0, 100.0], [30.0, 100.0]];
+    let punch = rectangle(&[-30.0, 0.0, 30.0], &[100.0, 150.0, 200.0], Side::Bottom, [-30.0, 30.0]);
+    let plate = rectangle(&[-60.0, -30.0, 0.0, 30.0, 60.0], &[0.0, 50.0, 100.0], Side::Top, [-30.0, 30.0]);
+    Bodies {
+        meshes: [refined(&punch, &ends, layers), refined(&plate, &ends, layers)],
+        degree,
+        layers,
+        supports: [vec![], vec![support("bottom", Direction::First), support("bottom", Direction::Second)]],
+        materials: [Material::new(210e3, 0.3).unwrap()],
+        rigid_edge: Some(RigidEdge { boundary: "top".into(), reference: [0.0, 200.0], free: [false, true, tilts] }),
+        load: vec![],
+    }
+}
+
+/// Shoe on an arc of radius 200 mm and half angle 30 degrees, guided at its sides, 10 kN on its flat top; drum from 100 mm.
+pub fn drum(degree: usize, layers: usize) -> Bodies {
+    let half_chord = RADIUS * HALF_ANGLE.sin();
+    let ends = [-1.0, 1.0].map(|sign| [sign * half_chord, RADIUS * HALF_ANGLE.cos()]);
+    let arc = |radius, angle| Curve::Arc { centre: [0.0; 2], radius, from: FRAC_PI_2 + angle, to: FRAC_PI_2 - angle };
+    let shoe = Mesh::ruled(&Ruled {
+        bottom: arc(RADIUS, HALF_ANGLE),
+        top: Curve::Line { start: [-half_chord, 300.0], end: [half_chord, 300.0] },
+        breaks: &[-1.0, 0.0, 1.0],
+        levels: &[0.0, 1.0],
+        closed: false,
+        material: 0,
+        names: &[
+            named(Side::Bottom, "contact"),
+            named(Side::Top, "top"),
+            named(Side::Left, "left"),
+            named(Side::Right, "right"),
+        ],
+    })
+    .unwrap();
+    let drum = Mesh::ruled(&Ruled {
+        bottom: arc(100.0, PI),
+        top: arc(RADIUS, PI),
+        breaks: &[-1.0, -2.0 / 3.0, -1.0 / 3.0, -1.0 / 6.0, 0.0, 1.0 / 6.0, 1.0 / 3.0, 2.0 / 3.0, 1.0],
+        levels: &[0.0, 1.0],
+        closed: true,
+        material: 0,
+        names: &[
+            named(Side::Bottom, "hub"),
+            named(Side::Top, "outer"),
+            Named { side: Side::Top, range: Some([-1.0 / 6.0, 1.0 / 6.0]), name: "contact" },
+        ],
+    })
+    .unwrap();
+    Bodies {
+        meshes: [refined(&shoe, &ends, layers), refined(&drum, &ends, layers)],
+        degree,
+        layers,
+        supports: [
+            vec![support("left", Direction::First), support("right", Direction::First)],
+            vec![support("hub", Direction::First), support("hub", Direction::Second)],
+        ],
+        materials: [Material::new(210e3, 0.3).unwrap()],
+        rigid_edge: None,
+        load: vec![vec![EdgeTraction { boundary: "top".into(), traction: Box::new(|_| [0.0, -5.0]) }]],
+    }
+}
+
+impl Bodies {
+    pub fn reduced(&self) -> [Body<'_>; 2] {
+        [0, 1].map(|number: usize| {
+            let mesh = &self.meshes[number];
+            let fall = |layer: usize| (layer * self.degree).checked_div(self.layers).unwrap_or(0);
+            let degrees = mesh.cells.iter().map(|c| (self.degree + 1).saturating_sub(fall(c.layer)).clamp(2, self.degree)).collect();
+            Body::new(BodyProblem {
+                mesh,
+                degrees,
+                space: SpaceKind::Tensor,
+                kinematics: PLANE_STRESS,
+                materials: &self.materials,
+                supports: &self.supports[number],
+                rigid_edge: if number == 0 { self.rigid_edge.clone() } else { None },
+                load_cases: if number == 0 { &self.load } else { &[] },
+                kept: Some("contact"),
+            })
+            .unwrap()
+        })
+    }
+}
+
+/// The contact points as surface points with one sliding speed.
+pub fn surface_points(operator: &ContactOperator<'_>, speed: f64) -> Vec<SurfacePoint> {
+    let spatial = |v: [f64; 2]| Vector3::new(v[0], 0.0, v[1]);
+    operator
+        .points()
+        .iter()
+        .map(|p| SurfacePoint {
+            position: spatial(p.position),
+            normal: spatial(p.normal),
+            weight: p.weight,
+            sliding_speed: speed,
+            drag: spatial(p.tangent),
+        })
+        .collect()
+}
