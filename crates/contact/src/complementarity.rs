@@ -9,6 +9,7 @@ use crate::linear::{Factor, Scaling};
 use crate::pivoting;
 use crate::response::{add, times, transposed_times};
 use faer::Mat;
+use std::borrow::Cow;
 
 /// Penalty times the compliance of a point.
 const PENALTY: f64 = 16384.0;
@@ -16,8 +17,8 @@ const PENALTY: f64 = 16384.0;
 const NEWTON_LIMIT: usize = 40;
 
 /// The problem: `A` is `points x points`, `Psi` and `B` are `points x coordinates`, `K` is `coordinates x coordinates`.
-pub(crate) struct Complementarity {
-    pub(crate) compliance: Mat<f64>,
+pub(crate) struct Complementarity<'m> {
+    pub(crate) compliance: Cow<'m, Mat<f64>>,
     pub(crate) influence: Mat<f64>,
     pub(crate) balance: Mat<f64>,
     pub(crate) stiffness: Mat<f64>,
@@ -54,7 +55,7 @@ pub(crate) struct Proximal<'a> {
     pub(crate) centre: &'a Point,
 }
 
-impl Complementarity {
+impl Complementarity<'_> {
     pub(crate) fn points(&self) -> usize {
         self.opening.len()
     }
@@ -109,7 +110,7 @@ impl Complementarity {
         let zero = Point { force: vec![0.0; n], coordinates: vec![0.0; self.load.len()] };
         let mut centre = start.map_or(zero, |s| s.0.clone());
         let mut active = start.map_or_else(|| vec![true; n], |s| s.1.to_vec());
-        let mut answer = Answer::empty();
+        let mut answer = Answer::open(self);
         let mut current: Option<Point> = None;
         while answer.factorisations < NEWTON_LIMIT {
             let proximal = Proximal { weight: 1.0 / PENALTY, centre: &centre };
@@ -145,7 +146,7 @@ impl Complementarity {
 
     /// Solves from full contact by the pivoting method alone.
     pub(crate) fn solve_by_pivoting(&self) -> Answer {
-        let mut answer = Answer::empty();
+        let mut answer = Answer::open(self);
         pivoting::solve(self, &Scaling::new(self), &mut answer);
         answer
     }
@@ -175,7 +176,7 @@ impl Complementarity {
         let plain = Proximal { weight: 0.0, centre: &zero };
         let (point, _) = self.on_active(&Scaling::new(self), active, &plain)?;
         let opening = self.openings(&point);
-        Some(Answer { point, opening, active: active.to_vec(), factorisations: 1, settled: true, ..Answer::empty() })
+        Some(Answer { point, opening, active: active.to_vec(), factorisations: 1, settled: true, ..Answer::open(self) })
     }
 
     /// Augmented multiplier `lambda_i - r_i w_i`.
@@ -224,11 +225,13 @@ impl Complementarity {
 }
 
 impl Answer {
-    pub(crate) fn empty() -> Answer {
+    /// Nothing in contact.
+    pub(crate) fn open(problem: &Complementarity<'_>) -> Answer {
+        let n = problem.points();
         Answer {
-            point: Point::default(),
-            opening: Vec::new(),
-            active: Vec::new(),
+            point: Point { force: vec![0.0; n], coordinates: vec![0.0; problem.load.len()] },
+            opening: problem.opening.clone(),
+            active: vec![false; n],
             factorisations: 0,
             history: Vec::new(),
             settled: false,

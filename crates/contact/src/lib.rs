@@ -3,7 +3,9 @@
 //! Signs: body 1 is shaped, body 2 the counter-face; the normal `n` points out of body 2 into body 1, the gap is positive when
 //! open, the pressure positive in compression; traction on body 1 is `p n + mu p tau`, on body 2 the opposite.
 
+mod assemble;
 mod complementarity;
+mod coulomb;
 mod error;
 mod linear;
 mod load;
@@ -13,10 +15,13 @@ mod pivoting;
 mod positioning;
 mod response;
 mod solution;
+mod stage;
 mod status;
+mod step;
 mod system;
 mod verdict;
 
+pub use coulomb::PointState;
 pub use error::Error;
 pub use load::{ContactLoad, Friction, Motion, MomentBalance};
 pub use operator::ContactOperator;

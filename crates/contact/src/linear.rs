@@ -17,7 +17,7 @@ pub(crate) struct Scaling {
 }
 
 impl Scaling {
-    pub(crate) fn new(problem: &Complementarity) -> Scaling {
+    pub(crate) fn new(problem: &Complementarity<'_>) -> Scaling {
         let n = problem.points();
         let largest = (0..n).map(|i| problem.compliance[(i, i)]).fold(0.0, f64::max);
         let point: Vec<f64> = (0..n)
@@ -45,7 +45,7 @@ pub(crate) struct Factor {
 }
 
 impl Factor {
-    pub(crate) fn new(problem: &Complementarity, scaling: &Scaling, index: &[usize], weight: f64) -> Factor {
+    pub(crate) fn new(problem: &Complementarity<'_>, scaling: &Scaling, index: &[usize], weight: f64) -> Factor {
         let (a, m) = (index.len(), problem.load.len());
         if a + m == 0 {
             return Factor { lu: None };
@@ -68,7 +68,7 @@ impl Factor {
 
     pub(crate) fn solve(
         &self,
-        problem: &Complementarity,
+        problem: &Complementarity<'_>,
         scaling: &Scaling,
         index: &[usize],
         proximal: &Proximal<'_>,

@@ -40,6 +40,13 @@ pub enum Friction {
         /// where it does not slide.
         drag: Vec<f64>,
     },
+    /// Stick and slip within one load step.
+    Coulomb {
+        /// Coefficient of friction, at least 0.
+        coefficient: f64,
+        /// [`ContactSolution::slip`](crate::ContactSolution::slip) at the end of the last step; zeros for bodies that never touched.
+        slip_before: Vec<f64>,
+    },
 }
 
 /// Which moment the moment of the rigid edge balances.
@@ -81,6 +88,7 @@ impl ContactLoad {
         match &self.friction {
             Friction::None => false,
             Friction::Sliding { coefficient, .. } => *coefficient != 0.0,
+            Friction::Coulomb { .. } => true,
         }
     }
 

@@ -10,7 +10,7 @@ use crate::linear::Scaling;
 const PATIENCE: usize = 10;
 
 /// Solves from full contact; the answer takes what is found.
-pub(crate) fn solve(problem: &Complementarity, scaling: &Scaling, answer: &mut Answer) {
+pub(crate) fn solve(problem: &Complementarity<'_>, scaling: &Scaling, answer: &mut Answer) {
     answer.pivoted = true;
     let mut active = vec![true; problem.points()];
     let (mut best, mut patience) = (usize::MAX, PATIENCE);

@@ -27,6 +27,8 @@ pub(crate) struct Response {
     pub(crate) to_columns: Mat<f64>,
     /// `Y`, `unknowns x coordinates`.
     pub(crate) motions: Mat<f64>,
+    /// Normal and tangential displacement at the points by the coordinates, `points x coordinates`; round-off is cleared.
+    pub(crate) motion: [Mat<f64>; 2],
     /// `K`, `coordinates x coordinates`.
     pub(crate) stiffness: Mat<f64>,
     /// `Y^T F`, `coordinates x (load cases + 1)`.
@@ -46,6 +48,7 @@ impl Response {
         let rows = |tangential: bool| component_rows(body, points, places, tangential);
         let (normal, normal_constant) = rows(false);
         let (tangential, tangential_constant) = rows(true);
+        let whole = tangential.clone();
         let tangential = shear.then_some(tangential);
         let unknowns = body.stiffness.nrows();
         let frame: Vec<usize> = body.frame.iter().flatten().copied().collect();
@@ -71,6 +74,13 @@ impl Response {
         } else {
             (0..3).filter(|k| body.frame[*k].is_some()).map(Some).collect()
         };
+        let mut motion = [&normal * &motions, &whole * &motions];
+        for j in 0..motions.ncols() {
+            let largest = motion.iter().flat_map(|m| m.col(j).iter()).fold(0.0_f64, |m, v| m.max(v.abs()));
+            for m in &mut motion {
+                (0..n).filter(|i| m[(*i, j)].abs() <= 1e-12 * largest).collect::<Vec<_>>().iter().for_each(|i| m[(*i, j)] = 0.0);
+            }
+        }
         let first = if shear { 2 * n } else { n };
         Ok(Response {
             to_normal: solved.submatrix(0, 0, unknowns, n).to_owned(),
@@ -80,6 +90,7 @@ impl Response {
             tangential,
             constant: [normal_constant, tangential_constant],
             motions,
+            motion,
             stiffness,
             motion_columns,
             edge_motion,

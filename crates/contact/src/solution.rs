@@ -1,5 +1,6 @@
 //! Result of a contact solve.
 
+use crate::coulomb::PointState;
 use crate::status::Status;
 use hpfem::InterfaceState;
 
@@ -19,6 +20,10 @@ pub struct ContactSolution {
     pub nodal_shear: Vec<f64>,
     /// Distance of the loaded surfaces along the normal.
     pub opening: Vec<f64>,
+    /// Tangential displacement of body 1 less that of body 2 along the point's tangent; empty if the operator was made without shear.
+    pub slip: Vec<f64>,
+    /// State of each point; without friction, points in contact count as sticking.
+    pub states: Vec<PointState>,
     /// Whether the point is in contact.
     pub closed: Vec<bool>,
     /// State of the shaped body.

@@ -36,7 +36,7 @@ impl ContactOperator<'_> {
     pub fn system(&self, load: &ContactLoad) -> Result<ContactSystem, Error> {
         let problem = self.stage(&vec![0.0; self.points().len()], load)?.problem;
         Ok(ContactSystem {
-            compliance: problem.compliance,
+            compliance: problem.compliance.into_owned(),
             influence: problem.influence,
             balance: problem.balance,
             stiffness: problem.stiffness,

@@ -1,12 +1,14 @@
 //! What an answer of the complementarity problem means.
 
 use crate::complementarity::{Answer, Complementarity, Point};
+use crate::coulomb::{Coulomb, Outcome, PointState};
 use crate::response::{add, times, transposed_times};
 use crate::status::Status;
-use faer::{Mat, Side};
+use faer::Mat;
+use std::borrow::Cow;
 
 /// Status of an answer.
-pub(crate) fn status(problem: &Complementarity, frictionless: &Complementarity, answer: &Answer) -> Status {
+pub(crate) fn status(problem: &Complementarity<'_>, normal: &Mat<f64>, answer: &Answer) -> Status {
     if answer.settled && problem.relative_imbalance(&answer.point) < 1e-8 {
         let closed = answer.active.iter().filter(|a| **a).count();
         return match closed {
@@ -16,34 +18,69 @@ pub(crate) fn status(problem: &Complementarity, frictionless: &Complementarity, 
             _ => Status::Converged,
         };
     }
-    if !can_balance(frictionless) {
+    let frictionless = Complementarity {
+        compliance: Cow::Borrowed(normal),
+        influence: problem.influence.clone(),
+        balance: problem.influence.clone(),
+        stiffness: problem.stiffness.clone(),
+        opening: problem.opening.clone(),
+        load: problem.load.clone(),
+        symmetric: true,
+    };
+    if !can_balance(&frictionless, std::slice::from_ref(&frictionless.balance)) {
         return Status::NoBalance;
     }
-    if !can_balance(problem) || friction_resists(problem, frictionless) {
+    if !can_balance(problem, std::slice::from_ref(&problem.balance)) || friction_resists(problem, &frictionless) {
         return Status::Jammed;
     }
     Status::IterationLimit { history: answer.history.clone() }
 }
 
+/// Status of a load step with stick and slip.
+pub(crate) fn sheared_status(problem: &Coulomb<'_>, outcome: &Outcome) -> Status {
+    let balanced = outcome.at.as_ref().is_some_and(|at| problem.relative_imbalance(at) < 1e-8);
+    if outcome.settled && balanced {
+        let closed = outcome.states.iter().filter(|s| **s != PointState::Open).count();
+        return match closed {
+            0 => Status::NoContact,
+            _ if closed == outcome.states.len() => Status::ClosedEverywhere,
+            _ => Status::Converged,
+        };
+    }
+    // Each point's force lies between the two edges of its friction cone.
+    let normal = problem.normal;
+    let edge = |sign: f64| {
+        let n = normal.points();
+        Mat::from_fn(n, normal.load.len(), |i, j| {
+            normal.influence[(i, j)] + sign * problem.coefficient * problem.influence[(i, j)]
+        })
+    };
+    if can_balance(normal, &[edge(1.0), edge(-1.0)]) {
+        Status::IterationLimit { history: outcome.history.clone() }
+    } else {
+        Status::NoBalance
+    }
+}
+
 /// Whether some nodal forces `lambda >= 0` and coordinates `y` give `f + B^T lambda = K y`: non-negative least squares (Lawson and Hanson
 /// 1974) on scaled rows, with the range of `K` taken out.
-fn can_balance(problem: &Complementarity) -> bool {
+fn can_balance(problem: &Complementarity<'_>, generators: &[Mat<f64>]) -> bool {
     let m = problem.load.len();
     let n = problem.points();
+    let entries = |j: usize| generators.iter().flat_map(move |g| (0..n).map(move |i| g[(i, j)]));
     // Rows scaled to unit largest entry.
     let scale: Vec<f64> = (0..m)
-        .map(|j| (0..n).map(|i| problem.balance[(i, j)].abs()).fold(problem.load[j].abs(), f64::max))
+        .map(|j| entries(j).fold(problem.load[j].abs(), |m, v| m.max(v.abs())))
         .map(|s| if s > 0.0 { s } else { 1.0 })
         .collect();
-    let held: Vec<bool> = (0..m).map(|j| problem.stiffness[(j, j)] > 0.0).collect();
-    let rows: Vec<usize> = (0..m).filter(|j| !held[*j]).collect();
+    let rows: Vec<usize> = (0..m).filter(|j| problem.stiffness[(*j, *j)] <= 0.0).collect();
     let size = rows.iter().map(|j| (problem.load[*j] / scale[*j]).abs()).fold(0.0, f64::max);
     if size == 0.0 {
         return true;
     }
     let target: Vec<f64> = rows.iter().map(|j| -problem.load[*j] / scale[*j] / size).collect();
-    let column = |i: usize| -> Vec<f64> { rows.iter().map(|j| problem.balance[(i, *j)] / scale[*j]).collect() };
-    let columns: Vec<Vec<f64>> = (0..n).map(column).collect();
+    let column = |g: &Mat<f64>, i: usize| -> Vec<f64> { rows.iter().map(|j| g[(i, *j)] / scale[*j]).collect() };
+    let columns: Vec<Vec<f64>> = generators.iter().flat_map(|g| (0..n).map(move |i| (g, i))).map(|(g, i)| column(g, i)).collect();
     distance_to_cone(&columns, &target) < 1e-7
 }
 
@@ -110,7 +147,7 @@ fn least_squares(columns: &[Vec<f64>], chosen: &[usize], target: &[f64]) -> Vec<
 
 /// Pushes the body to where it would rest without friction and asks which way the contact then pushes back: jammed where
 /// `int psi p <= 0`, the shear carrying the body along with the load.
-fn friction_resists(problem: &Complementarity, frictionless: &Complementarity) -> bool {
+fn friction_resists(problem: &Complementarity<'_>, frictionless: &Complementarity<'_>) -> bool {
     if problem.symmetric || problem.load.is_empty() {
         return false;
     }
@@ -122,7 +159,7 @@ fn friction_resists(problem: &Complementarity, frictionless: &Complementarity) -
     add(&mut opening, &times(&problem.influence, &rest.point.coordinates));
     let n = problem.points();
     let pushed = Complementarity {
-        compliance: problem.compliance.clone(),
+        compliance: Cow::Borrowed(&*problem.compliance),
         influence: Mat::zeros(n, 0),
         balance: Mat::zeros(n, 0),
         stiffness: Mat::zeros(0, 0),
@@ -141,35 +178,7 @@ fn friction_resists(problem: &Complementarity, frictionless: &Complementarity) -
     along <= 0.0
 }
 
-/// Rigid motions without any normal trace (an arc turning about its centre) would make the problem singular: a spring holds them, which
-/// carries nothing if the load has no part along them.
-pub(crate) fn pin_idle_motions(influence: &Mat<f64>, stiffness: &mut Mat<f64>, compliance: &Mat<f64>) {
-    let (n, m) = (influence.nrows(), influence.ncols());
-    if m == 0 || n == 0 {
-        return;
-    }
-    let scale: Vec<f64> = (0..m).map(|j| (0..n).map(|i| influence[(i, j)].abs()).fold(0.0, f64::max)).collect();
-    let typical = (0..n).map(|i| compliance[(i, i)]).fold(0.0, f64::max);
-    // Motions whose normal trace is round-off of their own size.
-    let unit: Vec<f64> = scale.iter().map(|s| if *s > 1e-11 { *s } else { 1.0 }).collect();
-    let gram = Mat::from_fn(m, m, |i, j| {
-        let product: f64 = (0..n).map(|k| influence[(k, i)] / unit[i] * influence[(k, j)] / unit[j]).sum();
-        product + stiffness[(i, j)] * typical / (unit[i] * unit[j])
-    });
-    let Ok(eigen) = gram.self_adjoint_eigen(Side::Lower) else { return };
-    for k in 0..m {
-        if eigen.S()[k] > 1e-18 * n as f64 {
-            continue;
-        }
-        for i in 0..m {
-            for j in 0..m {
-                stiffness[(i, j)] += eigen.U()[(i, k)] * eigen.U()[(j, k)] * unit[i] * unit[j] / typical;
-            }
-        }
-    }
-}
-
-impl Complementarity {
+impl Complementarity<'_> {
     /// Largest relative residual of the balances, each against the sum of the magnitudes in it.
     pub(crate) fn relative_imbalance(&self, at: &Point) -> f64 {
         let spring = times(&self.stiffness, &at.coordinates);

@@ -77,7 +77,7 @@ fn sliding_guided_punch_has_the_reference_pressure() {
 
 #[test]
 fn annular_punch_has_the_reference_pressure() {
-    let punch = Punch::annular(12, 10);
+    let punch = Punch::annular(16, 10);
     let (body, disc) = punch.bodies();
     let pair = Pair::new(&body.interface, Some(&disc.interface)).unwrap();
     let operator = ContactOperator::new(&pair, false).unwrap();

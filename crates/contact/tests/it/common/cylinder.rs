@@ -154,3 +154,42 @@ pub fn block(sizes: &Sizes, end: f64, candidate: f64, layers: usize) -> Mesh {
     }
     Mesh::new(straight.vertices.iter().map(|v| [v[0], -v[1]]).collect(), &turned, &[], &names).unwrap()
 }
+
+/// A mesh and its mirror image in x = 0, joined along the axis; names are kept.
+pub fn mirrored(half: &Mesh) -> Mesh {
+    let mut vertices = half.vertices.clone();
+    let image: Vec<usize> = half
+        .vertices
+        .iter()
+        .enumerate()
+        .map(|(i, v)| {
+            if v[0] == 0.0 {
+                return i;
+            }
+            vertices.push([-v[0], v[1]]);
+            vertices.len() - 1
+        })
+        .collect();
+    let plain = half.cells.iter().map(|c| Quad { corners: c.corners, material: c.material, layer: c.layer });
+    let turned = half.cells.iter().map(|c| {
+        let k = c.corners.map(|v| image[v]);
+        Quad { corners: [k[1], k[0], k[3], k[2]], material: c.material, layer: c.layer }
+    });
+    let quads: Vec<Quad> = plain.chain(turned).collect();
+    let mut curves = Vec::new();
+    let mut names = Vec::new();
+    for e in &half.edges {
+        let other = e.vertices.map(|v| image[v]);
+        curves.push((e.vertices, e.curve.clone()));
+        if let Curve::Arc { centre, radius, from, to } = e.curve {
+            let turn = |a: f64| -std::f64::consts::PI - a;
+            let centre = [-centre[0], centre[1]];
+            curves.push((other, Curve::Arc { centre, radius, from: turn(from), to: turn(to) }));
+        }
+        for tag in &e.tags {
+            let name = half.boundaries[*tag].as_str();
+            names.extend([(e.vertices, name), (other, name)]);
+        }
+    }
+    Mesh::new(vertices, &quads, &curves, &names).unwrap()
+}

@@ -1,0 +1,157 @@
+//! From forces and coordinates to a solution: pressures, states of the bodies, resultants, zones.
+
+use crate::complementarity::{Answer, Point};
+use crate::coulomb::PointState;
+use crate::operator::{ContactOperator, SIGNS};
+use crate::pair::Side;
+use crate::response::times;
+use crate::solution::ContactSolution;
+use crate::stage::Stage;
+use crate::status::Status;
+use hpfem::{InterfaceState, TraceLoad};
+
+/// How a solve ended.
+pub(crate) struct Ending {
+    pub(crate) status: Status,
+    pub(crate) states: Vec<PointState>,
+    pub(crate) complementarity: f64,
+    pub(crate) balance: f64,
+    pub(crate) iterations: usize,
+    pub(crate) took_over: bool,
+}
+
+impl ContactOperator<'_> {
+    pub(crate) fn solution(&self, stage: &Stage<'_>, answer: Answer, status: Status) -> ContactSolution {
+        let problem = &stage.problem;
+        let complementarity = problem.complementarity(&answer.point, &answer.opening);
+        let balance = problem.relative_imbalance(&answer.point);
+        let shear = answer.point.force.iter().zip(&stage.slide).map(|(f, s)| f * s).collect();
+        let states = answer.active.iter().zip(&stage.slide).map(|(closed, slide)| match (closed, *slide) {
+            (false, _) => PointState::Open,
+            (true, s) if s > 0.0 => PointState::Forward,
+            (true, s) if s < 0.0 => PointState::Backward,
+            _ => PointState::Stick,
+        });
+        let states = states.collect();
+        let ending = Ending {
+            status,
+            states,
+            complementarity,
+            balance,
+            iterations: answer.factorisations,
+            took_over: answer.pivoted,
+        };
+        self.assemble(stage, answer.point, shear, answer.opening, ending)
+    }
+
+    /// Puts a solution together from forces and coordinates.
+    pub(crate) fn assemble(&self, stage: &Stage<'_>, point: Point, shear: Vec<f64>, opening: Vec<f64>, ending: Ending) -> ContactSolution {
+        let n = self.points.len();
+        let force = point.force;
+        let mut coordinates: Vec<f64> = stage.prescribed.iter().map(|p| p.unwrap_or(0.0)).collect();
+        stage.free.iter().zip(&point.coordinates).for_each(|(j, y)| coordinates[*j] = *y);
+        let split = self.responses[0].motions.ncols();
+        let coordinates = [coordinates[..split].to_vec(), coordinates[split..].to_vec()];
+        let mut states = Vec::new();
+        let mut slip = vec![0.0; if self.tangential.is_some() { n } else { 0 }];
+        for (b, response) in self.responses.iter().enumerate() {
+            let on_body = |v: &[f64]| v.iter().map(|v| SIGNS[b] * v).collect::<Vec<f64>>();
+            let (lambda, sigma) = (on_body(&force), on_body(&shear));
+            let (all, columns) = &stage.factors[b];
+            let unknowns = response.unknowns(columns, &lambda, &sigma, &coordinates[b]);
+            if let Some(tangential) = &response.tangential {
+                let moved = times(tangential, &unknowns);
+                (0..n).for_each(|i| slip[i] += SIGNS[b] * (moved[i] + response.constant[1][i]));
+            }
+            states.push(self.state(b, unknowns, &lambda, &sigma, all));
+        }
+        let counter = if states.len() > 1 { states.pop() } else { None };
+        let Some(shaped) = states.pop() else { unreachable!("the shaped body always has a response") };
+        let mut resultant = [0.0; 2];
+        let mut moment = 0.0;
+        for (i, p) in self.points.iter().enumerate() {
+            let f: [f64; 2] = std::array::from_fn(|k| force[i] * p.normal[k] + shear[i] * p.tangent[k]);
+            resultant[0] += f[0];
+            resultant[1] += f[1];
+            moment += p.position[0] * f[1] - p.position[1] * f[0];
+        }
+        let closed: Vec<bool> = ending.states.iter().map(|s| *s != PointState::Open).collect();
+        let over_weight = |v: &[f64]| (0..n).map(|i| v[i] / self.points[i].weight).collect::<Vec<f64>>();
+        ContactSolution {
+            status: ending.status,
+            pressure: over_weight(&force),
+            shear: over_weight(&shear),
+            zones: self.zones(&closed, &force),
+            nodal_force: force,
+            nodal_shear: shear,
+            opening,
+            slip,
+            closed,
+            states: ending.states,
+            shaped,
+            counter,
+            coordinates,
+            force: resultant,
+            moment,
+            complementarity: ending.complementarity,
+            balance: ending.balance,
+            iterations: ending.iterations,
+            took_over: ending.took_over,
+        }
+    }
+
+    /// State of a body, with the forces on its rigid edge counted among the loads.
+    fn state(&self, body: usize, unknowns: Vec<f64>, lambda: &[f64], sigma: &[f64], factors: &[f64]) -> InterfaceState {
+        let operator = self.operator(body);
+        let side = if body == 0 { Side::Shaped } else { Side::Counter };
+        let stiffness = &operator.stiffness;
+        let mut load = TraceLoad { unknowns: vec![0.0; unknowns.len()], ..TraceLoad::default() };
+        for (i, p) in self.points.iter().enumerate() {
+            let force = std::array::from_fn(|k| lambda[i] * p.normal[k] + sigma[i] * p.tangent[k]);
+            operator.trace.add_force(&mut load, self.pair.place(side, p), force);
+        }
+        for q in operator.frame.iter().flatten() {
+            let internal: f64 = (0..unknowns.len()).map(|k| stiffness[(*q, k)] * unknowns[k]).sum();
+            let condensed: f64 = factors.iter().enumerate().map(|(k, a)| a * operator.columns[(*q, k)]).sum();
+            load.unknowns[*q] = internal - condensed;
+        }
+        InterfaceState { unknowns, factors: factors.to_vec(), load }
+    }
+
+    /// Contact zones: arcs between the ends of contact. An end between a closed and an open point is placed where the square of the pressure,
+    /// linear near a smooth end, vanishes.
+    fn zones(&self, active: &[bool], force: &[f64]) -> Vec<[f64; 2]> {
+        let n = self.points.len();
+        let pressure = |i: usize| force[i] / self.points[i].weight;
+        let arc = |i: usize| self.points[i].arc;
+        let end = |inside: usize, before: Option<usize>, outside: Option<usize>| {
+            let Some(outside) = outside else { return arc(inside) };
+            let (low, high) = (arc(inside), arc(outside));
+            let Some(before) = before else { return 0.5 * (low + high) };
+            let (a, b) = (pressure(before).powi(2), pressure(inside).powi(2));
+            if a <= b {
+                return 0.5 * (low + high);
+            }
+            let reach = (low - arc(before)).abs() * b / (a - b);
+            if high > low { low + reach.min(high - low) } else { low - reach.min(low - high) }
+        };
+        let mut zones = Vec::new();
+        let mut i = 0;
+        while i < n {
+            if !active[i] {
+                i += 1;
+                continue;
+            }
+            let start = i;
+            while i + 1 < n && active[i + 1] {
+                i += 1;
+            }
+            let inner = |k: usize| (start..=i).contains(&k).then_some(k);
+            let left = end(start, inner(start + 1), start.checked_sub(1));
+            let right = end(i, i.checked_sub(1).and_then(inner), Some(i + 1).filter(|k| *k < n));
+            zones.push([left, right]);
+            i += 1;
+        }
+        zones
+    }
+}

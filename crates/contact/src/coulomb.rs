@@ -1,0 +1,229 @@
+//! Coulomb friction with stick and slip: one load step, backward Euler in the slip.
+//!
+//! Return mapping of the augmented shear `sigma - r (s - s_before)` onto `|sigma| <= mu lambda` as semismooth Newton: every point is
+//! open, sticks (`s = s_before`), or slips with `sigma = +- mu lambda` against its slip; the linear system of these states is solved and the states are read off again.
+
+use crate::complementarity::{Complementarity, Point};
+use crate::response::{add, times, transposed_times};
+use faer::Mat;
+use faer::linalg::solvers::Solve;
+
+/// State of a contact point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PointState {
+    /// The surfaces are apart.
+    Open,
+    /// In contact without slip.
+    Stick,
+    /// Slipping, shear on body 1 along the point's tangent.
+    Forward,
+    /// Slipping, shear on body 1 against the point's tangent.
+    Backward,
+}
+
+/// Steps of the iteration.
+const LIMIT: usize = 60;
+
+/// The frictionless problem and what shear adds to it.
+pub(crate) struct Coulomb<'m> {
+    pub(crate) normal: &'m Complementarity<'m>,
+    /// Normal opening by shear forces; its transpose is the slip by normal forces.
+    pub(crate) by_shear: &'m Mat<f64>,
+    /// Slip by shear forces.
+    pub(crate) tangential: &'m Mat<f64>,
+    /// Slip by coordinates.
+    pub(crate) influence: &'m Mat<f64>,
+    /// Slip of the unloaded contact less the slip at the end of the last step.
+    pub(crate) slip: Vec<f64>,
+    pub(crate) coefficient: f64,
+}
+
+/// Normal forces and coordinates, shear forces.
+#[derive(Clone, Debug)]
+pub(crate) struct Sheared {
+    pub(crate) point: Point,
+    pub(crate) shear: Vec<f64>,
+}
+
+/// What the iteration found.
+pub(crate) struct Outcome {
+    pub(crate) at: Option<Sheared>,
+    pub(crate) states: Vec<PointState>,
+    pub(crate) steps: usize,
+    pub(crate) history: Vec<usize>,
+    pub(crate) settled: bool,
+}
+
+impl Coulomb<'_> {
+    /// `w` and the slip since the last step.
+    pub(crate) fn gaps(&self, at: &Sheared) -> (Vec<f64>, Vec<f64>) {
+        let mut opening = self.normal.openings(&at.point);
+        add(&mut opening, &times(self.by_shear, &at.shear));
+        let mut slip = self.slip.clone();
+        add(&mut slip, &transposed_times(self.by_shear, &at.point.force));
+        add(&mut slip, &times(self.tangential, &at.shear));
+        add(&mut slip, &times(self.influence, &at.point.coordinates));
+        (opening, slip)
+    }
+
+    /// `f + Psi^T lambda + Psi_t^T sigma - K y`, relative to the sum of magnitudes.
+    pub(crate) fn relative_imbalance(&self, at: &Sheared) -> f64 {
+        let mut balance = self.normal.imbalance(&at.point);
+        add(&mut balance, &transposed_times(self.influence, &at.shear));
+        let n = at.shear.len();
+        (0..balance.len())
+            .map(|j| {
+                let parts: f64 = (0..n)
+                    .map(|i| {
+                        (self.normal.influence[(i, j)] * at.point.force[i]).abs() + (self.influence[(i, j)] * at.shear[i]).abs()
+                    })
+                    .sum();
+                let size = parts + self.normal.load[j].abs();
+                if size > 0.0 { balance[j].abs() / size } else { 0.0 }
+            })
+            .fold(0.0, f64::max)
+    }
+
+    /// Solves with given states; `None` if that is singular.
+    pub(crate) fn on_states(&self, states: &[PointState]) -> Option<Sheared> {
+        let n = states.len();
+        let m = self.normal.load.len();
+        let contact: Vec<usize> = (0..n).filter(|i| states[*i] != PointState::Open).collect();
+        let stick: Vec<usize> = (0..n).filter(|i| states[*i] == PointState::Stick).collect();
+        let slide = |i: usize| match states[i] {
+            PointState::Forward => self.coefficient,
+            PointState::Backward => -self.coefficient,
+            _ => 0.0,
+        };
+        let (c, s) = (contact.len(), stick.len());
+        let (unit, resultant) = self.scales();
+        let own = |normal: bool, i: usize| if normal { self.normal.compliance[(i, i)] } else { self.tangential[(i, i)] };
+        let nn = &self.normal.compliance;
+        // Column of unknown `j` in the opening or slip of point `i`.
+        let entry = |normal: bool, i: usize, j: usize| -> f64 {
+            if j < c {
+                let k = contact[j];
+                let direct = if normal { nn[(i, k)] } else { self.by_shear[(k, i)] };
+                let by_slide = slide(k) * if normal { self.by_shear[(i, k)] } else { self.tangential[(i, k)] };
+                direct + by_slide
+            } else if j < c + s {
+                let k = stick[j - c];
+                if normal { self.by_shear[(i, k)] } else { self.tangential[(i, k)] }
+            } else {
+                let k = j - c - s;
+                unit[k] * if normal { self.normal.influence[(i, k)] } else { self.influence[(i, k)] }
+            }
+        };
+        let matrix = Mat::from_fn(c + s + m, c + s + m, |i, j| {
+            if i < c {
+                entry(true, contact[i], j) / own(true, contact[i])
+            } else if i < c + s {
+                entry(false, stick[i - c], j) / own(false, stick[i - c])
+            } else {
+                let k = i - c - s;
+                let value = if j < c {
+                    self.normal.influence[(contact[j], k)] + slide(contact[j]) * self.influence[(contact[j], k)]
+                } else if j < c + s {
+                    self.influence[(stick[j - c], k)]
+                } else {
+                    -self.normal.stiffness[(k, j - c - s)] * unit[j - c - s]
+                };
+                value / resultant[k]
+            }
+        });
+        let right = Mat::from_fn(c + s + m, 1, |i, _| {
+            if i < c {
+                -self.normal.opening[contact[i]] / own(true, contact[i])
+            } else if i < c + s {
+                -self.slip[stick[i - c]] / own(false, stick[i - c])
+            } else {
+                -self.normal.load[i - c - s] / resultant[i - c - s]
+            }
+        });
+        let lu = matrix.partial_piv_lu();
+        let pivots = (0..c + s + m).map(|i| lu.U()[(i, i)].abs());
+        let (low, high) = pivots.fold((f64::INFINITY, 0.0_f64), |(l, h), p| (l.min(p), h.max(p)));
+        if !(low > 1e-15 * high) {
+            return None;
+        }
+        let x = lu.solve(&right);
+        let mut at =
+            Sheared { point: Point { force: vec![0.0; n], coordinates: vec![0.0; m] }, shear: vec![0.0; n] };
+        for (j, k) in contact.iter().enumerate() {
+            at.point.force[*k] = x[(j, 0)];
+            at.shear[*k] = slide(*k) * x[(j, 0)];
+        }
+        stick.iter().enumerate().for_each(|(j, k)| at.shear[*k] = x[(c + j, 0)]);
+        (0..m).for_each(|k| at.point.coordinates[k] = x[(c + s + k, 0)] * unit[k]);
+        at.point.force.iter().chain(&at.shear).all(|v| v.is_finite()).then_some(at)
+    }
+
+    /// Unit of each coordinate and size of its resultant.
+    fn scales(&self) -> (Vec<f64>, Vec<f64>) {
+        let n = self.slip.len();
+        let m = self.normal.load.len();
+        let largest = |j: usize, over: bool| {
+            (0..n)
+                .map(|i| {
+                    let divide = |v: f64, by: f64| if over && by > 0.0 { v.abs() / by } else { v.abs() };
+                    divide(self.normal.influence[(i, j)], self.normal.compliance[(i, i)])
+                        .max(divide(self.influence[(i, j)], self.tangential[(i, i)]))
+                })
+                .fold(0.0, f64::max)
+        };
+        let positive = |v: f64| if v > 0.0 { v } else { 1.0 };
+        ((0..m).map(|j| 1.0 / positive(largest(j, true))).collect(), (0..m).map(|j| positive(largest(j, false))).collect())
+    }
+
+    /// States read off a solution, and how many differ from those it was solved with; signs within round-off do not count.
+    fn read(&self, at: &Sheared, states: &[PointState]) -> (Vec<PointState>, usize) {
+        let (opening, slip) = self.gaps(at);
+        let (force_tolerance, opening_tolerance) = self.normal.tolerances(&at.point);
+        let slip_size = times(self.tangential, &at.shear).iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        let slip_tolerance = 1e-11 * slip_size;
+        let read: Vec<PointState> = (0..states.len())
+            .map(|i| {
+                let (force, shear) = (at.point.force[i], at.shear[i]);
+                let limit = self.coefficient * force + self.coefficient.max(1.0) * force_tolerance;
+                match states[i] {
+                    PointState::Open if opening[i] >= -opening_tolerance[i] => PointState::Open,
+                    PointState::Open => PointState::Stick,
+                    _ if force < -force_tolerance => PointState::Open,
+                    PointState::Stick if shear > limit => PointState::Forward,
+                    PointState::Stick if shear < -limit => PointState::Backward,
+                    PointState::Stick => PointState::Stick,
+                    PointState::Forward if slip[i] > slip_tolerance => PointState::Stick,
+                    PointState::Backward if slip[i] < -slip_tolerance => PointState::Stick,
+                    slipping => slipping,
+                }
+            })
+            .collect();
+        let changed = read.iter().zip(states).filter(|(a, b)| a != b).count();
+        (read, changed)
+    }
+
+    /// Iterates on the states from `start`. When their number of changes has not fallen for ten steps, only the last changes.
+    pub(crate) fn solve(&self, start: &[PointState]) -> Outcome {
+        let mut outcome = Outcome { at: None, states: start.to_vec(), steps: 0, history: Vec::new(), settled: false };
+        let (mut best, mut patience) = (usize::MAX, 10_usize);
+        while outcome.steps < LIMIT {
+            outcome.steps += 1;
+            let Some(at) = self.on_states(&outcome.states) else { break };
+            let (read, changed) = self.read(&at, &outcome.states);
+            outcome.at = Some(at);
+            outcome.history.push(changed);
+            if changed == 0 {
+                outcome.settled = true;
+                break;
+            }
+            patience = if changed < best { 10 } else { patience.saturating_sub(1) };
+            best = best.min(changed);
+            if patience > 0 {
+                outcome.states = read;
+            } else if let Some(last) = (0..read.len()).rev().find(|i| read[*i] != outcome.states[*i]) {
+                outcome.states[last] = read[last];
+            }
+        }
+        outcome
+    }
+}
