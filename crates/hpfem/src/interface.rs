@@ -96,6 +96,12 @@ impl InterfaceOperator {
         x.submatrix(0, 0, n, right.ncols()).to_owned()
     }
 
+    /// [`InterfaceOperator::solve`] for one right-hand side, the answer orthogonal to the rigid modes.
+    pub fn solve_one(&self, right: &[f64]) -> Vec<f64> {
+        let right = Mat::from_fn(right.len(), 1, |i, _| right[i]);
+        self.solve(&right, &self.rigid_modes).col_as_slice(0).to_vec()
+    }
+
     /// Work of column `k` in a state: `F_k . u` of the whole body. For a load case this is the work of its loads; for a
     /// functional, its value.
     pub fn column_work(&self, k: usize, state: &InterfaceState) -> f64 {

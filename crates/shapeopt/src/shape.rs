@@ -4,7 +4,7 @@ use crate::error::Error;
 use crate::rigid_part::{Curve, lowest_nonnegative};
 use contact::{ContactPoint, Pair, Side, contact_traction, normal};
 use faer::Mat;
-use hpfem::{BoundaryPoint, InterfaceOperator, InterfaceState};
+use hpfem::{BoundaryPoint, InterfaceOperator, InterfaceState, TraceLoad};
 
 /// Tractions and loads under which the surfaces shall just touch everywhere.
 pub struct ShapeProblem<'a> {
@@ -20,8 +20,18 @@ pub struct ShapeProblem<'a> {
     pub gauge: Gauge,
     /// How the rigid part of the gap is chosen.
     pub rigid: RigidPart,
-    /// Gauss points an edge beyond the degree plus two, for pressures that vary fast.
-    pub extra_points: usize,
+    /// How the traction is integrated.
+    pub integration: Integration,
+}
+
+/// Integration of the wanted traction over the contact edges.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Integration {
+    /// At the Gauss-Lobatto points, as nodal forces `p weight`: the very forces of the contact solve, so that it can give the pressure
+    /// back to round-off.
+    Lobatto,
+    /// By Gauss rules with this many points beyond the degree plus two on every edge.
+    Gauss(usize),
 }
 
 /// A place on the contact surface where the traction is asked for.
@@ -99,11 +109,14 @@ fn side_state(problem: &ShapeProblem<'_>, side: Side, body: &InterfaceOperator, 
         let [pressure, shear] = (problem.traction)(&place);
         contact_traction(side, point, pressure, shear)
     };
-    let load = body.trace.load(body.kinematics, problem.extra_points, traction);
+    let load = match problem.integration {
+        Integration::Gauss(extra) => body.trace.load(body.kinematics, extra, traction),
+        Integration::Lobatto => nodal_load(problem, side, body),
+    };
     let factors = body.factors(cases);
     let right = body.right_hand_side(&load, &factors);
     let held = side == Side::Shaped && problem.gauge == Gauge::HeldEdge;
-    let unknowns = if held { solve_held(body, &right) } else { solve_free(body, &right) };
+    let unknowns = if held { solve_held(body, &right) } else { body.solve_one(&right) };
     let mut state = InterfaceState { unknowns, factors, load };
     if let (Side::Shaped, Gauge::MeanOf(columns)) = (side, &problem.gauge) {
         remove_mean(body, columns, &mut state);
@@ -111,10 +124,16 @@ fn side_state(problem: &ShapeProblem<'_>, side: Side, body: &InterfaceOperator, 
     state
 }
 
-fn solve_free(body: &InterfaceOperator, right: &[f64]) -> Vec<f64> {
-    let right = Mat::from_fn(right.len(), 1, |i, _| right[i]);
-    let x = body.solve(&right, &body.rigid_modes);
-    x.col_as_slice(0).to_vec()
+/// The nodal forces `weight (p n + q t)` at the contact points of the pair.
+fn nodal_load(problem: &ShapeProblem<'_>, side: Side, body: &InterfaceOperator) -> TraceLoad {
+    let mut load = TraceLoad { unknowns: vec![0.0; body.trace.unknowns], ..TraceLoad::default() };
+    let sign = if side == Side::Shaped { 1.0 } else { -1.0 };
+    for point in problem.pair.points() {
+        let [p, q] = (problem.traction)(&SurfacePlace { position: point.position, normal: point.normal });
+        let force = |k: usize| sign * point.weight * (p * point.normal[k] + q * point.tangent[k]);
+        body.trace.add_force(&mut load, point.place, [force(0), force(1)]);
+    }
+    load
 }
 
 /// Solves with the rigid edge's motions at zero.
@@ -129,9 +148,8 @@ fn solve_held(body: &InterfaceOperator, right: &[f64]) -> Vec<f64> {
         operator.stiffness[(h, h)] = body.stiffness[(h, h)];
     }
     operator.rigid_modes = Mat::zeros(right.len(), 0);
-    let right = Mat::from_fn(right.len(), 1, |i, _| if held.contains(&i) { 0.0 } else { right[i] });
-    let x = operator.solve(&right, &operator.rigid_modes);
-    x.col_as_slice(0).to_vec()
+    let right: Vec<f64> = right.iter().enumerate().map(|(i, f)| if held.contains(&i) { 0.0 } else { *f }).collect();
+    operator.solve_one(&right)
 }
 
 /// Shifts along the rigid modes until the functionals of the given columns vanish.

@@ -17,6 +17,14 @@ pub(crate) struct Level {
     pub(crate) layers: usize,
 }
 
+impl Level {
+    /// The layers that go with a degree: as many, so that both errors fall together, and the last layer, where the pressure of
+    /// a round trip is off by order one, is too small to count.
+    pub(crate) fn of(degree: usize) -> Level {
+        Level { degree, layers: degree }
+    }
+}
+
 /// Everything a body of one level is made of.
 pub(crate) struct BodyParts {
     mesh: Mesh,

@@ -14,7 +14,7 @@ pub(crate) const LOAD: &str = "@load";
 pub(crate) const AXIS: &str = "@axis";
 
 /// Ratio of the sizes of successive layers. Of 0.1, 0.15, 0.25 the last reached a given error of the drum gap with the least work
-/// in degrees 6 to 14 (layers = degree - 2).
+/// in degrees 6 to 14.
 const RATIO: f64 = 0.25;
 
 /// A coarse mesh and the points towards which it is to be graded.
@@ -44,14 +44,32 @@ impl Extent {
     }
 }
 
+/// Where the contact surface is cut.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Cut {
+    /// The standing choice.
+    Plain,
+    /// Elsewhere, for an independent solution.
+    Shifted,
+}
+
 /// The meshes of both bodies with the given number of layers around each singular point.
-pub(crate) fn meshes(scene: &Scene, extent: Extent, layers: usize) -> Result<[Mesh; 2], Fault> {
+pub(crate) fn meshes(scene: &Scene, extent: Extent, layers: usize, cut: Cut) -> Result<[Mesh; 2], Fault> {
     let (Some(body1), Some(body2)) = (&scene.body1, &scene.body2) else {
         return Err(not_meshed("body1.geometry", "bodies"));
     };
-    let cuts = contact_cuts(extent);
-    let first = coarse(scene, &body1.geometry, &cuts, true)?;
-    let second = coarse(scene, &body2.geometry, &cuts, false)?;
+    let cuts = contact_cuts(scene, extent, cut);
+    let first = coarse(scene, &body1.geometry, &cuts, true, cut)?;
+    let mut second = coarse(scene, &body2.geometry, &cuts, false, cut)?;
+    // Points of the contact surface that need layers in the shaped body need them in both, for common break points.
+    for x in &first.singular {
+        let y = second.mesh.vertices[second.mesh.nearest_vertex(*x)];
+        let scale = x[0].hypot(x[1]);
+        let near = |z: &[f64; 2]| (x[0] - z[0]).hypot(x[1] - z[1]) <= 1e-9 * scale;
+        if near(&y) && !second.singular.iter().any(near) {
+            second.singular.push(*x);
+        }
+    }
     let graded = |coarse: Coarse, key: &str| {
         let vertices: Vec<usize> = coarse.singular.iter().map(|x| coarse.mesh.nearest_vertex(*x)).collect();
         coarse.mesh.refined_towards(&vertices, RATIO, layers).map_err(|error| geometry_fault(key, &error))
@@ -68,11 +86,21 @@ fn geometry_fault(key: &str, error: &hpfem::Error) -> Fault {
     Fault::at(key, "degenerate", error.to_string(), "make the body less thin or less distorted")
 }
 
-/// Common break points of both bodies on the contact surface: at least two equal pieces, on arcs of at most 30 degrees.
-fn contact_cuts(extent: Extent) -> Vec<f64> {
-    match extent {
-        Extent::Angles([from, to]) => subdivide(&[from, to], (0.5 * (to - from)).min(std::f64::consts::FRAC_PI_6)),
-        Extent::X([from, to]) => subdivide(&[from, to], 0.5 * (to - from)),
+/// Common break points of both bodies on the contact surface: at least two equal pieces, on arcs of at most 30 degrees, and those
+/// that the shaped body needs for itself.
+fn contact_cuts(scene: &Scene, extent: Extent, cut: Cut) -> Vec<f64> {
+    let more = if cut == Cut::Shifted { 1.0 } else { 0.0 };
+    match (extent, scene.body1.as_ref().map(|body| &body.geometry)) {
+        (Extent::Angles(ends), Some(Geometry::RingSegment(segment))) => {
+            let half = 0.5 * (ends[1] - ends[0]);
+            segment_breaks(scene, segment, cut).breaks.iter().map(|t| ends[0] + half * (1.0 + t)).collect()
+        }
+        (Extent::Angles([from, to]), _) => {
+            let pieces = ((to - from) / std::f64::consts::FRAC_PI_6 * (1.0 - 1e-9)).ceil().max(2.0) + more;
+            subdivide(&[from, to], (to - from) / pieces)
+        }
+        // Three pieces: the tilt of a gap is its tangent in the middle, which must lie inside a cell.
+        (Extent::X([from, to]), _) => subdivide(&[from, to], (to - from) / (3.0 + more)),
     }
 }
 
@@ -97,11 +125,11 @@ fn merged(mut points: Vec<f64>) -> Vec<f64> {
     points
 }
 
-fn coarse(scene: &Scene, geometry: &Geometry, cuts: &[f64], shaped: bool) -> Result<Coarse, Fault> {
+fn coarse(scene: &Scene, geometry: &Geometry, cuts: &[f64], shaped: bool, cut: Cut) -> Result<Coarse, Fault> {
     let key = if shaped { "body1.geometry" } else { "body2.geometry" };
     let result = match geometry {
         Geometry::ShoeBlock(shoe) if shaped => shoe_block(scene, shoe, cuts),
-        Geometry::RingSegment(segment) if shaped => ring_segment(scene, segment, cuts),
+        Geometry::RingSegment(segment) if shaped => ring_segment(scene, segment, cut),
         Geometry::Ring(ring) if !shaped => full_ring(ring, cuts),
         Geometry::Rectangle(rectangle) => block(scene, rectangle, cuts, shaped),
         other => return Err(not_meshed(key, crate::setup::template(other))),
@@ -118,10 +146,28 @@ fn arc(centre: [f64; 2], radius: f64, [from, to]: [f64; 2]) -> Curve {
     Curve::Arc { centre, radius, from: quarter - from, to: quarter - to }
 }
 
-/// Levels from 0 to 1 whose cells are about as high as wide.
+/// Levels from 0 to 1, at least `least` of them, whose cells are about as high as wide at 0 and twice as high from one to the next.
 fn levels(height: f64, width: f64, least: usize) -> Vec<f64> {
-    let n = ((height / width).round() as usize).max(least);
-    (0..=n).map(|i| i as f64 / n as f64).collect()
+    let n = ((height / width + 1.0).log2().round() as usize).max(least);
+    let last = f64::from(1_u32 << n) - 1.0;
+    (0..=n).map(|i| if i == n { 1.0 } else { (f64::from(1_u32 << i) - 1.0) / last }).collect()
+}
+
+/// Points between two ends whose distances double from both ends inwards, `first` at the ends and `most` at most.
+fn growing(from: f64, to: f64, first: f64, most: f64) -> Vec<f64> {
+    let (mut left, mut right) = (vec![from], vec![to]);
+    let mut step = first;
+    while to - from > 2.0 * step + left[left.len() - 1] - from + to - right[right.len() - 1] {
+        left.push(left[left.len() - 1] + step);
+        right.push(right[right.len() - 1] - step);
+        step = (2.0 * step).min(most);
+    }
+    let middle = subdivide(&[left[left.len() - 1], right[right.len() - 1]], step);
+    left.pop();
+    left.extend(middle);
+    right.pop();
+    left.extend(right.into_iter().rev());
+    left
 }
 
 /// Parameters in [-1, 1] of points between two ends.
@@ -163,30 +209,45 @@ fn shoe_block(scene: &Scene, shoe: &ShoeBlock, cuts: &[f64]) -> Result<Coarse, h
     Ok(Coarse { mesh, singular: vec![[-x, z], [x, z]] })
 }
 
-fn ring_segment(scene: &Scene, segment: &RingSegment, cuts: &[f64]) -> Result<Coarse, hpfem::Error> {
-    let (inner, outer, x) = (segment.inner.0, segment.outer.0, segment.x.map(|x| x.0));
-    let inner_angles = x.map(|x| (x / inner).asin());
-    let outer_angles = x.map(|x| (x / outer).asin());
-    let mut points = parameters(cuts, inner_angles);
-    let mut load_range = None;
+/// Where a ring segment is cut, in the common parameter of its arcs.
+struct SegmentBreaks {
+    breaks: Vec<f64>,
+    /// The loaded part of the outer arc, if it is not the whole.
+    load: Option<[f64; 2]>,
+    /// The line x = 0, if it is a straight ruling.
+    middle: Option<f64>,
+}
+
+fn segment_angles(segment: &RingSegment) -> [[f64; 2]; 2] {
+    let x = segment.x.map(|x| x.0);
+    [segment.inner.0, segment.outer.0].map(|radius| x.map(|x| (x / radius).asin()))
+}
+
+fn segment_breaks(scene: &Scene, segment: &RingSegment, cut: Cut) -> SegmentBreaks {
+    let [inner, outer] = segment_angles(segment);
+    let mut points = vec![-1.0, 1.0];
     let load = scene.load.as_ref().filter(|load| load.edge.as_deref() == Some("outer"));
-    if let Some((width, load)) = load.and_then(|load| load.width.map(|w| (w.0, load))) {
-        let centre = load.centre.map_or(0.0, |c| c.0);
+    let load = load.and_then(|load| load.width.map(|w| (load.centre.map_or(0.0, |c| c.0), w.0))).map(|(centre, width)| {
         let ends = [centre - 0.5 * width, centre + 0.5 * width];
-        let range = parameters(&ends.map(|x| (x / outer).asin()), outer_angles);
-        points.extend(&range);
-        load_range = Some([range[0], range[1]]);
-    }
-    // The line x = 0 in the middle, ruled from arc to arc.
-    let middle = -(outer_angles[0] + outer_angles[1]) / (outer_angles[1] - outer_angles[0]);
-    let straight = (inner_angles[0] + inner_angles[1]).abs() < 1e-12;
-    let centre_held = scene.body1.as_ref().is_some_and(|body| body.support.contains_key("centre"));
-    if straight {
-        points.push(middle);
-    }
-    let thickness = outer - inner;
-    let step = 2.0 * (0.75 * thickness / (inner * (inner_angles[1] - inner_angles[0]))).min(0.5);
-    let breaks = subdivide(&merged(points), step);
+        let range = parameters(&ends.map(|x| (x / segment.outer.0).asin()), outer);
+        [range[0], range[1]]
+    });
+    points.extend(load.into_iter().flatten());
+    let middle = Some(0.0).filter(|_| (inner[0] + inner[1]).abs() < 1e-12);
+    points.extend(middle);
+    let thickness = segment.outer.0 - segment.inner.0;
+    let finer = if cut == Cut::Shifted { 0.8 } else { 1.0 };
+    let step = (1.5 * finer * thickness / (segment.inner.0 * (inner[1] - inner[0]))).min(1.0);
+    let points = merged(points);
+    // No cell may lie between two points that both need layers.
+    let closest = points.windows(2).map(|pair| pair[1] - pair[0]).fold(2.0, f64::min);
+    SegmentBreaks { breaks: subdivide(&points, step.min(0.5 * closest)), load, middle }
+}
+
+fn ring_segment(scene: &Scene, segment: &RingSegment, cut: Cut) -> Result<Coarse, hpfem::Error> {
+    let SegmentBreaks { breaks, load, middle } = segment_breaks(scene, segment, cut);
+    let [inner, outer] = segment_angles(segment);
+    let centre = middle.filter(|_| scene.body1.as_ref().is_some_and(|body| body.support.contains_key("centre")));
     let mut names = vec![
         named(Side::Bottom, "inner"),
         named(Side::Bottom, CONTACT),
@@ -194,21 +255,17 @@ fn ring_segment(scene: &Scene, segment: &RingSegment, cuts: &[f64]) -> Result<Co
         named(Side::Left, "left"),
         named(Side::Right, "right"),
     ];
-    if load.is_some() {
-        names.push(Named { side: Side::Top, range: load_range, name: LOAD });
+    if load_side(scene, "outer") {
+        names.push(Named { side: Side::Top, range: load, name: LOAD });
     }
-    if centre_held && straight {
-        names.push(named(Side::Ruling(middle), "centre"));
-    }
-    let bottom = arc([0.0; 2], inner, inner_angles);
-    let top = arc([0.0; 2], outer, outer_angles);
+    names.extend(centre.map(|t| named(Side::Ruling(t), "centre")));
+    let bottom = arc([0.0; 2], segment.inner.0, inner);
+    let top = arc([0.0; 2], segment.outer.0, outer);
     let mut singular = vec![bottom.point(-1.0), bottom.point(1.0), top.point(-1.0), top.point(1.0)];
-    singular.extend(load_range.into_iter().flatten().map(|t| top.point(t)));
-    if centre_held {
-        singular.extend([bottom.point(middle), top.point(middle)]);
-    }
-    let mesh =
-        Mesh::ruled(&Ruled { bottom, top, breaks: &breaks, levels: &[0.0, 0.5, 1.0], closed: false, material: 0, names: &names })?;
+    singular.extend(load.into_iter().flatten().map(|t| top.point(t)));
+    singular.extend(centre.into_iter().flat_map(|t| [bottom.point(t), top.point(t)]));
+    let levels = [0.0, 0.5, 1.0];
+    let mesh = Mesh::ruled(&Ruled { bottom, top, breaks: &breaks, levels: &levels, closed: false, material: 0, names: &names })?;
     Ok(Coarse { mesh, singular })
 }
 
@@ -217,9 +274,10 @@ fn full_ring(ring: &Ring, cuts: &[f64]) -> Result<Coarse, hpfem::Error> {
     let centre = ring.centre.map_or([0.0; 2], |c| c.map(|c| c.0));
     let (from, to) = (cuts[0], cuts[cuts.len() - 1]);
     let turn = std::f64::consts::TAU;
-    // Outside the contact: one cell as wide as inside on each side, the rest in cells of at most 60 degrees.
+    // Outside the contact: cells as wide as inside next to it, then wider.
+    let widest = cuts.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
     let step = (cuts[1] - cuts[0]).min(0.25 * (turn - (to - from)));
-    let rest = subdivide(&[to, to + step, from + turn - step, from + turn], std::f64::consts::FRAC_PI_3);
+    let rest = growing(to, from + turn, step, std::f64::consts::FRAC_PI_3);
     let angles: Vec<f64> = cuts.iter().copied().chain(rest[1..].iter().copied()).collect();
     let range = [from, from + turn];
     let breaks = parameters(&angles, range);
@@ -235,7 +293,7 @@ fn full_ring(ring: &Ring, cuts: &[f64]) -> Result<Coarse, hpfem::Error> {
         bottom: arc(centre, inner, range),
         top,
         breaks: &breaks,
-        levels: &levels(outer - inner, outer * step, 1),
+        levels: &levels(outer - inner, outer * widest, 1),
         closed: true,
         material: 0,
         names: &names,
@@ -249,7 +307,7 @@ fn block(scene: &Scene, rectangle: &Rectangle, cuts: &[f64], shaped: bool) -> Re
     let ends = [cuts[0], cuts[cuts.len() - 1]];
     let step = cuts[1] - cuts[0];
     let points = merged(cuts.iter().copied().chain(x).collect());
-    let points = subdivide(&points, 2.0 * step.max(0.1 * (x[1] - x[0])));
+    let points = subdivide(&points, 2.0 * step.max(0.05 * (x[1] - x[0])));
     let contact = parameters(&ends, x);
     let mut names = vec![
         named(Side::Bottom, "bottom"),

@@ -1,0 +1,263 @@
+//! The contact stage: the bodies as given, pressed together and sliding.
+
+use std::time::Instant;
+
+use contact::{ContactOperator, ContactSolution, Pair, Status as ContactStatus};
+
+use crate::fault::Fault;
+use crate::fe::bodies::Level;
+use crate::fe::stage::{Stage, add_times, note, pair, rest};
+use crate::fe::template::Cut;
+use crate::gap::Gap;
+use crate::profile::Profile;
+use crate::setup::Problem;
+use crate::solution::{ContactResult, EnergyResult, Solution, Status};
+use crate::solve::Options;
+
+/// Samples of the pressure for the comparison of levels, over the inner 95 % of the surface.
+const SAMPLES: usize = 191;
+
+struct Solved {
+    energy: f64,
+    pressure: Vec<f64>,
+    refused: Option<String>,
+    solution: Solution,
+}
+
+/// Solves the contact and fills in the solution.
+pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution) -> Result<(), Fault> {
+    let stage = Stage::new(problem)?;
+    let fixed = stage.fixed_level().is_some();
+    let mut solved: Vec<Solved> = Vec::new();
+    for level in stage.ladder() {
+        solved.push(solve_level(stage, level, options)?);
+        let refused = solved.last().is_some_and(|s| s.refused.is_some());
+        if refused || (!fixed && estimate(&solved).is_some_and(|e| e[0].max(e[1]) <= stage.accuracy())) {
+            break;
+        }
+    }
+    finish(stage, solved, fixed, solution);
+    Ok(())
+}
+
+/// Estimated relative errors of the energy and of the pressure (L2 over the inner 95 % of the surface).
+fn estimate(solved: &[Solved]) -> Option<[f64; 2]> {
+    let [.., a, b, c] = solved else { return None };
+    let energy = |x: &Solved, y: &Solved| ((x.energy - y.energy) / y.energy).abs();
+    let pressure = |x: &Solved, y: &Solved| {
+        let square = |f: &dyn Fn(usize) -> f64| (0..SAMPLES).map(|i| f(i).powi(2)).sum::<f64>();
+        (square(&|i| x.pressure[i] - y.pressure[i]) / square(&|i| y.pressure[i])).sqrt()
+    };
+    Some([rest(energy(a, b), energy(b, c)), rest(pressure(a, b), pressure(b, c))])
+}
+
+fn finish(stage: Stage<'_>, mut solved: Vec<Solved>, fixed: bool, solution: &mut Solution) {
+    let errors = estimate(&solved);
+    let levels = solved.len();
+    let times: Vec<_> = solved.iter().map(|s| s.solution.times.clone()).collect();
+    let total = |f: &dyn Fn(&Solved) -> usize| solved.iter().map(f).sum::<usize>();
+    let factorisations = total(&|s| s.solution.counters.factorisations);
+    let solves = total(&|s| s.solution.counters.contact_solves);
+    let Some(Solved { solution: last, refused, .. }) = solved.pop() else { return };
+    add_times(&times, &mut solution.times);
+    let checks = solution.counters.check_solves;
+    let before = solution.counters.factorisations;
+    solution.counters = last.counters;
+    solution.counters.factorisations = factorisations + before;
+    solution.counters.contact_solves = solves;
+    solution.counters.check_solves = checks;
+    solution.contact = last.contact;
+    solution.energy = last.energy;
+    solution.reactions = last.reactions;
+    solution.profile = last.profile;
+    solution.curve = last.curve;
+    if let Some(reason) = refused {
+        solution.status = Status::Refused;
+        solution.reason = Some(reason);
+        return;
+    }
+    let Some([energy, pressure]) = errors else { return };
+    let result = solution.error.get_or_insert_default();
+    result.energy_relative = Some(energy);
+    result.pressure_relative = Some(pressure);
+    result.how = format!("energy and pressure of the contact: rest of the series of {levels} degrees");
+    let worst = energy.max(pressure);
+    if !fixed && worst > stage.accuracy() {
+        solution.status = Status::AccuracyMissed;
+        solution.reason =
+            Some(format!("the contact is accurate to {worst:.1e}, not to the {:.0e} asked for", stage.accuracy()));
+    }
+}
+
+fn solve_level(stage: Stage<'_>, level: Level, options: Options) -> Result<Solved, Fault> {
+    let mut solution = Solution::default();
+    let parts = stage.parts(level, Cut::Plain, &mut solution)?;
+    let bodies = parts.reduce(&mut solution)?;
+    let start = Instant::now();
+    let pair = pair(&bodies)?;
+    let operator = ContactOperator::new(&pair, stage.friction() > 0.0)
+        .map_err(|error| Fault::at("body1.support", "not-held", error.to_string(), "support the bodies"))?;
+    note(&mut solution, "interface", start);
+    let start = Instant::now();
+    let gap: Vec<f64> = operator.points().iter().map(|p| start_gap(stage, &pair, p.arc)).collect();
+    let load = stage.contact_load(operator.points());
+    let found = operator
+        .solve(&gap, &load, None)
+        .map_err(|error| Fault::at("contact", "no-contact", error.to_string(), "check the contact and its load"))?;
+    solution.counters.contact_solves = 1;
+    note(&mut solution, "contact", start);
+    let states = [Some(&found.shaped), found.counter.as_ref()];
+    let energy = [
+        pair.shaped.strain_energy(&found.shaped),
+        pair.counter.zip(found.counter.as_ref()).map_or(0.0, |(body, state)| body.strain_energy(state)),
+    ];
+    solution.energy = Some(EnergyResult { body1_Nmm: Some(energy[0]), body2_Nmm: Some(energy[1]) });
+    solution.reactions = parts.reactions(&bodies, states);
+    solution.contact = Some(result(stage, &pair, &operator, &found));
+    let length = pair.shaped.trace.length();
+    let inner: Vec<f64> = (0..SAMPLES).map(|i| length * (0.025 + 0.95 * i as f64 / (SAMPLES - 1) as f64)).collect();
+    let pressure = inner.iter().map(|arc| pressure_at(&pair, &operator, &found.pressure, *arc)).collect();
+    let own = stage.profile(&pair, operator.points(), &found.pressure, states);
+    let sampled = |count: usize| -> Profile {
+        let points = stage.sample(&pair, count);
+        let pressure: Vec<f64> = points.iter().map(|p| pressure_at(&pair, &operator, &found.pressure, p.arc)).collect();
+        let mut profile = stage.profile(&pair, &points, &pressure, states);
+        let arcs: Vec<f64> = operator.points().iter().map(|p| p.arc).collect();
+        for (row, point) in points.iter().enumerate() {
+            profile.gap[row] = 1e3 * start_gap(stage, &pair, point.arc);
+            profile.opening[row] = 1e3 * linear(&arcs, &found.opening, point.arc).max(0.0);
+        }
+        profile
+    };
+    let mut profile = match options.sample {
+        Some(count) => sampled(count),
+        None => own,
+    };
+    if options.sample.is_none() {
+        for row in 0..gap.len() {
+            profile.gap[row] = 1e3 * gap[row];
+            profile.opening[row] = 1e3 * found.opening[row];
+            profile.status[row] = if found.closed[row] { "contact" } else { "open" };
+        }
+    }
+    solution.profile = Some(profile);
+    solution.curve = Some(sampled(401));
+    let refused = (!found.status.is_solved() || found.status == ContactStatus::NoContact).then(|| found.status.to_string());
+    Ok(Solved { energy: energy[0] + energy[1], pressure, refused, solution })
+}
+
+/// The start gap of the scene at an arc length.
+pub(super) fn start_gap(stage: Stage<'_>, pair: &Pair<'_>, arc: f64) -> f64 {
+    match stage.scene().contact.as_ref().and_then(|c| c.gap.as_ref()) {
+        Some(Gap::Profile { s, gap }) => linear(s, gap, stage.start(pair) + arc) * 1e-3,
+        _ => 0.0,
+    }
+}
+
+/// Pressure between the points: the polynomial through the points of the edge.
+pub(super) fn pressure_at(pair: &Pair<'_>, operator: &ContactOperator<'_>, pressure: &[f64], arc: f64) -> f64 {
+    let trace = &pair.shaped.trace;
+    let (edge, _) = trace.locate(arc);
+    let first: usize = trace.edges[..edge].iter().map(|e| e.degree).sum();
+    let n = trace.edges[edge].degree + 1;
+    let range = first..first + n;
+    let arcs: Vec<f64> = operator.points()[range.clone()].iter().map(|p| p.arc).collect();
+    let ends = [arcs[0], arcs[n - 1]];
+    let to_unit = |arc: f64| (2.0 * (arc - ends[0]) / (ends[1] - ends[0]) - 1.0).clamp(-1.0, 1.0);
+    let nodes: Vec<f64> = arcs.iter().map(|a| to_unit(*a)).collect();
+    if pressure[range.clone()].contains(&0.0) {
+        return linear(&arcs, &pressure[range], arc);
+    }
+    let shapes = hpfem::lagrange(&nodes, &hpfem::barycentric_weights(&nodes), to_unit(arc));
+    shapes.iter().zip(&pressure[range]).map(|(l, p)| l * p).sum()
+}
+
+/// Piecewise linear interpolation in ascending points.
+pub(super) fn linear(points: &[f64], values: &[f64], s: f64) -> f64 {
+    let after = points.partition_point(|p| *p < s).clamp(1, points.len() - 1);
+    let (a, b) = (points[after - 1], points[after]);
+    let t = ((s - a) / (b - a)).clamp(0.0, 1.0);
+    (1.0 - t) * values[after - 1] + t * values[after]
+}
+
+fn result(stage: Stage<'_>, pair: &Pair<'_>, operator: &ContactOperator<'_>, found: &ContactSolution) -> ContactResult {
+    let start = stage.start(pair);
+    let about = stage.scene().load.as_ref().and_then(|l| l.about).map_or(0.0, |about| about[0].0);
+    let points = operator.points();
+    let moment = points
+        .iter()
+        .zip(&found.nodal_force)
+        .map(|(p, force)| (p.position[0] - about) * force * p.normal[1])
+        .sum::<f64>();
+    let [_, tz, theta] = motions(pair, found);
+    let edge_exponents = exponents(pair, operator, found);
+    let singular = !edge_exponents.is_empty();
+    let largest = found.pressure.iter().copied().fold(0.0, f64::max);
+    let shear = found.shear.iter().map(|q| q.abs()).fold(0.0, f64::max);
+    ContactResult {
+        status: word(&found.status).into(),
+        force_N: Some(found.force[1]),
+        moment_Nmm: Some(moment),
+        approach_mm: tz.map(|z| -z),
+        tilt_rad: theta.map(|t| -t),
+        ends_mm: found.zones.iter().flatten().map(|arc| start + arc).collect(),
+        // At a sharp corner the pressure is infinite: its exponent says more than the largest nodal value.
+        p_max_MPa: Some(largest).filter(|_| edge_exponents.is_empty()),
+        edge_exponents,
+        stick_ends_mm: Vec::new(),
+        q_max_MPa: Some(shear).filter(|_| !singular),
+        complementarity: Some(found.complementarity),
+        iterations: Some(found.iterations),
+    }
+}
+
+/// Exponents `l` of `p ~ d^l` at the two ends of a surface in full contact, from the pressure in the layers near them: the
+/// slope of log p over log d between 20 and 1000 times the smallest edge. Empty where the pressure is bounded there.
+fn exponents(pair: &Pair<'_>, operator: &ContactOperator<'_>, found: &ContactSolution) -> Vec<f64> {
+    if found.status != ContactStatus::ClosedEverywhere {
+        return Vec::new();
+    }
+    let trace = &pair.shaped.trace;
+    let length = trace.length();
+    let slope = |from_start: bool| {
+        let smallest = if from_start { trace.edges.first() } else { trace.edges.last() }?.curve.length();
+        let range = [20.0 * smallest, (1000.0 * smallest).min(0.02 * length)];
+        if range[1] <= 2.0 * range[0] {
+            return None;
+        }
+        let count = 41;
+        let (mut x, mut y) = (Vec::new(), Vec::new());
+        for i in 0..count {
+            let d = range[0] * (range[1] / range[0]).powf(f64::from(i) / f64::from(count - 1));
+            let arc = if from_start { d } else { length - d };
+            x.push(d.ln());
+            y.push(pressure_at(pair, operator, &found.pressure, arc).ln());
+        }
+        let mean = |v: &[f64]| v.iter().sum::<f64>() / v.len() as f64;
+        let (mx, my) = (mean(&x), mean(&y));
+        let top: f64 = x.iter().zip(&y).map(|(a, b)| (a - mx) * (b - my)).sum();
+        let bottom: f64 = x.iter().map(|a| (a - mx).powi(2)).sum();
+        Some(top / bottom)
+    };
+    let both: Vec<f64> = [slope(true), slope(false)].into_iter().flatten().filter(|l| l.is_finite()).collect();
+    if both.iter().any(|l| *l < -0.02) { both } else { Vec::new() }
+}
+
+/// Motions of the rigid edge: t_x, t_z, theta, as far as it is there.
+fn motions(pair: &Pair<'_>, found: &ContactSolution) -> [Option<f64>; 3] {
+    let frame = pair.shaped.frame;
+    frame.map(|unknown| unknown.map(|u| found.shaped.unknowns[u]))
+}
+
+/// The status in the summary's word.
+fn word(status: &ContactStatus) -> &'static str {
+    match status {
+        ContactStatus::Converged => "converged",
+        ContactStatus::ClosedEverywhere => "closed-everywhere",
+        ContactStatus::NoContact => "no-contact",
+        ContactStatus::NoBalance => "no-balance",
+        ContactStatus::Jammed => "jammed",
+        ContactStatus::NotUnique => "not-unique",
+        _ => "iteration-limit",
+    }
+}
