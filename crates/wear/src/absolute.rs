@@ -71,7 +71,7 @@ pub(crate) fn balance_absolute(
     }
     here = residual(stage, nodes, &free);
     let size = here.amax();
-    if !(size <= 1e-10) {
+    if size.is_nan() || size > 1e-10 {
         return Err(WearError::NotConverged {
             iterations,
             residual: size,
@@ -137,7 +137,7 @@ fn find_scale(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<(), WearEr
         b -= step * fb.signum();
         fb = at(stage, b);
         step *= 2.0;
-        if !(step < 1e7) {
+        if step > 1e7 {
             return Err(WearError::Infeasible {
                 resultants: stage
                     .problem

@@ -8,7 +8,7 @@ use crate::quadrature::{ORDER, Rule, legendre};
 use crate::stage::{Node, Stage};
 use crate::surface::{Shape, Surface};
 
-const SAMPLES: usize = 5;
+pub(crate) const SAMPLES: usize = 5;
 const SMOOTH: f64 = 0.03;
 
 impl Surface {
@@ -40,23 +40,23 @@ impl Surface {
 }
 
 /// One line of the surface (fixed outer parameter) and the collector of its nodes.
-struct Line<'a, 'b> {
-    stage: &'a Stage<'b>,
-    outer: f64,
-    weight: f64,
-    settings: Settings,
-    front: &'a Rule,
+pub(crate) struct Line<'a, 'b> {
+    pub(crate) stage: &'a Stage<'b>,
+    pub(crate) outer: f64,
+    pub(crate) weight: f64,
+    pub(crate) settings: Settings,
+    pub(crate) front: &'a Rule,
 }
 
 /// Limits of one collection.
 #[derive(Clone, Copy)]
-struct Settings {
+pub(crate) struct Settings {
     /// Largest change of log h over a cell.
-    spread: f64,
+    pub(crate) spread: f64,
     /// Cells whose density is smaller than the largest by exp(-drop) are not refined.
-    drop: f64,
+    pub(crate) drop: f64,
     /// Exponent of f at the end of contact.
-    exponent: f64,
+    pub(crate) exponent: f64,
 }
 
 /// An interval with marks for ends at which f = 0.
@@ -116,92 +116,6 @@ impl Stage<'_> {
             exponent: self.law.density.front_exponent(),
         }
     }
-
-    /// Surfaces with two parameters: lines at the Gauss points of outer cells, halved where the lines' integrals vary too much or
-    /// where the end of contact changes from one border to another.
-    fn collect_lines(
-        &self,
-        range: [f64; 2],
-        inner: [f64; 2],
-        settings: Settings,
-        front: &Rule,
-        nodes: &mut Vec<Node>,
-    ) {
-        let whole = range[1] - range[0];
-        let mut stack = vec![(range[0], range[1])];
-        let mut top = f64::NEG_INFINITY;
-        for i in 0..=16 {
-            top = top.max(
-                self.profile(range[0] + whole * f64::from(i) / 16.0, inner)
-                    .0,
-            );
-        }
-        while let Some((lo, hi)) = stack.pop() {
-            let profile: [(f64, u16); SAMPLES] = std::array::from_fn(|i| {
-                self.profile(lo + (hi - lo) * (0.02 + 0.24 * i as f64), inner)
-            });
-            let values = profile.map(|entry| entry.0);
-            let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-            top = top.max(largest);
-            let tiny = hi - lo < 1e-3 * whole;
-            let same = profile.iter().all(|entry| entry.1 == profile[0].1);
-            if largest == f64::NEG_INFINITY && (same || tiny) {
-                continue;
-            }
-            let settled = same && smooth(&values, 0.1) && spread(&values) < settings.spread;
-            let negligible = largest < top - settings.drop;
-            if settled || negligible || (tiny && !same) || hi - lo < 1e-12 * whole {
-                let rule = legendre();
-                for i in 0..ORDER {
-                    let outer = lo + (hi - lo) * rule.abscissa[i];
-                    let weight = (hi - lo) * rule.weight[i];
-                    Line {
-                        stage: self,
-                        outer,
-                        weight,
-                        settings,
-                        front,
-                    }
-                    .collect(inner, nodes);
-                }
-            } else {
-                let middle = 0.5 * (lo + hi);
-                stack.push((middle, hi));
-                stack.push((lo, middle));
-            }
-        }
-    }
-
-    /// log of a coarse integral over the line, and which of the line's ends and middle lie in contact.
-    fn profile(&self, outer: f64, inner: [f64; 2]) -> (f64, u16) {
-        let mut largest = f64::NEG_INFINITY;
-        let mut logs = [f64::NEG_INFINITY; 9];
-        let mut ends = 0;
-        for (i, entry) in logs.iter_mut().enumerate() {
-            let node = self.law.node(
-                self.problem
-                    .surface
-                    .at(inner[0] + (inner[1] - inner[0]) * i as f64 / 8.0, outer),
-            );
-            *entry = node.log_h + node.point.weight.ln();
-            largest = largest.max(*entry);
-            if (i == 0 || i == 8) && node.f > 0.0 {
-                ends |= 1 << i;
-            }
-        }
-        if largest == f64::NEG_INFINITY {
-            return (largest, ends);
-        }
-        (
-            largest
-                + logs
-                    .iter()
-                    .map(|entry| (entry - largest).exp())
-                    .sum::<f64>()
-                    .ln(),
-            ends,
-        )
-    }
 }
 
 impl Line<'_, '_> {
@@ -211,7 +125,7 @@ impl Line<'_, '_> {
             .node(self.stage.problem.surface.at(inner, self.outer))
     }
 
-    fn collect(&self, range: [f64; 2], nodes: &mut Vec<Node>) {
+    pub(crate) fn collect(&self, range: [f64; 2], nodes: &mut Vec<Node>) {
         const BASE: usize = 2;
         let step = (range[1] - range[0]) / BASE as f64;
         let mut stack = [Interval {
@@ -412,11 +326,11 @@ enum Verdict {
 }
 
 /// Small fourth difference: the function is close to a cubic on the cell.
-fn smooth(values: &[f64; SAMPLES], limit: f64) -> bool {
+pub(crate) fn smooth(values: &[f64; SAMPLES], limit: f64) -> bool {
     (values[0] - 4.0 * values[1] + 6.0 * values[2] - 4.0 * values[3] + values[4]).abs() < limit
 }
 
-fn spread(values: &[f64; SAMPLES]) -> f64 {
+pub(crate) fn spread(values: &[f64; SAMPLES]) -> f64 {
     let (lo, hi) = values
         .iter()
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), v| {

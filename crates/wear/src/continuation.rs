@@ -42,10 +42,10 @@ fn next(
     {
         let mut stage = Stage::new(problem, Density::Power { k, speed_power })?;
         stage.law.y = law.y.map(|y| y * old / k);
-        if k > 0.0 || !stage.open_at_ends() {
-            if let Ok(balanced) = balance_any(&mut stage, &mut work.nodes) {
-                return Ok(report(&mut stage, work, &balanced, s));
-            }
+        if (k > 0.0 || !stage.open_at_ends())
+            && let Ok(balanced) = balance_any(&mut stage, &mut work.nodes)
+        {
+            return Ok(report(&mut stage, work, &balanced, s));
         }
     }
     optimal_pressure_with(problem, work)

@@ -14,6 +14,7 @@ mod error;
 mod extremes;
 mod functional;
 mod law;
+mod lines;
 mod mode;
 mod motion;
 mod objective;

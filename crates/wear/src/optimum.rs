@@ -184,20 +184,19 @@ pub fn stationary_pressures(problem: &Problem) -> Result<Vec<Optimum>, WearError
         }
         Task::Linear { speed_power } => Ok(vec![linear(problem, speed_power, &mut work)?]),
         Task::Revolving => {
-            let (front, rear) = (problem.wear.laws[0], problem.wear.laws[1]);
+            let front = problem.wear.laws[0];
             if front.factor == 0.0 {
                 return Err(WearError::NoWear {
                     functional: "steady with a revolving counterface",
                     remedy: "body 1 must wear: body 2's mean wear is uniform along its track whatever the pressure",
                 });
             }
-            if !(rear.factor.is_finite()
-                && (problem.surface.track_area().is_some() || !problem.surface.is_listed()))
-            {
+            let tracked = matches!(problem.surface.shape(), crate::Shape::Sector { .. });
+            if problem.surface.track_area().is_none() && !tracked {
                 return Err(WearError::OutOfRange {
                     name: "track area of the revolving counterface",
                     value: f64::NAN,
-                    wanted: "given for a list of points",
+                    wanted: "given for a surface that is neither arc nor sector",
                 });
             }
             let density = Density::Receding {

@@ -87,7 +87,7 @@ impl Problem {
             }
         }
         if let Some(cap) = self.p_max
-            && !(cap > 0.0)
+            && (cap.is_nan() || cap <= 0.0)
         {
             return Err(WearError::OutOfRange {
                 name: "p_max",

@@ -43,7 +43,8 @@ pub(crate) fn invert(rule: WearRule, log_rate: f64, speed: f64) -> (f64, f64) {
         step *= 2.0;
     }
     step = 1.0;
-    while !(defect(low).0 < 0.0) && low > -700.0 {
+    // Below a threshold the rate is zero and its logarithm -inf: that is low enough.
+    while defect(low).0 >= 0.0 && low > -700.0 {
         low -= step;
         step *= 2.0;
     }

@@ -79,7 +79,7 @@ pub(crate) fn limit(
                 .filter(|place| value(place) <= best + tie)
                 .copied()
                 .collect();
-            if reach < 1.0 && reach < 1e-9 {
+            if reach < 1e-9 {
                 break;
             }
             reach *= 0.25;

@@ -266,23 +266,23 @@ impl<'a> Stage<'a> {
         let mut speeds = (f64::INFINITY, 0.0_f64);
         problem.surface.survey(&mut |point| {
             let values = law.mode_values(point);
-            for k in 0..count {
-                largest[k] = largest[k].max(values.phi[k].abs());
-                smallest = smallest.min(values.phi[k]);
+            for (most, phi) in largest[..count].iter_mut().zip(values.phi) {
+                *most = most.max(phi.abs());
+                smallest = smallest.min(phi);
             }
             speeds = (
                 speeds.0.min(point.sliding_speed),
                 speeds.1.max(point.sliding_speed),
             );
         });
-        for k in 0..count {
-            if !(largest[k] > 0.0 && largest[k].is_finite()) {
+        for (k, most) in largest[..count].iter().enumerate() {
+            if !(*most > 0.0 && most.is_finite()) {
                 return Err(WearError::Modes {
                     count,
                     why: "a mode does not move the surface along its normal",
                 });
             }
-            law.scale[k] = largest[k];
+            law.scale[k] = *most;
         }
         let low = if speeds.0 > 0.0 { speeds.0 } else { speeds.1 };
         let reference = if density.falls_with_speed() {

@@ -1,0 +1,148 @@
+//! Surfaces with two parameters: lines at the Gauss points of outer cells.
+//!
+//! An outer cell is halved where the lines' integrals vary too much; it ends exactly where the end of contact moves from one border
+//! of the surface to another, and is graded towards such a place.
+
+use crate::cells::{Line, SAMPLES, Settings, smooth, spread};
+use crate::quadrature::{ORDER, Rule, legendre};
+use crate::stage::{Node, Stage};
+
+/// Ratio of neighbouring cells next to a place where the end of contact changes border, and the smallest cell there.
+const GRADING: [f64; 2] = [0.15, 3e-3];
+
+/// An outer cell; `graded` marks ends at which the lines' integrals are not smooth.
+#[derive(Clone, Copy)]
+struct Cell {
+    lo: f64,
+    hi: f64,
+    graded: [bool; 2],
+}
+
+impl Stage<'_> {
+    pub(crate) fn collect_lines(
+        &self,
+        range: [f64; 2],
+        inner: [f64; 2],
+        settings: Settings,
+        front: &Rule,
+        nodes: &mut Vec<Node>,
+    ) {
+        let whole = range[1] - range[0];
+        let mut stack = vec![Cell {
+            lo: range[0],
+            hi: range[1],
+            graded: [false; 2],
+        }];
+        let mut top = f64::NEG_INFINITY;
+        for i in 0..=16 {
+            top = top.max(
+                self.profile(range[0] + whole * f64::from(i) / 16.0, inner)
+                    .0,
+            );
+        }
+        while let Some(cell) = stack.pop() {
+            let Cell { lo, hi, graded } = cell;
+            let length = hi - lo;
+            let place = |i: usize| lo + length * (0.002 + 0.249 * i as f64);
+            let profile: [(f64, u8); SAMPLES] =
+                std::array::from_fn(|i| self.profile(place(i), inner));
+            let values = profile.map(|entry| entry.0);
+            let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+            top = top.max(largest);
+            let change = (1..SAMPLES).find(|i| profile[*i].1 != profile[*i - 1].1);
+            if largest == f64::NEG_INFINITY && change.is_none() {
+                continue;
+            }
+            let split = if length < 1e-7 * whole || largest < top - settings.drop {
+                None
+            } else if let Some(i) = change {
+                Some((
+                    self.border([place(i - 1), place(i)], profile[i - 1].1, inner),
+                    true,
+                ))
+            } else if graded[0] && length > GRADING[1] * whole {
+                Some((lo + GRADING[0] * length, false))
+            } else if graded[1] && length > GRADING[1] * whole {
+                Some((hi - GRADING[0] * length, false))
+            } else if !smooth(&values, 0.1) || spread(&values) > settings.spread {
+                Some((0.5 * (lo + hi), false))
+            } else {
+                None
+            };
+            match split {
+                Some((middle, mark)) if middle > lo && middle < hi => {
+                    stack.push(Cell {
+                        lo: middle,
+                        hi,
+                        graded: [mark, graded[1]],
+                    });
+                    stack.push(Cell {
+                        lo,
+                        hi: middle,
+                        graded: [graded[0], mark],
+                    });
+                }
+                _ => {
+                    let rule = legendre();
+                    for i in 0..ORDER {
+                        let outer = lo + length * rule.abscissa[i];
+                        let weight = length * rule.weight[i];
+                        Line {
+                            stage: self,
+                            outer,
+                            weight,
+                            settings,
+                            front,
+                        }
+                        .collect(inner, nodes);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Outer parameter at which the set of line ends in contact changes from `before`, by bisection.
+    fn border(&self, ends: [f64; 2], before: u8, inner: [f64; 2]) -> f64 {
+        let [mut a, mut b] = ends;
+        for _ in 0..60 {
+            let middle = 0.5 * (a + b);
+            if self.ends_in_contact(middle, inner) == before {
+                a = middle
+            } else {
+                b = middle
+            }
+        }
+        0.5 * (a + b)
+    }
+
+    /// Which of the two ends of a line have f > 0.
+    fn ends_in_contact(&self, outer: f64, inner: [f64; 2]) -> u8 {
+        let touches = |u: f64| u8::from(self.law.node(self.problem.surface.at(u, outer)).f > 0.0);
+        touches(inner[0]) + 2 * touches(inner[1])
+    }
+
+    /// log of a coarse integral over the line, and which of its ends are in contact.
+    fn profile(&self, outer: f64, inner: [f64; 2]) -> (f64, u8) {
+        let mut largest = f64::NEG_INFINITY;
+        let mut logs = [f64::NEG_INFINITY; 9];
+        for (i, entry) in logs.iter_mut().enumerate() {
+            let u = inner[0] + (inner[1] - inner[0]) * i as f64 / 8.0;
+            let node = self.law.node(self.problem.surface.at(u, outer));
+            *entry = node.log_h + node.point.weight.ln();
+            largest = largest.max(*entry);
+        }
+        let ends = self.ends_in_contact(outer, inner);
+        if largest == f64::NEG_INFINITY {
+            return (largest, ends);
+        }
+        (
+            largest
+                + logs
+                    .iter()
+                    .map(|entry| (entry - largest).exp())
+                    .sum::<f64>()
+                    .ln(),
+            ends,
+        )
+    }
+}
