@@ -244,8 +244,8 @@ impl<'a> Evolution<'a> {
                 (None, _) => 0.2,
                 (Some(_), Stepping::Fixed(_)) => 1.0,
                 (Some(trial), Stepping::Adaptive { accuracy }) => {
-                    let power = Tableau::of(self.problem.scheme).map_or(1.0, |t| t.power);
-                    (0.9 * (accuracy / trial.error.max(f64::MIN_POSITIVE)).powf(1.0 / power)).clamp(0.1, GROWTH)
+                    let (power, tolerance) = Tableau::of(self.problem.scheme).map_or((1.0, accuracy), |t| (t.power, t.tolerance(accuracy)));
+                    (0.9 * (tolerance / trial.error.max(f64::MIN_POSITIVE)).powf(1.0 / power)).clamp(0.1, GROWTH)
                 }
             };
             match trial {

@@ -51,45 +51,45 @@ impl RigidWear {
         }
     }
 
-    /// `||r - Proj r|| / ||r||` in the area norm over the points under pressure; without rigid modes `||r||` over `start`.
+    /// `||r - Proj r|| / ||r||` in the area norm over the points under pressure, with the closing of open points by the rigid part added
+    /// to the numerator: a run whose open points still come closer is not steady. Without rigid modes `||r||` over `start`.
     pub(crate) fn residual(&self, weights: &[f64], rate: &[f64], pressure: &[f64], start: f64) -> f64 {
-        let inside: Vec<usize> = (0..rate.len()).filter(|i| pressure[*i] > 0.0).collect();
-        let root: Vec<f64> = inside.iter().map(|i| weights[*i].sqrt()).collect();
-        let norm = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
-        let mut rest: Vec<f64> = inside.iter().zip(&root).map(|(i, w)| w * rate[*i]).collect();
-        let whole = norm(&rest);
+        let inside: Vec<f64> = weights.iter().zip(pressure).map(|(w, p)| if *p > 0.0 { *w } else { 0.0 }).collect();
+        let product = |a: &[f64], b: &[f64]| -> f64 { inside.iter().zip(a).zip(b).map(|((w, a), b)| w * a * b).sum() };
+        let whole = product(rate, rate).sqrt();
         if whole == 0.0 {
             return 0.0;
         }
         if self.influence.ncols() == 0 {
             return whole / start;
         }
+        let remove = |vector: &mut Vec<f64>, unit: &Vec<f64>| {
+            let part = product(vector, unit);
+            vector.iter_mut().zip(unit).for_each(|(v, u)| *v -= part * u);
+        };
         let mut basis: Vec<Vec<f64>> = Vec::new();
         for k in 0..self.influence.ncols() {
-            let mut column: Vec<f64> = inside.iter().zip(&root).map(|(i, w)| w * self.influence[(*i, k)]).collect();
-            let size = norm(&column);
-            for _ in 0..2 {
-                basis.iter().for_each(|b| remove(&mut column, b));
-            }
-            let left = norm(&column);
+            let mut column = self.influence.col_as_slice(k).to_vec();
+            let size = product(&column, &column).sqrt();
+            (0..2).for_each(|_| basis.iter().for_each(|b| remove(&mut column, b)));
+            let left = product(&column, &column).sqrt();
             if left > 1e-10 * size {
                 column.iter_mut().for_each(|c| *c /= left);
                 basis.push(column);
             }
         }
-        for _ in 0..2 {
-            basis.iter().for_each(|b| remove(&mut rest, b));
-        }
-        norm(&rest) / whole
+        let mut rest = rate.to_vec();
+        (0..2).for_each(|_| basis.iter().for_each(|b| remove(&mut rest, b)));
+        let square: f64 = (0..rate.len())
+            .map(|i| if pressure[i] > 0.0 { rest[i] } else { rest[i].min(0.0) })
+            .zip(weights)
+            .map(|(r, w)| w * r * r)
+            .sum();
+        square.sqrt() / whole
     }
 }
 
 /// Area norm.
 pub(crate) fn area_norm(weights: &[f64], values: &[f64]) -> f64 {
     weights.iter().zip(values).map(|(w, v)| w * v * v).sum::<f64>().sqrt()
-}
-
-fn remove(vector: &mut [f64], unit: &[f64]) {
-    let part: f64 = vector.iter().zip(unit).map(|(v, u)| v * u).sum();
-    vector.iter_mut().zip(unit).for_each(|(v, u)| *v -= part * u);
 }

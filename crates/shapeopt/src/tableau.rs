@@ -8,8 +8,10 @@ pub(crate) struct Tableau {
     pub(crate) rows: &'static [&'static [f64]],
     /// Error estimate: factor of the rate at the start of the step, then those of the stages.
     pub(crate) error: &'static [f64],
-    /// The estimated error falls like the step to this power.
+    /// The estimated error of a step falls like the step to this power.
     pub(crate) power: f64,
+    /// Order of the error at the end.
+    pub(crate) order: f64,
 }
 
 /// `1 - 1/sqrt(2)`.
@@ -18,9 +20,9 @@ const G: f64 = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
 /// `(1/3 - (1 - G) G^2 - G) / (G (1 - G))`.
 const E: f64 = (1.0 / 3.0 - (1.0 - G) * G * G - G) / (G * (1.0 - G));
 
-const BACKWARD_EULER: Tableau = Tableau { rows: &[&[1.0]], error: &[-0.5, 0.5], power: 2.0 };
+const BACKWARD_EULER: Tableau = Tableau { rows: &[&[1.0]], error: &[-0.5, 0.5], power: 2.0, order: 1.0 };
 
-const SDIRK2: Tableau = Tableau { rows: &[&[G], &[1.0 - G, G]], error: &[-(1.0 - G) * E, E, -G * E], power: 3.0 };
+const SDIRK2: Tableau = Tableau { rows: &[&[G], &[1.0 - G, G]], error: &[-(1.0 - G) * E, E, -G * E], power: 3.0, order: 2.0 };
 
 const SDIRK4: Tableau = Tableau {
     rows: &[
@@ -32,6 +34,7 @@ const SDIRK4: Tableau = Tableau {
     ],
     error: &[0.0, -3.0 / 16.0, -27.0 / 32.0, 25.0 / 32.0, 0.0, 0.25],
     power: 4.0,
+    order: 4.0,
 };
 
 impl Tableau {
@@ -48,6 +51,11 @@ impl Tableau {
     /// The common diagonal.
     pub(crate) fn diagonal(&self) -> f64 {
         self.rows[0][0]
+    }
+
+    /// Error of a step whose errors add up to `accuracy`, by the orders of both.
+    pub(crate) fn tolerance(&self, accuracy: f64) -> f64 {
+        accuracy.powf(self.power / self.order)
     }
 
     /// The weights.

@@ -75,10 +75,10 @@ pub enum Scheme {
 /// Choice of steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stepping {
-    /// Steps whose estimated errors of pressure (force misplaced over the force) and gap (over the elastic closing plus the wear
-    /// depth) stay below `accuracy`. An explicit integrator takes 0.9 of its stability bound.
+    /// Steps whose estimated errors of pressure (force misplaced over the force) and gap (over the larger of elastic closing and wear
+    /// depth) add up to about `accuracy` over the run. An explicit integrator takes 0.9 of its stability bound.
     Adaptive {
-        /// Error of one step.
+        /// Error wanted.
         accuracy: f64,
     },
     /// Equal steps, s.
@@ -86,7 +86,7 @@ pub enum Stepping {
 }
 
 impl WearProblem {
-    /// A run under one load until the steady state, with order 4 and an error of 1e-4 a step.
+    /// A run under one load until the steady state, with order 4 and an accuracy of 1e-4.
     pub fn new(points: Vec<SurfacePoint>, wear: WearPair, counterface: Counterface, gap: Vec<f64>, system: ContactSystem) -> WearProblem {
         let speeds = points.iter().map(|p| p.sliding_speed).collect();
         WearProblem {

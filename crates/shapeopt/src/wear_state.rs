@@ -29,8 +29,8 @@ pub struct WearState {
     pub recession: f64,
     /// Volumes worn off the bodies, mm^3.
     pub volume: [f64; 2],
-    /// Area norm of the gap rate less its rigid part over that of the gap rate, on the points in contact. Without free
-    /// rigid modes: area norm of the gap rate over that at the start.
+    /// Area norm of the gap rate less its rigid part over that of the gap rate, on the points in contact; open points
+    /// that the rigid part closes count as well. Without free rigid modes: area norm of the gap rate over that at the start.
     pub steady_residual: f64,
     /// Area norm of the gap rate at the start.
     pub start_rate: f64,

@@ -64,6 +64,29 @@ pub fn half_plane(points: &[SurfacePoint], moment: Option<f64>, modulus: f64) ->
     system(points, moment, compliance)
 }
 
+/// Half-plane under periodic pressure of period `2 HALF_WIDTH`: a wave of number `k` yields `2 / (E* k)` per pressure.
+pub fn periodic_half_plane(points: &[SurfacePoint], modulus: f64) -> ContactSystem {
+    let n = points.len();
+    let h = 2.0 * HALF_WIDTH / n as f64;
+    let compliance = Mat::from_fn(n, n, |i, j| {
+        let waves: f64 = (1..=n / 2)
+            .map(|m| {
+                let k = std::f64::consts::PI * m as f64 / HALF_WIDTH;
+                let pair = if 2 * m == n { 1.0 } else { 2.0 };
+                pair * 2.0 / (modulus * k) * (k * h * (i as f64 - j as f64)).cos()
+            })
+            .sum();
+        (waves + HALF_WIDTH / modulus) / (n as f64 * points[j].weight)
+    });
+    system(points, None, compliance)
+}
+
+/// Gap under which the given pressure meets the load with the rigid coordinates at zero.
+pub fn gap_for(system: &ContactSystem, points: &[SurfacePoint], pressure: impl Fn(&SurfacePoint) -> f64) -> Vec<f64> {
+    let row = |i: usize| -> f64 { points.iter().enumerate().map(|(j, p)| system.compliance[(i, j)] * p.weight * pressure(p)).sum() };
+    (0..points.len()).map(|i| -row(i)).collect()
+}
+
 /// Archard-like wear of body 1 with `factor p^b v`.
 pub fn rule(factor: f64, b: f64) -> WearPair {
     WearPair::archard([factor, 0.0], [1.0, 1.0], [b, b])

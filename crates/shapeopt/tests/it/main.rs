@@ -3,4 +3,7 @@
 
 mod bodies;
 mod closed_form;
+mod decay;
+mod order;
+mod stability;
 mod steady;
