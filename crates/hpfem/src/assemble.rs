@@ -43,7 +43,10 @@ pub(crate) struct Assembly<'a> {
     pub(crate) mesh: &'a Mesh,
     pub(crate) space: &'a Space,
     pub(crate) kinematics: Kinematics,
-    pub(crate) materials: &'a [Material],
+    /// Materials in units of `unit`.
+    pub(crate) materials: Vec<Material>,
+    /// Stiffnesses and loads are divided by this power of two.
+    pub(crate) unit: f64,
     pub(crate) tables: Vec<Option<Arc<Table>>>,
     /// `(column, traction)` for each edge, by edge.
     pub(crate) edge_loads: Vec<Vec<(usize, usize, usize)>>,
@@ -271,7 +274,8 @@ impl Assembly<'_> {
                 for (t, w) in rule.points.iter().zip(&rule.weights) {
                     let (point, length) = boundary_point(&curve, *t, e >= 2);
                     let value = traction(&point);
-                    let weight = w * length * self.kinematics.measure(point.position[0]);
+                    let measure = self.kinematics.measure(point.position[0]) / self.unit;
+                    let weight = w * length * measure;
                     for (sum, shape) in sums.iter_mut().zip(shape_functions(degree, *t).0) {
                         sum[0] += weight * shape * value[0];
                         sum[1] += weight * shape * value[1];

@@ -3,6 +3,7 @@
 use crate::assemble::{Assembly, LoadCase, edge_modes, points_for, rotation_about_origin};
 use crate::basis::Table;
 use crate::cell_matrix::map_cells;
+use crate::check::{check, unit_of_stiffness};
 use crate::elimination::{Condensed, Plan, not_held};
 use crate::error::Error;
 use crate::field::Field;
@@ -93,9 +94,11 @@ impl<'a> Body<'a> {
         let plan = Plan::new(&element_groups, &space.size, &kept_groups);
         let ordered = start.elapsed();
         let assembly = assembly(&problem, &space)?;
-        let columns = assembly.columns;
+        let (columns, unit) = (assembly.columns, assembly.unit);
         let shared = assembly.shared_matrices()?;
-        let results = map_cells(mesh.cells.len(), |work, c| assembly.cell(c, &plan.rank, &shared, work));
+        let results = map_cells(mesh.cells.len(), |work, c| {
+            assembly.cell(c, &plan.rank, &shared, work)
+        });
         let mut elements = Vec::with_capacity(mesh.cells.len());
         let mut reaction_constant = Mat::zeros(3 * supports.len(), columns);
         for result in results {
@@ -110,15 +113,12 @@ impl<'a> Body<'a> {
         let condensed = plan
             .run(elements, &space.size, &kept_groups, columns)
             .map_err(|g| not_held(place(mesh, g)))?;
-        if let Some(value) = condensed
-            .rhs
-            .col_iter()
-            .flat_map(|c| c.iter().copied())
-            .find(|v| !v.is_finite())
-        {
+        let finite = |m: &Mat<f64>| m.col_iter().all(|c| c.iter().all(|v| v.is_finite()));
+        if !(finite(&condensed.rhs) && finite(&condensed.work)) {
+            let quantity = "a load, or what is left of it after elimination,".into();
             return Err(Error::OutOfRange {
-                quantity: "a load or its condensed part".into(),
-                value,
+                quantity,
+                value: f64::NAN,
                 range: "finite",
             });
         }
@@ -159,14 +159,14 @@ impl<'a> Body<'a> {
         let interface = InterfaceOperator {
             kinematics: problem.kinematics,
             trace,
-            stiffness: condensed.stiffness.clone(),
-            columns: condensed.rhs.clone(),
-            work: condensed.work.clone(),
+            stiffness: faer::Scale(unit) * &condensed.stiffness,
+            columns: faer::Scale(unit) * &condensed.rhs,
+            work: faer::Scale(unit) * &condensed.work,
             rigid_modes,
             rigid_motions,
             load_cases: problem.load_cases.len(),
             frame,
-            reaction_constant,
+            reaction_constant: faer::Scale(unit) * reaction_constant,
         };
         let effort = Effort {
             cells: mesh.cells.len(),
@@ -247,65 +247,6 @@ impl<'a> Body<'a> {
     }
 }
 
-/// Refuses a problem whose lists do not fit together or whose numbers cannot be.
-fn check(problem: &BodyProblem<'_>) -> Result<(), Error> {
-    let mesh = problem.mesh;
-    let count = |what: &str, given, expected| {
-        Err(Error::Count {
-            what: what.into(),
-            given,
-            expected,
-        })
-    };
-    if problem.degrees.len() != mesh.cells.len() {
-        return count("degrees of cells", problem.degrees.len(), mesh.cells.len());
-    }
-    if let Some(cell) = mesh
-        .cells
-        .iter()
-        .find(|c| c.material >= problem.materials.len())
-    {
-        return count("materials", problem.materials.len(), cell.material + 1);
-    }
-    let out = |quantity: String, value, range| {
-        Err(Error::OutOfRange {
-            quantity,
-            value,
-            range,
-        })
-    };
-    if let Kinematics::PlaneStress { thickness } | Kinematics::PlaneStrain { thickness } =
-        problem.kinematics
-        && !(thickness > 0.0 && thickness.is_finite())
-    {
-        return out("the thickness".into(), thickness, "positive and finite");
-    }
-    let size = mesh
-        .vertices
-        .iter()
-        .flatten()
-        .fold(0.0_f64, |m, x| m.max(x.abs()));
-    for (i, x) in mesh.vertices.iter().enumerate() {
-        if problem.kinematics.is_revolved() && x[0] < -1e-12 * size {
-            return out(
-                format!("the radius of vertex {i}"),
-                x[0],
-                "zero or positive",
-            );
-        }
-    }
-    for support in problem.supports {
-        if !support.value.is_finite() {
-            return out(
-                format!("the displacement of support \"{}\"", support.boundary),
-                support.value,
-                "finite",
-            );
-        }
-    }
-    Ok(())
-}
-
 /// Groups whose unknowns are kept: those of the path in order, then the rigid edge.
 fn kept_groups(mesh: &Mesh, space: &Space, walk: &[(usize, bool)]) -> Vec<usize> {
     let mut groups = Vec::new();
@@ -324,6 +265,7 @@ fn kept_groups(mesh: &Mesh, space: &Space, walk: &[(usize, bool)]) -> Vec<usize>
 
 fn assembly<'b>(problem: &'b BodyProblem<'_>, space: &'b Space) -> Result<Assembly<'b>, Error> {
     let mesh = problem.mesh;
+    let unit = unit_of_stiffness(problem);
     let mut tables: Vec<Option<Arc<Table>>> = Vec::new();
     for degree in &space.cell_degree {
         if tables.len() <= *degree {
@@ -360,7 +302,12 @@ fn assembly<'b>(problem: &'b BodyProblem<'_>, space: &'b Space) -> Result<Assemb
         mesh,
         space,
         kinematics: problem.kinematics,
-        materials: problem.materials,
+        materials: problem
+            .materials
+            .iter()
+            .map(|m| m.scaled(1.0 / unit))
+            .collect(),
+        unit,
         tables,
         edge_loads,
         load_cases: problem.load_cases,

@@ -1,9 +1,10 @@
 //! What is left of a body when everything but its kept boundary is eliminated.
 
+use crate::check::power_of_two_below;
 use crate::material::Kinematics;
 use crate::trace::{Trace, TraceLoad};
 use faer::linalg::solvers::Solve;
-use faer::{Mat, Side};
+use faer::{Mat, Scale, Side};
 
 /// A body reduced to its kept boundary: `S u_c = f_c + sum_k a_k F_k`, with `S = K_cc - K_ci K_ii^-1 K_ic`.
 ///
@@ -75,10 +76,13 @@ impl InterfaceOperator {
     pub fn solve(&self, right: &Mat<f64>, gauge: &Mat<f64>) -> Mat<f64> {
         let n = self.stiffness.nrows();
         let r = self.rigid_modes.ncols();
-        if r == 0 {
-            if let Ok(llt) = self.stiffness.llt(Side::Lower) {
-                return llt.solve(right);
-            }
+        // In units of a power of two, so that equal problems in other units go through the same square roots.
+        let scale = (0..n).map(|i| self.stiffness[(i, i)]).fold(0.0, f64::max);
+        let unit = 1.0 / power_of_two_below(scale);
+        if r == 0
+            && let Ok(llt) = (Scale(unit) * &self.stiffness).llt(Side::Lower)
+        {
+            return llt.solve(Scale(unit) * right);
         }
         // Scale the border like the stiffness so that pivoting sees comparable rows.
         let scale = (0..n).map(|i| self.stiffness[(i, i)]).fold(0.0, f64::max);
@@ -99,7 +103,9 @@ impl InterfaceOperator {
     /// [`InterfaceOperator::solve`] for one right-hand side, the answer orthogonal to the rigid modes.
     pub fn solve_one(&self, right: &[f64]) -> Vec<f64> {
         let right = Mat::from_fn(right.len(), 1, |i, _| right[i]);
-        self.solve(&right, &self.rigid_modes).col_as_slice(0).to_vec()
+        self.solve(&right, &self.rigid_modes)
+            .col_as_slice(0)
+            .to_vec()
     }
 
     /// Work of column `k` in a state: `F_k . u` of the whole body. For a load case this is the work of its loads; for a

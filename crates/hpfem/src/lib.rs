@@ -11,6 +11,7 @@ mod basis;
 mod blocks;
 mod body;
 mod cell_matrix;
+mod check;
 mod congruence;
 mod curve;
 mod element;

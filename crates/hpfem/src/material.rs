@@ -80,6 +80,14 @@ impl Material {
         }
     }
 
+    /// The material with its modulus multiplied by a positive factor.
+    pub(crate) fn scaled(self, factor: f64) -> Material {
+        Material {
+            young: self.young * factor,
+            ..self
+        }
+    }
+
     /// Young's modulus.
     pub fn young(&self) -> f64 {
         self.young

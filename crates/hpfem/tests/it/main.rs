@@ -1,10 +1,15 @@
 //! Tests of the crate, one binary.
 #![allow(clippy::unwrap_used, missing_docs)]
 
+mod classics;
 mod common;
 mod continuity;
 mod convergence;
 mod exact;
+mod extremes;
+mod input;
+mod lshape;
 mod patch;
 mod quadrature;
 mod quadrature_table;
+mod supports;
