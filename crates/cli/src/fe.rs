@@ -7,19 +7,17 @@ mod shape;
 mod stage;
 mod template;
 mod torsion;
+mod wear;
 
 use crate::fault::Fault;
-use crate::scene::Task;
-use crate::setup::{Problem, word};
+use crate::setup::Problem;
 use crate::solution::{Solution, Status};
 use crate::solve::Options;
 
 /// Refuses what is not built yet, before anything is written.
 pub(crate) fn available(problem: &Problem) -> Result<(), Fault> {
-    let built = [Task::Pressure, Task::Contact, Task::Shape];
-    if let Some(task) = problem.tasks.iter().find(|task| !built.contains(task)) {
-        let message = format!("the task \"{}\" is not available yet", word(*task));
-        return Err(Fault::at("tasks", "not-available", message, "ask for tasks = [\"pressure\", \"shape\"]"));
+    if !problem.plan.runs("mesh") {
+        return Ok(());
     }
     stage::Stage::new(problem).map(|_| ())
 }
@@ -32,6 +30,9 @@ pub(crate) fn solve(problem: &Problem, options: Options, solution: &mut Solution
     }
     if solution.status != Status::Refused && problem.plan.runs("shape") {
         shape::solve(problem, options, solution)?;
+    }
+    if solution.status != Status::Refused && problem.plan.runs("evolution") {
+        wear::solve(problem, options, solution)?;
     }
     Ok(())
 }

@@ -154,8 +154,17 @@ pub(super) fn start_gap(stage: Stage<'_>, pair: &Pair<'_>, arc: f64) -> f64 {
     }
 }
 
-/// Pressure between the points: the polynomial through the points of the edge.
+/// Pressure between the points: the polynomial through the points of the edge, or straight lines on an edge that is partly open.
 pub(super) fn pressure_at(pair: &Pair<'_>, operator: &ContactOperator<'_>, pressure: &[f64], arc: f64) -> f64 {
+    between(pair, operator, pressure, arc, true)
+}
+
+/// A smooth quantity between the points: the polynomial through the points of the edge.
+pub(super) fn polynomial_at(pair: &Pair<'_>, operator: &ContactOperator<'_>, values: &[f64], arc: f64) -> f64 {
+    between(pair, operator, values, arc, false)
+}
+
+fn between(pair: &Pair<'_>, operator: &ContactOperator<'_>, values: &[f64], arc: f64, kinked_by_zeros: bool) -> f64 {
     let trace = &pair.shaped.trace;
     let (edge, _) = trace.locate(arc);
     let first: usize = trace.edges[..edge].iter().map(|e| e.degree).sum();
@@ -165,11 +174,11 @@ pub(super) fn pressure_at(pair: &Pair<'_>, operator: &ContactOperator<'_>, press
     let ends = [arcs[0], arcs[n - 1]];
     let to_unit = |arc: f64| (2.0 * (arc - ends[0]) / (ends[1] - ends[0]) - 1.0).clamp(-1.0, 1.0);
     let nodes: Vec<f64> = arcs.iter().map(|a| to_unit(*a)).collect();
-    if pressure[range.clone()].contains(&0.0) {
-        return linear(&arcs, &pressure[range], arc);
+    if kinked_by_zeros && values[range.clone()].contains(&0.0) {
+        return linear(&arcs, &values[range], arc);
     }
     let shapes = hpfem::lagrange(&nodes, &hpfem::barycentric_weights(&nodes), to_unit(arc));
-    shapes.iter().zip(&pressure[range]).map(|(l, p)| l * p).sum()
+    shapes.iter().zip(&values[range]).map(|(l, p)| l * p).sum()
 }
 
 /// Piecewise linear interpolation in ascending points.

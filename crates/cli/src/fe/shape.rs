@@ -25,7 +25,7 @@ const SAMPLES: usize = 201;
 struct Solved {
     level: Level,
     gaps: Vec<f64>,
-    /// Closing velocities of the rigid modes at the samples, each scaled to size one.
+    /// Closing velocities of the rigid modes at the samples.
     closing: DMatrix<f64>,
     curve: GapCurve,
     solution: Solution,
@@ -58,22 +58,34 @@ pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution
 
 /// Estimated `max |dg| / max g` of the last level, after the best rigid part is taken out of each difference.
 fn estimate(solved: &[Solved]) -> Option<f64> {
-    let difference = |a: &Solved, b: &Solved| {
-        let largest = b.gaps.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
-        let gap = DVector::from_iterator(SAMPLES, a.gaps.iter().zip(&b.gaps).map(|(x, y)| x - y));
-        let modes = b.closing.ncols();
-        let rest = if modes == 0 {
-            gap
-        } else {
-            // Least squares by the normal equations of modes scaled to size one.
-            let normal = b.closing.transpose() * &b.closing;
-            let best = normal.lu().solve(&(b.closing.transpose() * &gap)).unwrap_or_else(|| DVector::zeros(modes));
-            gap - &b.closing * best
-        };
-        rest.amax() / largest
-    };
+    let difference = |a: &Solved, b: &Solved| difference_of_gaps(&a.gaps, &b.gaps, &b.closing);
     let [.., a, b, c] = solved else { return None };
     Some(rest(difference(a, b), difference(b, c)))
+}
+
+/// `max |a - b| / max b` of two sampled gaps, after the best combination of closing velocities (one column a mode) is taken out
+/// of the difference.
+pub(super) fn difference_of_gaps(a: &[f64], b: &[f64], closing: &DMatrix<f64>) -> f64 {
+    let largest = b.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+    let difference = DVector::from_iterator(a.len(), a.iter().zip(b).map(|(x, y)| x - y));
+    let mut modes = closing.clone();
+    for mut column in modes.column_iter_mut() {
+        let size = column.amax();
+        if size > 0.0 {
+            column /= size;
+        }
+    }
+    if modes.ncols() == 0 {
+        return difference.amax() / largest;
+    }
+    // Least squares by the normal equations of modes scaled to size one.
+    let normal = modes.transpose() * &modes;
+    let best = normal.lu().solve(&(modes.transpose() * &difference));
+    let rest = match best {
+        Some(best) => difference - modes * best,
+        None => difference,
+    };
+    rest.amax() / largest
 }
 
 /// Takes over the last level with the error estimate and the effort of all, and proves it.
@@ -144,12 +156,6 @@ impl Shaper<'_> {
                 modes[(row, k)] = phi;
             }
         }
-        for mut column in modes.column_iter_mut() {
-            let size = column.amax();
-            if size > 0.0 {
-                column /= size;
-            }
-        }
         let most = (0..gaps.len()).max_by(|a, b| gaps[*a].total_cmp(&gaps[*b])).unwrap_or(0);
         let roundtrip_same = match stage.problem.plan.runs("round trip") {
             true => Some(round_trip::same(self, &pair, &shape)?),
@@ -210,12 +216,8 @@ impl Shaper<'_> {
 
     /// The smallest gap, or the rigid part that approach, tilt and approach_time prescribe.
     fn rigid_part(&self, pair: &Pair<'_>) -> Result<RigidPart, Fault> {
-        let Some(load) = self.stage.scene().load.as_ref().filter(|_| self.stage.rigid_edge()) else {
-            return Ok(RigidPart::Smallest);
-        };
-        if load.approach.is_none() && load.approach_time.is_none() {
-            return Ok(RigidPart::Smallest);
-        }
+        let load = self.stage.scene().load.as_ref().filter(|_| self.stage.rigid_prescribed());
+        let Some(load) = load else { return Ok(RigidPart::Smallest) };
         let time = load.approach_time.map_or(0.0, |t| t.0);
         if time != 0.0 && self.feed.is_empty() {
             let message = "approach_time needs the feed of wear, and the multipliers of this functional are no velocities";

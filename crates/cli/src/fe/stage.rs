@@ -112,6 +112,12 @@ impl<'a> Stage<'a> {
         self.scene().load.as_ref().is_some_and(|load| load.kind == Some(LoadKind::Rigid))
     }
 
+    /// Whether the rigid part of a gap is prescribed instead of the smallest.
+    pub(super) fn rigid_prescribed(&self) -> bool {
+        let load = self.scene().load.as_ref().filter(|_| self.rigid_edge());
+        load.is_some_and(|load| load.approach.is_some() || load.approach_time.is_some())
+    }
+
     /// Load-case factors of body 1: the load alone.
     pub(super) fn cases(&self) -> Vec<f64> {
         if self.rigid_edge() { vec![] } else { vec![1.0, 0.0, 0.0, 0.0] }

@@ -239,9 +239,9 @@ fn segment_breaks(scene: &Scene, segment: &RingSegment, cut: Cut) -> SegmentBrea
     let finer = if cut == Cut::Shifted { 0.8 } else { 1.0 };
     let step = (1.5 * finer * thickness / (segment.inner.0 * (inner[1] - inner[0]))).min(1.0);
     let points = merged(points);
-    // No cell may lie between two points that both need layers.
-    let closest = points.windows(2).map(|pair| pair[1] - pair[0]).fold(2.0, f64::min);
-    SegmentBreaks { breaks: subdivide(&points, step.min(0.5 * closest)), load, middle }
+    // No cell may lie between two points that both need layers: at least two pieces everywhere.
+    let halves: Vec<f64> = points.windows(2).flat_map(|pair| [pair[0], 0.5 * (pair[0] + pair[1])]).chain([1.0]).collect();
+    SegmentBreaks { breaks: subdivide(&halves, step), load, middle }
 }
 
 fn ring_segment(scene: &Scene, segment: &RingSegment, cut: Cut) -> Result<Coarse, hpfem::Error> {

@@ -1,0 +1,330 @@
+//! The wear stage: the gap in time, from the start gap until it is steady or a time is over.
+
+use std::time::Instant;
+
+use contact::{ContactOperator, Pair};
+use nalgebra::DMatrix;
+use shapeopt::{Curve, Evolution, EvolutionStatus, Stepping, Until, WearProblem, closing, lowest_nonnegative};
+
+use crate::fault::Fault;
+use crate::fe::bodies::Level;
+use crate::fe::contact::{polynomial_at, pressure_at, start_gap};
+use crate::fe::shape::difference_of_gaps;
+use crate::fe::stage::{Stage, add_times, note, pair, rest};
+use crate::fe::template::Cut;
+use crate::gap;
+use crate::profile::Profile;
+use crate::scene;
+use crate::setup::Problem;
+use crate::solution::{EnergyResult, Solution, Status, WearResult};
+use crate::solve::Options;
+
+/// Samples of the gap for the comparison of levels.
+const SAMPLES: usize = 201;
+/// Certificate of the steady state.
+const STEADY: f64 = 1e-9;
+/// Most steps of a run.
+const MOST_STEPS: usize = 20_000;
+/// Run-in distances in the summary, slowest first.
+const RUN_IN: usize = 4;
+
+struct Solved {
+    gaps: Vec<f64>,
+    closing: DMatrix<f64>,
+    ended: EvolutionStatus,
+    solution: Solution,
+}
+
+/// Runs the wear in time and fills in the solution.
+pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution) -> Result<(), Fault> {
+    let stage = Stage::new(problem)?;
+    let fixed = stage.fixed_level().is_some();
+    let mut solved: Vec<Solved> = Vec::new();
+    for level in stage.ladder() {
+        match run(stage, level, options)? {
+            Ok(level) => solved.push(level),
+            Err(reason) => {
+                solution.status = Status::Refused;
+                solution.reason = Some(reason);
+                return Ok(());
+            }
+        }
+        let stuck = matches!(solved.last().map(|s| &s.ended), Some(EvolutionStatus::Stuck { .. }));
+        if stuck || (!fixed && estimate(&solved).is_some_and(|error| error <= stage.accuracy())) {
+            break;
+        }
+    }
+    finish(stage, solved, fixed, solution);
+    Ok(())
+}
+
+/// Estimated `max |dg| / max g` at the end, modulo the rigid part.
+fn estimate(solved: &[Solved]) -> Option<f64> {
+    let [.., a, b, c] = solved else { return None };
+    let difference = |a: &Solved, b: &Solved| difference_of_gaps(&a.gaps, &b.gaps, &b.closing);
+    Some(rest(difference(a, b), difference(b, c)))
+}
+
+fn finish(stage: Stage<'_>, mut solved: Vec<Solved>, fixed: bool, solution: &mut Solution) {
+    let error = estimate(&solved);
+    let levels = solved.len();
+    let times: Vec<_> = solved.iter().map(|s| s.solution.times.clone()).collect();
+    let steps: usize = solved.iter().map(|s| s.solution.counters.wear_steps).sum();
+    let factorisations: usize = solved.iter().map(|s| s.solution.counters.factorisations).sum();
+    let Some(Solved { ended, solution: last, .. }) = solved.pop() else { return };
+    add_times(&times, &mut solution.times);
+    let before = solution.counters.clone();
+    solution.counters = last.counters;
+    solution.counters.factorisations = factorisations + before.factorisations;
+    solution.counters.contact_solves += before.contact_solves;
+    solution.counters.check_solves = before.check_solves;
+    solution.counters.wear_steps = steps;
+    solution.wear = last.wear;
+    solution.energy = last.energy;
+    solution.reactions = last.reactions;
+    solution.profile = last.profile;
+    solution.curve = last.curve;
+    solution.history = last.history;
+    if let EvolutionStatus::Stuck { .. } = ended {
+        solution.status = Status::NotConverged;
+        solution.reason = Some(ended.to_string());
+        return;
+    }
+    if ended == EvolutionStatus::Running {
+        solution.status = Status::NotConverged;
+        solution.reason = Some(format!("the run was not steady after {MOST_STEPS} steps"));
+        return;
+    }
+    let Some(error) = error else { return };
+    let result = solution.error.get_or_insert_default();
+    result.gap_relative = Some(error);
+    result.how = format!("gap at the end: rest of the series of {levels} degrees");
+    if !fixed && error > stage.accuracy() {
+        solution.status = Status::AccuracyMissed;
+        solution.reason =
+            Some(format!("the worn gap is accurate to {error:.1e}, not to the {:.0e} asked for", stage.accuracy()));
+    }
+}
+
+/// One run on one level; the inner `Err` is a start without an answer.
+fn run(stage: Stage<'_>, level: Level, options: Options) -> Result<Result<Solved, String>, Fault> {
+    let mut solution = Solution::default();
+    let parts = stage.parts(level, Cut::Plain, &mut solution)?;
+    let bodies = parts.reduce(&mut solution)?;
+    let start = Instant::now();
+    let pair = pair(&bodies)?;
+    let operator = ContactOperator::new(&pair, stage.friction() > 0.0)
+        .map_err(|error| Fault::at("body1.support", "not-held", error.to_string(), "support the bodies"))?;
+    note(&mut solution, "interface", start);
+    let start = Instant::now();
+    let load = stage.contact_load(operator.points());
+    let problem = match wear_problem(stage, &pair, &operator, &load)? {
+        Ok(problem) => problem,
+        Err(reason) => return Ok(Err(reason)),
+    };
+    let mut evolution = match Evolution::new(&problem) {
+        Ok(evolution) => evolution,
+        Err(error) => return Ok(Err(error.to_string())),
+    };
+    let mut history = History::default();
+    history.push(evolution.state());
+    while *evolution.status() == EvolutionStatus::Running && evolution.state().step < MOST_STEPS {
+        let Some(state) = evolution.next() else { break };
+        history.push(&state);
+    }
+    let state = evolution.state().clone();
+    let ended = evolution.status().clone();
+    let run_in = evolution.run_in();
+    note(&mut solution, "evolution", start);
+    // The worn gap with its lowest rigid part, and the bodies on it.
+    let curve = NodalCurve { pair: &pair, operator: &operator, gap: &state.gap };
+    let rigid = if stage.rigid_prescribed() { None } else { lowest_nonnegative(&curve) };
+    let rigid = rigid.unwrap_or_else(|| vec![0.0; pair.shaped.rigid_modes.ncols()]);
+    let normalised: Vec<f64> = operator
+        .points()
+        .iter()
+        .zip(&state.gap)
+        .map(|(p, g)| g + rigid.iter().zip(closing(&pair, p)).map(|(a, phi)| a * phi).sum::<f64>())
+        .collect();
+    let found = operator
+        .solve(&normalised, &load, None)
+        .map_err(|error| Fault::at("contact", "no-contact", error.to_string(), "check the contact and its load"))?;
+    solution.counters.contact_solves = 2;
+    solution.counters.wear_steps = state.step;
+    let states = [Some(&found.shaped), found.counter.as_ref()];
+    solution.energy = Some(EnergyResult {
+        body1_Nmm: Some(pair.shaped.strain_energy(&found.shaped)),
+        body2_Nmm: pair.counter.zip(found.counter.as_ref()).map(|(body, state)| body.strain_energy(state)),
+    });
+    solution.reactions = parts.reactions(&bodies, states);
+    solution.wear = Some(WearResult {
+        status: word(&ended).into(),
+        steps: state.step,
+        rejected_steps: state.rejected,
+        time_s: Some(state.time),
+        distance_mm: Some(state.distance),
+        steady: state.steady_residual <= STEADY,
+        depth_um: Some(1e3 * state.depth),
+        volume_mm3: Some(state.volume[0] + state.volume[1]),
+        explicit_step_limit_s: run_in.as_ref().map(|r| r.explicit_limit),
+        run_in_distance_mm: run_in.map_or_else(Vec::new, |r| r.distances.into_iter().take(RUN_IN).collect()),
+        lyapunov_increase: (stage.friction() == 0.0).then_some(state.lyapunov_increase),
+    });
+    solution.history = history.columns();
+    let mut profile = stage.profile(&pair, operator.points(), &state.pressure, states);
+    for row in 0..normalised.len() {
+        profile.gap[row] = 1e3 * normalised[row];
+        profile.opening[row] = 1e3 * state.opening[row];
+    }
+    let sampled = |count: usize| -> Profile {
+        let points = stage.sample(&pair, count);
+        let at = |values: &[f64], arc: f64| polynomial_at(&pair, &operator, values, arc);
+        let pressure: Vec<f64> = points.iter().map(|p| pressure_at(&pair, &operator, &state.pressure, p.arc)).collect();
+        let mut profile = stage.profile(&pair, &points, &pressure, states);
+        for (row, point) in points.iter().enumerate() {
+            profile.gap[row] = 1e3 * at(&normalised, point.arc);
+            profile.opening[row] = 1e3 * at(&state.opening, point.arc);
+        }
+        profile
+    };
+    let samples = stage.sample(&pair, SAMPLES);
+    let gaps = samples.iter().map(|p| polynomial_at(&pair, &operator, &normalised, p.arc)).collect();
+    let modes = pair.shaped.rigid_modes.ncols();
+    let mut matrix = DMatrix::zeros(SAMPLES, modes);
+    for (row, point) in samples.iter().enumerate() {
+        closing(&pair, point).into_iter().enumerate().for_each(|(k, phi)| matrix[(row, k)] = phi);
+    }
+    solution.curve = Some(sampled(401));
+    solution.profile = Some(options.sample.map_or(profile, sampled));
+    Ok(Ok(Solved { gaps, closing: matrix, ended, solution }))
+}
+
+/// The wear problem on an operator; the inner `Err` says why it has no answer.
+fn wear_problem(
+    stage: Stage<'_>,
+    pair: &Pair<'_>,
+    operator: &ContactOperator<'_>,
+    load: &contact::ContactLoad,
+) -> Result<Result<WearProblem, String>, Fault> {
+    let points: Vec<wear::SurfacePoint> =
+        operator.points().iter().map(|p| stage.surface_point(p.position, p.normal, p.weight)).collect();
+    let friction = stage.scene().contact.as_ref().and_then(|c| c.friction).unwrap_or(0.0);
+    let laws = crate::solve::pressure::wear_pair(stage.scene(), friction)
+        .map_err(|error| Fault::at("wear", "wrong-value", error.to_string(), "mend the numbers in the message"))?;
+    let counterface = match stage.scene().wear.as_ref().and_then(|wear| wear.counterface) {
+        Some(scene::Counterface::Congruent) => wear::Counterface::Congruent,
+        Some(scene::Counterface::Revolving) => wear::Counterface::Revolving,
+        _ => wear::Counterface::Fresh,
+    };
+    let gap = operator.points().iter().map(|p| start_gap(stage, pair, p.arc)).collect();
+    let system = match operator.system(load) {
+        Ok(system) => system,
+        Err(error) => return Ok(Err(error.to_string())),
+    };
+    let mut problem = WearProblem::new(points, laws, counterface, gap, system);
+    problem.track_area = stage.patch.surface.track_area();
+    problem.until = Until::Steady { residual: STEADY };
+    if let Some(gap::Until::Time(time)) = stage.scene().wear.as_ref().and_then(|wear| wear.until.clone()) {
+        problem.until = Until::Time(time.0);
+        problem.stepping = Stepping::Adaptive { accuracy: stage.accuracy() };
+    }
+    Ok(Ok(problem))
+}
+
+/// The status in the summary's word.
+fn word(status: &EvolutionStatus) -> &'static str {
+    match status {
+        EvolutionStatus::Steady => "steady",
+        EvolutionStatus::TimeReached => "time-reached",
+        EvolutionStatus::Running => "step-limit",
+        EvolutionStatus::Stuck { .. } => "stuck",
+    }
+}
+
+/// Columns of history.csv.
+#[derive(Default)]
+struct History {
+    rows: Vec<[f64; 12]>,
+}
+
+const COLUMNS: [&str; 12] = [
+    "step",
+    "time_s",
+    "distance_mm",
+    "step_size_s",
+    "p_max_MPa",
+    "p_min_MPa",
+    "depth_um",
+    "volume1_mm3",
+    "volume2_mm3",
+    "steady_residual",
+    "lyapunov_mW",
+    "rejected",
+];
+
+impl History {
+    fn push(&mut self, state: &shapeopt::WearState) {
+        let extreme = |start: f64, f: fn(f64, f64) -> f64| state.pressure.iter().copied().fold(start, f);
+        self.rows.push([
+            state.step as f64,
+            state.time,
+            state.distance,
+            state.step_size,
+            extreme(0.0, f64::max),
+            extreme(f64::INFINITY, f64::min),
+            1e3 * state.depth,
+            state.volume[0],
+            state.volume[1],
+            state.steady_residual,
+            state.lyapunov,
+            state.rejected as f64,
+        ]);
+    }
+
+    fn columns(&self) -> Vec<(String, Vec<f64>)> {
+        let column = |k: usize| self.rows.iter().map(|row| row[k]).collect();
+        COLUMNS.iter().enumerate().map(|(k, name)| (name.to_string(), column(k))).collect()
+    }
+}
+
+/// A gap given at the contact points, as a curve for the choice of the rigid part.
+struct NodalCurve<'a> {
+    pair: &'a Pair<'a>,
+    operator: &'a ContactOperator<'a>,
+    gap: &'a [f64],
+}
+
+impl Curve for NodalCurve<'_> {
+    fn length(&self) -> f64 {
+        self.pair.shaped.trace.length()
+    }
+
+    fn samples(&self) -> Vec<f64> {
+        let trace = &self.pair.shaped.trace;
+        let mut samples: Vec<f64> = trace
+            .edges
+            .iter()
+            .flat_map(|edge| {
+                let n = 4 * (edge.degree + 1);
+                let (start, length) = (edge.start, edge.curve.length());
+                (0..n).map(move |i| start + length * i as f64 / n as f64)
+            })
+            .collect();
+        samples.push(trace.length());
+        samples
+    }
+
+    fn value(&self, arc: f64) -> (f64, Vec<f64>) {
+        (polynomial_at(self.pair, self.operator, self.gap, arc), closing(self.pair, &self.pair.at_arc(arc)))
+    }
+
+    fn mean_modes(&self) -> Vec<f64> {
+        let mut sums = vec![0.0; self.pair.shaped.rigid_modes.ncols()];
+        for point in self.operator.points() {
+            for (sum, phi) in sums.iter_mut().zip(closing(self.pair, point)) {
+                *sum += point.weight * phi;
+            }
+        }
+        sums
+    }
+}
