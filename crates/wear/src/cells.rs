@@ -55,6 +55,8 @@ pub(crate) struct Settings {
     pub(crate) spread: f64,
     /// Cells whose density is smaller than the largest by exp(-drop) are not refined.
     pub(crate) drop: f64,
+    /// Smallest power of p that is integrated.
+    pub(crate) smallest: f64,
     /// Exponent of f at the end of contact.
     pub(crate) exponent: f64,
 }
@@ -113,6 +115,7 @@ impl Stage<'_> {
         Settings {
             spread: 12.0 / large.max(1.5),
             drop: 40.0 / small,
+            smallest: small,
             exponent: self.law.density.front_exponent(),
         }
     }
@@ -248,6 +251,10 @@ impl Line<'_, '_> {
         if largest < *top - self.settings.drop
             || length <= 4.0 * f64::EPSILON * cell.lo.abs().max(cell.hi.abs())
         {
+            return Verdict::Take(*cell);
+        }
+        // Far below the peak only p^b matters, which varies b times as slowly.
+        if largest < *top - 45.0 && spread(&log_h) * self.settings.smallest < self.settings.spread {
             return Verdict::Take(*cell);
         }
         let plain: [f64; SAMPLES] =

@@ -28,15 +28,16 @@ impl Stage<'_> {
         nodes: &mut Vec<Node>,
     ) {
         let whole = range[1] - range[0];
+        let mut line = Vec::new();
         let mut stack = vec![Cell {
             lo: range[0],
             hi: range[1],
             graded: [false; 2],
         }];
         let mut top = f64::NEG_INFINITY;
-        for i in 0..=16 {
+        for i in 0..=8 {
             top = top.max(
-                self.profile(range[0] + whole * f64::from(i) / 16.0, inner)
+                self.profile(range[0] + whole * f64::from(i) / 8.0, inner, &mut line)
                     .0,
             );
         }
@@ -45,7 +46,7 @@ impl Stage<'_> {
             let length = hi - lo;
             let place = |i: usize| lo + length * (0.002 + 0.249 * i as f64);
             let profile: [(f64, u8); SAMPLES] =
-                std::array::from_fn(|i| self.profile(place(i), inner));
+                std::array::from_fn(|i| self.profile(place(i), inner, &mut line));
             let values = profile.map(|entry| entry.0);
             let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
             top = top.max(largest);
@@ -121,27 +122,18 @@ impl Stage<'_> {
         touches(inner[0]) + 2 * touches(inner[1])
     }
 
-    /// log of a coarse integral over the line, and which of its ends are in contact.
-    fn profile(&self, outer: f64, inner: [f64; 2]) -> (f64, u8) {
-        let mut largest = f64::NEG_INFINITY;
-        let mut logs = [f64::NEG_INFINITY; 9];
-        for (i, entry) in logs.iter_mut().enumerate() {
-            let u = inner[0] + (inner[1] - inner[0]) * i as f64 / 8.0;
-            let node = self.law.node(self.problem.surface.at(u, outer));
-            *entry = node.log_h + node.point.weight.ln();
-            largest = largest.max(*entry);
-        }
+    /// log of the integral over the line, and which of its ends are in contact.
+    fn profile(&self, outer: f64, inner: [f64; 2], line: &mut Vec<Node>) -> (f64, u8) {
+        line.clear();
+        self.collect_line(outer, line);
+        let logs = || line.iter().map(|node| node.log_h + node.point.weight.ln());
+        let largest = logs().fold(f64::NEG_INFINITY, f64::max);
         let ends = self.ends_in_contact(outer, inner);
         if largest == f64::NEG_INFINITY {
             return (largest, ends);
         }
         (
-            largest
-                + logs
-                    .iter()
-                    .map(|entry| (entry - largest).exp())
-                    .sum::<f64>()
-                    .ln(),
+            largest + logs().map(|log| (log - largest).exp()).sum::<f64>().ln(),
             ends,
         )
     }

@@ -6,7 +6,7 @@ use crate::absolute::balance_absolute;
 use crate::continuation::balance_by_continuation;
 use crate::density::Density;
 use crate::singular;
-use crate::stage::{Node, Stage};
+use crate::stage::{ModeValues, Node, Stage};
 use crate::{MAX_MODES, Modes, WearError};
 
 const ITERATIONS: usize = 100;
@@ -58,17 +58,22 @@ pub(crate) fn balance_any(
     let cap = stage.problem.p_max.map_or(f64::INFINITY, f64::ln);
     let several = stage.law.count > 1;
     match stage.law.density {
-        Density::Power { k: 0.0, .. } if several => {
+        Density::Power {
+            k: 0.0,
+            speed_power,
+        } if several => {
             // Fronts jump for k = 0: come from k = 1 so that they start close to their places.
-            let limit = stage.law.density;
-            for k in [1.0, 0.3, 0.1, 0.03, 0.01] {
-                let Density::Power { speed_power, .. } = limit else {
-                    break;
-                };
+            let mut k = 1.0;
+            // Until a front has appeared: in full contact the last equation does not see y.
+            while k > 1e-8 {
                 let mut softer = Stage::new(stage.problem, Density::Power { k, speed_power })?;
                 softer.law.y = stage.law.y;
                 balance(&mut softer, nodes)?;
                 stage.law.y = softer.law.y;
+                if k < 0.05 && softer.open_at_ends() {
+                    break;
+                }
+                k *= 0.3;
             }
             stage.law.log_cap = cap;
             balance_absolute(stage, nodes)
@@ -178,7 +183,11 @@ fn newton(stage: &mut Stage<'_>, nodes: &mut Vec<Node>, k: f64) -> Result<(usize
         };
         let slope = here.residual.dot(&step) * k.signum();
         let start = stage.law.y;
-        let mut length = 1.0;
+        let mut length = if k < 0.0 {
+            stage.longest_step(nodes, &free, step.as_slice())
+        } else {
+            1.0
+        };
         let mut accepted = false;
         for _ in 0..40 {
             for (row, j) in free.iter().enumerate() {
@@ -212,13 +221,7 @@ fn newton(stage: &mut Stage<'_>, nodes: &mut Vec<Node>, k: f64) -> Result<(usize
             stage.collect(nodes);
             break;
         }
-        // -1 < k < 0: f -> 0 at the edge while the balance is still missed means that no function carries the load (3.7).
-        let (low, high) = nodes
-            .iter()
-            .fold((f64::INFINITY, 0.0_f64), |(low, high), node| {
-                (low.min(node.f), high.max(node.f))
-            });
-        if k > -1.0 && k < 0.0 && low < 1e-9 * high {
+        if stage.may_lack_function(k) && stage.closeness(nodes) < 1e-7 {
             break;
         }
     }
@@ -231,8 +234,8 @@ fn newton(stage: &mut Stage<'_>, nodes: &mut Vec<Node>, k: f64) -> Result<(usize
             "the moment is at or beyond the edge of the surface",
         ));
     }
-    if k > -1.0 && k < 0.0 {
-        let why = "with s < 0 no stationary pressure carries this moment (its limit has a force on the edge)";
+    if stage.may_lack_function(k) && stage.closeness(nodes) < 1e-3 {
+        let why = "with s < 1 no stationary pressure carries this moment (its limit has a force on the edge)";
         return Err(infeasible(stage, why));
     }
     Err(WearError::NotConverged {
@@ -288,5 +291,55 @@ fn evaluate(stage: &Stage<'_>, nodes: &[Node], free: &[usize], k: f64) -> Evalua
         jacobian,
         size,
         dual,
+    }
+}
+
+impl Stage<'_> {
+    /// Nine tenths of the step to the first point where f = 0, at most 1: f is linear in y.
+    fn longest_step(&self, nodes: &[Node], free: &[usize], step: &[f64]) -> f64 {
+        let mut longest: f64 = 1.0;
+        let mut limit = |f: f64, modes: &ModeValues| {
+            let change: f64 = free
+                .iter()
+                .zip(step)
+                .map(|(j, dy)| dy * self.law.reduced(&modes.phi, *j))
+                .sum();
+            if change < 0.0 {
+                longest = longest.min(-0.9 * f / change);
+            }
+        };
+        nodes.iter().for_each(|node| limit(node.f, &node.modes));
+        self.problem.surface.survey(&mut |point| {
+            let modes = self.law.mode_values(point);
+            limit(self.law.force_function(point, &modes).0, &modes);
+        });
+        longest
+    }
+
+    /// True where f^k stays integrable as f -> 0 at the border, so that moments exist which no function carries: k > -1 on a line
+    /// (optimality.md 3.7), k > -2 at the corner of an area.
+    fn may_lack_function(&self, k: f64) -> bool {
+        let limit = if self.problem.surface.outer_range().is_some() {
+            -2.0
+        } else {
+            -1.0
+        };
+        k < 0.0 && k > limit
+    }
+
+    /// Smallest over largest f.
+    fn closeness(&self, nodes: &[Node]) -> f64 {
+        let (mut low, mut high) = (f64::INFINITY, 0.0_f64);
+        for node in nodes {
+            (low, high) = (low.min(node.f), high.max(node.f));
+        }
+        self.problem.surface.survey(&mut |point| {
+            low = low.min(
+                self.law
+                    .force_function(point, &self.law.mode_values(point))
+                    .0,
+            );
+        });
+        low / high
     }
 }
