@@ -10,14 +10,19 @@ use crate::implicit_stage::{Contact, Linear, Load};
 use crate::rigid_wear::{RigidWear, area_norm};
 use crate::run_in::{RunIn, run_in};
 use crate::tableau::Tableau;
-use crate::wear_problem::{Stepping, Until, WearProblem};
+use crate::wear_problem::{Scheme, Stepping, Until, WearProblem};
 use crate::wear_state::WearState;
 use std::fmt;
 
 /// Largest growth of the step from one to the next.
 const GROWTH: f64 = 8.0;
-/// A step shorter than this part of the time passed gives up.
-const SHORTEST: f64 = 1e-14;
+/// Part of the stability bound that adaptive explicit steps take, and after how many of them the bound is computed anew.
+const EXPLICIT_PART: f64 = 0.9;
+const EXPLICIT_REVIEW: usize = 50;
+/// Power of the step with which the error falls across a kink of the rates.
+const KINK: f64 = 2.0;
+/// A step shorter than this part of the time passed, or of the step wanted at first, gives up.
+const SHORTEST: [f64; 2] = [1e-14, 1e-10];
 
 /// How a run stands.
 #[derive(Clone, Debug, PartialEq)]
@@ -191,11 +196,19 @@ impl<'a> Evolution<'a> {
     fn first_step(&self, state: &WearState) -> f64 {
         match self.problem.stepping {
             Stepping::Fixed(step) => step,
+            Stepping::Adaptive { .. } if self.problem.scheme == Scheme::Explicit => self.explicit_step_length(state),
             Stepping::Adaptive { accuracy } => {
                 let fastest = state.gap_rate.iter().copied().fold(0.0, f64::max);
                 if fastest > 0.0 { accuracy * self.gap_scale(state) / fastest } else { f64::MAX }
             }
         }
+    }
+
+    /// A safe part of the stability bound at a state.
+    fn explicit_step_length(&self, state: &WearState) -> f64 {
+        let load = self.load(state);
+        let modes = run_in(load, &self.rigid[self.stage(state)], &state.pressure, self.mean_speed(state));
+        modes.map_or(f64::MAX, |modes| EXPLICIT_PART * modes.explicit_limit)
     }
 
     /// Status of a state just reached.
@@ -224,6 +237,7 @@ impl<'a> Evolution<'a> {
         self.enter_interval(&mut state);
         let limit = self.limit(&state);
         let mut wanted = state.next_step;
+        let mut failures = 0;
         loop {
             let left = limit - state.time;
             let fixed = matches!(self.problem.stepping, Stepping::Fixed(_));
@@ -235,7 +249,7 @@ impl<'a> Evolution<'a> {
                 _ => (wanted, false),
             };
             let stuck = EvolutionStatus::Stuck { time: state.time, step };
-            if !step.is_finite() || step <= SHORTEST * state.time {
+            if !step.is_finite() || step <= SHORTEST[0] * state.time || wanted < SHORTEST[1] * state.next_step {
                 return Err(stuck);
             }
             let trial = self.try_step(&state, step);
@@ -243,9 +257,13 @@ impl<'a> Evolution<'a> {
                 (None, Stepping::Fixed(_)) => return Err(stuck),
                 (None, _) => 0.2,
                 (Some(_), Stepping::Fixed(_)) => 1.0,
+                (Some(_), _) if self.problem.scheme == Scheme::Explicit => 1.0,
                 (Some(trial), Stepping::Adaptive { accuracy }) => {
                     let (power, tolerance) = Tableau::of(self.problem.scheme).map_or((1.0, accuracy), |t| (t.power, t.tolerance(accuracy)));
-                    (0.9 * (tolerance / trial.error.max(f64::MIN_POSITIVE)).powf(1.0 / power)).clamp(0.1, GROWTH)
+                    // Where points enter or leave, rates have kinks and the order is lost.
+                    let power = if failures > 0 { KINK } else { power };
+                    let growth = if failures > 0 { 1.0 } else { GROWTH };
+                    (0.9 * (tolerance / trial.error.max(f64::MIN_POSITIVE)).powf(1.0 / power)).clamp(0.1, growth)
                 }
             };
             match trial {
@@ -257,10 +275,8 @@ impl<'a> Evolution<'a> {
                 trial => {
                     state.newton_iterations += trial.map_or(0, |t| t.iterations);
                     state.rejected += 1;
+                    failures += 1;
                     wanted = step * factor;
-                    if wanted < 1e-300 {
-                        return Err(stuck);
-                    }
                 }
             }
         }
@@ -290,7 +306,7 @@ impl<'a> Evolution<'a> {
     }
 
     fn accept(&self, state: &mut WearState, trial: Trial, step: f64, next: f64, end: Option<f64>) {
-        let before = state.lyapunov;
+        let (before, step_before) = (state.lyapunov, state.next_step);
         state.step += 1;
         state.time = end.unwrap_or(state.time + step);
         state.distance += step * self.mean_speed(state);
@@ -305,6 +321,10 @@ impl<'a> Evolution<'a> {
         state.newton_iterations += trial.iterations;
         change_approach(state, &trial.contact.coordinates);
         self.take_contact(state, trial.contact);
+        let adaptive = matches!(self.problem.stepping, Stepping::Adaptive { .. });
+        if adaptive && self.problem.scheme == Scheme::Explicit {
+            state.next_step = if state.step % EXPLICIT_REVIEW == 0 { self.explicit_step_length(state) } else { step_before };
+        }
         if before > 0.0 {
             state.lyapunov_increase = state.lyapunov_increase.max((state.lyapunov - before) / before);
         }

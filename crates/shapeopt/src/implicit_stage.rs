@@ -97,6 +97,7 @@ impl<'a> Load<'a> {
         let mut recession = step * self.rate.recession(&now.pressure);
         let mut u: Vec<f64> =
             (0..n).map(|i| self.sigma[i] * now.pressure[i] + step * self.rate.local(i, now.pressure[i]) - now.opening[i]).collect();
+        let mut relative_before = f64::INFINITY;
         for iteration in 1..=NEWTON_LIMIT {
             let (pressure, slope): (Vec<f64>, Vec<f64>) = (0..n)
                 .map(|i| if u[i] > 0.0 { self.rate.inverse(i, self.sigma[i], step, u[i]) } else { (0.0, 0.0) })
@@ -118,11 +119,12 @@ impl<'a> Load<'a> {
             let a = linear.active.len();
             // Update.
             let mut next = u.clone();
-            let mut relative = 0.0_f64;
+            let (mut relative, mut absolute) = (0.0_f64, 0.0_f64);
             let size = u.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
             for (k, i) in linear.active.iter().enumerate() {
                 next[*i] = u[*i] + change[k];
-                relative = relative.max(change[k].abs() / (u[*i].abs() + 1e-10 * size));
+                relative = relative.max(change[k].abs() / u[*i].abs());
+                absolute = absolute.max(change[k].abs());
             }
             for j in 0..now.coordinates.len() {
                 now.coordinates[j] += change[a + j] * self.unit[j];
@@ -163,7 +165,10 @@ impl<'a> Load<'a> {
                 }
             }
             u = next;
-            let settled = changed == 0 && (linear_rate || relative < 1e-7);
+            // The error after this step is the square of the change before it, down to round-off.
+            let round_off = absolute <= 1e-11 * size && relative > 0.5 * relative_before;
+            let settled = changed == 0 && (linear_rate || relative < 1e-7 || round_off);
+            relative_before = relative;
             if settled {
                 now.pressure = updated;
                 now.opening = u.iter().map(|v| (-v).max(0.0)).collect();

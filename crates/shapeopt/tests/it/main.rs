@@ -5,5 +5,7 @@ mod bodies;
 mod closed_form;
 mod decay;
 mod order;
+mod schedule;
 mod stability;
 mod steady;
+mod two_bodies;

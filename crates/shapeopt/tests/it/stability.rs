@@ -84,7 +84,7 @@ fn without_shear_phi_never_grows_in_implicit_euler_steps() {
 fn beyond_the_kern_contact_opens_to_the_triangle() {
     let (b, count) = (1.0, 240);
     let points = points(count);
-    let system = winkler(&points, Some(15000.0), 500.0);
+    let system = half_plane(&points, Some(15000.0), MODULUS);
     let gap = vec![0.0; count];
     let problem = problem(points, system, rule(WEAR, b), gap);
     let (states, status) = run(&problem);

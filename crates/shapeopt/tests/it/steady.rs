@@ -6,23 +6,25 @@ use shapeopt::{Evolution, EvolutionStatus, WearProblem, WearState};
 use std::time::Instant;
 use wear::{Counterface, SurfacePoint, WearPair};
 
-const BETA: f64 = 2e-4;
-const FRICTION: f64 = 0.25;
+pub const BETA: f64 = 2e-4;
+pub const FRICTION: f64 = 0.25;
 
 fn rule(b: f64) -> WearPair {
     WearPair::from_beta([BETA, 0.0], FRICTION, [1.0; 2], [b; 2]).unwrap()
 }
 
-/// Points and system of the punch under 1 kN, sliding with or without shear on the bodies.
-fn punch_system(degree: usize, layers: usize, shear: bool) -> (Vec<SurfacePoint>, ContactSystem) {
+/// Points of the punch and systems under 1 kN, with the shear of sliding times each factor.
+pub fn punch_stages<const N: usize>(degree: usize, layers: usize, shear: [f64; N]) -> (Vec<SurfacePoint>, [ContactSystem; N]) {
     let bodies = punch(degree, layers, false);
     let [body, plate] = bodies.reduced();
     let pair = Pair::new(&body.interface, Some(&plate.interface)).unwrap();
     let operator = ContactOperator::new(&pair, true).unwrap();
-    let friction = if shear { FRICTION } else { 0.0 };
-    let mut load = ContactLoad::factors(&[], &[]).sliding(friction, vec![1.0; operator.points().len()]);
-    load.motions[1] = Motion::Free { resultant: -1000.0 };
-    (surface_points(&operator, 5.0), operator.system(&load).unwrap())
+    let systems = shear.map(|drag| {
+        let mut load = ContactLoad::factors(&[], &[]).sliding(FRICTION, vec![drag; operator.points().len()]);
+        load.motions[1] = Motion::Free { resultant: -1000.0 };
+        operator.system(&load).unwrap()
+    });
+    (surface_points(&operator, 5.0), systems)
 }
 
 fn drum_system(degree: usize, layers: usize, friction: f64) -> (Vec<SurfacePoint>, ContactSystem) {
@@ -69,7 +71,7 @@ fn assert_pressure(problem: &WearProblem, state: &WearState, exact: impl Fn(&Sur
 fn punch_wears_from_flat_to_uniform_pressure() {
     for b in [1.0, 2.0] {
         for shear in [false, true] {
-            let (points, system) = punch_system(8, 8, shear);
+            let (points, [system]) = punch_stages(8, 8, [f64::from(u8::from(shear))]);
             let gap = vec![0.0; points.len()];
             let problem = WearProblem::new(points, rule(b), Counterface::Fresh, gap, system);
             let state = run(&format!("punch b {b} shear {shear}"), &problem);
@@ -78,15 +80,48 @@ fn punch_wears_from_flat_to_uniform_pressure() {
     }
 }
 
+/// Twelve layers: points from 1e-9 mm apart, pressures of the start up to some thousand times the mean.
 #[test]
-fn drum_wears_to_the_cosine_power() {
+fn finely_layered_punch_wears_to_uniform_pressure_for_any_exponent() {
+    let (points, systems) = punch_stages(12, 12, [0.0, 1.0]);
+    for b in [0.2, 0.5, 1.0, 2.0, 5.0] {
+        for (shear, system) in systems.iter().enumerate() {
+            let gap = vec![0.0; points.len()];
+            let problem = WearProblem::new(points.clone(), rule(b), Counterface::Fresh, gap, system.clone());
+            let state = run(&format!("layered punch b {b} shear {shear}"), &problem);
+            assert_pressure(&problem, &state, |_| 1000.0 / 600.0);
+        }
+    }
+}
+
+/// Shoe on a drum: the steady pressure is `cos^(1/b)`, not the uniform one, wherever the run starts.
+#[test]
+fn drum_wears_to_the_cosine_power_from_unworn_and_from_uniform_pressure() {
     let b = 0.5;
     for friction in [0.0, FRICTION] {
         let (points, system) = drum_system(8, 8, friction);
-        let gap = vec![0.0; points.len()];
-        let problem = WearProblem::new(points, rule(b), Counterface::Fresh, gap, system);
-        let state = run(&format!("drum mu {friction}"), &problem);
-        let cosine: f64 = problem.points.iter().map(|p| p.weight * p.normal.z.powf(1.0 / b + 1.0)).sum();
-        assert_pressure(&problem, &state, |p| 10000.0 / cosine * p.normal.z.powf(1.0 / b));
+        let n = points.len();
+        // The gap that meets a uniform pressure of 5 MPa.
+        let uniform: Vec<f64> = (0..n)
+            .map(|i| -system.opening[i] - (0..n).map(|j| system.compliance[(i, j)] * 5.0 * points[j].weight).sum::<f64>())
+            .collect();
+        let mut ends = Vec::new();
+        for (name, gap) in [("unworn", vec![0.0; n]), ("uniform", uniform)] {
+            let problem = WearProblem::new(points.clone(), rule(b), Counterface::Fresh, gap, system.clone());
+            if name == "uniform" {
+                let start = Evolution::new(&problem).unwrap();
+                assert!(start.state().pressure.iter().all(|p| (p / 5.0 - 1.0).abs() < 1e-8));
+            }
+            let state = run(&format!("drum mu {friction} {name}"), &problem);
+            let cosine: f64 = points.iter().map(|p| p.weight * p.normal.z.powf(1.0 / b + 1.0)).sum();
+            assert_pressure(&problem, &state, |p| 10000.0 / cosine * p.normal.z.powf(1.0 / b));
+            ends.push(state.gap);
+        }
+        // The shapes agree up to the rigid part, which moves by the cosine.
+        let rise = (ends[0][n / 2] - ends[1][n / 2]) / points[n / 2].normal.z;
+        let size = ends[0].iter().zip(&points).map(|(g, p)| (g - ends[0][n / 2] * p.normal.z).abs()).fold(0.0, f64::max);
+        for i in 0..n {
+            assert!((ends[0][i] - ends[1][i] - rise * points[i].normal.z).abs() < 1e-8 * size);
+        }
     }
 }
