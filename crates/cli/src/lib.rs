@@ -20,6 +20,7 @@ mod plan;
 mod profile;
 mod profile_file;
 mod read;
+mod record;
 mod report;
 mod scene;
 mod setup;

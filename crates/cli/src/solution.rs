@@ -91,8 +91,8 @@ pub(crate) struct PointForce {
 pub(crate) struct PressureResult {
     /// Functional in the scene's word.
     pub(crate) functional: String,
-    /// Its q, where it is used; `inf` is written as a string.
-    pub(crate) q: Option<serde_json::Value>,
+    /// Its q; only the three functionals of the paper use it.
+    pub(crate) q: Option<f64>,
     /// equilibrium or paper.
     pub(crate) balance: String,
     /// kinematic or associated.

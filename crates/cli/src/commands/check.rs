@@ -14,16 +14,21 @@ pub(crate) fn run(args: &CheckArgs) -> Result<Exit, Fault> {
     let document = Document::open(&args.scene, &args.set)?;
     let problem = setup(&document)?;
     if args.json {
-        print_json(&json!({
-            "scene": problem.name,
-            "stages": problem.plan.stages,
-            "lints": problem.lints,
-            "unused_keys": problem.unused_keys,
-        }));
+        print_json(&plan_json(&problem));
     } else if !args.quiet {
         print_out(&describe(&problem));
     }
     Ok(Exit::Done)
+}
+
+/// The plan as a document.
+pub(crate) fn plan_json(problem: &Problem) -> serde_json::Value {
+    json!({
+        "scene": problem.name,
+        "stages": problem.plan.stages,
+        "lints": problem.lints,
+        "unused_keys": problem.unused_keys,
+    })
 }
 
 /// The plan in words.

@@ -34,12 +34,18 @@ pub(super) fn keys(document: &Document, scene: &Scene, tasks: &[Task]) -> Vec<St
     when(!tasks.contains(&Task::Shape), &["check"]);
     when(pressure_only, &["mesh.degree", "mesh.layers"]);
     let flat = matches!(
-        scene.contact.as_ref().and_then(|contact| contact.gap.as_ref()),
+        scene
+            .contact
+            .as_ref()
+            .and_then(|contact| contact.gap.as_ref()),
         None | Some(crate::gap::Gap::Constant(_))
     );
     when(pressure_only && !flat, &["contact.gap"]);
     when(pressure_only, &["output.fields"]);
-    let timed = matches!(scene.wear.as_ref().and_then(|wear| wear.until), Some(crate::gap::Until::Time(_)));
+    let timed = matches!(
+        scene.wear.as_ref().and_then(|wear| wear.until),
+        Some(crate::gap::Until::Time(_))
+    );
     when(!wears && timed, &["wear.until"]);
     let kind = scene.load.as_ref().and_then(|load| load.kind);
     let rigid = kind == Some(LoadKind::Rigid);

@@ -131,17 +131,9 @@ fn description(scene: &Scene) -> PressureResult {
             .unwrap_or_default()
     };
     let functional = optimum.functional.unwrap_or(Functional::Steady);
-    let with_q = !matches!(functional, Functional::Steady | Functional::Uniform);
-    let q = optimum.q.filter(|_| with_q).map(|q| {
-        if q.is_finite() {
-            serde_json::json!(q)
-        } else {
-            serde_json::json!(if q > 0.0 { "inf" } else { "-inf" })
-        }
-    });
     PressureResult {
         functional: word(serde_json::to_value(functional).ok()),
-        q,
+        q: Some(optimum.q.unwrap_or(1.0)),
         balance: word(serde_json::to_value(optimum.balance).ok()),
         modes: word(serde_json::to_value(optimum.modes).ok()),
         ..PressureResult::default()

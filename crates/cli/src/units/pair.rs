@@ -78,4 +78,3 @@ impl<T: JsonSchema> JsonSchema for Pair<T> {
         json_schema!({ "anyOf": [one, { "type": "array", "items": one, "minItems": 2, "maxItems": 2 }] })
     }
 }
-
