@@ -12,7 +12,7 @@ use faer::Mat;
 use std::borrow::Cow;
 
 /// Penalty times the compliance of a point.
-const PENALTY: f64 = 16384.0;
+pub(crate) const PENALTY: f64 = 16384.0;
 /// Newton steps before the pivoting method takes over.
 const NEWTON_LIMIT: usize = 40;
 

@@ -3,8 +3,9 @@
 //! Return mapping of the augmented shear `sigma - r (s - s_before)` onto `|sigma| <= mu lambda` as semismooth Newton: every point is
 //! open, sticks (`s = s_before`), or slips with `sigma = +- mu lambda` against its slip; the linear system of these states is solved and the states are read off again.
 
-use crate::complementarity::{Complementarity, Point};
+use crate::complementarity::{Complementarity, PENALTY, Point};
 use crate::response::{add, times, transposed_times};
+use crate::tresca::{Forces, Tresca};
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 
@@ -21,8 +22,10 @@ pub enum PointState {
     Backward,
 }
 
-/// Steps of the iteration.
-const LIMIT: usize = 60;
+/// Linear systems before giving up.
+const LIMIT: usize = 100;
+/// Plain steps on the states before shear limits are held.
+const PLAIN_STEPS: usize = 14;
 
 /// The frictionless problem and what shear adds to it.
 pub(crate) struct Coulomb<'m> {
@@ -159,7 +162,7 @@ impl Coulomb<'_> {
     }
 
     /// Unit of each coordinate and size of its resultant.
-    fn scales(&self) -> (Vec<f64>, Vec<f64>) {
+    pub(crate) fn scales(&self) -> (Vec<f64>, Vec<f64>) {
         let n = self.slip.len();
         let m = self.normal.load.len();
         let largest = |j: usize, over: bool| {
@@ -202,11 +205,39 @@ impl Coulomb<'_> {
         (read, changed)
     }
 
-    /// Iterates on the states from `start`. When their number of changes has not fallen for ten steps, only the last changes.
-    pub(crate) fn solve(&self, start: &[PointState]) -> Outcome {
+    /// Iterates on the states from `start`; where that does not settle, shear limits are held while the convex problem they make is solved, and the
+    /// states found there are tried.
+    pub(crate) fn solve(&self, start: &[PointState], near: &Sheared) -> Outcome {
         let mut outcome = Outcome { at: None, states: start.to_vec(), steps: 0, history: Vec::new(), settled: false };
-        let (mut best, mut patience) = (usize::MAX, 10_usize);
+        self.iterate(&mut outcome, PLAIN_STEPS);
+        if outcome.settled {
+            return outcome;
+        }
+        let n = start.len();
+        let mut tresca = Tresca::new(self);
+        let limit = |force: &[f64]| force.iter().map(|f| self.coefficient * f.max(0.0)).collect::<Vec<f64>>();
+        let mut centre = Forces {
+            force: near.point.force.iter().chain(&near.shear).copied().collect(),
+            coordinates: near.point.coordinates.clone(),
+        };
         while outcome.steps < LIMIT {
+            let Some((forces, states, solved)) = tresca.step(&centre, &limit(&centre.force[..n])) else { break };
+            outcome.steps += solved;
+            outcome.states = states;
+            self.iterate(&mut outcome, 4);
+            if outcome.settled {
+                break;
+            }
+            centre = forces;
+            // The states stiffen as the multipliers settle.
+            tresca.penalty = (4.0 * tresca.penalty).min(PENALTY);
+        }
+        outcome
+    }
+
+    /// Up to `steps` plain steps on the states.
+    fn iterate(&self, outcome: &mut Outcome, steps: usize) {
+        for _ in 0..steps {
             outcome.steps += 1;
             let Some(at) = self.on_states(&outcome.states) else { break };
             let (read, changed) = self.read(&at, &outcome.states);
@@ -216,14 +247,7 @@ impl Coulomb<'_> {
                 outcome.settled = true;
                 break;
             }
-            patience = if changed < best { 10 } else { patience.saturating_sub(1) };
-            best = best.min(changed);
-            if patience > 0 {
-                outcome.states = read;
-            } else if let Some(last) = (0..read.len()).rev().find(|i| read[*i] != outcome.states[*i]) {
-                outcome.states[last] = read[last];
-            }
+            outcome.states = read;
         }
-        outcome
     }
 }

@@ -19,6 +19,7 @@ mod stage;
 mod status;
 mod step;
 mod system;
+mod tresca;
 mod verdict;
 
 pub use coulomb::PointState;
@@ -26,7 +27,7 @@ pub use error::Error;
 pub use load::{ContactLoad, Friction, Motion, MomentBalance};
 pub use operator::ContactOperator;
 pub use pair::{ContactPoint, Pair, Side, contact_traction, normal};
-pub use positioning::{Positioned, Positioning, Rebuilt, position_ends};
+pub use positioning::{Nodes, Positioned, Positioning, Rebuilt, position_ends, position_nodes};
 pub use solution::ContactSolution;
 pub use status::Status;
 pub use system::ContactSystem;

@@ -62,7 +62,79 @@ pub struct Positioning<'a> {
 /// Most meshes tried.
 const LIMIT: usize = 40;
 
-/// Moves element nodes onto the ends of contact by Broyden's method, from trial `ends` (ascending arc lengths at which contact changes).
+/// Places found by [`position_nodes`].
+#[derive(Clone, Debug)]
+pub struct Nodes<T> {
+    /// The places.
+    pub places: Vec<f64>,
+    /// Whether the last step was below the tolerance.
+    pub found: bool,
+    /// What the last evaluation gave along with its residuals.
+    pub last: T,
+    /// Number of evaluations.
+    pub evaluations: usize,
+    /// Largest change of a place in each step.
+    pub history: Vec<f64>,
+}
+
+/// Finds the places of nodes at which as many residuals vanish (pressure at an end of contact, shear less its limit at an end of stick), by
+/// Broyden's method from a Jacobian by differences. `tolerance` is relative to the largest distance of a place from the others or from zero.
+///
+/// # Errors
+/// Those of `evaluate`.
+pub fn position_nodes<T, E>(
+    start: &[f64],
+    tolerance: f64,
+    mut evaluate: impl FnMut(&[f64]) -> Result<(Vec<f64>, T), E>,
+) -> Result<Nodes<T>, E> {
+    let k = start.len();
+    let mut places = start.to_vec();
+    let (mut value, mut last) = evaluate(&places)?;
+    let mut evaluations = 1;
+    let size = |p: &[f64]| match p {
+        [one] => one.abs(),
+        _ => p.iter().fold(f64::MIN, |m, v| m.max(*v)) - p.iter().fold(f64::MAX, |m, v| m.min(*v)),
+    };
+    let mut jacobian = nalgebra::DMatrix::zeros(k, k);
+    for j in 0..k {
+        let mut moved = places.clone();
+        let step = 1e-3 * size(&places);
+        moved[j] += step;
+        let (next, _) = evaluate(&moved)?;
+        evaluations += 1;
+        (0..k).for_each(|i| jacobian[(i, j)] = (next[i] - value[i]) / step);
+    }
+    let mut history = Vec::new();
+    let mut found = k == 0;
+    while !found && history.len() < LIMIT {
+        let residual = nalgebra::DVector::from_row_slice(&value);
+        let Some(mut step) = jacobian.clone().lu().solve(&(-residual)) else { break };
+        // No place moves by more than a quarter of the distance to its neighbours (or to zero, for a single one).
+        let room = if k == 1 { size(&places) } else { narrowest(&places) };
+        if step.amax() > 0.25 * room {
+            step *= 0.25 * room / step.amax();
+        }
+        places.iter_mut().zip(step.iter()).for_each(|(a, s)| *a += s);
+        let (next, outcome) = evaluate(&places)?;
+        evaluations += 1;
+        let change = nalgebra::DVector::from_fn(k, |i, _| next[i] - value[i]);
+        let square = step.norm_squared();
+        if square > 0.0 {
+            jacobian += (change - &jacobian * &step) * step.transpose() / square;
+        }
+        (value, last) = (next, outcome);
+        history.push(step.amax());
+        found = step.amax() <= tolerance * size(&places);
+    }
+    Ok(Nodes { places, found, last, evaluations, history })
+}
+
+/// Smallest distance between ascending places.
+fn narrowest(places: &[f64]) -> f64 {
+    places.windows(2).map(|w| w[1] - w[0]).fold(f64::INFINITY, f64::min)
+}
+
+/// Moves element nodes onto the ends of contact, from trial `ends` (ascending arc lengths at which contact changes).
 /// `rebuild` makes the bodies with a node on each end. Without ends (full contact) it is called once and the answer is its plain solution.
 ///
 /// # Errors
@@ -72,49 +144,20 @@ pub fn position_ends<E: From<Error>>(
     ends: &[f64],
     mut rebuild: impl FnMut(&[f64]) -> Result<Rebuilt, E>,
 ) -> Result<Positioned, E> {
-    let k = ends.len();
-    let mut made = 0;
-    let mut trial = |ends: &[f64]| -> Result<(Vec<f64>, ContactSolution, Vec<ContactPoint>), E> {
-        made += 1;
+    let nodes = position_nodes(ends, problem.tolerance, |ends| -> Result<_, E> {
         let bodies = rebuild(ends)?;
-        Ok(end_pressures(problem, &bodies, ends)?)
-    };
-    let mut at = ends.to_vec();
-    let (mut value, mut solution, mut points) = trial(&at)?;
-    let size = |ends: &[f64]| ends.last().map_or(0.0, |e| e - if k > 1 { ends[0] } else { 0.0 });
-    // Jacobian by differences, then Broyden's updates.
-    let mut jacobian = nalgebra::DMatrix::zeros(k, k);
-    for j in 0..k {
-        let mut moved = at.clone();
-        let step = 1e-3 * size(&at);
-        moved[j] += step;
-        let (next, ..) = trial(&moved)?;
-        (0..k).for_each(|i| jacobian[(i, j)] = (next[i] - value[i]) / step);
-    }
-    let mut history = Vec::new();
-    let mut found = k == 0;
-    for _ in 0..LIMIT {
-        let residual = nalgebra::DVector::from_row_slice(&value);
-        let Some(mut step) = jacobian.clone().lu().solve(&(-residual)) else { break };
-        if found || k == 0 {
-            break;
-        }
-        let largest = step.amax() / size(&at);
-        if largest > 0.25 {
-            step *= 0.25 / largest;
-        }
-        at.iter_mut().zip(step.iter()).for_each(|(a, s)| *a += s);
-        let (next, next_solution, next_points) = trial(&at)?;
-        let change = nalgebra::DVector::from_fn(k, |i, _| next[i] - value[i]);
-        let square = step.norm_squared();
-        if square > 0.0 {
-            jacobian += (change - &jacobian * &step) * step.transpose() / square;
-        }
-        (value, solution, points) = (next, next_solution, next_points);
-        history.push(step.amax());
-        found = step.amax() <= problem.tolerance * size(&at);
-    }
-    Ok(Positioned { ends: at, found, solution, points, factorisations: made, history })
+        let (pressure, solution, points) = end_pressures(problem, &bodies, ends)?;
+        Ok((pressure, (solution, points)))
+    })?;
+    let (solution, points) = nodes.last;
+    Ok(Positioned {
+        ends: nodes.places,
+        found: nodes.found,
+        solution,
+        points,
+        factorisations: nodes.evaluations,
+        history: nodes.history,
+    })
 }
 
 /// Pressure at each end with the points between the ends held in contact; without ends the ordinary solution.

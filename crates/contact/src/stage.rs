@@ -24,6 +24,22 @@ pub(crate) struct Stage<'m> {
 }
 
 impl Stage<'_> {
+    /// The problem without shear; motions that only shear resists are held by a spring.
+    pub(crate) fn without_shear(&self) -> Complementarity<'_> {
+        let problem = &self.problem;
+        let mut stiffness = problem.stiffness.clone();
+        pin_idle_motions(&problem.influence, None, &mut stiffness, &problem.compliance);
+        Complementarity {
+            compliance: Cow::Borrowed(&*problem.compliance),
+            influence: problem.influence.clone(),
+            balance: problem.influence.clone(),
+            stiffness,
+            opening: problem.opening.clone(),
+            load: problem.load.clone(),
+            symmetric: true,
+        }
+    }
+
     /// Starting point from an earlier solution.
     pub(crate) fn start(&self, solution: &ContactSolution) -> Point {
         let all: Vec<f64> = solution.coordinates.iter().flatten().copied().collect();

@@ -63,15 +63,19 @@ impl ContactOperator<'_> {
         warm_start: Option<&ContactSolution>,
     ) -> ContactSolution {
         let n = self.points.len();
-        let start = warm_start.map_or_else(
-            || {
-                let frictionless = stage.problem.solve(None);
+        let (start, near) = match warm_start {
+            Some(s) => {
+                let point = stage.start(s);
+                (s.states.clone(), Sheared { point, shear: s.nodal_shear.clone() })
+            }
+            None => {
+                let frictionless = stage.without_shear().solve(None);
                 let closed = if frictionless.settled { frictionless.active } else { vec![true; n] };
-                closed.iter().map(|c| if *c { PointState::Stick } else { PointState::Open }).collect()
-            },
-            |s| s.states.clone(),
-        );
-        let outcome = coulomb.solve(&start);
+                let state = |c: &bool| if *c { PointState::Stick } else { PointState::Open };
+                (closed.iter().map(state).collect(), Sheared { point: frictionless.point, shear: vec![0.0; n] })
+            }
+        };
+        let outcome = coulomb.solve(&start, &near);
         let status = verdict::sheared_status(coulomb, &outcome);
         let at = outcome.at.unwrap_or_else(|| Sheared {
             point: Point { force: vec![0.0; n], coordinates: vec![0.0; stage.free.len()] },

@@ -13,7 +13,7 @@ const NORMAL: f64 = 135.75;
 const SHEAR: f64 = 38.75;
 const FRICTION: f64 = 0.3;
 
-fn bodies(end: f64, candidate: f64, degree: usize, layers: usize) -> Rebuilt {
+fn bodies(nodes: &[f64], candidate: f64, degree: usize, layers: usize) -> Rebuilt {
     let reduce = |mesh: &Mesh, supports: &[Support], rigid_edge| {
         Body::new(BodyProblem {
             mesh,
@@ -32,8 +32,8 @@ fn bodies(end: f64, candidate: f64, degree: usize, layers: usize) -> Rebuilt {
     let edge = RigidEdge { boundary: "top".into(), reference: [0.0, 10.0], free: [true, true, false] };
     let clamp = [support("bottom", Direction::First), support("bottom", Direction::Second)];
     Rebuilt {
-        shaped: reduce(&mirrored(&round(&SIZES, end, candidate, layers)), &[], Some(edge)),
-        counter: reduce(&mirrored(&block(&SIZES, end, candidate, layers)), &clamp, None),
+        shaped: reduce(&mirrored(&round(&SIZES, nodes, candidate, layers)), &[], Some(edge)),
+        counter: reduce(&mirrored(&block(&SIZES, nodes, candidate, layers)), &clamp, None),
         facing: true,
     }
 }
@@ -51,27 +51,113 @@ fn push(normal: f64, shear: f64, slip_before: &[f64]) -> ContactLoad {
     }
 }
 
-#[test]
-fn sheared_cylinder_sticks_in_the_middle_and_slips_outside() {
+/// End of contact and highest pressure between half-planes.
+fn hertz(normal: f64) -> (f64, f64) {
     let modulus = 72.1e3 / (2.0 * (1.0 - 0.33 * 0.33));
-    let a = (4.0 * NORMAL * SIZES.radius / (std::f64::consts::PI * modulus)).sqrt();
-    let bodies = bodies(a, 1.3, 12, 6);
+    let end = (4.0 * normal * SIZES.radius / (std::f64::consts::PI * modulus)).sqrt();
+    (end, 2.0 * normal / (std::f64::consts::PI * end))
+}
+
+/// Stick over contact length and highest shear with nodes on both ends, at a scale of both loads.
+fn positioned(scale: f64, degree: usize, layers: usize) -> (f64, f64, f64) {
+    let (normal, shear) = (NORMAL * scale, SHEAR * scale);
+    let a = hertz(normal).0;
+    let nodes = position_nodes(&[0.23 * a, 1.02 * a], 1e-9, |nodes| -> Result<_, Error> {
+        let bodies = bodies(nodes, 1.5, degree, layers);
+        let pair = bodies.pair()?;
+        let operator = ContactOperator::new(&pair, true)?;
+        let gap: Vec<f64> = operator.points().iter().map(gap).collect();
+        let state = |x: f64| match x.abs() {
+            x if x > nodes[1] * (1.0 + 1e-9) => PointState::Open,
+            x if x > nodes[0] * (1.0 + 1e-9) => PointState::Backward,
+            _ => PointState::Stick,
+        };
+        let states: Vec<PointState> = operator.points().iter().map(|p| state(p.position[0])).collect();
+        let closed: Vec<bool> = states.iter().map(|s| *s != PointState::Open).collect();
+        let press = ContactLoad { friction: Friction::None, ..push(normal, 0.0, &[]) };
+        let pressed = operator.solve_on(&gap, &press, &closed)?.ok_or(Error::Singular)?;
+        let load = push(normal, shear, &pressed.slip);
+        let sheared = operator.solve_states(&gap, &load, &states)?.ok_or(Error::Singular)?;
+        let at = |x: f64| {
+            let far = |i: &usize| (operator.points()[*i].position[0] - x).abs();
+            (0..states.len()).min_by(|i, j| far(i).total_cmp(&far(j))).unwrap()
+        };
+        let (c, a) = (at(nodes[0]), at(nodes[1]));
+        let excess = -sheared.shear[c] - FRICTION * sheared.pressure[c];
+        Ok((vec![excess, pressed.pressure[a]], -sheared.shear[c]))
+    })
+    .unwrap();
+    assert!(nodes.found);
+    println!("scale {scale}: c {:.8}, a {:.8}, c/a {:.6}, q {:.5}, {} bodies", nodes.places[0], nodes.places[1], nodes.places[0] / nodes.places[1], nodes.last, nodes.evaluations);
+    (nodes.places[0], nodes.places[1], nodes.last)
+}
+
+#[test]
+fn stick_zone_and_highest_shear_approach_the_half_plane_values_as_the_load_falls() {
+    let deviation = |scale: f64| {
+        let (c, a, q) = positioned(scale, 12, 6);
+        let stick = (1.0 - SHEAR / (FRICTION * NORMAL)).sqrt();
+        let highest = FRICTION * hertz(NORMAL * scale).1 * (1.0 - stick * stick).sqrt();
+        let d = (c / a / stick - 1.0, q / highest - 1.0);
+        println!("c/a {:.3e}, q_max {:.3e}", d.0, d.1);
+        d
+    };
+    let (large, small) = (deviation(1.0), deviation(0.01));
+    assert!(small.0.abs() < 1e-3 && small.1.abs() < 1e-3);
+    assert!(small.0.abs() < large.0.abs() && small.1.abs() < large.1.abs());
+}
+
+/// Largest difference of the shear between first and second arrival at the full shear load, and between the residual shear after both
+/// unloadings (turned), relative to the highest shear.
+fn loop_error(degree: usize, substeps: usize) -> [f64; 2] {
+    let a = hertz(NORMAL).0;
+    let bodies = bodies(&[0.22 * a, a], 1.3, degree, 4);
     let pair = bodies.pair().unwrap();
     let operator = ContactOperator::new(&pair, true).unwrap();
-    let n = operator.points().len();
     let gap: Vec<f64> = operator.points().iter().map(gap).collect();
-    let pressed = operator.solve(&gap, &ContactLoad { friction: Friction::None, ..push(NORMAL, 0.0, &[]) }, None).unwrap();
-    assert_eq!(pressed.status, Status::Converged);
-    let mut slip = pressed.slip.clone();
-    let mut last = pressed;
-    for shear in [SHEAR, 0.0, -SHEAR, 0.0, SHEAR] {
-        let solution = operator.solve(&gap, &push(NORMAL, shear, &slip), None).unwrap();
-        let stick: Vec<f64> = (0..n).filter(|i| solution.states[*i] == PointState::Stick).map(|i| operator.points()[i].position[0]).collect();
-        println!("{shear}: {} in {} steps, stick {:?} {:?}, force {:?}, q max {:.4} p max {:.4}", solution.status, solution.iterations, stick.first(), stick.last(), solution.force, solution.shear.iter().fold(0.0_f64, |m, v| m.max(v.abs())), solution.pressure.iter().fold(0.0_f64, |m, v| m.max(*v)));
-        slip = solution.slip.clone();
-        last = solution;
+    let press = ContactLoad { friction: Friction::None, ..push(NORMAL, 0.0, &[]) };
+    let mut last = operator.solve(&gap, &press, None).unwrap();
+    assert_eq!(last.status, Status::Converged);
+    let mut turns = Vec::new();
+    let mut most = 0;
+    let mut from = 0.0;
+    for to in [SHEAR, 0.0, -SHEAR, 0.0, SHEAR] {
+        for k in 1..=substeps {
+            let shear = from + (to - from) * k as f64 / substeps as f64;
+            last = operator.solve(&gap, &push(NORMAL, shear, &last.slip), Some(&last)).unwrap();
+            assert_eq!(last.status, Status::Converged);
+            most = most.max(last.iterations);
+            assert_relative_eq!(last.force[0], -shear, epsilon = 1e-9);
+        }
+        from = to;
+        turns.push(last.clone());
     }
-    let _ = last;
-    assert_abs_diff_eq!(0.0, 0.0);
-    assert_relative_eq!(1.0, 1.0);
+    let highest = turns[0].shear.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    let closing = turns[4].shear.iter().zip(&turns[0].shear).map(|(p, q)| (p - q).abs()).fold(0.0, f64::max);
+    let turned = turns[3].shear.iter().rev().zip(&turns[1].shear).map(|(p, q)| (p + q).abs()).fold(0.0, f64::max);
+    let unloaded = turns[1].shear.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    println!("degree {degree}, {substeps} substeps: loop {:.2e}, residual shear {unloaded:.3}, turned {:.2e}, at most {most} steps", closing / highest, turned / highest);
+    [closing / highest, turned / highest]
+}
+
+#[test]
+fn unloading_and_reversing_the_shear_closes_the_loop() {
+    for degree in [8, 12, 16] {
+        for substeps in [1, 4] {
+            loop_error(degree, substeps);
+        }
+    }
+}
+
+#[test]
+fn shear_beyond_friction_has_no_balance() {
+    let bodies = bodies(&[hertz(NORMAL).0], 1.3, 6, 2);
+    let pair = bodies.pair().unwrap();
+    let operator = ContactOperator::new(&pair, true).unwrap();
+    let gap: Vec<f64> = operator.points().iter().map(gap).collect();
+    let none = vec![0.0; gap.len()];
+    let solution = operator.solve(&gap, &push(NORMAL, 1.01 * FRICTION * NORMAL, &none), None).unwrap();
+    assert_eq!(solution.status, Status::NoBalance);
+    let below = operator.solve(&gap, &push(NORMAL, 0.95 * FRICTION * NORMAL, &none), None).unwrap();
+    assert_eq!(below.status, Status::Converged);
 }

@@ -5,5 +5,5 @@ mod common;
 mod cattaneo_mindlin;
 mod full_contact;
 mod hertz;
+mod sphere;
 mod statuses;
-mod scan;

@@ -18,13 +18,18 @@ pub struct Sizes {
     pub depth: f64,
 }
 
-/// Break points: the end of contact, the end of the candidate surface, and on to the side of the round body's lower part.
-fn breaks(sizes: &Sizes, end: f64, candidate: f64) -> Vec<f64> {
+/// Break points: the wanted nodes (the last is the end of contact), the end of the candidate surface, and on to the side of the round body's lower part.
+fn breaks(sizes: &Sizes, nodes: &[f64], candidate: f64) -> Vec<f64> {
+    let end = nodes[nodes.len() - 1];
     let last = sizes.radius * 0.5_f64.sqrt();
     let start = candidate * end;
     let count = ((last / start).ln() / 2.0_f64.ln()).ceil().max(1.0) as usize;
     let grown = (0..=count).map(|j| start * (last / start).powf(j as f64 / count as f64));
-    [end].into_iter().chain(grown).collect()
+    nodes.iter().copied().chain(grown).collect()
+}
+
+fn towards(nodes: &[f64], layers: usize) -> Vec<([f64; 2], usize)> {
+    nodes.iter().map(|x| ([*x, 0.0], layers)).collect()
 }
 
 struct Plan {
@@ -86,19 +91,19 @@ fn moved(
 }
 
 /// Quarter of a disc: the part x >= 0 of a half-disc of the given radius about (0, R), cut at z = R. Boundaries "contact" (up to
-/// `candidate * end`), "axis", "top".
-pub fn round(sizes: &Sizes, end: f64, candidate: f64, layers: usize) -> Mesh {
+/// `candidate` times the last node), "axis", "top".
+pub fn round(sizes: &Sizes, nodes: &[f64], candidate: f64, layers: usize) -> Mesh {
     let r = sizes.radius;
-    let levels = breaks(sizes, end, candidate);
+    let levels = breaks(sizes, nodes, candidate);
     let (mut plan, [b, d, a]) = Plan::nested(&levels, 0.7);
     let e = plan.vertices.len();
     plan.add(&[[r, r], [0.5 * r, r], [0.0, r]], &[[b, e, e + 1, d], [a, d, e + 1, e + 2]]);
-    let straight = plan.refined(&[([end, 0.0], layers)]);
+    let straight = plan.refined(&towards(nodes, layers));
     let sag = |x: f64| x * x / (r + (r * r - x * x).max(0.0).sqrt());
     let place = |v: [f64; 2]| if v[0] >= r { v } else { [v[0], v[1] + sag(v[0]) * (1.0 - v[1] / r)] };
     let angle = |v: [f64; 2]| if v[0] >= r { 0.0 } else { (v[0] / r).asin() - std::f64::consts::FRAC_PI_2 };
     let on_arc = |v: [f64; 2]| v[1] == 0.0 || v[0] >= r;
-    let last = candidate * end * (1.0 + 1e-12);
+    let last = candidate * nodes[nodes.len() - 1] * (1.0 + 1e-12);
     moved(
         &straight,
         place,
@@ -122,17 +127,17 @@ pub fn round(sizes: &Sizes, end: f64, candidate: f64, layers: usize) -> Mesh {
 }
 
 /// Half of the block below z = 0: boundaries "contact", "axis", "bottom".
-pub fn block(sizes: &Sizes, end: f64, candidate: f64, layers: usize) -> Mesh {
+pub fn block(sizes: &Sizes, nodes: &[f64], candidate: f64, layers: usize) -> Mesh {
     let (w, h) = (sizes.width, sizes.depth);
-    let mut levels = breaks(sizes, end, candidate);
+    let mut levels = breaks(sizes, nodes, candidate);
     levels.push(w.min(h));
     let (mut plan, [_, d, a]) = Plan::nested(&levels, 1.0);
     let n = plan.vertices.len();
     if h > w {
         plan.add(&[[w, h], [0.0, h]], &[[a, d, n, n + 1]]);
     }
-    let straight = plan.refined(&[([end, 0.0], layers), ([w, h], layers)]);
-    let last = candidate * end * (1.0 + 1e-12);
+    let straight = plan.refined(&[towards(nodes, layers), vec![([w, h], layers)]].concat());
+    let last = candidate * nodes[nodes.len() - 1] * (1.0 + 1e-12);
     // Mirrored: the cells are turned to stay anti-clockwise.
     let turned: Vec<Quad> = straight
         .cells
