@@ -14,15 +14,10 @@ const STEP: f64 = 1e-5;
 const TOLERANCE: f64 = 2e-14;
 
 /// Solves the balance from the present y; on return the law is absolute and `nodes` hold log p.
-pub(crate) fn balance_absolute(
-    stage: &mut Stage<'_>,
-    nodes: &mut Vec<Node>,
-) -> Result<Balanced, WearError> {
+pub(crate) fn balance_absolute(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<Balanced, WearError> {
     stage.law.absolute = true;
     find_scale(stage, nodes)?;
-    let free: Vec<usize> = (0..stage.law.count)
-        .filter(|j| *j != stage.law.pivot)
-        .collect();
+    let free: Vec<usize> = (0..stage.law.count).filter(|j| *j != stage.law.pivot).collect();
     let unknowns = free.len() + 1;
     let mut here = residual(stage, nodes, &free);
     let mut iterations = 0;
@@ -31,12 +26,7 @@ pub(crate) fn balance_absolute(
         let start = unknown(stage, &free);
         let mut jacobian = DMatrix::<f64>::zeros(unknowns, unknowns);
         for column in 0..unknowns {
-            let step = STEP
-                * if column == 0 {
-                    1.0
-                } else {
-                    start[column].abs().max(0.1)
-                };
+            let step = STEP * if column == 0 { 1.0 } else { start[column].abs().max(0.1) };
             let mut at = |shift: f64, stage: &mut Stage<'_>| {
                 let mut z = start.clone();
                 z[column] += shift;
@@ -72,23 +62,13 @@ pub(crate) fn balance_absolute(
     here = residual(stage, nodes, &free);
     let size = here.amax();
     if size.is_nan() || size > 1e-10 {
-        return Err(WearError::NotConverged {
-            iterations,
-            residual: size,
-        });
+        return Err(WearError::NotConverged { iterations, residual: size });
     }
-    Ok(Balanced {
-        log_scale: stage.law.log_scale,
-        iterations,
-        residual: size,
-    })
+    Ok(Balanced { log_scale: stage.law.log_scale, iterations, residual: size })
 }
 
 fn unknown(stage: &Stage<'_>, free: &[usize]) -> DVector<f64> {
-    DVector::from_iterator(
-        free.len() + 1,
-        std::iter::once(stage.law.log_scale).chain(free.iter().map(|j| stage.law.y[*j])),
-    )
+    DVector::from_iterator(free.len() + 1, std::iter::once(stage.law.log_scale).chain(free.iter().map(|j| stage.law.y[*j])))
 }
 
 fn set_unknown(stage: &mut Stage<'_>, free: &[usize], z: &DVector<f64>) {
@@ -113,11 +93,7 @@ fn residual(stage: &mut Stage<'_>, nodes: &mut Vec<Node>, free: &[usize]) -> DVe
             values[row + 1] += stage.law.reduced(&node.modes.psi, *j) * share;
         }
     }
-    values[0] = if values[0] > 0.0 {
-        values[0].ln()
-    } else {
-        -700.0
-    };
+    values[0] = if values[0] > 0.0 { values[0].ln() } else { -700.0 };
     values
 }
 
@@ -139,12 +115,7 @@ fn find_scale(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<(), WearEr
         step *= 2.0;
         if step > 1e7 {
             return Err(WearError::Infeasible {
-                resultants: stage
-                    .problem
-                    .modes
-                    .iter()
-                    .map(|mode| mode.resultant)
-                    .collect(),
+                resultants: stage.problem.modes.iter().map(|mode| mode.resultant).collect(),
                 why: "the load is larger than the surface carries under p_max, or friction carries it",
             });
         }

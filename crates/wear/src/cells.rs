@@ -22,17 +22,9 @@ impl Surface {
         let [outer_lo, outer_hi] = self.outer_range().unwrap_or([0.0, 0.0]);
         let outer_count = if self.outer_range().is_some() { 8 } else { 0 };
         for j in 0..=outer_count {
-            let outer = if j == outer_count {
-                outer_hi
-            } else {
-                outer_lo + (outer_hi - outer_lo) * j as f64 / 8.0
-            };
+            let outer = if j == outer_count { outer_hi } else { outer_lo + (outer_hi - outer_lo) * j as f64 / 8.0 };
             for i in 0..=8 {
-                let inner = if i == 8 {
-                    hi
-                } else {
-                    lo + (hi - lo) * i as f64 / 8.0
-                };
+                let inner = if i == 8 { hi } else { lo + (hi - lo) * i as f64 / 8.0 };
                 visit(&self.at(inner, outer));
             }
         }
@@ -82,13 +74,7 @@ impl Stage<'_> {
         let inner = self.problem.surface.inner_range();
         match self.problem.surface.outer_range() {
             None => {
-                let line = Line {
-                    stage: self,
-                    outer: 0.0,
-                    weight: 1.0,
-                    settings,
-                    front,
-                };
+                let line = Line { stage: self, outer: 0.0, weight: 1.0, settings, front };
                 line.collect(inner, nodes);
             }
             Some(range) => self.collect_lines(range, inner, settings, front, nodes),
@@ -98,13 +84,7 @@ impl Stage<'_> {
     /// Adds the nodes of one line of a surface with two parameters, with the area per unit of the outer parameter as weight.
     pub(crate) fn collect_line(&self, outer: f64, nodes: &mut Vec<Node>) {
         let front = self.front_rule.as_ref().unwrap_or(legendre());
-        let line = Line {
-            stage: self,
-            outer,
-            weight: 1.0,
-            settings: self.settings(),
-            front,
-        };
+        let line = Line { stage: self, outer, weight: 1.0, settings: self.settings(), front };
         line.collect(self.problem.surface.inner_range(), nodes);
     }
 
@@ -123,32 +103,18 @@ impl Stage<'_> {
 
 impl Line<'_, '_> {
     fn node(&self, inner: f64) -> Node {
-        self.stage
-            .law
-            .node(self.stage.problem.surface.at(inner, self.outer))
+        self.stage.law.node(self.stage.problem.surface.at(inner, self.outer))
     }
 
     pub(crate) fn collect(&self, range: [f64; 2], nodes: &mut Vec<Node>) {
         const BASE: usize = 2;
         let step = (range[1] - range[0]) / BASE as f64;
-        let mut stack = [Interval {
-            lo: 0.0,
-            hi: 0.0,
-            front: [false; 2],
-        }; 64];
+        let mut stack = [Interval { lo: 0.0, hi: 0.0, front: [false; 2] }; 64];
         let mut depth = 0;
         for i in (0..BASE).rev() {
             let lo = range[0] + step * i as f64;
-            let hi = if i + 1 == BASE {
-                range[1]
-            } else {
-                range[0] + step * (i + 1) as f64
-            };
-            stack[depth] = Interval {
-                lo,
-                hi,
-                front: [false; 2],
-            };
+            let hi = if i + 1 == BASE { range[1] } else { range[0] + step * (i + 1) as f64 };
+            stack[depth] = Interval { lo, hi, front: [false; 2] };
             depth += 1;
         }
         let mut top = f64::NEG_INFINITY;
@@ -163,16 +129,8 @@ impl Line<'_, '_> {
                 Verdict::Empty => {}
                 Verdict::Take(cell) => self.take(&cell, nodes),
                 Verdict::Halve(middle, front) if depth + 2 <= stack.len() => {
-                    stack[depth] = Interval {
-                        lo: middle,
-                        hi: cell.hi,
-                        front: [front, cell.front[1]],
-                    };
-                    stack[depth + 1] = Interval {
-                        lo: cell.lo,
-                        hi: middle,
-                        front: [cell.front[0], front],
-                    };
+                    stack[depth] = Interval { lo: middle, hi: cell.hi, front: [front, cell.front[1]] };
+                    stack[depth + 1] = Interval { lo: cell.lo, hi: middle, front: [cell.front[0], front] };
                     depth += 2;
                 }
                 Verdict::Halve(..) => self.take(&cell, nodes),
@@ -187,11 +145,7 @@ impl Line<'_, '_> {
             return Verdict::Empty;
         }
         if cell.front == [true, true] {
-            return if self.node(middle).f > 0.0 {
-                Verdict::Halve(middle, false)
-            } else {
-                Verdict::Empty
-            };
+            return if self.node(middle).f > 0.0 { Verdict::Halve(middle, false) } else { Verdict::Empty };
         }
         // Sample away from an end where f = 0.
         let (start, stop) = match cell.front {
@@ -199,18 +153,14 @@ impl Line<'_, '_> {
             [_, true] => (0.0, 0.9),
             _ => (0.0, 1.0),
         };
-        let place = |i: usize| {
-            cell.lo + length * (start + (stop - start) * i as f64 / (SAMPLES - 1) as f64)
-        };
+        let place = |i: usize| cell.lo + length * (start + (stop - start) * i as f64 / (SAMPLES - 1) as f64);
         let samples: [Node; SAMPLES] = std::array::from_fn(|i| self.node(place(i)));
         let inside = samples.iter().filter(|node| node.f > 0.0).count();
         if inside == 0 {
             return Verdict::Empty;
         }
         if inside < SAMPLES {
-            return match (0..SAMPLES - 1)
-                .find(|i| (samples[*i].f > 0.0) != (samples[*i + 1].f > 0.0))
-            {
+            return match (0..SAMPLES - 1).find(|i| (samples[*i].f > 0.0) != (samples[*i + 1].f > 0.0)) {
                 Some(i) => {
                     let root = self.root(place(i), place(i + 1), &|node| node.f);
                     let mut marked = *cell;
@@ -241,30 +191,21 @@ impl Line<'_, '_> {
             [_, true] => (cell.hi - place(i)).ln(),
             _ => 0.0,
         };
-        let log_h: [f64; SAMPLES] =
-            std::array::from_fn(|i| samples[i].log_h + samples[i].point.weight.ln());
+        let log_h: [f64; SAMPLES] = std::array::from_fn(|i| samples[i].log_h + samples[i].point.weight.ln());
         let log_f: [f64; SAMPLES] = std::array::from_fn(|i| samples[i].f.ln() - distance(i));
-        let log_v: [f64; SAMPLES] =
-            std::array::from_fn(|i| samples[i].point.sliding_speed.max(f64::MIN_POSITIVE).ln());
+        let log_v: [f64; SAMPLES] = std::array::from_fn(|i| samples[i].point.sliding_speed.max(f64::MIN_POSITIVE).ln());
         let largest = log_h.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         *top = top.max(largest);
-        if largest < *top - self.settings.drop
-            || length <= 4.0 * f64::EPSILON * cell.lo.abs().max(cell.hi.abs())
-        {
+        if largest < *top - self.settings.drop || length <= 4.0 * f64::EPSILON * cell.lo.abs().max(cell.hi.abs()) {
             return Verdict::Take(*cell);
         }
         // Far below the peak only p^b matters, which varies b times as slowly.
         if largest < *top - 45.0 && spread(&log_h) * self.settings.smallest < self.settings.spread {
             return Verdict::Take(*cell);
         }
-        let plain: [f64; SAMPLES] =
-            std::array::from_fn(|i| log_h[i] - self.settings.exponent * distance(i));
+        let plain: [f64; SAMPLES] = std::array::from_fn(|i| log_h[i] - self.settings.exponent * distance(i));
         let strong = (cell.front[0] || cell.front[1]) && self.settings.exponent > 6.0;
-        if !strong
-            && smooth(&log_f, SMOOTH)
-            && smooth(&log_v, SMOOTH)
-            && spread(&plain) < self.settings.spread
-        {
+        if !strong && smooth(&log_f, SMOOTH) && smooth(&log_v, SMOOTH) && spread(&plain) < self.settings.spread {
             return Verdict::Take(*cell);
         }
         Verdict::Halve(middle, false)
@@ -305,18 +246,10 @@ impl Line<'_, '_> {
 
     fn take(&self, cell: &Interval, nodes: &mut Vec<Node>) {
         let length = cell.hi - cell.lo;
-        let rule = if cell.front == [false, false] {
-            legendre()
-        } else {
-            self.front
-        };
+        let rule = if cell.front == [false, false] { legendre() } else { self.front };
         for i in 0..ORDER {
             let t = rule.abscissa[i];
-            let inner = if cell.front[1] {
-                cell.hi - length * t
-            } else {
-                cell.lo + length * t
-            };
+            let inner = if cell.front[1] { cell.hi - length * t } else { cell.lo + length * t };
             let mut node = self.node(inner);
             node.parameter = [inner, self.outer];
             node.point.weight *= length * rule.weight[i] * self.weight;
@@ -338,10 +271,6 @@ pub(crate) fn smooth(values: &[f64; SAMPLES], limit: f64) -> bool {
 }
 
 pub(crate) fn spread(values: &[f64; SAMPLES]) -> f64 {
-    let (lo, hi) = values
-        .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), v| {
-            (lo.min(*v), hi.max(*v))
-        });
+    let (lo, hi) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), v| (lo.min(*v), hi.max(*v)));
     hi - lo
 }

@@ -31,17 +31,11 @@ pub(crate) fn character(stage: &Stage<'_>, nodes: &[Node], s: f64) -> Character 
     }
     let single = matches!(stage.law.density, Density::Power { .. });
     if single {
-        return if s > 1.0 {
-            Character::Minimum
-        } else {
-            Character::Maximum
-        };
+        return if s > 1.0 { Character::Minimum } else { Character::Maximum };
     }
     let power = |law: &WearLaw| problem.functional.pressure_power(law.pressure_exponent);
-    let above =
-        wearing(problem).all(|(_, law)| power(&law) * problem.q >= 1.0 && power(&law) >= 1.0);
-    let below =
-        wearing(problem).all(|(_, law)| power(&law) * problem.q <= 1.0 && power(&law) <= 1.0);
+    let above = wearing(problem).all(|(_, law)| power(&law) * problem.q >= 1.0 && power(&law) >= 1.0);
+    let below = wearing(problem).all(|(_, law)| power(&law) * problem.q <= 1.0 && power(&law) <= 1.0);
     match (above, below) {
         (true, _) => Character::Minimum,
         (_, true) => Character::Maximum,
@@ -66,10 +60,7 @@ pub(crate) fn regime(stage: &Stage<'_>, s: f64, largest: f64, mean: f64) -> Regi
 /// True when the solution leaves a part of the surface without pressure (f is of order 1 where the pressure is).
 fn open(stage: &Stage<'_>) -> bool {
     let mut open = false;
-    stage
-        .problem
-        .surface
-        .survey(&mut |point| open |= stage.law.node(*point).f < -1e-13);
+    stage.problem.surface.survey(&mut |point| open |= stage.law.node(*point).f < -1e-13);
     open
 }
 
@@ -80,9 +71,7 @@ fn prefers_a_place(stage: &Stage<'_>) -> bool {
         return true;
     };
     stage.problem.surface.survey(&mut |point| {
-        let cost = (speed_power / (k + 1.0)
-            * (point.sliding_speed / stage.law.reference_speed).ln())
-        .exp();
+        let cost = (speed_power / (k + 1.0) * (point.sliding_speed / stage.law.reference_speed).ln()).exp();
         let ratio = cost / stage.law.mode_values(point).phi[stage.law.pivot];
         (low, high) = (low.min(ratio), high.max(ratio));
     });

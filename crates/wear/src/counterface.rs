@@ -17,8 +17,7 @@ pub enum Counterface {
 /// the length of the punch; `thickness` (mm) turns the area weights of the points into lengths.
 pub fn counterface_depth(optimum: &Optimum, law: &WearLaw, thickness: f64) -> f64 {
     let rate = |(point, pressure): (&SurfacePoint, &f64)| {
-        point.weight * wear_rate(law, *pressure, point.sliding_speed)
-            / (point.sliding_speed * thickness)
+        point.weight * wear_rate(law, *pressure, point.sliding_speed) / (point.sliding_speed * thickness)
     };
     optimum.points.iter().zip(&optimum.pressure).map(rate).sum()
 }

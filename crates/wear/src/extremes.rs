@@ -26,9 +26,7 @@ pub(crate) fn extremes(stage: &Stage<'_>, nodes: &[Node], pressure: &[f64]) -> (
     if high <= node_high * (1.0 + 1e-12) || stage.problem.surface.outer_range().is_some() {
         high = high.max(polished(stage, nodes, highest, 1.0).exp());
     }
-    if low > 0.0
-        && (low >= node_low * (1.0 - 1e-12) || stage.problem.surface.outer_range().is_some())
-    {
+    if low > 0.0 && (low >= node_low * (1.0 - 1e-12) || stage.problem.surface.outer_range().is_some()) {
         low = low.min((-polished(stage, nodes, lowest, -1.0)).exp());
     }
     (low, high)
@@ -37,25 +35,13 @@ pub(crate) fn extremes(stage: &Stage<'_>, nodes: &[Node], pressure: &[f64]) -> (
 /// Largest sign * log p near a node, by golden section between its neighbours, one parameter after the other.
 fn polished(stage: &Stage<'_>, nodes: &[Node], best: usize, sign: f64) -> f64 {
     let surface = &stage.problem.surface;
-    let value = |at: [f64; 2]| {
-        sign * stage
-            .law
-            .log_pressure(&stage.law.node(surface.at(at[0], at[1])))
-    };
+    let value = |at: [f64; 2]| sign * stage.law.log_pressure(&stage.law.node(surface.at(at[0], at[1])));
     let mut at = nodes[best].parameter;
-    let directions = if surface.outer_range().is_some() {
-        2
-    } else {
-        1
-    };
+    let directions = if surface.outer_range().is_some() { 2 } else { 1 };
     let mut found = value(at);
     for _ in 0..(2 * directions - 1) {
         for direction in 0..directions {
-            let range = if direction == 0 {
-                Some(surface.inner_range())
-            } else {
-                surface.outer_range()
-            };
+            let range = if direction == 0 { Some(surface.inner_range()) } else { surface.outer_range() };
             let [mut lo, mut hi] = range.unwrap_or([0.0; 2]);
             for node in nodes {
                 let u = node.parameter[direction];

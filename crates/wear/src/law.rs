@@ -30,49 +30,24 @@ pub struct WearPair {
 
 impl WearLaw {
     /// Rule with factor beta~ = beta mu^b, equation (4).
-    pub fn from_beta(
-        beta: f64,
-        friction: f64,
-        speed_exponent: f64,
-        pressure_exponent: f64,
-    ) -> Self {
-        Self {
-            factor: beta * friction.powf(pressure_exponent),
-            speed_exponent,
-            pressure_exponent,
-        }
+    pub fn from_beta(beta: f64, friction: f64, speed_exponent: f64, pressure_exponent: f64) -> Self {
+        Self { factor: beta * friction.powf(pressure_exponent), speed_exponent, pressure_exponent }
     }
 
     /// A body that does not wear.
-    pub const NONE: Self = Self {
-        factor: 0.0,
-        speed_exponent: 1.0,
-        pressure_exponent: 1.0,
-    };
+    pub const NONE: Self = Self { factor: 0.0, speed_exponent: 1.0, pressure_exponent: 1.0 };
 
     pub(crate) fn check(&self) -> Result<(), WearError> {
         if !(self.factor >= 0.0 && self.factor.is_finite()) {
-            return Err(WearError::OutOfRange {
-                name: "wear factor",
-                value: self.factor,
-                wanted: ">= 0 and finite",
-            });
+            return Err(WearError::OutOfRange { name: "wear factor", value: self.factor, wanted: ">= 0 and finite" });
         }
         if !(self.pressure_exponent > 0.0 && self.pressure_exponent.is_finite()) {
             let value = self.pressure_exponent;
-            return Err(WearError::OutOfRange {
-                name: "pressure exponent b",
-                value,
-                wanted: "> 0 and finite",
-            });
+            return Err(WearError::OutOfRange { name: "pressure exponent b", value, wanted: "> 0 and finite" });
         }
         if !self.speed_exponent.is_finite() {
             let value = self.speed_exponent;
-            return Err(WearError::OutOfRange {
-                name: "speed exponent a",
-                value,
-                wanted: "finite",
-            });
+            return Err(WearError::OutOfRange { name: "speed exponent a", value, wanted: "finite" });
         }
         Ok(())
     }
@@ -81,16 +56,8 @@ impl WearLaw {
 impl WearPair {
     /// Rules with factors k (Archard, no friction coefficient in them): w_i' = k_i p^{b_i} v^{a_i}.
     pub fn archard(k: [f64; 2], speed_exponent: [f64; 2], pressure_exponent: [f64; 2]) -> Self {
-        let law = |i: usize| WearLaw {
-            factor: k[i],
-            speed_exponent: speed_exponent[i],
-            pressure_exponent: pressure_exponent[i],
-        };
-        Self {
-            laws: [law(0), law(1)],
-            active: true,
-            friction_driven: false,
-        }
+        let law = |i: usize| WearLaw { factor: k[i], speed_exponent: speed_exponent[i], pressure_exponent: pressure_exponent[i] };
+        Self { laws: [law(0), law(1)], active: true, friction_driven: false }
     }
 
     /// Rules with factors beta_i mu^{b_i}, equation (4).
@@ -105,14 +72,8 @@ impl WearPair {
         pressure_exponent: [f64; 2],
     ) -> Result<Self, WearError> {
         if friction != 0.0 {
-            let law = |i: usize| {
-                WearLaw::from_beta(beta[i], friction, speed_exponent[i], pressure_exponent[i])
-            };
-            return Ok(Self {
-                laws: [law(0), law(1)],
-                active: true,
-                friction_driven: true,
-            });
+            let law = |i: usize| WearLaw::from_beta(beta[i], friction, speed_exponent[i], pressure_exponent[i]);
+            return Ok(Self { laws: [law(0), law(1)], active: true, friction_driven: true });
         }
         if beta[0] > 0.0 && beta[1] > 0.0 && pressure_exponent[0] != pressure_exponent[1] {
             return Err(WearError::NoWear {
@@ -120,11 +81,7 @@ impl WearPair {
                 remedy: "with mu = 0 and b1 != b2 give Archard's factors k instead of beta",
             });
         }
-        Ok(Self {
-            active: false,
-            friction_driven: true,
-            ..Self::archard(beta, speed_exponent, pressure_exponent)
-        })
+        Ok(Self { active: false, friction_driven: true, ..Self::archard(beta, speed_exponent, pressure_exponent) })
     }
 
     /// True when the law of body `i` takes away material.
@@ -156,10 +113,7 @@ pub fn wear_rate_curvature(law: &WearLaw, pressure: f64, sliding_speed: f64) -> 
     if law.factor == 0.0 || b == 1.0 {
         return 0.0;
     }
-    b * (b - 1.0)
-        * law.factor
-        * pressure.max(0.0).powf(b - 2.0)
-        * sliding_speed.powf(law.speed_exponent)
+    b * (b - 1.0) * law.factor * pressure.max(0.0).powf(b - 2.0) * sliding_speed.powf(law.speed_exponent)
 }
 
 /// Slope dw'/dv = a beta~ p^b v^(a-1), without unit of length per speed: (mm/s)/(mm/s).
@@ -176,10 +130,6 @@ pub fn log_wear_rate(law: &WearLaw, log_pressure: f64, log_speed: f64) -> f64 {
     if law.factor == 0.0 || log_pressure == f64::NEG_INFINITY {
         return f64::NEG_INFINITY;
     }
-    let speed = if law.speed_exponent == 0.0 {
-        0.0
-    } else {
-        law.speed_exponent * log_speed
-    };
+    let speed = if law.speed_exponent == 0.0 { 0.0 } else { law.speed_exponent * log_speed };
     law.factor.ln() + law.pressure_exponent * log_pressure + speed
 }

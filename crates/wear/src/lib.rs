@@ -41,17 +41,11 @@ pub use counterface::{Counterface, counterface_depth, counterface_depth_from_fee
 pub use durability::{distance_to_depth, time_to_depth};
 pub use error::WearError;
 pub use functional::Functional;
-pub use law::{
-    WearLaw, WearPair, log_wear_rate, wear_rate, wear_rate_curvature, wear_rate_slope,
-    wear_rate_speed_slope,
-};
+pub use law::{WearLaw, WearPair, log_wear_rate, wear_rate, wear_rate_curvature, wear_rate_slope, wear_rate_speed_slope};
 pub use mode::{Balance, MAX_MODES, Modes, RigidMode, RigidMotion};
 pub use motion::SlidingMotion;
 pub use objective::{functional_curvature, functional_gradient, functional_value};
-pub use optimum::{
-    Character, Optimum, PointForce, Regime, optimal_pressure, optimal_pressure_with,
-    stationary_pressures,
-};
+pub use optimum::{Character, Optimum, PointForce, Regime, optimal_pressure, optimal_pressure_with, stationary_pressures};
 pub use point::SurfacePoint;
 pub use problem::Problem;
 pub use rule::{WearRule, steady_pressure_of_rule};

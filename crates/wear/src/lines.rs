@@ -29,24 +29,16 @@ impl Stage<'_> {
     ) {
         let whole = range[1] - range[0];
         let mut line = Vec::new();
-        let mut stack = vec![Cell {
-            lo: range[0],
-            hi: range[1],
-            graded: [false; 2],
-        }];
+        let mut stack = vec![Cell { lo: range[0], hi: range[1], graded: [false; 2] }];
         let mut top = f64::NEG_INFINITY;
         for i in 0..=8 {
-            top = top.max(
-                self.profile(range[0] + whole * f64::from(i) / 8.0, inner, &mut line)
-                    .0,
-            );
+            top = top.max(self.profile(range[0] + whole * f64::from(i) / 8.0, inner, &mut line).0);
         }
         while let Some(cell) = stack.pop() {
             let Cell { lo, hi, graded } = cell;
             let length = hi - lo;
             let place = |i: usize| lo + length * (0.002 + 0.249 * i as f64);
-            let profile: [(f64, u8); SAMPLES] =
-                std::array::from_fn(|i| self.profile(place(i), inner, &mut line));
+            let profile: [(f64, u8); SAMPLES] = std::array::from_fn(|i| self.profile(place(i), inner, &mut line));
             let values = profile.map(|entry| entry.0);
             let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
             top = top.max(largest);
@@ -57,10 +49,7 @@ impl Stage<'_> {
             let split = if length < 1e-7 * whole || largest < top - settings.drop {
                 None
             } else if let Some(i) = change {
-                Some((
-                    self.border([place(i - 1), place(i)], profile[i - 1].1, inner),
-                    true,
-                ))
+                Some((self.border([place(i - 1), place(i)], profile[i - 1].1, inner), true))
             } else if graded[0] && length > GRADING[1] * whole {
                 Some((lo + GRADING[0] * length, false))
             } else if graded[1] && length > GRADING[1] * whole {
@@ -72,30 +61,15 @@ impl Stage<'_> {
             };
             match split {
                 Some((middle, mark)) if middle > lo && middle < hi => {
-                    stack.push(Cell {
-                        lo: middle,
-                        hi,
-                        graded: [mark, graded[1]],
-                    });
-                    stack.push(Cell {
-                        lo,
-                        hi: middle,
-                        graded: [graded[0], mark],
-                    });
+                    stack.push(Cell { lo: middle, hi, graded: [mark, graded[1]] });
+                    stack.push(Cell { lo, hi: middle, graded: [graded[0], mark] });
                 }
                 _ => {
                     let rule = legendre();
                     for i in 0..ORDER {
                         let outer = lo + length * rule.abscissa[i];
                         let weight = length * rule.weight[i];
-                        Line {
-                            stage: self,
-                            outer,
-                            weight,
-                            settings,
-                            front,
-                        }
-                        .collect(inner, nodes);
+                        Line { stage: self, outer, weight, settings, front }.collect(inner, nodes);
                     }
                 }
             }
@@ -107,11 +81,7 @@ impl Stage<'_> {
         let [mut a, mut b] = ends;
         for _ in 0..60 {
             let middle = 0.5 * (a + b);
-            if self.ends_in_contact(middle, inner) == before {
-                a = middle
-            } else {
-                b = middle
-            }
+            if self.ends_in_contact(middle, inner) == before { a = middle } else { b = middle }
         }
         0.5 * (a + b)
     }
@@ -132,9 +102,6 @@ impl Stage<'_> {
         if largest == f64::NEG_INFINITY {
             return (largest, ends);
         }
-        (
-            largest + logs().map(|log| (log - largest).exp()).sum::<f64>().ln(),
-            ends,
-        )
+        (largest + logs().map(|log| (log - largest).exp()).sum::<f64>().ln(), ends)
     }
 }

@@ -41,34 +41,17 @@ pub struct RigidMode {
 impl RigidMode {
     /// Force `force` pressing body 1 towards -z.
     pub fn press_down(force: f64) -> Self {
-        Self {
-            motion: RigidMotion::Translation {
-                direction: -Vector3::z(),
-            },
-            resultant: force,
-        }
+        Self { motion: RigidMotion::Translation { direction: -Vector3::z() }, resultant: force }
     }
 
     /// Moment `moment` = int (x - about_x) p dS of the contact pressure about the y direction through `about`.
     pub fn tilt(moment: f64, about: Vector3<f64>) -> Self {
-        Self {
-            motion: RigidMotion::Rotation {
-                axis: Vector3::y(),
-                about,
-            },
-            resultant: moment,
-        }
+        Self { motion: RigidMotion::Rotation { axis: Vector3::y(), about }, resultant: moment }
     }
 
     /// Moment `moment` = int (y - about_y) p dS of the contact pressure about the x direction through `about`: phi = y - about_y.
     pub fn tilt_y(moment: f64, about: Vector3<f64>) -> Self {
-        Self {
-            motion: RigidMotion::Rotation {
-                axis: -Vector3::x(),
-                about,
-            },
-            resultant: moment,
-        }
+        Self { motion: RigidMotion::Rotation { axis: -Vector3::x(), about }, resultant: moment }
     }
 }
 

@@ -17,29 +17,17 @@ pub struct SlidingMotion {
 impl SlidingMotion {
     /// Translation with `speed` towards +x.
     pub fn along_x(speed: f64) -> Self {
-        Self {
-            velocity: Vector3::new(speed, 0.0, 0.0),
-            angular_velocity: Vector3::zeros(),
-            about: Vector3::zeros(),
-        }
+        Self { velocity: Vector3::new(speed, 0.0, 0.0), angular_velocity: Vector3::zeros(), about: Vector3::zeros() }
     }
 
     /// Rotation with `omega` (rad/s) about the z axis through the origin: disc and annulus.
     pub fn about_z(omega: f64) -> Self {
-        Self {
-            velocity: Vector3::zeros(),
-            angular_velocity: Vector3::new(0.0, 0.0, omega),
-            about: Vector3::zeros(),
-        }
+        Self { velocity: Vector3::zeros(), angular_velocity: Vector3::new(0.0, 0.0, omega), about: Vector3::zeros() }
     }
 
     /// Rotation with `omega` (rad/s, anti-clockwise positive with x to the right and z up) about the y direction through `centre`.
     pub fn in_plane(omega: f64, centre: Vector3<f64>) -> Self {
-        Self {
-            velocity: Vector3::zeros(),
-            angular_velocity: Vector3::new(0.0, -omega, 0.0),
-            about: centre,
-        }
+        Self { velocity: Vector3::zeros(), angular_velocity: Vector3::new(0.0, -omega, 0.0), about: centre }
     }
 
     /// Sliding speed (mm/s) and drag direction tau (unit tangent along which body 2 drags body 1, zero where the speed is zero).
@@ -47,10 +35,6 @@ impl SlidingMotion {
         let velocity = self.velocity + self.angular_velocity.cross(&(position - self.about));
         let tangential = velocity - normal * velocity.dot(normal);
         let speed = tangential.norm();
-        if speed > 0.0 {
-            (speed, tangential / speed)
-        } else {
-            (0.0, Vector3::zeros())
-        }
+        if speed > 0.0 { (speed, tangential / speed) } else { (0.0, Vector3::zeros()) }
     }
 }

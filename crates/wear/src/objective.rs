@@ -9,20 +9,14 @@ fn log_term(problem: &Problem, i: usize, log_pressure: f64, log_speed: f64) -> f
     let law = &problem.wear.laws[i];
     match problem.functional {
         Functional::WearVolume => log_wear_rate(law, log_pressure, log_speed),
-        Functional::WearPower | Functional::Steady => {
-            log_wear_rate(law, log_pressure, log_speed) + log_pressure
-        }
+        Functional::WearPower | Functional::Steady => log_wear_rate(law, log_pressure, log_speed) + log_pressure,
         Functional::FrictionPower if i == 0 => problem.friction.ln() + log_pressure + log_speed,
         _ => f64::NEG_INFINITY,
     }
 }
 
 /// J_i = (int X_i^q dS)^(1/q) of both bodies, the maxima for q = inf; `None` where J is not defined (q = 0, uniform, steady).
-pub(crate) fn terms(
-    problem: &Problem,
-    points: &[SurfacePoint],
-    log_pressure: &[f64],
-) -> Option<[f64; 2]> {
+pub(crate) fn terms(problem: &Problem, points: &[SurfacePoint], log_pressure: &[f64]) -> Option<[f64; 2]> {
     let q = problem.q;
     if q == 0.0 || matches!(problem.functional, Functional::Uniform | Functional::Steady) {
         return None;
@@ -32,59 +26,37 @@ pub(crate) fn terms(
     }
     Some([0, 1].map(|i| {
         let logs = || {
-            points.iter().zip(log_pressure).map(move |(point, log)| {
-                (
-                    log_term(problem, i, *log, point.sliding_speed.ln()),
-                    point.weight,
-                )
-            })
+            points
+                .iter()
+                .zip(log_pressure)
+                .map(move |(point, log)| (log_term(problem, i, *log, point.sliding_speed.ln()), point.weight))
         };
         let largest = logs().map(|term| term.0).fold(f64::NEG_INFINITY, f64::max);
         if largest == f64::NEG_INFINITY || q == f64::INFINITY {
             return largest.exp();
         }
-        let shift = logs()
-            .map(|term| q * term.0)
-            .fold(f64::NEG_INFINITY, f64::max);
+        let shift = logs().map(|term| q * term.0).fold(f64::NEG_INFINITY, f64::max);
         if q == f64::NEG_INFINITY || shift == f64::INFINITY {
-            return logs()
-                .map(|term| term.0)
-                .fold(f64::INFINITY, f64::min)
-                .exp();
+            return logs().map(|term| term.0).fold(f64::INFINITY, f64::min).exp();
         }
-        let sum: f64 = logs()
-            .map(|(log, weight)| weight * (q * log - shift).exp())
-            .sum();
+        let sum: f64 = logs().map(|(log, weight)| weight * (q * log - shift).exp()).sum();
         ((sum.ln() + shift) / q).exp()
     }))
 }
 
 /// Value of the functional for any pressure: J of (11)-(13), or the plain power for q = 1. `None` for q = 0, uniform and steady.
-pub fn functional_value(
-    problem: &Problem,
-    points: &[SurfacePoint],
-    pressure: &[f64],
-) -> Option<f64> {
+pub fn functional_value(problem: &Problem, points: &[SurfacePoint], pressure: &[f64]) -> Option<f64> {
     let logs: Vec<f64> = pressure.iter().map(|p| p.ln()).collect();
     terms(problem, points, &logs).map(|terms| terms[0] + terms[1])
 }
 
 /// First derivative of the functional as a density at the points: dJ = sum weight * density * dp, with
 /// density = sum_i e_i J_i X_i^q / (p A_i).
-pub fn functional_gradient(
-    problem: &Problem,
-    points: &[SurfacePoint],
-    pressure: &[f64],
-) -> Option<Vec<f64>> {
+pub fn functional_gradient(problem: &Problem, points: &[SurfacePoint], pressure: &[f64]) -> Option<Vec<f64>> {
     let logs: Vec<f64> = pressure.iter().map(|p| p.ln()).collect();
     let terms = terms(problem, points, &logs)?;
     let density = |(point, log): (&SurfacePoint, &f64)| -> f64 {
-        (0..2)
-            .map(|i| {
-                exponent(problem, i) * terms[i] * share(problem, i, terms[i], point, *log)
-                    / log.exp()
-            })
-            .sum()
+        (0..2).map(|i| exponent(problem, i) * terms[i] * share(problem, i, terms[i], point, *log) / log.exp()).sum()
     };
     Some(points.iter().zip(&logs).map(density).collect())
 }
@@ -101,34 +73,19 @@ pub fn functional_curvature(
     let terms = terms(problem, points, &logs)?;
     let mut sum = 0.0;
     for (i, value) in terms.iter().enumerate().filter(|(_, value)| **value > 0.0) {
-        let probability: Vec<f64> = points
-            .iter()
-            .zip(&logs)
-            .map(|(point, log)| point.weight * share(problem, i, *value, point, *log))
-            .collect();
-        let mean: f64 = probability
-            .iter()
-            .zip(relative_change)
-            .map(|(m, z)| m * z)
-            .sum();
-        let variance: f64 = probability
-            .iter()
-            .zip(relative_change)
-            .map(|(m, z)| m * (z - mean).powi(2))
-            .sum();
+        let probability: Vec<f64> =
+            points.iter().zip(&logs).map(|(point, log)| point.weight * share(problem, i, *value, point, *log)).collect();
+        let mean: f64 = probability.iter().zip(relative_change).map(|(m, z)| m * z).sum();
+        let variance: f64 = probability.iter().zip(relative_change).map(|(m, z)| m * (z - mean).powi(2)).sum();
         let e = exponent(problem, i);
-        let s_minus_1 = problem
-            .functional
-            .s_minus_1(problem.wear.laws[i].pressure_exponent, problem.q);
+        let s_minus_1 = problem.functional.s_minus_1(problem.wear.laws[i].pressure_exponent, problem.q);
         sum += value * e * (s_minus_1 * variance + (e - 1.0) * mean * mean);
     }
     Some(sum)
 }
 
 fn exponent(problem: &Problem, i: usize) -> f64 {
-    problem
-        .functional
-        .pressure_power(problem.wear.laws[i].pressure_exponent)
+    problem.functional.pressure_power(problem.wear.laws[i].pressure_exponent)
 }
 
 /// X_i^q / A_i at a point, with A_i = J_i^q.
@@ -151,39 +108,14 @@ pub(crate) fn multiplier_factor(
 ) -> Option<f64> {
     let problem = stage.problem;
     let steady = problem.functional == Functional::Steady;
-    if steady
-        && matches!(
-            stage.law.density,
-            Density::Sum { .. } | Density::Receding { .. } | Density::Rule { .. }
-        )
-    {
-        return Some(if problem.wear.active {
-            stage.law.log_scale.exp()
-        } else {
-            0.0
-        });
+    if steady && matches!(stage.law.density, Density::Sum { .. } | Density::Receding { .. } | Density::Rule { .. }) {
+        return Some(if problem.wear.active { stage.law.log_scale.exp() } else { 0.0 });
     }
-    let free = || {
-        nodes
-            .iter()
-            .zip(log_pressure)
-            .enumerate()
-            .filter(|(_, (node, _))| node.excess < 0.0)
-    };
-    let force = |node: &Node| {
-        stage
-            .law
-            .force_function(&node.point, &node.modes)
-            .0
-            .max(0.0)
-    };
-    let work: f64 = free()
-        .map(|(_, (node, log))| node.point.weight * force(node) * log.exp())
-        .sum();
+    let free = || nodes.iter().zip(log_pressure).enumerate().filter(|(_, (node, _))| node.excess < 0.0);
+    let force = |node: &Node| stage.law.force_function(&node.point, &node.modes).0.max(0.0);
+    let work: f64 = free().map(|(_, (node, log))| node.point.weight * force(node) * log.exp()).sum();
     if steady {
-        let power: f64 = free()
-            .map(|(i, (node, log))| node.point.weight * log.exp() * gap[i])
-            .sum();
+        let power: f64 = free().map(|(i, (node, log))| node.point.weight * log.exp() * gap[i]).sum();
         return Some(power / work);
     }
     terms.map(|terms| euler(problem, nodes, log_pressure, terms) / work)
@@ -195,9 +127,7 @@ fn euler(problem: &Problem, nodes: &[Node], log_pressure: &[f64], terms: [f64; 2
     (0..2)
         .filter(|i| terms[*i] > 0.0)
         .map(|i| {
-            let e = problem
-                .functional
-                .pressure_power(problem.wear.laws[i].pressure_exponent);
+            let e = problem.functional.pressure_power(problem.wear.laws[i].pressure_exponent);
             let capped = nodes.iter().any(|node| node.excess >= 0.0);
             if !capped || q.is_infinite() {
                 return e * terms[i];

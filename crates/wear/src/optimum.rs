@@ -122,11 +122,7 @@ impl Optimum {
 
     /// The stationarity function f = sum_k lambda_k phi_k at a point, in the gauge of the multipliers; negative where the gap opens.
     pub fn force_function_at(&self, point: &SurfacePoint) -> f64 {
-        self.multipliers
-            .iter()
-            .zip(&self.law.modes)
-            .map(|(lambda, mode)| lambda * mode.motion.closing(point))
-            .sum()
+        self.multipliers.iter().zip(&self.law.modes).map(|(lambda, mode)| lambda * mode.motion.closing(point)).sum()
     }
 }
 
@@ -138,10 +134,7 @@ pub fn optimal_pressure(problem: &Problem) -> Result<Optimum, WearError> {
 }
 
 /// The same with memory of the caller, for sweeps.
-pub fn optimal_pressure_with(
-    problem: &Problem,
-    work: &mut Workspace,
-) -> Result<Optimum, WearError> {
+pub fn optimal_pressure_with(problem: &Problem, work: &mut Workspace) -> Result<Optimum, WearError> {
     problem.check()?;
     if let Task::Density { density, s } = reduce(problem)? {
         return solve(problem, density, s, work);
@@ -167,18 +160,11 @@ pub fn stationary_pressures(problem: &Problem) -> Result<Vec<Optimum>, WearError
             let mut found = Vec::new();
             for delta in ratio::roots(problem, &ratio)? {
                 let (mut stage, balanced) = ratio::at(problem, &ratio, delta, &mut work.nodes)?;
-                let s = if ratio.s[0] == ratio.s[1] {
-                    ratio.s[0]
-                } else {
-                    f64::NAN
-                };
+                let s = if ratio.s[0] == ratio.s[1] { ratio.s[0] } else { f64::NAN };
                 found.push(report(&mut stage, &mut work, &balanced, s));
             }
             if found.is_empty() {
-                return Err(WearError::NotConverged {
-                    iterations: 0,
-                    residual: f64::NAN,
-                });
+                return Err(WearError::NotConverged { iterations: 0, residual: f64::NAN });
             }
             Ok(found)
         }
@@ -199,27 +185,14 @@ pub fn stationary_pressures(problem: &Problem) -> Result<Vec<Optimum>, WearError
                     wanted: "given for a surface that is neither arc nor sector",
                 });
             }
-            let density = Density::Receding {
-                log_weight: front.factor.ln(),
-                power: front.speed_exponent,
-                m: front.pressure_exponent,
-            };
-            Ok(vec![solve(
-                problem,
-                density,
-                front.pressure_exponent + 1.0,
-                &mut work,
-            )?])
+            let density =
+                Density::Receding { log_weight: front.factor.ln(), power: front.speed_exponent, m: front.pressure_exponent };
+            Ok(vec![solve(problem, density, front.pressure_exponent + 1.0, &mut work)?])
         }
     }
 }
 
-fn solve(
-    problem: &Problem,
-    density: Density,
-    s: f64,
-    work: &mut Workspace,
-) -> Result<Optimum, WearError> {
+fn solve(problem: &Problem, density: Density, s: f64, work: &mut Workspace) -> Result<Optimum, WearError> {
     let mut stage = Stage::new(problem, density)?;
     let balanced = balance_any(&mut stage, &mut work.nodes)?;
     Ok(report(&mut stage, work, &balanced, s))

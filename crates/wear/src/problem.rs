@@ -1,9 +1,6 @@
 //! A wear problem: surface, rule, load, and what is to be made stationary.
 
-use crate::{
-    Balance, Counterface, Functional, MAX_MODES, Modes, RigidMode, Shape, Surface, WearError,
-    WearLaw, WearPair,
-};
+use crate::{Balance, Counterface, Functional, MAX_MODES, Modes, RigidMode, Shape, Surface, WearError, WearLaw, WearPair};
 
 /// All that determines an optimal pressure. Every field is meaningful by itself; `new` fills the usual choices.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,11 +34,7 @@ impl Problem {
     pub fn new(surface: Surface, law: WearLaw, modes: Vec<RigidMode>) -> Self {
         Self {
             surface,
-            wear: WearPair {
-                laws: [law, WearLaw::NONE],
-                active: true,
-                friction_driven: false,
-            },
+            wear: WearPair { laws: [law, WearLaw::NONE], active: true, friction_driven: false },
             friction: 0.0,
             shear_in_balance: true,
             modes,
@@ -57,47 +50,26 @@ impl Problem {
     pub(crate) fn check(&self) -> Result<(), WearError> {
         let count = self.modes.len();
         if count == 0 || count > MAX_MODES {
-            return Err(WearError::Modes {
-                count,
-                why: "between one and six are needed",
-            });
+            return Err(WearError::Modes { count, why: "between one and six are needed" });
         }
         if !(self.friction >= 0.0 && self.friction.is_finite()) {
             let value = self.friction;
-            return Err(WearError::OutOfRange {
-                name: "friction coefficient",
-                value,
-                wanted: ">= 0 and finite",
-            });
+            return Err(WearError::OutOfRange { name: "friction coefficient", value, wanted: ">= 0 and finite" });
         }
         if self.q.is_nan() {
-            return Err(WearError::OutOfRange {
-                name: "q",
-                value: self.q,
-                wanted: "a number or infinite",
-            });
+            return Err(WearError::OutOfRange { name: "q", value: self.q, wanted: "a number or infinite" });
         }
         for mode in &self.modes {
             if !mode.resultant.is_finite() {
-                return Err(WearError::OutOfRange {
-                    name: "resultant",
-                    value: mode.resultant,
-                    wanted: "finite",
-                });
+                return Err(WearError::OutOfRange { name: "resultant", value: mode.resultant, wanted: "finite" });
             }
         }
         if let Some(cap) = self.p_max
             && (cap.is_nan() || cap <= 0.0)
         {
-            return Err(WearError::OutOfRange {
-                name: "p_max",
-                value: cap,
-                wanted: "> 0",
-            });
+            return Err(WearError::OutOfRange { name: "p_max", value: cap, wanted: "> 0" });
         }
-        if matches!(self.surface.shape(), Shape::Annulus { .. })
-            && self.modes.iter().any(|mode| !mode.keeps_axial_symmetry())
-        {
+        if matches!(self.surface.shape(), Shape::Annulus { .. }) && self.modes.iter().any(|mode| !mode.keeps_axial_symmetry()) {
             let why = "a full ring carries axial modes only; use a sector of one turn for moments";
             return Err(WearError::Modes { count, why });
         }

@@ -18,10 +18,7 @@ pub(crate) struct Rule {
 pub(crate) fn legendre() -> &'static Rule {
     static RULE: OnceLock<Rule> = OnceLock::new();
     RULE.get_or_init(|| {
-        let mut rule = Rule {
-            abscissa: [0.0; ORDER],
-            weight: [0.0; ORDER],
-        };
+        let mut rule = Rule { abscissa: [0.0; ORDER], weight: [0.0; ORDER] };
         let n = ORDER as f64;
         for i in 0..ORDER {
             let mut x = -(std::f64::consts::PI * (i as f64 + 0.75) / (n + 0.5)).cos();
@@ -30,10 +27,7 @@ pub(crate) fn legendre() -> &'static Rule {
                 let (mut previous, mut value) = (1.0, x);
                 for degree in 2..=ORDER {
                     let d = degree as f64;
-                    (previous, value) = (
-                        value,
-                        ((2.0 * d - 1.0) * x * value - (d - 1.0) * previous) / d,
-                    );
+                    (previous, value) = (value, ((2.0 * d - 1.0) * x * value - (d - 1.0) * previous) / d);
                 }
                 slope = n * (x * value - previous) / (x * x - 1.0);
                 let step = value / slope;
@@ -58,11 +52,7 @@ pub(crate) fn jacobi(exponent: f64) -> Rule {
         let n = i as f64;
         let sum = 2.0 * n + beta;
         // Shifted to [0, 1]: a_n = (1 + x_n) / 2, b_n half the coefficient on [-1, 1].
-        let a = if i == 0 {
-            beta / (beta + 2.0)
-        } else {
-            beta * beta / (sum * (sum + 2.0))
-        };
+        let a = if i == 0 { beta / (beta + 2.0) } else { beta * beta / (sum * (sum + 2.0)) };
         matrix[(i, i)] = 0.5 * (1.0 + a);
         if i > 0 {
             // b_n^2 = 4 n^2 (n + beta)^2 / (sum^2 (sum + 1)(sum - 1)); for n = 1 the factors 1 + beta cancel.
@@ -78,10 +68,7 @@ pub(crate) fn jacobi(exponent: f64) -> Rule {
     }
     let eigen = matrix.symmetric_eigen();
     let total = 1.0 / (beta + 1.0);
-    let mut rule = Rule {
-        abscissa: [0.0; ORDER],
-        weight: [0.0; ORDER],
-    };
+    let mut rule = Rule { abscissa: [0.0; ORDER], weight: [0.0; ORDER] };
     for i in 0..ORDER {
         let t = eigen.eigenvalues[i].max(f64::MIN_POSITIVE);
         rule.abscissa[i] = t;
@@ -96,17 +83,9 @@ mod tests {
 
     #[test]
     fn rules_integrate_their_powers() {
-        let sum = |rule: &Rule, power: f64| -> f64 {
-            (0..ORDER)
-                .map(|i| rule.weight[i] * rule.abscissa[i].powf(power))
-                .sum()
-        };
+        let sum = |rule: &Rule, power: f64| -> f64 { (0..ORDER).map(|i| rule.weight[i] * rule.abscissa[i].powf(power)).sum() };
         for power in [0.0, 1.0, 7.0, 31.0] {
-            approx::assert_relative_eq!(
-                sum(legendre(), power),
-                1.0 / (power + 1.0),
-                max_relative = 1e-13
-            );
+            approx::assert_relative_eq!(sum(legendre(), power), 1.0 / (power + 1.0), max_relative = 1e-13);
         }
         for exponent in [-0.999, -0.5, 0.3, 3.0] {
             for power in [0.0, 1.0, 9.0] {

@@ -24,8 +24,7 @@ pub(crate) fn roots(problem: &Problem, ratio: &Ratio) -> Result<Vec<f64>, WearEr
         return Ok(vec![lo]);
     }
     let b = problem.wear.laws.map(|law| law.pressure_exponent);
-    let several =
-        problem.functional == Functional::WearVolume && b[0].min(b[1]) < 1.0 && ratio.m[0] > 0.0;
+    let several = problem.functional == Functional::WearVolume && b[0].min(b[1]) < 1.0 && ratio.m[0] > 0.0;
     let count = if several { SCAN } else { 1 };
     let mut found = Vec::new();
     let (mut a, mut fa) = (lo, defect(lo)?);
@@ -63,18 +62,11 @@ fn target(stage: &Stage<'_>, ratio: &Ratio, nodes: &[Node]) -> f64 {
     let norm = |i: usize| {
         let log = |node: &Node| {
             let speed = node.point.sliding_speed.ln();
-            let speed = if ratio.powers[i] == 0.0 {
-                0.0
-            } else {
-                ratio.powers[i] * speed
-            };
+            let speed = if ratio.powers[i] == 0.0 { 0.0 } else { ratio.powers[i] * speed };
             speed + ratio.s[i] * stage.law.log_pressure(node)
         };
         let shift = nodes.iter().map(log).fold(f64::NEG_INFINITY, f64::max);
-        let sum: f64 = nodes
-            .iter()
-            .map(|node| node.point.weight * (log(node) - shift).exp())
-            .sum();
+        let sum: f64 = nodes.iter().map(|node| node.point.weight * (log(node) - shift).exp()).sum();
         shift + sum.ln()
     };
     let laws = stage.problem.wear.laws;
@@ -91,23 +83,15 @@ fn bracket(
     let q = problem.q;
     let mut speeds = (f64::INFINITY, 0.0_f64);
     problem.surface.survey(&mut |point| {
-        speeds = (
-            speeds.0.min(point.sliding_speed),
-            speeds.1.max(point.sliding_speed),
-        );
+        speeds = (speeds.0.min(point.sliding_speed), speeds.1.max(point.sliding_speed));
     });
     let laws = problem.wear.laws;
     let centre = ratio.base + (1.0 - q) * (laws[1].factor.ln() - laws[0].factor.ln());
     if matches!(ratio.density(0.0), Density::Mixed { .. }) && speeds.0 > 0.0 {
-        let ends = [speeds.0, speeds.1]
-            .map(|v| centre + (1.0 - q) / q * (ratio.powers[1] - ratio.powers[0]) * v.ln());
+        let ends = [speeds.0, speeds.1].map(|v| centre + (1.0 - q) / q * (ratio.powers[1] - ratio.powers[0]) * v.ln());
         let margin = 1e-12 * (1.0 + ends[0].abs().max(ends[1].abs()));
         let (lo, hi) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
-        return Ok(if lo == hi {
-            [lo, lo]
-        } else {
-            [lo - margin, hi + margin]
-        });
+        return Ok(if lo == hi { [lo, lo] } else { [lo - margin, hi + margin] });
     }
     let start = centre;
     let value = defect(start)?;
@@ -123,17 +107,10 @@ fn bracket(
         }
         step *= 2.0;
     }
-    Err(WearError::NotConverged {
-        iterations: 40,
-        residual: value,
-    })
+    Err(WearError::NotConverged { iterations: 40, residual: value })
 }
 
-fn refine(
-    ends: [f64; 2],
-    values: [f64; 2],
-    defect: &mut dyn FnMut(f64) -> Result<f64, WearError>,
-) -> Result<f64, WearError> {
+fn refine(ends: [f64; 2], values: [f64; 2], defect: &mut dyn FnMut(f64) -> Result<f64, WearError>) -> Result<f64, WearError> {
     let ([mut a, mut b], [mut fa, mut fb]) = (ends, values);
     for _ in 0..100 {
         if fb == 0.0 || (b - a).abs() <= 1e-15 * b.abs().max(1.0) {

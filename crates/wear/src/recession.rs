@@ -20,10 +20,7 @@ impl Recession {
             Shape::Sector { radii, .. } => Some(*radii).filter(|radii| radii[0] > 0.0),
             _ => None,
         };
-        Self {
-            values: [0.0; ORDER],
-            radii,
-        }
+        Self { values: [0.0; ORDER], radii }
     }
 
     /// W2' of the track through a point.
@@ -92,8 +89,7 @@ impl Stage<'_> {
         match recession.radii {
             None => {
                 self.collect(&mut nodes);
-                recession.values[0] = self.worn_by_body2(&nodes)
-                    / self.problem.surface.track_area().unwrap_or(f64::INFINITY);
+                recession.values[0] = self.worn_by_body2(&nodes) / self.problem.surface.track_area().unwrap_or(f64::INFINITY);
             }
             Some(radii) => {
                 for i in 0..ORDER {
@@ -112,25 +108,12 @@ impl Stage<'_> {
         let law = &self.problem.wear.laws[1];
         nodes
             .iter()
-            .map(|node| {
-                node.point.weight
-                    * log_wear_rate(
-                        law,
-                        self.law.log_pressure(node),
-                        node.point.sliding_speed.ln(),
-                    )
-                    .exp()
-            })
+            .map(|node| node.point.weight * log_wear_rate(law, self.law.log_pressure(node), node.point.sliding_speed.ln()).exp())
             .sum()
     }
 
     /// Root of W - mean(W), increasing in W: bracketed by 0 and the mean at W = 0.
-    fn solve_track(
-        &mut self,
-        mean: &mut dyn FnMut(&Self, &mut Vec<Node>) -> f64,
-        nodes: &mut Vec<Node>,
-        track: Option<usize>,
-    ) {
+    fn solve_track(&mut self, mean: &mut dyn FnMut(&Self, &mut Vec<Node>) -> f64, nodes: &mut Vec<Node>, track: Option<usize>) {
         let mut defect = |stage: &mut Self, value: f64| {
             match track {
                 Some(_) => stage.law.recession.values = [value; ORDER],

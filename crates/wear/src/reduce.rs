@@ -36,42 +36,25 @@ impl Ratio {
     pub(crate) fn density(&self, delta: f64) -> Density {
         let (m, powers) = (self.m, self.powers);
         if m[0] == m[1] {
-            Density::Mixed {
-                k: 1.0 / m[0],
-                log_theta: delta,
-                powers,
-            }
+            Density::Mixed { k: 1.0 / m[0], log_theta: delta, powers }
         } else {
-            Density::Sum {
-                log_weight: [0.0, delta],
-                powers,
-                m,
-            }
+            Density::Sum { log_weight: [0.0, delta], powers, m }
         }
     }
 }
 
 /// The wear rules that matter, body 1 first.
 pub(crate) fn wearing(problem: &Problem) -> impl Iterator<Item = (usize, WearLaw)> {
-    let alone =
-        problem.functional == Functional::Steady && problem.counterface == Counterface::Fresh;
+    let alone = problem.functional == Functional::Steady && problem.counterface == Counterface::Fresh;
     let laws = problem.wear.laws;
-    (0..2)
-        .filter(move |i| laws[*i].factor > 0.0 && !(alone && *i == 1))
-        .map(move |i| (i, laws[i]))
+    (0..2).filter(move |i| laws[*i].factor > 0.0 && !(alone && *i == 1)).map(move |i| (i, laws[i]))
 }
 
 pub(crate) fn reduce(problem: &Problem) -> Result<Task, WearError> {
     let (functional, q) = (problem.functional, problem.q);
     match functional {
         Functional::Uniform => {
-            return Ok(Task::Density {
-                density: Density::Power {
-                    k: 0.0,
-                    speed_power: 0.0,
-                },
-                s: f64::INFINITY,
-            });
+            return Ok(Task::Density { density: Density::Power { k: 0.0, speed_power: 0.0 }, s: f64::INFINITY });
         }
         Functional::FrictionPower => return Ok(single(functional, q, 1.0, 1.0)),
         _ => {}
@@ -90,10 +73,7 @@ pub(crate) fn reduce(problem: &Problem) -> Result<Task, WearError> {
     };
     let second_wears = last.0 == 1;
     let (first, last) = (first.1, last.1);
-    let (a, b) = (
-        [first.speed_exponent, last.speed_exponent],
-        [first.pressure_exponent, last.pressure_exponent],
-    );
+    let (a, b) = ([first.speed_exponent, last.speed_exponent], [first.pressure_exponent, last.pressure_exponent]);
     if functional == Functional::Steady {
         if problem.counterface == Counterface::Revolving
             && !matches!(problem.surface.shape(), Shape::Annulus { .. })
@@ -106,78 +86,39 @@ pub(crate) fn reduce(problem: &Problem) -> Result<Task, WearError> {
         }
         let weights = [first.factor.ln(), last.factor.ln()];
         if b[0] == b[1] {
-            let density = Density::Mixed {
-                k: 1.0 / b[0],
-                log_theta: weights[1] - weights[0],
-                powers: a,
-            };
-            return Ok(Task::Density {
-                density,
-                s: b[0] + 1.0,
-            });
+            let density = Density::Mixed { k: 1.0 / b[0], log_theta: weights[1] - weights[0], powers: a };
+            return Ok(Task::Density { density, s: b[0] + 1.0 });
         }
-        let density = Density::Sum {
-            log_weight: weights,
-            powers: a,
-            m: b,
-        };
-        return Ok(Task::Density {
-            density,
-            s: f64::NAN,
-        });
+        let density = Density::Sum { log_weight: weights, powers: a, m: b };
+        return Ok(Task::Density { density, s: f64::NAN });
     }
     if a[0] == a[1] && b[0] == b[1] {
         return Ok(single(functional, q, a[0], b[0]));
     }
     if q == 0.0 {
         // sum_i e_i int log p under the load: p = const / f whatever the rules.
-        return Ok(Task::Density {
-            density: Density::Power {
-                k: -1.0,
-                speed_power: 0.0,
-            },
-            s: 0.0,
-        });
+        return Ok(Task::Density { density: Density::Power { k: -1.0, speed_power: 0.0 }, s: 0.0 });
     }
     if q.is_infinite() {
         let wanted = "finite for two bodies with different rules";
-        return Err(WearError::OutOfRange {
-            name: "q",
-            value: q,
-            wanted,
-        });
+        return Err(WearError::OutOfRange { name: "q", value: q, wanted });
     }
     let s = b.map(|b| functional.pressure_power(b) * q);
     let m = b.map(|b| functional.s_minus_1(b, q));
     if m[0] * m[1] <= 0.0 || m[0].abs().min(m[1].abs()) <= SINGULAR {
         let why = "s1 and s2 must lie on the same side of 1";
-        return Err(WearError::MixedExponents {
-            s1: s[0],
-            s2: s[1],
-            why,
-        });
+        return Err(WearError::MixedExponents { s1: s[0], s2: s[1], why });
     }
     let e = b.map(|b| functional.pressure_power(b));
     let base = (e[1] / e[0]).ln() + q * (last.factor.ln() - first.factor.ln());
-    Ok(Task::Ratio(Ratio {
-        s,
-        m,
-        powers: [a[0] * q, a[1] * q],
-        base,
-    }))
+    Ok(Task::Ratio(Ratio { s, m, powers: [a[0] * q, a[1] * q], base }))
 }
 
 /// One effective body: p = (f / g^s)^k with g^s = v^(a q).
 fn single(functional: Functional, q: f64, a: f64, b: f64) -> Task {
     let e = functional.pressure_power(b);
     if q.is_infinite() {
-        return Task::Density {
-            density: Density::Power {
-                k: 0.0,
-                speed_power: a / e,
-            },
-            s: q,
-        };
+        return Task::Density { density: Density::Power { k: 0.0, speed_power: a / e }, s: q };
     }
     let minus_1 = functional.s_minus_1(b, q);
     if minus_1.abs() <= SINGULAR {
@@ -186,8 +127,5 @@ fn single(functional: Functional, q: f64, a: f64, b: f64) -> Task {
     let k = 1.0 / minus_1;
     // s k = k + 1 without the rounding of s; a q k = (a / e) s k.
     let speed_power = if q == 0.0 { 0.0 } else { a * q * k };
-    Task::Density {
-        density: Density::Power { k, speed_power },
-        s: e * q,
-    }
+    Task::Density { density: Density::Power { k, speed_power }, s: e * q }
 }

@@ -12,61 +12,27 @@ use crate::solve::Balanced;
 use crate::stage::{Node, Stage};
 use crate::steady::{congruence, gap_rate, steadiness};
 use crate::workspace::{Vectors, Workspace};
-use crate::{
-    Counterface, Functional, Optimum, Problem, Regime, RigidMotion, Shape, log_wear_rate, wear_rate,
-};
+use crate::{Counterface, Functional, Optimum, Problem, Regime, RigidMotion, Shape, log_wear_rate, wear_rate};
 
 /// The answer for a balanced stage whose nodes are in the workspace; its vectors come from the workspace too.
-pub(crate) fn report(
-    stage: &mut Stage<'_>,
-    work: &mut Workspace,
-    balanced: &Balanced,
-    s: f64,
-) -> Optimum {
+pub(crate) fn report(stage: &mut Stage<'_>, work: &mut Workspace, balanced: &Balanced, s: f64) -> Optimum {
     let problem = stage.problem;
     stage.law.log_scale = balanced.log_scale;
     let recession = mean_recession(stage);
     let stage = &*stage;
-    let Workspace {
-        nodes,
-        rates,
-        gap,
-        spare,
-    } = work;
-    let Vectors {
-        mut points,
-        mut pressure,
-        mut log_pressure,
-        mut multipliers,
-        mut feed,
-        mut resultants,
-    } = std::mem::take(spare);
+    let Workspace { nodes, rates, gap, spare } = work;
+    let Vectors { mut points, mut pressure, mut log_pressure, mut multipliers, mut feed, mut resultants } = std::mem::take(spare);
     fill(&mut points, nodes.iter().map(|node| node.point));
-    fill(
-        &mut log_pressure,
-        nodes.iter().map(|node| stage.law.log_pressure(node)),
-    );
+    fill(&mut log_pressure, nodes.iter().map(|node| stage.law.log_pressure(node)));
     fill(&mut pressure, log_pressure.iter().map(|log| log.exp()));
     let rate_at = |(node, log): (&Node, &f64)| match stage.law.density {
-        Density::Rule { rule } if *log > f64::NEG_INFINITY => {
-            [rule(log.exp(), node.point.sliding_speed)[0], 0.0]
-        }
+        Density::Rule { rule } if *log > f64::NEG_INFINITY => [rule(log.exp(), node.point.sliding_speed)[0], 0.0],
         _ => [0, 1].map(|i| rate(problem, i, *log, node)),
     };
     fill(rates, nodes.iter().zip(&log_pressure).map(rate_at));
-    fill(
-        gap,
-        nodes
-            .iter()
-            .zip(rates.iter())
-            .map(|(node, rate)| gap_rate(problem, &recession, node, rate)),
-    );
+    fill(gap, nodes.iter().zip(rates.iter()).map(|(node, rate)| gap_rate(problem, &recession, node, rate)));
     let integral = |value: &dyn Fn(usize, &Node) -> f64| -> f64 {
-        nodes
-            .iter()
-            .enumerate()
-            .map(|(i, node)| node.point.weight * value(i, node))
-            .sum()
+        nodes.iter().enumerate().map(|(i, node)| node.point.weight * value(i, node)).sum()
     };
     let normal_force = integral(&|i, _| pressure[i]);
     let swept = integral(&|i, node| pressure[i] * node.point.sliding_speed);
@@ -75,28 +41,12 @@ pub(crate) fn report(
     let terms = terms(problem, &points, &log_pressure);
     let factor = multiplier_factor(stage, nodes, &log_pressure, gap, terms);
     let gauge = stage.law.gauge_multipliers();
-    let lambda = |count: usize| {
-        gauge
-            .into_iter()
-            .take(count)
-            .map(|lambda| lambda * factor.unwrap_or(0.0))
-    };
-    fill(
-        &mut multipliers,
-        lambda(if factor.is_some() { stage.law.count } else { 0 }),
-    );
+    let lambda = |count: usize| gauge.into_iter().take(count).map(|lambda| lambda * factor.unwrap_or(0.0));
+    fill(&mut multipliers, lambda(if factor.is_some() { stage.law.count } else { 0 }));
     let share = feed_share(problem).filter(|_| factor.is_some());
-    fill(
-        &mut feed,
-        multipliers.iter().map(|value| value * share.unwrap_or(0.0)),
-    );
-    let carried = |motion: RigidMotion| {
-        integral(&|i, node| pressure[i] * motion.force_weight(&node.point, stage.law.friction))
-    };
-    fill(
-        &mut resultants,
-        problem.modes.iter().map(|mode| carried(mode.motion)),
-    );
+    fill(&mut feed, multipliers.iter().map(|value| value * share.unwrap_or(0.0)));
+    let carried = |motion: RigidMotion| integral(&|i, node| pressure[i] * motion.force_weight(&node.point, stage.law.friction));
+    fill(&mut resultants, problem.modes.iter().map(|mode| carried(mode.motion)));
     let turning = turning(problem);
     Optimum {
         s: Some(s).filter(|s| !s.is_nan()),
@@ -141,11 +91,7 @@ fn mean_recession(stage: &mut Stage<'_>) -> Recession {
     }
     let mut recession = Recession::none(&problem.surface);
     if problem.counterface == Counterface::Revolving && problem.wear.wears(1) {
-        recession = if matches!(problem.surface.shape(), Shape::Annulus { .. }) {
-            recession
-        } else {
-            stage.measured_recession()
-        };
+        recession = if matches!(problem.surface.shape(), Shape::Annulus { .. }) { recession } else { stage.measured_recession() };
     }
     recession
 }
@@ -191,41 +137,25 @@ fn feed_share(problem: &Problem) -> Option<f64> {
     if problem.functional == Functional::Steady {
         return Some(1.0);
     }
-    let first = wearing(problem)
-        .next()
-        .map_or(problem.wear.laws[0], |(_, law)| law);
+    let first = wearing(problem).next().map_or(problem.wear.laws[0], |(_, law)| law);
     let b = first.pressure_exponent;
     let same = wearing(problem).all(|(_, law)| law.pressure_exponent == b);
-    let velocity = problem.functional == Functional::WearPower
-        && problem.q == 1.0
-        && same
-        && problem.p_max.is_none();
+    let velocity = problem.functional == Functional::WearPower && problem.q == 1.0 && same && problem.p_max.is_none();
     velocity.then(|| 1.0 / (b + 1.0))
 }
 
 /// A problem without pressure: forces on points or lines.
-pub(crate) fn singular_report(
-    stage: &Stage<'_>,
-    limit: &crate::singular::Limit,
-    s: f64,
-) -> Optimum {
+pub(crate) fn singular_report(stage: &Stage<'_>, limit: &crate::singular::Limit, s: f64) -> Optimum {
     let problem = stage.problem;
     let normal_force: f64 = limit.atoms.iter().map(|atom| atom.1).sum();
-    let swept: f64 = limit
-        .atoms
-        .iter()
-        .map(|(point, force)| point.sliding_speed * force)
-        .sum();
+    let swept: f64 = limit.atoms.iter().map(|(point, force)| point.sliding_speed * force).sum();
     // Powers of p other than the first are not defined on concentrated forces.
     let linear = |power: f64, value: f64| if power == 1.0 { value } else { f64::NAN };
     let wear: f64 = (0..2)
         .filter(|i| problem.wear.wears(*i))
         .map(|i| {
             let law = &problem.wear.laws[i];
-            let sum = limit
-                .atoms
-                .iter()
-                .map(|(p, force)| law.factor * force * p.sliding_speed.powf(law.speed_exponent));
+            let sum = limit.atoms.iter().map(|(p, force)| law.factor * force * p.sliding_speed.powf(law.speed_exponent));
             linear(law.pressure_exponent, sum.sum())
         })
         .sum();
@@ -241,10 +171,7 @@ pub(crate) fn singular_report(
         limit_measure: limit
             .atoms
             .iter()
-            .map(|(point, force)| crate::PointForce {
-                position: point.position,
-                force: *force,
-            })
+            .map(|(point, force)| crate::PointForce { position: point.position, force: *force })
             .collect(),
         multipliers: Vec::new(),
         feed: None,
@@ -259,13 +186,7 @@ pub(crate) fn singular_report(
         resultants: problem
             .modes
             .iter()
-            .map(|mode| {
-                limit
-                    .atoms
-                    .iter()
-                    .map(|(p, force)| force * mode.motion.force_weight(p, stage.law.friction))
-                    .sum()
-            })
+            .map(|mode| limit.atoms.iter().map(|(p, force)| force * mode.motion.force_weight(p, stage.law.friction)).sum())
             .collect(),
         torque: turning.map(|omega| problem.friction * swept / omega),
         effective_radius: turning.map(|omega| swept / omega / pressing(problem, normal_force)),

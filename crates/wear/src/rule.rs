@@ -15,19 +15,11 @@ pub type WearRule = fn(pressure: f64, sliding_speed: f64) -> [f64; 2];
 /// Where the whole surface stays below the threshold nothing moves and the pressure is not determined by wear; such a load is refused.
 pub fn steady_pressure_of_rule(problem: &Problem, rule: WearRule) -> Result<Optimum, WearError> {
     problem.check()?;
-    let problem = Problem {
-        functional: Functional::Steady,
-        ..problem.clone()
-    };
+    let problem = Problem { functional: Functional::Steady, ..problem.clone() };
     let mut work = Workspace::default();
     let mut stage = Stage::new(&problem, Density::Rule { rule })?;
     let balanced = balance_any(&mut stage, &mut work.nodes)?;
-    Ok(crate::report::report(
-        &mut stage,
-        &mut work,
-        &balanced,
-        f64::NAN,
-    ))
+    Ok(crate::report::report(&mut stage, &mut work, &balanced, f64::NAN))
 }
 
 /// log p with w'(p, v) = exp(log_rate), and d log p / d log w': bracketing, then Newton kept inside the bracket.
@@ -59,11 +51,7 @@ pub(crate) fn invert(rule: WearRule, log_rate: f64, speed: f64) -> (f64, f64) {
             low = u
         }
         let newton = u - value / growth;
-        let next = if newton > low && newton < high {
-            newton
-        } else {
-            0.5 * (low + high)
-        };
+        let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
         let moved = (next - u).abs();
         u = next;
         if moved <= 1e-15 * (1.0 + u.abs()) {

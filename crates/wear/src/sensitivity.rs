@@ -46,11 +46,7 @@ pub struct Sensitivity {
 
 /// Derivatives of `optimum`, the answer to `problem`. `None` where p is not a power of f and v by one common rule (two bodies with
 /// different exponents, revolving counter-face, pressure cap) or there is no density.
-pub fn sensitivity(
-    problem: &Problem,
-    optimum: &Optimum,
-    parameter: Parameter,
-) -> Option<Sensitivity> {
+pub fn sensitivity(problem: &Problem, optimum: &Optimum, parameter: Parameter) -> Option<Sensitivity> {
     let Density::Power { k, .. } = optimum.law.density else {
         return None;
     };
@@ -60,11 +56,7 @@ pub fn sensitivity(
     }
     let (dk, da) = exponent_changes(problem, k, parameter);
     let gauge = optimum.law.gauge_multipliers();
-    let d_psi = |k: usize, point: &SurfacePoint| match (
-        parameter,
-        problem.balance,
-        problem.modes[k].motion,
-    ) {
+    let d_psi = |k: usize, point: &SurfacePoint| match (parameter, problem.balance, problem.modes[k].motion) {
         (Parameter::Friction, Balance::Equilibrium, motion) if problem.shear_in_balance => {
             -point.drag.dot(&motion.displacement(&point.position))
         }
@@ -77,11 +69,7 @@ pub fn sensitivity(
     };
     let associated = problem.mode_kind == Modes::Associated;
     let phi = |k: usize, point: &SurfacePoint| {
-        if associated {
-            psi(k, point)
-        } else {
-            problem.modes[k].motion.closing(point)
-        }
+        if associated { psi(k, point) } else { problem.modes[k].motion.closing(point) }
     };
     // Known part of d log p, then the matrix for the change of the multipliers (k = 0: of the common factor).
     let known: Vec<f64> = optimum
@@ -92,16 +80,8 @@ pub fn sensitivity(
             if f <= 0.0 {
                 return 0.0;
             }
-            let bent: f64 = if associated {
-                (0..count).map(|i| gauge[i] * d_psi(i, point)).sum()
-            } else {
-                0.0
-            };
-            let speed = if da == 0.0 {
-                0.0
-            } else {
-                da * (point.sliding_speed / optimum.law.reference_speed).ln()
-            };
+            let bent: f64 = if associated { (0..count).map(|i| gauge[i] * d_psi(i, point)).sum() } else { 0.0 };
+            let speed = if da == 0.0 { 0.0 } else { da * (point.sliding_speed / optimum.law.reference_speed).ln() };
             dk * f.ln() + k * bent / f - speed
         })
         .collect();
@@ -116,9 +96,7 @@ pub fn sensitivity(
         }
     };
     let mut matrix = DMatrix::<f64>::zeros(count, count);
-    let mut side = DVector::<f64>::from_fn(count, |j, _| {
-        f64::from(u8::from(parameter == Parameter::Resultant(j)))
-    });
+    let mut side = DVector::<f64>::from_fn(count, |j, _| f64::from(u8::from(parameter == Parameter::Resultant(j))));
     for ((point, p), known) in optimum.points.iter().zip(&optimum.pressure).zip(&known) {
         for j in 0..count {
             let share = point.weight * p * psi(j, point);
@@ -135,18 +113,12 @@ pub fn sensitivity(
         .zip(&known)
         .map(|(point, known)| known + (0..count).map(|l| reach(l, point) * change[l]).sum::<f64>())
         .collect();
-    Some(assemble(problem, optimum, parameter, log_pressure, |i| {
-        if k == 0.0 { 0.0 } else { change[i] }
-    }))
+    Some(assemble(problem, optimum, parameter, log_pressure, |i| if k == 0.0 { 0.0 } else { change[i] }))
 }
 
 /// dk and dA of p = C f^k v^(-A).
 fn exponent_changes(problem: &Problem, k: f64, parameter: Parameter) -> (f64, f64) {
-    let law = if problem.wear.laws[0].factor > 0.0 {
-        problem.wear.laws[0]
-    } else {
-        problem.wear.laws[1]
-    };
+    let law = if problem.wear.laws[0].factor > 0.0 { problem.wear.laws[0] } else { problem.wear.laws[1] };
     let (q, e) = match problem.functional {
         Functional::WearVolume => (problem.q, law.pressure_exponent),
         Functional::WearPower => (problem.q, law.pressure_exponent + 1.0),
@@ -164,20 +136,12 @@ fn exponent_changes(problem: &Problem, k: f64, parameter: Parameter) -> (f64, f6
 }
 
 /// Change of the logarithm of body i's wear rate at fixed pressure.
-fn rate_change(
-    problem: &Problem,
-    i: usize,
-    parameter: Parameter,
-    log_pressure: f64,
-    log_speed: f64,
-) -> f64 {
+fn rate_change(problem: &Problem, i: usize, parameter: Parameter, log_pressure: f64, log_speed: f64) -> f64 {
     let law = &problem.wear.laws[i];
     let driven = problem.wear.friction_driven;
     match parameter {
         Parameter::Friction if driven => law.pressure_exponent / problem.friction,
-        Parameter::PressureExponent => {
-            log_pressure + if driven { problem.friction.ln() } else { 0.0 }
-        }
+        Parameter::PressureExponent => log_pressure + if driven { problem.friction.ln() } else { 0.0 },
         Parameter::SpeedExponent => log_speed,
         Parameter::LogWearFactor => 1.0,
         _ => 0.0,
@@ -208,29 +172,16 @@ fn assemble(
             power += rate * p * (total + change);
         }
     }
-    let own = if parameter == Parameter::Friction {
-        swept
-    } else {
-        0.0
-    };
+    let own = if parameter == Parameter::Friction { swept } else { 0.0 };
     let friction_power = own + problem.friction * d_swept;
     let force = pressing(problem, optimum.normal_force);
-    let first = problem
-        .modes
-        .iter()
-        .position(|mode| matches!(mode.motion, RigidMotion::Translation { .. }));
+    let first = problem.modes.iter().position(|mode| matches!(mode.motion, RigidMotion::Translation { .. }));
     let d_force = match (first, parameter) {
         (Some(first), Parameter::Resultant(i)) => f64::from(u8::from(i == first)),
         (Some(_), _) => 0.0,
         (None, _) => {
-            let terms = optimum
-                .points
-                .iter()
-                .zip(&optimum.pressure)
-                .zip(&log_pressure);
-            terms
-                .map(|((point, p), change)| point.weight * p * change)
-                .sum()
+            let terms = optimum.points.iter().zip(&optimum.pressure).zip(&log_pressure);
+            terms.map(|((point, p), change)| point.weight * p * change).sum()
         }
     };
     let omega = turning(problem);
@@ -260,8 +211,6 @@ fn assemble(
 
 /// Feed over gauge multiplier, the same for every mode.
 fn feed_factor(feed: &[f64], gauge: &[f64]) -> f64 {
-    let largest = (0..feed.len())
-        .max_by(|i, j| gauge[*i].abs().total_cmp(&gauge[*j].abs()))
-        .unwrap_or(0);
+    let largest = (0..feed.len()).max_by(|i, j| gauge[*i].abs().total_cmp(&gauge[*j].abs())).unwrap_or(0);
     feed[largest] / gauge[largest]
 }

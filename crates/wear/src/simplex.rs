@@ -44,27 +44,16 @@ pub(crate) fn minimise(columns: &[Column], target: &[f64]) -> Option<Vertex> {
             let matrix = DMatrix::from_fn(rows, rows, |k, i| entry(basis[i], k)).lu();
             let mass = matrix.solve(&right)?;
             let prices = DVector::from_fn(rows, |i, _| cost(basis[i]));
-            let dual = DMatrix::from_fn(rows, rows, |i, k| entry(basis[i], k))
-                .lu()
-                .solve(&prices)?;
-            let reduced =
-                |j: usize| cost(j) - (0..rows).map(|k| dual[k] * entry(j, k)).sum::<f64>();
+            let dual = DMatrix::from_fn(rows, rows, |i, k| entry(basis[i], k)).lu().solve(&prices)?;
+            let reduced = |j: usize| cost(j) - (0..rows).map(|k| dual[k] * entry(j, k)).sum::<f64>();
             let entering = (0..total)
                 .map(|j| (j, reduced(j)))
                 .min_by(|a, b| a.1.total_cmp(&b.1))
-                .filter(|(j, value)| {
-                    *value < -1e-13 * cost(*j).abs().max(1.0) && !basis.contains(j)
-                });
+                .filter(|(j, value)| *value < -1e-13 * cost(*j).abs().max(1.0) && !basis.contains(j));
             let Some((j, _)) = entering else {
                 if phase == 2 {
-                    let atoms = (0..rows)
-                        .filter(|i| basis[*i] < total)
-                        .map(|i| (basis[i], mass[i]))
-                        .collect();
-                    return Some(Vertex {
-                        atoms,
-                        dual: dual.iter().copied().collect(),
-                    });
+                    let atoms = (0..rows).filter(|i| basis[*i] < total).map(|i| (basis[i], mass[i])).collect();
+                    return Some(Vertex { atoms, dual: dual.iter().copied().collect() });
                 }
                 break;
             };
@@ -78,10 +67,7 @@ pub(crate) fn minimise(columns: &[Column], target: &[f64]) -> Option<Vertex> {
         if phase == 1 {
             let matrix = DMatrix::from_fn(rows, rows, |k, i| entry(basis[i], k)).lu();
             let mass = matrix.solve(&right)?;
-            let missed: f64 = (0..rows)
-                .filter(|i| basis[*i] >= total)
-                .map(|i| mass[i].abs())
-                .sum();
+            let missed: f64 = (0..rows).filter(|i| basis[*i] >= total).map(|i| mass[i].abs()).sum();
             if missed > 1e-10 * scale {
                 return None;
             }

@@ -31,54 +31,30 @@ type Place = ([f64; 2], SurfacePoint);
 
 /// Forces that the stationary pressures approach as s -> 1 from one side, for the cost g = v^speed_power of the functional
 /// (a/b for wear volume, 1 for friction power, a/(b+1) for wear power).
-pub fn singular_limit(
-    problem: &Problem,
-    speed_power: f64,
-    side: LimitSide,
-) -> Result<Vec<PointForce>, WearError> {
+pub fn singular_limit(problem: &Problem, speed_power: f64, side: LimitSide) -> Result<Vec<PointForce>, WearError> {
     problem.check()?;
     let stage = Stage::new(problem, crate::density::Density::BangBang { speed_power })?;
     let limit = limit(&stage, speed_power, side)?;
-    Ok(limit
-        .atoms
-        .iter()
-        .map(|(point, force)| PointForce {
-            position: point.position,
-            force: *force,
-        })
-        .collect())
+    Ok(limit.atoms.iter().map(|(point, force)| PointForce { position: point.position, force: *force }).collect())
 }
 
-pub(crate) fn limit(
-    stage: &Stage<'_>,
-    speed_power: f64,
-    side: LimitSide,
-) -> Result<Limit, WearError> {
+pub(crate) fn limit(stage: &Stage<'_>, speed_power: f64, side: LimitSide) -> Result<Limit, WearError> {
     let law = &stage.law;
     let sign = if side == LimitSide::Above { 1.0 } else { -1.0 };
     let cost = |point: &SurfacePoint| cost(law, speed_power, point);
     let mut places = grid(stage, None, 1.0);
-    let infeasible =
-        || crate::solve::infeasible(stage, "the moment is at or beyond the edge of the surface");
+    let infeasible = || crate::solve::infeasible(stage, "the moment is at or beyond the edge of the surface");
     if law.count == 1 {
         // Smallest sign * g / phi, with ties shared equally.
         let value = |place: &Place| {
             let phi = law.mode_values(&place.1).phi[0];
-            if phi > 0.0 {
-                sign * cost(&place.1) / phi
-            } else {
-                f64::INFINITY
-            }
+            if phi > 0.0 { sign * cost(&place.1) / phi } else { f64::INFINITY }
         };
         let mut reach = 1.0;
         for _ in 0..18 {
             let best = places.iter().map(value).fold(f64::INFINITY, f64::min);
             let tie = if reach == 1.0 { 1e-3 } else { 1e-12 } * best.abs();
-            let near: Vec<Place> = places
-                .iter()
-                .filter(|place| value(place) <= best + tie)
-                .copied()
-                .collect();
+            let near: Vec<Place> = places.iter().filter(|place| value(place) <= best + tie).copied().collect();
             if reach < 1e-9 {
                 break;
             }
@@ -97,30 +73,18 @@ pub(crate) fn limit(
         places.sort_by(|a, b| value(a).total_cmp(&value(b)));
         let mut chosen: Vec<SurfacePoint> = Vec::new();
         let size = extent(stage);
-        for place in places
-            .iter()
-            .filter(|place| value(place) <= best + 1e-11 * best.abs())
-        {
-            if chosen
-                .iter()
-                .all(|other| (other.position - place.1.position).norm() > 1e-3 * size)
-            {
+        for place in places.iter().filter(|place| value(place) <= best + 1e-11 * best.abs()) {
+            if chosen.iter().all(|other| (other.position - place.1.position).norm() > 1e-3 * size) {
                 chosen.push(place.1);
             }
         }
-        let carried: f64 = chosen
-            .iter()
-            .map(|point| law.mode_values(point).psi[0])
-            .sum();
+        let carried: f64 = chosen.iter().map(|point| law.mode_values(point).psi[0]).sum();
         let force = law.resultant(0) / carried;
         if !(force > 0.0 && force.is_finite()) {
             return Err(infeasible());
         }
         let dual = vec![sign * best / law.scale[0]];
-        return Ok(Limit {
-            atoms: chosen.into_iter().map(|point| (point, force)).collect(),
-            dual,
-        });
+        return Ok(Limit { atoms: chosen.into_iter().map(|point| (point, force)).collect(), dual });
     }
     let friction_bends = places.iter().any(|place| {
         let values = law.mode_values(&place.1);
@@ -128,11 +92,7 @@ pub(crate) fn limit(
     });
     if friction_bends && stage.problem.mode_kind == Modes::Kinematic {
         let why = "s = 1 with several kinematic modes and friction on a curved surface; use associated modes";
-        return Err(WearError::MixedExponents {
-            s1: 1.0,
-            s2: 1.0,
-            why,
-        });
+        return Err(WearError::MixedExponents { s1: 1.0, s2: 1.0, why });
     }
     let target: Vec<f64> = (0..law.count).map(|k| law.resultant(k)).collect();
     let mut reach = 1.0;
@@ -148,18 +108,8 @@ pub(crate) fn limit(
         vertex = solve(law, &places, &target, &cost, sign).ok_or_else(infeasible)?;
     }
     let largest = vertex.atoms.iter().map(|atom| atom.1).fold(0.0, f64::max);
-    let atoms = vertex
-        .atoms
-        .iter()
-        .filter(|atom| atom.1 > 1e-12 * largest)
-        .map(|(i, m)| (places[*i].1, *m))
-        .collect();
-    let dual = vertex
-        .dual
-        .iter()
-        .enumerate()
-        .map(|(k, value)| sign * value / law.scale[k])
-        .collect();
+    let atoms = vertex.atoms.iter().filter(|atom| atom.1 > 1e-12 * largest).map(|(i, m)| (places[*i].1, *m)).collect();
+    let dual = vertex.dual.iter().enumerate().map(|(k, value)| sign * value / law.scale[k]).collect();
     Ok(Limit { atoms, dual })
 }
 
@@ -168,49 +118,24 @@ pub(crate) fn limit(
 pub(crate) fn carries(stage: &Stage<'_>) -> bool {
     let law = &stage.law;
     let places = grid(stage, None, 1.0);
-    let mean = |k: usize| {
-        places
-            .iter()
-            .map(|place| law.mode_values(&place.1).psi[k])
-            .sum::<f64>()
-    };
+    let mean = |k: usize| places.iter().map(|place| law.mode_values(&place.1).psi[k]).sum::<f64>();
     let factor = 1e-9 * law.resultant(law.pivot) / mean(law.pivot);
-    let target: Vec<f64> = (0..law.count)
-        .map(|k| law.resultant(k) - factor * mean(k))
-        .collect();
+    let target: Vec<f64> = (0..law.count).map(|k| law.resultant(k) - factor * mean(k)).collect();
     solve(law, &places, &target, &|_| 1.0, 1.0).is_some()
 }
 
-fn solve(
-    law: &PressureLaw,
-    places: &[Place],
-    target: &[f64],
-    cost: &dyn Fn(&SurfacePoint) -> f64,
-    sign: f64,
-) -> Option<Vertex> {
-    let columns: Vec<Column> = places
-        .iter()
-        .map(|place| Column {
-            cost: sign * cost(&place.1),
-            weight: law.mode_values(&place.1).psi,
-        })
-        .collect();
+fn solve(law: &PressureLaw, places: &[Place], target: &[f64], cost: &dyn Fn(&SurfacePoint) -> f64, sign: f64) -> Option<Vertex> {
+    let columns: Vec<Column> =
+        places.iter().map(|place| Column { cost: sign * cost(&place.1), weight: law.mode_values(&place.1).psi }).collect();
     minimise(&columns, target)
 }
 
 fn cost(law: &PressureLaw, speed_power: f64, point: &SurfacePoint) -> f64 {
-    if speed_power == 0.0 {
-        1.0
-    } else {
-        (point.sliding_speed / law.reference_speed).powf(speed_power)
-    }
+    if speed_power == 0.0 { 1.0 } else { (point.sliding_speed / law.reference_speed).powf(speed_power) }
 }
 
 fn extent(stage: &Stage<'_>) -> f64 {
-    let (mut lo, mut hi) = (
-        Vector3::repeat(f64::INFINITY),
-        Vector3::repeat(f64::NEG_INFINITY),
-    );
+    let (mut lo, mut hi) = (Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY));
     stage.problem.surface.survey(&mut |point| {
         lo = lo.inf(&point.position);
         hi = hi.sup(&point.position);
@@ -242,11 +167,7 @@ fn grid(stage: &Stage<'_>, centre: Option<[f64; 2]>, reach: f64) -> Vec<Place> {
     let v = outer.map(|range| window(range, centre.map(|c| c[1])));
     let mut places = Vec::new();
     let place = |range: [f64; 2], i: usize| {
-        if i == count {
-            range[1]
-        } else {
-            range[0] + (range[1] - range[0]) * i as f64 / count as f64
-        }
+        if i == count { range[1] } else { range[0] + (range[1] - range[0]) * i as f64 / count as f64 }
     };
     for j in 0..=(if v.is_some() { count } else { 0 }) {
         let outer = v.map_or(0.0, |range| place(range, j));

@@ -61,10 +61,7 @@ impl PressureLaw {
     }
 
     pub(crate) fn mode_values(&self, point: &SurfacePoint) -> ModeValues {
-        let mut values = ModeValues {
-            phi: [0.0; MAX_MODES],
-            psi: [0.0; MAX_MODES],
-        };
+        let mut values = ModeValues { phi: [0.0; MAX_MODES], psi: [0.0; MAX_MODES] };
         for (k, mode) in self.modes[..self.count].iter().enumerate() {
             let phi = mode.motion.closing(point);
             let psi = match (self.balance, mode.motion) {
@@ -72,11 +69,7 @@ impl PressureLaw {
                 (Balance::Paper, RigidMotion::Translation { .. }) => 1.0,
                 (Balance::Paper, _) => phi,
             };
-            values.phi[k] = if self.mode_kind == Modes::Associated {
-                psi
-            } else {
-                phi
-            } / self.scale[k];
+            values.phi[k] = if self.mode_kind == Modes::Associated { psi } else { phi } / self.scale[k];
             values.psi[k] = psi / self.scale[k];
         }
         values
@@ -99,14 +92,7 @@ impl PressureLaw {
             return (f, f64::NEG_INFINITY);
         }
         let near = base > 0.0 && correction.abs() < 0.5 * base;
-        (
-            f,
-            if near {
-                self.log_base(point, base) + (correction / base).ln_1p()
-            } else {
-                f.ln()
-            },
-        )
+        (f, if near { self.log_base(point, base) + (correction / base).ln_1p() } else { f.ln() })
     }
 
     /// log of the pivot mode. For a translation phi = cos(angle between normal and direction), whose logarithm is taken from the sine
@@ -129,62 +115,33 @@ impl PressureLaw {
     pub(crate) fn node(&self, point: SurfacePoint) -> Node {
         let modes = self.mode_values(&point);
         let (mut f, mut log_f) = self.force_function(&point, &modes);
-        let before = if self.density.scale_free() {
-            0.0
-        } else {
-            self.log_scale
-        };
+        let before = if self.density.scale_free() { 0.0 } else { self.log_scale };
         match self.density {
             Density::Exponential if f > f64::NEG_INFINITY => {
                 let base = modes.phi[self.pivot];
-                log_f = if base > 0.0 {
-                    f / base - 1.0
-                } else {
-                    f64::NEG_INFINITY
-                };
+                log_f = if base > 0.0 { f / base - 1.0 } else { f64::NEG_INFINITY };
                 f = base;
             }
             Density::BangBang { speed_power } => {
-                let cost = if speed_power == 0.0 {
-                    1.0
-                } else {
-                    (point.sliding_speed / self.reference_speed).powf(speed_power)
-                };
+                let cost = if speed_power == 0.0 { 1.0 } else { (point.sliding_speed / self.reference_speed).powf(speed_power) };
                 f = before.exp() * f / cost - 1.0;
                 log_f = if f > 0.0 { 0.0 } else { f64::NEG_INFINITY };
             }
             Density::Receding { .. } => {
                 f -= self.recession.at(&point) * (-before).exp();
-                log_f = if f > 0.0 {
-                    before + f.ln()
-                } else {
-                    f64::NEG_INFINITY
-                };
+                log_f = if f > 0.0 { before + f.ln() } else { f64::NEG_INFINITY };
             }
             _ => log_f += before,
         }
-        let mut node = Node {
-            point,
-            modes,
-            f,
-            log_h: f64::NEG_INFINITY,
-            slope: 0.0,
-            excess: f64::NEG_INFINITY,
-            parameter: [0.0; 2],
-        };
+        let mut node =
+            Node { point, modes, f, log_h: f64::NEG_INFINITY, slope: 0.0, excess: f64::NEG_INFINITY, parameter: [0.0; 2] };
         if log_f == f64::NEG_INFINITY {
             return node;
         }
         // Speeds that differ by rounding alone are equal: with |k| = 1e8 that rounding would show in the pressure.
         let ratio = point.sliding_speed / self.reference_speed;
-        let log_ratio = if (ratio - 1.0).abs() <= 1e-15 {
-            0.0
-        } else {
-            ratio.ln()
-        };
-        (node.log_h, node.slope) =
-            self.density
-                .log_shape(log_f, point.sliding_speed.ln(), log_ratio);
+        let log_ratio = if (ratio - 1.0).abs() <= 1e-15 { 0.0 } else { ratio.ln() };
+        (node.log_h, node.slope) = self.density.log_shape(log_f, point.sliding_speed.ln(), log_ratio);
         if self.absolute {
             if self.density.scale_free() {
                 node.log_h += self.log_scale;
@@ -203,11 +160,7 @@ impl PressureLaw {
 
     /// log p at a node made by this law.
     pub(crate) fn log_pressure(&self, node: &Node) -> f64 {
-        if self.absolute {
-            node.log_h
-        } else {
-            self.log_scale + node.log_h
-        }
+        if self.absolute { node.log_h } else { self.log_scale + node.log_h }
     }
 
     /// Multipliers in the unscaled modes, in the gauge of this law: f = sum_k lambda_k phi_k.
@@ -235,20 +188,13 @@ pub(crate) struct Stage<'a> {
 impl<'a> Stage<'a> {
     pub(crate) fn new(problem: &'a Problem, density: Density) -> Result<Self, WearError> {
         let count = problem.modes.len();
-        let mut modes = [RigidMode {
-            motion: RigidMotion::Expansion,
-            resultant: 0.0,
-        }; MAX_MODES];
+        let mut modes = [RigidMode { motion: RigidMotion::Expansion, resultant: 0.0 }; MAX_MODES];
         modes[..count].copy_from_slice(&problem.modes);
         let mut law = PressureLaw {
             density,
             modes,
             count,
-            friction: if problem.shear_in_balance {
-                problem.friction
-            } else {
-                0.0
-            },
+            friction: if problem.shear_in_balance { problem.friction } else { 0.0 },
             balance: problem.balance,
             mode_kind: problem.mode_kind,
             scale: [1.0; MAX_MODES],
@@ -270,26 +216,16 @@ impl<'a> Stage<'a> {
                 *most = most.max(phi.abs());
                 smallest = smallest.min(phi);
             }
-            speeds = (
-                speeds.0.min(point.sliding_speed),
-                speeds.1.max(point.sliding_speed),
-            );
+            speeds = (speeds.0.min(point.sliding_speed), speeds.1.max(point.sliding_speed));
         });
         for (k, most) in largest[..count].iter().enumerate() {
             if !(*most > 0.0 && most.is_finite()) {
-                return Err(WearError::Modes {
-                    count,
-                    why: "a mode does not move the surface along its normal",
-                });
+                return Err(WearError::Modes { count, why: "a mode does not move the surface along its normal" });
             }
             law.scale[k] = *most;
         }
         let low = if speeds.0 > 0.0 { speeds.0 } else { speeds.1 };
-        let reference = if density.falls_with_speed() {
-            low
-        } else {
-            speeds.1
-        };
+        let reference = if density.falls_with_speed() { low } else { speeds.1 };
         law.reference_speed = if reference > 0.0 { reference } else { 1.0 };
         law.pivot = pivot(problem, &law)?;
         for k in 0..count {
@@ -298,22 +234,14 @@ impl<'a> Stage<'a> {
         let exponent = density.front_exponent();
         let ends = (count > 1 || smallest <= 0.0) && exponent > 0.0 && exponent <= 6.0;
         let front_rule = ends.then(|| jacobi(exponent - 1.0));
-        Ok(Self {
-            problem,
-            law,
-            front_rule,
-        })
+        Ok(Self { problem, law, front_rule })
     }
 
     /// True when f <= 0 somewhere among the ends and coarse points of the surface.
     pub(crate) fn open_at_ends(&self) -> bool {
         let mut open = false;
         self.problem.surface.survey(&mut |point| {
-            open |= self
-                .law
-                .force_function(point, &self.law.mode_values(point))
-                .0
-                <= 0.0;
+            open |= self.law.force_function(point, &self.law.mode_values(point)).0 <= 0.0;
         });
         open
     }
@@ -321,9 +249,7 @@ impl<'a> Stage<'a> {
     /// True when psi = phi at every node: the stationary pressure is a true extremum (or the modes are associated).
     pub(crate) fn symmetric(&self, nodes: &[Node]) -> bool {
         let same = |node: &Node, k: usize| (node.modes.phi[k] - node.modes.psi[k]).abs() <= 1e-14;
-        nodes
-            .iter()
-            .all(|node| (0..self.law.count).all(|k| same(node, k)))
+        nodes.iter().all(|node| (0..self.law.count).all(|k| same(node, k)))
     }
 }
 
@@ -333,20 +259,12 @@ fn pivot(problem: &Problem, law: &PressureLaw) -> Result<usize, WearError> {
         let mode = &problem.modes[*k];
         mode.resultant > 0.0 && !matches!(mode.motion, RigidMotion::Rotation { .. })
     };
-    let by_size = (0..law.count)
-        .max_by(|i, j| law.resultant(*i).abs().total_cmp(&law.resultant(*j).abs()))
-        .unwrap_or(0);
+    let by_size = (0..law.count).max_by(|i, j| law.resultant(*i).abs().total_cmp(&law.resultant(*j).abs())).unwrap_or(0);
     let chosen = (0..law.count).find(pressing).unwrap_or(by_size);
-    let translates = problem
-        .modes
-        .iter()
-        .any(|mode| matches!(mode.motion, RigidMotion::Translation { .. }));
+    let translates = problem.modes.iter().any(|mode| matches!(mode.motion, RigidMotion::Translation { .. }));
     if problem.modes[chosen].resultant == 0.0 || (translates && !pressing(&chosen)) {
         let resultants = problem.modes.iter().map(|mode| mode.resultant).collect();
-        return Err(WearError::Infeasible {
-            resultants,
-            why: "no force presses the bodies together",
-        });
+        return Err(WearError::Infeasible { resultants, why: "no force presses the bodies together" });
     }
     Ok(chosen)
 }

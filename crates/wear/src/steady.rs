@@ -8,19 +8,12 @@ use crate::{Counterface, MAX_MODES, Problem, Shape};
 
 /// Rate at which the gap grows at a node: body 1 alone on a fresh plate, the sum on a ring, body 1 plus body 2's mean along the track
 /// on a revolving counter-face (optimality.md 6).
-pub(crate) fn gap_rate(
-    problem: &Problem,
-    recession: &Recession,
-    node: &Node,
-    rates: &[f64; 2],
-) -> f64 {
+pub(crate) fn gap_rate(problem: &Problem, recession: &Recession, node: &Node, rates: &[f64; 2]) -> f64 {
     match problem.counterface {
         Counterface::Fresh => rates[0],
         Counterface::Congruent => rates[0] + rates[1],
         // A full ring covers its tracks.
-        Counterface::Revolving if matches!(problem.surface.shape(), Shape::Annulus { .. }) => {
-            rates[0] + rates[1]
-        }
+        Counterface::Revolving if matches!(problem.surface.shape(), Shape::Annulus { .. }) => rates[0] + rates[1],
         Counterface::Revolving => rates[0] + recession.at(&node.point),
     }
 }
@@ -32,8 +25,7 @@ pub(crate) fn steadiness(stage: &Stage<'_>, nodes: &[Node], gap: &[f64]) -> Opti
     if !(largest > 0.0 && largest.is_finite()) {
         return None;
     }
-    let closing =
-        |node: &Node, k: usize| stage.law.modes[k].motion.closing(&node.point) / stage.law.scale[k];
+    let closing = |node: &Node, k: usize| stage.law.modes[k].motion.closing(&node.point) / stage.law.scale[k];
     // Unused modes keep a unit diagonal.
     let mut gram = SMatrix::<f64, MAX_MODES, MAX_MODES>::identity();
     let mut side = SVector::<f64, MAX_MODES>::zeros();
@@ -74,9 +66,6 @@ pub(crate) fn congruence(problem: &Problem, nodes: &[Node], rates: &[[f64; 2]]) 
     };
     let area: f64 = shares().map(|(weight, _)| weight).sum();
     let mean: f64 = shares().map(|(weight, share)| weight * share).sum::<f64>() / area;
-    let variance: f64 = shares()
-        .map(|(weight, share)| weight * (share - mean).powi(2))
-        .sum::<f64>()
-        / area;
+    let variance: f64 = shares().map(|(weight, share)| weight * (share - mean).powi(2)).sum::<f64>() / area;
     Some(variance.sqrt() / mean)
 }

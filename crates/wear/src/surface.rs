@@ -73,44 +73,24 @@ impl Surface {
     pub fn from_points(points: Vec<SurfacePoint>) -> Result<Self, WearError> {
         let area: f64 = points.iter().map(|point| point.weight).sum();
         if points.is_empty() || !(area > 0.0 && area.is_finite()) {
-            return Err(WearError::EmptySurface {
-                points: points.len(),
-                area,
-            });
+            return Err(WearError::EmptySurface { points: points.len(), area });
         }
-        Ok(Self {
-            shape: Shape::Points(points),
-            motion: SlidingMotion::along_x(0.0),
-            track_area: None,
-        })
+        Ok(Self { shape: Shape::Points(points), motion: SlidingMotion::along_x(0.0), track_area: None })
     }
 
     /// A parametric surface with the motion of body 2 over it.
     pub fn new(shape: Shape, motion: SlidingMotion) -> Result<Self, WearError> {
-        let surface = Self {
-            shape,
-            motion,
-            track_area: None,
-        };
+        let surface = Self { shape, motion, track_area: None };
         let positive = |name, value: f64| {
             if value > 0.0 && value.is_finite() {
                 Ok(())
             } else {
-                Err(WearError::OutOfRange {
-                    name,
-                    value,
-                    wanted: "> 0 and finite",
-                })
+                Err(WearError::OutOfRange { name, value, wanted: "> 0 and finite" })
             }
         };
         match &surface.shape {
             Shape::Points(points) => return Self::from_points(points.clone()),
-            Shape::Arc {
-                radius,
-                angles,
-                thickness,
-                ..
-            } => {
+            Shape::Arc { radius, angles, thickness, .. } => {
                 positive("radius", *radius)?;
                 positive("thickness", *thickness)?;
                 positive("angle of the arc", angles[1] - angles[0])?;
@@ -122,11 +102,7 @@ impl Surface {
             Shape::Annulus { radii } | Shape::Sector { radii, .. } => {
                 if radii[0] < 0.0 {
                     let (name, value) = ("inner radius", radii[0]);
-                    return Err(WearError::OutOfRange {
-                        name,
-                        value,
-                        wanted: ">= 0",
-                    });
+                    return Err(WearError::OutOfRange { name, value, wanted: ">= 0" });
                 }
                 positive("width of the ring", radii[1] - radii[0])?;
                 if let Shape::Sector { angles, .. } = &surface.shape {
@@ -177,9 +153,7 @@ impl Surface {
     /// Area of body 2's closed track in mm^2, where it is known: given, or the full turn of an arc.
     pub fn track_area(&self) -> Option<f64> {
         match &self.shape {
-            Shape::Arc {
-                radius, thickness, ..
-            } => Some(TAU * radius * thickness),
+            Shape::Arc { radius, thickness, .. } => Some(TAU * radius * thickness),
             _ => self.track_area,
         }
     }
@@ -211,13 +185,7 @@ impl Surface {
         let up = Vector3::z();
         let (position, normal, weight) = match &self.shape {
             Shape::Points(points) => return points[0],
-            Shape::Arc {
-                radius,
-                centre,
-                thickness,
-                internal,
-                ..
-            } => {
+            Shape::Arc { radius, centre, thickness, internal, .. } => {
                 let (sine, cosine) = inner.sin_cos();
                 let outward = Vector3::new(sine, 0.0, cosine);
                 let normal = if *internal { -outward } else { outward };
@@ -236,8 +204,7 @@ impl Surface {
             Shape::Rectangle { .. } => (Vector3::new(outer, inner, 0.0), up, 1.0),
             Shape::Ellipse { semi_axes } => {
                 let (sine, cosine) = outer.sin_cos();
-                let position =
-                    Vector3::new(semi_axes[0] * sine, semi_axes[1] * cosine * inner, 0.0);
+                let position = Vector3::new(semi_axes[0] * sine, semi_axes[1] * cosine * inner, 0.0);
                 (position, up, semi_axes[0] * semi_axes[1] * cosine * cosine)
             }
         };
@@ -247,13 +214,7 @@ impl Surface {
     /// The surface point at a position with the given normal and weight; speed and drag direction from the motion.
     pub fn point(&self, position: Vector3<f64>, normal: Vector3<f64>, weight: f64) -> SurfacePoint {
         let (sliding_speed, drag) = self.motion.sliding(&position, &normal);
-        SurfacePoint {
-            position,
-            normal,
-            weight,
-            sliding_speed,
-            drag,
-        }
+        SurfacePoint { position, normal, weight, sliding_speed, drag }
     }
 
     /// `count` >= 2 points equally spaced in the surface's own coordinate (angle, x, r), both ends included, with trapezoid
@@ -276,16 +237,8 @@ impl Surface {
         let place = |index: usize| {
             let t = index as f64 / last;
             // Symmetric to the last bit about the middle, with exact ends.
-            let u = if index + 1 == count {
-                hi
-            } else {
-                lo * (1.0 - t) + hi * t
-            };
-            let share = if index == 0 || index + 1 == count {
-                0.5
-            } else {
-                1.0
-            };
+            let u = if index + 1 == count { hi } else { lo * (1.0 - t) + hi * t };
+            let share = if index == 0 || index + 1 == count { 0.5 } else { 1.0 };
             let step = share * (hi - lo) / last;
             match &self.shape {
                 Shape::Arc { .. } | Shape::Strip { .. } | Shape::Points(_) => {
@@ -299,11 +252,7 @@ impl Surface {
                     let width = u * (angles[1] - angles[0]);
                     self.point(Vector3::new(u * cosine, u * sine, 0.0), up, width * step)
                 }
-                Shape::Rectangle { y, .. } => self.point(
-                    Vector3::new(u, 0.5 * (y[0] + y[1]), 0.0),
-                    up,
-                    (y[1] - y[0]) * step,
-                ),
+                Shape::Rectangle { y, .. } => self.point(Vector3::new(u, 0.5 * (y[0] + y[1]), 0.0), up, (y[1] - y[0]) * step),
                 Shape::Ellipse { semi_axes } => {
                     let ratio = u / semi_axes[0];
                     let width = 2.0 * semi_axes[1] * (1.0 - ratio * ratio).max(0.0).sqrt();
@@ -318,17 +267,10 @@ impl Surface {
     pub fn area(&self) -> f64 {
         match &self.shape {
             Shape::Points(points) => points.iter().map(|point| point.weight).sum(),
-            Shape::Arc {
-                radius,
-                angles,
-                thickness,
-                ..
-            } => radius * (angles[1] - angles[0]) * thickness,
+            Shape::Arc { radius, angles, thickness, .. } => radius * (angles[1] - angles[0]) * thickness,
             Shape::Strip { x, thickness, .. } => (x[1] - x[0]) * thickness,
             Shape::Annulus { radii } => 0.5 * TAU * (radii[1] - radii[0]) * (radii[1] + radii[0]),
-            Shape::Sector { radii, angles } => {
-                0.5 * (angles[1] - angles[0]) * (radii[1] - radii[0]) * (radii[1] + radii[0])
-            }
+            Shape::Sector { radii, angles } => 0.5 * (angles[1] - angles[0]) * (radii[1] - radii[0]) * (radii[1] + radii[0]),
             Shape::Rectangle { x, y } => (x[1] - x[0]) * (y[1] - y[0]),
             Shape::Ellipse { semi_axes } => 0.5 * TAU * semi_axes[0] * semi_axes[1],
         }
@@ -337,17 +279,9 @@ impl Surface {
 
 /// Radii are parametrised by u = log(r / r_i), so that powers of r are exponentials of u; with r_i = 0 by log(r / r_e) from -300.
 fn log_range(radii: &[f64; 2]) -> [f64; 2] {
-    if radii[0] > 0.0 {
-        [0.0, (radii[1] / radii[0]).ln()]
-    } else {
-        [-300.0, 0.0]
-    }
+    if radii[0] > 0.0 { [0.0, (radii[1] / radii[0]).ln()] } else { [-300.0, 0.0] }
 }
 
 fn log_radius(radii: &[f64; 2], u: f64) -> f64 {
-    if radii[0] > 0.0 {
-        (radii[0] * u.exp()).min(radii[1])
-    } else {
-        radii[1] * u.exp()
-    }
+    if radii[0] > 0.0 { (radii[0] * u.exp()).min(radii[1]) } else { radii[1] * u.exp() }
 }
