@@ -97,23 +97,11 @@ impl Assembly<'_> {
                 rhs[(places[*row], *column)] += value;
             }
             let constant = Mat::zeros(self.columns - self.load_cases.len() - 1, self.columns);
-            return Ok(CellElement {
-                element: Element {
-                    groups,
-                    matrix,
-                    rhs,
-                },
-                constant,
-            });
+            return Ok(CellElement { element: Element { groups, matrix, rhs }, constant });
         }
         // Rows of the transformation from active unknowns to local ones.
         let targets = self.targets(cell, &local);
-        let active = |t: &Target| {
-            t.active
-                .iter()
-                .filter_map(|(g, i, c)| slot(*g).map(|s| (s + i, *c)))
-                .collect()
-        };
+        let active = |t: &Target| t.active.iter().filter_map(|(g, i, c)| slot(*g).map(|s| (s + i, *c))).collect();
         let rows: Vec<Vec<(usize, f64)>> = targets.iter().map(active).collect();
         for (j, row) in rows.iter().enumerate() {
             for (tj, cj) in row {
@@ -130,33 +118,16 @@ impl Assembly<'_> {
             }
         }
         let constant = self.supports(&targets, &rows, s.as_ref(), &load, &mut rhs);
-        Ok(CellElement {
-            element: Element {
-                groups,
-                matrix,
-                rhs,
-            },
-            constant,
-        })
+        Ok(CellElement { element: Element { groups, matrix, rhs }, constant })
     }
 
     /// Places of the cell's boundary unknowns in its element if none is prescribed, turned or tied to a rigid edge.
-    fn places(
-        &self,
-        cell: usize,
-        local: &LocalModes,
-        slot: impl Fn(usize) -> Option<usize>,
-    ) -> Option<Vec<usize>> {
+    fn places(&self, cell: usize, local: &LocalModes, slot: impl Fn(usize) -> Option<usize>) -> Option<Vec<usize>> {
         let c = &self.mesh.cells[cell];
         let vertices = self.mesh.vertices.len();
         let components = self.space.components;
         let mut places = Vec::with_capacity(components * (local.modes - local.interior));
-        let edges = (0..4).map(|e| {
-            (
-                vertices + c.edges[e],
-                local.edge_start[e + 1] - local.edge_start[e],
-            )
-        });
+        let edges = (0..4).map(|e| (vertices + c.edges[e], local.edge_start[e + 1] - local.edge_start[e]));
         for (group, modes) in c.corners.iter().map(|v| (*v, 1)).chain(edges) {
             if !self.space.freedom[group].is_plain() {
                 return None;
@@ -185,20 +156,14 @@ impl Assembly<'_> {
             return constant;
         }
         let nb = targets.len();
-        let prescribed: Vec<f64> = targets
-            .iter()
-            .map(|t| t.fixed.iter().map(|f| f.share * f.value).sum())
-            .collect();
+        let prescribed: Vec<f64> = targets.iter().map(|t| t.fixed.iter().map(|f| f.share * f.value).sum()).collect();
         // Virtual displacements of the local unknowns, one vector a reaction.
         let mut virtual_motion = vec![vec![0.0; nb]; reactions];
         for (i, target) in targets.iter().enumerate() {
             for fixed in &target.fixed {
                 let vertex = fixed.group < self.mesh.vertices.len();
                 let unit = f64::from(u8::from(vertex));
-                let rotation = self.rotation[fixed.group]
-                    .get(fixed.mode)
-                    .copied()
-                    .unwrap_or_default();
+                let rotation = self.rotation[fixed.group].get(fixed.mode).copied().unwrap_or_default();
                 for (k, motion) in [[unit, 0.0], [0.0, unit], rotation].iter().enumerate() {
                     let along = fixed.axis[0] * motion[0] + fixed.axis[1] * motion[1];
                     if let Some(v) = virtual_motion.get_mut(3 * fixed.support + k) {
@@ -229,11 +194,7 @@ impl Assembly<'_> {
                     rhs[(*t, column)] += c * value;
                 }
             }
-            constant[(r, prescribed_column)] += motion
-                .iter()
-                .zip(&of_prescribed)
-                .map(|(a, b)| a * b)
-                .sum::<f64>();
+            constant[(r, prescribed_column)] += motion.iter().zip(&of_prescribed).map(|(a, b)| a * b).sum::<f64>();
             for ((row, column), value) in load {
                 constant[(r, *column)] -= motion[*row] * value;
             }
@@ -246,8 +207,7 @@ impl Assembly<'_> {
         let c = &self.mesh.cells[cell];
         let mut targets = Vec::new();
         let mut push = |group, mode| {
-            (0..self.space.components)
-                .for_each(|k| targets.push(self.space.target(self.mesh, group, mode, k)));
+            (0..self.space.components).for_each(|k| targets.push(self.space.target(self.mesh, group, mode, k)));
         };
         c.corners.iter().for_each(|v| push(*v, 0));
         for e in 0..4 {
@@ -283,11 +243,7 @@ impl Assembly<'_> {
                 }
                 let components = self.space.components;
                 for (mode, sum) in sums.iter().enumerate() {
-                    let scalar = if mode < 2 {
-                        CELL_EDGES[e][mode]
-                    } else {
-                        local.edge_start[e] + mode - 2 - local.interior
-                    };
+                    let scalar = if mode < 2 { CELL_EDGES[e][mode] } else { local.edge_start[e] + mode - 2 - local.interior };
                     let odd = mode >= 2 && mode % 2 == 1 && self.mesh.cells[cell].against[e];
                     let sign = if odd { -1.0 } else { 1.0 };
                     for (k, value) in sum.iter().enumerate().take(components) {
@@ -300,38 +256,19 @@ impl Assembly<'_> {
     }
 
     /// Interior unknowns of a cell from its boundary unknowns: `u_i = -K_ii^-1 K_ib u_b`, followed by the boundary unknowns.
-    pub(crate) fn recover(
-        &self,
-        cell: usize,
-        boundary: &[f64],
-        work: &mut Workspace,
-    ) -> Result<Vec<f64>, Error> {
+    pub(crate) fn recover(&self, cell: usize, boundary: &[f64], work: &mut Workspace) -> Result<Vec<f64>, Error> {
         let local = self.space.local_modes(self.mesh, cell);
         let components = self.space.components;
         let (k, ni) = self.condensed(cell, &local, work)?;
         // From the order of unknowns to that of the matrix: unsigned, one component after the other.
         let modes = boundary.len() / components;
         let mut sign = vec![1.0; local.modes];
-        local
-            .position
-            .iter()
-            .zip(&local.sign)
-            .filter(|(p, _)| **p != usize::MAX)
-            .for_each(|(p, s)| sign[*p] = *s);
-        let unsigned = |row: usize| {
-            sign[local.interior + row % modes] * boundary[components * (row % modes) + row / modes]
-        };
+        local.position.iter().zip(&local.sign).filter(|(p, _)| **p != usize::MAX).for_each(|(p, s)| sign[*p] = *s);
+        let unsigned = |row: usize| sign[local.interior + row % modes] * boundary[components * (row % modes) + row / modes];
         let mut x = Mat::zeros(ni, 1);
         let known = Mat::from_fn(boundary.len(), 1, |row, _| unsigned(row));
         let (l11, l21) = k.as_ref().subcols(0, ni).split_at_row(ni);
-        matmul(
-            x.as_mut(),
-            Accum::Replace,
-            l21.transpose(),
-            known.as_ref(),
-            -1.0,
-            Par::Seq,
-        );
+        matmul(x.as_mut(), Accum::Replace, l21.transpose(), known.as_ref(), -1.0, Par::Seq);
         solve_upper_triangular_in_place(l11.transpose(), x.as_mut(), Par::Seq);
         let interior = (0..ni).map(|i| x[((i % components) * local.interior + i / components, 0)]);
         Ok(interior.chain(boundary.iter().copied()).collect())
@@ -362,22 +299,11 @@ pub(crate) fn boundary_point(curve: &Curve, t: f64, clockwise: bool) -> (Boundar
     let length = d[0].hypot(d[1]);
     let sign = if clockwise { -1.0 } else { 1.0 };
     let tangent = [sign * d[0] / length, sign * d[1] / length];
-    (
-        BoundaryPoint {
-            position: curve.point(t),
-            outward: [tangent[1], -tangent[0]],
-            tangent,
-        },
-        length,
-    )
+    (BoundaryPoint { position: curve.point(t), outward: [tangent[1], -tangent[0]], tangent }, length)
 }
 
 /// Coefficients of the modes 2.. of a field on an edge, interpolated at Lobatto points, in the edge's own parameter.
-pub(crate) fn edge_modes(
-    curve: &Curve,
-    degree: usize,
-    field: impl Fn([f64; 2]) -> [f64; 2],
-) -> Vec<[f64; 2]> {
+pub(crate) fn edge_modes(curve: &Curve, degree: usize, field: impl Fn([f64; 2]) -> [f64; 2]) -> Vec<[f64; 2]> {
     if degree < 2 {
         return Vec::new();
     }
@@ -389,18 +315,11 @@ pub(crate) fn edge_modes(
     let mut modes = vec![[0.0; 2]; degree - 1];
     for (t, w) in rule.points.iter().zip(&rule.weights) {
         let here = lagrange(&nodes, &barycentric, *t);
-        let terms: Vec<f64> = nodes
-            .iter()
-            .zip(&barycentric)
-            .map(|(x, b)| b / (t - x))
-            .collect();
+        let terms: Vec<f64> = nodes.iter().zip(&barycentric).map(|(x, b)| b / (t - x)).collect();
         let total: f64 = terms.iter().sum();
         let slope: [f64; 2] = std::array::from_fn(|k| {
             let f: f64 = here.iter().zip(&values).map(|(l, v)| l * v[k]).sum();
-            (0..nodes.len())
-                .map(|i| terms[i] * (f - values[i][k]) / (t - nodes[i]))
-                .sum::<f64>()
-                / total
+            (0..nodes.len()).map(|i| terms[i] * (f - values[i][k]) / (t - nodes[i])).sum::<f64>() / total
         });
         for (mode, shape) in modes.iter_mut().zip(&shape_functions(degree, *t).1[2..]) {
             mode[0] += w * shape * slope[0];

@@ -30,8 +30,7 @@ impl Table {
         let mut lower = std::array::from_fn(|_| Mat::zeros(n * (n + 1) / 2, points));
         for (q, x) in rule.points.iter().enumerate() {
             let (values, slopes) = shape_functions(degree, *x);
-            let sorted =
-                [values, slopes].map(|f| order.iter().map(|i| f[*i]).collect::<Vec<f64>>());
+            let sorted = [values, slopes].map(|f| order.iter().map(|i| f[*i]).collect::<Vec<f64>>());
             for ab in 0..4 {
                 let (test, trial) = (&sorted[ab / 2], &sorted[ab % 2]);
                 let column: &mut [f64] = all[ab].col_as_slice_mut(q);
@@ -41,20 +40,12 @@ impl Table {
                 let mut rest: &mut [f64] = lower[ab].col_as_slice_mut(q);
                 for (j, b) in trial.iter().enumerate() {
                     let (run, next) = rest.split_at_mut(n - j);
-                    run.iter_mut()
-                        .zip(&test[j..])
-                        .for_each(|(out, a)| *out = a * b);
+                    run.iter_mut().zip(&test[j..]).for_each(|(out, a)| *out = a * b);
                     rest = next;
                 }
             }
         }
-        Table {
-            functions: n,
-            rule,
-            order,
-            all,
-            lower,
-        }
+        Table { functions: n, rule, order, all, lower }
     }
 }
 
@@ -103,12 +94,7 @@ pub(crate) struct LocalModes {
 impl LocalModes {
     /// Modes of a cell of degree `degree` whose edges have degrees `edges` and are walked `against` their own direction: odd
     /// modes of such an edge change sign, which is all that continuity needs.
-    pub(crate) fn new(
-        degree: usize,
-        edges: [usize; 4],
-        against: [bool; 4],
-        trunk: bool,
-    ) -> LocalModes {
+    pub(crate) fn new(degree: usize, edges: [usize; 4], against: [bool; 4], trunk: bool) -> LocalModes {
         let n = degree + 1;
         let mut position = vec![usize::MAX; n * n];
         let mut sign = vec![1.0; n * n];
@@ -140,12 +126,6 @@ impl LocalModes {
                 }
             }
         }
-        LocalModes {
-            position,
-            sign,
-            interior,
-            modes: edge_start[4],
-            edge_start,
-        }
+        LocalModes { position, sign, interior, modes: edge_start[4], edge_start }
     }
 }

@@ -56,20 +56,13 @@ impl Mesh {
     /// [`Error::FoldedCell`].
     pub fn ruled(region: &Ruled<'_>) -> Result<Mesh, Error> {
         let (breaks, levels) = (region.breaks, region.levels);
-        let columns = if region.closed {
-            breaks.len() - 1
-        } else {
-            breaks.len()
-        };
+        let columns = if region.closed { breaks.len() - 1 } else { breaks.len() };
         let vertex = |i: usize, j: usize| j * columns + i % columns;
         let mut vertices = Vec::new();
         for level in levels {
             for t in &breaks[..columns] {
                 let (a, b) = (region.bottom.point(*t), region.top.point(*t));
-                vertices.push([
-                    (1.0 - level) * a[0] + level * b[0],
-                    (1.0 - level) * a[1] + level * b[1],
-                ]);
+                vertices.push([(1.0 - level) * a[0] + level * b[0], (1.0 - level) * a[1] + level * b[1]]);
             }
         }
         let mut quads = Vec::new();
@@ -77,23 +70,11 @@ impl Mesh {
         for j in 0..levels.len() {
             for i in 0..breaks.len() - 1 {
                 if let Some(curve) = level_curve(region, levels[j]) {
-                    curves.push((
-                        [vertex(i, j), vertex(i + 1, j)],
-                        curve.part(breaks[i], breaks[i + 1]),
-                    ));
+                    curves.push(([vertex(i, j), vertex(i + 1, j)], curve.part(breaks[i], breaks[i + 1])));
                 }
                 if j + 1 < levels.len() {
-                    let corners = [
-                        vertex(i, j),
-                        vertex(i + 1, j),
-                        vertex(i + 1, j + 1),
-                        vertex(i, j + 1),
-                    ];
-                    quads.push(Quad {
-                        corners,
-                        material: region.material,
-                        layer: 0,
-                    });
+                    let corners = [vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)];
+                    quads.push(Quad { corners, material: region.material, layer: 0 });
                 }
             }
         }
@@ -124,9 +105,7 @@ impl Mesh {
     /// The vertex nearest to a point.
     pub fn nearest_vertex(&self, x: [f64; 2]) -> usize {
         let distance = |v: &[f64; 2]| (v[0] - x[0]).hypot(v[1] - x[1]);
-        (0..self.vertices.len())
-            .min_by(|a, b| distance(&self.vertices[*a]).total_cmp(&distance(&self.vertices[*b])))
-            .unwrap_or(0)
+        (0..self.vertices.len()).min_by(|a, b| distance(&self.vertices[*a]).total_cmp(&distance(&self.vertices[*b]))).unwrap_or(0)
     }
 }
 
@@ -135,25 +114,11 @@ fn level_curve(region: &Ruled<'_>, level: f64) -> Option<Curve> {
     match (region.bottom, region.top) {
         (bottom, _) if level == 0.0 => Some(bottom),
         (_, top) if level == 1.0 => Some(top),
-        (
-            Curve::Arc {
-                centre,
-                radius,
-                from,
-                to,
-            },
-            Curve::Arc {
-                centre: c,
-                radius: r,
-                from: f,
-                to: t,
-            },
-        ) if centre == c && from == f && to == t => Some(Curve::Arc {
-            centre,
-            radius: (1.0 - level) * radius + level * r,
-            from,
-            to,
-        }),
+        (Curve::Arc { centre, radius, from, to }, Curve::Arc { centre: c, radius: r, from: f, to: t })
+            if centre == c && from == f && to == t =>
+        {
+            Some(Curve::Arc { centre, radius: (1.0 - level) * radius + level * r, from, to })
+        }
         _ => None,
     }
 }

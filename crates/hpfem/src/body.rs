@@ -74,31 +74,17 @@ impl<'a> Body<'a> {
         check(&problem)?;
         let mesh = problem.mesh;
         let supports = problem.supports;
-        let space = Space::new(
-            mesh,
-            problem.degrees.clone(),
-            problem.space,
-            problem.kinematics,
-            supports,
-            problem.rigid_edge.as_ref(),
-        )?;
-        let walk = problem
-            .kept
-            .map(|name| path(mesh, name))
-            .transpose()?
-            .unwrap_or_default();
+        let space =
+            Space::new(mesh, problem.degrees.clone(), problem.space, problem.kinematics, supports, problem.rigid_edge.as_ref())?;
+        let walk = problem.kept.map(|name| path(mesh, name)).transpose()?.unwrap_or_default();
         let kept_groups = kept_groups(mesh, &space, &walk);
-        let element_groups: Vec<Vec<usize>> = (0..mesh.cells.len())
-            .map(|c| space.cell_groups(mesh, c, &[]))
-            .collect();
+        let element_groups: Vec<Vec<usize>> = (0..mesh.cells.len()).map(|c| space.cell_groups(mesh, c, &[])).collect();
         let plan = Plan::new(&element_groups, &space.size, &kept_groups);
         let ordered = start.elapsed();
         let assembly = assembly(&problem, &space)?;
         let (columns, unit) = (assembly.columns, assembly.unit);
         let shared = assembly.shared_matrices()?;
-        let results = map_cells(mesh.cells.len(), |work, c| {
-            assembly.cell(c, &plan.rank, &shared, work)
-        });
+        let results = map_cells(mesh.cells.len(), |work, c| assembly.cell(c, &plan.rank, &shared, work));
         let mut elements = Vec::with_capacity(mesh.cells.len());
         let mut reaction_constant = Mat::zeros(3 * supports.len(), columns);
         for result in results {
@@ -107,20 +93,12 @@ impl<'a> Body<'a> {
             elements.push(cell.element);
         }
         let assembled = start.elapsed();
-        let interior: usize = (0..mesh.cells.len())
-            .map(|c| space.components * space.local_modes(mesh, c).interior)
-            .sum();
-        let condensed = plan
-            .run(elements, &space.size, &kept_groups, columns)
-            .map_err(|g| not_held(place(mesh, g)))?;
+        let interior: usize = (0..mesh.cells.len()).map(|c| space.components * space.local_modes(mesh, c).interior).sum();
+        let condensed = plan.run(elements, &space.size, &kept_groups, columns).map_err(|g| not_held(place(mesh, g)))?;
         let finite = |m: &Mat<f64>| m.col_iter().all(|c| c.iter().all(|v| v.is_finite()));
         if !(finite(&condensed.rhs) && finite(&condensed.work)) {
             let quantity = "a load, or what is left of it after elimination,".into();
-            return Err(Error::OutOfRange {
-                quantity,
-                value: f64::NAN,
-                range: "finite",
-            });
+            return Err(Error::OutOfRange { quantity, value: f64::NAN, range: "finite" });
         }
         let factored = start.elapsed();
         let mut offsets = vec![None; space.size.len()];
@@ -129,23 +107,9 @@ impl<'a> Body<'a> {
             offsets[*g] = Some(unknowns);
             unknowns += space.size[*g];
         }
-        let trace = Trace::new(
-            mesh,
-            &space,
-            problem.kinematics,
-            &walk,
-            |g| offsets[g],
-            unknowns,
-        );
+        let trace = Trace::new(mesh, &space, problem.kinematics, &walk, |g| offsets[g], unknowns);
         let rigid_motions = free_motions(mesh, &space, problem.kinematics);
-        let rigid_modes = rigid_columns(
-            mesh,
-            &space,
-            &kept_groups,
-            &rigid_motions,
-            unknowns,
-            problem.kinematics,
-        );
+        let rigid_modes = rigid_columns(mesh, &space, &kept_groups, &rigid_motions, unknowns, problem.kinematics);
         let mut frame = [None; 3];
         if let Some((group, rigid)) = &space.frame {
             let mut next = offsets[*group];
@@ -174,14 +138,7 @@ impl<'a> Body<'a> {
             assemble: assembled - ordered,
             factor: ordered + factored - assembled,
         };
-        Ok(Body {
-            interface,
-            effort,
-            problem,
-            space,
-            condensed,
-            kept_groups,
-        })
+        Ok(Body { interface, effort, problem, space, condensed, kept_groups })
     }
 
     /// The mesh of the body.
@@ -193,18 +150,11 @@ impl<'a> Body<'a> {
     pub fn solve(&self, cases: &[f64]) -> InterfaceState {
         let factors = self.interface.factors(cases);
         let n = self.interface.stiffness.nrows();
-        let load = TraceLoad {
-            unknowns: vec![0.0; n],
-            ..TraceLoad::default()
-        };
+        let load = TraceLoad { unknowns: vec![0.0; n], ..TraceLoad::default() };
         let right = self.interface.right_hand_side(&load, &factors);
         let right = Mat::from_fn(n, 1, |i, _| right[i]);
         let x = self.interface.solve(&right, &self.interface.rigid_modes);
-        InterfaceState {
-            unknowns: (0..n).map(|i| x[(i, 0)]).collect(),
-            factors,
-            load,
-        }
+        InterfaceState { unknowns: (0..n).map(|i| x[(i, 0)]).collect(), factors, load }
     }
 
     /// Recovers the displacement of the whole body.
@@ -218,8 +168,7 @@ impl<'a> Body<'a> {
             values[*g] = state.unknowns[at..at + self.space.size[*g]].to_vec();
             at += self.space.size[*g];
         }
-        self.condensed
-            .back_substitute(&mut values, &self.space.size, &state.factors);
+        self.condensed.back_substitute(&mut values, &self.space.size, &state.factors);
         let assembly = assembly(&self.problem, &self.space)?;
         let mesh = self.problem.mesh;
         let coefficients = map_cells(mesh.cells.len(), |work, c| {
@@ -234,16 +183,8 @@ impl<'a> Body<'a> {
                 .collect();
             assembly.recover(c, &boundary, work).map(|u| (local, u))
         });
-        let coefficients = coefficients
-            .into_iter()
-            .collect::<Result<Vec<_>, Error>>()?;
-        Ok(Field::new(
-            mesh,
-            self.problem.kinematics,
-            self.problem.materials,
-            &self.space,
-            coefficients,
-        ))
+        let coefficients = coefficients.into_iter().collect::<Result<Vec<_>, Error>>()?;
+        Ok(Field::new(mesh, self.problem.kinematics, self.problem.materials, &self.space, coefficients))
     }
 }
 
@@ -291,22 +232,14 @@ fn assembly<'b>(problem: &'b BodyProblem<'_>, space: &'b Space) -> Result<Assemb
         }
         rotation[g] = match g.checked_sub(mesh.vertices.len()) {
             None => vec![rotation_about_origin(mesh.vertices[g])],
-            Some(e) => edge_modes(
-                &mesh.edges[e].curve,
-                space.edge_degree[e],
-                rotation_about_origin,
-            ),
+            Some(e) => edge_modes(&mesh.edges[e].curve, space.edge_degree[e], rotation_about_origin),
         };
     }
     Ok(Assembly {
         mesh,
         space,
         kinematics: problem.kinematics,
-        materials: problem
-            .materials
-            .iter()
-            .map(|m| m.scaled(1.0 / unit))
-            .collect(),
+        materials: problem.materials.iter().map(|m| m.scaled(1.0 / unit)).collect(),
         unit,
         tables,
         edge_loads,

@@ -18,17 +18,11 @@ pub(crate) struct SharedMatrices {
 }
 
 /// Applies `task` to `0..count`, in parallel with the `rayon` feature; results come in order either way.
-pub(crate) fn map_cells<T: Send>(
-    count: usize,
-    task: impl Fn(&mut Workspace, usize) -> T + Sync + Send,
-) -> Vec<T> {
+pub(crate) fn map_cells<T: Send>(count: usize, task: impl Fn(&mut Workspace, usize) -> T + Sync + Send) -> Vec<T> {
     #[cfg(feature = "rayon")]
     {
         use rayon::prelude::*;
-        (0..count)
-            .into_par_iter()
-            .map_init(Workspace::default, task)
-            .collect()
+        (0..count).into_par_iter().map_init(Workspace::default, task).collect()
     }
     #[cfg(not(feature = "rayon"))]
     {
@@ -54,20 +48,12 @@ impl Assembly<'_> {
             Ok(Some(boundary_block(k, ni).to_owned()))
         });
         let matrices = matrices.into_iter().collect::<Result<_, _>>()?;
-        Ok(SharedMatrices {
-            congruence,
-            matrices,
-        })
+        Ok(SharedMatrices { congruence, matrices })
     }
 
     fn class_modes(&self, class: &Class) -> LocalModes {
         let trunk = self.space.kind == SpaceKind::Trunk;
-        LocalModes::new(
-            self.space.cell_degree[class.first],
-            class.edges,
-            [false; 4],
-            trunk,
-        )
+        LocalModes::new(self.space.cell_degree[class.first], class.edges, [false; 4], trunk)
     }
 
     /// Stiffness of a cell on its unsigned modes after elimination of the interior, and the number of interior unknowns. The first
@@ -85,8 +71,7 @@ impl Assembly<'_> {
         let moduli = self.materials[self.mesh.cells[cell].material].moduli(self.kinematics);
         let mut k = stiffness(self.mesh, cell, table, local, moduli, self.kinematics, work)?;
         let ni = self.space.components * local.interior;
-        factor_leading(k.as_mut(), ni)
-            .map_err(|_| not_held(format!("the interior of cell {cell}")))?;
+        factor_leading(k.as_mut(), ni).map_err(|_| not_held(format!("the interior of cell {cell}")))?;
         Ok((k, ni))
     }
 
@@ -103,20 +88,10 @@ impl Assembly<'_> {
         let turn = &shared.congruence.turn[cell];
         let sources = sources(local, self.mesh.cells[cell].against, class.edges, turn);
         if let Some(matrix) = &shared.matrices[number] {
-            return Ok(turned(
-                matrix.as_ref(),
-                &sources,
-                turn,
-                self.space.components,
-            ));
+            return Ok(turned(matrix.as_ref(), &sources, turn, self.space.components));
         }
         let (k, ni) = self.condensed(cell, &self.class_modes(class), work)?;
-        Ok(turned(
-            boundary_block(k, ni),
-            &sources,
-            turn,
-            self.space.components,
-        ))
+        Ok(turned(boundary_block(k, ni), &sources, turn, self.space.components))
     }
 }
 
@@ -133,12 +108,7 @@ fn boundary_block(k: MatMut<'_, f64>, ni: usize) -> MatRef<'_, f64> {
 }
 
 /// For each boundary mode of a cell, corners first, the place of its mode in the matrix of the class, and its sign.
-fn sources(
-    local: &LocalModes,
-    against: [bool; 4],
-    edges: [usize; 4],
-    turn: &Turn,
-) -> Vec<(usize, f64)> {
+fn sources(local: &LocalModes, against: [bool; 4], edges: [usize; 4], turn: &Turn) -> Vec<(usize, f64)> {
     let mut sources = vec![(0, 1.0); local.modes - local.interior];
     let mut start = 4;
     for i in 0..4 {
@@ -147,14 +117,7 @@ fn sources(
         let own = local.edge_start[e] - local.interior..local.edge_start[e + 1] - local.interior;
         for (m, source) in sources[own].iter_mut().enumerate() {
             let odd = m % 2 == 1;
-            *source = (
-                start + m,
-                if odd && reversed != against[e] {
-                    -1.0
-                } else {
-                    1.0
-                },
-            );
+            *source = (start + m, if odd && reversed != against[e] { -1.0 } else { 1.0 });
         }
         start += edges[i] - 1;
     }
@@ -162,20 +125,11 @@ fn sources(
 }
 
 /// The matrix on the unknowns of a cell, displacement components running fastest.
-fn turned(
-    s: MatRef<'_, f64>,
-    sources: &[(usize, f64)],
-    turn: &Turn,
-    components: usize,
-) -> Mat<f64> {
+fn turned(s: MatRef<'_, f64>, sources: &[(usize, f64)], turn: &Turn, components: usize) -> Mat<f64> {
     let n = s.nrows() / components;
     let [[a, b], [c, d]] = turn.matrix;
     let mut out = Mat::zeros(components * sources.len(), components * sources.len());
-    let column = |j: usize| {
-        s.col(j)
-            .try_as_col_major()
-            .map_or(&[][..], |c| c.as_slice())
-    };
+    let column = |j: usize| s.col(j).try_as_col_major().map_or(&[][..], |c| c.as_slice());
     for (j, (from, sign)) in sources.iter().enumerate() {
         if components == 1 {
             let source = column(*from);
@@ -186,17 +140,11 @@ fn turned(
         }
         let ((xx, zx), (xz, zz)) = (column(*from).split_at(n), column(n + from).split_at(n));
         let (left, right) = out.as_mut().split_at_col_mut(2 * j + 1);
-        let columns = (
-            left.col_mut(2 * j).try_as_col_major_mut(),
-            right.col_mut(0).try_as_col_major_mut(),
-        );
+        let columns = (left.col_mut(2 * j).try_as_col_major_mut(), right.col_mut(0).try_as_col_major_mut());
         let (Some(first), Some(second)) = columns else {
             continue;
         };
-        let pairs = first
-            .as_slice_mut()
-            .chunks_exact_mut(2)
-            .zip(second.as_slice_mut().chunks_exact_mut(2));
+        let pairs = first.as_slice_mut().chunks_exact_mut(2).zip(second.as_slice_mut().chunks_exact_mut(2));
         for ((first, second), (i, other)) in pairs.zip(sources) {
             let f = sign * other;
             // T B T^T with the 2 x 2 block B of a pair of modes.

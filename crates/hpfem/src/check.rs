@@ -8,57 +8,28 @@ use std::f64::consts::TAU;
 /// Refuses a problem whose lists do not fit together or whose numbers cannot be.
 pub(crate) fn check(problem: &BodyProblem<'_>) -> Result<(), Error> {
     let mesh = problem.mesh;
-    let count = |what: &str, given, expected| {
-        Err(Error::Count {
-            what: what.into(),
-            given,
-            expected,
-        })
-    };
+    let count = |what: &str, given, expected| Err(Error::Count { what: what.into(), given, expected });
     if problem.degrees.len() != mesh.cells.len() {
         return count("degrees of cells", problem.degrees.len(), mesh.cells.len());
     }
-    if let Some(cell) = mesh
-        .cells
-        .iter()
-        .find(|c| c.material >= problem.materials.len())
-    {
+    if let Some(cell) = mesh.cells.iter().find(|c| c.material >= problem.materials.len()) {
         return count("materials", problem.materials.len(), cell.material + 1);
     }
-    let out = |quantity: String, value, range| {
-        Err(Error::OutOfRange {
-            quantity,
-            value,
-            range,
-        })
-    };
-    if let Kinematics::PlaneStress { thickness } | Kinematics::PlaneStrain { thickness } =
-        problem.kinematics
+    let out = |quantity: String, value, range| Err(Error::OutOfRange { quantity, value, range });
+    if let Kinematics::PlaneStress { thickness } | Kinematics::PlaneStrain { thickness } = problem.kinematics
         && !(thickness > 0.0 && thickness.is_finite())
     {
         return out("the thickness".into(), thickness, "positive and finite");
     }
-    let size = mesh
-        .vertices
-        .iter()
-        .flatten()
-        .fold(0.0_f64, |m, x| m.max(x.abs()));
+    let size = mesh.vertices.iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
     for (i, x) in mesh.vertices.iter().enumerate() {
         if problem.kinematics.is_revolved() && x[0] < -1e-12 * size {
-            return out(
-                format!("the radius of vertex {i}"),
-                x[0],
-                "zero or positive",
-            );
+            return out(format!("the radius of vertex {i}"), x[0], "zero or positive");
         }
     }
     for support in problem.supports {
         if !support.value.is_finite() {
-            return out(
-                format!("the displacement of support \"{}\"", support.boundary),
-                support.value,
-                "finite",
-            );
+            return out(format!("the displacement of support \"{}\"", support.boundary), support.value, "finite");
         }
     }
     Ok(())
@@ -67,19 +38,10 @@ pub(crate) fn check(problem: &BodyProblem<'_>) -> Result<(), Error> {
 /// The power of two that brings stiffnesses to the order of one. Problems that differ by powers of two then run through the same
 /// square roots, and their results differ by powers of two bit for bit.
 pub(crate) fn unit_of_stiffness(problem: &BodyProblem<'_>) -> f64 {
-    let young = problem
-        .materials
-        .iter()
-        .fold(0.0_f64, |m, e| m.max(e.young()));
+    let young = problem.materials.iter().fold(0.0_f64, |m, e| m.max(e.young()));
     let measure = match problem.kinematics {
         Kinematics::PlaneStress { thickness } | Kinematics::PlaneStrain { thickness } => thickness,
-        _ => {
-            TAU * problem
-                .mesh
-                .vertices
-                .iter()
-                .fold(0.0_f64, |m, x| m.max(x[0].abs()))
-        }
+        _ => TAU * problem.mesh.vertices.iter().fold(0.0_f64, |m, x| m.max(x[0].abs())),
     };
     power_of_two_below(young * measure)
 }
@@ -87,9 +49,5 @@ pub(crate) fn unit_of_stiffness(problem: &BodyProblem<'_>) -> f64 {
 /// The largest power of two not above a positive number; 1 for numbers that have none.
 pub(crate) fn power_of_two_below(x: f64) -> f64 {
     let power = f64::from_bits(x.abs().to_bits() & 0x7ff0_0000_0000_0000);
-    if power.is_normal() && (1.0 / power).is_normal() {
-        power
-    } else {
-        1.0
-    }
+    if power.is_normal() && (1.0 / power).is_normal() { power } else { 1.0 }
 }

@@ -41,19 +41,13 @@ pub(crate) struct Turn {
 
 impl Turn {
     /// The member is the first cell itself.
-    pub(crate) const NONE: Turn = Turn {
-        corner: [0, 1, 2, 3],
-        edge: [(0, false), (1, false), (2, false), (3, false)],
-        matrix: [[1.0, 0.0], [0.0, 1.0]],
-    };
+    pub(crate) const NONE: Turn =
+        Turn { corner: [0, 1, 2, 3], edge: [(0, false), (1, false), (2, false), (3, false)], matrix: [[1.0, 0.0], [0.0, 1.0]] };
 
     /// The symmetry of the square that takes corner 0 to `start` and keeps or reverses the sense of walking.
     fn of_square(start: usize, mirrored: bool) -> Turn {
         let corner = std::array::from_fn(|i| if mirrored { start + 4 - i } else { start + i } % 4);
-        let mut turn = Turn {
-            corner,
-            ..Turn::NONE
-        };
+        let mut turn = Turn { corner, ..Turn::NONE };
         for (edge, ends) in turn.edge.iter_mut().zip(CELL_EDGES) {
             let image = ends.map(|v| corner[v]);
             for (e, other) in CELL_EDGES.iter().enumerate() {
@@ -72,26 +66,14 @@ type Outline = [[f64; 2]; 8];
 impl Congruence {
     /// Every cell in a class of its own.
     pub(crate) fn none(mesh: &Mesh, space: &Space) -> Congruence {
-        let class = |c| Class {
-            first: c,
-            members: 1,
-            edges: edge_degrees(mesh, space, c),
-        };
+        let class = |c| Class { first: c, members: 1, edges: edge_degrees(mesh, space, c) };
         let cells = mesh.cells.len();
-        Congruence {
-            classes: (0..cells).map(class).collect(),
-            class: (0..cells).collect(),
-            turn: vec![Turn::NONE; cells],
-        }
+        Congruence { classes: (0..cells).map(class).collect(), class: (0..cells).collect(), turn: vec![Turn::NONE; cells] }
     }
 
     /// Finds the classes of plane cells with straight and circular edges.
     pub(crate) fn of_plane_cells(mesh: &Mesh, space: &Space) -> Congruence {
-        let mut found = Congruence {
-            classes: Vec::new(),
-            class: Vec::new(),
-            turn: Vec::new(),
-        };
+        let mut found = Congruence { classes: Vec::new(), class: Vec::new(), turn: Vec::new() };
         let mut outlines: Vec<Outline> = Vec::new();
         let mut buckets: HashMap<[i64; 5], Vec<usize>> = HashMap::new();
         for (c, cell) in mesh.cells.iter().enumerate() {
@@ -102,20 +84,14 @@ impl Congruence {
                 let [a, b, d] = invariants(outline);
                 let key = [a, b, d, cell.material as i64, space.cell_degree[c] as i64];
                 let bucket = buckets.entry(key).or_default();
-                hit = bucket
-                    .iter()
-                    .find_map(|k| similarity(&outlines[*k], outline).map(|turn| (*k, turn)));
+                hit = bucket.iter().find_map(|k| similarity(&outlines[*k], outline).map(|turn| (*k, turn)));
                 if hit.is_none() {
                     bucket.push(found.classes.len());
                 }
             }
             let (class, turn) = hit.unwrap_or_else(|| {
                 outlines.push(outline.unwrap_or_default());
-                found.classes.push(Class {
-                    first: c,
-                    members: 0,
-                    edges,
-                });
+                found.classes.push(Class { first: c, members: 0, edges });
                 (found.classes.len() - 1, Turn::NONE)
             });
             let shared = &mut found.classes[class];
@@ -173,27 +149,17 @@ fn similarity(first: &Outline, member: &Outline) -> Option<Turn> {
             [d[0], side * d[1]]
         };
         let to = |k: usize| {
-            let image = if k < 4 {
-                turn.corner[k]
-            } else {
-                4 + turn.edge[k - 4].0
-            };
+            let image = if k < 4 { turn.corner[k] } else { 4 + turn.edge[k - 4].0 };
             minus(member[image], member[turn.corner[0]])
         };
         let (a, b) = (from(2), to(2));
         let square = a[0] * a[0] + a[1] * a[1];
-        let factor = [
-            (a[0] * b[0] + a[1] * b[1]) / square,
-            (a[0] * b[1] - a[1] * b[0]) / square,
-        ];
+        let factor = [(a[0] * b[0] + a[1] * b[1]) / square, (a[0] * b[1] - a[1] * b[0]) / square];
         let size = b[0].hypot(b[1]);
         let round_off = (1e-13 * size + 16.0 * f64::EPSILON * extent).min(1e-9 * size);
         let matches = (1..8).all(|k| {
             let (a, b) = (from(k), to(k));
-            let image = [
-                factor[0] * a[0] - factor[1] * a[1],
-                factor[0] * a[1] + factor[1] * a[0],
-            ];
+            let image = [factor[0] * a[0] - factor[1] * a[1], factor[0] * a[1] + factor[1] * a[0]];
             let miss = minus(image, b);
             miss[0].abs().max(miss[1].abs()) <= round_off
         });

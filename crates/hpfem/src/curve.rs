@@ -72,14 +72,9 @@ impl Curve {
     pub fn through(points: &[[f64; 2]]) -> Curve {
         let n = points.len();
         if n == 2 {
-            return Curve::Line {
-                start: points[0],
-                end: points[1],
-            };
+            return Curve::Line { start: points[0], end: points[1] };
         }
-        let places: Vec<f64> = (0..n)
-            .map(|i| (2 * i) as f64 / (n - 1) as f64 - 1.0)
-            .collect();
+        let places: Vec<f64> = (0..n).map(|i| (2 * i) as f64 / (n - 1) as f64 - 1.0).collect();
         let weights = barycentric_weights(&places);
         Curve::interpolated(n - 1, |t| {
             let l = lagrange(&places, &weights, t);
@@ -118,23 +113,11 @@ impl Curve {
                 let (a, b) = (0.5 * (1.0 - t), 0.5 * (1.0 + t));
                 [a * start[0] + b * end[0], a * start[1] + b * end[1]]
             }
-            Curve::Arc {
-                centre,
-                radius,
-                from,
-                to,
-            } => {
+            Curve::Arc { centre, radius, from, to } => {
                 let angle = 0.5 * ((1.0 - t) * from + (1.0 + t) * to);
-                [
-                    centre[0] + radius * angle.cos(),
-                    centre[1] + radius * angle.sin(),
-                ]
+                [centre[0] + radius * angle.cos(), centre[1] + radius * angle.sin()]
             }
-            Curve::Polynomial {
-                start,
-                end,
-                ref modes,
-            } => {
+            Curve::Polynomial { start, end, ref modes } => {
                 let (a, b) = (0.5 * (1.0 - t), 0.5 * (1.0 + t));
                 let mut x = [a * start[0] + b * end[0], a * start[1] + b * end[1]];
                 let mut p = [1.0, t];
@@ -153,18 +136,12 @@ impl Curve {
     pub fn derivative(&self, t: f64) -> [f64; 2] {
         match *self {
             Curve::Line { start, end } => [0.5 * (end[0] - start[0]), 0.5 * (end[1] - start[1])],
-            Curve::Arc {
-                radius, from, to, ..
-            } => {
+            Curve::Arc { radius, from, to, .. } => {
                 let angle = 0.5 * ((1.0 - t) * from + (1.0 + t) * to);
                 let rate = 0.5 * (to - from) * radius;
                 [-rate * angle.sin(), rate * angle.cos()]
             }
-            Curve::Polynomial {
-                start,
-                end,
-                ref modes,
-            } => {
+            Curve::Polynomial { start, end, ref modes } => {
                 let mut d = [0.5 * (end[0] - start[0]), 0.5 * (end[1] - start[1])];
                 let mut p = [1.0, t];
                 for (k, mode) in (2..).zip(modes) {
@@ -180,64 +157,23 @@ impl Curve {
     /// The part from `t = a` to `t = b` as a curve of its own; `a > b` turns it round.
     pub fn part(&self, a: f64, b: f64) -> Curve {
         match *self {
-            Curve::Line { .. } => Curve::Line {
-                start: self.point(a),
-                end: self.point(b),
-            },
-            Curve::Arc {
-                centre,
-                radius,
-                from,
-                to,
-            } => {
+            Curve::Line { .. } => Curve::Line { start: self.point(a), end: self.point(b) },
+            Curve::Arc { centre, radius, from, to } => {
                 let angle = |t: f64| 0.5 * ((1.0 - t) * from + (1.0 + t) * to);
-                Curve::Arc {
-                    centre,
-                    radius,
-                    from: angle(a),
-                    to: angle(b),
-                }
+                Curve::Arc { centre, radius, from: angle(a), to: angle(b) }
             }
-            Curve::Polynomial { .. } => Curve::interpolated(CURVE_DEGREE, |t| {
-                self.point(0.5 * ((1.0 - t) * a + (1.0 + t) * b))
-            }),
+            Curve::Polynomial { .. } => Curve::interpolated(CURVE_DEGREE, |t| self.point(0.5 * ((1.0 - t) * a + (1.0 + t) * b))),
         }
     }
 
     /// The same curve walked the other way.
     pub fn reversed(&self) -> Curve {
         match *self {
-            Curve::Line { start, end } => Curve::Line {
-                start: end,
-                end: start,
-            },
-            Curve::Arc {
-                centre,
-                radius,
-                from,
-                to,
-            } => Curve::Arc {
-                centre,
-                radius,
-                from: to,
-                to: from,
-            },
-            Curve::Polynomial {
-                start,
-                end,
-                mut modes,
-            } => {
-                modes
-                    .iter_mut()
-                    .skip(1)
-                    .step_by(2)
-                    .flatten()
-                    .for_each(|c| *c = -*c);
-                Curve::Polynomial {
-                    start: end,
-                    end: start,
-                    modes,
-                }
+            Curve::Line { start, end } => Curve::Line { start: end, end: start },
+            Curve::Arc { centre, radius, from, to } => Curve::Arc { centre, radius, from: to, to: from },
+            Curve::Polynomial { start, end, mut modes } => {
+                modes.iter_mut().skip(1).step_by(2).flatten().for_each(|c| *c = -*c);
+                Curve::Polynomial { start: end, end: start, modes }
             }
         }
     }
@@ -246,9 +182,7 @@ impl Curve {
     pub fn length(&self) -> f64 {
         match *self {
             Curve::Line { start, end } => (end[0] - start[0]).hypot(end[1] - start[1]),
-            Curve::Arc {
-                radius, from, to, ..
-            } => radius * (to - from).abs(),
+            Curve::Arc { radius, from, to, .. } => radius * (to - from).abs(),
             Curve::Polynomial { .. } => self.length_until(1.0),
         }
     }
@@ -258,12 +192,7 @@ impl Curve {
         if let Curve::Polynomial { .. } = self {
             let rule = gauss(24);
             let at = |s: f64| self.derivative(0.5 * (1.0 + t) * (1.0 + s) - 1.0);
-            let sum: f64 = rule
-                .points
-                .iter()
-                .zip(&rule.weights)
-                .map(|(s, w)| w * at(*s)[0].hypot(at(*s)[1]))
-                .sum();
+            let sum: f64 = rule.points.iter().zip(&rule.weights).map(|(s, w)| w * at(*s)[0].hypot(at(*s)[1])).sum();
             return 0.5 * (1.0 + t) * sum;
         }
         0.5 * (1.0 + t) * self.length()

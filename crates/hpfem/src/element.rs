@@ -24,16 +24,9 @@ pub(crate) struct CellGeometry {
 pub(crate) fn cell_geometry(mesh: &Mesh, cell: usize, xi: &[f64], eta: &[f64]) -> CellGeometry {
     let corners = mesh.cells[cell].corners.map(|v| mesh.vertices[v]);
     let curves: [_; 4] = std::array::from_fn(|e| mesh.local_curve(cell, e));
-    let along = |e: usize, t: &[f64]| -> Vec<_> {
-        t.iter()
-            .map(|t| (curves[e].point(*t), curves[e].derivative(*t)))
-            .collect()
-    };
+    let along = |e: usize, t: &[f64]| -> Vec<_> { t.iter().map(|t| (curves[e].point(*t), curves[e].derivative(*t))).collect() };
     let (e0, e1, e2, e3) = (along(0, xi), along(1, eta), along(2, xi), along(3, eta));
-    let mut geometry = CellGeometry {
-        position: Vec::new(),
-        derivative: Vec::new(),
-    };
+    let mut geometry = CellGeometry { position: Vec::new(), derivative: Vec::new() };
     for (b, y) in eta.iter().enumerate() {
         for (a, x) in xi.iter().enumerate() {
             let (point, derivative) = blend(&corners, [e0[a], e1[b], e2[a], e3[b]], *x, *y);
@@ -51,17 +44,7 @@ type Term = [usize; 2];
 /// Terms with derivatives only.
 const GRADIENT: [Term; 4] = [[1, 1], [1, 2], [2, 1], [2, 2]];
 /// Terms of a form that also has the value of the test or trial function.
-const FULL: [Term; 9] = [
-    [1, 1],
-    [1, 2],
-    [2, 1],
-    [2, 2],
-    [0, 1],
-    [0, 2],
-    [1, 0],
-    [2, 0],
-    [0, 0],
-];
+const FULL: [Term; 9] = [[1, 1], [1, 2], [2, 1], [2, 2], [0, 1], [0, 2], [1, 0], [2, 0], [0, 0]];
 
 /// Memory for the matrices of a cell, kept from cell to cell.
 #[derive(Default)]
@@ -103,17 +86,9 @@ pub(crate) fn stiffness<'w>(
     let size = components * local.modes;
     let layout = Layout::new(table, local, components);
     matrix_in(&mut work.matrix, size, size);
-    let pairs: &[(usize, usize)] = if components == 2 {
-        &[(0, 0), (1, 1), (1, 0)]
-    } else {
-        &[(0, 0)]
-    };
+    let pairs: &[(usize, usize)] = if components == 2 { &[(0, 0), (1, 1), (1, 0)] } else { &[(0, 0)] };
     for &(c, d) in pairs {
-        let terms: &[Term] = if kinematics.is_revolved() && (c, d) != (1, 1) {
-            &FULL
-        } else {
-            &GRADIENT
-        };
+        let terms: &[Term] = if kinematics.is_revolved() && (c, d) != (1, 1) { &FULL } else { &GRADIENT };
         // Coefficients A_kl at the points: one block of columns a term, rows eta, columns xi.
         let mut coefficients = matrix_in(&mut work.coefficients, nq, nq * terms.len());
         for b in 0..nq {
@@ -122,27 +97,13 @@ pub(crate) fn stiffness<'w>(
                 let jacobian = xx * ze - xe * zx;
                 let [x, z] = geometry.position[a + nq * b];
                 if !(jacobian > 0.0) {
-                    return Err(Error::FoldedCell {
-                        cell,
-                        jacobian,
-                        x,
-                        z,
-                    });
+                    return Err(Error::FoldedCell { cell, jacobian, x, z });
                 }
                 // Rows: gradient of xi, gradient of eta; the value needs the hoop strain 1/r.
                 let inverse = 1.0 / jacobian;
                 let g = [[ze * inverse, -xe * inverse], [-zx * inverse, xx * inverse]];
-                let weight = table.rule.weights[a]
-                    * table.rule.weights[b]
-                    * jacobian
-                    * kinematics.measure(x);
-                let form = PointForm {
-                    moduli,
-                    kinematics,
-                    inverse_radius: 1.0 / x,
-                    test: c,
-                    trial: d,
-                };
+                let weight = table.rule.weights[a] * table.rule.weights[b] * jacobian * kinematics.measure(x);
+                let form = PointForm { moduli, kinematics, inverse_radius: 1.0 / x, test: c, trial: d };
                 for (i, t) in terms.iter().enumerate() {
                     let value = form.value(operator(t[0], &g), operator(t[1], &g));
                     coefficients[(b, a + nq * i)] = weight * value;
@@ -156,32 +117,14 @@ pub(crate) fn stiffness<'w>(
         let mut eta_side = matrix_in(&mut work.eta_side, rows, nq * terms.len());
         let mut xi_side = matrix_in(&mut work.xi_side, columns, nq * terms.len());
         for (i, t) in terms.iter().enumerate() {
-            let product =
-                |order: usize| 2 * usize::from(t[0] == order) + usize::from(t[1] == order);
+            let product = |order: usize| 2 * usize::from(t[0] == order) + usize::from(t[1] == order);
             let block = eta_side.as_mut().subcols_mut(i * nq, nq);
             let coefficient = coefficients.as_ref().subcols(i * nq, nq);
-            matmul(
-                block,
-                Accum::Replace,
-                table.all[product(2)].as_ref(),
-                coefficient,
-                1.0,
-                Par::Seq,
-            );
-            xi_side
-                .as_mut()
-                .subcols_mut(i * nq, nq)
-                .copy_from(&xi_tables[product(1)]);
+            matmul(block, Accum::Replace, table.all[product(2)].as_ref(), coefficient, 1.0, Par::Seq);
+            xi_side.as_mut().subcols_mut(i * nq, nq).copy_from(&xi_tables[product(1)]);
         }
         let mut out = matrix_in(&mut work.out, rows, columns);
-        matmul(
-            out.as_mut(),
-            Accum::Replace,
-            eta_side.as_ref(),
-            xi_side.as_ref().transpose(),
-            1.0,
-            Par::Seq,
-        );
+        matmul(out.as_mut(), Accum::Replace, eta_side.as_ref(), xi_side.as_ref().transpose(), 1.0, Par::Seq);
         layout.scatter(&work.out, (c, d), &mut work.matrix[..size * size]);
     }
     Ok(matrix_in(&mut work.matrix, size, size))
@@ -204,19 +147,13 @@ impl Layout {
         let n = table.functions;
         let position = |i: usize, j: usize| local.position[i + n * j];
         let run = |i: &usize| {
-            let length = (2..n)
-                .take_while(|j| position(*i, *j) != usize::MAX)
-                .count();
+            let length = (2..n).take_while(|j| position(*i, *j) != usize::MAX).count();
             (if length > 0 { position(*i, 2) } else { 0 }, length)
         };
         Layout {
             functions: n,
             runs: table.order.iter().map(run).collect(),
-            hats: table
-                .order
-                .iter()
-                .map(|i| [position(*i, 0), position(*i, 1)])
-                .collect(),
+            hats: table.order.iter().map(|i| [position(*i, 0), position(*i, 1)]).collect(),
             interior: local.interior,
             boundary: local.modes - local.interior,
             components,
@@ -244,12 +181,7 @@ impl Layout {
             for i1 in if c == d { j1..n } else { 0..n } {
                 let (start, length) = self.runs[i1];
                 let row = self.row(c, start);
-                for (j2, values) in columns
-                    .next()
-                    .into_iter()
-                    .flat_map(|c| c.chunks_exact(n))
-                    .enumerate()
-                {
+                for (j2, values) in columns.next().into_iter().flat_map(|c| c.chunks_exact(n)).enumerate() {
                     let trial = match j2.checked_sub(bubbles) {
                         None if j2 < trial_length => trial_start + j2,
                         None => continue,
@@ -262,8 +194,7 @@ impl Layout {
                     // On the diagonal pair the same holds for the eta modes.
                     let first = if c == d && i1 == j1 { j2 } else { 0 };
                     if first < length && row + first >= col {
-                        k[col * size + row + first..col * size + row + length]
-                            .copy_from_slice(&values[first..length]);
+                        k[col * size + row + first..col * size + row + length].copy_from_slice(&values[first..length]);
                     } else {
                         (first..length).for_each(|i2| k[(row + i2) * size + col] = values[i2]);
                     }
@@ -303,16 +234,12 @@ impl PointForm {
         let Moduli { c11, c12, shear } = self.moduli;
         let hoop = self.inverse_radius;
         match (self.kinematics, self.test, self.trial) {
-            (Kinematics::Torsion, ..) => {
-                shear * ((v[1] - hoop * v[0]) * (u[1] - hoop * u[0]) + v[2] * u[2])
-            }
+            (Kinematics::Torsion, ..) => shear * ((v[1] - hoop * v[0]) * (u[1] - hoop * u[0]) + v[2] * u[2]),
             (Kinematics::Axisymmetric, 0, 0) => {
                 let (vh, uh) = (hoop * v[0], hoop * u[0]);
                 c11 * (v[1] * u[1] + vh * uh) + c12 * (v[1] * uh + vh * u[1]) + shear * v[2] * u[2]
             }
-            (Kinematics::Axisymmetric, 1, 0) => {
-                c12 * v[2] * (u[1] + hoop * u[0]) + shear * v[1] * u[2]
-            }
+            (Kinematics::Axisymmetric, 1, 0) => c12 * v[2] * (u[1] + hoop * u[0]) + shear * v[1] * u[2],
             (_, 0, 0) => c11 * v[1] * u[1] + shear * v[2] * u[2],
             (_, 1, 1) => c11 * v[2] * u[2] + shear * v[1] * u[1],
             _ => c12 * v[2] * u[1] + shear * v[1] * u[2],

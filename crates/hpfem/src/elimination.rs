@@ -12,9 +12,7 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{LltError, cholesky_in_place, cholesky_in_place_scratch};
 use faer::linalg::matmul::matmul;
 use faer::linalg::matmul::triangular::{BlockStructure, matmul as triangular_matmul};
-use faer::linalg::triangular_solve::{
-    solve_lower_triangular_in_place, solve_upper_triangular_in_place,
-};
+use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
 use faer::{Accum, Mat, MatMut, MatRef, Par, Spec};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -67,22 +65,15 @@ impl Plan {
         let mut is_kept = vec![false; size.len()];
         kept.iter().for_each(|g| is_kept[*g] = true);
         let mut members: Vec<Vec<usize>> = element_groups.to_vec();
-        let mut weight: Vec<usize> = members
-            .iter()
-            .map(|m| m.iter().map(|g| size[*g]).sum())
-            .collect();
+        let mut weight: Vec<usize> = members.iter().map(|m| m.iter().map(|g| size[*g]).sum()).collect();
         let mut holders: Vec<Vec<usize>> = vec![Vec::new(); size.len()];
         for (e, groups) in members.iter().enumerate() {
             groups.iter().for_each(|g| holders[*g].push(e));
         }
         let mut alive = vec![true; members.len()];
-        let mut degree: Vec<usize> = (0..size.len())
-            .map(|g| holders[g].iter().map(|e| weight[*e] - size[g]).sum())
-            .collect();
-        let mut heap: BinaryHeap<Reverse<(usize, usize)>> = (0..size.len())
-            .filter(|g| !is_kept[*g] && !holders[*g].is_empty())
-            .map(|g| Reverse((degree[g], g)))
-            .collect();
+        let mut degree: Vec<usize> = (0..size.len()).map(|g| holders[g].iter().map(|e| weight[*e] - size[g]).sum()).collect();
+        let mut heap: BinaryHeap<Reverse<(usize, usize)>> =
+            (0..size.len()).filter(|g| !is_kept[*g] && !holders[*g].is_empty()).map(|g| Reverse((degree[g], g))).collect();
         let mut done = vec![false; size.len()];
         let mut stamp = vec![usize::MAX; size.len()];
         let mut outside: Vec<usize> = vec![0; members.len()];
@@ -128,18 +119,13 @@ impl Plan {
                 }
             }
             for h in &remaining {
-                degree[*h] =
-                    total - size[*h] + holders[*h].iter().map(|e| outside[*e]).sum::<usize>();
+                degree[*h] = total - size[*h] + holders[*h].iter().map(|e| outside[*e]).sum::<usize>();
                 holders[*h].push(id);
                 if !is_kept[*h] {
                     heap.push(Reverse((degree[*h], *h)));
                 }
             }
-            fronts.push(FrontPlan {
-                children,
-                groups: union,
-                eliminated: order.len() - before,
-            });
+            fronts.push(FrontPlan { children, groups: union, eliminated: order.len() - before });
             members.push(remaining);
             weight.push(total);
             alive.push(true);
@@ -147,20 +133,12 @@ impl Plan {
             outside_stamp.push(usize::MAX);
         }
         let mut rank = vec![usize::MAX; size.len()];
-        order
-            .iter()
-            .chain(kept)
-            .enumerate()
-            .for_each(|(i, g)| rank[*g] = i);
+        order.iter().chain(kept).enumerate().for_each(|(i, g)| rank[*g] = i);
         for front in &mut fronts {
             front.groups.sort_by_key(|g| rank[*g]);
         }
         let roots = (0..members.len()).filter(|e| alive[*e]).collect();
-        Plan {
-            rank,
-            fronts,
-            roots,
-        }
+        Plan { rank, fronts, roots }
     }
 
     /// Largest memory the factorisation will hold at once, in bytes, without the elements handed in: all panels and the largest front.
@@ -169,10 +147,7 @@ impl Plan {
         let mut largest = 0;
         for front in &self.fronts {
             let n: usize = front.groups.iter().map(|g| size[*g]).sum();
-            let ne: usize = front.groups[..front.eliminated]
-                .iter()
-                .map(|g| size[*g])
-                .sum();
+            let ne: usize = front.groups[..front.eliminated].iter().map(|g| size[*g]).sum();
             total += 8 * n * ne;
             largest = largest.max(8 * n * n);
         }
@@ -183,23 +158,14 @@ impl Plan {
     ///
     /// # Errors
     /// The group whose pivot lost all stiffness.
-    pub(crate) fn run(
-        &self,
-        elements: Vec<Element>,
-        size: &[usize],
-        kept: &[usize],
-        columns: usize,
-    ) -> Result<Condensed, usize> {
+    pub(crate) fn run(&self, elements: Vec<Element>, size: &[usize], kept: &[usize], columns: usize) -> Result<Condensed, usize> {
         let mut elements: Vec<Option<Element>> = elements.into_iter().map(Some).collect();
         let mut offset = vec![0; size.len()];
         let mut fronts = Vec::with_capacity(self.fronts.len());
         let mut work = Mat::zeros(columns, columns);
         for plan in &self.fronts {
             let n = place(&plan.groups, size, &mut offset);
-            let ne = plan.groups[..plan.eliminated]
-                .iter()
-                .map(|g| size[*g])
-                .sum();
+            let ne = plan.groups[..plan.eliminated].iter().map(|g| size[*g]).sum();
             let mut panel = Mat::zeros(n, ne);
             let mut trailing = Mat::zeros(n - ne, n - ne);
             let mut rhs = Mat::zeros(n, columns);
@@ -214,26 +180,10 @@ impl Plan {
             let (mut f1, mut f2) = rhs.as_mut().split_at_row_mut(ne);
             solve_lower_triangular_in_place(l11, f1.as_mut(), Par::Seq);
             matmul(f2.as_mut(), Accum::Add, l21, f1.as_ref(), -1.0, Par::Seq);
-            matmul(
-                work.as_mut(),
-                Accum::Add,
-                f1.as_ref().transpose(),
-                f1.as_ref(),
-                1.0,
-                Par::Seq,
-            );
+            matmul(work.as_mut(), Accum::Add, f1.as_ref().transpose(), f1.as_ref(), 1.0, Par::Seq);
             let (reduced, rest) = (f1.to_owned(), f2.to_owned());
-            elements.push(Some(Element {
-                groups: plan.groups[plan.eliminated..].to_vec(),
-                matrix: trailing,
-                rhs: rest,
-            }));
-            fronts.push(Front {
-                groups: plan.groups.clone(),
-                eliminated: plan.eliminated,
-                panel,
-                reduced,
-            });
+            elements.push(Some(Element { groups: plan.groups[plan.eliminated..].to_vec(), matrix: trailing, rhs: rest }));
+            fronts.push(Front { groups: plan.groups.clone(), eliminated: plan.eliminated, panel, reduced });
         }
         let n = place(kept, size, &mut offset);
         let mut none = Mat::zeros(n, 0);
@@ -249,12 +199,7 @@ impl Plan {
                 stiffness[(i, j)] = stiffness[(j, i)];
             }
         }
-        Ok(Condensed {
-            fronts,
-            stiffness,
-            rhs,
-            work,
-        })
+        Ok(Condensed { fronts, stiffness, rhs, work })
     }
 }
 
@@ -264,28 +209,14 @@ impl Condensed {
     pub(crate) fn back_substitute(&self, values: &mut [Vec<f64>], size: &[usize], factors: &[f64]) {
         for front in self.fronts.iter().rev() {
             let (gone, left) = front.groups.split_at(front.eliminated);
-            let known: Vec<f64> = left
-                .iter()
-                .flat_map(|g| values[*g].iter().copied())
-                .collect();
+            let known: Vec<f64> = left.iter().flat_map(|g| values[*g].iter().copied()).collect();
             let ne = front.panel.ncols();
             let mut x = Mat::from_fn(ne, 1, |i, _| {
-                factors
-                    .iter()
-                    .enumerate()
-                    .map(|(c, factor)| factor * front.reduced[(i, c)])
-                    .sum::<f64>()
+                factors.iter().enumerate().map(|(c, factor)| factor * front.reduced[(i, c)]).sum::<f64>()
             });
             let known = Mat::from_fn(known.len(), 1, |i, _| known[i]);
             let (l11, l21) = front.panel.split_at_row(ne);
-            matmul(
-                x.as_mut(),
-                Accum::Add,
-                l21.transpose(),
-                known.as_ref(),
-                -1.0,
-                Par::Seq,
-            );
+            matmul(x.as_mut(), Accum::Add, l21.transpose(), known.as_ref(), -1.0, Par::Seq);
             solve_upper_triangular_in_place(l11.transpose(), x.as_mut(), Par::Seq);
             let mut at = 0;
             for g in gone {
@@ -325,35 +256,18 @@ fn factor_panel(mut panel: MatMut<'_, f64>) -> Result<(), usize> {
     }
     let diagonal: Vec<f64> = (0..ne).map(|i| panel[(i, i)]).collect();
     let block = if ne <= NARROW_PANEL { BLOCK } else { ne };
-    let mut buffer = MemBuffer::new(cholesky_in_place_scratch::<f64>(
-        block,
-        Par::Seq,
-        Spec::default(),
-    ));
+    let mut buffer = MemBuffer::new(cholesky_in_place_scratch::<f64>(block, Par::Seq, Spec::default()));
     for start in (0..ne).step_by(block) {
         let width = block.min(ne - start);
         let (done, rest) = panel.as_mut().split_at_col_mut(start);
         let mut columns = rest.subcols_mut(0, width).subrows_mut(start, n - start);
         if start > 0 {
             let left = done.as_ref().subrows(start, n - start);
-            matmul(
-                columns.as_mut(),
-                Accum::Add,
-                left,
-                left.subrows(0, width).transpose(),
-                -1.0,
-                Par::Seq,
-            );
+            matmul(columns.as_mut(), Accum::Add, left, left.subrows(0, width).transpose(), -1.0, Par::Seq);
         }
         let (mut top, below) = columns.split_at_row_mut(width);
-        cholesky_in_place(
-            top.as_mut(),
-            Default::default(),
-            Par::Seq,
-            MemStack::new(&mut buffer),
-            Spec::default(),
-        )
-        .map_err(|LltError::NonPositivePivot { index }| start + index)?;
+        cholesky_in_place(top.as_mut(), Default::default(), Par::Seq, MemStack::new(&mut buffer), Spec::default())
+            .map_err(|LltError::NonPositivePivot { index }| start + index)?;
         solve_lower_triangular_in_place(top.as_ref(), below.transpose_mut(), Par::Seq);
     }
     // A pivot that is round-off of the diagonal it came from means a motion that nothing holds.
@@ -388,14 +302,7 @@ fn place(groups: &[usize], size: &[usize], offset: &mut [usize]) -> usize {
 
 /// Adds an element into a front whose leading columns are `panel`. Both sort their groups by rank, so lower stays lower and rows come
 /// in runs.
-fn add(
-    element: &Element,
-    size: &[usize],
-    offset: &[usize],
-    panel: &mut Mat<f64>,
-    trailing: &mut Mat<f64>,
-    rhs: &mut Mat<f64>,
-) {
+fn add(element: &Element, size: &[usize], offset: &[usize], panel: &mut Mat<f64>, trailing: &mut Mat<f64>, rhs: &mut Mat<f64>) {
     let ne = panel.ncols();
     let mut from = 0;
     for (b, column_group) in element.groups.iter().enumerate() {

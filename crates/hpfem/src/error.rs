@@ -52,9 +52,7 @@ pub enum Error {
         degree: usize,
     },
     /// A material that cannot exist.
-    #[error(
-        "Young's modulus {young} must be positive and Poisson's ratio {poisson} must be in (-1, 0.5)"
-    )]
+    #[error("Young's modulus {young} must be positive and Poisson's ratio {poisson} must be in (-1, 0.5)")]
     Material {
         /// Young's modulus.
         young: f64,
@@ -124,13 +122,21 @@ pub enum Error {
         second: usize,
     },
     /// Something that needs a straight boundary was asked of a curved one.
-    #[error(
-        "{what} needs straight edges in one line, but boundary \"{boundary}\" is curved or bent"
-    )]
+    #[error("{what} needs straight edges in one line, but boundary \"{boundary}\" is curved or bent")]
     NotStraight {
         /// What was asked.
         what: &'static str,
         /// Name of the boundary.
         boundary: String,
+    },
+    /// A vertex cannot be moved along the boundary as asked.
+    #[error("vertex {vertex} cannot be moved by {shift} along the boundary: {reason}")]
+    Immovable {
+        /// The vertex.
+        vertex: usize,
+        /// The shift asked for.
+        shift: f64,
+        /// Why not.
+        reason: &'static str,
     },
 }

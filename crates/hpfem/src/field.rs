@@ -74,17 +74,10 @@ impl<'a> Field<'a> {
             }
         }
         let gradient: [[f64; 2]; 2] = std::array::from_fn(|c| {
-            [
-                (slope[c][0] * ze - slope[c][1] * zx) / jacobian,
-                (slope[c][1] * xx - slope[c][0] * xe) / jacobian,
-            ]
+            [(slope[c][0] * ze - slope[c][1] * zx) / jacobian, (slope[c][1] * xx - slope[c][0] * xe) / jacobian]
         });
         let stress = self.stress(cell, geometry.position[0][0], value, gradient);
-        PointState {
-            displacement: value,
-            gradient,
-            stress,
-        }
+        PointState { displacement: value, gradient, stress }
     }
 
     /// Position of a reference point.
@@ -100,14 +93,8 @@ impl<'a> Field<'a> {
         for cell in 0..self.mesh.cells.len() {
             let corners = self.mesh.cells[cell].corners.map(|v| self.mesh.vertices[v]);
             let size = corners.iter().flatten().fold(0.0_f64, |m, _| m)
-                + corners
-                    .iter()
-                    .map(|c| (c[0] - corners[0][0]).hypot(c[1] - corners[0][1]))
-                    .fold(0.0, f64::max);
-            if corners
-                .iter()
-                .all(|c| (c[0] - x[0]).hypot(c[1] - x[1]) > 2.0 * size)
-            {
+                + corners.iter().map(|c| (c[0] - corners[0][0]).hypot(c[1] - corners[0][1])).fold(0.0, f64::max);
+            if corners.iter().all(|c| (c[0] - x[0]).hypot(c[1] - x[1]) > 2.0 * size) {
                 continue;
             }
             let mut t = [0.0; 2];
@@ -116,10 +103,7 @@ impl<'a> Field<'a> {
                 let det = a * d - b * c;
                 let r = [x[0] - at[0], x[1] - at[1]];
                 let step = [(d * r[0] - b * r[1]) / det, (a * r[1] - c * r[0]) / det];
-                t = [
-                    (t[0] + step[0]).clamp(-1.5, 1.5),
-                    (t[1] + step[1]).clamp(-1.5, 1.5),
-                ];
+                t = [(t[0] + step[0]).clamp(-1.5, 1.5), (t[1] + step[1]).clamp(-1.5, 1.5)];
                 if step[0].abs() + step[1].abs() < 1e-14 {
                     break;
                 }
@@ -138,9 +122,7 @@ impl<'a> Field<'a> {
         let m = material.moduli(self.kinematics);
         // Near the axis u_r / r is round-off over round-off; its limit is u_r,r.
         let corners = self.mesh.cells[cell].corners.map(|v| self.mesh.vertices[v]);
-        let size = corners
-            .iter()
-            .fold(0.0_f64, |m, c| m.max((c[0] - corners[0][0]).abs()));
+        let size = corners.iter().fold(0.0_f64, |m, c| m.max((c[0] - corners[0][0]).abs()));
         let hoop = if r > 1e-8 * size { u[0] / r } else { g[0][0] };
         match self.kinematics {
             Kinematics::Torsion => [m.shear * (g[0][0] - hoop), m.shear * g[0][1], 0.0, 0.0],
@@ -154,11 +136,7 @@ impl<'a> Field<'a> {
                 let xx = m.c11 * g[0][0] + m.c12 * g[1][1];
                 let zz = m.c11 * g[1][1] + m.c12 * g[0][0];
                 let plane_strain = matches!(self.kinematics, Kinematics::PlaneStrain { .. });
-                let yy = if plane_strain {
-                    material.poisson() * (xx + zz)
-                } else {
-                    0.0
-                };
+                let yy = if plane_strain { material.poisson() * (xx + zz) } else { 0.0 };
                 [xx, zz, m.shear * (g[0][1] + g[1][0]), yy]
             }
         }

@@ -57,14 +57,7 @@ impl InterfaceOperator {
     /// Whole right-hand side: contact load plus condensed columns.
     pub fn right_hand_side(&self, load: &TraceLoad, factors: &[f64]) -> Vec<f64> {
         (0..self.stiffness.nrows())
-            .map(|i| {
-                load.unknowns[i]
-                    + factors
-                        .iter()
-                        .enumerate()
-                        .map(|(k, a)| a * self.columns[(i, k)])
-                        .sum::<f64>()
-            })
+            .map(|i| load.unknowns[i] + factors.iter().enumerate().map(|(k, a)| a * self.columns[(i, k)]).sum::<f64>())
             .collect()
     }
 
@@ -93,9 +86,7 @@ impl InterfaceOperator {
             (false, true) => gauge[(j, i - n)] / size * scale,
             (false, false) => 0.0,
         });
-        let full = Mat::from_fn(n + r, right.ncols(), |i, j| {
-            if i < n { right[(i, j)] } else { 0.0 }
-        });
+        let full = Mat::from_fn(n + r, right.ncols(), |i, j| if i < n { right[(i, j)] } else { 0.0 });
         let x = border.partial_piv_lu().solve(&full);
         x.submatrix(0, 0, n, right.ncols()).to_owned()
     }
@@ -103,41 +94,21 @@ impl InterfaceOperator {
     /// [`InterfaceOperator::solve`] for one right-hand side, the answer orthogonal to the rigid modes.
     pub fn solve_one(&self, right: &[f64]) -> Vec<f64> {
         let right = Mat::from_fn(right.len(), 1, |i, _| right[i]);
-        self.solve(&right, &self.rigid_modes)
-            .col_as_slice(0)
-            .to_vec()
+        self.solve(&right, &self.rigid_modes).col_as_slice(0).to_vec()
     }
 
     /// Work of column `k` in a state: `F_k . u` of the whole body. For a load case this is the work of its loads; for a
     /// functional, its value.
     pub fn column_work(&self, k: usize, state: &InterfaceState) -> f64 {
-        let boundary: f64 = state
-            .unknowns
-            .iter()
-            .enumerate()
-            .map(|(i, u)| u * self.columns[(i, k)])
-            .sum();
-        let interior: f64 = state
-            .factors
-            .iter()
-            .enumerate()
-            .map(|(l, a)| a * self.work[(k, l)])
-            .sum();
+        let boundary: f64 = state.unknowns.iter().enumerate().map(|(i, u)| u * self.columns[(i, k)]).sum();
+        let interior: f64 = state.factors.iter().enumerate().map(|(l, a)| a * self.work[(k, l)]).sum();
         boundary + interior
     }
 
     /// Strain energy `1/2 f . u` of a state without prescribed displacements.
     pub fn strain_energy(&self, state: &InterfaceState) -> f64 {
-        let contact: f64 = state
-            .load
-            .unknowns
-            .iter()
-            .zip(&state.unknowns)
-            .map(|(f, u)| f * u)
-            .sum();
-        let loads: f64 = (0..self.load_cases)
-            .map(|k| state.factors[k] * self.column_work(k, state))
-            .sum();
+        let contact: f64 = state.load.unknowns.iter().zip(&state.unknowns).map(|(f, u)| f * u).sum();
+        let loads: f64 = (0..self.load_cases).map(|k| state.factors[k] * self.column_work(k, state)).sum();
         0.5 * (contact + loads)
     }
 
@@ -146,12 +117,7 @@ impl InterfaceOperator {
     pub fn reaction(&self, support: usize, state: &InterfaceState) -> [f64; 3] {
         std::array::from_fn(|k| {
             let r = 3 * support + k;
-            let constant: f64 = state
-                .factors
-                .iter()
-                .enumerate()
-                .map(|(l, a)| a * self.reaction_constant[(r, l)])
-                .sum();
+            let constant: f64 = state.factors.iter().enumerate().map(|(l, a)| a * self.reaction_constant[(r, l)]).sum();
             let direct = state.load.supports.get(support).map_or(0.0, |l| l[k]);
             self.column_work(self.load_cases + 1 + r, state) + constant - direct
         })

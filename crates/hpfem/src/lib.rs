@@ -6,6 +6,7 @@
 //!
 //! Units are the user's own, as long as they are consistent.
 
+mod adapt;
 mod assemble;
 mod basis;
 mod blocks;
@@ -17,28 +18,33 @@ mod curve;
 mod element;
 mod elimination;
 mod error;
+mod estimate;
 mod field;
 mod interface;
 mod legendre;
 mod material;
 mod mesh;
 mod quadrature;
+mod refine;
+mod remesh;
 mod rigid;
+mod singular;
 mod space;
 mod trace;
 
+pub use adapt::{AdaptStatus, Adapted, adapt, graded_level};
 pub use assemble::{BoundaryPoint, EdgeTraction, LoadCase};
 pub use blocks::{Named, Ruled, Side};
 pub use body::{Body, BodyProblem, Effort};
 pub use curve::{CURVE_DEGREE, Curve};
 pub use error::Error;
+pub use estimate::{EnergyEstimate, energy_estimate, sequence_estimate};
 pub use field::{Field, PointState};
 pub use interface::{InterfaceOperator, InterfaceState};
 pub use legendre::{legendre, shape_functions};
 pub use material::{Kinematics, Material, Moduli};
 pub use mesh::{CELL_EDGES, Cell, Edge, Mesh, Quad};
-pub use quadrature::{
-    Quadrature, barycentric_weights, gauss, gauss_lobatto, gauss_lobatto_jacobi, lagrange,
-};
+pub use quadrature::{Quadrature, barycentric_weights, gauss, gauss_lobatto, gauss_lobatto_jacobi, lagrange};
+pub use singular::{Face, Sector, SingularVertex, corner_exponent, singular_vertices};
 pub use space::{Direction, MAX_DEGREE, RigidEdge, SpaceKind, Support};
 pub use trace::{Trace, TraceEdge, TraceLoad, TracePoint};

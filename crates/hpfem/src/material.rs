@@ -35,9 +35,7 @@ impl Kinematics {
     /// Measure of a unit area of the (x, z) plane at first coordinate `r`: the thickness, or `2 pi r`.
     pub fn measure(self, r: f64) -> f64 {
         match self {
-            Kinematics::PlaneStress { thickness } | Kinematics::PlaneStrain { thickness } => {
-                thickness
-            }
+            Kinematics::PlaneStress { thickness } | Kinematics::PlaneStrain { thickness } => thickness,
             Kinematics::Axisymmetric | Kinematics::Torsion => TAU * r,
         }
     }
@@ -73,19 +71,12 @@ impl Material {
     /// [`Error::Material`].
     pub fn new(young: f64, poisson: f64) -> Result<Material, Error> {
         let sound = young > 0.0 && young.is_finite() && poisson > -1.0 && poisson < 0.5;
-        if sound {
-            Ok(Material { young, poisson })
-        } else {
-            Err(Error::Material { young, poisson })
-        }
+        if sound { Ok(Material { young, poisson }) } else { Err(Error::Material { young, poisson }) }
     }
 
     /// The material with its modulus multiplied by a positive factor.
     pub(crate) fn scaled(self, factor: f64) -> Material {
-        Material {
-            young: self.young * factor,
-            ..self
-        }
+        Material { young: self.young * factor, ..self }
     }
 
     /// Young's modulus.

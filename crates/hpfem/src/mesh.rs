@@ -73,59 +73,33 @@ impl Mesh {
         names: &[([usize; 2], &str)],
     ) -> Result<Mesh, Error> {
         check_vertices(&vertices, quads)?;
-        let mut mesh = Mesh {
-            vertices,
-            ..Mesh::default()
-        };
+        let mut mesh = Mesh { vertices, ..Mesh::default() };
         let mut index: HashMap<[usize; 2], usize> = HashMap::new();
         let mut sides: HashSet<(usize, bool)> = HashSet::new();
         for quad in quads {
-            let mut cell = Cell {
-                corners: quad.corners,
-                edges: [0; 4],
-                against: [false; 4],
-                material: quad.material,
-                layer: quad.layer,
-            };
+            let mut cell =
+                Cell { corners: quad.corners, edges: [0; 4], against: [false; 4], material: quad.material, layer: quad.layer };
             for (local, ends) in CELL_EDGES.iter().enumerate() {
                 let walk = [quad.corners[ends[0]], quad.corners[ends[1]]];
                 let edge = *index.entry(sorted(walk)).or_insert_with(|| {
-                    let curve = Curve::Line {
-                        start: mesh.vertices[walk[0]],
-                        end: mesh.vertices[walk[1]],
-                    };
-                    mesh.edges.push(Edge {
-                        vertices: walk,
-                        curve,
-                        tags: Vec::new(),
-                    });
+                    let curve = Curve::Line { start: mesh.vertices[walk[0]], end: mesh.vertices[walk[1]] };
+                    mesh.edges.push(Edge { vertices: walk, curve, tags: Vec::new() });
                     mesh.edges.len() - 1
                 });
                 cell.edges[local] = edge;
                 cell.against[local] = mesh.edges[edge].vertices != walk;
                 // Cells lie on the left of edges 0 and 1 and on the right of edges 2 and 3.
                 if !sides.insert((edge, (local < 2) != cell.against[local])) {
-                    return Err(Error::Overlapping {
-                        a: walk[0],
-                        b: walk[1],
-                    });
+                    return Err(Error::Overlapping { a: walk[0], b: walk[1] });
                 }
             }
             mesh.cells.push(cell);
         }
         for (walk, curve) in curves {
-            let edge = *index.get(&sorted(*walk)).ok_or(Error::NoSuchEdge {
-                a: walk[0],
-                b: walk[1],
-            })?;
-            let curve = if mesh.edges[edge].vertices == *walk {
-                *curve
-            } else {
-                curve.reversed()
-            };
+            let edge = *index.get(&sorted(*walk)).ok_or(Error::NoSuchEdge { a: walk[0], b: walk[1] })?;
+            let curve = if mesh.edges[edge].vertices == *walk { *curve } else { curve.reversed() };
             let [a, b] = mesh.edges[edge].vertices;
-            let miss = distance(curve.point(-1.0), mesh.vertices[a])
-                .max(distance(curve.point(1.0), mesh.vertices[b]));
+            let miss = distance(curve.point(-1.0), mesh.vertices[a]).max(distance(curve.point(1.0), mesh.vertices[b]));
             // Deep layers are so small that the round-off of their coordinates counts.
             let circle = match &curve {
                 Curve::Arc { centre, radius, .. } => radius + centre[0].abs().max(centre[1].abs()),
@@ -133,28 +107,17 @@ impl Mesh {
             };
             let size = mesh.vertices[a].iter().fold(circle, |m, x| m.max(x.abs()));
             let round_off = 64.0 * f64::EPSILON * size;
-            if !(miss <= 1e-9 * curve.length() + round_off) {
-                return Err(Error::CurveMissesVertex {
-                    a,
-                    b,
-                    distance: miss,
-                });
+            if miss.is_nan() || miss > 1e-9 * curve.length() + round_off {
+                return Err(Error::CurveMissesVertex { a, b, distance: miss });
             }
             mesh.edges[edge].curve = curve;
         }
         for (walk, name) in names {
-            let edge = *index.get(&sorted(*walk)).ok_or(Error::NoSuchEdge {
-                a: walk[0],
-                b: walk[1],
-            })?;
-            let tag = mesh
-                .boundaries
-                .iter()
-                .position(|n| n == name)
-                .unwrap_or_else(|| {
-                    mesh.boundaries.push((*name).to_string());
-                    mesh.boundaries.len() - 1
-                });
+            let edge = *index.get(&sorted(*walk)).ok_or(Error::NoSuchEdge { a: walk[0], b: walk[1] })?;
+            let tag = mesh.boundaries.iter().position(|n| n == name).unwrap_or_else(|| {
+                mesh.boundaries.push((*name).to_string());
+                mesh.boundaries.len() - 1
+            });
             if !mesh.edges[edge].tags.contains(&tag) {
                 mesh.edges[edge].tags.push(tag);
             }
@@ -174,13 +137,8 @@ impl Mesh {
             .boundaries
             .iter()
             .position(|n| n == name)
-            .ok_or_else(|| Error::NoSuchBoundary {
-                name: name.to_string(),
-                known: self.boundaries.join(", "),
-            })?;
-        Ok((0..self.edges.len())
-            .filter(|e| self.edges[*e].tags.contains(&tag))
-            .collect())
+            .ok_or_else(|| Error::NoSuchBoundary { name: name.to_string(), known: self.boundaries.join(", ") })?;
+        Ok((0..self.edges.len()).filter(|e| self.edges[*e].tags.contains(&tag)).collect())
     }
 
     /// For each edge the cells that share it, one or two, as `(cell, local edge)`.
@@ -197,11 +155,7 @@ impl Mesh {
     /// The curve of a cell's local edge, walked towards growing reference coordinate.
     pub fn local_curve(&self, cell: usize, local: usize) -> Curve {
         let curve = &self.edges[self.cells[cell].edges[local]].curve;
-        if self.cells[cell].against[local] {
-            curve.reversed()
-        } else {
-            *curve
-        }
+        if self.cells[cell].against[local] { curve.reversed() } else { *curve }
     }
 
     /// Transfinite (blended) map of a cell, `X(xi, eta)`, and its derivative as `[[dx/dxi, dx/deta], [dz/dxi, dz/deta]]`
@@ -210,148 +164,18 @@ impl Mesh {
         let edges: [Curve; 4] = std::array::from_fn(|e| self.local_curve(cell, e));
         let corners = self.cells[cell].corners.map(|v| self.vertices[v]);
         let at = |e: usize, t: f64| (edges[e].point(t), edges[e].derivative(t));
-        blend(
-            &corners,
-            [at(0, xi), at(1, eta), at(2, xi), at(3, eta)],
-            xi,
-            eta,
-        )
-    }
-
-    /// Refines towards the given vertices: `layers` times, every cell that touches such a vertex is cut into a small cell at the
-    /// vertex, `ratio` times as large, and two cells around it. No hanging nodes arise; cells away from the vertices stay.
-    ///
-    /// The layer number of a new cell is its parent's plus one per cut that made it smaller, so that degrees may fall with it.
-    ///
-    /// # Errors
-    /// [`Error::TwoGradedCorners`] if a cell touches two of the vertices; [`Error::OutOfRange`] for a ratio outside (0, 1);
-    /// [`Error::Count`] for a vertex that does not exist; [`Error::FoldedCell`] if a cell cannot be cut.
-    pub fn refined_towards(
-        &self,
-        vertices: &[usize],
-        ratio: f64,
-        layers: usize,
-    ) -> Result<Mesh, Error> {
-        if !(ratio > 0.0 && ratio < 1.0) {
-            let quantity = "the ratio of graded layers".into();
-            return Err(Error::OutOfRange {
-                quantity,
-                value: ratio,
-                range: "in (0, 1)",
-            });
-        }
-        if let Some(v) = vertices.iter().find(|v| **v >= self.vertices.len()) {
-            let what = "vertex to grade towards, vertices".into();
-            return Err(Error::Count {
-                what,
-                given: *v + 1,
-                expected: self.vertices.len(),
-            });
-        }
-        for (cell, corners) in self.cells.iter().map(|c| c.corners).enumerate() {
-            let mut touched = corners.iter().filter(|v| vertices.contains(v));
-            if let (Some(first), Some(second)) = (touched.next(), touched.next()) {
-                return Err(Error::TwoGradedCorners {
-                    cell,
-                    first: *first,
-                    second: *second,
-                });
-            }
-        }
-        let mut mesh = self.clone();
-        for _ in 0..layers {
-            mesh = mesh.cut_at(vertices, ratio)?;
-        }
-        Ok(mesh)
-    }
-
-    /// One cut of [`Mesh::refined_towards`].
-    fn cut_at(&self, singular: &[usize], ratio: f64) -> Result<Mesh, Error> {
-        let mut vertices = self.vertices.clone();
-        let mut quads = Vec::with_capacity(self.cells.len() + 2 * singular.len());
-        let mut curves = Vec::new();
-        let mut names: Vec<([usize; 2], &str)> = Vec::new();
-        // The vertex that cuts an edge next to a singular end, shared by both its cells.
-        let mut cut_vertex: HashMap<usize, usize> = HashMap::new();
-        for (e, edge) in self.edges.iter().enumerate() {
-            let tags = edge.tags.iter().map(|t| self.boundaries[*t].as_str());
-            let [a, b] = edge.vertices;
-            let at = match (singular.contains(&a), singular.contains(&b)) {
-                (false, false) => {
-                    curves.push(([a, b], edge.curve));
-                    names.extend(tags.map(|n| ([a, b], n)));
-                    continue;
-                }
-                (true, _) => 2.0 * ratio - 1.0,
-                (false, true) => 1.0 - 2.0 * ratio,
-            };
-            let v = vertices.len();
-            vertices.push(edge.curve.point(at));
-            cut_vertex.insert(e, v);
-            curves.push(([a, v], edge.curve.part(-1.0, at)));
-            curves.push(([v, b], edge.curve.part(at, 1.0)));
-            for name in tags {
-                names.extend([([a, v], name), ([v, b], name)]);
-            }
-        }
-        for (c, cell) in self.cells.iter().enumerate() {
-            let quad = |corners, layer| Quad {
-                corners,
-                material: cell.material,
-                layer,
-            };
-            let Some(corner) = cell.corners.iter().position(|v| singular.contains(v)) else {
-                quads.push(quad(cell.corners, cell.layer));
-                continue;
-            };
-            // Walk the corners from the singular one: k0 (singular), k1, k2, k3 anti-clockwise.
-            let k: [usize; 4] = std::array::from_fn(|i| cell.corners[(corner + i) % 4]);
-            // Local edges from k0 to k1 and from k3 to k0, in any direction.
-            let (first, last) = (corner, (corner + 3) % 4);
-            let local = [0, 1, 2, 3];
-            let (Some(&m1), Some(&m3)) = (
-                cut_vertex.get(&cell.edges[local[first]]),
-                cut_vertex.get(&cell.edges[local[last]]),
-            ) else {
-                return Err(Error::FoldedCell {
-                    cell: c,
-                    jacobian: 0.0,
-                    x: 0.0,
-                    z: 0.0,
-                });
-            };
-            let reference = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
-            let (near, far) = (reference[corner], reference[(corner + 2) % 4]);
-            let place: [f64; 2] = std::array::from_fn(|i| (1.0 - ratio) * near[i] + ratio * far[i]);
-            let centre = vertices.len();
-            vertices.push(self.map(c, place[0], place[1]).0);
-            quads.push(quad([k[0], m1, centre, m3], cell.layer + 1));
-            quads.push(quad([m1, k[1], k[2], centre], cell.layer));
-            quads.push(quad([m3, centre, k[2], k[3]], cell.layer));
-        }
-        Mesh::new(vertices, &quads, &curves, &names)
+        blend(&corners, [at(0, xi), at(1, eta), at(2, xi), at(3, eta)], xi, eta)
     }
 
     /// Refuses a cell whose Jacobian is not positive at its corners and centre.
     fn check_cell(&self, cell: usize) -> Result<(), Error> {
         let corners = self.cells[cell].corners.map(|v| self.vertices[v]);
         let size = distance(corners[0], corners[2]).max(distance(corners[1], corners[3]));
-        for [xi, eta] in [
-            [-1.0, -1.0],
-            [1.0, -1.0],
-            [1.0, 1.0],
-            [-1.0, 1.0],
-            [0.0, 0.0],
-        ] {
+        for [xi, eta] in [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0], [0.0, 0.0]] {
             let (x, d) = self.map(cell, xi, eta);
             let jacobian = d[0][0] * d[1][1] - d[0][1] * d[1][0];
-            if !(jacobian > 1e-14 * size * size) {
-                return Err(Error::FoldedCell {
-                    cell,
-                    jacobian,
-                    x: x[0],
-                    z: x[1],
-                });
+            if jacobian.is_nan() || jacobian <= 1e-14 * size * size {
+                return Err(Error::FoldedCell { cell, jacobian, x: x[0], z: x[1] });
             }
         }
         Ok(())
@@ -362,12 +186,7 @@ impl Mesh {
 pub(crate) type CurvePoint = ([f64; 2], [f64; 2]);
 
 /// The blended map from the four edge points at `(xi, eta)`.
-pub(crate) fn blend(
-    corners: &[[f64; 2]; 4],
-    edges: [CurvePoint; 4],
-    xi: f64,
-    eta: f64,
-) -> ([f64; 2], [[f64; 2]; 2]) {
+pub(crate) fn blend(corners: &[[f64; 2]; 4], edges: [CurvePoint; 4], xi: f64, eta: f64) -> ([f64; 2], [[f64; 2]; 2]) {
     let (a, b) = (0.5 * (1.0 - xi), 0.5 * (1.0 + xi));
     let (c, d) = (0.5 * (1.0 - eta), 0.5 * (1.0 + eta));
     let [(e0, t0), (e1, t1), (e2, t2), (e3, t3)] = edges;
@@ -375,12 +194,9 @@ pub(crate) fn blend(
     let mut j = [[0.0; 2]; 2];
     for i in 0..2 {
         let v = [corners[0][i], corners[1][i], corners[2][i], corners[3][i]];
-        x[i] = c * e0[i] + d * e2[i] + a * e3[i] + b * e1[i]
-            - (a * c * v[0] + b * c * v[1] + b * d * v[2] + a * d * v[3]);
-        j[i][0] = c * t0[i] + d * t2[i] + 0.5 * (e1[i] - e3[i])
-            - 0.5 * (c * (v[1] - v[0]) + d * (v[2] - v[3]));
-        j[i][1] = 0.5 * (e2[i] - e0[i]) + a * t3[i] + b * t1[i]
-            - 0.5 * (a * (v[3] - v[0]) + b * (v[2] - v[1]));
+        x[i] = c * e0[i] + d * e2[i] + a * e3[i] + b * e1[i] - (a * c * v[0] + b * c * v[1] + b * d * v[2] + a * d * v[3]);
+        j[i][0] = c * t0[i] + d * t2[i] + 0.5 * (e1[i] - e3[i]) - 0.5 * (c * (v[1] - v[0]) + d * (v[2] - v[3]));
+        j[i][1] = 0.5 * (e2[i] - e0[i]) + a * t3[i] + b * t1[i] - 0.5 * (a * (v[3] - v[0]) + b * (v[2] - v[1]));
     }
     (x, j)
 }
@@ -389,21 +205,13 @@ pub(crate) fn blend(
 fn check_vertices(vertices: &[[f64; 2]], quads: &[Quad]) -> Result<(), Error> {
     for (i, x) in vertices.iter().enumerate() {
         if let Some(value) = x.iter().find(|v| !v.is_finite()) {
-            return Err(Error::OutOfRange {
-                quantity: format!("a coordinate of vertex {i}"),
-                value: *value,
-                range: "finite",
-            });
+            return Err(Error::OutOfRange { quantity: format!("a coordinate of vertex {i}"), value: *value, range: "finite" });
         }
     }
     for (cell, quad) in quads.iter().enumerate() {
         if let Some(corner) = quad.corners.iter().find(|v| **v >= vertices.len()) {
             let what = format!("corner of cell {cell}, vertices");
-            return Err(Error::Count {
-                what,
-                given: *corner + 1,
-                expected: vertices.len(),
-            });
+            return Err(Error::Count { what, given: *corner + 1, expected: vertices.len() });
         }
     }
     Ok(())
@@ -413,6 +221,6 @@ fn sorted(edge: [usize; 2]) -> [usize; 2] {
     [edge[0].min(edge[1]), edge[0].max(edge[1])]
 }
 
-fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+pub(crate) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
     (a[0] - b[0]).hypot(a[1] - b[1])
 }

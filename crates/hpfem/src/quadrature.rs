@@ -82,8 +82,7 @@ pub fn gauss_lobatto_jacobi(n: usize) -> Quadrature {
         jacobi[(k, k)] = (b * b - a * a) / (s * (s + 2.0));
         if k > 0 {
             let kf = k as f64;
-            let off =
-                4.0 * kf * (kf + a) * (kf + b) * (kf + a + b) / (s * s * (s + 1.0) * (s - 1.0));
+            let off = 4.0 * kf * (kf + a) * (kf + b) * (kf + a + b) / (s * s * (s + 1.0) * (s - 1.0));
             jacobi[(k, k - 1)] = off.sqrt();
             jacobi[(k - 1, k)] = off.sqrt();
         }
@@ -94,8 +93,7 @@ pub fn gauss_lobatto_jacobi(n: usize) -> Quadrature {
         for x in &mut points {
             for _ in 0..2 {
                 // d/dx P^(a,b)_m = (m + a + b + 1) / 2 P^(a+1,b+1)_{m-1}.
-                let slope =
-                    0.5 * (m as f64 + a + b + 1.0) * jacobi_polynomial(m - 1, a + 1.0, b + 1.0, *x);
+                let slope = 0.5 * (m as f64 + a + b + 1.0) * jacobi_polynomial(m - 1, a + 1.0, b + 1.0, *x);
                 *x -= jacobi_polynomial(m, a, b, *x) / slope;
             }
         }
@@ -124,8 +122,7 @@ fn jacobi_polynomial(n: usize, a: f64, b: f64, x: f64) -> f64 {
             0.5 * (a - b + (a + b + 2.0) * x)
         } else {
             let middle = (s + 1.0) * (a * a - b * b) + s * (s + 1.0) * (s + 2.0) * x;
-            (middle * value - 2.0 * (k + a) * (k + b) * (s + 2.0) * lower)
-                / (2.0 * (k + 1.0) * (k + a + b + 1.0) * s)
+            (middle * value - 2.0 * (k + a) * (k + b) * (s + 2.0) * lower) / (2.0 * (k + 1.0) * (k + a + b + 1.0) * s)
         };
         (lower, value) = (value, next);
     }
@@ -147,15 +144,9 @@ pub fn barycentric_weights(points: &[f64]) -> Vec<f64> {
 /// The Lagrange polynomials of `points` at `x`, by the barycentric formula of the second kind.
 pub fn lagrange(points: &[f64], barycentric: &[f64], x: f64) -> Vec<f64> {
     if let Some(hit) = points.iter().position(|y| *y == x) {
-        return (0..points.len())
-            .map(|i| f64::from(u8::from(i == hit)))
-            .collect();
+        return (0..points.len()).map(|i| f64::from(u8::from(i == hit))).collect();
     }
-    let terms: Vec<f64> = points
-        .iter()
-        .zip(barycentric)
-        .map(|(y, w)| w / (x - y))
-        .collect();
+    let terms: Vec<f64> = points.iter().zip(barycentric).map(|(y, w)| w / (x - y)).collect();
     let total: f64 = terms.iter().sum();
     terms.iter().map(|t| t / total).collect()
 }

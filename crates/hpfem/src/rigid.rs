@@ -8,10 +8,7 @@ use faer::Mat;
 
 /// Rigid motions `[t_x, t_z, theta]` about the origin that no support hinders, as a reduced basis.
 pub(crate) fn free_motions(mesh: &Mesh, space: &Space, kinematics: Kinematics) -> Vec<[f64; 3]> {
-    let size = mesh
-        .vertices
-        .iter()
-        .fold(0.0_f64, |m, x| m.max(x[0].abs()).max(x[1].abs()));
+    let size = mesh.vertices.iter().fold(0.0_f64, |m, x| m.max(x[0].abs()).max(x[1].abs()));
     let candidates: &[usize] = match kinematics {
         Kinematics::Axisymmetric => &[1],
         Kinematics::Torsion => &[2],
@@ -21,9 +18,7 @@ pub(crate) fn free_motions(mesh: &Mesh, space: &Space, kinematics: Kinematics) -
     let mut rows: Vec<[f64; 3]> = Vec::new();
     let mut condition = |x: [f64; 2], d: [f64; 2]| {
         let motions = rigid_rows(x, [0.0, 0.0]);
-        rows.push([0, 1, 2].map(|k| {
-            (motions[k][0] * d[0] + motions[k][1] * d[1]) / if k == 2 { size } else { 1.0 }
-        }));
+        rows.push([0, 1, 2].map(|k| (motions[k][0] * d[0] + motions[k][1] * d[1]) / if k == 2 { size } else { 1.0 }));
     };
     for (g, freedom) in space.freedom.iter().enumerate() {
         let x = match g.checked_sub(mesh.vertices.len()) {
@@ -48,9 +43,7 @@ pub(crate) fn free_motions(mesh: &Mesh, space: &Space, kinematics: Kinematics) -
         let motions = rigid_rows(rigid.reference, [0.0, 0.0]);
         for (k, d) in [[1.0, 0.0], [0.0, 1.0]].iter().enumerate() {
             if !rigid.free[k] {
-                rows.push([0, 1, 2].map(|m| {
-                    (motions[m][0] * d[0] + motions[m][1] * d[1]) / if m == 2 { size } else { 1.0 }
-                }));
+                rows.push([0, 1, 2].map(|m| (motions[m][0] * d[0] + motions[m][1] * d[1]) / if m == 2 { size } else { 1.0 }));
             }
         }
         if !rigid.free[2] {
@@ -89,11 +82,7 @@ pub(crate) fn free_motions(mesh: &Mesh, space: &Space, kinematics: Kinematics) -
             pivots.iter().for_each(|(c, r)| motion[*c] = -r[*free]);
             motion[2] /= size;
             let unit = motion.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-            if *free == 2 {
-                motion.map(|v| v * size)
-            } else {
-                motion.map(|v| v / unit)
-            }
+            if *free == 2 { motion.map(|v| v * size) } else { motion.map(|v| v / unit) }
         })
         .collect()
 }
@@ -124,20 +113,15 @@ pub(crate) fn rigid_columns(
                 let t = field(motion, rigid.reference);
                 let values = [t[0], t[1], motion[2]];
                 let free = (0..3).filter(|k| rigid.free[*k]);
-                free.enumerate()
-                    .for_each(|(i, k)| columns[(at + i, c)] = values[k]);
+                free.enumerate().for_each(|(i, k)| columns[(at + i, c)] = values[k]);
                 continue;
             }
             let modes = match g.checked_sub(mesh.vertices.len()) {
                 None => vec![field(motion, mesh.vertices[*g])],
-                Some(e) => edge_modes(&mesh.edges[e].curve, space.edge_degree[e], |x| {
-                    field(motion, x)
-                }),
+                Some(e) => edge_modes(&mesh.edges[e].curve, space.edge_degree[e], |x| field(motion, x)),
             };
             let freedom = &space.freedom[*g];
-            let free: Vec<usize> = (0..space.components)
-                .filter(|a| freedom.fixed[*a].is_none())
-                .collect();
+            let free: Vec<usize> = (0..space.components).filter(|a| freedom.fixed[*a].is_none()).collect();
             for (m, value) in modes.iter().enumerate() {
                 for (i, axis) in free.iter().enumerate() {
                     let d = freedom.axes[*axis];

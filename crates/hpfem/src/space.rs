@@ -69,23 +69,12 @@ pub(crate) struct Freedom {
 /// no reaction belongs to it.
 const AXIS: usize = usize::MAX;
 
-const FREE: Freedom = Freedom {
-    axes: [[1.0, 0.0], [0.0, 1.0]],
-    fixed: [None, None],
-    slaved: false,
-};
+const FREE: Freedom = Freedom { axes: [[1.0, 0.0], [0.0, 1.0]], fixed: [None, None], slaved: false };
 
 impl Freedom {
     /// Number of free components out of `components`.
     pub(crate) fn free(&self, components: usize) -> usize {
-        if self.slaved {
-            0
-        } else {
-            self.fixed[..components]
-                .iter()
-                .filter(|f| f.is_none())
-                .count()
-        }
+        if self.slaved { 0 } else { self.fixed[..components].iter().filter(|f| f.is_none()).count() }
     }
 
     /// Whether both components are unknowns along the coordinate axes.
@@ -109,16 +98,10 @@ impl Freedom {
                 self.fixed[0] = Some((support, value));
             }
             [Some((_, known)), None] if along(self.axes[1]).abs() > 1e-12 => {
-                self.fixed[1] = Some((
-                    support,
-                    (value - known * along(self.axes[0])) / along(self.axes[1]),
-                ));
+                self.fixed[1] = Some((support, (value - known * along(self.axes[0])) / along(self.axes[1])));
             }
             [None, Some((_, known))] if along(self.axes[0]).abs() > 1e-12 => {
-                self.fixed[0] = Some((
-                    support,
-                    (value - known * along(self.axes[1])) / along(self.axes[0]),
-                ));
+                self.fixed[0] = Some((support, (value - known * along(self.axes[1])) / along(self.axes[0])));
             }
             _ => {}
         }
@@ -173,35 +156,23 @@ impl Space {
         rigid: Option<&RigidEdge>,
     ) -> Result<Space, Error> {
         let components = kinematics.components();
-        if let Some(cell) =
-            (0..mesh.cells.len()).find(|c| !(1..=MAX_DEGREE).contains(&cell_degree[*c]))
-        {
-            return Err(Error::Degree {
-                cell,
-                degree: cell_degree[cell],
-            });
+        if let Some(cell) = (0..mesh.cells.len()).find(|c| !(1..=MAX_DEGREE).contains(&cell_degree[*c])) {
+            return Err(Error::Degree { cell, degree: cell_degree[cell] });
         }
         let mut edge_degree = vec![MAX_DEGREE; mesh.edges.len()];
         for (cell, degree) in mesh.cells.iter().zip(&cell_degree) {
-            cell.edges
-                .iter()
-                .for_each(|e| edge_degree[*e] = edge_degree[*e].min(*degree));
+            cell.edges.iter().for_each(|e| edge_degree[*e] = edge_degree[*e].min(*degree));
         }
         let vertices = mesh.vertices.len();
         let mut freedom = vec![FREE; vertices + mesh.edges.len()];
         if let Some(rigid) = rigid {
             let edges = mesh.boundary(&rigid.boundary)?;
             if edges.iter().any(|e| !mesh.edges[*e].curve.is_straight()) {
-                return Err(Error::NotStraight {
-                    what: "a rigid edge",
-                    boundary: rigid.boundary.clone(),
-                });
+                return Err(Error::NotStraight { what: "a rigid edge", boundary: rigid.boundary.clone() });
             }
             for e in edges {
                 let [a, b] = mesh.edges[e].vertices;
-                [a, b, vertices + e]
-                    .iter()
-                    .for_each(|g| freedom[*g].slaved = true);
+                [a, b, vertices + e].iter().for_each(|g| freedom[*g].slaved = true);
             }
         }
         for (number, support) in supports.iter().enumerate() {
@@ -212,10 +183,7 @@ impl Space {
                     Direction::Second => [0.0, 1.0],
                     Direction::Normal if !mesh.edges[e].curve.is_straight() => {
                         let boundary = support.boundary.clone();
-                        return Err(Error::NotStraight {
-                            what: "a support along the normal",
-                            boundary,
-                        });
+                        return Err(Error::NotStraight { what: "a support along the normal", boundary });
                     }
                     Direction::Normal => {
                         let (p, q) = (mesh.vertices[a], mesh.vertices[b]);
@@ -242,52 +210,27 @@ impl Space {
         let mut size: Vec<usize> = freedom
             .iter()
             .enumerate()
-            .map(|(g, f)| {
-                f.free(components)
-                    * if g < vertices {
-                        1
-                    } else {
-                        edge_degree[g - vertices] - 1
-                    }
-            })
+            .map(|(g, f)| f.free(components) * if g < vertices { 1 } else { edge_degree[g - vertices] - 1 })
             .collect();
         let frame = rigid.map(|r| (size.len(), r.clone()));
         if let Some(rigid) = rigid {
             size.push(rigid.free.iter().filter(|f| **f).count());
         }
-        Ok(Space {
-            components,
-            kind,
-            cell_degree,
-            edge_degree,
-            freedom,
-            size,
-            frame,
-        })
+        Ok(Space { components, kind, cell_degree, edge_degree, freedom, size, frame })
     }
 
     /// Order of the modes of a cell.
     pub(crate) fn local_modes(&self, mesh: &Mesh, cell: usize) -> LocalModes {
         let c = &mesh.cells[cell];
         let edges = c.edges.map(|e| self.edge_degree[e]);
-        LocalModes::new(
-            self.cell_degree[cell],
-            edges,
-            c.against,
-            self.kind == SpaceKind::Trunk,
-        )
+        LocalModes::new(self.cell_degree[cell], edges, c.against, self.kind == SpaceKind::Trunk)
     }
 
     /// Groups of a cell's corners and edges that have unknowns, the rigid edge's group included, sorted by `rank`.
     pub(crate) fn cell_groups(&self, mesh: &Mesh, cell: usize, rank: &[usize]) -> Vec<usize> {
         let c = &mesh.cells[cell];
         let vertices = mesh.vertices.len();
-        let mut groups: Vec<usize> = c
-            .corners
-            .iter()
-            .copied()
-            .chain(c.edges.iter().map(|e| vertices + e))
-            .collect();
+        let mut groups: Vec<usize> = c.corners.iter().copied().chain(c.edges.iter().map(|e| vertices + e)).collect();
         if let Some((group, _)) = &self.frame
             && groups.iter().any(|g| self.freedom[*g].slaved)
         {
@@ -299,13 +242,7 @@ impl Space {
     }
 
     /// Targets of component `component` of mode `mode` (0 for a vertex value) of a vertex or edge group.
-    pub(crate) fn target(
-        &self,
-        mesh: &Mesh,
-        group: usize,
-        mode: usize,
-        component: usize,
-    ) -> Target {
+    pub(crate) fn target(&self, mesh: &Mesh, group: usize, mode: usize, component: usize) -> Target {
         let mut target = Target::default();
         let freedom = &self.freedom[group];
         let is_vertex = group < mesh.vertices.len();
@@ -333,18 +270,9 @@ impl Space {
             }
             match freedom.fixed[axis] {
                 Some((AXIS, _)) => {}
-                None => target
-                    .active
-                    .push((group, mode * free + freedom.index(axis), share)),
+                None => target.active.push((group, mode * free + freedom.index(axis), share)),
                 Some((support, value)) => {
-                    target.fixed.push(Fixed {
-                        support,
-                        value,
-                        axis: freedom.axes[axis],
-                        share,
-                        group,
-                        mode,
-                    });
+                    target.fixed.push(Fixed { support, value, axis: freedom.axes[axis], share, group, mode });
                 }
             }
         }
@@ -354,22 +282,11 @@ impl Space {
 
 /// Displacement at `x` of the motions `t_x`, `t_z`, `theta` about `reference`.
 pub(crate) fn rigid_rows(x: [f64; 2], reference: [f64; 2]) -> [[f64; 2]; 3] {
-    [
-        [1.0, 0.0],
-        [0.0, 1.0],
-        [reference[1] - x[1], x[0] - reference[0]],
-    ]
+    [[1.0, 0.0], [0.0, 1.0], [reference[1] - x[1], x[0] - reference[0]]]
 }
 
 /// Which vertices lie on the axis of revolution, to round-off of the mesh's size.
 fn axis_vertices(mesh: &Mesh) -> Vec<bool> {
-    let size = mesh
-        .vertices
-        .iter()
-        .flatten()
-        .fold(0.0_f64, |m, x| m.max(x.abs()));
-    mesh.vertices
-        .iter()
-        .map(|x| x[0].abs() <= 1e-14 * size)
-        .collect()
+    let size = mesh.vertices.iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
+    mesh.vertices.iter().map(|x| x[0].abs() <= 1e-14 * size).collect()
 }

@@ -63,30 +63,17 @@ pub struct TracePoint {
 /// Orders the edges of a boundary into a path: `(edge, against)` from the end with the smaller coordinates.
 pub(crate) fn path(mesh: &Mesh, name: &str) -> Result<Vec<(usize, bool)>, Error> {
     let edges = mesh.boundary(name)?;
-    let broken = || Error::NotAPath {
-        name: name.to_string(),
-    };
+    let broken = || Error::NotAPath { name: name.to_string() };
     let mut at: std::collections::BTreeMap<usize, Vec<usize>> = std::collections::BTreeMap::new();
     for e in &edges {
-        mesh.edges[*e]
-            .vertices
-            .iter()
-            .for_each(|v| at.entry(*v).or_default().push(*e));
+        mesh.edges[*e].vertices.iter().for_each(|v| at.entry(*v).or_default().push(*e));
     }
-    let ends: Vec<usize> = at
-        .iter()
-        .filter(|(_, e)| e.len() == 1)
-        .map(|(v, _)| *v)
-        .collect();
+    let ends: Vec<usize> = at.iter().filter(|(_, e)| e.len() == 1).map(|(v, _)| *v).collect();
     if ends.len() != 2 || at.values().any(|e| e.len() > 2) {
         return Err(broken());
     }
     let key = |v: usize| (mesh.vertices[v][0], mesh.vertices[v][1]);
-    let mut vertex = if key(ends[0]) <= key(ends[1]) {
-        ends[0]
-    } else {
-        ends[1]
-    };
+    let mut vertex = if key(ends[0]) <= key(ends[1]) { ends[0] } else { ends[1] };
     let mut last = usize::MAX;
     let mut walk = Vec::new();
     while let Some(e) = at[&vertex].iter().copied().find(|e| *e != last) {
@@ -95,11 +82,7 @@ pub(crate) fn path(mesh: &Mesh, name: &str) -> Result<Vec<(usize, bool)>, Error>
         vertex = mesh.edges[e].vertices[usize::from(!against)];
         last = e;
     }
-    if walk.len() == edges.len() {
-        Ok(walk)
-    } else {
-        Err(broken())
-    }
+    if walk.len() == edges.len() { Ok(walk) } else { Err(broken()) }
 }
 
 impl Trace {
@@ -112,12 +95,7 @@ impl Trace {
         unknowns: usize,
     ) -> Trace {
         let neighbours = mesh.edge_cells();
-        let mut trace = Trace {
-            edges: Vec::new(),
-            points: Vec::new(),
-            unknowns,
-            components: space.components,
-        };
+        let mut trace = Trace { edges: Vec::new(), points: Vec::new(), unknowns, components: space.components };
         let mut arc = 0.0;
         for (edge, against) in walk {
             let own = &mesh.edges[*edge];
@@ -125,11 +103,7 @@ impl Trace {
             // Local edges 0 and 1 run anti-clockwise, with the cell on their left.
             let cell_left_of_own = (local < 2) != mesh.cells[cell].against[local];
             let degree = space.edge_degree[*edge];
-            let groups = own
-                .vertices
-                .iter()
-                .map(|v| (*v, 0))
-                .chain((0..degree - 1).map(|m| (mesh.vertices.len() + edge, m)));
+            let groups = own.vertices.iter().map(|v| (*v, 0)).chain((0..degree - 1).map(|m| (mesh.vertices.len() + edge, m)));
             let mut mode_unknowns = Vec::new();
             let mut prescribed = Vec::new();
             let mut fixed = Vec::new();
@@ -138,18 +112,14 @@ impl Trace {
                 let mut value = [0.0; 2];
                 for component in 0..space.components {
                     let target = space.target(mesh, group, mode, component);
-                    let active = target
-                        .active
-                        .iter()
-                        .filter_map(|(g, i, c)| start_of_group(*g).map(|s| (s + i, *c)));
+                    let active = target.active.iter().filter_map(|(g, i, c)| start_of_group(*g).map(|s| (s + i, *c)));
                     columns.push(active.collect());
                     value[component] = target.fixed.iter().map(|f| f.share * f.value).sum();
                     // A support moved by a unit translation or rotation moves the prescribed part of its vertices alike.
                     for part in target.fixed.iter().filter(|_| group < mesh.vertices.len()) {
                         let motions = rigid_rows(mesh.vertices[group], [0.0, 0.0]).map(|m| {
                             let mut moved = [0.0; 2];
-                            moved[component] =
-                                part.share * (part.axis[0] * m[0] + part.axis[1] * m[1]);
+                            moved[component] = part.share * (part.axis[0] * m[0] + part.axis[1] * m[1]);
                             moved
                         });
                         fixed.push((number, part.support, motions));
@@ -158,11 +128,7 @@ impl Trace {
                 mode_unknowns.push(columns);
                 prescribed.push(value);
             }
-            let curve = if *against {
-                own.curve.reversed()
-            } else {
-                own.curve
-            };
+            let curve = if *against { own.curve.reversed() } else { own.curve };
             trace.edges.push(TraceEdge {
                 edge: *edge,
                 curve,
@@ -185,23 +151,14 @@ impl Trace {
         for number in 0..self.edges.len() {
             let edge = &self.edges[number];
             let radius = |t: f64| edge.curve.point(t)[0];
-            let on_axis =
-                kinematics.is_revolved() && radius(-1.0).abs() <= 1e-12 * radius(1.0).abs();
+            let on_axis = kinematics.is_revolved() && radius(-1.0).abs() <= 1e-12 * radius(1.0).abs();
             let n = edge.degree + 1;
-            let rule = if on_axis {
-                gauss_lobatto_jacobi(n)
-            } else {
-                gauss_lobatto(n)
-            };
+            let rule = if on_axis { gauss_lobatto_jacobi(n) } else { gauss_lobatto(n) };
             for (i, (t, w)) in rule.points.iter().zip(&rule.weights).enumerate() {
                 let (boundary, length) = self.boundary_point(number, *t);
                 // The Jacobi weight 1 + t already holds the radius: r = (1 + t) times a smooth factor.
                 let measure = if on_axis {
-                    let half = if i == 0 {
-                        edge.curve.derivative(-1.0)[0]
-                    } else {
-                        radius(*t) / (1.0 + t)
-                    };
+                    let half = if i == 0 { edge.curve.derivative(-1.0)[0] } else { radius(*t) / (1.0 + t) };
                     kinematics.measure(half)
                 } else {
                     kinematics.measure(boundary.position[0])
@@ -213,13 +170,7 @@ impl Trace {
                         shared.weight += weight;
                     }
                 } else {
-                    self.points.push(TracePoint {
-                        edge: number,
-                        parameter: *t,
-                        arc,
-                        boundary,
-                        weight,
-                    });
+                    self.points.push(TracePoint { edge: number, parameter: *t, arc, boundary, weight });
                 }
             }
         }
@@ -227,9 +178,7 @@ impl Trace {
 
     /// Total arc length.
     pub fn length(&self) -> f64 {
-        self.edges
-            .last()
-            .map_or(0.0, |e| e.start + e.curve.length())
+        self.edges.last().map_or(0.0, |e| e.start + e.curve.length())
     }
 
     /// The boundary point at parameter `t` of an edge of the path, and the length factor `|dx/dt|`.
@@ -240,10 +189,7 @@ impl Trace {
 
     /// Edge and parameter of the point at arc length `arc` from the start.
     pub fn locate(&self, arc: f64) -> (usize, f64) {
-        let edge = self
-            .edges
-            .partition_point(|e| e.start <= arc)
-            .saturating_sub(1);
+        let edge = self.edges.partition_point(|e| e.start <= arc).saturating_sub(1);
         let e = &self.edges[edge];
         (edge, e.curve.parameter_at_length(arc - e.start))
     }
@@ -257,11 +203,7 @@ impl Trace {
         let mut constant = [0.0; 2];
         for (mode, shape) in shape_functions(e.degree, own).0.into_iter().enumerate() {
             for component in 0..self.components {
-                rows[component].extend(
-                    e.unknowns[mode][component]
-                        .iter()
-                        .map(|(u, c)| (*u, c * shape)),
-                );
+                rows[component].extend(e.unknowns[mode][component].iter().map(|(u, c)| (*u, c * shape)));
                 constant[component] += shape * e.prescribed[mode][component];
             }
         }
@@ -276,19 +218,12 @@ impl Trace {
             return Vec::new();
         }
         let shapes = shape_functions(e.degree, if e.against { -t } else { t }).0;
-        e.fixed
-            .iter()
-            .map(|(mode, support, m)| (*support, m.map(|m| m.map(|v| v * shapes[*mode]))))
-            .collect()
+        e.fixed.iter().map(|(mode, support, m)| (*support, m.map(|m| m.map(|v| v * shapes[*mode])))).collect()
     }
 
     /// Matrix that takes kept unknowns to the displacement component along `direction(point)` at the given places
     /// `(edge, t)`: one row a place.
-    pub fn component_matrix(
-        &self,
-        places: &[(usize, f64)],
-        direction: impl Fn(&BoundaryPoint) -> [f64; 2],
-    ) -> Mat<f64> {
+    pub fn component_matrix(&self, places: &[(usize, f64)], direction: impl Fn(&BoundaryPoint) -> [f64; 2]) -> Mat<f64> {
         let mut matrix = Mat::zeros(places.len(), self.unknowns);
         for (i, (edge, t)) in places.iter().enumerate() {
             let d = direction(&self.boundary_point(*edge, *t).0);
@@ -302,26 +237,14 @@ impl Trace {
 
     /// Consistent load of a traction on the path, `int N^T t dA`, by Gauss quadrature with `extra` points beyond the degree plus two on
     /// every edge.
-    pub fn load(
-        &self,
-        kinematics: Kinematics,
-        extra: usize,
-        traction: impl Fn(&BoundaryPoint) -> [f64; 2],
-    ) -> TraceLoad {
-        let mut load = TraceLoad {
-            unknowns: vec![0.0; self.unknowns],
-            ..TraceLoad::default()
-        };
+    pub fn load(&self, kinematics: Kinematics, extra: usize, traction: impl Fn(&BoundaryPoint) -> [f64; 2]) -> TraceLoad {
+        let mut load = TraceLoad { unknowns: vec![0.0; self.unknowns], ..TraceLoad::default() };
         for (number, edge) in self.edges.iter().enumerate() {
             let rule = crate::quadrature::gauss(edge.degree + 2 + extra);
             for (t, w) in rule.points.iter().zip(&rule.weights) {
                 let (point, length) = self.boundary_point(number, *t);
                 let weight = w * length * kinematics.measure(point.position[0]);
-                self.add_force(
-                    &mut load,
-                    (number, *t),
-                    traction(&point).map(|v| weight * v),
-                );
+                self.add_force(&mut load, (number, *t), traction(&point).map(|v| weight * v));
             }
         }
         load

@@ -28,67 +28,28 @@ pub(crate) enum Shape {
 ///   0 --- 1 --- 2
 /// ```
 pub(crate) fn patch(turns: [usize; 4], shape: Shape, left: f64) -> Mesh {
-    let vertices: Vec<[f64; 2]> = [
-        [1.0, 0.1],
-        [2.1, 0.0],
-        [3.0, -0.1],
-        [1.0, 1.2],
-        [1.85, 0.9],
-        [2.9, 1.1],
-        [1.0, 2.0],
-        [2.2, 2.1],
-        [3.1, 1.9],
-    ]
-    .map(|[x, z]| [x - left, z])
-    .to_vec();
+    let vertices: Vec<[f64; 2]> =
+        [[1.0, 0.1], [2.1, 0.0], [3.0, -0.1], [1.0, 1.2], [1.85, 0.9], [2.9, 1.1], [1.0, 2.0], [2.2, 2.1], [3.1, 1.9]]
+            .map(|[x, z]| [x - left, z])
+            .to_vec();
     let corners = [[0, 1, 4, 3], [1, 2, 5, 4], [3, 4, 7, 6], [4, 5, 8, 7]];
     let quads: Vec<Quad> = corners
         .iter()
         .zip(turns)
-        .map(|(c, turn)| Quad {
-            corners: std::array::from_fn(|i| c[(i + turn) % 4]),
-            material: 0,
-            layer: 0,
-        })
+        .map(|(c, turn)| Quad { corners: std::array::from_fn(|i| c[(i + turn) % 4]), material: 0, layer: 0 })
         .collect();
-    let outer = [
-        [0, 1, 0],
-        [1, 2, 0],
-        [2, 5, 1],
-        [5, 8, 1],
-        [7, 8, 2],
-        [6, 7, 2],
-        [0, 3, 3],
-        [3, 6, 3],
-    ];
+    let outer = [[0, 1, 0], [1, 2, 0], [2, 5, 1], [5, 8, 1], [7, 8, 2], [6, 7, 2], [0, 3, 3], [3, 6, 3]];
     let inner = [[1, 4], [4, 7], [3, 4], [4, 5]];
-    let all: Vec<[usize; 2]> = outer
-        .iter()
-        .map(|[a, b, _]| [*a, *b])
-        .chain(inner)
-        .collect();
+    let all: Vec<[usize; 2]> = outer.iter().map(|[a, b, _]| [*a, *b]).chain(inner).collect();
     let curves: Vec<([usize; 2], Curve)> = all
         .iter()
         .enumerate()
         // The edges on the left stay straight: they may lie on the axis.
         .filter(|(i, _)| shape != Shape::Straight && *i != 6 && *i != 7)
-        .map(|(i, e)| {
-            (
-                *e,
-                bowed(
-                    vertices[e[0]],
-                    vertices[e[1]],
-                    0.12 * (1.0 + i as f64).sin(),
-                    shape,
-                ),
-            )
-        })
+        .map(|(i, e)| (*e, bowed(vertices[e[0]], vertices[e[1]], 0.12 * (1.0 + i as f64).sin(), shape)))
         .collect();
     let names = ["bottom", "right", "top", "left"];
-    let mut named: Vec<([usize; 2], &str)> = outer
-        .iter()
-        .map(|[a, b, n]| ([*a, *b], names[*n]))
-        .collect();
+    let mut named: Vec<([usize; 2], &str)> = outer.iter().map(|[a, b, n]| ([*a, *b], names[*n])).collect();
     named.extend(outer.iter().map(|[a, b, _]| ([*a, *b], "all")));
     Mesh::new(vertices, &quads, &curves, &named).unwrap()
 }
@@ -100,15 +61,8 @@ fn bowed(a: [f64; 2], b: [f64; 2], bow: f64, shape: Shape) -> Curve {
         Shape::Polynomial(degree) => Curve::interpolated(degree, |t| {
             let s = 0.5 * (1.0 + t);
             let off = bow * (1.0 - t * t) * (1.0 + 0.3 * t + 0.2 * t * t);
-            let along = if degree > 2 {
-                0.05 * (1.0 - t * t)
-            } else {
-                0.0
-            };
-            [
-                a[0] + (s + along) * dx - off * dz,
-                a[1] + (s + along) * dz + off * dx,
-            ]
+            let along = if degree > 2 { 0.05 * (1.0 - t * t) } else { 0.0 };
+            [a[0] + (s + along) * dx - off * dz, a[1] + (s + along) * dz + off * dx]
         }),
         _ => {
             // Half the opening angle from tan(angle / 2) = 2 bow.
@@ -116,52 +70,26 @@ fn bowed(a: [f64; 2], b: [f64; 2], bow: f64, shape: Shape) -> Curve {
             let chord = dx.hypot(dz);
             let radius = 0.5 * chord / half.abs().sin();
             let height = 0.5 * chord / half.tan();
-            let centre = [
-                0.5 * (a[0] + b[0]) + height * dz / chord,
-                0.5 * (a[1] + b[1]) - height * dx / chord,
-            ];
+            let centre = [0.5 * (a[0] + b[0]) + height * dz / chord, 0.5 * (a[1] + b[1]) - height * dx / chord];
             let middle = dx.atan2(-dz) + if bow < 0.0 { PI } else { 0.0 };
-            Curve::Arc {
-                centre,
-                radius,
-                from: middle + half,
-                to: middle - half,
-            }
+            Curve::Arc { centre, radius, from: middle + half, to: middle - half }
         }
     }
 }
 
 /// Where the cell turns of tests come from: every cell turned alike, and mixed turns.
-pub(crate) const TURNS: [[usize; 4]; 7] = [
-    [0; 4],
-    [1; 4],
-    [2; 4],
-    [3; 4],
-    [0, 1, 2, 3],
-    [2, 0, 0, 2],
-    [3, 2, 0, 1],
-];
+pub(crate) const TURNS: [[usize; 4]; 7] = [[0; 4], [1; 4], [2; 4], [3; 4], [0, 1, 2, 3], [2, 0, 0, 2], [3, 2, 0, 1]];
 
 pub(crate) fn steel() -> [Material; 1] {
     [Material::new(210e3, 0.3).unwrap()]
 }
 
 pub(crate) fn support(boundary: &str, direction: Direction) -> Support {
-    Support {
-        boundary: boundary.into(),
-        direction,
-        value: 0.0,
-    }
+    Support { boundary: boundary.into(), direction, value: 0.0 }
 }
 
-pub(crate) fn traction<'a>(
-    boundary: &str,
-    f: impl Fn(&BoundaryPoint) -> [f64; 2] + Sync + 'a,
-) -> EdgeTraction<'a> {
-    EdgeTraction {
-        boundary: boundary.into(),
-        traction: Box::new(f),
-    }
+pub(crate) fn traction<'a>(boundary: &str, f: impl Fn(&BoundaryPoint) -> [f64; 2] + Sync + 'a) -> EdgeTraction<'a> {
+    EdgeTraction { boundary: boundary.into(), traction: Box::new(f) }
 }
 
 /// The problem with the usual choices: tensor space, one degree, no rigid edge.
@@ -190,16 +118,11 @@ pub(crate) fn problem<'a>(
 /// Reference points spread over a cell, corners included.
 pub(crate) fn sample_points() -> impl Iterator<Item = (f64, f64)> {
     let t = [-1.0, -0.62, 0.13, 0.77, 1.0];
-    t.into_iter()
-        .flat_map(move |x| t.into_iter().map(move |y| (x, y)))
+    t.into_iter().flat_map(move |x| t.into_iter().map(move |y| (x, y)))
 }
 
 /// Largest difference of the stress components from `exact(position)` over all cells, relative to the largest exact one.
-pub(crate) fn stress_error(
-    field: &Field<'_>,
-    mesh: &Mesh,
-    exact: impl Fn([f64; 2]) -> [f64; 4],
-) -> f64 {
+pub(crate) fn stress_error(field: &Field<'_>, mesh: &Mesh, exact: impl Fn([f64; 2]) -> [f64; 4]) -> f64 {
     let (mut error, mut size) = (0.0_f64, 0.0_f64);
     for cell in 0..mesh.cells.len() {
         for (xi, eta) in sample_points() {

@@ -11,17 +11,11 @@ fn jump(mesh: &Mesh, field: &Field<'_>) -> f64 {
             let t = -1.0 + 0.2 * f64::from(i);
             let values = [sides[0], sides[1]].map(|(cell, local)| {
                 // The parameter in the edge's own direction is t on both sides.
-                let s = if mesh.cells[cell].against[local] {
-                    -t
-                } else {
-                    t
-                };
+                let s = if mesh.cells[cell].against[local] { -t } else { t };
                 let (xi, eta) = [(s, -1.0), (1.0, s), (s, 1.0), (-1.0, s)][local];
                 field.at(cell, xi, eta).displacement
             });
-            jump = jump
-                .max((values[0][0] - values[1][0]).abs())
-                .max((values[0][1] - values[1][1]).abs());
+            jump = jump.max((values[0][0] - values[1][0]).abs()).max((values[0][1] - values[1][1]).abs());
             size = size.max(values[0][0].abs()).max(values[0][1].abs());
         }
     }
@@ -34,19 +28,10 @@ fn jump_under_load(mesh: &Mesh, degrees: Vec<usize>) -> f64 {
     // A load that excites odd and even modes alike.
     let load = vec![vec![traction("all", |p| {
         let [x, z] = p.position;
-        [
-            (3.0 * x + z).sin() + x * z * z,
-            (2.0 * z - x).exp() - (5.0 * x).cos(),
-        ]
+        [(3.0 * x + z).sin() + x * z * z, (2.0 * z - x).exp() - (5.0 * x).cos()]
     })]];
-    let supports = [
-        support("left", Direction::First),
-        support("left", Direction::Second),
-    ];
-    let problem = BodyProblem {
-        degrees,
-        ..problem(mesh, 1, PLANE_STRAIN, &materials, &supports, &load, None)
-    };
+    let supports = [support("left", Direction::First), support("left", Direction::Second)];
+    let problem = BodyProblem { degrees, ..problem(mesh, 1, PLANE_STRAIN, &materials, &supports, &load, None) };
     let body = Body::new(problem).unwrap();
     let state = body.solve(&[1.0]);
     jump(mesh, &body.field(&state).unwrap())
@@ -57,17 +42,10 @@ fn the_field_is_continuous_over_all_turns_of_both_neighbours() {
     for first in 0..4 {
         for second in 0..4 {
             for shape in [Shape::Straight, Shape::Arcs] {
-                let mesh = patch(
-                    [first, second, (second + 1) % 4, (first + 2) % 4],
-                    shape,
-                    0.0,
-                );
+                let mesh = patch([first, second, (second + 1) % 4, (first + 2) % 4], shape, 0.0);
                 for degree in 3..=8 {
                     let jump = jump_under_load(&mesh, vec![degree; 4]);
-                    assert!(
-                        jump < 1e-12,
-                        "turns {first} and {second}, p = {degree}: {jump:.1e}"
-                    );
+                    assert!(jump < 1e-12, "turns {first} and {second}, p = {degree}: {jump:.1e}");
                 }
             }
         }
@@ -83,8 +61,7 @@ fn the_field_is_continuous_between_cells_of_different_degree() {
 }
 
 #[test]
-fn without_the_sign_of_odd_modes_neighbours_that_walk_an_edge_in_opposite_directions_would_not_meet()
- {
+fn without_the_sign_of_odd_modes_neighbours_that_walk_an_edge_in_opposite_directions_would_not_meet() {
     // The bug that must not be: the same coefficient on both sides of an edge without regard to its direction. Rebuilt here from the
     // mesh's own orientation flags: mode 3 seen from both sides of each inner edge, with and without the sign.
     let mode = |t: f64| shape_functions(3, t).0[3];
@@ -94,11 +71,7 @@ fn without_the_sign_of_odd_modes_neighbours_that_walk_an_edge_in_opposite_direct
         for sides in mesh.edge_cells().iter().filter(|s| s.len() == 2) {
             let t = 0.4;
             let local = [sides[0], sides[1]].map(|(cell, e)| {
-                let sign = if mesh.cells[cell].against[e] {
-                    -1.0
-                } else {
-                    1.0
-                };
+                let sign = if mesh.cells[cell].against[e] { -1.0 } else { 1.0 };
                 (sign * t, sign)
             });
             let [a, b] = local.map(|(s, sign)| sign * mode(s));

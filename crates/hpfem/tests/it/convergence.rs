@@ -7,25 +7,13 @@ use hpfem::*;
 fn error(mesh: &Mesh, degree: usize, exact: &Exact, kept: &str) -> f64 {
     let materials = [exact.material];
     let load = vec![vec![traction("all", |p| exact.traction(p))]];
-    let body = Body::new(problem(
-        mesh,
-        degree,
-        exact.kinematics,
-        &materials,
-        &[],
-        &load,
-        Some(kept),
-    ))
-    .unwrap();
+    let body = Body::new(problem(mesh, degree, exact.kinematics, &materials, &[], &load, Some(kept))).unwrap();
     let field = body.field(&body.solve(&[1.0])).unwrap();
     stress_error(&field, mesh, |x| exact.stress(x))
 }
 
 fn assert_exponential(kinematics: Kinematics, left: f64, last: f64) {
-    let exact = Exact {
-        kinematics,
-        material: Material::new(1.7, 0.28).unwrap(),
-    };
+    let exact = Exact { kinematics, material: Material::new(1.7, 0.28).unwrap() };
     for shape in [Shape::Straight, Shape::Arcs, Shape::Polynomial(3)] {
         for turns in TURNS {
             let mesh = patch(turns, shape, left);
@@ -33,10 +21,7 @@ fn assert_exponential(kinematics: Kinematics, left: f64, last: f64) {
             assert!(errors[11] < last, "turns {turns:?}: {errors:?}");
             // The slope of the logarithm over p = 2..9: at least a factor of 2.5 a degree.
             let slope = (errors[1] / errors[8]).ln() / 7.0;
-            assert!(
-                slope > 2.5_f64.ln(),
-                "slope {slope:.2}, turns {turns:?}: {errors:?}"
-            );
+            assert!(slope > 2.5_f64.ln(), "slope {slope:.2}, turns {turns:?}: {errors:?}");
         }
     }
 }
@@ -65,33 +50,17 @@ fn torsion_converges_exponentially_off_and_on_the_axis() {
 
 #[test]
 fn the_trunk_space_converges_exponentially_too() {
-    let exact = Exact {
-        kinematics: PLANE_STRESS,
-        material: Material::new(1.7, 0.28).unwrap(),
-    };
+    let exact = Exact { kinematics: PLANE_STRESS, material: Material::new(1.7, 0.28).unwrap() };
     let materials = [exact.material];
     let load = vec![vec![traction("all", |p| exact.traction(p))]];
     for turns in TURNS {
         let mesh = patch(turns, Shape::Straight, 0.0);
         let error = |p: usize| {
-            let problem = BodyProblem {
-                space: SpaceKind::Trunk,
-                ..problem(
-                    &mesh,
-                    p,
-                    PLANE_STRESS,
-                    &materials,
-                    &[],
-                    &load,
-                    Some("right"),
-                )
-            };
+            let problem =
+                BodyProblem { space: SpaceKind::Trunk, ..problem(&mesh, p, PLANE_STRESS, &materials, &[], &load, Some("right")) };
             let body = Body::new(problem).unwrap();
             let field = body.field(&body.solve(&[1.0])).unwrap();
-            (
-                stress_error(&field, &mesh, |x| exact.stress(x)),
-                body.effort.unknowns,
-            )
+            (stress_error(&field, &mesh, |x| exact.stress(x)), body.effort.unknowns)
         };
         let (e, unknowns) = error(12);
         assert!(e < 1e-7, "turns {turns:?}: {e:.1e}");

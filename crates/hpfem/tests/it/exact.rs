@@ -50,19 +50,12 @@ impl Exact {
         let (phi, psi) = ((a * zeta).exp(), (b * zeta).exp() * C::new(0.8, 0.5));
         let nu = self.material.poisson();
         let strain = matches!(self.kinematics, Kinematics::PlaneStrain { .. });
-        let kappa = if strain {
-            3.0 - 4.0 * nu
-        } else {
-            (3.0 - nu) / (1.0 + nu)
-        };
+        let kappa = if strain { 3.0 - 4.0 * nu } else { (3.0 - nu) / (1.0 + nu) };
         let u = (phi * kappa - zeta * (a * phi).conj() - psi.conj()) / (2.0 * self.shear());
         let sum = 4.0 * (a * phi).re;
         let d = (zeta.conj() * a * a * phi + b * psi) * 2.0;
         let yy = if strain { nu * sum } else { 0.0 };
-        (
-            [u.re, u.im],
-            [0.5 * (sum - d.re), 0.5 * (sum + d.re), 0.5 * d.im, yy],
-        )
+        ([u.re, u.im], [0.5 * (sum - d.re), 0.5 * (sum + d.re), 0.5 * d.im, yy])
     }
 
     /// Papkovich and Neuber in a body of revolution, `2 G u = grad f + (3 - 4 nu) h e_z - z grad h` with the harmonic functions
@@ -78,22 +71,14 @@ impl Exact {
         let f_r = -k * (k * r * f1) * e;
         let h = h0 * g;
         let (h_r, h_z) = (-m * (m * r * h1) * g, -m * h);
-        let (h_rr, h_over, h_zz, h_rz) = (
-            -m * m * (h0 - h1) * g,
-            -m * m * h1 * g,
-            m * m * h,
-            m * m * (m * r * h1) * g,
-        );
+        let (h_rr, h_over, h_zz, h_rz) = (-m * m * (h0 - h1) * g, -m * m * h1 * g, m * m * h, m * m * (m * r * h1) * g);
         let u = [f_r - z * h_r, k * f0 * e + (3.0 - 4.0 * nu) * h - z * h_z];
         let rr = -k * k * (f0 - f1) * e - z * h_rr;
         let hoop = -k * k * f1 * e - z * h_over;
         let zz = k * k * f0 * e + (2.0 - 4.0 * nu) * h_z - z * h_zz;
         let rz = -k * k * (k * r * f1) * e + (1.0 - 2.0 * nu) * h_r - z * h_rz;
         let pressure = 2.0 * nu * h_z;
-        (
-            u.map(|v| v / (2.0 * self.shear())),
-            [rr + pressure, zz + pressure, rz, hoop + pressure],
-        )
+        (u.map(|v| v / (2.0 * self.shear())), [rr + pressure, zz + pressure, rz, hoop + pressure])
     }
 }
 
@@ -105,10 +90,7 @@ fn torsion([r, z]: [f64; 2], material: Material) -> ([f64; 2], [f64; 4]) {
     let e = (k * z).exp();
     let u = k * r * j1 * e + r * z;
     // u_r - u / r = k (J_0 - 2 J_1 / (k r)) e.
-    (
-        [u / shear, 0.0],
-        [k * (j0 - 2.0 * j1) * e, k * (k * r * j1) * e + r, 0.0, 0.0],
-    )
+    ([u / shear, 0.0], [k * (j0 - 2.0 * j1) * e, k * (k * r * j1) * e + r, 0.0, 0.0])
 }
 
 /// Bessel function `J_n(s)` by its power series, for moderate `s`.

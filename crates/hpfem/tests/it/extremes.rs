@@ -9,22 +9,10 @@ fn near_incompressible_plane_strain_does_not_lock_from_degree_four_on() {
     let mesh = patch([0, 1, 2, 3], Shape::Straight, 0.0);
     let energy_norm_error = |nu: f64, p: usize| {
         // A pressure of order one, a volume strain of order 1 - 2 nu: the displacement error shows locking.
-        let exact = Exact {
-            kinematics: PLANE_STRAIN,
-            material: Material::new(1.0, nu).unwrap(),
-        };
+        let exact = Exact { kinematics: PLANE_STRAIN, material: Material::new(1.0, nu).unwrap() };
         let materials = [exact.material];
         let load = vec![vec![traction("all", |q| exact.traction(q))]];
-        let body = Body::new(problem(
-            &mesh,
-            p,
-            PLANE_STRAIN,
-            &materials,
-            &[],
-            &load,
-            Some("right"),
-        ))
-        .unwrap();
+        let body = Body::new(problem(&mesh, p, PLANE_STRAIN, &materials, &[], &load, Some("right"))).unwrap();
         let field = body.field(&body.solve(&[1.0])).unwrap();
         let (mut error, mut size) = (0.0_f64, 0.0_f64);
         for cell in 0..4 {
@@ -49,29 +37,12 @@ fn near_incompressible_plane_strain_does_not_lock_from_degree_four_on() {
 #[test]
 fn the_highest_degree_works_and_is_as_accurate_as_round_off_allows() {
     let mesh = patch([3, 2, 0, 1], Shape::Arcs, 0.0);
-    for kinematics in [
-        PLANE_STRESS,
-        PLANE_STRAIN,
-        Kinematics::Axisymmetric,
-        Kinematics::Torsion,
-    ] {
-        let exact = Exact {
-            kinematics,
-            material: Material::new(1.0, 0.3).unwrap(),
-        };
+    for kinematics in [PLANE_STRESS, PLANE_STRAIN, Kinematics::Axisymmetric, Kinematics::Torsion] {
+        let exact = Exact { kinematics, material: Material::new(1.0, 0.3).unwrap() };
         let materials = [exact.material];
         let load = vec![vec![traction("all", |q| exact.traction(q))]];
         for p in [16, 20, MAX_DEGREE] {
-            let body = Body::new(problem(
-                &mesh,
-                p,
-                kinematics,
-                &materials,
-                &[],
-                &load,
-                Some("right"),
-            ))
-            .unwrap();
+            let body = Body::new(problem(&mesh, p, kinematics, &materials, &[], &load, Some("right"))).unwrap();
             let field = body.field(&body.solve(&[1.0])).unwrap();
             let e = stress_error(&field, &mesh, |x| exact.stress(x));
             assert!(e < 1e-10, "{kinematics:?}, p = {p}: {e:.1e}");
@@ -84,24 +55,9 @@ fn twenty_graded_layers_of_high_degree_stay_solvable() {
     let mesh = crate::classics::rectangle([0.0, 1.0], [0.0, 1.0]);
     let mesh = mesh.refined_towards(&[0], 0.15, 20).unwrap();
     let materials = steel();
-    let supports = [
-        support("left", Direction::First),
-        support("bottom", Direction::Second),
-    ];
-    let load = [vec![
-        traction("top", |p| p.outward),
-        traction("right", |p| p.outward.map(|n| 2.0 * n)),
-    ]];
-    let body = Body::new(problem(
-        &mesh,
-        12,
-        PLANE_STRESS,
-        &materials,
-        &supports,
-        &load,
-        None,
-    ))
-    .unwrap();
+    let supports = [support("left", Direction::First), support("bottom", Direction::Second)];
+    let load = [vec![traction("top", |p| p.outward), traction("right", |p| p.outward.map(|n| 2.0 * n))]];
+    let body = Body::new(problem(&mesh, 12, PLANE_STRESS, &materials, &supports, &load, None)).unwrap();
     let field = body.field(&body.solve(&[1.0])).unwrap();
     let e = stress_error(&field, &mesh, |_| [2.0, 1.0, 0.0, 0.0]);
     assert!(e < 1e-8, "{e:.1e}");
@@ -111,25 +67,10 @@ fn twenty_graded_layers_of_high_degree_stay_solvable() {
 fn cells_of_aspect_ten_thousand_stay_accurate() {
     let mesh = crate::classics::rectangle([0.0, 1e4], [0.0, 1.0]);
     let materials = steel();
-    let supports = [
-        support("left", Direction::First),
-        support("bottom", Direction::Second),
-    ];
-    let load = [vec![
-        traction("top", |p| p.outward),
-        traction("right", |p| p.outward.map(|n| 2.0 * n)),
-    ]];
+    let supports = [support("left", Direction::First), support("bottom", Direction::Second)];
+    let load = [vec![traction("top", |p| p.outward), traction("right", |p| p.outward.map(|n| 2.0 * n))]];
     for p in [1, 4, 8] {
-        let body = Body::new(problem(
-            &mesh,
-            p,
-            PLANE_STRESS,
-            &materials,
-            &supports,
-            &load,
-            None,
-        ))
-        .unwrap();
+        let body = Body::new(problem(&mesh, p, PLANE_STRESS, &materials, &supports, &load, None)).unwrap();
         let field = body.field(&body.solve(&[1.0])).unwrap();
         let e = stress_error(&field, &mesh, |_| [2.0, 1.0, 0.0, 0.0]);
         assert!(e < 1e-6, "p = {p}: {e:.1e}");
@@ -140,40 +81,17 @@ fn cells_of_aspect_ten_thousand_stay_accurate() {
 fn scaled(kinematics: Kinematics, length: f64, load: f64, modulus: f64, held: bool) -> Vec<f64> {
     let mesh = patch([1, 3, 0, 2], Shape::Arcs, 0.0);
     let names = ["bottom", "right", "top", "left"];
-    let vertices = mesh
-        .vertices
-        .iter()
-        .map(|x| x.map(|v| v * length))
-        .collect();
-    let quads: Vec<Quad> = mesh
-        .cells
-        .iter()
-        .map(|c| Quad {
-            corners: c.corners,
-            material: 0,
-            layer: 0,
-        })
-        .collect();
+    let vertices = mesh.vertices.iter().map(|x| x.map(|v| v * length)).collect();
+    let quads: Vec<Quad> = mesh.cells.iter().map(|c| Quad { corners: c.corners, material: 0, layer: 0 }).collect();
     let curves: Vec<([usize; 2], Curve)> = mesh
         .edges
         .iter()
         .map(|e| {
             let curve = match e.curve {
-                Curve::Line { start, end } => Curve::Line {
-                    start: start.map(|v| v * length),
-                    end: end.map(|v| v * length),
-                },
-                Curve::Arc {
-                    centre,
-                    radius,
-                    from,
-                    to,
-                } => Curve::Arc {
-                    centre: centre.map(|v| v * length),
-                    radius: radius * length,
-                    from,
-                    to,
-                },
+                Curve::Line { start, end } => Curve::Line { start: start.map(|v| v * length), end: end.map(|v| v * length) },
+                Curve::Arc { centre, radius, from, to } => {
+                    Curve::Arc { centre: centre.map(|v| v * length), radius: radius * length, from, to }
+                }
                 other => other,
             };
             (e.vertices, curve)
@@ -181,34 +99,17 @@ fn scaled(kinematics: Kinematics, length: f64, load: f64, modulus: f64, held: bo
         .collect();
     let mut named = Vec::new();
     for name in names {
-        named.extend(
-            mesh.boundary(name)
-                .unwrap()
-                .iter()
-                .map(|e| (mesh.edges[*e].vertices, name)),
-        );
+        named.extend(mesh.boundary(name).unwrap().iter().map(|e| (mesh.edges[*e].vertices, name)));
     }
     let mesh = Mesh::new(vertices, &quads, &curves, &named).unwrap();
     let materials = [Material::new(3.0 * modulus, 0.25).unwrap()];
-    let supports = [
-        support("bottom", Direction::First),
-        support("bottom", Direction::Second),
-    ];
+    let supports = [support("bottom", Direction::First), support("bottom", Direction::Second)];
     let cases = [vec![traction("top", |p| {
         let x = p.position[0] / length;
         [load * x, load * (1.0 - x * x)]
     })]];
     let supports = if held { &supports[..] } else { &[] };
-    let body = Body::new(problem(
-        &mesh,
-        7,
-        kinematics,
-        &materials,
-        supports,
-        &cases,
-        Some("right"),
-    ))
-    .unwrap();
+    let body = Body::new(problem(&mesh, 7, kinematics, &materials, supports, &cases, Some("right"))).unwrap();
     body.solve(&[1.0]).unknowns
 }
 
@@ -217,22 +118,10 @@ fn results_scale_bit_for_bit_with_powers_of_two() {
     let two = |k: i32| 2.0_f64.powi(k);
     for kinematics in [PLANE_STRESS, PLANE_STRAIN, Kinematics::Axisymmetric] {
         let base = scaled(kinematics, 1.0, 1.0, 1.0, true);
-        for (l, f, e) in [
-            (20, 0, 0),
-            (-20, 0, 0),
-            (0, 40, 0),
-            (0, -40, 0),
-            (0, 0, 30),
-            (-13, 17, -9),
-            (7, 0, 0),
-            (0, 0, 1),
-        ] {
+        for (l, f, e) in [(20, 0, 0), (-20, 0, 0), (0, 40, 0), (0, -40, 0), (0, 0, 30), (-13, 17, -9), (7, 0, 0), (0, 0, 1)] {
             let other = scaled(kinematics, two(l), two(f), two(e), true);
             let expected: Vec<f64> = base.iter().map(|u| u * two(l + f - e)).collect();
-            assert!(
-                other == expected,
-                "{kinematics:?}, lengths 2^{l}, loads 2^{f}, modulus 2^{e}"
-            );
+            assert!(other == expected, "{kinematics:?}, lengths 2^{l}, loads 2^{f}, modulus 2^{e}");
         }
     }
 }

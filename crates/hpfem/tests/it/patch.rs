@@ -14,23 +14,10 @@ fn error(mesh: &Mesh, degree: usize, kinematics: Kinematics, s: [f64; 3]) -> f64
         let n = p.outward;
         [s[0] * n[0] + s[2] * n[1], s[2] * n[0] + s[1] * n[1]]
     })]];
-    let body = Body::new(problem(
-        mesh,
-        degree,
-        kinematics,
-        &materials,
-        &[],
-        &load,
-        Some("left"),
-    ))
-    .unwrap();
+    let body = Body::new(problem(mesh, degree, kinematics, &materials, &[], &load, Some("left"))).unwrap();
     assert_eq!(body.interface.rigid_motions.len(), 3);
     let field = body.field(&body.solve(&[1.0])).unwrap();
-    let yy = if matches!(kinematics, Kinematics::PlaneStrain { .. }) {
-        0.3 * (s[0] + s[1])
-    } else {
-        0.0
-    };
+    let yy = if matches!(kinematics, Kinematics::PlaneStrain { .. }) { 0.3 * (s[0] + s[1]) } else { 0.0 };
     stress_error(&field, mesh, |_| [s[0], s[1], s[2], yy])
 }
 
@@ -41,10 +28,7 @@ fn constant_stress_is_exact_on_straight_distorted_turned_cells() {
     for turns in TURNS {
         let mesh = patch(turns, Shape::Straight, 0.0);
         for degree in 1..=8 {
-            for (state, kinematics) in STATES
-                .iter()
-                .zip([PLANE_STRESS, PLANE_STRAIN, PLANE_STRAIN])
-            {
+            for (state, kinematics) in STATES.iter().zip([PLANE_STRESS, PLANE_STRAIN, PLANE_STRAIN]) {
                 let e = error(&mesh, degree, kinematics, *state);
                 assert!(e < 3e-12, "turns {turns:?}, p = {degree}: {e:.1e}");
             }
@@ -59,15 +43,9 @@ fn constant_stress_is_exact_on_polynomial_curved_turned_cells() {
             let mesh = patch(turns, Shape::Polynomial(shape), 0.0);
             for degree in shape..=8 {
                 let e = error(&mesh, degree, PLANE_STRESS, STATES[2]);
-                assert!(
-                    e < 3e-12,
-                    "turns {turns:?}, edges of degree {shape}, p = {degree}: {e:.1e}"
-                );
+                assert!(e < 3e-12, "turns {turns:?}, edges of degree {shape}, p = {degree}: {e:.1e}");
             }
-            assert!(
-                error(&mesh, shape - 1, PLANE_STRESS, STATES[2]) > 1e-6,
-                "edges of degree {shape} need p >= {shape}"
-            );
+            assert!(error(&mesh, shape - 1, PLANE_STRESS, STATES[2]) > 1e-6, "edges of degree {shape} need p >= {shape}");
         }
     }
 }
@@ -76,15 +54,10 @@ fn constant_stress_is_exact_on_polynomial_curved_turned_cells() {
 fn constant_stress_converges_exponentially_on_exact_arcs() {
     for turns in TURNS {
         let mesh = patch(turns, Shape::Arcs, 0.0);
-        let errors: Vec<f64> = (1..=11)
-            .map(|p| error(&mesh, p, PLANE_STRAIN, STATES[2]))
-            .collect();
+        let errors: Vec<f64> = (1..=11).map(|p| error(&mesh, p, PLANE_STRAIN, STATES[2])).collect();
         assert!(errors[10] < 3e-11, "turns {turns:?}: {errors:.1?}");
         for p in 2..9 {
-            assert!(
-                errors[p + 1] < 0.35 * errors[p - 1],
-                "turns {turns:?}: {errors:?}"
-            );
+            assert!(errors[p + 1] < 0.35 * errors[p - 1], "turns {turns:?}: {errors:?}");
         }
     }
 }
@@ -97,25 +70,12 @@ fn an_axisymmetric_body_takes_uniform_axial_tension_and_all_round_pressure_exact
             let mesh = patch(turns, Shape::Straight, left);
             let materials = steel();
             for degree in [1, 2, 5] {
-                let load = vec![vec![traction("all", |p| {
-                    [-2.0 * p.outward[0], 3.0 * p.outward[1]]
-                })]];
-                let body = Body::new(problem(
-                    &mesh,
-                    degree,
-                    Kinematics::Axisymmetric,
-                    &materials,
-                    &[],
-                    &load,
-                    Some("right"),
-                ))
-                .unwrap();
+                let load = vec![vec![traction("all", |p| [-2.0 * p.outward[0], 3.0 * p.outward[1]])]];
+                let body =
+                    Body::new(problem(&mesh, degree, Kinematics::Axisymmetric, &materials, &[], &load, Some("right"))).unwrap();
                 let field = body.field(&body.solve(&[1.0])).unwrap();
                 let e = stress_error(&field, &mesh, |_| [-2.0, 3.0, 0.0, -2.0]);
-                assert!(
-                    e < 1e-11,
-                    "left {left}, turns {turns:?}, p = {degree}: {e:.1e}"
-                );
+                assert!(e < 1e-11, "left {left}, turns {turns:?}, p = {degree}: {e:.1e}");
             }
         }
     }

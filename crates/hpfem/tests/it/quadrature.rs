@@ -2,10 +2,7 @@
 
 use crate::quadrature_table::{GAUSS, LOBATTO, LOBATTO_JACOBI};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use hpfem::{
-    Quadrature, barycentric_weights, gauss, gauss_lobatto, gauss_lobatto_jacobi, lagrange,
-    legendre, shape_functions,
-};
+use hpfem::{Quadrature, barycentric_weights, gauss, gauss_lobatto, gauss_lobatto_jacobi, lagrange, legendre, shape_functions};
 
 fn assert_rule(rule: &Quadrature, table: &[(f64, f64)]) {
     assert_eq!(rule.points.len(), table.len());
@@ -18,16 +15,12 @@ fn assert_rule(rule: &Quadrature, table: &[(f64, f64)]) {
 
 #[test]
 fn gauss_rules_are_those_of_the_table() {
-    GAUSS
-        .iter()
-        .for_each(|table| assert_rule(&gauss(table.len()), table));
+    GAUSS.iter().for_each(|table| assert_rule(&gauss(table.len()), table));
 }
 
 #[test]
 fn gauss_lobatto_rules_are_those_of_the_table() {
-    LOBATTO
-        .iter()
-        .for_each(|table| assert_rule(&gauss_lobatto(table.len()), table));
+    LOBATTO.iter().for_each(|table| assert_rule(&gauss_lobatto(table.len()), table));
 }
 
 #[test]
@@ -44,42 +37,25 @@ fn gauss_lobatto_jacobi_rules_are_those_of_the_table() {
 /// `int x^k (1 + x)^a dx` over `[-1, 1]` for a = 0 or 1.
 fn monomial(k: usize, a: usize) -> f64 {
     let even = |k: usize| {
-        if k % 2 == 0 {
-            2.0 / (k + 1) as f64
-        } else {
-            0.0
-        }
+        if k % 2 == 0 { 2.0 / (k + 1) as f64 } else { 0.0 }
     };
     even(k) + if a == 1 { even(k + 1) } else { 0.0 }
 }
 
 #[test]
 fn rules_are_exact_to_their_degree_and_not_one_further() {
-    let sum = |rule: &Quadrature, k: usize| -> f64 {
-        rule.points
-            .iter()
-            .zip(&rule.weights)
-            .map(|(x, w)| w * x.powi(k as i32))
-            .sum()
-    };
+    let sum =
+        |rule: &Quadrature, k: usize| -> f64 { rule.points.iter().zip(&rule.weights).map(|(x, w)| w * x.powi(k as i32)).sum() };
     for n in 2..=20 {
-        for (rule, exact, weight) in [
-            (gauss(n), 2 * n - 1, 0),
-            (gauss_lobatto(n), 2 * n - 3, 0),
-            (gauss_lobatto_jacobi(n), 2 * n - 3, 1),
-        ] {
+        for (rule, exact, weight) in
+            [(gauss(n), 2 * n - 1, 0), (gauss_lobatto(n), 2 * n - 3, 0), (gauss_lobatto_jacobi(n), 2 * n - 3, 1)]
+        {
             for k in 0..=exact {
                 let difference = sum(&rule, k) - monomial(k, weight);
-                assert!(
-                    difference.abs() < 3e-15,
-                    "n = {n}, k = {k}, weight {weight}: {difference:.1e}"
-                );
+                assert!(difference.abs() < 3e-15, "n = {n}, k = {k}, weight {weight}: {difference:.1e}");
             }
             if n <= 8 {
-                assert!(
-                    (sum(&rule, exact + 1) - monomial(exact + 1, weight)).abs() > 1e-6,
-                    "n = {n}"
-                );
+                assert!((sum(&rule, exact + 1) - monomial(exact + 1, weight)).abs() > 1e-6, "n = {n}");
             }
         }
     }
@@ -88,10 +64,7 @@ fn rules_are_exact_to_their_degree_and_not_one_further() {
 #[test]
 fn the_jacobi_weight_at_the_axis_is_positive() {
     for n in 2..=25 {
-        assert!(
-            gauss_lobatto_jacobi(n).weights.iter().all(|w| *w > 0.0),
-            "n = {n}"
-        );
+        assert!(gauss_lobatto_jacobi(n).weights.iter().all(|w| *w > 0.0), "n = {n}");
     }
 }
 
@@ -100,17 +73,9 @@ fn legendre_polynomials_are_orthogonal() {
     let rule = gauss(26);
     for i in 0..=24 {
         for j in 0..=24 {
-            let sum: f64 = rule
-                .points
-                .iter()
-                .zip(&rule.weights)
-                .map(|(x, w)| w * legendre(24, *x)[i] * legendre(24, *x)[j])
-                .sum();
-            let norm = if i == j {
-                2.0 / (2 * i + 1) as f64
-            } else {
-                0.0
-            };
+            let sum: f64 =
+                rule.points.iter().zip(&rule.weights).map(|(x, w)| w * legendre(24, *x)[i] * legendre(24, *x)[j]).sum();
+            let norm = if i == j { 2.0 / (2 * i + 1) as f64 } else { 0.0 };
             assert_abs_diff_eq!(sum, norm, epsilon = 3e-15);
         }
     }
@@ -132,12 +97,7 @@ fn shape_functions_vanish_at_the_ends_have_parity_and_orthonormal_slopes() {
     let rule = gauss(26);
     for i in 2..=24 {
         for j in 2..=24 {
-            let sum: f64 = rule
-                .points
-                .iter()
-                .zip(&rule.weights)
-                .map(|(x, w)| w * at(*x).1[i] * at(*x).1[j])
-                .sum();
+            let sum: f64 = rule.points.iter().zip(&rule.weights).map(|(x, w)| w * at(*x).1[i] * at(*x).1[j]).sum();
             assert_abs_diff_eq!(sum, f64::from(u8::from(i == j)), epsilon = 3e-14);
         }
     }

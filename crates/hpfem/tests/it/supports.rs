@@ -12,38 +12,18 @@ fn rigid_motions_are_found_for_every_set_of_supports() {
     let materials = steel();
     let motions = |kinematics, supports: &[(&str, Direction)]| {
         let supports: Vec<Support> = supports.iter().map(|(b, d)| support(b, *d)).collect();
-        let body = Body::new(problem(
-            &mesh,
-            3,
-            kinematics,
-            &materials,
-            &supports,
-            &[],
-            Some("top"),
-        ))
-        .unwrap();
+        let body = Body::new(problem(&mesh, 3, kinematics, &materials, &supports, &[], Some("top"))).unwrap();
         // Every rigid column costs no energy.
         let i = &body.interface;
         let strain = &i.stiffness * &i.rigid_modes;
-        assert!(
-            strain.norm_max() < 1e-10 * i.stiffness.norm_max() * i.rigid_modes.norm_max().max(1.0)
-        );
+        assert!(strain.norm_max() < 1e-10 * i.stiffness.norm_max() * i.rigid_modes.norm_max().max(1.0));
         i.rigid_motions.clone()
     };
     assert_eq!(motions(PLANE_STRESS, &[]).len(), 3);
     assert_eq!(motions(PLANE_STRESS, &[("left", First)]), [[0.0, 1.0, 0.0]]);
-    assert_eq!(
-        motions(PLANE_STRESS, &[("left", First), ("right", First)]),
-        [[0.0, 1.0, 0.0]]
-    );
-    assert_eq!(
-        motions(PLANE_STRESS, &[("left", Normal)]),
-        [[0.0, 1.0, 0.0]]
-    );
-    assert_eq!(
-        motions(PLANE_STRESS, &[("bottom", Second)]),
-        [[1.0, 0.0, 0.0]]
-    );
+    assert_eq!(motions(PLANE_STRESS, &[("left", First), ("right", First)]), [[0.0, 1.0, 0.0]]);
+    assert_eq!(motions(PLANE_STRESS, &[("left", Normal)]), [[0.0, 1.0, 0.0]]);
+    assert_eq!(motions(PLANE_STRESS, &[("bottom", Second)]), [[1.0, 0.0, 0.0]]);
     assert!(motions(PLANE_STRESS, &[("bottom", Second), ("left", First)]).is_empty());
     // All points of the bottom held along x still leave the vertical motion; the rotation moves no point of it along x
     // only if it turns about the bottom line.
@@ -55,10 +35,7 @@ fn rigid_motions_are_found_for_every_set_of_supports() {
     }
     assert!(motions(PLANE_STRAIN, &[("bottom", First), ("bottom", Second)]).is_empty());
     assert_eq!(motions(Kinematics::Axisymmetric, &[]), [[0.0, 1.0, 0.0]]);
-    assert_eq!(
-        motions(Kinematics::Axisymmetric, &[("left", First)]),
-        [[0.0, 1.0, 0.0]]
-    );
+    assert_eq!(motions(Kinematics::Axisymmetric, &[("left", First)]), [[0.0, 1.0, 0.0]]);
     assert!(motions(Kinematics::Axisymmetric, &[("bottom", Second)]).is_empty());
     assert_eq!(motions(Kinematics::Torsion, &[]).len(), 1);
     assert!(motions(Kinematics::Torsion, &[("bottom", First)]).is_empty());
@@ -67,39 +44,13 @@ fn rigid_motions_are_found_for_every_set_of_supports() {
 #[test]
 fn rollers_on_two_slanted_edges_hold_a_body() {
     let vertices = vec![[0.0, 0.0], [2.0, 0.0], [1.5, 1.0], [0.5, 1.0]];
-    let quad = Quad {
-        corners: [0, 1, 2, 3],
-        material: 0,
-        layer: 0,
-    };
-    let mesh = Mesh::new(
-        vertices,
-        &[quad],
-        &[],
-        &[([1, 2], "right"), ([3, 0], "left"), ([2, 3], "top")],
-    )
-    .unwrap();
-    let supports = [
-        support("left", Direction::Normal),
-        support("right", Direction::Normal),
-    ];
+    let quad = Quad { corners: [0, 1, 2, 3], material: 0, layer: 0 };
+    let mesh = Mesh::new(vertices, &[quad], &[], &[([1, 2], "right"), ([3, 0], "left"), ([2, 3], "top")]).unwrap();
+    let supports = [support("left", Direction::Normal), support("right", Direction::Normal)];
     let materials = steel();
-    let body = Body::new(problem(
-        &mesh,
-        4,
-        PLANE_STRESS,
-        &materials,
-        &supports,
-        &[],
-        Some("top"),
-    ))
-    .unwrap();
+    let body = Body::new(problem(&mesh, 4, PLANE_STRESS, &materials, &supports, &[], Some("top"))).unwrap();
     // Each edge of two points is held along its normal everywhere, so a turn would move one end in and the other out.
-    assert!(
-        body.interface.rigid_motions.is_empty(),
-        "{:?}",
-        body.interface.rigid_motions
-    );
+    assert!(body.interface.rigid_motions.is_empty(), "{:?}", body.interface.rigid_motions);
 }
 
 #[test]
@@ -107,55 +58,30 @@ fn reactions_balance_the_loads_in_force_and_moment() {
     let materials = steel();
     for turns in TURNS {
         let mesh = patch(turns, Shape::Arcs, 0.0);
-        let supports = [
-            support("left", Direction::First),
-            support("left", Direction::Second),
-        ];
+        let supports = [support("left", Direction::First), support("left", Direction::Second)];
         let push = |p: &BoundaryPoint| [1.0 + p.position[1], p.position[0] - 0.3 * p.position[1]];
         let load = [vec![traction("top", push)]];
         for kept in [None, Some("right"), Some("bottom")] {
-            let body = Body::new(problem(
-                &mesh,
-                6,
-                PLANE_STRAIN,
-                &materials,
-                &supports,
-                &load,
-                kept,
-            ))
-            .unwrap();
+            let body = Body::new(problem(&mesh, 6, PLANE_STRAIN, &materials, &supports, &load, kept)).unwrap();
             let state = body.solve(&[1.0]);
             let reactions = [0, 1].map(|s| body.interface.reaction(s, &state));
             let resultant = resultant(&mesh, "top", PLANE_STRAIN, push);
             for k in 0..3 {
-                assert_abs_diff_eq!(
-                    reactions[0][k] + reactions[1][k] + resultant[k],
-                    0.0,
-                    epsilon = 1e-9
-                );
+                assert_abs_diff_eq!(reactions[0][k] + reactions[1][k] + resultant[k], 0.0, epsilon = 1e-9);
             }
         }
     }
 }
 
 /// Force and moment about the origin of a traction, by a quadrature of its own.
-fn resultant(
-    mesh: &Mesh,
-    name: &str,
-    kinematics: Kinematics,
-    t: impl Fn(&BoundaryPoint) -> [f64; 2],
-) -> [f64; 3] {
+fn resultant(mesh: &Mesh, name: &str, kinematics: Kinematics, t: impl Fn(&BoundaryPoint) -> [f64; 2]) -> [f64; 3] {
     let rule = gauss(30);
     let mut sum = [0.0; 3];
     for e in mesh.boundary(name).unwrap() {
         let curve = &mesh.edges[e].curve;
         for (s, w) in rule.points.iter().zip(&rule.weights) {
             let (x, d) = (curve.point(*s), curve.derivative(*s));
-            let p = BoundaryPoint {
-                position: x,
-                outward: [0.0; 2],
-                tangent: [0.0; 2],
-            };
+            let p = BoundaryPoint { position: x, outward: [0.0; 2], tangent: [0.0; 2] };
             let f = t(&p).map(|f| f * w * d[0].hypot(d[1]) * kinematics.measure(x[0]));
             sum[0] += f[0];
             sum[1] += f[1];
@@ -169,68 +95,29 @@ fn resultant(
 fn a_load_on_the_kept_boundary_gives_the_same_field_as_a_load_case() {
     let materials = steel();
     let mesh = patch([2, 0, 3, 1], Shape::Arcs, 0.0);
-    let supports = [
-        support("left", Direction::First),
-        support("bottom", Direction::Second),
-    ];
+    let supports = [support("left", Direction::First), support("bottom", Direction::Second)];
     let push = |p: &BoundaryPoint| [p.position[1] - 2.0, 1.0 + p.position[0]];
     let load = [vec![traction("top", push)]];
-    let as_case = Body::new(problem(
-        &mesh,
-        6,
-        PLANE_STRESS,
-        &materials,
-        &supports,
-        &load,
-        None,
-    ))
-    .unwrap();
+    let as_case = Body::new(problem(&mesh, 6, PLANE_STRESS, &materials, &supports, &load, None)).unwrap();
     let case_state = as_case.solve(&[1.0]);
-    let kept = Body::new(problem(
-        &mesh,
-        6,
-        PLANE_STRESS,
-        &materials,
-        &supports,
-        &[],
-        Some("top"),
-    ))
-    .unwrap();
+    let kept = Body::new(problem(&mesh, 6, PLANE_STRESS, &materials, &supports, &[], Some("top"))).unwrap();
     let i = &kept.interface;
     let load = i.trace.load(PLANE_STRESS, 4, push);
     let factors = i.factors(&[]);
     let right = i.right_hand_side(&load, &factors);
     let x = i.solve(&faer_column(&right), &i.rigid_modes);
-    let state = InterfaceState {
-        unknowns: (0..right.len()).map(|k| x[(k, 0)]).collect(),
-        factors,
-        load,
-    };
-    assert_relative_eq!(
-        i.strain_energy(&state),
-        as_case.interface.strain_energy(&case_state),
-        max_relative = 1e-11
-    );
+    let state = InterfaceState { unknowns: (0..right.len()).map(|k| x[(k, 0)]).collect(), factors, load };
+    assert_relative_eq!(i.strain_energy(&state), as_case.interface.strain_energy(&case_state), max_relative = 1e-11);
     for s in 0..2 {
-        for (a, b) in i
-            .reaction(s, &state)
-            .iter()
-            .zip(as_case.interface.reaction(s, &case_state))
-        {
+        for (a, b) in i.reaction(s, &state).iter().zip(as_case.interface.reaction(s, &case_state)) {
             assert_abs_diff_eq!(*a, b, epsilon = 1e-10);
         }
     }
-    let (f, g) = (
-        kept.field(&state).unwrap(),
-        as_case.field(&case_state).unwrap(),
-    );
+    let (f, g) = (kept.field(&state).unwrap(), as_case.field(&case_state).unwrap());
     let size = g.at(3, 1.0, 1.0).displacement[1].abs();
     for cell in 0..4 {
         for (xi, eta) in sample_points() {
-            let (a, b) = (
-                f.at(cell, xi, eta).displacement,
-                g.at(cell, xi, eta).displacement,
-            );
+            let (a, b) = (f.at(cell, xi, eta).displacement, g.at(cell, xi, eta).displacement);
             assert!((a[0] - b[0]).hypot(a[1] - b[1]) < 1e-11 * size);
         }
     }
@@ -241,11 +128,7 @@ fn a_load_on_the_kept_boundary_gives_the_same_field_as_a_load_case() {
     let (cell, xi, eta) = f.locate(x).unwrap();
     let value = f.at(cell, xi, eta).displacement;
     for k in 0..2 {
-        let u: f64 = rows[k]
-            .iter()
-            .map(|(n, c)| c * state.unknowns[*n])
-            .sum::<f64>()
-            + constant[k];
+        let u: f64 = rows[k].iter().map(|(n, c)| c * state.unknowns[*n]).sum::<f64>() + constant[k];
         assert_abs_diff_eq!(u, value[k], epsilon = 1e-12 * size);
     }
 }
@@ -261,24 +144,11 @@ fn a_prescribed_displacement_stretches_a_bar_and_its_reaction_is_the_force() {
     let materials = steel();
     let supports = [
         support("left", Direction::First),
-        Support {
-            boundary: "right".into(),
-            direction: Direction::First,
-            value: 0.01,
-        },
+        Support { boundary: "right".into(), direction: Direction::First, value: 0.01 },
         support("bottom", Direction::Second),
     ];
     for kept in [None, Some("top"), Some("right")] {
-        let body = Body::new(problem(
-            &mesh,
-            3,
-            PLANE_STRESS,
-            &materials,
-            &supports,
-            &[],
-            kept,
-        ))
-        .unwrap();
+        let body = Body::new(problem(&mesh, 3, PLANE_STRESS, &materials, &supports, &[], kept)).unwrap();
         let state = body.solve(&[]);
         let force = 210e3 * 0.005 * 1.5 * 0.7;
         let r = [0, 1, 2].map(|s| body.interface.reaction(s, &state));
@@ -296,42 +166,16 @@ fn an_inclined_roller_holds_like_a_straight_one_turned() {
     // A square turned by 35 degrees on rollers along the normals of two of its sides, pulled uniformly on the other two.
     let (s, c) = 35.0_f64.to_radians().sin_cos();
     let turn = |x: [f64; 2]| [c * x[0] - s * x[1] + 2.0, s * x[0] + c * x[1]];
-    let vertices = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]
-        .map(turn)
-        .to_vec();
-    let quad = Quad {
-        corners: [0, 1, 2, 3],
-        material: 0,
-        layer: 0,
-    };
-    let names = [
-        ([0, 1], "bottom"),
-        ([1, 2], "right"),
-        ([2, 3], "top"),
-        ([3, 0], "left"),
-    ];
+    let vertices = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(turn).to_vec();
+    let quad = Quad { corners: [0, 1, 2, 3], material: 0, layer: 0 };
+    let names = [([0, 1], "bottom"), ([1, 2], "right"), ([2, 3], "top"), ([3, 0], "left")];
     let mesh = Mesh::new(vertices, &[quad], &[], &names).unwrap();
-    let supports = [
-        support("left", Direction::Normal),
-        support("bottom", Direction::Normal),
-    ];
+    let supports = [support("left", Direction::Normal), support("bottom", Direction::Normal)];
     let materials = steel();
-    let load = [vec![
-        traction("right", |p| p.outward.map(|n| 2.0 * n)),
-        traction("top", |p| p.outward),
-    ]];
+    let load = [vec![traction("right", |p| p.outward.map(|n| 2.0 * n)), traction("top", |p| p.outward)]];
     for degree in [1, 3, 6] {
         for kept in [None, Some("left"), Some("top")] {
-            let body = Body::new(problem(
-                &mesh,
-                degree,
-                PLANE_STRESS,
-                &materials,
-                &supports,
-                &load,
-                kept,
-            ))
-            .unwrap();
+            let body = Body::new(problem(&mesh, degree, PLANE_STRESS, &materials, &supports, &load, kept)).unwrap();
             assert!(body.interface.rigid_motions.is_empty());
             let state = body.solve(&[1.0]);
             let field = body.field(&state).unwrap();
@@ -350,15 +194,8 @@ fn a_rigid_edge_carries_force_and_moment_like_a_beam() {
     // t_x = F L / (E A) and theta = M L / (E I) exactly.
     let mesh = rectangle([0.0, 2.0], [-0.75, 0.75]);
     let materials = [Material::new(1000.0, 0.0).unwrap()];
-    let supports = [
-        support("left", Direction::First),
-        support("left", Direction::Second),
-    ];
-    let rigid = RigidEdge {
-        boundary: "right".into(),
-        reference: [2.0, 0.0],
-        free: [true; 3],
-    };
+    let supports = [support("left", Direction::First), support("left", Direction::Second)];
+    let rigid = RigidEdge { boundary: "right".into(), reference: [2.0, 0.0], free: [true; 3] };
     for kept in [None, Some("top")] {
         let body = Body::new(BodyProblem {
             rigid_edge: Some(rigid.clone()),
@@ -366,37 +203,17 @@ fn a_rigid_edge_carries_force_and_moment_like_a_beam() {
         })
         .unwrap();
         let i = &body.interface;
-        let [Some(x), Some(z), Some(theta)] = i.frame else {
-            panic!("all three motions are free")
-        };
-        let mut load = TraceLoad {
-            unknowns: vec![0.0; i.stiffness.nrows()],
-            ..TraceLoad::default()
-        };
+        let [Some(x), Some(z), Some(theta)] = i.frame else { panic!("all three motions are free") };
+        let mut load = TraceLoad { unknowns: vec![0.0; i.stiffness.nrows()], ..TraceLoad::default() };
         (load.unknowns[x], load.unknowns[theta]) = (3.0, 0.5);
         let factors = i.factors(&[]);
-        let u = i.solve(
-            &faer_column(&i.right_hand_side(&load, &factors)),
-            &i.rigid_modes,
-        );
+        let u = i.solve(&faer_column(&i.right_hand_side(&load, &factors)), &i.rigid_modes);
         let (area, inertia) = (1.5 * 0.7, 0.7 * 1.5_f64.powi(3) / 12.0);
         assert_relative_eq!(u[(x, 0)], 3.0 * 2.0 / (1000.0 * area), max_relative = 1e-11);
-        assert_relative_eq!(
-            u[(theta, 0)],
-            0.5 * 2.0 / (1000.0 * inertia),
-            max_relative = 1e-11
-        );
+        assert_relative_eq!(u[(theta, 0)], 0.5 * 2.0 / (1000.0 * inertia), max_relative = 1e-11);
         // Euler and Bernoulli: w = M L^2 / (2 E I), no shear in pure bending.
-        assert_relative_eq!(
-            u[(z, 0)],
-            0.5 * 4.0 / (2.0 * 1000.0 * inertia),
-            max_relative = 1e-11
-        );
-        let state = InterfaceState {
-            unknowns: (0..u.nrows()).map(|k| u[(k, 0)]).collect(),
-            factors,
-            load,
-        };
+        assert_relative_eq!(u[(z, 0)], 0.5 * 4.0 / (2.0 * 1000.0 * inertia), max_relative = 1e-11);
+        let state = InterfaceState { unknowns: (0..u.nrows()).map(|k| u[(k, 0)]).collect(), factors, load };
         let r = [0, 1].map(|s| i.reaction(s, &state));
         assert_abs_diff_eq!(r[0][0] + r[1][0], -3.0, epsilon = 1e-10);
         assert_abs_diff_eq!(r[0][1] + r[1][1], 0.0, epsilon = 1e-10);
@@ -409,30 +226,11 @@ fn a_rigid_edge_without_free_motion_is_a_clamp() {
     let mesh = patch([0; 4], Shape::Straight, 0.0);
     let materials = steel();
     let load = [vec![traction("right", |p| [1.0, p.position[1]])]];
-    let clamp = [
-        support("left", Direction::First),
-        support("left", Direction::Second),
-    ];
-    let a = Body::new(problem(
-        &mesh,
-        5,
-        PLANE_STRESS,
-        &materials,
-        &clamp,
-        &load,
-        None,
-    ))
-    .unwrap();
-    let rigid = RigidEdge {
-        boundary: "left".into(),
-        reference: [0.3, 0.1],
-        free: [false; 3],
-    };
-    let b = Body::new(BodyProblem {
-        rigid_edge: Some(rigid),
-        ..problem(&mesh, 5, PLANE_STRESS, &materials, &[], &load, None)
-    })
-    .unwrap();
+    let clamp = [support("left", Direction::First), support("left", Direction::Second)];
+    let a = Body::new(problem(&mesh, 5, PLANE_STRESS, &materials, &clamp, &load, None)).unwrap();
+    let rigid = RigidEdge { boundary: "left".into(), reference: [0.3, 0.1], free: [false; 3] };
+    let b = Body::new(BodyProblem { rigid_edge: Some(rigid), ..problem(&mesh, 5, PLANE_STRESS, &materials, &[], &load, None) })
+        .unwrap();
     let energy = [&a, &b].map(|b| b.interface.strain_energy(&b.solve(&[1.0])));
     assert_relative_eq!(energy[0], energy[1], max_relative = 1e-12);
 }
@@ -442,27 +240,11 @@ fn strain_energy_is_that_of_a_bar() {
     // U = s^2 V / (2 E).
     let mesh = rectangle([0.0, 2.0], [0.0, 1.5]);
     let materials = steel();
-    let supports = [
-        support("left", Direction::First),
-        support("bottom", Direction::Second),
-    ];
+    let supports = [support("left", Direction::First), support("bottom", Direction::Second)];
     let load = [vec![traction("right", |_| [100.0, 0.0])]];
     for kept in [None, Some("right")] {
-        let body = Body::new(problem(
-            &mesh,
-            2,
-            PLANE_STRESS,
-            &materials,
-            &supports,
-            &load,
-            kept,
-        ))
-        .unwrap();
+        let body = Body::new(problem(&mesh, 2, PLANE_STRESS, &materials, &supports, &load, kept)).unwrap();
         let u = body.interface.strain_energy(&body.solve(&[1.0]));
-        assert_relative_eq!(
-            u,
-            1e4 * 2.0 * 1.5 * 0.7 / (2.0 * 210e3),
-            max_relative = 1e-12
-        );
+        assert_relative_eq!(u, 1e4 * 2.0 * 1.5 * 0.7 / (2.0 * 210e3), max_relative = 1e-12);
     }
 }

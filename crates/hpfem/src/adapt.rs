@@ -1,0 +1,107 @@
+//! The adaptive driver: an accuracy goes in, a mesh with degrees comes out.
+
+use crate::error::Error;
+use crate::estimate::sequence_estimate;
+use crate::mesh::Mesh;
+use crate::singular::SingularVertex;
+use crate::space::MAX_DEGREE;
+
+/// Ratio of the sizes of neighbouring layers, close to the best one, `(sqrt 2 - 1)^2 = 0.17` (Gui and Babuska 1986).
+const RATIO: f64 = 0.15;
+
+/// How an adaptive run ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AdaptStatus {
+    /// The estimated error is below the accuracy asked for.
+    Reached,
+    /// The highest degree was reached first.
+    DegreeLimit,
+}
+
+impl AdaptStatus {
+    /// The status as a sentence.
+    pub fn sentence(self) -> &'static str {
+        match self {
+            AdaptStatus::Reached => "The estimated error is below the accuracy asked for.",
+            AdaptStatus::DegreeLimit => "The highest allowed degree was reached before the accuracy asked for.",
+        }
+    }
+}
+
+/// Result of an adaptive run.
+#[derive(Clone, Debug)]
+pub struct Adapted {
+    /// The last mesh.
+    pub mesh: Mesh,
+    /// Degrees of its cells.
+    pub degrees: Vec<usize>,
+    /// The quantities of every level, the last level last.
+    pub quantities: Vec<Vec<f64>>,
+    /// Estimated relative error of the last quantities.
+    pub estimate: f64,
+    /// How it ended.
+    pub status: AdaptStatus,
+}
+
+/// Mesh and degrees of level `p`: geometric layers towards every singular vertex, degree `p` outside, falling linearly into the layers
+/// (Babuska and Guo 1986). The coarse mesh is refined uniformly first where a cell touches two singular vertices.
+///
+/// The number of layers balances the error left in the innermost cell, `RATIO^(layers * exponent)`, with the one of the degree.
+///
+/// # Errors
+/// [`Error::FoldedCell`] if a cell cannot be cut.
+pub fn graded_level(coarse: &Mesh, singular: &[SingularVertex], p: usize) -> Result<(Mesh, Vec<usize>), Error> {
+    let vertices: Vec<usize> = singular.iter().map(|s| s.vertex).collect();
+    let mut mesh = coarse.clone();
+    // Vertices keep their numbers in every refinement.
+    while mesh.cells.iter().any(|c| c.corners.iter().filter(|v| vertices.contains(v)).count() > 1) {
+        mesh = mesh.refined()?;
+    }
+    let mut layers = 0;
+    let depth = |s: &SingularVertex| ((0.75 * p as f64 / s.exponent).ceil() as usize).clamp(1, 4 * p);
+    let deepest = singular.iter().map(depth).max().unwrap_or(0);
+    while layers < deepest {
+        let open: Vec<usize> = singular.iter().filter(|s| depth(s) > layers).map(|s| s.vertex).collect();
+        mesh = mesh.refined_towards(&open, RATIO, 1)?;
+        layers += 1;
+    }
+    let degrees = mesh
+        .cells
+        .iter()
+        .map(|c| if deepest == 0 { p } else { (p + 1).saturating_sub(c.layer * p / deepest).clamp(2.min(p), p) })
+        .collect();
+    Ok((mesh, degrees))
+}
+
+/// Raises degree and layers together until the estimated relative error of `quantity(mesh, degrees)` (energies, displacements at points,
+/// anything that converges) is at most `accuracy`, or the degree reaches `highest`.
+///
+/// # Errors
+/// Those of `quantity` and of the refinement; [`Error::OutOfRange`] if `accuracy` is not positive or `highest` not in `3..=24`.
+pub fn adapt(
+    coarse: &Mesh,
+    singular: &[SingularVertex],
+    accuracy: f64,
+    highest: usize,
+    mut quantity: impl FnMut(&Mesh, &[usize]) -> Result<Vec<f64>, Error>,
+) -> Result<Adapted, Error> {
+    if accuracy.is_nan() || accuracy <= 0.0 {
+        return Err(Error::OutOfRange { quantity: "the accuracy".into(), value: accuracy, range: "positive" });
+    }
+    if !(3..=MAX_DEGREE).contains(&highest) {
+        return Err(Error::OutOfRange { quantity: "the highest degree".into(), value: highest as f64, range: "in 3..=24" });
+    }
+    let mut quantities: Vec<Vec<f64>> = Vec::new();
+    let mut p = 1;
+    loop {
+        p += 1;
+        let (mesh, degrees) = graded_level(coarse, singular, p)?;
+        quantities.push(quantity(&mesh, &degrees)?);
+        // Three levels at least: an estimate from one difference cannot know the rate.
+        let estimate = if quantities.len() < 3 { f64::INFINITY } else { sequence_estimate(&quantities).unwrap_or(f64::INFINITY) };
+        let status = if estimate <= accuracy { AdaptStatus::Reached } else { AdaptStatus::DegreeLimit };
+        if status == AdaptStatus::Reached || p == highest {
+            return Ok(Adapted { mesh, degrees, quantities, estimate, status });
+        }
+    }
+}

@@ -1,0 +1,71 @@
+//! Error estimates from a sequence of degrees.
+
+/// Energy of the exact solution and error of the last of three, extrapolated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EnergyEstimate {
+    /// Extrapolated energy.
+    pub energy: f64,
+    /// Relative error of the last solution in the energy norm, `sqrt(|U - U_3| / |U|)`.
+    pub error: f64,
+}
+
+/// Extrapolates three strain energies `(unknowns, energy)` of rising degree (Szabo and Babuska 1991, eq. (4.41)): if the error
+/// falls like a power of the number of unknowns,
+///
+/// ```text
+/// (U - U_3)/(U - U_2) = ((U - U_2)/(U - U_1))^Q,   Q = ln(N_2/N_3) / ln(N_1/N_2).
+/// ```
+///
+/// With exponential convergence the estimate is on the safe side. None if the energies do not approach a limit monotonically.
+pub fn energy_estimate(solutions: [(usize, f64); 3]) -> Option<EnergyEstimate> {
+    let [(n1, u1), (n2, u2), (n3, u3)] = solutions.map(|(n, u)| (n as f64, u));
+    let q = (n2 / n3).ln() / (n1 / n2).ln();
+    let (first, second) = (u2 - u1, u3 - u2);
+    if u3 == u2 {
+        return Some(EnergyEstimate { energy: u3, error: 0.0 });
+    }
+    if !(first * second > 0.0 && q.is_finite() && q > 0.0) {
+        return None;
+    }
+    // With x = (U - U_3)/(U_3 - U_2): x / (1 + x) = ((1 + x) / (1 + x + first/second))^q. The left side grows from 0 to 1; so does the
+    // right one from below 1; their difference changes sign once if the steps shrink fast enough.
+    let ratio = first / second;
+    let rest = |x: f64| x / (1.0 + x) - ((1.0 + x) / (1.0 + x + ratio)).powf(q);
+    let (mut low, mut high) = (0.0, 1.0);
+    while rest(high) < 0.0 {
+        high *= 2.0;
+        if high > 1e12 {
+            return None;
+        }
+    }
+    for _ in 0..200 {
+        let middle = 0.5 * (low + high);
+        if rest(middle) < 0.0 { low = middle } else { high = middle }
+    }
+    let energy = u3 + high * second;
+    Some(EnergyEstimate { energy, error: ((energy - u3) / energy).abs().sqrt() })
+}
+
+/// Relative error of the last of a sequence of approximations of ever higher degree, from their differences in the Euclidean norm:
+/// if the differences `d_k = |q_k - q_{k-1}|` fall by the factor `rho`, what is left is `d rho / (1 - rho)`. With two approximations
+/// only, their difference; `rho` is the geometric mean of the last two ratios and is kept in `[0.05, 0.9]`, so that one lucky small difference does not
+/// end a run. The result is doubled: better twice too large than a little too small.
+pub fn sequence_estimate(sequence: &[Vec<f64>]) -> Option<f64> {
+    let norm = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let differences: Vec<f64> =
+        sequence.windows(2).map(|w| norm(&w[0].iter().zip(&w[1]).map(|(a, b)| a - b).collect::<Vec<_>>())).collect();
+    let size = norm(sequence.last()?);
+    let last = *differences.last()?;
+    if size == 0.0 || last == 0.0 {
+        return Some(last);
+    }
+    let n = differences.len();
+    if n == 1 {
+        return Some(last / size);
+    }
+    let ratios = &differences[n.saturating_sub(3)..];
+    let rho = (last / ratios[0]).powf(1.0 / (ratios.len() - 1) as f64).clamp(0.05, 0.9);
+    // The larger of the last two differences, brought to the last level: one difference alone may be small by chance.
+    let steady = last.max(rho * differences[n - 2]);
+    Some(2.0 * steady * rho / (1.0 - rho) / size)
+}

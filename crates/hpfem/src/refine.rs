@@ -1,0 +1,126 @@
+//! Refinement of meshes: geometric towards vertices, and uniform. A mesh never changes; every refinement is a new one.
+
+use crate::error::Error;
+use crate::mesh::{Mesh, Quad};
+use std::collections::HashMap;
+
+impl Mesh {
+    /// Refines towards the given vertices: `layers` times, every cell that touches such a vertex is cut into a small cell at the
+    /// vertex, `ratio` times as large, and two cells around it. No hanging nodes arise; cells away from the vertices stay.
+    ///
+    /// The layer number of a new cell is its parent's plus one per cut that made it smaller, so that degrees may fall with it.
+    ///
+    /// # Errors
+    /// [`Error::TwoGradedCorners`] if a cell touches two of the vertices; [`Error::OutOfRange`] for a ratio outside (0, 1);
+    /// [`Error::Count`] for a vertex that does not exist; [`Error::FoldedCell`] if a cell cannot be cut.
+    pub fn refined_towards(&self, vertices: &[usize], ratio: f64, layers: usize) -> Result<Mesh, Error> {
+        if !(ratio > 0.0 && ratio < 1.0) {
+            let quantity = "the ratio of graded layers".into();
+            return Err(Error::OutOfRange { quantity, value: ratio, range: "in (0, 1)" });
+        }
+        if let Some(v) = vertices.iter().find(|v| **v >= self.vertices.len()) {
+            let what = "vertex to grade towards, vertices".into();
+            return Err(Error::Count { what, given: *v + 1, expected: self.vertices.len() });
+        }
+        for (cell, corners) in self.cells.iter().map(|c| c.corners).enumerate() {
+            let mut touched = corners.iter().filter(|v| vertices.contains(v));
+            if let (Some(first), Some(second)) = (touched.next(), touched.next()) {
+                return Err(Error::TwoGradedCorners { cell, first: *first, second: *second });
+            }
+        }
+        let mut mesh = self.clone();
+        for _ in 0..layers {
+            mesh = mesh.cut_at(vertices, ratio)?;
+        }
+        Ok(mesh)
+    }
+
+    /// One cut of [`Mesh::refined_towards`].
+    fn cut_at(&self, singular: &[usize], ratio: f64) -> Result<Mesh, Error> {
+        let mut vertices = self.vertices.clone();
+        let mut quads = Vec::with_capacity(self.cells.len() + 2 * singular.len());
+        let mut curves = Vec::new();
+        let mut names: Vec<([usize; 2], &str)> = Vec::new();
+        // The vertex that cuts an edge next to a singular end, shared by both its cells.
+        let mut cut_vertex: HashMap<usize, usize> = HashMap::new();
+        for (e, edge) in self.edges.iter().enumerate() {
+            let tags = edge.tags.iter().map(|t| self.boundaries[*t].as_str());
+            let [a, b] = edge.vertices;
+            let at = match (singular.contains(&a), singular.contains(&b)) {
+                (false, false) => {
+                    curves.push(([a, b], edge.curve));
+                    names.extend(tags.map(|n| ([a, b], n)));
+                    continue;
+                }
+                (true, _) => 2.0 * ratio - 1.0,
+                (false, true) => 1.0 - 2.0 * ratio,
+            };
+            let v = vertices.len();
+            vertices.push(edge.curve.point(at));
+            cut_vertex.insert(e, v);
+            curves.push(([a, v], edge.curve.part(-1.0, at)));
+            curves.push(([v, b], edge.curve.part(at, 1.0)));
+            for name in tags {
+                names.extend([([a, v], name), ([v, b], name)]);
+            }
+        }
+        for (c, cell) in self.cells.iter().enumerate() {
+            let quad = |corners, layer| Quad { corners, material: cell.material, layer };
+            let Some(corner) = cell.corners.iter().position(|v| singular.contains(v)) else {
+                quads.push(quad(cell.corners, cell.layer));
+                continue;
+            };
+            // Walk the corners from the singular one: k0 (singular), k1, k2, k3 anti-clockwise.
+            let k: [usize; 4] = std::array::from_fn(|i| cell.corners[(corner + i) % 4]);
+            // Local edges from k0 to k1 and from k3 to k0, in any direction.
+            let (first, last) = (corner, (corner + 3) % 4);
+            let local = [0, 1, 2, 3];
+            let (Some(&m1), Some(&m3)) = (cut_vertex.get(&cell.edges[local[first]]), cut_vertex.get(&cell.edges[local[last]]))
+            else {
+                return Err(Error::FoldedCell { cell: c, jacobian: 0.0, x: 0.0, z: 0.0 });
+            };
+            let reference = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+            let (near, far) = (reference[corner], reference[(corner + 2) % 4]);
+            let place: [f64; 2] = std::array::from_fn(|i| (1.0 - ratio) * near[i] + ratio * far[i]);
+            let centre = vertices.len();
+            vertices.push(self.map(c, place[0], place[1]).0);
+            quads.push(quad([k[0], m1, centre, m3], cell.layer + 1));
+            quads.push(quad([m1, k[1], k[2], centre], cell.layer));
+            quads.push(quad([m3, centre, k[2], k[3]], cell.layer));
+        }
+        Mesh::new(vertices, &quads, &curves, &names)
+    }
+
+    /// Cuts every cell into four at the middles of its edges; layer numbers stay.
+    ///
+    /// # Errors
+    /// [`Error::FoldedCell`] if a cell cannot be cut.
+    pub fn refined(&self) -> Result<Mesh, Error> {
+        let mut vertices = self.vertices.clone();
+        let mut quads = Vec::with_capacity(4 * self.cells.len());
+        let mut curves = Vec::new();
+        let mut names: Vec<([usize; 2], &str)> = Vec::new();
+        let first = vertices.len();
+        for edge in &self.edges {
+            let ([a, b], v) = (edge.vertices, vertices.len());
+            vertices.push(edge.curve.point(0.0));
+            curves.push(([a, v], edge.curve.part(-1.0, 0.0)));
+            curves.push(([v, b], edge.curve.part(0.0, 1.0)));
+            for tag in &edge.tags {
+                let name = self.boundaries[*tag].as_str();
+                names.extend([([a, v], name), ([v, b], name)]);
+            }
+        }
+        for (c, cell) in self.cells.iter().enumerate() {
+            let centre = vertices.len();
+            vertices.push(self.map(c, 0.0, 0.0).0);
+            let middle = cell.edges.map(|e| first + e);
+            for k in 0..4 {
+                // Local edges 0 to 3 lie anti-clockwise: corner k is between edges k - 1 and k.
+                let corners = [cell.corners[k], middle[k], centre, middle[(k + 3) % 4]];
+                quads.push(Quad { corners, material: cell.material, layer: cell.layer });
+            }
+        }
+        Mesh::new(vertices, &quads, &curves, &names)
+    }
+}

@@ -1,0 +1,276 @@
+//! Where the stress is unbounded, and how strongly: exponents of the corner solutions `u ~ r^lambda`.
+//!
+//! In every sector of a corner (one cell, one material, shear modulus mu, `kappa = 3 - 4 nu` or `(3 - nu)/(1 + nu)`) the functions of
+//! Kolosov and Muskhelishvili `phi = A z^lambda`, `psi = B z^lambda` give (Williams 1952)
+//!
+//! ```text
+//! 2 mu u_r / r^l         = (kappa - l)(a cos- + b sin-) + c cos+ + d sin+
+//! 2 mu u_t / r^l         = (kappa + l)(a sin- - b cos-) - c sin+ + d cos+
+//! s_tt / (l r^(l-1))     = (l + 1)(a cos- + b sin-) - c cos+ - d sin+
+//! s_rt / (l r^(l-1))     = (l - 1)(a sin- - b cos-) - c sin+ + d cos+        cos- = cos((l - 1) t), cos+ = cos((l + 1) t)
+//! ```
+//!
+//! Boundary conditions on the two faces and continuity between sectors make a homogeneous system; the exponents are the roots of its
+//! determinant, complex in general, found here by Newton's method from many starts. A body of revolution behaves like plane strain
+//! next to a corner off the axis; torsion like antiplane shear.
+
+use crate::error::Error;
+use crate::material::{Kinematics, Material};
+use crate::mesh::Mesh;
+use crate::space::{Direction, Support};
+use nalgebra::{Complex, DMatrix};
+use std::f64::consts::{PI, TAU};
+
+type C = Complex<f64>;
+
+/// A vertex where derivatives of the displacement are not smooth.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SingularVertex {
+    /// The vertex.
+    pub vertex: usize,
+    /// Real part of the smallest exponent `lambda` of `u ~ r^lambda`; 1 where only the load jumps (`u ~ r log r`).
+    pub exponent: f64,
+}
+
+/// What holds on a face of a corner.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Face {
+    /// No displacement prescribed.
+    Free,
+    /// All displacement components prescribed.
+    Fixed,
+    /// The component along this direction prescribed, given as angle from the face's own ray, radians: `pi / 2` for a roller.
+    Held(f64),
+}
+
+/// One sector of a corner.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sector {
+    /// Opening angle, radians.
+    pub angle: f64,
+    /// Its material.
+    pub material: Material,
+}
+
+/// The singular vertices of a mesh: every boundary vertex and every vertex between materials whose exponent is below 1, and the
+/// vertices where a boundary in `loaded` ends.
+///
+/// # Errors
+/// [`Error::NoSuchBoundary`].
+pub fn singular_vertices(
+    mesh: &Mesh,
+    kinematics: Kinematics,
+    materials: &[Material],
+    supports: &[Support],
+    loaded: &[&str],
+) -> Result<Vec<SingularVertex>, Error> {
+    let sides = mesh.edge_cells();
+    let mut held: Vec<Vec<[f64; 2]>> = vec![Vec::new(); mesh.edges.len()];
+    for support in supports {
+        for e in mesh.boundary(&support.boundary)? {
+            let d = match support.direction {
+                Direction::First => [1.0, 0.0],
+                Direction::Second => [0.0, 1.0],
+                Direction::Normal => {
+                    let t = mesh.edges[e].curve.derivative(0.0);
+                    let n = t[0].hypot(t[1]);
+                    [t[1] / n, -t[0] / n]
+                }
+            };
+            if held[e].iter().all(|h: &[f64; 2]| (h[0] * d[1] - h[1] * d[0]).abs() > 1e-9) {
+                held[e].push(d);
+            }
+        }
+    }
+    // Number of the load on each edge; jumps are where it changes along the boundary.
+    let mut load = vec![0_usize; mesh.edges.len()];
+    for (number, name) in loaded.iter().enumerate() {
+        mesh.boundary(name)?.into_iter().for_each(|e| load[e] |= 1 << (number % 60));
+    }
+    let mut around: Vec<Vec<(usize, usize)>> = vec![Vec::new(); mesh.vertices.len()];
+    for (c, cell) in mesh.cells.iter().enumerate() {
+        cell.corners.iter().enumerate().for_each(|(k, v)| around[*v].push((c, k)));
+    }
+    let mut found = Vec::new();
+    for (vertex, cells) in around.iter().enumerate() {
+        let on_axis = kinematics.is_revolved() && mesh.vertices[vertex][0].abs() < 1e-12;
+        if cells.is_empty() || on_axis {
+            continue;
+        }
+        let Some((sectors, faces, edges)) = corner(mesh, &sides, cells, vertex, materials, &held, kinematics) else {
+            continue;
+        };
+        let smooth = matches!(faces, Some(f) if f[0] == f[1]) && (sectors.iter().map(|s| s.angle).sum::<f64>() - PI).abs() < 1e-6
+            || faces.is_none();
+        let uniform = sectors.windows(2).all(|s| s[0].material == s[1].material);
+        let exponent = if smooth && uniform { 1.0 } else { corner_exponent(&sectors, faces, kinematics) };
+        if exponent < 0.99 {
+            found.push(SingularVertex { vertex, exponent });
+        } else if edges.is_some_and(|[a, b]| load[a] != load[b]) {
+            found.push(SingularVertex { vertex, exponent: 1.0 });
+        }
+    }
+    Ok(found)
+}
+
+/// A corner: its sectors anti-clockwise, its two faces, their edges. Faces are none around an inner vertex.
+type Corner = (Vec<Sector>, Option<[Face; 2]>, Option<[usize; 2]>);
+
+fn corner(
+    mesh: &Mesh,
+    sides: &[Vec<(usize, usize)>],
+    cells: &[(usize, usize)],
+    vertex: usize,
+    materials: &[Material],
+    held: &[Vec<[f64; 2]>],
+    kinematics: Kinematics,
+) -> Option<Corner> {
+    // Local edges that leave corner k: edge k first (the cell on its left), edge k - 1 last.
+    let leaving = |(c, k): (usize, usize)| (mesh.cells[c].edges[k], mesh.cells[c].edges[(k + 3) % 4]);
+    let start = cells.iter().copied().find(|cell| sides[leaving(*cell).0].len() == 1);
+    let inner = start.is_none();
+    let mut cell = start.or(cells.first().copied())?;
+    let first = leaving(cell).0;
+    let mut sectors = Vec::new();
+    let mut last = first;
+    for _ in 0..cells.len() {
+        let (a, b) = leaving(cell);
+        let rays = [a, b].map(|e| ray(mesh, e, vertex));
+        let mut angle = (rays[1][1].atan2(rays[1][0]) - rays[0][1].atan2(rays[0][0])).rem_euclid(TAU);
+        if angle < 1e-9 {
+            angle = TAU;
+        }
+        sectors.push(Sector { angle, material: *materials.get(mesh.cells[cell.0].material)? });
+        last = b;
+        match cells.iter().copied().find(|c| leaving(*c).0 == b) {
+            Some(next) => cell = next,
+            None => break,
+        }
+    }
+    if inner {
+        return Some((sectors, None, None));
+    }
+    let face = |e: usize| match (held[e].len(), kinematics) {
+        (0, _) => Face::Free,
+        (1, Kinematics::Torsion) | (2.., _) => Face::Fixed,
+        (1, _) => {
+            let (d, r) = (held[e][0], ray(mesh, e, vertex));
+            Face::Held((r[0] * d[1] - r[1] * d[0]).atan2(r[0] * d[0] + r[1] * d[1]).rem_euclid(PI))
+        }
+    };
+    Some((sectors, Some([face(first), face(last)]), Some([first, last])))
+}
+
+/// Direction of an edge where it leaves a vertex.
+fn ray(mesh: &Mesh, edge: usize, vertex: usize) -> [f64; 2] {
+    let e = &mesh.edges[edge];
+    if e.vertices[0] == vertex { e.curve.derivative(-1.0) } else { e.curve.derivative(1.0).map(|d| -d) }
+}
+
+/// Real part of the smallest exponent of a corner, `u ~ r^lambda`, at most 1: the sectors anti-clockwise from the first face; no
+/// faces for sectors that close around a point.
+pub fn corner_exponent(sectors: &[Sector], faces: Option<[Face; 2]>, kinematics: Kinematics) -> f64 {
+    let f = |l: C| determinant(l, sectors, faces, kinematics);
+    let mut best = 1.0_f64;
+    for i in 1..=24 {
+        for j in 0..5 {
+            let mut l = C::new(0.042 * f64::from(i), 0.2 * f64::from(j));
+            let mut step = C::new(1.0, 0.0);
+            for _ in 0..60 {
+                let h = 1e-6;
+                let slope = (f(l + h) - f(l - h)) / (2.0 * h);
+                step = f(l) / slope;
+                if !step.re.is_finite() || l.norm() > 4.0 {
+                    break;
+                }
+                l -= step;
+                if step.norm() < 1e-11 {
+                    break;
+                }
+            }
+            // Double roots (a crack) converge slowly but surely.
+            if step.norm() < 1e-6 && l.re > 0.02 && l.re < best && l.norm() > 0.02 {
+                best = l.re;
+            }
+        }
+    }
+    best
+}
+
+/// Determinant of the conditions of a corner at the exponent `l`.
+fn determinant(l: C, sectors: &[Sector], faces: Option<[Face; 2]>, kinematics: Kinematics) -> C {
+    let torsion = kinematics == Kinematics::Torsion;
+    let (unknowns, rows) = if torsion { (2, 1) } else { (4, 2) };
+    let n = sectors.len();
+    let mut m = DMatrix::<C>::zeros(unknowns * n, unknowns * n);
+    let mut row = 0;
+    let state = |s: &Sector, t: f64| {
+        if torsion { antiplane(l, s, t) } else { plane(l, s, t, kinematics) }
+    };
+    if let Some(faces) = faces {
+        for (side, face) in faces.iter().enumerate() {
+            let (number, t) = if side == 0 { (0, 0.0) } else { (n - 1, sectors[n - 1].angle) };
+            let condition = condition(*face, &state(&sectors[number], t), rows);
+            for values in condition {
+                values.iter().enumerate().for_each(|(k, v)| m[(row, unknowns * number + k)] = *v);
+                row += 1;
+            }
+        }
+    }
+    let joints = if faces.is_some() { n - 1 } else { n };
+    for i in 0..joints {
+        let next = (i + 1) % n;
+        let (a, b) = (state(&sectors[i], sectors[i].angle), state(&sectors[next], 0.0));
+        for (x, y) in a.iter().zip(&b) {
+            for k in 0..unknowns {
+                m[(row, unknowns * i + k)] += x[k];
+                m[(row, unknowns * next + k)] -= y[k];
+            }
+            row += 1;
+        }
+    }
+    m.determinant()
+}
+
+/// Rows of displacement (first half) and traction (second half) of a sector at angle `t`, by its coefficients.
+fn plane(l: C, sector: &Sector, t: f64, kinematics: Kinematics) -> Vec<Vec<C>> {
+    let nu = sector.material.poisson();
+    let kappa = match kinematics {
+        Kinematics::PlaneStress { .. } => (3.0 - nu) / (1.0 + nu),
+        _ => 3.0 - 4.0 * nu,
+    };
+    // Tractions in units of the modulus, displacements without it.
+    let shear = sector.material.young() / (1.0 + nu);
+    let unit = shear / (shear + 1.0);
+    let (minus, plus) = ((l - 1.0) * t, (l + 1.0) * t);
+    let (cm, sm, cp, sp) = (minus.cos(), minus.sin(), plus.cos(), plus.sin());
+    let ratio = unit / shear;
+    vec![
+        [(-l + kappa) * cm, (-l + kappa) * sm, cp, sp].map(|v| v * ratio).to_vec(),
+        [(l + kappa) * sm, -(l + kappa) * cm, -sp, cp].map(|v| v * ratio).to_vec(),
+        [(l + 1.0) * cm, (l + 1.0) * sm, -cp, -sp].map(|v| v * l).to_vec(),
+        [(l - 1.0) * sm, -(l - 1.0) * cm, -sp, cp].map(|v| v * l).to_vec(),
+    ]
+}
+
+/// `w = r^l (a cos(l t) + b sin(l t))`, `tau_tz = mu w_,t / r`.
+fn antiplane(l: C, sector: &Sector, t: f64) -> Vec<Vec<C>> {
+    let shear = 0.5 * sector.material.young() / (1.0 + sector.material.poisson());
+    let (c, s) = ((l * t).cos(), (l * t).sin());
+    vec![vec![c, s], vec![-s * l * shear, c * l * shear]]
+}
+
+/// Conditions of a face on `[u.., traction..]`.
+fn condition(face: Face, state: &[Vec<C>], rows: usize) -> Vec<Vec<C>> {
+    let mix = |a: &[C], x: f64, b: &[C], y: f64| a.iter().zip(b).map(|(a, b)| a * x + b * y).collect::<Vec<_>>();
+    match face {
+        Face::Fixed => state[..rows].to_vec(),
+        Face::Free => state[rows..].to_vec(),
+        Face::Held(_) if rows == 1 => state[..1].to_vec(),
+        Face::Held(angle) => {
+            let (s, c) = angle.sin_cos();
+            // Tractions are (s_tt along t, s_rt along r).
+            vec![mix(&state[0], c, &state[1], s), mix(&state[3], -s, &state[2], c)]
+        }
+    }
+}
