@@ -8,6 +8,7 @@ mod convergence;
 mod estimate;
 mod exact;
 mod extremes;
+mod gmsh;
 mod input;
 mod lshape;
 mod patch;

@@ -1,0 +1,219 @@
+//! Meshes from gmsh files: MSH 4.1 and 2.2, text and binary, quadrilaterals of order 1 to 4, physical groups by name.
+//!
+//! Bytes in, mesh out; no file is opened here. Physical curves become boundaries, physical surfaces materials in the order of their tags.
+//! Edges of higher order become polynomial curves through their nodes. The mesh must be plane: in (x, y) with constant z, or in (x, z)
+//! with constant y; the first coordinate is x (or r), the second the other one.
+
+use crate::curve::Curve;
+use crate::error::Error;
+use crate::gmsh_read::{Tables, read};
+use crate::mesh::{Mesh, Quad};
+use std::collections::{BTreeSet, HashMap};
+
+/// What can be wrong with a gmsh file.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum GmshError {
+    /// The file cannot be read.
+    #[error("gmsh file, byte {byte}: {reason}")]
+    Syntax {
+        /// What is wrong.
+        reason: String,
+        /// Place in the file.
+        byte: usize,
+    },
+    /// A file version that is not read.
+    #[error("gmsh file version {version} is not supported; save as MSH 4.1 or 2.2")]
+    Version {
+        /// The version of the file.
+        version: String,
+    },
+    /// An element type that is not read.
+    #[error(
+        "gmsh element type {kind} is not supported: only quadrilaterals of order 1 to 4 and their edges; recombine triangles into quadrilaterals (Mesh.RecombineAll = 1)"
+    )]
+    ElementType {
+        /// Gmsh's number of the type.
+        kind: i32,
+    },
+    /// An element refers to a node that the file does not have.
+    #[error("element {element} refers to node {node}, which the file does not have")]
+    NoSuchNode {
+        /// Tag of the element.
+        element: u64,
+        /// Tag of the node.
+        node: u64,
+    },
+    /// The nodes do not lie in a coordinate plane.
+    #[error("the mesh is not plane: its nodes span {y:.3e} in y and {z:.3e} in z, and one of them must be constant")]
+    NotPlane {
+        /// Extent in y.
+        y: f64,
+        /// Extent in z.
+        z: f64,
+    },
+    /// There are no quadrilaterals.
+    #[error("the file has no quadrilaterals; recombine triangles into quadrilaterals (Mesh.RecombineAll = 1)")]
+    NoCells,
+    /// A line of a physical curve is not an edge of a quadrilateral.
+    #[error("line {element} of the physical curve \"{name}\" is not an edge of any quadrilateral")]
+    LooseLine {
+        /// Tag of the line.
+        element: u64,
+        /// Name of the group.
+        name: String,
+    },
+    /// The mesh is not valid.
+    #[error(transparent)]
+    Mesh(#[from] Error),
+}
+
+/// A mesh from a file with the names of its materials.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GmshMesh {
+    /// The mesh; its boundaries carry the names of the physical curves.
+    pub mesh: Mesh,
+    /// Names of the physical surfaces, by material index; cells in no group have the last index, named "" if there are any.
+    pub materials: Vec<String>,
+}
+
+impl GmshMesh {
+    /// Reads a file.
+    ///
+    /// # Errors
+    /// [`GmshError`]; never a panic, whatever the bytes.
+    pub fn read(bytes: &[u8]) -> Result<GmshMesh, GmshError> {
+        let tables = read(bytes)?;
+        let plane = Plane::of(&tables)?;
+        let surfaces = surface_tags(&tables);
+        let mut materials: Vec<String> = surfaces.iter().map(|t| group_name(&tables, 2, *t)).collect();
+        let mut numbers: HashMap<u64, usize> = HashMap::new();
+        let mut vertices = Vec::new();
+        let mut quads = Vec::new();
+        let mut curves: HashMap<[usize; 2], Curve> = HashMap::new();
+        for element in tables.elements.iter().filter(|e| is_quad(e.kind)) {
+            let at = |k: usize| plane.position(&tables, element.tag, element.nodes[k]);
+            let order = order(element.kind);
+            let mut corners = [0; 4];
+            for (k, corner) in corners.iter_mut().enumerate() {
+                let x = at(k)?;
+                *corner = *numbers.entry(element.nodes[k]).or_insert_with(|| {
+                    vertices.push(x);
+                    vertices.len() - 1
+                });
+            }
+            for k in 0..4 {
+                let (a, b) = (corners[k], corners[(k + 1) % 4]);
+                if order > 1 && !curves.contains_key(&[a, b]) && !curves.contains_key(&[b, a]) {
+                    let mut points = vec![at(k)?];
+                    for i in 0..order - 1 {
+                        points.push(at(4 + k * (order - 1) + i)?);
+                    }
+                    points.push(at((k + 1) % 4)?);
+                    curves.insert([a, b], edge_curve(&points));
+                }
+            }
+            let x = corners.map(|v| vertices[v]);
+            let area = (x[2][0] - x[0][0]) * (x[3][1] - x[1][1]) - (x[3][0] - x[1][0]) * (x[2][1] - x[0][1]);
+            if area < 0.0 {
+                corners.swap(1, 3);
+            }
+            let group = element.physical.first().and_then(|t| surfaces.iter().position(|s| s == t));
+            quads.push(Quad { corners, material: group.unwrap_or(surfaces.len()), layer: 0 });
+        }
+        if quads.is_empty() {
+            return Err(GmshError::NoCells);
+        }
+        if quads.iter().any(|q| q.material == surfaces.len()) {
+            materials.push(String::new());
+        }
+        let mut edges: BTreeSet<[usize; 2]> = BTreeSet::new();
+        for quad in &quads {
+            for k in 0..4 {
+                let (a, b) = (quad.corners[k], quad.corners[(k + 1) % 4]);
+                edges.insert([a.min(b), a.max(b)]);
+            }
+        }
+        let mut named: Vec<([usize; 2], String)> = Vec::new();
+        for element in tables.elements.iter().filter(|e| matches!(e.kind, 1 | 8 | 26 | 27)) {
+            for tag in &element.physical {
+                let name = group_name(&tables, 1, *tag);
+                let ends = [0, 1].map(|k| numbers.get(&element.nodes[k]).copied());
+                match ends {
+                    [Some(a), Some(b)] if edges.contains(&[a.min(b), a.max(b)]) => named.push(([a, b], name)),
+                    _ => return Err(GmshError::LooseLine { element: element.tag, name }),
+                }
+            }
+        }
+        let mut curves: Vec<([usize; 2], Curve)> = curves.into_iter().collect();
+        curves.sort_by_key(|(e, _)| *e);
+        let names: Vec<([usize; 2], &str)> = named.iter().map(|(e, n)| (*e, n.as_str())).collect();
+        Ok(GmshMesh { mesh: Mesh::new(vertices, &quads, &curves, &names)?, materials })
+    }
+}
+
+/// Which of y and z is the second coordinate.
+struct Plane {
+    second: usize,
+}
+
+impl Plane {
+    fn of(tables: &Tables) -> Result<Plane, GmshError> {
+        let used: BTreeSet<u64> =
+            tables.elements.iter().filter(|e| is_quad(e.kind)).flat_map(|e| e.nodes.iter().copied()).collect();
+        let extent = |k: usize| {
+            let values = used.iter().filter_map(|n| tables.nodes.get(n)).map(|x| x[k]);
+            let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+            high - low
+        };
+        let (x, y, z) = (extent(0), extent(1), extent(2));
+        let flat = |v: f64| v <= 1e-12 * x.max(1e-300);
+        match (flat(z), flat(y)) {
+            (true, _) => Ok(Plane { second: 1 }),
+            (false, true) => Ok(Plane { second: 2 }),
+            _ if used.is_empty() => Err(GmshError::NoCells),
+            _ => Err(GmshError::NotPlane { y, z }),
+        }
+    }
+
+    fn position(&self, tables: &Tables, element: u64, node: u64) -> Result<[f64; 2], GmshError> {
+        let x = tables.nodes.get(&node).ok_or(GmshError::NoSuchNode { element, node })?;
+        Ok([x[0], x[self.second]])
+    }
+}
+
+fn is_quad(kind: i32) -> bool {
+    matches!(kind, 3 | 10 | 16 | 36 | 37 | 39 | 40)
+}
+
+/// Polynomial order of a quadrilateral's edges.
+fn order(kind: i32) -> usize {
+    match kind {
+        3 => 1,
+        10 | 16 => 2,
+        36 | 39 => 3,
+        _ => 4,
+    }
+}
+
+/// The curve through the nodes of an edge; a line if they lie on one, equally spaced.
+fn edge_curve(points: &[[f64; 2]]) -> Curve {
+    let n = points.len() - 1;
+    let (a, b) = (points[0], points[n]);
+    let length = (b[0] - a[0]).hypot(b[1] - a[1]);
+    let straight = points.iter().enumerate().all(|(i, p)| {
+        let s = i as f64 / n as f64;
+        (p[0] - (1.0 - s) * a[0] - s * b[0]).hypot(p[1] - (1.0 - s) * a[1] - s * b[1]) <= 1e-13 * length
+    });
+    if straight { Curve::Line { start: a, end: b } } else { Curve::through(points) }
+}
+
+/// Tags of the physical surfaces that have quadrilaterals, ascending.
+fn surface_tags(tables: &Tables) -> Vec<i32> {
+    let quads = tables.elements.iter().filter(|e| is_quad(e.kind));
+    quads.filter_map(|e| e.physical.first().copied()).collect::<BTreeSet<i32>>().into_iter().collect()
+}
+
+/// Name of a physical group, its number if it has none.
+fn group_name(tables: &Tables, dimension: i32, tag: i32) -> String {
+    tables.names.get(&(dimension, tag)).cloned().unwrap_or_else(|| tag.to_string())
+}
