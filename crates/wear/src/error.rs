@@ -58,6 +58,15 @@ pub enum WearError {
         /// What to do.
         remedy: &'static str,
     },
+    /// With s < 1 the pressure rises so steeply towards an edge that doubles cannot resolve it.
+    #[error(
+        "with s < 1 the peak at the edge is narrower than round-off (smallest over largest f = {ratio:.1e}); nearly all of the load \
+         is a force on the edge: use a smaller moment or s > 1"
+    )]
+    Unresolved {
+        /// Smallest over largest value of f = lambda . phi.
+        ratio: f64,
+    },
     /// The iteration did not reach its tolerance.
     #[error("not converged after {iterations} iterations, relative residual {residual:.1e}")]
     NotConverged {

@@ -1,7 +1,9 @@
 //! Wear rules, functionals and optimal pressures, without finite elements: a surface is points with position, normal, area weight,
 //! sliding speed and drag direction.
 //!
-//! Theory: Paczelt and Mroz (2007), with the corrections listed in this crate's README. Units: N, mm, MPa, s, rad.
+//! Theory, formulas with their equation numbers and corrections: see the README below. Units: N, mm, MPa, s, rad.
+
+#![doc = include_str!("../README.md")]
 
 mod absolute;
 mod cells;

@@ -212,6 +212,10 @@ fn newton(stage: &mut Stage<'_>, nodes: &mut Vec<Node>, k: f64) -> Result<(usize
         let why = "with s < 1 no stationary pressure carries this moment (its limit has a force on the edge)";
         return Err(infeasible(stage, why));
     }
+    let ratio = stage.closeness(nodes);
+    if k < 0.0 && ratio < 1e-9 {
+        return Err(WearError::Unresolved { ratio });
+    }
     Err(WearError::NotConverged { iterations: ITERATIONS, residual: last })
 }
 

@@ -5,5 +5,6 @@ mod benchmarks;
 mod engineering;
 mod extreme;
 mod properties;
+mod random;
 mod reference;
 mod surfaces;

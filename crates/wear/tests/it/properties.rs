@@ -4,19 +4,15 @@ use approx::assert_relative_eq;
 use nalgebra::Vector3;
 use proptest::prelude::*;
 use wear::{
-    Character, Counterface, Functional, Modes, Optimum, Problem, RigidMode, Shape, SlidingMotion,
-    Surface, WearLaw, WearPair, functional_curvature, functional_gradient, functional_value,
-    optimal_pressure, wear_rate, wear_rate_curvature, wear_rate_slope, wear_rate_speed_slope,
+    Character, Counterface, Functional, Modes, Optimum, Problem, RigidMode, Shape, SlidingMotion, Surface, WearLaw, WearPair,
+    functional_curvature, functional_gradient, functional_value, optimal_pressure, wear_rate, wear_rate_curvature,
+    wear_rate_slope, wear_rate_speed_slope,
 };
 
 use crate::surfaces::{drum, drum_at};
 
 fn functional() -> impl Strategy<Value = Functional> {
-    prop_oneof![
-        Just(Functional::WearVolume),
-        Just(Functional::FrictionPower),
-        Just(Functional::WearPower)
-    ]
+    prop_oneof![Just(Functional::WearVolume), Just(Functional::FrictionPower), Just(Functional::WearPower)]
 }
 
 /// q such that s = e q is the given one.
@@ -30,48 +26,19 @@ fn exponent() -> impl Strategy<Value = f64> {
 }
 
 fn ring(inner: f64, ratio: f64) -> Surface {
-    Surface::new(
-        Shape::Annulus {
-            radii: [inner, inner * ratio],
-        },
-        SlidingMotion::about_z(2.5),
-    )
-    .unwrap()
+    Surface::new(Shape::Annulus { radii: [inner, inner * ratio] }, SlidingMotion::about_z(2.5)).unwrap()
 }
 
 fn strip(half: f64) -> Surface {
-    Surface::new(
-        Shape::Strip {
-            x: [-half, half],
-            z: 0.0,
-            thickness: 7.0,
-        },
-        SlidingMotion::along_x(3.0),
-    )
-    .unwrap()
+    Surface::new(Shape::Strip { x: [-half, half], z: 0.0, thickness: 7.0 }, SlidingMotion::along_x(3.0)).unwrap()
 }
 
 fn law(a: f64, b: f64) -> WearLaw {
-    WearLaw {
-        factor: 3e-6,
-        speed_exponent: a,
-        pressure_exponent: b,
-    }
+    WearLaw { factor: 3e-6, speed_exponent: a, pressure_exponent: b }
 }
 
-fn problem(
-    surface: Surface,
-    functional: Functional,
-    q: f64,
-    law: WearLaw,
-    modes: Vec<RigidMode>,
-) -> Problem {
-    Problem {
-        functional,
-        q,
-        friction: 0.3,
-        ..Problem::new(surface, law, modes)
-    }
+fn problem(surface: Surface, functional: Functional, q: f64, law: WearLaw, modes: Vec<RigidMode>) -> Problem {
+    Problem { functional, q, friction: 0.3, ..Problem::new(surface, law, modes) }
 }
 
 fn press(force: f64) -> Vec<RigidMode> {
@@ -79,10 +46,7 @@ fn press(force: f64) -> Vec<RigidMode> {
 }
 
 fn press_and_tilt(force: f64, moment: f64) -> Vec<RigidMode> {
-    vec![
-        RigidMode::press_down(force),
-        RigidMode::tilt(moment, Vector3::zeros()),
-    ]
+    vec![RigidMode::press_down(force), RigidMode::tilt(moment, Vector3::zeros())]
 }
 
 fn plane(surface: &Surface, x: f64) -> wear::SurfacePoint {
@@ -90,11 +54,7 @@ fn plane(surface: &Surface, x: f64) -> wear::SurfacePoint {
 }
 
 fn powers(optimum: &Optimum) -> [f64; 3] {
-    [
-        optimum.wear_volume_rate,
-        optimum.friction_power,
-        optimum.wear_power,
-    ]
+    [optimum.wear_volume_rate, optimum.friction_power, optimum.wear_power]
 }
 
 proptest! {

@@ -24,22 +24,12 @@ pub(crate) fn drum_at(surface: &Surface, degrees: f64) -> wear::SurfacePoint {
 
 /// Annular punch: radii 20 and 120, omega = 2.5 rad/s.
 pub(crate) fn annulus() -> Surface {
-    Surface::new(
-        Shape::Annulus {
-            radii: [20.0, 120.0],
-        },
-        SlidingMotion::about_z(2.5),
-    )
-    .unwrap()
+    Surface::new(Shape::Annulus { radii: [20.0, 120.0] }, SlidingMotion::about_z(2.5)).unwrap()
 }
 
 /// Punch: 60 mm long, 10 mm thick, 5 mm/s.
 pub(crate) fn punch() -> Surface {
-    let shape = Shape::Strip {
-        x: [-30.0, 30.0],
-        z: 0.0,
-        thickness: 10.0,
-    };
+    let shape = Shape::Strip { x: [-30.0, 30.0], z: 0.0, thickness: 10.0 };
     Surface::new(shape, SlidingMotion::along_x(5.0)).unwrap()
 }
 
@@ -49,14 +39,7 @@ pub(crate) fn plane_at(surface: &Surface, x: f64) -> wear::SurfacePoint {
 }
 
 /// A problem with beta = 2e-4, mu = .25 and shear in the balance, one wearing body.
-pub(crate) fn problem(
-    surface: Surface,
-    functional: Functional,
-    q: f64,
-    a: f64,
-    b: f64,
-    modes: Vec<RigidMode>,
-) -> Problem {
+pub(crate) fn problem(surface: Surface, functional: Functional, q: f64, a: f64, b: f64, modes: Vec<RigidMode>) -> Problem {
     let mut problem = Problem::new(surface, WearLaw::from_beta(2e-4, 0.25, a, b), modes);
     problem.functional = functional;
     problem.q = q;
