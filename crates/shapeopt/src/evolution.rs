@@ -6,12 +6,13 @@
 
 use crate::error::Error;
 use crate::gap_rate::GapRate;
-use crate::implicit_stage::{Contact, Linear, Load};
+use crate::implicit_stage::{Contact, Load};
 use crate::rigid_wear::{RigidWear, area_norm};
 use crate::run_in::{RunIn, run_in};
 use crate::tableau::Tableau;
 use crate::wear_problem::{Scheme, Stepping, Until, WearProblem};
 use crate::wear_state::WearState;
+use crate::wear_step::{Trial, gap_scale, try_step};
 use std::fmt;
 
 /// Largest growth of the step from one to the next.
@@ -49,7 +50,10 @@ impl fmt::Display for EvolutionStatus {
             EvolutionStatus::Steady => f.write_str("steady: the worn surfaces recede as rigid bodies and keep their shape"),
             EvolutionStatus::TimeReached => f.write_str("the end time is reached"),
             EvolutionStatus::Stuck { time, step } => {
-                write!(f, "not converged: at {time:.6e} s even a step of {step:.3e} s has no solution; the load may have lost its contact")
+                write!(
+                    f,
+                    "not converged: at {time:.6e} s even a step of {step:.3e} s has no solution; the load may have lost its contact"
+                )
             }
         }
     }
@@ -65,17 +69,6 @@ pub struct Evolution<'a> {
     fresh: bool,
 }
 
-/// A step tried.
-struct Trial {
-    contact: Contact,
-    gap: Vec<f64>,
-    worn: Vec<f64>,
-    recession: f64,
-    volume: [f64; 2],
-    error: f64,
-    iterations: usize,
-}
-
 impl<'a> Evolution<'a> {
     /// Prepares a run and solves the contact at its start.
     ///
@@ -85,7 +78,12 @@ impl<'a> Evolution<'a> {
         let mut evolution = Evolution::prepare(problem)?;
         let n = problem.points.len();
         let load = &evolution.loads[problem.schedule[0].stage];
-        let start = Contact { pressure: vec![1.0; n], opening: vec![0.0; n], coordinates: vec![0.0; load.system.load.len()] };
+        // Every point just in contact.
+        let start = Contact {
+            pressure: vec![0.0; n],
+            opening: vec![-f64::MIN_POSITIVE; n],
+            coordinates: vec![0.0; load.system.load.len()],
+        };
         let solved = load.solve(&problem.gap, 0.0, &start).ok_or(Error::NoContactAtStart)?;
         if !solved.contact.pressure.iter().any(|p| *p > 0.0) {
             return Err(Error::NoContactAtStart);
@@ -132,14 +130,7 @@ impl<'a> Evolution<'a> {
             })
             .collect();
         let rigid = problem.stages.iter().map(|stage| RigidWear::new(&stage.system)).collect();
-        Ok(Evolution {
-            problem,
-            loads,
-            rigid,
-            state: WearState::default(),
-            status: EvolutionStatus::Running,
-            fresh: true,
-        })
+        Ok(Evolution { problem, loads, rigid, state: WearState::default(), status: EvolutionStatus::Running, fresh: true })
     }
 
     /// How the run stands.
@@ -187,19 +178,13 @@ impl<'a> Evolution<'a> {
         state.coordinates = contact.coordinates;
     }
 
-    /// Length that the gap is measured by: elastic closing plus wear depth.
-    fn gap_scale(&self, state: &WearState) -> f64 {
-        let elastic = self.load(state).elastic(&state.pressure);
-        elastic.iter().fold(state.depth, |m, v| m.max(v.abs())).max(f64::MIN_POSITIVE)
-    }
-
     fn first_step(&self, state: &WearState) -> f64 {
         match self.problem.stepping {
             Stepping::Fixed(step) => step,
             Stepping::Adaptive { .. } if self.problem.scheme == Scheme::Explicit => self.explicit_step_length(state),
             Stepping::Adaptive { accuracy } => {
                 let fastest = state.gap_rate.iter().copied().fold(0.0, f64::max);
-                if fastest > 0.0 { accuracy * self.gap_scale(state) / fastest } else { f64::MAX }
+                if fastest > 0.0 { accuracy * gap_scale(self.load(state), state) / fastest } else { f64::MAX }
             }
         }
     }
@@ -252,14 +237,15 @@ impl<'a> Evolution<'a> {
             if !step.is_finite() || step <= SHORTEST[0] * state.time || wanted < SHORTEST[1] * state.next_step {
                 return Err(stuck);
             }
-            let trial = self.try_step(&state, step);
+            let trial = try_step(self.load(&state), self.problem.scheme, &state, step);
             let factor = match (&trial, self.problem.stepping) {
                 (None, Stepping::Fixed(_)) => return Err(stuck),
                 (None, _) => 0.2,
                 (Some(_), Stepping::Fixed(_)) => 1.0,
                 (Some(_), _) if self.problem.scheme == Scheme::Explicit => 1.0,
                 (Some(trial), Stepping::Adaptive { accuracy }) => {
-                    let (power, tolerance) = Tableau::of(self.problem.scheme).map_or((1.0, accuracy), |t| (t.power, t.tolerance(accuracy)));
+                    let (power, tolerance) =
+                        Tableau::of(self.problem.scheme).map_or((1.0, accuracy), |t| (t.power, t.tolerance(accuracy)));
                     // Where points enter or leave, rates have kinks and the order is lost.
                     let power = if failures > 0 { KINK } else { power };
                     let growth = if failures > 0 { 1.0 } else { GROWTH };
@@ -268,7 +254,13 @@ impl<'a> Evolution<'a> {
             };
             match trial {
                 Some(trial) if fixed || factor >= 0.9 => {
-                    let next = if cut && !fixed { (step * factor).max(wanted) } else if fixed { wanted } else { step * factor };
+                    let next = if cut && !fixed {
+                        (step * factor).max(wanted)
+                    } else if fixed {
+                        wanted
+                    } else {
+                        step * factor
+                    };
                     self.accept(&mut state, trial, step, next, last.then_some(limit));
                     return Ok(state);
                 }
@@ -296,7 +288,7 @@ impl<'a> Evolution<'a> {
             return;
         }
         let load = self.load(state);
-        let start = contact_of(state);
+        let start = Contact::of(state);
         if let Some(solved) = load.solve(&state.gap, 0.0, &start) {
             state.newton_iterations += solved.iterations;
             change_approach(state, &solved.contact.coordinates);
@@ -323,80 +315,13 @@ impl<'a> Evolution<'a> {
         self.take_contact(state, trial.contact);
         let adaptive = matches!(self.problem.stepping, Stepping::Adaptive { .. });
         if adaptive && self.problem.scheme == Scheme::Explicit {
-            state.next_step = if state.step % EXPLICIT_REVIEW == 0 { self.explicit_step_length(state) } else { step_before };
+            state.next_step =
+                if state.step.is_multiple_of(EXPLICIT_REVIEW) { self.explicit_step_length(state) } else { step_before };
         }
         if before > 0.0 {
             state.lyapunov_increase = state.lyapunov_increase.max((state.lyapunov - before) / before);
         }
     }
-
-    fn try_step(&self, state: &WearState, step: f64) -> Option<Trial> {
-        match Tableau::of(self.problem.scheme) {
-            Some(tableau) => self.implicit_step(state, step, tableau),
-            None => self.explicit_step(state, step),
-        }
-    }
-
-    fn implicit_step(&self, state: &WearState, step: f64, tableau: &Tableau) -> Option<Trial> {
-        let load = self.load(state);
-        let n = state.gap.len();
-        let mut contact = contact_of(state);
-        let mut stages: Vec<Contact> = Vec::new();
-        let mut rates: Vec<Vec<f64>> = Vec::new();
-        let mut iterations = 0;
-        let mut linear: Option<Linear> = None;
-        for row in tableau.rows {
-            let mut known = state.gap.clone();
-            for (factor, rate) in row.iter().zip(&rates) {
-                known.iter_mut().zip(rate).for_each(|(g, r)| *g += step * factor * r);
-            }
-            let solved = load.solve(&known, step * tableau.diagonal(), &contact)?;
-            iterations += solved.iterations;
-            contact = solved.contact;
-            rates.push(load.rate.total(&contact.pressure));
-            stages.push(contact.clone());
-            linear = Some(solved.linear);
-        }
-        let weights = tableau.weights();
-        let sum = |values: &dyn Fn(&Contact) -> f64| -> f64 { weights.iter().zip(&stages).map(|(b, s)| step * b * values(s)).sum() };
-        let gap: Vec<f64> = (0..n).map(|i| state.gap[i] + (0..stages.len()).map(|s| step * weights[s] * rates[s][i]).sum::<f64>()).collect();
-        let worn: Vec<f64> = (0..n).map(|i| state.worn[i] + sum(&|s| load.rate.wear(0, i, s.pressure[i]))).collect();
-        let volume = std::array::from_fn(|body| {
-            let rate = |s: &Contact| (0..n).map(|i| load.weights[i] * load.rate.wear(body, i, s.pressure[i])).sum();
-            state.volume[body] + sum(&rate)
-        });
-        let recession = state.recession + sum(&|s| load.rate.recession(&s.pressure));
-        let error: Vec<f64> = (0..n)
-            .map(|i| {
-                let stages: f64 = rates.iter().zip(&tableau.error[1..]).map(|(r, e)| e * r[i]).sum();
-                step * (tableau.error[0] * state.gap_rate[i] + stages)
-            })
-            .collect();
-        let (gap_error, pressure_error) = load.filter(&linear?, &error)?;
-        let force = |p: &[f64]| -> f64 { p.iter().zip(&load.weights).map(|(p, w)| p.abs() * w).sum() };
-        let depth = worn.iter().copied().fold(0.0, f64::max);
-        let scale = self.gap_scale(state).max(depth);
-        let error = gap_error.iter().fold(0.0_f64, |m, e| m.max(e.abs() / scale));
-        let error = error.max(force(&pressure_error) / force(&contact.pressure));
-        Some(Trial { contact, gap, worn, recession, volume, error, iterations })
-    }
-
-    fn explicit_step(&self, state: &WearState, step: f64) -> Option<Trial> {
-        let load = self.load(state);
-        let n = state.gap.len();
-        let gap: Vec<f64> = state.gap.iter().zip(&state.gap_rate).map(|(g, r)| g + step * r).collect();
-        let wear = |body: usize, i: usize| load.rate.wear(body, i, state.pressure[i]);
-        let worn = (0..n).map(|i| state.worn[i] + step * wear(0, i)).collect();
-        let volume =
-            std::array::from_fn(|body| state.volume[body] + step * (0..n).map(|i| load.weights[i] * wear(body, i)).sum::<f64>());
-        let recession = state.recession + step * load.rate.recession(&state.pressure);
-        let solved = load.solve(&gap, 0.0, &contact_of(state))?;
-        Some(Trial { contact: solved.contact, gap, worn, recession, volume, error: 0.0, iterations: solved.iterations })
-    }
-}
-
-fn contact_of(state: &WearState) -> Contact {
-    Contact { pressure: state.pressure.clone(), opening: state.opening.clone(), coordinates: state.coordinates.clone() }
 }
 
 fn change_approach(state: &mut WearState, coordinates: &[f64]) {

@@ -7,6 +7,7 @@
 //! (`step = 0`, where Newton's method is the primal-dual active set method) to wear alone.
 
 use crate::gap_rate::GapRate;
+use crate::wear_state::WearState;
 use contact::ContactSystem;
 use faer::Mat;
 use faer::linalg::solvers::{PartialPivLu, Solve};
@@ -32,6 +33,13 @@ pub(crate) struct Contact {
     pub(crate) pressure: Vec<f64>,
     pub(crate) opening: Vec<f64>,
     pub(crate) coordinates: Vec<f64>,
+}
+
+impl Contact {
+    /// The contact of a state.
+    pub(crate) fn of(state: &WearState) -> Contact {
+        Contact { pressure: state.pressure.clone(), opening: state.opening.clone(), coordinates: state.coordinates.clone() }
+    }
 }
 
 /// A solved stage with its last linearisation.
@@ -79,9 +87,8 @@ impl<'a> Load<'a> {
         let system = self.system;
         (0..system.load.len())
             .map(|j| {
-                let contacts: f64 = (0..self.weights.len())
-                    .map(|i| system.balance[(i, j)] * self.weights[i] * contact.pressure[i])
-                    .sum();
+                let contacts: f64 =
+                    (0..self.weights.len()).map(|i| system.balance[(i, j)] * self.weights[i] * contact.pressure[i]).sum();
                 let springs: f64 = (0..system.load.len()).map(|k| system.stiffness[(j, k)] * contact.coordinates[k]).sum();
                 system.load[j] + contacts - springs
             })
@@ -95,13 +102,13 @@ impl<'a> Load<'a> {
         let linear_rate = step == 0.0 || (self.rate.is_linear());
         let mut now = start.clone();
         let mut recession = step * self.rate.recession(&now.pressure);
-        let mut u: Vec<f64> =
-            (0..n).map(|i| self.sigma[i] * now.pressure[i] + step * self.rate.local(i, now.pressure[i]) - now.opening[i]).collect();
+        let mut u: Vec<f64> = (0..n)
+            .map(|i| self.sigma[i] * now.pressure[i] + step * self.rate.local(i, now.pressure[i]) - now.opening[i])
+            .collect();
         let mut relative_before = f64::INFINITY;
         for iteration in 1..=NEWTON_LIMIT {
-            let (pressure, slope): (Vec<f64>, Vec<f64>) = (0..n)
-                .map(|i| if u[i] > 0.0 { self.rate.inverse(i, self.sigma[i], step, u[i]) } else { (0.0, 0.0) })
-                .unzip();
+            let (pressure, slope): (Vec<f64>, Vec<f64>) =
+                (0..n).map(|i| if u[i] > 0.0 { self.rate.inverse(i, self.sigma[i], step, u[i]) } else { (0.0, 0.0) }).unzip();
             now.pressure = pressure;
             let active: Vec<usize> = (0..n).filter(|i| u[*i] > 0.0).collect();
             let linear = self.linearise(step, &now.pressure, active, &slope, recedes)?;

@@ -26,9 +26,8 @@ impl RigidWear {
             .map(|j| (0..n).map(|i| system.influence[(i, j)].abs()).fold(0.0, f64::max))
             .map(|size| if size > 0.0 { 1.0 / size } else { 1.0 })
             .collect();
-        let scaled = Mat::from_fn(m, m, |i, j| {
-            0.5 * (system.stiffness[(i, j)] + system.stiffness[(j, i)]) * unit[i] * unit[j] * softest
-        });
+        let scaled =
+            Mat::from_fn(m, m, |i, j| 0.5 * (system.stiffness[(i, j)] + system.stiffness[(j, i)]) * unit[i] * unit[j] * softest);
         let (mut vectors, mut values) = (Mat::<f64>::identity(m, m), vec![0.0; m]);
         if m > 0
             && let Ok(eigen) = scaled.self_adjoint_eigen(Side::Lower)

@@ -21,7 +21,8 @@ pub struct RunIn {
 
 /// Modes at a pressure; `None` if nothing wears or the eigenvalues cannot be found.
 pub(crate) fn run_in(load: &Load<'_>, rigid: &RigidWear, pressure: &[f64], mean_speed: f64) -> Option<RunIn> {
-    let active: Vec<usize> = (0..pressure.len()).filter(|i| pressure[*i] > 0.0 && load.rate.local_slope(*i, pressure[*i]) > 0.0).collect();
+    let active: Vec<usize> =
+        (0..pressure.len()).filter(|i| pressure[*i] > 0.0 && load.rate.local_slope(*i, pressure[*i]) > 0.0).collect();
     let n = active.len();
     // R^(-1/2).
     let soft: Vec<f64> = active.iter().map(|i| (load.weights[*i] / load.rate.local_slope(*i, pressure[*i])).sqrt()).collect();

@@ -87,7 +87,13 @@ pub enum Stepping {
 
 impl WearProblem {
     /// A run under one load until the steady state, with order 4 and an accuracy of 1e-4.
-    pub fn new(points: Vec<SurfacePoint>, wear: WearPair, counterface: Counterface, gap: Vec<f64>, system: ContactSystem) -> WearProblem {
+    pub fn new(
+        points: Vec<SurfacePoint>,
+        wear: WearPair,
+        counterface: Counterface,
+        gap: Vec<f64>,
+        system: ContactSystem,
+    ) -> WearProblem {
         let speeds = points.iter().map(|p| p.sliding_speed).collect();
         WearProblem {
             points,
@@ -116,7 +122,8 @@ impl WearProblem {
             return wrong(format!("a contact point has the area {}; it must be positive", point.weight));
         }
         for law in &self.wear.laws {
-            let sound = law.factor >= 0.0 && law.factor.is_finite() && law.pressure_exponent > 0.0 && law.pressure_exponent.is_finite();
+            let sound =
+                law.factor >= 0.0 && law.factor.is_finite() && law.pressure_exponent > 0.0 && law.pressure_exponent.is_finite();
             if !sound {
                 return wrong(format!("the wear rule {law:?} needs a factor of at least 0 and an exponent b > 0"));
             }
@@ -131,7 +138,7 @@ impl WearProblem {
         if self.schedule.is_empty() || self.schedule.iter().any(|i| i.stage >= self.stages.len()) {
             return wrong(format!("the schedule has to name stages 0..{}", self.stages.len()));
         }
-        if let Some(interval) = self.schedule.iter().find(|i| !(i.duration > 0.0)) {
+        if let Some(interval) = self.schedule.iter().find(|i| i.duration.is_nan() || i.duration <= 0.0) {
             return wrong(format!("an interval of the schedule lasts {} s; it must last longer than 0", interval.duration));
         }
         if self.counterface == Counterface::Revolving && !self.track_area.is_some_and(|a| a > 0.0) {

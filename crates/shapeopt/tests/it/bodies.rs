@@ -83,12 +83,7 @@ pub fn drum(degree: usize, layers: usize) -> Bodies {
         levels: &[0.0, 1.0],
         closed: false,
         material: 0,
-        names: &[
-            named(Side::Bottom, "contact"),
-            named(Side::Top, "top"),
-            named(Side::Left, "left"),
-            named(Side::Right, "right"),
-        ],
+        names: &[named(Side::Bottom, "contact"), named(Side::Top, "top"), named(Side::Left, "left"), named(Side::Right, "right")],
     })
     .unwrap();
     let drum = Mesh::ruled(&Ruled {
@@ -124,7 +119,8 @@ impl Bodies {
         [0, 1].map(|number: usize| {
             let mesh = &self.meshes[number];
             let fall = |layer: usize| (layer * self.degree).checked_div(self.layers).unwrap_or(0);
-            let degrees = mesh.cells.iter().map(|c| (self.degree + 1).saturating_sub(fall(c.layer)).clamp(2, self.degree)).collect();
+            let degrees =
+                mesh.cells.iter().map(|c| (self.degree + 1).saturating_sub(fall(c.layer)).clamp(2, self.degree)).collect();
             Body::new(BodyProblem {
                 mesh,
                 degrees,

@@ -83,7 +83,8 @@ pub fn periodic_half_plane(points: &[SurfacePoint], modulus: f64) -> ContactSyst
 
 /// Gap under which the given pressure meets the load with the rigid coordinates at zero.
 pub fn gap_for(system: &ContactSystem, points: &[SurfacePoint], pressure: impl Fn(&SurfacePoint) -> f64) -> Vec<f64> {
-    let row = |i: usize| -> f64 { points.iter().enumerate().map(|(j, p)| system.compliance[(i, j)] * p.weight * pressure(p)).sum() };
+    let row =
+        |i: usize| -> f64 { points.iter().enumerate().map(|(j, p)| system.compliance[(i, j)] * p.weight * pressure(p)).sum() };
     (0..points.len()).map(|i| -row(i)).collect()
 }
 

@@ -8,7 +8,9 @@
 //!    2 c
 //! ```
 
-use crate::closed_form::{FORCE, HALF_WIDTH, SPEED, THICKNESS, gap_for, half_plane, mean, periodic_half_plane, points, problem, rule, winkler};
+use crate::closed_form::{
+    FORCE, HALF_WIDTH, SPEED, THICKNESS, gap_for, half_plane, mean, periodic_half_plane, points, problem, rule, winkler,
+};
 use approx::assert_relative_eq;
 use shapeopt::{Evolution, Scheme, Stepping, Until};
 

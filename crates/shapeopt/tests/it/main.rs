@@ -1,5 +1,5 @@
 //! Integration tests.
-#![allow(clippy::unwrap_used, missing_docs)]
+#![allow(clippy::unwrap_used, missing_docs, unreachable_pub)]
 
 mod bodies;
 mod closed_form;
@@ -8,4 +8,5 @@ mod order;
 mod schedule;
 mod stability;
 mod steady;
+mod supports;
 mod two_bodies;

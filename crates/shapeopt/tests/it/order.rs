@@ -29,8 +29,10 @@ fn pressure_error(a: &WearState, b: &WearState) -> f64 {
 fn halving_the_step_shows_the_order_of_each_scheme() {
     let run = wedge();
     let reference = last(&run, Scheme::Sdirk4, Stepping::Fixed(60.0 / 2000.0));
-    for (scheme, order, steps) in [(Scheme::BackwardEuler, 1.0, 160.0), (Scheme::Sdirk2, 2.0, 80.0), (Scheme::Sdirk4, 4.0, 40.0)] {
-        let errors = [1.0, 2.0, 4.0].map(|k| pressure_error(&last(&run, scheme, Stepping::Fixed(60.0 / (k * steps))), &reference));
+    for (scheme, order, steps) in [(Scheme::BackwardEuler, 1.0, 160.0), (Scheme::Sdirk2, 2.0, 80.0), (Scheme::Sdirk4, 4.0, 40.0)]
+    {
+        let errors =
+            [1.0, 2.0, 4.0].map(|k| pressure_error(&last(&run, scheme, Stepping::Fixed(60.0 / (k * steps))), &reference));
         let orders = [0, 1].map(|k: usize| (errors[k] / errors[k + 1]).log2());
         println!("{scheme:?}: {errors:?} orders {orders:.3?}");
         assert!((orders[1] - order).abs() < 0.12 * order);

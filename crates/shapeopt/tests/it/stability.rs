@@ -110,7 +110,14 @@ fn a_crown_closes_by_wear() {
         let (states, status) = run(&problem);
         let closed = |s: &WearState| s.pressure.iter().filter(|p| **p > 0.0).count();
         let last = &states[states.len() - 1];
-        println!("b {b}: {} -> {} points, {} steps, {} rejected, {} systems", closed(&states[0]), closed(last), last.step, last.rejected, last.newton_iterations);
+        println!(
+            "b {b}: {} -> {} points, {} steps, {} rejected, {} systems",
+            closed(&states[0]),
+            closed(last),
+            last.step,
+            last.rejected,
+            last.newton_iterations
+        );
         assert_eq!(status, EvolutionStatus::Steady);
         assert!(closed(&states[0]) < 30);
         assert_eq!(closed(last), 60);
@@ -119,7 +126,8 @@ fn a_crown_closes_by_wear() {
             assert!(state.opening.iter().zip(&state.pressure).all(|(o, p)| *o >= 0.0 && *p >= 0.0 && (*o == 0.0 || *p == 0.0)));
         }
         // The volume is what the gap says.
-        let volume: f64 = problem.points.iter().zip(last.gap.iter().zip(&problem.gap)).map(|(p, (g, g0))| p.weight * (g - g0)).sum();
+        let volume: f64 =
+            problem.points.iter().zip(last.gap.iter().zip(&problem.gap)).map(|(p, (g, g0))| p.weight * (g - g0)).sum();
         assert_relative_eq!(last.volume[0], volume, max_relative = 1e-10);
     }
 }
@@ -136,4 +144,43 @@ fn a_step_that_still_closes_is_not_steady() {
     assert!(states[0].steady_residual > 0.5);
     let last = &states[states.len() - 1];
     assert!(last.pressure.iter().all(|p| (p * 0.6 - 1.0).abs() < 1e-7));
+}
+
+/// Rough gaps touch in few, scattered points: the start and the run keep every condition of contact.
+#[test]
+fn rough_gaps_wear_in() {
+    let count = 120;
+    // A fixed sequence of the linear congruence of Park and Miller.
+    let mut seed = 20_070_518_u64;
+    let mut random = || {
+        seed = seed * 48_271 % 2_147_483_647;
+        seed as f64 / 2_147_483_647.0
+    };
+    for (height, b) in [(1e-4, 1.0), (1e-3, 1.0), (1e-2, 0.5), (1e-2, 2.0), (1.0, 1.0)] {
+        let mut problem = flat(b, Some(0.0));
+        problem.points = points(count);
+        problem.stages[0].system = half_plane(&problem.points, Some(0.0), MODULUS);
+        problem.stages[0].speeds = vec![5.0; count];
+        problem.gap = (0..count).map(|_| height * random()).collect();
+        problem.stepping = Stepping::Adaptive { accuracy: 1e-2 };
+        problem.scheme = Scheme::Sdirk2;
+        let start = std::time::Instant::now();
+        let (states, status) = run(&problem);
+        let closed = |s: &WearState| s.pressure.iter().filter(|p| **p > 0.0).count();
+        let last = &states[states.len() - 1];
+        println!(
+            "height {height} b {b}: {} -> {} of {count} points, {} steps, {} rejected, {} systems, {:.2} s, {status}",
+            closed(&states[0]),
+            closed(last),
+            last.step,
+            last.rejected,
+            last.newton_iterations,
+            start.elapsed().as_secs_f64()
+        );
+        assert_eq!(status, EvolutionStatus::Steady);
+        assert_eq!(closed(last), count);
+        for p in &last.pressure {
+            assert_relative_eq!(*p, 1000.0 / 600.0, max_relative = 1e-7);
+        }
+    }
 }

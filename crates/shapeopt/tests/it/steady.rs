@@ -44,8 +44,15 @@ fn run(name: &str, problem: &WearProblem) -> WearState {
         if std::env::var("TRACE").is_ok() {
             println!(
                 "{} t {:.3e} h {:.3e} next {:.2e} err {:.1e} res {:.3e} phi {:.8e} newton {} rejected {} pmax {:.4} open {}",
-                state.step, state.time, state.step_size, state.next_step, state.error, state.steady_residual, state.lyapunov,
-                state.newton_iterations, state.rejected,
+                state.step,
+                state.time,
+                state.step_size,
+                state.next_step,
+                state.error,
+                state.steady_residual,
+                state.lyapunov,
+                state.newton_iterations,
+                state.rejected,
                 state.pressure.iter().copied().fold(0.0, f64::max),
                 state.pressure.iter().filter(|p| **p == 0.0).count()
             );
@@ -54,8 +61,15 @@ fn run(name: &str, problem: &WearProblem) -> WearState {
     let state = evolution.state().clone();
     println!(
         "{name}: {} points, {} steps, {} rejected, {} systems, {:.3} s; t {:.4e} residual {:.2e}, Phi grew {:.1e}: {}",
-        problem.points.len(), state.step, state.rejected, state.newton_iterations, start.elapsed().as_secs_f64(), state.time,
-        state.steady_residual, state.lyapunov_increase, evolution.status()
+        problem.points.len(),
+        state.step,
+        state.rejected,
+        state.newton_iterations,
+        start.elapsed().as_secs_f64(),
+        state.time,
+        state.steady_residual,
+        state.lyapunov_increase,
+        evolution.status()
     );
     assert_eq!(*evolution.status(), EvolutionStatus::Steady);
     state

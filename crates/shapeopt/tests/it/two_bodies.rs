@@ -90,7 +90,10 @@ fn arc(count: usize, wear: WearPair, counterface: Counterface) -> WearProblem {
         load: vec![10000.0],
         symmetric: true,
     };
-    WearProblem { track_area: Some(2.0 * std::f64::consts::PI * RADIUS * THICKNESS), ..WearProblem::new(points, wear, counterface, vec![0.0; count], system) }
+    WearProblem {
+        track_area: Some(2.0 * std::f64::consts::PI * RADIUS * THICKNESS),
+        ..WearProblem::new(points, wear, counterface, vec![0.0; count], system)
+    }
 }
 
 #[test]
@@ -111,7 +114,11 @@ fn a_revolving_drum_takes_wear_evenly_and_flattens_the_cosine() {
     assert_relative_eq!(ratio, 0.714, max_relative = 1e-3);
     // What the drum loses along its track is what the shoe's contact takes off it.
     assert_relative_eq!(state.recession * problem.track_area.unwrap(), state.volume[1], max_relative = 1e-10);
-    assert_relative_eq!(mean(&problem.points, &state.gap) - mean(&problem.points, &state.worn), state.recession, max_relative = 1e-10);
+    assert_relative_eq!(
+        mean(&problem.points, &state.gap) - mean(&problem.points, &state.worn),
+        state.recession,
+        max_relative = 1e-10
+    );
 }
 
 #[test]

@@ -1,0 +1,87 @@
+//! One step of the wear in time: implicit Runge-Kutta stages, or an explicit one.
+
+use crate::implicit_stage::{Contact, Linear, Load};
+use crate::tableau::Tableau;
+use crate::wear_problem::Scheme;
+use crate::wear_state::WearState;
+
+/// A step tried.
+pub(crate) struct Trial {
+    pub(crate) contact: Contact,
+    pub(crate) gap: Vec<f64>,
+    pub(crate) worn: Vec<f64>,
+    pub(crate) recession: f64,
+    pub(crate) volume: [f64; 2],
+    pub(crate) error: f64,
+    pub(crate) iterations: usize,
+}
+
+/// Tries a step; `None` if a stage cannot be solved.
+pub(crate) fn try_step(load: &Load<'_>, scheme: Scheme, state: &WearState, step: f64) -> Option<Trial> {
+    match Tableau::of(scheme) {
+        Some(tableau) => implicit_step(load, state, step, tableau),
+        None => explicit_step(load, state, step),
+    }
+}
+
+fn implicit_step(load: &Load<'_>, state: &WearState, step: f64, tableau: &Tableau) -> Option<Trial> {
+    let n = state.gap.len();
+    let mut contact = Contact::of(state);
+    let mut stages: Vec<Contact> = Vec::new();
+    let mut rates: Vec<Vec<f64>> = Vec::new();
+    let mut iterations = 0;
+    let mut linear: Option<Linear> = None;
+    for row in tableau.rows {
+        let mut known = state.gap.clone();
+        for (factor, rate) in row.iter().zip(&rates) {
+            known.iter_mut().zip(rate).for_each(|(g, r)| *g += step * factor * r);
+        }
+        let solved = load.solve(&known, step * tableau.diagonal(), &contact)?;
+        iterations += solved.iterations;
+        contact = solved.contact;
+        rates.push(load.rate.total(&contact.pressure));
+        stages.push(contact.clone());
+        linear = Some(solved.linear);
+    }
+    let weights = tableau.weights();
+    let sum = |values: &dyn Fn(&Contact) -> f64| -> f64 { weights.iter().zip(&stages).map(|(b, s)| step * b * values(s)).sum() };
+    let gap: Vec<f64> =
+        (0..n).map(|i| state.gap[i] + (0..stages.len()).map(|s| step * weights[s] * rates[s][i]).sum::<f64>()).collect();
+    let worn: Vec<f64> = (0..n).map(|i| state.worn[i] + sum(&|s| load.rate.wear(0, i, s.pressure[i]))).collect();
+    let volume = std::array::from_fn(|body| {
+        let rate = |s: &Contact| (0..n).map(|i| load.weights[i] * load.rate.wear(body, i, s.pressure[i])).sum();
+        state.volume[body] + sum(&rate)
+    });
+    let recession = state.recession + sum(&|s| load.rate.recession(&s.pressure));
+    let error: Vec<f64> = (0..n)
+        .map(|i| {
+            let stages: f64 = rates.iter().zip(&tableau.error[1..]).map(|(r, e)| e * r[i]).sum();
+            step * (tableau.error[0] * state.gap_rate[i] + stages)
+        })
+        .collect();
+    let (gap_error, pressure_error) = load.filter(&linear?, &error)?;
+    let force = |p: &[f64]| -> f64 { p.iter().zip(&load.weights).map(|(p, w)| p.abs() * w).sum() };
+    let depth = worn.iter().copied().fold(0.0, f64::max);
+    let scale = gap_scale(load, state).max(depth);
+    let error = gap_error.iter().fold(0.0_f64, |m, e| m.max(e.abs() / scale));
+    let error = error.max(force(&pressure_error) / force(&contact.pressure));
+    Some(Trial { contact, gap, worn, recession, volume, error, iterations })
+}
+
+fn explicit_step(load: &Load<'_>, state: &WearState, step: f64) -> Option<Trial> {
+    let n = state.gap.len();
+    let gap: Vec<f64> = state.gap.iter().zip(&state.gap_rate).map(|(g, r)| g + step * r).collect();
+    let wear = |body: usize, i: usize| load.rate.wear(body, i, state.pressure[i]);
+    let worn = (0..n).map(|i| state.worn[i] + step * wear(0, i)).collect();
+    let volume =
+        std::array::from_fn(|body| state.volume[body] + step * (0..n).map(|i| load.weights[i] * wear(body, i)).sum::<f64>());
+    let recession = state.recession + step * load.rate.recession(&state.pressure);
+    let solved = load.solve(&gap, 0.0, &Contact::of(state))?;
+    Some(Trial { contact: solved.contact, gap, worn, recession, volume, error: 0.0, iterations: solved.iterations })
+}
+
+/// Length that gap errors are measured by: elastic closing or wear depth.
+pub(crate) fn gap_scale(load: &Load<'_>, state: &WearState) -> f64 {
+    let elastic = load.elastic(&state.pressure);
+    elastic.iter().fold(state.depth, |m, v| m.max(v.abs())).max(f64::MIN_POSITIVE)
+}
