@@ -6,13 +6,7 @@ use clap::{Args, Parser, Subcommand};
 
 /// Contact pressure and contact shape of two bodies worn in by steady sliding, computed directly.
 #[derive(Debug, Parser)]
-#[command(
-    name = "wearshape",
-    version,
-    about,
-    max_term_width = 100,
-    disable_help_subcommand = true
-)]
+#[command(name = "wearshape", version, about, max_term_width = 100, disable_help_subcommand = true)]
 #[command(
     after_help = "Begin with:\n  wearshape run drum-brake-block\n  wearshape new drum-brake-block my-shoe.toml\n  wearshape new --list"
 )]
@@ -56,9 +50,7 @@ pub(crate) enum Command {
     #[command(after_help = "Example:\n  wearshape schema > wearshape.schema.json")]
     Schema,
     /// Print a completion script.
-    #[command(
-        after_help = "Example:\n  wearshape completions bash > ~/.local/share/bash-completion/completions/wearshape"
-    )]
+    #[command(after_help = "Example:\n  wearshape completions bash > ~/.local/share/bash-completion/completions/wearshape")]
     Completions {
         /// The shell.
         shell: clap_complete::Shell,

@@ -39,11 +39,7 @@ pub(crate) fn run(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -
 
 /// What is planned but not built.
 pub(crate) fn not_available(what: &str) -> Fault {
-    Fault::new(
-        "not-available",
-        format!("{what} is not available yet"),
-        "see the README for what this version does",
-    )
+    Fault::new("not-available", format!("{what} is not available yet"), "see the README for what this version does")
 }
 
 /// Prints a fault: the picture on stderr, with `--json` the document on stdout.
@@ -77,12 +73,7 @@ fn usage(error: &clap::Error, json: bool) -> Exit {
     }
     if json {
         let text = error.render().to_string();
-        let first = text
-            .lines()
-            .next()
-            .unwrap_or("")
-            .trim_start_matches("error: ")
-            .to_string();
+        let first = text.lines().next().unwrap_or("").trim_start_matches("error: ").to_string();
         return complain(&Fault::new("usage", first, "see `wearshape --help`"), true);
     }
     let _ = error.print();
@@ -92,9 +83,7 @@ fn usage(error: &clap::Error, json: bool) -> Exit {
 fn schema() -> Result<Exit, Fault> {
     let mut settings = schemars::generate::SchemaSettings::draft07();
     settings.inline_subschemas = false;
-    let schema = settings
-        .into_generator()
-        .into_root_schema_for::<crate::scene::Scene>();
+    let schema = settings.into_generator().into_root_schema_for::<crate::scene::Scene>();
     print_json(schema.as_value());
     Ok(Exit::Done)
 }

@@ -45,17 +45,9 @@ impl Document {
     ) -> Result<Document, Fault> {
         let mut tree = tree::parse(&text).map_err(|(message, span)| Fault {
             place: Some(Place::File(Spot::new(&file, &text, span))),
-            ..Fault::new(
-                "syntax",
-                format!("this is not TOML: {message}"),
-                "write `key = value`; text in double quotes",
-            )
+            ..Fault::new("syntax", format!("this is not TOML: {message}"), "write `key = value`; text in double quotes")
         })?;
-        if text
-            .lines()
-            .all(|line| line.trim().is_empty() || line.trim().starts_with('#'))
-            && settings.is_empty()
-        {
+        if text.lines().all(|line| line.trim().is_empty() || line.trim().starts_with('#')) && settings.is_empty() {
             return Err(Fault {
                 place: Some(Place::File(Spot::new(&file, &text, 0..0))),
                 ..Fault::new(
@@ -71,15 +63,7 @@ impl Document {
             Ok(scene) => scene,
             Err(mismatch) => return Err(explain(mismatch, &file, &text, &settings)),
         };
-        Ok(Document {
-            name,
-            file,
-            folder,
-            text,
-            tree,
-            settings,
-            scene,
-        })
+        Ok(Document { name, file, folder, text, tree, settings, scene })
     }
 
     /// Whether a dotted key was written in the file or by a flag.
@@ -105,12 +89,7 @@ fn source(given: &str) -> Result<(String, String, PathBuf, String), Fault> {
         && !path.is_file()
     {
         let file = format!("{given}.toml (built in)");
-        return Ok((
-            given.to_string(),
-            file,
-            PathBuf::from("."),
-            scene.text.to_string(),
-        ));
+        return Ok((given.to_string(), file, PathBuf::from("."), scene.text.to_string()));
     }
     if !looks_like_path {
         let names: Vec<&str> = builtin::SCENES.iter().map(|scene| scene.name).collect();
@@ -127,19 +106,10 @@ fn source(given: &str) -> Result<(String, String, PathBuf, String), Fault> {
     })?;
     let text = String::from_utf8(bytes).map_err(|error| Fault {
         place: Some(Place::Flag(given.to_string())),
-        ..Fault::new(
-            "not-text",
-            format!("{given} is not UTF-8 text: {error}"),
-            "save the scene as UTF-8",
-        )
+        ..Fault::new("not-text", format!("{given} is not UTF-8 text: {error}"), "save the scene as UTF-8")
     })?;
-    let name = path.file_stem().map_or_else(
-        || given.to_string(),
-        |stem| stem.to_string_lossy().into_owned(),
-    );
-    let folder = path
-        .parent()
-        .map_or_else(|| PathBuf::from("."), Path::to_path_buf);
+    let name = path.file_stem().map_or_else(|| given.to_string(), |stem| stem.to_string_lossy().into_owned());
+    let folder = path.parent().map_or_else(|| PathBuf::from("."), Path::to_path_buf);
     Ok((name, given.to_string(), folder, text))
 }
 
@@ -154,13 +124,7 @@ fn explain(mismatch: Mismatch, file: &str, text: &str, settings: &[String]) -> F
     if mismatch.code == "missing-key" && message.contains("`units`") {
         remedy = "add `units = \"N-mm\"`".into();
     }
-    Fault {
-        code: mismatch.code,
-        message,
-        key: Some(key),
-        place: Some(place(&origin, file, text, settings)),
-        remedy,
-    }
+    Fault { code: mismatch.code, message, key: Some(key), place: Some(place(&origin, file, text, settings)), remedy }
 }
 
 fn place(origin: &Origin, file: &str, text: &str, settings: &[String]) -> Place {

@@ -52,13 +52,7 @@ impl Spot {
         let column = text[line_start..start].chars().count() + 1;
         let end = floor_boundary(text, span.end).max(start);
         let on_line = text[start..end].lines().next().unwrap_or("");
-        Spot {
-            file: file.to_string(),
-            line,
-            column,
-            length: on_line.chars().count().max(1),
-            text: line_text.to_string(),
-        }
+        Spot { file: file.to_string(), line, column, length: on_line.chars().count().max(1), text: line_text.to_string() }
     }
 }
 
@@ -72,56 +66,27 @@ fn floor_boundary(text: &str, at: usize) -> usize {
 
 impl Fault {
     /// A fault of the whole input: no key, no place.
-    pub(crate) fn new(
-        code: &'static str,
-        message: impl Into<String>,
-        remedy: impl Into<String>,
-    ) -> Self {
-        Fault {
-            code,
-            message: message.into(),
-            key: None,
-            place: None,
-            remedy: remedy.into(),
-        }
+    pub(crate) fn new(code: &'static str, message: impl Into<String>, remedy: impl Into<String>) -> Self {
+        Fault { code, message: message.into(), key: None, place: None, remedy: remedy.into() }
     }
 
     /// A fault of one dotted key of the scene.
-    pub(crate) fn at(
-        key: impl Into<String>,
-        code: &'static str,
-        message: impl Into<String>,
-        remedy: impl Into<String>,
-    ) -> Self {
-        Fault {
-            key: Some(key.into()),
-            ..Fault::new(code, message, remedy)
-        }
+    pub(crate) fn at(key: impl Into<String>, code: &'static str, message: impl Into<String>, remedy: impl Into<String>) -> Self {
+        Fault { key: Some(key.into()), ..Fault::new(code, message, remedy) }
     }
 
     /// The picture for a terminal: message, place, the line with a caret, remedy.
     pub(crate) fn render(&self, colour: bool) -> String {
-        let (bold, red, blue, green, plain) = if colour {
-            ("\x1b[1m", "\x1b[1;31m", "\x1b[34m", "\x1b[32m", "\x1b[0m")
-        } else {
-            ("", "", "", "", "")
-        };
+        let (bold, red, blue, green, plain) =
+            if colour { ("\x1b[1m", "\x1b[1;31m", "\x1b[34m", "\x1b[32m", "\x1b[0m") } else { ("", "", "", "", "") };
         let mut out = format!("{red}error{plain}{bold}: {}{plain}\n", self.message);
         match &self.place {
             Some(Place::File(spot)) => {
                 let margin = spot.line.to_string().len();
                 let pad = " ".repeat(margin);
-                let tabs: String = spot
-                    .text
-                    .chars()
-                    .take(spot.column - 1)
-                    .map(|c| if c == '\t' { '\t' } else { ' ' })
-                    .collect();
+                let tabs: String = spot.text.chars().take(spot.column - 1).map(|c| if c == '\t' { '\t' } else { ' ' }).collect();
                 let carets = "^".repeat(spot.length);
-                out += &format!(
-                    "{pad}{blue}-->{plain} {}:{}:{}\n",
-                    spot.file, spot.line, spot.column
-                );
+                out += &format!("{pad}{blue}-->{plain} {}:{}:{}\n", spot.file, spot.line, spot.column);
                 out += &format!("{pad} {blue}|{plain}\n");
                 out += &format!("{blue}{} |{plain} {}\n", spot.line, spot.text);
                 out += &format!("{pad} {blue}|{plain} {tabs}{red}{carets}{plain}\n");

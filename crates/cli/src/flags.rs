@@ -29,28 +29,13 @@ pub(crate) fn apply(tree: &mut Node, settings: &[String]) -> Result<(), Fault> {
         };
         let key = key.trim();
         if key.is_empty() || key.split('.').any(|part| part.trim().is_empty()) {
-            return Err(wrong(
-                format!("--set {setting}: the key is empty or has an empty part"),
-                form,
-            ));
+            return Err(wrong(format!("--set {setting}: the key is empty or has an empty part"), form));
         }
-        let path: Vec<&str> = key
-            .split('.')
-            .map(|part| part.trim().trim_matches('"'))
-            .collect();
+        let path: Vec<&str> = key.split('.').map(|part| part.trim().trim_matches('"')).collect();
         let mut value = value_of(text.trim());
         mark(&mut value, number);
         displace(tree, &path);
-        put(
-            tree,
-            &path,
-            Node {
-                value,
-                origin: Origin::Flag(number),
-            },
-            number,
-        )
-        .map_err(|parent| {
+        put(tree, &path, Node { value, origin: Origin::Flag(number) }, number).map_err(|parent| {
             wrong(
                 format!("--set {setting}: `{parent}` is a value, not a table"),
                 &format!("set `{parent}` itself, or a key that exists"),
@@ -81,19 +66,12 @@ pub(crate) fn value_of(text: &str) -> Value {
 
 fn number_of(text: &str) -> Option<f64> {
     let first = text.trim_start_matches(['+', '-']).chars().next()?;
-    if first.is_ascii_digit() || first == '.' {
-        text.parse().ok()
-    } else {
-        None
-    }
+    if first.is_ascii_digit() || first == '.' { text.parse().ok() } else { None }
 }
 
 /// A list or table in which words need no quotes: `[pressure, shape]`, `{ left = [x] }`.
 fn loose(rest: &mut &str) -> Option<Value> {
-    let node = |value| Node {
-        value,
-        origin: Origin::Flag(0),
-    };
+    let node = |value| Node { value, origin: Origin::Flag(0) };
     *rest = rest.trim_start();
     if let Some(inner) = rest.strip_prefix('[') {
         *rest = inner;
@@ -124,11 +102,7 @@ fn loose(rest: &mut &str) -> Option<Value> {
             let (key, after) = rest.split_once('=')?;
             *rest = after;
             let key = key.trim().trim_matches('"').to_string();
-            entries.push(Entry {
-                key,
-                origin: Origin::Flag(0),
-                node: node(loose(rest)?),
-            });
+            entries.push(Entry { key, origin: Origin::Flag(0), node: node(loose(rest)?) });
             *rest = rest.trim_start();
             *rest = rest.strip_prefix(',').unwrap_or(rest);
             if rest.is_empty() {
@@ -143,11 +117,7 @@ fn loose(rest: &mut &str) -> Option<Value> {
     let (word, after) = rest.split_at(end);
     *rest = after;
     let word = word.trim();
-    Some(
-        tree::parse_value(word)
-            .or_else(|| number_of(word).map(Value::Float))
-            .unwrap_or_else(|| Value::Text(word.to_string())),
-    )
+    Some(tree::parse_value(word).or_else(|| number_of(word).map(Value::Float)).unwrap_or_else(|| Value::Text(word.to_string())))
 }
 
 fn mark(value: &mut Value, number: usize) {
@@ -170,8 +140,7 @@ fn displace(tree: &mut Node, path: &[&str]) {
     for row in ALTERNATIVES {
         for pattern in row {
             let parts: Vec<&str> = pattern.split('.').collect();
-            let hit = path.len() >= parts.len()
-                && parts.iter().zip(path).all(|(p, k)| *p == "*" || p == k);
+            let hit = path.len() >= parts.len() && parts.iter().zip(path).all(|(p, k)| *p == "*" || p == k);
             if !hit {
                 continue;
             }
@@ -211,29 +180,16 @@ fn put(tree: &mut Node, path: &[&str], node: Node, number: usize) -> Result<(), 
         let parent = path[..depth].join(".");
         at = match &mut at.value {
             Value::List(items) => {
-                let item = key
-                    .parse::<usize>()
-                    .ok()
-                    .and_then(|place| items.get_mut(place));
+                let item = key.parse::<usize>().ok().and_then(|place| items.get_mut(place));
                 item.ok_or(parent)?
             }
             Value::Table(entries) => {
-                let place = entries
-                    .iter()
-                    .position(|entry| entry.key == *key)
-                    .unwrap_or_else(|| {
-                        let origin = Origin::Flag(number);
-                        let empty = Node {
-                            value: Value::Table(Vec::new()),
-                            origin: origin.clone(),
-                        };
-                        entries.push(Entry {
-                            key: key.to_string(),
-                            origin,
-                            node: empty,
-                        });
-                        entries.len() - 1
-                    });
+                let place = entries.iter().position(|entry| entry.key == *key).unwrap_or_else(|| {
+                    let origin = Origin::Flag(number);
+                    let empty = Node { value: Value::Table(Vec::new()), origin: origin.clone() };
+                    entries.push(Entry { key: key.to_string(), origin, node: empty });
+                    entries.len() - 1
+                });
                 if depth + 1 == path.len() {
                     entries[place].origin = Origin::Flag(number);
                 }

@@ -47,56 +47,31 @@ pub(crate) fn freedoms(scene: &Scene, patch: Option<&Patch>) -> Result<Vec<Freed
     };
     if !held.z.is_empty() {
         let message = "body 1 is held along z, so that the load cannot press it on body 2";
-        return Err(Fault::at(
-            "body1.support",
-            "held",
-            message,
-            "hold body 1 along x only",
-        ));
+        return Err(Fault::at("body1.support", "held", message, "hold body 1 along x only"));
     }
-    let push = Freedom {
-        role: Role::Force,
-        mode: RigidMode::press_down(force),
-    };
+    let push = Freedom { role: Role::Force, mode: RigidMode::press_down(force) };
     if scene.kinematics == Some(Kinematics::Axisymmetric) {
         return Ok(vec![push]);
     }
     let mut free = vec![push];
     let rigid = load.kind == Some(LoadKind::Rigid);
-    let pole_height = held
-        .x
-        .iter()
-        .copied()
-        .reduce(|a, b| if a == b { a } else { f64::NAN });
+    let pole_height = held.x.iter().copied().reduce(|a, b| if a == b { a } else { f64::NAN });
     let may_turn = pole_height.is_none_or(|height| !height.is_nan());
     if may_turn && load.tilt.is_none() {
         let mode = if rigid {
-            let about = load
-                .about
-                .map_or([0.0, 0.0], |about| [about[0].0, about[1].0]);
+            let about = load.about.map_or([0.0, 0.0], |about| [about[0].0, about[1].0]);
             // The moment of the contact pressure alone is prescribed: about a point of the surface friction has none.
-            RigidMode::tilt(
-                load.moment.map_or(0.0, |m| m.0),
-                Vector3::new(about[0], 0.0, surface_height(patch)),
-            )
+            RigidMode::tilt(load.moment.map_or(0.0, |m| m.0), Vector3::new(about[0], 0.0, surface_height(patch)))
         } else {
             let (x, z) = load_centre(body, load);
             RigidMode::tilt(0.0, Vector3::new(x, 0.0, pole_height.unwrap_or(z)))
         };
-        free.push(Freedom {
-            role: Role::Moment,
-            mode,
-        });
+        free.push(Freedom { role: Role::Moment, mode });
     }
     if held.x.is_empty() {
         let resultant = load.shear_force.map_or(0.0, |force| force.0);
-        let motion = RigidMotion::Translation {
-            direction: Vector3::x(),
-        };
-        free.push(Freedom {
-            role: Role::SideForce,
-            mode: RigidMode { motion, resultant },
-        });
+        let motion = RigidMotion::Translation { direction: Vector3::x() };
+        free.push(Freedom { role: Role::SideForce, mode: RigidMode { motion, resultant } });
     }
     Ok(free)
 }
@@ -110,15 +85,8 @@ fn surface_height(patch: &Patch) -> f64 {
 
 /// Middle of the loaded edge, through which the resultant passes.
 fn load_centre(body: &Body, load: &Load) -> (f64, f64) {
-    let points = load
-        .edge
-        .as_deref()
-        .map(|edge| edge_points(&body.geometry, edge))
-        .unwrap_or_default();
-    let x = points
-        .iter()
-        .map(|p| p[0])
-        .fold((f64::MAX, f64::MIN), |(lo, hi), x| (lo.min(x), hi.max(x)));
+    let points = load.edge.as_deref().map(|edge| edge_points(&body.geometry, edge)).unwrap_or_default();
+    let x = points.iter().map(|p| p[0]).fold((f64::MAX, f64::MIN), |(lo, hi), x| (lo.min(x), hi.max(x)));
     let z = points.iter().map(|p| p[1]).fold(f64::MIN, f64::max);
     let x = load.centre.map_or(0.5 * (x.0 + x.1), |centre| centre.0);
     (x, z)
@@ -135,10 +103,7 @@ impl Held {
         if matches!(body.geometry, Geometry::Blocks(_) | Geometry::Mesh(_)) {
             return None;
         }
-        let mut held = Held {
-            x: Vec::new(),
-            z: Vec::new(),
-        };
+        let mut held = Held { x: Vec::new(), z: Vec::new() };
         for (edge, components) in &body.support {
             for point in edge_points(&body.geometry, edge) {
                 if components.contains(&Component::X) {
@@ -179,14 +144,8 @@ pub(crate) fn edge_points(geometry: &Geometry, edge: &str) -> Vec<[f64; 2]> {
             let height = |radius: f64, x: f64| (radius * radius - x * x).sqrt();
             let cut = |x: f64| vec![[x, height(s.inner.0, x)], [x, height(s.outer.0, x)]];
             let arc = |radius: f64| {
-                let middle = if s.x[0].0 < 0.0 && s.x[1].0 > 0.0 {
-                    0.0
-                } else {
-                    0.5 * (s.x[0].0 + s.x[1].0)
-                };
-                [s.x[0].0, middle, s.x[1].0]
-                    .map(|x| [x, height(radius, x)])
-                    .to_vec()
+                let middle = if s.x[0].0 < 0.0 && s.x[1].0 > 0.0 { 0.0 } else { 0.5 * (s.x[0].0 + s.x[1].0) };
+                [s.x[0].0, middle, s.x[1].0].map(|x| [x, height(radius, x)]).to_vec()
             };
             match edge {
                 "left" => cut(s.x[0].0),
@@ -205,88 +164,40 @@ pub(crate) fn edge_points(geometry: &Geometry, edge: &str) -> Vec<[f64; 2]> {
             }
         }
         (Geometry::Ring(ring), edge) => {
-            let radius = if edge == "outer" {
-                ring.outer.0
-            } else {
-                ring.inner.0
-            };
-            let centre = ring
-                .centre
-                .map_or([0.0, 0.0], |centre| [centre[0].0, centre[1].0]);
-            vec![
-                [centre[0] - radius, centre[1]],
-                [centre[0], centre[1] + radius],
-                [centre[0] + radius, centre[1]],
-            ]
+            let radius = if edge == "outer" { ring.outer.0 } else { ring.inner.0 };
+            let centre = ring.centre.map_or([0.0, 0.0], |centre| [centre[0].0, centre[1].0]);
+            vec![[centre[0] - radius, centre[1]], [centre[0], centre[1] + radius], [centre[0] + radius, centre[1]]]
         }
         (Geometry::Blocks(_) | Geometry::Mesh(_), _) => Vec::new(),
     }
 }
 
 fn of_surface(surface: &SurfaceShape, load: &Load, force: f64) -> Vec<Freedom> {
-    let push = Freedom {
-        role: Role::Force,
-        mode: RigidMode::press_down(force),
-    };
+    let push = Freedom { role: Role::Force, mode: RigidMode::press_down(force) };
     match surface {
         SurfaceShape::DiscPad(_) => vec![push],
         SurfaceShape::PinnedShoe(shoe) => {
             // Anti-clockwise in the picture (x right, z up) turns the lining, which lies clockwise of the pin, outwards.
             let about = Vector3::new(0.0, 0.0, shoe.pin_distance.0);
-            let motion = RigidMotion::Rotation {
-                axis: -Vector3::y(),
-                about,
-            };
-            vec![Freedom {
-                role: Role::Moment,
-                mode: RigidMode {
-                    motion,
-                    resultant: force * shoe.arm.0,
-                },
-            }]
+            let motion = RigidMotion::Rotation { axis: -Vector3::y(), about };
+            vec![Freedom { role: Role::Moment, mode: RigidMode { motion, resultant: force * shoe.arm.0 } }]
         }
         SurfaceShape::PivotedShoe(shoe) => {
             let pivot = Vector3::new(0.0, 0.0, shoe.pivot.map_or(0.0, |pivot| pivot.0));
-            vec![
-                push,
-                Freedom {
-                    role: Role::Moment,
-                    mode: RigidMode::tilt(0.0, pivot),
-                },
-            ]
+            vec![push, Freedom { role: Role::Moment, mode: RigidMode::tilt(0.0, pivot) }]
         }
         SurfaceShape::JournalArc(_) => {
-            let motion = RigidMotion::Translation {
-                direction: Vector3::x(),
-            };
-            vec![
-                push,
-                Freedom {
-                    role: Role::SideForce,
-                    mode: RigidMode {
-                        motion,
-                        resultant: 0.0,
-                    },
-                },
-            ]
+            let motion = RigidMotion::Translation { direction: Vector3::x() };
+            vec![push, Freedom { role: Role::SideForce, mode: RigidMode { motion, resultant: 0.0 } }]
         }
         SurfaceShape::RectangularPunch(_) | SurfaceShape::EllipticPunch(_) => {
-            let about = load
-                .about
-                .map_or([0.0, 0.0], |about| [about[0].0, about[1].0]);
+            let about = load.about.map_or([0.0, 0.0], |about| [about[0].0, about[1].0]);
             let about = Vector3::new(about[0], about[1], 0.0);
-            let [x, y] =
-                [load.moment, load.moment_y].map(|moment| moment.map_or(0.0, |moment| moment.0));
+            let [x, y] = [load.moment, load.moment_y].map(|moment| moment.map_or(0.0, |moment| moment.0));
             vec![
                 push,
-                Freedom {
-                    role: Role::Moment,
-                    mode: RigidMode::tilt(x, about),
-                },
-                Freedom {
-                    role: Role::MomentY,
-                    mode: RigidMode::tilt_y(y, about),
-                },
+                Freedom { role: Role::Moment, mode: RigidMode::tilt(x, about) },
+                Freedom { role: Role::MomentY, mode: RigidMode::tilt_y(y, about) },
             ]
         }
     }

@@ -18,61 +18,32 @@ pub(crate) struct Lint {
 }
 
 /// All remarks, in a fixed order.
-pub(crate) fn lints(
-    scene: &Scene,
-    tasks: &[Task],
-    patch: Option<&Patch>,
-    freedoms: &[Freedom],
-) -> Vec<Lint> {
+pub(crate) fn lints(scene: &Scene, tasks: &[Task], patch: Option<&Patch>, freedoms: &[Freedom]) -> Vec<Lint> {
     let mut found = Vec::new();
     let mut say = |code: &'static str, message: String| found.push(Lint { code, message });
     let optimal = tasks.contains(&Task::Pressure) || tasks.contains(&Task::Shape);
-    let friction = scene
-        .contact
-        .as_ref()
-        .and_then(|contact| contact.friction)
-        .unwrap_or(0.0);
+    let friction = scene.contact.as_ref().and_then(|contact| contact.friction).unwrap_or(0.0);
     for (name, body) in [("body 1", &scene.body1), ("body 2", &scene.body2)] {
-        let Some(young) = body
-            .as_ref()
-            .and_then(|body| body.material)
-            .map(|material| material.young.0)
-        else {
+        let Some(young) = body.as_ref().and_then(|body| body.material).map(|material| material.young.0) else {
             continue;
         };
         if !(1.0..=1.3e6).contains(&young) {
             say(
                 "young-implausible",
-                format!(
-                    "Young's modulus of {name} is {young} MPa: is the unit right? Steel has 210 GPa, rubber 1 to 10 MPa."
-                ),
+                format!("Young's modulus of {name} is {young} MPa: is the unit right? Steel has 210 GPa, rubber 1 to 10 MPa."),
             );
         }
     }
-    if scene.wear.as_ref().is_some_and(|wear| wear.beta.is_some())
-        && friction == 0.0
-        && tasks != [Task::Contact]
-    {
+    if scene.wear.as_ref().is_some_and(|wear| wear.beta.is_some()) && friction == 0.0 && tasks != [Task::Contact] {
         let message = "Friction is 0 and wear.beta stands in front of the friction stress: nothing wears, and rates, powers, multipliers and feed are 0. Pressure and shape are as for vanishing friction; wear.k wears without friction.";
         say("no-wear", message.to_string());
     }
     if !optimal {
         return found;
     }
-    let functional = scene
-        .optimum
-        .as_ref()
-        .and_then(|optimum| optimum.functional)
-        .unwrap_or(Functional::Steady);
-    let q = scene
-        .optimum
-        .as_ref()
-        .and_then(|optimum| optimum.q)
-        .unwrap_or(1.0);
-    if matches!(
-        functional,
-        Functional::WearVolume | Functional::FrictionPower | Functional::WearPower
-    ) {
+    let functional = scene.optimum.as_ref().and_then(|optimum| optimum.functional).unwrap_or(Functional::Steady);
+    let q = scene.optimum.as_ref().and_then(|optimum| optimum.q).unwrap_or(1.0);
+    if matches!(functional, Functional::WearVolume | Functional::FrictionPower | Functional::WearPower) {
         for b in exponents(scene) {
             let s_minus_1 = s_minus_1(functional, b, q);
             let s = 1.0 + s_minus_1;
@@ -81,9 +52,7 @@ pub(crate) fn lints(
             } else if s < 1.0 {
                 say(
                     "s-below-one",
-                    format!(
-                        "s = {s:.6} is less than 1: the stationary pressure is the worst one, a maximum of the functional."
-                    ),
+                    format!("s = {s:.6} is less than 1: the stationary pressure is the worst one, a maximum of the functional."),
                 );
             }
         }
@@ -92,27 +61,15 @@ pub(crate) fn lints(
     if curved && functional == Functional::Uniform {
         say("not-steady", "Uniform pressure on an arc wears uniformly along the normal, which no rigid motion follows: it is not the steady state. optimum.functional = \"steady\" is.".into());
     }
-    if scene.optimum.as_ref().and_then(|optimum| optimum.balance) == Some(Balance::Paper) && curved
-    {
+    if scene.optimum.as_ref().and_then(|optimum| optimum.balance) == Some(Balance::Paper) && curved {
         say("paper-balance", "The paper's normalisation int p dS = F0 leaves out the direction of the pressure: the vertical force comes out smaller than the load (summary: force_N).".into());
     }
     kern(scene, functional, q, patch, freedoms, &mut say);
-    if let (Some(patch), Some(push)) = (
-        patch,
-        freedoms.iter().find(|freedom| freedom.role == Role::Force),
-    ) {
-        let shear = scene
-            .contact
-            .as_ref()
-            .and_then(|contact| contact.shear)
-            .unwrap_or(true);
+    if let (Some(patch), Some(push)) = (patch, freedoms.iter().find(|freedom| freedom.role == Role::Force)) {
+        let shear = scene.contact.as_ref().and_then(|contact| contact.shear).unwrap_or(true);
         let mu = if shear { friction } else { 0.0 };
-        let least = patch
-            .surface
-            .sample(201)
-            .iter()
-            .map(|point| push.mode.motion.force_weight(point, mu))
-            .fold(f64::MAX, f64::min);
+        let least =
+            patch.surface.sample(201).iter().map(|point| push.mode.motion.force_weight(point, mu)).fold(f64::MAX, f64::min);
         if least <= 0.0 && mu > 0.0 {
             say(
                 "jamming",
@@ -137,12 +94,7 @@ fn kern(
     let Some(Shape::Strip { x, .. }) = patch.map(|patch| patch.surface.shape()) else {
         return;
     };
-    let find = |role: Role| {
-        freedoms
-            .iter()
-            .find(|freedom| freedom.role == role)
-            .map(|freedom| freedom.mode)
-    };
+    let find = |role: Role| freedoms.iter().find(|freedom| freedom.role == role).map(|freedom| freedom.mode);
     let (Some(force), Some(moment)) = (find(Role::Force), find(Role::Moment)) else {
         return;
     };
@@ -160,9 +112,7 @@ fn kern(
         );
         return;
     }
-    let k = exponents(scene)
-        .first()
-        .map(|b| 1.0 / s_minus_1(functional, *b, q));
+    let k = exponents(scene).first().map(|b| 1.0 / s_minus_1(functional, *b, q));
     if let Some(k) = k.filter(|k| *k > 0.0) {
         let kern = half * k / (k + 2.0);
         if arm > kern {

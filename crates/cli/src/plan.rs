@@ -26,33 +26,14 @@ impl Plan {
     /// The plan of a resolved scene.
     pub(crate) fn new(scene: &Scene, tasks: &[Task]) -> Plan {
         let mut stages = Vec::new();
-        let mut stage = |name, ran: bool, because: &str| {
-            stages.push(Stage {
-                name,
-                ran,
-                because: because.to_string(),
-            })
-        };
+        let mut stage = |name, ran: bool, because: &str| stages.push(Stage { name, ran, because: because.to_string() });
         let has = |task| tasks.contains(&task);
         let bodies = has(Task::Contact) || has(Task::Shape) || has(Task::Wear);
-        let friction = scene
-            .contact
-            .as_ref()
-            .and_then(|contact| contact.friction)
-            .unwrap_or(0.0);
-        let shear = friction > 0.0
-            && scene
-                .contact
-                .as_ref()
-                .and_then(|contact| contact.shear)
-                .unwrap_or(true);
+        let friction = scene.contact.as_ref().and_then(|contact| contact.friction).unwrap_or(0.0);
+        let shear = friction > 0.0 && scene.contact.as_ref().and_then(|contact| contact.shear).unwrap_or(true);
         let check = scene.check.unwrap_or(true);
         match (has(Task::Pressure), has(Task::Shape)) {
-            (true, _) => stage(
-                "optimal pressure",
-                true,
-                "the task \"pressure\" asks for it",
-            ),
+            (true, _) => stage("optimal pressure", true, "the task \"pressure\" asks for it"),
             (false, true) => stage("optimal pressure", true, "the shape is made for it"),
             _ => stage("optimal pressure", false, "no task asks for it"),
         }
@@ -67,21 +48,9 @@ impl Plan {
         stage(
             "contact",
             has(Task::Contact),
-            if has(Task::Contact) {
-                "the task \"contact\" asks for it"
-            } else {
-                "no task asks for it"
-            },
+            if has(Task::Contact) { "the task \"contact\" asks for it" } else { "no task asks for it" },
         );
-        stage(
-            "shape",
-            has(Task::Shape),
-            if has(Task::Shape) {
-                "the task \"shape\" asks for it"
-            } else {
-                "no task asks for it"
-            },
-        );
+        stage("shape", has(Task::Shape), if has(Task::Shape) { "the task \"shape\" asks for it" } else { "no task asks for it" });
         match (has(Task::Shape), check) {
             (true, true) => stage("round trip", true, "a contact solve on the shape proves it"),
             (true, false) => stage("round trip", false, "check = false"),
@@ -90,28 +59,14 @@ impl Plan {
         stage(
             "evolution",
             has(Task::Wear),
-            if has(Task::Wear) {
-                "the task \"wear\" asks for it"
-            } else {
-                "no task asks for it"
-            },
+            if has(Task::Wear) { "the task \"wear\" asks for it" } else { "no task asks for it" },
         );
         let held = |body: &Option<crate::scene::Body>| {
-            body.as_ref().is_some_and(|body| {
-                body.support
-                    .values()
-                    .any(|held| held.contains(&Component::Phi))
-            })
+            body.as_ref().is_some_and(|body| body.support.values().any(|held| held.contains(&Component::Phi)))
         };
         let axisymmetric = scene.kinematics == Some(crate::scene::Kinematics::Axisymmetric);
-        match (
-            bodies && axisymmetric,
-            shear,
-            held(&scene.body1) || held(&scene.body2),
-        ) {
-            (true, true, true) => {
-                stage("torsion", true, "friction twists the bodies about the axis")
-            }
+        match (bodies && axisymmetric, shear, held(&scene.body1) || held(&scene.body2)) {
+            (true, true, true) => stage("torsion", true, "friction twists the bodies about the axis"),
             (true, false, _) => stage("torsion", false, "no friction twists the bodies"),
             (true, true, false) => stage("torsion", false, "no body is held against turning"),
             _ => stage("torsion", false, "no axisymmetric body is computed"),
@@ -122,51 +77,19 @@ impl Plan {
             _ => "no body is computed",
         };
         stage("tangential columns", bodies && shear, tangential);
-        let fields = scene
-            .output
-            .as_ref()
-            .and_then(|output| output.fields)
-            .unwrap_or(false);
+        let fields = scene.output.as_ref().and_then(|output| output.fields).unwrap_or(false);
         match (bodies, fields) {
-            (true, true) => stage(
-                "field recovery",
-                true,
-                "output.fields asks for the displacements inside",
-            ),
-            (true, false) => stage(
-                "field recovery",
-                false,
-                "no output asks for the displacements inside",
-            ),
+            (true, true) => stage("field recovery", true, "output.fields asks for the displacements inside"),
+            (true, false) => stage("field recovery", false, "no output asks for the displacements inside"),
             _ => stage("field recovery", false, "no body is computed"),
         }
         stage("contact.csv", true, "every run writes it");
         stage("plots", true, "every run draws them");
-        let report = scene
-            .output
-            .as_ref()
-            .and_then(|output| output.report)
-            .unwrap_or(true);
-        stage(
-            "report.html",
-            report,
-            if report {
-                "output.report is on"
-            } else {
-                "output.report = false"
-            },
-        );
-        let recording = scene
-            .output
-            .as_ref()
-            .and_then(|output| output.recording)
-            .unwrap_or(false);
+        let report = scene.output.as_ref().and_then(|output| output.report).unwrap_or(true);
+        stage("report.html", report, if report { "output.report is on" } else { "output.report = false" });
+        let recording = scene.output.as_ref().and_then(|output| output.recording).unwrap_or(false);
         match (recording, has(Task::Wear)) {
-            (_, true) => stage(
-                "run.mcap",
-                true,
-                "a run in time is recorded, and resumes from it",
-            ),
+            (_, true) => stage("run.mcap", true, "a run in time is recorded, and resumes from it"),
             (true, false) => stage("run.mcap", true, "output.recording asks for it"),
             _ => stage("run.mcap", false, "no output asks for it"),
         }
@@ -175,8 +98,6 @@ impl Plan {
 
     /// Whether a stage is part of the run.
     pub(crate) fn runs(&self, name: &str) -> bool {
-        self.stages
-            .iter()
-            .any(|stage| stage.name == name && stage.ran)
+        self.stages.iter().any(|stage| stage.name == name && stage.ran)
     }
 }

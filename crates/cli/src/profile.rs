@@ -114,9 +114,5 @@ pub(crate) fn number_text(number: f64) -> String {
     }
     let plain = format!("{number}");
     let scientific = format!("{number:e}");
-    if plain.len() <= scientific.len() + 2 {
-        plain
-    } else {
-        scientific
-    }
+    if plain.len() <= scientific.len() + 2 { plain } else { scientific }
 }

@@ -10,12 +10,7 @@ pub(crate) fn read(folder: &Path, name: &str) -> Result<Gap, Fault> {
     let path = folder.join(name);
     let text = std::fs::read_to_string(&path).map_err(|error| {
         let message = format!("cannot read the gap profile {}: {error}", path.display());
-        Fault::at(
-            "contact.gap",
-            "unreadable",
-            message,
-            "write 0, or the path of a CSV file, relative to the scene",
-        )
+        Fault::at("contact.gap", "unreadable", message, "write 0, or the path of a CSV file, relative to the scene")
     })?;
     let mut offset = 0;
     let mut columns: Option<(usize, usize)> = None;
@@ -28,40 +23,21 @@ pub(crate) fn read(folder: &Path, name: &str) -> Result<Gap, Fault> {
             continue;
         }
         let wrong = |message: &str, remedy: &str| Fault {
-            place: Some(Place::File(Spot::new(
-                &path.display().to_string(),
-                &text,
-                span.clone(),
-            ))),
+            place: Some(Place::File(Spot::new(&path.display().to_string(), &text, span.clone()))),
             ..Fault::at("contact.gap", "wrong-profile", message, remedy)
         };
         let fields: Vec<&str> = line.split([',', ';', '\t']).map(str::trim).collect();
         let Some((s_at, gap_at)) = columns else {
-            let find = |name: &str| {
-                fields
-                    .iter()
-                    .position(|field| field.trim_matches('"') == name)
-            };
+            let find = |name: &str| fields.iter().position(|field| field.trim_matches('"') == name);
             let (Some(s_at), Some(gap_at)) = (find("s_mm"), find("gap_um")) else {
-                return Err(wrong(
-                    "the first line does not name the columns s_mm and gap_um",
-                    "begin with `s_mm,gap_um`",
-                ));
+                return Err(wrong("the first line does not name the columns s_mm and gap_um", "begin with `s_mm,gap_um`"));
             };
             columns = Some((s_at, gap_at));
             continue;
         };
-        let number = |at: usize| {
-            fields
-                .get(at)
-                .and_then(|field| field.parse::<f64>().ok())
-                .filter(|v| v.is_finite())
-        };
+        let number = |at: usize| fields.get(at).and_then(|field| field.parse::<f64>().ok()).filter(|v| v.is_finite());
         let (Some(s_value), Some(gap_value)) = (number(s_at), number(gap_at)) else {
-            return Err(wrong(
-                "this line has no two finite numbers",
-                "write s_mm and gap_um, as in `-30.0,12.5`",
-            ));
+            return Err(wrong("this line has no two finite numbers", "write s_mm and gap_um, as in `-30.0,12.5`"));
         };
         s.push(s_value);
         gap.push(gap_value);
@@ -72,34 +48,16 @@ pub(crate) fn read(folder: &Path, name: &str) -> Result<Gap, Fault> {
 
 /// A profile needs two points or more, increasing in s, and no negative gap.
 pub(crate) fn check(s: &[f64], gap: &[f64]) -> Result<(), Fault> {
-    let wrong = |message: String, remedy: &str| {
-        Err(Fault::at("contact.gap", "wrong-profile", message, remedy))
-    };
+    let wrong = |message: String, remedy: &str| Err(Fault::at("contact.gap", "wrong-profile", message, remedy));
     if s.len() != gap.len() || s.len() < 2 {
-        let message = format!(
-            "a gap profile with {} places and {} gaps",
-            s.len(),
-            gap.len()
-        );
+        let message = format!("a gap profile with {} places and {} gaps", s.len(), gap.len());
         return wrong(message, "give two points or more, a gap for each place");
     }
-    if let Some(at) = s
-        .windows(2)
-        .position(|pair| pair[1].partial_cmp(&pair[0]) != Some(std::cmp::Ordering::Greater))
-    {
-        return wrong(
-            format!("s_mm does not increase from {} to {}", s[at], s[at + 1]),
-            "sort the points by s_mm",
-        );
+    if let Some(at) = s.windows(2).position(|pair| pair[1].partial_cmp(&pair[0]) != Some(std::cmp::Ordering::Greater)) {
+        return wrong(format!("s_mm does not increase from {} to {}", s[at], s[at + 1]), "sort the points by s_mm");
     }
-    if let Some(value) = gap
-        .iter()
-        .find(|value| !(**value >= 0.0) || value.is_infinite())
-    {
-        return wrong(
-            format!("gap_um = {value} is negative"),
-            "measure the gap from the highest point, so that it is 0 or more",
-        );
+    if let Some(value) = gap.iter().find(|value| !(**value >= 0.0) || value.is_infinite()) {
+        return wrong(format!("gap_um = {value} is negative"), "measure the gap from the highest point, so that it is 0 or more");
     }
     Ok(())
 }

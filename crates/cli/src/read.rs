@@ -4,8 +4,8 @@ use std::fmt::Display;
 
 use serde::de::value::{StrDeserializer, StringDeserializer};
 use serde::de::{
-    DeserializeSeed, Deserializer, EnumAccess, Error as _, Expected, IntoDeserializer, MapAccess,
-    SeqAccess, Unexpected, VariantAccess, Visitor,
+    DeserializeSeed, Deserializer, EnumAccess, Error as _, Expected, IntoDeserializer, MapAccess, SeqAccess, Unexpected,
+    VariantAccess, Visitor,
 };
 use serde::forward_to_deserialize_any;
 
@@ -29,13 +29,7 @@ pub(crate) struct Mismatch {
 
 impl Mismatch {
     fn new(code: &'static str, message: String, remedy: String) -> Self {
-        Mismatch {
-            code,
-            message,
-            remedy,
-            path: Vec::new(),
-            origin: None,
-        }
+        Mismatch { code, message, remedy, path: Vec::new(), origin: None }
     }
 
     fn at(mut self, origin: &Origin) -> Self {
@@ -66,51 +60,27 @@ impl serde::de::Error for Mismatch {
     }
 
     fn invalid_type(found: Unexpected<'_>, expected: &dyn Expected) -> Self {
-        Mismatch::new(
-            "wrong-type",
-            format!("wrong type: found {found}"),
-            format!("write {expected}"),
-        )
+        Mismatch::new("wrong-type", format!("wrong type: found {found}"), format!("write {expected}"))
     }
 
     fn invalid_value(found: Unexpected<'_>, expected: &dyn Expected) -> Self {
-        Mismatch::new(
-            "wrong-value",
-            format!("wrong value: found {found}"),
-            format!("write {expected}"),
-        )
+        Mismatch::new("wrong-value", format!("wrong value: found {found}"), format!("write {expected}"))
     }
 
     fn invalid_length(length: usize, expected: &dyn Expected) -> Self {
-        Mismatch::new(
-            "wrong-type",
-            format!("wrong number of entries: found {length}"),
-            format!("write {expected}"),
-        )
+        Mismatch::new("wrong-type", format!("wrong number of entries: found {length}"), format!("write {expected}"))
     }
 
     fn unknown_variant(variant: &str, expected: &'static [&'static str]) -> Self {
-        Mismatch::new(
-            "unknown-word",
-            format!("unknown word `{variant}`"),
-            did_you_mean(variant, expected),
-        )
+        Mismatch::new("unknown-word", format!("unknown word `{variant}`"), did_you_mean(variant, expected))
     }
 
     fn unknown_field(field: &str, expected: &'static [&'static str]) -> Self {
-        Mismatch::new(
-            "unknown-key",
-            format!("unknown key `{field}`"),
-            did_you_mean(field, expected),
-        )
+        Mismatch::new("unknown-key", format!("unknown key `{field}`"), did_you_mean(field, expected))
     }
 
     fn missing_field(field: &'static str) -> Self {
-        Mismatch::new(
-            "missing-key",
-            format!("the key `{field}` is missing"),
-            format!("add `{field} = ...`"),
-        )
+        Mismatch::new("missing-key", format!("the key `{field}` is missing"), format!("add `{field} = ...`"))
     }
 }
 
@@ -133,11 +103,7 @@ impl<'de> Deserializer<'de> for &'de Node {
         visitor.visit_some(self)
     }
 
-    fn deserialize_newtype_struct<V: Visitor<'de>>(
-        self,
-        _name: &'static str,
-        visitor: V,
-    ) -> Result<V::Value, Mismatch> {
+    fn deserialize_newtype_struct<V: Visitor<'de>>(self, _name: &'static str, visitor: V) -> Result<V::Value, Mismatch> {
         visitor.visit_newtype_struct(self)
     }
 
@@ -150,30 +116,17 @@ impl<'de> Deserializer<'de> for &'de Node {
         let entry = match &self.value {
             Value::Text(text) => {
                 let word: StrDeserializer<'_, Mismatch> = text.as_str().into_deserializer();
-                return visitor
-                    .visit_enum(word)
-                    .map_err(|error| error.at(&self.origin));
+                return visitor.visit_enum(word).map_err(|error| error.at(&self.origin));
             }
             Value::Table(entries) => match entries.as_slice() {
                 [entry] => entry,
                 [] => {
-                    let error = Mismatch::new(
-                        "missing-key",
-                        "an empty table".into(),
-                        format!("one of: {}", words.join(", ")),
-                    );
+                    let error = Mismatch::new("missing-key", "an empty table".into(), format!("one of: {}", words.join(", ")));
                     return Err(error.at(&self.origin));
                 }
                 [first, second, ..] => {
-                    let message = format!(
-                        "both `{}` and `{}` are given, of which only one can hold",
-                        first.key, second.key
-                    );
-                    let error = Mismatch::new(
-                        "two-alternatives",
-                        message,
-                        format!("keep one of: {}", words.join(", ")),
-                    );
+                    let message = format!("both `{}` and `{}` are given, of which only one can hold", first.key, second.key);
+                    let error = Mismatch::new("two-alternatives", message, format!("keep one of: {}", words.join(", ")));
                     return Err(error.at(&second.origin));
                 }
             },
@@ -203,18 +156,13 @@ struct ListReader<'de> {
 impl<'de> SeqAccess<'de> for ListReader<'de> {
     type Error = Mismatch;
 
-    fn next_element_seed<T: DeserializeSeed<'de>>(
-        &mut self,
-        seed: T,
-    ) -> Result<Option<T::Value>, Mismatch> {
+    fn next_element_seed<T: DeserializeSeed<'de>>(&mut self, seed: T) -> Result<Option<T::Value>, Mismatch> {
         let Some(node) = self.items.get(self.next) else {
             return Ok(None);
         };
         let place = self.next.to_string();
         self.next += 1;
-        seed.deserialize(node)
-            .map(Some)
-            .map_err(|error| error.under(&place))
+        seed.deserialize(node).map(Some).map_err(|error| error.under(&place))
     }
 
     fn size_hint(&self) -> Option<usize> {
@@ -230,17 +178,12 @@ struct TableReader<'de> {
 impl<'de> MapAccess<'de> for TableReader<'de> {
     type Error = Mismatch;
 
-    fn next_key_seed<K: DeserializeSeed<'de>>(
-        &mut self,
-        seed: K,
-    ) -> Result<Option<K::Value>, Mismatch> {
+    fn next_key_seed<K: DeserializeSeed<'de>>(&mut self, seed: K) -> Result<Option<K::Value>, Mismatch> {
         let Some(entry) = self.entries.get(self.next) else {
             return Ok(None);
         };
         let key: StringDeserializer<Mismatch> = entry.key.clone().into_deserializer();
-        seed.deserialize(key)
-            .map(Some)
-            .map_err(|error| error.at(&entry.origin).under(&entry.key))
+        seed.deserialize(key).map(Some).map_err(|error| error.at(&entry.origin).under(&entry.key))
     }
 
     fn next_value_seed<V: DeserializeSeed<'de>>(&mut self, seed: V) -> Result<V::Value, Mismatch> {
@@ -251,10 +194,7 @@ impl<'de> MapAccess<'de> for TableReader<'de> {
         // A missing key is blamed on the table's own key, a wrong value on the value.
         seed.deserialize(&entry.node).map_err(|error| {
             let error = if error.code == "missing-key" && error.path.is_empty() {
-                Mismatch {
-                    origin: Some(entry.origin.clone()),
-                    ..error
-                }
+                Mismatch { origin: Some(entry.origin.clone()), ..error }
             } else {
                 error
             };
@@ -273,9 +213,7 @@ impl<'de> EnumAccess<'de> for VariantReader<'de> {
 
     fn variant_seed<V: DeserializeSeed<'de>>(self, seed: V) -> Result<(V::Value, Self), Mismatch> {
         let key: StrDeserializer<'_, Mismatch> = self.entry.key.as_str().into_deserializer();
-        let variant = seed
-            .deserialize(key)
-            .map_err(|error| error.at(&self.entry.origin).under(&self.entry.key))?;
+        let variant = seed.deserialize(key).map_err(|error| error.at(&self.entry.origin).under(&self.entry.key))?;
         Ok((variant, self))
     }
 }
@@ -285,21 +223,13 @@ impl<'de> VariantAccess<'de> for VariantReader<'de> {
 
     fn unit_variant(self) -> Result<(), Mismatch> {
         let message = format!("`{}` takes no keys of its own", self.entry.key);
-        Err(Mismatch::new(
-            "wrong-type",
-            message,
-            format!("write \"{}\"", self.entry.key),
-        )
-        .at(&self.entry.origin))
+        Err(Mismatch::new("wrong-type", message, format!("write \"{}\"", self.entry.key)).at(&self.entry.origin))
     }
 
     fn newtype_variant_seed<T: DeserializeSeed<'de>>(self, seed: T) -> Result<T::Value, Mismatch> {
         seed.deserialize(&self.entry.node).map_err(|error| {
             let error = if error.code == "missing-key" && error.path.is_empty() {
-                Mismatch {
-                    origin: Some(self.entry.origin.clone()),
-                    ..error
-                }
+                Mismatch { origin: Some(self.entry.origin.clone()), ..error }
             } else {
                 error
             };
@@ -308,20 +238,10 @@ impl<'de> VariantAccess<'de> for VariantReader<'de> {
     }
 
     fn tuple_variant<V: Visitor<'de>>(self, _len: usize, visitor: V) -> Result<V::Value, Mismatch> {
-        self.entry
-            .node
-            .deserialize_any(visitor)
-            .map_err(|error| error.under(&self.entry.key))
+        self.entry.node.deserialize_any(visitor).map_err(|error| error.under(&self.entry.key))
     }
 
-    fn struct_variant<V: Visitor<'de>>(
-        self,
-        _fields: &'static [&'static str],
-        visitor: V,
-    ) -> Result<V::Value, Mismatch> {
-        self.entry
-            .node
-            .deserialize_any(visitor)
-            .map_err(|error| error.under(&self.entry.key))
+    fn struct_variant<V: Visitor<'de>>(self, _fields: &'static [&'static str], visitor: V) -> Result<V::Value, Mismatch> {
+        self.entry.node.deserialize_any(visitor).map_err(|error| error.under(&self.entry.key))
     }
 }

@@ -41,13 +41,7 @@ impl Recorder {
             .library(concat!("wearshape ", env!("CARGO_PKG_VERSION")))
             .create(BufWriter::new(file))
             .map_err(|error| unwritable(path, &error))?;
-        let mut recorder = Recorder {
-            path: path.to_path_buf(),
-            writer,
-            channels: [0; 4],
-            sequence: 0,
-            time: 0,
-        };
+        let mut recorder = Recorder { path: path.to_path_buf(), writer, channels: [0; 4], sequence: 0, time: 0 };
         recorder.attach("scene.resolved.toml", "application/toml", resolved)?;
         recorder.channels = [
             recorder.channel::<Points>("/contact/profile", "wearshape.ContactProfile")?,
@@ -63,9 +57,7 @@ impl Recorder {
         self.time = (state.time_s * 1e9).max(0.0) as u64;
         self.put(0, &Points::new(state.step, state.time_s, profile))?;
         self.put(1, state)?;
-        self.writer
-            .flush()
-            .map_err(|error| unwritable(&self.path, &error))
+        self.writer.flush().map_err(|error| unwritable(&self.path, &error))
     }
 
     /// Records one pass of an iteration, at the time of the step before.
@@ -83,24 +75,17 @@ impl Recorder {
     /// Ends the recording; the summary is attached to it.
     pub(crate) fn finish(mut self, summary: &str) -> Result<(), Fault> {
         self.attach("summary.json", "application/json", summary)?;
-        self.writer
-            .finish()
-            .map(|_| ())
-            .map_err(|error| unwritable(&self.path, &error))
+        self.writer.finish().map(|_| ()).map_err(|error| unwritable(&self.path, &error))
     }
 
     fn channel<M: JsonSchema>(&mut self, topic: &str, name: &str) -> Result<u16, Fault> {
-        let settings = schemars::generate::SchemaSettings::draft07()
-            .with(|settings| settings.inline_subschemas = true);
+        let settings = schemars::generate::SchemaSettings::draft07().with(|settings| settings.inline_subschemas = true);
         let schema = settings.into_generator().into_root_schema_for::<M>();
         let text = schema.as_value().to_string();
         let added = self
             .writer
             .add_schema(name, "jsonschema", text.as_bytes())
-            .and_then(|schema| {
-                self.writer
-                    .add_channel(schema, topic, "json", &BTreeMap::new())
-            });
+            .and_then(|schema| self.writer.add_channel(schema, topic, "json", &BTreeMap::new()));
         added.map_err(|error| unwritable(&self.path, &error))
     }
 
@@ -112,9 +97,7 @@ impl Recorder {
             media_type: media_type.into(),
             data: Cow::Borrowed(text.as_bytes()),
         };
-        self.writer
-            .attach(&attachment)
-            .map_err(|error| unwritable(&self.path, &error))
+        self.writer.attach(&attachment).map_err(|error| unwritable(&self.path, &error))
     }
 
     fn put(&mut self, channel: usize, message: &impl Serialize) -> Result<(), Fault> {
@@ -126,9 +109,7 @@ impl Recorder {
             publish_time: self.time,
         };
         self.sequence += 1;
-        self.writer
-            .write_to_known_channel(&header, &data)
-            .map_err(|error| unwritable(&self.path, &error))
+        self.writer.write_to_known_channel(&header, &data).map_err(|error| unwritable(&self.path, &error))
     }
 }
 
@@ -158,21 +139,13 @@ pub(crate) fn steps(path: &Path) -> Result<Vec<(State, Points)>, Fault> {
 
 fn unwritable(path: &Path, error: &impl std::fmt::Display) -> Fault {
     let message = format!("cannot write the recording {}: {error}", path.display());
-    Fault::new(
-        "unwritable",
-        message,
-        "give a folder that can be written, with room on its disk: -o DIR",
-    )
+    Fault::new("unwritable", message, "give a folder that can be written, with room on its disk: -o DIR")
 }
 
 #[allow(dead_code, reason = "wear in time records and goes on by it")]
 fn unreadable(path: &Path, error: &impl std::fmt::Display) -> Fault {
     let message = format!("cannot read the recording {}: {error}", path.display());
-    Fault::new(
-        "unreadable",
-        message,
-        "run the scene again without --resume",
-    )
+    Fault::new("unreadable", message, "run the scene again without --resume")
 }
 
 #[cfg(test)]
@@ -208,13 +181,7 @@ mod tests {
         let path = folder.join("run.mcap");
         let mut recorder = Recorder::create(&path, "title = \"x\"\n").unwrap();
         for step in 0..count {
-            recorder
-                .iteration(&Iteration {
-                    step,
-                    pass: 1,
-                    residual: Some(1e-3),
-                })
-                .unwrap();
+            recorder.iteration(&Iteration { step, pass: 1, residual: Some(1e-3) }).unwrap();
             recorder.log("a step").unwrap();
             recorder.step(&state(step), &profile()).unwrap();
         }
@@ -231,24 +198,13 @@ mod tests {
         for (step, (read, points)) in found.iter().enumerate() {
             assert_eq!(*read, state(step as u64));
             assert_eq!(points.points[0].pressure_MPa, Some(0.1));
-            assert_eq!(
-                points.points[0].gap_um, None,
-                "what is not available is absent"
-            );
+            assert_eq!(points.points[0].gap_um, None, "what is not available is absent");
         }
         let bytes = std::fs::read(&path).unwrap();
         let summary = mcap::Summary::read(&bytes).unwrap().unwrap();
-        let names: Vec<String> = summary
-            .attachment_indexes
-            .iter()
-            .map(|index| index.name.clone())
-            .collect();
+        let names: Vec<String> = summary.attachment_indexes.iter().map(|index| index.name.clone()).collect();
         assert_eq!(names, ["scene.resolved.toml", "summary.json"]);
-        let mut topics: Vec<String> = summary
-            .channels
-            .values()
-            .map(|channel| channel.topic.clone())
-            .collect();
+        let mut topics: Vec<String> = summary.channels.values().map(|channel| channel.topic.clone()).collect();
         topics.sort();
         assert_eq!(topics, ["/contact/profile", "/iteration", "/log", "/state"]);
     }
@@ -264,12 +220,7 @@ mod tests {
             std::fs::write(&torn, &bytes[..(share * bytes.len() as f64) as usize]).unwrap();
             let found = steps(&torn).unwrap();
             assert!(found.len() >= last, "{} after {last}", found.len());
-            assert!(
-                found
-                    .iter()
-                    .enumerate()
-                    .all(|(step, (read, _))| *read == state(step as u64))
-            );
+            assert!(found.iter().enumerate().all(|(step, (read, _))| *read == state(step as u64)));
             last = found.len();
         }
         assert!(last >= 15, "only {last} of 30 steps after a cut at 90 %");
@@ -286,11 +237,7 @@ mod tests {
     fn rubbish_is_no_recording_and_no_panic() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("run.mcap");
-        for rubbish in [
-            &b""[..],
-            b"hello",
-            &[0x89, b'M', b'C', b'A', b'P', b'0', b'\r', b'\n', 1, 2, 3],
-        ] {
+        for rubbish in [&b""[..], b"hello", &[0x89, b'M', b'C', b'A', b'P', b'0', b'\r', b'\n', 1, 2, 3]] {
             std::fs::write(&path, rubbish).unwrap();
             assert!(steps(&path).map_or(true, |found| found.is_empty()));
         }

@@ -29,19 +29,12 @@ pub(crate) fn resolved(problem: &Problem) -> Result<String, Fault> {
 /// A scene as TOML in base units.
 pub(crate) fn resolved_text(scene: &crate::scene::Scene) -> Result<String, Fault> {
     toml::to_string(scene).map_err(|error| {
-        Fault::new(
-            "internal",
-            format!("the resolved scene cannot be written: {error}"),
-            "please report this scene",
-        )
+        Fault::new("internal", format!("the resolved scene cannot be written: {error}"), "please report this scene")
     })
 }
 
 /// The summary of a run that writes no folder.
-pub(crate) fn summary_of(
-    problem: &Problem,
-    solution: &Solution,
-) -> Result<serde_json::Value, Fault> {
+pub(crate) fn summary_of(problem: &Problem, solution: &Solution) -> Result<serde_json::Value, Fault> {
     Ok(summary::summary(problem, solution, &resolved(problem)?))
 }
 
@@ -71,10 +64,7 @@ pub(crate) fn write(
     let text = pretty(&summary);
     folder.write("summary.json", &text)?;
     // A run in time records itself, step by step; anything else is one picture.
-    if let Some(profile) = solution
-        .profile
-        .as_ref()
-        .filter(|_| problem.plan.runs("run.mcap") && !problem.plan.runs("evolution"))
+    if let Some(profile) = solution.profile.as_ref().filter(|_| problem.plan.runs("run.mcap") && !problem.plan.runs("evolution"))
     {
         let mut recorder = Recorder::create(&folder.path().join("run.mcap"), resolved)?;
         recorder.log(summary["verdict"].as_str().unwrap_or(""))?;
@@ -82,10 +72,7 @@ pub(crate) fn write(
         recorder.finish(&text)?;
     }
     if problem.plan.runs("report.html") {
-        folder.write(
-            "report.html",
-            &page::page(&summary, &curves, &pictures, resolved),
-        )?;
+        folder.write("report.html", &page::page(&summary, &curves, &pictures, resolved))?;
     }
     Ok(summary)
 }
@@ -93,27 +80,16 @@ pub(crate) fn write(
 fn history(columns: &[(String, Vec<f64>)]) -> String {
     let names: Vec<&str> = columns.iter().map(|(name, _)| name.as_str()).collect();
     let mut out = names.join(",") + "\n";
-    for row in 0..columns
-        .iter()
-        .map(|(_, values)| values.len())
-        .min()
-        .unwrap_or(0)
-    {
-        let cells: Vec<String> = columns
-            .iter()
-            .map(|(_, values)| crate::profile::number_text(values[row]))
-            .collect();
+    for row in 0..columns.iter().map(|(_, values)| values.len()).min().unwrap_or(0) {
+        let cells: Vec<String> = columns.iter().map(|(_, values)| crate::profile::number_text(values[row])).collect();
         out += &(cells.join(",") + "\n");
     }
     out
 }
 
 fn timing(solution: &Solution, seconds: f64) -> String {
-    let stages: Vec<serde_json::Value> = solution
-        .times
-        .iter()
-        .map(|(name, seconds)| serde_json::json!({ "name": name, "seconds": seconds }))
-        .collect();
+    let stages: Vec<serde_json::Value> =
+        solution.times.iter().map(|(name, seconds)| serde_json::json!({ "name": name, "seconds": seconds })).collect();
     pretty(&serde_json::json!({ "seconds_total": seconds, "stages": stages }))
 }
 

@@ -16,7 +16,6 @@ use crate::surface::Patch;
 
 pub(crate) use bodies::template;
 pub(crate) use optimum::{exponents, kind, s_minus_1};
-pub(crate) use tasks::word;
 
 /// A checked scene: everything the stages need.
 #[derive(Debug, Clone)]
@@ -56,16 +55,7 @@ fn check(document: &Document) -> Result<Problem, Fault> {
     let unused_keys = unused::keys(document, &scene, &tasks);
     let plan = Plan::new(&scene, &tasks);
     let lints = lints::lints(&scene, &tasks, patch.as_ref(), &freedoms);
-    Ok(Problem {
-        name: document.name.clone(),
-        scene,
-        tasks,
-        patch,
-        freedoms,
-        plan,
-        lints,
-        unused_keys,
-    })
+    Ok(Problem { name: document.name.clone(), scene, tasks, patch, freedoms, plan, lints, unused_keys })
 }
 
 /// A number that must be finite and positive.
@@ -74,20 +64,10 @@ pub(crate) fn positive(key: &str, value: f64, what: &str, unit: &str) -> Result<
         return Ok(());
     }
     let kind = if value == 0.0 { "zero" } else { "negative" };
-    Err(Fault::at(
-        key,
-        "wrong-value",
-        format!("{kind} {what}: {key} = {value}{unit}"),
-        format!("give a {what} greater than 0"),
-    ))
+    Err(Fault::at(key, "wrong-value", format!("{kind} {what}: {key} = {value}{unit}"), format!("give a {what} greater than 0")))
 }
 
 /// A missing key, blamed on its table.
 pub(crate) fn missing(key: &str, why: &str, example: &str) -> Fault {
-    Fault::at(
-        key,
-        "missing-key",
-        format!("the key `{key}` is missing: {why}"),
-        format!("add `{example}`"),
-    )
+    Fault::at(key, "missing-key", format!("the key `{key}` is missing: {why}"), format!("add `{example}`"))
 }

@@ -34,23 +34,15 @@ impl Patch {
     pub(crate) fn of(scene: &Scene) -> Result<Option<Patch>, Fault> {
         let (shape, kind, centre, key) = match (&scene.surface, &scene.body1, &scene.body2) {
             (Some(surface), _, _) => bare(surface)?,
-            (None, Some(body1), Some(body2)) => {
-                match between(scene, &body1.geometry, &body2.geometry)? {
-                    Some(found) => found,
-                    None => return Ok(None),
-                }
-            }
+            (None, Some(body1), Some(body2)) => match between(scene, &body1.geometry, &body2.geometry)? {
+                Some(found) => found,
+                None => return Ok(None),
+            },
             _ => return Ok(None),
         };
         let motion = motion(scene, kind, &shape, centre)?;
-        let surface = Surface::new(shape, motion).map_err(|error| {
-            Fault::at(
-                key,
-                "degenerate",
-                error.to_string(),
-                "give a surface with area",
-            )
-        })?;
+        let surface = Surface::new(shape, motion)
+            .map_err(|error| Fault::at(key, "degenerate", error.to_string(), "give a surface with area"))?;
         Ok(Some(Patch { surface, kind }))
     }
 }
@@ -62,13 +54,7 @@ fn symmetric_arc(key: &str, radius: Length, half_angle: f64, width: f64) -> Resu
     positive(&format!("{key}.width"), width, "width", " mm")?;
     angle_below_quarter(&format!("{key}.half_angle"), half_angle)?;
     let (centre, internal) = (Vector3::zeros(), false);
-    Ok(Shape::Arc {
-        radius: radius.0,
-        centre,
-        angles: [-half_angle, half_angle],
-        thickness: width,
-        internal,
-    })
+    Ok(Shape::Arc { radius: radius.0, centre, angles: [-half_angle, half_angle], thickness: width, internal })
 }
 
 fn angle_below_quarter(key: &str, angle: f64) -> Result<(), Fault> {
@@ -76,12 +62,7 @@ fn angle_below_quarter(key: &str, angle: f64) -> Result<(), Fault> {
         return Ok(());
     }
     let message = format!("half angle {} deg is out of range", angle.to_degrees());
-    Err(Fault::at(
-        key,
-        "degenerate",
-        message,
-        "give a half angle greater than 0 and less than 90 deg",
-    ))
+    Err(Fault::at(key, "degenerate", message, "give a half angle greater than 0 and less than 90 deg"))
 }
 
 fn bare(surface: &SurfaceShape) -> Result<Found, Fault> {
@@ -90,12 +71,7 @@ fn bare(surface: &SurfaceShape) -> Result<Found, Fault> {
             return Ok([range[0].0, range[1].0]);
         }
         let message = format!("{key} = [{}, {}] does not increase", range[0].0, range[1].0);
-        Err(Fault::at(
-            key,
-            "degenerate",
-            message,
-            "write [from, to] with from < to",
-        ))
+        Err(Fault::at(key, "degenerate", message, "write [from, to] with from < to"))
     };
     let origin = [0.0, 0.0];
     match surface {
@@ -106,80 +82,37 @@ fn bare(surface: &SurfaceShape) -> Result<Found, Fault> {
             let half = pad.half_angle.0;
             if !(half > 0.0 && half <= std::f64::consts::PI) {
                 let message = format!("half angle {} deg is out of range", half.to_degrees());
-                return Err(Fault::at(
-                    format!("{key}.half_angle"),
-                    "degenerate",
-                    message,
-                    "give 0 to 180 deg",
-                ));
+                return Err(Fault::at(format!("{key}.half_angle"), "degenerate", message, "give 0 to 180 deg"));
             }
-            Ok((
-                Shape::Sector {
-                    radii,
-                    angles: [-half, half],
-                },
-                PatchKind::Turning,
-                origin,
-                key,
-            ))
+            Ok((Shape::Sector { radii, angles: [-half, half] }, PatchKind::Turning, origin, key))
         }
         SurfaceShape::PinnedShoe(shoe) => {
             let key = "surface.pinned-shoe";
             positive(&format!("{key}.radius"), shoe.radius.0, "radius", " mm")?;
             positive(&format!("{key}.width"), shoe.width.0, "width", " mm")?;
-            positive(
-                &format!("{key}.pin_distance"),
-                shoe.pin_distance.0,
-                "distance of the pin",
-                " mm",
-            )?;
+            positive(&format!("{key}.pin_distance"), shoe.pin_distance.0, "distance of the pin", " mm")?;
             positive(&format!("{key}.arm"), shoe.arm.0, "lever arm", " mm")?;
             let angles = [shoe.from.0, shoe.to.0];
             if !(angles[0] >= 0.0 && angles[1] > angles[0] && angles[1] < std::f64::consts::PI) {
                 let (from, to) = (angles[0].to_degrees(), angles[1].to_degrees());
-                let message = format!(
-                    "the lining reaches from {from} to {to} deg, where it cannot close everywhere"
-                );
-                return Err(Fault::at(
-                    format!("{key}.to"),
-                    "degenerate",
-                    message,
-                    "give 0 <= from < to < 180 deg",
-                ));
+                let message = format!("the lining reaches from {from} to {to} deg, where it cannot close everywhere");
+                return Err(Fault::at(format!("{key}.to"), "degenerate", message, "give 0 <= from < to < 180 deg"));
             }
-            let shape = Shape::Arc {
-                radius: shoe.radius.0,
-                centre: Vector3::zeros(),
-                angles,
-                thickness: shoe.width.0,
-                internal: true,
-            };
+            let shape =
+                Shape::Arc { radius: shoe.radius.0, centre: Vector3::zeros(), angles, thickness: shoe.width.0, internal: true };
             Ok((shape, PatchKind::Turning, origin, key))
         }
         SurfaceShape::PivotedShoe(shoe) => {
             let key = "surface.pivoted-shoe";
-            Ok((
-                symmetric_arc(key, shoe.radius, shoe.half_angle.0, shoe.width.0)?,
-                PatchKind::Turning,
-                origin,
-                key,
-            ))
+            Ok((symmetric_arc(key, shoe.radius, shoe.half_angle.0, shoe.width.0)?, PatchKind::Turning, origin, key))
         }
         SurfaceShape::JournalArc(arc) => {
             let key = "surface.journal-arc";
-            Ok((
-                symmetric_arc(key, arc.radius, arc.half_angle.0, arc.width.0)?,
-                PatchKind::Turning,
-                origin,
-                key,
-            ))
+            Ok((symmetric_arc(key, arc.radius, arc.half_angle.0, arc.width.0)?, PatchKind::Turning, origin, key))
         }
         SurfaceShape::RectangularPunch(punch) => {
             let key = "surface.rectangular-punch";
-            let shape = Shape::Rectangle {
-                x: range(&format!("{key}.x"), punch.x)?,
-                y: range(&format!("{key}.y"), punch.y)?,
-            };
+            let shape = Shape::Rectangle { x: range(&format!("{key}.x"), punch.x)?, y: range(&format!("{key}.y"), punch.y)? };
             Ok((shape, PatchKind::Plane, origin, key))
         }
         SurfaceShape::EllipticPunch(punch) => {
@@ -198,39 +131,20 @@ fn same(one: f64, other: f64, scale: f64) -> bool {
 }
 
 fn between(scene: &Scene, body1: &Geometry, body2: &Geometry) -> Result<Option<Found>, Fault> {
-    let Some(edges) = scene
-        .contact
-        .as_ref()
-        .and_then(|contact| contact.edges.as_ref())
-    else {
+    let Some(edges) = scene.contact.as_ref().and_then(|contact| contact.edges.as_ref()) else {
         return Ok(None);
     };
     let axisymmetric = scene.kinematics == Some(Kinematics::Axisymmetric);
     let thickness = scene.thickness.map_or(1.0, |thickness| thickness.0);
     let key = "contact.edges";
     let arc = |angles: [f64; 2], radius: f64, ring: &crate::geometry::Ring| {
-        let centre = ring
-            .centre
-            .map_or([0.0, 0.0], |centre| [centre[0].0, centre[1].0]);
+        let centre = ring.centre.map_or([0.0, 0.0], |centre| [centre[0].0, centre[1].0]);
         if !same(radius, ring.outer.0, radius) || centre != [0.0, 0.0] {
-            let message = format!(
-                "the arcs do not touch: radius {radius} about [0, 0] and radius {} about {centre:?}",
-                ring.outer.0
-            );
-            return Err(Fault::at(
-                "body2.geometry.ring",
-                "no-contact",
-                message,
-                "give both the same radius and centre",
-            ));
+            let message =
+                format!("the arcs do not touch: radius {radius} about [0, 0] and radius {} about {centre:?}", ring.outer.0);
+            return Err(Fault::at("body2.geometry.ring", "no-contact", message, "give both the same radius and centre"));
         }
-        let shape = Shape::Arc {
-            radius,
-            centre: Vector3::zeros(),
-            angles,
-            thickness,
-            internal: false,
-        };
+        let shape = Shape::Arc { radius, centre: Vector3::zeros(), angles, thickness, internal: false };
         Ok(Some((shape, PatchKind::Turning, centre, key)))
     };
     match (body1, edges[0].as_str(), body2, edges[1].as_str()) {
@@ -246,22 +160,12 @@ fn between(scene: &Scene, body1: &Geometry, body2: &Geometry) -> Result<Option<F
             let (x, below) = (punch.x.map(|x| x.0), plate.x.map(|x| x.0));
             let scale = x[1] - x[0];
             if !same(punch.z[0].0, plate.z[1].0, scale) {
-                let message = format!(
-                    "the edges do not touch: z = {} and z = {}",
-                    punch.z[0].0, plate.z[1].0
-                );
-                return Err(Fault::at(
-                    key,
-                    "no-contact",
-                    message,
-                    "give body1 z[0] = body2 z[1]",
-                ));
+                let message = format!("the edges do not touch: z = {} and z = {}", punch.z[0].0, plate.z[1].0);
+                return Err(Fault::at(key, "no-contact", message, "give body1 z[0] = body2 z[1]"));
             }
             if x[0] < below[0] || x[1] > below[1] {
-                let message = format!(
-                    "body 1 reaches from x = {} to {} over body 2 from {} to {}",
-                    x[0], x[1], below[0], below[1]
-                );
+                let message =
+                    format!("body 1 reaches from x = {} to {} over body 2 from {} to {}", x[0], x[1], below[0], below[1]);
                 return Err(Fault::at(
                     "body2.geometry.rectangle.x",
                     "no-contact",
@@ -270,42 +174,19 @@ fn between(scene: &Scene, body1: &Geometry, body2: &Geometry) -> Result<Option<F
                 ));
             }
             if axisymmetric {
-                return Ok(Some((
-                    Shape::Annulus { radii: x },
-                    PatchKind::Ring,
-                    [0.0, punch.z[0].0],
-                    key,
-                )));
+                return Ok(Some((Shape::Annulus { radii: x }, PatchKind::Ring, [0.0, punch.z[0].0], key)));
             }
-            Ok(Some((
-                Shape::Strip {
-                    x,
-                    z: punch.z[0].0,
-                    thickness,
-                },
-                PatchKind::Plane,
-                [0.0, 0.0],
-                key,
-            )))
+            Ok(Some((Shape::Strip { x, z: punch.z[0].0, thickness }, PatchKind::Plane, [0.0, 0.0], key)))
         }
         (Geometry::HalfDisc(disc), "arc", Geometry::Rectangle(plate), "top") => {
             let lowest = disc.centre[1].0 - disc.radius.0;
             if same(lowest, plate.z[1].0, disc.radius.0) {
                 return Ok(None);
             }
-            let message = format!(
-                "the edges do not touch: lowest point z = {lowest}, plane z = {}",
-                plate.z[1].0
-            );
-            Err(Fault::at(
-                key,
-                "no-contact",
-                message,
-                "give centre z - radius = body2 z[1]",
-            ))
+            let message = format!("the edges do not touch: lowest point z = {lowest}, plane z = {}", plate.z[1].0);
+            Err(Fault::at(key, "no-contact", message, "give centre z - radius = body2 z[1]"))
         }
-        (Geometry::Blocks(_) | Geometry::Mesh(_), ..)
-        | (_, _, Geometry::Blocks(_) | Geometry::Mesh(_), _) => Ok(None),
+        (Geometry::Blocks(_) | Geometry::Mesh(_), ..) | (_, _, Geometry::Blocks(_) | Geometry::Mesh(_), _) => Ok(None),
         _ => {
             let message = format!(
                 "the edges {} of {} and {} of {} cannot touch",
@@ -321,47 +202,24 @@ fn between(scene: &Scene, body1: &Geometry, body2: &Geometry) -> Result<Option<F
 }
 
 /// Motion of body 2; zero when the scene has none.
-fn motion(
-    scene: &Scene,
-    kind: PatchKind,
-    shape: &Shape,
-    centre: [f64; 2],
-) -> Result<SlidingMotion, Fault> {
+fn motion(scene: &Scene, kind: PatchKind, shape: &Shape, centre: [f64; 2]) -> Result<SlidingMotion, Fault> {
     let Some(sliding) = &scene.sliding else {
         return Ok(SlidingMotion::along_x(0.0));
     };
     let (wanted, found, other) = match kind {
-        PatchKind::Plane => (
-            "speed",
-            sliding.speed.map(|speed| speed.0),
-            sliding.omega.map(|_| "omega"),
-        ),
-        _ => (
-            "omega",
-            sliding.omega.map(|omega| omega.0),
-            sliding.speed.map(|_| "speed"),
-        ),
+        PatchKind::Plane => ("speed", sliding.speed.map(|speed| speed.0), sliding.omega.map(|_| "omega")),
+        _ => ("omega", sliding.omega.map(|omega| omega.0), sliding.speed.map(|_| "speed")),
     };
-    let example = if wanted == "speed" {
-        "sliding = { speed = \"5 mm/s\" }"
-    } else {
-        "sliding = { omega = \"2.5 rad/s\" }"
-    };
+    let example = if wanted == "speed" { "sliding = { speed = \"5 mm/s\" }" } else { "sliding = { omega = \"2.5 rad/s\" }" };
     let Some(value) = found else {
         return Err(match other {
             Some(other) => Fault::at(
                 format!("sliding.{other}"),
                 "wrong-key",
-                format!(
-                    "`sliding.{other}` does not fit this contact surface, which needs `sliding.{wanted}`"
-                ),
+                format!("`sliding.{other}` does not fit this contact surface, which needs `sliding.{wanted}`"),
                 format!("write {example}"),
             ),
-            None => missing(
-                &format!("sliding.{wanted}"),
-                "it says how body 2 moves",
-                example,
-            ),
+            None => missing(&format!("sliding.{wanted}"), "it says how body 2 moves", example),
         });
     };
     if value == 0.0 {

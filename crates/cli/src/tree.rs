@@ -62,9 +62,7 @@ impl Node {
 
     /// The node under a dotted key.
     pub(crate) fn find(&self, dotted: &str) -> Option<&Node> {
-        dotted
-            .split('.')
-            .try_fold(self, |node, key| node.child(key))
+        dotted.split('.').try_fold(self, |node, key| node.child(key))
     }
 
     /// Where a dotted key stands: its value, or the last of its parents that was written.
@@ -78,11 +76,7 @@ impl Node {
                         break;
                     };
                     let is_table = matches!(entry.node.value, Value::Table(_));
-                    origin = Some(if is_table {
-                        entry.origin.clone()
-                    } else {
-                        entry.node.origin.clone()
-                    });
+                    origin = Some(if is_table { entry.origin.clone() } else { entry.node.origin.clone() });
                     node = &entry.node;
                 }
                 _ => {
@@ -103,10 +97,7 @@ pub(crate) fn parse(text: &str) -> Result<Node, (String, Range<usize>)> {
         (error.message().trim_end().replace('\n', ", "), span)
     })?;
     let span = table.span();
-    Ok(Node {
-        value: table_value(table.get_ref())?,
-        origin: Origin::File(span),
-    })
+    Ok(Node { value: table_value(table.get_ref())?, origin: Origin::File(span) })
 }
 
 fn table_value(table: &DeTable<'_>) -> Result<Value, (String, Range<usize>)> {
@@ -115,10 +106,7 @@ fn table_value(table: &DeTable<'_>) -> Result<Value, (String, Range<usize>)> {
         entries.push(Entry {
             key: key.get_ref().to_string(),
             origin: Origin::File(key.span()),
-            node: Node {
-                value: plain(value.get_ref(), value.span())?,
-                origin: Origin::File(value.span()),
-            },
+            node: Node { value: plain(value.get_ref(), value.span())?, origin: Origin::File(value.span()) },
         });
     }
     entries.sort_by_key(|entry| match &entry.origin {
@@ -134,15 +122,11 @@ fn plain(value: &DeValue<'_>, span: Range<usize>) -> Result<Value, (String, Rang
         DeValue::Boolean(flag) => Value::Bool(*flag),
         DeValue::Integer(number) => {
             let parsed = i64::from_str_radix(number.as_str(), number.radix());
-            Value::Integer(
-                parsed.map_err(|_| (format!("the whole number {number} is too large"), span))?,
-            )
+            Value::Integer(parsed.map_err(|_| (format!("the whole number {number} is too large"), span))?)
         }
         DeValue::Float(number) => {
-            let parsed: f64 = number
-                .as_str()
-                .parse()
-                .map_err(|_| (format!("the number {number} cannot be read"), span.clone()))?;
+            let parsed: f64 =
+                number.as_str().parse().map_err(|_| (format!("the number {number} cannot be read"), span.clone()))?;
             if parsed.is_infinite() && !number.as_str().contains("inf") {
                 return Err((format!("the number {number} is too large"), span));
             }
@@ -152,10 +136,7 @@ fn plain(value: &DeValue<'_>, span: Range<usize>) -> Result<Value, (String, Rang
         DeValue::Array(items) => {
             let mut list = Vec::new();
             for item in items.iter() {
-                list.push(Node {
-                    value: plain(item.get_ref(), item.span())?,
-                    origin: Origin::File(item.span()),
-                });
+                list.push(Node { value: plain(item.get_ref(), item.span())?, origin: Origin::File(item.span()) });
             }
             Value::List(list)
         }

@@ -10,9 +10,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, Deserialize, Deserializer, Visitor};
 use serde::{Serialize, Serializer};
 
-use dimension::{
-    ANGLE, ANGULAR_SPEED, Dimension, FORCE, LENGTH, MOMENT, PRESSURE, SPEED, TIME, WEAR_FACTOR,
-};
+use dimension::{ANGLE, ANGULAR_SPEED, Dimension, FORCE, LENGTH, MOMENT, PRESSURE, SPEED, TIME, WEAR_FACTOR};
 pub(crate) use pair::Pair;
 
 struct QuantityVisitor(&'static Dimension);
@@ -32,25 +30,16 @@ impl Visitor<'_> for QuantityVisitor {
         if number.is_finite() {
             return Ok((number, false));
         }
-        Err(E::custom(format!(
-            "{number} is not a {}\nwrite a finite number",
-            self.0.word
-        )))
+        Err(E::custom(format!("{number} is not a {}\nwrite a finite number", self.0.word)))
     }
 
     fn visit_str<E: de::Error>(self, text: &str) -> Result<(f64, bool), E> {
-        self.0
-            .parse(text)
-            .map_err(E::custom)
-            .and_then(|(number, unit)| {
-                if number.is_finite() {
-                    return Ok((number, unit));
-                }
-                Err(E::custom(format!(
-                    "\"{text}\" is too large for a number\nwrite a finite {}",
-                    self.0.word
-                )))
-            })
+        self.0.parse(text).map_err(E::custom).and_then(|(number, unit)| {
+            if number.is_finite() {
+                return Ok((number, unit));
+            }
+            Err(E::custom(format!("\"{text}\" is too large for a number\nwrite a finite {}", self.0.word)))
+        })
     }
 }
 

@@ -47,10 +47,7 @@ pub(crate) fn describe(problem: &Problem) -> String {
         out += &format!("\nnote [{}]: {}\n", lint.code, lint.message);
     }
     if !problem.unused_keys.is_empty() {
-        out += &format!(
-            "\nkeys not used by this scene: {}\n",
-            problem.unused_keys.join(", ")
-        );
+        out += &format!("\nkeys not used by this scene: {}\n", problem.unused_keys.join(", "));
     }
     out
 }

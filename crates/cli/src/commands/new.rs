@@ -17,19 +17,15 @@ pub(crate) fn run(args: &NewArgs) -> Result<Exit, Fault> {
     let Some(scene) = builtin::find(name) else {
         let names: Vec<&str> = builtin::SCENES.iter().map(|scene| scene.name).collect();
         let message = format!("there is no template `{name}`");
-        return Err(Fault::new(
-            "no-template",
-            message,
-            did_you_mean(name, &names),
-        ));
+        return Err(Fault::new("no-template", message, did_you_mean(name, &names)));
     };
     let Some(path) = &args.file else {
         print_out(scene.text);
         return Ok(Exit::Done);
     };
     let shown = path.display();
-    let written = std::fs::File::create_new(path)
-        .and_then(|mut file| std::io::Write::write_all(&mut file, scene.text.as_bytes()));
+    let written =
+        std::fs::File::create_new(path).and_then(|mut file| std::io::Write::write_all(&mut file, scene.text.as_bytes()));
     match written {
         Ok(()) => {
             eprintln!("{shown} written; next: wearshape run {shown}");
@@ -37,19 +33,11 @@ pub(crate) fn run(args: &NewArgs) -> Result<Exit, Fault> {
         }
         Err(error) if error.kind() == std::io::ErrorKind::AlreadyExists => {
             let message = format!("{shown} exists already and is left as it is");
-            Err(Fault::new(
-                "file-exists",
-                message,
-                "give another name, or remove the file first",
-            ))
+            Err(Fault::new("file-exists", message, "give another name, or remove the file first"))
         }
         Err(error) => {
             let message = format!("cannot write {shown}: {error}");
-            Err(Fault::new(
-                "unwritable",
-                message,
-                "give a path in a folder that exists and can be written",
-            ))
+            Err(Fault::new("unwritable", message, "give a path in a folder that exists and can be written"))
         }
     }
 }

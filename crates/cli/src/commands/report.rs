@@ -11,11 +11,7 @@ pub(crate) fn run(args: &ReportArgs) -> Result<Exit, Fault> {
     let path = args.folder.join("report.html");
     std::fs::write(&path, page).map_err(|error| Fault {
         place: Some(Place::Flag(args.folder.display().to_string())),
-        ..Fault::new(
-            "unwritable",
-            format!("cannot write {}: {error}", path.display()),
-            "give a folder that can be written",
-        )
+        ..Fault::new("unwritable", format!("cannot write {}: {error}", path.display()), "give a folder that can be written")
     })?;
     eprintln!("{} written", path.display());
     Ok(Exit::Done)

@@ -21,19 +21,12 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
     let document = Document::open(&args.scene, &common.set)?;
     let problem = setup(&document)?;
     let options = options(common)?;
-    let target = common
-        .output
-        .clone()
-        .unwrap_or_else(|| PathBuf::from("out").join(&problem.name));
+    let target = common.output.clone().unwrap_or_else(|| PathBuf::from("out").join(&problem.name));
     if common.dry_run {
         if common.json {
             print_json(&plan_json(&problem));
         } else {
-            print_out(&format!(
-                "{}\nwould write {}\n",
-                describe(&problem),
-                target.display()
-            ));
+            print_out(&format!("{}\nwould write {}\n", describe(&problem), target.display()));
         }
         return Ok(Exit::Done);
     }
@@ -57,21 +50,11 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
         }
     };
     if solution.status == Status::Interrupted {
-        eprintln!(
-            "interrupted; continue with: wearshape run {} -o {} --resume",
-            args.scene,
-            target.display()
-        );
+        eprintln!("interrupted; continue with: wearshape run {} -o {} --resume", args.scene, target.display());
         return Ok(Exit::Interrupted);
     }
     solution.times.insert(0, ("setup".into(), ready));
-    let summary = report::write(
-        &folder,
-        &problem,
-        &solution,
-        &resolved,
-        start.elapsed().as_secs_f64(),
-    )?;
+    let summary = report::write(&folder, &problem, &solution, &resolved, start.elapsed().as_secs_f64())?;
     folder.finish()?;
     if common.json {
         print_json(&summary);
@@ -92,45 +75,27 @@ pub(crate) fn exit_of(status: Status) -> Exit {
 
 /// The options that reach the solver.
 pub(crate) fn options(common: &Common) -> Result<Options, Fault> {
-    if let Some(sample) = common
-        .sample
-        .filter(|sample| !(2..=10_000_000).contains(sample))
-    {
+    if let Some(sample) = common.sample.filter(|sample| !(2..=10_000_000).contains(sample)) {
         return Err(Fault {
             place: Some(Place::Flag(format!("--sample {sample}"))),
-            ..Fault::new(
-                "wrong-flag",
-                format!("--sample {sample} is out of range"),
-                "ask for 2 points or more",
-            )
+            ..Fault::new("wrong-flag", format!("--sample {sample} is out of range"), "ask for 2 points or more")
         });
     }
-    Ok(Options {
-        sample: common.sample,
-    })
+    Ok(Options { sample: common.sample })
 }
 
 /// Does the work on the number of threads asked for.
-pub(crate) fn with_threads<T: Send>(
-    common: &Common,
-    work: impl FnOnce() -> T + Send,
-) -> Result<T, Fault> {
+pub(crate) fn with_threads<T: Send>(common: &Common, work: impl FnOnce() -> T + Send) -> Result<T, Fault> {
     let Some(threads) = common.threads else {
         return Ok(work());
     };
     let wrong = |message: String| Fault {
         place: Some(Place::Flag(format!("--threads {threads}"))),
-        ..Fault::new(
-            "wrong-flag",
-            message,
-            "give a number of threads from 1 to 1024",
-        )
+        ..Fault::new("wrong-flag", message, "give a number of threads from 1 to 1024")
     };
     if !(1..=1024).contains(&threads) {
         return Err(wrong(format!("--threads {threads} is out of range")));
     }
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-    Ok(pool
-        .map_err(|error| wrong(format!("cannot start {threads} threads: {error}")))?
-        .install(work))
+    Ok(pool.map_err(|error| wrong(format!("cannot start {threads} threads: {error}")))?.install(work))
 }

@@ -36,39 +36,19 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
     let start = Instant::now();
     let common = &args.common;
     let options = options(common)?;
-    let grid = args
-        .over
-        .iter()
-        .map(|over| read_over(over))
-        .collect::<Result<Vec<Over>, Fault>>()?;
-    let count = grid
-        .iter()
-        .map(|over| over.values.len())
-        .try_fold(1usize, |n, m| n.checked_mul(m));
+    let grid = args.over.iter().map(|over| read_over(over)).collect::<Result<Vec<Over>, Fault>>()?;
+    let count = grid.iter().map(|over| over.values.len()).try_fold(1usize, |n, m| n.checked_mul(m));
     let Some(count) = count.filter(|count| *count <= 10_000_000) else {
-        return Err(Fault::new(
-            "wrong-flag",
-            "the grid has more than ten million points",
-            "give fewer values",
-        ));
+        return Err(Fault::new("wrong-flag", "the grid has more than ten million points", "give fewer values"));
     };
     let settings = |point: usize| settings_of(&grid, point, &common.set);
     let first = Document::open(&args.scene, &settings(0))?;
-    let target = common
-        .output
-        .clone()
-        .unwrap_or_else(|| PathBuf::from("out").join(format!("{}-sweep", first.name)));
+    let target = common.output.clone().unwrap_or_else(|| PathBuf::from("out").join(format!("{}-sweep", first.name)));
     if common.dry_run {
         if common.json {
-            print_json(
-                &json!({ "scene": first.name, "points": count, "folder": target.display().to_string() }),
-            );
+            print_json(&json!({ "scene": first.name, "points": count, "folder": target.display().to_string() }));
         } else {
-            print_out(&format!(
-                "{count} points of {}\nwould write {}\n",
-                first.name,
-                target.display()
-            ));
+            print_out(&format!("{count} points of {}\nwould write {}\n", first.name, target.display()));
         }
         return Ok(Exit::Done);
     }
@@ -76,29 +56,19 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
     let plan = json!({ "scene": args.scene, "set": common.set, "over": args.over, "sample": common.sample });
     let mark = format!("# {}\n{}", plan, report::resolved_text(&first.scene)?);
     let folder = Folder::begin(&target, common.resume)?;
-    let mut rows = if common.resume {
-        finished_rows(&folder, &mark)
-    } else {
-        Vec::new()
-    };
+    let mut rows = if common.resume { finished_rows(&folder, &mark) } else { Vec::new() };
     rows.truncate(count);
     folder.write("scene.resolved.toml", &mark)?;
     folder.write("sweep.jsonl", &lines(&rows))?;
     let bar = Bar::new(count, !common.quiet && !common.no_progress);
     while rows.len() < count {
         if interrupt::asked() {
-            eprintln!(
-                "interrupted after {} of {count} points; continue with --resume",
-                rows.len()
-            );
+            eprintln!("interrupted after {} of {count} points; continue with --resume", rows.len());
             return Ok(Exit::Interrupted);
         }
         let chunk: Vec<usize> = (rows.len()..count.min(rows.len() + CHUNK)).collect();
         let new: Vec<Value> = with_threads(common, || {
-            chunk
-                .par_iter()
-                .map(|point| row(&args.scene, &grid, *point, &settings(*point), options))
-                .collect()
+            chunk.par_iter().map(|point| row(&args.scene, &grid, *point, &settings(*point), options)).collect()
         })?;
         folder.append("sweep.jsonl", &lines(&new))?;
         rows.extend(new);
@@ -106,12 +76,7 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
     }
     bar.end();
     folder.write("sweep.csv", &table(&rows))?;
-    folder.write(
-        "timing.json",
-        &report::pretty(
-            &json!({ "seconds_total": start.elapsed().as_secs_f64(), "points": count }),
-        ),
-    )?;
+    folder.write("timing.json", &report::pretty(&json!({ "seconds_total": start.elapsed().as_secs_f64(), "points": count })))?;
     let failed = rows.iter().filter(|row| row["status"] != "ok").count();
     let summary = json!({
         "schema_version": SCHEMA_VERSION,
@@ -129,27 +94,16 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
     if common.json {
         print_json(&summary);
     } else if !common.quiet {
-        print_out(&format!(
-            "{count} points, {failed} without an answer\nfiles     {}\n",
-            target.join("sweep.csv").display()
-        ));
+        print_out(&format!("{count} points, {failed} without an answer\nfiles     {}\n", target.join("sweep.csv").display()));
     }
-    Ok(if failed == 0 {
-        Exit::Done
-    } else {
-        Exit::GoalMissed
-    })
+    Ok(if failed == 0 { Exit::Done } else { Exit::GoalMissed })
 }
 
 /// `key=from:to:count` or `key=a,b,c`; commas inside brackets and quotes do not separate.
 pub(crate) fn read_over(text: &str) -> Result<Over, Fault> {
     let wrong = |message: String| Fault {
         place: Some(Place::Flag(format!("--over {text}"))),
-        ..Fault::new(
-            "wrong-flag",
-            message,
-            "write --over optimum.q=0.5:3:20 or --over contact.friction=0,.1,.25",
-        )
+        ..Fault::new("wrong-flag", message, "write --over optimum.q=0.5:3:20 or --over contact.friction=0,.1,.25")
     };
     let Some((key, values)) = text.split_once('=') else {
         return Err(wrong(format!("--over {text} has no `=`")));
@@ -162,28 +116,16 @@ pub(crate) fn read_over(text: &str) -> Result<Over, Fault> {
     if let [from, to, count] = parts[..]
         && let (Ok(from), Ok(to)) = (from.trim().parse::<f64>(), to.trim().parse::<f64>())
     {
-        let count: usize = count
-            .trim()
-            .parse()
-            .map_err(|_| wrong(format!("`{count}` is no number of values")))?;
+        let count: usize = count.trim().parse().map_err(|_| wrong(format!("`{count}` is no number of values")))?;
         if count == 0 || !from.is_finite() || !to.is_finite() {
             return Err(wrong(format!("`{values}` has no values")));
         }
         let last = (count - 1).max(1) as f64;
         let value = |i: usize| {
             let t = i as f64 / last;
-            if i + 1 == count && count > 1 {
-                to
-            } else {
-                from + (to - from) * t
-            }
+            if i + 1 == count && count > 1 { to } else { from + (to - from) * t }
         };
-        return Ok(Over {
-            key,
-            values: (0..count)
-                .map(|i| crate::profile::number_text(value(i)))
-                .collect(),
-        });
+        return Ok(Over { key, values: (0..count).map(|i| crate::profile::number_text(value(i))).collect() });
     }
     let mut list = vec![String::new()];
     let (mut depth, mut quote) = (0i32, None);
@@ -222,11 +164,7 @@ fn values_of(grid: &[Over], mut point: usize) -> Vec<&str> {
 
 fn settings_of(grid: &[Over], point: usize, set: &[String]) -> Vec<String> {
     let mut all = set.to_vec();
-    all.extend(
-        grid.iter()
-            .zip(values_of(grid, point))
-            .map(|(over, value)| format!("{}={value}", over.key)),
-    );
+    all.extend(grid.iter().zip(values_of(grid, point)).map(|(over, value)| format!("{}={value}", over.key)));
     all
 }
 
@@ -234,14 +172,7 @@ fn settings_of(grid: &[Over], point: usize, set: &[String]) -> Vec<String> {
 fn row(scene: &str, grid: &[Over], point: usize, settings: &[String], options: Options) -> Value {
     let mut row = Map::new();
     for (over, value) in grid.iter().zip(values_of(grid, point)) {
-        row.insert(
-            over.key.clone(),
-            value
-                .parse::<f64>()
-                .ok()
-                .filter(|v| v.is_finite())
-                .map_or(json!(value), |v| json!(v)),
-        );
+        row.insert(over.key.clone(), value.parse::<f64>().ok().filter(|v| v.is_finite()).map_or(json!(value), |v| json!(v)));
     }
     let computed = Document::open(scene, settings).and_then(|document| {
         let problem = setup(&document)?;
@@ -280,10 +211,7 @@ fn finished_rows(folder: &Folder, mark: &str) -> Vec<Value> {
     }
     let text = read("sweep.jsonl");
     let whole = text.rfind('\n').map_or("", |end| &text[..=end]);
-    whole
-        .lines()
-        .map_while(|line| serde_json::from_str(line).ok())
-        .collect()
+    whole.lines().map_while(|line| serde_json::from_str(line).ok()).collect()
 }
 
 /// CSV of all rows: the union of their keys, in order of first appearance.
@@ -302,23 +230,12 @@ fn table(rows: &[Value]) -> String {
             format!("\"{}\"", text.replace('"', "\"\""))
         }
         Some(Value::String(text)) => text.clone(),
-        Some(Value::Number(number)) => number
-            .as_f64()
-            .map(crate::profile::number_text)
-            .unwrap_or_default(),
+        Some(Value::Number(number)) => number.as_f64().map(crate::profile::number_text).unwrap_or_default(),
         Some(other) => other.to_string(),
     };
-    let mut out = columns
-        .iter()
-        .map(|key| key.as_str())
-        .collect::<Vec<_>>()
-        .join(",")
-        + "\n";
+    let mut out = columns.iter().map(|key| key.as_str()).collect::<Vec<_>>().join(",") + "\n";
     for row in rows {
-        let cells: Vec<String> = columns
-            .iter()
-            .map(|key| cell(row.get(key.as_str())))
-            .collect();
+        let cells: Vec<String> = columns.iter().map(|key| cell(row.get(key.as_str()))).collect();
         out += &(cells.join(",") + "\n");
     }
     out
@@ -332,21 +249,13 @@ struct Bar {
 
 impl Bar {
     fn new(count: usize, wanted: bool) -> Bar {
-        Bar {
-            count,
-            shown: wanted && std::io::IsTerminal::is_terminal(&std::io::stderr()),
-        }
+        Bar { count, shown: wanted && std::io::IsTerminal::is_terminal(&std::io::stderr()) }
     }
 
     fn show(&self, done: usize) {
         if self.shown {
             let filled = 30 * done / self.count.max(1);
-            eprint!(
-                "\r[{}{}] {done}/{}",
-                "#".repeat(filled),
-                " ".repeat(30 - filled),
-                self.count
-            );
+            eprint!("\r[{}{}] {done}/{}", "#".repeat(filled), " ".repeat(30 - filled), self.count);
             let _ = std::io::stderr().flush();
         }
     }

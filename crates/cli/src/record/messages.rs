@@ -57,11 +57,7 @@ impl Points {
             opening_um: known(profile.opening[row]),
             wear_rate_um_per_s: known(profile.wear_rate[row]),
         };
-        Points {
-            step,
-            time_s,
-            points: (0..profile.s.len()).map(point).collect(),
-        }
+        Points { step, time_s, points: (0..profile.s.len()).map(point).collect() }
     }
 }
 
@@ -142,16 +138,7 @@ pub(crate) struct Timestamp {
 impl Log {
     /// An informing sentence at a simulated time in ns.
     pub(crate) fn new(time: u64, message: &str) -> Log {
-        let timestamp = Timestamp {
-            sec: (time / 1_000_000_000) as u32,
-            nsec: (time % 1_000_000_000) as u32,
-        };
-        Log {
-            timestamp,
-            level: 2,
-            message: message.into(),
-            name: "wearshape".into(),
-            ..Log::default()
-        }
+        let timestamp = Timestamp { sec: (time / 1_000_000_000) as u32, nsec: (time % 1_000_000_000) as u32 };
+        Log { timestamp, level: 2, message: message.into(), name: "wearshape".into(), ..Log::default() }
     }
 }

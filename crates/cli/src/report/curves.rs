@@ -8,19 +8,12 @@ use wear::Shape;
 
 /// The plots with the names of their files.
 pub(crate) fn line_plots(problem: &Problem, solution: &Solution) -> Vec<(&'static str, LinePlot)> {
-    let title = problem
-        .scene
-        .title
-        .clone()
-        .unwrap_or_else(|| problem.name.clone());
+    let title = problem.scene.title.clone().unwrap_or_else(|| problem.name.clone());
     let Some(points) = &solution.profile else {
         return Vec::new();
     };
     // Where elastic bodies were computed, their contact points are the curve.
-    let smooth = solution
-        .curve
-        .as_ref()
-        .filter(|_| !problem.plan.runs("mesh"));
+    let smooth = solution.curve.as_ref().filter(|_| !problem.plan.runs("mesh"));
     let profile = smooth.unwrap_or(points);
     let (places, x_label) = abscissa(problem, profile);
     let series = |name: &str, values: &[f64], dashed: bool| Series {
@@ -43,34 +36,16 @@ pub(crate) fn line_plots(problem: &Problem, solution: &Solution) -> Vec<(&'stati
         let mut curves = vec![series("", &profile.pressure, false)];
         if known(&profile.pressure_solved) {
             curves[0].name = "wanted".into();
-            curves.push(series(
-                "contact solve on the shape",
-                &profile.pressure_solved,
-                true,
-            ));
+            curves.push(series("contact solve on the shape", &profile.pressure_solved, true));
         }
-        plots.push((
-            "pressure",
-            plot("contact pressure", "pressure (MPa)", true, curves),
-        ));
+        plots.push(("pressure", plot("contact pressure", "pressure (MPa)", true, curves)));
     }
     if profile.wear_rate.iter().any(|rate| *rate > 0.0) {
         let curves = vec![series("", &profile.wear_rate, false)];
-        plots.push((
-            "wear-rate",
-            plot("wear rate", "wear rate (\u{b5}m/s)", true, curves),
-        ));
+        plots.push(("wear-rate", plot("wear rate", "wear rate (\u{b5}m/s)", true, curves)));
     }
     if known(&profile.gap) && points.gap.iter().any(|gap| *gap != 0.0) {
-        plots.push((
-            "gap",
-            plot(
-                "machined gap",
-                "gap (\u{b5}m)",
-                true,
-                vec![series("", &profile.gap, false)],
-            ),
-        ));
+        plots.push(("gap", plot("machined gap", "gap (\u{b5}m)", true, vec![series("", &profile.gap, false)])));
     }
     plots
 }
@@ -80,14 +55,7 @@ fn abscissa(problem: &Problem, profile: &Profile) -> (Vec<f64>, &'static str) {
     match problem.patch.as_ref().map(|patch| patch.surface.shape()) {
         Some(Shape::Arc { radius, angles, .. }) => {
             let middle = 0.5 * (angles[0] + angles[1]);
-            (
-                profile
-                    .s
-                    .iter()
-                    .map(|s| (s / radius + middle).to_degrees())
-                    .collect(),
-                "angle (deg)",
-            )
+            (profile.s.iter().map(|s| (s / radius + middle).to_degrees()).collect(), "angle (deg)")
         }
         Some(Shape::Annulus { .. } | Shape::Sector { .. }) => (profile.s.clone(), "radius (mm)"),
         Some(_) => (profile.position.iter().map(|p| p[0]).collect(), "x (mm)"),

@@ -34,11 +34,7 @@ impl Folder {
             return refuse("is a file");
         }
         let empty = fs::read_dir(target).is_ok_and(|mut entries| entries.next().is_none());
-        if empty || ours(target) {
-            Ok(())
-        } else {
-            refuse("holds files that wearshape did not write")
-        }
+        if empty || ours(target) { Ok(()) } else { refuse("holds files that wearshape did not write") }
     }
 
     /// Begins the partial folder, or with `resume` continues one.
@@ -47,29 +43,16 @@ impl Folder {
         let mut name = target.file_name().unwrap_or_default().to_os_string();
         name.push(".partial");
         let partial = target.with_file_name(name);
-        let folder = Folder {
-            target: target.to_path_buf(),
-            partial,
-        };
+        let folder = Folder { target: target.to_path_buf(), partial };
         if folder.partial.exists() && !resume {
-            let empty =
-                fs::read_dir(&folder.partial).is_ok_and(|mut entries| entries.next().is_none());
+            let empty = fs::read_dir(&folder.partial).is_ok_and(|mut entries| entries.next().is_none());
             if !empty && !folder.partial.join(MARK).is_file() {
-                let message = format!(
-                    "{} holds files that wearshape did not write",
-                    folder.partial.display()
-                );
-                return Err(Fault::new(
-                    "foreign-folder",
-                    message,
-                    "remove it, or give another folder: -o DIR",
-                ));
+                let message = format!("{} holds files that wearshape did not write", folder.partial.display());
+                return Err(Fault::new("foreign-folder", message, "remove it, or give another folder: -o DIR"));
             }
-            fs::remove_dir_all(&folder.partial)
-                .map_err(|error| folder.unwritable(&folder.partial, &error))?;
+            fs::remove_dir_all(&folder.partial).map_err(|error| folder.unwritable(&folder.partial, &error))?;
         }
-        fs::create_dir_all(&folder.partial)
-            .map_err(|error| folder.unwritable(&folder.partial, &error))?;
+        fs::create_dir_all(&folder.partial).map_err(|error| folder.unwritable(&folder.partial, &error))?;
         Ok(folder)
     }
 
@@ -82,9 +65,7 @@ impl Folder {
     pub(crate) fn write(&self, name: &str, text: &str) -> Result<(), Fault> {
         let path = self.partial.join(name);
         let parent = path.parent().unwrap_or(&self.partial);
-        fs::create_dir_all(parent)
-            .and_then(|()| fs::write(&path, text))
-            .map_err(|error| self.unwritable(&path, &error))
+        fs::create_dir_all(parent).and_then(|()| fs::write(&path, text)).map_err(|error| self.unwritable(&path, &error))
     }
 
     /// Adds to the end of one file of the folder.
@@ -107,15 +88,12 @@ impl Folder {
         let replaced = self.target.exists();
         if replaced {
             if aside.exists() {
-                fs::remove_dir_all(&self.target)
-                    .map_err(|error| self.unwritable(&self.target, &error))?;
+                fs::remove_dir_all(&self.target).map_err(|error| self.unwritable(&self.target, &error))?;
             } else {
-                fs::rename(&self.target, &aside)
-                    .map_err(|error| self.unwritable(&self.target, &error))?;
+                fs::rename(&self.target, &aside).map_err(|error| self.unwritable(&self.target, &error))?;
             }
         }
-        fs::rename(&self.partial, &self.target)
-            .map_err(|error| self.unwritable(&self.target, &error))?;
+        fs::rename(&self.partial, &self.target).map_err(|error| self.unwritable(&self.target, &error))?;
         if replaced && ours(&aside) {
             fs::remove_dir_all(&aside).map_err(|error| self.unwritable(&aside, &error))?;
         }
@@ -140,8 +118,6 @@ fn ours(folder: &Path) -> bool {
     let text = fs::read_to_string(folder.join("summary.json")).unwrap_or_default();
     let summary: serde_json::Value = serde_json::from_str(&text).unwrap_or_default();
     empty
-        || summary["schema_version"]
-            .as_u64()
-            .is_some_and(|version| version <= u64::from(SCHEMA_VERSION))
+        || summary["schema_version"].as_u64().is_some_and(|version| version <= u64::from(SCHEMA_VERSION))
             && summary["scene_sha256"].is_string()
 }

@@ -46,9 +46,7 @@ const RIGHT: f64 = 24.0;
 const TOP: f64 = 48.0;
 const BOTTOM: f64 = 62.0;
 /// Colours that colour-blind readers tell apart (Okabe and Ito).
-const COLOURS: [&str; 8] = [
-    "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000", "#7f7f7f",
-];
+const COLOURS: [&str; 8] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000", "#7f7f7f"];
 
 struct Scale {
     kind: Axis,
@@ -60,30 +58,16 @@ struct Scale {
 impl Scale {
     fn new(values: impl Iterator<Item = f64>, kind: Axis, from_zero: bool, count: usize) -> Scale {
         let usable = |v: &f64| v.is_finite() && (kind == Axis::Linear || *v > 0.0);
-        let (mut low, mut high) = values
-            .filter(usable)
-            .fold((f64::MAX, f64::MIN), |(lo, hi), v| (lo.min(v), hi.max(v)));
+        let (mut low, mut high) = values.filter(usable).fold((f64::MAX, f64::MIN), |(lo, hi), v| (lo.min(v), hi.max(v)));
         if low > high {
-            (low, high) = if kind == Axis::Linear {
-                (0.0, 1.0)
-            } else {
-                (0.1, 1.0)
-            };
+            (low, high) = if kind == Axis::Linear { (0.0, 1.0) } else { (0.1, 1.0) };
         }
         if kind == Axis::Logarithmic {
             let (from, to) = (low.log10().floor() as i32, high.log10().ceil() as i32);
             let to = if to == from { from + 1 } else { to };
             let step = ((to - from) / count as i32).max(1);
-            let ticks = (from..=to)
-                .step_by(step as usize)
-                .map(|e| 10f64.powi(e))
-                .collect();
-            return Scale {
-                kind,
-                low: 10f64.powi(from),
-                high: 10f64.powi(to),
-                ticks,
-            };
+            let ticks = (from..=to).step_by(step as usize).map(|e| 10f64.powi(e)).collect();
+            return Scale { kind, low: 10f64.powi(from), high: 10f64.powi(to), ticks };
         }
         if from_zero && low >= 0.0 {
             low = 0.0;
@@ -95,19 +79,11 @@ impl Scale {
         }
         let raw = (high - low) / count as f64;
         let magnitude = 10f64.powf(raw.log10().floor());
-        let step = [1.0, 2.0, 2.5, 5.0, 10.0]
-            .map(|m| m * magnitude)
-            .into_iter()
-            .find(|s| *s >= raw * 0.999);
+        let step = [1.0, 2.0, 2.5, 5.0, 10.0].map(|m| m * magnitude).into_iter().find(|s| *s >= raw * 0.999);
         let step = step.unwrap_or(10.0 * magnitude);
         let (from, to) = ((low / step + 1e-9).floor(), (high / step - 1e-9).ceil());
         let ticks = (from as i64..=to as i64).map(|i| i as f64 * step).collect();
-        Scale {
-            kind,
-            low: from * step,
-            high: to * step,
-            ticks,
-        }
+        Scale { kind, low: from * step, high: to * step, ticks }
     }
 
     fn share(&self, value: f64) -> f64 {
@@ -123,15 +99,9 @@ impl Scale {
             if (-2..=3).contains(&exponent) {
                 return plain(tick);
             }
-            return format!(
-                "10<tspan dy=\"-5\" font-size=\"10\">{}</tspan>",
-                plain(f64::from(exponent))
-            );
+            return format!("10<tspan dy=\"-5\" font-size=\"10\">{}</tspan>", plain(f64::from(exponent)));
         }
-        let step = self
-            .ticks
-            .get(1)
-            .map_or(1.0, |second| second - self.ticks[0]);
+        let step = self.ticks.get(1).map_or(1.0, |second| second - self.ticks[0]);
         let largest = self.low.abs().max(self.high.abs());
         if largest >= 1e6 || largest < 1e-3 {
             return format!("{tick:.2e}").replace('-', "\u{2212}");
@@ -148,23 +118,14 @@ fn plain(value: f64) -> String {
 
 /// Text that may stand in SVG or HTML.
 pub(crate) fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
-        .replace('"', "&quot;")
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 /// Draws a plot.
 pub(crate) fn line_plot(plot: &LinePlot) -> String {
-    let all = |pick: fn(&(f64, f64)) -> f64| {
-        plot.series
-            .iter()
-            .flat_map(move |s| s.points.iter().map(pick))
-    };
+    let all = |pick: fn(&(f64, f64)) -> f64| plot.series.iter().flat_map(move |s| s.points.iter().map(pick));
     let x = Scale::new(all(|p| p.0), plot.axes[0], false, 7);
-    let x = Scale {
-        ..tight(x, all(|p| p.0))
-    };
+    let x = Scale { ..tight(x, all(|p| p.0)) };
     let y = Scale::new(all(|p| p.1), plot.axes[1], plot.from_zero, 6);
     let place = |point: (f64, f64)| {
         let px = LEFT + x.share(point.0) * (WIDTH - LEFT - RIGHT);
@@ -191,33 +152,19 @@ pub(crate) fn line_plot(plot: &LinePlot) -> String {
     out += "</g>\n<g>\n";
     for tick in x.ticks.iter().filter(|t| inside(x.share(**t))) {
         let px = place((*tick, y.low)).0;
-        out += &format!(
-            "<text x=\"{px:.2}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n",
-            bottom + 19.0,
-            x.label(*tick)
-        );
+        out += &format!("<text x=\"{px:.2}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n", bottom + 19.0, x.label(*tick));
     }
     for tick in &y.ticks {
         let py = place((x.low, *tick)).1 + 4.5;
-        out += &format!(
-            "<text x=\"{}\" y=\"{py:.2}\" text-anchor=\"end\">{}</text>\n",
-            LEFT - 8.0,
-            y.label(*tick)
-        );
+        out += &format!("<text x=\"{}\" y=\"{py:.2}\" text-anchor=\"end\">{}</text>\n", LEFT - 8.0, y.label(*tick));
     }
     let (middle_x, middle_y) = (0.5 * (LEFT + right), 0.5 * (TOP + bottom));
-    out += &format!(
-        "<text x=\"{middle_x}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n",
-        HEIGHT - 18.0,
-        escaped(&plot.x_label)
-    );
+    out += &format!("<text x=\"{middle_x}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n", HEIGHT - 18.0, escaped(&plot.x_label));
     out += &format!(
         "<text transform=\"translate(20 {middle_y}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n</g>\n",
         escaped(&plot.y_label)
     );
-    out += &format!(
-        "<path d=\"M{LEFT} {TOP}V{bottom}H{right}\" fill=\"none\" stroke=\"#444\" stroke-width=\"1.2\"/>\n"
-    );
+    out += &format!("<path d=\"M{LEFT} {TOP}V{bottom}H{right}\" fill=\"none\" stroke=\"#444\" stroke-width=\"1.2\"/>\n");
     for (number, series) in plot.series.iter().enumerate() {
         out += &curve(series, COLOURS[number % COLOURS.len()], &place, plot.axes);
     }
@@ -230,31 +177,17 @@ fn tight(scale: Scale, values: impl Iterator<Item = f64>) -> Scale {
     if scale.kind == Axis::Logarithmic {
         return scale;
     }
-    let (low, high) = values
-        .filter(|v| v.is_finite())
-        .fold((f64::MAX, f64::MIN), |(lo, hi), v| (lo.min(v), hi.max(v)));
-    if high > low {
-        Scale { low, high, ..scale }
-    } else {
-        scale
-    }
+    let (low, high) = values.filter(|v| v.is_finite()).fold((f64::MAX, f64::MIN), |(lo, hi), v| (lo.min(v), hi.max(v)));
+    if high > low { Scale { low, high, ..scale } } else { scale }
 }
 
 fn inside(share: f64) -> bool {
     (-1e-9..=1.0 + 1e-9).contains(&share)
 }
 
-fn curve(
-    series: &Series,
-    colour: &str,
-    place: &impl Fn((f64, f64)) -> (f64, f64),
-    axes: [Axis; 2],
-) -> String {
+fn curve(series: &Series, colour: &str, place: &impl Fn((f64, f64)) -> (f64, f64), axes: [Axis; 2]) -> String {
     let drawable = |p: &(f64, f64)| {
-        p.0.is_finite()
-            && p.1.is_finite()
-            && (axes[0] == Axis::Linear || p.0 > 0.0)
-            && (axes[1] == Axis::Linear || p.1 > 0.0)
+        p.0.is_finite() && p.1.is_finite() && (axes[0] == Axis::Linear || p.0 > 0.0) && (axes[1] == Axis::Linear || p.1 > 0.0)
     };
     let mut path = String::new();
     let mut pen_down = false;
@@ -271,30 +204,17 @@ fn curve(
             marks += &format!("<circle cx=\"{px:.2}\" cy=\"{py:.2}\" r=\"3.2\"/>");
         }
     }
-    let dash = if series.dashed {
-        " stroke-dasharray=\"7 5\""
-    } else {
-        ""
-    };
-    let line = format!(
-        "<path d=\"{path}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"2\" stroke-linejoin=\"round\"{dash}/>\n"
-    );
-    if marks.is_empty() {
-        line
-    } else {
-        format!("{line}<g fill=\"{colour}\">{marks}</g>\n")
-    }
+    let dash = if series.dashed { " stroke-dasharray=\"7 5\"" } else { "" };
+    let line =
+        format!("<path d=\"{path}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"2\" stroke-linejoin=\"round\"{dash}/>\n");
+    if marks.is_empty() { line } else { format!("{line}<g fill=\"{colour}\">{marks}</g>\n") }
 }
 
 fn legend(series: &[Series]) -> String {
     if series.iter().all(|series| series.name.is_empty()) {
         return String::new();
     }
-    let longest = series
-        .iter()
-        .map(|series| series.name.chars().count())
-        .max()
-        .unwrap_or(0);
+    let longest = series.iter().map(|series| series.name.chars().count()).max().unwrap_or(0);
     let width = 44.0 + 7.4 * longest as f64;
     let left = WIDTH - RIGHT - width - 6.0;
     let height = 10.0 + 19.0 * series.len() as f64;
@@ -304,11 +224,7 @@ fn legend(series: &[Series]) -> String {
     );
     for (number, series) in series.iter().enumerate() {
         let y = TOP + 20.0 + 19.0 * number as f64;
-        let dash = if series.dashed {
-            " stroke-dasharray=\"7 5\""
-        } else {
-            ""
-        };
+        let dash = if series.dashed { " stroke-dasharray=\"7 5\"" } else { "" };
         out += &format!(
             "<path d=\"M{:.1} {y:.1}h24\" stroke=\"{}\" stroke-width=\"2\"{dash}/><text x=\"{:.1}\" y=\"{:.1}\">{}</text>\n",
             left + 7.0,

@@ -10,11 +10,7 @@ use crate::report::line_plot::{LinePlot, escaped, line_plot};
 /// The plots as numbers, for the page and for other programs: plots/curves.json.
 pub(crate) fn curves_json(plots: &[(&'static str, LinePlot)]) -> Value {
     let number = |value: f64| {
-        if value.is_finite() {
-            json!(value)
-        } else {
-            Value::Null
-        }
+        if value.is_finite() { json!(value) } else { Value::Null }
     };
     let chart = |plot: &LinePlot| {
         let series = plot.series.iter().map(|series| {
@@ -33,12 +29,7 @@ pub(crate) fn curves_json(plots: &[(&'static str, LinePlot)]) -> Value {
             "series": series.collect::<Vec<_>>(),
         })
     };
-    Value::Array(
-        plots
-            .iter()
-            .map(|(name, plot)| json!({ "file": name, "chart": chart(plot) }))
-            .collect(),
-    )
+    Value::Array(plots.iter().map(|(name, plot)| json!({ "file": name, "chart": chart(plot) })).collect())
 }
 
 /// The page of a run: its summary, the plots with their pictures, the resolved scene.
@@ -63,17 +54,9 @@ pub(crate) fn page(summary: &Value, curves: &Value, pictures: &[String], resolve
     );
     for lint in summary["lints"].as_array().into_iter().flatten() {
         let message = escaped(lint["message"].as_str().unwrap_or(""));
-        out += &format!(
-            "<p class=\"note\"><b>{}</b>: {message}</p>\n",
-            escaped(lint["code"].as_str().unwrap_or(""))
-        );
+        out += &format!("<p class=\"note\"><b>{}</b>: {message}</p>\n", escaped(lint["code"].as_str().unwrap_or("")));
     }
-    let charts: Vec<&Value> = curves
-        .as_array()
-        .into_iter()
-        .flatten()
-        .map(|entry| &entry["chart"])
-        .collect();
+    let charts: Vec<&Value> = curves.as_array().into_iter().flatten().map(|entry| &entry["chart"]).collect();
     for (number, chart) in charts.iter().enumerate() {
         let caption = escaped(chart["title"].as_str().unwrap_or(""));
         let picture = pictures.get(number).map_or("", String::as_str);
@@ -81,16 +64,7 @@ pub(crate) fn page(summary: &Value, curves: &Value, pictures: &[String], resolve
             "<figure data-chart=\"{number}\"><figcaption>{caption} <span>move to read, scroll to zoom, double click to reset</span></figcaption>\n{picture}</figure>\n"
         );
     }
-    for part in [
-        "shape",
-        "pressure",
-        "contact",
-        "wear",
-        "energy",
-        "reactions",
-        "error",
-        "counters",
-    ] {
+    for part in ["shape", "pressure", "contact", "wear", "energy", "reactions", "error", "counters"] {
         out += &table(part, &summary[part]);
     }
     out += "<h2>Stages</h2>\n<table>\n<tr><th>stage</th><th>done</th><th>because</th></tr>\n";
@@ -98,27 +72,15 @@ pub(crate) fn page(summary: &Value, curves: &Value, pictures: &[String], resolve
         out += &format!(
             "<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n",
             escaped(stage["name"].as_str().unwrap_or("")),
-            if stage["ran"].as_bool() == Some(true) {
-                "yes"
-            } else {
-                "left out"
-            },
+            if stage["ran"].as_bool() == Some(true) { "yes" } else { "left out" },
             escaped(stage["because"].as_str().unwrap_or(""))
         );
     }
     out += "</table>\n<h2>Limits</h2>\n<p>Linear elastic bodies, small displacements. No heat, no lubricant, no 3-D edge effects: \
             a plane or axisymmetric section stands for the whole. The wear rule and its factors are taken as given.</p>\n";
-    let unused: Vec<&str> = summary["unused_keys"]
-        .as_array()
-        .into_iter()
-        .flatten()
-        .filter_map(Value::as_str)
-        .collect();
+    let unused: Vec<&str> = summary["unused_keys"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
     if !unused.is_empty() {
-        out += &format!(
-            "<p>Keys of the scene that were not used: {}</p>\n",
-            escaped(&unused.join(", "))
-        );
+        out += &format!("<p>Keys of the scene that were not used: {}</p>\n", escaped(&unused.join(", ")));
     }
     out += &format!(
         "<h2>Scene</h2>\n<details><summary>scene.resolved.toml, SHA-256 {}</summary>\n<pre>{}</pre></details>\n",
@@ -126,9 +88,7 @@ pub(crate) fn page(summary: &Value, curves: &Value, pictures: &[String], resolve
         escaped(resolved)
     );
     // `<` cannot end the element early: it is written as an escape.
-    let data = serde_json::to_string(&charts)
-        .unwrap_or_default()
-        .replace('<', "\\u003c");
+    let data = serde_json::to_string(&charts).unwrap_or_default().replace('<', "\\u003c");
     out += &format!("<script type=\"application/json\" id=\"charts\">{data}</script>\n");
     out + "<script>\n" + include_str!("page.js") + "</script>\n</body>\n</html>\n"
 }
@@ -144,30 +104,15 @@ fn table(name: &str, part: &Value) -> String {
     let mut out = format!("<h2>{heading}</h2>\n<table>\n");
     for (key, value) in super::summary::numbers(part) {
         let shown = match &value {
-            Value::Number(number) if number.is_f64() => {
-                super::short(number.as_f64().unwrap_or(f64::NAN))
-            }
+            Value::Number(number) if number.is_f64() => super::short(number.as_f64().unwrap_or(f64::NAN)),
             Value::String(text) => text.clone(),
             other => other.to_string(),
         };
-        out += &format!(
-            "<tr><td>{}</td><td class=\"number\">{}</td></tr>\n",
-            escaped(&key),
-            escaped(&shown)
-        );
+        out += &format!("<tr><td>{}</td><td class=\"number\">{}</td></tr>\n", escaped(&key), escaped(&shown));
     }
-    for (key, value) in part
-        .as_object()
-        .into_iter()
-        .flatten()
-        .filter(|(_, value)| value.is_array())
-    {
+    for (key, value) in part.as_object().into_iter().flatten().filter(|(_, value)| value.is_array()) {
         if value.as_array().is_some_and(|items| !items.is_empty()) {
-            out += &format!(
-                "<tr><td>{}</td><td>{}</td></tr>\n",
-                escaped(key),
-                escaped(&value.to_string())
-            );
+            out += &format!("<tr><td>{}</td><td>{}</td></tr>\n", escaped(key), escaped(&value.to_string()));
         }
     }
     out + "</table>\n"
@@ -179,40 +124,22 @@ pub(crate) fn page_of_folder(folder: &Path) -> Result<String, Fault> {
         let path = folder.join(name);
         std::fs::read_to_string(&path).map_err(|error| Fault {
             place: Some(Place::Flag(folder.display().to_string())),
-            ..Fault::new(
-                "unreadable",
-                format!("cannot read {}: {error}", path.display()),
-                "give the folder of a finished run",
-            )
+            ..Fault::new("unreadable", format!("cannot read {}: {error}", path.display()), "give the folder of a finished run")
         })
     };
     let parse = |name: &str, text: &str| {
         serde_json::from_str::<Value>(text).map_err(|error| Fault {
             place: Some(Place::Flag(folder.join(name).display().to_string())),
-            ..Fault::new(
-                "unreadable",
-                format!("{name} is damaged: {error}"),
-                "run the scene again",
-            )
+            ..Fault::new("unreadable", format!("{name} is damaged: {error}"), "run the scene again")
         })
     };
     let summary = parse("summary.json", &read("summary.json")?)?;
     let curves = parse("plots/curves.json", &read("plots/curves.json")?)?;
     let mut pictures = Vec::new();
-    for name in curves
-        .as_array()
-        .into_iter()
-        .flatten()
-        .filter_map(|entry| entry["file"].as_str())
-    {
+    for name in curves.as_array().into_iter().flatten().filter_map(|entry| entry["file"].as_str()) {
         pictures.push(read(&format!("plots/{name}.svg"))?);
     }
-    Ok(page(
-        &summary,
-        &curves,
-        &pictures,
-        &read("scene.resolved.toml")?,
-    ))
+    Ok(page(&summary, &curves, &pictures, &read("scene.resolved.toml")?))
 }
 
 /// Draws every plot.

@@ -31,11 +31,8 @@ pub(crate) fn summary(problem: &Problem, solution: &Solution, resolved: &str) ->
     put("wear", value(&solution.wear));
     put("energy", value(&solution.energy));
     if !solution.reactions.is_empty() {
-        let reactions: Map<String, Value> = solution
-            .reactions
-            .iter()
-            .map(|(edge, reaction)| (edge.clone(), value(reaction)))
-            .collect();
+        let reactions: Map<String, Value> =
+            solution.reactions.iter().map(|(edge, reaction)| (edge.clone(), value(reaction))).collect();
         put("reactions", Value::Object(reactions));
     }
     put("error", value(&solution.error));
@@ -51,28 +48,16 @@ pub(crate) fn without_nulls(value: Value) -> Value {
     match value {
         Value::Object(map) => {
             let kept = map.into_iter().filter(|(_, value)| !value.is_null());
-            Value::Object(
-                kept.map(|(key, value)| (key, without_nulls(value)))
-                    .collect(),
-            )
+            Value::Object(kept.map(|(key, value)| (key, without_nulls(value))).collect())
         }
-        Value::Array(items) => Value::Array(
-            items
-                .into_iter()
-                .filter(|item| !item.is_null())
-                .map(without_nulls)
-                .collect(),
-        ),
+        Value::Array(items) => Value::Array(items.into_iter().filter(|item| !item.is_null()).map(without_nulls).collect()),
         other => other,
     }
 }
 
 /// SHA-256 of a text in lower-case hexadecimal.
 pub(crate) fn sha256(text: &str) -> String {
-    Sha256::digest(text.as_bytes())
-        .iter()
-        .map(|byte| format!("{byte:02x}"))
-        .collect()
+    Sha256::digest(text.as_bytes()).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// The numbers and words of a summary under dotted keys, without lists.
@@ -86,11 +71,7 @@ fn flatten(prefix: &str, value: &Value, out: &mut Vec<(String, Value)>) {
     match value {
         Value::Object(map) => {
             for (key, value) in map {
-                let path = if prefix.is_empty() {
-                    key.clone()
-                } else {
-                    format!("{prefix}.{key}")
-                };
+                let path = if prefix.is_empty() { key.clone() } else { format!("{prefix}.{key}") };
                 flatten(&path, value, out);
             }
         }

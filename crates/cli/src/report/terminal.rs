@@ -24,11 +24,7 @@ pub(crate) fn short(value: f64) -> String {
 }
 
 fn trimmed(text: &str) -> &str {
-    if text.contains('.') {
-        text.trim_end_matches('0').trim_end_matches('.')
-    } else {
-        text
-    }
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
 }
 
 /// A place in the words of the scene.
@@ -49,11 +45,7 @@ fn place(problem: &Problem, s: f64) -> String {
 
 fn extreme(values: &[f64], better: fn(f64, f64) -> bool) -> Option<usize> {
     let mut best: Option<usize> = None;
-    for (row, value) in values
-        .iter()
-        .enumerate()
-        .filter(|(_, value)| value.is_finite())
-    {
+    for (row, value) in values.iter().enumerate().filter(|(_, value)| value.is_finite()) {
         if best.is_none_or(|best| better(*value, values[best])) {
             best = Some(row);
         }
@@ -74,19 +66,9 @@ fn pressures(problem: &Problem, profile: &Profile) -> Option<String> {
         let s = profile.s[row];
         let even = s < 0.0 && (mirrored - profile.pressure[row]).abs() <= 1e-9 * top;
         let word = place(problem, s);
-        if even {
-            word.replacen('-', "+-", 1)
-        } else {
-            word
-        }
+        if even { word.replacen('-', "+-", 1) } else { word }
     };
-    Some(format!(
-        "{} MPa at {}, {} MPa at {}",
-        short(top),
-        at(high),
-        short(bottom),
-        at(low)
-    ))
+    Some(format!("{} MPa at {}, {} MPa at {}", short(top), at(high), short(bottom), at(low)))
 }
 
 /// One sentence that says how it ended.
@@ -103,19 +85,9 @@ pub(crate) fn verdict(problem: &Problem, solution: &Solution) -> String {
     }
     if let (Some(shape), Some(profile)) = (&solution.shape, &solution.profile) {
         let crown = shape.gap_max_um.unwrap_or(0.0);
-        let at = shape
-            .gap_where_mm
-            .map(|s| format!(" at {}", place(problem, s)))
-            .unwrap_or_default();
-        let steady = solution
-            .pressure
-            .as_ref()
-            .is_some_and(|pressure| pressure.functional == "steady");
-        let end = if steady {
-            "it starts worn in"
-        } else {
-            "it has the wanted pressure"
-        };
+        let at = shape.gap_where_mm.map(|s| format!(" at {}", place(problem, s))).unwrap_or_default();
+        let steady = solution.pressure.as_ref().is_some_and(|pressure| pressure.functional == "steady");
+        let end = if steady { "it starts worn in" } else { "it has the wanted pressure" };
         let _ = profile;
         return format!("Machine this shape: crown {} um{at}; {end}.", short(crown));
     }
@@ -134,12 +106,7 @@ pub(crate) fn verdict(problem: &Problem, solution: &Solution) -> String {
     let Some(pressure) = &solution.pressure else {
         return "Nothing was asked for.".into();
     };
-    let what = match problem
-        .scene
-        .optimum
-        .as_ref()
-        .and_then(|optimum| optimum.functional)
-    {
+    let what = match problem.scene.optimum.as_ref().and_then(|optimum| optimum.functional) {
         Some(Functional::Uniform) => "The uniform pressure",
         Some(Functional::WearVolume) => "The pressure that makes the wear volume rate stationary",
         Some(Functional::FrictionPower) => "The pressure that makes the friction power stationary",
@@ -150,9 +117,7 @@ pub(crate) fn verdict(problem: &Problem, solution: &Solution) -> String {
         return format!("{what} concentrates on points or lines: see the limit measure.");
     }
     let curve = solution.curve.as_ref().or(solution.profile.as_ref());
-    let numbers = curve
-        .and_then(|curve| pressures(problem, curve))
-        .unwrap_or_default();
+    let numbers = curve.and_then(|curve| pressures(problem, curve)).unwrap_or_default();
     let kind = match pressure.character.as_str() {
         "maximum" => ", the worst case",
         _ => "",
@@ -162,32 +127,14 @@ pub(crate) fn verdict(problem: &Problem, solution: &Solution) -> String {
 
 /// The lines for the screen.
 pub(crate) fn first_screen(problem: &Problem, solution: &Solution, folder: &Path) -> String {
-    let mut lines = vec![format!(
-        "{}   [{}]",
-        verdict(problem, solution),
-        bracket(solution)
-    )];
+    let mut lines = vec![format!("{}   [{}]", verdict(problem, solution), bracket(solution))];
     if let Some(pressure) = &solution.pressure {
         let curve = solution.curve.as_ref().or(solution.profile.as_ref());
         let with_q = !matches!(pressure.functional.as_str(), "steady" | "uniform");
-        let q = pressure
-            .q
-            .filter(|_| with_q)
-            .map(|q| format!(" q = {q},"))
-            .unwrap_or_default();
-        let kind = format!(
-            "({},{q} {}, {})",
-            pressure.functional, pressure.character, pressure.regime
-        );
-        let spread = solution
-            .shape
-            .as_ref()
-            .and(curve)
-            .and_then(|curve| pressures(problem, curve));
-        let mean = pressure
-            .p_mean_MPa
-            .map(|mean| format!("mean {} MPa", short(mean)))
-            .unwrap_or_default();
+        let q = pressure.q.filter(|_| with_q).map(|q| format!(" q = {q},")).unwrap_or_default();
+        let kind = format!("({},{q} {}, {})", pressure.functional, pressure.character, pressure.regime);
+        let spread = solution.shape.as_ref().and(curve).and_then(|curve| pressures(problem, curve));
+        let mean = pressure.p_mean_MPa.map(|mean| format!("mean {} MPa", short(mean))).unwrap_or_default();
         lines.push(format!("pressure  {} {kind}", spread.unwrap_or(mean)));
         for atom in pressure.limit_measure.iter().take(3) {
             lines.push(format!(
@@ -212,14 +159,8 @@ pub(crate) fn first_screen(problem: &Problem, solution: &Solution, folder: &Path
             lines.push(format!("wear      {}", wear.join(", ")));
         }
     }
-    if let Some(trip) = solution
-        .shape
-        .as_ref()
-        .and_then(|shape| shape.roundtrip_independent.or(shape.roundtrip_same))
-    {
-        lines.push(format!(
-            "proof     a contact solve on this shape returns the pressure within {trip:.1e}"
-        ));
+    if let Some(trip) = solution.shape.as_ref().and_then(|shape| shape.roundtrip_independent.or(shape.roundtrip_same)) {
+        lines.push(format!("proof     a contact solve on this shape returns the pressure within {trip:.1e}"));
     }
     for lint in problem.lints.iter().take(2) {
         lines.push(format!("note      {}", lint.message));
@@ -242,10 +183,7 @@ fn bracket(solution: &Solution) -> String {
     };
     let error = solution.error.as_ref().and_then(|error| {
         let pressure = error.pressure_relative.filter(|value| *value > 1e-14);
-        error
-            .gap_relative
-            .map(|value| ("gap", value))
-            .or(pressure.map(|value| ("pressure", value)))
+        error.gap_relative.map(|value| ("gap", value)).or(pressure.map(|value| ("pressure", value)))
     });
     match error {
         Some((what, value)) => format!("{status}, {what} error {value:.0e}"),

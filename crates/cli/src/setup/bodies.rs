@@ -24,11 +24,7 @@ pub(super) fn resolve(scene: &mut Scene, folder: &Path) -> Result<(), Fault> {
     };
     if !axisymmetric {
         let Some(thickness) = scene.thickness else {
-            return Err(missing(
-                "thickness",
-                "plane bodies need a thickness",
-                "thickness = 10",
-            ));
+            return Err(missing("thickness", "plane bodies need a thickness", "thickness = 10"));
         };
         positive("thickness", thickness.0, "thickness", " mm")?;
     }
@@ -36,11 +32,7 @@ pub(super) fn resolve(scene: &mut Scene, folder: &Path) -> Result<(), Fault> {
     for (name, body) in names.iter().zip([&mut scene.body1, &mut scene.body2]) {
         let Some(body) = body else {
             let why = "a scene has two bodies, or a `surface` alone";
-            return Err(missing(
-                name,
-                why,
-                &format!("{name}.geometry.rectangle = {{ x = [-30, 30], z = [0, 100] }}"),
-            ));
+            return Err(missing(name, why, &format!("{name}.geometry.rectangle = {{ x = [-30, 30], z = [0, 100] }}")));
         };
         one_body(name, body, axisymmetric)?;
     }
@@ -48,22 +40,12 @@ pub(super) fn resolve(scene: &mut Scene, folder: &Path) -> Result<(), Fault> {
 }
 
 fn friction(scene: &mut Scene) -> Result<(), Fault> {
-    let contact = scene.contact.get_or_insert(Contact {
-        edges: None,
-        friction: None,
-        shear: None,
-        gap: None,
-    });
+    let contact = scene.contact.get_or_insert(Contact { edges: None, friction: None, shear: None, gap: None });
     let friction = *contact.friction.get_or_insert(0.0);
     if !friction.is_finite() || friction < 0.0 {
         let message = format!("negative friction: contact.friction = {friction}");
         let remedy = "give a coefficient of friction of 0 or more; the sense of sliding is the sign of `sliding`";
-        return Err(Fault::at(
-            "contact.friction",
-            "wrong-value",
-            message,
-            remedy,
-        ));
+        return Err(Fault::at("contact.friction", "wrong-value", message, remedy));
     }
     contact.shear.get_or_insert(true);
     Ok(())
@@ -75,19 +57,13 @@ fn one_body(name: &str, body: &mut Body, axisymmetric: bool) -> Result<(), Fault
         Some(material) => check_material(&format!("{name}.material"), material)?,
         None => {
             let own = match &body.geometry {
-                Geometry::Blocks(blocks) => {
-                    blocks.cells.values().all(|cell| cell.material.is_some())
-                }
+                Geometry::Blocks(blocks) => blocks.cells.values().all(|cell| cell.material.is_some()),
                 Geometry::Mesh(mesh) => !mesh.materials.is_empty(),
                 _ => false,
             };
             if !own {
                 let example = format!("{name}.material = {{ young = \"210 GPa\", poisson = 0.3 }}");
-                return Err(missing(
-                    &format!("{name}.material"),
-                    "every body needs one",
-                    &example,
-                ));
+                return Err(missing(&format!("{name}.material"), "every body needs one", &example));
             }
         }
     }
@@ -97,43 +73,23 @@ fn one_body(name: &str, body: &mut Body, axisymmetric: bool) -> Result<(), Fault
         known_edge(&key, edge, edges.as_deref())?;
         if components.is_empty() {
             let message = format!("{key} holds nothing");
-            return Err(Fault::at(
-                key,
-                "wrong-value",
-                message,
-                "write the components held, as in [\"x\", \"z\"]",
-            ));
+            return Err(Fault::at(key, "wrong-value", message, "write the components held, as in [\"x\", \"z\"]"));
         }
         if components.contains(&Component::Phi) && !axisymmetric {
             let message = format!("{key}: \"phi\" is a component of axisymmetric bodies");
-            return Err(Fault::at(
-                key,
-                "wrong-value",
-                message,
-                "write \"x\" or \"z\" here",
-            ));
+            return Err(Fault::at(key, "wrong-value", message, "write \"x\" or \"z\" here"));
         }
     }
     Ok(())
 }
 
 fn check_material(key: &str, material: Material) -> Result<(), Fault> {
-    positive(
-        &format!("{key}.young"),
-        material.young.0,
-        "Young's modulus",
-        " MPa",
-    )?;
+    positive(&format!("{key}.young"), material.young.0, "Young's modulus", " MPa")?;
     let nu = material.poisson;
     if !(nu > -1.0 && nu < 0.5) {
         let message = format!("Poisson's ratio {nu} is not between -1 and 0.5");
         let remedy = "give a ratio from 0 to 0.49999, as in poisson = 0.3";
-        return Err(Fault::at(
-            format!("{key}.poisson"),
-            "wrong-value",
-            message,
-            remedy,
-        ));
+        return Err(Fault::at(format!("{key}.poisson"), "wrong-value", message, remedy));
     }
     Ok(())
 }
@@ -143,12 +99,7 @@ fn interval(key: &str, range: [Length; 2]) -> Result<(), Fault> {
         return Ok(());
     }
     let message = format!("{key} = [{}, {}] does not increase", range[0].0, range[1].0);
-    Err(Fault::at(
-        key,
-        "degenerate",
-        message,
-        "write [from, to] with from < to",
-    ))
+    Err(Fault::at(key, "degenerate", message, "write [from, to] with from < to"))
 }
 
 fn radii(key: &str, inner: Length, outer: Length) -> Result<(), Fault> {
@@ -156,29 +107,15 @@ fn radii(key: &str, inner: Length, outer: Length) -> Result<(), Fault> {
     if outer.0 > inner.0 && outer.0.is_finite() {
         return Ok(());
     }
-    let message = format!(
-        "the outer radius {} is not greater than the inner radius {}",
-        outer.0, inner.0
-    );
-    Err(Fault::at(
-        format!("{key}.outer"),
-        "degenerate",
-        message,
-        "give outer > inner",
-    ))
+    let message = format!("the outer radius {} is not greater than the inner radius {}", outer.0, inner.0);
+    Err(Fault::at(format!("{key}.outer"), "degenerate", message, "give outer > inner"))
 }
 
 fn geometry(name: &str, geometry: &mut Geometry, axisymmetric: bool) -> Result<(), Fault> {
     let key = format!("{name}.geometry.{}", template(geometry));
-    let plane_only = matches!(
-        geometry,
-        Geometry::ShoeBlock(_) | Geometry::Ring(_) | Geometry::RingSegment(_)
-    );
+    let plane_only = matches!(geometry, Geometry::ShoeBlock(_) | Geometry::Ring(_) | Geometry::RingSegment(_));
     if axisymmetric && plane_only {
-        let message = format!(
-            "{} is a plane template, the scene is axisymmetric",
-            template(geometry)
-        );
+        let message = format!("{} is a plane template, the scene is axisymmetric", template(geometry));
         let remedy = "use rectangle, half-disc, blocks or mesh, or kinematics = \"plane-stress\"";
         return Err(Fault::at(key, "wrong-value", message, remedy));
     }
@@ -187,29 +124,14 @@ fn geometry(name: &str, geometry: &mut Geometry, axisymmetric: bool) -> Result<(
             positive(&format!("{key}.radius"), shoe.radius.0, "radius", " mm")?;
             let angle = shoe.half_angle.0;
             if !(angle > 0.0 && angle < std::f64::consts::FRAC_PI_2) {
-                let message = format!(
-                    "half angle {} deg: the shoe must close somewhere along its arc and have sides",
-                    degrees(angle)
-                );
+                let message =
+                    format!("half angle {} deg: the shoe must close somewhere along its arc and have sides", degrees(angle));
                 let remedy = "give a half angle greater than 0 and less than 90 deg";
-                return Err(Fault::at(
-                    format!("{key}.half_angle"),
-                    "degenerate",
-                    message,
-                    remedy,
-                ));
+                return Err(Fault::at(format!("{key}.half_angle"), "degenerate", message, remedy));
             }
             if shoe.top.0 <= shoe.radius.0 || !shoe.top.0.is_finite() {
-                let message = format!(
-                    "the top at z = {} is not above the arc of radius {}",
-                    shoe.top.0, shoe.radius.0
-                );
-                return Err(Fault::at(
-                    format!("{key}.top"),
-                    "degenerate",
-                    message,
-                    "give top > radius",
-                ));
+                let message = format!("the top at z = {} is not above the arc of radius {}", shoe.top.0, shoe.radius.0);
+                return Err(Fault::at(format!("{key}.top"), "degenerate", message, "give top > radius"));
             }
         }
         Geometry::Ring(ring) => {
@@ -224,12 +146,7 @@ fn geometry(name: &str, geometry: &mut Geometry, axisymmetric: bool) -> Result<(
                     "the cuts x = {} and {} do not both cross the inner radius {}",
                     segment.x[0].0, segment.x[1].0, segment.inner.0
                 );
-                return Err(Fault::at(
-                    format!("{key}.x"),
-                    "degenerate",
-                    message,
-                    "give |x| < inner",
-                ));
+                return Err(Fault::at(format!("{key}.x"), "degenerate", message, "give |x| < inner"));
             }
         }
         Geometry::Rectangle(rectangle) => {
@@ -237,27 +154,14 @@ fn geometry(name: &str, geometry: &mut Geometry, axisymmetric: bool) -> Result<(
             interval(&format!("{key}.z"), rectangle.z)?;
             if axisymmetric && rectangle.x[0].0 < 0.0 {
                 let message = format!("an axisymmetric body reaches to r = {}", rectangle.x[0].0);
-                return Err(Fault::at(
-                    format!("{key}.x"),
-                    "degenerate",
-                    message,
-                    "give x = [from, to] with from >= 0",
-                ));
+                return Err(Fault::at(format!("{key}.x"), "degenerate", message, "give x = [from, to] with from >= 0"));
             }
         }
         Geometry::HalfDisc(disc) => {
             positive(&format!("{key}.radius"), disc.radius.0, "radius", " mm")?;
             if axisymmetric && disc.centre[0].0 != 0.0 {
-                let message = format!(
-                    "an axisymmetric half disc has its centre at r = {}",
-                    disc.centre[0].0
-                );
-                return Err(Fault::at(
-                    format!("{key}.centre"),
-                    "degenerate",
-                    message,
-                    "give centre = [0, z]",
-                ));
+                let message = format!("an axisymmetric half disc has its centre at r = {}", disc.centre[0].0);
+                return Err(Fault::at(format!("{key}.centre"), "degenerate", message, "give centre = [0, z]"));
             }
         }
         Geometry::Blocks(_) | Geometry::Mesh(_) => {}
@@ -305,38 +209,19 @@ pub(super) fn known_edge(key: &str, edge: &str, edges: Option<&[String]>) -> Res
         return Ok(());
     }
     let known: Vec<&str> = edges.iter().map(String::as_str).collect();
-    Err(Fault::at(
-        key,
-        "unknown-edge",
-        format!("there is no edge `{edge}` here"),
-        did_you_mean(edge, &known),
-    ))
+    Err(Fault::at(key, "unknown-edge", format!("there is no edge `{edge}` here"), did_you_mean(edge, &known)))
 }
 
 fn contact_edges(scene: &mut Scene, folder: &Path) -> Result<(), Fault> {
-    let (Some(body1), Some(body2), Some(contact)) =
-        (&scene.body1, &scene.body2, &mut scene.contact)
-    else {
+    let (Some(body1), Some(body2), Some(contact)) = (&scene.body1, &scene.body2, &mut scene.contact) else {
         return Ok(());
     };
     let Some(edges) = &contact.edges else {
         let why = "the scene must say which edges touch";
-        return Err(missing(
-            "contact.edges",
-            why,
-            "contact.edges = [\"bottom\", \"top\"]",
-        ));
+        return Err(missing("contact.edges", why, "contact.edges = [\"bottom\", \"top\"]"));
     };
-    known_edge(
-        "contact.edges.0",
-        &edges[0],
-        edge_names(&body1.geometry, false).as_deref(),
-    )?;
-    known_edge(
-        "contact.edges.1",
-        &edges[1],
-        edge_names(&body2.geometry, false).as_deref(),
-    )?;
+    known_edge("contact.edges.0", &edges[0], edge_names(&body1.geometry, false).as_deref())?;
+    known_edge("contact.edges.1", &edges[1], edge_names(&body2.geometry, false).as_deref())?;
     let gap = contact.gap.get_or_insert(Gap::Constant(0.0));
     match gap {
         Gap::Constant(0.0) => {}

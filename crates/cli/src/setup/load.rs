@@ -10,11 +10,7 @@ use crate::surface::Patch;
 use crate::units::{Length, Moment};
 
 /// Checks the load and fills in its defaults.
-pub(super) fn resolve(
-    scene: &mut Scene,
-    tasks: &[Task],
-    patch: Option<&Patch>,
-) -> Result<(), Fault> {
+pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) -> Result<(), Fault> {
     let Some(load) = &mut scene.load else {
         let example = if scene.surface.is_some() {
             "load = { force = \"10 kN\" }"
@@ -28,12 +24,7 @@ pub(super) fn resolve(
     }
     if load.force.is_some() && load.approach.is_some() {
         let message = "both `load.force` and `load.approach` are given";
-        return Err(Fault::at(
-            "load.approach",
-            "two-alternatives",
-            message,
-            "keep the force or the prescribed approach",
-        ));
+        return Err(Fault::at("load.approach", "two-alternatives", message, "keep the force or the prescribed approach"));
     }
     if load.moment.is_some() && load.tilt.is_some() {
         let message = "both `load.moment` and `load.tilt` are given";
@@ -46,17 +37,12 @@ pub(super) fn resolve(
     }
     if let Some(surface) = &mut scene.surface {
         if load.force.is_none() {
-            return Err(missing(
-                "load.force",
-                "nothing presses body 1 on body 2",
-                "load.force = \"10 kN\"",
-            ));
+            return Err(missing("load.force", "nothing presses body 1 on body 2", "load.force = \"10 kN\""));
         }
         match surface {
             SurfaceShape::PivotedShoe(shoe) => {
                 let angle = shoe.half_angle.0;
-                let neutral =
-                    4.0 * shoe.radius.0 * angle.sin() / (2.0 * angle + (2.0 * angle).sin());
+                let neutral = 4.0 * shoe.radius.0 * angle.sin() / (2.0 * angle + (2.0 * angle).sin());
                 shoe.pivot.get_or_insert(Length(neutral));
             }
             SurfaceShape::RectangularPunch(_) | SurfaceShape::EllipticPunch(_) => {
@@ -72,52 +58,26 @@ pub(super) fn resolve(
         return Ok(());
     };
     let Some(edge) = &load.edge else {
-        return Err(missing(
-            "load.edge",
-            "the load needs an edge of body 1",
-            "load.edge = \"top\"",
-        ));
+        return Err(missing("load.edge", "the load needs an edge of body 1", "load.edge = \"top\""));
     };
-    known_edge(
-        "load.edge",
-        edge,
-        edge_names(&body.geometry, false).as_deref(),
-    )?;
+    known_edge("load.edge", edge, edge_names(&body.geometry, false).as_deref())?;
     let Some(kind) = load.kind else {
-        return Err(missing(
-            "load.as",
-            "how does the load act?",
-            "load.as = \"pressure\" (or vertical, rigid)",
-        ));
+        return Err(missing("load.as", "how does the load act?", "load.as = \"pressure\" (or vertical, rigid)"));
     };
     if kind != LoadKind::Rigid {
         if load.force.is_none() {
-            return Err(missing(
-                "load.force",
-                "nothing presses body 1 on body 2",
-                "load.force = \"10 kN\"",
-            ));
+            return Err(missing("load.force", "nothing presses body 1 on body 2", "load.force = \"10 kN\""));
         }
         if kind == LoadKind::Vertical {
             let points = edge_points(&body.geometry, edge);
-            let ends = points.iter().fold((f64::MAX, f64::MIN), |(lo, hi), p| {
-                (lo.min(p[0]), hi.max(p[0]))
-            });
+            let ends = points.iter().fold((f64::MAX, f64::MIN), |(lo, hi), p| (lo.min(p[0]), hi.max(p[0])));
             let centre = load.centre.get_or_insert(Length(0.0)).0;
             if let Some(width) = load.width {
                 positive("load.width", width.0, "width", " mm")?;
                 let (from, to) = (centre - 0.5 * width.0, centre + 0.5 * width.0);
                 if !points.is_empty() && (from < ends.0 || to > ends.1) {
-                    let message = format!(
-                        "the loaded strip x = {from} to {to} leaves the edge, x = {} to {}",
-                        ends.0, ends.1
-                    );
-                    return Err(Fault::at(
-                        "load.width",
-                        "wrong-value",
-                        message,
-                        "give a narrower strip, or no width",
-                    ));
+                    let message = format!("the loaded strip x = {from} to {to} leaves the edge, x = {} to {}", ends.0, ends.1);
+                    return Err(Fault::at("load.width", "wrong-value", message, "give a narrower strip, or no width"));
                 }
             }
         }
@@ -141,21 +101,11 @@ pub(super) fn resolve(
     if let Some(time) = load.approach_time {
         worn_approach(scene, time.0)?;
     }
-    let shape_like = tasks.contains(&Task::Contact)
-        || tasks.contains(&Task::Wear)
-        || tasks.contains(&Task::Shape);
-    let approach = scene
-        .load
-        .as_ref()
-        .is_some_and(|load| load.approach.is_some());
+    let shape_like = tasks.contains(&Task::Contact) || tasks.contains(&Task::Wear) || tasks.contains(&Task::Shape);
+    let approach = scene.load.as_ref().is_some_and(|load| load.approach.is_some());
     if approach && !shape_like {
         let message = "the pressure alone needs a force, not an approach";
-        return Err(Fault::at(
-            "load.approach",
-            "wrong-value",
-            message,
-            "give load.force, or add \"contact\" to the tasks",
-        ));
+        return Err(Fault::at("load.approach", "wrong-value", message, "give load.force, or add \"contact\" to the tasks"));
     }
     Ok(())
 }
@@ -165,22 +115,12 @@ fn worn_approach(scene: &Scene, time: f64) -> Result<(), Fault> {
     use crate::scene::Functional;
     if !(time >= 0.0) {
         let message = format!("negative time: load.approach_time = {time} s");
-        return Err(Fault::at(
-            "load.approach_time",
-            "wrong-value",
-            message,
-            "give a time of 0 or more",
-        ));
+        return Err(Fault::at("load.approach_time", "wrong-value", message, "give a time of 0 or more"));
     }
     let load = scene.load.clone().unwrap_or_default();
     if load.approach.is_none() && load.tilt.is_none() {
         let message = "load.approach_time adds to a prescribed approach or tilt, and there is none";
-        return Err(Fault::at(
-            "load.approach_time",
-            "wrong-value",
-            message,
-            "give load.approach, or remove load.approach_time",
-        ));
+        return Err(Fault::at("load.approach_time", "wrong-value", message, "give load.approach, or remove load.approach_time"));
     }
     let optimum = scene.optimum.clone().unwrap_or_default();
     let b = scene.wear.as_ref().and_then(|wear| wear.b);
@@ -195,10 +135,5 @@ fn worn_approach(scene: &Scene, time: f64) -> Result<(), Fault> {
     }
     let message = "load.approach_time needs the feed of the wear, and this optimum's multiplier is not a velocity";
     let remedy = "use optimum.functional = \"steady\", or wear-power with q = 1 and b1 = b2";
-    Err(Fault::at(
-        "load.approach_time",
-        "wrong-value",
-        message,
-        remedy,
-    ))
+    Err(Fault::at("load.approach_time", "wrong-value", message, remedy))
 }

@@ -17,21 +17,13 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task]) -> Result<(), Fault> {
     if let Some(cap) = optimum.p_max {
         positive("optimum.p_max", cap.0, "pressure", " MPa")?;
     }
-    let with_q = matches!(
-        functional,
-        Functional::WearVolume | Functional::FrictionPower | Functional::WearPower
-    );
+    let with_q = matches!(functional, Functional::WearVolume | Functional::FrictionPower | Functional::WearPower);
     if !with_q {
         return Ok(());
     }
     let q = *optimum.q.get_or_insert(1.0);
     if q.is_nan() {
-        return Err(Fault::at(
-            "optimum.q",
-            "wrong-value",
-            "optimum.q is not a number",
-            "give any real number, or inf",
-        ));
+        return Err(Fault::at("optimum.q", "wrong-value", "optimum.q is not a number", "give any real number, or inf"));
     }
     let capped = optimum.p_max.is_some();
     let alone = tasks.iter().all(|task| *task == Task::Pressure);

@@ -7,12 +7,7 @@ use crate::scene::{Mesh, Scene, Task};
 pub(super) fn resolve(scene: &mut Scene) -> Result<Vec<Task>, Fault> {
     if scene.surface.is_some() && (scene.body1.is_some() || scene.body2.is_some()) {
         let message = "both `surface` and bodies are given";
-        return Err(Fault::at(
-            "surface",
-            "two-alternatives",
-            message,
-            "keep body1 and body2, or `surface` alone",
-        ));
+        return Err(Fault::at("surface", "two-alternatives", message, "keep body1 and body2, or `surface` alone"));
     }
     let default = match scene.surface {
         Some(_) => vec![Task::Pressure],
@@ -23,26 +18,13 @@ pub(super) fn resolve(scene: &mut Scene) -> Result<Vec<Task>, Fault> {
     tasks.dedup();
     if tasks.is_empty() {
         let remedy = "write some of pressure, contact, shape, wear, as in tasks = [\"pressure\"]";
-        return Err(Fault::at(
-            "tasks",
-            "wrong-value",
-            "the list of tasks is empty",
-            remedy,
-        ));
+        return Err(Fault::at("tasks", "wrong-value", "the list of tasks is empty", remedy));
     }
     if scene.surface.is_some()
         && let Some(task) = tasks.iter().find(|task| **task != Task::Pressure)
     {
-        let message = format!(
-            "a surface without bodies has a pressure, but no {}",
-            word(*task)
-        );
-        return Err(Fault::at(
-            "tasks",
-            "wrong-value",
-            message,
-            "write tasks = [\"pressure\"], or give body1 and body2",
-        ));
+        let message = format!("a surface without bodies has a pressure, but no {}", word(*task));
+        return Err(Fault::at("tasks", "wrong-value", message, "write tasks = [\"pressure\"], or give body1 and body2"));
     }
     scene.tasks = Some(tasks.clone());
     accuracy(scene)?;
@@ -68,53 +50,28 @@ fn accuracy(scene: &mut Scene) -> Result<(), Fault> {
     {
         let message = "both `accuracy` and `mesh.degree` are given";
         let remedy = "keep `accuracy`, from which the mesh follows, or a fixed `mesh`";
-        return Err(Fault::at(
-            "mesh.degree",
-            "two-alternatives",
-            message,
-            remedy,
-        ));
+        return Err(Fault::at("mesh.degree", "two-alternatives", message, remedy));
     }
     if let Some(mesh) = &mut scene.mesh {
         match mesh.degree {
             Some(degree) if !(1..=24).contains(&degree) => {
                 let message = format!("mesh.degree = {degree} is out of range");
-                return Err(Fault::at(
-                    "mesh.degree",
-                    "wrong-value",
-                    message,
-                    "give a degree from 1 to 24",
-                ));
+                return Err(Fault::at("mesh.degree", "wrong-value", message, "give a degree from 1 to 24"));
             }
             None if scene.accuracy.is_none() => {
-                return Err(super::missing(
-                    "mesh.degree",
-                    "a fixed mesh needs its degree",
-                    "mesh.degree = 8",
-                ));
+                return Err(super::missing("mesh.degree", "a fixed mesh needs its degree", "mesh.degree = 8"));
             }
             _ => {}
         }
         if let Some(layers) = mesh.layers.filter(|layers| *layers > 60) {
             let message = format!("mesh.layers = {layers} is out of range");
-            return Err(Fault::at(
-                "mesh.layers",
-                "wrong-value",
-                message,
-                "give 0 to 60 layers",
-            ));
+            return Err(Fault::at("mesh.layers", "wrong-value", message, "give 0 to 60 layers"));
         }
         if mesh.degree.is_some() && mesh.layers.is_none() {
-            scene.mesh = Some(Mesh {
-                layers: mesh.degree.map(|degree| degree.saturating_sub(2).max(1)),
-                ..mesh.clone()
-            });
+            scene.mesh = Some(Mesh { layers: mesh.degree.map(|degree| degree.saturating_sub(2).max(1)), ..mesh.clone() });
         }
     }
-    let fixed = scene
-        .mesh
-        .as_ref()
-        .is_some_and(|mesh| mesh.degree.is_some());
+    let fixed = scene.mesh.as_ref().is_some_and(|mesh| mesh.degree.is_some());
     if fixed {
         return Ok(());
     }

@@ -8,11 +8,7 @@ pub(super) fn keys(document: &Document, scene: &Scene, tasks: &[Task]) -> Vec<St
     let mut unused = Vec::new();
     let mut when = |condition: bool, keys: &[&str]| {
         if condition {
-            unused.extend(
-                keys.iter()
-                    .filter(|key| document.has(key))
-                    .map(|key| key.to_string()),
-            );
+            unused.extend(keys.iter().filter(|key| document.has(key)).map(|key| key.to_string()));
         }
     };
     let axisymmetric = scene.kinematics == Some(Kinematics::Axisymmetric);
@@ -21,101 +17,35 @@ pub(super) fn keys(document: &Document, scene: &Scene, tasks: &[Task]) -> Vec<St
     let optimal = tasks.contains(&Task::Pressure) || tasks.contains(&Task::Shape);
     let wears = tasks.contains(&Task::Wear);
     when(axisymmetric || bare, &["thickness"]);
-    when(
-        bare,
-        &[
-            "kinematics",
-            "contact.edges",
-            "contact.gap",
-            "load.edge",
-            "load.as",
-        ],
-    );
+    when(bare, &["kinematics", "contact.edges", "contact.gap", "load.edge", "load.as"]);
     when(!tasks.contains(&Task::Shape), &["check"]);
     when(pressure_only, &["mesh.degree", "mesh.layers"]);
-    let flat = matches!(
-        scene
-            .contact
-            .as_ref()
-            .and_then(|contact| contact.gap.as_ref()),
-        None | Some(crate::gap::Gap::Constant(_))
-    );
+    let flat =
+        matches!(scene.contact.as_ref().and_then(|contact| contact.gap.as_ref()), None | Some(crate::gap::Gap::Constant(_)));
     when(pressure_only && !flat, &["contact.gap"]);
     when(pressure_only, &["output.fields"]);
-    let timed = matches!(
-        scene.wear.as_ref().and_then(|wear| wear.until),
-        Some(crate::gap::Until::Time(_))
-    );
+    let timed = matches!(scene.wear.as_ref().and_then(|wear| wear.until), Some(crate::gap::Until::Time(_)));
     when(!wears && timed, &["wear.until"]);
     let kind = scene.load.as_ref().and_then(|load| load.kind);
     let rigid = kind == Some(LoadKind::Rigid);
-    when(
-        !rigid,
-        &[
-            "load.approach",
-            "load.tilt",
-            "load.approach_time",
-            "load.shear_force",
-        ],
-    );
+    when(!rigid, &["load.approach", "load.tilt", "load.approach_time", "load.shear_force"]);
     let punch = matches!(
         scene.surface,
-        Some(
-            crate::geometry::SurfaceShape::RectangularPunch(_)
-                | crate::geometry::SurfaceShape::EllipticPunch(_)
-        )
+        Some(crate::geometry::SurfaceShape::RectangularPunch(_) | crate::geometry::SurfaceShape::EllipticPunch(_))
     );
     let no_moment = if bare { !punch } else { !rigid || axisymmetric };
     when(no_moment, &["load.moment", "load.about"]);
     when(!punch, &["load.moment_y"]);
     when(rigid && axisymmetric, &["load.tilt"]);
-    when(
-        kind != Some(LoadKind::Vertical),
-        &["load.width", "load.centre"],
-    );
-    let functional = scene
-        .optimum
-        .as_ref()
-        .and_then(|optimum| optimum.functional);
-    when(
-        !optimal,
-        &[
-            "optimum.functional",
-            "optimum.q",
-            "optimum.balance",
-            "optimum.modes",
-            "optimum.p_max",
-        ],
-    );
-    when(
-        optimal && matches!(functional, Some(Functional::Steady | Functional::Uniform)),
-        &["optimum.q"],
-    );
-    when(
-        optimal && functional == Some(Functional::Uniform),
-        &["optimum.modes"],
-    );
+    when(kind != Some(LoadKind::Vertical), &["load.width", "load.centre"]);
+    let functional = scene.optimum.as_ref().and_then(|optimum| optimum.functional);
+    when(!optimal, &["optimum.functional", "optimum.q", "optimum.balance", "optimum.modes", "optimum.p_max"]);
+    when(optimal && matches!(functional, Some(Functional::Steady | Functional::Uniform)), &["optimum.q"]);
+    when(optimal && functional == Some(Functional::Uniform), &["optimum.modes"]);
     let contact_only = tasks == [Task::Contact];
-    when(
-        contact_only,
-        &[
-            "wear.beta",
-            "wear.k",
-            "wear.a",
-            "wear.b",
-            "wear.counterface",
-        ],
-    );
-    let slides = scene
-        .contact
-        .as_ref()
-        .and_then(|contact| contact.friction)
-        .unwrap_or(0.0)
-        > 0.0;
-    when(
-        contact_only && !slides,
-        &["sliding.omega", "sliding.speed", "contact.shear"],
-    );
+    when(contact_only, &["wear.beta", "wear.k", "wear.a", "wear.b", "wear.counterface"]);
+    let slides = scene.contact.as_ref().and_then(|contact| contact.friction).unwrap_or(0.0) > 0.0;
+    when(contact_only && !slides, &["sliding.omega", "sliding.speed", "contact.shear"]);
     unused.sort();
     unused.dedup();
     unused

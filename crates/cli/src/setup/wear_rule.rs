@@ -7,73 +7,40 @@ use crate::surface::{Patch, PatchKind};
 use crate::units::{Pair, WearFactor};
 
 /// Checks the wear rule and the sliding, and fills in their defaults.
-pub(super) fn resolve(
-    scene: &mut Scene,
-    tasks: &[Task],
-    patch: Option<&Patch>,
-) -> Result<(), Fault> {
+pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) -> Result<(), Fault> {
     let contact_only = tasks == [Task::Contact];
-    let uniform = scene
-        .optimum
-        .as_ref()
-        .and_then(|optimum| optimum.functional)
-        == Some(Functional::Uniform);
+    let uniform = scene.optimum.as_ref().and_then(|optimum| optimum.functional) == Some(Functional::Uniform);
     let wants_wear = tasks.contains(&Task::Wear) || (!contact_only && !uniform);
-    let friction = scene
-        .contact
-        .as_ref()
-        .and_then(|contact| contact.friction)
-        .unwrap_or(0.0);
+    let friction = scene.contact.as_ref().and_then(|contact| contact.friction).unwrap_or(0.0);
     if scene.sliding.is_none() && (wants_wear || (!contact_only && friction > 0.0)) {
         let turning = patch.is_none_or(|patch| patch.kind != PatchKind::Plane);
-        let example = if turning {
-            "sliding = { omega = \"2.5 rad/s\" }"
-        } else {
-            "sliding = { speed = \"5 mm/s\" }"
-        };
+        let example = if turning { "sliding = { omega = \"2.5 rad/s\" }" } else { "sliding = { speed = \"5 mm/s\" }" };
         return Err(missing("sliding", "wear needs sliding", example));
     }
     let Some(wear) = &mut scene.wear else {
         if wants_wear {
-            return Err(missing(
-                "wear",
-                "the wear rule is not given",
-                "wear = { beta = 2e-4, a = 1, b = 1 }",
-            ));
+            return Err(missing("wear", "the wear rule is not given", "wear = { beta = 2e-4, a = 1, b = 1 }"));
         }
         return Ok(());
     };
     let (b1, b2) = exponents(wear)?;
     let (name, factors) = factors(wear)?;
     let two_wear = factors.iter().all(|factor| factor.value > 0.0);
-    if name == "beta"
-        && friction == 0.0
-        && !contact_only
-        && (tasks == [Task::Wear] || (two_wear && b1 != b2))
-    {
+    if name == "beta" && friction == 0.0 && !contact_only && (tasks == [Task::Wear] || (two_wear && b1 != b2)) {
         let message = if tasks == [Task::Wear] {
-            "contact.friction = 0 with wear.beta means no wear, and wear is all that is asked for"
-                .to_string()
+            "contact.friction = 0 with wear.beta means no wear, and wear is all that is asked for".to_string()
         } else {
-            format!(
-                "contact.friction = 0 with wear.beta leaves open which body wears more (b = [{b1}, {b2}])"
-            )
+            format!("contact.friction = 0 with wear.beta leaves open which body wears more (b = [{b1}, {b2}])")
         };
         let remedy = "give Archard's factors without friction in them, as in wear.k = 1e-7, or contact.friction > 0";
-        let key = if tasks == [Task::Wear] {
-            "contact.friction"
-        } else {
-            "wear.beta"
-        };
+        let key = if tasks == [Task::Wear] { "contact.friction" } else { "wear.beta" };
         return Err(Fault::at(key, "no-wear", message, remedy));
     }
     let default = match patch.map(|patch| patch.kind) {
         Some(PatchKind::Plane) => Counterface::Fresh,
         Some(PatchKind::Ring) => Counterface::Congruent,
         Some(PatchKind::Turning) => Counterface::Revolving,
-        None if scene.kinematics == Some(crate::scene::Kinematics::Axisymmetric) => {
-            Counterface::Congruent
-        }
+        None if scene.kinematics == Some(crate::scene::Kinematics::Axisymmetric) => Counterface::Congruent,
         None => Counterface::Fresh,
     };
     wear.counterface.get_or_insert(default);
@@ -95,28 +62,13 @@ fn exponents(wear: &mut Wear) -> Result<(f64, f64), Fault> {
         };
         for (value, key) in values.iter().zip(keys) {
             if !value.is_finite() || *value < lowest {
-                return Err(Fault::at(
-                    key,
-                    "wrong-value",
-                    format!("the exponent {value} is out of range"),
-                    remedy,
-                ));
+                return Err(Fault::at(key, "wrong-value", format!("the exponent {value} is out of range"), remedy));
             }
         }
         Ok(values)
     };
-    let a = pair(
-        "wear.a",
-        wear.a,
-        0.0,
-        "give an exponent of the speed of 0 or more, as in a = 1",
-    )?;
-    let b = pair(
-        "wear.b",
-        wear.b,
-        1e-3,
-        "give an exponent of the pressure greater than 0, as in b = 1",
-    )?;
+    let a = pair("wear.a", wear.a, 0.0, "give an exponent of the speed of 0 or more, as in a = 1")?;
+    let b = pair("wear.b", wear.b, 1e-3, "give an exponent of the pressure greater than 0, as in b = 1")?;
     wear.a = Some(Pair::Two(a));
     wear.b = Some(Pair::Two(b));
     Ok((b[0], b[1]))
@@ -132,11 +84,7 @@ fn factors(wear: &mut Wear) -> Result<(&'static str, [WearFactor; 2]), Fault> {
         (Some(beta), None) => ("beta", beta),
         (None, Some(k)) => ("k", k),
         (None, None) => {
-            return Err(missing(
-                "wear.beta",
-                "no wear factor is given",
-                "wear.beta = 2e-4 (or wear.k)",
-            ));
+            return Err(missing("wear.beta", "no wear factor is given", "wear.beta = 2e-4 (or wear.k)"));
         }
     };
     let factors = match given {
@@ -150,44 +98,21 @@ fn factors(wear: &mut Wear) -> Result<(&'static str, [WearFactor; 2]), Fault> {
         return Ok((name, factors));
     };
     for (place, (factor, (a, b))) in factors.iter().zip([(a1, b1), (a2, b2)]).enumerate() {
-        let key = if matches!(given, Pair::One(_)) {
-            format!("wear.{name}")
-        } else {
-            format!("wear.{name}.{place}")
-        };
+        let key = if matches!(given, Pair::One(_)) { format!("wear.{name}") } else { format!("wear.{name}.{place}") };
         if factor.value < 0.0 {
             let message = format!("negative wear factor {}", factor.value);
-            return Err(Fault::at(
-                key,
-                "wrong-value",
-                message,
-                "give a factor of 0 or more",
-            ));
+            return Err(Fault::at(key, "wrong-value", message, "give a factor of 0 or more"));
         }
         if factor.has_unit && (a != 1.0 || b != 1.0) {
-            let message =
-                format!("a wear factor with a unit is for a = b = 1, and here a = {a}, b = {b}");
-            return Err(Fault::at(
-                key,
-                "wrong-unit",
-                message,
-                "give the bare number in N, mm, s",
-            ));
+            let message = format!("a wear factor with a unit is for a = b = 1, and here a = {a}, b = {b}");
+            return Err(Fault::at(key, "wrong-unit", message, "give the bare number in N, mm, s"));
         }
     }
     if factors.iter().all(|factor| factor.value == 0.0) {
         let message = "both wear factors are 0: nothing wears";
-        return Err(Fault::at(
-            format!("wear.{name}"),
-            "no-wear",
-            message,
-            "give one of them a value greater than 0",
-        ));
+        return Err(Fault::at(format!("wear.{name}"), "no-wear", message, "give one of them a value greater than 0"));
     }
-    let plain = factors.map(|factor| WearFactor {
-        has_unit: false,
-        ..factor
-    });
+    let plain = factors.map(|factor| WearFactor { has_unit: false, ..factor });
     match name {
         "beta" => wear.beta = Some(Pair::Two(plain)),
         _ => wear.k = Some(Pair::Two(plain)),

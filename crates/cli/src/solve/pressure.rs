@@ -13,28 +13,13 @@ use crate::surface::Patch;
 use crate::units::Pair;
 
 /// Solves for the optimal pressure and fills in the profile.
-pub(super) fn solve(
-    problem: &Problem,
-    options: Options,
-    solution: &mut Solution,
-) -> Result<(), Fault> {
+pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution) -> Result<(), Fault> {
     let Some(patch) = &problem.patch else {
         let message = "the contact surface of this geometry is not known before it is meshed, so it has no optimal pressure yet";
-        return Err(Fault::at(
-            "tasks",
-            "not-available",
-            message,
-            "ask for tasks = [\"contact\"]",
-        ));
+        return Err(Fault::at("tasks", "not-available", message, "ask for tasks = [\"contact\"]"));
     };
-    let wear = wear_problem(&problem.scene, patch, &problem.freedoms).map_err(|error| {
-        Fault::at(
-            "wear",
-            "wrong-value",
-            error.to_string(),
-            "mend the numbers in the message",
-        )
-    })?;
+    let wear = wear_problem(&problem.scene, patch, &problem.freedoms)
+        .map_err(|error| Fault::at("wear", "wrong-value", error.to_string(), "mend the numbers in the message"))?;
     let mut result = description(&problem.scene);
     match wear::optimal_pressure(&wear) {
         Ok(optimum) => {
@@ -67,11 +52,7 @@ pub(super) fn solve(
 }
 
 /// The scene in the words of the theory.
-pub(crate) fn wear_problem(
-    scene: &Scene,
-    patch: &Patch,
-    freedoms: &[Freedom],
-) -> Result<wear::Problem, WearError> {
+pub(crate) fn wear_problem(scene: &Scene, patch: &Patch, freedoms: &[Freedom]) -> Result<wear::Problem, WearError> {
     let contact = scene.contact.as_ref();
     let friction = contact.and_then(|contact| contact.friction).unwrap_or(0.0);
     let optimum = scene.optimum.clone().unwrap_or_default();
@@ -125,11 +106,7 @@ pub(crate) fn wear_pair(scene: &Scene, friction: f64) -> Result<WearPair, WearEr
 
 fn description(scene: &Scene) -> PressureResult {
     let optimum = scene.optimum.clone().unwrap_or_default();
-    let word = |value: Option<serde_json::Value>| {
-        value
-            .and_then(|value| value.as_str().map(str::to_string))
-            .unwrap_or_default()
-    };
+    let word = |value: Option<serde_json::Value>| value.and_then(|value| value.as_str().map(str::to_string)).unwrap_or_default();
     let functional = optimum.functional.unwrap_or(Functional::Steady);
     PressureResult {
         functional: word(serde_json::to_value(functional).ok()),
@@ -169,12 +146,7 @@ fn describe(result: &mut PressureResult, optimum: &Optimum, freedoms: &[Freedom]
     .into();
     let atoms = optimum.limit_measure.iter();
     result.limit_measure = atoms
-        .map(|atom| PointForce {
-            x_mm: atom.position.x,
-            y_mm: atom.position.y,
-            z_mm: atom.position.z,
-            force_N: atom.force,
-        })
+        .map(|atom| PointForce { x_mm: atom.position.x, y_mm: atom.position.y, z_mm: atom.position.z, force_N: atom.force })
         .collect();
     result.multipliers = by_role(&optimum.multipliers, freedoms);
     result.feed = optimum.feed.as_ref().map(|feed| by_role(feed, freedoms));
@@ -199,12 +171,7 @@ fn describe(result: &mut PressureResult, optimum: &Optimum, freedoms: &[Freedom]
 pub(crate) fn place(shape: &Shape, point: &SurfacePoint) -> f64 {
     let position = point.position;
     match shape {
-        Shape::Arc {
-            radius,
-            centre,
-            angles,
-            ..
-        } => {
+        Shape::Arc { radius, centre, angles, .. } => {
             let from = position - centre;
             radius * (from.x.atan2(from.z) - 0.5 * (angles[0] + angles[1]))
         }
@@ -214,31 +181,20 @@ pub(crate) fn place(shape: &Shape, point: &SurfacePoint) -> f64 {
     }
 }
 
-fn profile(
-    problem: &wear::Problem,
-    patch: &Patch,
-    optimum: &Optimum,
-    points: Vec<SurfacePoint>,
-) -> Profile {
+fn profile(problem: &wear::Problem, patch: &Patch, optimum: &Optimum, points: Vec<SurfacePoint>) -> Profile {
     let shape = patch.surface.shape();
     let s = points.iter().map(|point| place(shape, point)).collect();
     let mut profile = Profile::new(s, &points);
     if optimum.regime == Regime::Singular {
         return profile;
     }
-    let shear = if problem.shear_in_balance {
-        problem.friction
-    } else {
-        0.0
-    };
+    let shear = if problem.shear_in_balance { problem.friction } else { 0.0 };
     for (row, point) in points.iter().enumerate() {
         let pressure = optimum.pressure_at(point);
         profile.pressure[row] = pressure;
         profile.shear[row] = shear * pressure;
         let worn = (0..2).filter(|body| problem.wear.wears(*body));
-        let rate: f64 = worn
-            .map(|body| wear::wear_rate(&problem.wear.laws[body], pressure, point.sliding_speed))
-            .sum();
+        let rate: f64 = worn.map(|body| wear::wear_rate(&problem.wear.laws[body], pressure, point.sliding_speed)).sum();
         profile.wear_rate[row] = 1e3 * rate;
         profile.status[row] = if pressure > 0.0 { "contact" } else { "open" };
     }

@@ -23,47 +23,22 @@ pub(super) const LENGTH: Dimension = Dimension {
         ("in", 25.4, 1.0),
     ],
 };
-pub(super) const FORCE: Dimension = Dimension {
-    word: "force",
-    base: "N",
-    units: &[
-        ("N", 1.0, 1.0),
-        ("kN", 1e3, 1.0),
-        ("MN", 1e6, 1.0),
-        ("mN", 1.0, 1e3),
-    ],
-};
+pub(super) const FORCE: Dimension =
+    Dimension { word: "force", base: "N", units: &[("N", 1.0, 1.0), ("kN", 1e3, 1.0), ("MN", 1e6, 1.0), ("mN", 1.0, 1e3)] };
 pub(super) const PRESSURE: Dimension = Dimension {
     word: "pressure or modulus",
     base: "MPa",
-    units: &[
-        ("MPa", 1.0, 1.0),
-        ("GPa", 1e3, 1.0),
-        ("kPa", 1.0, 1e3),
-        ("Pa", 1.0, 1e6),
-        ("bar", 1.0, 10.0),
-        ("N/mm^2", 1.0, 1.0),
-    ],
+    units: &[("MPa", 1.0, 1.0), ("GPa", 1e3, 1.0), ("kPa", 1.0, 1e3), ("Pa", 1.0, 1e6), ("bar", 1.0, 10.0), ("N/mm^2", 1.0, 1.0)],
 };
 pub(super) const ANGLE: Dimension = Dimension {
     word: "angle",
     base: "rad",
-    units: &[
-        ("rad", 1.0, 1.0),
-        ("deg", std::f64::consts::PI, 180.0),
-        ("mrad", 1.0, 1e3),
-    ],
+    units: &[("rad", 1.0, 1.0), ("deg", std::f64::consts::PI, 180.0), ("mrad", 1.0, 1e3)],
 };
 pub(super) const SPEED: Dimension = Dimension {
     word: "speed",
     base: "mm/s",
-    units: &[
-        ("mm/s", 1.0, 1.0),
-        ("m/s", 1e3, 1.0),
-        ("um/s", 1.0, 1e3),
-        ("m/min", 1e3, 60.0),
-        ("km/h", 1e6, 3600.0),
-    ],
+    units: &[("mm/s", 1.0, 1.0), ("m/s", 1e3, 1.0), ("um/s", 1.0, 1e3), ("m/min", 1e3, 60.0), ("km/h", 1e6, 3600.0)],
 };
 pub(super) const ANGULAR_SPEED: Dimension = Dimension {
     word: "angular speed",
@@ -75,27 +50,12 @@ pub(super) const ANGULAR_SPEED: Dimension = Dimension {
         ("deg/s", std::f64::consts::PI, 180.0),
     ],
 };
-pub(super) const TIME: Dimension = Dimension {
-    word: "time",
-    base: "s",
-    units: &[
-        ("s", 1.0, 1.0),
-        ("ms", 1.0, 1e3),
-        ("min", 60.0, 1.0),
-        ("h", 3600.0, 1.0),
-    ],
-};
+pub(super) const TIME: Dimension =
+    Dimension { word: "time", base: "s", units: &[("s", 1.0, 1.0), ("ms", 1.0, 1e3), ("min", 60.0, 1.0), ("h", 3600.0, 1.0)] };
 pub(super) const MOMENT: Dimension = Dimension {
     word: "moment",
     base: "N mm",
-    units: &[
-        ("N mm", 1.0, 1.0),
-        ("N m", 1e3, 1.0),
-        ("kN mm", 1e3, 1.0),
-        ("kN m", 1e6, 1.0),
-        ("Nmm", 1.0, 1.0),
-        ("Nm", 1e3, 1.0),
-    ],
+    units: &[("N mm", 1.0, 1.0), ("N m", 1e3, 1.0), ("kN mm", 1e3, 1.0), ("kN m", 1e6, 1.0), ("Nmm", 1.0, 1.0), ("Nm", 1e3, 1.0)],
 };
 pub(super) const WEAR_FACTOR: Dimension = Dimension {
     word: "wear factor",
@@ -115,31 +75,17 @@ pub(super) const WEAR_FACTOR: Dimension = Dimension {
 impl Dimension {
     /// What to write.
     pub(super) fn expected(&self) -> String {
-        let units: Vec<&str> = self
-            .units
-            .iter()
-            .map(|unit| unit.0)
-            .filter(|unit| unit.is_ascii())
-            .collect();
-        format!(
-            "a {} as a number in {}, or a string with one of the units {}",
-            self.word,
-            self.base,
-            units.join(", ")
-        )
+        let units: Vec<&str> = self.units.iter().map(|unit| unit.0).filter(|unit| unit.is_ascii()).collect();
+        format!("a {} as a number in {}, or a string with one of the units {}", self.word, self.base, units.join(", "))
     }
 
     /// The value in the base unit, and whether a unit was written.
     pub(super) fn parse(&self, text: &str) -> Result<(f64, bool), String> {
         let trimmed = text.trim();
         let end = number_end(trimmed);
-        let number: f64 = trimmed[..end].parse().map_err(|_| {
-            format!(
-                "\"{text}\" is not a {}: no number at its beginning\nwrite {}",
-                self.word,
-                self.expected()
-            )
-        })?;
+        let number: f64 = trimmed[..end]
+            .parse()
+            .map_err(|_| format!("\"{text}\" is not a {}: no number at its beginning\nwrite {}", self.word, self.expected()))?;
         let unit = normal(&trimmed[end..]);
         if unit.is_empty() {
             return Ok((number, false));
@@ -148,11 +94,7 @@ impl Dimension {
             Some((_, numerator, denominator)) => Ok((number * numerator / denominator, true)),
             None => {
                 let unit = trimmed[end..].trim();
-                Err(format!(
-                    "wrong unit: `{unit}` does not measure a {}\nwrite {}",
-                    self.word,
-                    self.expected()
-                ))
+                Err(format!("wrong unit: `{unit}` does not measure a {}\nwrite {}", self.word, self.expected()))
             }
         }
     }
@@ -175,16 +117,11 @@ fn number_end(text: &str) -> usize {
         let exponent = at > 0
             && matches!(bytes[at], b'e' | b'E')
             && bytes.get(at + 1).is_some_and(|next| {
-                next.is_ascii_digit()
-                    || (matches!(next, b'+' | b'-')
-                        && bytes.get(at + 2).is_some_and(u8::is_ascii_digit))
+                next.is_ascii_digit() || (matches!(next, b'+' | b'-') && bytes.get(at + 2).is_some_and(u8::is_ascii_digit))
             });
         if exponent {
             at += 2;
-        } else if bytes[at].is_ascii_digit()
-            || bytes[at] == b'.'
-            || (at == 0 && matches!(bytes[at], b'+' | b'-'))
-        {
+        } else if bytes[at].is_ascii_digit() || bytes[at] == b'.' || (at == 0 && matches!(bytes[at], b'+' | b'-')) {
             at += 1;
         } else {
             break;
@@ -204,15 +141,9 @@ mod tests {
         assert_eq!(length("2in"), Ok(50.8));
         assert_eq!(length(".5m"), Ok(500.0));
         assert_eq!(PRESSURE.parse("210 GPa"), Ok((210e3, true)));
-        assert_eq!(
-            ANGLE.parse("30 deg").map(|p| p.0),
-            Ok(30.0 * std::f64::consts::PI / 180.0)
-        );
+        assert_eq!(ANGLE.parse("30 deg").map(|p| p.0), Ok(30.0 * std::f64::consts::PI / 180.0));
         assert_eq!(MOMENT.parse("-5 kN*mm"), Ok((-5e3, true)));
-        assert_eq!(
-            WEAR_FACTOR.parse("1.33e-7 mm^3/(N m)"),
-            Ok((1.33e-10, true))
-        );
+        assert_eq!(WEAR_FACTOR.parse("1.33e-7 mm^3/(N m)"), Ok((1.33e-10, true)));
         assert_eq!(FORCE.parse("1e3"), Ok((1e3, false)));
     }
 

@@ -39,12 +39,8 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for Pair<T> {
             }
 
             fn visit_seq<A: de::SeqAccess<'de>>(self, mut list: A) -> Result<Pair<T>, A::Error> {
-                let first = list
-                    .next_element()?
-                    .ok_or_else(|| de::Error::invalid_length(0, &self))?;
-                let second = list
-                    .next_element()?
-                    .ok_or_else(|| de::Error::invalid_length(1, &self))?;
+                let first = list.next_element()?.ok_or_else(|| de::Error::invalid_length(0, &self))?;
+                let second = list.next_element()?.ok_or_else(|| de::Error::invalid_length(1, &self))?;
                 if list.next_element::<de::IgnoredAny>()?.is_some() {
                     return Err(de::Error::invalid_length(3, &self));
                 }

@@ -35,34 +35,15 @@ fn refused(text: &str, line: Option<usize>, message: &str, remedy: &str) {
     for command in ["check scene.toml", "run scene.toml"] {
         let call = bench.call(command);
         assert_eq!(call.code, 2, "{command}: {}{}", call.out, call.err);
-        assert!(
-            call.err.contains(message),
-            "{command}: no `{message}` in\n{}",
-            call.err
-        );
+        assert!(call.err.contains(message), "{command}: no `{message}` in\n{}", call.err);
         let said = call.err.split("remedy: ").nth(1).unwrap_or_default();
-        assert!(
-            said.contains(remedy),
-            "{command}: no remedy `{remedy}` in\n{}",
-            call.err
-        );
+        assert!(said.contains(remedy), "{command}: no remedy `{remedy}` in\n{}", call.err);
         if let Some(line) = line {
-            assert!(
-                call.err.contains(&format!("scene.toml:{line}:")),
-                "{command}: not line {line}:\n{}",
-                call.err
-            );
+            assert!(call.err.contains(&format!("scene.toml:{line}:")), "{command}: not line {line}:\n{}", call.err);
         }
-        assert!(
-            call.out.is_empty(),
-            "{command}: errors belong on stderr: {}",
-            call.out
-        );
+        assert!(call.out.is_empty(), "{command}: errors belong on stderr: {}", call.out);
     }
-    assert!(
-        !bench.path("out").exists(),
-        "a scene that is refused on reading leaves no folder"
-    );
+    assert!(!bench.path("out").exists(), "a scene that is refused on reading leaves no folder");
 }
 
 #[test]
@@ -75,92 +56,48 @@ fn the_sound_scene_is_sound() {
 
 #[test]
 fn an_unknown_key_is_named_with_the_one_meant() {
-    broken(
-        "thickness = 10",
-        "thicknes = 10",
-        "unknown key `thicknes`",
-        "did you mean `thickness`?",
-    );
+    broken("thickness = 10", "thicknes = 10", "unknown key `thicknes`", "did you mean `thickness`?");
 }
 
 #[test]
 fn an_unknown_key_inside_a_table_is_named() {
-    broken(
-        "friction = 0.25",
-        "frction = 0.25",
-        "unknown key `frction`",
-        "`friction`",
-    );
+    broken("friction = 0.25", "frction = 0.25", "unknown key `frction`", "`friction`");
 }
 
 #[test]
 fn a_wrong_unit_is_named_with_the_known_ones() {
-    broken(
-        "force = \"10 kN\"",
-        "force = \"10 kg\"",
-        "`kg` does not measure a force",
-        "N, kN",
-    );
+    broken("force = \"10 kN\"", "force = \"10 kg\"", "`kg` does not measure a force", "N, kN");
 }
 
 #[test]
 fn a_negative_thickness_is_refused() {
-    broken(
-        "thickness = 10",
-        "thickness = -10",
-        "negative thickness",
-        "greater than 0",
-    );
+    broken("thickness = 10", "thickness = -10", "negative thickness", "greater than 0");
 }
 
 #[test]
 fn a_missing_load_is_refused() {
-    let text = SOUND
-        .lines()
-        .filter(|line| !line.starts_with("load"))
-        .collect::<Vec<_>>()
-        .join("\n");
+    let text = SOUND.lines().filter(|line| !line.starts_with("load")).collect::<Vec<_>>().join("\n");
     refused(&text, None, "`load` is missing", "add `load = ");
 }
 
 #[test]
 fn a_load_without_force_is_refused() {
-    broken(
-        ", force = \"10 kN\"",
-        "",
-        "`load.force` is missing",
-        "load.force = ",
-    );
+    broken(", force = \"10 kN\"", "", "`load.force` is missing", "load.force = ");
 }
 
 #[test]
 fn a_modulus_of_zero_is_refused() {
-    broken(
-        "young = \"210 GPa\"",
-        "young = 0",
-        "zero Young's modulus",
-        "greater than 0",
-    );
+    broken("young = \"210 GPa\"", "young = 0", "zero Young's modulus", "greater than 0");
 }
 
 #[test]
 fn a_half_angle_of_90_degrees_is_refused() {
-    broken(
-        "\"30 deg\"",
-        "\"90 deg\"",
-        "half angle 90",
-        "less than 90 deg",
-    );
+    broken("\"30 deg\"", "\"90 deg\"", "half angle 90", "less than 90 deg");
 }
 
 #[test]
 fn negative_friction_is_refused() {
-    broken(
-        "friction = 0.25",
-        "friction = -0.25",
-        "negative friction",
-        "0 or more",
-    );
+    broken("friction = 0.25", "friction = -0.25", "negative friction", "0 or more");
 }
 
 #[test]
@@ -175,43 +112,23 @@ fn a_shape_at_a_singular_q_is_refused_with_a_regular_one() {
 
 #[test]
 fn a_wrong_type_is_named() {
-    broken(
-        "friction = 0.25",
-        "friction = \"a lot\"",
-        "wrong type",
-        "f64",
-    );
+    broken("friction = 0.25", "friction = \"a lot\"", "wrong type", "f64");
 }
 
 #[test]
 fn a_boolean_for_a_length_is_named() {
-    broken(
-        "thickness = 10",
-        "thickness = true",
-        "found boolean `true`",
-        "a length as a number in mm",
-    );
+    broken("thickness = 10", "thickness = true", "found boolean `true`", "a length as a number in mm");
 }
 
 #[test]
 fn an_empty_file_is_refused() {
     refused("", Some(1), "the scene is empty", "wearshape new");
-    refused(
-        "# only a remark\n\n",
-        Some(1),
-        "the scene is empty",
-        "wearshape new",
-    );
+    refused("# only a remark\n\n", Some(1), "the scene is empty", "wearshape new");
 }
 
 #[test]
 fn what_is_not_toml_is_shown_in_its_line() {
-    broken(
-        "accuracy = 1e-6",
-        "accuracy = = 1e-6",
-        "not TOML",
-        "key = value",
-    );
+    broken("accuracy = 1e-6", "accuracy = = 1e-6", "not TOML", "key = value");
 }
 
 #[test]
@@ -227,54 +144,24 @@ fn missing_units_are_refused() {
 
 #[test]
 fn unknown_units_are_refused() {
-    broken(
-        "units = \"N-mm\"",
-        "units = \"kg-m\"",
-        "unknown word `kg-m`",
-        "N-mm",
-    );
+    broken("units = \"N-mm\"", "units = \"kg-m\"", "unknown word `kg-m`", "N-mm");
 }
 
 #[test]
 fn an_unknown_word_is_named_with_the_one_meant() {
-    broken(
-        "\"plane-stress\"",
-        "\"plane-stres\"",
-        "unknown word `plane-stres`",
-        "did you mean `plane-stress`?",
-    );
+    broken("\"plane-stress\"", "\"plane-stres\"", "unknown word `plane-stres`", "did you mean `plane-stress`?");
 }
 
 #[test]
 fn an_unknown_edge_is_named_with_the_known_ones() {
-    broken(
-        "edge = \"top\"",
-        "edge = \"tpo\"",
-        "no edge `tpo`",
-        "did you mean `top`?",
-    );
-    broken(
-        "[\"inner\", \"outer\"]",
-        "[\"inside\", \"outer\"]",
-        "no edge `inside`",
-        "inner",
-    );
-    broken(
-        "right = [\"x\"]",
-        "rigth = [\"x\"]",
-        "no edge `rigth`",
-        "`right`",
-    );
+    broken("edge = \"top\"", "edge = \"tpo\"", "no edge `tpo`", "did you mean `top`?");
+    broken("[\"inner\", \"outer\"]", "[\"inside\", \"outer\"]", "no edge `inside`", "inner");
+    broken("right = [\"x\"]", "rigth = [\"x\"]", "no edge `rigth`", "`right`");
 }
 
 #[test]
 fn a_support_around_the_axis_of_a_plane_body_is_refused() {
-    broken(
-        "left = [\"x\"]",
-        "left = [\"phi\"]",
-        "\"phi\"",
-        "\"x\" or \"z\"",
-    );
+    broken("left = [\"x\"]", "left = [\"phi\"]", "\"phi\"", "\"x\" or \"z\"");
 }
 
 #[test]
@@ -289,91 +176,36 @@ fn arcs_that_do_not_touch_are_refused() {
 
 #[test]
 fn a_drum_needs_an_angular_speed() {
-    broken(
-        "omega = \"2.5 rad/s\"",
-        "speed = \"5 mm/s\"",
-        "sliding.omega",
-        "omega = ",
-    );
-    broken(
-        "omega = \"2.5 rad/s\"",
-        "omega = 0",
-        "nothing slides",
-        "omega = ",
-    );
+    broken("omega = \"2.5 rad/s\"", "speed = \"5 mm/s\"", "sliding.omega", "omega = ");
+    broken("omega = \"2.5 rad/s\"", "omega = 0", "nothing slides", "omega = ");
 }
 
 #[test]
 fn two_alternatives_in_one_file_are_refused() {
-    broken(
-        "force = \"10 kN\"",
-        "force = 1, approach = 2",
-        "both",
-        "keep",
-    );
-    broken(
-        "a = 1",
-        "a = 1, k = 1e-7",
-        "both `wear.beta` and `wear.k`",
-        "keep",
-    );
+    broken("force = \"10 kN\"", "force = 1, approach = 2", "both", "keep");
+    broken("a = 1", "a = 1, k = 1e-7", "both `wear.beta` and `wear.k`", "keep");
 }
 
 #[test]
 fn a_body_held_along_z_cannot_be_pressed() {
-    broken(
-        "left = [\"x\"]",
-        "left = [\"x\", \"z\"]",
-        "held along z",
-        "along x only",
-    );
+    broken("left = [\"x\"]", "left = [\"x\", \"z\"]", "held along z", "along x only");
 }
 
 #[test]
 fn exponents_and_factors_out_of_range_are_refused() {
-    broken(
-        "b = 0.5",
-        "b = 0",
-        "exponent 0 is out of range",
-        "greater than 0",
-    );
+    broken("b = 0.5", "b = 0", "exponent 0 is out of range", "greater than 0");
     broken("b = 0.5", "b = [0.5, -1]", "exponent -1", "greater than 0");
-    broken(
-        "[2e-4, 0]",
-        "[-2e-4, 0]",
-        "negative wear factor",
-        "0 or more",
-    );
+    broken("[2e-4, 0]", "[-2e-4, 0]", "negative wear factor", "0 or more");
     broken("[2e-4, 0]", "[0, 0]", "nothing wears", "greater than 0");
-    broken(
-        "[2e-4, 0]",
-        "\"1e-7 mm^3/(N m)\"",
-        "a = b = 1",
-        "bare number",
-    );
-    broken(
-        "[2e-4, 0]",
-        "[1, 2, 3]",
-        "wrong number of entries",
-        "[body 1, body 2]",
-    );
+    broken("[2e-4, 0]", "\"1e-7 mm^3/(N m)\"", "a = b = 1", "bare number");
+    broken("[2e-4, 0]", "[1, 2, 3]", "wrong number of entries", "[body 1, body 2]");
 }
 
 #[test]
 fn accuracy_out_of_range_is_refused() {
-    broken(
-        "accuracy = 1e-6",
-        "accuracy = 0",
-        "accuracy = 0 is out of range",
-        "1e-6",
-    );
+    broken("accuracy = 1e-6", "accuracy = 0", "accuracy = 0 is out of range", "1e-6");
     broken("accuracy = 1e-6", "accuracy = nan", "out of range", "1e-6");
-    broken(
-        "accuracy = 1e-6",
-        "mesh.degree = 99",
-        "mesh.degree = 99",
-        "1 to 24",
-    );
+    broken("accuracy = 1e-6", "mesh.degree = 99", "mesh.degree = 99", "1 to 24");
 }
 
 #[test]
@@ -384,33 +216,15 @@ fn numbers_too_large_are_refused() {
 
 #[test]
 fn an_unknown_task_is_refused() {
-    broken(
-        "[\"pressure\", \"shape\"]",
-        "[\"pressure\", \"shap\"]",
-        "unknown word `shap`",
-        "`shape`",
-    );
-    broken(
-        "[\"pressure\", \"shape\"]",
-        "[]",
-        "empty",
-        "tasks = [\"pressure\"]",
-    );
+    broken("[\"pressure\", \"shape\"]", "[\"pressure\", \"shap\"]", "unknown word `shap`", "`shape`");
+    broken("[\"pressure\", \"shape\"]", "[]", "empty", "tasks = [\"pressure\"]");
 }
 
 #[test]
 fn a_gap_profile_that_is_missing_or_damaged_is_refused() {
-    broken(
-        "gap = 0",
-        "gap = \"nothing.csv\"",
-        "cannot read the gap profile",
-        "CSV",
-    );
+    broken("gap = 0", "gap = \"nothing.csv\"", "cannot read the gap profile", "CSV");
     let bench = Bench::new();
-    bench.file(
-        "scene.toml",
-        &SOUND.replace("gap = 0", "gap = \"profile.csv\""),
-    );
+    bench.file("scene.toml", &SOUND.replace("gap = 0", "gap = \"profile.csv\""));
     for (text, line, message) in [
         ("a,b\n1,2\n", 1, "s_mm and gap_um"),
         ("s_mm,gap_um\n0,1\n1,x\n", 3, "no two finite numbers"),
@@ -423,11 +237,7 @@ fn a_gap_profile_that_is_missing_or_damaged_is_refused() {
         assert_eq!(call.code, 2, "{text}");
         assert!(call.err.contains(message), "{text}: {}", call.err);
         if line > 0 {
-            assert!(
-                call.err.contains(&format!("profile.csv:{line}:")),
-                "{text}: {}",
-                call.err
-            );
+            assert!(call.err.contains(&format!("profile.csv:{line}:")), "{text}: {}", call.err);
         }
     }
 }
@@ -436,28 +246,11 @@ fn a_gap_profile_that_is_missing_or_damaged_is_refused() {
 fn a_scene_that_is_no_file_is_refused() {
     let bench = Bench::new();
     let call = bench.call("check nothing.toml");
-    assert_eq!(
-        (
-            call.code,
-            call.err.contains("cannot read the scene nothing.toml")
-        ),
-        (2, true),
-        "{}",
-        call.err
-    );
+    assert_eq!((call.code, call.err.contains("cannot read the scene nothing.toml")), (2, true), "{}", call.err);
     let call = bench.call("check drum-brake-blok");
     assert_eq!(call.code, 2);
-    assert!(
-        call.err.contains("did you mean `drum-brake-block`?"),
-        "{}",
-        call.err
-    );
+    assert!(call.err.contains("did you mean `drum-brake-block`?"), "{}", call.err);
     std::fs::write(bench.path("binary.toml"), [0xff, 0xfe, 0x00]).unwrap();
     let call = bench.call("check binary.toml");
-    assert_eq!(
-        (call.code, call.err.contains("UTF-8")),
-        (2, true),
-        "{}",
-        call.err
-    );
+    assert_eq!((call.code, call.err.contains("UTF-8")), (2, true), "{}", call.err);
 }

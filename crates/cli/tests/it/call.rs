@@ -17,9 +17,7 @@ pub(crate) struct Call {
 
 impl Bench {
     pub(crate) fn new() -> Bench {
-        Bench {
-            folder: tempfile::tempdir().unwrap(),
-        }
+        Bench { folder: tempfile::tempdir().unwrap() }
     }
 
     pub(crate) fn path(&self, name: &str) -> PathBuf {
@@ -43,23 +41,12 @@ impl Bench {
 
     /// Calls wearshape with blank-separated arguments; `_` in an argument stands for a blank.
     pub(crate) fn call(&self, args: &str) -> Call {
-        self.call_with(
-            &args
-                .split_whitespace()
-                .map(|arg| arg.replace('_', " "))
-                .collect::<Vec<_>>(),
-        )
+        self.call_with(&args.split_whitespace().map(|arg| arg.replace('_', " ")).collect::<Vec<_>>())
     }
 
     pub(crate) fn call_with(&self, args: &[impl AsRef<std::ffi::OsStr>]) -> Call {
         let mut command = Command::new(env!("CARGO_BIN_EXE_wearshape"));
-        finished(
-            command
-                .args(args)
-                .current_dir(self.folder.path())
-                .output()
-                .unwrap(),
-        )
+        finished(command.args(args).current_dir(self.folder.path()).output().unwrap())
     }
 
     /// The summary of a run in out/.
@@ -86,12 +73,7 @@ pub(crate) fn files(folder: &Path) -> Vec<String> {
             if path.is_dir() {
                 open.push(path);
             } else {
-                found.push(
-                    path.strip_prefix(folder)
-                        .unwrap()
-                        .to_string_lossy()
-                        .replace('\\', "/"),
-                );
+                found.push(path.strip_prefix(folder).unwrap().to_string_lossy().replace('\\', "/"));
             }
         }
     }

@@ -7,47 +7,19 @@ fn help_and_version_go_to_stdout_with_exit_0() {
     let bench = Bench::new();
     let call = bench.call("--help");
     assert_eq!((call.code, call.err.as_str()), (0, ""));
-    assert!(
-        call.out.contains("wearshape run drum-brake-block"),
-        "{}",
-        call.out
-    );
+    assert!(call.out.contains("wearshape run drum-brake-block"), "{}", call.out);
     let call = bench.call("--version");
-    assert_eq!(
-        (call.code, call.out.trim()),
-        (0, concat!("wearshape ", env!("CARGO_PKG_VERSION")))
-    );
-    for command in [
-        "run",
-        "check",
-        "new",
-        "sweep",
-        "study",
-        "report",
-        "reproduce",
-        "schema",
-        "completions",
-    ] {
+    assert_eq!((call.code, call.out.trim()), (0, concat!("wearshape ", env!("CARGO_PKG_VERSION"))));
+    for command in ["run", "check", "new", "sweep", "study", "report", "reproduce", "schema", "completions"] {
         let call = bench.call(&format!("{command} --help"));
-        assert!(
-            call.code == 0 && (call.out.contains("Example") || command == "completions"),
-            "{command}: {}",
-            call.out
-        );
+        assert!(call.code == 0 && (call.out.contains("Example") || command == "completions"), "{command}: {}", call.out);
     }
 }
 
 #[test]
 fn a_wrong_command_is_exit_2() {
     let bench = Bench::new();
-    for args in [
-        "",
-        "rnu",
-        "run",
-        "run a b c",
-        "new",
-        "run drum-brake-block --sample many",
-    ] {
+    for args in ["", "rnu", "run", "run a b c", "new", "run drum-brake-block --sample many"] {
         let call = bench.call(args);
         assert_eq!(call.code, 2, "{args}");
         assert!(!call.err.is_empty() && call.out.is_empty(), "{args}");
@@ -60,10 +32,7 @@ fn the_schema_is_draft_7_and_knows_the_keys() {
     let schema: serde_json::Value = serde_json::from_str(&bench.call("schema").out).unwrap();
     assert_eq!(schema["$schema"], "http://json-schema.org/draft-07/schema#");
     assert_eq!(schema["additionalProperties"], false);
-    for key in [
-        "units", "body1", "contact", "load", "wear", "optimum", "surface", "mesh", "accuracy",
-        "tasks",
-    ] {
+    for key in ["units", "body1", "contact", "load", "wear", "optimum", "surface", "mesh", "accuracy", "tasks"] {
         assert!(schema["properties"][key].is_object(), "{key}");
     }
     assert_eq!(schema["required"], serde_json::json!(["units"]));
@@ -90,10 +59,7 @@ fn the_page_is_rebuilt_to_the_same_bytes_and_asks_for_nothing_from_outside() {
     std::fs::remove_file(bench.path("out/disc-pad/report.html")).unwrap();
     let call = bench.call("report out/disc-pad");
     assert_eq!(call.code, 0, "{}", call.err);
-    assert!(
-        bench.read("out/disc-pad/report.html") == page,
-        "the page differs"
-    );
+    assert!(bench.read("out/disc-pad/report.html") == page, "the page differs");
     assert_eq!(bench.call("report nowhere").code, 2);
     bench.file("out/disc-pad/summary.json", "{");
     assert_eq!(bench.call("report out/disc-pad").code, 2);
@@ -109,27 +75,12 @@ fn colour_is_only_for_terminals() {
 #[test]
 fn the_first_screen_has_ten_lines_at_most_and_begins_with_the_verdict() {
     let bench = Bench::new();
-    for scene in [
-        "disc-pad",
-        "drum-brake-block --set tasks=[pressure] --set contact.friction=0 --set optimum.q=3",
-    ] {
+    for scene in ["disc-pad", "drum-brake-block --set tasks=[pressure] --set contact.friction=0 --set optimum.q=3"] {
         let call = bench.call(&format!("run {scene}"));
         assert_eq!(call.code, 0, "{}", call.err);
         assert!(call.out.lines().count() <= 10, "{}", call.out);
-        assert!(
-            call.out.starts_with("The worn-in pressure is "),
-            "{}",
-            call.out
-        );
-        assert!(
-            call.out
-                .lines()
-                .last()
-                .unwrap()
-                .starts_with("files     out"),
-            "{}",
-            call.out
-        );
+        assert!(call.out.starts_with("The worn-in pressure is "), "{}", call.out);
+        assert!(call.out.lines().last().unwrap().starts_with("files     out"), "{}", call.out);
     }
     assert!(bench.call("run disc-pad -q").out.is_empty());
 }

@@ -8,18 +8,8 @@ fn a_run_writes_its_folder_and_leaves_no_partial_one() {
     let call = bench.call("run disc-pad");
     assert_eq!(call.code, 0, "{}", call.err);
     let found = files(&bench.path("out/disc-pad"));
-    for name in [
-        "contact.csv",
-        "plots/pressure.svg",
-        "report.html",
-        "scene.resolved.toml",
-        "summary.json",
-        "timing.json",
-    ] {
-        assert!(
-            found.iter().any(|file| file == name),
-            "{name} is not among {found:?}"
-        );
+    for name in ["contact.csv", "plots/pressure.svg", "report.html", "scene.resolved.toml", "summary.json", "timing.json"] {
+        assert!(found.iter().any(|file| file == name), "{name} is not among {found:?}");
     }
     assert_eq!(std::fs::read_dir(bench.path("out")).unwrap().count(), 1);
 }
@@ -28,9 +18,7 @@ fn a_run_writes_its_folder_and_leaves_no_partial_one() {
 fn the_same_scene_gives_the_same_bytes_with_any_number_of_threads() {
     let bench = Bench::new();
     for (folder, threads) in [("out/a", 1), ("out/b", 2), ("out/c", 2)] {
-        let call = bench.call(&format!(
-            "run pinned-shoe -q --threads {threads} -o {folder}"
-        ));
+        let call = bench.call(&format!("run pinned-shoe -q --threads {threads} -o {folder}"));
         assert_eq!(call.code, 0, "{}", call.err);
     }
     let names = files(&bench.path("out/a"));
@@ -38,10 +26,7 @@ fn the_same_scene_gives_the_same_bytes_with_any_number_of_threads() {
     for other in ["out/b", "out/c"] {
         assert_eq!(files(&bench.path(other)), names);
         for name in names.iter().filter(|name| *name != "timing.json") {
-            assert!(
-                bench.bytes(&format!("out/a/{name}")) == bench.bytes(&format!("{other}/{name}")),
-                "{name} differs"
-            );
+            assert!(bench.bytes(&format!("out/a/{name}")) == bench.bytes(&format!("{other}/{name}")), "{name} differs");
         }
     }
 }
@@ -51,10 +36,7 @@ fn our_own_folder_is_replaced_without_force() {
     let bench = Bench::new();
     assert_eq!(bench.call("run disc-pad -q").code, 0);
     let before = bench.read("out/disc-pad/scene.resolved.toml");
-    assert_eq!(
-        bench.call("run disc-pad -q --set contact.friction=.1").code,
-        0
-    );
+    assert_eq!(bench.call("run disc-pad -q --set contact.friction=.1").code, 0);
     assert_ne!(bench.read("out/disc-pad/scene.resolved.toml"), before);
 }
 
@@ -65,19 +47,11 @@ fn a_folder_of_somebody_else_is_refused_even_with_force() {
     for args in ["run disc-pad -o photos", "run disc-pad -o photos --force"] {
         let call = bench.call(args);
         assert_eq!(call.code, 2, "{args}");
-        assert!(
-            call.err.contains("did not write") && call.err.contains("-o photos"),
-            "{}",
-            call.err
-        );
+        assert!(call.err.contains("did not write") && call.err.contains("-o photos"), "{}", call.err);
     }
     assert_eq!(files(&bench.path("photos")), ["one.jpg"]);
     bench.file("photos/summary.json", "{\"schema_version\": \"mine\"}");
-    assert_eq!(
-        bench.call("run disc-pad -o photos").code,
-        2,
-        "a foreign summary.json is not ours"
-    );
+    assert_eq!(bench.call("run disc-pad -o photos").code, 2, "a foreign summary.json is not ours");
     bench.file("note", "precious");
     assert_eq!(bench.call("run disc-pad -o note").code, 2);
     assert_eq!(bench.read("note"), "precious");
@@ -107,11 +81,7 @@ fn a_folder_that_cannot_be_written_is_said_with_a_remedy() {
     bench.file("file", "");
     let call = bench.call("run disc-pad -o file/inside");
     assert_eq!(call.code, 2, "{}", call.err);
-    assert!(
-        call.err.contains("cannot write") && call.err.contains("remedy: "),
-        "{}",
-        call.err
-    );
+    assert!(call.err.contains("cannot write") && call.err.contains("remedy: "), "{}", call.err);
 }
 
 #[test]
@@ -119,22 +89,13 @@ fn a_dry_run_writes_nothing() {
     let bench = Bench::new();
     let call = bench.call("run drum-brake-block --dry-run");
     assert_eq!(call.code, 0);
-    assert!(
-        call.out.contains("would write") && !bench.path("out").exists(),
-        "{}",
-        call.out
-    );
+    assert!(call.out.contains("would write") && !bench.path("out").exists(), "{}", call.out);
 }
 
 #[test]
 fn contact_csv_has_the_columns_of_the_contract_and_reads_back() {
     let bench = Bench::new();
-    assert_eq!(
-        bench
-            .call("run annular-punch --set tasks=[pressure] --sample 101 -q")
-            .code,
-        0
-    );
+    assert_eq!(bench.call("run annular-punch --set tasks=[pressure] --sample 101 -q").code, 0);
     let table = bench.read("out/annular-punch/contact.csv");
     let mut rows = table.lines();
     assert_eq!(
@@ -150,11 +111,7 @@ fn contact_csv_has_the_columns_of_the_contract_and_reads_back() {
     // Steady with a = b = 1: p r is constant; trapezoid weights are those of the area.
     approx::assert_relative_eq!(number(50, 8), 100.0, max_relative = 1e-12);
     let area: f64 = (0..101).map(|row| number(row, 7)).sum();
-    approx::assert_relative_eq!(
-        area,
-        std::f64::consts::PI * (120.0f64.powi(2) - 400.0),
-        max_relative = 1e-12
-    );
+    approx::assert_relative_eq!(area, std::f64::consts::PI * (120.0f64.powi(2) - 400.0), max_relative = 1e-12);
     assert_eq!(rows[0][11], "nan");
     assert_eq!(rows[0][20], "contact");
 }
@@ -162,24 +119,13 @@ fn contact_csv_has_the_columns_of_the_contract_and_reads_back() {
 #[test]
 fn a_recording_is_written_when_asked_for_and_holds_the_scene() {
     let bench = Bench::new();
-    assert_eq!(
-        bench
-            .call("run disc-pad -q --set output.recording=true")
-            .code,
-        0
-    );
+    assert_eq!(bench.call("run disc-pad -q --set output.recording=true").code, 0);
     let bytes = bench.bytes("out/disc-pad/run.mcap");
     let summary = mcap::Summary::read(&bytes).unwrap().unwrap();
     let scene = mcap::read::attachment(&bytes, &summary.attachment_indexes[0]).unwrap();
     assert_eq!(scene.data, bench.bytes("out/disc-pad/scene.resolved.toml"));
-    let messages: Vec<_> = mcap::MessageStream::new(&bytes)
-        .unwrap()
-        .map(Result::unwrap)
-        .collect();
-    let topics: Vec<&str> = messages
-        .iter()
-        .map(|message| message.channel.topic.as_str())
-        .collect();
+    let messages: Vec<_> = mcap::MessageStream::new(&bytes).unwrap().map(Result::unwrap).collect();
+    let topics: Vec<&str> = messages.iter().map(|message| message.channel.topic.as_str()).collect();
     assert_eq!(topics, ["/log", "/contact/profile", "/state"]);
     let profile: serde_json::Value = serde_json::from_slice(&messages[1].data).unwrap();
     let rows = bench.read("out/disc-pad/contact.csv").lines().count() - 1;

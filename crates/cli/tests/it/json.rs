@@ -13,17 +13,9 @@ fn a_run_prints_its_summary_and_nothing_else() {
     assert_eq!(call.code, 0, "{}", call.err);
     assert_eq!(document(&call.out), bench.summary("pivoted-shoe"));
     assert!(call.err.is_empty(), "{}", call.err);
-    for args in [
-        "run disc-pad --json --dry-run",
-        "check disc-pad --json",
-        "sweep disc-pad --json --dry-run --over wear.b=1,2",
-    ] {
+    for args in ["run disc-pad --json --dry-run", "check disc-pad --json", "sweep disc-pad --json --dry-run --over wear.b=1,2"] {
         let call = bench.call(args);
-        assert!(
-            call.code == 0 && document(&call.out).is_object(),
-            "{args}: {}",
-            call.out
-        );
+        assert!(call.code == 0 && document(&call.out).is_object(), "{args}: {}", call.out);
     }
 }
 
@@ -46,29 +38,19 @@ fn an_invalid_scene_prints_its_error() {
 #[test]
 fn a_wrong_flag_prints_its_error() {
     let bench = Bench::new();
-    for args in [
-        "run drum-brake-block --json --set thickness=-1",
-        "run --json --nonsense",
-        "run drum-brake-block --json --sample 1",
-    ] {
+    for args in
+        ["run drum-brake-block --json --set thickness=-1", "run --json --nonsense", "run drum-brake-block --json --sample 1"]
+    {
         let call = bench.call(args);
         assert_eq!(call.code, 2, "{args}");
-        assert!(
-            document(&call.out)["error"]["message"].is_string(),
-            "{args}"
-        );
+        assert!(document(&call.out)["error"]["message"].is_string(), "{args}");
     }
 }
 
 #[test]
 fn absent_numbers_are_absent_keys() {
     let bench = Bench::new();
-    assert_eq!(
-        bench
-            .call("run translating-punch --set tasks=[pressure] -q")
-            .code,
-        0
-    );
+    assert_eq!(bench.call("run translating-punch --set tasks=[pressure] -q").code, 0);
     let text = bench.read("out/translating-punch/summary.json");
     assert!(!text.contains("null"), "{text}");
     let summary = bench.summary("translating-punch");
@@ -96,13 +78,9 @@ fn absent_numbers_are_absent_keys() {
 #[test]
 fn a_load_without_balance_is_an_answer_with_exit_1() {
     let bench = Bench::new();
-    let call = bench
-        .call("run translating-punch --set tasks=[pressure] --set load.moment=40_kN_mm --json");
+    let call = bench.call("run translating-punch --set tasks=[pressure] --set load.moment=40_kN_mm --json");
     assert_eq!(call.code, 1, "{}{}", call.out, call.err);
     let summary = bench.summary("translating-punch");
-    assert_eq!(
-        (&summary["status"], &summary["pressure"]["regime"]),
-        (&"refused".into(), &"infeasible".into())
-    );
+    assert_eq!((&summary["status"], &summary["pressure"]["regime"]), (&"refused".into(), &"infeasible".into()));
     assert_eq!(document(&call.out), summary);
 }

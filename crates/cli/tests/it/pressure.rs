@@ -13,34 +13,22 @@ fn pressure(args: &str) -> serde_json::Value {
 }
 
 fn number(value: &serde_json::Value, key: &str) -> f64 {
-    value[key]
-        .as_f64()
-        .unwrap_or_else(|| panic!("no {key} in {value}"))
+    value[key].as_f64().unwrap_or_else(|| panic!("no {key} in {value}"))
 }
 
 #[test]
 fn the_drum_is_worn_in_at_cos_squared() {
     let p = pressure("drum-brake-block --set tasks=[pressure]");
     // b = 1/2: p ~ cos^2, 5.45455 and 4.09091 MPa (benchmarks, true equilibrium, k = 2).
-    assert_relative_eq!(
-        number(&p, "p_max_MPa"),
-        5.454545454545454,
-        max_relative = 1e-12
-    );
-    assert_relative_eq!(
-        number(&p, "p_min_MPa"),
-        4.090909090909091,
-        max_relative = 1e-12
-    );
+    assert_relative_eq!(number(&p, "p_max_MPa"), 5.454545454545454, max_relative = 1e-12);
+    assert_relative_eq!(number(&p, "p_min_MPa"), 4.090909090909091, max_relative = 1e-12);
     assert_relative_eq!(number(&p, "force_N"), 1e4, max_relative = 1e-12);
     assert!(number(&p, "steadiness_residual") < 1e-13);
 }
 
 #[test]
 fn the_paper_normalisation_misses_part_of_the_load() {
-    let p = pressure(
-        "drum-brake-block --set tasks=[pressure] --set optimum.functional=wear-power --set optimum.balance=paper",
-    );
+    let p = pressure("drum-brake-block --set tasks=[pressure] --set optimum.functional=wear-power --set optimum.balance=paper");
     // optimality.md, errata of (29)-(31): 9582 N instead of 10000 N.
     assert_relative_eq!(number(&p, "force_N"), 9582.0, max_relative = 1e-4);
     assert_relative_eq!(number(&p, "normal_force_N"), 1e4, max_relative = 1e-12);
@@ -50,18 +38,10 @@ fn the_paper_normalisation_misses_part_of_the_load() {
 fn the_clutch_has_the_textbook_torque() {
     // Uniform wear: mu F (r_o + r_i)/2; uniform pressure: (2/3) mu F (r_o^3 - r_i^3)/(r_o^2 - r_i^2), r_eff 70 and 81.905 mm.
     let p = pressure("annular-punch --set tasks=[pressure]");
-    assert_relative_eq!(
-        number(&p, "effective_radius_mm"),
-        70.0,
-        max_relative = 1e-12
-    );
+    assert_relative_eq!(number(&p, "effective_radius_mm"), 70.0, max_relative = 1e-12);
     let p = pressure("annular-punch --set tasks=[pressure] --set optimum.functional=uniform");
     let expected = 2.0 / 3.0 * (120f64.powi(3) - 20f64.powi(3)) / (120f64.powi(2) - 400.0);
-    assert_relative_eq!(
-        number(&p, "effective_radius_mm"),
-        expected,
-        max_relative = 1e-12
-    );
+    assert_relative_eq!(number(&p, "effective_radius_mm"), expected, max_relative = 1e-12);
 }
 
 #[test]
@@ -80,11 +60,7 @@ fn the_pivoted_shoe_is_a_cosine() {
     // F0 = p_max R t (a0 + sin a0 cos a0) with a0 = 45 deg, R = 200, t = 50.
     let p = pressure("pivoted-shoe");
     let a = std::f64::consts::FRAC_PI_4;
-    assert_relative_eq!(
-        number(&p, "p_max_MPa"),
-        1e4 / (1e4 * (a + 0.5)),
-        max_relative = 1e-9
-    );
+    assert_relative_eq!(number(&p, "p_max_MPa"), 1e4 / (1e4 * (a + 0.5)), max_relative = 1e-9);
     assert!(number(&p, "moment_Nmm").abs() < 1e-6);
 }
 
@@ -93,30 +69,16 @@ fn the_rectangle_under_two_moments_is_linear() {
     // p = F/A (1 + 3 (Mx/F)/c_x + 3 (My/F)/c_y) at the corners for b = 1.
     let p = pressure("rectangular-punch");
     let mean = 1e4 / 2400.0;
-    assert_relative_eq!(
-        number(&p, "p_max_MPa"),
-        mean * (1.0 + 3.0 * 4.0 / 30.0 + 3.0 * 1.5 / 20.0),
-        max_relative = 1e-2
-    );
+    assert_relative_eq!(number(&p, "p_max_MPa"), mean * (1.0 + 3.0 * 4.0 / 30.0 + 3.0 * 1.5 / 20.0), max_relative = 1e-2);
     assert_relative_eq!(number(&p, "p_mean_MPa"), mean, max_relative = 1e-12);
 }
 
 #[test]
 fn no_friction_with_beta_means_no_wear_and_the_same_pressure() {
     let with = pressure("translating-punch --set tasks=[pressure] --set load.moment=2_kN_mm");
-    let without = pressure(
-        "translating-punch --set tasks=[pressure] --set load.moment=2_kN_mm --set contact.friction=0",
-    );
-    assert_relative_eq!(
-        number(&with, "p_max_MPa"),
-        number(&without, "p_max_MPa"),
-        max_relative = 1e-12
-    );
-    for key in [
-        "wear_volume_rate_mm3_per_s",
-        "friction_power_mW",
-        "wear_power_mW",
-    ] {
+    let without = pressure("translating-punch --set tasks=[pressure] --set load.moment=2_kN_mm --set contact.friction=0");
+    assert_relative_eq!(number(&with, "p_max_MPa"), number(&without, "p_max_MPa"), max_relative = 1e-12);
+    for key in ["wear_volume_rate_mm3_per_s", "friction_power_mW", "wear_power_mW"] {
         assert_eq!(number(&without, key), 0.0, "{key}");
     }
     assert_eq!(without["multipliers"]["force"], 0.0);
@@ -126,26 +88,15 @@ fn no_friction_with_beta_means_no_wear_and_the_same_pressure() {
 
 #[test]
 fn a_singular_q_is_answered_for_the_pressure_alone() {
-    let p =
-        pressure("annular-punch --set tasks=[pressure] --set optimum.functional=friction-power");
+    let p = pressure("annular-punch --set tasks=[pressure] --set optimum.functional=friction-power");
     assert_eq!(p["regime"], "singular");
     // s = 1, D_F: the friction power is least when all the force stands on the inner rim.
-    assert_relative_eq!(
-        number(&p["limit_measure"][0], "x_mm"),
-        20.0,
-        max_relative = 1e-9
-    );
-    assert_relative_eq!(
-        number(&p["limit_measure"][0], "force_N"),
-        4398229.715025711,
-        max_relative = 1e-9
-    );
+    assert_relative_eq!(number(&p["limit_measure"][0], "x_mm"), 20.0, max_relative = 1e-9);
+    assert_relative_eq!(number(&p["limit_measure"][0], "force_N"), 4398229.715025711, max_relative = 1e-9);
 }
 
 #[test]
 fn below_s_of_one_the_answer_is_called_a_maximum() {
-    let p = pressure(
-        "annular-punch --set tasks=[pressure] --set optimum.functional=friction-power --set optimum.q=.5",
-    );
+    let p = pressure("annular-punch --set tasks=[pressure] --set optimum.functional=friction-power --set optimum.q=.5");
     assert_eq!(p["character"], "maximum");
 }

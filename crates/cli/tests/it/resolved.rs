@@ -19,11 +19,7 @@ fn the_resolved_scene_gives_the_same_result() {
     ] {
         let call = bench.call(&format!("run {scene} -q -o first"));
         assert_eq!(call.code, 0, "{scene}: {}", call.err);
-        std::fs::copy(
-            bench.path("first/scene.resolved.toml"),
-            bench.path("again.toml"),
-        )
-        .unwrap();
+        std::fs::copy(bench.path("first/scene.resolved.toml"), bench.path("again.toml")).unwrap();
         let call = bench.call("run again.toml -q -o second");
         assert_eq!(call.code, 0, "{scene}: {}", call.err);
         for name in files(&bench.path("first")) {
@@ -35,8 +31,7 @@ fn the_resolved_scene_gives_the_same_result() {
             }
         }
         let read = |folder: &str| -> serde_json::Value {
-            let mut summary: serde_json::Value =
-                serde_json::from_str(&bench.read(&format!("{folder}/summary.json"))).unwrap();
+            let mut summary: serde_json::Value = serde_json::from_str(&bench.read(&format!("{folder}/summary.json"))).unwrap();
             assert!(summary.as_object_mut().unwrap().remove("scene").is_some());
             summary
         };
@@ -50,8 +45,7 @@ fn the_hash_is_that_of_the_resolved_scene() {
     assert_eq!(bench.call("run disc-pad -q").code, 0);
     let summary = bench.summary("disc-pad");
     let hash = summary["scene_sha256"].as_str().unwrap();
-    let digest =
-        <sha2::Sha256 as sha2::Digest>::digest(bench.bytes("out/disc-pad/scene.resolved.toml"));
+    let digest = <sha2::Sha256 as sha2::Digest>::digest(bench.bytes("out/disc-pad/scene.resolved.toml"));
     let text: String = digest.iter().map(|byte| format!("{byte:02x}")).collect();
     assert_eq!(hash, text);
 }
@@ -59,21 +53,10 @@ fn the_hash_is_that_of_the_resolved_scene() {
 #[test]
 fn quantities_come_out_in_base_units_with_defaults() {
     let bench = Bench::new();
-    assert_eq!(
-        bench
-            .call("run drum-brake-block --set tasks=[pressure] -q")
-            .code,
-        0
-    );
-    let scene: toml::Table = bench
-        .read("out/drum-brake-block/scene.resolved.toml")
-        .parse()
-        .unwrap();
+    assert_eq!(bench.call("run drum-brake-block --set tasks=[pressure] -q").code, 0);
+    let scene: toml::Table = bench.read("out/drum-brake-block/scene.resolved.toml").parse().unwrap();
     assert_eq!(scene["body1"]["material"]["young"].as_float(), Some(210e3));
-    assert_eq!(
-        scene["body1"]["geometry"]["shoe-block"]["half_angle"].as_float(),
-        Some(30.0 * std::f64::consts::PI / 180.0)
-    );
+    assert_eq!(scene["body1"]["geometry"]["shoe-block"]["half_angle"].as_float(), Some(30.0 * std::f64::consts::PI / 180.0));
     assert_eq!(scene["load"]["force"].as_float(), Some(10e3));
     assert_eq!(scene["wear"]["a"].as_array().map(Vec::len), Some(2));
     assert_eq!(scene["wear"]["counterface"].as_str(), Some("revolving"));

@@ -11,9 +11,7 @@ fn resolved(args: &str) -> toml::Table {
 
 #[test]
 fn numbers_may_begin_with_a_point_and_units_need_no_quotes() {
-    let scene = resolved(
-        "drum-brake-block --set tasks=[pressure] --set contact.friction=.4 --set load.force=12_kN",
-    );
+    let scene = resolved("drum-brake-block --set tasks=[pressure] --set contact.friction=.4 --set load.force=12_kN");
     assert_eq!(scene["contact"]["friction"].as_float(), Some(0.4));
     assert_eq!(scene["load"]["force"].as_float(), Some(12000.0));
     let scene = resolved("translating-punch --set tasks=[pressure] --set load.moment=-.5");
@@ -39,53 +37,41 @@ fn text_that_is_not_toml_is_a_string() {
 fn alternatives_replace_each_other_and_the_later_wins() {
     let scene = resolved("drum-brake-block --set tasks=[pressure] --set wear.k=1e-7");
     assert!(scene["wear"].get("beta").is_none() && scene["wear"].get("k").is_some());
-    let scene =
-        resolved("drum-brake-block --set tasks=[pressure] --set wear.k=1e-7 --set wear.beta=3e-4");
+    let scene = resolved("drum-brake-block --set tasks=[pressure] --set wear.k=1e-7 --set wear.beta=3e-4");
     assert!(scene["wear"].get("k").is_none());
     assert_eq!(scene["wear"]["beta"][0].as_float(), Some(3e-4));
     let scene = resolved("drum-brake-block --set tasks=[pressure] --set mesh.degree=8");
     assert!(scene.get("accuracy").is_none());
-    let scene =
-        resolved("drum-brake-block --set tasks=[pressure] --set mesh.degree=8 --set accuracy=1e-4");
+    let scene = resolved("drum-brake-block --set tasks=[pressure] --set mesh.degree=8 --set accuracy=1e-4");
     assert!(scene.get("mesh").is_none());
     let scene = resolved("translating-punch --set tasks=[pressure] --set load.tilt=0");
     assert!(scene["load"].get("moment").is_none());
-    let scene = resolved(
-        "translating-punch --set tasks=[pressure] --set load.tilt=0 --set load.moment=100",
-    );
+    let scene = resolved("translating-punch --set tasks=[pressure] --set load.tilt=0 --set load.moment=100");
     assert!(scene["load"].get("tilt").is_none());
 }
 
 #[test]
 fn another_geometry_replaces_the_one_before() {
     let bench = Bench::new();
-    let call = bench.call("check drum-brake-block --set body1.geometry.ring-segment={inner=200,outer=220,x=[-100,100]} --set load.edge=outer");
-    assert_eq!(call.code, 0, "{}", call.err);
-    let call = bench.call("check drum-brake-block --set body1.geometry.rectangle.x=[-30,30] --set body1.geometry.rectangle.z=[200,300]");
-    assert_eq!(call.code, 2);
-    assert!(
-        call.err.contains("cannot touch") || call.err.contains("no edge `inner`"),
-        "{}",
-        call.err
+    let call = bench.call(
+        "check drum-brake-block --set body1.geometry.ring-segment={inner=200,outer=220,x=[-100,100]} --set load.edge=outer",
     );
+    assert_eq!(call.code, 0, "{}", call.err);
+    let call =
+        bench.call("check drum-brake-block --set body1.geometry.rectangle.x=[-30,30] --set body1.geometry.rectangle.z=[200,300]");
+    assert_eq!(call.code, 2);
+    assert!(call.err.contains("cannot touch") || call.err.contains("no edge `inner`"), "{}", call.err);
 }
 
 #[test]
 fn a_key_that_the_choices_do_not_use_is_listed() {
     let bench = Bench::new();
-    let call = bench
-        .call("run drum-brake-block --set tasks=[pressure] --set optimum.q=3 --set load.width=5");
+    let call = bench.call("run drum-brake-block --set tasks=[pressure] --set optimum.q=3 --set load.width=5");
     assert_eq!(call.code, 0, "{}", call.err);
-    assert_eq!(
-        bench.summary("drum-brake-block")["unused_keys"],
-        serde_json::json!(["load.width", "optimum.q"])
-    );
+    assert_eq!(bench.summary("drum-brake-block")["unused_keys"], serde_json::json!(["load.width", "optimum.q"]));
     let call = bench.call("run annular-punch --set tasks=[pressure] --set thickness=5");
     assert_eq!(call.code, 0, "{}", call.err);
-    assert_eq!(
-        bench.summary("annular-punch")["unused_keys"],
-        serde_json::json!(["thickness"])
-    );
+    assert_eq!(bench.summary("annular-punch")["unused_keys"], serde_json::json!(["thickness"]));
 }
 
 #[test]
@@ -106,11 +92,7 @@ fn an_error_in_a_setting_names_the_flag() {
         let call = bench.call(&format!("check drum-brake-block --set {setting}"));
         assert_eq!(call.code, 2, "{setting}");
         assert!(call.err.contains(message), "{setting}: {}", call.err);
-        assert!(
-            call.err.contains(&format!("--set {setting}")),
-            "{setting}: {}",
-            call.err
-        );
+        assert!(call.err.contains(&format!("--set {setting}")), "{setting}: {}", call.err);
         assert!(call.err.contains("remedy: "), "{setting}: {}", call.err);
     }
 }
@@ -121,13 +103,7 @@ fn infinite_q_is_a_number() {
     let call = bench.call("run annular-punch --set tasks=[pressure] --set optimum.functional=wear-power --set optimum.q=inf");
     assert_eq!(call.code, 0, "{}", call.err);
     let summary = bench.summary("annular-punch");
-    assert!(
-        summary["pressure"].get("q").is_none(),
-        "a number that is not finite is an absent key"
-    );
-    let scene: toml::Table = bench
-        .read("out/annular-punch/scene.resolved.toml")
-        .parse()
-        .unwrap();
+    assert!(summary["pressure"].get("q").is_none(), "a number that is not finite is an absent key");
+    let scene: toml::Table = bench.read("out/annular-punch/scene.resolved.toml").parse().unwrap();
     assert_eq!(scene["optimum"]["q"].as_float(), Some(f64::INFINITY));
 }

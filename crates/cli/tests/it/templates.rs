@@ -24,11 +24,7 @@ fn every_template_is_listed_written_and_sound() {
     let bench = Bench::new();
     let list = bench.call("new --list").out;
     for name in NAMES {
-        assert!(
-            list.lines()
-                .any(|line| line.starts_with(name) && line.len() > 22),
-            "{name} in {list}"
-        );
+        assert!(list.lines().any(|line| line.starts_with(name) && line.len() > 22), "{name} in {list}");
         let call = bench.call(&format!("new {name} {name}.toml"));
         assert_eq!(call.code, 0, "{}", call.err);
         let text = bench.read(&format!("{name}.toml"));
@@ -46,17 +42,10 @@ fn a_file_that_exists_is_not_overwritten() {
     let bench = Bench::new();
     bench.file("mine.toml", "precious");
     let call = bench.call("new disc-pad mine.toml");
-    assert_eq!(
-        (call.code, bench.read("mine.toml").as_str()),
-        (2, "precious")
-    );
+    assert_eq!((call.code, bench.read("mine.toml").as_str()), (2, "precious"));
     assert!(call.err.contains("exists already"), "{}", call.err);
     assert_eq!(bench.call("new disc-pad no/such/folder.toml").code, 2);
     let call = bench.call("new disk-pad");
     assert_eq!(call.code, 2);
-    assert!(
-        call.err.contains("did you mean `disc-pad`?"),
-        "{}",
-        call.err
-    );
+    assert!(call.err.contains("did you mean `disc-pad`?"), "{}", call.err);
 }
