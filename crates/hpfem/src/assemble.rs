@@ -80,7 +80,6 @@ impl Assembly<'_> {
     ) -> Result<CellElement, Error> {
         let space = self.space;
         let local = space.local_modes(self.mesh, cell);
-        let s = self.boundary_matrix(cell, &local, shared, work)?;
         let load = self.cell_loads(cell, &local);
         let groups = space.cell_groups(self.mesh, cell, rank);
         let mut start = vec![0; groups.len() + 1];
@@ -88,26 +87,40 @@ impl Assembly<'_> {
             start[i + 1] = start[i] + space.size[*g];
         }
         let n = start[groups.len()];
-        let slot = |group: usize| groups.iter().position(|g| *g == group).map(|i| start[i]);
-        let mut matrix = Mat::zeros(n, n);
         let mut rhs = Mat::zeros(n, self.columns);
-        if let Some(places) = self.places(cell, &local, slot) {
-            gather(&s, &places, &mut matrix);
-            for ((row, column), value) in &load {
-                rhs[(places[*row], *column)] += value;
+        if let Some(order) = self.plain_order(cell, &local, &groups) {
+            let matrix = self.boundary_matrix(cell, &local, &order, shared, work)?;
+            if !load.is_empty() {
+                let mut place = vec![0; order.len()];
+                order.iter().enumerate().for_each(|(i, mode)| place[*mode] = i);
+                let components = space.components;
+                for ((row, column), value) in &load {
+                    rhs[(components * place[row / components] + row % components, *column)] += value;
+                }
             }
             let constant = Mat::zeros(self.columns - self.load_cases.len() - 1, self.columns);
             return Ok(CellElement { element: Element { groups, matrix, rhs }, constant });
         }
+        let order: Vec<usize> = (0..local.modes - local.interior).collect();
+        let mut s = self.boundary_matrix(cell, &local, &order, shared, work)?;
+        let size = space.components * order.len();
+        for j in 0..size {
+            for i in j + 1..size {
+                s[i * size + j] = s[j * size + i];
+            }
+        }
+        let s = MatRef::from_column_major_slice(&s, size, size);
+        let slot = |group: usize| groups.iter().position(|g| *g == group).map(|i| start[i]);
+        let mut matrix = vec![0.0; n * n];
         // Rows of the transformation from active unknowns to local ones.
         let targets = self.targets(cell, &local);
         let active = |t: &Target| t.active.iter().filter_map(|(g, i, c)| slot(*g).map(|s| (s + i, *c))).collect();
         let rows: Vec<Vec<(usize, f64)>> = targets.iter().map(active).collect();
         for (j, row) in rows.iter().enumerate() {
             for (tj, cj) in row {
-                for (row, value) in rows.iter().zip(s.col_as_slice(j)) {
+                for (i, row) in rows.iter().enumerate() {
                     for (ti, ci) in row.iter().filter(|(ti, _)| ti >= tj) {
-                        matrix[(*ti, *tj)] += ci * cj * value;
+                        matrix[tj * n + ti] += ci * cj * s[(i, j)];
                     }
                 }
             }
@@ -117,27 +130,30 @@ impl Assembly<'_> {
                 rhs[(*t, *column)] += c * value;
             }
         }
-        let constant = self.supports(&targets, &rows, s.as_ref(), &load, &mut rhs);
+        let constant = self.supports(&targets, &rows, s, &load, &mut rhs);
         Ok(CellElement { element: Element { groups, matrix, rhs }, constant })
     }
 
-    /// Places of the cell's boundary unknowns in its element if none is prescribed, turned or tied to a rigid edge.
-    fn places(&self, cell: usize, local: &LocalModes, slot: impl Fn(usize) -> Option<usize>) -> Option<Vec<usize>> {
+    /// The cell's boundary modes in the order of its groups, if no component of any is prescribed, turned or tied to a rigid edge.
+    fn plain_order(&self, cell: usize, local: &LocalModes, groups: &[usize]) -> Option<Vec<usize>> {
         let c = &self.mesh.cells[cell];
         let vertices = self.mesh.vertices.len();
-        let components = self.space.components;
-        let mut places = Vec::with_capacity(components * (local.modes - local.interior));
-        let edges = (0..4).map(|e| (vertices + c.edges[e], local.edge_start[e + 1] - local.edge_start[e]));
-        for (group, modes) in c.corners.iter().map(|v| (*v, 1)).chain(edges) {
-            if !self.space.freedom[group].is_plain() {
-                return None;
-            }
-            if modes > 0 {
-                let start = slot(group)?;
-                places.extend(start..start + components * modes);
+        let freedom = &self.space.freedom;
+        let plain = |g: usize| freedom[g].is_plain();
+        if !(c.corners.iter().all(|v| plain(*v)) && c.edges.iter().all(|e| plain(vertices + e))) {
+            return None;
+        }
+        let mut order = Vec::with_capacity(local.modes - local.interior);
+        for g in groups {
+            match g.checked_sub(vertices) {
+                None => order.push(c.corners.iter().position(|v| v == g)?),
+                Some(edge) => {
+                    let e = c.edges.iter().position(|e| *e == edge)?;
+                    order.extend(local.edge_start[e] - local.interior..local.edge_start[e + 1] - local.interior);
+                }
             }
         }
-        Some(places)
+        Some(order)
     }
 
     /// Adds the columns of prescribed displacements and reactions; returns the constant parts of the reactions.
@@ -272,24 +288,6 @@ impl Assembly<'_> {
         solve_upper_triangular_in_place(l11.transpose(), x.as_mut(), Par::Seq);
         let interior = (0..ni).map(|i| x[((i % components) * local.interior + i / components, 0)]);
         Ok(interior.chain(boundary.iter().copied()).collect())
-    }
-}
-
-/// Copies the columns of a symmetric matrix to the lower triangle of another one, unknown `i` to `places[i]`.
-fn gather(s: &Mat<f64>, places: &[usize], matrix: &mut Mat<f64>) {
-    let mut runs: Vec<(usize, usize, usize)> = Vec::new();
-    for (i, place) in places.iter().enumerate() {
-        match runs.last_mut() {
-            Some((_, to, length)) if *to + *length == *place => *length += 1,
-            _ => runs.push((i, *place, 1)),
-        }
-    }
-    for (j, place) in places.iter().enumerate() {
-        let (source, target) = (s.col_as_slice(j), matrix.col_as_slice_mut(*place));
-        for (from, to, length) in &runs {
-            let skip = place.saturating_sub(*to).min(*length);
-            target[to + skip..to + length].copy_from_slice(&source[from + skip..from + length]);
-        }
     }
 }
 

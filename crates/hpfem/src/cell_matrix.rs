@@ -20,15 +20,12 @@ pub(crate) struct SharedMatrices {
 /// Applies `task` to `0..count`, in parallel with the `rayon` feature; results come in order either way.
 pub(crate) fn map_cells<T: Send>(count: usize, task: impl Fn(&mut Workspace, usize) -> T + Sync + Send) -> Vec<T> {
     #[cfg(feature = "rayon")]
-    {
+    if rayon::current_num_threads() > 1 {
         use rayon::prelude::*;
-        (0..count).into_par_iter().map_init(Workspace::default, task).collect()
+        return (0..count).into_par_iter().map_init(Workspace::default, task).collect();
     }
-    #[cfg(not(feature = "rayon"))]
-    {
-        let mut work = Workspace::default();
-        (0..count).map(|i| task(&mut work, i)).collect()
-    }
+    let mut work = Workspace::default();
+    (0..count).map(|i| task(&mut work, i)).collect()
 }
 
 impl Assembly<'_> {
@@ -75,18 +72,21 @@ impl Assembly<'_> {
         Ok((k, ni))
     }
 
-    /// Condensed stiffness of the cell on its boundary unknowns, both triangles.
+    /// Condensed stiffness of a cell on its boundary modes in the given order (corners are 0..4), displacement components running fastest:
+    /// the lower triangle, columns one after the other.
     pub(crate) fn boundary_matrix(
         &self,
         cell: usize,
         local: &LocalModes,
+        order: &[usize],
         shared: &SharedMatrices,
         work: &mut Workspace,
-    ) -> Result<Mat<f64>, Error> {
+    ) -> Result<Vec<f64>, Error> {
         let number = shared.congruence.class[cell];
         let class = &shared.congruence.classes[number];
         let turn = &shared.congruence.turn[cell];
         let sources = sources(local, self.mesh.cells[cell].against, class.edges, turn);
+        let sources: Vec<(usize, f64)> = order.iter().map(|mode| sources[*mode]).collect();
         if let Some(matrix) = &shared.matrices[number] {
             return Ok(turned(matrix.as_ref(), &sources, turn, self.space.components));
         }
@@ -124,28 +124,25 @@ fn sources(local: &LocalModes, against: [bool; 4], edges: [usize; 4], turn: &Tur
     sources
 }
 
-/// The matrix on the unknowns of a cell, displacement components running fastest.
-fn turned(s: MatRef<'_, f64>, sources: &[(usize, f64)], turn: &Turn, components: usize) -> Mat<f64> {
+/// The lower triangle of the matrix on the unknowns of a cell, displacement components running fastest.
+fn turned(s: MatRef<'_, f64>, sources: &[(usize, f64)], turn: &Turn, components: usize) -> Vec<f64> {
     let n = s.nrows() / components;
+    let size = components * sources.len();
     let [[a, b], [c, d]] = turn.matrix;
-    let mut out = Mat::zeros(components * sources.len(), components * sources.len());
+    let mut out = vec![0.0; size * size];
     let column = |j: usize| s.col(j).try_as_col_major().map_or(&[][..], |c| c.as_slice());
     for (j, (from, sign)) in sources.iter().enumerate() {
         if components == 1 {
             let source = column(*from);
-            for (value, (i, other)) in out.col_as_slice_mut(j).iter_mut().zip(sources) {
+            for (value, (i, other)) in out[j * size + j..(j + 1) * size].iter_mut().zip(&sources[j..]) {
                 *value = sign * other * source[*i];
             }
             continue;
         }
         let ((xx, zx), (xz, zz)) = (column(*from).split_at(n), column(n + from).split_at(n));
-        let (left, right) = out.as_mut().split_at_col_mut(2 * j + 1);
-        let columns = (left.col_mut(2 * j).try_as_col_major_mut(), right.col_mut(0).try_as_col_major_mut());
-        let (Some(first), Some(second)) = columns else {
-            continue;
-        };
-        let pairs = first.as_slice_mut().chunks_exact_mut(2).zip(second.as_slice_mut().chunks_exact_mut(2));
-        for ((first, second), (i, other)) in pairs.zip(sources) {
+        let (first, second) = out[2 * j * size..2 * (j + 1) * size].split_at_mut(size);
+        let pairs = first[2 * j..].chunks_exact_mut(2).zip(second[2 * j..].chunks_exact_mut(2));
+        for ((first, second), (i, other)) in pairs.zip(&sources[j..]) {
             let f = sign * other;
             // T B T^T with the 2 x 2 block B of a pair of modes.
             let (t00, t01) = (a * xx[*i] + b * zx[*i], a * xz[*i] + b * zz[*i]);

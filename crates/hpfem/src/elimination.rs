@@ -17,10 +17,10 @@ use faer::{Accum, Mat, MatMut, MatRef, Par, Spec};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// A symmetric matrix (lower triangle) and right-hand sides on the unknowns of `groups`, in that order.
+/// A symmetric matrix (lower triangle, columns one after the other) and right-hand sides on the unknowns of `groups`, in that order.
 pub(crate) struct Element {
     pub(crate) groups: Vec<usize>,
-    pub(crate) matrix: Mat<f64>,
+    pub(crate) matrix: Vec<f64>,
     pub(crate) rhs: Mat<f64>,
 }
 
@@ -44,7 +44,7 @@ struct FrontPlan {
 struct Front {
     groups: Vec<usize>,
     eliminated: usize,
-    panel: Mat<f64>,
+    panel: Vec<f64>,
     reduced: Mat<f64>,
 }
 
@@ -163,37 +163,50 @@ impl Plan {
         let mut offset = vec![0; size.len()];
         let mut fronts = Vec::with_capacity(self.fronts.len());
         let mut work = Mat::zeros(columns, columns);
+        // Matrices that have been added to a front, for reuse.
+        let mut spent: Vec<Vec<f64>> = Vec::new();
         for plan in &self.fronts {
             let n = place(&plan.groups, size, &mut offset);
             let ne = plan.groups[..plan.eliminated].iter().map(|g| size[*g]).sum();
-            let mut panel = Mat::zeros(n, ne);
-            let mut trailing = Mat::zeros(n - ne, n - ne);
+            let mut front = Front {
+                groups: plan.groups.clone(),
+                eliminated: plan.eliminated,
+                panel: vec![0.0; n * ne],
+                reduced: Mat::zeros(ne, columns),
+            };
+            let mut rest = spent.pop().unwrap_or_default();
+            rest.clear();
+            rest.resize((n - ne) * (n - ne), 0.0);
             let mut rhs = Mat::zeros(n, columns);
             for child in &plan.children {
                 if let Some(element) = elements[*child].take() {
-                    add(&element, size, &offset, &mut panel, &mut trailing, &mut rhs);
+                    add(&element, size, &offset, n, &mut front.panel, &mut rest, &mut rhs);
+                    spent.push(element.matrix);
                 }
             }
+            let mut panel = MatMut::from_column_major_slice_mut(&mut front.panel, n, ne);
+            let trailing = MatMut::from_column_major_slice_mut(&mut rest, n - ne, n - ne);
             factor_panel(panel.as_mut()).map_err(|index| owner(&plan.groups, size, index))?;
-            subtract_square(panel.as_ref().subrows(ne, n - ne), trailing.as_mut());
             let (l11, l21) = panel.as_ref().split_at_row(ne);
+            subtract_square(l21, trailing);
             let (mut f1, mut f2) = rhs.as_mut().split_at_row_mut(ne);
             solve_lower_triangular_in_place(l11, f1.as_mut(), Par::Seq);
             matmul(f2.as_mut(), Accum::Add, l21, f1.as_ref(), -1.0, Par::Seq);
             matmul(work.as_mut(), Accum::Add, f1.as_ref().transpose(), f1.as_ref(), 1.0, Par::Seq);
-            let (reduced, rest) = (f1.to_owned(), f2.to_owned());
-            elements.push(Some(Element { groups: plan.groups[plan.eliminated..].to_vec(), matrix: trailing, rhs: rest }));
-            fronts.push(Front { groups: plan.groups.clone(), eliminated: plan.eliminated, panel, reduced });
+            front.reduced.copy_from(f1);
+            let groups = plan.groups[plan.eliminated..].to_vec();
+            elements.push(Some(Element { groups, matrix: rest, rhs: f2.to_owned() }));
+            fronts.push(front);
         }
         let n = place(kept, size, &mut offset);
-        let mut none = Mat::zeros(n, 0);
-        let mut stiffness = Mat::zeros(n, n);
+        let mut square = vec![0.0; n * n];
         let mut rhs = Mat::zeros(n, columns);
         for root in &self.roots {
             if let Some(element) = elements[*root].take() {
-                add(&element, size, &offset, &mut none, &mut stiffness, &mut rhs);
+                add(&element, size, &offset, n, &mut [], &mut square, &mut rhs);
             }
         }
+        let mut stiffness = MatRef::from_column_major_slice(&square, n, n).to_owned();
         for j in 0..n {
             for i in 0..j {
                 stiffness[(i, j)] = stiffness[(j, i)];
@@ -210,12 +223,13 @@ impl Condensed {
         for front in self.fronts.iter().rev() {
             let (gone, left) = front.groups.split_at(front.eliminated);
             let known: Vec<f64> = left.iter().flat_map(|g| values[*g].iter().copied()).collect();
-            let ne = front.panel.ncols();
+            let ne = front.reduced.nrows();
             let mut x = Mat::from_fn(ne, 1, |i, _| {
                 factors.iter().enumerate().map(|(c, factor)| factor * front.reduced[(i, c)]).sum::<f64>()
             });
             let known = Mat::from_fn(known.len(), 1, |i, _| known[i]);
-            let (l11, l21) = front.panel.split_at_row(ne);
+            let panel = MatRef::from_column_major_slice(&front.panel, ne + known.nrows(), ne);
+            let (l11, l21) = panel.split_at_row(ne);
             matmul(x.as_mut(), Accum::Add, l21.transpose(), known.as_ref(), -1.0, Par::Seq);
             solve_upper_triangular_in_place(l11.transpose(), x.as_mut(), Par::Seq);
             let mut at = 0;
@@ -300,30 +314,35 @@ fn place(groups: &[usize], size: &[usize], offset: &mut [usize]) -> usize {
     n
 }
 
-/// Adds an element into a front whose leading columns are `panel`. Both sort their groups by rank, so lower stays lower and rows come
-/// in runs.
-fn add(element: &Element, size: &[usize], offset: &[usize], panel: &mut Mat<f64>, trailing: &mut Mat<f64>, rhs: &mut Mat<f64>) {
-    let ne = panel.ncols();
-    let mut from = 0;
-    for (b, column_group) in element.groups.iter().enumerate() {
-        for c in 0..size[*column_group] {
-            let (source, target) = (from + c, offset[*column_group] + c);
-            let column = element.matrix.col_as_slice(source);
-            let (out, shift) = match target.checked_sub(ne) {
-                None => (panel.col_as_slice_mut(target), 0),
-                Some(rest) => (trailing.col_as_slice_mut(rest), ne),
-            };
-            let mut row = from;
-            for row_group in &element.groups[b..] {
-                let n = size[*row_group];
-                let start = offset[*row_group] - shift;
-                for (o, s) in out[start..start + n].iter_mut().zip(&column[row..row + n]) {
-                    *o += s;
-                }
-                row += n;
-            }
+/// Adds an element into a front of `n` unknowns whose leading columns are `panel` and whose trailing square is `rest`. Both sort their
+/// groups by rank, so lower stays lower and rows come in runs.
+fn add(element: &Element, size: &[usize], offset: &[usize], n: usize, panel: &mut [f64], rest: &mut [f64], rhs: &mut Mat<f64>) {
+    let ne = panel.len().checked_div(n).unwrap_or(0);
+    // Runs of rows: first row in the element, first row in the front, length. Groups that follow each other in both make one run.
+    let mut runs: Vec<(usize, usize, usize)> = Vec::with_capacity(element.groups.len());
+    let mut rows = 0;
+    for g in &element.groups {
+        match runs.last_mut() {
+            Some((_, to, length)) if *to + *length == offset[*g] => *length += size[*g],
+            _ => runs.push((rows, offset[*g], size[*g])),
         }
-        from += size[*column_group];
+        rows += size[*g];
+    }
+    for (number, (from, to, length)) in runs.iter().enumerate() {
+        for c in 0..*length {
+            let column = &element.matrix[(from + c) * rows..(from + c + 1) * rows];
+            let target = to + c;
+            let (out, shift) = match target.checked_sub(ne) {
+                None => (&mut panel[target * n..(target + 1) * n], 0),
+                Some(k) => (&mut rest[k * (n - ne)..(k + 1) * (n - ne)], ne),
+            };
+            let mut add = |from: usize, to: usize, length: usize| {
+                let target = &mut out[to - shift..to - shift + length];
+                target.iter_mut().zip(&column[from..from + length]).for_each(|(o, s)| *o += s);
+            };
+            add(from + c, target, length - c);
+            runs[number + 1..].iter().for_each(|(from, to, length)| add(*from, *to, *length));
+        }
     }
     let mut row = 0;
     for g in &element.groups {
