@@ -7,4 +7,5 @@ mod extreme;
 mod properties;
 mod random;
 mod reference;
+mod reference_bodies;
 mod surfaces;
