@@ -1,7 +1,7 @@
 //! Wear linearised about a pressure: how fast each deviation from the steady state wears away, and how long explicit steps may be.
 //!
 //! A deviation `f` of nodal forces that keeps the balance obeys `A f' + Psi y' = -R f` with `R = (dw'/dp) / W`; modes `f ~ exp(-t / T)` are
-//! eigenvectors of `A f + Psi y = T R f`. Explicit Euler is stable for steps below `min 2 Re(1/T) / |1/T|^2 = 2 min Re T`.
+//! eigenvectors of `A f + Psi y = T R f`. Explicit Euler is stable for steps below `min 2 Re(1/T) / |1/T|^2`.
 
 use crate::implicit_stage::Load;
 use crate::rigid_wear::RigidWear;
@@ -21,35 +21,72 @@ pub struct RunIn {
 
 /// Modes at a pressure; `None` if nothing wears or the eigenvalues cannot be found.
 pub(crate) fn run_in(load: &Load<'_>, rigid: &RigidWear, pressure: &[f64], mean_speed: f64) -> Option<RunIn> {
-    let active: Vec<usize> =
-        (0..pressure.len()).filter(|i| pressure[*i] > 0.0 && load.rate.local_slope(*i, pressure[*i]) > 0.0).collect();
+    let wearing = |i: &usize| pressure[*i] > 0.0 && load.rate.local_slope(*i, pressure[*i]) > 0.0;
+    let active: Vec<usize> = (0..pressure.len()).filter(wearing).collect();
     let n = active.len();
-    // R^(-1/2).
-    let soft: Vec<f64> = active.iter().map(|i| (load.weights[*i] / load.rate.local_slope(*i, pressure[*i])).sqrt()).collect();
-    let rows = |m: &Mat<f64>| Mat::from_fn(n, m.ncols(), |i, j| soft[i] * m[(active[i], j)]);
-    let mut compliance = Mat::from_fn(n, n, |i, j| soft[i] * load.system.compliance[(active[i], active[j])] * soft[j]);
-    compliance += rows(&rigid.held_influence) * rows(&rigid.held_balance).transpose();
-    let (closing, balance) = (rows(&rigid.influence), rows(&rigid.balance));
-    if n <= closing.ncols() {
+    if n <= rigid.influence.ncols() {
         return None;
     }
-    let (right, left) = (complement(&balance), complement(&closing));
-    let reduced = left.transpose() * compliance * &right;
-    // T as real and imaginary part.
-    let times: Vec<[f64; 2]> = if load.system.symmetric && !load.rate.recedes() {
-        let symmetric = Mat::from_fn(reduced.nrows(), reduced.ncols(), |i, j| 0.5 * (reduced[(i, j)] + reduced[(j, i)]));
-        symmetric.self_adjoint_eigenvalues(Side::Lower).ok()?.iter().map(|t| [*t, 0.0]).collect()
+    // R^(-1/2).
+    let soft: Vec<f64> = active.iter().map(|i| (load.weights[*i] / load.rate.local_slope(*i, pressure[*i])).sqrt()).collect();
+    let slope = |j: usize| load.rate.recession_slope(active[j], pressure[active[j]]) / load.weights[active[j]];
+    let wear = Mat::from_fn(n, n, |i, j| f64::from(u8::from(i == j)) + soft[i] * slope(j) * soft[j]);
+    let symmetric = load.system.symmetric && !load.rate.recedes();
+    // Scaled by the wear, slow modes are accurate; unscaled, the inverse has the fast ones.
+    let Reduced { right, left, matrix } = Reduced::new(load, rigid, &active, &soft);
+    let times = if symmetric {
+        eigenvalues(&matrix, true)?
     } else {
-        let slope = |j: usize| load.rate.recession_slope(active[j], pressure[active[j]]) / load.weights[active[j]];
-        let wear = Mat::from_fn(n, n, |i, j| f64::from(u8::from(i == j)) + soft[i] * slope(j) * soft[j]);
-        let wear = left.transpose() * wear * &right;
-        let matrix = wear.partial_piv_lu().solve(&reduced);
-        matrix.eigenvalues().ok()?.iter().map(|t| [t.re, t.im]).collect()
+        eigenvalues(&(left.transpose() * &wear * &right).partial_piv_lu().solve(&matrix), false)?
     };
     let mut decay: Vec<f64> = times.iter().map(|[re, im]| (re * re + im * im) / re).collect();
     decay.sort_by(|a, b| b.total_cmp(a));
-    let shortest = times.iter().map(|t| t[0]).fold(f64::INFINITY, f64::min);
-    Some(RunIn { distances: decay.iter().map(|t| t * mean_speed).collect(), times: decay, explicit_limit: 2.0 * shortest })
+    let Reduced { right, left, matrix } = Reduced::new(load, rigid, &active, &vec![1.0; n]);
+    let stiffness = &right * matrix.partial_piv_lu().solve(left.transpose());
+    let rates = eigenvalues(&(wear * Mat::from_fn(n, n, |i, j| stiffness[(i, j)] / (soft[i] * soft[j]))), symmetric)?;
+    let square = |[re, im]: &[f64; 2]| re * re + im * im;
+    let fastest = rates.iter().map(square).fold(0.0, f64::max);
+    let bounds = rates.iter().filter(|l| square(l) > ROUND_OFF * fastest).map(|l| 2.0 * l[0] / square(l));
+    Some(RunIn {
+        distances: decay.iter().map(|t| t * mean_speed).collect(),
+        times: decay,
+        explicit_limit: bounds.fold(f64::INFINITY, f64::min).max(0.0),
+    })
+}
+
+/// Square of a rate over that of the fastest below which it is the round-off of a rigid mode.
+const ROUND_OFF: f64 = 1e-18;
+
+/// Compliance on the forces that keep the balance, seen modulo the rigid modes.
+struct Reduced {
+    /// Basis of the forces.
+    right: Mat<f64>,
+    /// Basis of the openings.
+    left: Mat<f64>,
+    matrix: Mat<f64>,
+}
+
+impl Reduced {
+    /// With rows and columns multiplied by `scale`.
+    fn new(load: &Load<'_>, rigid: &RigidWear, active: &[usize], scale: &[f64]) -> Reduced {
+        let n = active.len();
+        let rows = |m: &Mat<f64>| Mat::from_fn(n, m.ncols(), |i, j| scale[i] * m[(active[i], j)]);
+        let mut compliance = Mat::from_fn(n, n, |i, j| scale[i] * load.system.compliance[(active[i], active[j])] * scale[j]);
+        compliance += rows(&rigid.held_influence) * rows(&rigid.held_balance).transpose();
+        let (right, left) = (complement(&rows(&rigid.balance)), complement(&rows(&rigid.influence)));
+        let matrix = left.transpose() * compliance * &right;
+        Reduced { right, left, matrix }
+    }
+}
+
+/// Eigenvalues as real and imaginary part.
+fn eigenvalues(matrix: &Mat<f64>, symmetric: bool) -> Option<Vec<[f64; 2]>> {
+    if symmetric {
+        let n = matrix.nrows();
+        let even = Mat::from_fn(n, n, |i, j| 0.5 * (matrix[(i, j)] + matrix[(j, i)]));
+        return Some(even.self_adjoint_eigenvalues(Side::Lower).ok()?.iter().map(|t| [*t, 0.0]).collect());
+    }
+    Some(matrix.eigenvalues().ok()?.iter().map(|t| [t.re, t.im]).collect())
 }
 
 /// Orthonormal basis of what is orthogonal to the columns.

@@ -2,7 +2,7 @@
 
 use crate::bodies::{drum, punch, surface_points};
 use contact::{ContactLoad, ContactOperator, ContactSystem, Motion, Pair};
-use shapeopt::{Evolution, EvolutionStatus, WearProblem, WearState};
+use shapeopt::{Evolution, EvolutionStatus, Scheme, Stepping, Until, WearProblem, WearState};
 use std::time::Instant;
 use wear::{Counterface, SurfacePoint, WearPair};
 
@@ -137,5 +137,36 @@ fn drum_wears_to_the_cosine_power_from_unworn_and_from_uniform_pressure() {
         for i in 0..n {
             assert!((ends[0][i] - ends[1][i] - rise * points[i].normal.z).abs() < 1e-8 * size);
         }
+    }
+}
+
+/// Close to the steady state of a sliding punch, whose operator is not symmetric, explicit steps tell on which side of the bound they
+/// are: below it they settle; above it a linear rule grows and a convex one (b = 2) oscillates without settling.
+#[test]
+fn explicit_steps_on_a_sliding_punch_settle_below_the_bound_only() {
+    let (points, [system]) = punch_stages(5, 2, [1.0]);
+    for b in [1.0, 2.0] {
+        let gap = vec![0.0; points.len()];
+        let mut problem = WearProblem::new(points.clone(), rule(b), Counterface::Fresh, gap, system.clone());
+        problem.until = Until::Steady { residual: 1e-7 };
+        let mut evolution = Evolution::new(&problem).unwrap();
+        let steady = evolution.by_ref().last().unwrap();
+        let modes = evolution.run_in().unwrap();
+        let limit = modes.explicit_limit;
+        problem.scheme = Scheme::Explicit;
+        problem.gap = steady.gap;
+        let residual = |factor: f64| {
+            let steps = 3000.0;
+            let until = Until::Time(steps * factor * limit);
+            let run = WearProblem { stepping: Stepping::Fixed(factor * limit), until, ..problem.clone() };
+            Evolution::new(&run).unwrap().last().unwrap().steady_residual
+        };
+        let (below, above) = (residual(0.95), residual(1.05));
+        println!(
+            "b {b}: limit {limit:.4e} s, slowest {:.4e} s, residual {:.2e} -> {below:.2e}, {above:.2e}",
+            modes.times[0], steady.steady_residual
+        );
+        assert!(below < 0.1 * steady.steady_residual);
+        assert!(above > 1e-3);
     }
 }
