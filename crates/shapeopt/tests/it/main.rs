@@ -5,6 +5,7 @@ mod bodies;
 mod closed_form;
 mod decay;
 mod order;
+mod partial;
 mod schedule;
 mod stability;
 mod steady;

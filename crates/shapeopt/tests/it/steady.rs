@@ -9,7 +9,7 @@ use wear::{Counterface, SurfacePoint, WearPair};
 pub const BETA: f64 = 2e-4;
 pub const FRICTION: f64 = 0.25;
 
-fn rule(b: f64) -> WearPair {
+pub fn rule(b: f64) -> WearPair {
     WearPair::from_beta([BETA, 0.0], FRICTION, [1.0; 2], [b; 2]).unwrap()
 }
 
@@ -37,7 +37,7 @@ fn drum_system(degree: usize, layers: usize, friction: f64) -> (Vec<SurfacePoint
 }
 
 /// Runs to the end and prints what it took.
-fn run(name: &str, problem: &WearProblem) -> WearState {
+pub fn run(name: &str, problem: &WearProblem) -> WearState {
     let start = Instant::now();
     let mut evolution = Evolution::new(problem).unwrap();
     for state in &mut evolution {
