@@ -1,5 +1,6 @@
 //! From cells to elements of the elimination: stiffness, condensed interior, loads, supports.
 
+use crate::additions::BodyForce;
 use crate::basis::{LocalModes, Table};
 use crate::cell_matrix::SharedMatrices;
 use crate::curve::Curve;
@@ -62,6 +63,8 @@ pub(crate) struct CellElement {
     pub(crate) element: Element,
     /// Parts of the reactions that do not depend on active unknowns, `reactions x columns`.
     pub(crate) constant: Mat<f64>,
+    /// Work of body forces on the interior they displace, by load cases.
+    pub(crate) interior_work: Option<Mat<f64>>,
 }
 
 /// Number of Gauss points a direction for a cell of the given degree; curved maps need a little more than `degree + 1`.
@@ -76,11 +79,18 @@ impl Assembly<'_> {
         cell: usize,
         rank: &[usize],
         shared: &SharedMatrices,
+        forces: &[BodyForce<'_>],
         work: &mut Workspace,
     ) -> Result<CellElement, Error> {
         let space = self.space;
         let local = space.local_modes(self.mesh, cell);
-        let load = self.cell_loads(cell, &local);
+        let mut load = self.cell_loads(cell, &local);
+        let mut interior_work = None;
+        if !forces.is_empty() {
+            let body = self.body_load(cell, forces, work)?;
+            load.extend(body.boundary);
+            interior_work = Some(body.work);
+        }
         let groups = space.cell_groups(self.mesh, cell, rank);
         let mut start = vec![0; groups.len() + 1];
         for (i, g) in groups.iter().enumerate() {
@@ -99,7 +109,7 @@ impl Assembly<'_> {
                 }
             }
             let constant = Mat::zeros(self.columns - self.load_cases.len() - 1, self.columns);
-            return Ok(CellElement { element: Element { groups, matrix, rhs }, constant });
+            return Ok(CellElement { element: Element { groups, matrix, rhs }, constant, interior_work });
         }
         let order: Vec<usize> = (0..local.modes - local.interior).collect();
         let mut s = self.boundary_matrix(cell, &local, &order, shared, work)?;
@@ -131,7 +141,7 @@ impl Assembly<'_> {
             }
         }
         let constant = self.supports(&targets, &rows, s, &load, &mut rhs);
-        Ok(CellElement { element: Element { groups, matrix, rhs }, constant })
+        Ok(CellElement { element: Element { groups, matrix, rhs }, constant, interior_work })
     }
 
     /// The cell's boundary modes in the order of its groups, if no component of any is prescribed, turned or tied to a rigid edge.
@@ -157,7 +167,7 @@ impl Assembly<'_> {
     }
 
     /// Adds the columns of prescribed displacements and reactions; returns the constant parts of the reactions.
-    fn supports(
+    pub(crate) fn supports(
         &self,
         targets: &[Target],
         rows: &[Vec<(usize, f64)>],

@@ -1,5 +1,6 @@
 //! A body: mesh, material, supports and loads, reduced to its kept boundary.
 
+use crate::additions::{Additions, edge_groups};
 use crate::assemble::{Assembly, LoadCase, edge_modes, points_for, rotation_about_origin};
 use crate::basis::Table;
 use crate::cell_matrix::map_cells;
@@ -46,6 +47,7 @@ pub struct Body<'a> {
     /// Sizes and times of the reduction.
     pub effort: Effort,
     problem: BodyProblem<'a>,
+    additions: Additions<'a>,
     space: Space,
     condensed: Condensed,
     kept_groups: Vec<usize>,
@@ -70,31 +72,57 @@ impl<'a> Body<'a> {
     /// # Errors
     /// Unknown boundary names, folded cells, degrees out of range, a body that nothing holds.
     pub fn new(problem: BodyProblem<'a>) -> Result<Body<'a>, Error> {
+        Body::with(problem, Additions::default())
+    }
+
+    /// As [`Body::new`], with pins, elastic foundations and body forces. The strain energy of such a body includes its foundations;
+    /// reactions of pins are numbered after those of the supports.
+    ///
+    /// # Errors
+    /// As for [`Body::new`]; pins, load cases or boundaries that do not exist, negative foundations.
+    pub fn with(problem: BodyProblem<'a>, additions: Additions<'a>) -> Result<Body<'a>, Error> {
         let start = Instant::now();
         check(&problem)?;
+        additions.check(problem.mesh, problem.load_cases.len())?;
         let mesh = problem.mesh;
         let supports = problem.supports;
-        let space =
-            Space::new(mesh, problem.degrees.clone(), problem.space, problem.kinematics, supports, problem.rigid_edge.as_ref())?;
+        let space = Space::new(
+            mesh,
+            problem.degrees.clone(),
+            problem.space,
+            problem.kinematics,
+            supports,
+            problem.rigid_edge.as_ref(),
+            &additions.pins,
+        )?;
         let walk = problem.kept.map(|name| path(mesh, name)).transpose()?.unwrap_or_default();
         let kept_groups = kept_groups(mesh, &space, &walk);
-        let element_groups: Vec<Vec<usize>> = (0..mesh.cells.len()).map(|c| space.cell_groups(mesh, c, &[])).collect();
+        let foundations = additions.foundation_edges(mesh)?;
+        let mut element_groups: Vec<Vec<usize>> = (0..mesh.cells.len()).map(|c| space.cell_groups(mesh, c, &[])).collect();
+        element_groups.extend(foundations.iter().map(|(e, _)| edge_groups(mesh, &space, *e, &[])));
         let plan = Plan::new(&element_groups, &space.size, &kept_groups);
         let ordered = start.elapsed();
-        let assembly = assembly(&problem, &space)?;
+        let assembly = assembly(&problem, &space, additions.pins.len())?;
         let (columns, unit) = (assembly.columns, assembly.unit);
         let shared = assembly.shared_matrices()?;
-        let results = map_cells(mesh.cells.len(), |work, c| assembly.cell(c, &plan.rank, &shared, work));
+        let results = map_cells(mesh.cells.len(), |work, c| assembly.cell(c, &plan.rank, &shared, &additions.body_forces, work));
         let mut elements = Vec::with_capacity(mesh.cells.len());
-        let mut reaction_constant = Mat::zeros(3 * supports.len(), columns);
-        for result in results {
+        let mut reaction_constant = Mat::zeros(3 * (supports.len() + additions.pins.len()), columns);
+        let mut interior_work = Mat::<f64>::zeros(columns, columns);
+        let on_foundations = foundations.iter().map(|(e, f)| Ok(assembly.foundation(*e, f, &plan.rank)));
+        for result in results.into_iter().chain(on_foundations) {
             let cell = result?;
+            if let Some(work) = cell.interior_work {
+                let mut part = interior_work.as_mut().submatrix_mut(0, 0, work.nrows(), work.ncols());
+                part += &work;
+            }
             reaction_constant += &cell.constant;
             elements.push(cell.element);
         }
         let assembled = start.elapsed();
         let interior: usize = (0..mesh.cells.len()).map(|c| space.components * space.local_modes(mesh, c).interior).sum();
-        let condensed = plan.run(elements, &space.size, &kept_groups, columns).map_err(|g| not_held(place(mesh, g)))?;
+        let mut condensed = plan.run(elements, &space.size, &kept_groups, columns).map_err(|g| not_held(place(mesh, g)))?;
+        condensed.work += &interior_work;
         let finite = |m: &Mat<f64>| m.col_iter().all(|c| c.iter().all(|v| v.is_finite()));
         if !(finite(&condensed.rhs) && finite(&condensed.work)) {
             let quantity = "a load, or what is left of it after elimination,".into();
@@ -108,7 +136,7 @@ impl<'a> Body<'a> {
             unknowns += space.size[*g];
         }
         let trace = Trace::new(mesh, &space, problem.kinematics, &walk, |g| offsets[g], unknowns);
-        let rigid_motions = free_motions(mesh, &space, problem.kinematics);
+        let rigid_motions = free_motions(mesh, &space, problem.kinematics, &additions.held(mesh)?);
         let rigid_modes = rigid_columns(mesh, &space, &kept_groups, &rigid_motions, unknowns, problem.kinematics);
         let mut frame = [None; 3];
         if let Some((group, rigid)) = &space.frame {
@@ -138,7 +166,7 @@ impl<'a> Body<'a> {
             assemble: assembled - ordered,
             factor: ordered + factored - assembled,
         };
-        Ok(Body { interface, effort, problem, space, condensed, kept_groups })
+        Ok(Body { interface, effort, problem, additions, space, condensed, kept_groups })
     }
 
     /// The mesh of the body.
@@ -169,7 +197,7 @@ impl<'a> Body<'a> {
             at += self.space.size[*g];
         }
         self.condensed.back_substitute(&mut values, &self.space.size, &state.factors);
-        let assembly = assembly(&self.problem, &self.space)?;
+        let assembly = assembly(&self.problem, &self.space, self.additions.pins.len())?;
         let mesh = self.problem.mesh;
         let coefficients = map_cells(mesh.cells.len(), |work, c| {
             let local = self.space.local_modes(mesh, c);
@@ -181,7 +209,15 @@ impl<'a> Body<'a> {
                     active + t.fixed.iter().map(|f| f.share * f.value).sum::<f64>()
                 })
                 .collect();
-            assembly.recover(c, &boundary, work).map(|u| (local, u))
+            let mut u = assembly.recover(c, &boundary, work)?;
+            let forces = &self.additions.body_forces;
+            if !forces.is_empty() {
+                let interior = assembly.body_load(c, forces, work)?.interior;
+                for (i, u) in u.iter_mut().take(interior.nrows()).enumerate() {
+                    *u += (0..interior.ncols()).map(|k| state.factors[k] * interior[(i, k)]).sum::<f64>();
+                }
+            }
+            Ok((local, u))
         });
         let coefficients = coefficients.into_iter().collect::<Result<Vec<_>, Error>>()?;
         Ok(Field::new(mesh, self.problem.kinematics, self.problem.materials, &self.space, coefficients))
@@ -204,7 +240,7 @@ fn kept_groups(mesh: &Mesh, space: &Space, walk: &[(usize, bool)]) -> Vec<usize>
     groups
 }
 
-fn assembly<'b>(problem: &'b BodyProblem<'_>, space: &'b Space) -> Result<Assembly<'b>, Error> {
+fn assembly<'b>(problem: &'b BodyProblem<'_>, space: &'b Space, pins: usize) -> Result<Assembly<'b>, Error> {
     let mesh = problem.mesh;
     let unit = unit_of_stiffness(problem);
     let mut tables: Vec<Option<Arc<Table>>> = Vec::new();
@@ -245,7 +281,7 @@ fn assembly<'b>(problem: &'b BodyProblem<'_>, space: &'b Space) -> Result<Assemb
         edge_loads,
         load_cases: problem.load_cases,
         rotation,
-        columns: problem.load_cases.len() + 1 + 3 * problem.supports.len(),
+        columns: problem.load_cases.len() + 1 + 3 * (problem.supports.len() + pins),
     })
 }
 

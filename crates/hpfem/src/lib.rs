@@ -7,10 +7,12 @@
 //! Units are the user's own, as long as they are consistent.
 
 mod adapt;
+mod additions;
 mod assemble;
 mod basis;
 mod blocks;
 mod body;
+mod body_force;
 mod cell_matrix;
 mod check;
 mod congruence;
@@ -35,6 +37,7 @@ mod space;
 mod trace;
 
 pub use adapt::{AdaptStatus, Adapted, adapt, graded_level};
+pub use additions::{Additions, BodyForce, Force, Foundation, Pin};
 pub use assemble::{BoundaryPoint, EdgeTraction, LoadCase};
 pub use blocks::{Named, Ruled, Side};
 pub use body::{Body, BodyProblem, Effort};

@@ -6,8 +6,9 @@ use crate::mesh::Mesh;
 use crate::space::{Space, rigid_rows};
 use faer::Mat;
 
-/// Rigid motions `[t_x, t_z, theta]` about the origin that no support hinders, as a reduced basis.
-pub(crate) fn free_motions(mesh: &Mesh, space: &Space, kinematics: Kinematics) -> Vec<[f64; 3]> {
+/// Rigid motions `[t_x, t_z, theta]` about the origin that neither a support nor one of the directions `(place, direction)` in
+/// `held` hinders, as a reduced basis.
+pub(crate) fn free_motions(mesh: &Mesh, space: &Space, kinematics: Kinematics, held: &[([f64; 2], [f64; 2])]) -> Vec<[f64; 3]> {
     let size = mesh.vertices.iter().fold(0.0_f64, |m, x| m.max(x[0].abs()).max(x[1].abs()));
     let candidates: &[usize] = match kinematics {
         Kinematics::Axisymmetric => &[1],
@@ -20,6 +21,9 @@ pub(crate) fn free_motions(mesh: &Mesh, space: &Space, kinematics: Kinematics) -
         let motions = rigid_rows(x, [0.0, 0.0]);
         rows.push([0, 1, 2].map(|k| (motions[k][0] * d[0] + motions[k][1] * d[1]) / if k == 2 { size } else { 1.0 }));
     };
+    for (x, d) in held {
+        condition(*x, *d);
+    }
     for (g, freedom) in space.freedom.iter().enumerate() {
         let x = match g.checked_sub(mesh.vertices.len()) {
             None => mesh.vertices[g],

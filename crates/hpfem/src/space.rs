@@ -1,5 +1,6 @@
 //! Degrees of freedom: degrees of cells and edges, supports, rigid edges.
 
+use crate::additions::Pin;
 use crate::basis::LocalModes;
 use crate::error::Error;
 use crate::material::Kinematics;
@@ -154,6 +155,7 @@ impl Space {
         kinematics: Kinematics,
         supports: &[Support],
         rigid: Option<&RigidEdge>,
+        pins: &[Pin],
     ) -> Result<Space, Error> {
         let components = kinematics.components();
         if let Some(cell) = (0..mesh.cells.len()).find(|c| !(1..=MAX_DEGREE).contains(&cell_degree[*c])) {
@@ -195,6 +197,10 @@ impl Space {
                 freedom[b].fix(direction, number, support.value);
                 freedom[vertices + e].fix(direction, number, 0.0);
             }
+        }
+        for (number, pin) in pins.iter().enumerate() {
+            let d = if pin.direction == Direction::Second { [0.0, 1.0] } else { [1.0, 0.0] };
+            freedom[pin.vertex].fix(d, supports.len() + number, 0.0);
         }
         if kinematics.is_revolved() {
             let on_axis = axis_vertices(mesh);

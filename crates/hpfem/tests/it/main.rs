@@ -1,6 +1,7 @@
 //! Tests of the crate, one binary.
 #![allow(clippy::unwrap_used, missing_docs)]
 
+mod additions;
 mod classics;
 mod common;
 mod continuity;

@@ -1,0 +1,178 @@
+//! What a body may have besides supports and edge tractions: pins, elastic foundations, body forces.
+
+use crate::assemble::{Assembly, CellElement, boundary_point, points_for};
+use crate::elimination::Element;
+use crate::error::Error;
+use crate::legendre::shape_functions;
+use crate::material::Kinematics;
+use crate::mesh::Mesh;
+use crate::quadrature::gauss;
+use crate::space::{Direction, Space, Target};
+use faer::Mat;
+
+/// A vertex held at zero in one direction, to stop rigid motions. Its reaction is number `supports + index`; on a body whose loads
+/// balance it vanishes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pin {
+    /// The vertex.
+    pub vertex: usize,
+    /// [`Direction::First`] or [`Direction::Second`].
+    pub direction: Direction,
+}
+
+/// An elastic foundation: the boundary is pulled back by `-normal (u . n) n - tangential (u . t) t` per area. In torsion the
+/// tangential stiffness acts on `u_phi`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Foundation {
+    /// Name of the boundary.
+    pub boundary: String,
+    /// Stiffness along the normal, pressure per length, zero or positive.
+    pub normal: f64,
+    /// Stiffness along the tangent, zero or positive.
+    pub tangential: f64,
+}
+
+/// A force per volume as a function of the position, `[f_x, f_z]`, in torsion `[f_phi, _]`; it belongs to a load case.
+pub struct BodyForce<'a> {
+    /// Number of the load case.
+    pub case: usize,
+    /// The force.
+    pub force: Force<'a>,
+}
+
+/// A force density as a function of the position.
+pub type Force<'a> = Box<dyn Fn([f64; 2]) -> [f64; 2] + Sync + 'a>;
+
+/// Pins, foundations and body forces of a body; see [`Body::with`](crate::Body::with).
+#[derive(Default)]
+pub struct Additions<'a> {
+    /// Pinned vertices.
+    pub pins: Vec<Pin>,
+    /// Elastic foundations.
+    pub foundations: Vec<Foundation>,
+    /// Body forces.
+    pub body_forces: Vec<BodyForce<'a>>,
+}
+
+impl Additions<'_> {
+    /// Refuses what cannot be.
+    pub(crate) fn check(&self, mesh: &Mesh, cases: usize) -> Result<(), Error> {
+        for pin in &self.pins {
+            if pin.vertex >= mesh.vertices.len() {
+                let what = "pinned vertex, vertices".into();
+                return Err(Error::Count { what, given: pin.vertex + 1, expected: mesh.vertices.len() });
+            }
+            if pin.direction == Direction::Normal {
+                return Err(Error::NotStraight { what: "a pin along the normal", boundary: format!("vertex {}", pin.vertex) });
+            }
+        }
+        for f in &self.foundations {
+            for value in [f.normal, f.tangential] {
+                if !(value.is_finite() && value >= 0.0) {
+                    let quantity = format!("the stiffness of the foundation of \"{}\"", f.boundary);
+                    return Err(Error::OutOfRange { quantity, value, range: "zero or positive" });
+                }
+            }
+        }
+        if let Some(force) = self.body_forces.iter().find(|f| f.case >= cases) {
+            return Err(Error::Count {
+                what: "load case of a body force, load cases".into(),
+                given: force.case + 1,
+                expected: cases,
+            });
+        }
+        Ok(())
+    }
+
+    /// Edges on foundations.
+    pub(crate) fn foundation_edges(&self, mesh: &Mesh) -> Result<Vec<(usize, &Foundation)>, Error> {
+        let mut edges = Vec::new();
+        for f in &self.foundations {
+            edges.extend(mesh.boundary(&f.boundary)?.into_iter().map(|e| (e, f)));
+        }
+        Ok(edges)
+    }
+
+    /// Places and directions that foundations hold elastically.
+    pub(crate) fn held(&self, mesh: &Mesh) -> Result<Vec<([f64; 2], [f64; 2])>, Error> {
+        let mut held = Vec::new();
+        for (e, f) in self.foundation_edges(mesh)? {
+            for t in [-0.9, 0.0, 0.9] {
+                let (p, _) = boundary_point(&mesh.edges[e].curve, t, false);
+                let directions = [(f.normal, p.outward), (f.tangential, p.tangent)];
+                held.extend(directions.iter().filter(|(k, _)| *k > 0.0).map(|(_, d)| (p.position, *d)));
+            }
+        }
+        Ok(held)
+    }
+}
+
+impl Assembly<'_> {
+    /// The stiffness of a foundation on one edge, as an element of its own.
+    pub(crate) fn foundation(&self, edge: usize, foundation: &Foundation, rank: &[usize]) -> CellElement {
+        let own = &self.mesh.edges[edge];
+        let components = self.space.components;
+        let degree = self.space.edge_degree[edge];
+        let rule = gauss(points_for(degree));
+        let n = components * (degree + 1);
+        let mut k = Mat::<f64>::zeros(n, n);
+        for (t, w) in rule.points.iter().zip(&rule.weights) {
+            let (p, length) = boundary_point(&own.curve, *t, false);
+            let weight = w * length * self.kinematics.measure(p.position[0]) / self.unit;
+            let shapes = shape_functions(degree, *t).0;
+            let stiffness = |c: usize, d: usize| match self.kinematics {
+                Kinematics::Torsion => foundation.tangential,
+                _ => foundation.normal * p.outward[c] * p.outward[d] + foundation.tangential * p.tangent[c] * p.tangent[d],
+            };
+            for j in 0..n {
+                for i in 0..n {
+                    let shape = shapes[i / components] * shapes[j / components];
+                    k[(i, j)] += weight * shape * stiffness(i % components, j % components);
+                }
+            }
+        }
+        let targets: Vec<Target> = (0..=degree)
+            .flat_map(|m| {
+                let (group, mode) = if m < 2 { (own.vertices[m], 0) } else { (self.mesh.vertices.len() + edge, m - 2) };
+                (0..components).map(move |c| (group, mode, c))
+            })
+            .map(|(group, mode, c)| self.space.target(self.mesh, group, mode, c))
+            .collect();
+        let groups = edge_groups(self.mesh, self.space, edge, rank);
+        let mut start = vec![0; groups.len() + 1];
+        for (i, g) in groups.iter().enumerate() {
+            start[i + 1] = start[i] + self.space.size[*g];
+        }
+        let slot = |group: usize| groups.iter().position(|g| *g == group).map(|i| start[i]);
+        let rows: Vec<Vec<(usize, f64)>> =
+            targets.iter().map(|t| t.active.iter().filter_map(|(g, i, c)| slot(*g).map(|s| (s + i, *c))).collect()).collect();
+        let size = start[groups.len()];
+        let mut matrix = vec![0.0; size * size];
+        for (j, row) in rows.iter().enumerate() {
+            for (tj, cj) in row {
+                for (i, other) in rows.iter().enumerate() {
+                    for (ti, ci) in other.iter().filter(|(ti, _)| ti >= tj) {
+                        matrix[tj * size + ti] += ci * cj * k[(i, j)];
+                    }
+                }
+            }
+        }
+        let mut rhs = Mat::zeros(size, self.columns);
+        let constant = self.supports(&targets, &rows, k.as_ref(), &[], &mut rhs);
+        CellElement { element: Element { groups, matrix, rhs }, constant, interior_work: None }
+    }
+}
+
+/// Groups of an edge with unknowns, the rigid edge's included, sorted by rank.
+pub(crate) fn edge_groups(mesh: &Mesh, space: &Space, edge: usize, rank: &[usize]) -> Vec<usize> {
+    let [a, b] = mesh.edges[edge].vertices;
+    let mut groups = vec![a, b, mesh.vertices.len() + edge];
+    if let Some((frame, _)) = &space.frame
+        && groups.iter().any(|g| space.freedom[*g].slaved)
+    {
+        groups.push(*frame);
+    }
+    groups.retain(|g| space.size[*g] > 0);
+    groups.sort_by_key(|g| rank.get(*g).copied().unwrap_or(*g));
+    groups
+}
