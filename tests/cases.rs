@@ -181,7 +181,8 @@ fn contact_of_the_drum_block_the_punch_and_the_annulus_as_given() {
         }
     }
     let known = &reference("annular-punch")["contact"];
-    let sets = ["--set", "tasks=[contact]", "--set", "accuracy=1e-5", "--sample", "41"];
+    // 2.5 mm from the singular edge: beyond the inner 95 % that the accuracy speaks of.
+    let sets = ["--set", "tasks=[contact]", "--set", "accuracy=1e-7", "--sample", "41"];
     let annulus = run("annular-punch", "contact", &sets);
     for (r, wanted) in numbers(&known["r_mm"]).iter().zip(numbers(&known["pressure_MPa"])) {
         assert_relative_eq!(annulus.at("pressure_MPa", *r), wanted, max_relative = 1e-5);
