@@ -1,7 +1,7 @@
 //! From forces and coordinates to a solution: pressures, states of the bodies, resultants, zones.
 
 use crate::complementarity::{Answer, Point};
-use crate::coulomb::PointState;
+use crate::coulomb::ContactState;
 use crate::operator::{ContactOperator, SIGNS};
 use crate::pair::Side;
 use crate::response::times;
@@ -13,7 +13,7 @@ use hpfem::{InterfaceState, TraceLoad};
 /// How a solve ended.
 pub(crate) struct Ending {
     pub(crate) status: Status,
-    pub(crate) states: Vec<PointState>,
+    pub(crate) states: Vec<ContactState>,
     pub(crate) complementarity: f64,
     pub(crate) balance: f64,
     pub(crate) iterations: usize,
@@ -27,25 +27,26 @@ impl ContactOperator<'_> {
         let balance = problem.relative_imbalance(&answer.point);
         let shear = answer.point.force.iter().zip(&stage.slide).map(|(f, s)| f * s).collect();
         let states = answer.active.iter().zip(&stage.slide).map(|(closed, slide)| match (closed, *slide) {
-            (false, _) => PointState::Open,
-            (true, s) if s > 0.0 => PointState::Forward,
-            (true, s) if s < 0.0 => PointState::Backward,
-            _ => PointState::Stick,
+            (false, _) => ContactState::Open,
+            (true, s) if s > 0.0 => ContactState::Forward,
+            (true, s) if s < 0.0 => ContactState::Backward,
+            _ => ContactState::Stick,
         });
         let states = states.collect();
-        let ending = Ending {
-            status,
-            states,
-            complementarity,
-            balance,
-            iterations: answer.factorisations,
-            took_over: answer.pivoted,
-        };
+        let ending =
+            Ending { status, states, complementarity, balance, iterations: answer.factorisations, took_over: answer.pivoted };
         self.assemble(stage, answer.point, shear, answer.opening, ending)
     }
 
     /// Puts a solution together from forces and coordinates.
-    pub(crate) fn assemble(&self, stage: &Stage<'_>, point: Point, shear: Vec<f64>, opening: Vec<f64>, ending: Ending) -> ContactSolution {
+    pub(crate) fn assemble(
+        &self,
+        stage: &Stage<'_>,
+        point: Point,
+        shear: Vec<f64>,
+        opening: Vec<f64>,
+        ending: Ending,
+    ) -> ContactSolution {
         let n = self.points.len();
         let force = point.force;
         let mut coordinates: Vec<f64> = stage.prescribed.iter().map(|p| p.unwrap_or(0.0)).collect();
@@ -75,7 +76,7 @@ impl ContactOperator<'_> {
             resultant[1] += f[1];
             moment += p.position[0] * f[1] - p.position[1] * f[0];
         }
-        let closed: Vec<bool> = ending.states.iter().map(|s| *s != PointState::Open).collect();
+        let closed: Vec<bool> = ending.states.iter().map(|s| *s != ContactState::Open).collect();
         let over_weight = |v: &[f64]| (0..n).map(|i| v[i] / self.points[i].weight).collect::<Vec<f64>>();
         ContactSolution {
             status: ending.status,

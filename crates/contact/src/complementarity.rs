@@ -90,9 +90,8 @@ impl Complementarity<'_> {
         let elastic = times(&self.compliance, &at.force);
         let scale = elastic.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         let rigid = times(&self.influence, &at.coordinates);
-        let openings = (0..self.points())
-            .map(|i| 1e-11 * scale + 16.0 * f64::EPSILON * (self.opening[i].abs() + rigid[i].abs()))
-            .collect();
+        let openings =
+            (0..self.points()).map(|i| 1e-11 * scale + 16.0 * f64::EPSILON * (self.opening[i].abs() + rigid[i].abs())).collect();
         (1e-11 * largest, openings)
     }
 
@@ -160,7 +159,7 @@ impl Complementarity<'_> {
         let wrong = self.wrong(&point, &opening, active).len();
         answer.history.push(wrong);
         answer.settled = wrong == 0;
-        answer.regular = factor.sign() == if self.load.len() % 2 == 0 { 1.0 } else { -1.0 };
+        answer.regular = factor.sign() == if self.load.len().is_multiple_of(2) { 1.0 } else { -1.0 };
         answer.point = point;
         if answer.settled {
             answer.point.force.iter_mut().for_each(|f| *f = f.max(0.0));

@@ -11,7 +11,7 @@ use faer::linalg::solvers::Solve;
 
 /// State of a contact point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PointState {
+pub enum ContactState {
     /// The surfaces are apart.
     Open,
     /// In contact without slip.
@@ -51,7 +51,7 @@ pub(crate) struct Sheared {
 /// What the iteration found.
 pub(crate) struct Outcome {
     pub(crate) at: Option<Sheared>,
-    pub(crate) states: Vec<PointState>,
+    pub(crate) states: Vec<ContactState>,
     pub(crate) steps: usize,
     pub(crate) history: Vec<usize>,
     pub(crate) settled: bool,
@@ -88,14 +88,14 @@ impl Coulomb<'_> {
     }
 
     /// Solves with given states; `None` if that is singular.
-    pub(crate) fn on_states(&self, states: &[PointState]) -> Option<Sheared> {
+    pub(crate) fn on_states(&self, states: &[ContactState]) -> Option<Sheared> {
         let n = states.len();
         let m = self.normal.load.len();
-        let contact: Vec<usize> = (0..n).filter(|i| states[*i] != PointState::Open).collect();
-        let stick: Vec<usize> = (0..n).filter(|i| states[*i] == PointState::Stick).collect();
+        let contact: Vec<usize> = (0..n).filter(|i| states[*i] != ContactState::Open).collect();
+        let stick: Vec<usize> = (0..n).filter(|i| states[*i] == ContactState::Stick).collect();
         let slide = |i: usize| match states[i] {
-            PointState::Forward => self.coefficient,
-            PointState::Backward => -self.coefficient,
+            ContactState::Forward => self.coefficient,
+            ContactState::Backward => -self.coefficient,
             _ => 0.0,
         };
         let (c, s) = (contact.len(), stick.len());
@@ -146,12 +146,11 @@ impl Coulomb<'_> {
         let lu = matrix.partial_piv_lu();
         let pivots = (0..c + s + m).map(|i| lu.U()[(i, i)].abs());
         let (low, high) = pivots.fold((f64::INFINITY, 0.0_f64), |(l, h), p| (l.min(p), h.max(p)));
-        if !(low > 1e-15 * high) {
+        if low <= 1e-15 * high {
             return None;
         }
         let x = lu.solve(&right);
-        let mut at =
-            Sheared { point: Point { force: vec![0.0; n], coordinates: vec![0.0; m] }, shear: vec![0.0; n] };
+        let mut at = Sheared { point: Point { force: vec![0.0; n], coordinates: vec![0.0; m] }, shear: vec![0.0; n] };
         for (j, k) in contact.iter().enumerate() {
             at.point.force[*k] = x[(j, 0)];
             at.shear[*k] = slide(*k) * x[(j, 0)];
@@ -179,24 +178,24 @@ impl Coulomb<'_> {
     }
 
     /// States read off a solution, and how many differ from those it was solved with; signs within round-off do not count.
-    fn read(&self, at: &Sheared, states: &[PointState]) -> (Vec<PointState>, usize) {
+    fn read(&self, at: &Sheared, states: &[ContactState]) -> (Vec<ContactState>, usize) {
         let (opening, slip) = self.gaps(at);
         let (force_tolerance, opening_tolerance) = self.normal.tolerances(&at.point);
         let slip_size = times(self.tangential, &at.shear).iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         let slip_tolerance = 1e-11 * slip_size;
-        let read: Vec<PointState> = (0..states.len())
+        let read: Vec<ContactState> = (0..states.len())
             .map(|i| {
                 let (force, shear) = (at.point.force[i], at.shear[i]);
                 let limit = self.coefficient * force + self.coefficient.max(1.0) * force_tolerance;
                 match states[i] {
-                    PointState::Open if opening[i] >= -opening_tolerance[i] => PointState::Open,
-                    PointState::Open => PointState::Stick,
-                    _ if force < -force_tolerance => PointState::Open,
-                    PointState::Stick if shear > limit => PointState::Forward,
-                    PointState::Stick if shear < -limit => PointState::Backward,
-                    PointState::Stick => PointState::Stick,
-                    PointState::Forward if slip[i] > slip_tolerance => PointState::Stick,
-                    PointState::Backward if slip[i] < -slip_tolerance => PointState::Stick,
+                    ContactState::Open if opening[i] >= -opening_tolerance[i] => ContactState::Open,
+                    ContactState::Open => ContactState::Stick,
+                    _ if force < -force_tolerance => ContactState::Open,
+                    ContactState::Stick if shear > limit => ContactState::Forward,
+                    ContactState::Stick if shear < -limit => ContactState::Backward,
+                    ContactState::Stick => ContactState::Stick,
+                    ContactState::Forward if slip[i] > slip_tolerance => ContactState::Stick,
+                    ContactState::Backward if slip[i] < -slip_tolerance => ContactState::Stick,
                     slipping => slipping,
                 }
             })
@@ -207,12 +206,13 @@ impl Coulomb<'_> {
 
     /// Iterates on the states from `start`; where that does not settle, shear limits are held while the convex problem they make is solved, and the
     /// states found there are tried.
-    pub(crate) fn solve(&self, start: &[PointState], near: &Sheared) -> Outcome {
+    pub(crate) fn solve(&self, start: &[ContactState], near: &Sheared) -> Outcome {
         let mut outcome = Outcome { at: None, states: start.to_vec(), steps: 0, history: Vec::new(), settled: false };
         self.iterate(&mut outcome, PLAIN_STEPS);
         if outcome.settled {
             return outcome;
         }
+        let plain = outcome.states.clone();
         let n = start.len();
         let mut tresca = Tresca::new(self);
         let limit = |force: &[f64]| force.iter().map(|f| self.coefficient * f.max(0.0)).collect::<Vec<f64>>();
@@ -232,7 +232,27 @@ impl Coulomb<'_> {
             // The states stiffen as the multipliers settle.
             tresca.penalty = (4.0 * tresca.penalty).min(PENALTY);
         }
+        if !outcome.settled {
+            outcome.states = plain;
+            self.exchange_singly(&mut outcome, 4 * n);
+        }
         outcome
+    }
+
+    /// Last resort: one point after the other changes its state.
+    fn exchange_singly(&self, outcome: &mut Outcome, steps: usize) {
+        for _ in 0..steps {
+            if outcome.settled {
+                return;
+            }
+            let before = outcome.states.clone();
+            self.iterate(outcome, 1);
+            if let Some(last) = (0..before.len()).rev().find(|i| outcome.states[*i] != before[*i]) {
+                let state = outcome.states[last];
+                outcome.states = before;
+                outcome.states[last] = state;
+            }
+        }
     }
 
     /// Up to `steps` plain steps on the states.

@@ -14,7 +14,9 @@ pub enum Error {
         distance: f64,
     },
     /// The two boundaries have different numbers of edges.
-    #[error("the contact boundary of body 1 has {shaped} edges, that of body 2 has {counter}; mesh both with the same break points")]
+    #[error(
+        "the contact boundary of body 1 has {shaped} edges, that of body 2 has {counter}; mesh both with the same break points"
+    )]
     EdgeCount {
         /// Edges of the shaped body.
         shaped: usize,
@@ -46,7 +48,9 @@ pub enum Error {
         cases: usize,
     },
     /// Coefficient or directions of friction are wrong.
-    #[error("friction needs a coefficient of at least 0 (it is {coefficient}) and a drag within -1..=1 for each of the {points} contact points; {given} were given")]
+    #[error(
+        "friction needs a coefficient of at least 0 (it is {coefficient}) and a drag within -1..=1 for each of the {points} contact points; {given} were given"
+    )]
     Drag {
         /// Coefficient of friction.
         coefficient: f64,

@@ -20,17 +20,21 @@ impl Scaling {
     pub(crate) fn new(problem: &Complementarity<'_>) -> Scaling {
         let n = problem.points();
         let largest = (0..n).map(|i| problem.compliance[(i, i)]).fold(0.0, f64::max);
-        let point: Vec<f64> = (0..n)
-            .map(|i| problem.compliance[(i, i)])
-            .map(|a| if a > 1e-14 * largest { a } else { largest })
-            .collect();
+        let point: Vec<f64> =
+            (0..n).map(|i| problem.compliance[(i, i)]).map(|a| if a > 1e-14 * largest { a } else { largest }).collect();
         let mut scaling = Scaling { point, unit: Vec::new(), resultant: Vec::new(), stiffness: Vec::new() };
         for j in 0..problem.load.len() {
             let motion = (0..n).map(|i| problem.influence[(i, j)].abs() / scaling.point[i]).fold(0.0, f64::max);
             let resultant = (0..n).map(|i| problem.balance[(i, j)].abs()).fold(0.0, f64::max);
             let own = problem.stiffness[(j, j)];
             let resultant = if resultant > 0.0 { resultant } else { 1.0 };
-            let unit = if motion > 0.0 { 1.0 / motion } else if own > 0.0 { resultant / own } else { 1.0 };
+            let unit = if motion > 0.0 {
+                1.0 / motion
+            } else if own > 0.0 {
+                resultant / own
+            } else {
+                1.0
+            };
             scaling.unit.push(unit);
             scaling.resultant.push(resultant);
             scaling.stiffness.push(resultant / unit);
@@ -83,8 +87,11 @@ impl Factor {
                 pull - problem.opening[k] / scaling.point[k]
             } else {
                 let j = i - a;
-                let spring =
-                    if proximal.weight > 0.0 { proximal.weight * scaling.stiffness[j] * proximal.centre.coordinates[j] } else { 0.0 };
+                let spring = if proximal.weight > 0.0 {
+                    proximal.weight * scaling.stiffness[j] * proximal.centre.coordinates[j]
+                } else {
+                    0.0
+                };
                 -(problem.load[j] + spring) / scaling.resultant[j]
             }
         });

@@ -63,11 +63,8 @@ impl<'a> ContactOperator<'a> {
         let symmetric = |m: Mat<f64>| Mat::from_fn(n, n, |i, j| 0.5 * (m[(i, j)] + m[(j, i)]));
         let (normal, tangential) = (symmetric(normal), tangential.map(symmetric));
         let side_by_side = |component: usize| {
-            let columns: Vec<(usize, usize)> = responses
-                .iter()
-                .enumerate()
-                .flat_map(|(b, r)| (0..r.motions.ncols()).map(move |j| (b, j)))
-                .collect();
+            let columns: Vec<(usize, usize)> =
+                responses.iter().enumerate().flat_map(|(b, r)| (0..r.motions.ncols()).map(move |j| (b, j))).collect();
             Mat::from_fn(n, columns.len(), |i, j| {
                 let (b, k) = columns[j];
                 SIGNS[b] * responses[b].motion[component][(i, k)]
@@ -97,12 +94,7 @@ impl<'a> ContactOperator<'a> {
     ///
     /// # Errors
     /// [`Error::Gap`], [`Error::Factors`], [`Error::Drag`], [`Error::ShearNotPrepared`] on wrong sizes.
-    pub fn solve(
-        &self,
-        gap: &[f64],
-        load: &ContactLoad,
-        warm_start: Option<&ContactSolution>,
-    ) -> Result<ContactSolution, Error> {
+    pub fn solve(&self, gap: &[f64], load: &ContactLoad, warm_start: Option<&ContactSolution>) -> Result<ContactSolution, Error> {
         let stage = self.stage(gap, load)?;
         if let Friction::Coulomb { coefficient, slip_before } = &load.friction {
             let coulomb = self.coulomb(&stage, *coefficient, slip_before)?;

@@ -112,7 +112,8 @@ impl<'a> Pair<'a> {
         let (edge, mut t) = point.place;
         let curve = &self.shaped.trace.edges[edge].curve;
         for _ in 0..50 {
-            let step = along(point.tangent, difference(curve.point(t), point.position)) / along(point.tangent, curve.derivative(t));
+            let step =
+                along(point.tangent, difference(curve.point(t), point.position)) / along(point.tangent, curve.derivative(t));
             t = (t - step).clamp(-1.0, 1.0);
             if step.abs() < 1e-15 {
                 break;

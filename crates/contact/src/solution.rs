@@ -1,6 +1,6 @@
 //! Result of a contact solve.
 
-use crate::coulomb::PointState;
+use crate::coulomb::ContactState;
 use crate::status::Status;
 use hpfem::InterfaceState;
 
@@ -23,7 +23,7 @@ pub struct ContactSolution {
     /// Tangential displacement of body 1 less that of body 2 along the point's tangent; empty if the operator was made without shear.
     pub slip: Vec<f64>,
     /// State of each point; without friction, points in contact count as sticking.
-    pub states: Vec<PointState>,
+    pub states: Vec<ContactState>,
     /// Whether the point is in contact.
     pub closed: Vec<bool>,
     /// State of the shaped body.

@@ -2,7 +2,7 @@
 
 use crate::complementarity::{Complementarity, Point};
 use crate::error::Error;
-use crate::load::{ContactLoad, Friction, Motion, MomentBalance};
+use crate::load::{ContactLoad, Friction, MomentBalance, Motion};
 use crate::operator::{ContactOperator, SIGNS};
 use crate::response::times;
 use crate::solution::ContactSolution;
@@ -153,24 +153,19 @@ impl ContactOperator<'_> {
 
 /// Rigid motions without any normal trace (an arc turning about its centre) would make the problem singular: a spring holds them, which
 /// carries nothing if the load has no part along them.
-fn pin_idle_motions(
-    influence: &Mat<f64>,
-    held_by_shear: Option<&Mat<f64>>,
-    stiffness: &mut Mat<f64>,
-    compliance: &Mat<f64>,
-) {
+fn pin_idle_motions(influence: &Mat<f64>, held_by_shear: Option<&Mat<f64>>, stiffness: &mut Mat<f64>, compliance: &Mat<f64>) {
     let shear = |k: usize, i: usize| held_by_shear.map_or(0.0, |s| s[(k, i)]);
     let (n, m) = (influence.nrows(), influence.ncols());
     if m == 0 || n == 0 {
         return;
     }
-    let scale: Vec<f64> = (0..m).map(|j| (0..n).map(|i| influence[(i, j)].abs().max(shear(i, j).abs())).fold(0.0, f64::max)).collect();
+    let scale: Vec<f64> =
+        (0..m).map(|j| (0..n).map(|i| influence[(i, j)].abs().max(shear(i, j).abs())).fold(0.0, f64::max)).collect();
     let typical = (0..n).map(|i| compliance[(i, i)]).fold(0.0, f64::max);
     let unit: Vec<f64> = scale.iter().map(|s| if *s > 0.0 { *s } else { 1.0 }).collect();
     let gram = Mat::from_fn(m, m, |i, j| {
-        let product: f64 = (0..n)
-            .map(|k| (influence[(k, i)] * influence[(k, j)] + shear(k, i) * shear(k, j)) / unit[i] / unit[j])
-            .sum();
+        let product: f64 =
+            (0..n).map(|k| (influence[(k, i)] * influence[(k, j)] + shear(k, i) * shear(k, j)) / unit[i] / unit[j]).sum();
         product + stiffness[(i, j)] * typical / (unit[i] * unit[j])
     });
     let Ok(eigen) = gram.self_adjoint_eigen(Side::Lower) else { return };

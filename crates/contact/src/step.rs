@@ -1,8 +1,8 @@
 //! One load step of Coulomb friction on a contact operator.
 
 use crate::assemble::Ending;
-use crate::coulomb::{Coulomb, PointState, Sheared};
 use crate::complementarity::Point;
+use crate::coulomb::{ContactState, Coulomb, Sheared};
 use crate::error::Error;
 use crate::load::{ContactLoad, Friction};
 use crate::operator::ContactOperator;
@@ -20,7 +20,7 @@ impl ContactOperator<'_> {
         &self,
         gap: &[f64],
         load: &ContactLoad,
-        states: &[PointState],
+        states: &[ContactState],
     ) -> Result<Option<ContactSolution>, Error> {
         let stage = self.stage(gap, load)?;
         let Friction::Coulomb { coefficient, slip_before } = &load.friction else { return Err(Error::ShearNotPrepared) };
@@ -37,8 +37,7 @@ impl ContactOperator<'_> {
         slip_before: &[f64],
     ) -> Result<Coulomb<'m>, Error> {
         let n = self.points.len();
-        let (Some(by_shear), Some(tangential), Some(influence)) =
-            (&self.normal_by_shear, &self.tangential, &stage.sliding)
+        let (Some(by_shear), Some(tangential), Some(influence)) = (&self.normal_by_shear, &self.tangential, &stage.sliding)
         else {
             return Err(Error::ShearNotPrepared);
         };
@@ -56,12 +55,7 @@ impl ContactOperator<'_> {
     }
 
     /// One load step with stick and slip, from the states of an earlier solution or from a frictionless contact that sticks.
-    pub(crate) fn step(
-        &self,
-        stage: &Stage<'_>,
-        coulomb: &Coulomb<'_>,
-        warm_start: Option<&ContactSolution>,
-    ) -> ContactSolution {
+    pub(crate) fn step(&self, stage: &Stage<'_>, coulomb: &Coulomb<'_>, warm_start: Option<&ContactSolution>) -> ContactSolution {
         let n = self.points.len();
         let (start, near) = match warm_start {
             Some(s) => {
@@ -71,7 +65,7 @@ impl ContactOperator<'_> {
             None => {
                 let frictionless = stage.without_shear().solve(None);
                 let closed = if frictionless.settled { frictionless.active } else { vec![true; n] };
-                let state = |c: &bool| if *c { PointState::Stick } else { PointState::Open };
+                let state = |c: &bool| if *c { ContactState::Stick } else { ContactState::Open };
                 (closed.iter().map(state).collect(), Sheared { point: frictionless.point, shear: vec![0.0; n] })
             }
         };
@@ -89,7 +83,7 @@ impl ContactOperator<'_> {
         stage: &Stage<'_>,
         coulomb: &Coulomb<'_>,
         at: Sheared,
-        states: Vec<PointState>,
+        states: Vec<ContactState>,
         status: Status,
         iterations: usize,
     ) -> ContactSolution {

@@ -4,7 +4,7 @@
 //! Normal and shear forces together are the multipliers of one augmented Lagrangian: `lambda >= 0` and `|sigma| <= limit` are projections,
 //! the augmented potential is convex and piecewise quadratic, and semismooth Newton with an exact line search finds its minimum.
 
-use crate::coulomb::{Coulomb, PointState};
+use crate::coulomb::{ContactState, Coulomb};
 use crate::response::{add, times, transposed_times};
 use faer::Mat;
 use faer::linalg::solvers::Solve;
@@ -90,13 +90,11 @@ impl Tresca {
 
     /// One multiplier step with given shear limits: minimises the augmented potential and gives the projected forces, the states of the points and
     /// the number of linear systems.
-    pub(crate) fn step(&self, centre: &Forces, limits: &[f64]) -> Option<(Forces, Vec<PointState>, usize)> {
+    pub(crate) fn step(&self, centre: &Forces, limits: &[f64]) -> Option<(Forces, Vec<ContactState>, usize)> {
         let n = limits.len();
         let mut at = centre.clone();
         let mut gaps = self.gaps(&at);
-        let read = |gaps: &[f64]| -> Vec<(f64, Bound)> {
-            (0..2 * n).map(|i| self.project(centre, gaps[i], limits, i)).collect()
-        };
+        let read = |gaps: &[f64]| -> Vec<(f64, Bound)> { (0..2 * n).map(|i| self.project(centre, gaps[i], limits, i)).collect() };
         let mut bounds = read(&gaps);
         let mut solved = 0;
         while solved < LIMIT {
@@ -113,10 +111,10 @@ impl Tresca {
         }
         let states = (0..n)
             .map(|i| match (bounds[i].1, bounds[n + i]) {
-                (Bound::Fixed(_), _) => PointState::Open,
-                (_, (_, Bound::Free)) => PointState::Stick,
-                (_, (value, _)) if value > 0.0 => PointState::Forward,
-                _ => PointState::Backward,
+                (Bound::Fixed(_), _) => ContactState::Open,
+                (_, (_, Bound::Free)) => ContactState::Stick,
+                (_, (value, _)) if value > 0.0 => ContactState::Forward,
+                _ => ContactState::Backward,
             })
             .collect();
         let forces = Forces { force: bounds.iter().map(|b| b.0).collect(), coordinates: at.coordinates };
@@ -176,8 +174,7 @@ impl Tresca {
         };
         let slope = |t: f64| {
             let p = at(t);
-            let push: Vec<f64> =
-                (0..force.len()).map(|i| self.project(centre, gaps[i] + t * moved[i], limits, i).0).collect();
+            let push: Vec<f64> = (0..force.len()).map(|i| self.project(centre, gaps[i] + t * moved[i], limits, i).0).collect();
             let elastic: f64 = (0..force.len()).map(|i| response[i] * (p.force[i] - push[i])).sum();
             let held = times(&self.stiffness, &p.coordinates);
             let pushed = transposed_times(&self.influence, &push);

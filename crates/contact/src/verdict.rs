@@ -1,7 +1,7 @@
 //! What an answer of the complementarity problem means.
 
 use crate::complementarity::{Answer, Complementarity, Point};
-use crate::coulomb::{Coulomb, Outcome, PointState};
+use crate::coulomb::{ContactState, Coulomb, Outcome};
 use crate::response::{add, times, transposed_times};
 use crate::status::Status;
 use faer::Mat;
@@ -40,7 +40,7 @@ pub(crate) fn status(problem: &Complementarity<'_>, normal: &Mat<f64>, answer: &
 pub(crate) fn sheared_status(problem: &Coulomb<'_>, outcome: &Outcome) -> Status {
     let balanced = outcome.at.as_ref().is_some_and(|at| problem.relative_imbalance(at) < 1e-8);
     if outcome.settled && balanced {
-        let closed = outcome.states.iter().filter(|s| **s != PointState::Open).count();
+        let closed = outcome.states.iter().filter(|s| **s != ContactState::Open).count();
         return match closed {
             0 => Status::NoContact,
             _ if closed == outcome.states.len() => Status::ClosedEverywhere,
@@ -139,10 +139,7 @@ fn distance_to_cone(columns: &[Vec<f64>], target: &[f64]) -> f64 {
 fn least_squares(columns: &[Vec<f64>], chosen: &[usize], target: &[f64]) -> Vec<f64> {
     let matrix = nalgebra::DMatrix::from_fn(target.len(), chosen.len(), |i, j| columns[chosen[j]][i]);
     let right = nalgebra::DVector::from_row_slice(target);
-    matrix
-        .svd(true, true)
-        .solve(&right, 1e-13)
-        .map_or_else(|_| vec![0.0; chosen.len()], |x| x.iter().copied().collect())
+    matrix.svd(true, true).solve(&right, 1e-13).map_or_else(|_| vec![0.0; chosen.len()], |x| x.iter().copied().collect())
 }
 
 /// Pushes the body to where it would rest without friction and asks which way the contact then pushes back: jammed where

@@ -4,9 +4,9 @@
 
 use crate::common::cylinder::{Sizes, block, mirrored, round};
 use crate::common::{falling_degrees, material, support};
-use approx::{assert_abs_diff_eq, assert_relative_eq};
+use approx::assert_relative_eq;
 use contact::*;
-use hpfem::*;
+use hpfem::{Body, BodyProblem, Direction, Kinematics, Mesh, RigidEdge, SpaceKind, Support};
 
 const SIZES: Sizes = Sizes { radius: 10.0, width: 20.0, depth: 20.0 };
 const NORMAL: f64 = 135.75;
@@ -68,12 +68,12 @@ fn positioned(scale: f64, degree: usize, layers: usize) -> (f64, f64, f64) {
         let operator = ContactOperator::new(&pair, true)?;
         let gap: Vec<f64> = operator.points().iter().map(gap).collect();
         let state = |x: f64| match x.abs() {
-            x if x > nodes[1] * (1.0 + 1e-9) => PointState::Open,
-            x if x > nodes[0] * (1.0 + 1e-9) => PointState::Backward,
-            _ => PointState::Stick,
+            x if x > nodes[1] * (1.0 + 1e-9) => ContactState::Open,
+            x if x > nodes[0] * (1.0 + 1e-9) => ContactState::Backward,
+            _ => ContactState::Stick,
         };
-        let states: Vec<PointState> = operator.points().iter().map(|p| state(p.position[0])).collect();
-        let closed: Vec<bool> = states.iter().map(|s| *s != PointState::Open).collect();
+        let states: Vec<ContactState> = operator.points().iter().map(|p| state(p.position[0])).collect();
+        let closed: Vec<bool> = states.iter().map(|s| *s != ContactState::Open).collect();
         let press = ContactLoad { friction: Friction::None, ..push(normal, 0.0, &[]) };
         let pressed = operator.solve_on(&gap, &press, &closed)?.ok_or(Error::Singular)?;
         let load = push(normal, shear, &pressed.slip);
@@ -88,7 +88,14 @@ fn positioned(scale: f64, degree: usize, layers: usize) -> (f64, f64, f64) {
     })
     .unwrap();
     assert!(nodes.found);
-    println!("scale {scale}: c {:.8}, a {:.8}, c/a {:.6}, q {:.5}, {} bodies", nodes.places[0], nodes.places[1], nodes.places[0] / nodes.places[1], nodes.last, nodes.evaluations);
+    println!(
+        "scale {scale}: c {:.8}, a {:.8}, c/a {:.6}, q {:.5}, {} bodies",
+        nodes.places[0],
+        nodes.places[1],
+        nodes.places[0] / nodes.places[1],
+        nodes.last,
+        nodes.evaluations
+    );
     (nodes.places[0], nodes.places[1], nodes.last)
 }
 
@@ -107,9 +114,25 @@ fn stick_zone_and_highest_shear_approach_the_half_plane_values_as_the_load_falls
     assert!(small.0.abs() < large.0.abs() && small.1.abs() < large.1.abs());
 }
 
-/// Largest difference of the shear between first and second arrival at the full shear load, and between the residual shear after both
-/// unloadings (turned), relative to the highest shear.
-fn loop_error(degree: usize, substeps: usize) -> [f64; 2] {
+/// Coulomb's conditions at every point: shear within its limit, no slip below it, slip against the shear at it.
+fn check_friction(solution: &ContactSolution, before: &[f64]) {
+    let force = solution.nodal_force.iter().fold(0.0_f64, |m, v| m.max(*v));
+    let slip: Vec<f64> = solution.slip.iter().zip(before).map(|(s, b)| s - b).collect();
+    let size = slip.iter().zip(&solution.closed).filter(|(_, c)| **c).map(|(s, _)| s.abs()).fold(0.0, f64::max);
+    for i in (0..slip.len()).filter(|i| solution.closed[*i]) {
+        let (shear, limit) = (solution.nodal_shear[i], FRICTION * solution.nodal_force[i]);
+        assert!(shear.abs() <= limit + 1e-9 * force);
+        if shear.abs() < limit - 1e-9 * force {
+            assert!(slip[i].abs() < 1e-9 * size);
+        } else {
+            assert!(slip[i] * shear.signum() < 1e-9 * size);
+        }
+    }
+}
+
+/// Difference of the shear between first and second arrival at the full shear load, between second and third, and between the residual shear after both
+/// unloadings (turned), in the L2 norm relative to the shear at full load.
+fn loop_error(degree: usize, substeps: usize) -> [f64; 3] {
     let a = hertz(NORMAL).0;
     let bodies = bodies(&[0.22 * a, a], 1.3, degree, 4);
     let pair = bodies.pair().unwrap();
@@ -121,31 +144,38 @@ fn loop_error(degree: usize, substeps: usize) -> [f64; 2] {
     let mut turns = Vec::new();
     let mut most = 0;
     let mut from = 0.0;
-    for to in [SHEAR, 0.0, -SHEAR, 0.0, SHEAR] {
+    for to in [SHEAR, 0.0, -SHEAR, 0.0, SHEAR, 0.0, -SHEAR, 0.0, SHEAR] {
         for k in 1..=substeps {
             let shear = from + (to - from) * k as f64 / substeps as f64;
+            let before = last.slip.clone();
             last = operator.solve(&gap, &push(NORMAL, shear, &last.slip), Some(&last)).unwrap();
             assert_eq!(last.status, Status::Converged);
             most = most.max(last.iterations);
-            assert_relative_eq!(last.force[0], -shear, epsilon = 1e-9);
+            check_friction(&last, &before);
         }
         from = to;
         turns.push(last.clone());
     }
-    let highest = turns[0].shear.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-    let closing = turns[4].shear.iter().zip(&turns[0].shear).map(|(p, q)| (p - q).abs()).fold(0.0, f64::max);
-    let turned = turns[3].shear.iter().rev().zip(&turns[1].shear).map(|(p, q)| (p + q).abs()).fold(0.0, f64::max);
-    let unloaded = turns[1].shear.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-    println!("degree {degree}, {substeps} substeps: loop {:.2e}, residual shear {unloaded:.3}, turned {:.2e}, at most {most} steps", closing / highest, turned / highest);
-    [closing / highest, turned / highest]
+    let norm = |v: &[f64]| operator.points().iter().zip(v).map(|(p, v)| p.weight * v * v).sum::<f64>().sqrt();
+    let difference = |a: &[f64], b: &[f64], sign: f64| norm(&a.iter().zip(b).map(|(a, b)| a - sign * b).collect::<Vec<_>>());
+    let highest = norm(&turns[0].shear);
+    let first = difference(&turns[4].shear, &turns[0].shear, 1.0) / highest;
+    let closing = difference(&turns[8].shear, &turns[4].shear, 1.0) / highest;
+    let mirrored: Vec<f64> = turns[7].shear.iter().rev().copied().collect();
+    let turned = difference(&mirrored, &turns[5].shear, -1.0) / highest;
+    println!(
+        "degree {degree}, {substeps} substeps: first turn {first:.2e}, loop {closing:.2e}, residual shear {:.3}, turned {turned:.2e}, at most {most} steps",
+        norm(&turns[1].shear) / highest
+    );
+    [first, closing, turned]
 }
 
 #[test]
 fn unloading_and_reversing_the_shear_closes_the_loop() {
-    for degree in [8, 12, 16] {
-        for substeps in [1, 4] {
-            loop_error(degree, substeps);
-        }
+    for (degree, substeps) in [(8, 1), (8, 4), (12, 1), (16, 1)] {
+        let [first, closing, turned] = loop_error(degree, substeps);
+        // The shear moves the ends of contact a little, which the first turn keeps; from then on the loop is closed.
+        assert!(first < 1e-3 && closing < 1e-8 && turned < 1e-8, "{first:.2e} {closing:.2e} {turned:.2e}");
     }
 }
 

@@ -4,7 +4,7 @@ use crate::common::cylinder::{Sizes, block, round};
 use crate::common::{falling_degrees, material, support};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact::*;
-use hpfem::*;
+use hpfem::{Body, BodyProblem, Direction, EdgeTraction, Kinematics, LoadCase, Mesh, SpaceKind, Support};
 
 const SIZES: Sizes = Sizes { radius: 50.0, width: 100.0, depth: 200.0 };
 
@@ -50,15 +50,9 @@ fn hertz(force: f64) -> (f64, f64) {
 
 /// End of contact and highest pressure, with a node on the end.
 fn positioned(degree: usize, layers: usize, force: f64) -> (Positioned, f64) {
-    let problem = Positioning {
-        gap: &gap,
-        load: &|_| ContactLoad::factors(&[1.0], &[]),
-        starts_closed: true,
-        tolerance: 1e-10,
-    };
+    let problem = Positioning { gap: &gap, load: &|_| ContactLoad::factors(&[1.0], &[]), starts_closed: true, tolerance: 1e-10 };
     let trial = hertz(force).0 * 1.05;
-    let result =
-        position_ends::<Error>(&problem, &[trial], |ends| Ok(bodies(ends[0], 1.6, degree, layers, force))).unwrap();
+    let result = position_ends::<Error>(&problem, &[trial], |ends| Ok(bodies(ends[0], 1.6, degree, layers, force))).unwrap();
     let highest = result.solution.pressure[0];
     (result, highest)
 }
@@ -98,7 +92,10 @@ fn signorini_on_a_fixed_mesh_agrees_with_pivoting_within_thirty_steps() {
         let solution = operator.solve(&gap, &load, None).unwrap();
         let second = operator.solve_by_pivoting(&gap, &load).unwrap();
         let zone = solution.zones[0];
-        println!("{end} {degree}: {} in {} steps, pivoting {}, end {:.4}, {:.1e}", solution.status, solution.iterations, second.iterations, zone[1], solution.complementarity);
+        println!(
+            "{end} {degree}: {} in {} steps, pivoting {}, end {:.4}, {:.1e}",
+            solution.status, solution.iterations, second.iterations, zone[1], solution.complementarity
+        );
         assert_eq!(solution.status, Status::Converged);
         assert!(!solution.took_over && solution.iterations <= 30);
         assert!(solution.complementarity < 1e-10 && solution.balance < 1e-10);

@@ -1,8 +1,8 @@
 //! Integration tests.
 #![allow(clippy::unwrap_used, missing_docs)]
 
-mod common;
 mod cattaneo_mindlin;
+mod common;
 mod full_contact;
 mod hertz;
 mod sphere;

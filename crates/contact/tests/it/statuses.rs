@@ -61,7 +61,11 @@ fn prescribed_approach_gives_back_the_force_that_causes_it() {
     // A spring carries its share: F = F_contact + k (z - rest), with the rest position chosen so that the contact carries half.
     let stiffness = 500.0 / value.abs();
     let half = punch([false, true, false], [Motion::FREE, Motion::Sprung { stiffness, rest: 2.0 * value }, Motion::FREE], 0.25);
-    assert_relative_eq!(half.coordinates[0][0], value * 2.0 * stiffness / (stiffness + 1000.0 / value.abs()), max_relative = 1e-9);
+    assert_relative_eq!(
+        half.coordinates[0][0],
+        value * 2.0 * stiffness / (stiffness + 1000.0 / value.abs()),
+        max_relative = 1e-9
+    );
 }
 
 #[test]
@@ -76,9 +80,8 @@ fn tilted_punch_opens_on_one_side_and_the_guide_takes_the_moment_of_the_shear() 
     let whole = operator.solve(&vec![0.0; n], &given, None).unwrap();
     given.moment = MomentBalance::Pressure;
     let guided = operator.solve(&vec![0.0; n], &given, None).unwrap();
-    let pressure_moment = |s: &ContactSolution| -> f64 {
-        operator.points().iter().zip(&s.nodal_force).map(|(p, f)| p.position[0] * f).sum()
-    };
+    let pressure_moment =
+        |s: &ContactSolution| -> f64 { operator.points().iter().zip(&s.nodal_force).map(|(p, f)| p.position[0] * f).sum() };
     // About (0, 200): x f_z - (z - 200) f_x vanishes for the whole traction; for the guided one only the pressure's part does.
     assert_abs_diff_eq!(pressure_moment(&whole) + 100.0 * whole.force[0], 0.0, epsilon = 1e-7);
     assert_abs_diff_eq!(pressure_moment(&guided), 0.0, epsilon = 1e-7);
@@ -151,10 +154,8 @@ fn stiffness_ratios_and_unequal_degrees_do_not_make_the_pressure_oscillate() {
         let n = operator.points().len();
         let solution = operator.solve(&vec![0.0; n], &ContactLoad::factors(&[1.0], &[]), None).unwrap();
         assert!(solution.status.is_solved(), "{young:?} {degrees:?} {}", solution.status);
-        let inner: Vec<f64> = (0..n)
-            .filter(|i| (operator.points()[*i].arc - 104.72).abs() < 85.0)
-            .map(|i| solution.pressure[i])
-            .collect();
+        let inner: Vec<f64> =
+            (0..n).filter(|i| (operator.points()[*i].arc - 104.72).abs() < 85.0).map(|i| solution.pressure[i]).collect();
         // Total variation of the half where the pressure falls monotonically, per its fall.
         let middle = inner.len() / 2;
         let half = &inner[middle..];

@@ -12,10 +12,10 @@ use hpfem::*;
 
 /// Sizes of a round body on a block.
 #[derive(Clone, Copy)]
-pub struct Sizes {
-    pub radius: f64,
-    pub width: f64,
-    pub depth: f64,
+pub(crate) struct Sizes {
+    pub(crate) radius: f64,
+    pub(crate) width: f64,
+    pub(crate) depth: f64,
 }
 
 /// Break points: the wanted nodes (the last is the end of contact), the end of the candidate surface, and on to the side of the round body's lower part.
@@ -83,8 +83,7 @@ fn moved(
     let quads: Vec<Quad> =
         straight.cells.iter().map(|c| Quad { corners: c.corners, material: c.material, layer: c.layer }).collect();
     let ends = |e: &Edge| e.vertices.map(|v| straight.vertices[v]);
-    let curves: Vec<_> =
-        straight.edges.iter().filter_map(|e| curve(ends(e)[0], ends(e)[1]).map(|c| (e.vertices, c))).collect();
+    let curves: Vec<_> = straight.edges.iter().filter_map(|e| curve(ends(e)[0], ends(e)[1]).map(|c| (e.vertices, c))).collect();
     let named: Vec<_> =
         straight.edges.iter().flat_map(|e| names(ends(e)[0], ends(e)[1]).into_iter().map(|n| (e.vertices, n))).collect();
     Mesh::new(straight.vertices.iter().map(|v| place(*v)).collect(), &quads, &curves, &named).unwrap()
@@ -92,7 +91,7 @@ fn moved(
 
 /// Quarter of a disc: the part x >= 0 of a half-disc of the given radius about (0, R), cut at z = R. Boundaries "contact" (up to
 /// `candidate` times the last node), "axis", "top".
-pub fn round(sizes: &Sizes, nodes: &[f64], candidate: f64, layers: usize) -> Mesh {
+pub(crate) fn round(sizes: &Sizes, nodes: &[f64], candidate: f64, layers: usize) -> Mesh {
     let r = sizes.radius;
     let levels = breaks(sizes, nodes, candidate);
     let (mut plan, [b, d, a]) = Plan::nested(&levels, 0.7);
@@ -107,9 +106,7 @@ pub fn round(sizes: &Sizes, nodes: &[f64], candidate: f64, layers: usize) -> Mes
     moved(
         &straight,
         place,
-        |p, q| {
-            (on_arc(p) && on_arc(q)).then(|| Curve::Arc { centre: [0.0, r], radius: r, from: angle(p), to: angle(q) })
-        },
+        |p, q| (on_arc(p) && on_arc(q)).then(|| Curve::Arc { centre: [0.0, r], radius: r, from: angle(p), to: angle(q) }),
         |p, q| {
             let mut names = Vec::new();
             if p[1] == 0.0 && q[1] == 0.0 && p[0] <= last && q[0] <= last {
@@ -127,7 +124,7 @@ pub fn round(sizes: &Sizes, nodes: &[f64], candidate: f64, layers: usize) -> Mes
 }
 
 /// Half of the block below z = 0: boundaries "contact", "axis", "bottom".
-pub fn block(sizes: &Sizes, nodes: &[f64], candidate: f64, layers: usize) -> Mesh {
+pub(crate) fn block(sizes: &Sizes, nodes: &[f64], candidate: f64, layers: usize) -> Mesh {
     let (w, h) = (sizes.width, sizes.depth);
     let mut levels = breaks(sizes, nodes, candidate);
     levels.push(w.min(h));
@@ -161,7 +158,7 @@ pub fn block(sizes: &Sizes, nodes: &[f64], candidate: f64, layers: usize) -> Mes
 }
 
 /// A mesh and its mirror image in x = 0, joined along the axis; names are kept.
-pub fn mirrored(half: &Mesh) -> Mesh {
+pub(crate) fn mirrored(half: &Mesh) -> Mesh {
     let mut vertices = half.vertices.clone();
     let image: Vec<usize> = half
         .vertices

@@ -4,16 +4,15 @@ use super::{falling_degrees, material, support};
 use hpfem::*;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-pub const RADIUS: f64 = 200.0;
-pub const HALF_ANGLE: f64 = PI / 6.0;
+pub(crate) const RADIUS: f64 = 200.0;
+pub(crate) const HALF_ANGLE: f64 = PI / 6.0;
 const KINEMATICS: Kinematics = Kinematics::PlaneStress { thickness: 10.0 };
 
-pub struct Drum {
+pub(crate) struct Drum {
     shoe: Mesh,
     drum: Mesh,
     degree: usize,
     layers: usize,
-    young: [f64; 2],
     supports: [Vec<Support>; 2],
     materials: [[Material; 1]; 2],
     load: Vec<LoadCase<'static>>,
@@ -21,7 +20,7 @@ pub struct Drum {
 
 impl Drum {
     /// Meshes with `layers` cells of ratio 0.15 at both ends of the contact.
-    pub fn new(degree: usize, layers: usize, young: [f64; 2]) -> Drum {
+    pub(crate) fn new(degree: usize, layers: usize, young: [f64; 2]) -> Drum {
         let half_chord = RADIUS * HALF_ANGLE.sin();
         let end = |sign: f64| [sign * half_chord, RADIUS * HALF_ANGLE.cos()];
         let name = |side, name| Named { side, range: None, name };
@@ -60,7 +59,6 @@ impl Drum {
             drum: refined(drum),
             degree,
             layers,
-            young,
             supports: [
                 vec![support("left", Direction::First), support("right", Direction::First)],
                 vec![support("hub", Direction::First), support("hub", Direction::Second)],
@@ -70,12 +68,11 @@ impl Drum {
         }
     }
 
-    pub fn bodies(&self) -> (Body<'_>, Body<'_>) {
+    pub(crate) fn bodies(&self) -> (Body<'_>, Body<'_>) {
         self.bodies_of_degrees([self.degree, self.degree])
     }
 
-    pub fn bodies_of_degrees(&self, degrees: [usize; 2]) -> (Body<'_>, Body<'_>) {
-        let _ = self.young;
+    pub(crate) fn bodies_of_degrees(&self, degrees: [usize; 2]) -> (Body<'_>, Body<'_>) {
         let body = |number: usize| {
             let mesh = [&self.shoe, &self.drum][number];
             Body::new(BodyProblem {

@@ -1,30 +1,30 @@
 //! Bodies that the tests share.
 
-pub mod cylinder;
-pub mod drum;
-pub mod punch;
-pub mod wedge;
+pub(crate) mod cylinder;
+pub(crate) mod drum;
+pub(crate) mod punch;
+pub(crate) mod wedge;
 
 use hpfem::{Direction, Material, Mesh, Support};
 
-pub const STEEL: f64 = 210e3;
+pub(crate) const STEEL: f64 = 210e3;
 
-pub fn material(young: f64, poisson: f64) -> [Material; 1] {
+pub(crate) fn material(young: f64, poisson: f64) -> [Material; 1] {
     [Material::new(young, poisson).unwrap()]
 }
 
-pub fn support(boundary: &str, direction: Direction) -> Support {
+pub(crate) fn support(boundary: &str, direction: Direction) -> Support {
     Support { boundary: boundary.into(), direction, value: 0.0 }
 }
 
 /// Degrees that fall from `degree` outside the layers to 2 in the innermost.
-pub fn falling_degrees(mesh: &Mesh, degree: usize, layers: usize) -> Vec<usize> {
+pub(crate) fn falling_degrees(mesh: &Mesh, degree: usize, layers: usize) -> Vec<usize> {
     let fall = |layer: usize| (layer * degree).checked_div(layers).unwrap_or(0);
     mesh.cells.iter().map(|c| (degree + 1).saturating_sub(fall(c.layer)).clamp(2, degree)).collect()
 }
 
 /// Value at arc length `arc` of a quantity given at the contact points: the polynomial of the edge through its points.
-pub fn at_arc(operator: &contact::ContactOperator<'_>, values: &[f64], arc: f64) -> f64 {
+pub(crate) fn at_arc(operator: &contact::ContactOperator<'_>, values: &[f64], arc: f64) -> f64 {
     let trace = &operator.pair().shaped.trace;
     let (edge, t) = trace.locate(arc);
     let (low, high) = (trace.edges[edge].start, trace.edges[edge].start + trace.edges[edge].curve.length());

@@ -3,20 +3,20 @@
 use super::{falling_degrees, material, support};
 use hpfem::*;
 
-pub struct Punch {
-    pub meshes: [Mesh; 2],
-    pub kinematics: Kinematics,
-    pub degree: usize,
-    pub layers: usize,
-    pub supports: [Vec<Support>; 2],
-    pub materials: [[Material; 1]; 2],
-    pub rigid_edge: Option<RigidEdge>,
-    pub load: Vec<LoadCase<'static>>,
+pub(crate) struct Punch {
+    pub(crate) meshes: [Mesh; 2],
+    pub(crate) kinematics: Kinematics,
+    pub(crate) degree: usize,
+    pub(crate) layers: usize,
+    pub(crate) supports: [Vec<Support>; 2],
+    pub(crate) materials: [[Material; 1]; 2],
+    pub(crate) rigid_edge: Option<RigidEdge>,
+    pub(crate) load: Vec<LoadCase<'static>>,
 }
 
 /// Rectangle with vertical cuts at `x` and horizontal ones at `z`; the part of the bottom or top between the `contact` points is
 /// named "contact".
-pub fn rectangle(x: &[f64], z: &[f64], side: Side, contact: [f64; 2]) -> Mesh {
+pub(crate) fn rectangle(x: &[f64], z: &[f64], side: Side, contact: [f64; 2]) -> Mesh {
     let (x0, x1) = (x[0], x[x.len() - 1]);
     let (z0, z1) = (z[0], z[z.len() - 1]);
     let t = |v: f64| 2.0 * (v - x0) / (x1 - x0) - 1.0;
@@ -48,12 +48,15 @@ fn refined(mesh: &Mesh, corners: &[[f64; 2]], layers: usize) -> Mesh {
 
 impl Punch {
     /// Punch 60 x 100 mm with a rigid top edge, held against rotation and sideways motion by `free`, on a clamped plate 120 x 100 mm.
-    pub fn translating(degree: usize, layers: usize, free: [bool; 3]) -> Punch {
+    pub(crate) fn translating(degree: usize, layers: usize, free: [bool; 3]) -> Punch {
         let ends = [[-30.0, 100.0], [30.0, 100.0]];
         let punch = rectangle(&[-30.0, 0.0, 30.0], &[100.0, 150.0, 200.0], Side::Bottom, [-30.0, 30.0]);
         let plate = rectangle(&[-60.0, -30.0, 0.0, 30.0, 60.0], &[0.0, 50.0, 100.0], Side::Top, [-30.0, 30.0]);
         Punch {
-            meshes: [refined(&punch, &[ends[0], ends[1], [-30.0, 200.0], [30.0, 200.0]], layers), refined(&plate, &[ends[0], ends[1], [-60.0, 0.0], [60.0, 0.0]], layers)],
+            meshes: [
+                refined(&punch, &[ends[0], ends[1], [-30.0, 200.0], [30.0, 200.0]], layers),
+                refined(&plate, &[ends[0], ends[1], [-60.0, 0.0], [60.0, 0.0]], layers),
+            ],
             kinematics: Kinematics::PlaneStress { thickness: 10.0 },
             degree,
             layers,
@@ -65,7 +68,7 @@ impl Punch {
     }
 
     /// Annulus 20 <= r <= 120 mm under 100 MPa on a clamped disc 10 <= r <= 140 mm.
-    pub fn annular(degree: usize, layers: usize) -> Punch {
+    pub(crate) fn annular(degree: usize, layers: usize) -> Punch {
         let ends = [[20.0, 50.0], [120.0, 50.0]];
         let punch = rectangle(&[20.0, 70.0, 120.0], &[50.0, 100.0], Side::Bottom, [20.0, 120.0]);
         let disc = rectangle(&[10.0, 20.0, 70.0, 120.0, 140.0], &[0.0, 50.0], Side::Top, [20.0, 120.0]);
@@ -83,7 +86,7 @@ impl Punch {
         }
     }
 
-    pub fn bodies(&self) -> (Body<'_>, Body<'_>) {
+    pub(crate) fn bodies(&self) -> (Body<'_>, Body<'_>) {
         let body = |number: usize| {
             let mesh = &self.meshes[number];
             Body::new(BodyProblem {

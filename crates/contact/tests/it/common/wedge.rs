@@ -21,7 +21,7 @@ fn strip(bottom: [[f64; 2]; 2], top: [[f64; 2]; 2], contact: Side) -> Mesh {
 }
 
 /// Wedge (its back a rigid edge, free in x and z) and plane, as interface operators.
-pub fn bodies(slope: f64) -> (InterfaceOperator, InterfaceOperator) {
+pub(crate) fn bodies(slope: f64) -> (InterfaceOperator, InterfaceOperator) {
     let incline = [[0.0, 0.0], [6.0, 6.0 * slope]];
     let height = 4.0 + 6.0 * slope.max(0.0);
     let wedge = strip(incline, [[0.0, height], [6.0, height]], Side::Bottom);
