@@ -5,7 +5,7 @@ use crate::assemble::{Assembly, LoadCase, edge_modes, points_for, rotation_about
 use crate::basis::Table;
 use crate::cell_matrix::map_cells;
 use crate::check::{check, unit_of_stiffness};
-use crate::elimination::{Condensed, Plan, not_held};
+use crate::elimination::{Condensed, MEMORY_LIMIT, Plan, not_held};
 use crate::error::Error;
 use crate::field::Field;
 use crate::interface::{InterfaceOperator, InterfaceState};
@@ -101,6 +101,10 @@ impl<'a> Body<'a> {
         let mut element_groups: Vec<Vec<usize>> = (0..mesh.cells.len()).map(|c| space.cell_groups(mesh, c, &[])).collect();
         element_groups.extend(foundations.iter().map(|(e, _)| edge_groups(mesh, &space, *e, &[])));
         let plan = Plan::new(&element_groups, &space.size, &kept_groups);
+        let bytes = plan.bytes(&element_groups, &space.size);
+        if bytes > MEMORY_LIMIT {
+            return Err(Error::TooLarge { unknowns: space.size.iter().sum(), bytes, limit: MEMORY_LIMIT });
+        }
         let ordered = start.elapsed();
         let assembly = assembly(&problem, &space, additions.pins.len())?;
         let (columns, unit) = (assembly.columns, assembly.unit);

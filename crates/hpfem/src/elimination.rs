@@ -17,6 +17,9 @@ use faer::{Accum, Mat, MatMut, MatRef, Par, Spec};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
+/// Bodies whose elimination would hold more bytes than this are refused: three quarters of 16 GiB.
+pub(crate) const MEMORY_LIMIT: u64 = 12 << 30;
+
 /// A symmetric matrix (lower triangle, columns one after the other) and right-hand sides on the unknowns of `groups`, in that order.
 pub(crate) struct Element {
     pub(crate) groups: Vec<usize>,
@@ -141,17 +144,22 @@ impl Plan {
         Plan { rank, fronts, roots }
     }
 
-    /// Largest memory the factorisation will hold at once, in bytes, without the elements handed in: all panels and the largest front.
-    pub(crate) fn bytes(&self, size: &[usize]) -> usize {
-        let mut total = 0;
-        let mut largest = 0;
+    /// Largest memory the elimination will hold at once, in bytes: panels of all fronts and the elements not yet merged, those of the
+    /// cells included.
+    pub(crate) fn bytes(&self, element_groups: &[Vec<usize>], size: &[usize]) -> u64 {
+        let unknowns = |groups: &[usize]| groups.iter().map(|g| size[*g] as u64).sum::<u64>();
+        let square = |groups: &[usize]| 8 * unknowns(groups).pow(2);
+        let mut elements: Vec<u64> = element_groups.iter().map(|groups| square(groups)).collect();
+        let mut held: u64 = elements.iter().sum();
+        let mut largest = held;
         for front in &self.fronts {
-            let n: usize = front.groups.iter().map(|g| size[*g]).sum();
-            let ne: usize = front.groups[..front.eliminated].iter().map(|g| size[*g]).sum();
-            total += 8 * n * ne;
-            largest = largest.max(8 * n * n);
+            let (gone, left) = front.groups.split_at(front.eliminated);
+            elements.push(square(left));
+            held += 8 * unknowns(&front.groups) * unknowns(gone) + square(left);
+            largest = largest.max(held);
+            held -= front.children.iter().map(|child| elements[*child]).sum::<u64>();
         }
-        total + 2 * largest
+        largest
     }
 
     /// Runs the elimination on elements whose groups are sorted by [`Plan::rank`].

@@ -139,4 +139,14 @@ pub enum Error {
         /// Why not.
         reason: &'static str,
     },
+    /// The elimination would need more memory than the crate allows itself.
+    #[error("eliminating {unknowns} unknowns on edges and vertices would hold {bytes} bytes, more than {limit}; take fewer cells or a lower degree")]
+    TooLarge {
+        /// Number of unknowns on edges and vertices.
+        unknowns: usize,
+        /// Estimated memory.
+        bytes: u64,
+        /// The limit.
+        limit: u64,
+    },
 }

@@ -22,6 +22,16 @@ pub fn legendre(degree: usize, x: f64) -> Vec<f64> {
     values
 }
 
+/// `P_{degree-1}(x)` and `P_degree(x)`, `degree >= 1`, by the same recurrence.
+pub(crate) fn last_legendre(degree: usize, x: f64) -> [f64; 2] {
+    let (mut lower, mut value) = (1.0, x);
+    for k in 1..degree {
+        let n = k as f64;
+        (lower, value) = (value, ((2.0 * n + 1.0) * x * value - n * lower) / (n + 1.0));
+    }
+    [lower, value]
+}
+
 /// The hierarchic shape functions `N_0 .. N_degree` at `x` and their derivatives, as `(values, derivatives)`, each of
 /// length `degree + 1`; `degree >= 1`.
 pub fn shape_functions(degree: usize, x: f64) -> (Vec<f64>, Vec<f64>) {

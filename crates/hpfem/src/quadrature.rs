@@ -2,7 +2,7 @@
 //!
 //! Points by Newton's method on one half of the interval, mirrored, so that symmetric rules are symmetric by construction.
 
-use crate::legendre::legendre;
+use crate::legendre::last_legendre;
 use std::f64::consts::PI;
 
 /// Points and weights of a quadrature rule, points ascending.
@@ -22,8 +22,8 @@ pub fn gauss(n: usize) -> Quadrature {
         let mut x = (PI * (i as f64 + 0.75) / (n as f64 + 0.5)).cos();
         // `P_n` and `P_n'` at the same x; a slope from before the last step would cost the weight two digits.
         let at = |x: f64| {
-            let p = legendre(n, x);
-            (p[n], n as f64 * (p[n - 1] - x * p[n]) / (1.0 - x * x))
+            let [lower, value] = last_legendre(n, x);
+            (value, n as f64 * (lower - x * value) / (1.0 - x * x))
         };
         for _ in 0..100 {
             let (value, slope) = at(x);
@@ -50,17 +50,17 @@ pub fn gauss_lobatto(n: usize) -> Quadrature {
         }
         let mut x = (PI * i as f64 / m as f64).cos();
         for _ in 0..100 {
-            let p = legendre(m, x);
+            let [lower, value] = last_legendre(m, x);
             let q = 1.0 - x * x;
-            let first = m as f64 * (p[m - 1] - x * p[m]) / q;
-            let second = (2.0 * x * first - (m * (m + 1)) as f64 * p[m]) / q;
+            let first = m as f64 * (lower - x * value) / q;
+            let second = (2.0 * x * first - (m * (m + 1)) as f64 * value) / q;
             let step = first / second;
             x -= step;
             if step.abs() < 1e-15 {
                 break;
             }
         }
-        let value = legendre(m, x)[m];
+        let value = last_legendre(m, x)[1];
         (x, end_weight / (value * value))
     })
 }

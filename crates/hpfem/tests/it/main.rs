@@ -15,6 +15,7 @@ mod lshape;
 mod patch;
 mod quadrature;
 mod quadrature_table;
+mod sharing;
 mod remesh;
 mod singular;
 mod supports;
