@@ -15,7 +15,7 @@ from interface import Interface, division
 
 # Cells along the contact, smallest cell as a share of it, largest cell in the bodies likewise. The
 # cells are equal but for the last few per cent: where they change, the nodal pressure is rougher.
-LEVELS = [(64, 1e-5, 0.1), (100, 1e-5, 0.1)]
+LEVELS = [(100, 1e-5, 0.1), (140, 1e-5, 0.1)]
 
 
 def solve(scene, points, sign):
@@ -38,9 +38,8 @@ def full(scene, surface, c, sign, cells, smallest, coarse):
     goal = np.array([scenes.quantity(load.get("force", 0.0)), scenes.quantity(load.get("moment", 0.0))])
     given = scenes.quantity(load["approach"]) if pair.given else None
     force, closing, _ = pair.touch(np.zeros(len(pair.c)), goal[: len(pair.modes)], given=given)
-    p = np.divide(force, pair.weight, out=np.zeros_like(force), where=pair.weight > 0.0)
     pull = surface.normal(pair.c) + pair.friction * surface.drag(pair.c)
-    return pair.at(p, c), closing[0], float(force @ pull[:, 0])
+    return pair.at(pair.pressure(force), c), closing[0], float(force @ pull[:, 0])
 
 
 if __name__ == "__main__":

@@ -53,7 +53,7 @@ def press(scene, surface, c, sign, cells, coarse):
     pair = Interface(scene, surface, breaks, coarse, sign, grade=False)
     goal = np.array([scenes.quantity(scene["load"]["force"])])
     force, _, _ = pair.touch(surface.initial_gap(pair.c), goal)
-    p = np.divide(force, pair.weight, out=np.zeros_like(force), where=pair.weight > 0.0)
+    p = pair.pressure(force)
     end = np.max(np.abs(pair.c[force > 0.0]))
     use = (np.abs(pair.c) < 0.9 * end) & (pair.weight > 0.0)
     fit = np.polynomial.Polynomial.fit(pair.c[use] ** 2, p[use] ** 2, 3)

@@ -138,6 +138,10 @@ class Interface:
             active = following
         raise ValueError("the active set does not settle")
 
+    def pressure(self, force):
+        """Nodal pressures of nodal forces, N/mm^2; 0 where a node has no area (on the axis)."""
+        return np.divide(force, self.weight, out=np.zeros_like(force), where=self.weight > 0.0)
+
     def at(self, values, c):
         """Quadratic interpolation of nodal values at coordinates c."""
         cell = np.clip(np.searchsorted(self.breaks, c, side="right") - 1, 0, len(self.breaks) - 2)

@@ -15,9 +15,9 @@ import scene as scenes
 from interface import Interface
 
 # Cells along the contact, largest cell in the bodies as a share of it, share of the stable step.
-LEVELS = [(24, 0.15, 0.8), (36, 0.1, 0.5)]
+LEVELS = [(44, 0.1, 0.8), (64, 0.08, 0.8)]
 MOST_STEPS = 20000
-STEADY = 1e-4
+STEADY = 1e-6
 
 
 class Rule:
@@ -55,6 +55,7 @@ def solve(scene, points, sign):
     rigid = [phi(c) for phi, _ in scenes.modes(scene, surface)]
     gap = [level[0] * 1e3 for level in levels]
     found = [common.Quantity("gap_um", "um", gap[0], gap[1], rigid),
+             common.Quantity("gap_um within 95 %", "um", gap[0], gap[1], rigid, keep=inner),
              common.Quantity("pressure_MPa", "MPa", levels[0][1], levels[1][1], keep=inner),
              common.Quantity("volume_mm3", "mm^3", levels[0][2], levels[1][2])]
     return found, {"steps": [level[3] for level in levels], "time_s": [level[4] for level in levels]}
@@ -74,7 +75,7 @@ def evolve(scene, surface, c, sign, cells, coarse, share):
     time, volume, steps = 0.0, 0.0, 0
     while True:
         force, _, active = pair.touch(gap, goal, active)
-        p = np.divide(force, pair.weight, out=np.zeros_like(force), where=pair.weight > 0.0)
+        p = pair.pressure(force)
         rate = rule.rate(p, v)
         root = np.sqrt(pair.weight)
         rest = rate - phi @ np.linalg.lstsq(phi * root[:, None], rate * root, rcond=None)[0]

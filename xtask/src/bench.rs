@@ -28,15 +28,9 @@ pub(crate) fn run(root: &Path, words: &[String]) -> ExitCode {
         Err(message) => return stop(&message),
     };
     if let Some(unknown) = words.iter().find(|word| !crates.contains(word)) {
-        return stop(&format!(
-            "no benches in a crate `{unknown}`; there are some in: {}",
-            crates.join(", ")
-        ));
+        return stop(&format!("no benches in a crate `{unknown}`; there are some in: {}", crates.join(", ")));
     }
-    let wanted: Vec<&String> = crates
-        .iter()
-        .filter(|name| words.is_empty() || words.contains(name))
-        .collect();
+    let wanted: Vec<&String> = crates.iter().filter(|name| words.is_empty() || words.contains(name)).collect();
     if wanted.is_empty() {
         return stop("no crate has a benches/ folder yet");
     }
@@ -57,8 +51,7 @@ fn stop(message: &str) -> ExitCode {
 
 fn crates_with_benches(root: &Path) -> Result<Vec<String>, String> {
     let folder = root.join("crates");
-    let entries =
-        fs::read_dir(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    let entries = fs::read_dir(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     let mut names: Vec<String> = entries
         .filter_map(Result::ok)
         .filter(|entry| entry.path().join("benches").is_dir())
@@ -78,10 +71,7 @@ fn measure(root: &Path, name: &str) -> Result<Vec<Measure>, String> {
         .output()
         .map_err(|error| format!("cargo: {error}"))?;
     if !output.status.success() {
-        return Err(format!(
-            "the benches of {name} ended with {}",
-            output.status
-        ));
+        return Err(format!("the benches of {name} ended with {}", output.status));
     }
     let text = String::from_utf8_lossy(&output.stdout);
     for line in text.lines().filter(|line| !line.starts_with("bench ")) {
@@ -91,23 +81,15 @@ fn measure(root: &Path, name: &str) -> Result<Vec<Measure>, String> {
 }
 
 fn parse(text: &str) -> Result<Vec<Measure>, String> {
-    text.lines()
-        .filter_map(|line| line.strip_prefix("bench ").map(|rest| line_of(line, rest)))
-        .collect()
+    text.lines().filter_map(|line| line.strip_prefix("bench ").map(|rest| line_of(line, rest))).collect()
 }
 
 fn line_of(line: &str, rest: &str) -> Result<Measure, String> {
     let mut words = rest.split_whitespace();
     let name = words.next().ok_or(format!("no name: {line}"))?;
     let seconds: Option<f64> = words.next().and_then(|word| word.parse().ok());
-    let seconds = seconds
-        .filter(|seconds| *seconds > 0.0)
-        .ok_or(format!("no time in seconds: {line}"))?;
-    Ok(Measure {
-        name: name.into(),
-        seconds,
-        against: words.next().map(String::from),
-    })
+    let seconds = seconds.filter(|seconds| *seconds > 0.0).ok_or(format!("no time in seconds: {line}"))?;
+    Ok(Measure { name: name.into(), seconds, against: words.next().map(String::from) })
 }
 
 fn print(measures: &[Measure]) {
@@ -124,9 +106,7 @@ fn print(measures: &[Measure]) {
 
 /// The bench it is compared with, and how many times its time this one takes.
 fn ratio<'a>(measures: &'a [Measure], measure: &Measure) -> Option<(&'a str, f64)> {
-    let other = measures
-        .iter()
-        .find(|other| Some(&other.name) == measure.against.as_ref())?;
+    let other = measures.iter().find(|other| Some(&other.name) == measure.against.as_ref())?;
     Some((&other.name, measure.seconds / other.seconds))
 }
 

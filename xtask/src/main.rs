@@ -14,7 +14,7 @@ usage: cargo xtask <chore>
             unwrap in libraries, absolute paths
   verify    compare wearshape with independent solutions by Debian's dolfinx and gmsh
             [--install] [--quick] [--case NAME] [--fault friction-sign|young] [--can-fail]
-            [--known]
+            [--known] [--program PATH]
   bench     run the benches of our crates and print their ratios [crate ..]
 ";
 
@@ -42,9 +42,6 @@ fn main() -> ExitCode {
 
 /// The folder of the workspace: the parent of this package's own folder.
 fn workspace_root() -> PathBuf {
-    let package =
-        std::env::var("CARGO_MANIFEST_DIR").unwrap_or_else(|_| env!("CARGO_MANIFEST_DIR").into());
-    Path::new(&package)
-        .parent()
-        .map_or_else(|| PathBuf::from("."), Path::to_path_buf)
+    let package = std::env::var("CARGO_MANIFEST_DIR").unwrap_or_else(|_| env!("CARGO_MANIFEST_DIR").into());
+    Path::new(&package).parent().map_or_else(|| PathBuf::from("."), Path::to_path_buf)
 }

@@ -27,11 +27,7 @@ pub(crate) struct Finding {
 
 impl fmt::Display for Finding {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "{}:{}: {}\n    remedy: {}",
-            self.file, self.line, self.problem, self.remedy
-        )
+        write!(f, "{}:{}: {}\n    remedy: {}", self.file, self.line, self.problem, self.remedy)
     }
 }
 
@@ -47,10 +43,7 @@ pub(crate) fn run(root: &Path) -> ExitCode {
     let files = match text_files(root) {
         Ok(files) => files,
         Err(error) => {
-            eprintln!(
-                "tidy: cannot read the workspace at {}: {error}",
-                root.display()
-            );
+            eprintln!("tidy: cannot read the workspace at {}: {error}", root.display());
             return ExitCode::from(2);
         }
     };
@@ -62,11 +55,7 @@ pub(crate) fn run(root: &Path) -> ExitCode {
     for finding in &findings {
         eprintln!("{finding}");
     }
-    eprintln!(
-        "\ntidy: {} finding(s) in {} files",
-        findings.len(),
-        files.len()
-    );
+    eprintln!("\ntidy: {} finding(s) in {} files", findings.len(), files.len());
     ExitCode::FAILURE
 }
 
@@ -107,16 +96,11 @@ fn collect(folder: &Path, prefix: &str, files: &mut Vec<TextFile>) -> io::Result
 }
 
 fn is_text(path: &str) -> bool {
-    let known = [".rs", ".toml", ".py", ".md", ".sh"]
-        .iter()
-        .any(|end| path.ends_with(end));
+    let known = [".rs", ".toml", ".py", ".md", ".sh"].iter().any(|end| path.ends_with(end));
     known || path.starts_with(".ci/")
 }
 
 #[cfg(test)]
 pub(crate) fn file(path: &str, text: &str) -> TextFile {
-    TextFile {
-        path: path.into(),
-        text: text.into(),
-    }
+    TextFile { path: path.into(), text: text.into() }
 }

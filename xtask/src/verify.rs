@@ -14,7 +14,7 @@ mod run;
 
 use case::Case;
 use report::{Outcome, Row};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
 
@@ -27,6 +27,8 @@ struct Wish {
     can_fail: bool,
     cases: Vec<String>,
     fault: Option<String>,
+    /// A built wearshape to compare, instead of building one.
+    program: Option<PathBuf>,
 }
 
 const FAULTS: [&str; 2] = ["friction-sign", "young"];
@@ -75,18 +77,11 @@ fn parse(words: &[String]) -> Result<Wish, String> {
             "--quick" => wish.quick = true,
             "--known" => wish.known = true,
             "--can-fail" => wish.can_fail = true,
-            "--case" => wish.cases.push(
-                rest.next()
-                    .ok_or("--case needs the name of a case")?
-                    .clone(),
-            ),
+            "--case" => wish.cases.push(rest.next().ok_or("--case needs the name of a case")?.clone()),
+            "--program" => wish.program = Some(rest.next().ok_or("--program needs the path of a built wearshape")?.into()),
             "--fault" => {
                 let fault = rest.next().filter(|fault| FAULTS.contains(&fault.as_str()));
-                wish.fault = Some(
-                    fault
-                        .ok_or(format!("--fault needs one of {}", FAULTS.join(", ")))?
-                        .clone(),
-                );
+                wish.fault = Some(fault.ok_or(format!("--fault needs one of {}", FAULTS.join(", ")))?.clone());
             }
             other => return Err(format!("there is no option `{other}`")),
         }
@@ -99,13 +94,13 @@ fn compare_cases(root: &Path, wish: &Wish) -> Result<bool, String> {
     for name in &wish.cases {
         if !all.iter().any(|case| case.name == *name) {
             let names: Vec<&str> = all.iter().map(|case| case.name.as_str()).collect();
-            return Err(format!(
-                "there is no case `{name}`; there are: {}",
-                names.join(", ")
-            ));
+            return Err(format!("there is no case `{name}`; there are: {}", names.join(", ")));
         }
     }
-    let wearshape = run::build(root)?;
+    let wearshape = match &wish.program {
+        Some(program) => program.clone(),
+        None => run::build(root)?,
+    };
     if wish.can_fail {
         return faults_are_caught(root, &wearshape, &all);
     }
@@ -120,31 +115,15 @@ fn compare_cases(root: &Path, wish: &Wish) -> Result<bool, String> {
         outcomes.push(outcome);
     }
     let seconds = started.elapsed().as_secs_f64();
-    let passed = report::write(
-        &root.join("target/verify"),
-        &outcomes,
-        wish.fault.as_deref(),
-        seconds,
-    )?;
+    let passed = report::write(&root.join("target/verify"), &outcomes, wish.fault.as_deref(), seconds)?;
     if let Some(fault) = &wish.fault {
-        println!(
-            "fault `{fault}`: {}",
-            if passed {
-                "NOT caught"
-            } else {
-                "caught, as it must be"
-            }
-        );
+        println!("fault `{fault}`: {}", if passed { "NOT caught" } else { "caught, as it must be" });
     }
     Ok(passed)
 }
 
 fn is_wanted(case: &Case, wish: &Wish) -> bool {
-    if wish.cases.is_empty() {
-        !wish.quick || case.quick
-    } else {
-        wish.cases.contains(&case.name)
-    }
+    if wish.cases.is_empty() { !wish.quick || case.quick } else { wish.cases.contains(&case.name) }
 }
 
 /// One case from start to end; whatever goes wrong is its outcome, and the other cases go on.
@@ -165,23 +144,11 @@ fn faults_are_caught(root: &Path, wearshape: &Path, all: &[Case]) -> Result<bool
         for fault in &case.faults {
             let outcome = run_case(root, wearshape, case, Some(fault));
             let Ok(rows) = &outcome.result else {
-                return Err(format!(
-                    "case {} with fault {fault} did not run: {}",
-                    case.name,
-                    outcome.message()
-                ));
+                return Err(format!("case {} with fault {fault} did not run: {}", case.name, outcome.message()));
             };
-            let worst = rows
-                .iter()
-                .filter(|row| !row.passed())
-                .map(Row::excess)
-                .fold(0.0, f64::max);
+            let worst = rows.iter().filter(|row| !row.passed()).map(Row::excess).fold(0.0, f64::max);
             let caught = worst > 0.0;
-            let verdict = if caught {
-                format!("caught, {worst:.0} times the tolerance")
-            } else {
-                "NOT caught".into()
-            };
+            let verdict = if caught { format!("caught, {worst:.0} times the tolerance") } else { "NOT caught".into() };
             println!("{:<31} fault {fault:<14} {verdict}", case.name);
             caught_all &= caught;
             tried += 1;

@@ -51,12 +51,7 @@ const TABLE: &[Row] = &[
         others: None,
         because: "cli is the top of the workspace",
     },
-    Row {
-        package: "tests",
-        ours: &["cli"],
-        others: None,
-        because: "the cases run what a user runs: `cli::run`",
-    },
+    Row { package: "tests", ours: &["cli"], others: None, because: "the cases run what a user runs: `cli::run`" },
     Row {
         package: "xtask",
         ours: &[],
@@ -66,15 +61,7 @@ const TABLE: &[Row] = &[
 ];
 
 /// Allowed in `[dev-dependencies]` of every package.
-const FOR_TESTS: &[&str] = &[
-    "approx",
-    "proptest",
-    "insta",
-    "tempfile",
-    "serde_json",
-    "toml",
-    "divan",
-];
+const FOR_TESTS: &[&str] = &["approx", "proptest", "insta", "tempfile", "serde_json", "toml", "divan"];
 
 const OURS: &[&str] = &["hpfem", "contact", "wear", "shapeopt", "cli", "xtask"];
 
@@ -89,14 +76,11 @@ pub(super) fn check(files: &[TextFile]) -> Vec<Finding> {
                     file: file.path.clone(),
                     line: 1,
                     problem: format!("package `{folder}` has no row in the import table"),
-                    remedy: "add a row to TABLE in xtask/src/tidy/imports.rs, with its reason"
-                        .into(),
+                    remedy: "add a row to TABLE in xtask/src/tidy/imports.rs, with its reason".into(),
                 }),
             }
         } else if file.path.ends_with(".rs")
-            && let Some(row) = TABLE
-                .iter()
-                .find(|row| file.path.starts_with(&format!("{}/", row.package)))
+            && let Some(row) = TABLE.iter().find(|row| file.path.starts_with(&format!("{}/", row.package)))
         {
             use_lines(file, row, &mut findings);
         }
@@ -106,34 +90,16 @@ pub(super) fn check(files: &[TextFile]) -> Vec<Finding> {
 
 fn manifest(file: &TextFile, row: &Row, findings: &mut Vec<Finding>) {
     let mut report = |needle: &str, problem: String, remedy: String| {
-        findings.push(Finding {
-            file: file.path.clone(),
-            line: line_of(&file.text, needle),
-            problem,
-            remedy,
-        });
+        findings.push(Finding { file: file.path.clone(), line: line_of(&file.text, needle), problem, remedy });
     };
     let parsed: toml::Table = match file.text.parse() {
         Ok(parsed) => parsed,
         Err(error) => {
-            return report(
-                "",
-                format!("not valid TOML: {error}"),
-                "mend the manifest".into(),
-            );
+            return report("", format!("not valid TOML: {error}"), "mend the manifest".into());
         }
     };
-    if parsed
-        .get("lints")
-        .and_then(|lints| lints.get("workspace"))
-        .and_then(toml::Value::as_bool)
-        != Some(true)
-    {
-        report(
-            "[lints]",
-            "does not take the workspace's lint table".into(),
-            "add `[lints] workspace = true`".into(),
-        );
+    if parsed.get("lints").and_then(|lints| lints.get("workspace")).and_then(toml::Value::as_bool) != Some(true) {
+        report("[lints]", "does not take the workspace's lint table".into(), "add `[lints] workspace = true`".into());
     }
     for section in ["dependencies", "dev-dependencies", "build-dependencies"] {
         let Some(table) = parsed.get(section).and_then(toml::Value::as_table) else {
@@ -147,15 +113,11 @@ fn manifest(file: &TextFile, row: &Row, findings: &mut Vec<Finding>) {
                     format!("{}; move the code up, or pass numbers in", row.because),
                 );
             }
-            if value.get("workspace").and_then(toml::Value::as_bool) != Some(true)
-                || value.get("features").is_some()
-            {
+            if value.get("workspace").and_then(toml::Value::as_bool) != Some(true) || value.get("features").is_some() {
                 report(
                     name,
                     format!("`{name}` states its own version or features"),
-                    format!(
-                        "write `{name}.workspace = true`; version and features stand in the root Cargo.toml"
-                    ),
+                    format!("write `{name}.workspace = true`; version and features stand in the root Cargo.toml"),
                 );
             }
         }
@@ -166,8 +128,7 @@ fn may_import(row: &Row, name: &str, for_tests: bool) -> bool {
     if OURS.contains(&name) {
         return row.ours.contains(&name);
     }
-    (for_tests && FOR_TESTS.contains(&name))
-        || row.others.is_none_or(|others| others.contains(&name))
+    (for_tests && FOR_TESTS.contains(&name)) || row.others.is_none_or(|others| others.contains(&name))
 }
 
 /// `use contact::..` in a crate below `contact`. The compiler would say so too, but not why.
@@ -196,22 +157,15 @@ fn used_crate(line: &str) -> Option<&str> {
         Some(rest) if rest.starts_with(' ') => rest.trim_start(),
         _ => line,
     };
-    let path = line
-        .strip_prefix("use ")
-        .or_else(|| line.strip_prefix("extern crate "))?
-        .trim_start();
+    let path = line.strip_prefix("use ").or_else(|| line.strip_prefix("extern crate "))?.trim_start();
     let path = path.strip_prefix("::").unwrap_or(path);
-    let end = path
-        .find(|c: char| !c.is_alphanumeric() && c != '_')
-        .unwrap_or(path.len());
+    let end = path.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(path.len());
     Some(&path[..end])
 }
 
 /// Line of the first `name` that begins a line, or 1.
 fn line_of(text: &str, name: &str) -> usize {
-    text.lines()
-        .position(|line| line.trim_start().starts_with(name))
-        .map_or(1, |at| at + 1)
+    text.lines().position(|line| line.trim_start().starts_with(name)).map_or(1, |at| at + 1)
 }
 
 #[cfg(test)]
@@ -223,26 +177,16 @@ mod tests {
 
     #[test]
     fn wear_may_not_depend_on_hpfem() {
-        let text =
-            format!("{LINTS}[dependencies]\nnalgebra.workspace = true\nhpfem.workspace = true\n");
+        let text = format!("{LINTS}[dependencies]\nnalgebra.workspace = true\nhpfem.workspace = true\n");
         let findings = check(&[file("crates/wear/Cargo.toml", &text)]);
         assert_eq!(findings.len(), 1);
-        assert_eq!(
-            (findings[0].line, findings[0].file.as_str()),
-            (5, "crates/wear/Cargo.toml")
-        );
-        assert!(
-            findings[0]
-                .problem
-                .contains("`crates/wear` may not depend on `hpfem`")
-        );
+        assert_eq!((findings[0].line, findings[0].file.as_str()), (5, "crates/wear/Cargo.toml"));
+        assert!(findings[0].problem.contains("`crates/wear` may not depend on `hpfem`"));
     }
 
     #[test]
     fn test_dependencies_are_layered_too() {
-        let text = format!(
-            "{LINTS}[dev-dependencies]\napprox.workspace = true\nshapeopt.workspace = true\n"
-        );
+        let text = format!("{LINTS}[dev-dependencies]\napprox.workspace = true\nshapeopt.workspace = true\n");
         let findings = check(&[file("crates/contact/Cargo.toml", &text)]);
         assert_eq!(findings.len(), 1);
         assert!(findings[0].problem.contains("shapeopt"));
@@ -250,10 +194,7 @@ mod tests {
 
     #[test]
     fn own_version_and_missing_lints_are_found() {
-        let findings = check(&[file(
-            "crates/hpfem/Cargo.toml",
-            "[dependencies]\nfaer = \"0.24\"\n",
-        )]);
+        let findings = check(&[file("crates/hpfem/Cargo.toml", "[dependencies]\nfaer = \"0.24\"\n")]);
         assert_eq!(findings.len(), 2);
     }
 
@@ -264,8 +205,7 @@ mod tests {
 
     #[test]
     fn use_of_a_higher_crate_is_found_with_its_line() {
-        let text =
-            "//! use contact::Pair;\nuse nalgebra::Vector2;\npub(crate) use contact::Pair;\n";
+        let text = "//! use contact::Pair;\nuse nalgebra::Vector2;\npub(crate) use contact::Pair;\n";
         let findings = check(&[file("crates/hpfem/src/body.rs", text)]);
         assert_eq!(findings.len(), 1);
         assert_eq!(findings[0].line, 3);

@@ -7,18 +7,10 @@ use super::{Finding, TextFile};
 const LONGEST: usize = 400;
 
 /// Longer files, each with the reason why it stays one file.
-const LONG_FILES: &[(&str, &str)] = &[(
-    "crates/hpfem/tests/it/quadrature_table.rs",
-    "a table of nodes and weights",
-)];
+const LONG_FILES: &[(&str, &str)] = &[("crates/hpfem/tests/it/quadrature_table.rs", "a table of nodes and weights")];
 
 /// Crates that compute and do nothing else: they read, write and print nothing.
-const LIBRARIES: &[&str] = &[
-    "crates/hpfem/src/",
-    "crates/contact/src/",
-    "crates/wear/src/",
-    "crates/shapeopt/src/",
-];
+const LIBRARIES: &[&str] = &["crates/hpfem/src/", "crates/contact/src/", "crates/wear/src/", "crates/shapeopt/src/"];
 
 /// A piece of code that has no place in some files.
 struct Ban {
@@ -26,24 +18,13 @@ struct Ban {
     remedy: &'static str,
 }
 
-const PRINTING: Ban = Ban {
-    words: &["println!", "print!", "eprintln!", "eprint!"],
-    remedy: "return the number or the sentence; only cli prints",
-};
+const PRINTING: Ban =
+    Ban { words: &["println!", "print!", "eprintln!", "eprint!"], remedy: "return the number or the sentence; only cli prints" };
 const SYSTEM: Ban = Ban {
-    words: &[
-        "std::fs",
-        "std::env",
-        "std::process",
-        "std::net",
-        "std::io::std",
-    ],
+    words: &["std::fs", "std::env", "std::process", "std::net", "std::io::std"],
     remedy: "take bytes or numbers as an argument; only cli reads, writes and starts programs",
 };
-const DEBUGGING: Ban = Ban {
-    words: &["dbg!", "todo!", "unimplemented!"],
-    remedy: "finish it or take it out",
-};
+const DEBUGGING: Ban = Ban { words: &["dbg!", "todo!", "unimplemented!"], remedy: "finish it or take it out" };
 const GIVING_UP: Ban = Ban {
     words: &[".unwrap()", ".unwrap_err()", "panic!"],
     remedy: "wrong input is an Err with the numbers in it, not converging is a status, our own bug is an assert",
@@ -60,17 +41,12 @@ fn check_with(files: &[TextFile], long_files: &[(&str, &str)]) -> Vec<Finding> {
     for file in files {
         length(file, long_files, &mut findings);
         absolute_paths(file, &mut findings);
-        let source = file.path.starts_with("crates/")
-            && file.path.contains("/src/")
-            && file.path.ends_with(".rs");
+        let source = file.path.starts_with("crates/") && file.path.contains("/src/") && file.path.ends_with(".rs");
         if !source || in_tests.contains(&file.path) {
             continue;
         }
         let code = strip(&file.text);
-        if LIBRARIES
-            .iter()
-            .any(|library| file.path.starts_with(library))
-        {
+        if LIBRARIES.iter().any(|library| file.path.starts_with(library)) {
             banned(file, &code, &PRINTING, &mut findings);
             banned(file, &code, &SYSTEM, &mut findings);
         }
@@ -114,9 +90,7 @@ fn length(file: &TextFile, long_files: &[(&str, &str)], findings: &mut Vec<Findi
 
 fn stale_reasons(files: &[TextFile], long_files: &[(&str, &str)], findings: &mut Vec<Finding>) {
     for (path, reason) in long_files {
-        let long = files
-            .iter()
-            .any(|file| file.path == *path && file.text.lines().count() > LONGEST);
+        let long = files.iter().any(|file| file.path == *path && file.text.lines().count() > LONGEST);
         if !long {
             findings.push(Finding {
                 file: (*path).into(),
@@ -131,10 +105,8 @@ fn stale_reasons(files: &[TextFile], long_files: &[(&str, &str)], findings: &mut
 fn banned(file: &TextFile, code: &str, ban: &Ban, findings: &mut Vec<Finding>) {
     for (number, line) in code.lines().enumerate() {
         for word in ban.words {
-            let stands_alone = |at: usize| {
-                word.starts_with('.')
-                    || !line[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_')
-            };
+            let stands_alone =
+                |at: usize| word.starts_with('.') || !line[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_');
             if line.match_indices(word).any(|(at, _)| stands_alone(at)) {
                 findings.push(Finding {
                     file: file.path.clone(),
@@ -148,13 +120,8 @@ fn banned(file: &TextFile, code: &str, ban: &Ban, findings: &mut Vec<Finding>) {
 }
 
 /// Folders that exist on one machine only, written in two parts so that this file passes.
-const MACHINE_FOLDERS: &[&str] = &[
-    concat!("/wo", "rk"),
-    concat!("/ro", "ot"),
-    concat!("/ho", "me"),
-    concat!("/tm", "p"),
-    concat!("/Us", "ers"),
-];
+const MACHINE_FOLDERS: &[&str] =
+    &[concat!("/wo", "rk"), concat!("/ro", "ot"), concat!("/ho", "me"), concat!("/tm", "p"), concat!("/Us", "ers")];
 
 fn absolute_paths(file: &TextFile, findings: &mut Vec<Finding>) {
     for (number, line) in file.text.lines().enumerate() {
@@ -183,20 +150,14 @@ mod tests {
     use super::*;
 
     fn problems(path: &str, text: &str) -> Vec<(usize, String)> {
-        check_with(&[file(path, text)], &[])
-            .into_iter()
-            .map(|finding| (finding.line, finding.problem))
-            .collect()
+        check_with(&[file(path, text)], &[]).into_iter().map(|finding| (finding.line, finding.problem)).collect()
     }
 
     #[test]
     fn libraries_neither_print_nor_read_files() {
         let text = "//! println! is only spoken of\nfn f() {\n    println!(\"{}\", 1);\n    let x = std::fs::read(\"a\");\n}\n";
         let found = problems("crates/wear/src/law.rs", text);
-        assert_eq!(
-            found.iter().map(|(line, _)| *line).collect::<Vec<_>>(),
-            [3, 4]
-        );
+        assert_eq!(found.iter().map(|(line, _)| *line).collect::<Vec<_>>(), [3, 4]);
         assert!(problems("crates/cli/src/main.rs", text).is_empty());
         assert!(problems("crates/wear/examples/rule.rs", text).is_empty());
         assert!(problems("crates/wear/tests/it/main.rs", text).is_empty());
@@ -205,10 +166,7 @@ mod tests {
     #[test]
     fn unwrap_is_found_outside_tests_only() {
         let text = "fn f() { a.unwrap() }\nfn g() { a.unwrap_or(1) }\n#[cfg(test)]\nmod tests {\n    fn h() { b.unwrap(); panic!() }\n}\n";
-        assert_eq!(
-            problems("crates/cli/src/scene.rs", text),
-            [(1, "`.unwrap()` outside tests".to_string())]
-        );
+        assert_eq!(problems("crates/cli/src/scene.rs", text), [(1, "`.unwrap()` outside tests".to_string())]);
     }
 
     #[test]
@@ -229,10 +187,7 @@ mod tests {
     #[test]
     fn long_files_are_found() {
         assert!(problems("crates/hpfem/src/a.rs", &"x\n".repeat(LONGEST)).is_empty());
-        assert_eq!(
-            problems("verify/gap.py", &"x\n".repeat(LONGEST + 1)).len(),
-            1
-        );
+        assert_eq!(problems("verify/gap.py", &"x\n".repeat(LONGEST + 1)).len(), 1);
         assert!(problems("README.md", &"x\n".repeat(LONGEST + 1)).is_empty());
     }
 
@@ -240,26 +195,14 @@ mod tests {
     fn a_long_file_with_a_reason_passes_and_a_reason_without_one_does_not() {
         let listed = [("tests/table.rs", "numbers")];
         assert!(check_with(&[file("tests/table.rs", &"x\n".repeat(900))], &listed).is_empty());
-        assert_eq!(
-            check_with(&[file("tests/table.rs", "x\n")], &listed).len(),
-            1
-        );
+        assert_eq!(check_with(&[file("tests/table.rs", "x\n")], &listed).len(), 1);
     }
 
     #[test]
     fn machine_folders_are_found_and_words_are_not() {
         let tmp = MACHINE_FOLDERS[3];
         assert_eq!(problems("docs/a.md", &format!("see `{tmp}/x`\n")).len(), 1);
-        assert_eq!(
-            problems("verify/a.py", &format!("open('{tmp}')\n")).len(),
-            1
-        );
-        assert!(
-            problems(
-                "docs/a.md",
-                "force/work, target/tmp/x, https://a.org/home, /usr/bin/python3\n"
-            )
-            .is_empty()
-        );
+        assert_eq!(problems("verify/a.py", &format!("open('{tmp}')\n")).len(), 1);
+        assert!(problems("docs/a.md", "force/work, target/tmp/x, https://a.org/home, /usr/bin/python3\n").is_empty());
     }
 }

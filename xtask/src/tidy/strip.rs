@@ -41,11 +41,7 @@ fn blank_comments_and_strings(text: &str) -> String {
             out.push(chars[at]);
             at += 1;
         } else {
-            out.extend(
-                chars[at..end]
-                    .iter()
-                    .map(|&c| if c == '\n' { '\n' } else { ' ' }),
-            );
+            out.extend(chars[at..end].iter().map(|&c| if c == '\n' { '\n' } else { ' ' }));
             at = end;
         }
     }
@@ -57,10 +53,7 @@ fn in_word(chars: &[char], at: usize) -> bool {
 }
 
 fn line_end(chars: &[char], at: usize) -> usize {
-    chars[at..]
-        .iter()
-        .position(|&c| c == '\n')
-        .map_or(chars.len(), |length| at + length)
+    chars[at..].iter().position(|&c| c == '\n').map_or(chars.len(), |length| at + length)
 }
 
 /// End of a block comment; they nest.
@@ -99,9 +92,7 @@ fn raw_string_end(chars: &[char], at: usize) -> usize {
     }
     let mut here = at + 2 + hashes;
     while here < chars.len() {
-        if chars[here] == '"'
-            && chars[here + 1..].iter().take_while(|&&c| c == '#').count() >= hashes
-        {
+        if chars[here] == '"' && chars[here + 1..].iter().take_while(|&&c| c == '#').count() >= hashes {
             return here + 1 + hashes;
         }
         here += 1;
@@ -112,10 +103,7 @@ fn raw_string_end(chars: &[char], at: usize) -> usize {
 /// End of a character literal, or `at` for a lifetime.
 fn char_literal_end(chars: &[char], at: usize) -> usize {
     match (chars.get(at + 1), chars.get(at + 2)) {
-        (Some('\\'), Some(_)) => chars[at + 3..]
-            .iter()
-            .position(|&c| c == '\'')
-            .map_or(at, |length| at + 3 + length + 1),
+        (Some('\\'), Some(_)) => chars[at + 3..].iter().position(|&c| c == '\'').map_or(at, |length| at + 3 + length + 1),
         (Some(_), Some('\'')) => at + 3,
         _ => at,
     }
@@ -178,8 +166,7 @@ mod tests {
 
     #[test]
     fn test_items_are_blank_and_what_follows_is_not() {
-        let code =
-            strip("#[cfg(test)]\nmod tests { fn a() { b.unwrap() } }\nfn c() { d.unwrap() }\n");
+        let code = strip("#[cfg(test)]\nmod tests { fn a() { b.unwrap() } }\nfn c() { d.unwrap() }\n");
         assert!(!code.contains("b.unwrap()") && code.contains("d.unwrap()"));
         let code = strip("#[cfg(test)]\nuse x::Y;\nfn c() { d.unwrap() }\n");
         assert!(!code.contains("x::Y") && code.contains("d.unwrap()"));
@@ -187,9 +174,6 @@ mod tests {
 
     #[test]
     fn test_modules_in_other_files_are_named() {
-        assert_eq!(
-            test_modules("#[cfg(test)]\nmod tests;\n#[cfg(test)]\nmod inline {}\n"),
-            ["tests"]
-        );
+        assert_eq!(test_modules("#[cfg(test)]\nmod tests;\n#[cfg(test)]\nmod inline {}\n"), ["tests"]);
     }
 }

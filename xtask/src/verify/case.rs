@@ -45,25 +45,14 @@ pub(crate) enum Norm {
 /// Reads the table; the message of an error names the case and the key.
 pub(crate) fn read(path: &Path) -> Result<Vec<Case>, String> {
     let text = fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))?;
-    let table: Table = text
-        .parse()
-        .map_err(|error| format!("{}: {error}", path.display()))?;
-    let cases = table
-        .get("case")
-        .and_then(Value::as_array)
-        .ok_or(format!("{}: no [[case]]", path.display()))?;
-    cases
-        .iter()
-        .map(|value| case(value).map_err(|message| format!("{}: {message}", path.display())))
-        .collect()
+    let table: Table = text.parse().map_err(|error| format!("{}: {error}", path.display()))?;
+    let cases = table.get("case").and_then(Value::as_array).ok_or(format!("{}: no [[case]]", path.display()))?;
+    cases.iter().map(|value| case(value).map_err(|message| format!("{}: {message}", path.display()))).collect()
 }
 
 fn case(value: &Value) -> Result<Case, String> {
     let name = text(value, "name")?;
-    let quantities = value
-        .get("quantities")
-        .and_then(Value::as_array)
-        .map_or(&[] as &[Value], Vec::as_slice);
+    let quantities = value.get("quantities").and_then(Value::as_array).map_or(&[] as &[Value], Vec::as_slice);
     if quantities.is_empty() {
         return Err(format!("case {name}: no quantities, so it cannot fail"));
     }
@@ -75,11 +64,7 @@ fn case(value: &Value) -> Result<Case, String> {
         quick: value.get("quick").and_then(Value::as_bool).unwrap_or(false),
         waits: value.get("waits").and_then(Value::as_str).map(String::from),
         faults: texts(value, "faults"),
-        quantities: quantities
-            .iter()
-            .map(wanted)
-            .collect::<Result<_, _>>()
-            .map_err(|e| format!("case {name}: {e}"))?,
+        quantities: quantities.iter().map(wanted).collect::<Result<_, _>>().map_err(|e| format!("case {name}: {e}"))?,
         name,
     })
 }
@@ -87,16 +72,9 @@ fn case(value: &Value) -> Result<Case, String> {
 /// A quantity from its table.
 pub(crate) fn wanted(value: &Value) -> Result<Wanted, String> {
     let name = text(value, "name")?;
-    let tolerance = value
-        .get("tolerance")
-        .and_then(Value::as_float)
-        .filter(|t| *t > 0.0 && *t < 1.0);
+    let tolerance = value.get("tolerance").and_then(Value::as_float).filter(|t| *t > 0.0 && *t < 1.0);
     Ok(Wanted {
-        ours: value
-            .get("ours")
-            .and_then(Value::as_str)
-            .unwrap_or(&name)
-            .to_string(),
+        ours: value.get("ours").and_then(Value::as_str).unwrap_or(&name).to_string(),
         tolerance: tolerance.ok_or(format!("{name}: needs a tolerance between 0 and 1"))?,
         norm: match value.get("norm").and_then(Value::as_str) {
             None | Some("max") => Norm::Max,
@@ -109,20 +87,12 @@ pub(crate) fn wanted(value: &Value) -> Result<Wanted, String> {
 
 /// A text that must be there.
 pub(crate) fn text(value: &Value, key: &str) -> Result<String, String> {
-    value
-        .get(key)
-        .and_then(Value::as_str)
-        .map(String::from)
-        .ok_or(format!("`{key}` is missing or no text"))
+    value.get(key).and_then(Value::as_str).map(String::from).ok_or(format!("`{key}` is missing or no text"))
 }
 
 fn texts(value: &Value, key: &str) -> Vec<String> {
     let list = value.get(key).and_then(Value::as_array);
-    list.into_iter()
-        .flatten()
-        .filter_map(Value::as_str)
-        .map(String::from)
-        .collect()
+    list.into_iter().flatten().filter_map(Value::as_str).map(String::from).collect()
 }
 
 #[cfg(test)]
@@ -136,9 +106,7 @@ mod tests {
 
     #[test]
     fn a_case_without_quantities_is_refused() {
-        assert!(
-            parse("name='a'\nscene='s'\nscript='gap.py'").is_err_and(|e| e.contains("cannot fail"))
-        );
+        assert!(parse("name='a'\nscene='s'\nscript='gap.py'").is_err_and(|e| e.contains("cannot fail")));
     }
 
     #[test]
@@ -155,10 +123,6 @@ mod tests {
         names.sort_unstable();
         names.dedup();
         assert_eq!(names.len(), cases.len());
-        assert!(
-            cases
-                .iter()
-                .all(|case| path.with_file_name(&case.script).exists())
-        );
+        assert!(cases.iter().all(|case| path.with_file_name(&case.script).exists()));
     }
 }

@@ -7,11 +7,7 @@ use std::process::Command;
 /// Debian's own interpreter; another python3 on the PATH cannot import its packages.
 pub(crate) const PYTHON: &str = "/usr/bin/python3";
 
-const PACKAGES: [&str; 3] = [
-    "python3-dolfinx-real",
-    "python3-gmsh",
-    "libopenblas0-pthread",
-];
+const PACKAGES: [&str; 3] = ["python3-dolfinx-real", "python3-gmsh", "libopenblas0-pthread"];
 
 /// Installs the packages with apt-get, as root or through sudo; nothing to do when all are there.
 pub(crate) fn install() -> Result<(), String> {
@@ -25,47 +21,26 @@ pub(crate) fn install() -> Result<(), String> {
         if !as_root {
             command.args(["-n", "DEBIAN_FRONTEND=noninteractive", "apt-get"]);
         }
-        command
-            .env("DEBIAN_FRONTEND", "noninteractive")
-            .stdin(std::process::Stdio::null())
-            .args(arguments);
-        let done = command
-            .status()
-            .map_err(|error| format!("apt-get: {error}; verify needs Debian 12"))?;
-        if done.success() {
-            Ok(())
-        } else {
-            Err(format!("apt-get {} ended with {done}", arguments.join(" ")))
-        }
+        command.env("DEBIAN_FRONTEND", "noninteractive").stdin(std::process::Stdio::null()).args(arguments);
+        let done = command.status().map_err(|error| format!("apt-get: {error}; verify needs Debian 12"))?;
+        if done.success() { Ok(()) } else { Err(format!("apt-get {} ended with {done}", arguments.join(" "))) }
     };
     if let Err(message) = apt(&["update", "-q"]) {
         // One broken source of many need not matter; the installation itself will tell.
         eprintln!("verify: {message}; going on");
     }
-    let mut arguments = vec![
-        "install",
-        "-q",
-        "-y",
-        "--no-install-recommends",
-        "-o",
-        "Dpkg::Use-Pty=0",
-    ];
+    let mut arguments = vec!["install", "-q", "-y", "--no-install-recommends", "-o", "Dpkg::Use-Pty=0"];
     arguments.extend(PACKAGES);
     apt(&arguments)
 }
 
 fn is_installed(package: &str) -> bool {
-    let output = Command::new("dpkg-query")
-        .args(["-W", "-f=${db:Status-Status}", package])
-        .output();
+    let output = Command::new("dpkg-query").args(["-W", "-f=${db:Status-Status}", package]).output();
     output.is_ok_and(|output| String::from_utf8_lossy(&output.stdout) == "installed")
 }
 
 fn user_is_root() -> Result<bool, String> {
-    let output = Command::new("id")
-        .arg("-u")
-        .output()
-        .map_err(|error| format!("id: {error}"))?;
+    let output = Command::new("id").arg("-u").output().map_err(|error| format!("id: {error}"))?;
     Ok(String::from_utf8_lossy(&output.stdout).trim() == "0")
 }
 
@@ -79,12 +54,7 @@ pub(crate) fn check(root: &Path) -> Result<(), String> {
         return Ok(());
     }
     let message = String::from_utf8_lossy(&output.stderr);
-    Err(remedy(
-        message
-            .lines()
-            .last()
-            .unwrap_or("dolfinx cannot be imported"),
-    ))
+    Err(remedy(message.lines().last().unwrap_or("dolfinx cannot be imported")))
 }
 
 fn remedy(problem: &str) -> String {

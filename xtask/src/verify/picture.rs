@@ -20,18 +20,13 @@ pub(crate) fn curves(title: &str, at: &[f64], ours: &[f64], theirs: &[f64]) -> S
     let x = Axis::new(at, LEFT, LEFT + WIDTH);
     let values = ours.iter().chain(theirs).copied().collect::<Vec<_>>();
     let upper = Axis::new(&values, TOP + UPPER, TOP);
-    let lower = Axis::new(
-        &difference,
-        TOP + UPPER + BETWEEN + LOWER,
-        TOP + UPPER + BETWEEN,
-    );
+    let lower = Axis::new(&difference, TOP + UPPER + BETWEEN + LOWER, TOP + UPPER + BETWEEN);
     svg += &frame(&upper, TOP, UPPER);
     svg += &frame(&lower, TOP + UPPER + BETWEEN, LOWER);
     svg += &line(&x, &upper, at, ours, "#1f4e9c");
     for (s, value) in at.iter().zip(theirs) {
         let (cx, cy) = (x.place(*s), upper.place(*value));
-        svg +=
-            &format!("<circle cx='{cx:.2}' cy='{cy:.2}' r='2.6' fill='none' stroke='#c0392b'/>\n");
+        svg += &format!("<circle cx='{cx:.2}' cy='{cy:.2}' r='2.6' fill='none' stroke='#c0392b'/>\n");
     }
     svg += &line(&x, &lower, at, &difference, "#444");
     let bottom = height - 10.0;
@@ -58,17 +53,8 @@ impl Axis {
         let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         // A curve that is constant but for round-off is drawn as such, in the middle.
         let size = low.abs().max(high.abs());
-        let room = if high - low > 1e-9 * size {
-            0.0
-        } else {
-            (0.5 * size).max(1e-300)
-        };
-        Self {
-            low: low - room,
-            high: high + room,
-            from,
-            to,
-        }
+        let room = if high - low > 1e-9 * size { 0.0 } else { (0.5 * size).max(1e-300) };
+        Self { low: low - room, high: high + room, from, to }
     }
 
     fn place(&self, value: f64) -> f64 {
@@ -89,20 +75,12 @@ fn frame(axis: &Axis, top: f64, height: f64) -> String {
 }
 
 fn line(x: &Axis, y: &Axis, at: &[f64], values: &[f64], colour: &str) -> String {
-    let points: Vec<String> = at
-        .iter()
-        .zip(values)
-        .map(|(s, value)| format!("{:.2},{:.2}", x.place(*s), y.place(*value)))
-        .collect();
-    format!(
-        "<polyline points='{}' fill='none' stroke='{colour}' stroke-width='1.4'/>\n",
-        points.join(" ")
-    )
+    let points: Vec<String> =
+        at.iter().zip(values).map(|(s, value)| format!("{:.2},{:.2}", x.place(*s), y.place(*value))).collect();
+    format!("<polyline points='{}' fill='none' stroke='{colour}' stroke-width='1.4'/>\n", points.join(" "))
 }
 
 /// Text inside HTML or SVG.
 pub(crate) fn escape(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

@@ -57,51 +57,23 @@ pub(crate) struct Outcome {
 impl Outcome {
     /// A case that ran, well or not.
     pub(crate) fn new(case: &Case, result: Result<Vec<Row>, String>, seconds: f64) -> Self {
-        let scene = std::iter::once(&case.scene)
-            .chain(&case.set)
-            .cloned()
-            .collect::<Vec<_>>()
-            .join(" ");
-        Self {
-            name: case.name.clone(),
-            scene,
-            result,
-            waits: false,
-            seconds,
-        }
+        let scene = std::iter::once(&case.scene).chain(&case.set).cloned().collect::<Vec<_>>().join(" ");
+        Self { name: case.name.clone(), scene, result, waits: false, seconds }
     }
 
     /// A comparison of a script with known numbers.
-    pub(crate) fn known(
-        name: &str,
-        scene: &str,
-        result: Result<Vec<Row>, String>,
-        seconds: f64,
-    ) -> Self {
-        Self {
-            name: name.into(),
-            scene: scene.into(),
-            result,
-            waits: false,
-            seconds,
-        }
+    pub(crate) fn known(name: &str, scene: &str, result: Result<Vec<Row>, String>, seconds: f64) -> Self {
+        Self { name: name.into(), scene: scene.into(), result, waits: false, seconds }
     }
 
     /// A case that is not run yet.
     pub(crate) fn waits(case: &Case, reason: &str) -> Self {
-        Self {
-            waits: true,
-            ..Self::new(case, Err(reason.into()), 0.0)
-        }
+        Self { waits: true, ..Self::new(case, Err(reason.into()), 0.0) }
     }
 
     /// All quantities passed; a waiting case is no failure.
     fn passed(&self) -> bool {
-        self.waits
-            || self
-                .result
-                .as_ref()
-                .is_ok_and(|rows| rows.iter().all(Row::passed))
+        self.waits || self.result.as_ref().is_ok_and(|rows| rows.iter().all(Row::passed))
     }
 
     /// Why it did not run.
@@ -134,12 +106,7 @@ pub(crate) fn print(outcome: &Outcome) {
 }
 
 /// Writes both reports and the last line; true when everything that ran passed and something ran.
-pub(crate) fn write(
-    folder: &Path,
-    outcomes: &[Outcome],
-    fault: Option<&str>,
-    seconds: f64,
-) -> Result<bool, String> {
+pub(crate) fn write(folder: &Path, outcomes: &[Outcome], fault: Option<&str>, seconds: f64) -> Result<bool, String> {
     let ran = outcomes.iter().filter(|outcome| !outcome.waits).count();
     let failed = outcomes.iter().filter(|outcome| !outcome.passed()).count();
     if ran == 0 {
@@ -147,15 +114,9 @@ pub(crate) fn write(
     }
     let save = |name: &str, text: String| {
         let path = folder.join(name);
-        fs::create_dir_all(folder)
-            .and_then(|()| fs::write(&path, text))
-            .map_err(|e| format!("{}: {e}", path.display()))
+        fs::create_dir_all(folder).and_then(|()| fs::write(&path, text)).map_err(|e| format!("{}: {e}", path.display()))
     };
-    let versions = outcomes
-        .iter()
-        .map(|outcome| versions(folder, outcome))
-        .find(|v| !v.is_null())
-        .unwrap_or_default();
+    let versions = outcomes.iter().map(|outcome| versions(folder, outcome)).find(|v| !v.is_null()).unwrap_or_default();
     let cases: Vec<Value> = outcomes.iter().map(case_json).collect();
     let whole = json!({
         "passed": failed == 0, "fault": fault, "seconds": seconds, "versions": versions, "cases": cases,
@@ -197,18 +158,11 @@ fn html(outcomes: &[Outcome], versions: &Value, fault: Option<&str>, seconds: f6
     let mut body = String::from("<h1>wearshape against dolfinx</h1>\n");
     let mut programs = String::new();
     for (name, version) in versions.as_object().into_iter().flatten() {
-        programs += &format!(
-            "{} {} ",
-            picture::escape(name),
-            picture::escape(version.as_str().unwrap_or("?"))
-        );
+        programs += &format!("{} {} ", picture::escape(name), picture::escape(version.as_str().unwrap_or("?")));
     }
     body += &format!("<p>{programs}&middot; {seconds:.0} s</p>\n");
     if let Some(fault) = fault {
-        body += &format!(
-            "<p class=bad>Deliberate fault: {}. This run must fail.</p>\n",
-            picture::escape(fault)
-        );
+        body += &format!("<p class=bad>Deliberate fault: {}. This run must fail.</p>\n", picture::escape(fault));
     }
     body += "<table><tr><th>case<th>quantity<th>points<th>difference<th>allowed<th>self-error<th></tr>\n";
     for outcome in outcomes {
@@ -237,18 +191,9 @@ fn html(outcomes: &[Outcome], versions: &Value, fault: Option<&str>, seconds: f6
     }
     body += "</table>\n<p>Lines: wearshape. Circles: dolfinx, rigid motion taken out. Below: the difference.</p>\n";
     for outcome in outcomes {
-        for row in outcome
-            .result
-            .as_ref()
-            .map_or(&[] as &[Row], Vec::as_slice)
-            .iter()
-            .filter(|row| row.points > 2)
-        {
+        for row in outcome.result.as_ref().map_or(&[] as &[Row], Vec::as_slice).iter().filter(|row| row.points > 2) {
             let title = format!("{}: {}", outcome.name, row.quantity);
-            body += &format!(
-                "<figure>{}</figure>\n",
-                picture::curves(&title, &row.at, &row.ours, &row.theirs)
-            );
+            body += &format!("<figure>{}</figure>\n", picture::curves(&title, &row.at, &row.ours, &row.theirs));
         }
     }
     format!(

@@ -15,15 +15,7 @@ const LIMIT: Duration = Duration::from_secs(600);
 pub(crate) fn build(root: &Path) -> Result<PathBuf, String> {
     let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".into());
     let output = Command::new(cargo)
-        .args([
-            "build",
-            "--release",
-            "--package",
-            "cli",
-            "--bin",
-            "wearshape",
-            "--message-format=json-render-diagnostics",
-        ])
+        .args(["build", "--release", "--package", "cli", "--bin", "wearshape", "--message-format=json-render-diagnostics"])
         .current_dir(root)
         .stderr(Stdio::inherit())
         .output()
@@ -32,50 +24,33 @@ pub(crate) fn build(root: &Path) -> Result<PathBuf, String> {
         return Err("wearshape does not build".into());
     }
     let text = String::from_utf8_lossy(&output.stdout);
-    let messages = text
-        .lines()
-        .filter_map(|line| serde_json::from_str::<Value>(line).ok());
-    let found = messages
-        .filter_map(|message| message["executable"].as_str().map(PathBuf::from))
-        .next_back();
+    let messages = text.lines().filter_map(|line| serde_json::from_str::<Value>(line).ok());
+    let found = messages.filter_map(|message| message["executable"].as_str().map(PathBuf::from)).next_back();
     found.ok_or("cargo built wearshape and did not say where".into())
 }
 
 /// Runs wearshape on the case's scene into `<folder>/ours`.
-pub(crate) fn solve(
-    root: &Path,
-    wearshape: &Path,
-    case: &Case,
-    folder: &Path,
-) -> Result<(), String> {
+pub(crate) fn solve(root: &Path, wearshape: &Path, case: &Case, folder: &Path) -> Result<(), String> {
     if folder.exists() {
         fs::remove_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     }
     fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     let mut command = Command::new(wearshape);
-    command
-        .current_dir(root)
-        .args(["run", &case.scene, "-q", "--no-progress", "-o"])
-        .arg(folder.join("ours"));
+    command.current_dir(root).args(["run", &case.scene, "-q", "--no-progress", "-o"]).arg(folder.join("ours"));
     for change in &case.set {
         command.args(["--set", change]);
     }
     if let Some(count) = case.sample {
         command.args(["--sample", &count.to_string()]);
     }
-    let output = command
-        .stdin(Stdio::null())
-        .output()
-        .map_err(|error| format!("wearshape: {error}"))?;
+    let output = command.stdin(Stdio::null()).output().map_err(|error| format!("wearshape: {error}"))?;
     if output.status.success() {
         return Ok(());
     }
+    let summary = super::compare::read_json(&folder.join("ours/summary.json")).unwrap_or_default();
     let words = String::from_utf8_lossy(&output.stderr);
-    Err(format!(
-        "wearshape ended with {}: {}",
-        output.status,
-        words.trim()
-    ))
+    let words = summary["verdict"].as_str().unwrap_or(words.trim());
+    Err(format!("wearshape ended with {}: {words}", output.status))
 }
 
 /// Debian's interpreter in an environment of its own: no paths of the user, one thread, caches
@@ -94,12 +69,7 @@ pub(crate) fn python(root: &Path) -> Command {
 }
 
 /// Runs a script on a case folder; it must leave an out.json.
-pub(crate) fn script(
-    root: &Path,
-    script: &str,
-    folder: &Path,
-    fault: Option<&str>,
-) -> Result<(), String> {
+pub(crate) fn script(root: &Path, script: &str, folder: &Path, fault: Option<&str>) -> Result<(), String> {
     let out = folder.join("out.json");
     if out.exists() {
         fs::remove_file(&out).map_err(|error| format!("{}: {error}", out.display()))?;
@@ -111,20 +81,11 @@ pub(crate) fn script(
     if let Some(fault) = fault {
         command.args(["--fault", fault]);
     }
-    let copy = file
-        .try_clone()
-        .map_err(|error| format!("{}: {error}", log.display()))?;
-    let mut child = command
-        .stdout(copy)
-        .stderr(file)
-        .spawn()
-        .map_err(|error| format!("{PYTHON}: {error}"))?;
+    let copy = file.try_clone().map_err(|error| format!("{}: {error}", log.display()))?;
+    let mut child = command.stdout(copy).stderr(file).spawn().map_err(|error| format!("{PYTHON}: {error}"))?;
     let started = Instant::now();
     let ended = loop {
-        if let Some(ended) = child
-            .try_wait()
-            .map_err(|error| format!("{script}: {error}"))?
-        {
+        if let Some(ended) = child.try_wait().map_err(|error| format!("{script}: {error}"))? {
             break ended;
         }
         if started.elapsed() > LIMIT {
@@ -139,13 +100,6 @@ pub(crate) fn script(
         return Ok(());
     }
     let words = fs::read_to_string(&log).unwrap_or_default();
-    let last = words
-        .lines()
-        .rev()
-        .find(|line| !line.trim().is_empty())
-        .unwrap_or("no message");
-    Err(format!(
-        "{script} ended with {ended}: {last} (all of it in {})",
-        log.display()
-    ))
+    let last = words.lines().rev().find(|line| !line.trim().is_empty()).unwrap_or("no message");
+    Err(format!("{script} ended with {ended}: {last} (all of it in {})", log.display()))
 }
