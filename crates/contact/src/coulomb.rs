@@ -23,7 +23,7 @@ pub enum ContactState {
 }
 
 /// Linear systems before giving up.
-const LIMIT: usize = 100;
+const LIMIT: usize = 300;
 /// Plain steps on the states before shear limits are held.
 const PLAIN_STEPS: usize = 14;
 
@@ -212,7 +212,6 @@ impl Coulomb<'_> {
         if outcome.settled {
             return outcome;
         }
-        let plain = outcome.states.clone();
         let n = start.len();
         let mut tresca = Tresca::new(self);
         let limit = |force: &[f64]| force.iter().map(|f| self.coefficient * f.max(0.0)).collect::<Vec<f64>>();
@@ -224,7 +223,7 @@ impl Coulomb<'_> {
             let Some((forces, states, solved)) = tresca.step(&centre, &limit(&centre.force[..n])) else { break };
             outcome.steps += solved;
             outcome.states = states;
-            self.iterate(&mut outcome, 4);
+            self.iterate(&mut outcome, 3);
             if outcome.settled {
                 break;
             }
@@ -232,27 +231,7 @@ impl Coulomb<'_> {
             // The states stiffen as the multipliers settle.
             tresca.penalty = (4.0 * tresca.penalty).min(PENALTY);
         }
-        if !outcome.settled {
-            outcome.states = plain;
-            self.exchange_singly(&mut outcome, 4 * n);
-        }
         outcome
-    }
-
-    /// Last resort: one point after the other changes its state.
-    fn exchange_singly(&self, outcome: &mut Outcome, steps: usize) {
-        for _ in 0..steps {
-            if outcome.settled {
-                return;
-            }
-            let before = outcome.states.clone();
-            self.iterate(outcome, 1);
-            if let Some(last) = (0..before.len()).rev().find(|i| outcome.states[*i] != before[*i]) {
-                let state = outcome.states[last];
-                outcome.states = before;
-                outcome.states[last] = state;
-            }
-        }
     }
 
     /// Up to `steps` plain steps on the states.

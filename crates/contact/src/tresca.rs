@@ -10,7 +10,7 @@ use faer::Mat;
 use faer::linalg::solvers::Solve;
 
 /// Newton steps for one set of multipliers.
-const LIMIT: usize = 12;
+const LIMIT: usize = 40;
 
 /// Where the force of a constraint stands.
 #[derive(Clone, Copy, PartialEq)]
@@ -55,7 +55,7 @@ impl Tresca {
             Mat::from_fn(2 * n, m, |i, j| if i < n { normal.influence[(i, j)] } else { problem.influence[(i - n, j)] });
         let (unit, resultant) = problem.scales();
         Tresca {
-            penalty: 16.0,
+            penalty: 1.0,
             own: (0..2 * n).map(|i| compliance[(i, i)]).collect(),
             compliance,
             influence,

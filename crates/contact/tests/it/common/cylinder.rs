@@ -182,7 +182,7 @@ pub(crate) fn mirrored(half: &Mesh) -> Mesh {
     let mut names = Vec::new();
     for e in &half.edges {
         let other = e.vertices.map(|v| image[v]);
-        curves.push((e.vertices, e.curve.clone()));
+        curves.push((e.vertices, e.curve));
         if let Curve::Arc { centre, radius, from, to } = e.curve {
             let turn = |a: f64| -std::f64::consts::PI - a;
             let centre = [-centre[0], centre[1]];

@@ -7,8 +7,6 @@ pub(crate) mod wedge;
 
 use hpfem::{Direction, Material, Mesh, Support};
 
-pub(crate) const STEEL: f64 = 210e3;
-
 pub(crate) fn material(young: f64, poisson: f64) -> [Material; 1] {
     [Material::new(young, poisson).unwrap()]
 }
