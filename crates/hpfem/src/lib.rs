@@ -1,10 +1,39 @@
 //! p-version finite elements for plane and axisymmetric linear elasticity, with every body reduced to the boundary that matters.
 //!
-//! Cells are curved quadrilaterals with exact lines and arcs (blending) and hierarchic shape functions (integrated
-//! Legendre polynomials). A [`Body`] is assembled once; interiors and everything but a kept boundary are eliminated, and what
-//! is left is a small dense [`InterfaceOperator`], from which displacements, energies and reactions follow without the mesh.
+//! # The method
 //!
-//! Units are the user's own, as long as they are consistent.
+//! Cells are curved quadrilaterals with exact lines and arcs. A cell is the image of the square `[-1, 1]^2` under the blended map
+//! (Gordon and Hall 1973) of its four edge curves `e_0 .. e_3` and corners `v_i`,
+//!
+//! ```text
+//! X(xi, eta) = (1-eta)/2 e_0(xi) + (1+eta)/2 e_2(xi) + (1-xi)/2 e_3(eta) + (1+xi)/2 e_1(eta) - (bilinear map of the corners).
+//! ```
+//!
+//! The displacement is a sum of products `N_i(xi) N_j(eta)` of integrated Legendre polynomials (Szabo and Babuska 1991),
+//! `N_k = (P_k - P_{k-2}) / sqrt(2 (2k-1))`: corner, edge and interior modes up to degree 24, odd edge modes with a sign where a cell walks
+//! the edge backwards. Equilibrium is `int sigma(u) : eps(v) dV = int f . v dV + int t . v dA` for all `v`, the strains being
+//!
+//! ```text
+//! plane          eps = (u_x,x  u_z,z  u_x,z + u_z,x)
+//! axisymmetric   eps = (u_r,r  u_z,z  u_r,z + u_z,r  u_r / r)          dV = 2 pi r dr dz
+//! torsion        gamma = (u_phi,r - u_phi / r   u_phi,z)               dV = 2 pi r dr dz
+//! ```
+//!
+//! Interior modes are eliminated cell by cell, all other unknowns front by front, but those of one named boundary, which are kept:
+//! `S u_c = f_c`, `S = K_cc - K_ci K_ii^-1 K_ic`. This [`InterfaceOperator`] holds the whole linear body; displacements, energies
+//! and reactions follow without the mesh, and a body that floats needs no special care.
+//!
+//! # Where to start
+//!
+//! [`Mesh::new`] or [`Mesh::ruled`] or [`GmshMesh::read`], then [`Body::new`], [`Body::solve`], [`Body::field`], [`Field::at`].
+//! [`singular_vertices`] and [`adapt`] choose mesh and degrees for an accuracy. The README has a whole program and an extension guide.
+//!
+//! # Conventions
+//!
+//! Coordinates are (x, z), or (r, z) with the axis of revolution at r = 0. Corners run anti-clockwise. Normals point out of the body.
+//! Moments and rotations are positive from the first axis to the second. Units are the user's own, as long as they are consistent; all
+//! forces are totals over the thickness or the full turn. Results scale bit for bit with powers of two, and are the same bits for any
+//! number of threads.
 
 mod adapt;
 mod additions;
@@ -54,3 +83,8 @@ pub use quadrature::{Quadrature, barycentric_weights, gauss, gauss_lobatto, gaus
 pub use singular::{Face, Sector, SingularVertex, corner_exponent, singular_vertices};
 pub use space::{Direction, MAX_DEGREE, RigidEdge, SpaceKind, Support};
 pub use trace::{Trace, TraceEdge, TraceLoad, TracePoint};
+
+/// The program of the README, compiled and run with the documentation tests.
+#[doc = include_str!("../README.md")]
+#[cfg(doctest)]
+pub struct ReadmeProgram;

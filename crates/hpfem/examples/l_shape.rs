@@ -1,0 +1,49 @@
+//! An L-shaped plate with a re-entrant corner: the program finds the singular corner and grades mesh and degrees towards it until the strain
+//! energy is as accurate as asked.
+
+use hpfem::*;
+
+/// Strain energy of an L of three unit squares, clamped at its foot and pulled sideways at its top, with the estimated relative error.
+pub fn strain_energy(accuracy: f64) -> Result<(f64, f64), Error> {
+    //   2---3        The corner at vertex 4 is re-entrant.
+    //   |   |
+    //   1---4---6
+    //   |   |   |
+    //   0---5---7
+    let vertices = vec![[0.0, 0.0], [0.0, 1.0], [0.0, 2.0], [1.0, 2.0], [1.0, 1.0], [1.0, 0.0], [2.0, 1.0], [2.0, 0.0]];
+    let quad = |corners| Quad { corners, material: 0, layer: 0 };
+    let quads = [quad([0, 5, 4, 1]), quad([1, 4, 3, 2]), quad([5, 7, 6, 4])];
+    let names = [([0, 5], "foot"), ([5, 7], "foot"), ([2, 3], "top")];
+    let coarse = Mesh::new(vertices, &quads, &[], &names)?;
+
+    let materials = [Material::new(1.0, 0.3)?];
+    let kinematics = Kinematics::PlaneStrain { thickness: 1.0 };
+    let hold = |direction| Support { boundary: "foot".into(), direction, value: 0.0 };
+    let supports = [hold(Direction::First), hold(Direction::Second)];
+    let load = [vec![EdgeTraction { boundary: "top".into(), traction: Box::new(|_| [1.0, 0.0]) }]];
+    let singular = singular_vertices(&coarse, kinematics, &materials, &supports, &["top"])?;
+    let run = adapt(&coarse, &singular, accuracy, 16, |mesh, degrees| {
+        let body = Body::new(BodyProblem {
+            mesh,
+            degrees: degrees.to_vec(),
+            space: SpaceKind::Tensor,
+            kinematics,
+            materials: &materials,
+            supports: &supports,
+            rigid_edge: None,
+            load_cases: &load,
+            kept: None,
+        })?;
+        Ok(vec![body.interface.strain_energy(&body.solve(&[1.0]))])
+    })?;
+    Ok((run.quantities.last().map_or(f64::NAN, |q| q[0]), run.estimate))
+}
+
+#[allow(dead_code)]
+fn main() -> Result<(), Error> {
+    for accuracy in [1e-2, 1e-4, 1e-6, 1e-8] {
+        let (energy, estimate) = strain_energy(accuracy)?;
+        println!("accuracy {accuracy:.0e}: strain energy {energy:.10}, estimated relative error {estimate:.1e}");
+    }
+    Ok(())
+}
