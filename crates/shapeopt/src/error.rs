@@ -4,7 +4,9 @@
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Error {
     /// No rigid part of the gap is the lowest.
-    #[error("no rigid motion of the shaped body ({modes} free) can bring the surfaces together; load it towards the counter-face")]
+    #[error(
+        "no rigid motion of the shaped body ({modes} free) can bring the surfaces together; load it towards the counter-face"
+    )]
     NoLowestGap {
         /// Number of free rigid modes.
         modes: usize,

@@ -2,9 +2,9 @@
 
 mod error;
 mod evolution;
+mod gap_curve;
 mod gap_rate;
 mod implicit_stage;
-mod gap_curve;
 mod rigid_part;
 mod rigid_wear;
 mod run_in;

