@@ -33,6 +33,7 @@ pub struct EdgeTraction<'a> {
     /// Name of the boundary.
     pub boundary: String,
     /// The traction; it must be smooth on each edge for the quadrature to be accurate.
+    #[allow(clippy::type_complexity)]
     pub traction: Box<dyn Fn(&BoundaryPoint) -> [f64; 2] + Sync + 'a>,
 }
 
@@ -246,7 +247,7 @@ impl Assembly<'_> {
     /// Consistent loads of the cell's loaded edges: `((local boundary unknown, column), value)`.
     fn cell_loads(&self, cell: usize, local: &LocalModes) -> Vec<((usize, usize), f64)> {
         let mut loads = Vec::new();
-        for e in 0..4 {
+        for (e, ends) in CELL_EDGES.iter().enumerate() {
             let edge = self.mesh.cells[cell].edges[e];
             for &(owner, case, index) in &self.edge_loads[edge] {
                 if owner != cell {
@@ -269,7 +270,7 @@ impl Assembly<'_> {
                 }
                 let components = self.space.components;
                 for (mode, sum) in sums.iter().enumerate() {
-                    let scalar = if mode < 2 { CELL_EDGES[e][mode] } else { local.edge_start[e] + mode - 2 - local.interior };
+                    let scalar = if mode < 2 { ends[mode] } else { local.edge_start[e] + mode - 2 - local.interior };
                     let odd = mode >= 2 && mode % 2 == 1 && self.mesh.cells[cell].against[e];
                     let sign = if odd { -1.0 } else { 1.0 };
                     for (k, value) in sum.iter().enumerate().take(components) {

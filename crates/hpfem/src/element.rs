@@ -96,7 +96,7 @@ pub(crate) fn stiffness<'w>(
                 let [[xx, xe], [zx, ze]] = geometry.derivative[a + nq * b];
                 let jacobian = xx * ze - xe * zx;
                 let [x, z] = geometry.position[a + nq * b];
-                if !(jacobian > 0.0) {
+                if jacobian.is_nan() || jacobian <= 0.0 {
                     return Err(Error::FoldedCell { cell, jacobian, x, z });
                 }
                 // Rows: gradient of xi, gradient of eta; the value needs the hoop strain 1/r.

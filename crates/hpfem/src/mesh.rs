@@ -72,6 +72,18 @@ impl Mesh {
         curves: &[([usize; 2], Curve)],
         names: &[([usize; 2], &str)],
     ) -> Result<Mesh, Error> {
+        let mesh = Mesh::joined(vertices, quads, curves, names)?;
+        mesh.check_cells()?;
+        Ok(mesh)
+    }
+
+    /// [`Mesh::new`] before the cells are checked.
+    pub(crate) fn joined(
+        vertices: Vec<[f64; 2]>,
+        quads: &[Quad],
+        curves: &[([usize; 2], Curve)],
+        names: &[([usize; 2], &str)],
+    ) -> Result<Mesh, Error> {
         check_vertices(&vertices, quads)?;
         let mut mesh = Mesh { vertices, ..Mesh::default() };
         let mut index: HashMap<[usize; 2], usize> = HashMap::new();
@@ -122,10 +134,12 @@ impl Mesh {
                 mesh.edges[edge].tags.push(tag);
             }
         }
-        for cell in 0..mesh.cells.len() {
-            mesh.check_cell(cell)?;
-        }
         Ok(mesh)
+    }
+
+    /// Refuses folded cells.
+    pub(crate) fn check_cells(&self) -> Result<(), Error> {
+        (0..self.cells.len()).try_for_each(|cell| self.check_cell(cell))
     }
 
     /// The edges that carry the name.

@@ -32,6 +32,7 @@ impl Mesh {
         for _ in 0..layers {
             mesh = mesh.cut_at(vertices, ratio)?;
         }
+        mesh.check_cells()?;
         Ok(mesh)
     }
 
@@ -88,7 +89,7 @@ impl Mesh {
             quads.push(quad([m1, k[1], k[2], centre], cell.layer));
             quads.push(quad([m3, centre, k[2], k[3]], cell.layer));
         }
-        Mesh::new(vertices, &quads, &curves, &names)
+        Mesh::joined(vertices, &quads, &curves, &names)
     }
 
     /// Cuts every cell into four at the middles of its edges; layer numbers stay.
