@@ -25,7 +25,7 @@ pub enum ContactState {
 /// Linear systems before giving up.
 const LIMIT: usize = 300;
 /// Plain steps on the states before shear limits are held.
-const PLAIN_STEPS: usize = 14;
+const PLAIN_STEPS: usize = 20;
 
 /// The frictionless problem and what shear adds to it.
 pub(crate) struct Coulomb<'m> {
@@ -234,8 +234,9 @@ impl Coulomb<'_> {
         outcome
     }
 
-    /// Up to `steps` plain steps on the states.
+    /// Up to `steps` plain steps on the states, fewer if the number of changes stops falling.
     fn iterate(&self, outcome: &mut Outcome, steps: usize) {
+        let (mut best, mut idle) = (usize::MAX, 0);
         for _ in 0..steps {
             outcome.steps += 1;
             let Some(at) = self.on_states(&outcome.states) else { break };
@@ -247,6 +248,11 @@ impl Coulomb<'_> {
                 break;
             }
             outcome.states = read;
+            idle = if changed < best { 0 } else { idle + 1 };
+            best = best.min(changed);
+            if idle > 2 {
+                break;
+            }
         }
     }
 }

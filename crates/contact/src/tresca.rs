@@ -55,7 +55,7 @@ impl Tresca {
             Mat::from_fn(2 * n, m, |i, j| if i < n { normal.influence[(i, j)] } else { problem.influence[(i - n, j)] });
         let (unit, resultant) = problem.scales();
         Tresca {
-            penalty: 1.0,
+            penalty: 4.0,
             own: (0..2 * n).map(|i| compliance[(i, i)]).collect(),
             compliance,
             influence,

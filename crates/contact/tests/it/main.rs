@@ -5,5 +5,6 @@ mod cattaneo_mindlin;
 mod common;
 mod full_contact;
 mod hertz;
+mod patch;
 mod sphere;
 mod statuses;
