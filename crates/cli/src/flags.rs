@@ -4,7 +4,7 @@ use crate::fault::{Fault, Place};
 use crate::tree::{self, Entry, Node, Origin, Value};
 
 /// Keys that exclude each other: setting one removes the others of its row. `*` stands for any one key.
-const ALTERNATIVES: [&[&str]; 9] = [
+const ALTERNATIVES: [&[&str]; 10] = [
     &["accuracy", "mesh"],
     &["load.force", "load.approach"],
     &["load.moment", "load.tilt"],
@@ -14,6 +14,7 @@ const ALTERNATIVES: [&[&str]; 9] = [
     &["body2.geometry.*"],
     &["surface.*"],
     &["body1", "surface"],
+    &["body2", "surface"],
 ];
 
 /// Applies the `--set` options, in their order, to the tree of the scene.

@@ -11,7 +11,7 @@ use crate::document::Document;
 use crate::fault::Fault;
 use crate::lints::{self, Lint};
 use crate::plan::Plan;
-use crate::scene::{Scene, Task};
+use crate::scene::Scene;
 use crate::surface::Patch;
 
 pub(crate) use bodies::template;
@@ -24,8 +24,6 @@ pub(crate) struct Problem {
     pub(crate) name: String,
     /// The scene with every default filled in, in base units.
     pub(crate) scene: Scene,
-    /// The tasks in their order.
-    pub(crate) tasks: Vec<Task>,
     /// The contact surface, when it is known without a mesh.
     pub(crate) patch: Option<Patch>,
     /// The rigid freedoms of body 1 with their resultants.
@@ -55,7 +53,7 @@ fn check(document: &Document) -> Result<Problem, Fault> {
     let unused_keys = unused::keys(document, &scene, &tasks);
     let plan = Plan::new(&scene, &tasks);
     let lints = lints::lints(&scene, &tasks, patch.as_ref(), &freedoms);
-    Ok(Problem { name: document.name.clone(), scene, tasks, patch, freedoms, plan, lints, unused_keys })
+    Ok(Problem { name: document.name.clone(), scene, patch, freedoms, plan, lints, unused_keys })
 }
 
 /// A number that must be finite and positive.

@@ -64,7 +64,8 @@ fn pressures(problem: &Problem, profile: &Profile) -> Option<String> {
     let at = |row: usize| {
         let mirrored = profile.pressure[profile.pressure.len() - 1 - row];
         let s = profile.s[row];
-        let even = s < 0.0 && (mirrored - profile.pressure[row]).abs() <= 1e-9 * top;
+        let reach = profile.s.iter().fold(0.0f64, |most, s| most.max(s.abs()));
+        let even = s < -1e-9 * reach && (mirrored - profile.pressure[row]).abs() <= 1e-9 * top;
         let word = place(problem, s);
         if even { word.replacen('-', "+-", 1) } else { word }
     };

@@ -51,6 +51,15 @@ fn alternatives_replace_each_other_and_the_later_wins() {
 }
 
 #[test]
+fn a_bare_surface_replaces_both_bodies() {
+    let scene = resolved(
+        "translating-punch --set tasks=[pressure] --set surface.rectangular-punch={x=[-30,30],y=[-5,5]} --set load.about=[0,0]",
+    );
+    assert!(scene.get("body1").is_none() && scene.get("body2").is_none());
+    assert!(scene["surface"]["rectangular-punch"].get("x").is_some());
+}
+
+#[test]
 fn another_geometry_replaces_the_one_before() {
     let bench = Bench::new();
     let call = bench.call(
