@@ -108,7 +108,8 @@ fn translating_punch_jump() {
     let known = &reference("translating-punch")["jump"];
     for (key, friction, moment) in [("mu_0_M_0", "0", "0"), ("mu_0_M_-5000", "0", "-5000"), ("mu_0.25_M_0", "0.25", "0")] {
         let (friction, moment) = (format!("contact.friction={friction}"), format!("load.moment={moment}"));
-        let run = run("translating-punch", key, &["--set", &friction, "--set", &moment, "--set", "accuracy=1e-7", "--sample", "3"]);
+        let run =
+            run("translating-punch", key, &["--set", &friction, "--set", &moment, "--set", "accuracy=1e-7", "--sample", "3"]);
         assert_eq!(run.exit, Exit::Done);
         for (found, wanted) in jump(&run).iter().zip(numbers(&known[key])) {
             assert_relative_eq!(1e3 * found, wanted, max_relative = 1e-6);
@@ -128,7 +129,8 @@ fn annular_punch_jump_and_twist() {
     for (found, wanted) in above_least(&steady).iter().zip(numbers(&known["jump"]["b_1_q_1"])) {
         assert_abs_diff_eq!(*found, wanted, epsilon = 1e-6 * 0.27);
     }
-    let twist = steady.column("uphi1_um").iter().zip(steady.column("uphi2_um")).map(|(a, b)| 1e-3 * (a - b)).collect::<Vec<f64>>();
+    let twist =
+        steady.column("uphi1_um").iter().zip(steady.column("uphi2_um")).map(|(a, b)| 1e-3 * (a - b)).collect::<Vec<f64>>();
     for (found, wanted) in twist.iter().zip(numbers(&known["twist"]["value"])) {
         assert_relative_eq!(*found, wanted, max_relative = 1e-6);
     }
@@ -143,7 +145,9 @@ fn annular_punch_jump_and_twist() {
 fn drum_brake_ring_gap_with_supports_on_both_sides_and_in_the_middle() {
     let known = &reference("drum-brake-ring")["uniform_gap"];
     let mode: Vec<f64> = numbers(&known["alpha_deg"]).iter().map(|a| a.to_radians().cos()).collect();
-    for (key, support) in [("both", "body1.support={ left = [\"x\"], right = [\"x\"] }"), ("centre", "body1.support={ centre = [\"x\"] }")] {
+    for (key, support) in
+        [("both", "body1.support={ left = [\"x\"], right = [\"x\"] }"), ("centre", "body1.support={ centre = [\"x\"] }")]
+    {
         let sets = ["--set", "optimum.functional=uniform", "--set", support, "--set", "check=false", "--sample", "5"];
         let run = run("drum-brake-ring", key, &sets);
         let wanted: Vec<f64> = numbers(&known[key]).iter().map(|g| 1e3 * g).collect();
@@ -173,7 +177,8 @@ fn contact_of_the_drum_block_the_punch_and_the_annulus_as_given() {
     let punch = reference("translating-punch");
     for (mu, key) in [("0", "mu_0"), ("0.25", "mu_0.25")] {
         let friction = format!("contact.friction={mu}");
-        let sets = ["--set", "tasks=[contact]", "--set", &friction, "--set", "load.tilt=0", "--set", "accuracy=1e-5", "--sample", "41"];
+        let sets =
+            ["--set", "tasks=[contact]", "--set", &friction, "--set", "load.tilt=0", "--set", "accuracy=1e-5", "--sample", "41"];
         let run = run("translating-punch", &format!("contact-{key}"), &sets);
         let known = &punch["contact"][key];
         for (x, wanted) in numbers(&known["x_mm"]).iter().zip(numbers(&known["pressure_MPa"])) {
@@ -206,7 +211,8 @@ fn wear_in_time_arrives_at_the_steady_pressure_and_at_the_direct_shape() {
         for k in 0..mode(0.0).len() {
             let column: Vec<f64> = s.iter().map(|s| mode(*s)[k]).collect();
             let difference: Vec<f64> = found.iter().zip(&wanted).map(|(a, b)| a - b).collect();
-            let along = difference.iter().zip(&column).map(|(d, c)| d * c).sum::<f64>() / column.iter().map(|c| c * c).sum::<f64>();
+            let along =
+                difference.iter().zip(&column).map(|(d, c)| d * c).sum::<f64>() / column.iter().map(|c| c * c).sum::<f64>();
             found.iter_mut().zip(&column).for_each(|(f, c)| *f -= along * c);
         }
         let largest = wanted.iter().copied().fold(0.0, f64::max);

@@ -78,12 +78,9 @@ impl<'a> Evolution<'a> {
         let mut evolution = Evolution::prepare(problem)?;
         let n = problem.points.len();
         let load = &evolution.loads[problem.schedule[0].stage];
-        // Every point just in contact.
-        let start = Contact {
-            pressure: vec![0.0; n],
-            opening: vec![-f64::MIN_POSITIVE; n],
-            coordinates: vec![0.0; load.system.load.len()],
-        };
+        // Every point just in contact, unless more is known.
+        let [pressure, opening] = problem.start.clone().unwrap_or_else(|| [vec![0.0; n], vec![-f64::MIN_POSITIVE; n]]);
+        let start = Contact { pressure, opening, coordinates: vec![0.0; load.system.load.len()] };
         let solved = load.solve(&problem.gap, 0.0, &start).ok_or(Error::NoContactAtStart)?;
         if !solved.contact.pressure.iter().any(|p| *p > 0.0) {
             return Err(Error::NoContactAtStart);

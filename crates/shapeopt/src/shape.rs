@@ -185,9 +185,7 @@ impl Shape {
         let state = if side == Side::Shaped { Some(&self.shaped) } else { self.counter.as_ref() };
         let (Some(state), Some(body)) = (state, pair.side(side)) else { return [0.0; 2] };
         let (rows, constant) = body.trace.displacement_row(point.place.0, point.place.1);
-        let u: [f64; 2] = std::array::from_fn(|k| {
-            rows[k].iter().map(|(i, c)| c * state.unknowns[*i]).sum::<f64>() + constant[k]
-        });
+        let u: [f64; 2] = std::array::from_fn(|k| rows[k].iter().map(|(i, c)| c * state.unknowns[*i]).sum::<f64>() + constant[k]);
         let along = |d: [f64; 2]| u[0] * d[0] + u[1] * d[1];
         [along(point.normal), along(point.tangent)]
     }

@@ -17,6 +17,8 @@ pub struct WearProblem {
     pub track_area: Option<f64>,
     /// Unloaded gap at the start, mm, positive open.
     pub gap: Vec<f64>,
+    /// Pressure (MPa) and opening (mm) at the start, if a contact solve has found them; they are solved for otherwise.
+    pub start: Option<[Vec<f64>; 2]>,
     /// The loads that occur.
     pub stages: Vec<LoadStage>,
     /// Which stage acts when, one after another; the last one goes on until the run ends.
@@ -101,6 +103,7 @@ impl WearProblem {
             counterface,
             track_area: None,
             gap,
+            start: None,
             stages: vec![LoadStage { system, speeds }],
             schedule: vec![Interval { stage: 0, duration: f64::INFINITY }],
             until: Until::Steady { residual: 1e-9 },
@@ -120,6 +123,9 @@ impl WearProblem {
         }
         if let Some(point) = self.points.iter().find(|p| !(p.weight > 0.0 && p.weight.is_finite())) {
             return wrong(format!("a contact point has the area {}; it must be positive", point.weight));
+        }
+        if self.start.iter().flatten().any(|values| values.len() != n) {
+            return wrong(format!("the pressure and opening at the start need {n} values each"));
         }
         for law in &self.wear.laws {
             let sound =

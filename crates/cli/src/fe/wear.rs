@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use contact::{ContactOperator, Pair};
+use contact::{ContactOperator, Pair, Status as ContactStatus};
 use nalgebra::DMatrix;
 use shapeopt::{Curve, Evolution, EvolutionStatus, Stepping, Until, WearProblem, closing, lowest_nonnegative};
 
@@ -127,7 +127,6 @@ fn run(stage: Stage<'_>, level: Level, options: Options) -> Result<Result<Solved
         Err(error) => return Ok(Err(error.to_string())),
     };
     let mut history = History::default();
-    history.push(evolution.state());
     while *evolution.status() == EvolutionStatus::Running && evolution.state().step < MOST_STEPS {
         let Some(state) = evolution.next() else { break };
         history.push(&state);
@@ -216,12 +215,18 @@ fn wear_problem(
         Some(scene::Counterface::Revolving) => wear::Counterface::Revolving,
         _ => wear::Counterface::Fresh,
     };
-    let gap = operator.points().iter().map(|p| start_gap(stage, pair, p.arc)).collect();
+    let gap: Vec<f64> = operator.points().iter().map(|p| start_gap(stage, pair, p.arc)).collect();
+    let start = match operator.solve(&gap, load, None) {
+        Ok(start) if start.status.is_solved() && start.status != ContactStatus::NoContact => start,
+        Ok(start) => return Ok(Err(start.status.to_string())),
+        Err(error) => return Ok(Err(error.to_string())),
+    };
     let system = match operator.system(load) {
         Ok(system) => system,
         Err(error) => return Ok(Err(error.to_string())),
     };
     let mut problem = WearProblem::new(points, laws, counterface, gap, system);
+    problem.start = Some([start.pressure, start.opening]);
     problem.track_area = stage.patch.surface.track_area();
     problem.until = Until::Steady { residual: STEADY };
     if let Some(gap::Until::Time(time)) = stage.scene().wear.as_ref().and_then(|wear| wear.until.clone()) {
