@@ -68,7 +68,7 @@ pub fn graded_level(coarse: &Mesh, singular: &[SingularVertex], p: usize) -> Res
     let degrees = mesh
         .cells
         .iter()
-        .map(|c| if deepest == 0 { p } else { (p + 1).saturating_sub(c.layer * p / deepest).clamp(2.min(p), p) })
+        .map(|c| (p + 1).saturating_sub((c.layer * p).checked_div(deepest).unwrap_or(0)).clamp(2.min(p), p))
         .collect();
     Ok((mesh, degrees))
 }

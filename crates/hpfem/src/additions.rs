@@ -10,6 +10,9 @@ use crate::quadrature::gauss;
 use crate::space::{Direction, Space, Target};
 use faer::Mat;
 
+/// A place and the direction in which it is held.
+pub(crate) type HeldPlace = ([f64; 2], [f64; 2]);
+
 /// A vertex held at zero in one direction, to stop rigid motions. Its reaction is number `supports + index`; on a body whose loads
 /// balance it vanishes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -94,7 +97,7 @@ impl Additions<'_> {
     }
 
     /// Places and directions that foundations hold elastically.
-    pub(crate) fn held(&self, mesh: &Mesh) -> Result<Vec<([f64; 2], [f64; 2])>, Error> {
+    pub(crate) fn held(&self, mesh: &Mesh) -> Result<Vec<HeldPlace>, Error> {
         let mut held = Vec::new();
         for (e, f) in self.foundation_edges(mesh)? {
             for t in [-0.9, 0.0, 0.9] {

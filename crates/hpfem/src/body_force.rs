@@ -47,11 +47,11 @@ impl Assembly<'_> {
                     let x = geometry.position[at];
                     let volume = (xx * ze - xe * zx) * self.kinematics.measure(x[0]) / self.unit;
                     let value = (force.force)(x).map(|f| f * volume * rule.weights[a] * rule.weights[b]);
-                    for j in 0..n {
-                        for i in 0..n {
+                    for (j, eta) in eta.iter().enumerate() {
+                        for (i, xi) in xi.iter().enumerate() {
                             let mode = local.position[i + n * j];
                             if mode != usize::MAX {
-                                (0..components).for_each(|c| load[(row(mode, c), force.case)] += xi[i] * eta[j] * value[c]);
+                                (0..components).for_each(|c| load[(row(mode, c), force.case)] += xi * eta * value[c]);
                             }
                         }
                     }

@@ -140,7 +140,9 @@ pub enum Error {
         reason: &'static str,
     },
     /// The elimination would need more memory than the crate allows itself.
-    #[error("eliminating {unknowns} unknowns on edges and vertices would hold {bytes} bytes, more than {limit}; take fewer cells or a lower degree")]
+    #[error(
+        "eliminating {unknowns} unknowns on edges and vertices would hold {bytes} bytes, more than {limit}; take fewer cells or a lower degree"
+    )]
     TooLarge {
         /// Number of unknowns on edges and vertices.
         unknowns: usize,

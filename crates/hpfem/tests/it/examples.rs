@@ -1,4 +1,5 @@
 //! The examples of the crate with their numbers pinned.
+#![allow(unreachable_pub)]
 
 #[path = "../../examples/cook.rs"]
 mod cook;

@@ -37,7 +37,7 @@ fn gauss_lobatto_jacobi_rules_are_those_of_the_table() {
 /// `int x^k (1 + x)^a dx` over `[-1, 1]` for a = 0 or 1.
 fn monomial(k: usize, a: usize) -> f64 {
     let even = |k: usize| {
-        if k % 2 == 0 { 2.0 / (k + 1) as f64 } else { 0.0 }
+        if k.is_multiple_of(2) { 2.0 / (k + 1) as f64 } else { 0.0 }
     };
     even(k) + if a == 1 { even(k + 1) } else { 0.0 }
 }
