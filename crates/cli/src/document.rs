@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use serde::Deserialize;
 
 use crate::builtin;
-use crate::fault::{Fault, Place, Spot, did_you_mean};
+use crate::fault::{Fault, Place, did_you_mean};
 use crate::flags;
 use crate::read::Mismatch;
 use crate::scene::Scene;
@@ -44,12 +44,12 @@ impl Document {
         settings: &[String],
     ) -> Result<Document, Fault> {
         let mut tree = tree::parse(&text).map_err(|(message, span)| Fault {
-            place: Some(Place::File(Spot::new(&file, &text, span))),
+            place: Some(Place::file(&file, &text, span)),
             ..Fault::new("syntax", format!("this is not TOML: {message}"), "write `key = value`; text in double quotes")
         })?;
         if text.lines().all(|line| line.trim().is_empty() || line.trim().starts_with('#')) && settings.is_empty() {
             return Err(Fault {
-                place: Some(Place::File(Spot::new(&file, &text, 0..0))),
+                place: Some(Place::file(&file, &text, 0..0)),
                 ..Fault::new(
                     "empty-scene",
                     "the scene is empty",
@@ -129,7 +129,7 @@ fn explain(mismatch: Mismatch, file: &str, text: &str, settings: &[String]) -> F
 
 fn place(origin: &Origin, file: &str, text: &str, settings: &[String]) -> Place {
     match origin {
-        Origin::File(span) => Place::File(Spot::new(file, text, span.clone())),
+        Origin::File(span) => Place::file(file, text, span.clone()),
         Origin::Flag(number) => {
             let setting = settings.get(*number).map_or("", String::as_str);
             Place::Flag(format!("--set {setting}"))

@@ -21,7 +21,7 @@ pub(crate) struct Fault {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Place {
     /// In a scene file.
-    File(Spot),
+    File(Box<Spot>),
     /// On the command line; the flag as given.
     Flag(String),
 }
@@ -41,9 +41,16 @@ pub(crate) struct Spot {
     pub(crate) text: String,
 }
 
+impl Place {
+    /// The place of a byte range in a file.
+    pub(crate) fn file(file: &str, text: &str, span: Range<usize>) -> Place {
+        Place::File(Box::new(Spot::new(file, text, span)))
+    }
+}
+
 impl Spot {
     /// The place of a byte range in a text.
-    pub(crate) fn new(file: &str, text: &str, span: Range<usize>) -> Self {
+    fn new(file: &str, text: &str, span: Range<usize>) -> Self {
         let start = floor_boundary(text, span.start);
         let before = &text[..start];
         let line = before.matches('\n').count() + 1;

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::fault::{Fault, Place, Spot};
+use crate::fault::{Fault, Place};
 use crate::gap::Gap;
 
 /// Reads the file of `contact.gap`.
@@ -23,7 +23,7 @@ pub(crate) fn read(folder: &Path, name: &str) -> Result<Gap, Fault> {
             continue;
         }
         let wrong = |message: &str, remedy: &str| Fault {
-            place: Some(Place::File(Spot::new(&path.display().to_string(), &text, span.clone()))),
+            place: Some(Place::file(&path.display().to_string(), &text, span.clone())),
             ..Fault::at("contact.gap", "wrong-profile", message, remedy)
         };
         let fields: Vec<&str> = line.split([',', ';', '\t']).map(str::trim).collect();
@@ -56,7 +56,7 @@ pub(crate) fn check(s: &[f64], gap: &[f64]) -> Result<(), Fault> {
     if let Some(at) = s.windows(2).position(|pair| pair[1].partial_cmp(&pair[0]) != Some(std::cmp::Ordering::Greater)) {
         return wrong(format!("s_mm does not increase from {} to {}", s[at], s[at + 1]), "sort the points by s_mm");
     }
-    if let Some(value) = gap.iter().find(|value| !(**value >= 0.0) || value.is_infinite()) {
+    if let Some(value) = gap.iter().find(|value| value.is_nan() || **value < 0.0 || value.is_infinite()) {
         return wrong(format!("gap_um = {value} is negative"), "measure the gap from the highest point, so that it is 0 or more");
     }
     Ok(())

@@ -103,7 +103,7 @@ impl Scale {
         }
         let step = self.ticks.get(1).map_or(1.0, |second| second - self.ticks[0]);
         let largest = self.low.abs().max(self.high.abs());
-        if largest >= 1e6 || largest < 1e-3 {
+        if !(1e-3..1e6).contains(&largest) {
             return format!("{tick:.2e}").replace('-', "\u{2212}");
         }
         let decimals = (-(step.log10() - 1e-9).floor()).max(0.0) as usize;

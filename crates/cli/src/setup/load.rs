@@ -113,7 +113,7 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) 
 /// `approach_time` needs a prescribed motion and a multiplier that is a velocity.
 fn worn_approach(scene: &Scene, time: f64) -> Result<(), Fault> {
     use crate::scene::Functional;
-    if !(time >= 0.0) {
+    if time.is_nan() || time < 0.0 {
         let message = format!("negative time: load.approach_time = {time} s");
         return Err(Fault::at("load.approach_time", "wrong-value", message, "give a time of 0 or more"));
     }
