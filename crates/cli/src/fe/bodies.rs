@@ -1,8 +1,6 @@
 //! The bodies of a scene as finite element problems of one discretisation.
 
-use hpfem::{
-    Body, BodyProblem, Direction, EdgeTraction, Kinematics, LoadCase, Material, Mesh, RigidEdge, SpaceKind, Support,
-};
+use hpfem::{Body, BodyProblem, Direction, EdgeTraction, Kinematics, LoadCase, Material, Mesh, RigidEdge, SpaceKind, Support};
 
 use crate::fault::Fault;
 use crate::fe::template::{AXIS, CONTACT, LOAD};
@@ -53,13 +51,7 @@ pub(crate) fn kinematics(scene: &Scene) -> Kinematics {
 
 impl BodyParts {
     /// Body 1 (`shaped`) or body 2 on its mesh.
-    pub(crate) fn new(
-        scene: &Scene,
-        shaped: bool,
-        mesh: Mesh,
-        level: Level,
-        kinematics: Kinematics,
-    ) -> Result<BodyParts, Fault> {
+    pub(crate) fn new(scene: &Scene, shaped: bool, mesh: Mesh, level: Level, kinematics: Kinematics) -> Result<BodyParts, Fault> {
         let (key, body) = if shaped { ("body1", &scene.body1) } else { ("body2", &scene.body2) };
         let Some(body) = body else {
             return Err(Fault::at(key, "missing-key", format!("the key `{key}` is missing"), "describe both bodies"));
@@ -100,9 +92,7 @@ impl BodyParts {
                 let held = load.edge.as_ref().and_then(|edge| body.support.get(edge));
                 let holds = |component| held.is_some_and(|components| components.contains(&component));
                 let about = load.about.map_or([0.0; 2], |about| about.map(|x| x.0));
-                let height = mesh.boundary(LOAD).ok().and_then(|edges| {
-                    edges.first().map(|e| mesh.edges[*e].curve.point(0.0)[1])
-                });
+                let height = mesh.boundary(LOAD).ok().and_then(|edges| edges.first().map(|e| mesh.edges[*e].curve.point(0.0)[1]));
                 let revolved = kinematics.is_revolved();
                 Some(RigidEdge {
                     boundary: LOAD.into(),
@@ -163,9 +153,7 @@ fn load_cases(scene: &Scene, mesh: &Mesh, kinematics: Kinematics, rigid: bool) -
         let [nx, nz] = point.outward;
         if vertical { [0.0, -intensity * nz.abs()] } else { [-intensity * nx, -intensity * nz] }
     };
-    let on_load = |traction: Box<dyn Fn(&hpfem::BoundaryPoint) -> [f64; 2] + Sync>| {
-        vec![EdgeTraction { boundary: LOAD.into(), traction }]
-    };
+    let on_load = |traction| vec![EdgeTraction { boundary: LOAD.into(), traction }];
     vec![
         on_load(Box::new(traction)),
         on_load(Box::new(move |_| [1.0 / area, 0.0])),

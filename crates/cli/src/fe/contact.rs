@@ -84,8 +84,7 @@ fn finish(stage: Stage<'_>, mut solved: Vec<Solved>, fixed: bool, solution: &mut
     let worst = energy.max(pressure);
     if !fixed && worst > stage.accuracy() {
         solution.status = Status::AccuracyMissed;
-        solution.reason =
-            Some(format!("the contact is accurate to {worst:.1e}, not to the {:.0e} asked for", stage.accuracy()));
+        solution.reason = Some(format!("the contact is accurate to {worst:.1e}, not to the {:.0e} asked for", stage.accuracy()));
     }
 }
 
@@ -134,11 +133,9 @@ fn solve_level(stage: Stage<'_>, level: Level, options: Options) -> Result<Solve
         None => own,
     };
     if options.sample.is_none() {
-        for row in 0..gap.len() {
-            profile.gap[row] = 1e3 * gap[row];
-            profile.opening[row] = 1e3 * found.opening[row];
-            profile.status[row] = if found.closed[row] { "contact" } else { "open" };
-        }
+        profile.gap = gap.iter().map(|g| 1e3 * g).collect();
+        profile.opening = found.opening.iter().map(|g| 1e3 * g).collect();
+        profile.status = found.closed.iter().map(|closed| if *closed { "contact" } else { "open" }).collect();
     }
     solution.profile = Some(profile);
     solution.curve = Some(sampled(401));
@@ -193,11 +190,8 @@ fn result(stage: Stage<'_>, pair: &Pair<'_>, operator: &ContactOperator<'_>, fou
     let start = stage.start(pair);
     let about = stage.scene().load.as_ref().and_then(|l| l.about).map_or(0.0, |about| about[0].0);
     let points = operator.points();
-    let moment = points
-        .iter()
-        .zip(&found.nodal_force)
-        .map(|(p, force)| (p.position[0] - about) * force * p.normal[1])
-        .sum::<f64>();
+    let moment =
+        points.iter().zip(&found.nodal_force).map(|(p, force)| (p.position[0] - about) * force * p.normal[1]).sum::<f64>();
     let [_, tz, theta] = motions(pair, found);
     let edge_exponents = exponents(pair, operator, found);
     let singular = !edge_exponents.is_empty();

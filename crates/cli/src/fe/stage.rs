@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use contact::{ContactLoad, ContactPoint, Motion, MomentBalance, Pair, Side};
+use contact::{ContactLoad, ContactPoint, MomentBalance, Motion, Pair, Side};
 use hpfem::{Body, InterfaceState};
 use nalgebra::Vector3;
 
@@ -100,10 +100,11 @@ impl<'a> Stage<'a> {
 
     /// Sense of the drag along a point's tangent: 1, -1, or 0 without sliding in the plane.
     pub(super) fn drag(&self, point: &ContactPoint) -> f64 {
-        let along = self
-            .surface_point(point.position, point.normal, 0.0)
-            .drag
-            .dot(&Vector3::new(point.tangent[0], 0.0, point.tangent[1]));
+        let along = self.surface_point(point.position, point.normal, 0.0).drag.dot(&Vector3::new(
+            point.tangent[0],
+            0.0,
+            point.tangent[1],
+        ));
         if along == 0.0 { 0.0 } else { along.signum() }
     }
 
@@ -187,8 +188,7 @@ impl<'a> Stage<'a> {
             profile.shear[row] = self.friction() * pressure[row];
             if let Ok(pair) = &laws {
                 let worn = (0..2).filter(|body| pair.wears(*body));
-                let rate: f64 =
-                    worn.map(|body| wear::wear_rate(&pair.laws[body], pressure[row], on_surface.sliding_speed)).sum();
+                let rate: f64 = worn.map(|body| wear::wear_rate(&pair.laws[body], pressure[row], on_surface.sliding_speed)).sum();
                 profile.wear_rate[row] = 1e3 * rate;
             }
             // Without sliding in the plane tau is the tangent itself.
@@ -208,8 +208,7 @@ impl<'a> Stage<'a> {
 /// Displacement along normal and tangent of a point.
 fn displacement(operator: &hpfem::InterfaceOperator, state: &InterfaceState, point: &ContactPoint) -> [f64; 2] {
     let (rows, constant) = operator.trace.displacement_row(point.place.0, point.place.1);
-    let u: [f64; 2] =
-        std::array::from_fn(|k| rows[k].iter().map(|(i, c)| c * state.unknowns[*i]).sum::<f64>() + constant[k]);
+    let u: [f64; 2] = std::array::from_fn(|k| rows[k].iter().map(|(i, c)| c * state.unknowns[*i]).sum::<f64>() + constant[k]);
     let along = |d: [f64; 2]| u[0] * d[0] + u[1] * d[1];
     [along(point.normal), along(point.tangent)]
 }
@@ -229,11 +228,7 @@ impl Parts {
     }
 
     /// Forces of the supports on their bodies.
-    pub(super) fn reactions(
-        &self,
-        bodies: &[Body<'_>; 2],
-        states: [Option<&InterfaceState>; 2],
-    ) -> Vec<(String, Reaction)> {
+    pub(super) fn reactions(&self, bodies: &[Body<'_>; 2], states: [Option<&InterfaceState>; 2]) -> Vec<(String, Reaction)> {
         let mut reactions: Vec<(String, Reaction)> = Vec::new();
         for ((part, body), state) in self.parts.iter().zip(bodies).zip(states) {
             let Some(state) = state else { continue };
@@ -258,9 +253,8 @@ impl Parts {
 
 /// Pairs the two bodies of a level.
 pub(super) fn pair<'b>(bodies: &'b [Body<'_>; 2]) -> Result<Pair<'b>, Fault> {
-    Pair::new(&bodies[0].interface, Some(&bodies[1].interface)).map_err(|error| {
-        Fault::at("contact.edges", "no-contact", error.to_string(), "give both bodies the same contact surface")
-    })
+    Pair::new(&bodies[0].interface, Some(&bodies[1].interface))
+        .map_err(|error| Fault::at("contact.edges", "no-contact", error.to_string(), "give both bodies the same contact surface"))
 }
 
 /// Notes the seconds of a stage, summed over levels.

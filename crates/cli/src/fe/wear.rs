@@ -101,8 +101,7 @@ fn finish(stage: Stage<'_>, mut solved: Vec<Solved>, fixed: bool, solution: &mut
     result.how = format!("gap at the end: rest of the series of {levels} degrees");
     if !fixed && error > stage.accuracy() {
         solution.status = Status::AccuracyMissed;
-        solution.reason =
-            Some(format!("the worn gap is accurate to {error:.1e}, not to the {:.0e} asked for", stage.accuracy()));
+        solution.reason = Some(format!("the worn gap is accurate to {error:.1e}, not to the {:.0e} asked for", stage.accuracy()));
     }
 }
 
@@ -171,10 +170,8 @@ fn run(stage: Stage<'_>, level: Level, options: Options) -> Result<Result<Solved
     });
     solution.history = history.columns();
     let mut profile = stage.profile(&pair, operator.points(), &state.pressure, states);
-    for row in 0..normalised.len() {
-        profile.gap[row] = 1e3 * normalised[row];
-        profile.opening[row] = 1e3 * state.opening[row];
-    }
+    profile.gap = normalised.iter().map(|g| 1e3 * g).collect();
+    profile.opening = state.opening.iter().map(|g| 1e3 * g).collect();
     let sampled = |count: usize| -> Profile {
         let points = stage.sample(&pair, count);
         let at = |values: &[f64], arc: f64| polynomial_at(&pair, &operator, values, arc);
@@ -229,7 +226,7 @@ fn wear_problem(
     problem.start = Some([start.pressure, start.opening]);
     problem.track_area = stage.patch.surface.track_area();
     problem.until = Until::Steady { residual: STEADY };
-    if let Some(gap::Until::Time(time)) = stage.scene().wear.as_ref().and_then(|wear| wear.until.clone()) {
+    if let Some(gap::Until::Time(time)) = stage.scene().wear.as_ref().and_then(|wear| wear.until) {
         problem.until = Until::Time(time.0);
         problem.stepping = Stepping::Adaptive { accuracy: stage.accuracy() };
     }
