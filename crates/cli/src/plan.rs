@@ -89,7 +89,7 @@ impl Plan {
         stage("report.html", report, if report { "output.report is on" } else { "output.report = false" });
         let recording = scene.output.as_ref().and_then(|output| output.recording).unwrap_or(false);
         match (recording, has(Task::Wear)) {
-            (_, true) => stage("run.mcap", true, "a run in time is recorded, and resumes from it"),
+            (_, true) => stage("run.mcap", true, "a run in time is recorded"),
             (true, false) => stage("run.mcap", true, "output.recording asks for it"),
             _ => stage("run.mcap", false, "no output asks for it"),
         }

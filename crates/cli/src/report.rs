@@ -63,12 +63,16 @@ pub(crate) fn write(
     folder.write("timing.json", &timing(solution, seconds))?;
     let text = pretty(&summary);
     folder.write("summary.json", &text)?;
-    // A run in time records itself, step by step; anything else is one picture.
-    if let Some(profile) = solution.profile.as_ref().filter(|_| problem.plan.runs("run.mcap") && !problem.plan.runs("evolution"))
-    {
+    if let Some(profile) = solution.profile.as_ref().filter(|_| problem.plan.runs("run.mcap")) {
         let mut recorder = Recorder::create(&folder.path().join("run.mcap"), resolved)?;
         recorder.log(summary["verdict"].as_str().unwrap_or(""))?;
-        recorder.step(&State::default(), profile)?;
+        // A run in time has many steps; anything else is one picture.
+        if solution.steps.is_empty() {
+            recorder.step(&State::default(), profile)?;
+        }
+        for (state, profile) in &solution.steps {
+            recorder.step(state, profile)?;
+        }
         recorder.finish(&text)?;
     }
     if problem.plan.runs("report.html") {

@@ -50,6 +50,8 @@ pub(crate) struct Solution {
     pub(crate) curve: Option<Profile>,
     /// Columns of history.csv: name and values.
     pub(crate) history: Vec<(String, Vec<f64>)>,
+    /// Steps of a run in time, for the recording.
+    pub(crate) steps: Vec<(crate::record::State, Profile)>,
     /// Seconds of each stage, in order.
     pub(crate) times: Vec<(String, f64)>,
 }

@@ -14,6 +14,7 @@ use crate::fe::stage::{Stage, add_times, note, pair, rest};
 use crate::fe::template::Cut;
 use crate::gap;
 use crate::profile::Profile;
+use crate::record;
 use crate::scene;
 use crate::setup::Problem;
 use crate::solution::{EnergyResult, Solution, Status, WearResult};
@@ -85,6 +86,7 @@ fn finish(stage: Stage<'_>, mut solved: Vec<Solved>, fixed: bool, solution: &mut
     solution.profile = last.profile;
     solution.curve = last.curve;
     solution.history = last.history;
+    solution.steps = last.steps;
     if let EvolutionStatus::Stuck { .. } = ended {
         solution.status = Status::NotConverged;
         solution.reason = Some(ended.to_string());
@@ -126,9 +128,11 @@ fn run(stage: Stage<'_>, level: Level, options: Options) -> Result<Result<Solved
         Err(error) => return Ok(Err(error.to_string())),
     };
     let mut history = History::default();
+    let mut states_in_time = Vec::new();
     while *evolution.status() == EvolutionStatus::Running && evolution.state().step < MOST_STEPS {
         let Some(state) = evolution.next() else { break };
         history.push(&state);
+        states_in_time.push(state);
     }
     let state = evolution.state().clone();
     let ended = evolution.status().clone();
@@ -169,6 +173,10 @@ fn run(stage: Stage<'_>, level: Level, options: Options) -> Result<Result<Solved
         lyapunov_increase: (stage.friction() == 0.0).then_some(state.lyapunov_increase),
     });
     solution.history = history.columns();
+    if stage.problem.plan.runs("run.mcap") {
+        let step = |state: &shapeopt::WearState| (recorded(state), step_profile(stage, &pair, operator.points(), state));
+        solution.steps = states_in_time.iter().map(step).collect();
+    }
     let mut profile = stage.profile(&pair, operator.points(), &state.pressure, states);
     profile.gap = normalised.iter().map(|g| 1e3 * g).collect();
     profile.opening = state.opening.iter().map(|g| 1e3 * g).collect();
@@ -231,6 +239,30 @@ fn wear_problem(
         problem.stepping = Stepping::Adaptive { accuracy: stage.accuracy() };
     }
     Ok(Ok(problem))
+}
+
+/// A state as the recording keeps it.
+fn recorded(state: &shapeopt::WearState) -> record::State {
+    record::State {
+        step: state.step as u64,
+        time_s: state.time,
+        step_s: state.next_step,
+        rejected: state.rejected as u64,
+        distance_mm: Some(state.distance),
+        volume_mm3: Some(state.volume[0] + state.volume[1]),
+        steadiness: Some(state.steady_residual),
+        gap_um: state.gap.iter().map(|g| 1e3 * g).collect(),
+        pressure_MPa: state.pressure.clone(),
+        ..record::State::default()
+    }
+}
+
+/// The contact points at a step.
+fn step_profile(stage: Stage<'_>, pair: &Pair<'_>, points: &[contact::ContactPoint], state: &shapeopt::WearState) -> Profile {
+    let mut profile = stage.profile(pair, points, &state.pressure, [None, None]);
+    profile.gap = state.gap.iter().map(|g| 1e3 * g).collect();
+    profile.opening = state.opening.iter().map(|g| 1e3 * g).collect();
+    profile
 }
 
 /// The status in the summary's word.
