@@ -19,9 +19,7 @@ pub(crate) struct Options {
 pub(crate) fn solve(problem: &Problem, options: Options) -> Result<Solution, Fault> {
     let mut solution = Solution::default();
     if problem.plan.runs("optimal pressure") {
-        timed(&mut solution, "optimal pressure", |solution| {
-            pressure::solve(problem, options, solution)
-        })?;
+        timed(&mut solution, "optimal pressure", |solution| pressure::solve(problem, options, solution))?;
     }
     if solution.status != Status::Refused && problem.plan.runs("mesh") {
         crate::fe::solve(problem, options, &mut solution)?;
@@ -37,8 +35,6 @@ pub(crate) fn timed<T>(
 ) -> Result<T, Fault> {
     let start = Instant::now();
     let result = stage(solution);
-    solution
-        .times
-        .push((name.to_string(), start.elapsed().as_secs_f64()));
+    solution.times.push((name.to_string(), start.elapsed().as_secs_f64()));
     result
 }

@@ -56,7 +56,7 @@ pub(super) fn independent(
     let found = solve(shaper, &operator, &gap)?;
     let (weights, wanted) = wanted(shaper, &operator);
     solution.counters.factorisations += effort.counters.factorisations;
-    if let Some(profile) = &mut solution.profile {
+    for profile in [&mut solution.profile, &mut solution.curve].into_iter().flatten() {
         let (start, length) = (shaper.stage.start(&pair), pair.shaped.trace.length());
         profile.pressure_solved =
             profile.s.iter().map(|s| pressure_at(&pair, &operator, &found, (s - start).clamp(0.0, length))).collect();

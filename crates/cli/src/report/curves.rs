@@ -12,9 +12,8 @@ pub(crate) fn line_plots(problem: &Problem, solution: &Solution) -> Vec<(&'stati
     let Some(points) = &solution.profile else {
         return Vec::new();
     };
-    // Where elastic bodies were computed, their contact points are the curve.
-    let smooth = solution.curve.as_ref().filter(|_| !problem.plan.runs("mesh"));
-    let profile = smooth.unwrap_or(points);
+    // Evenly spaced points draw smoother than the contact points.
+    let profile = solution.curve.as_ref().unwrap_or(points);
     let (places, x_label) = abscissa(problem, profile);
     let series = |name: &str, values: &[f64], dashed: bool| Series {
         name: name.to_string(),
