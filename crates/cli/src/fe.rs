@@ -2,6 +2,9 @@
 
 mod bodies;
 mod contact;
+mod ends;
+mod ends_profile;
+mod half_disc;
 mod round_trip;
 mod shape;
 mod stage;
@@ -19,12 +22,18 @@ pub(crate) fn available(problem: &Problem) -> Result<(), Fault> {
     if !problem.plan.runs("mesh") {
         return Ok(());
     }
-    stage::Stage::new(problem).map(|_| ())
+    match half_disc::Couple::of(&problem.scene)? {
+        Some(couple) => ends::available(problem, &couple),
+        None => stage::Stage::new(problem).map(|_| ()),
+    }
 }
 
 /// Computes contact, shape and wear as the plan asks.
 pub(crate) fn solve(problem: &Problem, options: Options, solution: &mut Solution) -> Result<(), Fault> {
     available(problem)?;
+    if let Some(couple) = half_disc::Couple::of(&problem.scene)? {
+        return ends::solve(problem, &couple, options, solution);
+    }
     if problem.plan.runs("contact") {
         contact::solve(problem, options, solution)?;
     }

@@ -82,7 +82,7 @@ impl BodyParts {
                 support_names.push(format!("{key}.{edge}"));
             }
         }
-        if kinematics.is_revolved() && mesh.boundaries.iter().any(|name| name == AXIS) {
+        if mesh.boundaries.iter().any(|name| name == AXIS) {
             supports.push(Support { boundary: AXIS.into(), direction: Direction::First, value: 0.0 });
             support_names.push(String::new());
         }

@@ -6,10 +6,11 @@ use contact::{ContactOperator, ContactSolution, Pair, Status as ContactStatus};
 
 use crate::fault::Fault;
 use crate::fe::bodies::Level;
-use crate::fe::stage::{Stage, add_times, note, pair, rest};
+use crate::fe::stage::{Stage, accuracy, add_times, fixed_level, ladder, note, pair, rest};
 use crate::fe::template::Cut;
 use crate::gap::Gap;
 use crate::profile::Profile;
+use crate::scene::Scene;
 use crate::setup::Problem;
 use crate::solution::{ContactResult, EnergyResult, Solution, Status};
 use crate::solve::Options;
@@ -17,26 +18,38 @@ use crate::solve::Options;
 /// Samples of the pressure for the comparison of levels, over the inner 95 % of the surface.
 const SAMPLES: usize = 191;
 
-struct Solved {
-    energy: f64,
-    pressure: Vec<f64>,
-    refused: Option<String>,
-    solution: Solution,
+/// Result of one level.
+pub(super) struct Solved {
+    pub(super) energy: f64,
+    /// At the samples, to compare levels.
+    pub(super) pressure: Vec<f64>,
+    /// Why there is no answer.
+    pub(super) refused: Option<String>,
+    pub(super) solution: Solution,
 }
 
 /// Solves the contact and fills in the solution.
 pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution) -> Result<(), Fault> {
     let stage = Stage::new(problem)?;
-    let fixed = stage.fixed_level().is_some();
+    climb(stage.scene(), solution, |level| solve_level(stage, level, options))
+}
+
+/// Solves level after level until the estimated errors are below the accuracy asked for, and keeps the last one.
+pub(super) fn climb(
+    scene: &Scene,
+    solution: &mut Solution,
+    mut solve_level: impl FnMut(Level) -> Result<Solved, Fault>,
+) -> Result<(), Fault> {
+    let fixed = fixed_level(scene).is_some();
     let mut solved: Vec<Solved> = Vec::new();
-    for level in stage.ladder() {
-        solved.push(solve_level(stage, level, options)?);
+    for level in ladder(scene) {
+        solved.push(solve_level(level)?);
         let refused = solved.last().is_some_and(|s| s.refused.is_some());
-        if refused || (!fixed && estimate(&solved).is_some_and(|e| e[0].max(e[1]) <= stage.accuracy())) {
+        if refused || (!fixed && estimate(&solved).is_some_and(|e| e[0].max(e[1]) <= accuracy(scene))) {
             break;
         }
     }
-    finish(stage, solved, fixed, solution);
+    finish(accuracy(scene), solved, fixed, solution);
     Ok(())
 }
 
@@ -45,13 +58,13 @@ fn estimate(solved: &[Solved]) -> Option<[f64; 2]> {
     let [.., a, b, c] = solved else { return None };
     let energy = |x: &Solved, y: &Solved| ((x.energy - y.energy) / y.energy).abs();
     let pressure = |x: &Solved, y: &Solved| {
-        let square = |f: &dyn Fn(usize) -> f64| (0..SAMPLES).map(|i| f(i).powi(2)).sum::<f64>();
+        let square = |f: &dyn Fn(usize) -> f64| (0..y.pressure.len()).map(|i| f(i).powi(2)).sum::<f64>();
         (square(&|i| x.pressure[i] - y.pressure[i]) / square(&|i| y.pressure[i])).sqrt()
     };
     Some([rest(energy(a, b), energy(b, c)), rest(pressure(a, b), pressure(b, c))])
 }
 
-fn finish(stage: Stage<'_>, mut solved: Vec<Solved>, fixed: bool, solution: &mut Solution) {
+fn finish(accuracy: f64, mut solved: Vec<Solved>, fixed: bool, solution: &mut Solution) {
     let errors = estimate(&solved);
     let levels = solved.len();
     let times: Vec<_> = solved.iter().map(|s| s.solution.times.clone()).collect();
@@ -82,9 +95,9 @@ fn finish(stage: Stage<'_>, mut solved: Vec<Solved>, fixed: bool, solution: &mut
     result.pressure_relative = Some(pressure);
     result.how = format!("energy and pressure of the contact: rest of the series of {levels} degrees");
     let worst = energy.max(pressure);
-    if !fixed && worst > stage.accuracy() {
+    if !fixed && worst > accuracy {
         solution.status = Status::AccuracyMissed;
-        solution.reason = Some(format!("the contact is accurate to {worst:.1e}, not to the {:.0e} asked for", stage.accuracy()));
+        solution.reason = Some(format!("the contact is accurate to {worst:.1e}, not to the {accuracy:.0e} asked for"));
     }
 }
 
@@ -253,7 +266,7 @@ fn motions(pair: &Pair<'_>, found: &ContactSolution) -> [Option<f64>; 3] {
 }
 
 /// The status in the summary's word.
-fn word(status: &ContactStatus) -> &'static str {
+pub(super) fn word(status: &ContactStatus) -> &'static str {
     match status {
         ContactStatus::Converged => "converged",
         ContactStatus::ClosedEverywhere => "closed-everywhere",

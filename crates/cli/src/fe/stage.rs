@@ -48,29 +48,17 @@ impl<'a> Stage<'a> {
 
     /// Accuracy asked for.
     pub(super) fn accuracy(&self) -> f64 {
-        self.scene().accuracy.unwrap_or(1e-6)
+        accuracy(self.scene())
     }
 
     /// The fixed discretisation, if the scene has one.
     pub(super) fn fixed_level(&self) -> Option<Level> {
-        let mesh = self.scene().mesh.clone().unwrap_or_default();
-        mesh.degree.or(mesh.layers).map(|_| {
-            let degree = mesh.degree.unwrap_or(8);
-            Level { layers: mesh.layers.unwrap_or(degree), ..Level::of(degree) }
-        })
+        fixed_level(self.scene())
     }
 
     /// The levels to solve: up to the fixed one, or until the caller has enough.
     pub(super) fn ladder(&self) -> Vec<Level> {
-        let [first, last, step] = DEGREES;
-        match self.fixed_level() {
-            None => (first..=last).step_by(step).map(Level::of).collect(),
-            Some(level) => [4, 2, 0]
-                .iter()
-                .filter(|down| level.degree > **down)
-                .map(|down| Level { degree: level.degree - down, layers: level.layers })
-                .collect(),
-        }
+        ladder(self.scene())
     }
 
     /// Meshes, supports and loads of both bodies.
@@ -248,6 +236,33 @@ impl Parts {
             }
         }
         reactions
+    }
+}
+
+/// Accuracy a scene asks for.
+pub(super) fn accuracy(scene: &Scene) -> f64 {
+    scene.accuracy.unwrap_or(1e-6)
+}
+
+/// The fixed discretisation of a scene, if it has one.
+pub(super) fn fixed_level(scene: &Scene) -> Option<Level> {
+    let mesh = scene.mesh.clone().unwrap_or_default();
+    mesh.degree.or(mesh.layers).map(|_| {
+        let degree = mesh.degree.unwrap_or(8);
+        Level { layers: mesh.layers.unwrap_or(degree), ..Level::of(degree) }
+    })
+}
+
+/// The levels to solve of a scene.
+pub(super) fn ladder(scene: &Scene) -> Vec<Level> {
+    let [first, last, step] = DEGREES;
+    match fixed_level(scene) {
+        None => (first..=last).step_by(step).map(Level::of).collect(),
+        Some(level) => [4, 2, 0]
+            .iter()
+            .filter(|down| level.degree > **down)
+            .map(|down| Level { degree: level.degree - down, layers: level.layers })
+            .collect(),
     }
 }
 

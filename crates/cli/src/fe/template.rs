@@ -10,7 +10,7 @@ use crate::scene::Scene;
 pub(crate) const CONTACT: &str = "@contact";
 /// Name of the loaded edges.
 pub(crate) const LOAD: &str = "@load";
-/// Name of the edges on the axis of revolution.
+/// Name of the edges on the axis of revolution or a plane of symmetry.
 pub(crate) const AXIS: &str = "@axis";
 
 /// Ratio of the sizes of successive layers. Of 0.1, 0.15, 0.25 the last reached a given error of the drum gap with the least work

@@ -5,6 +5,7 @@ mod broken;
 mod call;
 mod commands;
 mod folder;
+mod hertz;
 mod json;
 mod pressure;
 mod resolved;

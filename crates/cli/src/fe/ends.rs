@@ -1,0 +1,381 @@
+//! The contact stage of a half-disc on a rectangle: the end of contact (and of stick) is an unknown, and an element node stands on it.
+//!
+//! Conditions stand on the flat side: normal along z, gap `R - sqrt(R^2 - x^2)`. First the normal load is applied without friction, then
+//! the shear force with Coulomb friction (Cattaneo 1938, Mindlin 1949). The formulas of Hertz give the trial ends only.
+
+use std::time::Instant;
+
+use contact::{
+    ContactLoad, ContactOperator, ContactPoint, ContactSolution, ContactState, Friction, Motion, Pair, Side,
+    Status as ContactStatus, position_nodes,
+};
+use hpfem::Body;
+
+use crate::fault::Fault;
+use crate::fe::bodies::{BodyParts, Level, kinematics};
+use crate::fe::contact::{Solved, climb, word};
+use crate::fe::ends_profile::Rows;
+use crate::fe::half_disc::Couple;
+use crate::fe::stage::{Parts, note};
+use crate::gap::Gap;
+use crate::scene::{Body as SceneBody, Component, Scene, Task};
+use crate::setup::Problem;
+use crate::solution::{ContactResult, EnergyResult, Solution, Status};
+use crate::solve::Options;
+
+/// Samples of the pressure for the comparison of levels, over the inner 95 % of the contact.
+const SAMPLES: usize = 191;
+/// Accuracy of the ends relative to the length of contact, of contact alone and with the ends of stick, whose residual is less smooth.
+const TOLERANCES: [f64; 2] = [1e-10, 1e-8];
+/// Kind of fault of a contact that does not fit the bodies.
+const TOO_LONG: &str = "contact-too-long";
+
+/// A scene of two such bodies.
+pub(super) struct Setting<'a> {
+    pub(super) scene: &'a Scene,
+    pub(super) couple: &'a Couple,
+    /// Coefficient of friction, and the shear force on body 1 along x.
+    friction: f64,
+    pub(super) shear: f64,
+}
+
+/// Refuses what is not built, before anything is written.
+pub(super) fn available(problem: &Problem, couple: &Couple) -> Result<(), Fault> {
+    let scene = &problem.scene;
+    if let Some(task) = scene.tasks.iter().flatten().find(|task| **task != Task::Contact) {
+        let task = format!("{task:?}").to_lowercase();
+        let message = format!("a half-disc on a rectangle has the task contact, but no {task} yet");
+        return Err(Fault::at("tasks", "not-available", message, "write tasks = [\"contact\"]"));
+    }
+    let refuse = |key: &str, message: &str, remedy: &str| Err(Fault::at(key, "not-available", message, remedy));
+    let load = scene.load.clone().unwrap_or_default();
+    if !matches!(scene.contact.as_ref().and_then(|c| c.gap.as_ref()), None | Some(Gap::Constant(0.0))) {
+        return refuse("contact.gap", "a profile on a half-disc is not known yet", "write gap = 0");
+    }
+    if scene.sliding.is_some() {
+        return refuse("sliding", "a half-disc does not slide steadily yet", "remove `sliding`, or give load.shear_force");
+    }
+    if load.tilt.is_some_and(|tilt| tilt.0 != 0.0) || load.moment.is_some_and(|moment| moment.0 != 0.0) {
+        let key = if load.tilt.is_some() { "load.tilt" } else { "load.moment" };
+        return refuse(key, "a half-disc is pressed without tilt or moment so far", "write load.tilt = 0");
+    }
+    let setting = Setting::new(scene, couple);
+    if setting.shear == 0.0 {
+        return Ok(());
+    }
+    let held = |body: &Option<SceneBody>| body.iter().flat_map(|b| b.support.values()).any(|held| held.contains(&Component::X));
+    if !couple.whole || load.tilt.is_none() || held(&scene.body1) {
+        let remedy = "write load.as = \"rigid\" with tilt = 0, and no support of body 1 along x";
+        return refuse("load.shear_force", "the shear force needs a level rigid edge that is free along x", remedy);
+    }
+    if setting.friction == 0.0 {
+        let message = "nothing resists the shear force: contact.friction = 0";
+        return Err(Fault::at("load.shear_force", "no-balance", message, "give contact.friction, or remove load.shear_force"));
+    }
+    Ok(())
+}
+
+/// Solves the contact and fills in the solution.
+pub(super) fn solve(problem: &Problem, couple: &Couple, options: Options, solution: &mut Solution) -> Result<(), Fault> {
+    let setting = Setting::new(&problem.scene, couple);
+    let done = setting.trial().and_then(|mut nodes| {
+        climb(&problem.scene, solution, |level| {
+            let mut work = Solution::default();
+            nodes = setting.position(level, &nodes, &mut work)?;
+            setting.result(level, &nodes, options, work)
+        })
+    });
+    match done {
+        Err(fault) if fault.code == TOO_LONG => {
+            solution.status = Status::Refused;
+            solution.reason = Some(fault.message);
+            Ok(())
+        }
+        other => other,
+    }
+}
+
+/// Both load steps on the bodies of one mesh.
+struct Steps {
+    points: Vec<ContactPoint>,
+    pressed: ContactSolution,
+    sheared: Option<ContactSolution>,
+}
+
+impl<'a> Setting<'a> {
+    fn new(scene: &'a Scene, couple: &'a Couple) -> Setting<'a> {
+        let contact = scene.contact.as_ref().filter(|contact| contact.shear.unwrap_or(true));
+        let friction = contact.and_then(|contact| contact.friction).unwrap_or(0.0);
+        let shear = scene.load.as_ref().and_then(|load| load.shear_force).map_or(0.0, |force| force.0);
+        Setting { scene, couple, friction, shear }
+    }
+
+    pub(super) fn revolved(&self) -> bool {
+        kinematics(self.scene).is_revolved()
+    }
+
+    /// How often the meshed part is contained in the scene.
+    pub(super) fn copies(&self) -> f64 {
+        if self.couple.whole || self.revolved() { 1.0 } else { 2.0 }
+    }
+
+    fn force(&self) -> f64 {
+        self.scene.load.as_ref().and_then(|load| load.force).map_or(0.0, |force| force.0)
+    }
+
+    /// Trial ends between half-planes or half-spaces (Johnson 1985, sec. 4.2, 7.2): of contact, and before it of stick.
+    fn trial(&self) -> Result<Vec<f64>, Fault> {
+        let plane_stress = matches!(kinematics(self.scene), hpfem::Kinematics::PlaneStress { .. });
+        let softness = |body: &Option<SceneBody>| {
+            body.as_ref()
+                .and_then(|b| b.material)
+                .map_or(0.0, |m| (if plane_stress { 1.0 } else { 1.0 - m.poisson * m.poisson }) / m.young.0)
+        };
+        let modulus = 1.0 / (softness(&self.scene.body1) + softness(&self.scene.body2));
+        let radius = self.couple.radius;
+        let approach = self.scene.load.as_ref().and_then(|load| load.approach).map(|a| a.0);
+        let force = self.force();
+        let end = match (approach, self.revolved()) {
+            (Some(approach), true) => (radius * approach.max(0.0)).sqrt(),
+            (Some(approach), false) => 0.5 * (radius * approach.max(0.0)).sqrt(),
+            (None, true) => (0.75 * force * radius / modulus).cbrt(),
+            (None, false) => {
+                let thickness = self.scene.thickness.map_or(1.0, |t| t.0);
+                (4.0 * force * radius / (std::f64::consts::PI * modulus * thickness)).sqrt()
+            }
+        };
+        if end <= 0.0 || end.is_nan() {
+            let message = format!("an approach of {} mm does not press body 1 on body 2", approach.unwrap_or(0.0));
+            return Err(Fault::at("load.approach", "wrong-value", message, "give an approach greater than 0"));
+        }
+        if self.shear == 0.0 {
+            return Ok(vec![end]);
+        }
+        let carried = self.shear.abs() / (self.friction * force);
+        if approach.is_none() && carried >= 1.0 {
+            let message =
+                format!("the shear force {} N is more than friction carries, {} N", self.shear.abs(), self.friction * force);
+            return Err(Fault::at("load.shear_force", TOO_LONG, message, "give a smaller shear force"));
+        }
+        let stick = (1.0 - carried.min(0.9)).sqrt();
+        Ok(vec![stick * end, end])
+    }
+
+    /// Bodies with element nodes on the given ends.
+    fn parts(&self, level: Level, nodes: &[f64], work: &mut Solution) -> Result<Parts, Fault> {
+        let start = Instant::now();
+        let (end, longest) = (nodes[nodes.len() - 1], self.couple.longest());
+        if end.is_nan() || end > longest || nodes[0] <= 0.0 {
+            let message =
+                format!("the contact reaches {end:.4} mm from the middle, over the {longest:.4} mm that the bodies allow");
+            return Err(Fault::at("load.force", TOO_LONG, message, "press less, or make the bodies larger"));
+        }
+        let kinematics = kinematics(self.scene);
+        let [disc, block] = self.couple.meshes(nodes, level.layers.div_ceil(2))?;
+        let parts = [
+            BodyParts::new(self.scene, true, disc, level, kinematics)?,
+            BodyParts::new(self.scene, false, block, level, kinematics)?,
+        ];
+        note(work, "mesh", start);
+        Ok(Parts { parts })
+    }
+
+    /// The load before any shear.
+    fn press(&self) -> ContactLoad {
+        let load = self.scene.load.clone().unwrap_or_default();
+        let rigid = load.kind == Some(crate::scene::LoadKind::Rigid);
+        let cases = if rigid { vec![] } else { vec![1.0 / self.copies(), 0.0, 0.0, 0.0] };
+        let mut press = ContactLoad::factors(&cases, &[]);
+        if rigid {
+            press.motions[1] = match load.approach {
+                Some(approach) => Motion::Prescribed { value: -approach.0 },
+                None => Motion::Free { resultant: -self.force() / self.copies() },
+            };
+        }
+        press
+    }
+
+    /// The load with its shear, from the slip of the first step.
+    fn push(&self, slip_before: &[f64]) -> ContactLoad {
+        let mut push = self.press();
+        push.motions[0] = Motion::Free { resultant: self.shear };
+        push.friction = Friction::Coulomb { coefficient: self.friction, slip_before: slip_before.to_vec() };
+        push
+    }
+
+    /// Distance from the middle, or radius, of a point.
+    pub(super) fn distance(&self, point: &ContactPoint) -> f64 {
+        (point.position[0] - self.couple.middle).abs()
+    }
+
+    /// States of the points between given ends of stick and contact.
+    fn states(&self, points: &[ContactPoint], nodes: &[f64]) -> Vec<ContactState> {
+        let slip = if self.shear > 0.0 { ContactState::Backward } else { ContactState::Forward };
+        points
+            .iter()
+            .map(|point| match self.distance(point) / (1.0 + 1e-9) {
+                x if x > nodes[nodes.len() - 1] => ContactState::Open,
+                x if x > nodes[0] => slip,
+                _ => ContactState::Stick,
+            })
+            .collect()
+    }
+
+    /// Moves element nodes onto the ends: there the pressure vanishes, and the shear that sticking takes is just its limit.
+    fn position(&self, level: Level, start: &[f64], work: &mut Solution) -> Result<Vec<f64>, Fault> {
+        let nodes = position_nodes(start, TOLERANCES[usize::from(self.shear != 0.0)], |nodes| -> Result<_, Fault> {
+            let parts = self.parts(level, nodes, work)?;
+            let bodies = parts.reduce(work)?;
+            let steps = self.held_steps(&bodies, nodes, work)?;
+            let at = |x: f64| {
+                let far = |i: &usize| (steps.points[*i].position[0] - self.couple.middle - x).abs();
+                (0..steps.points.len()).min_by(|i, j| far(i).total_cmp(&far(j))).unwrap_or(0)
+            };
+            let end = steps.pressed.pressure[at(nodes[nodes.len() - 1])];
+            Ok((
+                match &steps.sheared {
+                    Some(sheared) => {
+                        // Finite bodies shift the stick zone as a whole a little: its half length is that of both sides' mean.
+                        let excess = |i: usize| sheared.shear[i].abs() - self.friction * sheared.pressure[i];
+                        vec![0.5 * (excess(at(nodes[0])) + excess(at(-nodes[0]))), end]
+                    }
+                    None => vec![end],
+                },
+                (),
+            ))
+        })?;
+        if !nodes.found {
+            let step = nodes.history.last().copied().unwrap_or(0.0);
+            let message = format!("the end of contact still moved by {step:.1e} mm after {} meshes", nodes.evaluations);
+            return Err(Fault::at("load.force", TOO_LONG, message, "press less, or make the bodies larger"));
+        }
+        Ok(nodes.places)
+    }
+
+    /// Both load steps with the states of all points given by the ends.
+    fn held_steps(&self, bodies: &[Body<'_>; 2], nodes: &[f64], work: &mut Solution) -> Result<Steps, Fault> {
+        let start = Instant::now();
+        let pair = facing(bodies)?;
+        let operator = self.operator(&pair)?;
+        note(work, "interface", start);
+        let start = Instant::now();
+        let points = operator.points().to_vec();
+        let gap: Vec<f64> = points.iter().map(|p| self.couple.gap(p.position[0])).collect();
+        let states = self.states(&points, nodes);
+        let closed: Vec<bool> = states.iter().map(|s| *s != ContactState::Open).collect();
+        let pressed = operator.solve_on(&gap, &self.press(), &closed).and_then(solvable).map_err(unsolved)?;
+        let sheared = if self.shear == 0.0 {
+            None
+        } else {
+            let load = self.push(&pressed.slip);
+            Some(operator.solve_states(&gap, &load, &states).and_then(solvable).map_err(unsolved)?)
+        };
+        work.counters.contact_solves += 1 + usize::from(sheared.is_some());
+        note(work, "contact", start);
+        Ok(Steps { points, pressed, sheared })
+    }
+
+    fn operator<'p>(&self, pair: &Pair<'p>) -> Result<ContactOperator<'p>, Fault> {
+        ContactOperator::new(pair, self.shear != 0.0)
+            .map_err(|error| Fault::at("body1.support", "not-held", error.to_string(), "support the bodies"))
+    }
+
+    /// The contact with its conditions of sign on the positioned mesh, and everything that is reported.
+    fn result(&self, level: Level, nodes: &[f64], options: Options, mut work: Solution) -> Result<Solved, Fault> {
+        let parts = self.parts(level, nodes, &mut work)?;
+        let bodies = parts.reduce(&mut work)?;
+        let held = self.held_steps(&bodies, nodes, &mut work)?;
+        let pair = facing(&bodies)?;
+        let operator = self.operator(&pair)?;
+        let start = Instant::now();
+        let gap: Vec<f64> = held.points.iter().map(|p| self.couple.gap(p.position[0])).collect();
+        let pressed = operator.solve(&gap, &self.press(), Some(&held.pressed)).map_err(unsolved)?;
+        let found = match &held.sheared {
+            Some(sheared) => operator.solve(&gap, &self.push(&pressed.slip), Some(sheared)).map_err(unsolved)?,
+            None => pressed,
+        };
+        work.counters.contact_solves += 1 + usize::from(held.sheared.is_some());
+        note(&mut work, "contact", start);
+        let copies = self.copies();
+        let states = [Some(&found.shaped), found.counter.as_ref()];
+        let energy = [0, 1].map(|body| {
+            let operator = [Some(pair.shaped), pair.counter][body];
+            copies * operator.zip(states[body]).map_or(0.0, |(operator, state)| operator.strain_energy(state))
+        });
+        work.energy = Some(EnergyResult { body1_Nmm: Some(energy[0]), body2_Nmm: Some(energy[1]) });
+        work.reactions = parts.reactions(&bodies, states);
+        if copies > 1.0 {
+            for (_, reaction) in &mut work.reactions {
+                let z = reaction.z_N.map(|z| copies * z);
+                reaction.x_N = Some(0.0);
+                reaction.moment_Nmm = z.map(|z| self.couple.middle * z);
+                reaction.z_N = z;
+            }
+        }
+        let rows = Rows { setting: self, pair: &pair, operator: &operator, found: &found, gap: &gap, nodes };
+        let end = nodes[nodes.len() - 1];
+        let pressure = (0..SAMPLES).map(|i| rows.pressure_at(0.95 * end * i as f64 / (SAMPLES - 1) as f64)).collect();
+        work.contact = Some(self.contact_result(&rows));
+        work.profile = Some(match options.sample {
+            Some(count) => rows.sampled(count),
+            None => rows.own(),
+        });
+        work.curve = Some(rows.sampled(401));
+        let solved = found.status.is_solved() && found.status != ContactStatus::NoContact;
+        let refused = (!solved).then(|| found.status.to_string());
+        Ok(Solved { energy: energy[0] + energy[1], pressure, refused, solution: work })
+    }
+
+    fn contact_result(&self, rows: &Rows<'_>) -> ContactResult {
+        let found = rows.found;
+        let largest = |values: &[f64]| values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        let load = self.scene.load.clone().unwrap_or_default();
+        let about = load.about.map_or(0.0, |about| about[0].0);
+        let points = rows.operator.points();
+        let moment = if self.couple.whole {
+            points.iter().zip(&found.nodal_force).map(|(p, force)| (p.position[0] - about) * force).sum()
+        } else {
+            self.copies() * found.force[1] * (self.couple.middle - about)
+        };
+        let both = |end: f64| if self.revolved() { vec![0.0, end] } else { vec![-end, end] };
+        let sheared = self.shear != 0.0;
+        ContactResult {
+            status: word(&found.status).into(),
+            force_N: Some(self.copies() * found.force[1]),
+            moment_Nmm: Some(moment).filter(|_| !self.revolved()),
+            approach_mm: Some(-rows.rigid_motion()[1]),
+            tilt_rad: load.tilt.map(|_| 0.0),
+            ends_mm: both(rows.nodes[rows.nodes.len() - 1]),
+            p_max_MPa: Some(largest(&found.pressure)),
+            edge_exponents: Vec::new(),
+            stick_ends_mm: if sheared { both(rows.nodes[0]) } else { Vec::new() },
+            q_max_MPa: Some(largest(&found.shear)).filter(|_| sheared),
+            complementarity: Some(found.complementarity),
+            iterations: Some(found.iterations),
+        }
+    }
+}
+
+/// Pairs the two bodies of a level across their gap.
+fn facing<'b>(bodies: &'b [Body<'_>; 2]) -> Result<Pair<'b>, Fault> {
+    Pair::facing(&bodies[0].interface, &bodies[1].interface).map_err(unsolved)
+}
+
+fn solvable(solution: Option<ContactSolution>) -> Result<ContactSolution, contact::Error> {
+    solution.ok_or(contact::Error::Singular)
+}
+
+fn unsolved(error: contact::Error) -> Fault {
+    Fault::at("contact", "no-contact", error.to_string(), "check the contact and its load")
+}
+
+/// Displacement of a side along normal and tangent at a contact point.
+pub(super) fn displacement(pair: &Pair<'_>, side: Side, found: &ContactSolution, point: &ContactPoint) -> Option<[f64; 2]> {
+    let state = if side == Side::Shaped { Some(&found.shaped) } else { found.counter.as_ref() };
+    let (operator, state) = pair.side(side).zip(state)?;
+    let (edge, t) = pair.place(side, point);
+    let (rows, constant) = operator.trace.displacement_row(edge, t);
+    let u: [f64; 2] = std::array::from_fn(|k| rows[k].iter().map(|(i, c)| c * state.unknowns[*i]).sum::<f64>() + constant[k]);
+    let along = |d: [f64; 2]| u[0] * d[0] + u[1] * d[1];
+    Some([along(point.normal), along(point.tangent)])
+}

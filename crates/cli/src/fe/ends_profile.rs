@@ -1,0 +1,157 @@
+//! Columns at the points of a half-disc's contact, for the whole scene when half of it was computed.
+
+use contact::{ContactOperator, ContactPoint, ContactSolution, ContactState, Pair, Side};
+use nalgebra::Vector3;
+
+use crate::fe::bodies::MEAN_COLUMNS;
+use crate::fe::ends::{Setting, displacement};
+use crate::fe::half_disc::CANDIDATE;
+use crate::profile::Profile;
+
+/// A solved contact with the ends its nodes stand on.
+pub(super) struct Rows<'r> {
+    pub(super) setting: &'r Setting<'r>,
+    pub(super) pair: &'r Pair<'r>,
+    pub(super) operator: &'r ContactOperator<'r>,
+    pub(super) found: &'r ContactSolution,
+    pub(super) gap: &'r [f64],
+    pub(super) nodes: &'r [f64],
+}
+
+/// A place of the surface: a computed point, or one between, and whether it is seen in the mirror.
+struct Place {
+    point: ContactPoint,
+    node: Option<usize>,
+    mirrored: bool,
+}
+
+impl Rows<'_> {
+    /// Whether half of the scene stands for the whole.
+    fn halved(&self) -> bool {
+        self.setting.copies() > 1.0
+    }
+
+    /// Pressure at a distance from the middle.
+    pub(super) fn pressure_at(&self, distance: f64) -> f64 {
+        let start = self.operator.points()[0].position[0] - self.setting.couple.middle;
+        self.between(&self.found.pressure, distance - start)
+    }
+
+    /// The polynomial through the points of the edge at an arc length.
+    fn between(&self, values: &[f64], arc: f64) -> f64 {
+        let Some(counter) = self.pair.counter else { return f64::NAN };
+        let (edge, t) = counter.trace.locate(arc);
+        let first: usize = counter.trace.edges[..edge].iter().map(|e| e.degree).sum();
+        let last = first + counter.trace.edges[edge].degree;
+        let arcs: Vec<f64> = self.operator.points()[first..=last].iter().map(|p| p.arc).collect();
+        let (from, to) = (arcs[0], arcs[arcs.len() - 1]);
+        let places: Vec<f64> = arcs.iter().map(|a| 2.0 * (a - from) / (to - from) - 1.0).collect();
+        let shapes = hpfem::lagrange(&places, &hpfem::barycentric_weights(&places), t.clamp(-1.0, 1.0));
+        shapes.iter().zip(&values[first..=last]).map(|(l, v)| l * v).sum()
+    }
+
+    /// Motion of body 1's load edge: of the rigid edge, or the mean.
+    pub(super) fn rigid_motion(&self) -> [f64; 2] {
+        let (body, state) = (self.pair.shaped, &self.found.shaped);
+        [0, 1].map(|k| match body.frame[k] {
+            Some(unknown) => state.unknowns[unknown],
+            None if body.load_cases > MEAN_COLUMNS[k] && !(k == 0 && self.nodes_from_axis()) => {
+                body.column_work(MEAN_COLUMNS[k], state)
+            }
+            None => 0.0,
+        })
+    }
+
+    /// Whether the meshed part begins at the plane of symmetry or the axis.
+    fn nodes_from_axis(&self) -> bool {
+        !self.setting.couple.whole
+    }
+
+    /// The computed points.
+    pub(super) fn own(&self) -> Profile {
+        let points = self.operator.points();
+        let place = |node: usize, mirrored: bool| Place { point: points[node], node: Some(node), mirrored };
+        let mut places: Vec<Place> = (0..points.len()).map(|i| place(i, false)).collect();
+        if self.halved() {
+            places[0].point.weight *= 2.0;
+            places = (1..points.len()).rev().map(|i| place(i, true)).chain(places).collect();
+        }
+        self.profile(&places)
+    }
+
+    /// Points evenly spaced in x over the candidate surface, with trapezoid weights.
+    pub(super) fn sampled(&self, count: usize) -> Profile {
+        let end = CANDIDATE * self.nodes[self.nodes.len() - 1];
+        let from = if self.setting.revolved() { 0.0 } else { -end };
+        let last = count.max(2) - 1;
+        let step = (end - from) / last as f64;
+        let start = if self.setting.couple.whole { -end } else { 0.0 };
+        let places: Vec<Place> = (0..=last)
+            .map(|i| {
+                let x = if i == last { end } else { from + step * i as f64 };
+                let mirrored = self.halved() && x < 0.0;
+                let mut point = self.pair.at_arc((if mirrored { -x } else { x } - start).max(0.0));
+                let share = if i == 0 || i == last { 0.5 } else { 1.0 };
+                point.weight = share * step * self.pair.shaped.kinematics.measure(point.position[0]);
+                Place { point, node: None, mirrored }
+            })
+            .collect();
+        self.profile(&places)
+    }
+
+    fn profile(&self, places: &[Place]) -> Profile {
+        let middle = self.setting.couple.middle;
+        let x = |place: &Place| {
+            let x = place.point.position[0] - middle;
+            if place.mirrored { -x } else { x }
+        };
+        let surface: Vec<wear::SurfacePoint> = places
+            .iter()
+            .map(|place| wear::SurfacePoint {
+                position: Vector3::new(middle + x(place), 0.0, place.point.position[1]),
+                normal: Vector3::z(),
+                weight: place.point.weight,
+                sliding_speed: 0.0,
+                drag: Vector3::zeros(),
+            })
+            .collect();
+        let mut profile = Profile::new(places.iter().map(x).collect(), &surface);
+        // Body 2 moves against the shear force relative to body 1.
+        let sense = if self.setting.shear > 0.0 { -1.0 } else { 1.0 };
+        let rigid = self.rigid_motion();
+        for (row, place) in places.iter().enumerate() {
+            let value = |values: &[f64]| match place.node {
+                Some(node) => values[node],
+                None => self.between(values, place.point.arc),
+            };
+            let distance = self.setting.distance(&place.point);
+            profile.pressure[row] = value(&self.found.pressure).max(0.0);
+            profile.shear[row] = sense * value(&self.found.shear);
+            profile.gap[row] = match place.node {
+                Some(node) => 1e3 * self.gap[node],
+                None => 1e3 * self.setting.couple.gap(place.point.position[0]),
+            };
+            profile.opening[row] = 1e3 * value(&self.found.opening).max(0.0);
+            let turn = if place.mirrored { -sense } else { sense };
+            for (body, side) in [Side::Shaped, Side::Counter].into_iter().enumerate() {
+                let Some(u) = displacement(self.pair, side, self.found, &place.point) else { continue };
+                let held = if body == 0 { rigid } else { [0.0; 2] };
+                profile.normal_displacement[body][row] = 1e3 * (u[0] - held[1]);
+                profile.tangential_displacement[body][row] = 1e3 * turn * (u[1] - held[0]);
+            }
+            let state = match place.node {
+                Some(node) => self.found.states[node],
+                None if distance > self.nodes[self.nodes.len() - 1] => ContactState::Open,
+                None if distance <= self.nodes[0] => ContactState::Stick,
+                None => ContactState::Backward,
+            };
+            profile.status[row] = match (state, self.setting.shear != 0.0) {
+                (ContactState::Open, _) => "open",
+                (_, false) => "contact",
+                (ContactState::Stick, true) => "stick",
+                (_, true) => "slip",
+            };
+        }
+        profile
+    }
+}
