@@ -44,6 +44,15 @@ pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution
             return Ok(());
         }
     };
+    if let Some(point) = stage.patch.surface.sample(SAMPLES).iter().find(|point| !optimum.pressure_at(point).is_finite()) {
+        let [x, _, z] = [point.position.x, point.position.y, point.position.z];
+        let reason = format!(
+            "the wanted pressure is infinite at x = {x}, z = {z}, and no shape has it; leave a hole or a cap there (optimum.p_max)"
+        );
+        solution.status = Status::Refused;
+        solution.reason = Some(reason);
+        return Ok(());
+    }
     let shaper = Shaper { stage, optimum: &optimum, feed: optimum.feed.clone().unwrap_or_default() };
     let fixed = stage.fixed_level().is_some();
     let mut solved: Vec<Solved> = Vec::new();

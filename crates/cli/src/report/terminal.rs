@@ -84,12 +84,11 @@ pub(crate) fn verdict(problem: &Problem, solution: &Solution) -> String {
         };
         return format!("{head}: {reason}.");
     }
-    if let (Some(shape), Some(profile)) = (&solution.shape, &solution.profile) {
+    if let Some(shape) = &solution.shape {
         let crown = shape.gap_max_um.unwrap_or(0.0);
         let at = shape.gap_where_mm.map(|s| format!(" at {}", place(problem, s))).unwrap_or_default();
         let steady = solution.pressure.as_ref().is_some_and(|pressure| pressure.functional == "steady");
         let end = if steady { "it starts worn in" } else { "it has the wanted pressure" };
-        let _ = profile;
         return format!("Machine this shape: crown {} um{at}; {end}.", short(crown));
     }
     if let Some(wear) = &solution.wear {
@@ -101,8 +100,12 @@ pub(crate) fn verdict(problem: &Problem, solution: &Solution) -> String {
     }
     if let Some(contact) = &solution.contact {
         let force = contact.force_N.map(short).unwrap_or_default();
-        let peak = contact.p_max_MPa.map(short).unwrap_or_default();
-        return format!("The bodies touch with {force} N, at most {peak} MPa.");
+        let exponents: Vec<String> = contact.edge_exponents.iter().map(|exponent| format!("{exponent:.3}")).collect();
+        let peak = match contact.p_max_MPa {
+            Some(peak) => format!("at most {} MPa", short(peak)),
+            None => format!("the pressure grows towards the edges like d^({})", exponents.join(") and d^(")),
+        };
+        return format!("The bodies touch with {force} N, {peak}.");
     }
     let Some(pressure) = &solution.pressure else {
         return "Nothing was asked for.".into();
@@ -147,13 +150,13 @@ pub(crate) fn first_screen(problem: &Problem, solution: &Solution, folder: &Path
             ));
         }
         let mut wear = Vec::new();
-        if let Some(rate) = pressure.wear_volume_rate_mm3_per_s {
+        if let Some(rate) = pressure.wear_volume_rate_mm3_per_s.filter(|value| value.is_finite()) {
             wear.push(format!("{} mm^3/s", short(rate)));
         }
-        if let Some(power) = pressure.friction_power_mW {
+        if let Some(power) = pressure.friction_power_mW.filter(|value| value.is_finite()) {
             wear.push(format!("friction {} W", short(1e-3 * power)));
         }
-        if let Some(torque) = pressure.torque_Nmm {
+        if let Some(torque) = pressure.torque_Nmm.filter(|value| value.is_finite()) {
             wear.push(format!("torque {} N m", short(1e-3 * torque)));
         }
         if !wear.is_empty() {
