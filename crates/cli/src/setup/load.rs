@@ -87,6 +87,15 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) 
         let why = "a rigid edge needs a force or a prescribed approach";
         return Err(missing("load.force", why, "load.force = \"10 kN\""));
     }
+    let optimal = tasks.iter().find(|task| matches!(task, Task::Pressure | Task::Shape));
+    if let (None, Some(task)) = (load.force, optimal) {
+        let message = format!(
+            "the task \"{}\" needs the force: a prescribed approach does not say how much the pressure carries",
+            crate::setup::tasks::word(*task)
+        );
+        let remedy = "give load.force instead, or ask for tasks = [\"contact\"] or [\"wear\"]";
+        return Err(Fault::at("load.approach", "not-available", message, remedy));
+    }
     let axisymmetric = scene.kinematics == Some(Kinematics::Axisymmetric);
     if load.tilt.is_none() && !axisymmetric {
         load.moment.get_or_insert(Moment(0.0));
