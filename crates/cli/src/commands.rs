@@ -4,6 +4,7 @@ mod check;
 mod new;
 mod report;
 mod run;
+mod study;
 mod sweep;
 
 use std::ffi::OsString;
@@ -31,7 +32,7 @@ pub(crate) fn run(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -
         Command::Run(args) => run::run(&args),
         Command::Sweep(args) => sweep::run(&args),
         Command::Report(args) => report::run(&args),
-        Command::Study(_) => Err(not_available("study")),
+        Command::Study(args) => study::run(&args),
         Command::Reproduce(_) => Err(not_available("reproduce")),
     };
     outcome.unwrap_or_else(|fault| complain(&fault, json))

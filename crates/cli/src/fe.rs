@@ -12,6 +12,8 @@ mod template;
 mod torsion;
 mod wear;
 
+pub(crate) use shape::{StudyLevel, study};
+
 use crate::fault::Fault;
 use crate::setup::Problem;
 use crate::solution::{Solution, Status};

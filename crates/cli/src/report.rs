@@ -2,7 +2,7 @@
 
 mod curves;
 mod folder;
-mod line_plot;
+pub(crate) mod line_plot;
 mod page;
 mod summary;
 mod terminal;

@@ -15,11 +15,14 @@ use crate::fe::template::Cut;
 use crate::fe::torsion;
 use crate::profile::Profile;
 use crate::setup::Problem;
-use crate::solution::{EnergyResult, ShapeResult, Solution, Status};
+use crate::solution::{Counters, EnergyResult, ShapeResult, Solution, Status};
 use crate::solve::Options;
 
 /// Samples of the gap for the comparison of levels.
 const SAMPLES: usize = 201;
+
+/// Degrees of a study.
+const STUDY_DEGREES: [usize; 7] = [4, 6, 8, 10, 12, 14, 16];
 
 /// One solved level.
 struct Solved {
@@ -63,6 +66,43 @@ pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution
         }
     }
     finish(&shaper, solved, fixed, solution)
+}
+
+/// One level of a study.
+pub(crate) struct StudyLevel {
+    pub(crate) degree: usize,
+    pub(crate) layers: usize,
+    pub(crate) counters: Counters,
+    pub(crate) times: Vec<(String, f64)>,
+    /// Estimated error from this level and the two before it.
+    pub(crate) estimate: Option<f64>,
+    /// Difference from the finest level, `max |dg| / max g`; none for the finest itself.
+    pub(crate) error: Option<f64>,
+}
+
+/// Solves for the shape on a ladder of degrees and compares each level with the finest.
+pub(crate) fn study(problem: &Problem) -> Result<Vec<StudyLevel>, Fault> {
+    let stage = Stage::new(problem)?;
+    let no_pressure = |error: wear::WearError| {
+        Fault::at("wear", "wrong-value", error.to_string(), "give a load and a wear rule that have an optimal pressure")
+    };
+    let wear = crate::solve::pressure::wear_problem(&problem.scene, stage.patch, &problem.freedoms).map_err(no_pressure)?;
+    let optimum = wear::optimal_pressure(&wear).map_err(no_pressure)?;
+    let shaper = Shaper { stage, optimum: &optimum, feed: optimum.feed.clone().unwrap_or_default() };
+    let mut solved = Vec::new();
+    for degree in STUDY_DEGREES {
+        solved.push(shaper.level(Level::of(degree), Options::default())?);
+    }
+    let Some(finest) = solved.last() else { return Ok(Vec::new()) };
+    let rows = solved.iter().enumerate().map(|(i, level)| StudyLevel {
+        degree: level.level.degree,
+        layers: level.level.layers,
+        counters: level.solution.counters.clone(),
+        times: level.solution.times.clone(),
+        estimate: estimate(&solved[..=i]),
+        error: (i + 1 < solved.len()).then(|| difference_of_gaps(&level.gaps, &finest.gaps, &finest.closing)),
+    });
+    Ok(rows.collect())
 }
 
 /// Estimated `max |dg| / max g` of the last level, after the best rigid part is taken out of each difference.

@@ -10,5 +10,6 @@ mod json;
 mod pressure;
 mod resolved;
 mod set;
+mod study;
 mod sweep;
 mod templates;
