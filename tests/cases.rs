@@ -217,7 +217,7 @@ fn wear_in_time_arrives_at_the_steady_pressure_and_at_the_direct_shape() {
         }
         let largest = wanted.iter().copied().fold(0.0, f64::max);
         let error = found.iter().zip(&wanted).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) / largest;
-        assert!(error < 2e-6, "{scene}: {error:.2e}");
+        assert!(error < 1e-7, "{scene}: {error:.2e}");
     };
     arrives("punch-wear", &[], &[], &|x| vec![1.0, x / 30.0]);
     arrives("drum-brake-block", &["--set", "tasks=[wear]"], &["--set", "tasks=[shape]"], &|s| vec![(s / 200.0).cos()]);

@@ -61,7 +61,7 @@ impl Recorder {
     }
 
     /// Records one pass of an iteration, at the time of the step before.
-    #[allow(dead_code, reason = "wear in time records and goes on by it")]
+    #[allow(dead_code, reason = "reading back is tested; going on from it is not built yet")]
     pub(crate) fn iteration(&mut self, iteration: &Iteration) -> Result<(), Fault> {
         self.put(2, iteration)
     }
@@ -114,7 +114,7 @@ impl Recorder {
 }
 
 /// The finished steps of a recording, also of one that broke off.
-#[allow(dead_code, reason = "wear in time records and goes on by it")]
+#[allow(dead_code, reason = "reading back is tested; going on from it is not built yet")]
 pub(crate) fn steps(path: &Path) -> Result<Vec<(State, Points)>, Fault> {
     let bytes = std::fs::read(path).map_err(|error| unreadable(path, &error))?;
     let messages = mcap::MessageStream::new_with_options(&bytes, Options::IgnoreEndMagic.into())
@@ -142,7 +142,7 @@ fn unwritable(path: &Path, error: &impl std::fmt::Display) -> Fault {
     Fault::new("unwritable", message, "give a folder that can be written, with room on its disk: -o DIR")
 }
 
-#[allow(dead_code, reason = "wear in time records and goes on by it")]
+#[allow(dead_code, reason = "reading back is tested; going on from it is not built yet")]
 fn unreadable(path: &Path, error: &impl std::fmt::Display) -> Fault {
     let message = format!("cannot read the recording {}: {error}", path.display());
     Fault::new("unreadable", message, "run the scene again without --resume")

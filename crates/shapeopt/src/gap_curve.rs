@@ -26,7 +26,6 @@ impl GapCurve {
             let nodes = gauss_lobatto(edge.degree + 5).points;
             let range = [edge.start, edge.start + edge.curve.length()];
             let value = |t: &f64| {
-                // Stay on this edge at its ends.
                 let arc = range[0] + 0.5 * (1.0 + t) * (range[1] - range[0]);
                 shape.gap(pair, &pair.at_arc(arc))
             };

@@ -50,7 +50,11 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
         }
     };
     if solution.status == Status::Interrupted {
-        eprintln!("interrupted; continue with: wearshape run {} -o {} --resume", args.scene, target.display());
+        eprintln!(
+            "interrupted; run it again, from its start, with: wearshape run {} -o {} --resume",
+            args.scene,
+            target.display()
+        );
         return Ok(Exit::Interrupted);
     }
     solution.times.insert(0, ("setup".into(), ready));

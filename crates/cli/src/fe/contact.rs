@@ -43,6 +43,10 @@ pub(super) fn climb(
     let fixed = fixed_level(scene).is_some();
     let mut solved: Vec<Solved> = Vec::new();
     for level in ladder(scene) {
+        if crate::interrupt::asked() {
+            solution.status = Status::Interrupted;
+            return Ok(());
+        }
         solved.push(solve_level(level)?);
         let refused = solved.last().is_some_and(|s| s.refused.is_some());
         if refused || (!fixed && estimate(&solved).is_some_and(|e| e[0].max(e[1]) <= accuracy(scene))) {

@@ -60,6 +60,10 @@ pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution
     let fixed = stage.fixed_level().is_some();
     let mut solved: Vec<Solved> = Vec::new();
     for level in stage.ladder() {
+        if crate::interrupt::asked() {
+            solution.status = Status::Interrupted;
+            return Ok(());
+        }
         solved.push(shaper.level(level, options)?);
         if !fixed && estimate(&solved).is_some_and(|error| error <= stage.accuracy()) {
             break;
@@ -143,10 +147,13 @@ fn finish(shaper: &Shaper<'_>, mut solved: Vec<Solved>, fixed: bool, solution: &
     let accuracy = shaper.stage.accuracy();
     let levels = solved.len();
     let times: Vec<_> = solved.iter().map(|s| s.solution.times.clone()).collect();
-    let factorisations: usize = solved.iter().map(|s| s.solution.counters.factorisations).sum();
+    let total = |f: &dyn Fn(&Counters) -> usize| solved.iter().map(|s| f(&s.solution.counters)).sum::<usize>();
+    let (factorisations, checks) = (total(&|c| c.factorisations), total(&|c| c.check_solves));
     let Some(Solved { level, curve, solution: last, .. }) = solved.pop() else { return Ok(()) };
-    solution.counters = last.counters.clone();
-    solution.counters.factorisations = factorisations;
+    let before = std::mem::replace(&mut solution.counters, last.counters.clone());
+    solution.counters.factorisations = before.factorisations + factorisations;
+    solution.counters.contact_solves = before.contact_solves;
+    solution.counters.check_solves = checks;
     solution.energy = last.energy;
     solution.reactions = last.reactions;
     solution.profile = last.profile;
@@ -173,7 +180,7 @@ fn finish(shaper: &Shaper<'_>, mut solved: Vec<Solved>, fixed: bool, solution: &
         if let Some(shape) = &mut solution.shape {
             shape.roundtrip_independent = independent;
         }
-        solution.counters.check_solves += 2;
+        solution.counters.check_solves += 1;
     }
     Ok(())
 }
@@ -207,7 +214,10 @@ impl Shaper<'_> {
         }
         let most = (0..gaps.len()).max_by(|a, b| gaps[*a].total_cmp(&gaps[*b])).unwrap_or(0);
         let roundtrip_same = match stage.problem.plan.runs("round trip") {
-            true => Some(round_trip::same(self, &pair, &shape)?),
+            true => {
+                solution.counters.check_solves = 1;
+                Some(round_trip::same(self, &pair, &shape)?)
+            }
             false => None,
         };
         solution.shape = Some(ShapeResult {

@@ -14,7 +14,7 @@ pub(crate) const LOAD: &str = "@load";
 pub(crate) const AXIS: &str = "@axis";
 
 /// Ratio of the sizes of successive layers. Of 0.1, 0.15, 0.25 the last reached a given error of the drum gap with the least work
-/// in degrees 6 to 14.
+/// in degrees 6 to 12.
 const RATIO: f64 = 0.25;
 
 /// A coarse mesh and the points towards which it is to be graded.

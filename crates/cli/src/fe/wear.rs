@@ -17,7 +17,7 @@ use crate::profile::Profile;
 use crate::record;
 use crate::scene;
 use crate::setup::Problem;
-use crate::solution::{EnergyResult, Solution, Status, WearResult};
+use crate::solution::{Counters, EnergyResult, Solution, Status, WearResult};
 use crate::solve::Options;
 
 /// Samples of the gap for the comparison of levels.
@@ -42,6 +42,10 @@ pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution
     let fixed = stage.fixed_level().is_some();
     let mut solved: Vec<Solved> = Vec::new();
     for level in stage.ladder() {
+        if crate::interrupt::asked() {
+            solution.status = Status::Interrupted;
+            return Ok(());
+        }
         match run(stage, level, options)? {
             Ok(level) => solved.push(level),
             Err(reason) => {
@@ -54,6 +58,11 @@ pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution
         if stuck || (!fixed && estimate(&solved).is_some_and(|error| error <= stage.accuracy())) {
             break;
         }
+    }
+    // A run that the wish cut short says nothing about its end.
+    if crate::interrupt::asked() {
+        solution.status = Status::Interrupted;
+        return Ok(());
     }
     finish(stage, solved, fixed, solution);
     Ok(())
@@ -70,14 +79,14 @@ fn finish(stage: Stage<'_>, mut solved: Vec<Solved>, fixed: bool, solution: &mut
     let error = estimate(&solved);
     let levels = solved.len();
     let times: Vec<_> = solved.iter().map(|s| s.solution.times.clone()).collect();
-    let steps: usize = solved.iter().map(|s| s.solution.counters.wear_steps).sum();
-    let factorisations: usize = solved.iter().map(|s| s.solution.counters.factorisations).sum();
+    let total = |f: &dyn Fn(&Counters) -> usize| solved.iter().map(|s| f(&s.solution.counters)).sum::<usize>();
+    let (steps, factorisations, solves) = (total(&|c| c.wear_steps), total(&|c| c.factorisations), total(&|c| c.contact_solves));
     let Some(Solved { ended, solution: last, .. }) = solved.pop() else { return };
     add_times(&times, &mut solution.times);
     let before = solution.counters.clone();
     solution.counters = last.counters;
     solution.counters.factorisations = factorisations + before.factorisations;
-    solution.counters.contact_solves += before.contact_solves;
+    solution.counters.contact_solves = solves + before.contact_solves;
     solution.counters.check_solves = before.check_solves;
     solution.counters.wear_steps = steps;
     solution.wear = last.wear;
@@ -129,7 +138,7 @@ fn run(stage: Stage<'_>, level: Level, options: Options) -> Result<Result<Solved
     };
     let mut history = History::default();
     let mut states_in_time = Vec::new();
-    while *evolution.status() == EvolutionStatus::Running && evolution.state().step < MOST_STEPS {
+    while *evolution.status() == EvolutionStatus::Running && evolution.state().step < MOST_STEPS && !crate::interrupt::asked() {
         let Some(state) = evolution.next() else { break };
         history.push(&state);
         states_in_time.push(state);
