@@ -191,7 +191,7 @@ mod tests {
 
     #[test]
     fn what_was_recorded_reads_back_to_the_bit() {
-        let folder = tempfile::tempdir().unwrap();
+        let folder = temp_dir::TempDir::new().unwrap();
         let path = recorded(folder.path(), 20);
         let found = steps(&path).unwrap();
         assert_eq!(found.len(), 20);
@@ -211,7 +211,7 @@ mod tests {
 
     #[test]
     fn a_torn_recording_gives_back_every_finished_step() {
-        let folder = tempfile::tempdir().unwrap();
+        let folder = temp_dir::TempDir::new().unwrap();
         let path = recorded(folder.path(), 30);
         let bytes = std::fs::read(&path).unwrap();
         let mut last = 0;
@@ -228,14 +228,14 @@ mod tests {
 
     #[test]
     fn the_same_run_gives_the_same_bytes() {
-        let (one, two) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+        let (one, two) = (temp_dir::TempDir::new().unwrap(), temp_dir::TempDir::new().unwrap());
         let bytes = |folder: &Path| std::fs::read(recorded(folder, 5)).unwrap();
         assert!(bytes(one.path()) == bytes(two.path()));
     }
 
     #[test]
     fn rubbish_is_no_recording_and_no_panic() {
-        let folder = tempfile::tempdir().unwrap();
+        let folder = temp_dir::TempDir::new().unwrap();
         let path = folder.path().join("run.mcap");
         for rubbish in [&b""[..], b"hello", &[0x89, b'M', b'C', b'A', b'P', b'0', b'\r', b'\n', 1, 2, 3]] {
             std::fs::write(&path, rubbish).unwrap();

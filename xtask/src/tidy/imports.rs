@@ -61,7 +61,7 @@ const TABLE: &[Row] = &[
 ];
 
 /// Allowed in `[dev-dependencies]` of every package.
-const FOR_TESTS: &[&str] = &["approx", "proptest", "insta", "tempfile", "serde_json", "toml", "divan"];
+const FOR_TESTS: &[&str] = &["approx", "proptest", "insta", "temp_dir", "serde_json", "toml", "divan"];
 
 const OURS: &[&str] = &["hpfem", "contact", "wear", "shapeopt", "cli", "xtask"];
 

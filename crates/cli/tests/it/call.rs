@@ -5,7 +5,7 @@ use std::process::{Command, Output};
 
 /// A folder that vanishes with the test.
 pub(crate) struct Bench {
-    folder: tempfile::TempDir,
+    folder: temp_dir::TempDir,
 }
 
 /// What a call left behind.
@@ -17,7 +17,7 @@ pub(crate) struct Call {
 
 impl Bench {
     pub(crate) fn new() -> Bench {
-        Bench { folder: tempfile::tempdir().unwrap() }
+        Bench { folder: temp_dir::TempDir::new().unwrap() }
     }
 
     pub(crate) fn path(&self, name: &str) -> PathBuf {
