@@ -12,7 +12,8 @@ mod template;
 mod torsion;
 mod wear;
 
-pub(crate) use shape::{StudyLevel, study};
+pub(crate) use shape::difference_of_gaps;
+pub(crate) use stage::rest;
 
 use crate::fault::Fault;
 use crate::setup::Problem;

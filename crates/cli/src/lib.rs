@@ -26,6 +26,7 @@ mod scene;
 mod setup;
 mod solution;
 mod solve;
+mod study;
 mod surface;
 mod tree;
 mod units;

@@ -12,7 +12,7 @@ use crate::fault::{Fault, Place};
 use crate::report::{self, Folder};
 use crate::setup::setup;
 use crate::solution::Status;
-use crate::solve::{Options, solve};
+use crate::solve::{Options, Sampling, solve};
 
 /// Computes a scene and writes its folder.
 pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
@@ -78,14 +78,14 @@ pub(crate) fn exit_of(status: Status) -> Exit {
 }
 
 /// The options that reach the solver.
-pub(crate) fn options(common: &Common) -> Result<Options, Fault> {
+pub(crate) fn options(common: &Common) -> Result<Options<'_>, Fault> {
     if let Some(sample) = common.sample.filter(|sample| !(2..=10_000_000).contains(sample)) {
         return Err(Fault {
             place: Some(Place::Flag(format!("--sample {sample}"))),
             ..Fault::new("wrong-flag", format!("--sample {sample} is out of range"), "ask for 2 points or more")
         });
     }
-    Ok(Options { sample: common.sample })
+    Ok(Options { sample: common.sample.map(Sampling::Even), alone: false })
 }
 
 /// Does the work on the number of threads asked for.

@@ -1,18 +1,18 @@
 //! `wearshape study`: error against run time, degree by degree.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::args::StudyArgs;
 use crate::commands::run::with_threads;
 use crate::commands::{print_json, print_out};
 use crate::document::Document;
 use crate::exit::Exit;
-use crate::fault::Fault;
-use crate::fe::{StudyLevel, study};
+use crate::fault::{Fault, Place};
 use crate::profile::number_text;
 use crate::report::line_plot::{Axis, LinePlot, Series, line_plot};
 use crate::report::{self, Folder};
 use crate::setup::setup;
+use crate::study::{DEGREES, Level, Quantity, Truth, outermost, study};
 
 /// Columns of study.csv.
 const COLUMNS: [&str; 12] = [
@@ -30,27 +30,29 @@ const COLUMNS: [&str; 12] = [
     "error_true",
 ];
 
-/// Solves the shape of a scene on a ladder of degrees and writes study.csv, study.json and study.svg.
+/// Solves a scene on a ladder of degrees and writes study.csv, study.json and study.svg.
 pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
     let common = &args.common;
     let document = Document::open(&args.scene, &common.set)?;
     let problem = setup(&document)?;
-    if !problem.plan.runs("shape") {
-        let remedy = "add the task: --set tasks=[pressure,shape]";
-        return Err(Fault::new("not-available", "study compares shapes, and this scene asks for none", remedy));
-    }
-    if args.reference.is_some() {
-        let remedy = "leave --reference out: the finest degree is the truth";
-        return Err(Fault::new("not-available", "--reference is not available yet", remedy));
-    }
+    let Some(quantity) = Quantity::of(&problem) else {
+        let remedy = "add a task with elastic bodies: --set tasks=[pressure,shape]";
+        return Err(Fault::new("not-available", "study compares meshes, and this scene needs none", remedy));
+    };
+    let truth = args.reference.as_deref().map(reference).transpose()?;
     crate::fe::available(&problem).map_err(|fault| document.locate(fault))?;
     let target = common.output.clone().unwrap_or_else(|| PathBuf::from("out").join(format!("{}-study", problem.name)));
     if common.dry_run {
-        print_out(&format!("would solve 7 degrees and write {}\n", target.display()));
+        print_out(&format!("would solve {} degrees and write {}\n", DEGREES.len(), target.display()));
         return Ok(Exit::Done);
     }
+    let against = match &args.reference {
+        Some(folder) => folder.display().to_string(),
+        None => "the finest degree".into(),
+    };
+    let resolved = report::resolved(&problem)?;
     let folder = Folder::begin(&target, false)?;
-    let levels = match with_threads(common, || study(&problem))? {
+    let levels = match with_threads(common, || study(&args.scene, &common.set, truth))? {
         Ok(levels) => levels,
         Err(fault) => {
             folder.discard();
@@ -66,68 +68,118 @@ pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
         let known = COLUMNS.iter().zip(row).filter(|(_, value)| value.is_finite());
         known.map(|(name, value)| (name.to_string(), serde_json::json!(value))).collect::<serde_json::Map<_, _>>().into()
     };
-    let document = serde_json::json!({
+    let summary = serde_json::json!({
         "schema_version": report::SCHEMA_VERSION,
         "version": env!("CARGO_PKG_VERSION"),
         "scene": problem.name,
-        "quantity": "max |dg| / max g, rigid part removed; error_true against the finest degree",
+        "scene_sha256": report::sha256(&resolved),
+        "quantity": quantity.description(),
+        "truth": against,
         "levels": rows.iter().map(object).collect::<Vec<_>>(),
     });
     folder.write("study.csv", &table)?;
-    folder.write("study.json", &report::pretty(&document))?;
-    folder.write("study.svg", &line_plot(&picture(&problem.name, &rows)))?;
-    folder.write("scene.resolved.toml", &report::resolved(&problem)?)?;
+    folder.write("study.json", &report::pretty(&summary))?;
+    folder.write("study.svg", &line_plot(&picture(&problem.name, quantity, &against, &rows)))?;
+    folder.write("scene.resolved.toml", &resolved)?;
     // Marks the folder as ours, so that the next study may replace it.
-    folder.write("summary.json", &report::pretty(&document))?;
+    folder.write("summary.json", &report::pretty(&summary))?;
     folder.finish()?;
     if common.json {
-        print_json(&document);
+        print_json(&summary);
     } else if !common.quiet {
-        print_out(&screen(&rows, &target));
+        print_out(&screen(&rows, quantity, &target));
     }
     Ok(Exit::Done)
 }
 
-fn row(level: &StudyLevel) -> [f64; 12] {
-    let seconds = |stage: &str| level.times.iter().filter(|(name, _)| name == stage).map(|(_, s)| s).sum::<f64>();
+/// The results in the folder of a run, as the truth.
+fn reference(folder: &Path) -> Result<Truth, Fault> {
+    let fault = |message: String| Fault {
+        place: Some(Place::Flag(format!("--reference {}", folder.display()))),
+        ..Fault::new("no-reference", message, "give the folder of a finished run of the same scene: wearshape run SCENE -o DIR")
+    };
+    let read = |name: &str| {
+        let path = folder.join(name);
+        std::fs::read_to_string(&path).map_err(|error| fault(format!("cannot read {}: {error}", path.display())))
+    };
+    let table = read("contact.csv")?;
+    let mut lines = table.lines();
+    let header: Vec<&str> = lines.next().unwrap_or_default().split(',').collect();
+    let cells: Vec<Vec<&str>> = lines.map(|line| line.split(',').collect()).collect();
+    let column = |name: &str| -> Result<Vec<f64>, Fault> {
+        let at = header.iter().position(|known| *known == name);
+        let numbers = at.map(|at| cells.iter().map(|row| row.get(at)?.parse().ok()).collect::<Option<Vec<f64>>>());
+        numbers.flatten().ok_or_else(|| fault(format!("contact.csv has no column `{name}` of numbers")))
+    };
+    let vectors = |names: [&str; 3]| -> Result<Vec<[f64; 3]>, Fault> {
+        let [x, y, z] = [column(names[0])?, column(names[1])?, column(names[2])?];
+        Ok((0..x.len()).map(|i| [x[i], y[i], z[i]]).collect())
+    };
+    let summary: serde_json::Value =
+        serde_json::from_str(&read("summary.json")?).map_err(|error| fault(format!("summary.json is not JSON: {error}")))?;
+    let energy = |body: &str| summary["energy"][body].as_f64();
+    let ends: Vec<f64> = summary["contact"]["ends_mm"].as_array().into_iter().flatten().filter_map(|end| end.as_f64()).collect();
+    let s = column("s_mm")?;
+    if s.len() < 3 {
+        return Err(fault(format!("contact.csv has {} points", s.len())));
+    }
+    Ok(Truth {
+        position: vectors(["x_mm", "y_mm", "z_mm"])?,
+        normal: vectors(["nx", "ny", "nz"])?,
+        pressure: column("pressure_MPa")?,
+        gap: column("gap_um")?,
+        ends: outermost(&ends, &s),
+        energy: energy("body1_Nmm").map(|first| first + energy("body2_Nmm").unwrap_or(0.0)),
+        s,
+    })
+}
+
+fn row(level: &Level) -> [f64; 12] {
+    let seconds = |stages: &[&str]| -> f64 {
+        level.times.iter().filter(|(name, _)| stages.contains(&name.as_str())).map(|(_, seconds)| seconds).sum()
+    };
     [
         level.degree as f64,
         level.layers as f64,
         level.counters.dofs as f64,
         level.counters.trace_dofs as f64,
-        seconds("mesh"),
-        seconds("assemble"),
-        seconds("factor"),
-        seconds("interface"),
-        seconds("shape"),
+        seconds(&["mesh"]),
+        seconds(&["assemble"]),
+        seconds(&["factor"]),
+        seconds(&["interface"]),
+        seconds(&["contact", "shape", "evolution"]),
         level.times.iter().map(|(_, s)| s).sum(),
         level.estimate.unwrap_or(f64::NAN),
         level.error.unwrap_or(f64::NAN),
     ]
 }
 
-fn picture(name: &str, rows: &[[f64; 12]]) -> LinePlot {
-    let series = |label: &str, column: usize, dashed: bool| Series {
-        name: label.to_string(),
+fn picture(name: &str, quantity: Quantity, against: &str, rows: &[[f64; 12]]) -> LinePlot {
+    let series = |label: String, column: usize, dashed: bool| Series {
+        name: label,
         points: rows.iter().filter(|row| row[column].is_finite()).map(|row| (row[9], row[column])).collect(),
         marks: true,
         dashed,
     };
+    let (what, y_label) = match quantity {
+        Quantity::Gap => ("the gap", "max |dg| / max g"),
+        Quantity::Contact => ("the contact", "relative error of energy and pressure"),
+    };
     LinePlot {
-        title: format!("{name}: error of the gap against run time"),
+        title: format!("{name}: error of {what} against run time"),
         x_label: "seconds".into(),
-        y_label: "max |dg| / max g".into(),
+        y_label: y_label.into(),
         axes: [Axis::Logarithmic, Axis::Logarithmic],
         from_zero: false,
-        series: vec![series("against the finest degree", 11, false), series("estimated", 10, true)],
+        series: vec![series(format!("against {against}"), 11, false), series("estimated".into(), 10, true)],
     }
 }
 
-fn screen(rows: &[[f64; 12]], target: &std::path::Path) -> String {
+fn screen(rows: &[[f64; 12]], quantity: Quantity, target: &Path) -> String {
     let mut out = String::from("degree  unknowns   seconds  estimated      true\n");
     let number = |value: f64| if value.is_finite() { format!("{value:.1e}") } else { "-".into() };
     for row in rows {
         out += &format!("{:>6}  {:>8}  {:>8.4}  {:>9}  {:>8}\n", row[0], row[2], row[9], number(row[10]), number(row[11]));
     }
-    out + &format!("files     {}\n", target.display())
+    out + &format!("error     {}\nfiles     {}\n", quantity.description(), target.display())
 }

@@ -13,7 +13,7 @@ use crate::profile::Profile;
 use crate::scene::Scene;
 use crate::setup::Problem;
 use crate::solution::{ContactResult, EnergyResult, Solution, Status};
-use crate::solve::Options;
+use crate::solve::{CURVE, Options, Sampling};
 
 /// Samples of the pressure for the comparison of levels, over the inner 95 % of the surface.
 const SAMPLES: usize = 191;
@@ -31,18 +31,19 @@ pub(super) struct Solved {
 /// Solves the contact and fills in the solution.
 pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution) -> Result<(), Fault> {
     let stage = Stage::new(problem)?;
-    climb(stage.scene(), solution, |level| solve_level(stage, level, options))
+    climb(stage.scene(), options, solution, |level| solve_level(stage, level, options))
 }
 
 /// Solves level after level until the estimated errors are below the accuracy asked for, and keeps the last one.
 pub(super) fn climb(
     scene: &Scene,
+    options: Options,
     solution: &mut Solution,
     mut solve_level: impl FnMut(Level) -> Result<Solved, Fault>,
 ) -> Result<(), Fault> {
     let fixed = fixed_level(scene).is_some();
     let mut solved: Vec<Solved> = Vec::new();
-    for level in ladder(scene) {
+    for level in ladder(scene, options) {
         if crate::interrupt::asked() {
             solution.status = Status::Interrupted;
             return Ok(());
@@ -134,8 +135,8 @@ fn solve_level(stage: Stage<'_>, level: Level, options: Options) -> Result<Solve
     let inner: Vec<f64> = (0..SAMPLES).map(|i| length * (0.025 + 0.95 * i as f64 / (SAMPLES - 1) as f64)).collect();
     let pressure = inner.iter().map(|arc| pressure_at(&pair, &operator, &found.pressure, *arc)).collect();
     let own = stage.profile(&pair, operator.points(), &found.pressure, states);
-    let sampled = |count: usize| -> Profile {
-        let points = stage.sample(&pair, count);
+    let sampled = |sampling: Sampling<'_>| -> Profile {
+        let points = stage.sample(&pair, sampling);
         let pressure: Vec<f64> = points.iter().map(|p| pressure_at(&pair, &operator, &found.pressure, p.arc)).collect();
         let mut profile = stage.profile(&pair, &points, &pressure, states);
         let arcs: Vec<f64> = operator.points().iter().map(|p| p.arc).collect();
@@ -146,7 +147,7 @@ fn solve_level(stage: Stage<'_>, level: Level, options: Options) -> Result<Solve
         profile
     };
     let mut profile = match options.sample {
-        Some(count) => sampled(count),
+        Some(sampling) => sampled(sampling),
         None => own,
     };
     if options.sample.is_none() {
@@ -155,7 +156,7 @@ fn solve_level(stage: Stage<'_>, level: Level, options: Options) -> Result<Solve
         profile.status = found.closed.iter().map(|closed| if *closed { "contact" } else { "open" }).collect();
     }
     solution.profile = Some(profile);
-    solution.curve = Some(sampled(401));
+    solution.curve = Some(sampled(CURVE));
     let refused = (!found.status.is_solved() || found.status == ContactStatus::NoContact).then(|| found.status.to_string());
     Ok(Solved { energy: energy[0] + energy[1], pressure, refused, solution })
 }

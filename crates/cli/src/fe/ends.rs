@@ -21,7 +21,7 @@ use crate::gap::Gap;
 use crate::scene::{Body as SceneBody, Component, Scene, Task};
 use crate::setup::Problem;
 use crate::solution::{ContactResult, EnergyResult, Solution, Status};
-use crate::solve::Options;
+use crate::solve::{CURVE, Options};
 
 /// Samples of the pressure for the comparison of levels, over the inner 95 % of the contact.
 const SAMPLES: usize = 191;
@@ -79,7 +79,7 @@ pub(super) fn available(problem: &Problem, couple: &Couple) -> Result<(), Fault>
 pub(super) fn solve(problem: &Problem, couple: &Couple, options: Options, solution: &mut Solution) -> Result<(), Fault> {
     let setting = Setting::new(&problem.scene, couple);
     let done = setting.trial().and_then(|mut nodes| {
-        climb(&problem.scene, solution, |level| {
+        climb(&problem.scene, options, solution, |level| {
             let mut work = Solution::default();
             nodes = setting.position(level, &nodes, &mut work)?;
             setting.result(level, &nodes, options, work)
@@ -317,10 +317,10 @@ impl<'a> Setting<'a> {
         let pressure = (0..SAMPLES).map(|i| rows.pressure_at(0.95 * end * i as f64 / (SAMPLES - 1) as f64)).collect();
         work.contact = Some(self.contact_result(&rows));
         work.profile = Some(match options.sample {
-            Some(count) => rows.sampled(count),
+            Some(sampling) => rows.sampled(sampling),
             None => rows.own(),
         });
-        work.curve = Some(rows.sampled(401));
+        work.curve = Some(rows.sampled(CURVE));
         let solved = found.status.is_solved() && found.status != ContactStatus::NoContact;
         let refused = (!solved).then(|| found.status.to_string());
         Ok(Solved { energy: energy[0] + energy[1], pressure, refused, solution: work })

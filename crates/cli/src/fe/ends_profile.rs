@@ -7,6 +7,7 @@ use crate::fe::bodies::MEAN_COLUMNS;
 use crate::fe::ends::{Setting, displacement};
 use crate::fe::half_disc::CANDIDATE;
 use crate::profile::Profile;
+use crate::solve::{Sampling, trapezoid_weights};
 
 /// A solved contact with the ends its nodes stand on.
 pub(super) struct Rows<'r> {
@@ -79,20 +80,20 @@ impl Rows<'_> {
         self.profile(&places)
     }
 
-    /// Points evenly spaced in x over the candidate surface, with trapezoid weights.
-    pub(super) fn sampled(&self, count: usize) -> Profile {
+    /// Points of the candidate surface, with trapezoid weights in x.
+    pub(super) fn sampled(&self, sampling: Sampling<'_>) -> Profile {
         let end = CANDIDATE * self.nodes[self.nodes.len() - 1];
         let from = if self.setting.revolved() { 0.0 } else { -end };
-        let last = count.max(2) - 1;
-        let step = (end - from) / last as f64;
         let start = if self.setting.couple.whole { -end } else { 0.0 };
-        let places: Vec<Place> = (0..=last)
-            .map(|i| {
-                let x = if i == last { end } else { from + step * i as f64 };
+        let at = sampling.places([from, end]);
+        let places: Vec<Place> = at
+            .iter()
+            .zip(trapezoid_weights(&at))
+            .map(|(x, weight)| {
+                let x = *x;
                 let mirrored = self.halved() && x < 0.0;
                 let mut point = self.pair.at_arc((if mirrored { -x } else { x } - start).max(0.0));
-                let share = if i == 0 || i == last { 0.5 } else { 1.0 };
-                point.weight = share * step * self.pair.shaped.kinematics.measure(point.position[0]);
+                point.weight = weight * self.pair.shaped.kinematics.measure(point.position[0]);
                 Place { point, node: None, mirrored }
             })
             .collect();

@@ -16,13 +16,10 @@ use crate::fe::torsion;
 use crate::profile::Profile;
 use crate::setup::Problem;
 use crate::solution::{Counters, EnergyResult, ShapeResult, Solution, Status};
-use crate::solve::Options;
+use crate::solve::{CURVE, Options};
 
 /// Samples of the gap for the comparison of levels.
 const SAMPLES: usize = 201;
-
-/// Degrees of a study.
-const STUDY_DEGREES: [usize; 7] = [4, 6, 8, 10, 12, 14, 16];
 
 /// One solved level.
 struct Solved {
@@ -59,7 +56,7 @@ pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution
     let shaper = Shaper { stage, optimum: &optimum, feed: optimum.feed.clone().unwrap_or_default() };
     let fixed = stage.fixed_level().is_some();
     let mut solved: Vec<Solved> = Vec::new();
-    for level in stage.ladder() {
+    for level in stage.ladder(options) {
         if crate::interrupt::asked() {
             solution.status = Status::Interrupted;
             return Ok(());
@@ -72,43 +69,6 @@ pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution
     finish(&shaper, solved, fixed, solution)
 }
 
-/// One level of a study.
-pub(crate) struct StudyLevel {
-    pub(crate) degree: usize,
-    pub(crate) layers: usize,
-    pub(crate) counters: Counters,
-    pub(crate) times: Vec<(String, f64)>,
-    /// Estimated error from this level and the two before it.
-    pub(crate) estimate: Option<f64>,
-    /// Difference from the finest level, `max |dg| / max g`; none for the finest itself.
-    pub(crate) error: Option<f64>,
-}
-
-/// Solves for the shape on a ladder of degrees and compares each level with the finest.
-pub(crate) fn study(problem: &Problem) -> Result<Vec<StudyLevel>, Fault> {
-    let stage = Stage::new(problem)?;
-    let no_pressure = |error: wear::WearError| {
-        Fault::at("wear", "wrong-value", error.to_string(), "give a load and a wear rule that have an optimal pressure")
-    };
-    let wear = crate::solve::pressure::wear_problem(&problem.scene, stage.patch, &problem.freedoms).map_err(no_pressure)?;
-    let optimum = wear::optimal_pressure(&wear).map_err(no_pressure)?;
-    let shaper = Shaper { stage, optimum: &optimum, feed: optimum.feed.clone().unwrap_or_default() };
-    let mut solved = Vec::new();
-    for degree in STUDY_DEGREES {
-        solved.push(shaper.level(Level::of(degree), Options::default())?);
-    }
-    let Some(finest) = solved.last() else { return Ok(Vec::new()) };
-    let rows = solved.iter().enumerate().map(|(i, level)| StudyLevel {
-        degree: level.level.degree,
-        layers: level.level.layers,
-        counters: level.solution.counters.clone(),
-        times: level.solution.times.clone(),
-        estimate: estimate(&solved[..=i]),
-        error: (i + 1 < solved.len()).then(|| difference_of_gaps(&level.gaps, &finest.gaps, &finest.closing)),
-    });
-    Ok(rows.collect())
-}
-
 /// Estimated `max |dg| / max g` of the last level, after the best rigid part is taken out of each difference.
 fn estimate(solved: &[Solved]) -> Option<f64> {
     let difference = |a: &Solved, b: &Solved| difference_of_gaps(&a.gaps, &b.gaps, &b.closing);
@@ -118,7 +78,7 @@ fn estimate(solved: &[Solved]) -> Option<f64> {
 
 /// `max |a - b| / max b` of two sampled gaps, after the best combination of closing velocities (one column a mode) is taken out
 /// of the difference.
-pub(super) fn difference_of_gaps(a: &[f64], b: &[f64], closing: &DMatrix<f64>) -> f64 {
+pub(crate) fn difference_of_gaps(a: &[f64], b: &[f64], closing: &DMatrix<f64>) -> f64 {
     let largest = b.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
     let difference = DVector::from_iterator(a.len(), a.iter().zip(b).map(|(x, y)| x - y));
     let mut modes = closing.clone();
@@ -234,13 +194,13 @@ impl Shaper<'_> {
             body2_Nmm: pair.counter.zip(shape.counter.as_ref()).map(|(body, state)| body.strain_energy(state)),
         });
         solution.reactions = parts.reactions(&bodies, states(&shape));
-        let points = options.sample.map_or_else(|| pair.points(), |count| stage.sample(&pair, count));
+        let points = options.sample.map_or_else(|| pair.points(), |sampling| stage.sample(&pair, sampling));
         let mut profile = self.profile(&pair, &shape, &points);
         if stage.problem.plan.runs("torsion") {
             torsion::fill(self, level, &points, &mut profile, &mut solution)?;
         }
         solution.profile = Some(profile);
-        solution.curve = Some(self.profile(&pair, &shape, &stage.sample(&pair, 401)));
+        solution.curve = Some(self.profile(&pair, &shape, &stage.sample(&pair, CURVE)));
         Ok(Solved { level, gaps, closing: modes, curve: GapCurve::of(&shape, &pair), solution })
     }
 

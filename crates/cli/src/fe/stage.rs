@@ -13,6 +13,7 @@ use crate::profile::Profile;
 use crate::scene::{LoadKind, Scene};
 use crate::setup::Problem;
 use crate::solution::{Reaction, Solution};
+use crate::solve::{Options, Sampling, trapezoid_weights};
 use crate::surface::Patch;
 
 /// First and last degree of the ladder, and its step.
@@ -57,8 +58,8 @@ impl<'a> Stage<'a> {
     }
 
     /// The levels to solve: up to the fixed one, or until the caller has enough.
-    pub(super) fn ladder(&self) -> Vec<Level> {
-        ladder(self.scene())
+    pub(super) fn ladder(&self, options: Options) -> Vec<Level> {
+        ladder(self.scene(), options)
     }
 
     /// Meshes, supports and loads of both bodies.
@@ -142,19 +143,17 @@ impl<'a> Stage<'a> {
         }
     }
 
-    /// Evenly spaced points of the path with trapezoid weights.
-    pub(super) fn sample(&self, pair: &Pair<'_>, count: usize) -> Vec<ContactPoint> {
-        let length = pair.shaped.trace.length();
-        let kinematics = pair.shaped.kinematics;
-        let last = count.max(2) - 1;
-        (0..=last)
-            .map(|i| {
-                let mut point = pair.at_arc(length * i as f64 / last as f64);
-                let share = if i == 0 || i == last { 0.5 } else { 1.0 };
-                point.weight = share * length / last as f64 * kinematics.measure(point.position[0]);
-                point
-            })
-            .collect()
+    /// Points of the path with trapezoid weights.
+    pub(super) fn sample(&self, pair: &Pair<'_>, sampling: Sampling<'_>) -> Vec<ContactPoint> {
+        let start = self.start(pair);
+        let places = sampling.places([start, start + pair.shaped.trace.length()]);
+        let weights = trapezoid_weights(&places);
+        let place = |(s, weight): (&f64, f64)| {
+            let mut point = pair.at_arc(s - start);
+            point.weight = weight * pair.shaped.kinematics.measure(point.position[0]);
+            point
+        };
+        places.iter().zip(weights).map(place).collect()
     }
 
     /// Columns that follow from a pressure and the states of both bodies.
@@ -254,9 +253,10 @@ pub(super) fn fixed_level(scene: &Scene) -> Option<Level> {
 }
 
 /// The levels to solve of a scene.
-pub(super) fn ladder(scene: &Scene) -> Vec<Level> {
+pub(super) fn ladder(scene: &Scene, options: Options) -> Vec<Level> {
     let [first, last, step] = DEGREES;
     match fixed_level(scene) {
+        Some(level) if options.alone => vec![level],
         None => (first..=last).step_by(step).map(Level::of).collect(),
         Some(level) => [4, 2, 0]
             .iter()
@@ -290,7 +290,7 @@ pub(super) fn add_times(levels: &[Vec<(String, f64)>], times: &mut Vec<(String, 
 /// Estimated error of the last of at least three levels from the differences of successive ones, `older` and `newer`: they fall
 /// nearly like a geometric series, and since the fall slows down the ratio enters with the power 3/4 (true error over estimate
 /// between 0.3 and 1 on the drum in degrees 8 to 14).
-pub(super) fn rest(older: f64, newer: f64) -> f64 {
+pub(crate) fn rest(older: f64, newer: f64) -> f64 {
     if newer == 0.0 {
         return f64::EPSILON;
     }

@@ -18,7 +18,7 @@ use crate::record;
 use crate::scene;
 use crate::setup::Problem;
 use crate::solution::{Counters, EnergyResult, Solution, Status, WearResult};
-use crate::solve::Options;
+use crate::solve::{CURVE, Options, Sampling};
 
 /// Samples of the gap for the comparison of levels.
 const SAMPLES: usize = 201;
@@ -41,7 +41,7 @@ pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution
     let stage = Stage::new(problem)?;
     let fixed = stage.fixed_level().is_some();
     let mut solved: Vec<Solved> = Vec::new();
-    for level in stage.ladder() {
+    for level in stage.ladder(options) {
         if crate::interrupt::asked() {
             solution.status = Status::Interrupted;
             return Ok(());
@@ -189,8 +189,8 @@ fn run(stage: Stage<'_>, level: Level, options: Options) -> Result<Result<Solved
     let mut profile = stage.profile(&pair, operator.points(), &state.pressure, states);
     profile.gap = normalised.iter().map(|g| 1e3 * g).collect();
     profile.opening = state.opening.iter().map(|g| 1e3 * g).collect();
-    let sampled = |count: usize| -> Profile {
-        let points = stage.sample(&pair, count);
+    let sampled = |sampling: Sampling<'_>| -> Profile {
+        let points = stage.sample(&pair, sampling);
         let at = |values: &[f64], arc: f64| polynomial_at(&pair, &operator, values, arc);
         let pressure: Vec<f64> = points.iter().map(|p| pressure_at(&pair, &operator, &state.pressure, p.arc)).collect();
         let mut profile = stage.profile(&pair, &points, &pressure, states);
@@ -200,14 +200,14 @@ fn run(stage: Stage<'_>, level: Level, options: Options) -> Result<Result<Solved
         }
         profile
     };
-    let samples = stage.sample(&pair, SAMPLES);
+    let samples = stage.sample(&pair, Sampling::Even(SAMPLES));
     let gaps = samples.iter().map(|p| polynomial_at(&pair, &operator, &normalised, p.arc)).collect();
     let modes = pair.shaped.rigid_modes.ncols();
     let mut matrix = DMatrix::zeros(SAMPLES, modes);
     for (row, point) in samples.iter().enumerate() {
         closing(&pair, point).into_iter().enumerate().for_each(|(k, phi)| matrix[(row, k)] = phi);
     }
-    solution.curve = Some(sampled(401));
+    solution.curve = Some(sampled(CURVE));
     solution.profile = Some(options.sample.map_or(profile, sampled));
     Ok(Ok(Solved { gaps, closing: matrix, ended, solution }))
 }

@@ -8,7 +8,7 @@ use crate::profile::Profile;
 use crate::scene::{self, Balance, Functional, Modes, Scene};
 use crate::setup::{self, Problem};
 use crate::solution::{ByRole, ErrorResult, PointForce, PressureResult, Solution, Status};
-use crate::solve::Options;
+use crate::solve::{Options, Sampling};
 use crate::surface::Patch;
 use crate::units::Pair;
 
@@ -25,8 +25,8 @@ pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution
         Ok(optimum) => {
             describe(&mut result, &optimum, &problem.freedoms, wear.wear.active);
             let points = match options.sample {
-                Some(count) => patch.surface.sample(count),
-                None => optimum.points.clone(),
+                Some(Sampling::Even(count)) => patch.surface.sample(count),
+                _ => optimum.points.clone(),
             };
             solution.profile = Some(profile(&wear, patch, &optimum, points));
             solution.curve = Some(profile(&wear, patch, &optimum, patch.surface.sample(401)));

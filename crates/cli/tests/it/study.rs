@@ -21,6 +21,41 @@ fn a_study_shows_the_error_fall_and_its_estimate_follow() {
     assert!(bench.read("out/study.svg").contains("<svg"));
 }
 
+/// The columns error_estimate and error_true of a study's table.
+fn errors(bench: &Bench) -> Vec<[f64; 2]> {
+    let row = |line: &str| {
+        let numbers: Vec<f64> = line.split(',').map(|v| v.parse().unwrap()).collect();
+        [numbers[10], numbers[11]]
+    };
+    bench.read("out/study.csv").lines().skip(1).map(row).collect()
+}
+
+#[test]
+fn contacts_and_runs_in_time_can_be_studied() {
+    for settings in [["punch-wear", "wear.b=1"], ["hertz-cylinder", "load.force=350"]] {
+        let bench = Bench::new();
+        let call = bench.call_with(&["study", settings[0], "--set", settings[1], "-o", "out"]);
+        assert_eq!(call.code, 0, "{}", call.err);
+        let errors = errors(&bench);
+        assert!(errors[5][1] < 1e-3 * errors[1][1], "{errors:?}");
+        assert!(errors[2..6].iter().all(|[estimate, truth]| *estimate < 10.0 * truth && *truth < 10.0 * estimate), "{errors:?}");
+    }
+}
+
+#[test]
+fn a_study_against_a_finished_run_measures_every_degree_at_its_points() {
+    let bench = Bench::new();
+    assert_eq!(bench.call_with(&["run", "drum-brake-block", "--set", "mesh.degree=16", "-o", "ref"]).code, 0);
+    let call = bench.call_with(&["study", "drum-brake-block", "--reference", "ref", "-o", "out"]);
+    assert_eq!(call.code, 0, "{}", call.err);
+    let errors = errors(&bench);
+    // The finest level has the discretisation of the run: what is left is the order of the sums.
+    assert!(errors[6][1] < 1e-12 && errors[5][1] > 1e-10 && errors[5][1] < 1e-7, "{errors:?}");
+    let call = bench.call_with(&["study", "drum-brake-block", "--reference", "nowhere", "-o", "out"]);
+    assert_eq!(call.code, 2);
+    assert!(call.err.contains("--reference nowhere"), "{}", call.err);
+}
+
 #[test]
 fn a_study_of_a_scene_without_a_shape_says_what_to_ask_for() {
     let bench = Bench::new();

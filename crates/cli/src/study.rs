@@ -1,0 +1,196 @@
+//! Error against run time: a scene solved on rising degrees, each one alone, and compared with a truth.
+
+use nalgebra::{DMatrix, Vector3};
+
+use crate::document::Document;
+use crate::fault::Fault;
+use crate::fe::{difference_of_gaps, rest};
+use crate::profile::Profile;
+use crate::setup::{Problem, setup};
+use crate::solution::{Counters, Solution, Status};
+use crate::solve::{CURVE, Options, Sampling, solve, trapezoid_weights};
+
+/// Degrees of a study.
+pub(crate) const DEGREES: [usize; 7] = [4, 6, 8, 10, 12, 14, 16];
+
+/// What is compared: the result of the last task.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Quantity {
+    /// The gap of the shape, or of the worn bodies at the end: `max |dg| / max g`, the best rigid part removed.
+    Gap,
+    /// The contact: the larger of the relative errors of the energy and of the pressure (L2 over the inner 95 % of the contact).
+    Contact,
+}
+
+impl Quantity {
+    /// Of a scene; `None` if it computes no elastic bodies.
+    pub(crate) fn of(problem: &Problem) -> Option<Quantity> {
+        if problem.plan.runs("evolution") || problem.plan.runs("shape") {
+            Some(Quantity::Gap)
+        } else {
+            problem.plan.runs("contact").then_some(Quantity::Contact)
+        }
+    }
+
+    /// Its definition in a sentence.
+    pub(crate) fn description(self) -> &'static str {
+        match self {
+            Quantity::Gap => "max |dg| / max g, rigid part removed",
+            Quantity::Contact => "larger of the relative errors of the energy and of the pressure (L2 over the inner 95 %)",
+        }
+    }
+}
+
+/// What levels are compared with: places, values there, and the ends of contact.
+#[derive(Debug, Clone)]
+pub(crate) struct Truth {
+    /// Places along the surface (mm).
+    pub(crate) s: Vec<f64>,
+    /// Positions there (mm).
+    pub(crate) position: Vec<[f64; 3]>,
+    /// Unit normals out of body 2.
+    pub(crate) normal: Vec<[f64; 3]>,
+    /// Pressure there (MPa).
+    pub(crate) pressure: Vec<f64>,
+    /// Gap there (um).
+    pub(crate) gap: Vec<f64>,
+    /// Outermost ends of contact (mm).
+    pub(crate) ends: [f64; 2],
+    /// Strain energy of both bodies (N mm).
+    pub(crate) energy: Option<f64>,
+}
+
+impl Truth {
+    fn of(profile: &Profile, solution: &Solution) -> Truth {
+        let known = solution.contact.as_ref().map(|contact| contact.ends_mm.as_slice()).unwrap_or_default();
+        Truth {
+            s: profile.s.clone(),
+            position: profile.position.clone(),
+            normal: profile.normal.clone(),
+            pressure: profile.pressure.clone(),
+            gap: profile.gap.clone(),
+            ends: outermost(known, &profile.s),
+            energy: energy(solution),
+        }
+    }
+}
+
+/// The outermost of the ends of contact; without any, those of the surface.
+pub(crate) fn outermost(ends: &[f64], s: &[f64]) -> [f64; 2] {
+    let all = if ends.is_empty() { s } else { ends };
+    [all.iter().copied().fold(f64::INFINITY, f64::min), all.iter().copied().fold(f64::NEG_INFINITY, f64::max)]
+}
+
+fn energy(solution: &Solution) -> Option<f64> {
+    let energy = solution.energy.as_ref()?;
+    Some(energy.body1_Nmm? + energy.body2_Nmm.unwrap_or(0.0))
+}
+
+/// One level of a study.
+pub(crate) struct Level {
+    pub(crate) degree: usize,
+    pub(crate) layers: usize,
+    pub(crate) counters: Counters,
+    pub(crate) times: Vec<(String, f64)>,
+    /// Estimated error from this level and the two before it.
+    pub(crate) estimate: Option<f64>,
+    /// Difference from the truth; none for a level that is the truth.
+    pub(crate) error: Option<f64>,
+}
+
+struct Solved {
+    degree: usize,
+    layers: usize,
+    solution: Solution,
+    truth: Truth,
+}
+
+/// Solves a scene on every degree and compares each level with the truth: the one given, or the finest level.
+pub(crate) fn study(scene: &str, settings: &[String], given: Option<Truth>) -> Result<Vec<Level>, Fault> {
+    let finest = DEGREES[DEGREES.len() - 1];
+    let (truth, mut finest_level) = match given {
+        Some(truth) => (truth, None),
+        None => {
+            let level = solve_degree(scene, settings, finest, CURVE)?;
+            (level.1.truth.clone(), Some(level))
+        }
+    };
+    let own_truth = finest_level.is_some();
+    let mut solved = Vec::new();
+    let mut problem = None;
+    for degree in DEGREES {
+        let (of_level, level) = match finest_level.take_if(|_| degree == finest) {
+            Some(level) => level,
+            None => solve_degree(scene, settings, degree, Sampling::At(&truth.s))?,
+        };
+        problem = Some(of_level);
+        solved.push(level);
+    }
+    let Some(problem) = problem else { return Ok(Vec::new()) };
+    let difference = |a: &Truth, b: &Truth| difference(&problem, a, b);
+    let rows = solved.iter().enumerate().map(|(i, level)| Level {
+        degree: level.degree,
+        layers: level.layers,
+        counters: level.solution.counters.clone(),
+        times: level.solution.times.clone(),
+        estimate: match &solved[..=i] {
+            [.., a, b, c] => Some(rest(difference(&a.truth, &b.truth), difference(&b.truth, &c.truth))),
+            _ => None,
+        },
+        error: (!own_truth || level.degree < finest).then(|| difference(&level.truth, &truth)),
+    });
+    Ok(rows.collect())
+}
+
+fn solve_degree(scene: &str, settings: &[String], degree: usize, sampling: Sampling<'_>) -> Result<(Problem, Solved), Fault> {
+    let mut settings = settings.to_vec();
+    settings.push(format!("mesh.degree={degree}"));
+    settings.push("check=false".into());
+    let document = Document::open(scene, &settings)?;
+    let problem = setup(&document)?;
+    let options = Options { sample: Some(sampling), alone: true };
+    let solution = solve(&problem, options).map_err(|fault| document.locate(fault))?;
+    let refused = solution.status == Status::Refused || solution.status == Status::Interrupted;
+    let Some(profile) = solution.profile.as_ref().filter(|_| !refused) else {
+        let reason = solution.reason.unwrap_or_else(|| "the scene has no answer".into());
+        return Err(Fault::new("no-answer", reason, "see `wearshape run` of the scene"));
+    };
+    let truth = Truth::of(profile, &solution);
+    let layers = problem.scene.mesh.as_ref().and_then(|mesh| mesh.layers).unwrap_or(degree);
+    Ok((problem, Solved { degree, layers, solution, truth }))
+}
+
+/// Difference of a level from a truth at the same places.
+fn difference(problem: &Problem, level: &Truth, truth: &Truth) -> f64 {
+    match Quantity::of(problem) {
+        Some(Quantity::Contact) => {
+            let energy = level.energy.zip(truth.energy).map_or(0.0, |(x, y)| ((x - y) / y).abs());
+            difference_of_pressures(level, truth).max(energy)
+        }
+        _ => difference_of_gaps(&level.gap, &truth.gap, &closing(problem, truth)),
+    }
+}
+
+/// Relative L2 difference of the pressures over the inner 95 % of the contact.
+fn difference_of_pressures(level: &Truth, truth: &Truth) -> f64 {
+    let [from, to] = truth.ends;
+    let cut = 0.025 * (to - from);
+    let inner = |s: f64| s >= from + cut && s <= to - cut;
+    let weights = trapezoid_weights(&truth.s);
+    let square = |f: &dyn Fn(usize) -> f64| {
+        (0..truth.s.len()).filter(|i| inner(truth.s[*i])).map(|i| weights[i] * f(i).powi(2)).sum::<f64>()
+    };
+    (square(&|i| level.pressure[i] - truth.pressure[i]) / square(&|i| truth.pressure[i])).sqrt()
+}
+
+/// Closing velocities of the free rigid modes at the places of a truth, one column a mode.
+fn closing(problem: &Problem, truth: &Truth) -> DMatrix<f64> {
+    let point = |row: usize| wear::SurfacePoint {
+        position: Vector3::from(truth.position[row]),
+        normal: Vector3::from(truth.normal[row]),
+        weight: 0.0,
+        sliding_speed: 0.0,
+        drag: Vector3::zeros(),
+    };
+    DMatrix::from_fn(truth.s.len(), problem.freedoms.len(), |row, k| problem.freedoms[k].mode.motion.closing(&point(row)))
+}
