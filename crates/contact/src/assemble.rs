@@ -3,7 +3,6 @@
 use crate::complementarity::{Answer, Point};
 use crate::coulomb::ContactState;
 use crate::operator::{ContactOperator, SIGNS};
-use crate::pair::Side;
 use crate::response::times;
 use crate::solution::ContactSolution;
 use crate::stage::Stage;
@@ -70,11 +69,11 @@ impl ContactOperator<'_> {
         let Some(shaped) = states.pop() else { unreachable!("the shaped body always has a response") };
         let mut resultant = [0.0; 2];
         let mut moment = 0.0;
-        for (i, p) in self.points.iter().enumerate() {
-            let f: [f64; 2] = std::array::from_fn(|k| force[i] * p.normal[k] + shear[i] * p.tangent[k]);
+        for station in &self.stations {
+            let (f, x) = (station.force(&force, &shear), station.point.position);
             resultant[0] += f[0];
             resultant[1] += f[1];
-            moment += p.position[0] * f[1] - p.position[1] * f[0];
+            moment += x[0] * f[1] - x[1] * f[0];
         }
         let closed: Vec<bool> = ending.states.iter().map(|s| *s != ContactState::Open).collect();
         let over_weight = |v: &[f64]| (0..n).map(|i| v[i] / self.points[i].weight).collect::<Vec<f64>>();
@@ -104,12 +103,10 @@ impl ContactOperator<'_> {
     /// State of a body, with the forces on its rigid edge counted among the loads.
     fn state(&self, body: usize, unknowns: Vec<f64>, lambda: &[f64], sigma: &[f64], factors: &[f64]) -> InterfaceState {
         let operator = self.operator(body);
-        let side = if body == 0 { Side::Shaped } else { Side::Counter };
         let stiffness = &operator.stiffness;
         let mut load = TraceLoad { unknowns: vec![0.0; unknowns.len()], ..TraceLoad::default() };
-        for (i, p) in self.points.iter().enumerate() {
-            let force = std::array::from_fn(|k| lambda[i] * p.normal[k] + sigma[i] * p.tangent[k]);
-            operator.trace.add_force(&mut load, self.pair.place(side, p), force);
+        for station in &self.stations {
+            operator.trace.add_force(&mut load, station.places[body], station.force(lambda, sigma));
         }
         for q in operator.frame.iter().flatten() {
             let internal: f64 = (0..unknowns.len()).map(|k| stiffness[(*q, k)] * unknowns[k]).sum();

@@ -5,23 +5,15 @@ use crate::pair::Side;
 /// Wrong input, with the numbers that show it.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Error {
-    /// The two boundaries do not share their break points.
-    #[error("the contact boundaries differ at edge {edge} by {distance:.3e}; mesh both with the same break points")]
+    /// The two boundaries do not lie on each other, or face each other.
+    #[error(
+        "the contact boundaries are {distance:.3e} apart at edge {edge} of the one with the contact points; give both bodies the same contact surface"
+    )]
     Unmatched {
         /// Number of the edge along the path.
         edge: usize,
-        /// Distance of points that should coincide.
+        /// Distance to the other boundary.
         distance: f64,
-    },
-    /// The two boundaries have different numbers of edges.
-    #[error(
-        "the contact boundary of body 1 has {shaped} edges, that of body 2 has {counter}; mesh both with the same break points"
-    )]
-    EdgeCount {
-        /// Edges of the shaped body.
-        shaped: usize,
-        /// Edges of the counter-face.
-        counter: usize,
     },
     /// A body with its rigid edge held can still move.
     #[error("the {} is not held although its rigid edge is", match side { Side::Shaped => "shaped body", Side::Counter => "counter-face" })]

@@ -4,6 +4,7 @@ use crate::error::Error;
 use crate::load::{ContactLoad, Friction};
 use crate::pair::{ContactPoint, Pair, Side};
 use crate::response::Response;
+use crate::segment::Station;
 use crate::solution::ContactSolution;
 use crate::status::Status;
 use crate::verdict;
@@ -17,6 +18,7 @@ use hpfem::InterfaceOperator;
 pub struct ContactOperator<'a> {
     pub(crate) pair: Pair<'a>,
     pub(crate) points: Vec<ContactPoint>,
+    pub(crate) stations: Vec<Station>,
     pub(crate) responses: Vec<Response>,
     /// `C`, `points x points`.
     pub(crate) normal: Mat<f64>,
@@ -39,12 +41,11 @@ impl<'a> ContactOperator<'a> {
     /// # Errors
     /// [`Error::NotHeld`] if a body with its rigid edge held could still move.
     pub fn new(pair: &Pair<'a>, shear: bool) -> Result<ContactOperator<'a>, Error> {
-        let points = pair.points();
+        let (points, stations) = pair.stations();
         let mut responses = Vec::new();
         for side in [Side::Shaped, Side::Counter] {
             if let Some(body) = pair.side(side) {
-                let places: Vec<(usize, f64)> = points.iter().map(|p| pair.place(side, p)).collect();
-                responses.push(Response::new(body, side, &points, &places, shear)?);
+                responses.push(Response::new(body, side, points.len(), &stations, shear)?);
             }
         }
         let n = points.len();
@@ -72,7 +73,17 @@ impl<'a> ContactOperator<'a> {
         };
         let influence = side_by_side(0);
         let shear_influence = shear.then(|| side_by_side(1));
-        Ok(ContactOperator { pair: *pair, points, responses, normal, normal_by_shear, tangential, influence, shear_influence })
+        Ok(ContactOperator {
+            pair: *pair,
+            points,
+            stations,
+            responses,
+            normal,
+            normal_by_shear,
+            tangential,
+            influence,
+            shear_influence,
+        })
     }
 
     /// The contact points, in order along the boundary.

@@ -1,7 +1,8 @@
 //! Two boundaries facing each other: common places, normal, drag direction.
 
 use crate::error::Error;
-use hpfem::{BoundaryPoint, InterfaceOperator};
+use crate::facing::{coincide, crossing, nearest_break};
+use hpfem::{BoundaryPoint, InterfaceOperator, Trace};
 
 /// Which of the two bodies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -10,6 +11,16 @@ pub enum Side {
     Shaped,
     /// Body 2, the counter-face (drum, plate, disc).
     Counter,
+}
+
+impl Side {
+    /// The other body.
+    pub fn other(self) -> Side {
+        match self {
+            Side::Shaped => Side::Counter,
+            Side::Counter => Side::Shaped,
+        }
+    }
 }
 
 /// A point of the contact surface.
@@ -38,7 +49,8 @@ enum Surface {
     Counter,
 }
 
-/// Two interface operators whose kept boundaries share break points, so that contact is nodal and exact.
+/// Two interface operators whose kept boundaries meet. Where these share break points and edge parameters contact is nodal and exact;
+/// otherwise the pressure of one is integrated over the segments between the break points of both (segment mortar).
 #[derive(Clone, Copy)]
 pub struct Pair<'a> {
     /// The shaped body.
@@ -46,59 +58,87 @@ pub struct Pair<'a> {
     /// The counter-face; `None` if it is rigid.
     pub counter: Option<&'a InterfaceOperator>,
     surface: Surface,
+    matched: bool,
 }
 
+/// Largest distance of two boundaries that are one surface, relative to its length: that of coarse straight edges on an arc.
+const ON_EACH_OTHER: f64 = 1e-2;
+
 impl<'a> Pair<'a> {
-    /// Pairs two boundaries that lie on each other and share edges and their parameters.
+    /// Pairs two boundaries that lie on each other.
     ///
     /// # Errors
-    /// [`Error::Unmatched`] when the number of edges or the places of their ends or middles differ by more than round-off.
+    /// [`Error::Unmatched`] when neither boundary is covered by the other, or they lie apart.
     pub fn new(shaped: &'a InterfaceOperator, counter: Option<&'a InterfaceOperator>) -> Result<Pair<'a>, Error> {
-        if let Some(counter) = counter {
-            let (a, b) = (&shaped.trace, &counter.trace);
-            same_number_of_edges(shaped, counter)?;
-            for edge in 0..a.edges.len() {
-                for t in [-1.0, 0.0, 1.0] {
-                    let (p, q) = (a.boundary_point(edge, t).0.position, b.boundary_point(edge, t).0.position);
-                    let distance = (p[0] - q[0]).hypot(p[1] - q[1]);
-                    if distance > 1e-9 * a.length() {
-                        return Err(Error::Unmatched { edge, distance });
-                    }
-                }
-            }
+        let Some(other) = counter else {
+            return Ok(Pair { shaped, counter, surface: Surface::Common(Side::Shaped), matched: true });
+        };
+        let side = lead(shaped, other);
+        let pair = |side, matched| Pair { shaped, counter, surface: Surface::Common(side), matched };
+        if coincide(&shaped.trace, &other.trace) {
+            return Ok(pair(side, true));
         }
-        let lead = counter.map_or(Side::Shaped, |counter| lead(shaped, counter));
-        Ok(Pair { shaped, counter, surface: Surface::Common(lead) })
+        let apart = pair(side, false).uncovered(ON_EACH_OTHER);
+        let Some(apart) = apart else { return Ok(pair(side, false)) };
+        match pair(side.other(), false).uncovered(ON_EACH_OTHER) {
+            None => Ok(pair(side.other(), false)),
+            Some(_) => Err(apart),
+        }
     }
 
     /// Pairs two boundaries that face each other across a gap (a cylinder on a plane): points, normal, weights and gap belong to the
-    /// counter-face, the points of the shaped body are those met along the normal. Break points must face each other.
+    /// counter-face, the points of the shaped body are those met along the normal.
     ///
     /// # Errors
-    /// [`Error::Unmatched`] when the number of edges differs or break points do not face each other.
+    /// [`Error::Unmatched`] when the shaped body's boundary does not face all of the counter-face's.
     pub fn facing(shaped: &'a InterfaceOperator, counter: &'a InterfaceOperator) -> Result<Pair<'a>, Error> {
-        same_number_of_edges(shaped, counter)?;
-        let pair = Pair { shaped, counter: Some(counter), surface: Surface::Counter };
-        let trace = &counter.trace;
+        let pair = |matched| Pair { shaped, counter: Some(counter), surface: Surface::Counter, matched };
+        if pair(true).break_points_face() {
+            return Ok(pair(true));
+        }
+        pair(false).uncovered(f64::INFINITY).map_or(Ok(pair(false)), Err)
+    }
+
+    /// Whether contact is nodal: the boundaries share break points and edge parameters.
+    pub fn is_nodal(&self) -> bool {
+        self.matched
+    }
+
+    /// Whether break points face each other along the normal, edge by edge.
+    fn break_points_face(&self) -> bool {
+        let (trace, shaped) = (self.trace(), &self.shaped.trace);
+        let faces = |edge: usize, t: f64| {
+            let point = self.point((edge, t), 0.0, 0.0);
+            let x = shaped.edges[edge].curve.point(t);
+            along(point.tangent, difference(x, point.position)).abs() <= 1e-9 * trace.length()
+        };
+        trace.edges.len() == shaped.edges.len() && (0..trace.edges.len()).all(|edge| faces(edge, -1.0) && faces(edge, 1.0))
+    }
+
+    /// Where the surface with the points is not covered by the other one, or farther from it than the limit (relative to the length).
+    fn uncovered(&self, limit: f64) -> Option<Error> {
+        let other = &self.side(self.surface().0.other())?.trace;
+        let trace = self.trace();
         for edge in 0..trace.edges.len() {
-            for t in [-1.0, 1.0] {
-                let point = pair.point((edge, t), 0.0, 0.0);
-                let x = shaped.trace.boundary_point(edge, t).0.position;
-                let distance = along(point.tangent, difference(x, point.position)).abs();
-                if distance > 1e-9 * trace.length() {
-                    return Err(Error::Unmatched { edge, distance });
-                }
+            for t in [-1.0, 0.0, 1.0] {
+                let point = self.point((edge, t), 0.0, 0.0);
+                let distance = match crossing(other, &point) {
+                    Some((_, distance)) if distance.abs() <= limit * trace.length() => continue,
+                    Some((_, distance)) => distance.abs(),
+                    None => nearest_break(other, point.position),
+                };
+                return Some(Error::Unmatched { edge, distance });
             }
         }
-        Ok(pair)
+        None
     }
 
     /// The place of a contact point on a side: edge of the path and parameter.
     pub fn place(&self, side: Side, point: &ContactPoint) -> (usize, f64) {
-        match (self.surface, side) {
-            (Surface::Counter, Side::Shaped) => self.facing_place(point),
-            _ => point.place,
+        if side == self.surface().0 || (self.matched && self.surface != Surface::Counter) {
+            return point.place;
         }
+        self.side(side).and_then(|body| crossing(&body.trace, point)).map_or(point.place, |(place, _)| place)
     }
 
     /// Distance of the undeformed surfaces along the normal at a contact point.
@@ -107,23 +147,13 @@ impl<'a> Pair<'a> {
         along(point.normal, difference(self.shaped.trace.boundary_point(edge, t).0.position, point.position))
     }
 
-    /// Newton's method for the parameter at which the shaped body's edge crosses the normal through the point.
-    fn facing_place(&self, point: &ContactPoint) -> (usize, f64) {
-        let (edge, mut t) = point.place;
-        let curve = &self.shaped.trace.edges[edge].curve;
-        for _ in 0..50 {
-            let step =
-                along(point.tangent, difference(curve.point(t), point.position)) / along(point.tangent, curve.derivative(t));
-            t = (t - step).clamp(-1.0, 1.0);
-            if step.abs() < 1e-15 {
-                break;
-            }
-        }
-        (edge, t)
+    /// The boundary that carries the contact points; their arc lengths are its own.
+    pub fn trace(&self) -> &'a Trace {
+        &self.surface().1.trace
     }
 
-    /// The operator whose boundary carries the points.
-    fn surface(&self) -> (Side, &'a InterfaceOperator) {
+    /// The side whose boundary carries the points, and its operator.
+    pub(crate) fn surface(&self) -> (Side, &'a InterfaceOperator) {
         match (self.surface, self.counter) {
             (Surface::Counter | Surface::Common(Side::Counter), Some(counter)) => (Side::Counter, counter),
             _ => (Side::Shaped, self.shaped),
@@ -140,16 +170,17 @@ impl<'a> Pair<'a> {
 
     /// The Gauss-Lobatto points of the contact surface.
     pub fn points(&self) -> Vec<ContactPoint> {
-        let (_, operator) = self.surface();
-        operator.trace.points.iter().map(|p| self.point((p.edge, p.parameter), p.arc, p.weight)).collect()
+        let points: Vec<ContactPoint> =
+            self.trace().points.iter().map(|p| self.point((p.edge, p.parameter), p.arc, p.weight)).collect();
+        if self.matched { points } else { self.segments(points).0 }
     }
 
     /// The contact point at arc length `arc` from the start of the path, without a weight.
     pub fn at_arc(&self, arc: f64) -> ContactPoint {
-        self.point(self.surface().1.trace.locate(arc), arc, 0.0)
+        self.point(self.trace().locate(arc), arc, 0.0)
     }
 
-    fn point(&self, place: (usize, f64), arc: f64, weight: f64) -> ContactPoint {
+    pub(crate) fn point(&self, place: (usize, f64), arc: f64, weight: f64) -> ContactPoint {
         let (side, operator) = self.surface();
         let boundary = operator.trace.boundary_point(place.0, place.1).0;
         let normal = normal(side, &boundary);
@@ -169,16 +200,11 @@ fn lead(shaped: &InterfaceOperator, counter: &InterfaceOperator) -> Side {
     if ratio > 4.0 || (ratio >= 0.25 && richer) { Side::Counter } else { Side::Shaped }
 }
 
-fn same_number_of_edges(shaped: &InterfaceOperator, counter: &InterfaceOperator) -> Result<(), Error> {
-    let (a, b) = (shaped.trace.edges.len(), counter.trace.edges.len());
-    if a == b { Ok(()) } else { Err(Error::EdgeCount { shaped: a, counter: b }) }
-}
-
-fn difference(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+pub(crate) fn difference(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [a[0] - b[0], a[1] - b[1]]
 }
 
-fn along(direction: [f64; 2], v: [f64; 2]) -> f64 {
+pub(crate) fn along(direction: [f64; 2], v: [f64; 2]) -> f64 {
     direction[0] * v[0] + direction[1] * v[1]
 }
 

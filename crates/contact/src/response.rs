@@ -1,7 +1,8 @@
 //! What one body does under forces at the contact points: its interface operator, solved once for every column a contact solve needs.
 
 use crate::error::Error;
-use crate::pair::{ContactPoint, Side};
+use crate::pair::Side;
+use crate::segment::Station;
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side as Triangle};
 use hpfem::InterfaceOperator;
@@ -41,11 +42,12 @@ impl Response {
     pub(crate) fn new(
         body: &InterfaceOperator,
         side: Side,
-        points: &[ContactPoint],
-        places: &[(usize, f64)],
+        points: usize,
+        stations: &[Station],
         shear: bool,
     ) -> Result<Response, Error> {
-        let rows = |tangential: bool| component_rows(body, points, places, tangential);
+        let n = points;
+        let rows = |tangential: bool| component_rows(body, side, n, stations, tangential);
         let (normal, normal_constant) = rows(false);
         let (tangential, tangential_constant) = rows(true);
         let whole = tangential.clone();
@@ -60,7 +62,6 @@ impl Response {
             right = beside(&right, &block.to_owned());
         }
         right = beside(&right, &body.columns.submatrix(0, 0, unknowns, columns).to_owned());
-        let n = points.len();
         let (solved, motions, stiffness) = if frame.is_empty() {
             let solved = body.solve(&right, &body.rigid_modes);
             let modes = body.rigid_modes.ncols();
@@ -143,21 +144,25 @@ fn with_edge_held(
     Some((solved, motions, projector.transpose() * stiffness * &projector))
 }
 
-/// Normal (or tangential) displacement at the places as rows on the kept unknowns, and the prescribed part.
+/// Normal (or tangential) displacement at the points, the mean over their stations, as rows on the kept unknowns; and the prescribed part.
 fn component_rows(
     body: &InterfaceOperator,
-    points: &[ContactPoint],
-    places: &[(usize, f64)],
+    side: Side,
+    points: usize,
+    stations: &[Station],
     tangential: bool,
 ) -> (Mat<f64>, Vec<f64>) {
-    let mut matrix = Mat::zeros(points.len(), body.stiffness.nrows());
-    let mut constant = vec![0.0; points.len()];
-    for (i, (point, place)) in points.iter().zip(places).enumerate() {
-        let direction = if tangential { point.tangent } else { point.normal };
-        let (rows, fixed) = body.trace.displacement_row(place.0, place.1);
+    let mut matrix = Mat::zeros(points, body.stiffness.nrows());
+    let mut constant = vec![0.0; points];
+    for station in stations {
+        let direction = if tangential { station.point.tangent } else { station.point.normal };
+        let (edge, t) = station.places[side as usize];
+        let (rows, fixed) = body.trace.displacement_row(edge, t);
         for (component, d) in direction.into_iter().enumerate() {
-            rows[component].iter().for_each(|(u, c)| matrix[(i, *u)] += d * c);
-            constant[i] += d * fixed[component];
+            for (i, share) in &station.shares {
+                rows[component].iter().for_each(|(u, c)| matrix[(*i, *u)] += share * d * c);
+                constant[*i] += share * d * fixed[component];
+            }
         }
     }
     (matrix, constant)

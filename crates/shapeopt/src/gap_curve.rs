@@ -19,12 +19,11 @@ struct Piece {
 }
 
 impl GapCurve {
-    /// The gap of a shape: on every edge the interpolant in Gauss-Lobatto points four degrees above the edge's own, since the normal
+    /// The gap of a shape: between the break points of both bodies the interpolant in Gauss-Lobatto points four degrees above the bodies' own, since the normal
     /// of a curved edge makes the gap a little more than a polynomial of that degree.
     pub fn of(shape: &Shape, pair: &Pair<'_>) -> GapCurve {
-        let pieces = pair.shaped.trace.edges.iter().map(|edge| {
-            let nodes = gauss_lobatto(edge.degree + 5).points;
-            let range = [edge.start, edge.start + edge.curve.length()];
+        let pieces = pair.pieces().into_iter().map(|(range, degree)| {
+            let nodes = gauss_lobatto(degree + 5).points;
             let value = |t: &f64| {
                 let arc = range[0] + 0.5 * (1.0 + t) * (range[1] - range[0]);
                 shape.gap(pair, &pair.at_arc(arc))

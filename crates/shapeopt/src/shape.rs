@@ -184,7 +184,8 @@ impl Shape {
     pub fn displacement(&self, pair: &Pair<'_>, side: Side, point: &ContactPoint) -> [f64; 2] {
         let state = if side == Side::Shaped { Some(&self.shaped) } else { self.counter.as_ref() };
         let (Some(state), Some(body)) = (state, pair.side(side)) else { return [0.0; 2] };
-        let (rows, constant) = body.trace.displacement_row(point.place.0, point.place.1);
+        let (edge, t) = pair.place(side, point);
+        let (rows, constant) = body.trace.displacement_row(edge, t);
         let u: [f64; 2] = std::array::from_fn(|k| rows[k].iter().map(|(i, c)| c * state.unknowns[*i]).sum::<f64>() + constant[k]);
         let along = |d: [f64; 2]| u[0] * d[0] + u[1] * d[1];
         [along(point.normal), along(point.tangent)]
@@ -194,7 +195,8 @@ impl Shape {
 /// Closing velocities `phi_k = -n . u_k` of body 1's rigid modes at a point.
 pub fn closing(pair: &Pair<'_>, point: &ContactPoint) -> Vec<f64> {
     let body = pair.shaped;
-    let (rows, _) = body.trace.displacement_row(point.place.0, point.place.1);
+    let (edge, t) = pair.place(Side::Shaped, point);
+    let (rows, _) = body.trace.displacement_row(edge, t);
     (0..body.rigid_modes.ncols())
         .map(|m| {
             let u = |k: usize| rows[k].iter().map(|(i, c)| c * body.rigid_modes[(*i, m)]).sum::<f64>();
@@ -211,11 +213,11 @@ struct SurfaceCurve<'a> {
 
 impl Curve for SurfaceCurve<'_> {
     fn length(&self) -> f64 {
-        self.pair.shaped.trace.length()
+        self.pair.trace().length()
     }
 
     fn samples(&self) -> Vec<f64> {
-        let trace = &self.pair.shaped.trace;
+        let trace = self.pair.trace();
         let mut samples = Vec::new();
         for edge in &trace.edges {
             let n = 4 * (edge.degree + 1);

@@ -131,7 +131,7 @@ fn solve_level(stage: Stage<'_>, level: Level, options: Options) -> Result<Solve
     solution.energy = Some(EnergyResult { body1_Nmm: Some(energy[0]), body2_Nmm: Some(energy[1]) });
     solution.reactions = parts.reactions(&bodies, states);
     solution.contact = Some(result(stage, &pair, &operator, &found));
-    let length = pair.shaped.trace.length();
+    let length = pair.trace().length();
     let inner: Vec<f64> = (0..SAMPLES).map(|i| length * (0.025 + 0.95 * i as f64 / (SAMPLES - 1) as f64)).collect();
     let pressure = inner.iter().map(|arc| pressure_at(&pair, &operator, &found.pressure, *arc)).collect();
     let own = stage.profile(&pair, operator.points(), &found.pressure, states);
@@ -171,29 +171,13 @@ pub(super) fn start_gap(stage: Stage<'_>, pair: &Pair<'_>, arc: f64) -> f64 {
 
 /// Pressure between the points: the polynomial through the points of the edge, or straight lines on an edge that is partly open.
 pub(super) fn pressure_at(pair: &Pair<'_>, operator: &ContactOperator<'_>, pressure: &[f64], arc: f64) -> f64 {
-    between(pair, operator, pressure, arc, true)
-}
-
-/// A smooth quantity between the points: the polynomial through the points of the edge.
-pub(super) fn polynomial_at(pair: &Pair<'_>, operator: &ContactOperator<'_>, values: &[f64], arc: f64) -> f64 {
-    between(pair, operator, values, arc, false)
-}
-
-fn between(pair: &Pair<'_>, operator: &ContactOperator<'_>, values: &[f64], arc: f64, kinked_by_zeros: bool) -> f64 {
-    let trace = &pair.shaped.trace;
-    let (edge, _) = trace.locate(arc);
-    let first: usize = trace.edges[..edge].iter().map(|e| e.degree).sum();
-    let n = trace.edges[edge].degree + 1;
-    let range = first..first + n;
-    let arcs: Vec<f64> = operator.points()[range.clone()].iter().map(|p| p.arc).collect();
-    let ends = [arcs[0], arcs[n - 1]];
-    let to_unit = |arc: f64| (2.0 * (arc - ends[0]) / (ends[1] - ends[0]) - 1.0).clamp(-1.0, 1.0);
-    let nodes: Vec<f64> = arcs.iter().map(|a| to_unit(*a)).collect();
-    if kinked_by_zeros && values[range.clone()].contains(&0.0) {
-        return linear(&arcs, &values[range], arc);
+    let (edge, _) = pair.trace().locate(arc);
+    let range = operator.edge_points(edge);
+    if pressure[range.clone()].contains(&0.0) {
+        let arcs: Vec<f64> = operator.points()[range.clone()].iter().map(|p| p.arc).collect();
+        return linear(&arcs, &pressure[range], arc);
     }
-    let shapes = hpfem::lagrange(&nodes, &hpfem::barycentric_weights(&nodes), to_unit(arc));
-    shapes.iter().zip(&values[range]).map(|(l, p)| l * p).sum()
+    operator.value_at(pressure, arc)
 }
 
 /// Piecewise linear interpolation in ascending points.
@@ -238,7 +222,7 @@ fn exponents(pair: &Pair<'_>, operator: &ContactOperator<'_>, found: &ContactSol
     if found.status != ContactStatus::ClosedEverywhere {
         return Vec::new();
     }
-    let trace = &pair.shaped.trace;
+    let trace = pair.trace();
     let length = trace.length();
     let slope = |from_start: bool| {
         let smallest = if from_start { trace.edges.first() } else { trace.edges.last() }?.curve.length();

@@ -57,7 +57,7 @@ pub(super) fn independent(
     let (weights, wanted) = wanted(shaper, &operator);
     solution.counters.factorisations += effort.counters.factorisations;
     for profile in [&mut solution.profile, &mut solution.curve].into_iter().flatten() {
-        let (start, length) = (shaper.stage.start(&pair), pair.shaped.trace.length());
+        let (start, length) = (shaper.stage.start(&pair), pair.trace().length());
         profile.pressure_solved =
             profile.s.iter().map(|s| pressure_at(&pair, &operator, &found, (s - start).clamp(0.0, length))).collect();
     }

@@ -163,7 +163,7 @@ impl Shaper<'_> {
         let pair = pair(&bodies)?;
         let shape = self.shape(&pair)?;
         note(&mut solution, "shape", start);
-        let length = pair.shaped.trace.length();
+        let length = pair.trace().length();
         let arcs: Vec<f64> = (0..SAMPLES).map(|i| length * i as f64 / (SAMPLES - 1) as f64).collect();
         let gaps: Vec<f64> = arcs.iter().map(|arc| shape.gap(&pair, &pair.at_arc(*arc))).collect();
         let mut modes = DMatrix::zeros(SAMPLES, pair.shaped.rigid_modes.ncols());

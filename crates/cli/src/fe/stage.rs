@@ -136,7 +136,7 @@ impl<'a> Stage<'a> {
 
     /// Surface coordinate at the start of the path: minus half the length, or the radius there.
     pub(super) fn start(&self, pair: &Pair<'_>) -> f64 {
-        let trace = &pair.shaped.trace;
+        let trace = pair.trace();
         match self.patch.surface.shape() {
             wear::Shape::Annulus { .. } => trace.boundary_point(0, -1.0).0.position[0],
             _ => -0.5 * trace.length(),
@@ -146,7 +146,7 @@ impl<'a> Stage<'a> {
     /// Points of the path with trapezoid weights.
     pub(super) fn sample(&self, pair: &Pair<'_>, sampling: Sampling<'_>) -> Vec<ContactPoint> {
         let start = self.start(pair);
-        let places = sampling.places([start, start + pair.shaped.trace.length()]);
+        let places = sampling.places([start, start + pair.trace().length()]);
         let weights = trapezoid_weights(&places);
         let place = |(s, weight): (&f64, f64)| {
             let mut point = pair.at_arc(s - start);
@@ -182,7 +182,7 @@ impl<'a> Stage<'a> {
             let sense = if self.drag(point) < 0.0 { -1.0 } else { 1.0 };
             for (body, side) in [Side::Shaped, Side::Counter].into_iter().enumerate() {
                 let Some((operator, state)) = pair.side(side).zip(states[body]) else { continue };
-                let u = displacement(operator, state, point);
+                let u = displacement(operator, state, point, pair.place(side, point));
                 profile.normal_displacement[body][row] = 1e3 * u[0];
                 profile.tangential_displacement[body][row] = 1e3 * sense * u[1];
             }
@@ -193,8 +193,13 @@ impl<'a> Stage<'a> {
 }
 
 /// Displacement along normal and tangent of a point.
-fn displacement(operator: &hpfem::InterfaceOperator, state: &InterfaceState, point: &ContactPoint) -> [f64; 2] {
-    let (rows, constant) = operator.trace.displacement_row(point.place.0, point.place.1);
+fn displacement(
+    operator: &hpfem::InterfaceOperator,
+    state: &InterfaceState,
+    point: &ContactPoint,
+    place: (usize, f64),
+) -> [f64; 2] {
+    let (rows, constant) = operator.trace.displacement_row(place.0, place.1);
     let u: [f64; 2] = std::array::from_fn(|k| rows[k].iter().map(|(i, c)| c * state.unknowns[*i]).sum::<f64>() + constant[k]);
     let along = |d: [f64; 2]| u[0] * d[0] + u[1] * d[1];
     [along(point.normal), along(point.tangent)]

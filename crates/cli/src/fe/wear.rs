@@ -8,7 +8,7 @@ use shapeopt::{Curve, Evolution, EvolutionStatus, Stepping, Until, WearProblem, 
 
 use crate::fault::Fault;
 use crate::fe::bodies::Level;
-use crate::fe::contact::{polynomial_at, pressure_at, start_gap};
+use crate::fe::contact::{pressure_at, start_gap};
 use crate::fe::shape::difference_of_gaps;
 use crate::fe::stage::{Stage, add_times, note, pair, rest};
 use crate::fe::template::Cut;
@@ -191,7 +191,7 @@ fn run(stage: Stage<'_>, level: Level, options: Options) -> Result<Result<Solved
     profile.opening = state.opening.iter().map(|g| 1e3 * g).collect();
     let sampled = |sampling: Sampling<'_>| -> Profile {
         let points = stage.sample(&pair, sampling);
-        let at = |values: &[f64], arc: f64| polynomial_at(&pair, &operator, values, arc);
+        let at = |values: &[f64], arc: f64| operator.value_at(values, arc);
         let pressure: Vec<f64> = points.iter().map(|p| pressure_at(&pair, &operator, &state.pressure, p.arc)).collect();
         let mut profile = stage.profile(&pair, &points, &pressure, states);
         for (row, point) in points.iter().enumerate() {
@@ -201,7 +201,7 @@ fn run(stage: Stage<'_>, level: Level, options: Options) -> Result<Result<Solved
         profile
     };
     let samples = stage.sample(&pair, Sampling::Even(SAMPLES));
-    let gaps = samples.iter().map(|p| polynomial_at(&pair, &operator, &normalised, p.arc)).collect();
+    let gaps = samples.iter().map(|p| operator.value_at(&normalised, p.arc)).collect();
     let modes = pair.shaped.rigid_modes.ncols();
     let mut matrix = DMatrix::zeros(SAMPLES, modes);
     for (row, point) in samples.iter().enumerate() {
@@ -339,11 +339,11 @@ struct NodalCurve<'a> {
 
 impl Curve for NodalCurve<'_> {
     fn length(&self) -> f64 {
-        self.pair.shaped.trace.length()
+        self.pair.trace().length()
     }
 
     fn samples(&self) -> Vec<f64> {
-        let trace = &self.pair.shaped.trace;
+        let trace = self.pair.trace();
         let mut samples: Vec<f64> = trace
             .edges
             .iter()
@@ -358,7 +358,7 @@ impl Curve for NodalCurve<'_> {
     }
 
     fn value(&self, arc: f64) -> (f64, Vec<f64>) {
-        (polynomial_at(self.pair, self.operator, self.gap, arc), closing(self.pair, &self.pair.at_arc(arc)))
+        (self.operator.value_at(self.gap, arc), closing(self.pair, &self.pair.at_arc(arc)))
     }
 
     fn mean_modes(&self) -> Vec<f64> {

@@ -8,3 +8,4 @@ mod hertz;
 mod patch;
 mod sphere;
 mod statuses;
+mod trap;
