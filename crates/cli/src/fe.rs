@@ -5,6 +5,7 @@ mod contact;
 mod ends;
 mod ends_profile;
 mod half_disc;
+mod operators;
 mod round_trip;
 mod shape;
 mod stage;
@@ -12,6 +13,7 @@ mod template;
 mod torsion;
 mod wear;
 
+pub(crate) use operators::Operators;
 pub(crate) use shape::difference_of_gaps;
 pub(crate) use stage::rest;
 

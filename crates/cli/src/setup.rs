@@ -7,8 +7,11 @@ mod tasks;
 mod unused;
 mod wear_rule;
 
+use std::sync::Arc;
+
 use crate::document::Document;
 use crate::fault::Fault;
+use crate::fe::Operators;
 use crate::lints::{self, Lint};
 use crate::plan::Plan;
 use crate::scene::Scene;
@@ -34,6 +37,8 @@ pub(crate) struct Problem {
     pub(crate) lints: Vec<Lint>,
     /// Keys that were written but are not used.
     pub(crate) unused_keys: Vec<String>,
+    /// Reduced bodies, shared by the tasks of a run and by the points of a sweep.
+    pub(crate) operators: Arc<Operators>,
 }
 
 /// Checks a scene and fills in its defaults.
@@ -53,7 +58,7 @@ fn check(document: &Document) -> Result<Problem, Fault> {
     let unused_keys = unused::keys(document, &scene, &tasks);
     let plan = Plan::new(&scene, &tasks);
     let lints = lints::lints(&scene, &tasks, patch.as_ref(), &freedoms);
-    Ok(Problem { name: document.name.clone(), scene, patch, freedoms, plan, lints, unused_keys })
+    Ok(Problem { name: document.name.clone(), scene, patch, freedoms, plan, lints, unused_keys, operators: Arc::default() })
 }
 
 /// A number that must be finite and positive.

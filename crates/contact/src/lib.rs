@@ -29,7 +29,7 @@ mod verdict;
 pub use coulomb::ContactState;
 pub use error::Error;
 pub use load::{ContactLoad, Friction, MomentBalance, Motion};
-pub use operator::ContactOperator;
+pub use operator::{ContactOperator, UnitResponses};
 pub use pair::{ContactPoint, Pair, Side, contact_traction, normal};
 pub use positioning::{Nodes, Positioned, Positioning, Rebuilt, position_ends, position_nodes};
 pub use problem::{ContactProblem, solve};

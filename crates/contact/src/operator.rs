@@ -10,6 +10,8 @@ use crate::status::Status;
 use crate::verdict;
 use faer::Mat;
 use hpfem::InterfaceOperator;
+use std::ops::Deref;
+use std::sync::Arc;
 
 /// Compliance of a pair at its contact points; every gap, load, coefficient of friction or prescribed motion reuses it.
 ///
@@ -17,6 +19,12 @@ use hpfem::InterfaceOperator;
 /// on body 1 and rigid coordinates `y`.
 pub struct ContactOperator<'a> {
     pub(crate) pair: Pair<'a>,
+    unit: Arc<UnitResponses>,
+}
+
+/// What a pair does under unit forces at its contact points: plain numbers that outlive the references of a [`ContactOperator`], for whoever
+/// keeps the bodies elsewhere.
+pub struct UnitResponses {
     pub(crate) points: Vec<ContactPoint>,
     pub(crate) stations: Vec<Station>,
     pub(crate) responses: Vec<Response>,
@@ -30,6 +38,15 @@ pub struct ContactOperator<'a> {
     pub(crate) influence: Mat<f64>,
     /// Tangential relative motion (body 1 less body 2) by coordinates.
     pub(crate) shear_influence: Option<Mat<f64>>,
+}
+
+/// The numbers of the operator are those of its unit responses.
+impl Deref for ContactOperator<'_> {
+    type Target = UnitResponses;
+
+    fn deref(&self) -> &UnitResponses {
+        &self.unit
+    }
 }
 
 /// `[1, -1]`: sign of a body's displacement in the opening and of the contact force on it.
@@ -73,17 +90,18 @@ impl<'a> ContactOperator<'a> {
         };
         let influence = side_by_side(0);
         let shear_influence = shear.then(|| side_by_side(1));
-        Ok(ContactOperator {
-            pair: *pair,
-            points,
-            stations,
-            responses,
-            normal,
-            normal_by_shear,
-            tangential,
-            influence,
-            shear_influence,
-        })
+        let unit = UnitResponses { points, stations, responses, normal, normal_by_shear, tangential, influence, shear_influence };
+        Ok(ContactOperator { pair: *pair, unit: Arc::new(unit) })
+    }
+
+    /// The operator of a pair whose unit responses are known from an earlier [`ContactOperator::new`] on the same bodies.
+    pub fn with(pair: &Pair<'a>, unit: Arc<UnitResponses>) -> ContactOperator<'a> {
+        ContactOperator { pair: *pair, unit }
+    }
+
+    /// The unit responses, to be kept.
+    pub fn unit_responses(&self) -> Arc<UnitResponses> {
+        Arc::clone(&self.unit)
     }
 
     /// The contact points, in order along the boundary.

@@ -2,19 +2,20 @@
 
 use std::io::Write;
 use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
-use rayon::prelude::*;
 use serde_json::{Map, Value, json};
 
-use crate::args::SweepArgs;
+use crate::args::{Common, SweepArgs};
 use crate::commands::run::{options, with_threads};
 use crate::commands::{print_json, print_out};
 use crate::document::Document;
 use crate::exit::Exit;
 use crate::fault::{Fault, Place};
 use crate::report::{self, Folder, SCHEMA_VERSION};
-use crate::setup::setup;
+use crate::setup::{Problem, setup};
 use crate::solution::Status;
 use crate::solve::{Options, solve};
 use crate::{fe, interrupt};
@@ -60,6 +61,7 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
     rows.truncate(count);
     folder.write("scene.resolved.toml", &mark)?;
     folder.write("sweep.jsonl", &lines(&rows))?;
+    let operators = Arc::new(fe::Operators::default());
     let bar = Bar::new(count, !common.quiet && !common.no_progress);
     while rows.len() < count {
         if interrupt::asked() {
@@ -67,9 +69,7 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
             return Ok(Exit::Interrupted);
         }
         let chunk: Vec<usize> = (rows.len()..count.min(rows.len() + CHUNK)).collect();
-        let new: Vec<Value> = with_threads(common, || {
-            chunk.par_iter().map(|point| row(&args.scene, &grid, *point, &settings(*point), options)).collect()
-        })?;
+        let new = in_threads(common, &chunk, |point| row(&args.scene, &grid, point, &settings(point), options, &operators))?;
         folder.append("sweep.jsonl", &lines(&new))?;
         rows.extend(new);
         bar.show(rows.len());
@@ -88,6 +88,7 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
         "over": grid.iter().map(|over| (over.key.clone(), json!(over.values))).collect::<Map<_, _>>(),
         "points": count,
         "failed": failed,
+        "counters": { "factorisations": operators.factorisations(), "factorisations_saved": operators.reused() },
     });
     folder.write("summary.json", &report::pretty(&summary))?;
     folder.finish()?;
@@ -168,14 +169,41 @@ fn settings_of(grid: &[Over], point: usize, set: &[String]) -> Vec<String> {
     all
 }
 
+/// Rows of some points, on as many threads as asked for. Each thread assembles its cells alone: one that waited for cells of its own while it
+/// holds a level of the shared operators could otherwise take up a row that needs this very level.
+fn in_threads(common: &Common, points: &[usize], row: impl Fn(usize) -> Value + Sync) -> Result<Vec<Value>, Fault> {
+    let threads = with_threads(common, rayon::current_num_threads)?.min(points.len());
+    let next = AtomicUsize::new(0);
+    let work = || {
+        let mut rows = Vec::new();
+        while let Some(point) = points.get(next.fetch_add(1, Ordering::Relaxed)) {
+            rows.push((*point, row(*point)));
+        }
+        rows
+    };
+    let alone = || rayon::ThreadPoolBuilder::new().num_threads(1).build().map(|pool| pool.install(work));
+    let done = std::thread::scope(|scope| {
+        let started: Vec<_> = (0..threads).map(|_| scope.spawn(alone)).collect();
+        started.into_iter().map(|thread| thread.join()).collect::<Vec<_>>()
+    });
+    let mut rows = Vec::new();
+    for thread in done {
+        let lost = |message: String| Fault::new("internal", message, "please report this sweep");
+        let found = thread.map_err(|_| lost("a row of the sweep ended in a panic".into()))?;
+        rows.extend(found.map_err(|error| lost(format!("cannot start a thread: {error}")))?);
+    }
+    rows.sort_by_key(|(point, _)| *point);
+    Ok(rows.into_iter().map(|(_, row)| row).collect())
+}
+
 /// One row: the keys, the status, the numbers of the summary.
-fn row(scene: &str, grid: &[Over], point: usize, settings: &[String], options: Options) -> Value {
+fn row(scene: &str, grid: &[Over], point: usize, settings: &[String], options: Options, operators: &Arc<fe::Operators>) -> Value {
     let mut row = Map::new();
     for (over, value) in grid.iter().zip(values_of(grid, point)) {
         row.insert(over.key.clone(), value.parse::<f64>().ok().filter(|v| v.is_finite()).map_or(json!(value), |v| json!(v)));
     }
     let computed = Document::open(scene, settings).and_then(|document| {
-        let problem = setup(&document)?;
+        let problem = Problem { operators: Arc::clone(operators), ..setup(&document)? };
         if problem.plan.runs("mesh") {
             fe::available(&problem).map_err(|fault| document.locate(fault))?;
         }

@@ -36,7 +36,7 @@ pub(crate) struct BodyParts {
     load_cases: Vec<LoadCase<'static>>,
 }
 
-/// Load cases of body 1: the load, then mean displacement functionals of the load edge along x, z, and in rotation.
+/// Load cases of body 1: a load of 1 N, then mean displacement functionals of the load edge along x, z, and in rotation.
 pub(crate) const MEAN_COLUMNS: [usize; 3] = [1, 2, 3];
 
 /// Kinematics of the in-plane (or axisymmetric) problem.
@@ -128,10 +128,9 @@ impl BodyParts {
     }
 }
 
-/// The load and the mean displacement functionals of the load edge.
+/// The load for a force of 1 N, and the mean displacement functionals of the load edge.
 fn load_cases(scene: &Scene, mesh: &Mesh, kinematics: Kinematics, rigid: bool) -> Vec<LoadCase<'static>> {
     let Some(load) = scene.load.as_ref().filter(|_| !rigid) else { return Vec::new() };
-    let force = load.force.map_or(0.0, |force| force.0);
     let vertical = load.kind == Some(LoadKind::Vertical);
     // Area, projected area, and middle of the loaded edges.
     let (mut area, mut projected, mut middle) = (0.0, 0.0, [0.0; 2]);
@@ -148,7 +147,7 @@ fn load_cases(scene: &Scene, mesh: &Mesh, kinematics: Kinematics, rigid: bool) -
         }
     }
     let middle = middle.map(|m| m / area);
-    let intensity = force / projected;
+    let intensity = 1.0 / projected;
     let traction = move |point: &hpfem::BoundaryPoint| {
         let [nx, nz] = point.outward;
         if vertical { [0.0, -intensity * nz.abs()] } else { [-intensity * nx, -intensity * nz] }

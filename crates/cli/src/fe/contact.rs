@@ -6,7 +6,7 @@ use contact::{ContactOperator, ContactSolution, Pair, Status as ContactStatus};
 
 use crate::fault::Fault;
 use crate::fe::bodies::Level;
-use crate::fe::stage::{Stage, accuracy, add_times, fixed_level, ladder, note, pair, rest};
+use crate::fe::stage::{Stage, accuracy, add_times, fixed_level, ladder, note, rest};
 use crate::fe::template::Cut;
 use crate::gap::Gap;
 use crate::profile::Profile;
@@ -108,12 +108,10 @@ fn finish(accuracy: f64, mut solved: Vec<Solved>, fixed: bool, solution: &mut So
 
 fn solve_level(stage: Stage<'_>, level: Level, options: Options) -> Result<Solved, Fault> {
     let mut solution = Solution::default();
-    let parts = stage.parts(level, Cut::Plain, &mut solution)?;
-    let bodies = parts.reduce(&mut solution)?;
+    let reduced = stage.reduced(level, Cut::Plain, &mut solution)?;
     let start = Instant::now();
-    let pair = pair(&bodies)?;
-    let operator = ContactOperator::new(&pair, stage.friction() > 0.0)
-        .map_err(|error| Fault::at("body1.support", "not-held", error.to_string(), "support the bodies"))?;
+    let pair = reduced.pair()?;
+    let operator = reduced.operator(&pair, stage.friction() > 0.0)?;
     note(&mut solution, "interface", start);
     let start = Instant::now();
     let gap: Vec<f64> = operator.points().iter().map(|p| start_gap(stage, &pair, p.arc)).collect();
@@ -129,7 +127,7 @@ fn solve_level(stage: Stage<'_>, level: Level, options: Options) -> Result<Solve
         pair.counter.zip(found.counter.as_ref()).map_or(0.0, |(body, state)| body.strain_energy(state)),
     ];
     solution.energy = Some(EnergyResult { body1_Nmm: Some(energy[0]), body2_Nmm: Some(energy[1]) });
-    solution.reactions = parts.reactions(&bodies, states);
+    solution.reactions = reduced.reactions(states);
     solution.contact = Some(result(stage, &pair, &operator, &found));
     let length = pair.trace().length();
     let inner: Vec<f64> = (0..SAMPLES).map(|i| length * (0.025 + 0.95 * i as f64 / (SAMPLES - 1) as f64)).collect();

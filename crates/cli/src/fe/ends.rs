@@ -184,7 +184,7 @@ impl<'a> Setting<'a> {
     fn press(&self) -> ContactLoad {
         let load = self.scene.load.clone().unwrap_or_default();
         let rigid = load.kind == Some(crate::scene::LoadKind::Rigid);
-        let cases = if rigid { vec![] } else { vec![1.0 / self.copies(), 0.0, 0.0, 0.0] };
+        let cases = if rigid { vec![] } else { vec![self.force() / self.copies(), 0.0, 0.0, 0.0] };
         let mut press = ContactLoad::factors(&cases, &[]);
         if rigid {
             press.motions[1] = match load.approach {

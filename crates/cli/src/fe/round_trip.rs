@@ -1,13 +1,13 @@
 //! The proof of a shape: a full Signorini-Coulomb solve on it must give the wanted pressure back.
 
-use contact::{ContactOperator, Pair};
+use contact::ContactOperator;
 use shapeopt::{GapCurve, Shape, SurfacePlace};
 
 use crate::fault::Fault;
 use crate::fe::bodies::Level;
 use crate::fe::contact::pressure_at;
+use crate::fe::operators::Reduced;
 use crate::fe::shape::Shaper;
-use crate::fe::stage::pair;
 use crate::fe::template::Cut;
 use crate::solution::Solution;
 
@@ -24,15 +24,11 @@ fn wanted(shaper: &Shaper<'_>, operator: &ContactOperator<'_>) -> (Vec<f64>, Vec
     (points.iter().map(|p| p.weight).collect(), (0..points.len()).map(|i| shaper.pressure(&place(i))).collect())
 }
 
-fn operator<'b>(shaper: &Shaper<'_>, pair: &Pair<'b>) -> Result<ContactOperator<'b>, Fault> {
-    ContactOperator::new(pair, shaper.stage.friction() > 0.0)
-        .map_err(|error| Fault::at("body1.support", "not-held", error.to_string(), "support the bodies"))
-}
-
 /// Round trip on the very operators the shape was found on: a test of the contact solver.
-pub(super) fn same(shaper: &Shaper<'_>, pair: &Pair<'_>, shape: &Shape) -> Result<f64, Fault> {
-    let operator = operator(shaper, pair)?;
-    let gap: Vec<f64> = operator.points().iter().map(|p| shape.gap(pair, p)).collect();
+pub(super) fn same(shaper: &Shaper<'_>, reduced: &Reduced, shape: &Shape) -> Result<f64, Fault> {
+    let pair = reduced.pair()?;
+    let operator = reduced.operator(&pair, shaper.stage.friction() > 0.0)?;
+    let gap: Vec<f64> = operator.points().iter().map(|p| shape.gap(&pair, p)).collect();
     let found = solve(shaper, &operator, &gap)?;
     let (weights, wanted) = wanted(shaper, &operator);
     Ok(difference(&weights, &found, &wanted))
@@ -40,18 +36,12 @@ pub(super) fn same(shaper: &Shaper<'_>, pair: &Pair<'_>, shape: &Shape) -> Resul
 
 /// Round trip on an independent discretisation: two degrees more, other break points, the gap as a function of the arc length.
 /// Also writes the pressure found into the profile, interpolated between the new points.
-pub(super) fn independent(
-    shaper: &Shaper<'_>,
-    level: Level,
-    shape: &GapCurve,
-    solution: &mut Solution,
-) -> Result<Option<f64>, Fault> {
+pub(super) fn independent(shaper: &Shaper<'_>, level: Level, shape: &GapCurve, solution: &mut Solution) -> Result<f64, Fault> {
     let mut effort = Solution::default();
     let finer = Level { degree: (level.degree + 2).min(hpfem::MAX_DEGREE), layers: level.layers };
-    let parts = shaper.stage.parts(finer, Cut::Shifted, &mut effort)?;
-    let bodies = parts.reduce(&mut effort)?;
-    let pair = pair(&bodies)?;
-    let operator = operator(shaper, &pair)?;
+    let reduced = shaper.stage.reduced(finer, Cut::Shifted, &mut effort)?;
+    let pair = reduced.pair()?;
+    let operator = reduced.operator(&pair, shaper.stage.friction() > 0.0)?;
     let gap: Vec<f64> = operator.points().iter().map(|p| shape.at(p.arc)).collect();
     let found = solve(shaper, &operator, &gap)?;
     let (weights, wanted) = wanted(shaper, &operator);
@@ -61,7 +51,7 @@ pub(super) fn independent(
         profile.pressure_solved =
             profile.s.iter().map(|s| pressure_at(&pair, &operator, &found, (s - start).clamp(0.0, length))).collect();
     }
-    Ok(Some(difference(&weights, &found, &wanted)))
+    Ok(difference(&weights, &found, &wanted))
 }
 
 fn solve(shaper: &Shaper<'_>, operator: &ContactOperator<'_>, gap: &[f64]) -> Result<Vec<f64>, Fault> {

@@ -1,5 +1,6 @@
 //! The shape stage: levels of rising degree until the gap is accurate enough, then the round trip.
 
+use std::sync::Arc;
 use std::time::Instant;
 
 use contact::{ContactPoint, Pair};
@@ -9,13 +10,14 @@ use shapeopt::{GapCurve, Gauge, Integration, RigidPart, Shape, ShapeProblem, Sur
 
 use crate::fault::Fault;
 use crate::fe::bodies::{Level, MEAN_COLUMNS};
+use crate::fe::operators::Reduced;
 use crate::fe::round_trip;
-use crate::fe::stage::{Stage, add_times, note, pair, rest};
+use crate::fe::stage::{Stage, add_times, note, rest};
 use crate::fe::template::Cut;
 use crate::fe::torsion;
 use crate::profile::Profile;
 use crate::setup::Problem;
-use crate::solution::{Counters, EnergyResult, ShapeResult, Solution, Status};
+use crate::solution::{EnergyResult, ShapeResult, Solution, Status};
 use crate::solve::{CURVE, Options};
 
 /// Samples of the gap for the comparison of levels.
@@ -24,10 +26,12 @@ const SAMPLES: usize = 201;
 /// One solved level.
 struct Solved {
     level: Level,
+    reduced: Arc<Reduced>,
+    shape: Shape,
     gaps: Vec<f64>,
     /// Closing velocities of the rigid modes at the samples.
     closing: DMatrix<f64>,
-    curve: GapCurve,
+    /// Counters and times.
     solution: Solution,
 }
 
@@ -61,12 +65,12 @@ pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution
             solution.status = Status::Interrupted;
             return Ok(());
         }
-        solved.push(shaper.level(level, options)?);
+        solved.push(shaper.level(level)?);
         if !fixed && estimate(&solved).is_some_and(|error| error <= stage.accuracy()) {
             break;
         }
     }
-    finish(&shaper, solved, fixed, solution)
+    finish(&shaper, solved, fixed, options, solution)
 }
 
 /// Estimated `max |dg| / max g` of the last level, after the best rigid part is taken out of each difference.
@@ -101,25 +105,22 @@ pub(crate) fn difference_of_gaps(a: &[f64], b: &[f64], closing: &DMatrix<f64>) -
     rest.amax() / largest
 }
 
-/// Takes over the last level with the error estimate and the effort of all, and proves it.
-fn finish(shaper: &Shaper<'_>, mut solved: Vec<Solved>, fixed: bool, solution: &mut Solution) -> Result<(), Fault> {
+/// Reports the last level with the error estimate and the effort of all, and proves it.
+fn finish(
+    shaper: &Shaper<'_>,
+    mut solved: Vec<Solved>,
+    fixed: bool,
+    options: Options,
+    solution: &mut Solution,
+) -> Result<(), Fault> {
     let error = estimate(&solved);
     let accuracy = shaper.stage.accuracy();
     let levels = solved.len();
     let times: Vec<_> = solved.iter().map(|s| s.solution.times.clone()).collect();
-    let total = |f: &dyn Fn(&Counters) -> usize| solved.iter().map(|s| f(&s.solution.counters)).sum::<usize>();
-    let (factorisations, checks) = (total(&|c| c.factorisations), total(&|c| c.check_solves));
-    let Some(Solved { level, curve, solution: last, .. }) = solved.pop() else { return Ok(()) };
-    let before = std::mem::replace(&mut solution.counters, last.counters.clone());
-    solution.counters.factorisations = before.factorisations + factorisations;
-    solution.counters.contact_solves = before.contact_solves;
-    solution.counters.check_solves = checks;
-    solution.energy = last.energy;
-    solution.reactions = last.reactions;
-    solution.profile = last.profile;
-    solution.curve = last.curve;
-    solution.shape = last.shape;
+    solution.counters.factorisations += solved.iter().map(|s| s.solution.counters.factorisations).sum::<usize>();
+    let Some(last) = solved.pop() else { return Ok(()) };
     add_times(&times, &mut solution.times);
+    shaper.report(&last, options, solution)?;
     let result = solution.error.get_or_insert_default();
     result.gap_relative = error;
     let closed = std::mem::take(&mut result.how);
@@ -135,12 +136,15 @@ fn finish(shaper: &Shaper<'_>, mut solved: Vec<Solved>, fixed: bool, solution: &
     }
     if shaper.stage.problem.plan.runs("round trip") {
         let start = Instant::now();
-        let independent = round_trip::independent(shaper, level, &curve, solution)?;
+        let same = round_trip::same(shaper, &last.reduced, &last.shape)?;
+        let curve = GapCurve::of(&last.shape, &last.reduced.pair()?);
+        let independent = round_trip::independent(shaper, last.level, &curve, solution)?;
         note(solution, "round trip", start);
+        solution.counters.check_solves += 2;
         if let Some(shape) = &mut solution.shape {
-            shape.roundtrip_independent = independent;
+            shape.roundtrip_same = Some(same);
+            shape.roundtrip_independent = Some(independent);
         }
-        solution.counters.check_solves += 1;
     }
     Ok(())
 }
@@ -154,17 +158,14 @@ pub(super) struct Shaper<'a> {
 
 impl Shaper<'_> {
     /// Solves one level.
-    fn level(&self, level: Level, options: Options) -> Result<Solved, Fault> {
-        let stage = self.stage;
+    fn level(&self, level: Level) -> Result<Solved, Fault> {
         let mut solution = Solution::default();
-        let parts = stage.parts(level, Cut::Plain, &mut solution)?;
-        let bodies = parts.reduce(&mut solution)?;
+        let reduced = self.stage.reduced(level, Cut::Plain, &mut solution)?;
         let start = Instant::now();
-        let pair = pair(&bodies)?;
+        let pair = reduced.pair()?;
         let shape = self.shape(&pair)?;
         note(&mut solution, "shape", start);
-        let length = pair.trace().length();
-        let arcs: Vec<f64> = (0..SAMPLES).map(|i| length * i as f64 / (SAMPLES - 1) as f64).collect();
+        let arcs = samples(&pair);
         let gaps: Vec<f64> = arcs.iter().map(|arc| shape.gap(&pair, &pair.at_arc(*arc))).collect();
         let mut modes = DMatrix::zeros(SAMPLES, pair.shaped.rigid_modes.ncols());
         for (row, arc) in arcs.iter().enumerate() {
@@ -172,36 +173,37 @@ impl Shaper<'_> {
                 modes[(row, k)] = phi;
             }
         }
+        Ok(Solved { level, reduced, shape, gaps, closing: modes, solution })
+    }
+
+    /// Everything that is reported of a level but its proof.
+    fn report(&self, solved: &Solved, options: Options, solution: &mut Solution) -> Result<(), Fault> {
+        let Solved { level, reduced, shape, gaps, .. } = solved;
+        let (stage, pair) = (self.stage, reduced.pair()?);
+        reduced.count(&mut solution.counters);
         let most = (0..gaps.len()).max_by(|a, b| gaps[*a].total_cmp(&gaps[*b])).unwrap_or(0);
-        let roundtrip_same = match stage.problem.plan.runs("round trip") {
-            true => {
-                solution.counters.check_solves = 1;
-                Some(round_trip::same(self, &pair, &shape)?)
-            }
-            false => None,
-        };
         solution.shape = Some(ShapeResult {
             iterations: 1,
             gap_max_um: Some(1e3 * gaps[most]),
-            gap_where_mm: Some(stage.start(&pair) + arcs[most]),
+            gap_where_mm: Some(stage.start(&pair) + samples(&pair)[most]),
             crown_um: Some(1e3 * gaps[most]),
             rigid_mm: shape.rigid.first().copied(),
-            roundtrip_same,
+            roundtrip_same: None,
             roundtrip_independent: None,
         });
         solution.energy = Some(EnergyResult {
             body1_Nmm: Some(pair.shaped.strain_energy(&shape.shaped)),
             body2_Nmm: pair.counter.zip(shape.counter.as_ref()).map(|(body, state)| body.strain_energy(state)),
         });
-        solution.reactions = parts.reactions(&bodies, states(&shape));
+        solution.reactions = reduced.reactions(states(shape));
         let points = options.sample.map_or_else(|| pair.points(), |sampling| stage.sample(&pair, sampling));
-        let mut profile = self.profile(&pair, &shape, &points);
+        let mut profile = self.profile(&pair, shape, &points);
         if stage.problem.plan.runs("torsion") {
-            torsion::fill(self, level, &points, &mut profile, &mut solution)?;
+            torsion::fill(self, *level, &points, &mut profile, solution)?;
         }
         solution.profile = Some(profile);
-        solution.curve = Some(self.profile(&pair, &shape, &stage.sample(&pair, CURVE)));
-        Ok(Solved { level, gaps, closing: modes, curve: GapCurve::of(&shape, &pair), solution })
+        solution.curve = Some(self.profile(&pair, shape, &stage.sample(&pair, CURVE)));
+        Ok(())
     }
 
     /// Wanted pressure at a place.
@@ -267,6 +269,12 @@ impl Shaper<'_> {
         }
         profile
     }
+}
+
+/// Arc lengths at which levels are compared.
+fn samples(pair: &Pair<'_>) -> Vec<f64> {
+    let length = pair.trace().length();
+    (0..SAMPLES).map(|i| length * i as f64 / (SAMPLES - 1) as f64).collect()
 }
 
 fn states(shape: &Shape) -> [Option<&InterfaceState>; 2] {

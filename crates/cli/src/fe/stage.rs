@@ -1,13 +1,15 @@
 //! What the elastic stages share: the two reduced bodies of a level, the contact surface in the words of wear, common columns.
 
+use std::sync::Arc;
 use std::time::Instant;
 
 use contact::{ContactLoad, ContactPoint, MomentBalance, Motion, Pair, Side};
-use hpfem::{Body, InterfaceState};
+use hpfem::{Body, InterfaceState, Kinematics};
 use nalgebra::Vector3;
 
 use crate::fault::Fault;
 use crate::fe::bodies::{BodyParts, Level, kinematics};
+use crate::fe::operators::{self, Place, Reduced};
 use crate::fe::template::{Cut, Extent, meshes};
 use crate::profile::Profile;
 use crate::scene::{LoadKind, Scene};
@@ -62,11 +64,34 @@ impl<'a> Stage<'a> {
         ladder(self.scene(), options)
     }
 
+    /// Both bodies of a level, meshed and reduced unless that was done before.
+    pub(super) fn reduced(&self, level: Level, cut: Cut, solution: &mut Solution) -> Result<Arc<Reduced>, Fault> {
+        let place = Place { level, cut, torsion: false };
+        let reduced = self.problem.operators.get(self.scene(), place, solution, |solution| {
+            let parts = self.parts(level, cut, solution)?;
+            Reduced::new(&parts, solution)
+        })?;
+        reduced.count(&mut solution.counters);
+        Ok(reduced)
+    }
+
+    /// Both bodies of a level in the scalar problem of twisting.
+    pub(super) fn twisted(&self, level: Level, solution: &mut Solution) -> Result<Arc<Reduced>, Fault> {
+        let place = Place { level, cut: Cut::Plain, torsion: true };
+        self.problem.operators.get(self.scene(), place, solution, |solution| {
+            let parts = self.parts_in(level, Cut::Plain, Kinematics::Torsion, solution)?;
+            Reduced::new(&parts, solution)
+        })
+    }
+
     /// Meshes, supports and loads of both bodies.
     pub(super) fn parts(&self, level: Level, cut: Cut, solution: &mut Solution) -> Result<Parts, Fault> {
+        self.parts_in(level, cut, kinematics(self.scene()), solution)
+    }
+
+    fn parts_in(&self, level: Level, cut: Cut, kinematics: Kinematics, solution: &mut Solution) -> Result<Parts, Fault> {
         let start = Instant::now();
         let [mesh1, mesh2] = meshes(self.scene(), self.extent, level.layers, cut)?;
-        let kinematics = kinematics(self.scene());
         let parts = [
             BodyParts::new(self.scene(), true, mesh1, level, kinematics)?,
             BodyParts::new(self.scene(), false, mesh2, level, kinematics)?,
@@ -108,9 +133,10 @@ impl<'a> Stage<'a> {
         load.is_some_and(|load| load.approach.is_some() || load.approach_time.is_some())
     }
 
-    /// Load-case factors of body 1: the load alone.
+    /// Load-case factors of body 1: the force alone.
     pub(super) fn cases(&self) -> Vec<f64> {
-        if self.rigid_edge() { vec![] } else { vec![1.0, 0.0, 0.0, 0.0] }
+        let force = self.scene().load.as_ref().and_then(|load| load.force).map_or(0.0, |force| force.0);
+        if self.rigid_edge() { vec![] } else { vec![force, 0.0, 0.0, 0.0] }
     }
 
     /// Load, motions of the rigid edge and friction of a contact solve.
@@ -221,25 +247,8 @@ impl Parts {
 
     /// Forces of the supports on their bodies.
     pub(super) fn reactions(&self, bodies: &[Body<'_>; 2], states: [Option<&InterfaceState>; 2]) -> Vec<(String, Reaction)> {
-        let mut reactions: Vec<(String, Reaction)> = Vec::new();
-        for ((part, body), state) in self.parts.iter().zip(bodies).zip(states) {
-            let Some(state) = state else { continue };
-            for (number, name) in part.support_names.iter().enumerate().filter(|(_, name)| !name.is_empty()) {
-                let [x, z, moment] = body.interface.reaction(number, state);
-                match reactions.iter_mut().find(|(known, _)| known == name) {
-                    Some((_, sum)) => {
-                        sum.x_N = sum.x_N.map(|v| v + x);
-                        sum.z_N = sum.z_N.map(|v| v + z);
-                        sum.moment_Nmm = sum.moment_Nmm.map(|v| v + moment);
-                    }
-                    None => {
-                        let new = Reaction { x_N: Some(x), z_N: Some(z), moment_Nmm: Some(moment) };
-                        reactions.push((name.clone(), new));
-                    }
-                }
-            }
-        }
-        reactions
+        let names = [self.parts[0].support_names.as_slice(), self.parts[1].support_names.as_slice()];
+        operators::reactions([&bodies[0].interface, &bodies[1].interface], names, states)
     }
 }
 
@@ -269,12 +278,6 @@ pub(super) fn ladder(scene: &Scene, options: Options) -> Vec<Level> {
             .map(|down| Level { degree: level.degree - down, layers: level.layers })
             .collect(),
     }
-}
-
-/// Pairs the two bodies of a level.
-pub(super) fn pair<'b>(bodies: &'b [Body<'_>; 2]) -> Result<Pair<'b>, Fault> {
-    Pair::new(&bodies[0].interface, Some(&bodies[1].interface))
-        .map_err(|error| Fault::at("contact.edges", "no-contact", error.to_string(), "give both bodies the same contact surface"))
 }
 
 /// Notes the seconds of a stage, summed over levels.

@@ -5,9 +5,8 @@ use hpfem::Kinematics;
 use shapeopt::SurfacePlace;
 
 use crate::fault::Fault;
-use crate::fe::bodies::{BodyParts, Level};
+use crate::fe::bodies::Level;
 use crate::fe::shape::Shaper;
-use crate::fe::template::{Cut, meshes};
 use crate::profile::Profile;
 use crate::solution::Solution;
 
@@ -20,11 +19,8 @@ pub(super) fn fill(
     solution: &mut Solution,
 ) -> Result<(), Fault> {
     let stage = shaper.stage;
-    let meshes = meshes(stage.scene(), stage.extent, level.layers, Cut::Plain)?;
-    for (body, mesh) in meshes.into_iter().enumerate() {
-        let parts = BodyParts::new(stage.scene(), body == 0, mesh, level, Kinematics::Torsion)?;
-        let reduced = parts.reduce(["body1", "body2"][body])?;
-        let operator = &reduced.interface;
+    let reduced = stage.twisted(level, solution)?;
+    for (body, operator) in reduced.interfaces.iter().enumerate() {
         let sign = if body == 0 { 1.0 } else { -1.0 };
         let load = operator.trace.load(Kinematics::Torsion, 4, |point| {
             let normal = if body == 0 { point.outward.map(|v| -v) } else { point.outward };
@@ -39,7 +35,6 @@ pub(super) fn fill(
             let u = rows[0].iter().map(|(i, c)| c * unknowns[*i]).sum::<f64>() + constant[0];
             profile.hoop_displacement[body][row] = 1e3 * u;
         }
-        solution.counters.factorisations += 1;
     }
     Ok(())
 }

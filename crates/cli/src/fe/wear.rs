@@ -10,7 +10,7 @@ use crate::fault::Fault;
 use crate::fe::bodies::Level;
 use crate::fe::contact::{pressure_at, start_gap};
 use crate::fe::shape::difference_of_gaps;
-use crate::fe::stage::{Stage, add_times, note, pair, rest};
+use crate::fe::stage::{Stage, add_times, note, rest};
 use crate::fe::template::Cut;
 use crate::gap;
 use crate::profile::Profile;
@@ -119,12 +119,10 @@ fn finish(stage: Stage<'_>, mut solved: Vec<Solved>, fixed: bool, solution: &mut
 /// One run on one level; the inner `Err` is a start without an answer.
 fn run(stage: Stage<'_>, level: Level, options: Options) -> Result<Result<Solved, String>, Fault> {
     let mut solution = Solution::default();
-    let parts = stage.parts(level, Cut::Plain, &mut solution)?;
-    let bodies = parts.reduce(&mut solution)?;
+    let reduced = stage.reduced(level, Cut::Plain, &mut solution)?;
     let start = Instant::now();
-    let pair = pair(&bodies)?;
-    let operator = ContactOperator::new(&pair, stage.friction() > 0.0)
-        .map_err(|error| Fault::at("body1.support", "not-held", error.to_string(), "support the bodies"))?;
+    let pair = reduced.pair()?;
+    let operator = reduced.operator(&pair, stage.friction() > 0.0)?;
     note(&mut solution, "interface", start);
     let start = Instant::now();
     let load = stage.contact_load(operator.points());
@@ -167,7 +165,7 @@ fn run(stage: Stage<'_>, level: Level, options: Options) -> Result<Result<Solved
         body1_Nmm: Some(pair.shaped.strain_energy(&found.shaped)),
         body2_Nmm: pair.counter.zip(found.counter.as_ref()).map(|(body, state)| body.strain_energy(state)),
     });
-    solution.reactions = parts.reactions(&bodies, states);
+    solution.reactions = reduced.reactions(states);
     solution.wear = Some(WearResult {
         status: word(&ended).into(),
         steps: state.step,

@@ -77,3 +77,66 @@ fn a_wrong_grid_is_refused() {
         assert!(call.err.contains("--over") && call.err.contains("remedy: "), "{over}: {}", call.err);
     }
 }
+
+/// Four discretisations (degrees 2, 4, 6 and the proof's 8) of two bodies: eight factorisations, however many points.
+#[test]
+fn a_sweep_factors_each_level_once_and_has_the_numbers_of_single_runs() {
+    let bench = Bench::new();
+    let fixed = "drum-brake-block --set mesh.degree=6 -q";
+    let over = "--over load.force=1e4,2e4 --over contact.friction=0,.25 --over optimum.functional=steady,uniform";
+    for threads in [1, 2] {
+        let call = bench.call(&format!("sweep {fixed} {over} --threads {threads} -o threads-{threads}"));
+        assert_eq!(call.code, 0, "{}", call.err);
+    }
+    for name in ["sweep.csv", "sweep.jsonl", "summary.json"] {
+        assert!(bench.read(&format!("threads-1/{name}")) == bench.read(&format!("threads-2/{name}")), "{name} differs");
+    }
+    let summary: serde_json::Value = serde_json::from_str(&bench.read("threads-1/summary.json")).unwrap();
+    assert_eq!(summary["counters"]["factorisations"], 8);
+    assert_eq!(summary["counters"]["factorisations_saved"], 56);
+    let text = bench.read("threads-1/sweep.jsonl");
+    let rows: Vec<serde_json::Value> = text.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    assert_eq!(rows.len(), 8);
+    for (row, force, friction, functional) in [(0, "1e4", "0", "steady"), (7, "2e4", ".25", "uniform")] {
+        let sets = format!("--set load.force={force} --set contact.friction={friction} --set optimum.functional={functional}");
+        assert_eq!(bench.call(&format!("run {fixed} {sets} -o single-{row}")).code, 0);
+        let single: serde_json::Value = serde_json::from_str(&bench.read(&format!("single-{row}/summary.json"))).unwrap();
+        assert_eq!(single["counters"]["factorisations"], 8);
+        for key in ["gap_max_um", "gap_where_mm", "rigid_mm", "roundtrip_same", "roundtrip_independent"] {
+            assert_eq!(rows[row][format!("shape.{key}")], single["shape"][key], "{key}");
+        }
+        assert_eq!(rows[row]["energy.body1_Nmm"], single["energy"]["body1_Nmm"]);
+        assert_eq!(rows[row]["reactions.body2.inner.x_N"], single["reactions"]["body2.inner"]["x_N"]);
+    }
+}
+
+#[test]
+fn a_sweep_over_bodies_factors_each_of_them() {
+    let bench = Bench::new();
+    let sets = "--set mesh.degree=4 --set check=false -q";
+    let call =
+        bench.call(&format!("sweep drum-brake-block {sets} --over body1.material.young=1e5,2e5 --over contact.friction=0,.25"));
+    assert_eq!(call.code, 0, "{}", call.err);
+    let summary: serde_json::Value = serde_json::from_str(&bench.read("out/drum-brake-block-sweep/summary.json")).unwrap();
+    // Degrees 2 and 4 of two bodies for two moduli.
+    assert_eq!(summary["counters"]["factorisations"], 8);
+    assert_eq!(summary["counters"]["factorisations_saved"], 8);
+}
+
+/// Prescribed and free rotation, and friction with its twisting, are other bodies or other responses of the same ones.
+#[test]
+fn elastic_sweeps_resume_to_the_same_rows() {
+    let bench = Bench::new();
+    let args = "sweep annular-punch --set mesh.degree=4 --over contact.friction=0,.1,.2,.3 --over wear.b=.8,1,1.2 -q -o x";
+    assert_eq!(bench.call(args).code, 0);
+    let whole = bench.read("x/sweep.jsonl");
+    let summary: serde_json::Value = serde_json::from_str(&bench.read("x/summary.json")).unwrap();
+    // Degrees 2, 4, the proof's 6, and the twist of degree 4, of two bodies.
+    assert_eq!(summary["counters"]["factorisations"], 8);
+    let torn: String = whole.lines().take(5).map(|line| format!("{line}\n")).collect::<String>() + "{\"contact.fr";
+    std::fs::create_dir(bench.path("x.partial")).unwrap();
+    std::fs::copy(bench.path("x/scene.resolved.toml"), bench.path("x.partial/scene.resolved.toml")).unwrap();
+    bench.file("x.partial/sweep.jsonl", &torn);
+    assert_eq!(bench.call(&format!("{args} --resume")).code, 0);
+    assert!(bench.read("x/sweep.jsonl") == whole, "the rows differ");
+}
