@@ -1,6 +1,7 @@
 //! Project chores, started as `cargo xtask <chore>`.
 
 mod bench;
+mod package;
 mod tidy;
 mod verify;
 
@@ -15,6 +16,7 @@ usage: cargo xtask <chore>
   verify    compare wearshape with independent solutions by Debian's dolfinx and gmsh
             [--install] [--quick] [--case NAME] [--fault friction-sign|young] [--can-fail]
             [--known] [--program PATH]
+  package   the static program, manual pages, completions and the Debian package
   bench     run the benches of our crates and print their ratios [crate ..]
 ";
 
@@ -25,6 +27,7 @@ fn main() -> ExitCode {
         Some("tidy") => tidy::run(&root),
         Some("bench") => bench::run(&root, &words[1..]),
         Some("verify") => verify::run(&root, &words[1..]),
+        Some("package") => package::run(&root),
         Some("help" | "-h" | "--help") => {
             print!("{USAGE}");
             ExitCode::SUCCESS

@@ -55,6 +55,12 @@ pub(crate) enum Command {
         /// The shell.
         shell: clap_complete::Shell,
     },
+    /// Print the manual page, or write the pages of all commands into a folder.
+    #[command(after_help = "Examples:\n  wearshape man | man -l -\n  wearshape man ~/.local/share/man/man1")]
+    Man {
+        /// Folder for one page a command.
+        folder: Option<PathBuf>,
+    },
 }
 
 /// Options of run, study and sweep.

@@ -9,12 +9,13 @@ mod sweep;
 
 use std::ffi::OsString;
 use std::io::{IsTerminal, Write};
+use std::path::Path;
 
 use clap::{CommandFactory, Parser};
 
 use crate::args::{Cli, Command};
 use crate::exit::Exit;
-use crate::fault::Fault;
+use crate::fault::{Fault, Place};
 
 /// Runs the command that the arguments ask for.
 pub(crate) fn run(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> Exit {
@@ -29,6 +30,7 @@ pub(crate) fn run(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -
         Command::New(args) => new::run(&args),
         Command::Schema => schema(),
         Command::Completions { shell } => completions(shell),
+        Command::Man { folder } => man(folder.as_deref()),
         Command::Run(args) => run::run(&args),
         Command::Sweep(args) => sweep::run(&args),
         Command::Report(args) => report::run(&args),
@@ -93,5 +95,28 @@ fn completions(shell: clap_complete::Shell) -> Result<Exit, Fault> {
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut Cli::command(), "wearshape", &mut script);
     print_out(&String::from_utf8_lossy(&script));
+    Ok(Exit::Done)
+}
+
+fn man(folder: Option<&Path>) -> Result<Exit, Fault> {
+    let unwritable = |error: std::io::Error| {
+        let shown = folder.unwrap_or(Path::new("-")).display().to_string();
+        Fault {
+            place: Some(Place::Flag(shown.clone())),
+            ..Fault::new(
+                "unwritable",
+                format!("cannot write manual pages to {shown}: {error}"),
+                "give a folder that can be written",
+            )
+        }
+    };
+    if let Some(folder) = folder {
+        let written = std::fs::create_dir_all(folder).and_then(|()| clap_mangen::generate_to(Cli::command(), folder));
+        written.map_err(unwritable)?;
+    } else {
+        let mut page = Vec::new();
+        clap_mangen::Man::new(Cli::command()).render(&mut page).map_err(unwritable)?;
+        print_out(&String::from_utf8_lossy(&page));
+    }
     Ok(Exit::Done)
 }

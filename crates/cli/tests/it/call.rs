@@ -49,6 +49,12 @@ impl Bench {
         finished(command.args(args).current_dir(self.folder.path()).output().unwrap())
     }
 
+    /// Runs a shell script in which `$0` is the program.
+    pub(crate) fn shell(&self, script: &str) -> Call {
+        let mut shell = Command::new("sh");
+        finished(shell.args(["-c", script, env!("CARGO_BIN_EXE_wearshape")]).current_dir(self.folder.path()).output().unwrap())
+    }
+
     /// The summary of a run in out/.
     pub(crate) fn summary(&self, name: &str) -> serde_json::Value {
         serde_json::from_str(&self.read(&format!("out/{name}/summary.json"))).unwrap()

@@ -131,3 +131,28 @@ fn a_recording_is_written_when_asked_for_and_holds_the_scene() {
     let rows = bench.read("out/disc-pad/contact.csv").lines().count() - 1;
     assert_eq!(profile["points"].as_array().map(Vec::len), Some(rows));
 }
+
+#[test]
+fn a_full_disk_ends_with_a_remedy_and_keeps_the_folder_that_was_there() {
+    let bench = Bench::new();
+    assert_eq!(bench.call("run disc-pad -q").code, 0);
+    let before = bench.bytes("out/disc-pad/summary.json");
+    // A file size limit stands for the full disk: writing fails in the same way.
+    let script = "trap '' XFSZ; ulimit -f 8; exec \"$0\" run disc-pad -q --set contact.friction=.1";
+    let call = bench.shell(script);
+    assert_eq!(call.code, 2, "{}", call.err);
+    assert!(call.err.contains("cannot write") && call.err.contains("room on its disk"), "{}", call.err);
+    assert_eq!(bench.bytes("out/disc-pad/summary.json"), before);
+    assert_eq!(bench.call("run disc-pad -q --set contact.friction=.1").code, 0, "the next run is not hindered");
+}
+
+#[test]
+fn manual_pages_are_written_for_every_command() {
+    let bench = Bench::new();
+    let call = bench.call("man");
+    assert!(call.code == 0 && call.out.contains(".TH wearshape 1"), "{}", call.err);
+    assert_eq!(bench.call("man pages").code, 0);
+    assert!(bench.read("pages/wearshape-run.1").contains("\\-\\-sample"));
+    let call = bench.call("man /proc/pages");
+    assert!(call.code == 2 && call.err.contains("/proc/pages"), "{}", call.err);
+}
