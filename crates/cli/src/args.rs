@@ -55,6 +55,12 @@ pub(crate) enum Command {
         /// The shell.
         shell: clap_complete::Shell,
     },
+    /// Print what is behind a note on a scene.
+    #[command(after_help = "Examples:\n  wearshape explain\n  wearshape explain s-below-one")]
+    Explain {
+        /// Code of the note, as in note [s-one]; all codes without it.
+        code: Option<String>,
+    },
     /// Print the manual page, or write the pages of all commands into a folder.
     #[command(after_help = "Examples:\n  wearshape man | man -l -\n  wearshape man ~/.local/share/man/man1")]
     Man {

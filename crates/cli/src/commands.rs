@@ -1,6 +1,7 @@
 //! One function a command: from arguments to an exit code.
 
 mod check;
+mod explain;
 mod new;
 mod report;
 mod run;
@@ -30,6 +31,7 @@ pub(crate) fn run(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -
         Command::New(args) => new::run(&args),
         Command::Schema => schema(),
         Command::Completions { shell } => completions(shell),
+        Command::Explain { code } => explain::run(code.as_deref()),
         Command::Man { folder } => man(folder.as_deref()),
         Command::Run(args) => run::run(&args),
         Command::Sweep(args) => sweep::run(&args),

@@ -44,7 +44,7 @@ pub(crate) fn describe(problem: &Problem) -> String {
         out += &format!(", free rigid modes of body 1: {}\n", problem.freedoms.len());
     }
     for lint in &problem.lints {
-        out += &format!("\nnote [{}]: {}\n", lint.code, lint.message);
+        out += &format!("\nnote [{}]: {}\n  more: wearshape explain {}\n", lint.code, lint.message, lint.code);
     }
     if !problem.unused_keys.is_empty() {
         out += &format!("\nkeys not used by this scene: {}\n", problem.unused_keys.join(", "));
