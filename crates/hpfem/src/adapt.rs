@@ -54,7 +54,7 @@ pub fn graded_level(coarse: &Mesh, singular: &[SingularVertex], p: usize) -> Res
     let vertices: Vec<usize> = singular.iter().map(|s| s.vertex).collect();
     let mut mesh = coarse.clone();
     // Vertices keep their numbers in every refinement.
-    while mesh.cells.iter().any(|c| c.corners.iter().filter(|v| vertices.contains(v)).count() > 1) {
+    while mesh.cells.iter().any(|c| c.vertices().iter().filter(|v| vertices.contains(v)).count() > 1) {
         mesh = mesh.refined()?;
     }
     let mut layers = 0;

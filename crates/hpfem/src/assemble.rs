@@ -12,6 +12,7 @@ use crate::material::{Kinematics, Material};
 use crate::mesh::{CELL_EDGES, Mesh};
 use crate::quadrature::{barycentric_weights, gauss, gauss_lobatto, lagrange};
 use crate::space::{Space, Target, rigid_rows};
+use crate::triangle_matrix::TriangleTable;
 use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::solve_upper_triangular_in_place;
 use faer::{Accum, Mat, MatRef, Par};
@@ -50,6 +51,7 @@ pub(crate) struct Assembly<'a> {
     /// Stiffnesses and loads are divided by this power of two.
     pub(crate) unit: f64,
     pub(crate) tables: Vec<Option<Arc<Table>>>,
+    pub(crate) triangle_tables: Vec<Option<Arc<[TriangleTable; 3]>>>,
     /// `(column, traction)` for each edge, by edge.
     pub(crate) edge_loads: Vec<Vec<(usize, usize, usize)>>,
     pub(crate) load_cases: &'a [LoadCase<'a>],
@@ -151,7 +153,7 @@ impl Assembly<'_> {
         let vertices = self.mesh.vertices.len();
         let freedom = &self.space.freedom;
         let plain = |g: usize| freedom[g].is_plain();
-        if !(c.corners.iter().all(|v| plain(*v)) && c.edges.iter().all(|e| plain(vertices + e))) {
+        if !(c.corners.iter().all(|v| plain(*v)) && c.sides().all(|(_, e)| plain(vertices + e))) {
             return None;
         }
         let mut order = Vec::with_capacity(local.modes - local.interior);
@@ -159,7 +161,7 @@ impl Assembly<'_> {
             match g.checked_sub(vertices) {
                 None => order.push(c.corners.iter().position(|v| v == g)?),
                 Some(edge) => {
-                    let e = c.edges.iter().position(|e| *e == edge)?;
+                    let e = c.edges.iter().position(|e| *e == Some(edge))?;
                     order.extend(local.edge_start[e] - local.interior..local.edge_start[e + 1] - local.interior);
                 }
             }
@@ -236,10 +238,10 @@ impl Assembly<'_> {
         let mut push = |group, mode| {
             (0..self.space.components).for_each(|k| targets.push(self.space.target(self.mesh, group, mode, k)));
         };
-        c.corners.iter().for_each(|v| push(*v, 0));
-        for e in 0..4 {
-            let modes = local.edge_start[e + 1] - local.edge_start[e];
-            (0..modes).for_each(|m| push(self.mesh.vertices.len() + c.edges[e], m));
+        c.vertices().iter().for_each(|v| push(*v, 0));
+        for (local_edge, edge) in c.sides() {
+            let modes = local.edge_start[local_edge + 1] - local.edge_start[local_edge];
+            (0..modes).for_each(|m| push(self.mesh.vertices.len() + edge, m));
         }
         targets
     }
@@ -247,8 +249,9 @@ impl Assembly<'_> {
     /// Consistent loads of the cell's loaded edges: `((local boundary unknown, column), value)`.
     fn cell_loads(&self, cell: usize, local: &LocalModes) -> Vec<((usize, usize), f64)> {
         let mut loads = Vec::new();
-        for (e, ends) in CELL_EDGES.iter().enumerate() {
-            let edge = self.mesh.cells[cell].edges[e];
+        for (e, edge) in self.mesh.cells[cell].sides() {
+            // Edge 3 of a triangle ends at corner 2, which is corner 3 too.
+            let ends = CELL_EDGES[e].map(|k| k.min(local.corners - 1));
             for &(owner, case, index) in &self.edge_loads[edge] {
                 if owner != cell {
                     continue;

@@ -75,8 +75,9 @@ pub(crate) fn place(i: usize, j: usize) -> Place {
     }
 }
 
-/// Local degrees of freedom of a cell: interior modes first (the mode in eta runs fastest), then corners 0..4, then the modes of
-/// edges 0..4; displacement components run fastest.
+/// Local degrees of freedom of a cell: interior modes first (the mode in eta runs fastest), then the corners, then the modes of
+/// edges 0..4; displacement components run fastest. The modes of a triangle are numbered as by
+/// [`triangle_modes`](crate::triangle::triangle_modes) instead of `i + n * j`.
 #[derive(Clone, Debug)]
 pub(crate) struct LocalModes {
     /// Scalar position of the tensor mode `i + n * j` in the local order; `usize::MAX` if the space lacks it.
@@ -87,6 +88,8 @@ pub(crate) struct LocalModes {
     pub(crate) interior: usize,
     /// Number of scalar modes.
     pub(crate) modes: usize,
+    /// Number of corners.
+    pub(crate) corners: usize,
     /// First scalar position of each edge's modes; `[4]` is the end.
     pub(crate) edge_start: [usize; 5],
 }
@@ -126,6 +129,23 @@ impl LocalModes {
                 }
             }
         }
-        LocalModes { position, sign, interior, modes: edge_start[4], edge_start }
+        LocalModes { position, sign, interior, modes: edge_start[4], corners: 4, edge_start }
+    }
+
+    /// Modes of a triangle, whose edge 2 does not exist.
+    pub(crate) fn triangle(degree: usize, edges: [usize; 4], against: [bool; 4]) -> LocalModes {
+        let interior = (degree - 1) * degree.saturating_sub(2) / 2;
+        let mut position: Vec<usize> = (0..interior + 3).collect();
+        let mut sign = vec![1.0; interior + 3];
+        let mut edge_start = [interior + 3; 5];
+        for e in 0..4 {
+            let modes = if e == 2 { 0 } else { edges[e] - 1 };
+            edge_start[e + 1] = edge_start[e] + modes;
+            for k in 2..=if e == 2 { 1 } else { degree } {
+                position.push(if k <= edges[e] { edge_start[e] + k - 2 } else { usize::MAX });
+                sign.push(if against[e] && k % 2 == 1 { -1.0 } else { 1.0 });
+            }
+        }
+        LocalModes { position, sign, interior, modes: edge_start[4], corners: 3, edge_start }
     }
 }

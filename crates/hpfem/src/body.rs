@@ -14,6 +14,7 @@ use crate::mesh::Mesh;
 use crate::rigid::{free_motions, rigid_columns};
 use crate::space::{RigidEdge, Space, SpaceKind, Support};
 use crate::trace::{Trace, TraceLoad, path};
+use crate::triangle_matrix::TriangleTable;
 use faer::Mat;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -247,13 +248,15 @@ fn kept_groups(mesh: &Mesh, space: &Space, walk: &[(usize, bool)]) -> Vec<usize>
 fn assembly<'b>(problem: &'b BodyProblem<'_>, space: &'b Space, pins: usize) -> Result<Assembly<'b>, Error> {
     let mesh = problem.mesh;
     let unit = unit_of_stiffness(problem);
-    let mut tables: Vec<Option<Arc<Table>>> = Vec::new();
-    for degree in &space.cell_degree {
-        if tables.len() <= *degree {
-            tables.resize(*degree + 1, None);
-        }
-        if tables[*degree].is_none() {
-            tables[*degree] = Some(Arc::new(Table::new(*degree, points_for(*degree))));
+    let highest = space.cell_degree.iter().copied().max().unwrap_or(0);
+    let mut tables = vec![None; highest + 1];
+    let mut triangle_tables: Vec<Option<Arc<[TriangleTable; 3]>>> = vec![None; highest + 1];
+    for (cell, degree) in mesh.cells.iter().zip(&space.cell_degree) {
+        let points = points_for(*degree);
+        if cell.is_triangle() {
+            triangle_tables[*degree].get_or_insert_with(|| Arc::new(TriangleTable::new(*degree, points)));
+        } else {
+            tables[*degree].get_or_insert_with(|| Arc::new(Table::new(*degree, points)));
         }
     }
     let neighbours = mesh.edge_cells();
@@ -282,6 +285,7 @@ fn assembly<'b>(problem: &'b BodyProblem<'_>, space: &'b Space, pins: usize) -> 
         materials: problem.materials.iter().map(|m| m.scaled(1.0 / unit)).collect(),
         unit,
         tables,
+        triangle_tables,
         edge_loads,
         load_cases: problem.load_cases,
         rotation,

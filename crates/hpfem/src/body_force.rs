@@ -5,9 +5,9 @@
 
 use crate::additions::BodyForce;
 use crate::assemble::Assembly;
-use crate::element::{Workspace, cell_geometry};
+use crate::cell_point::{CellPoint, cell_rule};
+use crate::element::Workspace;
 use crate::error::Error;
-use crate::legendre::shape_functions;
 use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
 use faer::{Mat, Par};
 
@@ -27,11 +27,6 @@ impl Assembly<'_> {
         let local = self.space.local_modes(self.mesh, cell);
         let components = self.space.components;
         let degree = self.space.cell_degree[cell];
-        let n = degree + 1;
-        // Values are needed beyond the element's own rule: forces are no polynomials.
-        let rule = crate::quadrature::gauss(degree + 6);
-        let shapes: Vec<Vec<f64>> = rule.points.iter().map(|t| shape_functions(degree, *t).0).collect();
-        let geometry = cell_geometry(self.mesh, cell, &rule.points, &rule.points);
         let cases = self.load_cases.len();
         // In the order of the condensed matrix: interior first, one component after the other, unsigned.
         let (ni, nb) = (local.interior, local.modes - local.interior);
@@ -40,21 +35,14 @@ impl Assembly<'_> {
         let mut sign = vec![1.0; local.modes];
         local.position.iter().zip(&local.sign).filter(|(p, _)| **p != usize::MAX).for_each(|(p, s)| sign[*p] = *s);
         for force in forces {
-            for (b, eta) in shapes.iter().enumerate() {
-                for (a, xi) in shapes.iter().enumerate() {
-                    let at = a + rule.points.len() * b;
-                    let [[xx, xe], [zx, ze]] = geometry.derivative[at];
-                    let x = geometry.position[at];
-                    let volume = (xx * ze - xe * zx) * self.kinematics.measure(x[0]) / self.unit;
-                    let value = (force.force)(x).map(|f| f * volume * rule.weights[a] * rule.weights[b]);
-                    for (j, eta) in eta.iter().enumerate() {
-                        for (i, xi) in xi.iter().enumerate() {
-                            let mode = local.position[i + n * j];
-                            if mode != usize::MAX {
-                                (0..components).for_each(|c| load[(row(mode, c), force.case)] += xi * eta * value[c]);
-                            }
-                        }
-                    }
+            // Values are needed beyond the element's own rule: forces are no polynomials.
+            for ([xi, eta], weight) in cell_rule(self.mesh.cells[cell].is_triangle(), degree + 6) {
+                let point = CellPoint::new(self.mesh, cell, degree, xi, eta);
+                let x = point.position;
+                let volume = weight * point.jacobian() * self.kinematics.measure(x[0]) / self.unit;
+                let value = (force.force)(x).map(|f| f * volume);
+                for (jet, mode) in point.modes.iter().zip(&local.position).filter(|(_, m)| **m != usize::MAX) {
+                    (0..components).for_each(|c| load[(row(*mode, c), force.case)] += jet[0] * value[c]);
                 }
             }
         }

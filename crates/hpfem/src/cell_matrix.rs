@@ -6,7 +6,7 @@ use crate::congruence::{Class, Congruence, Turn};
 use crate::element::{Workspace, stiffness};
 use crate::elimination::{factor_leading, not_held};
 use crate::error::Error;
-use crate::space::SpaceKind;
+use crate::triangle_matrix::triangle_stiffness;
 use faer::prelude::IntoConst;
 use faer::{Mat, MatMut, MatRef};
 
@@ -49,8 +49,7 @@ impl Assembly<'_> {
     }
 
     fn class_modes(&self, class: &Class) -> LocalModes {
-        let trunk = self.space.kind == SpaceKind::Trunk;
-        LocalModes::new(self.space.cell_degree[class.first], class.edges, [false; 4], trunk)
+        self.space.modes_of(self.mesh, class.first, class.edges, [false; 4])
     }
 
     /// Stiffness of a cell on its unsigned modes after elimination of the interior, and the number of interior unknowns. The first
@@ -62,11 +61,13 @@ impl Assembly<'_> {
         work: &'w mut Workspace,
     ) -> Result<(MatMut<'w, f64>, usize), Error> {
         let degree = self.space.cell_degree[cell];
-        let Some(table) = &self.tables[degree] else {
-            return Err(Error::Degree { cell, degree });
-        };
         let moduli = self.materials[self.mesh.cells[cell].material].moduli(self.kinematics);
-        let mut k = stiffness(self.mesh, cell, table, local, moduli, self.kinematics, work)?;
+        let triangle = self.mesh.cells[cell].is_triangle();
+        let mut k = match (&self.tables[degree], &self.triangle_tables[degree]) {
+            (Some(table), _) if !triangle => stiffness(self.mesh, cell, table, local, moduli, self.kinematics, work)?,
+            (_, Some(tables)) if triangle => triangle_stiffness(self.mesh, cell, tables, local, moduli, self.kinematics, work)?,
+            _ => return Err(Error::Degree { cell, degree }),
+        };
         let ni = self.space.components * local.interior;
         factor_leading(k.as_mut(), ni).map_err(|_| not_held(format!("the interior of cell {cell}")))?;
         Ok((k, ni))
@@ -110,9 +111,11 @@ fn boundary_block(k: MatMut<'_, f64>, ni: usize) -> MatRef<'_, f64> {
 /// For each boundary mode of a cell, corners first, the place of its mode in the matrix of the class, and its sign.
 fn sources(local: &LocalModes, against: [bool; 4], edges: [usize; 4], turn: &Turn) -> Vec<(usize, f64)> {
     let mut sources = vec![(0, 1.0); local.modes - local.interior];
-    let mut start = 4;
+    let mut start = local.corners;
     for i in 0..4 {
-        sources[turn.corner[i]].0 = i;
+        if i < local.corners {
+            sources[turn.corner[i]].0 = i;
+        }
         let (e, reversed) = turn.edge[i];
         let own = local.edge_start[e] - local.interior..local.edge_start[e + 1] - local.interior;
         for (m, source) in sources[own].iter_mut().enumerate() {

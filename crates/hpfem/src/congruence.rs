@@ -107,14 +107,15 @@ impl Congruence {
 }
 
 fn edge_degrees(mesh: &Mesh, space: &Space, cell: usize) -> [usize; 4] {
-    mesh.cells[cell].edges.map(|e| space.edge_degree[e])
+    space.edge_degrees(mesh, cell)
 }
 
 fn outline(mesh: &Mesh, cell: usize) -> Option<Outline> {
     let c = &mesh.cells[cell];
     let mut points = [[0.0; 2]; 8];
     for i in 0..4 {
-        let curve = &mesh.edges[c.edges[i]].curve;
+        // Triangles stay alone.
+        let curve = &mesh.edges[c.edges[i]?].curve;
         if matches!(curve, Curve::Polynomial { .. }) {
             return None;
         }

@@ -1,4 +1,4 @@
-//! Element matrices by sum factorisation, written as dense products.
+//! Element matrices of quadrilaterals by sum factorisation, written as dense products.
 //!
 //! Every supported kinematics has the bilinear form `sum_kl int A^cd_kl (D_k v_c) (D_l u_d)` over the reference square, where
 //! `D_0` is the value, `D_1 = d/dxi`, `D_2 = d/deta`, and `A` holds material, map and measure. With tensor shape functions the
@@ -20,7 +20,7 @@ pub(crate) struct CellGeometry {
     pub(crate) derivative: Vec<[[f64; 2]; 2]>,
 }
 
-/// Evaluates the map of `cell` on the tensor grid of `xi` and `eta`.
+/// Evaluates the map of a quadrilateral on the tensor grid of `xi` and `eta`.
 pub(crate) fn cell_geometry(mesh: &Mesh, cell: usize, xi: &[f64], eta: &[f64]) -> CellGeometry {
     let corners = mesh.cells[cell].corners.map(|v| mesh.vertices[v]);
     let curves: [_; 4] = std::array::from_fn(|e| mesh.local_curve(cell, e));
@@ -49,7 +49,7 @@ const FULL: [Term; 9] = [[1, 1], [1, 2], [2, 1], [2, 2], [0, 1], [0, 2], [1, 0],
 /// Memory for the matrices of a cell, kept from cell to cell.
 #[derive(Default)]
 pub(crate) struct Workspace {
-    matrix: Vec<f64>,
+    pub(crate) matrix: Vec<f64>,
     coefficients: Vec<f64>,
     eta_side: Vec<f64>,
     xi_side: Vec<f64>,
@@ -64,7 +64,7 @@ pub(crate) fn matrix_in(buffer: &mut Vec<f64>, rows: usize, columns: usize) -> M
     MatMut::from_column_major_slice_mut(&mut buffer[..rows * columns], rows, columns)
 }
 
-/// Stiffness matrix of a cell on its unsigned modes; only the lower triangle is filled.
+/// Stiffness matrix of a quadrilateral on its unsigned modes; only the lower triangle is filled.
 ///
 /// Rows: interior modes of component 0, of component 1, boundary modes of component 0, of component 1, each in the order of
 /// [`LocalModes`].
@@ -162,11 +162,7 @@ impl Layout {
 
     /// Row of a component of the mode at a scalar position.
     fn row(&self, component: usize, position: usize) -> usize {
-        if position < self.interior {
-            component * self.interior + position
-        } else {
-            (self.components - 1) * self.interior + component * self.boundary + position
-        }
+        row_in(self.interior, self.boundary, self.components, component, position)
     }
 
     /// Copies `out[(i2 + n j2, (i1, j1))]` (test i, trial j) into the lower triangle of `k`; the columns are all pairs
@@ -210,6 +206,19 @@ impl Layout {
     }
 }
 
+/// Row of a component of the mode at a scalar position, see [`stiffness`].
+pub(crate) fn row_of(local: &LocalModes, components: usize, component: usize, position: usize) -> usize {
+    row_in(local.interior, local.modes - local.interior, components, component, position)
+}
+
+fn row_in(interior: usize, boundary: usize, components: usize, component: usize, position: usize) -> usize {
+    if position < interior {
+        component * interior + position
+    } else {
+        (components - 1) * interior + component * boundary + position
+    }
+}
+
 /// The operator that a reference derivative contributes: `[value, d/dx, d/dz]` of one shape function.
 fn operator(order: usize, g: &[[f64; 2]; 2]) -> [f64; 3] {
     match order {
@@ -220,17 +229,17 @@ fn operator(order: usize, g: &[[f64; 2]; 2]) -> [f64; 3] {
 }
 
 /// Energy density form of a component pair at one point.
-struct PointForm {
-    moduli: Moduli,
-    kinematics: Kinematics,
-    inverse_radius: f64,
-    test: usize,
-    trial: usize,
+pub(crate) struct PointForm {
+    pub(crate) moduli: Moduli,
+    pub(crate) kinematics: Kinematics,
+    pub(crate) inverse_radius: f64,
+    pub(crate) test: usize,
+    pub(crate) trial: usize,
 }
 
 impl PointForm {
     /// `sigma(u) : eps(v)` for `v = test component` with `[value, d/dx, d/dz] = v`, and `u` likewise.
-    fn value(&self, v: [f64; 3], u: [f64; 3]) -> f64 {
+    pub(crate) fn value(&self, v: [f64; 3], u: [f64; 3]) -> f64 {
         let Moduli { c11, c12, shear } = self.moduli;
         let hoop = self.inverse_radius;
         match (self.kinematics, self.test, self.trial) {

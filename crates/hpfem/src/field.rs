@@ -1,12 +1,12 @@
 //! The displacement and stress of a whole body at any point.
 
 use crate::basis::LocalModes;
-use crate::element::cell_geometry;
+use crate::cell_point::CellPoint;
 use crate::error::Error;
-use crate::legendre::shape_functions;
 use crate::material::{Kinematics, Material};
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, distance};
 use crate::space::Space;
+use crate::triangle::collapsed;
 
 /// A displacement field with its stresses.
 pub struct Field<'a> {
@@ -47,36 +47,29 @@ impl<'a> Field<'a> {
         }
     }
 
-    /// State at the reference point `(xi, eta)` of a cell.
+    /// State at the reference point `(xi, eta)` of a cell; in a triangle the side `eta = 1` is corner 2, see [`Cell`](crate::Cell).
     pub fn at(&self, cell: usize, xi: f64, eta: f64) -> PointState {
         let (local, u) = &self.cells[cell];
-        let n = self.degrees[cell] + 1;
-        let (vx, dx) = shape_functions(n - 1, xi);
-        let (vy, dy) = shape_functions(n - 1, eta);
-        let geometry = cell_geometry(self.mesh, cell, &[xi], &[eta]);
-        let [[xx, xe], [zx, ze]] = geometry.derivative[0];
-        let jacobian = xx * ze - xe * zx;
+        let point = CellPoint::new(self.mesh, cell, self.degrees[cell], xi, eta);
+        let [[xx, xe], [zx, ze]] = point.derivative;
+        let jacobian = point.jacobian();
         let mut value = [0.0; 2];
         let mut slope = [[0.0; 2]; 2];
-        for j in 0..n {
-            for i in 0..n {
-                let position = local.position[i + n * j];
-                if position == usize::MAX {
-                    continue;
-                }
-                let sign = local.sign[i + n * j];
-                for c in 0..self.components {
-                    let a = sign * u[self.components * position + c];
-                    value[c] += a * vx[i] * vy[j];
-                    slope[c][0] += a * dx[i] * vy[j];
-                    slope[c][1] += a * vx[i] * dy[j];
-                }
+        for ((mode, position), sign) in point.modes.iter().zip(&local.position).zip(&local.sign) {
+            if *position == usize::MAX {
+                continue;
+            }
+            for c in 0..self.components {
+                let a = sign * u[self.components * position + c];
+                value[c] += a * mode[0];
+                slope[c][0] += a * mode[1];
+                slope[c][1] += a * mode[2];
             }
         }
         let gradient: [[f64; 2]; 2] = std::array::from_fn(|c| {
             [(slope[c][0] * ze - slope[c][1] * zx) / jacobian, (slope[c][1] * xx - slope[c][0] * xe) / jacobian]
         });
-        let stress = self.stress(cell, geometry.position[0][0], value, gradient);
+        let stress = self.stress(cell, point.position[0], value, gradient);
         PointState { displacement: value, gradient, stress }
     }
 
@@ -92,14 +85,19 @@ impl<'a> Field<'a> {
     pub fn locate(&self, x: [f64; 2]) -> Result<(usize, f64, f64), Error> {
         for cell in 0..self.mesh.cells.len() {
             let corners = self.mesh.cells[cell].corners.map(|v| self.mesh.vertices[v]);
-            let size = corners.iter().flatten().fold(0.0_f64, |m, _| m)
-                + corners.iter().map(|c| (c[0] - corners[0][0]).hypot(c[1] - corners[0][1])).fold(0.0, f64::max);
-            if corners.iter().all(|c| (c[0] - x[0]).hypot(c[1] - x[1]) > 2.0 * size) {
+            let size = corners.iter().map(|c| distance(*c, corners[0])).fold(0.0, f64::max);
+            if corners.iter().all(|c| distance(*c, x) > 2.0 * size) {
                 continue;
             }
-            let mut t = [0.0; 2];
+            let triangle = self.mesh.cells[cell].is_triangle();
+            // Newton's method in the cell's own coordinates, in which the map of a triangle is regular up to its corners.
+            let map = |t: [f64; 2]| match triangle {
+                true => self.mesh.reference_map(cell, [1.0 - t[0] - t[1], t[0], t[1]]),
+                false => self.mesh.map(cell, t[0], t[1]),
+            };
+            let mut t = if triangle { [1.0 / 3.0; 2] } else { [0.0; 2] };
             for _ in 0..50 {
-                let (at, [[a, b], [c, d]]) = self.mesh.map(cell, t[0], t[1]);
+                let (at, [[a, b], [c, d]]) = map(t);
                 let det = a * d - b * c;
                 let r = [x[0] - at[0], x[1] - at[1]];
                 let step = [(d * r[0] - b * r[1]) / det, (a * r[1] - c * r[0]) / det];
@@ -108,9 +106,14 @@ impl<'a> Field<'a> {
                     break;
                 }
             }
-            let at = self.mesh.map(cell, t[0], t[1]).0;
-            let hit = (at[0] - x[0]).hypot(at[1] - x[1]) < 1e-9 * size;
-            if hit && t.iter().all(|v| v.abs() <= 1.0 + 1e-9) {
+            let hit = distance(map(t).0, x) < 1e-9 * size;
+            if triangle {
+                let l = [1.0 - t[0] - t[1], t[0], t[1]];
+                if hit && l.iter().all(|v| *v >= -1e-9) {
+                    let (xi, eta) = collapsed(l.map(|v| v.max(0.0)));
+                    return Ok((cell, xi, eta.clamp(-1.0, 1.0)));
+                }
+            } else if hit && t.iter().all(|v| v.abs() <= 1.0 + 1e-9) {
                 return Ok((cell, t[0].clamp(-1.0, 1.0), t[1].clamp(-1.0, 1.0)));
             }
         }

@@ -1,4 +1,4 @@
-//! Meshes from gmsh files: MSH 4.1 and 2.2, text and binary, quadrilaterals of order 1 to 4, physical groups by name.
+//! Meshes from gmsh files: MSH 4.1 and 2.2, text and binary, quadrilaterals and triangles of order 1 to 4, physical groups by name.
 //!
 //! Bytes in, mesh out; no file is opened here. Physical curves become boundaries, physical surfaces materials in the order of their tags.
 //! Edges of higher order become polynomial curves through their nodes. The mesh must be plane: in (x, y) with constant z, or in (x, z)
@@ -29,7 +29,7 @@ pub enum GmshError {
     },
     /// An element type that is not read.
     #[error(
-        "gmsh element type {kind} is not supported: only quadrilaterals of order 1 to 4 and their edges; recombine triangles into quadrilaterals (Mesh.RecombineAll = 1)"
+        "gmsh element type {kind} is not supported: only quadrilaterals and triangles of order 1 to 4 and their edges; save the plane mesh alone (Mesh.SaveAll = 0)"
     )]
     ElementType {
         /// Gmsh's number of the type.
@@ -51,11 +51,11 @@ pub enum GmshError {
         /// Extent in z.
         z: f64,
     },
-    /// There are no quadrilaterals.
-    #[error("the file has no quadrilaterals; recombine triangles into quadrilaterals (Mesh.RecombineAll = 1)")]
+    /// There are no cells.
+    #[error("the file has no quadrilaterals or triangles; put the surfaces to be meshed into a physical group")]
     NoCells,
-    /// A line of a physical curve is not an edge of a quadrilateral.
-    #[error("line {element} of the physical curve \"{name}\" is not an edge of any quadrilateral")]
+    /// A line of a physical curve is not an edge of a cell.
+    #[error("line {element} of the physical curve \"{name}\" is not an edge of any cell")]
     LooseLine {
         /// Tag of the line.
         element: u64,
@@ -90,32 +90,40 @@ impl GmshMesh {
         let mut vertices = Vec::new();
         let mut quads = Vec::new();
         let mut curves: HashMap<[usize; 2], Curve> = HashMap::new();
-        for element in tables.elements.iter().filter(|e| is_quad(e.kind)) {
+        for element in tables.elements.iter().filter(|e| corners(e.kind) > 0) {
             let at = |k: usize| plane.position(&tables, element.tag, element.nodes[k]);
-            let order = order(element.kind);
+            let (n, order) = (corners(element.kind), order(element.kind));
             let mut corners = [0; 4];
-            for (k, corner) in corners.iter_mut().enumerate() {
+            for (k, corner) in corners.iter_mut().enumerate().take(n) {
                 let x = at(k)?;
                 *corner = *numbers.entry(element.nodes[k]).or_insert_with(|| {
                     vertices.push(x);
                     vertices.len() - 1
                 });
             }
-            for k in 0..4 {
-                let (a, b) = (corners[k], corners[(k + 1) % 4]);
+            if n == 3 {
+                corners[3] = corners[2];
+            }
+            for k in 0..n {
+                let (a, b) = (corners[k], corners[(k + 1) % n]);
                 if order > 1 && !curves.contains_key(&[a, b]) && !curves.contains_key(&[b, a]) {
                     let mut points = vec![at(k)?];
                     for i in 0..order - 1 {
-                        points.push(at(4 + k * (order - 1) + i)?);
+                        points.push(at(n + k * (order - 1) + i)?);
                     }
-                    points.push(at((k + 1) % 4)?);
+                    points.push(at((k + 1) % n)?);
                     curves.insert([a, b], edge_curve(&points));
                 }
             }
             let x = corners.map(|v| vertices[v]);
+            // Twice the area by the diagonals, of triangles too.
             let area = (x[2][0] - x[0][0]) * (x[3][1] - x[1][1]) - (x[3][0] - x[1][0]) * (x[2][1] - x[0][1]);
             if area < 0.0 {
-                corners.swap(1, 3);
+                corners = if n == 3 {
+                    [corners[0], corners[2], corners[1], corners[1]]
+                } else {
+                    [corners[0], corners[3], corners[2], corners[1]]
+                };
             }
             let group = element.physical.first().and_then(|t| surfaces.iter().position(|s| s == t));
             quads.push(Quad { corners, material: group.unwrap_or(surfaces.len()), layer: 0 });
@@ -159,7 +167,7 @@ struct Plane {
 impl Plane {
     fn of(tables: &Tables) -> Result<Plane, GmshError> {
         let used: BTreeSet<u64> =
-            tables.elements.iter().filter(|e| is_quad(e.kind)).flat_map(|e| e.nodes.iter().copied()).collect();
+            tables.elements.iter().filter(|e| corners(e.kind) > 0).flat_map(|e| e.nodes.iter().copied()).collect();
         let extent = |k: usize| {
             let values = used.iter().filter_map(|n| tables.nodes.get(n)).map(|x| x[k]);
             let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
@@ -181,16 +189,21 @@ impl Plane {
     }
 }
 
-fn is_quad(kind: i32) -> bool {
-    matches!(kind, 3 | 10 | 16 | 36 | 37 | 39 | 40)
+/// Number of corners of a cell; 0 for points and lines.
+fn corners(kind: i32) -> usize {
+    match kind {
+        2 | 9 | 20 | 21 | 22 | 23 => 3,
+        3 | 10 | 16 | 36 | 37 | 39 | 40 => 4,
+        _ => 0,
+    }
 }
 
-/// Polynomial order of a quadrilateral's edges.
+/// Polynomial order of a cell's edges.
 fn order(kind: i32) -> usize {
     match kind {
-        3 => 1,
-        10 | 16 => 2,
-        36 | 39 => 3,
+        2 | 3 => 1,
+        9 | 10 | 16 => 2,
+        20 | 21 | 36 | 39 => 3,
         _ => 4,
     }
 }
@@ -207,10 +220,10 @@ fn edge_curve(points: &[[f64; 2]]) -> Curve {
     if straight { Curve::Line { start: a, end: b } } else { Curve::through(points) }
 }
 
-/// Tags of the physical surfaces that have quadrilaterals, ascending.
+/// Tags of the physical surfaces that have cells, ascending.
 fn surface_tags(tables: &Tables) -> Vec<i32> {
-    let quads = tables.elements.iter().filter(|e| is_quad(e.kind));
-    quads.filter_map(|e| e.physical.first().copied()).collect::<BTreeSet<i32>>().into_iter().collect()
+    let cells = tables.elements.iter().filter(|e| corners(e.kind) > 0);
+    cells.filter_map(|e| e.physical.first().copied()).collect::<BTreeSet<i32>>().into_iter().collect()
 }
 
 /// Name of a physical group, its number if it has none.

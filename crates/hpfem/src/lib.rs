@@ -43,6 +43,7 @@ mod blocks;
 mod body;
 mod body_force;
 mod cell_matrix;
+mod cell_point;
 mod check;
 mod congruence;
 mod curve;
@@ -64,6 +65,8 @@ mod rigid;
 mod singular;
 mod space;
 mod trace;
+mod triangle;
+mod triangle_matrix;
 
 pub use adapt::{AdaptStatus, Adapted, adapt, graded_level};
 pub use additions::{Additions, BodyForce, Force, Foundation, Pin};

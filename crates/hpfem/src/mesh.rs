@@ -1,7 +1,8 @@
-//! Meshes of curved quadrilaterals.
+//! Meshes of curved quadrilaterals and triangles.
 
 use crate::curve::Curve;
 use crate::error::Error;
+use crate::triangle::{barycentric, triangle_map};
 use std::collections::{HashMap, HashSet};
 
 /// Ends of the four edges of a cell in its corner numbering, each walked towards growing reference coordinate:
@@ -19,13 +20,16 @@ pub struct Edge {
     pub tags: Vec<usize>,
 }
 
-/// A quadrilateral with curved edges, the blended image of `[-1, 1]^2`.
+/// A quadrilateral or triangle with curved edges.
+///
+/// A quadrilateral is the blended image of `[-1, 1]^2`. A triangle has its last two corners at one vertex and no edge 2; reference
+/// coordinates are those of the square too, whose side `eta = 1` is collapsed into corner 2.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cell {
     /// Corners, anti-clockwise, the images of (-1,-1), (1,-1), (1,1), (-1,1).
     pub corners: [usize; 4],
-    /// Edges in the order of [`CELL_EDGES`].
-    pub edges: [usize; 4],
+    /// Edges in the order of [`CELL_EDGES`]; the one between equal corners is `None`.
+    pub edges: [Option<usize>; 4],
     /// Whether the edge's own direction is against the direction of [`CELL_EDGES`].
     pub against: [bool; 4],
     /// Index of the material.
@@ -34,7 +38,7 @@ pub struct Cell {
     pub layer: usize,
 }
 
-/// A conforming mesh of curved quadrilaterals with named boundaries. A mesh never changes; refinement makes a new one.
+/// A conforming mesh of curved quadrilaterals and triangles with named boundaries. A mesh never changes; refinement makes a new one.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
     /// Positions of the vertices.
@@ -47,15 +51,37 @@ pub struct Mesh {
     pub boundaries: Vec<String>,
 }
 
-/// A quadrilateral as given by the user of [`Mesh::new`]: corner vertices anti-clockwise and a material index.
+/// A quadrilateral or triangle as given by the user of [`Mesh::new`]: corner vertices anti-clockwise and a material index.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quad {
-    /// Corner vertices, anti-clockwise.
+    /// Corner vertices, anti-clockwise; a triangle repeats its last one, `[a, b, c, c]`.
     pub corners: [usize; 4],
     /// Index of the material.
     pub material: usize,
     /// Geometric layer, see [`Cell::layer`].
     pub layer: usize,
+}
+
+impl Cell {
+    /// Whether the cell is a triangle.
+    pub fn is_triangle(&self) -> bool {
+        self.corners[2] == self.corners[3]
+    }
+
+    /// The three or four corners.
+    pub fn vertices(&self) -> &[usize] {
+        if self.is_triangle() { &self.corners[..3] } else { &self.corners }
+    }
+
+    /// The three or four edges as `(local edge, edge)`.
+    pub fn sides(&self) -> impl Iterator<Item = (usize, usize)> {
+        self.edges.into_iter().enumerate().filter_map(|(local, edge)| Some((local, edge?)))
+    }
+
+    /// Local edges that leave corner `k`: the one with the cell on its left, then the one with the cell on its right.
+    pub(crate) fn leaving(&self, k: usize) -> [usize; 2] {
+        [if self.is_triangle() && k == 2 { 3 } else { k }, (k + 3) % 4]
+    }
 }
 
 impl Mesh {
@@ -90,15 +116,18 @@ impl Mesh {
         let mut sides: HashSet<(usize, bool)> = HashSet::new();
         for quad in quads {
             let mut cell =
-                Cell { corners: quad.corners, edges: [0; 4], against: [false; 4], material: quad.material, layer: quad.layer };
+                Cell { corners: quad.corners, edges: [None; 4], against: [false; 4], material: quad.material, layer: quad.layer };
             for (local, ends) in CELL_EDGES.iter().enumerate() {
                 let walk = [quad.corners[ends[0]], quad.corners[ends[1]]];
+                if local == 2 && cell.is_triangle() {
+                    continue;
+                }
                 let edge = *index.entry(sorted(walk)).or_insert_with(|| {
                     let curve = Curve::Line { start: mesh.vertices[walk[0]], end: mesh.vertices[walk[1]] };
                     mesh.edges.push(Edge { vertices: walk, curve, tags: Vec::new() });
                     mesh.edges.len() - 1
                 });
-                cell.edges[local] = edge;
+                cell.edges[local] = Some(edge);
                 cell.against[local] = mesh.edges[edge].vertices != walk;
                 // Cells lie on the left of edges 0 and 1 and on the right of edges 2 and 3.
                 if !sides.insert((edge, (local < 2) != cell.against[local])) {
@@ -159,34 +188,48 @@ impl Mesh {
     pub fn edge_cells(&self) -> Vec<Vec<(usize, usize)>> {
         let mut neighbours = vec![Vec::with_capacity(2); self.edges.len()];
         for (c, cell) in self.cells.iter().enumerate() {
-            for (local, edge) in cell.edges.iter().enumerate() {
-                neighbours[*edge].push((c, local));
-            }
+            cell.sides().for_each(|(local, edge)| neighbours[edge].push((c, local)));
         }
         neighbours
     }
 
     /// The curve of a cell's local edge, walked towards growing reference coordinate.
     pub fn local_curve(&self, cell: usize, local: usize) -> Curve {
-        let curve = &self.edges[self.cells[cell].edges[local]].curve;
+        let Some(edge) = self.cells[cell].edges[local] else {
+            let x = self.vertices[self.cells[cell].corners[2]];
+            return Curve::Line { start: x, end: x };
+        };
+        let curve = &self.edges[edge].curve;
         if self.cells[cell].against[local] { curve.reversed() } else { *curve }
     }
 
     /// Transfinite (blended) map of a cell, `X(xi, eta)`, and its derivative as `[[dx/dxi, dx/deta], [dz/dxi, dz/deta]]`
-    /// (Gordon and Hall 1973; Szabo and Babuska 1991, sec. 6.2).
+    /// (Gordon and Hall 1973; Szabo and Babuska 1991, sec. 6.2). In a triangle the derivative by `xi` vanishes at `eta = 1`.
     pub fn map(&self, cell: usize, xi: f64, eta: f64) -> ([f64; 2], [[f64; 2]; 2]) {
+        if self.cells[cell].is_triangle() {
+            let (x, d) = self.reference_map(cell, barycentric(xi, eta));
+            let by_xi = 0.25 * (1.0 - eta);
+            return (x, d.map(|[r, s]| [by_xi * r, 0.5 * s - 0.25 * (1.0 + xi) * r]));
+        }
         let edges: [Curve; 4] = std::array::from_fn(|e| self.local_curve(cell, e));
         let corners = self.cells[cell].corners.map(|v| self.vertices[v]);
         let at = |e: usize, t: f64| (edges[e].point(t), edges[e].derivative(t));
         blend(&corners, [at(0, xi), at(1, eta), at(2, xi), at(3, eta)], xi, eta)
     }
 
+    /// The blended map of a triangle at barycentric coordinates, with the derivatives by the last two of them.
+    pub(crate) fn reference_map(&self, cell: usize, l: [f64; 3]) -> ([f64; 2], [[f64; 2]; 2]) {
+        let [a, b, c, _] = self.cells[cell].corners.map(|v| self.vertices[v]);
+        triangle_map([a, b, c], &[0, 1, 3].map(|e| self.local_curve(cell, e)), l)
+    }
+
     /// Refuses a cell whose Jacobian is not positive at its corners and centre.
     fn check_cell(&self, cell: usize) -> Result<(), Error> {
         let corners = self.cells[cell].corners.map(|v| self.vertices[v]);
         let size = distance(corners[0], corners[2]).max(distance(corners[1], corners[3]));
+        let triangle = self.cells[cell].is_triangle();
         for [xi, eta] in [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0], [0.0, 0.0]] {
-            let (x, d) = self.map(cell, xi, eta);
+            let (x, d) = if triangle { self.reference_map(cell, barycentric(xi, eta)) } else { self.map(cell, xi, eta) };
             let jacobian = d[0][0] * d[1][1] - d[0][1] * d[1][0];
             if jacobian.is_nan() || jacobian <= 1e-14 * size * size {
                 return Err(Error::FoldedCell { cell, jacobian, x: x[0], z: x[1] });

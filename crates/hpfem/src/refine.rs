@@ -6,7 +6,8 @@ use std::collections::HashMap;
 
 impl Mesh {
     /// Refines towards the given vertices: `layers` times, every cell that touches such a vertex is cut into a small cell at the
-    /// vertex, `ratio` times as large, and two cells around it. No hanging nodes arise; cells away from the vertices stay.
+    /// vertex, `ratio` times as large, and two cells around it; a triangle into a small triangle and one quadrilateral. No hanging
+    /// nodes arise; cells away from the vertices stay.
     ///
     /// The layer number of a new cell is its parent's plus one per cut that made it smaller, so that degrees may fall with it.
     ///
@@ -22,8 +23,8 @@ impl Mesh {
             let what = "vertex to grade towards, vertices".into();
             return Err(Error::Count { what, given: *v + 1, expected: self.vertices.len() });
         }
-        for (cell, corners) in self.cells.iter().map(|c| c.corners).enumerate() {
-            let mut touched = corners.iter().filter(|v| vertices.contains(v));
+        for (cell, c) in self.cells.iter().enumerate() {
+            let mut touched = c.vertices().iter().filter(|v| vertices.contains(v));
             if let (Some(first), Some(second)) = (touched.next(), touched.next()) {
                 return Err(Error::TwoGradedCorners { cell, first: *first, second: *second });
             }
@@ -67,19 +68,21 @@ impl Mesh {
         }
         for (c, cell) in self.cells.iter().enumerate() {
             let quad = |corners, layer| Quad { corners, material: cell.material, layer };
-            let Some(corner) = cell.corners.iter().position(|v| singular.contains(v)) else {
+            let Some(corner) = cell.vertices().iter().position(|v| singular.contains(v)) else {
                 quads.push(quad(cell.corners, cell.layer));
                 continue;
             };
-            // Walk the corners from the singular one: k0 (singular), k1, k2, k3 anti-clockwise.
-            let k: [usize; 4] = std::array::from_fn(|i| cell.corners[(corner + i) % 4]);
-            // Local edges from k0 to k1 and from k3 to k0, in any direction.
-            let (first, last) = (corner, (corner + 3) % 4);
-            let local = [0, 1, 2, 3];
-            let (Some(&m1), Some(&m3)) = (cut_vertex.get(&cell.edges[local[first]]), cut_vertex.get(&cell.edges[local[last]]))
-            else {
+            let [Some(m1), Some(m3)] = cell.leaving(corner).map(|e| cut_vertex.get(&cell.edges[e]?).copied()) else {
                 return Err(Error::FoldedCell { cell: c, jacobian: 0.0, x: 0.0, z: 0.0 });
             };
+            // Walk the corners from the singular one: k0 (singular), k1, k2, k3 anti-clockwise.
+            if cell.is_triangle() {
+                let k: [usize; 3] = std::array::from_fn(|i| cell.corners[(corner + i) % 3]);
+                quads.push(quad([k[0], m1, m3, m3], cell.layer + 1));
+                quads.push(quad([m1, k[1], k[2], m3], cell.layer));
+                continue;
+            }
+            let k: [usize; 4] = std::array::from_fn(|i| cell.corners[(corner + i) % 4]);
             let reference = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
             let (near, far) = (reference[corner], reference[(corner + 2) % 4]);
             let place: [f64; 2] = std::array::from_fn(|i| (1.0 - ratio) * near[i] + ratio * far[i]);
@@ -113,14 +116,17 @@ impl Mesh {
             }
         }
         for (c, cell) in self.cells.iter().enumerate() {
+            // Middles of the edges anti-clockwise: corner k is between numbers k - 1 and k.
+            let middle: Vec<usize> = cell.sides().map(|(_, e)| first + e).collect();
+            let quad = |corners| Quad { corners, material: cell.material, layer: cell.layer };
+            if let [a, b, d] = middle[..] {
+                let k = cell.corners;
+                quads.extend([[k[0], a, d, d], [a, k[1], b, b], [d, b, k[2], k[2]], [a, b, d, d]].map(quad));
+                continue;
+            }
             let centre = vertices.len();
             vertices.push(self.map(c, 0.0, 0.0).0);
-            let middle = cell.edges.map(|e| first + e);
-            for k in 0..4 {
-                // Local edges 0 to 3 lie anti-clockwise: corner k is between edges k - 1 and k.
-                let corners = [cell.corners[k], middle[k], centre, middle[(k + 3) % 4]];
-                quads.push(Quad { corners, material: cell.material, layer: cell.layer });
-            }
+            quads.extend((0..4).map(|k| quad([cell.corners[k], middle[k], centre, middle[(k + 3) % 4]])));
         }
         Mesh::new(vertices, &quads, &curves, &names)
     }

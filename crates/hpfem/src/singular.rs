@@ -89,7 +89,7 @@ pub fn singular_vertices(
     }
     let mut around: Vec<Vec<(usize, usize)>> = vec![Vec::new(); mesh.vertices.len()];
     for (c, cell) in mesh.cells.iter().enumerate() {
-        cell.corners.iter().enumerate().for_each(|(k, v)| around[*v].push((c, k)));
+        cell.vertices().iter().enumerate().for_each(|(k, v)| around[*v].push((c, k)));
     }
     let mut found = Vec::new();
     for (vertex, cells) in around.iter().enumerate() {
@@ -125,16 +125,19 @@ fn corner(
     held: &[Vec<[f64; 2]>],
     kinematics: Kinematics,
 ) -> Option<Corner> {
-    // Local edges that leave corner k: edge k first (the cell on its left), edge k - 1 last.
-    let leaving = |(c, k): (usize, usize)| (mesh.cells[c].edges[k], mesh.cells[c].edges[(k + 3) % 4]);
-    let start = cells.iter().copied().find(|cell| sides[leaving(*cell).0].len() == 1);
+    // The edges that leave corner k: the one with the cell on its left, then the other.
+    let leaving = |(c, k): (usize, usize)| {
+        let [a, b] = mesh.cells[c].leaving(k).map(|e| mesh.cells[c].edges[e]);
+        Some((a?, b?))
+    };
+    let start = cells.iter().copied().find(|cell| leaving(*cell).is_some_and(|(a, _)| sides[a].len() == 1));
     let inner = start.is_none();
     let mut cell = start.or(cells.first().copied())?;
-    let first = leaving(cell).0;
+    let first = leaving(cell)?.0;
     let mut sectors = Vec::new();
     let mut last = first;
     for _ in 0..cells.len() {
-        let (a, b) = leaving(cell);
+        let (a, b) = leaving(cell)?;
         let rays = [a, b].map(|e| ray(mesh, e, vertex));
         let mut angle = (rays[1][1].atan2(rays[1][0]) - rays[0][1].atan2(rays[0][0])).rem_euclid(TAU);
         if angle < 1e-9 {
@@ -142,7 +145,7 @@ fn corner(
         }
         sectors.push(Sector { angle, material: *materials.get(mesh.cells[cell.0].material)? });
         last = b;
-        match cells.iter().copied().find(|c| leaving(*c).0 == b) {
+        match cells.iter().copied().find(|c| leaving(*c).is_some_and(|(a, _)| a == b)) {
             Some(next) => cell = next,
             None => break,
         }

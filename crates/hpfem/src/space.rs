@@ -9,7 +9,7 @@ use crate::mesh::Mesh;
 /// Highest degree of a cell.
 pub const MAX_DEGREE: usize = 24;
 
-/// Which tensor products of shape functions a cell has in its interior.
+/// Which tensor products of shape functions a quadrilateral has in its interior. Triangles have all polynomials of their degree.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SpaceKind {
     /// All products up to the degree in each direction.
@@ -163,7 +163,7 @@ impl Space {
         }
         let mut edge_degree = vec![MAX_DEGREE; mesh.edges.len()];
         for (cell, degree) in mesh.cells.iter().zip(&cell_degree) {
-            cell.edges.iter().for_each(|e| edge_degree[*e] = edge_degree[*e].min(*degree));
+            cell.sides().for_each(|(_, e)| edge_degree[e] = edge_degree[e].min(*degree));
         }
         let vertices = mesh.vertices.len();
         let mut freedom = vec![FREE; vertices + mesh.edges.len()];
@@ -227,16 +227,28 @@ impl Space {
 
     /// Order of the modes of a cell.
     pub(crate) fn local_modes(&self, mesh: &Mesh, cell: usize) -> LocalModes {
-        let c = &mesh.cells[cell];
-        let edges = c.edges.map(|e| self.edge_degree[e]);
-        LocalModes::new(self.cell_degree[cell], edges, c.against, self.kind == SpaceKind::Trunk)
+        self.modes_of(mesh, cell, self.edge_degrees(mesh, cell), mesh.cells[cell].against)
+    }
+
+    /// Degrees of a cell's four edges; 1, no modes, for the edge that a triangle does not have.
+    pub(crate) fn edge_degrees(&self, mesh: &Mesh, cell: usize) -> [usize; 4] {
+        mesh.cells[cell].edges.map(|e| e.map_or(1, |e| self.edge_degree[e]))
+    }
+
+    /// Order of the modes of a cell whose edges had the given degrees and directions.
+    pub(crate) fn modes_of(&self, mesh: &Mesh, cell: usize, edges: [usize; 4], against: [bool; 4]) -> LocalModes {
+        let degree = self.cell_degree[cell];
+        if mesh.cells[cell].is_triangle() {
+            return LocalModes::triangle(degree, edges, against);
+        }
+        LocalModes::new(degree, edges, against, self.kind == SpaceKind::Trunk)
     }
 
     /// Groups of a cell's corners and edges that have unknowns, the rigid edge's group included, sorted by `rank`.
     pub(crate) fn cell_groups(&self, mesh: &Mesh, cell: usize, rank: &[usize]) -> Vec<usize> {
         let c = &mesh.cells[cell];
         let vertices = mesh.vertices.len();
-        let mut groups: Vec<usize> = c.corners.iter().copied().chain(c.edges.iter().map(|e| vertices + e)).collect();
+        let mut groups: Vec<usize> = c.vertices().iter().copied().chain(c.sides().map(|(_, e)| vertices + e)).collect();
         if let Some((group, _)) = &self.frame
             && groups.iter().any(|g| self.freedom[*g].slaved)
         {

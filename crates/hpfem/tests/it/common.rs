@@ -28,25 +28,47 @@ pub(crate) enum Shape {
 ///   0 --- 1 --- 2
 /// ```
 pub(crate) fn patch(turns: [usize; 4], shape: Shape, left: f64) -> Mesh {
+    patch_of(turns, [false; 4], shape, left)
+}
+
+/// The same with cells c1 and c2 cut into two triangles each, along 1-5 and 3-7; `turns` are taken modulo 3 in a triangle.
+pub(crate) fn mixed(turns: [usize; 4], shape: Shape, left: f64) -> Mesh {
+    patch_of(turns, [false, true, true, false], shape, left)
+}
+
+/// The patch with those quadrilaterals cut into two triangles that `split` says; the second of the two is turned by one more.
+pub(crate) fn patch_of(turns: [usize; 4], split: [bool; 4], shape: Shape, left: f64) -> Mesh {
     let vertices: Vec<[f64; 2]> =
         [[1.0, 0.1], [2.1, 0.0], [3.0, -0.1], [1.0, 1.2], [1.85, 0.9], [2.9, 1.1], [1.0, 2.0], [2.2, 2.1], [3.1, 1.9]]
             .map(|[x, z]| [x - left, z])
             .to_vec();
     let corners = [[0, 1, 4, 3], [1, 2, 5, 4], [3, 4, 7, 6], [4, 5, 8, 7]];
-    let quads: Vec<Quad> = corners
-        .iter()
-        .zip(turns)
-        .map(|(c, turn)| Quad { corners: std::array::from_fn(|i| c[(i + turn) % 4]), material: 0, layer: 0 })
-        .collect();
+    let cell = |corners| Quad { corners, material: 0, layer: 0 };
+    let mut quads = Vec::new();
+    let mut diagonals = Vec::new();
+    for ((c, turn), split) in corners.iter().zip(turns).zip(split) {
+        if split {
+            let triangle = |k: [usize; 3], turn: usize| {
+                let [a, b, c] = std::array::from_fn(|i| k[(i + turn) % 3]);
+                cell([a, b, c, c])
+            };
+            quads.extend([triangle([c[0], c[1], c[2]], turn), triangle([c[0], c[2], c[3]], turn + 1)]);
+            diagonals.push([c[0], c[2]]);
+        } else {
+            quads.push(cell(std::array::from_fn(|i| c[(i + turn) % 4])));
+        }
+    }
     let outer = [[0, 1, 0], [1, 2, 0], [2, 5, 1], [5, 8, 1], [7, 8, 2], [6, 7, 2], [0, 3, 3], [3, 6, 3]];
     let inner = [[1, 4], [4, 7], [3, 4], [4, 5]];
-    let all: Vec<[usize; 2]> = outer.iter().map(|[a, b, _]| [*a, *b]).chain(inner).collect();
+    let all: Vec<[usize; 2]> = outer.iter().map(|[a, b, _]| [*a, *b]).chain(inner).chain(diagonals).collect();
     let curves: Vec<([usize; 2], Curve)> = all
         .iter()
         .enumerate()
         // The edges on the left stay straight: they may lie on the axis.
         .filter(|(i, _)| shape != Shape::Straight && *i != 6 && *i != 7)
-        .map(|(i, e)| (*e, bowed(vertices[e[0]], vertices[e[1]], 0.12 * (1.0 + i as f64).sin(), shape)))
+        .map(|(i, e)| {
+            (*e, bowed(vertices[e[0]], vertices[e[1]], if i < 12 { 0.12 } else { 0.03 } * (1.0 + i as f64).sin(), shape))
+        })
         .collect();
     let names = ["bottom", "right", "top", "left"];
     let mut named: Vec<([usize; 2], &str)> = outer.iter().map(|[a, b, n]| ([*a, *b], names[*n])).collect();

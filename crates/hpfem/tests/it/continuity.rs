@@ -53,6 +53,37 @@ fn the_field_is_continuous_over_all_turns_of_both_neighbours() {
 }
 
 #[test]
+fn the_field_is_continuous_over_all_turns_of_a_triangle_against_quadrilaterals_and_triangles() {
+    for first in 0..4 {
+        for second in 0..3 {
+            for third in 0..3 {
+                for shape in [Shape::Straight, Shape::Arcs] {
+                    // The two triangles of a quadrilateral: neighbours of each other and of quadrilaterals.
+                    let mesh = mixed([first, second, third, (first + 2) % 4], shape, 0.0);
+                    for degree in [3, 5, 8] {
+                        let jump = jump_under_load(&mesh, vec![degree; 6]);
+                        assert!(jump < 1e-12, "turns {first}, {second}, {third}, p = {degree}: {jump:.1e}");
+                    }
+                    let jump = jump_under_load(&mesh, vec![7, 4, 6, 3, 8, 5]);
+                    assert!(jump < 1e-12, "turns {first}, {second}, {third}, mixed degrees: {jump:.1e}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn the_field_is_continuous_on_triangles_alone_in_every_turn() {
+    for turn in 0..9 {
+        let mesh = patch_of([turn % 3, turn / 3, 1, 2], [true; 4], Shape::Arcs, 0.0);
+        for degree in 1..=8 {
+            let jump = jump_under_load(&mesh, vec![degree; 8]);
+            assert!(jump < 1e-12, "turn {turn}, p = {degree}: {jump:.1e}");
+        }
+    }
+}
+
+#[test]
 fn the_field_is_continuous_between_cells_of_different_degree() {
     for turns in TURNS {
         let mesh = patch(turns, Shape::Arcs, 0.0);

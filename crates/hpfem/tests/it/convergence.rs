@@ -12,6 +12,35 @@ fn error(mesh: &Mesh, degree: usize, exact: &Exact, kept: &str) -> f64 {
     stress_error(&field, mesh, |x| exact.stress(x))
 }
 
+/// On triangles and quadrilaterals, with the axis as an edge and as a corner of triangles.
+fn assert_exponential_on_mixed_meshes(kinematics: Kinematics, left: f64, last: f64) {
+    let exact = Exact { kinematics, material: Material::new(1.7, 0.28).unwrap() };
+    for shape in [Shape::Straight, Shape::Arcs, Shape::Polynomial(3)] {
+        for (turns, split) in
+            TURNS[3..].iter().zip([[false, true, true, false], [true, false, false, true], [true; 4], [true; 4]])
+        {
+            let mesh = patch_of(*turns, split, shape, left);
+            let errors: Vec<f64> = (1..=12).map(|p| error(&mesh, p, &exact, "right")).collect();
+            assert!(errors[11] < last, "turns {turns:?}: {errors:?}");
+            let slope = (errors[1] / errors[8]).ln() / 7.0;
+            assert!(slope > 2.5_f64.ln(), "slope {slope:.2}, turns {turns:?}: {errors:?}");
+        }
+    }
+}
+
+#[test]
+fn every_kinematics_converges_exponentially_on_curved_meshes_of_triangles_and_quadrilaterals() {
+    for kinematics in [PLANE_STRESS, PLANE_STRAIN, Kinematics::Axisymmetric, Kinematics::Torsion] {
+        assert_exponential_on_mixed_meshes(kinematics, 0.0, 5e-8);
+    }
+}
+
+#[test]
+fn bodies_of_revolution_converge_exponentially_where_triangles_touch_the_axis() {
+    assert_exponential_on_mixed_meshes(Kinematics::Axisymmetric, 1.0, 5e-9);
+    assert_exponential_on_mixed_meshes(Kinematics::Torsion, 1.0, 5e-9);
+}
+
 fn assert_exponential(kinematics: Kinematics, left: f64, last: f64) {
     let exact = Exact { kinematics, material: Material::new(1.7, 0.28).unwrap() };
     for shape in [Shape::Straight, Shape::Arcs, Shape::Polynomial(3)] {
