@@ -2,7 +2,7 @@
 //!
 //! # The method
 //!
-//! Cells are curved quadrilaterals with exact lines and arcs. A cell is the image of the square `[-1, 1]^2` under the blended map
+//! Cells are curved quadrilaterals and triangles with exact lines and arcs. A quadrilateral is the image of the square `[-1, 1]^2` under the blended map
 //! (Gordon and Hall 1973) of its four edge curves `e_0 .. e_3` and corners `v_i`,
 //!
 //! ```text
@@ -11,7 +11,7 @@
 //!
 //! The displacement is a sum of products `N_i(xi) N_j(eta)` of integrated Legendre polynomials (Szabo and Babuska 1991),
 //! `N_k = (P_k - P_{k-2}) / sqrt(2 (2k-1))`: corner, edge and interior modes up to degree 24, odd edge modes with a sign where a cell walks
-//! the edge backwards. Equilibrium is `int sigma(u) : eps(v) dV = int f . v dV + int t . v dA` for all `v`, the strains being
+//! the edge backwards. A triangle has the complete polynomials of its degree and the same modes on its edges. Equilibrium is `int sigma(u) : eps(v) dV = int f . v dV + int t . v dA` for all `v`, the strains being
 //!
 //! ```text
 //! plane          eps = (u_x,x  u_z,z  u_x,z + u_z,x)

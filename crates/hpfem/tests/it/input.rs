@@ -21,8 +21,11 @@ fn bad_meshes_are_refused_with_the_cell_named() {
     assert!(matches!(bow_tie, Error::FoldedCell { cell: 0, .. }), "{bow_tie}");
     let flat = Mesh::new(vec![[0.0; 2], [1.0, 0.0], [2.0, 0.0], [0.5, 0.0]], &[quad([0, 1, 2, 3])], &[], &[]).unwrap_err();
     assert!(matches!(flat, Error::FoldedCell { .. }), "{flat}");
-    let repeated = Mesh::new(square(), &[quad([0, 1, 2, 2])], &[], &[]).unwrap_err();
+    let repeated = Mesh::new(square(), &[quad([0, 1, 1, 2])], &[], &[]).unwrap_err();
     assert!(matches!(repeated, Error::FoldedCell { .. } | Error::Overlapping { .. }), "{repeated}");
+    // A triangle repeats its last corner; the wrong way round it is folded too.
+    let turned = Mesh::new(square(), &[quad([0, 2, 1, 1])], &[], &[]).unwrap_err();
+    assert!(matches!(turned, Error::FoldedCell { cell: 0, .. }), "{turned}");
     let missing = Mesh::new(square(), &[quad([0, 1, 2, 9])], &[], &[]).unwrap_err();
     assert!(matches!(missing, Error::Count { given: 10, expected: 6, .. }), "{missing}");
     let mut vertices = square();

@@ -20,3 +20,4 @@ mod remesh;
 mod sharing;
 mod singular;
 mod supports;
+mod triangles;
