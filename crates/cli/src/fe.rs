@@ -6,6 +6,7 @@ mod ends;
 mod ends_profile;
 mod half_disc;
 mod operators;
+mod recover;
 mod round_trip;
 mod shape;
 mod stage;
@@ -39,14 +40,20 @@ pub(crate) fn solve(problem: &Problem, options: Options, solution: &mut Solution
     if let Some(couple) = half_disc::Couple::of(&problem.scene)? {
         return ends::solve(problem, &couple, options, solution);
     }
+    let mut reported = None;
     if problem.plan.runs("contact") {
-        contact::solve(problem, options, solution)?;
+        reported = contact::solve(problem, options, solution)?;
     }
     if solution.status != Status::Refused && problem.plan.runs("shape") {
-        shape::solve(problem, options, solution)?;
+        reported = shape::solve(problem, options, solution)?;
     }
     if solution.status != Status::Refused && problem.plan.runs("evolution") {
-        wear::solve(problem, options, solution)?;
+        reported = wear::solve(problem, options, solution)?;
     }
-    Ok(())
+    match reported {
+        Some(reported) if problem.plan.runs("field recovery") => crate::solve::timed(solution, "field recovery", |solution| {
+            recover::recover(stage::Stage::new(problem)?, &reported, solution)
+        }),
+        _ => Ok(()),
+    }
 }

@@ -4,6 +4,7 @@
 //! workspace that reads files, writes files and prints.
 
 mod args;
+mod body_field;
 mod builtin;
 mod commands;
 mod document;

@@ -79,8 +79,8 @@ impl Plan {
         stage("tangential columns", bodies && shear, tangential);
         let fields = scene.output.as_ref().and_then(|output| output.fields).unwrap_or(false);
         match (bodies, fields) {
-            (true, true) => stage("field recovery", true, "output.fields asks for the displacements inside"),
-            (true, false) => stage("field recovery", false, "no output asks for the displacements inside"),
+            (true, true) => stage("field recovery", true, "output.fields asks for displacement and stress inside the bodies"),
+            (true, false) => stage("field recovery", false, "no output asks for displacement and stress inside the bodies"),
             _ => stage("field recovery", false, "no body is computed"),
         }
         stage("contact.csv", true, "every run writes it");

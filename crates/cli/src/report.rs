@@ -6,6 +6,7 @@ pub(crate) mod line_plot;
 mod page;
 mod summary;
 mod terminal;
+mod vtu;
 
 use crate::fault::Fault;
 use crate::record::{Recorder, State};
@@ -52,6 +53,9 @@ pub(crate) fn write(
     }
     if !solution.history.is_empty() {
         folder.write("history.csv", &history(&solution.history))?;
+    }
+    for (name, text) in vtu::field_files(&solution.fields) {
+        folder.write(&name, &text)?;
     }
     let plots = curves::line_plots(problem, solution);
     let pictures = page::pictures(&plots);

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use crate::body_field::FieldFrame;
 use crate::profile::Profile;
 
 /// How a run ended.
@@ -52,6 +53,8 @@ pub(crate) struct Solution {
     pub(crate) history: Vec<(String, Vec<f64>)>,
     /// Steps of a run in time, for the recording.
     pub(crate) steps: Vec<(crate::record::State, Profile)>,
+    /// Displacement and stress inside the bodies, the reported moment first; empty unless an output asks for them.
+    pub(crate) fields: Vec<FieldFrame>,
     /// Seconds of each stage, in order.
     pub(crate) times: Vec<(String, f64)>,
 }
@@ -269,4 +272,6 @@ pub(crate) struct Counters {
     pub(crate) check_solves: usize,
     /// Wear steps.
     pub(crate) wear_steps: usize,
+    /// Back substitutions into the inside of a body.
+    pub(crate) back_substitutions: usize,
 }

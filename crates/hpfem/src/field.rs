@@ -6,6 +6,7 @@ use crate::error::Error;
 use crate::material::{Kinematics, Material};
 use crate::mesh::{Mesh, distance};
 use crate::space::Space;
+use crate::stress::Stress;
 use crate::triangle::collapsed;
 
 /// A displacement field with its stresses.
@@ -71,6 +72,16 @@ impl<'a> Field<'a> {
         });
         let stress = self.stress(cell, point.position[0], value, gradient);
         PointState { displacement: value, gradient, stress }
+    }
+
+    /// Number of cells.
+    pub fn cells(&self) -> usize {
+        self.cells.len()
+    }
+
+    /// Degree of a cell.
+    pub fn degree(&self, cell: usize) -> usize {
+        self.degrees[cell]
     }
 
     /// Position of a reference point.
@@ -149,7 +160,6 @@ impl<'a> Field<'a> {
 impl PointState {
     /// Von Mises stress of the stored components (not for torsion).
     pub fn von_mises(&self) -> f64 {
-        let [x, z, t, y] = self.stress;
-        (0.5 * ((x - z).powi(2) + (z - y).powi(2) + (y - x).powi(2)) + 3.0 * t * t).sqrt()
+        Stress::new(self.stress, [0.0; 2]).von_mises()
     }
 }

@@ -64,6 +64,7 @@ mod remesh;
 mod rigid;
 mod singular;
 mod space;
+mod stress;
 mod trace;
 mod triangle;
 mod triangle_matrix;
@@ -85,6 +86,7 @@ pub use mesh::{CELL_EDGES, Cell, Edge, Mesh, Quad};
 pub use quadrature::{Quadrature, barycentric_weights, gauss, gauss_lobatto, gauss_lobatto_jacobi, lagrange};
 pub use singular::{Face, Sector, SingularVertex, corner_exponent, singular_vertices};
 pub use space::{Direction, MAX_DEGREE, RigidEdge, SpaceKind, Support};
+pub use stress::Stress;
 pub use trace::{Trace, TraceEdge, TraceLoad, TracePoint};
 
 /// The program of the README, compiled and run with the documentation tests.

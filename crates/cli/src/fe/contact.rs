@@ -6,6 +6,7 @@ use contact::{ContactOperator, ContactSolution, Pair, Status as ContactStatus};
 
 use crate::fault::Fault;
 use crate::fe::bodies::Level;
+use crate::fe::recover::{Moment, Reported};
 use crate::fe::stage::{Stage, accuracy, add_times, fixed_level, ladder, note, rest};
 use crate::fe::template::Cut;
 use crate::gap::Gap;
@@ -25,11 +26,13 @@ pub(super) struct Solved {
     pub(super) pressure: Vec<f64>,
     /// Why there is no answer.
     pub(super) refused: Option<String>,
+    /// For the fields.
+    pub(super) reported: Option<Reported>,
     pub(super) solution: Solution,
 }
 
 /// Solves the contact and fills in the solution.
-pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution) -> Result<(), Fault> {
+pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution) -> Result<Option<Reported>, Fault> {
     let stage = Stage::new(problem)?;
     climb(stage.scene(), options, solution, |level| solve_level(stage, level, options))
 }
@@ -40,13 +43,13 @@ pub(super) fn climb(
     options: Options,
     solution: &mut Solution,
     mut solve_level: impl FnMut(Level) -> Result<Solved, Fault>,
-) -> Result<(), Fault> {
+) -> Result<Option<Reported>, Fault> {
     let fixed = fixed_level(scene).is_some();
     let mut solved: Vec<Solved> = Vec::new();
     for level in ladder(scene, options) {
         if crate::interrupt::asked() {
             solution.status = Status::Interrupted;
-            return Ok(());
+            return Ok(None);
         }
         solved.push(solve_level(level)?);
         let refused = solved.last().is_some_and(|s| s.refused.is_some());
@@ -54,8 +57,7 @@ pub(super) fn climb(
             break;
         }
     }
-    finish(accuracy(scene), solved, fixed, solution);
-    Ok(())
+    Ok(finish(accuracy(scene), solved, fixed, solution))
 }
 
 /// Estimated relative errors of the energy and of the pressure (L2 over the inner 95 % of the surface).
@@ -69,14 +71,14 @@ fn estimate(solved: &[Solved]) -> Option<[f64; 2]> {
     Some([rest(energy(a, b), energy(b, c)), rest(pressure(a, b), pressure(b, c))])
 }
 
-fn finish(accuracy: f64, mut solved: Vec<Solved>, fixed: bool, solution: &mut Solution) {
+fn finish(accuracy: f64, mut solved: Vec<Solved>, fixed: bool, solution: &mut Solution) -> Option<Reported> {
     let errors = estimate(&solved);
     let levels = solved.len();
     let times: Vec<_> = solved.iter().map(|s| s.solution.times.clone()).collect();
     let total = |f: &dyn Fn(&Solved) -> usize| solved.iter().map(f).sum::<usize>();
     let factorisations = total(&|s| s.solution.counters.factorisations);
     let solves = total(&|s| s.solution.counters.contact_solves);
-    let Some(Solved { solution: last, refused, .. }) = solved.pop() else { return };
+    let Solved { solution: last, refused, reported, .. } = solved.pop()?;
     add_times(&times, &mut solution.times);
     let checks = solution.counters.check_solves;
     let before = solution.counters.factorisations;
@@ -92,9 +94,9 @@ fn finish(accuracy: f64, mut solved: Vec<Solved>, fixed: bool, solution: &mut So
     if let Some(reason) = refused {
         solution.status = Status::Refused;
         solution.reason = Some(reason);
-        return;
+        return None;
     }
-    let Some([energy, pressure]) = errors else { return };
+    let Some([energy, pressure]) = errors else { return reported };
     let result = solution.error.get_or_insert_default();
     result.energy_relative = Some(energy);
     result.pressure_relative = Some(pressure);
@@ -104,6 +106,7 @@ fn finish(accuracy: f64, mut solved: Vec<Solved>, fixed: bool, solution: &mut So
         solution.status = Status::AccuracyMissed;
         solution.reason = Some(format!("the contact is accurate to {worst:.1e}, not to the {accuracy:.0e} asked for"));
     }
+    reported
 }
 
 fn solve_level(stage: Stage<'_>, level: Level, options: Options) -> Result<Solved, Fault> {
@@ -156,7 +159,11 @@ fn solve_level(stage: Stage<'_>, level: Level, options: Options) -> Result<Solve
     solution.profile = Some(profile);
     solution.curve = Some(sampled(CURVE));
     let refused = (!found.status.is_solved() || found.status == ContactStatus::NoContact).then(|| found.status.to_string());
-    Ok(Solved { energy: energy[0] + energy[1], pressure, refused, solution })
+    let reported = found.counter.clone().map(|counter| {
+        let states = [found.shaped.clone(), counter];
+        Reported { level, moments: vec![Moment { time_s: 0.0, name: "", states, pressure: found.pressure.clone() }] }
+    });
+    Ok(Solved { energy: energy[0] + energy[1], pressure, refused, reported, solution })
 }
 
 /// The start gap of the scene at an arc length.

@@ -16,6 +16,7 @@ use crate::fe::bodies::{BodyParts, Level, kinematics};
 use crate::fe::contact::{Solved, climb, word};
 use crate::fe::ends_profile::Rows;
 use crate::fe::half_disc::Couple;
+use crate::fe::recover::{self, Moment, Reported};
 use crate::fe::stage::{Parts, note};
 use crate::gap::Gap;
 use crate::scene::{Body as SceneBody, Component, Scene, Task};
@@ -79,19 +80,26 @@ pub(super) fn available(problem: &Problem, couple: &Couple) -> Result<(), Fault>
 pub(super) fn solve(problem: &Problem, couple: &Couple, options: Options, solution: &mut Solution) -> Result<(), Fault> {
     let setting = Setting::new(&problem.scene, couple);
     let done = setting.trial().and_then(|mut nodes| {
-        climb(&problem.scene, options, solution, |level| {
+        let reported = climb(&problem.scene, options, solution, |level| {
             let mut work = Solution::default();
             nodes = setting.position(level, &nodes, &mut work)?;
             setting.result(level, &nodes, options, work)
-        })
+        })?;
+        Ok((reported, nodes))
     });
     match done {
+        Ok((Some(reported), nodes)) if problem.plan.runs("field recovery") => {
+            crate::solve::timed(solution, "field recovery", |solution| {
+                recover::recover_ends(&setting, &reported, &nodes, solution)
+            })
+        }
+        Ok(_) => Ok(()),
         Err(fault) if fault.code == TOO_LONG => {
             solution.status = Status::Refused;
             solution.reason = Some(fault.message);
             Ok(())
         }
-        other => other,
+        Err(fault) => Err(fault),
     }
 }
 
@@ -162,7 +170,7 @@ impl<'a> Setting<'a> {
     }
 
     /// Bodies with element nodes on the given ends.
-    fn parts(&self, level: Level, nodes: &[f64], work: &mut Solution) -> Result<Parts, Fault> {
+    pub(super) fn parts(&self, level: Level, nodes: &[f64], work: &mut Solution) -> Result<Parts, Fault> {
         let start = Instant::now();
         let (end, longest) = (nodes[nodes.len() - 1], self.couple.longest());
         if end.is_nan() || end > longest || nodes[0] <= 0.0 {
@@ -323,7 +331,11 @@ impl<'a> Setting<'a> {
         work.curve = Some(rows.sampled(CURVE));
         let solved = found.status.is_solved() && found.status != ContactStatus::NoContact;
         let refused = (!solved).then(|| found.status.to_string());
-        Ok(Solved { energy: energy[0] + energy[1], pressure, refused, solution: work })
+        let reported = found.counter.clone().map(|counter| {
+            let states = [found.shaped.clone(), counter];
+            Reported { level, moments: vec![Moment { time_s: 0.0, name: "", states, pressure: Vec::new() }] }
+        });
+        Ok(Solved { energy: energy[0] + energy[1], pressure, refused, reported, solution: work })
     }
 
     fn contact_result(&self, rows: &Rows<'_>) -> ContactResult {

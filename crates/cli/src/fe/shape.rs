@@ -11,6 +11,7 @@ use shapeopt::{GapCurve, Gauge, Integration, RigidPart, Shape, ShapeProblem, Sur
 use crate::fault::Fault;
 use crate::fe::bodies::{Level, MEAN_COLUMNS};
 use crate::fe::operators::Reduced;
+use crate::fe::recover::{Moment, Reported};
 use crate::fe::round_trip;
 use crate::fe::stage::{Stage, add_times, note, rest};
 use crate::fe::template::Cut;
@@ -36,7 +37,7 @@ struct Solved {
 }
 
 /// Solves for the shape and fills in the solution.
-pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution) -> Result<(), Fault> {
+pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution) -> Result<Option<Reported>, Fault> {
     let stage = Stage::new(problem)?;
     let wear = crate::solve::pressure::wear_problem(&problem.scene, stage.patch, &problem.freedoms)
         .map_err(|error| Fault::at("wear", "wrong-value", error.to_string(), "mend the numbers in the message"))?;
@@ -45,7 +46,7 @@ pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution
         Err(error) => {
             solution.status = Status::Refused;
             solution.reason = Some(error.to_string());
-            return Ok(());
+            return Ok(None);
         }
     };
     if let Some(point) = stage.patch.surface.sample(SAMPLES).iter().find(|point| !optimum.pressure_at(point).is_finite()) {
@@ -55,7 +56,7 @@ pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution
         );
         solution.status = Status::Refused;
         solution.reason = Some(reason);
-        return Ok(());
+        return Ok(None);
     }
     let shaper = Shaper { stage, optimum: &optimum, feed: optimum.feed.clone().unwrap_or_default() };
     let fixed = stage.fixed_level().is_some();
@@ -63,7 +64,7 @@ pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution
     for level in stage.ladder(options) {
         if crate::interrupt::asked() {
             solution.status = Status::Interrupted;
-            return Ok(());
+            return Ok(None);
         }
         solved.push(shaper.level(level)?);
         if !fixed && estimate(&solved).is_some_and(|error| error <= stage.accuracy()) {
@@ -112,13 +113,13 @@ fn finish(
     fixed: bool,
     options: Options,
     solution: &mut Solution,
-) -> Result<(), Fault> {
+) -> Result<Option<Reported>, Fault> {
     let error = estimate(&solved);
     let accuracy = shaper.stage.accuracy();
     let levels = solved.len();
     let times: Vec<_> = solved.iter().map(|s| s.solution.times.clone()).collect();
     solution.counters.factorisations += solved.iter().map(|s| s.solution.counters.factorisations).sum::<usize>();
-    let Some(last) = solved.pop() else { return Ok(()) };
+    let Some(last) = solved.pop() else { return Ok(None) };
     add_times(&times, &mut solution.times);
     shaper.report(&last, options, solution)?;
     let result = solution.error.get_or_insert_default();
@@ -146,7 +147,7 @@ fn finish(
             shape.roundtrip_independent = Some(independent);
         }
     }
-    Ok(())
+    shaper.reported(last)
 }
 
 /// The wanted tractions and the shape they ask for.
@@ -204,6 +205,17 @@ impl Shaper<'_> {
         solution.profile = Some(profile);
         solution.curve = Some(self.profile(&pair, shape, &stage.sample(&pair, CURVE)));
         Ok(())
+    }
+
+    /// What the fields need of the last level.
+    fn reported(&self, last: Solved) -> Result<Option<Reported>, Fault> {
+        let place = |p: &ContactPoint| SurfacePlace { position: p.position, normal: p.normal };
+        let pressure = last.reduced.pair()?.points().iter().map(|p| self.pressure(&place(p))).collect();
+        let Shape { shaped, counter, .. } = last.shape;
+        Ok(counter.map(|counter| {
+            let moments = vec![Moment { time_s: 0.0, name: "", states: [shaped, counter], pressure }];
+            Reported { level: last.level, moments }
+        }))
     }
 
     /// Wanted pressure at a place.

@@ -9,6 +9,7 @@ use shapeopt::{Curve, Evolution, EvolutionStatus, Stepping, Until, WearProblem, 
 use crate::fault::Fault;
 use crate::fe::bodies::Level;
 use crate::fe::contact::{pressure_at, start_gap};
+use crate::fe::recover::{Moment, Reported};
 use crate::fe::shape::difference_of_gaps;
 use crate::fe::stage::{Stage, add_times, note, rest};
 use crate::fe::template::Cut;
@@ -33,25 +34,27 @@ struct Solved {
     gaps: Vec<f64>,
     closing: DMatrix<f64>,
     ended: EvolutionStatus,
+    /// For the fields: the end, then the start.
+    reported: Option<Reported>,
     solution: Solution,
 }
 
 /// Runs the wear in time and fills in the solution.
-pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution) -> Result<(), Fault> {
+pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution) -> Result<Option<Reported>, Fault> {
     let stage = Stage::new(problem)?;
     let fixed = stage.fixed_level().is_some();
     let mut solved: Vec<Solved> = Vec::new();
     for level in stage.ladder(options) {
         if crate::interrupt::asked() {
             solution.status = Status::Interrupted;
-            return Ok(());
+            return Ok(None);
         }
         match run(stage, level, options)? {
             Ok(level) => solved.push(level),
             Err(reason) => {
                 solution.status = Status::Refused;
                 solution.reason = Some(reason);
-                return Ok(());
+                return Ok(None);
             }
         }
         let stuck = matches!(solved.last().map(|s| &s.ended), Some(EvolutionStatus::Stuck { .. }));
@@ -62,10 +65,9 @@ pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution
     // A run that the wish cut short says nothing about its end.
     if crate::interrupt::asked() {
         solution.status = Status::Interrupted;
-        return Ok(());
+        return Ok(None);
     }
-    finish(stage, solved, fixed, solution);
-    Ok(())
+    Ok(finish(stage, solved, fixed, solution))
 }
 
 /// Estimated `max |dg| / max g` at the end, modulo the rigid part.
@@ -75,13 +77,13 @@ fn estimate(solved: &[Solved]) -> Option<f64> {
     Some(rest(difference(a, b), difference(b, c)))
 }
 
-fn finish(stage: Stage<'_>, mut solved: Vec<Solved>, fixed: bool, solution: &mut Solution) {
+fn finish(stage: Stage<'_>, mut solved: Vec<Solved>, fixed: bool, solution: &mut Solution) -> Option<Reported> {
     let error = estimate(&solved);
     let levels = solved.len();
     let times: Vec<_> = solved.iter().map(|s| s.solution.times.clone()).collect();
     let total = |f: &dyn Fn(&Counters) -> usize| solved.iter().map(|s| f(&s.solution.counters)).sum::<usize>();
     let (steps, factorisations, solves) = (total(&|c| c.wear_steps), total(&|c| c.factorisations), total(&|c| c.contact_solves));
-    let Some(Solved { ended, solution: last, .. }) = solved.pop() else { return };
+    let Solved { ended, reported, solution: last, .. } = solved.pop()?;
     add_times(&times, &mut solution.times);
     let before = solution.counters.clone();
     solution.counters = last.counters;
@@ -99,14 +101,14 @@ fn finish(stage: Stage<'_>, mut solved: Vec<Solved>, fixed: bool, solution: &mut
     if let EvolutionStatus::Stuck { .. } = ended {
         solution.status = Status::NotConverged;
         solution.reason = Some(ended.to_string());
-        return;
+        return reported;
     }
     if ended == EvolutionStatus::Running {
         solution.status = Status::NotConverged;
         solution.reason = Some(format!("the run was not steady after {MOST_STEPS} steps"));
-        return;
+        return reported;
     }
-    let Some(error) = error else { return };
+    let Some(error) = error else { return reported };
     let result = solution.error.get_or_insert_default();
     result.gap_relative = Some(error);
     result.how = format!("gap at the end: rest of the series of {levels} degrees");
@@ -114,6 +116,7 @@ fn finish(stage: Stage<'_>, mut solved: Vec<Solved>, fixed: bool, solution: &mut
         solution.status = Status::AccuracyMissed;
         solution.reason = Some(format!("the worn gap is accurate to {error:.1e}, not to the {:.0e} asked for", stage.accuracy()));
     }
+    reported
 }
 
 /// One run on one level; the inner `Err` is a start without an answer.
@@ -207,7 +210,19 @@ fn run(stage: Stage<'_>, level: Level, options: Options) -> Result<Result<Solved
     }
     solution.curve = Some(sampled(CURVE));
     solution.profile = Some(options.sample.map_or(profile, sampled));
-    Ok(Ok(Solved { gaps, closing: matrix, ended, solution }))
+    let mut reported = None;
+    if stage.problem.plan.runs("field recovery") {
+        let started = operator
+            .solve(&problem.gap, &load, None)
+            .map_err(|error| Fault::at("contact", "no-contact", error.to_string(), "check the contact and its load"))?;
+        solution.counters.contact_solves += 1;
+        let moments = [("", state.time, found), ("start", 0.0, started)].into_iter();
+        let moments = moments.filter_map(|(name, time_s, at)| {
+            Some(Moment { time_s, name, states: [at.shaped, at.counter?], pressure: at.pressure })
+        });
+        reported = Some(Reported { level, moments: moments.collect() });
+    }
+    Ok(Ok(Solved { gaps, closing: matrix, ended, reported, solution }))
 }
 
 /// The wear problem on an operator; the inner `Err` says why it has no answer.

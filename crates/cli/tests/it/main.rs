@@ -4,6 +4,7 @@
 mod broken;
 mod call;
 mod commands;
+mod fields;
 mod folder;
 mod hertz;
 mod json;

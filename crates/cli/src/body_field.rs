@@ -1,0 +1,86 @@
+//! Displacement and stress inside the bodies, as plain numbers on the cells.
+
+use hpfem::Stress;
+
+/// Both bodies at a moment.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct FieldFrame {
+    /// Simulated time; 0 where nothing runs in time.
+    pub(crate) time_s: f64,
+    /// Goes into the names of the files: "" for what is reported, "start" for the start of a wear run.
+    pub(crate) moment: &'static str,
+    /// Body 1 and body 2.
+    pub(crate) bodies: [BodyField; 2],
+}
+
+/// One body, cell by cell; points are not shared, so that stresses may jump where they do.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct BodyField {
+    /// The cells.
+    pub(crate) cells: Vec<CellField>,
+    /// The body is revolved about the axis: x is r, and y is the direction around the axis.
+    pub(crate) revolved: bool,
+    /// Friction twists the body: the displacement along y and the shears xy and yz are known.
+    pub(crate) twisted: bool,
+}
+
+/// A cell on a grid of `(degree + 1)^2` points, evenly spaced in its own coordinates, the first one fastest: just enough for the
+/// displacement, a polynomial of that degree.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct CellField {
+    /// Degree of the cell.
+    pub(crate) degree: usize,
+    /// Positions (x, z), mm.
+    pub(crate) position: Vec<[f64; 2]>,
+    /// Displacements (x, y, z), mm.
+    pub(crate) displacement: Vec<[f64; 3]>,
+    /// Stresses, MPa.
+    pub(crate) stress: Vec<Stress>,
+}
+
+impl BodyField {
+    /// The body with its mirror image about the line x = middle.
+    pub(crate) fn mirrored(mut self, middle: f64) -> BodyField {
+        let images: Vec<CellField> = self.cells.iter().map(|cell| cell.mirrored(middle)).collect();
+        self.cells.extend(images);
+        self
+    }
+}
+
+impl CellField {
+    /// The cell seen in the mirror x = middle; rows run backwards, so that its corners stay anti-clockwise.
+    fn mirrored(&self, middle: f64) -> CellField {
+        let n = self.degree + 1;
+        let order: Vec<usize> = (0..n * n).map(|k| k / n * n + (n - 1 - k % n)).collect();
+        CellField {
+            degree: self.degree,
+            position: order.iter().map(|k| [2.0 * middle - self.position[*k][0], self.position[*k][1]]).collect(),
+            displacement: order
+                .iter()
+                .map(|k| [-self.displacement[*k][0], self.displacement[*k][1], self.displacement[*k][2]])
+                .collect(),
+            stress: order
+                .iter()
+                .map(|k| Stress { xy: -self.stress[*k].xy, xz: -self.stress[*k].xz, ..self.stress[*k] })
+                .collect(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{BodyField, CellField};
+    use hpfem::Stress;
+
+    #[test]
+    fn the_mirror_image_turns_shear_and_sideways_displacement_and_keeps_the_sense_of_the_corners() {
+        let position = vec![[1.0, 0.0], [3.0, 0.0], [1.0, 1.0], [3.0, 1.0]];
+        let stress = Stress::new([1.0, 2.0, 3.0, 4.0], [0.0; 2]);
+        let cell = CellField { degree: 1, displacement: vec![[0.1, 0.0, 0.2]; 4], stress: vec![stress; 4], position };
+        let whole = BodyField { cells: vec![cell], ..BodyField::default() }.mirrored(0.5);
+        let image = &whole.cells[1];
+        assert_eq!(image.position, [[-2.0, 0.0], [0.0, 0.0], [-2.0, 1.0], [0.0, 1.0]]);
+        assert_eq!(image.displacement[0], [-0.1, 0.0, 0.2]);
+        assert_eq!((image.stress[0].xx, image.stress[0].xz, image.stress[0].zz), (1.0, -3.0, 2.0));
+    }
+}
