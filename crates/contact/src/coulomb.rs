@@ -25,7 +25,9 @@ pub enum ContactState {
 /// Linear systems before giving up.
 const LIMIT: usize = 300;
 /// Plain steps on the states before shear limits are held.
-const PLAIN_STEPS: usize = 20;
+const PLAIN_STEPS: usize = 24;
+/// Steps without fewer changes before plain steps end.
+const IDLE: usize = 8;
 
 /// The frictionless problem and what shear adds to it.
 pub(crate) struct Coulomb<'m> {
@@ -189,6 +191,9 @@ impl Coulomb<'_> {
                 let limit = self.coefficient * force + self.coefficient.max(1.0) * force_tolerance;
                 match states[i] {
                     ContactState::Open if opening[i] >= -opening_tolerance[i] => ContactState::Open,
+                    // A point that closes slips already: as a sticking one it would take any shear, and the normal states go round in circles.
+                    ContactState::Open if slip[i] > slip_tolerance => ContactState::Backward,
+                    ContactState::Open if slip[i] < -slip_tolerance => ContactState::Forward,
                     ContactState::Open => ContactState::Stick,
                     _ if force < -force_tolerance => ContactState::Open,
                     ContactState::Stick if shear > limit => ContactState::Forward,
@@ -234,7 +239,7 @@ impl Coulomb<'_> {
         outcome
     }
 
-    /// Up to `steps` plain steps on the states, fewer if the number of changes stops falling.
+    /// Up to `steps` plain steps on the states, fewer if the number of changes does not fall for long.
     fn iterate(&self, outcome: &mut Outcome, steps: usize) {
         let (mut best, mut idle) = (usize::MAX, 0);
         for _ in 0..steps {
@@ -250,7 +255,7 @@ impl Coulomb<'_> {
             outcome.states = read;
             idle = if changed < best { 0 } else { idle + 1 };
             best = best.min(changed);
-            if idle > 2 {
+            if idle > IDLE {
                 break;
             }
         }
