@@ -1,6 +1,8 @@
-//! What a body may have besides supports and edge tractions: pins, elastic foundations, body forces.
+//! What a body may have besides supports and edge tractions: pins, elastic foundations, body forces, tractions on parts of boundaries,
+//! displacements that vary along a support.
 
-use crate::assemble::{Assembly, CellElement, boundary_point, points_for};
+use crate::assemble::{Assembly, BoundaryTraction, CellElement, boundary_point, points_for};
+use crate::body::BodyProblem;
 use crate::elimination::Element;
 use crate::error::Error;
 use crate::legendre::shape_functions;
@@ -46,7 +48,29 @@ pub struct BodyForce<'a> {
 /// A force density as a function of the position.
 pub type Force<'a> = Box<dyn Fn([f64; 2]) -> [f64; 2] + Sync + 'a>;
 
-/// Pins, foundations and body forces of a body; see [`Body::with`](crate::Body::with).
+/// A traction on the part of a boundary between two arc lengths; it belongs to a load case. The quadrature ends where the traction
+/// does, so that a jump inside an edge costs no accuracy of the load (the stress has a singular point there that the mesh must resolve).
+pub struct SegmentTraction<'a> {
+    /// Number of the load case.
+    pub case: usize,
+    /// Name of the boundary, one open path.
+    pub boundary: String,
+    /// Arc lengths from the end of the path with the smaller coordinates (first coordinate first); beyond the path it is cut off.
+    pub range: [f64; 2],
+    /// The traction, as in [`EdgeTraction`](crate::EdgeTraction).
+    pub traction: BoundaryTraction<'a>,
+}
+
+/// A displacement that varies along a support, added to its constant [`value`](crate::Support::value): met at the vertices, interpolated
+/// at the Gauss-Lobatto points of every edge.
+pub struct SupportDisplacement<'a> {
+    /// Number of the support.
+    pub support: usize,
+    /// The displacement along the support's direction as a function of the position, a length.
+    pub displacement: Box<dyn Fn([f64; 2]) -> f64 + Sync + 'a>,
+}
+
+/// Pins, foundations, body forces and the like of a body; see [`Body::with`](crate::Body::with).
 #[derive(Default)]
 pub struct Additions<'a> {
     /// Pinned vertices.
@@ -55,11 +79,16 @@ pub struct Additions<'a> {
     pub foundations: Vec<Foundation>,
     /// Body forces.
     pub body_forces: Vec<BodyForce<'a>>,
+    /// Tractions on parts of boundaries.
+    pub segments: Vec<SegmentTraction<'a>>,
+    /// Displacements that vary along supports.
+    pub displacements: Vec<SupportDisplacement<'a>>,
 }
 
 impl Additions<'_> {
     /// Refuses what cannot be.
-    pub(crate) fn check(&self, mesh: &Mesh, cases: usize) -> Result<(), Error> {
+    pub(crate) fn check(&self, problem: &BodyProblem<'_>) -> Result<(), Error> {
+        let (mesh, cases) = (problem.mesh, problem.load_cases.len());
         for pin in &self.pins {
             if pin.vertex >= mesh.vertices.len() {
                 let what = "pinned vertex, vertices".into();
@@ -77,12 +106,20 @@ impl Additions<'_> {
                 }
             }
         }
-        if let Some(force) = self.body_forces.iter().find(|f| f.case >= cases) {
-            return Err(Error::Count {
-                what: "load case of a body force, load cases".into(),
-                given: force.case + 1,
-                expected: cases,
-            });
+        let used = |what: &str, given: Option<usize>, expected: usize| match given {
+            Some(number) if number >= expected => Err(Error::Count { what: what.into(), given: number + 1, expected }),
+            _ => Ok(()),
+        };
+        used("load case of a body force, load cases", self.body_forces.iter().map(|f| f.case).max(), cases)?;
+        used("load case of a traction on a part, load cases", self.segments.iter().map(|f| f.case).max(), cases)?;
+        let supports = self.displacements.iter().map(|d| d.support).max();
+        used("support of a displacement, supports", supports, problem.supports.len())?;
+        for segment in &self.segments {
+            let [a, b] = segment.range;
+            if !(a.is_finite() && b.is_finite() && a < b) {
+                let quantity = format!("the length of a loaded part of \"{}\"", segment.boundary);
+                return Err(Error::OutOfRange { quantity, value: b - a, range: "positive and finite" });
+            }
         }
         Ok(())
     }

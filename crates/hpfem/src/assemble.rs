@@ -8,8 +8,9 @@ use crate::element::Workspace;
 use crate::elimination::Element;
 use crate::error::Error;
 use crate::legendre::shape_functions;
+use crate::loads::EdgeLoad;
 use crate::material::{Kinematics, Material};
-use crate::mesh::{CELL_EDGES, Mesh};
+use crate::mesh::Mesh;
 use crate::quadrature::{barycentric_weights, gauss, gauss_lobatto, lagrange};
 use crate::space::{Space, Target, rigid_rows};
 use crate::triangle_matrix::TriangleTable;
@@ -34,9 +35,11 @@ pub struct EdgeTraction<'a> {
     /// Name of the boundary.
     pub boundary: String,
     /// The traction; it must be smooth on each edge for the quadrature to be accurate.
-    #[allow(clippy::type_complexity)]
-    pub traction: Box<dyn Fn(&BoundaryPoint) -> [f64; 2] + Sync + 'a>,
+    pub traction: BoundaryTraction<'a>,
 }
+
+/// A traction as a function of the boundary point.
+pub type BoundaryTraction<'a> = Box<dyn Fn(&BoundaryPoint) -> [f64; 2] + Sync + 'a>;
 
 /// Tractions that act together; the interface operator keeps one column a load case.
 pub type LoadCase<'a> = Vec<EdgeTraction<'a>>;
@@ -52,8 +55,8 @@ pub(crate) struct Assembly<'a> {
     pub(crate) unit: f64,
     pub(crate) tables: Vec<Option<Arc<Table>>>,
     pub(crate) triangle_tables: Vec<Option<Arc<[TriangleTable; 3]>>>,
-    /// `(column, traction)` for each edge, by edge.
-    pub(crate) edge_loads: Vec<Vec<(usize, usize, usize)>>,
+    /// Tractions by edge.
+    pub(crate) edge_loads: Vec<Vec<EdgeLoad<'a>>>,
     pub(crate) load_cases: &'a [LoadCase<'a>],
     /// Rigid rotation about the origin, modal coefficients of each group with prescribed parts, for the moments of reactions.
     pub(crate) rotation: Vec<Vec<[f64; 2]>>,
@@ -244,45 +247,6 @@ impl Assembly<'_> {
             (0..modes).for_each(|m| push(self.mesh.vertices.len() + edge, m));
         }
         targets
-    }
-
-    /// Consistent loads of the cell's loaded edges: `((local boundary unknown, column), value)`.
-    fn cell_loads(&self, cell: usize, local: &LocalModes) -> Vec<((usize, usize), f64)> {
-        let mut loads = Vec::new();
-        for (e, edge) in self.mesh.cells[cell].sides() {
-            // Edge 3 of a triangle ends at corner 2, which is corner 3 too.
-            let ends = CELL_EDGES[e].map(|k| k.min(local.corners - 1));
-            for &(owner, case, index) in &self.edge_loads[edge] {
-                if owner != cell {
-                    continue;
-                }
-                let traction = &self.load_cases[case][index].traction;
-                let degree = self.space.edge_degree[edge];
-                let rule = gauss(points_for(degree) + 4);
-                let curve = self.mesh.local_curve(cell, e);
-                let mut sums = vec![[0.0; 2]; degree + 1];
-                for (t, w) in rule.points.iter().zip(&rule.weights) {
-                    let (point, length) = boundary_point(&curve, *t, e >= 2);
-                    let value = traction(&point);
-                    let measure = self.kinematics.measure(point.position[0]) / self.unit;
-                    let weight = w * length * measure;
-                    for (sum, shape) in sums.iter_mut().zip(shape_functions(degree, *t).0) {
-                        sum[0] += weight * shape * value[0];
-                        sum[1] += weight * shape * value[1];
-                    }
-                }
-                let components = self.space.components;
-                for (mode, sum) in sums.iter().enumerate() {
-                    let scalar = if mode < 2 { ends[mode] } else { local.edge_start[e] + mode - 2 - local.interior };
-                    let odd = mode >= 2 && mode % 2 == 1 && self.mesh.cells[cell].against[e];
-                    let sign = if odd { -1.0 } else { 1.0 };
-                    for (k, value) in sum.iter().enumerate().take(components) {
-                        loads.push(((components * scalar + k, case), sign * value));
-                    }
-                }
-            }
-        }
-        loads
     }
 
     /// Interior unknowns of a cell from its boundary unknowns: `u_i = -K_ii^-1 K_ib u_b`, followed by the boundary unknowns.

@@ -111,9 +111,16 @@ impl Mesh {
 
 /// The curve of a level, if it is not straight between its vertices.
 fn level_curve(region: &Ruled<'_>, level: f64) -> Option<Curve> {
-    match (region.bottom, region.top) {
-        (bottom, _) if level == 0.0 => Some(bottom),
-        (_, top) if level == 1.0 => Some(top),
+    match level {
+        0.0 => Some(region.bottom),
+        1.0 => Some(region.top),
+        _ => between(&region.bottom, &region.top, level),
+    }
+}
+
+/// The arc at a level between two concentric arcs of the same angles.
+pub(crate) fn between(bottom: &Curve, top: &Curve, level: f64) -> Option<Curve> {
+    match (*bottom, *top) {
         (Curve::Arc { centre, radius, from, to }, Curve::Arc { centre: c, radius: r, from: f, to: t })
             if centre == c && from == f && to == t =>
         {

@@ -9,6 +9,7 @@ use crate::elimination::{Condensed, MEMORY_LIMIT, Plan, not_held};
 use crate::error::Error;
 use crate::field::Field;
 use crate::interface::{InterfaceOperator, InterfaceState};
+use crate::loads::edge_loads;
 use crate::material::{Kinematics, Material};
 use crate::mesh::Mesh;
 use crate::rigid::{free_motions, rigid_columns};
@@ -76,7 +77,7 @@ impl<'a> Body<'a> {
         Body::with(problem, Additions::default())
     }
 
-    /// As [`Body::new`], with pins, elastic foundations and body forces. The strain energy of such a body includes its foundations;
+    /// As [`Body::new`], with pins, elastic foundations, body forces, tractions on parts of boundaries and displacements that vary. The strain energy of such a body includes its foundations;
     /// reactions of pins are numbered after those of the supports.
     ///
     /// # Errors
@@ -84,7 +85,7 @@ impl<'a> Body<'a> {
     pub fn with(problem: BodyProblem<'a>, additions: Additions<'a>) -> Result<Body<'a>, Error> {
         let start = Instant::now();
         check(&problem)?;
-        additions.check(problem.mesh, problem.load_cases.len())?;
+        additions.check(&problem)?;
         let mesh = problem.mesh;
         let supports = problem.supports;
         let space = Space::new(
@@ -94,7 +95,7 @@ impl<'a> Body<'a> {
             problem.kinematics,
             supports,
             problem.rigid_edge.as_ref(),
-            &additions.pins,
+            &additions,
         )?;
         let walk = problem.kept.map(|name| path(mesh, name)).transpose()?.unwrap_or_default();
         let kept_groups = kept_groups(mesh, &space, &walk);
@@ -107,7 +108,7 @@ impl<'a> Body<'a> {
             return Err(Error::TooLarge { unknowns: space.size.iter().sum(), bytes, limit: MEMORY_LIMIT });
         }
         let ordered = start.elapsed();
-        let assembly = assembly(&problem, &space, additions.pins.len())?;
+        let assembly = assembly(&problem, &space, &additions)?;
         let (columns, unit) = (assembly.columns, assembly.unit);
         let shared = assembly.shared_matrices()?;
         let results = map_cells(mesh.cells.len(), |work, c| assembly.cell(c, &plan.rank, &shared, &additions.body_forces, work));
@@ -202,7 +203,7 @@ impl<'a> Body<'a> {
             at += self.space.size[*g];
         }
         self.condensed.back_substitute(&mut values, &self.space.size, &state.factors);
-        let assembly = assembly(&self.problem, &self.space, self.additions.pins.len())?;
+        let assembly = assembly(&self.problem, &self.space, &self.additions)?;
         let mesh = self.problem.mesh;
         let coefficients = map_cells(mesh.cells.len(), |work, c| {
             let local = self.space.local_modes(mesh, c);
@@ -245,7 +246,7 @@ fn kept_groups(mesh: &Mesh, space: &Space, walk: &[(usize, bool)]) -> Vec<usize>
     groups
 }
 
-fn assembly<'b>(problem: &'b BodyProblem<'_>, space: &'b Space, pins: usize) -> Result<Assembly<'b>, Error> {
+fn assembly<'b>(problem: &'b BodyProblem<'_>, space: &'b Space, additions: &'b Additions<'_>) -> Result<Assembly<'b>, Error> {
     let mesh = problem.mesh;
     let unit = unit_of_stiffness(problem);
     let highest = space.cell_degree.iter().copied().max().unwrap_or(0);
@@ -257,15 +258,6 @@ fn assembly<'b>(problem: &'b BodyProblem<'_>, space: &'b Space, pins: usize) -> 
             triangle_tables[*degree].get_or_insert_with(|| Arc::new(TriangleTable::new(*degree, points)));
         } else {
             tables[*degree].get_or_insert_with(|| Arc::new(Table::new(*degree, points)));
-        }
-    }
-    let neighbours = mesh.edge_cells();
-    let mut edge_loads = vec![Vec::new(); mesh.edges.len()];
-    for (case, loads) in problem.load_cases.iter().enumerate() {
-        for (index, load) in loads.iter().enumerate() {
-            for e in mesh.boundary(&load.boundary)? {
-                edge_loads[e].push((neighbours[e][0].0, case, index));
-            }
         }
     }
     let mut rotation = vec![Vec::new(); space.freedom.len()];
@@ -286,10 +278,10 @@ fn assembly<'b>(problem: &'b BodyProblem<'_>, space: &'b Space, pins: usize) -> 
         unit,
         tables,
         triangle_tables,
-        edge_loads,
+        edge_loads: edge_loads(mesh, problem.load_cases, &additions.segments)?,
         load_cases: problem.load_cases,
         rotation,
-        columns: problem.load_cases.len() + 1 + 3 * (problem.supports.len() + pins),
+        columns: problem.load_cases.len() + 1 + 3 * (problem.supports.len() + additions.pins.len()),
     })
 }
 

@@ -121,6 +121,16 @@ pub enum Error {
         /// Second vertex.
         second: usize,
     },
+    /// A cell reaches from one edge of a boundary to another, so that it cannot be cut along one of them.
+    #[error(
+        "cell {cell} reaches from one edge of boundary \"{boundary}\" to another, towards which the mesh shall be graded; refine the mesh first, with quadrilaterals in the corners of the boundary"
+    )]
+    BetweenGradedEdges {
+        /// The cell.
+        cell: usize,
+        /// Name of the boundary.
+        boundary: String,
+    },
     /// Something that needs a straight boundary was asked of a curved one.
     #[error("{what} needs straight edges in one line, but boundary \"{boundary}\" is curved or bent")]
     NotStraight {

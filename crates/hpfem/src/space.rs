@@ -1,10 +1,12 @@
 //! Degrees of freedom: degrees of cells and edges, supports, rigid edges.
 
-use crate::additions::Pin;
+use crate::additions::Additions;
+use crate::assemble::edge_modes;
 use crate::basis::LocalModes;
 use crate::error::Error;
 use crate::material::Kinematics;
 use crate::mesh::Mesh;
+use std::collections::HashMap;
 
 /// Highest degree of a cell.
 pub const MAX_DEGREE: usize = 24;
@@ -118,6 +120,8 @@ pub(crate) struct Space {
     /// Minimum of the degrees of the cells that share the edge.
     pub(crate) edge_degree: Vec<usize>,
     pub(crate) freedom: Vec<Freedom>,
+    /// Freedom of the single modes of those edges along which a prescribed displacement varies.
+    mode_freedom: HashMap<usize, Vec<Freedom>>,
     /// Number of active unknowns of each group.
     pub(crate) size: Vec<usize>,
     pub(crate) frame: Option<(usize, RigidEdge)>,
@@ -155,7 +159,7 @@ impl Space {
         kinematics: Kinematics,
         supports: &[Support],
         rigid: Option<&RigidEdge>,
-        pins: &[Pin],
+        additions: &Additions<'_>,
     ) -> Result<Space, Error> {
         let components = kinematics.components();
         if let Some(cell) = (0..mesh.cells.len()).find(|c| !(1..=MAX_DEGREE).contains(&cell_degree[*c])) {
@@ -177,7 +181,10 @@ impl Space {
                 [a, b, vertices + e].iter().for_each(|g| freedom[*g].slaved = true);
             }
         }
+        let mut mode_freedom: HashMap<usize, Vec<Freedom>> = HashMap::new();
         for (number, support) in supports.iter().enumerate() {
+            let varying: Vec<_> = additions.displacements.iter().filter(|d| d.support == number).collect();
+            let value = |x: [f64; 2]| support.value + varying.iter().map(|d| (d.displacement)(x)).sum::<f64>();
             for e in mesh.boundary(&support.boundary)? {
                 let [a, b] = mesh.edges[e].vertices;
                 let direction = match support.direction {
@@ -193,12 +200,30 @@ impl Space {
                         [(q[1] - p[1]) / length, -(q[0] - p[0]) / length]
                     }
                 };
-                freedom[a].fix(direction, number, support.value);
-                freedom[b].fix(direction, number, support.value);
-                freedom[vertices + e].fix(direction, number, 0.0);
+                for v in [a, b] {
+                    let value = value(mesh.vertices[v]);
+                    if !value.is_finite() {
+                        let quantity = format!("the displacement of support \"{}\" at vertex {v}", support.boundary);
+                        return Err(Error::OutOfRange { quantity, value, range: "finite" });
+                    }
+                    freedom[v].fix(direction, number, value);
+                }
+                let group = vertices + e;
+                // Modes of an edge follow the same axes with values of their own.
+                if !varying.is_empty() {
+                    mode_freedom.entry(group).or_insert_with(|| vec![freedom[group]; edge_degree[e] - 1]);
+                }
+                if let Some(modes) = mode_freedom.get_mut(&group) {
+                    let values = match varying.is_empty() {
+                        true => vec![[0.0; 2]; modes.len()],
+                        false => edge_modes(&mesh.edges[e].curve, edge_degree[e], |x| [value(x), 0.0]),
+                    };
+                    modes.iter_mut().zip(values).for_each(|(mode, value)| mode.fix(direction, number, value[0]));
+                }
+                freedom[group].fix(direction, number, 0.0);
             }
         }
-        for (number, pin) in pins.iter().enumerate() {
+        for (number, pin) in additions.pins.iter().enumerate() {
             let d = if pin.direction == Direction::Second { [0.0, 1.0] } else { [1.0, 0.0] };
             freedom[pin.vertex].fix(d, supports.len() + number, 0.0);
         }
@@ -222,7 +247,7 @@ impl Space {
         if let Some(rigid) = rigid {
             size.push(rigid.free.iter().filter(|f| **f).count());
         }
-        Ok(Space { components, kind, cell_degree, edge_degree, freedom, size, frame })
+        Ok(Space { components, kind, cell_degree, edge_degree, freedom, mode_freedom, size, frame })
     }
 
     /// Order of the modes of a cell.
@@ -281,12 +306,13 @@ impl Space {
             return target;
         }
         let free = freedom.free(self.components);
-        for axis in 0..self.components {
+        let fixed = self.mode_freedom.get(&group).and_then(|modes| modes.get(mode)).unwrap_or(freedom).fixed;
+        for (axis, fixed) in fixed.into_iter().enumerate().take(self.components) {
             let share = freedom.axes[axis][component];
             if share == 0.0 {
                 continue;
             }
-            match freedom.fixed[axis] {
+            match fixed {
                 Some((AXIS, _)) => {}
                 None => target.active.push((group, mode * free + freedom.index(axis), share)),
                 Some((support, value)) => {
