@@ -4,12 +4,25 @@ Displacements in the plane are (x, z); the axisymmetric forms carry the weight r
 2 pi on both sides. Everything is per unit thickness.
 """
 
+import time
+
 import dolfinx.fem.petsc as fem_petsc
 import numpy as np
 import ufl
 from dolfinx import fem
 from dolfinx.mesh import locate_entities_boundary
 from petsc4py import PETSc
+
+# Seconds spent on forms so far: symbolic work and the look-up of compiled code, or its compilation.
+FORMS = [0.0]
+
+
+def form(expression):
+    """A form ready for assembly."""
+    started = time.perf_counter()
+    ready = fem.form(expression)
+    FORMS[0] += time.perf_counter() - started
+    return ready
 
 
 class Body:
@@ -88,7 +101,7 @@ class Body:
     def factor(self):
         """Assembles and factorises; call after the supports are set."""
         u, v = ufl.TrialFunction(self.space), ufl.TestFunction(self.space)
-        self.matrix = fem_petsc.assemble_matrix(fem.form(self._energy(u, v)), bcs=self.supports)
+        self.matrix = fem_petsc.assemble_matrix(form(self._energy(u, v)), bcs=self.supports)
         self.matrix.assemble()
         self.solver = direct(self.matrix)
         self.held = np.unique(np.concatenate([bc.dof_indices()[0] for bc in self.supports]))
@@ -96,8 +109,7 @@ class Body:
     def load(self, traction, tags):
         """Load vector of a traction field on segments."""
         v = ufl.TestFunction(self.space)
-        form = fem.form(ufl.inner(traction, v) * self.weight() * self.ds(tuple(tags)))
-        vector = fem_petsc.assemble_vector(form)
+        vector = fem_petsc.assemble_vector(form(ufl.inner(traction, v) * self.weight() * self.ds(tuple(tags))))
         return vector.array.copy()
 
     def resultant(self, vector, component):
@@ -173,9 +185,9 @@ class Torsion:
         entities = np.concatenate([body.facets.find(tag) for tag in body.tags(edge)])
         dofs = fem.locate_dofs_topological(space, 1, entities)
         held = fem.dirichletbc(PETSc.ScalarType(0.0), dofs, space)
-        matrix = fem_petsc.assemble_matrix(fem.form(energy), bcs=[held])
+        matrix = fem_petsc.assemble_matrix(form(energy), bcs=[held])
         matrix.assemble()
-        vector = fem_petsc.assemble_vector(fem.form(traction * v * r * body.ds(tuple(tags))))
+        vector = fem_petsc.assemble_vector(form(traction * v * r * body.ds(tuple(tags))))
         vector.array[dofs] = 0.0
         self.displacement = fem.Function(space)
         direct(matrix).solve(vector, self.displacement.vector)

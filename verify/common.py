@@ -80,14 +80,17 @@ class Quantity:
         }
 
 
+def versions():
+    """What solved it."""
+    return {"dolfinx": dolfinx.__version__, "gmsh": gmsh.GMSH_API_VERSION,
+            "petsc": ".".join(map(str, PETSc.Sys.getVersion())), "python": sys.version.split()[0]}
+
+
 def finish(case, started, quantities, extra=None):
     """Writes out.json in one step: a reader sees the whole file or none."""
     record = {
         "quantities": [q.record for q in quantities],
-        "versions": {
-            "dolfinx": dolfinx.__version__, "gmsh": gmsh.GMSH_API_VERSION,
-            "petsc": ".".join(map(str, PETSc.Sys.getVersion())), "python": sys.version.split()[0],
-        },
+        "versions": versions(),
         "seconds": time.perf_counter() - started,
         **(extra or {}),
     }

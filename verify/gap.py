@@ -57,8 +57,9 @@ def displacements(scene, surface, pressure, c, sign, size, sharp_size, slope):
     return u1, u2, t1, t2
 
 
-def build(scene, surface, number, grading):
-    """Body 1 or 2 on a graded mesh, with its supports; and the tags of its contact segments."""
+def build(scene, surface, number, grading, degree=DEGREE, near=None):
+    """Body 1 or 2 on a graded mesh, with its supports; and the tags of its contact segments.
+    `near`: largest cell along the contact, when smaller than elsewhere."""
     part = scene[f"body{number}"]
     template, values = scenes.geometry(part)
     ends = [tuple(surface.point(c)) for c in surface.range]
@@ -70,9 +71,9 @@ def build(scene, surface, number, grading):
     if cut is not None:
         loops = split(loops, [cut.a, cut.b])
         corners |= {cut.a, cut.b}
-    mesh, facets, segments = triangulate(loops, grading[0], 3, sorted(corners), grading[1], grading[2], cut=cut)
+    mesh, facets, segments = triangulate(loops, grading[0], 3, sorted(corners), grading[1], grading[2], cut=cut, near=near)
     young, nu = scenes.material(part)
-    body = Body(mesh, facets, segments, young, nu, scene["kinematics"], DEGREE)
+    body = Body(mesh, facets, segments, young, nu, scene["kinematics"], degree)
     support(body, scene, number)
     body.factor()
     return body, body.tags(scene["contact"]["edges"][number - 1], True)
@@ -117,27 +118,37 @@ def load_range(load):
 
 def respond(scene, surface, pressure, c, sign, number, body, tags):
     """Displacements at the points c under the contact tractions and the body's own load."""
+    at, mu = surface.point(c), friction(surface, sign)
+    u = body.points(body.solve(loads(scene, surface, pressure, sign, number, body, tags)), at, tags)
+    if not surface.axisymmetric or mu == 0.0:
+        return u, None
+    side = 1.0 if number == 1 else -1.0
+    held = next(edge for edge, k in scene[f"body{number}"]["support"].items() if "phi" in k)
+    turn = Torsion(body, held, side * mu * surface.sense * pressure.field(ufl, body.x), tags)
+    return u, body.points(turn.displacement, at, tags)[:, 0]
+
+
+def friction(surface, sign):
+    """mu on the bodies, reversed by a fault."""
+    return surface.friction * sign if surface.shear else 0.0
+
+
+def loads(scene, surface, pressure, sign, number, body, tags):
+    """Load vector of the contact tractions and the body's own load."""
     p = pressure.field(ufl, body.x)
     side = 1.0 if number == 1 else -1.0
-    mu = surface.friction * sign if surface.shear else 0.0
     if surface.radius is None:
         n = ufl.as_vector((0.0, 1.0))
         tau = ufl.as_vector((surface.sense, 0.0))
     else:
         n = ufl.as_vector([(body.x[i] - surface.centre[i]) / surface.radius for i in range(2)])
         tau = surface.sense * ufl.as_vector((-n[1], n[0]))
-    in_plane = 0.0 if surface.axisymmetric else mu
+    in_plane = 0.0 if surface.axisymmetric else friction(surface, sign)
     vector = body.load(side * p * (n + in_plane * tau), tags)
     if number == 1 and scene["load"]["as"] != "rigid":
         own = own_load(scene, body)
         vector += own * (-body.resultant(vector, 1) / body.resultant(own, 1))
-    at = surface.point(c)
-    u = body.points(body.solve(vector), at, tags)
-    if not surface.axisymmetric or mu == 0.0:
-        return u, None
-    held = next(edge for edge, k in scene[f"body{number}"]["support"].items() if "phi" in k)
-    turn = Torsion(body, held, side * mu * surface.sense * p, tags)
-    return u, body.points(turn.displacement, at, tags)[:, 0]
+    return vector
 
 
 def own_load(scene, body):

@@ -21,11 +21,12 @@ LEVELS = [(90, 1.5), (140, 1.0)]
 
 def solve(scene, points, sign):
     surface = scenes.Surface(scene)
-    guess = half_width(scene, surface)
-    low = 0.0 if surface.axisymmetric else -1.2 * guess
-    surface.range = (low, 1.2 * guess)
+    guess = narrow(scene, surface)
     c = np.asarray(points["x_mm"])
-    levels = [press(scene, surface, c, sign, *level) for level in LEVELS]
+    levels = []
+    for level in LEVELS:
+        pair, p, largest, width = press(scene, surface, sign, *level)
+        levels.append((pair.at(p, c), largest, width))
     inner = np.abs(c) <= 0.95 * levels[1][2]
     if surface.axisymmetric:
         inner &= c >= 0.05 * levels[1][2]
@@ -33,6 +34,13 @@ def solve(scene, points, sign):
     found = [common.Quantity(name, unit, levels[0][i], levels[1][i], keep=keep)
              for i, (name, unit, keep) in enumerate(names)]
     return found, {"hertz_half_width_mm": guess}
+
+
+def narrow(scene, surface):
+    """Leaves 1.2 times Hertz' half-width of the surface, which is returned."""
+    guess = half_width(scene, surface)
+    surface.range = (0.0 if surface.axisymmetric else -1.2 * guess, 1.2 * guess)
+    return guess
 
 
 def half_width(scene, surface):
@@ -45,8 +53,8 @@ def half_width(scene, surface):
     return math.sqrt(4.0 * force / surface.thickness * surface.ball / (math.pi * modulus))
 
 
-def press(scene, surface, c, sign, cells, coarse):
-    """(pressures at c, largest pressure, half-width of the contact)."""
+def press(scene, surface, sign, cells, coarse):
+    """(the pair, nodal pressures, largest pressure, half-width of the contact)."""
     if surface.axisymmetric:
         cells //= 2
     breaks = np.linspace(*surface.range, cells + 1)
@@ -60,7 +68,7 @@ def press(scene, surface, c, sign, cells, coarse):
     roots = fit.roots()
     real = roots[np.abs(roots.imag) < 1e-9 * end**2].real
     width = math.sqrt(real[np.argmin(np.abs(real - end**2))])
-    return pair.at(p, c), math.sqrt(fit(0.0)), width
+    return pair, p, math.sqrt(fit(0.0)), width
 
 
 if __name__ == "__main__":

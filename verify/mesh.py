@@ -172,7 +172,8 @@ def triangulate(loops, size, order=3, sharp=(), sharp_size=1e-5, slope=0.4, divi
     for i, tag in enumerate(tags):
         gmsh.model.addPhysicalGroup(1, [tag], i + 1)
     gmsh.model.addPhysicalGroup(2, [surface], 1)
-    _grade([points[(round(p[0], 12), round(p[1], 12))] for p in sharp], fixed if near else [], size, sharp_size, near, slope)
+    lines = fixed or [tag for tag, segment in zip(tags, segments) if segment.contact]
+    _grade([points[(round(p[0], 12), round(p[1], 12))] for p in sharp], lines if near else [], size, sharp_size, near, slope)
     gmsh.model.mesh.generate(2)
     gmsh.model.mesh.setOrder(order)
     mesh, _, facets = gmshio.model_to_mesh(gmsh.model, MPI.COMM_SELF, 0, gdim=2)
@@ -202,7 +203,7 @@ def _grade(nodes, curves, size, sharp_size, near, slope):
             distance = field.add("Distance")
             field.setNumbers(distance, kind, tags)
             if kind == "EdgesList":
-                field.setNumber(distance, "NNodesByEdge", 3)
+                field.setNumber(distance, "NNodesByEdge", max(3, 400 // len(tags)))
             ramp = field.add("Threshold")
             field.setNumber(ramp, "IField", distance)
             field.setNumber(ramp, "LcMin", smallest)

@@ -6,6 +6,7 @@ stability bound: the least 2 Re(l)/|l|^2 over the eigenvalues of the linearised 
 
 import os
 import sys
+from dataclasses import dataclass
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
@@ -64,30 +65,47 @@ def solve(scene, points, sign):
 def evolve(scene, surface, c, sign, cells, coarse, share):
     """(gap, pressure at c, worn volume, steps, time) at the end of the run."""
     pair = Interface(scene, surface, np.linspace(*surface.range, cells + 1), coarse, sign, grade=False)
+    until = scene["wear"].get("until", "steady")
+    end = np.inf if until == "steady" else scenes.quantity(until)
+    for state in steps(scene, surface, pair, share, end):
+        if state.time >= end or (state.residual <= STEADY and end == np.inf):
+            break
+    return pair.at(state.gap, c), pair.at(state.pressure, c), state.volume, state.step, state.time
+
+
+@dataclass
+class State:
+    """The worn pair after some steps: gap (mm) and pressure at the nodes, distance from the steady state."""
+
+    step: int
+    time: float
+    gap: np.ndarray
+    pressure: np.ndarray
+    volume: float
+    residual: float
+
+
+def steps(scene, surface, pair, share, end=np.inf):
+    """States of an explicit run from a closed start, at most to the time `end`."""
     rule, v = Rule(scene, surface), surface.sliding_speed(pair.c)
     load = scene["load"]
     goal = np.array([scenes.quantity(load["force"]), scenes.quantity(load.get("moment", 0.0))])[: len(pair.modes)]
-    until = scene["wear"].get("until", "steady")
-    end = np.inf if until == "steady" else scenes.quantity(until)
     phi = np.column_stack([m[0](pair.c) for m in pair.modes])
     psi = np.column_stack([m[1](pair.c) for m in pair.modes])
+    root = np.sqrt(pair.weight)
     gap, active = np.zeros(len(pair.c)), None
-    time, volume, steps = 0.0, 0.0, 0
-    while True:
+    time, volume = 0.0, 0.0
+    for step in range(MOST_STEPS):
         force, _, active = pair.touch(gap, goal, active)
         p = pair.pressure(force)
         rate = rule.rate(p, v)
-        root = np.sqrt(pair.weight)
         rest = rate - phi @ np.linalg.lstsq(phi * root[:, None], rate * root, rcond=None)[0]
-        steady = np.linalg.norm(rest * root) <= STEADY * np.linalg.norm(rate * root)
-        if time >= end or (steady and end == np.inf):
-            return pair.at(gap, c), pair.at(p, c), volume, steps, time
-        if steps == MOST_STEPS:
-            raise ValueError(f"not steady after {steps} steps, {time} s")
-        step = min(share * stable_step(pair, phi, psi, active, rule.slope(p, v)), end - time)
-        gap = gap + step * rate
-        volume += step * float(pair.weight @ rate)
-        time, steps = time + step, steps + 1
+        yield State(step, time, gap, p, volume, np.linalg.norm(rest * root) / np.linalg.norm(rate * root))
+        length = min(share * stable_step(pair, phi, psi, active, rule.slope(p, v)), end - time)
+        gap = gap + length * rate
+        volume += length * float(pair.weight @ rate)
+        time += length
+    raise ValueError(f"no end after {MOST_STEPS} steps, {time} s")
 
 
 def stable_step(pair, phi, psi, active, slope):

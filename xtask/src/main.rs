@@ -16,6 +16,7 @@ usage: cargo xtask <chore>
   verify    compare wearshape with independent solutions by Debian's dolfinx and gmsh
             [--install] [--quick] [--case NAME] [--fault friction-sign|young] [--can-fail]
             [--known] [--program PATH]
+            --study: error against seconds of both [--case NAME] [--repeat N] [--docs]
   package   the static program, manual pages, completions and the Debian package
   bench     run the benches of our crates and print their ratios [crate ..]
 ";

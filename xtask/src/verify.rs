@@ -11,6 +11,7 @@ mod known;
 mod picture;
 mod report;
 mod run;
+mod study;
 
 use case::Case;
 use report::{Outcome, Row};
@@ -25,6 +26,9 @@ struct Wish {
     quick: bool,
     known: bool,
     can_fail: bool,
+    study: bool,
+    docs: bool,
+    repeat: Option<usize>,
     cases: Vec<String>,
     fault: Option<String>,
     /// A built wearshape to compare, instead of building one.
@@ -53,6 +57,8 @@ pub(crate) fn run(root: &Path, words: &[String]) -> ExitCode {
     }
     let done = if wish.known {
         known::compare(root, &wish.cases, wish.quick, wish.fault.as_deref())
+    } else if wish.study {
+        wearshape(root, &wish).and_then(|program| study::run(root, &program, &wish.cases, wish.repeat.unwrap_or(3), wish.docs))
     } else {
         compare_cases(root, &wish)
     };
@@ -77,6 +83,12 @@ fn parse(words: &[String]) -> Result<Wish, String> {
             "--quick" => wish.quick = true,
             "--known" => wish.known = true,
             "--can-fail" => wish.can_fail = true,
+            "--study" => wish.study = true,
+            "--docs" => wish.docs = true,
+            "--repeat" => {
+                let count = rest.next().and_then(|word| word.parse().ok()).filter(|count| *count > 0);
+                wish.repeat = Some(count.ok_or("--repeat needs a number of runs, 1 at least")?);
+            }
             "--case" => wish.cases.push(rest.next().ok_or("--case needs the name of a case")?.clone()),
             "--program" => wish.program = Some(rest.next().ok_or("--program needs the path of a built wearshape")?.into()),
             "--fault" => {
@@ -86,7 +98,18 @@ fn parse(words: &[String]) -> Result<Wish, String> {
             other => return Err(format!("there is no option `{other}`")),
         }
     }
+    if (wish.docs || wish.repeat.is_some()) && !wish.study {
+        return Err("--docs and --repeat belong to --study".into());
+    }
     Ok(wish)
+}
+
+/// The program to compare.
+fn wearshape(root: &Path, wish: &Wish) -> Result<PathBuf, String> {
+    match &wish.program {
+        Some(program) => Ok(program.clone()),
+        None => run::build(root),
+    }
 }
 
 fn compare_cases(root: &Path, wish: &Wish) -> Result<bool, String> {
@@ -97,10 +120,7 @@ fn compare_cases(root: &Path, wish: &Wish) -> Result<bool, String> {
             return Err(format!("there is no case `{name}`; there are: {}", names.join(", ")));
         }
     }
-    let wearshape = match &wish.program {
-        Some(program) => program.clone(),
-        None => run::build(root)?,
-    };
+    let wearshape = wearshape(root, wish)?;
     if wish.can_fail {
         return faults_are_caught(root, &wearshape, &all);
     }

@@ -82,7 +82,7 @@ fn size(values: &[f64], norm: Norm) -> f64 {
 }
 
 /// `values` minus their projection on the span of `modes` (Gram-Schmidt).
-fn without_modes(values: &[f64], modes: &[Vec<f64>]) -> Vec<f64> {
+pub(crate) fn without_modes(values: &[f64], modes: &[Vec<f64>]) -> Vec<f64> {
     let mut rest = values.to_vec();
     let mut basis: Vec<Vec<f64>> = Vec::new();
     for mode in modes {
@@ -154,14 +154,14 @@ pub(crate) struct Csv {
 }
 
 impl Csv {
-    fn column(&self, name: &str) -> Result<&[f64], String> {
+    pub(crate) fn column(&self, name: &str) -> Result<&[f64], String> {
         let at = self.names.iter().position(|known| known == name.trim());
         let at = at.ok_or(format!("contact.csv has no column {name}; it has {}", self.names.join(", ")))?;
         Ok(&self.columns[at])
     }
 }
 
-fn read_csv(path: &Path) -> Result<Csv, String> {
+pub(crate) fn read_csv(path: &Path) -> Result<Csv, String> {
     let text = fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))?;
     parse_csv(&text).map_err(|message| format!("{}: {message}", path.display()))
 }
