@@ -19,6 +19,7 @@ pub(crate) use shape::difference_of_gaps;
 pub(crate) use stage::rest;
 
 use crate::fault::Fault;
+use crate::live::Live;
 use crate::setup::Problem;
 use crate::solution::{Solution, Status};
 use crate::solve::Options;
@@ -35,7 +36,7 @@ pub(crate) fn available(problem: &Problem) -> Result<(), Fault> {
 }
 
 /// Computes contact, shape and wear as the plan asks.
-pub(crate) fn solve(problem: &Problem, options: Options, solution: &mut Solution) -> Result<(), Fault> {
+pub(crate) fn solve(problem: &Problem, options: Options, live: &mut Live, solution: &mut Solution) -> Result<(), Fault> {
     available(problem)?;
     if let Some(couple) = half_disc::Couple::of(&problem.scene)? {
         return ends::solve(problem, &couple, options, solution);
@@ -48,7 +49,7 @@ pub(crate) fn solve(problem: &Problem, options: Options, solution: &mut Solution
         reported = shape::solve(problem, options, solution)?;
     }
     if solution.status != Status::Refused && problem.plan.runs("evolution") {
-        reported = wear::solve(problem, options, solution)?;
+        reported = wear::solve(problem, options, live, solution)?;
     }
     match reported {
         Some(reported) if problem.plan.runs("field recovery") => crate::solve::timed(solution, "field recovery", |solution| {

@@ -9,7 +9,7 @@ mod terminal;
 mod vtu;
 
 use crate::fault::Fault;
-use crate::record::{Recorder, State};
+use crate::record::{LAYOUT, Points, RUN_MCAP, Recorder, Tape};
 use crate::setup::Problem;
 use crate::solution::Solution;
 
@@ -45,6 +45,7 @@ pub(crate) fn write(
     problem: &Problem,
     solution: &Solution,
     resolved: &str,
+    tape: Option<Tape>,
     seconds: f64,
 ) -> Result<serde_json::Value, Fault> {
     let summary = summary::summary(problem, solution, resolved);
@@ -67,17 +68,18 @@ pub(crate) fn write(
     folder.write("timing.json", &timing(solution, seconds))?;
     let text = pretty(&summary);
     folder.write("summary.json", &text)?;
-    if let Some(profile) = solution.profile.as_ref().filter(|_| problem.plan.runs("run.mcap")) {
-        let mut recorder = Recorder::create(&folder.path().join("run.mcap"), resolved)?;
-        recorder.log(summary["verdict"].as_str().unwrap_or(""))?;
-        // A run in time has many steps; anything else is one picture.
-        if solution.steps.is_empty() {
-            recorder.step(&State::default(), profile)?;
-        }
-        for (state, profile) in &solution.steps {
-            recorder.step(state, profile)?;
-        }
+    let verdict = summary["verdict"].as_str().unwrap_or("");
+    // A run in time has been recorded as it went; anything else is one picture.
+    if let Some(tape) = tape {
+        tape.finish(verdict, &text)?;
+    } else if let Some(profile) = solution.profile.as_ref().filter(|_| problem.plan.runs("run.mcap")) {
+        let mut recorder = Recorder::create(&folder.path().join(RUN_MCAP), resolved, None)?;
+        recorder.log(verdict)?;
+        recorder.picture(&Points::new(0, 0.0, profile))?;
         recorder.finish(&text)?;
+    }
+    if problem.plan.runs("run.mcap") {
+        folder.write(LAYOUT[0], LAYOUT[1])?;
     }
     if problem.plan.runs("report.html") {
         folder.write("report.html", &page::page(&summary, &curves, &pictures, resolved))?;

@@ -56,6 +56,9 @@ pub(crate) struct Scene {
     /// The wear rule of both bodies.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) wear: Option<Wear>,
+    /// Load and speed that change in a run in time; without it they stay as given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) schedule: Option<Schedule>,
     /// Which pressure is wanted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) optimum: Option<Optimum>,
@@ -252,6 +255,25 @@ pub(crate) struct Wear {
     /// Where the run in time ends: "steady", or a time. Default "steady".
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) until: Option<crate::gap::Until>,
+}
+
+/// A run in time in pieces: each begins at its time and lasts until the next one, the last until the run ends. The lists hold one
+/// number a piece, a factor on what `load` and `sliding` give; a list that is left out is 1 throughout.
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Schedule {
+    /// Times at which the pieces begin (s); the first is 0, and they increase.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) time: Option<Vec<Time>>,
+    /// Factors on load.force, greater than 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) force: Option<Vec<f64>>,
+    /// Factors on load.moment.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) moment: Option<Vec<f64>>,
+    /// Factors on sliding.speed or sliding.omega, other than 0; negative ones slide the other way.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) speed: Option<Vec<f64>>,
 }
 
 /// How the counter-face meets body 1.

@@ -3,6 +3,7 @@
 mod bodies;
 mod load;
 mod optimum;
+mod schedule;
 mod tasks;
 mod unused;
 mod wear_rule;
@@ -53,6 +54,7 @@ fn check(document: &Document) -> Result<Problem, Fault> {
     let patch = Patch::of(&scene)?;
     wear_rule::resolve(&mut scene, &tasks, patch.as_ref())?;
     load::resolve(&mut scene, &tasks, patch.as_ref())?;
+    schedule::resolve(&mut scene)?;
     optimum::resolve(&mut scene, &tasks)?;
     let freedoms = crate::freedom::freedoms(&scene, patch.as_ref())?;
     let unused_keys = unused::keys(document, &scene, &tasks);

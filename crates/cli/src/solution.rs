@@ -51,8 +51,6 @@ pub(crate) struct Solution {
     pub(crate) curve: Option<Profile>,
     /// Columns of history.csv: name and values.
     pub(crate) history: Vec<(String, Vec<f64>)>,
-    /// Steps of a run in time, for the recording.
-    pub(crate) steps: Vec<(crate::record::State, Profile)>,
     /// Displacement and stress inside the bodies, the reported moment first; empty unless an output asks for them.
     pub(crate) fields: Vec<FieldFrame>,
     /// Seconds of each stage, in order.
@@ -216,8 +214,23 @@ pub(crate) struct WearResult {
     pub(crate) explicit_step_limit_s: Option<f64>,
     /// Run-in distance of the slowest modes.
     pub(crate) run_in_distance_mm: Vec<f64>,
-    /// Largest growth of the Lyapunov function.
+    /// Largest relative growth of the Lyapunov function in a step; without shear on the bodies it never grows.
     pub(crate) lyapunov_increase: Option<f64>,
+    /// What it took until the pressure stayed within 1 % of the steady one (relative L2).
+    pub(crate) to_1_percent: Option<Settled>,
+}
+
+/// `summary.wear.to_1_percent`.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub(crate) struct Settled {
+    /// Time.
+    pub(crate) time_s: f64,
+    /// Sliding distance.
+    pub(crate) distance_mm: f64,
+    /// Largest depth worn off body 1.
+    pub(crate) depth_um: f64,
+    /// Volume worn off both bodies.
+    pub(crate) volume_mm3: f64,
 }
 
 /// `summary.energy`.

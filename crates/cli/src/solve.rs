@@ -5,6 +5,7 @@ pub(crate) mod pressure;
 use std::time::Instant;
 
 use crate::fault::Fault;
+use crate::live::Live;
 use crate::setup::Problem;
 use crate::solution::{Solution, Status};
 
@@ -51,12 +52,17 @@ pub(crate) fn trapezoid_weights(places: &[f64]) -> Vec<f64> {
 
 /// Computes everything the plan lists. What has no answer is a solution with its status; an `Err` is the user's to mend.
 pub(crate) fn solve(problem: &Problem, options: Options) -> Result<Solution, Fault> {
+    solve_live(problem, options, &mut Live::silent())
+}
+
+/// The same, recorded and shown while it goes.
+pub(crate) fn solve_live(problem: &Problem, options: Options, live: &mut Live) -> Result<Solution, Fault> {
     let mut solution = Solution::default();
     if problem.plan.runs("optimal pressure") {
         timed(&mut solution, "optimal pressure", |solution| pressure::solve(problem, options, solution))?;
     }
     if solution.status != Status::Refused && problem.plan.runs("mesh") {
-        crate::fe::solve(problem, options, &mut solution)?;
+        crate::fe::solve(problem, options, live, &mut solution)?;
     }
     Ok(solution)
 }

@@ -9,10 +9,13 @@ use crate::commands::{print_json, print_out};
 use crate::document::Document;
 use crate::exit::Exit;
 use crate::fault::{Fault, Place};
+use crate::live::Live;
+use crate::progress::Progress;
+use crate::record::Tape;
 use crate::report::{self, Folder};
 use crate::setup::setup;
 use crate::solution::Status;
-use crate::solve::{Options, Sampling, solve};
+use crate::solve::{Options, Sampling, solve_live};
 
 /// Computes a scene and writes its folder.
 pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
@@ -36,29 +39,42 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
     crate::interrupt::listen();
     let resolved = report::resolved(&problem)?;
     let folder = Folder::begin(&target, common.resume)?;
+    if common.resume {
+        folder.same_scene(&resolved)?;
+    }
     let ready = start.elapsed().as_secs_f64();
     folder.write("scene.resolved.toml", &resolved)?;
     if common.verbose && !common.quiet {
         eprint!("{}", describe(&problem));
     }
-    let solved = with_threads(common, || solve(&problem, options))?;
+    let mut live = Live { tape: None, progress: Progress::new(common) };
+    if problem.plan.runs("evolution") {
+        let (tape, word) = Tape::new(folder.path(), &resolved, common.resume);
+        if let Some(word) = word.filter(|_| !common.quiet) {
+            eprintln!("{word}");
+        }
+        live.tape = Some(tape);
+    } else if common.resume && !common.quiet {
+        eprintln!("only runs in time can be continued; this one begins at its start");
+    }
+    let solved = with_threads(common, || solve_live(&problem, options, &mut live))?;
+    live.progress.end();
     let mut solution = match solved {
         Ok(solution) => solution,
         Err(fault) => {
-            folder.discard();
+            // What was recorded before the disk was full is worth going on from.
+            if fault.code != "unwritable" {
+                folder.discard();
+            }
             return Err(document.locate(fault));
         }
     };
     if solution.status == Status::Interrupted {
-        eprintln!(
-            "interrupted; run it again, from its start, with: wearshape run {} -o {} --resume",
-            args.scene,
-            target.display()
-        );
+        eprintln!("interrupted; {}", again(args, live.tape.is_some()));
         return Ok(Exit::Interrupted);
     }
     solution.times.insert(0, ("setup".into(), ready));
-    let summary = report::write(&folder, &problem, &solution, &resolved, start.elapsed().as_secs_f64())?;
+    let summary = report::write(&folder, &problem, &solution, &resolved, live.tape, start.elapsed().as_secs_f64())?;
     folder.finish()?;
     if common.json {
         print_json(&summary);
@@ -66,6 +82,21 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
         print_out(&report::first_screen(&problem, &solution, &target));
     }
     Ok(exit_of(solution.status))
+}
+
+/// How an interrupted run goes on.
+fn again(args: &RunArgs, in_time: bool) -> String {
+    let quoted = |text: &str| if text.contains([' ', '"', '{', '[', '*', ';']) { format!("'{text}'") } else { text.to_string() };
+    let mut call = format!("wearshape run {}", quoted(&args.scene));
+    if let Some(folder) = &args.common.output {
+        call += &format!(" -o {}", quoted(&folder.display().to_string()));
+    }
+    for set in &args.common.set {
+        call += &format!(" --set {}", quoted(set));
+    }
+    let what = if in_time { "every finished step is kept; continue with" } else { "begin it again with" };
+    let end = if in_time { " --resume" } else { "" };
+    format!("{what}: {call}{end}")
 }
 
 /// The exit of a status.

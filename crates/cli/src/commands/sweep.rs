@@ -1,6 +1,5 @@
 //! `wearshape sweep`: a scene over a grid of keys, one row a point, failures kept as rows.
 
-use std::io::Write;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -14,6 +13,7 @@ use crate::commands::{print_json, print_out};
 use crate::document::Document;
 use crate::exit::Exit;
 use crate::fault::{Fault, Place};
+use crate::progress::Progress;
 use crate::report::{self, Folder, SCHEMA_VERSION};
 use crate::setup::{Problem, setup};
 use crate::solution::Status;
@@ -62,9 +62,10 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
     folder.write("scene.resolved.toml", &mark)?;
     folder.write("sweep.jsonl", &lines(&rows))?;
     let operators = Arc::new(fe::Operators::default());
-    let bar = Bar::new(count, !common.quiet && !common.no_progress);
+    let progress = Progress::counted(common, count);
     while rows.len() < count {
         if interrupt::asked() {
+            progress.end();
             eprintln!("interrupted after {} of {count} points; continue with --resume", rows.len());
             return Ok(Exit::Interrupted);
         }
@@ -72,9 +73,9 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
         let new = in_threads(common, &chunk, |point| row(&args.scene, &grid, point, &settings(point), options, &operators))?;
         folder.append("sweep.jsonl", &lines(&new))?;
         rows.extend(new);
-        bar.show(rows.len());
+        progress.done(rows.len());
     }
-    bar.end();
+    progress.end();
     folder.write("sweep.csv", &table(&rows))?;
     folder.write("timing.json", &report::pretty(&json!({ "seconds_total": start.elapsed().as_secs_f64(), "points": count })))?;
     let failed = rows.iter().filter(|row| row["status"] != "ok").count();
@@ -267,30 +268,4 @@ fn table(rows: &[Value]) -> String {
         out += &(cells.join(",") + "\n");
     }
     out
-}
-
-/// A line that counts, on a terminal only.
-struct Bar {
-    count: usize,
-    shown: bool,
-}
-
-impl Bar {
-    fn new(count: usize, wanted: bool) -> Bar {
-        Bar { count, shown: wanted && std::io::IsTerminal::is_terminal(&std::io::stderr()) }
-    }
-
-    fn show(&self, done: usize) {
-        if self.shown {
-            let filled = 30 * done / self.count.max(1);
-            eprint!("\r[{}{}] {done}/{}", "#".repeat(filled), " ".repeat(30 - filled), self.count);
-            let _ = std::io::stderr().flush();
-        }
-    }
-
-    fn end(&self) {
-        if self.shown {
-            eprintln!();
-        }
-    }
 }

@@ -25,7 +25,8 @@ impl Level {
 
 /// Everything a body of one level is made of.
 pub(crate) struct BodyParts {
-    mesh: Mesh,
+    /// The mesh.
+    pub(crate) mesh: Mesh,
     degrees: Vec<usize>,
     kinematics: Kinematics,
     materials: Vec<Material>,

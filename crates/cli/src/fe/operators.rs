@@ -117,6 +117,7 @@ fn kind_of(scene: &Scene) -> Result<String, Fault> {
         check: None,
         sliding: None,
         wear: None,
+        schedule: None,
         optimum: None,
         output: None,
         ..scene.clone()

@@ -61,52 +61,40 @@ impl Points {
     }
 }
 
-/// `/state`: one accepted step, enough to go on from.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[allow(non_snake_case)]
-pub(crate) struct State {
-    /// Number of the step.
-    pub(crate) step: u64,
-    /// Simulated time.
-    pub(crate) time_s: f64,
-    /// Length of the next step to try.
-    pub(crate) step_s: f64,
-    /// Steps rejected so far.
-    pub(crate) rejected: u64,
-    /// Sliding distance.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) distance_mm: Option<f64>,
-    /// Contact force.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) force_N: Option<f64>,
-    /// Closing of body 1.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) approach_mm: Option<f64>,
-    /// Rotation of body 1.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) tilt_rad: Option<f64>,
-    /// Worn volume of both bodies.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) volume_mm3: Option<f64>,
-    /// How far the wear is from steady.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) steadiness: Option<f64>,
-    /// Unloaded gap at the contact points.
-    pub(crate) gap_um: Vec<f64>,
-    /// Pressure at the contact points.
-    pub(crate) pressure_MPa: Vec<f64>,
+/// What a finished level of discretisation leaves behind: all that the levels after it need.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub(crate) struct FinishedLevel {
+    /// Degree of the cells.
+    pub(crate) degree: usize,
+    /// Layers around each singular point.
+    pub(crate) layers: usize,
+    /// Worn gap at evenly spaced points.
+    pub(crate) gap_mm: Vec<f64>,
+    /// Closing of each rigid mode there, point by point.
+    pub(crate) closing: Vec<f64>,
+    /// Steps taken.
+    pub(crate) wear_steps: usize,
+    /// Factorisations.
+    pub(crate) factorisations: usize,
+    /// Contact solves.
+    pub(crate) contact_solves: usize,
 }
 
-/// `/iteration`: one pass of an iteration within a step.
+/// `/iteration`: the work that a step of a run in time took.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub(crate) struct Iteration {
     /// Number of the step.
     pub(crate) step: u64,
-    /// Number of the pass.
-    pub(crate) pass: u64,
-    /// Relative residual.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) residual: Option<f64>,
+    /// Steps tried, the accepted one included.
+    pub(crate) tries: u64,
+    /// Linear systems solved.
+    pub(crate) linear_solves: u64,
+    /// Length of the accepted step.
+    pub(crate) step_s: f64,
+    /// Its estimated error.
+    pub(crate) error: f64,
+    /// How far the wear is from a rigid motion.
+    pub(crate) steady_residual: f64,
 }
 
 /// `/log`: a sentence, in the words of foxglove.Log.
@@ -138,7 +126,8 @@ pub(crate) struct Timestamp {
 impl Log {
     /// An informing sentence at a simulated time in ns.
     pub(crate) fn new(time: u64, message: &str) -> Log {
-        let timestamp = Timestamp { sec: (time / 1_000_000_000) as u32, nsec: (time % 1_000_000_000) as u32 };
+        let timestamp =
+            Timestamp { sec: (time / 1_000_000_000).min(u64::from(u32::MAX)) as u32, nsec: (time % 1_000_000_000) as u32 };
         Log { timestamp, level: 2, message: message.into(), name: "wearshape".into(), ..Log::default() }
     }
 }

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::fault::{Fault, Place};
-use crate::report::SCHEMA_VERSION;
+use crate::report::{SCHEMA_VERSION, sha256};
 
 /// File that marks a partial folder as ours; it is the first to be written.
 const MARK: &str = "scene.resolved.toml";
@@ -44,16 +44,35 @@ impl Folder {
         name.push(".partial");
         let partial = target.with_file_name(name);
         let folder = Folder { target: target.to_path_buf(), partial };
-        if folder.partial.exists() && !resume {
+        if folder.partial.exists() {
             let empty = fs::read_dir(&folder.partial).is_ok_and(|mut entries| entries.next().is_none());
             if !empty && !folder.partial.join(MARK).is_file() {
                 let message = format!("{} holds files that wearshape did not write", folder.partial.display());
                 return Err(Fault::new("foreign-folder", message, "remove it, or give another folder: -o DIR"));
             }
+        }
+        if folder.partial.exists() && !resume {
             fs::remove_dir_all(&folder.partial).map_err(|error| folder.unwritable(&folder.partial, &error))?;
         }
         fs::create_dir_all(&folder.partial).map_err(|error| folder.unwritable(&folder.partial, &error))?;
         Ok(folder)
+    }
+
+    /// Refuses to go on with another scene than the one that the partial folder was begun with.
+    pub(crate) fn same_scene(&self, resolved: &str) -> Result<(), Fault> {
+        let before = fs::read_to_string(self.partial.join(MARK)).unwrap_or_default();
+        if before.is_empty() || before == resolved {
+            return Ok(());
+        }
+        let changed = resolved.lines().find(|line| !before.lines().any(|other| other == *line)).unwrap_or("(a line less)");
+        let message = format!(
+            "{} was begun with another scene (sha256 {:.12} there, {:.12} here); here it says: {changed}",
+            self.partial.display(),
+            sha256(&before),
+            sha256(resolved)
+        );
+        let remedy = "give the same scene and --set options as before, or leave out --resume to begin again";
+        Err(Fault { place: Some(Place::Flag("--resume".into())), ..Fault::new("another-scene", message, remedy) })
     }
 
     /// The partial folder.

@@ -163,6 +163,13 @@ pub(crate) fn first_screen(problem: &Problem, solution: &Solution, folder: &Path
             lines.push(format!("wear      {}", wear.join(", ")));
         }
     }
+    if let Some(wear) = &solution.wear {
+        let mut words = vec![format!("depth {} um", short(wear.depth_um.unwrap_or(0.0)))];
+        words.extend(wear.volume_mm3.map(|volume| format!("volume {} mm^3", short(volume))));
+        let near = wear.to_1_percent.as_ref();
+        words.extend(near.map(|near| format!("within 1 % of the steady pressure after {} s", short(near.time_s))));
+        lines.push(format!("wear      {}", words.join(", ")));
+    }
     if let Some(trip) = solution.shape.as_ref().and_then(|shape| shape.roundtrip_independent.or(shape.roundtrip_same)) {
         lines.push(format!("proof     a contact solve on this shape returns the pressure within {trip:.1e}"));
     }

@@ -26,6 +26,7 @@ pub(super) fn keys(document: &Document, scene: &Scene, tasks: &[Task]) -> Vec<St
     when(pressure_only, &["output.fields"]);
     let timed = matches!(scene.wear.as_ref().and_then(|wear| wear.until), Some(crate::gap::Until::Time(_)));
     when(!wears && timed, &["wear.until"]);
+    when(!wears, &["schedule"]);
     let kind = scene.load.as_ref().and_then(|load| load.kind);
     let rigid = kind == Some(LoadKind::Rigid);
     when(!rigid, &["load.approach", "load.tilt", "load.approach_time", "load.shear_force"]);

@@ -126,7 +126,7 @@ fn a_recording_is_written_when_asked_for_and_holds_the_scene() {
     assert_eq!(scene.data, bench.bytes("out/disc-pad/scene.resolved.toml"));
     let messages: Vec<_> = mcap::MessageStream::new(&bytes).unwrap().map(Result::unwrap).collect();
     let topics: Vec<&str> = messages.iter().map(|message| message.channel.topic.as_str()).collect();
-    assert_eq!(topics, ["/log", "/contact/profile", "/state"]);
+    assert_eq!(topics, ["/log", "/contact/profile"]);
     let profile: serde_json::Value = serde_json::from_slice(&messages[1].data).unwrap();
     let rows = bench.read("out/disc-pad/contact.csv").lines().count() - 1;
     assert_eq!(profile["points"].as_array().map(Vec::len), Some(rows));

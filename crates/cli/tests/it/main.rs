@@ -10,6 +10,8 @@ mod hertz;
 mod json;
 mod pressure;
 mod resolved;
+mod resume;
+mod schedule;
 mod set;
 mod study;
 mod sweep;

@@ -1,0 +1,30 @@
+//! The meshes of both bodies as lines for the recording.
+
+use hpfem::Mesh;
+
+use crate::fault::Fault;
+use crate::fe::bodies::Level;
+use crate::fe::stage::Stage;
+use crate::fe::template::Cut;
+use crate::record::SceneUpdate;
+use crate::solution::Solution;
+
+/// Straight pieces of a curved edge.
+const PIECES: usize = 8;
+
+/// The edges of both meshes of a level.
+pub(super) fn mesh_lines(stage: Stage<'_>, level: Level) -> Result<SceneUpdate, Fault> {
+    let parts = stage.parts(level, Cut::Plain, &mut Solution::default())?;
+    Ok(SceneUpdate::new(&[lines(&parts.parts[0].mesh), lines(&parts.parts[1].mesh)]))
+}
+
+/// Two points a line.
+fn lines(mesh: &Mesh) -> Vec<[f64; 2]> {
+    let mut points = Vec::new();
+    for edge in &mesh.edges {
+        let pieces = if edge.curve.is_straight() { 1 } else { PIECES };
+        let at = |i: usize| edge.curve.point(2.0 * i as f64 / pieces as f64 - 1.0);
+        (0..pieces).for_each(|i| points.extend([at(i), at(i + 1)]));
+    }
+    points
+}

@@ -1,0 +1,132 @@
+//! Reading a recording back, also one that broke off: the finished levels, and the messages of every finished step.
+
+use mcap::parse_record;
+use mcap::records::Record;
+use mcap::sans_io::{LinearReadEvent, LinearReader, LinearReaderOptions};
+
+use crate::fault::Fault;
+use crate::record::messages::FinishedLevel;
+use crate::record::state::State;
+use crate::record::{CHANNELS, LEVELS_ATTACHED, LIBRARY, Recorder, SCENE_ATTACHED, STATE};
+
+/// No step of ours is nearly as large (bytes): a longer record or chunk is damage.
+const LARGEST: usize = 1 << 26;
+
+/// What a recording still holds.
+#[derive(Debug, Default)]
+pub(crate) struct Replay {
+    /// Who wrote it.
+    library: String,
+    /// The attached scene.
+    scene: String,
+    /// The levels that were finished before the recorded one, if they can be read.
+    levels: Option<Vec<FinishedLevel>>,
+    /// Messages up to the last finished step.
+    messages: Vec<Message>,
+    /// States of the finished steps.
+    pub(crate) states: Vec<State>,
+}
+
+#[derive(Debug)]
+struct Message {
+    topic: &'static str,
+    time: u64,
+    data: Vec<u8>,
+}
+
+impl Replay {
+    /// Reads what can be read: the first record that is damaged or cut off is where the recording ends.
+    pub(crate) fn read(bytes: &[u8]) -> Replay {
+        let mut replay = Replay::default();
+        let mut topics: Vec<(u16, &'static str)> = Vec::new();
+        let mut finished = 0;
+        let mut records = Records::new(bytes);
+        while let Some(record) = records.next() {
+            match record {
+                Record::Header(header) => replay.library = header.library,
+                Record::Attachment { header, data, .. } => match header.name.as_str() {
+                    SCENE_ATTACHED => replay.scene = String::from_utf8_lossy(&data).into_owned(),
+                    LEVELS_ATTACHED => replay.levels = serde_json::from_slice(&data).ok(),
+                    _ => {}
+                },
+                Record::Channel(channel) => {
+                    topics.extend(CHANNELS.iter().filter(|known| **known == channel.topic).map(|known| (channel.id, *known)));
+                }
+                Record::Message { header, data } => {
+                    let Some((_, topic)) = topics.iter().find(|(id, _)| *id == header.channel_id) else { break };
+                    if *topic == STATE {
+                        let Ok(state) = serde_json::from_slice::<State>(&data) else { break };
+                        // A chunk whose first byte is damaged is passed over.
+                        if state.step != replay.states.len() as u64 {
+                            break;
+                        }
+                        replay.states.push(state);
+                        finished = replay.messages.len() + 1;
+                    }
+                    replay.messages.push(Message { topic, time: header.log_time, data: data.into_owned() });
+                }
+                // What follows is the summary.
+                Record::DataEnd(_) => break,
+                _ => {}
+            }
+        }
+        replay.messages.truncate(finished);
+        replay
+    }
+
+    /// The levels that were finished before the recorded one.
+    pub(crate) fn levels(&self) -> &[FinishedLevel] {
+        self.levels.as_deref().unwrap_or_default()
+    }
+
+    /// Why a run of a scene cannot go on from here, if it cannot.
+    pub(crate) fn unfit(&self, resolved: &str) -> Option<String> {
+        if self.library.is_empty() {
+            return Some("it is empty or damaged".into());
+        }
+        if self.library != LIBRARY {
+            return Some(format!("it was written by {}, and this is {LIBRARY}", self.library));
+        }
+        let whole = self.scene == resolved && self.levels.is_some();
+        (!whole).then(|| "it is cut off at its beginning, or of another scene".into())
+    }
+
+    /// Records everything again, as it was recorded.
+    pub(crate) fn copy_to(&self, recorder: &mut Recorder) -> Result<(), Fault> {
+        for message in &self.messages {
+            recorder.put_bytes(message.topic, message.time, &message.data)?;
+        }
+        Ok(())
+    }
+}
+
+/// The records of a file one after another, those inside of chunks too, until the first that is damaged or cut off.
+struct Records<'a> {
+    rest: &'a [u8],
+    reader: LinearReader,
+}
+
+impl<'a> Records<'a> {
+    fn new(bytes: &'a [u8]) -> Records<'a> {
+        let options = LinearReaderOptions::default()
+            .with_skip_end_magic(true)
+            .with_prevalidate_chunk_crcs(true)
+            .with_record_length_limit(LARGEST);
+        Records { rest: bytes, reader: LinearReader::new_with_options(options) }
+    }
+
+    fn next(&mut self) -> Option<Record<'static>> {
+        loop {
+            match self.reader.next_event()? {
+                Ok(LinearReadEvent::ReadRequest(need)) => {
+                    let (now, rest) = self.rest.split_at(need.min(self.rest.len()));
+                    self.reader.insert(now.len()).copy_from_slice(now);
+                    self.reader.notify_read(now.len());
+                    self.rest = rest;
+                }
+                Ok(LinearReadEvent::Record { data, opcode }) => return parse_record(opcode, data).ok().map(Record::into_owned),
+                Err(_) => return None,
+            }
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! The recording of a run in time while it goes: one file, begun anew for each level, continued after an interruption.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::fault::Fault;
+use crate::record::messages::FinishedLevel;
+use crate::record::replay::Replay;
+use crate::record::{RUN_MCAP, Recorder, SceneUpdate, State, unwritable};
+
+/// A recording that follows a run from level to level.
+pub(crate) struct Tape {
+    path: PathBuf,
+    resolved: String,
+    recorder: Option<Recorder>,
+    replay: Option<Replay>,
+}
+
+impl Tape {
+    /// A recording in a folder; with `resume` it goes on with the one that is there. The sentence says from where.
+    pub(crate) fn new(folder: &Path, resolved: &str, resume: bool) -> (Tape, Option<String>) {
+        let path = folder.join(RUN_MCAP);
+        let (mut replay, mut word) = (None, None);
+        if resume {
+            let found = fs::read(&path).ok().map(|bytes| Replay::read(&bytes));
+            let said = match &found {
+                None => "there is no recording to go on from; the run begins at its start".to_string(),
+                Some(found) => match (found.unfit(resolved), found.states.last()) {
+                    (Some(why), _) => format!("{} cannot be continued: {why}; the run begins at its start", path.display()),
+                    (None, None) => format!("goes on after {} finished levels", found.levels().len()),
+                    (None, Some(last)) => {
+                        let levels = found.levels().len();
+                        format!("goes on after {levels} finished levels and step {} at {} s", last.step, last.time_s)
+                    }
+                },
+            };
+            word = Some(said);
+            replay = found.filter(|found| found.unfit(resolved).is_none());
+        }
+        (Tape { path, resolved: resolved.into(), recorder: None, replay }, word)
+    }
+
+    /// The levels that an interrupted run had finished.
+    pub(crate) fn finished_levels(&self) -> Vec<FinishedLevel> {
+        self.replay.as_ref().map_or_else(Vec::new, |replay| replay.levels().to_vec())
+    }
+
+    /// Begins a level: `finished` came before, `mesh` and `message` open the recording. Returns the states it already has.
+    pub(crate) fn begin_level(
+        &mut self,
+        finished: &[FinishedLevel],
+        mesh: &SceneUpdate,
+        message: &str,
+    ) -> Result<Vec<State>, Fault> {
+        let replay = self.replay.take().filter(|replay| replay.levels() == finished && !replay.states.is_empty());
+        // The file that is there stays until the new one holds as much.
+        let new = self.path.with_extension("mcap.new");
+        self.recorder = None;
+        let mut recorder = Recorder::create(&new, &self.resolved, Some(finished))?;
+        match &replay {
+            Some(replay) => replay.copy_to(&mut recorder)?,
+            None => {
+                recorder.log(message)?;
+                recorder.mesh(mesh)?;
+            }
+        }
+        fs::rename(&new, &self.path).map_err(|error| unwritable(&self.path, &error))?;
+        recorder.path.clone_from(&self.path);
+        self.recorder = Some(recorder);
+        Ok(replay.map_or_else(Vec::new, |replay| replay.states))
+    }
+
+    /// The recording of the level that runs.
+    pub(crate) fn recorder(&mut self) -> Option<&mut Recorder> {
+        self.recorder.as_mut()
+    }
+
+    /// Ends the recording with a sentence and the summary, if any level was begun.
+    pub(crate) fn finish(self, verdict: &str, summary: &str) -> Result<(), Fault> {
+        let Some(mut recorder) = self.recorder else { return Ok(()) };
+        recorder.log(verdict)?;
+        recorder.finish(summary)
+    }
+}
