@@ -5,13 +5,14 @@ use crate::assemble::{Assembly, LoadCase, edge_modes, points_for, rotation_about
 use crate::basis::Table;
 use crate::cell_matrix::map_cells;
 use crate::check::{check, unit_of_stiffness};
-use crate::elimination::{Condensed, MEMORY_LIMIT, Plan, not_held};
+use crate::elimination::{Condensed, not_held};
 use crate::error::Error;
 use crate::field::Field;
 use crate::interface::{InterfaceOperator, InterfaceState};
 use crate::loads::edge_loads;
 use crate::material::{Kinematics, Material};
 use crate::mesh::Mesh;
+use crate::plan::{MEMORY_LIMIT, Plan};
 use crate::rigid::{free_motions, rigid_columns};
 use crate::space::{RigidEdge, Space, SpaceKind, Support};
 use crate::trace::{Trace, TraceLoad, path};
@@ -62,6 +63,8 @@ pub struct Effort {
     pub cells: usize,
     /// Number of unknowns of the whole body.
     pub unknowns: usize,
+    /// Memory that the elimination was estimated to hold at once, bytes; bodies are refused by this number.
+    pub bytes: u64,
     /// Time to make the element matrices, condense them and prepare the loads.
     pub assemble: Duration,
     /// Time to order and eliminate the skeleton.
@@ -102,7 +105,12 @@ impl<'a> Body<'a> {
         let foundations = additions.foundation_edges(mesh)?;
         let mut element_groups: Vec<Vec<usize>> = (0..mesh.cells.len()).map(|c| space.cell_groups(mesh, c, &[])).collect();
         element_groups.extend(foundations.iter().map(|(e, _)| edge_groups(mesh, &space, *e, &[])));
-        let plan = Plan::new(&element_groups, &space.size, &kept_groups);
+        let middle = |corners: &[usize]| -> [f64; 2] {
+            std::array::from_fn(|i| corners.iter().map(|v| mesh.vertices[*v][i]).sum::<f64>() / corners.len() as f64)
+        };
+        let mut places: Vec<[f64; 2]> = mesh.cells.iter().map(|c| middle(c.vertices())).collect();
+        places.extend(foundations.iter().map(|(e, _)| middle(&mesh.edges[*e].vertices)));
+        let plan = Plan::new(&element_groups, &places, &space.size, &kept_groups);
         let bytes = plan.bytes(&element_groups, &space.size);
         if bytes > MEMORY_LIMIT {
             return Err(Error::TooLarge { unknowns: space.size.iter().sum(), bytes, limit: MEMORY_LIMIT });
@@ -169,6 +177,7 @@ impl<'a> Body<'a> {
         let effort = Effort {
             cells: mesh.cells.len(),
             unknowns: space.size.iter().sum::<usize>() + interior,
+            bytes,
             assemble: assembled - ordered,
             factor: ordered + factored - assembled,
         };

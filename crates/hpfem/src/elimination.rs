@@ -8,39 +8,19 @@
 //! needs no special care as long as the kept groups hold it.
 
 use crate::error::Error;
+use crate::plan::Plan;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{LltError, cholesky_in_place, cholesky_in_place_scratch};
 use faer::linalg::matmul::matmul;
 use faer::linalg::matmul::triangular::{BlockStructure, matmul as triangular_matmul};
 use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
 use faer::{Accum, Mat, MatMut, MatRef, Par, Spec};
-use std::cmp::Reverse;
-use std::collections::BinaryHeap;
-
-/// Bodies whose elimination would hold more bytes than this are refused: three quarters of 16 GiB.
-pub(crate) const MEMORY_LIMIT: u64 = 12 << 30;
 
 /// A symmetric matrix (lower triangle, columns one after the other) and right-hand sides on the unknowns of `groups`, in that order.
 pub(crate) struct Element {
     pub(crate) groups: Vec<usize>,
     pub(crate) matrix: Vec<f64>,
     pub(crate) rhs: Mat<f64>,
-}
-
-/// The order of elimination and which elements meet in which front; it depends on the mesh and the degrees alone.
-pub(crate) struct Plan {
-    /// Place of each group in the order; kept groups come last, in the order given.
-    pub(crate) rank: Vec<usize>,
-    fronts: Vec<FrontPlan>,
-    /// Elements left at the end.
-    roots: Vec<usize>,
-}
-
-struct FrontPlan {
-    children: Vec<usize>,
-    /// Groups in order of rank; the first `eliminated` of them disappear.
-    groups: Vec<usize>,
-    eliminated: usize,
 }
 
 /// One factorised front: `[L11; L21]` and the reduced right-hand sides `y = L11^-1 f`.
@@ -63,105 +43,6 @@ pub(crate) struct Condensed {
 }
 
 impl Plan {
-    /// Minimum-degree order with approximate external degrees (Amestoy, Davis and Duff 1996), weighted by group size.
-    pub(crate) fn new(element_groups: &[Vec<usize>], size: &[usize], kept: &[usize]) -> Plan {
-        let mut is_kept = vec![false; size.len()];
-        kept.iter().for_each(|g| is_kept[*g] = true);
-        let mut members: Vec<Vec<usize>> = element_groups.to_vec();
-        let mut weight: Vec<usize> = members.iter().map(|m| m.iter().map(|g| size[*g]).sum()).collect();
-        let mut holders: Vec<Vec<usize>> = vec![Vec::new(); size.len()];
-        for (e, groups) in members.iter().enumerate() {
-            groups.iter().for_each(|g| holders[*g].push(e));
-        }
-        let mut alive = vec![true; members.len()];
-        let mut degree: Vec<usize> = (0..size.len()).map(|g| holders[g].iter().map(|e| weight[*e] - size[g]).sum()).collect();
-        let mut heap: BinaryHeap<Reverse<(usize, usize)>> =
-            (0..size.len()).filter(|g| !is_kept[*g] && !holders[*g].is_empty()).map(|g| Reverse((degree[g], g))).collect();
-        let mut done = vec![false; size.len()];
-        let mut stamp = vec![usize::MAX; size.len()];
-        let mut outside: Vec<usize> = vec![0; members.len()];
-        let mut outside_stamp: Vec<usize> = vec![usize::MAX; members.len()];
-        let mut order = Vec::with_capacity(size.len());
-        let mut fronts = Vec::new();
-        while let Some(Reverse((d, g))) = heap.pop() {
-            if done[g] || d != degree[g] {
-                continue;
-            }
-            let id = members.len();
-            let children = std::mem::take(&mut holders[g]);
-            let mut union = Vec::new();
-            for child in &children {
-                alive[*child] = false;
-                for h in std::mem::take(&mut members[*child]) {
-                    if stamp[h] != id {
-                        stamp[h] = id;
-                        union.push(h);
-                    }
-                }
-            }
-            let mut remaining = Vec::new();
-            let before = order.len();
-            for h in &union {
-                holders[*h].retain(|e| alive[*e]);
-                if !is_kept[*h] && holders[*h].is_empty() {
-                    done[*h] = true;
-                    order.push(*h);
-                } else {
-                    remaining.push(*h);
-                }
-            }
-            let total: usize = remaining.iter().map(|h| size[*h]).sum();
-            // |L_e \ L_id| for every element e that shares a group with the new one.
-            for h in &remaining {
-                for e in &holders[*h] {
-                    if outside_stamp[*e] != id {
-                        outside_stamp[*e] = id;
-                        outside[*e] = weight[*e];
-                    }
-                    outside[*e] -= size[*h];
-                }
-            }
-            for h in &remaining {
-                degree[*h] = total - size[*h] + holders[*h].iter().map(|e| outside[*e]).sum::<usize>();
-                holders[*h].push(id);
-                if !is_kept[*h] {
-                    heap.push(Reverse((degree[*h], *h)));
-                }
-            }
-            fronts.push(FrontPlan { children, groups: union, eliminated: order.len() - before });
-            members.push(remaining);
-            weight.push(total);
-            alive.push(true);
-            outside.push(0);
-            outside_stamp.push(usize::MAX);
-        }
-        let mut rank = vec![usize::MAX; size.len()];
-        order.iter().chain(kept).enumerate().for_each(|(i, g)| rank[*g] = i);
-        for front in &mut fronts {
-            front.groups.sort_by_key(|g| rank[*g]);
-        }
-        let roots = (0..members.len()).filter(|e| alive[*e]).collect();
-        Plan { rank, fronts, roots }
-    }
-
-    /// Largest memory the elimination will hold at once, in bytes: panels of all fronts and the elements not yet merged, those of the
-    /// cells included.
-    pub(crate) fn bytes(&self, element_groups: &[Vec<usize>], size: &[usize]) -> u64 {
-        let unknowns = |groups: &[usize]| groups.iter().map(|g| size[*g] as u64).sum::<u64>();
-        let square = |groups: &[usize]| 8 * unknowns(groups).pow(2);
-        let mut elements: Vec<u64> = element_groups.iter().map(|groups| square(groups)).collect();
-        let mut held: u64 = elements.iter().sum();
-        let mut largest = held;
-        for front in &self.fronts {
-            let (gone, left) = front.groups.split_at(front.eliminated);
-            elements.push(square(left));
-            held += 8 * unknowns(&front.groups) * unknowns(gone) + square(left);
-            largest = largest.max(held);
-            held -= front.children.iter().map(|child| elements[*child]).sum::<u64>();
-        }
-        largest
-    }
-
     /// Runs the elimination on elements whose groups are sorted by [`Plan::rank`].
     ///
     /// # Errors
@@ -171,8 +52,6 @@ impl Plan {
         let mut offset = vec![0; size.len()];
         let mut fronts = Vec::with_capacity(self.fronts.len());
         let mut work = Mat::zeros(columns, columns);
-        // Matrices that have been added to a front, for reuse.
-        let mut spent: Vec<Vec<f64>> = Vec::new();
         for plan in &self.fronts {
             let n = place(&plan.groups, size, &mut offset);
             let ne = plan.groups[..plan.eliminated].iter().map(|g| size[*g]).sum();
@@ -182,14 +61,11 @@ impl Plan {
                 panel: vec![0.0; n * ne],
                 reduced: Mat::zeros(ne, columns),
             };
-            let mut rest = spent.pop().unwrap_or_default();
-            rest.clear();
-            rest.resize((n - ne) * (n - ne), 0.0);
+            let mut rest = vec![0.0; (n - ne) * (n - ne)];
             let mut rhs = Mat::zeros(n, columns);
             for child in &plan.children {
                 if let Some(element) = elements[*child].take() {
                     add(&element, size, &offset, n, &mut front.panel, &mut rest, &mut rhs);
-                    spent.push(element.matrix);
                 }
             }
             let mut panel = MatMut::from_column_major_slice_mut(&mut front.panel, n, ne);

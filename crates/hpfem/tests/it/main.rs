@@ -12,6 +12,7 @@ mod examples;
 mod extremes;
 mod gmsh;
 mod input;
+mod large;
 mod loads;
 mod lshape;
 mod patch;

@@ -1,0 +1,103 @@
+//! Meshes of many cells: the order of elimination, the memory estimate, the same bits for any number of threads.
+
+use crate::common::*;
+use crate::exact::Exact;
+use hpfem::*;
+
+/// A square of `n x n` different cells, `[1, 2] x [0, 1]`, with the boundaries "left", "right" and "all".
+fn square(n: usize) -> Mesh {
+    let levels: Vec<f64> = (0..=n).map(|i| i as f64 / n as f64).map(|t| t + 0.17 * t * (1.0 - t) * (1.0 + 0.3 * t)).collect();
+    let breaks: Vec<f64> = levels.iter().map(|t| 1.0 - 2.0 * t).rev().collect();
+    let line = |z| Curve::Line { start: [1.0, z], end: [2.0, z] };
+    let sides = [(Side::Left, "left"), (Side::Right, "right"), (Side::Bottom, "bottom"), (Side::Top, "top")];
+    let mut names: Vec<Named<'_>> = sides.iter().map(|(side, name)| Named { side: *side, range: None, name }).collect();
+    names.extend(sides.iter().map(|(side, _)| Named { side: *side, range: None, name: "all" }));
+    let (bottom, top) = (line(0.0), line(1.0));
+    Mesh::ruled(&Ruled { bottom, top, breaks: &breaks, levels: &levels, closed: false, material: 0, names: &names }).unwrap()
+}
+
+#[test]
+fn a_floating_body_of_many_cells_with_a_kept_boundary_is_as_exact_as_one_of_few() {
+    let exact = Exact { kinematics: PLANE_STRAIN, material: Material::new(1.7, 0.28).unwrap() };
+    let materials = [exact.material];
+    // More cells than are ordered by minimum degree.
+    let mesh = square(36);
+    let load = [vec![traction("all", |p| exact.traction(p))]];
+    let body = Body::new(problem(&mesh, 4, PLANE_STRAIN, &materials, &[], &load, Some("right"))).unwrap();
+    let state = body.solve(&[1.0]);
+    let error = stress_error(&body.field(&state).unwrap(), &mesh, |x| exact.stress(x));
+    assert!(error < 1e-6, "{error:.1e}");
+    // The boundary is kept whole, and its operator knows the rigid motions.
+    let interface = &body.interface;
+    assert_eq!(interface.stiffness.nrows(), 2 * (36 * 4 + 1));
+    let residual = (&interface.stiffness * &interface.rigid_modes).norm_max();
+    assert!(residual < 1e-9 * interface.stiffness.norm_max(), "{residual:.1e}");
+}
+
+#[test]
+fn supports_pins_and_foundations_of_a_body_of_many_cells_balance_its_loads() {
+    let mesh = square(33);
+    let materials = steel();
+    let supports = [support("left", Direction::First)];
+    let load = [vec![traction("right", |p| [3.0 + p.position[1], -2.0])]];
+    let foundations = vec![Foundation { boundary: "bottom".into(), normal: 40.0, tangential: 3.0 }];
+    let additions = Additions { foundations, ..Additions::default() };
+    let body = Body::with(problem(&mesh, 3, PLANE_STRESS, &materials, &supports, &load, None), additions).unwrap();
+    let state = body.solve(&[1.0]);
+    let field = body.field(&state).unwrap();
+    // The foundation's share of the force along x from the displacement it sees, 3 N/mm^3 on the thickness 0.7.
+    let rule = gauss(8);
+    let mut pulled = 0.0;
+    for e in mesh.boundary("bottom").unwrap() {
+        let (cell, local) = mesh.edge_cells()[e][0];
+        for (t, w) in rule.points.iter().zip(&rule.weights) {
+            assert_eq!(local, 0);
+            let length = 0.5 * mesh.edges[e].curve.length();
+            pulled += w * length * 0.7 * 3.0 * field.at(cell, *t, -1.0).displacement[0];
+        }
+    }
+    let reaction = body.interface.reaction(0, &state)[0];
+    assert!((reaction + 0.7 * 3.5 - pulled).abs() < 1e-9, "{reaction} {pulled}");
+}
+
+#[test]
+fn a_problem_beyond_the_memory_is_refused_by_its_estimate_before_any_work() {
+    let mesh = square(250);
+    let materials = steel();
+    let supports = [support("left", Direction::First), support("left", Direction::Second)];
+    let error = Body::new(problem(&mesh, 24, PLANE_STRAIN, &materials, &supports, &[], None)).err().unwrap();
+    let Error::TooLarge { unknowns, bytes, limit } = error else { panic!("{error}") };
+    assert!(unknowns > 5_000_000 && bytes > limit && limit == 12 << 30, "{unknowns} {bytes} {limit}");
+    assert!(error.to_string().contains("bytes"));
+}
+
+/// The bits of the interface operator of a body on a pool of so many threads.
+fn bits(mesh: &Mesh, degree: usize, kinematics: Kinematics, threads: usize) -> Vec<u64> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+    pool.install(|| {
+        assert_eq!(rayon::current_num_threads(), threads);
+        let materials = steel();
+        let supports = [support("left", Direction::First)];
+        let load = [vec![traction("top", |p| [p.position[0], 1.0])]];
+        let force = BodyForce { case: 0, force: Box::new(|x| [x[1], -x[0]]) };
+        let additions = Additions { body_forces: vec![force], ..Additions::default() };
+        let body = Body::with(problem(mesh, degree, kinematics, &materials, &supports, &load, Some("right")), additions).unwrap();
+        let state = body.solve(&[1.0]);
+        let field = body.field(&state).unwrap();
+        let interface = &body.interface;
+        let matrices = [&interface.stiffness, &interface.columns, &interface.work];
+        let numbers = matrices.into_iter().flat_map(|m| m.col_iter().flat_map(|c| c.iter().copied()).collect::<Vec<f64>>());
+        let points = (0..mesh.cells.len()).flat_map(|c| field.at(c, 0.3, -0.4).stress);
+        numbers.chain(points).map(f64::to_bits).collect()
+    })
+}
+
+#[test]
+fn one_thread_and_two_and_three_give_the_same_bits() {
+    for kinematics in [PLANE_STRAIN, Kinematics::Axisymmetric] {
+        for (mesh, p) in [(mixed(TURNS[6], Shape::Arcs, 0.0).refined().unwrap(), 7), (square(34), 2)] {
+            let one = bits(&mesh, p, kinematics, 1);
+            assert!(one == bits(&mesh, p, kinematics, 2) && one == bits(&mesh, p, kinematics, 3), "{kinematics:?}");
+        }
+    }
+}
