@@ -1,5 +1,6 @@
 //! The stages that need the elastic bodies: contact, shape, wear in time.
 
+mod approach;
 mod bodies;
 mod contact;
 mod ends;
@@ -11,9 +12,11 @@ mod round_trip;
 mod shape;
 mod stage;
 mod template;
+mod tolerance;
 mod torsion;
 mod wear;
 
+pub(crate) use approach::force;
 pub(crate) use operators::Operators;
 pub(crate) use shape::difference_of_gaps;
 pub(crate) use stage::rest;

@@ -101,6 +101,10 @@ fn kern(
     let wear::RigidMotion::Rotation { about, .. } = moment.motion else {
         return;
     };
+    // The force of a prescribed approach is not known yet.
+    if force.resultant <= 0.0 {
+        return;
+    }
     let half = 0.5 * (x[1] - x[0]);
     let arm = (moment.resultant / force.resultant + about.x - 0.5 * (x[0] + x[1])).abs();
     if arm >= half {

@@ -32,6 +32,12 @@ impl Plan {
         let friction = scene.contact.as_ref().and_then(|contact| contact.friction).unwrap_or(0.0);
         let shear = friction > 0.0 && scene.contact.as_ref().and_then(|contact| contact.shear).unwrap_or(true);
         let check = scene.check.unwrap_or(true);
+        let load = scene.load.as_ref();
+        if load.is_some_and(|load| load.approach.is_some() && load.force.is_none()) {
+            let wanted = has(Task::Pressure) || has(Task::Shape);
+            let why = if wanted { "the pressure carries the force that this approach takes" } else { "no task asks for it" };
+            stage(crate::solve::FORCE, wanted, why);
+        }
         match (has(Task::Pressure), has(Task::Shape)) {
             (true, _) => stage("optimal pressure", true, "the task \"pressure\" asks for it"),
             (false, true) => stage("optimal pressure", true, "the shape is made for it"),

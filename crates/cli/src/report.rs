@@ -6,6 +6,7 @@ pub(crate) mod line_plot;
 mod page;
 mod summary;
 mod terminal;
+mod tolerance;
 mod vtu;
 
 use crate::fault::Fault;

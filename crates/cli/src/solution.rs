@@ -29,6 +29,8 @@ pub(crate) struct Solution {
     pub(crate) status: Status,
     /// Why, when it did not end well: one sentence.
     pub(crate) reason: Option<String>,
+    /// Shapes solved for to find the force of a prescribed approach.
+    pub(crate) passes: usize,
     /// The optimal pressure.
     pub(crate) pressure: Option<PressureResult>,
     /// The contact of the bodies as given.
@@ -189,6 +191,25 @@ pub(crate) struct ShapeResult {
     pub(crate) roundtrip_same: Option<f64>,
     /// Round trip on another discretisation.
     pub(crate) roundtrip_independent: Option<f64>,
+    /// What errors of the shape do.
+    pub(crate) tolerance: Vec<ToleranceResult>,
+}
+
+/// One entry of `summary.shape.tolerance`: an error of the shape in proportion to its amplitude.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub(crate) struct ToleranceResult {
+    /// What kind of error; L is the length of the surface.
+    pub(crate) error: String,
+    /// Amplitude of the error.
+    pub(crate) amplitude_um: f64,
+    /// Largest change of the pressure over the inner 95 % of the surface, over the mean pressure.
+    pub(crate) pressure_change_relative: f64,
+    /// Root mean square of the change over the whole surface, over the mean pressure.
+    pub(crate) pressure_change_rms: f64,
+    /// Amplitude that changes the pressure by 10 % of its mean.
+    pub(crate) within_10_percent_um: f64,
+    /// Sliding distance in which wear takes the change down to 1/e.
+    pub(crate) run_in_distance_mm: Option<f64>,
 }
 
 /// `summary.wear`.

@@ -16,6 +16,8 @@ pub(crate) struct Options<'a> {
     pub(crate) sample: Option<Sampling<'a>>,
     /// Solves the scene's fixed discretisation alone, without the coarser ones that its error estimate needs.
     pub(crate) alone: bool,
+    /// Adds what errors of the shape do.
+    pub(crate) tolerance: bool,
 }
 
 /// Points of a contact surface that the user chooses.
@@ -50,6 +52,9 @@ pub(crate) fn trapezoid_weights(places: &[f64]) -> Vec<f64> {
     (0..places.len()).map(|i| 0.5 * (places[(i + 1).min(last)] - places[i.saturating_sub(1)])).collect()
 }
 
+/// Name of the stage that finds the force of a prescribed approach.
+pub(crate) const FORCE: &str = "force of the approach";
+
 /// Computes everything the plan lists. What has no answer is a solution with its status; an `Err` is the user's to mend.
 pub(crate) fn solve(problem: &Problem, options: Options) -> Result<Solution, Fault> {
     solve_live(problem, options, &mut Live::silent())
@@ -58,8 +63,26 @@ pub(crate) fn solve(problem: &Problem, options: Options) -> Result<Solution, Fau
 /// The same, recorded and shown while it goes.
 pub(crate) fn solve_live(problem: &Problem, options: Options, live: &mut Live) -> Result<Solution, Fault> {
     let mut solution = Solution::default();
+    let mut known = None;
+    if problem.plan.runs(FORCE) {
+        match crate::fe::force(problem, options, &mut solution)? {
+            Ok(found) => known = Some(found),
+            Err(reason) => {
+                solution.status = Status::Refused;
+                solution.reason = Some(reason);
+                return Ok(solution);
+            }
+        }
+    }
+    let problem = known.as_ref().map_or(problem, |found| &found.problem);
+    solution.passes = known.as_ref().map_or(0, |found| found.passes);
     if problem.plan.runs("optimal pressure") {
         timed(&mut solution, "optimal pressure", |solution| pressure::solve(problem, options, solution))?;
+    }
+    if let Some((found, error)) = known.as_ref().zip(solution.error.as_mut()) {
+        // The pressure is as accurate as the force; without an estimate nothing is said.
+        error.pressure_relative = found.error.map(|of_force| of_force.max(f64::EPSILON));
+        error.how = "force of the approach, rest of the series of degrees".into();
     }
     if solution.status != Status::Refused && problem.plan.runs("mesh") {
         crate::fe::solve(problem, options, live, &mut solution)?;

@@ -1,5 +1,6 @@
 //! The contact shape that produces a wanted pressure, and its evolution by wear.
 
+mod approach;
 mod error;
 mod evolution;
 mod gap_curve;
@@ -11,10 +12,12 @@ mod run_in;
 mod settling;
 mod shape;
 mod tableau;
+mod tolerance;
 mod wear_problem;
 mod wear_state;
 mod wear_step;
 
+pub use approach::{ApproachForce, force_of_approach};
 pub use error::Error;
 pub use evolution::{Evolution, EvolutionStatus};
 pub use gap_curve::GapCurve;
@@ -22,5 +25,6 @@ pub use rigid_part::{Curve, lowest_nonnegative};
 pub use run_in::RunIn;
 pub use settling::{Settling, settling};
 pub use shape::{Gauge, Integration, RigidPart, Shape, ShapeProblem, SurfacePlace, closing, solve_shape};
+pub use tolerance::{Tolerance, tolerances};
 pub use wear_problem::{Interval, LoadStage, Scheme, Stepping, Until, WearProblem};
 pub use wear_state::WearState;

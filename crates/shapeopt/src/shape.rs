@@ -62,6 +62,13 @@ pub enum RigidPart {
     Smallest,
     /// Prescribed coordinates of body 1's rigid modes.
     Prescribed(Vec<f64>),
+    /// The smallest gap that is nowhere negative among the coordinates `start + a direction`: some motions prescribed, one free.
+    SmallestAlong {
+        /// Coordinates that hold the prescribed motions.
+        start: Vec<f64>,
+        /// Coordinates of the free motion.
+        direction: Vec<f64>,
+    },
 }
 
 /// The shape that produces the wanted pressure.
@@ -95,8 +102,13 @@ pub fn solve_shape(problem: &ShapeProblem<'_>) -> Result<Shape, Error> {
         RigidPart::Prescribed(values) => values.clone(),
         RigidPart::Smallest if modes == 0 => Vec::new(),
         RigidPart::Smallest => {
-            let curve = SurfaceCurve { pair: problem.pair, shape: &shape };
+            let curve = SurfaceCurve { pair: problem.pair, shape: &shape, along: None };
             lowest_nonnegative(&curve).ok_or(Error::NoLowestGap { modes })?
+        }
+        RigidPart::SmallestAlong { start, direction } => {
+            let curve = SurfaceCurve { pair: problem.pair, shape: &shape, along: Some([start, direction]) };
+            let lowest = lowest_nonnegative(&curve).ok_or(Error::NoLowestGap { modes: 1 })?;
+            start.iter().zip(direction).map(|(s, d)| s + lowest[0] * d).collect()
         }
     };
     Ok(shape)
@@ -209,6 +221,13 @@ pub fn closing(pair: &Pair<'_>, point: &ContactPoint) -> Vec<f64> {
 struct SurfaceCurve<'a> {
     pair: Pair<'a>,
     shape: &'a Shape,
+    /// Start and direction of the rigid coordinates, if they are not all free.
+    along: Option<[&'a [f64]; 2]>,
+}
+
+/// Sum of the products.
+fn product(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
 impl Curve for SurfaceCurve<'_> {
@@ -230,7 +249,11 @@ impl Curve for SurfaceCurve<'_> {
 
     fn value(&self, arc: f64) -> (f64, Vec<f64>) {
         let point = self.pair.at_arc(arc);
-        (self.shape.jump(&self.pair, &point), closing(&self.pair, &point))
+        let (jump, modes) = (self.shape.jump(&self.pair, &point), closing(&self.pair, &point));
+        match self.along {
+            None => (jump, modes),
+            Some([start, direction]) => (jump + product(start, &modes), vec![product(direction, &modes)]),
+        }
     }
 
     fn mean_modes(&self) -> Vec<f64> {
@@ -240,6 +263,9 @@ impl Curve for SurfaceCurve<'_> {
                 *sum += point.weight * phi;
             }
         }
-        sums
+        match self.along {
+            None => sums,
+            Some([_, direction]) => vec![product(direction, &sums)],
+        }
     }
 }

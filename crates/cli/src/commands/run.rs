@@ -116,7 +116,7 @@ pub(crate) fn options(common: &Common) -> Result<Options<'_>, Fault> {
             ..Fault::new("wrong-flag", format!("--sample {sample} is out of range"), "ask for 2 points or more")
         });
     }
-    Ok(Options { sample: common.sample.map(Sampling::Even), alone: false })
+    Ok(Options { sample: common.sample.map(Sampling::Even), alone: false, tolerance: true })
 }
 
 /// Does the work on the number of threads asked for.

@@ -98,7 +98,12 @@ impl BodyParts {
                 Some(RigidEdge {
                     boundary: LOAD.into(),
                     reference: [about[0], height.unwrap_or(about[1])],
-                    free: [!holds(Component::X) && !revolved, !holds(Component::Z), !revolved && load.tilt.is_none()],
+                    // A rotation prescribed as zero is held; another one is a motion.
+                    free: [
+                        !holds(Component::X) && !revolved,
+                        !holds(Component::Z),
+                        !revolved && load.tilt.is_none_or(|tilt| tilt.0 != 0.0),
+                    ],
                 })
             }
         };

@@ -128,8 +128,8 @@ fn kind_of(scene: &Scene) -> Result<String, Fault> {
         contact.gap = None;
     }
     if let Some(load) = &mut kind.load {
-        // A prescribed tilt takes the rotation out of the free motions, whatever its value.
-        load.tilt = load.tilt.map(|_| crate::units::Angle(0.0));
+        // A rotation prescribed as zero is held; another one is a motion like a free one.
+        load.tilt = load.tilt.filter(|tilt| tilt.0 == 0.0);
         load.force = None;
         load.approach = None;
         load.approach_time = None;

@@ -55,7 +55,8 @@ pub(super) fn independent(shaper: &Shaper<'_>, level: Level, shape: &GapCurve, s
 }
 
 fn solve(shaper: &Shaper<'_>, operator: &ContactOperator<'_>, gap: &[f64]) -> Result<Vec<f64>, Fault> {
-    let load = shaper.stage.contact_load(operator.points());
+    let mut load = shaper.stage.contact_load(operator.points());
+    shaper.add_feed(&mut load);
     let found = operator
         .solve(gap, &load, None)
         .map_err(|error| Fault::at("contact", "no-contact", error.to_string(), "check the contact and its load"))?;

@@ -3,18 +3,20 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use contact::{ContactPoint, Pair};
+use contact::{ContactLoad, ContactPoint, Motion, Pair};
 use hpfem::InterfaceState;
 use nalgebra::{DMatrix, DVector, Vector3};
 use shapeopt::{GapCurve, Gauge, Integration, RigidPart, Shape, ShapeProblem, SurfacePlace, closing, solve_shape};
 
 use crate::fault::Fault;
+use crate::fe::approach;
 use crate::fe::bodies::{Level, MEAN_COLUMNS};
 use crate::fe::operators::Reduced;
 use crate::fe::recover::{Moment, Reported};
 use crate::fe::round_trip;
 use crate::fe::stage::{Stage, add_times, note, rest};
 use crate::fe::template::Cut;
+use crate::fe::tolerance;
 use crate::fe::torsion;
 use crate::profile::Profile;
 use crate::setup::Problem;
@@ -49,16 +51,12 @@ pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution
             return Ok(None);
         }
     };
-    if let Some(point) = stage.patch.surface.sample(SAMPLES).iter().find(|point| !optimum.pressure_at(point).is_finite()) {
-        let [x, _, z] = [point.position.x, point.position.y, point.position.z];
-        let reason = format!(
-            "the wanted pressure is infinite at x = {x}, z = {z}, and no shape has it; leave a hole or a cap there (optimum.p_max)"
-        );
+    if let Some(reason) = unanswered(stage, &optimum) {
         solution.status = Status::Refused;
         solution.reason = Some(reason);
         return Ok(None);
     }
-    let shaper = Shaper { stage, optimum: &optimum, feed: optimum.feed.clone().unwrap_or_default() };
+    let shaper = Shaper::new(stage, &optimum);
     let fixed = stage.fixed_level().is_some();
     let mut solved: Vec<Solved> = Vec::new();
     for level in stage.ladder(options) {
@@ -72,6 +70,16 @@ pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution
         }
     }
     finish(&shaper, solved, fixed, options, solution)
+}
+
+/// Why a wanted pressure has no shape: it is infinite somewhere.
+pub(super) fn unanswered(stage: Stage<'_>, optimum: &wear::Optimum) -> Option<String> {
+    let points = stage.patch.surface.sample(SAMPLES);
+    let point = points.iter().find(|point| !optimum.pressure_at(point).is_finite())?;
+    let [x, z] = [point.position.x, point.position.z];
+    Some(format!(
+        "the wanted pressure is infinite at x = {x}, z = {z}, and no shape has it; leave a hole or a cap there (optimum.p_max)"
+    ))
 }
 
 /// Estimated `max |dg| / max g` of the last level, after the best rigid part is taken out of each difference.
@@ -157,7 +165,11 @@ pub(super) struct Shaper<'a> {
     feed: Vec<f64>,
 }
 
-impl Shaper<'_> {
+impl<'a> Shaper<'a> {
+    pub(super) fn new(stage: Stage<'a>, optimum: &'a wear::Optimum) -> Shaper<'a> {
+        Shaper { stage, optimum, feed: optimum.feed.clone().unwrap_or_default() }
+    }
+
     /// Solves one level.
     fn level(&self, level: Level) -> Result<Solved, Fault> {
         let mut solution = Solution::default();
@@ -184,13 +196,14 @@ impl Shaper<'_> {
         reduced.count(&mut solution.counters);
         let most = (0..gaps.len()).max_by(|a, b| gaps[*a].total_cmp(&gaps[*b])).unwrap_or(0);
         solution.shape = Some(ShapeResult {
-            iterations: 1,
+            iterations: solution.passes + 1,
             gap_max_um: Some(1e3 * gaps[most]),
             gap_where_mm: Some(stage.start(&pair) + samples(&pair)[most]),
             crown_um: Some(1e3 * gaps[most]),
             rigid_mm: shape.rigid.first().copied(),
             roundtrip_same: None,
             roundtrip_independent: None,
+            tolerance: if options.tolerance { tolerance::of(self, reduced)? } else { Vec::new() },
         });
         solution.energy = Some(EnergyResult {
             body1_Nmm: Some(pair.shaped.strain_energy(&shape.shaped)),
@@ -233,6 +246,56 @@ impl Shaper<'_> {
 
     /// The shape on a pair of bodies.
     pub(super) fn shape(&self, pair: &Pair<'_>) -> Result<Shape, Fault> {
+        let load = self.stage.scene().load.clone().unwrap_or_default();
+        if !self.stage.rigid_prescribed() {
+            return self.smallest(pair);
+        }
+        let fed = self.fed()?;
+        let about = self.stage.about();
+        let turned = match (load.approach, load.tilt) {
+            // A rotation that nothing prescribes is that of the smallest shape.
+            (Some(_), None) => approach::motion(pair, &self.smallest(pair)?.rigid, about)[1],
+            (_, tilt) => tilt.map_or(0.0, |t| t.0),
+        };
+        let motion = [load.approach.map_or(0.0, |a| a.0) + fed[0], turned + fed[1]];
+        self.with_rigid_part(pair, RigidPart::Prescribed(approach::coordinates(pair, motion, about)))
+    }
+
+    /// Worn approach and turning after `approach_time`.
+    fn fed(&self) -> Result<[f64; 2], Fault> {
+        let load = self.stage.scene().load.as_ref();
+        let time = load.and_then(|load| load.approach_time).map_or(0.0, |t| t.0);
+        if time != 0.0 && self.feed.is_empty() {
+            let message = "approach_time needs the feed of wear, and the multipliers of this functional are no velocities";
+            let remedy = "use optimum.functional = \"steady\", or \"wear-power\" with q = 1 and equal b, with wear";
+            return Err(Fault::at("load.approach_time", "no-feed", message, remedy));
+        }
+        Ok([0, 1].map(|k| self.feed.get(k).copied().unwrap_or(0.0) * time))
+    }
+
+    /// Adds the worn motions to those that a contact load prescribes.
+    pub(super) fn add_feed(&self, load: &mut ContactLoad) {
+        for (k, fed) in self.fed().unwrap_or_default().into_iter().enumerate() {
+            if let Motion::Prescribed { value } = &mut load.motions[k + 1] {
+                *value -= fed;
+            }
+        }
+    }
+
+    /// The shape with its smallest rigid part; a prescribed rotation is kept.
+    pub(super) fn smallest(&self, pair: &Pair<'_>) -> Result<Shape, Fault> {
+        let about = self.stage.about();
+        let rigid = match self.stage.turned() {
+            0.0 => RigidPart::Smallest,
+            tilt => RigidPart::SmallestAlong {
+                start: approach::coordinates(pair, [0.0, tilt], about),
+                direction: approach::coordinates(pair, [1.0, 0.0], about),
+            },
+        };
+        self.with_rigid_part(pair, rigid)
+    }
+
+    fn with_rigid_part(&self, pair: &Pair<'_>, rigid: RigidPart) -> Result<Shape, Fault> {
         let rigid_edge = self.stage.rigid_edge();
         let gauge = if rigid_edge { Gauge::HeldEdge } else { Gauge::MeanOf(mean_columns(pair)) };
         solve_shape(&ShapeProblem {
@@ -241,34 +304,10 @@ impl Shaper<'_> {
             cases_shaped: &self.stage.cases(),
             cases_counter: &[],
             gauge,
-            rigid: self.rigid_part(pair)?,
+            rigid,
             integration: Integration::Lobatto,
         })
         .map_err(|error| Fault::at("load", "no-closing", error.to_string(), "press body 1 on body 2"))
-    }
-
-    /// The smallest gap, or the rigid part that approach, tilt and approach_time prescribe.
-    fn rigid_part(&self, pair: &Pair<'_>) -> Result<RigidPart, Fault> {
-        let load = self.stage.scene().load.as_ref().filter(|_| self.stage.rigid_prescribed());
-        let Some(load) = load else { return Ok(RigidPart::Smallest) };
-        let time = load.approach_time.map_or(0.0, |t| t.0);
-        if time != 0.0 && self.feed.is_empty() {
-            let message = "approach_time needs the feed of wear, and the multipliers of this functional are no velocities";
-            let remedy = "use optimum.functional = \"steady\", or \"wear-power\" with q = 1 and equal b, with wear";
-            return Err(Fault::at("load.approach_time", "no-feed", message, remedy));
-        }
-        let feed = |k: usize| self.feed.get(k).copied().unwrap_or(0.0) * time;
-        let closing = load.approach.map_or(0.0, |a| a.0) + feed(0);
-        let turning = load.tilt.map_or(0.0, |t| t.0) + feed(1);
-        let about = load.about.map_or(0.0, |about| about[0].0);
-        // Body 1's rigid motions of the interface, about the origin, that make up "closing + turning (x - about)".
-        let motions = &pair.shaped.rigid_motions;
-        let coordinates = motions.iter().map(|[_, tz, theta]| match (*tz != 0.0, *theta != 0.0) {
-            (true, false) => -(closing - turning * about) / tz,
-            (_, true) => -turning / theta,
-            _ => 0.0,
-        });
-        Ok(RigidPart::Prescribed(coordinates.collect()))
     }
 
     fn profile(&self, pair: &Pair<'_>, shape: &Shape, points: &[ContactPoint]) -> Profile {

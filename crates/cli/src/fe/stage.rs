@@ -133,6 +133,17 @@ impl<'a> Stage<'a> {
         load.is_some_and(|load| load.approach.is_some() || load.approach_time.is_some())
     }
 
+    /// Rotation that is prescribed and not zero, or 0.
+    pub(super) fn turned(&self) -> f64 {
+        let load = self.scene().load.as_ref().filter(|_| self.rigid_edge());
+        load.and_then(|load| load.tilt).map_or(0.0, |tilt| tilt.0)
+    }
+
+    /// Place x about which the rigid edge turns.
+    pub(super) fn about(&self) -> f64 {
+        self.scene().load.as_ref().and_then(|load| load.about).map_or(0.0, |about| about[0].0)
+    }
+
     /// Load-case factors of body 1: the force alone.
     pub(super) fn cases(&self) -> Vec<f64> {
         let force = self.scene().load.as_ref().and_then(|load| load.force).map_or(0.0, |force| force.0);

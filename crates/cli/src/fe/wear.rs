@@ -23,6 +23,8 @@ use crate::solve::Options;
 
 use level::{MOST_STEPS, run};
 
+pub(super) use problem::rules;
+
 /// A solved level: what it leaves behind for the others, and what is reported if it is the last.
 struct Solved {
     left: FinishedLevel,

@@ -66,6 +66,9 @@ pub(crate) fn page(summary: &Value, curves: &Value, pictures: &[String], resolve
     }
     for part in ["shape", "pressure", "contact", "wear", "energy", "reactions", "error", "counters"] {
         out += &table(part, &summary[part]);
+        if part == "shape" {
+            out += &super::tolerance::tolerance(&summary["shape"]["tolerance"]);
+        }
     }
     out += "<h2>Stages</h2>\n<table>\n<tr><th>stage</th><th>done</th><th>because</th></tr>\n";
     for stage in summary["stages"].as_array().into_iter().flatten() {
@@ -110,7 +113,8 @@ fn table(name: &str, part: &Value) -> String {
         };
         out += &format!("<tr><td>{}</td><td class=\"number\">{}</td></tr>\n", escaped(&key), escaped(&shown));
     }
-    for (key, value) in part.as_object().into_iter().flatten().filter(|(_, value)| value.is_array()) {
+    let lists = part.as_object().into_iter().flatten().filter(|(_, value)| value.is_array());
+    for (key, value) in lists.filter(|(key, _)| *key != "tolerance") {
         if value.as_array().is_some_and(|items| !items.is_empty()) {
             out += &format!("<tr><td>{}</td><td>{}</td></tr>\n", escaped(key), escaped(&value.to_string()));
         }

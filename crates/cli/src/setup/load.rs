@@ -87,14 +87,14 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) 
         let why = "a rigid edge needs a force or a prescribed approach";
         return Err(missing("load.force", why, "load.force = \"10 kN\""));
     }
-    let optimal = tasks.iter().find(|task| matches!(task, Task::Pressure | Task::Shape));
-    if let (None, Some(task)) = (load.force, optimal) {
-        let message = format!(
-            "the task \"{}\" needs the force: a prescribed approach does not say how much the pressure carries",
-            crate::setup::tasks::word(*task)
-        );
-        let remedy = "give load.force instead, or ask for tasks = [\"contact\"] or [\"wear\"]";
-        return Err(Fault::at("load.approach", "not-available", message, remedy));
+    let optimal = tasks.iter().any(|task| matches!(task, Task::Pressure | Task::Shape));
+    if let (None, Some(approach), true) = (load.force, load.approach, optimal) {
+        if !tasks.iter().any(|task| matches!(task, Task::Shape | Task::Contact | Task::Wear)) {
+            let message = "the pressure alone does not say how much it carries: with a prescribed approach that follows from the elastic bodies";
+            let remedy = "give load.force instead, or add \"shape\" to the tasks";
+            return Err(Fault::at("load.approach", "not-available", message, remedy));
+        }
+        positive("load.approach", approach.0, "approach", " mm")?;
     }
     let axisymmetric = scene.kinematics == Some(Kinematics::Axisymmetric);
     if load.tilt.is_none() && !axisymmetric {
@@ -110,26 +110,15 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) 
     if let Some(time) = load.approach_time {
         worn_approach(scene, time.0)?;
     }
-    let shape_like = tasks.contains(&Task::Contact) || tasks.contains(&Task::Wear) || tasks.contains(&Task::Shape);
-    let approach = scene.load.as_ref().is_some_and(|load| load.approach.is_some());
-    if approach && !shape_like {
-        let message = "the pressure alone needs a force, not an approach";
-        return Err(Fault::at("load.approach", "wrong-value", message, "give load.force, or add \"contact\" to the tasks"));
-    }
     Ok(())
 }
 
-/// `approach_time` needs a prescribed motion and a multiplier that is a velocity.
+/// `approach_time` needs a multiplier that is a velocity.
 fn worn_approach(scene: &Scene, time: f64) -> Result<(), Fault> {
     use crate::scene::Functional;
     if time.is_nan() || time < 0.0 {
         let message = format!("negative time: load.approach_time = {time} s");
         return Err(Fault::at("load.approach_time", "wrong-value", message, "give a time of 0 or more"));
-    }
-    let load = scene.load.clone().unwrap_or_default();
-    if load.approach.is_none() && load.tilt.is_none() {
-        let message = "load.approach_time adds to a prescribed approach or tilt, and there is none";
-        return Err(Fault::at("load.approach_time", "wrong-value", message, "give load.approach, or remove load.approach_time"));
     }
     let optimum = scene.optimum.clone().unwrap_or_default();
     let b = scene.wear.as_ref().and_then(|wear| wear.b);

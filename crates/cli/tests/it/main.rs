@@ -1,6 +1,7 @@
 //! Process tests of the program `wearshape`: exit codes, what is said, what is written.
 #![allow(clippy::unwrap_used, missing_docs)]
 
+mod approach;
 mod broken;
 mod call;
 mod commands;

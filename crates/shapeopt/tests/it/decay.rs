@@ -130,3 +130,38 @@ fn explicit_steps_below_the_half_plane_bound_settle_and_above_it_do_not() {
         assert!(growth[2] > 20.0 && growth[3] > 1e3);
     }
 }
+
+/// On a Winkler layer an error of the shape changes the pressure by `k_f` times the error less its mean, and wears away in the layer's distance
+/// `1 / (k_f b beta~ p^(b-1))`; on a half-plane that of the slowest mode has its run-in distance.
+#[test]
+fn an_error_of_the_shape_changes_the_pressure_and_runs_in_as_theory_says() {
+    let (foundation, b) = (1e4, 2.0);
+    let points = points(40);
+    let error: Vec<f64> = points.iter().map(|p| 1e-6 * (p.position.x / 10.0).cos()).collect();
+    let average = mean(&points, &error);
+    let flat = vec![0.0; points.len()];
+    let run = problem(points.clone(), winkler(&points, None, foundation), rule(WEAR, b), flat.clone());
+    let pressure = vec![steady(); points.len()];
+    let found = shapeopt::tolerances(&run, &pressure, std::slice::from_ref(&error)).unwrap();
+    for (change, error) in found[0].change.iter().zip(&error) {
+        approx::assert_abs_diff_eq!(*change, -foundation * (error - average), epsilon = 1e-12 * foundation * 1e-6);
+    }
+    let distance = 1.0 / (foundation * b * WEAR * steady().powf(b - 1.0));
+    assert_relative_eq!(found[0].run_in_distance.unwrap(), distance, max_relative = 5e-3);
+    // The slowest mode of a half-plane: let a wedge wear until it is alone.
+    let mut run = problem(points.clone(), half_plane(&points, None, MODULUS), rule(WEAR, b), flat);
+    run.gap = points.iter().map(|p| 2e-6 * (p.position.x + 30.0)).collect();
+    run.until = Until::Steady { residual: 1e-5 };
+    let mut evolution = Evolution::new(&run).unwrap();
+    let late = evolution.by_ref().last().unwrap();
+    let slowest = evolution.run_in().unwrap().distances[0];
+    let rest: Vec<f64> = late.pressure.iter().map(|p| p - steady()).collect();
+    let system = &run.stages[0].system;
+    let error: Vec<f64> = (0..points.len())
+        .map(|i| -(0..points.len()).map(|j| system.compliance[(i, j)] * rest[j] * points[j].weight).sum::<f64>())
+        .collect();
+    let found = shapeopt::tolerances(&run, &pressure, &[error]).unwrap();
+    let distance = found[0].run_in_distance.unwrap();
+    println!("half-plane: {distance:.6} against {slowest:.6} of the slowest mode");
+    assert_relative_eq!(distance, slowest, max_relative = 1e-2);
+}

@@ -1,6 +1,7 @@
 //! Integration tests.
 #![allow(clippy::unwrap_used, missing_docs, unreachable_pub)]
 
+mod approach;
 mod bodies;
 mod closed_form;
 mod decay;

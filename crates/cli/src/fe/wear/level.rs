@@ -66,7 +66,7 @@ pub(super) fn run(
     let last = pieces.intervals[state.interval].stage;
     let (stage, load) = (stages[last], &loads[last]);
     let curve = NodalCurve { pair: &pair, operator: &operator, gap: &state.gap };
-    let rigid = if stage.rigid_prescribed() { None } else { lowest_nonnegative(&curve) };
+    let rigid = if stage.rigid_prescribed() || stage.turned() != 0.0 { None } else { lowest_nonnegative(&curve) };
     let rigid = rigid.unwrap_or_else(|| vec![0.0; pair.shaped.rigid_modes.ncols()]);
     let normalised: Vec<f64> = operator
         .points()

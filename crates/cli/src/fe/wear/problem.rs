@@ -12,6 +12,19 @@ use crate::scene;
 /// Certificate of the steady state.
 pub(super) const STEADY: f64 = 1e-9;
 
+/// Wear rules of both bodies, and how body 2 passes.
+pub(in crate::fe) fn rules(stage: Stage<'_>) -> Result<(wear::WearPair, wear::Counterface), Fault> {
+    let friction = stage.scene().contact.as_ref().and_then(|c| c.friction).unwrap_or(0.0);
+    let laws = crate::solve::pressure::wear_pair(stage.scene(), friction)
+        .map_err(|error| Fault::at("wear", "wrong-value", error.to_string(), "mend the numbers in the message"))?;
+    let counterface = match stage.scene().wear.as_ref().and_then(|wear| wear.counterface) {
+        Some(scene::Counterface::Congruent) => wear::Counterface::Congruent,
+        Some(scene::Counterface::Revolving) => wear::Counterface::Revolving,
+        _ => wear::Counterface::Fresh,
+    };
+    Ok((laws, counterface))
+}
+
 /// The wear problem on an operator; one stage a load that occurs. The inner `Err` says why it has no answer.
 pub(super) fn wear_problem(
     stages: &[Stage<'_>],
@@ -24,14 +37,7 @@ pub(super) fn wear_problem(
     let surface = |stage: &Stage<'_>| -> Vec<wear::SurfacePoint> {
         operator.points().iter().map(|p| stage.surface_point(p.position, p.normal, p.weight)).collect()
     };
-    let friction = stage.scene().contact.as_ref().and_then(|c| c.friction).unwrap_or(0.0);
-    let laws = crate::solve::pressure::wear_pair(stage.scene(), friction)
-        .map_err(|error| Fault::at("wear", "wrong-value", error.to_string(), "mend the numbers in the message"))?;
-    let counterface = match stage.scene().wear.as_ref().and_then(|wear| wear.counterface) {
-        Some(scene::Counterface::Congruent) => wear::Counterface::Congruent,
-        Some(scene::Counterface::Revolving) => wear::Counterface::Revolving,
-        _ => wear::Counterface::Fresh,
-    };
+    let (laws, counterface) = rules(stage)?;
     let gap: Vec<f64> = operator.points().iter().map(|p| start_gap(stage, pair, p.arc)).collect();
     let start = match operator.solve(&gap, &loads[intervals[0].stage], None) {
         Ok(start) if start.status.is_solved() && start.status != ContactStatus::NoContact => start,
