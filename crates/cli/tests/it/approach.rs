@@ -17,7 +17,8 @@ fn a_contact_solve_under_the_approach_gives_the_pressure_back() {
     ];
     for (name, sets, passes, independent) in cases {
         let args = format!("run translating-punch --set load.approach=1.3e-3 {sets} -q -o {name}");
-        assert_eq!(bench.call(&args).code, 0, "{name}");
+        let call = bench.call_with(&args.split_whitespace().collect::<Vec<_>>());
+        assert_eq!(call.code, 0, "{name}: {}", call.err);
         let summary = summary(&bench, name);
         let shape = &summary["shape"];
         assert!(shape["iterations"].as_u64().unwrap() <= passes, "{name}: {}", shape["iterations"]);
