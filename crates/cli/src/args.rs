@@ -44,7 +44,9 @@ pub(crate) enum Command {
     #[command(after_help = "Example:\n  wearshape report out/drum-brake-block")]
     Report(ReportArgs),
     /// Recompute figures and tables of the paper.
-    #[command(after_help = "Examples:\n  wearshape reproduce fig4\n  wearshape reproduce all")]
+    #[command(
+        after_help = "Examples:\n  wearshape reproduce            (the list)\n  wearshape reproduce fig4\n  wearshape reproduce all -o out/paper"
+    )]
     Reproduce(ReproduceArgs),
     /// Print the JSON schema of scenes (draft 7), for editors.
     #[command(after_help = "Example:\n  wearshape schema > wearshape.schema.json")]
@@ -182,10 +184,18 @@ pub(crate) struct ReportArgs {
 /// `reproduce`.
 #[derive(Debug, Args)]
 pub(crate) struct ReproduceArgs {
-    /// Figure, table, or `all`.
-    #[arg(default_value = "all")]
-    pub(crate) item: String,
-    /// Folder to write; default out/reproduce.
+    /// Figure, table, or `all`; without it the list of items.
+    pub(crate) item: Option<String>,
+    /// Folder to write; default out/reproduce/<item>, and out/reproduce for all.
     #[arg(short, long = "output", value_name = "DIR")]
     pub(crate) output: Option<PathBuf>,
+    /// List the items.
+    #[arg(long)]
+    pub(crate) list: bool,
+    /// Print one JSON document on stdout.
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Say nothing but errors.
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
 }

@@ -4,6 +4,7 @@ mod check;
 mod explain;
 mod new;
 mod report;
+mod reproduce;
 mod run;
 mod study;
 mod sweep;
@@ -37,14 +38,9 @@ pub(crate) fn run(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -
         Command::Sweep(args) => sweep::run(&args),
         Command::Report(args) => report::run(&args),
         Command::Study(args) => study::run(&args),
-        Command::Reproduce(_) => Err(not_available("reproduce")),
+        Command::Reproduce(args) => reproduce::run(&args),
     };
     outcome.unwrap_or_else(|fault| complain(&fault, json))
-}
-
-/// What is planned but not built.
-pub(crate) fn not_available(what: &str) -> Fault {
-    Fault::new("not-available", format!("{what} is not available yet"), "see the README for what this version does")
 }
 
 /// Prints a fault: the picture on stderr, with `--json` the document on stdout.

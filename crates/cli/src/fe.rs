@@ -38,6 +38,13 @@ pub(crate) fn available(problem: &Problem) -> Result<(), Fault> {
     }
 }
 
+/// The meshes of both bodies at the scene's fixed discretisation, or with the layers of degree 8.
+pub(crate) fn meshes_of(problem: &Problem) -> Result<[hpfem::Mesh; 2], Fault> {
+    let stage = stage::Stage::new(problem)?;
+    let layers = stage.fixed_level().map_or(8, |level| level.layers);
+    template::meshes(stage.scene(), stage.extent, layers, template::Cut::Plain)
+}
+
 /// Computes contact, shape and wear as the plan asks.
 pub(crate) fn solve(problem: &Problem, options: Options, live: &mut Live, solution: &mut Solution) -> Result<(), Fault> {
     available(problem)?;

@@ -25,6 +25,7 @@ mod progress;
 mod read;
 mod record;
 mod report;
+mod reproduce;
 mod scene;
 mod setup;
 mod solution;

@@ -4,6 +4,7 @@ mod curves;
 mod folder;
 pub(crate) mod line_plot;
 mod page;
+pub(crate) mod section_plot;
 mod summary;
 mod terminal;
 mod tolerance;
@@ -14,6 +15,7 @@ use crate::record::{LAYOUT, Points, RUN_MCAP, Recorder, Tape};
 use crate::setup::Problem;
 use crate::solution::Solution;
 
+pub(crate) use curves::abscissa;
 pub(crate) use folder::Folder;
 pub(crate) use page::page_of_folder;
 pub(crate) use summary::{numbers, sha256};
@@ -54,7 +56,7 @@ pub(crate) fn write(
         folder.write("contact.csv", &profile.csv())?;
     }
     if !solution.history.is_empty() {
-        folder.write("history.csv", &history(&solution.history))?;
+        folder.write("history.csv", &columns_csv(&solution.history))?;
     }
     for (name, text) in vtu::field_files(&solution.fields) {
         folder.write(&name, &text)?;
@@ -88,7 +90,8 @@ pub(crate) fn write(
     Ok(summary)
 }
 
-fn history(columns: &[(String, Vec<f64>)]) -> String {
+/// Named columns as CSV.
+pub(crate) fn columns_csv(columns: &[(String, Vec<f64>)]) -> String {
     let names: Vec<&str> = columns.iter().map(|(name, _)| name.as_str()).collect();
     let mut out = names.join(",") + "\n";
     for row in 0..columns.iter().map(|(_, values)| values.len()).min().unwrap_or(0) {

@@ -50,7 +50,7 @@ pub(crate) fn line_plots(problem: &Problem, solution: &Solution) -> Vec<(&'stati
 }
 
 /// The coordinate of a picture and its name: angle on an arc, radius on a ring, else arc length.
-fn abscissa(problem: &Problem, profile: &Profile) -> (Vec<f64>, &'static str) {
+pub(crate) fn abscissa(problem: &Problem, profile: &Profile) -> (Vec<f64>, &'static str) {
     match problem.patch.as_ref().map(|patch| patch.surface.shape()) {
         Some(Shape::Arc { radius, angles, .. }) => {
             let middle = 0.5 * (angles[0] + angles[1]);

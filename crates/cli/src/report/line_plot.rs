@@ -112,6 +112,14 @@ impl Scale {
     }
 }
 
+/// Round values of a range with their labels.
+pub(super) fn ticks(range: [f64; 2], count: usize) -> Vec<(f64, String)> {
+    let scale = Scale::new(range.into_iter(), Axis::Linear, false, count);
+    let size = range[1] - range[0];
+    let within = |tick: &f64| *tick >= range[0] - 1e-9 * size && *tick <= range[1] + 1e-9 * size;
+    scale.ticks.iter().filter(|tick| within(tick)).map(|tick| (*tick, scale.label(*tick))).collect()
+}
+
 fn plain(value: f64) -> String {
     format!("{value}").replace('-', "\u{2212}")
 }
@@ -132,10 +140,12 @@ pub(crate) fn line_plot(plot: &LinePlot) -> String {
         let py = HEIGHT - BOTTOM - y.share(point.1) * (HEIGHT - TOP - BOTTOM);
         (px, py)
     };
+    let legend = Legend::new(&plot.series, &place);
+    let width = WIDTH + if legend.beside { legend.width + 12.0 } else { 0.0 };
     let mut out = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" width=\"{WIDTH}\" height=\"{HEIGHT}\" \
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {HEIGHT}\" width=\"{width}\" height=\"{HEIGHT}\" \
          font-family=\"'DejaVu Sans', Helvetica, Arial, sans-serif\" font-size=\"13\" fill=\"#222\">\n\
-         <title>{0}</title>\n<rect width=\"{WIDTH}\" height=\"{HEIGHT}\" fill=\"#fff\"/>\n\
+         <title>{0}</title>\n<rect width=\"{width}\" height=\"{HEIGHT}\" fill=\"#fff\"/>\n\
          <text x=\"{LEFT}\" y=\"26\" font-size=\"15\" font-weight=\"bold\">{0}</text>\n",
         escaped(&plot.title)
     );
@@ -168,7 +178,7 @@ pub(crate) fn line_plot(plot: &LinePlot) -> String {
     for (number, series) in plot.series.iter().enumerate() {
         out += &curve(series, COLOURS[number % COLOURS.len()], &place, plot.axes);
     }
-    out += &legend(&plot.series);
+    out += &legend.draw(&plot.series);
     out + "</svg>\n"
 }
 
@@ -210,29 +220,60 @@ fn curve(series: &Series, colour: &str, place: &impl Fn((f64, f64)) -> (f64, f64
     if marks.is_empty() { line } else { format!("{line}<g fill=\"{colour}\">{marks}</g>\n") }
 }
 
-fn legend(series: &[Series]) -> String {
-    if series.iter().all(|series| series.name.is_empty()) {
-        return String::new();
+/// Where the names of the curves stand: in a corner that no curve touches, beside the plot when there is none or they are many.
+struct Legend {
+    left: f64,
+    top: f64,
+    width: f64,
+    height: f64,
+    beside: bool,
+}
+
+/// Names that still find room in a corner.
+const NAMES_INSIDE: usize = 6;
+
+impl Legend {
+    fn new(series: &[Series], place: &impl Fn((f64, f64)) -> (f64, f64)) -> Legend {
+        let longest = series.iter().map(|series| series.name.chars().count()).max().unwrap_or(0);
+        let width = if longest == 0 { 0.0 } else { 44.0 + 7.4 * longest as f64 };
+        let height = 10.0 + 19.0 * series.len() as f64;
+        let (right, bottom) = (WIDTH - RIGHT - width - 6.0, HEIGHT - BOTTOM - height - 6.0);
+        let corners = [[right, TOP + 6.0], [LEFT + 8.0, TOP + 6.0], [right, bottom], [LEFT + 8.0, bottom]];
+        let touched = |[left, top]: &[f64; 2]| {
+            let within = |point: &&(f64, f64)| {
+                let (px, py) = place(**point);
+                px > left - 6.0 && px < left + width + 6.0 && py > top - 6.0 && py < top + height + 6.0
+            };
+            series.iter().flat_map(|series| &series.points).filter(within).count()
+        };
+        let free = corners.into_iter().find(|corner| touched(corner) == 0);
+        let [left, top] = free.unwrap_or(corners[0]);
+        if width > 0.0 && (free.is_none() || series.len() > NAMES_INSIDE) {
+            return Legend { left: WIDTH - RIGHT + 12.0, top: TOP, width, height, beside: true };
+        }
+        Legend { left, top, width, height, beside: false }
     }
-    let longest = series.iter().map(|series| series.name.chars().count()).max().unwrap_or(0);
-    let width = 44.0 + 7.4 * longest as f64;
-    let left = WIDTH - RIGHT - width - 6.0;
-    let height = 10.0 + 19.0 * series.len() as f64;
-    let mut out = format!(
-        "<rect x=\"{left:.1}\" y=\"{:.1}\" width=\"{width:.1}\" height=\"{height:.1}\" fill=\"#fff\" fill-opacity=\"0.88\" stroke=\"#ccc\"/>\n",
-        TOP + 6.0
-    );
-    for (number, series) in series.iter().enumerate() {
-        let y = TOP + 20.0 + 19.0 * number as f64;
-        let dash = if series.dashed { " stroke-dasharray=\"7 5\"" } else { "" };
-        out += &format!(
-            "<path d=\"M{:.1} {y:.1}h24\" stroke=\"{}\" stroke-width=\"2\"{dash}/><text x=\"{:.1}\" y=\"{:.1}\">{}</text>\n",
-            left + 7.0,
-            COLOURS[number % COLOURS.len()],
-            left + 37.0,
-            y + 4.5,
-            escaped(&series.name)
+
+    fn draw(&self, series: &[Series]) -> String {
+        if self.width == 0.0 {
+            return String::new();
+        }
+        let Legend { left, top, width, height, .. } = self;
+        let mut out = format!(
+            "<rect x=\"{left:.1}\" y=\"{top:.1}\" width=\"{width:.1}\" height=\"{height:.1}\" fill=\"#fff\" fill-opacity=\"0.88\" stroke=\"#ccc\"/>\n",
         );
+        for (number, series) in series.iter().enumerate() {
+            let y = top + 14.0 + 19.0 * number as f64;
+            let dash = if series.dashed { " stroke-dasharray=\"7 5\"" } else { "" };
+            out += &format!(
+                "<path d=\"M{:.1} {y:.1}h24\" stroke=\"{}\" stroke-width=\"2\"{dash}/><text x=\"{:.1}\" y=\"{:.1}\">{}</text>\n",
+                left + 7.0,
+                COLOURS[number % COLOURS.len()],
+                left + 37.0,
+                y + 4.5,
+                escaped(&series.name)
+            );
+        }
+        out
     }
-    out
 }

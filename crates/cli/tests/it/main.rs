@@ -10,6 +10,7 @@ mod folder;
 mod hertz;
 mod json;
 mod pressure;
+mod reproduce;
 mod resolved;
 mod resume;
 mod schedule;

@@ -1,0 +1,79 @@
+//! Pictures of a cross-section to scale: the frame with its axes, into which meshes and fields are drawn.
+
+use crate::report::line_plot::{escaped, ticks};
+
+const LEFT: f64 = 72.0;
+const TOP: f64 = 46.0;
+const BOTTOM: f64 = 56.0;
+/// Largest width and height of the drawing itself.
+const ROOM: [f64; 2] = [620.0, 460.0];
+
+/// A cross-section in millimetres on paper, both axes to the same scale.
+pub(crate) struct Section {
+    x: [f64; 2],
+    z: [f64; 2],
+    /// Pixels a millimetre.
+    pub(crate) scale: f64,
+    /// Room on the right for a legend.
+    margin: f64,
+}
+
+impl Section {
+    /// The section that shows the given range.
+    pub(crate) fn new(x: [f64; 2], z: [f64; 2], margin: f64) -> Section {
+        let scale = (ROOM[0] / (x[1] - x[0])).min(ROOM[1] / (z[1] - z[0]));
+        Section { x, z, scale, margin }
+    }
+
+    /// Pixels of a point in mm.
+    pub(crate) fn place(&self, [x, z]: [f64; 2]) -> [f64; 2] {
+        [LEFT + self.scale * (x - self.x[0]), TOP + self.scale * (self.z[1] - z)]
+    }
+
+    /// Right edge of the drawing and its top and bottom, in pixels.
+    pub(crate) fn edges(&self) -> [f64; 3] {
+        let [right, bottom] = self.place([self.x[1], self.z[0]]);
+        [right, TOP, bottom]
+    }
+
+    /// The picture around a body of SVG, with axes named by the coordinates' symbols.
+    pub(crate) fn picture(&self, title: &str, names: [&str; 2], body: &str) -> String {
+        let [right, _, bottom] = self.edges();
+        // A narrow section still has room for its title.
+        let width = (right + self.margin + 24.0).max(LEFT + 8.2 * title.chars().count() as f64 + 24.0);
+        let height = bottom + BOTTOM;
+        let mut out = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width:.0} {height:.0}\" width=\"{width:.0}\" height=\"{height:.0}\" \
+             font-family=\"'DejaVu Sans', Helvetica, Arial, sans-serif\" font-size=\"13\" fill=\"#222\">\n\
+             <title>{0}</title>\n<rect width=\"{width:.0}\" height=\"{height:.0}\" fill=\"#fff\"/>\n\
+             <text x=\"{LEFT}\" y=\"26\" font-size=\"15\" font-weight=\"bold\">{0}</text>\n",
+            escaped(title)
+        );
+        out += body;
+        out +=
+            &format!("<path d=\"M{LEFT} {TOP}V{bottom:.1}H{right:.1}\" fill=\"none\" stroke=\"#444\" stroke-width=\"1.2\"/>\n");
+        let count = |length: f64| ((length * self.scale / 90.0) as usize).clamp(2, 8);
+        for (value, label) in ticks(self.x, count(self.x[1] - self.x[0])) {
+            let px = self.place([value, 0.0])[0];
+            out += &format!("<path d=\"M{px:.1} {bottom:.1}v5\" stroke=\"#444\"/>");
+            out += &format!("<text x=\"{px:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{label}</text>\n", bottom + 19.0);
+        }
+        for (value, label) in ticks(self.z, count(self.z[1] - self.z[0])) {
+            let py = self.place([0.0, value])[1];
+            out += &format!("<path d=\"M{LEFT} {py:.1}h-5\" stroke=\"#444\"/>");
+            out += &format!("<text x=\"{}\" y=\"{:.1}\" text-anchor=\"end\">{label}</text>\n", LEFT - 9.0, py + 4.5);
+        }
+        out += &format!(
+            "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{} (mm)</text>\n",
+            0.5 * (LEFT + right),
+            bottom + 42.0,
+            names[0]
+        );
+        out += &format!(
+            "<text transform=\"translate(18 {:.1}) rotate(-90)\" text-anchor=\"middle\">{} (mm)</text>\n</svg>\n",
+            0.5 * (TOP + bottom),
+            names[1]
+        );
+        out
+    }
+}

@@ -1,0 +1,135 @@
+//! One run of a built-in scene with some keys replaced, in memory.
+
+use std::path::PathBuf;
+
+use crate::builtin;
+use crate::document::Document;
+use crate::fault::Fault;
+use crate::gap::Gap;
+use crate::profile::Profile;
+use crate::report;
+use crate::setup::{Problem, setup};
+use crate::solution::{PressureResult, Solution, Status};
+use crate::solve::{Options, solve};
+
+/// Points of a drawn curve.
+const POINTS: usize = 201;
+
+/// A solved scene with the command that repeats it.
+pub(super) struct Run {
+    /// `wearshape run ...`
+    pub(super) command: String,
+    /// scene.resolved.toml.
+    pub(super) resolved: String,
+    /// What was asked.
+    pub(super) problem: Problem,
+    /// What was computed.
+    pub(super) solution: Solution,
+}
+
+/// Solves a built-in scene with `--set` pairs.
+pub(super) fn run(scene: &str, settings: &[String]) -> Result<Run, Fault> {
+    run_from(scene, settings, None)
+}
+
+/// The same with a start gap, which on the command line is a CSV file of the name given.
+pub(super) fn run_from(scene: &str, settings: &[String], start: Option<(Gap, &str)>) -> Result<Run, Fault> {
+    let (mut problem, resolved, mut command) = prepared(scene, settings)?;
+    if let Some((gap, name)) = start {
+        if let Some(contact) = &mut problem.scene.contact {
+            contact.gap = Some(gap);
+        }
+        command += &format!(" --set contact.gap={name}");
+    }
+    let solution = solve(&problem, Options::default())?;
+    if matches!(solution.status, Status::Refused | Status::NotConverged | Status::Interrupted) {
+        let why = solution.reason.clone().unwrap_or_else(|| "interrupted".into());
+        return Err(Fault::new("no-answer", format!("{command}: {why}"), "run the command by itself to see more"));
+    }
+    Ok(Run { command, resolved, problem, solution })
+}
+
+/// A built-in scene with `--set` pairs, checked, as scene.resolved.toml, and as a command.
+pub(super) fn prepared(scene: &str, settings: &[String]) -> Result<(Problem, String, String), Fault> {
+    let text = builtin::find(scene).map_or("", |builtin| builtin.text).to_string();
+    let document = Document::read(scene.into(), format!("{scene}.toml (built in)"), PathBuf::from("."), text, settings)?;
+    let problem = setup(&document)?;
+    let resolved = report::resolved(&problem)?;
+    let mut command = format!("wearshape run {scene}");
+    for setting in settings {
+        let plain = setting.chars().all(|c| c.is_ascii_alphanumeric() || "=._-,[]".contains(c));
+        command += &if plain { format!(" --set {setting}") } else { format!(" --set '{setting}'") };
+    }
+    Ok((problem, resolved, command))
+}
+
+impl Run {
+    /// The pressure stage's numbers.
+    pub(super) fn pressure(&self) -> PressureResult {
+        self.solution.pressure.clone().unwrap_or_default()
+    }
+
+    /// A curve over the picture's coordinate: angle (deg), radius or x (mm).
+    pub(super) fn curve(&self, column: fn(&Profile) -> &Vec<f64>) -> Vec<(f64, f64)> {
+        let Some(profile) = self.solution.curve.as_ref().or(self.solution.profile.as_ref()) else { return Vec::new() };
+        let (places, _) = report::abscissa(&self.problem, profile);
+        let step = (places.len().saturating_sub(1) / (POINTS - 1)).max(1);
+        places.into_iter().zip(column(profile).iter().copied()).step_by(step).collect()
+    }
+
+    /// Value of a curve at a place, between the points by straight lines.
+    pub(super) fn at(&self, column: fn(&Profile) -> &Vec<f64>, place: f64) -> f64 {
+        value_at(&self.curve(column), place)
+    }
+}
+
+/// Value of a curve at a place, by straight lines; the ends beyond them.
+pub(super) fn value_at(curve: &[(f64, f64)], place: f64) -> f64 {
+    if curve.len() < 2 {
+        return f64::NAN;
+    }
+    let after = curve.partition_point(|point| point.0 < place - 1e-9).clamp(1, curve.len() - 1);
+    let ((x0, y0), (x1, y1)) = (curve[after - 1], curve[after]);
+    let t = ((place - x0) / (x1 - x0)).clamp(0.0, 1.0);
+    (1.0 - t) * y0 + t * y1
+}
+
+/// The largest value of a curve and where it is.
+pub(super) fn highest(curve: &[(f64, f64)]) -> (f64, f64) {
+    curve.iter().copied().fold((f64::NAN, f64::MIN), |best, point| if point.1 > best.1 { point } else { best })
+}
+
+/// Settings from words.
+pub(super) fn set(words: &[&str]) -> Vec<String> {
+    words.iter().map(|word| (*word).to_string()).collect()
+}
+
+/// Columns of a profile, for [`Run::curve`].
+pub(super) mod column {
+    use crate::profile::Profile;
+
+    /// Contact pressure (MPa).
+    pub(in crate::reproduce) fn pressure(profile: &Profile) -> &Vec<f64> {
+        &profile.pressure
+    }
+
+    /// Wear rate (um/s).
+    pub(in crate::reproduce) fn wear_rate(profile: &Profile) -> &Vec<f64> {
+        &profile.wear_rate
+    }
+
+    /// Unloaded gap (um).
+    pub(in crate::reproduce) fn gap(profile: &Profile) -> &Vec<f64> {
+        &profile.gap
+    }
+
+    /// Normal displacement of body 1 (um).
+    pub(in crate::reproduce) fn normal1(profile: &Profile) -> &Vec<f64> {
+        &profile.normal_displacement[0]
+    }
+
+    /// Normal displacement of body 2 (um).
+    pub(in crate::reproduce) fn normal2(profile: &Profile) -> &Vec<f64> {
+        &profile.normal_displacement[1]
+    }
+}
