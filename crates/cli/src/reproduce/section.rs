@@ -25,7 +25,7 @@ pub(super) fn meshes(made: &mut Made, scene: &str, settings: &[String], title: &
     let mut table = String::from("body,cell,corner,x_mm,z_mm\n");
     for (number, mesh) in meshes.iter().enumerate() {
         body += &mesh_svg(mesh, &section, FILLS[number]);
-        for (cell, corners) in mesh.cells.iter().map(|cell| cell.corners).enumerate() {
+        for (cell, corners) in mesh.cells.iter().map(|cell| cell.vertices()).enumerate() {
             for (corner, vertex) in corners.iter().enumerate() {
                 let [x, z] = mesh.vertices[*vertex].map(crate::profile::number_text);
                 table += &format!("{},{cell},{corner},{x},{z}\n", number + 1);
@@ -43,7 +43,7 @@ fn mesh_svg(mesh: &Mesh, section: &Section, fill: &str) -> String {
     let mut fills = String::new();
     for cell in 0..mesh.cells.len() {
         // Once around: edges 0 and 1 forwards, 2 and 3 backwards.
-        let around = (0..4).flat_map(|local| {
+        let around = mesh.cells[cell].sides().flat_map(|(local, _)| {
             let curve = mesh.local_curve(cell, local);
             polyline(&if local < 2 { curve } else { curve.reversed() })
         });
