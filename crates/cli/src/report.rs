@@ -2,6 +2,7 @@
 
 mod curves;
 mod folder;
+pub(crate) mod isobands;
 pub(crate) mod line_plot;
 mod page;
 pub(crate) mod section_plot;

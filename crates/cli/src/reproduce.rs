@@ -17,6 +17,7 @@ mod ring;
 mod row;
 mod run;
 mod section;
+mod stress;
 mod wear_ratio;
 
 pub(crate) use made::Made;
@@ -55,6 +56,8 @@ pub(crate) const ITEMS: &[Item] = items![
     "fig13": "Punch: multipliers over the moment" => punch::multipliers,
     "fig14": "Punch: shapes by displacement factor, moments -5 and 5 kN mm" => punch::shapes_with_moment,
     "fig15": "Punch: shapes without moment, by displacement factor and by friction" => punch::shapes_without_moment,
+    "fig16": "Punch: vertical stress before any wear" => stress::punch_before,
+    "fig17": "Punch: vertical stress when worn in, moments 5, 0 and -5 kN mm" => stress::punch_after,
     "fig18": "Annular punch: geometry" => annulus::geometry,
     "fig19": "Annular punch: singular pressures near s = 1" => annulus::singular_pressures,
     "fig20": "Annular punch: pressures of the stationary wear volume and wear power, by b" => annulus::pressure_by_exponent,
@@ -64,6 +67,7 @@ pub(crate) const ITEMS: &[Item] = items![
     "fig23": "Annular punch: pressure of the stationary wear power, q below 0.5" => annulus::pressure_by_small_q,
     "fig24": "Annular punch: mesh and shape for q = 0.505" => near_singular::inner,
     "fig25": "Annular punch: mesh and shape for q = 0.495" => near_singular::outer,
+    "fig26": "Annular punch: stresses for q = 1" => stress::ring,
     "fig27": "Annular punch: shape of uniform wear" => annulus::steady_shape,
     "brakes": "Textbook brakes: clutch, pinned and pivoted long shoe" => brakes::brakes,
     "errata": "What of the paper does not hold: maxima, the drum's steady state, the force that is missed" => errata::errata,

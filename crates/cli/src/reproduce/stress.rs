@@ -1,0 +1,218 @@
+//! Figures 16, 17 and 26: stresses in the punches.
+
+use hpfem::Stress;
+
+use crate::body_field::BodyField;
+use crate::fault::Fault;
+use crate::report::isobands::{BANDS, Isobands};
+use crate::report::section_plot::Section;
+use crate::reproduce::annulus;
+use crate::reproduce::closed_form::{RADII, punch, ring_pressure};
+use crate::reproduce::made::Made;
+use crate::reproduce::row::Row;
+use crate::reproduce::run::{Run, run, set};
+
+const PUNCH: &str = "translating-punch";
+/// The discretisation of the pictures; the rows say how exact it is.
+const MESH: [&str; 3] = ["output.fields=true", "mesh.degree=10", "mesh.layers=4"];
+const CLIPPED: &str = "Colours span the stresses between their 2 and 98 per cent quantiles by area: at the corners of a held, loaded or sharp \
+                       edge the stress of linear elasticity is infinite, and its largest number means nothing.";
+
+fn with_fields(scene: &str, words: &[&str]) -> Result<Run, Fault> {
+    let all: Vec<&str> = MESH.iter().chain(words).copied().collect();
+    run(scene, &set(&all))
+}
+
+/// Body 1 at the reported moment.
+fn upper(run: &Run) -> BodyField {
+    run.solution.fields.iter().find(|frame| frame.moment.is_empty()).map(|frame| frame.bodies[0].clone()).unwrap_or_default()
+}
+
+/// Draws one stress of a body as `<name>.svg`, and keeps its points as `<name>.csv`.
+fn draw(made: &mut Made, name: &str, title: &str, body: &BodyField, stress: fn(&Stress) -> f64) {
+    let points = || body.cells.iter().flat_map(|cell| cell.position.iter());
+    let range = |k: usize| points().fold([f64::MAX, f64::MIN], |[lo, hi], p| [lo.min(p[k]), hi.max(p[k])]);
+    let section = Section::new(range(0), range(1), 96.0);
+    let [low, high] = quantiles(body, stress);
+    let mut bands = Isobands::new(low, high);
+    for cell in &body.cells {
+        let n = cell.degree + 1;
+        let sample = |k: usize| (section.place(cell.position[k]), stress(&cell.stress[k]));
+        for row in 0..cell.degree {
+            for column in 0..cell.degree {
+                let k = row * n + column;
+                bands.quad([k, k + 1, k + 1 + n, k + n].map(sample));
+            }
+        }
+    }
+    let [right, top, bottom] = section.edges();
+    let step = (high - low) / BANDS.len() as f64;
+    let decimals = (1.0 - step.log10().floor()).clamp(0.0, 6.0) as usize;
+    let label = |value: f64| format!("{value:.decimals$}").replace('-', "\u{2212}");
+    let svg = bands.svg() + &bands.bar([right + 16.0, top], (bottom - top).min(320.0), &label);
+    let names = if body.revolved { ["r", "z"] } else { ["x", "z"] };
+    made.file(&format!("{name}.svg"), section.picture(title, names, &svg));
+    let mut table = String::from("x_mm,z_mm,stress_MPa\n");
+    for (place, value) in body.cells.iter().flat_map(|cell| cell.position.iter().zip(&cell.stress)) {
+        let [x, z, s] = [place[0], place[1], stress(value)].map(crate::profile::number_text);
+        table += &format!("{x},{z},{s}\n");
+    }
+    made.file(&format!("{name}.csv"), table);
+}
+
+/// 2 and 98 per cent quantiles of a stress by area.
+fn quantiles(body: &BodyField, stress: fn(&Stress) -> f64) -> [f64; 2] {
+    let mut shares: Vec<(f64, f64)> = Vec::new();
+    for cell in &body.cells {
+        let n = cell.degree + 1;
+        for k in (0..cell.degree * n).filter(|k| k % n < cell.degree) {
+            let [a, b, c, d] = [k, k + 1, k + 1 + n, k + n];
+            let p = &cell.position;
+            let area = 0.5 * ((p[c][0] - p[a][0]) * (p[d][1] - p[b][1]) - (p[d][0] - p[b][0]) * (p[c][1] - p[a][1]));
+            let mean = [a, b, c, d].iter().map(|k| stress(&cell.stress[*k])).sum::<f64>() / 4.0;
+            if mean.is_finite() {
+                shares.push((mean, area.abs()));
+            }
+        }
+    }
+    shares.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let total: f64 = shares.iter().map(|share| share.1).sum();
+    let at = |part: f64| {
+        let mut sum = 0.0;
+        let found = shares.iter().find(|share| {
+            sum += share.1;
+            sum >= part * total
+        });
+        found.or(shares.last()).map_or(0.0, |share| share.0)
+    };
+    let [low, high] = [at(0.02), at(0.98)];
+    if high - low > 1e-9 * high.abs().max(low.abs()) { [low, high] } else { [low - 1.0, high + 1.0] }
+}
+
+/// Largest difference of a stress on a horizontal line from what it ought to be, for places between two ends.
+fn off(body: &BodyField, z: f64, [from, to]: [f64; 2], wrong: impl Fn(f64, &Stress) -> f64) -> f64 {
+    let points = body.cells.iter().flat_map(|cell| cell.position.iter().zip(&cell.stress));
+    let near = points.filter(|(p, _)| (p[1] - z).abs() < 1e-9 && p[0] >= from && p[0] <= to);
+    near.map(|(p, stress)| wrong(p[0], stress).abs()).fold(0.0, f64::max)
+}
+
+/// Figure 16.
+pub(super) fn punch_before() -> Result<Made, Fault> {
+    let mut made = Made::default();
+    let words = ["tasks=[contact]", "contact.friction=0", "load.moment=5000"];
+    let solved = with_fields(PUNCH, &words)?;
+    made.ran(&solved);
+    let body = upper(&solved);
+    draw(&mut made, "sigma-z", "Punch before wear, M0 = 5 kN mm, no friction: stress \u{3c3}z (MPa)", &body, |s| s.zz);
+    let exponents = solved.solution.contact.clone().unwrap_or_default().edge_exponents;
+    if let Some(exponent) = exponents.last() {
+        made.rows.push(Row {
+            quantity: "exponent of the pressure at x = 30 mm, z = 100 mm".into(),
+            reference: Some(-0.225_987),
+            ours: *exponent,
+            note: "singular, as the paper says; reference: 90 deg corner on an equal half-plane without friction. Four layers tell it \
+                   to some per cent"
+                .into(),
+            ..Row::default()
+        });
+    }
+    made.rows.push(force_on_line(&body, 150.0));
+    made.remarks.push(CLIPPED.into());
+    Ok(made)
+}
+
+/// int sigma_z t dx on a horizontal line, from its points by the trapezoid rule, against the load.
+fn force_on_line(body: &BodyField, z: f64) -> Row {
+    let mut line: Vec<(f64, f64)> = Vec::new();
+    for cell in &body.cells {
+        let n = cell.degree + 1;
+        for column in 0..n {
+            let of = |row: usize| (cell.position[row * n + column], cell.stress[row * n + column].zz);
+            for row in 0..cell.degree {
+                let ((a, sa), (b, sb)) = (of(row), of(row + 1));
+                if (a[1] - z) * (b[1] - z) <= 0.0 && a[1] != b[1] {
+                    let t = (z - a[1]) / (b[1] - a[1]);
+                    line.push((a[0] + t * (b[0] - a[0]), sa + t * (sb - sa)));
+                }
+            }
+        }
+    }
+    line.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let force: f64 = line.windows(2).map(|pair| 5.0 * (pair[1].0 - pair[0].0) * (pair[0].1 + pair[1].1)).sum();
+    Row {
+        quantity: format!("force through the section z = {z} mm"),
+        unit: "N",
+        reference: Some(1000.0),
+        ours: -force,
+        note: "sum over the points of the picture; the load is 1 kN".into(),
+        ..Row::default()
+    }
+}
+
+/// Figure 17.
+pub(super) fn punch_after() -> Result<Made, Fault> {
+    let mut made = Made::default();
+    for (name, moment) in [("a", 5000.0), ("b", 0.0), ("c", -5000.0)] {
+        let solved = with_fields(PUNCH, &["optimum.functional=wear-power", &format!("load.moment={moment}"), "check=false"])?;
+        made.ran(&solved);
+        let body = upper(&solved);
+        let title = format!("Punch worn in, M0 = {} kN mm, \u{b5} = 0.25: stress \u{3c3}z (MPa)", 1e-3 * moment);
+        draw(&mut made, name, &title, &body, |s| s.zz);
+        let exact = punch(moment);
+        // p^2 is linear between the ends.
+        let wanted = |x: f64| {
+            let t = (x + 30.0) / 60.0;
+            ((1.0 - t) * exact.ends[0].powi(2) + t * exact.ends[1].powi(2)).sqrt()
+        };
+        made.rows.push(Row {
+            quantity: format!("M0 = {} kN mm: largest |sigma_z + p| on the contact, |x| < 25 mm", 1e-3 * moment),
+            unit: "MPa",
+            reference: Some(0.0),
+            ours: off(&body, 100.0, [-25.0, 25.0], |x, s| s.zz + wanted(x)),
+            note: if moment == 0.0 { "uniform 1.66667 MPa, as the paper says".into() } else { "p of (40) in closed form".into() },
+            ..Row::default()
+        });
+    }
+    made.remarks.push(CLIPPED.into());
+    Ok(made)
+}
+
+/// Figure 26.
+pub(super) fn ring() -> Result<Made, Fault> {
+    let mut made = Made::default();
+    let solved = with_fields(annulus::SCENE, &["optimum.functional=wear-power", "optimum.q=1", "check=false"])?;
+    made.ran(&solved);
+    let body = upper(&solved);
+    type Pick = fn(&Stress) -> f64;
+    let pictures: [(&str, &str, Pick); 4] = [
+        ("sigma-r", "\u{3c3}r", |s| s.xx),
+        ("sigma-z", "\u{3c3}z", |s| s.zz),
+        ("tau-phi-z", "\u{3c4}\u{3c6}z", |s| s.yz),
+        ("von-mises", "equivalent \u{3c3}e (von Mises)", |s| s.von_mises()),
+    ];
+    for (name, word, pick) in pictures {
+        draw(&mut made, name, &format!("Annular punch, q = 1, a = b = 1: {word} (MPa)"), &body, pick);
+    }
+    let inside = [RADII[0] + 10.0, RADII[1] - 10.0];
+    let rows: [(&str, f64, f64); 3] = [
+        ("largest |sigma_z + p| on the contact", 50.0, off(&body, 50.0, inside, |r, s| s.zz + ring_pressure(1.0, r))),
+        (
+            "largest ||tau_phi z| - mu p| on the contact",
+            50.0,
+            off(&body, 50.0, inside, |r, s| s.yz.abs() - 0.25 * ring_pressure(1.0, r)),
+        ),
+        ("largest |sigma_z + 100 MPa| on top", 100.0, off(&body, 100.0, inside, |_, s| s.zz + 100.0)),
+    ];
+    for (quantity, _, ours) in rows {
+        made.rows.push(Row {
+            quantity: format!("{quantity}, r = 30 to 110 mm"),
+            unit: "MPa",
+            reference: Some(0.0),
+            ours,
+            note: "the traction that is applied there; p = 7000 / r MPa".into(),
+            ..Row::default()
+        });
+    }
+    made.remarks.push(format!("{CLIPPED} The torsion by friction is part of the equivalent stress."));
+    Ok(made)
+}
