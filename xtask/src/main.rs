@@ -3,6 +3,7 @@
 mod bench;
 mod package;
 mod tidy;
+mod validation;
 mod verify;
 
 use std::path::{Path, PathBuf};
@@ -17,6 +18,7 @@ usage: cargo xtask <chore>
             [--install] [--quick] [--case NAME] [--fault friction-sign|young] [--can-fail]
             [--known] [--program PATH]
             --study: error against seconds of both [--case NAME] [--repeat N] [--docs]
+  validation  writes docs/validation.md: the paper's figures and tables, recomputed
   package   the static program, manual pages, completions and the Debian package
   bench     run the benches of our crates and print their ratios [crate ..]
 ";
@@ -28,6 +30,7 @@ fn main() -> ExitCode {
         Some("tidy") => tidy::run(&root),
         Some("bench") => bench::run(&root, &words[1..]),
         Some("verify") => verify::run(&root, &words[1..]),
+        Some("validation") => validation::run(&root),
         Some("package") => package::run(&root),
         Some("help" | "-h" | "--help") => {
             print!("{USAGE}");
