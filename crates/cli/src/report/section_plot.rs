@@ -40,7 +40,7 @@ impl Section {
     pub(crate) fn picture(&self, title: &str, names: [&str; 2], body: &str) -> String {
         let [right, _, bottom] = self.edges();
         // A narrow section still has room for its title.
-        let width = (right + self.margin + 24.0).max(LEFT + 8.2 * title.chars().count() as f64 + 24.0);
+        let width = (right + self.margin + 24.0).max(LEFT + 10.0 * title.chars().count() as f64 + 24.0);
         let height = bottom + BOTTOM;
         let mut out = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width:.0} {height:.0}\" width=\"{width:.0}\" height=\"{height:.0}\" \

@@ -99,3 +99,16 @@ fn wear_in_time_leaves_the_uniform_pressure_of_the_drum_and_the_printed_balance_
             && ours("uniform pressure: wear") > ours("steady state: wear")
     );
 }
+
+/// sigma_z = -p and |tau_phi z| = mu p on the contact, sigma_z = -100 MPa on top: 1e-5 of the largest pressure there.
+#[test]
+fn stresses_in_the_ring_are_the_tractions_that_act_on_it() {
+    let bench = Bench::new();
+    let rows = rows(&bench, "fig26");
+    assert_eq!(rows.len(), 3);
+    for (quantity, ours, _) in &rows {
+        assert!(*ours < 3e-3, "{quantity}: {ours} MPa");
+    }
+    let picture = bench.read("out/reproduce/fig26/von-mises.svg");
+    assert!(picture.contains("von Mises") && picture.contains("r (mm)"));
+}
