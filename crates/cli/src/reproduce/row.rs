@@ -109,6 +109,7 @@ pub(crate) fn rows_markdown(rows: &[Row]) -> String {
     let line = |cells: &[String; 8], note: &str| {
         let mut all: Vec<&str> = columns.iter().map(|column| cells[*column].as_str()).collect();
         all.extend(noted.then_some(note));
+        let all: Vec<String> = all.iter().map(|text| text.replace('|', "\\|")).collect();
         format!("| {} |\n", all.join(" | "))
     };
     let mut out = line(&HEADINGS.map(str::to_string), "note");
