@@ -48,10 +48,11 @@ impl Progress {
         self.level = name.into();
     }
 
-    /// A run in time has come to a state.
-    pub(crate) fn wear(&mut self, state: &WearState, until: Until) {
+    /// A run in time has come to a state; the steady state counts in the last piece of a schedule alone.
+    pub(crate) fn wear(&mut self, state: &WearState, pieces: usize, until: Until) {
         let share = match until {
             Until::Time(end) => state.time / end,
+            Until::Steady { .. } if state.interval + 1 < pieces => 0.0,
             Until::Steady { residual } => state.steady_residual.max(f64::MIN_POSITIVE).ln() / residual.ln(),
         };
         self.share = share.clamp(self.share, 1.0);

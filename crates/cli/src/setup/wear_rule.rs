@@ -43,8 +43,14 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) 
         None if scene.kinematics == Some(crate::scene::Kinematics::Axisymmetric) => Counterface::Congruent,
         None => Counterface::Fresh,
     };
-    wear.counterface.get_or_insert(default);
+    let counterface = *wear.counterface.get_or_insert(default);
     if tasks.contains(&Task::Wear) {
+        let closed = patch.is_none_or(|patch| patch.surface.track_area().is_some());
+        if counterface == Counterface::Revolving && !closed {
+            let message = "a revolving counter-face carries the contact along a closed track, and this surface has none";
+            let remedy = "write \"fresh\" for a long plate, \"congruent\" where the same points always meet (ring on disc)";
+            return Err(Fault::at("wear.counterface", "wrong-value", message, remedy));
+        }
         match wear.until.get_or_insert(crate::gap::Until::Steady) {
             crate::gap::Until::Time(time) => super::positive("wear.until", time.0, "time", " s")?,
             crate::gap::Until::Steady => {}

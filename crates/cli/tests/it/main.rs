@@ -5,6 +5,7 @@ mod approach;
 mod broken;
 mod call;
 mod commands;
+mod counterfaces;
 mod fields;
 mod folder;
 mod hertz;

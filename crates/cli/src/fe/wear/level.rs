@@ -201,7 +201,7 @@ fn evolve(
             Points::new(state.step as u64, state.time, &profile)
         };
         live.step(&iteration, profile, &state)?;
-        live.progress.wear(&state, problem.until);
+        live.progress.wear(&state, problem.schedule.len(), problem.until);
         last = Some(state);
     }
     let (state, ended, run_in) = (evolution.state().clone(), evolution.status().clone(), evolution.run_in());
