@@ -113,6 +113,39 @@ fn other_elements_and_other_files_are_refused_with_a_remedy() {
     assert!(matches!(none, GmshError::NoCells), "{none}");
 }
 
+/// The files of the fuzz target's minimized corpus, each behind its length in four bytes; see fuzz/fuzz_targets/gmsh.rs.
+fn corpus() -> Vec<Vec<u8>> {
+    let packed = file("gmsh.corpus");
+    let (mut files, mut rest) = (Vec::new(), &packed[..]);
+    while let Some((length, tail)) = rest.split_first_chunk::<4>() {
+        let (one, tail) = tail.split_at(u32::from_le_bytes(*length) as usize);
+        files.push(one.to_vec());
+        rest = tail;
+    }
+    files
+}
+
+#[test]
+fn the_corpus_of_the_fuzz_target_never_panics_whole_or_cut_or_changed() {
+    let files = corpus();
+    assert!(files.len() > 200);
+    let (mut read, mut refused) = (0, 0);
+    for mut bytes in files {
+        let outcome = GmshMesh::read(&bytes);
+        if outcome.is_ok() {
+            read += 1
+        } else {
+            refused += 1
+        }
+        for at in 0..bytes.len() {
+            let _ = GmshMesh::read(&bytes[..at]);
+            let old = std::mem::replace(&mut bytes[at], b'9');
+            let _ = GmshMesh::read(&bytes);
+            bytes[at] = old;
+        }
+    }
+}
+
 #[test]
 fn files_cut_anywhere_and_files_with_any_byte_changed_never_panic() {
     let mut state = 0x2545_f491_4f6c_dd1d_u64;

@@ -6,6 +6,7 @@ mod classics;
 mod common;
 mod continuity;
 mod convergence;
+mod curves;
 mod estimate;
 mod exact;
 mod examples;
