@@ -129,14 +129,9 @@ fn corpus() -> Vec<Vec<u8>> {
 fn the_corpus_of_the_fuzz_target_never_panics_whole_or_cut_or_changed() {
     let files = corpus();
     assert!(files.len() > 200);
-    let (mut read, mut refused) = (0, 0);
     for mut bytes in files {
-        let outcome = GmshMesh::read(&bytes);
-        if outcome.is_ok() {
-            read += 1
-        } else {
-            refused += 1
-        }
+        // Short inputs that reach far into the reader; none is a whole mesh.
+        assert!(GmshMesh::read(&bytes).is_err());
         for at in 0..bytes.len() {
             let _ = GmshMesh::read(&bytes[..at]);
             let old = std::mem::replace(&mut bytes[at], b'9');
