@@ -2,6 +2,7 @@
 
 mod bench;
 mod package;
+mod stability;
 mod tidy;
 mod validation;
 mod verify;
@@ -19,6 +20,8 @@ usage: cargo xtask <chore>
             [--known] [--program PATH]
             --study: error against seconds of both [--case NAME] [--repeat N] [--docs]
   validation  writes docs/validation.md: the paper's figures and tables, recomputed
+  stability run extreme cases: each must be right, or refused by name
+            [--case NAME] [--scenes] [--program PATH] [--docs]
   package   the static program, manual pages, completions and the Debian package
   bench     run the benches of our crates and print their ratios [crate ..]
 ";
@@ -29,6 +32,7 @@ fn main() -> ExitCode {
     match words.first().map(String::as_str) {
         Some("tidy") => tidy::run(&root),
         Some("bench") => bench::run(&root, &words[1..]),
+        Some("stability") => stability::run(&root, &words[1..]),
         Some("verify") => verify::run(&root, &words[1..]),
         Some("validation") => validation::run(&root),
         Some("package") => package::run(&root),

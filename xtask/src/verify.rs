@@ -5,12 +5,12 @@
 //! With `--known` the scripts themselves are compared with published and computed numbers.
 
 mod case;
-mod compare;
+pub(crate) mod compare;
 mod debian;
 mod known;
 mod picture;
 mod report;
-mod run;
+pub(crate) mod run;
 mod study;
 
 use case::Case;
