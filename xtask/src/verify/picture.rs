@@ -66,11 +66,11 @@ fn frame(axis: &Axis, top: f64, height: f64) -> String {
     let right = LEFT - 4.0;
     format!(
         "<rect x='{LEFT}' y='{top}' width='{WIDTH}' height='{height}' fill='none' stroke='#bbb'/>\n\
-         <text x='{right}' y='{}' text-anchor='end'>{:.3e}</text><text x='{right}' y='{}' text-anchor='end'>{:.3e}</text>\n",
+         <text x='{right}' y='{}' text-anchor='end'>{}</text><text x='{right}' y='{}' text-anchor='end'>{}</text>\n",
         top + 9.0,
-        axis.high,
+        readable(axis.high),
         top + height,
-        axis.low
+        readable(axis.low)
     )
 }
 
@@ -80,7 +80,29 @@ fn line(x: &Axis, y: &Axis, at: &[f64], values: &[f64], colour: &str) -> String 
     format!("<polyline points='{}' fill='none' stroke='{colour}' stroke-width='1.4'/>\n", points.join(" "))
 }
 
+/// Four digits, with an exponent only where it is shorter.
+fn readable(value: f64) -> String {
+    match value.abs() {
+        size if size == 0.0 || (1e-2..1e5).contains(&size) => {
+            let digits = (3 - size.max(1e-2).log10().floor() as i32).clamp(0, 5) as usize;
+            format!("{value:.digits$}")
+        }
+        _ => format!("{value:.2e}"),
+    }
+}
+
 /// Text inside HTML or SVG.
 pub(crate) fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn axis_ends_are_readable() {
+        assert_eq!([5.4546, 116.8, 12345.6, 0.05, 0.0].map(readable), ["5.455", "116.8", "12346", "0.05000", "0.00000"]);
+        assert_eq!([3.642e-14, 2.5e7].map(readable), ["3.64e-14", "2.50e7"]);
+    }
 }

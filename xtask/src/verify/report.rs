@@ -176,7 +176,8 @@ fn html(outcomes: &[Outcome], versions: &Value, fault: Option<&str>, seconds: f6
                 for row in rows {
                     let class = if row.passed() { "good" } else { "bad" };
                     body += &format!(
-                        "<tr class={class}><td>{}<td>{}<td>{}<td>{:.1e}<td>{:.0e}<td>{:.1e}<td>{}</tr>\n",
+                        "<tr class={class}><td title='{}'>{}<td>{}<td>{}<td>{:.1e}<td>{:.0e}<td>{:.1e}<td>{}</tr>\n",
+                        picture::escape(&outcome.scene).replace('\'', "&#39;"),
                         picture::escape(&outcome.name),
                         picture::escape(&row.quantity),
                         row.points,
@@ -189,7 +190,7 @@ fn html(outcomes: &[Outcome], versions: &Value, fault: Option<&str>, seconds: f6
             }
         }
     }
-    body += "</table>\n<p>Lines: wearshape. Circles: dolfinx, rigid motion taken out. Below: the difference.</p>\n";
+    body += "</table>\n<p>Lines: wearshape. Circles: dolfinx, rigid motion taken out. Below: the difference. The scene of a case shows when the pointer rests on its name.</p>\n";
     for outcome in outcomes {
         for row in outcome.result.as_ref().map_or(&[] as &[Row], Vec::as_slice).iter().filter(|row| row.points > 2) {
             let title = format!("{}: {}", outcome.name, row.quantity);
