@@ -2,10 +2,12 @@
 
 mod approach;
 mod bodies;
+mod cells;
 mod contact;
 mod ends;
 mod ends_profile;
 mod half_disc;
+mod matching;
 mod operators;
 mod recover;
 mod round_trip;
@@ -22,6 +24,7 @@ pub(crate) use shape::difference_of_gaps;
 pub(crate) use stage::rest;
 
 use crate::fault::Fault;
+use crate::geometry::Geometry;
 use crate::live::Live;
 use crate::setup::Problem;
 use crate::solution::{Solution, Status};
@@ -34,7 +37,15 @@ pub(crate) fn available(problem: &Problem) -> Result<(), Fault> {
     }
     match half_disc::Couple::of(&problem.scene)? {
         Some(couple) => ends::available(problem, &couple),
-        None => stage::Stage::new(problem).map(|_| ()),
+        None => {
+            let stage = stage::Stage::new(problem)?;
+            // Cells of the user's own making may not match: better said before anything is written.
+            let geometries = [&problem.scene.body1, &problem.scene.body2].map(|body| body.as_ref().map(|body| &body.geometry));
+            if geometries.iter().flatten().any(|g| matches!(g, Geometry::Blocks(_) | Geometry::Mesh(_))) {
+                template::meshes(&problem.scene, stage.extent, 1, template::Cut::Plain)?;
+            }
+            Ok(())
+        }
     }
 }
 

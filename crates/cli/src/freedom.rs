@@ -5,6 +5,7 @@ use wear::{RigidMode, RigidMotion};
 
 use crate::fault::Fault;
 use crate::geometry::{Geometry, SurfaceShape};
+use crate::given::{edge_curves, given};
 use crate::scene::{Body, Component, Kinematics, Load, LoadKind, Scene};
 use crate::surface::Patch;
 
@@ -42,9 +43,7 @@ pub(crate) fn freedoms(scene: &Scene, patch: Option<&Patch>) -> Result<Vec<Freed
     let (Some(body), Some(patch)) = (&scene.body1, patch) else {
         return Ok(Vec::new());
     };
-    let Some(held) = Held::of(body) else {
-        return Ok(Vec::new());
-    };
+    let held = Held::of(body);
     if !held.z.is_empty() {
         let message = "body 1 is held along z, so that the load cannot press it on body 2";
         return Err(Fault::at("body1.support", "held", message, "hold body 1 along x only"));
@@ -55,7 +54,8 @@ pub(crate) fn freedoms(scene: &Scene, patch: Option<&Patch>) -> Result<Vec<Freed
     }
     let mut free = vec![push];
     let rigid = load.kind == Some(LoadKind::Rigid);
-    let pole_height = held.x.iter().copied().reduce(|a, b| if a == b { a } else { f64::NAN });
+    let scale = held.x.iter().fold(0.0_f64, |scale, z| scale.max(z.abs()));
+    let pole_height = held.x.iter().copied().reduce(|a, b| if (a - b).abs() <= 1e-9 * scale { a } else { f64::NAN });
     let may_turn = pole_height.is_none_or(|height| !height.is_nan());
     if may_turn && load.tilt.is_none() {
         let mode = if rigid {
@@ -64,6 +64,7 @@ pub(crate) fn freedoms(scene: &Scene, patch: Option<&Patch>) -> Result<Vec<Freed
             RigidMode::tilt(load.moment.map_or(0.0, |m| m.0), Vector3::new(about[0], 0.0, surface_height(patch)))
         } else {
             let (x, z) = load_centre(body, load);
+            level(body, load)?;
             RigidMode::tilt(0.0, Vector3::new(x, 0.0, pole_height.unwrap_or(z)))
         };
         free.push(Freedom { role: Role::Moment, mode });
@@ -85,11 +86,37 @@ fn surface_height(patch: &Patch) -> f64 {
 
 /// Middle of the loaded edge, through which the resultant passes.
 fn load_centre(body: &Body, load: &Load) -> (f64, f64) {
-    let points = load.edge.as_deref().map(|edge| edge_points(&body.geometry, edge)).unwrap_or_default();
+    let points = load.edge.as_deref().map(|edge| edge_points(body, edge)).unwrap_or_default();
+    if points.len() > 3 && load.centre.is_none() {
+        // Curves of a body given by cells, three points each: the middle of their projections.
+        let pieces = points.chunks(3).map(|p| ((p[2][0] - p[0][0]).abs(), 0.5 * (p[0][0] + p[2][0])));
+        let (width, moment) = pieces.fold((0.0, 0.0), |(w, m), (width, x)| (w + width, m + width * x));
+        if width > 0.0 {
+            return (moment / width, points.iter().map(|p| p[1]).fold(f64::MIN, f64::max));
+        }
+    }
     let x = points.iter().map(|p| p[0]).fold((f64::MAX, f64::MIN), |(lo, hi), x| (lo.min(x), hi.max(x)));
     let z = points.iter().map(|p| p[1]).fold(f64::MIN, f64::max);
     let x = load.centre.map_or(0.5 * (x.0 + x.1), |centre| centre.0);
     (x, z)
+}
+
+/// A pressure on an edge that is not level has a resultant that is not vertical: refused where body 1 may turn under it.
+fn level(body: &Body, load: &Load) -> Result<(), Fault> {
+    let cells = matches!(body.geometry, Geometry::Blocks(_) | Geometry::Mesh(_));
+    let Some(edge) = load.edge.as_deref().filter(|_| cells && load.kind == Some(LoadKind::Pressure)) else { return Ok(()) };
+    let heights: Vec<f64> = edge_points(body, edge).iter().map(|p| p[1]).collect();
+    let size = heights.iter().fold(0.0_f64, |size, z| size.max(z.abs()));
+    if heights.iter().all(|z| (z - heights[0]).abs() <= 1e-9 * size) {
+        return Ok(());
+    }
+    let message = format!("the pressure on the edge `{edge}`, which is not level, would turn body 1");
+    Err(Fault::at(
+        "load.as",
+        "not-available",
+        message,
+        "load it vertically (as = \"vertical\"), or hold body 1 along x at two heights",
+    ))
 }
 
 /// Heights z at which x is held, and places x at which z is held.
@@ -99,13 +126,10 @@ struct Held {
 }
 
 impl Held {
-    fn of(body: &Body) -> Option<Held> {
-        if matches!(body.geometry, Geometry::Blocks(_) | Geometry::Mesh(_)) {
-            return None;
-        }
+    fn of(body: &Body) -> Held {
         let mut held = Held { x: Vec::new(), z: Vec::new() };
         for (edge, components) in &body.support {
-            for point in edge_points(&body.geometry, edge) {
+            for point in edge_points(body, edge) {
                 if components.contains(&Component::X) {
                     held.x.push(point[1]);
                 }
@@ -114,13 +138,13 @@ impl Held {
                 }
             }
         }
-        Some(held)
+        held
     }
 }
 
-/// Points of a template's edge that span it: ends, and the top of an arc.
-pub(crate) fn edge_points(geometry: &Geometry, edge: &str) -> Vec<[f64; 2]> {
-    match (geometry, edge) {
+/// Points of an edge that span it: ends, and the top of an arc.
+pub(crate) fn edge_points(body: &Body, edge: &str) -> Vec<[f64; 2]> {
+    match (&body.geometry, edge) {
         (Geometry::ShoeBlock(shoe), edge) => {
             let (sine, cosine) = shoe.half_angle.0.sin_cos();
             let (x, low, high) = (shoe.radius.0 * sine, shoe.radius.0 * cosine, shoe.top.0);
@@ -168,7 +192,11 @@ pub(crate) fn edge_points(geometry: &Geometry, edge: &str) -> Vec<[f64; 2]> {
             let centre = ring.centre.map_or([0.0, 0.0], |centre| [centre[0].0, centre[1].0]);
             vec![[centre[0] - radius, centre[1]], [centre[0], centre[1] + radius], [centre[0] + radius, centre[1]]]
         }
-        (Geometry::Blocks(_) | Geometry::Mesh(_), _) => Vec::new(),
+        (Geometry::Blocks(_) | Geometry::Mesh(_), edge) => {
+            // Faults of the cells were found before.
+            let curves = given("body", body).ok().flatten().map(|given| edge_curves(&given.mesh, edge)).unwrap_or_default();
+            curves.iter().flat_map(|curve| [-1.0, 0.0, 1.0].map(|t| curve.point(t))).collect()
+        }
     }
 }
 

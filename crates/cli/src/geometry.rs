@@ -1,10 +1,13 @@
 //! Geometry of bodies and of bare surfaces as the scene writes it.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::given::MeshContent;
+use crate::point_shape::PointShape;
 use crate::scene::Material;
 use crate::units::{Angle, Length};
 
@@ -89,8 +92,8 @@ pub(crate) struct HalfDisc {
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Blocks {
-    /// Named points [x, z].
-    pub(crate) points: BTreeMap<String, [Length; 2]>,
+    /// Named points: [x, z], or { radius, angle } about a centre.
+    pub(crate) points: BTreeMap<String, PointShape>,
     /// Named curves between points.
     pub(crate) curves: BTreeMap<String, CurveShape>,
     /// Named cells.
@@ -110,8 +113,8 @@ pub(crate) enum CurveShape {
     Line([String; 2]),
     /// Circular arc between two points.
     Arc(ArcShape),
-    /// Smooth curve through further points.
-    Spline(Vec<[Length; 2]>),
+    /// Smooth curve between two points through further places.
+    Spline(SplineShape),
 }
 
 /// A circular arc.
@@ -120,8 +123,19 @@ pub(crate) enum CurveShape {
 pub(crate) struct ArcShape {
     /// First and last point.
     pub(crate) ends: [String; 2],
-    /// Centre [x, z].
-    pub(crate) centre: [Length; 2],
+    /// Centre [x, z]. Default the origin.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) centre: Option<[Length; 2]>,
+}
+
+/// A smooth curve: the polynomial through its places by chord length.
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct SplineShape {
+    /// First and last point.
+    pub(crate) ends: [String; 2],
+    /// Places [x, z] between them, in order; 1 to 7.
+    pub(crate) through: Vec<[Length; 2]>,
 }
 
 /// One cell of `blocks`.
@@ -141,9 +155,15 @@ pub(crate) struct CellShape {
 pub(crate) struct MeshFile {
     /// Path, relative to the scene.
     pub(crate) file: String,
+    /// SHA-256 of the file, to be sure that it is the one meant.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) sha256: Option<String>,
     /// Materials by physical group of cells; default the body's own.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub(crate) materials: BTreeMap<String, Material>,
+    /// What the file holds, once it is read.
+    #[serde(skip)]
+    pub(crate) content: Option<Arc<MeshContent>>,
 }
 
 /// A contact surface without bodies.

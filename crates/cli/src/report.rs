@@ -38,6 +38,18 @@ pub(crate) fn resolved_text(scene: &crate::scene::Scene) -> Result<String, Fault
     })
 }
 
+/// The mesh files that the resolved scene names, to stand beside it.
+pub(crate) fn mesh_files(scene: &crate::scene::Scene) -> Vec<(String, &[u8])> {
+    let bodies = [&scene.body1, &scene.body2].into_iter().flatten();
+    let files = bodies.filter_map(|body| match &body.geometry {
+        crate::geometry::Geometry::Mesh(file) => {
+            file.content.as_ref().map(|content| (file.file.clone(), content.bytes.as_slice()))
+        }
+        _ => None,
+    });
+    files.collect()
+}
+
 /// The summary of a run that writes no folder.
 pub(crate) fn summary_of(problem: &Problem, solution: &Solution) -> Result<serde_json::Value, Fault> {
     Ok(summary::summary(problem, solution, &resolved(problem)?))

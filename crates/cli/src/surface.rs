@@ -5,7 +5,8 @@ use wear::{Shape, SlidingMotion, Surface};
 
 use crate::fault::Fault;
 use crate::geometry::{Geometry, SurfaceShape};
-use crate::scene::{Kinematics, Scene};
+use crate::given::{ContactLine, contact_line};
+use crate::scene::{Body, Kinematics, Scene};
 use crate::setup::{missing, positive};
 use crate::units::Length;
 
@@ -34,7 +35,7 @@ impl Patch {
     pub(crate) fn of(scene: &Scene) -> Result<Option<Patch>, Fault> {
         let (shape, kind, centre, key) = match (&scene.surface, &scene.body1, &scene.body2) {
             (Some(surface), _, _) => bare(surface)?,
-            (None, Some(body1), Some(body2)) => match between(scene, &body1.geometry, &body2.geometry)? {
+            (None, Some(body1), Some(body2)) => match between(scene, body1, body2)? {
                 Some(found) => found,
                 None => return Ok(None),
             },
@@ -130,10 +131,15 @@ fn same(one: f64, other: f64, scale: f64) -> bool {
     (one - other).abs() <= 1e-9 * scale
 }
 
-fn between(scene: &Scene, body1: &Geometry, body2: &Geometry) -> Result<Option<Found>, Fault> {
+fn between(scene: &Scene, first: &Body, second: &Body) -> Result<Option<Found>, Fault> {
     let Some(edges) = scene.contact.as_ref().and_then(|contact| contact.edges.as_ref()) else {
         return Ok(None);
     };
+    let (body1, body2) = (&first.geometry, &second.geometry);
+    if [body1, body2].iter().any(|body| matches!(body, Geometry::Blocks(_) | Geometry::Mesh(_))) {
+        let lines = [contact_line("body1", first, &edges[0], true)?, contact_line("body2", second, &edges[1], false)?];
+        return along(scene, lines).map(Some);
+    }
     let axisymmetric = scene.kinematics == Some(Kinematics::Axisymmetric);
     let thickness = scene.thickness.map_or(1.0, |thickness| thickness.0);
     let key = "contact.edges";
@@ -186,7 +192,6 @@ fn between(scene: &Scene, body1: &Geometry, body2: &Geometry) -> Result<Option<F
             let message = format!("the edges do not touch: lowest point z = {lowest}, plane z = {}", plate.z[1].0);
             Err(Fault::at(key, "no-contact", message, "give centre z - radius = body2 z[1]"))
         }
-        (Geometry::Blocks(_) | Geometry::Mesh(_), ..) | (_, _, Geometry::Blocks(_) | Geometry::Mesh(_), _) => Ok(None),
         _ => {
             let message = format!(
                 "the edges {} of {} and {} of {} cannot touch",
@@ -198,6 +203,60 @@ fn between(scene: &Scene, body1: &Geometry, body2: &Geometry) -> Result<Option<F
             let remedy = "pairs that touch: inner on outer (shoe-block or ring-segment on ring), bottom on top (rectangles), arc on top (half-disc on rectangle)";
             Err(Fault::at(key, "no-contact", message, remedy))
         }
+    }
+}
+
+/// The surface of two contact edges of which at least one belongs to a body given by its cells.
+fn along(scene: &Scene, lines: [ContactLine; 2]) -> Result<Found, Fault> {
+    let key = "contact.edges";
+    let thickness = scene.thickness.map_or(1.0, |thickness| thickness.0);
+    let revolved = scene.kinematics == Some(Kinematics::Axisymmetric);
+    let apart = |message: String, remedy: &str| Err(Fault::at(key, "no-contact", message, remedy));
+    let inside = |[from, to]: [f64; 2], [low, high]: [f64; 2]| {
+        let near = 1e-9 * (to - from);
+        from >= low - near && to <= high + near
+    };
+    match lines {
+        [ContactLine::Line { z, x }, ContactLine::Line { z: below, x: under }] => {
+            if !same(z, below, x[1] - x[0]) {
+                let message = format!("the edges do not touch: z = {z} and z = {below}");
+                return apart(message, "give both contact edges the same height");
+            }
+            if !inside(x, under) {
+                let [a, b, c, d] = [x[0], x[1], under[0], under[1]];
+                let message = format!("body 1 reaches from x = {a} to {b} over body 2 from {c} to {d}");
+                return apart(message, "make the contact edge of body 2 as wide as that of body 1 or wider");
+            }
+            if revolved {
+                return Ok((Shape::Annulus { radii: x }, PatchKind::Ring, [0.0, z], key));
+            }
+            Ok((Shape::Strip { x, z, thickness }, PatchKind::Plane, [0.0, 0.0], key))
+        }
+        [ContactLine::Circle { centre, radius, angles }, ContactLine::Circle { centre: c, radius: r, angles: under }]
+            if !revolved =>
+        {
+            if !(same(radius, r, radius) && same(centre[0], c[0], radius) && same(centre[1], c[1], radius)) {
+                let message = format!("the arcs do not touch: radius {radius} about {centre:?} and radius {r} about {c:?}");
+                return apart(message, "give both the same radius and centre");
+            }
+            let turn = std::f64::consts::TAU;
+            let full = under[1] - under[0] > turn * (1.0 - 1e-12);
+            if !(full || [-turn, 0.0, turn].iter().any(|by| inside(angles, under.map(|a| a + by)))) {
+                let [a, b, c, d] = [angles[0], angles[1], under[0], under[1]].map(f64::to_degrees);
+                let message = format!("body 1 reaches from {a:.6} to {b:.6} deg over body 2 from {c:.6} to {d:.6} deg");
+                return apart(message, "make the contact edge of body 2 as long as that of body 1 or longer");
+            }
+            let shape =
+                Shape::Arc { radius, centre: Vector3::new(centre[0], 0.0, centre[1]), angles, thickness, internal: false };
+            Ok((shape, PatchKind::Turning, centre, key))
+        }
+        [ContactLine::Circle { .. }, ContactLine::Circle { .. }] => {
+            apart("axisymmetric bodies touch along horizontal lines only".into(), "let both contact edges be horizontal")
+        }
+        _ => apart(
+            "one contact edge is a line and the other part of a circle".into(),
+            "let both be one horizontal line, or parts of one circle",
+        ),
     }
 }
 

@@ -47,6 +47,7 @@ mod cell_point;
 mod check;
 mod congruence;
 mod curve;
+mod cut;
 mod dissection;
 mod element;
 mod elimination;

@@ -103,7 +103,9 @@ pub fn singular_vertices(
         let smooth = matches!(faces, Some(f) if f[0] == f[1]) && (sectors.iter().map(|s| s.angle).sum::<f64>() - PI).abs() < 1e-6
             || faces.is_none();
         let uniform = sectors.windows(2).all(|s| s[0].material == s[1].material);
-        let exponent = if smooth && uniform { 1.0 } else { corner_exponent(&sectors, faces, kinematics) };
+        // A straight interface between two materials.
+        let straight = faces.is_none() && sectors.len() == 2 && (sectors[0].angle - PI).abs() < 1e-6;
+        let exponent = if (smooth && uniform) || straight { 1.0 } else { corner_exponent(&sectors, faces, kinematics) };
         if exponent < 0.99 {
             found.push(SingularVertex { vertex, exponent });
         } else if edges.is_some_and(|[a, b]| load[a] != load[b]) {
@@ -143,7 +145,12 @@ fn corner(
         if angle < 1e-9 {
             angle = TAU;
         }
-        sectors.push(Sector { angle, material: *materials.get(mesh.cells[cell.0].material)? });
+        let material = *materials.get(mesh.cells[cell.0].material)?;
+        // Cells of one material next to each other are one sector.
+        match sectors.last_mut() {
+            Some(Sector { angle: sum, material: same }) if *same == material => *sum += angle,
+            _ => sectors.push(Sector { angle, material }),
+        }
         last = b;
         match cells.iter().copied().find(|c| leaving(*c).is_some_and(|(a, _)| a == b)) {
             Some(next) => cell = next,
@@ -151,6 +158,12 @@ fn corner(
         }
     }
     if inner {
+        if let [first, .., last] = &mut sectors[..]
+            && first.material == last.material
+        {
+            first.angle += last.angle;
+            sectors.pop();
+        }
         return Some((sectors, None, None));
     }
     let face = |e: usize| match (held[e].len(), kinematics) {

@@ -4,6 +4,7 @@ use hpfem::{Body, BodyProblem, Direction, EdgeTraction, Kinematics, LoadCase, Ma
 
 use crate::fault::Fault;
 use crate::fe::template::{AXIS, CONTACT, LOAD};
+use crate::given::given;
 use crate::scene::{self, Component, LoadKind, Scene};
 
 /// Degree and layers.
@@ -57,11 +58,9 @@ impl BodyParts {
         let Some(body) = body else {
             return Err(Fault::at(key, "missing-key", format!("the key `{key}` is missing"), "describe both bodies"));
         };
-        let material = body.material.map_or(Err(()), |m| Material::new(m.young.0, m.poisson).map_err(|_| ()));
-        let Ok(material) = material else {
-            let message = format!("{key}.material cannot exist");
-            return Err(Fault::at(format!("{key}.material"), "wrong-value", message, "give young > 0 and poisson below 0.5"));
-        };
+        let materials = hpfem_materials(body).map_err(|error| {
+            Fault::at(format!("{key}.material"), "wrong-value", error.to_string(), "give young > 0 and poisson below 0.5")
+        })?;
         let degrees = mesh.cells.iter().map(|c| level.degree.saturating_sub(c.layer).max(2.min(level.degree))).collect();
         let rigid = scene.load.as_ref().filter(|load| shaped && load.kind == Some(LoadKind::Rigid));
         let mut supports = Vec::new();
@@ -111,7 +110,7 @@ impl BodyParts {
             (true, Kinematics::Torsion) | (false, _) => Vec::new(),
             (true, _) => load_cases(scene, &mesh, kinematics, rigid_edge.is_some()),
         };
-        Ok(BodyParts { mesh, degrees, kinematics, materials: vec![material], supports, support_names, rigid_edge, load_cases })
+        Ok(BodyParts { mesh, degrees, kinematics, materials, supports, support_names, rigid_edge, load_cases })
     }
 
     /// Assembles and reduces the body.
@@ -132,6 +131,14 @@ impl BodyParts {
             Fault::at(format!("{key}.support"), "not-held", error.to_string(), remedy)
         })
     }
+}
+
+/// The materials of a body, by the index that its cells have.
+pub(super) fn hpfem_materials(body: &scene::Body) -> Result<Vec<Material>, hpfem::Error> {
+    // Faults of the cells were found before.
+    let given = given("body", body).ok().flatten().map(|given| given.materials);
+    let own = || body.material.into_iter().collect();
+    given.unwrap_or_else(own).into_iter().map(|m| Material::new(m.young.0, m.poisson)).collect()
 }
 
 /// The load for a force of 1 N, and the mean displacement functionals of the load edge.

@@ -3,7 +3,9 @@
 use hpfem::{Curve, Mesh, Named, Ruled, Side};
 
 use crate::fault::Fault;
+use crate::fe::matching::matched;
 use crate::geometry::{Geometry, Rectangle, Ring, RingSegment, ShoeBlock};
+use crate::given::given;
 use crate::scene::Scene;
 
 /// Name of the edges on the contact surface.
@@ -18,9 +20,9 @@ pub(crate) const AXIS: &str = "@axis";
 const RATIO: f64 = 0.25;
 
 /// A coarse mesh and the points towards which it is to be graded.
-struct Coarse {
-    mesh: Mesh,
-    singular: Vec<[f64; 2]>,
+pub(super) struct Coarse {
+    pub(super) mesh: Mesh,
+    pub(super) singular: Vec<[f64; 2]>,
 }
 
 /// Extent of the contact surface, shared by both bodies.
@@ -58,9 +60,22 @@ pub(crate) fn meshes(scene: &Scene, extent: Extent, layers: usize, cut: Cut) -> 
     let (Some(body1), Some(body2)) = (&scene.body1, &scene.body2) else {
         return Err(not_meshed("body1.geometry", "bodies"));
     };
-    let cuts = contact_cuts(scene, extent, cut);
-    let first = coarse(scene, &body1.geometry, &cuts, true, cut)?;
-    let mut second = coarse(scene, &body2.geometry, &cuts, false, cut)?;
+    let [first, second] = match [given("body1", body1)?, given("body2", body2)?] {
+        [None, None] => templates(scene, [&body1.geometry, &body2.geometry], extent, cut)?,
+        cells => matched(scene, [body1, body2], cells, extent, cut)?,
+    };
+    let graded = |coarse: Coarse, key: &str| {
+        let vertices: Vec<usize> = coarse.singular.iter().map(|x| coarse.mesh.nearest_vertex(*x)).collect();
+        coarse.mesh.refined_towards(&vertices, RATIO, layers).map_err(|error| geometry_fault(key, &error))
+    };
+    Ok([graded(first, "body1.geometry")?, graded(second, "body2.geometry")?])
+}
+
+/// The coarse meshes of two templates.
+fn templates(scene: &Scene, geometries: [&Geometry; 2], extent: Extent, cut: Cut) -> Result<[Coarse; 2], Fault> {
+    let cuts = contact_cuts(scene, extent, cut, &[]);
+    let first = coarse(scene, geometries[0], &cuts, true, cut)?;
+    let mut second = coarse(scene, geometries[1], &cuts, false, cut)?;
     // Points of the contact surface that need layers in the shaped body need them in both, for common break points.
     for x in &first.singular {
         let y = second.mesh.vertices[second.mesh.nearest_vertex(*x)];
@@ -70,11 +85,7 @@ pub(crate) fn meshes(scene: &Scene, extent: Extent, layers: usize, cut: Cut) -> 
             second.singular.push(*x);
         }
     }
-    let graded = |coarse: Coarse, key: &str| {
-        let vertices: Vec<usize> = coarse.singular.iter().map(|x| coarse.mesh.nearest_vertex(*x)).collect();
-        coarse.mesh.refined_towards(&vertices, RATIO, layers).map_err(|error| geometry_fault(key, &error))
-    };
-    Ok([graded(first, "body1.geometry")?, graded(second, "body2.geometry")?])
+    Ok([first, second])
 }
 
 fn not_meshed(key: &str, what: &str) -> Fault {
@@ -87,20 +98,22 @@ fn geometry_fault(key: &str, error: &hpfem::Error) -> Fault {
 }
 
 /// Common break points of both bodies on the contact surface: at least two equal pieces, on arcs of at most 30 degrees, and those
-/// that the shaped body needs for itself.
-fn contact_cuts(scene: &Scene, extent: Extent, cut: Cut) -> Vec<f64> {
+/// that the bodies need for themselves: a template by its kind, one given by cells by its points (`breaks`).
+pub(super) fn contact_cuts(scene: &Scene, extent: Extent, cut: Cut, breaks: &[f64]) -> Vec<f64> {
+    let with = |points: &[f64]| merged(points.iter().chain(breaks).copied().collect());
     let more = if cut == Cut::Shifted { 1.0 } else { 0.0 };
     match (extent, scene.body1.as_ref().map(|body| &body.geometry)) {
         (Extent::Angles(ends), Some(Geometry::RingSegment(segment))) => {
             let half = 0.5 * (ends[1] - ends[0]);
-            segment_breaks(scene, segment, cut).breaks.iter().map(|t| ends[0] + half * (1.0 + t)).collect()
+            let own: Vec<f64> = segment_breaks(scene, segment, cut).breaks.iter().map(|t| ends[0] + half * (1.0 + t)).collect();
+            if breaks.is_empty() { own } else { with(&own) }
         }
         (Extent::Angles([from, to]), _) => {
             let pieces = ((to - from) / std::f64::consts::FRAC_PI_6 * (1.0 - 1e-9)).ceil().max(2.0) + more;
-            subdivide(&[from, to], (to - from) / pieces)
+            subdivide(&with(&[from, to]), (to - from) / pieces)
         }
         // Three pieces: the tilt of a gap is its tangent in the middle, which must lie inside a cell.
-        (Extent::X([from, to]), _) => subdivide(&[from, to], (to - from) / (3.0 + more)),
+        (Extent::X([from, to]), _) => subdivide(&with(&[from, to]), (to - from) / (3.0 + more)),
     }
 }
 
@@ -125,11 +138,12 @@ fn merged(mut points: Vec<f64>) -> Vec<f64> {
     points
 }
 
-fn coarse(scene: &Scene, geometry: &Geometry, cuts: &[f64], shaped: bool, cut: Cut) -> Result<Coarse, Fault> {
+/// The coarse mesh of a template, cut at the given places of the contact surface.
+pub(super) fn coarse(scene: &Scene, geometry: &Geometry, cuts: &[f64], shaped: bool, cut: Cut) -> Result<Coarse, Fault> {
     let key = if shaped { "body1.geometry" } else { "body2.geometry" };
     let result = match geometry {
         Geometry::ShoeBlock(shoe) if shaped => shoe_block(scene, shoe, cuts),
-        Geometry::RingSegment(segment) if shaped => ring_segment(scene, segment, cut),
+        Geometry::RingSegment(segment) if shaped => ring_segment(scene, segment, cuts, cut),
         Geometry::Ring(ring) if !shaped => full_ring(ring, cuts),
         Geometry::Rectangle(rectangle) => block(scene, rectangle, cuts, shaped),
         other => return Err(not_meshed(key, crate::setup::template(other))),
@@ -157,7 +171,8 @@ fn levels(height: f64, width: f64, least: usize) -> Vec<f64> {
 fn growing(from: f64, to: f64, first: f64, most: f64) -> Vec<f64> {
     let (mut left, mut right) = (vec![from], vec![to]);
     let mut step = first;
-    while to - from > 2.0 * step + left[left.len() - 1] - from + to - right[right.len() - 1] {
+    // Halves that meet leave no piece between them, whatever the round-off.
+    while (to - from) * (1.0 - 1e-9) > 2.0 * step + left[left.len() - 1] - from + to - right[right.len() - 1] {
         left.push(left[left.len() - 1] + step);
         right.push(right[right.len() - 1] - step);
         step = (2.0 * step).min(most);
@@ -244,9 +259,13 @@ fn segment_breaks(scene: &Scene, segment: &RingSegment, cut: Cut) -> SegmentBrea
     SegmentBreaks { breaks: subdivide(&halves, step), load, middle }
 }
 
-fn ring_segment(scene: &Scene, segment: &RingSegment, cut: Cut) -> Result<Coarse, hpfem::Error> {
-    let SegmentBreaks { breaks, load, middle } = segment_breaks(scene, segment, cut);
+fn ring_segment(scene: &Scene, segment: &RingSegment, cuts: &[f64], cut: Cut) -> Result<Coarse, hpfem::Error> {
+    let SegmentBreaks { mut breaks, load, middle } = segment_breaks(scene, segment, cut);
     let [inner, outer] = segment_angles(segment);
+    // Further cuts that a counter-face given by its cells asks for.
+    if cuts.len() > breaks.len() {
+        breaks = merged(breaks.into_iter().chain(parameters(cuts, inner)).collect());
+    }
     let centre = middle.filter(|_| scene.body1.as_ref().is_some_and(|body| body.support.contains_key("centre")));
     let mut names = vec![
         named(Side::Bottom, "inner"),
@@ -305,7 +324,7 @@ fn block(scene: &Scene, rectangle: &Rectangle, cuts: &[f64], shaped: bool) -> Re
     let (x, z) = (rectangle.x.map(|x| x.0), rectangle.z.map(|z| z.0));
     let (contact_side, contact_z) = if shaped { (Side::Bottom, z[0]) } else { (Side::Top, z[1]) };
     let ends = [cuts[0], cuts[cuts.len() - 1]];
-    let step = cuts[1] - cuts[0];
+    let step = cuts.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
     let points = merged(cuts.iter().copied().chain(x).collect());
     let points = subdivide(&points, 2.0 * step.max(0.05 * (x[1] - x[0])));
     let contact = parameters(&ends, x);

@@ -81,10 +81,10 @@ impl Folder {
     }
 
     /// Writes one file of the folder, making folders on the way.
-    pub(crate) fn write(&self, name: &str, text: &str) -> Result<(), Fault> {
+    pub(crate) fn write(&self, name: &str, content: impl AsRef<[u8]>) -> Result<(), Fault> {
         let path = self.partial.join(name);
         let parent = path.parent().unwrap_or(&self.partial);
-        fs::create_dir_all(parent).and_then(|()| fs::write(&path, text)).map_err(|error| self.unwritable(&path, &error))
+        fs::create_dir_all(parent).and_then(|()| fs::write(&path, content)).map_err(|error| self.unwritable(&path, &error))
     }
 
     /// Adds to the end of one file of the folder.

@@ -56,8 +56,8 @@ pub(crate) fn without_nulls(value: Value) -> Value {
 }
 
 /// SHA-256 of a text in lower-case hexadecimal.
-pub(crate) fn sha256(text: &str) -> String {
-    Sha256::digest(text.as_bytes()).iter().map(|byte| format!("{byte:02x}")).collect()
+pub(crate) fn sha256(bytes: impl AsRef<[u8]>) -> String {
+    Sha256::digest(bytes.as_ref()).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// The numbers and words of a summary under dotted keys, without lists.

@@ -5,6 +5,7 @@ use std::path::Path;
 use crate::fault::{Fault, did_you_mean};
 use crate::gap::Gap;
 use crate::geometry::Geometry;
+use crate::given::{given, outside};
 use crate::scene::{Body, Component, Contact, Kinematics, Material, Scene};
 use crate::setup::{missing, positive};
 use crate::units::Length;
@@ -34,7 +35,7 @@ pub(super) fn resolve(scene: &mut Scene, folder: &Path) -> Result<(), Fault> {
             let why = "a scene has two bodies, or a `surface` alone";
             return Err(missing(name, why, &format!("{name}.geometry.rectangle = {{ x = [-30, 30], z = [0, 100] }}")));
         };
-        one_body(name, body, axisymmetric)?;
+        one_body(name, body, axisymmetric, folder)?;
     }
     contact_edges(scene, folder)
 }
@@ -51,13 +52,14 @@ fn friction(scene: &mut Scene) -> Result<(), Fault> {
     Ok(())
 }
 
-fn one_body(name: &str, body: &mut Body, axisymmetric: bool) -> Result<(), Fault> {
-    geometry(name, &mut body.geometry, axisymmetric)?;
+fn one_body(name: &str, body: &mut Body, axisymmetric: bool, folder: &Path) -> Result<(), Fault> {
+    geometry(name, &mut body.geometry, axisymmetric, folder)?;
     match body.material {
         Some(material) => check_material(&format!("{name}.material"), material)?,
         None => {
             let own = match &body.geometry {
                 Geometry::Blocks(blocks) => blocks.cells.values().all(|cell| cell.material.is_some()),
+                // The groups of the file say below whether one is missing.
                 Geometry::Mesh(mesh) => !mesh.materials.is_empty(),
                 _ => false,
             };
@@ -66,6 +68,9 @@ fn one_body(name: &str, body: &mut Body, axisymmetric: bool) -> Result<(), Fault
                 return Err(missing(&format!("{name}.material"), "every body needs one", &example));
             }
         }
+    }
+    if let Some(given) = given(name, body)? {
+        on_axis_side(name, &given.mesh, axisymmetric)?;
     }
     let edges = edge_names(&body.geometry, true);
     for (edge, components) in &body.support {
@@ -81,6 +86,16 @@ fn one_body(name: &str, body: &mut Body, axisymmetric: bool) -> Result<(), Fault
         }
     }
     Ok(())
+}
+
+/// An axisymmetric body lies at r >= 0.
+fn on_axis_side(name: &str, mesh: &hpfem::Mesh, axisymmetric: bool) -> Result<(), Fault> {
+    let least = mesh.vertices.iter().map(|x| x[0]).fold(f64::INFINITY, f64::min);
+    if !axisymmetric || least >= 0.0 {
+        return Ok(());
+    }
+    let message = format!("an axisymmetric body reaches to r = {least}");
+    Err(Fault::at(format!("{name}.geometry"), "degenerate", message, "give it points with x >= 0 only"))
 }
 
 fn check_material(key: &str, material: Material) -> Result<(), Fault> {
@@ -111,7 +126,7 @@ fn radii(key: &str, inner: Length, outer: Length) -> Result<(), Fault> {
     Err(Fault::at(format!("{key}.outer"), "degenerate", message, "give outer > inner"))
 }
 
-fn geometry(name: &str, geometry: &mut Geometry, axisymmetric: bool) -> Result<(), Fault> {
+fn geometry(name: &str, geometry: &mut Geometry, axisymmetric: bool, folder: &Path) -> Result<(), Fault> {
     let key = format!("{name}.geometry.{}", template(geometry));
     let plane_only = matches!(geometry, Geometry::ShoeBlock(_) | Geometry::Ring(_) | Geometry::RingSegment(_));
     if axisymmetric && plane_only {
@@ -164,7 +179,17 @@ fn geometry(name: &str, geometry: &mut Geometry, axisymmetric: bool) -> Result<(
                 return Err(Fault::at(format!("{key}.centre"), "degenerate", message, "give centre = [0, z]"));
             }
         }
-        Geometry::Blocks(_) | Geometry::Mesh(_) => {}
+        Geometry::Blocks(blocks) => {
+            for (material, values) in &blocks.materials {
+                check_material(&format!("{key}.materials.{material}"), *values)?;
+            }
+        }
+        Geometry::Mesh(file) => {
+            for (material, values) in &file.materials {
+                check_material(&format!("{key}.materials.{material}"), *values)?;
+            }
+            crate::given::read(name, file, folder)?;
+        }
     }
     Ok(())
 }
@@ -197,7 +222,7 @@ pub(crate) fn edge_names(geometry: &Geometry, lines: bool) -> Option<Vec<String>
         Geometry::HalfDisc(_) if lines => &["arc", "top", "centre"],
         Geometry::HalfDisc(_) => &["arc", "top"],
         Geometry::Blocks(blocks) => return Some(blocks.edges.keys().cloned().collect()),
-        Geometry::Mesh(_) => return None,
+        Geometry::Mesh(file) => return file.content.as_ref().map(|content| content.edges().to_vec()),
     };
     Some(names.iter().map(|name| name.to_string()).collect())
 }
@@ -222,6 +247,8 @@ fn contact_edges(scene: &mut Scene, folder: &Path) -> Result<(), Fault> {
     };
     known_edge("contact.edges.0", &edges[0], edge_names(&body1.geometry, false).as_deref())?;
     known_edge("contact.edges.1", &edges[1], edge_names(&body2.geometry, false).as_deref())?;
+    outside("body1", body1, &edges[0])?;
+    outside("body2", body2, &edges[1])?;
     let gap = contact.gap.get_or_insert(Gap::Constant(0.0));
     match gap {
         Gap::Constant(0.0) => {}

@@ -3,6 +3,7 @@
 use crate::fault::Fault;
 use crate::freedom::edge_points;
 use crate::geometry::SurfaceShape;
+use crate::given::outside;
 use crate::scene::{Kinematics, LoadKind, Scene, Task};
 use crate::setup::bodies::{edge_names, known_edge};
 use crate::setup::{missing, positive};
@@ -61,6 +62,7 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) 
         return Err(missing("load.edge", "the load needs an edge of body 1", "load.edge = \"top\""));
     };
     known_edge("load.edge", edge, edge_names(&body.geometry, false).as_deref())?;
+    outside("body1", body, edge)?;
     let Some(kind) = load.kind else {
         return Err(missing("load.as", "how does the load act?", "load.as = \"pressure\" (or vertical, rigid)"));
     };
@@ -69,7 +71,7 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) 
             return Err(missing("load.force", "nothing presses body 1 on body 2", "load.force = \"10 kN\""));
         }
         if kind == LoadKind::Vertical {
-            let points = edge_points(&body.geometry, edge);
+            let points = edge_points(body, edge);
             let ends = points.iter().fold((f64::MAX, f64::MIN), |(lo, hi), p| (lo.min(p[0]), hi.max(p[0])));
             let centre = load.centre.get_or_insert(Length(0.0)).0;
             if let Some(width) = load.width {

@@ -6,6 +6,7 @@ mod classics;
 mod common;
 mod continuity;
 mod convergence;
+mod cut;
 mod curves;
 mod estimate;
 mod exact;

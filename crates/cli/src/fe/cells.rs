@@ -1,0 +1,254 @@
+//! Meshes of bodies given by their cells: cut where contact and load end, where the other body has its break points, and where cells
+//! are slender.
+
+use hpfem::{Curve, Direction, Mesh, Support};
+
+use crate::fault::Fault;
+use crate::fe::bodies::{hpfem_materials, kinematics};
+use crate::fe::template::{AXIS, CONTACT, Extent, LOAD};
+use crate::given::Given;
+use crate::scene::{Body, Component, Kinematics, LoadKind, Scene};
+
+/// Longest side of a cell over its shortest before it is cut.
+const SLENDER: f64 = 3.0;
+/// Most cuts of slender cells in one body.
+const MOST_CUTS: usize = 24;
+
+/// A body given by its cells, its surfaces named, and the points towards which it is to be graded.
+#[derive(Clone)]
+pub(super) struct Cells {
+    pub(super) mesh: Mesh,
+    pub(super) singular: Vec<[f64; 2]>,
+    /// Edge of the scene that touches the other body.
+    contact: String,
+    extent: Extent,
+}
+
+fn degenerate(key: &str, error: &hpfem::Error) -> Fault {
+    Fault::at(format!("{key}.geometry"), "degenerate", error.to_string(), "make its cells less thin or less distorted")
+}
+
+impl Cells {
+    /// The cells of a body, cut at the ends of its contact and of its load.
+    pub(super) fn new(scene: &Scene, shaped: bool, body: &Body, given: Given, extent: Extent) -> Result<Cells, Fault> {
+        let key = if shaped { "body1" } else { "body2" };
+        let edge = scene.contact.as_ref().and_then(|c| c.edges.as_ref()).map(|e| e[usize::from(!shaped)].clone());
+        let mut cells = Cells { mesh: given.mesh, singular: Vec::new(), contact: edge.unwrap_or_default(), extent };
+        cells.cut(&extent.ends())?;
+        let touching: Vec<usize> = cells.contact_edges().into_iter().map(|(e, _)| e).collect();
+        tag(&mut cells.mesh, &touching, CONTACT);
+        let load = scene.load.as_ref().filter(|_| shaped);
+        if let Some((load, edge)) = load.and_then(|load| load.edge.as_ref().map(|edge| (load, edge))) {
+            let width = load.width.filter(|_| load.kind == Some(LoadKind::Vertical));
+            let centre = load.centre.map_or(0.0, |c| c.0);
+            let strip = width.map(|w| [centre - 0.5 * w.0, centre + 0.5 * w.0]);
+            for x in strip.into_iter().flatten() {
+                cells.cut_edge_at_x(edge, x).map_err(|error| degenerate(key, &error))?;
+            }
+            let under = |e: &usize| {
+                let x = cells.mesh.edges[*e].curve.point(0.0)[0];
+                strip.is_none_or(|[from, to]| (from..=to).contains(&x))
+            };
+            let loaded: Vec<usize> = cells.mesh.boundary(edge).unwrap_or_default().into_iter().filter(under).collect();
+            tag(&mut cells.mesh, &loaded, LOAD);
+        }
+        if scene.kinematics == Some(Kinematics::Axisymmetric) {
+            let on_axis = |e: &usize| cells.mesh.edges[*e].vertices.iter().all(|v| cells.mesh.vertices[*v][0] == 0.0);
+            let axis: Vec<usize> = (0..cells.mesh.edges.len()).filter(on_axis).collect();
+            tag(&mut cells.mesh, &axis, AXIS);
+        }
+        cells.singular = singular(scene, shaped, body, &cells.mesh).map_err(|error| degenerate(key, &error))?;
+        cells.cut_slender().map_err(|error| degenerate(key, &error))?;
+        Ok(cells)
+    }
+
+    /// Coordinates of the break points on the contact surface, ends included.
+    pub(super) fn breaks(&self) -> Vec<f64> {
+        self.contact_edges().into_iter().flat_map(|(_, range)| range).collect()
+    }
+
+    /// Cuts the contact surface at the given coordinates.
+    pub(super) fn cut(&mut self, places: &[f64]) -> Result<(), Fault> {
+        let [from, to] = self.extent.ends();
+        for place in places {
+            let edges = self.mesh.boundary(&self.contact).unwrap_or_default();
+            let near = 1e-10 * (to - from);
+            let hit = edges.into_iter().find_map(|e| {
+                let [a, b] = self.extent.range(&self.mesh.edges[e].curve);
+                let t = (2.0 * place - a - b) / (b - a);
+                ((place - a).abs().min((place - b).abs()) > near && t.abs() < 1.0).then_some((e, t))
+            });
+            if let Some((edge, t)) = hit {
+                self.mesh = self.mesh.cut_through(edge, t).map_err(|error| {
+                    Fault::at(
+                        "contact.edges",
+                        "not-available",
+                        error.to_string(),
+                        "give both bodies the same points on the contact",
+                    )
+                })?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Cuts every piece of the contact surface in the middle.
+    pub(super) fn halve(&mut self) -> Result<(), Fault> {
+        let middles: Vec<f64> = self.contact_edges().into_iter().map(|(_, [a, b])| 0.5 * (a + b)).collect();
+        self.cut(&middles)
+    }
+
+    /// Cuts a cell between two of its corners.
+    pub(super) fn part(&mut self, cell: usize, [a, b]: [usize; 2]) -> Result<(), Fault> {
+        // Corners next to each other are the ends of a side; opposite ones are parted by a cut in any direction.
+        let cell = &self.mesh.cells[cell];
+        let ends = [a, b].map(|k| cell.corners[k]);
+        let between = |side: &(usize, usize)| ends.iter().all(|v| self.mesh.edges[side.1].vertices.contains(v));
+        let Some((_, edge)) = cell.sides().find(between).or_else(|| cell.sides().next()) else { return Ok(()) };
+        self.mesh = self.mesh.cut_through(edge, 0.0).map_err(|error| {
+            Fault::at(
+                "contact.edges",
+                "not-available",
+                error.to_string(),
+                "cut the cells at the ends of contact and load once more",
+            )
+        })?;
+        Ok(())
+    }
+
+    /// Adds a point to grade towards, if it is a vertex.
+    pub(super) fn grade_towards(&mut self, x: [f64; 2]) {
+        add_singular(&self.mesh, &mut self.singular, x);
+    }
+
+    /// The coordinate of a point that is a break point of the contact surface.
+    pub(super) fn coordinate(&self, x: [f64; 2]) -> Option<f64> {
+        let vertex = self.mesh.nearest_vertex(x);
+        self.contact_edges().into_iter().find_map(|(e, range)| {
+            let end = (0..2).find(|k| self.mesh.edges[e].vertices[*k] == vertex)?;
+            Some(range[end])
+        })
+    }
+
+    /// The edges within the contact and their ranges of the coordinate.
+    fn contact_edges(&self) -> Vec<(usize, [f64; 2])> {
+        let [from, to] = self.extent.ends();
+        let edges = self.mesh.boundary(&self.contact).unwrap_or_default();
+        let ranges = edges.into_iter().map(|e| (e, self.extent.range(&self.mesh.edges[e].curve)));
+        ranges.filter(|(_, [a, b])| (from..=to).contains(&(0.5 * (a + b)))).collect()
+    }
+
+    fn cut_edge_at_x(&mut self, edge: &str, x: f64) -> Result<(), hpfem::Error> {
+        let hit = self.mesh.boundary(edge)?.into_iter().find_map(|e| {
+            let curve = &self.mesh.edges[e].curve;
+            let off = |t: f64| curve.point(t)[0] - x;
+            let near = 1e-9 * curve.length();
+            if off(-1.0).abs() <= near || off(1.0).abs() <= near || off(-1.0) * off(1.0) > 0.0 {
+                return None;
+            }
+            let (mut low, mut high) = (-1.0, 1.0);
+            for _ in 0..60 {
+                let middle = 0.5 * (low + high);
+                if off(middle) * off(-1.0) > 0.0 { low = middle } else { high = middle }
+            }
+            Some((e, 0.5 * (low + high)))
+        });
+        if let Some((edge, t)) = hit {
+            self.mesh = self.mesh.cut_through(edge, t)?;
+        }
+        Ok(())
+    }
+
+    /// Cuts the most slender cells across, again and again, until none is slender.
+    fn cut_slender(&mut self) -> Result<(), hpfem::Error> {
+        for _ in 0..MOST_CUTS {
+            let size = |c: usize, local: usize| {
+                let length = |local: usize| self.mesh.local_curve(c, local).length();
+                0.5 * (length(local) + length(local + 2))
+            };
+            let quads = (0..self.mesh.cells.len()).filter(|c| !self.mesh.cells[*c].is_triangle());
+            let ratios = quads.flat_map(|c| {
+                let ratio = size(c, 0) / size(c, 1);
+                [(ratio, c, 0), (1.0 / ratio, c, 1)]
+            });
+            let Some((ratio, cell, local)) = ratios.max_by(|a, b| a.0.total_cmp(&b.0)) else { return Ok(()) };
+            let Some(edge) = self.mesh.cells[cell].edges[local].filter(|_| ratio > SLENDER) else { return Ok(()) };
+            self.mesh = self.mesh.cut_through(edge, 0.0)?;
+        }
+        Ok(())
+    }
+}
+
+impl Extent {
+    /// First and last coordinate.
+    pub(super) fn ends(&self) -> [f64; 2] {
+        match self {
+            Extent::Angles(angles) => *angles,
+            Extent::X(x) => *x,
+        }
+    }
+
+    /// Coordinates of the ends of a line or arc of the contact edge, the one at `t = -1` first; angles next to those of the contact.
+    fn range(&self, curve: &Curve) -> [f64; 2] {
+        use std::f64::consts::{FRAC_PI_2, PI, TAU};
+        match (self, curve) {
+            (Extent::Angles(angles), Curve::Arc { from, to, .. }) => {
+                let middle = 0.5 * (angles[0] + angles[1]);
+                let own = FRAC_PI_2 - 0.5 * (from + to);
+                let own = (own - middle + PI).rem_euclid(TAU) - PI + middle;
+                [own - 0.5 * (from - to), own + 0.5 * (from - to)]
+            }
+            _ => [curve.point(-1.0)[0], curve.point(1.0)[0]],
+        }
+    }
+}
+
+/// Adds a point to grade towards, if it is a vertex and not yet among them.
+pub(super) fn add_singular(mesh: &Mesh, singular: &mut Vec<[f64; 2]>, x: [f64; 2]) {
+    let scale = mesh.vertices.iter().flatten().fold(0.0_f64, |scale, v| scale.max(v.abs()));
+    let near = |a: &[f64; 2]| (x[0] - a[0]).hypot(x[1] - a[1]) <= 1e-9 * scale;
+    if near(&mesh.vertices[mesh.nearest_vertex(x)]) && !singular.iter().any(near) {
+        singular.push(x);
+    }
+}
+
+/// A cell that touches two of the points, and the two corners.
+pub(super) fn crowded(mesh: &Mesh, singular: &[[f64; 2]]) -> Option<(usize, [usize; 2])> {
+    let graded: Vec<usize> = singular.iter().map(|x| mesh.nearest_vertex(*x)).collect();
+    mesh.cells.iter().enumerate().find_map(|(c, cell)| {
+        let mut touched = (0..cell.vertices().len()).filter(|k| graded.contains(&cell.corners[*k]));
+        Some((c, [touched.next()?, touched.next()?]))
+    })
+}
+
+fn tag(mesh: &mut Mesh, edges: &[usize], name: &str) {
+    if edges.is_empty() {
+        return;
+    }
+    let tag = mesh.boundaries.len();
+    mesh.boundaries.push(name.to_string());
+    edges.iter().for_each(|e| mesh.edges[*e].tags.push(tag));
+}
+
+/// Points where the stress of a body is unbounded or its load jumps.
+fn singular(scene: &Scene, shaped: bool, body: &Body, mesh: &Mesh) -> Result<Vec<[f64; 2]>, hpfem::Error> {
+    let support = |boundary: &str, direction| Support { boundary: boundary.to_string(), direction, value: 0.0 };
+    let directions = |component: &Component| match component {
+        Component::X => Some(Direction::First),
+        Component::Z => Some(Direction::Second),
+        Component::Phi => None,
+    };
+    let held = body.support.iter().flat_map(|(edge, held)| held.iter().filter_map(directions).map(move |d| (edge, d)));
+    let mut supports: Vec<Support> = held.map(|(edge, direction)| support(edge, direction)).collect();
+    let mut loaded = vec![CONTACT];
+    if let Some(load) = scene.load.as_ref().filter(|_| shaped) {
+        if load.kind == Some(LoadKind::Rigid) {
+            supports.extend([support(LOAD, Direction::First), support(LOAD, Direction::Second)]);
+        } else {
+            loaded.push(LOAD);
+        }
+    }
+    let materials = hpfem_materials(body)?;
+    let found = hpfem::singular_vertices(mesh, kinematics(scene), &materials, &supports, &loaded)?;
+    Ok(found.into_iter().map(|v| mesh.vertices[v.vertex]).collect())
+}

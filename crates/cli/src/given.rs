@@ -1,0 +1,53 @@
+//! Bodies given by their cells: `geometry.blocks` and `geometry.mesh`.
+
+mod blocks;
+mod contact_line;
+mod mesh_file;
+
+use hpfem::{Curve, Mesh};
+
+use crate::fault::Fault;
+use crate::geometry::Geometry;
+use crate::scene::{Body, Material};
+
+pub(crate) use contact_line::{ContactLine, contact_line};
+pub(crate) use mesh_file::MeshContent;
+pub(crate) use mesh_file::read;
+
+/// The cells of a body as they are written; the boundaries of the mesh are the named edges.
+#[derive(Debug, Clone)]
+pub(crate) struct Given {
+    /// The cells.
+    pub(crate) mesh: Mesh,
+    /// Materials, by the index that cells have.
+    pub(crate) materials: Vec<Material>,
+}
+
+/// The cells of a body (`key` is "body1" or "body2"); none of a template.
+pub(crate) fn given(key: &str, body: &Body) -> Result<Option<Given>, Fault> {
+    match &body.geometry {
+        Geometry::Blocks(blocks) => blocks::given(&format!("{key}.geometry.blocks"), blocks, body.material).map(Some),
+        Geometry::Mesh(file) => mesh_file::given(&format!("{key}.geometry.mesh"), file, body.material).map(Some),
+        _ => Ok(None),
+    }
+}
+
+/// The curves of a named edge.
+pub(crate) fn edge_curves(mesh: &Mesh, edge: &str) -> Vec<Curve> {
+    mesh.boundary(edge).unwrap_or_default().into_iter().map(|e| mesh.edges[e].curve).collect()
+}
+
+/// Refuses an edge with a part inside the body, where nothing can touch or press it.
+pub(crate) fn outside(key: &str, body: &Body, edge: &str) -> Result<(), Fault> {
+    let Some(Given { mesh, .. }) = given(key, body)? else { return Ok(()) };
+    let cells = mesh.edge_cells();
+    let inside = mesh.boundary(edge).unwrap_or_default().into_iter().find(|e| cells[*e].len() > 1);
+    let Some(e) = inside else { return Ok(()) };
+    let [x, z] = mesh.edges[e].curve.point(0.0);
+    let place = match &body.geometry {
+        Geometry::Blocks(_) => format!("{key}.geometry.blocks.edges.{edge}"),
+        _ => format!("{key}.geometry.mesh.file"),
+    };
+    let message = format!("the edge `{edge}` lies inside the body at x = {x}, z = {z}, where nothing can touch or load it");
+    Err(Fault::at(place, "not-on-boundary", message, "name curves of one cell only; inner lines can be held by supports"))
+}

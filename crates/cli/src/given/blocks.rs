@@ -1,0 +1,324 @@
+//! `geometry.blocks`: from names to cells, and what can be wrong with them.
+
+use std::collections::{BTreeMap, HashMap};
+use std::f64::consts::{PI, TAU};
+
+use hpfem::{Curve, Error, Mesh, Quad};
+
+use crate::fault::{Fault, did_you_mean};
+use crate::geometry::{ArcShape, Blocks, CellShape, CurveShape, SplineShape};
+use crate::given::Given;
+use crate::scene::Material;
+
+/// A curve between two numbered points.
+struct Joined {
+    ends: [usize; 2],
+    curve: Curve,
+}
+
+/// The points in use, the curves by name, and the scene's key of the blocks.
+struct Named<'a> {
+    key: &'a str,
+    points: Vec<[f64; 2]>,
+    names: Vec<&'a str>,
+    curves: BTreeMap<&'a str, Joined>,
+}
+
+/// Cells of the blocks at the dotted `key`; `own` is the material of cells that name none.
+pub(super) fn given(key: &str, blocks: &Blocks, own: Option<Material>) -> Result<Given, Fault> {
+    let named = Named::new(key, blocks)?;
+    let mut quads = Vec::new();
+    let mut corners_of: HashMap<[usize; 4], &str> = HashMap::new();
+    for (name, cell) in &blocks.cells {
+        let corners = named.corners(name, cell)?;
+        let mut set = corners;
+        set.sort_unstable();
+        if let Some(other) = corners_of.insert(set, name) {
+            let message = format!("the cells `{other}` and `{name}` are the same");
+            return Err(Fault::at(format!("{key}.cells.{name}"), "duplicate-cell", message, "remove one of them"));
+        }
+        let material = match &cell.material {
+            Some(material) => blocks.materials.keys().position(|known| known == material).ok_or_else(|| {
+                let known: Vec<&str> = blocks.materials.keys().map(String::as_str).collect();
+                let message = format!("there is no material `{material}` in {key}.materials");
+                let remedy = match known.is_empty() {
+                    true => format!("describe it: {key}.materials.{material} = {{ young = \"1 GPa\", poisson = 0.3 }}"),
+                    false => did_you_mean(material, &known),
+                };
+                Fault::at(format!("{key}.cells.{name}.material"), "unknown-material", message, remedy)
+            })?,
+            None => blocks.materials.len(),
+        };
+        quads.push(Quad { corners, material, layer: 0 });
+    }
+    if quads.is_empty() {
+        let remedy = "write cells.one = { curves = [\"below\", \"right\", \"above\", \"left\"] }";
+        return Err(Fault::at(format!("{key}.cells"), "no-cells", "the body has no cells", remedy));
+    }
+    let edges = named.edges(blocks, &quads)?;
+    let mesh = named.mesh(blocks, &quads, &edges)?;
+    named.connected(&mesh, blocks)?;
+    Ok(Given { mesh, materials: blocks.materials.values().copied().chain(own).collect() })
+}
+
+impl<'a> Named<'a> {
+    fn new(key: &'a str, blocks: &'a Blocks) -> Result<Named<'a>, Fault> {
+        let names: Vec<&str> = blocks.points.keys().map(String::as_str).collect();
+        let points: Vec<[f64; 2]> = blocks.points.values().map(|p| p.position()).collect();
+        let size = points.iter().flatten().fold(0.0_f64, |size, x| size.max(x.abs()));
+        for (i, p) in points.iter().enumerate() {
+            if let Some(j) = (0..i).find(|j| distance(points[*j], *p) <= 1e-9 * size) {
+                let message = format!("the points `{}` and `{}` are at the same place", names[j], names[i]);
+                return Err(Fault::at(format!("{key}.points.{}", names[i]), "duplicate-point", message, "use one of them"));
+            }
+        }
+        let mut named = Named { key, points, names, curves: BTreeMap::new() };
+        for (name, shape) in &blocks.curves {
+            let joined = named.curve(name, shape)?;
+            let mut ends = joined.ends;
+            ends.sort_unstable();
+            let twin = named
+                .curves
+                .iter()
+                .find(|(_, other)| ends == [other.ends[0].min(other.ends[1]), other.ends[0].max(other.ends[1])]);
+            if let Some((twin, _)) = twin {
+                let message = format!("the curves `{twin}` and `{name}` join the same two points");
+                let remedy = "use one curve in both cells, or put a point between";
+                return Err(Fault::at(format!("{key}.curves.{name}"), "duplicate-curve", message, remedy));
+            }
+            named.curves.insert(name, joined);
+        }
+        Ok(named)
+    }
+
+    fn curve(&self, name: &str, shape: &CurveShape) -> Result<Joined, Fault> {
+        let at = |part: &str| format!("{}.curves.{name}.{part}", self.key);
+        let (part, ends) = match shape {
+            CurveShape::Line(ends) => ("line", ends),
+            CurveShape::Arc(ArcShape { ends, .. }) => ("arc.ends", ends),
+            CurveShape::Spline(SplineShape { ends, .. }) => ("spline.ends", ends),
+        };
+        let mut numbers = [0; 2];
+        for (number, end) in numbers.iter_mut().zip(ends) {
+            *number = self.names.iter().position(|known| known == end).ok_or_else(|| {
+                let message = format!("the curve `{name}` ends at the point `{end}`, which does not exist");
+                Fault::at(at(part), "unknown-point", message, did_you_mean(end, &self.names))
+            })?;
+        }
+        let degenerate = |message: String, remedy: &str| Err(Fault::at(at(part), "degenerate", message, remedy));
+        let [a, b] = numbers.map(|number| self.points[number]);
+        if numbers[0] == numbers[1] {
+            return degenerate(format!("the curve `{name}` ends where it begins"), "cut a closed curve at two points or more");
+        }
+        let curve = match shape {
+            CurveShape::Line(_) => Curve::Line { start: a, end: b },
+            CurveShape::Spline(SplineShape { through, .. }) if through.is_empty() || through.len() > 7 => {
+                let message = format!("the curve `{name}` passes through {} places between its ends", through.len());
+                return degenerate(message, "give 1 to 7 places; cut a longer curve at a point, or write a line");
+            }
+            CurveShape::Spline(SplineShape { through, .. }) => {
+                let inner = through.iter().map(|x| x.map(|x| x.0));
+                smooth(&[a].into_iter().chain(inner).chain([b]).collect::<Vec<_>>())
+            }
+            CurveShape::Arc(ArcShape { centre, .. }) => {
+                let centre = centre.map_or([0.0; 2], |c| c.map(|c| c.0));
+                let radii = [distance(a, centre), distance(b, centre)];
+                if (radii[0] - radii[1]).abs() > 1e-9 * radii[0] {
+                    let message = format!("the ends of the arc `{name}` are {} and {} from its centre", radii[0], radii[1]);
+                    return degenerate(message, "write its points by radius and angle: { radius = 200, angle = \"30 deg\" }");
+                }
+                let [from, to] = [a, b].map(|x| (x[1] - centre[1]).atan2(x[0] - centre[0]));
+                let turn = (to - from + PI).rem_euclid(TAU) - PI;
+                if turn.abs() > PI - 1e-9 {
+                    let message = format!("the arc `{name}` is half a circle, which could be either half");
+                    return degenerate(message, "cut it into two arcs");
+                }
+                Curve::Arc { centre, radius: 0.5 * (radii[0] + radii[1]), from, to: from + turn }
+            }
+        };
+        Ok(Joined { ends: numbers, curve })
+    }
+
+    /// The corners of a cell, anti-clockwise.
+    fn corners(&self, name: &str, cell: &CellShape) -> Result<[usize; 4], Fault> {
+        let at = format!("{}.cells.{name}.curves", self.key);
+        let mut sides = Vec::new();
+        for curve in &cell.curves {
+            let joined = self.curves.get(curve.as_str()).ok_or_else(|| {
+                let known: Vec<&str> = self.curves.keys().copied().collect();
+                let message = format!("the cell `{name}` names the curve `{curve}`, which does not exist");
+                Fault::at(&at, "unknown-curve", message, did_you_mean(curve, &known))
+            })?;
+            sides.push(joined);
+        }
+        let mut corners = [0; 4];
+        for i in 0..4 {
+            let (one, next) = (sides[i], sides[(i + 1) % 4]);
+            let common = one.ends.iter().find(|end| next.ends.contains(end)).filter(|_| one.ends != next.ends);
+            corners[i] = *common.ok_or_else(|| {
+                let message = format!(
+                    "the curves of the cell `{name}` do not close: `{}` and `{}` have no common end",
+                    cell.curves[i],
+                    cell.curves[(i + 1) % 4]
+                );
+                Fault::at(&at, "open-cell", message, "name the four curves in their order around the cell")
+            })?;
+        }
+        if (0..4).any(|i| corners[i] == corners[(i + 1) % 4]) {
+            let message = format!("the curves of the cell `{name}` do not go round it: they meet at fewer than four points");
+            return Err(Fault::at(&at, "open-cell", message, "name the four curves in their order around the cell"));
+        }
+        // Corner i lies between the sides i and i + 1: side i + 1 runs from corner i to corner i + 1. Twice the area by its sign.
+        let mut area = 0.0;
+        for i in 0..4 {
+            let side = sides[(i + 1) % 4];
+            let curve = if side.ends[0] == corners[i] { side.curve } else { side.curve.reversed() };
+            let places = (0..=16).map(|k| curve.point(f64::from(k) / 8.0 - 1.0)).collect::<Vec<_>>();
+            area += places.windows(2).map(|p| p[0][0] * p[1][1] - p[1][0] * p[0][1]).sum::<f64>();
+        }
+        if area < 0.0 {
+            corners.reverse();
+        }
+        Ok(corners)
+    }
+
+    /// Named edges as pairs of points.
+    fn edges(&self, blocks: &'a Blocks, quads: &[Quad]) -> Result<Vec<([usize; 2], &'a str)>, Fault> {
+        let side = |ends: [usize; 2]| {
+            let next = |q: &Quad, i: usize| [q.corners[i], q.corners[(i + 1) % 4]];
+            quads.iter().any(|q| (0..4).any(|i| next(q, i) == ends || next(q, i) == [ends[1], ends[0]]))
+        };
+        let mut edges = Vec::new();
+        for (name, curves) in &blocks.edges {
+            let at = format!("{}.edges.{name}", self.key);
+            if name.starts_with('@') || curves.is_empty() {
+                let message = format!("the edge `{name}` {}", if curves.is_empty() { "has no curves" } else { "begins with @" });
+                return Err(Fault::at(at, "wrong-value", message, "write edges.top = [\"name of a curve\"]"));
+            }
+            for curve in curves {
+                let Some(joined) = self.curves.get(curve.as_str()) else {
+                    let known: Vec<&str> = self.curves.keys().copied().collect();
+                    let message = format!("the edge `{name}` names the curve `{curve}`, which does not exist");
+                    return Err(Fault::at(at, "unknown-curve", message, did_you_mean(curve, &known)));
+                };
+                if !side(joined.ends) {
+                    let message = format!("the edge `{name}` names the curve `{curve}`, which is not a side of any cell");
+                    return Err(Fault::at(at, "not-on-boundary", message, "name curves of the boundary"));
+                }
+                edges.push((joined.ends, name.as_str()));
+            }
+        }
+        Ok(edges)
+    }
+
+    /// The mesh of the points that cells use.
+    fn mesh(&self, blocks: &Blocks, quads: &[Quad], edges: &[([usize; 2], &str)]) -> Result<Mesh, Fault> {
+        let mut used: Vec<usize> = quads.iter().flat_map(|q| q.corners).collect();
+        used.sort_unstable();
+        used.dedup();
+        let number = |point: usize| used.binary_search(&point).unwrap_or(0);
+        let is_used = |ends: &[usize; 2]| ends.iter().all(|p| used.binary_search(p).is_ok());
+        let vertices = used.iter().map(|p| self.points[*p]).collect();
+        let cells: Vec<Quad> = quads.iter().map(|q| Quad { corners: q.corners.map(number), ..*q }).collect();
+        let sides: Vec<[usize; 2]> = cells.iter().flat_map(|q| (0..4).map(|i| [q.corners[i], q.corners[(i + 1) % 4]])).collect();
+        let is_side = |ends: &[usize; 2]| sides.iter().any(|s| s == ends || [s[1], s[0]] == *ends);
+        let curves: Vec<([usize; 2], Curve)> = self
+            .curves
+            .values()
+            .filter(|joined| is_used(&joined.ends))
+            .map(|joined| (joined.ends.map(number), joined.curve))
+            .filter(|(ends, _)| is_side(ends))
+            .collect();
+        let names: Vec<([usize; 2], &str)> = edges.iter().map(|(ends, name)| (ends.map(number), *name)).collect();
+        Mesh::new(vertices, &cells, &curves, &names).map_err(|error| {
+            let cell = |i: usize| blocks.cells.keys().nth(i).map_or("", String::as_str);
+            let point = |i: usize| self.names[used[i]];
+            match error {
+                Error::FoldedCell { cell: i, x, z, .. } => {
+                    let message = format!("the cell `{}` is folded or degenerate at x = {x:.6}, z = {z:.6}", cell(i));
+                    let remedy = "let every angle of a cell be below 180 degrees, and no side cross another";
+                    Fault::at(format!("{}.cells.{}", self.key, cell(i)), "folded-cell", message, remedy)
+                }
+                Error::Overlapping { a, b } => {
+                    let message =
+                        format!("two cells lie on the same side of the curve between `{}` and `{}`", point(a), point(b));
+                    Fault::at(
+                        format!("{}.cells", self.key),
+                        "overlapping-cells",
+                        message,
+                        "let cells touch along whole curves only",
+                    )
+                }
+                other => Fault::at(self.key, "degenerate", other.to_string(), "mend the points and curves of this body"),
+            }
+        })
+    }
+
+    /// Refuses cells that touch nothing, and points that lie on a side without cutting it.
+    fn connected(&self, mesh: &Mesh, blocks: &Blocks) -> Result<(), Fault> {
+        let name = |v: usize| {
+            let x = mesh.vertices[v];
+            self.points.iter().position(|p| *p == x).map_or("", |i| self.names[i])
+        };
+        let neighbours = mesh.edge_cells();
+        for (e, edge) in mesh.edges.iter().enumerate().filter(|(e, _)| neighbours[*e].len() == 1) {
+            for v in (0..mesh.vertices.len()).filter(|v| !edge.vertices.contains(v)) {
+                if lies_on(&edge.curve, mesh.vertices[v]) {
+                    let cell = blocks.cells.keys().nth(neighbours[e][0].0).map_or("", String::as_str);
+                    let message = format!("the point `{}` lies on a side of the cell `{cell}` without being its corner", name(v));
+                    let remedy = "cut that cell there, so that cells touch along whole curves only";
+                    return Err(Fault::at(format!("{}.cells.{cell}", self.key), "hanging-point", message, remedy));
+                }
+            }
+        }
+        let mut reached = vec![false; mesh.cells.len()];
+        let mut open = vec![0];
+        while let Some(c) = open.pop() {
+            if !std::mem::replace(&mut reached[c], true) {
+                open.extend(mesh.cells[c].sides().flat_map(|(_, e)| neighbours[e].iter().map(|(cell, _)| *cell)));
+            }
+        }
+        let Some(loose) = reached.iter().position(|r| !r) else { return Ok(()) };
+        let names: Vec<&str> = blocks.cells.keys().map(String::as_str).collect();
+        let message = format!("the cells `{}` and `{}` belong to two pieces that share no curve", names[0], names[loose]);
+        let remedy = "join all cells of a body by common curves";
+        Err(Fault::at(format!("{}.cells.{}", self.key, names[loose]), "loose-cell", message, remedy))
+    }
+}
+
+fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
+}
+
+/// The polynomial through places whose parameters grow with the chords between them.
+fn smooth(places: &[[f64; 2]]) -> Curve {
+    let mut parameters = vec![0.0];
+    for pair in places.windows(2) {
+        parameters.push(parameters[parameters.len() - 1] + distance(pair[0], pair[1]));
+    }
+    let total = parameters[parameters.len() - 1];
+    let parameters: Vec<f64> = parameters.iter().map(|t| 2.0 * t / total - 1.0).collect();
+    let weights = hpfem::barycentric_weights(&parameters);
+    Curve::interpolated(places.len() - 1, |t| {
+        let shapes = hpfem::lagrange(&parameters, &weights, t);
+        std::array::from_fn(|i| shapes.iter().zip(places).map(|(l, x)| l * x[i]).sum())
+    })
+}
+
+/// Whether a point lies on a line or arc between its ends; of polynomial curves it is not asked.
+fn lies_on(curve: &Curve, x: [f64; 2]) -> bool {
+    let near = 1e-9 * curve.length();
+    let inner = |t: f64| t.abs() < 1.0 && distance(curve.point(t), x) <= near;
+    match *curve {
+        Curve::Line { start, end } => {
+            let (d, r) = ([end[0] - start[0], end[1] - start[1]], [x[0] - start[0], x[1] - start[1]]);
+            inner(2.0 * (d[0] * r[0] + d[1] * r[1]) / (d[0] * d[0] + d[1] * d[1]) - 1.0)
+        }
+        Curve::Arc { centre, from, to, .. } => {
+            let angle = (x[1] - centre[1]).atan2(x[0] - centre[0]);
+            let off = (angle - 0.5 * (from + to) + PI).rem_euclid(TAU) - PI;
+            inner(2.0 * off / (to - from))
+        }
+        Curve::Polynomial { .. } => false,
+    }
+}

@@ -1,0 +1,147 @@
+//! The line or circle that a contact edge lies on, which the pressure stage needs to know exactly.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use hpfem::{Curve, Mesh};
+
+use crate::fault::Fault;
+use crate::geometry::Geometry;
+use crate::given::{Given, given};
+use crate::scene::Body;
+
+/// Where a contact edge lies.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum ContactLine {
+    /// On a horizontal line.
+    Line {
+        /// Height.
+        z: f64,
+        /// From and to.
+        x: [f64; 2],
+    },
+    /// On a circle.
+    Circle {
+        /// Centre [x, z].
+        centre: [f64; 2],
+        /// Radius.
+        radius: f64,
+        /// From and to, from the z axis towards +x.
+        angles: [f64; 2],
+    },
+}
+
+/// The line of a body's contact edge; `shaped` is body 1, which lies above the line or around the circle.
+pub(crate) fn contact_line(key: &str, body: &Body, edge: &str, shaped: bool) -> Result<ContactLine, Fault> {
+    let refuse = |message: String| {
+        let remedy = "let the contact edge be one horizontal line with body 1 above, or part of one circle with body 1 outside";
+        Err(Fault::at(if shaped { "contact.edges.0" } else { "contact.edges.1" }, "not-available", message, remedy))
+    };
+    if let Some(Given { mesh, .. }) = given(key, body)? {
+        return of_mesh(&mesh, edge, shaped).map_or_else(|why| refuse(format!("the edge `{edge}` of {key} {why}")), Ok);
+    }
+    match (&body.geometry, edge, shaped) {
+        (Geometry::ShoeBlock(shoe), "inner", true) => {
+            let angle = shoe.half_angle.0;
+            Ok(ContactLine::Circle { centre: [0.0; 2], radius: shoe.radius.0, angles: [-angle, angle] })
+        }
+        (Geometry::RingSegment(segment), "inner", true) => {
+            let angles = segment.x.map(|x| (x.0 / segment.inner.0).asin());
+            Ok(ContactLine::Circle { centre: [0.0; 2], radius: segment.inner.0, angles })
+        }
+        (Geometry::Ring(ring), "outer", false) => {
+            let centre = ring.centre.map_or([0.0; 2], |c| c.map(|c| c.0));
+            Ok(ContactLine::Circle { centre, radius: ring.outer.0, angles: [-PI, PI] })
+        }
+        (Geometry::Rectangle(r), "bottom", true) => Ok(ContactLine::Line { z: r.z[0].0, x: r.x.map(|x| x.0) }),
+        (Geometry::Rectangle(r), "top", false) => Ok(ContactLine::Line { z: r.z[1].0, x: r.x.map(|x| x.0) }),
+        (other, ..) => refuse(format!("the edge `{edge}` of the {} {key} cannot touch this body", crate::setup::template(other))),
+    }
+}
+
+fn of_mesh(mesh: &Mesh, edge: &str, shaped: bool) -> Result<ContactLine, String> {
+    let walk = walk(mesh, edge).ok_or("is not one connected line")?;
+    let length: f64 = walk.iter().map(Curve::length).sum();
+    let first = walk.first().copied().ok_or("has no curves")?;
+    let near = |a: f64, b: f64| (a - b).abs() <= 1e-9 * length;
+    let (line, above) = match first {
+        Curve::Line { start, .. } => {
+            let height = start[1];
+            for curve in &walk {
+                match curve {
+                    Curve::Line { start, end } if near(start[1], height) && near(end[1], height) => {}
+                    Curve::Line { .. } => return Err("is not horizontal".into()),
+                    _ => return Err("is partly straight and partly curved".into()),
+                }
+            }
+            let ends = [start[0], walk[walk.len() - 1].point(1.0)[0]];
+            let x = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+            // The body lies on the left of the walk.
+            (ContactLine::Line { z: height, x }, ends[1] > ends[0])
+        }
+        Curve::Arc { centre, radius, from, .. } => {
+            let mut turned = 0.0;
+            for curve in &walk {
+                match *curve {
+                    Curve::Arc { centre: c, radius: r, from, to }
+                        if near(c[0], centre[0]) && near(c[1], centre[1]) && near(r, radius) =>
+                    {
+                        turned += to - from;
+                    }
+                    _ => return Err("is not part of one circle".into()),
+                }
+            }
+            // Angles from the z axis run the other way.
+            let start = FRAC_PI_2 - from;
+            let middle = start - 0.5 * turned;
+            let middle = (middle + PI).rem_euclid(TAU) - PI;
+            let middle = if middle.abs() < 1e-14 { 0.0 } else { middle };
+            let half = 0.5 * turned.abs();
+            // Left of an anti-clockwise walk is inside the circle.
+            (ContactLine::Circle { centre, radius, angles: [middle - half, middle + half] }, turned < 0.0)
+        }
+        Curve::Polynomial { .. } => return Err("is neither a line nor an arc".into()),
+    };
+    if above != shaped {
+        let (is, wanted) = if shaped { ("below", "above") } else { ("above", "below") };
+        return Err(match line {
+            ContactLine::Line { .. } => format!("has its body {is} it, which must be {wanted}"),
+            ContactLine::Circle { .. } if shaped => "has its body inside the circle, and body 1 must be outside".into(),
+            ContactLine::Circle { .. } => "has its body outside the circle, and body 2 must be inside".into(),
+        });
+    }
+    match line {
+        ContactLine::Circle { angles, .. } if shaped && !(angles[0] > -FRAC_PI_2 && angles[1] < FRAC_PI_2) => {
+            let [from, to] = angles.map(f64::to_degrees);
+            Err(format!("reaches from {from:.3} to {to:.3} deg from the z axis, and must stay above the middle of its circle"))
+        }
+        other => Ok(other),
+    }
+}
+
+/// The curves of a boundary in order, each with the body on the left; none if they are not one path or ring.
+fn walk(mesh: &Mesh, edge: &str) -> Option<Vec<Curve>> {
+    let neighbours = mesh.edge_cells();
+    let mut directed: Vec<([usize; 2], Curve)> = Vec::new();
+    for e in mesh.boundary(edge).ok()? {
+        let own = &mesh.edges[e];
+        let (cell, local) = neighbours[e][0];
+        // Local edges 0 and 1 have the cell on their left.
+        let left = (local < 2) != mesh.cells[cell].against[local];
+        let [a, b] = own.vertices;
+        directed.push(if left { ([a, b], own.curve) } else { ([b, a], own.curve.reversed()) });
+    }
+    let is_end = |v: usize| directed.iter().any(|(ends, _)| ends[1] == v);
+    let start = directed.iter().position(|(ends, _)| !is_end(ends[0])).unwrap_or(0);
+    let mut curves = Vec::new();
+    let mut at = directed.get(start)?.0[0];
+    while curves.len() < directed.len() {
+        let (ends, curve) = directed.iter().find(|(ends, _)| ends[0] == at)?;
+        curves.push(*curve);
+        at = ends[1];
+        // A second piece beside a closed one.
+        if at == directed[start].0[0] && curves.len() < directed.len() {
+            return None;
+        }
+    }
+    Some(curves)
+}

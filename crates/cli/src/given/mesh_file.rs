@@ -1,0 +1,146 @@
+//! `geometry.mesh`: a gmsh file beside the scene.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use hpfem::{Curve, GmshError, GmshMesh, Mesh};
+
+use crate::fault::{Fault, did_you_mean};
+use crate::geometry::MeshFile;
+use crate::given::Given;
+use crate::report::sha256;
+use crate::scene::Material;
+
+/// A mesh file as it was read.
+#[derive(Debug, PartialEq)]
+pub(crate) struct MeshContent {
+    /// The file, to be copied beside the resolved scene.
+    pub(crate) bytes: Vec<u8>,
+    mesh: Mesh,
+    groups: Vec<String>,
+}
+
+impl MeshContent {
+    /// Names of the physical curves.
+    pub(crate) fn edges(&self) -> &[String] {
+        &self.mesh.boundaries
+    }
+}
+
+/// Reads the file of `key`.geometry.mesh; from then on the scene names it as its copy in the output folder, `key`.msh.
+pub(crate) fn read(key: &str, file: &mut MeshFile, folder: &Path) -> Result<(), Fault> {
+    let at = format!("{key}.geometry.mesh.file");
+    let path = folder.join(&file.file);
+    let bytes = std::fs::read(&path).map_err(|error| {
+        let message = format!("cannot read the mesh {}: {error}", path.display());
+        Fault::at(&at, "unreadable", message, "give the path of a gmsh file, relative to the scene")
+    })?;
+    let hash = sha256(&bytes);
+    if let Some(wanted) = file.sha256.as_ref().filter(|wanted| **wanted != hash) {
+        let message = format!(
+            "the mesh {} is another one than the scene was written for: its SHA-256 is {hash}, not {wanted}",
+            path.display()
+        );
+        let remedy = "bring the old file back, or remove the key sha256";
+        return Err(Fault::at(format!("{key}.geometry.mesh.sha256"), "changed-mesh", message, remedy));
+    }
+    let GmshMesh { mut mesh, materials: groups } = GmshMesh::read(&bytes).map_err(|error| {
+        let remedy = match &error {
+            GmshError::ElementType { .. } => "save the plane mesh alone, of order 1 to 4: Mesh.SaveAll = 0",
+            GmshError::NoCells => "put the surface into a physical group",
+            GmshError::Version { .. } => "save as version 4.1: gmsh -format msh41",
+            GmshError::NotPlane { .. } => "put the section into the x-y or the x-z plane",
+            GmshError::LooseLine { .. } => "let physical curves follow sides of cells",
+            GmshError::Mesh(_) => "mend the mesh: gmsh's Tools, Statistics shows cells of low quality",
+            _ => "write the file again with gmsh, as MSH 4.1 or 2.2",
+        };
+        Fault::at(&at, "wrong-mesh", format!("{}: {error}", path.display()), remedy)
+    })?;
+    round(&mut mesh);
+    file.content = Some(Arc::new(MeshContent { bytes, mesh, groups }));
+    file.file = format!("{key}.msh");
+    file.sha256 = Some(hash);
+    Ok(())
+}
+
+/// Cells of a mesh file that was read, at the dotted `key`; `own` is the material of groups that have none.
+pub(super) fn given(key: &str, file: &MeshFile, own: Option<Material>) -> Result<Given, Fault> {
+    let Some(MeshContent { mesh, groups, .. }) = file.content.as_deref() else {
+        let message = "the mesh was not read";
+        return Err(Fault::at(format!("{key}.file"), "unreadable", message, "give the path of a gmsh file"));
+    };
+    if let Some(unknown) = file.materials.keys().find(|name| !groups.contains(name)) {
+        let known: Vec<&str> = groups.iter().map(String::as_str).filter(|name| !name.is_empty()).collect();
+        let message = format!("the mesh has no physical surface `{unknown}`");
+        return Err(Fault::at(format!("{key}.materials.{unknown}"), "unknown-group", message, did_you_mean(unknown, &known)));
+    }
+    let material = |group: &String| {
+        file.materials.get(group).copied().or(own).ok_or_else(|| {
+            let (what, remedy) = match group.as_str() {
+                "" => ("cells of no physical surface".to_string(), "give the body a material for the rest".to_string()),
+                name => {
+                    (format!("the physical surface `{name}`"), format!("add {key}.materials.{name}, or a material of the body"))
+                }
+            };
+            Fault::at(format!("{key}.materials"), "missing-key", format!("there is no material for {what}"), remedy)
+        })
+    };
+    Ok(Given { mesh: mesh.clone(), materials: groups.iter().map(material).collect::<Result<_, _>>()? })
+}
+
+/// Boundaries whose nodes lie on one circle become arcs of it: gmsh puts the nodes of curved edges on the true curve, and the polynomial
+/// between them is only near it.
+fn round(mesh: &mut Mesh) {
+    for name in mesh.boundaries.clone() {
+        let edges = mesh.boundary(&name).unwrap_or_default();
+        let curves: Vec<Curve> = edges.iter().map(|e| mesh.edges[*e].curve).collect();
+        if let Some(arcs) = arcs(&curves) {
+            edges.into_iter().zip(arcs).for_each(|(e, arc)| mesh.edges[e].curve = arc);
+        }
+    }
+}
+
+/// The arcs of one circle that pass through the nodes of polynomial curves, if there is one.
+fn arcs(curves: &[Curve]) -> Option<Vec<Curve>> {
+    let nodes: Vec<Vec<[f64; 2]>> = curves.iter().map(nodes).collect::<Option<_>>()?;
+    let all: Vec<[f64; 2]> = nodes.iter().flatten().copied().collect();
+    let (centre, radius) = circle(&all)?;
+    let from_centre = |x: &[f64; 2]| (x[0] - centre[0]).hypot(x[1] - centre[1]);
+    if all.iter().any(|x| (from_centre(x) - radius).abs() > 1e-9 * radius) {
+        return None;
+    }
+    let angle = |x: [f64; 2]| (x[1] - centre[1]).atan2(x[0] - centre[0]);
+    let arc = |places: &Vec<[f64; 2]>| {
+        let from = angle(places[0]);
+        let turn = (angle(places[places.len() - 1]) - from + std::f64::consts::PI).rem_euclid(std::f64::consts::TAU)
+            - std::f64::consts::PI;
+        Curve::Arc { centre, radius, from, to: from + turn }
+    };
+    Some(nodes.iter().map(arc).collect())
+}
+
+/// The equally spaced nodes of a polynomial edge, as many as its degree asks for.
+fn nodes(curve: &Curve) -> Option<Vec<[f64; 2]>> {
+    let Curve::Polynomial { modes, .. } = curve else { return None };
+    let scale = 1e-12 * curve.length();
+    let degree = modes.iter().rposition(|m| m[0].abs().max(m[1].abs()) > scale)? + 2;
+    Some((0..=degree).map(|i| curve.point(2.0 * i as f64 / degree as f64 - 1.0)).collect())
+}
+
+/// Centre and radius of the circle nearest to points, by linear least squares on `x^2 + z^2 = 2 a x + 2 b z + c`.
+fn circle(points: &[[f64; 2]]) -> Option<([f64; 2], f64)> {
+    let count = points.len() as f64;
+    let mean: [f64; 2] = std::array::from_fn(|i| points.iter().map(|x| x[i]).sum::<f64>() / count);
+    let rows = points.iter().map(|x| nalgebra::Vector3::new(x[0] - mean[0], x[1] - mean[1], 1.0));
+    let (mut normal, mut right) = (nalgebra::Matrix3::zeros(), nalgebra::Vector3::zeros());
+    let size = points.iter().map(|x| (x[0] - mean[0]).hypot(x[1] - mean[1])).fold(0.0, f64::max);
+    for row in rows {
+        let row = nalgebra::Vector3::new(row[0] / size, row[1] / size, 1.0);
+        normal += row * row.transpose();
+        right += row * (row[0] * row[0] + row[1] * row[1]);
+    }
+    let best = normal.lu().solve(&right)?;
+    let (a, b) = (0.5 * best[0], 0.5 * best[1]);
+    let square = best[2] + a * a + b * b;
+    (square.is_finite() && square > 0.0).then(|| ([mean[0] + size * a, mean[1] + size * b], size * square.sqrt()))
+}

@@ -1,0 +1,149 @@
+//! Cuts from edge to edge through a mesh.
+
+use crate::curve::{CURVE_DEGREE, Curve};
+use crate::error::Error;
+use crate::mesh::{Mesh, Quad};
+use std::collections::{BTreeMap, HashMap};
+
+impl Mesh {
+    /// Cuts an edge at parameter `t` of its own direction, and every cell in the row that the edge belongs to from side to side: no
+    /// hanging nodes arise. The row goes on through opposite edges until it ends on the boundary or in the far corner of a triangle, or
+    /// closes; the new edges follow the maps of the quadrilaterals, and are straight in triangles. Layer numbers, materials and names stay.
+    ///
+    /// ```text
+    /// +---+---+---+        +-+-+---+---+
+    /// |   |   |   |        | | |   |   |
+    /// +---+---+---+   ->   +-+-+---+---+
+    /// |   |   |   |        | | |   |   |
+    /// +-e-+---+---+        +-+-+---+---+
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for `t` outside (-1, 1), [`Error::Count`] for an edge that does not exist, [`Error::FoldedCell`] if a cell
+    /// cannot be cut.
+    pub fn cut_through(&self, edge: usize, t: f64) -> Result<Mesh, Error> {
+        if !(t > -1.0 && t < 1.0) {
+            return Err(Error::OutOfRange { quantity: "the parameter of a cut".into(), value: t, range: "in (-1, 1)" });
+        }
+        if edge >= self.edges.len() {
+            return Err(Error::Count { what: "edge to cut, edges".into(), given: edge + 1, expected: self.edges.len() });
+        }
+        let row = self.row(edge, t);
+        let mut vertices = self.vertices.clone();
+        let (mut quads, mut curves) = (Vec::with_capacity(self.cells.len() + row.len()), Vec::new());
+        let mut names: Vec<([usize; 2], &str)> = Vec::new();
+        let mut cut_vertex: HashMap<usize, usize> = HashMap::new();
+        for (e, own) in self.edges.iter().enumerate() {
+            let [a, b] = own.vertices;
+            let mut pieces = vec![([a, b], own.curve)];
+            if let Some(at) = row.get(&e) {
+                let v = vertices.len();
+                vertices.push(own.curve.point(*at));
+                cut_vertex.insert(e, v);
+                pieces = vec![([a, v], own.curve.part(-1.0, *at)), ([v, b], own.curve.part(*at, 1.0))];
+            }
+            for tag in &own.tags {
+                names.extend(pieces.iter().map(|(walk, _)| (*walk, self.boundaries[*tag].as_str())));
+            }
+            curves.extend(pieces);
+        }
+        for (c, cell) in self.cells.iter().enumerate() {
+            let place = |local: usize| row.get(&cell.edges[local]?).map(|at| if cell.against[local] { -at } else { *at });
+            let middle = |local: usize| cut_vertex.get(&cell.edges[local]?).copied();
+            let [k0, k1, k2, k3] = cell.corners;
+            let mut quad = |corners| quads.push(Quad { corners, material: cell.material, layer: cell.layer });
+            if cell.is_triangle() {
+                triangle_pieces([k0, k1, k2], [0, 1, 3].map(middle)).into_iter().for_each(quad);
+                continue;
+            }
+            // Vertices on the edges below, right, above, left.
+            match (place(0).zip(middle(0)).zip(middle(2)), place(1).zip(middle(1)).zip(middle(3))) {
+                (None, None) => quad(cell.corners),
+                (Some(((xi, below), above)), None) => {
+                    curves.push(([below, above], self.inner_curve(c, xi, false)));
+                    quad([k0, below, above, k3]);
+                    quad([below, k1, k2, above]);
+                }
+                (None, Some(((eta, right), left))) => {
+                    curves.push(([left, right], self.inner_curve(c, eta, true)));
+                    quad([k0, k1, right, left]);
+                    quad([left, right, k2, k3]);
+                }
+                (Some(((xi, below), above)), Some(((eta, right), left))) => {
+                    let centre = vertices.len();
+                    let (up, across) = (self.inner_curve(c, xi, false), self.inner_curve(c, eta, true));
+                    vertices.push(self.map(c, xi, eta).0);
+                    curves.push(([below, centre], up.part(-1.0, eta)));
+                    curves.push(([centre, above], up.part(eta, 1.0)));
+                    curves.push(([left, centre], across.part(-1.0, xi)));
+                    curves.push(([centre, right], across.part(xi, 1.0)));
+                    quad([k0, below, centre, left]);
+                    quad([below, k1, right, centre]);
+                    quad([centre, right, k2, above]);
+                    quad([left, centre, above, k3]);
+                }
+            }
+        }
+        let mesh = Mesh::joined(vertices, &quads, &curves, &names)?;
+        mesh.check_cells()?;
+        Ok(mesh)
+    }
+
+    /// The edges of a row with the parameter of the cut in each edge's own direction.
+    fn row(&self, edge: usize, t: f64) -> BTreeMap<usize, f64> {
+        let neighbours = self.edge_cells();
+        let mut row = BTreeMap::from([(edge, t)]);
+        let mut open = vec![edge];
+        while let Some(e) = open.pop() {
+            for (c, local) in &neighbours[e] {
+                // Opposite edges of a cell are both walked towards growing reference coordinate.
+                let (cell, opposite) = (&self.cells[*c], (local + 2) % 4);
+                let Some(other) = cell.edges[opposite].filter(|_| !cell.is_triangle()) else { continue };
+                let at = if cell.against[*local] == cell.against[opposite] { row[&e] } else { -row[&e] };
+                if let std::collections::btree_map::Entry::Vacant(entry) = row.entry(other) {
+                    entry.insert(at);
+                    open.push(other);
+                }
+            }
+        }
+        row
+    }
+
+    /// The image of the line `xi = at`, or with `across` of `eta = at`, towards growing reference coordinate.
+    fn inner_curve(&self, cell: usize, at: f64, across: bool) -> Curve {
+        let point = |t: f64| if across { self.map(cell, t, at).0 } else { self.map(cell, at, t).0 };
+        // The edges at whose sides the line runs, and those it joins.
+        let (sides, ends) = if across { ([0, 2], [3, 1]) } else { ([3, 1], [0, 2]) };
+        let curve = |local: usize| self.local_curve(cell, local);
+        match sides.map(curve) {
+            [Curve::Line { .. }, Curve::Line { .. }] => Curve::Line { start: point(-1.0), end: point(1.0) },
+            [Curve::Arc { centre, radius, from, to }, Curve::Arc { centre: c, radius: r, from: f, to: t }]
+                if same_sector((centre, [from, to]), (c, [f, t]))
+                    && ends.iter().all(|e| matches!(curve(*e), Curve::Line { .. })) =>
+            {
+                let share = 0.5 * (1.0 + at);
+                Curve::Arc { centre, radius: (1.0 - share) * radius + share * r, from, to }
+            }
+            _ => Curve::interpolated(CURVE_DEGREE, point),
+        }
+    }
+}
+
+/// The cells that a triangle falls into, by the vertices that cut its sides, the first of which joins the first two corners.
+fn triangle_pieces(corners: [usize; 3], middles: [Option<usize>; 3]) -> Vec<[usize; 4]> {
+    // Turned so that a side without a cut, if there is one, comes last, and a side with a cut first.
+    let turn = (0..3).find(|t| middles[*t].is_some() && middles[(t + 2) % 3].is_none()).unwrap_or(0);
+    let [a, b, c] = std::array::from_fn(|i| corners[(turn + i) % 3]);
+    match std::array::from_fn(|i| middles[(turn + i) % 3]) {
+        [Some(m), None, _] => vec![[a, m, c, c], [m, b, c, c]],
+        [Some(m), Some(n), None] => vec![[m, b, n, n], [a, m, n, c]],
+        [Some(m), Some(n), Some(o)] => vec![[a, m, o, o], [m, b, n, n], [n, c, o, o], [m, n, o, o]],
+        [None, ..] => vec![[a, b, c, c]],
+    }
+}
+
+/// Whether two arcs have the same centre and angles up to round-off.
+fn same_sector((centre, [from, to]): ([f64; 2], [f64; 2]), (c, [f, t]): ([f64; 2], [f64; 2])) -> bool {
+    let near = |a: f64, b: f64| (a - b).abs() <= 1e-14 * (1.0 + a.abs());
+    near(centre[0], c[0]) && near(centre[1], c[1]) && near(from, f) && near(to, t)
+}

@@ -1,0 +1,96 @@
+"""Writes the gmsh meshes of this folder: python3 meshes.py (needs Debian's python3-gmsh).
+
+punch.msh   the punch of translating-punch, unstructured quadrilaterals of order 1, MSH 4.1 text
+shoe.msh    the shoe of drum-brake-block, quadrilaterals of order 2, MSH 4.1 binary: its arc is recognised as one
+lining.msh  the shoe as a lining on its back, two physical surfaces, quadrilaterals of order 3, MSH 2.2 text
+"""
+
+from math import cos, pi, sin
+
+import gmsh
+
+
+def begin(size):
+    gmsh.initialize()
+    gmsh.option.setNumber("General.Terminal", 0)
+    gmsh.option.setNumber("General.NumThreads", 1)
+    gmsh.option.setNumber("Mesh.MeshSizeMin", size)
+    gmsh.option.setNumber("Mesh.MeshSizeMax", size)
+    gmsh.option.setNumber("Mesh.RecombineAll", 1)
+    gmsh.option.setNumber("Mesh.RecombinationAlgorithm", 3)
+
+
+def end(name, order, version=4.1, binary=0):
+    gmsh.model.mesh.generate(2)
+    gmsh.model.mesh.setOrder(order)
+    gmsh.option.setNumber("Mesh.MshFileVersion", version)
+    gmsh.option.setNumber("Mesh.Binary", binary)
+    gmsh.write(name)
+    gmsh.finalize()
+
+
+def group(dimension, name, tags):
+    gmsh.model.setPhysicalName(dimension, gmsh.model.addPhysicalGroup(dimension, tags), name)
+
+
+def polygon(points, centre=None):
+    """Lines between points, the first one an arc if there is a centre."""
+    tags = [gmsh.model.geo.addPoint(x, y, 0) for x, y in points]
+    ends = list(zip(tags, tags[1:] + tags[:1]))
+    if centre is None:
+        return [gmsh.model.geo.addLine(*e) for e in ends]
+    middle = gmsh.model.geo.addPoint(*centre, 0)
+    first = gmsh.model.geo.addCircleArc(ends[0][0], middle, ends[0][1])
+    return [first] + [gmsh.model.geo.addLine(*e) for e in ends[1:]]
+
+
+def surface(lines):
+    return gmsh.model.geo.addPlaneSurface([gmsh.model.geo.addCurveLoop(lines)])
+
+
+def punch():
+    begin(60)
+    lines = polygon([(-30, 100), (30, 100), (30, 200), (-30, 200)])
+    body = surface(lines)
+    gmsh.model.geo.synchronize()
+    for name, line in zip(["bottom", "right", "top", "left"], lines):
+        group(1, name, [line])
+    group(2, "steel", [body])
+    end("punch.msh", 1)
+
+
+def shoe():
+    begin(120)
+    x, z = 200 * sin(pi / 6), 200 * cos(pi / 6)
+    lines = polygon([(-x, z), (x, z), (x, 300), (-x, 300)], (0, 0))
+    body = surface(lines)
+    gmsh.model.geo.synchronize()
+    for name, line in zip(["inner", "right", "top", "left"], lines):
+        group(1, name, [line])
+    group(2, "steel", [body])
+    end("shoe.msh", 2, binary=1)
+
+
+def lining():
+    begin(60)
+    geo = gmsh.model.geo
+    centre = geo.addPoint(0, 0, 0)
+    on = lambda r, a: geo.addPoint(r * sin(a), r * cos(a), 0)
+    a, b, c, d = on(200, -pi / 6), on(200, pi / 6), on(210, pi / 6), on(210, -pi / 6)
+    e, f = geo.addPoint(105, 240, 0), geo.addPoint(-105, 240, 0)
+    face, bond = geo.addCircleArc(a, centre, b), geo.addCircleArc(d, centre, c)
+    ends = [geo.addLine(b, c), geo.addLine(d, a)]
+    left, top, right = geo.addLine(f, d), geo.addLine(e, f), geo.addLine(c, e)
+    soft = geo.addPlaneSurface([geo.addCurveLoop([face, ends[0], -bond, ends[1]])])
+    stiff = geo.addPlaneSurface([geo.addCurveLoop([bond, right, top, left])])
+    geo.synchronize()
+    for name, line in [("face", face), ("left", left), ("right", right), ("top", top)]:
+        group(1, name, [line])
+    group(2, "lining", [soft])
+    group(2, "steel", [stiff])
+    end("lining.msh", 3, version=2.2)
+
+
+punch()
+shoe()
+lining()
