@@ -2,7 +2,7 @@
 
 punch.msh   the punch of translating-punch, unstructured quadrilaterals of order 1, MSH 4.1 text
 shoe.msh    the shoe of drum-brake-block, quadrilaterals of order 2, MSH 4.1 binary: its arc is recognised as one
-lining.msh  the shoe as a lining on its back, two physical surfaces, quadrilaterals of order 3, MSH 2.2 text
+lining.msh  the shoe of lining-on-back, two physical surfaces, quadrilaterals and triangles of order 3, MSH 2.2 text
 """
 
 from math import cos, pi, sin
@@ -10,14 +10,14 @@ from math import cos, pi, sin
 import gmsh
 
 
-def begin(size):
+def begin(size, recombination=3):
     gmsh.initialize()
     gmsh.option.setNumber("General.Terminal", 0)
     gmsh.option.setNumber("General.NumThreads", 1)
     gmsh.option.setNumber("Mesh.MeshSizeMin", size)
     gmsh.option.setNumber("Mesh.MeshSizeMax", size)
     gmsh.option.setNumber("Mesh.RecombineAll", 1)
-    gmsh.option.setNumber("Mesh.RecombinationAlgorithm", 3)
+    gmsh.option.setNumber("Mesh.RecombinationAlgorithm", recombination)
 
 
 def end(name, order, version=4.1, binary=0):
@@ -49,7 +49,7 @@ def surface(lines):
 
 
 def punch():
-    begin(60)
+    begin(48)
     lines = polygon([(-30, 100), (30, 100), (30, 200), (-30, 200)])
     body = surface(lines)
     gmsh.model.geo.synchronize()
@@ -72,7 +72,7 @@ def shoe():
 
 
 def lining():
-    begin(60)
+    begin(30, recombination=1)
     geo = gmsh.model.geo
     centre = geo.addPoint(0, 0, 0)
     on = lambda r, a: geo.addPoint(r * sin(a), r * cos(a), 0)

@@ -15,9 +15,10 @@ macro_rules! scenes {
 }
 
 /// All built-in scenes.
-pub(crate) const SCENES: [Builtin; 14] = scenes![
+pub(crate) const SCENES: [Builtin; 15] = scenes![
     "drum-brake-block",
     "drum-brake-ring",
+    "lining-on-back",
     "translating-punch",
     "punch-wear",
     "annular-punch",

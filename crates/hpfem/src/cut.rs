@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, HashMap};
 impl Mesh {
     /// Cuts an edge at parameter `t` of its own direction, and every cell in the row that the edge belongs to from side to side: no
     /// hanging nodes arise. The row goes on through opposite edges until it ends on the boundary or in the far corner of a triangle, or
-    /// closes; the new edges follow the maps of the quadrilaterals, and are straight in triangles. Layer numbers, materials and names stay.
+    /// closes; the new edges follow the maps of the cells. Layer numbers, materials and names stay.
     ///
     /// ```text
     /// +---+---+---+        +-+-+---+---+
@@ -53,7 +53,27 @@ impl Mesh {
             let [k0, k1, k2, k3] = cell.corners;
             let mut quad = |corners| quads.push(Quad { corners, material: cell.material, layer: cell.layer });
             if cell.is_triangle() {
-                triangle_pieces([k0, k1, k2], [0, 1, 3].map(middle)).into_iter().for_each(quad);
+                let (corners, middles) = ([k0, k1, k2], [0, 1, 3].map(middle));
+                let pieces = triangle_pieces(corners, middles);
+                // Barycentric coordinates of the corners and of the vertices that cut the sides.
+                let unit = |k: usize| std::array::from_fn(|i| if i == k { 1.0 } else { 0.0 });
+                let mut known: Vec<(usize, [f64; 3])> = (0..3).map(|k| (corners[k], unit(k))).collect();
+                for (side, ends) in [[0, 1], [1, 2], [0, 2]].into_iter().enumerate() {
+                    let Some((v, at)) = middles[side].zip(place([0, 1, 3][side])) else { continue };
+                    let [a, b] = ends.map(unit);
+                    known.push((v, std::array::from_fn(|i| 0.5 * ((1.0 - at) * a[i] + (1.0 + at) * b[i]))));
+                }
+                let bent = cell.sides().any(|(_, e)| !self.edges[e].curve.is_straight());
+                let outer = |a: [f64; 3], b: [f64; 3]| (0..3).any(|i| a[i] == 0.0 && b[i] == 0.0);
+                for piece in pieces.iter().filter(|_| bent) {
+                    for (p, q) in (0..4).map(|i| (piece[i], piece[(i + 1) % 4])) {
+                        let at = |v: usize| known.iter().find(|(known, _)| *known == v).map(|(_, l)| *l);
+                        let Some((a, b)) = at(p).zip(at(q)).filter(|(a, b)| p < q && !outer(*a, *b)) else { continue };
+                        let along = |t: f64| std::array::from_fn(|i| 0.5 * ((1.0 - t) * a[i] + (1.0 + t) * b[i]));
+                        curves.push(([p, q], Curve::interpolated(CURVE_DEGREE, |t| self.reference_map(c, along(t)).0)));
+                    }
+                }
+                pieces.into_iter().for_each(quad);
                 continue;
             }
             // Vertices on the edges below, right, above, left.

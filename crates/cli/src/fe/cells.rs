@@ -11,6 +11,8 @@ use crate::scene::{Body, Component, Kinematics, LoadKind, Scene};
 
 /// Longest side of a cell over its shortest before it is cut.
 const SLENDER: f64 = 3.0;
+/// Share of the contact below which two points of it are meant to be one: a mesh file has fewer digits than its geometry.
+pub(super) const SAME: f64 = 1e-6;
 /// Most cuts of slender cells in one body.
 const MOST_CUTS: usize = 24;
 
@@ -67,12 +69,15 @@ impl Cells {
         self.contact_edges().into_iter().flat_map(|(_, range)| range).collect()
     }
 
-    /// Cuts the contact surface at the given coordinates.
+    /// Cuts the contact surface at the given coordinates; a vertex next to one is moved there.
     pub(super) fn cut(&mut self, places: &[f64]) -> Result<(), Fault> {
         let [from, to] = self.extent.ends();
         for place in places {
+            if self.moved_to(*place)? {
+                continue;
+            }
             let edges = self.mesh.boundary(&self.contact).unwrap_or_default();
-            let near = 1e-10 * (to - from);
+            let near = SAME * (to - from);
             let hit = edges.into_iter().find_map(|e| {
                 let [a, b] = self.extent.range(&self.mesh.edges[e].curve);
                 let t = (2.0 * place - a - b) / (b - a);
@@ -90,6 +95,32 @@ impl Cells {
             }
         }
         Ok(())
+    }
+
+    /// Moves the break point next to a place of the contact surface there; false if there is none.
+    fn moved_to(&mut self, place: f64) -> Result<bool, Fault> {
+        let [from, to] = self.extent.ends();
+        let edges = self.mesh.boundary(&self.contact).unwrap_or_default();
+        let found = edges.into_iter().find_map(|e| {
+            let range = self.extent.range(&self.mesh.edges[e].curve);
+            let end = (0..2).find(|k| (range[*k] - place).abs() <= SAME * (to - from))?;
+            let share = (place - range[end]) / (range[1] - range[0]).abs();
+            Some((self.mesh.edges[e].vertices[end], place - range[end], share * self.mesh.edges[e].curve.length()))
+        });
+        let Some((vertex, off, shift)) = found else { return Ok(false) };
+        if off.abs() <= 1e-13 * (to - from) {
+            return Ok(true);
+        }
+        match self.mesh.with_vertex_moved(vertex, shift) {
+            Ok(mesh) => self.mesh = mesh,
+            Err(_) if off.abs() <= 1e-10 * (to - from) => {}
+            Err(error) => {
+                let message =
+                    format!("two points of the contact edges are only {:.1e} of the contact apart: {error}", off / (to - from));
+                return Err(Fault::at("contact.edges", "not-available", message, "give both bodies the same points there"));
+            }
+        }
+        Ok(true)
     }
 
     /// Cuts every piece of the contact surface in the middle.

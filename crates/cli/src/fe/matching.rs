@@ -30,7 +30,7 @@ pub(super) fn matched(
         let breaks: Vec<f64> = cells.iter().flatten().flat_map(Cells::breaks).chain(apart.iter().copied()).collect();
         let cuts = contact_cuts(scene, extent, cut, &breaks);
         cells.iter_mut().flatten().try_for_each(|cells| cells.cut(&cuts))?;
-        let near = 1e-9 * (cuts[cuts.len() - 1] - cuts[0]);
+        let near = 1e-10 * (cuts[cuts.len() - 1] - cuts[0]);
         let known = |place: &f64| cuts.iter().any(|c| (c - place).abs() <= near);
         if !cells.iter().flatten().all(|cells| cells.breaks().iter().all(known)) {
             continue;

@@ -3,6 +3,7 @@
 use hpfem::{Curve, Mesh, Named, Ruled, Side};
 
 use crate::fault::Fault;
+use crate::fe::cells::SAME;
 use crate::fe::matching::matched;
 use crate::geometry::{Geometry, Rectangle, Ring, RingSegment, ShoeBlock};
 use crate::given::given;
@@ -100,7 +101,14 @@ fn geometry_fault(key: &str, error: &hpfem::Error) -> Fault {
 /// Common break points of both bodies on the contact surface: at least two equal pieces, on arcs of at most 30 degrees, and those
 /// that the bodies need for themselves: a template by its kind, one given by cells by its points (`breaks`).
 pub(super) fn contact_cuts(scene: &Scene, extent: Extent, cut: Cut, breaks: &[f64]) -> Vec<f64> {
-    let with = |points: &[f64]| merged(points.iter().chain(breaks).copied().collect());
+    let [first, last] = extent.ends();
+    let near = SAME * (last - first);
+    let with = |points: &[f64]| {
+        let mut others: Vec<f64> = breaks.iter().copied().filter(|b| points.iter().all(|p| (b - p).abs() > near)).collect();
+        others.sort_by(f64::total_cmp);
+        others.dedup_by(|b, a| (*b - *a).abs() <= near);
+        merged(points.iter().copied().chain(others).collect())
+    };
     let more = if cut == Cut::Shifted { 1.0 } else { 0.0 };
     match (extent, scene.body1.as_ref().map(|body| &body.geometry)) {
         (Extent::Angles(ends), Some(Geometry::RingSegment(segment))) => {

@@ -91,6 +91,16 @@ pub(super) fn given(key: &str, file: &MeshFile, own: Option<Material>) -> Result
 /// Boundaries whose nodes lie on one circle become arcs of it: gmsh puts the nodes of curved edges on the true curve, and the polynomial
 /// between them is only near it.
 fn round(mesh: &mut Mesh) {
+    // Edges meant to be straight, up to the digits of the file.
+    for edge in &mut mesh.edges {
+        let bent = match &edge.curve {
+            Curve::Polynomial { modes, .. } => modes.iter().flatten().any(|m| m.abs() > 1e-9 * edge.curve.length()),
+            _ => true,
+        };
+        if !bent {
+            edge.curve = Curve::Line { start: edge.curve.point(-1.0), end: edge.curve.point(1.0) };
+        }
+    }
     for name in mesh.boundaries.clone() {
         let edges = mesh.boundary(&name).unwrap_or_default();
         let curves: Vec<Curve> = edges.iter().map(|e| mesh.edges[*e].curve).collect();
@@ -106,7 +116,8 @@ fn arcs(curves: &[Curve]) -> Option<Vec<Curve>> {
     let all: Vec<[f64; 2]> = nodes.iter().flatten().copied().collect();
     let (centre, radius) = circle(&all)?;
     let from_centre = |x: &[f64; 2]| (x[0] - centre[0]).hypot(x[1] - centre[1]);
-    if all.iter().any(|x| (from_centre(x) - radius).abs() > 1e-9 * radius) {
+    let size = curves.iter().map(Curve::length).sum::<f64>();
+    if radius > 1e3 * size || all.iter().any(|x| (from_centre(x) - radius).abs() > 1e-9 * size) {
         return None;
     }
     let angle = |x: [f64; 2]| (x[1] - centre[1]).atan2(x[0] - centre[0]);

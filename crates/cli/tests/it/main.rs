@@ -3,7 +3,9 @@
 
 mod approach;
 mod broken;
+mod broken_cells;
 mod call;
+mod cells;
 mod commands;
 mod counterfaces;
 mod fields;

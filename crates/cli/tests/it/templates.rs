@@ -2,9 +2,10 @@
 
 use crate::call::Bench;
 
-const NAMES: [&str; 14] = [
+const NAMES: [&str; 15] = [
     "drum-brake-block",
     "drum-brake-ring",
+    "lining-on-back",
     "translating-punch",
     "punch-wear",
     "annular-punch",

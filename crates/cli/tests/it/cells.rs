@@ -1,0 +1,212 @@
+//! Bodies given by blocks and by gmsh files: the same answers as from templates, and known ones.
+
+use crate::call::{Bench, files};
+
+const HEAD: &str = r#"title = "Drum brake of cells"
+units = "N-mm"
+kinematics = "plane-stress"
+thickness = 10
+contact = { edges = ["inner", "outer"], friction = 0.25, gap = 0 }
+sliding = { omega = "2.5 rad/s" }
+load = { edge = "top", as = "pressure", force = "10 kN" }
+wear = { beta = [2e-4, 0], a = 1, b = 0.5 }
+body1.support = { left = ["x"], right = ["x"] }
+body1.material = { young = "210 GPa", poisson = 0.3 }
+body2.support = { inner = ["x", "z"] }
+body2.material = { young = "210 GPa", poisson = 0.3 }
+"#;
+
+const SHOE: &str = r#"
+[body1.geometry.blocks]
+points = { a = { radius = 200, angle = "-30 deg" }, b = { radius = 200, angle = "30 deg" }, c = [100, 300], d = [-100, 300] }
+curves.arc.arc = { ends = ["a", "b"] }
+curves.right.line = ["b", "c"]
+curves.top.line = ["c", "d"]
+curves.left.line = ["d", "a"]
+cells.shoe.curves = ["top", "left", "arc", "right"]
+edges = { inner = ["arc"], left = ["left"], right = ["right"], top = ["top"] }
+"#;
+
+const DRUM: &str = r#"
+[body2.geometry.blocks.points]
+n = [0, 200]
+e = [200, 0]
+s = [0, -200]
+w = [-200, 0]
+ni = [0, 100]
+ei = [100, 0]
+si = [0, -100]
+wi = [-100, 0]
+[body2.geometry.blocks.curves]
+ne.arc = { ends = ["n", "e"] }
+es.arc = { ends = ["e", "s"] }
+sw.arc = { ends = ["s", "w"] }
+wn.arc = { ends = ["w", "n"] }
+nei.arc = { ends = ["ni", "ei"] }
+esi.arc = { ends = ["ei", "si"] }
+swi.arc = { ends = ["si", "wi"] }
+wni.arc = { ends = ["wi", "ni"] }
+rn.line = ["ni", "n"]
+re.line = ["ei", "e"]
+rs.line = ["si", "s"]
+rw.line = ["wi", "w"]
+[body2.geometry.blocks.cells]
+one.curves = ["ne", "re", "nei", "rn"]
+two.curves = ["es", "rs", "esi", "re"]
+three.curves = ["sw", "rw", "swi", "rs"]
+four.curves = ["wn", "rn", "wni", "rw"]
+[body2.geometry.blocks.edges]
+outer = ["ne", "es", "sw", "wn"]
+inner = ["nei", "esi", "swi", "wni"]
+"#;
+
+const SHOE_TEMPLATE: &str = "\n[body1.geometry.shoe-block]\nradius = 200\nhalf_angle = \"30 deg\"\ntop = 300\n";
+const DRUM_TEMPLATE: &str = "\n[body2.geometry.ring]\ninner = 100\nouter = 200\n";
+
+/// A file of data/meshes beside the scene.
+fn mesh(bench: &Bench, name: &str) {
+    let path = format!("{}/../../data/meshes/{name}", env!("CARGO_MANIFEST_DIR"));
+    std::fs::copy(path, bench.path(name)).unwrap();
+}
+
+/// Runs a scene with options and returns a column of its contact.csv.
+fn column(bench: &Bench, scene: &str, options: &str, name: &str) -> Vec<f64> {
+    let call = bench.call(&format!("run {scene} --sample 61 -q -o table {options}"));
+    assert_eq!(call.code, 0, "{scene} {options}: {}{}", call.out, call.err);
+    let text = bench.read("table/contact.csv");
+    let at = text.lines().next().unwrap().split(',').position(|field| field == name).unwrap();
+    text.lines().skip(1).map(|line| line.split(',').nth(at).unwrap().parse().unwrap()).collect()
+}
+
+/// Largest difference over the largest value.
+fn difference(a: &[f64], b: &[f64]) -> f64 {
+    let largest = b.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) / largest
+}
+
+#[test]
+fn a_drum_brake_of_blocks_has_the_gap_of_the_templates_within_the_accuracy() {
+    let bench = Bench::new();
+    bench.file("tt.toml", &[HEAD, SHOE_TEMPLATE, DRUM_TEMPLATE].concat());
+    bench.file("bb.toml", &[HEAD, SHOE, DRUM].concat());
+    bench.file("bt.toml", &[HEAD, SHOE, DRUM_TEMPLATE].concat());
+    bench.file("tb.toml", &[HEAD, SHOE_TEMPLATE, DRUM].concat());
+    let shape = "--set check=false --set accuracy=1e-6";
+    let wanted = column(&bench, "tt.toml", shape, "gap_um");
+    for scene in ["bb.toml", "bt.toml", "tb.toml"] {
+        let error = difference(&column(&bench, scene, shape, "gap_um"), &wanted);
+        assert!(error < 1e-6, "{scene}: {error}");
+    }
+    let contact = "--set tasks=[contact] --set accuracy=1e-4";
+    let energies = |scene: &str| {
+        column(&bench, scene, contact, "pressure_MPa");
+        let summary: serde_json::Value = serde_json::from_str(&bench.read("table/summary.json")).unwrap();
+        ["body1_Nmm", "body2_Nmm"].map(|body| summary["energy"][body].as_f64().unwrap())
+    };
+    let (one, other) = (energies("bb.toml"), energies("tt.toml"));
+    for body in 0..2 {
+        assert!((one[body] / other[body] - 1.0).abs() < 1e-4, "energy of body {}: {} and {}", body + 1, one[body], other[body]);
+    }
+    let wear = "--set tasks=[wear] --set mesh.degree=5";
+    let error = difference(&column(&bench, "bb.toml", wear, "gap_um"), &column(&bench, "tt.toml", wear, "gap_um"));
+    assert!(error < 1e-3, "worn shapes of degree 5: {error}");
+}
+
+#[test]
+fn a_lining_on_its_back_stores_the_energy_of_two_springs_in_a_row() {
+    // Held at its sides every layer is strained uniformly: w = p^2 A h / (2 M), M = E (1 - nu) / ((1 + nu) (1 - 2 nu)).
+    let bench = Bench::new();
+    bench.file(
+        "column.toml",
+        r#"units = "N-mm"
+kinematics = "plane-strain"
+thickness = 3
+tasks = ["shape"]
+mesh = { degree = 5, layers = 2 }
+contact = { edges = ["low", "top"] }
+sliding = { speed = 1 }
+load = { edge = "high", as = "pressure", force = 600 }
+wear = { beta = 1e-6 }
+optimum = { functional = "uniform" }
+body1.support = { sides = ["x"] }
+body2.material = { young = 70000, poisson = 0.2 }
+body2.geometry.rectangle = { x = [-10, 10], z = [-15, 0] }
+body2.support = { left = ["x"], right = ["x"], bottom = ["z"] }
+[body1.geometry.blocks]
+points = { a = [-10, 0], b = [10, 0], c = [10, 10], d = [-10, 10], e = [10, 25], f = [-10, 25], p = [-3, 10], q = [3, 25], m = [1, 0] }
+curves.low1.line = ["a", "m"]
+curves.low2.line = ["m", "b"]
+curves.bond1.spline = { ends = ["d", "p"], through = [[-6, 10]] }
+curves.bond2.line = ["p", "c"]
+curves.high1.line = ["e", "q"]
+curves.high2.line = ["q", "f"]
+curves.middle1.line = ["m", "p"]
+curves.middle2.line = ["p", "q"]
+curves.left1.line = ["a", "d"]
+curves.left2.line = ["d", "f"]
+curves.right1.line = ["b", "c"]
+curves.right2.line = ["c", "e"]
+cells.soft1 = { curves = ["low1", "middle1", "bond1", "left1"], material = "lining" }
+cells.soft2 = { curves = ["low2", "right1", "bond2", "middle1"], material = "lining" }
+cells.back1 = { curves = ["bond1", "middle2", "high2", "left2"], material = "steel" }
+cells.back2 = { curves = ["bond2", "right2", "high1", "middle2"], material = "steel" }
+edges = { low = ["low1", "low2"], high = ["high2", "high1"], sides = ["left1", "left2", "right1", "right2"] }
+materials = { lining = { young = "1 GPa", poisson = 0.25 }, steel = { young = "210 GPa", poisson = 0.3 } }
+"#,
+    );
+    let opening = column(&bench, "column.toml", "", "gap_um");
+    assert!(opening.iter().all(|g| g.abs() < 1e-9), "the faces stay flat: {opening:?}");
+    let summary: serde_json::Value = serde_json::from_str(&bench.read("table/summary.json")).unwrap();
+    let modulus = |young: f64, nu: f64| young * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu));
+    let (pressure, area) = (600.0 / 60.0, 60.0);
+    let energy = |height: f64, m: f64| 0.5 * pressure * pressure * area * height / m;
+    let wanted = [energy(10.0, modulus(1e3, 0.25)) + energy(15.0, modulus(210e3, 0.3)), energy(15.0, modulus(70e3, 0.2))];
+    for (body, wanted) in ["body1_Nmm", "body2_Nmm"].iter().zip(wanted) {
+        let found = summary["energy"][body].as_f64().unwrap();
+        assert!((found / wanted - 1.0).abs() < 1e-9, "{body}: {found}, not {wanted}");
+    }
+}
+
+#[test]
+fn the_punch_from_gmsh_has_the_gap_of_the_template_within_both_accuracies() {
+    let bench = Bench::new();
+    mesh(&bench, "punch.msh");
+    let text = bench.call("new translating-punch").out;
+    let line = text.lines().find(|line| line.starts_with("body1.geometry")).unwrap();
+    bench.file("punch.toml", &text.replace(line, "body1.geometry.mesh = { file = \"punch.msh\" }"));
+    let wanted = column(&bench, "translating-punch", "--set check=false", "gap_um");
+    let error = difference(&column(&bench, "punch.toml", "--set check=false", "gap_um"), &wanted);
+    assert!(error < 2e-6, "{error}");
+}
+
+#[test]
+fn curved_cells_of_second_order_from_gmsh_lie_on_the_exact_arc() {
+    let bench = Bench::new();
+    mesh(&bench, "shoe.msh");
+    bench.file("mesh.toml", &[HEAD, "body1.geometry.mesh.file = \"shoe.msh\"\n", DRUM].concat());
+    let options = "--set check=false --set accuracy=1e-6";
+    let wanted = column(&bench, "drum-brake-block", "--set check=false", "gap_um");
+    let error = difference(&column(&bench, "mesh.toml", options, "gap_um"), &wanted);
+    assert!(error < 2e-6, "{error}");
+}
+
+#[test]
+fn a_lining_from_gmsh_with_triangles_has_the_gap_of_the_blocks_and_its_resolved_scene_runs() {
+    let bench = Bench::new();
+    mesh(&bench, "lining.msh");
+    let text = bench.call("new lining-on-back").out;
+    let (from, to) = (text.find("# Points are").unwrap(), text.find("[body1.geometry.blocks.materials]").unwrap());
+    let text = text.replace(&text[from..to], "[body1.geometry.mesh]\nfile = \"meshes/lining.msh\"\n");
+    std::fs::create_dir(bench.path("meshes")).unwrap();
+    std::fs::rename(bench.path("lining.msh"), bench.path("meshes/lining.msh")).unwrap();
+    bench.file("mesh.toml", &text.replace("[body1.geometry.blocks.materials]", "[body1.geometry.mesh.materials]"));
+    let wanted = column(&bench, "lining-on-back", "--set check=false", "gap_um");
+    let error = difference(&column(&bench, "mesh.toml", "--set check=false", "gap_um"), &wanted);
+    assert!(error < 2e-5, "{error}");
+    let call = bench.call("run table/scene.resolved.toml --sample 61 -q -o again");
+    assert_eq!(call.code, 0, "{}", call.err);
+    assert!(files(&bench.path("again")).contains(&"body1.msh".to_string()));
+    for name in ["contact.csv", "body1.msh", "scene.resolved.toml"] {
+        assert!(bench.bytes(&format!("table/{name}")) == bench.bytes(&format!("again/{name}")), "{name} differs");
+    }
+}
