@@ -107,9 +107,10 @@ fn a_drum_brake_of_blocks_has_the_gap_of_the_templates_within_the_accuracy() {
     for body in 0..2 {
         assert!((one[body] / other[body] - 1.0).abs() < 1e-4, "energy of body {}: {} and {}", body + 1, one[body], other[body]);
     }
-    let wear = "--set tasks=[wear] --set mesh.degree=5";
+    // Both runs end within the accuracy.
+    let wear = "--set tasks=[wear] --set accuracy=1e-3";
     let error = difference(&column(&bench, "bb.toml", wear, "gap_um"), &column(&bench, "tt.toml", wear, "gap_um"));
-    assert!(error < 1e-3, "worn shapes of degree 5: {error}");
+    assert!(error < 2e-3, "worn shapes: {error}");
 }
 
 #[test]
