@@ -45,7 +45,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
     let ready = start.elapsed().as_secs_f64();
     folder.write("scene.resolved.toml", &resolved)?;
     for (name, bytes) in report::mesh_files(&problem.scene) {
-        folder.write(&name, bytes)?;
+        folder.write_bytes(&name, bytes)?;
     }
     if common.verbose && !common.quiet {
         eprint!("{}", describe(&problem));

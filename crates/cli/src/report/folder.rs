@@ -81,7 +81,12 @@ impl Folder {
     }
 
     /// Writes one file of the folder, making folders on the way.
-    pub(crate) fn write(&self, name: &str, content: impl AsRef<[u8]>) -> Result<(), Fault> {
+    pub(crate) fn write(&self, name: &str, text: &str) -> Result<(), Fault> {
+        self.write_bytes(name, text.as_bytes())
+    }
+
+    /// Writes one file of the folder that is no text.
+    pub(crate) fn write_bytes(&self, name: &str, content: &[u8]) -> Result<(), Fault> {
         let path = self.partial.join(name);
         let parent = path.parent().unwrap_or(&self.partial);
         fs::create_dir_all(parent).and_then(|()| fs::write(&path, content)).map_err(|error| self.unwritable(&path, &error))
