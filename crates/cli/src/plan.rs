@@ -90,6 +90,11 @@ impl Plan {
             _ => stage("field recovery", false, "no body is computed"),
         }
         stage("contact.csv", true, "every run writes it");
+        stage(
+            "machined profile",
+            has(Task::Shape),
+            if has(Task::Shape) { "a shape is there to be machined" } else { "there is no shape to machine" },
+        );
         stage("plots", true, "every run draws them");
         let report = scene.output.as_ref().and_then(|output| output.report).unwrap_or(true);
         stage("report.html", report, if report { "output.report is on" } else { "output.report = false" });

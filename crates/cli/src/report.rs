@@ -1,9 +1,11 @@
 //! Writes what was computed: the files of the output folder and the words on the screen.
 
 mod curves;
+mod dxf;
 mod folder;
 pub(crate) mod isobands;
 pub(crate) mod line_plot;
+mod machined;
 mod page;
 pub(crate) mod section_plot;
 mod summary;
@@ -71,6 +73,11 @@ pub(crate) fn write(
     if !solution.history.is_empty() {
         folder.write("history.csv", &columns_csv(&solution.history))?;
     }
+    if let Some(surface) = &solution.machined {
+        for (name, text) in machined::machined_files(surface, &title(problem)) {
+            folder.write(name, &text)?;
+        }
+    }
     for (name, text) in vtu::field_files(&solution.fields) {
         folder.write(&name, &text)?;
     }
@@ -101,6 +108,11 @@ pub(crate) fn write(
         folder.write("report.html", &page::page(&summary, &curves, &pictures, resolved))?;
     }
     Ok(summary)
+}
+
+/// Title of a scene, or its name.
+pub(crate) fn title(problem: &Problem) -> String {
+    problem.scene.title.clone().unwrap_or_else(|| problem.name.clone())
 }
 
 /// Named columns as CSV.

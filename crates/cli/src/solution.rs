@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::body_field::FieldFrame;
+use crate::machined::Machined;
 use crate::profile::Profile;
 
 /// How a run ended.
@@ -53,6 +54,10 @@ pub(crate) struct Solution {
     pub(crate) curve: Option<Profile>,
     /// Columns of history.csv: name and values.
     pub(crate) history: Vec<(String, Vec<f64>)>,
+    /// The levels of the last task that has any.
+    pub(crate) ladder: Vec<Rung>,
+    /// The surface to machine, of a shape.
+    pub(crate) machined: Option<Machined>,
     /// Displacement and stress inside the bodies, the reported moment first; empty unless an output asks for them.
     pub(crate) fields: Vec<FieldFrame>,
     /// Seconds of each stage, in order.
@@ -274,6 +279,19 @@ pub(crate) struct Reaction {
     pub(crate) z_N: Option<f64>,
     /// Moment.
     pub(crate) moment_Nmm: Option<f64>,
+}
+
+/// What a level of the ladder says about the error.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct Rung {
+    /// What is compared: gap or pressure.
+    pub(crate) quantity: &'static str,
+    /// Degree of the level.
+    pub(crate) degree: usize,
+    /// Relative difference from the level before.
+    pub(crate) change: Option<f64>,
+    /// Estimated relative error, from this level and the two before it.
+    pub(crate) estimate: Option<f64>,
 }
 
 /// `summary.error`: estimated relative errors.

@@ -7,7 +7,7 @@ use contact::{ContactOperator, ContactSolution, Pair, Status as ContactStatus};
 use crate::fault::Fault;
 use crate::fe::bodies::Level;
 use crate::fe::recover::{Moment, Reported};
-use crate::fe::stage::{Stage, accuracy, add_times, fixed_level, ladder, note, rest};
+use crate::fe::stage::{Stage, accuracy, add_times, fixed_level, ladder, note, rest, rungs};
 use crate::fe::template::Cut;
 use crate::gap::Gap;
 use crate::profile::Profile;
@@ -57,6 +57,9 @@ pub(super) fn climb(
             break;
         }
     }
+    let change = |i: usize| relative_difference(&solved[i - 1].pressure, &solved[i].pressure);
+    let estimate = |i: usize| estimate(&solved[..=i]).map(|e| e[1]);
+    solution.ladder = rungs(&ladder(scene, options), solved.len(), "pressure", change, estimate);
     Ok(finish(accuracy(scene), solved, fixed, solution))
 }
 
@@ -64,11 +67,14 @@ pub(super) fn climb(
 fn estimate(solved: &[Solved]) -> Option<[f64; 2]> {
     let [.., a, b, c] = solved else { return None };
     let energy = |x: &Solved, y: &Solved| ((x.energy - y.energy) / y.energy).abs();
-    let pressure = |x: &Solved, y: &Solved| {
-        let square = |f: &dyn Fn(usize) -> f64| (0..y.pressure.len()).map(|i| f(i).powi(2)).sum::<f64>();
-        (square(&|i| x.pressure[i] - y.pressure[i]) / square(&|i| y.pressure[i])).sqrt()
-    };
+    let pressure = |x: &Solved, y: &Solved| relative_difference(&x.pressure, &y.pressure);
     Some([rest(energy(a, b), energy(b, c)), rest(pressure(a, b), pressure(b, c))])
+}
+
+/// `|x - y| / |y|` in the Euclidean norm.
+fn relative_difference(x: &[f64], y: &[f64]) -> f64 {
+    let square = |f: &dyn Fn(usize) -> f64| (0..y.len()).map(|i| f(i).powi(2)).sum::<f64>();
+    (square(&|i| x[i] - y[i]) / square(&|i| y[i])).sqrt()
 }
 
 fn finish(accuracy: f64, mut solved: Vec<Solved>, fixed: bool, solution: &mut Solution) -> Option<Reported> {

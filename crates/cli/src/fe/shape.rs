@@ -14,10 +14,11 @@ use crate::fe::bodies::{Level, MEAN_COLUMNS};
 use crate::fe::operators::Reduced;
 use crate::fe::recover::{Moment, Reported};
 use crate::fe::round_trip;
-use crate::fe::stage::{Stage, add_times, note, rest};
+use crate::fe::stage::{Stage, add_times, note, rest, rungs};
 use crate::fe::template::Cut;
 use crate::fe::tolerance;
 use crate::fe::torsion;
+use crate::machined::{Machined, SurfacePoint};
 use crate::profile::Profile;
 use crate::setup::Problem;
 use crate::solution::{EnergyResult, ShapeResult, Solution, Status};
@@ -127,6 +128,8 @@ fn finish(
     let levels = solved.len();
     let times: Vec<_> = solved.iter().map(|s| s.solution.times.clone()).collect();
     solution.counters.factorisations += solved.iter().map(|s| s.solution.counters.factorisations).sum::<usize>();
+    let change = |i: usize| difference_of_gaps(&solved[i - 1].gaps, &solved[i].gaps, &solved[i].closing);
+    solution.ladder = rungs(&shaper.stage.ladder(options), levels, "gap", change, |i| estimate(&solved[..=i]));
     let Some(last) = solved.pop() else { return Ok(None) };
     add_times(&times, &mut solution.times);
     shaper.report(&last, options, solution)?;
@@ -212,12 +215,23 @@ impl<'a> Shaper<'a> {
         solution.reactions = reduced.reactions(states(shape));
         let points = options.sample.map_or_else(|| pair.points(), |sampling| stage.sample(&pair, sampling));
         let mut profile = self.profile(&pair, shape, &points);
+        solution.machined = Some(self.machined(&pair, shape));
         if stage.problem.plan.runs("torsion") {
             torsion::fill(self, *level, &points, &mut profile, solution)?;
         }
         solution.profile = Some(profile);
         solution.curve = Some(self.profile(&pair, shape, &stage.sample(&pair, CURVE)));
         Ok(())
+    }
+
+    /// The surface to machine into body 1.
+    fn machined(&self, pair: &Pair<'_>, shape: &Shape) -> Machined {
+        let (start, length) = (self.stage.start(pair), pair.shaped.trace.length());
+        let surface = |s: f64| {
+            let point = pair.at_arc((s - start).clamp(0.0, length));
+            SurfacePoint { s, nominal: point.position, normal: point.normal, gap: shape.gap(pair, &point) }
+        };
+        Machined::new(surface, [start, start + length])
     }
 
     /// What the fields need of the last level.

@@ -14,7 +14,8 @@ use shapeopt::EvolutionStatus;
 use crate::fault::Fault;
 use crate::fe::recover::Reported;
 use crate::fe::shape::difference_of_gaps;
-use crate::fe::stage::{Stage, add_times, rest};
+use crate::fe::bodies::Level;
+use crate::fe::stage::{Stage, add_times, rest, rungs};
 use crate::live::Live;
 use crate::record::FinishedLevel;
 use crate::setup::Problem;
@@ -88,17 +89,21 @@ pub(super) fn solve(
 /// Estimated `max |dg| / max g` at the end, modulo the rigid part.
 fn estimate(finished: &[FinishedLevel], last: &FinishedLevel) -> Option<f64> {
     let [.., a, b] = finished else { return None };
-    let closing = |left: &FinishedLevel| {
-        let points = left.gap_mm.len();
-        DMatrix::from_row_slice(points, left.closing.len() / points.max(1), &left.closing)
-    };
-    let difference = |a: &FinishedLevel, b: &FinishedLevel| difference_of_gaps(&a.gap_mm, &b.gap_mm, &closing(b));
     Some(rest(difference(a, b), difference(b, last)))
+}
+
+/// Difference of the worn gaps of two levels.
+fn difference(a: &FinishedLevel, b: &FinishedLevel) -> f64 {
+    let points = b.gap_mm.len();
+    difference_of_gaps(&a.gap_mm, &b.gap_mm, &DMatrix::from_row_slice(points, b.closing.len() / points.max(1), &b.closing))
 }
 
 fn finish(stage: Stage<'_>, finished: &[FinishedLevel], last: Solved, fixed: bool, solution: &mut Solution) -> Option<Reported> {
     let error = estimate(finished, &last.left);
     let levels = finished.len() + 1;
+    let all: Vec<FinishedLevel> = finished.iter().chain([&last.left]).cloned().collect();
+    let solved: Vec<Level> = all.iter().map(|left| Level { degree: left.degree, layers: left.layers }).collect();
+    solution.ladder = rungs(&solved, levels, "gap", |i| difference(&all[i - 1], &all[i]), |i| estimate(&all[..i], &all[i]));
     let total = |f: &dyn Fn(&FinishedLevel) -> usize| finished.iter().chain([&last.left]).map(f).sum::<usize>();
     let before = solution.counters.clone();
     solution.counters = Counters {

@@ -8,7 +8,7 @@ use wear::Shape;
 
 /// The plots with the names of their files.
 pub(crate) fn line_plots(problem: &Problem, solution: &Solution) -> Vec<(&'static str, LinePlot)> {
-    let title = problem.scene.title.clone().unwrap_or_else(|| problem.name.clone());
+    let title = crate::report::title(problem);
     let Some(points) = &solution.profile else {
         return Vec::new();
     };

@@ -1,0 +1,59 @@
+//! The surface to machine into body 1: nominal surface plus gap along the normal, as points and as a spline.
+
+use crate::spline::{Fit, Spline};
+
+/// Evenly spaced points of the table.
+const POINTS: usize = 1001;
+/// Largest deviation of the spline from the computed surface, mm.
+pub(crate) const DEVIATION: f64 = 5e-10;
+
+/// A point of the surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct SurfacePoint {
+    /// Arc length from the middle along the nominal surface, or r (mm).
+    pub(crate) s: f64,
+    /// Nominal place (x, z), mm.
+    pub(crate) nominal: [f64; 2],
+    /// Unit normal out of body 2 into body 1.
+    pub(crate) normal: [f64; 2],
+    /// Gap along the normal, mm.
+    pub(crate) gap: f64,
+}
+
+impl SurfacePoint {
+    /// Place of the finished surface (x, z), mm.
+    pub(crate) fn finished(&self) -> [f64; 2] {
+        [0, 1].map(|k| self.nominal[k] + self.gap * self.normal[k])
+    }
+}
+
+/// The finished surface.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Machined {
+    /// Evenly spaced points.
+    pub(crate) points: Vec<SurfacePoint>,
+    /// Finished x, finished z and gap (mm) over s.
+    pub(crate) fit: Fit<3>,
+    /// The rigid datum: where the gap is least, 0 unless the rigid part is prescribed.
+    pub(crate) datum: SurfacePoint,
+    /// Where the gap is largest.
+    pub(crate) crown: SurfacePoint,
+}
+
+impl Machined {
+    /// The finished surface over a range of s.
+    pub(crate) fn new(surface: impl Fn(f64) -> SurfacePoint, [from, to]: [f64; 2]) -> Machined {
+        let last = POINTS - 1;
+        let at = |i: usize| if i == last { to } else { from + (to - from) * i as f64 / last as f64 };
+        let points: Vec<SurfacePoint> = (0..POINTS).map(|i| surface(at(i))).collect();
+        let curve = |s: f64| {
+            let point = surface(s);
+            let [x, z] = point.finished();
+            [x, z, point.gap]
+        };
+        let fit = Spline::fit(curve, [from, to], DEVIATION);
+        let known = || fit.spline.knots.iter().map(|s| surface(*s)).chain(points.iter().copied());
+        let extreme = |sign: f64| known().min_by(|a, b| (sign * a.gap).total_cmp(&(sign * b.gap))).unwrap_or(points[0]);
+        Machined { datum: extreme(1.0), crown: extreme(-1.0), points, fit }
+    }
+}

@@ -1,0 +1,55 @@
+//! The surface to machine, for machines: profile.csv, profile-spline.csv, profile.dxf.
+
+use crate::machined::{Machined, SurfacePoint};
+use crate::profile::number_text;
+use crate::report::dxf::{Drawing, dxf};
+
+/// Names and texts of the files.
+pub(crate) fn machined_files(machined: &Machined, title: &str) -> Vec<(&'static str, String)> {
+    vec![("profile.csv", points(machined)), ("profile-spline.csv", spline(machined)), ("profile.dxf", drawing(machined, title))]
+}
+
+fn row(numbers: &[f64]) -> String {
+    numbers.iter().map(|number| number_text(*number)).collect::<Vec<_>>().join(",") + "\n"
+}
+
+fn points(machined: &Machined) -> String {
+    let mut out = String::from("s_mm,x_mm,z_mm,gap_um,nominal_x_mm,nominal_z_mm,nx,nz\n");
+    for point in &machined.points {
+        let ([x, z], [a, b], [nx, nz]) = (point.finished(), point.nominal, point.normal);
+        out += &row(&[point.s, x, z, 1e3 * point.gap, a, b, nx, nz]);
+    }
+    out
+}
+
+/// One row an interval: x, z and the gap are `c0 + c1 d + c2 d^2 + c3 d^3` with `d = s - from`.
+fn spline(machined: &Machined) -> String {
+    let spline = &machined.fit.spline;
+    let mut out = String::from("from_s_mm,to_s_mm,x0,x1,x2,x3,z0,z1,z2,z3,gap0_mm,gap1,gap2,gap3\n");
+    for (ends, piece) in spline.knots.windows(2).zip(&spline.pieces) {
+        out += &row(&[ends, piece.concat().as_slice()].concat());
+    }
+    out
+}
+
+fn drawing(machined: &Machined, title: &str) -> String {
+    let spline = &machined.fit.spline;
+    let place = |point: &SurfacePoint| {
+        let [x, z] = point.finished();
+        format!("x = {x} mm, z = {z} mm, gap = {} um", 1e3 * point.gap)
+    };
+    let control: Vec<[f64; 2]> = spline.control_points().iter().map(|point| [point[0], point[1]]).collect();
+    let notes = [
+        title.to_string(),
+        "finished surface of body 1 in the coordinates of the scene (x, z), mm".to_string(),
+        format!("datum (least gap): {}", place(&machined.datum)),
+        format!("crown (largest gap): {}", place(&machined.crown)),
+        format!("largest deviation from the computed surface: {:.1e} mm", machined.fit.deviation),
+    ];
+    dxf(&Drawing {
+        notes: &notes,
+        knots: &spline.padded_knots(),
+        control: &control,
+        marks: &[("DATUM", machined.datum.finished()), ("CROWN", machined.crown.finished())],
+    })
+}
