@@ -22,6 +22,7 @@ use serde::Serialize;
 use crate::fault::{Fault, Place};
 
 pub(crate) use messages::{FinishedLevel, Iteration, Log, Points};
+pub(crate) use replay::Replay;
 pub(crate) use scene_update::SceneUpdate;
 pub(crate) use state::State;
 pub(crate) use tape::Tape;

@@ -2,11 +2,13 @@
 
 mod curves;
 mod dxf;
+mod field_picture;
 mod folder;
 pub(crate) mod isobands;
 pub(crate) mod line_plot;
 mod machined;
 mod page;
+mod run_in;
 pub(crate) mod section_plot;
 mod summary;
 mod terminal;
@@ -81,6 +83,10 @@ pub(crate) fn write(
     for (name, text) in vtu::field_files(&solution.fields) {
         folder.write(&name, &text)?;
     }
+    if let Some(frame) = solution.fields.first() {
+        let picture = field_picture::field_picture(frame, &format!("{}: von Mises stress", title(problem)));
+        folder.write(page::FIELD_PICTURE, &picture)?;
+    }
     let plots = curves::line_plots(problem, solution);
     let pictures = page::pictures(&plots);
     for ((name, _), svg) in plots.iter().zip(&pictures) {
@@ -105,7 +111,7 @@ pub(crate) fn write(
         folder.write(LAYOUT[0], LAYOUT[1])?;
     }
     if problem.plan.runs("report.html") {
-        folder.write("report.html", &page::page(&summary, &curves, &pictures, resolved))?;
+        folder.write("report.html", &page_of_folder(folder.path())?)?;
     }
     Ok(summary)
 }

@@ -12,9 +12,9 @@ use nalgebra::DMatrix;
 use shapeopt::EvolutionStatus;
 
 use crate::fault::Fault;
+use crate::fe::bodies::Level;
 use crate::fe::recover::Reported;
 use crate::fe::shape::difference_of_gaps;
-use crate::fe::bodies::Level;
 use crate::fe::stage::{Stage, add_times, rest, rungs};
 use crate::live::Live;
 use crate::record::FinishedLevel;

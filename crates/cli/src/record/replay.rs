@@ -5,9 +5,9 @@ use mcap::records::Record;
 use mcap::sans_io::{LinearReadEvent, LinearReader, LinearReaderOptions};
 
 use crate::fault::Fault;
-use crate::record::messages::FinishedLevel;
+use crate::record::messages::{FinishedLevel, Points};
 use crate::record::state::State;
-use crate::record::{CHANNELS, LEVELS_ATTACHED, LIBRARY, Recorder, SCENE_ATTACHED, STATE};
+use crate::record::{CHANNELS, LEVELS_ATTACHED, LIBRARY, PROFILE, Recorder, SCENE_ATTACHED, STATE};
 
 /// No step of ours is nearly as large (bytes): a longer record or chunk is damage.
 const LARGEST: usize = 1 << 26;
@@ -72,6 +72,12 @@ impl Replay {
         }
         replay.messages.truncate(finished);
         replay
+    }
+
+    /// The contact points at each finished step.
+    pub(crate) fn profiles(&self) -> Vec<Points> {
+        let profiles = self.messages.iter().filter(|message| message.topic == PROFILE);
+        profiles.filter_map(|message| serde_json::from_slice(&message.data).ok()).collect()
     }
 
     /// The levels that were finished before the recorded one.

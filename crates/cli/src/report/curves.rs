@@ -3,7 +3,7 @@
 use crate::profile::Profile;
 use crate::report::line_plot::{Axis, LinePlot, Series};
 use crate::setup::Problem;
-use crate::solution::Solution;
+use crate::solution::{Rung, Solution};
 use wear::Shape;
 
 /// The plots with the names of their files.
@@ -44,9 +44,39 @@ pub(crate) fn line_plots(problem: &Problem, solution: &Solution) -> Vec<(&'stati
         plots.push(("wear-rate", plot("wear rate", "wear rate (\u{b5}m/s)", true, curves)));
     }
     if known(&profile.gap) && points.gap.iter().any(|gap| *gap != 0.0) {
-        plots.push(("gap", plot("machined gap", "gap (\u{b5}m)", true, vec![series("", &profile.gap, false)])));
+        let what = match (&solution.wear, &solution.shape) {
+            (Some(_), _) => "worn gap",
+            (None, Some(_)) => "machined gap",
+            _ => "gap without load",
+        };
+        plots.push(("gap", plot(what, "gap (\u{b5}m)", true, vec![series("", &profile.gap, false)])));
     }
+    plots.extend(error_plot(&title, &solution.ladder).map(|plot| ("error", plot)));
     plots
+}
+
+/// What the levels say about the error.
+fn error_plot(title: &str, ladder: &[Rung]) -> Option<LinePlot> {
+    let series = |name: &str, dashed: bool, value: fn(&Rung) -> Option<f64>| Series {
+        name: name.to_string(),
+        points: ladder.iter().filter_map(|rung| Some((rung.degree as f64, value(rung)?))).filter(|point| point.1 > 0.0).collect(),
+        marks: true,
+        dashed,
+    };
+    let series = [
+        series("difference from the level before", false, |rung| rung.change),
+        series("estimated error", true, |rung| rung.estimate),
+    ];
+    let quantity = ladder.first()?.quantity;
+    Some(LinePlot {
+        title: format!("{title}: error of the {quantity}"),
+        x_label: "degree of the cells".into(),
+        y_label: "relative error".into(),
+        axes: [Axis::Linear, Axis::Logarithmic],
+        from_zero: false,
+        series: series.into_iter().filter(|series| series.points.len() > 1).collect(),
+    })
+    .filter(|plot| !plot.series.is_empty())
 }
 
 /// The coordinate of a picture and its name: angle on an arc, radius on a ring, else arc length.

@@ -100,9 +100,8 @@ fn round_number(value: f64) -> f64 {
 /// Cuts a cell into pieces of about one size, between points of its grid.
 fn cut(cell: &CellField, at: &[[f64; 2]], pieces: &mut Vec<Piece>) {
     let n = cell.degree + 1;
-    let length = |points: &[usize]| {
-        points.windows(2).map(|p| (at[p[1]][0] - at[p[0]][0]).hypot(at[p[1]][1] - at[p[0]][1])).sum::<f64>()
-    };
+    let length =
+        |points: &[usize]| points.windows(2).map(|p| (at[p[1]][0] - at[p[0]][0]).hypot(at[p[1]][1] - at[p[0]][1])).sum::<f64>();
     let rows = [0, cell.degree].map(|j| length(&(0..n).map(|i| i + n * j).collect::<Vec<_>>()));
     let columns = [0, cell.degree].map(|i| length(&(0..n).map(|j| i + n * j).collect::<Vec<_>>()));
     let marks = |size: f64| -> Vec<usize> {
@@ -202,7 +201,8 @@ mod tests {
 
     #[test]
     fn a_peak_on_a_small_area_does_not_take_the_colours_from_the_rest() {
-        let body = BodyField { cells: vec![cell(0.0, 5.0, 1.0), cell(5.0, 5.0, 2.0), cell(10.0, 0.1, 1e6)], ..BodyField::default() };
+        let body =
+            BodyField { cells: vec![cell(0.0, 5.0, 1.0), cell(5.0, 5.0, 2.0), cell(10.0, 0.1, 1e6)], ..BodyField::default() };
         let frame = FieldFrame { time_s: 0.0, moment: "", bodies: [body, BodyField::default()] };
         let picture = field_picture(&frame, "a < b");
         assert!(picture.contains(">1 MPa<") && picture.contains(">2 MPa<") && !picture.contains("1e6"), "{picture}");

@@ -36,9 +36,11 @@ fn drawing(machined: &Machined, title: &str) -> String {
     let spline = &machined.fit.spline;
     let place = |point: &SurfacePoint| {
         let [x, z] = point.finished();
-        format!("x = {x} mm, z = {z} mm, gap = {} um", 1e3 * point.gap)
+        format!("x = {x:.6} mm, z = {z:.6} mm, gap = {:.4} um", (1e3 * point.gap).max(0.0))
     };
     let control: Vec<[f64; 2]> = spline.control_points().iter().map(|point| [point[0], point[1]]).collect();
+    // Some readers take no knots below zero.
+    let knots: Vec<f64> = spline.padded_knots().iter().map(|knot| knot - spline.knots[0]).collect();
     let notes = [
         title.to_string(),
         "finished surface of body 1 in the coordinates of the scene (x, z), mm".to_string(),
@@ -48,7 +50,7 @@ fn drawing(machined: &Machined, title: &str) -> String {
     ];
     dxf(&Drawing {
         notes: &notes,
-        knots: &spline.padded_knots(),
+        knots: &knots,
         control: &control,
         marks: &[("DATUM", machined.datum.finished()), ("CROWN", machined.crown.finished())],
     })

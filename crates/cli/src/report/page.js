@@ -4,7 +4,7 @@
   const NS = "http://www.w3.org/2000/svg";
   const COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#888888"];
   const W = 720, H = 400, L = 76, R = 16, T = 14, B = 52;
-  const charts = JSON.parse(document.getElementById("charts").textContent);
+  const { charts, run_in } = JSON.parse(document.getElementById("data").textContent);
 
   function make(name, attributes, parent, text) {
     const node = document.createElementNS(NS, name);
@@ -23,7 +23,7 @@
   function show(value) {
     if (value === 0) return "0";
     const size = Math.abs(value);
-    const text = size >= 1e6 || size < 1e-4 ? value.toExponential(4) : String(Number(value.toPrecision(6)));
+    const text = size >= 1e6 || size < 1e-4 ? value.toExponential(4).replace(/\.?0+e/, "e") : String(Number(value.toPrecision(6)));
     return text.replace("-", "\u2212");
   }
   function range(values) {
@@ -37,7 +37,9 @@
   function draw(figure, chart) {
     const xs = [].concat(...chart.series.map(s => s.x)), ys = [].concat(...chart.series.map(s => s.y));
     const fullX = range(xs);
-    let view = fullX.slice();
+    let view = fullX.slice(), drag = null;
+    const up = chart.log_y ? v => (v === null || v <= 0 ? null : Math.log10(v)) : v => v;
+    const back = chart.log_y ? v => Math.pow(10, v) : v => v;
     const old = figure.querySelector("svg");
     const svg = make("svg", { viewBox: `0 0 ${W} ${H}`, role: "img", "aria-label": chart.title }, figure);
     if (old) old.remove();
@@ -45,34 +47,39 @@
     function render() {
       svg.replaceChildren();
       const seen = [];
-      for (const s of chart.series) s.x.forEach((x, i) => { if (x >= view[0] && x <= view[1]) seen.push(s.y[i]); });
-      let [low, high] = range(seen.length ? seen : ys);
+      for (const s of chart.series) s.x.forEach((x, i) => { if (x >= view[0] && x <= view[1]) seen.push(up(s.y[i])); });
+      let [low, high] = chart.y_range || range(seen.length ? seen : ys.map(up));
       if (chart.from_zero && low >= 0 && view[0] === fullX[0] && view[1] === fullX[1]) low = 0;
-      const yTicks = ticks(low, high, 6), step = yTicks.length > 1 ? yTicks[1] - yTicks[0] : 1;
+      if (chart.log_y && high - low < 1) high = low + 1;
+      const yTicks = ticks(low, high, 6), step = chart.log_y ? Math.max(1, Math.ceil((high - low) / 6)) : yTicks.length > 1 ? yTicks[1] - yTicks[0] : 1;
       low = Math.floor(low / step + 1e-9) * step; high = Math.ceil(high / step - 1e-9) * step;
       const px = x => L + (x - view[0]) / (view[1] - view[0]) * (W - L - R);
-      const py = y => H - B - (y - low) / (high - low) * (H - T - B);
+      const py = y => H - B - (Math.min(Math.max(up(y), low), high) - low) / (high - low) * (H - T - B);
+      const rows = [];
+      for (let i = Math.round(low / step); i * step <= high + 1e-9 * step; i++) rows.push(back(Number((i * step).toPrecision(12))));
       for (const t of ticks(view[0], view[1], 7)) {
         make("path", { class: "grid", d: `M${px(t)} ${T}V${H - B}` }, svg);
         make("text", { class: "axis", x: px(t), y: H - B + 18, "text-anchor": "middle" }, svg, show(Number(t.toPrecision(12))));
       }
-      for (const t of ticks(low, high, 6)) {
+      for (const t of rows) {
         make("path", { class: "grid", d: `M${L} ${py(t)}H${W - R}` }, svg);
         make("text", { class: "axis", x: L - 8, y: py(t) + 4, "text-anchor": "end" }, svg, show(Number(t.toPrecision(12))));
       }
       make("path", { class: "frame", d: `M${L} ${T}V${H - B}H${W - R}` }, svg);
-      make("text", { class: "axis", x: (L + W - R) / 2, y: H - 12, "text-anchor": "middle" }, svg, chart.x_label);
+      make("text", { class: "axis", x: (L + W - R) / 2, y: H - 8, "text-anchor": "middle" }, svg, chart.x_label);
       make("text", { class: "axis", transform: `translate(16 ${(T + H - B) / 2}) rotate(-90)`, "text-anchor": "middle" }, svg, chart.y_label);
       chart.series.forEach((s, n) => {
         let d = "", pen = false;
         s.x.forEach((x, i) => {
-          if (s.y[i] === null || x < view[0] || x > view[1]) { pen = false; return; }
+          if (up(s.y[i]) === null || x < view[0] || x > view[1]) { pen = false; return; }
+          if (s.marks) make("circle", { cx: px(x), cy: py(s.y[i]), r: 3.5, fill: COLOURS[n % 7] }, svg);
           d += (pen ? "L" : "M") + px(x).toFixed(2) + " " + py(s.y[i]).toFixed(2); pen = true;
         });
         make("path", { d, fill: "none", stroke: COLOURS[n % 7], "stroke-width": 2, "stroke-linejoin": "round", "stroke-dasharray": s.dashed ? "7 5" : "none" }, svg);
         if (s.name) {
-          make("path", { d: `M${L + 14} ${T + 14 + 18 * n}h24`, stroke: COLOURS[n % 7], "stroke-width": 2, "stroke-dasharray": s.dashed ? "7 5" : "none" }, svg);
-          make("text", { class: "tip", x: L + 44, y: T + 18 + 18 * n }, svg, s.name);
+          const from = W - R - 60 - 7.6 * Math.max(...chart.series.map(s => s.name.length));
+          make("path", { d: `M${from} ${T + 14 + 18 * n}h24`, stroke: COLOURS[n % 7], "stroke-width": 2, "stroke-dasharray": s.dashed ? "7 5" : "none" }, svg);
+          make("text", { class: "tip", x: from + 30, y: T + 18 + 18 * n }, svg, s.name);
         }
       });
       const over = make("g", {}, svg);
@@ -84,32 +91,61 @@
       svg.onpointermove = event => {
         over.replaceChildren();
         const x = inverse(event);
+        if (drag !== null) {
+          const [a, b] = [Math.max(view[0], Math.min(drag, x)), Math.min(view[1], Math.max(drag, x))];
+          if (b > a) make("rect", { class: "drag", x: px(a), y: T, width: px(b) - px(a), height: H - T - B }, over);
+          return;
+        }
         if (x < view[0] || x > view[1]) return;
-        const rows = [];
+        const found = [];
         chart.series.forEach((s, n) => {
           let best = -1;
           s.x.forEach((v, i) => { if (s.y[i] !== null && (best < 0 || Math.abs(v - x) < Math.abs(s.x[best] - x))) best = i; });
-          if (best >= 0) rows.push([s, n, best]);
+          if (best >= 0 && up(s.y[best]) !== null) found.push([s, n, best]);
         });
-        if (!rows.length) return;
-        const at = px(rows[0][0].x[rows[0][2]]);
+        if (!found.length) return;
+        const at = px(found[0][0].x[found[0][2]]);
         make("path", { class: "cross", d: `M${at} ${T}V${H - B}` }, over);
-        const lines = rows.map(([s, n, i]) => `${s.name ? s.name + ": " : ""}${show(s.y[i])} at ${show(s.x[i])}`);
-        rows.forEach(([s, n, i]) => make("circle", { cx: px(s.x[i]), cy: py(s.y[i]), r: 4, fill: COLOURS[n % 7] }, over));
+        const lines = found.map(([s, n, i]) => `${s.name ? s.name + ": " : ""}${show(s.y[i])} at ${show(s.x[i])}`);
+        found.forEach(([s, n, i]) => make("circle", { cx: px(s.x[i]), cy: py(s.y[i]), r: 4, fill: COLOURS[n % 7] }, over));
         const width = 16 + 7.6 * Math.max(...lines.map(l => l.length)), left = Math.min(at + 10, W - R - width);
         make("rect", { class: "tipbox", x: left, y: T + 4, width, height: 10 + 18 * lines.length }, over);
         lines.forEach((line, i) => make("text", { class: "tip", x: left + 8, y: T + 21 + 18 * i }, over, line));
       };
-      svg.onpointerleave = () => over.replaceChildren();
-      svg.onwheel = event => {
-        event.preventDefault();
-        const x = inverse(event), factor = event.deltaY < 0 ? 0.8 : 1.25;
-        const next = [Math.max(fullX[0], x + (view[0] - x) * factor), Math.min(fullX[1], x + (view[1] - x) * factor)];
-        if (next[1] - next[0] > 1e-9 * (fullX[1] - fullX[0])) { view = next; render(); }
+      svg.onpointerleave = () => { drag = null; over.replaceChildren(); };
+      // A finger reads and scrolls; a mouse may mark a part to zoom into.
+      svg.onpointerdown = event => { if (event.pointerType !== "touch") { event.preventDefault(); drag = inverse(event); } };
+      svg.onpointerup = event => {
+        const [a, b] = [drag, inverse(event)].sort((p, q) => p - q);
+        const marked = drag !== null && b - a > 0.02 * (view[1] - view[0]);
+        drag = null;
+        if (marked) { view = [Math.max(view[0], a), Math.min(view[1], b)]; render(); }
       };
       svg.ondblclick = () => { view = fullX.slice(); render(); };
     }
     render();
+    return render;
+  }
+  function runIn() {
+    const slider = document.getElementById("step"), moment = document.getElementById("moment");
+    const steps = run_in.time_s.length;
+    run_in.gap = run_in.gap.map(values => { const least = range(values)[0]; return values.map(v => v === null ? null : v - least); });
+    const panels = [["pressure", "pressure (MPa)"], ["gap", "gap (\u00b5m)"]].map(([key, label]) => {
+      // The start may be singular at the ends: the end decides what is shown.
+      const y_range = [0, 2.5 * range(run_in[key][steps - 1])[1] || 1];
+      const start = { name: "start", dashed: true, x: run_in.x, y: run_in[key][0] };
+      const chart = { title: label, x_label: run_in.x_label, y_label: label, y_range, series: [{ name: "now", dashed: false, x: run_in.x, y: run_in[key][0] }, start] };
+      return { key, chart, render: draw(document.getElementById("run-in-" + key), chart) };
+    });
+    function show_step() {
+      const k = Number(slider.value);
+      for (const panel of panels) { panel.chart.series[0].y = run_in[panel.key][k]; panel.render(); }
+      moment.textContent = `step ${run_in.step[k]}, ${show(run_in.time_s[k])} s`;
+    }
+    slider.max = steps - 1;
+    slider.oninput = show_step;
+    show_step();
   }
   document.querySelectorAll("figure[data-chart]").forEach(figure => draw(figure, charts[Number(figure.dataset.chart)]));
+  if (run_in) runIn();
 })();

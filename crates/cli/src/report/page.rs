@@ -5,7 +5,12 @@ use std::path::Path;
 use serde_json::{Value, json};
 
 use crate::fault::{Fault, Place};
-use crate::report::line_plot::{LinePlot, escaped, line_plot};
+use crate::record::RUN_MCAP;
+use crate::report::line_plot::{Axis, LinePlot, escaped, line_plot};
+use crate::report::run_in::run_in;
+
+/// The stress on the deformed bodies.
+pub(crate) const FIELD_PICTURE: &str = "plots/field.svg";
 
 /// The plots as numbers, for the page and for other programs: plots/curves.json.
 pub(crate) fn curves_json(plots: &[(&'static str, LinePlot)]) -> Value {
@@ -17,6 +22,7 @@ pub(crate) fn curves_json(plots: &[(&'static str, LinePlot)]) -> Value {
             json!({
                 "name": series.name,
                 "dashed": series.dashed,
+                "marks": series.marks,
                 "x": series.points.iter().map(|point| number(point.0)).collect::<Vec<_>>(),
                 "y": series.points.iter().map(|point| number(point.1)).collect::<Vec<_>>(),
             })
@@ -26,14 +32,30 @@ pub(crate) fn curves_json(plots: &[(&'static str, LinePlot)]) -> Value {
             "x_label": plot.x_label,
             "y_label": plot.y_label,
             "from_zero": plot.from_zero,
+            "log_y": plot.axes[1] == Axis::Logarithmic,
             "series": series.collect::<Vec<_>>(),
         })
     };
     Value::Array(plots.iter().map(|(name, plot)| json!({ "file": name, "chart": chart(plot) })).collect())
 }
 
-/// The page of a run: its summary, the plots with their pictures, the resolved scene.
-pub(crate) fn page(summary: &Value, curves: &Value, pictures: &[String], resolved: &str) -> String {
+/// What the page is built from: files of the folder.
+struct Parts {
+    summary: Value,
+    /// plots/curves.json.
+    curves: Value,
+    /// The static picture of each chart.
+    pictures: Vec<String>,
+    /// plots/field.svg.
+    field: Option<String>,
+    /// Steps of run.mcap.
+    run_in: Option<Value>,
+    /// scene.resolved.toml.
+    resolved: String,
+}
+
+fn page(parts: &Parts) -> String {
+    let Parts { summary, curves, pictures, field, run_in, resolved } = parts;
     let text = |key: &str| escaped(summary[key].as_str().unwrap_or(""));
     let title = resolved
         .lines()
@@ -61,8 +83,23 @@ pub(crate) fn page(summary: &Value, curves: &Value, pictures: &[String], resolve
         let caption = escaped(chart["title"].as_str().unwrap_or(""));
         let picture = pictures.get(number).map_or("", String::as_str);
         out += &format!(
-            "<figure data-chart=\"{number}\"><figcaption>{caption} <span>move to read, scroll to zoom, double click to reset</span></figcaption>\n{picture}</figure>\n"
+            "<figure data-chart=\"{number}\"><figcaption>{caption} <span>point to read, drag to zoom, double click to reset</span></figcaption>\n{picture}</figure>\n"
         );
+    }
+    if run_in.is_some() {
+        out += "<h2>Running in</h2>\n<p class=\"soft\">Pressure and gap at the recorded steps; the start stays dashed.</p>\n\
+                <p class=\"slider\"><input type=\"range\" id=\"step\" min=\"0\" value=\"0\" aria-label=\"step of the run\"> \
+                <output id=\"moment\" for=\"step\"></output></p>\n\
+                <figure id=\"run-in-pressure\"><figcaption>contact pressure</figcaption></figure>\n\
+                <figure id=\"run-in-gap\"><figcaption>gap above its lowest point</figcaption></figure>\n";
+    }
+    if let Some(field) = field {
+        out += "<h2>Inside the bodies</h2>\n<figure>\n";
+        out += field;
+        out += "</figure>\n<p class=\"soft\">Colours are clipped to 2 to 98 % of the area: at sharp corners and at sharp ends of contact the \
+                stress of linear elasticity grows without bound, and the largest number there says more about the mesh than about the body. \
+                All numbers are in fields/*.vtu. Of a shape, body 1 is drawn without its rigid motion, \
+                which parts the bodies in the picture.</p>\n";
     }
     for part in ["shape", "pressure", "contact", "wear", "energy", "reactions", "error", "counters"] {
         out += &table(part, &summary[part]);
@@ -70,7 +107,7 @@ pub(crate) fn page(summary: &Value, curves: &Value, pictures: &[String], resolve
             out += &super::tolerance::tolerance(&summary["shape"]["tolerance"]);
         }
     }
-    out += "<h2>Stages</h2>\n<table>\n<tr><th>stage</th><th>done</th><th>because</th></tr>\n";
+    out += "<h2>Stages</h2>\n<div class=\"wide\"><table>\n<tr><th>stage</th><th>done</th><th>because</th></tr>\n";
     for stage in summary["stages"].as_array().into_iter().flatten() {
         out += &format!(
             "<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n",
@@ -79,20 +116,20 @@ pub(crate) fn page(summary: &Value, curves: &Value, pictures: &[String], resolve
             escaped(stage["because"].as_str().unwrap_or(""))
         );
     }
-    out += "</table>\n<h2>Limits</h2>\n<p>Linear elastic bodies, small displacements. No heat, no lubricant, no 3-D edge effects: \
+    out += "</table></div>\n<h2>Limits</h2>\n<p>Linear elastic bodies, small displacements. No heat, no lubricant, no 3-D edge effects: \
             a plane or axisymmetric section stands for the whole. The wear rule and its factors are taken as given.</p>\n";
     let unused: Vec<&str> = summary["unused_keys"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
     if !unused.is_empty() {
         out += &format!("<p>Keys of the scene that were not used: {}</p>\n", escaped(&unused.join(", ")));
     }
     out += &format!(
-        "<h2>Scene</h2>\n<details><summary>scene.resolved.toml, SHA-256 {}</summary>\n<pre>{}</pre></details>\n",
+        "<h2>Scene</h2>\n<details><summary>scene.resolved.toml, SHA-256 <span class=\"hash\">{}</span></summary>\n<pre>{}</pre></details>\n",
         text("scene_sha256"),
         escaped(resolved)
     );
     // `<` cannot end the element early: it is written as an escape.
-    let data = serde_json::to_string(&charts).unwrap_or_default().replace('<', "\\u003c");
-    out += &format!("<script type=\"application/json\" id=\"charts\">{data}</script>\n");
+    let data = json!({ "charts": charts, "run_in": run_in }).to_string().replace('<', "\\u003c");
+    out += &format!("<script type=\"application/json\" id=\"data\">{data}</script>\n");
     out + "<script>\n" + include_str!("page.js") + "</script>\n</body>\n</html>\n"
 }
 
@@ -104,7 +141,7 @@ fn table(name: &str, part: &Value) -> String {
     if let Some(first) = heading.get_mut(0..1) {
         first.make_ascii_uppercase();
     }
-    let mut out = format!("<h2>{heading}</h2>\n<table>\n");
+    let mut out = format!("<h2>{heading}</h2>\n<div class=\"wide\"><table>\n");
     for (key, value) in super::summary::numbers(part) {
         let shown = match &value {
             Value::Number(number) if number.is_f64() => super::short(number.as_f64().unwrap_or(f64::NAN)),
@@ -119,31 +156,34 @@ fn table(name: &str, part: &Value) -> String {
             out += &format!("<tr><td>{}</td><td>{}</td></tr>\n", escaped(key), escaped(&value.to_string()));
         }
     }
-    out + "</table>\n"
+    out + "</table></div>\n"
 }
 
-/// The page of a folder that was written before; the same bytes as the run wrote.
+/// The page of a folder, from its other files alone: the same bytes whenever it is built.
 pub(crate) fn page_of_folder(folder: &Path) -> Result<String, Fault> {
     let read = |name: &str| {
         let path = folder.join(name);
-        std::fs::read_to_string(&path).map_err(|error| Fault {
+        std::fs::read(&path).map_err(|error| Fault {
             place: Some(Place::Flag(folder.display().to_string())),
             ..Fault::new("unreadable", format!("cannot read {}: {error}", path.display()), "give the folder of a finished run")
         })
     };
-    let parse = |name: &str, text: &str| {
-        serde_json::from_str::<Value>(text).map_err(|error| Fault {
-            place: Some(Place::Flag(folder.join(name).display().to_string())),
-            ..Fault::new("unreadable", format!("{name} is damaged: {error}"), "run the scene again")
-        })
+    let damaged = |name: &str, error: &dyn std::fmt::Display| Fault {
+        place: Some(Place::Flag(folder.join(name).display().to_string())),
+        ..Fault::new("unreadable", format!("{name} is damaged: {error}"), "run the scene again")
     };
-    let summary = parse("summary.json", &read("summary.json")?)?;
-    let curves = parse("plots/curves.json", &read("plots/curves.json")?)?;
+    let read_text = |name: &str| String::from_utf8(read(name)?).map_err(|error| damaged(name, &error));
+    let parse = |name: &str| serde_json::from_str::<Value>(&read_text(name)?).map_err(|error| damaged(name, &error));
+    let there = |name: &str| folder.join(name).is_file();
+    let summary = parse("summary.json")?;
+    let curves = parse("plots/curves.json")?;
     let mut pictures = Vec::new();
     for name in curves.as_array().into_iter().flatten().filter_map(|entry| entry["file"].as_str()) {
-        pictures.push(read(&format!("plots/{name}.svg"))?);
+        pictures.push(read_text(&format!("plots/{name}.svg"))?);
     }
-    Ok(page(&summary, &curves, &pictures, &read("scene.resolved.toml")?))
+    let field = if there(FIELD_PICTURE) { Some(read_text(FIELD_PICTURE)?) } else { None };
+    let run_in = if there(RUN_MCAP) { run_in(&read(RUN_MCAP)?) } else { None };
+    Ok(page(&Parts { summary, curves, pictures, field, run_in, resolved: read_text("scene.resolved.toml")? }))
 }
 
 /// Draws every plot.

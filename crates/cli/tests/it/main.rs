@@ -12,6 +12,7 @@ mod fields;
 mod folder;
 mod hertz;
 mod json;
+mod machined;
 mod pressure;
 mod reproduce;
 mod resolved;
