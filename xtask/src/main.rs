@@ -1,6 +1,7 @@
 //! Project chores, started as `cargo xtask <chore>`.
 
 mod bench;
+mod outputs;
 mod package;
 mod stability;
 mod tidy;
@@ -22,6 +23,7 @@ usage: cargo xtask <chore>
   validation  writes docs/validation.md: the paper's figures and tables, recomputed
   stability run extreme cases: each must be right, or refused by name
             [--case NAME] [--scenes] [--program PATH] [--docs]
+  outputs   open the files of runs with VTK, ezdxf, the reader of MCAP and Chromium [--install]
   package   the static program, manual pages, completions and the Debian package
   bench     run the benches of our crates and print their ratios [crate ..]
 ";
@@ -35,6 +37,7 @@ fn main() -> ExitCode {
         Some("stability") => stability::run(&root, &words[1..]),
         Some("verify") => verify::run(&root, &words[1..]),
         Some("validation") => validation::run(&root),
+        Some("outputs") => outputs::run(&root, &words[1..]),
         Some("package") => package::run(&root),
         Some("help" | "-h" | "--help") => {
             print!("{USAGE}");

@@ -6,7 +6,7 @@
 
 mod case;
 pub(crate) mod compare;
-mod debian;
+pub(crate) mod debian;
 mod known;
 mod picture;
 mod report;

@@ -11,8 +11,13 @@ const PACKAGES: [&str; 3] = ["python3-dolfinx-real", "python3-gmsh", "libopenbla
 
 /// Installs the packages with apt-get, as root or through sudo; nothing to do when all are there.
 pub(crate) fn install() -> Result<(), String> {
-    if PACKAGES.iter().all(|package| is_installed(package)) {
-        println!("verify: {} are installed", PACKAGES.join(", "));
+    install_packages(&PACKAGES)
+}
+
+/// The same for any packages.
+pub(crate) fn install_packages(packages: &[&str]) -> Result<(), String> {
+    if packages.iter().all(|package| is_installed(package)) {
+        println!("{} are installed", packages.join(", "));
         return Ok(());
     }
     let as_root = user_is_root()?;
@@ -30,7 +35,7 @@ pub(crate) fn install() -> Result<(), String> {
         eprintln!("verify: {message}; going on");
     }
     let mut arguments = vec!["install", "-q", "-y", "--no-install-recommends", "-o", "Dpkg::Use-Pty=0"];
-    arguments.extend(PACKAGES);
+    arguments.extend(packages);
     apt(&arguments)
 }
 
