@@ -127,7 +127,7 @@ fn outline(degree: usize, at: &[[f64; 2]]) -> String {
     if (high[0] - low[0]).max(high[1] - low[1]) < 3.0 * PIECE {
         return String::new();
     }
-    let around = (0..degree).map(|i| i).chain((0..degree).map(|j| degree + n * j));
+    let around = (0..degree).chain((0..degree).map(|j| degree + n * j));
     let around = around.chain((1..n).rev().map(|i| i + n * degree)).chain((1..n).rev().map(|j| n * j));
     let points: Vec<String> = around.map(|k| format!("{:.1} {:.1}", at[k][0], at[k][1])).collect();
     format!("M{}Z", points.join("L"))
