@@ -211,3 +211,21 @@ fn a_lining_from_gmsh_with_triangles_has_the_gap_of_the_blocks_and_its_resolved_
         assert!(bench.bytes(&format!("table/{name}")) == bench.bytes(&format!("again/{name}")), "{name} differs");
     }
 }
+
+#[test]
+fn a_measured_start_profile_is_the_gap_of_a_contact_and_forgotten_by_wear() {
+    let bench = Bench::new();
+    bench.file("profile.csv", "# measured\ns_mm,gap_um\n-110,0\n0,0.5\n110,0\n");
+    bench.file("bb.toml", &[HEAD, SHOE, DRUM].concat().replace("gap = 0", "gap = \"profile.csv\""));
+    bench.file("flat.toml", &[HEAD, SHOE, DRUM].concat());
+    let contact = "--set tasks=[contact] --set mesh.degree=4";
+    let (s, gap) = (column(&bench, "bb.toml", contact, "s_mm"), column(&bench, "bb.toml", contact, "gap_um"));
+    let wanted: Vec<f64> = s.iter().map(|s| 0.5 * (1.0 - s.abs() / 110.0)).collect();
+    assert!(difference(&gap, &wanted) < 1e-12, "{gap:?}");
+    // A hollow face carries less in the middle than a flat one.
+    let middle = |scene: &str| column(&bench, scene, contact, "pressure_MPa")[30];
+    assert!(middle("bb.toml") < 0.99 * middle("flat.toml"), "{} and {}", middle("bb.toml"), middle("flat.toml"));
+    let wear = "--set tasks=[wear] --set accuracy=1e-3";
+    let error = difference(&column(&bench, "bb.toml", wear, "gap_um"), &column(&bench, "flat.toml", wear, "gap_um"));
+    assert!(error < 2e-3, "worn shapes from two starts: {error}");
+}
