@@ -129,10 +129,10 @@
   function runIn() {
     const slider = document.getElementById("step"), moment = document.getElementById("moment");
     const steps = run_in.time_s.length;
-    run_in.gap = run_in.gap.map(values => { const least = range(values)[0]; return values.map(v => v === null ? null : v - least); });
+    run_in.gap = run_in.gap.map(values => { const least = Math.min(...values.filter(v => v !== null)); return values.map(v => v === null ? null : v - least); });
     const panels = [["pressure", "pressure (MPa)"], ["gap", "gap (\u00b5m)"]].map(([key, label]) => {
       // The start may be singular at the ends: the end decides what is shown.
-      const y_range = [0, 2.5 * range(run_in[key][steps - 1])[1] || 1];
+      const y_range = [0, (key === "pressure" ? 2.5 : 1.05) * Math.max(...run_in[key][steps - 1]) || 1];
       const start = { name: "start", dashed: true, x: run_in.x, y: run_in[key][0] };
       const chart = { title: label, x_label: run_in.x_label, y_label: label, y_range, series: [{ name: "now", dashed: false, x: run_in.x, y: run_in[key][0] }, start] };
       return { key, chart, render: draw(document.getElementById("run-in-" + key), chart) };
