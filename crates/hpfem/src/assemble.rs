@@ -54,7 +54,7 @@ pub(crate) struct Assembly<'a> {
     /// Stiffnesses and loads are divided by this power of two.
     pub(crate) unit: f64,
     pub(crate) tables: Vec<Option<Arc<Table>>>,
-    pub(crate) triangle_tables: Vec<Option<Arc<[TriangleTable; 3]>>>,
+    pub(crate) triangle_tables: Vec<Option<Arc<TriangleTable>>>,
     /// Tractions by edge.
     pub(crate) edge_loads: Vec<Vec<EdgeLoad<'a>>>,
     pub(crate) load_cases: &'a [LoadCase<'a>],

@@ -260,7 +260,7 @@ fn assembly<'b>(problem: &'b BodyProblem<'_>, space: &'b Space, additions: &'b A
     let unit = unit_of_stiffness(problem);
     let highest = space.cell_degree.iter().copied().max().unwrap_or(0);
     let mut tables = vec![None; highest + 1];
-    let mut triangle_tables: Vec<Option<Arc<[TriangleTable; 3]>>> = vec![None; highest + 1];
+    let mut triangle_tables: Vec<Option<Arc<TriangleTable>>> = vec![None; highest + 1];
     for (cell, degree) in mesh.cells.iter().zip(&space.cell_degree) {
         let points = points_for(*degree);
         if cell.is_triangle() {

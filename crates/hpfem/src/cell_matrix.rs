@@ -65,7 +65,7 @@ impl Assembly<'_> {
         let triangle = self.mesh.cells[cell].is_triangle();
         let mut k = match (&self.tables[degree], &self.triangle_tables[degree]) {
             (Some(table), _) if !triangle => stiffness(self.mesh, cell, table, local, moduli, self.kinematics, work)?,
-            (_, Some(tables)) if triangle => triangle_stiffness(self.mesh, cell, tables, local, moduli, self.kinematics, work)?,
+            (_, Some(table)) if triangle => triangle_stiffness(self.mesh, cell, table, local, moduli, self.kinematics, work)?,
             _ => return Err(Error::Degree { cell, degree }),
         };
         let ni = self.space.components * local.interior;

@@ -41,7 +41,7 @@ impl CellPoint {
 /// Quadrature points of a cell in the (collapsed) square and weights for the area in its own coordinates.
 pub(crate) fn cell_rule(triangle: bool, points: usize) -> Vec<([f64; 2], f64)> {
     if triangle {
-        let (points, weights) = triangle_rule(points, 2);
+        let (points, weights) = triangle_rule(points);
         return points.into_iter().map(collapsed).map(|(xi, eta)| [xi, eta]).zip(weights).collect();
     }
     let rule = gauss(points);

@@ -94,16 +94,14 @@ pub(crate) fn collapsed(l: [f64; 3]) -> (f64, f64) {
     (if s > 0.0 { (l[1] - l[0]) / s } else { 0.0 }, 2.0 * l[2] - 1.0)
 }
 
-/// Gauss points of the collapsed square as barycentric coordinates, and weights for the area element `dl_1 dl_2`. The corner
-/// `apex` is the collapsed one; functions that are smooth along rays from it are integrated as well as smooth ones.
-pub(crate) fn triangle_rule(points: usize, apex: usize) -> (Vec<[f64; 3]>, Vec<f64>) {
+/// Gauss points of the collapsed square as barycentric coordinates, and weights for the area element `dl_1 dl_2`.
+pub(crate) fn triangle_rule(points: usize) -> (Vec<[f64; 3]>, Vec<f64>) {
     // One more point takes the factor 1 - eta of the area.
     let (along, across) = (gauss(points), gauss(points + 1));
     let mut rule = (Vec::new(), Vec::new());
     for (eta, v) in across.points.iter().zip(&across.weights) {
         for (xi, w) in along.points.iter().zip(&along.weights) {
-            let l = barycentric(*xi, *eta);
-            rule.0.push(std::array::from_fn(|corner| l[(corner + 5 - apex) % 3]));
+            rule.0.push(barycentric(*xi, *eta));
             rule.1.push(0.125 * v * w * (1.0 - eta));
         }
     }

@@ -18,22 +18,12 @@ pub(crate) struct TriangleTable {
 }
 
 impl TriangleTable {
-    /// Tables for the three choices of the collapsed corner.
-    pub(crate) fn new(degree: usize, points: usize) -> [TriangleTable; 3] {
-        std::array::from_fn(|apex| {
-            let (points, weights) = triangle_rule(points, apex);
-            let jets: Vec<_> = points.iter().map(|l| triangle_modes(degree, *l)).collect();
-            let modes = std::array::from_fn(|k| Mat::from_fn(points.len(), jets[0].len(), |q, m| jets[q][m][k]));
-            TriangleTable { points, weights, modes }
-        })
+    pub(crate) fn new(degree: usize, points: usize) -> TriangleTable {
+        let (points, weights) = triangle_rule(points);
+        let jets: Vec<_> = points.iter().map(|l| triangle_modes(degree, *l)).collect();
+        let modes = std::array::from_fn(|k| Mat::from_fn(points.len(), jets[0].len(), |q, m| jets[q][m][k]));
+        TriangleTable { points, weights, modes }
     }
-}
-
-/// The corner at which the quadrature collapses: next to the axis `u_r / r` is smooth along rays from a corner that lies on it.
-fn apex(mesh: &Mesh, cell: usize, kinematics: Kinematics) -> usize {
-    let radius = |k: usize| mesh.vertices[mesh.cells[cell].corners[k]][0].abs();
-    let size = radius(0).max(radius(1)).max(radius(2));
-    (0..3).find(|k| kinematics.is_revolved() && radius(*k) <= 1e-12 * size).unwrap_or(2)
 }
 
 /// Stiffness matrix of a triangle, laid out as [`crate::element::stiffness`] does.
@@ -43,13 +33,12 @@ fn apex(mesh: &Mesh, cell: usize, kinematics: Kinematics) -> usize {
 pub(crate) fn triangle_stiffness<'w>(
     mesh: &Mesh,
     cell: usize,
-    tables: &[TriangleTable; 3],
+    table: &TriangleTable,
     local: &LocalModes,
     moduli: Moduli,
     kinematics: Kinematics,
     work: &'w mut Workspace,
 ) -> Result<MatMut<'w, f64>, Error> {
-    let table = &tables[apex(mesh, cell, kinematics)];
     let components = kinematics.components();
     let (nq, n) = (table.weights.len(), local.modes);
     // Rows of u, then u,x, then u,z at the points; columns in the local order of modes.
