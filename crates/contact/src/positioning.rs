@@ -67,7 +67,7 @@ const LIMIT: usize = 40;
 pub struct Nodes<T> {
     /// The places.
     pub places: Vec<f64>,
-    /// Whether the last step was below the tolerance.
+    /// Whether the last step was below the tolerance, or below a hundred times that and no longer falling.
     pub found: bool,
     /// What the last evaluation gave along with its residuals.
     pub last: T,
@@ -123,8 +123,10 @@ pub fn position_nodes<T, E>(
             jacobian += (change - &jacobian * &step) * step.transpose() / square;
         }
         (value, last) = (next, outcome);
+        // Round-off in the residuals may end the fall of the steps a little above the tolerance.
+        let idle = history.last().is_some_and(|last| step.amax() >= 0.5 * last);
         history.push(step.amax());
-        found = step.amax() <= tolerance * size(&places);
+        found = step.amax() <= tolerance * size(&places) * if idle { 100.0 } else { 1.0 };
     }
     Ok(Nodes { places, found, last, evaluations, history })
 }
@@ -174,13 +176,17 @@ fn end_pressures(
     if ends.is_empty() {
         return Ok((Vec::new(), operator.solve(&gap, &load, None)?, points));
     }
-    let nearest = |end: f64| {
-        (0..points.len()).min_by(|i, j| (points[*i].arc - end).abs().total_cmp(&(points[*j].arc - end).abs())).unwrap_or(0)
-    };
-    let nodes: Vec<usize> = ends.iter().map(|e| nearest(*e)).collect();
-    let closed: Vec<bool> = (0..points.len())
-        .map(|i| nodes.contains(&i) || ((nodes.iter().filter(|n| **n < i).count() % 2 == 0) == problem.starts_closed))
-        .collect();
+    let (nodes, closed) = held_between(&points, ends, problem.starts_closed);
     let solution = operator.solve_on(&gap, &load, &closed)?.ok_or(Error::Singular)?;
     Ok((nodes.iter().map(|n| solution.pressure[*n]).collect(), solution, points))
+}
+
+/// The points nearest to the ends of contact (ascending arc lengths), and which points lie between them and so are in contact, the ends included.
+pub fn held_between(points: &[ContactPoint], ends: &[f64], starts_closed: bool) -> (Vec<usize>, Vec<bool>) {
+    let far = |i: usize, end: f64| (points[i].arc - end).abs();
+    let nearest = |end: &f64| (0..points.len()).min_by(|i, j| far(*i, *end).total_cmp(&far(*j, *end))).unwrap_or(0);
+    let nodes: Vec<usize> = ends.iter().map(nearest).collect();
+    let inside = |i: usize| nodes.iter().filter(|n| **n < i).count().is_multiple_of(2) == starts_closed;
+    let closed = (0..points.len()).map(|i| nodes.contains(&i) || inside(i)).collect();
+    (nodes, closed)
 }

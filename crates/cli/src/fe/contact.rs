@@ -6,10 +6,12 @@ use contact::{ContactOperator, ContactSolution, Pair, Status as ContactStatus};
 
 use crate::fault::Fault;
 use crate::fe::bodies::Level;
+use crate::fe::free_ends::FreeEnds;
 use crate::fe::recover::{Moment, Reported};
 use crate::fe::stage::{Stage, accuracy, add_times, fixed_level, ladder, note, rest, rungs};
 use crate::fe::template::Cut;
 use crate::gap::Gap;
+use crate::given::given;
 use crate::profile::Profile;
 use crate::scene::Scene;
 use crate::setup::Problem;
@@ -18,6 +20,9 @@ use crate::solve::{CURVE, Options, Sampling};
 
 /// Samples of the pressure for the comparison of levels, over the inner 95 % of the surface.
 const SAMPLES: usize = 191;
+
+/// Relative violation of signs below which a solution with its points held in contact is the contact's.
+const SIGNS_HOLD: f64 = 1e-9;
 
 /// Result of one level.
 pub(super) struct Solved {
@@ -34,7 +39,8 @@ pub(super) struct Solved {
 /// Solves the contact and fills in the solution.
 pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution) -> Result<Option<Reported>, Fault> {
     let stage = Stage::new(problem)?;
-    climb(stage.scene(), options, solution, |level| solve_level(stage, level, options))
+    let mut ends = FreeEnds::default();
+    climb(stage.scene(), options, solution, |level| solve_level(stage, level, options, &mut ends))
 }
 
 /// Solves level after level until the estimated errors are below the accuracy asked for, and keeps the last one.
@@ -115,9 +121,29 @@ fn finish(accuracy: f64, mut solved: Vec<Solved>, fixed: bool, solution: &mut So
     reported
 }
 
-fn solve_level(stage: Stage<'_>, level: Level, options: Options) -> Result<Solved, Fault> {
+/// Solves a level; where contact ends inside the surface, with element nodes on its ends, from those of the last level.
+fn solve_level(stage: Stage<'_>, level: Level, options: Options, ends: &mut FreeEnds) -> Result<Solved, Fault> {
     let mut solution = Solution::default();
-    let reduced = stage.reduced(level, Cut::Plain, &mut solution)?;
+    let mut trial = None;
+    if ends.places.is_empty() {
+        let (found, length) = on_standing_mesh(stage, level, &mut solution)?;
+        if of_templates(stage.scene()) {
+            *ends = FreeEnds::of(&found, length);
+        }
+        trial = Some(found);
+    }
+    let positioned = if ends.places.is_empty() { None } else { ends.position(stage, level, &mut solution)? };
+    let (reduced, held) = match positioned {
+        Some(positioned) => {
+            *ends = positioned.ends;
+            positioned.reduced.count(&mut solution.counters);
+            (positioned.reduced, Some(positioned.held))
+        }
+        None => {
+            *ends = FreeEnds::default();
+            (stage.reduced(level, Cut::Plain, &mut solution)?, None)
+        }
+    };
     let start = Instant::now();
     let pair = reduced.pair()?;
     let operator = reduced.operator(&pair, stage.friction() > 0.0)?;
@@ -125,10 +151,18 @@ fn solve_level(stage: Stage<'_>, level: Level, options: Options) -> Result<Solve
     let start = Instant::now();
     let gap: Vec<f64> = operator.points().iter().map(|p| start_gap(stage, &pair, p.arc)).collect();
     let load = stage.contact_load(operator.points());
-    let found = operator
-        .solve(&gap, &load, None)
-        .map_err(|error| Fault::at("contact", "no-contact", error.to_string(), "check the contact and its load"))?;
-    solution.counters.contact_solves = 1;
+    let found = match (trial, held) {
+        (Some(found), None) => found,
+        // Every sign is right but for round-off at the ends.
+        (_, Some(mut held)) if held.complementarity < SIGNS_HOLD => {
+            held.pressure.iter_mut().for_each(|p| *p = p.max(0.0));
+            held
+        }
+        (_, held) => {
+            solution.counters.contact_solves += 1;
+            operator.solve(&gap, &load, held.as_ref()).map_err(unsolved)?
+        }
+    };
     note(&mut solution, "contact", start);
     let states = [Some(&found.shaped), found.counter.as_ref()];
     let energy = [
@@ -137,7 +171,11 @@ fn solve_level(stage: Stage<'_>, level: Level, options: Options) -> Result<Solve
     ];
     solution.energy = Some(EnergyResult { body1_Nmm: Some(energy[0]), body2_Nmm: Some(energy[1]) });
     solution.reactions = reduced.reactions(states);
-    solution.contact = Some(result(stage, &pair, &operator, &found));
+    let mut contact = result(stage, &pair, &operator, &found);
+    if !ends.places.is_empty() {
+        contact.ends_mm = ends.arcs(pair.trace().length()).iter().map(|arc| stage.start(&pair) + arc).collect();
+    }
+    solution.contact = Some(contact);
     let length = pair.trace().length();
     let inner: Vec<f64> = (0..SAMPLES).map(|i| length * (0.025 + 0.95 * i as f64 / (SAMPLES - 1) as f64)).collect();
     let pressure = inner.iter().map(|arc| pressure_at(&pair, &operator, &found.pressure, *arc)).collect();
@@ -167,15 +205,44 @@ fn solve_level(stage: Stage<'_>, level: Level, options: Options) -> Result<Solve
     let refused = (!found.status.is_solved() || found.status == ContactStatus::NoContact).then(|| found.status.to_string());
     let reported = found.counter.clone().map(|counter| {
         let states = [found.shaped.clone(), counter];
-        Reported { level, moments: vec![Moment { time_s: 0.0, name: "", states, pressure: found.pressure.clone() }] }
+        Reported {
+            level,
+            ends: ends.places.clone(),
+            moments: vec![Moment { time_s: 0.0, name: "", states, pressure: found.pressure.clone() }],
+        }
     });
     Ok(Solved { energy: energy[0] + energy[1], pressure, refused, reported, solution })
 }
 
+/// Whether both bodies are templates, whose meshes can be cut anywhere.
+fn of_templates(scene: &Scene) -> bool {
+    [&scene.body1, &scene.body2].into_iter().flatten().all(|body| matches!(given("body", body), Ok(None)))
+}
+
+/// The contact on the standing mesh of a level, and the length of its surface.
+fn on_standing_mesh(stage: Stage<'_>, level: Level, solution: &mut Solution) -> Result<(ContactSolution, f64), Fault> {
+    let reduced = stage.reduced(level, Cut::Plain, solution)?;
+    let pair = reduced.pair()?;
+    let operator = reduced.operator(&pair, stage.friction() > 0.0)?;
+    let gap: Vec<f64> = operator.points().iter().map(|p| start_gap(stage, &pair, p.arc)).collect();
+    solution.counters.contact_solves += 1;
+    let found = operator.solve(&gap, &stage.contact_load(operator.points()), None).map_err(unsolved)?;
+    Ok((found, pair.trace().length()))
+}
+
+pub(super) fn unsolved(error: contact::Error) -> Fault {
+    Fault::at("contact", "no-contact", error.to_string(), "check the contact and its load")
+}
+
 /// The start gap of the scene at an arc length.
 pub(super) fn start_gap(stage: Stage<'_>, pair: &Pair<'_>, arc: f64) -> f64 {
+    gap_at(stage, stage.start(pair) + arc)
+}
+
+/// The start gap of the scene at a surface coordinate.
+pub(super) fn gap_at(stage: Stage<'_>, s: f64) -> f64 {
     match stage.scene().contact.as_ref().and_then(|c| c.gap.as_ref()) {
-        Some(Gap::Profile { s, gap }) => linear(s, gap, stage.start(pair) + arc) * 1e-3,
+        Some(Gap::Profile { s: known, gap }) => linear(known, gap, s) * 1e-3,
         _ => 0.0,
     }
 }
@@ -227,15 +294,16 @@ fn result(stage: Stage<'_>, pair: &Pair<'_>, operator: &ContactOperator<'_>, fou
     }
 }
 
-/// Exponents `l` of `p ~ d^l` at the two ends of a surface in full contact, from the pressure in the layers near them: the
+/// Exponents `l` of `p ~ d^l` at those ends of the surface that are in contact, from the pressure in the layers near them: the
 /// slope of log p over log d between 20 and 1000 times the smallest edge. Empty where the pressure is bounded there.
 fn exponents(pair: &Pair<'_>, operator: &ContactOperator<'_>, found: &ContactSolution) -> Vec<f64> {
-    if found.status != ContactStatus::ClosedEverywhere {
-        return Vec::new();
-    }
     let trace = pair.trace();
     let length = trace.length();
     let slope = |from_start: bool| {
+        let closed = if from_start { found.closed.first() } else { found.closed.last() };
+        if !*closed? {
+            return None;
+        }
         let smallest = if from_start { trace.edges.first() } else { trace.edges.last() }?.curve.length();
         let range = [20.0 * smallest, (1000.0 * smallest).min(0.02 * length)];
         if range[1] <= 2.0 * range[0] {

@@ -15,7 +15,7 @@ pub(super) fn matched(
     bodies: [&Body; 2],
     given: [Option<Given>; 2],
     extent: Extent,
-    cut: Cut,
+    cut: Cut<'_>,
 ) -> Result<[Coarse; 2], Fault> {
     let mut cells: Vec<Option<Cells>> = Vec::new();
     for (number, given) in given.into_iter().enumerate() {
@@ -38,14 +38,14 @@ pub(super) fn matched(
         let mut meshes: Vec<Coarse> = Vec::new();
         for (number, cells) in cells.iter().enumerate() {
             meshes.push(match cells {
-                Some(Cells { mesh, singular, .. }) => Coarse { mesh: mesh.clone(), singular: singular.clone() },
+                Some(Cells { mesh, singular, .. }) => Coarse { mesh: mesh.clone(), singular: singular.clone(), free: Vec::new() },
                 None => coarse(scene, &bodies[number].geometry, &cuts, number == 0, cut)?,
             });
         }
         let both: Vec<[f64; 2]> = meshes.iter().flat_map(|coarse| coarse.singular.iter().copied()).collect();
         let touching = |x: &&[f64; 2]| cells.iter().flatten().any(|cells| cells.coordinate(**x).is_some());
         for (x, coarse) in both.iter().filter(touching).flat_map(|x| (0..2).map(move |number| (x, number))) {
-            let Coarse { mesh, singular } = &mut meshes[coarse];
+            let Coarse { mesh, singular, .. } = &mut meshes[coarse];
             add_singular(mesh, singular, *x);
         }
         let mut again = false;

@@ -18,10 +18,10 @@ use crate::solution::{Counters, Reaction, Solution};
 const KINDS: usize = 4;
 
 /// Which reduced bodies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Place {
     pub(super) level: Level,
-    pub(super) cut: Cut,
+    pub(super) cut: Cut<'static>,
     /// The scalar problem of twisting instead of the one in the plane.
     pub(super) torsion: bool,
 }
@@ -181,10 +181,7 @@ impl Reduced {
 
     /// Pairs the two bodies.
     pub(super) fn pair(&self) -> Result<Pair<'_>, Fault> {
-        Pair::new(&self.interfaces[0], Some(&self.interfaces[1])).map_err(|error| {
-            let remedy = "give both bodies the same contact surface";
-            Fault::at("contact.edges", "no-contact", error.to_string(), remedy)
-        })
+        paired([&self.interfaces[0], &self.interfaces[1]])
     }
 
     /// The contact of the pair, its unit responses kept.
@@ -203,6 +200,14 @@ impl Reduced {
     pub(super) fn reactions(&self, states: [Option<&InterfaceState>; 2]) -> Vec<(String, Reaction)> {
         reactions([&self.interfaces[0], &self.interfaces[1]], [&self.support_names[0], &self.support_names[1]], states)
     }
+}
+
+/// Pairs two reduced bodies.
+pub(super) fn paired<'b>(bodies: [&'b InterfaceOperator; 2]) -> Result<Pair<'b>, Fault> {
+    Pair::new(bodies[0], Some(bodies[1])).map_err(|error| {
+        let remedy = "give both bodies the same contact surface";
+        Fault::at("contact.edges", "no-contact", error.to_string(), remedy)
+    })
 }
 
 /// Forces of the supports on their bodies, edge by edge; supports without a name are planes of symmetry.

@@ -7,6 +7,7 @@ use crate::body_field::{BodyField, CellField, FieldFrame};
 use crate::fault::Fault;
 use crate::fe::bodies::{BodyParts, Level};
 use crate::fe::ends::Setting;
+use crate::fe::operators::paired;
 use crate::fe::stage::Stage;
 use crate::fe::template::{Cut, meshes};
 use crate::solution::Solution;
@@ -14,6 +15,8 @@ use crate::solution::Solution;
 /// What a stage leaves behind for the fields: the discretisation it reports, and the states of its bodies there.
 pub(super) struct Reported {
     pub(super) level: Level,
+    /// Ends of contact that the meshes are cut at, from -1 to 1 on the surface.
+    pub(super) ends: Vec<f64>,
     /// The moments, the reported one first.
     pub(super) moments: Vec<Moment>,
 }
@@ -30,14 +33,14 @@ pub(super) struct Moment {
 /// Recovers the moments of a stage on its bodies, made again at the reported level.
 pub(super) fn recover(stage: Stage<'_>, reported: &Reported, solution: &mut Solution) -> Result<(), Fault> {
     let mut effort = Solution::default();
-    let parts = stage.parts(reported.level, Cut::Plain, &mut effort)?;
+    let parts = stage.parts(reported.level, Cut::Ends(&reported.ends), &mut effort)?;
     let bodies = parts.reduce(&mut effort)?;
-    let points = stage.reduced(reported.level, Cut::Plain, &mut Solution::default())?.pair()?.points();
+    let points = paired([&bodies[0].interface, &bodies[1].interface])?.points();
     let mut frames = Vec::new();
     for moment in &reported.moments {
         let mut frame = frame(moment, &bodies, &mut effort)?;
         if stage.problem.plan.runs("torsion") {
-            twist(stage, reported.level, moment, &points, &mut frame, &mut effort)?;
+            twist(stage, reported, moment, &points, &mut frame, &mut effort)?;
         }
         frames.push(frame);
     }
@@ -106,13 +109,14 @@ fn on_grid(field: &Field<'_>, cell: usize) -> CellField {
 /// Adds the twist about the axis under the friction `mu p`: a scalar problem of its own on the same meshes.
 fn twist(
     stage: Stage<'_>,
-    level: Level,
+    reported: &Reported,
     moment: &Moment,
     points: &[ContactPoint],
     frame: &mut FieldFrame,
     effort: &mut Solution,
 ) -> Result<(), Fault> {
-    let meshes = meshes(stage.scene(), stage.extent, level.layers, Cut::Plain)?;
+    let level = reported.level;
+    let meshes = meshes(stage.scene(), stage.extent, level.layers, Cut::Ends(&reported.ends))?;
     for (number, mesh) in meshes.into_iter().enumerate() {
         let parts = BodyParts::new(stage.scene(), number == 0, mesh, level, Kinematics::Torsion)?;
         let body = parts.reduce(["body1", "body2"][number])?;

@@ -241,7 +241,7 @@ impl<'a> Shaper<'a> {
         let Shape { shaped, counter, .. } = last.shape;
         Ok(counter.map(|counter| {
             let moments = vec![Moment { time_s: 0.0, name: "", states: [shaped, counter], pressure }];
-            Reported { level: last.level, moments }
+            Reported { level: last.level, ends: Vec::new(), moments }
         }))
     }
 

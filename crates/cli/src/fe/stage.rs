@@ -65,7 +65,7 @@ impl<'a> Stage<'a> {
     }
 
     /// Both bodies of a level, meshed and reduced unless that was done before.
-    pub(super) fn reduced(&self, level: Level, cut: Cut, solution: &mut Solution) -> Result<Arc<Reduced>, Fault> {
+    pub(super) fn reduced(&self, level: Level, cut: Cut<'static>, solution: &mut Solution) -> Result<Arc<Reduced>, Fault> {
         let place = Place { level, cut, torsion: false };
         let reduced = self.problem.operators.get(self.scene(), place, solution, |solution| {
             let parts = self.parts(level, cut, solution)?;
@@ -85,11 +85,11 @@ impl<'a> Stage<'a> {
     }
 
     /// Meshes, supports and loads of both bodies.
-    pub(super) fn parts(&self, level: Level, cut: Cut, solution: &mut Solution) -> Result<Parts, Fault> {
+    pub(super) fn parts(&self, level: Level, cut: Cut<'_>, solution: &mut Solution) -> Result<Parts, Fault> {
         self.parts_in(level, cut, kinematics(self.scene()), solution)
     }
 
-    fn parts_in(&self, level: Level, cut: Cut, kinematics: Kinematics, solution: &mut Solution) -> Result<Parts, Fault> {
+    fn parts_in(&self, level: Level, cut: Cut<'_>, kinematics: Kinematics, solution: &mut Solution) -> Result<Parts, Fault> {
         let start = Instant::now();
         let [mesh1, mesh2] = meshes(self.scene(), self.extent, level.layers, cut)?;
         let parts = [

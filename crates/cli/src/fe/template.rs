@@ -4,6 +4,7 @@ use hpfem::{Curve, Mesh, Named, Ruled, Side};
 
 use crate::fault::Fault;
 use crate::fe::cells::SAME;
+use crate::fe::cuts::{growing, halved, merged, parameters, subdivide, widest};
 use crate::fe::matching::matched;
 use crate::geometry::{Geometry, Rectangle, Ring, RingSegment, ShoeBlock};
 use crate::given::given;
@@ -24,6 +25,8 @@ const RATIO: f64 = 0.25;
 pub(super) struct Coarse {
     pub(super) mesh: Mesh,
     pub(super) singular: Vec<[f64; 2]>,
+    /// Ends of contact, where the pressure goes like a square root: half as many layers do.
+    pub(super) free: Vec<[f64; 2]>,
 }
 
 /// Extent of the contact surface, shared by both bodies.
@@ -48,16 +51,27 @@ impl Extent {
 }
 
 /// Where the contact surface is cut.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Cut {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Cut<'a> {
     /// The standing choice.
     Plain,
     /// Elsewhere, for an independent solution.
     Shifted,
+    /// Also at ends of contact, given by their place on the surface from -1 to 1, with layers around them.
+    Ends(&'a [f64]),
+}
+
+impl<'a> Cut<'a> {
+    fn ends(self) -> &'a [f64] {
+        match self {
+            Cut::Ends(ends) => ends,
+            _ => &[],
+        }
+    }
 }
 
 /// The meshes of both bodies with the given number of layers around each singular point.
-pub(crate) fn meshes(scene: &Scene, extent: Extent, layers: usize, cut: Cut) -> Result<[Mesh; 2], Fault> {
+pub(crate) fn meshes(scene: &Scene, extent: Extent, layers: usize, cut: Cut<'_>) -> Result<[Mesh; 2], Fault> {
     let (Some(body1), Some(body2)) = (&scene.body1, &scene.body2) else {
         return Err(not_meshed("body1.geometry", "bodies"));
     };
@@ -66,18 +80,25 @@ pub(crate) fn meshes(scene: &Scene, extent: Extent, layers: usize, cut: Cut) -> 
         cells => matched(scene, [body1, body2], cells, extent, cut)?,
     };
     let graded = |coarse: Coarse, key: &str| {
-        let vertices: Vec<usize> = coarse.singular.iter().map(|x| coarse.mesh.nearest_vertex(*x)).collect();
-        coarse.mesh.refined_towards(&vertices, RATIO, layers).map_err(|error| geometry_fault(key, &error))
+        let vertices = |mesh: &Mesh, points: &[[f64; 2]]| points.iter().map(|x| mesh.nearest_vertex(*x)).collect::<Vec<usize>>();
+        let singular = vertices(&coarse.mesh, &coarse.singular);
+        let mesh = coarse.mesh.refined_towards(&singular, RATIO, layers).map_err(|error| geometry_fault(key, &error))?;
+        if coarse.free.is_empty() {
+            return Ok(mesh);
+        }
+        let free = vertices(&mesh, &coarse.free);
+        mesh.refined_towards(&free, RATIO, layers.div_ceil(2)).map_err(|error| geometry_fault(key, &error))
     };
     Ok([graded(first, "body1.geometry")?, graded(second, "body2.geometry")?])
 }
 
 /// The coarse meshes of two templates.
-fn templates(scene: &Scene, geometries: [&Geometry; 2], extent: Extent, cut: Cut) -> Result<[Coarse; 2], Fault> {
+fn templates(scene: &Scene, geometries: [&Geometry; 2], extent: Extent, cut: Cut<'_>) -> Result<[Coarse; 2], Fault> {
     let cuts = contact_cuts(scene, extent, cut, &[]);
     let first = coarse(scene, geometries[0], &cuts, true, cut)?;
     let mut second = coarse(scene, geometries[1], &cuts, false, cut)?;
     // Points of the contact surface that need layers in the shaped body need them in both, for common break points.
+    second.free.clone_from(&first.free);
     for x in &first.singular {
         let y = second.mesh.vertices[second.mesh.nearest_vertex(*x)];
         let scale = x[0].hypot(x[1]);
@@ -100,7 +121,7 @@ fn geometry_fault(key: &str, error: &hpfem::Error) -> Fault {
 
 /// Common break points of both bodies on the contact surface: at least two equal pieces, on arcs of at most 30 degrees, and those
 /// that the bodies need for themselves: a template by its kind, one given by cells by its points (`breaks`).
-pub(super) fn contact_cuts(scene: &Scene, extent: Extent, cut: Cut, breaks: &[f64]) -> Vec<f64> {
+pub(super) fn contact_cuts(scene: &Scene, extent: Extent, cut: Cut<'_>, breaks: &[f64]) -> Vec<f64> {
     let [first, last] = extent.ends();
     let near = SAME * (last - first);
     let with = |points: &[f64]| {
@@ -118,42 +139,30 @@ pub(super) fn contact_cuts(scene: &Scene, extent: Extent, cut: Cut, breaks: &[f6
         }
         (Extent::Angles([from, to]), _) => {
             let pieces = ((to - from) / std::f64::consts::FRAC_PI_6 * (1.0 - 1e-9)).ceil().max(2.0) + more;
-            subdivide(&with(&[from, to]), (to - from) / pieces)
+            subdivide(&with(&with_ends([from, to], cut)), (to - from) / pieces)
         }
         // Three pieces: the tilt of a gap is its tangent in the middle, which must lie inside a cell.
-        (Extent::X([from, to]), _) => subdivide(&with(&[from, to]), (to - from) / (3.0 + more)),
+        (Extent::X([from, to]), _) => subdivide(&with(&with_ends([from, to], cut)), (to - from) / (3.0 + more)),
     }
 }
 
-/// Cuts every interval between the given points into equal pieces no longer than `step`.
-fn subdivide(points: &[f64], step: f64) -> Vec<f64> {
-    let mut cuts = vec![points[0]];
-    for pair in points.windows(2) {
-        let pieces = ((pair[1] - pair[0]) / step * (1.0 - 1e-9)).ceil().max(1.0) as usize;
-        for i in 1..=pieces {
-            let t = i as f64 / pieces as f64;
-            cuts.push(if i == pieces { pair[1] } else { (1.0 - t) * pair[0] + t * pair[1] });
-        }
+/// The ends of the surface, the ends of contact, and the middles between them: no cell may lie between two points that both need layers.
+fn with_ends([from, to]: [f64; 2], cut: Cut<'_>) -> Vec<f64> {
+    if cut.ends().is_empty() {
+        return vec![from, to];
     }
-    cuts
-}
-
-/// Ascending points with near duplicates removed.
-fn merged(mut points: Vec<f64>) -> Vec<f64> {
-    points.sort_by(f64::total_cmp);
-    let scale = points.last().copied().unwrap_or(0.0) - points.first().copied().unwrap_or(0.0);
-    points.dedup_by(|b, a| (*b - *a).abs() <= 1e-9 * scale);
-    points
+    let inner = cut.ends().iter().map(|t| from + 0.5 * (1.0 + t) * (to - from));
+    halved(&merged([from, to].into_iter().chain(inner).collect()))
 }
 
 /// The coarse mesh of a template, cut at the given places of the contact surface.
-pub(super) fn coarse(scene: &Scene, geometry: &Geometry, cuts: &[f64], shaped: bool, cut: Cut) -> Result<Coarse, Fault> {
+pub(super) fn coarse(scene: &Scene, geometry: &Geometry, cuts: &[f64], shaped: bool, cut: Cut<'_>) -> Result<Coarse, Fault> {
     let key = if shaped { "body1.geometry" } else { "body2.geometry" };
     let result = match geometry {
-        Geometry::ShoeBlock(shoe) if shaped => shoe_block(scene, shoe, cuts),
+        Geometry::ShoeBlock(shoe) if shaped => shoe_block(scene, shoe, cuts, cut),
         Geometry::RingSegment(segment) if shaped => ring_segment(scene, segment, cuts, cut),
         Geometry::Ring(ring) if !shaped => full_ring(ring, cuts),
-        Geometry::Rectangle(rectangle) => block(scene, rectangle, cuts, shaped),
+        Geometry::Rectangle(rectangle) => block(scene, rectangle, cuts, shaped, cut),
         other => return Err(not_meshed(key, crate::setup::template(other))),
     };
     result.map_err(|error| geometry_fault(key, &error))
@@ -175,35 +184,12 @@ fn levels(height: f64, width: f64, least: usize) -> Vec<f64> {
     (0..=n).map(|i| if i == n { 1.0 } else { (f64::from(1_u32 << i) - 1.0) / last }).collect()
 }
 
-/// Points between two ends whose distances double from both ends inwards, `first` at the ends and `most` at most.
-fn growing(from: f64, to: f64, first: f64, most: f64) -> Vec<f64> {
-    let (mut left, mut right) = (vec![from], vec![to]);
-    let mut step = first;
-    // Halves that meet leave no piece between them, whatever the round-off.
-    while (to - from) * (1.0 - 1e-9) > 2.0 * step + left[left.len() - 1] - from + to - right[right.len() - 1] {
-        left.push(left[left.len() - 1] + step);
-        right.push(right[right.len() - 1] - step);
-        step = (2.0 * step).min(most);
-    }
-    let middle = subdivide(&[left[left.len() - 1], right[right.len() - 1]], step);
-    left.pop();
-    left.extend(middle);
-    right.pop();
-    left.extend(right.into_iter().rev());
-    left
-}
-
-/// Parameters in [-1, 1] of points between two ends.
-fn parameters(points: &[f64], [from, to]: [f64; 2]) -> Vec<f64> {
-    points.iter().map(|x| (2.0 * x - from - to) / (to - from)).collect()
-}
-
 /// Names of the load edge: the whole side.
 fn load_side(scene: &Scene, edge: &str) -> bool {
     scene.load.as_ref().and_then(|load| load.edge.as_deref()) == Some(edge)
 }
 
-fn shoe_block(scene: &Scene, shoe: &ShoeBlock, cuts: &[f64]) -> Result<Coarse, hpfem::Error> {
+fn shoe_block(scene: &Scene, shoe: &ShoeBlock, cuts: &[f64], cut: Cut<'_>) -> Result<Coarse, hpfem::Error> {
     let (radius, angle, top) = (shoe.radius.0, shoe.half_angle.0, shoe.top.0);
     let (x, z) = (radius * angle.sin(), radius * angle.cos());
     let mut names = vec![
@@ -219,9 +205,11 @@ fn shoe_block(scene: &Scene, shoe: &ShoeBlock, cuts: &[f64]) -> Result<Coarse, h
         }
     }
     let breaks = parameters(cuts, [-angle, angle]);
-    let width = radius * (cuts[1] - cuts[0]);
+    let width = radius * widest(cuts);
+    let bottom = arc([0.0; 2], radius, [-angle, angle]);
+    let free = cut.ends().iter().map(|t| bottom.point(*t)).collect();
     let mesh = Mesh::ruled(&Ruled {
-        bottom: arc([0.0; 2], radius, [-angle, angle]),
+        bottom,
         top: Curve::Line { start: [-x, top], end: [x, top] },
         breaks: &breaks,
         levels: &levels(top - radius, width, 1),
@@ -229,7 +217,7 @@ fn shoe_block(scene: &Scene, shoe: &ShoeBlock, cuts: &[f64]) -> Result<Coarse, h
         material: 0,
         names: &names,
     })?;
-    Ok(Coarse { mesh, singular: vec![[-x, z], [x, z]] })
+    Ok(Coarse { mesh, singular: vec![[-x, z], [x, z]], free })
 }
 
 /// Where a ring segment is cut, in the common parameter of its arcs.
@@ -246,7 +234,7 @@ fn segment_angles(segment: &RingSegment) -> [[f64; 2]; 2] {
     [segment.inner.0, segment.outer.0].map(|radius| x.map(|x| (x / radius).asin()))
 }
 
-fn segment_breaks(scene: &Scene, segment: &RingSegment, cut: Cut) -> SegmentBreaks {
+fn segment_breaks(scene: &Scene, segment: &RingSegment, cut: Cut<'_>) -> SegmentBreaks {
     let [inner, outer] = segment_angles(segment);
     let mut points = vec![-1.0, 1.0];
     let load = scene.load.as_ref().filter(|load| load.edge.as_deref() == Some("outer"));
@@ -258,16 +246,16 @@ fn segment_breaks(scene: &Scene, segment: &RingSegment, cut: Cut) -> SegmentBrea
     points.extend(load.into_iter().flatten());
     let middle = Some(0.0).filter(|_| (inner[0] + inner[1]).abs() < 1e-12);
     points.extend(middle);
+    points.extend(cut.ends());
     let thickness = segment.outer.0 - segment.inner.0;
     let finer = if cut == Cut::Shifted { 0.8 } else { 1.0 };
     let step = (1.5 * finer * thickness / (segment.inner.0 * (inner[1] - inner[0]))).min(1.0);
     let points = merged(points);
     // No cell may lie between two points that both need layers: at least two pieces everywhere.
-    let halves: Vec<f64> = points.windows(2).flat_map(|pair| [pair[0], 0.5 * (pair[0] + pair[1])]).chain([1.0]).collect();
-    SegmentBreaks { breaks: subdivide(&halves, step), load, middle }
+    SegmentBreaks { breaks: subdivide(&halved(&points), step), load, middle }
 }
 
-fn ring_segment(scene: &Scene, segment: &RingSegment, cuts: &[f64], cut: Cut) -> Result<Coarse, hpfem::Error> {
+fn ring_segment(scene: &Scene, segment: &RingSegment, cuts: &[f64], cut: Cut<'_>) -> Result<Coarse, hpfem::Error> {
     let SegmentBreaks { mut breaks, load, middle } = segment_breaks(scene, segment, cut);
     let [inner, outer] = segment_angles(segment);
     // Further cuts that a counter-face given by its cells asks for.
@@ -290,10 +278,11 @@ fn ring_segment(scene: &Scene, segment: &RingSegment, cuts: &[f64], cut: Cut) ->
     let top = arc([0.0; 2], segment.outer.0, outer);
     let mut singular = vec![bottom.point(-1.0), bottom.point(1.0), top.point(-1.0), top.point(1.0)];
     singular.extend(load.into_iter().flatten().map(|t| top.point(t)));
+    let free = cut.ends().iter().map(|t| bottom.point(*t)).collect();
     singular.extend(centre.into_iter().flat_map(|t| [bottom.point(t), top.point(t)]));
     let levels = [0.0, 0.5, 1.0];
     let mesh = Mesh::ruled(&Ruled { bottom, top, breaks: &breaks, levels: &levels, closed: false, material: 0, names: &names })?;
-    Ok(Coarse { mesh, singular })
+    Ok(Coarse { mesh, singular, free })
 }
 
 fn full_ring(ring: &Ring, cuts: &[f64]) -> Result<Coarse, hpfem::Error> {
@@ -302,7 +291,7 @@ fn full_ring(ring: &Ring, cuts: &[f64]) -> Result<Coarse, hpfem::Error> {
     let (from, to) = (cuts[0], cuts[cuts.len() - 1]);
     let turn = std::f64::consts::TAU;
     // Outside the contact: cells as wide as inside next to it, then wider.
-    let widest = cuts.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
+    let widest = widest(cuts);
     let step = (cuts[1] - cuts[0]).min(0.25 * (turn - (to - from)));
     let rest = growing(to, from + turn, step, std::f64::consts::FRAC_PI_3);
     let angles: Vec<f64> = cuts.iter().copied().chain(rest[1..].iter().copied()).collect();
@@ -325,14 +314,14 @@ fn full_ring(ring: &Ring, cuts: &[f64]) -> Result<Coarse, hpfem::Error> {
         material: 0,
         names: &names,
     })?;
-    Ok(Coarse { mesh, singular })
+    Ok(Coarse { mesh, singular, free: Vec::new() })
 }
 
-fn block(scene: &Scene, rectangle: &Rectangle, cuts: &[f64], shaped: bool) -> Result<Coarse, hpfem::Error> {
+fn block(scene: &Scene, rectangle: &Rectangle, cuts: &[f64], shaped: bool, cut: Cut<'_>) -> Result<Coarse, hpfem::Error> {
     let (x, z) = (rectangle.x.map(|x| x.0), rectangle.z.map(|z| z.0));
     let (contact_side, contact_z) = if shaped { (Side::Bottom, z[0]) } else { (Side::Top, z[1]) };
     let ends = [cuts[0], cuts[cuts.len() - 1]];
-    let step = cuts.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
+    let step = widest(cuts);
     let points = merged(cuts.iter().copied().chain(x).collect());
     let points = subdivide(&points, 2.0 * step.max(0.05 * (x[1] - x[0])));
     let contact = parameters(&ends, x);
@@ -357,6 +346,7 @@ fn block(scene: &Scene, rectangle: &Rectangle, cuts: &[f64], shaped: bool) -> Re
     let far_edge = if shaped { "top" } else { "bottom" };
     let body = if shaped { &scene.body1 } else { &scene.body2 };
     let held = body.as_ref().is_some_and(|b| b.support.contains_key(far_edge));
+    let free = cut.ends().iter().map(|t| [ends[0] + 0.5 * (1.0 + t) * (ends[1] - ends[0]), contact_z]).collect();
     let mut singular: Vec<[f64; 2]> = ends.iter().map(|x| [*x, contact_z]).collect();
     if held || (shaped && load_side(scene, far_edge)) {
         singular.extend(x.map(|x| [x, far_z]));
@@ -371,5 +361,5 @@ fn block(scene: &Scene, rectangle: &Rectangle, cuts: &[f64], shaped: bool) -> Re
         material: 0,
         names: &names,
     })?;
-    Ok(Coarse { mesh, singular })
+    Ok(Coarse { mesh, singular, free })
 }

@@ -3,6 +3,7 @@
 
 mod cattaneo_mindlin;
 mod common;
+mod edges;
 mod full_contact;
 mod hertz;
 mod patch;

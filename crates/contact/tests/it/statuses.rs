@@ -116,13 +116,44 @@ fn wedge_needs_the_force_of_the_closed_form_and_jams_beyond_it() {
 
 #[test]
 fn friction_up_to_two_is_solved_or_refused_by_name_on_the_drum() {
-    for friction in [0.5, 1.0, 1.5, 2.0] {
-        let solution = drum(friction, -1.0, 1.0);
-        println!("mu {friction}: {} ({} steps, took over {})", solution.status, solution.iterations, solution.took_over);
-        assert!(!matches!(solution.status, Status::IterationLimit { .. }));
-        if solution.status.is_solved() {
-            assert!(solution.complementarity < 1e-10 && solution.balance < 1e-10);
-            assert!(solution.iterations <= 30);
+    let drum = Drum::new(6, 4, [210e3; 2]);
+    let (shoe, ring) = drum.bodies();
+    let pair = Pair::new(&shoe.interface, Some(&ring.interface)).unwrap();
+    let operator = ContactOperator::new(&pair, true).unwrap();
+    let n = operator.points().len();
+    for tenths in 0..=20 {
+        for drag in [-1.0, 1.0] {
+            let friction = 0.1 * f64::from(tenths);
+            let load = ContactLoad::factors(&[1.0], &[]).sliding(friction, vec![drag; n]);
+            let solution = operator.solve(&vec![0.0; n], &load, None).unwrap();
+            assert!(!matches!(solution.status, Status::IterationLimit { .. }), "mu {friction}: {}", solution.status);
+            if solution.status.is_solved() {
+                assert!(solution.complementarity < 1e-10 && solution.balance < 1e-10);
+                assert!(solution.iterations <= 30 && !solution.took_over);
+            }
+        }
+    }
+}
+
+#[test]
+fn wedge_jams_from_the_friction_of_the_closed_form_on_and_not_before() {
+    // F / G grows beyond all bounds at mu = 1 / tan a.
+    let slope = 0.6;
+    let (wedge, plane) = wedge::bodies(slope);
+    let pair = Pair::new(&wedge, Some(&plane)).unwrap();
+    let operator = ContactOperator::new(&pair, true).unwrap();
+    let n = operator.points().len();
+    for friction in [0.0, 0.5, 1.0, 1.5, 1.6, 1.66, 1.67, 1.7, 1.8, 2.0] {
+        let mut load = ContactLoad::factors(&[], &[]).sliding(friction, vec![-1.0; n]);
+        load.motions = [Motion::Prescribed { value: 0.0 }, Motion::Free { resultant: -1500.0 }, Motion::FREE];
+        let solution = operator.solve(&vec![0.0; n], &load, None).unwrap();
+        println!("mu {friction}: {}", solution.status);
+        if friction * slope < 1.0 {
+            assert!(solution.status.is_solved());
+            let force = -solution.force[0] / solution.force[1];
+            assert_relative_eq!(force, (slope + friction) / (1.0 - friction * slope), max_relative = 1e-8);
+        } else {
+            assert_eq!(solution.status, Status::Jammed);
         }
     }
 }

@@ -128,7 +128,7 @@ pub(super) fn run(
         let moments = moments.filter_map(|(name, time_s, at)| {
             Some(Moment { time_s, name, states: [at.shaped, at.counter?], pressure: at.pressure })
         });
-        reported = Some(Reported { level, moments: moments.collect() });
+        reported = Some(Reported { level, ends: Vec::new(), moments: moments.collect() });
     }
     let left = FinishedLevel {
         degree: level.degree,
