@@ -11,7 +11,10 @@ use crate::solution::{Solution, Status};
 
 /// A number with about six significant digits and no needless zeros.
 pub(crate) fn short(value: f64) -> String {
-    if value == 0.0 || !value.is_finite() {
+    if value == 0.0 {
+        return "0".into();
+    }
+    if !value.is_finite() {
         return format!("{value}");
     }
     let magnitude = value.abs().log10().floor() as i32;
@@ -36,6 +39,8 @@ fn place(problem: &Problem, s: f64) -> String {
         }
         Some(Shape::Annulus { .. } | Shape::Sector { .. }) => format!("r = {} mm", short(s)),
         Some(Shape::Strip { x, .. } | Shape::Rectangle { x, .. }) => {
+            // The middle, found up to round-off, is the middle.
+            let s = if s.abs() < 1e-9 * (x[1] - x[0]) { 0.0 } else { s };
             format!("x = {} mm", short(s + 0.5 * (x[0] + x[1])))
         }
         Some(Shape::Ellipse { .. }) => format!("x = {} mm", short(s)),
