@@ -99,7 +99,10 @@ pub(crate) fn verdict(problem: &Problem, solution: &Solution) -> String {
     if let Some(wear) = &solution.wear {
         let time = wear.time_s.map(short).unwrap_or_default();
         return match wear.steady {
-            true => format!("Worn in after {time} s: the pressure no longer changes."),
+            true => match &wear.to_1_percent {
+                Some(near) => format!("Worn in to 1 % after {} s, steady after {time} s.", short(near.time_s)),
+                None => format!("Worn in after {time} s: the pressure no longer changes."),
+            },
             false => format!("Worn for {time} s; not yet steady."),
         };
     }
