@@ -1,10 +1,35 @@
-//! Moving a vertex along the boundary, for the end of a contact that is itself unknown.
+//! Meshes of a changed body: a vertex moved along the boundary, for the end of a contact that is itself unknown; all points moved by
+//! a map, for a profile laid on the body.
 
-use crate::curve::Curve;
+use crate::curve::{CURVE_DEGREE, Curve};
 use crate::error::Error;
 use crate::mesh::{Mesh, Quad, distance};
 
 impl Mesh {
+    /// The mesh with every point moved by a smooth one-to-one map: a machined or worn profile laid on the body. Each edge becomes the
+    /// polynomial of degree 8 through the images of its Gauss-Lobatto points, or stays a straight line; the insides of the cells follow
+    /// by blending.
+    ///
+    /// # Errors
+    /// [`Error::FoldedCell`] if a cell folds.
+    pub fn mapped(&self, map: impl Fn([f64; 2]) -> [f64; 2]) -> Result<Mesh, Error> {
+        let mut mesh = self.clone();
+        mesh.vertices = self.vertices.iter().map(|x| map(*x)).collect();
+        for (image, edge) in mesh.edges.iter_mut().zip(&self.edges) {
+            let [start, end] = edge.vertices.map(|v| mesh.vertices[v]);
+            let curve = Curve::interpolated(CURVE_DEGREE, |t| match t {
+                -1.0 => start,
+                1.0 => end,
+                _ => map(edge.curve.point(t)),
+            });
+            let line = Curve::Line { start, end };
+            let off = |t: &f64| distance(curve.point(*t), line.point(*t)) > 1e-14 * line.length();
+            image.curve = if [-0.6, -0.2, 0.2, 0.6].iter().any(off) { curve } else { line };
+        }
+        mesh.check_cells()?;
+        Ok(mesh)
+    }
+
     /// The mesh with a boundary vertex moved by the arc length `shift` along the boundary, positive towards the end with the larger
     /// coordinates (first coordinate first), as a contact path runs. The shape of the body stays exactly as it is: the
     /// two boundary edges at the vertex must be parts of one line or of one circle, or the shift must be zero; inner edges at the

@@ -68,7 +68,7 @@ fn accuracy(scene: &mut Scene) -> Result<(), Fault> {
             return Err(Fault::at("mesh.layers", "wrong-value", message, "give 0 to 60 layers"));
         }
         if mesh.degree.is_some() && mesh.layers.is_none() {
-            scene.mesh = Some(Mesh { layers: mesh.degree.map(|degree| degree.saturating_sub(2).max(1)), ..mesh.clone() });
+            scene.mesh = Some(Mesh { layers: mesh.degree, ..mesh.clone() });
         }
     }
     let fixed = scene.mesh.as_ref().is_some_and(|mesh| mesh.degree.is_some());

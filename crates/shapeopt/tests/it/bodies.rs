@@ -115,6 +115,12 @@ pub fn drum(degree: usize, layers: usize) -> Bodies {
 }
 
 impl Bodies {
+    /// The same with every point of the shaped body moved by a map.
+    pub fn with_shaped(mut self, map: impl Fn([f64; 2]) -> [f64; 2]) -> Bodies {
+        self.meshes[0] = self.meshes[0].mapped(map).unwrap();
+        self
+    }
+
     pub fn reduced(&self) -> [Body<'_>; 2] {
         [0, 1].map(|number: usize| {
             let mesh = &self.meshes[number];

@@ -5,6 +5,7 @@ mod approach;
 mod bodies;
 mod closed_form;
 mod decay;
+mod laid;
 mod order;
 mod partial;
 mod schedule;
