@@ -117,6 +117,23 @@ fn translating_punch_jump() {
     }
 }
 
+/// With body 1's rigid coordinates at zero, surfaces that touch everywhere jump by the rigid motion alone.
+#[test]
+fn in_full_contact_the_displacements_jump_by_the_rigid_motion() {
+    let punch = run("translating-punch", "contact-jump", &["--set", "tasks=[contact]", "--set", "load.tilt=0"]);
+    let approach = number(&punch.summary()["contact"]["approach_mm"]);
+    for jump in jump(&punch) {
+        assert_relative_eq!(jump, -approach, max_relative = 1e-9);
+    }
+    let drum = run("drum-brake-block", "contact-jump", &["--set", "tasks=[contact]", "--set", "mesh.degree=8"]);
+    let along: Vec<f64> = jump(&drum).iter().zip(drum.column("nz")).map(|(jump, cosine)| jump / cosine).collect();
+    let first = along[0];
+    assert!(first < 0.0);
+    for along in &along {
+        assert_relative_eq!(*along, first, max_relative = 1e-9);
+    }
+}
+
 #[test]
 fn annular_punch_jump_and_twist() {
     let known = reference("annular-punch");

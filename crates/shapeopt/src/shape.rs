@@ -5,6 +5,7 @@ use crate::rigid_part::{Curve, lowest_nonnegative};
 use contact::{ContactPoint, Pair, Side, contact_traction, normal};
 use faer::Mat;
 use hpfem::{BoundaryPoint, InterfaceOperator, InterfaceState, TraceLoad};
+use nalgebra::{DMatrix, DVector};
 
 /// Tractions and loads under which the surfaces shall just touch everywhere.
 pub struct ShapeProblem<'a> {
@@ -130,8 +131,8 @@ fn side_state(problem: &ShapeProblem<'_>, side: Side, body: &InterfaceOperator, 
     let held = side == Side::Shaped && problem.gauge == Gauge::HeldEdge;
     let unknowns = if held { solve_held(body, &right) } else { body.solve_one(&right) };
     let mut state = InterfaceState { unknowns, factors, load };
-    if let (Side::Shaped, Gauge::MeanOf(columns)) = (side, &problem.gauge) {
-        remove_mean(body, columns, &mut state);
+    if side == Side::Shaped && !held {
+        problem.gauge.zero(body, &mut state);
     }
     state
 }
@@ -164,14 +165,25 @@ fn solve_held(body: &InterfaceOperator, right: &[f64]) -> Vec<f64> {
     operator.solve_one(&right)
 }
 
-/// Shifts along the rigid modes until the functionals of the given columns vanish.
-fn remove_mean(body: &InterfaceOperator, columns: &[usize], state: &mut InterfaceState) {
-    let modes = body.rigid_modes.ncols();
-    let matrix = nalgebra::DMatrix::from_fn(columns.len(), modes, |c, m| {
-        (0..state.unknowns.len()).map(|i| body.columns[(i, columns[c])] * body.rigid_modes[(i, m)]).sum::<f64>()
-    });
-    let values = nalgebra::DVector::from_iterator(columns.len(), columns.iter().map(|c| body.column_work(*c, state)));
-    if let Some(shift) = matrix.lu().solve(&values) {
+impl Gauge {
+    /// Shifts a state of body 1 along its free rigid modes until its rigid coordinates are zero.
+    pub fn zero(&self, body: &InterfaceOperator, state: &mut InterfaceState) {
+        let (n, modes) = (state.unknowns.len(), body.rigid_modes.ncols());
+        // Values of the functionals that are to vanish, in the state and in each mode.
+        let (values, of_modes): (Vec<f64>, Vec<Vec<f64>>) = match self {
+            Gauge::Orthogonal => return,
+            Gauge::HeldEdge => {
+                let held = body.frame.iter().flatten();
+                held.map(|h| (state.unknowns[*h], (0..modes).map(|m| body.rigid_modes[(*h, m)]).collect())).unzip()
+            }
+            Gauge::MeanOf(columns) => {
+                let mean = |c: usize, m: usize| (0..n).map(|i| body.columns[(i, c)] * body.rigid_modes[(i, m)]).sum::<f64>();
+                columns.iter().map(|c| (body.column_work(*c, state), (0..modes).map(|m| mean(*c, m)).collect())).unzip()
+            }
+        };
+        let matrix = DMatrix::from_fn(values.len(), modes, |row, m| of_modes[row][m]);
+        // A rigid edge that supports hold in part has more motions than the body has modes: least squares.
+        let Ok(shift) = matrix.svd(true, true).solve(&DVector::from_vec(values), 1e-12) else { return };
         for (i, u) in state.unknowns.iter_mut().enumerate() {
             *u -= (0..modes).map(|m| shift[m] * body.rigid_modes[(i, m)]).sum::<f64>();
         }

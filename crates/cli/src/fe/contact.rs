@@ -204,7 +204,7 @@ fn solve_level(stage: Stage<'_>, level: Level, options: Options, ends: &mut Free
     solution.curve = Some(sampled(CURVE));
     let refused = (!found.status.is_solved() || found.status == ContactStatus::NoContact).then(|| found.status.to_string());
     let reported = found.counter.clone().map(|counter| {
-        let states = [found.shaped.clone(), counter];
+        let states = [stage.held(&pair, &found.shaped), counter];
         Reported {
             level,
             ends: ends.places.clone(),

@@ -6,11 +6,11 @@ use std::time::Instant;
 use contact::{ContactLoad, ContactPoint, Motion, Pair};
 use hpfem::InterfaceState;
 use nalgebra::{DMatrix, DVector, Vector3};
-use shapeopt::{GapCurve, Gauge, Integration, RigidPart, Shape, ShapeProblem, SurfacePlace, closing, solve_shape};
+use shapeopt::{GapCurve, Integration, RigidPart, Shape, ShapeProblem, SurfacePlace, closing, solve_shape};
 
 use crate::fault::Fault;
 use crate::fe::approach;
-use crate::fe::bodies::{Level, MEAN_COLUMNS};
+use crate::fe::bodies::Level;
 use crate::fe::operators::Reduced;
 use crate::fe::recover::{Moment, Reported};
 use crate::fe::round_trip;
@@ -310,14 +310,12 @@ impl<'a> Shaper<'a> {
     }
 
     fn with_rigid_part(&self, pair: &Pair<'_>, rigid: RigidPart) -> Result<Shape, Fault> {
-        let rigid_edge = self.stage.rigid_edge();
-        let gauge = if rigid_edge { Gauge::HeldEdge } else { Gauge::MeanOf(mean_columns(pair)) };
         solve_shape(&ShapeProblem {
             pair: *pair,
             traction: &|place| self.traction(place),
             cases_shaped: &self.stage.cases(),
             cases_counter: &[],
-            gauge,
+            gauge: self.stage.gauge(pair),
             rigid,
             integration: Integration::Lobatto,
         })
@@ -344,22 +342,4 @@ fn samples(pair: &Pair<'_>) -> Vec<f64> {
 
 fn states(shape: &Shape) -> [Option<&InterfaceState>; 2] {
     [Some(&shape.shaped), shape.counter.as_ref()]
-}
-
-/// Columns of the mean displacement functionals that fix the free rigid modes, one a mode, each in turn the one of z, x,
-/// rotation that still moves.
-fn mean_columns(pair: &Pair<'_>) -> Vec<usize> {
-    let body = pair.shaped;
-    let [x, z, rotation] = MEAN_COLUMNS;
-    let moves = |k: usize| body.rigid_motions.iter().any(|m| m[k] != 0.0);
-    match body.rigid_motions.len() {
-        0 => Vec::new(),
-        1 if moves(1) => vec![z],
-        1 if moves(0) => vec![x],
-        1 => vec![rotation],
-        2 if !moves(2) => vec![x, z],
-        2 if moves(1) => vec![z, rotation],
-        2 => vec![x, rotation],
-        _ => vec![x, z, rotation],
-    }
 }

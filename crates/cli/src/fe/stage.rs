@@ -6,9 +6,10 @@ use std::time::Instant;
 use contact::{ContactLoad, ContactPoint, MomentBalance, Motion, Pair, Side};
 use hpfem::{Body, InterfaceState, Kinematics};
 use nalgebra::Vector3;
+use shapeopt::Gauge;
 
 use crate::fault::Fault;
-use crate::fe::bodies::{BodyParts, Level, kinematics};
+use crate::fe::bodies::{BodyParts, Level, MEAN_COLUMNS, kinematics};
 use crate::fe::operators::{self, Place, Reduced};
 use crate::fe::template::{Cut, Extent, meshes};
 use crate::profile::Profile;
@@ -171,6 +172,18 @@ impl<'a> Stage<'a> {
         contact
     }
 
+    /// What counts as body 1 unmoved: the rigid edge held, or the mean displacement of the load edge zero.
+    pub(super) fn gauge(&self, pair: &Pair<'_>) -> Gauge {
+        if self.rigid_edge() { Gauge::HeldEdge } else { Gauge::MeanOf(mean_columns(pair)) }
+    }
+
+    /// A state of body 1 with its rigid motion taken out.
+    pub(super) fn held(&self, pair: &Pair<'_>, state: &InterfaceState) -> InterfaceState {
+        let mut held = state.clone();
+        self.gauge(pair).zero(pair.shaped, &mut held);
+        held
+    }
+
     /// Surface coordinate at the start of the path: minus half the length, or the radius there.
     pub(super) fn start(&self, pair: &Pair<'_>) -> f64 {
         let trace = pair.trace();
@@ -207,6 +220,8 @@ impl<'a> Stage<'a> {
         let mut profile = Profile::new(points.iter().map(|p| start + p.arc).collect(), &surface);
         let friction = self.scene().contact.as_ref().and_then(|c| c.friction).unwrap_or(0.0);
         let laws = crate::solve::pressure::wear_pair(self.scene(), friction);
+        let held = states[0].map(|state| self.held(pair, state));
+        let states = [held.as_ref(), states[1]];
         for (row, (point, on_surface)) in points.iter().zip(&surface).enumerate() {
             profile.pressure[row] = pressure[row];
             profile.shear[row] = self.friction() * pressure[row];
@@ -332,4 +347,22 @@ pub(crate) fn rest(older: f64, newer: f64) -> f64 {
     }
     let ratio = (newer / older).clamp(0.0, 0.85).powf(0.75);
     (newer * ratio / (1.0 - ratio)).max(1e-14)
+}
+
+/// Columns of the mean displacement functionals that fix the free rigid modes, one a mode, each in turn the one of z, x,
+/// rotation that still moves.
+fn mean_columns(pair: &Pair<'_>) -> Vec<usize> {
+    let body = pair.shaped;
+    let [x, z, rotation] = MEAN_COLUMNS;
+    let moves = |k: usize| body.rigid_motions.iter().any(|m| m[k] != 0.0);
+    match body.rigid_motions.len() {
+        0 => Vec::new(),
+        1 if moves(1) => vec![z],
+        1 if moves(0) => vec![x],
+        1 => vec![rotation],
+        2 if !moves(2) => vec![x, z],
+        2 if moves(1) => vec![z, rotation],
+        2 => vec![x, rotation],
+        _ => vec![x, z, rotation],
+    }
 }

@@ -126,7 +126,7 @@ pub(super) fn run(
         solution.counters.contact_solves += 1;
         let moments = [("", state.time, found), ("start", 0.0, started)].into_iter();
         let moments = moments.filter_map(|(name, time_s, at)| {
-            Some(Moment { time_s, name, states: [at.shaped, at.counter?], pressure: at.pressure })
+            Some(Moment { time_s, name, states: [stage.held(&pair, &at.shaped), at.counter?], pressure: at.pressure })
         });
         reported = Some(Reported { level, ends: Vec::new(), moments: moments.collect() });
     }
