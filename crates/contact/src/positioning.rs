@@ -24,7 +24,7 @@ impl Rebuilt {
     /// The pair of the two bodies.
     ///
     /// # Errors
-    /// [`Error::Unmatched`], [`Error::EdgeCount`].
+    /// [`Error::Unmatched`].
     pub fn pair(&self) -> Result<Pair<'_>, Error> {
         if self.facing { Pair::facing(&self.shaped, &self.counter) } else { Pair::new(&self.shaped, Some(&self.counter)) }
     }
