@@ -4,8 +4,9 @@ use crate::spline::{Fit, Spline};
 
 /// Evenly spaced points of the table.
 const POINTS: usize = 1001;
-/// Largest deviation of the spline from the computed surface, mm.
-pub(crate) const DEVIATION: f64 = 5e-10;
+/// Largest deviation of the spline from the computed surface: mm, and relative to the coordinates of large surfaces, which have no
+/// more digits.
+const DEVIATION: [f64; 2] = [5e-10, 1e-12];
 
 /// A point of the surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,7 +52,8 @@ impl Machined {
             let [x, z] = point.finished();
             [x, z, point.gap]
         };
-        let fit = Spline::fit(curve, [from, to], DEVIATION);
+        let size = points.iter().flat_map(SurfacePoint::finished).fold(0.0, |most: f64, x| most.max(x.abs()));
+        let fit = Spline::fit(curve, [from, to], DEVIATION[0].max(DEVIATION[1] * size));
         let known = || fit.spline.knots.iter().map(|s| surface(*s)).chain(points.iter().copied());
         let extreme = |sign: f64| known().min_by(|a, b| (sign * a.gap).total_cmp(&(sign * b.gap))).unwrap_or(points[0]);
         Machined { datum: extreme(1.0), crown: extreme(-1.0), points, fit }

@@ -20,8 +20,9 @@ pub(crate) struct Fit<const N: usize> {
 
 /// Equal intervals to begin with.
 const FIRST: usize = 32;
-/// Most halvings of an interval.
+/// Most halvings of an interval, and most knots: a curve with noise above the tolerance has no end of them.
 const ROUNDS: usize = 40;
+const MOST: usize = 4096;
 /// Places in an interval where the spline is compared.
 const PLACES: usize = 7;
 
@@ -41,7 +42,8 @@ impl<const N: usize> Spline<N> {
         Spline { knots, pieces }
     }
 
-    /// The spline of a curve over a range, with intervals halved until no coordinate deviates by more than `tolerance`.
+    /// The spline of a curve over a range, with intervals halved until no coordinate deviates by more than `tolerance`, or there are too
+    /// many.
     pub(crate) fn fit(curve: impl Fn(f64) -> [f64; N], [from, to]: [f64; 2], tolerance: f64) -> Fit<N> {
         let mut knots: Vec<f64> =
             (0..=FIRST).map(|i| if i == FIRST { to } else { from + (to - from) * i as f64 / FIRST as f64 }).collect();
@@ -52,7 +54,7 @@ impl<const N: usize> Spline<N> {
             let deviations: Vec<f64> = (0..spline.pieces.len()).map(|i| spline.deviation(&curve, i)).collect();
             let deviation = deviations.iter().copied().fold(0.0, f64::max);
             round += 1;
-            if deviation <= tolerance || round > ROUNDS {
+            if deviation <= tolerance || round > ROUNDS || knots.len() > MOST {
                 return Fit { spline, deviation };
             }
             let halves = deviations.iter().enumerate().filter(|(_, d)| **d > tolerance);
