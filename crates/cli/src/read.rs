@@ -43,6 +43,19 @@ impl Mismatch {
     }
 }
 
+/// What to write, in words of a scene where serde has its own.
+fn write(expected: &dyn Expected) -> String {
+    let expected = expected.to_string();
+    match expected.as_str() {
+        "f64" => "write a number".to_string(),
+        "usize" | "u64" => "write a whole number, 0 or more".to_string(),
+        _ => match expected.strip_prefix("an array of length ") {
+            Some(length) => format!("write a list of {length}"),
+            None => format!("write {expected}"),
+        },
+    }
+}
+
 impl Display for Mismatch {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(&self.message)
@@ -60,15 +73,15 @@ impl serde::de::Error for Mismatch {
     }
 
     fn invalid_type(found: Unexpected<'_>, expected: &dyn Expected) -> Self {
-        Mismatch::new("wrong-type", format!("wrong type: found {found}"), format!("write {expected}"))
+        Mismatch::new("wrong-type", format!("wrong type: found {found}"), write(expected))
     }
 
     fn invalid_value(found: Unexpected<'_>, expected: &dyn Expected) -> Self {
-        Mismatch::new("wrong-value", format!("wrong value: found {found}"), format!("write {expected}"))
+        Mismatch::new("wrong-value", format!("wrong value: found {found}"), write(expected))
     }
 
     fn invalid_length(length: usize, expected: &dyn Expected) -> Self {
-        Mismatch::new("wrong-type", format!("wrong number of entries: found {length}"), format!("write {expected}"))
+        Mismatch::new("wrong-type", format!("wrong number of entries: found {length}"), write(expected))
     }
 
     fn unknown_variant(variant: &str, expected: &'static [&'static str]) -> Self {

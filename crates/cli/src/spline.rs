@@ -160,6 +160,13 @@ mod tests {
     }
 
     #[test]
+    fn a_curve_rougher_than_the_tolerance_ends_with_the_deviation_it_has() {
+        let fit = Spline::fit(|t: f64| [1e12 * t.sin()], [0.0, 1.0], 1e-9);
+        assert!(fit.deviation > 1e-9 && fit.deviation < 1e-2, "{:e}", fit.deviation);
+        assert!(fit.spline.pieces.len() < 10_000, "{}", fit.spline.pieces.len());
+    }
+
+    #[test]
     fn control_points_give_the_spline_back_by_de_boor() {
         let fit = Spline::fit(|t: f64| [t.exp(), (3.0 * t).sin()], [0.0, 2.0], 1e-7);
         let (knots, points) = (fit.spline.padded_knots(), fit.spline.control_points());

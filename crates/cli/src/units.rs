@@ -13,6 +13,26 @@ use serde::{Serialize, Serializer};
 use dimension::{ANGLE, ANGULAR_SPEED, Dimension, FORCE, LENGTH, MOMENT, PRESSURE, SPEED, TIME, WEAR_FACTOR};
 pub(crate) use pair::Pair;
 
+/// Magnitudes other than zero that a quantity may have: squares and ratios of what is in between are numbers still.
+const MAGNITUDES: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
+
+fn in_range(number: f64, written: &str, dimension: &Dimension) -> Result<f64, String> {
+    if number == 0.0 || MAGNITUDES.contains(&number.abs()) {
+        return Ok(number);
+    }
+    let fault = if number.is_nan() {
+        "no number"
+    } else if number.abs() < 1.0 {
+        "too small"
+    } else {
+        "too large"
+    };
+    let (word, base) = (dimension.word, dimension.base);
+    Err(format!(
+        "{written} is {fault}, and no {word}\nwrite a finite number in {base}, 0 or between 1e-100 and 1e100 in magnitude"
+    ))
+}
+
 struct QuantityVisitor(&'static Dimension);
 
 impl Visitor<'_> for QuantityVisitor {
@@ -27,19 +47,12 @@ impl Visitor<'_> for QuantityVisitor {
     }
 
     fn visit_f64<E: de::Error>(self, number: f64) -> Result<(f64, bool), E> {
-        if number.is_finite() {
-            return Ok((number, false));
-        }
-        Err(E::custom(format!("{number} is not a {}\nwrite a finite number", self.0.word)))
+        in_range(number, &format!("{number:?}"), self.0).map(|number| (number, false)).map_err(E::custom)
     }
 
     fn visit_str<E: de::Error>(self, text: &str) -> Result<(f64, bool), E> {
-        self.0.parse(text).map_err(E::custom).and_then(|(number, unit)| {
-            if number.is_finite() {
-                return Ok((number, unit));
-            }
-            Err(E::custom(format!("\"{text}\" is too large for a number\nwrite a finite {}", self.0.word)))
-        })
+        let (number, unit) = self.0.parse(text).map_err(E::custom)?;
+        in_range(number, &format!("\"{text}\""), self.0).map(|number| (number, unit)).map_err(E::custom)
     }
 }
 

@@ -116,7 +116,7 @@ pub(crate) fn options(common: &Common) -> Result<Options<'_>, Fault> {
     if let Some(sample) = common.sample.filter(|sample| !(2..=10_000_000).contains(sample)) {
         return Err(Fault {
             place: Some(Place::Flag(format!("--sample {sample}"))),
-            ..Fault::new("wrong-flag", format!("--sample {sample} is out of range"), "ask for 2 points or more")
+            ..Fault::new("wrong-flag", format!("--sample {sample} is out of range"), "ask for 2 to 10000000 points")
         });
     }
     Ok(Options { sample: common.sample.map(Sampling::Even), alone: false, tolerance: true })

@@ -67,8 +67,8 @@ impl Isobands {
             let range = points.iter().fold((f64::MAX, f64::MIN), |(lo, hi), p| (lo.min(p[k]), hi.max(p[k])));
             range.1 - range.0
         };
-        // What is smaller than a tenth of a pixel cannot be seen.
-        if size(0) < 0.1 || size(1) < 0.1 {
+        // What is smaller than a tenth of a pixel cannot be seen; thin stripes side by side can.
+        if size(0) < 0.1 && size(1) < 0.1 {
             return;
         }
         for (number, [x, y]) in points.iter().enumerate() {

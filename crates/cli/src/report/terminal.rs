@@ -140,7 +140,7 @@ pub(crate) fn verdict(problem: &Problem, solution: &Solution) -> String {
 /// The lines for the screen.
 pub(crate) fn first_screen(problem: &Problem, solution: &Solution, folder: &Path) -> String {
     let mut lines = vec![format!("{}   [{}]", verdict(problem, solution), bracket(solution))];
-    if let Some(pressure) = &solution.pressure {
+    if let Some(pressure) = solution.pressure.as_ref().filter(|_| solution.status != Status::Refused) {
         let curve = solution.curve.as_ref().or(solution.profile.as_ref());
         let with_q = !matches!(pressure.functional.as_str(), "steady" | "uniform");
         let q = pressure.q.filter(|_| with_q).map(|q| format!(" q = {q},")).unwrap_or_default();

@@ -17,14 +17,14 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task]) -> Result<(), Fault> {
     if let Some(cap) = optimum.p_max {
         positive("optimum.p_max", cap.0, "pressure", " MPa")?;
     }
+    if optimum.q.is_some_and(f64::is_nan) {
+        return Err(Fault::at("optimum.q", "wrong-value", "optimum.q is not a number", "give any real number, or inf"));
+    }
     let with_q = matches!(functional, Functional::WearVolume | Functional::FrictionPower | Functional::WearPower);
     if !with_q {
         return Ok(());
     }
     let q = *optimum.q.get_or_insert(1.0);
-    if q.is_nan() {
-        return Err(Fault::at("optimum.q", "wrong-value", "optimum.q is not a number", "give any real number, or inf"));
-    }
     let capped = optimum.p_max.is_some();
     let alone = tasks.iter().all(|task| *task == Task::Pressure);
     if alone || capped {

@@ -73,19 +73,23 @@ pub(super) const WEAR_FACTOR: Dimension = Dimension {
 };
 
 impl Dimension {
+    fn with_article(&self) -> String {
+        format!("{} {}", if self.word.starts_with('a') { "an" } else { "a" }, self.word)
+    }
+
     /// What to write.
     pub(super) fn expected(&self) -> String {
         let units: Vec<&str> = self.units.iter().map(|unit| unit.0).filter(|unit| unit.is_ascii()).collect();
-        format!("a {} as a number in {}, or a string with one of the units {}", self.word, self.base, units.join(", "))
+        format!("{} as a number in {}, or a string with one of the units {}", self.with_article(), self.base, units.join(", "))
     }
 
     /// The value in the base unit, and whether a unit was written.
     pub(super) fn parse(&self, text: &str) -> Result<(f64, bool), String> {
         let trimmed = text.trim();
         let end = number_end(trimmed);
-        let number: f64 = trimmed[..end]
-            .parse()
-            .map_err(|_| format!("\"{text}\" is not a {}: no number at its beginning\nwrite {}", self.word, self.expected()))?;
+        let number: f64 = trimmed[..end].parse().map_err(|_| {
+            format!("\"{text}\" is not {}: no number at its beginning\nwrite {}", self.with_article(), self.expected())
+        })?;
         let unit = normal(&trimmed[end..]);
         if unit.is_empty() {
             return Ok((number, false));
@@ -94,7 +98,7 @@ impl Dimension {
             Some((_, numerator, denominator)) => Ok((number * numerator / denominator, true)),
             None => {
                 let unit = trimmed[end..].trim();
-                Err(format!("wrong unit: `{unit}` does not measure a {}\nwrite {}", self.word, self.expected()))
+                Err(format!("wrong unit: `{unit}` does not measure {}\nwrite {}", self.with_article(), self.expected()))
             }
         }
     }

@@ -112,7 +112,7 @@ fn a_shape_at_a_singular_q_is_refused_with_a_regular_one() {
 
 #[test]
 fn a_wrong_type_is_named() {
-    broken("friction = 0.25", "friction = \"a lot\"", "wrong type", "f64");
+    broken("friction = 0.25", "friction = \"a lot\"", "wrong type", "write a number");
 }
 
 #[test]
@@ -211,7 +211,9 @@ fn accuracy_out_of_range_is_refused() {
 #[test]
 fn numbers_too_large_are_refused() {
     broken("thickness = 10", "thickness = 1e999", "too large", "");
-    broken("force = \"10 kN\"", "force = inf", "not a force", "finite");
+    broken("force = \"10 kN\"", "force = inf", "too large, and no force", "finite");
+    broken("force = \"10 kN\"", "force = nan", "NaN is no number, and no force", "finite");
+    broken("omega = \"2.5 rad/s\"", "omega = 1e-300", "1e-300 is too small, and no angular speed", "1e-100");
 }
 
 #[test]
