@@ -1,4 +1,4 @@
-//! Second-order character and regime of a stationary pressure, said only where optimality.md 2 proves it.
+//! Second-order character and regime of a stationary pressure, said only where the second variation in README proves it.
 
 use crate::density::Density;
 use crate::reduce::wearing;
@@ -64,7 +64,7 @@ fn open(stage: &Stage<'_>) -> bool {
     open
 }
 
-/// False where g is proportional to the pivot mode (plane punch): s -> 1 then concentrates nothing (optimality.md 3.5).
+/// False where g is proportional to the pivot mode (plane punch): s -> 1 then concentrates nothing ("plane punch, s -> 1" in README).
 fn prefers_a_place(stage: &Stage<'_>) -> bool {
     let (mut low, mut high) = (f64::INFINITY, 0.0_f64);
     let Density::Power { speed_power, k } = stage.law.density else {

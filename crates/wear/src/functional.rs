@@ -14,7 +14,7 @@ pub enum Functional {
     WearPower,
     /// Uniform pressure (no functional of the paper; the minimum of the largest pressure).
     Uniform,
-    /// The steady state of wear: sum_i w_i' is a rigid motion (optimality.md 3.4); q is not used.
+    /// The steady state of wear: sum_i w_i' is a rigid motion; q is not used.
     Steady,
 }
 

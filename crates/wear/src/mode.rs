@@ -73,7 +73,7 @@ impl RigidMotion {
         }
     }
 
-    /// Force weight psi = phi - mu tau . u, optimality.md section 3.
+    /// Force weight psi = phi - mu tau . u of the balance (14), corrected for curved surfaces.
     pub fn force_weight(&self, point: &SurfacePoint, friction: f64) -> f64 {
         self.closing(point) - friction * point.drag.dot(&self.displacement(&point.position))
     }

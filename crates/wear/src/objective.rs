@@ -61,7 +61,7 @@ pub fn functional_gradient(problem: &Problem, points: &[SurfacePoint], pressure:
     Some(points.iter().zip(&logs).map(density).collect())
 }
 
-/// Second derivative of the functional along a relative change z = dp/p at fixed z (p = p0 (1 + eps z)), optimality.md 2:
+/// Second derivative of the functional along a relative change z = dp/p at fixed z (p = p0 (1 + eps z)), "second variation" in README:
 /// d2J = sum_i J_i e_i [(s_i - 1) Var_i(z) + (e_i - 1) (E_i z)^2], moments under the probability X_i^q dS / A_i.
 pub fn functional_curvature(
     problem: &Problem,

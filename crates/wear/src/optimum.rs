@@ -11,7 +11,7 @@ use crate::solve::balance_any;
 use crate::stage::{PressureLaw, Stage};
 use crate::{Problem, SurfacePoint, WearError, Workspace};
 
-/// Second-order character of a stationary pressure, said only where it is proved (optimality.md 2).
+/// Second-order character of a stationary pressure, said only where it is proved ("What is said about an answer" in README).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Character {
     /// Global minimum of the functional.

@@ -1,4 +1,4 @@
-//! Mean wear of a revolving counter-face along its closed tracks: W2' = (1/2pi) int w2' d(angle), optimality.md 6.
+//! Mean wear of a revolving counter-face along its closed tracks: W2' = (1/2pi) int w2' d(angle).
 
 use std::f64::consts::TAU;
 

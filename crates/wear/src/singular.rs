@@ -1,4 +1,4 @@
-//! The limit s -> 1: the pressure concentrates in points or lines, optimality.md 3.5.
+//! The limit s -> 1: the pressure concentrates in points or lines.
 //!
 //! s -> 1 from above: the linear programme min int g dm under int psi_k dm = F_k, m >= 0; from below the same with max. With one mode
 //! the force sits where phi/g is largest (above) or smallest (below).

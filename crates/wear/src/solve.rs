@@ -275,8 +275,8 @@ impl Stage<'_> {
         longest
     }
 
-    /// True where f^k stays integrable as f -> 0 at the border, so that moments exist which no function carries: k > -1 on a line
-    /// (optimality.md 3.7), k > -2 at the corner of an area.
+    /// True where f^k stays integrable as f -> 0 at the border, so that moments exist which no function carries: k > -1 on a line,
+    /// k > -2 at the corner of an area.
     fn may_lack_function(&self, k: f64) -> bool {
         let limit = if self.problem.surface.outer_range().is_some() { -2.0 } else { -1.0 };
         k < 0.0 && k > limit

@@ -30,7 +30,7 @@ pub(crate) struct Node {
 }
 
 /// A pressure as a function of position: f = phi_p + sum_j y_j (phi_j - ratio_j phi_p) with modes divided by their scales, so that
-/// lambda . F stays fixed whatever y (gauge of optimality.md 3.1), and log p = log_scale + log h(f, v).
+/// lambda . F stays fixed whatever y, and log p = log_scale + log h(f, v).
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PressureLaw {
     pub(crate) density: Density,

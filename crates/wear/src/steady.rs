@@ -7,7 +7,7 @@ use crate::stage::{Node, Stage};
 use crate::{Counterface, MAX_MODES, Problem, Shape};
 
 /// Rate at which the gap grows at a node: body 1 alone on a fresh plate, the sum on a ring, body 1 plus body 2's mean along the track
-/// on a revolving counter-face (optimality.md 6).
+/// on a revolving counter-face.
 pub(crate) fn gap_rate(problem: &Problem, recession: &Recession, node: &Node, rates: &[f64; 2]) -> f64 {
     match problem.counterface {
         Counterface::Fresh => rates[0],

@@ -44,7 +44,7 @@ fn column(bench: &Bench, name: &str) -> Vec<f64> {
 fn the_cylinder_of_nafems_r94_has_the_finite_body_end_of_contact_and_pressure() {
     let bench = Bench::new();
     let summary = run(&bench, "hertz-cylinder");
-    // benchmarks.md, Contact: a = 6.20119(1), p0 = 3586.190 for the finite bodies of the scene.
+    // For the finite bodies of the scene a = 6.20119(1), p0 = 3586.190, as in verify/known.toml.
     assert_abs_diff_eq!(last(&summary, "ends_mm"), 6.20119, epsilon = 1e-5);
     assert_relative_eq!(number(&summary, "p_max_MPa"), 3586.190, max_relative = 1e-6);
     assert_eq!(summary["contact"]["ends_mm"][0].as_f64().unwrap(), -last(&summary, "ends_mm"));

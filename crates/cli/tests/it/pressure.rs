@@ -29,7 +29,7 @@ fn the_drum_is_worn_in_at_cos_squared() {
 #[test]
 fn the_paper_normalisation_misses_part_of_the_load() {
     let p = pressure("drum-brake-block --set tasks=[pressure] --set optimum.functional=wear-power --set optimum.balance=paper");
-    // optimality.md, errata of (29)-(31): 9582 N instead of 10000 N.
+    // docs/theory-errata.md, the normalisation of (29)-(31): 9582 N instead of 10000 N.
     assert_relative_eq!(number(&p, "force_N"), 9582.0, max_relative = 1e-4);
     assert_relative_eq!(number(&p, "normal_force_N"), 1e4, max_relative = 1e-12);
 }
