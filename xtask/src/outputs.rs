@@ -16,10 +16,12 @@ const MODULES: [&str; 5] = ["numpy", "vtk", "ezdxf", "mcap", "jsonschema"];
 
 /// Scene, changes, and how far stress and displacement may be from contact.csv, relative to the largest there: displacements are as
 /// accurate as the scene asks for (1e-6), stresses at single points of the boundary less, by what differentiation costs.
-const CASES: [(&str, &[&str], [&str; 2]); 3] = [
+const CASES: [(&str, &[&str], [&str; 2]); 4] = [
     ("drum-brake-block", &[], ["1e-4", "1e-6"]),
     ("annular-punch", &["tasks=[\"contact\"]", "accuracy=1e-5"], ["1e-4", "1e-6"]),
     ("punch-wear", &[], ["1e-3", "1e-6"]),
+    // Quadrilaterals and triangles of a gmsh file.
+    ("data/meshes/lining.toml", &["accuracy=1e-6"], ["1e-4", "1e-6"]),
 ];
 
 /// Uses the page: reads every chart, zooms and resets, drags the slider to its end.
@@ -65,7 +67,8 @@ fn check(root: &Path, install: bool) -> Result<(), String> {
     let wearshape = verify::run::build(root)?;
     for (scene, changes, limits) in CASES {
         println!("{scene}");
-        let out = folder.join(scene);
+        let name = Path::new(scene).file_stem().unwrap_or_default();
+        let out = folder.join(name);
         let mut command = Command::new(&wearshape);
         command.args([
             "run",
@@ -83,7 +86,7 @@ fn check(root: &Path, install: bool) -> Result<(), String> {
         changes.iter().for_each(|change| {
             command.args(["--set", change]);
         });
-        finished(&mut command)?;
+        finished(command.current_dir(root))?;
         finished(script(root, &python, "outputs_vtk.py").arg(&out).args(limits))?;
         finished(script(root, &python, "outputs_files.py").arg(&out))?;
         page(&folder, &out)?;

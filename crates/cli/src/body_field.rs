@@ -2,6 +2,8 @@
 
 use hpfem::Stress;
 
+use crate::cell_grid::CellGrid;
+
 /// Both bodies at a moment.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct FieldFrame {
@@ -24,12 +26,11 @@ pub(crate) struct BodyField {
     pub(crate) twisted: bool,
 }
 
-/// A cell on a grid of `(degree + 1)^2` points, evenly spaced in its own coordinates, the first one fastest: just enough for the
-/// displacement, a polynomial of that degree.
+/// A cell at the points of its grid.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct CellField {
-    /// Degree of the cell.
-    pub(crate) degree: usize,
+    /// Where the points are.
+    pub(crate) grid: CellGrid,
     /// Positions (x, z), mm.
     pub(crate) position: Vec<[f64; 2]>,
     /// Displacements (x, y, z), mm.
@@ -50,10 +51,9 @@ impl BodyField {
 impl CellField {
     /// The cell seen in the mirror x = middle; rows run backwards, so that its corners stay anti-clockwise.
     fn mirrored(&self, middle: f64) -> CellField {
-        let n = self.degree + 1;
-        let order: Vec<usize> = (0..n * n).map(|k| k / n * n + (n - 1 - k % n)).collect();
+        let order = self.grid.mirror();
         CellField {
-            degree: self.degree,
+            grid: self.grid,
             position: order.iter().map(|k| [2.0 * middle - self.position[*k][0], self.position[*k][1]]).collect(),
             displacement: order
                 .iter()
@@ -69,14 +69,15 @@ impl CellField {
 
 #[cfg(test)]
 mod tests {
-    use super::{BodyField, CellField};
+    use super::{BodyField, CellField, CellGrid};
     use hpfem::Stress;
 
     #[test]
     fn the_mirror_image_turns_shear_and_sideways_displacement_and_keeps_the_sense_of_the_corners() {
         let position = vec![[1.0, 0.0], [3.0, 0.0], [1.0, 1.0], [3.0, 1.0]];
         let stress = Stress::new([1.0, 2.0, 3.0, 4.0], [0.0; 2]);
-        let cell = CellField { degree: 1, displacement: vec![[0.1, 0.0, 0.2]; 4], stress: vec![stress; 4], position };
+        let grid = CellGrid { degree: 1, triangle: false };
+        let cell = CellField { grid, displacement: vec![[0.1, 0.0, 0.2]; 4], stress: vec![stress; 4], position };
         let whole = BodyField { cells: vec![cell], ..BodyField::default() }.mirrored(0.5);
         let image = &whole.cells[1];
         assert_eq!(image.position, [[-2.0, 0.0], [0.0, 0.0], [-2.0, 1.0], [0.0, 1.0]]);

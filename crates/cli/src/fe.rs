@@ -74,6 +74,9 @@ pub(crate) fn solve(problem: &Problem, options: Options, live: &mut Live, soluti
     if solution.status != Status::Refused && problem.plan.runs("evolution") {
         reported = wear::solve(problem, options, live, solution)?;
     }
+    if let Some(reported) = reported.as_ref().filter(|_| problem.plan.runs("torsion")) {
+        torsion::fill(stage::Stage::new(problem)?, reported, options, solution)?;
+    }
     match reported {
         Some(reported) if problem.plan.runs("field recovery") => crate::solve::timed(solution, "field recovery", |solution| {
             recover::recover(stage::Stage::new(problem)?, &reported, solution)

@@ -10,6 +10,7 @@ use crate::fault::Fault;
 use crate::geometry::Geometry;
 use crate::scene::{Body, Material};
 
+pub(crate) use blocks::unused as unused_in_blocks;
 pub(crate) use contact_line::{ContactLine, contact_line};
 pub(crate) use mesh_file::MeshContent;
 pub(crate) use mesh_file::read;

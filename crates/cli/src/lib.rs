@@ -6,6 +6,7 @@
 mod args;
 mod body_field;
 mod builtin;
+mod cell_grid;
 mod commands;
 mod document;
 mod exit;

@@ -29,7 +29,7 @@ pub(crate) struct Profile {
     pub(crate) normal_displacement: [Vec<f64>; 2],
     /// Displacement along tau of body 1 and 2 (um).
     pub(crate) tangential_displacement: [Vec<f64>; 2],
-    /// Displacement around the axis of body 1 and 2 (um).
+    /// Displacement around the axis of body 1 and 2, positive anti-clockwise (um).
     pub(crate) hoop_displacement: [Vec<f64>; 2],
     /// contact, open, stick or slip.
     pub(crate) status: Vec<&'static str>,

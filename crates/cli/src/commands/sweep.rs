@@ -56,11 +56,19 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
     }
     interrupt::listen();
     let plan = json!({ "scene": args.scene, "set": common.set, "over": args.over, "sample": common.sample });
-    let mark = format!("# {}\n{}", plan, report::resolved_text(&first.scene)?);
+    // A first point without an answer is a row like any other; its scene stays as it is written.
+    let resolved = setup(&first).map_or_else(|_| first.scene.clone(), |problem| problem.scene);
+    let mark = format!("# {}\n{}", plan, report::resolved_text(&resolved)?);
     let folder = Folder::begin(&target, common.resume)?;
-    let mut rows = if common.resume { finished_rows(&folder, &mark) } else { Vec::new() };
+    if common.resume {
+        folder.same_scene(&mark)?;
+    }
+    let mut rows = if common.resume { finished_rows(&folder) } else { Vec::new() };
     rows.truncate(count);
     folder.write("scene.resolved.toml", &mark)?;
+    for (name, bytes) in report::mesh_files(&resolved) {
+        folder.write_bytes(&name, bytes)?;
+    }
     folder.write("sweep.jsonl", &lines(&rows))?;
     let operators = Arc::new(fe::Operators::default());
     let progress = Progress::counted(common, count);
@@ -233,13 +241,9 @@ fn lines(rows: &[Value]) -> String {
     rows.iter().map(|row| format!("{row}\n")).collect()
 }
 
-/// Rows of an interrupted sweep, when it was the same sweep.
-fn finished_rows(folder: &Folder, mark: &str) -> Vec<Value> {
-    let read = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap_or_default();
-    if read("scene.resolved.toml") != mark {
-        return Vec::new();
-    }
-    let text = read("sweep.jsonl");
+/// Rows of an interrupted sweep.
+fn finished_rows(folder: &Folder) -> Vec<Value> {
+    let text = std::fs::read_to_string(folder.path().join("sweep.jsonl")).unwrap_or_default();
     let whole = text.rfind('\n').map_or("", |end| &text[..=end]);
     whole.lines().map_while(|line| serde_json::from_str(line).ok()).collect()
 }

@@ -10,6 +10,7 @@ use crate::fe::free_ends::FreeEnds;
 use crate::fe::recover::{Moment, Reported};
 use crate::fe::stage::{Stage, accuracy, add_times, fixed_level, ladder, note, rest, rungs};
 use crate::fe::template::Cut;
+use crate::fe::torsion;
 use crate::gap::Gap;
 use crate::given::given;
 use crate::profile::Profile;
@@ -205,11 +206,8 @@ fn solve_level(stage: Stage<'_>, level: Level, options: Options, ends: &mut Free
     let refused = (!found.status.is_solved() || found.status == ContactStatus::NoContact).then(|| found.status.to_string());
     let reported = found.counter.clone().map(|counter| {
         let states = [stage.held(&pair, &found.shaped), counter];
-        Reported {
-            level,
-            ends: ends.places.clone(),
-            moments: vec![Moment { time_s: 0.0, name: "", states, pressure: found.pressure.clone() }],
-        }
+        let around = torsion::around(stage, operator.points(), &found.pressure);
+        Reported { level, ends: ends.places.clone(), moments: vec![Moment { time_s: 0.0, name: "", states, around }] }
     });
     Ok(Solved { energy: energy[0] + energy[1], pressure, refused, reported, solution })
 }

@@ -333,7 +333,7 @@ impl<'a> Setting<'a> {
         let refused = (!solved).then(|| found.status.to_string());
         let reported = found.counter.clone().map(|counter| {
             let states = [found.shaped.clone(), counter];
-            Reported { level, ends: Vec::new(), moments: vec![Moment { time_s: 0.0, name: "", states, pressure: Vec::new() }] }
+            Reported { level, ends: Vec::new(), moments: vec![Moment { time_s: 0.0, name: "", states, around: Vec::new() }] }
         });
         Ok(Solved { energy: energy[0] + energy[1], pressure, refused, reported, solution: work })
     }

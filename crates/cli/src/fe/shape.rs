@@ -194,7 +194,7 @@ impl<'a> Shaper<'a> {
 
     /// Everything that is reported of a level but its proof.
     fn report(&self, solved: &Solved, options: Options, solution: &mut Solution) -> Result<(), Fault> {
-        let Solved { level, reduced, shape, gaps, .. } = solved;
+        let Solved { reduced, shape, gaps, .. } = solved;
         let (stage, pair) = (self.stage, reduced.pair()?);
         reduced.count(&mut solution.counters);
         let most = (0..gaps.len()).max_by(|a, b| gaps[*a].total_cmp(&gaps[*b])).unwrap_or(0);
@@ -214,11 +214,8 @@ impl<'a> Shaper<'a> {
         });
         solution.reactions = reduced.reactions(states(shape));
         let points = options.sample.map_or_else(|| pair.points(), |sampling| stage.sample(&pair, sampling));
-        let mut profile = self.profile(&pair, shape, &points);
+        let profile = self.profile(&pair, shape, &points);
         solution.machined = Some(self.machined(&pair, shape));
-        if stage.problem.plan.runs("torsion") {
-            torsion::fill(self, *level, &points, &mut profile, solution)?;
-        }
         solution.profile = Some(profile);
         solution.curve = Some(self.profile(&pair, shape, &stage.sample(&pair, CURVE)));
         Ok(())
@@ -234,13 +231,15 @@ impl<'a> Shaper<'a> {
         Machined::new(surface, [start, start + length])
     }
 
-    /// What the fields need of the last level.
+    /// What fields and twist need of the last level.
     fn reported(&self, last: Solved) -> Result<Option<Reported>, Fault> {
         let place = |p: &ContactPoint| SurfacePlace { position: p.position, normal: p.normal };
-        let pressure = last.reduced.pair()?.points().iter().map(|p| self.pressure(&place(p))).collect();
+        let points = last.reduced.pair()?.points();
+        let pressure: Vec<f64> = points.iter().map(|p| self.pressure(&place(p))).collect();
+        let around = torsion::around(self.stage, &points, &pressure);
         let Shape { shaped, counter, .. } = last.shape;
         Ok(counter.map(|counter| {
-            let moments = vec![Moment { time_s: 0.0, name: "", states: [shaped, counter], pressure }];
+            let moments = vec![Moment { time_s: 0.0, name: "", states: [shaped, counter], around }];
             Reported { level: last.level, ends: Vec::new(), moments }
         }))
     }

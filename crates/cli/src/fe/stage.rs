@@ -76,13 +76,18 @@ impl<'a> Stage<'a> {
         Ok(reduced)
     }
 
-    /// Both bodies of a level in the scalar problem of twisting.
-    pub(super) fn twisted(&self, level: Level, solution: &mut Solution) -> Result<Arc<Reduced>, Fault> {
-        let place = Place { level, cut: Cut::Plain, torsion: true };
-        self.problem.operators.get(self.scene(), place, solution, |solution| {
-            let parts = self.parts_in(level, Cut::Plain, Kinematics::Torsion, solution)?;
+    /// Both bodies of a level in the scalar problem of twisting; kept unless their meshes are cut at ends of contact.
+    pub(super) fn twisted(&self, level: Level, ends: &[f64], solution: &mut Solution) -> Result<Arc<Reduced>, Fault> {
+        let make = |cut: Cut<'_>, solution: &mut Solution| {
+            let parts = self.parts_in(level, cut, Kinematics::Torsion, solution)?;
             Reduced::new(&parts, solution)
-        })
+        };
+        if !ends.is_empty() {
+            solution.counters.factorisations += 2;
+            return make(Cut::Ends(ends), solution).map(Arc::new);
+        }
+        let place = Place { level, cut: Cut::Plain, torsion: true };
+        self.problem.operators.get(self.scene(), place, solution, |solution| make(Cut::Plain, solution))
     }
 
     /// Meshes, supports and loads of both bodies.

@@ -1,40 +1,57 @@
 //! Circumferential friction in axisymmetric scenes: a scalar problem of its own on the same meshes.
 
-use contact::ContactPoint;
-use hpfem::Kinematics;
-use shapeopt::SurfacePlace;
+use contact::{ContactPoint, Pair, Side};
+use hpfem::{InterfaceOperator, InterfaceState, TraceLoad};
 
 use crate::fault::Fault;
-use crate::fe::bodies::Level;
-use crate::fe::shape::Shaper;
-use crate::profile::Profile;
+use crate::fe::recover::Reported;
+use crate::fe::stage::{Stage, add_times};
 use crate::solution::Solution;
+use crate::solve::Options;
 
-/// Fills in the circumferential displacements of both bodies under the friction `mu p`, positive along the drag on body 1.
-pub(super) fn fill(
-    shaper: &Shaper<'_>,
-    level: Level,
+/// Shear `mu p tau` around the axis on body 1 (MPa), positive where body 2 drags it anti-clockwise; of a stage under its own sliding.
+pub(super) fn around(stage: Stage<'_>, points: &[ContactPoint], pressure: &[f64]) -> Vec<f64> {
+    let drag = |point: &ContactPoint| stage.surface_point(point.position, point.normal, 0.0).drag.y;
+    points.iter().zip(pressure).map(|(point, p)| stage.friction() * p * drag(point)).collect()
+}
+
+/// A body of the pair twisted by the shear at the contact points, with the same point forces that the contact has; `operator` is its scalar
+/// problem on the same mesh.
+pub(super) fn twisted(
+    operator: &InterfaceOperator,
+    pair: &Pair<'_>,
+    side: Side,
     points: &[ContactPoint],
-    profile: &mut Profile,
-    solution: &mut Solution,
-) -> Result<(), Fault> {
-    let stage = shaper.stage;
-    let reduced = stage.twisted(level, solution)?;
-    for (body, operator) in reduced.interfaces.iter().enumerate() {
-        let sign = if body == 0 { 1.0 } else { -1.0 };
-        let load = operator.trace.load(Kinematics::Torsion, 4, |point| {
-            let normal = if body == 0 { point.outward.map(|v| -v) } else { point.outward };
-            let pressure = shaper.pressure(&SurfacePlace { position: point.position, normal });
-            [sign * stage.friction() * pressure, 0.0]
-        });
-        let factors = operator.factors(&[]);
-        let right = operator.right_hand_side(&load, &factors);
-        let unknowns = operator.solve_one(&right);
-        for (row, point) in points.iter().enumerate() {
-            let (rows, constant) = operator.trace.displacement_row(point.place.0, point.place.1);
-            let u = rows[0].iter().map(|(i, c)| c * unknowns[*i]).sum::<f64>() + constant[0];
-            profile.hoop_displacement[body][row] = 1e3 * u;
+    around: &[f64],
+) -> InterfaceState {
+    let sign = if side == Side::Shaped { 1.0 } else { -1.0 };
+    let mut load = TraceLoad { unknowns: vec![0.0; operator.trace.unknowns], ..TraceLoad::default() };
+    for (point, shear) in points.iter().zip(around) {
+        operator.trace.add_force(&mut load, pair.place(side, point), [sign * shear * point.weight, 0.0]);
+    }
+    let factors = operator.factors(&[]);
+    let unknowns = operator.solve_one(&operator.right_hand_side(&load, &factors));
+    InterfaceState { unknowns, factors, load }
+}
+
+/// Fills the circumferential displacements of both bodies into the reported profile, positive anti-clockwise.
+pub(super) fn fill(stage: Stage<'_>, reported: &Reported, options: Options<'_>, solution: &mut Solution) -> Result<(), Fault> {
+    let (Some(moment), Some(profile)) = (reported.moments.first(), &mut solution.profile) else { return Ok(()) };
+    let mut effort = Solution::default();
+    let twist = stage.twisted(reported.level, &reported.ends, &mut effort)?;
+    let pair = twist.pair()?;
+    let points = pair.points();
+    let rows = options.sample.map_or_else(|| pair.points(), |sampling| stage.sample(&pair, sampling));
+    for (body, side) in [Side::Shaped, Side::Counter].into_iter().enumerate() {
+        let operator = &twist.interfaces[body];
+        let state = twisted(operator, &pair, side, &points, &moment.around);
+        for (value, point) in profile.hoop_displacement[body].iter_mut().zip(&rows) {
+            let (edge, t) = pair.place(side, point);
+            let (rows, constant) = operator.trace.displacement_row(edge, t);
+            *value = 1e3 * (rows[0].iter().map(|(i, c)| c * state.unknowns[*i]).sum::<f64>() + constant[0]);
         }
     }
+    solution.counters.factorisations += effort.counters.factorisations;
+    add_times(&[effort.times], &mut solution.times);
     Ok(())
 }

@@ -61,6 +61,27 @@ pub(super) fn given(key: &str, blocks: &Blocks, own: Option<Material>) -> Result
     Ok(Given { mesh, materials: blocks.materials.values().copied().chain(own).collect() })
 }
 
+/// Points, curves and materials that no cell uses, as keys below the blocks.
+pub(crate) fn unused(blocks: &Blocks) -> Vec<String> {
+    let sides: Vec<&String> = blocks.cells.values().flat_map(|cell| &cell.curves).collect();
+    let (used, idle): (Vec<_>, Vec<_>) = blocks.curves.iter().partition(|(name, _)| sides.contains(name));
+    let ends: Vec<&String> = used.iter().flat_map(|(_, shape)| ends(shape)).collect();
+    let points = blocks.points.keys().filter(|name| !ends.contains(name)).map(|name| format!("points.{name}"));
+    let curves = idle.into_iter().map(|(name, _)| format!("curves.{name}"));
+    let named = |name: &&String| blocks.cells.values().any(|cell| cell.material.as_ref() == Some(*name));
+    let materials = blocks.materials.keys().filter(|name| !named(name)).map(|name| format!("materials.{name}"));
+    points.chain(curves).chain(materials).collect()
+}
+
+/// First and last point of a curve.
+fn ends(shape: &CurveShape) -> &[String; 2] {
+    match shape {
+        CurveShape::Line(ends) => ends,
+        CurveShape::Arc(ArcShape { ends, .. }) => ends,
+        CurveShape::Spline(SplineShape { ends, .. }) => ends,
+    }
+}
+
 impl<'a> Named<'a> {
     fn new(key: &'a str, blocks: &'a Blocks) -> Result<Named<'a>, Fault> {
         let names: Vec<&str> = blocks.points.keys().map(String::as_str).collect();
@@ -93,11 +114,12 @@ impl<'a> Named<'a> {
 
     fn curve(&self, name: &str, shape: &CurveShape) -> Result<Joined, Fault> {
         let at = |part: &str| format!("{}.curves.{name}.{part}", self.key);
-        let (part, ends) = match shape {
-            CurveShape::Line(ends) => ("line", ends),
-            CurveShape::Arc(ArcShape { ends, .. }) => ("arc.ends", ends),
-            CurveShape::Spline(SplineShape { ends, .. }) => ("spline.ends", ends),
+        let part = match shape {
+            CurveShape::Line(_) => "line",
+            CurveShape::Arc(_) => "arc.ends",
+            CurveShape::Spline(_) => "spline.ends",
         };
+        let ends = ends(shape);
         let mut numbers = [0; 2];
         for (number, end) in numbers.iter_mut().zip(ends) {
             *number = self.names.iter().position(|known| known == end).ok_or_else(|| {

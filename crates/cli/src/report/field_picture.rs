@@ -1,6 +1,7 @@
 //! The von Mises stress on the deformed bodies, as SVG.
 
 use crate::body_field::{CellField, FieldFrame};
+use crate::cell_grid::CellGrid;
 use crate::report::line_plot::escaped;
 use crate::report::short;
 
@@ -29,9 +30,9 @@ const COLOURS: [[f64; 3]; 9] = [
     [253.0, 231.0, 37.0],
 ];
 
-/// A quadrilateral of one colour.
+/// A triangle or quadrilateral of one colour.
 struct Piece {
-    corners: [[f64; 2]; 4],
+    corners: Vec<[f64; 2]>,
     stress: f64,
     area: f64,
 }
@@ -55,16 +56,14 @@ pub(crate) fn field_picture(frame: &FieldFrame, title: &str) -> String {
     for cell in cells() {
         let at: Vec<[f64; 2]> = (0..cell.position.len()).map(|k| place(moved(cell, k))).collect();
         cut(cell, &at, &mut pieces);
-        outlines += &outline(cell.degree, &at);
+        outlines += &outline(cell.grid, &at);
     }
     let [from, to] = clipped(&pieces);
     let mut paths = vec![String::new(); CLASSES];
     for piece in &pieces {
         let share = if to > from { (piece.stress - from) / (to - from) } else { 0.5 };
         let class = (share * CLASSES as f64).floor().clamp(0.0, CLASSES as f64 - 1.0) as usize;
-        let [a, b, c, d] = piece.corners;
-        paths[class] +=
-            &format!("M{:.1} {:.1}L{:.1} {:.1} {:.1} {:.1} {:.1} {:.1}Z", a[0], a[1], b[0], b[1], c[0], c[1], d[0], d[1]);
+        paths[class] += &format!("M{}Z", joined(piece.corners.iter().copied()));
     }
     let bottom = TOP + scale * (high[1] - low[1]);
     let height = (bottom + BOTTOM).round();
@@ -99,38 +98,42 @@ fn round_number(value: f64) -> f64 {
 
 /// Cuts a cell into pieces of about one size, between points of its grid.
 fn cut(cell: &CellField, at: &[[f64; 2]], pieces: &mut Vec<Piece>) {
-    let n = cell.degree + 1;
+    let (grid, p) = (cell.grid, cell.grid.degree);
     let length =
         |points: &[usize]| points.windows(2).map(|p| (at[p[1]][0] - at[p[0]][0]).hypot(at[p[1]][1] - at[p[0]][1])).sum::<f64>();
-    let rows = [0, cell.degree].map(|j| length(&(0..n).map(|i| i + n * j).collect::<Vec<_>>()));
-    let columns = [0, cell.degree].map(|i| length(&(0..n).map(|j| i + n * j).collect::<Vec<_>>()));
-    let marks = |size: f64| -> Vec<usize> {
-        let count = ((size / PIECE).ceil() as usize).clamp(1, cell.degree);
-        (0..=count).map(|k| (k * cell.degree + count / 2) / count).collect()
+    let count = |size: f64| ((size / PIECE).ceil() as usize).clamp(1, p);
+    let side = |step: &dyn Fn(usize) -> usize| length(&(0..=p).map(step).collect::<Vec<_>>());
+    // A triangle has its third side instead of a last row and a last column.
+    let [row, column] = match grid.triangle {
+        true => [side(&|i| grid.at(p - i, i)); 2],
+        false => [side(&|i| grid.at(i, p)), side(&|j| grid.at(p, j))],
     };
-    let (along, up) = (marks(rows[0].max(rows[1])), marks(columns[0].max(columns[1])));
-    for j in up.windows(2) {
-        for i in along.windows(2) {
-            let corners = [i[0] + n * j[0], i[1] + n * j[0], i[1] + n * j[1], i[0] + n * j[1]];
-            let [a, b, c, d] = corners.map(|k| at[k]);
-            let area = 0.5 * ((c[0] - a[0]) * (d[1] - b[1]) - (d[0] - b[0]) * (c[1] - a[1])).abs();
-            let stress = 0.25 * corners.map(|k| cell.stress[k].von_mises()).iter().sum::<f64>();
-            pieces.push(Piece { corners: [a, b, c, d], stress, area });
-        }
+    let (along, up) = (count(side(&|i| grid.at(i, 0)).max(row)), count(side(&|j| grid.at(0, j)).max(column)));
+    for nodes in grid.pieces(along, up) {
+        let corners: Vec<[f64; 2]> = nodes.iter().map(|k| at[*k]).collect();
+        let twice = corners.windows(2).map(|p| cross(corners[0], p[0], p[1])).sum::<f64>();
+        let stress = nodes.iter().map(|k| cell.stress[*k].von_mises()).sum::<f64>() / nodes.len() as f64;
+        pieces.push(Piece { corners, stress, area: 0.5 * twice.abs() });
     }
 }
 
+/// Twice the signed area of a triangle.
+fn cross(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
+    (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
+}
+
 /// The edge of a cell, if it is large enough to be seen.
-fn outline(degree: usize, at: &[[f64; 2]]) -> String {
-    let n = degree + 1;
+fn outline(grid: CellGrid, at: &[[f64; 2]]) -> String {
     let [low, high] = bounds(at.iter().copied());
     if (high[0] - low[0]).max(high[1] - low[1]) < 3.0 * PIECE {
         return String::new();
     }
-    let around = (0..degree).chain((0..degree).map(|j| degree + n * j));
-    let around = around.chain((1..n).rev().map(|i| i + n * degree)).chain((1..n).rev().map(|j| n * j));
-    let points: Vec<String> = around.map(|k| format!("{:.1} {:.1}", at[k][0], at[k][1])).collect();
-    format!("M{}Z", points.join("L"))
+    format!("M{}Z", joined(grid.outline().into_iter().map(|k| at[k])))
+}
+
+/// Points of a path.
+fn joined(points: impl Iterator<Item = [f64; 2]>) -> String {
+    points.map(|[x, y]| format!("{x:.1} {y:.1}")).collect::<Vec<_>>().join("L")
 }
 
 /// Stresses below and above which lies the clipped share of the area.
@@ -188,11 +191,12 @@ fn value_text(value: f64) -> String {
 mod tests {
     use super::{colour, field_picture, round_number};
     use crate::body_field::{BodyField, CellField, FieldFrame};
+    use crate::cell_grid::CellGrid;
     use hpfem::Stress;
 
     fn cell(left: f64, size: f64, stress: f64) -> CellField {
         CellField {
-            degree: 1,
+            grid: CellGrid { degree: 1, triangle: false },
             position: vec![[left, 0.0], [left + size, 0.0], [left, 1.0], [left + size, 1.0]],
             displacement: vec![[0.0; 3]; 4],
             stress: vec![Stress { xx: stress, ..Stress::default() }; 4],

@@ -30,16 +30,15 @@ impl Isobands {
         ((share * BANDS.len() as f64).floor().max(0.0) as usize).min(BANDS.len() - 1)
     }
 
-    /// Adds a quadrilateral with a value at each corner, linear on each of its two halves.
-    pub(crate) fn quad(&mut self, corners: [Sample; 4]) {
-        let bands = corners.map(|corner| self.band(corner.1));
-        if bands.iter().all(|band| *band == bands[0]) {
-            self.polygon(bands[0], &corners.map(|corner| corner.0));
+    /// Adds a convex polygon with a value at each corner, linear on each of the triangles at its first corner.
+    pub(crate) fn piece(&mut self, corners: &[Sample]) {
+        let Some((first, rest)) = corners.split_first() else { return };
+        let band = self.band(first.1);
+        if rest.iter().all(|corner| self.band(corner.1) == band) {
+            self.polygon(band, &corners.iter().map(|corner| corner.0).collect::<Vec<_>>());
             return;
         }
-        let [a, b, c, d] = corners;
-        self.triangle([a, b, c]);
-        self.triangle([a, c, d]);
+        rest.windows(2).for_each(|pair| self.triangle([*first, pair[0], pair[1]]));
     }
 
     fn triangle(&mut self, corners: [Sample; 3]) {
@@ -136,7 +135,7 @@ mod tests {
     #[test]
     fn values_beyond_the_range_are_drawn_in_the_outermost_colours() {
         let mut bands = Isobands::new(0.0, 12.0);
-        bands.quad([([0.0, 0.0], -50.0), ([9.0, 0.0], -50.0), ([9.0, 9.0], 50.0), ([0.0, 9.0], 50.0)]);
+        bands.piece(&[([0.0, 0.0], -50.0), ([9.0, 0.0], -50.0), ([9.0, 9.0], 50.0), ([0.0, 9.0], 50.0)]);
         assert!(bands.paths.iter().all(|path| !path.is_empty()));
     }
 }

@@ -1,12 +1,13 @@
 //! Displacement and stress inside the bodies for VTK and ParaView: fields/*.vtu and fields/fields.pvd.
 //!
-//! Points belong to one cell each, so that nothing is averaged over cells. `bodyN.vtu` cuts every cell into flat quadrilaterals between
-//! its points; `bodyN.lagrange.vtu` keeps it whole as a Lagrange quadrilateral (VTK type 70), on which the displacement is exact, and
-//! the geometry and the stresses are interpolated in the points.
+//! Points belong to one cell each, so that nothing is averaged over cells. `bodyN.vtu` cuts every cell into flat pieces between its points;
+//! `bodyN.lagrange.vtu` keeps it whole as a Lagrange quadrilateral or triangle (VTK types 70 and 69), on which the displacement is exact,
+//! and the geometry and the stresses are interpolated in the points.
 
 use base64::Engine;
 
 use crate::body_field::{BodyField, CellField, FieldFrame};
+use crate::cell_grid::CellGrid;
 
 /// Flat pieces, or whole cells.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -50,16 +51,17 @@ fn vtu(body: &BodyField, cut: Cut) -> String {
     let mut connectivity: Vec<i64> = Vec::new();
     let mut offsets: Vec<i64> = Vec::new();
     let mut degrees: Vec<f64> = Vec::new();
+    let mut types: Vec<u8> = Vec::new();
     let mut first = 0;
     for cell in &body.cells {
-        for nodes in elements(cell.degree, cut) {
+        for nodes in elements(cell.grid, cut) {
+            types.push(vtk_type(cell.grid, cut));
             connectivity.extend(nodes.iter().map(|node| (first + node) as i64));
             offsets.push(connectivity.len() as i64);
-            degrees.push(cell.degree as f64);
+            degrees.push(cell.grid.degree as f64);
         }
         first += cell.position.len();
     }
-    let kind: u8 = if cut == Cut::Pieces { 9 } else { 70 };
     let mut out = format!(
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n\
          <UnstructuredGrid>\n<Piece NumberOfPoints=\"{points}\" NumberOfCells=\"{}\">\n",
@@ -93,29 +95,26 @@ fn vtu(body: &BodyField, cut: Cut) -> String {
     let bytes = |values: &[i64]| values.iter().flat_map(|value| value.to_le_bytes()).collect::<Vec<u8>>();
     out += &binary("Int64", "connectivity", 1, &bytes(&connectivity));
     out += &binary("Int64", "offsets", 1, &bytes(&offsets));
-    out += &binary("UInt8", "types", 1, &vec![kind; offsets.len()]);
+    out += &binary("UInt8", "types", 1, &types);
     out + "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n"
 }
 
-/// Nodes of the elements of a cell, as rows of its grid, in VTK's order.
-fn elements(degree: usize, cut: Cut) -> Vec<Vec<usize>> {
-    let n = degree + 1;
-    let at = |i: usize, j: usize| i + n * j;
-    if cut == Cut::Pieces {
-        let piece = |k: usize| {
-            let (i, j) = (k % degree, k / degree);
-            vec![at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]
-        };
-        return (0..degree * degree).map(piece).collect();
+/// Nodes of the elements of a cell, as numbers of its points, in VTK's order.
+fn elements(grid: CellGrid, cut: Cut) -> Vec<Vec<usize>> {
+    match cut {
+        Cut::Pieces => grid.pieces(grid.degree, grid.degree),
+        Cut::Whole => vec![grid.lagrange()],
     }
-    // Corners, then the edges in the direction of growing coordinates, then the inside, the first coordinate fastest.
-    let mut nodes = vec![at(0, 0), at(degree, 0), at(degree, degree), at(0, degree)];
-    nodes.extend((1..degree).map(|i| at(i, 0)));
-    nodes.extend((1..degree).map(|j| at(degree, j)));
-    nodes.extend((1..degree).map(|i| at(i, degree)));
-    nodes.extend((1..degree).map(|j| at(0, j)));
-    nodes.extend((1..degree).flat_map(|j| (1..degree).map(move |i| at(i, j))));
-    vec![nodes]
+}
+
+/// VTK's number of the kind of these elements.
+fn vtk_type(grid: CellGrid, cut: Cut) -> u8 {
+    match (cut, grid.triangle) {
+        (Cut::Pieces, false) => 9,
+        (Cut::Pieces, true) => 5,
+        (Cut::Whole, false) => 70,
+        (Cut::Whole, true) => 69,
+    }
 }
 
 fn array(name: &str, components: usize, values: &[f64]) -> String {
@@ -131,28 +130,4 @@ fn binary(kind: &str, name: &str, components: usize, bytes: &[u8]) -> String {
     format!(
         "<DataArray type=\"{kind}\" Name=\"{name}\" NumberOfComponents=\"{components}\" format=\"binary\">{text}</DataArray>\n"
     )
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Cut, elements};
-
-    #[test]
-    fn every_point_of_a_cell_is_a_node_of_its_lagrange_element_once() {
-        for degree in 1..=16 {
-            let mut nodes = elements(degree, Cut::Whole).concat();
-            nodes.sort_unstable();
-            assert_eq!(nodes, (0..(degree + 1) * (degree + 1)).collect::<Vec<_>>());
-            assert_eq!(elements(degree, Cut::Pieces).len(), degree * degree);
-        }
-    }
-
-    #[test]
-    fn the_nodes_of_a_cubic_element_stand_in_vtk_order() {
-        // 12 13 14 15
-        //  8  9 10 11
-        //  4  5  6  7
-        //  0  1  2  3
-        assert_eq!(elements(3, Cut::Whole), [[0, 3, 15, 12, 1, 2, 7, 11, 13, 14, 4, 8, 5, 6, 9, 10]]);
-    }
 }

@@ -36,13 +36,9 @@ fn draw(made: &mut Made, name: &str, title: &str, body: &BodyField, stress: fn(&
     let [low, high] = quantiles(body, stress);
     let mut bands = Isobands::new(low, high);
     for cell in &body.cells {
-        let n = cell.degree + 1;
-        let sample = |k: usize| (section.place(cell.position[k]), stress(&cell.stress[k]));
-        for row in 0..cell.degree {
-            for column in 0..cell.degree {
-                let k = row * n + column;
-                bands.quad([k, k + 1, k + 1 + n, k + n].map(sample));
-            }
+        let sample = |k: &usize| (section.place(cell.position[*k]), stress(&cell.stress[*k]));
+        for piece in cell.grid.pieces(cell.grid.degree, cell.grid.degree) {
+            bands.piece(&piece.iter().map(sample).collect::<Vec<_>>());
         }
     }
     let [right, top, bottom] = section.edges();
@@ -64,12 +60,10 @@ fn draw(made: &mut Made, name: &str, title: &str, body: &BodyField, stress: fn(&
 fn quantiles(body: &BodyField, stress: fn(&Stress) -> f64) -> [f64; 2] {
     let mut shares: Vec<(f64, f64)> = Vec::new();
     for cell in &body.cells {
-        let n = cell.degree + 1;
-        for k in (0..cell.degree * n).filter(|k| k % n < cell.degree) {
-            let [a, b, c, d] = [k, k + 1, k + 1 + n, k + n];
-            let p = &cell.position;
-            let area = 0.5 * ((p[c][0] - p[a][0]) * (p[d][1] - p[b][1]) - (p[d][0] - p[b][0]) * (p[c][1] - p[a][1]));
-            let mean = [a, b, c, d].iter().map(|k| stress(&cell.stress[*k])).sum::<f64>() / 4.0;
+        for piece in cell.grid.pieces(cell.grid.degree, cell.grid.degree) {
+            let p = |k: usize| cell.position[piece[k % piece.len()]];
+            let area = 0.5 * (0..piece.len()).map(|k| p(k)[0] * p(k + 1)[1] - p(k)[1] * p(k + 1)[0]).sum::<f64>();
+            let mean = piece.iter().map(|k| stress(&cell.stress[*k])).sum::<f64>() / piece.len() as f64;
             if mean.is_finite() {
                 shares.push((mean, area.abs()));
             }
@@ -125,10 +119,10 @@ pub(super) fn punch_before() -> Result<Made, Fault> {
 fn force_on_line(body: &BodyField, z: f64) -> Row {
     let mut line: Vec<(f64, f64)> = Vec::new();
     for cell in &body.cells {
-        let n = cell.degree + 1;
-        // Both families of grid lines of the cell.
-        let steps = (0..n * n).flat_map(|k| [(k, k + 1, k % n + 1 < n), (k, k + n, k + n < n * n)]);
-        for (from, to, _) in steps.filter(|step| step.2) {
+        // The sides of all pieces; one between two pieces counts for nothing when it comes again.
+        let pieces = cell.grid.pieces(cell.grid.degree, cell.grid.degree);
+        let sides = pieces.iter().flat_map(|piece| (0..piece.len()).map(|k| (piece[k], piece[(k + 1) % piece.len()])));
+        for (from, to) in sides.map(|(a, b)| (a.min(b), a.max(b))) {
             let (a, b) = (cell.position[from], cell.position[to]);
             if (a[1] - z) * (b[1] - z) <= 0.0 && a[1] != b[1] {
                 let t = (z - a[1]) / (b[1] - a[1]);

@@ -1,6 +1,8 @@
 //! Keys that were written but that the scene's choices do not use.
 
 use crate::document::Document;
+use crate::geometry::Geometry;
+use crate::given::unused_in_blocks;
 use crate::scene::{Functional, Kinematics, LoadKind, Scene, Task};
 
 /// The unused keys of a scene, sorted.
@@ -47,6 +49,11 @@ pub(super) fn keys(document: &Document, scene: &Scene, tasks: &[Task]) -> Vec<St
     when(contact_only, &["wear.beta", "wear.k", "wear.a", "wear.b", "wear.counterface"]);
     let slides = scene.contact.as_ref().and_then(|contact| contact.friction).unwrap_or(0.0) > 0.0;
     when(contact_only && !slides, &["sliding.omega", "sliding.speed", "contact.shear"]);
+    for (name, body) in [("body1", &scene.body1), ("body2", &scene.body2)] {
+        if let Some(Geometry::Blocks(blocks)) = body.as_ref().map(|body| &body.geometry) {
+            unused.extend(unused_in_blocks(blocks).iter().map(|key| format!("{name}.geometry.blocks.{key}")));
+        }
+    }
     unused.sort();
     unused.dedup();
     unused

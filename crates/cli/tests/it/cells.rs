@@ -195,12 +195,10 @@ fn curved_cells_of_second_order_from_gmsh_lie_on_the_exact_arc() {
 fn a_lining_from_gmsh_with_triangles_has_the_gap_of_the_blocks_and_its_resolved_scene_runs() {
     let bench = Bench::new();
     mesh(&bench, "lining.msh");
-    let text = bench.call("new lining-on-back").out;
-    let (from, to) = (text.find("# Points are").unwrap(), text.find("[body1.geometry.blocks.materials]").unwrap());
-    let text = text.replace(&text[from..to], "[body1.geometry.mesh]\nfile = \"meshes/lining.msh\"\n");
+    mesh(&bench, "lining.toml");
     std::fs::create_dir(bench.path("meshes")).unwrap();
     std::fs::rename(bench.path("lining.msh"), bench.path("meshes/lining.msh")).unwrap();
-    bench.file("mesh.toml", &text.replace("[body1.geometry.blocks.materials]", "[body1.geometry.mesh.materials]"));
+    bench.file("mesh.toml", &bench.read("lining.toml").replace("\"lining.msh\"", "\"meshes/lining.msh\""));
     let wanted = column(&bench, "lining-on-back", "--set check=false", "gap_um");
     let error = difference(&column(&bench, "mesh.toml", "--set check=false", "gap_um"), &wanted);
     assert!(error < 2e-5, "{error}");
@@ -228,4 +226,21 @@ fn a_measured_start_profile_is_the_gap_of_a_contact_and_forgotten_by_wear() {
     let wear = "--set tasks=[wear] --set accuracy=1e-3";
     let error = difference(&column(&bench, "bb.toml", wear, "gap_um"), &column(&bench, "flat.toml", wear, "gap_um"));
     assert!(error < 2e-3, "worn shapes from two starts: {error}");
+}
+
+#[test]
+fn points_curves_and_materials_that_no_cell_uses_are_listed() {
+    let bench = Bench::new();
+    let idle = SHOE.replace("b = {", "idle = [0, 400], far = [50, 400], b = {").replace(
+        "cells.shoe",
+        "curves.spare.line = [\"idle\", \"far\"]\nmaterials.lead = { young = 1e4, poisson = 0.4 }\ncells.shoe",
+    );
+    bench.file("idle.toml", &[HEAD, &idle, DRUM].concat());
+    let call = bench.call("run idle.toml -q --set tasks=[pressure]");
+    assert_eq!(call.code, 0, "{}", call.err);
+    let unused = bench.summary("idle")["unused_keys"].to_string();
+    for key in ["curves.spare", "materials.lead", "points.far", "points.idle"] {
+        assert!(unused.contains(&format!("\"body1.geometry.blocks.{key}\"")), "{key} is not in {unused}");
+    }
+    assert!(!unused.contains("points.a\"") && !unused.contains("body2.geometry"), "{unused}");
 }

@@ -22,3 +22,4 @@ mod set;
 mod study;
 mod sweep;
 mod templates;
+mod twist;

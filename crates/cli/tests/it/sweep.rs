@@ -140,3 +140,39 @@ fn elastic_sweeps_resume_to_the_same_rows() {
     assert_eq!(bench.call(&format!("{args} --resume")).code, 0);
     assert!(bench.read("x/sweep.jsonl") == whole, "the rows differ");
 }
+
+#[test]
+fn a_sweep_is_not_resumed_with_another_scene_and_its_rows_stay() {
+    let bench = Bench::new();
+    let args = "sweep translating-punch --set tasks=[pressure] --over load.moment=0,1_kN_mm -q -o x";
+    assert_eq!(bench.call(args).code, 0);
+    std::fs::rename(bench.path("x"), bench.path("x.partial")).unwrap();
+    let rows = bench.read("x.partial/sweep.jsonl");
+    for other in ["--set wear.b=2.5", "--over wear.b=1,2"] {
+        let call = bench.call(&format!("{args} --resume {other}"));
+        assert_eq!(call.code, 2, "{other}: {}", call.err);
+        assert!(call.err.contains("another scene") && call.err.contains("leave out --resume"), "{}", call.err);
+        assert_eq!(bench.read("x.partial/sweep.jsonl"), rows, "{other}");
+    }
+    let call = bench.call(&format!("{args} --resume"));
+    assert_eq!(call.code, 0, "{}", call.err);
+    assert_eq!(bench.read("x/sweep.jsonl"), rows);
+}
+
+#[test]
+fn the_resolved_scene_of_a_sweep_runs_beside_its_mesh() {
+    let bench = Bench::new();
+    std::fs::create_dir(bench.path("meshes")).unwrap();
+    for name in ["lining.toml", "lining.msh"] {
+        let path = format!("{}/../../data/meshes/{name}", env!("CARGO_MANIFEST_DIR"));
+        std::fs::copy(path, bench.path("meshes").join(name)).unwrap();
+    }
+    let call = bench.call("sweep meshes/lining.toml --set tasks=[pressure] --over contact.friction=.3,.4 -q -o x");
+    assert_eq!(call.code, 0, "{}", call.err);
+    assert!(bench.bytes("x/body1.msh") == bench.bytes("meshes/lining.msh"));
+    let call = bench.call("run x/scene.resolved.toml -q -o first");
+    assert_eq!(call.code, 0, "{}", call.err);
+    let row: serde_json::Value = serde_json::from_str(bench.read("x/sweep.jsonl").lines().next().unwrap()).unwrap();
+    let summary: serde_json::Value = serde_json::from_str(&bench.read("first/summary.json")).unwrap();
+    assert_eq!(row["pressure.p_max_MPa"], summary["pressure"]["p_max_MPa"]);
+}

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use contact::{ContactLoad, ContactPoint, Pair};
+use contact::{ContactLoad, ContactPoint, ContactSolution, Pair};
 use shapeopt::{Evolution, EvolutionStatus, WearProblem, WearState, closing, lowest_nonnegative};
 
 use crate::fault::Fault;
@@ -11,6 +11,7 @@ use crate::fe::contact::pressure_at;
 use crate::fe::recover::{Moment, Reported};
 use crate::fe::stage::{Stage, note};
 use crate::fe::template::Cut;
+use crate::fe::torsion;
 use crate::fe::wear::Solved;
 use crate::fe::wear::history::History;
 use crate::fe::wear::mesh_lines::mesh_lines;
@@ -118,18 +119,22 @@ pub(super) fn run(
     let samples = stage.sample(&pair, Sampling::Even(SAMPLES));
     solution.curve = Some(sampled(CURVE));
     solution.profile = Some(options.sample.map_or(profile, sampled));
-    let mut reported = None;
+    // Each moment is twisted by the sliding of its own piece of the schedule.
+    let around = torsion::around(stage, operator.points(), &found.pressure);
+    let moment = |name, time_s, at: ContactSolution, around| {
+        at.counter.map(|counter| Moment { time_s, name, states: [stage.held(&pair, &at.shaped), counter], around })
+    };
+    let mut moments: Vec<Moment> = moment("", state.time, found, around).into_iter().collect();
     if stage.problem.plan.runs("field recovery") {
+        let first = pieces.intervals[0].stage;
         let started = operator
-            .solve(&problem.gap, &loads[pieces.intervals[0].stage], None)
+            .solve(&problem.gap, &loads[first], None)
             .map_err(|error| Fault::at("contact", "no-contact", error.to_string(), "check the contact and its load"))?;
         solution.counters.contact_solves += 1;
-        let moments = [("", state.time, found), ("start", 0.0, started)].into_iter();
-        let moments = moments.filter_map(|(name, time_s, at)| {
-            Some(Moment { time_s, name, states: [stage.held(&pair, &at.shaped), at.counter?], pressure: at.pressure })
-        });
-        reported = Some(Reported { level, ends: Vec::new(), moments: moments.collect() });
+        let around = torsion::around(stages[first], operator.points(), &started.pressure);
+        moments.extend(moment("start", 0.0, started, around));
     }
+    let reported = Some(Reported { level, ends: Vec::new(), moments });
     let left = FinishedLevel {
         degree: level.degree,
         layers: level.layers,
