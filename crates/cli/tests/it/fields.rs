@@ -100,7 +100,7 @@ fn a_body_of_triangles_has_its_area_in_flat_pieces_and_the_pressure_on_its_conta
         let path = format!("{}/../../data/meshes/{name}", env!("CARGO_MANIFEST_DIR"));
         std::fs::copy(path, bench.path(name)).unwrap();
     }
-    let options = "--set output.fields=true --set check=false --set mesh.degree=8 --sample 2001 -o x";
+    let options = "--set output.fields=true --set check=false --set mesh.degree=10 --sample 2001 -o x";
     let call = bench.call(&format!("run lining.toml -q {options}"));
     assert_eq!(call.code, 0, "{}", call.err);
     let table = bench.read("x/contact.csv");
