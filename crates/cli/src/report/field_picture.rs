@@ -71,7 +71,7 @@ pub(crate) fn field_picture(frame: &FieldFrame, title: &str) -> String {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height}\" width=\"{WIDTH}\" height=\"{height}\" \
          font-family=\"'DejaVu Sans', Helvetica, Arial, sans-serif\" font-size=\"13\" fill=\"#222\">\n<title>{0}</title>\n\
          <rect width=\"{WIDTH}\" height=\"{height}\" fill=\"#fff\"/>\n\
-         <text x=\"{MARGIN}\" y=\"26\" font-size=\"15\" font-weight=\"bold\">{0}</text>\n",
+         <text class=\"title\" x=\"{MARGIN}\" y=\"26\" font-size=\"15\" font-weight=\"bold\">{0}</text>\n",
         escaped(title)
     );
     out += "<g stroke-width=\"0.7\" stroke-linejoin=\"round\">\n";
@@ -175,7 +175,7 @@ fn legend(top: f64, from: f64, to: f64, magnified: f64) -> String {
         out += &format!("<text x=\"{x}\" y=\"{:.1}\" text-anchor=\"{anchor}\">{value} MPa</text>\n", top + 29.0);
     }
     out + &format!(
-        "<text x=\"{MARGIN}\" y=\"{:.1}\" font-size=\"12\" fill=\"#555\">Displacements {} times. Colours span the middle 96 % of the area.</text>\n",
+        "<text class=\"small\" x=\"{MARGIN}\" y=\"{:.1}\" font-size=\"12\" fill=\"#555\">Displacements {} times. Colours span the middle 96 % of the area.</text>\n",
         top + 51.0,
         short(magnified)
     )

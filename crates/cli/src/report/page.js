@@ -3,7 +3,7 @@
 (function () {
   const NS = "http://www.w3.org/2000/svg";
   const COLOURS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#888888"];
-  const W = 720, H = 400, L = 76, R = 16, T = 14, B = 52;
+  const W = 720, H = 400, R = 16, T = 14, B = 52;
   const { charts, run_in } = JSON.parse(document.getElementById("data").textContent);
 
   function make(name, attributes, parent, text) {
@@ -43,6 +43,15 @@
     const old = figure.querySelector("svg");
     const svg = make("svg", { viewBox: `0 0 ${W} ${H}`, role: "img", "aria-label": chart.title }, figure);
     if (old) old.remove();
+    let L = 76;
+
+    // Width of the longest of some texts in a class of the page, and the size of its letters.
+    function measure(texts, name) {
+      const text = make("text", { class: name }, svg), widths = texts.map(t => { text.textContent = t; return text.getComputedTextLength(); });
+      const size = parseFloat(getComputedStyle(text).fontSize) || 13;
+      text.remove();
+      return [Math.max(0, ...widths), size];
+    }
 
     function render() {
       svg.replaceChildren();
@@ -53,21 +62,25 @@
       if (chart.log_y && high - low < 1) high = low + 1;
       const yTicks = ticks(low, high, 6), step = chart.log_y ? Math.max(1, Math.ceil((high - low) / 6)) : yTicks.length > 1 ? yTicks[1] - yTicks[0] : 1;
       low = Math.floor(low / step + 1e-9) * step; high = Math.ceil(high / step - 1e-9) * step;
-      const px = x => L + (x - view[0]) / (view[1] - view[0]) * (W - L - R);
-      const py = y => H - B - (Math.min(Math.max(up(y), low), high) - low) / (high - low) * (H - T - B);
       const rows = [];
       for (let i = Math.round(low / step); i * step <= high + 1e-9 * step; i++) rows.push(back(Number((i * step).toPrecision(12))));
+      const label = value => show(Number(value.toPrecision(12)));
+      const [widest, letter] = measure(rows.map(label), "axis");
+      L = Math.max(76, widest + 12 + 1.7 * letter);
+      const px = x => L + (x - view[0]) / (view[1] - view[0]) * (W - L - R);
+      const py = y => H - B - (Math.min(Math.max(up(y), low), high) - low) / (high - low) * (H - T - B);
       for (const t of ticks(view[0], view[1], 7)) {
         make("path", { class: "grid", d: `M${px(t)} ${T}V${H - B}` }, svg);
-        make("text", { class: "axis", x: px(t), y: H - B + 18, "text-anchor": "middle" }, svg, show(Number(t.toPrecision(12))));
+        make("text", { class: "axis", x: px(t), y: H - B + 8 + 0.8 * letter, "text-anchor": "middle" }, svg, label(t));
       }
       for (const t of rows) {
         make("path", { class: "grid", d: `M${L} ${py(t)}H${W - R}` }, svg);
-        make("text", { class: "axis", x: L - 8, y: py(t) + 4, "text-anchor": "end" }, svg, show(Number(t.toPrecision(12))));
+        make("text", { class: "axis", x: L - 8, y: py(t) + 0.34 * letter, "text-anchor": "end" }, svg, label(t));
       }
       make("path", { class: "frame", d: `M${L} ${T}V${H - B}H${W - R}` }, svg);
       make("text", { class: "axis", x: (L + W - R) / 2, y: H - 8, "text-anchor": "middle" }, svg, chart.x_label);
       make("text", { class: "axis", transform: `translate(16 ${(T + H - B) / 2}) rotate(-90)`, "text-anchor": "middle" }, svg, chart.y_label);
+      const [legend, size] = measure(chart.series.map(s => s.name), "tip"), row = 1.4 * size;
       chart.series.forEach((s, n) => {
         let d = "", pen = false;
         s.x.forEach((x, i) => {
@@ -77,9 +90,9 @@
         });
         make("path", { d, fill: "none", stroke: COLOURS[n % 7], "stroke-width": 2, "stroke-linejoin": "round", "stroke-dasharray": s.dashed ? "7 5" : "none" }, svg);
         if (s.name) {
-          const from = W - R - 60 - 7.6 * Math.max(...chart.series.map(s => s.name.length));
-          make("path", { d: `M${from} ${T + 14 + 18 * n}h24`, stroke: COLOURS[n % 7], "stroke-width": 2, "stroke-dasharray": s.dashed ? "7 5" : "none" }, svg);
-          make("text", { class: "tip", x: from + 30, y: T + 18 + 18 * n }, svg, s.name);
+          const from = W - R - 40 - legend;
+          make("path", { d: `M${from} ${T + row * (n + 1) - 0.34 * size}h24`, stroke: COLOURS[n % 7], "stroke-width": 2, "stroke-dasharray": s.dashed ? "7 5" : "none" }, svg);
+          make("text", { class: "tip", x: from + 30, y: T + row * (n + 1) }, svg, s.name);
         }
       });
       const over = make("g", {}, svg);
@@ -108,9 +121,9 @@
         make("path", { class: "cross", d: `M${at} ${T}V${H - B}` }, over);
         const lines = found.map(([s, n, i]) => `${s.name ? s.name + ": " : ""}${show(s.y[i])} at ${show(s.x[i])}`);
         found.forEach(([s, n, i]) => make("circle", { cx: px(s.x[i]), cy: py(s.y[i]), r: 4, fill: COLOURS[n % 7] }, over));
-        const width = 16 + 7.6 * Math.max(...lines.map(l => l.length)), left = Math.min(at + 10, W - R - width);
-        make("rect", { class: "tipbox", x: left, y: T + 4, width, height: 10 + 18 * lines.length }, over);
-        lines.forEach((line, i) => make("text", { class: "tip", x: left + 8, y: T + 21 + 18 * i }, over, line));
+        const width = 16 + measure(lines, "tip")[0], left = Math.min(at + 10, W - R - width);
+        make("rect", { class: "tipbox", x: left, y: T + 4, width, height: 10 + row * lines.length }, over);
+        lines.forEach((line, i) => make("text", { class: "tip", x: left + 8, y: T + 4 + row * (i + 1) }, over, line));
       };
       svg.onpointerleave = () => { drag = null; over.replaceChildren(); };
       // A finger reads and scrolls; a mouse may mark a part to zoom into.

@@ -94,7 +94,7 @@ fn page(parts: &Parts) -> String {
                 <figure id=\"run-in-gap\"><figcaption>gap above its lowest point</figcaption></figure>\n";
     }
     if let Some(field) = field {
-        out += "<h2>Inside the bodies</h2>\n<figure>\n";
+        out += "<h2>Inside the bodies</h2>\n<figure class=\"field\"><figcaption>von Mises stress</figcaption>\n";
         out += field;
         out += "</figure>\n<p class=\"soft\">Colours are clipped to 2 to 98 % of the area: at sharp corners and at sharp ends of contact the \
                 stress of linear elasticity grows without bound, and the largest number there says more about the mesh than about the body. \
@@ -143,20 +143,31 @@ fn table(name: &str, part: &Value) -> String {
     }
     let mut out = format!("<h2>{heading}</h2>\n<div class=\"wide\"><table>\n");
     for (key, value) in super::summary::numbers(part) {
-        let shown = match &value {
-            Value::Number(number) if number.is_f64() => super::short(number.as_f64().unwrap_or(f64::NAN)),
-            Value::String(text) => text.clone(),
-            other => other.to_string(),
-        };
-        out += &format!("<tr><td>{}</td><td class=\"number\">{}</td></tr>\n", escaped(&key), escaped(&shown));
+        let class = if value.is_number() { " class=\"number\"" } else { "" };
+        out += &format!("<tr><td>{}</td><td{class}>{}</td></tr>\n", breakable(&key), escaped(&shown(&value)));
     }
     let lists = part.as_object().into_iter().flatten().filter(|(_, value)| value.is_array());
     for (key, value) in lists.filter(|(key, _)| *key != "tolerance") {
-        if value.as_array().is_some_and(|items| !items.is_empty()) {
-            out += &format!("<tr><td>{}</td><td>{}</td></tr>\n", escaped(key), escaped(&value.to_string()));
+        let items: Vec<String> = value.as_array().into_iter().flatten().map(shown).collect();
+        if !items.is_empty() {
+            out += &format!("<tr><td>{}</td><td>{}</td></tr>\n", breakable(key), escaped(&items.join(", ")));
         }
     }
     out + "</table></div>\n"
+}
+
+/// A value of the summary as text.
+fn shown(value: &Value) -> String {
+    match value {
+        Value::Number(number) if number.is_f64() => super::short(number.as_f64().unwrap_or(f64::NAN)),
+        Value::String(text) => text.clone(),
+        other => other.to_string(),
+    }
+}
+
+/// A key that a narrow column may break between its words.
+fn breakable(key: &str) -> String {
+    escaped(key).replace('_', "_<wbr>").replace('.', ".<wbr>")
 }
 
 /// The page of a folder, from its other files alone: the same bytes whenever it is built.

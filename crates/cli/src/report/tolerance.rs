@@ -12,7 +12,7 @@ pub(super) fn tolerance(entries: &Value) -> String {
     let Some(tightest) = entries.iter().filter_map(|e| number(e, "within_10_percent_um")).reduce(f64::min) else {
         return String::new();
     };
-    let mut out = "<h2>Tolerance</h2>\n<table>\n<tr><th>error of the shape</th><th>keeps the pressure within 10 %, um</th>\
+    let mut out = "<h2>Tolerance</h2>\n<div class=\"wide\"><table>\n<tr><th>error of the shape</th><th>keeps the pressure within 10 %, um</th>\
                    <th>1 um changes it by, %</th><th>rms, %</th><th>worn to 1/e after, mm</th></tr>\n"
         .to_string();
     for entry in entries {
@@ -27,7 +27,7 @@ pub(super) fn tolerance(entries: &Value) -> String {
         );
     }
     out + &format!(
-        "</table>\n<p>An error of &plusmn;{} um keeps the pressure within 10 % of its mean, whichever of these it is. In proportion \
+        "</table></div>\n<p>An error of &plusmn;{} um keeps the pressure within 10 % of its mean, whichever of these it is. In proportion \
          to the error, over the inner 95 % of the surface; L is its length. Errors that the free motions of body 1 take up \
          are left out.</p>\n",
         short(tightest)

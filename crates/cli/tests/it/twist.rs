@@ -58,11 +58,20 @@ fn assert_twisted(bench: &Bench, sense: f64, what: &str) {
 fn contact_and_wear_turn_the_rings_as_betti_says_in_the_sense_of_the_sliding() {
     let bench = Bench::new();
     bench.file("rings.toml", RINGS);
+    bench.file("hollow.csv", "s_mm,gap_um\n20,0\n35,0\n50,100\n");
     let reversed = "--set tasks=[wear] --set schedule={time=[0,50],speed=[1,-1]}";
-    for (options, sense) in [("", 1.0), ("--set sliding.omega=-2", -1.0), ("--set tasks=[wear]", 1.0), (reversed, -1.0)] {
+    for (options, sense) in [
+        ("", 1.0),
+        ("--set sliding.omega=-2", -1.0),
+        ("--set contact.gap=hollow.csv", 1.0),
+        ("--set tasks=[wear]", 1.0),
+        (reversed, -1.0),
+    ] {
         let call = bench.call(&format!("run rings.toml -q -o x {options}"));
         assert_eq!(call.code, 0, "{options}: {}", call.err);
         assert_twisted(&bench, sense, options);
+        let open = bench.read("x/contact.csv").contains(",open");
+        assert_eq!(open, options.contains("hollow"), "{options}: partial contact");
     }
 }
 
