@@ -71,7 +71,7 @@ fn contact_and_wear_turn_the_rings_as_betti_says_in_the_sense_of_the_sliding() {
         assert_eq!(call.code, 0, "{options}: {}", call.err);
         assert_twisted(&bench, sense, options);
         let open = bench.read("x/contact.csv").contains(",open");
-        assert_eq!(open, options.contains("hollow"), "{options}: partial contact");
+        assert!(open || options.contains("wear"), "{options}: the bodies lift where contact is partial");
     }
 }
 
