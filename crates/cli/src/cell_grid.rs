@@ -121,7 +121,7 @@ mod tests {
 
     /// Position in the plane, corner 0 at (0, 0), corner 1 at (1, 0).
     fn place(grid: CellGrid, point: usize) -> [f64; 2] {
-        let (i, j) = grid.steps().nth(point).unwrap();
+        let (i, j) = grid.steps().nth(point).unwrap_or_default();
         [i, j].map(|k| k as f64 / grid.degree as f64)
     }
 

@@ -172,11 +172,11 @@ fn legend(top: f64, from: f64, to: f64, magnified: f64) -> String {
     let anchors = [("start", MARGIN, from), ("middle", 0.5 * WIDTH, 0.5 * (from + to)), ("end", WIDTH - MARGIN, to)];
     for (anchor, x, value) in anchors {
         let value = value_text(value);
-        out += &format!("<text x=\"{x}\" y=\"{:.1}\" text-anchor=\"{anchor}\">{value} MPa</text>\n", top + 29.0);
+        out += &format!("<text x=\"{x}\" y=\"{:.1}\" text-anchor=\"{anchor}\">{value} MPa</text>\n", top + 31.0);
     }
     out + &format!(
         "<text class=\"small\" x=\"{MARGIN}\" y=\"{:.1}\" font-size=\"12\" fill=\"#555\">Displacements {} times. Colours span the middle 96 % of the area.</text>\n",
-        top + 51.0,
+        top + 53.0,
         short(magnified)
     )
 }

@@ -98,8 +98,8 @@ fn page(parts: &Parts) -> String {
         out += field;
         out += "</figure>\n<p class=\"soft\">Colours are clipped to 2 to 98 % of the area: at sharp corners and at sharp ends of contact the \
                 stress of linear elasticity grows without bound, and the largest number there says more about the mesh than about the body. \
-                All numbers are in fields/*.vtu. Of a shape, body 1 is drawn without its rigid motion, \
-                which parts the bodies in the picture.</p>\n";
+                All numbers are in fields/*.vtu. Body 1 is drawn without its free rigid motion, \
+                which may part the bodies in the picture.</p>\n";
     }
     for part in ["shape", "pressure", "contact", "wear", "energy", "reactions", "error", "counters"] {
         out += &table(part, &summary[part]);
