@@ -31,7 +31,7 @@ pub use error::Error;
 pub use load::{ContactLoad, Friction, MomentBalance, Motion};
 pub use operator::{ContactOperator, UnitResponses};
 pub use pair::{ContactPoint, Pair, Side, contact_traction, normal};
-pub use positioning::{Nodes, Positioned, Positioning, Rebuilt, held_between, position_ends, position_nodes};
+pub use positioning::{Nodes, Positioned, Positioning, Rebuilt, Start, held_between, position_ends, position_nodes};
 pub use problem::{ContactProblem, solve};
 pub use solution::ContactSolution;
 pub use status::Status;

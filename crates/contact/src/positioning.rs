@@ -65,70 +65,111 @@ const LIMIT: usize = 40;
 /// Places found by [`position_nodes`].
 #[derive(Clone, Debug)]
 pub struct Nodes<T> {
-    /// The places.
+    /// The places of the last evaluation.
     pub places: Vec<f64>,
-    /// Whether the last step was below the tolerance, or below a hundred times that and no longer falling.
+    /// Those places and the step that the last residuals still ask for: closer to the roots by as much as the Jacobian is right.
+    pub refined: Vec<f64>,
+    /// Whether that step is below the tolerance, or below a hundred times that and no longer falling.
     pub found: bool,
     /// What the last evaluation gave along with its residuals.
     pub last: T,
     /// Number of evaluations.
     pub evaluations: usize,
-    /// Largest change of a place in each step.
+    /// Largest change of a place that was still asked for after each evaluation at a trial.
     pub history: Vec<f64>,
+    /// Derivatives of the residuals by the places, residual by row, as Broyden's method left them.
+    pub jacobian: nalgebra::DMatrix<f64>,
+}
+
+/// Where [`position_nodes`] starts and how far it goes.
+#[derive(Clone, Copy, Debug)]
+pub struct Start<'a> {
+    /// Trial places, ascending.
+    pub places: &'a [f64],
+    /// Derivatives from an earlier search, say on a coarser mesh; without them they are found by differences, one evaluation a place.
+    pub jacobian: Option<&'a nalgebra::DMatrix<f64>>,
+    /// Wanted accuracy, relative to the largest distance of a place from the others or from zero.
+    pub tolerance: f64,
+    /// A step that is this share of the first one will do as well: the places need be no better than the mesh. 0 asks for the tolerance.
+    pub share: f64,
 }
 
 /// Finds the places of nodes at which as many residuals vanish (pressure at an end of contact, shear less its limit at an end of stick), by
-/// Broyden's method from a Jacobian by differences. `tolerance` is relative to the largest distance of a place from the others or from zero.
+/// Broyden's method. It ends when the step that the last residuals ask for is small, and does not take it.
 ///
 /// # Errors
 /// Those of `evaluate`.
 pub fn position_nodes<T, E>(
-    start: &[f64],
-    tolerance: f64,
+    start: Start<'_>,
     mut evaluate: impl FnMut(&[f64]) -> Result<(Vec<f64>, T), E>,
 ) -> Result<Nodes<T>, E> {
-    let k = start.len();
-    let mut places = start.to_vec();
+    let mut places = start.places.to_vec();
     let (mut value, mut last) = evaluate(&places)?;
     let mut evaluations = 1;
-    let size = |p: &[f64]| match p {
-        [one] => one.abs(),
-        _ => p.iter().fold(f64::MIN, |m, v| m.max(*v)) - p.iter().fold(f64::MAX, |m, v| m.min(*v)),
+    let mut jacobian = match start.jacobian {
+        Some(known) => known.clone(),
+        None => {
+            evaluations += places.len();
+            by_differences(&places, &value, &mut evaluate)?
+        }
     };
-    let mut jacobian = nalgebra::DMatrix::zeros(k, k);
-    for j in 0..k {
-        let mut moved = places.clone();
-        let step = 1e-3 * size(&places);
-        moved[j] += step;
-        let (next, _) = evaluate(&moved)?;
-        evaluations += 1;
-        (0..k).for_each(|i| jacobian[(i, j)] = (next[i] - value[i]) / step);
-    }
-    let mut history = Vec::new();
-    let mut found = k == 0;
-    while !found && history.len() < LIMIT {
+    let mut history: Vec<f64> = Vec::new();
+    loop {
         let residual = nalgebra::DVector::from_row_slice(&value);
-        let Some(mut step) = jacobian.clone().lu().solve(&(-residual)) else { break };
+        let step = jacobian.clone().lu().solve(&(-residual));
+        let largest = step.as_ref().map_or(f64::INFINITY, |step| step.iter().fold(0.0, |m: f64, s| m.max(s.abs())));
+        // Round-off in the residuals may end the fall of the steps a little above the tolerance.
+        let idle = history.last().is_some_and(|last| largest >= 0.5 * last);
+        history.push(largest);
+        let enough = (start.tolerance * size(&places) * if idle { 100.0 } else { 1.0 }).max(start.share * history[0]);
+        let found = largest <= enough;
+        let Some(mut step) = step.filter(|_| !found && history.len() <= LIMIT && largest.is_finite()) else {
+            let refined = match jacobian.clone().lu().solve(&nalgebra::DVector::from_row_slice(&value)) {
+                Some(back) if found => places.iter().zip(back.iter()).map(|(place, back)| place - back).collect(),
+                _ => places.clone(),
+            };
+            return Ok(Nodes { places, refined, found, last, evaluations, history, jacobian });
+        };
         // No place moves by more than a quarter of the distance to its neighbours (or to zero, for a single one).
-        let room = if k == 1 { size(&places) } else { narrowest(&places) };
-        if step.amax() > 0.25 * room {
-            step *= 0.25 * room / step.amax();
+        let room = if places.len() == 1 { size(&places) } else { narrowest(&places) };
+        if largest > 0.25 * room {
+            step *= 0.25 * room / largest;
         }
         places.iter_mut().zip(step.iter()).for_each(|(a, s)| *a += s);
         let (next, outcome) = evaluate(&places)?;
         evaluations += 1;
-        let change = nalgebra::DVector::from_fn(k, |i, _| next[i] - value[i]);
+        let change = nalgebra::DVector::from_fn(places.len(), |i, _| next[i] - value[i]);
         let square = step.norm_squared();
         if square > 0.0 {
             jacobian += (change - &jacobian * &step) * step.transpose() / square;
         }
         (value, last) = (next, outcome);
-        // Round-off in the residuals may end the fall of the steps a little above the tolerance.
-        let idle = history.last().is_some_and(|last| step.amax() >= 0.5 * last);
-        history.push(step.amax());
-        found = step.amax() <= tolerance * size(&places) * if idle { 100.0 } else { 1.0 };
     }
-    Ok(Nodes { places, found, last, evaluations, history })
+}
+
+/// Derivatives of the residuals by the places, from differences over a thousandth of their extent.
+fn by_differences<T, E>(
+    places: &[f64],
+    value: &[f64],
+    evaluate: &mut impl FnMut(&[f64]) -> Result<(Vec<f64>, T), E>,
+) -> Result<nalgebra::DMatrix<f64>, E> {
+    let mut jacobian = nalgebra::DMatrix::zeros(places.len(), places.len());
+    let step = 1e-3 * size(places);
+    for j in 0..places.len() {
+        let mut moved = places.to_vec();
+        moved[j] += step;
+        let (next, _) = evaluate(&moved)?;
+        (0..places.len()).for_each(|i| jacobian[(i, j)] = (next[i] - value[i]) / step);
+    }
+    Ok(jacobian)
+}
+
+/// Distance of a single place from zero, or of the first from the last.
+fn size(places: &[f64]) -> f64 {
+    match places {
+        [one] => one.abs(),
+        _ => places.iter().fold(f64::MIN, |m, v| m.max(*v)) - places.iter().fold(f64::MAX, |m, v| m.min(*v)),
+    }
 }
 
 /// Smallest distance between ascending places.
@@ -146,14 +187,15 @@ pub fn position_ends<E: From<Error>>(
     ends: &[f64],
     mut rebuild: impl FnMut(&[f64]) -> Result<Rebuilt, E>,
 ) -> Result<Positioned, E> {
-    let nodes = position_nodes(ends, problem.tolerance, |ends| -> Result<_, E> {
+    let start = Start { places: ends, jacobian: None, tolerance: problem.tolerance, share: 0.0 };
+    let nodes = position_nodes(start, |ends| -> Result<_, E> {
         let bodies = rebuild(ends)?;
         let (pressure, solution, points) = end_pressures(problem, &bodies, ends)?;
         Ok((pressure, (solution, points)))
     })?;
     let (solution, points) = nodes.last;
     Ok(Positioned {
-        ends: nodes.places,
+        ends: nodes.refined,
         found: nodes.found,
         solution,
         points,

@@ -6,7 +6,7 @@
 use std::time::Instant;
 
 use contact::{
-    ContactLoad, ContactOperator, ContactPoint, ContactSolution, ContactState, Friction, Motion, Pair, Side,
+    ContactLoad, ContactOperator, ContactPoint, ContactSolution, ContactState, Friction, Motion, Pair, Side, Start,
     Status as ContactStatus, position_nodes,
 };
 use hpfem::Body;
@@ -231,7 +231,9 @@ impl<'a> Setting<'a> {
 
     /// Moves element nodes onto the ends: there the pressure vanishes, and the shear that sticking takes is just its limit.
     fn position(&self, level: Level, start: &[f64], work: &mut Solution) -> Result<Vec<f64>, Fault> {
-        let nodes = position_nodes(start, TOLERANCES[usize::from(self.shear != 0.0)], |nodes| -> Result<_, Fault> {
+        let tolerance = TOLERANCES[usize::from(self.shear != 0.0)];
+        let start = Start { places: start, jacobian: None, tolerance, share: 0.0 };
+        let nodes = position_nodes(start, |nodes| -> Result<_, Fault> {
             let parts = self.parts(level, nodes, work)?;
             let bodies = parts.reduce(work)?;
             let steps = self.held_steps(&bodies, nodes, work)?;
@@ -257,7 +259,7 @@ impl<'a> Setting<'a> {
             let message = format!("the end of contact still moved by {step:.1e} mm after {} meshes", nodes.evaluations);
             return Err(Fault::at("load.force", TOO_LONG, message, "press less, or make the bodies larger"));
         }
-        Ok(nodes.places)
+        Ok(nodes.refined)
     }
 
     /// Both load steps with the states of all points given by the ends.

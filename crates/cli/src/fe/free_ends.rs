@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use contact::{ContactSolution, Status, held_between, position_nodes};
+use contact::{ContactSolution, Start, Status, held_between, position_nodes};
 
 use crate::fault::Fault;
 use crate::fe::bodies::Level;
@@ -12,14 +12,24 @@ use crate::fe::stage::Stage;
 use crate::fe::template::Cut;
 use crate::solution::Solution;
 
-/// Accuracy of the ends relative to the length of the contact.
-const TOLERANCE: f64 = 1e-10;
+/// Accuracy of the nodes by the accuracy asked for: a misplaced end changes the pressure by about its distance over the length of the contact.
+const TOLERANCE: f64 = 0.01;
+
+/// A level moves its nodes until the step left is this share of its first one, that is of what the level before it still lacked.
+const SHARE: f64 = 0.05;
+
+/// Meshes of a level after which its ends are held not to settle.
+const MOST: usize = 16;
 
 /// Ends of contact inside the surface.
 #[derive(Clone, Debug, Default)]
 pub(super) struct FreeEnds {
-    /// From -1 to 1 on the surface, ascending.
+    /// Where the nodes are, from -1 to 1 on the surface, ascending.
     pub(super) places: Vec<f64>,
+    /// Where contact ends: the places and the step that their pressures still ask for.
+    refined: Vec<f64>,
+    /// How the pressures at the ends change with their places, from the level before.
+    jacobian: Option<nalgebra::DMatrix<f64>>,
     /// Whether the start of the surface is in contact.
     pub(super) starts_closed: bool,
 }
@@ -38,13 +48,19 @@ impl FreeEnds {
             return FreeEnds::default();
         }
         let inside = |arc: &f64| *arc > 1e-9 * length && *arc < (1.0 - 1e-9) * length;
-        let places = solution.zones.iter().flatten().copied().filter(inside).map(|arc| 2.0 * arc / length - 1.0).collect();
-        FreeEnds { places, starts_closed: solution.closed.first().copied().unwrap_or(false) }
+        let places: Vec<f64> =
+            solution.zones.iter().flatten().copied().filter(inside).map(|arc| 2.0 * arc / length - 1.0).collect();
+        FreeEnds {
+            refined: places.clone(),
+            places,
+            jacobian: None,
+            starts_closed: solution.closed.first().copied().unwrap_or(false),
+        }
     }
 
     /// All ends of contact as arc lengths, those of the surface included.
     pub(super) fn arcs(&self, length: f64) -> Vec<f64> {
-        let mut arcs: Vec<f64> = self.places.iter().map(|t| 0.5 * (1.0 + t) * length).collect();
+        let mut arcs: Vec<f64> = self.refined.iter().map(|t| 0.5 * (1.0 + t) * length).collect();
         if self.starts_closed {
             arcs.insert(0, 0.0);
         }
@@ -55,11 +71,15 @@ impl FreeEnds {
     }
 
     /// Moves nodes onto the ends until the pressure at all of them vanishes; `None` where that does not settle (two ends meet, an end leaves the
-    /// surface).
+    /// surface, too many meshes).
     pub(super) fn position(&self, stage: Stage<'_>, level: Level, work: &mut Solution) -> Result<Option<Positioned>, Fault> {
-        let found = position_nodes(&self.places, TOLERANCE, |places| -> Result<_, Option<Fault>> {
+        let tolerance = TOLERANCE * stage.accuracy();
+        let start = Start { places: &self.refined, jacobian: self.jacobian.as_ref(), tolerance, share: SHARE };
+        let mut meshes = 0;
+        let found = position_nodes(start, |places| -> Result<_, Option<Fault>> {
             let ascending = places.windows(2).all(|pair| pair[0] < pair[1]);
-            if !(ascending && places.iter().all(|t| t.abs() < 1.0 - 1e-6)) {
+            meshes += 1;
+            if !(meshes <= MOST && ascending && places.iter().all(|t| t.abs() < 1.0 - 1e-6)) {
                 return Err(None);
             }
             let reduced = Arc::new(Reduced::new(&stage.parts(level, Cut::Ends(places), work)?, work)?);
@@ -73,12 +93,15 @@ impl FreeEnds {
             let (nodes, closed) = held_between(operator.points(), &arcs, self.starts_closed);
             let load = stage.contact_load(operator.points());
             let held = operator.solve_on(&gap, &load, &closed).map_err(unsolved)?.ok_or(None)?;
-            Ok((nodes.iter().map(|n| held.pressure[*n]).collect(), (Arc::clone(&reduced), held)))
+            // The root of the node's share of the surface takes away how the pressure of a sharp end grows with the level.
+            let scaled = |n: &usize| held.pressure[*n] * operator.points()[*n].weight.sqrt();
+            Ok((nodes.iter().map(scaled).collect(), (Arc::clone(&reduced), held)))
         });
         match found {
             Ok(nodes) if nodes.found => {
                 let (reduced, held) = nodes.last;
-                let ends = FreeEnds { places: nodes.places, starts_closed: self.starts_closed };
+                let (places, refined, jacobian) = (nodes.places, nodes.refined, Some(nodes.jacobian));
+                let ends = FreeEnds { places, refined, jacobian, starts_closed: self.starts_closed };
                 Ok(Some(Positioned { ends, reduced, held }))
             }
             Ok(_) | Err(None) => Ok(None),

@@ -10,6 +10,7 @@ mod commands;
 mod counterfaces;
 mod fields;
 mod folder;
+mod free_ends;
 mod hertz;
 mod json;
 mod machined;

@@ -1,0 +1,50 @@
+//! Ends of contact inside the surface, and what it costs to have element nodes on them.
+
+use approx::assert_abs_diff_eq;
+
+use crate::call::Bench;
+
+/// Ends of contact, factorisations, and levels of a contact run.
+fn contact(scene: &str, args: &str) -> (Vec<f64>, u64, u64) {
+    let bench = Bench::new();
+    let call = bench.call(&format!("run {scene} -q --set tasks=[contact] {args}"));
+    assert_eq!(call.code, 0, "{scene} {args}: {}", call.err);
+    let summary = bench.summary(scene);
+    let ends: Vec<f64> = summary["contact"]["ends_mm"].as_array().unwrap().iter().map(|end| end.as_f64().unwrap()).collect();
+    let how = summary["error"]["how"].as_str().unwrap();
+    let levels = how.split(' ').find_map(|word| word.parse().ok()).unwrap();
+    let factorisations = summary["counters"]["factorisations"].as_u64().unwrap();
+    println!("{scene} {args}: {ends:?}, {factorisations} factorisations in {levels} levels");
+    (ends, factorisations, levels)
+}
+
+#[test]
+fn the_three_free_ends_of_the_ring_take_at_most_four_times_the_plain_ladder() {
+    let (ends, factorisations, levels) = contact("drum-brake-ring", "--set mesh.degree=6");
+    // Degrees up to 16 find -90.2963651, -22.1330315, 33.0514041 mm; the error at degree 6 is a few times 1e-4 of the half length.
+    assert_eq!(ends.len(), 4);
+    for (end, fine) in ends[1..].iter().zip([-90.296_365, -22.133_032, 33.051_404]) {
+        assert_abs_diff_eq!(*end, fine, epsilon = 0.03);
+    }
+    assert!(factorisations > 2 * levels && factorisations <= 4 * 2 * levels);
+}
+
+#[test]
+fn a_contact_that_fills_its_surface_is_not_positioned() {
+    let (ends, factorisations, levels) = contact("drum-brake-block", "--set mesh.degree=6");
+    assert_abs_diff_eq!(ends[1], 104.719_755_119_66, epsilon = 1e-9);
+    assert_eq!((ends.len(), factorisations), (2, 2 * levels));
+}
+
+#[test]
+fn a_punch_pressed_beyond_its_kern_opens_on_one_side_without_friction() {
+    // Kern of 60 mm: a sixth to both sides, 10 mm; the force acts at 15 mm.
+    let (ends, factorisations, levels) =
+        contact("translating-punch", "--set mesh.degree=8 --set contact.friction=0 --set load.moment=15000");
+    assert_abs_diff_eq!(ends[0], -16.570_08, epsilon = 0.005);
+    assert_abs_diff_eq!(ends[1], 30.0, epsilon = 1e-9);
+    assert!(factorisations <= 4 * 2 * levels);
+    let mirrored = "--set mesh.degree=8 --set contact.friction=0 --set load.moment=-15000";
+    let (other, _, _) = contact("translating-punch", mirrored);
+    assert_abs_diff_eq!(other[1], -ends[0], epsilon = 1e-6);
+}
