@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use contact::{ContactLoad, ContactPoint, ContactSolution, Pair};
+use contact::{ContactLoad, ContactOperator, ContactPoint, ContactSolution, Pair};
 use shapeopt::{Evolution, EvolutionStatus, WearProblem, WearState, closing, lowest_nonnegative};
 
 use crate::fault::Fault;
@@ -61,20 +61,12 @@ pub(super) fn run(
         Ok(run) => run,
         Err(reason) => return Ok(Err(reason)),
     };
-    let Run { state, ended, history, running_in, run_in } = run;
+    let state = &run.state;
     note(&mut solution, "evolution", start);
     // The worn gap with its lowest rigid part, and the bodies on it, under the load that acts last.
     let last = pieces.intervals[state.interval].stage;
     let (stage, load) = (stages[last], &loads[last]);
-    let curve = NodalCurve { pair: &pair, operator: &operator, gap: &state.gap };
-    let rigid = if stage.rigid_prescribed() || stage.turned() != 0.0 { None } else { lowest_nonnegative(&curve) };
-    let rigid = rigid.unwrap_or_else(|| vec![0.0; pair.shaped.rigid_modes.ncols()]);
-    let normalised: Vec<f64> = operator
-        .points()
-        .iter()
-        .zip(&state.gap)
-        .map(|(p, g)| g + rigid.iter().zip(closing(&pair, p)).map(|(a, phi)| a * phi).sum::<f64>())
-        .collect();
+    let normalised = with_lowest_rigid_part(stage, &pair, &operator, &state.gap);
     let found = operator
         .solve(&normalised, load, None)
         .map_err(|error| Fault::at("contact", "no-contact", error.to_string(), "check the contact and its load"))?;
@@ -87,21 +79,8 @@ pub(super) fn run(
     });
     solution.reactions = reduced.reactions(states);
     let weights: Vec<f64> = operator.points().iter().map(|p| p.weight).collect();
-    solution.wear = Some(WearResult {
-        status: word(&ended).into(),
-        steps: state.step,
-        rejected_steps: state.rejected,
-        time_s: Some(state.time),
-        distance_mm: Some(state.distance),
-        steady: state.steady_residual <= STEADY,
-        depth_um: Some(1e3 * state.depth),
-        volume_mm3: Some(state.volume[0] + state.volume[1]),
-        explicit_step_limit_s: run_in.as_ref().map(|r| r.explicit_limit),
-        run_in_distance_mm: run_in.map_or_else(Vec::new, |r| r.distances.into_iter().take(RUN_IN).collect()),
-        lyapunov_increase: (stage.friction() == 0.0).then_some(state.lyapunov_increase),
-        to_1_percent: if state.steady_residual <= STEADY { running_in.cost(&weights) } else { None },
-    });
-    solution.history = history.columns();
+    solution.wear = Some(result(&run, &weights, stage.friction() == 0.0));
+    solution.history = run.history.columns();
     let mut profile = stage.profile(&pair, operator.points(), &state.pressure, states);
     profile.gap = normalised.iter().map(|g| 1e3 * g).collect();
     profile.opening = state.opening.iter().map(|g| 1e3 * g).collect();
@@ -144,7 +123,36 @@ pub(super) fn run(
         factorisations: solution.counters.factorisations,
         contact_solves: solution.counters.contact_solves,
     };
-    Ok(Ok(Solved { left, ended, reported, solution }))
+    Ok(Ok(Solved { left, ended: run.ended, reported, solution }))
+}
+
+/// A gap with its lowest rigid part that keeps it open, unless the rigid part is prescribed.
+fn with_lowest_rigid_part(stage: Stage<'_>, pair: &Pair<'_>, operator: &ContactOperator<'_>, gap: &[f64]) -> Vec<f64> {
+    let curve = NodalCurve { pair, operator, gap };
+    let rigid = if stage.rigid_prescribed() || stage.turned() != 0.0 { None } else { lowest_nonnegative(&curve) };
+    let rigid = rigid.unwrap_or_else(|| vec![0.0; pair.shaped.rigid_modes.ncols()]);
+    let lifted = |p: &ContactPoint| rigid.iter().zip(closing(pair, p)).map(|(a, phi)| a * phi).sum::<f64>();
+    operator.points().iter().zip(gap).map(|(p, g)| g + lifted(p)).collect()
+}
+
+/// What the summary says of a run; weights are the areas of the contact points.
+fn result(run: &Run, weights: &[f64], frictionless: bool) -> WearResult {
+    let Run { state, ended, running_in, run_in, .. } = run;
+    let steady = state.steady_residual <= STEADY;
+    WearResult {
+        status: word(ended).into(),
+        steps: state.step,
+        rejected_steps: state.rejected,
+        time_s: Some(state.time),
+        distance_mm: Some(state.distance),
+        steady,
+        depth_um: Some(1e3 * state.depth),
+        volume_mm3: Some(state.volume[0] + state.volume[1]),
+        explicit_step_limit_s: run_in.as_ref().map(|r| r.explicit_limit),
+        run_in_distance_mm: run_in.iter().flat_map(|r| r.distances.iter().copied().take(RUN_IN)).collect(),
+        lyapunov_increase: frictionless.then_some(state.lyapunov_increase),
+        to_1_percent: if steady { running_in.cost(weights) } else { None },
+    }
 }
 
 /// The contact surface under each load of the schedule.
