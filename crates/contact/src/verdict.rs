@@ -210,3 +210,42 @@ impl Complementarity<'_> {
         crate::linear::Scaling::new(self).stiffness
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two points that overlap by 1, each pushed off by the other's force times `coupling` of its own.
+    fn two_points(coupling: f64) -> Complementarity<'static> {
+        Complementarity {
+            compliance: Cow::Owned(Mat::from_fn(2, 2, |i, j| if i == j { 1.0 } else { coupling })),
+            influence: Mat::zeros(2, 0),
+            balance: Mat::zeros(2, 0),
+            stiffness: Mat::zeros(0, 0),
+            opening: vec![-1.0; 2],
+            load: Vec::new(),
+            symmetric: false,
+        }
+    }
+
+    #[test]
+    fn a_system_with_three_solutions_is_told_not_unique() {
+        let problem = two_points(2.0);
+        // By hand: forces (1, 0), (0, 1) and (1/3, 1/3), all with right signs.
+        for (force, active) in [(vec![1.0, 0.0], [true, false]), (vec![0.0, 1.0], [false, true]), (vec![1.0 / 3.0; 2], [true; 2])]
+        {
+            let point = Point { force, coordinates: Vec::new() };
+            assert!(problem.wrong(&point, &problem.openings(&point), &active).is_empty());
+        }
+        let answer = problem.solve(None);
+        assert!((answer.point.force[0] - 1.0 / 3.0).abs() < 1e-12);
+        assert_eq!(status(&problem, &problem.compliance, &answer), Status::NotUnique);
+    }
+
+    #[test]
+    fn the_same_system_with_little_coupling_is_unique() {
+        let problem = two_points(0.5);
+        let answer = problem.solve(None);
+        assert_eq!(status(&problem, &problem.compliance, &answer), Status::ClosedEverywhere);
+    }
+}

@@ -145,6 +145,18 @@ fn unmatched_arcs_pass_the_patch_test_exponentially_and_balance_to_round_off() {
 }
 
 #[test]
+fn unmatched_bodies_a_million_times_softer_or_stiffer_transmit_the_pressure_without_oscillation() {
+    let line = Curve::Line { start: [0.0, 1.0], end: [1.0, 1.0] };
+    for ratio in [1e-6, 1e6] {
+        for degrees in [[3, 9], [9, 3], [12, 5]] {
+            let [error, force, moment] = unmatched([line; 2], degrees, [ratio * YOUNG, YOUNG]);
+            println!("E1/E2 {ratio:.0e}, {degrees:?}: pressure {error:.1e}, force {force:.1e}, moment {moment:.1e}");
+            assert!(error < 1e-11 && force < 1e-13 && moment < 1e-13);
+        }
+    }
+}
+
+#[test]
 fn boundaries_of_different_extent_or_apart_are_refused() {
     let line = |start: [f64; 2], end: [f64; 2]| Curve::Line { start, end };
     let breaks = [-1.0, 1.0];
