@@ -8,6 +8,7 @@ mod cuts;
 mod ends;
 mod ends_profile;
 mod free_ends;
+mod gap_difference;
 mod half_disc;
 mod matching;
 mod operators;
@@ -21,8 +22,8 @@ mod torsion;
 mod wear;
 
 pub(crate) use approach::force;
+pub(crate) use gap_difference::{Measure, difference_of_gaps};
 pub(crate) use operators::Operators;
-pub(crate) use shape::difference_of_gaps;
 pub(crate) use stage::rest;
 
 use crate::fault::Fault;

@@ -4,8 +4,12 @@ use serde::Serialize;
 use wear::Shape;
 
 use crate::freedom::{Freedom, Role};
+use crate::geometry::Geometry;
+use crate::given::{edge_curves, given};
+use crate::report::short;
 use crate::scene::{Balance, Functional, Scene, Task};
 use crate::setup::{exponents, s_minus_1};
+use crate::solution::Solution;
 use crate::surface::Patch;
 
 /// A remark: the scene is legal, and something about it is worth knowing.
@@ -80,6 +84,50 @@ pub(crate) fn lints(scene: &Scene, tasks: &[Task], patch: Option<&Patch>, freedo
         }
     }
     found
+}
+
+/// Part of body 1's thickness that wear may take before the body is another one.
+const WORN: f64 = 0.1;
+
+/// Remarks on what a run came to.
+pub(crate) fn after(scene: &Scene, solution: &Solution) -> Vec<Lint> {
+    let depth = solution.wear.as_ref().and_then(|wear| wear.depth_um).map(|depth| 1e-3 * depth);
+    let (Some(depth), Some(thickness)) = (depth, thickness(scene)) else { return Vec::new() };
+    let allowed = WORN * thickness;
+    if depth <= allowed {
+        return Vec::new();
+    }
+    let column = |name: &str| solution.history.iter().find(|(known, _)| known == name).map(|(_, values)| values.as_slice());
+    let rows = column("time_s").zip(column("depth_um"));
+    let within = rows.and_then(|(times, depths)| times.iter().zip(depths).take_while(|(_, d)| 1e-3 * **d <= allowed).last());
+    let until = within.map_or(String::new(), |(time, _)| format!(" (up to {} s it is less)", short(*time)));
+    let message = format!(
+        "Wear takes {} mm off body 1, more than a tenth of its thickness of {} mm{until}; the bodies keep the stiffness they have unworn.",
+        short(depth),
+        short(thickness)
+    );
+    vec![Lint { code: "wear-beyond-body", message }]
+}
+
+/// Thickness of body 1 above the middle of its contact edge, mm; cells that the user gives: from there to their highest vertex.
+fn thickness(scene: &Scene) -> Option<f64> {
+    let body = scene.body1.as_ref()?;
+    match &body.geometry {
+        Geometry::ShoeBlock(shoe) => Some(shoe.top.0 - shoe.radius.0),
+        Geometry::Ring(ring) => Some(ring.outer.0 - ring.inner.0),
+        Geometry::Rectangle(rectangle) => Some(rectangle.z[1].0 - rectangle.z[0].0),
+        Geometry::RingSegment(segment) => Some(segment.outer.0 - segment.inner.0),
+        Geometry::HalfDisc(disc) => Some(disc.radius.0),
+        Geometry::Blocks(_) | Geometry::Mesh(_) => {
+            let mesh = given("body1", body).ok().flatten()?.mesh;
+            let curves = edge_curves(&mesh, &scene.contact.as_ref()?.edges.as_ref()?[0]);
+            let along: Vec<[f64; 2]> = curves.iter().flat_map(|curve| [-1.0, 0.0, 1.0].map(|t| curve.point(t))).collect();
+            let ends = along.iter().fold([f64::MAX, f64::MIN], |[a, b], x| [a.min(x[0]), b.max(x[0])]);
+            let off = |x: &[f64; 2]| (x[0] - 0.5 * (ends[0] + ends[1])).abs();
+            let middle = along.iter().min_by(|a, b| off(a).total_cmp(&off(b)))?;
+            Some(mesh.vertices.iter().map(|x| x[1]).fold(f64::MIN, f64::max) - middle[1])
+        }
+    }
 }
 
 /// Moments on a plane strip: full contact needs |M| <= F c k / (k + 2), k = 1/(s - 1).

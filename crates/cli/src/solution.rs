@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::body_field::FieldFrame;
+use crate::lints::Lint;
 use crate::machined::Machined;
 use crate::profile::Profile;
 
@@ -60,6 +61,8 @@ pub(crate) struct Solution {
     pub(crate) machined: Option<Machined>,
     /// Displacement and stress inside the bodies, the reported moment first; empty unless an output asks for them.
     pub(crate) fields: Vec<FieldFrame>,
+    /// Remarks that only the result could tell.
+    pub(crate) lints: Vec<Lint>,
     /// Seconds of each stage, in order.
     pub(crate) times: Vec<(String, f64)>,
 }
@@ -188,7 +191,7 @@ pub(crate) struct ShapeResult {
     pub(crate) gap_max_um: Option<f64>,
     /// Where it is.
     pub(crate) gap_where_mm: Option<f64>,
-    /// Crown height.
+    /// Crown height: the largest gap; above the lowest one where the rigid part is prescribed.
     pub(crate) crown_um: Option<f64>,
     /// Rigid part taken out.
     pub(crate) rigid_mm: Option<f64>,

@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, Vector3};
 
 use crate::document::Document;
 use crate::fault::Fault;
-use crate::fe::{difference_of_gaps, rest};
+use crate::fe::{Measure, difference_of_gaps, rest};
 use crate::profile::Profile;
 use crate::setup::{Problem, setup};
 use crate::solution::{Counters, Solution, Status};
@@ -16,8 +16,8 @@ pub(crate) const DEGREES: [usize; 7] = [4, 6, 8, 10, 12, 14, 16];
 /// What is compared: the result of the last task.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Quantity {
-    /// The gap of the shape, or of the worn bodies at the end: `max |dg| / max g`, the best rigid part removed.
-    Gap,
+    /// The gap of the shape, or of the worn bodies at the end, the best rigid part removed from differences.
+    Gap(Measure),
     /// The contact: the larger of the relative errors of the energy and of the pressure (L2 over the inner 95 % of the contact).
     Contact,
 }
@@ -25,8 +25,10 @@ pub(crate) enum Quantity {
 impl Quantity {
     /// Of a scene; `None` if it computes no elastic bodies.
     pub(crate) fn of(problem: &Problem) -> Option<Quantity> {
-        if problem.plan.runs("evolution") || problem.plan.runs("shape") {
-            Some(Quantity::Gap)
+        if problem.plan.runs("evolution") {
+            Some(Quantity::Gap(Measure::Largest))
+        } else if problem.plan.runs("shape") {
+            Some(Quantity::Gap(Measure::of(&problem.scene)))
         } else {
             problem.plan.runs("contact").then_some(Quantity::Contact)
         }
@@ -35,7 +37,8 @@ impl Quantity {
     /// Its definition in a sentence.
     pub(crate) fn description(self) -> &'static str {
         match self {
-            Quantity::Gap => "max |dg| / max g, rigid part removed",
+            Quantity::Gap(Measure::Largest) => "max |dg| / max g, rigid part removed",
+            Quantity::Gap(Measure::Crown) => "max |dg| / (max g - min g), rigid part removed",
             Quantity::Contact => "larger of the relative errors of the energy and of the pressure (L2 over the inner 95 %)",
         }
     }
@@ -167,7 +170,8 @@ fn difference(problem: &Problem, level: &Truth, truth: &Truth) -> f64 {
             let energy = level.energy.zip(truth.energy).map_or(0.0, |(x, y)| ((x - y) / y).abs());
             difference_of_pressures(level, truth).max(energy)
         }
-        _ => difference_of_gaps(&level.gap, &truth.gap, &closing(problem, truth)),
+        Some(Quantity::Gap(measure)) => difference_of_gaps(&level.gap, &truth.gap, &closing(problem, truth), measure),
+        None => 0.0,
     }
 }
 

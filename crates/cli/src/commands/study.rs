@@ -8,6 +8,7 @@ use crate::commands::{print_json, print_out};
 use crate::document::Document;
 use crate::exit::Exit;
 use crate::fault::{Fault, Place};
+use crate::fe::Measure;
 use crate::profile::number_text;
 use crate::report::line_plot::{Axis, LinePlot, Series, line_plot};
 use crate::report::{self, Folder};
@@ -162,7 +163,8 @@ fn picture(name: &str, quantity: Quantity, against: &str, rows: &[[f64; 12]]) ->
         dashed,
     };
     let (what, y_label) = match quantity {
-        Quantity::Gap => ("the gap", "max |dg| / max g"),
+        Quantity::Gap(Measure::Largest) => ("the gap", "max |dg| / max g"),
+        Quantity::Gap(Measure::Crown) => ("the gap", "max |dg| / (max g - min g)"),
         Quantity::Contact => ("the contact", "relative error of energy and pressure"),
     };
     LinePlot {

@@ -5,12 +5,13 @@ use std::time::Instant;
 
 use contact::{ContactLoad, ContactPoint, Motion, Pair};
 use hpfem::InterfaceState;
-use nalgebra::{DMatrix, DVector, Vector3};
+use nalgebra::{DMatrix, Vector3};
 use shapeopt::{GapCurve, Integration, RigidPart, Shape, ShapeProblem, SurfacePlace, closing, solve_shape};
 
 use crate::fault::Fault;
 use crate::fe::approach;
 use crate::fe::bodies::Level;
+use crate::fe::gap_difference::{Measure, difference_of_gaps};
 use crate::fe::operators::Reduced;
 use crate::fe::recover::{Moment, Reported};
 use crate::fe::round_trip;
@@ -66,7 +67,7 @@ pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution
             return Ok(None);
         }
         solved.push(shaper.level(level)?);
-        if !fixed && estimate(&solved).is_some_and(|error| error <= stage.accuracy()) {
+        if !fixed && estimate(&solved, Measure::of(stage.scene())).is_some_and(|error| error <= stage.accuracy()) {
             break;
         }
     }
@@ -83,36 +84,11 @@ pub(super) fn unanswered(stage: Stage<'_>, optimum: &wear::Optimum) -> Option<St
     ))
 }
 
-/// Estimated `max |dg| / max g` of the last level, after the best rigid part is taken out of each difference.
-fn estimate(solved: &[Solved]) -> Option<f64> {
-    let difference = |a: &Solved, b: &Solved| difference_of_gaps(&a.gaps, &b.gaps, &b.closing);
+/// Estimated `max |dg|` of the last level over the size of the gap, after the best rigid part is taken out of each difference.
+fn estimate(solved: &[Solved], measure: Measure) -> Option<f64> {
+    let difference = |a: &Solved, b: &Solved| difference_of_gaps(&a.gaps, &b.gaps, &b.closing, measure);
     let [.., a, b, c] = solved else { return None };
     Some(rest(difference(a, b), difference(b, c)))
-}
-
-/// `max |a - b| / max b` of two sampled gaps, after the best combination of closing velocities (one column a mode) is taken out
-/// of the difference.
-pub(crate) fn difference_of_gaps(a: &[f64], b: &[f64], closing: &DMatrix<f64>) -> f64 {
-    let largest = b.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
-    let difference = DVector::from_iterator(a.len(), a.iter().zip(b).map(|(x, y)| x - y));
-    let mut modes = closing.clone();
-    for mut column in modes.column_iter_mut() {
-        let size = column.amax();
-        if size > 0.0 {
-            column /= size;
-        }
-    }
-    if modes.ncols() == 0 {
-        return difference.amax() / largest;
-    }
-    // Least squares by the normal equations of modes scaled to size one.
-    let normal = modes.transpose() * &modes;
-    let best = normal.lu().solve(&(modes.transpose() * &difference));
-    let rest = match best {
-        Some(best) => difference - modes * best,
-        None => difference,
-    };
-    rest.amax() / largest
 }
 
 /// Reports the last level with the error estimate and the effort of all, and proves it.
@@ -123,21 +99,23 @@ fn finish(
     options: Options,
     solution: &mut Solution,
 ) -> Result<Option<Reported>, Fault> {
-    let error = estimate(&solved);
+    let measure = Measure::of(shaper.stage.scene());
+    let error = estimate(&solved, measure);
     let accuracy = shaper.stage.accuracy();
     let levels = solved.len();
     let times: Vec<_> = solved.iter().map(|s| s.solution.times.clone()).collect();
     solution.counters.factorisations += solved.iter().map(|s| s.solution.counters.factorisations).sum::<usize>();
-    let change = |i: usize| difference_of_gaps(&solved[i - 1].gaps, &solved[i].gaps, &solved[i].closing);
-    solution.ladder = rungs(&shaper.stage.ladder(options), levels, "gap", change, |i| estimate(&solved[..=i]));
+    let change = |i: usize| difference_of_gaps(&solved[i - 1].gaps, &solved[i].gaps, &solved[i].closing, measure);
+    solution.ladder = rungs(&shaper.stage.ladder(options), levels, "gap", change, |i| estimate(&solved[..=i], measure));
     let Some(last) = solved.pop() else { return Ok(None) };
     add_times(&times, &mut solution.times);
     shaper.report(&last, options, solution)?;
     let result = solution.error.get_or_insert_default();
     result.gap_relative = error;
     let closed = std::mem::take(&mut result.how);
+    let of = if measure == Measure::Crown { "gap relative to its crown" } else { "gap" };
     result.how = match error {
-        Some(_) => format!("gap: rest of the series of {levels} degrees; pressure: {closed}"),
+        Some(_) => format!("{of}: rest of the series of {levels} degrees; pressure: {closed}"),
         None => format!("gap: not estimated below degree 5; pressure: {closed}"),
     };
     if let (false, Some(error)) = (fixed, error)
@@ -198,11 +176,15 @@ impl<'a> Shaper<'a> {
         let (stage, pair) = (self.stage, reduced.pair()?);
         reduced.count(&mut solution.counters);
         let most = (0..gaps.len()).max_by(|a, b| gaps[*a].total_cmp(&gaps[*b])).unwrap_or(0);
+        let lowest = match Measure::of(stage.scene()) {
+            Measure::Largest => 0.0,
+            Measure::Crown => gaps.iter().copied().fold(f64::INFINITY, f64::min),
+        };
         solution.shape = Some(ShapeResult {
             iterations: solution.passes + 1,
             gap_max_um: Some(1e3 * gaps[most]),
             gap_where_mm: Some(stage.start(&pair) + samples(&pair)[most]),
-            crown_um: Some(1e3 * gaps[most]),
+            crown_um: Some(1e3 * (gaps[most] - lowest)),
             rigid_mm: shape.rigid.first().copied(),
             roundtrip_same: None,
             roundtrip_independent: None,

@@ -13,8 +13,8 @@ use shapeopt::EvolutionStatus;
 
 use crate::fault::Fault;
 use crate::fe::bodies::Level;
+use crate::fe::gap_difference::{Measure, difference_of_gaps};
 use crate::fe::recover::Reported;
-use crate::fe::shape::difference_of_gaps;
 use crate::fe::stage::{Stage, add_times, rest, rungs};
 use crate::live::Live;
 use crate::record::FinishedLevel;
@@ -95,7 +95,8 @@ fn estimate(finished: &[FinishedLevel], last: &FinishedLevel) -> Option<f64> {
 /// Difference of the worn gaps of two levels.
 fn difference(a: &FinishedLevel, b: &FinishedLevel) -> f64 {
     let points = b.gap_mm.len();
-    difference_of_gaps(&a.gap_mm, &b.gap_mm, &DMatrix::from_row_slice(points, b.closing.len() / points.max(1), &b.closing))
+    let closing = DMatrix::from_row_slice(points, b.closing.len() / points.max(1), &b.closing);
+    difference_of_gaps(&a.gap_mm, &b.gap_mm, &closing, Measure::Largest)
 }
 
 fn finish(stage: Stage<'_>, finished: &[FinishedLevel], last: Solved, fixed: bool, solution: &mut Solution) -> Option<Reported> {

@@ -24,7 +24,7 @@ pub(crate) fn summary(problem: &Problem, solution: &Solution, resolved: &str) ->
     put("stages", value(&problem.plan.stages));
     put("counters", value(&solution.counters));
     put("unused_keys", json!(problem.unused_keys));
-    put("lints", value(&problem.lints));
+    put("lints", json!(problem.lints.iter().chain(&solution.lints).collect::<Vec<_>>()));
     put("pressure", value(&solution.pressure));
     put("contact", value(&solution.contact));
     put("shape", value(&solution.shape));

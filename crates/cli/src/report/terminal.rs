@@ -90,7 +90,7 @@ pub(crate) fn verdict(problem: &Problem, solution: &Solution) -> String {
         return format!("{head}: {reason}.");
     }
     if let Some(shape) = &solution.shape {
-        let crown = shape.gap_max_um.unwrap_or(0.0);
+        let crown = shape.crown_um.unwrap_or(0.0);
         let at = shape.gap_where_mm.map(|s| format!(" at {}", place(problem, s))).unwrap_or_default();
         let steady = solution.pressure.as_ref().is_some_and(|pressure| pressure.functional == "steady");
         let end = if steady { "it starts worn in" } else { "it has the wanted pressure" };
@@ -181,7 +181,7 @@ pub(crate) fn first_screen(problem: &Problem, solution: &Solution, folder: &Path
     if let Some(trip) = solution.shape.as_ref().and_then(|shape| shape.roundtrip_independent.or(shape.roundtrip_same)) {
         lines.push(format!("proof     a contact solve on this shape returns the pressure within {trip:.1e}"));
     }
-    for lint in problem.lints.iter().take(2) {
+    for lint in solution.lints.iter().chain(&problem.lints).take(2) {
         lines.push(format!("note      {}", lint.message));
     }
     if !problem.unused_keys.is_empty() {

@@ -80,3 +80,23 @@ fn errors_of_the_shape_that_free_motions_take_up_are_left_out_of_the_tolerance()
         assert!(bench.read(&format!("{folder}/report.html")).contains("keeps the pressure within 10 %"));
     }
 }
+
+/// The accuracy is that of the shape, not of the worn approach that is added to it: however long it wore, the same degrees prove it.
+#[test]
+fn a_long_approach_time_weakens_no_proof() {
+    let bench = Bench::new();
+    let run = |time: f64| {
+        let args = format!("run translating-punch --set load.tilt=0 --set load.approach_time={time} -q -o t{time}");
+        let call = bench.call_with(&args.split_whitespace().collect::<Vec<_>>());
+        assert_eq!(call.code, 0, "{}", call.err);
+        summary(&bench, &format!("t{time}"))
+    };
+    let (none, long) = (run(0.0), run(200.0));
+    assert!(long["shape"]["gap_max_um"].as_f64().unwrap() > 30.0);
+    assert_eq!(none["counters"]["dofs"], long["counters"]["dofs"]);
+    for (key, part) in [("error", "gap_relative"), ("shape", "roundtrip_independent"), ("shape", "crown_um")] {
+        let of = |summary: &serde_json::Value| summary[key][part].as_f64().unwrap();
+        approx::assert_relative_eq!(of(&none), of(&long), max_relative = 1e-4);
+    }
+    assert!(long["shape"]["roundtrip_independent"].as_f64().unwrap() < 2e-4);
+}

@@ -62,6 +62,29 @@ fn under_a_uniform_pressure_the_depth_is_the_integral_of_the_rate() {
 }
 
 #[test]
+fn wear_beyond_a_tenth_of_the_body_is_noted_and_less_is_not() {
+    let bench = Bench::new();
+    bench.file("columns.toml", COLUMNS);
+    let pressure: f64 = 1000.0 / (WIDTH * THICKNESS);
+    // The shaped column is 10 mm high: this factor wears 1 mm off it in 200 s, evenly.
+    let factor = 1.0 / (200.0 * pressure.powf(1.5) * 20.0_f64.powf(1.2));
+    let lints = |part: f64| {
+        let k = part * factor;
+        let args = ["run", "columns.toml", "-q", "--set", "wear.until=200", "--set", "schedule.force=[1,1,1,1]"];
+        let sets = format!("wear.k=[{k},0]");
+        let call = bench.call_with(&[&args[..], &["--set", "schedule.speed=[1,1,1,1]", "--set", &sets]].concat());
+        assert_eq!(call.code, 0, "{}", call.err);
+        bench.summary("columns")["lints"].clone()
+    };
+    assert_eq!(lints(0.99), serde_json::json!([]));
+    let noted = lints(1.01);
+    assert_eq!(noted[0]["code"], "wear-beyond-body", "{noted}");
+    let message = noted[0]["message"].as_str().unwrap();
+    assert!(message.contains("1.01 mm off body 1") && message.contains("thickness of 10 mm (up to "), "{message}");
+    assert!(bench.read("out/columns/report.html").contains("wear-beyond-body"));
+}
+
+#[test]
 fn a_scene_in_one_piece_is_the_scene_without_a_schedule_and_a_reversed_one_its_mirror_image() {
     let bench = Bench::new();
     let wear = |folder: &str, args: &str| {
