@@ -1,6 +1,7 @@
 //! Project chores, started as `cargo xtask <chore>`.
 
 mod bench;
+mod editor;
 mod outputs;
 mod package;
 mod stability;
@@ -24,6 +25,7 @@ usage: cargo xtask <chore>
   stability run extreme cases: each must be right, or refused by name
             [--case NAME] [--scenes] [--program PATH] [--docs]
   outputs   open the files of runs with VTK, ezdxf, the reader of MCAP and Chromium [--install]
+  editor    check the scenes by the schema with the checker of an editor plug-in (taplo, from npm)
   package   the static program, manual pages, completions and the Debian package
   bench     run the benches of our crates and print their ratios [crate ..]
 ";
@@ -37,6 +39,7 @@ fn main() -> ExitCode {
         Some("stability") => stability::run(&root, &words[1..]),
         Some("verify") => verify::run(&root, &words[1..]),
         Some("validation") => validation::run(&root),
+        Some("editor") => editor::run(&root),
         Some("outputs") => outputs::run(&root, &words[1..]),
         Some("package") => package::run(&root),
         Some("help" | "-h" | "--help") => {
