@@ -7,6 +7,7 @@ mod contact;
 mod cuts;
 mod ends;
 mod ends_profile;
+mod forecast;
 mod free_ends;
 mod gap_difference;
 mod half_disc;
@@ -22,6 +23,7 @@ mod torsion;
 mod wear;
 
 pub(crate) use approach::force;
+pub(crate) use forecast::{Forecast, forecast};
 pub(crate) use gap_difference::{Measure, difference_of_gaps};
 pub(crate) use operators::Operators;
 pub(crate) use stage::rest;

@@ -1,10 +1,10 @@
 //! A body: mesh, material, supports and loads, reduced to its kept boundary.
 
-use crate::additions::{Additions, edge_groups};
+use crate::additions::Additions;
 use crate::assemble::{Assembly, LoadCase, edge_modes, points_for, rotation_about_origin};
 use crate::basis::Table;
 use crate::cell_matrix::map_cells;
-use crate::check::{check, unit_of_stiffness};
+use crate::check::unit_of_stiffness;
 use crate::elimination::{Condensed, not_held};
 use crate::error::Error;
 use crate::field::Field;
@@ -12,10 +12,11 @@ use crate::interface::{InterfaceOperator, InterfaceState};
 use crate::loads::edge_loads;
 use crate::material::{Kinematics, Material};
 use crate::mesh::Mesh;
-use crate::plan::{MEMORY_LIMIT, Plan};
+use crate::plan::MEMORY_LIMIT;
 use crate::rigid::{free_motions, rigid_columns};
+use crate::sizes::{Ordered, whole_size};
 use crate::space::{RigidEdge, Space, SpaceKind, Support};
-use crate::trace::{Trace, TraceLoad, path};
+use crate::trace::{Trace, TraceLoad};
 use crate::triangle_matrix::TriangleTable;
 use faer::Mat;
 use std::sync::Arc;
@@ -87,31 +88,9 @@ impl<'a> Body<'a> {
     /// As for [`Body::new`]; pins, load cases or boundaries that do not exist, negative foundations.
     pub fn with(problem: BodyProblem<'a>, additions: Additions<'a>) -> Result<Body<'a>, Error> {
         let start = Instant::now();
-        check(&problem)?;
-        additions.check(&problem)?;
-        let mesh = problem.mesh;
-        let supports = problem.supports;
-        let space = Space::new(
-            mesh,
-            problem.degrees.clone(),
-            problem.space,
-            problem.kinematics,
-            supports,
-            problem.rigid_edge.as_ref(),
-            &additions,
-        )?;
-        let walk = problem.kept.map(|name| path(mesh, name)).transpose()?.unwrap_or_default();
-        let kept_groups = kept_groups(mesh, &space, &walk);
+        let Ordered { space, walk, kept_groups, plan, bytes } = Ordered::new(&problem, &additions)?;
+        let (mesh, supports) = (problem.mesh, problem.supports);
         let foundations = additions.foundation_edges(mesh)?;
-        let mut element_groups: Vec<Vec<usize>> = (0..mesh.cells.len()).map(|c| space.cell_groups(mesh, c, &[])).collect();
-        element_groups.extend(foundations.iter().map(|(e, _)| edge_groups(mesh, &space, *e, &[])));
-        let middle = |corners: &[usize]| -> [f64; 2] {
-            std::array::from_fn(|i| corners.iter().map(|v| mesh.vertices[*v][i]).sum::<f64>() / corners.len() as f64)
-        };
-        let mut places: Vec<[f64; 2]> = mesh.cells.iter().map(|c| middle(c.vertices())).collect();
-        places.extend(foundations.iter().map(|(e, _)| middle(&mesh.edges[*e].vertices)));
-        let plan = Plan::new(&element_groups, &places, &space.size, &kept_groups);
-        let bytes = plan.bytes(&element_groups, &space.size);
         if bytes > MEMORY_LIMIT {
             return Err(Error::TooLarge { unknowns: space.size.iter().sum(), bytes, limit: MEMORY_LIMIT });
         }
@@ -134,7 +113,6 @@ impl<'a> Body<'a> {
             elements.push(cell.element);
         }
         let assembled = start.elapsed();
-        let interior: usize = (0..mesh.cells.len()).map(|c| space.components * space.local_modes(mesh, c).interior).sum();
         let mut condensed = plan.run(elements, &space.size, &kept_groups, columns).map_err(|g| not_held(place(mesh, g)))?;
         condensed.work += &interior_work;
         let finite = |m: &Mat<f64>| m.col_iter().all(|c| c.iter().all(|v| v.is_finite()));
@@ -176,7 +154,7 @@ impl<'a> Body<'a> {
         };
         let effort = Effort {
             cells: mesh.cells.len(),
-            unknowns: space.size.iter().sum::<usize>() + interior,
+            unknowns: whole_size(mesh, &space),
             bytes,
             assemble: assembled - ordered,
             factor: ordered + factored - assembled,
@@ -237,22 +215,6 @@ impl<'a> Body<'a> {
         let coefficients = coefficients.into_iter().collect::<Result<Vec<_>, Error>>()?;
         Ok(Field::new(mesh, self.problem.kinematics, self.problem.materials, &self.space, coefficients))
     }
-}
-
-/// Groups whose unknowns are kept: those of the path in order, then the rigid edge.
-fn kept_groups(mesh: &Mesh, space: &Space, walk: &[(usize, bool)]) -> Vec<usize> {
-    let mut groups = Vec::new();
-    for (i, (edge, against)) in walk.iter().enumerate() {
-        let [a, b] = mesh.edges[*edge].vertices;
-        let (from, to) = if *against { (b, a) } else { (a, b) };
-        if i == 0 {
-            groups.push(from);
-        }
-        groups.extend([mesh.vertices.len() + edge, to]);
-    }
-    groups.extend(space.frame.iter().map(|(g, _)| *g));
-    groups.retain(|g| space.size[*g] > 0);
-    groups
 }
 
 fn assembly<'b>(problem: &'b BodyProblem<'_>, space: &'b Space, additions: &'b Additions<'_>) -> Result<Assembly<'b>, Error> {

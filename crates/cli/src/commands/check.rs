@@ -7,6 +7,7 @@ use crate::commands::{print_json, print_out};
 use crate::document::Document;
 use crate::exit::Exit;
 use crate::fault::Fault;
+use crate::fe::{Forecast, forecast};
 use crate::setup::{Problem, setup};
 
 /// Prints the plan, the remarks and the unused keys of a scene.
@@ -16,19 +17,54 @@ pub(crate) fn run(args: &CheckArgs) -> Result<Exit, Fault> {
     if args.json {
         print_json(&plan_json(&problem));
     } else if !args.quiet {
-        print_out(&describe(&problem));
+        print_out(&describe_with_sizes(&problem));
     }
     Ok(Exit::Done)
 }
 
 /// The plan as a document.
 pub(crate) fn plan_json(problem: &Problem) -> serde_json::Value {
-    json!({
+    let mut plan = json!({
         "scene": problem.name,
         "stages": problem.plan.stages,
         "lints": problem.lints,
         "unused_keys": problem.unused_keys,
-    })
+    });
+    match expected(problem) {
+        Some(Ok(levels)) => plan["expected"] = json!(levels),
+        Some(Err(fault)) => plan["not_expected"] = json!(fault.message),
+        None => {}
+    }
+    plan
+}
+
+/// Sizes and times of the levels; `None` for scenes without bodies.
+fn expected(problem: &Problem) -> Option<Result<Vec<Forecast>, Fault>> {
+    problem.plan.runs("mesh").then(|| forecast(problem))
+}
+
+/// The plan in words, with what it will take.
+pub(crate) fn describe_with_sizes(problem: &Problem) -> String {
+    let mut out = describe(problem);
+    match expected(problem) {
+        None => {}
+        Some(Err(fault)) => out += &format!("\nno sizes: {}\n", fault.message),
+        Some(Ok(levels)) => {
+            out += "\n  degree  layers   cells  unknowns  contact points  memory MB  seconds, about\n";
+            for level in &levels {
+                let memory = level.memory_bytes as f64 / 1e6;
+                out += &format!("  {:>6}  {:>6}  {:>6}  {:>8}  ", level.degree, level.layers, level.cells, level.dofs);
+                out += &format!("{:>14}  {memory:>9.1}  about {:.2}\n", level.contact_points, level.about_seconds);
+            }
+            if levels.len() > 1 {
+                out += "the run climbs from row to row until its accuracy is reached; seconds are those up to there, with the proof\n";
+            }
+            if problem.plan.runs("evolution") {
+                out += "the steps in time come on top: how many it takes is not known before\n";
+            }
+        }
+    }
+    out
 }
 
 /// The plan in words.

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use crate::args::{Common, RunArgs};
-use crate::commands::check::{describe, plan_json};
+use crate::commands::check::{describe, describe_with_sizes, plan_json};
 use crate::commands::{print_json, print_out};
 use crate::document::Document;
 use crate::exit::Exit;
@@ -29,7 +29,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
         if common.json {
             print_json(&plan_json(&problem));
         } else {
-            print_out(&format!("{}\nwould write {}\n", describe(&problem), target.display()));
+            print_out(&format!("{}\nwould write {}\n", describe_with_sizes(&problem), target.display()));
         }
         return Ok(Exit::Done);
     }

@@ -1,6 +1,8 @@
 //! The bodies of a scene as finite element problems of one discretisation.
 
-use hpfem::{Body, BodyProblem, Direction, EdgeTraction, Kinematics, LoadCase, Material, Mesh, RigidEdge, SpaceKind, Support};
+use hpfem::{
+    Body, BodyProblem, Direction, EdgeTraction, Kinematics, LoadCase, Material, Mesh, RigidEdge, Sizes, SpaceKind, Support,
+};
 
 use crate::fault::Fault;
 use crate::fe::template::{AXIS, CONTACT, LOAD};
@@ -115,7 +117,16 @@ impl BodyParts {
 
     /// Assembles and reduces the body.
     pub(crate) fn reduce(&self, key: &str) -> Result<Body<'_>, Fault> {
-        Body::new(BodyProblem {
+        Body::new(self.problem()).map_err(|error| not_held(key, &error))
+    }
+
+    /// What the reduction takes.
+    pub(crate) fn sizes(&self, key: &str) -> Result<Sizes, Fault> {
+        Body::sizes(&self.problem()).map_err(|error| not_held(key, &error))
+    }
+
+    fn problem(&self) -> BodyProblem<'_> {
+        BodyProblem {
             mesh: &self.mesh,
             degrees: self.degrees.clone(),
             space: SpaceKind::Tensor,
@@ -125,12 +136,13 @@ impl BodyParts {
             rigid_edge: self.rigid_edge.clone(),
             load_cases: &self.load_cases,
             kept: Some(CONTACT),
-        })
-        .map_err(|error| {
-            let remedy = "hold it by supports so that only the load's own motions stay free";
-            Fault::at(format!("{key}.support"), "not-held", error.to_string(), remedy)
-        })
+        }
     }
+}
+
+fn not_held(key: &str, error: &hpfem::Error) -> Fault {
+    let remedy = "hold it by supports so that only the load's own motions stay free";
+    Fault::at(format!("{key}.support"), "not-held", error.to_string(), remedy)
 }
 
 /// The materials of a body, by the index that its cells have.

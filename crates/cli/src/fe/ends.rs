@@ -103,6 +103,12 @@ pub(super) fn solve(problem: &Problem, couple: &Couple, options: Options, soluti
     }
 }
 
+/// The bodies of a level with the trial ends of contact.
+pub(super) fn trial_parts(problem: &Problem, couple: &Couple, level: Level) -> Result<Parts, Fault> {
+    let setting = Setting::new(&problem.scene, couple);
+    setting.parts(level, &setting.trial()?, &mut Solution::default())
+}
+
 /// Both load steps on the bodies of one mesh.
 struct Steps {
     points: Vec<ContactPoint>,

@@ -2,7 +2,7 @@
 
 use crate::fault::Fault;
 use crate::freedom::edge_points;
-use crate::geometry::SurfaceShape;
+use crate::geometry::{Geometry, SurfaceShape};
 use crate::given::outside;
 use crate::scene::{Kinematics, LoadKind, Scene, Task};
 use crate::setup::bodies::{edge_names, known_edge};
@@ -80,6 +80,16 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) 
                 if !points.is_empty() && (from < ends.0 || to > ends.1) {
                     let message = format!("the loaded strip x = {from} to {to} leaves the edge, x = {} to {}", ends.0, ends.1);
                     return Err(Fault::at("load.width", "wrong-value", message, "give a narrower strip, or no width"));
+                }
+                let strips = match &body.geometry {
+                    Geometry::RingSegment(_) => edge == "outer",
+                    Geometry::Blocks(_) | Geometry::Mesh(_) => true,
+                    _ => false,
+                };
+                if !strips && [from, to] != [ends.0, ends.1] && tasks != [Task::Pressure] {
+                    let message = format!("this template carries loads on the whole of the edge `{edge}`, not on a strip of it");
+                    let remedy = "leave out `width`, or give body 1 by geometry.blocks (wearshape new lining-on-back)";
+                    return Err(Fault::at("load.width", "not-available", message, remedy));
                 }
             }
         }

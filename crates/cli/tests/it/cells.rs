@@ -244,3 +244,84 @@ fn points_curves_and_materials_that_no_cell_uses_are_listed() {
     }
     assert!(!unused.contains("points.a\"") && !unused.contains("body2.geometry"), "{unused}");
 }
+
+/// A rectangle of one cell with the edges of the template.
+fn rectangle(body: &str, [left, right]: [f64; 2], [low, high]: [f64; 2]) -> String {
+    format!(
+        r#"
+[{body}.geometry.blocks]
+points = {{ a = [{left}, {low}], b = [{right}, {low}], c = [{right}, {high}], d = [{left}, {high}] }}
+curves = {{ low.line = ["a", "b"], out.line = ["b", "c"], high.line = ["c", "d"], in.line = ["d", "a"] }}
+cells.all.curves = ["low", "out", "high", "in"]
+edges = {{ bottom = ["low"], right = ["out"], top = ["high"], left = ["in"] }}
+"#
+    )
+}
+
+#[test]
+fn an_annular_punch_of_blocks_is_shaped_and_twisted_as_one_of_templates() {
+    let bench = Bench::new();
+    let text = bench.call("new annular-punch").out;
+    let lines: Vec<&str> = text.lines().filter(|line| !line.contains(".geometry.rectangle")).collect();
+    assert_eq!(lines.len() + 2, text.lines().count());
+    let cells = [rectangle("body1", [20.0, 120.0], [50.0, 100.0]), rectangle("body2", [10.0, 140.0], [0.0, 50.0])];
+    bench.file("blocks.toml", &format!("{}\n{}", lines.join("\n"), cells.concat()));
+    for (name, most) in [("gap_um", 1e-6), ("uphi1_um", 1e-6), ("uphi2_um", 1e-6)] {
+        let of = |scene: &str| column(&bench, scene, "--set check=false --set accuracy=1e-7", name);
+        let error = difference(&of("blocks.toml"), &of("annular-punch"));
+        assert!(error < most, "{name}: {error}");
+    }
+    let moment = |scene: &str| {
+        assert_eq!(bench.call(&format!("run {scene} --set check=false -q -o m")).code, 0);
+        let summary: serde_json::Value = serde_json::from_str(&bench.read("m/summary.json")).unwrap();
+        summary["reactions"]["body2.bottom"]["moment_Nmm"].as_f64().unwrap()
+    };
+    approx::assert_relative_eq!(moment("blocks.toml"), moment("annular-punch"), max_relative = 1e-8);
+}
+
+#[test]
+fn a_strip_of_load_wears_a_ring_of_blocks_as_one_of_templates() {
+    let bench = Bench::new();
+    let head = HEAD.replace(
+        "load = { edge = \"top\", as = \"pressure\"",
+        "load = { edge = \"outer\", as = \"vertical\", width = 40, centre = 5",
+    );
+    let head = head.replace("wear = { ", "wear = { until = \"2 s\", ");
+    // Half of the chord is 100 mm on both arcs.
+    let (inner, outer) = (30000.0_f64.sqrt(), 38400.0_f64.sqrt());
+    let ring = format!(
+        r#"
+[body1.geometry.blocks]
+points = {{ a = [-100, {inner}], b = [100, {inner}], c = [100, {outer}], d = [-100, {outer}] }}
+curves = {{ low.arc = {{ ends = ["a", "b"] }}, right.line = ["b", "c"], high.arc = {{ ends = ["c", "d"] }}, left.line = ["d", "a"] }}
+cells.all.curves = ["low", "right", "high", "left"]
+edges = {{ inner = ["low"], right = ["right"], outer = ["high"], left = ["left"] }}
+"#
+    );
+    let template = "\nbody1.geometry.ring-segment = { inner = 200, outer = 220, x = [-100, 100] }\n";
+    bench.file("blocks.toml", &[head.as_str(), &ring, DRUM_TEMPLATE].concat());
+    bench.file("templates.toml", &[head.as_str(), template, DRUM_TEMPLATE].concat());
+    let wear = "--set tasks=[wear] --set accuracy=1e-4";
+    let gap = |scene: &str, more: &str| column(&bench, scene, &format!("{wear} {more}"), "gap_um");
+    let error = difference(&gap("blocks.toml", ""), &gap("templates.toml", ""));
+    assert!(error < 2e-4, "{error}");
+    // The strip matters, and its load stands 5 mm right of the middle: the supports carry its moment about the origin.
+    assert!(difference(&gap("blocks.toml", "--set load.width=80"), &gap("templates.toml", "")) > 1e-2);
+    let call = bench.call("run blocks.toml --set tasks=[wear] --set accuracy=1e-4 -q -o b");
+    assert_eq!(call.code, 0, "{}", call.err);
+    let summary: serde_json::Value = serde_json::from_str(&bench.read("b/summary.json")).unwrap();
+    let moments = summary["reactions"].as_object().unwrap().values().map(|r| r["moment_Nmm"].as_f64().unwrap());
+    approx::assert_relative_eq!(moments.sum::<f64>(), 5.0 * 10_000.0, max_relative = 1e-8);
+}
+
+#[test]
+fn a_strip_of_load_on_a_template_that_has_none_is_refused() {
+    let bench = Bench::new();
+    let strip = "--set load.as=vertical --set load.width=40";
+    for scene in ["drum-brake-block", "annular-punch"] {
+        let call = bench.call(&format!("check {scene} {strip} --set load.centre=60"));
+        assert_eq!(call.code, 2, "{scene}: {}", call.out);
+        assert!(call.err.contains("not on a strip") && call.err.contains("geometry.blocks"), "{}", call.err);
+    }
+    assert_eq!(bench.call(&format!("check drum-brake-block {strip} --set tasks=[pressure]")).code, 0);
+}

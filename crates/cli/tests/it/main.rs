@@ -8,6 +8,7 @@ mod call;
 mod cells;
 mod commands;
 mod counterfaces;
+mod expected;
 mod fields;
 mod folder;
 mod free_ends;

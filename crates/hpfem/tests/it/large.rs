@@ -101,3 +101,32 @@ fn one_thread_and_two_and_three_give_the_same_bits() {
         }
     }
 }
+
+#[test]
+fn sizes_before_a_reduction_are_those_of_the_reduction() {
+    let mesh = square(9);
+    let materials = steel();
+    let supports = [support("left", Direction::First), support("left", Direction::Second)];
+    for degree in [1, 5] {
+        let of = || problem(&mesh, degree, PLANE_STRESS, &materials, &supports, &[], Some("right"));
+        let (sizes, body) = (Body::sizes(&of()).unwrap(), Body::new(of()).unwrap());
+        assert_eq!((sizes.cells, sizes.unknowns, sizes.bytes), (body.effort.cells, body.effort.unknowns, body.effort.bytes));
+        assert_eq!(sizes.kept_unknowns, body.interface.stiffness.nrows());
+        assert_eq!(sizes.points, body.interface.trace.points.len());
+    }
+}
+
+/// One cell: its matrix takes p^5, its dense elimination p^6 multiplications. Many cells of one degree, dissected: n^3 on the separators.
+#[test]
+fn the_multiplications_of_a_reduction_grow_as_theory_has_it() {
+    let materials = steel();
+    let supports = [support("left", Direction::First), support("left", Direction::Second)];
+    let operations = |n: usize, degree: usize| {
+        let mesh = square(n);
+        Body::sizes(&problem(&mesh, degree, PLANE_STRESS, &materials, &supports, &[], None)).unwrap().operations
+    };
+    let by_degree = operations(1, 24) / operations(1, 12);
+    assert!((32.0..64.0).contains(&by_degree), "{by_degree}");
+    let by_cells = operations(80, 2) / operations(40, 2);
+    assert!((4.0..9.0).contains(&by_cells), "{by_cells}");
+}
