@@ -103,12 +103,6 @@ pub(super) fn solve(problem: &Problem, couple: &Couple, options: Options, soluti
     }
 }
 
-/// The bodies of a level with the trial ends of contact.
-pub(super) fn trial_parts(problem: &Problem, couple: &Couple, level: Level) -> Result<Parts, Fault> {
-    let setting = Setting::new(&problem.scene, couple);
-    setting.parts(level, &setting.trial()?, &mut Solution::default())
-}
-
 /// Both load steps on the bodies of one mesh.
 struct Steps {
     points: Vec<ContactPoint>,
@@ -117,7 +111,7 @@ struct Steps {
 }
 
 impl<'a> Setting<'a> {
-    fn new(scene: &'a Scene, couple: &'a Couple) -> Setting<'a> {
+    pub(super) fn new(scene: &'a Scene, couple: &'a Couple) -> Setting<'a> {
         let contact = scene.contact.as_ref().filter(|contact| contact.shear.unwrap_or(true));
         let friction = contact.and_then(|contact| contact.friction).unwrap_or(0.0);
         let shear = scene.load.as_ref().and_then(|load| load.shear_force).map_or(0.0, |force| force.0);
@@ -138,7 +132,7 @@ impl<'a> Setting<'a> {
     }
 
     /// Trial ends between half-planes or half-spaces (Johnson 1985, sec. 4.2, 7.2): of contact, and before it of stick.
-    fn trial(&self) -> Result<Vec<f64>, Fault> {
+    pub(super) fn trial(&self) -> Result<Vec<f64>, Fault> {
         let plane_stress = matches!(kinematics(self.scene), hpfem::Kinematics::PlaneStress { .. });
         let softness = |body: &Option<SceneBody>| {
             body.as_ref()

@@ -45,7 +45,10 @@ pub(crate) fn forecast(problem: &Problem) -> Result<Vec<Forecast>, Fault> {
     available(problem)?;
     let couple = half_disc::Couple::of(&problem.scene)?;
     let parts = |level: Level| match &couple {
-        Some(couple) => ends::trial_parts(problem, couple, level),
+        Some(couple) => {
+            let setting = ends::Setting::new(&problem.scene, couple);
+            setting.parts(level, &setting.trial()?, &mut Solution::default())
+        }
         None => Stage::new(problem)?.parts(level, Cut::Plain, &mut Solution::default()),
     };
     let (mut operations, start) = (0.0, Instant::now());
