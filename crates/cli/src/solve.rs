@@ -16,8 +16,8 @@ pub(crate) struct Options<'a> {
     pub(crate) sample: Option<Sampling<'a>>,
     /// Solves the scene's fixed discretisation alone, without the coarser ones that its error estimate needs.
     pub(crate) alone: bool,
-    /// Adds what errors of the shape do.
-    pub(crate) tolerance: bool,
+    /// Adds what the workshop needs of a shape: the finished surface, and what errors of it do.
+    pub(crate) machining: bool,
 }
 
 /// Points of a contact surface that the user chooses.

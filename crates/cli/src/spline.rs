@@ -20,7 +20,9 @@ pub(crate) struct Fit<const N: usize> {
 
 /// Equal intervals to begin with.
 const FIRST: usize = 32;
-/// Most halvings of an interval, and most knots: a curve with noise above the tolerance has no end of them.
+/// Most parts an interval is split into at once.
+const MOST_PARTS: f64 = 4.0;
+/// Most rounds of splitting, and most knots: a curve with noise above the tolerance has no end of them.
 const ROUNDS: usize = 40;
 const MOST: usize = 4096;
 /// Places in an interval where the spline is compared.
@@ -42,7 +44,7 @@ impl<const N: usize> Spline<N> {
         Spline { knots, pieces }
     }
 
-    /// The spline of a curve over a range, with intervals halved until no coordinate deviates by more than `tolerance`, or there are too
+    /// The spline of a curve over a range, with intervals split until no coordinate deviates by more than `tolerance`, or there are too
     /// many.
     pub(crate) fn fit(curve: impl Fn(f64) -> [f64; N], [from, to]: [f64; 2], tolerance: f64) -> Fit<N> {
         let mut knots: Vec<f64> =
@@ -57,9 +59,16 @@ impl<const N: usize> Spline<N> {
             if deviation <= tolerance || round > ROUNDS || knots.len() > MOST {
                 return Fit { spline, deviation };
             }
-            let halves = deviations.iter().enumerate().filter(|(_, d)| **d > tolerance);
-            let halves: Vec<f64> = halves.map(|(i, _)| 0.5 * (knots[i] + knots[i + 1])).collect();
-            knots.extend(halves);
+            // The deviation falls with the fourth power of the interval.
+            let parts = |deviation: f64| (deviation / tolerance).powf(0.25).ceil().clamp(2.0, MOST_PARTS) as usize;
+            let split = deviations.iter().enumerate().filter(|(_, deviation)| **deviation > tolerance);
+            let between: Vec<f64> = split
+                .flat_map(|(i, deviation)| {
+                    let (ends, parts) = ([knots[i], knots[i + 1]], parts(*deviation));
+                    (1..parts).map(move |k| ends[0] + (ends[1] - ends[0]) * k as f64 / parts as f64)
+                })
+                .collect();
+            knots.extend(between);
             knots.sort_by(f64::total_cmp);
         }
     }

@@ -151,7 +151,7 @@ fn solve_degree(scene: &str, settings: &[String], degree: usize, sampling: Sampl
     settings.push("check=false".into());
     let document = Document::open(scene, &settings)?;
     let problem = setup(&document)?;
-    let options = Options { sample: Some(sampling), alone: true, tolerance: false };
+    let options = Options { sample: Some(sampling), alone: true, machining: false };
     let solution = solve(&problem, options).map_err(|fault| document.locate(fault))?;
     let refused = solution.status == Status::Refused || solution.status == Status::Interrupted;
     let Some(profile) = solution.profile.as_ref().filter(|_| !refused) else {

@@ -119,7 +119,7 @@ pub(crate) fn options(common: &Common) -> Result<Options<'_>, Fault> {
             ..Fault::new("wrong-flag", format!("--sample {sample} is out of range"), "ask for 2 to 10000000 points")
         });
     }
-    Ok(Options { sample: common.sample.map(Sampling::Even), alone: false, tolerance: true })
+    Ok(Options { sample: common.sample.map(Sampling::Even), alone: false, machining: true })
 }
 
 /// Does the work on the number of threads asked for.

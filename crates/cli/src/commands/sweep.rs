@@ -37,7 +37,7 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
     let start = Instant::now();
     let common = &args.common;
     // Rows hold no lists.
-    let options = Options { tolerance: false, ..options(common)? };
+    let options = Options { machining: false, ..options(common)? };
     let grid = args.over.iter().map(|over| read_over(over)).collect::<Result<Vec<Over>, Fault>>()?;
     let count = grid.iter().map(|over| over.values.len()).try_fold(1usize, |n, m| n.checked_mul(m));
     let Some(count) = count.filter(|count| *count <= 10_000_000) else {

@@ -188,7 +188,7 @@ impl<'a> Shaper<'a> {
             rigid_mm: shape.rigid.first().copied(),
             roundtrip_same: None,
             roundtrip_independent: None,
-            tolerance: if options.tolerance { tolerance::of(self, reduced)? } else { Vec::new() },
+            tolerance: if options.machining { tolerance::of(self, reduced)? } else { Vec::new() },
         });
         solution.energy = Some(EnergyResult {
             body1_Nmm: Some(pair.shaped.strain_energy(&shape.shaped)),
@@ -197,7 +197,7 @@ impl<'a> Shaper<'a> {
         solution.reactions = reduced.reactions(states(shape));
         let points = options.sample.map_or_else(|| pair.points(), |sampling| stage.sample(&pair, sampling));
         let profile = self.profile(&pair, shape, &points);
-        solution.machined = Some(self.machined(&pair, shape));
+        solution.machined = options.machining.then(|| self.machined(&pair, shape));
         solution.profile = Some(profile);
         solution.curve = Some(self.profile(&pair, shape, &stage.sample(&pair, CURVE)));
         Ok(())
@@ -206,9 +206,10 @@ impl<'a> Shaper<'a> {
     /// The surface to machine into body 1.
     fn machined(&self, pair: &Pair<'_>, shape: &Shape) -> Machined {
         let (start, length) = (self.stage.start(pair), pair.shaped.trace.length());
+        let gap = GapCurve::of(shape, pair);
         let surface = |s: f64| {
             let point = pair.at_arc((s - start).clamp(0.0, length));
-            SurfacePoint { s, nominal: point.position, normal: point.normal, gap: shape.gap(pair, &point) }
+            SurfacePoint { s, nominal: point.position, normal: point.normal, gap: gap.at(point.arc) }
         };
         Machined::new(surface, [start, start + length])
     }
