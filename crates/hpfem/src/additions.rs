@@ -1,9 +1,8 @@
 //! What a body may have besides supports and edge tractions: pins, elastic foundations, body forces, tractions on parts of boundaries,
 //! displacements that vary along a support.
 
-use crate::assemble::{Assembly, BoundaryTraction, CellElement, boundary_point, points_for};
+use crate::assemble::{Assembly, BoundaryTraction, OwnElement, boundary_point, points_for};
 use crate::body::BodyProblem;
-use crate::elimination::Element;
 use crate::error::Error;
 use crate::legendre::shape_functions;
 use crate::material::Kinematics;
@@ -148,8 +147,8 @@ impl Additions<'_> {
 }
 
 impl Assembly<'_> {
-    /// The stiffness of a foundation on one edge, as an element of its own.
-    pub(crate) fn foundation(&self, edge: usize, foundation: &Foundation, rank: &[usize]) -> CellElement {
+    /// The stiffness of a foundation on one edge, as an element of its own on groups sorted by rank.
+    pub(crate) fn foundation(&self, edge: usize, foundation: &Foundation, groups: &[usize]) -> OwnElement {
         let own = &self.mesh.edges[edge];
         let components = self.space.components;
         let degree = self.space.edge_degree[edge];
@@ -178,33 +177,13 @@ impl Assembly<'_> {
             })
             .map(|(group, mode, c)| self.space.target(self.mesh, group, mode, c))
             .collect();
-        let groups = edge_groups(self.mesh, self.space, edge, rank);
-        let mut start = vec![0; groups.len() + 1];
-        for (i, g) in groups.iter().enumerate() {
-            start[i + 1] = start[i] + self.space.size[*g];
-        }
-        let slot = |group: usize| groups.iter().position(|g| *g == group).map(|i| start[i]);
-        let rows: Vec<Vec<(usize, f64)>> =
-            targets.iter().map(|t| t.active.iter().filter_map(|(g, i, c)| slot(*g).map(|s| (s + i, *c))).collect()).collect();
-        let size = start[groups.len()];
-        let mut matrix = vec![0.0; size * size];
-        for (j, row) in rows.iter().enumerate() {
-            for (tj, cj) in row {
-                for (i, other) in rows.iter().enumerate() {
-                    for (ti, ci) in other.iter().filter(|(ti, _)| ti >= tj) {
-                        matrix[tj * size + ti] += ci * cj * k[(i, j)];
-                    }
-                }
-            }
-        }
-        let mut rhs = Mat::zeros(size, self.columns);
-        let constant = self.supports(&targets, &rows, k.as_ref(), &[], &mut rhs);
-        CellElement { element: Element { groups, matrix, rhs }, constant, interior_work: None }
+        let (matrix, constant) = self.on_groups(k.as_ref(), &targets, groups, &[]);
+        OwnElement { matrix, constant, interior_work: None }
     }
 }
 
-/// Groups of an edge with unknowns, the rigid edge's included, sorted by rank.
-pub(crate) fn edge_groups(mesh: &Mesh, space: &Space, edge: usize, rank: &[usize]) -> Vec<usize> {
+/// Groups of an edge with unknowns, the rigid edge's included.
+pub(crate) fn edge_groups(mesh: &Mesh, space: &Space, edge: usize) -> Vec<usize> {
     let [a, b] = mesh.edges[edge].vertices;
     let mut groups = vec![a, b, mesh.vertices.len() + edge];
     if let Some((frame, _)) = &space.frame
@@ -213,6 +192,5 @@ pub(crate) fn edge_groups(mesh: &Mesh, space: &Space, edge: usize, rank: &[usize
         groups.push(*frame);
     }
     groups.retain(|g| space.size[*g] > 0);
-    groups.sort_by_key(|g| rank.get(*g).copied().unwrap_or(*g));
     groups
 }

@@ -1,17 +1,17 @@
 //! From cells to elements of the elimination: stiffness, condensed interior, loads, supports.
 
-use crate::additions::BodyForce;
-use crate::basis::{LocalModes, Table};
+use crate::additions::{Additions, BodyForce};
+use crate::basis::BoundaryModes;
+use crate::body::BodyProblem;
 use crate::cell_matrix::SharedMatrices;
+use crate::check::unit_of_stiffness;
 use crate::curve::Curve;
 use crate::element::Workspace;
-use crate::elimination::Element;
 use crate::error::Error;
-use crate::legendre::shape_functions;
 use crate::loads::EdgeLoad;
 use crate::material::{Kinematics, Material};
 use crate::mesh::Mesh;
-use crate::quadrature::{barycentric_weights, gauss, gauss_lobatto, lagrange};
+use crate::quadrature::gauss_lobatto;
 use crate::space::{Space, Target, rigid_rows};
 use crate::triangle_matrix::TriangleTable;
 use faer::linalg::matmul::matmul;
@@ -53,9 +53,8 @@ pub(crate) struct Assembly<'a> {
     pub(crate) materials: Vec<Material>,
     /// Stiffnesses and loads are divided by this power of two.
     pub(crate) unit: f64,
-    pub(crate) tables: Vec<Option<Arc<Table>>>,
     pub(crate) triangle_tables: Vec<Option<Arc<TriangleTable>>>,
-    /// Tractions by edge.
+    /// Tractions by edge; empty when no loads are needed.
     pub(crate) edge_loads: Vec<Vec<EdgeLoad<'a>>>,
     pub(crate) load_cases: &'a [LoadCase<'a>],
     /// Rigid rotation about the origin, modal coefficients of each group with prescribed parts, for the moments of reactions.
@@ -64,133 +63,184 @@ pub(crate) struct Assembly<'a> {
     pub(crate) columns: usize,
 }
 
-/// Result of assembling one cell.
-pub(crate) struct CellElement {
-    pub(crate) element: Element,
-    /// Parts of the reactions that do not depend on active unknowns, `reactions x columns`.
-    pub(crate) constant: Mat<f64>,
+/// An element of the elimination that has loads or supports, or is a foundation.
+pub(crate) struct OwnElement {
+    /// Lower triangle on the element's groups, columns one after the other.
+    pub(crate) matrix: Vec<f64>,
+    /// Parts of the reactions that do not depend on active unknowns, `reactions x columns`; `None` without prescribed parts.
+    pub(crate) constant: Option<Mat<f64>>,
     /// Work of body forces on the interior they displace, by load cases.
     pub(crate) interior_work: Option<Mat<f64>>,
 }
+
+/// Loads of a cell: `((local boundary unknown, column), value)`.
+pub(crate) type CellLoad = [((usize, usize), f64)];
 
 /// Number of Gauss points a direction for a cell of the given degree; curved maps need a little more than `degree + 1`.
 pub(crate) fn points_for(degree: usize) -> usize {
     degree + 2
 }
 
+impl<'a> Assembly<'a> {
+    pub(crate) fn new(
+        problem: &'a BodyProblem<'_>,
+        space: &'a Space,
+        additions: &Additions<'_>,
+        edge_loads: Vec<Vec<EdgeLoad<'a>>>,
+    ) -> Assembly<'a> {
+        let mesh = problem.mesh;
+        let unit = unit_of_stiffness(problem);
+        let highest = space.cell_degree.iter().copied().max().unwrap_or(0);
+        let mut triangle_tables: Vec<Option<Arc<TriangleTable>>> = vec![None; highest + 1];
+        for (cell, degree) in mesh.cells.iter().zip(&space.cell_degree) {
+            let points = points_for(*degree);
+            if cell.is_triangle() {
+                triangle_tables[*degree].get_or_insert_with(|| Arc::new(TriangleTable::new(*degree, points)));
+            }
+        }
+        let mut rotation = vec![Vec::new(); space.freedom.len()];
+        for (g, freedom) in space.freedom.iter().enumerate() {
+            if freedom.fixed.iter().all(Option::is_none) {
+                continue;
+            }
+            rotation[g] = match g.checked_sub(mesh.vertices.len()) {
+                None => vec![rotation_about_origin(mesh.vertices[g])],
+                Some(e) => edge_modes(&mesh.edges[e].curve, space.edge_degree[e], rotation_about_origin),
+            };
+        }
+        Assembly {
+            mesh,
+            space,
+            kinematics: problem.kinematics,
+            materials: problem.materials.iter().map(|m| m.scaled(1.0 / unit)).collect(),
+            unit,
+            triangle_tables,
+            edge_loads,
+            load_cases: problem.load_cases,
+            rotation,
+            columns: problem.load_cases.len() + 1 + 3 * (problem.supports.len() + additions.pins.len()),
+        }
+    }
+}
+
 impl Assembly<'_> {
-    /// The cell's element on its active groups.
-    pub(crate) fn cell(
+    /// The cell's element on its groups, sorted by rank; `None` if it is that of its class: without loads, and with unknowns that are
+    /// neither prescribed nor turned nor tied to a rigid edge.
+    pub(crate) fn own_element(
         &self,
         cell: usize,
-        rank: &[usize],
+        groups: &[usize],
         shared: &SharedMatrices,
         forces: &[BodyForce<'_>],
         work: &mut Workspace,
-    ) -> Result<CellElement, Error> {
-        let space = self.space;
-        let local = space.local_modes(self.mesh, cell);
-        let mut load = self.cell_loads(cell, &local);
+    ) -> Result<Option<OwnElement>, Error> {
+        let c = &self.mesh.cells[cell];
+        let plain = |g: usize| self.space.freedom[g].is_plain();
+        let all_plain = c.corners.iter().all(|v| plain(*v)) && c.sides().all(|(_, e)| plain(self.mesh.vertices.len() + e));
+        if all_plain && groups.last() != Some(&self.columns_group()) {
+            return Ok(None);
+        }
+        let modes = self.space.boundary_modes(self.mesh, cell);
+        let mut load = self.cell_loads(cell, &modes);
         let mut interior_work = None;
         if !forces.is_empty() {
             let body = self.body_load(cell, forces, work)?;
             load.extend(body.boundary);
             interior_work = Some(body.work);
         }
-        let groups = space.cell_groups(self.mesh, cell, rank);
-        let mut start = vec![0; groups.len() + 1];
-        for (i, g) in groups.iter().enumerate() {
-            start[i + 1] = start[i] + space.size[*g];
-        }
-        let n = start[groups.len()];
-        let mut rhs = Mat::zeros(n, self.columns);
-        if let Some(order) = self.plain_order(cell, &local, &groups) {
-            let matrix = self.boundary_matrix(cell, &local, &order, shared, work)?;
-            if !load.is_empty() {
-                let mut place = vec![0; order.len()];
-                order.iter().enumerate().for_each(|(i, mode)| place[*mode] = i);
-                let components = space.components;
-                for ((row, column), value) in &load {
-                    rhs[(components * place[row / components] + row % components, *column)] += value;
-                }
-            }
-            let constant = Mat::zeros(self.columns - self.load_cases.len() - 1, self.columns);
-            return Ok(CellElement { element: Element { groups, matrix, rhs }, constant, interior_work });
-        }
-        let order: Vec<usize> = (0..local.modes - local.interior).collect();
-        let mut s = self.boundary_matrix(cell, &local, &order, shared, work)?;
-        let size = space.components * order.len();
+        let mut s = Vec::new();
+        self.boundary_matrix(cell, &(0..modes.len()).collect::<Vec<_>>(), shared, &mut s);
+        let size = self.space.components * modes.len();
         for j in 0..size {
             for i in j + 1..size {
                 s[i * size + j] = s[j * size + i];
             }
         }
         let s = MatRef::from_column_major_slice(&s, size, size);
-        let slot = |group: usize| groups.iter().position(|g| *g == group).map(|i| start[i]);
+        let (matrix, constant) = self.on_groups(s, &self.targets(cell, &modes), groups, &load);
+        Ok(Some(OwnElement { matrix, constant, interior_work }))
+    }
+
+    /// The group of the right-hand sides, which follows those of the space.
+    pub(crate) fn columns_group(&self) -> usize {
+        self.space.size.len()
+    }
+
+    /// The lower triangle of a matrix of local unknowns on the active unknowns of the groups, with the right-hand sides as last rows if the
+    /// groups end with theirs, and the constant parts of the reactions.
+    pub(crate) fn on_groups(
+        &self,
+        s: MatRef<'_, f64>,
+        targets: &[Target],
+        groups: &[usize],
+        load: &CellLoad,
+    ) -> (Vec<f64>, Option<Mat<f64>>) {
+        let has_columns = groups.last() == Some(&self.columns_group());
+        let groups = &groups[..groups.len() - usize::from(has_columns)];
+        let mut start = vec![0; groups.len() + 1];
+        for (i, g) in groups.iter().enumerate() {
+            start[i + 1] = start[i] + self.space.size[*g];
+        }
+        let active = start[groups.len()];
+        let n = active + if has_columns { self.columns } else { 0 };
         let mut matrix = vec![0.0; n * n];
+        let slot = |group: usize| groups.iter().position(|g| *g == group).map(|i| start[i]);
         // Rows of the transformation from active unknowns to local ones.
-        let targets = self.targets(cell, &local);
-        let active = |t: &Target| t.active.iter().filter_map(|(g, i, c)| slot(*g).map(|s| (s + i, *c))).collect();
-        let rows: Vec<Vec<(usize, f64)>> = targets.iter().map(active).collect();
-        for (j, row) in rows.iter().enumerate() {
-            for (tj, cj) in row {
-                for (i, row) in rows.iter().enumerate() {
-                    for (ti, ci) in row.iter().filter(|(ti, _)| ti >= tj) {
-                        matrix[tj * n + ti] += ci * cj * s[(i, j)];
+        let row = |t: &Target| t.active.iter().filter_map(|(g, i, c)| slot(*g).map(|s| (s + i, *c))).collect();
+        let rows: Vec<Vec<(usize, f64)>> = targets.iter().map(row).collect();
+        let alone = |row: &[(usize, f64)]| row.is_empty() || matches!(row, [(_, 1.0)]);
+        if rows.iter().all(|row| alone(row)) {
+            // Every active unknown is one local one.
+            let mut local = vec![0; active];
+            rows.iter().enumerate().for_each(|(i, row)| row.iter().for_each(|(t, _)| local[*t] = i));
+            for (j, from) in local.iter().enumerate() {
+                let column = s.col(*from);
+                matrix[j * n + j..j * n + active].iter_mut().zip(&local[j..]).for_each(|(m, i)| *m = column[*i]);
+            }
+        } else {
+            for (j, row) in rows.iter().enumerate() {
+                for (tj, cj) in row {
+                    for (i, row) in rows.iter().enumerate() {
+                        for (ti, ci) in row.iter().filter(|(ti, _)| ti >= tj) {
+                            matrix[tj * n + ti] += ci * cj * s[(i, j)];
+                        }
                     }
                 }
             }
         }
-        for ((row, column), value) in &load {
-            for (t, c) in &rows[*row] {
-                rhs[(*t, *column)] += c * value;
-            }
+        if !has_columns {
+            return (matrix, None);
         }
-        let constant = self.supports(&targets, &rows, s, &load, &mut rhs);
-        Ok(CellElement { element: Element { groups, matrix, rhs }, constant, interior_work })
-    }
-
-    /// The cell's boundary modes in the order of its groups, if no component of any is prescribed, turned or tied to a rigid edge.
-    fn plain_order(&self, cell: usize, local: &LocalModes, groups: &[usize]) -> Option<Vec<usize>> {
-        let c = &self.mesh.cells[cell];
-        let vertices = self.mesh.vertices.len();
-        let freedom = &self.space.freedom;
-        let plain = |g: usize| freedom[g].is_plain();
-        if !(c.corners.iter().all(|v| plain(*v)) && c.sides().all(|(_, e)| plain(vertices + e))) {
-            return None;
+        let mut rhs = Mat::zeros(active, self.columns);
+        for ((row, column), value) in load {
+            rows[*row].iter().for_each(|(t, c)| rhs[(*t, *column)] += c * value);
         }
-        let mut order = Vec::with_capacity(local.modes - local.interior);
-        for g in groups {
-            match g.checked_sub(vertices) {
-                None => order.push(c.corners.iter().position(|v| v == g)?),
-                Some(edge) => {
-                    let e = c.edges.iter().position(|e| *e == Some(edge))?;
-                    order.extend(local.edge_start[e] - local.interior..local.edge_start[e + 1] - local.interior);
-                }
-            }
+        let constant = self.supports(targets, &rows, s, load, &mut rhs);
+        for i in 0..active {
+            (0..self.columns).for_each(|k| matrix[i * n + active + k] = rhs[(i, k)]);
         }
-        Some(order)
+        (matrix, constant)
     }
 
     /// Adds the columns of prescribed displacements and reactions; returns the constant parts of the reactions.
-    pub(crate) fn supports(
+    fn supports(
         &self,
         targets: &[Target],
         rows: &[Vec<(usize, f64)>],
         s: MatRef<'_, f64>,
-        load: &[((usize, usize), f64)],
+        load: &CellLoad,
         rhs: &mut Mat<f64>,
-    ) -> Mat<f64> {
+    ) -> Option<Mat<f64>> {
         let prescribed_column = self.load_cases.len();
         let reactions = self.columns - prescribed_column - 1;
-        let mut constant = Mat::zeros(reactions, self.columns);
         if targets.iter().all(|t| t.fixed.is_empty()) {
-            return constant;
+            return None;
         }
+        let mut constant = Mat::zeros(reactions, self.columns);
         let nb = targets.len();
         let prescribed: Vec<f64> = targets.iter().map(|t| t.fixed.iter().map(|f| f.share * f.value).sum()).collect();
         // Virtual displacements of the local unknowns, one vector a reaction.
-        let mut virtual_motion = vec![vec![0.0; nb]; reactions];
+        let mut virtual_motion = vec![Vec::new(); reactions];
         for (i, target) in targets.iter().enumerate() {
             for fixed in &target.fixed {
                 let vertex = fixed.group < self.mesh.vertices.len();
@@ -198,7 +248,8 @@ impl Assembly<'_> {
                 let rotation = self.rotation[fixed.group].get(fixed.mode).copied().unwrap_or_default();
                 for (k, motion) in [[unit, 0.0], [0.0, unit], rotation].iter().enumerate() {
                     let along = fixed.axis[0] * motion[0] + fixed.axis[1] * motion[1];
-                    if let Some(v) = virtual_motion.get_mut(3 * fixed.support + k) {
+                    if let Some(v) = virtual_motion.get_mut(3 * fixed.support + k).filter(|_| along != 0.0) {
+                        v.resize(nb, 0.0);
                         v[i] += fixed.share * along;
                     }
                 }
@@ -206,45 +257,39 @@ impl Assembly<'_> {
         }
         let times = |v: &[f64]| -> Vec<f64> {
             let mut out = vec![0.0; nb];
-            for j in (0..nb).filter(|j| v[*j] != 0.0) {
-                for (i, o) in out.iter_mut().enumerate() {
-                    *o += s[(i, j)] * v[j];
-                }
+            for (j, factor) in v.iter().enumerate().filter(|(_, factor)| **factor != 0.0) {
+                let column = s.col(j);
+                out.iter_mut().zip(column.iter()).for_each(|(o, s)| *o += s * factor);
             }
             out
         };
         let of_prescribed = times(&prescribed);
-        for (row, value) in rows.iter().zip(&of_prescribed) {
-            for (t, c) in row {
-                rhs[(*t, prescribed_column)] -= c * value;
+        let mut add = |column: usize, sign: f64, forces: &[f64]| {
+            for (row, value) in rows.iter().zip(forces) {
+                row.iter().for_each(|(t, c)| rhs[(*t, column)] += sign * c * value);
             }
-        }
-        for (r, motion) in virtual_motion.iter().enumerate() {
-            let column = prescribed_column + 1 + r;
-            for (row, value) in rows.iter().zip(times(motion)) {
-                for (t, c) in row {
-                    rhs[(*t, column)] += c * value;
-                }
-            }
+        };
+        add(prescribed_column, -1.0, &of_prescribed);
+        for (r, motion) in virtual_motion.iter().enumerate().filter(|(_, motion)| !motion.is_empty()) {
+            add(prescribed_column + 1 + r, 1.0, &times(motion));
             constant[(r, prescribed_column)] += motion.iter().zip(&of_prescribed).map(|(a, b)| a * b).sum::<f64>();
             for ((row, column), value) in load {
                 constant[(r, *column)] -= motion[*row] * value;
             }
         }
-        constant
+        Some(constant)
     }
 
     /// Targets of the cell's local boundary unknowns, components fastest.
-    pub(crate) fn targets(&self, cell: usize, local: &LocalModes) -> Vec<Target> {
+    pub(crate) fn targets(&self, cell: usize, modes: &BoundaryModes) -> Vec<Target> {
         let c = &self.mesh.cells[cell];
-        let mut targets = Vec::new();
+        let mut targets = Vec::with_capacity(self.space.components * modes.len());
         let mut push = |group, mode| {
             (0..self.space.components).for_each(|k| targets.push(self.space.target(self.mesh, group, mode, k)));
         };
         c.vertices().iter().for_each(|v| push(*v, 0));
         for (local_edge, edge) in c.sides() {
-            let modes = local.edge_start[local_edge + 1] - local.edge_start[local_edge];
-            (0..modes).for_each(|m| push(self.mesh.vertices.len() + edge, m));
+            (0..modes.edge(local_edge).len()).for_each(|m| push(self.mesh.vertices.len() + edge, m));
         }
         targets
     }
@@ -283,23 +328,21 @@ pub(crate) fn edge_modes(curve: &Curve, degree: usize, field: impl Fn([f64; 2]) 
     if degree < 2 {
         return Vec::new();
     }
-    let nodes = gauss_lobatto(degree + 1).points;
-    let barycentric = barycentric_weights(&nodes);
-    let values: Vec<[f64; 2]> = nodes.iter().map(|t| field(curve.point(*t))).collect();
-    // The N_k' are orthonormal, so the coefficient of N_k is int f' N_k'. The rule has no point in common with the nodes.
-    let rule = gauss(degree + 2);
+    // With y = f - linear part, which vanishes at the ends, c_k = int y' N_k' = -sqrt((2k-1)/2) int y P_{k-1}', and the rule is exact for it.
+    let rule = gauss_lobatto(degree + 1);
+    let [first, last] = [-1.0, 1.0].map(|t| field(curve.point(t)));
     let mut modes = vec![[0.0; 2]; degree - 1];
-    for (t, w) in rule.points.iter().zip(&rule.weights) {
-        let here = lagrange(&nodes, &barycentric, *t);
-        let terms: Vec<f64> = nodes.iter().zip(&barycentric).map(|(x, b)| b / (t - x)).collect();
-        let total: f64 = terms.iter().sum();
-        let slope: [f64; 2] = std::array::from_fn(|k| {
-            let f: f64 = here.iter().zip(&values).map(|(l, v)| l * v[k]).sum();
-            (0..nodes.len()).map(|i| terms[i] * (f - values[i][k]) / (t - nodes[i])).sum::<f64>() / total
-        });
-        for (mode, shape) in modes.iter_mut().zip(&shape_functions(degree, *t).1[2..]) {
-            mode[0] += w * shape * slope[0];
-            mode[1] += w * shape * slope[1];
+    for (t, w) in rule.points[1..degree].iter().zip(&rule.weights[1..]) {
+        let value = field(curve.point(*t));
+        let y: [f64; 2] = std::array::from_fn(|i| w * (value[i] - 0.5 * ((1.0 - t) * first[i] + (1.0 + t) * last[i])));
+        // P_{k-2}, P_{k-1} and the slopes P_{k-3}', P_{k-2}': P_j' = P_{j-2}' + (2j - 1) P_{j-1}.
+        let (mut p, mut slope) = ([1.0, *t], [0.0, 1.0]);
+        for (k, mode) in (2..).zip(&mut modes) {
+            let factor = -(0.5 * (2 * k - 1) as f64).sqrt() * slope[1];
+            mode[0] += factor * y[0];
+            mode[1] += factor * y[1];
+            slope = [slope[1], slope[0] + (2 * k - 1) as f64 * p[1]];
+            p = [p[1], ((2 * k - 1) as f64 * t * p[1] - (k - 1) as f64 * p[0]) / k as f64];
         }
     }
     modes

@@ -1,8 +1,11 @@
 //! Tables of the one-dimensional shape functions that the element matrices are made of, and the local order of modes.
 
+use crate::assemble::points_for;
 use crate::legendre::shape_functions;
 use crate::quadrature::{Quadrature, gauss};
+use crate::space::MAX_DEGREE;
 use faer::Mat;
+use std::sync::OnceLock;
 
 /// Shape functions of one degree at the points of one Gauss rule, and all their pairwise products.
 ///
@@ -21,8 +24,16 @@ pub(crate) struct Table {
     pub(crate) lower: [Mat<f64>; 4],
 }
 
+/// Tables by degree, made when first asked for.
+static TABLES: [OnceLock<Table>; MAX_DEGREE + 1] = [const { OnceLock::new() }; MAX_DEGREE + 1];
+
 impl Table {
-    pub(crate) fn new(degree: usize, points: usize) -> Table {
+    /// The table of a degree, `1..=`[`MAX_DEGREE`], at the points that its cells take.
+    pub(crate) fn of(degree: usize) -> &'static Table {
+        TABLES[degree].get_or_init(|| Table::new(degree, points_for(degree)))
+    }
+
+    fn new(degree: usize, points: usize) -> Table {
         let rule = gauss(points);
         let n = degree + 1;
         let order: Vec<usize> = (2..n).chain([0, 1]).collect();
@@ -88,10 +99,33 @@ pub(crate) struct LocalModes {
     pub(crate) interior: usize,
     /// Number of scalar modes.
     pub(crate) modes: usize,
+}
+
+/// Boundary modes of a cell: the corners, then the modes of edges 0..4.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct BoundaryModes {
     /// Number of corners.
     pub(crate) corners: usize,
-    /// First scalar position of each edge's modes; `[4]` is the end.
-    pub(crate) edge_start: [usize; 5],
+    /// First mode of each edge; `[4]` is the number of all.
+    start: [usize; 5],
+}
+
+impl BoundaryModes {
+    /// Modes of a cell with so many corners and edges of the given degrees.
+    pub(crate) fn new(corners: usize, edges: [usize; 4]) -> BoundaryModes {
+        let mut start = [corners; 5];
+        (0..4).for_each(|e| start[e + 1] = start[e] + edges[e] - 1);
+        BoundaryModes { corners, start }
+    }
+
+    pub(crate) fn len(&self) -> usize {
+        self.start[4]
+    }
+
+    /// Modes of an edge.
+    pub(crate) fn edge(&self, edge: usize) -> std::ops::Range<usize> {
+        self.start[edge]..self.start[edge + 1]
+    }
 }
 
 impl LocalModes {
@@ -110,17 +144,14 @@ impl LocalModes {
                 }
             }
         }
-        let mut edge_start = [interior + 4; 5];
-        for e in 0..4 {
-            edge_start[e + 1] = edge_start[e] + edges[e] - 1;
-        }
+        let boundary = BoundaryModes::new(4, edges);
         for j in 0..n {
             for i in 0..n {
                 match place(i, j) {
                     Place::Interior => {}
                     Place::Corner(c) => position[i + n * j] = interior + c,
                     Place::Edge(e, k) if k <= edges[e] => {
-                        position[i + n * j] = edge_start[e] + k - 2;
+                        position[i + n * j] = interior + boundary.edge(e).start + k - 2;
                         if against[e] && k % 2 == 1 {
                             sign[i + n * j] = -1.0;
                         }
@@ -129,7 +160,7 @@ impl LocalModes {
                 }
             }
         }
-        LocalModes { position, sign, interior, modes: edge_start[4], corners: 4, edge_start }
+        LocalModes { position, sign, interior, modes: interior + boundary.len() }
     }
 
     /// Modes of a triangle, whose edge 2 does not exist.
@@ -137,15 +168,13 @@ impl LocalModes {
         let interior = (degree - 1) * degree.saturating_sub(2) / 2;
         let mut position: Vec<usize> = (0..interior + 3).collect();
         let mut sign = vec![1.0; interior + 3];
-        let mut edge_start = [interior + 3; 5];
+        let boundary = BoundaryModes::new(3, edges);
         for e in 0..4 {
-            let modes = if e == 2 { 0 } else { edges[e] - 1 };
-            edge_start[e + 1] = edge_start[e] + modes;
             for k in 2..=if e == 2 { 1 } else { degree } {
-                position.push(if k <= edges[e] { edge_start[e] + k - 2 } else { usize::MAX });
+                position.push(if k <= edges[e] { interior + boundary.edge(e).start + k - 2 } else { usize::MAX });
                 sign.push(if against[e] && k % 2 == 1 { -1.0 } else { 1.0 });
             }
         }
-        LocalModes { position, sign, interior, modes: edge_start[4], corners: 3, edge_start }
+        LocalModes { position, sign, interior, modes: interior + boundary.len() }
     }
 }

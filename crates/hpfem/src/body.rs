@@ -1,15 +1,12 @@
 //! A body: mesh, material, supports and loads, reduced to its kept boundary.
 
 use crate::additions::Additions;
-use crate::assemble::{Assembly, LoadCase, edge_modes, points_for, rotation_about_origin};
-use crate::basis::Table;
-use crate::cell_matrix::map_cells;
-use crate::check::unit_of_stiffness;
+use crate::assemble::{Assembly, LoadCase};
+use crate::cell_matrix::{Elements, map_cells};
 use crate::elimination::{Condensed, not_held};
 use crate::error::Error;
 use crate::field::Field;
 use crate::interface::{InterfaceOperator, InterfaceState};
-use crate::loads::edge_loads;
 use crate::material::{Kinematics, Material};
 use crate::mesh::Mesh;
 use crate::plan::MEMORY_LIMIT;
@@ -17,9 +14,7 @@ use crate::rigid::{free_motions, rigid_columns};
 use crate::sizes::{Ordered, whole_size};
 use crate::space::{RigidEdge, Space, SpaceKind, Support};
 use crate::trace::{Trace, TraceLoad};
-use crate::triangle_matrix::TriangleTable;
 use faer::Mat;
-use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 /// The problem of one body.
@@ -88,32 +83,41 @@ impl<'a> Body<'a> {
     /// As for [`Body::new`]; pins, load cases or boundaries that do not exist, negative foundations.
     pub fn with(problem: BodyProblem<'a>, additions: Additions<'a>) -> Result<Body<'a>, Error> {
         let start = Instant::now();
-        let Ordered { space, walk, kept_groups, plan, bytes } = Ordered::new(&problem, &additions)?;
-        let (mesh, supports) = (problem.mesh, problem.supports);
-        let foundations = additions.foundation_edges(mesh)?;
-        if bytes > MEMORY_LIMIT {
-            return Err(Error::TooLarge { unknowns: space.size.iter().sum(), bytes, limit: MEMORY_LIMIT });
+        let ordered = Ordered::new(&problem, &additions)?;
+        let mesh = problem.mesh;
+        if ordered.bytes > MEMORY_LIMIT {
+            let unknowns = ordered.space.size.iter().sum();
+            return Err(Error::TooLarge { unknowns, bytes: ordered.bytes, limit: MEMORY_LIMIT });
         }
-        let ordered = start.elapsed();
-        let assembly = assembly(&problem, &space, &additions)?;
+        let after_order = start.elapsed();
+        let Ordered { space, walk, edge_loads, foundations, congruence, groups, size, kept, plan, bytes } = ordered;
+        let assembly = Assembly::new(&problem, &space, &additions, edge_loads);
         let (columns, unit) = (assembly.columns, assembly.unit);
-        let shared = assembly.shared_matrices()?;
-        let results = map_cells(mesh.cells.len(), |work, c| assembly.cell(c, &plan.rank, &shared, &additions.body_forces, work));
-        let mut elements = Vec::with_capacity(mesh.cells.len());
-        let mut reaction_constant = Mat::zeros(3 * (supports.len() + additions.pins.len()), columns);
+        let shared = assembly.shared_matrices(congruence)?;
+        let forces = &additions.body_forces;
+        let results = map_cells(mesh.cells.len(), |work, c| assembly.own_element(c, &groups[c], &shared, forces, work));
+        let on_foundations = foundations.iter().zip(&groups[mesh.cells.len()..]);
+        let on_foundations = on_foundations.map(|((e, f), groups)| Ok(Some(assembly.foundation(*e, f, groups))));
+        let mut own = Vec::with_capacity(groups.len());
+        let mut reaction_constant = Mat::zeros(3 * (problem.supports.len() + additions.pins.len()), columns);
         let mut interior_work = Mat::<f64>::zeros(columns, columns);
-        let on_foundations = foundations.iter().map(|(e, f)| Ok(assembly.foundation(*e, f, &plan.rank)));
         for result in results.into_iter().chain(on_foundations) {
-            let cell = result?;
-            if let Some(work) = cell.interior_work {
+            let Some(element) = result? else {
+                own.push(None);
+                continue;
+            };
+            if let Some(work) = element.interior_work {
                 let mut part = interior_work.as_mut().submatrix_mut(0, 0, work.nrows(), work.ncols());
                 part += &work;
             }
-            reaction_constant += &cell.constant;
-            elements.push(cell.element);
+            if let Some(constant) = element.constant {
+                reaction_constant += &constant;
+            }
+            own.push(Some(element.matrix));
         }
         let assembled = start.elapsed();
-        let mut condensed = plan.run(elements, &space.size, &kept_groups, columns).map_err(|g| not_held(place(mesh, g)))?;
+        let mut elements = Elements::new(&assembly, &groups, shared, own);
+        let mut condensed = plan.run(&mut elements, &size, &kept).map_err(|g| not_held(place(mesh, g)))?;
         condensed.work += &interior_work;
         let finite = |m: &Mat<f64>| m.col_iter().all(|c| c.iter().all(|v| v.is_finite()));
         if !(finite(&condensed.rhs) && finite(&condensed.work)) {
@@ -121,6 +125,7 @@ impl<'a> Body<'a> {
             return Err(Error::OutOfRange { quantity, value: f64::NAN, range: "finite" });
         }
         let factored = start.elapsed();
+        let kept_groups = kept[..kept.len() - 1].to_vec();
         let mut offsets = vec![None; space.size.len()];
         let mut unknowns = 0;
         for g in &kept_groups {
@@ -130,16 +135,6 @@ impl<'a> Body<'a> {
         let trace = Trace::new(mesh, &space, problem.kinematics, &walk, |g| offsets[g], unknowns);
         let rigid_motions = free_motions(mesh, &space, problem.kinematics, &additions.held(mesh)?);
         let rigid_modes = rigid_columns(mesh, &space, &kept_groups, &rigid_motions, unknowns, problem.kinematics);
-        let mut frame = [None; 3];
-        if let Some((group, rigid)) = &space.frame {
-            let mut next = offsets[*group];
-            for (k, slot) in frame.iter_mut().enumerate() {
-                if rigid.free[k] {
-                    *slot = next;
-                    next = next.map(|n| n + 1);
-                }
-            }
-        }
         let interface = InterfaceOperator {
             kinematics: problem.kinematics,
             trace,
@@ -149,16 +144,17 @@ impl<'a> Body<'a> {
             rigid_modes,
             rigid_motions,
             load_cases: problem.load_cases.len(),
-            frame,
+            frame: frame_unknowns(&space, &offsets),
             reaction_constant: faer::Scale(unit) * reaction_constant,
         };
         let effort = Effort {
             cells: mesh.cells.len(),
             unknowns: whole_size(mesh, &space),
             bytes,
-            assemble: assembled - ordered,
-            factor: ordered + factored - assembled,
+            assemble: assembled - after_order,
+            factor: after_order + factored - assembled,
         };
+        drop(groups);
         Ok(Body { interface, effort, problem, additions, space, condensed, kept_groups })
     }
 
@@ -189,13 +185,16 @@ impl<'a> Body<'a> {
             values[*g] = state.unknowns[at..at + self.space.size[*g]].to_vec();
             at += self.space.size[*g];
         }
-        self.condensed.back_substitute(&mut values, &self.space.size, &state.factors);
-        let assembly = assembly(&self.problem, &self.space, &self.additions)?;
+        let mut size = self.space.size.clone();
+        size.push(state.factors.len());
+        values.push(state.factors.iter().map(|f| -f).collect());
+        self.condensed.back_substitute(&mut values, &size);
+        let assembly = Assembly::new(&self.problem, &self.space, &self.additions, Vec::new());
         let mesh = self.problem.mesh;
         let coefficients = map_cells(mesh.cells.len(), |work, c| {
             let local = self.space.local_modes(mesh, c);
             let boundary: Vec<f64> = assembly
-                .targets(c, &local)
+                .targets(c, &self.space.boundary_modes(mesh, c))
                 .iter()
                 .map(|t| {
                     let active: f64 = t.active.iter().map(|(g, i, c)| c * values[*g][*i]).sum();
@@ -217,43 +216,17 @@ impl<'a> Body<'a> {
     }
 }
 
-fn assembly<'b>(problem: &'b BodyProblem<'_>, space: &'b Space, additions: &'b Additions<'_>) -> Result<Assembly<'b>, Error> {
-    let mesh = problem.mesh;
-    let unit = unit_of_stiffness(problem);
-    let highest = space.cell_degree.iter().copied().max().unwrap_or(0);
-    let mut tables = vec![None; highest + 1];
-    let mut triangle_tables: Vec<Option<Arc<TriangleTable>>> = vec![None; highest + 1];
-    for (cell, degree) in mesh.cells.iter().zip(&space.cell_degree) {
-        let points = points_for(*degree);
-        if cell.is_triangle() {
-            triangle_tables[*degree].get_or_insert_with(|| Arc::new(TriangleTable::new(*degree, points)));
-        } else {
-            tables[*degree].get_or_insert_with(|| Arc::new(Table::new(*degree, points)));
+/// Kept unknowns of the free motions of the rigid edge.
+fn frame_unknowns(space: &Space, offsets: &[Option<usize>]) -> [Option<usize>; 3] {
+    let mut frame = [None; 3];
+    if let Some((group, rigid)) = &space.frame {
+        let mut next = offsets[*group];
+        for (slot, _) in frame.iter_mut().zip(rigid.free).filter(|(_, free)| *free) {
+            *slot = next;
+            next = next.map(|n| n + 1);
         }
     }
-    let mut rotation = vec![Vec::new(); space.freedom.len()];
-    for (g, freedom) in space.freedom.iter().enumerate() {
-        if freedom.fixed.iter().all(Option::is_none) {
-            continue;
-        }
-        rotation[g] = match g.checked_sub(mesh.vertices.len()) {
-            None => vec![rotation_about_origin(mesh.vertices[g])],
-            Some(e) => edge_modes(&mesh.edges[e].curve, space.edge_degree[e], rotation_about_origin),
-        };
-    }
-    Ok(Assembly {
-        mesh,
-        space,
-        kinematics: problem.kinematics,
-        materials: problem.materials.iter().map(|m| m.scaled(1.0 / unit)).collect(),
-        unit,
-        tables,
-        triangle_tables,
-        edge_loads: edge_loads(mesh, problem.load_cases, &additions.segments)?,
-        load_cases: problem.load_cases,
-        rotation,
-        columns: problem.load_cases.len() + 1 + 3 * (problem.supports.len() + additions.pins.len()),
-    })
+    frame
 }
 
 /// Words for the place of a group.

@@ -1,20 +1,73 @@
 //! The stiffness of a cell on its boundary modes, the interior being condensed; similar cells share it.
 
 use crate::assemble::Assembly;
-use crate::basis::LocalModes;
+use crate::basis::{BoundaryModes, LocalModes, Table};
 use crate::congruence::{Class, Congruence, Turn};
-use crate::element::{Workspace, stiffness};
-use crate::elimination::{factor_leading, not_held};
+use crate::dense::factor_leading;
+use crate::element::{Workspace, matrix_in, stiffness};
+use crate::elimination::not_held;
 use crate::error::Error;
 use crate::triangle_matrix::triangle_stiffness;
-use faer::prelude::IntoConst;
-use faer::{Mat, MatMut, MatRef};
+use faer::MatMut;
 
-/// Condensed matrices of the classes with several cells.
+/// Condensed matrices of the classes of similar cells.
 pub(crate) struct SharedMatrices {
     congruence: Congruence,
-    /// Both triangles; `None` for a class of one cell.
-    matrices: Vec<Option<Mat<f64>>>,
+    /// Both triangles, columns one after the other, boundary modes of one component after those of the other; empty once no cell needs it.
+    matrices: Vec<Vec<f64>>,
+}
+
+/// The elements of the elimination: those of cells and foundations with loads or supports, and for all other cells the matrix of their
+/// class, turned when a front asks for it.
+pub(crate) struct Elements<'a> {
+    assembly: &'a Assembly<'a>,
+    /// Groups of each element, sorted by rank.
+    pub(crate) groups: &'a [Vec<usize>],
+    shared: SharedMatrices,
+    /// Lower triangles, columns one after the other.
+    own: Vec<Option<Vec<f64>>>,
+    /// Number of cells that still need the matrix of a class.
+    waiting: Vec<usize>,
+}
+
+impl<'a> Elements<'a> {
+    pub(crate) fn new(
+        assembly: &'a Assembly<'a>,
+        groups: &'a [Vec<usize>],
+        shared: SharedMatrices,
+        own: Vec<Option<Vec<f64>>>,
+    ) -> Elements<'a> {
+        let mut elements = Elements { assembly, groups, waiting: vec![0; shared.matrices.len()], shared, own };
+        let class = &elements.shared.congruence.class;
+        for (cell, _) in elements.own.iter().enumerate().filter(|(_, own)| own.is_none()) {
+            elements.waiting[class[cell]] += 1;
+        }
+        for (matrix, _) in elements.shared.matrices.iter_mut().zip(&elements.waiting).filter(|(_, waiting)| **waiting == 0) {
+            *matrix = Vec::new();
+        }
+        elements
+    }
+
+    /// The lower triangle of an element, columns one after the other.
+    pub(crate) fn matrix<'b>(&'b self, element: usize, buffer: &'b mut Vec<f64>) -> &'b [f64] {
+        if let Some(matrix) = &self.own[element] {
+            return matrix;
+        }
+        let order = self.assembly.order(element, &self.groups[element]);
+        self.assembly.boundary_matrix(element, &order, &self.shared, buffer);
+        buffer
+    }
+
+    /// Gives back the memory of an element that is not needed any more.
+    pub(crate) fn release(&mut self, element: usize) {
+        if self.own[element].take().is_none() {
+            let class = self.shared.congruence.class[element];
+            self.waiting[class] -= 1;
+            if self.waiting[class] == 0 {
+                self.shared.matrices[class] = Vec::new();
+            }
+        }
+    }
 }
 
 /// Applies `task` to `0..count`, in parallel with the `rayon` feature; results come in order either way.
@@ -29,20 +82,12 @@ pub(crate) fn map_cells<T: Send>(count: usize, task: impl Fn(&mut Workspace, usi
 }
 
 impl Assembly<'_> {
-    /// Condensed matrices that serve several cells. In axisymmetry and torsion the radius tells cells apart, so there are none.
-    pub(crate) fn shared_matrices(&self) -> Result<SharedMatrices, Error> {
-        let congruence = if self.kinematics.is_revolved() {
-            Congruence::none(self.mesh, self.space)
-        } else {
-            Congruence::of_plane_cells(self.mesh, self.space)
-        };
+    /// Condensed matrices of all classes.
+    pub(crate) fn shared_matrices(&self, congruence: Congruence) -> Result<SharedMatrices, Error> {
         let matrices = map_cells(congruence.classes.len(), |work, k| {
             let class = &congruence.classes[k];
-            if class.members == 1 {
-                return Ok(None);
-            }
             let (k, ni) = self.condensed(class.first, &self.class_modes(class), work)?;
-            Ok(Some(boundary_block(k, ni).to_owned()))
+            Ok(boundary_block(k, ni))
         });
         let matrices = matrices.into_iter().collect::<Result<_, _>>()?;
         Ok(SharedMatrices { congruence, matrices })
@@ -62,63 +107,71 @@ impl Assembly<'_> {
     ) -> Result<(MatMut<'w, f64>, usize), Error> {
         let degree = self.space.cell_degree[cell];
         let moduli = self.materials[self.mesh.cells[cell].material].moduli(self.kinematics);
-        let triangle = self.mesh.cells[cell].is_triangle();
-        let mut k = match (&self.tables[degree], &self.triangle_tables[degree]) {
-            (Some(table), _) if !triangle => stiffness(self.mesh, cell, table, local, moduli, self.kinematics, work)?,
-            (_, Some(table)) if triangle => triangle_stiffness(self.mesh, cell, table, local, moduli, self.kinematics, work)?,
-            _ => return Err(Error::Degree { cell, degree }),
-        };
+        if self.mesh.cells[cell].is_triangle() {
+            let table = self.triangle_tables[degree].as_ref().ok_or(Error::Degree { cell, degree })?;
+            triangle_stiffness(self.mesh, cell, table, local, moduli, self.kinematics, work)?;
+        } else {
+            stiffness(self.mesh, cell, Table::of(degree), local, moduli, self.kinematics, work)?;
+        }
         let ni = self.space.components * local.interior;
-        factor_leading(k.as_mut(), ni).map_err(|_| not_held(format!("the interior of cell {cell}")))?;
-        Ok((k, ni))
+        let n = self.space.components * local.modes;
+        factor_leading(&mut work.matrix[..n * n], n, ni).map_err(|_| not_held(format!("the interior of cell {cell}")))?;
+        Ok((matrix_in(&mut work.matrix, n, n), ni))
     }
 
-    /// Condensed stiffness of a cell on its boundary modes in the given order (corners are 0..4), displacement components running fastest:
-    /// the lower triangle, columns one after the other.
-    pub(crate) fn boundary_matrix(
-        &self,
-        cell: usize,
-        local: &LocalModes,
-        order: &[usize],
-        shared: &SharedMatrices,
-        work: &mut Workspace,
-    ) -> Result<Vec<f64>, Error> {
-        let number = shared.congruence.class[cell];
-        let class = &shared.congruence.classes[number];
-        let turn = &shared.congruence.turn[cell];
-        let sources = sources(local, self.mesh.cells[cell].against, class.edges, turn);
-        let sources: Vec<(usize, f64)> = order.iter().map(|mode| sources[*mode]).collect();
-        if let Some(matrix) = &shared.matrices[number] {
-            return Ok(turned(matrix.as_ref(), &sources, turn, self.space.components));
+    /// Boundary modes of a cell in the order of its groups; groups that are no corner or edge of it are left out.
+    pub(crate) fn order(&self, cell: usize, groups: &[usize]) -> Vec<usize> {
+        let c = &self.mesh.cells[cell];
+        let vertices = self.mesh.vertices.len();
+        let boundary = self.space.boundary_modes(self.mesh, cell);
+        let mut order = Vec::with_capacity(boundary.len());
+        for g in groups {
+            match g.checked_sub(vertices) {
+                None => order.extend(c.vertices().iter().position(|v| v == g)),
+                Some(edge) => {
+                    order.extend(c.sides().filter(|(_, e)| *e == edge).flat_map(|(local, _)| boundary.edge(local)));
+                }
+            }
         }
-        let (k, ni) = self.condensed(cell, &self.class_modes(class), work)?;
-        Ok(turned(boundary_block(k, ni), &sources, turn, self.space.components))
+        order
+    }
+
+    /// Condensed stiffness of a cell on its boundary modes in the given order (corners come first), displacement components running
+    /// fastest: the lower triangle, columns one after the other.
+    pub(crate) fn boundary_matrix(&self, cell: usize, order: &[usize], shared: &SharedMatrices, out: &mut Vec<f64>) {
+        let number = shared.congruence.class[cell];
+        let (class, turn) = (&shared.congruence.classes[number], &shared.congruence.turn[cell]);
+        let boundary = self.space.boundary_modes(self.mesh, cell);
+        let sources = sources(&boundary, self.mesh.cells[cell].against, class.edges, turn);
+        let sources: Vec<(usize, f64)> = order.iter().map(|mode| sources[*mode]).collect();
+        turned(&shared.matrices[number], &sources, turn, self.space.components, out);
     }
 }
 
 /// The trailing block of a condensed matrix, its upper triangle filled from the lower one.
-fn boundary_block(k: MatMut<'_, f64>, ni: usize) -> MatRef<'_, f64> {
+fn boundary_block(k: MatMut<'_, f64>, ni: usize) -> Vec<f64> {
     let n = k.nrows() - ni;
-    let mut s = k.submatrix_mut(ni, ni, n, n);
+    let mut block = vec![0.0; n * n];
     for j in 0..n {
-        for i in j + 1..n {
-            s[(j, i)] = s[(i, j)];
+        for i in j..n {
+            let value = k[(ni + i, ni + j)];
+            block[j * n + i] = value;
+            block[i * n + j] = value;
         }
     }
-    s.into_const()
+    block
 }
 
 /// For each boundary mode of a cell, corners first, the place of its mode in the matrix of the class, and its sign.
-fn sources(local: &LocalModes, against: [bool; 4], edges: [usize; 4], turn: &Turn) -> Vec<(usize, f64)> {
-    let mut sources = vec![(0, 1.0); local.modes - local.interior];
-    let mut start = local.corners;
+fn sources(boundary: &BoundaryModes, against: [bool; 4], edges: [usize; 4], turn: &Turn) -> Vec<(usize, f64)> {
+    let mut sources = vec![(0, 1.0); boundary.len()];
+    let mut start = boundary.corners;
     for i in 0..4 {
-        if i < local.corners {
+        if i < boundary.corners {
             sources[turn.corner[i]].0 = i;
         }
         let (e, reversed) = turn.edge[i];
-        let own = local.edge_start[e] - local.interior..local.edge_start[e + 1] - local.interior;
-        for (m, source) in sources[own].iter_mut().enumerate() {
+        for (m, source) in sources[boundary.edge(e)].iter_mut().enumerate() {
             let odd = m % 2 == 1;
             *source = (start + m, if odd && reversed != against[e] { -1.0 } else { 1.0 });
         }
@@ -128,20 +181,23 @@ fn sources(local: &LocalModes, against: [bool; 4], edges: [usize; 4], turn: &Tur
 }
 
 /// The lower triangle of the matrix on the unknowns of a cell, displacement components running fastest.
-fn turned(s: MatRef<'_, f64>, sources: &[(usize, f64)], turn: &Turn, components: usize) -> Vec<f64> {
-    let n = s.nrows() / components;
+fn turned(matrix: &[f64], sources: &[(usize, f64)], turn: &Turn, components: usize, out: &mut Vec<f64>) {
+    let rows = matrix.len().isqrt();
     let size = components * sources.len();
-    let [[a, b], [c, d]] = turn.matrix;
-    let mut out = vec![0.0; size * size];
-    let column = |j: usize| s.col(j).try_as_col_major().map_or(&[][..], |c| c.as_slice());
-    for (j, (from, sign)) in sources.iter().enumerate() {
-        if components == 1 {
+    out.resize(size * size, 0.0);
+    let column = |j: usize| &matrix[j * rows..(j + 1) * rows];
+    if components == 1 {
+        for (j, (from, sign)) in sources.iter().enumerate() {
             let source = column(*from);
             for (value, (i, other)) in out[j * size + j..(j + 1) * size].iter_mut().zip(&sources[j..]) {
                 *value = sign * other * source[*i];
             }
-            continue;
         }
+        return;
+    }
+    let [[a, b], [c, d]] = turn.matrix;
+    let n = rows / 2;
+    for (j, (from, sign)) in sources.iter().enumerate() {
         let ((xx, zx), (xz, zz)) = (column(*from).split_at(n), column(n + from).split_at(n));
         let (first, second) = out[2 * j * size..2 * (j + 1) * size].split_at_mut(size);
         let pairs = first[2 * j..].chunks_exact_mut(2).zip(second[2 * j..].chunks_exact_mut(2));
@@ -156,5 +212,4 @@ fn turned(s: MatRef<'_, f64>, sources: &[(usize, f64)], turn: &Turn, components:
             second[1] = f * (t10 * c + t11 * d);
         }
     }
-    out
 }

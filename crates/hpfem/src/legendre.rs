@@ -35,15 +35,18 @@ pub(crate) fn last_legendre(degree: usize, x: f64) -> [f64; 2] {
 /// The hierarchic shape functions `N_0 .. N_degree` at `x` and their derivatives, as `(values, derivatives)`, each of
 /// length `degree + 1`; `degree >= 1`.
 pub fn shape_functions(degree: usize, x: f64) -> (Vec<f64>, Vec<f64>) {
-    let p = legendre(degree, x);
     let mut values = Vec::with_capacity(degree + 1);
     let mut derivatives = Vec::with_capacity(degree + 1);
     values.extend([0.5 * (1.0 - x), 0.5 * (1.0 + x)]);
     derivatives.extend([-0.5, 0.5]);
+    // P_{k-2} and P_{k-1}.
+    let (mut lower, mut value) = (1.0, x);
     for k in 2..=degree {
-        let c = (2 * k - 1) as f64;
-        values.push((p[k] - p[k - 2]) / (2.0 * c).sqrt());
-        derivatives.push((0.5 * c).sqrt() * p[k - 1]);
+        let (n, c) = ((k - 1) as f64, (2 * k - 1) as f64);
+        let next = ((2.0 * n + 1.0) * x * value - n * lower) / (n + 1.0);
+        values.push((next - lower) / (2.0 * c).sqrt());
+        derivatives.push((0.5 * c).sqrt() * value);
+        (lower, value) = (value, next);
     }
     (values, derivatives)
 }

@@ -48,6 +48,7 @@ mod check;
 mod congruence;
 mod curve;
 mod cut;
+mod dense;
 mod dissection;
 mod element;
 mod elimination;

@@ -2,7 +2,7 @@
 
 use crate::additions::SegmentTraction;
 use crate::assemble::{Assembly, BoundaryTraction, LoadCase, boundary_point, points_for};
-use crate::basis::LocalModes;
+use crate::basis::BoundaryModes;
 use crate::error::Error;
 use crate::legendre::shape_functions;
 use crate::mesh::{CELL_EDGES, Mesh};
@@ -12,7 +12,7 @@ use crate::trace::path;
 /// A traction on an edge, or on a part of it.
 pub(crate) struct EdgeLoad<'a> {
     /// The cell that takes it.
-    owner: usize,
+    pub(crate) owner: usize,
     /// Column of the load case.
     case: usize,
     traction: &'a BoundaryTraction<'a>,
@@ -54,11 +54,11 @@ pub(crate) fn edge_loads<'b>(
 
 impl Assembly<'_> {
     /// Consistent loads of the cell's loaded edges: `((local boundary unknown, column), value)`.
-    pub(crate) fn cell_loads(&self, cell: usize, local: &LocalModes) -> Vec<((usize, usize), f64)> {
+    pub(crate) fn cell_loads(&self, cell: usize, modes: &BoundaryModes) -> Vec<((usize, usize), f64)> {
         let mut loads = Vec::new();
         for (e, edge) in self.mesh.cells[cell].sides() {
             // Edge 3 of a triangle ends at corner 2, which is corner 3 too.
-            let ends = CELL_EDGES[e].map(|k| k.min(local.corners - 1));
+            let ends = CELL_EDGES[e].map(|k| k.min(modes.corners - 1));
             let against = self.mesh.cells[cell].against[e];
             for load in self.edge_loads[edge].iter().filter(|load| load.owner == cell) {
                 let degree = self.space.edge_degree[edge];
@@ -79,7 +79,7 @@ impl Assembly<'_> {
                 }
                 let components = self.space.components;
                 for (mode, sum) in sums.iter().enumerate() {
-                    let scalar = if mode < 2 { ends[mode] } else { local.edge_start[e] + mode - 2 - local.interior };
+                    let scalar = if mode < 2 { ends[mode] } else { modes.edge(e).start + mode - 2 };
                     let sign = if mode >= 2 && mode % 2 == 1 && against { -1.0 } else { 1.0 };
                     for (k, value) in sum.iter().enumerate().take(components) {
                         loads.push(((components * scalar + k, load.case), sign * value));

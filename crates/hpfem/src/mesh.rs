@@ -3,7 +3,6 @@
 use crate::curve::Curve;
 use crate::error::Error;
 use crate::triangle::{barycentric, triangle_map};
-use std::collections::{HashMap, HashSet};
 
 /// Ends of the four edges of a cell in its corner numbering, each walked towards growing reference coordinate:
 /// edge 0 is `eta = -1`, edge 1 is `xi = 1`, edge 2 is `eta = 1`, edge 3 is `xi = -1`.
@@ -112,8 +111,8 @@ impl Mesh {
     ) -> Result<Mesh, Error> {
         check_vertices(&vertices, quads)?;
         let mut mesh = Mesh { vertices, ..Mesh::default() };
-        let mut index: HashMap<[usize; 2], usize> = HashMap::new();
-        let mut sides: HashSet<(usize, bool)> = HashSet::new();
+        let mut index = EdgeIndex { first: vec![usize::MAX; mesh.vertices.len()], next: Vec::new() };
+        let mut sides: Vec<[bool; 2]> = Vec::new();
         for quad in quads {
             let mut cell =
                 Cell { corners: quad.corners, edges: [None; 4], against: [false; 4], material: quad.material, layer: quad.layer };
@@ -122,22 +121,23 @@ impl Mesh {
                 if local == 2 && cell.is_triangle() {
                     continue;
                 }
-                let edge = *index.entry(sorted(walk)).or_insert_with(|| {
+                let edge = index.find(&mesh.edges, walk).unwrap_or_else(|| {
                     let curve = Curve::Line { start: mesh.vertices[walk[0]], end: mesh.vertices[walk[1]] };
                     mesh.edges.push(Edge { vertices: walk, curve, tags: Vec::new() });
-                    mesh.edges.len() - 1
+                    sides.push([false; 2]);
+                    index.push(walk)
                 });
                 cell.edges[local] = Some(edge);
                 cell.against[local] = mesh.edges[edge].vertices != walk;
                 // Cells lie on the left of edges 0 and 1 and on the right of edges 2 and 3.
-                if !sides.insert((edge, (local < 2) != cell.against[local])) {
+                if std::mem::replace(&mut sides[edge][usize::from((local < 2) != cell.against[local])], true) {
                     return Err(Error::Overlapping { a: walk[0], b: walk[1] });
                 }
             }
             mesh.cells.push(cell);
         }
         for (walk, curve) in curves {
-            let edge = *index.get(&sorted(*walk)).ok_or(Error::NoSuchEdge { a: walk[0], b: walk[1] })?;
+            let edge = index.find(&mesh.edges, *walk).ok_or(Error::NoSuchEdge { a: walk[0], b: walk[1] })?;
             let curve = if mesh.edges[edge].vertices == *walk { *curve } else { curve.reversed() };
             let [a, b] = mesh.edges[edge].vertices;
             let miss = distance(curve.point(-1.0), mesh.vertices[a]).max(distance(curve.point(1.0), mesh.vertices[b]));
@@ -154,7 +154,7 @@ impl Mesh {
             mesh.edges[edge].curve = curve;
         }
         for (walk, name) in names {
-            let edge = *index.get(&sorted(*walk)).ok_or(Error::NoSuchEdge { a: walk[0], b: walk[1] })?;
+            let edge = index.find(&mesh.edges, *walk).ok_or(Error::NoSuchEdge { a: walk[0], b: walk[1] })?;
             let tag = mesh.boundaries.iter().position(|n| n == name).unwrap_or_else(|| {
                 mesh.boundaries.push((*name).to_string());
                 mesh.boundaries.len() - 1
@@ -274,8 +274,31 @@ fn check_vertices(vertices: &[[f64; 2]], quads: &[Quad]) -> Result<(), Error> {
     Ok(())
 }
 
-fn sorted(edge: [usize; 2]) -> [usize; 2] {
-    [edge[0].min(edge[1]), edge[0].max(edge[1])]
+/// Finds edges by their vertices: for each vertex the chain of the edges whose lower vertex it is.
+struct EdgeIndex {
+    first: Vec<usize>,
+    next: Vec<usize>,
+}
+
+impl EdgeIndex {
+    fn find(&self, edges: &[Edge], walk: [usize; 2]) -> Option<usize> {
+        let [a, b] = walk;
+        let mut at = *self.first.get(a.min(b))?;
+        while let Some(edge) = edges.get(at) {
+            if edge.vertices == walk || edge.vertices == [b, a] {
+                return Some(at);
+            }
+            at = self.next[at];
+        }
+        None
+    }
+
+    /// Adds the next edge and returns its number.
+    fn push(&mut self, [a, b]: [usize; 2]) -> usize {
+        let edge = self.next.len();
+        self.next.push(std::mem::replace(&mut self.first[a.min(b)], edge));
+        edge
+    }
 }
 
 pub(crate) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {

@@ -27,6 +27,13 @@ pub(crate) struct FrontPlan {
     pub(crate) eliminated: usize,
 }
 
+impl FrontPlan {
+    /// The groups that stay.
+    pub(crate) fn left(&self) -> &[usize] {
+        &self.groups[self.eliminated..]
+    }
+}
+
 impl Plan {
     /// The order for elements at the given places: nested dissection for many elements, else minimum degree, which
     /// finds the chains of graded layers.

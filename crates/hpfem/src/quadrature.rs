@@ -4,6 +4,16 @@
 
 use crate::legendre::last_legendre;
 use std::f64::consts::PI;
+use std::sync::OnceLock;
+
+/// Rules by their number of points, made when first asked for.
+type Remembered = [OnceLock<Quadrature>; 40];
+static GAUSS: Remembered = [const { OnceLock::new() }; 40];
+static GAUSS_LOBATTO: Remembered = [const { OnceLock::new() }; 40];
+
+fn remembered(rules: &Remembered, n: usize, rule: fn(usize) -> Quadrature) -> Quadrature {
+    rules.get(n).map_or_else(|| rule(n), |known| known.get_or_init(|| rule(n)).clone())
+}
 
 /// Points and weights of a quadrature rule, points ascending.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,6 +28,10 @@ pub struct Quadrature {
 ///
 /// Roots of `P_n`; `w_i = 2 / ((1 - x_i^2) P_n'(x_i)^2)`.
 pub fn gauss(n: usize) -> Quadrature {
+    remembered(&GAUSS, n, gauss_rule)
+}
+
+fn gauss_rule(n: usize) -> Quadrature {
     mirrored(n, |i| {
         let mut x = (PI * (i as f64 + 0.75) / (n as f64 + 0.5)).cos();
         // `P_n` and `P_n'` at the same x; a slope from before the last step would cost the weight two digits.
@@ -42,6 +56,10 @@ pub fn gauss(n: usize) -> Quadrature {
 ///
 /// Inner points are the roots of `P_{n-1}'`; `w_i = 2 / (n (n-1) P_{n-1}(x_i)^2)`.
 pub fn gauss_lobatto(n: usize) -> Quadrature {
+    remembered(&GAUSS_LOBATTO, n, gauss_lobatto_rule)
+}
+
+fn gauss_lobatto_rule(n: usize) -> Quadrature {
     let m = n - 1;
     let end_weight = 2.0 / (n as f64 * m as f64);
     mirrored(n, |i| {

@@ -2,7 +2,6 @@
 
 use crate::error::Error;
 use crate::mesh::{Mesh, Quad};
-use std::collections::HashMap;
 
 impl Mesh {
     /// Refines towards the given vertices: `layers` times, every cell that touches such a vertex is cut into a small cell at the
@@ -44,13 +43,15 @@ impl Mesh {
         let mut curves = Vec::new();
         let mut names: Vec<([usize; 2], &str)> = Vec::new();
         // The vertex that cuts an edge next to a singular end, shared by both its cells.
-        let mut cut_vertex: HashMap<usize, usize> = HashMap::new();
+        let mut cut_vertex: Vec<Option<usize>> = vec![None; self.edges.len()];
         for (e, edge) in self.edges.iter().enumerate() {
             let tags = edge.tags.iter().map(|t| self.boundaries[*t].as_str());
             let [a, b] = edge.vertices;
             let at = match (singular.contains(&a), singular.contains(&b)) {
                 (false, false) => {
-                    curves.push(([a, b], edge.curve));
+                    if !edge.curve.is_straight() {
+                        curves.push(([a, b], edge.curve));
+                    }
                     names.extend(tags.map(|n| ([a, b], n)));
                     continue;
                 }
@@ -59,9 +60,11 @@ impl Mesh {
             };
             let v = vertices.len();
             vertices.push(edge.curve.point(at));
-            cut_vertex.insert(e, v);
-            curves.push(([a, v], edge.curve.part(-1.0, at)));
-            curves.push(([v, b], edge.curve.part(at, 1.0)));
+            cut_vertex[e] = Some(v);
+            if !edge.curve.is_straight() {
+                curves.push(([a, v], edge.curve.part(-1.0, at)));
+                curves.push(([v, b], edge.curve.part(at, 1.0)));
+            }
             for name in tags {
                 names.extend([([a, v], name), ([v, b], name)]);
             }
@@ -72,7 +75,7 @@ impl Mesh {
                 quads.push(quad(cell.corners, cell.layer));
                 continue;
             };
-            let [Some(m1), Some(m3)] = cell.leaving(corner).map(|e| cut_vertex.get(&cell.edges[e]?).copied()) else {
+            let [Some(m1), Some(m3)] = cell.leaving(corner).map(|e| cut_vertex[cell.edges[e]?]) else {
                 return Err(Error::FoldedCell { cell: c, jacobian: 0.0, x: 0.0, z: 0.0 });
             };
             // Walk the corners from the singular one: k0 (singular), k1, k2, k3 anti-clockwise.

@@ -1,10 +1,11 @@
 //! What a reduction will take, known from the mesh and the degrees before anything is computed.
 
-use crate::additions::{Additions, edge_groups};
+use crate::additions::{Additions, Foundation, edge_groups};
 use crate::body::{Body, BodyProblem};
 use crate::check::check;
 use crate::congruence::Congruence;
 use crate::error::Error;
+use crate::loads::{EdgeLoad, edge_loads};
 use crate::mesh::Mesh;
 use crate::plan::Plan;
 use crate::space::Space;
@@ -28,17 +29,26 @@ pub struct Sizes {
 }
 
 /// Space and order of elimination of a body.
-pub(crate) struct Ordered {
+pub(crate) struct Ordered<'a> {
     pub(crate) space: Space,
     /// Edges of the kept boundary along its path.
     pub(crate) walk: Vec<(usize, bool)>,
-    pub(crate) kept_groups: Vec<usize>,
+    pub(crate) edge_loads: Vec<Vec<EdgeLoad<'a>>>,
+    /// Edges on foundations.
+    pub(crate) foundations: Vec<(usize, &'a Foundation)>,
+    pub(crate) congruence: Congruence,
+    /// Groups of every element of the elimination, cells before foundations, sorted by rank.
+    pub(crate) groups: Vec<Vec<usize>>,
+    /// Number of unknowns of each group; the group after those of the space is that of the right-hand sides.
+    pub(crate) size: Vec<usize>,
+    /// Groups that are kept; the right-hand sides are the last.
+    pub(crate) kept: Vec<usize>,
     pub(crate) plan: Plan,
     pub(crate) bytes: u64,
 }
 
-impl Ordered {
-    pub(crate) fn new(problem: &BodyProblem<'_>, additions: &Additions<'_>) -> Result<Ordered, Error> {
+impl<'a> Ordered<'a> {
+    pub(crate) fn new(problem: &'a BodyProblem<'_>, additions: &'a Additions<'_>) -> Result<Ordered<'a>, Error> {
         check(problem)?;
         additions.check(problem)?;
         let mesh = problem.mesh;
@@ -52,18 +62,49 @@ impl Ordered {
             additions,
         )?;
         let walk = problem.kept.map(|name| path(mesh, name)).transpose()?.unwrap_or_default();
-        let kept_groups = kept_groups(mesh, &space, &walk);
+        let edge_loads = edge_loads(mesh, problem.load_cases, &additions.segments)?;
         let foundations = additions.foundation_edges(mesh)?;
-        let mut element_groups: Vec<Vec<usize>> = (0..mesh.cells.len()).map(|c| space.cell_groups(mesh, c, &[])).collect();
-        element_groups.extend(foundations.iter().map(|(e, _)| edge_groups(mesh, &space, *e, &[])));
+        let congruence = if problem.kinematics.is_revolved() {
+            // The radius tells cells apart.
+            Congruence::none(mesh, &space)
+        } else {
+            Congruence::of_plane_cells(mesh, &space)
+        };
+        let mut groups: Vec<Vec<usize>> = (0..mesh.cells.len()).map(|c| space.cell_groups(mesh, c)).collect();
+        groups.extend(foundations.iter().map(|(e, _)| edge_groups(mesh, &space, *e)));
+        let columns = space.size.len();
+        let mut kept = kept_groups(mesh, &space, &walk);
+        kept.push(columns);
+        for (c, cell) in mesh.cells.iter().enumerate() {
+            let vertices = mesh.vertices.len();
+            let loaded = |e: usize| edge_loads[e].iter().any(|load| load.owner == c);
+            let supported = |g: usize| space.is_supported(g);
+            if !additions.body_forces.is_empty()
+                || cell.vertices().iter().any(|v| supported(*v))
+                || cell.sides().any(|(_, e)| loaded(e) || supported(vertices + e))
+            {
+                groups[c].push(columns);
+            }
+        }
+        for (number, (e, _)) in foundations.iter().enumerate() {
+            let [a, b] = mesh.edges[*e].vertices;
+            if [a, b, mesh.vertices.len() + e].iter().any(|g| space.is_supported(*g)) {
+                groups[mesh.cells.len() + number].push(columns);
+            }
+        }
         let middle = |corners: &[usize]| -> [f64; 2] {
             std::array::from_fn(|i| corners.iter().map(|v| mesh.vertices[*v][i]).sum::<f64>() / corners.len() as f64)
         };
         let mut places: Vec<[f64; 2]> = mesh.cells.iter().map(|c| middle(c.vertices())).collect();
         places.extend(foundations.iter().map(|(e, _)| middle(&mesh.edges[*e].vertices)));
-        let plan = Plan::new(&element_groups, &places, &space.size, &kept_groups);
-        let bytes = plan.bytes(&element_groups, &space.size);
-        Ok(Ordered { space, walk, kept_groups, plan, bytes })
+        // The order does not depend on the number of right-hand sides.
+        let mut size = space.size.clone();
+        size.push(0);
+        let plan = Plan::new(&groups, &places, &size, &kept);
+        size[columns] = problem.load_cases.len() + 1 + 3 * (problem.supports.len() + additions.pins.len());
+        groups.iter_mut().for_each(|groups| groups.sort_by_key(|g| plan.rank[*g]));
+        let bytes = plan.bytes(&groups, &size);
+        Ok(Ordered { space, walk, edge_loads, foundations, congruence, groups, size, kept, plan, bytes })
     }
 }
 
@@ -79,15 +120,11 @@ impl Body<'_> {
     /// # Errors
     /// As for [`Body::new`], as far as no element is needed to see it.
     pub fn sizes(problem: &BodyProblem<'_>) -> Result<Sizes, Error> {
-        let ordered = Ordered::new(problem, &Additions::default())?;
+        let additions = Additions::default();
+        let ordered = Ordered::new(problem, &additions)?;
         let (mesh, space) = (problem.mesh, &ordered.space);
         // Similar cells share one matrix.
-        let congruence = if problem.kinematics.is_revolved() {
-            Congruence::none(mesh, space)
-        } else {
-            Congruence::of_plane_cells(mesh, space)
-        };
-        let matrices = congruence.classes.iter().map(|class| {
+        let matrices = ordered.congruence.classes.iter().map(|class| {
             let modes = space.local_modes(mesh, class.first);
             let points = (space.cell_degree[class.first] + 2) as f64;
             let scalar = modes.modes as f64;
@@ -96,13 +133,13 @@ impl Body<'_> {
             4.0 * pairs * scalar * scalar * points
                 + partial_factor((space.components * modes.interior) as f64, space.components as f64 * scalar)
         });
-        let size = |groups: &[usize]| groups.iter().map(|g| space.size[*g]).sum::<usize>() as f64;
+        let size = |groups: &[usize]| groups.iter().map(|g| ordered.size[*g]).sum::<usize>() as f64;
         let fronts = ordered.plan.fronts.iter().map(|f| partial_factor(size(&f.groups[..f.eliminated]), size(&f.groups)));
         let points: usize = ordered.walk.iter().map(|(edge, _)| space.edge_degree[*edge]).sum();
         Ok(Sizes {
             cells: mesh.cells.len(),
             unknowns: whole_size(mesh, space),
-            kept_unknowns: ordered.kept_groups.iter().map(|g| space.size[*g]).sum(),
+            kept_unknowns: ordered.kept[..ordered.kept.len() - 1].iter().map(|g| space.size[*g]).sum(),
             points: points + usize::from(!ordered.walk.is_empty()),
             bytes: ordered.bytes,
             operations: matrices.sum::<f64>() + fronts.sum::<f64>(),

@@ -2,7 +2,7 @@
 
 use crate::additions::Additions;
 use crate::assemble::edge_modes;
-use crate::basis::LocalModes;
+use crate::basis::{BoundaryModes, LocalModes};
 use crate::error::Error;
 use crate::material::Kinematics;
 use crate::mesh::Mesh;
@@ -260,6 +260,11 @@ impl Space {
         mesh.cells[cell].edges.map(|e| e.map_or(1, |e| self.edge_degree[e]))
     }
 
+    /// Boundary modes of a cell.
+    pub(crate) fn boundary_modes(&self, mesh: &Mesh, cell: usize) -> BoundaryModes {
+        BoundaryModes::new(mesh.cells[cell].vertices().len(), self.edge_degrees(mesh, cell))
+    }
+
     /// Order of the modes of a cell whose edges had the given degrees and directions.
     pub(crate) fn modes_of(&self, mesh: &Mesh, cell: usize, edges: [usize; 4], against: [bool; 4]) -> LocalModes {
         let degree = self.cell_degree[cell];
@@ -269,8 +274,8 @@ impl Space {
         LocalModes::new(degree, edges, against, self.kind == SpaceKind::Trunk)
     }
 
-    /// Groups of a cell's corners and edges that have unknowns, the rigid edge's group included, sorted by `rank`.
-    pub(crate) fn cell_groups(&self, mesh: &Mesh, cell: usize, rank: &[usize]) -> Vec<usize> {
+    /// Groups of a cell's corners and edges that have unknowns, the rigid edge's group included.
+    pub(crate) fn cell_groups(&self, mesh: &Mesh, cell: usize) -> Vec<usize> {
         let c = &mesh.cells[cell];
         let vertices = mesh.vertices.len();
         let mut groups: Vec<usize> = c.vertices().iter().copied().chain(c.sides().map(|(_, e)| vertices + e)).collect();
@@ -280,8 +285,12 @@ impl Space {
             groups.push(*group);
         }
         groups.retain(|g| self.size[*g] > 0);
-        groups.sort_by_key(|g| rank.get(*g).copied().unwrap_or(*g));
         groups
+    }
+
+    /// Whether a support prescribes something on a vertex or edge.
+    pub(crate) fn is_supported(&self, group: usize) -> bool {
+        self.freedom[group].fixed.iter().flatten().any(|(support, _)| *support != AXIS)
     }
 
     /// Targets of component `component` of mode `mode` (0 for a vertex value) of a vertex or edge group.

@@ -199,7 +199,7 @@ impl Trace {
     pub fn displacement_row(&self, edge: usize, t: f64) -> ([Vec<(usize, f64)>; 2], [f64; 2]) {
         let e = &self.edges[edge];
         let own = if e.against { -t } else { t };
-        let mut rows = [Vec::new(), Vec::new()];
+        let mut rows = [Vec::with_capacity(e.degree + 1), Vec::with_capacity(e.degree + 1)];
         let mut constant = [0.0; 2];
         for (mode, shape) in shape_functions(e.degree, own).0.into_iter().enumerate() {
             for component in 0..self.components {
@@ -244,7 +244,7 @@ impl Trace {
             for (t, w) in rule.points.iter().zip(&rule.weights) {
                 let (point, length) = self.boundary_point(number, *t);
                 let weight = w * length * kinematics.measure(point.position[0]);
-                self.add_force(&mut load, (number, *t), traction(&point).map(|v| weight * v));
+                self.add_force_at(&mut load, (number, *t), point.position, traction(&point).map(|v| weight * v));
             }
         }
         load
@@ -252,19 +252,25 @@ impl Trace {
 
     /// Adds a force at a place of the path to a load.
     pub fn add_force(&self, load: &mut TraceLoad, (edge, t): (usize, f64), force: [f64; 2]) {
-        let (rows, _) = self.displacement_row(edge, t);
-        for (row, force) in rows.iter().zip(force) {
-            row.iter().for_each(|(u, c)| load.unknowns[*u] += force * c);
+        self.add_force_at(load, (edge, t), self.edges[edge].curve.point(t), force);
+    }
+
+    fn add_force_at(&self, load: &mut TraceLoad, (edge, t): (usize, f64), x: [f64; 2], force: [f64; 2]) {
+        let e = &self.edges[edge];
+        let shapes = shape_functions(e.degree, if e.against { -t } else { t }).0;
+        for (unknowns, shape) in e.unknowns.iter().zip(&shapes) {
+            for (row, force) in unknowns.iter().zip(force) {
+                row.iter().for_each(|(u, c)| load.unknowns[*u] += force * (c * shape));
+            }
         }
-        for (support, motions) in self.support_row(edge, t) {
-            if load.supports.len() <= support {
+        for (mode, support, motions) in &e.fixed {
+            if load.supports.len() <= *support {
                 load.supports.resize(support + 1, [0.0; 3]);
             }
-            for (total, m) in load.supports[support].iter_mut().zip(motions) {
-                *total += force[0] * m[0] + force[1] * m[1];
+            for (total, m) in load.supports[*support].iter_mut().zip(motions) {
+                *total += shapes[*mode] * (force[0] * m[0] + force[1] * m[1]);
             }
         }
-        let x = self.boundary_point(edge, t).0.position;
         for (total, m) in load.resultant.iter_mut().zip(rigid_rows(x, [0.0, 0.0])) {
             *total += force[0] * m[0] + force[1] * m[1];
         }

@@ -24,7 +24,7 @@ const TABLE: &[Row] = &[
     Row {
         package: "crates/hpfem",
         ours: &[],
-        others: Some(&["nalgebra", "faer", "rayon", "thiserror"]),
+        others: Some(&["nalgebra", "faer", "pulp", "rayon", "thiserror"]),
         because: "hpfem offers elements and bodies and knows nothing of contact, wear or files",
     },
     Row {
