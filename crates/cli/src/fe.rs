@@ -20,6 +20,7 @@ mod stage;
 mod template;
 mod tolerance;
 mod torsion;
+mod twist;
 mod wear;
 
 pub(crate) use approach::force;

@@ -4,10 +4,11 @@ use crate::fault::{Fault, Place};
 use crate::tree::{self, Entry, Node, Origin, Value};
 
 /// Keys that exclude each other: setting one removes the others of its row. `*` stands for any one key.
-const ALTERNATIVES: [&[&str]; 10] = [
+const ALTERNATIVES: [&[&str]; 11] = [
     &["accuracy", "mesh"],
     &["load.force", "load.approach"],
     &["load.moment", "load.tilt"],
+    &["load.twist", "load.torque"],
     &["wear.beta", "wear.k"],
     &["sliding.omega", "sliding.speed"],
     &["body1.geometry.*"],

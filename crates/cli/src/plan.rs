@@ -71,7 +71,9 @@ impl Plan {
             body.as_ref().is_some_and(|body| body.support.values().any(|held| held.contains(&Component::Phi)))
         };
         let axisymmetric = scene.kinematics == Some(crate::scene::Kinematics::Axisymmetric);
-        match (bodies && axisymmetric, shear && scene.sliding.is_some(), held(&scene.body1) || held(&scene.body2)) {
+        let turned = !crate::setup::turns(scene).is_empty();
+        match (bodies && axisymmetric, shear && (scene.sliding.is_some() || turned), held(&scene.body1) || held(&scene.body2)) {
+            (true, true, true) if turned => stage("torsion", true, "body 1 is turned about the axis, and friction resists"),
             (true, true, true) => stage("torsion", true, "friction twists the bodies about the axis"),
             (true, false, _) => stage("torsion", false, "no friction twists the bodies"),
             (true, true, false) => stage("torsion", false, "no body is held against turning"),

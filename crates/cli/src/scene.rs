@@ -231,6 +231,13 @@ pub(crate) struct Load {
     /// Shear force on a rigid edge, applied after the normal force (N).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) shear_force: Option<Force>,
+    /// Axisymmetric contact: rotation (rad) of the edge on which body 1 is held against turning, after the normal force, with stick
+    /// and slip; a list turns it to one angle after the other. Anti-clockwise positive.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) twist: Option<crate::units::Steps<crate::units::Angle>>,
+    /// The torque (N mm) instead of the rotation.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) torque: Option<crate::units::Steps<Moment>>,
 }
 
 /// Wear rule w' = beta (mu p)^b v^a, or w' = k p^b v^a, of each body.

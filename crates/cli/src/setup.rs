@@ -5,6 +5,7 @@ mod load;
 mod optimum;
 mod schedule;
 mod tasks;
+mod twist;
 mod unused;
 mod wear_rule;
 
@@ -20,6 +21,7 @@ use crate::surface::Patch;
 
 pub(crate) use bodies::template;
 pub(crate) use optimum::{exponents, kind, s_minus_1};
+pub(crate) use twist::turns;
 
 /// A checked scene: everything the stages need.
 #[derive(Debug, Clone)]
@@ -54,6 +56,7 @@ fn check(document: &Document) -> Result<Problem, Fault> {
     let patch = Patch::of(&scene)?;
     wear_rule::resolve(&mut scene, &tasks, patch.as_ref())?;
     load::resolve(&mut scene, &tasks, patch.as_ref())?;
+    twist::resolve(&scene, &tasks)?;
     schedule::resolve(&mut scene)?;
     optimum::resolve(&mut scene, &tasks)?;
     let freedoms = crate::freedom::freedoms(&scene, patch.as_ref())?;

@@ -176,10 +176,26 @@ pub(crate) struct ContactResult {
     pub(crate) stick_ends_mm: Vec<f64>,
     /// Largest shear.
     pub(crate) q_max_MPa: Option<f64>,
+    /// Body 1 turned about the axis.
+    pub(crate) twist: Option<TwistResult>,
     /// Residual of p g = 0.
     pub(crate) complementarity: Option<f64>,
     /// Iterations.
     pub(crate) iterations: Option<usize>,
+}
+
+/// `summary.contact.twist`: one number a step of the history.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+#[allow(non_snake_case)]
+pub(crate) struct TwistResult {
+    /// sticks, slips-in-part, slips or turns-through, at the end of the last step.
+    pub(crate) status: String,
+    /// Rotation of the edge on which body 1 is held.
+    pub(crate) angle_rad: Vec<f64>,
+    /// Torque on body 1.
+    pub(crate) torque_Nmm: Vec<f64>,
+    /// Torque at which the whole contact slips.
+    pub(crate) slip_torque_Nmm: f64,
 }
 
 /// `summary.shape`.
@@ -306,6 +322,8 @@ pub(crate) struct ErrorResult {
     pub(crate) pressure_relative: Option<f64>,
     /// Of the energy.
     pub(crate) energy_relative: Option<f64>,
+    /// Of the torque of a twist, or of its angle where the torque is given.
+    pub(crate) twist_relative: Option<f64>,
     /// How they were estimated.
     pub(crate) how: String,
 }

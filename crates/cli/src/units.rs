@@ -2,6 +2,7 @@
 
 mod dimension;
 mod pair;
+mod steps;
 
 use std::borrow::Cow;
 use std::fmt;
@@ -12,6 +13,7 @@ use serde::{Serialize, Serializer};
 
 use dimension::{ANGLE, ANGULAR_SPEED, Dimension, FORCE, LENGTH, MOMENT, PRESSURE, SPEED, TIME, WEAR_FACTOR};
 pub(crate) use pair::Pair;
+pub(crate) use steps::Steps;
 
 /// Magnitudes other than zero that a quantity may have: squares and ratios of what is in between are numbers still.
 const MAGNITUDES: std::ops::RangeInclusive<f64> = 1e-100..=1e100;

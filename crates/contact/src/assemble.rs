@@ -7,6 +7,7 @@ use crate::response::times;
 use crate::solution::ContactSolution;
 use crate::stage::Stage;
 use crate::status::Status;
+use crate::zones::zones;
 use hpfem::{InterfaceState, TraceLoad};
 
 /// How a solve ended.
@@ -81,7 +82,7 @@ impl ContactOperator<'_> {
             status: ending.status,
             pressure: over_weight(&force),
             shear: over_weight(&shear),
-            zones: self.zones(&closed, &force),
+            zones: zones(&self.points, &closed, &force),
             nodal_force: force,
             nodal_shear: shear,
             opening,
@@ -114,42 +115,5 @@ impl ContactOperator<'_> {
             load.unknowns[*q] = internal - condensed;
         }
         InterfaceState { unknowns, factors: factors.to_vec(), load }
-    }
-
-    /// Contact zones: arcs between the ends of contact. An end between a closed and an open point is placed where the square of the pressure,
-    /// linear near a smooth end, vanishes.
-    fn zones(&self, active: &[bool], force: &[f64]) -> Vec<[f64; 2]> {
-        let n = self.points.len();
-        let pressure = |i: usize| force[i] / self.points[i].weight;
-        let arc = |i: usize| self.points[i].arc;
-        let end = |inside: usize, before: Option<usize>, outside: Option<usize>| {
-            let Some(outside) = outside else { return arc(inside) };
-            let (low, high) = (arc(inside), arc(outside));
-            let Some(before) = before else { return 0.5 * (low + high) };
-            let (a, b) = (pressure(before).powi(2), pressure(inside).powi(2));
-            if a <= b {
-                return 0.5 * (low + high);
-            }
-            let reach = (low - arc(before)).abs() * b / (a - b);
-            if high > low { low + reach.min(high - low) } else { low - reach.min(low - high) }
-        };
-        let mut zones = Vec::new();
-        let mut i = 0;
-        while i < n {
-            if !active[i] {
-                i += 1;
-                continue;
-            }
-            let start = i;
-            while i + 1 < n && active[i + 1] {
-                i += 1;
-            }
-            let inner = |k: usize| (start..=i).contains(&k).then_some(k);
-            let left = end(start, inner(start + 1), start.checked_sub(1));
-            let right = end(i, i.checked_sub(1).and_then(inner), Some(i + 1).filter(|k| *k < n));
-            zones.push([left, right]);
-            i += 1;
-        }
-        zones
     }
 }

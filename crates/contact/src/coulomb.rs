@@ -5,7 +5,7 @@
 
 use crate::complementarity::{Complementarity, PENALTY, Point};
 use crate::response::{add, times, transposed_times};
-use crate::tresca::{Forces, Tresca};
+use crate::tresca::{Bound, Forces, Tresca};
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 
@@ -57,6 +57,16 @@ pub(crate) struct Outcome {
     pub(crate) steps: usize,
     pub(crate) history: Vec<usize>,
     pub(crate) settled: bool,
+}
+
+/// State of a point by where its normal and its shear force stand.
+fn state(normal: Bound, shear: Bound, force: f64) -> ContactState {
+    match (normal, shear) {
+        (Bound::Low(_) | Bound::High(_), _) => ContactState::Open,
+        (_, Bound::Free) => ContactState::Stick,
+        _ if force > 0.0 => ContactState::Forward,
+        _ => ContactState::Backward,
+    }
 }
 
 impl Coulomb<'_> {
@@ -219,15 +229,18 @@ impl Coulomb<'_> {
         }
         let n = start.len();
         let mut tresca = Tresca::new(self);
-        let limit = |force: &[f64]| force.iter().map(|f| self.coefficient * f.max(0.0)).collect::<Vec<f64>>();
+        let limits = |force: &[f64]| -> Vec<[f64; 2]> {
+            let shear = force.iter().map(|f| self.coefficient * f.max(0.0)).map(|l| [-l, l]);
+            std::iter::repeat_n([0.0, f64::INFINITY], n).chain(shear).collect()
+        };
         let mut centre = Forces {
             force: near.point.force.iter().chain(&near.shear).copied().collect(),
             coordinates: near.point.coordinates.clone(),
         };
         while outcome.steps < LIMIT {
-            let Some((forces, states, solved)) = tresca.step(&centre, &limit(&centre.force[..n])) else { break };
+            let Some((forces, bounds, solved)) = tresca.step(&centre, &limits(&centre.force[..n])) else { break };
             outcome.steps += solved;
-            outcome.states = states;
+            outcome.states = (0..n).map(|i| state(bounds[i], bounds[n + i], forces.force[n + i])).collect();
             self.iterate(&mut outcome, 3);
             if outcome.settled {
                 break;

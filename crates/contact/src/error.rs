@@ -21,6 +21,22 @@ pub enum Error {
         /// The body.
         side: Side,
     },
+    /// A body can turn about the axis.
+    #[error("the {} can turn about the axis: hold it there against turning", match side { Side::Shaped => "shaped body", Side::Counter => "counter-face" })]
+    FreeToTurn {
+        /// The body.
+        side: Side,
+    },
+    /// Limits of friction, slips or turn of a twist are wrong.
+    #[error(
+        "a twist needs a finite angle or torque, and for each of the {points} contact points a limit of at least 0 and a slip; {given} were given"
+    )]
+    Twist {
+        /// Number of values given.
+        given: usize,
+        /// Number of contact points.
+        points: usize,
+    },
     /// The gap does not fit the contact points.
     #[error("the gap needs one finite value for each of the {points} contact points; {given} were given")]
     Gap {

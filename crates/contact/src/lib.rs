@@ -24,7 +24,9 @@ mod status;
 mod step;
 mod system;
 mod tresca;
+mod twist;
 mod verdict;
+mod zones;
 
 pub use coulomb::ContactState;
 pub use error::Error;
@@ -36,3 +38,4 @@ pub use problem::{ContactProblem, solve};
 pub use solution::ContactSolution;
 pub use status::Status;
 pub use system::ContactSystem;
+pub use twist::{TorsionOperator, Turn, TwistSolution, TwistStatus};

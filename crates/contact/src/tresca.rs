@@ -1,10 +1,10 @@
-//! Contact with given limits of the shear (Tresca): a convex problem, the inner step of Coulomb friction where the plain iteration on the states
-//! goes round in circles.
+//! Contact with given limits of the forces (Tresca): a convex problem, the inner step of Coulomb friction where the plain iteration on the states
+//! goes round in circles, and the whole of stick and slip in torsion.
 //!
-//! Normal and shear forces together are the multipliers of one augmented Lagrangian: `lambda >= 0` and `|sigma| <= limit` are projections,
+//! All forces together are the multipliers of one augmented Lagrangian: `lambda >= 0` and `|sigma| <= limit` are projections,
 //! the augmented potential is convex and piecewise quadratic, and semismooth Newton with an exact line search finds its minimum.
 
-use crate::coulomb::{ContactState, Coulomb};
+use crate::coulomb::Coulomb;
 use crate::response::{add, times, transposed_times};
 use faer::Mat;
 use faer::linalg::solvers::Solve;
@@ -12,35 +12,44 @@ use faer::linalg::solvers::Solve;
 /// Newton steps for one set of multipliers.
 const LIMIT: usize = 40;
 
-/// Where the force of a constraint stands.
+/// Where the force of a constraint stands between its bounds.
 #[derive(Clone, Copy, PartialEq)]
-enum Bound {
+pub(crate) enum Bound {
     Free,
-    Fixed(f64),
+    Low(f64),
+    High(f64),
 }
 
-/// Forces (normal, then shear) and coordinates.
+/// Forces and coordinates.
 #[derive(Clone)]
 pub(crate) struct Forces {
     pub(crate) force: Vec<f64>,
     pub(crate) coordinates: Vec<f64>,
 }
 
-/// Normal and tangential constraints in one list.
+/// Forces within bounds, against `gap = offset + compliance force + influence coordinates`, and the balance
+/// `load + influence^T force = stiffness coordinates`: where a force is free its gap is zero, at the lower bound it is positive, at the
+/// upper one negative.
 pub(crate) struct Tresca {
-    compliance: Mat<f64>,
-    influence: Mat<f64>,
-    offset: Vec<f64>,
-    load: Vec<f64>,
-    stiffness: Mat<f64>,
-    own: Vec<f64>,
+    pub(crate) compliance: Mat<f64>,
+    pub(crate) influence: Mat<f64>,
+    pub(crate) offset: Vec<f64>,
+    pub(crate) load: Vec<f64>,
+    pub(crate) stiffness: Mat<f64>,
+    /// Compliance of each constraint.
+    pub(crate) own: Vec<f64>,
     /// Penalty times the compliance of a point.
     pub(crate) penalty: f64,
-    unit: Vec<f64>,
-    resultant: Vec<f64>,
+    /// Natural size of each coordinate and of its resultant.
+    pub(crate) unit: Vec<f64>,
+    pub(crate) resultant: Vec<f64>,
 }
 
+/// Penalty to begin with.
+pub(crate) const SOFT: f64 = 4.0;
+
 impl Tresca {
+    /// Normal forces, then shear forces of a load step.
     pub(crate) fn new(problem: &Coulomb<'_>) -> Tresca {
         let n = problem.slip.len();
         let normal = problem.normal;
@@ -55,7 +64,7 @@ impl Tresca {
             Mat::from_fn(2 * n, m, |i, j| if i < n { normal.influence[(i, j)] } else { problem.influence[(i - n, j)] });
         let (unit, resultant) = problem.scales();
         Tresca {
-            penalty: 4.0,
+            penalty: SOFT,
             own: (0..2 * n).map(|i| compliance[(i, i)]).collect(),
             compliance,
             influence,
@@ -67,39 +76,41 @@ impl Tresca {
         }
     }
 
-    /// Openings and slips.
-    fn gaps(&self, at: &Forces) -> Vec<f64> {
+    pub(crate) fn gaps(&self, at: &Forces) -> Vec<f64> {
         let mut gaps = self.offset.clone();
         add(&mut gaps, &times(&self.compliance, &at.force));
         add(&mut gaps, &times(&self.influence, &at.coordinates));
         gaps
     }
 
-    /// Projected multiplier of constraint `i`, and whether it lies inside its bounds.
-    fn project(&self, centre: &Forces, gap: f64, limits: &[f64], i: usize) -> (f64, Bound) {
-        let n = limits.len();
+    /// Projected multiplier of constraint `i`, and where it stands.
+    fn project(&self, centre: &Forces, gap: f64, [low, high]: [f64; 2], i: usize) -> (f64, Bound) {
+        if low >= high {
+            return (low, Bound::Low(low));
+        }
         let trial = centre.force[i] - self.penalty * gap / self.own[i];
-        let (low, high) = if i < n { (0.0, f64::INFINITY) } else { (-limits[i - n], limits[i - n]) };
         if trial > low && trial < high {
             (trial, Bound::Free)
+        } else if trial <= low {
+            (low, Bound::Low(low))
         } else {
-            let value = if trial <= low { low } else { high };
-            (value, Bound::Fixed(value))
+            (high, Bound::High(high))
         }
     }
 
-    /// One multiplier step with given shear limits: minimises the augmented potential and gives the projected forces, the states of the points and
-    /// the number of linear systems.
-    pub(crate) fn step(&self, centre: &Forces, limits: &[f64]) -> Option<(Forces, Vec<ContactState>, usize)> {
-        let n = limits.len();
+    /// One multiplier step with given bounds `[low, high]` of the forces: minimises the augmented potential and gives the projected forces, where
+    /// each stands, and the number of linear systems.
+    pub(crate) fn step(&self, centre: &Forces, limits: &[[f64; 2]]) -> Option<(Forces, Vec<Bound>, usize)> {
         let mut at = centre.clone();
         let mut gaps = self.gaps(&at);
-        let read = |gaps: &[f64]| -> Vec<(f64, Bound)> { (0..2 * n).map(|i| self.project(centre, gaps[i], limits, i)).collect() };
+        let read = |gaps: &[f64]| -> Vec<(f64, Bound)> {
+            (0..limits.len()).map(|i| self.project(centre, gaps[i], limits[i], i)).collect()
+        };
         let mut bounds = read(&gaps);
         let mut solved = 0;
         while solved < LIMIT {
             solved += 1;
-            let target = self.newton(centre, &bounds)?;
+            let target = self.newton(centre, &bounds, self.penalty)?;
             at = self.search(&at, target, centre, limits);
             gaps = self.gaps(&at);
             let next = read(&gaps);
@@ -109,32 +120,25 @@ impl Tresca {
                 break;
             }
         }
-        let states = (0..n)
-            .map(|i| match (bounds[i].1, bounds[n + i]) {
-                (Bound::Fixed(_), _) => ContactState::Open,
-                (_, (_, Bound::Free)) => ContactState::Stick,
-                (_, (value, _)) if value > 0.0 => ContactState::Forward,
-                _ => ContactState::Backward,
-            })
-            .collect();
         let forces = Forces { force: bounds.iter().map(|b| b.0).collect(), coordinates: at.coordinates };
-        Some((forces, states, solved))
+        Some((forces, bounds.iter().map(|b| b.1).collect(), solved))
     }
 
-    fn newton(&self, centre: &Forces, bounds: &[(f64, Bound)]) -> Option<Forces> {
+    /// Free forces with the others at their bounds; an infinite penalty gives those of the problem itself.
+    pub(crate) fn newton(&self, centre: &Forces, bounds: &[(f64, Bound)], penalty: f64) -> Option<Forces> {
         let m = self.load.len();
         let free: Vec<usize> = (0..bounds.len()).filter(|i| bounds[*i].1 == Bound::Free).collect();
-        let fixed: Vec<f64> = bounds.iter().map(|b| if let Bound::Fixed(v) = b.1 { v } else { 0.0 }).collect();
+        let fixed: Vec<f64> = bounds.iter().map(|b| if let Bound::Low(v) | Bound::High(v) = b.1 { v } else { 0.0 }).collect();
         let mut known = self.offset.clone();
         add(&mut known, &times(&self.compliance, &fixed));
         let mut balance = self.load.clone();
         add(&mut balance, &transposed_times(&self.influence, &fixed));
         let f = free.len();
-        let spring = |j: usize| self.resultant[j] / self.unit[j] / self.penalty;
+        let spring = |j: usize| self.resultant[j] / self.unit[j] / penalty;
         let matrix = Mat::from_fn(f + m, f + m, |i, j| match (i < f, j < f) {
             (true, true) => {
                 let value = self.compliance[(free[i], free[j])] / self.own[free[i]];
-                if i == j { value + 1.0 / self.penalty } else { value }
+                if i == j { value + 1.0 / penalty } else { value }
             }
             (true, false) => self.influence[(free[i], j - f)] * self.unit[j - f] / self.own[free[i]],
             (false, true) => self.influence[(free[j], i - f)] / self.resultant[i - f],
@@ -146,7 +150,7 @@ impl Tresca {
         });
         let right = Mat::from_fn(f + m, 1, |i, _| {
             if i < f {
-                centre.force[free[i]] / self.penalty - known[free[i]] / self.own[free[i]]
+                centre.force[free[i]] / penalty - known[free[i]] / self.own[free[i]]
             } else {
                 let j = i - f;
                 -(balance[j] + spring(j) * centre.coordinates[j]) / self.resultant[j]
@@ -161,7 +165,7 @@ impl Tresca {
     }
 
     /// Bisection on the slope of the augmented potential along the line to the Newton point.
-    fn search(&self, from: &Forces, to: Forces, centre: &Forces, limits: &[f64]) -> Forces {
+    fn search(&self, from: &Forces, to: Forces, centre: &Forces, limits: &[[f64; 2]]) -> Forces {
         let step = |a: &[f64], b: &[f64]| -> Vec<f64> { a.iter().zip(b).map(|(a, b)| b - a).collect() };
         let (force, coordinates) = (step(&from.force, &to.force), step(&from.coordinates, &to.coordinates));
         let response = times(&self.compliance, &force);
@@ -174,7 +178,7 @@ impl Tresca {
         };
         let slope = |t: f64| {
             let p = at(t);
-            let push: Vec<f64> = (0..force.len()).map(|i| self.project(centre, gaps[i] + t * moved[i], limits, i).0).collect();
+            let push: Vec<f64> = (0..force.len()).map(|i| self.project(centre, gaps[i] + t * moved[i], limits[i], i).0).collect();
             let elastic: f64 = (0..force.len()).map(|i| response[i] * (p.force[i] - push[i])).sum();
             let held = times(&self.stiffness, &p.coordinates);
             let pushed = transposed_times(&self.influence, &push);

@@ -11,6 +11,7 @@ use crate::fe::recover::{Moment, Reported};
 use crate::fe::stage::{Stage, accuracy, add_times, fixed_level, ladder, note, rest, rungs};
 use crate::fe::template::Cut;
 use crate::fe::torsion;
+use crate::fe::twist::Twist;
 use crate::gap::Gap;
 use crate::given::given;
 use crate::profile::Profile;
@@ -30,6 +31,8 @@ pub(super) struct Solved {
     pub(super) energy: f64,
     /// At the samples, to compare levels.
     pub(super) pressure: Vec<f64>,
+    /// Torque or angle of a twist, to compare levels.
+    pub(super) twist: Option<f64>,
     /// Why there is no answer.
     pub(super) refused: Option<String>,
     /// For the fields.
@@ -60,7 +63,7 @@ pub(super) fn climb(
         }
         solved.push(solve_level(level)?);
         let refused = solved.last().is_some_and(|s| s.refused.is_some());
-        if refused || (!fixed && estimate(&solved).is_some_and(|e| e[0].max(e[1]) <= accuracy(scene))) {
+        if refused || (!fixed && estimate(&solved).is_some_and(|e| largest(&e) <= accuracy(scene))) {
             break;
         }
     }
@@ -70,12 +73,18 @@ pub(super) fn climb(
     Ok(finish(accuracy(scene), solved, fixed, solution))
 }
 
-/// Estimated relative errors of the energy and of the pressure (L2 over the inner 95 % of the surface).
-fn estimate(solved: &[Solved]) -> Option<[f64; 2]> {
+fn largest(errors: &[f64]) -> f64 {
+    errors.iter().copied().fold(0.0, f64::max)
+}
+
+/// Estimated relative errors of the energy, of the pressure (L2 over the inner 95 % of the surface), and of a twist (0 without one).
+fn estimate(solved: &[Solved]) -> Option<[f64; 3]> {
     let [.., a, b, c] = solved else { return None };
     let energy = |x: &Solved, y: &Solved| ((x.energy - y.energy) / y.energy).abs();
     let pressure = |x: &Solved, y: &Solved| relative_difference(&x.pressure, &y.pressure);
-    Some([rest(energy(a, b), energy(b, c)), rest(pressure(a, b), pressure(b, c))])
+    let twist = |x: &Solved, y: &Solved| x.twist.zip(y.twist).map(|(x, y)| if x == y { 0.0 } else { ((x - y) / y).abs() });
+    let twist = twist(a, b).zip(twist(b, c)).map_or(0.0, |(older, newer)| rest(older, newer));
+    Some([rest(energy(a, b), energy(b, c)), rest(pressure(a, b), pressure(b, c)), twist])
 }
 
 /// `|x - y| / |y|` in the Euclidean norm.
@@ -109,12 +118,13 @@ fn finish(accuracy: f64, mut solved: Vec<Solved>, fixed: bool, solution: &mut So
         solution.reason = Some(reason);
         return None;
     }
-    let Some([energy, pressure]) = errors else { return reported };
+    let Some([energy, pressure, twist]) = errors else { return reported };
     let result = solution.error.get_or_insert_default();
     result.energy_relative = Some(energy);
     result.pressure_relative = Some(pressure);
+    result.twist_relative = Some(twist).filter(|twist| *twist > 0.0);
     result.how = format!("energy and pressure of the contact: rest of the series of {levels} degrees");
-    let worst = energy.max(pressure);
+    let worst = largest(&[energy, pressure, twist]);
     if !fixed && worst > accuracy {
         solution.status = Status::AccuracyMissed;
         solution.reason = Some(format!("the contact is accurate to {worst:.1e}, not to the {accuracy:.0e} asked for"));
@@ -176,6 +186,12 @@ fn solve_level(stage: Stage<'_>, level: Level, options: Options, ends: &mut Free
     if !ends.places.is_empty() {
         contact.ends_mm = ends.arcs(pair.trace().length()).iter().map(|arc| stage.start(&pair) + arc).collect();
     }
+    let start = stage.start(&pair);
+    let twist = match stage.turned_pair(level, &ends.places, &mut solution)? {
+        Some(reduced) => Twist::new(stage.scene(), &reduced.pair()?, &found)?,
+        None => None,
+    };
+    twist.iter().for_each(|twist| twist.report(&mut contact, start));
     solution.contact = Some(contact);
     let length = pair.trace().length();
     let inner: Vec<f64> = (0..SAMPLES).map(|i| length * (0.025 + 0.95 * i as f64 / (SAMPLES - 1) as f64)).collect();
@@ -201,15 +217,22 @@ fn solve_level(stage: Stage<'_>, level: Level, options: Options, ends: &mut Free
         profile.opening = found.opening.iter().map(|g| 1e3 * g).collect();
         profile.status = found.closed.iter().map(|closed| if *closed { "contact" } else { "open" }).collect();
     }
+    let mut curve = sampled(CURVE);
+    twist.iter().for_each(|twist| [&mut profile, &mut curve].into_iter().for_each(|p| twist.fill(&operator, p, start)));
     solution.profile = Some(profile);
-    solution.curve = Some(sampled(CURVE));
+    solution.curve = Some(curve);
     let refused = (!found.status.is_solved() || found.status == ContactStatus::NoContact).then(|| found.status.to_string());
+    let refused = refused.or_else(|| twist.as_ref().and_then(|twist| twist.refused.clone()));
     let reported = found.counter.clone().map(|counter| {
         let states = [stage.held(&pair, &found.shaped), counter];
-        let around = torsion::around(stage, operator.points(), &found.pressure);
+        let around = match &twist {
+            Some(twist) => twist.last.shear.clone(),
+            None => torsion::around(stage, operator.points(), &found.pressure),
+        };
         Reported { level, ends: ends.places.clone(), moments: vec![Moment { time_s: 0.0, name: "", states, around }] }
     });
-    Ok(Solved { energy: energy[0] + energy[1], pressure, refused, reported, solution })
+    let twist = twist.map(|twist| twist.answer);
+    Ok(Solved { energy: energy[0] + energy[1], pressure, twist, refused, reported, solution })
 }
 
 /// Whether both bodies are templates, whose meshes can be cut anywhere.
@@ -287,6 +310,7 @@ fn result(stage: Stage<'_>, pair: &Pair<'_>, operator: &ContactOperator<'_>, fou
         edge_exponents,
         stick_ends_mm: Vec::new(),
         q_max_MPa: Some(shear).filter(|_| !singular),
+        twist: None,
         complementarity: Some(found.complementarity),
         iterations: Some(found.iterations),
     }

@@ -6,22 +6,24 @@
 use std::time::Instant;
 
 use contact::{
-    ContactLoad, ContactOperator, ContactPoint, ContactSolution, ContactState, Friction, Motion, Pair, Side, Start,
+    ContactLoad, ContactOperator, ContactPoint, ContactSolution, ContactState, Friction, Motion, Pair, Start,
     Status as ContactStatus, position_nodes,
 };
-use hpfem::Body;
+use hpfem::{Body, Kinematics};
 
 use crate::fault::Fault;
 use crate::fe::bodies::{BodyParts, Level, kinematics};
-use crate::fe::contact::{Solved, climb, word};
+use crate::fe::contact::{Solved, climb, unsolved};
 use crate::fe::ends_profile::Rows;
 use crate::fe::half_disc::Couple;
 use crate::fe::recover::{self, Moment, Reported};
 use crate::fe::stage::{Parts, note};
+use crate::fe::torsion;
+use crate::fe::twist::Twist;
 use crate::gap::Gap;
 use crate::scene::{Body as SceneBody, Component, Scene, Task};
-use crate::setup::Problem;
-use crate::solution::{ContactResult, EnergyResult, Solution, Status};
+use crate::setup::{Problem, turns};
+use crate::solution::{EnergyResult, Solution, Status};
 use crate::solve::{CURVE, Options};
 
 /// Samples of the pressure for the comparison of levels, over the inner 95 % of the contact.
@@ -53,7 +55,14 @@ pub(super) fn available(problem: &Problem, couple: &Couple) -> Result<(), Fault>
     if !matches!(scene.contact.as_ref().and_then(|c| c.gap.as_ref()), None | Some(Gap::Constant(0.0))) {
         return refuse("contact.gap", "a profile on a half-disc is not known yet", "write gap = 0");
     }
-    if scene.sliding.is_some() {
+    if scene.output.as_ref().and_then(|output| output.fields) == Some(true) && !turns(scene).is_empty() {
+        return refuse(
+            "output.fields",
+            "the inside of a half-disc that is turned is not recovered yet",
+            "write output.fields = false",
+        );
+    }
+    if scene.sliding.is_some() && turns(scene).is_empty() {
         return refuse("sliding", "a half-disc does not slide steadily yet", "remove `sliding`, or give load.shear_force");
     }
     if load.tilt.is_some_and(|tilt| tilt.0 != 0.0) || load.moment.is_some_and(|moment| moment.0 != 0.0) {
@@ -80,10 +89,13 @@ pub(super) fn available(problem: &Problem, couple: &Couple) -> Result<(), Fault>
 pub(super) fn solve(problem: &Problem, couple: &Couple, options: Options, solution: &mut Solution) -> Result<(), Fault> {
     let setting = Setting::new(&problem.scene, couple);
     let done = setting.trial().and_then(|mut nodes| {
+        let mut stick = None;
         let reported = climb(&problem.scene, options, solution, |level| {
             let mut work = Solution::default();
-            nodes = setting.position(level, &nodes, &mut work)?;
-            setting.result(level, &nodes, options, work)
+            nodes = setting.position(level, &nodes, stick, &mut work)?;
+            let solved = setting.result(level, &nodes, options, work)?;
+            stick = Twist::node(solved.solution.contact.as_ref());
+            Ok(solved)
         })?;
         Ok((reported, nodes))
     });
@@ -171,6 +183,10 @@ impl<'a> Setting<'a> {
 
     /// Bodies with element nodes on the given ends.
     pub(super) fn parts(&self, level: Level, nodes: &[f64], work: &mut Solution) -> Result<Parts, Fault> {
+        self.parts_in(level, nodes, kinematics(self.scene), work)
+    }
+
+    fn parts_in(&self, level: Level, nodes: &[f64], kinematics: Kinematics, work: &mut Solution) -> Result<Parts, Fault> {
         let start = Instant::now();
         let (end, longest) = (nodes[nodes.len() - 1], self.couple.longest());
         if end.is_nan() || end > longest || nodes[0] <= 0.0 {
@@ -178,7 +194,6 @@ impl<'a> Setting<'a> {
                 format!("the contact reaches {end:.4} mm from the middle, over the {longest:.4} mm that the bodies allow");
             return Err(Fault::at("load.force", TOO_LONG, message, "press less, or make the bodies larger"));
         }
-        let kinematics = kinematics(self.scene);
         let [disc, block] = self.couple.meshes(nodes, level.layers.div_ceil(2))?;
         let parts = [
             BodyParts::new(self.scene, true, disc, level, kinematics)?,
@@ -230,10 +245,14 @@ impl<'a> Setting<'a> {
     }
 
     /// Moves element nodes onto the ends: there the pressure vanishes, and the shear that sticking takes is just its limit.
-    fn position(&self, level: Level, start: &[f64], work: &mut Solution) -> Result<Vec<f64>, Fault> {
+    /// A node where the stick of a twist ended at the last level stays there.
+    fn position(&self, level: Level, start: &[f64], stick: Option<f64>, work: &mut Solution) -> Result<Vec<f64>, Fault> {
+        let moving = if self.shear != 0.0 { start } else { &start[start.len() - 1..] };
         let tolerance = TOLERANCES[usize::from(self.shear != 0.0)];
-        let start = Start { places: start, jacobian: None, tolerance, share: 0.0 };
-        let nodes = position_nodes(start, |nodes| -> Result<_, Fault> {
+        let start = Start { places: moving, jacobian: None, tolerance, share: 0.0 };
+        let with_stick = |moving: &[f64]| stick.iter().chain(moving).copied().collect::<Vec<f64>>();
+        let nodes = position_nodes(start, |moving| -> Result<_, Fault> {
+            let nodes = &with_stick(moving);
             let parts = self.parts(level, nodes, work)?;
             let bodies = parts.reduce(work)?;
             let steps = self.held_steps(&bodies, nodes, work)?;
@@ -259,7 +278,7 @@ impl<'a> Setting<'a> {
             let message = format!("the end of contact still moved by {step:.1e} mm after {} meshes", nodes.evaluations);
             return Err(Fault::at("load.force", TOO_LONG, message, "press less, or make the bodies larger"));
         }
-        Ok(nodes.refined)
+        Ok(with_stick(&nodes.refined))
     }
 
     /// Both load steps with the states of all points given by the ends.
@@ -322,51 +341,38 @@ impl<'a> Setting<'a> {
                 reaction.z_N = z;
             }
         }
+        let turned = match turns(self.scene).is_empty() {
+            true => None,
+            false => Some(self.parts_in(level, nodes, Kinematics::Torsion, &mut work)?),
+        };
+        let turned = turned.as_ref().map(|parts| parts.reduce(&mut work)).transpose()?;
+        let turned = turned.as_ref().map(facing).transpose()?;
+        let twist = turned.as_ref().map(|pair| Twist::new(self.scene, pair, &found)).transpose()?.flatten();
         let rows = Rows { setting: self, pair: &pair, operator: &operator, found: &found, gap: &gap, nodes };
         let end = nodes[nodes.len() - 1];
         let pressure = (0..SAMPLES).map(|i| rows.pressure_at(0.95 * end * i as f64 / (SAMPLES - 1) as f64)).collect();
-        work.contact = Some(self.contact_result(&rows));
-        work.profile = Some(match options.sample {
-            Some(sampling) => rows.sampled(sampling),
-            None => rows.own(),
-        });
-        work.curve = Some(rows.sampled(CURVE));
+        let mut contact = rows.contact_result();
+        let mut profiles = [options.sample.map_or_else(|| rows.own(), |sampling| rows.sampled(sampling)), rows.sampled(CURVE)];
+        if let (Some(twist), Some(pair)) = (&twist, &turned) {
+            twist.report(&mut contact, 0.0);
+            for profile in &mut profiles {
+                twist.fill(&operator, profile, 0.0);
+                let at: Vec<ContactPoint> = profile.s.iter().map(|s| pair.at_arc(*s)).collect();
+                torsion::write(pair, &twist.last.shear, &at, profile);
+            }
+        }
+        work.contact = Some(contact);
+        let [profile, curve] = profiles;
+        (work.profile, work.curve) = (Some(profile), Some(curve));
         let solved = found.status.is_solved() && found.status != ContactStatus::NoContact;
         let refused = (!solved).then(|| found.status.to_string());
+        let refused = refused.or_else(|| twist.as_ref().and_then(|twist| twist.refused.clone()));
         let reported = found.counter.clone().map(|counter| {
             let states = [found.shaped.clone(), counter];
             Reported { level, ends: Vec::new(), moments: vec![Moment { time_s: 0.0, name: "", states, around: Vec::new() }] }
         });
-        Ok(Solved { energy: energy[0] + energy[1], pressure, refused, reported, solution: work })
-    }
-
-    fn contact_result(&self, rows: &Rows<'_>) -> ContactResult {
-        let found = rows.found;
-        let largest = |values: &[f64]| values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-        let load = self.scene.load.clone().unwrap_or_default();
-        let about = load.about.map_or(0.0, |about| about[0].0);
-        let points = rows.operator.points();
-        let moment = if self.couple.whole {
-            points.iter().zip(&found.nodal_force).map(|(p, force)| (p.position[0] - about) * force).sum()
-        } else {
-            self.copies() * found.force[1] * (self.couple.middle - about)
-        };
-        let both = |end: f64| if self.revolved() { vec![0.0, end] } else { vec![-end, end] };
-        let sheared = self.shear != 0.0;
-        ContactResult {
-            status: word(&found.status).into(),
-            force_N: Some(self.copies() * found.force[1]),
-            moment_Nmm: Some(moment).filter(|_| !self.revolved()),
-            approach_mm: Some(-rows.rigid_motion()[1]),
-            tilt_rad: load.tilt.map(|_| 0.0),
-            ends_mm: both(rows.nodes[rows.nodes.len() - 1]),
-            p_max_MPa: Some(largest(&found.pressure)),
-            edge_exponents: Vec::new(),
-            stick_ends_mm: if sheared { both(rows.nodes[0]) } else { Vec::new() },
-            q_max_MPa: Some(largest(&found.shear)).filter(|_| sheared),
-            complementarity: Some(found.complementarity),
-            iterations: Some(found.iterations),
-        }
+        let twist = twist.map(|twist| twist.answer);
+        Ok(Solved { energy: energy[0] + energy[1], pressure, twist, refused, reported, solution: work })
     }
 }
 
@@ -377,19 +383,4 @@ fn facing<'b>(bodies: &'b [Body<'_>; 2]) -> Result<Pair<'b>, Fault> {
 
 fn solvable(solution: Option<ContactSolution>) -> Result<ContactSolution, contact::Error> {
     solution.ok_or(contact::Error::Singular)
-}
-
-fn unsolved(error: contact::Error) -> Fault {
-    Fault::at("contact", "no-contact", error.to_string(), "check the contact and its load")
-}
-
-/// Displacement of a side along normal and tangent at a contact point.
-pub(super) fn displacement(pair: &Pair<'_>, side: Side, found: &ContactSolution, point: &ContactPoint) -> Option<[f64; 2]> {
-    let state = if side == Side::Shaped { Some(&found.shaped) } else { found.counter.as_ref() };
-    let (operator, state) = pair.side(side).zip(state)?;
-    let (edge, t) = pair.place(side, point);
-    let (rows, constant) = operator.trace.displacement_row(edge, t);
-    let u: [f64; 2] = std::array::from_fn(|k| rows[k].iter().map(|(i, c)| c * state.unknowns[*i]).sum::<f64>() + constant[k]);
-    let along = |d: [f64; 2]| u[0] * d[0] + u[1] * d[1];
-    Some([along(point.normal), along(point.tangent)])
 }

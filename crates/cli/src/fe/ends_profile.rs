@@ -4,9 +4,11 @@ use contact::{ContactOperator, ContactPoint, ContactSolution, ContactState, Pair
 use nalgebra::Vector3;
 
 use crate::fe::bodies::MEAN_COLUMNS;
-use crate::fe::ends::{Setting, displacement};
+use crate::fe::contact::word;
+use crate::fe::ends::Setting;
 use crate::fe::half_disc::CANDIDATE;
 use crate::profile::Profile;
+use crate::solution::ContactResult;
 use crate::solve::{Sampling, trapezoid_weights};
 
 /// A solved contact with the ends its nodes stand on.
@@ -155,4 +157,46 @@ impl Rows<'_> {
         }
         profile
     }
+
+    /// Everything that is reported of the contact.
+    pub(super) fn contact_result(&self) -> ContactResult {
+        let (setting, found) = (self.setting, self.found);
+        let largest = |values: &[f64]| values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        let load = setting.scene.load.clone().unwrap_or_default();
+        let about = load.about.map_or(0.0, |about| about[0].0);
+        let points = self.operator.points();
+        let moment = if setting.couple.whole {
+            points.iter().zip(&found.nodal_force).map(|(p, force)| (p.position[0] - about) * force).sum()
+        } else {
+            setting.copies() * found.force[1] * (setting.couple.middle - about)
+        };
+        let both = |end: f64| if setting.revolved() { vec![0.0, end] } else { vec![-end, end] };
+        let sheared = setting.shear != 0.0;
+        ContactResult {
+            status: word(&found.status).into(),
+            force_N: Some(setting.copies() * found.force[1]),
+            moment_Nmm: Some(moment).filter(|_| !setting.revolved()),
+            approach_mm: Some(-self.rigid_motion()[1]),
+            tilt_rad: load.tilt.map(|_| 0.0),
+            ends_mm: both(self.nodes[self.nodes.len() - 1]),
+            p_max_MPa: Some(largest(&found.pressure)),
+            edge_exponents: Vec::new(),
+            stick_ends_mm: if sheared { both(self.nodes[0]) } else { Vec::new() },
+            q_max_MPa: Some(largest(&found.shear)).filter(|_| sheared),
+            twist: None,
+            complementarity: Some(found.complementarity),
+            iterations: Some(found.iterations),
+        }
+    }
+}
+
+/// Displacement of a side along normal and tangent at a contact point.
+fn displacement(pair: &Pair<'_>, side: Side, found: &ContactSolution, point: &ContactPoint) -> Option<[f64; 2]> {
+    let state = if side == Side::Shaped { Some(&found.shaped) } else { found.counter.as_ref() };
+    let (operator, state) = pair.side(side).zip(state)?;
+    let (edge, t) = pair.place(side, point);
+    let (rows, constant) = operator.trace.displacement_row(edge, t);
+    let u: [f64; 2] = std::array::from_fn(|k| rows[k].iter().map(|(i, c)| c * state.unknowns[*i]).sum::<f64>() + constant[k]);
+    let along = |d: [f64; 2]| u[0] * d[0] + u[1] * d[1];
+    Some([along(point.normal), along(point.tangent)])
 }

@@ -136,6 +136,8 @@ fn kind_of(scene: &Scene) -> Result<String, Fault> {
         load.moment = None;
         load.moment_y = None;
         load.shear_force = None;
+        load.twist = None;
+        load.torque = None;
     }
     serde_json::to_string(&kind)
         .map_err(|error| Fault::new("internal", format!("the scene cannot be compared: {error}"), "please report this scene"))

@@ -90,6 +90,11 @@ impl<'a> Stage<'a> {
         self.problem.operators.get(self.scene(), place, solution, |solution| make(Cut::Plain, solution))
     }
 
+    /// The scalar problem of the bodies of a contact in which body 1 is turned.
+    pub(super) fn turned_pair(&self, level: Level, ends: &[f64], solution: &mut Solution) -> Result<Option<Arc<Reduced>>, Fault> {
+        if crate::setup::turns(self.scene()).is_empty() { Ok(None) } else { self.twisted(level, ends, solution).map(Some) }
+    }
+
     /// Meshes, supports and loads of both bodies.
     pub(super) fn parts(&self, level: Level, cut: Cut<'_>, solution: &mut Solution) -> Result<Parts, Fault> {
         self.parts_in(level, cut, kinematics(self.scene()), solution)

@@ -6,6 +6,7 @@ use hpfem::{InterfaceOperator, InterfaceState, TraceLoad};
 use crate::fault::Fault;
 use crate::fe::recover::Reported;
 use crate::fe::stage::{Stage, add_times};
+use crate::profile::Profile;
 use crate::solution::Solution;
 use crate::solve::Options;
 
@@ -34,23 +35,28 @@ pub(super) fn twisted(
     InterfaceState { unknowns, factors, load }
 }
 
+/// Circumferential displacements of both bodies under the shear at the contact points, into the rows of a profile that lie at `rows`.
+pub(super) fn write(pair: &Pair<'_>, around: &[f64], rows: &[ContactPoint], profile: &mut Profile) {
+    let points = pair.points();
+    for (body, side) in [Side::Shaped, Side::Counter].into_iter().enumerate() {
+        let Some(operator) = pair.side(side) else { continue };
+        let state = twisted(operator, pair, side, &points, around);
+        for (value, point) in profile.hoop_displacement[body].iter_mut().zip(rows) {
+            let (edge, t) = pair.place(side, point);
+            let (rows, constant) = operator.trace.displacement_row(edge, t);
+            *value = 1e3 * (rows[0].iter().map(|(i, c)| c * state.unknowns[*i]).sum::<f64>() + constant[0]);
+        }
+    }
+}
+
 /// Fills the circumferential displacements of both bodies into the reported profile, positive anti-clockwise.
 pub(super) fn fill(stage: Stage<'_>, reported: &Reported, options: Options<'_>, solution: &mut Solution) -> Result<(), Fault> {
     let (Some(moment), Some(profile)) = (reported.moments.first(), &mut solution.profile) else { return Ok(()) };
     let mut effort = Solution::default();
     let twist = stage.twisted(reported.level, &reported.ends, &mut effort)?;
     let pair = twist.pair()?;
-    let points = pair.points();
     let rows = options.sample.map_or_else(|| pair.points(), |sampling| stage.sample(&pair, sampling));
-    for (body, side) in [Side::Shaped, Side::Counter].into_iter().enumerate() {
-        let operator = &twist.interfaces[body];
-        let state = twisted(operator, &pair, side, &points, &moment.around);
-        for (value, point) in profile.hoop_displacement[body].iter_mut().zip(&rows) {
-            let (edge, t) = pair.place(side, point);
-            let (rows, constant) = operator.trace.displacement_row(edge, t);
-            *value = 1e3 * (rows[0].iter().map(|(i, c)| c * state.unknowns[*i]).sum::<f64>() + constant[0]);
-        }
-    }
+    write(&pair, &moment.around, &rows, profile);
     solution.counters.factorisations += effort.counters.factorisations;
     add_times(&[effort.times], &mut solution.times);
     Ok(())

@@ -113,7 +113,11 @@ pub(crate) fn verdict(problem: &Problem, solution: &Solution) -> String {
             Some(peak) => format!("at most {} MPa", short(peak)),
             None => format!("the pressure grows towards the edges like d^({})", exponents.join(") and d^(")),
         };
-        return format!("The bodies touch with {force} N, {peak}.");
+        let turned = contact.twist.as_ref().and_then(|twist| twist.angle_rad.last().zip(twist.torque_Nmm.last()));
+        let turned = turned.map_or(String::new(), |(angle, torque)| {
+            format!("; turned by {} rad, a torque of {} N mm acts", short(*angle), short(*torque))
+        });
+        return format!("The bodies touch with {force} N, {peak}{turned}.");
     }
     let Some(pressure) = &solution.pressure else {
         return "Nothing was asked for.".into();

@@ -49,6 +49,9 @@ pub(super) fn keys(document: &Document, scene: &Scene, tasks: &[Task]) -> Vec<St
     when(contact_only, &["wear.beta", "wear.k", "wear.a", "wear.b", "wear.counterface"]);
     let slides = scene.contact.as_ref().and_then(|contact| contact.friction).unwrap_or(0.0) > 0.0;
     when(contact_only && !slides, &["sliding.omega", "sliding.speed", "contact.shear"]);
+    let turned = !super::turns(scene).is_empty();
+    when(!turned, &["load.twist", "load.torque"]);
+    when(contact_only && turned, &["sliding.omega", "sliding.speed"]);
     for (name, body) in [("body1", &scene.body1), ("body2", &scene.body2)] {
         if let Some(Geometry::Blocks(blocks)) = body.as_ref().map(|body| &body.geometry) {
             unused.extend(unused_in_blocks(blocks).iter().map(|key| format!("{name}.geometry.blocks.{key}")));

@@ -62,6 +62,9 @@ fn contact_and_wear_turn_the_rings_as_betti_says_in_the_sense_of_the_sliding() {
     let reversed = "--set tasks=[wear] --set schedule={time=[0,50],speed=[1,-1]}";
     for (options, sense) in [
         ("", 1.0),
+        ("--set load.twist=1e-4", -1.0),
+        ("--set load.twist=[1e-3,-1e-4]", 1.0),
+        ("--set load.torque=-1e4", 1.0),
         ("--set sliding.omega=-2", -1.0),
         ("--set contact.gap=hollow.csv", 1.0),
         ("--set tasks=[wear]", 1.0),
@@ -110,5 +113,60 @@ fn a_punch_worn_to_its_steady_state_is_twisted_like_the_shape_of_that_pressure()
     let ([_, _, _, one, two], [_, _, _, shape_one, shape_two]) = (columns(&bench, "wear"), columns(&bench, "shape"));
     for (worn, shaped) in one.iter().chain(&two).zip(shape_one.iter().chain(&shape_two)) {
         assert_relative_eq!(*worn, *shaped, max_relative = 1e-6);
+    }
+}
+
+/// Lubkin 1951 (crates/contact/tests/it/twist.rs has the formulas): steel ball of 5 mm under 0.021 N, mu 0.3, turned by 1e-3 rad.
+const LUBKIN: [f64; 3] = [0.001576322713, 3.253449607e-5, 3.267326833e-5];
+const BALL: &str =
+    "--set load.force=21e-3 --set contact.friction=0.3 --set body1.support.top=[phi] --set body2.support.bottom=[x,z,phi]";
+
+#[test]
+fn a_ball_turned_on_a_disc_sticks_and_slips_as_lubkin_says_and_its_loop_closes() {
+    let bench = Bench::new();
+    let call = bench.call(&format!("run hertz-sphere -q --set mesh.degree=6 --set load.twist=[1e-3,-1e-3,1e-3] {BALL}"));
+    assert_eq!(call.code, 0, "{}", call.err);
+    let summary = bench.summary("hertz-sphere");
+    let twist = &summary["contact"]["twist"];
+    let number = |value: &serde_json::Value| value.as_f64().unwrap();
+    // The ball is no half-space: a/R = 1.8e-3.
+    assert_relative_eq!(number(&summary["contact"]["stick_ends_mm"][1]), LUBKIN[0], max_relative = 1e-2);
+    assert_relative_eq!(number(&twist["torque_Nmm"][0]), LUBKIN[1], max_relative = 5e-5);
+    assert_relative_eq!(number(&twist["slip_torque_Nmm"]), LUBKIN[2], max_relative = 2e-4);
+    assert_eq!(twist["status"], "slips-in-part");
+    assert_relative_eq!(number(&twist["torque_Nmm"][1]), -number(&twist["torque_Nmm"][0]), max_relative = 1e-9);
+    assert_relative_eq!(number(&twist["torque_Nmm"][2]), number(&twist["torque_Nmm"][0]), max_relative = 1e-9);
+    assert!(number(&summary["error"]["twist_relative"]) < 1e-4);
+    let table = bench.read("out/hertz-sphere/contact.csv");
+    assert!(table.contains(",stick") && table.contains(",slip") && table.contains(",open"));
+}
+
+#[test]
+fn a_torque_beyond_friction_turns_the_ball_through_and_is_refused_by_name() {
+    let bench = Bench::new();
+    let call = bench.call(&format!("run hertz-sphere -q --set mesh.degree=4 --set load.torque=4e-5 {BALL}"));
+    assert_eq!(call.code, 1, "{}", call.err);
+    let summary = bench.summary("hertz-sphere");
+    assert_eq!(summary["status"], "refused");
+    assert!(summary["verdict"].as_str().unwrap().contains("turns through"));
+    assert_eq!(summary["contact"]["twist"]["status"], "turns-through");
+}
+
+#[test]
+fn a_turning_that_cannot_be_says_what_is_missing_and_one_that_is_not_used_is_listed() {
+    let bench = Bench::new();
+    for (options, code, words) in [
+        ("hertz-sphere --set load.twist=1e-3", 2, "nothing resists"),
+        ("hertz-sphere --set load.twist=1e-3 --set contact.friction=0.3", 2, "against turning"),
+        ("annular-punch --set tasks=[contact,shape] --set load.twist=1e-3", 2, "steady sliding only"),
+        ("annular-punch --set tasks=[contact] --set load.twist=[]", 2, "one value, or a list"),
+        ("annular-punch --set tasks=[contact] --set load.twist=0.1_deg", 0, "sliding.omega"),
+        ("annular-punch --set load.twist=1e-3", 0, "load.twist"),
+        ("translating-punch --set tasks=[contact] --set load.torque=1", 0, "load.torque"),
+    ] {
+        let call = bench.call(&format!("check {options}"));
+        let said = format!("{}{}", call.out, call.err);
+        assert_eq!(call.code, code, "{options}: {said}");
+        assert!(said.contains(words), "{options}: {said}");
     }
 }

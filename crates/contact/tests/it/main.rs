@@ -10,3 +10,4 @@ mod patch;
 mod sphere;
 mod statuses;
 mod trap;
+mod twist;

@@ -1,0 +1,123 @@
+//! Body 1 turned about the axis under its pressure: stick and slip around the axis, step after step.
+
+use contact::{ContactOperator, ContactSolution, Pair, TorsionOperator, Turn, TwistSolution, TwistStatus};
+
+use crate::fault::Fault;
+use crate::fe::contact::{linear, unsolved};
+use crate::profile::Profile;
+use crate::report::short;
+use crate::scene::Scene;
+use crate::setup::turns;
+use crate::solution::{ContactResult, TwistResult};
+
+/// The history of a twist at one level.
+pub(super) struct Twist {
+    /// The end of the last step.
+    pub(super) last: TwistSolution,
+    result: TwistResult,
+    /// 1 or -1: the sense in which body 2 moved past body 1 in the last step, anti-clockwise positive.
+    sense: f64,
+    /// Torque or angle of the last step, whichever is not given.
+    pub(super) answer: f64,
+    /// Why there is no answer.
+    pub(super) refused: Option<String>,
+}
+
+impl Twist {
+    /// Turns body 1 as the scene asks; `pair` is the bodies' scalar problem, `found` their contact, pressed without shear.
+    pub(super) fn new(scene: &Scene, pair: &Pair<'_>, found: &ContactSolution) -> Result<Option<Twist>, Fault> {
+        let turns = turns(scene);
+        let Some(first) = turns.first() else { return Ok(None) };
+        let operator = TorsionOperator::new(pair).map_err(unsolved)?;
+        let friction = scene.contact.as_ref().and_then(|c| c.friction).unwrap_or(0.0);
+        let limits: Vec<f64> = found.nodal_force.iter().map(|force| friction * force.max(0.0)).collect();
+        let mut result = TwistResult { slip_torque_Nmm: operator.slip_torque(&limits), ..TwistResult::default() };
+        let mut step = |turn: Turn, slip: &[f64]| -> Result<TwistSolution, Fault> {
+            let at = operator.solve(&limits, turn, slip).map_err(unsolved)?;
+            if at.status.is_solved() {
+                result.angle_rad.push(at.angle);
+                result.torque_Nmm.push(at.torque);
+            }
+            Ok(at)
+        };
+        let mut last = step(*first, &vec![0.0; limits.len()])?;
+        for turn in &turns[1..] {
+            if !last.status.is_solved() {
+                break;
+            }
+            last = step(*turn, &last.slip)?;
+        }
+        let amount = |step: usize| match turns.get(step) {
+            Some(Turn::Angle(amount) | Turn::Torque(amount)) => *amount,
+            None => 0.0,
+        };
+        let before = if turns.len() > 1 { amount(turns.len() - 2) } else { 0.0 };
+        let sense = if amount(turns.len() - 1) > before { -1.0 } else { 1.0 };
+        result.status = word(&last.status).into();
+        let refused = match &last.status {
+            status if status.is_solved() => None,
+            TwistStatus::TurnsThrough => {
+                let [most, torque] = [result.slip_torque_Nmm, last.torque].map(short);
+                Some(format!("{}: {most} N mm against {torque} N mm", last.status))
+            }
+            status => Some(status.to_string()),
+        };
+        let answer = if matches!(first, Turn::Angle(_)) { last.torque } else { last.angle };
+        Ok(Some(Twist { last, result, sense, answer, refused }))
+    }
+
+    /// Into the result of the contact; `start` is the surface coordinate where the path starts.
+    pub(super) fn report(&self, contact: &mut ContactResult, start: f64) {
+        contact.stick_ends_mm = self.last.stick.iter().flatten().map(|arc| start + arc).collect();
+        let largest = self.last.shear.iter().fold(0.0_f64, |most, q| most.max(q.abs()));
+        contact.q_max_MPa = Some(largest).filter(|_| contact.edge_exponents.is_empty());
+        contact.twist = Some(self.result.clone());
+    }
+
+    /// Where the outermost zone of stick ends, if that is a place for an element node: neither at the middle nor at the end of contact.
+    pub(super) fn node(contact: Option<&ContactResult>) -> Option<f64> {
+        let contact = contact.filter(|contact| contact.twist.is_some())?;
+        let share = contact.stick_ends_mm.last()? / contact.ends_mm.last()?;
+        contact.stick_ends_mm.last().copied().filter(|_| (0.05..=0.95).contains(&share))
+    }
+
+    /// Shear and states into the rows of a profile, which lie anywhere on the surface.
+    pub(super) fn fill(&self, operator: &ContactOperator<'_>, profile: &mut Profile, start: f64) {
+        let arcs: Vec<f64> = operator.points().iter().map(|p| p.arc).collect();
+        for row in 0..profile.s.len() {
+            let arc = profile.s[row] - start;
+            // Nothing slides steadily.
+            profile.wear_rate[row] = f64::NAN;
+            profile.shear[row] = self.sense * self.shear_at(operator, &arcs, arc);
+            let sticks = self.last.stick.iter().any(|[from, to]| (*from..=*to).contains(&arc));
+            profile.status[row] = match profile.status[row] {
+                "open" => "open",
+                _ if sticks => "stick",
+                _ => "slip",
+            };
+        }
+    }
+
+    /// The polynomial through the points of an edge on which all points stick, or all slip; straight lines on the others.
+    fn shear_at(&self, operator: &ContactOperator<'_>, arcs: &[f64], arc: f64) -> f64 {
+        let (edge, _) = operator.pair().trace().locate(arc);
+        let states = &self.last.states[operator.edge_points(edge)];
+        let inner = &states[1..states.len() - 1];
+        if inner.windows(2).all(|two| two[0] == two[1]) {
+            operator.value_at(&self.last.shear, arc)
+        } else {
+            linear(arcs, &self.last.shear, arc)
+        }
+    }
+}
+
+/// The status in the summary's word.
+fn word(status: &TwistStatus) -> &'static str {
+    match status {
+        TwistStatus::Sticks => "sticks",
+        TwistStatus::SlipsInPart => "slips-in-part",
+        TwistStatus::Slips => "slips",
+        TwistStatus::TurnsThrough => "turns-through",
+        TwistStatus::IterationLimit { .. } => "iteration-limit",
+    }
+}
