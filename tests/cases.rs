@@ -89,13 +89,22 @@ fn drum_brake_block_error_falls_with_the_degree_and_its_estimate_follows() {
     }
 }
 
+/// Round trips of a scene at an accuracy: on the same operators, and on an independent discretisation.
+fn round_trips(scene: &str, accuracy: &str) -> [f64; 2] {
+    let run = run(scene, &format!("round-trip-{accuracy}"), &["--set", &format!("accuracy={accuracy}")]);
+    assert_eq!(run.exit, Exit::Done, "{scene} at {accuracy}");
+    ["roundtrip_same", "roundtrip_independent"].map(|key| number(&run.summary()["shape"][key]))
+}
+
+/// On the same operators only round-off is left, which grows with the smallest cells; on others the error falls with the accuracy.
 #[test]
-fn drum_brake_block_shape_gives_the_pressure_back() {
-    let run = run("drum-brake-block", "round-trip", &["--set", "accuracy=1e-8"]);
-    assert_eq!(run.exit, Exit::Done);
-    let shape = &run.summary()["shape"];
-    assert!(number(&shape["roundtrip_same"]) < 1e-9);
-    assert!(number(&shape["roundtrip_independent"]) < 1e-5);
+fn shapes_of_all_scenes_of_the_paper_give_the_pressure_back() {
+    for scene in ["drum-brake-block", "drum-brake-ring", "translating-punch", "annular-punch"] {
+        let [[same, independent], [finer, closer]] = ["1e-4", "1e-8"].map(|accuracy| round_trips(scene, accuracy));
+        println!("{scene}: same {same:.1e} {finer:.1e}, independent {independent:.1e} {closer:.1e}");
+        assert!(same < 1e-9 && finer < 1e-9, "{scene}: {same:.2e} {finer:.2e}");
+        assert!(closer < 1e-5 && closer < 0.1 * independent, "{scene}: {independent:.2e} {closer:.2e}");
+    }
 }
 
 /// Normal displacement jump u2 - u1, mm.

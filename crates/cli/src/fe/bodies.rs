@@ -6,13 +6,14 @@ use hpfem::{
 
 use crate::fault::Fault;
 use crate::fe::template::{AXIS, CONTACT, LOAD};
+use crate::geometry::Geometry;
 use crate::given::given;
 use crate::scene::{self, Component, LoadKind, Scene};
 
 /// Degree and layers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Level {
-    /// Degree of the cells outside the layers; it falls by one a layer, to 2 at least.
+    /// Degree of the cells outside the layers; it falls with the layers, to 2 at least.
     pub(crate) degree: usize,
     /// Layers around each singular point.
     pub(crate) layers: usize,
@@ -20,10 +21,22 @@ pub(crate) struct Level {
 
 impl Level {
     /// The layers that go with a degree: as many, so that both errors fall together, and the last layer, where the pressure of
-    /// a round trip is off by order one, is too small to count.
-    pub(crate) fn of(degree: usize) -> Level {
-        Level { degree, layers: degree }
+    /// a round trip is off by order one, is too small to count. A ring segment bends: its gap is a hundred times that of a block, and in the
+    /// smallest cells its last digits are pressure. It has three layers for four degrees, in which the degree falls half as fast.
+    pub(crate) fn of(scene: &Scene, degree: usize) -> Level {
+        Level { degree, layers: if bends(scene) { (3 * degree).div_ceil(4) } else { degree } }
     }
+
+    /// Degree of a cell in a layer.
+    fn degree_in(self, scene: &Scene, layer: usize) -> usize {
+        let fall = if bends(scene) { layer / 2 } else { layer };
+        self.degree.saturating_sub(fall).max(2.min(self.degree))
+    }
+}
+
+/// Whether body 1 is thin, so that its gap comes from bending.
+fn bends(scene: &Scene) -> bool {
+    matches!(scene.body1.as_ref().map(|body| &body.geometry), Some(Geometry::RingSegment(_)))
 }
 
 /// Everything a body of one level is made of.
@@ -63,7 +76,7 @@ impl BodyParts {
         let materials = hpfem_materials(body).map_err(|error| {
             Fault::at(format!("{key}.material"), "wrong-value", error.to_string(), "give young > 0 and poisson below 0.5")
         })?;
-        let degrees = mesh.cells.iter().map(|c| level.degree.saturating_sub(c.layer).max(2.min(level.degree))).collect();
+        let degrees = mesh.cells.iter().map(|c| level.degree_in(scene, c.layer)).collect();
         let rigid = scene.load.as_ref().filter(|load| shaped && load.kind == Some(LoadKind::Rigid));
         let mut supports = Vec::new();
         let mut support_names = Vec::new();

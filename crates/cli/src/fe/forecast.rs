@@ -54,7 +54,7 @@ pub(crate) fn forecast(problem: &Problem) -> Result<Vec<Forecast>, Fault> {
     };
     let mut rate = 0.0_f64;
     for degree in TIMED {
-        let level = parts(Level::of(degree))?;
+        let level = parts(Level::of(&problem.scene, degree))?;
         let operations: f64 = sizes(&level)?.iter().map(|size| size.operations).sum();
         for _ in 0..TIMES {
             let start = Instant::now();

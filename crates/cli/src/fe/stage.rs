@@ -298,7 +298,8 @@ pub(super) fn fixed_level(scene: &Scene) -> Option<Level> {
     let mesh = scene.mesh.clone().unwrap_or_default();
     mesh.degree.or(mesh.layers).map(|_| {
         let degree = mesh.degree.unwrap_or(8);
-        Level { layers: mesh.layers.unwrap_or(degree), ..Level::of(degree) }
+        let standing = Level::of(scene, degree);
+        Level { layers: mesh.layers.unwrap_or(standing.layers), ..standing }
     })
 }
 
@@ -307,7 +308,7 @@ pub(super) fn ladder(scene: &Scene, options: Options) -> Vec<Level> {
     let [first, last, step] = DEGREES;
     match fixed_level(scene) {
         Some(level) if options.alone => vec![level],
-        None => (first..=last).step_by(step).map(Level::of).collect(),
+        None => (first..=last).step_by(step).map(|degree| Level::of(scene, degree)).collect(),
         Some(level) => [4, 2, 0]
             .iter()
             .filter(|down| level.degree > **down)
