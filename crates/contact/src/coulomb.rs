@@ -4,10 +4,10 @@
 //! open, sticks (`s = s_before`), or slips with `sigma = +- mu lambda` against its slip; the linear system of these states is solved and the states are read off again.
 
 use crate::complementarity::{Complementarity, PENALTY, Point};
+use crate::linear::refined;
 use crate::response::{add, times, transposed_times};
 use crate::tresca::{Bound, Forces, Tresca};
 use faer::Mat;
-use faer::linalg::solvers::Solve;
 
 /// State of a contact point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -161,7 +161,7 @@ impl Coulomb<'_> {
         if low <= 1e-15 * high {
             return None;
         }
-        let x = lu.solve(&right);
+        let x = refined(&lu, &matrix, &right);
         let mut at = Sheared { point: Point { force: vec![0.0; n], coordinates: vec![0.0; m] }, shear: vec![0.0; n] };
         for (j, k) in contact.iter().enumerate() {
             at.point.force[*k] = x[(j, 0)];

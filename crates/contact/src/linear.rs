@@ -49,6 +49,14 @@ pub(crate) struct Factor {
     matrix: Mat<f64>,
 }
 
+/// Solves and refines once: in small cells of a body that bends much, the elimination's own round-off is up to a hundred times that of the
+/// openings.
+pub(crate) fn refined(lu: &PartialPivLu<f64>, matrix: &Mat<f64>, right: &Mat<f64>) -> Mat<f64> {
+    let x = lu.solve(right);
+    let rest = right - matrix * &x;
+    x + lu.solve(rest)
+}
+
 impl Factor {
     pub(crate) fn new(problem: &Complementarity<'_>, scaling: &Scaling, index: &[usize], weight: f64) -> Factor {
         let (a, m) = (index.len(), problem.load.len());
@@ -99,9 +107,7 @@ impl Factor {
         if self.smallest_pivot_ratio() < 1e-15 {
             return None;
         }
-        let mut x = lu.solve(&right);
-        // One refinement: in small cells of a body that bends much, the elimination's own round-off is up to a hundred times that of the opening.
-        x += lu.solve(&right - &self.matrix * &x);
+        let x = refined(lu, &self.matrix, &right);
         index.iter().enumerate().for_each(|(i, k)| point.force[*k] = x[(i, 0)]);
         (0..m).for_each(|j| point.coordinates[j] = x[(a + j, 0)] * scaling.unit[j]);
         let finite = point.force.iter().chain(&point.coordinates).all(|v| v.is_finite());
