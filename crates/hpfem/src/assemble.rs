@@ -188,11 +188,7 @@ impl Assembly<'_> {
         // Rows of the transformation from active unknowns to local ones.
         let row = |t: &Target| t.active.iter().filter_map(|(g, i, c)| slot(*g).map(|s| (s + i, *c))).collect();
         let rows: Vec<Vec<(usize, f64)>> = targets.iter().map(row).collect();
-        let alone = |row: &[(usize, f64)]| row.is_empty() || matches!(row, [(_, 1.0)]);
-        if rows.iter().all(|row| alone(row)) {
-            // Every active unknown is one local one.
-            let mut local = vec![0; active];
-            rows.iter().enumerate().for_each(|(i, row)| row.iter().for_each(|(t, _)| local[*t] = i));
+        if let Some(local) = one_to_one(&rows, active) {
             for (j, from) in local.iter().enumerate() {
                 let column = s.col(*from);
                 matrix[j * n + j..j * n + active].iter_mut().zip(&local[j..]).for_each(|(m, i)| *m = column[*i]);
@@ -312,6 +308,18 @@ impl Assembly<'_> {
         let interior = (0..ni).map(|i| x[((i % components) * local.interior + i / components, 0)]);
         Ok(interior.chain(boundary.iter().copied()).collect())
     }
+}
+
+/// The local unknown of every active one, if each is exactly one local one.
+fn one_to_one(rows: &[Vec<(usize, f64)>], active: usize) -> Option<Vec<usize>> {
+    let mut local = vec![usize::MAX; active];
+    for (i, row) in rows.iter().enumerate().filter(|(_, row)| !row.is_empty()) {
+        match row[..] {
+            [(t, 1.0)] if local[t] == usize::MAX => local[t] = i,
+            _ => return None,
+        }
+    }
+    local.iter().all(|i| *i != usize::MAX).then_some(local)
 }
 
 /// The boundary point of a curve at `t` and the length factor `|dx/dt|`; `clockwise` tells that the curve has the body on its right.

@@ -37,7 +37,7 @@ pub(crate) fn dissected(element_groups: &[Vec<usize>], places: &[[f64; 2]], size
     let mut dissection = Dissection { element_groups, places, weight, holders, slot, order: Vec::new(), fronts: Vec::new() };
     let mut all: Vec<usize> = (0..element_groups.len()).collect();
     let root = dissection.part(&mut all);
-    Plan::ordered(dissection.order, dissection.fronts, root.elements, size, kept)
+    Plan::ordered(dissection.order, dissection.fronts, root.elements, element_groups.len(), size, kept)
 }
 
 impl Dissection<'_> {

@@ -37,6 +37,7 @@
 
 mod adapt;
 mod additions;
+mod amalgamation;
 mod assemble;
 mod basis;
 mod blocks;

@@ -1,5 +1,6 @@
 //! The order of elimination.
 
+use crate::amalgamation::amalgamated;
 use crate::dissection::dissected;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -20,6 +21,7 @@ pub(crate) struct Plan {
 }
 
 /// Elements that merge and groups that disappear.
+#[derive(Default)]
 pub(crate) struct FrontPlan {
     pub(crate) children: Vec<usize>,
     /// Groups in order of rank; the first `eliminated` of them disappear.
@@ -117,22 +119,23 @@ impl Plan {
             outside_stamp.push(usize::MAX);
         }
         let roots = (0..members.len()).filter(|e| alive[*e]).collect();
-        Plan::ordered(order, fronts, roots, size, kept)
+        Plan::ordered(order, fronts, roots, element_groups.len(), size, kept)
     }
 
-    /// The plan with ranks by the order of elimination.
+    /// The plan with ranks by the order of elimination, small fronts joined.
     pub(crate) fn ordered(
         order: Vec<usize>,
         mut fronts: Vec<FrontPlan>,
         roots: Vec<usize>,
+        elements: usize,
         size: &[usize],
         kept: &[usize],
     ) -> Plan {
         let mut rank = vec![usize::MAX; size.len()];
         order.iter().chain(kept).enumerate().for_each(|(i, g)| rank[*g] = i);
-        for front in &mut fronts {
-            front.groups.sort_by_key(|g| rank[*g]);
-        }
+        // A front that joins another was eliminated before it, so that groups stay sorted.
+        fronts.iter_mut().for_each(|front| front.groups.sort_by_key(|g| rank[*g]));
+        let (fronts, roots) = amalgamated(fronts, roots, elements, size);
         Plan { rank, fronts, roots }
     }
 

@@ -1,6 +1,7 @@
 //! What a reduction will take, known from the mesh and the degrees before anything is computed.
 
 use crate::additions::{Additions, Foundation, edge_groups};
+use crate::amalgamation::partial_factor;
 use crate::body::{Body, BodyProblem};
 use crate::check::check;
 use crate::congruence::Congruence;
@@ -145,12 +146,6 @@ impl Body<'_> {
             operations: matrices.sum::<f64>() + fronts.sum::<f64>(),
         })
     }
-}
-
-/// Multiplications to eliminate `gone` of `all` unknowns of a dense symmetric matrix.
-fn partial_factor(gone: f64, all: f64) -> f64 {
-    let left = all - gone;
-    gone.powi(3) / 6.0 + 0.5 * gone * gone * left + 0.5 * gone * left * left
 }
 
 /// Groups whose unknowns are kept: those of the path in order, then the rigid edge.

@@ -222,6 +222,28 @@ fn a_rigid_edge_carries_force_and_moment_like_a_beam() {
 }
 
 #[test]
+fn a_rigid_edge_that_only_shifts_carries_the_force_of_all_its_vertices() {
+    let mesh = rectangle([0.0, 2.0], [-0.75, 0.75]);
+    let materials = [Material::new(1000.0, 0.0).unwrap()];
+    let supports = [support("left", Direction::First), support("left", Direction::Second)];
+    for free in [[true, false, false], [true, true, false]] {
+        let rigid = RigidEdge { boundary: "right".into(), reference: [2.0, 0.0], free };
+        let body = Body::new(BodyProblem {
+            rigid_edge: Some(rigid),
+            ..problem(&mesh, 4, PLANE_STRESS, &materials, &supports, &[], None)
+        })
+        .unwrap();
+        let stiffness = &body.interface.stiffness;
+        assert_relative_eq!(stiffness[(0, 0)], 1000.0 * 1.5 * 0.7 / 2.0, max_relative = 1e-11);
+        // A cantilever without rotation of its end: between Euler and Bernoulli's 12 E I / L^3 and half of it, for shear.
+        if free[1] {
+            let bending = 12.0 * 1000.0 * 0.7 * 1.5_f64.powi(3) / 12.0 / 8.0;
+            assert!((0.3 * bending..bending).contains(&stiffness[(1, 1)]), "{} {bending}", stiffness[(1, 1)]);
+        }
+    }
+}
+
+#[test]
 fn a_rigid_edge_without_free_motion_is_a_clamp() {
     let mesh = patch([0; 4], Shape::Straight, 0.0);
     let materials = steel();

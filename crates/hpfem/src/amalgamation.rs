@@ -1,0 +1,54 @@
+//! Joining small fronts to larger ones.
+//!
+//! A front that eliminates few unknowns and passes many on spends its time on clearing, adding and reading them, not on arithmetic
+//! (relaxed supernodes, Ashcraft and Grimes 1989).
+
+use crate::plan::FrontPlan;
+
+/// Multiplications that take as long as clearing a number of a merged element, adding to it and reading it again.
+const HANDLING: f64 = 8.0;
+
+/// Joins a front to the one that takes its element wherever the additional arithmetic costs less than handing on the element, children
+/// before parents; `elements` is the number of original elements. Returns the fronts and roots with elements numbered anew.
+pub(crate) fn amalgamated(
+    mut fronts: Vec<FrontPlan>,
+    roots: Vec<usize>,
+    elements: usize,
+    size: &[usize],
+) -> (Vec<FrontPlan>, Vec<usize>) {
+    let mut parent = vec![None; fronts.len()];
+    for (p, front) in fronts.iter().enumerate() {
+        front.children.iter().filter_map(|c| c.checked_sub(elements)).for_each(|child| parent[child] = Some(p));
+    }
+    let total = |groups: &[usize]| groups.iter().map(|g| size[*g]).sum::<usize>() as f64;
+    let mut sizes: Vec<[f64; 2]> = fronts.iter().map(|f| [total(&f.groups[..f.eliminated]), total(&f.groups)]).collect();
+    let mut alive = vec![true; fronts.len()];
+    for f in 0..fronts.len() {
+        let Some(p) = parent[f] else { continue };
+        let ([gone, all], [next_gone, next_all]) = (sizes[f], sizes[p]);
+        let joined = [gone + next_gone, gone + next_all];
+        let more = partial_factor(joined[0], joined[1]) - partial_factor(gone, all) - partial_factor(next_gone, next_all);
+        if more < HANDLING * (all - gone).powi(2) {
+            let front = std::mem::take(&mut fronts[f]);
+            sizes[p] = joined;
+            alive[f] = false;
+            let next = &mut fronts[p];
+            next.children.retain(|child| *child != elements + f);
+            next.children.extend(front.children);
+            next.groups.splice(0..0, front.groups[..front.eliminated].iter().copied());
+            next.eliminated += front.eliminated;
+        }
+    }
+    let mut number = vec![0; fronts.len()];
+    (1..fronts.len()).for_each(|f| number[f] = number[f - 1] + usize::from(alive[f - 1]));
+    let anew = |element: usize| element.checked_sub(elements).map_or(element, |f| elements + number[f]);
+    let mut left: Vec<FrontPlan> = fronts.into_iter().zip(&alive).filter(|(_, alive)| **alive).map(|(front, _)| front).collect();
+    left.iter_mut().flat_map(|front| &mut front.children).for_each(|child| *child = anew(*child));
+    (left, roots.into_iter().map(anew).collect())
+}
+
+/// Multiplications to eliminate `gone` of `all` unknowns of a dense symmetric matrix.
+pub(crate) fn partial_factor(gone: f64, all: f64) -> f64 {
+    let left = all - gone;
+    gone.powi(3) / 6.0 + 0.5 * gone * gone * left + 0.5 * gone * left * left
+}
