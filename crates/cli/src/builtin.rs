@@ -15,10 +15,11 @@ macro_rules! scenes {
 }
 
 /// All built-in scenes.
-pub(crate) const SCENES: [Builtin; 15] = scenes![
+pub(crate) const SCENES: [Builtin; 16] = scenes![
     "drum-brake-block",
     "drum-brake-ring",
     "lining-on-back",
+    "internal-shoe",
     "translating-punch",
     "punch-wear",
     "annular-punch",

@@ -1,7 +1,9 @@
 //! The contact surface where geometry alone gives it: arcs, strips, rings, and the bare surfaces.
 
+use std::f64::consts::{PI, TAU};
+
 use nalgebra::Vector3;
-use wear::{Shape, SlidingMotion, Surface};
+use wear::{Shape, SlidingMotion, Surface, SurfacePoint};
 
 use crate::fault::Fault;
 use crate::geometry::{Geometry, SurfaceShape};
@@ -17,6 +19,8 @@ pub(crate) struct Patch {
     pub(crate) surface: Surface,
     /// What kind of motion closes a track, which decides how the counter-face wears.
     pub(crate) kind: PatchKind,
+    /// Whether the surface's own angle falls towards +x: a shoe at the bottom inside its drum.
+    pub(crate) backwards: bool,
 }
 
 /// Kind of contact surface, by how body 2 passes under it.
@@ -44,7 +48,43 @@ impl Patch {
         let motion = motion(scene, kind, &shape, centre)?;
         let surface = Surface::new(shape, motion)
             .map_err(|error| Fault::at(key, "degenerate", error.to_string(), "give a surface with area"))?;
-        Ok(Some(Patch { surface, kind }))
+        let backwards = scene.surface.is_none() && matches!(surface.shape(), Shape::Arc { internal: true, .. });
+        Ok(Some(Patch { surface, kind, backwards }))
+    }
+
+    /// `count` points equally spaced in the surface's own coordinate, towards +x.
+    pub(crate) fn sample(&self, count: usize) -> Vec<SurfacePoint> {
+        self.towards_x(self.surface.sample(count))
+    }
+
+    /// Points of the surface in the order of its own coordinate, turned towards +x.
+    pub(crate) fn towards_x(&self, mut points: Vec<SurfacePoint>) -> Vec<SurfacePoint> {
+        if self.backwards {
+            points.reverse();
+        }
+        points
+    }
+
+    /// The arc length from the middle of a point, positive towards +x; on rings and sectors its radius.
+    pub(crate) fn place(&self, point: &SurfacePoint) -> f64 {
+        let position = point.position;
+        match self.surface.shape() {
+            Shape::Arc { radius, centre, angles, .. } => {
+                let (from, middle) = (position - centre, 0.5 * (angles[0] + angles[1]));
+                let off = (from.x.atan2(from.z) - middle + PI).rem_euclid(TAU) - PI;
+                if self.backwards { -radius * off } else { radius * off }
+            }
+            Shape::Annulus { .. } | Shape::Sector { .. } => position.x.hypot(position.y),
+            Shape::Strip { x, .. } | Shape::Rectangle { x, .. } => position.x - 0.5 * (x[0] + x[1]),
+            _ => position.x,
+        }
+    }
+
+    /// The angle (rad, from the z axis towards +x) at an arc length from the middle; none off an arc.
+    pub(crate) fn angle(&self, s: f64) -> Option<f64> {
+        let Shape::Arc { radius, angles, .. } = self.surface.shape() else { return None };
+        let middle = 0.5 * (angles[0] + angles[1]);
+        Some(if self.backwards { middle - s / radius } else { middle + s / radius })
     }
 }
 
@@ -232,9 +272,15 @@ fn along(scene: &Scene, lines: [ContactLine; 2]) -> Result<Found, Fault> {
             }
             Ok((Shape::Strip { x, z, thickness }, PatchKind::Plane, [0.0, 0.0], key))
         }
-        [ContactLine::Circle { centre, radius, angles }, ContactLine::Circle { centre: c, radius: r, angles: under }]
-            if !revolved =>
-        {
+        [
+            ContactLine::Circle { centre, radius, angles, internal },
+            ContactLine::Circle { centre: c, radius: r, angles: under, internal: within },
+        ] if !revolved => {
+            if internal != within {
+                let [first, second] = [internal, !within].map(|inside| if inside { "inside" } else { "outside" });
+                let message = format!("body 1 lies {first} its circle, and body 2 {second} its own");
+                return apart(message, "let one body lie inside the circle, and the other outside");
+            }
             if !(same(radius, r, radius) && same(centre[0], c[0], radius) && same(centre[1], c[1], radius)) {
                 let message = format!("the arcs do not touch: radius {radius} about {centre:?} and radius {r} about {c:?}");
                 return apart(message, "give both the same radius and centre");
@@ -246,8 +292,7 @@ fn along(scene: &Scene, lines: [ContactLine; 2]) -> Result<Found, Fault> {
                 let message = format!("body 1 reaches from {a:.6} to {b:.6} deg over body 2 from {c:.6} to {d:.6} deg");
                 return apart(message, "make the contact edge of body 2 as long as that of body 1 or longer");
             }
-            let shape =
-                Shape::Arc { radius, centre: Vector3::new(centre[0], 0.0, centre[1]), angles, thickness, internal: false };
+            let shape = Shape::Arc { radius, centre: Vector3::new(centre[0], 0.0, centre[1]), angles, thickness, internal };
             Ok((shape, PatchKind::Turning, centre, key))
         }
         [ContactLine::Circle { .. }, ContactLine::Circle { .. }] => {

@@ -161,7 +161,7 @@ pub(super) fn coarse(scene: &Scene, geometry: &Geometry, cuts: &[f64], shaped: b
     let result = match geometry {
         Geometry::ShoeBlock(shoe) if shaped => shoe_block(scene, shoe, cuts, cut),
         Geometry::RingSegment(segment) if shaped => ring_segment(scene, segment, cuts, cut),
-        Geometry::Ring(ring) if !shaped => full_ring(ring, cuts),
+        Geometry::Ring(ring) if !shaped => full_ring(scene, ring, cuts),
         Geometry::Rectangle(rectangle) => block(scene, rectangle, cuts, shaped, cut),
         other => return Err(not_meshed(key, crate::setup::template(other))),
     };
@@ -285,7 +285,7 @@ fn ring_segment(scene: &Scene, segment: &RingSegment, cuts: &[f64], cut: Cut<'_>
     Ok(Coarse { mesh, singular, free })
 }
 
-fn full_ring(ring: &Ring, cuts: &[f64]) -> Result<Coarse, hpfem::Error> {
+fn full_ring(scene: &Scene, ring: &Ring, cuts: &[f64]) -> Result<Coarse, hpfem::Error> {
     let (inner, outer) = (ring.inner.0, ring.outer.0);
     let centre = ring.centre.map_or([0.0; 2], |c| c.map(|c| c.0));
     let (from, to) = (cuts[0], cuts[cuts.len() - 1]);
@@ -298,15 +298,18 @@ fn full_ring(ring: &Ring, cuts: &[f64]) -> Result<Coarse, hpfem::Error> {
     let range = [from, from + turn];
     let breaks = parameters(&angles, range);
     let contact = parameters(&[from, to], range);
-    let top = arc(centre, outer, range);
+    let (bottom, top) = (arc(centre, inner, range), arc(centre, outer, range));
+    // A drum around its shoe is touched on its bore.
+    let edges = scene.contact.as_ref().and_then(|contact| contact.edges.as_ref());
+    let (side, touched) = if edges.is_some_and(|edges| edges[1] == "inner") { (Side::Bottom, bottom) } else { (Side::Top, top) };
     let names = [
         named(Side::Bottom, "inner"),
         named(Side::Top, "outer"),
-        Named { side: Side::Top, range: Some([contact[0], contact[1]]), name: CONTACT },
+        Named { side, range: Some([contact[0], contact[1]]), name: CONTACT },
     ];
-    let singular = vec![top.point(contact[0]), top.point(contact[1])];
+    let singular = vec![touched.point(contact[0]), touched.point(contact[1])];
     let mesh = Mesh::ruled(&Ruled {
-        bottom: arc(centre, inner, range),
+        bottom,
         top,
         breaks: &breaks,
         levels: &levels(outer - inner, outer * widest, 1),

@@ -27,13 +27,15 @@ pub(crate) enum ContactLine {
         radius: f64,
         /// From and to, from the z axis towards +x.
         angles: [f64; 2],
+        /// Whether body 1 lies inside the circle, and body 2 outside.
+        internal: bool,
     },
 }
 
-/// The line of a body's contact edge; `shaped` is body 1, which lies above the line or around the circle.
+/// The line of a body's contact edge; `shaped` is body 1, which lies above the line, around the circle or inside it.
 pub(crate) fn contact_line(key: &str, body: &Body, edge: &str, shaped: bool) -> Result<ContactLine, Fault> {
     let refuse = |message: String| {
-        let remedy = "let the contact edge be one horizontal line with body 1 above, or part of one circle with body 1 outside";
+        let remedy = "let the contact edge be one horizontal line with body 1 above, or part of one circle with body 1 around its top or inside its bottom";
         Err(Fault::at(if shaped { "contact.edges.0" } else { "contact.edges.1" }, "not-available", message, remedy))
     };
     if let Some(Given { mesh, .. }) = given(key, body)? {
@@ -42,15 +44,17 @@ pub(crate) fn contact_line(key: &str, body: &Body, edge: &str, shaped: bool) -> 
     match (&body.geometry, edge, shaped) {
         (Geometry::ShoeBlock(shoe), "inner", true) => {
             let angle = shoe.half_angle.0;
-            Ok(ContactLine::Circle { centre: [0.0; 2], radius: shoe.radius.0, angles: [-angle, angle] })
+            Ok(ContactLine::Circle { centre: [0.0; 2], radius: shoe.radius.0, angles: [-angle, angle], internal: false })
         }
         (Geometry::RingSegment(segment), "inner", true) => {
             let angles = segment.x.map(|x| (x.0 / segment.inner.0).asin());
-            Ok(ContactLine::Circle { centre: [0.0; 2], radius: segment.inner.0, angles })
+            Ok(ContactLine::Circle { centre: [0.0; 2], radius: segment.inner.0, angles, internal: false })
         }
-        (Geometry::Ring(ring), "outer", false) => {
+        (Geometry::Ring(ring), "outer" | "inner", false) => {
             let centre = ring.centre.map_or([0.0; 2], |c| c.map(|c| c.0));
-            Ok(ContactLine::Circle { centre, radius: ring.outer.0, angles: [-PI, PI] })
+            let internal = edge == "inner";
+            let radius = if internal { ring.inner.0 } else { ring.outer.0 };
+            Ok(ContactLine::Circle { centre, radius, angles: [-PI, PI], internal })
         }
         (Geometry::Rectangle(r), "bottom", true) => Ok(ContactLine::Line { z: r.z[0].0, x: r.x.map(|x| x.0) }),
         (Geometry::Rectangle(r), "top", false) => Ok(ContactLine::Line { z: r.z[1].0, x: r.x.map(|x| x.0) }),
@@ -63,7 +67,7 @@ fn of_mesh(mesh: &Mesh, edge: &str, shaped: bool) -> Result<ContactLine, String>
     let length: f64 = walk.iter().map(Curve::length).sum();
     let first = walk.first().copied().ok_or("has no curves")?;
     let near = |a: f64, b: f64| (a - b).abs() <= 1e-9 * length;
-    let (line, above) = match first {
+    match first {
         Curve::Line { start, .. } => {
             let height = start[1];
             for curve in &walk {
@@ -76,7 +80,12 @@ fn of_mesh(mesh: &Mesh, edge: &str, shaped: bool) -> Result<ContactLine, String>
             let ends = [start[0], walk[walk.len() - 1].point(1.0)[0]];
             let x = [ends[0].min(ends[1]), ends[0].max(ends[1])];
             // The body lies on the left of the walk.
-            (ContactLine::Line { z: height, x }, ends[1] > ends[0])
+            let above = ends[1] > ends[0];
+            match (shaped, above) {
+                (true, false) => Err("has its body below it, which must be above".into()),
+                (false, true) => Err("has its body above it, which must be below".into()),
+                _ => Ok(ContactLine::Line { z: height, x }),
+            }
         }
         Curve::Arc { centre, radius, from, .. } => {
             let mut turned = 0.0;
@@ -90,31 +99,24 @@ fn of_mesh(mesh: &Mesh, edge: &str, shaped: bool) -> Result<ContactLine, String>
                     _ => return Err("is not part of one circle".into()),
                 }
             }
-            // Angles from the z axis run the other way.
-            let start = FRAC_PI_2 - from;
-            let middle = start - 0.5 * turned;
-            let middle = (middle + PI).rem_euclid(TAU) - PI;
-            let middle = if middle.abs() < 1e-14 { 0.0 } else { middle };
-            let half = 0.5 * turned.abs();
             // Left of an anti-clockwise walk is inside the circle.
-            (ContactLine::Circle { centre, radius, angles: [middle - half, middle + half] }, turned < 0.0)
+            let internal = shaped == (turned > 0.0);
+            // Angles from the z axis run the other way; they are counted around the middle of what body 1 may touch.
+            let about = if internal { PI } else { 0.0 };
+            let middle = FRAC_PI_2 - from - 0.5 * turned;
+            let off = (middle - about + PI).rem_euclid(TAU) - PI;
+            let off = if off.abs() < 1e-14 { 0.0 } else { off };
+            let half = 0.5 * turned.abs();
+            if shaped && off.abs() + half >= FRAC_PI_2 {
+                let [from, to] = [about + off - half, about + off + half].map(f64::to_degrees);
+                let (side, place) = if internal { ("below", "inside") } else { ("above", "around") };
+                return Err(format!(
+                    "reaches from {from:.3} to {to:.3} deg from the z axis, and of a body {place} its circle must stay {side} its middle"
+                ));
+            }
+            Ok(ContactLine::Circle { centre, radius, angles: [about + off - half, about + off + half], internal })
         }
-        Curve::Polynomial { .. } => return Err("is neither a line nor an arc".into()),
-    };
-    if above != shaped {
-        let (is, wanted) = if shaped { ("below", "above") } else { ("above", "below") };
-        return Err(match line {
-            ContactLine::Line { .. } => format!("has its body {is} it, which must be {wanted}"),
-            ContactLine::Circle { .. } if shaped => "has its body inside the circle, and body 1 must be outside".into(),
-            ContactLine::Circle { .. } => "has its body outside the circle, and body 2 must be inside".into(),
-        });
-    }
-    match line {
-        ContactLine::Circle { angles, .. } if shaped && !(angles[0] > -FRAC_PI_2 && angles[1] < FRAC_PI_2) => {
-            let [from, to] = angles.map(f64::to_degrees);
-            Err(format!("reaches from {from:.3} to {to:.3} deg from the z axis, and must stay above the middle of its circle"))
-        }
-        other => Ok(other),
+        Curve::Polynomial { .. } => Err("is neither a line nor an arc".into()),
     }
 }
 

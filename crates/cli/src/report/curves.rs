@@ -81,11 +81,12 @@ fn error_plot(title: &str, ladder: &[Rung]) -> Option<LinePlot> {
 
 /// The coordinate of a picture and its name: angle on an arc, radius on a ring, else arc length.
 pub(crate) fn abscissa(problem: &Problem, profile: &Profile) -> (Vec<f64>, &'static str) {
+    if let Some(angles) =
+        problem.patch.as_ref().and_then(|patch| profile.s.iter().map(|s| patch.angle(*s)).collect::<Option<Vec<_>>>())
+    {
+        return (angles.into_iter().map(f64::to_degrees).collect(), "angle (deg)");
+    }
     match problem.patch.as_ref().map(|patch| patch.surface.shape()) {
-        Some(Shape::Arc { radius, angles, .. }) => {
-            let middle = 0.5 * (angles[0] + angles[1]);
-            (profile.s.iter().map(|s| (s / radius + middle).to_degrees()).collect(), "angle (deg)")
-        }
         Some(Shape::Annulus { .. } | Shape::Sector { .. }) => (profile.s.clone(), "radius (mm)"),
         Some(_) => (profile.position.iter().map(|p| p[0]).collect(), "x (mm)"),
         None => (profile.s.clone(), "s (mm)"),

@@ -32,11 +32,10 @@ fn trimmed(text: &str) -> &str {
 
 /// A place in the words of the scene.
 fn place(problem: &Problem, s: f64) -> String {
+    if let Some(angle) = problem.patch.as_ref().and_then(|patch| patch.angle(s)) {
+        return format!("{} deg", short((angle.to_degrees() * 1e3).round() / 1e3));
+    }
     match problem.patch.as_ref().map(|patch| patch.surface.shape()) {
-        Some(Shape::Arc { radius, angles, .. }) => {
-            let angle = (s / radius + 0.5 * (angles[0] + angles[1])).to_degrees();
-            format!("{} deg", short((angle * 1e3).round() / 1e3))
-        }
         Some(Shape::Annulus { .. } | Shape::Sector { .. }) => format!("r = {} mm", short(s)),
         Some(Shape::Strip { x, .. } | Shape::Rectangle { x, .. }) => {
             // The middle, found up to round-off, is the middle.

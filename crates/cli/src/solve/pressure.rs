@@ -1,6 +1,6 @@
 //! The optimal pressure on a surface known without a mesh.
 
-use wear::{Counterface, Optimum, Regime, Shape, SurfacePoint, WearError, WearPair};
+use wear::{Counterface, Optimum, Regime, SurfacePoint, WearError, WearPair};
 
 use crate::fault::Fault;
 use crate::freedom::{Freedom, Role};
@@ -25,11 +25,11 @@ pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution
         Ok(optimum) => {
             describe(&mut result, &optimum, &problem.freedoms, wear.wear.active);
             let points = match options.sample {
-                Some(Sampling::Even(count)) => patch.surface.sample(count),
-                _ => optimum.points.clone(),
+                Some(Sampling::Even(count)) => patch.sample(count),
+                _ => patch.towards_x(optimum.points.clone()),
             };
             solution.profile = Some(profile(&wear, patch, &optimum, points));
-            solution.curve = Some(profile(&wear, patch, &optimum, patch.surface.sample(401)));
+            solution.curve = Some(profile(&wear, patch, &optimum, patch.sample(401)));
             solution.error = Some(ErrorResult {
                 pressure_relative: Some(optimum.balance_residual.max(f64::EPSILON)),
                 how: "closed form of the pressure; residual of the balance".into(),
@@ -167,23 +167,8 @@ fn describe(result: &mut PressureResult, optimum: &Optimum, freedoms: &[Freedom]
     result.congruence_residual = optimum.congruence_residual;
 }
 
-/// Arc length from the middle, positive towards +x; on rings and sectors the radius.
-pub(crate) fn place(shape: &Shape, point: &SurfacePoint) -> f64 {
-    let position = point.position;
-    match shape {
-        Shape::Arc { radius, centre, angles, .. } => {
-            let from = position - centre;
-            radius * (from.x.atan2(from.z) - 0.5 * (angles[0] + angles[1]))
-        }
-        Shape::Annulus { .. } | Shape::Sector { .. } => position.x.hypot(position.y),
-        Shape::Strip { x, .. } | Shape::Rectangle { x, .. } => position.x - 0.5 * (x[0] + x[1]),
-        _ => position.x,
-    }
-}
-
 fn profile(problem: &wear::Problem, patch: &Patch, optimum: &Optimum, points: Vec<SurfacePoint>) -> Profile {
-    let shape = patch.surface.shape();
-    let s = points.iter().map(|point| place(shape, point)).collect();
+    let s = points.iter().map(|point| patch.place(point)).collect();
     let mut profile = Profile::new(s, &points);
     if optimum.regime == Regime::Singular {
         return profile;

@@ -13,6 +13,7 @@ mod fields;
 mod folder;
 mod free_ends;
 mod hertz;
+mod internal_shoe;
 mod json;
 mod machined;
 mod pressure;

@@ -2,10 +2,11 @@
 
 use crate::call::Bench;
 
-const NAMES: [&str; 15] = [
+const NAMES: [&str; 16] = [
     "drum-brake-block",
     "drum-brake-ring",
     "lining-on-back",
+    "internal-shoe",
     "translating-punch",
     "punch-wear",
     "annular-punch",
