@@ -13,6 +13,7 @@ mod gap_difference;
 mod half_disc;
 mod matching;
 mod operators;
+mod pressure_ends;
 mod recover;
 mod round_trip;
 mod shape;

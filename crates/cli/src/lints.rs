@@ -66,7 +66,7 @@ pub(crate) fn lints(scene: &Scene, tasks: &[Task], patch: Option<&Patch>, freedo
         say("not-steady", "Uniform pressure on an arc wears uniformly along the normal, which no rigid motion follows: it is not the steady state. optimum.functional = \"steady\" is.".into());
     }
     if scene.optimum.as_ref().and_then(|optimum| optimum.balance) == Some(Balance::Paper) && curved {
-        say("paper-balance", "The paper's normalisation int p dS = F0 leaves out the direction of the pressure: the vertical force comes out smaller than the load (summary: force_N).".into());
+        say("paper-balance", "The paper's normalisation int p dS = F0 leaves out the direction of the pressure: the vertical force comes out smaller than the load (summary: force_N), and a shape is found under the force that this pressure carries.".into());
     }
     kern(scene, functional, q, patch, freedoms, &mut say);
     if let (Some(patch), Some(push)) = (patch, freedoms.iter().find(|freedom| freedom.role == Role::Force)) {

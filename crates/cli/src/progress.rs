@@ -53,7 +53,7 @@ impl Progress {
         let share = match until {
             Until::Time(end) => state.time / end,
             Until::Steady { .. } if state.interval + 1 < pieces => 0.0,
-            Until::Steady { residual } => state.steady_residual.max(f64::MIN_POSITIVE).ln() / residual.ln(),
+            Until::Steady { residual, .. } => state.steady_residual.max(f64::MIN_POSITIVE).ln() / residual.ln(),
         };
         self.share = share.clamp(self.share, 1.0);
         self.show(|bar| {

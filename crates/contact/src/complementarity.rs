@@ -115,12 +115,15 @@ impl Complementarity<'_> {
             let proximal = Proximal { weight: 1.0 / PENALTY, centre: &centre };
             answer.factorisations += 1;
             let Some((target, _)) = self.on_active(&scaling, &active, &proximal) else { break };
-            let next = match (&current, self.symmetric) {
-                (Some(from), true) => self.search(&scaling, from, target, &centre),
-                _ => target,
-            };
+            let shorter =
+                current.as_ref().filter(|_| self.symmetric).and_then(|from| self.search(&scaling, from, &target, &centre));
+            // On the whole step the multiplier of an active point is its force: taken from the opening it would carry round-off times the penalty.
+            let whole = shorter.is_none();
+            let next = shorter.unwrap_or(target);
             let opening = self.openings(&next);
-            let pushed: Vec<bool> = (0..n).map(|i| self.multiplier(&scaling, &centre, &opening, i) > 0.0).collect();
+            let multiplier =
+                |i: usize| if whole && active[i] { next.force[i] } else { self.multiplier(&scaling, &centre, &opening, i) };
+            let pushed: Vec<bool> = (0..n).map(|i| multiplier(i) > 0.0).collect();
             let changed = (0..n).filter(|i| pushed[*i] != active[*i]).count();
             answer.history.push(changed);
             if changed > 0 {
@@ -129,13 +132,10 @@ impl Complementarity<'_> {
                 continue;
             }
             answer.factorisations += 1;
-            if self.finish(&scaling, &active, &mut answer) {
+            if self.finish(&scaling, &active, &mut answer).is_some_and(|wrong| wrong.is_empty()) {
                 return answer;
             }
-            centre = Point {
-                force: (0..n).map(|i| self.multiplier(&scaling, &centre, &opening, i).max(0.0)).collect(),
-                coordinates: next.coordinates,
-            };
+            centre = Point { force: (0..n).map(|i| multiplier(i).max(0.0)).collect(), coordinates: next.coordinates };
             current = None;
             active = (0..n).map(|i| self.multiplier(&scaling, &centre, &opening, i) > 0.0).collect();
         }
@@ -150,15 +150,16 @@ impl Complementarity<'_> {
         answer
     }
 
-    /// Solves without proximal terms on an active set and accepts the answer if every sign is right.
-    pub(crate) fn finish(&self, scaling: &Scaling, active: &[bool], answer: &mut Answer) -> bool {
+    /// Solves without proximal terms on an active set and accepts the answer if every sign is right. Returns the points with a wrong one,
+    /// `None` if the system is singular.
+    pub(crate) fn finish(&self, scaling: &Scaling, active: &[bool], answer: &mut Answer) -> Option<Vec<usize>> {
         let zero = Point::default();
         let plain = Proximal { weight: 0.0, centre: &zero };
-        let Some((point, factor)) = self.on_active(scaling, active, &plain) else { return false };
+        let (point, factor) = self.on_active(scaling, active, &plain)?;
         let opening = self.openings(&point);
-        let wrong = self.wrong(&point, &opening, active).len();
-        answer.history.push(wrong);
-        answer.settled = wrong == 0;
+        let wrong = self.wrong(&point, &opening, active);
+        answer.history.push(wrong.len());
+        answer.settled = wrong.is_empty();
         answer.regular = factor.sign() == if self.load.len().is_multiple_of(2) { 1.0 } else { -1.0 };
         answer.point = point;
         if answer.settled {
@@ -166,7 +167,7 @@ impl Complementarity<'_> {
         }
         answer.opening = opening;
         answer.active = active.to_vec();
-        answer.settled
+        Some(wrong)
     }
 
     /// Solves with the given points in contact, whatever the signs.
@@ -183,8 +184,8 @@ impl Complementarity<'_> {
         centre.force[i] - PENALTY * opening[i] / scaling.point[i]
     }
 
-    /// Minimises the augmented potential along the line to the Newton point, by bisection on its slope.
-    fn search(&self, scaling: &Scaling, from: &Point, to: Point, centre: &Point) -> Point {
+    /// Minimises the augmented potential along the line to the Newton point, by bisection on its slope; `None` if that is the Newton point.
+    fn search(&self, scaling: &Scaling, from: &Point, to: &Point, centre: &Point) -> Option<Point> {
         let step = |a: &[f64], b: &[f64]| -> Vec<f64> { a.iter().zip(b).map(|(a, b)| b - a).collect() };
         let (force, coordinates) = (step(&from.force, &to.force), step(&from.coordinates, &to.coordinates));
         let response = times(&self.compliance, &force);
@@ -212,14 +213,14 @@ impl Complementarity<'_> {
             elastic + rigid
         };
         if slope(1.0) <= 1e-3 * slope(0.0).abs() {
-            return to;
+            return None;
         }
         let (mut low, mut high) = (0.0, 1.0);
         for _ in 0..12 {
             let middle = 0.5 * (low + high);
             if slope(middle) < 0.0 { low = middle } else { high = middle }
         }
-        at(0.5 * (low + high))
+        Some(at(0.5 * (low + high)))
     }
 }
 

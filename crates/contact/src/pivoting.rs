@@ -19,11 +19,13 @@ pub(crate) fn solve(problem: &Complementarity<'_>, scaling: &Scaling, answer: &m
     let weak = Proximal { weight: f64::EPSILON.sqrt(), centre: &origin };
     for _ in 0..100 + 4 * problem.points() {
         answer.factorisations += 1;
-        if problem.finish(scaling, &active, answer) {
-            return;
-        }
-        let Some((point, _)) = problem.on_active(scaling, &active, &weak) else { return };
-        let wrong = problem.wrong(&point, &problem.openings(&point), &active);
+        let wrong = match problem.finish(scaling, &active, answer) {
+            Some(wrong) => wrong,
+            None => {
+                let Some((point, _)) = problem.on_active(scaling, &active, &weak) else { return };
+                problem.wrong(&point, &problem.openings(&point), &active)
+            }
+        };
         let Some(last) = wrong.last() else { return };
         if wrong.len() < best {
             best = wrong.len();

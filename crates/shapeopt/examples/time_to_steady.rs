@@ -69,7 +69,8 @@ fn main() {
             ("implicit", Scheme::Sdirk4, Stepping::Adaptive { accuracy: 1e-4 }),
             ("explicit", Scheme::Explicit, Stepping::Adaptive { accuracy: 1e-4 }),
         ] {
-            let run = WearProblem { scheme, stepping, until: Until::Steady { residual: 1e-9 }, ..problem.clone() };
+            let run =
+                WearProblem { scheme, stepping, until: Until::Steady { residual: 1e-9, not_before: 0.0 }, ..problem.clone() };
             let reached = until(&run, parts);
             let [(steps, seconds), (last_steps, last_seconds)] = [reached[0], reached[1]];
             println!("{b:<4} {name:<10} {steps:>9} {seconds:>12.2e} {last_steps:>9} {last_seconds:>12.2e}");

@@ -7,7 +7,7 @@
 use crate::error::Error;
 use crate::gap_rate::GapRate;
 use crate::implicit_stage::{Contact, Load};
-use crate::rigid_wear::{RigidWear, area_norm};
+use crate::rigid_wear::RigidWear;
 use crate::run_in::{RunIn, run_in};
 use crate::tableau::Tableau;
 use crate::wear_problem::{Scheme, Stepping, Until, WearProblem};
@@ -165,11 +165,10 @@ impl<'a> Evolution<'a> {
         let load = self.load(state);
         state.gap_rate = load.rate.total(&contact.pressure);
         state.lyapunov = load.weights.iter().enumerate().map(|(i, w)| w * load.rate.potential(i, contact.pressure[i])).sum();
-        if state.step == 0 && state.start_rate == 0.0 {
-            state.start_rate = area_norm(&load.weights, &state.gap_rate).max(f64::MIN_POSITIVE);
-        }
+        let elastic = load.elastic(&contact.pressure).iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        let opened = state.gap.iter().zip(&self.problem.gap).map(|(now, start)| now - start).fold(0.0, f64::max);
         let rigid = &self.rigid[self.stage(state)];
-        state.steady_residual = rigid.residual(&load.weights, &state.gap_rate, &contact.pressure, state.start_rate);
+        state.steady_residual = rigid.residual(&load.weights, &state.gap_rate, &contact.pressure, elastic, opened);
         state.pressure = contact.pressure;
         state.opening = contact.opening;
         state.coordinates = contact.coordinates;
@@ -197,7 +196,9 @@ impl<'a> Evolution<'a> {
     fn ended(&self, state: &WearState) -> EvolutionStatus {
         let last = state.interval + 1 == self.problem.schedule.len();
         match self.problem.until {
-            Until::Steady { residual } if last && state.steady_residual <= residual => EvolutionStatus::Steady,
+            Until::Steady { residual, not_before } if last && state.steady_residual <= residual && state.time >= not_before => {
+                EvolutionStatus::Steady
+            }
             Until::Time(end) if state.time >= end => EvolutionStatus::TimeReached,
             _ => EvolutionStatus::Running,
         }
@@ -209,6 +210,7 @@ impl<'a> Evolution<'a> {
         let interval = if last { f64::INFINITY } else { state.interval_start + self.problem.schedule[state.interval].duration };
         match self.problem.until {
             Until::Time(end) => interval.min(end),
+            Until::Steady { not_before, .. } if state.time < not_before => interval.min(not_before),
             Until::Steady { .. } => interval,
         }
     }

@@ -16,6 +16,8 @@ pub(crate) struct RigidWear {
     pub(crate) held_influence: Mat<f64>,
     /// Balance columns of the held coordinates over their stiffness.
     pub(crate) held_balance: Mat<f64>,
+    /// Whether the load pushes along some rigid mode. If not, wear relieves the contact.
+    driven: bool,
 }
 
 impl RigidWear {
@@ -42,7 +44,11 @@ impl RigidWear {
                 if divide { sum * softest / values[columns[c]] } else { sum }
             })
         };
+        let along_mode = |k: usize| (0..m).map(|j| system.load[j] * unit[j] * vectors[(j, k)]).sum::<f64>();
+        let size: f64 = (0..m).map(|j| (system.load[j] * unit[j]).abs()).sum();
+        let driven = (0..m).any(|k| values[k] < IDLE && along_mode(k).abs() > 1e-13 * size);
         RigidWear {
+            driven,
             influence: along(&system.influence, true, false),
             balance: along(&system.balance, true, false),
             held_influence: along(&system.influence, false, false),
@@ -51,16 +57,17 @@ impl RigidWear {
     }
 
     /// `||r - Proj r|| / ||r||` in the area norm over the points under pressure, with the closing of open points by the rigid part added
-    /// to the numerator: a run whose open points still come closer is not steady. Without rigid modes `||r||` over `start`.
-    pub(crate) fn residual(&self, weights: &[f64], rate: &[f64], pressure: &[f64], start: f64) -> f64 {
+    /// to the numerator: a run whose open points still come closer is not steady. Without a load along a rigid mode the contact wears itself
+    /// free, and this is the part of the wear still to come: the closing `elastic` of the bodies over itself and what the gap has `opened`.
+    pub(crate) fn residual(&self, weights: &[f64], rate: &[f64], pressure: &[f64], elastic: f64, opened: f64) -> f64 {
         let inside: Vec<f64> = weights.iter().zip(pressure).map(|(w, p)| if *p > 0.0 { *w } else { 0.0 }).collect();
         let product = |a: &[f64], b: &[f64]| -> f64 { inside.iter().zip(a).zip(b).map(|((w, a), b)| w * a * b).sum() };
         let whole = product(rate, rate).sqrt();
         if whole == 0.0 {
             return 0.0;
         }
-        if self.influence.ncols() == 0 {
-            return whole / start;
+        if !self.driven {
+            return elastic / (elastic + opened);
         }
         let remove = |vector: &mut Vec<f64>, unit: &Vec<f64>| {
             let part = product(vector, unit);
@@ -86,9 +93,4 @@ impl RigidWear {
             .sum();
         square.sqrt() / whole
     }
-}
-
-/// Area norm.
-pub(crate) fn area_norm(weights: &[f64], values: &[f64]) -> f64 {
-    weights.iter().zip(values).map(|(w, v)| w * v * v).sum::<f64>().sqrt()
 }

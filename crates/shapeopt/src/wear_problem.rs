@@ -52,10 +52,13 @@ pub struct Interval {
 /// End of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Until {
-    /// The certificate `||w' - Proj w'|| / ||w'||` of the last interval falls below a residual.
+    /// The certificate `||w' - Proj w'|| / ||w'||` of the last interval falls below a residual; where no load pushes along a rigid motion
+    /// (a prescribed approach), the part of the wear still to come does.
     Steady {
         /// Residual.
         residual: f64,
+        /// Time (s) that the run reaches in any case, 0 for none.
+        not_before: f64,
     },
     /// A time, s.
     Time(f64),
@@ -106,7 +109,7 @@ impl WearProblem {
             start: None,
             stages: vec![LoadStage { system, speeds }],
             schedule: vec![Interval { stage: 0, duration: f64::INFINITY }],
-            until: Until::Steady { residual: 1e-9 },
+            until: Until::Steady { residual: 1e-9, not_before: 0.0 },
             scheme: Scheme::Sdirk4,
             stepping: Stepping::Adaptive { accuracy: 1e-4 },
         }

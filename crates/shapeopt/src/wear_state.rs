@@ -30,10 +30,8 @@ pub struct WearState {
     /// Volumes worn off the bodies, mm^3.
     pub volume: [f64; 2],
     /// Area norm of the gap rate less its rigid part over that of the gap rate, on the points in contact; open points
-    /// that the rigid part closes count as well. Without free rigid modes: area norm of the gap rate over that at the start.
+    /// that the rigid part closes count as well. Where no load pushes along a free rigid mode: the part of the wear still to come.
     pub steady_residual: f64,
-    /// Area norm of the gap rate at the start.
-    pub start_rate: f64,
     /// `Phi = sum int beta~ v^a p^(b+1)/(b+1) dS` of the bodies whose wear opens the gap.
     pub lyapunov: f64,
     /// Largest relative growth of `Phi` in one step so far, under an unchanged load.

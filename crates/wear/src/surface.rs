@@ -224,14 +224,7 @@ impl Surface {
         if let Shape::Points(points) = &self.shape {
             return points.clone();
         }
-        let up = Vector3::z();
-        let (lo, hi) = match &self.shape {
-            Shape::Arc { angles, .. } => (angles[0], angles[1]),
-            Shape::Strip { x, .. } | Shape::Rectangle { x, .. } => (x[0], x[1]),
-            Shape::Annulus { radii } | Shape::Sector { radii, .. } => (radii[0], radii[1]),
-            Shape::Ellipse { semi_axes } => (-semi_axes[0], semi_axes[0]),
-            Shape::Points(_) => (0.0, 0.0),
-        };
+        let (lo, hi) = self.range();
         let count = count.max(2);
         let last = (count - 1) as f64;
         let place = |index: usize| {
@@ -239,28 +232,41 @@ impl Surface {
             // Symmetric to the last bit about the middle, with exact ends.
             let u = if index + 1 == count { hi } else { lo * (1.0 - t) + hi * t };
             let share = if index == 0 || index + 1 == count { 0.5 } else { 1.0 };
-            let step = share * (hi - lo) / last;
-            match &self.shape {
-                Shape::Arc { .. } | Shape::Strip { .. } | Shape::Points(_) => {
-                    let mut point = self.at(u, 0.0);
-                    point.weight *= step;
-                    point
-                }
-                Shape::Annulus { .. } => self.point(Vector3::new(u, 0.0, 0.0), up, TAU * u * step),
-                Shape::Sector { angles, .. } => {
-                    let (sine, cosine) = (0.5 * (angles[0] + angles[1])).sin_cos();
-                    let width = u * (angles[1] - angles[0]);
-                    self.point(Vector3::new(u * cosine, u * sine, 0.0), up, width * step)
-                }
-                Shape::Rectangle { y, .. } => self.point(Vector3::new(u, 0.5 * (y[0] + y[1]), 0.0), up, (y[1] - y[0]) * step),
-                Shape::Ellipse { semi_axes } => {
-                    let ratio = u / semi_axes[0];
-                    let width = 2.0 * semi_axes[1] * (1.0 - ratio * ratio).max(0.0).sqrt();
-                    self.point(Vector3::new(u, 0.0, 0.0), up, width * step)
-                }
-            }
+            let mut point = self.along(u);
+            point.weight *= share * (hi - lo) / last;
+            point
         };
         (0..count).map(place).collect()
+    }
+
+    /// Ends of the surface's own coordinate: an angle (rad) on an arc, x or r (mm) elsewhere; both 0 for single points.
+    pub fn range(&self) -> (f64, f64) {
+        match &self.shape {
+            Shape::Arc { angles, .. } => (angles[0], angles[1]),
+            Shape::Strip { x, .. } | Shape::Rectangle { x, .. } => (x[0], x[1]),
+            Shape::Annulus { radii } | Shape::Sector { radii, .. } => (radii[0], radii[1]),
+            Shape::Ellipse { semi_axes } => (-semi_axes[0], semi_axes[0]),
+            Shape::Points(_) => (0.0, 0.0),
+        }
+    }
+
+    /// The point at a value of the surface's own coordinate (see [`Surface::range`]), on the middle line of a wide surface. Its weight is the
+    /// area per unit of the coordinate.
+    pub fn along(&self, u: f64) -> SurfacePoint {
+        let up = Vector3::z();
+        match &self.shape {
+            Shape::Arc { .. } | Shape::Strip { .. } | Shape::Points(_) => self.at(u, 0.0),
+            Shape::Annulus { .. } => self.point(Vector3::new(u, 0.0, 0.0), up, TAU * u),
+            Shape::Sector { angles, .. } => {
+                let (sine, cosine) = (0.5 * (angles[0] + angles[1])).sin_cos();
+                self.point(Vector3::new(u * cosine, u * sine, 0.0), up, u * (angles[1] - angles[0]))
+            }
+            Shape::Rectangle { y, .. } => self.point(Vector3::new(u, 0.5 * (y[0] + y[1]), 0.0), up, y[1] - y[0]),
+            Shape::Ellipse { semi_axes } => {
+                let ratio = u / semi_axes[0];
+                self.point(Vector3::new(u, 0.0, 0.0), up, 2.0 * semi_axes[1] * (1.0 - ratio * ratio).max(0.0).sqrt())
+            }
+        }
     }
 
     /// Area in mm^2.

@@ -74,7 +74,7 @@ fn error(forces: &[ApproachForce]) -> Option<f64> {
 }
 
 /// The problem under a force, its approach kept.
-fn with_force(problem: &Problem, force: f64) -> Result<Problem, Fault> {
+pub(super) fn with_force(problem: &Problem, force: f64) -> Result<Problem, Fault> {
     let mut problem = problem.clone();
     if let Some(load) = &mut problem.scene.load {
         load.force = Some(Force(force));

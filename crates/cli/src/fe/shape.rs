@@ -13,14 +13,16 @@ use crate::fe::approach;
 use crate::fe::bodies::Level;
 use crate::fe::gap_difference::{Measure, difference_of_gaps};
 use crate::fe::operators::Reduced;
+use crate::fe::pressure_ends::pressure_ends;
 use crate::fe::recover::{Moment, Reported};
 use crate::fe::round_trip;
 use crate::fe::stage::{Stage, add_times, note, rest, rungs};
-use crate::fe::template::Cut;
 use crate::fe::tolerance;
 use crate::fe::torsion;
+use crate::freedom::Role;
 use crate::machined::{Machined, SurfacePoint};
 use crate::profile::Profile;
+use crate::scene::Balance;
 use crate::setup::Problem;
 use crate::solution::{EnergyResult, ShapeResult, Solution, Status};
 use crate::solve::{CURVE, Options};
@@ -58,6 +60,11 @@ pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution
         solution.reason = Some(reason);
         return Ok(None);
     }
+    let carried = balanced(problem, &optimum)?;
+    let stage = match &carried {
+        Some(problem) => Stage::new(problem)?,
+        None => stage,
+    };
     let shaper = Shaper::new(stage, &optimum);
     let fixed = stage.fixed_level().is_some();
     let mut solved: Vec<Solved> = Vec::new();
@@ -72,6 +79,17 @@ pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution
         }
     }
     finish(&shaper, solved, fixed, options, solution)
+}
+
+/// The problem under the force that the pressure really carries, where that is not the load (`optimum.balance = "paper"` on an arc): bodies out
+/// of balance have no shape.
+fn balanced(problem: &Problem, optimum: &wear::Optimum) -> Result<Option<Problem>, Fault> {
+    let paper = problem.scene.optimum.as_ref().and_then(|optimum| optimum.balance) == Some(Balance::Paper);
+    let push = problem.freedoms.iter().position(|freedom| freedom.role == Role::Force);
+    match push.filter(|_| paper) {
+        Some(push) => approach::with_force(problem, optimum.resultants[push]).map(Some),
+        None => Ok(None),
+    }
 }
 
 /// Why a wanted pressure has no shape: it is infinite somewhere.
@@ -143,18 +161,20 @@ fn finish(
 pub(super) struct Shaper<'a> {
     pub(super) stage: Stage<'a>,
     pub(super) optimum: &'a wear::Optimum,
+    /// Ends of the wanted pressure inside the surface.
+    ends: Vec<f64>,
     feed: Vec<f64>,
 }
 
 impl<'a> Shaper<'a> {
     pub(super) fn new(stage: Stage<'a>, optimum: &'a wear::Optimum) -> Shaper<'a> {
-        Shaper { stage, optimum, feed: optimum.feed.clone().unwrap_or_default() }
+        Shaper { stage, optimum, ends: pressure_ends(stage, optimum), feed: optimum.feed.clone().unwrap_or_default() }
     }
 
     /// Solves one level.
     fn level(&self, level: Level) -> Result<Solved, Fault> {
         let mut solution = Solution::default();
-        let reduced = self.stage.reduced(level, Cut::Plain, &mut solution)?;
+        let reduced = self.stage.reduced_at(level, &self.ends, &mut solution)?;
         let start = Instant::now();
         let pair = reduced.pair()?;
         let shape = self.shape(&pair)?;
@@ -223,7 +243,7 @@ impl<'a> Shaper<'a> {
         let Shape { shaped, counter, .. } = last.shape;
         Ok(counter.map(|counter| {
             let moments = vec![Moment { time_s: 0.0, name: "", states: [shaped, counter], around }];
-            Reported { level: last.level, ends: Vec::new(), moments }
+            Reported { level: last.level, ends: self.ends.clone(), moments }
         }))
     }
 

@@ -65,6 +65,18 @@ impl<'a> Stage<'a> {
         ladder(self.scene(), options)
     }
 
+    /// Both bodies of a level with nodes at the ends of a pressure that does not fill the surface; without such ends as [`Stage::reduced`].
+    pub(super) fn reduced_at(&self, level: Level, ends: &[f64], solution: &mut Solution) -> Result<Arc<Reduced>, Fault> {
+        if ends.is_empty() {
+            return self.reduced(level, Cut::Plain, solution);
+        }
+        let parts = self.parts(level, Cut::Ends(ends), solution)?;
+        let reduced = Reduced::new(&parts, solution)?;
+        solution.counters.factorisations += 2;
+        reduced.count(&mut solution.counters);
+        Ok(Arc::new(reduced))
+    }
+
     /// Both bodies of a level, meshed and reduced unless that was done before.
     pub(super) fn reduced(&self, level: Level, cut: Cut<'static>, solution: &mut Solution) -> Result<Arc<Reduced>, Fault> {
         let place = Place { level, cut, torsion: false };

@@ -1,5 +1,6 @@
 //! The wear stage: the gap in time, from the start gap until it is steady or a time is over.
 
+mod final_ends;
 mod history;
 mod level;
 mod mesh_lines;
@@ -22,7 +23,7 @@ use crate::setup::Problem;
 use crate::solution::{Counters, Solution, Status};
 use crate::solve::Options;
 
-use level::{MOST_STEPS, run};
+use level::{MOST_STEPS, Mesh, run};
 
 pub(super) use problem::rules;
 
@@ -51,6 +52,7 @@ pub(super) fn solve(
     if !known || finished.len() >= ladder.len() {
         finished.clear();
     }
+    let ends = final_ends::final_ends(stage)?;
     let mut last: Option<Solved> = None;
     let mut times = Vec::new();
     for level in ladder.into_iter().skip(finished.len()) {
@@ -60,7 +62,7 @@ pub(super) fn solve(
         if let Some(before) = last.take() {
             finished.push(before.left);
         }
-        match run(stage, level, &finished, options, live)? {
+        match run(stage, Mesh { level, ends: &ends }, &finished, options, live)? {
             Ok(solved) => {
                 times.push(solved.solution.times.clone());
                 let stuck = matches!(solved.ended, EvolutionStatus::Stuck { .. });

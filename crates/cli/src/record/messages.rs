@@ -72,6 +72,8 @@ pub(crate) struct FinishedLevel {
     pub(crate) gap_mm: Vec<f64>,
     /// Closing of each rigid mode there, point by point.
     pub(crate) closing: Vec<f64>,
+    /// Time at its end.
+    pub(crate) time_s: f64,
     /// Steps taken.
     pub(crate) wear_steps: usize,
     /// Factorisations.

@@ -22,8 +22,6 @@ pub(crate) struct State {
     pub(crate) recession_mm: f64,
     /// How far the wear is from a rigid motion.
     pub(crate) steady_residual: f64,
-    /// Area norm of the gap rate at the start.
-    pub(crate) start_rate: f64,
     /// Wear power of the bodies that open the gap: the Lyapunov function.
     pub(crate) lyapunov: f64,
     /// Its largest relative growth in a step so far.
@@ -68,7 +66,6 @@ impl From<&WearState> for State {
             volume_mm3: state.volume,
             recession_mm: state.recession,
             steady_residual: state.steady_residual,
-            start_rate: state.start_rate,
             lyapunov: state.lyapunov,
             lyapunov_increase: state.lyapunov_increase,
             step_s: state.step_size,
@@ -106,7 +103,6 @@ impl From<State> for WearState {
             recession: state.recession_mm,
             volume: state.volume_mm3,
             steady_residual: state.steady_residual,
-            start_rate: state.start_rate,
             lyapunov: state.lyapunov,
             lyapunov_increase: state.lyapunov_increase,
             step_size: state.step_s,

@@ -28,7 +28,6 @@ fn state(step: usize) -> WearState {
         recession: odd(9),
         volume: [odd(10), odd(11)],
         steady_residual: odd(12),
-        start_rate: odd(13),
         lyapunov: odd(14),
         lyapunov_increase: odd(15),
         step_size: odd(16),

@@ -100,6 +100,11 @@ pub(crate) fn verdict(problem: &Problem, solution: &Solution) -> String {
         return match wear.steady {
             true => match &wear.to_1_percent {
                 Some(near) => format!("Worn in to 1 % after {} s, steady after {time} s.", short(near.time_s)),
+                None if problem.scene.load.as_ref().is_some_and(|load| load.approach.is_some()) => {
+                    format!(
+                        "The contact has worn itself free after {time} s: under the prescribed approach nothing presses any more."
+                    )
+                }
                 None => format!("Worn in after {time} s: the pressure no longer changes."),
             },
             false => format!("Worn for {time} s; not yet steady."),

@@ -24,6 +24,9 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) 
         return Ok(());
     };
     let (b1, b2) = exponents(wear)?;
+    if !wants_wear && wear.beta.is_none() && wear.k.is_none() {
+        return Ok(());
+    }
     let (name, factors) = factors(wear)?;
     let two_wear = factors.iter().all(|factor| factor.value > 0.0);
     if name == "beta" && friction == 0.0 && !contact_only && (tasks == [Task::Wear] || (two_wear && b1 != b2)) {

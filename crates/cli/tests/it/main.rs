@@ -16,6 +16,7 @@ mod hertz;
 mod internal_shoe;
 mod json;
 mod machined;
+mod partial_contact;
 mod pressure;
 mod reproduce;
 mod resolved;

@@ -151,7 +151,7 @@ fn an_error_of_the_shape_changes_the_pressure_and_runs_in_as_theory_says() {
     // The slowest mode of a half-plane: let a wedge wear until it is alone.
     let mut run = problem(points.clone(), half_plane(&points, None, MODULUS), rule(WEAR, b), flat);
     run.gap = points.iter().map(|p| 2e-6 * (p.position.x + 30.0)).collect();
-    run.until = Until::Steady { residual: 1e-5 };
+    run.until = Until::Steady { residual: 1e-5, not_before: 0.0 };
     let mut evolution = Evolution::new(&run).unwrap();
     let late = evolution.by_ref().last().unwrap();
     let slowest = evolution.run_in().unwrap().distances[0];

@@ -54,7 +54,7 @@ fn reversed_sliding_wears_the_mirror_image() {
     let stage = |system| LoadStage { system, speeds: vec![5.0; points.len()] };
     let gap = vec![0.0; points.len()];
     let mut run = WearProblem::new(points.clone(), pair(), Counterface::Fresh, gap, forwards.clone());
-    run.until = Until::Steady { residual: 1e-11 };
+    run.until = Until::Steady { residual: 1e-11, not_before: 0.0 };
     let ahead = Evolution::new(&run).unwrap().last().unwrap();
     run.stages = vec![stage(forwards), stage(backwards)];
     run.schedule = vec![Interval { stage: 0, duration: ahead.time }, Interval { stage: 1, duration: f64::INFINITY }];

@@ -154,7 +154,7 @@ fn explicit_steps_on_a_sliding_punch_settle_below_the_bound_only() {
     for b in [1.0, 2.0] {
         let gap = vec![0.0; points.len()];
         let mut problem = WearProblem::new(points.clone(), rule(b), Counterface::Fresh, gap, system.clone());
-        problem.until = Until::Steady { residual: 1e-7 };
+        problem.until = Until::Steady { residual: 1e-7, not_before: 0.0 };
         let mut evolution = Evolution::new(&problem).unwrap();
         let steady = evolution.by_ref().last().unwrap();
         let modes = evolution.run_in().unwrap();

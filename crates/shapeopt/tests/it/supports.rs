@@ -68,7 +68,7 @@ fn settling_tells_when_the_pressure_is_within_a_part_of_steady() {
     let gap: Vec<f64> = points.iter().map(|p| 1e-4 * (0.3 * p.position.x).sin()).collect();
     let mut run = problem(points.clone(), winkler(&points, None, FOUNDATION), rule(WEAR, 1.0), gap);
     run.stepping = Stepping::Adaptive { accuracy: 1e-10 };
-    run.until = Until::Steady { residual: 1e-12 };
+    run.until = Until::Steady { residual: 1e-12, not_before: 0.0 };
     let states: Vec<WearState> = Evolution::new(&run).unwrap().collect();
     let norm = |p: &[f64]| -> f64 { p.iter().map(|v| (v - 1000.0 / AREA).powi(2)).sum::<f64>().sqrt() };
     let start = norm(&states[0].pressure) / (30.0_f64.sqrt() * 1000.0 / AREA);

@@ -10,7 +10,6 @@ use crate::fe::bodies::Level;
 use crate::fe::contact::pressure_at;
 use crate::fe::recover::{Moment, Reported};
 use crate::fe::stage::{Stage, note};
-use crate::fe::template::Cut;
 use crate::fe::torsion;
 use crate::fe::wear::Solved;
 use crate::fe::wear::history::History;
@@ -32,16 +31,24 @@ pub(super) const MOST_STEPS: usize = 20_000;
 /// Run-in distances in the summary, slowest first.
 const RUN_IN: usize = 4;
 
+/// The discretisation of a run: a level, with nodes at the ends of the final pressure.
+#[derive(Clone, Copy)]
+pub(super) struct Mesh<'a> {
+    pub(super) level: Level,
+    pub(super) ends: &'a [f64],
+}
+
 /// One run on one level after the `finished` ones; the inner `Err` is a start without an answer.
 pub(super) fn run(
     stage: Stage<'_>,
-    level: Level,
+    mesh: Mesh<'_>,
     finished: &[FinishedLevel],
     options: Options,
     live: &mut Live,
 ) -> Result<Result<Solved, String>, Fault> {
     let mut solution = Solution::default();
-    let reduced = stage.reduced(level, Cut::Plain, &mut solution)?;
+    let Mesh { level, ends } = mesh;
+    let reduced = stage.reduced_at(level, ends, &mut solution)?;
     let start = Instant::now();
     let pair = reduced.pair()?;
     let operator = reduced.operator(&pair, stage.friction() > 0.0)?;
@@ -50,12 +57,14 @@ pub(super) fn run(
     let pieces = Pieces::of(stage.problem)?;
     let stages = pieces.scenes.iter().map(Stage::new).collect::<Result<Vec<Stage<'_>>, Fault>>()?;
     let loads: Vec<ContactLoad> = stages.iter().map(|stage| stage.contact_load(operator.points())).collect();
-    let problem = match wear_problem(&stages, &pieces.intervals, &pair, &operator, &loads)? {
+    // Gaps of levels are compared at one time: where part of the surface is open, the worn part goes on receding from it.
+    let not_before = finished.iter().map(|level| level.time_s).fold(0.0, f64::max);
+    let problem = match wear_problem(&stages, &pieces.intervals, &pair, &operator, &loads, not_before)? {
         Ok(problem) => problem,
         Err(reason) => return Ok(Err(reason)),
     };
     let message = format!("degree {}, {} layers, {} contact points", level.degree, level.layers, operator.points().len());
-    let recorded = live.begin_level(finished, || mesh_lines(stage, level), &message)?;
+    let recorded = live.begin_level(finished, || mesh_lines(stage, level, ends), &message)?;
     let surface = Surface { stages: &stages, pair: &pair, points: operator.points() };
     let run = match evolve(&problem, &surface, recorded, live)? {
         Ok(run) => run,
@@ -113,11 +122,12 @@ pub(super) fn run(
         let around = torsion::around(stages[first], operator.points(), &started.pressure);
         moments.extend(moment("start", 0.0, started, around));
     }
-    let reported = Some(Reported { level, ends: Vec::new(), moments });
+    let reported = Some(Reported { level, ends: ends.to_vec(), moments });
     let left = FinishedLevel {
         degree: level.degree,
         layers: level.layers,
         gap_mm: samples.iter().map(|p| operator.value_at(&normalised, p.arc)).collect(),
+        time_s: state.time,
         closing: samples.iter().flat_map(|point| closing(&pair, point)).collect(),
         wear_steps: state.step,
         factorisations: solution.counters.factorisations,

@@ -12,9 +12,9 @@ use crate::solution::Solution;
 /// Straight pieces of a curved edge.
 const PIECES: usize = 8;
 
-/// The edges of both meshes of a level.
-pub(super) fn mesh_lines(stage: Stage<'_>, level: Level) -> Result<SceneUpdate, Fault> {
-    let parts = stage.parts(level, Cut::Plain, &mut Solution::default())?;
+/// The edges of both meshes of a level, cut at `ends`.
+pub(super) fn mesh_lines(stage: Stage<'_>, level: Level, ends: &[f64]) -> Result<SceneUpdate, Fault> {
+    let parts = stage.parts(level, Cut::Ends(ends), &mut Solution::default())?;
     Ok(SceneUpdate::new(&[lines(&parts.parts[0].mesh), lines(&parts.parts[1].mesh)]))
 }
 

@@ -3,6 +3,7 @@
 use shapeopt::Interval;
 
 use crate::fault::Fault;
+use crate::freedom::freedoms;
 use crate::scene::Schedule;
 use crate::setup::Problem;
 use crate::surface::Patch;
@@ -60,5 +61,6 @@ fn under(problem: &Problem, [force, moment, speed]: [f64; 3]) -> Result<Problem,
         sliding.speed.iter_mut().for_each(|v| v.0 *= speed);
     }
     problem.patch = Patch::of(&problem.scene)?;
+    problem.freedoms = freedoms(&problem.scene, problem.patch.as_ref())?;
     Ok(problem)
 }

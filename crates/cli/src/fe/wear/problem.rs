@@ -25,13 +25,14 @@ pub(in crate::fe) fn rules(stage: Stage<'_>) -> Result<(wear::WearPair, wear::Co
     Ok((laws, counterface))
 }
 
-/// The wear problem on an operator; one stage a load that occurs. The inner `Err` says why it has no answer.
+/// The wear problem on an operator; one stage a load that occurs. A run until the steady state goes on to the time `not_before` at least. The inner `Err` says why it has no answer.
 pub(super) fn wear_problem(
     stages: &[Stage<'_>],
     intervals: &[Interval],
     pair: &Pair<'_>,
     operator: &ContactOperator<'_>,
     loads: &[ContactLoad],
+    not_before: f64,
 ) -> Result<Result<WearProblem, String>, Fault> {
     let stage = stages[intervals[0].stage];
     let surface = |stage: &Stage<'_>| -> Vec<wear::SurfacePoint> {
@@ -58,7 +59,7 @@ pub(super) fn wear_problem(
     problem.schedule = intervals.to_vec();
     problem.start = Some([start.pressure, start.opening]);
     problem.track_area = stage.patch.surface.track_area();
-    problem.until = Until::Steady { residual: STEADY };
+    problem.until = Until::Steady { residual: STEADY, not_before };
     if let Some(gap::Until::Time(time)) = stage.scene().wear.as_ref().and_then(|wear| wear.until) {
         problem.until = Until::Time(time.0);
         problem.stepping = Stepping::Adaptive { accuracy: stage.accuracy() };
