@@ -13,7 +13,7 @@
 use crate::cell_matrix::Elements;
 use crate::dense::{factor_panel, subtract_square};
 use crate::error::Error;
-use crate::plan::Plan;
+use crate::plan::{FrontPlan, Plan};
 use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::solve_upper_triangular_in_place;
 use faer::{Accum, Mat, MatMut, MatRef, Par};
@@ -25,7 +25,7 @@ const SPARE_LENGTH: usize = 1 << 17;
 /// The factorised interior and the condensed kept part.
 pub(crate) struct Condensed {
     plan: Plan,
-    /// `[L11; L21]` of every front, columns one after the other.
+    /// `[L11; L21]` of every front, columns one after the other; empty if they were not to be kept.
     panels: Vec<Vec<f64>>,
     /// Schur complement on the kept unknowns, both triangles filled.
     pub(crate) stiffness: Mat<f64>,
@@ -37,21 +37,32 @@ pub(crate) struct Condensed {
 
 impl Plan {
     /// Runs the elimination on elements whose groups are sorted by [`Plan::rank`]. The last of the `kept` groups is that of the right-hand
-    /// sides.
+    /// sides; `factors` tells whether the fronts are kept for [`Condensed::back_substitute`].
     ///
     /// # Errors
     /// The group whose pivot lost all stiffness.
-    pub(crate) fn run(self, elements: &mut Elements<'_>, size: &[usize], kept: &[usize]) -> Result<Condensed, usize> {
+    pub(crate) fn run(
+        self,
+        elements: &mut Elements<'_>,
+        size: &[usize],
+        kept: &[usize],
+        factors: bool,
+    ) -> Result<Condensed, usize> {
         let cells = elements.groups.len();
         let mut offset = vec![0; size.len()];
-        let mut panels = Vec::with_capacity(self.fronts.len());
+        let unknowns = |groups: &[usize]| groups.iter().map(|g| size[*g]).sum::<usize>();
+        let panel_size = |plan: &FrontPlan| unknowns(&plan.groups) * unknowns(&plan.groups[..plan.eliminated]);
+        let (mut panels, mut panel) = (Vec::new(), Vec::new());
+        if !factors {
+            panel = vec![0.0; self.fronts.iter().map(panel_size).max().unwrap_or(0)];
+        }
         let mut merged: Vec<Vec<f64>> = Vec::with_capacity(self.fronts.len());
         let (mut spare, mut buffer) = (Vec::new(), Vec::new());
         for plan in &self.fronts {
             let n = place(&plan.groups, size, &mut offset);
-            let ne = plan.groups[..plan.eliminated].iter().map(|g| size[*g]).sum();
-            let mut panel = vec![0.0; n * ne];
-            let mut rest = zeros(&mut spare, (n - ne) * (n - ne));
+            let ne = unknowns(&plan.groups[..plan.eliminated]);
+            clear(&mut panel, n, ne);
+            let mut rest = zeros(&mut spare, n - ne);
             for child in &plan.children {
                 if let Some(front) = child.checked_sub(cells) {
                     let matrix = std::mem::take(&mut merged[front]);
@@ -69,7 +80,9 @@ impl Plan {
             let l21 = MatRef::from_column_major_slice(&panel, n, ne).subrows(ne, n - ne);
             subtract_square(l21, MatMut::from_column_major_slice_mut(&mut rest, n - ne, n - ne));
             merged.push(rest);
-            panels.push(panel);
+            if factors {
+                panels.push(std::mem::take(&mut panel));
+            }
         }
         let n = place(kept, size, &mut offset);
         let mut square = vec![0.0; n * n];
@@ -82,13 +95,13 @@ impl Plan {
                 }
             }
         }
-        let unknowns = n - kept.last().map_or(0, |g| size[*g]);
-        let (columns, at) = (n - unknowns, |i: usize, j: usize| square[i.min(j) * n + i.max(j)]);
+        let own = n - kept.last().map_or(0, |g| size[*g]);
+        let (columns, at) = (n - own, |i: usize, j: usize| square[i.min(j) * n + i.max(j)]);
         Ok(Condensed {
             panels,
-            stiffness: Mat::from_fn(unknowns, unknowns, at),
-            rhs: Mat::from_fn(unknowns, columns, |i, j| at(i, unknowns + j)),
-            work: Mat::from_fn(columns, columns, |i, j| -at(unknowns + i, unknowns + j)),
+            stiffness: Mat::from_fn(own, own, at),
+            rhs: Mat::from_fn(own, columns, |i, j| at(i, own + j)),
+            work: Mat::from_fn(columns, columns, |i, j| -at(own + i, own + j)),
             plan: self,
         })
     }
@@ -116,17 +129,24 @@ impl Condensed {
     }
 }
 
-/// A buffer of zeros, the smallest spare one that is large enough or a new one.
-fn zeros(spare: &mut Vec<Vec<f64>>, length: usize) -> Vec<f64> {
+/// A square whose lower triangle is zero, in the smallest spare buffer that is large enough or a new one.
+fn zeros(spare: &mut Vec<Vec<f64>>, n: usize) -> Vec<f64> {
     spare.sort_by_key(|b| std::cmp::Reverse(b.capacity()));
     spare.truncate(SPARE);
-    let Some(fit) = spare.iter().rposition(|b| b.capacity() >= length) else {
-        return vec![0.0; length];
-    };
-    let mut buffer = spare.remove(fit);
-    buffer.clear();
-    buffer.resize(length, 0.0);
+    let fit = spare.iter().rposition(|b| b.capacity() >= n * n);
+    let mut buffer = fit.map_or_else(Vec::new, |fit| spare.remove(fit));
+    clear(&mut buffer, n, n);
     buffer
+}
+
+/// Makes a buffer `columns` columns of `rows` numbers that are zero from the diagonal on.
+fn clear(buffer: &mut Vec<f64>, rows: usize, columns: usize) {
+    if buffer.capacity() < rows * columns {
+        *buffer = vec![0.0; rows * columns];
+        return;
+    }
+    buffer.resize(rows * columns, 0.0);
+    (0..columns).for_each(|j| buffer[j * rows + j..(j + 1) * rows].fill(0.0));
 }
 
 /// Sets the offsets of the groups in a front and returns its size.

@@ -1,7 +1,8 @@
 //! The bodies of a scene as finite element problems of one discretisation.
 
 use hpfem::{
-    Body, BodyProblem, Direction, EdgeTraction, Kinematics, LoadCase, Material, Mesh, RigidEdge, Sizes, SpaceKind, Support,
+    Body, BodyProblem, Direction, EdgeTraction, Effort, InterfaceOperator, Kinematics, LoadCase, Material, Mesh, RigidEdge,
+    Sizes, SpaceKind, Support,
 };
 
 use crate::fault::Fault;
@@ -131,6 +132,11 @@ impl BodyParts {
     /// Assembles and reduces the body.
     pub(crate) fn reduce(&self, key: &str) -> Result<Body<'_>, Fault> {
         Body::new(self.problem()).map_err(|error| not_held(key, &error))
+    }
+
+    /// Reduces the body to its contact edge, keeping nothing of its inside.
+    pub(crate) fn interface(&self, key: &str) -> Result<(InterfaceOperator, Effort), Fault> {
+        Body::interface(&self.problem()).map_err(|error| not_held(key, &error))
     }
 
     /// What the reduction takes.

@@ -58,7 +58,7 @@ pub(crate) fn forecast(problem: &Problem) -> Result<Vec<Forecast>, Fault> {
         let operations: f64 = sizes(&level)?.iter().map(|size| size.operations).sum();
         for _ in 0..TIMES {
             let start = Instant::now();
-            level.reduce(&mut Solution::default())?;
+            level.interfaces(&mut Solution::default())?;
             rate = rate.max(operations / start.elapsed().as_secs_f64());
         }
     }

@@ -162,16 +162,11 @@ impl Reduced {
     /// Assembles and reduces both bodies; their effort goes to the times of `solution`.
     pub(super) fn new(parts: &Parts, solution: &mut Solution) -> Result<Reduced, Fault> {
         let mut work = Solution::default();
-        let bodies = parts.reduce(&mut work)?;
+        let interfaces = parts.interfaces(&mut work)?;
         solution.times.append(&mut work.times);
         work.counters.factorisations = 0;
         let names = |body: usize| parts.parts[body].support_names.clone();
-        Ok(Reduced {
-            interfaces: bodies.map(|body| body.interface),
-            support_names: [names(0), names(1)],
-            counters: work.counters,
-            unit: Default::default(),
-        })
+        Ok(Reduced { interfaces, support_names: [names(0), names(1)], counters: work.counters, unit: Default::default() })
     }
 
     /// Cells and unknowns of the discretisation, into the counters of a run.
