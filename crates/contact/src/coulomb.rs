@@ -99,20 +99,33 @@ impl Coulomb<'_> {
             .fold(0.0, f64::max)
     }
 
-    /// Solves with given states; `None` if that is singular.
-    pub(crate) fn on_states(&self, states: &[ContactState]) -> Option<Sheared> {
-        let n = states.len();
-        let m = self.normal.load.len();
-        let contact: Vec<usize> = (0..n).filter(|i| states[*i] != ContactState::Open).collect();
-        let stick: Vec<usize> = (0..n).filter(|i| states[*i] == ContactState::Stick).collect();
-        let slide = |i: usize| match states[i] {
+    /// Points in contact, and those of them that stick.
+    fn touching(states: &[ContactState]) -> [Vec<usize>; 2] {
+        let all = |wanted: &dyn Fn(ContactState) -> bool| (0..states.len()).filter(|i| wanted(states[*i])).collect();
+        [all(&|s| s != ContactState::Open), all(&|s| s == ContactState::Stick)]
+    }
+
+    /// Shear per normal force of a slipping point.
+    fn slide(&self, state: ContactState) -> f64 {
+        match state {
             ContactState::Forward => self.coefficient,
             ContactState::Backward => -self.coefficient,
             _ => 0.0,
-        };
+        }
+    }
+
+    /// Compliance of a point in its own direction.
+    fn own(&self, normal: bool, i: usize) -> f64 {
+        if normal { self.normal.compliance[(i, i)] } else { self.tangential[(i, i)] }
+    }
+
+    /// The scaled system of given states: points in contact, sticking points, coordinates.
+    pub(crate) fn matrix(&self, states: &[ContactState]) -> Mat<f64> {
+        let m = self.normal.load.len();
+        let [contact, stick] = Self::touching(states);
+        let slide = |i: usize| self.slide(states[i]);
         let (c, s) = (contact.len(), stick.len());
         let (unit, resultant) = self.scales();
-        let own = |normal: bool, i: usize| if normal { self.normal.compliance[(i, i)] } else { self.tangential[(i, i)] };
         let nn = &self.normal.compliance;
         // Column of unknown `j` in the opening or slip of point `i`.
         let entry = |normal: bool, i: usize, j: usize| -> f64 {
@@ -129,11 +142,11 @@ impl Coulomb<'_> {
                 unit[k] * if normal { self.normal.influence[(i, k)] } else { self.influence[(i, k)] }
             }
         };
-        let matrix = Mat::from_fn(c + s + m, c + s + m, |i, j| {
+        Mat::from_fn(c + s + m, c + s + m, |i, j| {
             if i < c {
-                entry(true, contact[i], j) / own(true, contact[i])
+                entry(true, contact[i], j) / self.own(true, contact[i])
             } else if i < c + s {
-                entry(false, stick[i - c], j) / own(false, stick[i - c])
+                entry(false, stick[i - c], j) / self.own(false, stick[i - c])
             } else {
                 let k = i - c - s;
                 let value = if j < c {
@@ -145,16 +158,25 @@ impl Coulomb<'_> {
                 };
                 value / resultant[k]
             }
-        });
+        })
+    }
+
+    /// Solves with given states; `None` if that is singular.
+    pub(crate) fn on_states(&self, states: &[ContactState]) -> Option<Sheared> {
+        let (n, m) = (states.len(), self.normal.load.len());
+        let [contact, stick] = Self::touching(states);
+        let (c, s) = (contact.len(), stick.len());
+        let (unit, resultant) = self.scales();
         let right = Mat::from_fn(c + s + m, 1, |i, _| {
             if i < c {
-                -self.normal.opening[contact[i]] / own(true, contact[i])
+                -self.normal.opening[contact[i]] / self.own(true, contact[i])
             } else if i < c + s {
-                -self.slip[stick[i - c]] / own(false, stick[i - c])
+                -self.slip[stick[i - c]] / self.own(false, stick[i - c])
             } else {
                 -self.normal.load[i - c - s] / resultant[i - c - s]
             }
         });
+        let matrix = self.matrix(states);
         let lu = matrix.partial_piv_lu();
         let pivots = (0..c + s + m).map(|i| lu.U()[(i, i)].abs());
         let (low, high) = pivots.fold((f64::INFINITY, 0.0_f64), |(l, h), p| (l.min(p), h.max(p)));
@@ -165,7 +187,7 @@ impl Coulomb<'_> {
         let mut at = Sheared { point: Point { force: vec![0.0; n], coordinates: vec![0.0; m] }, shear: vec![0.0; n] };
         for (j, k) in contact.iter().enumerate() {
             at.point.force[*k] = x[(j, 0)];
-            at.shear[*k] = slide(*k) * x[(j, 0)];
+            at.shear[*k] = self.slide(states[*k]) * x[(j, 0)];
         }
         stick.iter().enumerate().for_each(|(j, k)| at.shear[*k] = x[(c + j, 0)]);
         (0..m).for_each(|k| at.point.coordinates[k] = x[(c + s + k, 0)] * unit[k]);

@@ -25,6 +25,7 @@ mod step;
 mod system;
 mod tresca;
 mod twist;
+mod uniqueness;
 mod verdict;
 mod zones;
 
@@ -39,3 +40,4 @@ pub use solution::ContactSolution;
 pub use status::Status;
 pub use system::ContactSystem;
 pub use twist::{TorsionOperator, Turn, TwistSolution, TwistStatus};
+pub use uniqueness::Uniqueness;

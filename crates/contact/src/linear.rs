@@ -43,6 +43,24 @@ impl Scaling {
     }
 }
 
+/// The scaled system of an active set.
+pub(crate) fn matrix(problem: &Complementarity<'_>, scaling: &Scaling, index: &[usize], weight: f64) -> Mat<f64> {
+    let (a, m) = (index.len(), problem.load.len());
+    Mat::from_fn(a + m, a + m, |i, j| match (i < a, j < a) {
+        (true, true) => {
+            let value = problem.compliance[(index[i], index[j])] / scaling.point[index[i]];
+            if i == j { value + weight } else { value }
+        }
+        (true, false) => problem.influence[(index[i], j - a)] * scaling.unit[j - a] / scaling.point[index[i]],
+        (false, true) => problem.balance[(index[j], i - a)] / scaling.resultant[i - a],
+        (false, false) => {
+            let (i, j) = (i - a, j - a);
+            let spring = if i == j { weight * scaling.stiffness[j] } else { 0.0 };
+            -(problem.stiffness[(i, j)] + spring) * scaling.unit[j] / scaling.resultant[i]
+        }
+    })
+}
+
 /// `[A + w/r, Psi; B^T, -K - w k]` on the active points, factorised.
 pub(crate) struct Factor {
     lu: Option<PartialPivLu<f64>>,
@@ -59,23 +77,10 @@ pub(crate) fn refined(lu: &PartialPivLu<f64>, matrix: &Mat<f64>, right: &Mat<f64
 
 impl Factor {
     pub(crate) fn new(problem: &Complementarity<'_>, scaling: &Scaling, index: &[usize], weight: f64) -> Factor {
-        let (a, m) = (index.len(), problem.load.len());
-        if a + m == 0 {
+        if index.len() + problem.load.len() == 0 {
             return Factor { lu: None, matrix: Mat::zeros(0, 0) };
         }
-        let matrix = Mat::from_fn(a + m, a + m, |i, j| match (i < a, j < a) {
-            (true, true) => {
-                let value = problem.compliance[(index[i], index[j])] / scaling.point[index[i]];
-                if i == j { value + weight } else { value }
-            }
-            (true, false) => problem.influence[(index[i], j - a)] * scaling.unit[j - a] / scaling.point[index[i]],
-            (false, true) => problem.balance[(index[j], i - a)] / scaling.resultant[i - a],
-            (false, false) => {
-                let (i, j) = (i - a, j - a);
-                let spring = if i == j { weight * scaling.stiffness[j] } else { 0.0 };
-                -(problem.stiffness[(i, j)] + spring) * scaling.unit[j] / scaling.resultant[i]
-            }
-        });
+        let matrix = matrix(problem, scaling, index, weight);
         Factor { lu: Some(matrix.partial_piv_lu()), matrix }
     }
 

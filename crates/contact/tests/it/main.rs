@@ -11,3 +11,4 @@ mod sphere;
 mod statuses;
 mod trap;
 mod twist;
+mod uniqueness;
