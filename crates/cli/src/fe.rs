@@ -5,6 +5,7 @@ mod bodies;
 mod cells;
 mod contact;
 mod cuts;
+mod diagnosis;
 mod ends;
 mod ends_profile;
 mod forecast;

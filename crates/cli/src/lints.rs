@@ -91,11 +91,38 @@ const WORN: f64 = 0.1;
 
 /// Remarks on what a run came to.
 pub(crate) fn after(scene: &Scene, solution: &Solution) -> Vec<Lint> {
-    let depth = solution.wear.as_ref().and_then(|wear| wear.depth_um).map(|depth| 1e-3 * depth);
-    let (Some(depth), Some(thickness)) = (depth, thickness(scene)) else { return Vec::new() };
+    other_solutions(solution).into_iter().chain(worn_through(scene, solution)).collect()
+}
+
+/// What friction does to the one solution of a contact.
+fn other_solutions(solution: &Solution) -> Option<Lint> {
+    let found = solution.contact.as_ref()?.uniqueness.as_ref()?;
+    let from = short(found.not_guaranteed_from?);
+    let message = match (found.verdict.as_str(), found.singular_from.or(found.lost_from)) {
+        (_, Some(lost)) => format!(
+            "The contact followed up from no friction ends at a coefficient of {}: there its system is singular, and beyond it several contacts may be right, or none.",
+            short(lost)
+        ),
+        ("several", _) => {
+            "At this friction the contact has several solutions: the one reported is not the one that grows from no friction."
+                .into()
+        }
+        _ => format!(
+            "From a coefficient of friction of {from} on nothing guarantees that this is the only contact; the one reported grows from no friction without branching."
+        ),
+    };
+    let branches = matches!(found.verdict.as_str(), "singular" | "several");
+    let code = if branches { "several-solutions" } else { "not-guaranteed-unique" };
+    Some(Lint { code, message })
+}
+
+/// Wear beyond what body 1's stiffness stands for.
+fn worn_through(scene: &Scene, solution: &Solution) -> Option<Lint> {
+    let depth = 1e-3 * solution.wear.as_ref()?.depth_um?;
+    let thickness = thickness(scene)?;
     let allowed = WORN * thickness;
     if depth <= allowed {
-        return Vec::new();
+        return None;
     }
     let column = |name: &str| solution.history.iter().find(|(known, _)| known == name).map(|(_, values)| values.as_slice());
     let rows = column("time_s").zip(column("depth_um"));
@@ -106,7 +133,7 @@ pub(crate) fn after(scene: &Scene, solution: &Solution) -> Vec<Lint> {
         short(depth),
         short(thickness)
     );
-    vec![Lint { code: "wear-beyond-body", message }]
+    Some(Lint { code: "wear-beyond-body", message })
 }
 
 /// Thickness of body 1 above the middle of its contact edge, mm; cells that the user gives: from there to their highest vertex.

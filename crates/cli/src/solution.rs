@@ -47,6 +47,8 @@ pub(crate) struct Solution {
     pub(crate) reactions: Vec<(String, Reaction)>,
     /// Estimated errors.
     pub(crate) error: Option<ErrorResult>,
+    /// Condition of the system on the contact surface.
+    pub(crate) interface: Option<InterfaceResult>,
     /// What was counted.
     pub(crate) counters: Counters,
     /// Columns at the contact points, of the last task.
@@ -178,6 +180,8 @@ pub(crate) struct ContactResult {
     pub(crate) q_max_MPa: Option<f64>,
     /// Body 1 turned about the axis.
     pub(crate) twist: Option<TwistResult>,
+    /// Other solutions under friction.
+    pub(crate) uniqueness: Option<UniquenessResult>,
     /// Residual of p g = 0.
     pub(crate) complementarity: Option<f64>,
     /// Iterations.
@@ -196,6 +200,28 @@ pub(crate) struct TwistResult {
     pub(crate) torque_Nmm: Vec<f64>,
     /// Torque at which the whole contact slips.
     pub(crate) slip_torque_Nmm: f64,
+}
+
+/// `summary.contact.uniqueness`: coefficients of friction up to that of the scene.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub(crate) struct UniquenessResult {
+    /// guaranteed, not-guaranteed, singular, or several.
+    pub(crate) verdict: String,
+    /// From where one solution is not guaranteed.
+    pub(crate) not_guaranteed_from: Option<f64>,
+    /// From where the determinant of the system has changed its sign.
+    pub(crate) singular_from: Option<f64>,
+    /// From where the solution followed from no friction is lost.
+    pub(crate) lost_from: Option<f64>,
+}
+
+/// `summary.interface`: the scaled system of the points in contact that the last contact solve rests on.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub(crate) struct InterfaceResult {
+    /// Largest over smallest singular value.
+    pub(crate) condition: f64,
+    /// The smallest; it vanishes where solutions branch.
+    pub(crate) smallest_singular_value: f64,
 }
 
 /// `summary.shape`.

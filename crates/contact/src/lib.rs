@@ -6,6 +6,7 @@
 mod assemble;
 mod complementarity;
 mod coulomb;
+mod embedded;
 mod error;
 mod facing;
 mod interpolate;

@@ -130,7 +130,10 @@ impl<'a> ContactOperator<'a> {
             return Ok(self.step(&stage, &coulomb, warm_start));
         }
         let start = warm_start.map(|s| (stage.start(s), s.closed.clone()));
-        let answer = stage.problem.solve(start.as_ref().map(|(p, a)| (p, a.as_slice())));
+        let mut answer = stage.problem.solve(start.as_ref().map(|(p, a)| (p, a.as_slice())));
+        if !answer.settled && !stage.problem.symmetric {
+            answer = self.grown(gap, load)?.unwrap_or(answer);
+        }
         let status = verdict::status(&stage.problem, &self.normal, &answer);
         Ok(self.solution(&stage, answer, status))
     }

@@ -5,7 +5,7 @@
 //! more: the solution branches only where the determinant of the system of its active points passes zero (Klarbring 1990), that is where its smallest
 //! singular value vanishes. So the solution is followed from no friction up, but only where the form is indefinite.
 
-use crate::complementarity::{Complementarity, Point};
+use crate::complementarity::{Answer, Complementarity, Point};
 use crate::error::Error;
 use crate::linear::{Scaling, matrix};
 use crate::load::{ContactLoad, Friction};
@@ -70,21 +70,39 @@ impl ContactOperator<'_> {
     /// # Errors
     /// As [`ContactOperator::solve`].
     pub fn uniqueness(&self, gap: &[f64], load: &ContactLoad, solution: &ContactSolution) -> Result<Option<Uniqueness>, Error> {
-        let Friction::Sliding { coefficient, drag } = &load.friction else { return Ok(None) };
-        if !self.stage(gap, load).is_ok_and(|stage| !stage.problem.symmetric) {
+        let Friction::Sliding { coefficient, .. } = &load.friction else { return Ok(None) };
+        if self.stage(gap, load)?.problem.symmetric {
             return Ok(None);
         }
-        let at = |coefficient: f64| -> Result<_, Error> {
-            let friction = Friction::Sliding { coefficient, drag: drag.clone() };
-            Ok(self.stage(gap, &ContactLoad { friction, ..load.clone() })?)
-        };
-        // Loads and sizes were found right above.
-        let with = |coefficient: f64, read: &mut dyn FnMut(&Complementarity<'_>)| {
-            if let Ok(stage) = at(coefficient) {
-                read(&stage.problem);
+        let family = |mu: f64, read: &mut dyn FnMut(&Complementarity<'_>)| self.with_friction(gap, load, mu, read);
+        Ok(Some(follow(&family, *coefficient, &solution.nodal_force)))
+    }
+
+    /// The answer that grows from no friction, for loads from which a cold start does not settle; `None` where it is lost on the way.
+    pub(crate) fn grown(&self, gap: &[f64], load: &ContactLoad) -> Result<Option<Answer>, Error> {
+        let Friction::Sliding { coefficient, .. } = &load.friction else { return Ok(None) };
+        let mut last: Option<Answer> = None;
+        for k in 0..=STEPS {
+            let mut next = None;
+            let start = last.as_ref().map(|a| (&a.point, a.active.as_slice()));
+            self.with_friction(gap, load, coefficient * k as f64 / STEPS as f64, &mut |problem| {
+                next = Some(problem.solve(start))
+            });
+            last = next.filter(|answer| answer.settled);
+            if last.is_none() {
+                break;
             }
-        };
-        Ok(Some(follow(&with, *coefficient, &solution.nodal_force)))
+        }
+        Ok(last)
+    }
+
+    /// Gives the problem of another coefficient of friction to `read`; sizes and numbers of the load were found right before.
+    fn with_friction(&self, gap: &[f64], load: &ContactLoad, coefficient: f64, read: &mut dyn FnMut(&Complementarity<'_>)) {
+        let Friction::Sliding { drag, .. } = &load.friction else { return };
+        let friction = Friction::Sliding { coefficient, drag: drag.clone() };
+        if let Ok(stage) = self.stage(gap, &ContactLoad { friction, ..load.clone() }) {
+            read(&stage.problem);
+        }
     }
 }
 

@@ -21,6 +21,8 @@ pub(crate) struct Result {
     pub(crate) complementarity: Option<f64>,
     pub(crate) round_trip: Option<f64>,
     pub(crate) estimate: Option<f64>,
+    /// Largest over smallest singular value of the system solved on the contact surface.
+    pub(crate) condition: Option<f64>,
     /// Largest deviation from what is expected, and what was allowed.
     pub(crate) deviation: Option<(f64, f64)>,
     /// What does not hold; empty when the case is right.
@@ -106,6 +108,7 @@ fn residuals(document: &Value, folder: &Path, result: &mut Result) {
     result.balance = load.zip(carried).map(|(load, carried)| (carried / load - 1.0).abs());
     result.complementarity = number("/contact/complementarity");
     result.round_trip = number("/shape/roundtrip_same");
+    result.condition = number("/interface/condition");
     let others = ["energy", "pressure"].iter().filter_map(|what| number(&format!("/error/{what}_relative")));
     result.estimate = number("/error/gap_relative").or(others.reduce(f64::max));
     if let Some(balance) = result.balance {

@@ -9,12 +9,13 @@ pub(crate) fn line(row: &Row) -> String {
     let r = &row.result;
     let verdict = if r.failures.is_empty() { "ok" } else { "FAILED" };
     let mut text = format!(
-        "{:<22} {verdict:<7} balance {:>7}  complementarity {:>7}  round trip {:>7}  estimate {:>7}  off by {:<18} {:5.1} s  {}",
+        "{:<22} {verdict:<7} balance {:>7}  complementarity {:>7}  round trip {:>7}  estimate {:>7}  condition {:>7}  off by {:<18} {:5.1} s  {}",
         row.case.name,
         number(r.balance),
         number(r.complementarity),
         number(r.round_trip),
         number(r.estimate),
+        number(r.condition),
         deviation(row),
         row.seconds,
         shorten(&r.says, 90),
@@ -47,9 +48,10 @@ pub(crate) fn write(root: &Path, rows: &[Row]) -> Result<(), String> {
         "# Extreme cases\n\nWritten by `cargo xtask stability --docs` from [stability.toml](../verify/stability.toml), where each case stands with \
          its scene and what is demanded of it. {} cases, {} failed. Each must be right, or refused by name: never wrong in silence.\n\n\
          Balance: the force carried against the load. Complementarity: the largest of min(pressure, opening) of a contact, relative. Round trip: the pressure \
-         that a contact solve on the shape gives back, same operators. Estimate: the program's own, of the gap, else the larger of energy and pressure. \
+         that a contact solve on the shape gives back, same operators. Estimate: the program's own, of the gap, else the larger of energy and pressure. Condition: largest over smallest singular value of the scaled system \
+         of the points in contact, which a contact or the round trip of a shape is solved by. \
          Off by: the largest deviation from what is expected, and what is allowed; 0 of bit for bit is demanded where only powers of two change.\n\n\
-         | case | result | balance | complementarity | round trip | estimate | off by | right because |\n|---|---|---|---|---|---|---|---|\n",
+         | case | result | balance | complementarity | round trip | estimate | condition | off by | right because |\n|---|---|---|---|---|---|---|---|---|\n",
         rows.len(),
         failed.len()
     );
@@ -57,13 +59,14 @@ pub(crate) fn write(root: &Path, rows: &[Row]) -> Result<(), String> {
         let r = &row.result;
         let verdict = if r.failures.is_empty() { shorten(&r.says, 130) } else { format!("**FAILED** {}", r.failures.join("; ")) };
         page += &format!(
-            "| {} | {} | {} | {} | {} | {} | {} | {} |\n",
+            "| {} | {} | {} | {} | {} | {} | {} | {} | {} |\n",
             cell(&row.case.what),
             cell(&verdict),
             number(r.balance),
             number(r.complementarity),
             number(r.round_trip),
             number(r.estimate),
+            number(r.condition),
             deviation(row),
             cell(&row.case.right)
         );

@@ -6,6 +6,7 @@ use contact::{ContactOperator, ContactSolution, Pair, Status as ContactStatus};
 
 use crate::fault::Fault;
 use crate::fe::bodies::Level;
+use crate::fe::diagnosis;
 use crate::fe::free_ends::FreeEnds;
 use crate::fe::recover::{Moment, Reported};
 use crate::fe::stage::{Stage, accuracy, add_times, fixed_level, ladder, note, rest, rungs};
@@ -33,6 +34,8 @@ pub(super) struct Solved {
     pub(super) pressure: Vec<f64>,
     /// Torque or angle of a twist, to compare levels.
     pub(super) twist: Option<f64>,
+    /// Error of the pressure as the embedded degree tells it, for levels without a ladder below them.
+    pub(super) embedded: Option<f64>,
     /// Why there is no answer.
     pub(super) refused: Option<String>,
     /// For the fields.
@@ -100,7 +103,7 @@ fn finish(accuracy: f64, mut solved: Vec<Solved>, fixed: bool, solution: &mut So
     let total = |f: &dyn Fn(&Solved) -> usize| solved.iter().map(f).sum::<usize>();
     let factorisations = total(&|s| s.solution.counters.factorisations);
     let solves = total(&|s| s.solution.counters.contact_solves);
-    let Solved { solution: last, refused, reported, .. } = solved.pop()?;
+    let Solved { solution: last, refused, reported, embedded, .. } = solved.pop()?;
     add_times(&times, &mut solution.times);
     let checks = solution.counters.check_solves;
     let before = solution.counters.factorisations;
@@ -109,6 +112,7 @@ fn finish(accuracy: f64, mut solved: Vec<Solved>, fixed: bool, solution: &mut So
     solution.counters.contact_solves = solves;
     solution.counters.check_solves = checks;
     solution.contact = last.contact;
+    solution.interface = last.interface;
     solution.energy = last.energy;
     solution.reactions = last.reactions;
     solution.profile = last.profile;
@@ -118,7 +122,15 @@ fn finish(accuracy: f64, mut solved: Vec<Solved>, fixed: bool, solution: &mut So
         solution.reason = Some(reason);
         return None;
     }
-    let Some([energy, pressure, twist]) = errors else { return reported };
+    let Some([energy, pressure, twist]) = errors else {
+        if let (true, Some(embedded)) = (fixed, embedded) {
+            let result = solution.error.get_or_insert_default();
+            result.pressure_relative = Some(embedded);
+            result.how =
+                "pressure of the contact: what its highest degree on each edge adds; energy: not estimated below degree 5".into();
+        }
+        return reported;
+    };
     let result = solution.error.get_or_insert_default();
     result.energy_relative = Some(energy);
     result.pressure_relative = Some(pressure);
@@ -192,6 +204,9 @@ fn solve_level(stage: Stage<'_>, level: Level, options: Options, ends: &mut Free
         None => None,
     };
     twist.iter().for_each(|twist| twist.report(&mut contact, start));
+    contact.uniqueness = diagnosis::uniqueness(&operator, &gap, &load, &found)?;
+    let embedded = operator.embedded_difference(&gap, &load, &found).map_err(unsolved)?;
+    solution.interface = diagnosis::interface(&operator, &gap, &load, &found)?;
     solution.contact = Some(contact);
     let length = pair.trace().length();
     let inner: Vec<f64> = (0..SAMPLES).map(|i| length * (0.025 + 0.95 * i as f64 / (SAMPLES - 1) as f64)).collect();
@@ -232,7 +247,7 @@ fn solve_level(stage: Stage<'_>, level: Level, options: Options, ends: &mut Free
         Reported { level, ends: ends.places.clone(), moments: vec![Moment { time_s: 0.0, name: "", states, around }] }
     });
     let twist = twist.map(|twist| twist.answer);
-    Ok(Solved { energy: energy[0] + energy[1], pressure, twist, refused, reported, solution })
+    Ok(Solved { energy: energy[0] + energy[1], pressure, twist, embedded, refused, reported, solution })
 }
 
 /// Whether both bodies are templates, whose meshes can be cut anywhere.
@@ -311,6 +326,7 @@ fn result(stage: Stage<'_>, pair: &Pair<'_>, operator: &ContactOperator<'_>, fou
         stick_ends_mm: Vec::new(),
         q_max_MPa: Some(shear).filter(|_| !singular),
         twist: None,
+        uniqueness: None,
         complementarity: Some(found.complementarity),
         iterations: Some(found.iterations),
     }

@@ -14,6 +14,7 @@ use hpfem::{Body, Kinematics};
 use crate::fault::Fault;
 use crate::fe::bodies::{BodyParts, Level, kinematics};
 use crate::fe::contact::{Solved, climb, unsolved};
+use crate::fe::diagnosis;
 use crate::fe::ends_profile::Rows;
 use crate::fe::half_disc::Couple;
 use crate::fe::recover::{self, Moment, Reported};
@@ -319,10 +320,15 @@ impl<'a> Setting<'a> {
         let start = Instant::now();
         let gap: Vec<f64> = held.points.iter().map(|p| self.couple.gap(p.position[0])).collect();
         let pressed = operator.solve(&gap, &self.press(), Some(&held.pressed)).map_err(unsolved)?;
-        let found = match &held.sheared {
-            Some(sheared) => operator.solve(&gap, &self.push(&pressed.slip), Some(sheared)).map_err(unsolved)?,
-            None => pressed,
+        let (found, load) = match &held.sheared {
+            Some(sheared) => {
+                let push = self.push(&pressed.slip);
+                (operator.solve(&gap, &push, Some(sheared)).map_err(unsolved)?, push)
+            }
+            None => (pressed, self.press()),
         };
+        let embedded = operator.embedded_difference(&gap, &load, &found).map_err(unsolved)?;
+        work.interface = diagnosis::interface(&operator, &gap, &load, &found)?;
         work.counters.contact_solves += 1 + usize::from(held.sheared.is_some());
         note(&mut work, "contact", start);
         let copies = self.copies();
@@ -372,7 +378,7 @@ impl<'a> Setting<'a> {
             Reported { level, ends: Vec::new(), moments: vec![Moment { time_s: 0.0, name: "", states, around: Vec::new() }] }
         });
         let twist = twist.map(|twist| twist.answer);
-        Ok(Solved { energy: energy[0] + energy[1], pressure, twist, refused, reported, solution: work })
+        Ok(Solved { energy: energy[0] + energy[1], pressure, twist, embedded, refused, reported, solution: work })
     }
 }
 

@@ -184,6 +184,7 @@ impl Rows<'_> {
             stick_ends_mm: if sheared { both(self.nodes[0]) } else { Vec::new() },
             q_max_MPa: Some(largest(&found.shear)).filter(|_| sheared),
             twist: None,
+            uniqueness: None,
             complementarity: Some(found.complementarity),
             iterations: Some(found.iterations),
         }

@@ -1,11 +1,12 @@
 //! The proof of a shape: a full Signorini-Coulomb solve on it must give the wanted pressure back.
 
-use contact::ContactOperator;
+use contact::{ContactLoad, ContactOperator, ContactSolution};
 use shapeopt::{GapCurve, Shape, SurfacePlace};
 
 use crate::fault::Fault;
 use crate::fe::bodies::Level;
-use crate::fe::contact::pressure_at;
+use crate::fe::contact::{pressure_at, unsolved};
+use crate::fe::diagnosis;
 use crate::fe::operators::Reduced;
 use crate::fe::shape::Shaper;
 use crate::fe::template::Cut;
@@ -25,13 +26,16 @@ fn wanted(shaper: &Shaper<'_>, operator: &ContactOperator<'_>) -> (Vec<f64>, Vec
 }
 
 /// Round trip on the very operators the shape was found on: a test of the contact solver.
-pub(super) fn same(shaper: &Shaper<'_>, reduced: &Reduced, shape: &Shape) -> Result<f64, Fault> {
+/// Also notes the condition of its system.
+pub(super) fn same(shaper: &Shaper<'_>, reduced: &Reduced, shape: &Shape, solution: &mut Solution) -> Result<f64, Fault> {
     let pair = reduced.pair()?;
     let operator = reduced.operator(&pair, shaper.stage.friction() > 0.0)?;
     let gap: Vec<f64> = operator.points().iter().map(|p| shape.gap(&pair, p)).collect();
     let found = solve(shaper, &operator, &gap)?;
+    let load = loaded(shaper, &operator);
+    solution.interface = diagnosis::interface(&operator, &gap, &load, &found)?;
     let (weights, wanted) = wanted(shaper, &operator);
-    Ok(difference(&weights, &found, &wanted))
+    Ok(difference(&weights, &found.pressure, &wanted))
 }
 
 /// Round trip on an independent discretisation: two degrees more, other break points, the gap as a function of the arc length.
@@ -43,7 +47,7 @@ pub(super) fn independent(shaper: &Shaper<'_>, level: Level, shape: &GapCurve, s
     let pair = reduced.pair()?;
     let operator = reduced.operator(&pair, shaper.stage.friction() > 0.0)?;
     let gap: Vec<f64> = operator.points().iter().map(|p| shape.at(p.arc)).collect();
-    let found = solve(shaper, &operator, &gap)?;
+    let found = solve(shaper, &operator, &gap)?.pressure;
     let (weights, wanted) = wanted(shaper, &operator);
     solution.counters.factorisations += effort.counters.factorisations;
     for profile in [&mut solution.profile, &mut solution.curve].into_iter().flatten() {
@@ -54,11 +58,12 @@ pub(super) fn independent(shaper: &Shaper<'_>, level: Level, shape: &GapCurve, s
     Ok(difference(&weights, &found, &wanted))
 }
 
-fn solve(shaper: &Shaper<'_>, operator: &ContactOperator<'_>, gap: &[f64]) -> Result<Vec<f64>, Fault> {
+fn loaded(shaper: &Shaper<'_>, operator: &ContactOperator<'_>) -> ContactLoad {
     let mut load = shaper.stage.contact_load(operator.points());
     shaper.add_feed(&mut load);
-    let found = operator
-        .solve(gap, &load, None)
-        .map_err(|error| Fault::at("contact", "no-contact", error.to_string(), "check the contact and its load"))?;
-    Ok(found.pressure)
+    load
+}
+
+fn solve(shaper: &Shaper<'_>, operator: &ContactOperator<'_>, gap: &[f64]) -> Result<ContactSolution, Fault> {
+    operator.solve(gap, &loaded(shaper, operator), None).map_err(unsolved)
 }

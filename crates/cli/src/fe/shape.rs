@@ -144,7 +144,7 @@ fn finish(
     }
     if shaper.stage.problem.plan.runs("round trip") {
         let start = Instant::now();
-        let same = round_trip::same(shaper, &last.reduced, &last.shape)?;
+        let same = round_trip::same(shaper, &last.reduced, &last.shape, solution)?;
         let curve = GapCurve::of(&last.shape, &last.reduced.pair()?);
         let independent = round_trip::independent(shaper, last.level, &curve, solution)?;
         note(solution, "round trip", start);

@@ -36,6 +36,7 @@ pub(crate) fn summary(problem: &Problem, solution: &Solution, resolved: &str) ->
         put("reactions", Value::Object(reactions));
     }
     put("error", value(&solution.error));
+    put("interface", value(&solution.interface));
     without_nulls(Value::Object(all))
 }
 

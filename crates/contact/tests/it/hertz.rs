@@ -9,7 +9,7 @@ use hpfem::{Body, BodyProblem, Direction, EdgeTraction, Kinematics, LoadCase, Me
 const SIZES: Sizes = Sizes { radius: 50.0, width: 100.0, depth: 200.0 };
 
 /// Both bodies as interface operators with a node at `end`, under `force` on the whole cylinder.
-fn bodies(end: f64, candidate: f64, degree: usize, layers: usize, force: f64) -> Rebuilt {
+pub(crate) fn bodies(end: f64, candidate: f64, degree: usize, layers: usize, force: f64) -> Rebuilt {
     let kinematics = Kinematics::PlaneStrain { thickness: 1.0 };
     let pressure = force / (2.0 * SIZES.radius);
     let load = vec![vec![EdgeTraction { boundary: "top".into(), traction: Box::new(move |_| [0.0, -pressure]) }]];
@@ -37,19 +37,19 @@ fn bodies(end: f64, candidate: f64, degree: usize, layers: usize, force: f64) ->
     }
 }
 
-fn gap(point: &ContactPoint) -> f64 {
+pub(crate) fn gap(point: &ContactPoint) -> f64 {
     let x = point.position[0];
     x * x / (SIZES.radius + (SIZES.radius.powi(2) - x * x).sqrt())
 }
 
-fn hertz(force: f64) -> (f64, f64) {
+pub(crate) fn hertz(force: f64) -> (f64, f64) {
     let modulus = 1.0 / (0.91 / 210e3 + 0.91 / 70e3);
     let end = (4.0 * force * SIZES.radius / (std::f64::consts::PI * modulus)).sqrt();
     (end, 2.0 * force / (std::f64::consts::PI * end))
 }
 
 /// End of contact and highest pressure, with a node on the end.
-fn positioned(degree: usize, layers: usize, force: f64) -> (Positioned, f64) {
+pub(crate) fn positioned(degree: usize, layers: usize, force: f64) -> (Positioned, f64) {
     let problem = Positioning { gap: &gap, load: &|_| ContactLoad::factors(&[1.0], &[]), starts_closed: true, tolerance: 1e-10 };
     let trial = hertz(force).0 * 1.05;
     let result = position_ends::<Error>(&problem, &[trial], |ends| Ok(bodies(ends[0], 1.6, degree, layers, force))).unwrap();

@@ -4,9 +4,11 @@
 mod cattaneo_mindlin;
 mod common;
 mod edges;
+mod embedded;
 mod full_contact;
 mod hertz;
 mod patch;
+mod penalty;
 mod sphere;
 mod statuses;
 mod trap;

@@ -1,0 +1,48 @@
+//! What a contact solve rests on: the condition of its system, and whether friction lets it have other solutions.
+
+use contact::{ContactLoad, ContactOperator, ContactSolution};
+
+use crate::fault::Fault;
+use crate::fe::contact::unsolved;
+use crate::solution::{InterfaceResult, UniquenessResult};
+
+/// Difference of pressures, over the largest, above which they are two solutions.
+const APART: f64 = 1e-6;
+
+/// Singular values of the system of the points in contact.
+pub(super) fn interface(
+    operator: &ContactOperator<'_>,
+    gap: &[f64],
+    load: &ContactLoad,
+    found: &ContactSolution,
+) -> Result<Option<InterfaceResult>, Fault> {
+    let values = operator.singular_values(gap, load, found).map_err(unsolved)?;
+    Ok(values.map(|[low, high]| InterfaceResult { condition: high / low, smallest_singular_value: low }))
+}
+
+/// Other solutions of a contact that slides steadily.
+pub(super) fn uniqueness(
+    operator: &ContactOperator<'_>,
+    gap: &[f64],
+    load: &ContactLoad,
+    found: &ContactSolution,
+) -> Result<Option<UniquenessResult>, Fault> {
+    let judged = operator.uniqueness(gap, load, found).map_err(unsolved)?;
+    Ok(judged.map(|judged| {
+        let verdict = if judged.is_guaranteed() {
+            "guaranteed"
+        } else if judged.singular_from.or(judged.lost_from).is_some() {
+            "singular"
+        } else if judged.other_solution > APART {
+            "several"
+        } else {
+            "not-guaranteed"
+        };
+        UniquenessResult {
+            verdict: verdict.into(),
+            not_guaranteed_from: judged.not_guaranteed_from,
+            singular_from: judged.singular_from,
+            lost_from: judged.lost_from,
+        }
+    }))
+}
