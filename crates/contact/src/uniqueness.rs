@@ -211,6 +211,7 @@ fn is_definite(problem: &Complementarity<'_>) -> bool {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
     use std::borrow::Cow;
