@@ -2,7 +2,8 @@
 //!
 //! Plane stiffness does not change when a cell is moved, turned, mirrored or scaled, so congruent and similar cells of one material and
 //! degree share their condensed matrix. Shapes are compared to round-off: the corners and the middles of the edges, which determine lines and
-//! arcs with their parameter, must go over into each other by a similarity of the plane.
+//! arcs with their parameter, must go over into each other by a similarity of the plane. Triangles share if they are straight: their
+//! points of quadrature prefer one corner, which makes no difference then.
 
 use crate::curve::Curve;
 use crate::mesh::{CELL_EDGES, Mesh};
@@ -58,10 +59,32 @@ impl Turn {
         }
         turn
     }
+
+    /// The symmetry of the triangle that takes corner 0 to `start` and keeps or reverses the sense of walking.
+    fn of_triangle(start: usize, mirrored: bool) -> Turn {
+        let [a, b, c] = std::array::from_fn(|i| if mirrored { start + 3 - i } else { start + i } % 3);
+        let mut turn = Turn { corner: [a, b, c, c], ..Turn::NONE };
+        for (e, ends) in TRIANGLE_EDGES {
+            let image = ends.map(|v| turn.corner[v]);
+            for (other, ends) in TRIANGLE_EDGES {
+                if ends == image || [ends[1], ends[0]] == image {
+                    turn.edge[e] = (other, ends != image);
+                }
+            }
+        }
+        turn
+    }
 }
 
-/// Corners, then middles of the edges.
-type Outline = [[f64; 2]; 8];
+/// Edges of a triangle and their ends.
+const TRIANGLE_EDGES: [(usize, [usize; 2]); 3] = [(0, [0, 1]), (1, [1, 2]), (3, [0, 2])];
+
+/// The points that tell a cell's shape.
+struct Outline {
+    /// Corners, then middles of the edges; in a triangle the last corner comes twice and the centre stands for the edge it lacks.
+    points: [[f64; 2]; 8],
+    triangle: bool,
+}
 
 impl Congruence {
     /// Every cell in a class of its own.
@@ -74,23 +97,23 @@ impl Congruence {
     /// Finds the classes of plane cells with straight and circular edges.
     pub(crate) fn of_plane_cells(mesh: &Mesh, space: &Space) -> Congruence {
         let mut found = Congruence { classes: Vec::new(), class: Vec::new(), turn: Vec::new() };
-        let mut outlines: Vec<Outline> = Vec::new();
-        let mut buckets: HashMap<[i64; 5], Vec<usize>> = HashMap::new();
+        let mut outlines: Vec<Option<Outline>> = Vec::new();
+        let mut buckets: HashMap<[i64; 6], Vec<usize>> = HashMap::new();
         for (c, cell) in mesh.cells.iter().enumerate() {
             let edges = edge_degrees(mesh, space, c);
-            let outline = outline(mesh, c);
+            let mut outline = outline(mesh, c);
             let mut hit = None;
             if let Some(outline) = &outline {
                 let [a, b, d] = invariants(outline);
-                let key = [a, b, d, cell.material as i64, space.cell_degree[c] as i64];
+                let key = [a, b, d, cell.material as i64, space.cell_degree[c] as i64, i64::from(outline.triangle)];
                 let bucket = buckets.entry(key).or_default();
-                hit = bucket.iter().find_map(|k| similarity(&outlines[*k], outline).map(|turn| (*k, turn)));
+                hit = bucket.iter().find_map(|k| similarity(outlines[*k].as_ref()?, outline).map(|turn| (*k, turn)));
                 if hit.is_none() {
                     bucket.push(found.classes.len());
                 }
             }
             let (class, turn) = hit.unwrap_or_else(|| {
-                outlines.push(outline.unwrap_or_default());
+                outlines.push(outline.take());
                 found.classes.push(Class { first: c, members: 0, edges });
                 (found.classes.len() - 1, Turn::NONE)
             });
@@ -112,39 +135,50 @@ fn edge_degrees(mesh: &Mesh, space: &Space, cell: usize) -> [usize; 4] {
 
 fn outline(mesh: &Mesh, cell: usize) -> Option<Outline> {
     let c = &mesh.cells[cell];
-    let mut points = [[0.0; 2]; 8];
-    for i in 0..4 {
-        // Triangles stay alone.
-        let curve = &mesh.edges[c.edges[i]?].curve;
-        if matches!(curve, Curve::Polynomial { .. }) {
+    let triangle = c.is_triangle();
+    let corners = c.corners.map(|v| mesh.vertices[v]);
+    let mut points = [centre(&corners[..c.vertices().len()]); 8];
+    points[..4].copy_from_slice(&corners);
+    for (local, e) in c.sides() {
+        let curve = &mesh.edges[e].curve;
+        if matches!(curve, Curve::Polynomial { .. }) || triangle && !curve.is_straight() {
             return None;
         }
-        points[i] = mesh.vertices[c.corners[i]];
-        points[4 + i] = curve.point(0.0);
+        points[4 + local] = curve.point(0.0);
     }
-    Some(points)
+    Some(Outline { points, triangle })
 }
 
-/// Numbers that do not change under similarities and symmetries of the square, rounded; they only narrow the search.
+fn centre(corners: &[[f64; 2]]) -> [f64; 2] {
+    std::array::from_fn(|i| corners.iter().map(|x| x[i]).sum::<f64>() / corners.len() as f64)
+}
+
+/// Numbers that do not change under similarities and symmetries of the cell, rounded; they only narrow the search.
 fn invariants(outline: &Outline) -> [i64; 3] {
-    let centre: [f64; 2] = std::array::from_fn(|i| outline[..4].iter().map(|x| 0.25 * x[i]).sum());
+    let corners = &outline.points[..if outline.triangle { 3 } else { 4 }];
+    let middles = &outline.points[4..];
+    let centre = centre(corners);
     let square = |x: &[f64; 2]| (x[0] - centre[0]).powi(2) + (x[1] - centre[1]).powi(2);
-    let size: f64 = outline[..4].iter().map(square).sum();
+    let size: f64 = corners.iter().map(square).sum();
     let relative = |x: &[f64; 2]| square(x) / size;
-    let corners: f64 = outline[..4].iter().map(|x| relative(x).powi(2)).sum();
-    let middles: f64 = outline[4..].iter().map(relative).sum();
-    let spread: f64 = outline[4..].iter().map(|x| relative(x).powi(2)).sum();
-    [corners, middles, spread].map(|v| (1e6 * v).round() as i64)
+    let apart: f64 = corners.iter().map(|x| relative(x).powi(2)).sum();
+    let middle: f64 = middles.iter().map(relative).sum();
+    let spread: f64 = middles.iter().map(|x| relative(x).powi(2)).sum();
+    [apart, middle, spread].map(|v| (1e6 * v).round() as i64)
 }
 
 /// The similarity that takes one outline to another, if there is one.
 fn similarity(first: &Outline, member: &Outline) -> Option<Turn> {
     let minus = |a: [f64; 2], b: [f64; 2]| [a[0] - b[0], a[1] - b[1]];
+    let corners = if first.triangle { 3 } else { 4 };
+    let of_cell = if first.triangle { Turn::of_triangle } else { Turn::of_square };
+    let (first, member) = (&first.points, &member.points);
     let extent = member.iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
-    for start in 0..8 {
-        let mut turn = Turn::of_square(start % 4, start >= 4);
+    for start in 0..2 * corners {
+        let mirrored = start >= corners;
+        let mut turn = of_cell(start % corners, mirrored);
         // As complex numbers: member = factor * first, or factor * conjugate(first).
-        let side = if start >= 4 { -1.0 } else { 1.0 };
+        let side = if mirrored { -1.0 } else { 1.0 };
         let from = |k: usize| {
             let d = minus(first[k], first[0]);
             [d[0], side * d[1]]
