@@ -27,8 +27,7 @@ pub(crate) fn amalgamated(
         let Some(p) = parent[f] else { continue };
         let ([gone, all], [next_gone, next_all]) = (sizes[f], sizes[p]);
         let joined = [gone + next_gone, gone + next_all];
-        let more = partial_factor(joined[0], joined[1]) - partial_factor(gone, all) - partial_factor(next_gone, next_all);
-        if more < HANDLING * (all - gone).powi(2) {
+        if front_cost(joined[0], joined[1]) < front_cost(gone, all) + front_cost(next_gone, next_all) {
             let front = std::mem::take(&mut fronts[f]);
             sizes[p] = joined;
             alive[f] = false;
@@ -45,6 +44,11 @@ pub(crate) fn amalgamated(
     let mut left: Vec<FrontPlan> = fronts.into_iter().zip(&alive).filter(|(_, alive)| **alive).map(|(front, _)| front).collect();
     left.iter_mut().flat_map(|front| &mut front.children).for_each(|child| *child = anew(*child));
     (left, roots.into_iter().map(anew).collect())
+}
+
+/// Multiplications of a front that eliminates `gone` of `all` unknowns, the handling of what it leaves counted as such.
+pub(crate) fn front_cost(gone: f64, all: f64) -> f64 {
+    partial_factor(gone, all) + HANDLING * (all - gone).powi(2)
 }
 
 /// Multiplications to eliminate `gone` of `all` unknowns of a dense symmetric matrix.

@@ -1,6 +1,6 @@
 //! The order of elimination.
 
-use crate::amalgamation::amalgamated;
+use crate::amalgamation::{amalgamated, front_cost};
 use crate::dissection::dissected;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -8,8 +8,10 @@ use std::collections::BinaryHeap;
 /// Bodies whose elimination would hold more bytes than this are refused: three quarters of 16 GiB.
 pub(crate) const MEMORY_LIMIT: u64 = 12 << 30;
 
-/// More elements than this are ordered by nested dissection.
+/// More elements than this are ordered by nested dissection alone.
 const MANY_ELEMENTS: usize = 1000;
+/// Up to this many elements minimum degree has always been the better order.
+const FEW_ELEMENTS: usize = 100;
 
 /// The order of elimination and which elements meet in which front; it depends on the mesh and the degrees alone.
 pub(crate) struct Plan {
@@ -37,13 +39,26 @@ impl FrontPlan {
 }
 
 impl Plan {
-    /// The order for elements at the given places: nested dissection for many elements, else minimum degree, which
-    /// finds the chains of graded layers.
+    /// The order for elements at the given places: minimum degree, which finds the chains of graded layers, for few elements, nested
+    /// dissection for many, in between the one that costs less.
     pub(crate) fn new(element_groups: &[Vec<usize>], places: &[[f64; 2]], size: &[usize], kept: &[usize]) -> Plan {
-        if element_groups.len() > MANY_ELEMENTS {
+        let elements = element_groups.len();
+        if elements > MANY_ELEMENTS {
             return dissected(element_groups, places, size, kept);
         }
-        Plan::minimum_degree(element_groups, size, kept)
+        let plan = Plan::minimum_degree(element_groups, size, kept);
+        if elements <= FEW_ELEMENTS {
+            return plan;
+        }
+        let other = dissected(element_groups, places, size, kept);
+        if other.cost(size) < plan.cost(size) { other } else { plan }
+    }
+
+    /// Multiplications of the elimination, the handling of merged elements counted as such.
+    fn cost(&self, size: &[usize]) -> f64 {
+        let total = |groups: &[usize]| groups.iter().map(|g| size[*g]).sum::<usize>() as f64;
+        let front = |f: &FrontPlan| front_cost(total(&f.groups[..f.eliminated]), total(&f.groups));
+        self.fronts.iter().map(front).sum()
     }
 
     /// Minimum-degree order with approximate external degrees (Amestoy, Davis and Duff 1996), weighted by group size.
