@@ -8,6 +8,7 @@ mod cuts;
 mod diagnosis;
 mod ends;
 mod ends_profile;
+mod ends_scope;
 mod forecast;
 mod free_ends;
 mod gap_difference;
@@ -44,7 +45,7 @@ pub(crate) fn available(problem: &Problem) -> Result<(), Fault> {
         return Ok(());
     }
     match half_disc::Couple::of(&problem.scene)? {
-        Some(couple) => ends::available(problem, &couple),
+        Some(couple) => ends_scope::available(problem, &couple),
         None => {
             let stage = stage::Stage::new(problem)?;
             // Cells of the user's own making may not match: better said before anything is written.

@@ -21,8 +21,7 @@ use crate::fe::recover::{self, Moment, Reported};
 use crate::fe::stage::{Parts, note};
 use crate::fe::torsion;
 use crate::fe::twist::Twist;
-use crate::gap::Gap;
-use crate::scene::{Body as SceneBody, Component, Scene, Task};
+use crate::scene::{Body as SceneBody, Scene};
 use crate::setup::{Problem, turns};
 use crate::solution::{EnergyResult, Solution, Status};
 use crate::solve::{CURVE, Options};
@@ -39,62 +38,25 @@ pub(super) struct Setting<'a> {
     pub(super) scene: &'a Scene,
     pub(super) couple: &'a Couple,
     /// Coefficient of friction, and the shear force on body 1 along x.
-    friction: f64,
+    pub(super) friction: f64,
     pub(super) shear: f64,
-}
-
-/// Refuses what is not built, before anything is written.
-pub(super) fn available(problem: &Problem, couple: &Couple) -> Result<(), Fault> {
-    let scene = &problem.scene;
-    if let Some(task) = scene.tasks.iter().flatten().find(|task| **task != Task::Contact) {
-        let task = format!("{task:?}").to_lowercase();
-        let message = format!("a half-disc on a rectangle has the task contact, but no {task} yet");
-        return Err(Fault::at("tasks", "not-available", message, "write tasks = [\"contact\"]"));
-    }
-    let refuse = |key: &str, message: &str, remedy: &str| Err(Fault::at(key, "not-available", message, remedy));
-    let load = scene.load.clone().unwrap_or_default();
-    if !matches!(scene.contact.as_ref().and_then(|c| c.gap.as_ref()), None | Some(Gap::Constant(0.0))) {
-        return refuse("contact.gap", "a profile on a half-disc is not known yet", "write gap = 0");
-    }
-    if scene.output.as_ref().and_then(|output| output.fields) == Some(true) && !turns(scene).is_empty() {
-        return refuse(
-            "output.fields",
-            "the inside of a half-disc that is turned is not recovered yet",
-            "write output.fields = false",
-        );
-    }
-    if scene.sliding.is_some() && turns(scene).is_empty() {
-        return refuse("sliding", "a half-disc does not slide steadily yet", "remove `sliding`, or give load.shear_force");
-    }
-    if load.tilt.is_some_and(|tilt| tilt.0 != 0.0) || load.moment.is_some_and(|moment| moment.0 != 0.0) {
-        let key = if load.tilt.is_some() { "load.tilt" } else { "load.moment" };
-        return refuse(key, "a half-disc is pressed without tilt or moment so far", "write load.tilt = 0");
-    }
-    let setting = Setting::new(scene, couple);
-    if setting.shear == 0.0 {
-        return Ok(());
-    }
-    let held = |body: &Option<SceneBody>| body.iter().flat_map(|b| b.support.values()).any(|held| held.contains(&Component::X));
-    if !couple.whole || load.tilt.is_none() || held(&scene.body1) {
-        let remedy = "write load.as = \"rigid\" with tilt = 0, and no support of body 1 along x";
-        return refuse("load.shear_force", "the shear force needs a level rigid edge that is free along x", remedy);
-    }
-    if setting.friction == 0.0 {
-        let message = "nothing resists the shear force: contact.friction = 0";
-        return Err(Fault::at("load.shear_force", "no-balance", message, "give contact.friction, or remove load.shear_force"));
-    }
-    Ok(())
 }
 
 /// Solves the contact and fills in the solution.
 pub(super) fn solve(problem: &Problem, couple: &Couple, options: Options, solution: &mut Solution) -> Result<(), Fault> {
     let setting = Setting::new(&problem.scene, couple);
     let done = setting.trial().and_then(|mut nodes| {
-        let mut stick = None;
+        let (mut stick, mut sought) = (None, setting.shear != 0.0);
         let reported = climb(&problem.scene, options, solution, |level| {
             let mut work = Solution::default();
-            nodes = setting.position(level, &nodes, stick, &mut work)?;
-            let solved = setting.result(level, &nodes, options, work)?;
+            let mut found = setting.position(level, &nodes, stick, sought, &mut work)?;
+            // Where stick does not end alike on both sides no one place is its end: only the contact's own end is sought from then on.
+            if found.is_none() && sought {
+                sought = false;
+                found = setting.position(level, &nodes, stick, sought, &mut work)?;
+            }
+            nodes = found.ok_or_else(|| unsettled(&nodes))?;
+            let solved = setting.result(level, &nodes, sought, options, work)?;
             stick = Twist::node(solved.solution.contact.as_ref());
             Ok(solved)
         })?;
@@ -249,18 +211,31 @@ impl<'a> Setting<'a> {
             .collect()
     }
 
-    /// Moves element nodes onto the ends: there the pressure vanishes, and the shear that sticking takes is just its limit.
-    /// A node where the stick of a twist ended at the last level stays there.
-    fn position(&self, level: Level, start: &[f64], stick: Option<f64>, work: &mut Solution) -> Result<Vec<f64>, Fault> {
-        let moving = if self.shear != 0.0 { start } else { &start[start.len() - 1..] };
-        let tolerance = TOLERANCES[usize::from(self.shear != 0.0)];
+    /// Moves element nodes onto the ends: there the pressure vanishes, and where stick is `sought`, the shear that sticking takes is just its
+    /// limit. A node where the stick of a twist ended at the last level stays there; one of a stick that is not sought keeps its part of the
+    /// contact. `None` where that does not settle.
+    fn position(
+        &self,
+        level: Level,
+        start: &[f64],
+        stick: Option<f64>,
+        sought: bool,
+        work: &mut Solution,
+    ) -> Result<Option<Vec<f64>>, Fault> {
+        let end = start[start.len() - 1];
+        let moving = if sought { start } else { &start[start.len() - 1..] };
+        let part = (self.shear != 0.0 && !sought).then(|| start[0] / end);
+        let tolerance = TOLERANCES[usize::from(sought)];
         let start = Start { places: moving, jacobian: None, tolerance, share: 0.0 };
-        let with_stick = |moving: &[f64]| stick.iter().chain(moving).copied().collect::<Vec<f64>>();
+        let with_stick = |moving: &[f64]| {
+            let kept = part.map(|part| part * moving[0]);
+            stick.into_iter().chain(kept).chain(moving.iter().copied()).collect::<Vec<f64>>()
+        };
         let nodes = position_nodes(start, |moving| -> Result<_, Fault> {
             let nodes = &with_stick(moving);
             let parts = self.parts(level, nodes, work)?;
             let bodies = parts.reduce(work)?;
-            let steps = self.held_steps(&bodies, nodes, work)?;
+            let steps = self.held_steps(&bodies, nodes, sought, work)?;
             let at = |x: f64| {
                 let far = |i: &usize| (steps.points[*i].position[0] - self.couple.middle - x).abs();
                 (0..steps.points.len()).min_by(|i, j| far(i).total_cmp(&far(j))).unwrap_or(0)
@@ -278,16 +253,11 @@ impl<'a> Setting<'a> {
                 (),
             ))
         })?;
-        if !nodes.found {
-            let step = nodes.history.last().copied().unwrap_or(0.0);
-            let message = format!("the end of contact still moved by {step:.1e} mm after {} meshes", nodes.evaluations);
-            return Err(Fault::at("load.force", TOO_LONG, message, "press less, or make the bodies larger"));
-        }
-        Ok(with_stick(&nodes.refined))
+        Ok(nodes.found.then(|| with_stick(&nodes.refined)))
     }
 
-    /// Both load steps with the states of all points given by the ends.
-    fn held_steps(&self, bodies: &[Body<'_>; 2], nodes: &[f64], work: &mut Solution) -> Result<Steps, Fault> {
+    /// Both load steps, or the first alone, with the states of all points given by the ends.
+    fn held_steps(&self, bodies: &[Body<'_>; 2], nodes: &[f64], both: bool, work: &mut Solution) -> Result<Steps, Fault> {
         let start = Instant::now();
         let pair = facing(bodies)?;
         let operator = self.operator(&pair)?;
@@ -298,7 +268,7 @@ impl<'a> Setting<'a> {
         let states = self.states(&points, nodes);
         let closed: Vec<bool> = states.iter().map(|s| *s != ContactState::Open).collect();
         let pressed = operator.solve_on(&gap, &self.press(), &closed).and_then(solvable).map_err(unsolved)?;
-        let sheared = if self.shear == 0.0 {
+        let sheared = if !both {
             None
         } else {
             let load = self.push(&pressed.slip);
@@ -315,25 +285,24 @@ impl<'a> Setting<'a> {
     }
 
     /// The contact with its conditions of sign on the positioned mesh, and everything that is reported.
-    fn result(&self, level: Level, nodes: &[f64], options: Options, mut work: Solution) -> Result<Solved, Fault> {
+    fn result(&self, level: Level, nodes: &[f64], sought: bool, options: Options, mut work: Solution) -> Result<Solved, Fault> {
         let parts = self.parts(level, nodes, &mut work)?;
         let bodies = parts.reduce(&mut work)?;
-        let held = self.held_steps(&bodies, nodes, &mut work)?;
+        let held = self.held_steps(&bodies, nodes, sought, &mut work)?;
         let pair = facing(&bodies)?;
         let operator = self.operator(&pair)?;
         let start = Instant::now();
         let gap: Vec<f64> = held.points.iter().map(|p| self.couple.gap(p.position[0])).collect();
         let pressed = operator.solve(&gap, &self.press(), Some(&held.pressed)).map_err(unsolved)?;
-        let (found, load) = match &held.sheared {
-            Some(sheared) => {
-                let push = self.push(&pressed.slip);
-                (operator.solve(&gap, &push, Some(sheared)).map_err(unsolved)?, push)
-            }
-            None => (pressed, self.press()),
+        let (found, load) = if self.shear == 0.0 {
+            (pressed, self.press())
+        } else {
+            let push = self.push(&pressed.slip);
+            (operator.solve(&gap, &push, held.sheared.as_ref()).map_err(unsolved)?, push)
         };
         let embedded = operator.embedded_difference(&gap, &load, &found).map_err(unsolved)?;
         work.interface = diagnosis::interface(&operator, &gap, &load, &found)?;
-        work.counters.contact_solves += 1 + usize::from(held.sheared.is_some());
+        work.counters.contact_solves += 1 + usize::from(self.shear != 0.0);
         note(&mut work, "contact", start);
         let copies = self.copies();
         let states = [Some(&found.shaped), found.counter.as_ref()];
@@ -358,7 +327,7 @@ impl<'a> Setting<'a> {
         let turned = turned.as_ref().map(|parts| parts.reduce(&mut work)).transpose()?;
         let turned = turned.as_ref().map(facing).transpose()?;
         let twist = turned.as_ref().map(|pair| Twist::new(self.scene, pair, &found)).transpose()?.flatten();
-        let rows = Rows { setting: self, pair: &pair, operator: &operator, found: &found, gap: &gap, nodes };
+        let rows = Rows { setting: self, pair: &pair, operator: &operator, found: &found, gap: &gap, nodes, stick_node: sought };
         let end = nodes[nodes.len() - 1];
         let pressure = (0..SAMPLES).map(|i| rows.pressure_at(0.95 * end * i as f64 / (SAMPLES - 1) as f64)).collect();
         let mut contact = rows.contact_result();
@@ -384,6 +353,12 @@ impl<'a> Setting<'a> {
         let twist = twist.map(|twist| twist.answer);
         Ok(Solved { energy: energy[0] + energy[1], pressure, twist, embedded, refused, reported, solution: work })
     }
+}
+
+/// The end of contact runs away from its trial place.
+fn unsettled(nodes: &[f64]) -> Fault {
+    let message = format!("no end of contact settles near {:.4} mm from the middle", nodes[nodes.len() - 1]);
+    Fault::at("load.force", TOO_LONG, message, "press less, or make the bodies larger")
 }
 
 /// Pairs the two bodies of a level across their gap.

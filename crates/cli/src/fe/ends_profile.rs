@@ -19,6 +19,8 @@ pub(super) struct Rows<'r> {
     pub(super) found: &'r ContactSolution,
     pub(super) gap: &'r [f64],
     pub(super) nodes: &'r [f64],
+    /// Whether a node stands on both ends of stick.
+    pub(super) stick_node: bool,
 }
 
 /// A place of the surface: a computed point, or one between, and whether it is seen in the mirror.
@@ -145,8 +147,7 @@ impl Rows<'_> {
             let state = match place.node {
                 Some(node) => self.found.states[node],
                 None if distance > self.nodes[self.nodes.len() - 1] => ContactState::Open,
-                None if distance <= self.nodes[0] => ContactState::Stick,
-                None => ContactState::Backward,
+                None => self.state_near(&place.point),
             };
             profile.status[row] = match (state, self.setting.shear != 0.0) {
                 (ContactState::Open, _) => "open",
@@ -156,6 +157,31 @@ impl Rows<'_> {
             };
         }
         profile
+    }
+
+    /// State inside the contact between computed points: that between the nodes, or of the nearest point.
+    fn state_near(&self, point: &ContactPoint) -> ContactState {
+        if self.stick_node {
+            let sticks = self.setting.distance(point) <= self.nodes[0];
+            return if sticks { ContactState::Stick } else { ContactState::Backward };
+        }
+        let points = self.operator.points();
+        let far = |i: &usize| (points[*i].position[0] - point.position[0]).abs();
+        let nearest = (0..points.len()).min_by(|i, j| far(i).total_cmp(&far(j)));
+        nearest.map_or(ContactState::Open, |i| self.found.states[i])
+    }
+
+    /// Ends of stick from the middle: the nodes on them, or the outermost points that stick.
+    fn stick_ends(&self) -> Vec<f64> {
+        if self.stick_node {
+            return vec![-self.nodes[0], self.nodes[0]];
+        }
+        let sticking = self.operator.points().iter().zip(&self.found.states).filter(|(_, s)| **s == ContactState::Stick);
+        let places: Vec<f64> = sticking.map(|(point, _)| point.position[0] - self.setting.couple.middle).collect();
+        match (places.first(), places.last()) {
+            (Some(first), Some(last)) => vec![*first, *last],
+            _ => Vec::new(),
+        }
     }
 
     /// Everything that is reported of the contact.
@@ -181,7 +207,7 @@ impl Rows<'_> {
             ends_mm: both(self.nodes[self.nodes.len() - 1]),
             p_max_MPa: Some(largest(&found.pressure)),
             edge_exponents: Vec::new(),
-            stick_ends_mm: if sheared { both(self.nodes[0]) } else { Vec::new() },
+            stick_ends_mm: if sheared { self.stick_ends() } else { Vec::new() },
             q_max_MPa: Some(largest(&found.shear)).filter(|_| sheared),
             twist: None,
             uniqueness: None,

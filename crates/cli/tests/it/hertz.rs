@@ -135,3 +135,16 @@ fn what_a_half_disc_cannot_do_is_refused_by_name() {
         assert!(bench.read("x/summary.json").contains("refused") && bench.read("x/summary.json").contains(word), "{args}");
     }
 }
+
+/// Bodies of unlike materials stick further on one side: no single place is the end of stick, and the answer says where the outermost points
+/// stick instead of being refused.
+#[test]
+fn a_sheared_cylinder_on_an_unlike_block_sticks_further_on_one_side() {
+    let bench = Bench::new();
+    let args = "cattaneo-mindlin --set body2.material.poisson=0 --set contact.friction=0.6 --set mesh={degree=6,layers=6}";
+    let contact = &run(&bench, args)["contact"];
+    let places = |key: &str| contact[key].as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect::<Vec<f64>>();
+    let (ends, stick) = (places("ends_mm"), places("stick_ends_mm"));
+    assert!(stick.len() == 2 && (stick[0] + stick[1]).abs() > 0.01 * ends[1], "{contact}");
+    assert!(stick[0] > ends[0] && stick[1] < ends[1], "{contact}");
+}

@@ -16,7 +16,7 @@ use crate::fe::wear::history::History;
 use crate::fe::wear::mesh_lines::mesh_lines;
 use crate::fe::wear::nodal_curve::NodalCurve;
 use crate::fe::wear::pieces::Pieces;
-use crate::fe::wear::problem::{STEADY, wear_problem};
+use crate::fe::wear::problem::{steady_residual, wear_problem};
 use crate::fe::wear::settled::RunningIn;
 use crate::live::Live;
 use crate::profile::Profile;
@@ -88,7 +88,7 @@ pub(super) fn run(
     });
     solution.reactions = reduced.reactions(states);
     let weights: Vec<f64> = operator.points().iter().map(|p| p.weight).collect();
-    solution.wear = Some(result(&run, &weights, stage.friction() == 0.0));
+    solution.wear = Some(result(&run, &weights, stage));
     solution.history = run.history.columns();
     let mut profile = stage.profile(&pair, operator.points(), &state.pressure, states);
     profile.gap = normalised.iter().map(|g| 1e3 * g).collect();
@@ -146,9 +146,9 @@ fn with_lowest_rigid_part(stage: Stage<'_>, pair: &Pair<'_>, operator: &ContactO
 }
 
 /// What the summary says of a run; weights are the areas of the contact points.
-fn result(run: &Run, weights: &[f64], frictionless: bool) -> WearResult {
+fn result(run: &Run, weights: &[f64], stage: Stage<'_>) -> WearResult {
     let Run { state, ended, running_in, run_in, .. } = run;
-    let steady = state.steady_residual <= STEADY;
+    let steady = state.steady_residual <= steady_residual(stage);
     WearResult {
         status: word(ended).into(),
         steps: state.step,
@@ -160,7 +160,7 @@ fn result(run: &Run, weights: &[f64], frictionless: bool) -> WearResult {
         volume_mm3: Some(state.volume[0] + state.volume[1]),
         explicit_step_limit_s: run_in.as_ref().map(|r| r.explicit_limit),
         run_in_distance_mm: run_in.iter().flat_map(|r| r.distances.iter().copied().take(RUN_IN)).collect(),
-        lyapunov_increase: frictionless.then_some(state.lyapunov_increase),
+        lyapunov_increase: (stage.friction() == 0.0).then_some(state.lyapunov_increase),
         to_1_percent: if steady { running_in.cost(weights) } else { None },
     }
 }

@@ -10,7 +10,15 @@ use crate::gap;
 use crate::scene;
 
 /// Certificate of the steady state.
-pub(super) const STEADY: f64 = 1e-9;
+const STEADY: f64 = 1e-9;
+/// Part of the accuracy asked for that the wear still to come may make where the contact wears itself free.
+const REST: f64 = 0.01;
+
+/// The residual at which a run is steady: of the certificate, or of the wear still to come under a prescribed approach.
+pub(super) fn steady_residual(stage: Stage<'_>) -> f64 {
+    let approach = stage.scene().load.as_ref().and_then(|load| load.approach);
+    if approach.is_some() { STEADY.max(REST * stage.accuracy()) } else { STEADY }
+}
 
 /// Wear rules of both bodies, and how body 2 passes.
 pub(in crate::fe) fn rules(stage: Stage<'_>) -> Result<(wear::WearPair, wear::Counterface), Fault> {
@@ -59,7 +67,7 @@ pub(super) fn wear_problem(
     problem.schedule = intervals.to_vec();
     problem.start = Some([start.pressure, start.opening]);
     problem.track_area = stage.patch.surface.track_area();
-    problem.until = Until::Steady { residual: STEADY, not_before };
+    problem.until = Until::Steady { residual: steady_residual(stage), not_before };
     if let Some(gap::Until::Time(time)) = stage.scene().wear.as_ref().and_then(|wear| wear.until) {
         problem.until = Until::Time(time.0);
         problem.stepping = Stepping::Adaptive { accuracy: stage.accuracy() };
