@@ -152,11 +152,11 @@ impl<'a> Setting<'a> {
     fn parts_in(&self, level: Level, nodes: &[f64], kinematics: Kinematics, work: &mut Solution) -> Result<Parts, Fault> {
         let start = Instant::now();
         let (end, longest) = (nodes[nodes.len() - 1], self.couple.longest());
-        if nodes[0] <= 0.0 {
+        if nodes.len() > 1 && nodes[0] <= 0.0 {
             let message = "the zone of stick shrinks to nothing: friction hardly carries the shear force";
             return Err(Fault::at("load.shear_force", TOO_LONG, message, "give a smaller shear force"));
         }
-        if end.is_nan() || end > longest {
+        if end.is_nan() || end > longest || end <= 0.0 {
             let message =
                 format!("the contact reaches {end:.4} mm from the middle, over the {longest:.4} mm that the bodies allow");
             return Err(Fault::at("load.force", TOO_LONG, message, "press less, or make the bodies larger"));
