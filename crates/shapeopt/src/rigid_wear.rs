@@ -60,9 +60,12 @@ impl RigidWear {
     /// to the numerator: a run whose open points still come closer is not steady. Without a load along a rigid mode the contact wears itself
     /// free, and this is the part of the wear still to come: the closing `elastic` of the bodies over itself and what the gap has `opened`.
     pub(crate) fn residual(&self, weights: &[f64], rate: &[f64], pressure: &[f64], elastic: f64, opened: f64) -> f64 {
+        // Rates may be so small that their squares are no numbers.
+        let unit = unit(rate);
+        let rate: Vec<f64> = rate.iter().map(|r| r * unit).collect();
         let inside: Vec<f64> = weights.iter().zip(pressure).map(|(w, p)| if *p > 0.0 { *w } else { 0.0 }).collect();
         let product = |a: &[f64], b: &[f64]| -> f64 { inside.iter().zip(a).zip(b).map(|((w, a), b)| w * a * b).sum() };
-        let whole = product(rate, rate).sqrt();
+        let whole = product(&rate, &rate).sqrt();
         if whole == 0.0 {
             return 0.0;
         }
@@ -84,7 +87,7 @@ impl RigidWear {
                 basis.push(column);
             }
         }
-        let mut rest = rate.to_vec();
+        let mut rest = rate.clone();
         (0..2).for_each(|_| basis.iter().for_each(|b| remove(&mut rest, b)));
         let square: f64 = (0..rate.len())
             .map(|i| if pressure[i] > 0.0 { rest[i] } else { rest[i].min(0.0) })
@@ -92,5 +95,15 @@ impl RigidWear {
             .map(|(r, w)| w * r * r)
             .sum();
         square.sqrt() / whole
+    }
+}
+
+/// A power of two that brings the largest of the values near 1; 1 where they are near enough that squares are safe.
+fn unit(values: &[f64]) -> f64 {
+    let largest = values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    if largest == 0.0 || (1e-100..1e100).contains(&largest) {
+        1.0
+    } else {
+        2f64.powi(-(largest.log2().floor() as i32).max(-1000))
     }
 }

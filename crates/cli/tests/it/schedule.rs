@@ -162,3 +162,21 @@ fn schedules_that_make_no_sense_are_refused_in_their_place() {
         assert!(call.err.contains("bad.toml:"), "{bad}: {}", call.err);
     }
 }
+
+#[test]
+fn rates_near_the_smallest_number_only_take_longer_and_below_it_nothing_wears() {
+    let bench = Bench::new();
+    let wear = |friction: f64| {
+        let sets = "--set contact.shear=false --set mesh.degree=4 --set output.report=false";
+        let call = bench.call(&format!("run punch-wear {sets} --set contact.friction={friction:e} -q"));
+        (call.code, bench.summary("punch-wear"))
+    };
+    let (of, times): (Vec<_>, Vec<_>) =
+        [0.25, 1e-100].map(wear).map(|(_, s)| (s["wear"]["depth_um"].as_f64(), s["wear"]["time_s"].as_f64())).into_iter().unzip();
+    // w' ~ mu^2 with b = 2.
+    assert_relative_eq!(times[1].unwrap() / times[0].unwrap(), 0.25e100 * 0.25e100, max_relative = 1e-4);
+    assert_relative_eq!(of[1].unwrap(), of[0].unwrap(), max_relative = 1e-4);
+    let (code, summary) = wear(1e-300);
+    assert_eq!((code, summary["status"].as_str()), (1, Some("refused")));
+    assert!(summary["verdict"].as_str().unwrap().contains("nothing wears in a finite time"), "{}", summary["verdict"]);
+}

@@ -172,6 +172,10 @@ struct Surface<'a> {
     points: &'a [ContactPoint],
 }
 
+/// Why a run whose every rate is 0 has no end.
+const NO_RATE: &str = "the wear rates beta (mu p)^b v^a are below the smallest number, so that nothing wears in a finite time; give a larger \
+                       factor or friction, or a smaller exponent";
+
 /// What a run in time has come to.
 struct Run {
     state: WearState,
@@ -205,6 +209,9 @@ fn evolve(
     };
     while *evolution.status() == EvolutionStatus::Running && evolution.state().step < MOST_STEPS && !crate::interrupt::asked() {
         let Some(state) = evolution.next() else { break };
+        if state.step == 0 && state.gap_rate.iter().all(|rate| *rate == 0.0) {
+            return Ok(Err(NO_RATE.into()));
+        }
         history.push(&state);
         running_in.push(&state);
         let before = last.as_ref().map_or((0, 0), |last| (last.rejected, last.newton_iterations));
