@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use crate::short_numbers::with_short_numbers;
+
 /// One error of the user's side: a sentence, its place and the remedy. Exit code 2.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Fault {
@@ -74,7 +76,7 @@ fn floor_boundary(text: &str, at: usize) -> usize {
 impl Fault {
     /// A fault of the whole input: no key, no place.
     pub(crate) fn new(code: &'static str, message: impl Into<String>, remedy: impl Into<String>) -> Self {
-        Fault { code, message: message.into(), key: None, place: None, remedy: remedy.into() }
+        Fault { code, message: with_short_numbers(&message.into()), key: None, place: None, remedy: remedy.into() }
     }
 
     /// A fault of one dotted key of the scene.

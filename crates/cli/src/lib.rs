@@ -32,6 +32,7 @@ mod report;
 mod reproduce;
 mod scene;
 mod setup;
+mod short_numbers;
 mod solution;
 mod solve;
 mod spline;

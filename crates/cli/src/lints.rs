@@ -9,6 +9,7 @@ use crate::given::{edge_curves, given};
 use crate::report::short;
 use crate::scene::{Balance, Functional, Scene, Task};
 use crate::setup::{exponents, s_minus_1};
+use crate::short_numbers::with_short_numbers;
 use crate::solution::Solution;
 use crate::surface::Patch;
 
@@ -24,7 +25,7 @@ pub(crate) struct Lint {
 /// All remarks, in a fixed order.
 pub(crate) fn lints(scene: &Scene, tasks: &[Task], patch: Option<&Patch>, freedoms: &[Freedom]) -> Vec<Lint> {
     let mut found = Vec::new();
-    let mut say = |code: &'static str, message: String| found.push(Lint { code, message });
+    let mut say = |code: &'static str, message: String| found.push(Lint { code, message: with_short_numbers(&message) });
     let optimal = tasks.contains(&Task::Pressure) || tasks.contains(&Task::Shape);
     let friction = scene.contact.as_ref().and_then(|contact| contact.friction).unwrap_or(0.0);
     for (name, body) in [("body 1", &scene.body1), ("body 2", &scene.body2)] {

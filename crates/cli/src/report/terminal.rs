@@ -7,6 +7,7 @@ use wear::Shape;
 use crate::profile::Profile;
 use crate::scene::Functional;
 use crate::setup::Problem;
+use crate::short_numbers::with_short_numbers;
 use crate::solution::{Solution, Status};
 
 /// A number with about six significant digits and no needless zeros.
@@ -86,7 +87,7 @@ pub(crate) fn verdict(problem: &Problem, solution: &Solution) -> String {
             Status::Ok => "Done",
             Status::Interrupted => "Interrupted",
         };
-        return format!("{head}: {reason}.");
+        return format!("{head}: {}.", with_short_numbers(reason));
     }
     if let Some(shape) = &solution.shape {
         let crown = shape.crown_um.unwrap_or(0.0);

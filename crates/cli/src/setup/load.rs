@@ -4,7 +4,7 @@ use crate::fault::Fault;
 use crate::freedom::edge_points;
 use crate::geometry::{Geometry, SurfaceShape};
 use crate::given::outside;
-use crate::scene::{Kinematics, LoadKind, Scene, Task};
+use crate::scene::{Body, Kinematics, Load, LoadKind, Scene, Task};
 use crate::setup::bodies::{edge_names, known_edge};
 use crate::setup::{missing, positive};
 use crate::surface::Patch;
@@ -20,6 +20,30 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) 
         };
         return Err(missing("load", "nothing presses body 1 on body 2", example));
     };
+    alternatives(load)?;
+    if let Some(surface) = &mut scene.surface {
+        return on_surface(load, surface);
+    }
+    let Some(body) = &scene.body1 else {
+        return Ok(());
+    };
+    let Some(edge) = load.edge.clone() else {
+        return Err(missing("load.edge", "the load needs an edge of body 1", "load.edge = \"top\""));
+    };
+    known_edge("load.edge", &edge, edge_names(&body.geometry, false).as_deref())?;
+    outside("body1", body, &edge)?;
+    match load.kind {
+        None => Err(missing("load.as", "how does the load act?", "load.as = \"pressure\" (or vertical, rigid)")),
+        Some(LoadKind::Rigid) => rigid(scene, tasks, patch),
+        Some(kind) => {
+            pressing(load)?;
+            if kind == LoadKind::Vertical { strip(load, body, &edge, tasks) } else { Ok(()) }
+        }
+    }
+}
+
+/// What may not stand beside each other.
+fn alternatives(load: &Load) -> Result<(), Fault> {
     if let Some(force) = load.force {
         positive("load.force", force.0, "force", " N")?;
     }
@@ -29,72 +53,66 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) 
     }
     if load.moment.is_some() && load.tilt.is_some() {
         let message = "both `load.moment` and `load.tilt` are given";
-        return Err(Fault::at(
-            "load.tilt",
-            "two-alternatives",
-            message,
-            "keep the moment (rotation free) or the prescribed tilt",
-        ));
+        let remedy = "keep the moment (rotation free) or the prescribed tilt";
+        return Err(Fault::at("load.tilt", "two-alternatives", message, remedy));
     }
-    if let Some(surface) = &mut scene.surface {
-        if load.force.is_none() {
-            return Err(missing("load.force", "nothing presses body 1 on body 2", "load.force = \"10 kN\""));
+    Ok(())
+}
+
+/// A force is needed.
+fn pressing(load: &Load) -> Result<(), Fault> {
+    let why = "nothing presses body 1 on body 2";
+    load.force.map(|_| ()).ok_or_else(|| missing("load.force", why, "load.force = \"10 kN\""))
+}
+
+/// A load on a surface without bodies.
+fn on_surface(load: &mut Load, surface: &mut SurfaceShape) -> Result<(), Fault> {
+    pressing(load)?;
+    match surface {
+        SurfaceShape::PivotedShoe(shoe) => {
+            let angle = shoe.half_angle.0;
+            let neutral = 4.0 * shoe.radius.0 * angle.sin() / (2.0 * angle + (2.0 * angle).sin());
+            shoe.pivot.get_or_insert(Length(neutral));
         }
-        match surface {
-            SurfaceShape::PivotedShoe(shoe) => {
-                let angle = shoe.half_angle.0;
-                let neutral = 4.0 * shoe.radius.0 * angle.sin() / (2.0 * angle + (2.0 * angle).sin());
-                shoe.pivot.get_or_insert(Length(neutral));
-            }
-            SurfaceShape::RectangularPunch(_) | SurfaceShape::EllipticPunch(_) => {
-                load.moment.get_or_insert(Moment(0.0));
-                load.moment_y.get_or_insert(Moment(0.0));
-                load.about.get_or_insert([Length(0.0); 2]);
-            }
-            _ => {}
+        SurfaceShape::RectangularPunch(_) | SurfaceShape::EllipticPunch(_) => {
+            load.moment.get_or_insert(Moment(0.0));
+            load.moment_y.get_or_insert(Moment(0.0));
+            load.about.get_or_insert([Length(0.0); 2]);
         }
-        return Ok(());
+        _ => {}
     }
-    let Some(body) = &scene.body1 else {
-        return Ok(());
-    };
-    let Some(edge) = &load.edge else {
-        return Err(missing("load.edge", "the load needs an edge of body 1", "load.edge = \"top\""));
-    };
-    known_edge("load.edge", edge, edge_names(&body.geometry, false).as_deref())?;
-    outside("body1", body, edge)?;
-    let Some(kind) = load.kind else {
-        return Err(missing("load.as", "how does the load act?", "load.as = \"pressure\" (or vertical, rigid)"));
-    };
-    if kind != LoadKind::Rigid {
-        if load.force.is_none() {
-            return Err(missing("load.force", "nothing presses body 1 on body 2", "load.force = \"10 kN\""));
-        }
-        if kind == LoadKind::Vertical {
-            let points = edge_points(body, edge);
-            let ends = points.iter().fold((f64::MAX, f64::MIN), |(lo, hi), p| (lo.min(p[0]), hi.max(p[0])));
-            let centre = load.centre.get_or_insert(Length(0.0)).0;
-            if let Some(width) = load.width {
-                positive("load.width", width.0, "width", " mm")?;
-                let (from, to) = (centre - 0.5 * width.0, centre + 0.5 * width.0);
-                if !points.is_empty() && (from < ends.0 || to > ends.1) {
-                    let message = format!("the loaded strip x = {from} to {to} leaves the edge, x = {} to {}", ends.0, ends.1);
-                    return Err(Fault::at("load.width", "wrong-value", message, "give a narrower strip, or no width"));
-                }
-                let strips = match &body.geometry {
-                    Geometry::RingSegment(_) => edge == "outer",
-                    Geometry::Blocks(_) | Geometry::Mesh(_) => true,
-                    _ => false,
-                };
-                if !strips && [from, to] != [ends.0, ends.1] && tasks != [Task::Pressure] {
-                    let message = format!("this template carries loads on the whole of the edge `{edge}`, not on a strip of it");
-                    let remedy = "leave out `width`, or give body 1 by geometry.blocks (wearshape new lining-on-back)";
-                    return Err(Fault::at("load.width", "not-available", message, remedy));
-                }
-            }
-        }
-        return Ok(());
+    Ok(())
+}
+
+/// A vertical load on the edge or a strip of it.
+fn strip(load: &mut Load, body: &Body, edge: &str, tasks: &[Task]) -> Result<(), Fault> {
+    let points = edge_points(body, edge);
+    let ends = points.iter().fold((f64::MAX, f64::MIN), |(lo, hi), p| (lo.min(p[0]), hi.max(p[0])));
+    let centre = load.centre.get_or_insert(Length(0.0)).0;
+    let Some(width) = load.width else { return Ok(()) };
+    positive("load.width", width.0, "width", " mm")?;
+    let (from, to) = (centre - 0.5 * width.0, centre + 0.5 * width.0);
+    if !points.is_empty() && (from < ends.0 || to > ends.1) {
+        let message = format!("the loaded strip x = {from} to {to} leaves the edge, x = {} to {}", ends.0, ends.1);
+        return Err(Fault::at("load.width", "wrong-value", message, "give a narrower strip, or no width"));
     }
+    let strips = match &body.geometry {
+        Geometry::RingSegment(_) => edge == "outer",
+        Geometry::Blocks(_) | Geometry::Mesh(_) => true,
+        _ => false,
+    };
+    if !strips && [from, to] != [ends.0, ends.1] && tasks != [Task::Pressure] {
+        let message = format!("this template carries loads on the whole of the edge `{edge}`, not on a strip of it");
+        let remedy = "leave out `width`, or give body 1 by geometry.blocks (wearshape new lining-on-back)";
+        return Err(Fault::at("load.width", "not-available", message, remedy));
+    }
+    Ok(())
+}
+
+/// A load through a rigid edge.
+fn rigid(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) -> Result<(), Fault> {
+    let axisymmetric = scene.kinematics == Some(Kinematics::Axisymmetric);
+    let Some(load) = &mut scene.load else { return Ok(()) };
     if load.force.is_none() && load.approach.is_none() {
         let why = "a rigid edge needs a force or a prescribed approach";
         return Err(missing("load.force", why, "load.force = \"10 kN\""));
@@ -108,7 +126,6 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) 
         }
         positive("load.approach", approach.0, "approach", " mm")?;
     }
-    let axisymmetric = scene.kinematics == Some(Kinematics::Axisymmetric);
     if load.tilt.is_none() && !axisymmetric {
         load.moment.get_or_insert(Moment(0.0));
     }
@@ -119,10 +136,10 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) 
         });
         load.about = Some(middle.unwrap_or([Length(0.0); 2]));
     }
-    if let Some(time) = load.approach_time {
-        worn_approach(scene, time.0)?;
+    match load.approach_time {
+        Some(time) => worn_approach(scene, time.0),
+        None => Ok(()),
     }
-    Ok(())
 }
 
 /// `approach_time` needs a multiplier that is a velocity.

@@ -1,0 +1,53 @@
+//! Numbers in sentences: `{}` writes every zero of 1e-300 and every digit of a third.
+
+use crate::report::short;
+
+/// Most characters of a number that a sentence keeps as they are.
+const LONGEST: usize = 15;
+
+/// The text with numbers of more characters rounded to six digits; names, paths and what stands in backticks are left alone.
+pub(crate) fn with_short_numbers(text: &str) -> String {
+    let part_of_number = |c: char| c.is_ascii_digit() || c == '.' || c == '-';
+    let part_of_name = |c: char| c.is_alphanumeric() || "_/`\"'".contains(c);
+    let mut out = String::with_capacity(text.len());
+    let mut rest = text;
+    let mut quoted = false;
+    while let Some(first) = rest.chars().next() {
+        let length = rest.find(|c| !part_of_number(c)).unwrap_or(rest.len());
+        if length == 0 {
+            quoted ^= first == '`';
+            out.push(first);
+            rest = &rest[first.len_utf8()..];
+            continue;
+        }
+        let (word, after) = rest.split_at(length);
+        let number = word.trim_end_matches('.');
+        let bounded = !quoted && !out.ends_with(part_of_name) && !after.starts_with(part_of_name);
+        match number.parse::<f64>() {
+            Ok(value) if bounded && number.len() > LONGEST => out += &format!("{}{}", short(value), &word[number.len()..]),
+            _ => out += word,
+        }
+        rest = after;
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::with_short_numbers;
+
+    #[test]
+    fn long_numbers_are_rounded_and_names_and_quotes_are_not() {
+        let long = format!("x = {}, z = {}.", 1e-200, -100.0 * 3f64.sqrt());
+        assert_eq!(with_short_numbers(&long), "x = 1e-200, z = -173.205.");
+        assert_eq!(with_short_numbers(&format!("[{}, 2.5] mm", 1e200)), "[1e200, 2.5] mm");
+        for kept in [
+            "run-2024.0101.123456789012345/a.toml",
+            "`load.force = 0.00000000000000000001`",
+            "12 of 100000000000000",
+            "ends. Two",
+        ] {
+            assert_eq!(with_short_numbers(kept), kept);
+        }
+    }
+}
