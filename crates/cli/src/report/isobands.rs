@@ -2,14 +2,22 @@
 
 use std::fmt::Write;
 
+use crate::cell_grid::CellGrid;
+
 /// Colours of the bands from low to high: cividis-like steps that colour-blind readers and grey printers tell apart.
-pub(crate) const BANDS: [&str; 12] = [
+const BANDS: [&str; 12] = [
     "#00224e", "#0b3066", "#2b446c", "#434e6c", "#575d6d", "#6a6c71", "#7d7c78", "#928c78", "#a89d74", "#bfaf6c", "#d8c35c",
     "#fdea45",
 ];
 
+/// Share of the area below and above which values are drawn in the outermost colours.
+const CLIP: f64 = 0.02;
+
 /// A point on paper (pixels) with a value.
 pub(crate) type Sample = ([f64; 2], f64);
+
+/// A cell's grid with its points on paper.
+pub(crate) type Placed = (CellGrid, Vec<Sample>);
 
 /// Filled contours under construction: one path a band.
 pub(crate) struct Isobands {
@@ -19,8 +27,18 @@ pub(crate) struct Isobands {
 }
 
 impl Isobands {
+    /// The bands of cells cut into pieces of about a size in pixels, between the 2 and 98 per cent quantiles of their values by area: at the
+    /// corners of a held, loaded or sharp edge a stress is infinite, and its largest number means nothing.
+    pub(crate) fn of(cells: &[Placed], size: f64) -> Isobands {
+        let pieces: Vec<Vec<Sample>> = cells.iter().flat_map(|cell| pieces(cell, size)).collect();
+        let [low, high] = quantiles(&pieces);
+        let mut bands = Isobands::new(low, high);
+        pieces.iter().for_each(|piece| bands.piece(piece));
+        bands
+    }
+
     /// Bands of equal width between two values; what lies beyond is drawn in the outermost colours.
-    pub(crate) fn new(low: f64, high: f64) -> Isobands {
+    fn new(low: f64, high: f64) -> Isobands {
         Isobands { low, high, paths: vec![String::new(); BANDS.len()] }
     }
 
@@ -31,7 +49,7 @@ impl Isobands {
     }
 
     /// Adds a convex polygon with a value at each corner, linear on each of the triangles at its first corner.
-    pub(crate) fn piece(&mut self, corners: &[Sample]) {
+    fn piece(&mut self, corners: &[Sample]) {
         let Some((first, rest)) = corners.split_first() else { return };
         let band = self.band(first.1);
         if rest.iter().all(|corner| self.band(corner.1) == band) {
@@ -85,8 +103,13 @@ impl Isobands {
     }
 
     /// The bar that tells the colours apart: from its upper left corner, with a label at every second step.
-    pub(crate) fn bar(&self, [left, top]: [f64; 2], height: f64, label: &dyn Fn(f64) -> String) -> String {
+    pub(crate) fn bar(&self, [left, top]: [f64; 2], height: f64) -> String {
         let count = BANDS.len();
+        let decade = ((self.high - self.low) / count as f64).max(f64::MIN_POSITIVE).log10().floor();
+        let label = |value: f64| match decade {
+            -4.0..4.0 => format!("{value:.*}", (1.0 - decade).clamp(0.0, 6.0) as usize),
+            _ => format!("{value:.2e}"),
+        };
         let step = height / count as f64;
         let mut out = String::new();
         for (band, colour) in BANDS.iter().enumerate() {
@@ -96,10 +119,49 @@ impl Isobands {
         for mark in (0..=count).step_by(2) {
             let y = top + height - mark as f64 * step + 4.5;
             let value = self.low + (self.high - self.low) * mark as f64 / count as f64;
-            out += &format!("<text x=\"{:.1}\" y=\"{y:.1}\">{}</text>\n", left + 22.0, label(value));
+            out += &format!("<text x=\"{:.1}\" y=\"{y:.1}\">{}</text>\n", left + 22.0, label(value).replace('-', "\u{2212}"));
         }
         out
     }
+}
+
+/// Cuts a cell into pieces of about one size, between points of its grid.
+fn pieces((grid, at): &Placed, size: f64) -> Vec<Vec<Sample>> {
+    let p = grid.degree;
+    let length = |step: &dyn Fn(usize) -> usize| {
+        let nodes: Vec<[f64; 2]> = (0..=p).map(|i| at[step(i)].0).collect();
+        nodes.windows(2).map(|pair| (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1])).sum::<f64>()
+    };
+    let count = |length: f64| ((length / size).ceil() as usize).clamp(1, p);
+    // A triangle has its third side instead of a last row and a last column.
+    let [row, column] = match grid.triangle {
+        true => [length(&|i| grid.at(p - i, i)); 2],
+        false => [length(&|i| grid.at(i, p)), length(&|j| grid.at(p, j))],
+    };
+    let (along, up) = (count(length(&|i| grid.at(i, 0)).max(row)), count(length(&|j| grid.at(0, j)).max(column)));
+    grid.pieces(along, up).into_iter().map(|nodes| nodes.into_iter().map(|k| at[k]).collect()).collect()
+}
+
+/// Values below and above which lies the clipped share of the area.
+fn quantiles(pieces: &[Vec<Sample>]) -> [f64; 2] {
+    let share = |piece: &Vec<Sample>| {
+        let p = |k: usize| piece[k % piece.len()].0;
+        let area = 0.5 * (0..piece.len()).map(|k| p(k)[0] * p(k + 1)[1] - p(k)[1] * p(k + 1)[0]).sum::<f64>();
+        (piece.iter().map(|corner| corner.1).sum::<f64>() / piece.len() as f64, area.abs())
+    };
+    let mut shares: Vec<(f64, f64)> = pieces.iter().map(share).filter(|share| share.0.is_finite()).collect();
+    shares.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let total: f64 = shares.iter().map(|share| share.1).sum();
+    let at = |part: f64| {
+        let mut sum = 0.0;
+        let found = shares.iter().find(|share| {
+            sum += share.1;
+            sum >= part * total
+        });
+        found.or(shares.last()).map_or(0.0, |share| share.0)
+    };
+    let [low, high] = [at(CLIP), at(1.0 - CLIP)];
+    if high - low > 1e-9 * high.abs().max(low.abs()) { [low, high] } else { [low - 1.0, high + 1.0] }
 }
 
 /// The part of a convex polygon where `sign (value - level) >= 0`.
@@ -122,7 +184,22 @@ fn cut(polygon: &[Sample], level: f64, sign: f64) -> Vec<Sample> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Isobands, cut};
+    use super::{Isobands, Placed, cut};
+    use crate::cell_grid::CellGrid;
+
+    #[test]
+    fn a_peak_on_a_small_area_does_not_take_the_colours_from_the_rest() {
+        let cell = |left: f64, width: f64, value: f64| -> Placed {
+            let corners = [[left, 0.0], [left + width, 0.0], [left, 10.0], [left + width, 10.0]];
+            (CellGrid { degree: 1, triangle: false }, corners.map(|x| (x, value)).to_vec())
+        };
+        let bands = Isobands::of(&[cell(0.0, 50.0, 1.0), cell(50.0, 50.0, 2.0), cell(100.0, 1.0, 1e6)], 6.0);
+        assert_eq!((bands.low, bands.high), (1.0, 2.0));
+        let bar = bands.bar([0.0, 0.0], 100.0);
+        assert!(bar.contains(">1.000<") && bar.contains(">2.000<"), "{bar}");
+        // One value everywhere is a picture too.
+        assert!(!Isobands::of(&[cell(0.0, 50.0, 3.0)], 6.0).svg().is_empty());
+    }
 
     #[test]
     fn cutting_a_triangle_at_a_level_keeps_the_side_asked_for() {

@@ -2,9 +2,9 @@
 
 use hpfem::Stress;
 
-use crate::body_field::BodyField;
+use crate::body_field::{BodyField, CellField};
 use crate::fault::Fault;
-use crate::report::isobands::{BANDS, Isobands};
+use crate::report::isobands::{Isobands, Placed};
 use crate::report::section_plot::Section;
 use crate::reproduce::annulus;
 use crate::reproduce::closed_form::{RADII, punch, ring_pressure};
@@ -15,6 +15,8 @@ use crate::reproduce::run::{Run, run, set};
 const PUNCH: &str = "translating-punch";
 /// The discretisation of the pictures; the rows say how exact it is.
 const MESH: [&str; 3] = ["output.fields=true", "mesh.degree=10", "mesh.layers=4"];
+/// Size of a piece that is cut at the colours, in pixels.
+const PIECE: f64 = 4.0;
 const CLIPPED: &str = "Colours span the stresses between their 2 and 98 per cent quantiles by area: at the corners of a held, loaded or sharp \
                        edge the stress of linear elasticity is infinite, and its largest number means nothing.";
 
@@ -33,19 +35,13 @@ fn draw(made: &mut Made, name: &str, title: &str, body: &BodyField, stress: fn(&
     let points = || body.cells.iter().flat_map(|cell| cell.position.iter());
     let range = |k: usize| points().fold([f64::MAX, f64::MIN], |[lo, hi], p| [lo.min(p[k]), hi.max(p[k])]);
     let section = Section::new(range(0), range(1), 96.0);
-    let [low, high] = quantiles(body, stress);
-    let mut bands = Isobands::new(low, high);
-    for cell in &body.cells {
-        let sample = |k: &usize| (section.place(cell.position[*k]), stress(&cell.stress[*k]));
-        for piece in cell.grid.pieces(cell.grid.degree, cell.grid.degree) {
-            bands.piece(&piece.iter().map(sample).collect::<Vec<_>>());
-        }
-    }
+    let placed = |cell: &CellField| -> Placed {
+        let sample = |k: usize| (section.place(cell.position[k]), stress(&cell.stress[k]));
+        (cell.grid, (0..cell.position.len()).map(sample).collect())
+    };
+    let bands = Isobands::of(&body.cells.iter().map(placed).collect::<Vec<_>>(), PIECE);
     let [right, top, bottom] = section.edges();
-    let step = (high - low) / BANDS.len() as f64;
-    let decimals = (1.0 - step.log10().floor()).clamp(0.0, 6.0) as usize;
-    let label = |value: f64| format!("{value:.decimals$}").replace('-', "\u{2212}");
-    let svg = bands.svg() + &bands.bar([right + 16.0, top], (bottom - top).min(320.0), &label);
+    let svg = bands.svg() + &bands.bar([right + 16.0, top], (bottom - top).min(320.0));
     let names = if body.revolved { ["r", "z"] } else { ["x", "z"] };
     made.file(&format!("{name}.svg"), section.picture(title, names, &svg));
     let mut table = String::from("x_mm,z_mm,stress_MPa\n");
@@ -54,33 +50,6 @@ fn draw(made: &mut Made, name: &str, title: &str, body: &BodyField, stress: fn(&
         table += &format!("{x},{z},{s}\n");
     }
     made.file(&format!("{name}.csv"), table);
-}
-
-/// 2 and 98 per cent quantiles of a stress by area.
-fn quantiles(body: &BodyField, stress: fn(&Stress) -> f64) -> [f64; 2] {
-    let mut shares: Vec<(f64, f64)> = Vec::new();
-    for cell in &body.cells {
-        for piece in cell.grid.pieces(cell.grid.degree, cell.grid.degree) {
-            let p = |k: usize| cell.position[piece[k % piece.len()]];
-            let area = 0.5 * (0..piece.len()).map(|k| p(k)[0] * p(k + 1)[1] - p(k)[1] * p(k + 1)[0]).sum::<f64>();
-            let mean = piece.iter().map(|k| stress(&cell.stress[*k])).sum::<f64>() / piece.len() as f64;
-            if mean.is_finite() {
-                shares.push((mean, area.abs()));
-            }
-        }
-    }
-    shares.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let total: f64 = shares.iter().map(|share| share.1).sum();
-    let at = |part: f64| {
-        let mut sum = 0.0;
-        let found = shares.iter().find(|share| {
-            sum += share.1;
-            sum >= part * total
-        });
-        found.or(shares.last()).map_or(0.0, |share| share.0)
-    };
-    let [low, high] = [at(0.02), at(0.98)];
-    if high - low > 1e-9 * high.abs().max(low.abs()) { [low, high] } else { [low - 1.0, high + 1.0] }
 }
 
 /// Largest difference of a stress on a horizontal line from what it ought to be, for places between two ends.
