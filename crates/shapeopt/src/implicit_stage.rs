@@ -98,7 +98,7 @@ impl<'a> Load<'a> {
     /// Solves a stage. `known` is the gap without the wear of this stage; `None` if the iteration does not settle.
     pub(crate) fn solve(&self, known: &[f64], step: f64, start: &Contact) -> Option<Solved> {
         let n = self.weights.len();
-        let recedes = self.rate.recedes() && step > 0.0;
+        let recedes = self.recedes(step);
         let linear_rate = step == 0.0 || (self.rate.is_linear());
         let mut now = start.clone();
         let mut recession = step * self.rate.recession(&now.pressure);
@@ -112,16 +112,7 @@ impl<'a> Load<'a> {
             now.pressure = pressure;
             let active: Vec<usize> = (0..n).filter(|i| u[*i] > 0.0).collect();
             let linear = self.linearise(step, &now.pressure, active, &slope, recedes)?;
-            let elastic = self.elastic(&now.pressure);
-            let residual = |i: usize, y: &[f64], recession: f64, elastic: &[f64]| {
-                known[i] + self.system.opening[i] + elastic[i] + self.rigid(i, y) + recession - self.sigma[i] * now.pressure[i]
-            };
-            let mut right: Vec<f64> =
-                linear.active.iter().map(|i| -u[*i] - residual(*i, &now.coordinates, recession, &elastic)).collect();
-            right.extend(self.imbalance(&now).iter().map(|r| -r));
-            if recedes {
-                right.push(step * self.rate.recession(&now.pressure) - recession);
-            }
+            let right = self.right(known, step, &u, &now, recession, &linear.active);
             let change = linear.solve(right)?;
             let a = linear.active.len();
             // Update.
@@ -144,37 +135,22 @@ impl<'a> Load<'a> {
                 .map(|i| if next[i] > 0.0 && u[i] > 0.0 { self.rate.inverse(i, self.sigma[i], step, next[i]).0 } else { 0.0 })
                 .collect();
             let elastic = self.elastic(&updated);
-            let mut changed = 0;
-            let mut last_change = None;
-            for i in 0..n {
-                if u[i] > 0.0 {
-                    if next[i] <= 0.0 {
-                        changed += 1;
-                        last_change = Some(i);
-                    }
-                    continue;
-                }
-                let open = known[i] + self.system.opening[i] + elastic[i] + self.rigid(i, &now.coordinates) + recession;
-                next[i] = -open;
-                if next[i] > 0.0 {
-                    changed += 1;
-                    last_change = Some(i);
-                }
+            for i in (0..n).filter(|i| u[*i] <= 0.0) {
+                next[i] = -(known[i] + self.system.opening[i] + elastic[i] + self.rigid(i, &now.coordinates) + recession);
             }
             if !next.iter().all(|v| v.is_finite()) {
                 return None;
             }
-            if let (true, Some(only)) = (iteration > PATIENCE, last_change) {
-                for i in 0..n {
-                    if i != only && (next[i] > 0.0) != (u[i] > 0.0) {
-                        next[i] = if u[i] > 0.0 { f64::MIN_POSITIVE.max(1e-12 * u[i]) } else { 0.0 };
-                    }
+            let changed: Vec<usize> = (0..n).filter(|i| (next[*i] > 0.0) != (u[*i] > 0.0)).collect();
+            if let (true, Some(only)) = (iteration > PATIENCE, changed.last()) {
+                for i in changed.iter().copied().filter(|i| i != only) {
+                    next[i] = if u[i] > 0.0 { f64::MIN_POSITIVE.max(1e-12 * u[i]) } else { 0.0 };
                 }
             }
             u = next;
             // The error after this step is the square of the change before it, down to round-off.
             let round_off = absolute <= 1e-11 * size && relative > 0.5 * relative_before;
-            let settled = changed == 0 && (linear_rate || relative < 1e-7 || round_off);
+            let settled = changed.is_empty() && (linear_rate || relative < 1e-7 || round_off);
             relative_before = relative;
             if settled {
                 now.pressure = updated;
@@ -183,6 +159,26 @@ impl<'a> Load<'a> {
             }
         }
         None
+    }
+
+    /// Right-hand side of a Newton step: openings of the active points, balance of the coordinates, and recession of the counter-face.
+    fn right(&self, known: &[f64], step: f64, u: &[f64], now: &Contact, recession: f64, active: &[usize]) -> Vec<f64> {
+        let elastic = self.elastic(&now.pressure);
+        let residual = |i: usize| {
+            known[i] + self.system.opening[i] + elastic[i] + self.rigid(i, &now.coordinates) + recession
+                - self.sigma[i] * now.pressure[i]
+        };
+        let mut right: Vec<f64> = active.iter().map(|i| -u[*i] - residual(*i)).collect();
+        right.extend(self.imbalance(now).iter().map(|r| -r));
+        if self.recedes(step) {
+            right.push(step * self.rate.recession(&now.pressure) - recession);
+        }
+        right
+    }
+
+    /// Whether the counter-face recedes in a step.
+    fn recedes(&self, step: f64) -> bool {
+        self.rate.recedes() && step > 0.0
     }
 
     fn rigid(&self, i: usize, coordinates: &[f64]) -> f64 {
