@@ -2,6 +2,7 @@
 
 punch.msh   the punch of translating-punch, unstructured quadrilaterals of order 1, MSH 4.1 text
 shoe.msh    the shoe of drum-brake-block, quadrilaterals of order 2, MSH 4.1 binary: its arc is recognised as one
+cylinder.msh, block.msh  the bodies of hertz-cylinder, quadrilaterals of order 2 and 1, MSH 4.1 text
 lining.msh  the shoe of lining-on-back, two physical surfaces, quadrilaterals and triangles of order 3, MSH 2.2 text
 """
 
@@ -91,6 +92,36 @@ def lining():
     end("lining.msh", 3, version=2.2)
 
 
+def cylinder():
+    begin(40)
+    geo = gmsh.model.geo
+    middle, low = geo.addPoint(0, 50, 0), geo.addPoint(0, 0, 0)
+    left, right = geo.addPoint(-50, 50, 0), geo.addPoint(50, 50, 0)
+    arcs = [geo.addCircleArc(left, middle, low), geo.addCircleArc(low, middle, right)]
+    tops = [geo.addLine(right, middle), geo.addLine(middle, left)]
+    centre = geo.addLine(low, middle)
+    halves = [[arcs[1], tops[0], -centre], [arcs[0], centre, tops[1]]]
+    body = [surface(half) for half in halves]
+    geo.synchronize()
+    for name, lines in [("arc", arcs), ("top", tops), ("centre", [centre])]:
+        group(1, name, lines)
+    group(2, "steel", body)
+    end("cylinder.msh", 2)
+
+
+def block():
+    begin(80)
+    lines = polygon([(-100, -200), (100, -200), (100, 0), (-100, 0)])
+    body = surface(lines)
+    gmsh.model.geo.synchronize()
+    for name, line in zip(["bottom", "right", "top", "left"], lines):
+        group(1, name, [line])
+    group(2, "aluminium", [body])
+    end("block.msh", 1)
+
+
 punch()
 shoe()
 lining()
+cylinder()
+block()

@@ -13,12 +13,17 @@ mod forecast;
 mod free_ends;
 mod gap_difference;
 mod half_disc;
+mod hertz_trial;
 mod matching;
+mod near_ends;
 mod operators;
 mod pressure_ends;
 mod recover;
+mod round;
+mod round_cells;
 mod round_trip;
 mod shape;
+mod sharp_edges;
 mod stage;
 mod template;
 mod tolerance;
@@ -43,6 +48,9 @@ use crate::solve::Options;
 pub(crate) fn available(problem: &Problem) -> Result<(), Fault> {
     if !problem.plan.runs("mesh") {
         return Ok(());
+    }
+    if let Some(round) = round::Round::of(&problem.scene)? {
+        return round::available(problem, &round);
     }
     match half_disc::Couple::of(&problem.scene)? {
         Some(couple) => ends_scope::available(problem, &couple),
@@ -70,6 +78,9 @@ pub(crate) fn solve(problem: &Problem, options: Options, live: &mut Live, soluti
     available(problem)?;
     if let Some(couple) = half_disc::Couple::of(&problem.scene)? {
         return ends::solve(problem, &couple, options, solution);
+    }
+    if let Some(round) = round::Round::of(&problem.scene)? {
+        return round::solve(problem, &round, options, solution);
     }
     let mut reported = None;
     if problem.plan.runs("contact") {

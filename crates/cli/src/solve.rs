@@ -87,7 +87,8 @@ pub(crate) fn solve_live(problem: &Problem, options: Options, live: &mut Live) -
     if solution.status != Status::Refused && problem.plan.runs("mesh") {
         crate::fe::solve(problem, options, live, &mut solution)?;
     }
-    solution.lints = crate::lints::after(&problem.scene, &solution);
+    let after = crate::lints::after(&problem.scene, &solution);
+    solution.lints.extend(after);
     Ok(solution)
 }
 

@@ -88,6 +88,21 @@ impl Patch {
     }
 }
 
+impl Patch {
+    /// A flat surface from and to the given x (or radius), where a round body meets a flat one.
+    pub(crate) fn flat(scene: &Scene, x: [f64; 2], z: f64) -> Result<Patch, Fault> {
+        let thickness = scene.thickness.map_or(1.0, |thickness| thickness.0);
+        let (shape, kind) = match scene.kinematics {
+            Some(Kinematics::Axisymmetric) => (Shape::Annulus { radii: x }, PatchKind::Ring),
+            _ => (Shape::Strip { x, z, thickness }, PatchKind::Plane),
+        };
+        let motion = motion(scene, kind, &shape, [0.0, z])?;
+        let surface = Surface::new(shape, motion)
+            .map_err(|error| Fault::at("contact.edges", "degenerate", error.to_string(), "give a surface with area"))?;
+        Ok(Patch { surface, kind, backwards: false })
+    }
+}
+
 type Found = (Shape, PatchKind, [f64; 2], &'static str);
 
 fn symmetric_arc(key: &str, radius: Length, half_angle: f64, width: f64) -> Result<Shape, Fault> {
@@ -178,7 +193,7 @@ fn between(scene: &Scene, first: &Body, second: &Body) -> Result<Option<Found>, 
     let (body1, body2) = (&first.geometry, &second.geometry);
     if [body1, body2].iter().any(|body| matches!(body, Geometry::Blocks(_) | Geometry::Mesh(_))) {
         let lines = [contact_line("body1", first, &edges[0], true)?, contact_line("body2", second, &edges[1], false)?];
-        return along(scene, lines).map(Some);
+        return along(scene, lines);
     }
     let axisymmetric = scene.kinematics == Some(Kinematics::Axisymmetric);
     let thickness = scene.thickness.map_or(1.0, |thickness| thickness.0);
@@ -246,8 +261,8 @@ fn between(scene: &Scene, first: &Body, second: &Body) -> Result<Option<Found>, 
     }
 }
 
-/// The surface of two contact edges of which at least one belongs to a body given by its cells.
-fn along(scene: &Scene, lines: [ContactLine; 2]) -> Result<Found, Fault> {
+/// The surface of two contact edges of which at least one belongs to a body given by its cells; none of a round body on a flat one.
+fn along(scene: &Scene, lines: [ContactLine; 2]) -> Result<Option<Found>, Fault> {
     let key = "contact.edges";
     let thickness = scene.thickness.map_or(1.0, |thickness| thickness.0);
     let revolved = scene.kinematics == Some(Kinematics::Axisymmetric);
@@ -268,9 +283,9 @@ fn along(scene: &Scene, lines: [ContactLine; 2]) -> Result<Found, Fault> {
                 return apart(message, "make the contact edge of body 2 as wide as that of body 1 or wider");
             }
             if revolved {
-                return Ok((Shape::Annulus { radii: x }, PatchKind::Ring, [0.0, z], key));
+                return Ok(Some((Shape::Annulus { radii: x }, PatchKind::Ring, [0.0, z], key)));
             }
-            Ok((Shape::Strip { x, z, thickness }, PatchKind::Plane, [0.0, 0.0], key))
+            Ok(Some((Shape::Strip { x, z, thickness }, PatchKind::Plane, [0.0, 0.0], key)))
         }
         [
             ContactLine::Circle { centre, radius, angles, internal },
@@ -292,15 +307,39 @@ fn along(scene: &Scene, lines: [ContactLine; 2]) -> Result<Found, Fault> {
                 let message = format!("body 1 reaches from {a:.6} to {b:.6} deg over body 2 from {c:.6} to {d:.6} deg");
                 return apart(message, "make the contact edge of body 2 as long as that of body 1 or longer");
             }
+            // Half a circle from side to side cannot close everywhere.
+            if !(angles[1] - angles[0] < std::f64::consts::PI * (1.0 - 1e-9)) {
+                return apart(
+                    "the contact reaches up to the middle of the circle".into(),
+                    "let the arc of body 1 be less than half a circle",
+                );
+            }
             let shape = Shape::Arc { radius, centre: Vector3::new(centre[0], 0.0, centre[1]), angles, thickness, internal };
-            Ok((shape, PatchKind::Turning, centre, key))
+            Ok(Some((shape, PatchKind::Turning, centre, key)))
+        }
+        [ContactLine::Circle { centre, radius, angles, internal: true }, ContactLine::Line { z, x }] => {
+            let lowest = centre[1] - radius;
+            let near = 1e-9;
+            if !(angles[0] <= std::f64::consts::PI + near && angles[1] >= std::f64::consts::PI - near) {
+                let message = "the arc of the round body 1 does not contain its lowest point";
+                return apart(message.into(), "let it touch the line with its lowest point");
+            }
+            if !same(lowest, z, radius) {
+                let message = format!("the edges do not touch: lowest point z = {lowest}, plane z = {z}");
+                return apart(message, "let the round body 1 touch the line with its lowest point");
+            }
+            if !inside([centre[0]; 2], x) {
+                let message = format!("body 1 touches at x = {}, beside body 2 from {} to {}", centre[0], x[0], x[1]);
+                return apart(message, "let body 2 lie under the lowest point of body 1");
+            }
+            Ok(None)
         }
         [ContactLine::Circle { .. }, ContactLine::Circle { .. }] => {
             apart("axisymmetric bodies touch along horizontal lines only".into(), "let both contact edges be horizontal")
         }
         _ => apart(
             "one contact edge is a line and the other part of a circle".into(),
-            "let both be one horizontal line, or parts of one circle",
+            "let both be one horizontal line, or parts of one circle, or let a round body 1 touch a line",
         ),
     }
 }

@@ -21,7 +21,7 @@ use crate::space::{Direction, Support};
 use nalgebra::{Complex, DMatrix};
 use std::f64::consts::{PI, TAU};
 
-type C = Complex<f64>;
+pub(crate) type C = Complex<f64>;
 
 /// A vertex where derivatives of the displacement are not smooth.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -65,23 +65,7 @@ pub fn singular_vertices(
     loaded: &[&str],
 ) -> Result<Vec<SingularVertex>, Error> {
     let sides = mesh.edge_cells();
-    let mut held: Vec<Vec<[f64; 2]>> = vec![Vec::new(); mesh.edges.len()];
-    for support in supports {
-        for e in mesh.boundary(&support.boundary)? {
-            let d = match support.direction {
-                Direction::First => [1.0, 0.0],
-                Direction::Second => [0.0, 1.0],
-                Direction::Normal => {
-                    let t = mesh.edges[e].curve.derivative(0.0);
-                    let n = t[0].hypot(t[1]);
-                    [t[1] / n, -t[0] / n]
-                }
-            };
-            if held[e].iter().all(|h: &[f64; 2]| (h[0] * d[1] - h[1] * d[0]).abs() > 1e-9) {
-                held[e].push(d);
-            }
-        }
-    }
+    let held = held(mesh, supports)?;
     // Number of the load on each edge; jumps are where it changes along the boundary.
     let mut load = vec![0_usize; mesh.edges.len()];
     for (number, name) in loaded.iter().enumerate() {
@@ -115,8 +99,76 @@ pub fn singular_vertices(
     Ok(found)
 }
 
-/// A corner: its sectors anti-clockwise, its two faces, their edges. Faces are none around an inner vertex.
-type Corner = (Vec<Sector>, Option<[Face; 2]>, Option<[usize; 2]>);
+/// Directions held on every edge.
+fn held(mesh: &Mesh, supports: &[Support]) -> Result<Vec<Vec<[f64; 2]>>, Error> {
+    let mut held: Vec<Vec<[f64; 2]>> = vec![Vec::new(); mesh.edges.len()];
+    for support in supports {
+        for e in mesh.boundary(&support.boundary)? {
+            let d = match support.direction {
+                Direction::First => [1.0, 0.0],
+                Direction::Second => [0.0, 1.0],
+                Direction::Normal => {
+                    let t = mesh.edges[e].curve.derivative(0.0);
+                    let n = t[0].hypot(t[1]);
+                    [t[1] / n, -t[0] / n]
+                }
+            };
+            if held[e].iter().all(|h: &[f64; 2]| (h[0] * d[1] - h[1] * d[0]).abs() > 1e-9) {
+                held[e].push(d);
+            }
+        }
+    }
+    Ok(held)
+}
+
+/// The wedge of a body at a vertex of its boundary.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Corner {
+    /// Its sectors, from one face to the other.
+    pub sectors: Vec<Sector>,
+    /// What holds on the faces.
+    pub faces: [Face; 2],
+}
+
+impl Corner {
+    /// The wedge of a body with the given supports at a boundary vertex, its sectors anti-clockwise; none inside the body.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchBoundary`].
+    pub fn at(
+        mesh: &Mesh,
+        vertex: usize,
+        kinematics: Kinematics,
+        materials: &[Material],
+        supports: &[Support],
+    ) -> Result<Option<Corner>, Error> {
+        let held = held(mesh, supports)?;
+        let touching = |(c, cell): (usize, &crate::mesh::Cell)| cell.vertices().iter().position(|v| *v == vertex).map(|k| (c, k));
+        let cells: Vec<(usize, usize)> = mesh.cells.iter().enumerate().filter_map(touching).collect();
+        let found = corner(mesh, &mesh.edge_cells(), &cells, vertex, materials, &held, kinematics);
+        Ok(found.and_then(|(sectors, faces, _)| faces.map(|faces| Corner { sectors, faces })))
+    }
+
+    /// The mirror image of the wedge, from the same face.
+    pub fn mirrored(mut self) -> Corner {
+        for face in &mut self.faces {
+            if let Face::Held(angle) = face {
+                *angle = (PI - *angle).rem_euclid(PI);
+            }
+        }
+        self
+    }
+
+    /// The same wedge from its other face.
+    pub fn reversed(mut self) -> Corner {
+        self.sectors.reverse();
+        self.faces.reverse();
+        self
+    }
+}
+
+/// Sectors anti-clockwise, two faces, their edges. Faces are none around an inner vertex.
+type Wedge = (Vec<Sector>, Option<[Face; 2]>, Option<[usize; 2]>);
 
 fn corner(
     mesh: &Mesh,
@@ -126,7 +178,7 @@ fn corner(
     materials: &[Material],
     held: &[Vec<[f64; 2]>],
     kinematics: Kinematics,
-) -> Option<Corner> {
+) -> Option<Wedge> {
     // The edges that leave corner k: the one with the cell on its left, then the other.
     let leaving = |(c, k): (usize, usize)| {
         let [a, b] = mesh.cells[c].leaving(k).map(|e| mesh.cells[c].edges[e]);
@@ -249,13 +301,13 @@ fn determinant(l: C, sectors: &[Sector], faces: Option<[Face; 2]>, kinematics: K
 }
 
 /// Rows of displacement (first half) and traction (second half) of a sector at angle `t`, by its coefficients.
-fn plane(l: C, sector: &Sector, t: f64, kinematics: Kinematics) -> Vec<Vec<C>> {
+pub(crate) fn plane(l: C, sector: &Sector, t: f64, kinematics: Kinematics) -> Vec<Vec<C>> {
     let nu = sector.material.poisson();
     let kappa = match kinematics {
         Kinematics::PlaneStress { .. } => (3.0 - nu) / (1.0 + nu),
         _ => 3.0 - 4.0 * nu,
     };
-    // Tractions in units of the modulus, displacements without it.
+    // Coefficients in units that keep displacements and tractions near one for any modulus.
     let shear = sector.material.young() / (1.0 + nu);
     let unit = shear / (shear + 1.0);
     let (minus, plus) = ((l - 1.0) * t, (l + 1.0) * t);
@@ -264,8 +316,8 @@ fn plane(l: C, sector: &Sector, t: f64, kinematics: Kinematics) -> Vec<Vec<C>> {
     vec![
         [(-l + kappa) * cm, (-l + kappa) * sm, cp, sp].map(|v| v * ratio).to_vec(),
         [(l + kappa) * sm, -(l + kappa) * cm, -sp, cp].map(|v| v * ratio).to_vec(),
-        [(l + 1.0) * cm, (l + 1.0) * sm, -cp, -sp].map(|v| v * l).to_vec(),
-        [(l - 1.0) * sm, -(l - 1.0) * cm, -sp, cp].map(|v| v * l).to_vec(),
+        [(l + 1.0) * cm, (l + 1.0) * sm, -cp, -sp].map(|v| v * l * unit).to_vec(),
+        [(l - 1.0) * sm, -(l - 1.0) * cm, -sp, cp].map(|v| v * l * unit).to_vec(),
     ]
 }
 
@@ -277,7 +329,7 @@ fn antiplane(l: C, sector: &Sector, t: f64) -> Vec<Vec<C>> {
 }
 
 /// Conditions of a face on `[u.., traction..]`.
-fn condition(face: Face, state: &[Vec<C>], rows: usize) -> Vec<Vec<C>> {
+pub(crate) fn condition(face: Face, state: &[Vec<C>], rows: usize) -> Vec<Vec<C>> {
     let mix = |a: &[C], x: f64, b: &[C], y: f64| a.iter().zip(b).map(|(a, b)| a * x + b * y).collect::<Vec<_>>();
     match face {
         Face::Fixed => state[..rows].to_vec(),

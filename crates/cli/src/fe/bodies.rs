@@ -129,6 +129,11 @@ impl BodyParts {
         Ok(BodyParts { mesh, degrees, kinematics, materials, supports, support_names, rigid_edge, load_cases })
     }
 
+    /// The wedge of the body at a vertex of its boundary.
+    pub(crate) fn corner(&self, vertex: usize, kinematics: Kinematics) -> Option<hpfem::Corner> {
+        hpfem::Corner::at(&self.mesh, vertex, kinematics, &self.materials, &self.supports).ok().flatten()
+    }
+
     /// Assembles and reduces the body.
     pub(crate) fn reduce(&self, key: &str) -> Result<Body<'_>, Fault> {
         Body::new(self.problem()).map_err(|error| not_held(key, &error))

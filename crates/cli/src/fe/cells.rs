@@ -13,6 +13,8 @@ use crate::scene::{Body, Component, Kinematics, LoadKind, Scene};
 const SLENDER: f64 = 3.0;
 /// Share of the contact below which two points of it are meant to be one: a mesh file has fewer digits than its geometry.
 pub(super) const SAME: f64 = 1e-6;
+/// Share of an edge within which its end is moved onto an end of contact instead of cutting the edge there.
+const NEAR: f64 = 0.25;
 /// Most cuts of slender cells in one body.
 const MOST_CUTS: usize = 24;
 
@@ -36,6 +38,10 @@ impl Cells {
         let key = if shaped { "body1" } else { "body2" };
         let edge = scene.contact.as_ref().and_then(|c| c.edges.as_ref()).map(|e| e[usize::from(!shaped)].clone());
         let mut cells = Cells { mesh: given.mesh, singular: Vec::new(), contact: edge.unwrap_or_default(), extent };
+        if let Extent::Round { x, touch, .. } = extent {
+            cells.focus(touch, 1.4 * (x[1] - touch).max(touch - x[0])).map_err(|error| degenerate(key, &error))?;
+            x.iter().for_each(|end| cells.draw(*end));
+        }
         cells.cut(&extent.ends())?;
         let touching: Vec<usize> = cells.contact_edges().into_iter().map(|(e, _)| e).collect();
         tag(&mut cells.mesh, &touching, CONTACT);
@@ -59,7 +65,7 @@ impl Cells {
             let axis: Vec<usize> = (0..cells.mesh.edges.len()).filter(on_axis).collect();
             tag(&mut cells.mesh, &axis, AXIS);
         }
-        cells.singular = singular(scene, shaped, body, &cells.mesh).map_err(|error| degenerate(key, &error))?;
+        cells.singular = singular(scene, shaped, body, &cells.mesh, extent).map_err(|error| degenerate(key, &error))?;
         cells.cut_slender().map_err(|error| degenerate(key, &error))?;
         Ok(cells)
     }
@@ -80,7 +86,7 @@ impl Cells {
             let near = SAME * (to - from);
             let hit = edges.into_iter().find_map(|e| {
                 let [a, b] = self.extent.range(&self.mesh.edges[e].curve);
-                let t = (2.0 * place - a - b) / (b - a);
+                let t = self.extent.parameter(&self.mesh.edges[e].curve, *place);
                 ((place - a).abs().min((place - b).abs()) > near && t.abs() < 1.0).then_some((e, t))
             });
             if let Some((edge, t)) = hit {
@@ -104,8 +110,10 @@ impl Cells {
         let found = edges.into_iter().find_map(|e| {
             let range = self.extent.range(&self.mesh.edges[e].curve);
             let end = (0..2).find(|k| (range[*k] - place).abs() <= SAME * (to - from))?;
-            let share = (place - range[end]) / (range[1] - range[0]).abs();
-            Some((self.mesh.edges[e].vertices[end], place - range[end], share * self.mesh.edges[e].curve.length()))
+            let curve = &self.mesh.edges[e].curve;
+            // Half the step in the parameter is the share of the length.
+            let share = 0.5 * (self.extent.parameter(curve, place) - [-1.0, 1.0][end]) * (range[1] - range[0]).signum();
+            Some((self.mesh.edges[e].vertices[end], place - range[end], share * curve.length()))
         });
         let Some((vertex, off, shift)) = found else { return Ok(false) };
         if off.abs() <= 1e-13 * (to - from) {
@@ -121,6 +129,69 @@ impl Cells {
             }
         }
         Ok(true)
+    }
+
+    /// Puts a vertex on a place of the contact surface, and cells around it whose edges there are no longer than `length`.
+    fn focus(&mut self, place: f64, length: f64) -> Result<(), hpfem::Error> {
+        self.draw(place);
+        let edges = self.mesh.boundary(&self.contact).unwrap_or_default();
+        let hit = edges.into_iter().find_map(|e| {
+            let t = self.extent.parameter(&self.mesh.edges[e].curve, place);
+            (t.abs() < 1.0 - SAME).then_some((e, t))
+        });
+        if let Some((edge, t)) = hit {
+            self.mesh = self.mesh.cut_through(edge, t)?;
+        }
+        let Some(vertex) = self.vertex_at(place) else { return Ok(()) };
+        let own = |e: &usize| self.mesh.edges[*e].vertices.contains(&vertex);
+        let edges = self.mesh.boundary(&self.contact).unwrap_or_default().into_iter().filter(own);
+        let longest = edges.map(|e| self.mesh.edges[e].curve.length()).fold(0.0, f64::max);
+        let layers = (longest / length).log2().ceil();
+        if layers > 0.0 {
+            let ratio = (length / longest).powf(1.0 / layers);
+            self.mesh = self.mesh.refined_towards(&[vertex], ratio, layers as usize)?;
+            // Nothing is singular there: these cells keep their degree.
+            self.mesh.cells.iter_mut().for_each(|cell| cell.layer = 0);
+        }
+        Ok(())
+    }
+
+    /// Moves the next vertex of the contact surface onto a place, if it is near and nothing but the mesh depends on it.
+    pub(super) fn draw(&mut self, place: f64) {
+        let edges = self.mesh.boundary(&self.contact).unwrap_or_default();
+        let near = edges.into_iter().find_map(|e| {
+            let own = &self.mesh.edges[e];
+            let t = self.extent.parameter(&own.curve, place);
+            let end = usize::from(t > 0.0);
+            let share = 0.5 * (t - [-1.0, 1.0][end]);
+            let [a, b] = self.extent.range(&own.curve);
+            (t.abs() <= 1.0 && share.abs() < NEAR).then(|| (own.vertices[end], share * own.curve.length() * (b - a).signum()))
+        });
+        let Some((vertex, shift)) = near else { return };
+        let cells = || self.mesh.cells.iter().filter(|cell| cell.vertices().contains(&vertex));
+        let material = cells().next().map(|cell| cell.material);
+        let sides = self.mesh.edge_cells();
+        let mut inner =
+            (0..self.mesh.edges.len()).filter(|e| sides[*e].len() > 1 && self.mesh.edges[*e].vertices.contains(&vertex));
+        let free = cells().all(|cell| Some(cell.material) == material) && inner.all(|e| self.mesh.edges[e].tags.is_empty());
+        if let Some(mesh) = Some(()).filter(|()| free).and_then(|()| self.mesh.with_vertex_moved(vertex, shift).ok()) {
+            self.mesh = mesh;
+        }
+    }
+
+    /// The vertex on a place of the contact surface.
+    fn vertex_at(&self, place: f64) -> Option<usize> {
+        let [from, to] = self.extent.ends();
+        self.mesh.boundary(&self.contact).unwrap_or_default().into_iter().find_map(|e| {
+            let range = self.extent.range(&self.mesh.edges[e].curve);
+            let end = (0..2).find(|k| (range[*k] - place).abs() <= SAME * (to - from))?;
+            Some(self.mesh.edges[e].vertices[end])
+        })
+    }
+
+    /// Where the vertex on a place of the contact surface is.
+    pub(super) fn point_at(&self, place: f64) -> Option<[f64; 2]> {
+        self.vertex_at(place).map(|v| self.mesh.vertices[v])
     }
 
     /// Cuts every piece of the contact surface in the middle.
@@ -215,12 +286,12 @@ impl Extent {
     pub(super) fn ends(&self) -> [f64; 2] {
         match self {
             Extent::Angles(angles) => *angles,
-            Extent::X(x) => *x,
+            Extent::X(x) | Extent::Round { x, .. } => *x,
         }
     }
 
     /// Coordinates of the ends of a line or arc of the contact edge, the one at `t = -1` first; angles next to those of the contact.
-    fn range(&self, curve: &Curve) -> [f64; 2] {
+    pub(super) fn range(&self, curve: &Curve) -> [f64; 2] {
         use std::f64::consts::{FRAC_PI_2, PI, TAU};
         match (self, curve) {
             (Extent::Angles(angles), Curve::Arc { from, to, .. }) => {
@@ -230,6 +301,23 @@ impl Extent {
                 [own - 0.5 * (from - to), own + 0.5 * (from - to)]
             }
             _ => [curve.point(-1.0)[0], curve.point(1.0)[0]],
+        }
+    }
+
+    /// Parameter of a place on a line or arc of the contact edge; outside of [-1, 1] or no number where it is not on it.
+    pub(super) fn parameter(&self, curve: &Curve, place: f64) -> f64 {
+        use std::f64::consts::{FRAC_PI_2, PI, TAU};
+        match (self, curve) {
+            (Extent::Round { .. }, Curve::Arc { centre, radius, from, to }) => {
+                let angle = ((place - centre[0]) / radius).asin() - FRAC_PI_2;
+                let middle = 0.5 * (from + to);
+                let own = (angle - middle + PI).rem_euclid(TAU) - PI;
+                2.0 * own / (to - from)
+            }
+            _ => {
+                let [a, b] = self.range(curve);
+                (2.0 * place - a - b) / (b - a)
+            }
         }
     }
 }
@@ -262,7 +350,7 @@ fn tag(mesh: &mut Mesh, edges: &[usize], name: &str) {
 }
 
 /// Points where the stress of a body is unbounded or its load jumps.
-fn singular(scene: &Scene, shaped: bool, body: &Body, mesh: &Mesh) -> Result<Vec<[f64; 2]>, hpfem::Error> {
+fn singular(scene: &Scene, shaped: bool, body: &Body, mesh: &Mesh, extent: Extent) -> Result<Vec<[f64; 2]>, hpfem::Error> {
     let support = |boundary: &str, direction| Support { boundary: boundary.to_string(), direction, value: 0.0 };
     let directions = |component: &Component| match component {
         Component::X => Some(Direction::First),
@@ -271,7 +359,8 @@ fn singular(scene: &Scene, shaped: bool, body: &Body, mesh: &Mesh) -> Result<Vec
     };
     let held = body.support.iter().flat_map(|(edge, held)| held.iter().filter_map(directions).map(move |d| (edge, d)));
     let mut supports: Vec<Support> = held.map(|(edge, direction)| support(edge, direction)).collect();
-    let mut loaded = vec![CONTACT];
+    // A round body has left the other where the surface that may touch ends.
+    let mut loaded = if matches!(extent, Extent::Round { .. }) { vec![] } else { vec![CONTACT] };
     if let Some(load) = scene.load.as_ref().filter(|_| shaped) {
         if load.kind == Some(LoadKind::Rigid) {
             supports.extend([support(LOAD, Direction::First), support(LOAD, Direction::Second)]);

@@ -7,25 +7,31 @@ use contact::{ContactOperator, ContactSolution, Pair, Status as ContactStatus};
 use crate::fault::Fault;
 use crate::fe::bodies::Level;
 use crate::fe::diagnosis;
-use crate::fe::free_ends::FreeEnds;
+use crate::fe::free_ends::{FreeEnds, zones};
 use crate::fe::recover::{Moment, Reported};
+use crate::fe::sharp_edges;
 use crate::fe::stage::{Stage, accuracy, add_times, fixed_level, ladder, note, rest, rungs};
-use crate::fe::template::Cut;
+use crate::fe::template::{Cut, Extent};
 use crate::fe::torsion;
 use crate::fe::twist::Twist;
 use crate::gap::Gap;
-use crate::given::given;
 use crate::profile::Profile;
 use crate::scene::Scene;
 use crate::setup::Problem;
 use crate::solution::{ContactResult, EnergyResult, Solution, Status};
 use crate::solve::{CURVE, Options, Sampling};
 
-/// Samples of the pressure for the comparison of levels, over the inner 95 % of the surface.
+/// Samples of the pressure for the comparison of levels, over the inner 95 % of the contact.
 const SAMPLES: usize = 191;
+
+/// Degrees after those of the ladder, and how far above the accuracy asked for the estimated error may be to climb on to them.
+const BEYOND: [usize; 2] = [18, 20];
+const NEARLY: f64 = 10.0;
 
 /// Relative violation of signs below which a solution with its points held in contact is the contact's.
 const SIGNS_HOLD: f64 = 1e-9;
+/// Relative violation of signs above which that solution is no start for the contact's.
+const NEAR: f64 = 1e-3;
 
 /// Result of one level.
 pub(super) struct Solved {
@@ -36,6 +42,8 @@ pub(super) struct Solved {
     pub(super) twist: Option<f64>,
     /// Error of the pressure as the embedded degree tells it, for levels without a ladder below them.
     pub(super) embedded: Option<f64>,
+    /// Whether ends of contact lie inside elements because nodes did not settle on them.
+    pub(super) unsettled: bool,
     /// Why there is no answer.
     pub(super) refused: Option<String>,
     /// For the fields.
@@ -47,7 +55,22 @@ pub(super) struct Solved {
 pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution) -> Result<Option<Reported>, Fault> {
     let stage = Stage::new(problem)?;
     let mut ends = FreeEnds::default();
-    climb(stage.scene(), options, solution, |level| solve_level(stage, level, options, &mut ends))
+    let mut last = None;
+    let reported = climb(stage.scene(), options, solution, |level| {
+        let solved = solve_level(stage, level, options, &mut ends)?;
+        let statuses = solved.solution.profile.as_ref().map(|profile| &profile.status);
+        last = statuses.and_then(|s| Some((level.layers, [*s.first()? == "contact", *s.last()? == "contact"])));
+        Ok(solved)
+    })?;
+    if let Some((layers, closed)) = last {
+        let note = sharp_edges::note(stage, layers, closed)?;
+        // The largest value at a point says nothing about an infinite pressure.
+        if let Some(contact) = solution.contact.as_mut().filter(|_| note.is_some()) {
+            (contact.p_max_MPa, contact.q_max_MPa) = (None, None);
+        }
+        solution.lints.extend(note);
+    }
+    Ok(reported)
 }
 
 /// Solves level after level until the estimated errors are below the accuracy asked for, and keeps the last one.
@@ -59,7 +82,16 @@ pub(super) fn climb(
 ) -> Result<Option<Reported>, Fault> {
     let fixed = fixed_level(scene).is_some();
     let mut solved: Vec<Solved> = Vec::new();
-    for level in ladder(scene, options) {
+    let mut levels = ladder(scene, options);
+    let last = levels.len();
+    if !fixed {
+        levels.extend(BEYOND.map(|degree| Level::of(scene, degree)));
+    }
+    for (number, level) in levels.iter().copied().enumerate() {
+        // Past the usual degrees only for what is nearly there.
+        if number >= last && estimate(&solved).is_none_or(|e| largest(&e) > NEARLY * accuracy(scene)) {
+            break;
+        }
         if crate::interrupt::asked() {
             solution.status = Status::Interrupted;
             return Ok(None);
@@ -72,7 +104,7 @@ pub(super) fn climb(
     }
     let change = |i: usize| relative_difference(&solved[i - 1].pressure, &solved[i].pressure);
     let estimate = |i: usize| estimate(&solved[..=i]).map(|e| e[1]);
-    solution.ladder = rungs(&ladder(scene, options), solved.len(), "pressure", change, estimate);
+    solution.ladder = rungs(&levels, solved.len(), "pressure", change, estimate);
     Ok(finish(accuracy(scene), solved, fixed, solution))
 }
 
@@ -80,7 +112,7 @@ fn largest(errors: &[f64]) -> f64 {
     errors.iter().copied().fold(0.0, f64::max)
 }
 
-/// Estimated relative errors of the energy, of the pressure (L2 over the inner 95 % of the surface), and of a twist (0 without one).
+/// Estimated relative errors of the energy, of the pressure (L2 over the inner 95 % of the contact), and of a twist (0 without one).
 fn estimate(solved: &[Solved]) -> Option<[f64; 3]> {
     let [.., a, b, c] = solved else { return None };
     let energy = |x: &Solved, y: &Solved| ((x.energy - y.energy) / y.energy).abs();
@@ -103,7 +135,7 @@ fn finish(accuracy: f64, mut solved: Vec<Solved>, fixed: bool, solution: &mut So
     let total = |f: &dyn Fn(&Solved) -> usize| solved.iter().map(f).sum::<usize>();
     let factorisations = total(&|s| s.solution.counters.factorisations);
     let solves = total(&|s| s.solution.counters.contact_solves);
-    let Solved { solution: last, refused, reported, embedded, .. } = solved.pop()?;
+    let Solved { solution: last, refused, reported, embedded, unsettled, .. } = solved.pop()?;
     add_times(&times, &mut solution.times);
     let checks = solution.counters.check_solves;
     let before = solution.counters.factorisations;
@@ -136,6 +168,9 @@ fn finish(accuracy: f64, mut solved: Vec<Solved>, fixed: bool, solution: &mut So
     result.pressure_relative = Some(pressure);
     result.twist_relative = Some(twist).filter(|twist| *twist > 0.0);
     result.how = format!("energy and pressure of the contact: rest of the series of {levels} degrees");
+    if unsettled {
+        result.how += "; nodes did not settle on the ends of contact, which lie inside elements";
+    }
     let worst = largest(&[energy, pressure, twist]);
     if !fixed && worst > accuracy {
         solution.status = Status::AccuracyMissed;
@@ -145,17 +180,16 @@ fn finish(accuracy: f64, mut solved: Vec<Solved>, fixed: bool, solution: &mut So
 }
 
 /// Solves a level; where contact ends inside the surface, with element nodes on its ends, from those of the last level.
-fn solve_level(stage: Stage<'_>, level: Level, options: Options, ends: &mut FreeEnds) -> Result<Solved, Fault> {
+pub(super) fn solve_level(stage: Stage<'_>, level: Level, options: Options, ends: &mut FreeEnds) -> Result<Solved, Fault> {
     let mut solution = Solution::default();
     let mut trial = None;
     if ends.places.is_empty() {
         let (found, length) = on_standing_mesh(stage, level, &mut solution)?;
-        if of_templates(stage.scene()) {
-            *ends = FreeEnds::of(&found, length);
-        }
+        *ends = FreeEnds::of(&found, length);
         trial = Some(found);
     }
     let positioned = if ends.places.is_empty() { None } else { ends.position(stage, level, &mut solution)? };
+    let mut unsettled = false;
     let (reduced, held) = match positioned {
         Some(positioned) => {
             *ends = positioned.ends;
@@ -163,6 +197,7 @@ fn solve_level(stage: Stage<'_>, level: Level, options: Options, ends: &mut Free
             (positioned.reduced, Some(positioned.held))
         }
         None => {
+            unsettled = !ends.places.is_empty();
             *ends = FreeEnds::default();
             (stage.reduced(level, Cut::Plain, &mut solution)?, None)
         }
@@ -183,7 +218,8 @@ fn solve_level(stage: Stage<'_>, level: Level, options: Options, ends: &mut Free
         }
         (_, held) => {
             solution.counters.contact_solves += 1;
-            operator.solve(&gap, &load, held.as_ref()).map_err(unsolved)?
+            let near = held.as_ref().filter(|held| held.complementarity < NEAR);
+            operator.solve(&gap, &load, near).map_err(unsolved)?
         }
     };
     note(&mut solution, "contact", start);
@@ -209,8 +245,8 @@ fn solve_level(stage: Stage<'_>, level: Level, options: Options, ends: &mut Free
     solution.interface = diagnosis::interface(&operator, &gap, &load, &found)?;
     solution.contact = Some(contact);
     let length = pair.trace().length();
-    let inner: Vec<f64> = (0..SAMPLES).map(|i| length * (0.025 + 0.95 * i as f64 / (SAMPLES - 1) as f64)).collect();
-    let pressure = inner.iter().map(|arc| pressure_at(&pair, &operator, &found.pressure, *arc)).collect();
+    let zones = if ends.places.is_empty() { zones(&found, length) } else { pairs(&ends.arcs(length)) };
+    let pressure = inner(&zones, length).iter().map(|arc| pressure_at(&pair, &operator, &found.pressure, *arc)).collect();
     let own = stage.profile(&pair, operator.points(), &found.pressure, states);
     let sampled = |sampling: Sampling<'_>| -> Profile {
         let points = stage.sample(&pair, sampling);
@@ -247,16 +283,23 @@ fn solve_level(stage: Stage<'_>, level: Level, options: Options, ends: &mut Free
         Reported { level, ends: ends.places.clone(), moments: vec![Moment { time_s: 0.0, name: "", states, around }] }
     });
     let twist = twist.map(|twist| twist.answer);
-    Ok(Solved { energy: energy[0] + energy[1], pressure, twist, embedded, refused, reported, solution })
+    Ok(Solved { energy: energy[0] + energy[1], pressure, twist, embedded, unsettled, refused, reported, solution })
 }
 
-/// Whether both bodies are templates, whose meshes can be cut anywhere.
-fn of_templates(scene: &Scene) -> bool {
-    [&scene.body1, &scene.body2].into_iter().flatten().all(|body| matches!(given("body", body), Ok(None)))
+/// Ends of contact taken two by two.
+fn pairs(arcs: &[f64]) -> Vec<[f64; 2]> {
+    arcs.chunks_exact(2).map(|zone| [zone[0], zone[1]]).collect()
+}
+
+/// Evenly spaced places on the inner 95 %: without a fortieth of the surface at its ends, or of the contact where that ends before.
+fn inner(zones: &[[f64; 2]], length: f64) -> Vec<f64> {
+    let (from, to) = (zones.first().map_or(0.0, |zone| zone[0]), zones.last().map_or(0.0, |zone| zone[1]));
+    let (low, high) = ((from + 0.025 * (to - from)).max(0.025 * length), (to - 0.025 * (to - from)).min(0.975 * length));
+    (0..SAMPLES).map(|i| low + (high - low) * i as f64 / (SAMPLES - 1) as f64).collect()
 }
 
 /// The contact on the standing mesh of a level, and the length of its surface.
-fn on_standing_mesh(stage: Stage<'_>, level: Level, solution: &mut Solution) -> Result<(ContactSolution, f64), Fault> {
+pub(super) fn on_standing_mesh(stage: Stage<'_>, level: Level, solution: &mut Solution) -> Result<(ContactSolution, f64), Fault> {
     let reduced = stage.reduced(level, Cut::Plain, solution)?;
     let pair = reduced.pair()?;
     let operator = reduced.operator(&pair, stage.friction() > 0.0)?;
@@ -277,9 +320,13 @@ pub(super) fn start_gap(stage: Stage<'_>, pair: &Pair<'_>, arc: f64) -> f64 {
 
 /// The start gap of the scene at a surface coordinate.
 pub(super) fn gap_at(stage: Stage<'_>, s: f64) -> f64 {
-    match stage.scene().contact.as_ref().and_then(|c| c.gap.as_ref()) {
+    let given = match stage.scene().contact.as_ref().and_then(|c| c.gap.as_ref()) {
         Some(Gap::Profile { s: known, gap }) => linear(known, gap, s) * 1e-3,
         _ => 0.0,
+    };
+    match stage.extent {
+        Extent::Round { radius, .. } => given + s * s / (radius + ((radius - s) * (radius + s)).max(0.0).sqrt()),
+        _ => given,
     }
 }
 
@@ -319,7 +366,7 @@ fn result(stage: Stage<'_>, pair: &Pair<'_>, operator: &ContactOperator<'_>, fou
         moment_Nmm: Some(moment),
         approach_mm: tz.map(|z| -z),
         tilt_rad: theta.map(|t| -t),
-        ends_mm: found.zones.iter().flatten().map(|arc| start + arc).collect(),
+        ends_mm: zones(found, pair.trace().length()).iter().flatten().map(|arc| start + arc).collect(),
         // At a sharp corner the pressure is infinite: its exponent says more than the largest nodal value.
         p_max_MPa: Some(largest).filter(|_| edge_exponents.is_empty()),
         edge_exponents,

@@ -17,6 +17,7 @@ use crate::fe::contact::{Solved, climb, unsolved};
 use crate::fe::diagnosis;
 use crate::fe::ends_profile::Rows;
 use crate::fe::half_disc::Couple;
+use crate::fe::hertz_trial::hertz_end;
 use crate::fe::recover::{self, Moment, Reported};
 use crate::fe::stage::{Parts, note};
 use crate::fe::torsion;
@@ -108,25 +109,12 @@ impl<'a> Setting<'a> {
 
     /// Trial ends between half-planes or half-spaces (Johnson 1985, sec. 4.2, 7.2): of contact, and before it of stick.
     pub(super) fn trial(&self) -> Result<Vec<f64>, Fault> {
-        let plane_stress = matches!(kinematics(self.scene), hpfem::Kinematics::PlaneStress { .. });
-        let softness = |body: &Option<SceneBody>| {
-            body.as_ref()
-                .and_then(|b| b.material)
-                .map_or(0.0, |m| (if plane_stress { 1.0 } else { 1.0 - m.poisson * m.poisson }) / m.young.0)
-        };
-        let modulus = 1.0 / (softness(&self.scene.body1) + softness(&self.scene.body2));
-        let radius = self.couple.radius;
-        let approach = self.scene.load.as_ref().and_then(|load| load.approach).map(|a| a.0);
+        let materials =
+            [&self.scene.body1, &self.scene.body2].map(|body| body.iter().filter_map(|b| b.material).collect::<Vec<_>>());
+        let load = self.scene.load.clone().unwrap_or_default();
+        let approach = load.approach.map(|a| a.0);
         let force = self.force();
-        let end = match (approach, self.revolved()) {
-            (Some(approach), true) => (radius * approach.max(0.0)).sqrt(),
-            (Some(approach), false) => 0.5 * (radius * approach.max(0.0)).sqrt(),
-            (None, true) => (0.75 * force * radius / modulus).cbrt(),
-            (None, false) => {
-                let thickness = self.scene.thickness.map_or(1.0, |t| t.0);
-                (4.0 * force * radius / (std::f64::consts::PI * modulus * thickness)).sqrt()
-            }
-        };
+        let end = hertz_end(self.couple.radius, [&materials[0], &materials[1]], &load, kinematics(self.scene));
         if end <= 0.0 || end.is_nan() {
             let message = format!("an approach of {} mm does not press body 1 on body 2", approach.unwrap_or(0.0));
             return Err(Fault::at("load.approach", "wrong-value", message, "give an approach greater than 0"));
@@ -167,7 +155,7 @@ impl<'a> Setting<'a> {
             BodyParts::new(self.scene, false, block, level, kinematics)?,
         ];
         note(work, "mesh", start);
-        Ok(Parts { parts })
+        Ok(Parts { parts, facing: true })
     }
 
     /// The load before any shear.
@@ -351,7 +339,16 @@ impl<'a> Setting<'a> {
             Reported { level, ends: Vec::new(), moments: vec![Moment { time_s: 0.0, name: "", states, around: Vec::new() }] }
         });
         let twist = twist.map(|twist| twist.answer);
-        Ok(Solved { energy: energy[0] + energy[1], pressure, twist, embedded, refused, reported, solution: work })
+        Ok(Solved {
+            energy: energy[0] + energy[1],
+            pressure,
+            twist,
+            embedded,
+            unsettled: false,
+            refused,
+            reported,
+            solution: work,
+        })
     }
 }
 

@@ -9,7 +9,7 @@ use crate::fault::Fault;
 use crate::fe::bodies::Level;
 use crate::fe::stage::{Parts, Stage, fixed_level, ladder};
 use crate::fe::template::Cut;
-use crate::fe::{available, ends, half_disc};
+use crate::fe::{available, ends, half_disc, round};
 use crate::setup::Problem;
 use crate::solution::Solution;
 use crate::solve::Options;
@@ -45,12 +45,16 @@ pub(crate) struct Forecast {
 pub(crate) fn forecast(problem: &Problem) -> Result<Vec<Forecast>, Fault> {
     available(problem)?;
     let couple = half_disc::Couple::of(&problem.scene)?;
+    let round = round::Round::of(&problem.scene)?;
     let parts = |level: Level| match &couple {
         Some(couple) => {
             let setting = ends::Setting::new(&problem.scene, couple);
             setting.parts(level, &setting.trial()?, &mut Solution::default())
         }
-        None => Stage::new(problem)?.parts(level, Cut::Plain, &mut Solution::default()),
+        None => match round {
+            Some(round) => round::first_parts(problem, &round, level),
+            None => Stage::new(problem)?.parts(level, Cut::Plain, &mut Solution::default()),
+        },
     };
     let mut rate = 0.0_f64;
     for degree in TIMED {

@@ -13,10 +13,17 @@ use crate::fe::template::Cut;
 use crate::solution::Solution;
 
 /// Accuracy of the nodes by the accuracy asked for: a misplaced end changes the pressure by about its distance over the length of the contact.
-const TOLERANCE: f64 = 0.01;
+/// The ends themselves are reported closer, with the step that their pressures still ask for.
+const TOLERANCE: f64 = 0.03;
+
+/// What an end moves from one level to the next, of what it moved to that one: the search starts that much further.
+const GOES_ON: f64 = 0.15;
 
 /// A level moves its nodes until the step left is this share of its first one, that is of what the level before it still lacked.
 const SHARE: f64 = 0.05;
+
+/// Share of the surface below which a gap or a zone is none.
+const TINY: f64 = 1e-6;
 
 /// Meshes of a level after which its ends are held not to settle.
 const MOST: usize = 16;
@@ -28,6 +35,8 @@ pub(super) struct FreeEnds {
     pub(super) places: Vec<f64>,
     /// Where contact ends: the places and the step that their pressures still ask for.
     refined: Vec<f64>,
+    /// The same on the level before, if there was one.
+    before: Option<Vec<f64>>,
     /// How the pressures at the ends change with their places, from the level before.
     jacobian: Option<nalgebra::DMatrix<f64>>,
     /// Whether the start of the surface is in contact.
@@ -48,13 +57,17 @@ impl FreeEnds {
             return FreeEnds::default();
         }
         let inside = |arc: &f64| *arc > 1e-9 * length && *arc < (1.0 - 1e-9) * length;
-        let places: Vec<f64> =
-            solution.zones.iter().flatten().copied().filter(inside).map(|arc| 2.0 * arc / length - 1.0).collect();
+        let zones = zones(solution, length);
+        if zones.len() < solution.zones.len() {
+            return FreeEnds::default();
+        }
+        let places: Vec<f64> = zones.iter().flatten().copied().filter(inside).map(|arc| 2.0 * arc / length - 1.0).collect();
         FreeEnds {
             refined: places.clone(),
             places,
+            before: None,
             jacobian: None,
-            starts_closed: solution.closed.first().copied().unwrap_or(false),
+            starts_closed: zones.first().is_some_and(|zone| !inside(&zone[0])),
         }
     }
 
@@ -74,7 +87,11 @@ impl FreeEnds {
     /// surface, too many meshes).
     pub(super) fn position(&self, stage: Stage<'_>, level: Level, work: &mut Solution) -> Result<Option<Positioned>, Fault> {
         let tolerance = TOLERANCE * stage.accuracy();
-        let start = Start { places: &self.refined, jacobian: self.jacobian.as_ref(), tolerance, share: SHARE };
+        let places: Vec<f64> = match &self.before {
+            Some(before) => self.refined.iter().zip(before).map(|(now, before)| now + GOES_ON * (now - before)).collect(),
+            None => self.refined.clone(),
+        };
+        let start = Start { places: &places, jacobian: self.jacobian.as_ref(), tolerance, share: SHARE };
         let mut meshes = 0;
         let found = position_nodes(start, |places| -> Result<_, Option<Fault>> {
             let ascending = places.windows(2).all(|pair| pair[0] < pair[1]);
@@ -82,7 +99,9 @@ impl FreeEnds {
             if !(meshes <= MOST && ascending && places.iter().all(|t| t.abs() < 1.0 - 1e-6)) {
                 return Err(None);
             }
-            let reduced = Arc::new(Reduced::new(&stage.parts(level, Cut::Ends(places), work)?, work)?);
+            // Cells that cannot be cut there are no fault of the user's: they serve on the standing mesh.
+            let parts = stage.parts(level, Cut::Ends(places), work).map_err(|_| None)?;
+            let reduced = Arc::new(Reduced::new(&parts, work)?);
             work.counters.factorisations += 2;
             work.counters.contact_solves += 1;
             let pair = reduced.pair()?;
@@ -101,11 +120,28 @@ impl FreeEnds {
             Ok(nodes) if nodes.found => {
                 let (reduced, held) = nodes.last;
                 let (places, refined, jacobian) = (nodes.places, nodes.refined, Some(nodes.jacobian));
-                let ends = FreeEnds { places, refined, jacobian, starts_closed: self.starts_closed };
+                // The first search starts from a mesh that knows no ends.
+                let before = self.jacobian.is_some().then(|| self.refined.clone());
+                let ends = FreeEnds { places, refined, before, jacobian, starts_closed: self.starts_closed };
                 Ok(Some(Positioned { ends, reduced, held }))
             }
             Ok(_) | Err(None) => Ok(None),
             Err(Some(fault)) => Err(fault),
         }
     }
+}
+
+/// The contact zones of a solution on a surface of the given length; gaps and zones shorter than a millionth of it are left out, which only
+/// layers around an edge too sharp for them show.
+pub(super) fn zones(solution: &ContactSolution, length: f64) -> Vec<[f64; 2]> {
+    let near = TINY * length;
+    let mut zones: Vec<[f64; 2]> = Vec::new();
+    for [from, to] in &solution.zones {
+        match zones.last_mut() {
+            Some(last) if from - last[1] < near => last[1] = *to,
+            _ => zones.push([*from, *to]),
+        }
+    }
+    zones.retain(|[from, to]| to - from >= near);
+    zones
 }

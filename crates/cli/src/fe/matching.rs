@@ -21,6 +21,9 @@ pub(super) fn matched(
     for (number, given) in given.into_iter().enumerate() {
         cells.push(given.map(|given| Cells::new(scene, number == 0, bodies[number], given, extent)).transpose()?);
     }
+    let [from, to] = extent.ends();
+    let ends: Vec<f64> = cut.ends().iter().map(|t| from + 0.5 * (1.0 + t) * (to - from)).collect();
+    cells.iter_mut().flatten().for_each(|cells| ends.iter().for_each(|end| cells.draw(*end)));
     if cut == Cut::Shifted {
         cells.iter_mut().flatten().try_for_each(Cells::halve)?;
     }
@@ -38,7 +41,10 @@ pub(super) fn matched(
         let mut meshes: Vec<Coarse> = Vec::new();
         for (number, cells) in cells.iter().enumerate() {
             meshes.push(match cells {
-                Some(Cells { mesh, singular, .. }) => Coarse { mesh: mesh.clone(), singular: singular.clone(), free: Vec::new() },
+                Some(cells) => {
+                    let free = ends.iter().filter_map(|end| cells.point_at(*end)).collect();
+                    Coarse { mesh: cells.mesh.clone(), singular: cells.singular.clone(), free }
+                }
                 None => coarse(scene, &bodies[number].geometry, &cuts, number == 0, cut)?,
             });
         }
@@ -48,9 +54,14 @@ pub(super) fn matched(
             let Coarse { mesh, singular, .. } = &mut meshes[coarse];
             add_singular(mesh, singular, *x);
         }
+        // A template that faces the cells lies on the same surface.
+        if let Some(free) = meshes.iter().map(|coarse| coarse.free.clone()).find(|free| free.len() == ends.len()) {
+            meshes.iter_mut().filter(|coarse| coarse.free.len() != ends.len()).for_each(|coarse| coarse.free.clone_from(&free));
+        }
         let mut again = false;
         for (number, coarse) in meshes.iter().enumerate() {
-            let Some((cell, corners)) = crowded(&coarse.mesh, &coarse.singular) else { continue };
+            let graded: Vec<[f64; 2]> = coarse.singular.iter().chain(&coarse.free).copied().collect();
+            let Some((cell, corners)) = crowded(&coarse.mesh, &graded) else { continue };
             again = true;
             if let Some(cells) = &mut cells[number] {
                 coarse.singular.iter().for_each(|x| cells.grade_towards(*x));

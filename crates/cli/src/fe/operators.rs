@@ -147,6 +147,7 @@ fn kind_of(scene: &Scene) -> Result<String, Fault> {
 pub(super) struct Reduced {
     pub(super) interfaces: [InterfaceOperator; 2],
     support_names: [Vec<String>; 2],
+    facing: bool,
     counters: Counters,
     /// Unit responses without and with shear.
     unit: [Mutex<Option<Arc<UnitResponses>>>; 2],
@@ -166,7 +167,8 @@ impl Reduced {
         solution.times.append(&mut work.times);
         work.counters.factorisations = 0;
         let names = |body: usize| parts.parts[body].support_names.clone();
-        Ok(Reduced { interfaces, support_names: [names(0), names(1)], counters: work.counters, unit: Default::default() })
+        let (support_names, facing) = ([names(0), names(1)], parts.facing);
+        Ok(Reduced { interfaces, support_names, facing, counters: work.counters, unit: Default::default() })
     }
 
     /// Cells and unknowns of the discretisation, into the counters of a run.
@@ -178,7 +180,7 @@ impl Reduced {
 
     /// Pairs the two bodies.
     pub(super) fn pair(&self) -> Result<Pair<'_>, Fault> {
-        paired([&self.interfaces[0], &self.interfaces[1]])
+        paired([&self.interfaces[0], &self.interfaces[1]], self.facing)
     }
 
     /// The contact of the pair, its unit responses kept.
@@ -199,9 +201,10 @@ impl Reduced {
     }
 }
 
-/// Pairs two reduced bodies.
-pub(super) fn paired<'b>(bodies: [&'b InterfaceOperator; 2]) -> Result<Pair<'b>, Fault> {
-    Pair::new(bodies[0], Some(bodies[1])).map_err(|error| {
+/// Pairs two reduced bodies, on each other or facing each other across a gap.
+pub(super) fn paired<'b>([first, second]: [&'b InterfaceOperator; 2], facing: bool) -> Result<Pair<'b>, Fault> {
+    let pair = if facing { Pair::facing(first, second) } else { Pair::new(first, Some(second)) };
+    pair.map_err(|error| {
         let remedy = "give both bodies the same contact surface";
         Fault::at("contact.edges", "no-contact", error.to_string(), remedy)
     })

@@ -37,7 +37,7 @@ pub(super) fn recover(stage: Stage<'_>, reported: &Reported, solution: &mut Solu
     let mut effort = Solution::default();
     let parts = stage.parts(reported.level, Cut::Ends(&reported.ends), &mut effort)?;
     let bodies = parts.reduce(&mut effort)?;
-    let pair = paired([&bodies[0].interface, &bodies[1].interface])?;
+    let pair = paired([&bodies[0].interface, &bodies[1].interface], stage.facing())?;
     let mut frames = Vec::new();
     for moment in &reported.moments {
         let mut frame = frame(moment, &bodies, [0, 1].map(|number| &parts.parts[number].mesh), &mut effort)?;

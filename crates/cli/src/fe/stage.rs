@@ -33,6 +33,8 @@ pub(super) struct Stage<'a> {
 /// The two bodies of a level before their reduction.
 pub(super) struct Parts {
     pub(super) parts: [BodyParts; 2],
+    /// Whether the surfaces face each other across a gap.
+    pub(super) facing: bool,
 }
 
 impl<'a> Stage<'a> {
@@ -80,6 +82,13 @@ impl<'a> Stage<'a> {
     /// Both bodies of a level, meshed and reduced unless that was done before.
     pub(super) fn reduced(&self, level: Level, cut: Cut<'static>, solution: &mut Solution) -> Result<Arc<Reduced>, Fault> {
         let place = Place { level, cut, torsion: false };
+        // How far a round contact may reach follows from the load: such bodies fit no other run.
+        if self.facing() {
+            let reduced = Reduced::new(&self.parts(level, cut, solution)?, solution)?;
+            solution.counters.factorisations += 2;
+            reduced.count(&mut solution.counters);
+            return Ok(Arc::new(reduced));
+        }
         let reduced = self.problem.operators.get(self.scene(), place, solution, |solution| {
             let parts = self.parts(level, cut, solution)?;
             Reduced::new(&parts, solution)
@@ -107,6 +116,16 @@ impl<'a> Stage<'a> {
         if crate::setup::turns(self.scene()).is_empty() { Ok(None) } else { self.twisted(level, ends, solution).map(Some) }
     }
 
+    /// Whether the surfaces face each other across a gap.
+    pub(super) fn facing(&self) -> bool {
+        matches!(self.extent, Extent::Round { .. })
+    }
+
+    /// The meshes of both bodies with so many layers.
+    pub(super) fn meshes(&self, layers: usize) -> Result<[hpfem::Mesh; 2], Fault> {
+        meshes(self.scene(), self.extent, layers, Cut::Plain)
+    }
+
     /// Meshes, supports and loads of both bodies.
     pub(super) fn parts(&self, level: Level, cut: Cut<'_>, solution: &mut Solution) -> Result<Parts, Fault> {
         self.parts_in(level, cut, kinematics(self.scene()), solution)
@@ -114,13 +133,16 @@ impl<'a> Stage<'a> {
 
     fn parts_in(&self, level: Level, cut: Cut<'_>, kinematics: Kinematics, solution: &mut Solution) -> Result<Parts, Fault> {
         let start = Instant::now();
+        // The coordinate of a surface may fall along its path.
+        let turned: Vec<f64> = if self.patch.backwards { cut.ends().iter().rev().map(|t| -t).collect() } else { Vec::new() };
+        let cut = if turned.is_empty() { cut } else { Cut::Ends(&turned) };
         let [mesh1, mesh2] = meshes(self.scene(), self.extent, level.layers, cut)?;
         let parts = [
             BodyParts::new(self.scene(), true, mesh1, level, kinematics)?,
             BodyParts::new(self.scene(), false, mesh2, level, kinematics)?,
         ];
         note(solution, "mesh", start);
-        Ok(Parts { parts })
+        Ok(Parts { parts, facing: self.facing() })
     }
 
     /// Coefficient of the friction shear on the bodies.

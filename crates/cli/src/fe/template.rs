@@ -6,6 +6,8 @@ use crate::fault::Fault;
 use crate::fe::cells::SAME;
 use crate::fe::cuts::{growing, halved, merged, parameters, subdivide, widest};
 use crate::fe::matching::matched;
+use crate::fe::near_ends::{self, cut_near};
+use crate::fe::round_cells::as_cells;
 use crate::geometry::{Geometry, Rectangle, Ring, RingSegment, ShoeBlock};
 use crate::given::given;
 use crate::scene::Scene;
@@ -19,7 +21,7 @@ pub(crate) const AXIS: &str = "@axis";
 
 /// Ratio of the sizes of successive layers. Of 0.1, 0.15, 0.25 the last reached a given error of the drum gap with the least work
 /// in degrees 6 to 12.
-const RATIO: f64 = 0.25;
+pub(super) const RATIO: f64 = 0.25;
 
 /// A coarse mesh and the points towards which it is to be graded.
 pub(super) struct Coarse {
@@ -36,6 +38,15 @@ pub(crate) enum Extent {
     Angles([f64; 2]),
     /// On a horizontal line.
     X([f64; 2]),
+    /// On a horizontal line that a round body touches at one place and faces across a gap.
+    Round {
+        /// From and to.
+        x: [f64; 2],
+        /// Where it touches.
+        touch: f64,
+        /// Radius of the round body.
+        radius: f64,
+    },
 }
 
 impl Extent {
@@ -62,7 +73,7 @@ pub(crate) enum Cut<'a> {
 }
 
 impl<'a> Cut<'a> {
-    fn ends(self) -> &'a [f64] {
+    pub(super) fn ends(self) -> &'a [f64] {
         match self {
             Cut::Ends(ends) => ends,
             _ => &[],
@@ -75,18 +86,25 @@ pub(crate) fn meshes(scene: &Scene, extent: Extent, layers: usize, cut: Cut<'_>)
     let (Some(body1), Some(body2)) = (&scene.body1, &scene.body2) else {
         return Err(not_meshed("body1.geometry", "bodies"));
     };
+    let [far, near] = near_ends::split(cut);
+    let cut = if near.is_empty() { cut } else { Cut::Ends(&far) };
     let [first, second] = match [given("body1", body1)?, given("body2", body2)?] {
         [None, None] => templates(scene, [&body1.geometry, &body2.geometry], extent, cut)?,
+        [first, second] if matches!(extent, Extent::Round { .. }) => {
+            let cells = [first.or_else(|| as_cells(scene, body1)), second.or_else(|| as_cells(scene, body2))];
+            matched(scene, [body1, body2], cells, extent, cut)?
+        }
         cells => matched(scene, [body1, body2], cells, extent, cut)?,
     };
     let graded = |coarse: Coarse, key: &str| {
         let vertices = |mesh: &Mesh, points: &[[f64; 2]]| points.iter().map(|x| mesh.nearest_vertex(*x)).collect::<Vec<usize>>();
-        let singular = vertices(&coarse.mesh, &coarse.singular);
-        let mesh = coarse.mesh.refined_towards(&singular, RATIO, layers).map_err(|error| geometry_fault(key, &error))?;
-        if coarse.free.is_empty() {
+        let (mesh, near) = cut_near(coarse.mesh, extent, &near).map_err(|error| geometry_fault(key, &error))?;
+        let singular = vertices(&mesh, &coarse.singular);
+        let mesh = mesh.refined_towards(&singular, RATIO, layers).map_err(|error| geometry_fault(key, &error))?;
+        let free = vertices(&mesh, &[coarse.free, near].concat());
+        if free.is_empty() {
             return Ok(mesh);
         }
-        let free = vertices(&mesh, &coarse.free);
         mesh.refined_towards(&free, RATIO, layers.div_ceil(2)).map_err(|error| geometry_fault(key, &error))
     };
     Ok([graded(first, "body1.geometry")?, graded(second, "body2.geometry")?])
@@ -140,6 +158,10 @@ pub(super) fn contact_cuts(scene: &Scene, extent: Extent, cut: Cut<'_>, breaks: 
         (Extent::Angles([from, to]), _) => {
             let pieces = ((to - from) / std::f64::consts::FRAC_PI_6 * (1.0 - 1e-9)).ceil().max(2.0) + more;
             subdivide(&with(&with_ends([from, to], cut)), (to - from) / pieces)
+        }
+        (Extent::Round { .. }, _) => {
+            let ends = cut.ends().iter().map(|t| first + 0.5 * (1.0 + t) * (last - first));
+            subdivide(&with(&merged([first, last].into_iter().chain(ends).collect())), (last - first) / 3.0)
         }
         // Three pieces: the tilt of a gap is its tangent in the middle, which must lie inside a cell.
         (Extent::X([from, to]), _) => subdivide(&with(&with_ends([from, to], cut)), (to - from) / (3.0 + more)),
@@ -312,12 +334,22 @@ fn full_ring(scene: &Scene, ring: &Ring, cuts: &[f64]) -> Result<Coarse, hpfem::
         bottom,
         top,
         breaks: &breaks,
-        levels: &levels(outer - inner, outer * widest, 1),
+        levels: &ring_levels(inner, outer, outer * widest),
         closed: true,
         material: 0,
         names: &names,
     })?;
     Ok(Coarse { mesh, singular, free: Vec::new() })
+}
+
+/// Levels of a ring from its inner arc; about a hole much smaller than the cells next to it their radii grow fourfold at most, as the fields do.
+fn ring_levels(inner: f64, outer: f64, width: f64) -> Vec<f64> {
+    let mut levels = levels(outer - inner, width, 1);
+    let growth = 1.0 + levels[1] * (outer - inner) / inner;
+    let pieces = (growth.ln() / 4.0_f64.ln() * (1.0 - 1e-9)).ceil().max(1.0) as usize;
+    let between = (1..pieces).map(|i| inner * (growth.powf(i as f64 / pieces as f64) - 1.0) / (outer - inner));
+    levels.splice(1..1, between.collect::<Vec<_>>());
+    levels
 }
 
 fn block(scene: &Scene, rectangle: &Rectangle, cuts: &[f64], shaped: bool, cut: Cut<'_>) -> Result<Coarse, hpfem::Error> {

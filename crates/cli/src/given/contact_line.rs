@@ -35,7 +35,7 @@ pub(crate) enum ContactLine {
 /// The line of a body's contact edge; `shaped` is body 1, which lies above the line, around the circle or inside it.
 pub(crate) fn contact_line(key: &str, body: &Body, edge: &str, shaped: bool) -> Result<ContactLine, Fault> {
     let refuse = |message: String| {
-        let remedy = "let the contact edge be one horizontal line with body 1 above, or part of one circle with body 1 around its top or inside its bottom";
+        let remedy = "let the contact edge be one horizontal line with body 1 above, or part of one circle with body 1 around its top or inside its bottom, or let a round body 1 touch a line of body 2";
         Err(Fault::at(if shaped { "contact.edges.0" } else { "contact.edges.1" }, "not-available", message, remedy))
     };
     if let Some(Given { mesh, .. }) = given(key, body)? {
@@ -49,6 +49,10 @@ pub(crate) fn contact_line(key: &str, body: &Body, edge: &str, shaped: bool) -> 
         (Geometry::RingSegment(segment), "inner", true) => {
             let angles = segment.x.map(|x| (x.0 / segment.inner.0).asin());
             Ok(ContactLine::Circle { centre: [0.0; 2], radius: segment.inner.0, angles, internal: false })
+        }
+        (Geometry::HalfDisc(disc), "arc", true) => {
+            let (centre, radius) = (disc.centre.map(|c| c.0), disc.radius.0);
+            Ok(ContactLine::Circle { centre, radius, angles: [FRAC_PI_2, PI + FRAC_PI_2], internal: true })
         }
         (Geometry::Ring(ring), "outer" | "inner", false) => {
             let centre = ring.centre.map_or([0.0; 2], |c| c.map(|c| c.0));
@@ -107,7 +111,9 @@ fn of_mesh(mesh: &Mesh, edge: &str, shaped: bool) -> Result<ContactLine, String>
             let off = (middle - about + PI).rem_euclid(TAU) - PI;
             let off = if off.abs() < 1e-14 { 0.0 } else { off };
             let half = 0.5 * turned.abs();
-            if shaped && off.abs() + half >= FRAC_PI_2 {
+            // Half a disc may touch a flat.
+            let most = if internal { FRAC_PI_2 * (1.0 + 1e-9) } else { FRAC_PI_2 };
+            if shaped && off.abs() + half >= most {
                 let [from, to] = [about + off - half, about + off + half].map(f64::to_degrees);
                 let (side, place) = if internal { ("below", "inside") } else { ("above", "around") };
                 return Err(format!(

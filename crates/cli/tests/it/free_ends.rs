@@ -48,3 +48,32 @@ fn a_punch_pressed_beyond_its_kern_opens_on_one_side_without_friction() {
     let (other, _, _) = contact("translating-punch", mirrored);
     assert_abs_diff_eq!(other[1], -ends[0], epsilon = 1e-6);
 }
+
+#[test]
+fn an_end_of_contact_next_to_a_sharp_edge_is_resolved_at_its_distance() {
+    // Friction 1 lifts the trailing edge .39 mm before x = 30; the drag into the leading one makes d^-.6146 there.
+    let bench = Bench::new();
+    let call = bench.call("run translating-punch -q --set tasks=[contact] --set contact.friction=1 --set mesh.degree=12");
+    assert_eq!(call.code, 0, "{}", call.err);
+    let summary = bench.summary("translating-punch");
+    let end = summary["contact"]["ends_mm"][1].as_f64().unwrap();
+    println!("{end} {} {}", summary["error"], summary["contact"]["edge_exponents"]);
+    // Degree 16 finds 29.60944.
+    assert_abs_diff_eq!(end, 29.60944, epsilon = 2e-3);
+    assert!(summary["error"]["pressure_relative"].as_f64().unwrap() < 1e-4);
+    assert_abs_diff_eq!(summary["contact"]["edge_exponents"][0].as_f64().unwrap(), -0.6146, epsilon = 0.02);
+    assert_eq!(summary["lints"].as_array().unwrap().len(), 0);
+}
+
+#[test]
+fn an_edge_that_no_layers_resolve_is_told_with_its_exponent() {
+    let bench = Bench::new();
+    let call = bench.call("run translating-punch -q --set tasks=[contact] --set contact.friction=2 --set mesh.degree=6");
+    assert_eq!(call.code, 0, "{}", call.err);
+    let summary = bench.summary("translating-punch");
+    assert_eq!(summary["lints"][0]["code"], "edge-unresolved");
+    assert!(summary["lints"][0]["message"].as_str().unwrap().contains("d^(-0.982)"), "{}", summary["lints"]);
+    // Its largest value at a point would say nothing.
+    assert!(summary["contact"].get("p_max_MPa").is_none());
+    assert!(summary["contact"]["iterations"].as_u64().unwrap() <= 30);
+}

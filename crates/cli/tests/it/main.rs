@@ -21,6 +21,7 @@ mod pressure;
 mod reproduce;
 mod resolved;
 mod resume;
+mod round;
 mod schedule;
 mod set;
 mod study;

@@ -4,7 +4,10 @@ use crate::common::punch::{Punch, rectangle};
 use crate::common::{at_arc, falling_degrees, material, support};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact::{ContactLoad, ContactOperator, ContactSolution, Motion, Pair};
-use hpfem::{Body, BodyProblem, Direction, InterfaceOperator, Kinematics, Mesh, RigidEdge, Side, SpaceKind, Support};
+use hpfem::{
+    Body, BodyProblem, Corner, Direction, Face, InterfaceOperator, Kinematics, Mesh, RigidEdge, Sector, Side, SlidingEdge,
+    SpaceKind, Support, sliding_edge,
+};
 
 const YOUNG: f64 = 1000.0;
 const POISSON: f64 = 0.3;
@@ -120,4 +123,39 @@ fn right_angled_edge_on_a_plane_of_its_own_kind_has_the_exponent_of_theory() {
     let pressure: Vec<f64> = distances.map(|d| at_arc(&operator, &solution.pressure, d)).collect();
     println!("{:.6}", slope(&pressure));
     assert_relative_eq!(slope(&pressure), -0.225987, max_relative = 5e-3);
+}
+
+#[test]
+fn sharp_edges_of_a_sliding_elastic_punch_have_the_exponents_of_the_characteristic_equation() {
+    let punch = Punch::translating(14, 12, [false, true, false]);
+    let (body, plate) = punch.bodies();
+    let pair = Pair::new(&body.interface, Some(&plate.interface)).unwrap();
+    let operator = ContactOperator::new(&pair, true).unwrap();
+    let n = operator.points().len();
+    let last = operator.points()[n - 1].arc;
+    let wedge = |angle: f64| Corner {
+        sectors: vec![Sector { angle: angle.to_radians(), material: punch.materials[0][0] }],
+        faces: [Face::Free; 2],
+    };
+    for friction in [0.1, 0.25, 0.5, 1.0] {
+        let mut load = ContactLoad::factors(&[], &[]).sliding(friction, vec![1.0; n]);
+        load.motions[1] = Motion::Free { resultant: -1000.0 };
+        let solution = operator.solve(&vec![0.0; n], &load, None).unwrap();
+        let distances = (0..41).map(|i| 1e-5 * 1e3_f64.powf(f64::from(i) / 40.0));
+        // Body 2 drags the punch towards +x: into the contact at its start.
+        for (mu, at_start) in [(friction, true), (-friction, false)] {
+            let found = sliding_edge(&wedge(90.0), &wedge(180.0), mu, punch.kinematics);
+            let pressure: Vec<f64> =
+                distances.clone().map(|d| at_arc(&operator, &solution.pressure, if at_start { d } else { last - d })).collect();
+            match found {
+                SlidingEdge::Singular { lambda } => {
+                    println!("mu {mu}: {:.6}, theory {:.6}", slope(&pressure), lambda - 1.0);
+                    // Next to lambda = 1 the regular part of the pressure is as large as the singular one, and a slope is no exponent.
+                    assert_abs_diff_eq!(slope(&pressure), lambda - 1.0, epsilon = if lambda < 0.9 { 5e-4 } else { 1e-2 });
+                }
+                // The other edge lifts.
+                other => assert!(other == SlidingEdge::Bounded && !solution.closed[n - 1]),
+            }
+        }
+    }
 }

@@ -23,5 +23,6 @@ mod quadrature_table;
 mod remesh;
 mod sharing;
 mod singular;
+mod sliding_edge;
 mod supports;
 mod triangles;

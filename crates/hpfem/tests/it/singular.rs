@@ -32,7 +32,7 @@ fn exponents_of_mixed_and_fixed_wedges_satisfy_their_equations() {
         assert!(l > 0.5 && l < 1.0);
         let rest = kappa * (l * w).sin().powi(2) - (0.25 * (kappa + 1.0) * (kappa + 1.0) - l * l * w.sin().powi(2));
         assert_abs_diff_eq!(rest, 0.0, epsilon = 1e-9);
-        assert_eq!(exponent(90.0, [Face::Free, Face::Fixed], kinematics, nu), l);
+        assert_abs_diff_eq!(exponent(90.0, [Face::Free, Face::Fixed], kinematics, nu), l, epsilon = 1e-14);
         // Fixed on both faces: sin(l w) = +- l sin(w) / kappa.
         let l = exponent(270.0, [Face::Fixed; 2], kinematics, nu);
         let (w, ratio) = (1.5 * PI, l / kappa * (1.5 * PI).sin());
@@ -65,6 +65,9 @@ fn two_sectors_of_one_material_are_one_and_stiff_lining_is_none() {
     let faces = Some([Face::Free; 2]);
     let one = corner_exponent(&[half(1.0, 100.0), half(1.0, 170.0)], faces, PLANE_STRAIN);
     assert_abs_diff_eq!(one, 0.544483736782464, epsilon = 1e-8);
+    // Two materials in any unit of the modulus.
+    let bonded = |unit: f64| corner_exponent(&[half(unit, 90.0), half(3.0 * unit, 180.0)], faces, PLANE_STRAIN);
+    assert_abs_diff_eq!(bonded(1.0), bonded(1e6), epsilon = 1e-9);
     // A quarter far stiffer than the other three: the stiff quarter is a fixed wedge for them.
     let stiff = corner_exponent(&[half(1e9, 90.0), half(1.0, 270.0)], None, PLANE_STRAIN);
     let fixed = exponent(270.0, [Face::Fixed; 2], PLANE_STRAIN, 0.3);

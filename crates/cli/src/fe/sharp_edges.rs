@@ -1,0 +1,86 @@
+//! Sharp edges of a sliding contact whose pressure no layers resolve: told by their characteristic equation.
+
+use hpfem::{Corner, SlidingEdge, sliding_edge};
+
+use crate::fault::Fault;
+use crate::fe::bodies::{BodyParts, Level, kinematics};
+use crate::fe::stage::Stage;
+use crate::fe::template::{CONTACT, Cut, RATIO};
+use crate::lints::Lint;
+use crate::solution::Solution;
+
+/// Layers of the usual finest level.
+const MOST: usize = 16;
+
+/// A note on edges in contact that dig in, or whose innermost layer (of `layers`, or the usual most) still carries more than the accuracy asks
+/// for: the energy there goes like its size to the power `2 lambda`. `closed` tells whether the first and the last point of the surface are in contact.
+pub(super) fn note(stage: Stage<'_>, layers: usize, closed: [bool; 2]) -> Result<Option<Lint>, Fault> {
+    let friction = stage.friction();
+    if friction == 0.0 || stage.facing() {
+        return Ok(None);
+    }
+    let level = Level { layers: 0, ..Level::of(stage.scene(), 2) };
+    let parts = stage.parts(level, Cut::Plain, &mut Solution::default())?;
+    let mut said = Vec::new();
+    for (number, _) in closed.iter().enumerate().filter(|(_, closed)| **closed) {
+        let (x, drag) = end(stage, &parts.parts[1], number);
+        // The contact ray is the first face of the left wedge of body 1 and of the right one of body 2.
+        let Some(wedges) = wedges(stage, [&parts.parts[0], &parts.parts[1]], number) else { continue };
+        let into = if number == 0 { drag } else { -drag };
+        let on_axis = kinematics(stage.scene()).is_revolved() && x == 0.0;
+        match sliding_edge(&wedges[0], &wedges[1], into * friction, kinematics(stage.scene())) {
+            _ if on_axis || drag == 0.0 => {}
+            SlidingEdge::DigsIn => said.push(format!(
+                "at x = {x:.6} mm friction {friction} is beyond what any pressure with a finite force allows: the sharp edge digs in"
+            )),
+            SlidingEdge::Singular { lambda } => {
+                let rest = RATIO.powf(lambda * layers.max(MOST) as f64);
+                if rest * rest > stage.accuracy() {
+                    said.push(format!(
+                        "at x = {x:.6} mm the pressure grows like d^({:.3}): {:.1e} of what the edge carries is within the smallest element",
+                        lambda - 1.0,
+                        rest
+                    ));
+                }
+            }
+            SlidingEdge::Bounded => {}
+        }
+    }
+    let message =
+        format!("{}. Layers do not resolve that: round the edge off, or take less friction.", capital(&said.join("; ")));
+    Ok((!said.is_empty()).then_some(Lint { code: "edge-unresolved", message }))
+}
+
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
+}
+
+/// The first or last vertex of a body's contact surface, by x.
+fn end_vertex(body: &BodyParts, number: usize) -> Option<usize> {
+    let edges = body.mesh.boundary(CONTACT).ok()?;
+    let vertices = edges.into_iter().flat_map(|e| body.mesh.edges[e].vertices);
+    let x = |v: &usize| body.mesh.vertices[*v][0];
+    if number == 0 { vertices.min_by(|a, b| x(a).total_cmp(&x(b))) } else { vertices.max_by(|a, b| x(a).total_cmp(&x(b))) }
+}
+
+/// Place x of an end of the surface, and the sense of the drag there along growing x.
+fn end(stage: Stage<'_>, counter: &BodyParts, number: usize) -> (f64, f64) {
+    let Some(vertex) = end_vertex(counter, number) else { return (0.0, 0.0) };
+    let x = counter.mesh.vertices[vertex];
+    let surface = stage.surface_point(x, [0.0, 1.0], 0.0);
+    (x[0], if surface.drag.x == 0.0 { 0.0 } else { surface.drag.x.signum() })
+}
+
+/// The wedges of both bodies at an end of the surface, from the contact outwards; the right end as its mirror image.
+fn wedges(stage: Stage<'_>, bodies: [&BodyParts; 2], number: usize) -> Option<[Corner; 2]> {
+    let mut found = Vec::new();
+    for (body, parts) in bodies.into_iter().enumerate() {
+        let vertex = end_vertex(parts, number)?;
+        let corner = parts.corner(vertex, kinematics(stage.scene()))?;
+        let contact_first = (body == 0) == (number == 0);
+        found.push(if contact_first { corner } else { corner.reversed() });
+    }
+    let found = <[Corner; 2]>::try_from(found).ok()?;
+    Some(if number == 0 { found } else { found.map(Corner::mirrored) })
+}
