@@ -22,6 +22,7 @@ mod recover;
 mod round;
 mod round_cells;
 mod round_trip;
+mod rungs;
 mod shape;
 mod sharp_edges;
 mod stage;

@@ -6,8 +6,9 @@ use shapeopt::{ApproachForce, force_of_approach};
 use wear::WearError;
 
 use crate::fault::Fault;
+use crate::fe::rungs::add_times;
 use crate::fe::shape::{Shaper, unanswered};
-use crate::fe::stage::{Stage, add_times, rest};
+use crate::fe::stage::{Stage, rest};
 use crate::fe::template::Cut;
 use crate::setup::Problem;
 use crate::solution::Solution;

@@ -9,8 +9,9 @@ use crate::fe::bodies::Level;
 use crate::fe::diagnosis;
 use crate::fe::free_ends::{FreeEnds, zones};
 use crate::fe::recover::{Moment, Reported};
+use crate::fe::rungs::{add_times, rungs};
 use crate::fe::sharp_edges;
-use crate::fe::stage::{Stage, accuracy, add_times, fixed_level, ladder, note, rest, rungs};
+use crate::fe::stage::{Stage, accuracy, fixed_level, ladder, note, rest};
 use crate::fe::template::{Cut, Extent};
 use crate::fe::torsion;
 use crate::fe::twist::Twist;
@@ -356,7 +357,7 @@ fn result(stage: Stage<'_>, pair: &Pair<'_>, operator: &ContactOperator<'_>, fou
     let moment =
         points.iter().zip(&found.nodal_force).map(|(p, force)| (p.position[0] - about) * force * p.normal[1]).sum::<f64>();
     let [_, tz, theta] = motions(pair, found);
-    let edge_exponents = exponents(pair, operator, found);
+    let edge_exponents = sharp_edges::exponents(pair, operator, found);
     let singular = !edge_exponents.is_empty();
     let largest = found.pressure.iter().copied().fold(0.0, f64::max);
     let shear = found.shear.iter().map(|q| q.abs()).fold(0.0, f64::max);
@@ -377,39 +378,6 @@ fn result(stage: Stage<'_>, pair: &Pair<'_>, operator: &ContactOperator<'_>, fou
         complementarity: Some(found.complementarity),
         iterations: Some(found.iterations),
     }
-}
-
-/// Exponents `l` of `p ~ d^l` at those ends of the surface that are in contact, from the pressure in the layers near them: the
-/// slope of log p over log d between 20 and 1000 times the smallest edge. Empty where the pressure is bounded there.
-fn exponents(pair: &Pair<'_>, operator: &ContactOperator<'_>, found: &ContactSolution) -> Vec<f64> {
-    let trace = pair.trace();
-    let length = trace.length();
-    let slope = |from_start: bool| {
-        let closed = if from_start { found.closed.first() } else { found.closed.last() };
-        if !*closed? {
-            return None;
-        }
-        let smallest = if from_start { trace.edges.first() } else { trace.edges.last() }?.curve.length();
-        let range = [20.0 * smallest, (1000.0 * smallest).min(0.02 * length)];
-        if range[1] <= 2.0 * range[0] {
-            return None;
-        }
-        let count = 41;
-        let (mut x, mut y) = (Vec::new(), Vec::new());
-        for i in 0..count {
-            let d = range[0] * (range[1] / range[0]).powf(f64::from(i) / f64::from(count - 1));
-            let arc = if from_start { d } else { length - d };
-            x.push(d.ln());
-            y.push(pressure_at(pair, operator, &found.pressure, arc).ln());
-        }
-        let mean = |v: &[f64]| v.iter().sum::<f64>() / v.len() as f64;
-        let (mx, my) = (mean(&x), mean(&y));
-        let top: f64 = x.iter().zip(&y).map(|(a, b)| (a - mx) * (b - my)).sum();
-        let bottom: f64 = x.iter().map(|a| (a - mx).powi(2)).sum();
-        Some(top / bottom)
-    };
-    let both: Vec<f64> = [slope(true), slope(false)].into_iter().flatten().filter(|l| l.is_finite()).collect();
-    if both.iter().any(|l| *l < -0.02) { both } else { Vec::new() }
 }
 
 /// Motions of the rigid edge: t_x, t_z, theta, as far as it is there.

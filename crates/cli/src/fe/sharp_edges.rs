@@ -1,9 +1,11 @@
-//! Sharp edges of a sliding contact whose pressure no layers resolve: told by their characteristic equation.
+//! Sharp edges of a contact: exponents fitted to the pressure, and a note by their characteristic equation where no layers resolve it.
 
+use contact::{ContactOperator, ContactSolution, Pair};
 use hpfem::{Corner, SlidingEdge, sliding_edge};
 
 use crate::fault::Fault;
 use crate::fe::bodies::{BodyParts, Level, kinematics};
+use crate::fe::contact::pressure_at;
 use crate::fe::stage::Stage;
 use crate::fe::template::{CONTACT, Cut, RATIO};
 use crate::lints::Lint;
@@ -83,4 +85,37 @@ fn wedges(stage: Stage<'_>, bodies: [&BodyParts; 2], number: usize) -> Option<[C
     }
     let found = <[Corner; 2]>::try_from(found).ok()?;
     Some(if number == 0 { found } else { found.map(Corner::mirrored) })
+}
+
+/// Exponents `l` of `p ~ d^l` at those ends of the surface that are in contact, from the pressure in the layers near them: the
+/// slope of log p over log d between 20 and 1000 times the smallest edge. Empty where the pressure is bounded there.
+pub(super) fn exponents(pair: &Pair<'_>, operator: &ContactOperator<'_>, found: &ContactSolution) -> Vec<f64> {
+    let trace = pair.trace();
+    let length = trace.length();
+    let slope = |from_start: bool| {
+        let closed = if from_start { found.closed.first() } else { found.closed.last() };
+        if !*closed? {
+            return None;
+        }
+        let smallest = if from_start { trace.edges.first() } else { trace.edges.last() }?.curve.length();
+        let range = [20.0 * smallest, (1000.0 * smallest).min(0.02 * length)];
+        if range[1] <= 2.0 * range[0] {
+            return None;
+        }
+        let count = 41;
+        let (mut x, mut y) = (Vec::new(), Vec::new());
+        for i in 0..count {
+            let d = range[0] * (range[1] / range[0]).powf(f64::from(i) / f64::from(count - 1));
+            let arc = if from_start { d } else { length - d };
+            x.push(d.ln());
+            y.push(pressure_at(pair, operator, &found.pressure, arc).ln());
+        }
+        let mean = |v: &[f64]| v.iter().sum::<f64>() / v.len() as f64;
+        let (mx, my) = (mean(&x), mean(&y));
+        let top: f64 = x.iter().zip(&y).map(|(a, b)| (a - mx) * (b - my)).sum();
+        let bottom: f64 = x.iter().map(|a| (a - mx).powi(2)).sum();
+        Some(top / bottom)
+    };
+    let both: Vec<f64> = [slope(true), slope(false)].into_iter().flatten().filter(|l| l.is_finite()).collect();
+    if both.iter().any(|l| *l < -0.02) { both } else { Vec::new() }
 }

@@ -15,7 +15,7 @@ use crate::fe::template::{Cut, Extent, meshes};
 use crate::profile::Profile;
 use crate::scene::{LoadKind, Scene};
 use crate::setup::Problem;
-use crate::solution::{Reaction, Rung, Solution};
+use crate::solution::{Reaction, Solution};
 use crate::solve::{Options, Sampling, trapezoid_weights};
 use crate::surface::Patch;
 
@@ -366,33 +366,6 @@ pub(super) fn ladder(scene: &Scene, options: Options) -> Vec<Level> {
 /// Notes the seconds of a stage, summed over levels.
 pub(super) fn note(solution: &mut Solution, stage: &str, start: Instant) {
     solution.times.push((stage.to_string(), start.elapsed().as_secs_f64()));
-}
-
-/// What the first levels of a ladder say about the error of a quantity: `change` and `estimate` of a level by its number.
-pub(super) fn rungs(
-    ladder: &[Level],
-    solved: usize,
-    quantity: &'static str,
-    change: impl Fn(usize) -> f64,
-    estimate: impl Fn(usize) -> Option<f64>,
-) -> Vec<Rung> {
-    let rung = |(i, level): (usize, &Level)| Rung {
-        quantity,
-        degree: level.degree,
-        change: (i > 0).then(|| change(i)),
-        estimate: estimate(i),
-    };
-    ladder.iter().take(solved).enumerate().map(rung).collect()
-}
-
-/// Sums up the times of several levels by stage, in order of appearance.
-pub(super) fn add_times(levels: &[Vec<(String, f64)>], times: &mut Vec<(String, f64)>) {
-    for (name, seconds) in levels.iter().flatten() {
-        match times.iter_mut().find(|(known, _)| known == name) {
-            Some((_, total)) => *total += seconds,
-            None => times.push((name.clone(), *seconds)),
-        }
-    }
 }
 
 /// Estimated error of the last of at least three levels from the differences of successive ones, `older` and `newer`: they fall

@@ -5,7 +5,8 @@ use hpfem::{InterfaceOperator, InterfaceState, TraceLoad};
 
 use crate::fault::Fault;
 use crate::fe::recover::Reported;
-use crate::fe::stage::{Stage, add_times};
+use crate::fe::rungs::add_times;
+use crate::fe::stage::Stage;
 use crate::profile::Profile;
 use crate::solution::Solution;
 use crate::solve::Options;
