@@ -21,8 +21,8 @@ fn lambda(found: SlidingEdge) -> f64 {
 #[test]
 fn an_edge_far_stiffer_than_its_plane_has_the_exponents_of_a_sliding_rigid_punch() {
     // -1/2 -+ g, tan(pi g) = mu (1 - 2 nu) / (2 (1 - nu)), at any unit of the modulus.
-    for (nu, mu, unit) in [(0.3, 0.25, 1.0), (0.1, 0.5, 1e-6), (0.45, 1.0, 1e6)] {
-        let g = (mu * (1.0 - 2.0 * nu) / (2.0 * (1.0 - nu)) as f64).atan() / PI;
+    for (nu, mu, unit) in [(0.3, 0.25_f64, 1.0), (0.1, 0.5, 1e-6), (0.45, 1.0, 1e6)] {
+        let g = (mu * (1.0 - 2.0 * nu) / (2.0 * (1.0 - nu))).atan() / PI;
         let (punch, plane) = (wedge(90.0, 1e10 * unit, 0.3), wedge(180.0, unit, nu));
         let found = |mu| lambda(sliding_edge(&punch, &plane, mu, PLANE_STRAIN));
         assert_abs_diff_eq!(found(mu), 0.5 + g, epsilon = 1e-7);
