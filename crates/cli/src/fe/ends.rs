@@ -22,7 +22,7 @@ use crate::fe::recover::{self, Moment, Reported};
 use crate::fe::stage::{Parts, note};
 use crate::fe::torsion;
 use crate::fe::twist::Twist;
-use crate::scene::{Body as SceneBody, Scene};
+use crate::scene::Scene;
 use crate::setup::{Problem, turns};
 use crate::solution::{EnergyResult, Solution, Status};
 use crate::solve::{CURVE, Options};
