@@ -308,7 +308,7 @@ fn along(scene: &Scene, lines: [ContactLine; 2]) -> Result<Option<Found>, Fault>
                 return apart(message, "make the contact edge of body 2 as long as that of body 1 or longer");
             }
             // Half a circle from side to side cannot close everywhere.
-            if !(angles[1] - angles[0] < std::f64::consts::PI * (1.0 - 1e-9)) {
+            if angles[1] - angles[0] >= std::f64::consts::PI * (1.0 - 1e-9) {
                 return apart(
                     "the contact reaches up to the middle of the circle".into(),
                     "let the arc of body 1 be less than half a circle",
