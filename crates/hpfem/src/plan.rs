@@ -8,6 +8,12 @@ use std::collections::BinaryHeap;
 /// Bodies whose elimination would hold more bytes than this are refused: three quarters of 16 GiB.
 pub(crate) const MEMORY_LIMIT: u64 = 12 << 30;
 
+/// What mesh, numbering, shapes and order take a cell, as measured on a million unknowns of degree 2.
+const CELL_BYTES: u64 = 1500;
+
+/// What buffers, tables and touched pages of the program take.
+const BASE_BYTES: u64 = 10 << 20;
+
 /// More elements than this are ordered by nested dissection alone.
 const MANY_ELEMENTS: usize = 1000;
 /// Up to this many elements minimum degree has always been the better order.
@@ -154,12 +160,19 @@ impl Plan {
         Plan { rank, fronts, roots }
     }
 
-    /// Largest memory the elimination will hold at once, in bytes: panels of all fronts and the elements not yet merged, those of the
-    /// cells included.
-    pub(crate) fn bytes(&self, element_groups: &[Vec<usize>], size: &[usize]) -> u64 {
+    /// Largest memory the elimination will hold at once, in bytes: panels of all fronts, elements not yet merged, and what is known of
+    /// the cells; `owns` tells which elements have a matrix of their own, right-hand sides included.
+    pub(crate) fn bytes(
+        &self,
+        element_groups: &[Vec<usize>],
+        size: &[usize],
+        kept: &[usize],
+        owns: impl Fn(usize) -> bool,
+    ) -> u64 {
         let unknowns = |groups: &[usize]| groups.iter().map(|g| size[*g] as u64).sum::<u64>();
         let square = |groups: &[usize]| 8 * unknowns(groups).pow(2);
-        let mut elements: Vec<u64> = element_groups.iter().map(|groups| square(groups)).collect();
+        let own = |(e, groups): (usize, &Vec<usize>)| if owns(e) { square(groups) } else { 0 };
+        let mut elements: Vec<u64> = element_groups.iter().enumerate().map(own).collect();
         let mut held: u64 = elements.iter().sum();
         let mut largest = held;
         for front in &self.fronts {
@@ -169,6 +182,8 @@ impl Plan {
             largest = largest.max(held);
             held -= front.children.iter().map(|child| elements[*child]).sum::<u64>();
         }
-        largest
+        // What is left is copied into the operator and brought to its units.
+        largest = largest.max(held + 3 * square(kept));
+        largest + CELL_BYTES * element_groups.len() as u64 + BASE_BYTES
     }
 }

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use contact::{ContactOperator, Pair, UnitResponses};
-use hpfem::{InterfaceOperator, InterfaceState};
+use hpfem::{Effort, InterfaceOperator, InterfaceState};
 
 use crate::fault::Fault;
 use crate::fe::bodies::Level;
@@ -141,6 +141,17 @@ fn kind_of(scene: &Scene) -> Result<String, Fault> {
     }
     serde_json::to_string(&kind)
         .map_err(|error| Fault::new("internal", format!("the scene cannot be compared: {error}"), "please report this scene"))
+}
+
+/// Counts the work of reducing both bodies.
+pub(super) fn count(bodies: [(&InterfaceOperator, Effort); 2], solution: &mut Solution) {
+    let total = |f: &dyn Fn(&Effort) -> f64| bodies.iter().map(|(_, effort)| f(effort)).sum::<f64>();
+    solution.times.push(("assemble".into(), total(&|e| e.assemble.as_secs_f64())));
+    solution.times.push(("factor".into(), total(&|e| e.factor.as_secs_f64())));
+    solution.counters.cells = bodies.iter().map(|(_, effort)| effort.cells).sum();
+    solution.counters.dofs = bodies.iter().map(|(_, effort)| effort.unknowns).sum();
+    solution.counters.trace_dofs = bodies.iter().map(|(interface, _)| interface.stiffness.nrows()).sum();
+    solution.counters.factorisations += bodies.len();
 }
 
 /// Both bodies of one discretisation, reduced to their contact surface.

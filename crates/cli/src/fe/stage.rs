@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use contact::{ContactLoad, ContactPoint, MomentBalance, Motion, Pair, Side};
-use hpfem::{Body, Effort, InterfaceOperator, InterfaceState, Kinematics};
+use hpfem::{Body, InterfaceOperator, InterfaceState, Kinematics};
 use nalgebra::Vector3;
 use shapeopt::Gauge;
 
@@ -305,14 +305,14 @@ impl Parts {
     /// Assembles and reduces both bodies, and counts the work.
     pub(super) fn reduce(&self, solution: &mut Solution) -> Result<[Body<'_>; 2], Fault> {
         let bodies = [self.parts[0].reduce("body1")?, self.parts[1].reduce("body2")?];
-        count([0, 1].map(|k| (&bodies[k].interface, bodies[k].effort)), solution);
+        operators::count([0, 1].map(|k| (&bodies[k].interface, bodies[k].effort)), solution);
         Ok(bodies)
     }
 
     /// Reduces both bodies to their contact surface, keeping nothing of their inside, and counts the work.
     pub(super) fn interfaces(&self, solution: &mut Solution) -> Result<[InterfaceOperator; 2], Fault> {
         let [(first, effort), (second, other)] = [self.parts[0].interface("body1")?, self.parts[1].interface("body2")?];
-        count([(&first, effort), (&second, other)], solution);
+        operators::count([(&first, effort), (&second, other)], solution);
         Ok([first, second])
     }
 
@@ -321,17 +321,6 @@ impl Parts {
         let names = [self.parts[0].support_names.as_slice(), self.parts[1].support_names.as_slice()];
         operators::reactions([&bodies[0].interface, &bodies[1].interface], names, states)
     }
-}
-
-/// Counts the work of reducing both bodies.
-fn count(bodies: [(&InterfaceOperator, Effort); 2], solution: &mut Solution) {
-    let total = |f: &dyn Fn(&Effort) -> f64| bodies.iter().map(|(_, effort)| f(effort)).sum::<f64>();
-    solution.times.push(("assemble".into(), total(&|e| e.assemble.as_secs_f64())));
-    solution.times.push(("factor".into(), total(&|e| e.factor.as_secs_f64())));
-    solution.counters.cells = bodies.iter().map(|(_, effort)| effort.cells).sum();
-    solution.counters.dofs = bodies.iter().map(|(_, effort)| effort.unknowns).sum();
-    solution.counters.trace_dofs = bodies.iter().map(|(interface, _)| interface.stiffness.nrows()).sum();
-    solution.counters.factorisations += bodies.len();
 }
 
 /// Accuracy a scene asks for.

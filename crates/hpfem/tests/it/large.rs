@@ -130,3 +130,40 @@ fn the_multiplications_of_a_reduction_grow_as_theory_has_it() {
     let by_cells = operations(80, 2) / operations(40, 2);
     assert!((4.0..9.0).contains(&by_cells), "{by_cells}");
 }
+
+/// Resident memory of this process, bytes: now (`VmRSS:`) or at most (`VmHWM:`).
+#[cfg(target_os = "linux")]
+fn resident(line: &str) -> f64 {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap();
+    let text = status.lines().find(|l| l.starts_with(line)).unwrap();
+    1024.0 * text.split_whitespace().nth(1).unwrap().parse::<f64>().unwrap()
+}
+
+/// The process that the test below starts: one body and nothing else.
+#[cfg(target_os = "linux")]
+#[test]
+#[ignore = "run by the test of the memory estimate in a process of its own"]
+fn one_large_body() {
+    let shape: Vec<usize> = std::env::var("LARGE_BODY").unwrap().split(',').map(|n| n.parse().unwrap()).collect();
+    let before = resident("VmRSS:");
+    let mesh = square(shape[0]);
+    let materials = steel();
+    let supports = [support("left", Direction::First), support("left", Direction::Second)];
+    let load = [vec![traction("top", |p| [p.position[0], 1.0])]];
+    let body = Body::new(problem(&mesh, shape[1], PLANE_STRAIN, &materials, &supports, &load, Some("right"))).unwrap();
+    println!("estimate over peak: {}", body.effort.bytes as f64 / (resident("VmHWM:") - before));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn the_memory_estimate_is_what_a_large_body_takes() {
+    for shape in ["110,2", "70,4", "36,8"] {
+        let mut command = std::process::Command::new(std::env::current_exe().unwrap());
+        command.args(["--exact", "large::one_large_body", "--ignored", "--nocapture"]);
+        let output = command.env("LARGE_BODY", shape).env("RAYON_NUM_THREADS", "1").output().unwrap();
+        let text = String::from_utf8(output.stdout).unwrap();
+        let ratio = text.lines().find_map(|l| l.split("estimate over peak: ").nth(1)).unwrap_or_else(|| panic!("{text}"));
+        let ratio: f64 = ratio.trim().parse().unwrap();
+        assert!((0.9..1.3).contains(&ratio), "{shape}: {ratio}");
+    }
+}
