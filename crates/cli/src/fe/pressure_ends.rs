@@ -12,7 +12,8 @@ pub(super) fn pressure_ends(stage: Stage<'_>, optimum: &wear::Optimum) -> Vec<f6
     let surface = &stage.patch.surface;
     let (lo, hi) = surface.range();
     let at = |t: f64| 0.5 * (lo * (1.0 - t) + hi * (1.0 + t));
-    let presses = |t: f64| optimum.pressure_at(&surface.along(at(t))) > 0.0;
+    // In logarithms: a steep pressure underflows long before it ends.
+    let presses = |t: f64| optimum.log_pressure_at(&surface.along(at(t))) > f64::NEG_INFINITY;
     let place = |i: usize| 2.0 * i as f64 / PIECES as f64 - 1.0;
     let mut ends = Vec::new();
     for i in 0..PIECES {
