@@ -33,11 +33,11 @@ impl AdaptStatus {
 pub struct Adapted {
     /// The last mesh.
     pub mesh: Mesh,
-    /// Degrees of its cells.
+    /// Degrees of its cells, one a cell.
     pub degrees: Vec<usize>,
-    /// The quantities of every level, the last level last.
+    /// The quantities of every level, the last level last, in the units of `quantity`: `levels x quantities`, level `k` of degree `k + 2`.
     pub quantities: Vec<Vec<f64>>,
-    /// Estimated relative error of the last quantities.
+    /// Estimated relative error of the last quantities in the Euclidean norm, a number without unit; infinite below three levels.
     pub estimate: f64,
     /// How it ended.
     pub status: AdaptStatus,

@@ -18,7 +18,7 @@ pub(crate) type HeldPlace = ([f64; 2], [f64; 2]);
 /// balance it vanishes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pin {
-    /// The vertex.
+    /// The vertex, an index into [`Mesh::vertices`].
     pub vertex: usize,
     /// [`Direction::First`] or [`Direction::Second`].
     pub direction: Direction,
@@ -30,42 +30,42 @@ pub struct Pin {
 pub struct Foundation {
     /// Name of the boundary.
     pub boundary: String,
-    /// Stiffness along the normal, pressure per length, zero or positive.
+    /// Stiffness along the normal, pressure per length, MPa/mm; zero or positive.
     pub normal: f64,
-    /// Stiffness along the tangent, zero or positive.
+    /// Stiffness along the tangent, MPa/mm; zero or positive.
     pub tangential: f64,
 }
 
-/// A force per volume as a function of the position, `[f_x, f_z]`, in torsion `[f_phi, _]`; it belongs to a load case.
+/// A force per volume, N/mm^3, as a function of the position, `[f_x, f_z]`, in torsion `[f_phi, _]`; it belongs to a load case.
 pub struct BodyForce<'a> {
-    /// Number of the load case.
+    /// Number of the load case, an index into [`BodyProblem::load_cases`].
     pub case: usize,
-    /// The force.
+    /// The force, N/mm^3.
     pub force: Force<'a>,
 }
 
-/// A force density as a function of the position.
+/// A force density, N/mm^3, as a function of the position, mm.
 pub type Force<'a> = Box<dyn Fn([f64; 2]) -> [f64; 2] + Sync + 'a>;
 
 /// A traction on the part of a boundary between two arc lengths; it belongs to a load case. The quadrature ends where the traction
 /// does, so that a jump inside an edge costs no accuracy of the load (the stress has a singular point there that the mesh must resolve).
 pub struct SegmentTraction<'a> {
-    /// Number of the load case.
+    /// Number of the load case, an index into [`BodyProblem::load_cases`].
     pub case: usize,
     /// Name of the boundary, one open path.
     pub boundary: String,
-    /// Arc lengths from the end of the path with the smaller coordinates (first coordinate first); beyond the path it is cut off.
+    /// Arc lengths, mm, from the end of the path with the smaller coordinates (first coordinate first); beyond the path it is cut off.
     pub range: [f64; 2],
-    /// The traction, as in [`EdgeTraction`](crate::EdgeTraction).
+    /// The traction, MPa, as in [`EdgeTraction`](crate::EdgeTraction).
     pub traction: BoundaryTraction<'a>,
 }
 
 /// A displacement that varies along a support, added to its constant [`value`](crate::Support::value): met at the vertices, interpolated
 /// at the Gauss-Lobatto points of every edge.
 pub struct SupportDisplacement<'a> {
-    /// Number of the support.
+    /// Number of the support, an index into [`BodyProblem::supports`].
     pub support: usize,
-    /// The displacement along the support's direction as a function of the position, a length.
+    /// The displacement along the support's direction as a function of the position, mm.
     pub displacement: Box<dyn Fn([f64; 2]) -> f64 + Sync + 'a>,
 }
 

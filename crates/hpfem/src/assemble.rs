@@ -22,7 +22,7 @@ use std::sync::Arc;
 /// A point on the boundary of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BoundaryPoint {
-    /// Position (x, z) or (r, z).
+    /// Position (x, z) or (r, z), mm.
     pub position: [f64; 2],
     /// Unit normal out of the body.
     pub outward: [f64; 2],
@@ -30,15 +30,15 @@ pub struct BoundaryPoint {
     pub tangent: [f64; 2],
 }
 
-/// A traction on a named boundary, force per deformed area as a function of the point: `[t_x, t_z]`, in torsion `[t_phi, _]`.
+/// A traction on a named boundary, force per area, MPa, as a function of the point: `[t_x, t_z]`, in torsion `[t_phi, _]`.
 pub struct EdgeTraction<'a> {
     /// Name of the boundary.
     pub boundary: String,
-    /// The traction; it must be smooth on each edge for the quadrature to be accurate.
+    /// The traction, MPa; it must be smooth on each edge for the quadrature to be accurate.
     pub traction: BoundaryTraction<'a>,
 }
 
-/// A traction as a function of the boundary point.
+/// A traction, MPa, as a function of the boundary point.
 pub type BoundaryTraction<'a> = Box<dyn Fn(&BoundaryPoint) -> [f64; 2] + Sync + 'a>;
 
 /// Tractions that act together; the interface operator keeps one column a load case.

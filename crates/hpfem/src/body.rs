@@ -21,7 +21,7 @@ use std::time::{Duration, Instant};
 pub struct BodyProblem<'a> {
     /// The mesh.
     pub mesh: &'a Mesh,
-    /// Degree of every cell, `1..=`[`MAX_DEGREE`](crate::MAX_DEGREE).
+    /// Degree of every cell, one a cell, `1..=`[`MAX_DEGREE`](crate::MAX_DEGREE).
     pub degrees: Vec<usize>,
     /// Tensor or trunk space.
     pub space: SpaceKind,
@@ -33,7 +33,7 @@ pub struct BodyProblem<'a> {
     pub supports: &'a [Support],
     /// A boundary that moves as a rigid line.
     pub rigid_edge: Option<RigidEdge>,
-    /// Load cases.
+    /// Load cases; their factors are given later, to [`Body::solve`].
     pub load_cases: &'a [LoadCase<'a>],
     /// Name of the boundary whose unknowns are kept; `None` solves the body alone.
     pub kept: Option<&'a str>,
@@ -59,7 +59,7 @@ pub struct Effort {
     pub cells: usize,
     /// Number of unknowns of the whole body.
     pub unknowns: usize,
-    /// Memory that the elimination was estimated to hold at once, bytes; bodies are refused by this number.
+    /// Memory that the reduction was estimated to hold at once, see [`Sizes::bytes`](crate::Sizes::bytes); bodies are refused by this number.
     pub bytes: u64,
     /// Time to make the element matrices, condense them and prepare the loads.
     pub assemble: Duration,
@@ -86,7 +86,8 @@ impl<'a> Body<'a> {
         Ok(Body { interface, effort, problem, additions, space, condensed, kept_groups })
     }
 
-    /// The interface operator alone, without what it takes to recover displacements inside: less memory, and less time for small bodies.
+    /// The interface operator alone, without what it takes to recover displacements inside: the factors of the fronts are dropped as the
+    /// elimination goes on, which takes less memory. It is refused by the same estimate, which counts them.
     ///
     /// # Errors
     /// As for [`Body::new`].
@@ -100,7 +101,10 @@ impl<'a> Body<'a> {
         self.problem.mesh
     }
 
-    /// Solves the body alone under the load-case factors (all motions held by supports or kept).
+    /// Solves the body alone under the load-case factors, one a load case (all motions held by supports or kept).
+    ///
+    /// # Panics
+    /// With fewer factors than load cases.
     pub fn solve(&self, cases: &[f64]) -> InterfaceState {
         let factors = self.interface.factors(cases);
         let n = self.interface.stiffness.nrows();
@@ -111,7 +115,7 @@ impl<'a> Body<'a> {
         InterfaceState { unknowns: (0..n).map(|i| x[(i, 0)]).collect(), factors, load }
     }
 
-    /// Recovers the displacement of the whole body.
+    /// Recovers the displacement of the whole body, mm, in a state of its kept unknowns.
     ///
     /// # Errors
     /// As for [`Body::new`]; cells are assembled again.

@@ -18,13 +18,13 @@ pub enum Curve {
     },
     /// Circular arc `x(t) = centre + radius (cos a, sin a)` whose angle `a` runs linearly in `t`. Any angle, either sense.
     Arc {
-        /// Centre of the circle.
+        /// Centre of the circle, mm.
         centre: [f64; 2],
-        /// Radius, positive.
+        /// Radius, mm, positive.
         radius: f64,
         /// Angle from the first axis at `t = -1`, radians, anti-clockwise.
         from: f64,
-        /// Angle at `t = +1`.
+        /// Angle at `t = +1`, radians.
         to: f64,
     },
     /// Polynomial curve in the crate's own shape functions, `x(t) = N_0 start + N_1 end + sum_k modes[k - 2] N_k(t)` with
@@ -34,7 +34,7 @@ pub enum Curve {
         start: [f64; 2],
         /// End, `t = +1`.
         end: [f64; 2],
-        /// Coefficients of the modes 2, 3, ...
+        /// Coefficients of the modes 2, 3, ..., mm.
         modes: [[f64; 2]; CURVE_DEGREE - 1],
     },
 }
@@ -91,7 +91,7 @@ impl Curve {
         })
     }
 
-    /// This curve with a profile laid on it: every point is moved by `offset(position)` along the normal on the left of the walk,
+    /// This curve with a profile laid on it: every point is moved by `offset(position)` (mm) along the normal on the left of the walk,
     /// and the result interpolated with degree [`CURVE_DEGREE`]. For worn or machined shapes, cut as for [`Curve::graph`].
     pub fn with_profile(&self, offset: impl Fn([f64; 2]) -> f64) -> Curve {
         Curve::interpolated(CURVE_DEGREE, |t| {
@@ -101,12 +101,17 @@ impl Curve {
         })
     }
 
+    /// Whether the length grows in proportion to the parameter.
+    fn has_constant_speed(&self) -> bool {
+        matches!(self, Curve::Line { .. } | Curve::Arc { .. })
+    }
+
     /// Whether the curve is a straight line.
     pub fn is_straight(&self) -> bool {
         matches!(self, Curve::Line { .. })
     }
 
-    /// Position at `t`.
+    /// Position at `t`, mm.
     pub fn point(&self, t: f64) -> [f64; 2] {
         match *self {
             Curve::Line { start, end } => {
@@ -132,7 +137,7 @@ impl Curve {
         }
     }
 
-    /// Derivative `dx/dt` at `t`.
+    /// Derivative `dx/dt` at `t`, mm.
     pub fn derivative(&self, t: f64) -> [f64; 2] {
         match *self {
             Curve::Line { start, end } => [0.5 * (end[0] - start[0]), 0.5 * (end[1] - start[1])],
@@ -178,7 +183,7 @@ impl Curve {
         }
     }
 
-    /// Length of the curve.
+    /// Length of the curve, mm.
     pub fn length(&self) -> f64 {
         match *self {
             Curve::Line { start, end } => (end[0] - start[0]).hypot(end[1] - start[1]),
@@ -187,9 +192,9 @@ impl Curve {
         }
     }
 
-    /// Length of the part before `t`.
+    /// Length of the part before `t`, mm.
     pub fn length_until(&self, t: f64) -> f64 {
-        if let Curve::Polynomial { .. } = self {
+        if !self.has_constant_speed() {
             let rule = gauss(24);
             let at = |s: f64| self.derivative(0.5 * (1.0 + t) * (1.0 + s) - 1.0);
             let sum: f64 = rule.points.iter().zip(&rule.weights).map(|(s, w)| w * at(*s)[0].hypot(at(*s)[1])).sum();
@@ -198,11 +203,11 @@ impl Curve {
         0.5 * (1.0 + t) * self.length()
     }
 
-    /// The parameter at which the length before it is `length`, clamped to the curve.
+    /// The parameter at which the length before it is `length` (mm), clamped to the curve.
     pub fn parameter_at_length(&self, length: f64) -> f64 {
         let total = self.length();
         let mut t = (2.0 * length / total - 1.0).clamp(-1.0, 1.0);
-        if let Curve::Polynomial { .. } = self {
+        if !self.has_constant_speed() {
             for _ in 0..30 {
                 let d = self.derivative(t);
                 let step = (self.length_until(t) - length) / d[0].hypot(d[1]);

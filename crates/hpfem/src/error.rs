@@ -10,11 +10,11 @@ pub enum Error {
     FoldedCell {
         /// Index of the cell.
         cell: usize,
-        /// Value of the Jacobian determinant.
+        /// Value of the Jacobian determinant, mm^2.
         jacobian: f64,
-        /// First coordinate of the place.
+        /// First coordinate of the place, mm.
         x: f64,
-        /// Second coordinate of the place.
+        /// Second coordinate of the place, mm.
         z: f64,
     },
     /// An edge's curve does not join the edge's vertices.
@@ -24,7 +24,7 @@ pub enum Error {
         a: usize,
         /// Second vertex.
         b: usize,
-        /// Largest distance between curve end and vertex.
+        /// Largest distance between curve end and vertex, mm.
         distance: f64,
     },
     /// An edge named in a curve or boundary is not an edge of any cell.
@@ -54,9 +54,9 @@ pub enum Error {
     /// A material that cannot exist.
     #[error("Young's modulus {young} must be positive and Poisson's ratio {poisson} must be in (-1, 0.5)")]
     Material {
-        /// Young's modulus.
+        /// Young's modulus, MPa.
         young: f64,
-        /// Poisson's ratio.
+        /// Poisson's ratio, no unit.
         poisson: f64,
     },
     /// The body can move without strain and neither a support nor the kept boundary holds it.
@@ -76,9 +76,9 @@ pub enum Error {
     /// The point is in no cell.
     #[error("the point ({x}, {z}) lies in no cell of the mesh")]
     OutsideMesh {
-        /// First coordinate.
+        /// First coordinate, mm.
         x: f64,
-        /// Second coordinate.
+        /// Second coordinate, mm.
         z: f64,
     },
     /// A number outside its valid range.
@@ -86,7 +86,7 @@ pub enum Error {
     OutOfRange {
         /// What the number is, with its place.
         quantity: String,
-        /// Its value.
+        /// Its value, in the unit of the quantity.
         value: f64,
         /// The valid range in words.
         range: &'static str,
@@ -144,7 +144,7 @@ pub enum Error {
     Immovable {
         /// The vertex.
         vertex: usize,
-        /// The shift asked for.
+        /// The shift asked for, mm.
         shift: f64,
         /// Why not.
         reason: &'static str,
@@ -156,9 +156,9 @@ pub enum Error {
     TooLarge {
         /// Number of unknowns on edges and vertices.
         unknowns: usize,
-        /// Estimated memory.
+        /// Estimated memory, bytes.
         bytes: u64,
-        /// The limit.
+        /// The limit, bytes.
         limit: u64,
     },
 }

@@ -3,7 +3,7 @@
 /// Energy of the exact solution and error of the last of three, extrapolated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EnergyEstimate {
-    /// Extrapolated energy.
+    /// Extrapolated energy, in the unit of the given ones.
     pub energy: f64,
     /// Relative error of the last solution in the energy norm, `sqrt(|U - U_3| / |U|)`.
     pub error: f64,

@@ -22,11 +22,11 @@ pub struct Field<'a> {
 /// Displacement and stress at a point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PointState {
-    /// Displacement (u_x, u_z), (u_r, u_z) or (u_phi, 0).
+    /// Displacement (u_x, u_z), (u_r, u_z) or (u_phi, 0), mm.
     pub displacement: [f64; 2],
-    /// Displacement gradient `[[u_x,x, u_x,z], [u_z,x, u_z,z]]`.
+    /// Displacement gradient `[[u_x,x, u_x,z], [u_z,x, u_z,z]]`, no unit; in torsion `[[u_phi,r, u_phi,z], [0, 0]]`.
     pub gradient: [[f64; 2]; 2],
-    /// Stress `[xx, zz, xz, yy]` (yy is the out-of-plane or hoop stress); in torsion `[r phi, phi z, 0, 0]`.
+    /// Stress, MPa, `[xx, zz, xz, yy]` (yy is the out-of-plane or hoop stress); in torsion `[r phi, phi z, 0, 0]`.
     pub stress: [f64; 4],
 }
 
@@ -84,12 +84,12 @@ impl<'a> Field<'a> {
         self.degrees[cell]
     }
 
-    /// Position of a reference point.
+    /// Position (x, z) or (r, z) of a reference point, mm.
     pub fn position(&self, cell: usize, xi: f64, eta: f64) -> [f64; 2] {
         self.mesh.map(cell, xi, eta).0
     }
 
-    /// The cell that holds a point and its reference coordinates, by Newton's method on the map of nearby cells.
+    /// The cell that holds a point (mm) and its reference coordinates, `(cell, xi, eta)`, by Newton's method on the map of nearby cells.
     ///
     /// # Errors
     /// [`Error::OutsideMesh`].
@@ -158,7 +158,7 @@ impl<'a> Field<'a> {
 }
 
 impl PointState {
-    /// Von Mises stress of the stored components (not for torsion).
+    /// Von Mises stress of the stored components, MPa (not for torsion).
     pub fn von_mises(&self) -> f64 {
         Stress::new(self.stress, [0.0; 2]).von_mises()
     }

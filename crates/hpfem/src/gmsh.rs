@@ -18,7 +18,7 @@ pub enum GmshError {
     Syntax {
         /// What is wrong.
         reason: String,
-        /// Place in the file.
+        /// Place in the file, bytes from its start.
         byte: usize,
     },
     /// A file version that is not read.

@@ -9,26 +9,28 @@ use faer::{Mat, Scale, Side};
 /// A body reduced to its kept boundary: `S u_c = f_c + sum_k a_k F_k`, with `S = K_cc - K_ci K_ii^-1 K_ic`.
 ///
 /// Unknowns are the hierarchic coefficients of the trace (and the free motions of the rigid edge, last). The right-hand
-/// columns `F_k` are the condensed load cases, then one column of prescribed displacements, then the reaction functionals.
+/// columns `F_k` are the condensed load cases, then one column of prescribed displacements, then the reaction functionals, three a support
+/// and then three a pin: `columns = load cases + 1 + 3 (supports + pins)`. Units follow the unknowns: mm, and rad for a rotation `theta`.
 #[derive(Clone, Debug)]
 pub struct InterfaceOperator {
     /// Kinematics of the body.
     pub kinematics: Kinematics,
     /// The kept boundary.
     pub trace: Trace,
-    /// `S`, symmetric, `unknowns x unknowns`; positive semidefinite, singular exactly for the rigid modes.
+    /// `S`, N/mm (N mm/rad for a rotation), symmetric, `unknowns x unknowns`; positive semidefinite, singular exactly for the rigid modes.
     pub stiffness: Mat<f64>,
-    /// Condensed right-hand sides, `unknowns x columns`.
+    /// Condensed right-hand sides, `unknowns x columns`: N for load cases and prescribed displacements, N/mm for the forces among the
+    /// reaction functionals and N for the moments.
     pub columns: Mat<f64>,
-    /// `F_i,k^T K_ii^-1 F_i,l`, `columns x columns`.
+    /// `F_i,k^T K_ii^-1 F_i,l`, `columns x columns`, N mm between load cases.
     pub work: Mat<f64>,
     /// Rigid motions that the supports leave free, as kept unknowns, `unknowns x modes`.
     pub rigid_modes: Mat<f64>,
-    /// The same motions in the plane: `[t_x, t_z, theta]` about the origin.
+    /// The same motions in the plane: `[t_x, t_z, theta]` about the origin, mm and rad; one for every column of `rigid_modes`.
     pub rigid_motions: Vec<[f64; 3]>,
     /// Number of load cases.
     pub load_cases: usize,
-    /// Kept unknowns of the free motions of the rigid edge: `[t_x, t_z, theta]`, `None` if not free.
+    /// Indices of the kept unknowns that are the free motions of the rigid edge, `[t_x, t_z, theta]` about its reference point; `None` if not free.
     pub frame: [Option<usize>; 3],
     /// Constant parts of the reactions, `reactions x columns`.
     pub(crate) reaction_constant: Mat<f64>,
@@ -37,16 +39,19 @@ pub struct InterfaceOperator {
 /// The state of the kept unknowns under given contact loads and load-case factors.
 #[derive(Clone, Debug)]
 pub struct InterfaceState {
-    /// Kept unknowns.
+    /// Kept unknowns, mm (rad for a rotation).
     pub unknowns: Vec<f64>,
-    /// Factors of the columns: load cases and the prescribed displacements.
+    /// Factors of the columns, one a column: load cases, 1 for the prescribed displacements, 0 for the reaction functionals.
     pub factors: Vec<f64>,
-    /// Load on the kept boundary.
+    /// Load on the kept boundary, N.
     pub load: TraceLoad,
 }
 
 impl InterfaceOperator {
-    /// Factors of all columns for given load-case factors; prescribed displacements count fully.
+    /// Factors of all columns for given load-case factors, one a load case; prescribed displacements count fully.
+    ///
+    /// # Panics
+    /// With fewer factors than load cases.
     pub fn factors(&self, cases: &[f64]) -> Vec<f64> {
         let mut factors = vec![0.0; self.columns.ncols()];
         factors[..self.load_cases].copy_from_slice(&cases[..self.load_cases]);
@@ -54,14 +59,14 @@ impl InterfaceOperator {
         factors
     }
 
-    /// Whole right-hand side: contact load plus condensed columns.
+    /// Whole right-hand side, N, one value a kept unknown: contact load plus condensed columns.
     pub fn right_hand_side(&self, load: &TraceLoad, factors: &[f64]) -> Vec<f64> {
         (0..self.stiffness.nrows())
             .map(|i| load.unknowns[i] + factors.iter().enumerate().map(|(k, a)| a * self.columns[(i, k)]).sum::<f64>())
             .collect()
     }
 
-    /// Solves for the kept unknowns under contact loads (`unknowns x cases`) with the rigid coordinates at zero: every
+    /// Solves for the kept unknowns (mm, `unknowns x cases`) under contact loads (N, `unknowns x cases`) with the rigid coordinates at zero: every
     /// rigid mode is made orthogonal to `gauge` (`unknowns x modes`, `gauge^T rigid_modes` regular), and the load's resultant along the
     /// rigid modes is balanced through `gauge` as well. Without rigid modes this is plain `S^-1 f`.
     ///
@@ -97,22 +102,22 @@ impl InterfaceOperator {
         self.solve(&right, &self.rigid_modes).col_as_slice(0).to_vec()
     }
 
-    /// Work of column `k` in a state: `F_k . u` of the whole body. For a load case this is the work of its loads; for a
-    /// functional, its value.
+    /// Work of column `k` in a state: `F_k . u` of the whole body. For a load case this is the work of its loads, N mm; for a
+    /// functional, its value, N or N mm.
     pub fn column_work(&self, k: usize, state: &InterfaceState) -> f64 {
         let boundary: f64 = state.unknowns.iter().enumerate().map(|(i, u)| u * self.columns[(i, k)]).sum();
         let interior: f64 = state.factors.iter().enumerate().map(|(l, a)| a * self.work[(k, l)]).sum();
         boundary + interior
     }
 
-    /// Strain energy `1/2 f . u` of a state without prescribed displacements.
+    /// Strain energy `1/2 f . u`, N mm, of a state without prescribed displacements.
     pub fn strain_energy(&self, state: &InterfaceState) -> f64 {
         let contact: f64 = state.load.unknowns.iter().zip(&state.unknowns).map(|(f, u)| f * u).sum();
         let loads: f64 = (0..self.load_cases).map(|k| state.factors[k] * self.column_work(k, state)).sum();
         0.5 * (contact + loads)
     }
 
-    /// Force and moment (about the origin) that support number `support` exerts on the body: `[x, z, moment]`; in torsion
+    /// Force and moment (about the origin) that support number `support` exerts on the body: `[x, z, moment]`, N and N mm; in torsion
     /// the third is zero and the first is the sum of the circumferential nodal forces.
     pub fn reaction(&self, support: usize, state: &InterfaceState) -> [f64; 3] {
         std::array::from_fn(|k| {

@@ -8,12 +8,12 @@ use std::f64::consts::TAU;
 pub enum Kinematics {
     /// Plane stress: `sigma_yy = 0`; coordinates (x, z), displacement (u_x, u_z).
     PlaneStress {
-        /// Thickness, a length.
+        /// Thickness, mm.
         thickness: f64,
     },
     /// Plane strain: `eps_yy = 0`; coordinates (x, z), displacement (u_x, u_z).
     PlaneStrain {
-        /// Thickness, a length.
+        /// Thickness, mm.
         thickness: f64,
     },
     /// Axisymmetric: coordinates (r, z), displacement (u_r, u_z), hoop strain `u_r / r`; integrals go over the full turn.
@@ -32,7 +32,7 @@ impl Kinematics {
         }
     }
 
-    /// Measure of a unit area of the (x, z) plane at first coordinate `r`: the thickness, or `2 pi r`.
+    /// Measure of a unit area of the (x, z) plane at first coordinate `r`, mm^3 per mm^2: the thickness, or `2 pi r`.
     pub fn measure(self, r: f64) -> f64 {
         match self {
             Kinematics::PlaneStress { thickness } | Kinematics::PlaneStrain { thickness } => thickness,
@@ -56,16 +56,16 @@ pub struct Material {
 /// Moduli of one kinematics: `sigma_11 = c11 e1 + c12 (e2 + e3)` and so on, `tau = shear * gamma`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Moduli {
-    /// Diagonal modulus.
+    /// Diagonal modulus, MPa.
     pub c11: f64,
-    /// Coupling modulus.
+    /// Coupling modulus, MPa.
     pub c12: f64,
-    /// Shear modulus `E / (2 (1 + nu))`.
+    /// Shear modulus `E / (2 (1 + nu))`, MPa.
     pub shear: f64,
 }
 
 impl Material {
-    /// A material with Young's modulus `young > 0` (a pressure) and Poisson's ratio `-1 < poisson < 0.5`.
+    /// A material with Young's modulus `young > 0` (MPa) and Poisson's ratio `-1 < poisson < 0.5`.
     ///
     /// # Errors
     /// [`Error::Material`].
@@ -79,17 +79,17 @@ impl Material {
         Material { young: self.young * factor, ..self }
     }
 
-    /// Young's modulus.
+    /// Young's modulus, MPa.
     pub fn young(&self) -> f64 {
         self.young
     }
 
-    /// Poisson's ratio.
+    /// Poisson's ratio, no unit.
     pub fn poisson(&self) -> f64 {
         self.poisson
     }
 
-    /// Moduli of the stress-strain law. Plane stress: `c11 = E/(1-nu^2)`, `c12 = nu c11`; otherwise
+    /// Moduli of the stress-strain law, MPa. Plane stress: `c11 = E/(1-nu^2)`, `c12 = nu c11`; otherwise
     /// `c11 = E (1-nu) / ((1+nu)(1-2nu))`, `c12 = E nu / ((1+nu)(1-2nu))`.
     pub fn moduli(&self, kinematics: Kinematics) -> Moduli {
         let (e, nu) = (self.young, self.poisson);

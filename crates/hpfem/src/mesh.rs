@@ -11,7 +11,7 @@ pub const CELL_EDGES: [[usize; 2]; 4] = [[0, 1], [1, 2], [3, 2], [0, 3]];
 /// An edge between two vertices; its own direction is from the first to the second.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Edge {
-    /// The two vertices.
+    /// The two vertices, indices into [`Mesh::vertices`].
     pub vertices: [usize; 2],
     /// The exact shape, `t = -1` at the first vertex.
     pub curve: Curve,
@@ -40,7 +40,7 @@ pub struct Cell {
 /// A conforming mesh of curved quadrilaterals and triangles with named boundaries. A mesh never changes; refinement makes a new one.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
-    /// Positions of the vertices.
+    /// Positions of the vertices, (x, z) or (r, z), mm.
     pub vertices: Vec<[f64; 2]>,
     /// All edges.
     pub edges: Vec<Edge>,
@@ -203,7 +203,7 @@ impl Mesh {
         if self.cells[cell].against[local] { curve.reversed() } else { *curve }
     }
 
-    /// Transfinite (blended) map of a cell, `X(xi, eta)`, and its derivative as `[[dx/dxi, dx/deta], [dz/dxi, dz/deta]]`
+    /// Transfinite (blended) map of a cell, `X(xi, eta)`, mm, and its derivative as `[[dx/dxi, dx/deta], [dz/dxi, dz/deta]]`
     /// (Gordon and Hall 1973; Szabo and Babuska 1991, sec. 6.2). In a triangle the derivative by `xi` vanishes at `eta = 1`.
     pub fn map(&self, cell: usize, xi: f64, eta: f64) -> ([f64; 2], [[f64; 2]; 2]) {
         if self.cells[cell].is_triangle() {

@@ -20,7 +20,7 @@ fn remembered(rules: &Remembered, n: usize, rule: fn(usize) -> Quadrature) -> Qu
 pub struct Quadrature {
     /// Points in `[-1, 1]`.
     pub points: Vec<f64>,
-    /// Weights, one a point.
+    /// Weights, one a point; they sum up to the integral of the weight function over `[-1, 1]`.
     pub weights: Vec<f64>,
 }
 
@@ -147,7 +147,7 @@ fn jacobi_polynomial(n: usize, a: f64, b: f64, x: f64) -> f64 {
     value
 }
 
-/// Weights of the barycentric interpolation formula for the given points.
+/// Weights of the barycentric interpolation formula for the given points, one a point.
 pub fn barycentric_weights(points: &[f64]) -> Vec<f64> {
     points
         .iter()
@@ -159,7 +159,7 @@ pub fn barycentric_weights(points: &[f64]) -> Vec<f64> {
         .collect()
 }
 
-/// The Lagrange polynomials of `points` at `x`, by the barycentric formula of the second kind.
+/// The values of the Lagrange polynomials of `points` at `x`, one a point, by the barycentric formula of the second kind.
 pub fn lagrange(points: &[f64], barycentric: &[f64], x: f64) -> Vec<f64> {
     if let Some(hit) = points.iter().position(|y| *y == x) {
         return (0..points.len()).map(|i| f64::from(u8::from(i == hit))).collect();

@@ -30,7 +30,7 @@ impl Mesh {
         Ok(mesh)
     }
 
-    /// The mesh with a boundary vertex moved by the arc length `shift` along the boundary, positive towards the end with the larger
+    /// The mesh with a boundary vertex moved by the arc length `shift` (mm) along the boundary, positive towards the end with the larger
     /// coordinates (first coordinate first), as a contact path runs. The shape of the body stays exactly as it is: the
     /// two boundary edges at the vertex must be parts of one line or of one circle, or the shift must be zero; inner edges at the
     /// vertex must be straight and stay so. All other vertices stay.

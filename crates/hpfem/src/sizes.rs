@@ -23,8 +23,8 @@ pub struct Sizes {
     pub kept_unknowns: usize,
     /// Gauss-Lobatto points of the kept boundary.
     pub points: usize,
-    /// Memory that a reduction will hold at once, factors, right-hand sides and mesh included, bytes; [`Body::new`] refuses bodies by
-    /// this number. Between 0.9 and 1.3 of what is measured, for bodies beyond some 20 MB.
+    /// Memory that [`Body::new`] will hold at once, factors, right-hand sides and mesh included, bytes; bodies beyond 12 GiB
+    /// are refused by this number. Between 0.9 and 1.3 of what is measured, for bodies beyond some 20 MB.
     pub bytes: u64,
     /// Multiplications of the element matrices, of condensing them and of the elimination, right-hand sides not counted.
     pub operations: f64,

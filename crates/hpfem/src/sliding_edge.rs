@@ -14,7 +14,7 @@ use nalgebra::DMatrix;
 pub enum SlidingEdge {
     /// It grows like `d^(lambda - 1)`, `0 < lambda < 1`.
     Singular {
-        /// `lambda`.
+        /// `lambda`, no unit.
         lambda: f64,
     },
     /// No exponent lies between 0 and 1: the pressure stays bounded, or the edge lifts.

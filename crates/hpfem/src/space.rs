@@ -39,7 +39,7 @@ pub struct Support {
     pub boundary: String,
     /// Component that is prescribed.
     pub direction: Direction,
-    /// Its value, a length; 0 holds it.
+    /// Its value, mm; 0 holds it.
     pub value: f64,
 }
 
@@ -51,9 +51,9 @@ pub struct Support {
 pub struct RigidEdge {
     /// Name of the boundary, which must be straight.
     pub boundary: String,
-    /// Reference point `(x0, z0)` of the rotation.
+    /// Reference point `(x0, z0)` of the rotation, mm.
     pub reference: [f64; 2],
-    /// Which of `t_x`, `t_z`, `theta` are free; the others are zero.
+    /// Which of `t_x`, `t_z` (mm) and `theta` (rad) are free; the others are zero.
     pub free: [bool; 3],
 }
 

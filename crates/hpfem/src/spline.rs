@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::mesh::distance;
 
 impl Curve {
-    /// The interpolating cubic spline through points in order, one curve between each two; positions, directions and curvatures are
+    /// The interpolating cubic spline through points (mm) in order, one curve between each two; positions, directions and curvatures are
     /// continuous. The parameter is the length of the chords; at both ends the third derivative is continuous one knot further
     /// in ("not a knot", de Boor 1978, ch. IV), so that the error falls with the fourth power of the spacing up to the ends. Three points
     /// give a parabola, two a line.

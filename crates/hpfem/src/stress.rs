@@ -2,7 +2,7 @@
 
 use nalgebra::Matrix3;
 
-/// Symmetric stress tensor. y points out of the section; in axisymmetric bodies (x, y, z) is (r, phi, z).
+/// Symmetric stress tensor, every component in MPa. y points out of the section; in axisymmetric bodies (x, y, z) is (r, phi, z).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Stress {
     /// Normal stress along x (or r).
@@ -27,14 +27,14 @@ impl Stress {
         Stress { xx, yy, zz, xy: torsion[0], yz: torsion[1], xz }
     }
 
-    /// Equivalent stress of von Mises, `sqrt(1/2 ((xx-yy)^2 + (yy-zz)^2 + (zz-xx)^2) + 3 (xy^2 + yz^2 + xz^2))`.
+    /// Equivalent stress of von Mises, MPa, `sqrt(1/2 ((xx-yy)^2 + (yy-zz)^2 + (zz-xx)^2) + 3 (xy^2 + yz^2 + xz^2))`.
     pub fn von_mises(&self) -> f64 {
         let normal = (self.xx - self.yy).powi(2) + (self.yy - self.zz).powi(2) + (self.zz - self.xx).powi(2);
         let shear = self.xy.powi(2) + self.yz.powi(2) + self.xz.powi(2);
         (0.5 * normal + 3.0 * shear).sqrt()
     }
 
-    /// Principal stresses, the largest first. Without torsion yy is one of them and the others are
+    /// Principal stresses, MPa, the largest first. Without torsion yy is one of them and the others are
     /// `(xx + zz)/2 +- sqrt(((xx - zz)/2)^2 + xz^2)`; otherwise the eigenvalues of the tensor.
     pub fn principal(&self) -> [f64; 3] {
         let mut values = if self.xy == 0.0 && self.yz == 0.0 {

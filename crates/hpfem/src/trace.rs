@@ -13,7 +13,7 @@ use faer::Mat;
 /// One edge of the path.
 #[derive(Clone, Debug)]
 pub struct TraceEdge {
-    /// Index of the edge in the mesh.
+    /// Index of the edge in [`Mesh::edges`].
     pub edge: usize,
     /// The curve, walked along the path.
     pub curve: Curve,
@@ -23,7 +23,7 @@ pub struct TraceEdge {
     pub(crate) against: bool,
     /// Whether the body lies on the right of the path.
     pub(crate) body_right: bool,
-    /// Arc length along the path at the start of the edge.
+    /// Arc length along the path at the start of the edge, mm.
     pub start: f64,
     /// Kept unknowns of each mode (start vertex, end vertex, modes 2..) and component: `(unknown, coefficient)`.
     unknowns: Vec<Vec<Vec<(usize, f64)>>>,
@@ -40,7 +40,7 @@ pub struct Trace {
     pub edges: Vec<TraceEdge>,
     /// The points in order along the path; a point shared by two edges is there once.
     pub points: Vec<TracePoint>,
-    /// Number of kept unknowns.
+    /// Number of kept unknowns, those of the rigid edge included.
     pub unknowns: usize,
     components: usize,
 }
@@ -48,15 +48,15 @@ pub struct Trace {
 /// A Gauss-Lobatto point of the path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TracePoint {
-    /// Edge of the path and parameter on it, walked along the path.
+    /// Edge of the path, an index into [`Trace::edges`].
     pub edge: usize,
-    /// Parameter in `[-1, 1]`.
+    /// Parameter on the edge in `[-1, 1]`, walked along the path.
     pub parameter: f64,
-    /// Arc length from the start of the path.
+    /// Arc length from the start of the path, mm.
     pub arc: f64,
     /// Position, normal, tangent.
     pub boundary: BoundaryPoint,
-    /// Quadrature weight times the measure: the area that belongs to the point, summed over the edges that share it.
+    /// Quadrature weight times the measure: the area that belongs to the point, mm^2, summed over the edges that share it.
     pub weight: f64,
 }
 
@@ -176,18 +176,18 @@ impl Trace {
         }
     }
 
-    /// Total arc length.
+    /// Total arc length, mm.
     pub fn length(&self) -> f64 {
         self.edges.last().map_or(0.0, |e| e.start + e.curve.length())
     }
 
-    /// The boundary point at parameter `t` of an edge of the path, and the length factor `|dx/dt|`.
+    /// The boundary point at parameter `t` of an edge of the path, and the length factor `|dx/dt|`, mm.
     pub fn boundary_point(&self, edge: usize, t: f64) -> (BoundaryPoint, f64) {
         let e = &self.edges[edge];
         boundary_point(&e.curve, t, e.body_right)
     }
 
-    /// Edge and parameter of the point at arc length `arc` from the start.
+    /// Edge and parameter of the point at arc length `arc` (mm) from the start.
     pub fn locate(&self, arc: f64) -> (usize, f64) {
         let edge = self.edges.partition_point(|e| e.start <= arc).saturating_sub(1);
         let e = &self.edges[edge];
@@ -195,7 +195,7 @@ impl Trace {
     }
 
     /// The displacement at parameter `t` of an edge as a linear function of the kept unknowns: for each component the pairs
-    /// `(unknown, coefficient)`, and the part that is prescribed.
+    /// `(unknown, coefficient)`, and the part that is prescribed, mm.
     pub fn displacement_row(&self, edge: usize, t: f64) -> ([Vec<(usize, f64)>; 2], [f64; 2]) {
         let e = &self.edges[edge];
         let own = if e.against { -t } else { t };
@@ -222,7 +222,7 @@ impl Trace {
     }
 
     /// Matrix that takes kept unknowns to the displacement component along `direction(point)` at the given places
-    /// `(edge, t)`: one row a place.
+    /// `(edge, t)`: `places x unknowns`.
     pub fn component_matrix(&self, places: &[(usize, f64)], direction: impl Fn(&BoundaryPoint) -> [f64; 2]) -> Mat<f64> {
         let mut matrix = Mat::zeros(places.len(), self.unknowns);
         for (i, (edge, t)) in places.iter().enumerate() {
@@ -235,7 +235,7 @@ impl Trace {
         matrix
     }
 
-    /// Consistent load of a traction on the path, `int N^T t dA`, by Gauss quadrature with `extra` points beyond the degree plus two on
+    /// Consistent load of a traction (MPa) on the path, `int N^T t dA`, N, by Gauss quadrature with `extra` points beyond the degree plus two on
     /// every edge.
     pub fn load(&self, kinematics: Kinematics, extra: usize, traction: impl Fn(&BoundaryPoint) -> [f64; 2]) -> TraceLoad {
         let mut load = TraceLoad { unknowns: vec![0.0; self.unknowns], ..TraceLoad::default() };
@@ -250,7 +250,7 @@ impl Trace {
         load
     }
 
-    /// Adds a force at a place of the path to a load.
+    /// Adds a force, N along the two axes, at a place `(edge, parameter)` of the path to a load.
     pub fn add_force(&self, load: &mut TraceLoad, (edge, t): (usize, f64), force: [f64; 2]) {
         self.add_force_at(load, (edge, t), self.edges[edge].curve.point(t), force);
     }
@@ -280,10 +280,10 @@ impl Trace {
 /// A load on the kept boundary.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TraceLoad {
-    /// Load on the kept unknowns.
+    /// Load on the kept unknowns, N (N mm on a rotation), one value an unknown.
     pub unknowns: Vec<f64>,
-    /// Part that goes straight into prescribed unknowns, by support: force along the two axes and moment about the origin.
+    /// Part that goes straight into prescribed unknowns, by support: force along the two axes, N, and moment about the origin, N mm.
     pub supports: Vec<[f64; 3]>,
-    /// Resultant force along the two axes and moment about the origin (`x cross f`, anti-clockwise with the second axis up).
+    /// Resultant force along the two axes, N, and moment about the origin, N mm (`x cross f`, anti-clockwise with the second axis up).
     pub resultant: [f64; 3],
 }
