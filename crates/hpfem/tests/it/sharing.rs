@@ -135,3 +135,33 @@ fn triangles_of_revolution_never_share() {
     };
     assert_eq!(revolved(false), revolved(true));
 }
+
+#[test]
+fn cells_whose_curves_differ_between_equal_ends_and_middles_do_not_share() {
+    let square = |corners, material| Quad { corners, material, layer: 0 };
+    let stiffness = |other: usize| {
+        let vertices = vec![[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [0.0, 1.0]];
+        let cells = [square([0, 1, 4, 5], 0), square([1, 2, 3, 4], other)];
+        // Odd about its middle: ends and middle are those of the straight side of the other cell.
+        let wave = Curve::interpolated(3, |t| [0.5 * (1.0 + t), 1.0 + 0.2 * (t - t.powi(3))]);
+        let names = [([5, 4], "top"), ([4, 3], "top"), ([0, 1], "bottom"), ([1, 2], "bottom")];
+        let mesh = Mesh::new(vertices, &cells, &[([5, 4], wave)], &names).unwrap();
+        Body::new(BodyProblem {
+            mesh: &mesh,
+            degrees: vec![4; 2],
+            space: SpaceKind::Tensor,
+            kinematics: Kinematics::PlaneStrain { thickness: 1.0 },
+            materials: &[Material::new(1.7, 0.28).unwrap(); 2],
+            supports: &[Support { boundary: "bottom".into(), direction: Direction::Second, value: 0.0 }],
+            rigid_edge: None,
+            load_cases: &[],
+            kept: Some("top"),
+        })
+        .unwrap()
+        .interface
+        .stiffness
+    };
+    let (free_to_share, separate) = (stiffness(0), stiffness(1));
+    let difference = (&free_to_share - &separate).norm_max();
+    assert!(difference < 1e-12 * separate.norm_max(), "{difference:.1e}");
+}
