@@ -75,6 +75,37 @@ pub(crate) fn refined(lu: &PartialPivLu<f64>, matrix: &Mat<f64>, right: &Mat<f64
     x + lu.solve(rest)
 }
 
+/// Most iterations for a singular value, and the relative change at which they end.
+const ITERATIONS: usize = 60;
+const SETTLED: f64 = 1e-5;
+
+/// Smallest and largest singular value, by power iterations with `A^T A` and its inverse: two solves each instead of a decomposition.
+pub(crate) fn extreme_singular_values(matrix: &Mat<f64>) -> Option<[f64; 2]> {
+    let lu = matrix.partial_piv_lu();
+    let largest = power(matrix.ncols(), |x| matrix.transpose() * (matrix * x))?.sqrt();
+    // No digits are left of a value that round-off makes.
+    let inverse = power(matrix.ncols(), |x| lu.solve(lu.solve_transpose(x))).filter(|value| value.is_finite());
+    Some([inverse.map_or(0.0, |value| 1.0 / value.sqrt()), largest])
+}
+
+/// Largest eigenvalue of a positive map.
+fn power(size: usize, map: impl Fn(&Mat<f64>) -> Mat<f64>) -> Option<f64> {
+    // A start without symmetry, the same each time.
+    let mut x = Mat::from_fn(size, 1, |i, _| 0.5 + (0.618_033_988_749_895 * (i + 1) as f64).fract());
+    let mut value = None;
+    for _ in 0..ITERATIONS {
+        x /= faer::Scale(x.norm_l2());
+        x = map(&x);
+        let next = x.norm_l2();
+        let settled = value.is_some_and(|before: f64| (next - before).abs() <= SETTLED * next);
+        value = Some(next);
+        if settled || !next.is_finite() || next == 0.0 {
+            break;
+        }
+    }
+    value.filter(|_| size > 0)
+}
+
 impl Factor {
     pub(crate) fn new(problem: &Complementarity<'_>, scaling: &Scaling, index: &[usize], weight: f64) -> Factor {
         if index.len() + problem.load.len() == 0 {

@@ -7,7 +7,7 @@
 
 use crate::complementarity::{Answer, Complementarity, Point};
 use crate::error::Error;
-use crate::linear::{Scaling, matrix};
+use crate::linear::{Scaling, extreme_singular_values, matrix};
 use crate::load::{ContactLoad, Friction};
 use crate::operator::ContactOperator;
 use crate::solution::ContactSolution;
@@ -43,7 +43,7 @@ impl Uniqueness {
 }
 
 impl ContactOperator<'_> {
-    /// Smallest and largest singular value of the scaled system that a solution was found by, its open points left out: their ratio says how
+    /// Smallest and largest singular value (to some 1e-3) of the scaled system that a solution was found by, its open points left out: their ratio says how
     /// much of the digits the solve may lose, and the smallest vanishes where the solution branches. `None` where nothing touches.
     ///
     /// # Errors
@@ -61,8 +61,7 @@ impl ContactOperator<'_> {
             }
             _ => of_active(&stage.problem, &solution.closed),
         };
-        let Ok(values) = system.singular_values() else { return Ok(None) };
-        Ok(values.last().zip(values.first()).map(|(low, high)| [*low, *high]))
+        Ok(extreme_singular_values(&system))
     }
 
     /// Looks for other solutions of a load with steady sliding; `None` without it.
@@ -275,10 +274,10 @@ mod tests {
         let smallest = |mu: f64| {
             let mut low = f64::NAN;
             family(&[[0.0, 1.0], [1.0, 0.0]])(mu, &mut |problem| {
-                low = of_active(problem, &[true, true]).singular_values().unwrap()[1];
+                low = extreme_singular_values(&of_active(problem, &[true, true])).unwrap()[0];
             });
             low
         };
-        assert!((smallest(0.5) - 0.5).abs() < 1e-14 && smallest(1.0) < 1e-15);
+        assert!((smallest(0.5) - 0.5).abs() < 1e-5 && smallest(1.0) < 1e-15);
     }
 }

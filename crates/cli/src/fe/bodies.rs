@@ -9,7 +9,7 @@ use crate::fault::Fault;
 use crate::fe::template::{AXIS, CONTACT, LOAD};
 use crate::geometry::Geometry;
 use crate::given::given;
-use crate::scene::{self, Component, LoadKind, Scene};
+use crate::scene::{self, Component, LoadKind, Scene, Task};
 
 /// Degree and layers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,9 +35,10 @@ impl Level {
     }
 }
 
-/// Whether body 1 is thin, so that its gap comes from bending.
+/// Whether the shape of a thin body 1 is asked for: its gap comes from bending.
 fn bends(scene: &Scene) -> bool {
-    matches!(scene.body1.as_ref().map(|body| &body.geometry), Some(Geometry::RingSegment(_)))
+    scene.tasks.iter().flatten().any(|task| *task == Task::Shape)
+        && matches!(scene.body1.as_ref().map(|body| &body.geometry), Some(Geometry::RingSegment(_)))
 }
 
 /// Everything a body of one level is made of.

@@ -1,13 +1,14 @@
 //! The contact stage: the bodies as given, pressed together and sliding.
 
+use std::sync::Arc;
 use std::time::Instant;
 
 use contact::{ContactOperator, ContactSolution, Pair, Status as ContactStatus};
 
 use crate::fault::Fault;
 use crate::fe::bodies::Level;
-use crate::fe::diagnosis;
-use crate::fe::free_ends::{FreeEnds, zones};
+use crate::fe::diagnosis::Diagnosis;
+use crate::fe::free_ends::{FreeEnds, inner, pairs, zones};
 use crate::fe::recover::{Moment, Reported};
 use crate::fe::rungs::{add_times, rungs};
 use crate::fe::sharp_edges;
@@ -21,9 +22,6 @@ use crate::scene::Scene;
 use crate::setup::Problem;
 use crate::solution::{ContactResult, EnergyResult, Solution, Status};
 use crate::solve::{CURVE, Options, Sampling};
-
-/// Samples of the pressure for the comparison of levels, over the inner 95 % of the contact.
-const SAMPLES: usize = 191;
 
 /// Degrees after those of the ladder, and how far above the accuracy asked for the estimated error may be to climb on to them.
 const BEYOND: [usize; 2] = [18, 20];
@@ -56,13 +54,14 @@ pub(super) struct Solved {
 pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution) -> Result<Option<Reported>, Fault> {
     let stage = Stage::new(problem)?;
     let mut ends = FreeEnds::default();
-    let mut last = None;
+    let (mut last, mut diagnosis) = (None, None);
     let reported = climb(stage.scene(), options, solution, |level| {
-        let solved = solve_level(stage, level, options, &mut ends)?;
+        let solved = solve_level(stage, level, options, &mut ends, &mut diagnosis)?;
         let statuses = solved.solution.profile.as_ref().map(|profile| &profile.status);
         last = statuses.and_then(|s| Some((level.layers, [*s.first()? == "contact", *s.last()? == "contact"])));
         Ok(solved)
     })?;
+    diagnosis.iter().try_for_each(|diagnosis| diagnosis.report(stage, solution))?;
     if let Some((layers, closed)) = last {
         let note = sharp_edges::note(stage, layers, closed)?;
         // The largest value at a point says nothing about an infinite pressure.
@@ -181,7 +180,14 @@ fn finish(accuracy: f64, mut solved: Vec<Solved>, fixed: bool, solution: &mut So
 }
 
 /// Solves a level; where contact ends inside the surface, with element nodes on its ends, from those of the last level.
-pub(super) fn solve_level(stage: Stage<'_>, level: Level, options: Options, ends: &mut FreeEnds) -> Result<Solved, Fault> {
+/// The diagnosis is left to be made if the level is the last.
+pub(super) fn solve_level(
+    stage: Stage<'_>,
+    level: Level,
+    options: Options,
+    ends: &mut FreeEnds,
+    diagnosis: &mut Option<Diagnosis>,
+) -> Result<Solved, Fault> {
     let mut solution = Solution::default();
     let mut trial = None;
     if ends.places.is_empty() {
@@ -241,9 +247,10 @@ pub(super) fn solve_level(stage: Stage<'_>, level: Level, options: Options, ends
         None => None,
     };
     twist.iter().for_each(|twist| twist.report(&mut contact, start));
-    contact.uniqueness = diagnosis::uniqueness(&operator, &gap, &load, &found)?;
-    let embedded = operator.embedded_difference(&gap, &load, &found).map_err(unsolved)?;
-    solution.interface = diagnosis::interface(&operator, &gap, &load, &found)?;
+    let embedded = match stage.fixed_level() {
+        Some(_) => operator.embedded_difference(&gap, &load, &found).map_err(unsolved)?,
+        None => None,
+    };
     solution.contact = Some(contact);
     let length = pair.trace().length();
     let zones = if ends.places.is_empty() { zones(&found, length) } else { pairs(&ends.arcs(length)) };
@@ -284,19 +291,8 @@ pub(super) fn solve_level(stage: Stage<'_>, level: Level, options: Options, ends
         Reported { level, ends: ends.places.clone(), moments: vec![Moment { time_s: 0.0, name: "", states, around }] }
     });
     let twist = twist.map(|twist| twist.answer);
+    *diagnosis = Some(Diagnosis { reduced: Arc::clone(&reduced), found });
     Ok(Solved { energy: energy[0] + energy[1], pressure, twist, embedded, unsettled, refused, reported, solution })
-}
-
-/// Ends of contact taken two by two.
-fn pairs(arcs: &[f64]) -> Vec<[f64; 2]> {
-    arcs.chunks_exact(2).map(|zone| [zone[0], zone[1]]).collect()
-}
-
-/// Evenly spaced places on the inner 95 %: without a fortieth of the surface at its ends, or of the contact where that ends before.
-fn inner(zones: &[[f64; 2]], length: f64) -> Vec<f64> {
-    let (from, to) = (zones.first().map_or(0.0, |zone| zone[0]), zones.last().map_or(0.0, |zone| zone[1]));
-    let (low, high) = ((from + 0.025 * (to - from)).max(0.025 * length), (to - 0.025 * (to - from)).min(0.975 * length));
-    (0..SAMPLES).map(|i| low + (high - low) * i as f64 / (SAMPLES - 1) as f64).collect()
 }
 
 /// The contact on the standing mesh of a level, and the length of its surface.

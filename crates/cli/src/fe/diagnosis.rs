@@ -2,12 +2,36 @@
 
 use contact::{ContactLoad, ContactOperator, ContactSolution};
 
+use std::sync::Arc;
+
 use crate::fault::Fault;
-use crate::fe::contact::unsolved;
-use crate::solution::{InterfaceResult, UniquenessResult};
+use crate::fe::contact::{start_gap, unsolved};
+use crate::fe::operators::Reduced;
+use crate::fe::stage::Stage;
+use crate::solution::{InterfaceResult, Solution, UniquenessResult};
 
 /// Difference of pressures, over the largest, above which they are two solutions.
 const APART: f64 = 1e-6;
+
+/// A solved contact on its bodies; what it rests on is worked out for the reported level alone.
+pub(super) struct Diagnosis {
+    pub(super) reduced: Arc<Reduced>,
+    pub(super) found: ContactSolution,
+}
+
+impl Diagnosis {
+    /// Condition and uniqueness, into the solution.
+    pub(super) fn report(&self, stage: Stage<'_>, solution: &mut Solution) -> Result<(), Fault> {
+        let Some(contact) = &mut solution.contact else { return Ok(()) };
+        let pair = self.reduced.pair()?;
+        let operator = self.reduced.operator(&pair, stage.friction() > 0.0)?;
+        let gap: Vec<f64> = operator.points().iter().map(|p| start_gap(stage, &pair, p.arc)).collect();
+        let load = stage.contact_load(operator.points());
+        contact.uniqueness = uniqueness(&operator, &gap, &load, &self.found)?;
+        solution.interface = interface(&operator, &gap, &load, &self.found)?;
+        Ok(())
+    }
+}
 
 /// Singular values of the system of the points in contact.
 pub(super) fn interface(
@@ -21,7 +45,7 @@ pub(super) fn interface(
 }
 
 /// Other solutions of a contact that slides steadily.
-pub(super) fn uniqueness(
+fn uniqueness(
     operator: &ContactOperator<'_>,
     gap: &[f64],
     load: &ContactLoad,

@@ -144,7 +144,10 @@ pub(super) fn solve(problem: &Problem, round: &Round, options: Options, solution
     }
     with_stage(problem, round, reach, |stage| {
         let mut ends = FreeEnds::default();
-        let reported = climb(stage.scene(), options, solution, |level| solve_level(stage, level, options, &mut ends))?;
+        let mut diagnosis = None;
+        let reported =
+            climb(stage.scene(), options, solution, |level| solve_level(stage, level, options, &mut ends, &mut diagnosis))?;
+        diagnosis.iter().try_for_each(|diagnosis| diagnosis.report(stage, solution))?;
         match reported {
             Some(reported) if problem.plan.runs("field recovery") => {
                 crate::solve::timed(solution, "field recovery", |solution| recover::recover(stage, &reported, solution))
