@@ -61,7 +61,7 @@ fn cells(factor: &Factor) -> [String; 3] {
     let seconds = |value: Option<f64>| match value {
         Some(s) if s < 0.1 => format!("{:.1} ms", 1e3 * s),
         Some(s) => format!("{s:.2} s"),
-        None => "not reached".into(),
+        None => "outside its levels".into(),
     };
     [seconds(factor.ours), seconds(factor.theirs), factor.value().map_or("-".into(), |value| format!("{value:.0} times"))]
 }
