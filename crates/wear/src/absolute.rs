@@ -108,12 +108,14 @@ fn find_scale(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<(), WearEr
     let mut step = 0.5;
     let mut b = a;
     let mut fb = fa;
+    // Under a cap at s = 1 every place is either full or empty: a hundred e-folds are all there is.
+    let farthest = if matches!(stage.law.density, Density::BangBang { .. }) { 100.0 } else { 1e7 };
     while (fa > 0.0) == (fb > 0.0) {
         (a, fa) = (b, fb);
         b -= step * fb.signum();
         fb = at(stage, b);
         step *= 2.0;
-        if step > 1e7 {
+        if step > farthest {
             return Err(WearError::Infeasible {
                 resultants: stage.problem.modes.iter().map(|mode| mode.resultant).collect(),
                 why: "the load is larger than the surface carries under p_max, or friction carries it",

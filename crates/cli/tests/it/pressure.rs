@@ -100,3 +100,14 @@ fn below_s_of_one_the_answer_is_called_a_maximum() {
     let p = pressure("annular-punch --set tasks=[pressure] --set optimum.functional=friction-power --set optimum.q=.5");
     assert_eq!(p["character"], "maximum");
 }
+
+/// The pad carries at most 50 MPa times 6 545 mm^2 = 327 kN under its cap.
+#[test]
+fn a_load_beyond_what_the_cap_carries_at_s_1_is_refused_at_once() {
+    let sets = "--set optimum.functional=wear-power --set optimum.q=.5 --set wear.a=.5 --set optimum.p_max=50";
+    for (force, code) in [("3.2e5", 0), ("3.3e5", 1), ("1e8", 1)] {
+        let args = format!("run disc-pad -q {sets} --set load.force={force}");
+        let call = Bench::new().call_with(&args.split_whitespace().collect::<Vec<_>>());
+        assert_eq!(call.code, code, "{force}: {}{}", call.out, call.err);
+    }
+}
