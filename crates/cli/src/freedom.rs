@@ -3,14 +3,16 @@
 use nalgebra::Vector3;
 use wear::{RigidMode, RigidMotion};
 
+use crate::couple::{Body, Couple, LoadedEdge};
 use crate::fault::Fault;
 use crate::geometry::{Geometry, SurfaceShape};
-use crate::given::{edge_curves, given};
-use crate::scene::{Body, Component, Kinematics, Load, LoadKind, Scene};
+use crate::given::edge_curves;
+use crate::problem::Load;
+use crate::scene::{Component, LoadKind};
 use crate::surface::Patch;
 
 /// One free rigid mode.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Freedom {
     /// Which resultant it carries in the summary.
     pub(crate) role: Role,
@@ -31,50 +33,41 @@ pub(crate) enum Role {
     SideForce,
 }
 
-/// The freedoms of a scene. Empty when it takes a mesh to know them.
-pub(crate) fn freedoms(scene: &Scene, patch: Option<&Patch>) -> Result<Vec<Freedom>, Fault> {
-    let Some(load) = &scene.load else {
-        return Ok(Vec::new());
-    };
-    let force = load.force.map_or(0.0, |force| force.0);
-    if let Some(surface) = &scene.surface {
-        return Ok(of_surface(surface, load, force));
-    }
-    let (Some(body), Some(patch)) = (&scene.body1, patch) else {
-        return Ok(Vec::new());
-    };
+/// Refuses supports under which the load cannot press body 1 on body 2, or would turn it.
+pub(crate) fn check(couple: &Couple, load: &Load) -> Result<(), Fault> {
+    let body = &couple.bodies[0];
     let held = Held::of(body);
     if !held.z.is_empty() {
         let message = "body 1 is held along z, so that the load cannot press it on body 2";
         return Err(Fault::at("body1.support", "held", message, "hold body 1 along x only"));
     }
-    let push = Freedom { role: Role::Force, mode: RigidMode::press_down(force) };
-    if scene.kinematics == Some(Kinematics::Axisymmetric) {
-        return Ok(vec![push]);
+    if !couple.is_revolved() && !couple.has_rigid_edge() && held.may_turn(load) { level(body, &couple.load) } else { Ok(()) }
+}
+
+/// The freedoms of body 1 on a known contact surface, the pressing first.
+pub(crate) fn of_bodies(couple: &Couple, load: &Load, patch: &Patch) -> Vec<Freedom> {
+    let body = &couple.bodies[0];
+    let push = Freedom { role: Role::Force, mode: RigidMode::press_down(load.force.unwrap_or(0.0)) };
+    if couple.is_revolved() {
+        return vec![push];
     }
+    let held = Held::of(body);
     let mut free = vec![push];
-    let rigid = load.kind == Some(LoadKind::Rigid);
-    let scale = held.x.iter().fold(0.0_f64, |scale, z| scale.max(z.abs()));
-    let pole_height = held.x.iter().copied().reduce(|a, b| if (a - b).abs() <= 1e-9 * scale { a } else { f64::NAN });
-    let may_turn = pole_height.is_none_or(|height| !height.is_nan());
-    if may_turn && load.tilt.is_none() {
-        let mode = if rigid {
-            let about = load.about.map_or([0.0, 0.0], |about| [about[0].0, about[1].0]);
+    if held.may_turn(load) {
+        let mode = if couple.has_rigid_edge() {
             // The moment of the contact pressure alone is prescribed: about a point of the surface friction has none.
-            RigidMode::tilt(load.moment.map_or(0.0, |m| m.0), Vector3::new(about[0], 0.0, surface_height(patch)))
+            RigidMode::tilt(load.moment, Vector3::new(load.about[0], 0.0, surface_height(patch)))
         } else {
-            let (x, z) = load_centre(body, load);
-            level(body, load)?;
-            RigidMode::tilt(0.0, Vector3::new(x, 0.0, pole_height.unwrap_or(z)))
+            let (x, z) = load_centre(body, &couple.load);
+            RigidMode::tilt(0.0, Vector3::new(x, 0.0, held.pole_height().unwrap_or(z)))
         };
         free.push(Freedom { role: Role::Moment, mode });
     }
     if held.x.is_empty() {
-        let resultant = load.shear_force.map_or(0.0, |force| force.0);
         let motion = RigidMotion::Translation { direction: Vector3::x() };
-        free.push(Freedom { role: Role::SideForce, mode: RigidMode { motion, resultant } });
+        free.push(Freedom { role: Role::SideForce, mode: RigidMode { motion, resultant: load.shear_force } });
     }
-    Ok(free)
+    free
 }
 
 fn surface_height(patch: &Patch) -> f64 {
@@ -85,9 +78,9 @@ fn surface_height(patch: &Patch) -> f64 {
 }
 
 /// Middle of the loaded edge, through which the resultant passes.
-fn load_centre(body: &Body, load: &Load) -> (f64, f64) {
-    let points = load.edge.as_deref().map(|edge| edge_points(body, edge)).unwrap_or_default();
-    if points.len() > 3 && load.centre.is_none() {
+fn load_centre(body: &Body, load: &LoadedEdge) -> (f64, f64) {
+    let points = edge_points(body, &load.edge);
+    if points.len() > 3 && load.strip.is_none() {
         // Curves of a body given by cells, three points each: the middle of their projections.
         let pieces = points.chunks(3).map(|p| ((p[2][0] - p[0][0]).abs(), 0.5 * (p[0][0] + p[2][0])));
         let (width, moment) = pieces.fold((0.0, 0.0), |(w, m), (width, x)| (w + width, m + width * x));
@@ -97,14 +90,16 @@ fn load_centre(body: &Body, load: &Load) -> (f64, f64) {
     }
     let x = points.iter().map(|p| p[0]).fold((f64::MAX, f64::MIN), |(lo, hi), x| (lo.min(x), hi.max(x)));
     let z = points.iter().map(|p| p[1]).fold(f64::MIN, f64::max);
-    let x = load.centre.map_or(0.5 * (x.0 + x.1), |centre| centre.0);
+    let x = load.strip.map_or(0.5 * (x.0 + x.1), |strip| strip.centre);
     (x, z)
 }
 
 /// A pressure on an edge that is not level has a resultant that is not vertical: refused where body 1 may turn under it.
-fn level(body: &Body, load: &Load) -> Result<(), Fault> {
-    let cells = matches!(body.geometry, Geometry::Blocks(_) | Geometry::Mesh(_));
-    let Some(edge) = load.edge.as_deref().filter(|_| cells && load.kind == Some(LoadKind::Pressure)) else { return Ok(()) };
+fn level(body: &Body, load: &LoadedEdge) -> Result<(), Fault> {
+    if body.cells.is_none() || load.kind != LoadKind::Pressure {
+        return Ok(());
+    }
+    let edge = &load.edge;
     let heights: Vec<f64> = edge_points(body, edge).iter().map(|p| p[1]).collect();
     let size = heights.iter().fold(0.0_f64, |size, z| size.max(z.abs()));
     if heights.iter().all(|z| (z - heights[0]).abs() <= 1e-9 * size) {
@@ -128,7 +123,7 @@ struct Held {
 impl Held {
     fn of(body: &Body) -> Held {
         let mut held = Held { x: Vec::new(), z: Vec::new() };
-        for (edge, components) in &body.support {
+        for (edge, components) in &body.supports {
             for point in edge_points(body, edge) {
                 if components.contains(&Component::X) {
                     held.x.push(point[1]);
@@ -139,6 +134,17 @@ impl Held {
             }
         }
         held
+    }
+
+    /// Height of the line along x on which body 1 is held; none if it is held nowhere, NaN if at several heights.
+    fn pole_height(&self) -> Option<f64> {
+        let scale = self.x.iter().fold(0.0_f64, |scale, z| scale.max(z.abs()));
+        self.x.iter().copied().reduce(|a, b| if (a - b).abs() <= 1e-9 * scale { a } else { f64::NAN })
+    }
+
+    /// Whether supports and load leave body 1 free to turn.
+    fn may_turn(&self, load: &Load) -> bool {
+        load.tilt.is_none() && self.pole_height().is_none_or(|height| !height.is_nan())
     }
 }
 
@@ -193,14 +199,15 @@ pub(crate) fn edge_points(body: &Body, edge: &str) -> Vec<[f64; 2]> {
             vec![[centre[0] - radius, centre[1]], [centre[0], centre[1] + radius], [centre[0] + radius, centre[1]]]
         }
         (Geometry::Blocks(_) | Geometry::Mesh(_), edge) => {
-            // Faults of the cells were found before.
-            let curves = given("body", body).ok().flatten().map(|given| edge_curves(&given.mesh, edge)).unwrap_or_default();
+            let curves = body.cells.as_ref().map(|mesh| edge_curves(mesh, edge)).unwrap_or_default();
             curves.iter().flat_map(|curve| [-1.0, 0.0, 1.0].map(|t| curve.point(t))).collect()
         }
     }
 }
 
-fn of_surface(surface: &SurfaceShape, load: &Load, force: f64) -> Vec<Freedom> {
+/// The freedoms of a body of which the surface alone is given.
+pub(crate) fn of_surface(surface: &SurfaceShape, load: &Load) -> Vec<Freedom> {
+    let force = load.force.unwrap_or(0.0);
     let push = Freedom { role: Role::Force, mode: RigidMode::press_down(force) };
     match surface {
         SurfaceShape::DiscPad(_) => vec![push],
@@ -219,9 +226,8 @@ fn of_surface(surface: &SurfaceShape, load: &Load, force: f64) -> Vec<Freedom> {
             vec![push, Freedom { role: Role::SideForce, mode: RigidMode { motion, resultant: 0.0 } }]
         }
         SurfaceShape::RectangularPunch(_) | SurfaceShape::EllipticPunch(_) => {
-            let about = load.about.map_or([0.0, 0.0], |about| [about[0].0, about[1].0]);
-            let about = Vector3::new(about[0], about[1], 0.0);
-            let [x, y] = [load.moment, load.moment_y].map(|moment| moment.map_or(0.0, |moment| moment.0));
+            let about = Vector3::new(load.about[0], load.about[1], 0.0);
+            let [x, y] = [load.moment, load.moment_y];
             vec![
                 push,
                 Freedom { role: Role::Moment, mode: RigidMode::tilt(x, about) },

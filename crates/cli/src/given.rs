@@ -6,9 +6,10 @@ mod mesh_file;
 
 use hpfem::{Curve, Mesh};
 
+use crate::couple::Body;
 use crate::fault::Fault;
 use crate::geometry::Geometry;
-use crate::scene::{Body, Material};
+use crate::scene::{self, Material};
 
 pub(crate) use blocks::unused as unused_in_blocks;
 pub(crate) use contact_line::{ContactLine, contact_line};
@@ -25,7 +26,7 @@ pub(crate) struct Given {
 }
 
 /// The cells of a body (`key` is "body1" or "body2"); none of a template.
-pub(crate) fn given(key: &str, body: &Body) -> Result<Option<Given>, Fault> {
+pub(crate) fn given(key: &str, body: &scene::Body) -> Result<Option<Given>, Fault> {
     match &body.geometry {
         Geometry::Blocks(blocks) => blocks::given(&format!("{key}.geometry.blocks"), blocks, body.material).map(Some),
         Geometry::Mesh(file) => mesh_file::given(&format!("{key}.geometry.mesh"), file, body.material).map(Some),
@@ -39,8 +40,9 @@ pub(crate) fn edge_curves(mesh: &Mesh, edge: &str) -> Vec<Curve> {
 }
 
 /// Refuses an edge with a part inside the body, where nothing can touch or press it.
-pub(crate) fn outside(key: &str, body: &Body, edge: &str) -> Result<(), Fault> {
-    let Some(Given { mesh, .. }) = given(key, body)? else { return Ok(()) };
+pub(crate) fn outside(body: &Body, edge: &str) -> Result<(), Fault> {
+    let Some(mesh) = &body.cells else { return Ok(()) };
+    let key = body.key;
     let cells = mesh.edge_cells();
     let inside = mesh.boundary(edge).unwrap_or_default().into_iter().find(|e| cells[*e].len() > 1);
     let Some(e) = inside else { return Ok(()) };

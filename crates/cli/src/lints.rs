@@ -3,15 +3,16 @@
 use serde::Serialize;
 use wear::Shape;
 
-use crate::freedom::{Freedom, Role};
+use crate::couple::Body;
+use crate::freedom::Role;
 use crate::geometry::Geometry;
-use crate::given::{edge_curves, given};
+use crate::given::edge_curves;
+use crate::problem::{Optimum, Problem};
 use crate::report::short;
-use crate::scene::{Balance, Functional, Scene, Task};
-use crate::setup::{exponents, s_minus_1};
+use crate::scene::{Balance, Functional, Task};
+use crate::setup::s_minus_1;
 use crate::short_numbers::with_short_numbers;
 use crate::solution::Solution;
-use crate::surface::Patch;
 
 /// A remark: the scene is legal, and something about it is worth knowing.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -23,34 +24,45 @@ pub(crate) struct Lint {
 }
 
 /// All remarks, in a fixed order.
-pub(crate) fn lints(scene: &Scene, tasks: &[Task], patch: Option<&Patch>, freedoms: &[Freedom]) -> Vec<Lint> {
+pub(crate) fn lints(problem: &Problem, tasks: &[Task]) -> Vec<Lint> {
     let mut found = Vec::new();
     let mut say = |code: &'static str, message: String| found.push(Lint { code, message: with_short_numbers(&message) });
-    let optimal = tasks.contains(&Task::Pressure) || tasks.contains(&Task::Shape);
-    let friction = scene.contact.as_ref().and_then(|contact| contact.friction).unwrap_or(0.0);
-    for (name, body) in [("body 1", &scene.body1), ("body 2", &scene.body2)] {
-        let Some(young) = body.as_ref().and_then(|body| body.material).map(|material| material.young.0) else {
-            continue;
-        };
-        if !(1.0..=1.3e6).contains(&young) {
+    materials(problem, &mut say);
+    if problem.wear.of_friction && problem.friction.coefficient == 0.0 && tasks != [Task::Contact] {
+        let message = "Friction is 0 and wear.beta stands in front of the friction stress: nothing wears, and rates, powers, multipliers and feed are 0. Pressure and shape are as for vanishing friction; wear.k wears without friction.";
+        say("no-wear", message.to_string());
+    }
+    if tasks.contains(&Task::Pressure) || tasks.contains(&Task::Shape) {
+        optimum(problem, &mut say);
+        kern(problem, &mut say);
+        jamming(problem, &mut say);
+    }
+    found
+}
+
+/// Moduli that no material has, each said once a body.
+fn materials(problem: &Problem, say: &mut impl FnMut(&'static str, String)) {
+    for (name, body) in ["body 1", "body 2"].iter().zip(problem.couple.iter().flat_map(|couple| &couple.bodies)) {
+        let mut said: Vec<f64> = Vec::new();
+        for young in body.materials.iter().map(|material| material.young.0) {
+            if (1.0..=1.3e6).contains(&young) || said.contains(&young) {
+                continue;
+            }
+            said.push(young);
             say(
                 "young-implausible",
                 format!("Young's modulus of {name} is {young} MPa: is the unit right? Steel has 210 GPa, rubber 1 to 10 MPa."),
             );
         }
     }
-    if scene.wear.as_ref().is_some_and(|wear| wear.beta.is_some()) && friction == 0.0 && tasks != [Task::Contact] {
-        let message = "Friction is 0 and wear.beta stands in front of the friction stress: nothing wears, and rates, powers, multipliers and feed are 0. Pressure and shape are as for vanishing friction; wear.k wears without friction.";
-        say("no-wear", message.to_string());
-    }
-    if !optimal {
-        return found;
-    }
-    let functional = scene.optimum.as_ref().and_then(|optimum| optimum.functional).unwrap_or(Functional::Steady);
-    let q = scene.optimum.as_ref().and_then(|optimum| optimum.q).unwrap_or(1.0);
+}
+
+/// What the theory says of the functional.
+fn optimum(problem: &Problem, say: &mut impl FnMut(&'static str, String)) {
+    let Optimum { functional, q, balance, .. } = problem.optimum;
     if matches!(functional, Functional::WearVolume | Functional::FrictionPower | Functional::WearPower) {
-        for b in exponents(scene) {
-            let s_minus_1 = s_minus_1(functional, b, q);
+        for b in &problem.wear.exponents {
+            let s_minus_1 = s_minus_1(functional, *b, q);
             let s = 1.0 + s_minus_1;
             if s_minus_1.abs() < 1e-12 {
                 say("s-one", "s = 1: the functional has no regular optimum; its bound is approached by pressure on points or lines (the limit measure).".into());
@@ -62,37 +74,34 @@ pub(crate) fn lints(scene: &Scene, tasks: &[Task], patch: Option<&Patch>, freedo
             }
         }
     }
-    let curved = patch.is_some_and(|patch| matches!(patch.surface.shape(), Shape::Arc { .. }));
+    let curved = problem.patch.as_ref().is_some_and(|patch| matches!(patch.surface.shape(), Shape::Arc { .. }));
     if curved && functional == Functional::Uniform {
         say("not-steady", "Uniform pressure on an arc wears uniformly along the normal, which no rigid motion follows: it is not the steady state. optimum.functional = \"steady\" is.".into());
     }
-    if scene.optimum.as_ref().and_then(|optimum| optimum.balance) == Some(Balance::Paper) && curved {
+    if curved && balance == Balance::Paper {
         say("paper-balance", "The paper's normalisation int p dS = F0 leaves out the direction of the pressure: the vertical force comes out smaller than the load (summary: force_N), and a shape is found under the force that this pressure carries.".into());
     }
-    kern(scene, functional, q, patch, freedoms, &mut say);
-    if let (Some(patch), Some(push)) = (patch, freedoms.iter().find(|freedom| freedom.role == Role::Force)) {
-        let shear = scene.contact.as_ref().and_then(|contact| contact.shear).unwrap_or(true);
-        let mu = if shear { friction } else { 0.0 };
-        let least =
-            patch.surface.sample(201).iter().map(|point| push.mode.motion.force_weight(point, mu)).fold(f64::MAX, f64::min);
-        if least <= 0.0 && mu > 0.0 {
-            say(
-                "jamming",
-                format!(
-                    "With friction {mu} part of the surface lifts body 1 when pressed (self-locking): the load may have no balance."
-                ),
-            );
-        }
+}
+
+/// Friction that lifts body 1 where it is pressed.
+fn jamming(problem: &Problem, say: &mut impl FnMut(&'static str, String)) {
+    let push = problem.freedoms.iter().find(|freedom| freedom.role == Role::Force);
+    let (Some(patch), Some(push)) = (&problem.patch, push) else { return };
+    let mu = problem.friction.shear();
+    let weights = patch.surface.sample(201).into_iter().map(|point| push.mode.motion.force_weight(&point, mu));
+    if weights.fold(f64::MAX, f64::min) <= 0.0 && mu > 0.0 {
+        let message =
+            format!("With friction {mu} part of the surface lifts body 1 when pressed (self-locking): the load may have no balance.");
+        say("jamming", message);
     }
-    found
 }
 
 /// Part of body 1's thickness that wear may take before the body is another one.
 const WORN: f64 = 0.1;
 
 /// Remarks on what a run came to.
-pub(crate) fn after(scene: &Scene, solution: &Solution) -> Vec<Lint> {
-    other_solutions(solution).into_iter().chain(worn_through(scene, solution)).collect()
+pub(crate) fn after(problem: &Problem, solution: &Solution) -> Vec<Lint> {
+    other_solutions(solution).into_iter().chain(worn_through(problem, solution)).collect()
 }
 
 /// What friction does to the one solution of a contact.
@@ -118,9 +127,9 @@ fn other_solutions(solution: &Solution) -> Option<Lint> {
 }
 
 /// Wear beyond what body 1's stiffness stands for.
-fn worn_through(scene: &Scene, solution: &Solution) -> Option<Lint> {
+fn worn_through(problem: &Problem, solution: &Solution) -> Option<Lint> {
     let depth = 1e-3 * solution.wear.as_ref()?.depth_um?;
-    let thickness = thickness(scene)?;
+    let thickness = thickness(&problem.couple.as_ref()?.bodies[0])?;
     let allowed = WORN * thickness;
     if depth <= allowed {
         return None;
@@ -138,8 +147,7 @@ fn worn_through(scene: &Scene, solution: &Solution) -> Option<Lint> {
 }
 
 /// Thickness of body 1 above the middle of its contact edge, mm; cells that the user gives: from there to their highest vertex.
-fn thickness(scene: &Scene) -> Option<f64> {
-    let body = scene.body1.as_ref()?;
+fn thickness(body: &Body) -> Option<f64> {
     match &body.geometry {
         Geometry::ShoeBlock(shoe) => Some(shoe.top.0 - shoe.radius.0),
         Geometry::Ring(ring) => Some(ring.outer.0 - ring.inner.0),
@@ -147,8 +155,8 @@ fn thickness(scene: &Scene) -> Option<f64> {
         Geometry::RingSegment(segment) => Some(segment.outer.0 - segment.inner.0),
         Geometry::HalfDisc(disc) => Some(disc.radius.0),
         Geometry::Blocks(_) | Geometry::Mesh(_) => {
-            let mesh = given("body1", body).ok().flatten()?.mesh;
-            let curves = edge_curves(&mesh, &scene.contact.as_ref()?.edges.as_ref()?[0]);
+            let mesh = body.cells.as_ref()?;
+            let curves = edge_curves(mesh, &body.contact);
             let along: Vec<[f64; 2]> = curves.iter().flat_map(|curve| [-1.0, 0.0, 1.0].map(|t| curve.point(t))).collect();
             let ends = along.iter().fold([f64::MAX, f64::MIN], |[a, b], x| [a.min(x[0]), b.max(x[0])]);
             let off = |x: &[f64; 2]| (x[0] - 0.5 * (ends[0] + ends[1])).abs();
@@ -159,18 +167,11 @@ fn thickness(scene: &Scene) -> Option<f64> {
 }
 
 /// Moments on a plane strip: full contact needs |M| <= F c k / (k + 2), k = 1/(s - 1).
-fn kern(
-    scene: &Scene,
-    functional: Functional,
-    q: f64,
-    patch: Option<&Patch>,
-    freedoms: &[Freedom],
-    say: &mut impl FnMut(&'static str, String),
-) {
-    let Some(Shape::Strip { x, .. }) = patch.map(|patch| patch.surface.shape()) else {
+fn kern(problem: &Problem, say: &mut impl FnMut(&'static str, String)) {
+    let Some(Shape::Strip { x, .. }) = problem.patch.as_ref().map(|patch| patch.surface.shape()) else {
         return;
     };
-    let find = |role: Role| freedoms.iter().find(|freedom| freedom.role == role).map(|freedom| freedom.mode);
+    let find = |role: Role| problem.freedoms.iter().find(|freedom| freedom.role == role).map(|freedom| freedom.mode);
     let (Some(force), Some(moment)) = (find(Role::Force), find(Role::Moment)) else {
         return;
     };
@@ -192,7 +193,8 @@ fn kern(
         );
         return;
     }
-    let k = exponents(scene).first().map(|b| 1.0 / s_minus_1(functional, *b, q));
+    let Optimum { functional, q, .. } = problem.optimum;
+    let k = problem.wear.exponents.first().map(|b| 1.0 / s_minus_1(functional, *b, q));
     if let Some(k) = k.filter(|k| *k > 0.0) {
         let kern = half * k / (k + 2.0);
         if arm > kern {

@@ -2,115 +2,221 @@
 
 use serde::Serialize;
 
-use crate::scene::{Component, Scene, Task};
+use crate::problem::Problem;
+use crate::scene::{Component, Task};
 
-/// One stage.
+/// A stage of a run, in the words of the summary and of timing.json.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub(crate) enum Step {
+    /// The force of a prescribed approach.
+    #[serde(rename = "force of the approach")]
+    Force,
+    /// The optimal or steady pressure.
+    #[serde(rename = "optimal pressure")]
+    Pressure,
+    /// Meshes of both bodies.
+    #[serde(rename = "mesh")]
+    Mesh,
+    /// Cell matrices.
+    #[serde(rename = "assemble")]
+    Assemble,
+    /// Elimination down to the contact surface.
+    #[serde(rename = "factor")]
+    Factor,
+    /// Responses of the contact points.
+    #[serde(rename = "interface")]
+    Interface,
+    /// The contact of the bodies as given.
+    #[serde(rename = "contact")]
+    Contact,
+    /// The shape that has the pressure.
+    #[serde(rename = "shape")]
+    Shape,
+    /// Contact solves that prove the shape.
+    #[serde(rename = "round trip")]
+    RoundTrip,
+    /// Wear in time.
+    #[serde(rename = "evolution")]
+    Evolution,
+    /// The scalar problem of twisting.
+    #[serde(rename = "torsion")]
+    Torsion,
+    /// Columns of the friction shear.
+    #[serde(rename = "tangential columns")]
+    Tangential,
+    /// Displacement and stress inside the bodies.
+    #[serde(rename = "field recovery")]
+    Fields,
+    /// The table of the contact points.
+    #[serde(rename = "contact.csv")]
+    Table,
+    /// The surface to machine.
+    #[serde(rename = "machined profile")]
+    Machined,
+    /// Pictures.
+    #[serde(rename = "plots")]
+    Plots,
+    /// The page.
+    #[serde(rename = "report.html")]
+    Page,
+    /// The recording.
+    #[serde(rename = "run.mcap")]
+    Recording,
+}
+
+impl Step {
+    /// Its name in files and on the screen.
+    pub(crate) fn name(self) -> String {
+        serde_json::to_value(self).ok().and_then(|name| name.as_str().map(str::to_string)).unwrap_or_default()
+    }
+}
+
+/// A step of the plan.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(crate) struct Stage {
     /// What is done.
-    pub(crate) name: &'static str,
+    pub(crate) name: Step,
     /// Whether it is done.
     pub(crate) ran: bool,
     /// Why, or why not.
-    pub(crate) because: String,
+    pub(crate) because: &'static str,
 }
 
 /// All stages in their order.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Plan {
     /// The stages.
     pub(crate) stages: Vec<Stage>,
 }
 
-impl Plan {
-    /// The plan of a resolved scene.
-    pub(crate) fn new(scene: &Scene, tasks: &[Task]) -> Plan {
-        let mut stages = Vec::new();
-        let mut stage = |name, ran: bool, because: &str| stages.push(Stage { name, ran, because: because.to_string() });
+/// What of a problem decides about the stages.
+struct Facts {
+    tasks: Vec<Task>,
+    /// Whether elastic bodies are computed.
+    bodies: bool,
+    /// Whether friction shear acts on the bodies.
+    shear: bool,
+    /// Whether the shape is to be proved.
+    check: bool,
+    /// Whether a force is to be found for a prescribed approach.
+    approach: bool,
+    revolved: bool,
+    slides: bool,
+    turned: bool,
+    /// Whether a body is held against turning about the axis.
+    held: bool,
+    fields: bool,
+    page: bool,
+    recording: bool,
+}
+
+/// Whether a stage is run, and why or why not; `None` leaves it off the list.
+type Rule = fn(&Facts) -> Option<(bool, &'static str)>;
+
+/// Every stage with when and why it is run.
+const TABLE: [(Step, Rule); 18] = [
+    (Step::Force, |f| {
+        let wanted = f.has(Task::Pressure) || f.has(Task::Shape);
+        let why = if wanted { "the pressure carries the force that this approach takes" } else { NO_TASK };
+        f.approach.then_some((wanted, why))
+    }),
+    (Step::Pressure, |f| match (f.has(Task::Pressure), f.has(Task::Shape)) {
+        (true, _) => Some((true, "the task \"pressure\" asks for it")),
+        (false, true) => Some((true, "the shape is made for it")),
+        _ => Some((false, NO_TASK)),
+    }),
+    (Step::Mesh, elastic),
+    (Step::Assemble, elastic),
+    (Step::Factor, elastic),
+    (Step::Interface, elastic),
+    (Step::Contact, |f| f.asked(Task::Contact, "the task \"contact\" asks for it", NO_TASK)),
+    (Step::Shape, |f| f.asked(Task::Shape, "the task \"shape\" asks for it", NO_TASK)),
+    (Step::RoundTrip, |f| match (f.has(Task::Shape), f.check) {
+        (true, true) => Some((true, "a contact solve on the shape proves it")),
+        (true, false) => Some((false, "check = false")),
+        _ => Some((false, "there is no shape to prove")),
+    }),
+    (Step::Evolution, |f| f.asked(Task::Wear, "the task \"wear\" asks for it", NO_TASK)),
+    (Step::Torsion, |f| match (f.bodies && f.revolved, f.shear && (f.slides || f.turned), f.held) {
+        (true, true, true) if f.turned => Some((true, "body 1 is turned about the axis, and friction resists")),
+        (true, true, true) => Some((true, "friction twists the bodies about the axis")),
+        (true, false, _) => Some((false, "no friction twists the bodies")),
+        (true, true, false) => Some((false, "no body is held against turning")),
+        _ => Some((false, "no axisymmetric body is computed")),
+    }),
+    (Step::Tangential, |f| match (f.bodies, f.shear) {
+        (true, true) => Some((true, "friction shear acts on the bodies")),
+        (true, false) => Some((false, "no friction shear acts on the bodies")),
+        _ => Some((false, NO_BODY)),
+    }),
+    (Step::Fields, |f| match (f.bodies, f.fields) {
+        (true, true) => Some((true, "output.fields asks for displacement and stress inside the bodies")),
+        (true, false) => Some((false, "no output asks for displacement and stress inside the bodies")),
+        _ => Some((false, NO_BODY)),
+    }),
+    (Step::Table, |_| Some((true, "every run writes it"))),
+    (Step::Machined, |f| f.asked(Task::Shape, "a shape is there to be machined", "there is no shape to machine")),
+    (Step::Plots, |_| Some((true, "every run draws them"))),
+    (Step::Page, |f| Some((f.page, if f.page { "output.report is on" } else { "output.report = false" }))),
+    (Step::Recording, |f| match (f.recording, f.has(Task::Wear)) {
+        (_, true) => Some((true, "a run in time is recorded")),
+        (true, false) => Some((true, "output.recording asks for it")),
+        _ => Some((false, "no output asks for it")),
+    }),
+];
+
+const NO_TASK: &str = "no task asks for it";
+const NO_BODY: &str = "no body is computed";
+
+fn elastic(facts: &Facts) -> Option<(bool, &'static str)> {
+    let why = if facts.bodies {
+        "contact, shape and wear need the elastic bodies"
+    } else {
+        "the pressure follows without elastic bodies"
+    };
+    Some((facts.bodies, why))
+}
+
+impl Facts {
+    fn of(problem: &Problem, tasks: &[Task], check: bool) -> Facts {
         let has = |task| tasks.contains(&task);
-        let bodies = has(Task::Contact) || has(Task::Shape) || has(Task::Wear);
-        let friction = scene.contact.as_ref().and_then(|contact| contact.friction).unwrap_or(0.0);
-        let shear = friction > 0.0 && scene.contact.as_ref().and_then(|contact| contact.shear).unwrap_or(true);
-        let check = scene.check.unwrap_or(true);
-        let load = scene.load.as_ref();
-        if load.is_some_and(|load| load.approach.is_some() && load.force.is_none()) {
-            let wanted = has(Task::Pressure) || has(Task::Shape);
-            let why = if wanted { "the pressure carries the force that this approach takes" } else { "no task asks for it" };
-            stage(crate::solve::FORCE, wanted, why);
+        let output = problem.scene.output.clone().unwrap_or_default();
+        let couple = problem.couple.as_ref();
+        Facts {
+            tasks: tasks.to_vec(),
+            bodies: has(Task::Contact) || has(Task::Shape) || has(Task::Wear),
+            shear: problem.friction.shear() > 0.0,
+            check,
+            approach: problem.load.approach.is_some() && problem.load.force.is_none(),
+            revolved: couple.is_some_and(|couple| couple.is_revolved()),
+            slides: problem.sliding.is_some(),
+            turned: !problem.load.turns.is_empty(),
+            held: couple.is_some_and(|couple| couple.bodies.iter().any(|body| body.holds(Component::Phi))),
+            fields: output.fields.unwrap_or(false),
+            page: output.report.unwrap_or(true),
+            recording: output.recording.unwrap_or(false),
         }
-        match (has(Task::Pressure), has(Task::Shape)) {
-            (true, _) => stage("optimal pressure", true, "the task \"pressure\" asks for it"),
-            (false, true) => stage("optimal pressure", true, "the shape is made for it"),
-            _ => stage("optimal pressure", false, "no task asks for it"),
-        }
-        let elastic = if bodies {
-            "contact, shape and wear need the elastic bodies"
-        } else {
-            "the pressure follows without elastic bodies"
-        };
-        for name in ["mesh", "assemble", "factor", "interface"] {
-            stage(name, bodies, elastic);
-        }
-        stage(
-            "contact",
-            has(Task::Contact),
-            if has(Task::Contact) { "the task \"contact\" asks for it" } else { "no task asks for it" },
-        );
-        stage("shape", has(Task::Shape), if has(Task::Shape) { "the task \"shape\" asks for it" } else { "no task asks for it" });
-        match (has(Task::Shape), check) {
-            (true, true) => stage("round trip", true, "a contact solve on the shape proves it"),
-            (true, false) => stage("round trip", false, "check = false"),
-            _ => stage("round trip", false, "there is no shape to prove"),
-        }
-        stage(
-            "evolution",
-            has(Task::Wear),
-            if has(Task::Wear) { "the task \"wear\" asks for it" } else { "no task asks for it" },
-        );
-        let held = |body: &Option<crate::scene::Body>| {
-            body.as_ref().is_some_and(|body| body.support.values().any(|held| held.contains(&Component::Phi)))
-        };
-        let axisymmetric = scene.kinematics == Some(crate::scene::Kinematics::Axisymmetric);
-        let turned = !crate::setup::turns(scene).is_empty();
-        match (bodies && axisymmetric, shear && (scene.sliding.is_some() || turned), held(&scene.body1) || held(&scene.body2)) {
-            (true, true, true) if turned => stage("torsion", true, "body 1 is turned about the axis, and friction resists"),
-            (true, true, true) => stage("torsion", true, "friction twists the bodies about the axis"),
-            (true, false, _) => stage("torsion", false, "no friction twists the bodies"),
-            (true, true, false) => stage("torsion", false, "no body is held against turning"),
-            _ => stage("torsion", false, "no axisymmetric body is computed"),
-        }
-        let tangential = match (bodies, shear) {
-            (true, true) => "friction shear acts on the bodies",
-            (true, false) => "no friction shear acts on the bodies",
-            _ => "no body is computed",
-        };
-        stage("tangential columns", bodies && shear, tangential);
-        let fields = scene.output.as_ref().and_then(|output| output.fields).unwrap_or(false);
-        match (bodies, fields) {
-            (true, true) => stage("field recovery", true, "output.fields asks for displacement and stress inside the bodies"),
-            (true, false) => stage("field recovery", false, "no output asks for displacement and stress inside the bodies"),
-            _ => stage("field recovery", false, "no body is computed"),
-        }
-        stage("contact.csv", true, "every run writes it");
-        stage(
-            "machined profile",
-            has(Task::Shape),
-            if has(Task::Shape) { "a shape is there to be machined" } else { "there is no shape to machine" },
-        );
-        stage("plots", true, "every run draws them");
-        let report = scene.output.as_ref().and_then(|output| output.report).unwrap_or(true);
-        stage("report.html", report, if report { "output.report is on" } else { "output.report = false" });
-        let recording = scene.output.as_ref().and_then(|output| output.recording).unwrap_or(false);
-        match (recording, has(Task::Wear)) {
-            (_, true) => stage("run.mcap", true, "a run in time is recorded"),
-            (true, false) => stage("run.mcap", true, "output.recording asks for it"),
-            _ => stage("run.mcap", false, "no output asks for it"),
-        }
-        Plan { stages }
+    }
+
+    fn has(&self, task: Task) -> bool {
+        self.tasks.contains(&task)
+    }
+
+    fn asked(&self, task: Task, why: &'static str, why_not: &'static str) -> Option<(bool, &'static str)> {
+        Some(if self.has(task) { (true, why) } else { (false, why_not) })
+    }
+}
+
+impl Plan {
+    /// The plan of a problem.
+    pub(crate) fn new(problem: &Problem, tasks: &[Task], check: bool) -> Plan {
+        let facts = Facts::of(problem, tasks, check);
+        let stage = |(name, rule): &(Step, Rule)| rule(&facts).map(|(ran, because)| Stage { name: *name, ran, because });
+        Plan { stages: TABLE.iter().filter_map(stage).collect() }
     }
 
     /// Whether a stage is part of the run.
-    pub(crate) fn runs(&self, name: &str) -> bool {
-        self.stages.iter().any(|stage| stage.name == name && stage.ran)
+    pub(crate) fn runs(&self, step: Step) -> bool {
+        self.stages.iter().any(|stage| stage.name == step && stage.ran)
     }
 }

@@ -11,38 +11,21 @@ mod wear_rule;
 
 use std::sync::Arc;
 
+use crate::couple::Couple;
 use crate::document::Document;
 use crate::fault::Fault;
-use crate::fe::Operators;
-use crate::lints::{self, Lint};
+use crate::gap::Gap;
 use crate::plan::Plan;
+use crate::problem::Friction;
 use crate::scene::Scene;
 use crate::surface::Patch;
+use crate::{freedom, lints};
+
+pub(crate) use crate::problem::Problem;
 
 pub(crate) use bodies::template;
-pub(crate) use optimum::{exponents, kind, s_minus_1};
+pub(crate) use optimum::{kind, s_minus_1};
 pub(crate) use twist::turns;
-
-/// A checked scene: everything the stages need.
-#[derive(Debug, Clone)]
-pub(crate) struct Problem {
-    /// Short name of the scene.
-    pub(crate) name: String,
-    /// The scene with every default filled in, in base units.
-    pub(crate) scene: Scene,
-    /// The contact surface, when it is known without a mesh.
-    pub(crate) patch: Option<Patch>,
-    /// The rigid freedoms of body 1 with their resultants.
-    pub(crate) freedoms: Vec<crate::freedom::Freedom>,
-    /// Stages and reasons.
-    pub(crate) plan: Plan,
-    /// What the theory has to say about the scene.
-    pub(crate) lints: Vec<Lint>,
-    /// Keys that were written but are not used.
-    pub(crate) unused_keys: Vec<String>,
-    /// Reduced bodies, shared by the tasks of a run and by the points of a sweep.
-    pub(crate) operators: Arc<Operators>,
-}
 
 /// Checks a scene and fills in its defaults.
 pub(crate) fn setup(document: &Document) -> Result<Problem, Fault> {
@@ -52,18 +35,56 @@ pub(crate) fn setup(document: &Document) -> Result<Problem, Fault> {
 fn check(document: &Document) -> Result<Problem, Fault> {
     let mut scene = document.scene.clone();
     let tasks = tasks::resolve(&mut scene)?;
-    bodies::resolve(&mut scene, &document.folder)?;
-    let patch = Patch::of(&scene)?;
+    let bodies = bodies::resolve(&mut scene, &document.folder)?;
+    let patch = match (&scene.surface, &bodies) {
+        (Some(surface), _) => Some(Patch::bare(surface, scene.sliding.as_ref())?),
+        (None, Some((kinematics, [first, second]))) => Patch::between(*kinematics, [first, second], scene.sliding.as_ref())?,
+        _ => None,
+    };
     wear_rule::resolve(&mut scene, &tasks, patch.as_ref())?;
-    load::resolve(&mut scene, &tasks, patch.as_ref())?;
+    load::resolve(&mut scene, &tasks, patch.as_ref(), bodies.as_ref().map(|(_, [first, _])| first))?;
     twist::resolve(&scene, &tasks)?;
     schedule::resolve(&mut scene)?;
     optimum::resolve(&mut scene, &tasks)?;
-    let freedoms = crate::freedom::freedoms(&scene, patch.as_ref())?;
+    let load = load::numbers(&scene);
+    let edge = scene.load.as_ref().and_then(load::edge);
+    let couple = bodies.zip(edge).map(|((kinematics, bodies), load)| Couple { kinematics, bodies, load });
+    if let Some(couple) = couple.as_ref().filter(|_| patch.is_some()) {
+        freedom::check(couple, &load)?;
+    }
     let unused_keys = unused::keys(document, &scene, &tasks);
     let plan = Plan::new(&scene, &tasks);
-    let lints = lints::lints(&scene, &tasks, patch.as_ref(), &freedoms);
-    Ok(Problem { name: document.name.clone(), scene, patch, freedoms, plan, lints, unused_keys, operators: Arc::default() })
+    let mut problem = Problem {
+        name: document.name.clone(),
+        wanted: tasks::wanted(&scene, &tasks),
+        couple,
+        bare: scene.surface.clone(),
+        patch,
+        freedoms: Vec::new(),
+        friction: friction(&scene),
+        gap: scene.contact.as_ref().and_then(|contact| contact.gap.clone()).unwrap_or(Gap::Constant(0.0)),
+        load,
+        sliding: scene.sliding.clone(),
+        wear: wear_rule::numbers(&scene),
+        pieces: schedule::pieces(&scene),
+        optimum: optimum::choice(&scene),
+        plan,
+        lints: Vec::new(),
+        unused_keys,
+        operators: Arc::default(),
+        scene,
+    };
+    problem.freedoms = problem.own_freedoms();
+    problem.lints = lints::lints(&problem, &tasks);
+    Ok(problem)
+}
+
+fn friction(scene: &Scene) -> Friction {
+    let contact = scene.contact.as_ref();
+    Friction {
+        coefficient: contact.and_then(|contact| contact.friction).unwrap_or(0.0),
+        on_bodies: contact.and_then(|contact| contact.shear).unwrap_or(true),
+    }
 }
 
 /// A number that must be finite and positive.

@@ -3,9 +3,11 @@
 use serde::Serialize;
 
 use crate::body_field::FieldFrame;
+use crate::effort::Effort;
 use crate::lints::Lint;
 use crate::machined::Machined;
 use crate::profile::Profile;
+use crate::watch::Resume;
 
 /// How a run ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
@@ -31,8 +33,6 @@ pub(crate) struct Solution {
     pub(crate) status: Status,
     /// Why, when it did not end well: one sentence.
     pub(crate) reason: Option<String>,
-    /// Shapes solved for to find the force of a prescribed approach.
-    pub(crate) passes: usize,
     /// The optimal pressure.
     pub(crate) pressure: Option<PressureResult>,
     /// The contact of the bodies as given.
@@ -49,8 +49,6 @@ pub(crate) struct Solution {
     pub(crate) error: Option<ErrorResult>,
     /// Condition of the system on the contact surface.
     pub(crate) interface: Option<InterfaceResult>,
-    /// What was counted.
-    pub(crate) counters: Counters,
     /// Columns at the contact points, of the last task.
     pub(crate) profile: Option<Profile>,
     /// The same at evenly spaced points of a surface known without a mesh, for pictures.
@@ -65,8 +63,10 @@ pub(crate) struct Solution {
     pub(crate) fields: Vec<FieldFrame>,
     /// Remarks that only the result could tell.
     pub(crate) lints: Vec<Lint>,
-    /// Seconds of each stage, in order.
-    pub(crate) times: Vec<(String, f64)>,
+    /// What it took.
+    pub(crate) effort: Effort,
+    /// An unfinished run in time that was stopped, to go on with.
+    pub(crate) resume: Option<Resume>,
 }
 
 /// One number for each role of a rigid mode.
@@ -352,25 +352,4 @@ pub(crate) struct ErrorResult {
     pub(crate) twist_relative: Option<f64>,
     /// How they were estimated.
     pub(crate) how: String,
-}
-
-/// `summary.counters`.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub(crate) struct Counters {
-    /// Cells assembled.
-    pub(crate) cells: usize,
-    /// Unknowns of both bodies.
-    pub(crate) dofs: usize,
-    /// Unknowns of the contact traces.
-    pub(crate) trace_dofs: usize,
-    /// Factorisations.
-    pub(crate) factorisations: usize,
-    /// Contact solves.
-    pub(crate) contact_solves: usize,
-    /// Contact solves of the round trip.
-    pub(crate) check_solves: usize,
-    /// Wear steps.
-    pub(crate) wear_steps: usize,
-    /// Back substitutions into the inside of a body.
-    pub(crate) back_substitutions: usize,
 }

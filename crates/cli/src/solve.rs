@@ -1,105 +1,161 @@
-//! Runs the stages of the plan.
+//! Runs the stages of the plan and puts the solution together.
 
 pub(crate) mod pressure;
 
-use std::time::Instant;
-
+use crate::effort::Effort;
 use crate::fault::Fault;
-use crate::live::Live;
-use crate::setup::Problem;
-use crate::solution::{Solution, Status};
+use crate::fe::{self, Before, Bodies, Outcome, Reported, Scope, Stage};
+use crate::ladder::Refusal;
+use crate::lints;
+use crate::options::Options;
+use crate::plan::Step;
+use crate::problem::Problem;
+use crate::solution::{ErrorResult, Solution, Status};
+use crate::watch::Watch;
 
-/// Options of a run that are no part of the scene.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Options<'a> {
-    /// Points of contact.csv instead of the contact points.
-    pub(crate) sample: Option<Sampling<'a>>,
-    /// Solves the scene's fixed discretisation alone, without the coarser ones that its error estimate needs.
-    pub(crate) alone: bool,
-    /// Adds what the workshop needs of a shape: the finished surface, and what errors of it do.
-    pub(crate) machining: bool,
-}
-
-/// Points of a contact surface that the user chooses.
-#[derive(Debug, Clone, Copy)]
-pub(crate) enum Sampling<'a> {
-    /// This many, evenly spaced in the surface's own coordinate, both ends included.
-    Even(usize),
-    /// At these values of s (mm).
-    At(&'a [f64]),
-}
-
-impl Sampling<'_> {
-    /// Values of s between two ends.
-    pub(crate) fn places(self, [from, to]: [f64; 2]) -> Vec<f64> {
-        match self {
-            Sampling::At(places) => places.iter().map(|s| s.clamp(from.min(to), to.max(from))).collect(),
-            Sampling::Even(count) => {
-                let last = count.max(2) - 1;
-                let place = |i: usize| if i == last { to } else { from + (to - from) * (i as f64 / last as f64) };
-                (0..=last).map(place).collect()
-            }
-        }
-    }
-}
-
-/// Points of the curves in pictures.
-pub(crate) const CURVE: Sampling<'static> = Sampling::Even(401);
-
-/// Trapezoid weights of ascending places: half the way to each neighbour.
-pub(crate) fn trapezoid_weights(places: &[f64]) -> Vec<f64> {
-    let last = places.len().saturating_sub(1);
-    (0..places.len()).map(|i| 0.5 * (places[(i + 1).min(last)] - places[i.saturating_sub(1)])).collect()
-}
-
-/// Name of the stage that finds the force of a prescribed approach.
-pub(crate) const FORCE: &str = "force of the approach";
-
-/// Computes everything the plan lists. What has no answer is a solution with its status; an `Err` is the user's to mend.
-pub(crate) fn solve(problem: &Problem, options: Options) -> Result<Solution, Fault> {
-    solve_live(problem, options, &mut Live::silent())
-}
-
-/// The same, recorded and shown while it goes.
-pub(crate) fn solve_live(problem: &Problem, options: Options, live: &mut Live) -> Result<Solution, Fault> {
+/// Computes everything the plan lists. What has no answer is a solution with its status; an `Err` is the user's to mend. `bodies` keeps what
+/// was factorised for problems with the same bodies; `watch` is told what happens, and ends the solve by `Break`.
+pub(crate) fn solve(
+    problem: &Problem,
+    options: &Options<'_>,
+    bodies: &Bodies,
+    watch: &mut Watch<'_>,
+) -> Result<Solution, Fault> {
     let mut solution = Solution::default();
+    match stages((problem, options, bodies), watch, &mut solution) {
+        Ok(()) => {}
+        Err(Refusal::Reason(reason)) => (solution.status, solution.reason) = (Status::Refused, Some(reason)),
+        Err(Refusal::Fault(fault)) => return Err(fault),
+    }
+    let after = lints::after(problem, &solution);
+    solution.lints.extend(after);
+    Ok(solution)
+}
+
+/// A problem with the caller's options and bodies.
+type Given<'a> = (&'a Problem, &'a Options<'a>, &'a Bodies);
+
+fn stages((problem, options, bodies): Given<'_>, watch: &mut Watch<'_>, solution: &mut Solution) -> Result<(), Refusal> {
     let mut known = None;
-    if problem.plan.runs(FORCE) {
-        match crate::fe::force(problem, options, &mut solution)? {
-            Ok(found) => known = Some(found),
-            Err(reason) => {
-                solution.status = Status::Refused;
-                solution.reason = Some(reason);
-                return Ok(solution);
-            }
+    if problem.plan.runs(Step::Force) {
+        let (found, effort) = fe::force(Stage::new(problem, options, bodies)?, watch)?;
+        solution.effort += effort;
+        if found.stopped {
+            solution.status = Status::Interrupted;
+            return Ok(());
         }
+        known = Some(found);
     }
     let problem = known.as_ref().map_or(problem, |found| &found.problem);
-    solution.passes = known.as_ref().map_or(0, |found| found.passes);
-    if problem.plan.runs("optimal pressure") {
-        timed(&mut solution, "optimal pressure", |solution| pressure::solve(problem, options, solution))?;
+    if problem.plan.runs(Step::Pressure) {
+        let mut effort = Effort::default();
+        let found = effort.timed(Step::Pressure, options.clock, |_| pressure::solve(problem, options))?;
+        solution.effort += effort;
+        solution.take_pressure(found);
     }
     if let Some((found, error)) = known.as_ref().zip(solution.error.as_mut()) {
         // The pressure is as accurate as the force; without an estimate nothing is said.
         error.pressure_relative = found.error.map(|of_force| of_force.max(f64::EPSILON));
         error.how = "force of the approach, rest of the series of degrees".into();
     }
-    if solution.status != Status::Refused && problem.plan.runs("mesh") {
-        crate::fe::solve(problem, options, live, &mut solution)?;
+    if solution.status != Status::Refused && problem.plan.runs(Step::Mesh) {
+        elastic((problem, options, bodies), known.as_ref().map_or(0, |found| found.passes), watch, solution)?;
     }
-    let after = crate::lints::after(&problem.scene, &solution);
-    solution.lints.extend(after);
-    Ok(solution)
+    Ok(())
 }
 
-/// Does a stage and notes its seconds.
-pub(crate) fn timed<T>(
-    solution: &mut Solution,
-    name: &str,
-    stage: impl FnOnce(&mut Solution) -> Result<T, Fault>,
-) -> Result<T, Fault> {
-    let start = Instant::now();
-    let result = stage(solution);
-    solution.times.push((name.to_string(), start.elapsed().as_secs_f64()));
-    result
+/// Contact, shape and wear as the plan asks, with twist and fields of the last of them.
+fn elastic((problem, options, bodies): Given<'_>, passes: usize, watch: &mut Watch<'_>, solution: &mut Solution) -> Result<(), Refusal> {
+    let scope = Scope::of(problem, options, bodies)?;
+    scope.available()?;
+    if let Some((outcome, effort, fields)) = scope.solve(watch)? {
+        solution.effort += effort;
+        solution.take(outcome);
+        solution.fields = fields;
+        return Ok(());
+    }
+    let stage = Stage::new(problem, options, bodies)?;
+    let mut reported: Option<Reported> = None;
+    for step in [Step::Contact, Step::Shape, Step::Evolution] {
+        if !problem.plan.runs(step) || matches!(solution.status, Status::Refused | Status::Interrupted) {
+            continue;
+        }
+        let (outcome, effort) = match step {
+            Step::Contact => fe::contact(stage, watch)?,
+            Step::Shape => {
+                let how = solution.error.as_ref().map(|error| error.how.clone()).unwrap_or_default();
+                fe::shape(stage, &Before { passes, how: &how }, watch)?
+            }
+            _ => fe::wear(stage, watch)?,
+        };
+        solution.effort += effort;
+        reported = solution.take(outcome);
+    }
+    let Some(reported) = reported.filter(|_| solution.status != Status::Interrupted) else { return Ok(()) };
+    if let Some(profile) = solution.profile.as_mut().filter(|_| problem.plan.runs(Step::Torsion)) {
+        solution.effort += fe::twist(stage, &reported, profile)?;
+    }
+    if problem.plan.runs(Step::Fields) {
+        let mut effort = Effort::default();
+        let (fields, work) = effort.timed(Step::Fields, options.clock, |_| fe::recover(stage, &reported))?;
+        effort += work;
+        solution.effort += effort;
+        solution.fields = fields;
+    }
+    Ok(())
+}
+
+impl Solution {
+    /// Takes in what an elastic step found; what it does not say stays. Returns what twist and fields need.
+    fn take(&mut self, outcome: Outcome) -> Option<Reported> {
+        let Outcome { ended, stopped, contact, interface, shape, wear, history, machined, told, error, ladder, lints, reported, resume } =
+            outcome;
+        if let Some((status, reason)) = ended {
+            (self.status, self.reason) = (status, Some(reason));
+        }
+        if stopped {
+            (self.status, self.reason) = (Status::Interrupted, None);
+        }
+        self.contact = contact.or(self.contact.take());
+        self.interface = interface.or(self.interface.take());
+        self.shape = shape.or(self.shape.take());
+        self.wear = wear.or(self.wear.take());
+        self.machined = machined.or(self.machined.take());
+        self.resume = resume;
+        if !history.is_empty() {
+            self.history = history;
+        }
+        if let Some(told) = told {
+            self.energy = Some(told.energy);
+            self.reactions = told.reactions;
+            self.profile = Some(told.profile);
+            self.curve = Some(told.curve);
+        }
+        self.ladder = ladder;
+        self.lints.extend(lints);
+        if !error.how.is_empty() {
+            self.error.get_or_insert_default().take(error);
+        }
+        reported
+    }
+
+    /// Takes in the optimal pressure.
+    fn take_pressure(&mut self, found: pressure::Found) {
+        if let Some((status, reason)) = found.ended {
+            (self.status, self.reason) = (status, Some(reason));
+        }
+        self.pressure = Some(found.result);
+        (self.profile, self.curve, self.error) = (found.profile, found.curve, found.error);
+    }
+}
+
+impl ErrorResult {
+    /// Takes in the errors of a later step.
+    fn take(&mut self, later: ErrorResult) {
+        self.gap_relative = later.gap_relative.or(self.gap_relative);
+        self.pressure_relative = later.pressure_relative.or(self.pressure_relative);
+        self.energy_relative = later.energy_relative.or(self.energy_relative);
+        self.twist_relative = later.twist_relative.or(self.twist_relative);
+        self.how = later.how;
+    }
 }

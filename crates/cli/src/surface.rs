@@ -2,18 +2,20 @@
 
 use std::f64::consts::{PI, TAU};
 
+use hpfem::Kinematics;
 use nalgebra::Vector3;
 use wear::{Shape, SlidingMotion, Surface, SurfacePoint};
 
+use crate::couple::Body;
 use crate::fault::Fault;
 use crate::geometry::{Geometry, SurfaceShape};
 use crate::given::{ContactLine, contact_line};
-use crate::scene::{Body, Kinematics, Scene};
+use crate::scene::Sliding;
 use crate::setup::{missing, positive};
 use crate::units::Length;
 
 /// A contact surface known without a mesh.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Patch {
     /// The surface with its sliding motion.
     pub(crate) surface: Surface,
@@ -35,21 +37,37 @@ pub(crate) enum PatchKind {
 }
 
 impl Patch {
-    /// The surface of a scene; none when it takes a mesh to know it.
-    pub(crate) fn of(scene: &Scene) -> Result<Option<Patch>, Fault> {
-        let (shape, kind, centre, key) = match (&scene.surface, &scene.body1, &scene.body2) {
-            (Some(surface), _, _) => bare(surface)?,
-            (None, Some(body1), Some(body2)) => match between(scene, body1, body2)? {
-                Some(found) => found,
-                None => return Ok(None),
-            },
-            _ => return Ok(None),
-        };
-        let motion = motion(scene, kind, &shape, centre)?;
+    /// A surface without bodies.
+    pub(crate) fn bare(surface: &SurfaceShape, sliding: Option<&Sliding>) -> Result<Patch, Fault> {
+        Patch::new(bare(surface)?, sliding, false)
+    }
+
+    /// The surface between two bodies; none when it takes a mesh to know it.
+    pub(crate) fn between(kinematics: Kinematics, bodies: [&Body; 2], sliding: Option<&Sliding>) -> Result<Option<Patch>, Fault> {
+        let found = between(kinematics, bodies)?;
+        found
+            .map(|found| {
+                let backwards = matches!(found.0, Shape::Arc { internal: true, .. });
+                Patch::new(found, sliding, backwards)
+            })
+            .transpose()
+    }
+
+    fn new((shape, kind, centre, key): Found, sliding: Option<&Sliding>, backwards: bool) -> Result<Patch, Fault> {
+        let motion = motion(sliding, kind, &shape, centre)?;
         let surface = Surface::new(shape, motion)
             .map_err(|error| Fault::at(key, "degenerate", error.to_string(), "give a surface with area"))?;
-        let backwards = scene.surface.is_none() && matches!(surface.shape(), Shape::Arc { internal: true, .. });
-        Ok(Some(Patch { surface, kind, backwards }))
+        Ok(Patch { surface, kind, backwards })
+    }
+
+    /// The surface with all sliding speeds multiplied by a factor.
+    pub(crate) fn faster(self, factor: f64) -> Patch {
+        let SlidingMotion { velocity, angular_velocity, about } = *self.surface.motion();
+        let motion = SlidingMotion { velocity: velocity * factor, angular_velocity: angular_velocity * factor, about };
+        match Surface::new(self.surface.shape().clone(), motion) {
+            Ok(surface) => Patch { surface, ..self },
+            Err(_) => self,
+        }
     }
 
     /// `count` points equally spaced in the surface's own coordinate, towards +x.
@@ -90,16 +108,20 @@ impl Patch {
 
 impl Patch {
     /// A flat surface from and to the given x (or radius), where a round body meets a flat one.
-    pub(crate) fn flat(scene: &Scene, x: [f64; 2], z: f64) -> Result<Patch, Fault> {
-        let thickness = scene.thickness.map_or(1.0, |thickness| thickness.0);
-        let (shape, kind) = match scene.kinematics {
-            Some(Kinematics::Axisymmetric) => (Shape::Annulus { radii: x }, PatchKind::Ring),
-            _ => (Shape::Strip { x, z, thickness }, PatchKind::Plane),
+    pub(crate) fn flat(kinematics: Kinematics, x: [f64; 2], z: f64, sliding: Option<&Sliding>) -> Result<Patch, Fault> {
+        let (shape, kind) = match kinematics.is_revolved() {
+            true => (Shape::Annulus { radii: x }, PatchKind::Ring),
+            false => (Shape::Strip { x, z, thickness: thickness(kinematics) }, PatchKind::Plane),
         };
-        let motion = motion(scene, kind, &shape, [0.0, z])?;
-        let surface = Surface::new(shape, motion)
-            .map_err(|error| Fault::at("contact.edges", "degenerate", error.to_string(), "give a surface with area"))?;
-        Ok(Patch { surface, kind, backwards: false })
+        Patch::new((shape, kind, [0.0, z], "contact.edges"), sliding, false)
+    }
+}
+
+/// Thickness of plane bodies (mm); 1 for solids of revolution, which have none.
+fn thickness(kinematics: Kinematics) -> f64 {
+    match kinematics {
+        Kinematics::PlaneStress { thickness } | Kinematics::PlaneStrain { thickness } => thickness,
+        _ => 1.0,
     }
 }
 
@@ -186,17 +208,15 @@ fn same(one: f64, other: f64, scale: f64) -> bool {
     (one - other).abs() <= 1e-9 * scale
 }
 
-fn between(scene: &Scene, first: &Body, second: &Body) -> Result<Option<Found>, Fault> {
-    let Some(edges) = scene.contact.as_ref().and_then(|contact| contact.edges.as_ref()) else {
-        return Ok(None);
-    };
+fn between(kinematics: Kinematics, [first, second]: [&Body; 2]) -> Result<Option<Found>, Fault> {
+    let edges = [&first.contact, &second.contact];
     let (body1, body2) = (&first.geometry, &second.geometry);
-    if [body1, body2].iter().any(|body| matches!(body, Geometry::Blocks(_) | Geometry::Mesh(_))) {
-        let lines = [contact_line("body1", first, &edges[0], true)?, contact_line("body2", second, &edges[1], false)?];
-        return along(scene, lines);
+    if first.cells.is_some() || second.cells.is_some() {
+        let lines = [contact_line(first, true)?, contact_line(second, false)?];
+        return along(kinematics, lines);
     }
-    let axisymmetric = scene.kinematics == Some(Kinematics::Axisymmetric);
-    let thickness = scene.thickness.map_or(1.0, |thickness| thickness.0);
+    let axisymmetric = kinematics.is_revolved();
+    let thickness = thickness(kinematics);
     let key = "contact.edges";
     let arc = |angles: [f64; 2], radius: f64, ring: &crate::geometry::Ring| {
         let centre = ring.centre.map_or([0.0, 0.0], |centre| [centre[0].0, centre[1].0]);
@@ -262,10 +282,10 @@ fn between(scene: &Scene, first: &Body, second: &Body) -> Result<Option<Found>, 
 }
 
 /// The surface of two contact edges of which at least one belongs to a body given by its cells; none of a round body on a flat one.
-fn along(scene: &Scene, lines: [ContactLine; 2]) -> Result<Option<Found>, Fault> {
+fn along(kinematics: Kinematics, lines: [ContactLine; 2]) -> Result<Option<Found>, Fault> {
     let key = "contact.edges";
-    let thickness = scene.thickness.map_or(1.0, |thickness| thickness.0);
-    let revolved = scene.kinematics == Some(Kinematics::Axisymmetric);
+    let thickness = thickness(kinematics);
+    let revolved = kinematics.is_revolved();
     let apart = |message: String, remedy: &str| Err(Fault::at(key, "no-contact", message, remedy));
     let inside = |[from, to]: [f64; 2], [low, high]: [f64; 2]| {
         let near = 1e-9 * (to - from);
@@ -345,8 +365,8 @@ fn along(scene: &Scene, lines: [ContactLine; 2]) -> Result<Option<Found>, Fault>
 }
 
 /// Motion of body 2; zero when the scene has none.
-fn motion(scene: &Scene, kind: PatchKind, shape: &Shape, centre: [f64; 2]) -> Result<SlidingMotion, Fault> {
-    let Some(sliding) = &scene.sliding else {
+fn motion(sliding: Option<&Sliding>, kind: PatchKind, shape: &Shape, centre: [f64; 2]) -> Result<SlidingMotion, Fault> {
+    let Some(sliding) = sliding else {
         return Ok(SlidingMotion::along_x(0.0));
     };
     let (wanted, found, other) = match kind {

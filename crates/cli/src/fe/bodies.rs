@@ -1,15 +1,16 @@
 //! The bodies of a scene as finite element problems of one discretisation.
 
 use hpfem::{
-    Body, BodyProblem, Direction, EdgeTraction, Effort, InterfaceOperator, Kinematics, LoadCase, Material, Mesh, RigidEdge,
+    Additions, Body, BodyProblem, Direction, EdgeTraction, InterfaceOperator, Kinematics, LoadCase, Material, Mesh, RigidEdge,
     Sizes, SpaceKind, Support,
 };
 
+use crate::couple::{self, Couple, LoadedEdge};
+use crate::effort::{Clock, Effort};
 use crate::fault::Fault;
 use crate::fe::template::{AXIS, CONTACT, LOAD};
-use crate::geometry::Geometry;
-use crate::given::given;
-use crate::scene::{self, Component, LoadKind, Scene, Task};
+use crate::plan::Step;
+use crate::scene::{Component, LoadKind};
 
 /// Degree and layers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,31 +19,28 @@ pub(crate) struct Level {
     pub(crate) degree: usize,
     /// Layers around each singular point.
     pub(crate) layers: usize,
+    /// Whether the degree falls by one in every second layer instead of in each, for the bending of thin bodies.
+    pub(crate) slow: bool,
 }
 
 impl Level {
     /// The layers that go with a degree: as many, so that both errors fall together, and the last layer, where the pressure of
     /// a round trip is off by order one, is too small to count. A ring segment bends: its gap is a hundred times that of a block, and in the
     /// smallest cells its last digits are pressure. It has three layers for four degrees, in which the degree falls half as fast.
-    pub(crate) fn of(scene: &Scene, degree: usize) -> Level {
-        Level { degree, layers: if bends(scene) { (3 * degree).div_ceil(4) } else { degree } }
+    pub(crate) fn of(degree: usize, bends: bool) -> Level {
+        Level { degree, layers: if bends { (3 * degree).div_ceil(4) } else { degree }, slow: bends }
     }
 
     /// Degree of a cell in a layer.
-    fn degree_in(self, scene: &Scene, layer: usize) -> usize {
-        let fall = if bends(scene) { layer / 2 } else { layer };
+    fn degree_in(self, layer: usize) -> usize {
+        let fall = if self.slow { layer / 2 } else { layer };
         self.degree.saturating_sub(fall).max(2.min(self.degree))
     }
 }
 
-/// Whether the shape of a thin body 1 is asked for: its gap comes from bending.
-fn bends(scene: &Scene) -> bool {
-    scene.tasks.iter().flatten().any(|task| *task == Task::Shape)
-        && matches!(scene.body1.as_ref().map(|body| &body.geometry), Some(Geometry::RingSegment(_)))
-}
-
 /// Everything a body of one level is made of.
 pub(crate) struct BodyParts {
+    key: &'static str,
     /// The mesh.
     pub(crate) mesh: Mesh,
     degrees: Vec<usize>,
@@ -58,32 +56,20 @@ pub(crate) struct BodyParts {
 /// Load cases of body 1: a load of 1 N, then mean displacement functionals of the load edge along x, z, and in rotation.
 pub(crate) const MEAN_COLUMNS: [usize; 3] = [1, 2, 3];
 
-/// Kinematics of the in-plane (or axisymmetric) problem.
-pub(crate) fn kinematics(scene: &Scene) -> Kinematics {
-    let thickness = scene.thickness.map_or(1.0, |t| t.0);
-    match scene.kinematics {
-        Some(scene::Kinematics::PlaneStrain) => Kinematics::PlaneStrain { thickness },
-        Some(scene::Kinematics::Axisymmetric) => Kinematics::Axisymmetric,
-        _ => Kinematics::PlaneStress { thickness },
-    }
-}
-
 impl BodyParts {
     /// Body 1 (`shaped`) or body 2 on its mesh.
-    pub(crate) fn new(scene: &Scene, shaped: bool, mesh: Mesh, level: Level, kinematics: Kinematics) -> Result<BodyParts, Fault> {
-        let (key, body) = if shaped { ("body1", &scene.body1) } else { ("body2", &scene.body2) };
-        let Some(body) = body else {
-            return Err(Fault::at(key, "missing-key", format!("the key `{key}` is missing"), "describe both bodies"));
-        };
+    pub(crate) fn new(couple: &Couple, shaped: bool, mesh: Mesh, level: Level, kinematics: Kinematics) -> Result<BodyParts, Fault> {
+        let body = &couple.bodies[usize::from(!shaped)];
+        let key = body.key;
         let materials = hpfem_materials(body).map_err(|error| {
             Fault::at(format!("{key}.material"), "wrong-value", error.to_string(), "give young > 0 and poisson below 0.5")
         })?;
-        let degrees = mesh.cells.iter().map(|c| level.degree_in(scene, c.layer)).collect();
-        let rigid = scene.load.as_ref().filter(|load| shaped && load.kind == Some(LoadKind::Rigid));
+        let degrees = mesh.cells.iter().map(|c| level.degree_in(c.layer)).collect();
+        let rigid = Some(&couple.load).filter(|_| shaped && couple.has_rigid_edge());
         let mut supports = Vec::new();
         let mut support_names = Vec::new();
-        for (edge, components) in &body.support {
-            let on_rigid_edge = rigid.is_some_and(|load| load.edge.as_deref() == Some(edge));
+        for (edge, components) in &body.supports {
+            let on_rigid_edge = rigid.is_some_and(|load| load.is(edge));
             for component in components {
                 let direction = match (component, kinematics) {
                     (Component::Phi, Kinematics::Torsion) => Direction::First,
@@ -106,9 +92,9 @@ impl BodyParts {
         let rigid_edge = match (rigid, kinematics) {
             (None, _) | (_, Kinematics::Torsion) => None,
             (Some(load), _) => {
-                let held = load.edge.as_ref().and_then(|edge| body.support.get(edge));
+                let held = body.supports.get(&load.edge);
                 let holds = |component| held.is_some_and(|components| components.contains(&component));
-                let about = load.about.map_or([0.0; 2], |about| about.map(|x| x.0));
+                let about = load.about;
                 let height = mesh.boundary(LOAD).ok().and_then(|edges| edges.first().map(|e| mesh.edges[*e].curve.point(0.0)[1]));
                 let revolved = kinematics.is_revolved();
                 Some(RigidEdge {
@@ -118,16 +104,16 @@ impl BodyParts {
                     free: [
                         !holds(Component::X) && !revolved,
                         !holds(Component::Z),
-                        !revolved && load.tilt.is_none_or(|tilt| tilt.0 != 0.0),
+                        !revolved && !load.level,
                     ],
                 })
             }
         };
         let load_cases = match (shaped, kinematics) {
             (true, Kinematics::Torsion) | (false, _) => Vec::new(),
-            (true, _) => load_cases(scene, &mesh, kinematics, rigid_edge.is_some()),
+            (true, _) => load_cases(&couple.load, &mesh, kinematics, rigid_edge.is_some()),
         };
-        Ok(BodyParts { mesh, degrees, kinematics, materials, supports, support_names, rigid_edge, load_cases })
+        Ok(BodyParts { key, mesh, degrees, kinematics, materials, supports, support_names, rigid_edge, load_cases })
     }
 
     /// The wedge of the body at a vertex of its boundary.
@@ -136,18 +122,23 @@ impl BodyParts {
     }
 
     /// Assembles and reduces the body.
-    pub(crate) fn reduce(&self, key: &str) -> Result<Body<'_>, Fault> {
-        Body::new(self.problem()).map_err(|error| not_held(key, &error))
+    pub(crate) fn reduce(&self, clock: Clock) -> Result<Body<'_>, Fault> {
+        Body::timed(self.problem(), Additions::default(), clock).map_err(|error| self.not_held(&error))
     }
 
     /// Reduces the body to its contact edge, keeping nothing of its inside.
-    pub(crate) fn interface(&self, key: &str) -> Result<(InterfaceOperator, Effort), Fault> {
-        Body::interface(&self.problem()).map_err(|error| not_held(key, &error))
+    pub(crate) fn interface(&self, clock: Clock) -> Result<(InterfaceOperator, hpfem::Effort), Fault> {
+        Body::interface_timed(&self.problem(), clock).map_err(|error| self.not_held(&error))
     }
 
     /// What the reduction takes.
-    pub(crate) fn sizes(&self, key: &str) -> Result<Sizes, Fault> {
-        Body::sizes(&self.problem()).map_err(|error| not_held(key, &error))
+    pub(crate) fn sizes(&self) -> Result<Sizes, Fault> {
+        Body::sizes(&self.problem()).map_err(|error| self.not_held(&error))
+    }
+
+    fn not_held(&self, error: &hpfem::Error) -> Fault {
+        let remedy = "hold it by supports so that only the load's own motions stay free";
+        Fault::at(format!("{}.support", self.key), "not-held", error.to_string(), remedy)
     }
 
     fn problem(&self) -> BodyProblem<'_> {
@@ -165,23 +156,76 @@ impl BodyParts {
     }
 }
 
-fn not_held(key: &str, error: &hpfem::Error) -> Fault {
-    let remedy = "hold it by supports so that only the load's own motions stay free";
-    Fault::at(format!("{key}.support"), "not-held", error.to_string(), remedy)
+/// The two bodies of a level before their reduction.
+pub(super) struct Parts {
+    pub(super) parts: [BodyParts; 2],
+    /// Whether the surfaces face each other across a gap.
+    pub(super) facing: bool,
+}
+
+impl Parts {
+    /// Both bodies on their meshes.
+    pub(super) fn new(couple: &Couple, [first, second]: [Mesh; 2], level: Level, facing: bool) -> Result<Parts, Fault> {
+        Parts::of(couple, [first, second], level, (couple.kinematics, facing))
+    }
+
+    /// The scalar problem of twisting on the same meshes.
+    pub(super) fn torsion(couple: &Couple, [first, second]: [Mesh; 2], level: Level, facing: bool) -> Result<Parts, Fault> {
+        Parts::of(couple, [first, second], level, (Kinematics::Torsion, facing))
+    }
+
+    fn of(
+        couple: &Couple,
+        [first, second]: [Mesh; 2],
+        level: Level,
+        (kinematics, facing): (Kinematics, bool),
+    ) -> Result<Parts, Fault> {
+        let parts = [
+            BodyParts::new(couple, true, first, level, kinematics)?,
+            BodyParts::new(couple, false, second, level, kinematics)?,
+        ];
+        Ok(Parts { parts, facing })
+    }
+
+    /// Assembles and reduces both bodies.
+    pub(super) fn reduce(&self, clock: Clock) -> Result<([Body<'_>; 2], Effort), Fault> {
+        let bodies = [self.parts[0].reduce(clock)?, self.parts[1].reduce(clock)?];
+        let effort = counted([0, 1].map(|k| (&bodies[k].interface, bodies[k].effort)));
+        Ok((bodies, effort))
+    }
+
+    /// Reduces both bodies to their contact surface, keeping nothing of their inside.
+    pub(super) fn interfaces(&self, clock: Clock) -> Result<([InterfaceOperator; 2], Effort), Fault> {
+        let [(first, effort), (second, other)] = [self.parts[0].interface(clock)?, self.parts[1].interface(clock)?];
+        let effort = counted([(&first, effort), (&second, other)]);
+        Ok(([first, second], effort))
+    }
+}
+
+/// The work of reducing both bodies.
+fn counted(bodies: [(&InterfaceOperator, hpfem::Effort); 2]) -> Effort {
+    let total = |f: &dyn Fn(&hpfem::Effort) -> f64| bodies.iter().map(|(_, effort)| f(effort)).sum::<f64>();
+    let mut effort = Effort::default();
+    effort.add_seconds(Step::Assemble, total(&|e| e.assemble));
+    effort.add_seconds(Step::Factor, total(&|e| e.factor));
+    effort.counters.cells = bodies.iter().map(|(_, effort)| effort.cells).sum();
+    effort.counters.dofs = bodies.iter().map(|(_, effort)| effort.unknowns).sum();
+    effort.counters.trace_dofs = bodies.iter().map(|(interface, _)| interface.stiffness.nrows()).sum();
+    effort.counters.factorisations = bodies.len();
+    effort
 }
 
 /// The materials of a body, by the index that its cells have.
-pub(super) fn hpfem_materials(body: &scene::Body) -> Result<Vec<Material>, hpfem::Error> {
-    // Faults of the cells were found before.
-    let given = given("body", body).ok().flatten().map(|given| given.materials);
-    let own = || body.material.into_iter().collect();
-    given.unwrap_or_else(own).into_iter().map(|m| Material::new(m.young.0, m.poisson)).collect()
+pub(super) fn hpfem_materials(body: &couple::Body) -> Result<Vec<Material>, hpfem::Error> {
+    body.materials.iter().map(|m| Material::new(m.young.0, m.poisson)).collect()
 }
 
 /// The load for a force of 1 N, and the mean displacement functionals of the load edge.
-fn load_cases(scene: &Scene, mesh: &Mesh, kinematics: Kinematics, rigid: bool) -> Vec<LoadCase<'static>> {
-    let Some(load) = scene.load.as_ref().filter(|_| !rigid) else { return Vec::new() };
-    let vertical = load.kind == Some(LoadKind::Vertical);
+fn load_cases(load: &LoadedEdge, mesh: &Mesh, kinematics: Kinematics, rigid: bool) -> Vec<LoadCase<'static>> {
+    if rigid {
+        return Vec::new();
+    }
+    let vertical = load.kind == LoadKind::Vertical;
     // Area, projected area, and middle of the loaded edges.
     let (mut area, mut projected, mut middle) = (0.0, 0.0, [0.0; 2]);
     for edge in mesh.boundary(LOAD).unwrap_or_default() {

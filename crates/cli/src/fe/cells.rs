@@ -3,11 +3,11 @@
 
 use hpfem::{Curve, Direction, Mesh, Support};
 
+use crate::couple::{Couple, Strip};
 use crate::fault::Fault;
-use crate::fe::bodies::{hpfem_materials, kinematics};
+use crate::fe::bodies::hpfem_materials;
 use crate::fe::template::{AXIS, CONTACT, Extent, LOAD};
-use crate::given::Given;
-use crate::scene::{Body, Component, Kinematics, LoadKind, Scene};
+use crate::scene::Component;
 
 /// Longest side of a cell over its shortest before it is cut.
 const SLENDER: f64 = 3.0;
@@ -34,10 +34,10 @@ fn degenerate(key: &str, error: &hpfem::Error) -> Fault {
 
 impl Cells {
     /// The cells of a body, cut at the ends of its contact and of its load.
-    pub(super) fn new(scene: &Scene, shaped: bool, body: &Body, given: Given, extent: Extent) -> Result<Cells, Fault> {
-        let key = if shaped { "body1" } else { "body2" };
-        let edge = scene.contact.as_ref().and_then(|c| c.edges.as_ref()).map(|e| e[usize::from(!shaped)].clone());
-        let mut cells = Cells { mesh: given.mesh, singular: Vec::new(), contact: edge.unwrap_or_default(), extent };
+    pub(super) fn new(couple: &Couple, number: usize, mesh: Mesh, extent: Extent) -> Result<Cells, Fault> {
+        let (shaped, body) = (number == 0, &couple.bodies[number]);
+        let key = body.key;
+        let mut cells = Cells { mesh, singular: Vec::new(), contact: body.contact.clone(), extent };
         if let Extent::Round { x, touch, .. } = extent {
             cells.focus(touch, 1.4 * (x[1] - touch).max(touch - x[0])).map_err(|error| degenerate(key, &error))?;
             x.iter().for_each(|end| cells.draw(*end));
@@ -45,11 +45,8 @@ impl Cells {
         cells.cut(&extent.ends())?;
         let touching: Vec<usize> = cells.contact_edges().into_iter().map(|(e, _)| e).collect();
         tag(&mut cells.mesh, &touching, CONTACT);
-        let load = scene.load.as_ref().filter(|_| shaped);
-        if let Some((load, edge)) = load.and_then(|load| load.edge.as_ref().map(|edge| (load, edge))) {
-            let width = load.width.filter(|_| load.kind == Some(LoadKind::Vertical));
-            let centre = load.centre.map_or(0.0, |c| c.0);
-            let strip = width.map(|w| [centre - 0.5 * w.0, centre + 0.5 * w.0]);
+        if shaped {
+            let (edge, strip) = (&couple.load.edge, couple.load.strip.map(Strip::ends));
             for x in strip.into_iter().flatten() {
                 cells.cut_edge_at_x(edge, x).map_err(|error| degenerate(key, &error))?;
             }
@@ -60,12 +57,12 @@ impl Cells {
             let loaded: Vec<usize> = cells.mesh.boundary(edge).unwrap_or_default().into_iter().filter(under).collect();
             tag(&mut cells.mesh, &loaded, LOAD);
         }
-        if scene.kinematics == Some(Kinematics::Axisymmetric) {
+        if couple.is_revolved() {
             let on_axis = |e: &usize| cells.mesh.edges[*e].vertices.iter().all(|v| cells.mesh.vertices[*v][0] == 0.0);
             let axis: Vec<usize> = (0..cells.mesh.edges.len()).filter(on_axis).collect();
             tag(&mut cells.mesh, &axis, AXIS);
         }
-        cells.singular = singular(scene, shaped, body, &cells.mesh, extent).map_err(|error| degenerate(key, &error))?;
+        cells.singular = singular(couple, number, &cells.mesh, extent).map_err(|error| degenerate(key, &error))?;
         cells.cut_slender().map_err(|error| degenerate(key, &error))?;
         Ok(cells)
     }
@@ -350,25 +347,24 @@ fn tag(mesh: &mut Mesh, edges: &[usize], name: &str) {
 }
 
 /// Points where the stress of a body is unbounded or its load jumps.
-fn singular(scene: &Scene, shaped: bool, body: &Body, mesh: &Mesh, extent: Extent) -> Result<Vec<[f64; 2]>, hpfem::Error> {
+fn singular(couple: &Couple, number: usize, mesh: &Mesh, extent: Extent) -> Result<Vec<[f64; 2]>, hpfem::Error> {
+    let body = &couple.bodies[number];
     let support = |boundary: &str, direction| Support { boundary: boundary.to_string(), direction, value: 0.0 };
     let directions = |component: &Component| match component {
         Component::X => Some(Direction::First),
         Component::Z => Some(Direction::Second),
         Component::Phi => None,
     };
-    let held = body.support.iter().flat_map(|(edge, held)| held.iter().filter_map(directions).map(move |d| (edge, d)));
+    let held = body.supports.iter().flat_map(|(edge, held)| held.iter().filter_map(directions).map(move |d| (edge, d)));
     let mut supports: Vec<Support> = held.map(|(edge, direction)| support(edge, direction)).collect();
     // A round body has left the other where the surface that may touch ends.
     let mut loaded = if matches!(extent, Extent::Round { .. }) { vec![] } else { vec![CONTACT] };
-    if let Some(load) = scene.load.as_ref().filter(|_| shaped) {
-        if load.kind == Some(LoadKind::Rigid) {
-            supports.extend([support(LOAD, Direction::First), support(LOAD, Direction::Second)]);
-        } else {
-            loaded.push(LOAD);
-        }
+    if number == 0 && couple.has_rigid_edge() {
+        supports.extend([support(LOAD, Direction::First), support(LOAD, Direction::Second)]);
+    } else if number == 0 {
+        loaded.push(LOAD);
     }
     let materials = hpfem_materials(body)?;
-    let found = hpfem::singular_vertices(mesh, kinematics(scene), &materials, &supports, &loaded)?;
+    let found = hpfem::singular_vertices(mesh, couple.kinematics, &materials, &supports, &loaded)?;
     Ok(found.into_iter().map(|v| mesh.vertices[v.vertex]).collect())
 }

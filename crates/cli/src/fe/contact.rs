@@ -1,31 +1,28 @@
 //! The contact stage: the bodies as given, pressed together and sliding.
 
+use std::ops::ControlFlow;
 use std::sync::Arc;
-use std::time::Instant;
 
 use contact::{ContactOperator, ContactSolution, Pair, Status as ContactStatus};
 
+use crate::effort::Effort;
 use crate::fault::Fault;
+use crate::fe::answer::{Answer, Outcome, Own, Told};
 use crate::fe::bodies::Level;
 use crate::fe::diagnosis::Diagnosis;
 use crate::fe::free_ends::{FreeEnds, inner, pairs, zones};
+use crate::fe::operators::Reduced;
 use crate::fe::recover::{Moment, Reported};
-use crate::fe::rungs::{add_times, rungs};
 use crate::fe::sharp_edges;
-use crate::fe::stage::{Stage, accuracy, fixed_level, ladder, note, rest};
+use crate::fe::stage::Stage;
 use crate::fe::template::{Cut, Extent};
 use crate::fe::torsion;
 use crate::fe::twist::Twist;
 use crate::gap::Gap;
-use crate::profile::Profile;
-use crate::scene::Scene;
-use crate::setup::Problem;
-use crate::solution::{ContactResult, EnergyResult, Solution, Status};
-use crate::solve::{CURVE, Options, Sampling};
-
-/// Degrees after those of the ladder, and how far above the accuracy asked for the estimated error may be to climb on to them.
-const BEYOND: [usize; 2] = [18, 20];
-const NEARLY: f64 = 10.0;
+use crate::ladder::{Climbed, Ladder, Refusal, climb, errors, largest, missed, rungs};
+use crate::plan::Step;
+use crate::solution::{ContactResult, ErrorResult, InterfaceResult, Status};
+use crate::watch::Watch;
 
 /// Relative violation of signs below which a solution with its points held in contact is the contact's.
 const SIGNS_HOLD: f64 = 1e-9;
@@ -34,7 +31,11 @@ const NEAR: f64 = 1e-3;
 
 /// Result of one level.
 pub(super) struct Solved {
-    pub(super) energy: f64,
+    pub(super) level: Level,
+    pub(super) contact: ContactResult,
+    /// Condition of the system, where it is worked out on every level.
+    pub(super) interface: Option<InterfaceResult>,
+    pub(super) told: Told,
     /// At the samples, to compare levels.
     pub(super) pressure: Vec<f64>,
     /// Torque or angle of a twist, to compare levels.
@@ -47,79 +48,51 @@ pub(super) struct Solved {
     pub(super) refused: Option<String>,
     /// For the fields.
     pub(super) reported: Option<Reported>,
-    pub(super) solution: Solution,
+    pub(super) effort: Effort,
 }
 
-/// Solves the contact and fills in the solution.
-pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution) -> Result<Option<Reported>, Fault> {
-    let stage = Stage::new(problem)?;
-    let mut ends = FreeEnds::default();
-    let (mut last, mut diagnosis) = (None, None);
-    let reported = climb(stage.scene(), options, solution, |level| {
-        let solved = solve_level(stage, level, options, &mut ends, &mut diagnosis)?;
-        let statuses = solved.solution.profile.as_ref().map(|profile| &profile.status);
-        last = statuses.and_then(|s| Some((level.layers, [*s.first()? == "contact", *s.last()? == "contact"])));
-        Ok(solved)
-    })?;
-    diagnosis.iter().try_for_each(|diagnosis| diagnosis.report(stage, solution))?;
-    if let Some((layers, closed)) = last {
-        let note = sharp_edges::note(stage, layers, closed)?;
+/// Solves the contact.
+pub(super) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
+    let mut search = Search::default();
+    let ladder = Ladder::of(stage.problem, stage.options).and_beyond(stage.problem);
+    let (mut outcome, effort) = levels(&ladder, watch, |level| solve_level(stage, level, &mut search))?;
+    search.report(stage, &mut outcome)?;
+    if let Some((level, profile)) = search.last.zip(outcome.told.as_ref().map(|told| &told.profile)) {
+        let is_closed = |status: Option<&&'static str>| status.is_some_and(|status| *status == "contact");
+        let closed = [is_closed(profile.status.first()), is_closed(profile.status.last())];
+        let note = sharp_edges::note(stage, level.layers, closed)?;
         // The largest value at a point says nothing about an infinite pressure.
-        if let Some(contact) = solution.contact.as_mut().filter(|_| note.is_some()) {
+        if let Some(contact) = outcome.contact.as_mut().filter(|_| note.is_some()) {
             (contact.p_max_MPa, contact.q_max_MPa) = (None, None);
         }
-        solution.lints.extend(note);
+        outcome.lints.extend(note);
     }
-    Ok(reported)
+    Ok((outcome, effort))
 }
 
-/// Solves level after level until the estimated errors are below the accuracy asked for, and keeps the last one.
-pub(super) fn climb(
-    scene: &Scene,
-    options: Options,
-    solution: &mut Solution,
-    mut solve_level: impl FnMut(Level) -> Result<Solved, Fault>,
-) -> Result<Option<Reported>, Fault> {
-    let fixed = fixed_level(scene).is_some();
-    let mut solved: Vec<Solved> = Vec::new();
-    let mut levels = ladder(scene, options);
-    let last = levels.len();
-    if !fixed {
-        levels.extend(BEYOND.map(|degree| Level::of(scene, degree)));
-    }
-    for (number, level) in levels.iter().copied().enumerate() {
-        // Past the usual degrees only for what is nearly there.
-        if number >= last && estimate(&solved).is_none_or(|e| largest(&e) > NEARLY * accuracy(scene)) {
-            break;
-        }
-        if crate::interrupt::asked() {
-            solution.status = Status::Interrupted;
-            return Ok(None);
-        }
-        solved.push(solve_level(level)?);
-        let refused = solved.last().is_some_and(|s| s.refused.is_some());
-        if refused || (!fixed && estimate(&solved).is_some_and(|e| largest(&e) <= accuracy(scene))) {
-            break;
-        }
-    }
-    let change = |i: usize| relative_difference(&solved[i - 1].pressure, &solved[i].pressure);
-    let estimate = |i: usize| estimate(&solved[..=i]).map(|e| e[1]);
-    solution.ladder = rungs(&levels, solved.len(), "pressure", change, estimate);
-    Ok(finish(accuracy(scene), solved, fixed, solution))
+/// Solves level after level until the estimated errors are below the accuracy asked for, and reports the last one.
+pub(super) fn levels(
+    ladder: &Ladder,
+    watch: &mut Watch<'_>,
+    mut solve_level: impl FnMut(Level) -> Result<Solved, Refusal>,
+) -> Result<(Outcome, Effort), Refusal> {
+    let solve = |level: Level, _: &[Solved], _: &mut Watch<'_>| {
+        let solved = solve_level(level)?;
+        Ok(if solved.refused.is_some() { ControlFlow::Break(Some(solved)) } else { ControlFlow::Continue(solved) })
+    };
+    let Climbed { solved, stopped } = climb((ladder, Step::Contact), Vec::new(), solve, distance, watch)?;
+    let mut effort = Effort::default();
+    solved.iter().for_each(|level| effort += level.effort.clone());
+    Ok((Outcome { stopped, ..finish(ladder, solved) }, effort))
 }
 
-fn largest(errors: &[f64]) -> f64 {
-    errors.iter().copied().fold(0.0, f64::max)
-}
-
-/// Estimated relative errors of the energy, of the pressure (L2 over the inner 95 % of the contact), and of a twist (0 without one).
-fn estimate(solved: &[Solved]) -> Option<[f64; 3]> {
-    let [.., a, b, c] = solved else { return None };
-    let energy = |x: &Solved, y: &Solved| ((x.energy - y.energy) / y.energy).abs();
-    let pressure = |x: &Solved, y: &Solved| relative_difference(&x.pressure, &y.pressure);
-    let twist = |x: &Solved, y: &Solved| x.twist.zip(y.twist).map(|(x, y)| if x == y { 0.0 } else { ((x - y) / y).abs() });
-    let twist = twist(a, b).zip(twist(b, c)).map_or(0.0, |(older, newer)| rest(older, newer));
-    Some([rest(energy(a, b), energy(b, c)), rest(pressure(a, b), pressure(b, c)), twist])
+/// How far two levels are apart: relative differences of the energy, of the pressure (L2 over the inner 95 % of the contact), and of a twist
+/// (0 without one).
+fn distance(x: &Solved, y: &Solved) -> [f64; 3] {
+    let relative = |x: f64, y: f64| if x == y { 0.0 } else { ((x - y) / y).abs() };
+    let [first, second] = [x, y].map(|level| level.told.energy.total());
+    let energy = ((first - second) / second).abs();
+    [energy, relative_difference(&x.pressure, &y.pressure), x.twist.zip(y.twist).map_or(0.0, |(x, y)| relative(x, y))]
 }
 
 /// `|x - y| / |y|` in the Euclidean norm.
@@ -128,158 +101,108 @@ fn relative_difference(x: &[f64], y: &[f64]) -> f64 {
     (square(&|i| x[i] - y[i]) / square(&|i| y[i])).sqrt()
 }
 
-fn finish(accuracy: f64, mut solved: Vec<Solved>, fixed: bool, solution: &mut Solution) -> Option<Reported> {
-    let errors = estimate(&solved);
+fn finish(ladder: &Ladder, mut solved: Vec<Solved>) -> Outcome {
+    let degrees: Vec<usize> = ladder.levels.iter().map(|level| level.degree).collect();
+    let rungs = rungs(&degrees, &solved, ("pressure", 1), distance);
+    let found = errors(&solved, &distance);
     let levels = solved.len();
-    let times: Vec<_> = solved.iter().map(|s| s.solution.times.clone()).collect();
-    let total = |f: &dyn Fn(&Solved) -> usize| solved.iter().map(f).sum::<usize>();
-    let factorisations = total(&|s| s.solution.counters.factorisations);
-    let solves = total(&|s| s.solution.counters.contact_solves);
-    let Solved { solution: last, refused, reported, embedded, unsettled, .. } = solved.pop()?;
-    add_times(&times, &mut solution.times);
-    let checks = solution.counters.check_solves;
-    let before = solution.counters.factorisations;
-    solution.counters = last.counters;
-    solution.counters.factorisations = factorisations + before;
-    solution.counters.contact_solves = solves;
-    solution.counters.check_solves = checks;
-    solution.contact = last.contact;
-    solution.interface = last.interface;
-    solution.energy = last.energy;
-    solution.reactions = last.reactions;
-    solution.profile = last.profile;
-    solution.curve = last.curve;
-    if let Some(reason) = refused {
-        solution.status = Status::Refused;
-        solution.reason = Some(reason);
-        return None;
+    let Some(last) = solved.pop() else { return Outcome::default() };
+    let mut outcome = Outcome { contact: Some(last.contact), interface: last.interface, told: Some(last.told), ladder: rungs, ..Outcome::default() };
+    if let Some(reason) = last.refused {
+        outcome.ended = Some((Status::Refused, reason));
+        return outcome;
     }
-    let Some([energy, pressure, twist]) = errors else {
-        if let (true, Some(embedded)) = (fixed, embedded) {
-            let result = solution.error.get_or_insert_default();
-            result.pressure_relative = Some(embedded);
-            result.how =
-                "pressure of the contact: what its highest degree on each edge adds; energy: not estimated below degree 5".into();
-        }
-        return reported;
+    outcome.reported = last.reported;
+    outcome.error = match found {
+        None => embedded(last.embedded.filter(|_| ladder.is_fixed())),
+        Some([energy, pressure, twist]) => ErrorResult {
+            energy_relative: Some(energy),
+            pressure_relative: Some(pressure),
+            twist_relative: last.twist.map(|_| twist),
+            how: format!("energy and pressure of the contact: rest of the series of {levels} degrees"),
+            ..ErrorResult::default()
+        },
     };
-    let result = solution.error.get_or_insert_default();
-    result.energy_relative = Some(energy);
-    result.pressure_relative = Some(pressure);
-    result.twist_relative = Some(twist).filter(|twist| *twist > 0.0);
-    result.how = format!("energy and pressure of the contact: rest of the series of {levels} degrees");
-    if unsettled {
-        result.how += "; nodes did not settle on the ends of contact, which lie inside elements";
+    let Some(found) = found else { return outcome };
+    if last.unsettled {
+        outcome.error.how += "; nodes did not settle on the ends of contact, which lie inside elements";
     }
-    let worst = largest(&[energy, pressure, twist]);
-    if !fixed && worst > accuracy {
-        solution.status = Status::AccuracyMissed;
-        solution.reason = Some(format!("the contact is accurate to {worst:.1e}, not to the {accuracy:.0e} asked for"));
+    let worst = largest(&found[..if last.twist.is_some() { 3 } else { 2 }]);
+    if let Some(accuracy) = ladder.missed(worst) {
+        outcome.ended = Some((Status::AccuracyMissed, missed("contact", worst, accuracy)));
     }
-    reported
+    outcome
+}
+
+/// The error of a fixed discretisation without coarser ones.
+fn embedded(pressure: Option<f64>) -> ErrorResult {
+    let how = "pressure of the contact: what its highest degree on each edge adds; energy: not estimated below degree 5";
+    match pressure {
+        Some(_) => ErrorResult { pressure_relative: pressure, how: how.into(), ..ErrorResult::default() },
+        None => ErrorResult::default(),
+    }
+}
+
+/// What one level leaves to the next: its ends of contact, and the diagnosis that is made if it is the last.
+#[derive(Default)]
+pub(super) struct Search {
+    ends: FreeEnds,
+    diagnosis: Option<Diagnosis>,
+    last: Option<Level>,
+}
+
+impl Search {
+    /// What the last contact rests on.
+    pub(super) fn report(&self, stage: Stage<'_>, outcome: &mut Outcome) -> Result<(), Fault> {
+        if let Some((diagnosis, contact)) = self.diagnosis.as_ref().zip(outcome.contact.as_mut()) {
+            let (uniqueness, interface) = diagnosis.made(stage)?;
+            contact.uniqueness = uniqueness;
+            outcome.interface = interface;
+        }
+        Ok(())
+    }
+}
+
+/// Bodies of a level, the contact found on them, and its start gap.
+struct Found {
+    reduced: Arc<Reduced>,
+    found: ContactSolution,
+    /// Whether nodes did not settle on the ends of contact.
+    unsettled: bool,
 }
 
 /// Solves a level; where contact ends inside the surface, with element nodes on its ends, from those of the last level.
 /// The diagnosis is left to be made if the level is the last.
-pub(super) fn solve_level(
-    stage: Stage<'_>,
-    level: Level,
-    options: Options,
-    ends: &mut FreeEnds,
-    diagnosis: &mut Option<Diagnosis>,
-) -> Result<Solved, Fault> {
-    let mut solution = Solution::default();
-    let mut trial = None;
-    if ends.places.is_empty() {
-        let (found, length) = on_standing_mesh(stage, level, &mut solution)?;
-        *ends = FreeEnds::of(&found, length);
-        trial = Some(found);
-    }
-    let positioned = if ends.places.is_empty() { None } else { ends.position(stage, level, &mut solution)? };
-    let mut unsettled = false;
-    let (reduced, held) = match positioned {
-        Some(positioned) => {
-            *ends = positioned.ends;
-            positioned.reduced.count(&mut solution.counters);
-            (positioned.reduced, Some(positioned.held))
-        }
-        None => {
-            unsettled = !ends.places.is_empty();
-            *ends = FreeEnds::default();
-            (stage.reduced(level, Cut::Plain, &mut solution)?, None)
-        }
-    };
-    let start = Instant::now();
+pub(super) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -> Result<Solved, Refusal> {
+    let mut effort = Effort::default();
+    let Found { reduced, found, unsettled } = find(stage, level, &mut search.ends, &mut effort)?;
+    let ends = &search.ends;
     let pair = reduced.pair()?;
     let operator = reduced.operator(&pair, stage.friction() > 0.0)?;
-    note(&mut solution, "interface", start);
-    let start = Instant::now();
-    let gap: Vec<f64> = operator.points().iter().map(|p| start_gap(stage, &pair, p.arc)).collect();
-    let load = stage.contact_load(operator.points());
-    let found = match (trial, held) {
-        (Some(found), None) => found,
-        // Every sign is right but for round-off at the ends.
-        (_, Some(mut held)) if held.complementarity < SIGNS_HOLD => {
-            held.pressure.iter_mut().for_each(|p| *p = p.max(0.0));
-            held
+    let gap = start_gaps(stage, &pair, &operator);
+    let (start, length) = (stage.start(&pair), pair.trace().length());
+    let twist = match stage.turned_pair(level, &ends.places)? {
+        Some((reduced, work)) => {
+            effort += work;
+            Twist::new(stage.problem, &reduced.pair()?, &found)?
         }
-        (_, held) => {
-            solution.counters.contact_solves += 1;
-            let near = held.as_ref().filter(|held| held.complementarity < NEAR);
-            operator.solve(&gap, &load, near).map_err(unsolved)?
-        }
+        None => None,
     };
-    note(&mut solution, "contact", start);
-    let states = [Some(&found.shaped), found.counter.as_ref()];
-    let energy = [
-        pair.shaped.strain_energy(&found.shaped),
-        pair.counter.zip(found.counter.as_ref()).map_or(0.0, |(body, state)| body.strain_energy(state)),
-    ];
-    solution.energy = Some(EnergyResult { body1_Nmm: Some(energy[0]), body2_Nmm: Some(energy[1]) });
-    solution.reactions = reduced.reactions(states);
     let mut contact = result(stage, &pair, &operator, &found);
     if !ends.places.is_empty() {
-        contact.ends_mm = ends.arcs(pair.trace().length()).iter().map(|arc| stage.start(&pair) + arc).collect();
+        contact.ends_mm = ends.arcs(length).iter().map(|arc| start + arc).collect();
     }
-    let start = stage.start(&pair);
-    let twist = match stage.turned_pair(level, &ends.places, &mut solution)? {
-        Some(reduced) => Twist::new(stage.scene(), &reduced.pair()?, &found)?,
-        None => None,
-    };
     twist.iter().for_each(|twist| twist.report(&mut contact, start));
-    let embedded = match stage.fixed_level() {
-        Some(_) => operator.embedded_difference(&gap, &load, &found).map_err(unsolved)?,
+    let embedded = match stage.problem.wanted.fixed {
+        Some(_) => operator.embedded_difference(&gap, &stage.contact_load(operator.points()), &found).map_err(unsolved)?,
         None => None,
     };
-    solution.contact = Some(contact);
-    let length = pair.trace().length();
     let zones = if ends.places.is_empty() { zones(&found, length) } else { pairs(&ends.arcs(length)) };
     let pressure = inner(&zones, length).iter().map(|arc| pressure_at(&pair, &operator, &found.pressure, *arc)).collect();
-    let own = stage.profile(&pair, operator.points(), &found.pressure, states);
-    let sampled = |sampling: Sampling<'_>| -> Profile {
-        let points = stage.sample(&pair, sampling);
-        let pressure: Vec<f64> = points.iter().map(|p| pressure_at(&pair, &operator, &found.pressure, p.arc)).collect();
-        let mut profile = stage.profile(&pair, &points, &pressure, states);
-        let arcs: Vec<f64> = operator.points().iter().map(|p| p.arc).collect();
-        for (row, point) in points.iter().enumerate() {
-            profile.gap[row] = 1e3 * start_gap(stage, &pair, point.arc);
-            profile.opening[row] = 1e3 * linear(&arcs, &found.opening, point.arc).max(0.0);
-        }
-        profile
-    };
-    let mut profile = match options.sample {
-        Some(sampling) => sampled(sampling),
-        None => own,
-    };
-    if options.sample.is_none() {
-        profile.gap = gap.iter().map(|g| 1e3 * g).collect();
-        profile.opening = found.opening.iter().map(|g| 1e3 * g).collect();
-        profile.status = found.closed.iter().map(|closed| if *closed { "contact" } else { "open" }).collect();
+    let mut told = told(stage, &reduced, (&pair, &operator), (&gap, &found));
+    if let Some(twist) = &twist {
+        [&mut told.profile, &mut told.curve].into_iter().for_each(|profile| twist.fill(&operator, profile, start));
     }
-    let mut curve = sampled(CURVE);
-    twist.iter().for_each(|twist| [&mut profile, &mut curve].into_iter().for_each(|p| twist.fill(&operator, p, start)));
-    solution.profile = Some(profile);
-    solution.curve = Some(curve);
     let refused = (!found.status.is_solved() || found.status == ContactStatus::NoContact).then(|| found.status.to_string());
     let refused = refused.or_else(|| twist.as_ref().and_then(|twist| twist.refused.clone()));
     let reported = found.counter.clone().map(|counter| {
@@ -291,34 +214,110 @@ pub(super) fn solve_level(
         Reported { level, ends: ends.places.clone(), moments: vec![Moment { time_s: 0.0, name: "", states, around }] }
     });
     let twist = twist.map(|twist| twist.answer);
-    *diagnosis = Some(Diagnosis { reduced: Arc::clone(&reduced), found });
-    Ok(Solved { energy: energy[0] + energy[1], pressure, twist, embedded, unsettled, refused, reported, solution })
+    search.last = Some(level);
+    search.diagnosis = Some(Diagnosis { reduced: Arc::clone(&reduced), found });
+    Ok(Solved { level, contact, interface: None, told, pressure, twist, embedded, unsettled, refused, reported, effort })
+}
+
+/// Energies, reactions and columns of a solved contact.
+fn told(
+    stage: Stage<'_>,
+    reduced: &Reduced,
+    (pair, operator): (&Pair<'_>, &ContactOperator<'_>),
+    (gap, found): (&[f64], &ContactSolution),
+) -> Told {
+    let arcs: Vec<f64> = operator.points().iter().map(|p| p.arc).collect();
+    let between = |point: &contact::ContactPoint| {
+        let pressure = pressure_at(pair, operator, &found.pressure, point.arc);
+        [pressure, start_gap(stage, pair, point.arc), linear(&arcs, &found.opening, point.arc).max(0.0)]
+    };
+    let own = Own {
+        points: operator.points(),
+        pressure: &found.pressure,
+        gap,
+        opening: &found.opening,
+        closed: Some(&found.closed),
+    };
+    let states = [Some(&found.shaped), found.counter.as_ref()];
+    Answer { stage, reduced, pair, states, own, between: &between }.told()
+}
+
+/// Positions nodes on the ends of contact, if there are any inside the surface, and solves.
+fn find(stage: Stage<'_>, level: Level, ends: &mut FreeEnds, effort: &mut Effort) -> Result<Found, Fault> {
+    let mut trial = None;
+    if ends.places.is_empty() {
+        let (found, length, work) = on_standing_mesh(stage, level)?;
+        *effort += work;
+        *ends = FreeEnds::of(&found, length);
+        trial = Some(found);
+    }
+    let positioned = if ends.places.is_empty() { None } else { ends.position(stage, level, effort)? };
+    let mut unsettled = false;
+    let (reduced, held) = match positioned {
+        Some(positioned) => {
+            *ends = positioned.ends;
+            *effort += positioned.reduced.sizes();
+            (positioned.reduced, Some(positioned.held))
+        }
+        None => {
+            unsettled = !ends.places.is_empty();
+            *ends = FreeEnds::default();
+            let (reduced, work) = stage.reduced(level, Cut::Plain)?;
+            *effort += work;
+            (reduced, None)
+        }
+    };
+    let pair = reduced.pair()?;
+    let operator = effort.timed(Step::Interface, stage.clock(), |_| reduced.operator(&pair, stage.friction() > 0.0))?;
+    let found = effort.timed(Step::Contact, stage.clock(), |effort| match (trial, held) {
+        (Some(found), None) => Ok(found),
+        // Every sign is right but for round-off at the ends.
+        (_, Some(mut held)) if held.complementarity < SIGNS_HOLD => {
+            held.pressure.iter_mut().for_each(|p| *p = p.max(0.0));
+            Ok(held)
+        }
+        (_, held) => {
+            effort.counters.contact_solves += 1;
+            let near = held.as_ref().filter(|held| held.complementarity < NEAR);
+            let gap = start_gaps(stage, &pair, &operator);
+            operator.solve(&gap, &stage.contact_load(operator.points()), near).map_err(unsolved)
+        }
+    })?;
+    drop(operator);
+    Ok(Found { reduced, found, unsettled })
 }
 
 /// The contact on the standing mesh of a level, and the length of its surface.
-pub(super) fn on_standing_mesh(stage: Stage<'_>, level: Level, solution: &mut Solution) -> Result<(ContactSolution, f64), Fault> {
-    let reduced = stage.reduced(level, Cut::Plain, solution)?;
+pub(super) fn on_standing_mesh(stage: Stage<'_>, level: Level) -> Result<(ContactSolution, f64, Effort), Fault> {
+    let (reduced, mut effort) = stage.reduced(level, Cut::Plain)?;
     let pair = reduced.pair()?;
-    let operator = reduced.operator(&pair, stage.friction() > 0.0)?;
-    let gap: Vec<f64> = operator.points().iter().map(|p| start_gap(stage, &pair, p.arc)).collect();
-    solution.counters.contact_solves += 1;
-    let found = operator.solve(&gap, &stage.contact_load(operator.points()), None).map_err(unsolved)?;
-    Ok((found, pair.trace().length()))
+    let operator = effort.timed(Step::Interface, stage.clock(), |_| reduced.operator(&pair, stage.friction() > 0.0))?;
+    let gap = start_gaps(stage, &pair, &operator);
+    effort.counters.contact_solves += 1;
+    let found = effort.timed(Step::Contact, stage.clock(), |_| {
+        operator.solve(&gap, &stage.contact_load(operator.points()), None).map_err(unsolved)
+    })?;
+    Ok((found, pair.trace().length(), effort))
 }
 
 pub(super) fn unsolved(error: contact::Error) -> Fault {
     Fault::at("contact", "no-contact", error.to_string(), "check the contact and its load")
 }
 
-/// The start gap of the scene at an arc length.
+/// The start gaps of the problem at the contact points.
+pub(super) fn start_gaps(stage: Stage<'_>, pair: &Pair<'_>, operator: &ContactOperator<'_>) -> Vec<f64> {
+    operator.points().iter().map(|p| start_gap(stage, pair, p.arc)).collect()
+}
+
+/// The start gap of the problem at an arc length.
 pub(super) fn start_gap(stage: Stage<'_>, pair: &Pair<'_>, arc: f64) -> f64 {
     gap_at(stage, stage.start(pair) + arc)
 }
 
-/// The start gap of the scene at a surface coordinate.
+/// The start gap of the problem at a surface coordinate.
 pub(super) fn gap_at(stage: Stage<'_>, s: f64) -> f64 {
-    let given = match stage.scene().contact.as_ref().and_then(|c| c.gap.as_ref()) {
-        Some(Gap::Profile { s: known, gap }) => linear(known, gap, s) * 1e-3,
+    let given = match &stage.problem.gap {
+        Gap::Profile { s: known, gap } => linear(known, gap, s) * 1e-3,
         _ => 0.0,
     };
     match stage.extent {
@@ -348,7 +347,7 @@ pub(super) fn linear(points: &[f64], values: &[f64], s: f64) -> f64 {
 
 fn result(stage: Stage<'_>, pair: &Pair<'_>, operator: &ContactOperator<'_>, found: &ContactSolution) -> ContactResult {
     let start = stage.start(pair);
-    let about = stage.scene().load.as_ref().and_then(|l| l.about).map_or(0.0, |about| about[0].0);
+    let about = stage.about();
     let points = operator.points();
     let moment =
         points.iter().zip(&found.nodal_force).map(|(p, force)| (p.position[0] - about) * force * p.normal[1]).sum::<f64>();

@@ -5,10 +5,10 @@ use contact::{ContactLoad, ContactOperator, ContactSolution};
 use std::sync::Arc;
 
 use crate::fault::Fault;
-use crate::fe::contact::{start_gap, unsolved};
+use crate::fe::contact::{start_gaps, unsolved};
 use crate::fe::operators::Reduced;
 use crate::fe::stage::Stage;
-use crate::solution::{InterfaceResult, Solution, UniquenessResult};
+use crate::solution::{InterfaceResult, UniquenessResult};
 
 /// Difference of pressures, over the largest, above which they are two solutions.
 const APART: f64 = 1e-6;
@@ -20,16 +20,14 @@ pub(super) struct Diagnosis {
 }
 
 impl Diagnosis {
-    /// Condition and uniqueness, into the solution.
-    pub(super) fn report(&self, stage: Stage<'_>, solution: &mut Solution) -> Result<(), Fault> {
-        let Some(contact) = &mut solution.contact else { return Ok(()) };
+    /// Uniqueness, and the condition of the system.
+    pub(super) fn made(&self, stage: Stage<'_>) -> Result<(Option<UniquenessResult>, Option<InterfaceResult>), Fault> {
         let pair = self.reduced.pair()?;
         let operator = self.reduced.operator(&pair, stage.friction() > 0.0)?;
-        let gap: Vec<f64> = operator.points().iter().map(|p| start_gap(stage, &pair, p.arc)).collect();
+        let gap = start_gaps(stage, &pair, &operator);
         let load = stage.contact_load(operator.points());
-        contact.uniqueness = uniqueness(&operator, &gap, &load, &self.found)?;
-        solution.interface = interface(&operator, &gap, &load, &self.found)?;
-        Ok(())
+        let uniqueness = uniqueness(&operator, &gap, &load, &self.found)?;
+        Ok((uniqueness, interface(&operator, &gap, &load, &self.found)?))
     }
 }
 

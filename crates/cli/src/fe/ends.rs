@@ -3,80 +3,67 @@
 //! Conditions stand on the flat side: normal along z, gap `R - sqrt(R^2 - x^2)`. First the normal load is applied without friction, then
 //! the shear force with Coulomb friction (Cattaneo 1938, Mindlin 1949). The formulas of Hertz give the trial ends only.
 
-use std::time::Instant;
-
 use contact::{
     ContactLoad, ContactOperator, ContactPoint, ContactSolution, ContactState, Friction, Motion, Pair, Start,
     Status as ContactStatus, position_nodes,
 };
-use hpfem::{Body, Kinematics};
+use hpfem::{Body, InterfaceState, Mesh};
 
+use crate::couple::Couple;
+use crate::effort::Effort;
 use crate::fault::Fault;
-use crate::fe::bodies::{BodyParts, Level, kinematics};
-use crate::fe::contact::{Solved, climb, unsolved};
-use crate::fe::diagnosis;
+use crate::fe::answer::{Outcome, Told};
+use crate::fe::bodies::{Level, Parts};
+use crate::fe::contact::{Solved, levels, unsolved};
 use crate::fe::ends_profile::Rows;
-use crate::fe::half_disc::Couple;
+use crate::fe::half_disc::HalfDiscOnFlat;
 use crate::fe::hertz_trial::hertz_end;
-use crate::fe::recover::{self, Moment, Reported};
-use crate::fe::stage::{Parts, note};
+use crate::fe::recover::{Moment, Reported};
 use crate::fe::torsion;
 use crate::fe::twist::Twist;
-use crate::scene::Scene;
-use crate::setup::{Problem, turns};
-use crate::solution::{EnergyResult, Solution, Status};
-use crate::solve::{CURVE, Options};
+use crate::fe::{diagnosis, operators};
+use crate::ladder::{Ladder, Refusal};
+use crate::options::{CURVE, Options};
+use crate::plan::Step;
+use crate::problem::Problem;
+use crate::solution::{ContactResult, EnergyResult, Reaction};
+use crate::watch::Watch;
 
 /// Samples of the pressure for the comparison of levels, over the inner 95 % of the contact.
 const SAMPLES: usize = 191;
 /// Accuracy of the ends relative to the length of contact, of contact alone and with the ends of stick, whose residual is less smooth.
 const TOLERANCES: [f64; 2] = [1e-10, 1e-8];
-/// Kind of fault of a contact that does not fit the bodies.
-const TOO_LONG: &str = "contact-too-long";
 
-/// A scene of two such bodies.
+/// Two such bodies under their load.
 pub(super) struct Setting<'a> {
-    pub(super) scene: &'a Scene,
+    pub(super) problem: &'a Problem,
     pub(super) couple: &'a Couple,
+    pub(super) disc: HalfDiscOnFlat,
+    pub(super) options: &'a Options<'a>,
     /// Coefficient of friction, and the shear force on body 1 along x.
     pub(super) friction: f64,
     pub(super) shear: f64,
 }
 
-/// Solves the contact and fills in the solution.
-pub(super) fn solve(problem: &Problem, couple: &Couple, options: Options, solution: &mut Solution) -> Result<(), Fault> {
-    let setting = Setting::new(&problem.scene, couple);
-    let done = setting.trial().and_then(|mut nodes| {
-        let (mut stick, mut sought) = (None, setting.shear != 0.0);
-        let reported = climb(&problem.scene, options, solution, |level| {
-            let mut work = Solution::default();
-            let mut found = setting.position(level, &nodes, stick, sought, &mut work)?;
-            // Where stick does not end alike on both sides no one place is its end: only the contact's own end is sought from then on.
-            if found.is_none() && sought {
-                sought = false;
-                found = setting.position(level, &nodes, stick, sought, &mut work)?;
-            }
-            nodes = found.ok_or_else(|| unsettled(&nodes))?;
-            let solved = setting.result(level, &nodes, sought, options, work)?;
-            stick = Twist::node(solved.solution.contact.as_ref());
-            Ok(solved)
-        })?;
-        Ok((reported, nodes))
-    });
-    match done {
-        Ok((Some(reported), nodes)) if problem.plan.runs("field recovery") => {
-            crate::solve::timed(solution, "field recovery", |solution| {
-                recover::recover_ends(&setting, &reported, &nodes, solution)
-            })
+/// Solves the contact; the nodes on the ends of the last level are left for the fields.
+pub(super) fn solve(setting: &Setting<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort, Vec<f64>), Refusal> {
+    let mut nodes = setting.trial()?;
+    let (mut stick, mut sought) = (None, setting.shear != 0.0);
+    let ladder = Ladder::of(setting.problem, setting.options).and_beyond(setting.problem);
+    let (outcome, effort) = levels(&ladder, watch, |level| {
+        let mut work = Effort::default();
+        let mut found = setting.position(level, (&nodes, stick), sought, &mut work)?;
+        // Where stick does not end alike on both sides no one place is its end: only the contact's own end is sought from then on.
+        if found.is_none() && sought {
+            sought = false;
+            found = setting.position(level, (&nodes, stick), sought, &mut work)?;
         }
-        Ok(_) => Ok(()),
-        Err(fault) if fault.code == TOO_LONG => {
-            solution.status = Status::Refused;
-            solution.reason = Some(fault.message);
-            Ok(())
-        }
-        Err(fault) => Err(fault),
-    }
+        nodes = found.ok_or_else(|| unsettled(&nodes))?;
+        let solved = setting.result(level, &nodes, sought, work)?;
+        stick = Twist::node(&solved.contact);
+        Ok(solved)
+    })?;
+    Ok((outcome, effort, nodes))
 }
 
 /// Both load steps on the bodies of one mesh.
@@ -87,86 +74,82 @@ struct Steps {
 }
 
 impl<'a> Setting<'a> {
-    pub(super) fn new(scene: &'a Scene, couple: &'a Couple) -> Setting<'a> {
-        let contact = scene.contact.as_ref().filter(|contact| contact.shear.unwrap_or(true));
-        let friction = contact.and_then(|contact| contact.friction).unwrap_or(0.0);
-        let shear = scene.load.as_ref().and_then(|load| load.shear_force).map_or(0.0, |force| force.0);
-        Setting { scene, couple, friction, shear }
+    pub(super) fn new(problem: &'a Problem, couple: &'a Couple, disc: HalfDiscOnFlat, options: &'a Options<'a>) -> Setting<'a> {
+        Setting { problem, couple, disc, options, friction: problem.friction.shear(), shear: problem.load.shear_force }
     }
 
     pub(super) fn revolved(&self) -> bool {
-        kinematics(self.scene).is_revolved()
+        self.couple.is_revolved()
     }
 
     /// How often the meshed part is contained in the scene.
     pub(super) fn copies(&self) -> f64 {
-        if self.couple.whole || self.revolved() { 1.0 } else { 2.0 }
+        if self.disc.whole || self.revolved() { 1.0 } else { 2.0 }
     }
 
     fn force(&self) -> f64 {
-        self.scene.load.as_ref().and_then(|load| load.force).map_or(0.0, |force| force.0)
+        self.problem.load.force.unwrap_or(0.0)
     }
 
     /// Trial ends between half-planes or half-spaces (Johnson 1985, sec. 4.2, 7.2): of contact, and before it of stick.
-    pub(super) fn trial(&self) -> Result<Vec<f64>, Fault> {
-        let materials =
-            [&self.scene.body1, &self.scene.body2].map(|body| body.iter().filter_map(|b| b.material).collect::<Vec<_>>());
-        let load = self.scene.load.clone().unwrap_or_default();
-        let approach = load.approach.map(|a| a.0);
-        let force = self.force();
-        let end = hertz_end(self.couple.radius, [&materials[0], &materials[1]], &load, kinematics(self.scene));
+    pub(super) fn trial(&self) -> Result<Vec<f64>, Refusal> {
+        let approach = self.problem.load.approach;
+        let end = hertz_end(self.disc.radius, self.couple, &self.problem.load);
         if end <= 0.0 || end.is_nan() {
             let message = format!("an approach of {} mm does not press body 1 on body 2", approach.unwrap_or(0.0));
-            return Err(Fault::at("load.approach", "wrong-value", message, "give an approach greater than 0"));
+            return Err(Fault::at("load.approach", "wrong-value", message, "give an approach greater than 0").into());
         }
         if self.shear == 0.0 {
             return Ok(vec![end]);
         }
-        let carried = self.shear.abs() / (self.friction * force);
+        let most = self.friction * self.force();
+        let carried = self.shear.abs() / most;
         if approach.is_none() && carried >= 1.0 {
-            let message =
-                format!("the shear force {} N is more than friction carries, {} N", self.shear.abs(), self.friction * force);
-            return Err(Fault::at("load.shear_force", TOO_LONG, message, "give a smaller shear force"));
+            return Err(Refusal::Reason(format!(
+                "the shear force {} N is more than friction carries, {most} N",
+                self.shear.abs()
+            )));
         }
         let stick = (1.0 - carried.min(0.9)).sqrt();
         Ok(vec![stick * end, end])
     }
 
     /// Bodies with element nodes on the given ends.
-    pub(super) fn parts(&self, level: Level, nodes: &[f64], work: &mut Solution) -> Result<Parts, Fault> {
-        self.parts_in(level, nodes, kinematics(self.scene), work)
+    pub(super) fn parts(&self, level: Level, nodes: &[f64]) -> Result<(Parts, Effort), Refusal> {
+        self.on_meshes(level, nodes, Parts::new)
     }
 
-    fn parts_in(&self, level: Level, nodes: &[f64], kinematics: Kinematics, work: &mut Solution) -> Result<Parts, Fault> {
-        let start = Instant::now();
-        let (end, longest) = (nodes[nodes.len() - 1], self.couple.longest());
+    fn on_meshes(
+        &self,
+        level: Level,
+        nodes: &[f64],
+        make: fn(&Couple, [Mesh; 2], Level, bool) -> Result<Parts, Fault>,
+    ) -> Result<(Parts, Effort), Refusal> {
+        let (end, longest) = (nodes[nodes.len() - 1], self.disc.longest());
         if nodes.len() > 1 && nodes[0] <= 0.0 {
-            let message = "the zone of stick shrinks to nothing: friction hardly carries the shear force";
-            return Err(Fault::at("load.shear_force", TOO_LONG, message, "give a smaller shear force"));
+            let reason = "the zone of stick shrinks to nothing: friction hardly carries the shear force";
+            return Err(Refusal::Reason(reason.into()));
         }
         if end.is_nan() || end > longest || end <= 0.0 {
-            let message =
-                format!("the contact reaches {end:.4} mm from the middle, over the {longest:.4} mm that the bodies allow");
-            return Err(Fault::at("load.force", TOO_LONG, message, "press less, or make the bodies larger"));
+            return Err(Refusal::Reason(format!(
+                "the contact reaches {end:.4} mm from the middle, over the {longest:.4} mm that the bodies allow"
+            )));
         }
-        let [disc, block] = self.couple.meshes(nodes, level.layers.div_ceil(2))?;
-        let parts = [
-            BodyParts::new(self.scene, true, disc, level, kinematics)?,
-            BodyParts::new(self.scene, false, block, level, kinematics)?,
-        ];
-        note(work, "mesh", start);
-        Ok(Parts { parts, facing: true })
+        let mut effort = Effort::default();
+        let parts = effort.timed(Step::Mesh, self.options.clock, |_| {
+            make(self.couple, self.disc.meshes(nodes, level.layers.div_ceil(2))?, level, true)
+        })?;
+        Ok((parts, effort))
     }
 
     /// The load before any shear.
     fn press(&self) -> ContactLoad {
-        let load = self.scene.load.clone().unwrap_or_default();
-        let rigid = load.kind == Some(crate::scene::LoadKind::Rigid);
+        let rigid = self.couple.has_rigid_edge();
         let cases = if rigid { vec![] } else { vec![self.force() / self.copies(), 0.0, 0.0, 0.0] };
         let mut press = ContactLoad::factors(&cases, &[]);
         if rigid {
-            press.motions[1] = match load.approach {
-                Some(approach) => Motion::Prescribed { value: -approach.0 },
+            press.motions[1] = match self.problem.load.approach {
+                Some(approach) => Motion::Prescribed { value: -approach },
                 None => Motion::Free { resultant: -self.force() / self.copies() },
             };
         }
@@ -183,7 +166,7 @@ impl<'a> Setting<'a> {
 
     /// Distance from the middle, or radius, of a point.
     pub(super) fn distance(&self, point: &ContactPoint) -> f64 {
-        (point.position[0] - self.couple.middle).abs()
+        (point.position[0] - self.disc.middle).abs()
     }
 
     /// States of the points between given ends of stick and contact.
@@ -205,11 +188,10 @@ impl<'a> Setting<'a> {
     fn position(
         &self,
         level: Level,
-        start: &[f64],
-        stick: Option<f64>,
+        (start, stick): (&[f64], Option<f64>),
         sought: bool,
-        work: &mut Solution,
-    ) -> Result<Option<Vec<f64>>, Fault> {
+        work: &mut Effort,
+    ) -> Result<Option<Vec<f64>>, Refusal> {
         let end = start[start.len() - 1];
         let moving = if sought { start } else { &start[start.len() - 1..] };
         let part = (self.shear != 0.0 && !sought).then(|| start[0] / end);
@@ -219,13 +201,15 @@ impl<'a> Setting<'a> {
             let kept = part.map(|part| part * moving[0]);
             stick.into_iter().chain(kept).chain(moving.iter().copied()).collect::<Vec<f64>>()
         };
-        let nodes = position_nodes(start, |moving| -> Result<_, Fault> {
+        let nodes = position_nodes(start, |moving| -> Result<_, Refusal> {
             let nodes = &with_stick(moving);
-            let parts = self.parts(level, nodes, work)?;
-            let bodies = parts.reduce(work)?;
+            let (parts, effort) = self.parts(level, nodes)?;
+            let (bodies, reduced) = parts.reduce(self.options.clock)?;
+            *work += effort;
+            *work += reduced;
             let steps = self.held_steps(&bodies, nodes, sought, work)?;
             let at = |x: f64| {
-                let far = |i: &usize| (steps.points[*i].position[0] - self.couple.middle - x).abs();
+                let far = |i: &usize| (steps.points[*i].position[0] - self.disc.middle - x).abs();
                 (0..steps.points.len()).min_by(|i, j| far(i).total_cmp(&far(j))).unwrap_or(0)
             };
             let end = steps.pressed.pressure[at(nodes[nodes.len() - 1])];
@@ -245,14 +229,13 @@ impl<'a> Setting<'a> {
     }
 
     /// Both load steps, or the first alone, with the states of all points given by the ends.
-    fn held_steps(&self, bodies: &[Body<'_>; 2], nodes: &[f64], both: bool, work: &mut Solution) -> Result<Steps, Fault> {
-        let start = Instant::now();
+    fn held_steps(&self, bodies: &[Body<'_>; 2], nodes: &[f64], both: bool, work: &mut Effort) -> Result<Steps, Fault> {
+        let clock = self.options.clock;
         let pair = facing(bodies)?;
-        let operator = self.operator(&pair)?;
-        note(work, "interface", start);
-        let start = Instant::now();
+        let operator = work.timed(Step::Interface, clock, |_| self.operator(&pair))?;
+        let start = clock();
         let points = operator.points().to_vec();
-        let gap: Vec<f64> = points.iter().map(|p| self.couple.gap(p.position[0])).collect();
+        let gap: Vec<f64> = points.iter().map(|p| self.disc.gap(p.position[0])).collect();
         let states = self.states(&points, nodes);
         let closed: Vec<bool> = states.iter().map(|s| *s != ContactState::Open).collect();
         let pressed = operator.solve_on(&gap, &self.press(), &closed).and_then(solvable).map_err(unsolved)?;
@@ -263,7 +246,7 @@ impl<'a> Setting<'a> {
             Some(operator.solve_states(&gap, &load, &states).and_then(solvable).map_err(unsolved)?)
         };
         work.counters.contact_solves += 1 + usize::from(sheared.is_some());
-        note(work, "contact", start);
+        work.add_seconds(Step::Contact, clock() - start);
         Ok(Steps { points, pressed, sheared })
     }
 
@@ -273,64 +256,34 @@ impl<'a> Setting<'a> {
     }
 
     /// The contact with its conditions of sign on the positioned mesh, and everything that is reported.
-    fn result(&self, level: Level, nodes: &[f64], sought: bool, options: Options, mut work: Solution) -> Result<Solved, Fault> {
-        let parts = self.parts(level, nodes, &mut work)?;
-        let bodies = parts.reduce(&mut work)?;
-        let held = self.held_steps(&bodies, nodes, sought, &mut work)?;
+    fn result(&self, level: Level, nodes: &[f64], sought: bool, mut effort: Effort) -> Result<Solved, Refusal> {
+        let (parts, work) = self.parts(level, nodes)?;
+        let (bodies, reduced) = parts.reduce(self.options.clock)?;
+        effort += work;
+        effort += reduced;
+        let held = self.held_steps(&bodies, nodes, sought, &mut effort)?;
         let pair = facing(&bodies)?;
         let operator = self.operator(&pair)?;
-        let start = Instant::now();
-        let gap: Vec<f64> = held.points.iter().map(|p| self.couple.gap(p.position[0])).collect();
-        let pressed = operator.solve(&gap, &self.press(), Some(&held.pressed)).map_err(unsolved)?;
-        let (found, load) = if self.shear == 0.0 {
-            (pressed, self.press())
-        } else {
-            let push = self.push(&pressed.slip);
-            (operator.solve(&gap, &push, held.sheared.as_ref()).map_err(unsolved)?, push)
-        };
+        let gap: Vec<f64> = held.points.iter().map(|p| self.disc.gap(p.position[0])).collect();
+        let start = (self.options.clock)();
+        let (found, load) = self.solved(&operator, &gap, &held)?;
         let embedded = operator.embedded_difference(&gap, &load, &found).map_err(unsolved)?;
-        work.interface = diagnosis::interface(&operator, &gap, &load, &found)?;
-        work.counters.contact_solves += 1 + usize::from(self.shear != 0.0);
-        note(&mut work, "contact", start);
-        let copies = self.copies();
-        let states = [Some(&found.shaped), found.counter.as_ref()];
-        let energy = [0, 1].map(|body| {
-            let operator = [Some(pair.shaped), pair.counter][body];
-            copies * operator.zip(states[body]).map_or(0.0, |(operator, state)| operator.strain_energy(state))
-        });
-        work.energy = Some(EnergyResult { body1_Nmm: Some(energy[0]), body2_Nmm: Some(energy[1]) });
-        work.reactions = parts.reactions(&bodies, states);
-        if copies > 1.0 {
-            for (_, reaction) in &mut work.reactions {
-                let z = reaction.z_N.map(|z| copies * z);
-                reaction.x_N = Some(0.0);
-                reaction.moment_Nmm = z.map(|z| self.couple.middle * z);
-                reaction.z_N = z;
-            }
-        }
-        let turned = match turns(self.scene).is_empty() {
-            true => None,
-            false => Some(self.parts_in(level, nodes, Kinematics::Torsion, &mut work)?),
-        };
-        let turned = turned.as_ref().map(|parts| parts.reduce(&mut work)).transpose()?;
-        let turned = turned.as_ref().map(facing).transpose()?;
-        let twist = turned.as_ref().map(|pair| Twist::new(self.scene, pair, &found)).transpose()?.flatten();
+        let interface = diagnosis::interface(&operator, &gap, &load, &found)?;
+        effort.counters.contact_solves += 1 + usize::from(self.shear != 0.0);
+        effort.add_seconds(Step::Contact, (self.options.clock)() - start);
         let rows = Rows { setting: self, pair: &pair, operator: &operator, found: &found, gap: &gap, nodes, stick_node: sought };
         let end = nodes[nodes.len() - 1];
         let pressure = (0..SAMPLES).map(|i| rows.pressure_at(0.95 * end * i as f64 / (SAMPLES - 1) as f64)).collect();
         let mut contact = rows.contact_result();
-        let mut profiles = [options.sample.map_or_else(|| rows.own(), |sampling| rows.sampled(sampling)), rows.sampled(CURVE)];
-        if let (Some(twist), Some(pair)) = (&twist, &turned) {
-            twist.report(&mut contact, 0.0);
-            for profile in &mut profiles {
-                twist.fill(&operator, profile, 0.0);
-                let at: Vec<ContactPoint> = profile.s.iter().map(|s| pair.at_arc(*s)).collect();
-                torsion::write(pair, &twist.last.shear, &at, profile);
-            }
-        }
-        work.contact = Some(contact);
-        let [profile, curve] = profiles;
-        (work.profile, work.curve) = (Some(profile), Some(curve));
+        let profile = self.options.sample.map_or_else(|| rows.own(), |sampling| rows.sampled(sampling));
+        let states = [Some(&found.shaped), found.counter.as_ref()];
+        let mut told = Told {
+            energy: self.energy(&pair, states),
+            reactions: self.reactions(&parts, &bodies, states),
+            profile,
+            curve: rows.sampled(CURVE),
+        };
+        let twist = self.twisted(level, nodes, (&operator, &found), (&mut contact, &mut told), &mut effort)?;
         let solved = found.status.is_solved() && found.status != ContactStatus::NoContact;
         let refused = (!solved).then(|| found.status.to_string());
         let refused = refused.or_else(|| twist.as_ref().and_then(|twist| twist.refused.clone()));
@@ -339,23 +292,74 @@ impl<'a> Setting<'a> {
             Reported { level, ends: Vec::new(), moments: vec![Moment { time_s: 0.0, name: "", states, around: Vec::new() }] }
         });
         let twist = twist.map(|twist| twist.answer);
-        Ok(Solved {
-            energy: energy[0] + energy[1],
-            pressure,
-            twist,
-            embedded,
-            unsettled: false,
-            refused,
-            reported,
-            solution: work,
-        })
+        Ok(Solved { level, contact, interface, told, pressure, twist, embedded, unsettled: false, refused, reported, effort })
+    }
+
+    /// The last load step with its conditions of sign, and its load.
+    fn solved(&self, operator: &ContactOperator<'_>, gap: &[f64], held: &Steps) -> Result<(ContactSolution, ContactLoad), Fault> {
+        let pressed = operator.solve(gap, &self.press(), Some(&held.pressed)).map_err(unsolved)?;
+        if self.shear == 0.0 {
+            return Ok((pressed, self.press()));
+        }
+        let push = self.push(&pressed.slip);
+        Ok((operator.solve(gap, &push, held.sheared.as_ref()).map_err(unsolved)?, push))
+    }
+
+    /// Strain energies of the whole scene.
+    fn energy(&self, pair: &Pair<'_>, states: [Option<&InterfaceState>; 2]) -> EnergyResult {
+        let [first, second] = [0, 1].map(|body| {
+            let operator = [Some(pair.shaped), pair.counter][body];
+            self.copies() * operator.zip(states[body]).map_or(0.0, |(operator, state)| operator.strain_energy(state))
+        });
+        EnergyResult { body1_Nmm: Some(first), body2_Nmm: Some(second) }
+    }
+
+    /// Forces of the supports of the whole scene.
+    fn reactions(&self, parts: &Parts, bodies: &[Body<'_>; 2], states: [Option<&InterfaceState>; 2]) -> Vec<(String, Reaction)> {
+        let names = [parts.parts[0].support_names.as_slice(), parts.parts[1].support_names.as_slice()];
+        let mut reactions = operators::reactions([&bodies[0].interface, &bodies[1].interface], names, states);
+        if self.copies() > 1.0 {
+            for (_, reaction) in &mut reactions {
+                let z = reaction.z_N.map(|z| self.copies() * z);
+                reaction.x_N = Some(0.0);
+                reaction.moment_Nmm = z.map(|z| self.disc.middle * z);
+                reaction.z_N = z;
+            }
+        }
+        reactions
+    }
+
+    /// Turns body 1, if the problem does, and writes what comes of it.
+    fn twisted(
+        &self,
+        level: Level,
+        nodes: &[f64],
+        (operator, found): (&ContactOperator<'_>, &ContactSolution),
+        (contact, told): (&mut ContactResult, &mut Told),
+        effort: &mut Effort,
+    ) -> Result<Option<Twist>, Refusal> {
+        if self.problem.load.turns.is_empty() {
+            return Ok(None);
+        }
+        let (parts, work) = self.on_meshes(level, nodes, Parts::torsion)?;
+        let (bodies, reduced) = parts.reduce(self.options.clock)?;
+        *effort += work.aside();
+        *effort += reduced.aside();
+        let pair = facing(&bodies)?;
+        let Some(twist) = Twist::new(self.problem, &pair, found)? else { return Ok(None) };
+        twist.report(contact, 0.0);
+        for profile in [&mut told.profile, &mut told.curve] {
+            twist.fill(operator, profile, 0.0);
+            let at: Vec<ContactPoint> = profile.s.iter().map(|s| pair.at_arc(*s)).collect();
+            torsion::write(&pair, &twist.last.shear, &at, profile);
+        }
+        Ok(Some(twist))
     }
 }
 
 /// The end of contact runs away from its trial place.
-fn unsettled(nodes: &[f64]) -> Fault {
-    let message = format!("no end of contact settles near {:.4} mm from the middle", nodes[nodes.len() - 1]);
-    Fault::at("load.force", TOO_LONG, message, "press less, or make the bodies larger")
+fn unsettled(nodes: &[f64]) -> Refusal {
+    Refusal::Reason(format!("no end of contact settles near {:.4} mm from the middle", nodes[nodes.len() - 1]))
 }
 
 /// Pairs the two bodies of a level across their gap.

@@ -9,7 +9,7 @@ use crate::fe::ends::Setting;
 use crate::fe::half_disc::CANDIDATE;
 use crate::profile::Profile;
 use crate::solution::ContactResult;
-use crate::solve::{Sampling, trapezoid_weights};
+use crate::options::{Sampling, trapezoid_weights};
 
 /// A solved contact with the ends its nodes stand on.
 pub(super) struct Rows<'r> {
@@ -38,7 +38,7 @@ impl Rows<'_> {
 
     /// Pressure at a distance from the middle.
     pub(super) fn pressure_at(&self, distance: f64) -> f64 {
-        let start = self.operator.points()[0].position[0] - self.setting.couple.middle;
+        let start = self.operator.points()[0].position[0] - self.setting.disc.middle;
         self.between(&self.found.pressure, distance - start)
     }
 
@@ -69,7 +69,7 @@ impl Rows<'_> {
 
     /// Whether the meshed part begins at the plane of symmetry or the axis.
     fn nodes_from_axis(&self) -> bool {
-        !self.setting.couple.whole
+        !self.setting.disc.whole
     }
 
     /// The computed points.
@@ -88,7 +88,7 @@ impl Rows<'_> {
     pub(super) fn sampled(&self, sampling: Sampling<'_>) -> Profile {
         let end = CANDIDATE * self.nodes[self.nodes.len() - 1];
         let from = if self.setting.revolved() { 0.0 } else { -end };
-        let start = if self.setting.couple.whole { -end } else { 0.0 };
+        let start = if self.setting.disc.whole { -end } else { 0.0 };
         let at = sampling.places([from, end]);
         let places: Vec<Place> = at
             .iter()
@@ -105,7 +105,7 @@ impl Rows<'_> {
     }
 
     fn profile(&self, places: &[Place]) -> Profile {
-        let middle = self.setting.couple.middle;
+        let middle = self.setting.disc.middle;
         let x = |place: &Place| {
             let x = place.point.position[0] - middle;
             if place.mirrored { -x } else { x }
@@ -134,7 +134,7 @@ impl Rows<'_> {
             profile.shear[row] = sense * value(&self.found.shear);
             profile.gap[row] = match place.node {
                 Some(node) => 1e3 * self.gap[node],
-                None => 1e3 * self.setting.couple.gap(place.point.position[0]),
+                None => 1e3 * self.setting.disc.gap(place.point.position[0]),
             };
             profile.opening[row] = 1e3 * value(&self.found.opening).max(0.0);
             let turn = if place.mirrored { -sense } else { sense };
@@ -177,7 +177,7 @@ impl Rows<'_> {
             return vec![-self.nodes[0], self.nodes[0]];
         }
         let sticking = self.operator.points().iter().zip(&self.found.states).filter(|(_, s)| **s == ContactState::Stick);
-        let places: Vec<f64> = sticking.map(|(point, _)| point.position[0] - self.setting.couple.middle).collect();
+        let places: Vec<f64> = sticking.map(|(point, _)| point.position[0] - self.setting.disc.middle).collect();
         match (places.first(), places.last()) {
             (Some(first), Some(last)) => vec![*first, *last],
             _ => Vec::new(),
@@ -188,13 +188,13 @@ impl Rows<'_> {
     pub(super) fn contact_result(&self) -> ContactResult {
         let (setting, found) = (self.setting, self.found);
         let largest = |values: &[f64]| values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-        let load = setting.scene.load.clone().unwrap_or_default();
-        let about = load.about.map_or(0.0, |about| about[0].0);
+        let load = &setting.problem.load;
+        let about = load.about[0];
         let points = self.operator.points();
-        let moment = if setting.couple.whole {
+        let moment = if setting.disc.whole {
             points.iter().zip(&found.nodal_force).map(|(p, force)| (p.position[0] - about) * force).sum()
         } else {
-            setting.copies() * found.force[1] * (setting.couple.middle - about)
+            setting.copies() * found.force[1] * (setting.disc.middle - about)
         };
         let both = |end: f64| if setting.revolved() { vec![0.0, end] } else { vec![-end, end] };
         let sheared = setting.shear != 0.0;

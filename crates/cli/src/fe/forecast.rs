@@ -1,18 +1,17 @@
 //! What a run will take: the sizes of its levels by meshing them, and about how long by timing the first ones.
 
-use std::time::Instant;
-
 use hpfem::Sizes;
 use serde::Serialize;
 
+use crate::effort::Clock;
 use crate::fault::Fault;
-use crate::fe::bodies::Level;
-use crate::fe::stage::{Parts, Stage, fixed_level, ladder};
-use crate::fe::template::Cut;
-use crate::fe::{available, ends, half_disc, round};
-use crate::setup::Problem;
-use crate::solution::Solution;
-use crate::solve::Options;
+use crate::fe::bodies::{Level, Parts};
+use crate::fe::operators::Bodies;
+use crate::fe::scope::Scope;
+use crate::ladder::Ladder;
+use crate::options::Options;
+use crate::plan::Step;
+use crate::problem::Problem;
 
 /// Degrees that are computed to see how fast the machine is, and how often: the fastest counts.
 const TIMED: [usize; 2] = [6, 8];
@@ -41,46 +40,28 @@ pub(crate) struct Forecast {
     pub(crate) about_seconds: f64,
 }
 
-/// All levels that the run of a scene may climb to.
-pub(crate) fn forecast(problem: &Problem) -> Result<Vec<Forecast>, Fault> {
-    available(problem)?;
-    let couple = half_disc::Couple::of(&problem.scene)?;
-    let round = round::Round::of(&problem.scene)?;
-    let parts = |level: Level| match &couple {
-        Some(couple) => {
-            let setting = ends::Setting::new(&problem.scene, couple);
-            setting.parts(level, &setting.trial()?, &mut Solution::default())
-        }
-        None => match round {
-            Some(round) => round::first_parts(problem, &round, level),
-            None => Stage::new(problem)?.parts(level, Cut::Plain, &mut Solution::default()),
-        },
-    };
-    let mut rate = 0.0_f64;
-    for degree in TIMED {
-        let level = parts(Level::of(&problem.scene, degree))?;
-        let operations: f64 = sizes(&level)?.iter().map(|size| size.operations).sum();
-        for _ in 0..TIMES {
-            let start = Instant::now();
-            level.interfaces(&mut Solution::default())?;
-            rate = rate.max(operations / start.elapsed().as_secs_f64());
-        }
-    }
-    let passes = if couple.is_some() { ENDS } else { 1.0 };
-    let proof = problem.plan.runs("round trip");
+/// All levels that the run of a problem may climb to; the seconds are 0 by a clock that stands.
+pub(crate) fn forecast(problem: &Problem, clock: Clock) -> Result<Vec<Forecast>, Fault> {
+    let options = Options { clock, ..Options::default() };
+    let bodies = Bodies::default();
+    let scope = Scope::of(problem, &options, &bodies)?;
+    scope.available()?;
+    let rate = rate(problem, &scope, clock)?;
+    let passes = if matches!(scope, Scope::HalfDisc(..)) { ENDS } else { 1.0 };
+    let proof = problem.plan.runs(Step::RoundTrip);
+    let contact = problem.plan.runs(Step::Contact) || problem.plan.runs(Step::Evolution);
     let mut before = 0.0;
     let mut found = Vec::new();
-    for level in ladder(&problem.scene, Options::default()) {
-        let (start, level_parts) = (Instant::now(), parts(level)?);
-        let meshing = start.elapsed().as_secs_f64();
+    for level in Ladder::of(problem, &options).levels {
+        let (start, level_parts) = (clock(), scope.parts(level)?);
+        let meshing = clock() - start;
         let bodies = sizes(&level_parts)?;
-        let contact = problem.plan.runs("contact") || problem.plan.runs("evolution");
         let operations = total(&bodies, contact);
         before += passes * (meshing + operations / rate);
         // The proof is one more level of two degrees more, with a contact solve on each.
         let proved = if proof {
             let finer = Level { degree: (level.degree + 2).min(hpfem::MAX_DEGREE), ..level };
-            meshing + (total(&sizes(&parts(finer)?)?, true) + total(&bodies, true) - total(&bodies, false)) / rate
+            meshing + (total(&sizes(&scope.parts(finer)?)?, true) + total(&bodies, true) - total(&bodies, false)) / rate
         } else {
             0.0
         };
@@ -97,14 +78,29 @@ pub(crate) fn forecast(problem: &Problem) -> Result<Vec<Forecast>, Fault> {
         });
     }
     // The coarser levels of a fixed discretisation serve its error estimate; the last one is the run.
-    if fixed_level(&problem.scene).is_some() {
+    if problem.wanted.fixed.is_some() {
         found.drain(..found.len().saturating_sub(1));
     }
     Ok(found)
 }
 
+/// Multiplications a second of this machine; infinite by a clock that stands.
+fn rate(problem: &Problem, scope: &Scope<'_>, clock: Clock) -> Result<f64, Fault> {
+    let mut rate = 0.0_f64;
+    for degree in TIMED {
+        let level = scope.parts(problem.level(degree))?;
+        let operations: f64 = sizes(&level)?.iter().map(|size| size.operations).sum();
+        for _ in 0..TIMES {
+            let start = clock();
+            level.interfaces(clock)?;
+            rate = rate.max(operations / (clock() - start));
+        }
+    }
+    Ok(rate)
+}
+
 fn sizes(parts: &Parts) -> Result<[Sizes; 2], Fault> {
-    Ok([parts.parts[0].sizes("body1")?, parts.parts[1].sizes("body2")?])
+    Ok([parts.parts[0].sizes()?, parts.parts[1].sizes()?])
 }
 
 /// Multiplications of a level: both bodies, both traces solved with, and for a contact the responses at its points and a solve on them.

@@ -4,13 +4,13 @@ use std::sync::Arc;
 
 use contact::{ContactSolution, Start, Status, held_between, position_nodes};
 
+use crate::effort::Effort;
 use crate::fault::Fault;
 use crate::fe::bodies::Level;
 use crate::fe::contact::{gap_at, unsolved};
 use crate::fe::operators::Reduced;
 use crate::fe::stage::Stage;
 use crate::fe::template::Cut;
-use crate::solution::Solution;
 
 /// Accuracy of the nodes by the accuracy asked for: a misplaced end changes the pressure by about its distance over the length of the contact.
 /// The ends themselves are reported closer, with the step that their pressures still ask for.
@@ -87,7 +87,7 @@ impl FreeEnds {
 
     /// Moves nodes onto the ends until the pressure at all of them vanishes; `None` where that does not settle (two ends meet, an end leaves the
     /// surface, too many meshes).
-    pub(super) fn position(&self, stage: Stage<'_>, level: Level, work: &mut Solution) -> Result<Option<Positioned>, Fault> {
+    pub(super) fn position(&self, stage: Stage<'_>, level: Level, work: &mut Effort) -> Result<Option<Positioned>, Fault> {
         let tolerance = TOLERANCE * stage.accuracy();
         let places: Vec<f64> = match &self.before {
             Some(before) => self.refined.iter().zip(before).map(|(now, before)| now + GOES_ON * (now - before)).collect(),
@@ -102,9 +102,11 @@ impl FreeEnds {
                 return Err(None);
             }
             // Cells that cannot be cut there are no fault of the user's: they serve on the standing mesh.
-            let parts = stage.parts(level, Cut::Ends(places), work).map_err(|_| None)?;
-            let reduced = Arc::new(Reduced::new(&parts, work)?);
-            work.counters.factorisations += 2;
+            let (parts, effort) = stage.parts(level, Cut::Ends(places)).map_err(|_| None)?;
+            let (reduced, reduction) = Reduced::new(&parts, stage.clock())?;
+            let reduced = Arc::new(reduced);
+            *work += effort;
+            *work += reduction;
             work.counters.contact_solves += 1;
             let pair = reduced.pair()?;
             let operator = reduced.operator(&pair, stage.friction() > 0.0)?;

@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::scene::{LoadKind, Scene};
+use crate::problem::Problem;
 
 /// What the difference of two gaps is measured by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,10 +15,11 @@ pub(crate) enum Measure {
 }
 
 impl Measure {
-    /// The measure for the shape of a scene.
-    pub(crate) fn of(scene: &Scene) -> Measure {
-        let load = scene.load.as_ref().filter(|load| load.kind == Some(LoadKind::Rigid));
-        let prescribed = load.is_some_and(|load| load.approach.is_some() || load.approach_time.is_some());
+    /// The measure for the shape of a problem.
+    pub(crate) fn of(problem: &Problem) -> Measure {
+        let Problem { couple, load, .. } = problem;
+        let rigid = couple.as_ref().is_some_and(|couple| couple.has_rigid_edge());
+        let prescribed = rigid && (load.approach.is_some() || load.approach_time.is_some());
         if prescribed { Measure::Crown } else { Measure::Largest }
     }
 }

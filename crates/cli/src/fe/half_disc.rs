@@ -11,10 +11,11 @@
 
 use hpfem::{Curve, Edge, Error, Mesh, Quad};
 
+use crate::couple::Couple;
 use crate::fault::Fault;
 use crate::fe::template::{AXIS, CONTACT, LOAD};
 use crate::geometry::{Geometry, HalfDisc, Rectangle};
-use crate::scene::{Component, Kinematics, LoadKind, Scene};
+use crate::scene::Component;
 
 /// Ratio of the sizes of successive layers around an end of contact.
 const RATIO: f64 = 0.15;
@@ -23,7 +24,7 @@ pub(super) const CANDIDATE: f64 = 1.5;
 
 /// A half-disc on the flat top of a rectangle, both symmetric about the line through the centre.
 #[derive(Clone, Debug)]
-pub(super) struct Couple {
+pub(super) struct HalfDiscOnFlat {
     /// Radius of the disc.
     pub(super) radius: f64,
     /// Place x of the centre.
@@ -38,16 +39,16 @@ pub(super) struct Couple {
     rigid: bool,
 }
 
-impl Couple {
-    /// The couple of a scene; none if its bodies are others.
-    pub(super) fn of(scene: &Scene) -> Result<Option<Couple>, Fault> {
-        let (Some(body1), Some(body2)) = (&scene.body1, &scene.body2) else { return Ok(None) };
+impl HalfDiscOnFlat {
+    /// The couple of two bodies; none if they are others.
+    pub(super) fn of(couple: &Couple) -> Result<Option<HalfDiscOnFlat>, Fault> {
+        let [body1, body2] = &couple.bodies;
         let (Geometry::HalfDisc(disc), Geometry::Rectangle(plate)) = (&body1.geometry, &body2.geometry) else {
             return Ok(None);
         };
         let HalfDisc { radius, centre } = disc;
         let Rectangle { x, z } = plate;
-        let revolved = scene.kinematics == Some(Kinematics::Axisymmetric);
+        let revolved = couple.is_revolved();
         let middle = centre[0].0;
         let (left, right) = (middle - x[0].0, x[1].0 - middle);
         let symmetric = if revolved { left == 0.0 } else { (left - right).abs() <= 1e-12 * (left + right) };
@@ -56,18 +57,18 @@ impl Couple {
             let remedy = if revolved { "let it begin on the axis, x = [0, ...]" } else { "give it the same width on both sides" };
             return Err(Fault::at("body2.geometry.rectangle.x", "not-available", message, remedy));
         }
-        let sides = ["left", "right"].map(|side| body2.support.get(side));
+        let sides = ["left", "right"].map(|side| body2.supports.get(side));
         if !revolved && sides[0] != sides[1] {
             let message = "body 2 is not held alike on its left and right";
             return Err(Fault::at("body2.support", "not-available", message, "hold both sides alike, or the bottom"));
         }
-        let bad = body1.support.iter().find(|(edge, held)| *edge == "arc" || held.contains(&Component::Z));
+        let bad = body1.supports.iter().find(|(edge, held)| *edge == "arc" || held.contains(&Component::Z));
         if let Some((edge, _)) = bad {
             let message = format!("body 1 is held on its edge {edge}, so that the load cannot press it on body 2");
             return Err(Fault::at("body1.support", "held", message, "hold body 1 along x only, on its line centre or its top"));
         }
-        let rigid = scene.load.as_ref().is_some_and(|load| load.kind == Some(LoadKind::Rigid));
-        Ok(Some(Couple {
+        let rigid = couple.has_rigid_edge();
+        Ok(Some(HalfDiscOnFlat {
             radius: radius.0,
             middle,
             height: z[1].0,

@@ -2,16 +2,18 @@
 
 use hpfem::Kinematics;
 
-use crate::scene::{Load, Material};
+use crate::couple::{Body, Couple};
+use crate::problem::Load;
+use crate::scene::Material;
 
 /// Half the width of contact, or its radius (Johnson 1985, sec. 4.2 and 7.2), of the softest materials of both bodies.
-pub(super) fn hertz_end(radius: f64, materials: [&[Material]; 2], load: &Load, kinematics: Kinematics) -> f64 {
-    let plane_stress = matches!(kinematics, Kinematics::PlaneStress { .. });
+pub(super) fn hertz_end(radius: f64, couple: &Couple, load: &Load) -> f64 {
+    let plane_stress = matches!(couple.kinematics, Kinematics::PlaneStress { .. });
     let softness = |m: &Material| (if plane_stress { 1.0 } else { 1.0 - m.poisson * m.poisson }) / m.young.0;
-    let softest = |materials: &[Material]| materials.iter().map(softness).fold(0.0, f64::max);
-    let modulus = 1.0 / (softest(materials[0]) + softest(materials[1]));
-    let force = load.force.map_or(0.0, |force| force.0);
-    match (load.approach.map(|approach| approach.0.max(0.0)), kinematics) {
+    let softest = |body: &Body| body.materials.iter().map(softness).fold(0.0, f64::max);
+    let modulus = 1.0 / (softest(&couple.bodies[0]) + softest(&couple.bodies[1]));
+    let force = load.force.unwrap_or(0.0);
+    match (load.approach.map(|approach| approach.max(0.0)), couple.kinematics) {
         (Some(approach), Kinematics::Axisymmetric) => (radius * approach).sqrt(),
         (Some(approach), _) => 0.5 * (radius * approach).sqrt(),
         (None, Kinematics::Axisymmetric) => (0.75 * force * radius / modulus).cbrt(),

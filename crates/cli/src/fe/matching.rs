@@ -1,25 +1,25 @@
 //! Common break points of two bodies of which at least one is given by its cells.
 
+use hpfem::Mesh;
+
+use crate::couple::Couple;
 use crate::fault::Fault;
 use crate::fe::cells::{Cells, add_singular, crowded};
 use crate::fe::template::{Coarse, Cut, Extent, coarse, contact_cuts};
-use crate::given::Given;
-use crate::scene::{Body, Scene};
 
 /// Most rounds until the break points settle: a cut may come back to the contact elsewhere and ask for another.
 const ROUNDS: usize = 20;
 
 /// The coarse meshes of both bodies: cut at the break points of both on the contact surface, graded towards the same points there.
 pub(super) fn matched(
-    scene: &Scene,
-    bodies: [&Body; 2],
-    given: [Option<Given>; 2],
+    couple: &Couple,
+    given: [Option<Mesh>; 2],
     extent: Extent,
     cut: Cut<'_>,
 ) -> Result<[Coarse; 2], Fault> {
     let mut cells: Vec<Option<Cells>> = Vec::new();
     for (number, given) in given.into_iter().enumerate() {
-        cells.push(given.map(|given| Cells::new(scene, number == 0, bodies[number], given, extent)).transpose()?);
+        cells.push(given.map(|mesh| Cells::new(couple, number, mesh, extent)).transpose()?);
     }
     let [from, to] = extent.ends();
     let ends: Vec<f64> = cut.ends().iter().map(|t| from + 0.5 * (1.0 + t) * (to - from)).collect();
@@ -31,7 +31,7 @@ pub(super) fn matched(
     let mut apart: Vec<f64> = Vec::new();
     for _ in 0..ROUNDS {
         let breaks: Vec<f64> = cells.iter().flatten().flat_map(Cells::breaks).chain(apart.iter().copied()).collect();
-        let cuts = contact_cuts(scene, extent, cut, &breaks);
+        let cuts = contact_cuts(couple, extent, cut, &breaks);
         cells.iter_mut().flatten().try_for_each(|cells| cells.cut(&cuts))?;
         let near = 1e-10 * (cuts[cuts.len() - 1] - cuts[0]);
         let known = |place: &f64| cuts.iter().any(|c| (c - place).abs() <= near);
@@ -45,7 +45,7 @@ pub(super) fn matched(
                     let free = ends.iter().filter_map(|end| cells.point_at(*end)).collect();
                     Coarse { mesh: cells.mesh.clone(), singular: cells.singular.clone(), free }
                 }
-                None => coarse(scene, &bodies[number].geometry, &cuts, number == 0, cut)?,
+                None => coarse(couple, number, &cuts, cut)?,
             });
         }
         let both: Vec<[f64; 2]> = meshes.iter().flat_map(|coarse| coarse.singular.iter().copied()).collect();

@@ -5,19 +5,20 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use contact::{ContactOperator, Pair, UnitResponses};
-use hpfem::{Effort, InterfaceOperator, InterfaceState};
+use hpfem::{InterfaceOperator, InterfaceState};
 
+use crate::couple::Couple;
+use crate::effort::{Clock, Counters, Effort};
 use crate::fault::Fault;
-use crate::fe::bodies::Level;
-use crate::fe::stage::Parts;
+use crate::fe::Level;
+use crate::fe::bodies::Parts;
 use crate::fe::template::Cut;
-use crate::scene::{Scene, Units};
-use crate::solution::{Counters, Reaction, Solution};
+use crate::solution::Reaction;
 
 /// Kinds of bodies that are kept at once; a sweep over geometries does not keep them all.
 const KINDS: usize = 4;
 
-/// Which reduced bodies.
+/// Which reduced bodies of a couple.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Place {
     pub(super) level: Level,
@@ -26,132 +27,79 @@ pub(super) struct Place {
     pub(super) torsion: bool,
 }
 
-/// A value that one thread makes while the others wait for it.
-type Slot<T> = Arc<Mutex<Option<T>>>;
-
-/// The store. Its lock is never held while bodies are made; the lock of a slot is.
+/// The store, shared by whoever solves problems with the same bodies, on any number of threads. It is never locked while bodies are made: two
+/// threads that miss the same ones both make them, and the first to finish keeps them.
 #[derive(Debug, Default)]
-pub(crate) struct Operators {
-    kinds: Mutex<Vec<(String, Kind)>>,
+pub(crate) struct Bodies {
+    kinds: Mutex<Vec<(Couple, Kind)>>,
     factorisations: AtomicUsize,
     reused: AtomicUsize,
 }
 
-/// The reduced bodies of one kind.
-type Kind = Vec<(Place, Slot<Arc<Reduced>>)>;
+/// The reduced bodies of one couple.
+type Kind = Vec<(Place, Arc<Reduced>)>;
 
-impl Operators {
-    /// Bodies factorised so far.
+impl Bodies {
+    /// Bodies that were factorised and kept so far.
     pub(crate) fn factorisations(&self) -> usize {
         self.factorisations.load(Ordering::Relaxed)
     }
 
-    /// Bodies that were asked for again and needed no factorisation.
+    /// Bodies that were asked for and already there.
     pub(crate) fn reused(&self) -> usize {
         self.reused.load(Ordering::Relaxed)
     }
 
-    /// The reduced bodies of a place, made if they are not there. What it costs goes to the counters and times of `solution`.
+    /// The reduced bodies of a place, made if they are not there.
     pub(super) fn get(
         &self,
-        scene: &Scene,
+        couple: &Couple,
         place: Place,
-        solution: &mut Solution,
-        make: impl FnOnce(&mut Solution) -> Result<Reduced, Fault>,
-    ) -> Result<Arc<Reduced>, Fault> {
-        let slot = self.slot(kind_of(scene)?, place);
-        let mut guard = lock(&slot);
-        let reduced = match guard.as_ref() {
-            Some(reduced) => {
-                self.reused.fetch_add(2, Ordering::Relaxed);
-                Arc::clone(reduced)
-            }
-            None => {
-                let reduced = Arc::new(make(solution)?);
-                solution.counters.factorisations += 2;
-                self.factorisations.fetch_add(2, Ordering::Relaxed);
-                *guard = Some(Arc::clone(&reduced));
-                reduced
-            }
-        };
-        Ok(reduced)
+        make: impl FnOnce() -> Result<(Reduced, Effort), Fault>,
+    ) -> Result<(Arc<Reduced>, Effort), Fault> {
+        if let Some(reduced) = self.find(couple, place) {
+            self.reused.fetch_add(2, Ordering::Relaxed);
+            let effort = reduced.sizes();
+            return Ok((reduced, effort));
+        }
+        let (reduced, effort) = make()?;
+        Ok((self.keep(couple, place, Arc::new(reduced)), effort))
     }
 
-    fn slot(&self, kind: String, place: Place) -> Slot<Arc<Reduced>> {
+    /// The bodies of a place; its couple becomes the one asked for last, which stands last.
+    fn find(&self, couple: &Couple, place: Place) -> Option<Arc<Reduced>> {
         let mut kinds = lock(&self.kinds);
-        // The kind asked for last stands last.
-        let known = match kinds.iter().position(|(known, _)| *known == kind) {
-            Some(at) => kinds.remove(at),
-            None => (kind, Kind::new()),
+        let at = kinds.iter().position(|(known, _)| known == couple)?;
+        let kind = kinds.remove(at);
+        kinds.push(kind);
+        kinds.last()?.1.iter().find(|(known, _)| *known == place).map(|(_, reduced)| Arc::clone(reduced))
+    }
+
+    /// Keeps new bodies, unless another thread was first: then those.
+    fn keep(&self, couple: &Couple, place: Place, new: Arc<Reduced>) -> Arc<Reduced> {
+        let mut kinds = lock(&self.kinds);
+        let at = kinds.iter().position(|(known, _)| known == couple).unwrap_or_else(|| {
+            kinds.push((couple.clone(), Kind::new()));
+            kinds.len() - 1
+        });
+        let (counter, kept) = match kinds[at].1.iter().find(|(known, _)| *known == place) {
+            Some((_, other)) => (&self.reused, Arc::clone(other)),
+            None => {
+                kinds[at].1.push((place, Arc::clone(&new)));
+                (&self.factorisations, new)
+            }
         };
-        kinds.push(known);
+        counter.fetch_add(2, Ordering::Relaxed);
         if kinds.len() > KINDS {
             kinds.remove(0);
         }
-        let last = kinds.len() - 1;
-        let places = &mut kinds[last].1;
-        match places.iter().find(|(known, _)| *known == place) {
-            Some((_, slot)) => Arc::clone(slot),
-            None => {
-                let slot = Slot::default();
-                places.push((place, Arc::clone(&slot)));
-                slot
-            }
-        }
+        kept
     }
 }
 
 /// A panic elsewhere is reported there; the numbers behind the lock are whole.
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-/// What the reduced bodies of a scene depend on: all of it but loads (bodies carry unit loads), friction, sliding, wear, optimum and output.
-fn kind_of(scene: &Scene) -> Result<String, Fault> {
-    let mut kind = Scene {
-        title: None,
-        units: Units::NewtonMillimetre,
-        tasks: None,
-        accuracy: None,
-        mesh: None,
-        check: None,
-        sliding: None,
-        wear: None,
-        schedule: None,
-        optimum: None,
-        output: None,
-        ..scene.clone()
-    };
-    if let Some(contact) = &mut kind.contact {
-        contact.friction = None;
-        contact.shear = None;
-        contact.gap = None;
-    }
-    if let Some(load) = &mut kind.load {
-        // A rotation prescribed as zero is held; another one is a motion like a free one.
-        load.tilt = load.tilt.filter(|tilt| tilt.0 == 0.0);
-        load.force = None;
-        load.approach = None;
-        load.approach_time = None;
-        load.moment = None;
-        load.moment_y = None;
-        load.shear_force = None;
-        load.twist = None;
-        load.torque = None;
-    }
-    serde_json::to_string(&kind)
-        .map_err(|error| Fault::new("internal", format!("the scene cannot be compared: {error}"), "please report this scene"))
-}
-
-/// Counts the work of reducing both bodies.
-pub(super) fn count(bodies: [(&InterfaceOperator, Effort); 2], solution: &mut Solution) {
-    let total = |f: &dyn Fn(&Effort) -> f64| bodies.iter().map(|(_, effort)| f(effort)).sum::<f64>();
-    solution.times.push(("assemble".into(), total(&|e| e.assemble.as_secs_f64())));
-    solution.times.push(("factor".into(), total(&|e| e.factor.as_secs_f64())));
-    solution.counters.cells = bodies.iter().map(|(_, effort)| effort.cells).sum();
-    solution.counters.dofs = bodies.iter().map(|(_, effort)| effort.unknowns).sum();
-    solution.counters.trace_dofs = bodies.iter().map(|(interface, _)| interface.stiffness.nrows()).sum();
-    solution.counters.factorisations += bodies.len();
 }
 
 /// Both bodies of one discretisation, reduced to their contact surface.
@@ -171,22 +119,18 @@ impl std::fmt::Debug for Reduced {
 }
 
 impl Reduced {
-    /// Assembles and reduces both bodies; their effort goes to the times of `solution`.
-    pub(super) fn new(parts: &Parts, solution: &mut Solution) -> Result<Reduced, Fault> {
-        let mut work = Solution::default();
-        let interfaces = parts.interfaces(&mut work)?;
-        solution.times.append(&mut work.times);
-        work.counters.factorisations = 0;
+    /// Assembles and reduces both bodies.
+    pub(super) fn new(parts: &Parts, clock: Clock) -> Result<(Reduced, Effort), Fault> {
+        let (interfaces, effort) = parts.interfaces(clock)?;
         let names = |body: usize| parts.parts[body].support_names.clone();
-        let (support_names, facing) = ([names(0), names(1)], parts.facing);
-        Ok(Reduced { interfaces, support_names, facing, counters: work.counters, unit: Default::default() })
+        let counters = effort.counters.clone();
+        Ok((Reduced { interfaces, support_names: [names(0), names(1)], facing: parts.facing, counters, unit: Default::default() }, effort))
     }
 
-    /// Cells and unknowns of the discretisation, into the counters of a run.
-    pub(super) fn count(&self, counters: &mut Counters) {
-        counters.cells = self.counters.cells;
-        counters.dofs = self.counters.dofs;
-        counters.trace_dofs = self.counters.trace_dofs;
+    /// Cells and unknowns of the discretisation.
+    pub(super) fn sizes(&self) -> Effort {
+        let Counters { cells, dofs, trace_dofs, .. } = self.counters;
+        Effort { counters: Counters { cells, dofs, trace_dofs, ..Counters::default() }, seconds: Vec::new() }
     }
 
     /// Pairs the two bodies.
@@ -196,13 +140,14 @@ impl Reduced {
 
     /// The contact of the pair, its unit responses kept.
     pub(super) fn operator<'b>(&'b self, pair: &Pair<'b>, shear: bool) -> Result<ContactOperator<'b>, Fault> {
-        let mut unit = lock(&self.unit[usize::from(shear)]);
-        if let Some(unit) = unit.as_ref() {
-            return Ok(ContactOperator::with(pair, Arc::clone(unit)));
+        let place = &self.unit[usize::from(shear)];
+        let known = lock(place).clone();
+        if let Some(unit) = known {
+            return Ok(ContactOperator::with(pair, unit));
         }
         let operator = ContactOperator::new(pair, shear)
             .map_err(|error| Fault::at("body1.support", "not-held", error.to_string(), "support the bodies"))?;
-        *unit = Some(operator.unit_responses());
+        *lock(place) = Some(operator.unit_responses());
         Ok(operator)
     }
 

@@ -5,14 +5,16 @@ use hpfem::{Body, Field, InterfaceState, Kinematics, Mesh, Stress};
 
 use crate::body_field::{BodyField, CellField, FieldFrame};
 use crate::cell_grid::CellGrid;
+use crate::effort::Effort;
 use crate::fault::Fault;
 use crate::fe::bodies::{BodyParts, Level};
 use crate::fe::ends::Setting;
 use crate::fe::operators::paired;
 use crate::fe::stage::Stage;
-use crate::fe::template::{Cut, meshes};
+use crate::fe::template::Cut;
 use crate::fe::torsion;
-use crate::solution::Solution;
+use crate::ladder::Refusal;
+use crate::plan::Step;
 
 /// What a stage leaves behind for the fields: the discretisation it reports, and the states of its bodies there.
 pub(super) struct Reported {
@@ -33,23 +35,20 @@ pub(super) struct Moment {
 }
 
 /// Recovers the moments of a stage on its bodies, made again at the reported level.
-pub(super) fn recover(stage: Stage<'_>, reported: &Reported, solution: &mut Solution) -> Result<(), Fault> {
-    let mut effort = Solution::default();
-    let parts = stage.parts(reported.level, Cut::Ends(&reported.ends), &mut effort)?;
-    let bodies = parts.reduce(&mut effort)?;
+pub(super) fn recover(stage: Stage<'_>, reported: &Reported) -> Result<(Vec<FieldFrame>, Effort), Fault> {
+    let (parts, _) = stage.parts(reported.level, Cut::Ends(&reported.ends))?;
+    let (bodies, reduction) = parts.reduce(stage.clock())?;
+    let mut effort = counts(&reduction);
     let pair = paired([&bodies[0].interface, &bodies[1].interface], stage.facing())?;
     let mut frames = Vec::new();
     for moment in &reported.moments {
         let mut frame = frame(moment, &bodies, [0, 1].map(|number| &parts.parts[number].mesh), &mut effort)?;
-        if stage.problem.plan.runs("torsion") {
-            twist(stage, reported, moment, &pair, &mut frame, &mut effort)?;
+        if stage.problem.plan.runs(Step::Torsion) {
+            twist(stage, reported, (moment, &pair), &mut frame, &mut effort)?;
         }
         frames.push(frame);
     }
-    solution.fields = frames;
-    solution.counters.factorisations += effort.counters.factorisations;
-    solution.counters.back_substitutions += effort.counters.back_substitutions;
-    Ok(())
+    Ok((frames, effort))
 }
 
 /// The same of a half-disc on its flat side, with element nodes on the ends of contact; the whole scene, when half of it was computed.
@@ -57,25 +56,30 @@ pub(super) fn recover_ends(
     setting: &Setting<'_>,
     reported: &Reported,
     nodes: &[f64],
-    solution: &mut Solution,
-) -> Result<(), Fault> {
-    let mut effort = Solution::default();
-    let parts = setting.parts(reported.level, nodes, &mut effort)?;
-    let bodies = parts.reduce(&mut effort)?;
+) -> Result<(Vec<FieldFrame>, Effort), Refusal> {
+    let (parts, _) = setting.parts(reported.level, nodes)?;
+    let (bodies, reduction) = parts.reduce(setting.options.clock)?;
+    let mut effort = counts(&reduction);
+    let mut frames = Vec::new();
     for moment in &reported.moments {
         let mut frame = frame(moment, &bodies, [0, 1].map(|number| &parts.parts[number].mesh), &mut effort)?;
         if setting.copies() > 1.0 {
-            frame.bodies = frame.bodies.map(|body| body.mirrored(setting.couple.middle));
+            frame.bodies = frame.bodies.map(|body| body.mirrored(setting.disc.middle));
         }
-        solution.fields.push(frame);
+        frames.push(frame);
     }
-    solution.counters.factorisations += effort.counters.factorisations;
-    solution.counters.back_substitutions += effort.counters.back_substitutions;
-    Ok(())
+    Ok((frames, effort))
+}
+
+/// What of a reduction counts for the fields: their seconds are counted as a whole.
+fn counts(reduction: &Effort) -> Effort {
+    let mut effort = Effort::default();
+    effort.counters.factorisations = reduction.counters.factorisations;
+    effort
 }
 
 /// Both bodies at a moment, without twist.
-fn frame(moment: &Moment, bodies: &[Body<'_>; 2], meshes: [&Mesh; 2], effort: &mut Solution) -> Result<FieldFrame, Fault> {
+fn frame(moment: &Moment, bodies: &[Body<'_>; 2], meshes: [&Mesh; 2], effort: &mut Effort) -> Result<FieldFrame, Fault> {
     effort.counters.back_substitutions += bodies.len();
     let body = |number: usize| -> Result<BodyField, Fault> {
         let field = field(&bodies[number], &moment.states[number])?;
@@ -106,17 +110,16 @@ fn on_grid(field: &Field<'_>, cell: usize, triangle: bool) -> CellField {
 fn twist(
     stage: Stage<'_>,
     reported: &Reported,
-    moment: &Moment,
-    pair: &Pair<'_>,
+    (moment, pair): (&Moment, &Pair<'_>),
     frame: &mut FieldFrame,
-    effort: &mut Solution,
+    effort: &mut Effort,
 ) -> Result<(), Fault> {
     let level = reported.level;
-    let meshes = meshes(stage.scene(), stage.extent, level.layers, Cut::Ends(&reported.ends))?;
+    let meshes = stage.meshes(level.layers, Cut::Ends(&reported.ends))?;
     let points = pair.points();
     for ((number, mesh), side) in meshes.into_iter().enumerate().zip([Side::Shaped, Side::Counter]) {
-        let parts = BodyParts::new(stage.scene(), number == 0, mesh, level, Kinematics::Torsion)?;
-        let body = parts.reduce(["body1", "body2"][number])?;
+        let parts = BodyParts::new(stage.couple, number == 0, mesh, level, Kinematics::Torsion)?;
+        let body = parts.reduce(stage.clock())?;
         let field = field(&body, &torsion::twisted(&body.interface, pair, side, &points, &moment.around))?;
         effort.counters.factorisations += 1;
         effort.counters.back_substitutions += 1;

@@ -3,20 +3,26 @@
 
 use contact::Status as ContactStatus;
 
+use crate::body_field::FieldFrame;
+use crate::couple::Couple;
+use crate::effort::Effort;
 use crate::fault::Fault;
-use crate::fe::bodies::{Level, kinematics};
-use crate::fe::contact::{climb, on_standing_mesh, solve_level};
-use crate::fe::free_ends::FreeEnds;
+use crate::fe::answer::Outcome;
+use crate::fe::bodies::{Level, Parts};
+use crate::fe::contact::{Search, levels, on_standing_mesh, solve_level};
+use crate::fe::ends_scope::contact_alone;
 use crate::fe::hertz_trial::hertz_end;
+use crate::fe::operators::Bodies;
 use crate::fe::recover;
 use crate::fe::stage::Stage;
-use crate::fe::template::Extent;
-use crate::given::{ContactLine, contact_line, given};
-use crate::scene::{Kinematics, Scene, Task};
-use crate::setup::Problem;
-use crate::solution::{Solution, Status};
-use crate::solve::Options;
+use crate::fe::template::{Cut, Extent};
+use crate::given::{ContactLine, contact_line};
+use crate::ladder::{Ladder, Refusal};
+use crate::options::Options;
+use crate::plan::Step;
+use crate::problem::{Load, Problem};
 use crate::surface::Patch;
+use crate::watch::Watch;
 
 /// Length of the surface that may touch over that of the contact, and the range of it that is left as it is.
 const CANDIDATE: [f64; 3] = [1.2, 1.5, 2.2];
@@ -38,21 +44,19 @@ pub(super) struct Round {
 }
 
 impl Round {
-    /// The round contact of a scene; none where both bodies are templates, or the contact is another.
-    pub(super) fn of(scene: &Scene) -> Result<Option<Round>, Fault> {
-        let (Some(body1), Some(body2)) = (&scene.body1, &scene.body2) else { return Ok(None) };
-        let Some(edges) = scene.contact.as_ref().and_then(|contact| contact.edges.as_ref()) else { return Ok(None) };
-        if given("body1", body1)?.is_none() && given("body2", body2)?.is_none() {
+    /// The round contact of two bodies; none where both are templates, or the contact is another.
+    pub(super) fn of(couple: &Couple) -> Result<Option<Round>, Fault> {
+        let [body1, body2] = &couple.bodies;
+        if body1.cells.is_none() && body2.cells.is_none() {
             return Ok(None);
         }
-        let ContactLine::Circle { centre, radius, angles, internal: true } = contact_line("body1", body1, &edges[0], true)?
-        else {
+        let ContactLine::Circle { centre, radius, angles, internal: true } = contact_line(body1, true)? else {
             return Ok(None);
         };
         // Angles from the z axis, in falling x.
         let x = [angles[1], angles[0]].map(|angle| centre[0] + radius * angle.sin());
-        let ContactLine::Line { z, x: under } = contact_line("body2", body2, &edges[1], false)? else { return Ok(None) };
-        let (touch, revolved) = (centre[0], scene.kinematics == Some(Kinematics::Axisymmetric));
+        let ContactLine::Line { z, x: under } = contact_line(body2, false)? else { return Ok(None) };
+        let (touch, revolved) = (centre[0], couple.is_revolved());
         let sides = [[touch - x[0], x[1] - touch], [touch - under[0], under[1] - touch]];
         let longest =
             sides.iter().flat_map(|side| if revolved { &side[1..] } else { &side[..] }).fold(0.7 * radius, |m, s| m.min(*s));
@@ -66,93 +70,100 @@ impl Round {
     }
 
     /// A first guess of how far the surface that may touch goes.
-    fn guess(&self, scene: &Scene) -> Result<f64, Fault> {
-        let mut materials = [Vec::new(), Vec::new()];
-        for (own, (key, body)) in materials.iter_mut().zip([("body1", &scene.body1), ("body2", &scene.body2)]) {
-            let Some(body) = body else { continue };
-            own.extend(given(key, body)?.map_or_else(|| body.material.into_iter().collect(), |given| given.materials));
-        }
-        let load = scene.load.clone().unwrap_or_default();
-        let end = hertz_end(self.radius, [&materials[0], &materials[1]], &load, kinematics(scene));
+    fn guess(&self, couple: &Couple, load: &Load) -> Result<f64, Fault> {
+        let end = hertz_end(self.radius, couple, load);
         if end > 0.0 {
             return Ok((CANDIDATE[1] * end).min(self.longest));
         }
-        let message = format!("an approach of {} mm does not press body 1 on body 2", load.approach.map_or(0.0, |a| a.0));
+        let message = format!("an approach of {} mm does not press body 1 on body 2", load.approach.unwrap_or(0.0));
         Err(Fault::at("load.approach", "wrong-value", message, "give an approach greater than 0"))
     }
 }
 
-/// Refuses what is not built, before anything is written.
-pub(super) fn available(problem: &Problem, round: &Round) -> Result<(), Fault> {
-    let scene = &problem.scene;
-    if let Some(task) = scene.tasks.iter().flatten().find(|task| **task != Task::Contact) {
-        let task = format!("{task:?}").to_lowercase();
-        let message = format!("a round body on a flat one has the task contact, but no {task} yet");
-        return Err(Fault::at("tasks", "not-available", message, "write tasks = [\"contact\"]"));
+/// A round contact of a problem.
+#[derive(Clone, Copy)]
+pub(super) struct RoundContact<'a> {
+    pub(super) problem: &'a Problem,
+    pub(super) couple: &'a Couple,
+    pub(super) round: Round,
+    pub(super) options: &'a Options<'a>,
+    pub(super) bodies: &'a Bodies,
+}
+
+impl RoundContact<'_> {
+    /// Refuses what is not built, before anything is written.
+    pub(super) fn available(&self) -> Result<(), Fault> {
+        contact_alone(self.problem, "a round body on a flat one")?;
+        if self.problem.load.shear_force != 0.0 {
+            let message = "stick and slip is known between the templates half-disc and rectangle only";
+            let remedy = "use these templates, or remove load.shear_force";
+            return Err(Fault::at("load.shear_force", "not-available", message, remedy));
+        }
+        self.on_guess(|stage| stage.meshes(1, Cut::Plain).map(|_| ()))
     }
-    if scene.load.as_ref().is_some_and(|load| load.shear_force.is_some_and(|force| force.0 != 0.0)) {
-        let message = "stick and slip is known between the templates half-disc and rectangle only";
-        return Err(Fault::at("load.shear_force", "not-available", message, "use these templates, or remove load.shear_force"));
+
+    /// Parts of a level on the first guess, for a forecast.
+    pub(super) fn first_parts(&self, level: Level) -> Result<Parts, Fault> {
+        self.on_guess(|stage| Ok(stage.parts(level, Cut::Plain)?.0))
     }
-    with_stage(problem, round, round.guess(scene)?, |stage| stage.meshes(1).map(|_| ()))
-}
 
-/// Does something with the stage of a surface that may touch as far as `reach`.
-pub(super) fn with_stage<T>(
-    problem: &Problem,
-    round: &Round,
-    reach: f64,
-    act: impl FnOnce(Stage<'_>) -> Result<T, Fault>,
-) -> Result<T, Fault> {
-    let extent = round.extent(reach);
-    let patch = Patch::flat(&problem.scene, extent.ends(), round.height)?;
-    act(Stage { problem, patch: &patch, extent })
-}
+    fn on_guess<T>(&self, act: impl FnOnce(Stage<'_>) -> Result<T, Fault>) -> Result<T, Fault> {
+        self.on(self.round.guess(self.couple, &self.problem.load)?, act)
+    }
 
-/// Parts of a level on the first guess, for a forecast.
-pub(super) fn first_parts(problem: &Problem, round: &Round, level: Level) -> Result<crate::fe::stage::Parts, Fault> {
-    with_stage(problem, round, round.guess(&problem.scene)?, |stage| {
-        stage.parts(level, crate::fe::template::Cut::Plain, &mut Solution::default())
-    })
-}
+    /// Does something with the stage of a surface that may touch as far as `reach`.
+    fn on<T, E: From<Fault>>(&self, reach: f64, act: impl FnOnce(Stage<'_>) -> Result<T, E>) -> Result<T, E> {
+        let RoundContact { problem, couple, round, options, bodies } = *self;
+        let extent = round.extent(reach);
+        let patch = Patch::flat(couple.kinematics, extent.ends(), round.height, problem.sliding.as_ref())?;
+        act(Stage { problem, couple, patch: &patch, extent, options, bodies })
+    }
 
-/// Solves the contact and fills in the solution.
-pub(super) fn solve(problem: &Problem, round: &Round, options: Options, solution: &mut Solution) -> Result<(), Fault> {
-    let mut reach = round.guess(&problem.scene)?;
-    for _ in 0..TRIALS {
-        let touched = with_stage(problem, round, reach, |stage| {
-            let (found, length) = on_standing_mesh(stage, Level::of(stage.scene(), FIRST), solution)?;
-            if !found.status.is_solved() || found.status == ContactStatus::NoContact {
-                return Ok(None);
+    /// Solves the contact, with the fields if they are asked for.
+    pub(super) fn solve(&self, watch: &mut Watch<'_>) -> Result<(Outcome, Effort, Vec<FieldFrame>), Refusal> {
+        let (reach, mut effort) = self.reach()?;
+        self.on(reach, |stage| {
+            let mut search = Search::default();
+            let ladder = Ladder::of(stage.problem, stage.options).and_beyond(stage.problem);
+            let (mut outcome, work) = levels(&ladder, watch, |level| solve_level(stage, level, &mut search))?;
+            effort += work;
+            search.report(stage, &mut outcome)?;
+            let reported = outcome.reported.take().filter(|_| stage.problem.plan.runs(Step::Fields));
+            let Some(reported) = reported else { return Ok((outcome, effort, Vec::new())) };
+            let (fields, work) =
+                effort.timed(Step::Fields, stage.clock(), |_| recover::recover(stage, &reported))?;
+            effort += work;
+            Ok((outcome, effort, fields))
+        })
+    }
+
+    /// How far the surface that may touch goes, from a first guess by solving on it.
+    fn reach(&self) -> Result<(f64, Effort), Refusal> {
+        let RoundContact { problem, couple, round, .. } = *self;
+        let mut effort = Effort::default();
+        let mut reach = round.guess(couple, &problem.load)?;
+        for _ in 0..TRIALS {
+            let touched = self.on(reach, |stage| -> Result<_, Fault> {
+                let (found, length, work) = on_standing_mesh(stage, problem.level(FIRST))?;
+                effort += work;
+                if !found.status.is_solved() || found.status == ContactStatus::NoContact {
+                    return Ok(None);
+                }
+                let from = if round.revolved { 0.0 } else { -0.5 * length };
+                Ok(found.zones.iter().flatten().map(|arc| (from + arc).abs()).reduce(f64::max))
+            })?;
+            let Some(touched) = touched else { break };
+            if (CANDIDATE[0] * touched..=CANDIDATE[2] * touched).contains(&reach) {
+                break;
             }
-            let from = if round.revolved { 0.0 } else { -0.5 * length };
-            Ok(found.zones.iter().flatten().map(|arc| (from + arc).abs()).reduce(f64::max))
-        })?;
-        let Some(touched) = touched else { break };
-        if (CANDIDATE[0] * touched..=CANDIDATE[2] * touched).contains(&reach) {
-            break;
-        }
-        if touched * CANDIDATE[0] > round.longest {
-            solution.status = Status::Refused;
-            let to = round.longest;
-            solution.reason = Some(format!(
-                "the contact reaches {touched:.4} mm from the middle; the bodies are round and flat for {to:.4} mm"
-            ));
-            return Ok(());
-        }
-        reach = (CANDIDATE[1] * touched).min(round.longest);
-    }
-    with_stage(problem, round, reach, |stage| {
-        let mut ends = FreeEnds::default();
-        let mut diagnosis = None;
-        let reported =
-            climb(stage.scene(), options, solution, |level| solve_level(stage, level, options, &mut ends, &mut diagnosis))?;
-        diagnosis.iter().try_for_each(|diagnosis| diagnosis.report(stage, solution))?;
-        match reported {
-            Some(reported) if problem.plan.runs("field recovery") => {
-                crate::solve::timed(solution, "field recovery", |solution| recover::recover(stage, &reported, solution))
+            if touched * CANDIDATE[0] > round.longest {
+                let to = round.longest;
+                return Err(Refusal::Reason(format!(
+                    "the contact reaches {touched:.4} mm from the middle; the bodies are round and flat for {to:.4} mm"
+                )));
             }
-            _ => Ok(()),
+            reach = (CANDIDATE[1] * touched).min(round.longest);
         }
-    })
+        Ok((reach, effort))
+    }
 }

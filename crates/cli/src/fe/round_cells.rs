@@ -2,9 +2,8 @@
 
 use hpfem::{Curve, Mesh, Quad};
 
+use crate::couple::{Body, Couple};
 use crate::geometry::Geometry;
-use crate::given::Given;
-use crate::scene::{Body, Kinematics, Scene};
 
 /// The cells of a half-disc or rectangle; none of other bodies.
 ///
@@ -14,10 +13,10 @@ use crate::scene::{Body, Kinematics, Scene};
 ///    \\ D---A---D //     the arc from E over B and O to E
 ///      B---O---B
 /// ```
-pub(super) fn as_cells(scene: &Scene, body: &Body) -> Option<Given> {
+pub(super) fn as_cells(couple: &Couple, body: &Body) -> Option<Mesh> {
     let mesh = match &body.geometry {
         Geometry::HalfDisc(disc) => {
-            half_disc(disc.radius.0, disc.centre.map(|c| c.0), scene.kinematics == Some(Kinematics::Axisymmetric))
+            half_disc(disc.radius.0, disc.centre.map(|c| c.0), couple.is_revolved())
         }
         Geometry::Rectangle(rectangle) => {
             let (x, z) = (rectangle.x.map(|x| x.0), rectangle.z.map(|z| z.0));
@@ -27,7 +26,7 @@ pub(super) fn as_cells(scene: &Scene, body: &Body) -> Option<Given> {
         }
         _ => return None,
     };
-    Some(Given { mesh: mesh.ok()?, materials: body.material.into_iter().collect() })
+    mesh.ok()
 }
 
 fn half_disc(radius: f64, centre: [f64; 2], right_half: bool) -> Result<Mesh, hpfem::Error> {

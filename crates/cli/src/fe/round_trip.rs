@@ -3,14 +3,16 @@
 use contact::{ContactLoad, ContactOperator, ContactSolution};
 use shapeopt::{GapCurve, Shape, SurfacePlace};
 
+use crate::effort::Effort;
 use crate::fault::Fault;
+use crate::fe::answer::Told;
 use crate::fe::bodies::Level;
 use crate::fe::contact::{pressure_at, unsolved};
 use crate::fe::diagnosis;
 use crate::fe::operators::Reduced;
 use crate::fe::shape::Shaper;
 use crate::fe::template::Cut;
-use crate::solution::Solution;
+use crate::solution::InterfaceResult;
 
 /// Relative area-weighted L2 difference of two pressures.
 fn difference(weights: &[f64], found: &[f64], wanted: &[f64]) -> f64 {
@@ -25,37 +27,38 @@ fn wanted(shaper: &Shaper<'_>, operator: &ContactOperator<'_>) -> (Vec<f64>, Vec
     (points.iter().map(|p| p.weight).collect(), (0..points.len()).map(|i| shaper.pressure(&place(i))).collect())
 }
 
-/// Round trip on the very operators the shape was found on: a test of the contact solver.
-/// Also notes the condition of its system.
-pub(super) fn same(shaper: &Shaper<'_>, reduced: &Reduced, shape: &Shape, solution: &mut Solution) -> Result<f64, Fault> {
+/// Round trip on the very operators the shape was found on: a test of the contact solver. With it the condition of its system.
+pub(super) fn same(shaper: &Shaper<'_>, reduced: &Reduced, shape: &Shape) -> Result<(f64, Option<InterfaceResult>), Fault> {
     let pair = reduced.pair()?;
     let operator = reduced.operator(&pair, shaper.stage.friction() > 0.0)?;
     let gap: Vec<f64> = operator.points().iter().map(|p| shape.gap(&pair, p)).collect();
     let found = solve(shaper, &operator, &gap)?;
-    let load = loaded(shaper, &operator);
-    solution.interface = diagnosis::interface(&operator, &gap, &load, &found)?;
+    let interface = diagnosis::interface(&operator, &gap, &loaded(shaper, &operator), &found)?;
     let (weights, wanted) = wanted(shaper, &operator);
-    Ok(difference(&weights, &found.pressure, &wanted))
+    Ok((difference(&weights, &found.pressure, &wanted), interface))
 }
 
 /// Round trip on an independent discretisation: two degrees more, other break points, the gap as a function of the arc length.
-/// Also writes the pressure found into the profile, interpolated between the new points.
-pub(super) fn independent(shaper: &Shaper<'_>, level: Level, shape: &GapCurve, solution: &mut Solution) -> Result<f64, Fault> {
-    let mut effort = Solution::default();
-    let finer = Level { degree: (level.degree + 2).min(hpfem::MAX_DEGREE), layers: level.layers };
-    let reduced = shaper.stage.reduced(finer, Cut::Shifted, &mut effort)?;
+/// Also writes the pressure found into the columns that are told, interpolated between the new points.
+pub(super) fn independent(
+    shaper: &Shaper<'_>,
+    level: Level,
+    shape: &GapCurve,
+    told: &mut Told,
+) -> Result<(f64, Effort), Fault> {
+    let finer = Level { degree: (level.degree + 2).min(hpfem::MAX_DEGREE), ..level };
+    let (reduced, effort) = shaper.stage.reduced(finer, Cut::Shifted)?;
     let pair = reduced.pair()?;
     let operator = reduced.operator(&pair, shaper.stage.friction() > 0.0)?;
     let gap: Vec<f64> = operator.points().iter().map(|p| shape.at(p.arc)).collect();
     let found = solve(shaper, &operator, &gap)?.pressure;
     let (weights, wanted) = wanted(shaper, &operator);
-    solution.counters.factorisations += effort.counters.factorisations;
-    for profile in [&mut solution.profile, &mut solution.curve].into_iter().flatten() {
-        let (start, length) = (shaper.stage.start(&pair), pair.trace().length());
+    let (start, length) = (shaper.stage.start(&pair), pair.trace().length());
+    for profile in [&mut told.profile, &mut told.curve] {
         profile.pressure_solved =
             profile.s.iter().map(|s| pressure_at(&pair, &operator, &found, (s - start).clamp(0.0, length))).collect();
     }
-    Ok(difference(&weights, &found, &wanted))
+    Ok((difference(&weights, &found, &wanted), effort))
 }
 
 fn loaded(shaper: &Shaper<'_>, operator: &ContactOperator<'_>) -> ContactLoad {

@@ -1,32 +1,32 @@
 //! The shape stage: levels of rising degree until the gap is accurate enough, then the round trip.
 
+use std::ops::ControlFlow;
 use std::sync::Arc;
-use std::time::Instant;
 
 use contact::{ContactLoad, ContactPoint, Motion, Pair};
 use hpfem::InterfaceState;
 use nalgebra::{DMatrix, Vector3};
 use shapeopt::{GapCurve, Integration, RigidPart, Shape, ShapeProblem, SurfacePlace, closing, solve_shape};
 
+use crate::effort::Effort;
 use crate::fault::Fault;
-use crate::fe::approach;
+use crate::fe::answer::{Answer, Outcome, Own, Told};
 use crate::fe::bodies::Level;
 use crate::fe::gap_difference::{Measure, difference_of_gaps};
 use crate::fe::operators::Reduced;
 use crate::fe::pressure_ends::pressure_ends;
 use crate::fe::recover::{Moment, Reported};
-use crate::fe::round_trip;
-use crate::fe::rungs::{add_times, rungs};
-use crate::fe::stage::{Stage, note, rest};
-use crate::fe::tolerance;
-use crate::fe::torsion;
+use crate::fe::stage::Stage;
+use crate::fe::{approach, round_trip, tolerance, torsion};
 use crate::freedom::Role;
+use crate::ladder::{Climbed, Ladder, Refusal, climb, errors, missed, rungs};
 use crate::machined::{Machined, SurfacePoint};
-use crate::profile::Profile;
+use crate::plan::Step;
+use crate::problem::Problem;
 use crate::scene::Balance;
-use crate::setup::Problem;
-use crate::solution::{EnergyResult, ShapeResult, Solution, Status};
-use crate::solve::{CURVE, Options};
+use crate::solution::{ShapeResult, Status};
+use crate::solve::pressure;
+use crate::watch::Watch;
 
 /// Samples of the gap for the comparison of levels.
 const SAMPLES: usize = 201;
@@ -39,123 +39,84 @@ struct Solved {
     gaps: Vec<f64>,
     /// Closing velocities of the rigid modes at the samples.
     closing: DMatrix<f64>,
-    /// Counters and times.
-    solution: Solution,
+    effort: Effort,
 }
 
-/// Solves for the shape and fills in the solution.
-pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution) -> Result<Option<Reported>, Fault> {
-    let stage = Stage::new(problem)?;
-    let wear = crate::solve::pressure::wear_problem(&problem.scene, stage.patch, &problem.freedoms)
-        .map_err(|error| Fault::at("wear", "wrong-value", error.to_string(), "mend the numbers in the message"))?;
-    let optimum = match wear::optimal_pressure(&wear) {
-        Ok(optimum) => optimum,
-        Err(error) => {
-            solution.status = Status::Refused;
-            solution.reason = Some(error.to_string());
-            return Ok(None);
-        }
-    };
-    if let Some(reason) = unanswered(stage, &optimum) {
-        solution.status = Status::Refused;
-        solution.reason = Some(reason);
-        return Ok(None);
-    }
-    let carried = balanced(problem, &optimum)?;
+/// What stages before the shape leave to it.
+pub(crate) struct Before<'a> {
+    /// Shapes solved for to find the force of a prescribed approach.
+    pub(crate) passes: usize,
+    /// How the error of the pressure was estimated.
+    pub(crate) how: &'a str,
+}
+
+/// Solves for the shape.
+pub(super) fn solve(stage: Stage<'_>, before: &Before<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
+    let optimum = optimal(stage.problem)?;
+    unanswered(stage, &optimum)?;
+    let carried = balanced(stage.problem, &optimum);
     let stage = match &carried {
-        Some(problem) => Stage::new(problem)?,
+        Some(problem) => stage.with(problem)?,
         None => stage,
     };
     let shaper = Shaper::new(stage, &optimum);
-    let fixed = stage.fixed_level().is_some();
-    let mut solved: Vec<Solved> = Vec::new();
-    for level in stage.ladder(options) {
-        if crate::interrupt::asked() {
-            solution.status = Status::Interrupted;
-            return Ok(None);
-        }
-        solved.push(shaper.level(level)?);
-        if !fixed && estimate(&solved, Measure::of(stage.scene())).is_some_and(|error| error <= stage.accuracy()) {
-            break;
-        }
+    let ladder = Ladder::of(stage.problem, stage.options);
+    let measure = Measure::of(stage.problem);
+    let distance = |a: &Solved, b: &Solved| [difference_of_gaps(&a.gaps, &b.gaps, &b.closing, measure)];
+    let solve = |level, _: &[Solved], _: &mut Watch<'_>| shaper.level(level).map(ControlFlow::Continue).map_err(Refusal::Fault);
+    let Climbed { solved, stopped } = climb((&ladder, Step::Shape), Vec::new(), solve, distance, watch)?;
+    let mut effort = Effort::default();
+    solved.iter().for_each(|level| effort += level.effort.clone());
+    let degrees: Vec<usize> = ladder.levels.iter().map(|level| level.degree).collect();
+    let mut outcome = Outcome { stopped, ladder: rungs(&degrees, &solved, ("gap", 0), distance), ..Outcome::default() };
+    let error = errors(&solved, &distance).map(|[error]| error);
+    if let Some(last) = solved.last() {
+        estimated(&mut outcome, (&ladder, solved.len()), (measure, error), before.how);
+        let work = shaper.report(last, before.passes, &mut outcome)?;
+        effort += work;
     }
-    finish(&shaper, solved, fixed, options, solution)
+    Ok((outcome, effort))
+}
+
+/// The optimal pressure of a problem.
+pub(super) fn optimal(problem: &Problem) -> Result<wear::Optimum, Refusal> {
+    wear::optimal_pressure(&pressure::wear_problem(problem)?).map_err(|error| Refusal::Reason(error.to_string()))
+}
+
+/// The error of the gap, and whether it is small enough.
+fn estimated(
+    outcome: &mut Outcome,
+    (ladder, levels): (&Ladder, usize),
+    (measure, error): (Measure, Option<f64>),
+    closed: &str,
+) {
+    let of = if measure == Measure::Crown { "gap relative to its crown" } else { "gap" };
+    outcome.error.gap_relative = error;
+    outcome.error.how = match error {
+        Some(_) => format!("{of}: rest of the series of {levels} degrees; pressure: {closed}"),
+        None => format!("gap: not estimated below degree 5; pressure: {closed}"),
+    };
+    if let Some((error, accuracy)) = error.and_then(|error| Some((error, ladder.missed(error)?))) {
+        outcome.ended = Some((Status::AccuracyMissed, missed("gap", error, accuracy)));
+    }
 }
 
 /// The problem under the force that the pressure really carries, where that is not the load (`optimum.balance = "paper"` on an arc): bodies out
 /// of balance have no shape.
-fn balanced(problem: &Problem, optimum: &wear::Optimum) -> Result<Option<Problem>, Fault> {
-    let paper = problem.scene.optimum.as_ref().and_then(|optimum| optimum.balance) == Some(Balance::Paper);
+fn balanced(problem: &Problem, optimum: &wear::Optimum) -> Option<Problem> {
     let push = problem.freedoms.iter().position(|freedom| freedom.role == Role::Force);
-    match push.filter(|_| paper) {
-        Some(push) => approach::with_force(problem, optimum.resultants[push]).map(Some),
-        None => Ok(None),
-    }
+    let push = push.filter(|_| problem.optimum.balance == Balance::Paper)?;
+    Some(problem.with_force(optimum.resultants[push]))
 }
 
-/// Why a wanted pressure has no shape: it is infinite somewhere.
-pub(super) fn unanswered(stage: Stage<'_>, optimum: &wear::Optimum) -> Option<String> {
+/// A wanted pressure that is infinite somewhere has no shape.
+pub(super) fn unanswered(stage: Stage<'_>, optimum: &wear::Optimum) -> Result<(), Refusal> {
     let points = stage.patch.surface.sample(SAMPLES);
-    let point = points.iter().find(|point| !optimum.pressure_at(point).is_finite())?;
+    let Some(point) = points.iter().find(|point| !optimum.pressure_at(point).is_finite()) else { return Ok(()) };
     let [x, z] = [point.position.x, point.position.z];
-    Some(format!(
+    Err(Refusal::Reason(format!(
         "the wanted pressure is infinite at x = {x}, z = {z}, and no shape has it; leave a hole or a cap there (optimum.p_max)"
-    ))
-}
-
-/// Estimated `max |dg|` of the last level over the size of the gap, after the best rigid part is taken out of each difference.
-fn estimate(solved: &[Solved], measure: Measure) -> Option<f64> {
-    let difference = |a: &Solved, b: &Solved| difference_of_gaps(&a.gaps, &b.gaps, &b.closing, measure);
-    let [.., a, b, c] = solved else { return None };
-    Some(rest(difference(a, b), difference(b, c)))
-}
-
-/// Reports the last level with the error estimate and the effort of all, and proves it.
-fn finish(
-    shaper: &Shaper<'_>,
-    mut solved: Vec<Solved>,
-    fixed: bool,
-    options: Options,
-    solution: &mut Solution,
-) -> Result<Option<Reported>, Fault> {
-    let measure = Measure::of(shaper.stage.scene());
-    let error = estimate(&solved, measure);
-    let accuracy = shaper.stage.accuracy();
-    let levels = solved.len();
-    let times: Vec<_> = solved.iter().map(|s| s.solution.times.clone()).collect();
-    solution.counters.factorisations += solved.iter().map(|s| s.solution.counters.factorisations).sum::<usize>();
-    let change = |i: usize| difference_of_gaps(&solved[i - 1].gaps, &solved[i].gaps, &solved[i].closing, measure);
-    solution.ladder = rungs(&shaper.stage.ladder(options), levels, "gap", change, |i| estimate(&solved[..=i], measure));
-    let Some(last) = solved.pop() else { return Ok(None) };
-    add_times(&times, &mut solution.times);
-    shaper.report(&last, options, solution)?;
-    let result = solution.error.get_or_insert_default();
-    result.gap_relative = error;
-    let closed = std::mem::take(&mut result.how);
-    let of = if measure == Measure::Crown { "gap relative to its crown" } else { "gap" };
-    result.how = match error {
-        Some(_) => format!("{of}: rest of the series of {levels} degrees; pressure: {closed}"),
-        None => format!("gap: not estimated below degree 5; pressure: {closed}"),
-    };
-    if let (false, Some(error)) = (fixed, error)
-        && error > accuracy
-    {
-        solution.status = Status::AccuracyMissed;
-        solution.reason = Some(format!("the gap is accurate to {error:.1e}, not to the {accuracy:.0e} asked for"));
-    }
-    if shaper.stage.problem.plan.runs("round trip") {
-        let start = Instant::now();
-        let same = round_trip::same(shaper, &last.reduced, &last.shape, solution)?;
-        let curve = GapCurve::of(&last.shape, &last.reduced.pair()?);
-        let independent = round_trip::independent(shaper, last.level, &curve, solution)?;
-        note(solution, "round trip", start);
-        solution.counters.check_solves += 2;
-        if let Some(shape) = &mut solution.shape {
-            shape.roundtrip_same = Some(same);
-            shape.roundtrip_independent = Some(independent);
-        }
-    }
-    shaper.reported(last)
+    )))
 }
 
 /// The wanted tractions and the shape they ask for.
@@ -174,12 +135,9 @@ impl<'a> Shaper<'a> {
 
     /// Solves one level.
     fn level(&self, level: Level) -> Result<Solved, Fault> {
-        let mut solution = Solution::default();
-        let reduced = self.stage.reduced_at(level, &self.ends, &mut solution)?;
-        let start = Instant::now();
+        let (reduced, mut effort) = self.stage.reduced_at(level, &self.ends)?;
         let pair = reduced.pair()?;
-        let shape = self.shape(&pair)?;
-        note(&mut solution, "shape", start);
+        let shape = effort.timed(Step::Shape, self.stage.clock(), |_| self.shape(&pair))?;
         let arcs = samples(&pair);
         let gaps: Vec<f64> = arcs.iter().map(|arc| shape.gap(&pair, &pair.at_arc(*arc))).collect();
         let mut modes = DMatrix::zeros(SAMPLES, pair.shaped.rigid_modes.ncols());
@@ -188,40 +146,60 @@ impl<'a> Shaper<'a> {
                 modes[(row, k)] = phi;
             }
         }
-        Ok(Solved { level, reduced, shape, gaps, closing: modes, solution })
+        Ok(Solved { level, reduced, shape, gaps, closing: modes, effort })
     }
 
-    /// Everything that is reported of a level but its proof.
-    fn report(&self, solved: &Solved, options: Options, solution: &mut Solution) -> Result<(), Fault> {
+    /// Everything that is reported of a level, with its proof.
+    fn report(&self, solved: &Solved, passes: usize, outcome: &mut Outcome) -> Result<Effort, Fault> {
         let Solved { reduced, shape, gaps, .. } = solved;
         let (stage, pair) = (self.stage, reduced.pair()?);
-        reduced.count(&mut solution.counters);
         let most = (0..gaps.len()).max_by(|a, b| gaps[*a].total_cmp(&gaps[*b])).unwrap_or(0);
-        let lowest = match Measure::of(stage.scene()) {
+        let lowest = match Measure::of(stage.problem) {
             Measure::Largest => 0.0,
             Measure::Crown => gaps.iter().copied().fold(f64::INFINITY, f64::min),
         };
-        solution.shape = Some(ShapeResult {
-            iterations: solution.passes + 1,
+        let mut result = ShapeResult {
+            iterations: passes + 1,
             gap_max_um: Some(1e3 * gaps[most]),
             gap_where_mm: Some(stage.start(&pair) + samples(&pair)[most]),
             crown_um: Some(1e3 * (gaps[most] - lowest)),
             rigid_mm: shape.rigid.first().copied(),
             roundtrip_same: None,
             roundtrip_independent: None,
-            tolerance: if options.machining { tolerance::of(self, reduced)? } else { Vec::new() },
-        });
-        solution.energy = Some(EnergyResult {
-            body1_Nmm: Some(pair.shaped.strain_energy(&shape.shaped)),
-            body2_Nmm: pair.counter.zip(shape.counter.as_ref()).map(|(body, state)| body.strain_energy(state)),
-        });
-        solution.reactions = reduced.reactions(states(shape));
-        let points = options.sample.map_or_else(|| pair.points(), |sampling| stage.sample(&pair, sampling));
-        let profile = self.profile(&pair, shape, &points);
-        solution.machined = options.machining.then(|| self.machined(&pair, shape));
-        solution.profile = Some(profile);
-        solution.curve = Some(self.profile(&pair, shape, &stage.sample(&pair, CURVE)));
-        Ok(())
+            tolerance: if stage.options.machining { tolerance::of(self, reduced)? } else { Vec::new() },
+        };
+        outcome.machined = stage.options.machining.then(|| self.machined(&pair, shape));
+        let mut told = self.told(reduced, &pair, shape);
+        let mut effort = Effort::default();
+        if stage.problem.plan.runs(Step::RoundTrip) && !outcome.stopped {
+            let start = stage.clock()();
+            let curve = GapCurve::of(shape, &pair);
+            let (same, interface) = round_trip::same(self, reduced, shape)?;
+            result.roundtrip_same = Some(same);
+            outcome.interface = interface;
+            let (independent, work) = round_trip::independent(self, solved.level, &curve, &mut told)?;
+            result.roundtrip_independent = Some(independent);
+            // Its meshes and factorisations are counted, its seconds are those of the proof.
+            effort.counters.factorisations = work.counters.factorisations;
+            effort.counters.check_solves = 2;
+            effort.add_seconds(Step::RoundTrip, stage.clock()() - start);
+        }
+        outcome.shape = Some(result);
+        outcome.told = Some(told);
+        outcome.reported = self.reported(solved, &pair);
+        Ok(effort)
+    }
+
+    /// Energies, reactions and columns of the shape.
+    fn told(&self, reduced: &Reduced, pair: &Pair<'_>, shape: &Shape) -> Told {
+        let place = |p: &ContactPoint| SurfacePlace { position: p.position, normal: p.normal };
+        let between = |point: &ContactPoint| [self.pressure(&place(point)), shape.gap(pair, point), 0.0];
+        let points = pair.points();
+        let pressure: Vec<f64> = points.iter().map(|p| self.pressure(&place(p))).collect();
+        let gap: Vec<f64> = points.iter().map(|p| shape.gap(pair, p)).collect();
+        let opening = vec![0.0; points.len()];
+        let own = Own { points: &points, pressure: &pressure, gap: &gap, opening: &opening, closed: None };
+        Answer { stage: self.stage, reduced, pair, states: states(shape), own, between: &between }.told()
     }
 
     /// The surface to machine into body 1.
@@ -236,16 +214,14 @@ impl<'a> Shaper<'a> {
     }
 
     /// What fields and twist need of the last level.
-    fn reported(&self, last: Solved) -> Result<Option<Reported>, Fault> {
+    fn reported(&self, last: &Solved, pair: &Pair<'_>) -> Option<Reported> {
         let place = |p: &ContactPoint| SurfacePlace { position: p.position, normal: p.normal };
-        let points = last.reduced.pair()?.points();
+        let points = pair.points();
         let pressure: Vec<f64> = points.iter().map(|p| self.pressure(&place(p))).collect();
         let around = torsion::around(self.stage, &points, &pressure);
-        let Shape { shaped, counter, .. } = last.shape;
-        Ok(counter.map(|counter| {
-            let moments = vec![Moment { time_s: 0.0, name: "", states: [shaped, counter], around }];
-            Reported { level: last.level, ends: self.ends.clone(), moments }
-        }))
+        let counter = last.shape.counter.clone()?;
+        let moments = vec![Moment { time_s: 0.0, name: "", states: [last.shape.shaped.clone(), counter], around }];
+        Some(Reported { level: last.level, ends: self.ends.clone(), moments })
     }
 
     /// Wanted pressure at a place.
@@ -263,7 +239,7 @@ impl<'a> Shaper<'a> {
 
     /// The shape on a pair of bodies.
     pub(super) fn shape(&self, pair: &Pair<'_>) -> Result<Shape, Fault> {
-        let load = self.stage.scene().load.clone().unwrap_or_default();
+        let load = &self.stage.problem.load;
         if !self.stage.rigid_prescribed() {
             return self.smallest(pair);
         }
@@ -272,16 +248,15 @@ impl<'a> Shaper<'a> {
         let turned = match (load.approach, load.tilt) {
             // A rotation that nothing prescribes is that of the smallest shape.
             (Some(_), None) => approach::motion(pair, &self.smallest(pair)?.rigid, about)[1],
-            (_, tilt) => tilt.map_or(0.0, |t| t.0),
+            (_, tilt) => tilt.unwrap_or(0.0),
         };
-        let motion = [load.approach.map_or(0.0, |a| a.0) + fed[0], turned + fed[1]];
+        let motion = [load.approach.unwrap_or(0.0) + fed[0], turned + fed[1]];
         self.with_rigid_part(pair, RigidPart::Prescribed(approach::coordinates(pair, motion, about)))
     }
 
     /// Worn approach and turning after `approach_time`.
     fn fed(&self) -> Result<[f64; 2], Fault> {
-        let load = self.stage.scene().load.as_ref();
-        let time = load.and_then(|load| load.approach_time).map_or(0.0, |t| t.0);
+        let time = self.stage.problem.load.approach_time.unwrap_or(0.0);
         if time != 0.0 && self.feed.is_empty() {
             let message = "approach_time needs the feed of wear, and the multipliers of this functional are no velocities";
             let remedy = "use optimum.functional = \"steady\", or \"wear-power\" with q = 1 and equal b, with wear";
@@ -323,17 +298,6 @@ impl<'a> Shaper<'a> {
             integration: Integration::Lobatto,
         })
         .map_err(|error| Fault::at("load", "no-closing", error.to_string(), "press body 1 on body 2"))
-    }
-
-    fn profile(&self, pair: &Pair<'_>, shape: &Shape, points: &[ContactPoint]) -> Profile {
-        let pressure: Vec<f64> =
-            points.iter().map(|p| self.pressure(&SurfacePlace { position: p.position, normal: p.normal })).collect();
-        let mut profile = self.stage.profile(pair, points, &pressure, states(shape));
-        for (row, point) in points.iter().enumerate() {
-            profile.gap[row] = 1e3 * shape.gap(pair, point);
-            profile.opening[row] = 0.0;
-        }
-        profile
     }
 }
 

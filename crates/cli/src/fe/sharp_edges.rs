@@ -4,12 +4,11 @@ use contact::{ContactOperator, ContactSolution, Pair};
 use hpfem::{Corner, SlidingEdge, sliding_edge};
 
 use crate::fault::Fault;
-use crate::fe::bodies::{BodyParts, Level, kinematics};
+use crate::fe::bodies::{BodyParts, Level};
 use crate::fe::contact::pressure_at;
 use crate::fe::stage::Stage;
 use crate::fe::template::{CONTACT, Cut, RATIO};
 use crate::lints::Lint;
-use crate::solution::Solution;
 
 /// Layers of the usual finest level.
 const MOST: usize = 16;
@@ -21,16 +20,16 @@ pub(super) fn note(stage: Stage<'_>, layers: usize, closed: [bool; 2]) -> Result
     if friction == 0.0 || stage.facing() {
         return Ok(None);
     }
-    let level = Level { layers: 0, ..Level::of(stage.scene(), 2) };
-    let parts = stage.parts(level, Cut::Plain, &mut Solution::default())?;
+    let level = Level { layers: 0, ..stage.problem.level(2) };
+    let (parts, _) = stage.parts(level, Cut::Plain)?;
     let mut said = Vec::new();
     for (number, _) in closed.iter().enumerate().filter(|(_, closed)| **closed) {
         let (x, drag) = end(stage, &parts.parts[1], number);
         // The contact ray is the first face of the left wedge of body 1 and of the right one of body 2.
         let Some(wedges) = wedges(stage, [&parts.parts[0], &parts.parts[1]], number) else { continue };
         let into = if number == 0 { drag } else { -drag };
-        let on_axis = kinematics(stage.scene()).is_revolved() && x == 0.0;
-        match sliding_edge(&wedges[0], &wedges[1], into * friction, kinematics(stage.scene())) {
+        let on_axis = stage.couple.kinematics.is_revolved() && x == 0.0;
+        match sliding_edge(&wedges[0], &wedges[1], into * friction, stage.couple.kinematics) {
             _ if on_axis || drag == 0.0 => {}
             SlidingEdge::DigsIn => said.push(format!(
                 "at x = {x:.6} mm friction {friction} is beyond what any pressure with a finite force allows: the sharp edge digs in"
@@ -79,7 +78,7 @@ fn wedges(stage: Stage<'_>, bodies: [&BodyParts; 2], number: usize) -> Option<[C
     let mut found = Vec::new();
     for (body, parts) in bodies.into_iter().enumerate() {
         let vertex = end_vertex(parts, number)?;
-        let corner = parts.corner(vertex, kinematics(stage.scene()))?;
+        let corner = parts.corner(vertex, stage.couple.kinematics)?;
         let contact_first = (body == 0) == (number == 0);
         found.push(if contact_first { corner } else { corner.reversed() });
     }

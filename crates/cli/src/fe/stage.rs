@@ -1,119 +1,109 @@
-//! What the elastic stages share: the two reduced bodies of a level, the contact surface in the words of wear, common columns.
+//! What the elastic stages share: the problem with its surface and couple, the reduced bodies of a level, loads and columns of the contact.
 
 use std::sync::Arc;
-use std::time::Instant;
 
 use contact::{ContactLoad, ContactPoint, MomentBalance, Motion, Pair, Side};
-use hpfem::{Body, InterfaceOperator, InterfaceState, Kinematics};
+use hpfem::InterfaceState;
 use nalgebra::Vector3;
 use shapeopt::Gauge;
 
+use crate::couple::Couple;
+use crate::effort::{Clock, Effort};
 use crate::fault::Fault;
-use crate::fe::bodies::{BodyParts, Level, MEAN_COLUMNS, kinematics};
-use crate::fe::operators::{self, Place, Reduced};
+use crate::fe::bodies::{Level, MEAN_COLUMNS, Parts};
+use crate::fe::operators::{Bodies, Place, Reduced};
 use crate::fe::template::{Cut, Extent, meshes};
+use crate::options::{Options, Sampling, trapezoid_weights};
+use crate::plan::Step;
+use crate::problem::Problem;
 use crate::profile::Profile;
-use crate::scene::{LoadKind, Scene};
-use crate::setup::Problem;
-use crate::solution::{Reaction, Solution};
-use crate::solve::{Options, Sampling, trapezoid_weights};
+use crate::solve::pressure::wrong_wear;
 use crate::surface::Patch;
 
-/// First and last degree of the ladder, and its step.
-const DEGREES: [usize; 3] = [4, 16, 2];
-
-/// A scene whose contact surface is known, ready for its elastic stages.
+/// A problem whose contact surface is known, ready for its elastic stages.
 #[derive(Clone, Copy)]
 pub(super) struct Stage<'a> {
     pub(super) problem: &'a Problem,
+    pub(super) couple: &'a Couple,
     pub(super) patch: &'a Patch,
     pub(super) extent: Extent,
-}
-
-/// The two bodies of a level before their reduction.
-pub(super) struct Parts {
-    pub(super) parts: [BodyParts; 2],
-    /// Whether the surfaces face each other across a gap.
-    pub(super) facing: bool,
+    pub(super) options: &'a Options<'a>,
+    pub(super) bodies: &'a Bodies,
 }
 
 impl<'a> Stage<'a> {
-    pub(super) fn new(problem: &'a Problem) -> Result<Stage<'a>, Fault> {
+    pub(super) fn new(problem: &'a Problem, options: &'a Options<'a>, bodies: &'a Bodies) -> Result<Stage<'a>, Fault> {
         let none = || {
             let message = "the elastic stages do not know this contact surface yet";
             Fault::at("contact.edges", "not-available", message, "ask for the pressure alone: --set tasks=[pressure]")
         };
         let patch = problem.patch.as_ref().ok_or_else(none)?;
         let extent = Extent::of(patch.surface.shape()).ok_or_else(none)?;
-        Ok(Stage { problem, patch, extent })
+        let couple = problem.couple.as_ref().ok_or_else(none)?;
+        Ok(Stage { problem, couple, patch, extent, options, bodies })
     }
 
-    pub(super) fn scene(&self) -> &'a Scene {
-        &self.problem.scene
+    /// The same with other numbers of load and sliding.
+    pub(super) fn with(self, problem: &'a Problem) -> Result<Stage<'a>, Fault> {
+        Stage::new(problem, self.options, self.bodies)
+    }
+
+    pub(super) fn clock(&self) -> Clock {
+        self.options.clock
     }
 
     /// Accuracy asked for.
     pub(super) fn accuracy(&self) -> f64 {
-        accuracy(self.scene())
-    }
-
-    /// The fixed discretisation, if the scene has one.
-    pub(super) fn fixed_level(&self) -> Option<Level> {
-        fixed_level(self.scene())
-    }
-
-    /// The levels to solve: up to the fixed one, or until the caller has enough.
-    pub(super) fn ladder(&self, options: Options) -> Vec<Level> {
-        ladder(self.scene(), options)
+        self.problem.wanted.accuracy
     }
 
     /// Both bodies of a level with nodes at the ends of a pressure that does not fill the surface; without such ends as [`Stage::reduced`].
-    pub(super) fn reduced_at(&self, level: Level, ends: &[f64], solution: &mut Solution) -> Result<Arc<Reduced>, Fault> {
-        if ends.is_empty() {
-            return self.reduced(level, Cut::Plain, solution);
-        }
-        let parts = self.parts(level, Cut::Ends(ends), solution)?;
-        let reduced = Reduced::new(&parts, solution)?;
-        solution.counters.factorisations += 2;
-        reduced.count(&mut solution.counters);
-        Ok(Arc::new(reduced))
+    pub(super) fn reduced_at(&self, level: Level, ends: &[f64]) -> Result<(Arc<Reduced>, Effort), Fault> {
+        if ends.is_empty() { self.reduced(level, Cut::Plain) } else { self.made(level, Cut::Ends(ends)) }
     }
 
     /// Both bodies of a level, meshed and reduced unless that was done before.
-    pub(super) fn reduced(&self, level: Level, cut: Cut<'static>, solution: &mut Solution) -> Result<Arc<Reduced>, Fault> {
-        let place = Place { level, cut, torsion: false };
+    pub(super) fn reduced(&self, level: Level, cut: Cut<'static>) -> Result<(Arc<Reduced>, Effort), Fault> {
         // How far a round contact may reach follows from the load: such bodies fit no other run.
         if self.facing() {
-            let reduced = Reduced::new(&self.parts(level, cut, solution)?, solution)?;
-            solution.counters.factorisations += 2;
-            reduced.count(&mut solution.counters);
-            return Ok(Arc::new(reduced));
+            return self.made(level, cut);
         }
-        let reduced = self.problem.operators.get(self.scene(), place, solution, |solution| {
-            let parts = self.parts(level, cut, solution)?;
-            Reduced::new(&parts, solution)
-        })?;
-        reduced.count(&mut solution.counters);
-        Ok(reduced)
+        self.bodies.get(self.couple, Place { level, cut, torsion: false }, || self.make(level, cut))
+    }
+
+    /// Both bodies of a level on meshes of their own, not kept.
+    pub(super) fn made(&self, level: Level, cut: Cut<'_>) -> Result<(Arc<Reduced>, Effort), Fault> {
+        self.make(level, cut).map(|(reduced, effort)| (Arc::new(reduced), effort))
+    }
+
+    fn make(&self, level: Level, cut: Cut<'_>) -> Result<(Reduced, Effort), Fault> {
+        let (parts, mut effort) = self.parts(level, cut)?;
+        let (reduced, work) = Reduced::new(&parts, self.clock())?;
+        effort += work;
+        Ok((reduced, effort))
     }
 
     /// Both bodies of a level in the scalar problem of twisting; kept unless their meshes are cut at ends of contact.
-    pub(super) fn twisted(&self, level: Level, ends: &[f64], solution: &mut Solution) -> Result<Arc<Reduced>, Fault> {
-        let make = |cut: Cut<'_>, solution: &mut Solution| {
-            let parts = self.parts_in(level, cut, Kinematics::Torsion, solution)?;
-            Reduced::new(&parts, solution)
+    pub(super) fn twisted(&self, level: Level, ends: &[f64]) -> Result<(Arc<Reduced>, Effort), Fault> {
+        let make = |cut: Cut<'_>| -> Result<(Reduced, Effort), Fault> {
+            let mut effort = Effort::default();
+            let meshes = effort.timed(Step::Mesh, self.clock(), |_| self.meshes(level.layers, cut))?;
+            let (reduced, work) =
+                Reduced::new(&Parts::torsion(self.couple, meshes, level, self.facing())?, self.clock())?;
+            effort += work;
+            Ok((reduced, effort))
         };
-        if !ends.is_empty() {
-            solution.counters.factorisations += 2;
-            return make(Cut::Ends(ends), solution).map(Arc::new);
-        }
-        let place = Place { level, cut: Cut::Plain, torsion: true };
-        self.problem.operators.get(self.scene(), place, solution, |solution| make(Cut::Plain, solution))
+        let (reduced, effort) = if ends.is_empty() {
+            self.bodies.get(self.couple, Place { level, cut: Cut::Plain, torsion: true }, || make(Cut::Plain))?
+        } else {
+            make(Cut::Ends(ends)).map(|(reduced, effort)| (Arc::new(reduced), effort))?
+        };
+        Ok((reduced, effort.aside()))
     }
 
     /// The scalar problem of the bodies of a contact in which body 1 is turned.
-    pub(super) fn turned_pair(&self, level: Level, ends: &[f64], solution: &mut Solution) -> Result<Option<Arc<Reduced>>, Fault> {
-        if crate::setup::turns(self.scene()).is_empty() { Ok(None) } else { self.twisted(level, ends, solution).map(Some) }
+    pub(super) fn turned_pair(&self, level: Level, ends: &[f64]) -> Result<Option<(Arc<Reduced>, Effort)>, Fault> {
+        if self.problem.load.turns.is_empty() { Ok(None) } else { self.twisted(level, ends).map(Some) }
     }
 
     /// Whether the surfaces face each other across a gap.
@@ -122,34 +112,32 @@ impl<'a> Stage<'a> {
     }
 
     /// The meshes of both bodies with so many layers.
-    pub(super) fn meshes(&self, layers: usize) -> Result<[hpfem::Mesh; 2], Fault> {
-        meshes(self.scene(), self.extent, layers, Cut::Plain)
-    }
-
-    /// Meshes, supports and loads of both bodies.
-    pub(super) fn parts(&self, level: Level, cut: Cut<'_>, solution: &mut Solution) -> Result<Parts, Fault> {
-        self.parts_in(level, cut, kinematics(self.scene()), solution)
-    }
-
-    fn parts_in(&self, level: Level, cut: Cut<'_>, kinematics: Kinematics, solution: &mut Solution) -> Result<Parts, Fault> {
-        let start = Instant::now();
+    pub(super) fn meshes(&self, layers: usize, cut: Cut<'_>) -> Result<[hpfem::Mesh; 2], Fault> {
         // The coordinate of a surface may fall along its path.
         let turned: Vec<f64> = if self.patch.backwards { cut.ends().iter().rev().map(|t| -t).collect() } else { Vec::new() };
         let cut = if turned.is_empty() { cut } else { Cut::Ends(&turned) };
-        let [mesh1, mesh2] = meshes(self.scene(), self.extent, level.layers, cut)?;
-        let parts = [
-            BodyParts::new(self.scene(), true, mesh1, level, kinematics)?,
-            BodyParts::new(self.scene(), false, mesh2, level, kinematics)?,
-        ];
-        note(solution, "mesh", start);
-        Ok(Parts { parts, facing: self.facing() })
+        meshes(self.couple, self.extent, layers, cut)
+    }
+
+    /// Meshes, supports and loads of both bodies.
+    pub(super) fn parts(&self, level: Level, cut: Cut<'_>) -> Result<(Parts, Effort), Fault> {
+        let mut effort = Effort::default();
+        let parts = effort.timed(Step::Mesh, self.clock(), |_| {
+            Parts::new(self.couple, self.meshes(level.layers, cut)?, level, self.facing())
+        })?;
+        Ok((parts, effort))
     }
 
     /// Coefficient of the friction shear on the bodies.
     pub(super) fn friction(&self) -> f64 {
-        let contact = self.scene().contact.as_ref();
-        let shear = contact.and_then(|c| c.shear).unwrap_or(true);
-        if shear { contact.and_then(|c| c.friction).unwrap_or(0.0) } else { 0.0 }
+        self.problem.friction.shear()
+    }
+
+    /// Wear rules of both bodies, and how body 2 passes.
+    pub(super) fn rules(&self) -> Result<(wear::WearPair, wear::Counterface), Fault> {
+        let wear = &self.problem.wear;
+        let laws = wear.laws.clone().map_err(|error| wrong_wear(&error))?;
+        Ok((laws, wear.counterface))
     }
 
     /// A point of the contact surface with sliding speed and drag direction.
@@ -169,29 +157,28 @@ impl<'a> Stage<'a> {
 
     /// Whether body 1 is loaded through a rigid edge.
     pub(super) fn rigid_edge(&self) -> bool {
-        self.scene().load.as_ref().is_some_and(|load| load.kind == Some(LoadKind::Rigid))
+        self.couple.has_rigid_edge()
     }
 
     /// Whether the rigid part of a gap is prescribed instead of the smallest.
     pub(super) fn rigid_prescribed(&self) -> bool {
-        let load = self.scene().load.as_ref().filter(|_| self.rigid_edge());
-        load.is_some_and(|load| load.approach.is_some() || load.approach_time.is_some())
+        let load = &self.problem.load;
+        self.rigid_edge() && (load.approach.is_some() || load.approach_time.is_some())
     }
 
     /// Rotation that is prescribed and not zero, or 0.
     pub(super) fn turned(&self) -> f64 {
-        let load = self.scene().load.as_ref().filter(|_| self.rigid_edge());
-        load.and_then(|load| load.tilt).map_or(0.0, |tilt| tilt.0)
+        self.problem.load.tilt.filter(|_| self.rigid_edge()).unwrap_or(0.0)
     }
 
     /// Place x about which the rigid edge turns.
     pub(super) fn about(&self) -> f64 {
-        self.scene().load.as_ref().and_then(|load| load.about).map_or(0.0, |about| about[0].0)
+        self.problem.load.about[0]
     }
 
     /// Load-case factors of body 1: the force alone.
     pub(super) fn cases(&self) -> Vec<f64> {
-        let force = self.scene().load.as_ref().and_then(|load| load.force).map_or(0.0, |force| force.0);
+        let force = self.problem.load.force.unwrap_or(0.0);
         if self.rigid_edge() { vec![] } else { vec![force, 0.0, 0.0, 0.0] }
     }
 
@@ -199,15 +186,16 @@ impl<'a> Stage<'a> {
     pub(super) fn contact_load(&self, points: &[ContactPoint]) -> ContactLoad {
         let mut contact = ContactLoad::factors(&self.cases(), &[]);
         contact.moment = MomentBalance::Pressure;
-        if let Some(load) = self.scene().load.as_ref().filter(|_| self.rigid_edge()) {
-            let force = load.force.map_or(0.0, |f| f.0);
+        let load = &self.problem.load;
+        if self.rigid_edge() {
+            let force = load.force.unwrap_or(0.0);
             contact.motions[1] = match load.approach {
-                Some(approach) => Motion::Prescribed { value: -approach.0 },
+                Some(approach) => Motion::Prescribed { value: -approach },
                 None => Motion::Free { resultant: -force },
             };
             contact.motions[2] = match load.tilt {
-                Some(tilt) => Motion::Prescribed { value: -tilt.0 },
-                None => Motion::Free { resultant: -load.moment.map_or(0.0, |m| m.0) },
+                Some(tilt) => Motion::Prescribed { value: -tilt },
+                None => Motion::Free { resultant: -load.moment },
             };
         }
         if self.friction() > 0.0 {
@@ -262,14 +250,12 @@ impl<'a> Stage<'a> {
         let surface: Vec<wear::SurfacePoint> =
             points.iter().map(|p| self.surface_point(p.position, p.normal, p.weight)).collect();
         let mut profile = Profile::new(points.iter().map(|p| start + p.arc).collect(), &surface);
-        let friction = self.scene().contact.as_ref().and_then(|c| c.friction).unwrap_or(0.0);
-        let laws = crate::solve::pressure::wear_pair(self.scene(), friction);
         let held = states[0].map(|state| self.held(pair, state));
         let states = [held.as_ref(), states[1]];
         for (row, (point, on_surface)) in points.iter().zip(&surface).enumerate() {
             profile.pressure[row] = pressure[row];
             profile.shear[row] = self.friction() * pressure[row];
-            if let Ok(pair) = &laws {
+            if let Ok(pair) = &self.problem.wear.laws {
                 let worn = (0..2).filter(|body| pair.wears(*body));
                 let rate: f64 = worn.map(|body| wear::wear_rate(&pair.laws[body], pressure[row], on_surface.sliding_speed)).sum();
                 profile.wear_rate[row] = 1e3 * rate;
@@ -299,73 +285,6 @@ fn displacement(
     let u: [f64; 2] = std::array::from_fn(|k| rows[k].iter().map(|(i, c)| c * state.unknowns[*i]).sum::<f64>() + constant[k]);
     let along = |d: [f64; 2]| u[0] * d[0] + u[1] * d[1];
     [along(point.normal), along(point.tangent)]
-}
-
-impl Parts {
-    /// Assembles and reduces both bodies, and counts the work.
-    pub(super) fn reduce(&self, solution: &mut Solution) -> Result<[Body<'_>; 2], Fault> {
-        let bodies = [self.parts[0].reduce("body1")?, self.parts[1].reduce("body2")?];
-        operators::count([0, 1].map(|k| (&bodies[k].interface, bodies[k].effort)), solution);
-        Ok(bodies)
-    }
-
-    /// Reduces both bodies to their contact surface, keeping nothing of their inside, and counts the work.
-    pub(super) fn interfaces(&self, solution: &mut Solution) -> Result<[InterfaceOperator; 2], Fault> {
-        let [(first, effort), (second, other)] = [self.parts[0].interface("body1")?, self.parts[1].interface("body2")?];
-        operators::count([(&first, effort), (&second, other)], solution);
-        Ok([first, second])
-    }
-
-    /// Forces of the supports on their bodies.
-    pub(super) fn reactions(&self, bodies: &[Body<'_>; 2], states: [Option<&InterfaceState>; 2]) -> Vec<(String, Reaction)> {
-        let names = [self.parts[0].support_names.as_slice(), self.parts[1].support_names.as_slice()];
-        operators::reactions([&bodies[0].interface, &bodies[1].interface], names, states)
-    }
-}
-
-/// Accuracy a scene asks for.
-pub(super) fn accuracy(scene: &Scene) -> f64 {
-    scene.accuracy.unwrap_or(1e-6)
-}
-
-/// The fixed discretisation of a scene, if it has one.
-pub(super) fn fixed_level(scene: &Scene) -> Option<Level> {
-    let mesh = scene.mesh.clone().unwrap_or_default();
-    mesh.degree.or(mesh.layers).map(|_| {
-        let degree = mesh.degree.unwrap_or(8);
-        let standing = Level::of(scene, degree);
-        Level { layers: mesh.layers.unwrap_or(standing.layers), ..standing }
-    })
-}
-
-/// The levels to solve of a scene.
-pub(super) fn ladder(scene: &Scene, options: Options) -> Vec<Level> {
-    let [first, last, step] = DEGREES;
-    match fixed_level(scene) {
-        Some(level) if options.alone => vec![level],
-        None => (first..=last).step_by(step).map(|degree| Level::of(scene, degree)).collect(),
-        Some(level) => [4, 2, 0]
-            .iter()
-            .filter(|down| level.degree > **down)
-            .map(|down| Level { degree: level.degree - down, layers: level.layers })
-            .collect(),
-    }
-}
-
-/// Notes the seconds of a stage, summed over levels.
-pub(super) fn note(solution: &mut Solution, stage: &str, start: Instant) {
-    solution.times.push((stage.to_string(), start.elapsed().as_secs_f64()));
-}
-
-/// Estimated error of the last of at least three levels from the differences of successive ones, `older` and `newer`: they fall
-/// nearly like a geometric series, and since the fall slows down the ratio enters with the power 3/4 (true error over estimate
-/// between 0.3 and 1 on the drum in degrees 8 to 14).
-pub(crate) fn rest(older: f64, newer: f64) -> f64 {
-    if newer == 0.0 {
-        return f64::EPSILON;
-    }
-    let ratio = (newer / older).clamp(0.0, 0.85).powf(0.75);
-    (newer * ratio / (1.0 - ratio)).max(1e-14)
 }
 
 /// Columns of the mean displacement functionals that fix the free rigid modes, one a mode, each in turn the one of z, x,

@@ -2,6 +2,7 @@
 
 use hpfem::{Curve, Mesh, Named, Ruled, Side};
 
+use crate::couple::{Couple, LoadedEdge};
 use crate::fault::Fault;
 use crate::fe::cells::SAME;
 use crate::fe::cuts::{growing, halved, merged, parameters, subdivide, widest};
@@ -9,8 +10,6 @@ use crate::fe::matching::matched;
 use crate::fe::near_ends::{self, cut_near};
 use crate::fe::round_cells::as_cells;
 use crate::geometry::{Geometry, Rectangle, Ring, RingSegment, ShoeBlock};
-use crate::given::given;
-use crate::scene::Scene;
 
 /// Name of the edges on the contact surface.
 pub(crate) const CONTACT: &str = "@contact";
@@ -82,19 +81,17 @@ impl<'a> Cut<'a> {
 }
 
 /// The meshes of both bodies with the given number of layers around each singular point.
-pub(crate) fn meshes(scene: &Scene, extent: Extent, layers: usize, cut: Cut<'_>) -> Result<[Mesh; 2], Fault> {
-    let (Some(body1), Some(body2)) = (&scene.body1, &scene.body2) else {
-        return Err(not_meshed("body1.geometry", "bodies"));
-    };
+pub(crate) fn meshes(couple: &Couple, extent: Extent, layers: usize, cut: Cut<'_>) -> Result<[Mesh; 2], Fault> {
     let [far, near] = near_ends::split(cut);
     let cut = if near.is_empty() { cut } else { Cut::Ends(&far) };
-    let [first, second] = match [given("body1", body1)?, given("body2", body2)?] {
-        [None, None] => templates(scene, [&body1.geometry, &body2.geometry], extent, cut)?,
-        [first, second] if matches!(extent, Extent::Round { .. }) => {
-            let cells = [first.or_else(|| as_cells(scene, body1)), second.or_else(|| as_cells(scene, body2))];
-            matched(scene, [body1, body2], cells, extent, cut)?
-        }
-        cells => matched(scene, [body1, body2], cells, extent, cut)?,
+    let cells = couple.bodies.each_ref().map(|body| body.cells.as_deref().cloned());
+    let [first, second] = if cells.iter().all(Option::is_none) {
+        templates(couple, extent, cut)?
+    } else {
+        let round = matches!(extent, Extent::Round { .. });
+        let [first, second] = couple.bodies.each_ref().map(|body| if round { as_cells(couple, body) } else { None });
+        let [own, other] = cells;
+        matched(couple, [own.or(first), other.or(second)], extent, cut)?
     };
     let graded = |coarse: Coarse, key: &str| {
         let vertices = |mesh: &Mesh, points: &[[f64; 2]]| points.iter().map(|x| mesh.nearest_vertex(*x)).collect::<Vec<usize>>();
@@ -111,10 +108,10 @@ pub(crate) fn meshes(scene: &Scene, extent: Extent, layers: usize, cut: Cut<'_>)
 }
 
 /// The coarse meshes of two templates.
-fn templates(scene: &Scene, geometries: [&Geometry; 2], extent: Extent, cut: Cut<'_>) -> Result<[Coarse; 2], Fault> {
-    let cuts = contact_cuts(scene, extent, cut, &[]);
-    let first = coarse(scene, geometries[0], &cuts, true, cut)?;
-    let mut second = coarse(scene, geometries[1], &cuts, false, cut)?;
+fn templates(couple: &Couple, extent: Extent, cut: Cut<'_>) -> Result<[Coarse; 2], Fault> {
+    let cuts = contact_cuts(couple, extent, cut, &[]);
+    let first = coarse(couple, 0, &cuts, cut)?;
+    let mut second = coarse(couple, 1, &cuts, cut)?;
     // Points of the contact surface that need layers in the shaped body need them in both, for common break points.
     second.free.clone_from(&first.free);
     for x in &first.singular {
@@ -139,7 +136,7 @@ fn geometry_fault(key: &str, error: &hpfem::Error) -> Fault {
 
 /// Common break points of both bodies on the contact surface: at least two equal pieces, on arcs of at most 30 degrees, and those
 /// that the bodies need for themselves: a template by its kind, one given by cells by its points (`breaks`).
-pub(super) fn contact_cuts(scene: &Scene, extent: Extent, cut: Cut<'_>, breaks: &[f64]) -> Vec<f64> {
+pub(super) fn contact_cuts(couple: &Couple, extent: Extent, cut: Cut<'_>, breaks: &[f64]) -> Vec<f64> {
     let [first, last] = extent.ends();
     let near = SAME * (last - first);
     let with = |points: &[f64]| {
@@ -149,10 +146,10 @@ pub(super) fn contact_cuts(scene: &Scene, extent: Extent, cut: Cut<'_>, breaks: 
         merged(points.iter().copied().chain(others).collect())
     };
     let more = if cut == Cut::Shifted { 1.0 } else { 0.0 };
-    match (extent, scene.body1.as_ref().map(|body| &body.geometry)) {
-        (Extent::Angles(ends), Some(Geometry::RingSegment(segment))) => {
+    match (extent, &couple.bodies[0].geometry) {
+        (Extent::Angles(ends), Geometry::RingSegment(segment)) => {
             let half = 0.5 * (ends[1] - ends[0]);
-            let own: Vec<f64> = segment_breaks(scene, segment, cut).breaks.iter().map(|t| ends[0] + half * (1.0 + t)).collect();
+            let own: Vec<f64> = segment_breaks(couple, segment, cut).breaks.iter().map(|t| ends[0] + half * (1.0 + t)).collect();
             if breaks.is_empty() { own } else { with(&own) }
         }
         (Extent::Angles([from, to]), _) => {
@@ -178,13 +175,14 @@ fn with_ends([from, to]: [f64; 2], cut: Cut<'_>) -> Vec<f64> {
 }
 
 /// The coarse mesh of a template, cut at the given places of the contact surface.
-pub(super) fn coarse(scene: &Scene, geometry: &Geometry, cuts: &[f64], shaped: bool, cut: Cut<'_>) -> Result<Coarse, Fault> {
+pub(super) fn coarse(couple: &Couple, number: usize, cuts: &[f64], cut: Cut<'_>) -> Result<Coarse, Fault> {
+    let (shaped, body) = (number == 0, &couple.bodies[number]);
     let key = if shaped { "body1.geometry" } else { "body2.geometry" };
-    let result = match geometry {
-        Geometry::ShoeBlock(shoe) if shaped => shoe_block(scene, shoe, cuts, cut),
-        Geometry::RingSegment(segment) if shaped => ring_segment(scene, segment, cuts, cut),
-        Geometry::Ring(ring) if !shaped => full_ring(scene, ring, cuts),
-        Geometry::Rectangle(rectangle) => block(scene, rectangle, cuts, shaped, cut),
+    let result = match &body.geometry {
+        Geometry::ShoeBlock(shoe) if shaped => shoe_block(&couple.load, shoe, cuts, cut),
+        Geometry::RingSegment(segment) if shaped => ring_segment(couple, segment, cuts, cut),
+        Geometry::Ring(ring) if !shaped => full_ring(ring, cuts, &body.contact),
+        Geometry::Rectangle(rectangle) => block(couple, rectangle, cuts, shaped, cut),
         other => return Err(not_meshed(key, crate::setup::template(other))),
     };
     result.map_err(|error| geometry_fault(key, &error))
@@ -206,12 +204,7 @@ fn levels(height: f64, width: f64, least: usize) -> Vec<f64> {
     (0..=n).map(|i| if i == n { 1.0 } else { (f64::from(1_u32 << i) - 1.0) / last }).collect()
 }
 
-/// Names of the load edge: the whole side.
-fn load_side(scene: &Scene, edge: &str) -> bool {
-    scene.load.as_ref().and_then(|load| load.edge.as_deref()) == Some(edge)
-}
-
-fn shoe_block(scene: &Scene, shoe: &ShoeBlock, cuts: &[f64], cut: Cut<'_>) -> Result<Coarse, hpfem::Error> {
+fn shoe_block(load: &LoadedEdge, shoe: &ShoeBlock, cuts: &[f64], cut: Cut<'_>) -> Result<Coarse, hpfem::Error> {
     let (radius, angle, top) = (shoe.radius.0, shoe.half_angle.0, shoe.top.0);
     let (x, z) = (radius * angle.sin(), radius * angle.cos());
     let mut names = vec![
@@ -222,7 +215,7 @@ fn shoe_block(scene: &Scene, shoe: &ShoeBlock, cuts: &[f64], cut: Cut<'_>) -> Re
         named(Side::Right, "right"),
     ];
     for (side, edge) in [(Side::Top, "top"), (Side::Left, "left"), (Side::Right, "right")] {
-        if load_side(scene, edge) {
+        if load.is(edge) {
             names.push(named(side, LOAD));
         }
     }
@@ -256,13 +249,12 @@ fn segment_angles(segment: &RingSegment) -> [[f64; 2]; 2] {
     [segment.inner.0, segment.outer.0].map(|radius| x.map(|x| (x / radius).asin()))
 }
 
-fn segment_breaks(scene: &Scene, segment: &RingSegment, cut: Cut<'_>) -> SegmentBreaks {
+fn segment_breaks(couple: &Couple, segment: &RingSegment, cut: Cut<'_>) -> SegmentBreaks {
     let [inner, outer] = segment_angles(segment);
     let mut points = vec![-1.0, 1.0];
-    let load = scene.load.as_ref().filter(|load| load.edge.as_deref() == Some("outer"));
-    let load = load.and_then(|load| load.width.map(|w| (load.centre.map_or(0.0, |c| c.0), w.0))).map(|(centre, width)| {
-        let ends = [centre - 0.5 * width, centre + 0.5 * width];
-        let range = parameters(&ends.map(|x| (x / segment.outer.0).asin()), outer);
+    let strip = couple.load.strip.filter(|_| couple.load.is("outer"));
+    let load = strip.map(|strip| {
+        let range = parameters(&strip.ends().map(|x| (x / segment.outer.0).asin()), outer);
         [range[0], range[1]]
     });
     points.extend(load.into_iter().flatten());
@@ -277,14 +269,14 @@ fn segment_breaks(scene: &Scene, segment: &RingSegment, cut: Cut<'_>) -> Segment
     SegmentBreaks { breaks: subdivide(&halved(&points), step), load, middle }
 }
 
-fn ring_segment(scene: &Scene, segment: &RingSegment, cuts: &[f64], cut: Cut<'_>) -> Result<Coarse, hpfem::Error> {
-    let SegmentBreaks { mut breaks, load, middle } = segment_breaks(scene, segment, cut);
+fn ring_segment(couple: &Couple, segment: &RingSegment, cuts: &[f64], cut: Cut<'_>) -> Result<Coarse, hpfem::Error> {
+    let SegmentBreaks { mut breaks, load, middle } = segment_breaks(couple, segment, cut);
     let [inner, outer] = segment_angles(segment);
     // Further cuts that a counter-face given by its cells asks for.
     if cuts.len() > breaks.len() {
         breaks = merged(breaks.into_iter().chain(parameters(cuts, inner)).collect());
     }
-    let centre = middle.filter(|_| scene.body1.as_ref().is_some_and(|body| body.support.contains_key("centre")));
+    let centre = middle.filter(|_| couple.bodies[0].supports.contains_key("centre"));
     let mut names = vec![
         named(Side::Bottom, "inner"),
         named(Side::Bottom, CONTACT),
@@ -292,7 +284,7 @@ fn ring_segment(scene: &Scene, segment: &RingSegment, cuts: &[f64], cut: Cut<'_>
         named(Side::Left, "left"),
         named(Side::Right, "right"),
     ];
-    if load_side(scene, "outer") {
+    if couple.load.is("outer") {
         names.push(Named { side: Side::Top, range: load, name: LOAD });
     }
     names.extend(centre.map(|t| named(Side::Ruling(t), "centre")));
@@ -307,7 +299,7 @@ fn ring_segment(scene: &Scene, segment: &RingSegment, cuts: &[f64], cut: Cut<'_>
     Ok(Coarse { mesh, singular, free })
 }
 
-fn full_ring(scene: &Scene, ring: &Ring, cuts: &[f64]) -> Result<Coarse, hpfem::Error> {
+fn full_ring(ring: &Ring, cuts: &[f64], contact_edge: &str) -> Result<Coarse, hpfem::Error> {
     let (inner, outer) = (ring.inner.0, ring.outer.0);
     let centre = ring.centre.map_or([0.0; 2], |c| c.map(|c| c.0));
     let (from, to) = (cuts[0], cuts[cuts.len() - 1]);
@@ -322,8 +314,7 @@ fn full_ring(scene: &Scene, ring: &Ring, cuts: &[f64]) -> Result<Coarse, hpfem::
     let contact = parameters(&[from, to], range);
     let (bottom, top) = (arc(centre, inner, range), arc(centre, outer, range));
     // A drum around its shoe is touched on its bore.
-    let edges = scene.contact.as_ref().and_then(|contact| contact.edges.as_ref());
-    let (side, touched) = if edges.is_some_and(|edges| edges[1] == "inner") { (Side::Bottom, bottom) } else { (Side::Top, top) };
+    let (side, touched) = if contact_edge == "inner" { (Side::Bottom, bottom) } else { (Side::Top, top) };
     let names = [
         named(Side::Bottom, "inner"),
         named(Side::Top, "outer"),
@@ -352,7 +343,7 @@ fn ring_levels(inner: f64, outer: f64, width: f64) -> Vec<f64> {
     levels
 }
 
-fn block(scene: &Scene, rectangle: &Rectangle, cuts: &[f64], shaped: bool, cut: Cut<'_>) -> Result<Coarse, hpfem::Error> {
+fn block(couple: &Couple, rectangle: &Rectangle, cuts: &[f64], shaped: bool, cut: Cut<'_>) -> Result<Coarse, hpfem::Error> {
     let (x, z) = (rectangle.x.map(|x| x.0), rectangle.z.map(|z| z.0));
     let (contact_side, contact_z) = if shaped { (Side::Bottom, z[0]) } else { (Side::Top, z[1]) };
     let ends = [cuts[0], cuts[cuts.len() - 1]];
@@ -367,23 +358,22 @@ fn block(scene: &Scene, rectangle: &Rectangle, cuts: &[f64], shaped: bool, cut: 
         named(Side::Right, "right"),
         Named { side: contact_side, range: Some([contact[0], contact[1]]), name: CONTACT },
     ];
-    let axisymmetric = scene.kinematics == Some(crate::scene::Kinematics::Axisymmetric);
+    let axisymmetric = couple.is_revolved();
     if axisymmetric && x[0] == 0.0 {
         names.push(named(Side::Left, AXIS));
     }
     for (side, edge) in [(Side::Top, "top"), (Side::Left, "left"), (Side::Right, "right")] {
-        if shaped && load_side(scene, edge) {
+        if shaped && couple.load.is(edge) {
             names.push(named(side, LOAD));
         }
     }
     // Ends of contact, and the corners of the far side, where supports or a rigid edge end.
     let far_z = if shaped { z[1] } else { z[0] };
     let far_edge = if shaped { "top" } else { "bottom" };
-    let body = if shaped { &scene.body1 } else { &scene.body2 };
-    let held = body.as_ref().is_some_and(|b| b.support.contains_key(far_edge));
+    let held = couple.bodies[usize::from(!shaped)].supports.contains_key(far_edge);
     let free = cut.ends().iter().map(|t| [ends[0] + 0.5 * (1.0 + t) * (ends[1] - ends[0]), contact_z]).collect();
     let mut singular: Vec<[f64; 2]> = ends.iter().map(|x| [*x, contact_z]).collect();
-    if held || (shaped && load_side(scene, far_edge)) {
+    if held || (shaped && couple.load.is(far_edge)) {
         singular.extend(x.map(|x| [x, far_z]));
     }
     singular.retain(|point| !(axisymmetric && point[0] == 0.0));

@@ -6,7 +6,6 @@ use shapeopt::{SurfacePlace, WearProblem, tolerances};
 use crate::fault::Fault;
 use crate::fe::operators::Reduced;
 use crate::fe::shape::Shaper;
-use crate::fe::wear;
 use crate::solution::ToleranceResult;
 
 /// Amplitude of the errors, mm.
@@ -28,8 +27,8 @@ pub(super) fn of(shaper: &Shaper<'_>, reduced: &Reduced) -> Result<Vec<Tolerance
         return Ok(Vec::new());
     }
     let Ok(system) = operator.system(&stage.contact_load(points)) else { return Ok(Vec::new()) };
-    let (laws, counterface) = wear::rules(stage)?;
-    let surface: Vec<::wear::SurfacePoint> = points.iter().map(|p| stage.surface_point(p.position, p.normal, p.weight)).collect();
+    let (laws, counterface) = stage.rules()?;
+    let surface: Vec<wear::SurfacePoint> = points.iter().map(|p| stage.surface_point(p.position, p.normal, p.weight)).collect();
     let gap = vec![0.0; points.len()];
     let mut problem = WearProblem::new(surface, laws, counterface, gap, system);
     problem.track_area = stage.patch.surface.track_area();

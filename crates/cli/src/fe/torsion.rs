@@ -3,13 +3,11 @@
 use contact::{ContactPoint, Pair, Side};
 use hpfem::{InterfaceOperator, InterfaceState, TraceLoad};
 
+use crate::effort::Effort;
 use crate::fault::Fault;
 use crate::fe::recover::Reported;
-use crate::fe::rungs::add_times;
 use crate::fe::stage::Stage;
 use crate::profile::Profile;
-use crate::solution::Solution;
-use crate::solve::Options;
 
 /// Shear `mu p tau` around the axis on body 1 (MPa), positive where body 2 drags it anti-clockwise; of a stage under its own sliding.
 pub(super) fn around(stage: Stage<'_>, points: &[ContactPoint], pressure: &[f64]) -> Vec<f64> {
@@ -50,15 +48,12 @@ pub(super) fn write(pair: &Pair<'_>, around: &[f64], rows: &[ContactPoint], prof
     }
 }
 
-/// Fills the circumferential displacements of both bodies into the reported profile, positive anti-clockwise.
-pub(super) fn fill(stage: Stage<'_>, reported: &Reported, options: Options<'_>, solution: &mut Solution) -> Result<(), Fault> {
-    let (Some(moment), Some(profile)) = (reported.moments.first(), &mut solution.profile) else { return Ok(()) };
-    let mut effort = Solution::default();
-    let twist = stage.twisted(reported.level, &reported.ends, &mut effort)?;
+/// Fills the circumferential displacements of both bodies into the reported columns, positive anti-clockwise.
+pub(super) fn fill(stage: Stage<'_>, reported: &Reported, profile: &mut Profile) -> Result<Effort, Fault> {
+    let Some(moment) = reported.moments.first() else { return Ok(Effort::default()) };
+    let (twist, effort) = stage.twisted(reported.level, &reported.ends)?;
     let pair = twist.pair()?;
-    let rows = options.sample.map_or_else(|| pair.points(), |sampling| stage.sample(&pair, sampling));
+    let rows = stage.options.sample.map_or_else(|| pair.points(), |sampling| stage.sample(&pair, sampling));
     write(&pair, &moment.around, &rows, profile);
-    solution.counters.factorisations += effort.counters.factorisations;
-    add_times(&[effort.times], &mut solution.times);
-    Ok(())
+    Ok(effort)
 }

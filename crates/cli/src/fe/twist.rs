@@ -5,9 +5,8 @@ use contact::{ContactOperator, ContactSolution, Pair, TorsionOperator, Turn, Twi
 use crate::fault::Fault;
 use crate::fe::contact::{linear, unsolved};
 use crate::profile::Profile;
+use crate::problem::Problem;
 use crate::report::short;
-use crate::scene::Scene;
-use crate::setup::turns;
 use crate::solution::{ContactResult, TwistResult};
 
 /// The history of a twist at one level.
@@ -25,11 +24,11 @@ pub(super) struct Twist {
 
 impl Twist {
     /// Turns body 1 as the scene asks; `pair` is the bodies' scalar problem, `found` their contact, pressed without shear.
-    pub(super) fn new(scene: &Scene, pair: &Pair<'_>, found: &ContactSolution) -> Result<Option<Twist>, Fault> {
-        let turns = turns(scene);
+    pub(super) fn new(problem: &Problem, pair: &Pair<'_>, found: &ContactSolution) -> Result<Option<Twist>, Fault> {
+        let turns = &problem.load.turns;
         let Some(first) = turns.first() else { return Ok(None) };
         let operator = TorsionOperator::new(pair).map_err(unsolved)?;
-        let friction = scene.contact.as_ref().and_then(|c| c.friction).unwrap_or(0.0);
+        let friction = problem.friction.coefficient;
         let limits: Vec<f64> = found.nodal_force.iter().map(|force| friction * force.max(0.0)).collect();
         let mut result = TwistResult { slip_torque_Nmm: operator.slip_torque(&limits), ..TwistResult::default() };
         let mut step = |turn: Turn, slip: &[f64]| -> Result<TwistSolution, Fault> {
@@ -75,8 +74,8 @@ impl Twist {
     }
 
     /// Where the outermost zone of stick ends, if that is a place for an element node: neither at the middle nor at the end of contact.
-    pub(super) fn node(contact: Option<&ContactResult>) -> Option<f64> {
-        let contact = contact.filter(|contact| contact.twist.is_some())?;
+    pub(super) fn node(contact: &ContactResult) -> Option<f64> {
+        contact.twist.as_ref()?;
         let share = contact.stick_ends_mm.last()? / contact.ends_mm.last()?;
         contact.stick_ends_mm.last().copied().filter(|_| (0.05..=0.95).contains(&share))
     }

@@ -7,140 +7,124 @@ mod mesh_lines;
 mod nodal_curve;
 mod pieces;
 mod problem;
-mod settled;
+
+use std::ops::ControlFlow;
 
 use nalgebra::DMatrix;
 use shapeopt::EvolutionStatus;
 
-use crate::fault::Fault;
-use crate::fe::bodies::Level;
+use crate::effort::Effort;
+use crate::fe::answer::{Outcome, Told};
 use crate::fe::gap_difference::{Measure, difference_of_gaps};
 use crate::fe::recover::Reported;
-use crate::fe::rungs::{add_times, rungs};
-use crate::fe::stage::{Stage, rest};
-use crate::live::Live;
-use crate::record::FinishedLevel;
-use crate::setup::Problem;
-use crate::solution::{Counters, Solution, Status};
-use crate::solve::Options;
+use crate::fe::stage::Stage;
+use crate::ladder::{Climbed, Ladder, Refusal, climb, errors, missed, rungs};
+use crate::plan::Step;
+use crate::solution::{Status, WearResult};
+use crate::watch::{FinishedLevel, Resume, Watch};
 
+use history::History;
 use level::{MOST_STEPS, Mesh, run};
+use pieces::Pieces;
 
-pub(super) use problem::rules;
-
-/// A solved level: what it leaves behind for the others, and what is reported if it is the last.
+/// A level: what it leaves behind for the others, and what is reported if it is the last.
 struct Solved {
     left: FinishedLevel,
+    run: Option<Ran>,
+}
+
+/// A level that was run here, not in an earlier run that this one goes on with.
+struct Ran {
     ended: EvolutionStatus,
+    history: History,
+    wear: WearResult,
+    told: Told,
     /// For the fields: the end, then the start.
     reported: Option<Reported>,
-    solution: Solution,
+    effort: Effort,
 }
 
-/// Runs the wear in time and fills in the solution.
-pub(super) fn solve(
-    problem: &Problem,
-    options: Options,
-    live: &mut Live,
-    solution: &mut Solution,
-) -> Result<Option<Reported>, Fault> {
-    let stage = Stage::new(problem)?;
-    let fixed = stage.fixed_level().is_some();
-    let ladder = stage.ladder(options);
-    // Levels that an interrupted run has finished are not solved again.
-    let mut finished: Vec<FinishedLevel> = live.finished_levels();
-    let known = finished.iter().zip(&ladder).all(|(left, level)| (left.degree, left.layers) == (level.degree, level.layers));
-    if !known || finished.len() >= ladder.len() {
-        finished.clear();
-    }
-    let ends = final_ends::final_ends(stage)?;
-    let mut last: Option<Solved> = None;
-    let mut times = Vec::new();
-    for level in ladder.into_iter().skip(finished.len()) {
-        if crate::interrupt::asked() {
-            break;
-        }
-        if let Some(before) = last.take() {
-            finished.push(before.left);
-        }
-        match run(stage, Mesh { level, ends: &ends }, &finished, options, live)? {
-            Ok(solved) => {
-                times.push(solved.solution.times.clone());
-                let stuck = matches!(solved.ended, EvolutionStatus::Stuck { .. });
-                let enough = !fixed && estimate(&finished, &solved.left).is_some_and(|error| error <= stage.accuracy());
-                last = Some(solved);
-                if stuck || enough {
-                    break;
-                }
+/// Runs the wear in time.
+pub(super) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
+    let ladder = Ladder::of(stage.problem, stage.options);
+    let pieces = Pieces::of(stage.problem);
+    let resume = stage.options.resume.cloned().unwrap_or_default();
+    let (known, mut states) = if fits(&resume, &ladder) { (resume.finished, resume.states) } else { Default::default() };
+    let ends = final_ends::final_ends(stage, &pieces)?;
+    let known: Vec<Solved> = known.into_iter().map(|left| Solved { left, run: None }).collect();
+    let mut cut = None;
+    let solve = |level, before: &[Solved], watch: &mut Watch<'_>| {
+        let finished: Vec<FinishedLevel> = before.iter().map(|solved| solved.left.clone()).collect();
+        let states = std::mem::take(&mut states);
+        let (left, ran) = match run((stage, &pieces), Mesh { level, ends: &ends }, (&finished, states), watch)? {
+            Ok(done) => done,
+            Err(history) => {
+                cut = Some(history);
+                return Ok(ControlFlow::Break(None));
             }
-            Err(reason) => {
-                solution.status = Status::Refused;
-                solution.reason = Some(reason);
-                return Ok(None);
-            }
+        };
+        let stuck = matches!(ran.ended, EvolutionStatus::Stuck { .. });
+        let solved = Solved { left, run: Some(ran) };
+        Ok(if stuck { ControlFlow::Break(Some(solved)) } else { ControlFlow::Continue(solved) })
+    };
+    let Climbed { solved, stopped } = climb((&ladder, Step::Evolution), known, solve, distance, watch)?;
+    let mut effort = Effort::default();
+    for level in &solved {
+        match &level.run {
+            Some(ran) => effort += ran.effort.clone(),
+            None => effort += before(&level.left),
         }
     }
-    // A run that the wish cut short says nothing about its end.
-    if crate::interrupt::asked() {
-        solution.status = Status::Interrupted;
-        return Ok(None);
-    }
-    add_times(&times, &mut solution.times);
-    Ok(last.and_then(|last| finish(stage, &finished, last, fixed, solution)))
+    let finished = || solved.iter().map(|level| level.left.clone()).collect();
+    let resume = stopped.then(|| Resume { finished: finished(), states: cut.map_or_else(Vec::new, |cut| cut.states) });
+    Ok((Outcome { stopped, resume, ..finish(stage, &ladder, solved) }, effort))
 }
 
-/// Estimated `max |dg| / max g` at the end, modulo the rigid part.
-fn estimate(finished: &[FinishedLevel], last: &FinishedLevel) -> Option<f64> {
-    let [.., a, b] = finished else { return None };
-    Some(rest(difference(a, b), difference(b, last)))
+/// Whether an unfinished run is one on these levels.
+fn fits(resume: &Resume, ladder: &Ladder) -> bool {
+    let same = resume.finished.iter().zip(&ladder.levels).all(|(left, l)| (left.degree, left.layers) == (l.degree, l.layers));
+    same && resume.finished.len() < ladder.levels.len()
 }
 
-/// Difference of the worn gaps of two levels.
-fn difference(a: &FinishedLevel, b: &FinishedLevel) -> f64 {
+/// Work of a level of an earlier run.
+fn before(left: &FinishedLevel) -> Effort {
+    let mut effort = Effort::default();
+    effort.counters.factorisations = left.factorisations;
+    effort.counters.contact_solves = left.contact_solves;
+    effort.counters.wear_steps = left.wear_steps;
+    effort
+}
+
+/// Difference of the worn gaps of two levels, modulo the rigid part, over the largest gap.
+fn distance(a: &Solved, b: &Solved) -> [f64; 1] {
+    let (a, b) = (&a.left, &b.left);
     let points = b.gap_mm.len();
     let closing = DMatrix::from_row_slice(points, b.closing.len() / points.max(1), &b.closing);
-    difference_of_gaps(&a.gap_mm, &b.gap_mm, &closing, Measure::Largest)
+    [difference_of_gaps(&a.gap_mm, &b.gap_mm, &closing, Measure::Largest)]
 }
 
-fn finish(stage: Stage<'_>, finished: &[FinishedLevel], last: Solved, fixed: bool, solution: &mut Solution) -> Option<Reported> {
-    let error = estimate(finished, &last.left);
-    let levels = finished.len() + 1;
-    let all: Vec<FinishedLevel> = finished.iter().chain([&last.left]).cloned().collect();
-    let solved: Vec<Level> = all.iter().map(|left| Level { degree: left.degree, layers: left.layers }).collect();
-    solution.ladder = rungs(&solved, levels, "gap", |i| difference(&all[i - 1], &all[i]), |i| estimate(&all[..i], &all[i]));
-    let total = |f: &dyn Fn(&FinishedLevel) -> usize| finished.iter().chain([&last.left]).map(f).sum::<usize>();
-    let before = solution.counters.clone();
-    solution.counters = Counters {
-        factorisations: total(&|left| left.factorisations) + before.factorisations,
-        contact_solves: total(&|left| left.contact_solves) + before.contact_solves,
-        check_solves: before.check_solves,
-        wear_steps: total(&|left| left.wear_steps),
-        ..last.solution.counters
+fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>) -> Outcome {
+    let degrees: Vec<usize> = solved.iter().map(|level| level.left.degree).collect();
+    let mut outcome = Outcome { ladder: rungs(&degrees, &solved, ("gap", 0), distance), ..Outcome::default() };
+    let error = errors(&solved, &distance).map(|[error]| error);
+    let levels = solved.len();
+    let Some(last) = solved.pop().and_then(|level| level.run) else { return outcome };
+    outcome.wear = Some(last.wear);
+    outcome.history = last.history.columns();
+    outcome.told = Some(last.told);
+    outcome.reported = last.reported;
+    outcome.ended = match last.ended {
+        EvolutionStatus::Stuck { .. } => Some((Status::NotConverged, last.ended.to_string())),
+        EvolutionStatus::Running => {
+            Some((Status::NotConverged, format!("the run was not steady after {MOST_STEPS} steps")))
+        }
+        _ => None,
     };
-    let Solved { ended, reported, solution: result, .. } = last;
-    solution.wear = result.wear;
-    solution.energy = result.energy;
-    solution.reactions = result.reactions;
-    solution.profile = result.profile;
-    solution.curve = result.curve;
-    solution.history = result.history;
-    if let EvolutionStatus::Stuck { .. } = ended {
-        solution.status = Status::NotConverged;
-        solution.reason = Some(ended.to_string());
-        return reported;
+    let Some(error) = error.filter(|_| outcome.ended.is_none()) else { return outcome };
+    outcome.error.gap_relative = Some(error);
+    outcome.error.how = format!("gap at the end: rest of the series of {levels} degrees");
+    if ladder.missed(error).is_some() {
+        outcome.ended = Some((Status::AccuracyMissed, missed("worn gap", error, stage.accuracy())));
     }
-    if ended == EvolutionStatus::Running {
-        solution.status = Status::NotConverged;
-        solution.reason = Some(format!("the run was not steady after {MOST_STEPS} steps"));
-        return reported;
-    }
-    let Some(error) = error else { return reported };
-    let result = solution.error.get_or_insert_default();
-    result.gap_relative = Some(error);
-    result.how = format!("gap at the end: rest of the series of {levels} degrees");
-    if !fixed && error > stage.accuracy() {
-        solution.status = Status::AccuracyMissed;
-        solution.reason = Some(format!("the worn gap is accurate to {error:.1e}, not to the {:.0e} asked for", stage.accuracy()));
-    }
-    reported
+    outcome
 }

@@ -4,10 +4,10 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use hpfem::{Curve, Mesh};
 
+use crate::couple::Body;
 use crate::fault::Fault;
 use crate::geometry::Geometry;
-use crate::given::{Given, given};
-use crate::scene::Body;
+
 
 /// Where a contact edge lies.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,13 +33,14 @@ pub(crate) enum ContactLine {
 }
 
 /// The line of a body's contact edge; `shaped` is body 1, which lies above the line, around the circle or inside it.
-pub(crate) fn contact_line(key: &str, body: &Body, edge: &str, shaped: bool) -> Result<ContactLine, Fault> {
+pub(crate) fn contact_line(body: &Body, shaped: bool) -> Result<ContactLine, Fault> {
+    let (key, edge) = (body.key, body.contact.as_str());
     let refuse = |message: String| {
         let remedy = "let the contact edge be one horizontal line with body 1 above, or part of one circle with body 1 around its top or inside its bottom, or let a round body 1 touch a line of body 2";
         Err(Fault::at(if shaped { "contact.edges.0" } else { "contact.edges.1" }, "not-available", message, remedy))
     };
-    if let Some(Given { mesh, .. }) = given(key, body)? {
-        return of_mesh(&mesh, edge, shaped).map_or_else(|why| refuse(format!("the edge `{edge}` of {key} {why}")), Ok);
+    if let Some(mesh) = &body.cells {
+        return of_mesh(mesh, edge, shaped).map_or_else(|why| refuse(format!("the edge `{edge}` of {key} {why}")), Ok);
     }
     match (&body.geometry, edge, shaped) {
         (Geometry::ShoeBlock(shoe), "inner", true) => {

@@ -1,20 +1,22 @@
 //! Bodies: kinematics, thickness, material, geometry, supports, contact edges.
 
 use std::path::Path;
+use std::sync::Arc;
 
+use crate::couple::Body;
 use crate::fault::{Fault, did_you_mean};
 use crate::gap::Gap;
 use crate::geometry::Geometry;
 use crate::given::{given, outside};
-use crate::scene::{Body, Component, Contact, Kinematics, Material, Scene};
+use crate::scene::{self, Component, Contact, Kinematics, Material, Scene};
 use crate::setup::{missing, positive};
 use crate::units::Length;
 
-/// Checks both bodies and the contact, and fills in their defaults.
-pub(super) fn resolve(scene: &mut Scene, folder: &Path) -> Result<(), Fault> {
+/// Checks both bodies and the contact, and fills in their defaults. None of a surface alone.
+pub(super) fn resolve(scene: &mut Scene, folder: &Path) -> Result<Option<(hpfem::Kinematics, [Body; 2])>, Fault> {
     friction(scene)?;
     if scene.surface.is_some() {
-        return Ok(());
+        return Ok(None);
     }
     let axisymmetric = match scene.kinematics {
         Some(kinematics) => kinematics == Kinematics::Axisymmetric,
@@ -30,14 +32,22 @@ pub(super) fn resolve(scene: &mut Scene, folder: &Path) -> Result<(), Fault> {
         positive("thickness", thickness.0, "thickness", " mm")?;
     }
     let names = ["body1", "body2"];
+    let mut bodies = Vec::new();
     for (name, body) in names.iter().zip([&mut scene.body1, &mut scene.body2]) {
         let Some(body) = body else {
             let why = "a scene has two bodies, or a `surface` alone";
             return Err(missing(name, why, &format!("{name}.geometry.rectangle = {{ x = [-30, 30], z = [0, 100] }}")));
         };
-        one_body(name, body, axisymmetric, folder)?;
+        bodies.push(one_body(name, body, axisymmetric, folder)?);
     }
-    contact_edges(scene, folder)
+    contact_edges(scene, &mut bodies, folder)?;
+    let thickness = scene.thickness.map_or(1.0, |thickness| thickness.0);
+    let kinematics = match scene.kinematics {
+        Some(Kinematics::PlaneStrain) => hpfem::Kinematics::PlaneStrain { thickness },
+        Some(Kinematics::Axisymmetric) => hpfem::Kinematics::Axisymmetric,
+        _ => hpfem::Kinematics::PlaneStress { thickness },
+    };
+    Ok(<[Body; 2]>::try_from(bodies).ok().map(|bodies| (kinematics, bodies)))
 }
 
 fn friction(scene: &mut Scene) -> Result<(), Fault> {
@@ -52,7 +62,7 @@ fn friction(scene: &mut Scene) -> Result<(), Fault> {
     Ok(())
 }
 
-fn one_body(name: &str, body: &mut Body, axisymmetric: bool, folder: &Path) -> Result<(), Fault> {
+fn one_body(name: &'static str, body: &mut scene::Body, axisymmetric: bool, folder: &Path) -> Result<Body, Fault> {
     geometry(name, &mut body.geometry, axisymmetric, folder)?;
     match body.material {
         Some(material) => check_material(&format!("{name}.material"), material)?,
@@ -69,13 +79,20 @@ fn one_body(name: &str, body: &mut Body, axisymmetric: bool, folder: &Path) -> R
             }
         }
     }
-    if let Some(given) = given(name, body)? {
+    let given = given(name, body)?;
+    if let Some(given) = &given {
         on_axis_side(name, &given.mesh, axisymmetric)?;
     }
-    let edges = edge_names(&body.geometry, true);
+    let (cells, materials) = match given {
+        Some(given) => (Some(Arc::new(given.mesh)), given.materials),
+        None => (None, body.material.into_iter().collect()),
+    };
+    let (geometry, supports) = (body.geometry.clone(), body.support.clone());
+    let typed = Body { key: name, geometry, cells, materials, supports, contact: String::new() };
+    let edges = edge_names(&typed, true);
     for (edge, components) in &body.support {
         let key = format!("{name}.support.{edge}");
-        known_edge(&key, edge, edges.as_deref())?;
+        known_edge(&key, edge, &edges)?;
         if components.is_empty() {
             let message = format!("{key} holds nothing");
             return Err(Fault::at(key, "wrong-value", message, "write the components held, as in [\"x\", \"z\"]"));
@@ -85,7 +102,7 @@ fn one_body(name: &str, body: &mut Body, axisymmetric: bool, folder: &Path) -> R
             return Err(Fault::at(key, "wrong-value", message, "write \"x\" or \"z\" here"));
         }
     }
-    Ok(())
+    Ok(typed)
 }
 
 /// An axisymmetric body lies at r >= 0.
@@ -211,9 +228,9 @@ pub(crate) fn template(geometry: &Geometry) -> &'static str {
     }
 }
 
-/// The named edges of a geometry, with its inner lines for supports; none when only the mesh file knows them.
-pub(crate) fn edge_names(geometry: &Geometry, lines: bool) -> Option<Vec<String>> {
-    let names: &[&str] = match geometry {
+/// The named edges of a body, with its inner lines for supports.
+pub(super) fn edge_names(body: &Body, lines: bool) -> Vec<String> {
+    let names: &[&str] = match &body.geometry {
         Geometry::ShoeBlock(_) => &["inner", "left", "right", "top"],
         Geometry::Ring(_) => &["inner", "outer"],
         Geometry::Rectangle(_) => &["left", "right", "bottom", "top"],
@@ -221,15 +238,14 @@ pub(crate) fn edge_names(geometry: &Geometry, lines: bool) -> Option<Vec<String>
         Geometry::RingSegment(_) => &["inner", "outer", "left", "right"],
         Geometry::HalfDisc(_) if lines => &["arc", "top", "centre"],
         Geometry::HalfDisc(_) => &["arc", "top"],
-        Geometry::Blocks(blocks) => return Some(blocks.edges.keys().cloned().collect()),
-        Geometry::Mesh(file) => return file.content.as_ref().map(|content| content.edges().to_vec()),
+        Geometry::Blocks(blocks) => return blocks.edges.keys().cloned().collect(),
+        Geometry::Mesh(_) => return body.cells.as_ref().map(|mesh| mesh.boundaries.clone()).unwrap_or_default(),
     };
-    Some(names.iter().map(|name| name.to_string()).collect())
+    names.iter().map(|name| name.to_string()).collect()
 }
 
 /// Refuses an edge that the body does not have.
-pub(super) fn known_edge(key: &str, edge: &str, edges: Option<&[String]>) -> Result<(), Fault> {
-    let Some(edges) = edges else { return Ok(()) };
+pub(super) fn known_edge(key: &str, edge: &str, edges: &[String]) -> Result<(), Fault> {
     if edges.iter().any(|known| known == edge) {
         return Ok(());
     }
@@ -237,18 +253,21 @@ pub(super) fn known_edge(key: &str, edge: &str, edges: Option<&[String]>) -> Res
     Err(Fault::at(key, "unknown-edge", format!("there is no edge `{edge}` here"), did_you_mean(edge, &known)))
 }
 
-fn contact_edges(scene: &mut Scene, folder: &Path) -> Result<(), Fault> {
-    let (Some(body1), Some(body2), Some(contact)) = (&scene.body1, &scene.body2, &mut scene.contact) else {
+fn contact_edges(scene: &mut Scene, bodies: &mut [Body], folder: &Path) -> Result<(), Fault> {
+    let Some(contact) = &mut scene.contact else {
         return Ok(());
     };
     let Some(edges) = &contact.edges else {
         let why = "the scene must say which edges touch";
         return Err(missing("contact.edges", why, "contact.edges = [\"bottom\", \"top\"]"));
     };
-    known_edge("contact.edges.0", &edges[0], edge_names(&body1.geometry, false).as_deref())?;
-    known_edge("contact.edges.1", &edges[1], edge_names(&body2.geometry, false).as_deref())?;
-    outside("body1", body1, &edges[0])?;
-    outside("body2", body2, &edges[1])?;
+    for (number, body) in bodies.iter().enumerate() {
+        known_edge(&format!("contact.edges.{number}"), &edges[number], &edge_names(body, false))?;
+    }
+    for (body, edge) in bodies.iter_mut().zip(edges) {
+        outside(body, edge)?;
+        body.contact.clone_from(edge);
+    }
     let gap = contact.gap.get_or_insert(Gap::Constant(0.0));
     match gap {
         Gap::Constant(0.0) => {}

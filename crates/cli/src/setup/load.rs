@@ -1,17 +1,19 @@
 //! The load: edge, kind, what is prescribed.
 
+use crate::couple::{Body, LoadedEdge, Strip};
 use crate::fault::Fault;
 use crate::freedom::edge_points;
 use crate::geometry::{Geometry, SurfaceShape};
 use crate::given::outside;
-use crate::scene::{Body, Kinematics, Load, LoadKind, Scene, Task};
+use crate::scene::{Kinematics, Load, LoadKind, Scene, Task};
 use crate::setup::bodies::{edge_names, known_edge};
 use crate::setup::{missing, positive};
 use crate::surface::Patch;
 use crate::units::{Length, Moment};
+use crate::{problem, setup};
 
 /// Checks the load and fills in its defaults.
-pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) -> Result<(), Fault> {
+pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>, body: Option<&Body>) -> Result<(), Fault> {
     let Some(load) = &mut scene.load else {
         let example = if scene.surface.is_some() {
             "load = { force = \"10 kN\" }"
@@ -24,14 +26,14 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) 
     if let Some(surface) = &mut scene.surface {
         return on_surface(load, surface);
     }
-    let Some(body) = &scene.body1 else {
+    let Some(body) = body else {
         return Ok(());
     };
     let Some(edge) = load.edge.clone() else {
         return Err(missing("load.edge", "the load needs an edge of body 1", "load.edge = \"top\""));
     };
-    known_edge("load.edge", &edge, edge_names(&body.geometry, false).as_deref())?;
-    outside("body1", body, &edge)?;
+    known_edge("load.edge", &edge, &edge_names(body, false))?;
+    outside(body, &edge)?;
     match load.kind {
         None => Err(missing("load.as", "how does the load act?", "load.as = \"pressure\" (or vertical, rigid)")),
         Some(LoadKind::Rigid) => rigid(scene, tasks, patch),
@@ -163,4 +165,38 @@ fn worn_approach(scene: &Scene, time: f64) -> Result<(), Fault> {
     let message = "load.approach_time needs the feed of the wear, and this optimum's multiplier is not a velocity";
     let remedy = "use optimum.functional = \"steady\", or wear-power with q = 1 and b1 = b2";
     Err(Fault::at("load.approach_time", "wrong-value", message, remedy))
+}
+
+/// Where and how a resolved load acts; none without an edge.
+pub(super) fn edge(load: &Load) -> Option<LoadedEdge> {
+    let kind = load.kind?;
+    let centre = load.centre.map_or(0.0, |centre| centre.0);
+    Some(LoadedEdge {
+        edge: load.edge.clone()?,
+        kind,
+        strip: load.width.filter(|_| kind == LoadKind::Vertical).map(|width| Strip { centre, width: width.0 }),
+        about: about(load),
+        level: load.tilt.is_some_and(|tilt| tilt.0 == 0.0),
+    })
+}
+
+fn about(load: &Load) -> [f64; 2] {
+    load.about.map_or([0.0; 2], |about| about.map(|x| x.0))
+}
+
+/// The numbers of a resolved load.
+pub(super) fn numbers(scene: &Scene) -> problem::Load {
+    let load = scene.load.clone().unwrap_or_default();
+    let moment = |given: Option<Moment>| given.map_or(0.0, |moment| moment.0);
+    problem::Load {
+        force: load.force.map(|force| force.0),
+        approach: load.approach.map(|approach| approach.0),
+        approach_time: load.approach_time.map(|time| time.0),
+        tilt: load.tilt.map(|tilt| tilt.0),
+        moment: moment(load.moment),
+        moment_y: moment(load.moment_y),
+        about: about(&load),
+        shear_force: load.shear_force.map_or(0.0, |force| force.0),
+        turns: setup::turns(scene),
+    }
 }

@@ -1,6 +1,7 @@
 //! The optimum: functional, q, and the exponent s that decides what it is.
 
 use crate::fault::Fault;
+use crate::problem;
 use crate::scene::{Balance, Functional, Modes, Optimum, Scene, Task};
 use crate::setup::positive;
 use crate::units::Pair;
@@ -48,7 +49,7 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task]) -> Result<(), Fault> {
 }
 
 /// Exponents b of the bodies that wear.
-pub(crate) fn exponents(scene: &Scene) -> Vec<f64> {
+pub(super) fn exponents(scene: &Scene) -> Vec<f64> {
     let Some(wear) = &scene.wear else {
         return vec![1.0];
     };
@@ -85,5 +86,17 @@ pub(crate) fn kind(functional: Functional) -> wear::Functional {
         Functional::FrictionPower => wear::Functional::FrictionPower,
         Functional::WearPower => wear::Functional::WearPower,
         Functional::Uniform => wear::Functional::Uniform,
+    }
+}
+
+/// The choice of a resolved scene.
+pub(super) fn choice(scene: &Scene) -> problem::Optimum {
+    let optimum = scene.optimum.clone().unwrap_or_default();
+    problem::Optimum {
+        functional: optimum.functional.unwrap_or(Functional::Steady),
+        q: optimum.q.unwrap_or(1.0),
+        balance: optimum.balance.unwrap_or(Balance::Equilibrium),
+        modes: optimum.modes.unwrap_or(Modes::Kinematic),
+        p_max: optimum.p_max.map(|cap| cap.0),
     }
 }

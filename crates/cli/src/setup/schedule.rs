@@ -1,8 +1,10 @@
 //! The schedule of a run in time: its lists fit each other and the scene, its times increase.
 
 use crate::fault::Fault;
+use crate::problem::Piece;
 use crate::scene::{Scene, Schedule};
 use crate::setup::missing;
+use crate::units::Time;
 
 /// Checks the schedule and fills in the lists that the scene's load and sliding have.
 pub(super) fn resolve(scene: &mut Scene) -> Result<(), Fault> {
@@ -63,4 +65,15 @@ fn times(schedule: &Schedule) -> Result<usize, Fault> {
         return Err(Fault::at(format!("{key}.{place}"), "wrong-value", message, "give the times in ascending order"));
     }
     Ok(times.len())
+}
+
+/// The pieces of a resolved schedule; none without one.
+pub(super) fn pieces(scene: &Scene) -> Vec<Piece> {
+    let Some(schedule) = &scene.schedule else { return Vec::new() };
+    let factor = |list: &Option<Vec<f64>>, piece: usize| list.as_ref().and_then(|list| list.get(piece)).copied().unwrap_or(1.0);
+    let piece = |(number, time): (usize, &Time)| Piece {
+        time: time.0,
+        factors: [&schedule.force, &schedule.moment, &schedule.speed].map(|list| factor(list, number)),
+    };
+    schedule.time.iter().flatten().enumerate().map(piece).collect()
 }

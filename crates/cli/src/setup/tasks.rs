@@ -1,7 +1,13 @@
 //! Tasks, accuracy, mesh.
 
 use crate::fault::Fault;
+use crate::fe::Level;
+use crate::geometry::Geometry;
+use crate::problem::Wanted;
 use crate::scene::{Mesh, Scene, Task};
+
+/// Relative error where the scene asks for none.
+const ACCURACY: f64 = 1e-6;
 
 /// Fills in tasks, title, accuracy and mesh; returns the tasks in their order.
 pub(super) fn resolve(scene: &mut Scene) -> Result<Vec<Task>, Fault> {
@@ -75,11 +81,23 @@ fn accuracy(scene: &mut Scene) -> Result<(), Fault> {
     if fixed {
         return Ok(());
     }
-    let accuracy = *scene.accuracy.get_or_insert(1e-6);
+    let accuracy = *scene.accuracy.get_or_insert(ACCURACY);
     if !(1e-13..=0.5).contains(&accuracy) {
         let message = format!("accuracy = {accuracy} is out of range");
         let remedy = "give a relative error from 1e-13 to 0.5, as in accuracy = 1e-6";
         return Err(Fault::at("accuracy", "wrong-value", message, remedy));
     }
     Ok(())
+}
+
+/// The accuracy of a resolved scene, or its fixed discretisation.
+pub(super) fn wanted(scene: &Scene, tasks: &[Task]) -> Wanted {
+    let thin = matches!(scene.body1.as_ref().map(|body| &body.geometry), Some(Geometry::RingSegment(_)));
+    let bends = thin && tasks.contains(&Task::Shape);
+    let mesh = scene.mesh.clone().unwrap_or_default();
+    let fixed = mesh.degree.or(mesh.layers).map(|_| {
+        let standing = Level::of(mesh.degree.unwrap_or(8), bends);
+        Level { layers: mesh.layers.unwrap_or(standing.layers), ..standing }
+    });
+    Wanted { accuracy: scene.accuracy.unwrap_or(ACCURACY), fixed, bends }
 }

@@ -41,6 +41,7 @@ pub(super) fn keys(document: &Document, scene: &Scene, tasks: &[Task]) -> Vec<St
     when(!punch, &["load.moment_y"]);
     when(rigid && axisymmetric, &["load.tilt"]);
     when(kind != Some(LoadKind::Vertical), &["load.width", "load.centre"]);
+    when(scene.load.as_ref().is_some_and(|load| load.width.is_none()), &["load.centre"]);
     let functional = scene.optimum.as_ref().and_then(|optimum| optimum.functional);
     when(!optimal, &["optimum.functional", "optimum.q", "optimum.balance", "optimum.modes", "optimum.p_max"]);
     when(optimal && matches!(functional, Some(Functional::Steady | Functional::Uniform)), &["optimum.q"]);

@@ -1,6 +1,10 @@
 //! The wear rule: factors, exponents, counter-face.
 
+use wear::{WearError, WearPair};
+
 use crate::fault::Fault;
+use crate::gap::Until;
+use crate::problem;
 use crate::scene::{Counterface, Functional, Scene, Task, Wear};
 use crate::setup::missing;
 use crate::surface::{Patch, PatchKind};
@@ -54,9 +58,9 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) 
             let remedy = "write \"fresh\" for a long plate, \"congruent\" where the same points always meet (ring on disc)";
             return Err(Fault::at("wear.counterface", "wrong-value", message, remedy));
         }
-        match wear.until.get_or_insert(crate::gap::Until::Steady) {
-            crate::gap::Until::Time(time) => super::positive("wear.until", time.0, "time", " s")?,
-            crate::gap::Until::Steady => {}
+        match wear.until.get_or_insert(Until::Steady) {
+            Until::Time(time) => super::positive("wear.until", time.0, "time", " s")?,
+            Until::Steady => {}
         }
     }
     Ok(())
@@ -127,4 +131,45 @@ fn factors(wear: &mut Wear) -> Result<(&'static str, [WearFactor; 2]), Fault> {
         _ => wear.k = Some(Pair::Two(plain)),
     }
     Ok((name, plain))
+}
+
+/// The rules of a resolved scene.
+pub(super) fn numbers(scene: &Scene) -> problem::Wear {
+    let friction = scene.contact.as_ref().and_then(|contact| contact.friction).unwrap_or(0.0);
+    problem::Wear {
+        laws: laws(scene.wear.as_ref(), friction),
+        exponents: super::optimum::exponents(scene),
+        counterface: match scene.wear.as_ref().and_then(|wear| wear.counterface) {
+            Some(Counterface::Congruent) => wear::Counterface::Congruent,
+            Some(Counterface::Revolving) => wear::Counterface::Revolving,
+            _ => wear::Counterface::Fresh,
+        },
+        until: match scene.wear.as_ref().and_then(|wear| wear.until) {
+            Some(Until::Time(time)) => Some(time.0),
+            _ => None,
+        },
+        of_friction: scene.wear.as_ref().is_some_and(|wear| wear.beta.is_some()),
+    }
+}
+
+/// The wear rules of both bodies.
+fn laws(rule: Option<&Wear>, friction: f64) -> Result<WearPair, WearError> {
+    let Some(rule) = rule else {
+        return Ok(WearPair::archard([0.0; 2], [1.0; 2], [1.0; 2]));
+    };
+    let pair = |given: Option<Pair<f64>>| match given {
+        Some(Pair::Two(values)) => values,
+        Some(Pair::One(value)) => [value, value],
+        None => [1.0, 1.0],
+    };
+    let factors = |given: Pair<WearFactor>| match given {
+        Pair::Two(values) => values.map(|factor| factor.value),
+        Pair::One(factor) => [factor.value, 0.0],
+    };
+    let (a, b) = (pair(rule.a), pair(rule.b));
+    match (rule.k, rule.beta) {
+        (Some(k), _) => Ok(WearPair::archard(factors(k), a, b)),
+        (None, Some(beta)) => WearPair::from_beta(factors(beta), friction, a, b),
+        (None, None) => Ok(WearPair::archard([0.0; 2], a, b)),
+    }
 }

@@ -1,116 +1,101 @@
 //! The optimal pressure on a surface known without a mesh.
 
-use wear::{Counterface, Optimum, Regime, SurfacePoint, WearError, WearPair};
+use wear::{Regime, SurfacePoint, WearError};
 
 use crate::fault::Fault;
 use crate::freedom::{Freedom, Role};
+use crate::options::{Options, Sampling};
+use crate::problem::{Optimum, Problem};
 use crate::profile::Profile;
-use crate::scene::{self, Balance, Functional, Modes, Scene};
-use crate::setup::{self, Problem};
-use crate::solution::{ByRole, ErrorResult, PointForce, PressureResult, Solution, Status};
-use crate::solve::{Options, Sampling};
+use crate::scene::{Balance, Modes};
+use crate::setup;
+use crate::solution::{ByRole, ErrorResult, PointForce, PressureResult, Status};
 use crate::surface::Patch;
-use crate::units::Pair;
 
-/// Solves for the optimal pressure and fills in the profile.
-pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution) -> Result<(), Fault> {
-    let Some(patch) = &problem.patch else {
-        let message = "the contact surface of this geometry is not known before it is meshed, so it has no optimal pressure yet";
-        return Err(Fault::at("tasks", "not-available", message, "ask for tasks = [\"contact\"]"));
-    };
-    let wear = wear_problem(&problem.scene, patch, &problem.freedoms)
-        .map_err(|error| Fault::at("wear", "wrong-value", error.to_string(), "mend the numbers in the message"))?;
-    let mut result = description(&problem.scene);
+/// The optimal pressure with its columns.
+pub(crate) struct Found {
+    /// How it ended, where it did not end well.
+    pub(super) ended: Option<(Status, String)>,
+    pub(super) result: PressureResult,
+    pub(super) profile: Option<Profile>,
+    pub(super) curve: Option<Profile>,
+    pub(super) error: Option<ErrorResult>,
+}
+
+/// Solves for the optimal pressure.
+pub(super) fn solve(problem: &Problem, options: &Options<'_>) -> Result<Found, Fault> {
+    let Some(patch) = &problem.patch else { return Err(not_known()) };
+    let wear = wear_problem(problem)?;
+    let mut found = Found { ended: None, result: description(&problem.optimum), profile: None, curve: None, error: None };
     match wear::optimal_pressure(&wear) {
         Ok(optimum) => {
-            describe(&mut result, &optimum, &problem.freedoms, wear.wear.active);
+            describe(&mut found.result, &optimum, &problem.freedoms, wear.wear.active);
             let points = match options.sample {
                 Some(Sampling::Even(count)) => patch.sample(count),
                 _ => patch.towards_x(optimum.points.clone()),
             };
-            solution.profile = Some(profile(&wear, patch, &optimum, points));
-            solution.curve = Some(profile(&wear, patch, &optimum, patch.sample(401)));
-            solution.error = Some(ErrorResult {
+            found.profile = Some(profile(&wear, patch, &optimum, points));
+            found.curve = Some(profile(&wear, patch, &optimum, patch.sample(401)));
+            found.error = Some(ErrorResult {
                 pressure_relative: Some(optimum.balance_residual.max(f64::EPSILON)),
                 how: "closed form of the pressure; residual of the balance".into(),
                 ..ErrorResult::default()
             });
         }
         Err(error) => {
-            solution.status = match error {
+            let status = match error {
                 WearError::NotConverged { .. } => Status::NotConverged,
                 _ => Status::Refused,
             };
             if let WearError::Infeasible { .. } = error {
-                result.regime = "infeasible".into();
+                found.result.regime = "infeasible".into();
             }
-            solution.reason = Some(error.to_string());
+            found.ended = Some((status, error.to_string()));
         }
     }
-    solution.pressure = Some(result);
-    Ok(())
+    Ok(found)
 }
 
-/// The scene in the words of the theory.
-pub(crate) fn wear_problem(scene: &Scene, patch: &Patch, freedoms: &[Freedom]) -> Result<wear::Problem, WearError> {
-    let contact = scene.contact.as_ref();
-    let friction = contact.and_then(|contact| contact.friction).unwrap_or(0.0);
-    let optimum = scene.optimum.clone().unwrap_or_default();
-    let functional = setup::kind(optimum.functional.unwrap_or(Functional::Steady));
+fn not_known() -> Fault {
+    let message = "the contact surface of this geometry is not known before it is meshed, so it has no optimal pressure yet";
+    Fault::at("tasks", "not-available", message, "ask for tasks = [\"contact\"]")
+}
+
+/// What is wrong with wear factors.
+pub(crate) fn wrong_wear(error: &WearError) -> Fault {
+    Fault::at("wear", "wrong-value", error.to_string(), "mend the numbers in the message")
+}
+
+/// The problem in the words of the theory.
+pub(crate) fn wear_problem(problem: &Problem) -> Result<wear::Problem, Fault> {
+    let patch = problem.patch.as_ref().ok_or_else(not_known)?;
+    let Optimum { functional, q, balance, modes, p_max } = problem.optimum;
     Ok(wear::Problem {
         surface: patch.surface.clone(),
-        wear: wear_pair(scene, friction)?,
-        friction,
-        shear_in_balance: contact.and_then(|contact| contact.shear).unwrap_or(true),
-        modes: freedoms.iter().map(|freedom| freedom.mode).collect(),
-        functional,
-        q: optimum.q.unwrap_or(1.0),
-        balance: match optimum.balance {
-            Some(Balance::Paper) => wear::Balance::Paper,
-            _ => wear::Balance::Equilibrium,
+        wear: problem.wear.laws.clone().map_err(|error| wrong_wear(&error))?,
+        friction: problem.friction.coefficient,
+        shear_in_balance: problem.friction.on_bodies,
+        modes: problem.freedoms.iter().map(|freedom| freedom.mode).collect(),
+        functional: setup::kind(functional),
+        q,
+        balance: match balance {
+            Balance::Paper => wear::Balance::Paper,
+            Balance::Equilibrium => wear::Balance::Equilibrium,
         },
-        mode_kind: match optimum.modes {
-            Some(Modes::Associated) => wear::Modes::Associated,
-            _ => wear::Modes::Kinematic,
+        mode_kind: match modes {
+            Modes::Associated => wear::Modes::Associated,
+            Modes::Kinematic => wear::Modes::Kinematic,
         },
-        counterface: match scene.wear.as_ref().and_then(|wear| wear.counterface) {
-            Some(scene::Counterface::Congruent) => Counterface::Congruent,
-            Some(scene::Counterface::Revolving) => Counterface::Revolving,
-            _ => Counterface::Fresh,
-        },
-        p_max: optimum.p_max.map(|cap| cap.0),
+        counterface: problem.wear.counterface,
+        p_max,
     })
 }
 
-/// The wear rules of both bodies.
-pub(crate) fn wear_pair(scene: &Scene, friction: f64) -> Result<WearPair, WearError> {
-    let Some(rule) = &scene.wear else {
-        return Ok(WearPair::archard([0.0; 2], [1.0; 2], [1.0; 2]));
-    };
-    let pair = |given: Option<Pair<f64>>| match given {
-        Some(Pair::Two(values)) => values,
-        Some(Pair::One(value)) => [value, value],
-        None => [1.0, 1.0],
-    };
-    let factors = |given: Pair<crate::units::WearFactor>| match given {
-        Pair::Two(values) => values.map(|factor| factor.value),
-        Pair::One(factor) => [factor.value, 0.0],
-    };
-    let (a, b) = (pair(rule.a), pair(rule.b));
-    match (rule.k, rule.beta) {
-        (Some(k), _) => Ok(WearPair::archard(factors(k), a, b)),
-        (None, Some(beta)) => WearPair::from_beta(factors(beta), friction, a, b),
-        (None, None) => Ok(WearPair::archard([0.0; 2], a, b)),
-    }
-}
-
-fn description(scene: &Scene) -> PressureResult {
-    let optimum = scene.optimum.clone().unwrap_or_default();
+fn description(optimum: &Optimum) -> PressureResult {
     let word = |value: Option<serde_json::Value>| value.and_then(|value| value.as_str().map(str::to_string)).unwrap_or_default();
-    let functional = optimum.functional.unwrap_or(Functional::Steady);
     PressureResult {
-        functional: word(serde_json::to_value(functional).ok()),
-        q: Some(optimum.q.unwrap_or(1.0)),
+        functional: word(serde_json::to_value(optimum.functional).ok()),
+        q: Some(optimum.q),
         balance: word(serde_json::to_value(optimum.balance).ok()),
         modes: word(serde_json::to_value(optimum.modes).ok()),
         ..PressureResult::default()
@@ -131,7 +116,7 @@ fn by_role(values: &[f64], freedoms: &[Freedom]) -> ByRole {
     all
 }
 
-fn describe(result: &mut PressureResult, optimum: &Optimum, freedoms: &[Freedom], active: bool) {
+fn describe(result: &mut PressureResult, optimum: &wear::Optimum, freedoms: &[Freedom], active: bool) {
     result.s = optimum.s;
     result.k = optimum.k;
     result.character = format!("{:?}", optimum.character).to_lowercase();
@@ -167,7 +152,7 @@ fn describe(result: &mut PressureResult, optimum: &Optimum, freedoms: &[Freedom]
     result.congruence_residual = optimum.congruence_residual;
 }
 
-fn profile(problem: &wear::Problem, patch: &Patch, optimum: &Optimum, points: Vec<SurfacePoint>) -> Profile {
+fn profile(problem: &wear::Problem, patch: &Patch, optimum: &wear::Optimum, points: Vec<SurfacePoint>) -> Profile {
     let s = points.iter().map(|point| patch.place(point)).collect();
     let mut profile = Profile::new(s, &points);
     if optimum.regime == Regime::Singular {

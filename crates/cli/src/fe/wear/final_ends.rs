@@ -4,25 +4,22 @@ use crate::fault::Fault;
 use crate::fe::pressure_ends::pressure_ends;
 use crate::fe::stage::Stage;
 use crate::fe::wear::pieces::Pieces;
-use crate::gap::Until;
 use crate::scene::Functional;
+use crate::solve::pressure;
 
 /// Ends inside the surface, from -1 to 1, of the steady pressure under the load that acts last: the gap gets its kinks there. None for a run
 /// to a given time, or where no steady pressure is known.
-pub(super) fn final_ends(stage: Stage<'_>) -> Result<Vec<f64>, Fault> {
-    if let Some(Until::Time(_)) = stage.scene().wear.as_ref().and_then(|wear| wear.until) {
+pub(super) fn final_ends(stage: Stage<'_>, pieces: &Pieces) -> Result<Vec<f64>, Fault> {
+    if stage.problem.wear.until.is_some() {
         return Ok(Vec::new());
     }
-    let pieces = Pieces::of(stage.problem)?;
-    let Some(last) = pieces.intervals.last().map(|interval| &pieces.scenes[interval.stage]) else { return Ok(Vec::new()) };
-    let mut scene = last.scene.clone();
-    let optimum = scene.optimum.get_or_insert_default();
-    optimum.functional = Some(Functional::Steady);
-    optimum.p_max = None;
-    if scene.load.as_ref().is_none_or(|load| load.force.is_none()) {
+    let Some(last) = pieces.intervals.last().map(|interval| &pieces.problems[interval.stage]) else { return Ok(Vec::new()) };
+    let mut steady = last.clone();
+    steady.optimum.functional = Functional::Steady;
+    steady.optimum.p_max = None;
+    if steady.load.force.is_none() {
         return Ok(Vec::new());
     }
-    let steady = crate::solve::pressure::wear_problem(&scene, stage.patch, &last.freedoms)
-        .and_then(|problem| wear::optimal_pressure(&problem));
-    Ok(steady.map(|optimum| pressure_ends(stage, &optimum)).unwrap_or_default())
+    let optimum = pressure::wear_problem(&steady).ok().and_then(|problem| wear::optimal_pressure(&problem).ok());
+    Ok(optimum.map(|optimum| pressure_ends(stage, &optimum)).unwrap_or_default())
 }

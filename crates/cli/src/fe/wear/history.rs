@@ -1,11 +1,17 @@
-//! The table history.csv: one row a step.
+//! The states of a run as far as they are looked at again: the table history.csv, what the running-in has cost, and where to go on.
 
-use shapeopt::WearState;
+use shapeopt::{WearState, settling};
 
-/// Columns of history.csv.
-#[derive(Default)]
+use crate::solution::Settled;
+
+/// How close to the steady pressure counts as worn in.
+const DEVIATION: f64 = 0.01;
+
+/// All states of a run; only the last one is whole.
+#[derive(Debug, Clone, Default)]
 pub(super) struct History {
-    rows: Vec<[f64; COLUMNS.len()]>,
+    /// The states, step by step.
+    pub(super) states: Vec<WearState>,
 }
 
 const COLUMNS: [&str; 13] = [
@@ -25,29 +31,56 @@ const COLUMNS: [&str; 13] = [
 ];
 
 impl History {
-    /// Adds a state.
-    pub(super) fn push(&mut self, state: &WearState) {
-        let extreme = |start: f64, f: fn(f64, f64) -> f64| state.pressure.iter().copied().fold(start, f);
-        self.rows.push([
-            state.step as f64,
-            state.time,
-            state.distance,
-            state.step_size,
-            extreme(0.0, f64::max),
-            extreme(f64::INFINITY, f64::min),
-            1e3 * state.depth,
-            state.volume[0],
-            state.volume[1],
-            state.steady_residual,
-            state.lyapunov,
-            state.rejected as f64,
-            state.interval as f64,
-        ]);
+    /// Adds a state; the one before gives up what a run needs only to go on from it.
+    pub(super) fn push(&mut self, state: WearState) {
+        if let Some(last) = self.states.last_mut() {
+            let whole = std::mem::take(last);
+            *last = WearState {
+                gap: Vec::new(),
+                opening: Vec::new(),
+                coordinates: Vec::new(),
+                approach: Vec::new(),
+                gap_rate: Vec::new(),
+                worn: Vec::new(),
+                ..whole
+            };
+        }
+        self.states.push(state);
     }
 
-    /// Names and values of the columns.
+    /// Names and values of the columns of history.csv.
     pub(super) fn columns(&self) -> Vec<(String, Vec<f64>)> {
-        let column = |k: usize| self.rows.iter().map(|row| row[k]).collect();
+        let rows: Vec<[f64; COLUMNS.len()]> = self.states.iter().map(row).collect();
+        let column = |k: usize| rows.iter().map(|row| row[k]).collect();
         COLUMNS.iter().enumerate().map(|(k, name)| (name.to_string(), column(k))).collect()
     }
+
+    /// What the running-in of a run that ended steady has cost; weights are the areas of the contact points.
+    pub(super) fn running_in(&self, weights: &[f64]) -> Option<Settled> {
+        settling(&self.states, weights, DEVIATION).map(|found| Settled {
+            time_s: found.time,
+            distance_mm: found.distance,
+            depth_um: 1e3 * found.depth,
+            volume_mm3: found.volume[0] + found.volume[1],
+        })
+    }
+}
+
+fn row(state: &WearState) -> [f64; COLUMNS.len()] {
+    let extreme = |start: f64, f: fn(f64, f64) -> f64| state.pressure.iter().copied().fold(start, f);
+    [
+        state.step as f64,
+        state.time,
+        state.distance,
+        state.step_size,
+        extreme(0.0, f64::max),
+        extreme(f64::INFINITY, f64::min),
+        1e3 * state.depth,
+        state.volume[0],
+        state.volume[1],
+        state.steady_residual,
+        state.lyapunov,
+        state.rejected as f64,
+        state.interval as f64,
+    ]
 }

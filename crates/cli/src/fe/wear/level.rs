@@ -1,28 +1,28 @@
 //! One run in time on one level of discretisation.
 
-use std::time::Instant;
-
 use contact::{ContactLoad, ContactOperator, ContactPoint, ContactSolution, Pair};
-use shapeopt::{Evolution, EvolutionStatus, WearProblem, WearState, closing, lowest_nonnegative};
+use shapeopt::{Evolution, EvolutionStatus, Until, WearProblem, WearState, closing, lowest_nonnegative};
 
+use crate::effort::Effort;
 use crate::fault::Fault;
+use crate::fe::answer::{Answer, Own, Told};
 use crate::fe::bodies::Level;
 use crate::fe::contact::pressure_at;
+use crate::fe::operators::Reduced;
 use crate::fe::recover::{Moment, Reported};
-use crate::fe::stage::{Stage, note};
+use crate::fe::stage::Stage;
 use crate::fe::torsion;
-use crate::fe::wear::Solved;
+use crate::fe::wear::Ran;
 use crate::fe::wear::history::History;
 use crate::fe::wear::mesh_lines::mesh_lines;
 use crate::fe::wear::nodal_curve::NodalCurve;
 use crate::fe::wear::pieces::Pieces;
 use crate::fe::wear::problem::{steady_residual, wear_problem};
-use crate::fe::wear::settled::RunningIn;
-use crate::live::Live;
-use crate::profile::Profile;
-use crate::record::{FinishedLevel, Iteration, Points, State};
-use crate::solution::{EnergyResult, Solution, WearResult};
-use crate::solve::{CURVE, Options, Sampling};
+use crate::ladder::Refusal;
+use crate::options::Sampling;
+use crate::plan::Step;
+use crate::solution::WearResult;
+use crate::watch::{Event, FinishedLevel, RunLevel, Watch, WearStep};
 
 /// Samples of the gap for the comparison of levels.
 const SAMPLES: usize = 201;
@@ -38,102 +38,113 @@ pub(super) struct Mesh<'a> {
     pub(super) ends: &'a [f64],
 }
 
-/// One run on one level after the `finished` ones; the inner `Err` is a start without an answer.
+/// The contact of a level under each load of the schedule.
+struct Scenes<'a> {
+    stages: Vec<Stage<'a>>,
+    loads: Vec<ContactLoad>,
+    pieces: &'a Pieces,
+    reduced: &'a Reduced,
+    pair: &'a Pair<'a>,
+    operator: &'a ContactOperator<'a>,
+}
+
+/// One run on one level after the finished ones, from its start or from the last of the known states; the inner `Err` is one that the
+/// watcher cut short.
 pub(super) fn run(
-    stage: Stage<'_>,
+    (stage, pieces): (Stage<'_>, &Pieces),
     mesh: Mesh<'_>,
-    finished: &[FinishedLevel],
-    options: Options,
-    live: &mut Live,
-) -> Result<Result<Solved, String>, Fault> {
-    let mut solution = Solution::default();
+    (finished, known): (&[FinishedLevel], Vec<WearState>),
+    watch: &mut Watch<'_>,
+) -> Result<Result<(FinishedLevel, Ran), History>, Refusal> {
     let Mesh { level, ends } = mesh;
-    let reduced = stage.reduced_at(level, ends, &mut solution)?;
-    let start = Instant::now();
+    let (reduced, mut effort) = stage.reduced_at(level, ends)?;
     let pair = reduced.pair()?;
-    let operator = reduced.operator(&pair, stage.friction() > 0.0)?;
-    note(&mut solution, "interface", start);
-    let start = Instant::now();
-    let pieces = Pieces::of(stage.problem)?;
-    let stages = pieces.scenes.iter().map(Stage::new).collect::<Result<Vec<Stage<'_>>, Fault>>()?;
+    let operator = effort.timed(Step::Interface, stage.clock(), |_| reduced.operator(&pair, stage.friction() > 0.0))?;
+    let start = stage.clock()();
+    let stages = pieces.problems.iter().map(|problem| stage.with(problem)).collect::<Result<Vec<Stage<'_>>, Fault>>()?;
     let loads: Vec<ContactLoad> = stages.iter().map(|stage| stage.contact_load(operator.points())).collect();
     // Gaps of levels are compared at one time: where part of the surface is open, the worn part goes on receding from it.
     let not_before = finished.iter().map(|level| level.time_s).fold(0.0, f64::max);
-    let problem = match wear_problem(&stages, &pieces.intervals, &pair, &operator, &loads, not_before)? {
-        Ok(problem) => problem,
-        Err(reason) => return Ok(Err(reason)),
+    let problem = wear_problem((&stages, &loads), &pieces.intervals, (&pair, &operator), not_before)?;
+    let scenes = Scenes { stages, loads, pieces, reduced: &reduced, pair: &pair, operator: &operator };
+    let run_level = RunLevel {
+        finished,
+        known_steps: known.len(),
+        message: format!("degree {}, {} layers, {} contact points", level.degree, level.layers, operator.points().len()),
+        lines: &|| mesh_lines(stage, level, ends),
     };
-    let message = format!("degree {}, {} layers, {} contact points", level.degree, level.layers, operator.points().len());
-    let recorded = live.begin_level(finished, || mesh_lines(stage, level, ends), &message)?;
-    let surface = Surface { stages: &stages, pair: &pair, points: operator.points() };
-    let run = match evolve(&problem, &surface, recorded, live)? {
-        Ok(run) => run,
-        Err(reason) => return Ok(Err(reason)),
-    };
-    let state = &run.state;
-    note(&mut solution, "evolution", start);
-    // The worn gap with its lowest rigid part, and the bodies on it, under the load that acts last.
-    let last = pieces.intervals[state.interval].stage;
-    let (stage, load) = (stages[last], &loads[last]);
-    let normalised = with_lowest_rigid_part(stage, &pair, &operator, &state.gap);
-    let found = operator
-        .solve(&normalised, load, None)
-        .map_err(|error| Fault::at("contact", "no-contact", error.to_string(), "check the contact and its load"))?;
-    solution.counters.contact_solves = 2;
-    solution.counters.wear_steps = state.step;
-    let states = [Some(&found.shaped), found.counter.as_ref()];
-    solution.energy = Some(EnergyResult {
-        body1_Nmm: Some(pair.shaped.strain_energy(&found.shaped)),
-        body2_Nmm: pair.counter.zip(found.counter.as_ref()).map(|(body, state)| body.strain_energy(state)),
-    });
-    solution.reactions = reduced.reactions(states);
-    let weights: Vec<f64> = operator.points().iter().map(|p| p.weight).collect();
-    solution.wear = Some(result(&run, &weights, stage));
-    solution.history = run.history.columns();
-    let mut profile = stage.profile(&pair, operator.points(), &state.pressure, states);
-    profile.gap = normalised.iter().map(|g| 1e3 * g).collect();
-    profile.opening = state.opening.iter().map(|g| 1e3 * g).collect();
-    let sampled = |sampling: Sampling<'_>| -> Profile {
-        let points = stage.sample(&pair, sampling);
-        let at = |values: &[f64], arc: f64| operator.value_at(values, arc);
-        let pressure: Vec<f64> = points.iter().map(|p| pressure_at(&pair, &operator, &state.pressure, p.arc)).collect();
-        let mut profile = stage.profile(&pair, &points, &pressure, states);
-        for (row, point) in points.iter().enumerate() {
-            profile.gap[row] = 1e3 * at(&normalised, point.arc);
-            profile.opening[row] = 1e3 * at(&state.opening, point.arc);
-        }
-        profile
-    };
-    let samples = stage.sample(&pair, Sampling::Even(SAMPLES));
-    solution.curve = Some(sampled(CURVE));
-    solution.profile = Some(options.sample.map_or(profile, sampled));
-    // Each moment is twisted by the sliding of its own piece of the schedule.
-    let around = torsion::around(stage, operator.points(), &found.pressure);
-    let moment = |name, time_s, at: ContactSolution, around| {
-        at.counter.map(|counter| Moment { time_s, name, states: [stage.held(&pair, &at.shaped), counter], around })
-    };
-    let mut moments: Vec<Moment> = moment("", state.time, found, around).into_iter().collect();
-    if stage.problem.plan.runs("field recovery") {
-        let first = pieces.intervals[0].stage;
-        let started = operator
-            .solve(&problem.gap, &loads[first], None)
-            .map_err(|error| Fault::at("contact", "no-contact", error.to_string(), "check the contact and its load"))?;
-        solution.counters.contact_solves += 1;
-        let around = torsion::around(stages[first], operator.points(), &started.pressure);
-        moments.extend(moment("start", 0.0, started, around));
+    let begun = watch(Event::Run(&run_level)).is_continue();
+    let run = evolve(&problem, &scenes, (known, begun), watch)?;
+    effort.add_seconds(Step::Evolution, stage.clock()() - start);
+    if run.stopped {
+        return Ok(Err(run.history));
     }
-    let reported = Some(Reported { level, ends: ends.to_vec(), moments });
-    let left = FinishedLevel {
-        degree: level.degree,
-        layers: level.layers,
-        gap_mm: samples.iter().map(|p| operator.value_at(&normalised, p.arc)).collect(),
-        time_s: state.time,
-        closing: samples.iter().flat_map(|point| closing(&pair, point)).collect(),
-        wear_steps: state.step,
-        factorisations: solution.counters.factorisations,
-        contact_solves: solution.counters.contact_solves,
-    };
-    Ok(Ok(Solved { left, ended: run.ended, reported, solution }))
+    scenes.ran(mesh, &problem, run, effort).map(Ok)
+}
+
+impl Scenes<'_> {
+    /// What a run leaves to the levels after it, and what is reported of it.
+    fn ran(&self, mesh: Mesh<'_>, problem: &WearProblem, run: Run, mut effort: Effort) -> Result<(FinishedLevel, Ran), Refusal> {
+        let (state, level) = (&run.state, mesh.level);
+        // The worn gap with its lowest rigid part, and the bodies on it, under the load that acts last.
+        let last = self.pieces.intervals[state.interval].stage;
+        let stage = self.stages[last];
+        let normalised = with_lowest_rigid_part(stage, self.pair, self.operator, &state.gap);
+        let found = self.solve(&normalised, last)?;
+        effort.counters.contact_solves += 2;
+        effort.counters.wear_steps += state.step;
+        let samples = stage.sample(self.pair, Sampling::Even(SAMPLES));
+        let told = self.told(stage, state, (&normalised, &found));
+        let weights: Vec<f64> = self.operator.points().iter().map(|p| p.weight).collect();
+        let wear = result(&run, &weights, stage);
+        let mut moments: Vec<Moment> = self.moment(("", state.time), found, last).into_iter().collect();
+        if stage.problem.plan.runs(Step::Fields) {
+            let first = self.pieces.intervals[0].stage;
+            let started = self.solve(&problem.gap, first)?;
+            effort.counters.contact_solves += 1;
+            moments.extend(self.moment(("start", 0.0), started, first));
+        }
+        let left = FinishedLevel {
+            degree: level.degree,
+            layers: level.layers,
+            gap_mm: samples.iter().map(|p| self.operator.value_at(&normalised, p.arc)).collect(),
+            time_s: state.time,
+            closing: samples.iter().flat_map(|point| closing(self.pair, point)).collect(),
+            wear_steps: state.step,
+            factorisations: effort.counters.factorisations,
+            contact_solves: effort.counters.contact_solves,
+        };
+        let reported = Some(Reported { level, ends: mesh.ends.to_vec(), moments });
+        let Run { ended, history, .. } = run;
+        Ok((left, Ran { ended, history, wear, told, reported, effort }))
+    }
+
+    /// The contact on a gap under one of the loads.
+    fn solve(&self, gap: &[f64], load: usize) -> Result<ContactSolution, Fault> {
+        self.operator
+            .solve(gap, &self.loads[load], None)
+            .map_err(|error| Fault::at("contact", "no-contact", error.to_string(), "check the contact and its load"))
+    }
+
+    /// Energies, reactions and columns of a state.
+    fn told(&self, stage: Stage<'_>, state: &WearState, (gap, found): (&[f64], &ContactSolution)) -> Told {
+        let (pair, operator) = (self.pair, self.operator);
+        let between = |point: &ContactPoint| {
+            let at = |values: &[f64]| operator.value_at(values, point.arc);
+            [pressure_at(pair, operator, &state.pressure, point.arc), at(gap), at(&state.opening)]
+        };
+        let points = operator.points();
+        let own = Own { points, pressure: &state.pressure, gap, opening: &state.opening, closed: None };
+        let states = [Some(&found.shaped), found.counter.as_ref()];
+        Answer { stage, reduced: self.reduced, pair, states, own, between: &between }.told()
+    }
+
+    /// The bodies at a moment; each is twisted by the sliding of its own piece of the schedule.
+    fn moment(&self, (name, time_s): (&'static str, f64), at: ContactSolution, load: usize) -> Option<Moment> {
+        let stage = self.stages[load];
+        let around = torsion::around(stage, self.operator.points(), &at.pressure);
+        at.counter.map(|counter| Moment { time_s, name, states: [stage.held(self.pair, &at.shaped), counter], around })
+    }
 }
 
 /// A gap with its lowest rigid part that keeps it open, unless the rigid part is prescribed.
@@ -147,7 +158,7 @@ fn with_lowest_rigid_part(stage: Stage<'_>, pair: &Pair<'_>, operator: &ContactO
 
 /// What the summary says of a run; weights are the areas of the contact points.
 fn result(run: &Run, weights: &[f64], stage: Stage<'_>) -> WearResult {
-    let Run { state, ended, running_in, run_in, .. } = run;
+    let Run { state, ended, history, run_in, .. } = run;
     let steady = state.steady_residual <= steady_residual(stage);
     WearResult {
         status: word(ended).into(),
@@ -161,15 +172,8 @@ fn result(run: &Run, weights: &[f64], stage: Stage<'_>) -> WearResult {
         explicit_step_limit_s: run_in.as_ref().map(|r| r.explicit_limit),
         run_in_distance_mm: run_in.iter().flat_map(|r| r.distances.iter().copied().take(RUN_IN)).collect(),
         lyapunov_increase: (stage.friction() == 0.0).then_some(state.lyapunov_increase),
-        to_1_percent: if steady { running_in.cost(weights) } else { None },
+        to_1_percent: if steady { history.running_in(weights) } else { None },
     }
-}
-
-/// The contact surface under each load of the schedule.
-struct Surface<'a> {
-    stages: &'a [Stage<'a>],
-    pair: &'a Pair<'a>,
-    points: &'a [ContactPoint],
 }
 
 /// Why a run whose every rate is 0 has no end.
@@ -180,62 +184,63 @@ const NO_RATE: &str = "the wear rates beta (mu p)^b v^a are below the smallest n
 struct Run {
     state: WearState,
     ended: EvolutionStatus,
+    /// Whether the watcher ended it.
+    stopped: bool,
     history: History,
-    running_in: RunningIn,
     run_in: Option<shapeopt::RunIn>,
 }
 
-/// Steps until the end, from the start or from the last of the recorded states; each new step is recorded.
+/// Steps until the end, from the start or from the last of the known states, unless the watcher has ended it already; each new step is told.
 fn evolve(
     problem: &WearProblem,
-    surface: &Surface<'_>,
-    recorded: Vec<State>,
-    live: &mut Live,
-) -> Result<Result<Run, String>, Fault> {
-    let (mut history, mut running_in) = (History::default(), RunningIn::default());
-    let mut last: Option<WearState> = None;
-    for state in recorded.into_iter().map(WearState::from) {
-        history.push(&state);
-        running_in.push(&state);
-        last = Some(state);
-    }
-    let begun = match last.clone() {
+    scenes: &Scenes<'_>,
+    (known, begun): (Vec<WearState>, bool),
+    watch: &mut Watch<'_>,
+) -> Result<Run, Refusal> {
+    let mut history = History::default();
+    let mut last = known.last().map(|last| (last.rejected, last.newton_iterations));
+    let start = match known.last().cloned() {
         Some(state) => Evolution::resume(problem, state),
         None => Evolution::new(problem),
     };
-    let mut evolution = match begun {
-        Ok(evolution) => evolution,
-        Err(error) => return Ok(Err(error.to_string())),
-    };
-    while *evolution.status() == EvolutionStatus::Running && evolution.state().step < MOST_STEPS && !crate::interrupt::asked() {
+    known.into_iter().for_each(|state| history.push(state));
+    let mut evolution = start.map_err(|error| Refusal::Reason(error.to_string()))?;
+    let mut stopped = !begun;
+    while *evolution.status() == EvolutionStatus::Running && evolution.state().step < MOST_STEPS && !stopped {
         let Some(state) = evolution.next() else { break };
         if state.step == 0 && state.gap_rate.iter().all(|rate| *rate == 0.0) {
-            return Ok(Err(NO_RATE.into()));
+            return Err(Refusal::Reason(NO_RATE.into()));
         }
-        history.push(&state);
-        running_in.push(&state);
-        let before = last.as_ref().map_or((0, 0), |last| (last.rejected, last.newton_iterations));
-        let iteration = Iteration {
-            step: state.step as u64,
-            tries: (state.rejected - before.0 + 1) as u64,
-            linear_solves: (state.newton_iterations - before.1) as u64,
-            step_s: state.step_size,
-            error: state.error,
-            steady_residual: state.steady_residual,
+        let (rejected, solves) = last.unwrap_or((0, 0));
+        let step = WearStep {
+            state: &state,
+            tries: state.rejected - rejected + 1,
+            linear_solves: state.newton_iterations - solves,
+            share: share(&state, problem),
+            profile: &|| {
+                let stage = scenes.stages[problem.schedule[state.interval].stage];
+                let mut profile = stage.profile(scenes.pair, scenes.operator.points(), &state.pressure, [None, None]);
+                profile.gap = state.gap.iter().map(|g| 1e3 * g).collect();
+                profile.opening = state.opening.iter().map(|g| 1e3 * g).collect();
+                profile
+            },
         };
-        let profile = || {
-            let stage = surface.stages[problem.schedule[state.interval].stage];
-            let mut profile = stage.profile(surface.pair, surface.points, &state.pressure, [None, None]);
-            profile.gap = state.gap.iter().map(|g| 1e3 * g).collect();
-            profile.opening = state.opening.iter().map(|g| 1e3 * g).collect();
-            Points::new(state.step as u64, state.time, &profile)
-        };
-        live.step(&iteration, profile, &state)?;
-        live.progress.wear(&state, problem.schedule.len(), problem.until);
-        last = Some(state);
+        let ended = *evolution.status() != EvolutionStatus::Running;
+        stopped = watch(Event::WearStep(&step)).is_break() && !ended;
+        last = Some((state.rejected, state.newton_iterations));
+        history.push(state);
     }
     let (state, ended, run_in) = (evolution.state().clone(), evolution.status().clone(), evolution.run_in());
-    Ok(Ok(Run { state, ended, history, running_in, run_in }))
+    Ok(Run { state, ended, stopped, history, run_in })
+}
+
+/// How far a run is, from 0 to 1, about; the steady state counts in the last piece of a schedule alone.
+fn share(state: &WearState, problem: &WearProblem) -> f64 {
+    match problem.until {
+        Until::Time(end) => state.time / end,
+        Until::Steady { .. } if state.interval + 1 < problem.schedule.len() => 0.0,
+        Until::Steady { residual, .. } => state.steady_residual.max(f64::MIN_POSITIVE).ln() / residual.ln(),
+    }
 }
 
 /// The status in the summary's word.

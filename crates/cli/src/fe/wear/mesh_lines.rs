@@ -1,4 +1,4 @@
-//! The meshes of both bodies as lines for the recording.
+//! The meshes of both bodies as lines, for a viewer.
 
 use hpfem::Mesh;
 
@@ -6,16 +6,13 @@ use crate::fault::Fault;
 use crate::fe::bodies::Level;
 use crate::fe::stage::Stage;
 use crate::fe::template::Cut;
-use crate::record::SceneUpdate;
-use crate::solution::Solution;
 
 /// Straight pieces of a curved edge.
 const PIECES: usize = 8;
 
-/// The edges of both meshes of a level, cut at `ends`.
-pub(super) fn mesh_lines(stage: Stage<'_>, level: Level, ends: &[f64]) -> Result<SceneUpdate, Fault> {
-    let parts = stage.parts(level, Cut::Ends(ends), &mut Solution::default())?;
-    Ok(SceneUpdate::new(&[lines(&parts.parts[0].mesh), lines(&parts.parts[1].mesh)]))
+/// The edges of both meshes of a level, cut at `ends`; two points (x, z) in mm a line.
+pub(super) fn mesh_lines(stage: Stage<'_>, level: Level, ends: &[f64]) -> Result<[Vec<[f64; 2]>; 2], Fault> {
+    Ok(stage.meshes(level.layers, Cut::Ends(ends))?.map(|mesh| lines(&mesh)))
 }
 
 /// Two points a line.

@@ -1,0 +1,126 @@
+//! What every elastic step tells of the level that it reports: one recipe for energies, reactions and the columns at the contact points.
+
+use contact::{ContactPoint, Pair};
+use hpfem::InterfaceState;
+
+use crate::fe::operators::Reduced;
+use crate::fe::recover::Reported;
+use crate::fe::stage::Stage;
+use crate::machined::Machined;
+use crate::lints::Lint;
+use crate::options::{CURVE, Sampling};
+use crate::profile::Profile;
+use crate::solution::{
+    ContactResult, EnergyResult, ErrorResult, InterfaceResult, Reaction, Rung, ShapeResult, Status, WearResult,
+};
+use crate::watch::Resume;
+
+/// A solved pair of bodies.
+pub(super) struct Answer<'a> {
+    pub(super) stage: Stage<'a>,
+    pub(super) reduced: &'a Reduced,
+    pub(super) pair: &'a Pair<'a>,
+    /// Displacements of body 1 and 2.
+    pub(super) states: [Option<&'a InterfaceState>; 2],
+    /// At the contact points.
+    pub(super) own: Own<'a>,
+    /// Pressure (MPa), gap and opening (mm) at any point of the surface.
+    pub(super) between: &'a dyn Fn(&ContactPoint) -> [f64; 3],
+}
+
+/// What is known at the contact points.
+pub(super) struct Own<'a> {
+    pub(super) points: &'a [ContactPoint],
+    /// MPa.
+    pub(super) pressure: &'a [f64],
+    /// Unloaded, mm.
+    pub(super) gap: &'a [f64],
+    /// Under load, mm.
+    pub(super) opening: &'a [f64],
+    /// Whether each point is in contact, where that is said by more than the sign of its pressure.
+    pub(super) closed: Option<&'a [bool]>,
+}
+
+/// What is told of a reported level.
+pub(crate) struct Told {
+    pub(crate) energy: EnergyResult,
+    pub(crate) reactions: Vec<(String, Reaction)>,
+    /// At the contact points, or where the user wants it.
+    pub(crate) profile: Profile,
+    /// At the points of pictures.
+    pub(crate) curve: Profile,
+}
+
+impl Answer<'_> {
+    /// Energies, reactions and columns.
+    pub(super) fn told(&self) -> Told {
+        let profile = match self.stage.options.sample {
+            Some(sampling) => self.sampled(sampling),
+            None => self.at_own_points(),
+        };
+        Told {
+            energy: self.energy(),
+            reactions: self.reduced.reactions(self.states),
+            profile,
+            curve: self.sampled(CURVE),
+        }
+    }
+
+    fn energy(&self) -> EnergyResult {
+        let bodies = [Some(self.pair.shaped), self.pair.counter];
+        let [first, second] = [0, 1].map(|k| bodies[k].zip(self.states[k]).map(|(body, state)| body.strain_energy(state)));
+        EnergyResult { body1_Nmm: first, body2_Nmm: second }
+    }
+
+    fn at_own_points(&self) -> Profile {
+        let Own { points, pressure, gap, opening, closed } = self.own;
+        let mut profile = self.stage.profile(self.pair, points, pressure, self.states);
+        profile.gap = gap.iter().map(|g| 1e3 * g).collect();
+        profile.opening = opening.iter().map(|g| 1e3 * g).collect();
+        if let Some(closed) = closed {
+            profile.status = closed.iter().map(|closed| if *closed { "contact" } else { "open" }).collect();
+        }
+        profile
+    }
+
+    fn sampled(&self, sampling: Sampling<'_>) -> Profile {
+        let points = self.stage.sample(self.pair, sampling);
+        let values: Vec<[f64; 3]> = points.iter().map(self.between).collect();
+        let pressure: Vec<f64> = values.iter().map(|[pressure, ..]| *pressure).collect();
+        let mut profile = self.stage.profile(self.pair, &points, &pressure, self.states);
+        profile.gap = values.iter().map(|[_, gap, _]| 1e3 * gap).collect();
+        profile.opening = values.iter().map(|[.., opening]| 1e3 * opening).collect();
+        profile
+    }
+}
+
+impl EnergyResult {
+    /// Of both bodies.
+    pub(super) fn total(&self) -> f64 {
+        self.body1_Nmm.unwrap_or(0.0) + self.body2_Nmm.unwrap_or(0.0)
+    }
+}
+
+/// Result of an elastic step; what it does not say stays as it was.
+#[derive(Default)]
+pub(crate) struct Outcome {
+    /// How it ended, with the reason where it did not end well.
+    pub(crate) ended: Option<(Status, String)>,
+    /// Whether the watcher ended it.
+    pub(crate) stopped: bool,
+    pub(crate) contact: Option<ContactResult>,
+    pub(crate) interface: Option<InterfaceResult>,
+    pub(crate) shape: Option<ShapeResult>,
+    pub(crate) wear: Option<WearResult>,
+    pub(crate) history: Vec<(String, Vec<f64>)>,
+    pub(crate) machined: Option<Machined>,
+    pub(crate) told: Option<Told>,
+    /// Estimated errors; `how` is empty where there are none.
+    pub(crate) error: ErrorResult,
+    pub(crate) ladder: Vec<Rung>,
+    pub(crate) lints: Vec<Lint>,
+    /// For the fields and the twist.
+    pub(crate) reported: Option<Reported>,
+    /// An unfinished run in time.
+    pub(crate) resume: Option<Resume>,
+}

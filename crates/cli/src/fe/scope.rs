@@ -1,0 +1,87 @@
+//! Which of the three kinds of contact two bodies have: a surface known beforehand, a round body on a flat one, a half-disc on a rectangle.
+
+use crate::body_field::FieldFrame;
+use crate::couple::Body;
+use crate::effort::Effort;
+use crate::fault::Fault;
+use crate::fe::answer::Outcome;
+use crate::fe::bodies::{Level, Parts};
+use crate::fe::ends::{self, Setting};
+use crate::fe::ends_scope;
+use crate::fe::half_disc::HalfDiscOnFlat;
+use crate::fe::operators::Bodies;
+use crate::fe::recover;
+use crate::fe::round::{Round, RoundContact};
+use crate::fe::stage::Stage;
+use crate::fe::template::Cut;
+use crate::ladder::Refusal;
+use crate::options::Options;
+use crate::plan::Step;
+use crate::problem::Problem;
+use crate::watch::Watch;
+
+/// A contact, ready to be solved.
+pub(crate) enum Scope<'a> {
+    /// On a surface known without a mesh.
+    Known(Stage<'a>),
+    /// A round body on a flat one of which at least one is given by its cells.
+    Round(RoundContact<'a>),
+    /// A half-disc on a rectangle.
+    HalfDisc(Setting<'a>),
+}
+
+impl<'a> Scope<'a> {
+    /// The contact of a problem.
+    pub(crate) fn of(problem: &'a Problem, options: &'a Options<'a>, bodies: &'a Bodies) -> Result<Scope<'a>, Fault> {
+        let Some(couple) = &problem.couple else { return Stage::new(problem, options, bodies).map(Scope::Known) };
+        if let Some(disc) = HalfDiscOnFlat::of(couple)? {
+            return Ok(Scope::HalfDisc(Setting::new(problem, couple, disc, options)));
+        }
+        match Round::of(couple)? {
+            Some(round) => Ok(Scope::Round(RoundContact { problem, couple, round, options, bodies })),
+            None => Stage::new(problem, options, bodies).map(Scope::Known),
+        }
+    }
+
+    /// Refuses what is not built yet.
+    pub(crate) fn available(&self) -> Result<(), Fault> {
+        match self {
+            Scope::HalfDisc(setting) => ends_scope::available(setting),
+            Scope::Round(round) => round.available(),
+            // Cells of the user's own making may not match: better said before anything is written.
+            Scope::Known(stage) if stage.couple.bodies.iter().any(Body::is_given) => stage.meshes(1, Cut::Plain).map(|_| ()),
+            Scope::Known(_) => Ok(()),
+        }
+    }
+
+    /// Meshes, supports and loads of a level, on first guesses of the ends of a round contact.
+    pub(super) fn parts(&self, level: Level) -> Result<Parts, Fault> {
+        match self {
+            Scope::Known(stage) => Ok(stage.parts(level, Cut::Plain)?.0),
+            Scope::Round(round) => round.first_parts(level),
+            Scope::HalfDisc(setting) => {
+                let parts = setting.trial().and_then(|trial| setting.parts(level, &trial));
+                parts.map(|(parts, _)| parts).map_err(|refusal| match refusal {
+                    Refusal::Fault(fault) => fault,
+                    Refusal::Reason(reason) => Fault::at("load.force", "contact-too-long", reason, "press less"),
+                })
+            }
+        }
+    }
+
+    /// Solves a contact that is not on a known surface, with the fields if they are asked for; `None` for one that is.
+    pub(crate) fn solve(&self, watch: &mut Watch<'_>) -> Result<Option<(Outcome, Effort, Vec<FieldFrame>)>, Refusal> {
+        let setting = match self {
+            Scope::Known(_) => return Ok(None),
+            Scope::Round(round) => return round.solve(watch).map(Some),
+            Scope::HalfDisc(setting) => setting,
+        };
+        let (outcome, mut effort, nodes) = ends::solve(setting, watch)?;
+        let reported = outcome.reported.as_ref().filter(|_| setting.problem.plan.runs(Step::Fields));
+        let Some(reported) = reported else { return Ok(Some((outcome, effort, Vec::new()))) };
+        let clock = setting.options.clock;
+        let (fields, work) = effort.timed(Step::Fields, clock, |_| recover::recover_ends(setting, reported, &nodes))?;
+        effort += work;
+        Ok(Some((outcome, effort, fields)))
+    }
+}
