@@ -8,6 +8,19 @@ pub(crate) struct Builtin {
     pub(crate) text: &'static str,
 }
 
+impl Builtin {
+    /// Its title: what the file says after `title =`.
+    pub(crate) fn title(&self) -> &'static str {
+        let line = self.text.lines().find(|line| line.starts_with("title = "));
+        line.and_then(|line| line.split('"').nth(1)).unwrap_or("")
+    }
+
+    /// Its file in messages.
+    pub(crate) fn file(&self) -> String {
+        format!("{}.toml (built in)", self.name)
+    }
+}
+
 macro_rules! scenes {
     ($($name:literal),* $(,)?) => {
         [$(Builtin { name: $name, text: include_str!(concat!("../../../data/scenes/", $name, ".toml")) }),*]
@@ -35,12 +48,6 @@ pub(crate) const SCENES: [Builtin; 16] = scenes![
 ];
 
 /// The built-in scene of a name.
-pub(crate) fn find(name: &str) -> Option<&'static Builtin> {
+pub(crate) fn builtin(name: &str) -> Option<&'static Builtin> {
     SCENES.iter().find(|scene| scene.name == name)
-}
-
-/// Its title: what the file says after `title =`.
-pub(crate) fn title(scene: &Builtin) -> &'static str {
-    let line = scene.text.lines().find(|line| line.starts_with("title = "));
-    line.and_then(|line| line.split('"').nth(1)).unwrap_or("")
 }

@@ -16,6 +16,7 @@ use std::path::Path;
 use clap::{CommandFactory, Parser};
 
 use crate::args::{Cli, Command};
+use crate::draw;
 use crate::exit::Exit;
 use crate::fault::{Fault, Place};
 
@@ -46,10 +47,10 @@ pub(crate) fn run(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -
 /// Prints a fault: the picture on stderr, with `--json` the document on stdout.
 pub(crate) fn complain(fault: &Fault, json: bool) -> Exit {
     if json {
-        print_json(&fault.json());
+        print_json(&draw::json(fault));
     } else {
         let colour = std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
-        eprint!("{}", fault.render(colour));
+        eprint!("{}", draw::render(fault, colour));
     }
     Exit::Wrong
 }

@@ -1,12 +1,10 @@
 //! A scene with its text, so that every later complaint can point into it.
 
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use serde::Deserialize;
 
-use crate::builtin;
-use crate::fault::{Fault, Place, did_you_mean};
+use crate::fault::{Fault, Place};
 use crate::flags;
 use crate::read::Mismatch;
 use crate::scene::Scene;
@@ -17,10 +15,8 @@ use crate::tree::{self, Node, Origin};
 pub(crate) struct Document {
     /// Short name: of the built-in scene, or of the file without folder and ending.
     pub(crate) name: String,
-    /// The name in messages.
+    /// The file's name as the user knows it, for messages.
     file: String,
-    /// Folder that relative paths in the scene are meant from.
-    pub(crate) folder: PathBuf,
     text: String,
     tree: Node,
     settings: Vec<String>,
@@ -29,27 +25,15 @@ pub(crate) struct Document {
 }
 
 impl Document {
-    /// Reads a built-in scene or a file and applies the `--set` options.
-    pub(crate) fn open(given: &str, settings: &[String]) -> Result<Document, Fault> {
-        let (name, file, folder, text) = source(given)?;
-        Document::read(name, file, folder, text, settings)
-    }
-
-    /// Reads a scene from its text.
-    pub(crate) fn read(
-        name: String,
-        file: String,
-        folder: PathBuf,
-        text: String,
-        settings: &[String],
-    ) -> Result<Document, Fault> {
-        let mut tree = tree::parse(&text).map_err(|(message, span)| Fault {
-            place: Some(Place::file(&file, &text, span)),
+    /// Reads a scene from the text of a file and applies the `--set` options; `file` is its name or path in messages.
+    pub(crate) fn read(file: &str, text: &str, settings: &[String]) -> Result<Document, Fault> {
+        let mut tree = tree::parse(text).map_err(|(message, span)| Fault {
+            place: Some(Place::file(file, text, span)),
             ..Fault::new("syntax", format!("this is not TOML: {message}"), "write `key = value`; text in double quotes")
         })?;
         if text.lines().all(|line| line.trim().is_empty() || line.trim().starts_with('#')) && settings.is_empty() {
             return Err(Fault {
-                place: Some(Place::file(&file, &text, 0..0)),
+                place: Some(Place::file(file, text, 0..0)),
                 ..Fault::new(
                     "empty-scene",
                     "the scene is empty",
@@ -58,12 +42,9 @@ impl Document {
             });
         }
         flags::apply(&mut tree, settings)?;
-        let settings = settings.to_vec();
-        let scene = match Scene::deserialize(&tree) {
-            Ok(scene) => scene,
-            Err(mismatch) => return Err(explain(mismatch, &file, &text, &settings)),
-        };
-        Ok(Document { name, file, folder, text, tree, settings, scene })
+        let scene = Scene::deserialize(&tree).map_err(|mismatch| explain(mismatch, file, text, settings))?;
+        let name = Path::new(file).file_stem().map_or_else(|| file.to_string(), |stem| stem.to_string_lossy().into_owned());
+        Ok(Document { name, file: file.to_string(), text: text.to_string(), tree, settings: settings.to_vec(), scene })
     }
 
     /// Whether a dotted key was written in the file or by a flag.
@@ -80,37 +61,6 @@ impl Document {
         }
         fault
     }
-}
-
-fn source(given: &str) -> Result<(String, String, PathBuf, String), Fault> {
-    let path = Path::new(given);
-    let looks_like_path = given.contains(['/', '\\']) || given.ends_with(".toml") || path.exists();
-    if let Some(scene) = builtin::find(given)
-        && !path.is_file()
-    {
-        let file = format!("{given}.toml (built in)");
-        return Ok((given.to_string(), file, PathBuf::from("."), scene.text.to_string()));
-    }
-    if !looks_like_path {
-        let names: Vec<&str> = builtin::SCENES.iter().map(|scene| scene.name).collect();
-        let message = format!("`{given}` is neither a file nor a built-in scene");
-        return Err(Fault::new("no-scene", message, did_you_mean(given, &names)));
-    }
-    let bytes = fs::read(path).map_err(|error| Fault {
-        place: Some(Place::Flag(given.to_string())),
-        ..Fault::new(
-            "unreadable",
-            format!("cannot read the scene {given}: {error}"),
-            "give the path of a TOML file, or a name from `wearshape new --list`",
-        )
-    })?;
-    let text = String::from_utf8(bytes).map_err(|error| Fault {
-        place: Some(Place::Flag(given.to_string())),
-        ..Fault::new("not-text", format!("{given} is not UTF-8 text: {error}"), "save the scene as UTF-8")
-    })?;
-    let name = path.file_stem().map_or_else(|| given.to_string(), |stem| stem.to_string_lossy().into_owned());
-    let folder = path.parent().map_or_else(|| PathBuf::from("."), Path::to_path_buf);
-    Ok((name, given.to_string(), folder, text))
 }
 
 fn explain(mismatch: Mismatch, file: &str, text: &str, settings: &[String]) -> Fault {

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::short_numbers::with_short_numbers;
+use crate::numbers::with_short_numbers;
 
 /// One error of the user's side: a sentence, its place and the remedy. Exit code 2.
 #[derive(Debug, Clone, PartialEq)]
@@ -82,54 +82,6 @@ impl Fault {
     /// A fault of one dotted key of the scene.
     pub(crate) fn at(key: impl Into<String>, code: &'static str, message: impl Into<String>, remedy: impl Into<String>) -> Self {
         Fault { key: Some(key.into()), ..Fault::new(code, message, remedy) }
-    }
-
-    /// The picture for a terminal: message, place, the line with a caret, remedy.
-    pub(crate) fn render(&self, colour: bool) -> String {
-        let (bold, red, blue, green, plain) =
-            if colour { ("\x1b[1m", "\x1b[1;31m", "\x1b[34m", "\x1b[32m", "\x1b[0m") } else { ("", "", "", "", "") };
-        let mut out = format!("{red}error{plain}{bold}: {}{plain}\n", self.message);
-        match &self.place {
-            Some(Place::File(spot)) => {
-                let margin = spot.line.to_string().len();
-                let pad = " ".repeat(margin);
-                let tabs: String = spot.text.chars().take(spot.column - 1).map(|c| if c == '\t' { '\t' } else { ' ' }).collect();
-                let carets = "^".repeat(spot.length);
-                out += &format!("{pad}{blue}-->{plain} {}:{}:{}\n", spot.file, spot.line, spot.column);
-                out += &format!("{pad} {blue}|{plain}\n");
-                out += &format!("{blue}{} |{plain} {}\n", spot.line, spot.text);
-                out += &format!("{pad} {blue}|{plain} {tabs}{red}{carets}{plain}\n");
-            }
-            Some(Place::Flag(flag)) => out += &format!(" {blue}-->{plain} {flag}\n"),
-            None => {}
-        }
-        if !self.remedy.is_empty() {
-            out += &format!("{green}remedy{plain}: {}\n", self.remedy);
-        }
-        out
-    }
-
-    /// The one JSON document of a failed `--json` call.
-    pub(crate) fn json(&self) -> serde_json::Value {
-        let mut error = serde_json::Map::new();
-        error.insert("code".into(), self.code.into());
-        error.insert("message".into(), self.message.clone().into());
-        match &self.place {
-            Some(Place::File(spot)) => {
-                error.insert("file".into(), spot.file.clone().into());
-                error.insert("line".into(), spot.line.into());
-                error.insert("column".into(), spot.column.into());
-            }
-            Some(Place::Flag(flag)) => {
-                error.insert("flag".into(), flag.clone().into());
-            }
-            None => {}
-        }
-        if let Some(key) = &self.key {
-            error.insert("key".into(), key.clone().into());
-        }
-        error.insert("remedy".into(), self.remedy.clone().into());
-        serde_json::json!({ "error": error })
     }
 }
 

@@ -6,9 +6,8 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::given::MeshContent;
+use crate::material::Material;
 use crate::point_shape::PointShape;
-use crate::scene::Material;
 use crate::units::{Angle, Length};
 
 /// A body's shape; x to the right (r in axisymmetry), z up.
@@ -161,9 +160,9 @@ pub(crate) struct MeshFile {
     /// Materials by physical group of cells; default the body's own.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub(crate) materials: BTreeMap<String, Material>,
-    /// What the file holds, once it is read.
+    /// The bytes of the file, once it is read.
     #[serde(skip)]
-    pub(crate) content: Option<Arc<MeshContent>>,
+    pub(crate) content: Option<Arc<[u8]>>,
 }
 
 /// A contact surface without bodies.

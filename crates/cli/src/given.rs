@@ -8,12 +8,12 @@ use hpfem::{Curve, Mesh};
 
 use crate::fault::Fault;
 use crate::geometry::Geometry;
-use crate::scene::{Body, Material};
+use crate::material::Material;
+use crate::scene::Body;
 
 pub(crate) use blocks::unused as unused_in_blocks;
 pub(crate) use contact_line::{ContactLine, contact_line};
-pub(crate) use mesh_file::MeshContent;
-pub(crate) use mesh_file::read;
+pub(crate) use mesh_file::{edges as mesh_edges, read};
 
 /// The cells of a body as they are written; the boundaries of the mesh are the named edges.
 #[derive(Debug, Clone)]

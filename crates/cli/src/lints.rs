@@ -6,10 +6,10 @@ use wear::Shape;
 use crate::freedom::{Freedom, Role};
 use crate::geometry::Geometry;
 use crate::given::{edge_curves, given};
-use crate::report::short;
+use crate::numbers::short;
+use crate::numbers::with_short_numbers;
 use crate::scene::{Balance, Functional, Scene, Task};
 use crate::setup::{exponents, s_minus_1};
-use crate::short_numbers::with_short_numbers;
 use crate::solution::Solution;
 use crate::surface::Patch;
 

@@ -6,6 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::geometry::{Geometry, SurfaceShape};
+use crate::material::Material;
 use crate::units::{AngularSpeed, Force, Length, Moment, Pair, Pressure, Speed, Time, WearFactor};
 
 /// A wear scene: two bodies (or a surface alone), their load and sliding, the wear rule, and what is wanted.
@@ -125,16 +126,6 @@ pub(crate) struct Body {
     /// Fixed components of named edges.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub(crate) support: BTreeMap<String, Vec<Component>>,
-}
-
-/// Linear isotropic elasticity.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize, Serialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct Material {
-    /// Young's modulus (MPa).
-    pub(crate) young: Pressure,
-    /// Poisson's ratio.
-    pub(crate) poisson: f64,
 }
 
 /// A displacement component.

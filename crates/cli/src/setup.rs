@@ -9,6 +9,7 @@ mod twist;
 mod unused;
 mod wear_rule;
 
+use std::path::Path;
 use std::sync::Arc;
 
 use crate::document::Document;
@@ -45,14 +46,15 @@ pub(crate) struct Problem {
 }
 
 /// Checks a scene and fills in its defaults.
-pub(crate) fn setup(document: &Document) -> Result<Problem, Fault> {
-    check(document).map_err(|fault| document.locate(fault))
+/// Relative paths in it are meant from `folder`.
+pub(crate) fn setup(document: &Document, folder: &Path) -> Result<Problem, Fault> {
+    check(document, folder).map_err(|fault| document.locate(fault))
 }
 
-fn check(document: &Document) -> Result<Problem, Fault> {
+fn check(document: &Document, folder: &Path) -> Result<Problem, Fault> {
     let mut scene = document.scene.clone();
     let tasks = tasks::resolve(&mut scene)?;
-    bodies::resolve(&mut scene, &document.folder)?;
+    bodies::resolve(&mut scene, folder)?;
     let patch = Patch::of(&scene)?;
     wear_rule::resolve(&mut scene, &tasks, patch.as_ref())?;
     load::resolve(&mut scene, &tasks, patch.as_ref())?;

@@ -98,7 +98,7 @@ fn compute(item: &Item, target: &Path) -> Result<(Made, Value), Fault> {
     let document = json!({
         "schema_version": SCHEMA_VERSION,
         "version": env!("CARGO_PKG_VERSION"),
-        "scene_sha256": report::sha256(&made.resolved),
+        "scene_sha256": crate::hash::sha256(&made.resolved),
         "item": item.name,
         "shows": item.sentence,
         "rows": rows_json(&made.rows),
@@ -124,7 +124,7 @@ fn index(all: &[(&Item, Made)], documents: Vec<Value>, target: &Path) -> Result<
     let document = json!({
         "schema_version": SCHEMA_VERSION,
         "version": env!("CARGO_PKG_VERSION"),
-        "scene_sha256": report::sha256(""),
+        "scene_sha256": crate::hash::sha256(""),
         "items": documents,
     });
     folder.write("summary.json", &report::pretty(&document))?;

@@ -2,7 +2,8 @@
 
 use hpfem::Kinematics;
 
-use crate::scene::{Load, Material};
+use crate::material::Material;
+use crate::scene::Load;
 
 /// Half the width of contact, or its radius (Johnson 1985, sec. 4.2 and 7.2), of the softest materials of both bodies.
 pub(super) fn hertz_end(radius: f64, materials: [&[Material]; 2], load: &Load, kinematics: Kinematics) -> f64 {

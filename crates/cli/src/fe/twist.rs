@@ -4,8 +4,8 @@ use contact::{ContactOperator, ContactSolution, Pair, TorsionOperator, Turn, Twi
 
 use crate::fault::Fault;
 use crate::fe::contact::{linear, unsolved};
+use crate::numbers::short;
 use crate::profile::Profile;
-use crate::report::short;
 use crate::scene::Scene;
 use crate::setup::turns;
 use crate::solution::{ContactResult, TwistResult};

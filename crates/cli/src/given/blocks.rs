@@ -8,7 +8,7 @@ use hpfem::{Curve, Error, Mesh, Quad};
 use crate::fault::{Fault, did_you_mean};
 use crate::geometry::{ArcShape, Blocks, CellShape, CurveShape, SplineShape};
 use crate::given::Given;
-use crate::scene::Material;
+use crate::material::Material;
 
 /// A curve between two numbered points.
 struct Joined {

@@ -1,30 +1,26 @@
 //! `geometry.mesh`: a gmsh file beside the scene.
 
 use std::path::Path;
-use std::sync::Arc;
 
 use hpfem::{Curve, GmshError, GmshMesh, Mesh};
 
 use crate::fault::{Fault, did_you_mean};
 use crate::geometry::MeshFile;
 use crate::given::Given;
-use crate::report::sha256;
-use crate::scene::Material;
+use crate::hash::sha256;
+use crate::material::Material;
 
-/// A mesh file as it was read.
-#[derive(Debug, PartialEq)]
-pub(crate) struct MeshContent {
-    /// The file, to be copied beside the resolved scene.
-    pub(crate) bytes: Vec<u8>,
-    mesh: Mesh,
-    groups: Vec<String>,
+/// The cells of a mesh file, and the physical group of each material index.
+fn parse(bytes: &[u8]) -> Result<(Mesh, Vec<String>), GmshError> {
+    let GmshMesh { mut mesh, materials } = GmshMesh::read(bytes)?;
+    round(&mut mesh);
+    Ok((mesh, materials))
 }
 
-impl MeshContent {
-    /// Names of the physical curves.
-    pub(crate) fn edges(&self) -> &[String] {
-        &self.mesh.boundaries
-    }
+/// Names of the physical curves of a mesh file that was read.
+pub(crate) fn edges(file: &MeshFile) -> Option<Vec<String>> {
+    let (mesh, _) = parse(file.content.as_deref()?).ok()?;
+    Some(mesh.boundaries)
 }
 
 /// Reads the file of `key`.geometry.mesh; from then on the scene names it as its copy in the output folder, `key`.msh.
@@ -44,7 +40,7 @@ pub(crate) fn read(key: &str, file: &mut MeshFile, folder: &Path) -> Result<(), 
         let remedy = "bring the old file back, or remove the key sha256";
         return Err(Fault::at(format!("{key}.geometry.mesh.sha256"), "changed-mesh", message, remedy));
     }
-    let GmshMesh { mut mesh, materials: groups } = GmshMesh::read(&bytes).map_err(|error| {
+    parse(&bytes).map_err(|error| {
         let remedy = match &error {
             GmshError::ElementType { .. } => "save the plane mesh alone, of order 1 to 4: Mesh.SaveAll = 0",
             GmshError::NoCells => "put the surface into a physical group",
@@ -56,8 +52,7 @@ pub(crate) fn read(key: &str, file: &mut MeshFile, folder: &Path) -> Result<(), 
         };
         Fault::at(&at, "wrong-mesh", format!("{}: {error}", path.display()), remedy)
     })?;
-    round(&mut mesh);
-    file.content = Some(Arc::new(MeshContent { bytes, mesh, groups }));
+    file.content = Some(bytes.into());
     file.file = format!("{key}.msh");
     file.sha256 = Some(hash);
     Ok(())
@@ -65,7 +60,7 @@ pub(crate) fn read(key: &str, file: &mut MeshFile, folder: &Path) -> Result<(), 
 
 /// Cells of a mesh file that was read, at the dotted `key`; `own` is the material of groups that have none.
 pub(super) fn given(key: &str, file: &MeshFile, own: Option<Material>) -> Result<Given, Fault> {
-    let Some(MeshContent { mesh, groups, .. }) = file.content.as_deref() else {
+    let Some((mesh, groups)) = file.content.as_deref().and_then(|bytes| parse(bytes).ok()) else {
         let message = "the mesh was not read";
         return Err(Fault::at(format!("{key}.file"), "unreadable", message, "give the path of a gmsh file"));
     };
@@ -85,7 +80,7 @@ pub(super) fn given(key: &str, file: &MeshFile, own: Option<Material>) -> Result
             Fault::at(format!("{key}.materials"), "missing-key", format!("there is no material for {what}"), remedy)
         })
     };
-    Ok(Given { mesh: mesh.clone(), materials: groups.iter().map(material).collect::<Result<_, _>>()? })
+    Ok(Given { mesh, materials: groups.iter().map(material).collect::<Result<_, _>>()? })
 }
 
 /// Boundaries whose nodes lie on one circle become arcs of it: gmsh puts the nodes of curved edges on the true curve, and the polynomial

@@ -2,9 +2,9 @@
 
 use crate::body_field::{CellField, FieldFrame};
 use crate::cell_grid::CellGrid;
+use crate::numbers::short;
 use crate::report::isobands::{Isobands, Placed};
 use crate::report::section_plot::Section;
-use crate::report::short;
 
 /// Size of a piece that is cut at the colours, in pixels.
 const PIECE: f64 = 12.0;

@@ -159,7 +159,7 @@ fn table(name: &str, part: &Value) -> String {
 /// A value of the summary as text.
 fn shown(value: &Value) -> String {
     match value {
-        Value::Number(number) if number.is_f64() => super::short(number.as_f64().unwrap_or(f64::NAN)),
+        Value::Number(number) if number.is_f64() => crate::numbers::short(number.as_f64().unwrap_or(f64::NAN)),
         Value::String(text) => text.clone(),
         other => other.to_string(),
     }

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::short;
+use crate::numbers::short;
 use crate::report::line_plot::escaped;
 
 /// A table of `summary.shape.tolerance` with a sentence under it; empty without entries.

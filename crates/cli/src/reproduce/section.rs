@@ -27,7 +27,7 @@ pub(super) fn meshes(made: &mut Made, scene: &str, settings: &[String], title: &
         body += &mesh_svg(mesh, &section, FILLS[number]);
         for (cell, corners) in mesh.cells.iter().map(|cell| cell.vertices()).enumerate() {
             for (corner, vertex) in corners.iter().enumerate() {
-                let [x, z] = mesh.vertices[*vertex].map(crate::profile::number_text);
+                let [x, z] = mesh.vertices[*vertex].map(crate::numbers::number_text);
                 table += &format!("{},{cell},{corner},{x},{z}\n", number + 1);
             }
         }

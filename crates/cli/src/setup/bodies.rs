@@ -5,8 +5,9 @@ use std::path::Path;
 use crate::fault::{Fault, did_you_mean};
 use crate::gap::Gap;
 use crate::geometry::Geometry;
-use crate::given::{given, outside};
-use crate::scene::{Body, Component, Contact, Kinematics, Material, Scene};
+use crate::given::{given, mesh_edges, outside};
+use crate::material::Material;
+use crate::scene::{Body, Component, Contact, Kinematics, Scene};
 use crate::setup::{missing, positive};
 use crate::units::Length;
 
@@ -222,7 +223,7 @@ pub(crate) fn edge_names(geometry: &Geometry, lines: bool) -> Option<Vec<String>
         Geometry::HalfDisc(_) if lines => &["arc", "top", "centre"],
         Geometry::HalfDisc(_) => &["arc", "top"],
         Geometry::Blocks(blocks) => return Some(blocks.edges.keys().cloned().collect()),
-        Geometry::Mesh(file) => return file.content.as_ref().map(|content| content.edges().to_vec()),
+        Geometry::Mesh(file) => return mesh_edges(file),
     };
     Some(names.iter().map(|name| name.to_string()).collect())
 }
