@@ -14,11 +14,11 @@ use std::io::{IsTerminal, Write};
 use std::path::Path;
 
 use clap::{CommandFactory, Parser};
+use scene::{Fault, Place};
 
 use crate::args::{Cli, Command};
 use crate::draw;
 use crate::exit::Exit;
-use crate::fault::{Fault, Place};
 
 /// Runs the command that the arguments ask for.
 pub(crate) fn run(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> Exit {
@@ -85,7 +85,7 @@ fn usage(error: &clap::Error, json: bool) -> Exit {
 fn schema() -> Result<Exit, Fault> {
     let mut settings = schemars::generate::SchemaSettings::draft07();
     settings.inline_subschemas = false;
-    let schema = settings.into_generator().into_root_schema_for::<crate::scene::Scene>();
+    let schema = settings.into_generator().into_root_schema_for::<scene::Scene>();
     print_json(schema.as_value());
     Ok(Exit::Done)
 }

@@ -1,6 +1,6 @@
 //! A fault as the user sees it: a picture in the terminal, or one JSON document.
 
-use crate::fault::{Fault, Place};
+use scene::{Fault, Place};
 
 /// The picture for a terminal: message, place, the line with a caret, remedy.
 pub(crate) fn render(fault: &Fault, colour: bool) -> String {

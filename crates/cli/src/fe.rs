@@ -38,8 +38,8 @@ pub(crate) use gap_difference::{Measure, difference_of_gaps};
 pub(crate) use operators::Operators;
 pub(crate) use stage::rest;
 
-use crate::fault::Fault;
-use crate::geometry::Geometry;
+use scene::{Fault, Geometry};
+
 use crate::live::Live;
 use crate::setup::Problem;
 use crate::solution::{Solution, Status};

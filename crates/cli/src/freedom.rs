@@ -1,12 +1,10 @@
 //! The rigid freedoms of body 1: what its supports and its load leave free, with the prescribed resultants.
 
 use nalgebra::Vector3;
+use scene::{Body, Component, Fault, Geometry, Kinematics, Load, LoadKind, Scene, SurfaceShape};
 use wear::{RigidMode, RigidMotion};
 
-use crate::fault::Fault;
-use crate::geometry::{Geometry, SurfaceShape};
 use crate::given::{edge_curves, given};
-use crate::scene::{Body, Component, Kinematics, Load, LoadKind, Scene};
 use crate::surface::Patch;
 
 /// One free rigid mode.

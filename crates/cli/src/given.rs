@@ -5,11 +5,7 @@ mod contact_line;
 mod mesh_file;
 
 use hpfem::{Curve, Mesh};
-
-use crate::fault::Fault;
-use crate::geometry::Geometry;
-use crate::material::Material;
-use crate::scene::Body;
+use scene::{Body, Fault, Geometry, Material};
 
 pub(crate) use blocks::unused as unused_in_blocks;
 pub(crate) use contact_line::{ContactLine, contact_line};

@@ -5,46 +5,31 @@
 
 mod args;
 mod body_field;
-mod builtin;
 mod cell_grid;
 mod commands;
-mod document;
 mod draw;
 mod exit;
-mod fault;
 mod fe;
-mod flags;
 mod freedom;
-mod gap;
-mod geometry;
 mod given;
-mod hash;
 mod interrupt;
 mod lints;
 mod live;
 mod machined;
-mod material;
-mod numbers;
 mod open;
 mod plan;
-mod point_shape;
 mod profile;
 mod profile_file;
 mod progress;
-mod read;
 mod record;
 mod report;
 mod reproduce;
-mod scene;
 mod setup;
 mod solution;
 mod solve;
 mod spline;
 mod study;
 mod surface;
-mod tree;
-mod units;
-mod write;
 
 pub use exit::Exit;
 

@@ -1,14 +1,11 @@
 //! What the theory has to say about a scene before it is solved.
 
+use scene::{Balance, Functional, Geometry, Scene, Task, short, with_short_numbers};
 use serde::Serialize;
 use wear::Shape;
 
 use crate::freedom::{Freedom, Role};
-use crate::geometry::Geometry;
 use crate::given::{edge_curves, given};
-use crate::numbers::short;
-use crate::numbers::with_short_numbers;
-use crate::scene::{Balance, Functional, Scene, Task};
 use crate::setup::{exponents, s_minus_1};
 use crate::solution::Solution;
 use crate::surface::Patch;

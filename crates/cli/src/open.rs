@@ -3,9 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::builtin::{SCENES, builtin};
-use crate::document::Document;
-use crate::fault::{Fault, Place, did_you_mean};
+use scene::{Document, Fault, Place, SCENES, builtin, did_you_mean};
 
 /// Reads a built-in scene or a file, with the `--set` options, and says from which folder relative paths in it are meant.
 pub(crate) fn open(given: &str, settings: &[String]) -> Result<(Document, PathBuf), Fault> {

@@ -1,8 +1,7 @@
 //! The plan: which stages a scene needs, and why the others are left out.
 
+use scene::{Component, Scene, Task};
 use serde::Serialize;
-
-use crate::scene::{Component, Scene, Task};
 
 /// One stage.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -67,10 +66,10 @@ impl Plan {
             has(Task::Wear),
             if has(Task::Wear) { "the task \"wear\" asks for it" } else { "no task asks for it" },
         );
-        let held = |body: &Option<crate::scene::Body>| {
+        let held = |body: &Option<scene::Body>| {
             body.as_ref().is_some_and(|body| body.support.values().any(|held| held.contains(&Component::Phi)))
         };
-        let axisymmetric = scene.kinematics == Some(crate::scene::Kinematics::Axisymmetric);
+        let axisymmetric = scene.kinematics == Some(scene::Kinematics::Axisymmetric);
         let turned = !crate::setup::turns(scene).is_empty();
         match (bodies && axisymmetric, shear && (scene.sliding.is_some() || turned), held(&scene.body1) || held(&scene.body2)) {
             (true, true, true) if turned => stage("torsion", true, "body 1 is turned about the axis, and friction resists"),

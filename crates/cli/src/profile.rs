@@ -1,8 +1,7 @@
 //! The columns of contact.csv.
 
 use nalgebra::Vector3;
-
-use crate::numbers::number_text;
+use scene::number_text;
 
 /// Numbers at the contact points, in order along the surface; NaN where not available.
 #[derive(Debug, Clone, Default, PartialEq)]

@@ -2,8 +2,7 @@
 
 use std::path::Path;
 
-use crate::fault::{Fault, Place};
-use crate::gap::Gap;
+use scene::{Fault, Gap, Place};
 
 /// Reads the file of `contact.gap`.
 pub(crate) fn read(folder: &Path, name: &str) -> Result<Gap, Fault> {

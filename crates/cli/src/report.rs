@@ -15,11 +15,11 @@ mod terminal;
 mod tolerance;
 mod vtu;
 
-use crate::fault::Fault;
+use scene::{Fault, scene_text};
+
 use crate::record::{LAYOUT, Points, RUN_MCAP, Recorder, Tape};
 use crate::setup::Problem;
 use crate::solution::Solution;
-use crate::write::scene_text;
 
 pub(crate) use curves::abscissa;
 pub(crate) use folder::Folder;
@@ -37,10 +37,10 @@ pub(crate) fn resolved(problem: &Problem) -> Result<String, Fault> {
 }
 
 /// The mesh files that the resolved scene names, to stand beside it.
-pub(crate) fn mesh_files(scene: &crate::scene::Scene) -> Vec<(String, &[u8])> {
+pub(crate) fn mesh_files(scene: &scene::Scene) -> Vec<(String, &[u8])> {
     let bodies = [&scene.body1, &scene.body2].into_iter().flatten();
     let files = bodies.filter_map(|body| match &body.geometry {
-        crate::geometry::Geometry::Mesh(file) => file.content.as_deref().map(|bytes| (file.file.clone(), bytes)),
+        scene::Geometry::Mesh(file) => file.content.as_deref().map(|bytes| (file.file.clone(), bytes)),
         _ => None,
     });
     files.collect()
@@ -118,7 +118,7 @@ pub(crate) fn columns_csv(columns: &[(String, Vec<f64>)]) -> String {
     let names: Vec<&str> = columns.iter().map(|(name, _)| name.as_str()).collect();
     let mut out = names.join(",") + "\n";
     for row in 0..columns.iter().map(|(_, values)| values.len()).min().unwrap_or(0) {
-        let cells: Vec<String> = columns.iter().map(|(_, values)| crate::numbers::number_text(values[row])).collect();
+        let cells: Vec<String> = columns.iter().map(|(_, values)| scene::number_text(values[row])).collect();
         out += &(cells.join(",") + "\n");
     }
     out

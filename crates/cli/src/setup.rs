@@ -12,12 +12,11 @@ mod wear_rule;
 use std::path::Path;
 use std::sync::Arc;
 
-use crate::document::Document;
-use crate::fault::Fault;
+use scene::{Document, Fault, Scene};
+
 use crate::fe::Operators;
 use crate::lints::{self, Lint};
 use crate::plan::Plan;
-use crate::scene::Scene;
 use crate::surface::Patch;
 
 pub(crate) use bodies::template;

@@ -4,7 +4,8 @@ pub(crate) mod pressure;
 
 use std::time::Instant;
 
-use crate::fault::Fault;
+use scene::Fault;
+
 use crate::live::Live;
 use crate::setup::Problem;
 use crate::solution::{Solution, Status};

@@ -1,8 +1,8 @@
 //! Error against run time: a scene solved on rising degrees, each one alone, and compared with a truth.
 
 use nalgebra::{DMatrix, Vector3};
+use scene::Fault;
 
-use crate::fault::Fault;
 use crate::fe::{Measure, difference_of_gaps, rest};
 use crate::open::open;
 use crate::profile::Profile;

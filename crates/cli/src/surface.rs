@@ -3,14 +3,11 @@
 use std::f64::consts::{PI, TAU};
 
 use nalgebra::Vector3;
+use scene::{Body, Fault, Geometry, Kinematics, Length, Scene, SurfaceShape};
 use wear::{Shape, SlidingMotion, Surface, SurfacePoint};
 
-use crate::fault::Fault;
-use crate::geometry::{Geometry, SurfaceShape};
 use crate::given::{ContactLine, contact_line};
-use crate::scene::{Body, Kinematics, Scene};
 use crate::setup::{missing, positive};
-use crate::units::Length;
 
 /// A contact surface known without a mesh.
 #[derive(Debug, Clone)]
@@ -198,7 +195,7 @@ fn between(scene: &Scene, first: &Body, second: &Body) -> Result<Option<Found>, 
     let axisymmetric = scene.kinematics == Some(Kinematics::Axisymmetric);
     let thickness = scene.thickness.map_or(1.0, |thickness| thickness.0);
     let key = "contact.edges";
-    let arc = |angles: [f64; 2], radius: f64, ring: &crate::geometry::Ring| {
+    let arc = |angles: [f64; 2], radius: f64, ring: &scene::Ring| {
         let centre = ring.centre.map_or([0.0, 0.0], |centre| [centre[0].0, centre[1].0]);
         if !same(radius, ring.outer.0, radius) || centre != [0.0, 0.0] {
             let message =

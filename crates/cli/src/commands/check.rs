@@ -1,11 +1,11 @@
 //! `wearshape check`: what a scene means, before anything is computed.
 
+use scene::Fault;
 use serde_json::json;
 
 use crate::args::CheckArgs;
 use crate::commands::{print_json, print_out};
 use crate::exit::Exit;
-use crate::fault::Fault;
 use crate::fe::{Forecast, forecast};
 use crate::open::open;
 use crate::setup::{Problem, setup};

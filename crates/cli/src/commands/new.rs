@@ -1,10 +1,10 @@
 //! `wearshape new`: a commented scene to start from.
 
+use scene::{Fault, SCENES, builtin, did_you_mean};
+
 use crate::args::NewArgs;
-use crate::builtin::{SCENES, builtin};
 use crate::commands::print_out;
 use crate::exit::Exit;
-use crate::fault::{Fault, did_you_mean};
 
 /// Lists the templates, prints one, or writes it.
 pub(crate) fn run(args: &NewArgs) -> Result<Exit, Fault> {

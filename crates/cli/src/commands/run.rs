@@ -3,11 +3,12 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
+use scene::{Fault, Place};
+
 use crate::args::{Common, RunArgs};
 use crate::commands::check::{describe, describe_with_sizes, plan_json};
 use crate::commands::{print_json, print_out};
 use crate::exit::Exit;
-use crate::fault::{Fault, Place};
 use crate::live::Live;
 use crate::open::open;
 use crate::progress::Progress;

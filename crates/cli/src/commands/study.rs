@@ -2,13 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
+use scene::{Fault, Place, number_text};
+
 use crate::args::StudyArgs;
 use crate::commands::run::with_threads;
 use crate::commands::{print_json, print_out};
 use crate::exit::Exit;
-use crate::fault::{Fault, Place};
 use crate::fe::Measure;
-use crate::numbers::number_text;
 use crate::open::open;
 use crate::report::line_plot::{Axis, LinePlot, Series, line_plot};
 use crate::report::{self, Folder};
@@ -73,7 +73,7 @@ pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
         "schema_version": report::SCHEMA_VERSION,
         "version": env!("CARGO_PKG_VERSION"),
         "scene": problem.name,
-        "scene_sha256": crate::hash::sha256(&resolved),
+        "scene_sha256": scene::sha256(&resolved),
         "quantity": quantity.description(),
         "truth": against,
         "levels": rows.iter().map(object).collect::<Vec<_>>(),

@@ -2,10 +2,10 @@
 
 use contact::Pair;
 use nalgebra::{DMatrix, DVector};
+use scene::{Fault, Force};
 use shapeopt::{ApproachForce, force_of_approach};
 use wear::WearError;
 
-use crate::fault::Fault;
 use crate::fe::rungs::add_times;
 use crate::fe::shape::{Shaper, unanswered};
 use crate::fe::stage::{Stage, rest};
@@ -13,7 +13,6 @@ use crate::fe::template::Cut;
 use crate::setup::Problem;
 use crate::solution::Solution;
 use crate::solve::Options;
-use crate::units::Force;
 
 /// The force is found to this part of the accuracy asked for.
 const SHARE: f64 = 0.1;

@@ -4,12 +4,10 @@ use hpfem::{
     Body, BodyProblem, Direction, EdgeTraction, Effort, InterfaceOperator, Kinematics, LoadCase, Material, Mesh, RigidEdge,
     Sizes, SpaceKind, Support,
 };
+use scene::{Component, Fault, Geometry, LoadKind, Scene, Task};
 
-use crate::fault::Fault;
 use crate::fe::template::{AXIS, CONTACT, LOAD};
-use crate::geometry::Geometry;
 use crate::given::given;
-use crate::scene::{self, Component, LoadKind, Scene, Task};
 
 /// Degree and layers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

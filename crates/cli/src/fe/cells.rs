@@ -2,12 +2,11 @@
 //! are slender.
 
 use hpfem::{Curve, Direction, Mesh, Support};
+use scene::{Body, Component, Fault, Kinematics, LoadKind, Scene};
 
-use crate::fault::Fault;
 use crate::fe::bodies::{hpfem_materials, kinematics};
 use crate::fe::template::{AXIS, CONTACT, Extent, LOAD};
 use crate::given::Given;
-use crate::scene::{Body, Component, Kinematics, LoadKind, Scene};
 
 /// Longest side of a cell over its shortest before it is cut.
 const SLENDER: f64 = 3.0;

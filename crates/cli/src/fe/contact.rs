@@ -4,8 +4,8 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use contact::{ContactOperator, ContactSolution, Pair, Status as ContactStatus};
+use scene::{Fault, Gap, Scene};
 
-use crate::fault::Fault;
 use crate::fe::bodies::Level;
 use crate::fe::diagnosis::Diagnosis;
 use crate::fe::free_ends::{FreeEnds, inner, pairs, zones};
@@ -16,9 +16,7 @@ use crate::fe::stage::{Stage, accuracy, fixed_level, ladder, note, rest};
 use crate::fe::template::{Cut, Extent};
 use crate::fe::torsion;
 use crate::fe::twist::Twist;
-use crate::gap::Gap;
 use crate::profile::Profile;
-use crate::scene::Scene;
 use crate::setup::Problem;
 use crate::solution::{ContactResult, EnergyResult, Solution, Status};
 use crate::solve::{CURVE, Options, Sampling};

@@ -1,10 +1,10 @@
 //! What a contact solve rests on: the condition of its system, and whether friction lets it have other solutions.
 
 use contact::{ContactLoad, ContactOperator, ContactSolution};
+use scene::Fault;
 
 use std::sync::Arc;
 
-use crate::fault::Fault;
 use crate::fe::contact::{start_gap, unsolved};
 use crate::fe::operators::Reduced;
 use crate::fe::stage::Stage;

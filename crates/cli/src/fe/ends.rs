@@ -10,8 +10,8 @@ use contact::{
     Status as ContactStatus, position_nodes,
 };
 use hpfem::{Body, Kinematics};
+use scene::{Fault, Scene};
 
-use crate::fault::Fault;
 use crate::fe::bodies::{BodyParts, Level, kinematics};
 use crate::fe::contact::{Solved, climb, unsolved};
 use crate::fe::diagnosis;
@@ -22,7 +22,6 @@ use crate::fe::recover::{self, Moment, Reported};
 use crate::fe::stage::{Parts, note};
 use crate::fe::torsion;
 use crate::fe::twist::Twist;
-use crate::scene::Scene;
 use crate::setup::{Problem, turns};
 use crate::solution::{EnergyResult, Solution, Status};
 use crate::solve::{CURVE, Options};
@@ -161,7 +160,7 @@ impl<'a> Setting<'a> {
     /// The load before any shear.
     fn press(&self) -> ContactLoad {
         let load = self.scene.load.clone().unwrap_or_default();
-        let rigid = load.kind == Some(crate::scene::LoadKind::Rigid);
+        let rigid = load.kind == Some(scene::LoadKind::Rigid);
         let cases = if rigid { vec![] } else { vec![self.force() / self.copies(), 0.0, 0.0, 0.0] };
         let mut press = ContactLoad::factors(&cases, &[]);
         if rigid {

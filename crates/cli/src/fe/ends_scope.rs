@@ -1,10 +1,9 @@
 //! Which scenes of a half-disc on a rectangle are built.
 
-use crate::fault::Fault;
+use scene::{Body, Component, Fault, Gap, Task};
+
 use crate::fe::ends::Setting;
 use crate::fe::half_disc::Couple;
-use crate::gap::Gap;
-use crate::scene::{Body, Component, Task};
 use crate::setup::{Problem, turns};
 
 /// Refuses what is not built, before anything is written.

@@ -3,9 +3,9 @@
 use std::time::Instant;
 
 use hpfem::Sizes;
+use scene::Fault;
 use serde::Serialize;
 
-use crate::fault::Fault;
 use crate::fe::bodies::Level;
 use crate::fe::stage::{Parts, Stage, fixed_level, ladder};
 use crate::fe::template::Cut;

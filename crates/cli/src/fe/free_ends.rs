@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use contact::{ContactSolution, Start, Status, held_between, position_nodes};
+use scene::Fault;
 
-use crate::fault::Fault;
 use crate::fe::bodies::Level;
 use crate::fe::contact::{gap_at, unsolved};
 use crate::fe::operators::Reduced;

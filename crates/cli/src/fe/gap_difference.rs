@@ -1,8 +1,7 @@
 //! How far two gaps are apart, in parts of the larger one.
 
 use nalgebra::{DMatrix, DVector};
-
-use crate::scene::{LoadKind, Scene};
+use scene::{LoadKind, Scene};
 
 /// What the difference of two gaps is measured by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

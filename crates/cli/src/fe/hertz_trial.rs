@@ -1,9 +1,7 @@
 //! Where the contact of a cylinder or ball with a flat would end between half-planes or half-spaces: a first guess, never a result.
 
 use hpfem::Kinematics;
-
-use crate::material::Material;
-use crate::scene::Load;
+use scene::{Load, Material};
 
 /// Half the width of contact, or its radius (Johnson 1985, sec. 4.2 and 7.2), of the softest materials of both bodies.
 pub(super) fn hertz_end(radius: f64, materials: [&[Material]; 2], load: &Load, kinematics: Kinematics) -> f64 {

@@ -1,10 +1,10 @@
 //! Common break points of two bodies of which at least one is given by its cells.
 
-use crate::fault::Fault;
+use scene::{Body, Fault, Scene};
+
 use crate::fe::cells::{Cells, add_singular, crowded};
 use crate::fe::template::{Coarse, Cut, Extent, coarse, contact_cuts};
 use crate::given::Given;
-use crate::scene::{Body, Scene};
 
 /// Most rounds until the break points settle: a cut may come back to the contact elsewhere and ask for another.
 const ROUNDS: usize = 20;

@@ -6,12 +6,11 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use contact::{ContactOperator, Pair, UnitResponses};
 use hpfem::{Effort, InterfaceOperator, InterfaceState};
+use scene::{Fault, Scene, Units};
 
-use crate::fault::Fault;
 use crate::fe::bodies::Level;
 use crate::fe::stage::Parts;
 use crate::fe::template::Cut;
-use crate::scene::{Scene, Units};
 use crate::solution::{Counters, Reaction, Solution};
 
 /// Kinds of bodies that are kept at once; a sweep over geometries does not keep them all.

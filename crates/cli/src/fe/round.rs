@@ -2,8 +2,8 @@
 //! than the contact, found from a first guess by solving on it; gap `R - sqrt(R^2 - x^2)` plus that of the scene, conditions on the flat side.
 
 use contact::Status as ContactStatus;
+use scene::{Fault, Kinematics, Scene, Task};
 
-use crate::fault::Fault;
 use crate::fe::bodies::{Level, kinematics};
 use crate::fe::contact::{climb, on_standing_mesh, solve_level};
 use crate::fe::free_ends::FreeEnds;
@@ -12,7 +12,6 @@ use crate::fe::recover;
 use crate::fe::stage::Stage;
 use crate::fe::template::Extent;
 use crate::given::{ContactLine, contact_line, given};
-use crate::scene::{Kinematics, Scene, Task};
 use crate::setup::Problem;
 use crate::solution::{Solution, Status};
 use crate::solve::Options;

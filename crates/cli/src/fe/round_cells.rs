@@ -1,10 +1,9 @@
 //! The templates of a round contact as a few cells, to meet a body that is given by its own.
 
 use hpfem::{Curve, Mesh, Quad};
+use scene::{Body, Geometry, Kinematics, Scene};
 
-use crate::geometry::Geometry;
 use crate::given::Given;
-use crate::scene::{Body, Kinematics, Scene};
 
 /// The cells of a half-disc or rectangle; none of other bodies.
 ///

@@ -1,9 +1,9 @@
 //! The proof of a shape: a full Signorini-Coulomb solve on it must give the wanted pressure back.
 
 use contact::{ContactLoad, ContactOperator, ContactSolution};
+use scene::Fault;
 use shapeopt::{GapCurve, Shape, SurfacePlace};
 
-use crate::fault::Fault;
 use crate::fe::bodies::Level;
 use crate::fe::contact::{pressure_at, unsolved};
 use crate::fe::diagnosis;

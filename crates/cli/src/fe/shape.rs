@@ -6,9 +6,9 @@ use std::time::Instant;
 use contact::{ContactLoad, ContactPoint, Motion, Pair};
 use hpfem::InterfaceState;
 use nalgebra::{DMatrix, Vector3};
+use scene::{Balance, Fault};
 use shapeopt::{GapCurve, Integration, RigidPart, Shape, ShapeProblem, SurfacePlace, closing, solve_shape};
 
-use crate::fault::Fault;
 use crate::fe::approach;
 use crate::fe::bodies::Level;
 use crate::fe::gap_difference::{Measure, difference_of_gaps};
@@ -23,7 +23,6 @@ use crate::fe::torsion;
 use crate::freedom::Role;
 use crate::machined::{Machined, SurfacePoint};
 use crate::profile::Profile;
-use crate::scene::Balance;
 use crate::setup::Problem;
 use crate::solution::{EnergyResult, ShapeResult, Solution, Status};
 use crate::solve::{CURVE, Options};

@@ -6,14 +6,13 @@ use std::time::Instant;
 use contact::{ContactLoad, ContactPoint, MomentBalance, Motion, Pair, Side};
 use hpfem::{Body, InterfaceOperator, InterfaceState, Kinematics};
 use nalgebra::Vector3;
+use scene::{Fault, LoadKind, Scene};
 use shapeopt::Gauge;
 
-use crate::fault::Fault;
 use crate::fe::bodies::{BodyParts, Level, MEAN_COLUMNS, kinematics};
 use crate::fe::operators::{self, Place, Reduced};
 use crate::fe::template::{Cut, Extent, meshes};
 use crate::profile::Profile;
-use crate::scene::{LoadKind, Scene};
 use crate::setup::Problem;
 use crate::solution::{Reaction, Solution};
 use crate::solve::{Options, Sampling, trapezoid_weights};

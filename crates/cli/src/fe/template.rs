@@ -1,16 +1,14 @@
 //! Meshes of the geometry templates: coarse cells cut at what the scene names, graded towards its singular points.
 
 use hpfem::{Curve, Mesh, Named, Ruled, Side};
+use scene::{Fault, Geometry, Rectangle, Ring, RingSegment, Scene, ShoeBlock};
 
-use crate::fault::Fault;
 use crate::fe::cells::SAME;
 use crate::fe::cuts::{growing, halved, merged, parameters, subdivide, widest};
 use crate::fe::matching::matched;
 use crate::fe::near_ends::{self, cut_near};
 use crate::fe::round_cells::as_cells;
-use crate::geometry::{Geometry, Rectangle, Ring, RingSegment, ShoeBlock};
 use crate::given::given;
-use crate::scene::Scene;
 
 /// Name of the edges on the contact surface.
 pub(crate) const CONTACT: &str = "@contact";
@@ -367,7 +365,7 @@ fn block(scene: &Scene, rectangle: &Rectangle, cuts: &[f64], shaped: bool, cut: 
         named(Side::Right, "right"),
         Named { side: contact_side, range: Some([contact[0], contact[1]]), name: CONTACT },
     ];
-    let axisymmetric = scene.kinematics == Some(crate::scene::Kinematics::Axisymmetric);
+    let axisymmetric = scene.kinematics == Some(scene::Kinematics::Axisymmetric);
     if axisymmetric && x[0] == 0.0 {
         names.push(named(Side::Left, AXIS));
     }

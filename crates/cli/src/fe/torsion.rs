@@ -2,8 +2,8 @@
 
 use contact::{ContactPoint, Pair, Side};
 use hpfem::{InterfaceOperator, InterfaceState, TraceLoad};
+use scene::Fault;
 
-use crate::fault::Fault;
 use crate::fe::recover::Reported;
 use crate::fe::rungs::add_times;
 use crate::fe::stage::Stage;

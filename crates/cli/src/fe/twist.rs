@@ -1,12 +1,10 @@
 //! Body 1 turned about the axis under its pressure: stick and slip around the axis, step after step.
 
 use contact::{ContactOperator, ContactSolution, Pair, TorsionOperator, Turn, TwistSolution, TwistStatus};
+use scene::{Fault, Scene, short};
 
-use crate::fault::Fault;
 use crate::fe::contact::{linear, unsolved};
-use crate::numbers::short;
 use crate::profile::Profile;
-use crate::scene::Scene;
 use crate::setup::turns;
 use crate::solution::{ContactResult, TwistResult};
 

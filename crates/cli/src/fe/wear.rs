@@ -10,9 +10,9 @@ mod problem;
 mod settled;
 
 use nalgebra::DMatrix;
+use scene::Fault;
 use shapeopt::EvolutionStatus;
 
-use crate::fault::Fault;
 use crate::fe::bodies::Level;
 use crate::fe::gap_difference::{Measure, difference_of_gaps};
 use crate::fe::recover::Reported;

@@ -3,11 +3,9 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use hpfem::{Curve, Mesh};
+use scene::{Body, Fault, Geometry};
 
-use crate::fault::Fault;
-use crate::geometry::Geometry;
 use crate::given::{Given, given};
-use crate::scene::Body;
 
 /// Where a contact edge lies.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,12 +3,9 @@
 use std::path::Path;
 
 use hpfem::{Curve, GmshError, GmshMesh, Mesh};
+use scene::{Fault, Material, MeshFile, did_you_mean, sha256};
 
-use crate::fault::{Fault, did_you_mean};
-use crate::geometry::MeshFile;
 use crate::given::Given;
-use crate::hash::sha256;
-use crate::material::Material;
 
 /// The cells of a mesh file, and the physical group of each material index.
 fn parse(bytes: &[u8]) -> Result<(Mesh, Vec<String>), GmshError> {

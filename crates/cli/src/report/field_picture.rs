@@ -1,8 +1,9 @@
 //! The von Mises stress on the deformed bodies, as SVG.
 
+use scene::short;
+
 use crate::body_field::{CellField, FieldFrame};
 use crate::cell_grid::CellGrid;
-use crate::numbers::short;
 use crate::report::isobands::{Isobands, Placed};
 use crate::report::section_plot::Section;
 

@@ -17,7 +17,7 @@ pub(crate) fn summary(problem: &Problem, solution: &Solution, resolved: &str) ->
     put("schema_version", json!(SCHEMA_VERSION));
     put("version", json!(env!("CARGO_PKG_VERSION")));
     put("scene", json!(problem.name));
-    put("scene_sha256", json!(crate::hash::sha256(resolved)));
+    put("scene_sha256", json!(scene::sha256(resolved)));
     put("status", value(&solution.status));
     put("verdict", json!(verdict(problem, solution)));
     put("stages", value(&problem.plan.stages));

@@ -2,11 +2,10 @@
 
 use std::path::Path;
 
+use scene::{Functional, short, with_short_numbers};
 use wear::Shape;
 
-use crate::numbers::{short, with_short_numbers};
 use crate::profile::Profile;
-use crate::scene::Functional;
 use crate::setup::Problem;
 use crate::solution::{Solution, Status};
 

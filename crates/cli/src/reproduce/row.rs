@@ -60,7 +60,7 @@ fn digits(value: f64) -> String {
     if !(-4..7).contains(&magnitude) {
         return format!("{value:.3e}");
     }
-    crate::numbers::short(value)
+    scene::short(value)
 }
 
 /// A difference: round-off is no number to print.
@@ -123,7 +123,7 @@ pub(crate) fn rows_markdown(rows: &[Row]) -> String {
 pub(crate) fn rows_csv(rows: &[(&str, &Row)]) -> String {
     let mut out = String::from("item,quantity,unit,paper,where,printed,reference,ours,difference,note\n");
     let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
-    let number = |value: Option<f64>| value.map(crate::numbers::number_text).unwrap_or_default();
+    let number = |value: Option<f64>| value.map(scene::number_text).unwrap_or_default();
     for (item, row) in rows {
         let cells = [
             (*item).to_string(),

@@ -2,10 +2,8 @@
 
 use std::path::Path;
 
-use crate::builtin::builtin;
-use crate::document::Document;
-use crate::fault::Fault;
-use crate::gap::Gap;
+use scene::{Document, Fault, Gap, builtin};
+
 use crate::profile::Profile;
 use crate::report;
 use crate::setup::{Problem, setup};

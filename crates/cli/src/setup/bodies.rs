@@ -2,14 +2,10 @@
 
 use std::path::Path;
 
-use crate::fault::{Fault, did_you_mean};
-use crate::gap::Gap;
-use crate::geometry::Geometry;
+use scene::{Body, Component, Contact, Fault, Gap, Geometry, Kinematics, Length, Material, Scene, did_you_mean};
+
 use crate::given::{given, mesh_edges, outside};
-use crate::material::Material;
-use crate::scene::{Body, Component, Contact, Kinematics, Scene};
 use crate::setup::{missing, positive};
-use crate::units::Length;
 
 /// Checks both bodies and the contact, and fills in their defaults.
 pub(super) fn resolve(scene: &mut Scene, folder: &Path) -> Result<(), Fault> {

@@ -1,7 +1,7 @@
 //! The schedule of a run in time: its lists fit each other and the scene, its times increase.
 
-use crate::fault::Fault;
-use crate::scene::{Scene, Schedule};
+use scene::{Fault, Scene, Schedule};
+
 use crate::setup::missing;
 
 /// Checks the schedule and fills in the lists that the scene's load and sliding have.

@@ -1,7 +1,6 @@
 //! Tasks, accuracy, mesh.
 
-use crate::fault::Fault;
-use crate::scene::{Mesh, Scene, Task};
+use scene::{Fault, Mesh, Scene, Task};
 
 /// Fills in tasks, title, accuracy and mesh; returns the tasks in their order.
 pub(super) fn resolve(scene: &mut Scene) -> Result<Vec<Task>, Fault> {

@@ -1,10 +1,9 @@
 //! The wear rule: factors, exponents, counter-face.
 
-use crate::fault::Fault;
-use crate::scene::{Counterface, Functional, Scene, Task, Wear};
+use scene::{Counterface, Fault, Functional, Pair, Scene, Task, Wear, WearFactor};
+
 use crate::setup::missing;
 use crate::surface::{Patch, PatchKind};
-use crate::units::{Pair, WearFactor};
 
 /// Checks the wear rule and the sliding, and fills in their defaults.
 pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) -> Result<(), Fault> {
@@ -43,7 +42,7 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) 
         Some(PatchKind::Plane) => Counterface::Fresh,
         Some(PatchKind::Ring) => Counterface::Congruent,
         Some(PatchKind::Turning) => Counterface::Revolving,
-        None if scene.kinematics == Some(crate::scene::Kinematics::Axisymmetric) => Counterface::Congruent,
+        None if scene.kinematics == Some(scene::Kinematics::Axisymmetric) => Counterface::Congruent,
         None => Counterface::Fresh,
     };
     let counterface = *wear.counterface.get_or_insert(default);
@@ -54,9 +53,9 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) 
             let remedy = "write \"fresh\" for a long plate, \"congruent\" where the same points always meet (ring on disc)";
             return Err(Fault::at("wear.counterface", "wrong-value", message, remedy));
         }
-        match wear.until.get_or_insert(crate::gap::Until::Steady) {
-            crate::gap::Until::Time(time) => super::positive("wear.until", time.0, "time", " s")?,
-            crate::gap::Until::Steady => {}
+        match wear.until.get_or_insert(scene::Until::Steady) {
+            scene::Until::Time(time) => super::positive("wear.until", time.0, "time", " s")?,
+            scene::Until::Steady => {}
         }
     }
     Ok(())

@@ -1,16 +1,14 @@
 //! The optimal pressure on a surface known without a mesh.
 
+use scene::{Balance, Fault, Functional, Modes, Pair, Scene};
 use wear::{Counterface, Optimum, Regime, SurfacePoint, WearError, WearPair};
 
-use crate::fault::Fault;
 use crate::freedom::{Freedom, Role};
 use crate::profile::Profile;
-use crate::scene::{self, Balance, Functional, Modes, Scene};
 use crate::setup::{self, Problem};
 use crate::solution::{ByRole, ErrorResult, PointForce, PressureResult, Solution, Status};
 use crate::solve::{Options, Sampling};
 use crate::surface::Patch;
-use crate::units::Pair;
 
 /// Solves for the optimal pressure and fills in the profile.
 pub(super) fn solve(problem: &Problem, options: Options, solution: &mut Solution) -> Result<(), Fault> {
@@ -92,7 +90,7 @@ pub(crate) fn wear_pair(scene: &Scene, friction: f64) -> Result<WearPair, WearEr
         Some(Pair::One(value)) => [value, value],
         None => [1.0, 1.0],
     };
-    let factors = |given: Pair<crate::units::WearFactor>| match given {
+    let factors = |given: Pair<scene::WearFactor>| match given {
         Pair::Two(values) => values.map(|factor| factor.value),
         Pair::One(factor) => [factor.value, 0.0],
     };

@@ -3,9 +3,9 @@
 use std::time::Instant;
 
 use contact::{ContactLoad, ContactOperator, ContactPoint, ContactSolution, Pair};
+use scene::Fault;
 use shapeopt::{Evolution, EvolutionStatus, WearProblem, WearState, closing, lowest_nonnegative};
 
-use crate::fault::Fault;
 use crate::fe::bodies::Level;
 use crate::fe::contact::pressure_at;
 use crate::fe::recover::{Moment, Reported};

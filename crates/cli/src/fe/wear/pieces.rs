@@ -1,10 +1,9 @@
 //! The schedule of a run in time as scenes: each piece is the scene with its own load and sliding.
 
+use scene::{Fault, Schedule};
 use shapeopt::Interval;
 
-use crate::fault::Fault;
 use crate::freedom::freedoms;
-use crate::scene::Schedule;
 use crate::setup::Problem;
 use crate::surface::Patch;
 

@@ -1,13 +1,11 @@
 //! The wear problem of a level: contact points, wear rules, start gap, and the loads of the schedule.
 
 use contact::{ContactLoad, ContactOperator, Pair, Status as ContactStatus};
+use scene::Fault;
 use shapeopt::{Interval, LoadStage, Stepping, Until, WearProblem};
 
-use crate::fault::Fault;
 use crate::fe::contact::start_gap;
 use crate::fe::stage::Stage;
-use crate::gap;
-use crate::scene;
 
 /// Certificate of the steady state.
 const STEADY: f64 = 1e-9;
@@ -68,7 +66,7 @@ pub(super) fn wear_problem(
     problem.start = Some([start.pressure, start.opening]);
     problem.track_area = stage.patch.surface.track_area();
     problem.until = Until::Steady { residual: steady_residual(stage), not_before };
-    if let Some(gap::Until::Time(time)) = stage.scene().wear.as_ref().and_then(|wear| wear.until) {
+    if let Some(scene::Until::Time(time)) = stage.scene().wear.as_ref().and_then(|wear| wear.until) {
         problem.until = Until::Time(time.0);
         problem.stepping = Stepping::Adaptive { accuracy: stage.accuracy() };
     }

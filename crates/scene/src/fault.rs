@@ -1,27 +1,28 @@
 //! What is wrong with the input, where it stands, and what to do about it.
 
+use std::fmt;
 use std::ops::Range;
 
 use crate::numbers::with_short_numbers;
 
 /// One error of the user's side: a sentence, its place and the remedy. Exit code 2.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Fault {
+pub struct Fault {
     /// Kind of error in one hyphenated word, for programs.
-    pub(crate) code: &'static str,
+    pub code: &'static str,
     /// What is wrong, with the numbers in it.
-    pub(crate) message: String,
+    pub message: String,
     /// Dotted key of the scene that is to blame, from which the place is found.
-    pub(crate) key: Option<String>,
-    /// Where it stands.
-    pub(crate) place: Option<Place>,
+    pub key: Option<String>,
+    /// Where it stands: known at once for what cannot be read, else found from the key by `Document::locate`.
+    pub place: Option<Place>,
     /// What to write instead.
-    pub(crate) remedy: String,
+    pub remedy: String,
 }
 
 /// Where the wrong input was written.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Place {
+pub enum Place {
     /// In a scene file.
     File(Box<Spot>),
     /// On the command line; the flag as given.
@@ -30,22 +31,22 @@ pub(crate) enum Place {
 
 /// A place in a text file, with the line itself for the picture.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Spot {
+pub struct Spot {
     /// Name of the file as the user knows it.
-    pub(crate) file: String,
+    pub file: String,
     /// Line number from 1.
-    pub(crate) line: usize,
+    pub line: usize,
     /// Column from 1, in characters.
-    pub(crate) column: usize,
+    pub column: usize,
     /// Number of characters to underline.
-    pub(crate) length: usize,
+    pub length: usize,
     /// The line.
-    pub(crate) text: String,
+    pub text: String,
 }
 
 impl Place {
     /// The place of a byte range in a file.
-    pub(crate) fn file(file: &str, text: &str, span: Range<usize>) -> Place {
+    pub fn file(file: &str, text: &str, span: Range<usize>) -> Place {
         Place::File(Box::new(Spot::new(file, text, span)))
     }
 }
@@ -75,18 +76,26 @@ fn floor_boundary(text: &str, at: usize) -> usize {
 
 impl Fault {
     /// A fault of the whole input: no key, no place.
-    pub(crate) fn new(code: &'static str, message: impl Into<String>, remedy: impl Into<String>) -> Self {
+    pub fn new(code: &'static str, message: impl Into<String>, remedy: impl Into<String>) -> Self {
         Fault { code, message: with_short_numbers(&message.into()), key: None, place: None, remedy: remedy.into() }
     }
 
     /// A fault of one dotted key of the scene.
-    pub(crate) fn at(key: impl Into<String>, code: &'static str, message: impl Into<String>, remedy: impl Into<String>) -> Self {
+    pub fn at(key: impl Into<String>, code: &'static str, message: impl Into<String>, remedy: impl Into<String>) -> Self {
         Fault { key: Some(key.into()), ..Fault::new(code, message, remedy) }
     }
 }
 
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for Fault {}
+
 /// The nearest of some known words, when it is near enough to be meant.
-pub(crate) fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let word = word.to_lowercase();
     let near = |candidate: &str| {
         let edits = strsim::osa_distance(&word, candidate);
@@ -101,7 +110,7 @@ pub(crate) fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) 
 }
 
 /// "did you mean `x`?", or the list of what is known.
-pub(crate) fn did_you_mean(word: &str, known: &[&str]) -> String {
+pub fn did_you_mean(word: &str, known: &[&str]) -> String {
     match nearest(word, known.iter().copied()) {
         Some(near) => format!("did you mean `{near}`? known here: {}", known.join(", ")),
         None if known.is_empty() => "nothing is expected here: remove it".to_string(),

@@ -1,7 +1,7 @@
 //! Numbers as text: short ones for sentences, exact ones for files.
 
 /// A number with about six significant digits and no needless zeros.
-pub(crate) fn short(value: f64) -> String {
+pub fn short(value: f64) -> String {
     if value == 0.0 {
         return "0".into();
     }
@@ -22,7 +22,7 @@ fn trimmed(text: &str) -> &str {
 }
 
 /// A number in its shortest form that reads back to the same bits; `nan` where there is none.
-pub(crate) fn number_text(number: f64) -> String {
+pub fn number_text(number: f64) -> String {
     if number.is_nan() {
         return "nan".into();
     }
@@ -38,7 +38,7 @@ pub(crate) fn number_text(number: f64) -> String {
 const LONGEST: usize = 15;
 
 /// The text with numbers of more characters rounded to six digits; names, paths and what stands in backticks are left alone.
-pub(crate) fn with_short_numbers(text: &str) -> String {
+pub fn with_short_numbers(text: &str) -> String {
     let part_of_number = |c: char| c.is_ascii_digit() || c == '.' || c == '-';
     let part_of_name = |c: char| c.is_alphanumeric() || "_/`\"'".contains(c);
     let mut out = String::with_capacity(text.len());

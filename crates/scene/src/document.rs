@@ -12,21 +12,21 @@ use crate::tree::{self, Node, Origin};
 
 /// A scene as read, with where each key was written.
 #[derive(Debug, Clone)]
-pub(crate) struct Document {
+pub struct Document {
     /// Short name: of the built-in scene, or of the file without folder and ending.
-    pub(crate) name: String,
+    pub name: String,
     /// The file's name as the user knows it, for messages.
     file: String,
     text: String,
     tree: Node,
     settings: Vec<String>,
     /// The scene.
-    pub(crate) scene: Scene,
+    pub scene: Scene,
 }
 
 impl Document {
     /// Reads a scene from the text of a file and applies the `--set` options; `file` is its name or path in messages.
-    pub(crate) fn read(file: &str, text: &str, settings: &[String]) -> Result<Document, Fault> {
+    pub fn read(file: &str, text: &str, settings: &[String]) -> Result<Document, Fault> {
         let mut tree = tree::parse(text).map_err(|(message, span)| Fault {
             place: Some(Place::file(file, text, span)),
             ..Fault::new("syntax", format!("this is not TOML: {message}"), "write `key = value`; text in double quotes")
@@ -48,12 +48,12 @@ impl Document {
     }
 
     /// Whether a dotted key was written in the file or by a flag.
-    pub(crate) fn has(&self, key: &str) -> bool {
+    pub fn has(&self, key: &str) -> bool {
         self.tree.find(key).is_some()
     }
 
     /// Gives a fault its place from its key.
-    pub(crate) fn locate(&self, mut fault: Fault) -> Fault {
+    pub fn locate(&self, mut fault: Fault) -> Fault {
         if fault.place.is_none() {
             let origin = fault.key.as_deref().and_then(|key| self.tree.place_of(key));
             let origin = origin.unwrap_or(Origin::File(0..0));
