@@ -11,7 +11,7 @@ use crate::scene::Scene;
 use crate::tree::{self, Node, Origin};
 
 /// A scene as read, with where each key was written.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Document {
     /// Short name: of the built-in scene, or of the file without folder and ending.
     pub name: String,
@@ -52,7 +52,8 @@ impl Document {
         self.tree.find(key).is_some()
     }
 
-    /// Gives a fault its place from its key.
+    /// Gives a fault its place, if it has none yet: where its key was written, or the last of its parents that was; else the
+    /// first line.
     pub fn locate(&self, mut fault: Fault) -> Fault {
         if fault.place.is_none() {
             let origin = fault.key.as_deref().and_then(|key| self.tree.place_of(key));

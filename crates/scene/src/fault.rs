@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use crate::numbers::with_short_numbers;
 
-/// One error of the user's side: a sentence, its place and the remedy. Exit code 2.
+/// One error of the user's side: a sentence, its place and the remedy.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fault {
     /// Kind of error in one hyphenated word, for programs.
@@ -25,7 +25,7 @@ pub struct Fault {
 pub enum Place {
     /// In a scene file.
     File(Box<Spot>),
-    /// On the command line; the flag as given.
+    /// On the command line, as of `--set`; the flag as given.
     Flag(String),
 }
 

@@ -2,8 +2,9 @@
 //!
 //! ```text
 //! nalgebra, faer -> hpfem -> contact --\
-//!                                       >-> shapeopt -> cli <- serde, toml, mcap, clap, ...
-//!                   nalgebra -> wear --/
+//!                                       >-> shapeopt -> cli <- mcap, clap, ...
+//!                   nalgebra -> wear --/                 ^
+//!                        serde, toml, sha2 -> scene -----/
 //! tests -> cli          xtask -> (starts programs; links none of our crates)
 //! ```
 
