@@ -14,10 +14,11 @@ use std::io::{IsTerminal, Write};
 use std::path::Path;
 
 use clap::{CommandFactory, Parser};
+use scene::{Fault, Place};
 
 use crate::args::{Cli, Command};
+use crate::draw;
 use crate::exit::Exit;
-use crate::fault::{Fault, Place};
 
 /// Runs the command that the arguments ask for.
 pub(crate) fn run(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> Exit {
@@ -46,10 +47,10 @@ pub(crate) fn run(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -
 /// Prints a fault: the picture on stderr, with `--json` the document on stdout.
 pub(crate) fn complain(fault: &Fault, json: bool) -> Exit {
     if json {
-        print_json(&fault.json());
+        print_json(&draw::json(fault));
     } else {
         let colour = std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
-        eprint!("{}", fault.render(colour));
+        eprint!("{}", draw::render(fault, colour));
     }
     Exit::Wrong
 }
@@ -84,7 +85,7 @@ fn usage(error: &clap::Error, json: bool) -> Exit {
 fn schema() -> Result<Exit, Fault> {
     let mut settings = schemars::generate::SchemaSettings::draft07();
     settings.inline_subschemas = false;
-    let schema = settings.into_generator().into_root_schema_for::<crate::scene::Scene>();
+    let schema = settings.into_generator().into_root_schema_for::<scene::Scene>();
     print_json(schema.as_value());
     Ok(Exit::Done)
 }

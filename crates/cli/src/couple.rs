@@ -5,9 +5,8 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use hpfem::{Kinematics, Mesh};
+use scene::{Component, Geometry, LoadKind, Material};
 
-use crate::geometry::Geometry;
-use crate::scene::{Component, LoadKind, Material};
 
 /// Two bodies that touch, and where the first is loaded.
 #[derive(Debug, Clone, PartialEq)]

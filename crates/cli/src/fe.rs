@@ -49,7 +49,8 @@ pub(crate) use shape::solve as shape;
 pub(crate) use torsion::fill as twist;
 pub(crate) use wear::solve as wear;
 
-use crate::fault::Fault;
+use scene::Fault;
+
 use crate::options::Options;
 use crate::plan::Step;
 use crate::problem::Problem;

@@ -2,13 +2,11 @@
 
 use nalgebra::Vector3;
 use wear::{RigidMode, RigidMotion};
+use scene::{Component, Fault, Geometry, LoadKind, SurfaceShape};
 
 use crate::couple::{Body, Couple, LoadedEdge};
-use crate::fault::Fault;
-use crate::geometry::{Geometry, SurfaceShape};
 use crate::given::edge_curves;
 use crate::problem::Load;
-use crate::scene::{Component, LoadKind};
 use crate::surface::Patch;
 
 /// One free rigid mode.

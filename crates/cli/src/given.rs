@@ -5,16 +5,12 @@ mod contact_line;
 mod mesh_file;
 
 use hpfem::{Curve, Mesh};
+use scene::{Fault, Geometry, Material};
 
 use crate::couple::Body;
-use crate::fault::Fault;
-use crate::geometry::Geometry;
-use crate::scene::{self, Material};
 
 pub(crate) use blocks::unused as unused_in_blocks;
 pub(crate) use contact_line::{ContactLine, contact_line};
-pub(crate) use mesh_file::MeshContent;
-pub(crate) use mesh_file::read;
 
 /// The cells of a body as they are written; the boundaries of the mesh are the named edges.
 #[derive(Debug, Clone)]
@@ -25,11 +21,15 @@ pub(crate) struct Given {
     pub(crate) materials: Vec<Material>,
 }
 
-/// The cells of a body (`key` is "body1" or "body2"); none of a template.
-pub(crate) fn given(key: &str, body: &scene::Body) -> Result<Option<Given>, Fault> {
-    match &body.geometry {
-        Geometry::Blocks(blocks) => blocks::given(&format!("{key}.geometry.blocks"), blocks, body.material).map(Some),
-        Geometry::Mesh(file) => mesh_file::given(&format!("{key}.geometry.mesh"), file, body.material).map(Some),
+/// Where files beside the scene come from: a path as the scene has it, to bytes or to why not.
+pub(crate) type Files<'f> = &'f dyn Fn(&str) -> Result<Vec<u8>, String>;
+
+/// The cells of a body (`key` is "body1" or "body2"); none of a template. A mesh file is read, and from then on named as its copy.
+pub(crate) fn given(key: &str, body: &mut scene::Body, files: Files<'_>) -> Result<Option<Given>, Fault> {
+    let own = body.material;
+    match &mut body.geometry {
+        Geometry::Blocks(blocks) => blocks::given(&format!("{key}.geometry.blocks"), blocks, own).map(Some),
+        Geometry::Mesh(file) => mesh_file::read(key, file, files, own).map(Some),
         _ => Ok(None),
     }
 }

@@ -2,7 +2,8 @@
 
 use std::ops::ControlFlow;
 
-use crate::fault::Fault;
+use scene::Fault;
+
 use crate::fe::Level;
 use crate::options::Options;
 use crate::plan::Step;

@@ -2,16 +2,13 @@
 
 use serde::Serialize;
 use wear::Shape;
+use scene::{Balance, Functional, Geometry, Task, short, with_short_numbers};
 
 use crate::couple::Body;
 use crate::freedom::Role;
-use crate::geometry::Geometry;
 use crate::given::edge_curves;
 use crate::problem::{Optimum, Problem};
-use crate::report::short;
-use crate::scene::{Balance, Functional, Task};
 use crate::setup::s_minus_1;
-use crate::short_numbers::with_short_numbers;
 use crate::solution::Solution;
 
 /// A remark: the scene is legal, and something about it is worth knowing.

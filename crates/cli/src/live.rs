@@ -1,8 +1,8 @@
 //! What goes along with a run while it computes: the recording and the progress on the terminal.
 
+use scene::Fault;
 use shapeopt::WearState;
 
-use crate::fault::Fault;
 use crate::progress::Progress;
 use crate::record::{FinishedLevel, Iteration, Points, SceneUpdate, State, Tape};
 

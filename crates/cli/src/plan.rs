@@ -1,9 +1,9 @@
 //! The plan: which stages a scene needs, and why the others are left out.
 
 use serde::Serialize;
+use scene::{Component, Task};
 
 use crate::problem::Problem;
-use crate::scene::{Component, Task};
 
 /// A stage of a run, in the words of the summary and of timing.json.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]

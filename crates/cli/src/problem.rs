@@ -2,19 +2,17 @@
 
 use contact::Turn;
 use wear::{WearError, WearPair};
+use scene::{Gap, Scene, SurfaceShape};
 
 use crate::couple::Couple;
 use crate::fe::Level;
 use crate::freedom::Freedom;
-use crate::gap::Gap;
-use crate::geometry::SurfaceShape;
 use crate::lints::Lint;
 use crate::plan::Plan;
-use crate::scene::{self, Scene};
 use crate::surface::Patch;
 
 /// A checked scene: everything the stages need.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Problem {
     /// Short name of the scene.
     pub(crate) name: String,
@@ -50,8 +48,6 @@ pub(crate) struct Problem {
     pub(crate) lints: Vec<Lint>,
     /// Keys that were written but are not used.
     pub(crate) unused_keys: Vec<String>,
-    /// Reduced bodies, shared by the tasks of a run and by the points of a sweep.
-    pub(crate) operators: std::sync::Arc<crate::fe::Operators>,
 }
 
 /// How accurate the answer is to be.

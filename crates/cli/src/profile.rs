@@ -1,6 +1,7 @@
 //! The columns of contact.csv.
 
 use nalgebra::Vector3;
+use scene::number_text;
 
 /// Numbers at the contact points, in order along the surface; NaN where not available.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -102,17 +103,4 @@ impl Profile {
 
 fn array(vector: Vector3<f64>) -> [f64; 3] {
     [vector.x, vector.y, vector.z]
-}
-
-/// A number in its shortest form that reads back to the same bits; `nan` where there is none.
-pub(crate) fn number_text(number: f64) -> String {
-    if number.is_nan() {
-        return "nan".into();
-    }
-    if number == 0.0 {
-        return "0".into();
-    }
-    let plain = format!("{number}");
-    let scientific = format!("{number:e}");
-    if plain.len() <= scientific.len() + 2 { plain } else { scientific }
 }

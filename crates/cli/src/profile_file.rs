@@ -1,15 +1,14 @@
 //! A measured gap: CSV with the columns s_mm and gap_um.
 
-use std::path::Path;
+use scene::{Fault, Gap, Place};
 
-use crate::fault::{Fault, Place};
-use crate::gap::Gap;
+use crate::given::Files;
 
 /// Reads the file of `contact.gap`.
-pub(crate) fn read(folder: &Path, name: &str) -> Result<Gap, Fault> {
-    let path = folder.join(name);
-    let text = std::fs::read_to_string(&path).map_err(|error| {
-        let message = format!("cannot read the gap profile {}: {error}", path.display());
+pub(crate) fn read(files: Files<'_>, name: &str) -> Result<Gap, Fault> {
+    let text = files(name).and_then(|bytes| String::from_utf8(bytes).map_err(|error| format!("it is no text: {error}")));
+    let text = text.map_err(|error| {
+        let message = format!("cannot read the gap profile {name}: {error}");
         Fault::at("contact.gap", "unreadable", message, "write 0, or the path of a CSV file, relative to the scene")
     })?;
     let mut offset = 0;
@@ -23,7 +22,7 @@ pub(crate) fn read(folder: &Path, name: &str) -> Result<Gap, Fault> {
             continue;
         }
         let wrong = |message: &str, remedy: &str| Fault {
-            place: Some(Place::file(&path.display().to_string(), &text, span.clone())),
+            place: Some(Place::file(name, &text, span.clone())),
             ..Fault::at("contact.gap", "wrong-profile", message, remedy)
         };
         let fields: Vec<&str> = line.split([',', ';', '\t']).map(str::trim).collect();

@@ -16,10 +16,9 @@ use std::fs::File;
 use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 
+use scene::{Fault, Place};
 use schemars::JsonSchema;
 use serde::Serialize;
-
-use crate::fault::{Fault, Place};
 
 pub(crate) use messages::{FinishedLevel, Iteration, Log, Points};
 pub(crate) use replay::Replay;

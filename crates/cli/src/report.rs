@@ -15,7 +15,8 @@ mod terminal;
 mod tolerance;
 mod vtu;
 
-use crate::fault::Fault;
+use scene::{Fault, scene_text};
+
 use crate::record::{LAYOUT, Points, RUN_MCAP, Recorder, Tape};
 use crate::setup::Problem;
 use crate::solution::Solution;
@@ -23,8 +24,8 @@ use crate::solution::Solution;
 pub(crate) use curves::abscissa;
 pub(crate) use folder::Folder;
 pub(crate) use page::page_of_folder;
-pub(crate) use summary::{numbers, sha256};
-pub(crate) use terminal::{first_screen, short};
+pub(crate) use summary::numbers;
+pub(crate) use terminal::first_screen;
 
 /// Version of the summary's keys.
 pub(crate) const SCHEMA_VERSION: u32 = 1;
@@ -32,23 +33,14 @@ pub(crate) const SCHEMA_VERSION: u32 = 1;
 /// Text of scene.resolved.toml: the scene with every default, in base units.
 pub(crate) fn resolved(problem: &Problem) -> Result<String, Fault> {
     let head = "# Every default filled in; units N, mm, MPa, s, rad. Running this file gives the same result.\n";
-    Ok(format!("{head}{}", resolved_text(&problem.scene)?))
-}
-
-/// A scene as TOML in base units.
-pub(crate) fn resolved_text(scene: &crate::scene::Scene) -> Result<String, Fault> {
-    toml::to_string(scene).map_err(|error| {
-        Fault::new("internal", format!("the resolved scene cannot be written: {error}"), "please report this scene")
-    })
+    Ok(format!("{head}{}", scene_text(&problem.scene)?))
 }
 
 /// The mesh files that the resolved scene names, to stand beside it.
-pub(crate) fn mesh_files(scene: &crate::scene::Scene) -> Vec<(String, &[u8])> {
+pub(crate) fn mesh_files(scene: &scene::Scene) -> Vec<(String, &[u8])> {
     let bodies = [&scene.body1, &scene.body2].into_iter().flatten();
     let files = bodies.filter_map(|body| match &body.geometry {
-        crate::geometry::Geometry::Mesh(file) => {
-            file.content.as_ref().map(|content| (file.file.clone(), content.bytes.as_slice()))
-        }
+        scene::Geometry::Mesh(file) => file.content.as_deref().map(|bytes| (file.file.clone(), bytes)),
         _ => None,
     });
     files.collect()
@@ -126,7 +118,7 @@ pub(crate) fn columns_csv(columns: &[(String, Vec<f64>)]) -> String {
     let names: Vec<&str> = columns.iter().map(|(name, _)| name.as_str()).collect();
     let mut out = names.join(",") + "\n";
     for row in 0..columns.iter().map(|(_, values)| values.len()).min().unwrap_or(0) {
-        let cells: Vec<String> = columns.iter().map(|(_, values)| crate::profile::number_text(values[row])).collect();
+        let cells: Vec<String> = columns.iter().map(|(_, values)| scene::number_text(values[row])).collect();
         out += &(cells.join(",") + "\n");
     }
     out

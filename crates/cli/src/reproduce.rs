@@ -4,6 +4,8 @@
 //! Curves come from built-in scenes with `--set` pairs through the same `setup` and `solve` as every run, so that a reader can
 //! repeat each of them; what they are compared with is in [`closed_form`], which shares nothing with the solver.
 
+use scene::Fault;
+
 mod annulus;
 mod brakes;
 mod closed_form;
@@ -23,8 +25,6 @@ mod wear_ratio;
 pub(crate) use made::Made;
 pub(crate) use page::page;
 pub(crate) use row::{Row, rows_csv, rows_json, rows_table};
-
-use crate::fault::Fault;
 
 /// One figure or table.
 pub(crate) struct Item {

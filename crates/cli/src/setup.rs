@@ -9,15 +9,12 @@ mod twist;
 mod unused;
 mod wear_rule;
 
-use std::sync::Arc;
+use scene::{Document, Fault, Gap, Scene};
 
 use crate::couple::Couple;
-use crate::document::Document;
-use crate::fault::Fault;
-use crate::gap::Gap;
+use crate::given::Files;
 use crate::plan::Plan;
 use crate::problem::Friction;
-use crate::scene::Scene;
 use crate::surface::Patch;
 use crate::{freedom, lints};
 
@@ -28,14 +25,14 @@ pub(crate) use optimum::{kind, s_minus_1};
 pub(crate) use twist::turns;
 
 /// Checks a scene and fills in its defaults.
-pub(crate) fn setup(document: &Document) -> Result<Problem, Fault> {
-    check(document).map_err(|fault| document.locate(fault))
+pub(crate) fn setup(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
+    check(document, files).map_err(|fault| document.locate(fault))
 }
 
-fn check(document: &Document) -> Result<Problem, Fault> {
+fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     let mut scene = document.scene.clone();
     let tasks = tasks::resolve(&mut scene)?;
-    let bodies = bodies::resolve(&mut scene, &document.folder)?;
+    let bodies = bodies::resolve(&mut scene, files)?;
     let patch = match (&scene.surface, &bodies) {
         (Some(surface), _) => Some(Patch::bare(surface, scene.sliding.as_ref())?),
         (None, Some((kinematics, [first, second]))) => Patch::between(*kinematics, [first, second], scene.sliding.as_ref())?,
@@ -53,7 +50,6 @@ fn check(document: &Document) -> Result<Problem, Fault> {
         freedom::check(couple, &load)?;
     }
     let unused_keys = unused::keys(document, &scene, &tasks);
-    let plan = Plan::new(&scene, &tasks);
     let mut problem = Problem {
         name: document.name.clone(),
         wanted: tasks::wanted(&scene, &tasks),
@@ -68,12 +64,12 @@ fn check(document: &Document) -> Result<Problem, Fault> {
         wear: wear_rule::numbers(&scene),
         pieces: schedule::pieces(&scene),
         optimum: optimum::choice(&scene),
-        plan,
+        plan: Plan::default(),
         lints: Vec::new(),
         unused_keys,
-        operators: Arc::default(),
         scene,
     };
+    problem.plan = Plan::new(&problem, &tasks, problem.scene.check.unwrap_or(true));
     problem.freedoms = problem.own_freedoms();
     problem.lints = lints::lints(&problem, &tasks);
     Ok(problem)

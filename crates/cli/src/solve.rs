@@ -2,8 +2,9 @@
 
 pub(crate) mod pressure;
 
+use scene::Fault;
+
 use crate::effort::Effort;
-use crate::fault::Fault;
 use crate::fe::{self, Before, Bodies, Outcome, Reported, Scope, Stage};
 use crate::ladder::Refusal;
 use crate::lints;

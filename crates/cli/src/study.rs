@@ -1,10 +1,10 @@
 //! Error against run time: a scene solved on rising degrees, each one alone, and compared with a truth.
 
 use nalgebra::{DMatrix, Vector3};
+use scene::Fault;
 
-use crate::document::Document;
-use crate::fault::Fault;
 use crate::fe::{Measure, difference_of_gaps, rest};
+use crate::open::open;
 use crate::profile::Profile;
 use crate::setup::{Problem, setup};
 use crate::solution::{Counters, Solution, Status};
@@ -149,8 +149,8 @@ fn solve_degree(scene: &str, settings: &[String], degree: usize, sampling: Sampl
     let mut settings = settings.to_vec();
     settings.push(format!("mesh.degree={degree}"));
     settings.push("check=false".into());
-    let document = Document::open(scene, &settings)?;
-    let problem = setup(&document)?;
+    let (document, folder) = open(scene, &settings)?;
+    let problem = setup(&document, &folder)?;
     let options = Options { sample: Some(sampling), alone: true, machining: false };
     let solution = solve(&problem, options).map_err(|fault| document.locate(fault))?;
     let refused = solution.status == Status::Refused || solution.status == Status::Interrupted;

@@ -5,14 +5,11 @@ use std::f64::consts::{PI, TAU};
 use hpfem::Kinematics;
 use nalgebra::Vector3;
 use wear::{Shape, SlidingMotion, Surface, SurfacePoint};
+use scene::{Fault, Geometry, Length, Sliding, SurfaceShape};
 
 use crate::couple::Body;
-use crate::fault::Fault;
-use crate::geometry::{Geometry, SurfaceShape};
 use crate::given::{ContactLine, contact_line};
-use crate::scene::Sliding;
 use crate::setup::{missing, positive};
-use crate::units::Length;
 
 /// A contact surface known without a mesh.
 #[derive(Debug, Clone, PartialEq)]
@@ -218,7 +215,7 @@ fn between(kinematics: Kinematics, [first, second]: [&Body; 2]) -> Result<Option
     let axisymmetric = kinematics.is_revolved();
     let thickness = thickness(kinematics);
     let key = "contact.edges";
-    let arc = |angles: [f64; 2], radius: f64, ring: &crate::geometry::Ring| {
+    let arc = |angles: [f64; 2], radius: f64, ring: &scene::Ring| {
         let centre = ring.centre.map_or([0.0, 0.0], |centre| [centre[0].0, centre[1].0]);
         if !same(radius, ring.outer.0, radius) || centre != [0.0, 0.0] {
             let message =

@@ -5,8 +5,8 @@ use std::ops::ControlFlow;
 
 use serde::{Deserialize, Serialize};
 use shapeopt::WearState;
+use scene::Fault;
 
-use crate::fault::Fault;
 use crate::plan::Step;
 use crate::profile::Profile;
 

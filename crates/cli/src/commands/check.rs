@@ -1,19 +1,19 @@
 //! `wearshape check`: what a scene means, before anything is computed.
 
+use scene::Fault;
 use serde_json::json;
 
 use crate::args::CheckArgs;
 use crate::commands::{print_json, print_out};
-use crate::document::Document;
 use crate::exit::Exit;
-use crate::fault::Fault;
 use crate::fe::{Forecast, forecast};
+use crate::open::open;
 use crate::setup::{Problem, setup};
 
 /// Prints the plan, the remarks and the unused keys of a scene.
 pub(crate) fn run(args: &CheckArgs) -> Result<Exit, Fault> {
-    let document = Document::open(&args.scene, &args.set)?;
-    let problem = setup(&document)?;
+    let (document, folder) = open(&args.scene, &args.set)?;
+    let problem = setup(&document, &folder)?;
     if args.json {
         print_json(&plan_json(&problem));
     } else if !args.quiet {

@@ -1,8 +1,9 @@
 //! `wearshape explain`: the page behind a note.
 
+use scene::{Fault, Place, did_you_mean};
+
 use crate::commands::print_out;
 use crate::exit::Exit;
-use crate::fault::{Fault, Place, did_you_mean};
 
 /// All notes, a section each.
 const PAGE: &str = include_str!("../../../../docs/lints.md");

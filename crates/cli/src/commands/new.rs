@@ -1,21 +1,21 @@
 //! `wearshape new`: a commented scene to start from.
 
+use scene::{Fault, SCENES, builtin, did_you_mean};
+
 use crate::args::NewArgs;
-use crate::builtin;
 use crate::commands::print_out;
 use crate::exit::Exit;
-use crate::fault::{Fault, did_you_mean};
 
 /// Lists the templates, prints one, or writes it.
 pub(crate) fn run(args: &NewArgs) -> Result<Exit, Fault> {
     let Some(name) = args.template.as_ref().filter(|_| !args.list) else {
-        for scene in &builtin::SCENES {
-            print_out(&format!("{:<20} {}\n", scene.name, builtin::title(scene)));
+        for scene in &SCENES {
+            print_out(&format!("{:<20} {}\n", scene.name, scene.title()));
         }
         return Ok(Exit::Done);
     };
-    let Some(scene) = builtin::find(name) else {
-        let names: Vec<&str> = builtin::SCENES.iter().map(|scene| scene.name).collect();
+    let Some(scene) = builtin(name) else {
+        let names: Vec<&str> = SCENES.iter().map(|scene| scene.name).collect();
         let message = format!("there is no template `{name}`");
         return Err(Fault::new("no-template", message, did_you_mean(name, &names)));
     };

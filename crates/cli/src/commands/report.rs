@@ -1,8 +1,9 @@
 //! `wearshape report`: the page of a folder, built again from its files.
 
+use scene::{Fault, Place};
+
 use crate::args::ReportArgs;
 use crate::exit::Exit;
-use crate::fault::{Fault, Place};
 use crate::report::page_of_folder;
 
 /// Rebuilds report.html.

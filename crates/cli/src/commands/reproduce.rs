@@ -3,12 +3,12 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use scene::{Fault, Place, did_you_mean};
 use serde_json::{Value, json};
 
 use crate::args::ReproduceArgs;
 use crate::commands::{print_json, print_out};
 use crate::exit::Exit;
-use crate::fault::{Fault, Place, did_you_mean};
 use crate::report::{self, Folder, SCHEMA_VERSION};
 use crate::reproduce::{ITEMS, Item, Made, Row, page, rows_csv, rows_json, rows_table};
 
@@ -98,7 +98,7 @@ fn compute(item: &Item, target: &Path) -> Result<(Made, Value), Fault> {
     let document = json!({
         "schema_version": SCHEMA_VERSION,
         "version": env!("CARGO_PKG_VERSION"),
-        "scene_sha256": report::sha256(&made.resolved),
+        "scene_sha256": scene::sha256(&made.resolved),
         "item": item.name,
         "shows": item.sentence,
         "rows": rows_json(&made.rows),
@@ -124,7 +124,7 @@ fn index(all: &[(&Item, Made)], documents: Vec<Value>, target: &Path) -> Result<
     let document = json!({
         "schema_version": SCHEMA_VERSION,
         "version": env!("CARGO_PKG_VERSION"),
-        "scene_sha256": report::sha256(""),
+        "scene_sha256": scene::sha256(""),
         "items": documents,
     });
     folder.write("summary.json", &report::pretty(&document))?;

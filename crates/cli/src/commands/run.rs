@@ -3,13 +3,14 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
+use scene::{Fault, Place};
+
 use crate::args::{Common, RunArgs};
 use crate::commands::check::{describe, describe_with_sizes, plan_json};
 use crate::commands::{print_json, print_out};
-use crate::document::Document;
 use crate::exit::Exit;
-use crate::fault::{Fault, Place};
 use crate::live::Live;
+use crate::open::open;
 use crate::progress::Progress;
 use crate::record::Tape;
 use crate::report::{self, Folder};
@@ -21,8 +22,8 @@ use crate::solve::{Options, Sampling, solve_live};
 pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
     let start = Instant::now();
     let common = &args.common;
-    let document = Document::open(&args.scene, &common.set)?;
-    let problem = setup(&document)?;
+    let (document, folder) = open(&args.scene, &common.set)?;
+    let problem = setup(&document, &folder)?;
     let options = options(common)?;
     let target = common.output.clone().unwrap_or_else(|| PathBuf::from("out").join(&problem.name));
     if common.dry_run {

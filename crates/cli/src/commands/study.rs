@@ -2,14 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
+use scene::{Fault, Place, number_text};
+
 use crate::args::StudyArgs;
 use crate::commands::run::with_threads;
 use crate::commands::{print_json, print_out};
-use crate::document::Document;
 use crate::exit::Exit;
-use crate::fault::{Fault, Place};
 use crate::fe::Measure;
-use crate::profile::number_text;
+use crate::open::open;
 use crate::report::line_plot::{Axis, LinePlot, Series, line_plot};
 use crate::report::{self, Folder};
 use crate::setup::setup;
@@ -34,8 +34,8 @@ const COLUMNS: [&str; 12] = [
 /// Solves a scene on a ladder of degrees and writes study.csv, study.json and study.svg.
 pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
     let common = &args.common;
-    let document = Document::open(&args.scene, &common.set)?;
-    let problem = setup(&document)?;
+    let (document, folder) = open(&args.scene, &common.set)?;
+    let problem = setup(&document, &folder)?;
     let Some(quantity) = Quantity::of(&problem) else {
         let remedy = "add a task with elastic bodies: --set tasks=[pressure,shape]";
         return Err(Fault::new("not-available", "study compares meshes, and this scene needs none", remedy));
@@ -73,7 +73,7 @@ pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
         "schema_version": report::SCHEMA_VERSION,
         "version": env!("CARGO_PKG_VERSION"),
         "scene": problem.name,
-        "scene_sha256": report::sha256(&resolved),
+        "scene_sha256": scene::sha256(&resolved),
         "quantity": quantity.description(),
         "truth": against,
         "levels": rows.iter().map(object).collect::<Vec<_>>(),

@@ -5,14 +5,14 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
+use scene::{Fault, Place};
 use serde_json::{Map, Value, json};
 
 use crate::args::{Common, SweepArgs};
 use crate::commands::run::{options, with_threads};
 use crate::commands::{print_json, print_out};
-use crate::document::Document;
 use crate::exit::Exit;
-use crate::fault::{Fault, Place};
+use crate::open::open;
 use crate::progress::Progress;
 use crate::report::{self, Folder, SCHEMA_VERSION};
 use crate::setup::{Problem, setup};
@@ -44,7 +44,7 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
         return Err(Fault::new("wrong-flag", "the grid has more than ten million points", "give fewer values"));
     };
     let settings = |point: usize| settings_of(&grid, point, &common.set);
-    let first = Document::open(&args.scene, &settings(0))?;
+    let (first, beside) = open(&args.scene, &settings(0))?;
     let target = common.output.clone().unwrap_or_else(|| PathBuf::from("out").join(format!("{}-sweep", first.name)));
     if common.dry_run {
         if common.json {
@@ -57,8 +57,8 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
     interrupt::listen();
     let plan = json!({ "scene": args.scene, "set": common.set, "over": args.over, "sample": common.sample });
     // A first point without an answer is a row like any other; its scene stays as it is written.
-    let resolved = setup(&first).map_or_else(|_| first.scene.clone(), |problem| problem.scene);
-    let mark = format!("# {}\n{}", plan, report::resolved_text(&resolved)?);
+    let resolved = setup(&first, &beside).map_or_else(|_| first.scene.clone(), |problem| problem.scene);
+    let mark = format!("# {}\n{}", plan, scene::scene_text(&resolved)?);
     let folder = Folder::begin(&target, common.resume)?;
     if common.resume {
         folder.same_scene(&mark)?;
@@ -92,7 +92,7 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
         "schema_version": SCHEMA_VERSION,
         "version": env!("CARGO_PKG_VERSION"),
         "scene": first.name,
-        "scene_sha256": report::sha256(&mark),
+        "scene_sha256": scene::sha256(&mark),
         "status": if failed == 0 { Status::Ok } else { Status::NotConverged },
         "verdict": format!("{count} points, {failed} without an answer."),
         "over": grid.iter().map(|over| (over.key.clone(), json!(over.values))).collect::<Map<_, _>>(),
@@ -136,7 +136,7 @@ pub(crate) fn read_over(text: &str) -> Result<Over, Fault> {
             let t = i as f64 / last;
             if i + 1 == count && count > 1 { to } else { from + (to - from) * t }
         };
-        return Ok(Over { key, values: (0..count).map(|i| crate::profile::number_text(value(i))).collect() });
+        return Ok(Over { key, values: (0..count).map(|i| scene::number_text(value(i))).collect() });
     }
     let mut list = vec![String::new()];
     let (mut depth, mut quote) = (0i32, None);
@@ -212,8 +212,8 @@ fn row(scene: &str, grid: &[Over], point: usize, settings: &[String], options: O
     for (over, value) in grid.iter().zip(values_of(grid, point)) {
         row.insert(over.key.clone(), value.parse::<f64>().ok().filter(|v| v.is_finite()).map_or(json!(value), |v| json!(v)));
     }
-    let computed = Document::open(scene, settings).and_then(|document| {
-        let problem = Problem { operators: Arc::clone(operators), ..setup(&document)? };
+    let computed = open(scene, settings).and_then(|(document, folder)| {
+        let problem = Problem { operators: Arc::clone(operators), ..setup(&document, &folder)? };
         if problem.plan.runs("mesh") {
             fe::available(&problem).map_err(|fault| document.locate(fault))?;
         }
@@ -264,7 +264,7 @@ fn table(rows: &[Value]) -> String {
             format!("\"{}\"", text.replace('"', "\"\""))
         }
         Some(Value::String(text)) => text.clone(),
-        Some(Value::Number(number)) => number.as_f64().map(crate::profile::number_text).unwrap_or_default(),
+        Some(Value::Number(number)) => number.as_f64().map(scene::number_text).unwrap_or_default(),
         Some(other) => other.to_string(),
     };
     let mut out = columns.iter().map(|key| key.as_str()).collect::<Vec<_>>().join(",") + "\n";

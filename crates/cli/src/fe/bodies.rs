@@ -4,13 +4,12 @@ use hpfem::{
     Additions, Body, BodyProblem, Direction, EdgeTraction, InterfaceOperator, Kinematics, LoadCase, Material, Mesh, RigidEdge,
     Sizes, SpaceKind, Support,
 };
+use scene::{Component, Fault, LoadKind};
 
 use crate::couple::{self, Couple, LoadedEdge};
 use crate::effort::{Clock, Effort};
-use crate::fault::Fault;
 use crate::fe::template::{AXIS, CONTACT, LOAD};
 use crate::plan::Step;
-use crate::scene::{Component, LoadKind};
 
 /// Degree and layers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,12 +2,11 @@
 //! are slender.
 
 use hpfem::{Curve, Direction, Mesh, Support};
+use scene::{Component, Fault};
 
 use crate::couple::{Couple, Strip};
-use crate::fault::Fault;
 use crate::fe::bodies::hpfem_materials;
 use crate::fe::template::{AXIS, CONTACT, Extent, LOAD};
-use crate::scene::Component;
 
 /// Longest side of a cell over its shortest before it is cut.
 const SLENDER: f64 = 3.0;

@@ -5,8 +5,9 @@ use std::sync::Arc;
 
 use contact::{ContactOperator, ContactSolution, Pair, Status as ContactStatus};
 
+use scene::{Fault, Gap};
+
 use crate::effort::Effort;
-use crate::fault::Fault;
 use crate::fe::answer::{Answer, Outcome, Own, Told};
 use crate::fe::bodies::Level;
 use crate::fe::diagnosis::Diagnosis;
@@ -18,7 +19,6 @@ use crate::fe::stage::Stage;
 use crate::fe::template::{Cut, Extent};
 use crate::fe::torsion;
 use crate::fe::twist::Twist;
-use crate::gap::Gap;
 use crate::ladder::{Climbed, Ladder, Refusal, climb, errors, largest, missed, rungs};
 use crate::plan::Step;
 use crate::solution::{ContactResult, ErrorResult, InterfaceResult, Status};

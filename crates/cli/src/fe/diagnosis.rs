@@ -4,7 +4,8 @@ use contact::{ContactLoad, ContactOperator, ContactSolution};
 
 use std::sync::Arc;
 
-use crate::fault::Fault;
+use scene::Fault;
+
 use crate::fe::contact::{start_gaps, unsolved};
 use crate::fe::operators::Reduced;
 use crate::fe::stage::Stage;

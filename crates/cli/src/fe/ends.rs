@@ -8,10 +8,10 @@ use contact::{
     Status as ContactStatus, position_nodes,
 };
 use hpfem::{Body, InterfaceState, Mesh};
+use scene::Fault;
 
 use crate::couple::Couple;
 use crate::effort::Effort;
-use crate::fault::Fault;
 use crate::fe::answer::{Outcome, Told};
 use crate::fe::bodies::{Level, Parts};
 use crate::fe::contact::{Solved, levels, unsolved};

@@ -1,11 +1,10 @@
 //! Which scenes of a half-disc on a rectangle are built.
 
-use crate::fault::Fault;
+use scene::{Component, Fault, Gap};
+
 use crate::fe::ends::Setting;
-use crate::gap::Gap;
 use crate::plan::Step;
 use crate::problem::Problem;
-use crate::scene::Component;
 
 /// Refuses what is not built, before anything is written.
 pub(super) fn available(setting: &Setting<'_>) -> Result<(), Fault> {

@@ -2,9 +2,9 @@
 
 use hpfem::Sizes;
 use serde::Serialize;
+use scene::Fault;
 
 use crate::effort::Clock;
-use crate::fault::Fault;
 use crate::fe::bodies::{Level, Parts};
 use crate::fe::operators::Bodies;
 use crate::fe::scope::Scope;

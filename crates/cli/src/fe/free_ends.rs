@@ -4,8 +4,9 @@ use std::sync::Arc;
 
 use contact::{ContactSolution, Start, Status, held_between, position_nodes};
 
+use scene::Fault;
+
 use crate::effort::Effort;
-use crate::fault::Fault;
 use crate::fe::bodies::Level;
 use crate::fe::contact::{gap_at, unsolved};
 use crate::fe::operators::Reduced;

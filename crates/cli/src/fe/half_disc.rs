@@ -10,12 +10,10 @@
 //! Both are cut at x = 0, the plane of symmetry or the axis, and mirrored where the load has no symmetry.
 
 use hpfem::{Curve, Edge, Error, Mesh, Quad};
+use scene::{Component, Fault, Geometry, HalfDisc, Rectangle};
 
 use crate::couple::Couple;
-use crate::fault::Fault;
 use crate::fe::template::{AXIS, CONTACT, LOAD};
-use crate::geometry::{Geometry, HalfDisc, Rectangle};
-use crate::scene::Component;
 
 /// Ratio of the sizes of successive layers around an end of contact.
 const RATIO: f64 = 0.15;

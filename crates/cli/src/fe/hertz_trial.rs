@@ -1,10 +1,10 @@
 //! Where the contact of a cylinder or ball with a flat would end between half-planes or half-spaces: a first guess, never a result.
 
 use hpfem::Kinematics;
+use scene::Material;
 
 use crate::couple::{Body, Couple};
 use crate::problem::Load;
-use crate::scene::Material;
 
 /// Half the width of contact, or its radius (Johnson 1985, sec. 4.2 and 7.2), of the softest materials of both bodies.
 pub(super) fn hertz_end(radius: f64, couple: &Couple, load: &Load) -> f64 {

@@ -1,9 +1,9 @@
 //! Common break points of two bodies of which at least one is given by its cells.
 
 use hpfem::Mesh;
+use scene::Fault;
 
 use crate::couple::Couple;
-use crate::fault::Fault;
 use crate::fe::cells::{Cells, add_singular, crowded};
 use crate::fe::template::{Coarse, Cut, Extent, coarse, contact_cuts};
 

@@ -6,10 +6,10 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use contact::{ContactOperator, Pair, UnitResponses};
 use hpfem::{InterfaceOperator, InterfaceState};
+use scene::Fault;
 
 use crate::couple::Couple;
 use crate::effort::{Clock, Counters, Effort};
-use crate::fault::Fault;
 use crate::fe::Level;
 use crate::fe::bodies::Parts;
 use crate::fe::template::Cut;

@@ -2,11 +2,11 @@
 
 use contact::{Pair, Side};
 use hpfem::{Body, Field, InterfaceState, Kinematics, Mesh, Stress};
+use scene::Fault;
 
 use crate::body_field::{BodyField, CellField, FieldFrame};
 use crate::cell_grid::CellGrid;
 use crate::effort::Effort;
-use crate::fault::Fault;
 use crate::fe::bodies::{BodyParts, Level};
 use crate::fe::ends::Setting;
 use crate::fe::operators::paired;

@@ -3,10 +3,11 @@
 
 use contact::Status as ContactStatus;
 
+use scene::Fault;
+
 use crate::body_field::FieldFrame;
 use crate::couple::Couple;
 use crate::effort::Effort;
-use crate::fault::Fault;
 use crate::fe::answer::Outcome;
 use crate::fe::bodies::{Level, Parts};
 use crate::fe::contact::{Search, levels, on_standing_mesh, solve_level};

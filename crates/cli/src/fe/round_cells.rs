@@ -1,9 +1,9 @@
 //! The templates of a round contact as a few cells, to meet a body that is given by its own.
 
 use hpfem::{Curve, Mesh, Quad};
+use scene::Geometry;
 
 use crate::couple::{Body, Couple};
-use crate::geometry::Geometry;
 
 /// The cells of a half-disc or rectangle; none of other bodies.
 ///

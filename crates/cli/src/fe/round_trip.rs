@@ -2,9 +2,9 @@
 
 use contact::{ContactLoad, ContactOperator, ContactSolution};
 use shapeopt::{GapCurve, Shape, SurfacePlace};
+use scene::Fault;
 
 use crate::effort::Effort;
-use crate::fault::Fault;
 use crate::fe::answer::Told;
 use crate::fe::bodies::Level;
 use crate::fe::contact::{pressure_at, unsolved};

@@ -1,9 +1,10 @@
 //! Which of the three kinds of contact two bodies have: a surface known beforehand, a round body on a flat one, a half-disc on a rectangle.
 
+use scene::Fault;
+
 use crate::body_field::FieldFrame;
 use crate::couple::Body;
 use crate::effort::Effort;
-use crate::fault::Fault;
 use crate::fe::answer::Outcome;
 use crate::fe::bodies::{Level, Parts};
 use crate::fe::ends::{self, Setting};

@@ -7,9 +7,9 @@ use contact::{ContactLoad, ContactPoint, Motion, Pair};
 use hpfem::InterfaceState;
 use nalgebra::{DMatrix, Vector3};
 use shapeopt::{GapCurve, Integration, RigidPart, Shape, ShapeProblem, SurfacePlace, closing, solve_shape};
+use scene::{Balance, Fault};
 
 use crate::effort::Effort;
-use crate::fault::Fault;
 use crate::fe::answer::{Answer, Outcome, Own, Told};
 use crate::fe::bodies::Level;
 use crate::fe::gap_difference::{Measure, difference_of_gaps};
@@ -23,7 +23,6 @@ use crate::ladder::{Climbed, Ladder, Refusal, climb, errors, missed, rungs};
 use crate::machined::{Machined, SurfacePoint};
 use crate::plan::Step;
 use crate::problem::Problem;
-use crate::scene::Balance;
 use crate::solution::{ShapeResult, Status};
 use crate::solve::pressure;
 use crate::watch::Watch;

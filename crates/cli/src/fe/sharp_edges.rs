@@ -2,8 +2,8 @@
 
 use contact::{ContactOperator, ContactSolution, Pair};
 use hpfem::{Corner, SlidingEdge, sliding_edge};
+use scene::Fault;
 
-use crate::fault::Fault;
 use crate::fe::bodies::{BodyParts, Level};
 use crate::fe::contact::pressure_at;
 use crate::fe::stage::Stage;

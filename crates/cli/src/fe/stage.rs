@@ -6,10 +6,10 @@ use contact::{ContactLoad, ContactPoint, MomentBalance, Motion, Pair, Side};
 use hpfem::InterfaceState;
 use nalgebra::Vector3;
 use shapeopt::Gauge;
+use scene::Fault;
 
 use crate::couple::Couple;
 use crate::effort::{Clock, Effort};
-use crate::fault::Fault;
 use crate::fe::bodies::{Level, MEAN_COLUMNS, Parts};
 use crate::fe::operators::{Bodies, Place, Reduced};
 use crate::fe::template::{Cut, Extent, meshes};

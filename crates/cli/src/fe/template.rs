@@ -1,15 +1,14 @@
 //! Meshes of the geometry templates: coarse cells cut at what the scene names, graded towards its singular points.
 
 use hpfem::{Curve, Mesh, Named, Ruled, Side};
+use scene::{Fault, Geometry, Rectangle, Ring, RingSegment, ShoeBlock};
 
 use crate::couple::{Couple, LoadedEdge};
-use crate::fault::Fault;
 use crate::fe::cells::SAME;
 use crate::fe::cuts::{growing, halved, merged, parameters, subdivide, widest};
 use crate::fe::matching::matched;
 use crate::fe::near_ends::{self, cut_near};
 use crate::fe::round_cells::as_cells;
-use crate::geometry::{Geometry, Rectangle, Ring, RingSegment, ShoeBlock};
 
 /// Name of the edges on the contact surface.
 pub(crate) const CONTACT: &str = "@contact";

@@ -1,9 +1,9 @@
 //! How exactly a shape has to be made: what small errors of it do to the pressure, and how soon wear removes them.
 
 use contact::ContactPoint;
+use scene::Fault;
 use shapeopt::{SurfacePlace, WearProblem, tolerances};
 
-use crate::fault::Fault;
 use crate::fe::operators::Reduced;
 use crate::fe::shape::Shaper;
 use crate::solution::ToleranceResult;

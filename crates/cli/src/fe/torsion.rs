@@ -2,9 +2,9 @@
 
 use contact::{ContactPoint, Pair, Side};
 use hpfem::{InterfaceOperator, InterfaceState, TraceLoad};
+use scene::Fault;
 
 use crate::effort::Effort;
-use crate::fault::Fault;
 use crate::fe::recover::Reported;
 use crate::fe::stage::Stage;
 use crate::profile::Profile;

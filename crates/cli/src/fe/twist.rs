@@ -2,11 +2,11 @@
 
 use contact::{ContactOperator, ContactSolution, Pair, TorsionOperator, Turn, TwistSolution, TwistStatus};
 
-use crate::fault::Fault;
+use scene::{Fault, short};
+
 use crate::fe::contact::{linear, unsolved};
 use crate::profile::Profile;
 use crate::problem::Problem;
-use crate::report::short;
 use crate::solution::{ContactResult, TwistResult};
 
 /// The history of a twist at one level.

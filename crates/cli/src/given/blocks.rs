@@ -4,11 +4,9 @@ use std::collections::{BTreeMap, HashMap};
 use std::f64::consts::{PI, TAU};
 
 use hpfem::{Curve, Error, Mesh, Quad};
+use scene::{ArcShape, Blocks, CellShape, CurveShape, Fault, Material, SplineShape, did_you_mean};
 
-use crate::fault::{Fault, did_you_mean};
-use crate::geometry::{ArcShape, Blocks, CellShape, CurveShape, SplineShape};
 use crate::given::Given;
-use crate::scene::Material;
 
 /// A curve between two numbered points.
 struct Joined {

@@ -3,10 +3,9 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use hpfem::{Curve, Mesh};
+use scene::{Fault, Geometry};
 
 use crate::couple::Body;
-use crate::fault::Fault;
-use crate::geometry::Geometry;
 
 
 /// Where a contact edge lies.

@@ -1,74 +1,55 @@
 //! `geometry.mesh`: a gmsh file beside the scene.
 
-use std::path::Path;
-use std::sync::Arc;
-
 use hpfem::{Curve, GmshError, GmshMesh, Mesh};
+use scene::{Fault, Material, MeshFile, did_you_mean, sha256};
 
-use crate::fault::{Fault, did_you_mean};
-use crate::geometry::MeshFile;
-use crate::given::Given;
-use crate::report::sha256;
-use crate::scene::Material;
+use crate::given::{Files, Given};
 
-/// A mesh file as it was read.
-#[derive(Debug, PartialEq)]
-pub(crate) struct MeshContent {
-    /// The file, to be copied beside the resolved scene.
-    pub(crate) bytes: Vec<u8>,
-    mesh: Mesh,
-    groups: Vec<String>,
+/// The cells of a mesh file, and the physical group of each material index.
+fn parse(bytes: &[u8]) -> Result<(Mesh, Vec<String>), GmshError> {
+    let GmshMesh { mut mesh, materials } = GmshMesh::read(bytes)?;
+    round(&mut mesh);
+    Ok((mesh, materials))
 }
 
-impl MeshContent {
-    /// Names of the physical curves.
-    pub(crate) fn edges(&self) -> &[String] {
-        &self.mesh.boundaries
-    }
-}
-
-/// Reads the file of `key`.geometry.mesh; from then on the scene names it as its copy in the output folder, `key`.msh.
-pub(crate) fn read(key: &str, file: &mut MeshFile, folder: &Path) -> Result<(), Fault> {
+/// Reads the file of `key`.geometry.mesh; from then on the scene names it as its copy in the output folder, `key`.msh. `own` is the material of
+/// groups that have none.
+pub(crate) fn read(key: &str, file: &mut MeshFile, files: Files<'_>, own: Option<Material>) -> Result<Given, Fault> {
     let at = format!("{key}.geometry.mesh.file");
-    let path = folder.join(&file.file);
-    let bytes = std::fs::read(&path).map_err(|error| {
-        let message = format!("cannot read the mesh {}: {error}", path.display());
+    let name = file.file.clone();
+    let bytes = files(&name).map_err(|error| {
+        let message = format!("cannot read the mesh {name}: {error}");
         Fault::at(&at, "unreadable", message, "give the path of a gmsh file, relative to the scene")
     })?;
     let hash = sha256(&bytes);
     if let Some(wanted) = file.sha256.as_ref().filter(|wanted| **wanted != hash) {
-        let message = format!(
-            "the mesh {} is another one than the scene was written for: its SHA-256 is {hash}, not {wanted}",
-            path.display()
-        );
+        let message =
+            format!("the mesh {name} is another one than the scene was written for: its SHA-256 is {hash}, not {wanted}");
         let remedy = "bring the old file back, or remove the key sha256";
         return Err(Fault::at(format!("{key}.geometry.mesh.sha256"), "changed-mesh", message, remedy));
     }
-    let GmshMesh { mut mesh, materials: groups } = GmshMesh::read(&bytes).map_err(|error| {
-        let remedy = match &error {
-            GmshError::ElementType { .. } => "save the plane mesh alone, of order 1 to 4: Mesh.SaveAll = 0",
-            GmshError::NoCells => "put the surface into a physical group",
-            GmshError::Version { .. } => "save as version 4.1: gmsh -format msh41",
-            GmshError::NotPlane { .. } => "put the section into the x-y or the x-z plane",
-            GmshError::LooseLine { .. } => "let physical curves follow sides of cells",
-            GmshError::Mesh(_) => "mend the mesh: gmsh's Tools, Statistics shows cells of low quality",
-            _ => "write the file again with gmsh, as MSH 4.1 or 2.2",
-        };
-        Fault::at(&at, "wrong-mesh", format!("{}: {error}", path.display()), remedy)
-    })?;
-    round(&mut mesh);
-    file.content = Some(Arc::new(MeshContent { bytes, mesh, groups }));
+    let (mesh, groups) = parse(&bytes).map_err(|error| Fault::at(&at, "wrong-mesh", format!("{name}: {error}"), remedy(&error)))?;
+    file.content = Some(bytes.into());
     file.file = format!("{key}.msh");
     file.sha256 = Some(hash);
-    Ok(())
+    let materials = materials(&format!("{key}.geometry.mesh"), file, &groups, own)?;
+    Ok(Given { mesh, materials })
 }
 
-/// Cells of a mesh file that was read, at the dotted `key`; `own` is the material of groups that have none.
-pub(super) fn given(key: &str, file: &MeshFile, own: Option<Material>) -> Result<Given, Fault> {
-    let Some(MeshContent { mesh, groups, .. }) = file.content.as_deref() else {
-        let message = "the mesh was not read";
-        return Err(Fault::at(format!("{key}.file"), "unreadable", message, "give the path of a gmsh file"));
-    };
+fn remedy(error: &GmshError) -> &'static str {
+    match error {
+        GmshError::ElementType { .. } => "save the plane mesh alone, of order 1 to 4: Mesh.SaveAll = 0",
+        GmshError::NoCells => "put the surface into a physical group",
+        GmshError::Version { .. } => "save as version 4.1: gmsh -format msh41",
+        GmshError::NotPlane { .. } => "put the section into the x-y or the x-z plane",
+        GmshError::LooseLine { .. } => "let physical curves follow sides of cells",
+        GmshError::Mesh(_) => "mend the mesh: gmsh's Tools, Statistics shows cells of low quality",
+        _ => "write the file again with gmsh, as MSH 4.1 or 2.2",
+    }
+}
+
+/// The material of each physical group of cells, at the dotted `key`.
+fn materials(key: &str, file: &MeshFile, groups: &[String], own: Option<Material>) -> Result<Vec<Material>, Fault> {
     if let Some(unknown) = file.materials.keys().find(|name| !groups.contains(name)) {
         let known: Vec<&str> = groups.iter().map(String::as_str).filter(|name| !name.is_empty()).collect();
         let message = format!("the mesh has no physical surface `{unknown}`");
@@ -85,7 +66,7 @@ pub(super) fn given(key: &str, file: &MeshFile, own: Option<Material>) -> Result
             Fault::at(format!("{key}.materials"), "missing-key", format!("there is no material for {what}"), remedy)
         })
     };
-    Ok(Given { mesh: mesh.clone(), materials: groups.iter().map(material).collect::<Result<_, _>>()? })
+    groups.iter().map(material).collect()
 }
 
 /// Boundaries whose nodes lie on one circle become arcs of it: gmsh puts the nodes of curved edges on the true curve, and the polynomial

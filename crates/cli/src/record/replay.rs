@@ -3,8 +3,8 @@
 use mcap::parse_record;
 use mcap::records::Record;
 use mcap::sans_io::{LinearReadEvent, LinearReader, LinearReaderOptions};
+use scene::Fault;
 
-use crate::fault::Fault;
 use crate::record::messages::{FinishedLevel, Points};
 use crate::record::state::State;
 use crate::record::{CHANNELS, LEVELS_ATTACHED, LIBRARY, PROFILE, Recorder, SCENE_ATTACHED, STATE};

@@ -3,7 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::fault::Fault;
+use scene::Fault;
+
 use crate::record::messages::FinishedLevel;
 use crate::record::replay::Replay;
 use crate::record::{RUN_MCAP, Recorder, SceneUpdate, State, unwritable};

@@ -1,10 +1,11 @@
 //! The von Mises stress on the deformed bodies, as SVG.
 
+use scene::short;
+
 use crate::body_field::{CellField, FieldFrame};
 use crate::cell_grid::CellGrid;
 use crate::report::isobands::{Isobands, Placed};
 use crate::report::section_plot::Section;
-use crate::report::short;
 
 /// Size of a piece that is cut at the colours, in pixels.
 const PIECE: f64 = 12.0;

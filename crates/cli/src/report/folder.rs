@@ -3,8 +3,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::fault::{Fault, Place};
-use crate::report::{SCHEMA_VERSION, sha256};
+use scene::{Fault, Place, sha256};
+
+use crate::report::SCHEMA_VERSION;
 
 /// File that marks a partial folder as ours; it is the first to be written.
 const MARK: &str = "scene.resolved.toml";

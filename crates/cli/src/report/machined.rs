@@ -1,7 +1,8 @@
 //! The surface to machine, for machines: profile.csv, profile-spline.csv, profile.dxf.
 
+use scene::number_text;
+
 use crate::machined::{Machined, SurfacePoint};
-use crate::profile::number_text;
 use crate::report::dxf::{Drawing, dxf};
 
 /// Names and texts of the files.

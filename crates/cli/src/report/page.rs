@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
+use scene::{Fault, Place};
 use serde_json::{Value, json};
 
-use crate::fault::{Fault, Place};
 use crate::record::RUN_MCAP;
 use crate::report::line_plot::{Axis, LinePlot, escaped, line_plot};
 use crate::report::run_in::run_in;
@@ -159,7 +159,7 @@ fn table(name: &str, part: &Value) -> String {
 /// A value of the summary as text.
 fn shown(value: &Value) -> String {
     match value {
-        Value::Number(number) if number.is_f64() => super::short(number.as_f64().unwrap_or(f64::NAN)),
+        Value::Number(number) if number.is_f64() => scene::short(number.as_f64().unwrap_or(f64::NAN)),
         Value::String(text) => text.clone(),
         other => other.to_string(),
     }

@@ -2,7 +2,6 @@
 
 use serde::Serialize;
 use serde_json::{Map, Value, json};
-use sha2::{Digest, Sha256};
 
 use crate::report::SCHEMA_VERSION;
 use crate::report::terminal::verdict;
@@ -18,7 +17,7 @@ pub(crate) fn summary(problem: &Problem, solution: &Solution, resolved: &str) ->
     put("schema_version", json!(SCHEMA_VERSION));
     put("version", json!(env!("CARGO_PKG_VERSION")));
     put("scene", json!(problem.name));
-    put("scene_sha256", json!(sha256(resolved)));
+    put("scene_sha256", json!(scene::sha256(resolved)));
     put("status", value(&solution.status));
     put("verdict", json!(verdict(problem, solution)));
     put("stages", value(&problem.plan.stages));
@@ -54,11 +53,6 @@ pub(crate) fn without_nulls(value: Value) -> Value {
         Value::Array(items) => Value::Array(items.into_iter().filter(|item| !item.is_null()).map(without_nulls).collect()),
         other => other,
     }
-}
-
-/// SHA-256 of a text in lower-case hexadecimal.
-pub(crate) fn sha256(bytes: impl AsRef<[u8]>) -> String {
-    Sha256::digest(bytes.as_ref()).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// The numbers and words of a summary under dotted keys, without lists.

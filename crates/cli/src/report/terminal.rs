@@ -2,34 +2,12 @@
 
 use std::path::Path;
 
+use scene::{Functional, short, with_short_numbers};
 use wear::Shape;
 
 use crate::profile::Profile;
-use crate::scene::Functional;
 use crate::setup::Problem;
-use crate::short_numbers::with_short_numbers;
 use crate::solution::{Solution, Status};
-
-/// A number with about six significant digits and no needless zeros.
-pub(crate) fn short(value: f64) -> String {
-    if value == 0.0 {
-        return "0".into();
-    }
-    if !value.is_finite() {
-        return format!("{value}");
-    }
-    let magnitude = value.abs().log10().floor() as i32;
-    if !(-4..7).contains(&magnitude) {
-        let text = format!("{value:.4e}");
-        let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
-        return format!("{}e{exponent}", trimmed(mantissa));
-    }
-    trimmed(&format!("{value:.*}", (5 - magnitude).max(0) as usize)).to_string()
-}
-
-fn trimmed(text: &str) -> &str {
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
-}
 
 /// A place in the words of the scene.
 fn place(problem: &Problem, s: f64) -> String {

@@ -1,8 +1,8 @@
 //! The tolerance band of a shape on the page.
 
+use scene::short;
 use serde_json::Value;
 
-use super::short;
 use crate::report::line_plot::escaped;
 
 /// A table of `summary.shape.tolerance` with a sentence under it; empty without entries.

@@ -1,6 +1,7 @@
 //! Figures 18 to 23 and 27: the annular punch.
 
-use crate::fault::Fault;
+use scene::Fault;
+
 use crate::report::line_plot::{Axis, Series};
 use crate::report::section_plot::Section;
 use crate::reproduce::closed_form::{RADII, effective_radius, ring_force, ring_pressure};

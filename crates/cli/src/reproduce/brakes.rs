@@ -1,6 +1,7 @@
 //! Textbook formulas of clutches and long shoes as special cases of the steady state with a = b = 1.
 
-use crate::fault::Fault;
+use scene::Fault;
+
 use crate::reproduce::closed_form::{RADII, integral};
 use crate::reproduce::made::{Made, plot, series};
 use crate::reproduce::row::Row;

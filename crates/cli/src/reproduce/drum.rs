@@ -1,6 +1,7 @@
 //! Figures 4 to 8: the block shoe on its drum.
 
-use crate::fault::Fault;
+use scene::Fault;
+
 use crate::profile::Profile;
 use crate::reproduce::closed_form::{DRUM_FORCE, HALF_ANGLE, drum};
 use crate::reproduce::made::{Made, plot, series};

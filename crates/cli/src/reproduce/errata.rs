@@ -1,7 +1,7 @@
 //! What of the paper does not hold, in numbers that anybody can compute again.
 
-use crate::fault::Fault;
-use crate::gap::Gap;
+use scene::{Fault, Gap};
+
 use crate::reproduce::closed_form::{DRUM_FORCE, HALF_ANGLE, drum};
 use crate::reproduce::made::{Made, plot, series};
 use crate::reproduce::row::Row;

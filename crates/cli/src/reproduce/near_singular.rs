@@ -1,6 +1,7 @@
 //! Figures 24 and 25: meshes and shapes of the annular punch next to the singular exponent.
 
-use crate::fault::Fault;
+use scene::Fault;
+
 use crate::reproduce::annulus::SCENE;
 use crate::reproduce::closed_form::{RADII, effective_radius, ring_pressure};
 use crate::reproduce::made::{Made, plot, series};

@@ -1,6 +1,7 @@
 //! Figures 12 to 15: the translating punch.
 
-use crate::fault::Fault;
+use scene::Fault;
+
 use crate::report::line_plot::LinePlot;
 use crate::reproduce::closed_form;
 use crate::reproduce::drum::asymmetry;

@@ -1,6 +1,7 @@
 //! Figures 9 to 11: the shoe of constant thickness.
 
-use crate::fault::Fault;
+use scene::Fault;
+
 use crate::reproduce::drum::asymmetry;
 use crate::reproduce::made::{Made, plot, series};
 use crate::reproduce::row::Row;

@@ -60,8 +60,7 @@ fn digits(value: f64) -> String {
     if !(-4..7).contains(&magnitude) {
         return format!("{value:.3e}");
     }
-    let text = format!("{value:.*}", (5 - magnitude).max(0) as usize);
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_string() } else { text }
+    scene::short(value)
 }
 
 /// A difference: round-off is no number to print.
@@ -124,7 +123,7 @@ pub(crate) fn rows_markdown(rows: &[Row]) -> String {
 pub(crate) fn rows_csv(rows: &[(&str, &Row)]) -> String {
     let mut out = String::from("item,quantity,unit,paper,where,printed,reference,ours,difference,note\n");
     let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
-    let number = |value: Option<f64>| value.map(crate::profile::number_text).unwrap_or_default();
+    let number = |value: Option<f64>| value.map(scene::number_text).unwrap_or_default();
     for (item, row) in rows {
         let cells = [
             (*item).to_string(),

@@ -1,11 +1,9 @@
 //! One run of a built-in scene with some keys replaced, in memory.
 
-use std::path::PathBuf;
+use std::path::Path;
 
-use crate::builtin;
-use crate::document::Document;
-use crate::fault::Fault;
-use crate::gap::Gap;
+use scene::{Document, Fault, Gap, builtin};
+
 use crate::profile::Profile;
 use crate::report;
 use crate::setup::{Problem, setup};
@@ -51,9 +49,9 @@ pub(super) fn run_from(scene: &str, settings: &[String], start: Option<(Gap, &st
 
 /// A built-in scene with `--set` pairs, checked, as scene.resolved.toml, and as a command.
 pub(super) fn prepared(scene: &str, settings: &[String]) -> Result<(Problem, String, String), Fault> {
-    let text = builtin::find(scene).map_or("", |builtin| builtin.text).to_string();
-    let document = Document::read(scene.into(), format!("{scene}.toml (built in)"), PathBuf::from("."), text, settings)?;
-    let problem = setup(&document)?;
+    let (file, text) = builtin(scene).map_or_else(Default::default, |builtin| (builtin.file(), builtin.text));
+    let document = Document::read(&file, text, settings)?;
+    let problem = setup(&document, Path::new("."))?;
     let resolved = report::resolved(&problem)?;
     let mut command = format!("wearshape run {scene}");
     for setting in settings {

@@ -1,8 +1,8 @@
 //! Meshes and geometry as pictures of the cross-section.
 
 use hpfem::{Curve, Mesh};
+use scene::Fault;
 
-use crate::fault::Fault;
 use crate::report::section_plot::Section;
 use crate::reproduce::made::Made;
 use crate::reproduce::run::prepared;
@@ -27,12 +27,12 @@ pub(super) fn meshes(made: &mut Made, scene: &str, settings: &[String], title: &
         body += &mesh_svg(mesh, &section, FILLS[number]);
         for (cell, corners) in mesh.cells.iter().map(|cell| cell.vertices()).enumerate() {
             for (corner, vertex) in corners.iter().enumerate() {
-                let [x, z] = mesh.vertices[*vertex].map(crate::profile::number_text);
+                let [x, z] = mesh.vertices[*vertex].map(scene::number_text);
                 table += &format!("{},{cell},{corner},{x},{z}\n", number + 1);
             }
         }
     }
-    let names = if problem.scene.kinematics == Some(crate::scene::Kinematics::Axisymmetric) { ["r", "z"] } else { ["x", "z"] };
+    let names = if problem.scene.kinematics == Some(scene::Kinematics::Axisymmetric) { ["r", "z"] } else { ["x", "z"] };
     made.file("mesh.svg", section.picture(title, names, &body));
     made.file("mesh.csv", table);
     Ok(meshes.iter().map(|mesh| mesh.cells.len()).sum())

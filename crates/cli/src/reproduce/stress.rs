@@ -1,9 +1,9 @@
 //! Figures 16, 17 and 26: stresses in the punches.
 
 use hpfem::Stress;
+use scene::Fault;
 
 use crate::body_field::{BodyField, CellField};
-use crate::fault::Fault;
 use crate::report::isobands::{Isobands, Placed};
 use crate::report::section_plot::Section;
 use crate::reproduce::annulus;
@@ -46,7 +46,7 @@ fn draw(made: &mut Made, name: &str, title: &str, body: &BodyField, stress: fn(&
     made.file(&format!("{name}.svg"), section.picture(title, names, &svg));
     let mut table = String::from("x_mm,z_mm,stress_MPa\n");
     for (place, value) in body.cells.iter().flat_map(|cell| cell.position.iter().zip(&cell.stress)) {
-        let [x, z, s] = [place[0], place[1], stress(value)].map(crate::profile::number_text);
+        let [x, z, s] = [place[0], place[1], stress(value)].map(scene::number_text);
         table += &format!("{x},{z},{s}\n");
     }
     made.file(&format!("{name}.csv"), table);

@@ -1,19 +1,15 @@
 //! Bodies: kinematics, thickness, material, geometry, supports, contact edges.
 
-use std::path::Path;
 use std::sync::Arc;
 
+use scene::{Component, Contact, Fault, Gap, Geometry, Kinematics, Length, Material, Scene, did_you_mean};
+
 use crate::couple::Body;
-use crate::fault::{Fault, did_you_mean};
-use crate::gap::Gap;
-use crate::geometry::Geometry;
-use crate::given::{given, outside};
-use crate::scene::{self, Component, Contact, Kinematics, Material, Scene};
+use crate::given::{Files, given, outside};
 use crate::setup::{missing, positive};
-use crate::units::Length;
 
 /// Checks both bodies and the contact, and fills in their defaults. None of a surface alone.
-pub(super) fn resolve(scene: &mut Scene, folder: &Path) -> Result<Option<(hpfem::Kinematics, [Body; 2])>, Fault> {
+pub(super) fn resolve(scene: &mut Scene, files: Files<'_>) -> Result<Option<(hpfem::Kinematics, [Body; 2])>, Fault> {
     friction(scene)?;
     if scene.surface.is_some() {
         return Ok(None);
@@ -38,9 +34,9 @@ pub(super) fn resolve(scene: &mut Scene, folder: &Path) -> Result<Option<(hpfem:
             let why = "a scene has two bodies, or a `surface` alone";
             return Err(missing(name, why, &format!("{name}.geometry.rectangle = {{ x = [-30, 30], z = [0, 100] }}")));
         };
-        bodies.push(one_body(name, body, axisymmetric, folder)?);
+        bodies.push(one_body(name, body, axisymmetric, files)?);
     }
-    contact_edges(scene, &mut bodies, folder)?;
+    contact_edges(scene, &mut bodies, files)?;
     let thickness = scene.thickness.map_or(1.0, |thickness| thickness.0);
     let kinematics = match scene.kinematics {
         Some(Kinematics::PlaneStrain) => hpfem::Kinematics::PlaneStrain { thickness },
@@ -62,8 +58,8 @@ fn friction(scene: &mut Scene) -> Result<(), Fault> {
     Ok(())
 }
 
-fn one_body(name: &'static str, body: &mut scene::Body, axisymmetric: bool, folder: &Path) -> Result<Body, Fault> {
-    geometry(name, &mut body.geometry, axisymmetric, folder)?;
+fn one_body(name: &'static str, body: &mut scene::Body, axisymmetric: bool, files: Files<'_>) -> Result<Body, Fault> {
+    geometry(name, &mut body.geometry, axisymmetric)?;
     match body.material {
         Some(material) => check_material(&format!("{name}.material"), material)?,
         None => {
@@ -79,7 +75,7 @@ fn one_body(name: &'static str, body: &mut scene::Body, axisymmetric: bool, fold
             }
         }
     }
-    let given = given(name, body)?;
+    let given = given(name, body, files)?;
     if let Some(given) = &given {
         on_axis_side(name, &given.mesh, axisymmetric)?;
     }
@@ -143,7 +139,7 @@ fn radii(key: &str, inner: Length, outer: Length) -> Result<(), Fault> {
     Err(Fault::at(format!("{key}.outer"), "degenerate", message, "give outer > inner"))
 }
 
-fn geometry(name: &str, geometry: &mut Geometry, axisymmetric: bool, folder: &Path) -> Result<(), Fault> {
+fn geometry(name: &str, geometry: &mut Geometry, axisymmetric: bool) -> Result<(), Fault> {
     let key = format!("{name}.geometry.{}", template(geometry));
     let plane_only = matches!(geometry, Geometry::ShoeBlock(_) | Geometry::Ring(_) | Geometry::RingSegment(_));
     if axisymmetric && plane_only {
@@ -205,7 +201,6 @@ fn geometry(name: &str, geometry: &mut Geometry, axisymmetric: bool, folder: &Pa
             for (material, values) in &file.materials {
                 check_material(&format!("{key}.materials.{material}"), *values)?;
             }
-            crate::given::read(name, file, folder)?;
         }
     }
     Ok(())
@@ -253,7 +248,7 @@ pub(super) fn known_edge(key: &str, edge: &str, edges: &[String]) -> Result<(), 
     Err(Fault::at(key, "unknown-edge", format!("there is no edge `{edge}` here"), did_you_mean(edge, &known)))
 }
 
-fn contact_edges(scene: &mut Scene, bodies: &mut [Body], folder: &Path) -> Result<(), Fault> {
+fn contact_edges(scene: &mut Scene, bodies: &mut [Body], files: Files<'_>) -> Result<(), Fault> {
     let Some(contact) = &mut scene.contact else {
         return Ok(());
     };
@@ -276,7 +271,7 @@ fn contact_edges(scene: &mut Scene, bodies: &mut [Body], folder: &Path) -> Resul
             let remedy = "write 0, or the name of a CSV file with the columns s_mm, gap_um";
             return Err(Fault::at("contact.gap", "wrong-value", message, remedy));
         }
-        Gap::File(name) => *gap = crate::profile_file::read(folder, name)?,
+        Gap::File(name) => *gap = crate::profile_file::read(files, name)?,
         Gap::Profile { s, gap } => crate::profile_file::check(s, gap)?,
     }
     Ok(())

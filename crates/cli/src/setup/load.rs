@@ -1,15 +1,13 @@
 //! The load: edge, kind, what is prescribed.
 
+use scene::{Fault, Geometry, Kinematics, Length, Load, LoadKind, Moment, Scene, SurfaceShape, Task};
+
 use crate::couple::{Body, LoadedEdge, Strip};
-use crate::fault::Fault;
 use crate::freedom::edge_points;
-use crate::geometry::{Geometry, SurfaceShape};
 use crate::given::outside;
-use crate::scene::{Kinematics, Load, LoadKind, Scene, Task};
 use crate::setup::bodies::{edge_names, known_edge};
 use crate::setup::{missing, positive};
 use crate::surface::Patch;
-use crate::units::{Length, Moment};
 use crate::{problem, setup};
 
 /// Checks the load and fills in its defaults.
@@ -146,14 +144,14 @@ fn rigid(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) -> Result<(),
 
 /// `approach_time` needs a multiplier that is a velocity.
 fn worn_approach(scene: &Scene, time: f64) -> Result<(), Fault> {
-    use crate::scene::Functional;
+    use scene::Functional;
     if time.is_nan() || time < 0.0 {
         let message = format!("negative time: load.approach_time = {time} s");
         return Err(Fault::at("load.approach_time", "wrong-value", message, "give a time of 0 or more"));
     }
     let optimum = scene.optimum.clone().unwrap_or_default();
     let b = scene.wear.as_ref().and_then(|wear| wear.b);
-    let equal = !matches!(b, Some(crate::units::Pair::Two([b1, b2])) if b1 != b2);
+    let equal = !matches!(b, Some(scene::Pair::Two([b1, b2])) if b1 != b2);
     let velocity = match optimum.functional.unwrap_or(Functional::Steady) {
         Functional::Steady => true,
         Functional::WearPower => optimum.q.unwrap_or(1.0) == 1.0 && equal,

@@ -1,10 +1,9 @@
 //! The optimum: functional, q, and the exponent s that decides what it is.
 
-use crate::fault::Fault;
+use scene::{Balance, Fault, Functional, Modes, Optimum, Pair, Scene, Task};
+
 use crate::problem;
-use crate::scene::{Balance, Functional, Modes, Optimum, Scene, Task};
 use crate::setup::positive;
-use crate::units::Pair;
 
 /// Checks the optimum and fills in its defaults.
 pub(super) fn resolve(scene: &mut Scene, tasks: &[Task]) -> Result<(), Fault> {

@@ -1,10 +1,9 @@
 //! The schedule of a run in time: its lists fit each other and the scene, its times increase.
 
-use crate::fault::Fault;
+use scene::{Fault, Scene, Schedule, Time};
+
 use crate::problem::Piece;
-use crate::scene::{Scene, Schedule};
 use crate::setup::missing;
-use crate::units::Time;
 
 /// Checks the schedule and fills in the lists that the scene's load and sliding have.
 pub(super) fn resolve(scene: &mut Scene) -> Result<(), Fault> {

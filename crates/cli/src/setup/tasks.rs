@@ -1,10 +1,9 @@
 //! Tasks, accuracy, mesh.
 
-use crate::fault::Fault;
+use scene::{Fault, Geometry, Mesh, Scene, Task};
+
 use crate::fe::Level;
-use crate::geometry::Geometry;
 use crate::problem::Wanted;
-use crate::scene::{Mesh, Scene, Task};
 
 /// Relative error where the scene asks for none.
 const ACCURACY: f64 = 1e-6;

@@ -1,9 +1,8 @@
 //! The turning of body 1 about the axis: where it is used, and what it needs.
 
 use contact::Turn;
+use scene::{Body, Component, Fault, Kinematics, Scene, Task};
 
-use crate::fault::Fault;
-use crate::scene::{Body, Component, Kinematics, Scene, Task};
 use crate::setup::missing;
 
 /// What body 1 is turned by, step after step; nothing where the scene does not turn it.

@@ -1,9 +1,8 @@
 //! Keys that were written but that the scene's choices do not use.
 
-use crate::document::Document;
-use crate::geometry::Geometry;
+use scene::{Document, Functional, Geometry, Kinematics, LoadKind, Scene, Task};
+
 use crate::given::unused_in_blocks;
-use crate::scene::{Functional, Kinematics, LoadKind, Scene, Task};
 
 /// The unused keys of a scene, sorted.
 pub(super) fn keys(document: &Document, scene: &Scene, tasks: &[Task]) -> Vec<String> {
@@ -22,20 +21,16 @@ pub(super) fn keys(document: &Document, scene: &Scene, tasks: &[Task]) -> Vec<St
     when(bare, &["kinematics", "contact.edges", "contact.gap", "load.edge", "load.as"]);
     when(!tasks.contains(&Task::Shape), &["check"]);
     when(pressure_only, &["mesh.degree", "mesh.layers"]);
-    let flat =
-        matches!(scene.contact.as_ref().and_then(|contact| contact.gap.as_ref()), None | Some(crate::gap::Gap::Constant(_)));
+    let flat = matches!(scene.contact.as_ref().and_then(|contact| contact.gap.as_ref()), None | Some(scene::Gap::Constant(_)));
     when(pressure_only && !flat, &["contact.gap"]);
     when(pressure_only, &["output.fields"]);
-    let timed = matches!(scene.wear.as_ref().and_then(|wear| wear.until), Some(crate::gap::Until::Time(_)));
+    let timed = matches!(scene.wear.as_ref().and_then(|wear| wear.until), Some(scene::Until::Time(_)));
     when(!wears && timed, &["wear.until"]);
     when(!wears, &["schedule"]);
     let kind = scene.load.as_ref().and_then(|load| load.kind);
     let rigid = kind == Some(LoadKind::Rigid);
     when(!rigid, &["load.approach", "load.tilt", "load.approach_time", "load.shear_force"]);
-    let punch = matches!(
-        scene.surface,
-        Some(crate::geometry::SurfaceShape::RectangularPunch(_) | crate::geometry::SurfaceShape::EllipticPunch(_))
-    );
+    let punch = matches!(scene.surface, Some(scene::SurfaceShape::RectangularPunch(_) | scene::SurfaceShape::EllipticPunch(_)));
     let no_moment = if bare { !punch } else { !rigid || axisymmetric };
     when(no_moment, &["load.moment", "load.about"]);
     when(!punch, &["load.moment_y"]);

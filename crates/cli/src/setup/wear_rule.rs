@@ -1,14 +1,11 @@
 //! The wear rule: factors, exponents, counter-face.
 
 use wear::{WearError, WearPair};
+use scene::{Counterface, Fault, Functional, Pair, Scene, Task, Until, Wear, WearFactor};
 
-use crate::fault::Fault;
-use crate::gap::Until;
 use crate::problem;
-use crate::scene::{Counterface, Functional, Scene, Task, Wear};
 use crate::setup::missing;
 use crate::surface::{Patch, PatchKind};
-use crate::units::{Pair, WearFactor};
 
 /// Checks the wear rule and the sliding, and fills in their defaults.
 pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) -> Result<(), Fault> {
@@ -47,7 +44,7 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) 
         Some(PatchKind::Plane) => Counterface::Fresh,
         Some(PatchKind::Ring) => Counterface::Congruent,
         Some(PatchKind::Turning) => Counterface::Revolving,
-        None if scene.kinematics == Some(crate::scene::Kinematics::Axisymmetric) => Counterface::Congruent,
+        None if scene.kinematics == Some(scene::Kinematics::Axisymmetric) => Counterface::Congruent,
         None => Counterface::Fresh,
     };
     let counterface = *wear.counterface.get_or_insert(default);

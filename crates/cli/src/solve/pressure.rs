@@ -1,13 +1,12 @@
 //! The optimal pressure on a surface known without a mesh.
 
 use wear::{Regime, SurfacePoint, WearError};
+use scene::{Balance, Fault, Modes};
 
-use crate::fault::Fault;
 use crate::freedom::{Freedom, Role};
 use crate::options::{Options, Sampling};
 use crate::problem::{Optimum, Problem};
 use crate::profile::Profile;
-use crate::scene::{Balance, Modes};
 use crate::setup;
 use crate::solution::{ByRole, ErrorResult, PointForce, PressureResult, Status};
 use crate::surface::Patch;

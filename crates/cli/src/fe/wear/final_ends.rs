@@ -1,10 +1,10 @@
 //! Where the contact of a run in time will end, if the load is too far off the middle to use the whole surface.
 
-use crate::fault::Fault;
+use scene::{Fault, Functional};
+
 use crate::fe::pressure_ends::pressure_ends;
 use crate::fe::stage::Stage;
 use crate::fe::wear::pieces::Pieces;
-use crate::scene::Functional;
 use crate::solve::pressure;
 
 /// Ends inside the surface, from -1 to 1, of the steady pressure under the load that acts last: the gap gets its kinks there. None for a run

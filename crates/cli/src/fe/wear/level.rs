@@ -2,9 +2,9 @@
 
 use contact::{ContactLoad, ContactOperator, ContactPoint, ContactSolution, Pair};
 use shapeopt::{Evolution, EvolutionStatus, Until, WearProblem, WearState, closing, lowest_nonnegative};
+use scene::Fault;
 
 use crate::effort::Effort;
-use crate::fault::Fault;
 use crate::fe::answer::{Answer, Own, Told};
 use crate::fe::bodies::Level;
 use crate::fe::contact::pressure_at;

@@ -1,8 +1,8 @@
 //! The meshes of both bodies as lines, for a viewer.
 
 use hpfem::Mesh;
+use scene::Fault;
 
-use crate::fault::Fault;
 use crate::fe::bodies::Level;
 use crate::fe::stage::Stage;
 use crate::fe::template::Cut;

@@ -1,9 +1,7 @@
 //! A point of `geometry.blocks`: [x, z], or radius and angle about a centre.
 
-use std::borrow::Cow;
 use std::fmt;
 
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
 use serde::{Serialize, Serializer};
 
@@ -11,7 +9,7 @@ use crate::units::{Angle, Length};
 
 /// A point of the plane.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) enum PointShape {
+pub enum PointShape {
     /// x and z.
     At([Length; 2]),
     /// On a circle.
@@ -19,21 +17,22 @@ pub(crate) enum PointShape {
 }
 
 /// A point on a circle.
-#[derive(Debug, Clone, PartialEq, serde::Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, serde::Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-pub(crate) struct PolarPoint {
+pub struct PolarPoint {
     /// Distance from the centre (mm).
-    pub(crate) radius: Length,
+    pub radius: Length,
     /// Angle from the z axis towards +x.
-    pub(crate) angle: Angle,
+    pub angle: Angle,
     /// Centre [x, z]. Default the origin.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) centre: Option<[Length; 2]>,
+    pub centre: Option<[Length; 2]>,
 }
 
 impl PointShape {
     /// Position [x, z] in mm.
-    pub(crate) fn position(&self) -> [f64; 2] {
+    pub fn position(&self) -> [f64; 2] {
         match self {
             PointShape::At(x) => x.map(|x| x.0),
             PointShape::Polar(PolarPoint { radius, angle, centre }) => {
@@ -72,20 +71,5 @@ impl Serialize for PointShape {
             PointShape::At(x) => x.serialize(serializer),
             PointShape::Polar(point) => point.serialize(serializer),
         }
-    }
-}
-
-impl JsonSchema for PointShape {
-    fn inline_schema() -> bool {
-        true
-    }
-
-    fn schema_name() -> Cow<'static, str> {
-        "Point".into()
-    }
-
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        let (at, polar) = (generator.subschema_for::<[Length; 2]>(), generator.subschema_for::<PolarPoint>());
-        json_schema!({ "anyOf": [at, polar] })
     }
 }

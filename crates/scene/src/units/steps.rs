@@ -1,15 +1,13 @@
 //! One value, or a list of values taken one after the other.
 
-use std::borrow::Cow;
 use std::fmt;
 
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, Deserialize, Deserializer, Visitor};
 use serde::{Serialize, Serializer};
 
 /// Values in their order; a single one may be written without a list.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Steps<T>(pub(crate) Vec<T>);
+pub struct Steps<T>(pub Vec<T>);
 
 impl<'de, T: Deserialize<'de>> Deserialize<'de> for Steps<T> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
@@ -54,20 +52,5 @@ impl<T: Serialize> Serialize for Steps<T> {
             [one] => one.serialize(serializer),
             many => many.serialize(serializer),
         }
-    }
-}
-
-impl<T: JsonSchema> JsonSchema for Steps<T> {
-    fn inline_schema() -> bool {
-        true
-    }
-
-    fn schema_name() -> Cow<'static, str> {
-        format!("StepsOf{}", T::schema_name()).into()
-    }
-
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        let one = generator.subschema_for::<T>();
-        json_schema!({ "anyOf": [one, { "type": "array", "items": one, "minItems": 1 }] })
     }
 }

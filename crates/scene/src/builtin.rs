@@ -1,21 +1,34 @@
 //! The scenes that come with the program.
 
 /// A scene in the program itself.
-pub(crate) struct Builtin {
+pub struct Builtin {
     /// Its name, and that of its file without the ending.
-    pub(crate) name: &'static str,
+    pub name: &'static str,
     /// The text of the file.
-    pub(crate) text: &'static str,
+    pub text: &'static str,
+}
+
+impl Builtin {
+    /// Its title: what the file says after `title =`.
+    pub fn title(&self) -> &'static str {
+        let line = self.text.lines().find(|line| line.starts_with("title = "));
+        line.and_then(|line| line.split('"').nth(1)).unwrap_or("")
+    }
+
+    /// Its file in messages.
+    pub fn file(&self) -> String {
+        format!("{}.toml (built in)", self.name)
+    }
 }
 
 macro_rules! scenes {
     ($($name:literal),* $(,)?) => {
-        [$(Builtin { name: $name, text: include_str!(concat!("../../../data/scenes/", $name, ".toml")) }),*]
+        [$(Builtin { name: $name, text: include_str!(concat!("../scenes/", $name, ".toml")) }),*]
     };
 }
 
 /// All built-in scenes.
-pub(crate) const SCENES: [Builtin; 16] = scenes![
+pub const SCENES: [Builtin; 16] = scenes![
     "drum-brake-block",
     "drum-brake-ring",
     "lining-on-back",
@@ -35,12 +48,6 @@ pub(crate) const SCENES: [Builtin; 16] = scenes![
 ];
 
 /// The built-in scene of a name.
-pub(crate) fn find(name: &str) -> Option<&'static Builtin> {
+pub fn builtin(name: &str) -> Option<&'static Builtin> {
     SCENES.iter().find(|scene| scene.name == name)
-}
-
-/// Its title: what the file says after `title =`.
-pub(crate) fn title(scene: &Builtin) -> &'static str {
-    let line = scene.text.lines().find(|line| line.starts_with("title = "));
-    line.and_then(|line| line.split('"').nth(1)).unwrap_or("")
 }

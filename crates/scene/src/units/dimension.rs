@@ -1,16 +1,16 @@
 //! What can be measured, in which units, and how a string with a unit is read.
 
 /// One unit: its name, and the factor to the base unit as numerator and denominator, so that "5 um" rounds once.
-pub(super) type Unit = (&'static str, f64, f64);
+pub(crate) type Unit = (&'static str, f64, f64);
 
 /// What a quantity measures: the word for messages, the base unit, the units known.
-pub(super) struct Dimension {
-    pub(super) word: &'static str,
-    pub(super) base: &'static str,
-    pub(super) units: &'static [Unit],
+pub(crate) struct Dimension {
+    pub(crate) word: &'static str,
+    pub(crate) base: &'static str,
+    pub(crate) units: &'static [Unit],
 }
 
-pub(super) const LENGTH: Dimension = Dimension {
+pub(crate) const LENGTH: Dimension = Dimension {
     word: "length",
     base: "mm",
     units: &[
@@ -23,24 +23,24 @@ pub(super) const LENGTH: Dimension = Dimension {
         ("in", 25.4, 1.0),
     ],
 };
-pub(super) const FORCE: Dimension =
+pub(crate) const FORCE: Dimension =
     Dimension { word: "force", base: "N", units: &[("N", 1.0, 1.0), ("kN", 1e3, 1.0), ("MN", 1e6, 1.0), ("mN", 1.0, 1e3)] };
-pub(super) const PRESSURE: Dimension = Dimension {
+pub(crate) const PRESSURE: Dimension = Dimension {
     word: "pressure or modulus",
     base: "MPa",
     units: &[("MPa", 1.0, 1.0), ("GPa", 1e3, 1.0), ("kPa", 1.0, 1e3), ("Pa", 1.0, 1e6), ("bar", 1.0, 10.0), ("N/mm^2", 1.0, 1.0)],
 };
-pub(super) const ANGLE: Dimension = Dimension {
+pub(crate) const ANGLE: Dimension = Dimension {
     word: "angle",
     base: "rad",
     units: &[("rad", 1.0, 1.0), ("deg", std::f64::consts::PI, 180.0), ("mrad", 1.0, 1e3)],
 };
-pub(super) const SPEED: Dimension = Dimension {
+pub(crate) const SPEED: Dimension = Dimension {
     word: "speed",
     base: "mm/s",
     units: &[("mm/s", 1.0, 1.0), ("m/s", 1e3, 1.0), ("um/s", 1.0, 1e3), ("m/min", 1e3, 60.0), ("km/h", 1e6, 3600.0)],
 };
-pub(super) const ANGULAR_SPEED: Dimension = Dimension {
+pub(crate) const ANGULAR_SPEED: Dimension = Dimension {
     word: "angular speed",
     base: "rad/s",
     units: &[
@@ -50,14 +50,14 @@ pub(super) const ANGULAR_SPEED: Dimension = Dimension {
         ("deg/s", std::f64::consts::PI, 180.0),
     ],
 };
-pub(super) const TIME: Dimension =
+pub(crate) const TIME: Dimension =
     Dimension { word: "time", base: "s", units: &[("s", 1.0, 1.0), ("ms", 1.0, 1e3), ("min", 60.0, 1.0), ("h", 3600.0, 1.0)] };
-pub(super) const MOMENT: Dimension = Dimension {
+pub(crate) const MOMENT: Dimension = Dimension {
     word: "moment",
     base: "N mm",
     units: &[("N mm", 1.0, 1.0), ("N m", 1e3, 1.0), ("kN mm", 1e3, 1.0), ("kN m", 1e6, 1.0), ("Nmm", 1.0, 1.0), ("Nm", 1e3, 1.0)],
 };
-pub(super) const WEAR_FACTOR: Dimension = Dimension {
+pub(crate) const WEAR_FACTOR: Dimension = Dimension {
     word: "wear factor",
     base: "mm^2/N (for a = b = 1)",
     units: &[
@@ -78,13 +78,13 @@ impl Dimension {
     }
 
     /// What to write.
-    pub(super) fn expected(&self) -> String {
+    pub(crate) fn expected(&self) -> String {
         let units: Vec<&str> = self.units.iter().map(|unit| unit.0).filter(|unit| unit.is_ascii()).collect();
         format!("{} as a number in {}, or a string with one of the units {}", self.with_article(), self.base, units.join(", "))
     }
 
     /// The value in the base unit, and whether a unit was written.
-    pub(super) fn parse(&self, text: &str) -> Result<(f64, bool), String> {
+    pub(crate) fn parse(&self, text: &str) -> Result<(f64, bool), String> {
         let trimmed = text.trim();
         let end = number_end(trimmed);
         let number: f64 = trimmed[..end].parse().map_err(|_| {

@@ -1,9 +1,7 @@
 //! Two keys that hold either a word or a number: the start gap and the end of a run.
 
-use std::borrow::Cow;
 use std::fmt;
 
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, Deserialize, Deserializer, MapAccess, Visitor};
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
@@ -12,7 +10,7 @@ use crate::units::Time;
 
 /// The unloaded gap at the start.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Gap {
+pub enum Gap {
     /// The same everywhere (mm).
     Constant(f64),
     /// A CSV file with the columns s_mm and gap_um.
@@ -81,33 +79,9 @@ impl Serialize for Gap {
     }
 }
 
-impl JsonSchema for Gap {
-    fn schema_name() -> Cow<'static, str> {
-        "Gap".into()
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({
-            "anyOf": [
-                { "type": "number" },
-                { "type": "string" },
-                {
-                    "type": "object",
-                    "properties": {
-                        "s_mm": { "type": "array", "items": { "type": "number" } },
-                        "gap_um": { "type": "array", "items": { "type": "number" } }
-                    },
-                    "required": ["s_mm", "gap_um"],
-                    "additionalProperties": false
-                }
-            ]
-        })
-    }
-}
-
 /// Where a run in time ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Until {
+pub enum Until {
     /// When the pressure no longer changes.
     Steady,
     /// At a time.
@@ -149,15 +123,5 @@ impl Serialize for Until {
             Until::Steady => serializer.serialize_str("steady"),
             Until::Time(time) => time.serialize(serializer),
         }
-    }
-}
-
-impl JsonSchema for Until {
-    fn schema_name() -> Cow<'static, str> {
-        "Until".into()
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({ "anyOf": [{ "const": "steady" }, { "type": "number" }, { "type": "string" }] })
     }
 }

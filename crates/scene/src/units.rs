@@ -1,19 +1,17 @@
 //! Quantities of a scene: a bare number in N, mm, MPa, s, rad, or a string with a unit. Kept in base units.
 
-mod dimension;
+pub(crate) mod dimension;
 mod pair;
 mod steps;
 
-use std::borrow::Cow;
 use std::fmt;
 
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, Deserialize, Deserializer, Visitor};
 use serde::{Serialize, Serializer};
 
 use dimension::{ANGLE, ANGULAR_SPEED, Dimension, FORCE, LENGTH, MOMENT, PRESSURE, SPEED, TIME, WEAR_FACTOR};
-pub(crate) use pair::Pair;
-pub(crate) use steps::Steps;
+pub use pair::Pair;
+pub use steps::Steps;
 
 /// Magnitudes other than zero that a quantity may have: squares and ratios of what is in between are numbers still.
 const MAGNITUDES: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
@@ -58,18 +56,11 @@ impl Visitor<'_> for QuantityVisitor {
     }
 }
 
-fn schema_of(dimension: &Dimension) -> Schema {
-    json_schema!({
-        "description": dimension.expected(),
-        "anyOf": [{ "type": "number" }, { "type": "string", "pattern": "^\\s*[-+.0-9]" }]
-    })
-}
-
 macro_rules! quantity {
     ($(#[$doc:meta])* $name:ident, $dimension:ident) => {
         $(#[$doc])*
         #[derive(Debug, Clone, Copy, PartialEq, PartialOrd, Default)]
-        pub(crate) struct $name(pub(crate) f64);
+        pub struct $name(pub f64);
 
         impl<'de> Deserialize<'de> for $name {
             fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
@@ -80,16 +71,6 @@ macro_rules! quantity {
         impl Serialize for $name {
             fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
                 serializer.serialize_f64(self.0)
-            }
-        }
-
-        impl JsonSchema for $name {
-            fn schema_name() -> Cow<'static, str> {
-                stringify!($name).into()
-            }
-
-            fn json_schema(_: &mut SchemaGenerator) -> Schema {
-                schema_of(&$dimension)
             }
         }
     };
@@ -130,11 +111,11 @@ quantity!(
 
 /// A wear factor. A bare number has the unit that the exponents a and b give it; a unit fixes a = b = 1.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct WearFactor {
+pub struct WearFactor {
     /// The number in N, mm, s.
-    pub(crate) value: f64,
+    pub value: f64,
     /// Whether it was written with a unit of specific wear rate.
-    pub(crate) has_unit: bool,
+    pub has_unit: bool,
 }
 
 impl<'de> Deserialize<'de> for WearFactor {
@@ -147,15 +128,5 @@ impl<'de> Deserialize<'de> for WearFactor {
 impl Serialize for WearFactor {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_f64(self.value)
-    }
-}
-
-impl JsonSchema for WearFactor {
-    fn schema_name() -> Cow<'static, str> {
-        "WearFactor".into()
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        schema_of(&WEAR_FACTOR)
     }
 }

@@ -3,18 +3,17 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::given::MeshContent;
+use crate::material::Material;
 use crate::point_shape::PointShape;
-use crate::scene::Material;
 use crate::units::{Angle, Length};
 
 /// A body's shape; x to the right (r in axisymmetry), z up.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
-pub(crate) enum Geometry {
+pub enum Geometry {
     /// Block above a drum, arc below, flat on top. Edges inner, left, right, top.
     ShoeBlock(ShoeBlock),
     /// Full ring. Edges inner, outer.
@@ -32,83 +31,90 @@ pub(crate) enum Geometry {
 }
 
 /// Block above a drum.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-pub(crate) struct ShoeBlock {
+pub struct ShoeBlock {
     /// Radius of the arc about the origin (mm).
-    pub(crate) radius: Length,
+    pub radius: Length,
     /// The arc reaches from minus to plus this angle from the z axis.
-    pub(crate) half_angle: Angle,
+    pub half_angle: Angle,
     /// Height z of the flat top (mm).
-    pub(crate) top: Length,
+    pub top: Length,
 }
 
 /// Full ring.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Ring {
+pub struct Ring {
     /// Inner radius (mm).
-    pub(crate) inner: Length,
+    pub inner: Length,
     /// Outer radius (mm).
-    pub(crate) outer: Length,
+    pub outer: Length,
     /// Centre [x, z]. Default the origin.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) centre: Option<[Length; 2]>,
+    pub centre: Option<[Length; 2]>,
 }
 
 /// Rectangle.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Rectangle {
+pub struct Rectangle {
     /// From and to along x (mm).
-    pub(crate) x: [Length; 2],
+    pub x: [Length; 2],
     /// From and to along z (mm).
-    pub(crate) z: [Length; 2],
+    pub z: [Length; 2],
 }
 
 /// Upper part of a ring about the origin, cut by two vertical lines.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-pub(crate) struct RingSegment {
+pub struct RingSegment {
     /// Inner radius (mm).
-    pub(crate) inner: Length,
+    pub inner: Length,
     /// Outer radius (mm).
-    pub(crate) outer: Length,
+    pub outer: Length,
     /// The cuts x = from and x = to (mm).
-    pub(crate) x: [Length; 2],
+    pub x: [Length; 2],
 }
 
 /// Lower half of a disc.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-pub(crate) struct HalfDisc {
+pub struct HalfDisc {
     /// Radius (mm).
-    pub(crate) radius: Length,
+    pub radius: Length,
     /// Centre [x, z]; the cut is horizontal through it.
-    pub(crate) centre: [Length; 2],
+    pub centre: [Length; 2],
 }
 
 /// Quadrilateral cells between named curves.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Blocks {
+pub struct Blocks {
     /// Named points: [x, z], or { radius, angle } about a centre.
-    pub(crate) points: BTreeMap<String, PointShape>,
+    pub points: BTreeMap<String, PointShape>,
     /// Named curves between points.
-    pub(crate) curves: BTreeMap<String, CurveShape>,
+    pub curves: BTreeMap<String, CurveShape>,
     /// Named cells.
-    pub(crate) cells: BTreeMap<String, CellShape>,
+    pub cells: BTreeMap<String, CellShape>,
     /// Named edges, each a list of curves.
-    pub(crate) edges: BTreeMap<String, Vec<String>>,
+    pub edges: BTreeMap<String, Vec<String>>,
     /// Named materials of cells.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
-    pub(crate) materials: BTreeMap<String, Material>,
+    pub materials: BTreeMap<String, Material>,
 }
 
 /// One curve of `blocks`.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
-pub(crate) enum CurveShape {
+pub enum CurveShape {
     /// Straight between two points.
     Line([String; 2]),
     /// Circular arc between two points.
@@ -118,58 +124,63 @@ pub(crate) enum CurveShape {
 }
 
 /// A circular arc.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-pub(crate) struct ArcShape {
+pub struct ArcShape {
     /// First and last point.
-    pub(crate) ends: [String; 2],
+    pub ends: [String; 2],
     /// Centre [x, z]. Default the origin.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) centre: Option<[Length; 2]>,
+    pub centre: Option<[Length; 2]>,
 }
 
 /// A smooth curve: the polynomial through its places by chord length.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-pub(crate) struct SplineShape {
+pub struct SplineShape {
     /// First and last point.
-    pub(crate) ends: [String; 2],
+    pub ends: [String; 2],
     /// Places [x, z] between them, in order; 1 to 7.
-    pub(crate) through: Vec<[Length; 2]>,
+    pub through: Vec<[Length; 2]>,
 }
 
 /// One cell of `blocks`.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-pub(crate) struct CellShape {
+pub struct CellShape {
     /// Its four curves in order around it.
-    pub(crate) curves: [String; 4],
+    pub curves: [String; 4],
     /// Name of its material; default the body's own.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) material: Option<String>,
+    pub material: Option<String>,
 }
 
 /// A gmsh file.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-pub(crate) struct MeshFile {
+pub struct MeshFile {
     /// Path, relative to the scene.
-    pub(crate) file: String,
+    pub file: String,
     /// SHA-256 of the file, to be sure that it is the one meant.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) sha256: Option<String>,
+    pub sha256: Option<String>,
     /// Materials by physical group of cells; default the body's own.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
-    pub(crate) materials: BTreeMap<String, Material>,
-    /// What the file holds, once it is read.
+    pub materials: BTreeMap<String, Material>,
+    /// The bytes of the file, once it is read.
     #[serde(skip)]
-    pub(crate) content: Option<Arc<MeshContent>>,
+    pub content: Option<Arc<[u8]>>,
 }
 
 /// A contact surface without bodies.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
-pub(crate) enum SurfaceShape {
+pub enum SurfaceShape {
     /// Sector of an annulus on a disc that turns about the origin.
     DiscPad(DiscPad),
     /// Shoe that turns about a fixed pin inside a drum.
@@ -185,77 +196,83 @@ pub(crate) enum SurfaceShape {
 }
 
 /// Sector of an annulus.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-pub(crate) struct DiscPad {
+pub struct DiscPad {
     /// Inner radius (mm).
-    pub(crate) inner: Length,
+    pub inner: Length,
     /// Outer radius (mm).
-    pub(crate) outer: Length,
+    pub outer: Length,
     /// The sector reaches from minus to plus this angle from the x axis.
-    pub(crate) half_angle: Angle,
+    pub half_angle: Angle,
 }
 
 /// Shoe about a pin inside a drum. Angles are measured at the drum's centre from the direction of the pin.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-pub(crate) struct PinnedShoe {
+pub struct PinnedShoe {
     /// Inner radius of the drum (mm).
-    pub(crate) radius: Length,
+    pub radius: Length,
     /// Width of the lining along y (mm).
-    pub(crate) width: Length,
+    pub width: Length,
     /// Distance of the pin from the drum's centre (mm).
-    pub(crate) pin_distance: Length,
+    pub pin_distance: Length,
     /// Where the lining begins.
-    pub(crate) from: Angle,
+    pub from: Angle,
     /// Where the lining ends.
-    pub(crate) to: Angle,
+    pub to: Angle,
     /// Lever arm of the actuating force about the pin (mm).
-    pub(crate) arm: Length,
+    pub arm: Length,
 }
 
 /// Shoe on a pivot.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-pub(crate) struct PivotedShoe {
+pub struct PivotedShoe {
     /// Radius of the drum about the origin (mm).
-    pub(crate) radius: Length,
+    pub radius: Length,
     /// The lining reaches from minus to plus this angle from the z axis.
-    pub(crate) half_angle: Angle,
+    pub half_angle: Angle,
     /// Width of the lining along y (mm).
-    pub(crate) width: Length,
+    pub width: Length,
     /// Height of the pivot above the drum's centre (mm). Default: where friction has no moment for b = 1,
     /// 4 R sin(a0) / (2 a0 + sin(2 a0)).
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) pivot: Option<Length>,
+    pub pivot: Option<Length>,
 }
 
 /// Rectangle on a plane.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-pub(crate) struct RectangularPunch {
+pub struct RectangularPunch {
     /// From and to along x (mm).
-    pub(crate) x: [Length; 2],
+    pub x: [Length; 2],
     /// From and to along y (mm).
-    pub(crate) y: [Length; 2],
+    pub y: [Length; 2],
 }
 
 /// Ellipse about the origin.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-pub(crate) struct EllipticPunch {
+pub struct EllipticPunch {
     /// Half axes along x and y (mm).
-    pub(crate) half_axes: [Length; 2],
+    pub half_axes: [Length; 2],
 }
 
 /// Arc of a bearing shell.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-pub(crate) struct JournalArc {
+pub struct JournalArc {
     /// Radius of the shaft about the origin (mm).
-    pub(crate) radius: Length,
+    pub radius: Length,
     /// The shell reaches from minus to plus this angle from the z axis.
-    pub(crate) half_angle: Angle,
+    pub half_angle: Angle,
     /// Width along y (mm).
-    pub(crate) width: Length,
+    pub width: Length,
 }

@@ -2,83 +2,86 @@
 
 use std::collections::BTreeMap;
 
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::geometry::{Geometry, SurfaceShape};
+use crate::material::Material;
 use crate::units::{AngularSpeed, Force, Length, Moment, Pair, Pressure, Speed, Time, WearFactor};
 
 /// A wear scene: two bodies (or a surface alone), their load and sliding, the wear rule, and what is wanted.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
-pub(crate) struct Scene {
+pub struct Scene {
     /// One line for reports.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) title: Option<String>,
+    pub title: Option<String>,
     /// Units of bare numbers.
-    pub(crate) units: Units,
+    pub units: Units,
     /// Plane stress, plane strain, or axisymmetric.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) kinematics: Option<Kinematics>,
+    pub kinematics: Option<Kinematics>,
     /// Thickness out of the plane (mm); axisymmetric scenes have none.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) thickness: Option<Length>,
+    pub thickness: Option<Length>,
     /// What to compute. Default: pressure and shape; a surface alone: pressure.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) tasks: Option<Vec<Task>>,
+    pub tasks: Option<Vec<Task>>,
     /// Wanted relative accuracy of the answer; the mesh follows from it. Default 1e-6.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) accuracy: Option<f64>,
+    pub accuracy: Option<f64>,
     /// A fixed discretisation instead of an accuracy.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) mesh: Option<Mesh>,
+    pub mesh: Option<Mesh>,
     /// Whether the shape is proved by a contact solve on it. Default true.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) check: Option<bool>,
+    pub check: Option<bool>,
     /// The shaped body: shoe, punch, pad.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) body1: Option<Body>,
+    pub body1: Option<Body>,
     /// The counter-face: drum, plate, disc.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) body2: Option<Body>,
+    pub body2: Option<Body>,
     /// A contact surface without bodies, for the pressure alone; instead of body1 and body2.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) surface: Option<SurfaceShape>,
+    pub surface: Option<SurfaceShape>,
     /// The contact between the bodies.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) contact: Option<Contact>,
+    pub contact: Option<Contact>,
     /// How body 2 slides.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) sliding: Option<Sliding>,
+    pub sliding: Option<Sliding>,
     /// The load on body 1.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) load: Option<Load>,
+    pub load: Option<Load>,
     /// The wear rule of both bodies.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) wear: Option<Wear>,
+    pub wear: Option<Wear>,
     /// Load and speed that change in a run in time; without it they stay as given.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) schedule: Option<Schedule>,
+    pub schedule: Option<Schedule>,
     /// Which pressure is wanted.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) optimum: Option<Optimum>,
+    pub optimum: Option<Optimum>,
     /// Which of the larger files are written.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) output: Option<Output>,
+    pub output: Option<Output>,
 }
 
 /// Units of bare numbers.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
-pub(crate) enum Units {
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub enum Units {
     /// N, mm, MPa, s, rad.
     #[serde(rename = "N-mm")]
     NewtonMillimetre,
 }
 
 /// Kinematics of both bodies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
-pub(crate) enum Kinematics {
+pub enum Kinematics {
     /// Thin in y: sigma_y = 0.
     PlaneStress,
     /// Long in y: eps_y = 0.
@@ -88,9 +91,10 @@ pub(crate) enum Kinematics {
 }
 
 /// One thing to compute.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
-pub(crate) enum Task {
+pub enum Task {
     /// The optimal or steady pressure.
     Pressure,
     /// The contact of the bodies as given.
@@ -102,45 +106,38 @@ pub(crate) enum Task {
 }
 
 /// A fixed discretisation.
-#[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Mesh {
+pub struct Mesh {
     /// Polynomial degree.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) degree: Option<usize>,
+    pub degree: Option<usize>,
     /// Layers of cells graded towards each singular point.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) layers: Option<usize>,
+    pub layers: Option<usize>,
 }
 
 /// One body.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Body {
+pub struct Body {
     /// Linear isotropic material; with `geometry.blocks` the default of all blocks.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) material: Option<Material>,
+    pub material: Option<Material>,
     /// Shape with named edges.
-    pub(crate) geometry: Geometry,
+    pub geometry: Geometry,
     /// Fixed components of named edges.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
-    pub(crate) support: BTreeMap<String, Vec<Component>>,
-}
-
-/// Linear isotropic elasticity.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize, Serialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct Material {
-    /// Young's modulus (MPa).
-    pub(crate) young: Pressure,
-    /// Poisson's ratio.
-    pub(crate) poisson: f64,
+    pub support: BTreeMap<String, Vec<Component>>,
 }
 
 /// A displacement component.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
-pub(crate) enum Component {
+pub enum Component {
     /// Along x, or r.
     X,
     /// Along z.
@@ -150,39 +147,42 @@ pub(crate) enum Component {
 }
 
 /// The contact.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Contact {
+pub struct Contact {
     /// Contact edge of body 1 and of body 2.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) edges: Option<[String; 2]>,
+    pub edges: Option<[String; 2]>,
     /// Coefficient of friction. Default 0.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) friction: Option<f64>,
+    pub friction: Option<f64>,
     /// Whether the friction shear acts on the bodies and in the balance. Default true.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) shear: Option<bool>,
+    pub shear: Option<bool>,
     /// Unloaded gap at the start: 0, a CSV file with the columns s_mm, gap_um, or the columns themselves.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) gap: Option<crate::gap::Gap>,
+    pub gap: Option<crate::gap::Gap>,
 }
 
 /// Motion of body 2.
-#[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Sliding {
+pub struct Sliding {
     /// Angular speed about its centre, anti-clockwise positive (rad/s).
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) omega: Option<AngularSpeed>,
+    pub omega: Option<AngularSpeed>,
     /// Speed along +x (mm/s).
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) speed: Option<Speed>,
+    pub speed: Option<Speed>,
 }
 
 /// How the load is applied.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
-pub(crate) enum LoadKind {
+pub enum LoadKind {
     /// Uniform pressure along the inward normal.
     Pressure,
     /// Vertical, uniform per projected length.
@@ -192,101 +192,105 @@ pub(crate) enum LoadKind {
 }
 
 /// The load on body 1.
-#[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Load {
+pub struct Load {
     /// The loaded edge of body 1.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) edge: Option<String>,
+    pub edge: Option<String>,
     /// How: pressure, vertical, rigid.
     #[serde(rename = "as", skip_serializing_if = "Option::is_none")]
-    pub(crate) kind: Option<LoadKind>,
+    pub kind: Option<LoadKind>,
     /// Resultant force that presses body 1 on body 2 (N).
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) force: Option<Force>,
+    pub force: Option<Force>,
     /// Prescribed closing of a rigid edge (mm), instead of a force.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) approach: Option<Length>,
+    pub approach: Option<Length>,
     /// Moment int (x - about_x) p dS of the contact pressure (N mm).
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) moment: Option<Moment>,
+    pub moment: Option<Moment>,
     /// Moment int (y - about_y) p dS of the contact pressure (N mm), for surfaces of two dimensions.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) moment_y: Option<Moment>,
+    pub moment_y: Option<Moment>,
     /// The point the moment is about: [x, z].
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) about: Option<[Length; 2]>,
+    pub about: Option<[Length; 2]>,
     /// Prescribed rotation of a rigid edge (rad), positive when the +x side closes, instead of a moment.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) tilt: Option<crate::units::Angle>,
+    pub tilt: Option<crate::units::Angle>,
     /// Adds the worn approach of this time (s) to the prescribed one.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) approach_time: Option<Time>,
+    pub approach_time: Option<Time>,
     /// Width of a vertical load along x (mm); without it the whole projected edge.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) width: Option<Length>,
+    pub width: Option<Length>,
     /// Middle of a vertical load along x (mm). Default 0.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) centre: Option<Length>,
+    pub centre: Option<Length>,
     /// Shear force on a rigid edge, applied after the normal force (N).
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) shear_force: Option<Force>,
+    pub shear_force: Option<Force>,
     /// Axisymmetric contact: rotation (rad) of the edge on which body 1 is held against turning, after the normal force, with stick
     /// and slip; a list turns it to one angle after the other. Anti-clockwise positive.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) twist: Option<crate::units::Steps<crate::units::Angle>>,
+    pub twist: Option<crate::units::Steps<crate::units::Angle>>,
     /// The torque (N mm) instead of the rotation.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) torque: Option<crate::units::Steps<Moment>>,
+    pub torque: Option<crate::units::Steps<Moment>>,
 }
 
 /// Wear rule w' = beta (mu p)^b v^a, or w' = k p^b v^a, of each body.
-#[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Wear {
+pub struct Wear {
     /// Wear factor in front of the friction stress; one number means body 1 alone.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) beta: Option<Pair<WearFactor>>,
+    pub beta: Option<Pair<WearFactor>>,
     /// Archard's wear factor in front of the pressure, instead of beta; one number means body 1 alone.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) k: Option<Pair<WearFactor>>,
+    pub k: Option<Pair<WearFactor>>,
     /// Exponent of the sliding speed. Default 1.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) a: Option<Pair<f64>>,
+    pub a: Option<Pair<f64>>,
     /// Exponent of the pressure. Default 1.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) b: Option<Pair<f64>>,
+    pub b: Option<Pair<f64>>,
     /// How the counter-face meets body 1. Default by kind of scene.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) counterface: Option<Counterface>,
+    pub counterface: Option<Counterface>,
     /// Where the run in time ends: "steady", or a time. Default "steady".
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) until: Option<crate::gap::Until>,
+    pub until: Option<crate::gap::Until>,
 }
 
 /// A run in time in pieces: each begins at its time and lasts until the next one, the last until the run ends. The lists hold one
 /// number a piece, a factor on what `load` and `sliding` give; a list that is left out is 1 throughout.
-#[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Schedule {
+pub struct Schedule {
     /// Times at which the pieces begin (s); the first is 0, and they increase.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) time: Option<Vec<Time>>,
+    pub time: Option<Vec<Time>>,
     /// Factors on load.force, greater than 0.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) force: Option<Vec<f64>>,
+    pub force: Option<Vec<f64>>,
     /// Factors on load.moment.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) moment: Option<Vec<f64>>,
+    pub moment: Option<Vec<f64>>,
     /// Factors on sliding.speed or sliding.omega, other than 0; negative ones slide the other way.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) speed: Option<Vec<f64>>,
+    pub speed: Option<Vec<f64>>,
 }
 
 /// How the counter-face meets body 1.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
-pub(crate) enum Counterface {
+pub enum Counterface {
     /// Always unworn: body 2 drops out of the gap rate.
     Fresh,
     /// Always the same points meet: the rates add.
@@ -296,30 +300,32 @@ pub(crate) enum Counterface {
 }
 
 /// Which pressure is wanted.
-#[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Optimum {
+pub struct Optimum {
     /// Default "steady".
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) functional: Option<Functional>,
+    pub functional: Option<Functional>,
     /// Exponent of the generalised functionals. Default 1; any real number or inf.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) q: Option<f64>,
+    pub q: Option<f64>,
     /// Default "equilibrium".
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) balance: Option<Balance>,
+    pub balance: Option<Balance>,
     /// Default "kinematic".
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) modes: Option<Modes>,
+    pub modes: Option<Modes>,
     /// Cap of the pressure (MPa).
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) p_max: Option<Pressure>,
+    pub p_max: Option<Pressure>,
 }
 
 /// What is made stationary.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
-pub(crate) enum Functional {
+pub enum Functional {
     /// The pressure of the steady state.
     Steady,
     /// Wear volume rate.
@@ -333,9 +339,10 @@ pub(crate) enum Functional {
 }
 
 /// Which balance the pressure fulfils.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
-pub(crate) enum Balance {
+pub enum Balance {
     /// Force and moment balance with friction.
     Equilibrium,
     /// The paper's normalisation int p dS = F0.
@@ -343,9 +350,10 @@ pub(crate) enum Balance {
 }
 
 /// Which modes weigh the pressure.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
-pub(crate) enum Modes {
+pub enum Modes {
     /// Closing velocity of the rigid modes.
     Kinematic,
     /// The columns of the balance.
@@ -353,16 +361,17 @@ pub(crate) enum Modes {
 }
 
 /// Which of the larger files are written.
-#[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Output {
+pub struct Output {
     /// Displacement and stress fields as VTU. Default false.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) fields: Option<bool>,
+    pub fields: Option<bool>,
     /// The recording run.mcap. Default false; a wear run always keeps one.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) recording: Option<bool>,
+    pub recording: Option<bool>,
     /// The page report.html. Default true.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) report: Option<bool>,
+    pub report: Option<bool>,
 }

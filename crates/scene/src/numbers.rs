@@ -1,12 +1,44 @@
-//! Numbers in sentences: `{}` writes every zero of 1e-300 and every digit of a third.
+//! Numbers as text: short ones for sentences, exact ones for files.
 
-use crate::report::short;
+/// A number with about six significant digits and no needless zeros.
+pub fn short(value: f64) -> String {
+    if value == 0.0 {
+        return "0".into();
+    }
+    if !value.is_finite() {
+        return format!("{value}");
+    }
+    let magnitude = value.abs().log10().floor() as i32;
+    if !(-4..7).contains(&magnitude) {
+        let text = format!("{value:.4e}");
+        let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+        return format!("{}e{exponent}", trimmed(mantissa));
+    }
+    trimmed(&format!("{value:.*}", (5 - magnitude).max(0) as usize)).to_string()
+}
+
+fn trimmed(text: &str) -> &str {
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
+}
+
+/// A number in its shortest form that reads back to the same bits; `nan` where there is none.
+pub fn number_text(number: f64) -> String {
+    if number.is_nan() {
+        return "nan".into();
+    }
+    if number == 0.0 {
+        return "0".into();
+    }
+    let plain = format!("{number}");
+    let scientific = format!("{number:e}");
+    if plain.len() <= scientific.len() + 2 { plain } else { scientific }
+}
 
 /// Most characters of a number that a sentence keeps as they are.
 const LONGEST: usize = 15;
 
 /// The text with numbers of more characters rounded to six digits; names, paths and what stands in backticks are left alone.
-pub(crate) fn with_short_numbers(text: &str) -> String {
+pub fn with_short_numbers(text: &str) -> String {
     let part_of_number = |c: char| c.is_ascii_digit() || c == '.' || c == '-';
     let part_of_name = |c: char| c.is_alphanumeric() || "_/`\"'".contains(c);
     let mut out = String::with_capacity(text.len());

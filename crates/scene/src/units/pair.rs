@@ -1,15 +1,13 @@
 //! One value for both bodies, or one for each.
 
-use std::borrow::Cow;
 use std::fmt;
 
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{self, Deserialize, Deserializer, Visitor};
 use serde::{Serialize, Serializer};
 
 /// One value, or one for each body.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Pair<T> {
+pub enum Pair<T> {
     /// One value; what it means for body 2 is said by the key.
     One(T),
     /// Body 1, body 2.
@@ -57,20 +55,5 @@ impl<T: Serialize> Serialize for Pair<T> {
             Pair::One(value) => value.serialize(serializer),
             Pair::Two(values) => values.serialize(serializer),
         }
-    }
-}
-
-impl<T: JsonSchema> JsonSchema for Pair<T> {
-    fn inline_schema() -> bool {
-        true
-    }
-
-    fn schema_name() -> Cow<'static, str> {
-        format!("PairOf{}", T::schema_name()).into()
-    }
-
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        let one = generator.subschema_for::<T>();
-        json_schema!({ "anyOf": [one, { "type": "array", "items": one, "minItems": 2, "maxItems": 2 }] })
     }
 }

@@ -1,0 +1,38 @@
+#![doc = include_str!("../README.md")]
+
+mod builtin;
+mod document;
+mod fault;
+mod flags;
+mod gap;
+mod geometry;
+mod hash;
+mod material;
+mod numbers;
+mod point_shape;
+mod read;
+mod scene;
+#[cfg(feature = "schema")]
+mod schema;
+mod tree;
+mod units;
+mod write;
+
+pub use builtin::{Builtin, SCENES, builtin};
+pub use document::Document;
+pub use fault::{Fault, Place, Spot, did_you_mean};
+pub use gap::{Gap, Until};
+pub use geometry::{
+    ArcShape, Blocks, CellShape, CurveShape, DiscPad, EllipticPunch, Geometry, HalfDisc, JournalArc, MeshFile, PinnedShoe,
+    PivotedShoe, Rectangle, RectangularPunch, Ring, RingSegment, ShoeBlock, SplineShape, SurfaceShape,
+};
+pub use hash::sha256;
+pub use material::Material;
+pub use numbers::{number_text, short, with_short_numbers};
+pub use point_shape::{PointShape, PolarPoint};
+pub use scene::{
+    Balance, Body, Component, Contact, Counterface, Functional, Kinematics, Load, LoadKind, Mesh, Modes, Optimum, Output, Scene,
+    Schedule, Sliding, Task, Units, Wear,
+};
+pub use units::{Angle, AngularSpeed, Force, Length, Moment, Pair, Pressure, Speed, Steps, Time, WearFactor};
+pub use write::scene_text;

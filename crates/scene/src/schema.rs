@@ -1,0 +1,122 @@
+//! The JSON schema of the types that are read by hand: what editors complete and check.
+
+use std::borrow::Cow;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+
+use crate::gap::{Gap, Until};
+use crate::point_shape::{PointShape, PolarPoint};
+use crate::units::dimension::{ANGLE, ANGULAR_SPEED, Dimension, FORCE, LENGTH, MOMENT, PRESSURE, SPEED, TIME, WEAR_FACTOR};
+use crate::units::{Angle, AngularSpeed, Force, Length, Moment, Pair, Pressure, Speed, Steps, Time, WearFactor};
+
+fn schema_of(dimension: &Dimension) -> Schema {
+    json_schema!({
+        "description": dimension.expected(),
+        "anyOf": [{ "type": "number" }, { "type": "string", "pattern": "^\\s*[-+.0-9]" }]
+    })
+}
+
+macro_rules! quantity {
+    ($($name:ident of $dimension:ident),* $(,)?) => {$(
+        impl JsonSchema for $name {
+            fn schema_name() -> Cow<'static, str> {
+                stringify!($name).into()
+            }
+
+            fn json_schema(_: &mut SchemaGenerator) -> Schema {
+                schema_of(&$dimension)
+            }
+        }
+    )*};
+}
+
+quantity!(
+    Length of LENGTH,
+    Force of FORCE,
+    Pressure of PRESSURE,
+    Angle of ANGLE,
+    Speed of SPEED,
+    AngularSpeed of ANGULAR_SPEED,
+    Time of TIME,
+    Moment of MOMENT,
+    WearFactor of WEAR_FACTOR,
+);
+
+impl JsonSchema for Gap {
+    fn schema_name() -> Cow<'static, str> {
+        "Gap".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "anyOf": [
+                { "type": "number" },
+                { "type": "string" },
+                {
+                    "type": "object",
+                    "properties": {
+                        "s_mm": { "type": "array", "items": { "type": "number" } },
+                        "gap_um": { "type": "array", "items": { "type": "number" } }
+                    },
+                    "required": ["s_mm", "gap_um"],
+                    "additionalProperties": false
+                }
+            ]
+        })
+    }
+}
+
+impl JsonSchema for Until {
+    fn schema_name() -> Cow<'static, str> {
+        "Until".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "anyOf": [{ "const": "steady" }, { "type": "number" }, { "type": "string" }] })
+    }
+}
+
+impl JsonSchema for PointShape {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        "Point".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let (at, polar) = (generator.subschema_for::<[Length; 2]>(), generator.subschema_for::<PolarPoint>());
+        json_schema!({ "anyOf": [at, polar] })
+    }
+}
+
+impl<T: JsonSchema> JsonSchema for Pair<T> {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        format!("PairOf{}", T::schema_name()).into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let one = generator.subschema_for::<T>();
+        json_schema!({ "anyOf": [one, { "type": "array", "items": one, "minItems": 2, "maxItems": 2 }] })
+    }
+}
+
+impl<T: JsonSchema> JsonSchema for Steps<T> {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        format!("StepsOf{}", T::schema_name()).into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let one = generator.subschema_for::<T>();
+        json_schema!({ "anyOf": [one, { "type": "array", "items": one, "minItems": 1 }] })
+    }
+}
