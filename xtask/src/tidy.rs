@@ -2,41 +2,17 @@
 //!
 //! Every finding names file and line, the rule, and what to do instead.
 
+mod finding;
 mod imports;
 mod source;
 mod strip;
 
-use std::fmt;
 use std::fs;
 use std::io;
 use std::path::Path;
 use std::process::ExitCode;
 
-/// One broken rule at one place.
-#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) struct Finding {
-    /// Path from the root of the workspace, with `/` on every system.
-    file: String,
-    /// Line, counted from 1.
-    line: usize,
-    /// What is wrong.
-    problem: String,
-    /// What to do instead.
-    remedy: String,
-}
-
-impl fmt::Display for Finding {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}:{}: {}\n    remedy: {}", self.file, self.line, self.problem, self.remedy)
-    }
-}
-
-/// A text file of the workspace.
-pub(crate) struct TextFile {
-    /// Path from the root of the workspace, with `/` on every system.
-    path: String,
-    text: String,
-}
+use finding::{Finding, TextFile};
 
 /// Checks the whole workspace and prints the findings; fails when there is one.
 pub(crate) fn run(root: &Path) -> ExitCode {
@@ -98,9 +74,4 @@ fn collect(folder: &Path, prefix: &str, files: &mut Vec<TextFile>) -> io::Result
 fn is_text(path: &str) -> bool {
     let known = [".rs", ".toml", ".py", ".md", ".sh"].iter().any(|end| path.ends_with(end));
     known || path.starts_with(".ci/")
-}
-
-#[cfg(test)]
-pub(crate) fn file(path: &str, text: &str) -> TextFile {
-    TextFile { path: path.into(), text: text.into() }
 }

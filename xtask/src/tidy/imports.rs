@@ -7,8 +7,8 @@
 //! tests -> cli          xtask -> (starts programs; links none of our crates)
 //! ```
 
+use super::finding::{Finding, TextFile};
 use super::strip::strip;
-use super::{Finding, TextFile};
 
 /// What one package may import.
 struct Row {
@@ -176,7 +176,7 @@ fn line_of(text: &str, name: &str) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::super::file;
+    use super::super::finding::file;
     use super::*;
 
     const LINTS: &str = "[lints]\nworkspace = true\n";

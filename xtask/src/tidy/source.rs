@@ -1,7 +1,7 @@
 //! Rules on single files: length, printing and reading in libraries, unwrap, absolute paths.
 
+use super::finding::{Finding, TextFile};
 use super::strip::{strip, test_modules};
-use super::{Finding, TextFile};
 
 /// Longest file that needs no reason, in lines.
 const LONGEST: usize = 400;
@@ -146,7 +146,7 @@ fn absolute_paths(file: &TextFile, findings: &mut Vec<Finding>) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::file;
+    use super::super::finding::file;
     use super::*;
 
     fn problems(path: &str, text: &str) -> Vec<(usize, String)> {
