@@ -2,10 +2,19 @@
 //!
 //! Every finding names file and line, the rule, and what to do instead.
 
+mod circles;
 mod finding;
+mod graph;
 mod imports;
+mod lengths;
+mod libraries;
+mod list;
+mod modules;
+mod names;
+mod parsed;
 mod source;
 mod strip;
+mod today;
 
 use std::fs;
 use std::io;
@@ -14,8 +23,16 @@ use std::process::ExitCode;
 
 use finding::{Finding, TextFile};
 
-/// Checks the whole workspace and prints the findings; fails when there is one.
-pub(crate) fn run(root: &Path) -> ExitCode {
+/// Checks the whole workspace and prints the findings; fails when there is one. With `--list` prints the figures instead.
+pub(crate) fn run(root: &Path, words: &[String]) -> ExitCode {
+    let list = match words {
+        [] => false,
+        [word] if word == "--list" => true,
+        _ => {
+            eprintln!("tidy: takes `--list` or nothing");
+            return ExitCode::from(2);
+        }
+    };
     let files = match text_files(root) {
         Ok(files) => files,
         Err(error) => {
@@ -23,6 +40,10 @@ pub(crate) fn run(root: &Path) -> ExitCode {
             return ExitCode::from(2);
         }
     };
+    if list {
+        print!("{}", list::figures(&parsed::parse(&files).0));
+        return ExitCode::SUCCESS;
+    }
     let findings = check(&files);
     if findings.is_empty() {
         println!("tidy: {} files, nothing to mend", files.len());
@@ -39,6 +60,11 @@ pub(crate) fn run(root: &Path) -> ExitCode {
 fn check(files: &[TextFile]) -> Vec<Finding> {
     let mut findings = imports::check(files);
     findings.extend(source::check(files));
+    let (parsed, broken) = parsed::parse(files);
+    findings.extend(broken);
+    findings.extend(circles::check(&parsed, today::CIRCLES));
+    findings.extend(lengths::check(&parsed, today::LONG_FUNCTIONS, today::WIDE_SIGNATURES));
+    findings.extend(libraries::check(&parsed, today::OUTSIDE_LIBRARIES));
     findings.sort();
     findings
 }
