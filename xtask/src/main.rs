@@ -15,8 +15,9 @@ use std::process::ExitCode;
 const USAGE: &str = "\
 usage: cargo xtask <chore>
 
-  tidy      check what the compiler does not: import table, file length, printing and
-            unwrap in libraries, absolute paths
+  tidy      check what the compiler does not: import table, circles between modules, length of
+            files and functions, what libraries may not do, unwrap, absolute paths
+            --list: the figures, and every import within a circle
   verify    compare wearshape with independent solutions by Debian's dolfinx and gmsh
             [--install] [--quick] [--case NAME] [--fault friction-sign|young] [--can-fail]
             [--known] [--program PATH]
@@ -34,7 +35,7 @@ fn main() -> ExitCode {
     let words: Vec<String> = std::env::args().skip(1).collect();
     let root = workspace_root();
     match words.first().map(String::as_str) {
-        Some("tidy") => tidy::run(&root),
+        Some("tidy") => tidy::run(&root, &words[1..]),
         Some("bench") => bench::run(&root, &words[1..]),
         Some("stability") => stability::run(&root, &words[1..]),
         Some("verify") => verify::run(&root, &words[1..]),

@@ -2,44 +2,37 @@
 //!
 //! Every finding names file and line, the rule, and what to do instead.
 
+mod circles;
+mod finding;
+mod graph;
 mod imports;
+mod lengths;
+mod libraries;
+mod list;
+mod modules;
+mod names;
+mod parsed;
 mod source;
 mod strip;
+mod today;
 
-use std::fmt;
 use std::fs;
 use std::io;
 use std::path::Path;
 use std::process::ExitCode;
 
-/// One broken rule at one place.
-#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) struct Finding {
-    /// Path from the root of the workspace, with `/` on every system.
-    file: String,
-    /// Line, counted from 1.
-    line: usize,
-    /// What is wrong.
-    problem: String,
-    /// What to do instead.
-    remedy: String,
-}
+use finding::{Finding, TextFile};
 
-impl fmt::Display for Finding {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}:{}: {}\n    remedy: {}", self.file, self.line, self.problem, self.remedy)
-    }
-}
-
-/// A text file of the workspace.
-pub(crate) struct TextFile {
-    /// Path from the root of the workspace, with `/` on every system.
-    path: String,
-    text: String,
-}
-
-/// Checks the whole workspace and prints the findings; fails when there is one.
-pub(crate) fn run(root: &Path) -> ExitCode {
+/// Checks the whole workspace and prints the findings; fails when there is one. With `--list` prints the figures instead.
+pub(crate) fn run(root: &Path, words: &[String]) -> ExitCode {
+    let list = match words {
+        [] => false,
+        [word] if word == "--list" => true,
+        _ => {
+            eprintln!("tidy: takes `--list` or nothing");
+            return ExitCode::from(2);
+        }
+    };
     let files = match text_files(root) {
         Ok(files) => files,
         Err(error) => {
@@ -47,6 +40,10 @@ pub(crate) fn run(root: &Path) -> ExitCode {
             return ExitCode::from(2);
         }
     };
+    if list {
+        print!("{}", list::figures(&parsed::parse(&files).0));
+        return ExitCode::SUCCESS;
+    }
     let findings = check(&files);
     if findings.is_empty() {
         println!("tidy: {} files, nothing to mend", files.len());
@@ -63,6 +60,11 @@ pub(crate) fn run(root: &Path) -> ExitCode {
 fn check(files: &[TextFile]) -> Vec<Finding> {
     let mut findings = imports::check(files);
     findings.extend(source::check(files));
+    let (parsed, broken) = parsed::parse(files);
+    findings.extend(broken);
+    findings.extend(circles::check(&parsed, today::CIRCLES));
+    findings.extend(lengths::check(&parsed, today::LONG_FUNCTIONS, today::WIDE_SIGNATURES));
+    findings.extend(libraries::check(&parsed, today::OUTSIDE_LIBRARIES));
     findings.sort();
     findings
 }
@@ -98,9 +100,4 @@ fn collect(folder: &Path, prefix: &str, files: &mut Vec<TextFile>) -> io::Result
 fn is_text(path: &str) -> bool {
     let known = [".rs", ".toml", ".py", ".md", ".sh"].iter().any(|end| path.ends_with(end));
     known || path.starts_with(".ci/")
-}
-
-#[cfg(test)]
-pub(crate) fn file(path: &str, text: &str) -> TextFile {
-    TextFile { path: path.into(), text: text.into() }
 }
