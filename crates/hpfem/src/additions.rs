@@ -1,14 +1,17 @@
 //! What a body may have besides supports and edge tractions: pins, elastic foundations, body forces, tractions on parts of boundaries,
 //! displacements that vary along a support.
 
-use crate::assemble::{Assembly, BoundaryTraction, OwnElement, boundary_point, points_for};
+use crate::assemble::{Assembly, BoundaryTraction, OwnElement};
+use crate::basis::points_for;
 use crate::body::BodyProblem;
+use crate::boundary::boundary_point;
 use crate::error::Error;
+use crate::freedom::Direction;
 use crate::legendre::shape_functions;
 use crate::material::Kinematics;
 use crate::mesh::Mesh;
 use crate::quadrature::gauss;
-use crate::space::{Direction, Space, Target};
+use crate::space::{Space, Target};
 use faer::Mat;
 
 /// A place and the direction in which it is held.

@@ -1,34 +1,23 @@
 //! From cells to elements of the elimination: stiffness, condensed interior, loads, supports.
 
 use crate::additions::{Additions, BodyForce};
-use crate::basis::BoundaryModes;
+use crate::basis::{BoundaryModes, points_for};
 use crate::body::BodyProblem;
+use crate::boundary::{BoundaryPoint, edge_modes};
 use crate::cell_matrix::SharedMatrices;
 use crate::check::unit_of_stiffness;
-use crate::curve::Curve;
 use crate::element::Workspace;
 use crate::error::Error;
+use crate::freedom::rotation_about_origin;
 use crate::loads::EdgeLoad;
 use crate::material::{Kinematics, Material};
 use crate::mesh::Mesh;
-use crate::quadrature::gauss_lobatto;
-use crate::space::{Space, Target, rigid_rows};
+use crate::space::{Space, Target};
 use crate::triangle_matrix::TriangleTable;
 use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::solve_upper_triangular_in_place;
 use faer::{Accum, Mat, MatRef, Par};
 use std::sync::Arc;
-
-/// A point on the boundary of a body.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BoundaryPoint {
-    /// Position (x, z) or (r, z), mm.
-    pub position: [f64; 2],
-    /// Unit normal out of the body.
-    pub outward: [f64; 2],
-    /// Unit tangent: the outward normal turned anti-clockwise by a right angle.
-    pub tangent: [f64; 2],
-}
 
 /// A traction on a named boundary, force per area, MPa, as a function of the point: `[t_x, t_z]`, in torsion `[t_phi, _]`.
 pub struct EdgeTraction<'a> {
@@ -75,11 +64,6 @@ pub(crate) struct OwnElement {
 
 /// Loads of a cell: `((local boundary unknown, column), value)`.
 pub(crate) type CellLoad = [((usize, usize), f64)];
-
-/// Number of Gauss points a direction for a cell of the given degree; curved maps need a little more than `degree + 1`.
-pub(crate) fn points_for(degree: usize) -> usize {
-    degree + 2
-}
 
 impl<'a> Assembly<'a> {
     pub(crate) fn new(
@@ -320,43 +304,4 @@ fn one_to_one(rows: &[Vec<(usize, f64)>], active: usize) -> Option<Vec<usize>> {
         }
     }
     local.iter().all(|i| *i != usize::MAX).then_some(local)
-}
-
-/// The boundary point of a curve at `t` and the length factor `|dx/dt|`; `clockwise` tells that the curve has the body on its right.
-pub(crate) fn boundary_point(curve: &Curve, t: f64, clockwise: bool) -> (BoundaryPoint, f64) {
-    let d = curve.derivative(t);
-    let length = d[0].hypot(d[1]);
-    let sign = if clockwise { -1.0 } else { 1.0 };
-    let tangent = [sign * d[0] / length, sign * d[1] / length];
-    (BoundaryPoint { position: curve.point(t), outward: [tangent[1], -tangent[0]], tangent }, length)
-}
-
-/// Coefficients of the modes 2.. of a field on an edge, interpolated at Lobatto points, in the edge's own parameter.
-pub(crate) fn edge_modes(curve: &Curve, degree: usize, field: impl Fn([f64; 2]) -> [f64; 2]) -> Vec<[f64; 2]> {
-    if degree < 2 {
-        return Vec::new();
-    }
-    // With y = f - linear part, which vanishes at the ends, c_k = int y' N_k' = -sqrt((2k-1)/2) int y P_{k-1}', and the rule is exact for it.
-    let rule = gauss_lobatto(degree + 1);
-    let [first, last] = [-1.0, 1.0].map(|t| field(curve.point(t)));
-    let mut modes = vec![[0.0; 2]; degree - 1];
-    for (t, w) in rule.points[1..degree].iter().zip(&rule.weights[1..]) {
-        let value = field(curve.point(*t));
-        let y: [f64; 2] = std::array::from_fn(|i| w * (value[i] - 0.5 * ((1.0 - t) * first[i] + (1.0 + t) * last[i])));
-        // P_{k-2}, P_{k-1} and the slopes P_{k-3}', P_{k-2}': P_j' = P_{j-2}' + (2j - 1) P_{j-1}.
-        let (mut p, mut slope) = ([1.0, *t], [0.0, 1.0]);
-        for (k, mode) in (2..).zip(&mut modes) {
-            let factor = -(0.5 * (2 * k - 1) as f64).sqrt() * slope[1];
-            mode[0] += factor * y[0];
-            mode[1] += factor * y[1];
-            slope = [slope[1], slope[0] + (2 * k - 1) as f64 * p[1]];
-            p = [p[1], ((2 * k - 1) as f64 * t * p[1] - (k - 1) as f64 * p[0]) / k as f64];
-        }
-    }
-    modes
-}
-
-/// Rigid rotation about the origin.
-pub(crate) fn rotation_about_origin(x: [f64; 2]) -> [f64; 2] {
-    rigid_rows(x, [0.0, 0.0])[2]
 }

@@ -2,17 +2,19 @@
 
 use crate::additions::Additions;
 use crate::assemble::{Assembly, LoadCase};
+use crate::basis::SpaceKind;
 use crate::cell_matrix::{Elements, map_cells};
 use crate::elimination::{Condensed, not_held};
 use crate::error::Error;
 use crate::field::Field;
+use crate::freedom::{RigidEdge, Support};
 use crate::interface::{InterfaceOperator, InterfaceState};
 use crate::material::{Kinematics, Material};
 use crate::mesh::Mesh;
 use crate::plan::MEMORY_LIMIT;
 use crate::rigid::{free_motions, rigid_columns};
 use crate::sizes::{Ordered, whole_size};
-use crate::space::{RigidEdge, Space, SpaceKind, Support};
+use crate::space::Space;
 use crate::trace::{Trace, TraceLoad};
 use faer::Mat;
 use std::time::{Duration, Instant};

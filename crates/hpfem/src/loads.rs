@@ -1,13 +1,13 @@
 //! Tractions as loads on the unknowns of cells: on whole boundaries, or on a part of one between two arc lengths.
 
 use crate::additions::SegmentTraction;
-use crate::assemble::{Assembly, BoundaryTraction, LoadCase, boundary_point, points_for};
-use crate::basis::BoundaryModes;
+use crate::assemble::{Assembly, BoundaryTraction, LoadCase};
+use crate::basis::{BoundaryModes, points_for};
+use crate::boundary::{boundary_point, path};
 use crate::error::Error;
 use crate::legendre::shape_functions;
 use crate::mesh::{CELL_EDGES, Mesh};
 use crate::quadrature::gauss;
-use crate::trace::path;
 
 /// A traction on an edge, or on a part of it.
 pub(crate) struct EdgeLoad<'a> {

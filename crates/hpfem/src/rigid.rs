@@ -1,9 +1,10 @@
 //! Rigid motions that supports leave free, and what they are in kept unknowns.
 
-use crate::assemble::edge_modes;
+use crate::boundary::edge_modes;
+use crate::freedom::rigid_rows;
 use crate::material::Kinematics;
 use crate::mesh::Mesh;
-use crate::space::{Space, rigid_rows};
+use crate::space::Space;
 use faer::Mat;
 
 /// Rigid motions `[t_x, t_z, theta]` about the origin that neither a support nor one of the directions `(place, direction)` in

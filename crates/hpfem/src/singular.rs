@@ -15,9 +15,9 @@
 //! next to a corner off the axis; torsion like antiplane shear.
 
 use crate::error::Error;
+use crate::freedom::{Direction, Support};
 use crate::material::{Kinematics, Material};
 use crate::mesh::Mesh;
-use crate::space::{Direction, Support};
 use nalgebra::{Complex, DMatrix};
 use std::f64::consts::{PI, TAU};
 

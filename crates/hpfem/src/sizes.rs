@@ -3,6 +3,7 @@
 use crate::additions::{Additions, Foundation, edge_groups};
 use crate::amalgamation::partial_factor;
 use crate::body::{Body, BodyProblem};
+use crate::boundary::path;
 use crate::check::check;
 use crate::congruence::Congruence;
 use crate::error::Error;
@@ -10,7 +11,6 @@ use crate::loads::{EdgeLoad, edge_loads};
 use crate::mesh::Mesh;
 use crate::plan::Plan;
 use crate::space::Space;
-use crate::trace::path;
 
 /// Sizes of a reduction before it is done.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

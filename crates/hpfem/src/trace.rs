@@ -1,13 +1,13 @@
 //! The kept boundary as one path of edges: points, weights and the trace of the displacement.
 
-use crate::assemble::{BoundaryPoint, boundary_point};
+use crate::boundary::{BoundaryPoint, boundary_point};
 use crate::curve::Curve;
-use crate::error::Error;
+use crate::freedom::rigid_rows;
 use crate::legendre::shape_functions;
 use crate::material::Kinematics;
 use crate::mesh::Mesh;
 use crate::quadrature::{gauss_lobatto, gauss_lobatto_jacobi};
-use crate::space::{Space, rigid_rows};
+use crate::space::Space;
 use faer::Mat;
 
 /// One edge of the path.
@@ -58,31 +58,6 @@ pub struct TracePoint {
     pub boundary: BoundaryPoint,
     /// Quadrature weight times the measure: the area that belongs to the point, mm^2, summed over the edges that share it.
     pub weight: f64,
-}
-
-/// Orders the edges of a boundary into a path: `(edge, against)` from the end with the smaller coordinates.
-pub(crate) fn path(mesh: &Mesh, name: &str) -> Result<Vec<(usize, bool)>, Error> {
-    let edges = mesh.boundary(name)?;
-    let broken = || Error::NotAPath { name: name.to_string() };
-    let mut at: std::collections::BTreeMap<usize, Vec<usize>> = std::collections::BTreeMap::new();
-    for e in &edges {
-        mesh.edges[*e].vertices.iter().for_each(|v| at.entry(*v).or_default().push(*e));
-    }
-    let ends: Vec<usize> = at.iter().filter(|(_, e)| e.len() == 1).map(|(v, _)| *v).collect();
-    if ends.len() != 2 || at.values().any(|e| e.len() > 2) {
-        return Err(broken());
-    }
-    let key = |v: usize| (mesh.vertices[v][0], mesh.vertices[v][1]);
-    let mut vertex = if key(ends[0]) <= key(ends[1]) { ends[0] } else { ends[1] };
-    let mut last = usize::MAX;
-    let mut walk = Vec::new();
-    while let Some(e) = at[&vertex].iter().copied().find(|e| *e != last) {
-        let against = mesh.edges[e].vertices[1] == vertex;
-        walk.push((e, against));
-        vertex = mesh.edges[e].vertices[usize::from(!against)];
-        last = e;
-    }
-    if walk.len() == edges.len() { Ok(walk) } else { Err(broken()) }
 }
 
 impl Trace {
