@@ -4,7 +4,7 @@
 //! Fronts come in postorder, so that few unmerged elements are alive at a time. The work on a plane mesh of `N` unknowns grows like
 //! `N^(3/2)`, the factor like `N log N`.
 
-use crate::plan::{FrontPlan, Plan};
+use crate::front::{FrontPlan, Plan};
 
 /// Elements whose sizes sum up to this are eliminated in one front: smaller fronts cost more in handling than they save in arithmetic.
 const LEAF: usize = 400;

@@ -12,8 +12,7 @@
 
 use crate::cell_matrix::Elements;
 use crate::dense::{factor_panel, subtract_square};
-use crate::error::Error;
-use crate::plan::{FrontPlan, Plan};
+use crate::front::{FrontPlan, Plan};
 use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::solve_upper_triangular_in_place;
 use faer::{Accum, Mat, MatMut, MatRef, Par};
@@ -201,9 +200,4 @@ fn owner(groups: &[usize], size: &[usize], index: usize) -> usize {
         }
     }
     groups.last().copied().unwrap_or(0)
-}
-
-/// Turns a lost pivot into a sentence about the place.
-pub(crate) fn not_held(place: String) -> Error {
-    Error::NotHeld { place }
 }
