@@ -1,7 +1,7 @@
 //! A body: mesh, material, supports and loads, reduced to its kept boundary.
 
 use crate::additions::Additions;
-use crate::assemble::Assembly;
+use crate::assembly::Assembly;
 use crate::cell_matrix::map_cells;
 use crate::effort::Effort;
 use crate::elimination::Condensed;

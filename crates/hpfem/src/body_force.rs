@@ -4,7 +4,7 @@
 //! and the work of the loads on the interior is `y . y`.
 
 use crate::additions::BodyForce;
-use crate::assemble::Assembly;
+use crate::assembly::Assembly;
 use crate::cell_point::{CellPoint, cell_rule};
 use crate::element::Workspace;
 use crate::error::Error;

@@ -1,6 +1,6 @@
 //! The stiffness of a cell on its boundary modes, the interior being condensed; similar cells share it.
 
-use crate::assemble::Assembly;
+use crate::assembly::Assembly;
 use crate::basis::{BoundaryModes, LocalModes, Table};
 use crate::congruence::{Class, Congruence, Turn};
 use crate::dense::factor_leading;

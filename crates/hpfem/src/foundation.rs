@@ -1,14 +1,14 @@
 //! Elastic foundations: where they hold a body, and the stiffness of one on an edge.
 
 use crate::additions::{Additions, Foundation};
-use crate::assemble::Assembly;
+use crate::assembly::Assembly;
 use crate::basis::points_for;
 use crate::boundary::boundary_point;
-use crate::element_on_groups::OwnElement;
 use crate::error::Error;
 use crate::legendre::shape_functions;
 use crate::material::Kinematics;
 use crate::mesh::Mesh;
+use crate::own_element::OwnElement;
 use crate::quadrature::gauss;
 use crate::space::{Space, Target};
 use faer::Mat;

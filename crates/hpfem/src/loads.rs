@@ -1,6 +1,6 @@
 //! Tractions as loads on the unknowns of cells.
 
-use crate::assemble::Assembly;
+use crate::assembly::Assembly;
 use crate::basis::{BoundaryModes, points_for};
 use crate::boundary::boundary_point;
 use crate::legendre::shape_functions;

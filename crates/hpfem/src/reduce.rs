@@ -1,7 +1,7 @@
 //! From a problem to its reduced body.
 
 use crate::additions::Additions;
-use crate::assemble::Assembly;
+use crate::assembly::Assembly;
 use crate::cell_matrix::{Elements, map_cells};
 use crate::effort::Effort;
 use crate::elimination::Condensed;

@@ -2,7 +2,7 @@
 //! and reactions.
 
 use crate::additions::BodyForce;
-use crate::assemble::Assembly;
+use crate::assembly::Assembly;
 use crate::cell_matrix::SharedMatrices;
 use crate::element::Workspace;
 use crate::error::Error;
