@@ -3,7 +3,7 @@
 use crate::additions::Additions;
 use crate::assembly::Assembly;
 use crate::cell_matrix::map_cells;
-use crate::effort::Effort;
+use crate::effort::{Clock, Effort, still};
 use crate::elimination::Condensed;
 use crate::error::Error;
 use crate::field::Field;
@@ -43,7 +43,15 @@ impl<'a> Body<'a> {
     /// # Errors
     /// As for [`Body::new`]; pins, load cases or boundaries that do not exist, negative foundations.
     pub fn with(problem: BodyProblem<'a>, additions: Additions<'a>) -> Result<Body<'a>, Error> {
-        let Reduction { interface, effort, space, condensed, kept_groups } = reduce(&problem, &additions, true)?;
+        Body::timed(problem, additions, still)
+    }
+
+    /// As [`Body::with`]; [`Body::effort`] holds the seconds that the two parts of the reduction take by `clock`.
+    ///
+    /// # Errors
+    /// As for [`Body::with`].
+    pub fn timed(problem: BodyProblem<'a>, additions: Additions<'a>, clock: Clock) -> Result<Body<'a>, Error> {
+        let Reduction { interface, effort, space, condensed, kept_groups } = reduce(&problem, &additions, true, clock)?;
         Ok(Body { interface, effort, problem, additions, space, condensed, kept_groups })
     }
 
@@ -53,7 +61,15 @@ impl<'a> Body<'a> {
     /// # Errors
     /// As for [`Body::new`].
     pub fn interface(problem: &BodyProblem<'_>) -> Result<(InterfaceOperator, Effort), Error> {
-        let reduction = reduce(problem, &Additions::default(), false)?;
+        Body::interface_timed(problem, still)
+    }
+
+    /// As [`Body::interface`], with the seconds that the two parts of the reduction take by `clock`.
+    ///
+    /// # Errors
+    /// As for [`Body::new`].
+    pub fn interface_timed(problem: &BodyProblem<'_>, clock: Clock) -> Result<(InterfaceOperator, Effort), Error> {
+        let reduction = reduce(problem, &Additions::default(), false, clock)?;
         Ok((reduction.interface, reduction.effort))
     }
 

@@ -103,7 +103,7 @@ pub use blocks::{Named, Ruled, Side};
 pub use body::Body;
 pub use boundary::BoundaryPoint;
 pub use curve::{CURVE_DEGREE, Curve};
-pub use effort::Effort;
+pub use effort::{Clock, Effort};
 pub use error::Error;
 pub use estimate::{EnergyEstimate, energy_estimate, sequence_estimate};
 pub use field::{Field, PointState};

@@ -3,7 +3,7 @@
 use crate::additions::Additions;
 use crate::assembly::Assembly;
 use crate::cell_matrix::{Elements, map_cells};
-use crate::effort::Effort;
+use crate::effort::{Clock, Effort};
 use crate::elimination::Condensed;
 use crate::error::Error;
 use crate::front::MEMORY_LIMIT;
@@ -15,7 +15,6 @@ use crate::rigid::{free_motions, rigid_columns};
 use crate::space::Space;
 use crate::trace::Trace;
 use faer::Mat;
-use std::time::Instant;
 
 /// A reduced body, its problem aside.
 pub(crate) struct Reduction {
@@ -27,15 +26,20 @@ pub(crate) struct Reduction {
 }
 
 /// Reduces a body; `factors` tells whether the factorised fronts are kept.
-pub(crate) fn reduce(problem: &BodyProblem<'_>, additions: &Additions<'_>, factors: bool) -> Result<Reduction, Error> {
-    let start = Instant::now();
+pub(crate) fn reduce(
+    problem: &BodyProblem<'_>,
+    additions: &Additions<'_>,
+    factors: bool,
+    clock: Clock,
+) -> Result<Reduction, Error> {
+    let start = clock();
     let ordered = Ordered::new(problem, additions)?;
     let mesh = problem.mesh;
     if ordered.bytes > MEMORY_LIMIT {
         let unknowns = ordered.space.size.iter().sum();
         return Err(Error::TooLarge { unknowns, bytes: ordered.bytes, limit: MEMORY_LIMIT });
     }
-    let after_order = start.elapsed();
+    let after_order = clock() - start;
     let Ordered { space, walk, edge_loads, foundations, congruence, groups, size, kept, plan, bytes } = ordered;
     let assembly = Assembly::new(problem, &space, additions, edge_loads);
     let (columns, unit) = (assembly.columns, assembly.unit);
@@ -61,7 +65,7 @@ pub(crate) fn reduce(problem: &BodyProblem<'_>, additions: &Additions<'_>, facto
         }
         own.push(Some(element.matrix));
     }
-    let assembled = start.elapsed();
+    let assembled = clock() - start;
     let mut elements = Elements::new(&assembly, &groups, shared, own);
     let mut condensed = plan.run(&mut elements, &size, &kept, factors).map_err(|g| Error::NotHeld { place: place(mesh, g) })?;
     condensed.work += &interior_work;
@@ -70,7 +74,7 @@ pub(crate) fn reduce(problem: &BodyProblem<'_>, additions: &Additions<'_>, facto
         let quantity = "a load, or what is left of it after elimination,".into();
         return Err(Error::OutOfRange { quantity, value: f64::NAN, range: "finite" });
     }
-    let factored = start.elapsed();
+    let factored = clock() - start;
     let kept_groups = kept[..kept.len() - 1].to_vec();
     let mut offsets = vec![None; space.size.len()];
     let mut unknowns = 0;

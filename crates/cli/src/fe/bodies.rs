@@ -1,9 +1,11 @@
 //! The bodies of a scene as finite element problems of one discretisation.
 
 use hpfem::{
-    Body, BodyProblem, Direction, EdgeTraction, Effort, InterfaceOperator, Kinematics, LoadCase, Material, Mesh, RigidEdge,
-    Sizes, SpaceKind, Support,
+    Additions, Body, BodyProblem, Direction, EdgeTraction, Effort, InterfaceOperator, Kinematics, LoadCase, Material, Mesh,
+    RigidEdge, Sizes, SpaceKind, Support,
 };
+use std::sync::LazyLock;
+use std::time::Instant;
 
 use crate::fault::Fault;
 use crate::fe::template::{AXIS, CONTACT, LOAD};
@@ -137,12 +139,12 @@ impl BodyParts {
 
     /// Assembles and reduces the body.
     pub(crate) fn reduce(&self, key: &str) -> Result<Body<'_>, Fault> {
-        Body::new(self.problem()).map_err(|error| not_held(key, &error))
+        Body::timed(self.problem(), Additions::default(), seconds).map_err(|error| not_held(key, &error))
     }
 
     /// Reduces the body to its contact edge, keeping nothing of its inside.
     pub(crate) fn interface(&self, key: &str) -> Result<(InterfaceOperator, Effort), Fault> {
-        Body::interface(&self.problem()).map_err(|error| not_held(key, &error))
+        Body::interface_timed(&self.problem(), seconds).map_err(|error| not_held(key, &error))
     }
 
     /// What the reduction takes.
@@ -163,6 +165,12 @@ impl BodyParts {
             kept: Some(CONTACT),
         }
     }
+}
+
+/// Seconds since the first call: the clock that the bodies are timed with.
+fn seconds() -> f64 {
+    static START: LazyLock<Instant> = LazyLock::new(Instant::now);
+    START.elapsed().as_secs_f64()
 }
 
 fn not_held(key: &str, error: &hpfem::Error) -> Fault {
