@@ -1,6 +1,6 @@
 //! What the cells of a body are assembled from.
 
-use crate::additions::Additions;
+use crate::additions::{Additions, BodyForce};
 use crate::basis::{BoundaryModes, points_for};
 use crate::boundary::edge_modes;
 use crate::check::unit_of_stiffness;
@@ -26,6 +26,7 @@ pub(crate) struct Assembly<'a> {
     /// Tractions by edge; empty when no loads are needed.
     pub(crate) edge_loads: Vec<Vec<EdgeLoad<'a>>>,
     pub(crate) load_cases: &'a [LoadCase<'a>],
+    pub(crate) body_forces: &'a [BodyForce<'a>],
     /// Rigid rotation about the origin, modal coefficients of each group with prescribed parts, for the moments of reactions.
     pub(crate) rotation: Vec<Vec<[f64; 2]>>,
     /// Number of right-hand-side columns: load cases, one for prescribed displacements, reactions.
@@ -36,7 +37,7 @@ impl<'a> Assembly<'a> {
     pub(crate) fn new(
         problem: &'a BodyProblem<'_>,
         space: &'a Space,
-        additions: &Additions<'_>,
+        additions: &'a Additions<'_>,
         edge_loads: Vec<Vec<EdgeLoad<'a>>>,
     ) -> Assembly<'a> {
         let mesh = problem.mesh;
@@ -68,6 +69,7 @@ impl<'a> Assembly<'a> {
             triangle_tables,
             edge_loads,
             load_cases: problem.load_cases,
+            body_forces: &additions.body_forces,
             rotation,
             columns: problem.load_cases.len() + 1 + 3 * (problem.supports.len() + additions.pins.len()),
         }

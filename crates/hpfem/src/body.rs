@@ -8,6 +8,7 @@ use crate::elimination::Condensed;
 use crate::error::Error;
 use crate::field::Field;
 use crate::interface::{InterfaceOperator, InterfaceState};
+use crate::kept::Kept;
 use crate::mesh::Mesh;
 use crate::problem::BodyProblem;
 use crate::reduce::{Reduction, reduce};
@@ -25,7 +26,7 @@ pub struct Body<'a> {
     additions: Additions<'a>,
     space: Space,
     condensed: Condensed,
-    kept_groups: Vec<usize>,
+    kept: Kept,
 }
 
 impl<'a> Body<'a> {
@@ -51,8 +52,8 @@ impl<'a> Body<'a> {
     /// # Errors
     /// As for [`Body::with`].
     pub fn timed(problem: BodyProblem<'a>, additions: Additions<'a>, clock: Clock) -> Result<Body<'a>, Error> {
-        let Reduction { interface, effort, space, condensed, kept_groups } = reduce(&problem, &additions, true, clock)?;
-        Ok(Body { interface, effort, problem, additions, space, condensed, kept_groups })
+        let Reduction { interface, effort, space, condensed, kept } = reduce(&problem, &additions, true, clock)?;
+        Ok(Body { interface, effort, problem, additions, space, condensed, kept })
     }
 
     /// The interface operator alone, without what it takes to recover displacements inside: the factors of the fronts are dropped as the
@@ -99,7 +100,7 @@ impl<'a> Body<'a> {
     pub fn field(&self, state: &InterfaceState) -> Result<Field<'a>, Error> {
         let mut values: Vec<Vec<f64>> = vec![Vec::new(); self.space.size.len()];
         let mut at = 0;
-        for g in &self.kept_groups {
+        for g in &self.kept.groups {
             values[*g] = state.unknowns[at..at + self.space.size[*g]].to_vec();
             at += self.space.size[*g];
         }
@@ -120,9 +121,8 @@ impl<'a> Body<'a> {
                 })
                 .collect();
             let mut u = assembly.recover(c, &boundary, work)?;
-            let forces = &self.additions.body_forces;
-            if !forces.is_empty() {
-                let interior = assembly.body_load(c, forces, work)?.interior;
+            if !assembly.body_forces.is_empty() {
+                let interior = assembly.body_load(c, work)?.interior;
                 for (i, u) in u.iter_mut().take(interior.nrows()).enumerate() {
                     *u += (0..interior.ncols()).map(|k| state.factors[k] * interior[(i, k)]).sum::<f64>();
                 }

@@ -8,7 +8,7 @@ use crate::error::Error;
 use crate::legendre::shape_functions;
 use crate::material::Kinematics;
 use crate::mesh::Mesh;
-use crate::own_element::OwnElement;
+use crate::own_element::{LocalMatrix, OwnElement};
 use crate::quadrature::gauss;
 use crate::space::{Space, Target};
 use faer::Mat;
@@ -71,7 +71,8 @@ impl Assembly<'_> {
             })
             .map(|(group, mode, c)| self.space.target(self.mesh, group, mode, c))
             .collect();
-        let (matrix, constant) = self.on_groups(k.as_ref(), &targets, groups, &[]);
+        let local = LocalMatrix { matrix: k.as_ref(), targets: &targets, load: &[] };
+        let (matrix, constant) = self.on_groups(&local, groups);
         OwnElement { matrix, constant, interior_work: None }
     }
 }

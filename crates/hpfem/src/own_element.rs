@@ -1,7 +1,6 @@
 //! Cells with loads or supports as elements of the elimination: their matrix on the active unknowns of groups, with right-hand sides
 //! and reactions.
 
-use crate::additions::BodyForce;
 use crate::assembly::Assembly;
 use crate::cell_matrix::SharedMatrices;
 use crate::element::Workspace;
@@ -19,8 +18,15 @@ pub(crate) struct OwnElement {
     pub(crate) interior_work: Option<Mat<f64>>,
 }
 
-/// Loads of a cell: `((local boundary unknown, column), value)`.
-pub(crate) type CellLoad = [((usize, usize), f64)];
+/// A symmetric matrix on local unknowns, with what these hang on.
+pub(crate) struct LocalMatrix<'m> {
+    /// The matrix, both triangles.
+    pub(crate) matrix: MatRef<'m, f64>,
+    /// One target a row.
+    pub(crate) targets: &'m [Target],
+    /// Loads: `((row, column), value)`.
+    pub(crate) load: &'m [((usize, usize), f64)],
+}
 
 impl Assembly<'_> {
     /// The cell's element on its groups, sorted by rank; `None` if it is that of its class: without loads, and with unknowns that are
@@ -30,7 +36,6 @@ impl Assembly<'_> {
         cell: usize,
         groups: &[usize],
         shared: &SharedMatrices,
-        forces: &[BodyForce<'_>],
         work: &mut Workspace,
     ) -> Result<Option<OwnElement>, Error> {
         let c = &self.mesh.cells[cell];
@@ -42,8 +47,8 @@ impl Assembly<'_> {
         let modes = self.space.boundary_modes(self.mesh, cell);
         let mut load = self.cell_loads(cell, &modes);
         let mut interior_work = None;
-        if !forces.is_empty() {
-            let body = self.body_load(cell, forces, work)?;
+        if !self.body_forces.is_empty() {
+            let body = self.body_load(cell, work)?;
             load.extend(body.boundary);
             interior_work = Some(body.work);
         }
@@ -56,19 +61,15 @@ impl Assembly<'_> {
             }
         }
         let s = MatRef::from_column_major_slice(&s, size, size);
-        let (matrix, constant) = self.on_groups(s, &self.targets(cell, &modes), groups, &load);
+        let local = LocalMatrix { matrix: s, targets: &self.targets(cell, &modes), load: &load };
+        let (matrix, constant) = self.on_groups(&local, groups);
         Ok(Some(OwnElement { matrix, constant, interior_work }))
     }
 
     /// The lower triangle of a matrix of local unknowns on the active unknowns of the groups, with the right-hand sides as last rows if the
     /// groups end with theirs, and the constant parts of the reactions.
-    pub(crate) fn on_groups(
-        &self,
-        s: MatRef<'_, f64>,
-        targets: &[Target],
-        groups: &[usize],
-        load: &CellLoad,
-    ) -> (Vec<f64>, Option<Mat<f64>>) {
+    pub(crate) fn on_groups(&self, local: &LocalMatrix<'_>, groups: &[usize]) -> (Vec<f64>, Option<Mat<f64>>) {
+        let LocalMatrix { matrix: s, targets, load } = *local;
         let has_columns = groups.last() == Some(&self.columns_group());
         let groups = &groups[..groups.len() - usize::from(has_columns)];
         let mut start = vec![0; groups.len() + 1];
@@ -105,7 +106,7 @@ impl Assembly<'_> {
         for ((row, column), value) in load {
             rows[*row].iter().for_each(|(t, c)| rhs[(*t, *column)] += c * value);
         }
-        let constant = self.supports(targets, &rows, s, load, &mut rhs);
+        let constant = self.supports(local, &rows, &mut rhs);
         for i in 0..active {
             (0..self.columns).for_each(|k| matrix[i * n + active + k] = rhs[(i, k)]);
         }
@@ -113,14 +114,8 @@ impl Assembly<'_> {
     }
 
     /// Adds the columns of prescribed displacements and reactions; returns the constant parts of the reactions.
-    fn supports(
-        &self,
-        targets: &[Target],
-        rows: &[Vec<(usize, f64)>],
-        s: MatRef<'_, f64>,
-        load: &CellLoad,
-        rhs: &mut Mat<f64>,
-    ) -> Option<Mat<f64>> {
+    fn supports(&self, local: &LocalMatrix<'_>, rows: &[Vec<(usize, f64)>], rhs: &mut Mat<f64>) -> Option<Mat<f64>> {
+        let LocalMatrix { matrix: s, targets, load } = *local;
         let prescribed_column = self.load_cases.len();
         let reactions = self.columns - prescribed_column - 1;
         if targets.iter().all(|t| t.fixed.is_empty()) {

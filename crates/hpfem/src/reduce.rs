@@ -1,13 +1,15 @@
 //! From a problem to its reduced body.
 
-use crate::additions::Additions;
+use crate::additions::{Additions, Foundation};
 use crate::assembly::Assembly;
-use crate::cell_matrix::{Elements, map_cells};
+use crate::cell_matrix::{Elements, SharedMatrices, map_cells};
 use crate::effort::{Clock, Effort};
 use crate::elimination::Condensed;
 use crate::error::Error;
+use crate::foundation::HeldPlace;
 use crate::front::MEMORY_LIMIT;
 use crate::interface::InterfaceOperator;
+use crate::kept::Kept;
 use crate::mesh::Mesh;
 use crate::ordered::{Ordered, whole_size};
 use crate::problem::BodyProblem;
@@ -22,7 +24,7 @@ pub(crate) struct Reduction {
     pub(crate) effort: Effort,
     pub(crate) space: Space,
     pub(crate) condensed: Condensed,
-    pub(crate) kept_groups: Vec<usize>,
+    pub(crate) kept: Kept,
 }
 
 /// Reduces a body; `factors` tells whether the factorised fronts are kept.
@@ -40,20 +42,58 @@ pub(crate) fn reduce(
         return Err(Error::TooLarge { unknowns, bytes: ordered.bytes, limit: MEMORY_LIMIT });
     }
     let after_order = clock() - start;
-    let Ordered { space, walk, edge_loads, foundations, congruence, groups, size, kept, plan, bytes } = ordered;
+    let Ordered { space, kept, edge_loads, foundations, congruence, groups, size, last, plan, bytes } = ordered;
     let assembly = Assembly::new(problem, &space, additions, edge_loads);
-    let (columns, unit) = (assembly.columns, assembly.unit);
     let shared = assembly.shared_matrices(congruence)?;
-    let forces = &additions.body_forces;
-    let results = map_cells(mesh.cells.len(), |work, c| assembly.own_element(c, &groups[c], &shared, forces, work));
-    let on_foundations = foundations.iter().zip(&groups[mesh.cells.len()..]);
+    let Own { matrices, reaction_constant, interior_work } = own_elements(&assembly, &groups, &foundations, &shared)?;
+    let assembled = clock() - start;
+    let mut elements = Elements::new(&assembly, &groups, shared, matrices);
+    let mut condensed = plan.run(&mut elements, &size, &last, factors).map_err(|g| Error::NotHeld { place: place(mesh, g) })?;
+    condensed.work += &interior_work;
+    let finite = |m: &Mat<f64>| m.col_iter().all(|c| c.iter().all(|v| v.is_finite()));
+    if !(finite(&condensed.rhs) && finite(&condensed.work)) {
+        let quantity = "a load, or what is left of it after elimination,".into();
+        return Err(Error::OutOfRange { quantity, value: f64::NAN, range: "finite" });
+    }
+    let factored = clock() - start;
+    let interface = interface(&assembly, &kept, &additions.held(mesh)?, &condensed, &reaction_constant);
+    let effort = Effort {
+        cells: mesh.cells.len(),
+        unknowns: whole_size(mesh, &space),
+        bytes,
+        assemble: assembled - after_order,
+        factor: after_order + factored - assembled,
+    };
+    Ok(Reduction { interface, effort, space, condensed, kept })
+}
+
+/// What the elements that are no shared ones make up.
+struct Own {
+    /// The matrix of each element; `None` where it is that of its class.
+    matrices: Vec<Option<Vec<f64>>>,
+    /// Constant parts of the reactions, `reactions x columns`.
+    reaction_constant: Mat<f64>,
+    /// Work of body forces on the interior they displace, `columns x columns`.
+    interior_work: Mat<f64>,
+}
+
+/// The elements with loads or supports and those of foundations, summed up in order.
+fn own_elements(
+    assembly: &Assembly<'_>,
+    groups: &[Vec<usize>],
+    foundations: &[(usize, &Foundation)],
+    shared: &SharedMatrices,
+) -> Result<Own, Error> {
+    let (cells, columns) = (assembly.mesh.cells.len(), assembly.columns);
+    let results = map_cells(cells, |work, c| assembly.own_element(c, &groups[c], shared, work));
+    let on_foundations = foundations.iter().zip(&groups[cells..]);
     let on_foundations = on_foundations.map(|((e, f), groups)| Ok(Some(assembly.foundation(*e, f, groups))));
-    let mut own = Vec::with_capacity(groups.len());
-    let mut reaction_constant = Mat::zeros(3 * (problem.supports.len() + additions.pins.len()), columns);
+    let mut matrices = Vec::with_capacity(groups.len());
+    let mut reaction_constant = Mat::zeros(columns - assembly.load_cases.len() - 1, columns);
     let mut interior_work = Mat::<f64>::zeros(columns, columns);
     for result in results.into_iter().chain(on_foundations) {
         let Some(element) = result? else {
-            own.push(None);
+            matrices.push(None);
             continue;
         };
         if let Some(work) = element.interior_work {
@@ -63,61 +103,34 @@ pub(crate) fn reduce(
         if let Some(constant) = element.constant {
             reaction_constant += &constant;
         }
-        own.push(Some(element.matrix));
+        matrices.push(Some(element.matrix));
     }
-    let assembled = clock() - start;
-    let mut elements = Elements::new(&assembly, &groups, shared, own);
-    let mut condensed = plan.run(&mut elements, &size, &kept, factors).map_err(|g| Error::NotHeld { place: place(mesh, g) })?;
-    condensed.work += &interior_work;
-    let finite = |m: &Mat<f64>| m.col_iter().all(|c| c.iter().all(|v| v.is_finite()));
-    if !(finite(&condensed.rhs) && finite(&condensed.work)) {
-        let quantity = "a load, or what is left of it after elimination,".into();
-        return Err(Error::OutOfRange { quantity, value: f64::NAN, range: "finite" });
-    }
-    let factored = clock() - start;
-    let kept_groups = kept[..kept.len() - 1].to_vec();
-    let mut offsets = vec![None; space.size.len()];
-    let mut unknowns = 0;
-    for g in &kept_groups {
-        offsets[*g] = Some(unknowns);
-        unknowns += space.size[*g];
-    }
-    let trace = Trace::new(mesh, &space, problem.kinematics, &walk, |g| offsets[g], unknowns);
-    let rigid_motions = free_motions(mesh, &space, problem.kinematics, &additions.held(mesh)?);
-    let rigid_modes = rigid_columns(mesh, &space, &kept_groups, &rigid_motions, unknowns, problem.kinematics);
-    let interface = InterfaceOperator {
-        kinematics: problem.kinematics,
-        trace,
-        stiffness: faer::Scale(unit) * &condensed.stiffness,
-        columns: faer::Scale(unit) * &condensed.rhs,
-        work: faer::Scale(unit) * &condensed.work,
-        rigid_modes,
-        rigid_motions,
-        load_cases: problem.load_cases.len(),
-        frame: frame_unknowns(&space, &offsets),
-        reaction_constant: faer::Scale(unit) * reaction_constant,
-    };
-    let effort = Effort {
-        cells: mesh.cells.len(),
-        unknowns: whole_size(mesh, &space),
-        bytes,
-        assemble: assembled - after_order,
-        factor: after_order + factored - assembled,
-    };
-    Ok(Reduction { interface, effort, space, condensed, kept_groups })
+    Ok(Own { matrices, reaction_constant, interior_work })
 }
 
-/// Kept unknowns of the free motions of the rigid edge.
-fn frame_unknowns(space: &Space, offsets: &[Option<usize>]) -> [Option<usize>; 3] {
-    let mut frame = [None; 3];
-    if let Some((group, rigid)) = &space.frame {
-        let mut next = offsets[*group];
-        for (slot, _) in frame.iter_mut().zip(rigid.free).filter(|(_, free)| *free) {
-            *slot = next;
-            next = next.map(|n| n + 1);
-        }
+/// The interface operator in the units of the problem; `held` are the places and directions that foundations hold.
+fn interface(
+    assembly: &Assembly<'_>,
+    kept: &Kept,
+    held: &[HeldPlace],
+    condensed: &Condensed,
+    reaction_constant: &Mat<f64>,
+) -> InterfaceOperator {
+    let Assembly { mesh, space, kinematics, .. } = *assembly;
+    let unit = faer::Scale(assembly.unit);
+    let rigid_motions = free_motions(mesh, space, kinematics, held);
+    InterfaceOperator {
+        kinematics,
+        trace: Trace::new(mesh, space, kinematics, kept),
+        stiffness: unit * &condensed.stiffness,
+        columns: unit * &condensed.rhs,
+        work: unit * &condensed.work,
+        rigid_modes: rigid_columns(mesh, space, kinematics, kept, &rigid_motions),
+        rigid_motions,
+        load_cases: assembly.load_cases.len(),
+        frame: kept.frame(space),
+        reaction_constant: unit * reaction_constant,
     }
-    frame
 }
 
 /// Words for the place of a group.

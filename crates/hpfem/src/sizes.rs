@@ -46,12 +46,12 @@ impl Body<'_> {
         });
         let size = |groups: &[usize]| groups.iter().map(|g| ordered.size[*g]).sum::<usize>() as f64;
         let fronts = ordered.plan.fronts.iter().map(|f| partial_factor(size(&f.groups[..f.eliminated]), size(&f.groups)));
-        let points: usize = ordered.walk.iter().map(|(edge, _)| space.edge_degree[*edge]).sum();
+        let points: usize = ordered.kept.walk.iter().map(|(edge, _)| space.edge_degree[*edge]).sum();
         Ok(Sizes {
             cells: mesh.cells.len(),
             unknowns: whole_size(mesh, space),
-            kept_unknowns: ordered.kept[..ordered.kept.len() - 1].iter().map(|g| space.size[*g]).sum(),
-            points: points + usize::from(!ordered.walk.is_empty()),
+            kept_unknowns: ordered.kept.unknowns,
+            points: points + usize::from(!ordered.kept.walk.is_empty()),
             bytes: ordered.bytes,
             operations: matrices.sum::<f64>() + fronts.sum::<f64>(),
         })

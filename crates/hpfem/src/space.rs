@@ -2,11 +2,11 @@
 
 use crate::additions::Additions;
 use crate::basis::{BoundaryModes, LocalModes, MAX_DEGREE, SpaceKind};
-use crate::boundary::edge_modes;
 use crate::error::Error;
-use crate::freedom::{AXIS, Direction, FREE, Freedom, RigidEdge, Support, rigid_rows};
-use crate::material::Kinematics;
+use crate::freedom::{AXIS, Freedom, RigidEdge, rigid_rows};
+use crate::holding::Holding;
 use crate::mesh::Mesh;
+use crate::problem::BodyProblem;
 use std::collections::HashMap;
 
 /// Numbering of the unknowns. Group `v` belongs to vertex `v`, group `vertices + e` to edge `e`, the last group to the rigid
@@ -50,16 +50,10 @@ pub(crate) struct Fixed {
 }
 
 impl Space {
-    pub(crate) fn new(
-        mesh: &Mesh,
-        cell_degree: Vec<usize>,
-        kind: SpaceKind,
-        kinematics: Kinematics,
-        supports: &[Support],
-        rigid: Option<&RigidEdge>,
-        additions: &Additions<'_>,
-    ) -> Result<Space, Error> {
-        let components = kinematics.components();
+    /// # Errors
+    /// Degrees out of range, boundaries that do not exist or are not straight where they must be, displacements that are not finite.
+    pub(crate) fn new(problem: &BodyProblem<'_>, additions: &Additions<'_>) -> Result<Space, Error> {
+        let (mesh, cell_degree, components) = (problem.mesh, problem.degrees.clone(), problem.kinematics.components());
         if let Some(cell) = (0..mesh.cells.len()).find(|c| !(1..=MAX_DEGREE).contains(&cell_degree[*c])) {
             return Err(Error::Degree { cell, degree: cell_degree[cell] });
         }
@@ -67,85 +61,16 @@ impl Space {
         for (cell, degree) in mesh.cells.iter().zip(&cell_degree) {
             cell.sides().for_each(|(_, e)| edge_degree[e] = edge_degree[e].min(*degree));
         }
+        let Holding { freedom, mode_freedom } = Holding::new(problem, additions, &edge_degree)?;
         let vertices = mesh.vertices.len();
-        let mut freedom = vec![FREE; vertices + mesh.edges.len()];
-        if let Some(rigid) = rigid {
-            let edges = mesh.boundary(&rigid.boundary)?;
-            if edges.iter().any(|e| !mesh.edges[*e].curve.is_straight()) {
-                return Err(Error::NotStraight { what: "a rigid edge", boundary: rigid.boundary.clone() });
-            }
-            for e in edges {
-                let [a, b] = mesh.edges[e].vertices;
-                [a, b, vertices + e].iter().for_each(|g| freedom[*g].slaved = true);
-            }
-        }
-        let mut mode_freedom: HashMap<usize, Vec<Freedom>> = HashMap::new();
-        for (number, support) in supports.iter().enumerate() {
-            let varying: Vec<_> = additions.displacements.iter().filter(|d| d.support == number).collect();
-            let value = |x: [f64; 2]| support.value + varying.iter().map(|d| (d.displacement)(x)).sum::<f64>();
-            for e in mesh.boundary(&support.boundary)? {
-                let [a, b] = mesh.edges[e].vertices;
-                let direction = match support.direction {
-                    Direction::First => [1.0, 0.0],
-                    Direction::Second => [0.0, 1.0],
-                    Direction::Normal if !mesh.edges[e].curve.is_straight() => {
-                        let boundary = support.boundary.clone();
-                        return Err(Error::NotStraight { what: "a support along the normal", boundary });
-                    }
-                    Direction::Normal => {
-                        let (p, q) = (mesh.vertices[a], mesh.vertices[b]);
-                        let length = (q[0] - p[0]).hypot(q[1] - p[1]);
-                        [(q[1] - p[1]) / length, -(q[0] - p[0]) / length]
-                    }
-                };
-                for v in [a, b] {
-                    let value = value(mesh.vertices[v]);
-                    if !value.is_finite() {
-                        let quantity = format!("the displacement of support \"{}\" at vertex {v}", support.boundary);
-                        return Err(Error::OutOfRange { quantity, value, range: "finite" });
-                    }
-                    freedom[v].fix(direction, number, value);
-                }
-                let group = vertices + e;
-                // Modes of an edge follow the same axes with values of their own.
-                if !varying.is_empty() {
-                    mode_freedom.entry(group).or_insert_with(|| vec![freedom[group]; edge_degree[e] - 1]);
-                }
-                if let Some(modes) = mode_freedom.get_mut(&group) {
-                    let values = match varying.is_empty() {
-                        true => vec![[0.0; 2]; modes.len()],
-                        false => edge_modes(&mesh.edges[e].curve, edge_degree[e], |x| [value(x), 0.0]),
-                    };
-                    modes.iter_mut().zip(values).for_each(|(mode, value)| mode.fix(direction, number, value[0]));
-                }
-                freedom[group].fix(direction, number, 0.0);
-            }
-        }
-        for (number, pin) in additions.pins.iter().enumerate() {
-            let d = if pin.direction == Direction::Second { [0.0, 1.0] } else { [1.0, 0.0] };
-            freedom[pin.vertex].fix(d, supports.len() + number, 0.0);
-        }
-        if kinematics.is_revolved() {
-            let on_axis = axis_vertices(mesh);
-            for v in (0..vertices).filter(|v| on_axis[*v]) {
-                freedom[v].fix([1.0, 0.0], AXIS, 0.0);
-            }
-            for (e, edge) in mesh.edges.iter().enumerate() {
-                if edge.vertices.iter().all(|v| on_axis[*v]) && edge.curve.is_straight() {
-                    freedom[vertices + e].fix([1.0, 0.0], AXIS, 0.0);
-                }
-            }
-        }
         let mut size: Vec<usize> = freedom
             .iter()
             .enumerate()
             .map(|(g, f)| f.free(components) * if g < vertices { 1 } else { edge_degree[g - vertices] - 1 })
             .collect();
-        let frame = rigid.map(|r| (size.len(), r.clone()));
-        if let Some(rigid) = rigid {
-            size.push(rigid.free.iter().filter(|f| **f).count());
-        }
-        Ok(Space { components, kind, cell_degree, edge_degree, freedom, mode_freedom, size, frame })
+        let frame = problem.rigid_edge.as_ref().map(|r| (size.len(), r.clone()));
+        size.extend(frame.iter().map(|(_, rigid)| rigid.free.iter().filter(|f| **f).count()));
+        Ok(Space { components, kind: problem.space, cell_degree, edge_degree, freedom, mode_freedom, size, frame })
     }
 
     /// Order of the modes of a cell.
@@ -229,10 +154,4 @@ impl Space {
         }
         target
     }
-}
-
-/// Which vertices lie on the axis of revolution, to round-off of the mesh's size.
-fn axis_vertices(mesh: &Mesh) -> Vec<bool> {
-    let size = mesh.vertices.iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
-    mesh.vertices.iter().map(|x| x[0].abs() <= 1e-14 * size).collect()
 }
