@@ -3,23 +3,17 @@
 //! A front that eliminates few unknowns and passes many on spends its time on clearing, adding and reading them, not on arithmetic
 //! (relaxed supernodes, Ashcraft and Grimes 1989).
 
-use crate::front::{FrontPlan, Plan, partial_factor};
+use crate::front::{FrontPlan, Order, Plan, partial_factor};
 
 /// Multiplications that take as long as clearing a number of a merged element, adding to it and reading it again.
 const HANDLING: f64 = 8.0;
 
-impl Plan {
+impl Order {
     /// The plan with ranks by the order of elimination, small fronts joined.
-    pub(crate) fn ordered(
-        order: Vec<usize>,
-        mut fronts: Vec<FrontPlan>,
-        roots: Vec<usize>,
-        elements: usize,
-        size: &[usize],
-        kept: &[usize],
-    ) -> Plan {
+    pub(crate) fn plan(self, size: &[usize], kept: &[usize]) -> Plan {
+        let Order { groups, mut fronts, roots, elements } = self;
         let mut rank = vec![usize::MAX; size.len()];
-        order.iter().chain(kept).enumerate().for_each(|(i, g)| rank[*g] = i);
+        groups.iter().chain(kept).enumerate().for_each(|(i, g)| rank[*g] = i);
         // A front that joins another was eliminated before it, so that groups stay sorted.
         fronts.iter_mut().for_each(|front| front.groups.sort_by_key(|g| rank[*g]));
         let (fronts, roots) = amalgamated(fronts, roots, elements, size);

@@ -4,7 +4,7 @@ use crate::assembly::Assembly;
 use crate::basis::{BoundaryModes, LocalModes, Table};
 use crate::congruence::{Class, Congruence, Turn};
 use crate::dense::factor_leading;
-use crate::element::{Workspace, matrix_in, stiffness};
+use crate::element::{CellForm, Workspace, matrix_in, stiffness};
 use crate::error::Error;
 use crate::triangle_matrix::triangle_stiffness;
 use faer::linalg::matmul::matmul;
@@ -108,11 +108,12 @@ impl Assembly<'_> {
     ) -> Result<(MatMut<'w, f64>, usize), Error> {
         let degree = self.space.cell_degree[cell];
         let moduli = self.materials[self.mesh.cells[cell].material].moduli(self.kinematics);
+        let form = CellForm { mesh: self.mesh, cell, local, moduli, kinematics: self.kinematics };
         if self.mesh.cells[cell].is_triangle() {
             let table = self.triangle_tables[degree].as_ref().ok_or(Error::Degree { cell, degree })?;
-            triangle_stiffness(self.mesh, cell, table, local, moduli, self.kinematics, work)?;
+            triangle_stiffness(&form, table, work)?;
         } else {
-            stiffness(self.mesh, cell, Table::of(degree), local, moduli, self.kinematics, work)?;
+            stiffness(&form, Table::of(degree), work)?;
         }
         let ni = self.space.components * local.interior;
         let n = self.space.components * local.modes;

@@ -18,6 +18,17 @@ pub(crate) struct Plan {
     pub(crate) roots: Vec<usize>,
 }
 
+/// An order of elimination as it is found: fronts not yet joined, their groups not yet sorted.
+pub(crate) struct Order {
+    /// Groups in the order in which they disappear.
+    pub(crate) groups: Vec<usize>,
+    pub(crate) fronts: Vec<FrontPlan>,
+    /// Elements left at the end.
+    pub(crate) roots: Vec<usize>,
+    /// Number of original elements.
+    pub(crate) elements: usize,
+}
+
 /// Elements that merge and groups that disappear.
 #[derive(Default)]
 pub(crate) struct FrontPlan {

@@ -93,6 +93,7 @@ mod sizes;
 mod sliding_edge;
 mod space;
 mod spline;
+mod split;
 mod stress;
 mod trace;
 mod triangle;
