@@ -1,10 +1,10 @@
 //! The adaptive driver: an accuracy goes in, a mesh with degrees comes out.
 
+use crate::basis::MAX_DEGREE;
 use crate::error::Error;
 use crate::estimate::sequence_estimate;
 use crate::mesh::Mesh;
 use crate::singular::SingularVertex;
-use crate::space::MAX_DEGREE;
 
 /// Ratio of the sizes of neighbouring layers, close to the best one, `(sqrt 2 - 1)^2 = 0.17` (Gui and Babuska 1986).
 const RATIO: f64 = 0.15;

@@ -3,19 +3,27 @@
 //! A front that eliminates few unknowns and passes many on spends its time on clearing, adding and reading them, not on arithmetic
 //! (relaxed supernodes, Ashcraft and Grimes 1989).
 
-use crate::plan::FrontPlan;
+use crate::front::{FrontPlan, Order, Plan, partial_factor};
 
 /// Multiplications that take as long as clearing a number of a merged element, adding to it and reading it again.
 const HANDLING: f64 = 8.0;
 
+impl Order {
+    /// The plan with ranks by the order of elimination, small fronts joined.
+    pub(crate) fn plan(self, size: &[usize], kept: &[usize]) -> Plan {
+        let Order { groups, mut fronts, roots, elements } = self;
+        let mut rank = vec![usize::MAX; size.len()];
+        groups.iter().chain(kept).enumerate().for_each(|(i, g)| rank[*g] = i);
+        // A front that joins another was eliminated before it, so that groups stay sorted.
+        fronts.iter_mut().for_each(|front| front.groups.sort_by_key(|g| rank[*g]));
+        let (fronts, roots) = amalgamated(fronts, roots, elements, size);
+        Plan { rank, fronts, roots }
+    }
+}
+
 /// Joins a front to the one that takes its element wherever the additional arithmetic costs less than handing on the element, children
 /// before parents; `elements` is the number of original elements. Returns the fronts and roots with elements numbered anew.
-pub(crate) fn amalgamated(
-    mut fronts: Vec<FrontPlan>,
-    roots: Vec<usize>,
-    elements: usize,
-    size: &[usize],
-) -> (Vec<FrontPlan>, Vec<usize>) {
+fn amalgamated(mut fronts: Vec<FrontPlan>, roots: Vec<usize>, elements: usize, size: &[usize]) -> (Vec<FrontPlan>, Vec<usize>) {
     let mut parent = vec![None; fronts.len()];
     for (p, front) in fronts.iter().enumerate() {
         front.children.iter().filter_map(|c| c.checked_sub(elements)).for_each(|child| parent[child] = Some(p));
@@ -49,10 +57,4 @@ pub(crate) fn amalgamated(
 /// Multiplications of a front that eliminates `gone` of `all` unknowns, the handling of what it leaves counted as such.
 pub(crate) fn front_cost(gone: f64, all: f64) -> f64 {
     partial_factor(gone, all) + HANDLING * (all - gone).powi(2)
-}
-
-/// Multiplications to eliminate `gone` of `all` unknowns of a dense symmetric matrix.
-pub(crate) fn partial_factor(gone: f64, all: f64) -> f64 {
-    let left = all - gone;
-    gone.powi(3) / 6.0 + 0.5 * gone * gone * left + 0.5 * gone * left * left
 }

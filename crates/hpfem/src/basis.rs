@@ -1,11 +1,27 @@
 //! Tables of the one-dimensional shape functions that the element matrices are made of, and the local order of modes.
 
-use crate::assemble::points_for;
 use crate::legendre::shape_functions;
 use crate::quadrature::{Quadrature, gauss};
-use crate::space::MAX_DEGREE;
 use faer::Mat;
 use std::sync::OnceLock;
+
+/// Highest degree of a cell.
+pub const MAX_DEGREE: usize = 24;
+
+/// Which tensor products of shape functions a quadrilateral has in its interior. Triangles have all polynomials of their degree.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SpaceKind {
+    /// All products up to the degree in each direction.
+    #[default]
+    Tensor,
+    /// Products whose degrees sum up to the degree at most (serendipity).
+    Trunk,
+}
+
+/// Number of Gauss points a direction for a cell of the given degree; curved maps need a little more than `degree + 1`.
+pub(crate) fn points_for(degree: usize) -> usize {
+    degree + 2
+}
 
 /// Shape functions of one degree at the points of one Gauss rule, and all their pairwise products.
 ///

@@ -3,8 +3,7 @@
 //! With `L_11 L_11^T = K_ii` and `y = L_11^-1 f_i`, the condensed load is `f_b - L_21 y`, the interior displacement gains `L_11^-T y`,
 //! and the work of the loads on the interior is `y . y`.
 
-use crate::additions::BodyForce;
-use crate::assemble::Assembly;
+use crate::assembly::Assembly;
 use crate::cell_point::{CellPoint, cell_rule};
 use crate::element::Workspace;
 use crate::error::Error;
@@ -23,7 +22,7 @@ pub(crate) struct BodyLoad {
 
 impl Assembly<'_> {
     /// The load of body forces on a cell; the cell is condensed for it once more.
-    pub(crate) fn body_load(&self, cell: usize, forces: &[BodyForce<'_>], work: &mut Workspace) -> Result<BodyLoad, Error> {
+    pub(crate) fn body_load(&self, cell: usize, work: &mut Workspace) -> Result<BodyLoad, Error> {
         let local = self.space.local_modes(self.mesh, cell);
         let components = self.space.components;
         let degree = self.space.cell_degree[cell];
@@ -34,7 +33,7 @@ impl Assembly<'_> {
         let mut load = Mat::<f64>::zeros(components * local.modes, cases);
         let mut sign = vec![1.0; local.modes];
         local.position.iter().zip(&local.sign).filter(|(p, _)| **p != usize::MAX).for_each(|(p, s)| sign[*p] = *s);
-        for force in forces {
+        for force in self.body_forces {
             // Values are needed beyond the element's own rule: forces are no polynomials.
             for ([xi, eta], weight) in cell_rule(self.mesh.cells[cell].is_triangle(), degree + 6) {
                 let point = CellPoint::new(self.mesh, cell, degree, xi, eta);

@@ -1,14 +1,15 @@
 //! The stiffness of a cell on its boundary modes, the interior being condensed; similar cells share it.
 
-use crate::assemble::Assembly;
+use crate::assembly::Assembly;
 use crate::basis::{BoundaryModes, LocalModes, Table};
 use crate::congruence::{Class, Congruence, Turn};
 use crate::dense::factor_leading;
-use crate::element::{Workspace, matrix_in, stiffness};
-use crate::elimination::not_held;
+use crate::element::{CellForm, Workspace, matrix_in, stiffness};
 use crate::error::Error;
 use crate::triangle_matrix::triangle_stiffness;
-use faer::MatMut;
+use faer::linalg::matmul::matmul;
+use faer::linalg::triangular_solve::solve_upper_triangular_in_place;
+use faer::{Accum, Mat, MatMut, Par};
 
 /// Condensed matrices of the classes of similar cells.
 pub(crate) struct SharedMatrices {
@@ -107,16 +108,37 @@ impl Assembly<'_> {
     ) -> Result<(MatMut<'w, f64>, usize), Error> {
         let degree = self.space.cell_degree[cell];
         let moduli = self.materials[self.mesh.cells[cell].material].moduli(self.kinematics);
+        let form = CellForm { mesh: self.mesh, cell, local, moduli, kinematics: self.kinematics };
         if self.mesh.cells[cell].is_triangle() {
             let table = self.triangle_tables[degree].as_ref().ok_or(Error::Degree { cell, degree })?;
-            triangle_stiffness(self.mesh, cell, table, local, moduli, self.kinematics, work)?;
+            triangle_stiffness(&form, table, work)?;
         } else {
-            stiffness(self.mesh, cell, Table::of(degree), local, moduli, self.kinematics, work)?;
+            stiffness(&form, Table::of(degree), work)?;
         }
         let ni = self.space.components * local.interior;
         let n = self.space.components * local.modes;
-        factor_leading(&mut work.matrix[..n * n], n, ni).map_err(|_| not_held(format!("the interior of cell {cell}")))?;
+        factor_leading(&mut work.matrix[..n * n], n, ni)
+            .map_err(|_| Error::NotHeld { place: format!("the interior of cell {cell}") })?;
         Ok((matrix_in(&mut work.matrix, n, n), ni))
+    }
+
+    /// Interior unknowns of a cell from its boundary unknowns: `u_i = -K_ii^-1 K_ib u_b`, followed by the boundary unknowns.
+    pub(crate) fn recover(&self, cell: usize, boundary: &[f64], work: &mut Workspace) -> Result<Vec<f64>, Error> {
+        let local = self.space.local_modes(self.mesh, cell);
+        let components = self.space.components;
+        let (k, ni) = self.condensed(cell, &local, work)?;
+        // From the order of unknowns to that of the matrix: unsigned, one component after the other.
+        let modes = boundary.len() / components;
+        let mut sign = vec![1.0; local.modes];
+        local.position.iter().zip(&local.sign).filter(|(p, _)| **p != usize::MAX).for_each(|(p, s)| sign[*p] = *s);
+        let unsigned = |row: usize| sign[local.interior + row % modes] * boundary[components * (row % modes) + row / modes];
+        let mut x = Mat::zeros(ni, 1);
+        let known = Mat::from_fn(boundary.len(), 1, |row, _| unsigned(row));
+        let (l11, l21) = k.as_ref().subcols(0, ni).split_at_row(ni);
+        matmul(x.as_mut(), Accum::Replace, l21.transpose(), known.as_ref(), -1.0, Par::Seq);
+        solve_upper_triangular_in_place(l11.transpose(), x.as_mut(), Par::Seq);
+        let interior = (0..ni).map(|i| x[((i % components) * local.interior + i / components, 0)]);
+        Ok(interior.chain(boundary.iter().copied()).collect())
     }
 
     /// Boundary modes of a cell in the order of its groups; groups that are no corner or edge of it are left out.

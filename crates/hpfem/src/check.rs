@@ -1,8 +1,10 @@
 //! Refusing problems that cannot be, and the scale in which a problem is solved.
 
-use crate::body::BodyProblem;
+use crate::additions::Additions;
 use crate::error::Error;
+use crate::freedom::Direction;
 use crate::material::Kinematics;
+use crate::problem::BodyProblem;
 use std::f64::consts::TAU;
 
 /// Refuses a problem whose lists do not fit together or whose numbers cannot be.
@@ -33,6 +35,46 @@ pub(crate) fn check(problem: &BodyProblem<'_>) -> Result<(), Error> {
         }
     }
     Ok(())
+}
+
+impl Additions<'_> {
+    /// Refuses what cannot be.
+    pub(crate) fn check(&self, problem: &BodyProblem<'_>) -> Result<(), Error> {
+        let (mesh, cases) = (problem.mesh, problem.load_cases.len());
+        for pin in &self.pins {
+            if pin.vertex >= mesh.vertices.len() {
+                let what = "pinned vertex, vertices".into();
+                return Err(Error::Count { what, given: pin.vertex + 1, expected: mesh.vertices.len() });
+            }
+            if pin.direction == Direction::Normal {
+                return Err(Error::NotStraight { what: "a pin along the normal", boundary: format!("vertex {}", pin.vertex) });
+            }
+        }
+        for f in &self.foundations {
+            for value in [f.normal, f.tangential] {
+                if !(value.is_finite() && value >= 0.0) {
+                    let quantity = format!("the stiffness of the foundation of \"{}\"", f.boundary);
+                    return Err(Error::OutOfRange { quantity, value, range: "zero or positive" });
+                }
+            }
+        }
+        let used = |what: &str, given: Option<usize>, expected: usize| match given {
+            Some(number) if number >= expected => Err(Error::Count { what: what.into(), given: number + 1, expected }),
+            _ => Ok(()),
+        };
+        used("load case of a body force, load cases", self.body_forces.iter().map(|f| f.case).max(), cases)?;
+        used("load case of a traction on a part, load cases", self.segments.iter().map(|f| f.case).max(), cases)?;
+        let supports = self.displacements.iter().map(|d| d.support).max();
+        used("support of a displacement, supports", supports, problem.supports.len())?;
+        for segment in &self.segments {
+            let [a, b] = segment.range;
+            if !(a.is_finite() && b.is_finite() && a < b) {
+                let quantity = format!("the length of a loaded part of \"{}\"", segment.boundary);
+                return Err(Error::OutOfRange { quantity, value: b - a, range: "positive and finite" });
+            }
+        }
+        Ok(())
+    }
 }
 
 /// The power of two that brings stiffnesses to the order of one. Problems that differ by powers of two then run through the same

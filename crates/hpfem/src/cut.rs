@@ -2,8 +2,9 @@
 
 use crate::curve::{CURVE_DEGREE, Curve};
 use crate::error::Error;
-use crate::mesh::{Mesh, Quad};
-use std::collections::{BTreeMap, HashMap};
+use crate::mesh::{Cell, Mesh, Quad};
+use crate::split::Split;
+use std::collections::BTreeMap;
 
 impl Mesh {
     /// Cuts an edge at parameter `t` of its own direction, and every cell in the row that the edge belongs to from side to side: no
@@ -29,84 +30,83 @@ impl Mesh {
             return Err(Error::Count { what: "edge to cut, edges".into(), given: edge + 1, expected: self.edges.len() });
         }
         let row = self.row(edge, t);
-        let mut vertices = self.vertices.clone();
-        let (mut quads, mut curves) = (Vec::with_capacity(self.cells.len() + row.len()), Vec::new());
-        let mut names: Vec<([usize; 2], &str)> = Vec::new();
-        let mut cut_vertex: HashMap<usize, usize> = HashMap::new();
-        for (e, own) in self.edges.iter().enumerate() {
-            let [a, b] = own.vertices;
-            let mut pieces = vec![([a, b], own.curve)];
-            if let Some(at) = row.get(&e) {
-                let v = vertices.len();
-                vertices.push(own.curve.point(*at));
-                cut_vertex.insert(e, v);
-                pieces = vec![([a, v], own.curve.part(-1.0, *at)), ([v, b], own.curve.part(*at, 1.0))];
-            }
-            for tag in &own.tags {
-                names.extend(pieces.iter().map(|(walk, _)| (*walk, self.boundaries[*tag].as_str())));
-            }
-            curves.extend(pieces);
-        }
+        let mut split = self.split_edges(|e| row.get(&e).copied());
         for (c, cell) in self.cells.iter().enumerate() {
-            let place = |local: usize| row.get(&cell.edges[local]?).map(|at| if cell.against[local] { -at } else { *at });
-            let middle = |local: usize| cut_vertex.get(&cell.edges[local]?).copied();
-            let [k0, k1, k2, k3] = cell.corners;
-            let mut quad = |corners| quads.push(Quad { corners, material: cell.material, layer: cell.layer });
             if cell.is_triangle() {
-                let (corners, middles) = ([k0, k1, k2], [0, 1, 3].map(middle));
-                let pieces = triangle_pieces(corners, middles);
-                // Barycentric coordinates of the corners and of the vertices that cut the sides.
-                let unit = |k: usize| std::array::from_fn(|i| if i == k { 1.0 } else { 0.0 });
-                let mut known: Vec<(usize, [f64; 3])> = (0..3).map(|k| (corners[k], unit(k))).collect();
-                for (side, ends) in [[0, 1], [1, 2], [0, 2]].into_iter().enumerate() {
-                    let Some((v, at)) = middles[side].zip(place([0, 1, 3][side])) else { continue };
-                    let [a, b] = ends.map(unit);
-                    known.push((v, std::array::from_fn(|i| 0.5 * ((1.0 - at) * a[i] + (1.0 + at) * b[i]))));
-                }
-                let bent = cell.sides().any(|(_, e)| !self.edges[e].curve.is_straight());
-                let outer = |a: [f64; 3], b: [f64; 3]| (0..3).any(|i| a[i] == 0.0 && b[i] == 0.0);
-                for piece in pieces.iter().filter(|_| bent) {
-                    for (p, q) in (0..4).map(|i| (piece[i], piece[(i + 1) % 4])) {
-                        let at = |v: usize| known.iter().find(|(known, _)| *known == v).map(|(_, l)| *l);
-                        let Some((a, b)) = at(p).zip(at(q)).filter(|(a, b)| p < q && !outer(*a, *b)) else { continue };
-                        let along = |t: f64| std::array::from_fn(|i| 0.5 * ((1.0 - t) * a[i] + (1.0 + t) * b[i]));
-                        curves.push(([p, q], Curve::interpolated(CURVE_DEGREE, |t| self.reference_map(c, along(t)).0)));
-                    }
-                }
-                pieces.into_iter().for_each(quad);
-                continue;
-            }
-            // Vertices on the edges below, right, above, left.
-            match (place(0).zip(middle(0)).zip(middle(2)), place(1).zip(middle(1)).zip(middle(3))) {
-                (None, None) => quad(cell.corners),
-                (Some(((xi, below), above)), None) => {
-                    curves.push(([below, above], self.inner_curve(c, xi, false)));
-                    quad([k0, below, above, k3]);
-                    quad([below, k1, k2, above]);
-                }
-                (None, Some(((eta, right), left))) => {
-                    curves.push(([left, right], self.inner_curve(c, eta, true)));
-                    quad([k0, k1, right, left]);
-                    quad([left, right, k2, k3]);
-                }
-                (Some(((xi, below), above)), Some(((eta, right), left))) => {
-                    let centre = vertices.len();
-                    let (up, across) = (self.inner_curve(c, xi, false), self.inner_curve(c, eta, true));
-                    vertices.push(self.map(c, xi, eta).0);
-                    curves.push(([below, centre], up.part(-1.0, eta)));
-                    curves.push(([centre, above], up.part(eta, 1.0)));
-                    curves.push(([left, centre], across.part(-1.0, xi)));
-                    curves.push(([centre, right], across.part(xi, 1.0)));
-                    quad([k0, below, centre, left]);
-                    quad([below, k1, right, centre]);
-                    quad([centre, right, k2, above]);
-                    quad([left, centre, above, k3]);
-                }
+                self.cut_triangle(c, &row, &mut split);
+            } else {
+                self.cut_quad(c, &row, &mut split);
             }
         }
-        let mesh = Mesh::joined(vertices, &quads, &curves, &names)?;
+        let mesh = split.joined()?;
         mesh.check_cells()?;
         Ok(mesh)
+    }
+
+    /// Adds the pieces of a quadrilateral.
+    fn cut_quad(&self, c: usize, row: &BTreeMap<usize, f64>, split: &mut Split<'_>) {
+        let Split { vertices, quads, curves, cut, .. } = split;
+        let cell = &self.cells[c];
+        let place = |local: usize| cut_place(cell, local, row);
+        let middle = |local: usize| cut.get(&cell.edges[local]?).copied();
+        let [k0, k1, k2, k3] = cell.corners;
+        let mut quad = |corners| quads.push(Quad { corners, material: cell.material, layer: cell.layer });
+        // Vertices on the edges below, right, above, left.
+        match (place(0).zip(middle(0)).zip(middle(2)), place(1).zip(middle(1)).zip(middle(3))) {
+            (None, None) => quad(cell.corners),
+            (Some(((xi, below), above)), None) => {
+                curves.push(([below, above], self.inner_curve(c, xi, false)));
+                quad([k0, below, above, k3]);
+                quad([below, k1, k2, above]);
+            }
+            (None, Some(((eta, right), left))) => {
+                curves.push(([left, right], self.inner_curve(c, eta, true)));
+                quad([k0, k1, right, left]);
+                quad([left, right, k2, k3]);
+            }
+            (Some(((xi, below), above)), Some(((eta, right), left))) => {
+                let centre = vertices.len();
+                let (up, across) = (self.inner_curve(c, xi, false), self.inner_curve(c, eta, true));
+                vertices.push(self.map(c, xi, eta).0);
+                curves.push(([below, centre], up.part(-1.0, eta)));
+                curves.push(([centre, above], up.part(eta, 1.0)));
+                curves.push(([left, centre], across.part(-1.0, xi)));
+                curves.push(([centre, right], across.part(xi, 1.0)));
+                quad([k0, below, centre, left]);
+                quad([below, k1, right, centre]);
+                quad([centre, right, k2, above]);
+                quad([left, centre, above, k3]);
+            }
+        }
+    }
+
+    /// Adds the pieces of a triangle.
+    fn cut_triangle(&self, c: usize, row: &BTreeMap<usize, f64>, split: &mut Split<'_>) {
+        let Split { quads, curves, cut, .. } = split;
+        let cell = &self.cells[c];
+        let [k0, k1, k2, _] = cell.corners;
+        let middle = |local: usize| cut.get(&cell.edges[local]?).copied();
+        let (corners, middles) = ([k0, k1, k2], [0, 1, 3].map(middle));
+        let pieces = triangle_pieces(corners, middles);
+        // Barycentric coordinates of the corners and of the vertices that cut the sides.
+        let unit = |k: usize| std::array::from_fn(|i| if i == k { 1.0 } else { 0.0 });
+        let mut known: Vec<(usize, [f64; 3])> = (0..3).map(|k| (corners[k], unit(k))).collect();
+        for (side, ends) in [[0, 1], [1, 2], [0, 2]].into_iter().enumerate() {
+            let Some((v, at)) = middles[side].zip(cut_place(cell, [0, 1, 3][side], row)) else { continue };
+            let [a, b] = ends.map(unit);
+            known.push((v, std::array::from_fn(|i| 0.5 * ((1.0 - at) * a[i] + (1.0 + at) * b[i]))));
+        }
+        let bent = cell.sides().any(|(_, e)| !self.edges[e].curve.is_straight());
+        let outer = |a: [f64; 3], b: [f64; 3]| (0..3).any(|i| a[i] == 0.0 && b[i] == 0.0);
+        for piece in pieces.iter().filter(|_| bent) {
+            for (p, q) in (0..4).map(|i| (piece[i], piece[(i + 1) % 4])) {
+                let at = |v: usize| known.iter().find(|(known, _)| *known == v).map(|(_, l)| *l);
+                let Some((a, b)) = at(p).zip(at(q)).filter(|(a, b)| p < q && !outer(*a, *b)) else { continue };
+                let along = |t: f64| std::array::from_fn(|i| 0.5 * ((1.0 - t) * a[i] + (1.0 + t) * b[i]));
+                curves.push(([p, q], Curve::interpolated(CURVE_DEGREE, |t| self.reference_map(c, along(t)).0)));
+            }
+        }
+        quads.extend(pieces.into_iter().map(|corners| Quad { corners, material: cell.material, layer: cell.layer }));
     }
 
     /// The edges of a row with the parameter of the cut in each edge's own direction.
@@ -147,6 +147,11 @@ impl Mesh {
             _ => Curve::interpolated(CURVE_DEGREE, point),
         }
     }
+}
+
+/// Parameter of the cut of a cell's local edge, towards growing reference coordinate.
+fn cut_place(cell: &Cell, local: usize, row: &BTreeMap<usize, f64>) -> Option<f64> {
+    row.get(&cell.edges[local]?).map(|at| if cell.against[local] { -at } else { *at })
 }
 
 /// The cells that a triangle falls into, by the vertices that cut its sides, the first of which joins the first two corners.

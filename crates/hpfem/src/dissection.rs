@@ -4,7 +4,7 @@
 //! Fronts come in postorder, so that few unmerged elements are alive at a time. The work on a plane mesh of `N` unknowns grows like
 //! `N^(3/2)`, the factor like `N log N`.
 
-use crate::plan::{FrontPlan, Plan};
+use crate::front::{FrontPlan, Order, Plan};
 
 /// Elements whose sizes sum up to this are eliminated in one front: smaller fronts cost more in handling than they save in arithmetic.
 const LEAF: usize = 400;
@@ -37,7 +37,8 @@ pub(crate) fn dissected(element_groups: &[Vec<usize>], places: &[[f64; 2]], size
     let mut dissection = Dissection { element_groups, places, weight, holders, slot, order: Vec::new(), fronts: Vec::new() };
     let mut all: Vec<usize> = (0..element_groups.len()).collect();
     let root = dissection.part(&mut all);
-    Plan::ordered(dissection.order, dissection.fronts, root.elements, element_groups.len(), size, kept)
+    let Dissection { order: groups, fronts, .. } = dissection;
+    Order { groups, fronts, roots: root.elements, elements: element_groups.len() }.plan(size, kept)
 }
 
 impl Dissection<'_> {

@@ -46,6 +46,15 @@ const GRADIENT: [Term; 4] = [[1, 1], [1, 2], [2, 1], [2, 2]];
 /// Terms of a form that also has the value of the test or trial function.
 const FULL: [Term; 9] = [[1, 1], [1, 2], [2, 1], [2, 2], [0, 1], [0, 2], [1, 0], [2, 0], [0, 0]];
 
+/// The bilinear form of a cell on its modes.
+pub(crate) struct CellForm<'a> {
+    pub(crate) mesh: &'a Mesh,
+    pub(crate) cell: usize,
+    pub(crate) local: &'a LocalModes,
+    pub(crate) moduli: Moduli,
+    pub(crate) kinematics: Kinematics,
+}
+
 /// Memory for the matrices of a cell, kept from cell to cell.
 #[derive(Default)]
 pub(crate) struct Workspace {
@@ -71,15 +80,8 @@ pub(crate) fn matrix_in(buffer: &mut Vec<f64>, rows: usize, columns: usize) -> M
 ///
 /// # Errors
 /// [`Error::FoldedCell`] where the Jacobian is not positive.
-pub(crate) fn stiffness<'w>(
-    mesh: &Mesh,
-    cell: usize,
-    table: &Table,
-    local: &LocalModes,
-    moduli: Moduli,
-    kinematics: Kinematics,
-    work: &'w mut Workspace,
-) -> Result<MatMut<'w, f64>, Error> {
+pub(crate) fn stiffness<'w>(form: &CellForm<'_>, table: &Table, work: &'w mut Workspace) -> Result<MatMut<'w, f64>, Error> {
+    let CellForm { mesh, cell, local, moduli, kinematics } = *form;
     let components = kinematics.components();
     let nq = table.rule.points.len();
     let geometry = cell_geometry(mesh, cell, &table.rule.points, &table.rule.points);

@@ -12,8 +12,7 @@
 
 use crate::cell_matrix::Elements;
 use crate::dense::{factor_panel, subtract_square};
-use crate::error::Error;
-use crate::plan::{FrontPlan, Plan};
+use crate::front::{FrontPlan, Plan};
 use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::solve_upper_triangular_in_place;
 use faer::{Accum, Mat, MatMut, MatRef, Par};
@@ -49,52 +48,42 @@ impl Plan {
         factors: bool,
     ) -> Result<Condensed, usize> {
         let cells = elements.groups.len();
-        let mut offset = vec![0; size.len()];
         let unknowns = |groups: &[usize]| groups.iter().map(|g| size[*g]).sum::<usize>();
         let panel_size = |plan: &FrontPlan| unknowns(&plan.groups) * unknowns(&plan.groups[..plan.eliminated]);
         let (mut panels, mut panel) = (Vec::new(), Vec::new());
         if !factors {
             panel = vec![0.0; self.fronts.iter().map(panel_size).max().unwrap_or(0)];
         }
+        let mut front = Front { size, offset: vec![0; size.len()], n: 0, panel, rest: Vec::new() };
         let mut merged: Vec<Vec<f64>> = Vec::with_capacity(self.fronts.len());
         let (mut spare, mut buffer) = (Vec::new(), Vec::new());
         for plan in &self.fronts {
-            let n = place(&plan.groups, size, &mut offset);
-            let ne = unknowns(&plan.groups[..plan.eliminated]);
-            clear(&mut panel, n, ne);
-            let mut rest = zeros(&mut spare, n - ne);
+            front.open(&plan.groups, plan.eliminated, &mut spare);
             for child in &plan.children {
-                if let Some(front) = child.checked_sub(cells) {
-                    let matrix = std::mem::take(&mut merged[front]);
-                    add(&matrix, self.fronts[front].left(), size, &offset, n, &mut panel, &mut rest);
+                if let Some(child) = child.checked_sub(cells) {
+                    let matrix = std::mem::take(&mut merged[child]);
+                    front.add(&matrix, self.fronts[child].left());
                     if matrix.len() <= SPARE_LENGTH {
                         spare.push(matrix);
                     }
                 } else {
-                    let matrix = elements.matrix(*child, &mut buffer);
-                    add(matrix, &elements.groups[*child], size, &offset, n, &mut panel, &mut rest);
+                    front.add(elements.matrix(*child, &mut buffer), &elements.groups[*child]);
                     elements.release(*child);
                 }
             }
-            factor_panel(&mut panel, n).map_err(|index| owner(&plan.groups, size, index))?;
-            let l21 = MatRef::from_column_major_slice(&panel, n, ne).subrows(ne, n - ne);
-            subtract_square(l21, MatMut::from_column_major_slice_mut(&mut rest, n - ne, n - ne));
-            merged.push(rest);
+            merged.push(front.factor().map_err(|index| owner(&plan.groups, size, index))?);
             if factors {
-                panels.push(std::mem::take(&mut panel));
+                panels.push(std::mem::take(&mut front.panel));
             }
         }
-        let n = place(kept, size, &mut offset);
-        let mut square = vec![0.0; n * n];
+        front.open(kept, 0, &mut Vec::new());
         for root in &self.roots {
             match root.checked_sub(cells) {
-                Some(front) => add(&merged[front], self.fronts[front].left(), size, &offset, n, &mut [], &mut square),
-                None => {
-                    let matrix = elements.matrix(*root, &mut buffer);
-                    add(matrix, &elements.groups[*root], size, &offset, n, &mut [], &mut square);
-                }
+                Some(child) => front.add(&merged[child], self.fronts[child].left()),
+                None => front.add(elements.matrix(*root, &mut buffer), &elements.groups[*root]),
             }
         }
+        let (n, square) = (front.n, front.rest);
         let own = n - kept.last().map_or(0, |g| size[*g]);
         let (columns, at) = (n - own, |i: usize, j: usize| square[i.min(j) * n + i.max(j)]);
         Ok(Condensed {
@@ -129,6 +118,80 @@ impl Condensed {
     }
 }
 
+/// The front at work, a symmetric matrix of which the lower triangle counts.
+struct Front<'s> {
+    /// Number of unknowns of each group.
+    size: &'s [usize],
+    /// First unknown of each group of the front.
+    offset: Vec<usize>,
+    /// Number of unknowns.
+    n: usize,
+    /// The leading columns, those of the groups that disappear, one after the other.
+    panel: Vec<f64>,
+    /// The trailing square, columns one after the other.
+    rest: Vec<f64>,
+}
+
+impl Front<'_> {
+    /// An empty front on the groups, the first `eliminated` of which disappear.
+    fn open(&mut self, groups: &[usize], eliminated: usize, spare: &mut Vec<Vec<f64>>) {
+        self.n = 0;
+        for g in groups {
+            self.offset[*g] = self.n;
+            self.n += self.size[*g];
+        }
+        let gone = groups[..eliminated].iter().map(|g| self.size[*g]).sum();
+        clear(&mut self.panel, self.n, gone);
+        self.rest = zeros(spare, self.n - gone);
+    }
+
+    /// Adds an element. Front and element sort their groups by rank, so lower stays lower and rows come in runs.
+    fn add(&mut self, matrix: &[f64], groups: &[usize]) {
+        let (size, offset, n) = (self.size, &self.offset[..], self.n);
+        let (panel, rest) = (&mut self.panel[..], &mut self.rest[..]);
+        let ne = panel.len().checked_div(n).unwrap_or(0);
+        // Runs of rows: first row in the element, first row in the front, length. Groups that follow each other in both make one run.
+        let mut runs: Vec<(usize, usize, usize)> = Vec::with_capacity(groups.len());
+        let mut rows = 0;
+        for g in groups {
+            match runs.last_mut() {
+                Some((_, to, length)) if *to + *length == offset[*g] => *length += size[*g],
+                _ => runs.push((rows, offset[*g], size[*g])),
+            }
+            rows += size[*g];
+        }
+        for (number, (from, to, length)) in runs.iter().enumerate() {
+            for c in 0..*length {
+                let column = &matrix[(from + c) * rows..(from + c + 1) * rows];
+                let target = to + c;
+                let (out, shift) = match target.checked_sub(ne) {
+                    None => (&mut panel[target * n..(target + 1) * n], 0),
+                    Some(k) => (&mut rest[k * (n - ne)..(k + 1) * (n - ne)], ne),
+                };
+                let mut add = |from: usize, to: usize, length: usize| {
+                    let target = &mut out[to - shift..to - shift + length];
+                    target.iter_mut().zip(&column[from..from + length]).for_each(|(o, s)| *o += s);
+                };
+                add(from + c, target, length - c);
+                runs[number + 1..].iter().for_each(|(from, to, length)| add(*from, *to, *length));
+            }
+        }
+    }
+
+    /// Factorises the panel and returns the Schur complement of the rest.
+    ///
+    /// # Errors
+    /// The unknown whose pivot lost all stiffness.
+    fn factor(&mut self) -> Result<Vec<f64>, usize> {
+        let n = self.n;
+        factor_panel(&mut self.panel, n)?;
+        let ne = self.panel.len().checked_div(n).unwrap_or(0);
+        let l21 = MatRef::from_column_major_slice(&self.panel, n, ne).subrows(ne, n - ne);
+        subtract_square(l21, MatMut::from_column_major_slice_mut(&mut self.rest, n - ne, n - ne));
+        Ok(std::mem::take(&mut self.rest))
+    }
+}
+
 /// A square whose lower triangle is zero, in the smallest spare buffer that is large enough or a new one.
 fn zeros(spare: &mut Vec<Vec<f64>>, n: usize) -> Vec<f64> {
     spare.sort_by_key(|b| std::cmp::Reverse(b.capacity()));
@@ -149,48 +212,6 @@ fn clear(buffer: &mut Vec<f64>, rows: usize, columns: usize) {
     (0..columns).for_each(|j| buffer[j * rows + j..(j + 1) * rows].fill(0.0));
 }
 
-/// Sets the offsets of the groups in a front and returns its size.
-fn place(groups: &[usize], size: &[usize], offset: &mut [usize]) -> usize {
-    let mut n = 0;
-    for g in groups {
-        offset[*g] = n;
-        n += size[*g];
-    }
-    n
-}
-
-/// Adds an element into a front of `n` unknowns whose leading columns are `panel` and whose trailing square is `rest`. Both sort their
-/// groups by rank, so lower stays lower and rows come in runs.
-fn add(matrix: &[f64], groups: &[usize], size: &[usize], offset: &[usize], n: usize, panel: &mut [f64], rest: &mut [f64]) {
-    let ne = panel.len().checked_div(n).unwrap_or(0);
-    // Runs of rows: first row in the element, first row in the front, length. Groups that follow each other in both make one run.
-    let mut runs: Vec<(usize, usize, usize)> = Vec::with_capacity(groups.len());
-    let mut rows = 0;
-    for g in groups {
-        match runs.last_mut() {
-            Some((_, to, length)) if *to + *length == offset[*g] => *length += size[*g],
-            _ => runs.push((rows, offset[*g], size[*g])),
-        }
-        rows += size[*g];
-    }
-    for (number, (from, to, length)) in runs.iter().enumerate() {
-        for c in 0..*length {
-            let column = &matrix[(from + c) * rows..(from + c + 1) * rows];
-            let target = to + c;
-            let (out, shift) = match target.checked_sub(ne) {
-                None => (&mut panel[target * n..(target + 1) * n], 0),
-                Some(k) => (&mut rest[k * (n - ne)..(k + 1) * (n - ne)], ne),
-            };
-            let mut add = |from: usize, to: usize, length: usize| {
-                let target = &mut out[to - shift..to - shift + length];
-                target.iter_mut().zip(&column[from..from + length]).for_each(|(o, s)| *o += s);
-            };
-            add(from + c, target, length - c);
-            runs[number + 1..].iter().for_each(|(from, to, length)| add(*from, *to, *length));
-        }
-    }
-}
-
 /// The group that owns unknown `index` of a front.
 fn owner(groups: &[usize], size: &[usize], index: usize) -> usize {
     let mut n = 0;
@@ -201,9 +222,4 @@ fn owner(groups: &[usize], size: &[usize], index: usize) -> usize {
         }
     }
     groups.last().copied().unwrap_or(0)
-}
-
-/// Turns a lost pivot into a sentence about the place.
-pub(crate) fn not_held(place: String) -> Error {
-    Error::NotHeld { place }
 }

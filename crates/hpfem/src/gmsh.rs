@@ -5,67 +5,10 @@
 //! with constant y; the first coordinate is x (or r), the second the other one.
 
 use crate::curve::Curve;
-use crate::error::Error;
-use crate::gmsh_read::{Tables, read};
+use crate::gmsh_error::GmshError;
+use crate::gmsh_read::{Element, Tables, read};
 use crate::mesh::{Mesh, Quad};
 use std::collections::{BTreeSet, HashMap};
-
-/// What can be wrong with a gmsh file.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum GmshError {
-    /// The file cannot be read.
-    #[error("gmsh file, byte {byte}: {reason}")]
-    Syntax {
-        /// What is wrong.
-        reason: String,
-        /// Place in the file, bytes from its start.
-        byte: usize,
-    },
-    /// A file version that is not read.
-    #[error("gmsh file version {version} is not supported; save as MSH 4.1 or 2.2")]
-    Version {
-        /// The version of the file.
-        version: String,
-    },
-    /// An element type that is not read.
-    #[error(
-        "gmsh element type {kind} is not supported: only quadrilaterals and triangles of order 1 to 4 and their edges; save the plane mesh alone (Mesh.SaveAll = 0)"
-    )]
-    ElementType {
-        /// Gmsh's number of the type.
-        kind: i32,
-    },
-    /// An element refers to a node that the file does not have.
-    #[error("element {element} refers to node {node}, which the file does not have")]
-    NoSuchNode {
-        /// Tag of the element.
-        element: u64,
-        /// Tag of the node.
-        node: u64,
-    },
-    /// The nodes do not lie in a coordinate plane.
-    #[error("the mesh is not plane: its nodes span {y:.3e} in y and {z:.3e} in z, and one of them must be constant")]
-    NotPlane {
-        /// Extent in y.
-        y: f64,
-        /// Extent in z.
-        z: f64,
-    },
-    /// There are no cells.
-    #[error("the file has no quadrilaterals or triangles; put the surfaces to be meshed into a physical group")]
-    NoCells,
-    /// A line of a physical curve is not an edge of a cell.
-    #[error("line {element} of the physical curve \"{name}\" is not an edge of any cell")]
-    LooseLine {
-        /// Tag of the line.
-        element: u64,
-        /// Name of the group.
-        name: String,
-    },
-    /// The mesh is not valid.
-    #[error(transparent)]
-    Mesh(#[from] Error),
-}
 
 /// A mesh from a file with the names of its materials.
 #[derive(Clone, Debug, PartialEq)]
@@ -86,56 +29,81 @@ impl GmshMesh {
         let plane = Plane::of(&tables)?;
         let surfaces = surface_tags(&tables);
         let mut materials: Vec<String> = surfaces.iter().map(|t| group_name(&tables, 2, *t)).collect();
-        let mut numbers: HashMap<u64, usize> = HashMap::new();
-        let mut vertices = Vec::new();
-        let mut quads = Vec::new();
-        let mut curves: HashMap<[usize; 2], Curve> = HashMap::new();
+        let mut cells = Cells::default();
         for element in tables.elements.iter().filter(|e| corners(e.kind) > 0) {
-            let at = |k: usize| plane.position(&tables, element.tag, element.nodes[k]);
-            let (n, order) = (corners(element.kind), order(element.kind));
-            let mut corners = [0; 4];
-            for (k, corner) in corners.iter_mut().enumerate().take(n) {
-                let x = at(k)?;
-                *corner = *numbers.entry(element.nodes[k]).or_insert_with(|| {
-                    vertices.push(x);
-                    vertices.len() - 1
-                });
-            }
-            if n == 3 {
-                corners[3] = corners[2];
-            }
-            for k in 0..n {
-                let (a, b) = (corners[k], corners[(k + 1) % n]);
-                if order > 1 && !curves.contains_key(&[a, b]) && !curves.contains_key(&[b, a]) {
-                    let mut points = vec![at(k)?];
-                    for i in 0..order - 1 {
-                        points.push(at(n + k * (order - 1) + i)?);
-                    }
-                    points.push(at((k + 1) % n)?);
-                    curves.insert([a, b], edge_curve(&points));
-                }
-            }
-            let x = corners.map(|v| vertices[v]);
-            // Twice the area by the diagonals, of triangles too.
-            let area = (x[2][0] - x[0][0]) * (x[3][1] - x[1][1]) - (x[3][0] - x[1][0]) * (x[2][1] - x[0][1]);
-            if area < 0.0 {
-                corners = if n == 3 {
-                    [corners[0], corners[2], corners[1], corners[1]]
-                } else {
-                    [corners[0], corners[3], corners[2], corners[1]]
-                };
-            }
             let group = element.physical.first().and_then(|t| surfaces.iter().position(|s| s == t));
-            quads.push(Quad { corners, material: group.unwrap_or(surfaces.len()), layer: 0 });
+            cells.push(&tables, &plane, element, group.unwrap_or(surfaces.len()))?;
         }
-        if quads.is_empty() {
+        if cells.quads.is_empty() {
             return Err(GmshError::NoCells);
         }
-        if quads.iter().any(|q| q.material == surfaces.len()) {
+        if cells.quads.iter().any(|q| q.material == surfaces.len()) {
             materials.push(String::new());
         }
+        let named = cells.named_edges(&tables)?;
+        let mut curves: Vec<([usize; 2], Curve)> = cells.curves.into_iter().collect();
+        curves.sort_by_key(|(e, _)| *e);
+        let names: Vec<([usize; 2], &str)> = named.iter().map(|(e, n)| (*e, n.as_str())).collect();
+        Ok(GmshMesh { mesh: Mesh::new(cells.vertices, &cells.quads, &curves, &names)?, materials })
+    }
+}
+
+/// The cells of a file.
+#[derive(Default)]
+struct Cells {
+    /// Number of the vertex at each node that is a corner.
+    numbers: HashMap<u64, usize>,
+    vertices: Vec<[f64; 2]>,
+    quads: Vec<Quad>,
+    /// Curves of the edges of higher order, by their vertices.
+    curves: HashMap<[usize; 2], Curve>,
+}
+
+impl Cells {
+    /// Adds an element of the file as a cell of the given material.
+    fn push(&mut self, tables: &Tables, plane: &Plane, element: &Element, material: usize) -> Result<(), GmshError> {
+        let at = |k: usize| plane.position(tables, element.tag, element.nodes[k]);
+        let (n, order) = (corners(element.kind), order(element.kind));
+        let mut corners = [0; 4];
+        for (k, corner) in corners.iter_mut().enumerate().take(n) {
+            let x = at(k)?;
+            *corner = *self.numbers.entry(element.nodes[k]).or_insert_with(|| {
+                self.vertices.push(x);
+                self.vertices.len() - 1
+            });
+        }
+        if n == 3 {
+            corners[3] = corners[2];
+        }
+        for k in 0..n {
+            let (a, b) = (corners[k], corners[(k + 1) % n]);
+            if order > 1 && !self.curves.contains_key(&[a, b]) && !self.curves.contains_key(&[b, a]) {
+                let mut points = vec![at(k)?];
+                for i in 0..order - 1 {
+                    points.push(at(n + k * (order - 1) + i)?);
+                }
+                points.push(at((k + 1) % n)?);
+                self.curves.insert([a, b], edge_curve(&points));
+            }
+        }
+        let x = corners.map(|v| self.vertices[v]);
+        // Twice the area by the diagonals, of triangles too.
+        let area = (x[2][0] - x[0][0]) * (x[3][1] - x[1][1]) - (x[3][0] - x[1][0]) * (x[2][1] - x[0][1]);
+        if area < 0.0 {
+            corners = if n == 3 {
+                [corners[0], corners[2], corners[1], corners[1]]
+            } else {
+                [corners[0], corners[3], corners[2], corners[1]]
+            };
+        }
+        self.quads.push(Quad { corners, material, layer: 0 });
+        Ok(())
+    }
+
+    /// Edges on physical curves with the names of these.
+    fn named_edges(&self, tables: &Tables) -> Result<Vec<([usize; 2], String)>, GmshError> {
         let mut edges: BTreeSet<[usize; 2]> = BTreeSet::new();
-        for quad in &quads {
+        for quad in &self.quads {
             for k in 0..4 {
                 let (a, b) = (quad.corners[k], quad.corners[(k + 1) % 4]);
                 edges.insert([a.min(b), a.max(b)]);
@@ -144,18 +112,15 @@ impl GmshMesh {
         let mut named: Vec<([usize; 2], String)> = Vec::new();
         for element in tables.elements.iter().filter(|e| matches!(e.kind, 1 | 8 | 26 | 27)) {
             for tag in &element.physical {
-                let name = group_name(&tables, 1, *tag);
-                let ends = [0, 1].map(|k| numbers.get(&element.nodes[k]).copied());
+                let name = group_name(tables, 1, *tag);
+                let ends = [0, 1].map(|k| self.numbers.get(&element.nodes[k]).copied());
                 match ends {
                     [Some(a), Some(b)] if edges.contains(&[a.min(b), a.max(b)]) => named.push(([a, b], name)),
                     _ => return Err(GmshError::LooseLine { element: element.tag, name }),
                 }
             }
         }
-        let mut curves: Vec<([usize; 2], Curve)> = curves.into_iter().collect();
-        curves.sort_by_key(|(e, _)| *e);
-        let names: Vec<([usize; 2], &str)> = named.iter().map(|(e, n)| (*e, n.as_str())).collect();
-        Ok(GmshMesh { mesh: Mesh::new(vertices, &quads, &curves, &names)?, materials })
+        Ok(named)
     }
 }
 

@@ -1,6 +1,6 @@
 //! The two text and two binary dialects of gmsh mesh files, read into one plain table. Nothing here knows geometry; nothing panics.
 
-use crate::gmsh::GmshError;
+use crate::gmsh_error::GmshError;
 use std::collections::HashMap;
 
 /// What a file says: nodes, elements with their physical tags, names.

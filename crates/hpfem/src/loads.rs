@@ -1,56 +1,11 @@
-//! Tractions as loads on the unknowns of cells: on whole boundaries, or on a part of one between two arc lengths.
+//! Tractions as loads on the unknowns of cells.
 
-use crate::additions::SegmentTraction;
-use crate::assemble::{Assembly, BoundaryTraction, LoadCase, boundary_point, points_for};
-use crate::basis::BoundaryModes;
-use crate::error::Error;
+use crate::assembly::Assembly;
+use crate::basis::{BoundaryModes, points_for};
+use crate::boundary::boundary_point;
 use crate::legendre::shape_functions;
-use crate::mesh::{CELL_EDGES, Mesh};
+use crate::mesh::CELL_EDGES;
 use crate::quadrature::gauss;
-use crate::trace::path;
-
-/// A traction on an edge, or on a part of it.
-pub(crate) struct EdgeLoad<'a> {
-    /// The cell that takes it.
-    pub(crate) owner: usize,
-    /// Column of the load case.
-    case: usize,
-    traction: &'a BoundaryTraction<'a>,
-    /// Part of the edge in its own parameter.
-    part: [f64; 2],
-}
-
-/// The loads of every edge.
-pub(crate) fn edge_loads<'b>(
-    mesh: &Mesh,
-    cases: &'b [LoadCase<'_>],
-    segments: &'b [SegmentTraction<'_>],
-) -> Result<Vec<Vec<EdgeLoad<'b>>>, Error> {
-    let neighbours = mesh.edge_cells();
-    let mut loads: Vec<Vec<EdgeLoad<'b>>> = mesh.edges.iter().map(|_| Vec::new()).collect();
-    for (case, tractions) in cases.iter().enumerate() {
-        for load in tractions {
-            for e in mesh.boundary(&load.boundary)? {
-                loads[e].push(EdgeLoad { owner: neighbours[e][0].0, case, traction: &load.traction, part: [-1.0, 1.0] });
-            }
-        }
-    }
-    for segment in segments {
-        let mut start = 0.0;
-        for (e, against) in path(mesh, &segment.boundary)? {
-            let own = mesh.edges[e].curve;
-            let curve = if against { own.reversed() } else { own };
-            let length = curve.length();
-            let [a, b] = segment.range.map(|s| curve.parameter_at_length((s - start).clamp(0.0, length)));
-            if b > a {
-                let part = if against { [-b, -a] } else { [a, b] };
-                loads[e].push(EdgeLoad { owner: neighbours[e][0].0, case: segment.case, traction: &segment.traction, part });
-            }
-            start += length;
-        }
-    }
-    Ok(loads)
-}
 
 impl Assembly<'_> {
     /// Consistent loads of the cell's loaded edges: `((local boundary unknown, column), value)`.

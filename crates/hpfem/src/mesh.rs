@@ -138,20 +138,7 @@ impl Mesh {
         }
         for (walk, curve) in curves {
             let edge = index.find(&mesh.edges, *walk).ok_or(Error::NoSuchEdge { a: walk[0], b: walk[1] })?;
-            let curve = if mesh.edges[edge].vertices == *walk { *curve } else { curve.reversed() };
-            let [a, b] = mesh.edges[edge].vertices;
-            let miss = distance(curve.point(-1.0), mesh.vertices[a]).max(distance(curve.point(1.0), mesh.vertices[b]));
-            // Deep layers are so small that the round-off of their coordinates counts.
-            let circle = match &curve {
-                Curve::Arc { centre, radius, .. } => radius + centre[0].abs().max(centre[1].abs()),
-                _ => 0.0,
-            };
-            let size = mesh.vertices[a].iter().fold(circle, |m, x| m.max(x.abs()));
-            let round_off = 64.0 * f64::EPSILON * size;
-            if miss.is_nan() || miss > 1e-9 * curve.length() + round_off {
-                return Err(Error::CurveMissesVertex { a, b, distance: miss });
-            }
-            mesh.edges[edge].curve = curve;
+            mesh.bend(edge, if mesh.edges[edge].vertices == *walk { *curve } else { curve.reversed() })?;
         }
         for (walk, name) in names {
             let edge = index.find(&mesh.edges, *walk).ok_or(Error::NoSuchEdge { a: walk[0], b: walk[1] })?;
@@ -164,6 +151,24 @@ impl Mesh {
             }
         }
         Ok(mesh)
+    }
+
+    /// Gives an edge its curve, which runs in the edge's own direction.
+    fn bend(&mut self, edge: usize, curve: Curve) -> Result<(), Error> {
+        let [a, b] = self.edges[edge].vertices;
+        let miss = distance(curve.point(-1.0), self.vertices[a]).max(distance(curve.point(1.0), self.vertices[b]));
+        // Deep layers are so small that the round-off of their coordinates counts.
+        let circle = match &curve {
+            Curve::Arc { centre, radius, .. } => radius + centre[0].abs().max(centre[1].abs()),
+            _ => 0.0,
+        };
+        let size = self.vertices[a].iter().fold(circle, |m, x| m.max(x.abs()));
+        let round_off = 64.0 * f64::EPSILON * size;
+        if miss.is_nan() || miss > 1e-9 * curve.length() + round_off {
+            return Err(Error::CurveMissesVertex { a, b, distance: miss });
+        }
+        self.edges[edge].curve = curve;
+        Ok(())
     }
 
     /// Refuses folded cells.

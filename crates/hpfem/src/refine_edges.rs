@@ -4,7 +4,18 @@ use crate::blocks::between;
 use crate::curve::{CURVE_DEGREE, Curve};
 use crate::error::Error;
 use crate::mesh::{CELL_EDGES, Cell, Mesh, Quad};
-use std::collections::{HashMap, HashSet};
+use crate::split::Split;
+use std::collections::HashSet;
+
+/// The boundary that a mesh is refined towards.
+struct Strip<'b> {
+    boundary: &'b str,
+    /// Width of the thin cells as a share of the cells that they are cut from.
+    ratio: f64,
+    edges: HashSet<usize>,
+    /// Vertices of the edges.
+    vertices: HashSet<usize>,
+}
 
 impl Mesh {
     /// Refines towards the edges of a boundary: `layers` times, every cell with an edge there is cut along it into a thin cell, `ratio`
@@ -32,81 +43,70 @@ impl Mesh {
     fn cut_along(&self, boundary: &str, ratio: f64) -> Result<Mesh, Error> {
         let graded: HashSet<usize> = self.boundary(boundary)?.into_iter().collect();
         let touched: HashSet<usize> = graded.iter().flat_map(|e| self.edges[*e].vertices).collect();
-        let mut vertices = self.vertices.clone();
-        let mut curves = Vec::new();
-        let mut names: Vec<([usize; 2], &str)> = Vec::new();
-        // The vertex that cuts an edge which leaves the boundary.
-        let mut cut: HashMap<usize, usize> = HashMap::new();
-        for (e, edge) in self.edges.iter().enumerate() {
-            let [a, b] = edge.vertices;
-            let at = match (touched.contains(&a), touched.contains(&b)) {
+        let mut split = self.split_edges(|e| {
+            let [a, b] = self.edges[e].vertices;
+            match (touched.contains(&a), touched.contains(&b)) {
                 (true, false) => Some(2.0 * ratio - 1.0),
                 (false, true) => Some(1.0 - 2.0 * ratio),
                 _ => None,
-            };
-            let parts = match at {
-                None => vec![([a, b], edge.curve)],
-                Some(at) => {
-                    let v = vertices.len();
-                    vertices.push(edge.curve.point(at));
-                    cut.insert(e, v);
-                    vec![([a, v], edge.curve.part(-1.0, at)), ([v, b], edge.curve.part(at, 1.0))]
-                }
-            };
-            let tags = edge.tags.iter().map(|t| self.boundaries[*t].as_str());
-            names.extend(tags.flat_map(|name| parts.iter().map(move |(ends, _)| (*ends, name))));
-            curves.extend(parts);
-        }
-        let mut quads = Vec::new();
-        for (c, cell) in self.cells.iter().enumerate() {
-            let quad = |corners| Quad { corners, material: cell.material, layer: cell.layer };
-            let n = cell.vertices().len();
-            let k = |i: usize| cell.corners[i % n];
-            let side = |i: usize| cell.leaving(i % n)[0];
-            let edge = |i: usize| cell.edges[side(i)];
-            let on = |i: usize| edge(i).is_some_and(|e| graded.contains(&e));
-            // The cut of the edge from corner i to the next.
-            let m = |i: usize| edge(i).and_then(|e| cut.get(&e).copied());
-            let near = (0..n).filter(|i| touched.contains(&k(*i))).count();
-            let start = (0..n).find(|i| on(*i) && !on(i + n - 1)).or((0..n).find(|i| touched.contains(&k(*i))));
-            let Some(i) = start else {
-                quads.push(quad(cell.corners));
-                continue;
-            };
-            let sides = (0..n).filter(|i| on(*i)).count();
-            let refused = || Error::BetweenGradedEdges { cell: c, boundary: boundary.to_string() };
-            match (near, sides, n) {
-                // The end of the boundary in corner i.
-                (1, 0, 3) => {
-                    let (a, b) = (m(i).ok_or_else(refused)?, m(i + 2).ok_or_else(refused)?);
-                    quads.extend([quad([k(i), a, b, b]), quad([a, k(i + 1), k(i + 2), b])]);
-                }
-                (1, 0, _) => {
-                    let (a, b) = (m(i).ok_or_else(refused)?, m(i + 3).ok_or_else(refused)?);
-                    let centre = vertices.len();
-                    vertices.push(self.corner_point(c, i, [ratio; 2]));
-                    quads.push(quad([k(i), a, centre, b]));
-                    quads.extend([quad([a, k(i + 1), k(i + 2), centre]), quad([b, centre, k(i + 2), k(i + 3)])]);
-                }
-                // Along the edge from corner i.
-                (2, 1, _) => {
-                    let (a, b) = (m(i + n - 1).ok_or_else(refused)?, m(i + 1).ok_or_else(refused)?);
-                    curves.push(([a, b], self.parallel(cell, c, side(i), ratio)));
-                    quads.push(quad([k(i), k(i + 1), b, a]));
-                    quads.push(if n == 3 { quad([a, b, k(i + 2), k(i + 2)]) } else { quad([a, b, k(i + 2), k(i + 3)]) });
-                }
-                // Along the edges before and after corner i + 1.
-                (3, 2, 4) => {
-                    let (a, b) = (m(i + 2).ok_or_else(refused)?, m(i + 3).ok_or_else(refused)?);
-                    let centre = vertices.len();
-                    vertices.push(self.corner_point(c, i + 1, [ratio; 2]));
-                    quads.extend([quad([k(i), k(i + 1), centre, b]), quad([k(i + 1), k(i + 2), a, centre])]);
-                    quads.push(quad([b, centre, a, k(i + 3)]));
-                }
-                _ => return Err(refused()),
             }
+        });
+        let strip = Strip { boundary, ratio, edges: graded, vertices: touched };
+        (0..self.cells.len()).try_for_each(|c| self.cut_cell(c, &strip, &mut split))?;
+        split.joined()
+    }
+
+    /// Adds the pieces of a cell.
+    fn cut_cell(&self, c: usize, strip: &Strip<'_>, split: &mut Split<'_>) -> Result<(), Error> {
+        let Split { vertices, quads, curves, cut, .. } = split;
+        let cell = &self.cells[c];
+        let quad = |corners| Quad { corners, material: cell.material, layer: cell.layer };
+        let n = cell.vertices().len();
+        let k = |i: usize| cell.corners[i % n];
+        let side = |i: usize| cell.leaving(i % n)[0];
+        let edge = |i: usize| cell.edges[side(i)];
+        let on = |i: usize| edge(i).is_some_and(|e| strip.edges.contains(&e));
+        // The cut of the edge from corner i to the next.
+        let m = |i: usize| edge(i).and_then(|e| cut.get(&e).copied());
+        let near = (0..n).filter(|i| strip.vertices.contains(&k(*i))).count();
+        let start = (0..n).find(|i| on(*i) && !on(i + n - 1)).or((0..n).find(|i| strip.vertices.contains(&k(*i))));
+        let Some(i) = start else {
+            quads.push(quad(cell.corners));
+            return Ok(());
+        };
+        let sides = (0..n).filter(|i| on(*i)).count();
+        let refused = || Error::BetweenGradedEdges { cell: c, boundary: strip.boundary.to_string() };
+        match (near, sides, n) {
+            // The end of the boundary in corner i.
+            (1, 0, 3) => {
+                let (a, b) = (m(i).ok_or_else(refused)?, m(i + 2).ok_or_else(refused)?);
+                quads.extend([quad([k(i), a, b, b]), quad([a, k(i + 1), k(i + 2), b])]);
+            }
+            (1, 0, _) => {
+                let (a, b) = (m(i).ok_or_else(refused)?, m(i + 3).ok_or_else(refused)?);
+                let centre = vertices.len();
+                vertices.push(self.corner_point(c, i, [strip.ratio; 2]));
+                quads.push(quad([k(i), a, centre, b]));
+                quads.extend([quad([a, k(i + 1), k(i + 2), centre]), quad([b, centre, k(i + 2), k(i + 3)])]);
+            }
+            // Along the edge from corner i.
+            (2, 1, _) => {
+                let (a, b) = (m(i + n - 1).ok_or_else(refused)?, m(i + 1).ok_or_else(refused)?);
+                curves.push(([a, b], self.parallel(cell, c, side(i), strip.ratio)));
+                quads.push(quad([k(i), k(i + 1), b, a]));
+                quads.push(if n == 3 { quad([a, b, k(i + 2), k(i + 2)]) } else { quad([a, b, k(i + 2), k(i + 3)]) });
+            }
+            // Along the edges before and after corner i + 1.
+            (3, 2, 4) => {
+                let (a, b) = (m(i + 2).ok_or_else(refused)?, m(i + 3).ok_or_else(refused)?);
+                let centre = vertices.len();
+                vertices.push(self.corner_point(c, i + 1, [strip.ratio; 2]));
+                quads.extend([quad([k(i), k(i + 1), centre, b]), quad([k(i + 1), k(i + 2), a, centre])]);
+                quads.push(quad([b, centre, a, k(i + 3)]));
+            }
+            _ => return Err(refused()),
         }
-        Mesh::joined(vertices, &quads, &curves, &names)
+        Ok(())
     }
 
     /// The point of a quadrilateral at the given shares of the way from a corner to the opposite one, in both directions.

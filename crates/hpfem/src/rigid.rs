@@ -1,9 +1,11 @@
 //! Rigid motions that supports leave free, and what they are in kept unknowns.
 
-use crate::assemble::edge_modes;
+use crate::boundary::edge_modes;
+use crate::freedom::rigid_rows;
+use crate::kept::Kept;
 use crate::material::Kinematics;
 use crate::mesh::Mesh;
-use crate::space::{Space, rigid_rows};
+use crate::space::Space;
 use faer::Mat;
 
 /// Rigid motions `[t_x, t_z, theta]` about the origin that neither a support nor one of the directions `(place, direction)` in
@@ -92,15 +94,8 @@ pub(crate) fn free_motions(mesh: &Mesh, space: &Space, kinematics: Kinematics, h
 }
 
 /// The motions as kept unknowns.
-pub(crate) fn rigid_columns(
-    mesh: &Mesh,
-    space: &Space,
-    kept: &[usize],
-    motions: &[[f64; 3]],
-    unknowns: usize,
-    kinematics: Kinematics,
-) -> Mat<f64> {
-    let mut columns = Mat::zeros(unknowns, motions.len());
+pub(crate) fn rigid_columns(mesh: &Mesh, space: &Space, kinematics: Kinematics, kept: &Kept, motions: &[[f64; 3]]) -> Mat<f64> {
+    let mut columns = Mat::zeros(kept.unknowns, motions.len());
     let field = |m: &[f64; 3], x: [f64; 2]| -> [f64; 2] {
         if kinematics == Kinematics::Torsion {
             return [m[2] * x[0], 0.0];
@@ -109,7 +104,7 @@ pub(crate) fn rigid_columns(
         std::array::from_fn(|i| (0..3).map(|k| m[k] * rows[k][i]).sum())
     };
     let mut at = 0;
-    for g in kept {
+    for g in &kept.groups {
         for (c, motion) in motions.iter().enumerate() {
             if let Some((group, rigid)) = &space.frame
                 && group == g

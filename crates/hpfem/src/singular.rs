@@ -15,9 +15,9 @@
 //! next to a corner off the axis; torsion like antiplane shear.
 
 use crate::error::Error;
+use crate::freedom::{Direction, Support};
 use crate::material::{Kinematics, Material};
 use crate::mesh::Mesh;
-use crate::space::{Direction, Support};
 use nalgebra::{Complex, DMatrix};
 use std::f64::consts::{PI, TAU};
 
@@ -64,8 +64,7 @@ pub fn singular_vertices(
     supports: &[Support],
     loaded: &[&str],
 ) -> Result<Vec<SingularVertex>, Error> {
-    let sides = mesh.edge_cells();
-    let held = held(mesh, supports)?;
+    let wedges = Wedges { mesh, sides: mesh.edge_cells(), materials, held: held(mesh, supports)?, kinematics };
     // Number of the load on each edge; jumps are where it changes along the boundary.
     let mut load = vec![0_usize; mesh.edges.len()];
     for (number, name) in loaded.iter().enumerate() {
@@ -81,7 +80,7 @@ pub fn singular_vertices(
         if cells.is_empty() || on_axis {
             continue;
         }
-        let Some((sectors, faces, edges)) = corner(mesh, &sides, cells, vertex, materials, &held, kinematics) else {
+        let Some((sectors, faces, edges)) = wedges.at(vertex, cells) else {
             continue;
         };
         let smooth = matches!(faces, Some(f) if f[0] == f[1]) && (sectors.iter().map(|s| s.angle).sum::<f64>() - PI).abs() < 1e-6
@@ -142,10 +141,10 @@ impl Corner {
         materials: &[Material],
         supports: &[Support],
     ) -> Result<Option<Corner>, Error> {
-        let held = held(mesh, supports)?;
+        let wedges = Wedges { mesh, sides: mesh.edge_cells(), materials, held: held(mesh, supports)?, kinematics };
         let touching = |(c, cell): (usize, &crate::mesh::Cell)| cell.vertices().iter().position(|v| *v == vertex).map(|k| (c, k));
         let cells: Vec<(usize, usize)> = mesh.cells.iter().enumerate().filter_map(touching).collect();
-        let found = corner(mesh, &mesh.edge_cells(), &cells, vertex, materials, &held, kinematics);
+        let found = wedges.at(vertex, &cells);
         Ok(found.and_then(|(sectors, faces, _)| faces.map(|faces| Corner { sectors, faces })))
     }
 
@@ -170,63 +169,70 @@ impl Corner {
 /// Sectors anti-clockwise, two faces, their edges. Faces are none around an inner vertex.
 type Wedge = (Vec<Sector>, Option<[Face; 2]>, Option<[usize; 2]>);
 
-fn corner(
-    mesh: &Mesh,
-    sides: &[Vec<(usize, usize)>],
-    cells: &[(usize, usize)],
-    vertex: usize,
-    materials: &[Material],
-    held: &[Vec<[f64; 2]>],
+/// What tells the wedges of a body.
+struct Wedges<'a> {
+    mesh: &'a Mesh,
+    /// Cells on each edge, as by [`Mesh::edge_cells`].
+    sides: Vec<Vec<(usize, usize)>>,
+    materials: &'a [Material],
+    /// Directions held on each edge.
+    held: Vec<Vec<[f64; 2]>>,
     kinematics: Kinematics,
-) -> Option<Wedge> {
-    // The edges that leave corner k: the one with the cell on its left, then the other.
-    let leaving = |(c, k): (usize, usize)| {
-        let [a, b] = mesh.cells[c].leaving(k).map(|e| mesh.cells[c].edges[e]);
-        Some((a?, b?))
-    };
-    let start = cells.iter().copied().find(|cell| leaving(*cell).is_some_and(|(a, _)| sides[a].len() == 1));
-    let inner = start.is_none();
-    let mut cell = start.or(cells.first().copied())?;
-    let first = leaving(cell)?.0;
-    let mut sectors = Vec::new();
-    let mut last = first;
-    for _ in 0..cells.len() {
-        let (a, b) = leaving(cell)?;
-        let rays = [a, b].map(|e| ray(mesh, e, vertex));
-        let mut angle = (rays[1][1].atan2(rays[1][0]) - rays[0][1].atan2(rays[0][0])).rem_euclid(TAU);
-        if angle < 1e-9 {
-            angle = TAU;
+}
+
+impl Wedges<'_> {
+    /// The wedge at a vertex; `cells` are those that touch it, each with its corner there.
+    fn at(&self, vertex: usize, cells: &[(usize, usize)]) -> Option<Wedge> {
+        let Wedges { mesh, sides, kinematics, .. } = self;
+        // The edges that leave corner k: the one with the cell on its left, then the other.
+        let leaving = |(c, k): (usize, usize)| {
+            let [a, b] = mesh.cells[c].leaving(k).map(|e| mesh.cells[c].edges[e]);
+            Some((a?, b?))
+        };
+        let start = cells.iter().copied().find(|cell| leaving(*cell).is_some_and(|(a, _)| sides[a].len() == 1));
+        let inner = start.is_none();
+        let mut cell = start.or(cells.first().copied())?;
+        let first = leaving(cell)?.0;
+        let mut sectors = Vec::new();
+        let mut last = first;
+        for _ in 0..cells.len() {
+            let (a, b) = leaving(cell)?;
+            let rays = [a, b].map(|e| ray(mesh, e, vertex));
+            let mut angle = (rays[1][1].atan2(rays[1][0]) - rays[0][1].atan2(rays[0][0])).rem_euclid(TAU);
+            if angle < 1e-9 {
+                angle = TAU;
+            }
+            let material = *self.materials.get(mesh.cells[cell.0].material)?;
+            // Cells of one material next to each other are one sector.
+            match sectors.last_mut() {
+                Some(Sector { angle: sum, material: same }) if *same == material => *sum += angle,
+                _ => sectors.push(Sector { angle, material }),
+            }
+            last = b;
+            match cells.iter().copied().find(|c| leaving(*c).is_some_and(|(a, _)| a == b)) {
+                Some(next) => cell = next,
+                None => break,
+            }
         }
-        let material = *materials.get(mesh.cells[cell.0].material)?;
-        // Cells of one material next to each other are one sector.
-        match sectors.last_mut() {
-            Some(Sector { angle: sum, material: same }) if *same == material => *sum += angle,
-            _ => sectors.push(Sector { angle, material }),
+        if inner {
+            if let [first, .., last] = &mut sectors[..]
+                && first.material == last.material
+            {
+                first.angle += last.angle;
+                sectors.pop();
+            }
+            return Some((sectors, None, None));
         }
-        last = b;
-        match cells.iter().copied().find(|c| leaving(*c).is_some_and(|(a, _)| a == b)) {
-            Some(next) => cell = next,
-            None => break,
-        }
+        let face = |e: usize| match (self.held[e].len(), *kinematics) {
+            (0, _) => Face::Free,
+            (1, Kinematics::Torsion) | (2.., _) => Face::Fixed,
+            (1, _) => {
+                let (d, r) = (self.held[e][0], ray(mesh, e, vertex));
+                Face::Held((r[0] * d[1] - r[1] * d[0]).atan2(r[0] * d[0] + r[1] * d[1]).rem_euclid(PI))
+            }
+        };
+        Some((sectors, Some([face(first), face(last)]), Some([first, last])))
     }
-    if inner {
-        if let [first, .., last] = &mut sectors[..]
-            && first.material == last.material
-        {
-            first.angle += last.angle;
-            sectors.pop();
-        }
-        return Some((sectors, None, None));
-    }
-    let face = |e: usize| match (held[e].len(), kinematics) {
-        (0, _) => Face::Free,
-        (1, Kinematics::Torsion) | (2.., _) => Face::Fixed,
-        (1, _) => {
-            let (d, r) = (held[e][0], ray(mesh, e, vertex));
-            Face::Held((r[0] * d[1] - r[1] * d[0]).atan2(r[0] * d[0] + r[1] * d[1]).rem_euclid(PI))
-        }
-    };
-    Some((sectors, Some([face(first), face(last)]), Some([first, last])))
 }
 
 /// Direction of an edge where it leaves a vertex.

@@ -1,115 +1,13 @@
-//! Degrees of freedom: degrees of cells and edges, supports, rigid edges.
+//! Degrees of freedom: degrees of cells and edges, and what supports and rigid edges leave of them.
 
 use crate::additions::Additions;
-use crate::assemble::edge_modes;
-use crate::basis::{BoundaryModes, LocalModes};
+use crate::basis::{BoundaryModes, LocalModes, MAX_DEGREE, SpaceKind};
 use crate::error::Error;
-use crate::material::Kinematics;
+use crate::freedom::{AXIS, Freedom, RigidEdge, rigid_rows};
+use crate::holding::Holding;
 use crate::mesh::Mesh;
+use crate::problem::BodyProblem;
 use std::collections::HashMap;
-
-/// Highest degree of a cell.
-pub const MAX_DEGREE: usize = 24;
-
-/// Which tensor products of shape functions a quadrilateral has in its interior. Triangles have all polynomials of their degree.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum SpaceKind {
-    /// All products up to the degree in each direction.
-    #[default]
-    Tensor,
-    /// Products whose degrees sum up to the degree at most (serendipity).
-    Trunk,
-}
-
-/// A direction in which a boundary is held.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Direction {
-    /// Along the first coordinate, x or r; the only component, u_phi, in torsion.
-    First,
-    /// Along the second coordinate, z.
-    Second,
-    /// Along the normal of a straight edge (an inclined roller).
-    Normal,
-}
-
-/// A displacement component prescribed on a named boundary.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Support {
-    /// Name of the boundary.
-    pub boundary: String,
-    /// Component that is prescribed.
-    pub direction: Direction,
-    /// Its value, mm; 0 holds it.
-    pub value: f64,
-}
-
-/// A boundary that moves as a rigid line: `u_x = t_x - theta (z - z0)`, `u_z = t_z + theta (x - x0)`.
-///
-/// Its free motions are kept as unknowns of the interface operator, so that force and moment or approach and tilt can be
-/// chosen later without a new factorisation. Supports of the boundary itself are expressed by `free`.
-#[derive(Clone, Debug, PartialEq)]
-pub struct RigidEdge {
-    /// Name of the boundary, which must be straight.
-    pub boundary: String,
-    /// Reference point `(x0, z0)` of the rotation, mm.
-    pub reference: [f64; 2],
-    /// Which of `t_x`, `t_z` (mm) and `theta` (rad) are free; the others are zero.
-    pub free: [bool; 3],
-}
-
-/// Freedom of the unknowns of a vertex or an edge in its own axes.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Freedom {
-    /// Orthonormal axes.
-    pub(crate) axes: [[f64; 2]; 2],
-    /// Support that prescribes the component along each axis, with the value.
-    pub(crate) fixed: [Option<(usize, f64)>; 2],
-    /// Moves with the rigid edge.
-    pub(crate) slaved: bool,
-}
-
-/// Stands for the axis of revolution where a support's number is expected: radial displacement and turn vanish there by themselves, and
-/// no reaction belongs to it.
-const AXIS: usize = usize::MAX;
-
-const FREE: Freedom = Freedom { axes: [[1.0, 0.0], [0.0, 1.0]], fixed: [None, None], slaved: false };
-
-impl Freedom {
-    /// Number of free components out of `components`.
-    pub(crate) fn free(&self, components: usize) -> usize {
-        if self.slaved { 0 } else { self.fixed[..components].iter().filter(|f| f.is_none()).count() }
-    }
-
-    /// Whether both components are unknowns along the coordinate axes.
-    pub(crate) fn is_plain(&self) -> bool {
-        !self.slaved && self.fixed.iter().all(Option::is_none) && self.axes == FREE.axes
-    }
-
-    /// Index of the free axis among the free ones.
-    pub(crate) fn index(&self, axis: usize) -> usize {
-        self.fixed[..axis].iter().filter(|f| f.is_none()).count()
-    }
-
-    /// Prescribes the component along the unit vector `d`; a direction already prescribed stays as it is.
-    fn fix(&mut self, d: [f64; 2], support: usize, value: f64) {
-        let along = |a: [f64; 2]| a[0] * d[0] + a[1] * d[1];
-        match self.fixed {
-            [None, None] if d[0].abs() == 1.0 => self.fixed[0] = Some((support, value * d[0])),
-            [None, None] if d[1].abs() == 1.0 => self.fixed[1] = Some((support, value * d[1])),
-            [None, None] => {
-                self.axes = [d, [-d[1], d[0]]];
-                self.fixed[0] = Some((support, value));
-            }
-            [Some((_, known)), None] if along(self.axes[1]).abs() > 1e-12 => {
-                self.fixed[1] = Some((support, (value - known * along(self.axes[0])) / along(self.axes[1])));
-            }
-            [None, Some((_, known))] if along(self.axes[0]).abs() > 1e-12 => {
-                self.fixed[0] = Some((support, (value - known * along(self.axes[1])) / along(self.axes[0])));
-            }
-            _ => {}
-        }
-    }
-}
 
 /// Numbering of the unknowns. Group `v` belongs to vertex `v`, group `vertices + e` to edge `e`, the last group to the rigid
 /// edge.
@@ -152,16 +50,10 @@ pub(crate) struct Fixed {
 }
 
 impl Space {
-    pub(crate) fn new(
-        mesh: &Mesh,
-        cell_degree: Vec<usize>,
-        kind: SpaceKind,
-        kinematics: Kinematics,
-        supports: &[Support],
-        rigid: Option<&RigidEdge>,
-        additions: &Additions<'_>,
-    ) -> Result<Space, Error> {
-        let components = kinematics.components();
+    /// # Errors
+    /// Degrees out of range, boundaries that do not exist or are not straight where they must be, displacements that are not finite.
+    pub(crate) fn new(problem: &BodyProblem<'_>, additions: &Additions<'_>) -> Result<Space, Error> {
+        let (mesh, cell_degree, components) = (problem.mesh, problem.degrees.clone(), problem.kinematics.components());
         if let Some(cell) = (0..mesh.cells.len()).find(|c| !(1..=MAX_DEGREE).contains(&cell_degree[*c])) {
             return Err(Error::Degree { cell, degree: cell_degree[cell] });
         }
@@ -169,85 +61,16 @@ impl Space {
         for (cell, degree) in mesh.cells.iter().zip(&cell_degree) {
             cell.sides().for_each(|(_, e)| edge_degree[e] = edge_degree[e].min(*degree));
         }
+        let Holding { freedom, mode_freedom } = Holding::new(problem, additions, &edge_degree)?;
         let vertices = mesh.vertices.len();
-        let mut freedom = vec![FREE; vertices + mesh.edges.len()];
-        if let Some(rigid) = rigid {
-            let edges = mesh.boundary(&rigid.boundary)?;
-            if edges.iter().any(|e| !mesh.edges[*e].curve.is_straight()) {
-                return Err(Error::NotStraight { what: "a rigid edge", boundary: rigid.boundary.clone() });
-            }
-            for e in edges {
-                let [a, b] = mesh.edges[e].vertices;
-                [a, b, vertices + e].iter().for_each(|g| freedom[*g].slaved = true);
-            }
-        }
-        let mut mode_freedom: HashMap<usize, Vec<Freedom>> = HashMap::new();
-        for (number, support) in supports.iter().enumerate() {
-            let varying: Vec<_> = additions.displacements.iter().filter(|d| d.support == number).collect();
-            let value = |x: [f64; 2]| support.value + varying.iter().map(|d| (d.displacement)(x)).sum::<f64>();
-            for e in mesh.boundary(&support.boundary)? {
-                let [a, b] = mesh.edges[e].vertices;
-                let direction = match support.direction {
-                    Direction::First => [1.0, 0.0],
-                    Direction::Second => [0.0, 1.0],
-                    Direction::Normal if !mesh.edges[e].curve.is_straight() => {
-                        let boundary = support.boundary.clone();
-                        return Err(Error::NotStraight { what: "a support along the normal", boundary });
-                    }
-                    Direction::Normal => {
-                        let (p, q) = (mesh.vertices[a], mesh.vertices[b]);
-                        let length = (q[0] - p[0]).hypot(q[1] - p[1]);
-                        [(q[1] - p[1]) / length, -(q[0] - p[0]) / length]
-                    }
-                };
-                for v in [a, b] {
-                    let value = value(mesh.vertices[v]);
-                    if !value.is_finite() {
-                        let quantity = format!("the displacement of support \"{}\" at vertex {v}", support.boundary);
-                        return Err(Error::OutOfRange { quantity, value, range: "finite" });
-                    }
-                    freedom[v].fix(direction, number, value);
-                }
-                let group = vertices + e;
-                // Modes of an edge follow the same axes with values of their own.
-                if !varying.is_empty() {
-                    mode_freedom.entry(group).or_insert_with(|| vec![freedom[group]; edge_degree[e] - 1]);
-                }
-                if let Some(modes) = mode_freedom.get_mut(&group) {
-                    let values = match varying.is_empty() {
-                        true => vec![[0.0; 2]; modes.len()],
-                        false => edge_modes(&mesh.edges[e].curve, edge_degree[e], |x| [value(x), 0.0]),
-                    };
-                    modes.iter_mut().zip(values).for_each(|(mode, value)| mode.fix(direction, number, value[0]));
-                }
-                freedom[group].fix(direction, number, 0.0);
-            }
-        }
-        for (number, pin) in additions.pins.iter().enumerate() {
-            let d = if pin.direction == Direction::Second { [0.0, 1.0] } else { [1.0, 0.0] };
-            freedom[pin.vertex].fix(d, supports.len() + number, 0.0);
-        }
-        if kinematics.is_revolved() {
-            let on_axis = axis_vertices(mesh);
-            for v in (0..vertices).filter(|v| on_axis[*v]) {
-                freedom[v].fix([1.0, 0.0], AXIS, 0.0);
-            }
-            for (e, edge) in mesh.edges.iter().enumerate() {
-                if edge.vertices.iter().all(|v| on_axis[*v]) && edge.curve.is_straight() {
-                    freedom[vertices + e].fix([1.0, 0.0], AXIS, 0.0);
-                }
-            }
-        }
         let mut size: Vec<usize> = freedom
             .iter()
             .enumerate()
             .map(|(g, f)| f.free(components) * if g < vertices { 1 } else { edge_degree[g - vertices] - 1 })
             .collect();
-        let frame = rigid.map(|r| (size.len(), r.clone()));
-        if let Some(rigid) = rigid {
-            size.push(rigid.free.iter().filter(|f| **f).count());
-        }
-        Ok(Space { components, kind, cell_degree, edge_degree, freedom, mode_freedom, size, frame })
+        let frame = problem.rigid_edge.as_ref().map(|r| (size.len(), r.clone()));
+        size.extend(frame.iter().map(|(_, rigid)| rigid.free.iter().filter(|f| **f).count()));
+        Ok(Space { components, kind: problem.space, cell_degree, edge_degree, freedom, mode_freedom, size, frame })
     }
 
     /// Order of the modes of a cell.
@@ -331,15 +154,4 @@ impl Space {
         }
         target
     }
-}
-
-/// Displacement at `x` of the motions `t_x`, `t_z`, `theta` about `reference`.
-pub(crate) fn rigid_rows(x: [f64; 2], reference: [f64; 2]) -> [[f64; 2]; 3] {
-    [[1.0, 0.0], [0.0, 1.0], [reference[1] - x[1], x[0] - reference[0]]]
-}
-
-/// Which vertices lie on the axis of revolution, to round-off of the mesh's size.
-fn axis_vertices(mesh: &Mesh) -> Vec<bool> {
-    let size = mesh.vertices.iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
-    mesh.vertices.iter().map(|x| x[0].abs() <= 1e-14 * size).collect()
 }

@@ -1,13 +1,14 @@
 //! The kept boundary as one path of edges: points, weights and the trace of the displacement.
 
-use crate::assemble::{BoundaryPoint, boundary_point};
+use crate::boundary::{BoundaryPoint, boundary_point};
 use crate::curve::Curve;
-use crate::error::Error;
+use crate::freedom::rigid_rows;
+use crate::kept::Kept;
 use crate::legendre::shape_functions;
 use crate::material::Kinematics;
 use crate::mesh::Mesh;
 use crate::quadrature::{gauss_lobatto, gauss_lobatto_jacobi};
-use crate::space::{Space, rigid_rows};
+use crate::space::Space;
 use faer::Mat;
 
 /// One edge of the path.
@@ -60,87 +61,59 @@ pub struct TracePoint {
     pub weight: f64,
 }
 
-/// Orders the edges of a boundary into a path: `(edge, against)` from the end with the smaller coordinates.
-pub(crate) fn path(mesh: &Mesh, name: &str) -> Result<Vec<(usize, bool)>, Error> {
-    let edges = mesh.boundary(name)?;
-    let broken = || Error::NotAPath { name: name.to_string() };
-    let mut at: std::collections::BTreeMap<usize, Vec<usize>> = std::collections::BTreeMap::new();
-    for e in &edges {
-        mesh.edges[*e].vertices.iter().for_each(|v| at.entry(*v).or_default().push(*e));
+impl TraceEdge {
+    /// An edge of the path, at its start, with the body on its left.
+    fn new(mesh: &Mesh, space: &Space, kept: &Kept, (edge, against): (usize, bool)) -> TraceEdge {
+        let own = &mesh.edges[edge];
+        let degree = space.edge_degree[edge];
+        let curve = if against { own.curve.reversed() } else { own.curve };
+        let (unknowns, prescribed, fixed) = (Vec::new(), Vec::new(), Vec::new());
+        let mut trace = TraceEdge { edge, curve, degree, against, body_right: false, start: 0.0, unknowns, prescribed, fixed };
+        let modes = (0..degree - 1).map(|m| (mesh.vertices.len() + edge, m));
+        for (group, mode) in own.vertices.iter().map(|v| (*v, 0)).chain(modes) {
+            trace.push_mode(mesh, space, kept, (group, mode));
+        }
+        trace
     }
-    let ends: Vec<usize> = at.iter().filter(|(_, e)| e.len() == 1).map(|(v, _)| *v).collect();
-    if ends.len() != 2 || at.values().any(|e| e.len() > 2) {
-        return Err(broken());
+
+    /// Adds what the next mode of the edge, that of a group, hangs on.
+    fn push_mode(&mut self, mesh: &Mesh, space: &Space, kept: &Kept, (group, mode): (usize, usize)) {
+        let number = self.unknowns.len();
+        let mut columns = Vec::new();
+        let mut value = [0.0; 2];
+        for component in 0..space.components {
+            let target = space.target(mesh, group, mode, component);
+            let active = target.active.iter().filter_map(|(g, i, c)| kept.start[*g].map(|s| (s + i, *c)));
+            columns.push(active.collect());
+            value[component] = target.fixed.iter().map(|f| f.share * f.value).sum();
+            // A support moved by a unit translation or rotation moves the prescribed part of its vertices alike.
+            for part in target.fixed.iter().filter(|_| group < mesh.vertices.len()) {
+                let motions = rigid_rows(mesh.vertices[group], [0.0, 0.0]).map(|m| {
+                    let mut moved = [0.0; 2];
+                    moved[component] = part.share * (part.axis[0] * m[0] + part.axis[1] * m[1]);
+                    moved
+                });
+                self.fixed.push((number, part.support, motions));
+            }
+        }
+        self.unknowns.push(columns);
+        self.prescribed.push(value);
     }
-    let key = |v: usize| (mesh.vertices[v][0], mesh.vertices[v][1]);
-    let mut vertex = if key(ends[0]) <= key(ends[1]) { ends[0] } else { ends[1] };
-    let mut last = usize::MAX;
-    let mut walk = Vec::new();
-    while let Some(e) = at[&vertex].iter().copied().find(|e| *e != last) {
-        let against = mesh.edges[e].vertices[1] == vertex;
-        walk.push((e, against));
-        vertex = mesh.edges[e].vertices[usize::from(!against)];
-        last = e;
-    }
-    if walk.len() == edges.len() { Ok(walk) } else { Err(broken()) }
 }
 
 impl Trace {
-    pub(crate) fn new(
-        mesh: &Mesh,
-        space: &Space,
-        kinematics: Kinematics,
-        walk: &[(usize, bool)],
-        start_of_group: impl Fn(usize) -> Option<usize>,
-        unknowns: usize,
-    ) -> Trace {
+    pub(crate) fn new(mesh: &Mesh, space: &Space, kinematics: Kinematics, kept: &Kept) -> Trace {
         let neighbours = mesh.edge_cells();
-        let mut trace = Trace { edges: Vec::new(), points: Vec::new(), unknowns, components: space.components };
+        let mut trace = Trace { edges: Vec::new(), points: Vec::new(), unknowns: kept.unknowns, components: space.components };
         let mut arc = 0.0;
-        for (edge, against) in walk {
-            let own = &mesh.edges[*edge];
+        for (edge, against) in &kept.walk {
             let (cell, local) = neighbours[*edge][0];
             // Local edges 0 and 1 run anti-clockwise, with the cell on their left.
             let cell_left_of_own = (local < 2) != mesh.cells[cell].against[local];
-            let degree = space.edge_degree[*edge];
-            let groups = own.vertices.iter().map(|v| (*v, 0)).chain((0..degree - 1).map(|m| (mesh.vertices.len() + edge, m)));
-            let mut mode_unknowns = Vec::new();
-            let mut prescribed = Vec::new();
-            let mut fixed = Vec::new();
-            for (number, (group, mode)) in groups.enumerate() {
-                let mut columns = Vec::new();
-                let mut value = [0.0; 2];
-                for component in 0..space.components {
-                    let target = space.target(mesh, group, mode, component);
-                    let active = target.active.iter().filter_map(|(g, i, c)| start_of_group(*g).map(|s| (s + i, *c)));
-                    columns.push(active.collect());
-                    value[component] = target.fixed.iter().map(|f| f.share * f.value).sum();
-                    // A support moved by a unit translation or rotation moves the prescribed part of its vertices alike.
-                    for part in target.fixed.iter().filter(|_| group < mesh.vertices.len()) {
-                        let motions = rigid_rows(mesh.vertices[group], [0.0, 0.0]).map(|m| {
-                            let mut moved = [0.0; 2];
-                            moved[component] = part.share * (part.axis[0] * m[0] + part.axis[1] * m[1]);
-                            moved
-                        });
-                        fixed.push((number, part.support, motions));
-                    }
-                }
-                mode_unknowns.push(columns);
-                prescribed.push(value);
-            }
-            let curve = if *against { own.curve.reversed() } else { own.curve };
-            trace.edges.push(TraceEdge {
-                edge: *edge,
-                curve,
-                degree,
-                against: *against,
-                body_right: cell_left_of_own == *against,
-                start: arc,
-                unknowns: mode_unknowns,
-                prescribed,
-                fixed,
-            });
-            arc += curve.length();
+            let body_right = cell_left_of_own == *against;
+            let edge = TraceEdge { body_right, start: arc, ..TraceEdge::new(mesh, space, kept, (*edge, *against)) };
+            arc += edge.curve.length();
+            trace.edges.push(edge);
         }
         trace.place_points(kinematics);
         trace

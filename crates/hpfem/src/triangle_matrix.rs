@@ -1,10 +1,7 @@
 //! Stiffness of a triangle: plain dense products over the tables of its modes.
 
-use crate::basis::LocalModes;
-use crate::element::{PointForm, Workspace, matrix_in, row_of};
+use crate::element::{CellForm, PointForm, Workspace, matrix_in, row_of};
 use crate::error::Error;
-use crate::material::{Kinematics, Moduli};
-use crate::mesh::Mesh;
 use crate::triangle::{triangle_modes, triangle_rule};
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, MatMut, Par};
@@ -31,14 +28,11 @@ impl TriangleTable {
 /// # Errors
 /// [`Error::FoldedCell`] where the Jacobian is not positive.
 pub(crate) fn triangle_stiffness<'w>(
-    mesh: &Mesh,
-    cell: usize,
+    form: &CellForm<'_>,
     table: &TriangleTable,
-    local: &LocalModes,
-    moduli: Moduli,
-    kinematics: Kinematics,
     work: &'w mut Workspace,
 ) -> Result<MatMut<'w, f64>, Error> {
+    let CellForm { mesh, cell, local, moduli, kinematics } = *form;
     let components = kinematics.components();
     let (nq, n) = (table.weights.len(), local.modes);
     // Rows of u, then u,x, then u,z at the points; columns in the local order of modes.

@@ -1,0 +1,102 @@
+//! What supports and rigid edges leave free: their directions, and the freedom of the unknowns of a vertex or an edge.
+
+/// A direction in which a boundary is held.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// Along the first coordinate, x or r; the only component, u_phi, in torsion.
+    First,
+    /// Along the second coordinate, z.
+    Second,
+    /// Along the normal of a straight edge (an inclined roller).
+    Normal,
+}
+
+/// A displacement component prescribed on a named boundary.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Support {
+    /// Name of the boundary.
+    pub boundary: String,
+    /// Component that is prescribed.
+    pub direction: Direction,
+    /// Its value, mm; 0 holds it.
+    pub value: f64,
+}
+
+/// A boundary that moves as a rigid line: `u_x = t_x - theta (z - z0)`, `u_z = t_z + theta (x - x0)`.
+///
+/// Its free motions are kept as unknowns of the interface operator, so that force and moment or approach and tilt can be
+/// chosen later without a new factorisation. Supports of the boundary itself are expressed by `free`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RigidEdge {
+    /// Name of the boundary, which must be straight.
+    pub boundary: String,
+    /// Reference point `(x0, z0)` of the rotation, mm.
+    pub reference: [f64; 2],
+    /// Which of `t_x`, `t_z` (mm) and `theta` (rad) are free; the others are zero.
+    pub free: [bool; 3],
+}
+
+/// Freedom of the unknowns of a vertex or an edge in its own axes.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Freedom {
+    /// Orthonormal axes.
+    pub(crate) axes: [[f64; 2]; 2],
+    /// Support that prescribes the component along each axis, with the value.
+    pub(crate) fixed: [Option<(usize, f64)>; 2],
+    /// Moves with the rigid edge.
+    pub(crate) slaved: bool,
+}
+
+/// Stands for the axis of revolution where a support's number is expected: radial displacement and turn vanish there by themselves, and
+/// no reaction belongs to it.
+pub(crate) const AXIS: usize = usize::MAX;
+
+/// Free along both coordinate axes.
+pub(crate) const FREE: Freedom = Freedom { axes: [[1.0, 0.0], [0.0, 1.0]], fixed: [None, None], slaved: false };
+
+impl Freedom {
+    /// Number of free components out of `components`.
+    pub(crate) fn free(&self, components: usize) -> usize {
+        if self.slaved { 0 } else { self.fixed[..components].iter().filter(|f| f.is_none()).count() }
+    }
+
+    /// Whether both components are unknowns along the coordinate axes.
+    pub(crate) fn is_plain(&self) -> bool {
+        !self.slaved && self.fixed.iter().all(Option::is_none) && self.axes == FREE.axes
+    }
+
+    /// Index of the free axis among the free ones.
+    pub(crate) fn index(&self, axis: usize) -> usize {
+        self.fixed[..axis].iter().filter(|f| f.is_none()).count()
+    }
+
+    /// Prescribes the component along the unit vector `d`; a direction already prescribed stays as it is.
+    pub(crate) fn fix(&mut self, d: [f64; 2], support: usize, value: f64) {
+        let along = |a: [f64; 2]| a[0] * d[0] + a[1] * d[1];
+        match self.fixed {
+            [None, None] if d[0].abs() == 1.0 => self.fixed[0] = Some((support, value * d[0])),
+            [None, None] if d[1].abs() == 1.0 => self.fixed[1] = Some((support, value * d[1])),
+            [None, None] => {
+                self.axes = [d, [-d[1], d[0]]];
+                self.fixed[0] = Some((support, value));
+            }
+            [Some((_, known)), None] if along(self.axes[1]).abs() > 1e-12 => {
+                self.fixed[1] = Some((support, (value - known * along(self.axes[0])) / along(self.axes[1])));
+            }
+            [None, Some((_, known))] if along(self.axes[0]).abs() > 1e-12 => {
+                self.fixed[0] = Some((support, (value - known * along(self.axes[1])) / along(self.axes[0])));
+            }
+            _ => {}
+        }
+    }
+}
+
+/// Displacement at `x` of the motions `t_x`, `t_z`, `theta` about `reference`.
+pub(crate) fn rigid_rows(x: [f64; 2], reference: [f64; 2]) -> [[f64; 2]; 3] {
+    [[1.0, 0.0], [0.0, 1.0], [reference[1] - x[1], x[0] - reference[0]]]
+}
+
+/// Rigid rotation about the origin.
+pub(crate) fn rotation_about_origin(x: [f64; 2]) -> [f64; 2] {
+    rigid_rows(x, [0.0, 0.0])[2]
+}
