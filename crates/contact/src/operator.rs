@@ -2,9 +2,11 @@
 
 use crate::error::Error;
 use crate::load::{ContactLoad, Friction};
-use crate::pair::{ContactPoint, Pair, Side};
+use crate::pair::Pair;
+use crate::point::ContactPoint;
 use crate::response::Response;
 use crate::segment::Station;
+use crate::side::Side;
 use crate::solution::ContactSolution;
 use crate::status::Status;
 use crate::verdict;

@@ -1,8 +1,8 @@
 //! What one body does under forces at the contact points: its interface operator, solved once for every column a contact solve needs.
 
 use crate::error::Error;
-use crate::pair::Side;
 use crate::segment::Station;
+use crate::side::Side;
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side as Triangle};
 use hpfem::InterfaceOperator;

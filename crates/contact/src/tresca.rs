@@ -4,7 +4,6 @@
 //! All forces together are the multipliers of one augmented Lagrangian: `lambda >= 0` and `|sigma| <= limit` are projections,
 //! the augmented potential is convex and piecewise quadratic, and semismooth Newton with an exact line search finds its minimum.
 
-use crate::coulomb::Coulomb;
 use crate::response::{add, times, transposed_times};
 use faer::Mat;
 use faer::linalg::solvers::Solve;
@@ -49,33 +48,6 @@ pub(crate) struct Tresca {
 pub(crate) const SOFT: f64 = 4.0;
 
 impl Tresca {
-    /// Normal forces, then shear forces of a load step.
-    pub(crate) fn new(problem: &Coulomb<'_>) -> Tresca {
-        let n = problem.slip.len();
-        let normal = problem.normal;
-        let compliance = Mat::from_fn(2 * n, 2 * n, |i, j| match (i < n, j < n) {
-            (true, true) => normal.compliance[(i, j)],
-            (true, false) => problem.by_shear[(i, j - n)],
-            (false, true) => problem.by_shear[(j, i - n)],
-            (false, false) => problem.tangential[(i - n, j - n)],
-        });
-        let m = normal.load.len();
-        let influence =
-            Mat::from_fn(2 * n, m, |i, j| if i < n { normal.influence[(i, j)] } else { problem.influence[(i - n, j)] });
-        let (unit, resultant) = problem.scales();
-        Tresca {
-            penalty: SOFT,
-            own: (0..2 * n).map(|i| compliance[(i, i)]).collect(),
-            compliance,
-            influence,
-            offset: normal.opening.iter().chain(&problem.slip).copied().collect(),
-            load: normal.load.clone(),
-            stiffness: normal.stiffness.clone(),
-            unit,
-            resultant,
-        }
-    }
-
     pub(crate) fn gaps(&self, at: &Forces) -> Vec<f64> {
         let mut gaps = self.offset.clone();
         add(&mut gaps, &times(&self.compliance, &at.force));

@@ -6,9 +6,11 @@
 
 use crate::coulomb::ContactState;
 use crate::error::Error;
-use crate::pair::{ContactPoint, Pair, Side};
+use crate::pair::Pair;
+use crate::point::ContactPoint;
 use crate::response::transposed_times;
 use crate::segment::Station;
+use crate::side::Side;
 use crate::tresca::{Bound, Forces, SOFT, Tresca};
 use crate::zones::zones;
 use faer::Mat;
