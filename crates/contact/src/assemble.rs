@@ -1,9 +1,9 @@
 //! From forces and coordinates to a solution: pressures, states of the bodies, resultants, zones.
 
-use crate::complementarity::{Answer, Point};
 use crate::coulomb::ContactState;
+use crate::lcp::{Answer, Point};
 use crate::operator::{ContactOperator, SIGNS};
-use crate::response::times;
+use crate::products::times;
 use crate::solution::ContactSolution;
 use crate::stage::Stage;
 use crate::status::Status;

@@ -3,9 +3,9 @@
 //! Return mapping of the augmented shear `sigma - r (s - s_before)` onto `|sigma| <= mu lambda` as semismooth Newton: every point is
 //! open, sticks (`s = s_before`), or slips with `sigma = +- mu lambda` against its slip; the linear system of these states is solved and the states are read off again.
 
-use crate::complementarity::{Complementarity, PENALTY, Point};
+use crate::lcp::{Complementarity, PENALTY, Point};
 use crate::linear::refined;
-use crate::response::{add, times, transposed_times};
+use crate::products::{add, times, transposed_times};
 use crate::tresca::{Bound, Forces, SOFT, Tresca};
 use faer::Mat;
 
@@ -222,8 +222,7 @@ impl Coulomb<'_> {
             (false, false) => self.tangential[(i - n, j - n)],
         });
         let m = normal.load.len();
-        let influence =
-            Mat::from_fn(2 * n, m, |i, j| if i < n { normal.influence[(i, j)] } else { self.influence[(i - n, j)] });
+        let influence = Mat::from_fn(2 * n, m, |i, j| if i < n { normal.influence[(i, j)] } else { self.influence[(i - n, j)] });
         let (unit, resultant) = self.scales();
         Tresca {
             penalty: SOFT,

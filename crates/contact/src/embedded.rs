@@ -4,8 +4,8 @@
 //! with the openings orthogonal to them, `P^T W w = 0`: one small dense problem on the compliance that is there. Where an edge is open in part the
 //! pressure is no polynomial, and its end may lie anywhere between two points: the last closed point is opened instead.
 
-use crate::complementarity::Complementarity;
 use crate::error::Error;
+use crate::lcp::Complementarity;
 use crate::linear::Scaling;
 use crate::load::{ContactLoad, Friction};
 use crate::operator::ContactOperator;

@@ -3,6 +3,7 @@
 //! Signs: body 1 is shaped, body 2 the counter-face; the normal `n` points out of body 2 into body 1, the gap is positive when
 //! open, the pressure positive in compression; traction on body 1 is `p n + mu p tau`, on body 2 the opposite.
 
+mod active_set;
 mod assemble;
 mod complementarity;
 mod coulomb;
@@ -10,6 +11,7 @@ mod embedded;
 mod error;
 mod facing;
 mod interpolate;
+mod lcp;
 mod linear;
 mod load;
 mod operator;
@@ -18,6 +20,7 @@ mod pivoting;
 mod point;
 mod positioning;
 mod problem;
+mod products;
 mod response;
 mod segment;
 mod side;

@@ -1,10 +1,10 @@
 //! From a gap and a load to the complementarity problem.
 
-use crate::complementarity::{Complementarity, Point};
 use crate::error::Error;
+use crate::lcp::{Complementarity, Point};
 use crate::load::{ContactLoad, Friction, MomentBalance, Motion};
 use crate::operator::{ContactOperator, SIGNS};
-use crate::response::times;
+use crate::products::times;
 use crate::solution::ContactSolution;
 use faer::{Mat, Side};
 use std::borrow::Cow;

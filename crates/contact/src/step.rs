@@ -1,9 +1,9 @@
 //! One load step of Coulomb friction on a contact operator.
 
 use crate::assemble::Ending;
-use crate::complementarity::Point;
 use crate::coulomb::{ContactState, Coulomb, Sheared};
 use crate::error::Error;
+use crate::lcp::Point;
 use crate::load::{ContactLoad, Friction};
 use crate::operator::ContactOperator;
 use crate::solution::ContactSolution;

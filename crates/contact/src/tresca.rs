@@ -4,7 +4,7 @@
 //! All forces together are the multipliers of one augmented Lagrangian: `lambda >= 0` and `|sigma| <= limit` are projections,
 //! the augmented potential is convex and piecewise quadratic, and semismooth Newton with an exact line search finds its minimum.
 
-use crate::response::{add, times, transposed_times};
+use crate::products::{add, times, transposed_times};
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 

@@ -8,7 +8,7 @@ use crate::coulomb::ContactState;
 use crate::error::Error;
 use crate::pair::Pair;
 use crate::point::ContactPoint;
-use crate::response::transposed_times;
+use crate::products::transposed_times;
 use crate::segment::Station;
 use crate::side::Side;
 use crate::tresca::{Bound, Forces, SOFT, Tresca};
