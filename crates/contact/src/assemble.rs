@@ -47,15 +47,15 @@ impl ContactOperator<'_> {
         opening: Vec<f64>,
         ending: Ending,
     ) -> ContactSolution {
-        let n = self.points.len();
+        let n = self.unit.points.len();
         let force = point.force;
         let mut coordinates: Vec<f64> = stage.prescribed.iter().map(|p| p.unwrap_or(0.0)).collect();
         stage.free.iter().zip(&point.coordinates).for_each(|(j, y)| coordinates[*j] = *y);
-        let split = self.responses[0].motions.ncols();
+        let split = self.unit.responses[0].motions.ncols();
         let coordinates = [coordinates[..split].to_vec(), coordinates[split..].to_vec()];
         let mut states = Vec::new();
-        let mut slip = vec![0.0; if self.tangential.is_some() { n } else { 0 }];
-        for (b, response) in self.responses.iter().enumerate() {
+        let mut slip = vec![0.0; if self.unit.tangential.is_some() { n } else { 0 }];
+        for (b, response) in self.unit.responses.iter().enumerate() {
             let on_body = |v: &[f64]| v.iter().map(|v| SIGNS[b] * v).collect::<Vec<f64>>();
             let (lambda, sigma) = (on_body(&force), on_body(&shear));
             let (all, columns) = &stage.factors[b];
@@ -70,19 +70,19 @@ impl ContactOperator<'_> {
         let Some(shaped) = states.pop() else { unreachable!("the shaped body always has a response") };
         let mut resultant = [0.0; 2];
         let mut moment = 0.0;
-        for station in &self.stations {
+        for station in &self.unit.stations {
             let (f, x) = (station.force(&force, &shear), station.point.position);
             resultant[0] += f[0];
             resultant[1] += f[1];
             moment += x[0] * f[1] - x[1] * f[0];
         }
         let closed: Vec<bool> = ending.states.iter().map(|s| *s != ContactState::Open).collect();
-        let over_weight = |v: &[f64]| (0..n).map(|i| v[i] / self.points[i].weight).collect::<Vec<f64>>();
+        let over_weight = |v: &[f64]| (0..n).map(|i| v[i] / self.unit.points[i].weight).collect::<Vec<f64>>();
         ContactSolution {
             status: ending.status,
             pressure: over_weight(&force),
             shear: over_weight(&shear),
-            zones: zones(&self.points, &closed, &force),
+            zones: zones(&self.unit.points, &closed, &force),
             nodal_force: force,
             nodal_shear: shear,
             opening,
@@ -106,7 +106,7 @@ impl ContactOperator<'_> {
         let operator = self.operator(body);
         let stiffness = &operator.stiffness;
         let mut load = TraceLoad { unknowns: vec![0.0; unknowns.len()], ..TraceLoad::default() };
-        for station in &self.stations {
+        for station in &self.unit.stations {
             operator.trace.add_force(&mut load, station.places[body], station.force(lambda, sigma));
         }
         for q in operator.frame.iter().flatten() {

@@ -6,12 +6,14 @@
 //! symmetric. On every active set the inner loop settles on, the limit of the outer loop is solved for directly and accepted if its signs are right.
 
 use crate::lcp::{Answer, Complementarity, PENALTY, Point, Proximal};
+use crate::line_search::{Line, line_search};
 use crate::linear::Scaling;
 use crate::pivoting;
-use crate::products::{add, times};
 
 /// Newton steps before the pivoting method takes over.
 const NEWTON_LIMIT: usize = 40;
+/// Halvings of the line to a Newton point.
+const HALVINGS: usize = 12;
 
 impl Complementarity<'_> {
     /// Solves the problem from a starting active set and multipliers.
@@ -67,42 +69,16 @@ impl Complementarity<'_> {
         centre.force[i] - PENALTY * opening[i] / scaling.point[i]
     }
 
-    /// Minimises the augmented potential along the line to the Newton point, by bisection on its slope; `None` if that is the Newton point.
+    /// Minimises the augmented potential along the line to the Newton point; `None` if that is the Newton point.
     fn search(&self, scaling: &Scaling, from: &Point, to: &Point, centre: &Point) -> Option<Point> {
-        let step = |a: &[f64], b: &[f64]| -> Vec<f64> { a.iter().zip(b).map(|(a, b)| b - a).collect() };
-        let (force, coordinates) = (step(&from.force, &to.force), step(&from.coordinates, &to.coordinates));
-        let response = times(&self.compliance, &force);
-        let mut moved = response.clone();
-        add(&mut moved, &times(&self.influence, &coordinates));
         let opening = self.openings(from);
-        let at = |t: f64| Point {
-            force: from.force.iter().zip(&force).map(|(a, d)| a + t * d).collect(),
-            coordinates: from.coordinates.iter().zip(&coordinates).map(|(a, d)| a + t * d).collect(),
+        let line = Line { from, to, compliance: &self.compliance, influence: &self.influence, opening: &opening };
+        let push = |i: usize, w: f64| (centre.force[i] - PENALTY * w / scaling.point[i]).max(0.0);
+        let residual = |push: &[f64], y: &[f64]| -> Vec<f64> {
+            let balance = self.imbalance(&Point { force: push.to_vec(), coordinates: y.to_vec() });
+            let spring = |j: usize| scaling.stiffness[j] / PENALTY * (y[j] - centre.coordinates[j]);
+            (0..y.len()).map(|j| spring(j) - balance[j]).collect()
         };
-        let slope = |t: f64| {
-            let p = at(t);
-            let push: Vec<f64> = (0..force.len())
-                .map(|i| (centre.force[i] - PENALTY * (opening[i] + t * moved[i]) / scaling.point[i]).max(0.0))
-                .collect();
-            let elastic: f64 = (0..force.len()).map(|i| response[i] * (p.force[i] - push[i])).sum();
-            let pushed = Point { force: push, coordinates: p.coordinates.clone() };
-            let balance = self.imbalance(&pushed);
-            let rigid: f64 = (0..coordinates.len())
-                .map(|j| {
-                    let spring = scaling.stiffness[j] / PENALTY * (p.coordinates[j] - centre.coordinates[j]);
-                    coordinates[j] * (spring - balance[j])
-                })
-                .sum();
-            elastic + rigid
-        };
-        if slope(1.0) <= 1e-3 * slope(0.0).abs() {
-            return None;
-        }
-        let (mut low, mut high) = (0.0, 1.0);
-        for _ in 0..12 {
-            let middle = 0.5 * (low + high);
-            if slope(middle) < 0.0 { low = middle } else { high = middle }
-        }
-        Some(at(0.5 * (low + high)))
+        line_search(&line, HALVINGS, push, residual)
     }
 }

@@ -6,7 +6,7 @@
 use crate::lcp::{Complementarity, PENALTY, Point};
 use crate::linear::refined;
 use crate::products::{add, times, transposed_times};
-use crate::tresca::{Bound, Forces, SOFT, Tresca};
+use crate::tresca::{Bound, SOFT, Tresca};
 use faer::Mat;
 
 /// State of a contact point.
@@ -281,7 +281,7 @@ impl Coulomb<'_> {
             let shear = force.iter().map(|f| self.coefficient * f.max(0.0)).map(|l| [-l, l]);
             std::iter::repeat_n([0.0, f64::INFINITY], n).chain(shear).collect()
         };
-        let mut centre = Forces {
+        let mut centre = Point {
             force: near.point.force.iter().chain(&near.shear).copied().collect(),
             coordinates: near.point.coordinates.clone(),
         };

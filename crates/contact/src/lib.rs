@@ -12,6 +12,7 @@ mod error;
 mod facing;
 mod interpolate;
 mod lcp;
+mod line_search;
 mod linear;
 mod load;
 mod operator;

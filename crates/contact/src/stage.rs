@@ -50,7 +50,7 @@ impl Stage<'_> {
 impl ContactOperator<'_> {
     /// The complementarity problem of a gap and a load.
     pub(crate) fn stage(&self, gap: &[f64], load: &ContactLoad) -> Result<Stage<'_>, Error> {
-        let n = self.points.len();
+        let n = self.unit.points.len();
         if gap.len() != n || gap.iter().any(|g| !g.is_finite()) {
             return Err(Error::Gap { given: gap.len(), points: n });
         }
@@ -58,7 +58,7 @@ impl ContactOperator<'_> {
         let mut slip = vec![0.0; n];
         let mut rows = Vec::new();
         let mut factors = Vec::new();
-        for (b, response) in self.responses.iter().enumerate() {
+        for (b, response) in self.unit.responses.iter().enumerate() {
             let operator = self.operator(b);
             if load.factors[b].len() != operator.load_cases || load.factors[b].iter().any(|a| !a.is_finite()) {
                 return Err(Error::Factors { body: b + 1, given: load.factors[b].len(), cases: operator.load_cases });
@@ -76,10 +76,10 @@ impl ContactOperator<'_> {
             factors.push((all, columns));
         }
         let (slide, friction_active) = self.slide(load)?;
-        let mut compliance = Cow::Borrowed(&self.normal);
-        let mut balance = self.influence.clone();
-        if let (true, Some(by_shear), Some(shear)) = (friction_active, &self.normal_by_shear, &self.shear_influence) {
-            compliance = Cow::Owned(Mat::from_fn(n, n, |i, j| self.normal[(i, j)] + by_shear[(i, j)] * slide[j]));
+        let mut compliance = Cow::Borrowed(&self.unit.normal);
+        let mut balance = self.unit.influence.clone();
+        if let (true, Some(by_shear), Some(shear)) = (friction_active, &self.unit.normal_by_shear, &self.unit.shear_influence) {
+            compliance = Cow::Owned(Mat::from_fn(n, n, |i, j| self.unit.normal[(i, j)] + by_shear[(i, j)] * slide[j]));
             for j in 0..balance.ncols() {
                 let rotation = self.edge_motion(j) == Some(2);
                 if !(rotation && load.moment == MomentBalance::Pressure) {
@@ -91,7 +91,7 @@ impl ContactOperator<'_> {
         let total = rows.len();
         let mut stiffness = Mat::zeros(total, total);
         let mut offset = 0;
-        for r in &self.responses {
+        for r in &self.unit.responses {
             let m = r.stiffness.ncols();
             (0..m).for_each(|i| (0..m).for_each(|j| stiffness[(offset + i, offset + j)] = r.stiffness[(i, j)]));
             offset += m;
@@ -110,18 +110,18 @@ impl ContactOperator<'_> {
         }
         let free: Vec<usize> = (0..total).filter(|j| prescribed[*j].is_none()).collect();
         for (j, value) in prescribed.iter().enumerate().filter_map(|(j, v)| v.map(|v| (j, v))) {
-            (0..n).for_each(|i| opening[i] += self.influence[(i, j)] * value);
-            if let Some(shear) = &self.shear_influence {
+            (0..n).for_each(|i| opening[i] += self.unit.influence[(i, j)] * value);
+            if let Some(shear) = &self.unit.shear_influence {
                 (0..n).for_each(|i| slip[i] += shear[(i, j)] * value);
             }
             free.iter().for_each(|i| rows[*i] -= stiffness[(*i, j)] * value);
         }
         let pick = |m: &Mat<f64>| Mat::from_fn(n, free.len(), |i, j| m[(i, free[j])]);
-        let (influence, balance) = (pick(&self.influence), pick(&balance));
-        let sliding = self.shear_influence.as_ref().map(pick);
+        let (influence, balance) = (pick(&self.unit.influence), pick(&balance));
+        let sliding = self.unit.shear_influence.as_ref().map(pick);
         let mut stiffness = Mat::from_fn(free.len(), free.len(), |i, j| stiffness[(free[i], free[j])]);
         let held_by_shear = sliding.as_ref().filter(|_| matches!(load.friction, Friction::Coulomb { .. }));
-        pin_idle_motions(&influence, held_by_shear, &mut stiffness, &self.normal);
+        pin_idle_motions(&influence, held_by_shear, &mut stiffness, &self.unit.normal);
         let problem = Complementarity {
             compliance,
             influence,
@@ -136,7 +136,7 @@ impl ContactOperator<'_> {
 
     /// Shear per normal force at each point, and whether there is any.
     pub(crate) fn slide(&self, load: &ContactLoad) -> Result<(Vec<f64>, bool), Error> {
-        let n = self.points.len();
+        let n = self.unit.points.len();
         let Friction::Sliding { coefficient, drag } = &load.friction else { return Ok((vec![0.0; n], false)) };
         let sound = *coefficient >= 0.0 && coefficient.is_finite() && drag.len() == n && drag.iter().all(|d| d.abs() <= 1.0);
         if !sound {
@@ -144,7 +144,7 @@ impl ContactOperator<'_> {
         }
         let slide: Vec<f64> = drag.iter().map(|d| coefficient * d).collect();
         let active = slide.iter().any(|s| *s != 0.0);
-        if active && self.normal_by_shear.is_none() {
+        if active && self.unit.normal_by_shear.is_none() {
             return Err(Error::ShearNotPrepared);
         }
         Ok((slide, active))

@@ -36,8 +36,9 @@ impl ContactOperator<'_> {
         coefficient: f64,
         slip_before: &[f64],
     ) -> Result<Coulomb<'m>, Error> {
-        let n = self.points.len();
-        let (Some(by_shear), Some(tangential), Some(influence)) = (&self.normal_by_shear, &self.tangential, &stage.sliding)
+        let n = self.unit.points.len();
+        let (Some(by_shear), Some(tangential), Some(influence)) =
+            (&self.unit.normal_by_shear, &self.unit.tangential, &stage.sliding)
         else {
             return Err(Error::ShearNotPrepared);
         };
@@ -56,7 +57,7 @@ impl ContactOperator<'_> {
 
     /// One load step with stick and slip, from the states of an earlier solution or from a frictionless contact that sticks.
     pub(crate) fn step(&self, stage: &Stage<'_>, coulomb: &Coulomb<'_>, warm_start: Option<&ContactSolution>) -> ContactSolution {
-        let n = self.points.len();
+        let n = self.unit.points.len();
         let (start, near) = match warm_start {
             Some(s) => {
                 let point = stage.start(s);
