@@ -1,7 +1,7 @@
 //! One load step of Coulomb friction on a contact operator.
 
 use crate::assemble::Ending;
-use crate::coulomb::{ContactState, Coulomb, Sheared};
+use crate::coulomb::{ContactState, Coulomb, Outcome, Sheared};
 use crate::error::Error;
 use crate::lcp::Point;
 use crate::load::{ContactLoad, Friction};
@@ -25,8 +25,9 @@ impl ContactOperator<'_> {
         let stage = self.stage(gap, load)?;
         let Friction::Coulomb { coefficient, slip_before } = &load.friction else { return Err(Error::ShearNotPrepared) };
         let coulomb = self.coulomb(&stage, *coefficient, slip_before)?;
-        let solved = coulomb.on_states(states);
-        Ok(solved.map(|at| self.sheared(&stage, &coulomb, at, states.to_vec(), Status::Converged, 1)))
+        let Some(at) = coulomb.on_states(states) else { return Ok(None) };
+        let outcome = Outcome { at: Some(at), states: states.to_vec(), steps: 1, history: Vec::new(), settled: true };
+        Ok(Some(self.sheared(&stage, &coulomb, outcome, Status::Converged)))
     }
 
     /// What shear adds to a stage.
@@ -72,26 +73,28 @@ impl ContactOperator<'_> {
         };
         let outcome = coulomb.solve(&start, &near);
         let status = verdict::sheared_status(coulomb, &outcome);
+        self.sheared(stage, coulomb, outcome, status)
+    }
+
+    /// The solution of an outcome; nothing carries where there is none.
+    fn sheared(&self, stage: &Stage<'_>, coulomb: &Coulomb<'_>, outcome: Outcome, status: Status) -> ContactSolution {
+        let n = self.unit.points.len();
         let at = outcome.at.unwrap_or_else(|| Sheared {
             point: Point { force: vec![0.0; n], coordinates: vec![0.0; stage.free.len()] },
             shear: vec![0.0; n],
         });
-        self.sheared(stage, coulomb, at, outcome.states, status, outcome.steps)
-    }
-
-    fn sheared(
-        &self,
-        stage: &Stage<'_>,
-        coulomb: &Coulomb<'_>,
-        at: Sheared,
-        states: Vec<ContactState>,
-        status: Status,
-        iterations: usize,
-    ) -> ContactSolution {
         let (opening, _) = coulomb.gaps(&at);
-        let complementarity = coulomb.normal.complementarity(&at.point, &opening);
-        let balance = coulomb.relative_imbalance(&at);
-        let ending = Ending { status, states, complementarity, balance, iterations, took_over: false };
-        self.assemble(stage, at.point, at.shear, opening, ending)
+        let ending = Ending {
+            status,
+            states: outcome.states,
+            complementarity: coulomb.normal.complementarity(&at.point, &opening),
+            balance: coulomb.relative_imbalance(&at),
+            point: at.point,
+            shear: at.shear,
+            opening,
+            iterations: outcome.steps,
+            took_over: false,
+        };
+        self.assemble(stage, ending)
     }
 }
