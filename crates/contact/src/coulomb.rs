@@ -3,10 +3,10 @@
 //! Return mapping of the augmented shear `sigma - r (s - s_before)` onto `|sigma| <= mu lambda` as semismooth Newton: every point is
 //! open, sticks (`s = s_before`), or slips with `sigma = +- mu lambda` against its slip; the linear system of these states is solved and the states are read off again.
 
-use crate::complementarity::{Complementarity, PENALTY, Point};
+use crate::lcp::{Complementarity, PENALTY, Point};
 use crate::linear::refined;
-use crate::response::{add, times, transposed_times};
-use crate::tresca::{Bound, Forces, Tresca};
+use crate::products::{add, times, transposed_times};
+use crate::tresca::{Bound, SOFT, Tresca};
 use faer::Mat;
 
 /// State of a contact point.
@@ -211,6 +211,32 @@ impl Coulomb<'_> {
         ((0..m).map(|j| 1.0 / positive(largest(j, true))).collect(), (0..m).map(|j| positive(largest(j, false))).collect())
     }
 
+    /// The convex problem with shear limits held: normal forces, then shear forces.
+    fn tresca(&self) -> Tresca {
+        let n = self.slip.len();
+        let normal = self.normal;
+        let compliance = Mat::from_fn(2 * n, 2 * n, |i, j| match (i < n, j < n) {
+            (true, true) => normal.compliance[(i, j)],
+            (true, false) => self.by_shear[(i, j - n)],
+            (false, true) => self.by_shear[(j, i - n)],
+            (false, false) => self.tangential[(i - n, j - n)],
+        });
+        let m = normal.load.len();
+        let influence = Mat::from_fn(2 * n, m, |i, j| if i < n { normal.influence[(i, j)] } else { self.influence[(i - n, j)] });
+        let (unit, resultant) = self.scales();
+        Tresca {
+            penalty: SOFT,
+            own: (0..2 * n).map(|i| compliance[(i, i)]).collect(),
+            compliance,
+            influence,
+            offset: normal.opening.iter().chain(&self.slip).copied().collect(),
+            load: normal.load.clone(),
+            stiffness: normal.stiffness.clone(),
+            unit,
+            resultant,
+        }
+    }
+
     /// States read off a solution, and how many differ from those it was solved with; signs within round-off do not count.
     fn read(&self, at: &Sheared, states: &[ContactState]) -> (Vec<ContactState>, usize) {
         let (opening, slip) = self.gaps(at);
@@ -250,12 +276,12 @@ impl Coulomb<'_> {
             return outcome;
         }
         let n = start.len();
-        let mut tresca = Tresca::new(self);
+        let mut tresca = self.tresca();
         let limits = |force: &[f64]| -> Vec<[f64; 2]> {
             let shear = force.iter().map(|f| self.coefficient * f.max(0.0)).map(|l| [-l, l]);
             std::iter::repeat_n([0.0, f64::INFINITY], n).chain(shear).collect()
         };
-        let mut centre = Forces {
+        let mut centre = Point {
             force: near.point.force.iter().chain(&near.shear).copied().collect(),
             coordinates: near.point.coordinates.clone(),
         };

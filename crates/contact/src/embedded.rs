@@ -4,8 +4,8 @@
 //! with the openings orthogonal to them, `P^T W w = 0`: one small dense problem on the compliance that is there. Where an edge is open in part the
 //! pressure is no polynomial, and its end may lie anywhere between two points: the last closed point is opened instead.
 
-use crate::complementarity::Complementarity;
 use crate::error::Error;
+use crate::lcp::Complementarity;
 use crate::linear::Scaling;
 use crate::load::{ContactLoad, Friction};
 use crate::operator::ContactOperator;
@@ -33,7 +33,7 @@ impl ContactOperator<'_> {
         // Each end of contact inside an edge moves in by one point.
         let open = |i: usize| solution.closed.get(i) == Some(&false);
         let kept: Vec<bool> =
-            (0..self.points.len()).map(|i| solution.closed[i] && !open(i + 1) && !(i > 0 && open(i - 1))).collect();
+            (0..self.unit.points.len()).map(|i| solution.closed[i] && !open(i + 1) && !(i > 0 && open(i - 1))).collect();
         let lower = self.solve_in(&problem, &self.polynomials(&solution.closed, &kept));
         Ok(lower.map(|lower| self.inner_difference(&lower, &solution.pressure)))
     }
@@ -41,7 +41,7 @@ impl ContactOperator<'_> {
     /// Columns of the pressures of one degree less on the edges that are in contact all over (by `closed`), and of single points elsewhere, as far
     /// as they are `kept`.
     fn polynomials(&self, closed: &[bool], kept: &[bool]) -> Mat<f64> {
-        let n = self.points.len();
+        let n = self.unit.points.len();
         let trace = self.pair.trace();
         let mut columns: Vec<Vec<(usize, f64)>> = Vec::new();
         // Hat of each break point and of each point of an edge that is open in part, then the bubbles.
@@ -52,17 +52,17 @@ impl ContactOperator<'_> {
                 continue;
             }
             let (start, end) = (*range.start(), *range.end());
-            let (low, high) = (self.points[start].arc, self.points[end].arc);
+            let (low, high) = (self.unit.points[start].arc, self.unit.points[end].arc);
             let degree = of.degree.saturating_sub(1).max(1);
             for i in start + 1..end {
                 hats[i].clear();
-                let t = 2.0 * (self.points[i].arc - low) / (high - low) - 1.0;
+                let t = 2.0 * (self.unit.points[i].arc - low) / (high - low) - 1.0;
                 hats[start].push((i, 0.5 * (1.0 - t)));
                 hats[end].push((i, 0.5 * (1.0 + t)));
             }
             for k in 2..=degree {
                 let bubble = |i: usize| {
-                    let t = 2.0 * (self.points[i].arc - low) / (high - low) - 1.0;
+                    let t = 2.0 * (self.unit.points[i].arc - low) / (high - low) - 1.0;
                     let values = hpfem::legendre(k, t);
                     values[k] - values[k - 2]
                 };
@@ -77,9 +77,9 @@ impl ContactOperator<'_> {
 
     /// Pressure `P q` whose openings are orthogonal to the columns of `P`, with the balance of the rigid motions.
     fn solve_in(&self, problem: &Complementarity<'_>, columns: &Mat<f64>) -> Option<Vec<f64>> {
-        let (n, r, m) = (self.points.len(), columns.ncols(), problem.load.len());
+        let (n, r, m) = (self.unit.points.len(), columns.ncols(), problem.load.len());
         let scaling = Scaling::new(problem);
-        let forces = Mat::from_fn(n, r, |i, j| self.points[i].weight * columns[(i, j)]);
+        let forces = Mat::from_fn(n, r, |i, j| self.unit.points[i].weight * columns[(i, j)]);
         let compliance = forces.transpose() * &*problem.compliance * &forces;
         let (closing, balance) = (forces.transpose() * &problem.influence, forces.transpose() * &problem.balance);
         let size: Vec<f64> = (0..r).map(|j| 1.0 / compliance[(j, j)].sqrt()).collect();
@@ -102,9 +102,10 @@ impl ContactOperator<'_> {
     /// `|a - b| / |b|` over the inner part of the surface.
     fn inner_difference(&self, a: &[f64], b: &[f64]) -> f64 {
         let length = self.pair.trace().length();
-        let inner = |i: &usize| (MARGIN..=1.0 - MARGIN).contains(&(self.points[*i].arc / length));
-        let sum =
-            |f: &dyn Fn(usize) -> f64| -> f64 { (0..a.len()).filter(inner).map(|i| self.points[i].weight * f(i).powi(2)).sum() };
+        let inner = |i: &usize| (MARGIN..=1.0 - MARGIN).contains(&(self.unit.points[*i].arc / length));
+        let sum = |f: &dyn Fn(usize) -> f64| -> f64 {
+            (0..a.len()).filter(inner).map(|i| self.unit.points[i].weight * f(i).powi(2)).sum()
+        };
         (sum(&|i| a[i] - b[i]) / sum(&|i| b[i])).sqrt()
     }
 }

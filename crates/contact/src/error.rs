@@ -1,6 +1,6 @@
 //! What can be wrong with a contact problem.
 
-use crate::pair::Side;
+use crate::side::Side;
 
 /// Wrong input, with the numbers that show it.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

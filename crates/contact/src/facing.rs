@@ -1,6 +1,6 @@
 //! Where one boundary meets the normals of another.
 
-use crate::pair::{ContactPoint, along, difference};
+use crate::point::{ContactPoint, along, difference};
 use hpfem::Trace;
 
 /// Whether two boundaries are the same edges with the same parameter, up to round-off.

@@ -18,7 +18,7 @@ impl ContactOperator<'_> {
         let (edge, t) = self.pair.trace().locate(arc);
         let range = self.edge_points(edge);
         let start = *range.start();
-        let nodes: Vec<f64> = range.clone().map(|i| if i == start { -1.0 } else { self.points[i].place.1 }).collect();
+        let nodes: Vec<f64> = range.clone().map(|i| if i == start { -1.0 } else { self.unit.points[i].place.1 }).collect();
         let shapes = lagrange(&nodes, &barycentric_weights(&nodes), t.clamp(-1.0, 1.0));
         shapes.iter().zip(&values[range]).map(|(l, v)| l * v).sum()
     }

@@ -3,6 +3,7 @@
 //! Signs: body 1 is shaped, body 2 the counter-face; the normal `n` points out of body 2 into body 1, the gap is positive when
 //! open, the pressure positive in compression; traction on body 1 is `p n + mu p tau`, on body 2 the opposite.
 
+mod active_set;
 mod assemble;
 mod complementarity;
 mod coulomb;
@@ -10,15 +11,20 @@ mod embedded;
 mod error;
 mod facing;
 mod interpolate;
+mod lcp;
+mod line_search;
 mod linear;
 mod load;
 mod operator;
 mod pair;
 mod pivoting;
+mod point;
 mod positioning;
 mod problem;
+mod products;
 mod response;
 mod segment;
+mod side;
 mod solution;
 mod stage;
 mod status;
@@ -34,9 +40,11 @@ pub use coulomb::ContactState;
 pub use error::Error;
 pub use load::{ContactLoad, Friction, MomentBalance, Motion};
 pub use operator::{ContactOperator, UnitResponses};
-pub use pair::{ContactPoint, Pair, Side, contact_traction, normal};
+pub use pair::{Pair, contact_traction, normal};
+pub use point::ContactPoint;
 pub use positioning::{Nodes, Positioned, Positioning, Rebuilt, Start, held_between, position_ends, position_nodes};
 pub use problem::{ContactProblem, solve};
+pub use side::Side;
 pub use solution::ContactSolution;
 pub use status::Status;
 pub use system::ContactSystem;

@@ -1,6 +1,6 @@
 //! The bordered linear system of an active set, scaled by powers that keep its results exact under changes of unit.
 
-use crate::complementarity::{Complementarity, Point, Proximal};
+use crate::lcp::{Complementarity, Point, Proximal};
 use faer::Mat;
 use faer::linalg::solvers::{PartialPivLu, Solve};
 

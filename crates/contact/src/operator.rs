@@ -2,15 +2,16 @@
 
 use crate::error::Error;
 use crate::load::{ContactLoad, Friction};
-use crate::pair::{ContactPoint, Pair, Side};
+use crate::pair::Pair;
+use crate::point::ContactPoint;
 use crate::response::Response;
 use crate::segment::Station;
+use crate::side::Side;
 use crate::solution::ContactSolution;
 use crate::status::Status;
 use crate::verdict;
 use faer::Mat;
 use hpfem::InterfaceOperator;
-use std::ops::Deref;
 use std::sync::Arc;
 
 /// Compliance of a pair at its contact points; every gap, load, coefficient of friction or prescribed motion reuses it.
@@ -19,7 +20,7 @@ use std::sync::Arc;
 /// on body 1 and rigid coordinates `y`.
 pub struct ContactOperator<'a> {
     pub(crate) pair: Pair<'a>,
-    unit: Arc<UnitResponses>,
+    pub(crate) unit: Arc<UnitResponses>,
 }
 
 /// What a pair does under unit forces at its contact points: plain numbers that outlive the references of a [`ContactOperator`], for whoever
@@ -38,15 +39,6 @@ pub struct UnitResponses {
     pub(crate) influence: Mat<f64>,
     /// Tangential relative motion (body 1 less body 2) by coordinates.
     pub(crate) shear_influence: Option<Mat<f64>>,
-}
-
-/// The numbers of the operator are those of its unit responses.
-impl Deref for ContactOperator<'_> {
-    type Target = UnitResponses;
-
-    fn deref(&self) -> &UnitResponses {
-        &self.unit
-    }
 }
 
 /// `[1, -1]`: sign of a body's displacement in the opening and of the contact force on it.
@@ -106,7 +98,7 @@ impl<'a> ContactOperator<'a> {
 
     /// The contact points, in order along the boundary.
     pub fn points(&self) -> &[ContactPoint] {
-        &self.points
+        &self.unit.points
     }
 
     /// The bodies.
@@ -116,7 +108,7 @@ impl<'a> ContactOperator<'a> {
 
     /// Normal compliance `C` at the points, `points x points`: opening by nodal normal forces with the rigid coordinates at zero.
     pub fn compliance(&self) -> &Mat<f64> {
-        &self.normal
+        &self.unit.normal
     }
 
     /// Solves for a gap (one value a point, positive open) under a load, from an earlier solution if there is one.
@@ -134,7 +126,7 @@ impl<'a> ContactOperator<'a> {
         if !answer.settled && !stage.problem.symmetric {
             answer = self.grown(gap, load)?.unwrap_or(answer);
         }
-        let status = verdict::status(&stage.problem, &self.normal, &answer);
+        let status = verdict::status(&stage.problem, &self.unit.normal, &answer);
         Ok(self.solution(&stage, answer, status))
     }
 
@@ -145,7 +137,7 @@ impl<'a> ContactOperator<'a> {
     pub fn solve_by_pivoting(&self, gap: &[f64], load: &ContactLoad) -> Result<ContactSolution, Error> {
         let stage = self.stage(gap, load)?;
         let answer = stage.problem.solve_by_pivoting();
-        let status = verdict::status(&stage.problem, &self.normal, &answer);
+        let status = verdict::status(&stage.problem, &self.unit.normal, &answer);
         Ok(self.solution(&stage, answer, status))
     }
 
@@ -168,6 +160,6 @@ impl<'a> ContactOperator<'a> {
 
     /// Motion of the shaped body's rigid edge that coordinate `j` is.
     pub(crate) fn edge_motion(&self, j: usize) -> Option<usize> {
-        self.responses[0].edge_motion.get(j).copied().flatten()
+        self.unit.responses[0].edge_motion.get(j).copied().flatten()
     }
 }

@@ -2,43 +2,9 @@
 
 use crate::error::Error;
 use crate::facing::{coincide, crossing, nearest_break};
+use crate::point::{ContactPoint, along, difference};
+use crate::side::Side;
 use hpfem::{BoundaryPoint, InterfaceOperator, Trace};
-
-/// Which of the two bodies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
-    /// Body 1, the shaped body (shoe, punch).
-    Shaped,
-    /// Body 2, the counter-face (drum, plate, disc).
-    Counter,
-}
-
-impl Side {
-    /// The other body.
-    pub fn other(self) -> Side {
-        match self {
-            Side::Shaped => Side::Counter,
-            Side::Counter => Side::Shaped,
-        }
-    }
-}
-
-/// A point of the contact surface.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ContactPoint {
-    /// Edge of both paths and parameter on it.
-    pub place: (usize, f64),
-    /// Arc length from the start of the path.
-    pub arc: f64,
-    /// Position.
-    pub position: [f64; 2],
-    /// Unit normal out of body 2 into body 1.
-    pub normal: [f64; 2],
-    /// Unit tangent: the normal turned clockwise, along growing x where the normal points up.
-    pub tangent: [f64; 2],
-    /// Area of the surface that belongs to the point.
-    pub weight: f64,
-}
 
 /// Which surface carries the contact points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -198,14 +164,6 @@ fn lead(shaped: &InterfaceOperator, counter: &InterfaceOperator) -> Side {
     let ratio = stiffness(shaped) / stiffness(counter);
     let richer = counter.trace.points.len() > shaped.trace.points.len();
     if ratio > 4.0 || (ratio >= 0.25 && richer) { Side::Counter } else { Side::Shaped }
-}
-
-pub(crate) fn difference(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
-    [a[0] - b[0], a[1] - b[1]]
-}
-
-pub(crate) fn along(direction: [f64; 2], v: [f64; 2]) -> f64 {
-    direction[0] * v[0] + direction[1] * v[1]
 }
 
 /// The contact normal, out of body 2 into body 1, from a body's own outward normal.

@@ -3,7 +3,7 @@
 //! All points with a wrong sign change sides together as long as their number falls; after ten steps without progress only the last one
 //! does (Murty 1974), which ends on every P-matrix (Kostreva 1978; Judice and Pires 1994).
 
-use crate::complementarity::{Answer, Complementarity, Point, Proximal};
+use crate::lcp::{Answer, Complementarity, Point, Proximal};
 use crate::linear::Scaling;
 
 /// Steps without progress before single changes begin.

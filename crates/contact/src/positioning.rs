@@ -6,7 +6,8 @@
 use crate::error::Error;
 use crate::load::ContactLoad;
 use crate::operator::ContactOperator;
-use crate::pair::{ContactPoint, Pair};
+use crate::pair::Pair;
+use crate::point::ContactPoint;
 use crate::solution::ContactSolution;
 use hpfem::InterfaceOperator;
 

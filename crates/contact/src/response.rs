@@ -1,8 +1,9 @@
 //! What one body does under forces at the contact points: its interface operator, solved once for every column a contact solve needs.
 
 use crate::error::Error;
-use crate::pair::Side;
+use crate::products::{add, times};
 use crate::segment::Station;
+use crate::side::Side;
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side as Triangle};
 use hpfem::InterfaceOperator;
@@ -172,23 +173,4 @@ fn component_rows(
 fn beside(a: &Mat<f64>, b: &Mat<f64>) -> Mat<f64> {
     let n = a.ncols();
     Mat::from_fn(b.nrows(), n + b.ncols(), |i, j| if j < n { a[(i, j)] } else { b[(i, j - n)] })
-}
-
-/// Matrix times vector.
-pub(crate) fn times(matrix: &Mat<f64>, x: &[f64]) -> Vec<f64> {
-    let mut y = vec![0.0; matrix.nrows()];
-    for (j, v) in x.iter().enumerate().filter(|(_, v)| **v != 0.0) {
-        matrix.col(j).iter().zip(&mut y).for_each(|(a, y)| *y += a * v);
-    }
-    y
-}
-
-/// Transposed matrix times vector.
-pub(crate) fn transposed_times(matrix: &Mat<f64>, x: &[f64]) -> Vec<f64> {
-    (0..matrix.ncols()).map(|j| matrix.col(j).iter().zip(x).map(|(a, x)| a * x).sum()).collect()
-}
-
-/// `y += x`.
-pub(crate) fn add(y: &mut [f64], x: &[f64]) {
-    y.iter_mut().zip(x).for_each(|(y, x)| *y += x);
 }

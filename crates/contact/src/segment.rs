@@ -7,7 +7,9 @@
 //! alike, so that the compliance stays symmetric (Bernardi, Maday and Patera 1994; for contact McDevitt and Laursen 2000).
 
 use crate::facing::{breaks_on, crossing};
-use crate::pair::{ContactPoint, Pair, Side};
+use crate::pair::Pair;
+use crate::point::ContactPoint;
+use crate::side::Side;
 use hpfem::{barycentric_weights, gauss, lagrange};
 
 /// A place of both surfaces at which contact forces act.

@@ -1,10 +1,10 @@
 //! From a gap and a load to the complementarity problem.
 
-use crate::complementarity::{Complementarity, Point};
 use crate::error::Error;
+use crate::lcp::{Complementarity, Point};
 use crate::load::{ContactLoad, Friction, MomentBalance, Motion};
 use crate::operator::{ContactOperator, SIGNS};
-use crate::response::times;
+use crate::products::times;
 use crate::solution::ContactSolution;
 use faer::{Mat, Side};
 use std::borrow::Cow;
@@ -47,18 +47,55 @@ impl Stage<'_> {
     }
 }
 
+/// What the load factors and prescribed motions do before any contact force acts.
+struct Unloaded {
+    /// Opening and slip at the points.
+    opening: Vec<f64>,
+    slip: Vec<f64>,
+    /// Resultant along every coordinate.
+    rows: Vec<f64>,
+    /// All factors of each body, and those of load cases and prescribed displacements.
+    factors: Vec<(Vec<f64>, Vec<f64>)>,
+}
+
 impl ContactOperator<'_> {
     /// The complementarity problem of a gap and a load.
     pub(crate) fn stage(&self, gap: &[f64], load: &ContactLoad) -> Result<Stage<'_>, Error> {
-        let n = self.points.len();
+        let n = self.unit.points.len();
+        let mut unloaded = self.unloaded(gap, load)?;
+        let (slide, friction_active) = self.slide(load)?;
+        let (compliance, balance) = self.sliding(load, &slide, friction_active);
+        let (stiffness, prescribed) = self.held(load, &mut unloaded.rows);
+        let free: Vec<usize> = (0..prescribed.len()).filter(|j| prescribed[*j].is_none()).collect();
+        self.move_prescribed(&mut unloaded, &stiffness, &prescribed, &free);
+        let Unloaded { opening, slip, rows, factors } = unloaded;
+        let pick = |m: &Mat<f64>| Mat::from_fn(n, free.len(), |i, j| m[(i, free[j])]);
+        let (influence, balance) = (pick(&self.unit.influence), pick(&balance));
+        let sliding = self.unit.shear_influence.as_ref().map(pick);
+        let mut stiffness = Mat::from_fn(free.len(), free.len(), |i, j| stiffness[(free[i], free[j])]);
+        let held_by_shear = sliding.as_ref().filter(|_| matches!(load.friction, Friction::Coulomb { .. }));
+        pin_idle_motions(&influence, held_by_shear, &mut stiffness, &self.unit.normal);
+        let problem = Complementarity {
+            compliance,
+            influence,
+            balance,
+            stiffness,
+            opening,
+            load: free.iter().map(|j| rows[*j]).collect(),
+            symmetric: !friction_active,
+        };
+        Ok(Stage { problem, factors, slide, slip, sliding, prescribed, free })
+    }
+
+    /// Both bodies under the load factors, from the gap.
+    fn unloaded(&self, gap: &[f64], load: &ContactLoad) -> Result<Unloaded, Error> {
+        let n = self.unit.points.len();
         if gap.len() != n || gap.iter().any(|g| !g.is_finite()) {
             return Err(Error::Gap { given: gap.len(), points: n });
         }
-        let mut opening = gap.to_vec();
-        let mut slip = vec![0.0; n];
-        let mut rows = Vec::new();
-        let mut factors = Vec::new();
-        for (b, response) in self.responses.iter().enumerate() {
+        let (mut opening, mut slip) = (gap.to_vec(), vec![0.0; n]);
+        let (mut rows, mut factors) = (Vec::new(), Vec::new());
+        for (b, response) in self.unit.responses.iter().enumerate() {
             let operator = self.operator(b);
             if load.factors[b].len() != operator.load_cases || load.factors[b].iter().any(|a| !a.is_finite()) {
                 return Err(Error::Factors { body: b + 1, given: load.factors[b].len(), cases: operator.load_cases });
@@ -75,11 +112,16 @@ impl ContactOperator<'_> {
             rows.extend(times(&response.motion_columns, &columns));
             factors.push((all, columns));
         }
-        let (slide, friction_active) = self.slide(load)?;
-        let mut compliance = Cow::Borrowed(&self.normal);
-        let mut balance = self.influence.clone();
-        if let (true, Some(by_shear), Some(shear)) = (friction_active, &self.normal_by_shear, &self.shear_influence) {
-            compliance = Cow::Owned(Mat::from_fn(n, n, |i, j| self.normal[(i, j)] + by_shear[(i, j)] * slide[j]));
+        Ok(Unloaded { opening, slip, rows, factors })
+    }
+
+    /// Compliance and balance with the shear of steady sliding in them.
+    fn sliding(&self, load: &ContactLoad, slide: &[f64], friction_active: bool) -> (Cow<'_, Mat<f64>>, Mat<f64>) {
+        let (n, unit) = (self.unit.points.len(), &*self.unit);
+        let mut compliance = Cow::Borrowed(&unit.normal);
+        let mut balance = unit.influence.clone();
+        if let (true, Some(by_shear), Some(shear)) = (friction_active, &unit.normal_by_shear, &unit.shear_influence) {
+            compliance = Cow::Owned(Mat::from_fn(n, n, |i, j| unit.normal[(i, j)] + by_shear[(i, j)] * slide[j]));
             for j in 0..balance.ncols() {
                 let rotation = self.edge_motion(j) == Some(2);
                 if !(rotation && load.moment == MomentBalance::Pressure) {
@@ -87,11 +129,15 @@ impl ContactOperator<'_> {
                 }
             }
         }
-        // Springs, resultants and prescribed values of the rigid edge.
+        (compliance, balance)
+    }
+
+    /// Stiffness of all coordinates and their prescribed values; resultants and springs of the rigid edge add to the rows.
+    fn held(&self, load: &ContactLoad, rows: &mut [f64]) -> (Mat<f64>, Vec<Option<f64>>) {
         let total = rows.len();
         let mut stiffness = Mat::zeros(total, total);
         let mut offset = 0;
-        for r in &self.responses {
+        for r in &self.unit.responses {
             let m = r.stiffness.ncols();
             (0..m).for_each(|i| (0..m).for_each(|j| stiffness[(offset + i, offset + j)] = r.stiffness[(i, j)]));
             offset += m;
@@ -108,35 +154,24 @@ impl ContactOperator<'_> {
                 }
             }
         }
-        let free: Vec<usize> = (0..total).filter(|j| prescribed[*j].is_none()).collect();
+        (stiffness, prescribed)
+    }
+
+    /// Opening, slip and resultants of the free coordinates by the prescribed motions.
+    fn move_prescribed(&self, unloaded: &mut Unloaded, stiffness: &Mat<f64>, prescribed: &[Option<f64>], free: &[usize]) {
+        let n = self.unit.points.len();
         for (j, value) in prescribed.iter().enumerate().filter_map(|(j, v)| v.map(|v| (j, v))) {
-            (0..n).for_each(|i| opening[i] += self.influence[(i, j)] * value);
-            if let Some(shear) = &self.shear_influence {
-                (0..n).for_each(|i| slip[i] += shear[(i, j)] * value);
+            (0..n).for_each(|i| unloaded.opening[i] += self.unit.influence[(i, j)] * value);
+            if let Some(shear) = &self.unit.shear_influence {
+                (0..n).for_each(|i| unloaded.slip[i] += shear[(i, j)] * value);
             }
-            free.iter().for_each(|i| rows[*i] -= stiffness[(*i, j)] * value);
+            free.iter().for_each(|i| unloaded.rows[*i] -= stiffness[(*i, j)] * value);
         }
-        let pick = |m: &Mat<f64>| Mat::from_fn(n, free.len(), |i, j| m[(i, free[j])]);
-        let (influence, balance) = (pick(&self.influence), pick(&balance));
-        let sliding = self.shear_influence.as_ref().map(pick);
-        let mut stiffness = Mat::from_fn(free.len(), free.len(), |i, j| stiffness[(free[i], free[j])]);
-        let held_by_shear = sliding.as_ref().filter(|_| matches!(load.friction, Friction::Coulomb { .. }));
-        pin_idle_motions(&influence, held_by_shear, &mut stiffness, &self.normal);
-        let problem = Complementarity {
-            compliance,
-            influence,
-            balance,
-            stiffness,
-            opening,
-            load: free.iter().map(|j| rows[*j]).collect(),
-            symmetric: !friction_active,
-        };
-        Ok(Stage { problem, factors, slide, slip, sliding, prescribed, free })
     }
 
     /// Shear per normal force at each point, and whether there is any.
     pub(crate) fn slide(&self, load: &ContactLoad) -> Result<(Vec<f64>, bool), Error> {
-        let n = self.points.len();
+        let n = self.unit.points.len();
         let Friction::Sliding { coefficient, drag } = &load.friction else { return Ok((vec![0.0; n], false)) };
         let sound = *coefficient >= 0.0 && coefficient.is_finite() && drag.len() == n && drag.iter().all(|d| d.abs() <= 1.0);
         if !sound {
@@ -144,7 +179,7 @@ impl ContactOperator<'_> {
         }
         let slide: Vec<f64> = drag.iter().map(|d| coefficient * d).collect();
         let active = slide.iter().any(|s| *s != 0.0);
-        if active && self.normal_by_shear.is_none() {
+        if active && self.unit.normal_by_shear.is_none() {
             return Err(Error::ShearNotPrepared);
         }
         Ok((slide, active))

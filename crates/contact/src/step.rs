@@ -1,9 +1,9 @@
 //! One load step of Coulomb friction on a contact operator.
 
 use crate::assemble::Ending;
-use crate::complementarity::Point;
-use crate::coulomb::{ContactState, Coulomb, Sheared};
+use crate::coulomb::{ContactState, Coulomb, Outcome, Sheared};
 use crate::error::Error;
+use crate::lcp::Point;
 use crate::load::{ContactLoad, Friction};
 use crate::operator::ContactOperator;
 use crate::solution::ContactSolution;
@@ -25,8 +25,9 @@ impl ContactOperator<'_> {
         let stage = self.stage(gap, load)?;
         let Friction::Coulomb { coefficient, slip_before } = &load.friction else { return Err(Error::ShearNotPrepared) };
         let coulomb = self.coulomb(&stage, *coefficient, slip_before)?;
-        let solved = coulomb.on_states(states);
-        Ok(solved.map(|at| self.sheared(&stage, &coulomb, at, states.to_vec(), Status::Converged, 1)))
+        let Some(at) = coulomb.on_states(states) else { return Ok(None) };
+        let outcome = Outcome { at: Some(at), states: states.to_vec(), steps: 1, history: Vec::new(), settled: true };
+        Ok(Some(self.sheared(&stage, &coulomb, outcome, Status::Converged)))
     }
 
     /// What shear adds to a stage.
@@ -36,8 +37,9 @@ impl ContactOperator<'_> {
         coefficient: f64,
         slip_before: &[f64],
     ) -> Result<Coulomb<'m>, Error> {
-        let n = self.points.len();
-        let (Some(by_shear), Some(tangential), Some(influence)) = (&self.normal_by_shear, &self.tangential, &stage.sliding)
+        let n = self.unit.points.len();
+        let (Some(by_shear), Some(tangential), Some(influence)) =
+            (&self.unit.normal_by_shear, &self.unit.tangential, &stage.sliding)
         else {
             return Err(Error::ShearNotPrepared);
         };
@@ -56,7 +58,7 @@ impl ContactOperator<'_> {
 
     /// One load step with stick and slip, from the states of an earlier solution or from a frictionless contact that sticks.
     pub(crate) fn step(&self, stage: &Stage<'_>, coulomb: &Coulomb<'_>, warm_start: Option<&ContactSolution>) -> ContactSolution {
-        let n = self.points.len();
+        let n = self.unit.points.len();
         let (start, near) = match warm_start {
             Some(s) => {
                 let point = stage.start(s);
@@ -71,26 +73,28 @@ impl ContactOperator<'_> {
         };
         let outcome = coulomb.solve(&start, &near);
         let status = verdict::sheared_status(coulomb, &outcome);
+        self.sheared(stage, coulomb, outcome, status)
+    }
+
+    /// The solution of an outcome; nothing carries where there is none.
+    fn sheared(&self, stage: &Stage<'_>, coulomb: &Coulomb<'_>, outcome: Outcome, status: Status) -> ContactSolution {
+        let n = self.unit.points.len();
         let at = outcome.at.unwrap_or_else(|| Sheared {
             point: Point { force: vec![0.0; n], coordinates: vec![0.0; stage.free.len()] },
             shear: vec![0.0; n],
         });
-        self.sheared(stage, coulomb, at, outcome.states, status, outcome.steps)
-    }
-
-    fn sheared(
-        &self,
-        stage: &Stage<'_>,
-        coulomb: &Coulomb<'_>,
-        at: Sheared,
-        states: Vec<ContactState>,
-        status: Status,
-        iterations: usize,
-    ) -> ContactSolution {
         let (opening, _) = coulomb.gaps(&at);
-        let complementarity = coulomb.normal.complementarity(&at.point, &opening);
-        let balance = coulomb.relative_imbalance(&at);
-        let ending = Ending { status, states, complementarity, balance, iterations, took_over: false };
-        self.assemble(stage, at.point, at.shear, opening, ending)
+        let ending = Ending {
+            status,
+            states: outcome.states,
+            complementarity: coulomb.normal.complementarity(&at.point, &opening),
+            balance: coulomb.relative_imbalance(&at),
+            point: at.point,
+            shear: at.shear,
+            opening,
+            iterations: outcome.steps,
+            took_over: false,
+        };
+        self.assemble(stage, ending)
     }
 }

@@ -4,13 +4,16 @@
 //! All forces together are the multipliers of one augmented Lagrangian: `lambda >= 0` and `|sigma| <= limit` are projections,
 //! the augmented potential is convex and piecewise quadratic, and semismooth Newton with an exact line search finds its minimum.
 
-use crate::coulomb::Coulomb;
-use crate::response::{add, times, transposed_times};
+use crate::lcp::Point;
+use crate::line_search::{Line, line_search};
+use crate::products::{add, times, transposed_times};
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 
 /// Newton steps for one set of multipliers.
 const LIMIT: usize = 40;
+/// Halvings of the line to a Newton point.
+const HALVINGS: usize = 20;
 
 /// Where the force of a constraint stands between its bounds.
 #[derive(Clone, Copy, PartialEq)]
@@ -18,13 +21,6 @@ pub(crate) enum Bound {
     Free,
     Low(f64),
     High(f64),
-}
-
-/// Forces and coordinates.
-#[derive(Clone)]
-pub(crate) struct Forces {
-    pub(crate) force: Vec<f64>,
-    pub(crate) coordinates: Vec<f64>,
 }
 
 /// Forces within bounds, against `gap = offset + compliance force + influence coordinates`, and the balance
@@ -49,34 +45,7 @@ pub(crate) struct Tresca {
 pub(crate) const SOFT: f64 = 4.0;
 
 impl Tresca {
-    /// Normal forces, then shear forces of a load step.
-    pub(crate) fn new(problem: &Coulomb<'_>) -> Tresca {
-        let n = problem.slip.len();
-        let normal = problem.normal;
-        let compliance = Mat::from_fn(2 * n, 2 * n, |i, j| match (i < n, j < n) {
-            (true, true) => normal.compliance[(i, j)],
-            (true, false) => problem.by_shear[(i, j - n)],
-            (false, true) => problem.by_shear[(j, i - n)],
-            (false, false) => problem.tangential[(i - n, j - n)],
-        });
-        let m = normal.load.len();
-        let influence =
-            Mat::from_fn(2 * n, m, |i, j| if i < n { normal.influence[(i, j)] } else { problem.influence[(i - n, j)] });
-        let (unit, resultant) = problem.scales();
-        Tresca {
-            penalty: SOFT,
-            own: (0..2 * n).map(|i| compliance[(i, i)]).collect(),
-            compliance,
-            influence,
-            offset: normal.opening.iter().chain(&problem.slip).copied().collect(),
-            load: normal.load.clone(),
-            stiffness: normal.stiffness.clone(),
-            unit,
-            resultant,
-        }
-    }
-
-    pub(crate) fn gaps(&self, at: &Forces) -> Vec<f64> {
+    pub(crate) fn gaps(&self, at: &Point) -> Vec<f64> {
         let mut gaps = self.offset.clone();
         add(&mut gaps, &times(&self.compliance, &at.force));
         add(&mut gaps, &times(&self.influence, &at.coordinates));
@@ -84,7 +53,7 @@ impl Tresca {
     }
 
     /// Projected multiplier of constraint `i`, and where it stands.
-    fn project(&self, centre: &Forces, gap: f64, [low, high]: [f64; 2], i: usize) -> (f64, Bound) {
+    fn project(&self, centre: &Point, gap: f64, [low, high]: [f64; 2], i: usize) -> (f64, Bound) {
         if low >= high {
             return (low, Bound::Low(low));
         }
@@ -100,7 +69,7 @@ impl Tresca {
 
     /// One multiplier step with given bounds `[low, high]` of the forces: minimises the augmented potential and gives the projected forces, where
     /// each stands, and the number of linear systems.
-    pub(crate) fn step(&self, centre: &Forces, limits: &[[f64; 2]]) -> Option<(Forces, Vec<Bound>, usize)> {
+    pub(crate) fn step(&self, centre: &Point, limits: &[[f64; 2]]) -> Option<(Point, Vec<Bound>, usize)> {
         let mut at = centre.clone();
         let mut gaps = self.gaps(&at);
         let read = |gaps: &[f64]| -> Vec<(f64, Bound)> {
@@ -120,12 +89,12 @@ impl Tresca {
                 break;
             }
         }
-        let forces = Forces { force: bounds.iter().map(|b| b.0).collect(), coordinates: at.coordinates };
+        let forces = Point { force: bounds.iter().map(|b| b.0).collect(), coordinates: at.coordinates };
         Some((forces, bounds.iter().map(|b| b.1).collect(), solved))
     }
 
     /// Free forces with the others at their bounds; an infinite penalty gives those of the problem itself.
-    pub(crate) fn newton(&self, centre: &Forces, bounds: &[(f64, Bound)], penalty: f64) -> Option<Forces> {
+    pub(crate) fn newton(&self, centre: &Point, bounds: &[(f64, Bound)], penalty: f64) -> Option<Point> {
         let m = self.load.len();
         let free: Vec<usize> = (0..bounds.len()).filter(|i| bounds[*i].1 == Bound::Free).collect();
         let fixed: Vec<f64> = bounds.iter().map(|b| if let Bound::Low(v) | Bound::High(v) = b.1 { v } else { 0.0 }).collect();
@@ -161,43 +130,20 @@ impl Tresca {
         free.iter().enumerate().for_each(|(i, k)| force[*k] = x[(i, 0)]);
         let coordinates: Vec<f64> = (0..m).map(|j| x[(f + j, 0)] * self.unit[j]).collect();
         let finite = force.iter().chain(&coordinates).all(|v| v.is_finite());
-        finite.then_some(Forces { force, coordinates })
+        finite.then_some(Point { force, coordinates })
     }
 
-    /// Bisection on the slope of the augmented potential along the line to the Newton point.
-    fn search(&self, from: &Forces, to: Forces, centre: &Forces, limits: &[[f64; 2]]) -> Forces {
-        let step = |a: &[f64], b: &[f64]| -> Vec<f64> { a.iter().zip(b).map(|(a, b)| b - a).collect() };
-        let (force, coordinates) = (step(&from.force, &to.force), step(&from.coordinates, &to.coordinates));
-        let response = times(&self.compliance, &force);
-        let mut moved = response.clone();
-        add(&mut moved, &times(&self.influence, &coordinates));
+    /// Minimises the augmented potential along the line to the Newton point.
+    fn search(&self, from: &Point, to: Point, centre: &Point, limits: &[[f64; 2]]) -> Point {
         let gaps = self.gaps(from);
-        let at = |t: f64| Forces {
-            force: from.force.iter().zip(&force).map(|(a, d)| a + t * d).collect(),
-            coordinates: from.coordinates.iter().zip(&coordinates).map(|(a, d)| a + t * d).collect(),
+        let line = Line { from, to: &to, compliance: &self.compliance, influence: &self.influence, opening: &gaps };
+        let push = |i: usize, gap: f64| self.project(centre, gap, limits[i], i).0;
+        let residual = |push: &[f64], y: &[f64]| -> Vec<f64> {
+            let held = times(&self.stiffness, y);
+            let pushed = transposed_times(&self.influence, push);
+            let spring = |j: usize| self.resultant[j] / self.unit[j] / self.penalty * (y[j] - centre.coordinates[j]);
+            (0..y.len()).map(|j| held[j] + spring(j) - self.load[j] - pushed[j]).collect()
         };
-        let slope = |t: f64| {
-            let p = at(t);
-            let push: Vec<f64> = (0..force.len()).map(|i| self.project(centre, gaps[i] + t * moved[i], limits[i], i).0).collect();
-            let elastic: f64 = (0..force.len()).map(|i| response[i] * (p.force[i] - push[i])).sum();
-            let held = times(&self.stiffness, &p.coordinates);
-            let pushed = transposed_times(&self.influence, &push);
-            let rigid: f64 = (0..coordinates.len())
-                .map(|j| {
-                    let spring = self.resultant[j] / self.unit[j] / self.penalty * (p.coordinates[j] - centre.coordinates[j]);
-                    coordinates[j] * (held[j] + spring - self.load[j] - pushed[j])
-                })
-                .sum();
-            elastic + rigid
-        };
-        if slope(1.0) <= 1e-3 * slope(0.0).abs() {
-            return to;
-        }
-        let (mut low, mut high) = (0.0, 1.0);
-        for _ in 0..20 {
-            let middle = 0.5 * (low + high);
-            if slope(middle) < 0.0 { low = middle } else { high = middle }
-        }
-        at(0.5 * (low + high))
+        line_search(&line, HALVINGS, push, residual).unwrap_or(to)
     }
 }

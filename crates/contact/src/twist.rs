@@ -6,10 +6,13 @@
 
 use crate::coulomb::ContactState;
 use crate::error::Error;
-use crate::pair::{ContactPoint, Pair, Side};
-use crate::response::transposed_times;
+use crate::lcp::Point;
+use crate::pair::Pair;
+use crate::point::ContactPoint;
+use crate::products::transposed_times;
 use crate::segment::Station;
-use crate::tresca::{Bound, Forces, SOFT, Tresca};
+use crate::side::Side;
+use crate::tresca::{Bound, SOFT, Tresca};
 use crate::zones::zones;
 use faer::Mat;
 use hpfem::{InterfaceOperator, Kinematics};
@@ -233,8 +236,8 @@ impl TorsionOperator {
 }
 
 /// States from sticking everywhere on until they are right; where they do not settle, multiplier steps show the way.
-fn search(mut problem: Tresca, limits: &[[f64; 2]], answer: &mut TwistSolution) -> (Forces, Vec<Bound>) {
-    let mut centre = Forces { force: vec![0.0; limits.len()], coordinates: vec![0.0; problem.load.len()] };
+fn search(mut problem: Tresca, limits: &[[f64; 2]], answer: &mut TwistSolution) -> (Point, Vec<Bound>) {
+    let mut centre = Point { force: vec![0.0; limits.len()], coordinates: vec![0.0; problem.load.len()] };
     let mut stands = vec![Bound::Free; limits.len()];
     let mut history = Vec::new();
     for _ in 0..LIMIT {
@@ -258,8 +261,8 @@ fn settle(
     stands: &mut [Bound],
     answer: &mut TwistSolution,
     history: &mut Vec<f64>,
-) -> Option<Forces> {
-    let origin = Forces { force: vec![0.0; limits.len()], coordinates: vec![0.0; problem.load.len()] };
+) -> Option<Point> {
+    let origin = Point { force: vec![0.0; limits.len()], coordinates: vec![0.0; problem.load.len()] };
     for _ in 0..PLAIN_STEPS {
         let value = |i: usize| match stands[i] {
             Bound::Free => 0.0,
@@ -290,7 +293,7 @@ fn settle(
 }
 
 /// Largest free force beyond its bounds, and slip the wrong way at a bound, relative to the largest limit and the largest elastic slip.
-fn violation(problem: &Tresca, limits: &[[f64; 2]], at: &Forces, stands: &[Bound]) -> f64 {
+fn violation(problem: &Tresca, limits: &[[f64; 2]], at: &Point, stands: &[Bound]) -> f64 {
     let gaps = problem.gaps(at);
     let largest = limits.iter().map(|l| l[1]).fold(f64::MIN_POSITIVE, f64::max);
     let elastic = (0..limits.len()).map(|i| problem.own[i] * limits[i][1]).fold(f64::MIN_POSITIVE, f64::max);

@@ -5,8 +5,8 @@
 //! more: the solution branches only where the determinant of the system of its active points passes zero (Klarbring 1990), that is where its smallest
 //! singular value vanishes. So the solution is followed from no friction up, but only where the form is indefinite.
 
-use crate::complementarity::{Answer, Complementarity, Point};
 use crate::error::Error;
+use crate::lcp::{Answer, Complementarity, Point};
 use crate::linear::{Scaling, extreme_singular_values, matrix};
 use crate::load::{ContactLoad, Friction};
 use crate::operator::ContactOperator;

@@ -1,8 +1,9 @@
 //! What an answer of the complementarity problem means.
 
-use crate::complementarity::{Answer, Complementarity, Point};
 use crate::coulomb::{ContactState, Coulomb, Outcome};
-use crate::response::{add, times, transposed_times};
+use crate::lcp::{Answer, Complementarity};
+use crate::linear::Scaling;
+use crate::products::{add, times, transposed_times};
 use crate::status::Status;
 use faer::Mat;
 use std::borrow::Cow;
@@ -171,49 +172,14 @@ fn friction_resists(problem: &Complementarity<'_>, frictionless: &Complementarit
     // Work of contact and load along the motion of the frictionless body.
     let back = transposed_times(&problem.balance, &pushed.point.force);
     let without = transposed_times(&frictionless.balance, &rest.point.force);
-    let along: f64 = back.iter().zip(&without).zip(&problem.stiffness_units()).map(|((b, w), k)| b * w / k).sum();
+    let along: f64 = back.iter().zip(&without).zip(&Scaling::new(problem).stiffness).map(|((b, w), k)| b * w / k).sum();
     along <= 0.0
-}
-
-impl Complementarity<'_> {
-    /// Largest relative residual of the balances, each against the sum of the magnitudes in it.
-    pub(crate) fn relative_imbalance(&self, at: &Point) -> f64 {
-        let spring = times(&self.stiffness, &at.coordinates);
-        self.imbalance(at)
-            .iter()
-            .enumerate()
-            .map(|(j, r)| {
-                let contact: f64 = (0..self.points()).map(|i| (self.balance[(i, j)] * at.force[i]).abs()).sum();
-                let size = contact + self.load[j].abs() + spring[j].abs();
-                if size > 0.0 { r.abs() / size } else { 0.0 }
-            })
-            .fold(0.0, f64::max)
-    }
-
-    /// Largest relative violation of the signs and of `lambda w = 0`.
-    pub(crate) fn complementarity(&self, at: &Point, opening: &[f64]) -> f64 {
-        let force = at.force.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-        let elastic = times(&self.compliance, &at.force).iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-        if force == 0.0 || elastic == 0.0 {
-            return 0.0;
-        }
-        (0..self.points())
-            .map(|i| {
-                let (f, w) = (at.force[i] / force, opening[i] / elastic);
-                (-f).max(-w).max((f * w).abs())
-            })
-            .fold(0.0, f64::max)
-    }
-
-    /// A stiffness for each coordinate, to compare resultants of different unit.
-    fn stiffness_units(&self) -> Vec<f64> {
-        crate::linear::Scaling::new(self).stiffness
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lcp::Point;
 
     /// Two points that overlap by 1, each pushed off by the other's force times `coupling` of its own.
     fn two_points(coupling: f64) -> Complementarity<'static> {

@@ -1,6 +1,6 @@
 //! Where a zone of contact, or of stick, begins and ends between points.
 
-use crate::pair::ContactPoint;
+use crate::point::ContactPoint;
 
 /// Arcs between the ends of the active zones. An end between an active and an idle point is placed where the square of `force / weight`,
 /// linear near a smooth end, vanishes.

@@ -59,6 +59,13 @@ impl fmt::Display for EvolutionStatus {
     }
 }
 
+/// Length of a step taken and of the next one, and the time at its end where that is given.
+struct Taken {
+    step: f64,
+    next: f64,
+    end: Option<f64>,
+}
+
 /// Steps of a wear run, one state at a time; the first is the start.
 pub struct Evolution<'a> {
     problem: &'a WearProblem,
@@ -168,7 +175,7 @@ impl<'a> Evolution<'a> {
         let elastic = load.elastic(&contact.pressure).iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         let opened = state.gap.iter().zip(&self.problem.gap).map(|(now, start)| now - start).fold(0.0, f64::max);
         let rigid = &self.rigid[self.stage(state)];
-        state.steady_residual = rigid.residual(&load.weights, &state.gap_rate, &contact.pressure, elastic, opened);
+        state.steady_residual = rigid.residual(&load.weights, &state.gap_rate, &contact.pressure, [elastic, opened]);
         state.pressure = contact.pressure;
         state.opening = contact.opening;
         state.coordinates = contact.coordinates;
@@ -260,7 +267,7 @@ impl<'a> Evolution<'a> {
                     } else {
                         step * factor
                     };
-                    self.accept(&mut state, trial, step, next, last.then_some(limit));
+                    self.accept(&mut state, trial, Taken { step, next, end: last.then_some(limit) });
                     return Ok(state);
                 }
                 trial => {
@@ -296,7 +303,8 @@ impl<'a> Evolution<'a> {
         state.next_step = state.next_step.min(self.first_step(state));
     }
 
-    fn accept(&self, state: &mut WearState, trial: Trial, step: f64, next: f64, end: Option<f64>) {
+    /// Moves a state on by a step that is accurate enough.
+    fn accept(&self, state: &mut WearState, trial: Trial, Taken { step, next, end }: Taken) {
         let (before, step_before) = (state.lyapunov, state.next_step);
         state.step += 1;
         state.time = end.unwrap_or(state.time + step);

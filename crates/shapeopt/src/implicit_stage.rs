@@ -59,6 +59,36 @@ pub(crate) struct Linear {
     factor: PartialPivLu<f64>,
 }
 
+/// A stage to be solved.
+struct Stage<'k> {
+    /// Gap without the wear of this stage.
+    known: &'k [f64],
+    step: f64,
+}
+
+/// Where Newton's method stands.
+struct Iterate {
+    contact: Contact,
+    /// Recession of the counter-face within the stage.
+    recession: f64,
+    /// The normal map.
+    u: Vec<f64>,
+    /// Newton steps so far, this one counted.
+    steps: usize,
+}
+
+/// What a Newton step has changed.
+struct Update {
+    /// Pressure after the step.
+    pressure: Vec<f64>,
+    /// Largest change of the normal map at an active point: relative, absolute, and what it is measured by.
+    relative: f64,
+    absolute: f64,
+    size: f64,
+    /// Whether points have entered or left the contact.
+    changed: bool,
+}
+
 impl<'a> Load<'a> {
     pub(crate) fn new(system: &'a ContactSystem, rate: GapRate, weights: Vec<f64>) -> Load<'a> {
         let n = weights.len();
@@ -98,80 +128,91 @@ impl<'a> Load<'a> {
     /// Solves a stage. `known` is the gap without the wear of this stage; `None` if the iteration does not settle.
     pub(crate) fn solve(&self, known: &[f64], step: f64, start: &Contact) -> Option<Solved> {
         let n = self.weights.len();
-        let recedes = self.recedes(step);
+        let stage = Stage { known, step };
         let linear_rate = step == 0.0 || (self.rate.is_linear());
-        let mut now = start.clone();
-        let mut recession = step * self.rate.recession(&now.pressure);
-        let mut u: Vec<f64> = (0..n)
-            .map(|i| self.sigma[i] * now.pressure[i] + step * self.rate.local(i, now.pressure[i]) - now.opening[i])
+        let contact = start.clone();
+        let recession = step * self.rate.recession(&contact.pressure);
+        let u: Vec<f64> = (0..n)
+            .map(|i| self.sigma[i] * contact.pressure[i] + step * self.rate.local(i, contact.pressure[i]) - contact.opening[i])
             .collect();
+        let mut at = Iterate { contact, recession, u, steps: 0 };
         let mut relative_before = f64::INFINITY;
         for iteration in 1..=NEWTON_LIMIT {
-            let (pressure, slope): (Vec<f64>, Vec<f64>) =
-                (0..n).map(|i| if u[i] > 0.0 { self.rate.inverse(i, self.sigma[i], step, u[i]) } else { (0.0, 0.0) }).unzip();
-            now.pressure = pressure;
-            let active: Vec<usize> = (0..n).filter(|i| u[*i] > 0.0).collect();
-            let linear = self.linearise(step, &now.pressure, active, &slope, recedes)?;
-            let right = self.right(known, step, &u, &now, recession, &linear.active);
-            let change = linear.solve(right)?;
-            let a = linear.active.len();
-            // Update.
-            let mut next = u.clone();
-            let (mut relative, mut absolute) = (0.0_f64, 0.0_f64);
-            let size = u.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-            for (k, i) in linear.active.iter().enumerate() {
-                next[*i] = u[*i] + change[k];
-                relative = relative.max(change[k].abs() / u[*i].abs());
-                absolute = absolute.max(change[k].abs());
-            }
-            for j in 0..now.coordinates.len() {
-                now.coordinates[j] += change[a + j] * self.unit[j];
-            }
-            if recedes {
-                recession += change[a + now.coordinates.len()];
-            }
-            // Points in the open follow from the new pressures.
-            let updated: Vec<f64> = (0..n)
-                .map(|i| if next[i] > 0.0 && u[i] > 0.0 { self.rate.inverse(i, self.sigma[i], step, next[i]).0 } else { 0.0 })
-                .collect();
-            let elastic = self.elastic(&updated);
-            for i in (0..n).filter(|i| u[*i] <= 0.0) {
-                next[i] = -(known[i] + self.system.opening[i] + elastic[i] + self.rigid(i, &now.coordinates) + recession);
-            }
-            if !next.iter().all(|v| v.is_finite()) {
-                return None;
-            }
-            let changed: Vec<usize> = (0..n).filter(|i| (next[*i] > 0.0) != (u[*i] > 0.0)).collect();
-            if let (true, Some(only)) = (iteration > PATIENCE, changed.last()) {
-                for i in changed.iter().copied().filter(|i| i != only) {
-                    next[i] = if u[i] > 0.0 { f64::MIN_POSITIVE.max(1e-12 * u[i]) } else { 0.0 };
-                }
-            }
-            u = next;
+            let (pressure, slope): (Vec<f64>, Vec<f64>) = (0..n)
+                .map(|i| if at.u[i] > 0.0 { self.rate.inverse(i, self.sigma[i], step, at.u[i]) } else { (0.0, 0.0) })
+                .unzip();
+            (at.contact.pressure, at.steps) = (pressure, iteration);
+            let active: Vec<usize> = (0..n).filter(|i| at.u[*i] > 0.0).collect();
+            let linear = self.linearise(step, &at.contact.pressure, active, &slope)?;
+            let change = linear.solve(self.right(&stage, &at, &linear.active))?;
+            let update = self.update(&stage, &mut at, &linear.active, &change)?;
             // The error after this step is the square of the change before it, down to round-off.
-            let round_off = absolute <= 1e-11 * size && relative > 0.5 * relative_before;
-            let settled = changed.is_empty() && (linear_rate || relative < 1e-7 || round_off);
-            relative_before = relative;
+            let round_off = update.absolute <= 1e-11 * update.size && update.relative > 0.5 * relative_before;
+            let settled = !update.changed && (linear_rate || update.relative < 1e-7 || round_off);
+            relative_before = update.relative;
             if settled {
-                now.pressure = updated;
-                now.opening = u.iter().map(|v| (-v).max(0.0)).collect();
-                return Some(Solved { contact: now, linear, iterations: iteration });
+                let mut contact = at.contact;
+                contact.pressure = update.pressure;
+                contact.opening = at.u.iter().map(|v| (-v).max(0.0)).collect();
+                return Some(Solved { contact, linear, iterations: iteration });
             }
         }
         None
     }
 
+    /// Takes a Newton step; after long patience only one point enters or leaves the contact. `None` if the step leads out of all numbers.
+    fn update(&self, stage: &Stage<'_>, at: &mut Iterate, active: &[usize], change: &[f64]) -> Option<Update> {
+        let (n, step) = (self.weights.len(), stage.step);
+        let a = active.len();
+        let (u, contact) = (&at.u, &mut at.contact);
+        let mut next = u.clone();
+        let (mut relative, mut absolute) = (0.0_f64, 0.0_f64);
+        let size = u.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        for (k, i) in active.iter().enumerate() {
+            next[*i] = u[*i] + change[k];
+            relative = relative.max(change[k].abs() / u[*i].abs());
+            absolute = absolute.max(change[k].abs());
+        }
+        for j in 0..contact.coordinates.len() {
+            contact.coordinates[j] += change[a + j] * self.unit[j];
+        }
+        if self.recedes(step) {
+            at.recession += change[a + contact.coordinates.len()];
+        }
+        // Points in the open follow from the new pressures.
+        let pressure: Vec<f64> = (0..n)
+            .map(|i| if next[i] > 0.0 && u[i] > 0.0 { self.rate.inverse(i, self.sigma[i], step, next[i]).0 } else { 0.0 })
+            .collect();
+        let elastic = self.elastic(&pressure);
+        for i in (0..n).filter(|i| u[*i] <= 0.0) {
+            let rigid = self.rigid(i, &contact.coordinates);
+            next[i] = -(stage.known[i] + self.system.opening[i] + elastic[i] + rigid + at.recession);
+        }
+        if !next.iter().all(|v| v.is_finite()) {
+            return None;
+        }
+        let changed: Vec<usize> = (0..n).filter(|i| (next[*i] > 0.0) != (u[*i] > 0.0)).collect();
+        if let (true, Some(only)) = (at.steps > PATIENCE, changed.last()) {
+            for i in changed.iter().copied().filter(|i| i != only) {
+                next[i] = if u[i] > 0.0 { f64::MIN_POSITIVE.max(1e-12 * u[i]) } else { 0.0 };
+            }
+        }
+        at.u = next;
+        Some(Update { pressure, relative, absolute, size, changed: !changed.is_empty() })
+    }
+
     /// Right-hand side of a Newton step: openings of the active points, balance of the coordinates, and recession of the counter-face.
-    fn right(&self, known: &[f64], step: f64, u: &[f64], now: &Contact, recession: f64, active: &[usize]) -> Vec<f64> {
+    fn right(&self, stage: &Stage<'_>, at: &Iterate, active: &[usize]) -> Vec<f64> {
+        let (now, recession) = (&at.contact, at.recession);
         let elastic = self.elastic(&now.pressure);
         let residual = |i: usize| {
-            known[i] + self.system.opening[i] + elastic[i] + self.rigid(i, &now.coordinates) + recession
+            stage.known[i] + self.system.opening[i] + elastic[i] + self.rigid(i, &now.coordinates) + recession
                 - self.sigma[i] * now.pressure[i]
         };
-        let mut right: Vec<f64> = active.iter().map(|i| -u[*i] - residual(*i)).collect();
+        let mut right: Vec<f64> = active.iter().map(|i| -at.u[*i] - residual(*i)).collect();
         right.extend(self.imbalance(now).iter().map(|r| -r));
-        if self.recedes(step) {
-            right.push(step * self.rate.recession(&now.pressure) - recession);
+        if self.recedes(stage.step) {
+            right.push(stage.step * self.rate.recession(&now.pressure) - recession);
         }
         right
     }
@@ -186,7 +227,8 @@ impl<'a> Load<'a> {
     }
 
     /// Factorises `[I + (A W - sigma) D, Psi, 1; B^T W D, -K, 0; -dR/dp D, 0, 1]` on the active points.
-    fn linearise(&self, step: f64, pressure: &[f64], active: Vec<usize>, slope: &[f64], recedes: bool) -> Option<Linear> {
+    fn linearise(&self, step: f64, pressure: &[f64], active: Vec<usize>, slope: &[f64]) -> Option<Linear> {
+        let recedes = self.recedes(step);
         let (a, m) = (active.len(), self.unit.len());
         let size = a + m + usize::from(recedes);
         if a < m.min(1) || size == 0 {

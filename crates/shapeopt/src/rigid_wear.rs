@@ -58,8 +58,8 @@ impl RigidWear {
 
     /// `||r - Proj r|| / ||r||` in the area norm over the points under pressure, with the closing of open points by the rigid part added
     /// to the numerator: a run whose open points still come closer is not steady. Without a load along a rigid mode the contact wears itself
-    /// free, and this is the part of the wear still to come: the closing `elastic` of the bodies over itself and what the gap has `opened`.
-    pub(crate) fn residual(&self, weights: &[f64], rate: &[f64], pressure: &[f64], elastic: f64, opened: f64) -> f64 {
+    /// free, and this is the part of the wear still to come: the closing `elastic` of the bodies over itself and what the gap has opened, `left = [elastic, opened]`.
+    pub(crate) fn residual(&self, weights: &[f64], rate: &[f64], pressure: &[f64], left: [f64; 2]) -> f64 {
         // Rates may be so small that their squares are no numbers.
         let unit = unit(rate);
         let rate: Vec<f64> = rate.iter().map(|r| r * unit).collect();
@@ -70,6 +70,7 @@ impl RigidWear {
             return 0.0;
         }
         if !self.driven {
+            let [elastic, opened] = left;
             return elastic / (elastic + opened);
         }
         let remove = |vector: &mut Vec<f64>, unit: &Vec<f64>| {

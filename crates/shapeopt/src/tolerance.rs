@@ -1,9 +1,9 @@
 //! What small errors of a shape do to the pressure, and how soon wear removes them: linear algebra on the contact system.
 
 use crate::gap_rate::GapRate;
-use crate::wear_problem::WearProblem;
+use crate::wear_problem::{LoadStage, WearProblem};
 use faer::Mat;
-use faer::linalg::solvers::Solve;
+use faer::linalg::solvers::{PartialPivLu, Solve};
 
 /// Effect of one error of the shape, in proportion to it as long as the contact stays closed.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,24 +27,60 @@ const STEPS: (f64, f64, usize) = (0.02, 1.3, 120);
 /// if no forces balance it.
 pub fn tolerances(problem: &WearProblem, pressure: &[f64], errors: &[Vec<f64>]) -> Option<Vec<Tolerance>> {
     let stage = problem.stages.first()?;
-    let closed: Vec<usize> = (0..pressure.len()).filter(|i| pressure[*i] > 0.0).collect();
-    let weights: Vec<f64> = problem.points.iter().map(|p| p.weight).collect();
-    let rate = GapRate::new(&problem.wear, problem.counterface, &stage.speeds, &weights, problem.track_area);
-    let (n, m) = (closed.len(), stage.system.load.len());
-    let system = &stage.system;
-    // In units of the softest point's compliance, so that the rows of the coordinates compare with those of the points.
-    let unit = closed.iter().map(|i| system.compliance[(*i, *i)].abs()).fold(f64::MIN_POSITIVE, f64::max);
-    let area: f64 = weights.iter().sum();
-    let wear = |i: usize, j: usize| {
-        let slope = |of: f64| of / weights[closed[j]];
-        let local = if i == j { slope(rate.local_slope(closed[j], pressure[closed[j]])) } else { 0.0 };
-        local + slope(rate.recession_slope(closed[j], pressure[closed[j]]))
+    let closed = Closed::new(problem, stage, pressure);
+    let n = closed.points.len();
+    let right = closed.bordered_right(errors.len(), |i, k| -errors[k][closed.points[i]]);
+    let solved = closed.bordered(0.0).solve(&right);
+    let forces = Mat::from_fn(n, errors.len(), |i, k| solved[(i, k)] / closed.unit);
+    if !forces.col_iter().all(|c| c.iter().all(|f| f.is_finite())) {
+        return None;
+    }
+    let fallen = closed.fallen(&forces, errors);
+    let area: f64 = closed.weights.iter().sum();
+    let mean_speed = stage.speeds.iter().zip(&closed.weights).map(|(v, w)| v * w).sum::<f64>() / area;
+    let of = |k: usize| {
+        let mut change = vec![0.0; pressure.len()];
+        closed.points.iter().enumerate().for_each(|(i, c)| change[*c] = forces[(i, k)] / closed.weights[*c]);
+        Tolerance { change, run_in_distance: fallen[k].map(|time| time * mean_speed).filter(|d| d.is_finite()) }
     };
-    // `A / unit + factor R / unit`, bordered by the coordinates.
-    let bordered = |factor: f64| {
+    Some((0..errors.len()).map(of).collect())
+}
+
+/// The points in contact with the compliance between them.
+struct Closed<'a> {
+    stage: &'a LoadStage,
+    /// Numbers of the points in contact.
+    points: Vec<usize>,
+    /// Weights of all points.
+    weights: Vec<f64>,
+    /// Compliance of the softest point, so that the rows of the coordinates compare with those of the points.
+    unit: f64,
+    /// `R`.
+    worn: Mat<f64>,
+}
+
+impl<'a> Closed<'a> {
+    fn new(problem: &WearProblem, stage: &'a LoadStage, pressure: &[f64]) -> Closed<'a> {
+        let points: Vec<usize> = (0..pressure.len()).filter(|i| pressure[*i] > 0.0).collect();
+        let weights: Vec<f64> = problem.points.iter().map(|p| p.weight).collect();
+        let rate = GapRate::new(&problem.wear, problem.counterface, &stage.speeds, &weights, problem.track_area);
+        let n = points.len();
+        let unit = points.iter().map(|i| stage.system.compliance[(*i, *i)].abs()).fold(f64::MIN_POSITIVE, f64::max);
+        let worn = Mat::from_fn(n, n, |i, j| {
+            let slope = |of: f64| of / weights[points[j]];
+            let local = if i == j { slope(rate.local_slope(points[j], pressure[points[j]])) } else { 0.0 };
+            local + slope(rate.recession_slope(points[j], pressure[points[j]]))
+        });
+        Closed { stage, points, weights, unit, worn }
+    }
+
+    /// `A / unit + factor R / unit`, bordered by the coordinates.
+    fn bordered(&self, factor: f64) -> PartialPivLu<f64> {
+        let (n, system, closed, unit) = (self.points.len(), &self.stage.system, &self.points, self.unit);
+        let m = system.load.len();
         Mat::from_fn(n + m, n + m, |i, j| match (i < n, j < n) {
             (true, true) => {
-                let worn = if factor > 0.0 { factor * wear(i, j) } else { 0.0 };
+                let worn = if factor > 0.0 { factor * self.worn[(i, j)] } else { 0.0 };
                 (system.compliance[(closed[i], closed[j])] + worn) / unit
             }
             (true, false) => system.influence[(closed[i], j - n)],
@@ -52,39 +88,42 @@ pub fn tolerances(problem: &WearProblem, pressure: &[f64], errors: &[Vec<f64>]) 
             (false, false) => -unit * system.stiffness[(i - n, j - n)],
         })
         .partial_piv_lu()
-    };
-    let right = Mat::from_fn(n + m, errors.len(), |i, k| if i < n { -errors[k][closed[i]] } else { 0.0 });
-    let solved = bordered(0.0).solve(&right);
-    let forces = Mat::from_fn(n, errors.len(), |i, k| solved[(i, k)] / unit);
-    if !forces.col_iter().all(|c| c.iter().all(|f| f.is_finite())) {
-        return None;
     }
-    let worn = Mat::from_fn(n, n, &wear);
-    let norm = |f: &Mat<f64>, k: usize| (0..n).map(|i| f[(i, k)].powi(2) / weights[closed[i]]).sum::<f64>().sqrt();
-    let start: Vec<f64> = (0..errors.len()).map(|k| norm(&forces, k)).collect();
-    // Mean time of an error: work of its forces over what wear takes of it in a second.
-    let taken = &worn * &forces;
-    let mean_time = |k: usize| {
-        let sum = |g: &dyn Fn(usize) -> f64| (0..n).map(|i| forces[(i, k)] * g(i)).sum::<f64>();
-        (sum(&|i| errors[k][closed[i]]) / sum(&|i| taken[(i, k)])).abs()
-    };
-    let shortest = (0..errors.len()).map(mean_time).filter(|t| t.is_finite() && *t > 0.0).fold(f64::INFINITY, f64::min);
-    let mut fallen: Vec<Option<f64>> = vec![None; errors.len()];
-    if shortest.is_finite() {
+
+    /// Right-hand sides given at the points, zero in the rows of the coordinates.
+    fn bordered_right(&self, columns: usize, value: impl Fn(usize, usize) -> f64) -> Mat<f64> {
+        let (n, m) = (self.points.len(), self.stage.system.load.len());
+        Mat::from_fn(n + m, columns, |i, k| if i < n { value(i, k) } else { 0.0 })
+    }
+
+    /// Area norm of the pressures of a column of forces.
+    fn norm(&self, forces: &Mat<f64>, k: usize) -> f64 {
+        (0..self.points.len()).map(|i| forces[(i, k)].powi(2) / self.weights[self.points[i]]).sum::<f64>().sqrt()
+    }
+
+    /// Shortest mean time of the errors: work of an error's forces over what wear takes of it in a second.
+    fn shortest_time(&self, forces: &Mat<f64>, errors: &[Vec<f64>]) -> f64 {
+        let taken = &self.worn * forces;
+        let mean_time = |k: usize| {
+            let sum = |g: &dyn Fn(usize) -> f64| (0..self.points.len()).map(|i| forces[(i, k)] * g(i)).sum::<f64>();
+            (sum(&|i| errors[k][self.points[i]]) / sum(&|i| taken[(i, k)])).abs()
+        };
+        (0..errors.len()).map(mean_time).filter(|t| t.is_finite() && *t > 0.0).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Times at which the norms of the forces have fallen to `1/e`, in growing steps of the two-stage method.
+    fn fallen(&self, forces: &Mat<f64>, errors: &[Vec<f64>]) -> Vec<Option<f64>> {
+        let mut fallen: Vec<Option<f64>> = vec![None; errors.len()];
+        let start: Vec<f64> = (0..errors.len()).map(|k| self.norm(forces, k)).collect();
+        let shortest = self.shortest_time(forces, errors);
+        if !shortest.is_finite() {
+            return fallen;
+        }
         let (mut time, mut step, mut f) = (0.0, STEPS.0 * shortest, forces.clone());
         for _ in 0..STEPS.2 {
-            let matrix = bordered(GAMMA * step);
-            let slope = |f: &Mat<f64>| {
-                let load = &worn * f;
-                let k = matrix.solve(&Mat::from_fn(n + m, f.ncols(), |i, j| if i < n { -load[(i, j)] } else { 0.0 }));
-                Mat::from_fn(n, f.ncols(), |i, j| k[(i, j)] / unit)
-            };
-            let first = slope(&f);
-            let second = slope(&Mat::from_fn(n, f.ncols(), |i, j| f[(i, j)] + (1.0 - GAMMA) * step * first[(i, j)]));
-            let next =
-                Mat::from_fn(n, f.ncols(), |i, j| f[(i, j)] + step * ((1.0 - GAMMA) * first[(i, j)] + GAMMA * second[(i, j)]));
+            let next = self.worn_off(&f, step);
             for (k, fallen) in fallen.iter_mut().enumerate().filter(|(_, fallen)| fallen.is_none()) {
-                let [before, after] = [norm(&f, k) / start[k], norm(&next, k) / start[k]];
+                let [before, after] = [self.norm(&f, k) / start[k], self.norm(&next, k) / start[k]];
                 if after <= (-1.0_f64).exp() {
                     // Exponential between two times.
                     *fallen = Some(time + step * (1.0 + before.ln()) / (before / after).ln());
@@ -95,12 +134,20 @@ pub fn tolerances(problem: &WearProblem, pressure: &[f64], errors: &[Vec<f64>]) 
             }
             (time, step, f) = (time + step, step * STEPS.1, next);
         }
+        fallen
     }
-    let mean_speed = stage.speeds.iter().zip(&weights).map(|(v, w)| v * w).sum::<f64>() / area;
-    let of = |k: usize| {
-        let mut change = vec![0.0; pressure.len()];
-        closed.iter().enumerate().for_each(|(i, c)| change[*c] = forces[(i, k)] / weights[*c]);
-        Tolerance { change, run_in_distance: fallen[k].map(|time| time * mean_speed).filter(|d| d.is_finite()) }
-    };
-    Some((0..errors.len()).map(of).collect())
+
+    /// Forces after a step of wear.
+    fn worn_off(&self, f: &Mat<f64>, step: f64) -> Mat<f64> {
+        let n = self.points.len();
+        let matrix = self.bordered(GAMMA * step);
+        let slope = |f: &Mat<f64>| {
+            let load = &self.worn * f;
+            let k = matrix.solve(&self.bordered_right(f.ncols(), |i, j| -load[(i, j)]));
+            Mat::from_fn(n, f.ncols(), |i, j| k[(i, j)] / self.unit)
+        };
+        let first = slope(f);
+        let second = slope(&Mat::from_fn(n, f.ncols(), |i, j| f[(i, j)] + (1.0 - GAMMA) * step * first[(i, j)]));
+        Mat::from_fn(n, f.ncols(), |i, j| f[(i, j)] + step * ((1.0 - GAMMA) * first[(i, j)] + GAMMA * second[(i, j)]))
+    }
 }

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use nalgebra::Vector3;
-use wear::{Functional, Problem, RigidMode, Shape, SlidingMotion, Surface, WearError, WearLaw, Workspace, optimal_pressure_with};
+use wear::{Functional, Problem, RigidMode, Shape, SlidingMotion, Surface, WearError, WearLaw, optimal_pressure};
 
 fn main() -> Result<(), WearError> {
     let ring = Surface::new(Shape::Annulus { radii: [20.0, 120.0] }, SlidingMotion::about_z(2.5))?;
@@ -24,13 +24,10 @@ fn main() -> Result<(), WearError> {
         const COUNT: usize = 20_000;
         let start = Instant::now();
         let mut sum = 0.0;
-        let mut work = Workspace::default();
         for i in 0..COUNT {
             // q from .7 to 3.7: s from 1.26 up.
             problem.q = 0.7 + 3.0 * i as f64 / COUNT as f64;
-            let optimum = optimal_pressure_with(&problem, &mut work)?;
-            sum += optimum.p_max;
-            work.recycle(optimum);
+            sum += optimal_pressure(&problem)?.p_max;
         }
         let seconds = start.elapsed().as_secs_f64();
         println!("{name:<18} {:>9.0} optima/s   (mean p_max {:.6})", COUNT as f64 / seconds, sum / COUNT as f64);

@@ -5,9 +5,10 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::WearError;
+use crate::balance::Balanced;
 use crate::density::Density;
-use crate::solve::Balanced;
-use crate::stage::{Node, Stage};
+use crate::pressure_law::Node;
+use crate::stage::Stage;
 
 const ITERATIONS: usize = 60;
 const STEP: f64 = 1e-5;

@@ -4,8 +4,9 @@
 //! at the end of contact, where f = 0, the cell ends exactly there and a Gauss-Jacobi rule takes the power f^k.
 
 use crate::SurfacePoint;
+use crate::pressure_law::Node;
 use crate::quadrature::{ORDER, Rule, legendre};
-use crate::stage::{Node, Stage};
+use crate::stage::Stage;
 use crate::surface::{Shape, Surface};
 
 pub(crate) const SAMPLES: usize = 5;
@@ -77,7 +78,7 @@ impl Stage<'_> {
                 let line = Line { stage: self, outer: 0.0, weight: 1.0, settings, front };
                 line.collect(inner, nodes);
             }
-            Some(range) => self.collect_lines(range, inner, settings, front, nodes),
+            Some(outer) => self.collect_lines([outer, inner], settings, front, nodes),
         }
     }
 
@@ -160,32 +161,43 @@ impl Line<'_, '_> {
             return Verdict::Empty;
         }
         if inside < SAMPLES {
-            return match (0..SAMPLES - 1).find(|i| (samples[*i].f > 0.0) != (samples[*i + 1].f > 0.0)) {
-                Some(i) => {
-                    let root = self.root(place(i), place(i + 1), &|node| node.f);
-                    let mut marked = *cell;
-                    if root > cell.lo && root < cell.hi {
-                        Verdict::Halve(root, true)
-                    } else if cell.front == [false, false] {
-                        // f = 0 exactly at an end of the surface.
-                        marked.front = [root <= cell.lo, root >= cell.hi];
-                        self.judge(&marked, top)
-                    } else {
-                        Verdict::Take(marked)
-                    }
-                }
-                None => Verdict::Empty,
-            };
+            return self.at_front(cell, top, &place, &samples);
         }
+        self.at_kink(cell, &place, &samples).unwrap_or_else(|| self.by_smoothness(cell, top, &place, &samples))
+    }
+
+    /// A cell over the end of contact: split there.
+    fn at_front(&self, cell: &Interval, top: &mut f64, place: &dyn Fn(usize) -> f64, samples: &[Node; SAMPLES]) -> Verdict {
+        let Some(i) = (0..SAMPLES - 1).find(|i| (samples[*i].f > 0.0) != (samples[*i + 1].f > 0.0)) else {
+            return Verdict::Empty;
+        };
+        let root = self.root(place(i), place(i + 1), &|node| node.f);
+        let mut marked = *cell;
+        if root > cell.lo && root < cell.hi {
+            Verdict::Halve(root, true)
+        } else if cell.front == [false, false] {
+            // f = 0 exactly at an end of the surface.
+            marked.front = [root <= cell.lo, root >= cell.hi];
+            self.judge(&marked, top)
+        } else {
+            Verdict::Take(marked)
+        }
+    }
+
+    /// A cell over the border of the cap: split there.
+    fn at_kink(&self, cell: &Interval, place: &dyn Fn(usize) -> f64, samples: &[Node; SAMPLES]) -> Option<Verdict> {
+        let length = cell.hi - cell.lo;
         let kink = (0..SAMPLES - 1).find(|i| samples[*i].excess * samples[*i + 1].excess < 0.0);
-        if let Some(i) = kink.filter(|_| length > 1e-9 * cell.lo.abs().max(cell.hi.abs())) {
-            let root = self.root(place(i), place(i + 1), &|node| node.excess);
-            // An end that was put on the kink by an earlier split is left alone.
-            let margin = 1e-10 * length;
-            if root > cell.lo + margin && root < cell.hi - margin {
-                return Verdict::Halve(root, false);
-            }
-        }
+        let i = kink.filter(|_| length > 1e-9 * cell.lo.abs().max(cell.hi.abs()))?;
+        let root = self.root(place(i), place(i + 1), &|node| node.excess);
+        // An end that was put on the kink by an earlier split is left alone.
+        let margin = 1e-10 * length;
+        (root > cell.lo + margin && root < cell.hi - margin).then_some(Verdict::Halve(root, false))
+    }
+
+    /// Whether the density is smooth enough on a cell in contact.
+    fn by_smoothness(&self, cell: &Interval, top: &mut f64, place: &dyn Fn(usize) -> f64, samples: &[Node; SAMPLES]) -> Verdict {
+        let length = cell.hi - cell.lo;
         let distance = |i: usize| match cell.front {
             [true, _] => (place(i) - cell.lo).ln(),
             [_, true] => (cell.hi - place(i)).ln(),
@@ -208,7 +220,7 @@ impl Line<'_, '_> {
         if !strong && smooth(&log_f, SMOOTH) && smooth(&log_v, SMOOTH) && spread(&plain) < self.settings.spread {
             return Verdict::Take(*cell);
         }
-        Verdict::Halve(middle, false)
+        Verdict::Halve(0.5 * (cell.lo + cell.hi), false)
     }
 
     /// Zero of a node's value between two parameters of opposite sign.

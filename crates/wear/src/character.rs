@@ -1,8 +1,9 @@
 //! Second-order character and regime of a stationary pressure, said only where the second variation in README proves it.
 
 use crate::density::Density;
+use crate::pressure_law::Node;
 use crate::reduce::wearing;
-use crate::stage::{Node, Stage};
+use crate::stage::Stage;
 use crate::{Character, Counterface, Functional, Modes, Regime, WearLaw};
 
 /// Character from the exponents: all s_i >= 1 and e_i >= 1 give a global minimum, all s_i <= 1 and e_i <= 1 a global maximum; one

@@ -1,45 +1,10 @@
-//! Continuation in the exponent: warm starts along q, and the way round for a Newton iteration that fails from its first guess.
+//! Continuation in the exponent: the way round for a Newton iteration that fails from its first guess.
 
+use crate::WearError;
+use crate::balance::{Balanced, balance};
 use crate::density::Density;
-use crate::reduce::{Task, reduce};
-use crate::report::report;
-use crate::solve::{Balanced, balance, balance_any};
-use crate::stage::{Node, Stage};
-use crate::{Optimum, Problem, WearError, Workspace, optimal_pressure_with};
-
-/// Optima of the same problem for several q, each started from the multipliers of the one before. The bends k y of the solution are
-/// carried over, which have a finite limit as s -> 1.
-pub fn optima_over_q(problem: &Problem, values: &[f64]) -> Vec<Result<Optimum, WearError>> {
-    let mut work = Workspace::default();
-    let mut case = problem.clone();
-    let mut before: Option<(f64, crate::stage::PressureLaw)> = None;
-    let mut answers = Vec::with_capacity(values.len());
-    for q in values {
-        case.q = *q;
-        let answer = next(&case, before, &mut work);
-        if let Ok(optimum) = &answer {
-            before = optimum.k.filter(|k| *k != 0.0).map(|k| (k, optimum.law));
-        }
-        answers.push(answer);
-    }
-    answers
-}
-
-fn next(problem: &Problem, before: Option<(f64, crate::stage::PressureLaw)>, work: &mut Workspace) -> Result<Optimum, WearError> {
-    problem.check()?;
-    if let (Task::Density { density: Density::Power { k, speed_power }, s }, Some((old, law))) = (reduce(problem)?, before)
-        && k != 0.0
-    {
-        let mut stage = Stage::new(problem, Density::Power { k, speed_power })?;
-        stage.law.y = law.y.map(|y| y * old / k);
-        if (k > 0.0 || !stage.open_at_ends())
-            && let Ok(balanced) = balance_any(&mut stage, &mut work.nodes)
-        {
-            return Ok(report(&mut stage, work, &balanced, s));
-        }
-    }
-    optimal_pressure_with(problem, work)
-}
+use crate::pressure_law::Node;
+use crate::stage::Stage;
 
 /// Reaches the exponent k from 1 (s = 2) or -1 (s = 0, the analytic centre, which exists for every load inside the moment cone) in
 /// steps, when the direct iteration has failed.

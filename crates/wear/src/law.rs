@@ -1,4 +1,4 @@
-//! The wear rule (4): w' = beta~ p^b v^a, a free function of pressure and sliding speed, with its first two derivatives.
+//! The wear rule (4): w' = beta~ p^b v^a, a free function of pressure and sliding speed.
 //!
 //! Source: Paczelt and Mroz (2007), equation (4): w_i' = beta_i (tau_n)^{b_i} v^{a_i} = beta~_i p^{b_i} v^{a_i} with
 //! beta~_i = beta_i mu^{b_i}. Archard's rule is a = b = 1 with beta~ = k.
@@ -98,35 +98,8 @@ pub fn wear_rate(law: &WearLaw, pressure: f64, sliding_speed: f64) -> f64 {
     law.factor * pressure.powf(law.pressure_exponent) * sliding_speed.powf(law.speed_exponent)
 }
 
-/// Slope dw'/dp = b beta~ p^(b-1) v^a in mm/(s MPa). Infinite at p = 0 when b < 1.
-pub fn wear_rate_slope(law: &WearLaw, pressure: f64, sliding_speed: f64) -> f64 {
-    if law.factor == 0.0 {
-        return 0.0;
-    }
-    let b = law.pressure_exponent;
-    b * law.factor * pressure.max(0.0).powf(b - 1.0) * sliding_speed.powf(law.speed_exponent)
-}
-
-/// Second derivative d2w'/dp2 = b (b-1) beta~ p^(b-2) v^a in mm/(s MPa^2).
-pub fn wear_rate_curvature(law: &WearLaw, pressure: f64, sliding_speed: f64) -> f64 {
-    let b = law.pressure_exponent;
-    if law.factor == 0.0 || b == 1.0 {
-        return 0.0;
-    }
-    b * (b - 1.0) * law.factor * pressure.max(0.0).powf(b - 2.0) * sliding_speed.powf(law.speed_exponent)
-}
-
-/// Slope dw'/dv = a beta~ p^b v^(a-1), without unit of length per speed: (mm/s)/(mm/s).
-pub fn wear_rate_speed_slope(law: &WearLaw, pressure: f64, sliding_speed: f64) -> f64 {
-    let a = law.speed_exponent;
-    if law.factor == 0.0 || a == 0.0 || pressure <= 0.0 {
-        return 0.0;
-    }
-    a * law.factor * pressure.powf(law.pressure_exponent) * sliding_speed.powf(a - 1.0)
-}
-
 /// Logarithm of the wear rate, log beta~ + b log p + a log v: usable where w' itself overflows. -inf when nothing wears.
-pub fn log_wear_rate(law: &WearLaw, log_pressure: f64, log_speed: f64) -> f64 {
+pub(crate) fn log_wear_rate(law: &WearLaw, log_pressure: f64, log_speed: f64) -> f64 {
     if law.factor == 0.0 || log_pressure == f64::NEG_INFINITY {
         return f64::NEG_INFINITY;
     }

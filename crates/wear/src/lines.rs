@@ -4,8 +4,9 @@
 //! of the surface to another, and is graded towards such a place.
 
 use crate::cells::{Line, SAMPLES, Settings, smooth, spread};
+use crate::pressure_law::Node;
 use crate::quadrature::{ORDER, Rule, legendre};
-use crate::stage::{Node, Stage};
+use crate::stage::Stage;
 
 /// Ratio of neighbouring cells next to a place where the end of contact changes border, and the smallest cell there.
 const GRADING: [f64; 2] = [0.15, 3e-3];
@@ -19,14 +20,8 @@ struct Cell {
 }
 
 impl Stage<'_> {
-    pub(crate) fn collect_lines(
-        &self,
-        range: [f64; 2],
-        inner: [f64; 2],
-        settings: Settings,
-        front: &Rule,
-        nodes: &mut Vec<Node>,
-    ) {
+    /// Adds the nodes of all lines between the ends of the outer and of the inner parameter.
+    pub(crate) fn collect_lines(&self, [range, inner]: [[f64; 2]; 2], settings: Settings, front: &Rule, nodes: &mut Vec<Node>) {
         let whole = range[1] - range[0];
         let mut line = Vec::new();
         let mut stack = vec![Cell { lo: range[0], hi: range[1], graded: [false; 2] }];

@@ -8,7 +8,7 @@ use nalgebra::Vector3;
 use crate::SurfacePoint;
 
 /// Largest number of rigid modes of one problem.
-pub const MAX_MODES: usize = 6;
+pub(crate) const MAX_MODES: usize = 6;
 
 /// A rigid motion of body 1.
 #[derive(Clone, Copy, Debug, PartialEq)]

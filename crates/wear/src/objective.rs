@@ -1,8 +1,10 @@
 //! Values of the functionals (11)-(13), in logarithms, and the multipliers that follow from Euler's identity.
 
 use crate::density::Density;
-use crate::stage::{Node, Stage};
-use crate::{Functional, Problem, SurfacePoint, log_wear_rate};
+use crate::law::log_wear_rate;
+use crate::pressure_law::Node;
+use crate::stage::Stage;
+use crate::{Functional, Problem, SurfacePoint};
 
 /// log of the local term X_i.
 fn log_term(problem: &Problem, i: usize, log_pressure: f64, log_speed: f64) -> f64 {
@@ -50,53 +52,6 @@ pub fn functional_value(problem: &Problem, points: &[SurfacePoint], pressure: &[
     terms(problem, points, &logs).map(|terms| terms[0] + terms[1])
 }
 
-/// First derivative of the functional as a density at the points: dJ = sum weight * density * dp, with
-/// density = sum_i e_i J_i X_i^q / (p A_i).
-pub fn functional_gradient(problem: &Problem, points: &[SurfacePoint], pressure: &[f64]) -> Option<Vec<f64>> {
-    let logs: Vec<f64> = pressure.iter().map(|p| p.ln()).collect();
-    let terms = terms(problem, points, &logs)?;
-    let density = |(point, log): (&SurfacePoint, &f64)| -> f64 {
-        (0..2).map(|i| exponent(problem, i) * terms[i] * share(problem, i, terms[i], point, *log) / log.exp()).sum()
-    };
-    Some(points.iter().zip(&logs).map(density).collect())
-}
-
-/// Second derivative of the functional along a relative change z = dp/p at fixed z (p = p0 (1 + eps z)), "second variation" in README:
-/// d2J = sum_i J_i e_i [(s_i - 1) Var_i(z) + (e_i - 1) (E_i z)^2], moments under the probability X_i^q dS / A_i.
-pub fn functional_curvature(
-    problem: &Problem,
-    points: &[SurfacePoint],
-    pressure: &[f64],
-    relative_change: &[f64],
-) -> Option<f64> {
-    let logs: Vec<f64> = pressure.iter().map(|p| p.ln()).collect();
-    let terms = terms(problem, points, &logs)?;
-    let mut sum = 0.0;
-    for (i, value) in terms.iter().enumerate().filter(|(_, value)| **value > 0.0) {
-        let probability: Vec<f64> =
-            points.iter().zip(&logs).map(|(point, log)| point.weight * share(problem, i, *value, point, *log)).collect();
-        let mean: f64 = probability.iter().zip(relative_change).map(|(m, z)| m * z).sum();
-        let variance: f64 = probability.iter().zip(relative_change).map(|(m, z)| m * (z - mean).powi(2)).sum();
-        let e = exponent(problem, i);
-        let s_minus_1 = problem.functional.s_minus_1(problem.wear.laws[i].pressure_exponent, problem.q);
-        sum += value * e * (s_minus_1 * variance + (e - 1.0) * mean * mean);
-    }
-    Some(sum)
-}
-
-fn exponent(problem: &Problem, i: usize) -> f64 {
-    problem.functional.pressure_power(problem.wear.laws[i].pressure_exponent)
-}
-
-/// X_i^q / A_i at a point, with A_i = J_i^q.
-fn share(problem: &Problem, i: usize, value: f64, point: &SurfacePoint, log_pressure: f64) -> f64 {
-    if value == 0.0 {
-        return 0.0;
-    }
-    let log = log_term(problem, i, log_pressure, point.sliding_speed.ln());
-    (problem.q * (log - value.ln())).exp()
-}
-
 /// Multipliers lambda_k = dJ/dF_k over those of the law's gauge. From sum_i e_i J_i = lambda . int phi p over the points below the
 /// cap; for the steady state, where they are the feed itself, from lambda . int phi p = int p (rate of the gap).
 pub(crate) fn multiplier_factor(
@@ -108,7 +63,7 @@ pub(crate) fn multiplier_factor(
 ) -> Option<f64> {
     let problem = stage.problem;
     let steady = problem.functional == Functional::Steady;
-    if steady && matches!(stage.law.density, Density::Sum { .. } | Density::Receding { .. } | Density::Rule { .. }) {
+    if steady && matches!(stage.law.density, Density::Sum { .. } | Density::Receding { .. }) {
         return Some(if problem.wear.active { stage.law.log_scale.exp() } else { 0.0 });
     }
     let free = || nodes.iter().zip(log_pressure).enumerate().filter(|(_, (node, _))| node.excess < 0.0);

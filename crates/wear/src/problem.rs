@@ -1,6 +1,18 @@
 //! A wear problem: surface, rule, load, and what is to be made stationary.
 
-use crate::{Balance, Counterface, Functional, MAX_MODES, Modes, RigidMode, Shape, Surface, WearError, WearLaw, WearPair};
+use crate::mode::MAX_MODES;
+use crate::{Balance, Functional, Modes, RigidMode, Shape, Surface, WearError, WearLaw, WearPair};
+
+/// The way body 2's points pass through the contact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Counterface {
+    /// Long fresh plate under a translating punch: its profile is stationary in the punch frame and drops out of the gap rate.
+    Fresh,
+    /// Ring on ring: each point of body 2 always meets the same pressure; the wear rates add.
+    Congruent,
+    /// Drum under a shoe, disc under a pad: body 2 recedes uniformly along its closed track by the mean of its wear over a turn.
+    Revolving,
+}
 
 /// All that determines an optimal pressure. Every field is meaningful by itself; `new` fills the usual choices.
 #[derive(Clone, Debug, PartialEq)]

@@ -4,10 +4,12 @@
 //! Q_i = e_i (c_i v^(a_i))^q A_i^((1-q)/q); only delta = log Q_2/Q_1 (without v) matters, and it solves
 //! delta = log(e_2/e_1) + q log(c_2/c_1) + ((1-q)/q) log(A_2/A_1)(delta).
 
+use crate::balance::Balanced;
 use crate::density::Density;
+use crate::pressure_law::Node;
 use crate::reduce::Ratio;
-use crate::solve::{Balanced, balance_any};
-use crate::stage::{Node, Stage};
+use crate::solve::balance_any;
+use crate::stage::Stage;
 use crate::{Functional, Problem, WearError};
 
 const SCAN: usize = 200;

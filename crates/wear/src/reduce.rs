@@ -71,27 +71,32 @@ pub(crate) fn reduce(problem: &Problem) -> Result<Task, WearError> {
             });
         }
     };
-    let second_wears = last.0 == 1;
-    let (first, last) = (first.1, last.1);
-    let (a, b) = ([first.speed_exponent, last.speed_exponent], [first.pressure_exponent, last.pressure_exponent]);
+    let rules = [first.1, last.1];
     if functional == Functional::Steady {
-        if problem.counterface == Counterface::Revolving
-            && !matches!(problem.surface.shape(), Shape::Annulus { .. })
-            && second_wears
-        {
-            return Ok(Task::Revolving);
-        }
-        if a[0] == a[1] && b[0] == b[1] {
-            return Ok(single(Functional::WearPower, 1.0, a[0], b[0]));
-        }
-        let weights = [first.factor.ln(), last.factor.ln()];
-        if b[0] == b[1] {
-            let density = Density::Mixed { k: 1.0 / b[0], log_theta: weights[1] - weights[0], powers: a };
-            return Ok(Task::Density { density, s: b[0] + 1.0 });
-        }
-        let density = Density::Sum { log_weight: weights, powers: a, m: b };
-        return Ok(Task::Density { density, s: f64::NAN });
+        let revolving = problem.counterface == Counterface::Revolving && last.0 == 1;
+        let tracks_covered = matches!(problem.surface.shape(), Shape::Annulus { .. });
+        return Ok(if revolving && !tracks_covered { Task::Revolving } else { steady(&rules) });
     }
+    powers(functional, q, &rules)
+}
+
+/// The steady state: sum_i c_i v^(a_i) p^(b_i) = f.
+fn steady(rules: &[WearLaw; 2]) -> Task {
+    let (a, b) = (rules.map(|law| law.speed_exponent), rules.map(|law| law.pressure_exponent));
+    if a[0] == a[1] && b[0] == b[1] {
+        return single(Functional::WearPower, 1.0, a[0], b[0]);
+    }
+    let weights = rules.map(|law| law.factor.ln());
+    if b[0] == b[1] {
+        let density = Density::Mixed { k: 1.0 / b[0], log_theta: weights[1] - weights[0], powers: a };
+        return Task::Density { density, s: b[0] + 1.0 };
+    }
+    Task::Density { density: Density::Sum { log_weight: weights, powers: a, m: b }, s: f64::NAN }
+}
+
+/// Wear volume and wear power with their q.
+fn powers(functional: Functional, q: f64, rules: &[WearLaw; 2]) -> Result<Task, WearError> {
+    let (a, b) = (rules.map(|law| law.speed_exponent), rules.map(|law| law.pressure_exponent));
     if a[0] == a[1] && b[0] == b[1] {
         return Ok(single(functional, q, a[0], b[0]));
     }
@@ -110,7 +115,7 @@ pub(crate) fn reduce(problem: &Problem) -> Result<Task, WearError> {
         return Err(WearError::MixedExponents { s1: s[0], s2: s[1], why });
     }
     let e = b.map(|b| functional.pressure_power(b));
-    let base = (e[1] / e[0]).ln() + q * (last.factor.ln() - first.factor.ln());
+    let base = (e[1] / e[0]).ln() + q * (rules[1].factor.ln() - rules[0].factor.ln());
     Ok(Task::Ratio(Ratio { s, m, powers: [a[0] * q, a[1] * q], base }))
 }
 

@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::MAX_MODES;
+use crate::mode::MAX_MODES;
 
 /// A candidate place of a concentrated force.
 #[derive(Clone, Copy, Debug)]
@@ -11,14 +11,8 @@ pub(crate) struct Column {
     pub(crate) weight: [f64; MAX_MODES],
 }
 
-/// Optimal basis: column index and mass, and the dual.
-pub(crate) struct Vertex {
-    pub(crate) atoms: Vec<(usize, f64)>,
-    pub(crate) dual: Vec<f64>,
-}
-
-/// Two-phase revised simplex; `None` when no m >= 0 meets the targets.
-pub(crate) fn minimise(columns: &[Column], target: &[f64]) -> Option<Vertex> {
+/// Two-phase revised simplex: column index and mass of the optimal basis; `None` when no m >= 0 meets the targets.
+pub(crate) fn minimise(columns: &[Column], target: &[f64]) -> Option<Vec<(usize, f64)>> {
     let rows = target.len();
     let total = columns.len();
     // Artificial columns (indices from `total`) carry the sign of the target.
@@ -52,8 +46,7 @@ pub(crate) fn minimise(columns: &[Column], target: &[f64]) -> Option<Vertex> {
                 .filter(|(j, value)| *value < -1e-13 * cost(*j).abs().max(1.0) && !basis.contains(j));
             let Some((j, _)) = entering else {
                 if phase == 2 {
-                    let atoms = (0..rows).filter(|i| basis[*i] < total).map(|i| (basis[i], mass[i])).collect();
-                    return Some(Vertex { atoms, dual: dual.iter().copied().collect() });
+                    return Some((0..rows).filter(|i| basis[*i] < total).map(|i| (basis[i], mass[i])).collect());
                 }
                 break;
             };

@@ -5,8 +5,9 @@
 
 use nalgebra::Vector3;
 
-use crate::simplex::{Column, Vertex, minimise};
-use crate::stage::{PressureLaw, Stage};
+use crate::pressure_law::PressureLaw;
+use crate::simplex::{Column, minimise};
+use crate::stage::Stage;
 use crate::{Modes, PointForce, Problem, SurfacePoint, WearError};
 
 /// From which side s approaches 1.
@@ -18,13 +19,8 @@ pub enum LimitSide {
     Below,
 }
 
-/// Limit of the stationary pressures as s -> 1.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Limit {
-    pub(crate) atoms: Vec<(SurfacePoint, f64)>,
-    /// Multipliers in the gauge lambda . F = int g dm, modes as given.
-    pub(crate) dual: Vec<f64>,
-}
+/// Concentrated forces: where, and how much normal force (N).
+pub(crate) type Atoms = Vec<(SurfacePoint, f64)>;
 
 /// A grid point with its parameters, so that it can be refined.
 type Place = ([f64; 2], SurfacePoint);
@@ -34,58 +30,68 @@ type Place = ([f64; 2], SurfacePoint);
 pub fn singular_limit(problem: &Problem, speed_power: f64, side: LimitSide) -> Result<Vec<PointForce>, WearError> {
     problem.check()?;
     let stage = Stage::new(problem, crate::density::Density::BangBang { speed_power })?;
-    let limit = limit(&stage, speed_power, side)?;
-    Ok(limit.atoms.iter().map(|(point, force)| PointForce { position: point.position, force: *force }).collect())
+    let atoms = limit(&stage, speed_power, side)?;
+    Ok(atoms.iter().map(|(point, force)| PointForce { position: point.position, force: *force }).collect())
 }
 
-pub(crate) fn limit(stage: &Stage<'_>, speed_power: f64, side: LimitSide) -> Result<Limit, WearError> {
+/// The limit of the stationary pressures as s -> 1.
+pub(crate) fn limit(stage: &Stage<'_>, speed_power: f64, side: LimitSide) -> Result<Atoms, WearError> {
     let law = &stage.law;
     let sign = if side == LimitSide::Above { 1.0 } else { -1.0 };
-    let cost = |point: &SurfacePoint| cost(law, speed_power, point);
-    let mut places = grid(stage, None, 1.0);
-    let infeasible = || crate::solve::infeasible(stage, "the moment is at or beyond the edge of the surface");
-    if law.count == 1 {
-        // Smallest sign * g / phi, with ties shared equally.
-        let value = |place: &Place| {
-            let phi = law.mode_values(&place.1).phi[0];
-            if phi > 0.0 { sign * cost(&place.1) / phi } else { f64::INFINITY }
-        };
-        let mut reach = 1.0;
-        for _ in 0..18 {
-            let best = places.iter().map(value).fold(f64::INFINITY, f64::min);
-            let tie = if reach == 1.0 { 1e-3 } else { 1e-12 } * best.abs();
-            let near: Vec<Place> = places.iter().filter(|place| value(place) <= best + tie).copied().collect();
-            if reach < 1e-9 {
-                break;
-            }
-            reach *= 0.25;
-            let mut near = near;
-            near.sort_by(|a, b| value(a).total_cmp(&value(b)));
-            near.dedup_by(|a, b| a.0 == b.0);
-            let mut next: Vec<Place> = Vec::new();
-            for place in near.iter().take(40) {
-                next.extend(grid(stage, Some(place.0), reach));
-                next.push(*place);
-            }
-            places = next;
-        }
+    let cost = |point: &SurfacePoint| sign * cost(law, speed_power, point);
+    let places = grid(stage, None, 1.0);
+    if law.count == 1 { one_mode(stage, places, &cost) } else { several_modes(stage, places, &cost) }
+}
+
+fn infeasible(stage: &Stage<'_>) -> WearError {
+    stage.infeasible("the moment is at or beyond the edge of the surface")
+}
+
+/// The places of the smallest cost / phi, with ties shared equally.
+fn one_mode(stage: &Stage<'_>, mut places: Vec<Place>, cost: &dyn Fn(&SurfacePoint) -> f64) -> Result<Atoms, WearError> {
+    let law = &stage.law;
+    let value = |place: &Place| {
+        let phi = law.mode_values(&place.1).phi[0];
+        if phi > 0.0 { cost(&place.1) / phi } else { f64::INFINITY }
+    };
+    let mut reach = 1.0;
+    for _ in 0..18 {
         let best = places.iter().map(value).fold(f64::INFINITY, f64::min);
-        places.sort_by(|a, b| value(a).total_cmp(&value(b)));
-        let mut chosen: Vec<SurfacePoint> = Vec::new();
-        let size = extent(stage);
-        for place in places.iter().filter(|place| value(place) <= best + 1e-11 * best.abs()) {
-            if chosen.iter().all(|other| (other.position - place.1.position).norm() > 1e-3 * size) {
-                chosen.push(place.1);
-            }
+        let tie = if reach == 1.0 { 1e-3 } else { 1e-12 } * best.abs();
+        let mut near: Vec<Place> = places.iter().filter(|place| value(place) <= best + tie).copied().collect();
+        if reach < 1e-9 {
+            break;
         }
-        let carried: f64 = chosen.iter().map(|point| law.mode_values(point).psi[0]).sum();
-        let force = law.resultant(0) / carried;
-        if !(force > 0.0 && force.is_finite()) {
-            return Err(infeasible());
+        reach *= 0.25;
+        near.sort_by(|a, b| value(a).total_cmp(&value(b)));
+        near.dedup_by(|a, b| a.0 == b.0);
+        let mut next: Vec<Place> = Vec::new();
+        for place in near.iter().take(40) {
+            next.extend(grid(stage, Some(place.0), reach));
+            next.push(*place);
         }
-        let dual = vec![sign * best / law.scale[0]];
-        return Ok(Limit { atoms: chosen.into_iter().map(|point| (point, force)).collect(), dual });
+        places = next;
     }
+    let best = places.iter().map(value).fold(f64::INFINITY, f64::min);
+    places.sort_by(|a, b| value(a).total_cmp(&value(b)));
+    let mut chosen: Vec<SurfacePoint> = Vec::new();
+    let size = extent(stage);
+    for place in places.iter().filter(|place| value(place) <= best + 1e-11 * best.abs()) {
+        if chosen.iter().all(|other| (other.position - place.1.position).norm() > 1e-3 * size) {
+            chosen.push(place.1);
+        }
+    }
+    let carried: f64 = chosen.iter().map(|point| law.mode_values(point).psi[0]).sum();
+    let force = law.resultant(0) / carried;
+    if !(force > 0.0 && force.is_finite()) {
+        return Err(infeasible(stage));
+    }
+    Ok(chosen.into_iter().map(|point| (point, force)).collect())
+}
+
+/// The optimal vertex of the linear programme, its places refined.
+fn several_modes(stage: &Stage<'_>, mut places: Vec<Place>, cost: &dyn Fn(&SurfacePoint) -> f64) -> Result<Atoms, WearError> {
+    let law = &stage.law;
     let friction_bends = places.iter().any(|place| {
         let values = law.mode_values(&place.1);
         (0..law.count).any(|k| (values.phi[k] - values.psi[k]).abs() > 1e-12)
@@ -95,22 +101,21 @@ pub(crate) fn limit(stage: &Stage<'_>, speed_power: f64, side: LimitSide) -> Res
         return Err(WearError::MixedExponents { s1: 1.0, s2: 1.0, why });
     }
     let target: Vec<f64> = (0..law.count).map(|k| law.resultant(k)).collect();
+    let vertex = |places: &[Place]| solve(law, places, &target, cost).ok_or_else(|| infeasible(stage));
     let mut reach = 1.0;
-    let mut vertex = solve(law, &places, &target, &cost, sign).ok_or_else(infeasible)?;
+    let mut atoms = vertex(&places)?;
     for _ in 0..20 {
         reach *= 0.25;
         let mut next: Vec<Place> = Vec::new();
-        for (index, _) in &vertex.atoms {
+        for (index, _) in &atoms {
             next.push(places[*index]);
             next.extend(grid(stage, Some(places[*index].0), reach));
         }
         places = next;
-        vertex = solve(law, &places, &target, &cost, sign).ok_or_else(infeasible)?;
+        atoms = vertex(&places)?;
     }
-    let largest = vertex.atoms.iter().map(|atom| atom.1).fold(0.0, f64::max);
-    let atoms = vertex.atoms.iter().filter(|atom| atom.1 > 1e-12 * largest).map(|(i, m)| (places[*i].1, *m)).collect();
-    let dual = vertex.dual.iter().enumerate().map(|(k, value)| sign * value / law.scale[k]).collect();
-    Ok(Limit { atoms, dual })
+    let largest = atoms.iter().map(|atom| atom.1).fold(0.0, f64::max);
+    Ok(atoms.iter().filter(|atom| atom.1 > 1e-12 * largest).map(|(i, m)| (places[*i].1, *m)).collect())
 }
 
 /// True when some pressure p >= 0 carries the load: the load lies inside the cone of point forces, not on its border, which is tested
@@ -121,12 +126,12 @@ pub(crate) fn carries(stage: &Stage<'_>) -> bool {
     let mean = |k: usize| places.iter().map(|place| law.mode_values(&place.1).psi[k]).sum::<f64>();
     let factor = 1e-9 * law.resultant(law.pivot) / mean(law.pivot);
     let target: Vec<f64> = (0..law.count).map(|k| law.resultant(k) - factor * mean(k)).collect();
-    solve(law, &places, &target, &|_| 1.0, 1.0).is_some()
+    solve(law, &places, &target, &|_| 1.0).is_some()
 }
 
-fn solve(law: &PressureLaw, places: &[Place], target: &[f64], cost: &dyn Fn(&SurfacePoint) -> f64, sign: f64) -> Option<Vertex> {
+fn solve(law: &PressureLaw, places: &[Place], target: &[f64], cost: &dyn Fn(&SurfacePoint) -> f64) -> Option<Vec<(usize, f64)>> {
     let columns: Vec<Column> =
-        places.iter().map(|place| Column { cost: sign * cost(&place.1), weight: law.mode_values(&place.1).psi }).collect();
+        places.iter().map(|place| Column { cost: cost(&place.1), weight: law.mode_values(&place.1).psi }).collect();
     minimise(&columns, target)
 }
 

@@ -2,9 +2,11 @@
 
 use nalgebra::{SMatrix, SVector};
 
+use crate::mode::MAX_MODES;
+use crate::pressure_law::Node;
 use crate::recession::Recession;
-use crate::stage::{Node, Stage};
-use crate::{Counterface, MAX_MODES, Problem, Shape};
+use crate::stage::Stage;
+use crate::{Counterface, Problem, Shape};
 
 /// Rate at which the gap grows at a node: body 1 alone on a fresh plate, the sum on a ring, body 1 plus body 2's mean along the track
 /// on a revolving counter-face.

@@ -1,0 +1,45 @@
+//! The balance sum over the nodes of psi_k p = F_k for densities known up to a factor.
+
+use crate::WearError;
+use crate::density::Density;
+use crate::newton::newton;
+use crate::pressure_law::Node;
+use crate::stage::Stage;
+use crate::sums::sums;
+
+/// Multipliers found: the stage holds y; log p = log_scale + log h at every node.
+pub(crate) struct Balanced {
+    pub(crate) log_scale: f64,
+    pub(crate) iterations: usize,
+    pub(crate) residual: f64,
+}
+
+/// Solves the balance for a density known up to a factor (`Power`, `Mixed`, `Exponential`).
+pub(crate) fn balance(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<Balanced, WearError> {
+    stage.collect(nodes);
+    let k = match stage.law.density {
+        Density::Power { k, .. } | Density::Mixed { k, .. } => k,
+        _ => f64::INFINITY,
+    };
+    if nodes.iter().all(|node| node.log_h == f64::NEG_INFINITY) {
+        return Err(stage.infeasible("no point of the surface closes under the load"));
+    }
+    if k < 0.0 && (stage.open_at_ends() || nodes.iter().any(|node| node.f <= 0.0)) {
+        let why = "with s < 1 the stationary pressure needs a load that closes every point of the surface";
+        return Err(stage.infeasible(why));
+    }
+    let (iterations, residual) = if stage.law.count == 1 { (0, 0.0) } else { newton(stage, nodes, k)? };
+    if let Density::Power { speed_power, .. } = stage.law.density
+        && speed_power >= 2.0
+        && stage.problem.surface.reaches_axis()
+    {
+        return Err(stage.infeasible("the pressure is not integrable at the axis of rotation"));
+    }
+    let total = sums(stage, nodes);
+    let pivot = stage.law.pivot;
+    let factor = stage.law.resultant(pivot) / total.force[pivot];
+    if !(factor > 0.0 && factor.is_finite()) {
+        return Err(stage.infeasible("the friction carries the load: self-locking"));
+    }
+    Ok(Balanced { log_scale: factor.ln() - total.shift, iterations, residual })
+}

@@ -1,0 +1,112 @@
+//! Mean wear of body 2 along its closed tracks, from the pressure on them.
+
+use std::f64::consts::TAU;
+
+use crate::law::log_wear_rate;
+use crate::pressure_law::Node;
+use crate::quadrature::{ORDER, legendre};
+use crate::recession::Recession;
+use crate::stage::Stage;
+
+impl Stage<'_> {
+    /// Solves W2' = (1/2pi) int w2'(p(W2')) d(angle) on every track for the present multipliers.
+    pub(crate) fn settle_recession(&mut self, nodes: &mut Vec<Node>) {
+        match self.law.recession.radii {
+            None => {
+                let turn = self.problem.surface.track_area().unwrap_or(f64::INFINITY);
+                self.solve_track(
+                    &mut |stage, nodes| {
+                        stage.collect(nodes);
+                        stage.worn_by_body2(nodes) / turn
+                    },
+                    nodes,
+                    None,
+                );
+            }
+            Some(radii) => {
+                for i in 0..ORDER {
+                    let outer = (radii[1] / radii[0]).ln() * legendre().abscissa[i];
+                    self.solve_track(
+                        &mut |stage, nodes| {
+                            nodes.clear();
+                            stage.collect_line(outer, nodes);
+                            // Line nodes carry r^2 d(angle).
+                            let r = radii[0] * outer.exp();
+                            stage.worn_by_body2(nodes) / (TAU * r * r)
+                        },
+                        nodes,
+                        Some(i),
+                    );
+                }
+            }
+        }
+    }
+
+    /// W2' on every track under a pressure that is already known.
+    pub(crate) fn measured_recession(&mut self) -> Recession {
+        let mut recession = Recession::none(&self.problem.surface);
+        let mut nodes = Vec::new();
+        match recession.radii {
+            None => {
+                self.collect(&mut nodes);
+                recession.values[0] = self.worn_by_body2(&nodes) / self.problem.surface.track_area().unwrap_or(f64::INFINITY);
+            }
+            Some(radii) => {
+                for i in 0..ORDER {
+                    let outer = (radii[1] / radii[0]).ln() * legendre().abscissa[i];
+                    nodes.clear();
+                    self.collect_line(outer, &mut nodes);
+                    let r = radii[0] * outer.exp();
+                    recession.values[i] = self.worn_by_body2(&nodes) / (TAU * r * r);
+                }
+            }
+        }
+        recession
+    }
+
+    fn worn_by_body2(&self, nodes: &[Node]) -> f64 {
+        let law = &self.problem.wear.laws[1];
+        nodes
+            .iter()
+            .map(|node| node.point.weight * log_wear_rate(law, self.law.log_pressure(node), node.point.sliding_speed.ln()).exp())
+            .sum()
+    }
+
+    /// Root of W - mean(W), increasing in W: bracketed by 0 and the mean at W = 0.
+    fn solve_track(&mut self, mean: &mut dyn FnMut(&Self, &mut Vec<Node>) -> f64, nodes: &mut Vec<Node>, track: Option<usize>) {
+        let mut defect = |stage: &mut Self, value: f64| {
+            match track {
+                Some(_) => stage.law.recession.values = [value; ORDER],
+                None => stage.law.recession.values[0] = value,
+            }
+            value - mean(stage, nodes)
+        };
+        let saved = self.law.recession.values;
+        let (mut a, mut fa) = (0.0, defect(self, 0.0));
+        let (mut b, mut fb) = (-fa, 0.0);
+        if fa < 0.0 {
+            fb = defect(self, b);
+        }
+        for _ in 0..100 {
+            if fb == 0.0 || (b - a).abs() <= 4.0 * f64::EPSILON * b.abs() {
+                break;
+            }
+            let mut c = (a * fb - b * fa) / (fb - fa);
+            if !(c > a.min(b) && c < a.max(b)) {
+                c = 0.5 * (a + b);
+            }
+            let fc = defect(self, c);
+            if (fc > 0.0) == (fb > 0.0) {
+                fa *= 0.5;
+            } else {
+                (a, fa) = (b, fb);
+            }
+            (b, fb) = (c, fc);
+            if fc.abs() <= 1e-16 * c.abs() {
+                break;
+            }
+        }
+        self.law.recession.values = saved;
+        self.law.recession.values[track.unwrap_or(0)] = b;
+    }
+}
