@@ -1,10 +1,18 @@
-//! What goes along with a run while it computes: the recording and the progress on the terminal.
+//! What goes along with a run while it computes: the recording, the progress on the terminal, Ctrl-C.
+
+use std::ops::ControlFlow;
 
 use scene::Fault;
-use shapeopt::WearState;
 
+use crate::fe::Bodies;
+use crate::interrupt;
+use crate::options::Options;
+use crate::problem::Problem;
 use crate::progress::Progress;
-use crate::record::{FinishedLevel, Iteration, Points, SceneUpdate, State, Tape};
+use crate::record::{Iteration, Points, SceneUpdate, State, Tape};
+use crate::solution::Solution;
+use crate::solve;
+use crate::watch::{Event, RunLevel, WearStep};
 
 /// Recording and progress of a run.
 pub(crate) struct Live {
@@ -12,43 +20,64 @@ pub(crate) struct Live {
     pub(crate) tape: Option<Tape>,
     /// What the terminal shows.
     pub(crate) progress: Progress,
+    /// Why the run was ended from here, but for Ctrl-C.
+    fault: Option<Fault>,
 }
 
 impl Live {
-    /// Neither recording nor progress.
+    /// A recording, if there is one, and the progress.
+    pub(crate) fn new(tape: Option<Tape>, progress: Progress) -> Live {
+        Live { tape, progress, fault: None }
+    }
+
+    /// Neither recording nor progress; Ctrl-C ends the run.
     pub(crate) fn silent() -> Live {
-        Live { tape: None, progress: Progress::none() }
+        Live::new(None, Progress::none())
     }
 
-    /// The levels that an interrupted run had finished.
-    pub(crate) fn finished_levels(&self) -> Vec<FinishedLevel> {
-        self.tape.as_ref().map_or_else(Vec::new, Tape::finished_levels)
+    /// Solves a problem, recorded and shown while it goes.
+    pub(crate) fn solve(&mut self, problem: &Problem, options: &Options<'_>, bodies: &Bodies) -> Result<Solution, Fault> {
+        let solved = solve::solve(problem, options, bodies, &mut |event| self.see(event));
+        self.fault.take().map_or(solved, Err)
     }
 
-    /// Begins a level of a run in time; returns the states that its recording already has.
-    pub(crate) fn begin_level(
-        &mut self,
-        finished: &[FinishedLevel],
-        mesh: impl FnOnce() -> Result<SceneUpdate, Fault>,
-        message: &str,
-    ) -> Result<Vec<State>, Fault> {
-        self.progress.level(message);
-        match &mut self.tape {
-            Some(tape) => tape.begin_level(finished, &mesh()?, message),
-            None => Ok(Vec::new()),
+    fn see(&mut self, event: Event<'_>) -> ControlFlow<()> {
+        let done = match event {
+            Event::Level { .. } => Ok(()),
+            Event::Run(level) => self.begin(level),
+            Event::WearStep(step) => self.step(step),
+        };
+        match done {
+            Ok(()) if interrupt::asked() => ControlFlow::Break(()),
+            Ok(()) => ControlFlow::Continue(()),
+            Err(fault) => {
+                self.fault = Some(fault);
+                ControlFlow::Break(())
+            }
         }
     }
 
-    /// Records a step.
-    pub(crate) fn step(
-        &mut self,
-        iteration: &Iteration,
-        profile: impl FnOnce() -> Points,
-        state: &WearState,
-    ) -> Result<(), Fault> {
-        match self.tape.as_mut().and_then(Tape::recorder) {
-            Some(recorder) => recorder.step(iteration, &profile(), &State::from(state)),
+    fn begin(&mut self, level: &RunLevel<'_>) -> Result<(), Fault> {
+        self.progress.level(&level.message);
+        match &mut self.tape {
+            Some(tape) => tape.begin_level(level, || Ok(SceneUpdate::new(&(level.lines)()?))),
             None => Ok(()),
         }
+    }
+
+    fn step(&mut self, step: &WearStep<'_>) -> Result<(), Fault> {
+        let state = step.state;
+        self.progress.wear(state, step.share);
+        let Some(recorder) = self.tape.as_mut().and_then(Tape::recorder) else { return Ok(()) };
+        let iteration = Iteration {
+            step: state.step as u64,
+            tries: step.tries as u64,
+            linear_solves: step.linear_solves as u64,
+            step_s: state.step_size,
+            error: state.error,
+            steady_residual: state.steady_residual,
+        };
+        let points = Points::new(state.step as u64, state.time, &(step.profile)());
+        recorder.step(&iteration, &points, &State::from(state))
     }
 }

@@ -4,7 +4,7 @@ use std::io::IsTerminal;
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use shapeopt::{Until, WearState};
+use shapeopt::WearState;
 
 use crate::args::Common;
 
@@ -48,13 +48,8 @@ impl Progress {
         self.level = name.into();
     }
 
-    /// A run in time has come to a state; the steady state counts in the last piece of a schedule alone.
-    pub(crate) fn wear(&mut self, state: &WearState, pieces: usize, until: Until) {
-        let share = match until {
-            Until::Time(end) => state.time / end,
-            Until::Steady { .. } if state.interval + 1 < pieces => 0.0,
-            Until::Steady { residual, .. } => state.steady_residual.max(f64::MIN_POSITIVE).ln() / residual.ln(),
-        };
+    /// A run in time has come to a state, this share of its way.
+    pub(crate) fn wear(&mut self, state: &WearState, share: f64) {
         self.share = share.clamp(self.share, 1.0);
         self.show(|bar| {
             bar.set_position((self.share * SHARES as f64) as u64);

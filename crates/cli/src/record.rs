@@ -20,7 +20,9 @@ use scene::{Fault, Place};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-pub(crate) use messages::{FinishedLevel, Iteration, Log, Points};
+use crate::watch::FinishedLevel;
+
+pub(crate) use messages::{Iteration, Log, Points};
 pub(crate) use replay::Replay;
 pub(crate) use scene_update::SceneUpdate;
 pub(crate) use state::State;

@@ -58,7 +58,7 @@ pub(crate) fn write(
     solution: &Solution,
     resolved: &str,
     tape: Option<Tape>,
-    seconds: f64,
+    seconds: [f64; 2],
 ) -> Result<serde_json::Value, Fault> {
     let summary = summary::summary(problem, solution, resolved);
     if let Some(profile) = &solution.profile {
@@ -86,23 +86,23 @@ pub(crate) fn write(
     }
     let curves = page::curves_json(&plots);
     folder.write("plots/curves.json", &format!("{curves}\n"))?;
-    folder.write("timing.json", &timing(solution, seconds))?;
+    folder.write("timing.json", &timing(solution, seconds[0], seconds[1]))?;
     let text = pretty(&summary);
     folder.write("summary.json", &text)?;
     let verdict = summary["verdict"].as_str().unwrap_or("");
     // A run in time has been recorded as it went; anything else is one picture.
     if let Some(tape) = tape {
         tape.finish(verdict, &text)?;
-    } else if let Some(profile) = solution.profile.as_ref().filter(|_| problem.plan.runs("run.mcap")) {
+    } else if let Some(profile) = solution.profile.as_ref().filter(|_| problem.plan.runs(Step::Recording)) {
         let mut recorder = Recorder::create(&folder.path().join(RUN_MCAP), resolved, None)?;
         recorder.log(verdict)?;
         recorder.picture(&Points::new(0, 0.0, profile))?;
         recorder.finish(&text)?;
     }
-    if problem.plan.runs("run.mcap") {
+    if problem.plan.runs(Step::Recording) {
         folder.write(LAYOUT[0], LAYOUT[1])?;
     }
-    if problem.plan.runs("report.html") {
+    if problem.plan.runs(Step::Page) {
         folder.write("report.html", &page_of_folder(folder.path())?)?;
     }
     Ok(summary)
@@ -124,9 +124,11 @@ pub(crate) fn columns_csv(columns: &[(String, Vec<f64>)]) -> String {
     out
 }
 
-fn timing(solution: &Solution, seconds: f64) -> String {
-    let stages: Vec<serde_json::Value> =
-        solution.times.iter().map(|(name, seconds)| serde_json::json!({ "name": name, "seconds": seconds })).collect();
+fn timing(solution: &Solution, ready: f64, seconds: f64) -> String {
+    let setup = serde_json::json!({ "name": "setup", "seconds": ready });
+    let steps = solution.effort.seconds.iter();
+    let steps = steps.map(|(step, seconds)| serde_json::json!({ "name": step, "seconds": seconds }));
+    let stages: Vec<serde_json::Value> = std::iter::once(setup).chain(steps).collect();
     pretty(&serde_json::json!({ "seconds_total": seconds, "stages": stages }))
 }
 

@@ -3,12 +3,16 @@
 use nalgebra::{DMatrix, Vector3};
 use scene::Fault;
 
-use crate::fe::{Measure, difference_of_gaps, rest};
-use crate::open::open;
+use crate::effort::{Clock, Effort};
+use crate::fe::{Bodies, Measure, difference_of_gaps};
+use crate::ladder::errors;
+use crate::options::{CURVE, Options, Sampling, trapezoid_weights};
+use crate::plan::Step;
+use crate::problem::Problem;
 use crate::profile::Profile;
-use crate::setup::{Problem, setup};
-use crate::solution::{Counters, Solution, Status};
-use crate::solve::{CURVE, Options, Sampling, solve, trapezoid_weights};
+use crate::solution::{Solution, Status};
+use crate::solve::solve;
+use crate::watch::Watch;
 
 /// Degrees of a study.
 pub(crate) const DEGREES: [usize; 7] = [4, 6, 8, 10, 12, 14, 16];
@@ -25,12 +29,12 @@ pub(crate) enum Quantity {
 impl Quantity {
     /// Of a scene; `None` if it computes no elastic bodies.
     pub(crate) fn of(problem: &Problem) -> Option<Quantity> {
-        if problem.plan.runs("evolution") {
+        if problem.plan.runs(Step::Evolution) {
             Some(Quantity::Gap(Measure::Largest))
-        } else if problem.plan.runs("shape") {
-            Some(Quantity::Gap(Measure::of(&problem.scene)))
+        } else if problem.plan.runs(Step::Shape) {
+            Some(Quantity::Gap(Measure::of(problem)))
         } else {
-            problem.plan.runs("contact").then_some(Quantity::Contact)
+            problem.plan.runs(Step::Contact).then_some(Quantity::Contact)
         }
     }
 
@@ -93,8 +97,7 @@ fn energy(solution: &Solution) -> Option<f64> {
 pub(crate) struct Level {
     pub(crate) degree: usize,
     pub(crate) layers: usize,
-    pub(crate) counters: Counters,
-    pub(crate) times: Vec<(String, f64)>,
+    pub(crate) effort: Effort,
     /// Estimated error from this level and the two before it.
     pub(crate) estimate: Option<f64>,
     /// Difference from the truth; none for a level that is the truth.
@@ -104,18 +107,25 @@ pub(crate) struct Level {
 struct Solved {
     degree: usize,
     layers: usize,
-    solution: Solution,
+    effort: Effort,
     truth: Truth,
 }
 
-/// Solves a scene on every degree and compares each level with the truth: the one given, or the finest level.
-pub(crate) fn study(scene: &str, settings: &[String], given: Option<Truth>) -> Result<Vec<Level>, Fault> {
+/// Solves a problem on every degree and compares each level with the truth: the one given, or the finest level. `at` is the problem on the
+/// fixed discretisation of a degree, without the proof of its shape.
+pub(crate) fn study(
+    at: &dyn Fn(usize) -> Result<Problem, Fault>,
+    given: Option<Truth>,
+    clock: Clock,
+    watch: &mut Watch<'_>,
+) -> Result<Vec<Level>, Fault> {
     let finest = DEGREES[DEGREES.len() - 1];
     let (truth, mut finest_level) = match given {
         Some(truth) => (truth, None),
         None => {
-            let level = solve_degree(scene, settings, finest, CURVE)?;
-            (level.1.truth.clone(), Some(level))
+            let problem = at(finest)?;
+            let level = solve_degree(&problem, finest, (CURVE, clock), watch)?;
+            (level.truth.clone(), Some((problem, level)))
         }
     };
     let own_truth = finest_level.is_some();
@@ -124,43 +134,43 @@ pub(crate) fn study(scene: &str, settings: &[String], given: Option<Truth>) -> R
     for degree in DEGREES {
         let (of_level, level) = match finest_level.take_if(|_| degree == finest) {
             Some(level) => level,
-            None => solve_degree(scene, settings, degree, Sampling::At(&truth.s))?,
+            None => {
+                let problem = at(degree)?;
+                let level = solve_degree(&problem, degree, (Sampling::At(&truth.s), clock), watch)?;
+                (problem, level)
+            }
         };
         problem = Some(of_level);
         solved.push(level);
     }
     let Some(problem) = problem else { return Ok(Vec::new()) };
-    let difference = |a: &Truth, b: &Truth| difference(&problem, a, b);
+    let distance = |a: &Solved, b: &Solved| [difference(&problem, &a.truth, &b.truth)];
     let rows = solved.iter().enumerate().map(|(i, level)| Level {
         degree: level.degree,
         layers: level.layers,
-        counters: level.solution.counters.clone(),
-        times: level.solution.times.clone(),
-        estimate: match &solved[..=i] {
-            [.., a, b, c] => Some(rest(difference(&a.truth, &b.truth), difference(&b.truth, &c.truth))),
-            _ => None,
-        },
-        error: (!own_truth || level.degree < finest).then(|| difference(&level.truth, &truth)),
+        effort: level.effort.clone(),
+        estimate: errors(&solved[..=i], &distance).map(|[error]| error),
+        error: (!own_truth || level.degree < finest).then(|| difference(&problem, &level.truth, &truth)),
     });
     Ok(rows.collect())
 }
 
-fn solve_degree(scene: &str, settings: &[String], degree: usize, sampling: Sampling<'_>) -> Result<(Problem, Solved), Fault> {
-    let mut settings = settings.to_vec();
-    settings.push(format!("mesh.degree={degree}"));
-    settings.push("check=false".into());
-    let (document, folder) = open(scene, &settings)?;
-    let problem = setup(&document, &folder)?;
-    let options = Options { sample: Some(sampling), alone: true, machining: false };
-    let solution = solve(&problem, options).map_err(|fault| document.locate(fault))?;
+fn solve_degree(
+    problem: &Problem,
+    degree: usize,
+    (sampling, clock): (Sampling<'_>, Clock),
+    watch: &mut Watch<'_>,
+) -> Result<Solved, Fault> {
+    let options = Options { sample: Some(sampling), alone: true, clock, ..Options::default() };
+    let solution = solve(problem, &options, &Bodies::default(), watch)?;
     let refused = solution.status == Status::Refused || solution.status == Status::Interrupted;
     let Some(profile) = solution.profile.as_ref().filter(|_| !refused) else {
         let reason = solution.reason.unwrap_or_else(|| "the scene has no answer".into());
         return Err(Fault::new("no-answer", reason, "see `wearshape run` of the scene"));
     };
     let truth = Truth::of(profile, &solution);
-    let layers = problem.scene.mesh.as_ref().and_then(|mesh| mesh.layers).unwrap_or(degree);
-    Ok((problem, Solved { degree, layers, solution, truth }))
+    let layers = problem.wanted.fixed.map_or(degree, |level| level.layers);
+    Ok(Solved { degree, layers, effort: solution.effort, truth })
 }
 
 /// Difference of a level from a truth at the same places.

@@ -40,7 +40,7 @@ pub(crate) fn plan_json(problem: &Problem) -> serde_json::Value {
 
 /// Sizes and times of the levels; `None` for scenes without bodies.
 fn expected(problem: &Problem) -> Option<Result<Vec<Forecast>, Fault>> {
-    problem.plan.runs("mesh").then(|| forecast(problem))
+    problem.plan.runs(Step::Mesh).then(|| forecast(problem, seconds))
 }
 
 /// The plan in words, with what it will take.
@@ -59,7 +59,7 @@ pub(crate) fn describe_with_sizes(problem: &Problem) -> String {
             if levels.len() > 1 {
                 out += "the run climbs from row to row until its accuracy is reached; seconds are those up to there, with the proof\n";
             }
-            if problem.plan.runs("evolution") {
+            if problem.plan.runs(Step::Evolution) {
                 out += "the steps in time come on top: how many it takes is not known before\n";
             }
         }
@@ -73,7 +73,7 @@ pub(crate) fn describe(problem: &Problem) -> String {
     let mut out = format!("{}: {title}\nthe scene is sound\n\n", problem.name);
     for stage in &problem.plan.stages {
         let mark = if stage.ran { "yes" } else { " - " };
-        out += &format!("  {mark}  {:<18} {}\n", stage.name, stage.because);
+        out += &format!("  {mark}  {:<18} {}\n", stage.name.name(), stage.because);
     }
     if let Some(patch) = &problem.patch {
         out += &format!("\ncontact surface {:.6} mm^2", patch.surface.area());

@@ -53,7 +53,13 @@ pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
     };
     let resolved = report::resolved(&problem)?;
     let folder = Folder::begin(&target, false)?;
-    let levels = match with_threads(common, || study(&args.scene, &common.set, truth))? {
+    let at = |degree: usize| {
+        let mut settings = common.set.clone();
+        settings.extend([format!("mesh.degree={degree}"), "check=false".into()]);
+        open(&args.scene, &settings).and_then(|(document, files)| setup(&document, &files))
+    };
+    let mut watch = |_: Event<'_>| if interrupt::asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
+    let levels = match with_threads(common, || study(&at, truth, seconds, &mut watch))? {
         Ok(levels) => levels,
         Err(fault) => {
             folder.discard();
@@ -136,20 +142,20 @@ fn reference(folder: &Path) -> Result<Truth, Fault> {
 }
 
 fn row(level: &Level) -> [f64; 12] {
-    let seconds = |stages: &[&str]| -> f64 {
-        level.times.iter().filter(|(name, _)| stages.contains(&name.as_str())).map(|(_, seconds)| seconds).sum()
+    let seconds = |stages: &[Step]| -> f64 {
+        level.effort.seconds.iter().filter(|(step, _)| stages.contains(step)).map(|(_, seconds)| seconds).sum()
     };
     [
         level.degree as f64,
         level.layers as f64,
-        level.counters.dofs as f64,
-        level.counters.trace_dofs as f64,
-        seconds(&["mesh"]),
-        seconds(&["assemble"]),
-        seconds(&["factor"]),
-        seconds(&["interface"]),
-        seconds(&["contact", "shape", "evolution"]),
-        level.times.iter().map(|(_, s)| s).sum(),
+        level.effort.counters.dofs as f64,
+        level.effort.counters.trace_dofs as f64,
+        seconds(&[Step::Mesh]),
+        seconds(&[Step::Assemble]),
+        seconds(&[Step::Factor]),
+        seconds(&[Step::Interface]),
+        seconds(&[Step::Contact, Step::Shape, Step::Evolution]),
+        level.effort.seconds.iter().map(|(_, s)| s).sum(),
         level.estimate.unwrap_or(f64::NAN),
         level.error.unwrap_or(f64::NAN),
     ]

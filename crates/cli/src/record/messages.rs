@@ -61,27 +61,6 @@ impl Points {
     }
 }
 
-/// What a finished level of discretisation leaves behind: all that the levels after it need.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-pub(crate) struct FinishedLevel {
-    /// Degree of the cells.
-    pub(crate) degree: usize,
-    /// Layers around each singular point.
-    pub(crate) layers: usize,
-    /// Worn gap at evenly spaced points.
-    pub(crate) gap_mm: Vec<f64>,
-    /// Closing of each rigid mode there, point by point.
-    pub(crate) closing: Vec<f64>,
-    /// Time at its end.
-    pub(crate) time_s: f64,
-    /// Steps taken.
-    pub(crate) wear_steps: usize,
-    /// Factorisations.
-    pub(crate) factorisations: usize,
-    /// Contact solves.
-    pub(crate) contact_solves: usize,
-}
-
 /// `/iteration`: the work that a step of a run in time took.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub(crate) struct Iteration {

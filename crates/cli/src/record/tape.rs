@@ -4,10 +4,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use scene::Fault;
+use shapeopt::WearState;
 
-use crate::record::messages::FinishedLevel;
 use crate::record::replay::Replay;
-use crate::record::{RUN_MCAP, Recorder, SceneUpdate, State, unwritable};
+use crate::record::{RUN_MCAP, Recorder, SceneUpdate, unwritable};
+use crate::watch::{Resume, RunLevel};
 
 /// A recording that follows a run from level to level.
 pub(crate) struct Tape {
@@ -41,34 +42,35 @@ impl Tape {
         (Tape { path, resolved: resolved.into(), recorder: None, replay }, word)
     }
 
-    /// The levels that an interrupted run had finished.
-    pub(crate) fn finished_levels(&self) -> Vec<FinishedLevel> {
-        self.replay.as_ref().map_or_else(Vec::new, |replay| replay.levels().to_vec())
+    /// Where an interrupted run goes on.
+    pub(crate) fn resume(&self) -> Option<Resume> {
+        let replay = self.replay.as_ref()?;
+        let states = replay.states.iter().cloned().map(WearState::from).collect();
+        Some(Resume { finished: replay.levels().to_vec(), states })
     }
 
-    /// Begins a level: `finished` came before, `mesh` and `message` open the recording. Returns the states it already has.
+    /// Begins a level, or goes on with one; `mesh` and its message open a new recording.
     pub(crate) fn begin_level(
         &mut self,
-        finished: &[FinishedLevel],
-        mesh: &SceneUpdate,
-        message: &str,
-    ) -> Result<Vec<State>, Fault> {
-        let replay = self.replay.take().filter(|replay| replay.levels() == finished && !replay.states.is_empty());
+        level: &RunLevel<'_>,
+        mesh: impl FnOnce() -> Result<SceneUpdate, Fault>,
+    ) -> Result<(), Fault> {
+        let replay = self.replay.take().filter(|_| level.known_steps > 0);
         // The file that is there stays until the new one holds as much.
         let new = self.path.with_extension("mcap.new");
         self.recorder = None;
-        let mut recorder = Recorder::create(&new, &self.resolved, Some(finished))?;
+        let mut recorder = Recorder::create(&new, &self.resolved, Some(level.finished))?;
         match &replay {
             Some(replay) => replay.copy_to(&mut recorder)?,
             None => {
-                recorder.log(message)?;
-                recorder.mesh(mesh)?;
+                recorder.log(&level.message)?;
+                recorder.mesh(&mesh()?)?;
             }
         }
         fs::rename(&new, &self.path).map_err(|error| unwritable(&self.path, &error))?;
         recorder.path.clone_from(&self.path);
         self.recorder = Some(recorder);
-        Ok(replay.map_or_else(Vec::new, |replay| replay.states))
+        Ok(())
     }
 
     /// The recording of the level that runs.

@@ -21,7 +21,7 @@ pub(crate) fn summary(problem: &Problem, solution: &Solution, resolved: &str) ->
     put("status", value(&solution.status));
     put("verdict", json!(verdict(problem, solution)));
     put("stages", value(&problem.plan.stages));
-    put("counters", value(&solution.counters));
+    put("counters", value(&solution.effort.counters));
     put("unused_keys", json!(problem.unused_keys));
     put("lints", json!(problem.lints.iter().chain(&solution.lints).collect::<Vec<_>>()));
     put("pressure", value(&solution.pressure));
