@@ -33,7 +33,7 @@ mod torsion;
 mod twist;
 mod wear;
 
-pub(crate) use answer::{Outcome, Told};
+pub(crate) use answer::Outcome;
 pub(crate) use bodies::Level;
 pub(crate) use forecast::{Forecast, forecast};
 pub(crate) use gap_difference::{Measure, difference_of_gaps};

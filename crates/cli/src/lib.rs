@@ -6,6 +6,7 @@
 mod args;
 mod body_field;
 mod cell_grid;
+mod clock;
 mod commands;
 mod couple;
 mod draw;

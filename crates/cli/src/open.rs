@@ -5,14 +5,34 @@ use std::path::{Path, PathBuf};
 
 use scene::{Document, Fault, Place, SCENES, builtin, did_you_mean};
 
-/// Reads a built-in scene or a file, with the `--set` options, and says from which folder relative paths in it are meant.
-pub(crate) fn open(given: &str, settings: &[String]) -> Result<(Document, PathBuf), Fault> {
+use crate::problem::Problem;
+use crate::setup::setup;
+
+/// Files beside a scene, by their paths as it has them.
+pub(crate) struct Beside(PathBuf);
+
+impl Beside {
+    /// The bytes of a file, or why there are none.
+    pub(crate) fn read(&self, path: &str) -> Result<Vec<u8>, String> {
+        fs::read(self.0.join(path)).map_err(|error| error.to_string())
+    }
+}
+
+/// A scene by its name or path, checked: with its document, which knows where the keys stand.
+pub(crate) fn problem(given: &str, settings: &[String]) -> Result<(Document, Problem), Fault> {
+    let (document, beside) = open(given, settings)?;
+    let problem = setup(&document, &|path| beside.read(path))?;
+    Ok((document, problem))
+}
+
+/// Reads a built-in scene or a file, with the `--set` options, and the place of the files beside it.
+pub(crate) fn open(given: &str, settings: &[String]) -> Result<(Document, Beside), Fault> {
     let path = Path::new(given);
     let looks_like_path = given.contains(['/', '\\']) || given.ends_with(".toml") || path.exists();
     if let Some(scene) = builtin(given)
         && !path.is_file()
     {
-        return Ok((Document::read(&scene.file(), scene.text, settings)?, PathBuf::from(".")));
+        return Ok((Document::read(&scene.file(), scene.text, settings)?, Beside(PathBuf::from("."))));
     }
     if !looks_like_path {
         let names: Vec<&str> = SCENES.iter().map(|scene| scene.name).collect();
@@ -32,5 +52,5 @@ pub(crate) fn open(given: &str, settings: &[String]) -> Result<(Document, PathBu
         ..Fault::new("not-text", format!("{given} is not UTF-8 text: {error}"), "save the scene as UTF-8")
     })?;
     let folder = path.parent().map_or_else(|| PathBuf::from("."), Path::to_path_buf);
-    Ok((Document::read(given, &text, settings)?, folder))
+    Ok((Document::read(given, &text, settings)?, Beside(folder)))
 }

@@ -17,6 +17,7 @@ mod vtu;
 
 use scene::{Fault, scene_text};
 
+use crate::plan::Step;
 use crate::record::{LAYOUT, Points, RUN_MCAP, Recorder, Tape};
 use crate::setup::Problem;
 use crate::solution::Solution;

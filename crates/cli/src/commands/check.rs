@@ -5,15 +5,16 @@ use serde_json::json;
 
 use crate::args::CheckArgs;
 use crate::commands::{print_json, print_out};
+use crate::clock::seconds;
 use crate::exit::Exit;
 use crate::fe::{Forecast, forecast};
-use crate::open::open;
-use crate::setup::{Problem, setup};
+use crate::open;
+use crate::plan::Step;
+use crate::problem::Problem;
 
 /// Prints the plan, the remarks and the unused keys of a scene.
 pub(crate) fn run(args: &CheckArgs) -> Result<Exit, Fault> {
-    let (document, folder) = open(&args.scene, &args.set)?;
-    let problem = setup(&document, &folder)?;
+    let (_, problem) = open::problem(&args.scene, &args.set)?;
     if args.json {
         print_json(&plan_json(&problem));
     } else if !args.quiet {

@@ -6,24 +6,27 @@ use std::time::Instant;
 use scene::{Fault, Place};
 
 use crate::args::{Common, RunArgs};
+use crate::clock::seconds;
 use crate::commands::check::{describe, describe_with_sizes, plan_json};
 use crate::commands::{print_json, print_out};
 use crate::exit::Exit;
+use crate::fe::{Bodies, available};
+use crate::interrupt;
 use crate::live::Live;
-use crate::open::open;
+use crate::open;
+use crate::options::{Options, Sampling};
+use crate::plan::Step;
+use crate::problem::Problem;
 use crate::progress::Progress;
 use crate::record::Tape;
 use crate::report::{self, Folder};
-use crate::setup::setup;
 use crate::solution::Status;
-use crate::solve::{Options, Sampling, solve_live};
 
 /// Computes a scene and writes its folder.
 pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
     let start = Instant::now();
     let common = &args.common;
-    let (document, folder) = open(&args.scene, &common.set)?;
-    let problem = setup(&document, &folder)?;
+    let (document, problem) = open::problem(&args.scene, &common.set)?;
     let options = options(common)?;
     let target = common.output.clone().unwrap_or_else(|| PathBuf::from("out").join(&problem.name));
     if common.dry_run {
@@ -34,10 +37,8 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
         }
         return Ok(Exit::Done);
     }
-    if problem.plan.runs("mesh") {
-        crate::fe::available(&problem).map_err(|fault| document.locate(fault))?;
-    }
-    crate::interrupt::listen();
+    available(&problem).map_err(|fault| document.locate(fault))?;
+    interrupt::listen();
     let resolved = report::resolved(&problem)?;
     let folder = Folder::begin(&target, common.resume)?;
     if common.resume {
@@ -51,19 +52,12 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
     if common.verbose && !common.quiet {
         eprint!("{}", describe(&problem));
     }
-    let mut live = Live { tape: None, progress: Progress::new(common) };
-    if problem.plan.runs("evolution") {
-        let (tape, word) = Tape::new(folder.path(), &resolved, common.resume);
-        if let Some(word) = word.filter(|_| !common.quiet) {
-            eprintln!("{word}");
-        }
-        live.tape = Some(tape);
-    } else if common.resume && !common.quiet {
-        eprintln!("only runs in time can be continued; this one begins at its start");
-    }
-    let solved = with_threads(common, || solve_live(&problem, options, &mut live))?;
+    let mut live = Live::new(tape(&folder, &problem, &resolved, common), Progress::new(common));
+    let resume = live.tape.as_ref().and_then(Tape::resume);
+    let options = Options { resume: resume.as_ref(), ..options };
+    let solved = with_threads(common, || live.solve(&problem, &options, &Bodies::default()))?;
     live.progress.end();
-    let mut solution = match solved {
+    let solution = match solved {
         Ok(solution) => solution,
         Err(fault) => {
             // What was recorded before the disk was full is worth going on from.
@@ -77,8 +71,8 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
         eprintln!("interrupted; {}", again(args, live.tape.is_some()));
         return Ok(Exit::Interrupted);
     }
-    solution.times.insert(0, ("setup".into(), ready));
-    let summary = report::write(&folder, &problem, &solution, &resolved, live.tape, start.elapsed().as_secs_f64())?;
+    let seconds = [ready, start.elapsed().as_secs_f64()];
+    let summary = report::write(&folder, &problem, &solution, &resolved, live.tape, seconds)?;
     folder.finish()?;
     if common.json {
         print_json(&summary);
@@ -86,6 +80,21 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
         print_out(&report::first_screen(&problem, &solution, &target));
     }
     Ok(exit_of(solution.status))
+}
+
+/// The recording of a run in time; a sentence says from where it goes on.
+fn tape(folder: &Folder, problem: &Problem, resolved: &str, common: &Common) -> Option<Tape> {
+    if !problem.plan.runs(Step::Evolution) {
+        if common.resume && !common.quiet {
+            eprintln!("only runs in time can be continued; this one begins at its start");
+        }
+        return None;
+    }
+    let (tape, word) = Tape::new(folder.path(), resolved, common.resume);
+    if let Some(word) = word.filter(|_| !common.quiet) {
+        eprintln!("{word}");
+    }
+    Some(tape)
 }
 
 /// How an interrupted run goes on.
@@ -113,14 +122,14 @@ pub(crate) fn exit_of(status: Status) -> Exit {
 }
 
 /// The options that reach the solver.
-pub(crate) fn options(common: &Common) -> Result<Options<'_>, Fault> {
+pub(crate) fn options(common: &Common) -> Result<Options<'static>, Fault> {
     if let Some(sample) = common.sample.filter(|sample| !(2..=10_000_000).contains(sample)) {
         return Err(Fault {
             place: Some(Place::Flag(format!("--sample {sample}"))),
             ..Fault::new("wrong-flag", format!("--sample {sample} is out of range"), "ask for 2 to 10000000 points")
         });
     }
-    Ok(Options { sample: common.sample.map(Sampling::Even), alone: false, machining: true })
+    Ok(Options { sample: common.sample.map(Sampling::Even), machining: true, clock: seconds, ..Options::default() })
 }
 
 /// Does the work on the number of threads asked for.

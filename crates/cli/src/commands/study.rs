@@ -1,5 +1,6 @@
 //! `wearshape study`: error against run time, degree by degree.
 
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use scene::{Fault, Place, number_text};
@@ -7,13 +8,16 @@ use scene::{Fault, Place, number_text};
 use crate::args::StudyArgs;
 use crate::commands::run::with_threads;
 use crate::commands::{print_json, print_out};
+use crate::clock::seconds;
 use crate::exit::Exit;
 use crate::fe::Measure;
-use crate::open::open;
+use crate::interrupt;
+use crate::open;
 use crate::report::line_plot::{Axis, LinePlot, Series, line_plot};
 use crate::report::{self, Folder};
-use crate::setup::setup;
+use crate::plan::Step;
 use crate::study::{DEGREES, Level, Quantity, Truth, outermost, study};
+use crate::watch::Event;
 
 /// Columns of study.csv.
 const COLUMNS: [&str; 12] = [
@@ -34,8 +38,7 @@ const COLUMNS: [&str; 12] = [
 /// Solves a scene on a ladder of degrees and writes study.csv, study.json and study.svg.
 pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
     let common = &args.common;
-    let (document, folder) = open(&args.scene, &common.set)?;
-    let problem = setup(&document, &folder)?;
+    let (document, problem) = open::problem(&args.scene, &common.set)?;
     let Some(quantity) = Quantity::of(&problem) else {
         let remedy = "add a task with elastic bodies: --set tasks=[pressure,shape]";
         return Err(Fault::new("not-available", "study compares meshes, and this scene needs none", remedy));
@@ -56,7 +59,7 @@ pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
     let at = |degree: usize| {
         let mut settings = common.set.clone();
         settings.extend([format!("mesh.degree={degree}"), "check=false".into()]);
-        open(&args.scene, &settings).and_then(|(document, files)| setup(&document, &files))
+        open::problem(&args.scene, &settings).map(|(_, problem)| problem)
     };
     let mut watch = |_: Event<'_>| if interrupt::asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
     let levels = match with_threads(common, || study(&at, truth, seconds, &mut watch))? {

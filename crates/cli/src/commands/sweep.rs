@@ -1,10 +1,9 @@
 //! `wearshape sweep`: a scene over a grid of keys, one row a point, failures kept as rows.
 
 use std::path::PathBuf;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
+use rayon::prelude::*;
 use scene::{Fault, Place};
 use serde_json::{Map, Value, json};
 
@@ -12,13 +11,15 @@ use crate::args::{Common, SweepArgs};
 use crate::commands::run::{options, with_threads};
 use crate::commands::{print_json, print_out};
 use crate::exit::Exit;
-use crate::open::open;
+use crate::fe::{Bodies, available};
+use crate::live::Live;
+use crate::open::{self, open};
+use crate::options::Options;
 use crate::progress::Progress;
 use crate::report::{self, Folder, SCHEMA_VERSION};
-use crate::setup::{Problem, setup};
+use crate::setup::setup;
 use crate::solution::Status;
-use crate::solve::{Options, solve};
-use crate::{fe, interrupt};
+use crate::interrupt;
 
 /// Points computed between two looks at Ctrl-C and two writes.
 const CHUNK: usize = 64;
@@ -57,7 +58,7 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
     interrupt::listen();
     let plan = json!({ "scene": args.scene, "set": common.set, "over": args.over, "sample": common.sample });
     // A first point without an answer is a row like any other; its scene stays as it is written.
-    let resolved = setup(&first, &beside).map_or_else(|_| first.scene.clone(), |problem| problem.scene);
+    let resolved = setup(&first, &|path| beside.read(path)).map_or_else(|_| first.scene.clone(), |problem| problem.scene);
     let mark = format!("# {}\n{}", plan, scene::scene_text(&resolved)?);
     let folder = Folder::begin(&target, common.resume)?;
     if common.resume {
@@ -70,7 +71,7 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
         folder.write_bytes(&name, bytes)?;
     }
     folder.write("sweep.jsonl", &lines(&rows))?;
-    let operators = Arc::new(fe::Operators::default());
+    let bodies = Bodies::default();
     let progress = Progress::counted(common, count);
     while rows.len() < count {
         if interrupt::asked() {
@@ -79,7 +80,7 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
             return Ok(Exit::Interrupted);
         }
         let chunk: Vec<usize> = (rows.len()..count.min(rows.len() + CHUNK)).collect();
-        let new = in_threads(common, &chunk, |point| row(&args.scene, &grid, point, &settings(point), options, &operators))?;
+        let new = in_threads(common, &chunk, |point| row(&args.scene, (&grid, point), &settings(point), &options, &bodies))?;
         folder.append("sweep.jsonl", &lines(&new))?;
         rows.extend(new);
         progress.done(rows.len());
@@ -98,7 +99,7 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
         "over": grid.iter().map(|over| (over.key.clone(), json!(over.values))).collect::<Map<_, _>>(),
         "points": count,
         "failed": failed,
-        "counters": { "factorisations": operators.factorisations(), "factorisations_saved": operators.reused() },
+        "counters": { "factorisations": bodies.factorisations(), "factorisations_saved": bodies.reused() },
     });
     folder.write("summary.json", &report::pretty(&summary))?;
     folder.finish()?;
@@ -179,49 +180,28 @@ fn settings_of(grid: &[Over], point: usize, set: &[String]) -> Vec<String> {
     all
 }
 
-/// Rows of some points, on as many threads as asked for. Each thread assembles its cells alone: one that waited for cells of its own while it
-/// holds a level of the shared operators could otherwise take up a row that needs this very level.
-fn in_threads(common: &Common, points: &[usize], row: impl Fn(usize) -> Value + Sync) -> Result<Vec<Value>, Fault> {
-    let threads = with_threads(common, rayon::current_num_threads)?.min(points.len());
-    let next = AtomicUsize::new(0);
-    let work = || {
-        let mut rows = Vec::new();
-        while let Some(point) = points.get(next.fetch_add(1, Ordering::Relaxed)) {
-            rows.push((*point, row(*point)));
-        }
-        rows
-    };
-    let alone = || rayon::ThreadPoolBuilder::new().num_threads(1).build().map(|pool| pool.install(work));
-    let done = std::thread::scope(|scope| {
-        let started: Vec<_> = (0..threads).map(|_| scope.spawn(alone)).collect();
-        started.into_iter().map(|thread| thread.join()).collect::<Vec<_>>()
-    });
-    let mut rows = Vec::new();
-    for thread in done {
-        let lost = |message: String| Fault::new("internal", message, "please report this sweep");
-        let found = thread.map_err(|_| lost("a row of the sweep ended in a panic".into()))?;
-        rows.extend(found.map_err(|error| lost(format!("cannot start a thread: {error}")))?);
-    }
-    rows.sort_by_key(|(point, _)| *point);
-    Ok(rows.into_iter().map(|(_, row)| row).collect())
+/// Rows of some points, on as many threads as asked for, up to the first that Ctrl-C has cut short.
+fn in_threads(common: &Common, points: &[usize], row: impl Fn(usize) -> Option<Value> + Sync + Send) -> Result<Vec<Value>, Fault> {
+    let rows = with_threads(common, || points.par_iter().map(|point| row(*point)).collect::<Vec<Option<Value>>>())?;
+    Ok(rows.into_iter().map_while(|row| row).collect())
 }
 
-/// One row: the keys, the status, the numbers of the summary.
-fn row(scene: &str, grid: &[Over], point: usize, settings: &[String], options: Options, operators: &Arc<fe::Operators>) -> Value {
+/// One row: the keys, the status, the numbers of the summary. None if Ctrl-C has cut it short.
+fn row(scene: &str, (grid, point): (&[Over], usize), settings: &[String], options: &Options<'_>, bodies: &Bodies) -> Option<Value> {
     let mut row = Map::new();
     for (over, value) in grid.iter().zip(values_of(grid, point)) {
         row.insert(over.key.clone(), value.parse::<f64>().ok().filter(|v| v.is_finite()).map_or(json!(value), |v| json!(v)));
     }
-    let computed = open(scene, settings).and_then(|(document, folder)| {
-        let problem = Problem { operators: Arc::clone(operators), ..setup(&document, &folder)? };
-        if problem.plan.runs("mesh") {
-            fe::available(&problem).map_err(|fault| document.locate(fault))?;
-        }
-        let solution = solve(&problem, options).map_err(|fault| document.locate(fault))?;
-        report::summary_of(&problem, &solution)
+    let computed = open::problem(scene, settings).and_then(|(document, problem)| {
+        available(&problem).map_err(|fault| document.locate(fault))?;
+        let solution = Live::silent().solve(&problem, options, bodies).map_err(|fault| document.locate(fault))?;
+        Ok((solution.status, report::summary_of(&problem, &solution)?))
     });
+    if matches!(computed, Ok((Status::Interrupted, _))) {
+        return None;
+    }
     match computed {
-        Ok(summary) => {
+        Ok((_, summary)) => {
             let skipped = ["schema_version", "version", "scene", "scene_sha256"];
             for (key, value) in report::numbers(&summary) {
                 if !skipped.contains(&key.as_str()) && !key.starts_with("counters.") {
@@ -234,7 +214,7 @@ fn row(scene: &str, grid: &[Over], point: usize, settings: &[String], options: O
             row.insert("verdict".into(), json!(fault.message));
         }
     }
-    Value::Object(row)
+    Some(Value::Object(row))
 }
 
 fn lines(rows: &[Value]) -> String {

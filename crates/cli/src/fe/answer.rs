@@ -16,29 +16,29 @@ use crate::solution::{
 use crate::watch::Resume;
 
 /// A solved pair of bodies.
-pub(super) struct Answer<'a> {
-    pub(super) stage: Stage<'a>,
-    pub(super) reduced: &'a Reduced,
-    pub(super) pair: &'a Pair<'a>,
+pub(crate) struct Answer<'a> {
+    pub(crate) stage: Stage<'a>,
+    pub(crate) reduced: &'a Reduced,
+    pub(crate) pair: &'a Pair<'a>,
     /// Displacements of body 1 and 2.
-    pub(super) states: [Option<&'a InterfaceState>; 2],
+    pub(crate) states: [Option<&'a InterfaceState>; 2],
     /// At the contact points.
-    pub(super) own: Own<'a>,
+    pub(crate) own: Own<'a>,
     /// Pressure (MPa), gap and opening (mm) at any point of the surface.
-    pub(super) between: &'a dyn Fn(&ContactPoint) -> [f64; 3],
+    pub(crate) between: &'a dyn Fn(&ContactPoint) -> [f64; 3],
 }
 
 /// What is known at the contact points.
-pub(super) struct Own<'a> {
-    pub(super) points: &'a [ContactPoint],
+pub(crate) struct Own<'a> {
+    pub(crate) points: &'a [ContactPoint],
     /// MPa.
-    pub(super) pressure: &'a [f64],
+    pub(crate) pressure: &'a [f64],
     /// Unloaded, mm.
-    pub(super) gap: &'a [f64],
+    pub(crate) gap: &'a [f64],
     /// Under load, mm.
-    pub(super) opening: &'a [f64],
+    pub(crate) opening: &'a [f64],
     /// Whether each point is in contact, where that is said by more than the sign of its pressure.
-    pub(super) closed: Option<&'a [bool]>,
+    pub(crate) closed: Option<&'a [bool]>,
 }
 
 /// What is told of a reported level.
@@ -53,7 +53,7 @@ pub(crate) struct Told {
 
 impl Answer<'_> {
     /// Energies, reactions and columns.
-    pub(super) fn told(&self) -> Told {
+    pub(crate) fn told(&self) -> Told {
         let profile = match self.stage.options.sample {
             Some(sampling) => self.sampled(sampling),
             None => self.at_own_points(),
@@ -96,7 +96,7 @@ impl Answer<'_> {
 
 impl EnergyResult {
     /// Of both bodies.
-    pub(super) fn total(&self) -> f64 {
+    pub(crate) fn total(&self) -> f64 {
         self.body1_Nmm.unwrap_or(0.0) + self.body2_Nmm.unwrap_or(0.0)
     }
 }

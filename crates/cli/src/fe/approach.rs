@@ -98,13 +98,13 @@ fn motions(pair: &Pair<'_>, about: f64) -> DMatrix<f64> {
 }
 
 /// Closing at `about` and turning of rigid coordinates.
-pub(super) fn motion(pair: &Pair<'_>, coordinates: &[f64], about: f64) -> [f64; 2] {
+pub(crate) fn motion(pair: &Pair<'_>, coordinates: &[f64], about: f64) -> [f64; 2] {
     let sums = motions(pair, about) * DVector::from_row_slice(coordinates);
     [sums[0], sums[1]]
 }
 
 /// Rigid coordinates of a closing at `about` and a turning, as far as body 1 has these motions.
-pub(super) fn coordinates(pair: &Pair<'_>, [closing, turning]: [f64; 2], about: f64) -> Vec<f64> {
+pub(crate) fn coordinates(pair: &Pair<'_>, [closing, turning]: [f64; 2], about: f64) -> Vec<f64> {
     let wanted = DVector::from_row_slice(&[closing, turning]);
     // Rows of unlike units: the modes are scaled by the distance from the middle that they are about.
     let size = pair.trace().length();

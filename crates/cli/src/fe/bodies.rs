@@ -156,20 +156,20 @@ impl BodyParts {
 }
 
 /// The two bodies of a level before their reduction.
-pub(super) struct Parts {
-    pub(super) parts: [BodyParts; 2],
+pub(crate) struct Parts {
+    pub(crate) parts: [BodyParts; 2],
     /// Whether the surfaces face each other across a gap.
-    pub(super) facing: bool,
+    pub(crate) facing: bool,
 }
 
 impl Parts {
     /// Both bodies on their meshes.
-    pub(super) fn new(couple: &Couple, [first, second]: [Mesh; 2], level: Level, facing: bool) -> Result<Parts, Fault> {
+    pub(crate) fn new(couple: &Couple, [first, second]: [Mesh; 2], level: Level, facing: bool) -> Result<Parts, Fault> {
         Parts::of(couple, [first, second], level, (couple.kinematics, facing))
     }
 
     /// The scalar problem of twisting on the same meshes.
-    pub(super) fn torsion(couple: &Couple, [first, second]: [Mesh; 2], level: Level, facing: bool) -> Result<Parts, Fault> {
+    pub(crate) fn torsion(couple: &Couple, [first, second]: [Mesh; 2], level: Level, facing: bool) -> Result<Parts, Fault> {
         Parts::of(couple, [first, second], level, (Kinematics::Torsion, facing))
     }
 
@@ -187,14 +187,14 @@ impl Parts {
     }
 
     /// Assembles and reduces both bodies.
-    pub(super) fn reduce(&self, clock: Clock) -> Result<([Body<'_>; 2], Effort), Fault> {
+    pub(crate) fn reduce(&self, clock: Clock) -> Result<([Body<'_>; 2], Effort), Fault> {
         let bodies = [self.parts[0].reduce(clock)?, self.parts[1].reduce(clock)?];
         let effort = counted([0, 1].map(|k| (&bodies[k].interface, bodies[k].effort)));
         Ok((bodies, effort))
     }
 
     /// Reduces both bodies to their contact surface, keeping nothing of their inside.
-    pub(super) fn interfaces(&self, clock: Clock) -> Result<([InterfaceOperator; 2], Effort), Fault> {
+    pub(crate) fn interfaces(&self, clock: Clock) -> Result<([InterfaceOperator; 2], Effort), Fault> {
         let [(first, effort), (second, other)] = [self.parts[0].interface(clock)?, self.parts[1].interface(clock)?];
         let effort = counted([(&first, effort), (&second, other)]);
         Ok(([first, second], effort))
@@ -215,7 +215,7 @@ fn counted(bodies: [(&InterfaceOperator, hpfem::Effort); 2]) -> Effort {
 }
 
 /// The materials of a body, by the index that its cells have.
-pub(super) fn hpfem_materials(body: &couple::Body) -> Result<Vec<Material>, hpfem::Error> {
+pub(crate) fn hpfem_materials(body: &couple::Body) -> Result<Vec<Material>, hpfem::Error> {
     body.materials.iter().map(|m| Material::new(m.young.0, m.poisson)).collect()
 }
 

@@ -11,7 +11,7 @@ use crate::fe::template::{AXIS, CONTACT, Extent, LOAD};
 /// Longest side of a cell over its shortest before it is cut.
 const SLENDER: f64 = 3.0;
 /// Share of the contact below which two points of it are meant to be one: a mesh file has fewer digits than its geometry.
-pub(super) const SAME: f64 = 1e-6;
+pub(crate) const SAME: f64 = 1e-6;
 /// Share of an edge within which its end is moved onto an end of contact instead of cutting the edge there.
 const NEAR: f64 = 0.25;
 /// Most cuts of slender cells in one body.
@@ -19,9 +19,9 @@ const MOST_CUTS: usize = 24;
 
 /// A body given by its cells, its surfaces named, and the points towards which it is to be graded.
 #[derive(Clone)]
-pub(super) struct Cells {
-    pub(super) mesh: Mesh,
-    pub(super) singular: Vec<[f64; 2]>,
+pub(crate) struct Cells {
+    pub(crate) mesh: Mesh,
+    pub(crate) singular: Vec<[f64; 2]>,
     /// Edge of the scene that touches the other body.
     contact: String,
     extent: Extent,
@@ -33,7 +33,7 @@ fn degenerate(key: &str, error: &hpfem::Error) -> Fault {
 
 impl Cells {
     /// The cells of a body, cut at the ends of its contact and of its load.
-    pub(super) fn new(couple: &Couple, number: usize, mesh: Mesh, extent: Extent) -> Result<Cells, Fault> {
+    pub(crate) fn new(couple: &Couple, number: usize, mesh: Mesh, extent: Extent) -> Result<Cells, Fault> {
         let (shaped, body) = (number == 0, &couple.bodies[number]);
         let key = body.key;
         let mut cells = Cells { mesh, singular: Vec::new(), contact: body.contact.clone(), extent };
@@ -67,12 +67,12 @@ impl Cells {
     }
 
     /// Coordinates of the break points on the contact surface, ends included.
-    pub(super) fn breaks(&self) -> Vec<f64> {
+    pub(crate) fn breaks(&self) -> Vec<f64> {
         self.contact_edges().into_iter().flat_map(|(_, range)| range).collect()
     }
 
     /// Cuts the contact surface at the given coordinates; a vertex next to one is moved there.
-    pub(super) fn cut(&mut self, places: &[f64]) -> Result<(), Fault> {
+    pub(crate) fn cut(&mut self, places: &[f64]) -> Result<(), Fault> {
         let [from, to] = self.extent.ends();
         for place in places {
             if self.moved_to(*place)? {
@@ -153,7 +153,7 @@ impl Cells {
     }
 
     /// Moves the next vertex of the contact surface onto a place, if it is near and nothing but the mesh depends on it.
-    pub(super) fn draw(&mut self, place: f64) {
+    pub(crate) fn draw(&mut self, place: f64) {
         let edges = self.mesh.boundary(&self.contact).unwrap_or_default();
         let near = edges.into_iter().find_map(|e| {
             let own = &self.mesh.edges[e];
@@ -186,18 +186,18 @@ impl Cells {
     }
 
     /// Where the vertex on a place of the contact surface is.
-    pub(super) fn point_at(&self, place: f64) -> Option<[f64; 2]> {
+    pub(crate) fn point_at(&self, place: f64) -> Option<[f64; 2]> {
         self.vertex_at(place).map(|v| self.mesh.vertices[v])
     }
 
     /// Cuts every piece of the contact surface in the middle.
-    pub(super) fn halve(&mut self) -> Result<(), Fault> {
+    pub(crate) fn halve(&mut self) -> Result<(), Fault> {
         let middles: Vec<f64> = self.contact_edges().into_iter().map(|(_, [a, b])| 0.5 * (a + b)).collect();
         self.cut(&middles)
     }
 
     /// Cuts a cell between two of its corners.
-    pub(super) fn part(&mut self, cell: usize, [a, b]: [usize; 2]) -> Result<(), Fault> {
+    pub(crate) fn part(&mut self, cell: usize, [a, b]: [usize; 2]) -> Result<(), Fault> {
         // Corners next to each other are the ends of a side; opposite ones are parted by a cut in any direction.
         let cell = &self.mesh.cells[cell];
         let ends = [a, b].map(|k| cell.corners[k]);
@@ -215,12 +215,12 @@ impl Cells {
     }
 
     /// Adds a point to grade towards, if it is a vertex.
-    pub(super) fn grade_towards(&mut self, x: [f64; 2]) {
+    pub(crate) fn grade_towards(&mut self, x: [f64; 2]) {
         add_singular(&self.mesh, &mut self.singular, x);
     }
 
     /// The coordinate of a point that is a break point of the contact surface.
-    pub(super) fn coordinate(&self, x: [f64; 2]) -> Option<f64> {
+    pub(crate) fn coordinate(&self, x: [f64; 2]) -> Option<f64> {
         let vertex = self.mesh.nearest_vertex(x);
         self.contact_edges().into_iter().find_map(|(e, range)| {
             let end = (0..2).find(|k| self.mesh.edges[e].vertices[*k] == vertex)?;
@@ -279,7 +279,7 @@ impl Cells {
 
 impl Extent {
     /// First and last coordinate.
-    pub(super) fn ends(&self) -> [f64; 2] {
+    pub(crate) fn ends(&self) -> [f64; 2] {
         match self {
             Extent::Angles(angles) => *angles,
             Extent::X(x) | Extent::Round { x, .. } => *x,
@@ -287,7 +287,7 @@ impl Extent {
     }
 
     /// Coordinates of the ends of a line or arc of the contact edge, the one at `t = -1` first; angles next to those of the contact.
-    pub(super) fn range(&self, curve: &Curve) -> [f64; 2] {
+    pub(crate) fn range(&self, curve: &Curve) -> [f64; 2] {
         use std::f64::consts::{FRAC_PI_2, PI, TAU};
         match (self, curve) {
             (Extent::Angles(angles), Curve::Arc { from, to, .. }) => {
@@ -301,7 +301,7 @@ impl Extent {
     }
 
     /// Parameter of a place on a line or arc of the contact edge; outside of [-1, 1] or no number where it is not on it.
-    pub(super) fn parameter(&self, curve: &Curve, place: f64) -> f64 {
+    pub(crate) fn parameter(&self, curve: &Curve, place: f64) -> f64 {
         use std::f64::consts::{FRAC_PI_2, PI, TAU};
         match (self, curve) {
             (Extent::Round { .. }, Curve::Arc { centre, radius, from, to }) => {
@@ -319,7 +319,7 @@ impl Extent {
 }
 
 /// Adds a point to grade towards, if it is a vertex and not yet among them.
-pub(super) fn add_singular(mesh: &Mesh, singular: &mut Vec<[f64; 2]>, x: [f64; 2]) {
+pub(crate) fn add_singular(mesh: &Mesh, singular: &mut Vec<[f64; 2]>, x: [f64; 2]) {
     let scale = mesh.vertices.iter().flatten().fold(0.0_f64, |scale, v| scale.max(v.abs()));
     let near = |a: &[f64; 2]| (x[0] - a[0]).hypot(x[1] - a[1]) <= 1e-9 * scale;
     if near(&mesh.vertices[mesh.nearest_vertex(x)]) && !singular.iter().any(near) {
@@ -328,7 +328,7 @@ pub(super) fn add_singular(mesh: &Mesh, singular: &mut Vec<[f64; 2]>, x: [f64; 2
 }
 
 /// A cell that touches two of the points, and the two corners.
-pub(super) fn crowded(mesh: &Mesh, singular: &[[f64; 2]]) -> Option<(usize, [usize; 2])> {
+pub(crate) fn crowded(mesh: &Mesh, singular: &[[f64; 2]]) -> Option<(usize, [usize; 2])> {
     let graded: Vec<usize> = singular.iter().map(|x| mesh.nearest_vertex(*x)).collect();
     mesh.cells.iter().enumerate().find_map(|(c, cell)| {
         let mut touched = (0..cell.vertices().len()).filter(|k| graded.contains(&cell.corners[*k]));

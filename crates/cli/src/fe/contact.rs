@@ -30,29 +30,28 @@ const SIGNS_HOLD: f64 = 1e-9;
 const NEAR: f64 = 1e-3;
 
 /// Result of one level.
-pub(super) struct Solved {
-    pub(super) level: Level,
-    pub(super) contact: ContactResult,
+pub(crate) struct Solved {
+    pub(crate) contact: ContactResult,
     /// Condition of the system, where it is worked out on every level.
-    pub(super) interface: Option<InterfaceResult>,
-    pub(super) told: Told,
+    pub(crate) interface: Option<InterfaceResult>,
+    pub(crate) told: Told,
     /// At the samples, to compare levels.
-    pub(super) pressure: Vec<f64>,
+    pub(crate) pressure: Vec<f64>,
     /// Torque or angle of a twist, to compare levels.
-    pub(super) twist: Option<f64>,
+    pub(crate) twist: Option<f64>,
     /// Error of the pressure as the embedded degree tells it, for levels without a ladder below them.
-    pub(super) embedded: Option<f64>,
+    pub(crate) embedded: Option<f64>,
     /// Whether ends of contact lie inside elements because nodes did not settle on them.
-    pub(super) unsettled: bool,
+    pub(crate) unsettled: bool,
     /// Why there is no answer.
-    pub(super) refused: Option<String>,
+    pub(crate) refused: Option<String>,
     /// For the fields.
-    pub(super) reported: Option<Reported>,
-    pub(super) effort: Effort,
+    pub(crate) reported: Option<Reported>,
+    pub(crate) effort: Effort,
 }
 
 /// Solves the contact.
-pub(super) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
+pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
     let mut search = Search::default();
     let ladder = Ladder::of(stage.problem, stage.options).and_beyond(stage.problem);
     let (mut outcome, effort) = levels(&ladder, watch, |level| solve_level(stage, level, &mut search))?;
@@ -71,7 +70,7 @@ pub(super) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome,
 }
 
 /// Solves level after level until the estimated errors are below the accuracy asked for, and reports the last one.
-pub(super) fn levels(
+pub(crate) fn levels(
     ladder: &Ladder,
     watch: &mut Watch<'_>,
     mut solve_level: impl FnMut(Level) -> Result<Solved, Refusal>,
@@ -145,7 +144,7 @@ fn embedded(pressure: Option<f64>) -> ErrorResult {
 
 /// What one level leaves to the next: its ends of contact, and the diagnosis that is made if it is the last.
 #[derive(Default)]
-pub(super) struct Search {
+pub(crate) struct Search {
     ends: FreeEnds,
     diagnosis: Option<Diagnosis>,
     last: Option<Level>,
@@ -153,7 +152,7 @@ pub(super) struct Search {
 
 impl Search {
     /// What the last contact rests on.
-    pub(super) fn report(&self, stage: Stage<'_>, outcome: &mut Outcome) -> Result<(), Fault> {
+    pub(crate) fn report(&self, stage: Stage<'_>, outcome: &mut Outcome) -> Result<(), Fault> {
         if let Some((diagnosis, contact)) = self.diagnosis.as_ref().zip(outcome.contact.as_mut()) {
             let (uniqueness, interface) = diagnosis.made(stage)?;
             contact.uniqueness = uniqueness;
@@ -173,7 +172,7 @@ struct Found {
 
 /// Solves a level; where contact ends inside the surface, with element nodes on its ends, from those of the last level.
 /// The diagnosis is left to be made if the level is the last.
-pub(super) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -> Result<Solved, Refusal> {
+pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -> Result<Solved, Refusal> {
     let mut effort = Effort::default();
     let Found { reduced, found, unsettled } = find(stage, level, &mut search.ends, &mut effort)?;
     let ends = &search.ends;
@@ -216,7 +215,7 @@ pub(super) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
     let twist = twist.map(|twist| twist.answer);
     search.last = Some(level);
     search.diagnosis = Some(Diagnosis { reduced: Arc::clone(&reduced), found });
-    Ok(Solved { level, contact, interface: None, told, pressure, twist, embedded, unsettled, refused, reported, effort })
+    Ok(Solved { contact, interface: None, told, pressure, twist, embedded, unsettled, refused, reported, effort })
 }
 
 /// Energies, reactions and columns of a solved contact.
@@ -288,7 +287,7 @@ fn find(stage: Stage<'_>, level: Level, ends: &mut FreeEnds, effort: &mut Effort
 }
 
 /// The contact on the standing mesh of a level, and the length of its surface.
-pub(super) fn on_standing_mesh(stage: Stage<'_>, level: Level) -> Result<(ContactSolution, f64, Effort), Fault> {
+pub(crate) fn on_standing_mesh(stage: Stage<'_>, level: Level) -> Result<(ContactSolution, f64, Effort), Fault> {
     let (reduced, mut effort) = stage.reduced(level, Cut::Plain)?;
     let pair = reduced.pair()?;
     let operator = effort.timed(Step::Interface, stage.clock(), |_| reduced.operator(&pair, stage.friction() > 0.0))?;
@@ -300,22 +299,22 @@ pub(super) fn on_standing_mesh(stage: Stage<'_>, level: Level) -> Result<(Contac
     Ok((found, pair.trace().length(), effort))
 }
 
-pub(super) fn unsolved(error: contact::Error) -> Fault {
+pub(crate) fn unsolved(error: contact::Error) -> Fault {
     Fault::at("contact", "no-contact", error.to_string(), "check the contact and its load")
 }
 
 /// The start gaps of the problem at the contact points.
-pub(super) fn start_gaps(stage: Stage<'_>, pair: &Pair<'_>, operator: &ContactOperator<'_>) -> Vec<f64> {
+pub(crate) fn start_gaps(stage: Stage<'_>, pair: &Pair<'_>, operator: &ContactOperator<'_>) -> Vec<f64> {
     operator.points().iter().map(|p| start_gap(stage, pair, p.arc)).collect()
 }
 
 /// The start gap of the problem at an arc length.
-pub(super) fn start_gap(stage: Stage<'_>, pair: &Pair<'_>, arc: f64) -> f64 {
+pub(crate) fn start_gap(stage: Stage<'_>, pair: &Pair<'_>, arc: f64) -> f64 {
     gap_at(stage, stage.start(pair) + arc)
 }
 
 /// The start gap of the problem at a surface coordinate.
-pub(super) fn gap_at(stage: Stage<'_>, s: f64) -> f64 {
+pub(crate) fn gap_at(stage: Stage<'_>, s: f64) -> f64 {
     let given = match &stage.problem.gap {
         Gap::Profile { s: known, gap } => linear(known, gap, s) * 1e-3,
         _ => 0.0,
@@ -327,7 +326,7 @@ pub(super) fn gap_at(stage: Stage<'_>, s: f64) -> f64 {
 }
 
 /// Pressure between the points: the polynomial through the points of the edge, or straight lines on an edge that is partly open.
-pub(super) fn pressure_at(pair: &Pair<'_>, operator: &ContactOperator<'_>, pressure: &[f64], arc: f64) -> f64 {
+pub(crate) fn pressure_at(pair: &Pair<'_>, operator: &ContactOperator<'_>, pressure: &[f64], arc: f64) -> f64 {
     let (edge, _) = pair.trace().locate(arc);
     let range = operator.edge_points(edge);
     if pressure[range.clone()].contains(&0.0) {
@@ -338,7 +337,7 @@ pub(super) fn pressure_at(pair: &Pair<'_>, operator: &ContactOperator<'_>, press
 }
 
 /// Piecewise linear interpolation in ascending points.
-pub(super) fn linear(points: &[f64], values: &[f64], s: f64) -> f64 {
+pub(crate) fn linear(points: &[f64], values: &[f64], s: f64) -> f64 {
     let after = points.partition_point(|p| *p < s).clamp(1, points.len() - 1);
     let (a, b) = (points[after - 1], points[after]);
     let t = ((s - a) / (b - a)).clamp(0.0, 1.0);
@@ -382,7 +381,7 @@ fn motions(pair: &Pair<'_>, found: &ContactSolution) -> [Option<f64>; 3] {
 }
 
 /// The status in the summary's word.
-pub(super) fn word(status: &ContactStatus) -> &'static str {
+pub(crate) fn word(status: &ContactStatus) -> &'static str {
     match status {
         ContactStatus::Converged => "converged",
         ContactStatus::ClosedEverywhere => "closed-everywhere",

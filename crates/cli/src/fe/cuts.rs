@@ -1,7 +1,7 @@
 //! Points that cut a line: between two ends, merged, halved, evenly or growing.
 
 /// Cuts every interval between the given points into equal pieces no longer than `step`.
-pub(super) fn subdivide(points: &[f64], step: f64) -> Vec<f64> {
+pub(crate) fn subdivide(points: &[f64], step: f64) -> Vec<f64> {
     let mut cuts = vec![points[0]];
     for pair in points.windows(2) {
         let pieces = ((pair[1] - pair[0]) / step * (1.0 - 1e-9)).ceil().max(1.0) as usize;
@@ -14,12 +14,12 @@ pub(super) fn subdivide(points: &[f64], step: f64) -> Vec<f64> {
 }
 
 /// Longest interval.
-pub(super) fn widest(cuts: &[f64]) -> f64 {
+pub(crate) fn widest(cuts: &[f64]) -> f64 {
     cuts.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max)
 }
 
 /// Ascending points with near duplicates removed.
-pub(super) fn merged(mut points: Vec<f64>) -> Vec<f64> {
+pub(crate) fn merged(mut points: Vec<f64>) -> Vec<f64> {
     points.sort_by(f64::total_cmp);
     let scale = points.last().copied().unwrap_or(0.0) - points.first().copied().unwrap_or(0.0);
     points.dedup_by(|b, a| (*b - *a).abs() <= 1e-9 * scale);
@@ -27,13 +27,13 @@ pub(super) fn merged(mut points: Vec<f64>) -> Vec<f64> {
 }
 
 /// The points and the middles between them.
-pub(super) fn halved(points: &[f64]) -> Vec<f64> {
+pub(crate) fn halved(points: &[f64]) -> Vec<f64> {
     let last = points.last().copied();
     points.windows(2).flat_map(|pair| [pair[0], 0.5 * (pair[0] + pair[1])]).chain(last).collect()
 }
 
 /// Points between two ends whose distances double from both ends inwards, `first` at the ends and `most` at most.
-pub(super) fn growing(from: f64, to: f64, first: f64, most: f64) -> Vec<f64> {
+pub(crate) fn growing(from: f64, to: f64, first: f64, most: f64) -> Vec<f64> {
     let (mut left, mut right) = (vec![from], vec![to]);
     let mut step = first;
     // Halves that meet leave no piece between them, whatever the round-off.
@@ -51,6 +51,6 @@ pub(super) fn growing(from: f64, to: f64, first: f64, most: f64) -> Vec<f64> {
 }
 
 /// Parameters in [-1, 1] of points between two ends.
-pub(super) fn parameters(points: &[f64], [from, to]: [f64; 2]) -> Vec<f64> {
+pub(crate) fn parameters(points: &[f64], [from, to]: [f64; 2]) -> Vec<f64> {
     points.iter().map(|x| (2.0 * x - from - to) / (to - from)).collect()
 }

@@ -15,14 +15,14 @@ use crate::solution::{InterfaceResult, UniquenessResult};
 const APART: f64 = 1e-6;
 
 /// A solved contact on its bodies; what it rests on is worked out for the reported level alone.
-pub(super) struct Diagnosis {
-    pub(super) reduced: Arc<Reduced>,
-    pub(super) found: ContactSolution,
+pub(crate) struct Diagnosis {
+    pub(crate) reduced: Arc<Reduced>,
+    pub(crate) found: ContactSolution,
 }
 
 impl Diagnosis {
     /// Uniqueness, and the condition of the system.
-    pub(super) fn made(&self, stage: Stage<'_>) -> Result<(Option<UniquenessResult>, Option<InterfaceResult>), Fault> {
+    pub(crate) fn made(&self, stage: Stage<'_>) -> Result<(Option<UniquenessResult>, Option<InterfaceResult>), Fault> {
         let pair = self.reduced.pair()?;
         let operator = self.reduced.operator(&pair, stage.friction() > 0.0)?;
         let gap = start_gaps(stage, &pair, &operator);
@@ -33,7 +33,7 @@ impl Diagnosis {
 }
 
 /// Singular values of the system of the points in contact.
-pub(super) fn interface(
+pub(crate) fn interface(
     operator: &ContactOperator<'_>,
     gap: &[f64],
     load: &ContactLoad,

@@ -35,18 +35,18 @@ const SAMPLES: usize = 191;
 const TOLERANCES: [f64; 2] = [1e-10, 1e-8];
 
 /// Two such bodies under their load.
-pub(super) struct Setting<'a> {
-    pub(super) problem: &'a Problem,
-    pub(super) couple: &'a Couple,
-    pub(super) disc: HalfDiscOnFlat,
-    pub(super) options: &'a Options<'a>,
+pub(crate) struct Setting<'a> {
+    pub(crate) problem: &'a Problem,
+    pub(crate) couple: &'a Couple,
+    pub(crate) disc: HalfDiscOnFlat,
+    pub(crate) options: &'a Options<'a>,
     /// Coefficient of friction, and the shear force on body 1 along x.
-    pub(super) friction: f64,
-    pub(super) shear: f64,
+    pub(crate) friction: f64,
+    pub(crate) shear: f64,
 }
 
 /// Solves the contact; the nodes on the ends of the last level are left for the fields.
-pub(super) fn solve(setting: &Setting<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort, Vec<f64>), Refusal> {
+pub(crate) fn solve(setting: &Setting<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort, Vec<f64>), Refusal> {
     let mut nodes = setting.trial()?;
     let (mut stick, mut sought) = (None, setting.shear != 0.0);
     let ladder = Ladder::of(setting.problem, setting.options).and_beyond(setting.problem);
@@ -74,16 +74,16 @@ struct Steps {
 }
 
 impl<'a> Setting<'a> {
-    pub(super) fn new(problem: &'a Problem, couple: &'a Couple, disc: HalfDiscOnFlat, options: &'a Options<'a>) -> Setting<'a> {
+    pub(crate) fn new(problem: &'a Problem, couple: &'a Couple, disc: HalfDiscOnFlat, options: &'a Options<'a>) -> Setting<'a> {
         Setting { problem, couple, disc, options, friction: problem.friction.shear(), shear: problem.load.shear_force }
     }
 
-    pub(super) fn revolved(&self) -> bool {
+    pub(crate) fn revolved(&self) -> bool {
         self.couple.is_revolved()
     }
 
     /// How often the meshed part is contained in the scene.
-    pub(super) fn copies(&self) -> f64 {
+    pub(crate) fn copies(&self) -> f64 {
         if self.disc.whole || self.revolved() { 1.0 } else { 2.0 }
     }
 
@@ -92,7 +92,7 @@ impl<'a> Setting<'a> {
     }
 
     /// Trial ends between half-planes or half-spaces (Johnson 1985, sec. 4.2, 7.2): of contact, and before it of stick.
-    pub(super) fn trial(&self) -> Result<Vec<f64>, Refusal> {
+    pub(crate) fn trial(&self) -> Result<Vec<f64>, Refusal> {
         let approach = self.problem.load.approach;
         let end = hertz_end(self.disc.radius, self.couple, &self.problem.load);
         if end <= 0.0 || end.is_nan() {
@@ -115,7 +115,7 @@ impl<'a> Setting<'a> {
     }
 
     /// Bodies with element nodes on the given ends.
-    pub(super) fn parts(&self, level: Level, nodes: &[f64]) -> Result<(Parts, Effort), Refusal> {
+    pub(crate) fn parts(&self, level: Level, nodes: &[f64]) -> Result<(Parts, Effort), Refusal> {
         self.on_meshes(level, nodes, Parts::new)
     }
 
@@ -165,7 +165,7 @@ impl<'a> Setting<'a> {
     }
 
     /// Distance from the middle, or radius, of a point.
-    pub(super) fn distance(&self, point: &ContactPoint) -> f64 {
+    pub(crate) fn distance(&self, point: &ContactPoint) -> f64 {
         (point.position[0] - self.disc.middle).abs()
     }
 
@@ -292,7 +292,7 @@ impl<'a> Setting<'a> {
             Reported { level, ends: Vec::new(), moments: vec![Moment { time_s: 0.0, name: "", states, around: Vec::new() }] }
         });
         let twist = twist.map(|twist| twist.answer);
-        Ok(Solved { level, contact, interface, told, pressure, twist, embedded, unsettled: false, refused, reported, effort })
+        Ok(Solved { contact, interface, told, pressure, twist, embedded, unsettled: false, refused, reported, effort })
     }
 
     /// The last load step with its conditions of sign, and its load.

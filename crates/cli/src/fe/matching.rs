@@ -11,7 +11,7 @@ use crate::fe::template::{Coarse, Cut, Extent, coarse, contact_cuts};
 const ROUNDS: usize = 20;
 
 /// The coarse meshes of both bodies: cut at the break points of both on the contact surface, graded towards the same points there.
-pub(super) fn matched(
+pub(crate) fn matched(
     couple: &Couple,
     given: [Option<Mesh>; 2],
     extent: Extent,

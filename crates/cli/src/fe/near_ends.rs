@@ -8,7 +8,7 @@ use crate::fe::template::{CONTACT, Cut, Extent, RATIO};
 const NEAR: f64 = 0.05;
 
 /// The places (from -1 to 1) far from the ends of the surface, and those next to them.
-pub(super) fn split(cut: Cut<'_>) -> [Vec<f64>; 2] {
+pub(crate) fn split(cut: Cut<'_>) -> [Vec<f64>; 2] {
     let (near, far) = cut.ends().iter().partition(|t| 1.0 - t.abs() < NEAR);
     [far, near]
 }
@@ -16,7 +16,7 @@ pub(super) fn split(cut: Cut<'_>) -> [Vec<f64>; 2] {
 /// The mesh cut at places next to the ends of the surface, and where its vertices on them are. The cells at the end of the surface are first
 /// made about as small as the distance, which both bodies do alike since they have common break points; a cut between the end of contact
 /// and that of the surface keeps their layers apart.
-pub(super) fn cut_near(mut mesh: Mesh, extent: Extent, places: &[f64]) -> Result<(Mesh, Vec<[f64; 2]>), Error> {
+pub(crate) fn cut_near(mut mesh: Mesh, extent: Extent, places: &[f64]) -> Result<(Mesh, Vec<[f64; 2]>), Error> {
     let [from, to] = extent.ends();
     let mut points = Vec::new();
     for t in places {

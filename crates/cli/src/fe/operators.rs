@@ -20,11 +20,11 @@ const KINDS: usize = 4;
 
 /// Which reduced bodies of a couple.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Place {
-    pub(super) level: Level,
-    pub(super) cut: Cut<'static>,
+pub(crate) struct Place {
+    pub(crate) level: Level,
+    pub(crate) cut: Cut<'static>,
     /// The scalar problem of twisting instead of the one in the plane.
-    pub(super) torsion: bool,
+    pub(crate) torsion: bool,
 }
 
 /// The store, shared by whoever solves problems with the same bodies, on any number of threads. It is never locked while bodies are made: two
@@ -51,7 +51,7 @@ impl Bodies {
     }
 
     /// The reduced bodies of a place, made if they are not there.
-    pub(super) fn get(
+    pub(crate) fn get(
         &self,
         couple: &Couple,
         place: Place,
@@ -103,8 +103,8 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 }
 
 /// Both bodies of one discretisation, reduced to their contact surface.
-pub(super) struct Reduced {
-    pub(super) interfaces: [InterfaceOperator; 2],
+pub(crate) struct Reduced {
+    pub(crate) interfaces: [InterfaceOperator; 2],
     support_names: [Vec<String>; 2],
     facing: bool,
     counters: Counters,
@@ -120,7 +120,7 @@ impl std::fmt::Debug for Reduced {
 
 impl Reduced {
     /// Assembles and reduces both bodies.
-    pub(super) fn new(parts: &Parts, clock: Clock) -> Result<(Reduced, Effort), Fault> {
+    pub(crate) fn new(parts: &Parts, clock: Clock) -> Result<(Reduced, Effort), Fault> {
         let (interfaces, effort) = parts.interfaces(clock)?;
         let names = |body: usize| parts.parts[body].support_names.clone();
         let counters = effort.counters.clone();
@@ -128,18 +128,18 @@ impl Reduced {
     }
 
     /// Cells and unknowns of the discretisation.
-    pub(super) fn sizes(&self) -> Effort {
+    pub(crate) fn sizes(&self) -> Effort {
         let Counters { cells, dofs, trace_dofs, .. } = self.counters;
         Effort { counters: Counters { cells, dofs, trace_dofs, ..Counters::default() }, seconds: Vec::new() }
     }
 
     /// Pairs the two bodies.
-    pub(super) fn pair(&self) -> Result<Pair<'_>, Fault> {
+    pub(crate) fn pair(&self) -> Result<Pair<'_>, Fault> {
         paired([&self.interfaces[0], &self.interfaces[1]], self.facing)
     }
 
     /// The contact of the pair, its unit responses kept.
-    pub(super) fn operator<'b>(&'b self, pair: &Pair<'b>, shear: bool) -> Result<ContactOperator<'b>, Fault> {
+    pub(crate) fn operator<'b>(&'b self, pair: &Pair<'b>, shear: bool) -> Result<ContactOperator<'b>, Fault> {
         let place = &self.unit[usize::from(shear)];
         let known = lock(place).clone();
         if let Some(unit) = known {
@@ -152,13 +152,13 @@ impl Reduced {
     }
 
     /// Forces of the supports on their bodies.
-    pub(super) fn reactions(&self, states: [Option<&InterfaceState>; 2]) -> Vec<(String, Reaction)> {
+    pub(crate) fn reactions(&self, states: [Option<&InterfaceState>; 2]) -> Vec<(String, Reaction)> {
         reactions([&self.interfaces[0], &self.interfaces[1]], [&self.support_names[0], &self.support_names[1]], states)
     }
 }
 
 /// Pairs two reduced bodies, on each other or facing each other across a gap.
-pub(super) fn paired<'b>([first, second]: [&'b InterfaceOperator; 2], facing: bool) -> Result<Pair<'b>, Fault> {
+pub(crate) fn paired<'b>([first, second]: [&'b InterfaceOperator; 2], facing: bool) -> Result<Pair<'b>, Fault> {
     let pair = if facing { Pair::facing(first, second) } else { Pair::new(first, Some(second)) };
     pair.map_err(|error| {
         let remedy = "give both bodies the same contact surface";
@@ -167,7 +167,7 @@ pub(super) fn paired<'b>([first, second]: [&'b InterfaceOperator; 2], facing: bo
 }
 
 /// Forces of the supports on their bodies, edge by edge; supports without a name are planes of symmetry.
-pub(super) fn reactions(
+pub(crate) fn reactions(
     bodies: [&InterfaceOperator; 2],
     support_names: [&[String]; 2],
     states: [Option<&InterfaceState>; 2],

@@ -17,25 +17,25 @@ use crate::ladder::Refusal;
 use crate::plan::Step;
 
 /// What a stage leaves behind for the fields: the discretisation it reports, and the states of its bodies there.
-pub(super) struct Reported {
-    pub(super) level: Level,
+pub(crate) struct Reported {
+    pub(crate) level: Level,
     /// Ends of contact that the meshes are cut at, from -1 to 1 on the surface.
-    pub(super) ends: Vec<f64>,
+    pub(crate) ends: Vec<f64>,
     /// The moments, the reported one first.
-    pub(super) moments: Vec<Moment>,
+    pub(crate) moments: Vec<Moment>,
 }
 
 /// Both bodies at a moment.
-pub(super) struct Moment {
-    pub(super) time_s: f64,
-    pub(super) name: &'static str,
-    pub(super) states: [InterfaceState; 2],
+pub(crate) struct Moment {
+    pub(crate) time_s: f64,
+    pub(crate) name: &'static str,
+    pub(crate) states: [InterfaceState; 2],
     /// Shear around the axis on body 1 at the contact points (MPa), for the twist.
-    pub(super) around: Vec<f64>,
+    pub(crate) around: Vec<f64>,
 }
 
 /// Recovers the moments of a stage on its bodies, made again at the reported level.
-pub(super) fn recover(stage: Stage<'_>, reported: &Reported) -> Result<(Vec<FieldFrame>, Effort), Fault> {
+pub(crate) fn recover(stage: Stage<'_>, reported: &Reported) -> Result<(Vec<FieldFrame>, Effort), Fault> {
     let (parts, _) = stage.parts(reported.level, Cut::Ends(&reported.ends))?;
     let (bodies, reduction) = parts.reduce(stage.clock())?;
     let mut effort = counts(&reduction);
@@ -52,7 +52,7 @@ pub(super) fn recover(stage: Stage<'_>, reported: &Reported) -> Result<(Vec<Fiel
 }
 
 /// The same of a half-disc on its flat side, with element nodes on the ends of contact; the whole scene, when half of it was computed.
-pub(super) fn recover_ends(
+pub(crate) fn recover_ends(
     setting: &Setting<'_>,
     reported: &Reported,
     nodes: &[f64],

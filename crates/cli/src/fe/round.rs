@@ -34,7 +34,7 @@ const TRIALS: usize = 24;
 
 /// A round body on a flat one.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Round {
+pub(crate) struct Round {
     radius: f64,
     /// Where the bodies touch unloaded.
     touch: f64,
@@ -46,7 +46,7 @@ pub(super) struct Round {
 
 impl Round {
     /// The round contact of two bodies; none where both are templates, or the contact is another.
-    pub(super) fn of(couple: &Couple) -> Result<Option<Round>, Fault> {
+    pub(crate) fn of(couple: &Couple) -> Result<Option<Round>, Fault> {
         let [body1, body2] = &couple.bodies;
         if body1.cells.is_none() && body2.cells.is_none() {
             return Ok(None);
@@ -83,17 +83,17 @@ impl Round {
 
 /// A round contact of a problem.
 #[derive(Clone, Copy)]
-pub(super) struct RoundContact<'a> {
-    pub(super) problem: &'a Problem,
-    pub(super) couple: &'a Couple,
-    pub(super) round: Round,
-    pub(super) options: &'a Options<'a>,
-    pub(super) bodies: &'a Bodies,
+pub(crate) struct RoundContact<'a> {
+    pub(crate) problem: &'a Problem,
+    pub(crate) couple: &'a Couple,
+    pub(crate) round: Round,
+    pub(crate) options: &'a Options<'a>,
+    pub(crate) bodies: &'a Bodies,
 }
 
 impl RoundContact<'_> {
     /// Refuses what is not built, before anything is written.
-    pub(super) fn available(&self) -> Result<(), Fault> {
+    pub(crate) fn available(&self) -> Result<(), Fault> {
         contact_alone(self.problem, "a round body on a flat one")?;
         if self.problem.load.shear_force != 0.0 {
             let message = "stick and slip is known between the templates half-disc and rectangle only";
@@ -104,7 +104,7 @@ impl RoundContact<'_> {
     }
 
     /// Parts of a level on the first guess, for a forecast.
-    pub(super) fn first_parts(&self, level: Level) -> Result<Parts, Fault> {
+    pub(crate) fn first_parts(&self, level: Level) -> Result<Parts, Fault> {
         self.on_guess(|stage| Ok(stage.parts(level, Cut::Plain)?.0))
     }
 
@@ -121,7 +121,7 @@ impl RoundContact<'_> {
     }
 
     /// Solves the contact, with the fields if they are asked for.
-    pub(super) fn solve(&self, watch: &mut Watch<'_>) -> Result<(Outcome, Effort, Vec<FieldFrame>), Refusal> {
+    pub(crate) fn solve(&self, watch: &mut Watch<'_>) -> Result<(Outcome, Effort, Vec<FieldFrame>), Refusal> {
         let (reach, mut effort) = self.reach()?;
         self.on(reach, |stage| {
             let mut search = Search::default();

@@ -13,7 +13,7 @@ use crate::couple::{Body, Couple};
 ///    \\ D---A---D //     the arc from E over B and O to E
 ///      B---O---B
 /// ```
-pub(super) fn as_cells(couple: &Couple, body: &Body) -> Option<Mesh> {
+pub(crate) fn as_cells(couple: &Couple, body: &Body) -> Option<Mesh> {
     let mesh = match &body.geometry {
         Geometry::HalfDisc(disc) => {
             half_disc(disc.radius.0, disc.centre.map(|c| c.0), couple.is_revolved())

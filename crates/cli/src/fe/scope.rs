@@ -56,7 +56,7 @@ impl<'a> Scope<'a> {
     }
 
     /// Meshes, supports and loads of a level, on first guesses of the ends of a round contact.
-    pub(super) fn parts(&self, level: Level) -> Result<Parts, Fault> {
+    pub(crate) fn parts(&self, level: Level) -> Result<Parts, Fault> {
         match self {
             Scope::Known(stage) => Ok(stage.parts(level, Cut::Plain)?.0),
             Scope::Round(round) => round.first_parts(level),

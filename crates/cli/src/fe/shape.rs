@@ -50,7 +50,7 @@ pub(crate) struct Before<'a> {
 }
 
 /// Solves for the shape.
-pub(super) fn solve(stage: Stage<'_>, before: &Before<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
+pub(crate) fn solve(stage: Stage<'_>, before: &Before<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
     let optimum = optimal(stage.problem)?;
     unanswered(stage, &optimum)?;
     let carried = balanced(stage.problem, &optimum);
@@ -78,7 +78,7 @@ pub(super) fn solve(stage: Stage<'_>, before: &Before<'_>, watch: &mut Watch<'_>
 }
 
 /// The optimal pressure of a problem.
-pub(super) fn optimal(problem: &Problem) -> Result<wear::Optimum, Refusal> {
+pub(crate) fn optimal(problem: &Problem) -> Result<wear::Optimum, Refusal> {
     wear::optimal_pressure(&pressure::wear_problem(problem)?).map_err(|error| Refusal::Reason(error.to_string()))
 }
 
@@ -109,7 +109,7 @@ fn balanced(problem: &Problem, optimum: &wear::Optimum) -> Option<Problem> {
 }
 
 /// A wanted pressure that is infinite somewhere has no shape.
-pub(super) fn unanswered(stage: Stage<'_>, optimum: &wear::Optimum) -> Result<(), Refusal> {
+pub(crate) fn unanswered(stage: Stage<'_>, optimum: &wear::Optimum) -> Result<(), Refusal> {
     let points = stage.patch.surface.sample(SAMPLES);
     let Some(point) = points.iter().find(|point| !optimum.pressure_at(point).is_finite()) else { return Ok(()) };
     let [x, z] = [point.position.x, point.position.z];
@@ -119,16 +119,16 @@ pub(super) fn unanswered(stage: Stage<'_>, optimum: &wear::Optimum) -> Result<()
 }
 
 /// The wanted tractions and the shape they ask for.
-pub(super) struct Shaper<'a> {
-    pub(super) stage: Stage<'a>,
-    pub(super) optimum: &'a wear::Optimum,
+pub(crate) struct Shaper<'a> {
+    pub(crate) stage: Stage<'a>,
+    pub(crate) optimum: &'a wear::Optimum,
     /// Ends of the wanted pressure inside the surface.
     ends: Vec<f64>,
     feed: Vec<f64>,
 }
 
 impl<'a> Shaper<'a> {
-    pub(super) fn new(stage: Stage<'a>, optimum: &'a wear::Optimum) -> Shaper<'a> {
+    pub(crate) fn new(stage: Stage<'a>, optimum: &'a wear::Optimum) -> Shaper<'a> {
         Shaper { stage, optimum, ends: pressure_ends(stage, optimum), feed: optimum.feed.clone().unwrap_or_default() }
     }
 
@@ -224,7 +224,7 @@ impl<'a> Shaper<'a> {
     }
 
     /// Wanted pressure at a place.
-    pub(super) fn pressure(&self, place: &SurfacePlace) -> f64 {
+    pub(crate) fn pressure(&self, place: &SurfacePlace) -> f64 {
         self.optimum.pressure_at(&self.stage.surface_point(place.position, place.normal, 0.0))
     }
 
@@ -237,7 +237,7 @@ impl<'a> Shaper<'a> {
     }
 
     /// The shape on a pair of bodies.
-    pub(super) fn shape(&self, pair: &Pair<'_>) -> Result<Shape, Fault> {
+    pub(crate) fn shape(&self, pair: &Pair<'_>) -> Result<Shape, Fault> {
         let load = &self.stage.problem.load;
         if !self.stage.rigid_prescribed() {
             return self.smallest(pair);
@@ -265,7 +265,7 @@ impl<'a> Shaper<'a> {
     }
 
     /// Adds the worn motions to those that a contact load prescribes.
-    pub(super) fn add_feed(&self, load: &mut ContactLoad) {
+    pub(crate) fn add_feed(&self, load: &mut ContactLoad) {
         for (k, fed) in self.fed().unwrap_or_default().into_iter().enumerate() {
             if let Motion::Prescribed { value } = &mut load.motions[k + 1] {
                 *value -= fed;
@@ -274,7 +274,7 @@ impl<'a> Shaper<'a> {
     }
 
     /// The shape with its smallest rigid part; a prescribed rotation is kept.
-    pub(super) fn smallest(&self, pair: &Pair<'_>) -> Result<Shape, Fault> {
+    pub(crate) fn smallest(&self, pair: &Pair<'_>) -> Result<Shape, Fault> {
         let about = self.stage.about();
         let rigid = match self.stage.turned() {
             0.0 => RigidPart::Smallest,

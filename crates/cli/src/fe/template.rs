@@ -19,14 +19,14 @@ pub(crate) const AXIS: &str = "@axis";
 
 /// Ratio of the sizes of successive layers. Of 0.1, 0.15, 0.25 the last reached a given error of the drum gap with the least work
 /// in degrees 6 to 12.
-pub(super) const RATIO: f64 = 0.25;
+pub(crate) const RATIO: f64 = 0.25;
 
 /// A coarse mesh and the points towards which it is to be graded.
-pub(super) struct Coarse {
-    pub(super) mesh: Mesh,
-    pub(super) singular: Vec<[f64; 2]>,
+pub(crate) struct Coarse {
+    pub(crate) mesh: Mesh,
+    pub(crate) singular: Vec<[f64; 2]>,
     /// Ends of contact, where the pressure goes like a square root: half as many layers do.
-    pub(super) free: Vec<[f64; 2]>,
+    pub(crate) free: Vec<[f64; 2]>,
 }
 
 /// Extent of the contact surface, shared by both bodies.
@@ -71,7 +71,7 @@ pub(crate) enum Cut<'a> {
 }
 
 impl<'a> Cut<'a> {
-    pub(super) fn ends(self) -> &'a [f64] {
+    pub(crate) fn ends(self) -> &'a [f64] {
         match self {
             Cut::Ends(ends) => ends,
             _ => &[],
@@ -135,7 +135,7 @@ fn geometry_fault(key: &str, error: &hpfem::Error) -> Fault {
 
 /// Common break points of both bodies on the contact surface: at least two equal pieces, on arcs of at most 30 degrees, and those
 /// that the bodies need for themselves: a template by its kind, one given by cells by its points (`breaks`).
-pub(super) fn contact_cuts(couple: &Couple, extent: Extent, cut: Cut<'_>, breaks: &[f64]) -> Vec<f64> {
+pub(crate) fn contact_cuts(couple: &Couple, extent: Extent, cut: Cut<'_>, breaks: &[f64]) -> Vec<f64> {
     let [first, last] = extent.ends();
     let near = SAME * (last - first);
     let with = |points: &[f64]| {
@@ -174,7 +174,7 @@ fn with_ends([from, to]: [f64; 2], cut: Cut<'_>) -> Vec<f64> {
 }
 
 /// The coarse mesh of a template, cut at the given places of the contact surface.
-pub(super) fn coarse(couple: &Couple, number: usize, cuts: &[f64], cut: Cut<'_>) -> Result<Coarse, Fault> {
+pub(crate) fn coarse(couple: &Couple, number: usize, cuts: &[f64], cut: Cut<'_>) -> Result<Coarse, Fault> {
     let (shaped, body) = (number == 0, &couple.bodies[number]);
     let key = if shaped { "body1.geometry" } else { "body2.geometry" };
     let result = match &body.geometry {

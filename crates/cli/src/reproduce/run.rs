@@ -1,14 +1,16 @@
 //! One run of a built-in scene with some keys replaced, in memory.
 
-use std::path::Path;
+use scene::{Document, Fault, Gap, builtin, number_text};
 
-use scene::{Document, Fault, Gap, builtin};
-
+use crate::fe::Bodies;
+use crate::given::Files;
+use crate::live::Live;
+use crate::options::Options;
+use crate::problem::Problem;
 use crate::profile::Profile;
 use crate::report;
-use crate::setup::{Problem, setup};
+use crate::setup::setup;
 use crate::solution::{PressureResult, Solution, Status};
-use crate::solve::{Options, solve};
 
 /// Points of a drawn curve.
 const POINTS: usize = 201;
@@ -34,12 +36,13 @@ pub(super) fn run(scene: &str, settings: &[String]) -> Result<Run, Fault> {
 pub(super) fn run_from(scene: &str, settings: &[String], start: Option<(Gap, &str)>) -> Result<Run, Fault> {
     let (mut problem, resolved, mut command) = prepared(scene, settings)?;
     if let Some((gap, name)) = start {
-        if let Some(contact) = &mut problem.scene.contact {
-            contact.gap = Some(gap);
-        }
+        let table = csv(&gap);
+        let mut all = settings.to_vec();
+        all.push(format!("contact.gap={name}"));
+        problem = read(scene, &all, &|path| if path == name { Ok(table.clone().into_bytes()) } else { Err("no such file".into()) })?;
         command += &format!(" --set contact.gap={name}");
     }
-    let solution = solve(&problem, Options::default())?;
+    let solution = Live::silent().solve(&problem, &Options::default(), &Bodies::default())?;
     if matches!(solution.status, Status::Refused | Status::NotConverged | Status::Interrupted) {
         let why = solution.reason.clone().unwrap_or_else(|| "interrupted".into());
         return Err(Fault::new("no-answer", format!("{command}: {why}"), "run the command by itself to see more"));
@@ -47,11 +50,22 @@ pub(super) fn run_from(scene: &str, settings: &[String], start: Option<(Gap, &st
     Ok(Run { command, resolved, problem, solution })
 }
 
+/// A gap profile as the file that it is on the command line.
+fn csv(gap: &Gap) -> String {
+    let Gap::Profile { s, gap } = gap else { return String::new() };
+    let rows = s.iter().zip(gap).map(|(s, gap)| format!("{},{}\n", number_text(*s), number_text(*gap)));
+    std::iter::once("s_mm,gap_um\n".to_string()).chain(rows).collect()
+}
+
+/// A built-in scene with `--set` pairs, checked.
+fn read(scene: &str, settings: &[String], files: Files<'_>) -> Result<Problem, Fault> {
+    let (file, text) = builtin(scene).map_or_else(Default::default, |builtin| (builtin.file(), builtin.text));
+    setup(&Document::read(&file, text, settings)?, files)
+}
+
 /// A built-in scene with `--set` pairs, checked, as scene.resolved.toml, and as a command.
 pub(super) fn prepared(scene: &str, settings: &[String]) -> Result<(Problem, String, String), Fault> {
-    let (file, text) = builtin(scene).map_or_else(Default::default, |builtin| (builtin.file(), builtin.text));
-    let document = Document::read(&file, text, settings)?;
-    let problem = setup(&document, Path::new("."))?;
+    let problem = read(scene, settings, &|_| Err("built-in scenes have no files beside them".into()))?;
     let resolved = report::resolved(&problem)?;
     let mut command = format!("wearshape run {scene}");
     for setting in settings {

@@ -14,15 +14,15 @@ use crate::surface::Patch;
 /// The optimal pressure with its columns.
 pub(crate) struct Found {
     /// How it ended, where it did not end well.
-    pub(super) ended: Option<(Status, String)>,
-    pub(super) result: PressureResult,
-    pub(super) profile: Option<Profile>,
-    pub(super) curve: Option<Profile>,
-    pub(super) error: Option<ErrorResult>,
+    pub(crate) ended: Option<(Status, String)>,
+    pub(crate) result: PressureResult,
+    pub(crate) profile: Option<Profile>,
+    pub(crate) curve: Option<Profile>,
+    pub(crate) error: Option<ErrorResult>,
 }
 
 /// Solves for the optimal pressure.
-pub(super) fn solve(problem: &Problem, options: &Options<'_>) -> Result<Found, Fault> {
+pub(crate) fn solve(problem: &Problem, options: &Options<'_>) -> Result<Found, Fault> {
     let Some(patch) = &problem.patch else { return Err(not_known()) };
     let wear = wear_problem(problem)?;
     let mut found = Found { ended: None, result: description(&problem.optimum), profile: None, curve: None, error: None };

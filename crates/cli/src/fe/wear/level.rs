@@ -27,15 +27,15 @@ use crate::watch::{Event, FinishedLevel, RunLevel, Watch, WearStep};
 /// Samples of the gap for the comparison of levels.
 const SAMPLES: usize = 201;
 /// Most steps of a run.
-pub(super) const MOST_STEPS: usize = 20_000;
+pub(crate) const MOST_STEPS: usize = 20_000;
 /// Run-in distances in the summary, slowest first.
 const RUN_IN: usize = 4;
 
 /// The discretisation of a run: a level, with nodes at the ends of the final pressure.
 #[derive(Clone, Copy)]
-pub(super) struct Mesh<'a> {
-    pub(super) level: Level,
-    pub(super) ends: &'a [f64],
+pub(crate) struct Mesh<'a> {
+    pub(crate) level: Level,
+    pub(crate) ends: &'a [f64],
 }
 
 /// The contact of a level under each load of the schedule.
@@ -50,7 +50,7 @@ struct Scenes<'a> {
 
 /// One run on one level after the finished ones, from its start or from the last of the known states; the inner `Err` is one that the
 /// watcher cut short.
-pub(super) fn run(
+pub(crate) fn run(
     (stage, pieces): (Stage<'_>, &Pieces),
     mesh: Mesh<'_>,
     (finished, known): (&[FinishedLevel], Vec<WearState>),

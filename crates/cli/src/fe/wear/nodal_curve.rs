@@ -4,10 +4,10 @@ use contact::{ContactOperator, Pair};
 use shapeopt::{Curve, closing};
 
 /// Values (mm) at the contact points, polynomials in between.
-pub(super) struct NodalCurve<'a> {
-    pub(super) pair: &'a Pair<'a>,
-    pub(super) operator: &'a ContactOperator<'a>,
-    pub(super) gap: &'a [f64],
+pub(crate) struct NodalCurve<'a> {
+    pub(crate) pair: &'a Pair<'a>,
+    pub(crate) operator: &'a ContactOperator<'a>,
+    pub(crate) gap: &'a [f64],
 }
 
 impl Curve for NodalCurve<'_> {

@@ -5,16 +5,16 @@ use shapeopt::Interval;
 use crate::problem::Problem;
 
 /// The loads that occur, and which acts when.
-pub(super) struct Pieces {
+pub(crate) struct Pieces {
     /// The problem under each of the different loads.
-    pub(super) problems: Vec<Problem>,
+    pub(crate) problems: Vec<Problem>,
     /// The pieces in their order.
-    pub(super) intervals: Vec<Interval>,
+    pub(crate) intervals: Vec<Interval>,
 }
 
 impl Pieces {
     /// The pieces of a problem; without a schedule the problem itself for ever.
-    pub(super) fn of(problem: &Problem) -> Pieces {
+    pub(crate) fn of(problem: &Problem) -> Pieces {
         if problem.pieces.is_empty() {
             let intervals = vec![Interval { stage: 0, duration: f64::INFINITY }];
             return Pieces { problems: vec![problem.clone()], intervals };
