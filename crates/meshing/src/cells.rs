@@ -1,17 +1,15 @@
 //! Meshes of bodies given by their cells: cut where contact and load end, where the other body has its break points, and where cells
 //! are slender.
 
-use hpfem::{Curve, Direction, Mesh, Support};
+use hpfem::{Direction, Mesh, Support};
 use scene::{Component, Fault};
 
 use crate::couple::{Couple, Strip};
-use crate::fe::bodies::hpfem_materials;
-use crate::fe::template::{AXIS, CONTACT, Extent, LOAD};
+use crate::extent::Extent;
+use crate::names::{AXIS, CONTACT, LOAD, SAME};
 
 /// Longest side of a cell over its shortest before it is cut.
 const SLENDER: f64 = 3.0;
-/// Share of the contact below which two points of it are meant to be one: a mesh file has fewer digits than its geometry.
-pub(crate) const SAME: f64 = 1e-6;
 /// Share of an edge within which its end is moved onto an end of contact instead of cutting the edge there.
 const NEAR: f64 = 0.25;
 /// Most cuts of slender cells in one body.
@@ -20,8 +18,8 @@ const MOST_CUTS: usize = 24;
 /// A body given by its cells, its surfaces named, and the points towards which it is to be graded.
 #[derive(Clone)]
 pub(crate) struct Cells {
-    pub(crate) mesh: Mesh,
-    pub(crate) singular: Vec<[f64; 2]>,
+    pub mesh: Mesh,
+    pub singular: Vec<[f64; 2]>,
     /// Edge of the scene that touches the other body.
     contact: String,
     extent: Extent,
@@ -277,47 +275,6 @@ impl Cells {
     }
 }
 
-impl Extent {
-    /// First and last coordinate.
-    pub(crate) fn ends(&self) -> [f64; 2] {
-        match self {
-            Extent::Angles(angles) => *angles,
-            Extent::X(x) | Extent::Round { x, .. } => *x,
-        }
-    }
-
-    /// Coordinates of the ends of a line or arc of the contact edge, the one at `t = -1` first; angles next to those of the contact.
-    pub(crate) fn range(&self, curve: &Curve) -> [f64; 2] {
-        use std::f64::consts::{FRAC_PI_2, PI, TAU};
-        match (self, curve) {
-            (Extent::Angles(angles), Curve::Arc { from, to, .. }) => {
-                let middle = 0.5 * (angles[0] + angles[1]);
-                let own = FRAC_PI_2 - 0.5 * (from + to);
-                let own = (own - middle + PI).rem_euclid(TAU) - PI + middle;
-                [own - 0.5 * (from - to), own + 0.5 * (from - to)]
-            }
-            _ => [curve.point(-1.0)[0], curve.point(1.0)[0]],
-        }
-    }
-
-    /// Parameter of a place on a line or arc of the contact edge; outside of [-1, 1] or no number where it is not on it.
-    pub(crate) fn parameter(&self, curve: &Curve, place: f64) -> f64 {
-        use std::f64::consts::{FRAC_PI_2, PI, TAU};
-        match (self, curve) {
-            (Extent::Round { .. }, Curve::Arc { centre, radius, from, to }) => {
-                let angle = ((place - centre[0]) / radius).asin() - FRAC_PI_2;
-                let middle = 0.5 * (from + to);
-                let own = (angle - middle + PI).rem_euclid(TAU) - PI;
-                2.0 * own / (to - from)
-            }
-            _ => {
-                let [a, b] = self.range(curve);
-                (2.0 * place - a - b) / (b - a)
-            }
-        }
-    }
-}
-
 /// Adds a point to grade towards, if it is a vertex and not yet among them.
 pub(crate) fn add_singular(mesh: &Mesh, singular: &mut Vec<[f64; 2]>, x: [f64; 2]) {
     let scale = mesh.vertices.iter().flatten().fold(0.0_f64, |scale, v| scale.max(v.abs()));
@@ -363,7 +320,7 @@ fn singular(couple: &Couple, number: usize, mesh: &Mesh, extent: Extent) -> Resu
     } else if number == 0 {
         loaded.push(LOAD);
     }
-    let materials = hpfem_materials(body)?;
+    let materials = body.elastic()?;
     let found = hpfem::singular_vertices(mesh, couple.kinematics, &materials, &supports, &loaded)?;
     Ok(found.into_iter().map(|v| mesh.vertices[v.vertex]).collect())
 }

@@ -7,98 +7,105 @@ use std::sync::Arc;
 use hpfem::{Kinematics, Mesh};
 use scene::{Component, Geometry, LoadKind, Material};
 
-
 /// Two bodies that touch, and where the first is loaded.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Couple {
+pub struct Couple {
     /// Kinematics of both, with their thickness (mm).
-    pub(crate) kinematics: Kinematics,
+    pub kinematics: Kinematics,
     /// Body 1, which is shaped, and body 2, the counter-face.
-    pub(crate) bodies: [Body; 2],
+    pub bodies: [Body; 2],
     /// Where and how body 1 is loaded.
-    pub(crate) load: LoadedEdge,
+    pub load: LoadedEdge,
 }
 
 /// One body.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Body {
+pub struct Body {
     /// Its key in the scene: "body1" or "body2".
-    pub(crate) key: &'static str,
+    pub key: &'static str,
     /// Shape with named edges.
-    pub(crate) geometry: Geometry,
+    pub geometry: Geometry,
     /// The cells of a body that is given by them; the boundaries of the mesh are the named edges.
-    pub(crate) cells: Option<Arc<Mesh>>,
+    pub cells: Option<Arc<Mesh>>,
     /// Materials, by the index that cells have; one for a template.
-    pub(crate) materials: Vec<Material>,
+    pub materials: Vec<Material>,
     /// Components held, by the name of the edge.
-    pub(crate) supports: BTreeMap<String, Vec<Component>>,
+    pub supports: BTreeMap<String, Vec<Component>>,
     /// Name of the edge that touches the other body.
-    pub(crate) contact: String,
+    pub contact: String,
 }
 
 /// Where and how body 1 is loaded.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct LoadedEdge {
+pub struct LoadedEdge {
     /// Name of the edge.
-    pub(crate) edge: String,
+    pub edge: String,
     /// How the load acts.
-    pub(crate) kind: LoadKind,
+    pub kind: LoadKind,
     /// Part of the edge that a vertical load acts on; none for the whole.
-    pub(crate) strip: Option<Strip>,
+    pub strip: Option<Strip>,
     /// Point [x, z] about which a rigid edge turns (mm).
-    pub(crate) about: [f64; 2],
+    pub about: [f64; 2],
     /// Whether a rigid edge is held against turning: a rotation prescribed as zero. Any other one is a motion like a free one.
-    pub(crate) level: bool,
+    pub level: bool,
 }
 
 /// Part of an edge, along x.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Strip {
+pub struct Strip {
     /// Its middle (mm).
-    pub(crate) centre: f64,
+    pub centre: f64,
     /// Its width (mm).
-    pub(crate) width: f64,
+    pub width: f64,
 }
 
 impl Strip {
     /// From and to along x (mm).
-    pub(crate) fn ends(self) -> [f64; 2] {
+    pub fn ends(self) -> [f64; 2] {
         [self.centre - 0.5 * self.width, self.centre + 0.5 * self.width]
     }
 }
 
 impl Couple {
     /// Whether the bodies are solids of revolution.
-    pub(crate) fn is_revolved(&self) -> bool {
+    pub fn is_revolved(&self) -> bool {
         self.kinematics.is_revolved()
     }
 
     /// Whether the load acts through a rigid edge.
-    pub(crate) fn has_rigid_edge(&self) -> bool {
+    pub fn has_rigid_edge(&self) -> bool {
         self.load.kind == LoadKind::Rigid
     }
 
     /// Young's modulus (MPa) of the softest material of both bodies.
-    pub(crate) fn softest(&self) -> f64 {
+    pub fn softest(&self) -> f64 {
         self.bodies.iter().flat_map(|body| &body.materials).map(|material| material.young.0).fold(f64::INFINITY, f64::min)
     }
 }
 
 impl Body {
     /// Whether it is given by its cells.
-    pub(crate) fn is_given(&self) -> bool {
+    pub fn is_given(&self) -> bool {
         self.cells.is_some()
     }
 
+    /// The materials in the words of the finite elements.
+    ///
+    /// # Errors
+    /// A modulus or a ratio out of range.
+    pub fn elastic(&self) -> Result<Vec<hpfem::Material>, hpfem::Error> {
+        self.materials.iter().map(|m| hpfem::Material::new(m.young.0, m.poisson)).collect()
+    }
+
     /// Whether an edge holds a component.
-    pub(crate) fn holds(&self, component: Component) -> bool {
+    pub fn holds(&self, component: Component) -> bool {
         self.supports.values().any(|held| held.contains(&component))
     }
 }
 
 impl LoadedEdge {
     /// Whether an edge of body 1 is the loaded one.
-    pub(crate) fn is(&self, edge: &str) -> bool {
+    pub fn is(&self, edge: &str) -> bool {
         self.edge == edge
     }
 }

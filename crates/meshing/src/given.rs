@@ -1,38 +1,21 @@
-//! Bodies given by their cells: `geometry.blocks` and `geometry.mesh`.
-
-mod blocks;
-mod contact_line;
-mod mesh_file;
+//! A body given by its cells.
 
 use hpfem::{Curve, Mesh};
 use scene::{Fault, Geometry, Material};
 
 use crate::couple::Body;
 
-pub(crate) use blocks::unused as unused_in_blocks;
-pub(crate) use contact_line::{ContactLine, contact_line};
-
 /// The cells of a body as they are written; the boundaries of the mesh are the named edges.
 #[derive(Debug, Clone)]
-pub(crate) struct Given {
+pub struct Given {
     /// The cells.
-    pub(crate) mesh: Mesh,
+    pub mesh: Mesh,
     /// Materials, by the index that cells have.
-    pub(crate) materials: Vec<Material>,
+    pub materials: Vec<Material>,
 }
 
 /// Where files beside the scene come from: a path as the scene has it, to bytes or to why not.
-pub(crate) type Files<'f> = &'f dyn Fn(&str) -> Result<Vec<u8>, String>;
-
-/// The cells of a body (`key` is "body1" or "body2"); none of a template. A mesh file is read, and from then on named as its copy.
-pub(crate) fn given(key: &str, body: &mut scene::Body, files: Files<'_>) -> Result<Option<Given>, Fault> {
-    let own = body.material;
-    match &mut body.geometry {
-        Geometry::Blocks(blocks) => blocks::given(&format!("{key}.geometry.blocks"), blocks, own).map(Some),
-        Geometry::Mesh(file) => mesh_file::read(key, file, files, own).map(Some),
-        _ => Ok(None),
-    }
-}
+pub type Files<'f> = &'f dyn Fn(&str) -> Result<Vec<u8>, String>;
 
 /// The curves of a named edge.
 pub(crate) fn edge_curves(mesh: &Mesh, edge: &str) -> Vec<Curve> {
@@ -40,7 +23,7 @@ pub(crate) fn edge_curves(mesh: &Mesh, edge: &str) -> Vec<Curve> {
 }
 
 /// Refuses an edge with a part inside the body, where nothing can touch or press it.
-pub(crate) fn outside(body: &Body, edge: &str) -> Result<(), Fault> {
+pub fn outside(body: &Body, edge: &str) -> Result<(), Fault> {
     let Some(mesh) = &body.cells else { return Ok(()) };
     let key = body.key;
     let cells = mesh.edge_cells();

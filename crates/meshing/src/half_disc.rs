@@ -13,33 +13,33 @@ use hpfem::{Curve, Edge, Error, Mesh, Quad};
 use scene::{Component, Fault, Geometry, HalfDisc, Rectangle};
 
 use crate::couple::Couple;
-use crate::fe::template::{AXIS, CONTACT, LOAD};
+use crate::names::{AXIS, CONTACT, LOAD};
 
 /// Ratio of the sizes of successive layers around an end of contact.
 const RATIO: f64 = 0.15;
 /// Length of the candidate surface over that of the trial contact.
-pub(crate) const CANDIDATE: f64 = 1.5;
+pub const CANDIDATE: f64 = 1.5;
 
 /// A half-disc on the flat top of a rectangle, both symmetric about the line through the centre.
 #[derive(Clone, Debug)]
-pub(crate) struct HalfDiscOnFlat {
+pub struct HalfDiscOnFlat {
     /// Radius of the disc.
-    pub(crate) radius: f64,
+    pub radius: f64,
     /// Place x of the centre.
-    pub(crate) middle: f64,
+    pub middle: f64,
     /// Height z of the flat side.
-    pub(crate) height: f64,
+    pub height: f64,
     /// From the middle to the side of the rectangle.
     width: f64,
     depth: f64,
     /// Both halves are meshed; otherwise the half x >= 0.
-    pub(crate) whole: bool,
+    pub whole: bool,
     rigid: bool,
 }
 
 impl HalfDiscOnFlat {
     /// The couple of two bodies; none if they are others.
-    pub(crate) fn of(couple: &Couple) -> Result<Option<HalfDiscOnFlat>, Fault> {
+    pub fn of(couple: &Couple) -> Result<Option<HalfDiscOnFlat>, Fault> {
         let [body1, body2] = &couple.bodies;
         let (Geometry::HalfDisc(disc), Geometry::Rectangle(plate)) = (&body1.geometry, &body2.geometry) else {
             return Ok(None);
@@ -78,19 +78,19 @@ impl HalfDiscOnFlat {
     }
 
     /// The longest contact, from the middle, that fits the bodies and these meshes.
-    pub(crate) fn longest(&self) -> f64 {
+    pub fn longest(&self) -> f64 {
         (0.6 * self.radius).min(0.8 * self.width).min(0.8 * self.depth) / CANDIDATE
     }
 
     /// Unloaded gap above the flat side: `R - sqrt(R^2 - x^2)`.
-    pub(crate) fn gap(&self, x: f64) -> f64 {
+    pub fn gap(&self, x: f64) -> f64 {
         let (r, x) = (self.radius, x - self.middle);
         x * x / (r + ((r - x) * (r + x)).max(0.0).sqrt())
     }
 
     /// Both bodies with element nodes at the given distances from the middle (ascending; the last one is the end of contact) and so many
     /// layers around each of them.
-    pub(crate) fn meshes(&self, nodes: &[f64], layers: usize) -> Result<[Mesh; 2], Fault> {
+    pub fn meshes(&self, nodes: &[f64], layers: usize) -> Result<[Mesh; 2], Fault> {
         let meshes = || -> Result<[Mesh; 2], Error> {
             let halves = [self.disc(nodes, layers)?, self.block(nodes, layers)?];
             let [mut disc, mut block] = if self.whole { [mirrored(&halves[0])?, mirrored(&halves[1])?] } else { halves };

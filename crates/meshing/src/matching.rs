@@ -3,9 +3,11 @@
 use hpfem::Mesh;
 use scene::Fault;
 
+use crate::cells::{Cells, add_singular, crowded};
+use crate::coarse::Coarse;
 use crate::couple::Couple;
-use crate::fe::cells::{Cells, add_singular, crowded};
-use crate::fe::template::{Coarse, Cut, Extent, coarse, contact_cuts};
+use crate::extent::{Cut, Extent};
+use crate::template::{coarse, contact_cuts};
 
 /// Most rounds until the break points settle: a cut may come back to the contact elsewhere and ask for another.
 const ROUNDS: usize = 20;

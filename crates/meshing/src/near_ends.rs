@@ -2,7 +2,8 @@
 
 use hpfem::{Error, Mesh};
 
-use crate::fe::template::{CONTACT, Cut, Extent, RATIO};
+use crate::extent::{Cut, Extent};
+use crate::names::{CONTACT, RATIO};
 
 /// Share of half the surface within which an end of contact is next to its end.
 const NEAR: f64 = 0.05;

@@ -3,126 +3,11 @@
 use hpfem::{Curve, Mesh, Named, Ruled, Side};
 use scene::{Fault, Geometry, Rectangle, Ring, RingSegment, ShoeBlock};
 
+use crate::coarse::Coarse;
 use crate::couple::{Couple, LoadedEdge};
-use crate::fe::cells::SAME;
-use crate::fe::cuts::{growing, halved, merged, parameters, subdivide, widest};
-use crate::fe::matching::matched;
-use crate::fe::near_ends::{self, cut_near};
-use crate::fe::round_cells::as_cells;
-
-/// Name of the edges on the contact surface.
-pub(crate) const CONTACT: &str = "@contact";
-/// Name of the loaded edges.
-pub(crate) const LOAD: &str = "@load";
-/// Name of the edges on the axis of revolution or a plane of symmetry.
-pub(crate) const AXIS: &str = "@axis";
-
-/// Ratio of the sizes of successive layers. Of 0.1, 0.15, 0.25 the last reached a given error of the drum gap with the least work
-/// in degrees 6 to 12.
-pub(crate) const RATIO: f64 = 0.25;
-
-/// A coarse mesh and the points towards which it is to be graded.
-pub(crate) struct Coarse {
-    pub(crate) mesh: Mesh,
-    pub(crate) singular: Vec<[f64; 2]>,
-    /// Ends of contact, where the pressure goes like a square root: half as many layers do.
-    pub(crate) free: Vec<[f64; 2]>,
-}
-
-/// Extent of the contact surface, shared by both bodies.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Extent {
-    /// On an arc about the centre, angles from the z axis towards +x.
-    Angles([f64; 2]),
-    /// On a horizontal line.
-    X([f64; 2]),
-    /// On a horizontal line that a round body touches at one place and faces across a gap.
-    Round {
-        /// From and to.
-        x: [f64; 2],
-        /// Where it touches.
-        touch: f64,
-        /// Radius of the round body.
-        radius: f64,
-    },
-}
-
-impl Extent {
-    /// The extent of a scene's contact surface, from its surface shape.
-    pub(crate) fn of(shape: &wear::Shape) -> Option<Extent> {
-        match shape {
-            wear::Shape::Arc { angles, .. } => Some(Extent::Angles(*angles)),
-            wear::Shape::Strip { x, .. } => Some(Extent::X(*x)),
-            wear::Shape::Annulus { radii } => Some(Extent::X(*radii)),
-            _ => None,
-        }
-    }
-}
-
-/// Where the contact surface is cut.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Cut<'a> {
-    /// The standing choice.
-    Plain,
-    /// Elsewhere, for an independent solution.
-    Shifted,
-    /// Also at ends of contact, given by their place on the surface from -1 to 1, with layers around them.
-    Ends(&'a [f64]),
-}
-
-impl<'a> Cut<'a> {
-    pub(crate) fn ends(self) -> &'a [f64] {
-        match self {
-            Cut::Ends(ends) => ends,
-            _ => &[],
-        }
-    }
-}
-
-/// The meshes of both bodies with the given number of layers around each singular point.
-pub(crate) fn meshes(couple: &Couple, extent: Extent, layers: usize, cut: Cut<'_>) -> Result<[Mesh; 2], Fault> {
-    let [far, near] = near_ends::split(cut);
-    let cut = if near.is_empty() { cut } else { Cut::Ends(&far) };
-    let cells = couple.bodies.each_ref().map(|body| body.cells.as_deref().cloned());
-    let [first, second] = if cells.iter().all(Option::is_none) {
-        templates(couple, extent, cut)?
-    } else {
-        let round = matches!(extent, Extent::Round { .. });
-        let [first, second] = couple.bodies.each_ref().map(|body| if round { as_cells(couple, body) } else { None });
-        let [own, other] = cells;
-        matched(couple, [own.or(first), other.or(second)], extent, cut)?
-    };
-    let graded = |coarse: Coarse, key: &str| {
-        let vertices = |mesh: &Mesh, points: &[[f64; 2]]| points.iter().map(|x| mesh.nearest_vertex(*x)).collect::<Vec<usize>>();
-        let (mesh, near) = cut_near(coarse.mesh, extent, &near).map_err(|error| geometry_fault(key, &error))?;
-        let singular = vertices(&mesh, &coarse.singular);
-        let mesh = mesh.refined_towards(&singular, RATIO, layers).map_err(|error| geometry_fault(key, &error))?;
-        let free = vertices(&mesh, &[coarse.free, near].concat());
-        if free.is_empty() {
-            return Ok(mesh);
-        }
-        mesh.refined_towards(&free, RATIO, layers.div_ceil(2)).map_err(|error| geometry_fault(key, &error))
-    };
-    Ok([graded(first, "body1.geometry")?, graded(second, "body2.geometry")?])
-}
-
-/// The coarse meshes of two templates.
-fn templates(couple: &Couple, extent: Extent, cut: Cut<'_>) -> Result<[Coarse; 2], Fault> {
-    let cuts = contact_cuts(couple, extent, cut, &[]);
-    let first = coarse(couple, 0, &cuts, cut)?;
-    let mut second = coarse(couple, 1, &cuts, cut)?;
-    // Points of the contact surface that need layers in the shaped body need them in both, for common break points.
-    second.free.clone_from(&first.free);
-    for x in &first.singular {
-        let y = second.mesh.vertices[second.mesh.nearest_vertex(*x)];
-        let scale = x[0].hypot(x[1]);
-        let near = |z: &[f64; 2]| (x[0] - z[0]).hypot(x[1] - z[1]) <= 1e-9 * scale;
-        if near(&y) && !second.singular.iter().any(near) {
-            second.singular.push(*x);
-        }
-    }
-    Ok([first, second])
-}
+use crate::cuts::{growing, halved, merged, parameters, subdivide, widest};
+use crate::extent::{Cut, Extent};
+use crate::names::{AXIS, CONTACT, LOAD, SAME};
 
 fn not_meshed(key: &str, what: &str) -> Fault {
     let message = format!("{what} cannot be meshed for this contact yet");
@@ -182,7 +67,7 @@ pub(crate) fn coarse(couple: &Couple, number: usize, cuts: &[f64], cut: Cut<'_>)
         Geometry::RingSegment(segment) if shaped => ring_segment(couple, segment, cuts, cut),
         Geometry::Ring(ring) if !shaped => full_ring(ring, cuts, &body.contact),
         Geometry::Rectangle(rectangle) => block(couple, rectangle, cuts, shaped, cut),
-        other => return Err(not_meshed(key, crate::setup::template(other))),
+        other => return Err(not_meshed(key, other.name())),
     };
     result.map_err(|error| geometry_fault(key, &error))
 }

@@ -30,6 +30,21 @@ pub enum Geometry {
     Mesh(MeshFile),
 }
 
+impl Geometry {
+    /// The key of its template.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Geometry::ShoeBlock(_) => "shoe-block",
+            Geometry::Ring(_) => "ring",
+            Geometry::Rectangle(_) => "rectangle",
+            Geometry::RingSegment(_) => "ring-segment",
+            Geometry::HalfDisc(_) => "half-disc",
+            Geometry::Blocks(_) => "blocks",
+            Geometry::Mesh(_) => "mesh",
+        }
+    }
+}
+
 /// Block above a drum.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

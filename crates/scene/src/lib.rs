@@ -16,6 +16,7 @@ mod scene;
 mod schema;
 mod tree;
 mod units;
+mod value;
 mod write;
 
 pub use builtin::{Builtin, SCENES, builtin};
@@ -35,4 +36,5 @@ pub use scene::{
     Schedule, Sliding, Task, Units, Wear,
 };
 pub use units::{Angle, AngularSpeed, Force, Length, Moment, Pair, Pressure, Speed, Steps, Time, WearFactor};
+pub use value::{missing, positive};
 pub use write::scene_text;

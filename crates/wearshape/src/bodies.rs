@@ -1,18 +1,17 @@
 //! Reduced bodies of all levels, kept as long as what they depend on stays the same: a sweep in load, friction, wear or optimum meshes and
 //! factors each level once, and so do several tasks of one run.
 
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use contact::{ContactOperator, Pair, UnitResponses};
 use hpfem::{InterfaceOperator, InterfaceState};
+use meshing::{Couple, Cut};
 use scene::Fault;
 
-use crate::couple::Couple;
 use crate::effort::{Clock, Counters, Effort};
-use crate::fe::Level;
-use crate::fe::bodies::Parts;
-use crate::fe::template::Cut;
+use crate::level::Level;
+use crate::parts::Parts;
 use crate::solution::Reaction;
 
 /// Kinds of bodies that are kept at once; a sweep over geometries does not keep them all.
@@ -20,17 +19,17 @@ const KINDS: usize = 4;
 
 /// Which reduced bodies of a couple.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Place {
-    pub(crate) level: Level,
-    pub(crate) cut: Cut<'static>,
+pub struct Place {
+    pub level: Level,
+    pub cut: Cut<'static>,
     /// The scalar problem of twisting instead of the one in the plane.
-    pub(crate) torsion: bool,
+    pub torsion: bool,
 }
 
 /// The store, shared by whoever solves problems with the same bodies, on any number of threads. It is never locked while bodies are made: two
 /// threads that miss the same ones both make them, and the first to finish keeps them.
 #[derive(Debug, Default)]
-pub(crate) struct Bodies {
+pub struct Bodies {
     kinds: Mutex<Vec<(Couple, Kind)>>,
     factorisations: AtomicUsize,
     reused: AtomicUsize,
@@ -41,17 +40,17 @@ type Kind = Vec<(Place, Arc<Reduced>)>;
 
 impl Bodies {
     /// Bodies that were factorised and kept so far.
-    pub(crate) fn factorisations(&self) -> usize {
+    pub fn factorisations(&self) -> usize {
         self.factorisations.load(Ordering::Relaxed)
     }
 
     /// Bodies that were asked for and already there.
-    pub(crate) fn reused(&self) -> usize {
+    pub fn reused(&self) -> usize {
         self.reused.load(Ordering::Relaxed)
     }
 
     /// The reduced bodies of a place, made if they are not there.
-    pub(crate) fn get(
+    pub fn get(
         &self,
         couple: &Couple,
         place: Place,
@@ -103,8 +102,8 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 }
 
 /// Both bodies of one discretisation, reduced to their contact surface.
-pub(crate) struct Reduced {
-    pub(crate) interfaces: [InterfaceOperator; 2],
+pub struct Reduced {
+    pub interfaces: [InterfaceOperator; 2],
     support_names: [Vec<String>; 2],
     facing: bool,
     counters: Counters,
@@ -120,7 +119,7 @@ impl std::fmt::Debug for Reduced {
 
 impl Reduced {
     /// Assembles and reduces both bodies.
-    pub(crate) fn new(parts: &Parts, clock: Clock) -> Result<(Reduced, Effort), Fault> {
+    pub fn new(parts: &Parts, clock: Clock) -> Result<(Reduced, Effort), Fault> {
         let (interfaces, effort) = parts.interfaces(clock)?;
         let names = |body: usize| parts.parts[body].support_names.clone();
         let counters = effort.counters.clone();
@@ -128,18 +127,18 @@ impl Reduced {
     }
 
     /// Cells and unknowns of the discretisation.
-    pub(crate) fn sizes(&self) -> Effort {
+    pub fn sizes(&self) -> Effort {
         let Counters { cells, dofs, trace_dofs, .. } = self.counters;
         Effort { counters: Counters { cells, dofs, trace_dofs, ..Counters::default() }, seconds: Vec::new() }
     }
 
     /// Pairs the two bodies.
-    pub(crate) fn pair(&self) -> Result<Pair<'_>, Fault> {
+    pub fn pair(&self) -> Result<Pair<'_>, Fault> {
         paired([&self.interfaces[0], &self.interfaces[1]], self.facing)
     }
 
     /// The contact of the pair, its unit responses kept.
-    pub(crate) fn operator<'b>(&'b self, pair: &Pair<'b>, shear: bool) -> Result<ContactOperator<'b>, Fault> {
+    pub fn operator<'b>(&'b self, pair: &Pair<'b>, shear: bool) -> Result<ContactOperator<'b>, Fault> {
         let place = &self.unit[usize::from(shear)];
         let known = lock(place).clone();
         if let Some(unit) = known {
@@ -152,13 +151,13 @@ impl Reduced {
     }
 
     /// Forces of the supports on their bodies.
-    pub(crate) fn reactions(&self, states: [Option<&InterfaceState>; 2]) -> Vec<(String, Reaction)> {
+    pub fn reactions(&self, states: [Option<&InterfaceState>; 2]) -> Vec<(String, Reaction)> {
         reactions([&self.interfaces[0], &self.interfaces[1]], [&self.support_names[0], &self.support_names[1]], states)
     }
 }
 
 /// Pairs two reduced bodies, on each other or facing each other across a gap.
-pub(crate) fn paired<'b>([first, second]: [&'b InterfaceOperator; 2], facing: bool) -> Result<Pair<'b>, Fault> {
+pub fn paired<'b>([first, second]: [&'b InterfaceOperator; 2], facing: bool) -> Result<Pair<'b>, Fault> {
     let pair = if facing { Pair::facing(first, second) } else { Pair::new(first, Some(second)) };
     pair.map_err(|error| {
         let remedy = "give both bodies the same contact surface";
@@ -167,7 +166,7 @@ pub(crate) fn paired<'b>([first, second]: [&'b InterfaceOperator; 2], facing: bo
 }
 
 /// Forces of the supports on their bodies, edge by edge; supports without a name are planes of symmetry.
-pub(crate) fn reactions(
+pub fn reactions(
     bodies: [&InterfaceOperator; 2],
     support_names: [&[String]; 2],
     states: [Option<&InterfaceState>; 2],

@@ -6,42 +6,42 @@ use crate::cell_grid::CellGrid;
 
 /// Both bodies at a moment.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct FieldFrame {
+pub struct FieldFrame {
     /// Simulated time; 0 where nothing runs in time.
-    pub(crate) time_s: f64,
+    pub time_s: f64,
     /// Goes into the names of the files: "" for what is reported, "start" for the start of a wear run.
-    pub(crate) moment: &'static str,
+    pub moment: &'static str,
     /// Body 1 and body 2.
-    pub(crate) bodies: [BodyField; 2],
+    pub bodies: [BodyField; 2],
 }
 
 /// One body, cell by cell; points are not shared, so that stresses may jump where they do.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct BodyField {
+pub struct BodyField {
     /// The cells.
-    pub(crate) cells: Vec<CellField>,
+    pub cells: Vec<CellField>,
     /// The body is revolved about the axis: x is r, and y is the direction around the axis.
-    pub(crate) revolved: bool,
+    pub revolved: bool,
     /// Friction twists the body: the displacement along y and the shears xy and yz are known.
-    pub(crate) twisted: bool,
+    pub twisted: bool,
 }
 
 /// A cell at the points of its grid.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct CellField {
+pub struct CellField {
     /// Where the points are.
-    pub(crate) grid: CellGrid,
+    pub grid: CellGrid,
     /// Positions (x, z), mm.
-    pub(crate) position: Vec<[f64; 2]>,
+    pub position: Vec<[f64; 2]>,
     /// Displacements (x, y, z), mm.
-    pub(crate) displacement: Vec<[f64; 3]>,
+    pub displacement: Vec<[f64; 3]>,
     /// Stresses, MPa.
-    pub(crate) stress: Vec<Stress>,
+    pub stress: Vec<Stress>,
 }
 
 impl BodyField {
     /// The body with its mirror image about the line x = middle.
-    pub(crate) fn mirrored(mut self, middle: f64) -> BodyField {
+    pub fn mirrored(mut self, middle: f64) -> BodyField {
         let images: Vec<CellField> = self.cells.iter().map(|cell| cell.mirrored(middle)).collect();
         self.cells.extend(images);
         self

@@ -3,27 +3,27 @@
 /// The points of a quadrilateral, `(degree + 1)^2` in rows, or of a triangle, `(degree + 1)(degree + 2) / 2` in rows that grow shorter
 /// towards its last corner: just enough for the displacement, a polynomial of that degree.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(crate) struct CellGrid {
+pub struct CellGrid {
     /// Degree of the cell.
-    pub(crate) degree: usize,
+    pub degree: usize,
     /// Whether the cell is a triangle.
-    pub(crate) triangle: bool,
+    pub triangle: bool,
 }
 
 impl CellGrid {
     /// Number of the point at step `i` along row `j`.
-    pub(crate) fn at(self, i: usize, j: usize) -> usize {
+    pub fn at(self, i: usize, j: usize) -> usize {
         if self.triangle { j * (self.degree + 1) - j * j.saturating_sub(1) / 2 + i } else { i + (self.degree + 1) * j }
     }
 
     /// Steps `(i, j)` of all points in their order.
-    pub(crate) fn steps(self) -> impl Iterator<Item = (usize, usize)> {
+    pub fn steps(self) -> impl Iterator<Item = (usize, usize)> {
         let row = move |j: usize| if self.triangle { self.degree - j } else { self.degree };
         (0..=self.degree).flat_map(move |j| (0..=row(j)).map(move |i| (i, j)))
     }
 
     /// Coordinates of all points in the square `[-1, 1]^2` that stands for the cell; the last row of a triangle is its corner 2.
-    pub(crate) fn reference(self) -> impl Iterator<Item = [f64; 2]> {
+    pub fn reference(self) -> impl Iterator<Item = [f64; 2]> {
         let whole = self.degree as f64;
         self.steps().map(move |(i, j)| {
             let length = if self.triangle { self.degree - j } else { self.degree };
@@ -33,7 +33,7 @@ impl CellGrid {
     }
 
     /// Once around the cell, anti-clockwise from its first corner.
-    pub(crate) fn outline(self) -> Vec<usize> {
+    pub fn outline(self) -> Vec<usize> {
         let p = self.degree;
         let along = (0..p).map(|i| self.at(i, 0));
         if self.triangle {
@@ -46,7 +46,7 @@ impl CellGrid {
 
     /// Flat triangles and quadrilaterals between points, anti-clockwise, about `along` times `up` of a quadrilateral; the sides of a
     /// triangle fall into equal parts, at least as many as asked for.
-    pub(crate) fn pieces(self, along: usize, up: usize) -> Vec<Vec<usize>> {
+    pub fn pieces(self, along: usize, up: usize) -> Vec<Vec<usize>> {
         let p = self.degree;
         if self.triangle {
             let parts = (along.max(up).clamp(1, p)..=p).find(|parts| p.is_multiple_of(*parts)).unwrap_or(p);
@@ -70,7 +70,7 @@ impl CellGrid {
     }
 
     /// All points in the order of a Lagrange cell of VTK (types 70 and 69): corners, edges, inside.
-    pub(crate) fn lagrange(self) -> Vec<usize> {
+    pub fn lagrange(self) -> Vec<usize> {
         let p = self.degree;
         if self.triangle {
             return self.rings();
@@ -105,7 +105,7 @@ impl CellGrid {
     }
 
     /// The point at which each point of the mirror image stood, the image's corners running anti-clockwise again.
-    pub(crate) fn mirror(self) -> Vec<usize> {
+    pub fn mirror(self) -> Vec<usize> {
         let last = |j: usize| if self.triangle { self.degree - j } else { self.degree };
         self.steps().map(|(i, j)| self.at(last(j) - i, j)).collect()
     }

@@ -7,41 +7,41 @@ use serde::Serialize;
 use crate::plan::Step;
 
 /// Seconds since any fixed moment. The library has no clock of its own: who wants to know the seconds brings one.
-pub(crate) type Clock = fn() -> f64;
+pub type Clock = fn() -> f64;
 
 /// `summary.counters`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub(crate) struct Counters {
+pub struct Counters {
     /// Cells assembled.
-    pub(crate) cells: usize,
+    pub cells: usize,
     /// Unknowns of both bodies.
-    pub(crate) dofs: usize,
+    pub dofs: usize,
     /// Unknowns of the contact traces.
-    pub(crate) trace_dofs: usize,
+    pub trace_dofs: usize,
     /// Factorisations.
-    pub(crate) factorisations: usize,
+    pub factorisations: usize,
     /// Contact solves.
-    pub(crate) contact_solves: usize,
+    pub contact_solves: usize,
     /// Contact solves of the round trip.
-    pub(crate) check_solves: usize,
+    pub check_solves: usize,
     /// Wear steps.
-    pub(crate) wear_steps: usize,
+    pub wear_steps: usize,
     /// Back substitutions into the inside of a body.
-    pub(crate) back_substitutions: usize,
+    pub back_substitutions: usize,
 }
 
 /// Work that was done.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(crate) struct Effort {
+pub struct Effort {
     /// Sizes of the last discretisation, and counts of all work.
-    pub(crate) counters: Counters,
+    pub counters: Counters,
     /// Seconds of each stage, in the order in which they came first.
-    pub(crate) seconds: Vec<(Step, f64)>,
+    pub seconds: Vec<(Step, f64)>,
 }
 
 impl Effort {
     /// Does a part of a stage and adds its seconds.
-    pub(crate) fn timed<T>(&mut self, step: Step, clock: Clock, work: impl FnOnce(&mut Effort) -> T) -> T {
+    pub fn timed<T>(&mut self, step: Step, clock: Clock, work: impl FnOnce(&mut Effort) -> T) -> T {
         let start = clock();
         let result = work(self);
         self.add_seconds(step, clock() - start);
@@ -49,7 +49,7 @@ impl Effort {
     }
 
     /// Adds seconds to those of a stage.
-    pub(crate) fn add_seconds(&mut self, step: Step, seconds: f64) {
+    pub fn add_seconds(&mut self, step: Step, seconds: f64) {
         match self.seconds.iter_mut().find(|(known, _)| *known == step) {
             Some((_, total)) => *total += seconds,
             None => self.seconds.push((step, seconds)),
@@ -57,7 +57,7 @@ impl Effort {
     }
 
     /// The same without the sizes of its discretisation: work beside the level that is reported.
-    pub(crate) fn aside(mut self) -> Effort {
+    pub fn aside(mut self) -> Effort {
         (self.counters.cells, self.counters.dofs, self.counters.trace_dofs) = (0, 0, 0);
         self
     }

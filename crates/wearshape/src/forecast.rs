@@ -1,17 +1,18 @@
 //! What a run will take: the sizes of its levels by meshing them, and about how long by timing the first ones.
 
 use hpfem::Sizes;
-use serde::Serialize;
 use scene::Fault;
+use serde::Serialize;
 
+use crate::bodies::Bodies;
 use crate::effort::Clock;
-use crate::fe::bodies::{Level, Parts};
-use crate::fe::operators::Bodies;
-use crate::fe::scope::Scope;
 use crate::ladder::Ladder;
+use crate::level::Level;
 use crate::options::Options;
+use crate::parts::Parts;
 use crate::plan::Step;
 use crate::problem::Problem;
+use crate::scope::Scope;
 
 /// Degrees that are computed to see how fast the machine is, and how often: the fastest counts.
 const TIMED: [usize; 2] = [6, 8];
@@ -21,27 +22,27 @@ const ENDS: f64 = 6.0;
 
 /// One level of the ladder before it is computed.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub(crate) struct Forecast {
+pub struct Forecast {
     /// Degree of the cells.
-    pub(crate) degree: usize,
+    pub degree: usize,
     /// Layers around singular points.
-    pub(crate) layers: usize,
+    pub layers: usize,
     /// Cells of both bodies.
-    pub(crate) cells: usize,
+    pub cells: usize,
     /// Unknowns of both bodies.
-    pub(crate) dofs: usize,
+    pub dofs: usize,
     /// Unknowns of both contact traces.
-    pub(crate) trace_dofs: usize,
+    pub trace_dofs: usize,
     /// Points of the contact surface.
-    pub(crate) contact_points: usize,
+    pub contact_points: usize,
     /// Memory of both eliminations.
-    pub(crate) memory_bytes: u64,
+    pub memory_bytes: u64,
     /// Seconds until this level is done, those before it and the proof included, about.
-    pub(crate) about_seconds: f64,
+    pub about_seconds: f64,
 }
 
 /// All levels that the run of a problem may climb to; the seconds are 0 by a clock that stands.
-pub(crate) fn forecast(problem: &Problem, clock: Clock) -> Result<Vec<Forecast>, Fault> {
+pub fn forecast(problem: &Problem, clock: Clock) -> Result<Vec<Forecast>, Fault> {
     let options = Options { clock, ..Options::default() };
     let bodies = Bodies::default();
     let scope = Scope::of(problem, &options, &bodies)?;

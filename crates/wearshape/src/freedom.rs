@@ -1,26 +1,25 @@
 //! The rigid freedoms of body 1: what its supports and its load leave free, with the prescribed resultants.
 
+use meshing::{Body, Couple, LoadedEdge, edge_curves};
 use nalgebra::Vector3;
-use wear::{RigidMode, RigidMotion};
 use scene::{Component, Fault, Geometry, LoadKind, SurfaceShape};
+use wear::{RigidMode, RigidMotion};
 
-use crate::couple::{Body, Couple, LoadedEdge};
-use crate::given::edge_curves;
 use crate::problem::Load;
 use crate::surface::Patch;
 
 /// One free rigid mode.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Freedom {
+pub struct Freedom {
     /// Which resultant it carries in the summary.
-    pub(crate) role: Role,
+    pub role: Role,
     /// Motion and resultant.
-    pub(crate) mode: RigidMode,
+    pub mode: RigidMode,
 }
 
 /// What a resultant is called.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Role {
+pub enum Role {
     /// The pressing force.
     Force,
     /// The moment int x p dS, or that about a pin or pivot.
@@ -32,7 +31,7 @@ pub(crate) enum Role {
 }
 
 /// Refuses supports under which the load cannot press body 1 on body 2, or would turn it.
-pub(crate) fn check(couple: &Couple, load: &Load) -> Result<(), Fault> {
+pub fn check(couple: &Couple, load: &Load) -> Result<(), Fault> {
     let body = &couple.bodies[0];
     let held = Held::of(body);
     if !held.z.is_empty() {
@@ -43,7 +42,7 @@ pub(crate) fn check(couple: &Couple, load: &Load) -> Result<(), Fault> {
 }
 
 /// The freedoms of body 1 on a known contact surface, the pressing first.
-pub(crate) fn of_bodies(couple: &Couple, load: &Load, patch: &Patch) -> Vec<Freedom> {
+pub fn of_bodies(couple: &Couple, load: &Load, patch: &Patch) -> Vec<Freedom> {
     let body = &couple.bodies[0];
     let push = Freedom { role: Role::Force, mode: RigidMode::press_down(load.force.unwrap_or(0.0)) };
     if couple.is_revolved() {
@@ -77,7 +76,7 @@ fn surface_height(patch: &Patch) -> f64 {
 
 /// Middle of the loaded edge, through which the resultant passes.
 fn load_centre(body: &Body, load: &LoadedEdge) -> (f64, f64) {
-    let points = edge_points(body, &load.edge);
+    let points = outline(body).points(&load.edge);
     if points.len() > 3 && load.strip.is_none() {
         // Curves of a body given by cells, three points each: the middle of their projections.
         let pieces = points.chunks(3).map(|p| ((p[2][0] - p[0][0]).abs(), 0.5 * (p[0][0] + p[2][0])));
@@ -98,7 +97,7 @@ fn level(body: &Body, load: &LoadedEdge) -> Result<(), Fault> {
         return Ok(());
     }
     let edge = &load.edge;
-    let heights: Vec<f64> = edge_points(body, edge).iter().map(|p| p[1]).collect();
+    let heights: Vec<f64> = outline(body).points(edge).iter().map(|p| p[1]).collect();
     let size = heights.iter().fold(0.0_f64, |size, z| size.max(z.abs()));
     if heights.iter().all(|z| (z - heights[0]).abs() <= 1e-9 * size) {
         return Ok(());
@@ -121,8 +120,9 @@ struct Held {
 impl Held {
     fn of(body: &Body) -> Held {
         let mut held = Held { x: Vec::new(), z: Vec::new() };
+        let outline = outline(body);
         for (edge, components) in &body.supports {
-            for point in edge_points(body, edge) {
+            for point in outline.points(edge) {
                 if components.contains(&Component::X) {
                     held.x.push(point[1]);
                 }
@@ -146,65 +146,8 @@ impl Held {
     }
 }
 
-/// Points of an edge that span it: ends, and the top of an arc.
-pub(crate) fn edge_points(body: &Body, edge: &str) -> Vec<[f64; 2]> {
-    match (&body.geometry, edge) {
-        (Geometry::ShoeBlock(shoe), edge) => {
-            let (sine, cosine) = shoe.half_angle.0.sin_cos();
-            let (x, low, high) = (shoe.radius.0 * sine, shoe.radius.0 * cosine, shoe.top.0);
-            match edge {
-                "left" => vec![[-x, low], [-x, high]],
-                "right" => vec![[x, low], [x, high]],
-                "top" => vec![[-x, high], [x, high]],
-                _ => vec![[-x, low], [0.0, shoe.radius.0], [x, low]],
-            }
-        }
-        (Geometry::Rectangle(r), edge) => {
-            let (x, z) = (r.x.map(|x| x.0), r.z.map(|z| z.0));
-            match edge {
-                "left" => vec![[x[0], z[0]], [x[0], z[1]]],
-                "right" => vec![[x[1], z[0]], [x[1], z[1]]],
-                "top" => vec![[x[0], z[1]], [x[1], z[1]]],
-                _ => vec![[x[0], z[0]], [x[1], z[0]]],
-            }
-        }
-        (Geometry::RingSegment(s), edge) => {
-            let height = |radius: f64, x: f64| (radius * radius - x * x).sqrt();
-            let cut = |x: f64| vec![[x, height(s.inner.0, x)], [x, height(s.outer.0, x)]];
-            let arc = |radius: f64| {
-                let middle = if s.x[0].0 < 0.0 && s.x[1].0 > 0.0 { 0.0 } else { 0.5 * (s.x[0].0 + s.x[1].0) };
-                [s.x[0].0, middle, s.x[1].0].map(|x| [x, height(radius, x)]).to_vec()
-            };
-            match edge {
-                "left" => cut(s.x[0].0),
-                "right" => cut(s.x[1].0),
-                "centre" => cut(0.0),
-                "outer" => arc(s.outer.0),
-                _ => arc(s.inner.0),
-            }
-        }
-        (Geometry::HalfDisc(disc), edge) => {
-            let (x, z, radius) = (disc.centre[0].0, disc.centre[1].0, disc.radius.0);
-            match edge {
-                "top" => vec![[x - radius, z], [x + radius, z]],
-                "centre" => vec![[x, z - radius], [x, z]],
-                _ => vec![[x - radius, z], [x, z - radius], [x + radius, z]],
-            }
-        }
-        (Geometry::Ring(ring), edge) => {
-            let radius = if edge == "outer" { ring.outer.0 } else { ring.inner.0 };
-            let centre = ring.centre.map_or([0.0, 0.0], |centre| [centre[0].0, centre[1].0]);
-            vec![[centre[0] - radius, centre[1]], [centre[0], centre[1] + radius], [centre[0] + radius, centre[1]]]
-        }
-        (Geometry::Blocks(_) | Geometry::Mesh(_), edge) => {
-            let curves = body.cells.as_ref().map(|mesh| edge_curves(mesh, edge)).unwrap_or_default();
-            curves.iter().flat_map(|curve| [-1.0, 0.0, 1.0].map(|t| curve.point(t))).collect()
-        }
-    }
-}
-
 /// The freedoms of a body of which the surface alone is given.
-pub(crate) fn of_surface(surface: &SurfaceShape, load: &Load) -> Vec<Freedom> {
+pub fn of_surface(surface: &SurfaceShape, load: &Load) -> Vec<Freedom> {
     let force = load.force.unwrap_or(0.0);
     let push = Freedom { role: Role::Force, mode: RigidMode::press_down(force) };
     match surface {

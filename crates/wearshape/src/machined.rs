@@ -1,6 +1,6 @@
 //! The surface to machine into body 1: nominal surface plus gap along the normal, as points and as a spline.
 
-use crate::spline::{Fit, Spline};
+use shapeopt::{Fit, Spline};
 
 /// Evenly spaced points of the table.
 const POINTS: usize = 1001;
@@ -10,40 +10,40 @@ const DEVIATION: [f64; 2] = [5e-10, 1e-12];
 
 /// A point of the surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct SurfacePoint {
+pub struct SurfacePoint {
     /// Arc length from the middle along the nominal surface, or r (mm).
-    pub(crate) s: f64,
+    pub s: f64,
     /// Nominal place (x, z), mm.
-    pub(crate) nominal: [f64; 2],
+    pub nominal: [f64; 2],
     /// Unit normal out of body 2 into body 1.
-    pub(crate) normal: [f64; 2],
+    pub normal: [f64; 2],
     /// Gap along the normal, mm.
-    pub(crate) gap: f64,
+    pub gap: f64,
 }
 
 impl SurfacePoint {
     /// Place of the finished surface (x, z), mm.
-    pub(crate) fn finished(&self) -> [f64; 2] {
+    pub fn finished(&self) -> [f64; 2] {
         [0, 1].map(|k| self.nominal[k] + self.gap * self.normal[k])
     }
 }
 
 /// The finished surface.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Machined {
+pub struct Machined {
     /// Evenly spaced points.
-    pub(crate) points: Vec<SurfacePoint>,
+    pub points: Vec<SurfacePoint>,
     /// Finished x, finished z and gap (mm) over s.
-    pub(crate) fit: Fit<3>,
+    pub fit: Fit<3>,
     /// The rigid datum: where the gap is least, 0 unless the rigid part is prescribed.
-    pub(crate) datum: SurfacePoint,
+    pub datum: SurfacePoint,
     /// Where the gap is largest.
-    pub(crate) crown: SurfacePoint,
+    pub crown: SurfacePoint,
 }
 
 impl Machined {
     /// The finished surface over a range of s.
-    pub(crate) fn new(surface: impl Fn(f64) -> SurfacePoint, [from, to]: [f64; 2]) -> Machined {
+    pub fn new(surface: impl Fn(f64) -> SurfacePoint, [from, to]: [f64; 2]) -> Machined {
         let last = POINTS - 1;
         let at = |i: usize| if i == last { to } else { from + (to - from) * i as f64 / last as f64 };
         let points: Vec<SurfacePoint> = (0..POINTS).map(|i| surface(at(i))).collect();

@@ -5,17 +5,17 @@ use crate::watch::Resume;
 
 /// Options of a solve that are no part of the scene.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Options<'a> {
+pub struct Options<'a> {
     /// Points of the table instead of the contact points.
-    pub(crate) sample: Option<Sampling<'a>>,
+    pub sample: Option<Sampling<'a>>,
     /// Solves the scene's fixed discretisation alone, without the coarser ones that its error estimate needs.
-    pub(crate) alone: bool,
+    pub alone: bool,
     /// Adds what the workshop needs of a shape: the finished surface, and what errors of it do.
-    pub(crate) machining: bool,
+    pub machining: bool,
     /// Clock for the seconds of the stages.
-    pub(crate) clock: Clock,
+    pub clock: Clock,
     /// An unfinished run in time to go on with.
-    pub(crate) resume: Option<&'a Resume>,
+    pub resume: Option<&'a Resume>,
 }
 
 impl Default for Options<'_> {
@@ -27,7 +27,7 @@ impl Default for Options<'_> {
 
 /// Points of a contact surface that the user chooses.
 #[derive(Debug, Clone, Copy)]
-pub(crate) enum Sampling<'a> {
+pub enum Sampling<'a> {
     /// This many, evenly spaced in the surface's own coordinate, both ends included.
     Even(usize),
     /// At these values of s (mm).
@@ -36,7 +36,7 @@ pub(crate) enum Sampling<'a> {
 
 impl Sampling<'_> {
     /// Values of s between two ends.
-    pub(crate) fn places(self, [from, to]: [f64; 2]) -> Vec<f64> {
+    pub fn places(self, [from, to]: [f64; 2]) -> Vec<f64> {
         match self {
             Sampling::At(places) => places.iter().map(|s| s.clamp(from.min(to), to.max(from))).collect(),
             Sampling::Even(count) => {
@@ -49,10 +49,10 @@ impl Sampling<'_> {
 }
 
 /// Points of the curves in pictures.
-pub(crate) const CURVE: Sampling<'static> = Sampling::Even(401);
+pub const CURVE: Sampling<'static> = Sampling::Even(401);
 
 /// Trapezoid weights of ascending places: half the way to each neighbour.
-pub(crate) fn trapezoid_weights(places: &[f64]) -> Vec<f64> {
+pub fn trapezoid_weights(places: &[f64]) -> Vec<f64> {
     let last = places.len().saturating_sub(1);
     (0..places.len()).map(|i| 0.5 * (places[(i + 1).min(last)] - places[i.saturating_sub(1)])).collect()
 }

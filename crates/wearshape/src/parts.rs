@@ -1,63 +1,33 @@
 //! The bodies of a scene as finite element problems of one discretisation.
 
-use hpfem::{
-    Additions, Body, BodyProblem, Direction, EdgeTraction, InterfaceOperator, Kinematics, LoadCase, Material, Mesh, RigidEdge,
-    Sizes, SpaceKind, Support,
-};
+use hpfem::{Additions, Body, BodyProblem, Direction, EdgeTraction, InterfaceOperator, Kinematics, LoadCase, Material, Mesh, RigidEdge, Sizes, SpaceKind, Support};
+use meshing::{self, AXIS, CONTACT, Couple, LOAD, LoadedEdge};
 use scene::{Component, Fault, LoadKind};
 
-use crate::couple::{self, Couple, LoadedEdge};
 use crate::effort::{Clock, Effort};
-use crate::fe::template::{AXIS, CONTACT, LOAD};
 use crate::plan::Step;
 
-/// Degree and layers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Level {
-    /// Degree of the cells outside the layers; it falls with the layers, to 2 at least.
-    pub(crate) degree: usize,
-    /// Layers around each singular point.
-    pub(crate) layers: usize,
-    /// Whether the degree falls by one in every second layer instead of in each, for the bending of thin bodies.
-    pub(crate) slow: bool,
-}
-
-impl Level {
-    /// The layers that go with a degree: as many, so that both errors fall together, and the last layer, where the pressure of
-    /// a round trip is off by order one, is too small to count. A ring segment bends: its gap is a hundred times that of a block, and in the
-    /// smallest cells its last digits are pressure. It has three layers for four degrees, in which the degree falls half as fast.
-    pub(crate) fn of(degree: usize, bends: bool) -> Level {
-        Level { degree, layers: if bends { (3 * degree).div_ceil(4) } else { degree }, slow: bends }
-    }
-
-    /// Degree of a cell in a layer.
-    fn degree_in(self, layer: usize) -> usize {
-        let fall = if self.slow { layer / 2 } else { layer };
-        self.degree.saturating_sub(fall).max(2.min(self.degree))
-    }
-}
-
 /// Everything a body of one level is made of.
-pub(crate) struct BodyParts {
+pub struct BodyParts {
     key: &'static str,
     /// The mesh.
-    pub(crate) mesh: Mesh,
+    pub mesh: Mesh,
     degrees: Vec<usize>,
     kinematics: Kinematics,
     materials: Vec<Material>,
     supports: Vec<Support>,
     /// Names of the supported edges, one a support.
-    pub(crate) support_names: Vec<String>,
+    pub support_names: Vec<String>,
     rigid_edge: Option<RigidEdge>,
     load_cases: Vec<LoadCase<'static>>,
 }
 
 /// Load cases of body 1: a load of 1 N, then mean displacement functionals of the load edge along x, z, and in rotation.
-pub(crate) const MEAN_COLUMNS: [usize; 3] = [1, 2, 3];
+pub const MEAN_COLUMNS: [usize; 3] = [1, 2, 3];
 
 impl BodyParts {
     /// Body 1 (`shaped`) or body 2 on its mesh.
-    pub(crate) fn new(couple: &Couple, shaped: bool, mesh: Mesh, level: Level, kinematics: Kinematics) -> Result<BodyParts, Fault> {
+    pub fn new(couple: &Couple, shaped: bool, mesh: Mesh, level: Level, kinematics: Kinematics) -> Result<BodyParts, Fault> {
         let body = &couple.bodies[usize::from(!shaped)];
         let key = body.key;
         let materials = hpfem_materials(body).map_err(|error| {
@@ -116,22 +86,22 @@ impl BodyParts {
     }
 
     /// The wedge of the body at a vertex of its boundary.
-    pub(crate) fn corner(&self, vertex: usize, kinematics: Kinematics) -> Option<hpfem::Corner> {
+    pub fn corner(&self, vertex: usize, kinematics: Kinematics) -> Option<hpfem::Corner> {
         hpfem::Corner::at(&self.mesh, vertex, kinematics, &self.materials, &self.supports).ok().flatten()
     }
 
     /// Assembles and reduces the body.
-    pub(crate) fn reduce(&self, clock: Clock) -> Result<Body<'_>, Fault> {
+    pub fn reduce(&self, clock: Clock) -> Result<Body<'_>, Fault> {
         Body::timed(self.problem(), Additions::default(), clock).map_err(|error| self.not_held(&error))
     }
 
     /// Reduces the body to its contact edge, keeping nothing of its inside.
-    pub(crate) fn interface(&self, clock: Clock) -> Result<(InterfaceOperator, hpfem::Effort), Fault> {
+    pub fn interface(&self, clock: Clock) -> Result<(InterfaceOperator, hpfem::Effort), Fault> {
         Body::interface_timed(&self.problem(), clock).map_err(|error| self.not_held(&error))
     }
 
     /// What the reduction takes.
-    pub(crate) fn sizes(&self) -> Result<Sizes, Fault> {
+    pub fn sizes(&self) -> Result<Sizes, Fault> {
         Body::sizes(&self.problem()).map_err(|error| self.not_held(&error))
     }
 
@@ -156,20 +126,20 @@ impl BodyParts {
 }
 
 /// The two bodies of a level before their reduction.
-pub(crate) struct Parts {
-    pub(crate) parts: [BodyParts; 2],
+pub struct Parts {
+    pub parts: [BodyParts; 2],
     /// Whether the surfaces face each other across a gap.
-    pub(crate) facing: bool,
+    pub facing: bool,
 }
 
 impl Parts {
     /// Both bodies on their meshes.
-    pub(crate) fn new(couple: &Couple, [first, second]: [Mesh; 2], level: Level, facing: bool) -> Result<Parts, Fault> {
+    pub fn new(couple: &Couple, [first, second]: [Mesh; 2], level: Level, facing: bool) -> Result<Parts, Fault> {
         Parts::of(couple, [first, second], level, (couple.kinematics, facing))
     }
 
     /// The scalar problem of twisting on the same meshes.
-    pub(crate) fn torsion(couple: &Couple, [first, second]: [Mesh; 2], level: Level, facing: bool) -> Result<Parts, Fault> {
+    pub fn torsion(couple: &Couple, [first, second]: [Mesh; 2], level: Level, facing: bool) -> Result<Parts, Fault> {
         Parts::of(couple, [first, second], level, (Kinematics::Torsion, facing))
     }
 
@@ -187,14 +157,14 @@ impl Parts {
     }
 
     /// Assembles and reduces both bodies.
-    pub(crate) fn reduce(&self, clock: Clock) -> Result<([Body<'_>; 2], Effort), Fault> {
+    pub fn reduce(&self, clock: Clock) -> Result<([Body<'_>; 2], Effort), Fault> {
         let bodies = [self.parts[0].reduce(clock)?, self.parts[1].reduce(clock)?];
         let effort = counted([0, 1].map(|k| (&bodies[k].interface, bodies[k].effort)));
         Ok((bodies, effort))
     }
 
     /// Reduces both bodies to their contact surface, keeping nothing of their inside.
-    pub(crate) fn interfaces(&self, clock: Clock) -> Result<([InterfaceOperator; 2], Effort), Fault> {
+    pub fn interfaces(&self, clock: Clock) -> Result<([InterfaceOperator; 2], Effort), Fault> {
         let [(first, effort), (second, other)] = [self.parts[0].interface(clock)?, self.parts[1].interface(clock)?];
         let effort = counted([(&first, effort), (&second, other)]);
         Ok(([first, second], effort))
@@ -215,7 +185,7 @@ fn counted(bodies: [(&InterfaceOperator, hpfem::Effort); 2]) -> Effort {
 }
 
 /// The materials of a body, by the index that its cells have.
-pub(crate) fn hpfem_materials(body: &couple::Body) -> Result<Vec<Material>, hpfem::Error> {
+pub fn hpfem_materials(body: &couple::Body) -> Result<Vec<Material>, hpfem::Error> {
     body.materials.iter().map(|m| Material::new(m.young.0, m.poisson)).collect()
 }
 

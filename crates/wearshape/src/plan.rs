@@ -1,13 +1,13 @@
 //! The plan: which stages a scene needs, and why the others are left out.
 
-use serde::Serialize;
 use scene::{Component, Task};
+use serde::Serialize;
 
 use crate::problem::Problem;
 
 /// A stage of a run, in the words of the summary and of timing.json.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-pub(crate) enum Step {
+pub enum Step {
     /// The force of a prescribed approach.
     #[serde(rename = "force of the approach")]
     Force,
@@ -66,27 +66,27 @@ pub(crate) enum Step {
 
 impl Step {
     /// Its name in files and on the screen.
-    pub(crate) fn name(self) -> String {
+    pub fn name(self) -> String {
         serde_json::to_value(self).ok().and_then(|name| name.as_str().map(str::to_string)).unwrap_or_default()
     }
 }
 
 /// A step of the plan.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub(crate) struct Stage {
+pub struct Stage {
     /// What is done.
-    pub(crate) name: Step,
+    pub name: Step,
     /// Whether it is done.
-    pub(crate) ran: bool,
+    pub ran: bool,
     /// Why, or why not.
-    pub(crate) because: &'static str,
+    pub because: &'static str,
 }
 
 /// All stages in their order.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct Plan {
+pub struct Plan {
     /// The stages.
-    pub(crate) stages: Vec<Stage>,
+    pub stages: Vec<Stage>,
 }
 
 /// What of a problem decides about the stages.
@@ -209,14 +209,14 @@ impl Facts {
 
 impl Plan {
     /// The plan of a problem.
-    pub(crate) fn new(problem: &Problem, tasks: &[Task], check: bool) -> Plan {
+    pub fn new(problem: &Problem, tasks: &[Task], check: bool) -> Plan {
         let facts = Facts::of(problem, tasks, check);
         let stage = |(name, rule): &(Step, Rule)| rule(&facts).map(|(ran, because)| Stage { name: *name, ran, because });
         Plan { stages: TABLE.iter().filter_map(stage).collect() }
     }
 
     /// Whether a stage is part of the run.
-    pub(crate) fn runs(&self, step: Step) -> bool {
+    pub fn runs(&self, step: Step) -> bool {
         self.stages.iter().any(|stage| stage.name == step && stage.ran)
     }
 }

@@ -5,40 +5,40 @@ use scene::number_text;
 
 /// Numbers at the contact points, in order along the surface; NaN where not available.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(crate) struct Profile {
+pub struct Profile {
     /// Arc length from the middle, or r (mm).
-    pub(crate) s: Vec<f64>,
+    pub s: Vec<f64>,
     /// Position (mm).
-    pub(crate) position: Vec<[f64; 3]>,
+    pub position: Vec<[f64; 3]>,
     /// Unit normal out of body 2 into body 1.
-    pub(crate) normal: Vec<[f64; 3]>,
+    pub normal: Vec<[f64; 3]>,
     /// Area weight (mm^2).
-    pub(crate) weight: Vec<f64>,
+    pub weight: Vec<f64>,
     /// Pressure of the last task: optimal, solved, wanted, current (MPa).
-    pub(crate) pressure: Vec<f64>,
+    pub pressure: Vec<f64>,
     /// Pressure of the round trip (MPa).
-    pub(crate) pressure_solved: Vec<f64>,
+    pub pressure_solved: Vec<f64>,
     /// Shear on body 1 along tau (MPa).
-    pub(crate) shear: Vec<f64>,
+    pub shear: Vec<f64>,
     /// Unloaded gap (um).
-    pub(crate) gap: Vec<f64>,
+    pub gap: Vec<f64>,
     /// Gap under load (um).
-    pub(crate) opening: Vec<f64>,
+    pub opening: Vec<f64>,
     /// Wear rate of both bodies (um/s).
-    pub(crate) wear_rate: Vec<f64>,
+    pub wear_rate: Vec<f64>,
     /// Normal displacement of body 1 and 2 (um).
-    pub(crate) normal_displacement: [Vec<f64>; 2],
+    pub normal_displacement: [Vec<f64>; 2],
     /// Displacement along tau of body 1 and 2 (um).
-    pub(crate) tangential_displacement: [Vec<f64>; 2],
+    pub tangential_displacement: [Vec<f64>; 2],
     /// Displacement around the axis of body 1 and 2, positive anti-clockwise (um).
-    pub(crate) hoop_displacement: [Vec<f64>; 2],
+    pub hoop_displacement: [Vec<f64>; 2],
     /// contact, open, stick or slip.
-    pub(crate) status: Vec<&'static str>,
+    pub status: Vec<&'static str>,
 }
 
 impl Profile {
     /// A profile of points without results: every column of results is NaN.
-    pub(crate) fn new(s: Vec<f64>, points: &[wear::SurfacePoint]) -> Profile {
+    pub fn new(s: Vec<f64>, points: &[wear::SurfacePoint]) -> Profile {
         let nothing = vec![f64::NAN; points.len()];
         let pair = || [nothing.clone(), nothing.clone()];
         Profile {
@@ -60,7 +60,7 @@ impl Profile {
     }
 
     /// The table as CSV.
-    pub(crate) fn csv(&self) -> String {
+    pub fn csv(&self) -> String {
         let mut out = String::from(
             "s_mm,x_mm,y_mm,z_mm,nx,ny,nz,weight_mm2,pressure_MPa,pressure_solved_MPa,shear_MPa,gap_um,opening_um,\
              wear_rate_um_per_s,un1_um,un2_um,ut1_um,ut2_um,uphi1_um,uphi2_um,status\n",

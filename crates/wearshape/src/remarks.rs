@@ -1,29 +1,28 @@
 //! What the theory has to say about a scene before it is solved.
 
+use meshing::{Body, edge_curves};
+use scene::{Balance, Functional, Geometry, Task, short, with_short_numbers};
 use serde::Serialize;
 use wear::Shape;
-use scene::{Balance, Functional, Geometry, Task, short, with_short_numbers};
 
-use crate::couple::Body;
 use crate::freedom::Role;
-use crate::given::edge_curves;
 use crate::problem::{Optimum, Problem};
 use crate::setup::s_minus_1;
 use crate::solution::Solution;
 
 /// A remark: the scene is legal, and something about it is worth knowing.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub(crate) struct Lint {
+pub struct Remark {
     /// Hyphenated word.
-    pub(crate) code: &'static str,
+    pub code: &'static str,
     /// One or two sentences.
-    pub(crate) message: String,
+    pub message: String,
 }
 
 /// All remarks, in a fixed order.
-pub(crate) fn lints(problem: &Problem, tasks: &[Task]) -> Vec<Lint> {
+pub fn lints(problem: &Problem, tasks: &[Task]) -> Vec<Remark> {
     let mut found = Vec::new();
-    let mut say = |code: &'static str, message: String| found.push(Lint { code, message: with_short_numbers(&message) });
+    let mut say = |code: &'static str, message: String| found.push(Remark { code, message: with_short_numbers(&message) });
     materials(problem, &mut say);
     if problem.wear.of_friction && problem.friction.coefficient == 0.0 && tasks != [Task::Contact] {
         let message = "Friction is 0 and wear.beta stands in front of the friction stress: nothing wears, and rates, powers, multipliers and feed are 0. Pressure and shape are as for vanishing friction; wear.k wears without friction.";
@@ -97,12 +96,12 @@ fn jamming(problem: &Problem, say: &mut impl FnMut(&'static str, String)) {
 const WORN: f64 = 0.1;
 
 /// Remarks on what a run came to.
-pub(crate) fn after(problem: &Problem, solution: &Solution) -> Vec<Lint> {
+pub fn after(problem: &Problem, solution: &Solution) -> Vec<Remark> {
     other_solutions(solution).into_iter().chain(worn_through(problem, solution)).collect()
 }
 
 /// What friction does to the one solution of a contact.
-fn other_solutions(solution: &Solution) -> Option<Lint> {
+fn other_solutions(solution: &Solution) -> Option<Remark> {
     let found = solution.contact.as_ref()?.uniqueness.as_ref()?;
     let from = short(found.not_guaranteed_from?);
     let message = match (found.verdict.as_str(), found.singular_from.or(found.lost_from)) {
@@ -120,13 +119,13 @@ fn other_solutions(solution: &Solution) -> Option<Lint> {
     };
     let branches = matches!(found.verdict.as_str(), "singular" | "several");
     let code = if branches { "several-solutions" } else { "not-guaranteed-unique" };
-    Some(Lint { code, message })
+    Some(Remark { code, message })
 }
 
 /// Wear beyond what body 1's stiffness stands for.
-fn worn_through(problem: &Problem, solution: &Solution) -> Option<Lint> {
+fn worn_through(problem: &Problem, solution: &Solution) -> Option<Remark> {
     let depth = 1e-3 * solution.wear.as_ref()?.depth_um?;
-    let thickness = thickness(&problem.couple.as_ref()?.bodies[0])?;
+    let thickness = outline(&problem.couple.as_ref()?.bodies[0]).thickness;
     let allowed = WORN * thickness;
     if depth <= allowed {
         return None;
@@ -140,27 +139,7 @@ fn worn_through(problem: &Problem, solution: &Solution) -> Option<Lint> {
         short(depth),
         short(thickness)
     );
-    Some(Lint { code: "wear-beyond-body", message })
-}
-
-/// Thickness of body 1 above the middle of its contact edge, mm; cells that the user gives: from there to their highest vertex.
-fn thickness(body: &Body) -> Option<f64> {
-    match &body.geometry {
-        Geometry::ShoeBlock(shoe) => Some(shoe.top.0 - shoe.radius.0),
-        Geometry::Ring(ring) => Some(ring.outer.0 - ring.inner.0),
-        Geometry::Rectangle(rectangle) => Some(rectangle.z[1].0 - rectangle.z[0].0),
-        Geometry::RingSegment(segment) => Some(segment.outer.0 - segment.inner.0),
-        Geometry::HalfDisc(disc) => Some(disc.radius.0),
-        Geometry::Blocks(_) | Geometry::Mesh(_) => {
-            let mesh = body.cells.as_ref()?;
-            let curves = edge_curves(mesh, &body.contact);
-            let along: Vec<[f64; 2]> = curves.iter().flat_map(|curve| [-1.0, 0.0, 1.0].map(|t| curve.point(t))).collect();
-            let ends = along.iter().fold([f64::MAX, f64::MIN], |[a, b], x| [a.min(x[0]), b.max(x[0])]);
-            let off = |x: &[f64; 2]| (x[0] - 0.5 * (ends[0] + ends[1])).abs();
-            let middle = along.iter().min_by(|a, b| off(a).total_cmp(&off(b)))?;
-            Some(mesh.vertices.iter().map(|x| x[1]).fold(f64::MIN, f64::max) - middle[1])
-        }
-    }
+    Some(Remark { code: "wear-beyond-body", message })
 }
 
 /// Moments on a plane strip: full contact needs |M| <= F c k / (k + 2), k = 1/(s - 1).

@@ -1,28 +1,26 @@
 //! Which of the three kinds of contact two bodies have: a surface known beforehand, a round body on a flat one, a half-disc on a rectangle.
 
+use meshing::{Body, Cut, HalfDiscOnFlat};
 use scene::Fault;
 
+use crate::bodies::Bodies;
 use crate::body_field::FieldFrame;
-use crate::couple::Body;
 use crate::effort::Effort;
-use crate::fe::answer::Outcome;
-use crate::fe::bodies::{Level, Parts};
-use crate::fe::ends::{self, Setting};
-use crate::fe::ends_scope;
-use crate::fe::half_disc::HalfDiscOnFlat;
-use crate::fe::operators::Bodies;
-use crate::fe::recover;
-use crate::fe::round::{Round, RoundContact};
-use crate::fe::stage::Stage;
-use crate::fe::template::Cut;
 use crate::ladder::Refusal;
+use crate::level::Level;
 use crate::options::Options;
+use crate::parts::Parts;
 use crate::plan::Step;
 use crate::problem::Problem;
+use crate::stage::Stage;
+use crate::steps::{ends_scope, recover};
+use crate::steps::answer::Outcome;
+use crate::steps::ends::{self, Setting};
+use crate::steps::round::{Round, RoundContact};
 use crate::watch::Watch;
 
 /// A contact, ready to be solved.
-pub(crate) enum Scope<'a> {
+pub enum Scope<'a> {
     /// On a surface known without a mesh.
     Known(Stage<'a>),
     /// A round body on a flat one of which at least one is given by its cells.
@@ -33,7 +31,7 @@ pub(crate) enum Scope<'a> {
 
 impl<'a> Scope<'a> {
     /// The contact of a problem.
-    pub(crate) fn of(problem: &'a Problem, options: &'a Options<'a>, bodies: &'a Bodies) -> Result<Scope<'a>, Fault> {
+    pub fn of(problem: &'a Problem, options: &'a Options<'a>, bodies: &'a Bodies) -> Result<Scope<'a>, Fault> {
         let Some(couple) = &problem.couple else { return Stage::new(problem, options, bodies).map(Scope::Known) };
         if let Some(disc) = HalfDiscOnFlat::of(couple)? {
             return Ok(Scope::HalfDisc(Setting::new(problem, couple, disc, options)));
@@ -45,7 +43,7 @@ impl<'a> Scope<'a> {
     }
 
     /// Refuses what is not built yet.
-    pub(crate) fn available(&self) -> Result<(), Fault> {
+    pub fn available(&self) -> Result<(), Fault> {
         match self {
             Scope::HalfDisc(setting) => ends_scope::available(setting),
             Scope::Round(round) => round.available(),
@@ -56,7 +54,7 @@ impl<'a> Scope<'a> {
     }
 
     /// Meshes, supports and loads of a level, on first guesses of the ends of a round contact.
-    pub(crate) fn parts(&self, level: Level) -> Result<Parts, Fault> {
+    pub fn parts(&self, level: Level) -> Result<Parts, Fault> {
         match self {
             Scope::Known(stage) => Ok(stage.parts(level, Cut::Plain)?.0),
             Scope::Round(round) => round.first_parts(level),
@@ -71,7 +69,7 @@ impl<'a> Scope<'a> {
     }
 
     /// Solves a contact that is not on a known surface, with the fields if they are asked for; `None` for one that is.
-    pub(crate) fn solve(&self, watch: &mut Watch<'_>) -> Result<Option<(Outcome, Effort, Vec<FieldFrame>)>, Refusal> {
+    pub fn solve(&self, watch: &mut Watch<'_>) -> Result<Option<(Outcome, Effort, Vec<FieldFrame>)>, Refusal> {
         let setting = match self {
             Scope::Known(_) => return Ok(None),
             Scope::Round(round) => return round.solve(watch).map(Some),

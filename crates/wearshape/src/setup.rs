@@ -9,23 +9,22 @@ mod twist;
 mod unused;
 mod wear_rule;
 
+use meshing::{Couple, Files};
 use scene::{Document, Fault, Gap, Scene};
 
-use crate::couple::Couple;
-use crate::given::Files;
+use crate::{freedom, lints};
 use crate::plan::Plan;
 use crate::problem::Friction;
 use crate::surface::Patch;
-use crate::{freedom, lints};
 
-pub(crate) use crate::problem::Problem;
+pub use crate::problem::Problem;
 
-pub(crate) use bodies::template;
-pub(crate) use optimum::{kind, s_minus_1};
-pub(crate) use twist::turns;
+pub use bodies::template;
+pub use optimum::{kind, s_minus_1};
+pub use twist::turns;
 
 /// Checks a scene and fills in its defaults.
-pub(crate) fn setup(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
+pub fn setup(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     check(document, files).map_err(|fault| document.locate(fault))
 }
 
@@ -71,7 +70,7 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     };
     problem.plan = Plan::new(&problem, &tasks, problem.scene.check.unwrap_or(true));
     problem.freedoms = problem.own_freedoms();
-    problem.lints = lints::lints(&problem, &tasks);
+    problem.lints = remarks::lints(&problem, &tasks);
     Ok(problem)
 }
 
@@ -81,18 +80,4 @@ fn friction(scene: &Scene) -> Friction {
         coefficient: contact.and_then(|contact| contact.friction).unwrap_or(0.0),
         on_bodies: contact.and_then(|contact| contact.shear).unwrap_or(true),
     }
-}
-
-/// A number that must be finite and positive.
-pub(crate) fn positive(key: &str, value: f64, what: &str, unit: &str) -> Result<(), Fault> {
-    if value.is_finite() && value > 0.0 {
-        return Ok(());
-    }
-    let kind = if value == 0.0 { "zero" } else { "negative" };
-    Err(Fault::at(key, "wrong-value", format!("{kind} {what}: {key} = {value}{unit}"), format!("give a {what} greater than 0")))
-}
-
-/// A missing key, blamed on its table.
-pub(crate) fn missing(key: &str, why: &str, example: &str) -> Fault {
-    Fault::at(key, "missing-key", format!("the key `{key}` is missing: {why}"), format!("add `{example}`"))
 }

@@ -4,15 +4,15 @@ use serde::Serialize;
 
 use crate::body_field::FieldFrame;
 use crate::effort::Effort;
-use crate::lints::Lint;
 use crate::machined::Machined;
 use crate::profile::Profile;
+use crate::remarks::Remark;
 use crate::watch::Resume;
 
 /// How a run ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub(crate) enum Status {
+pub enum Status {
     /// Everything asked for was computed.
     #[default]
     Ok,
@@ -28,328 +28,328 @@ pub(crate) enum Status {
 
 /// Everything a run knows when it is done. A stage that did not run is `None`.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Solution {
+pub struct Solution {
     /// How it ended.
-    pub(crate) status: Status,
+    pub status: Status,
     /// Why, when it did not end well: one sentence.
-    pub(crate) reason: Option<String>,
+    pub reason: Option<String>,
     /// The optimal pressure.
-    pub(crate) pressure: Option<PressureResult>,
+    pub pressure: Option<PressureResult>,
     /// The contact of the bodies as given.
-    pub(crate) contact: Option<ContactResult>,
+    pub contact: Option<ContactResult>,
     /// The shape.
-    pub(crate) shape: Option<ShapeResult>,
+    pub shape: Option<ShapeResult>,
     /// Wear in time.
-    pub(crate) wear: Option<WearResult>,
+    pub wear: Option<WearResult>,
     /// Strain energies.
-    pub(crate) energy: Option<EnergyResult>,
+    pub energy: Option<EnergyResult>,
     /// Reaction of each supported edge, by "body1.left".
-    pub(crate) reactions: Vec<(String, Reaction)>,
+    pub reactions: Vec<(String, Reaction)>,
     /// Estimated errors.
-    pub(crate) error: Option<ErrorResult>,
+    pub error: Option<ErrorResult>,
     /// Condition of the system on the contact surface.
-    pub(crate) interface: Option<InterfaceResult>,
+    pub interface: Option<InterfaceResult>,
     /// Columns at the contact points, of the last task.
-    pub(crate) profile: Option<Profile>,
+    pub profile: Option<Profile>,
     /// The same at evenly spaced points of a surface known without a mesh, for pictures.
-    pub(crate) curve: Option<Profile>,
+    pub curve: Option<Profile>,
     /// Columns of history.csv: name and values.
-    pub(crate) history: Vec<(String, Vec<f64>)>,
+    pub history: Vec<(String, Vec<f64>)>,
     /// The levels of the last task that has any.
-    pub(crate) ladder: Vec<Rung>,
+    pub ladder: Vec<Rung>,
     /// The surface to machine, of a shape.
-    pub(crate) machined: Option<Machined>,
+    pub machined: Option<Machined>,
     /// Displacement and stress inside the bodies, the reported moment first; empty unless an output asks for them.
-    pub(crate) fields: Vec<FieldFrame>,
+    pub fields: Vec<FieldFrame>,
     /// Remarks that only the result could tell.
-    pub(crate) lints: Vec<Lint>,
+    pub lints: Vec<Remark>,
     /// What it took.
-    pub(crate) effort: Effort,
+    pub effort: Effort,
     /// An unfinished run in time that was stopped, to go on with.
-    pub(crate) resume: Option<Resume>,
+    pub resume: Option<Resume>,
 }
 
 /// One number for each role of a rigid mode.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub(crate) struct ByRole {
+pub struct ByRole {
     /// Of the pressing force.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) force: Option<f64>,
+    pub force: Option<f64>,
     /// Of the moment.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) moment: Option<f64>,
+    pub moment: Option<f64>,
     /// Of the second moment.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) moment_y: Option<f64>,
+    pub moment_y: Option<f64>,
     /// Of the force along x.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) side_force: Option<f64>,
+    pub side_force: Option<f64>,
 }
 
 /// A concentrated force of a singular pressure.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[allow(non_snake_case)]
-pub(crate) struct PointForce {
+pub struct PointForce {
     /// Place.
-    pub(crate) x_mm: f64,
+    pub x_mm: f64,
     /// Place.
-    pub(crate) y_mm: f64,
+    pub y_mm: f64,
     /// Place.
-    pub(crate) z_mm: f64,
+    pub z_mm: f64,
     /// Normal force there; for lines and circles of the whole line.
-    pub(crate) force_N: f64,
+    pub force_N: f64,
 }
 
 /// `summary.pressure`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 #[allow(non_snake_case)]
-pub(crate) struct PressureResult {
+pub struct PressureResult {
     /// Functional in the scene's word.
-    pub(crate) functional: String,
+    pub functional: String,
     /// Its q; only the three functionals of the paper use it.
-    pub(crate) q: Option<f64>,
+    pub q: Option<f64>,
     /// equilibrium or paper.
-    pub(crate) balance: String,
+    pub balance: String,
     /// kinematic or associated.
-    pub(crate) modes: String,
+    pub modes: String,
     /// Exponent s.
-    pub(crate) s: Option<f64>,
+    pub s: Option<f64>,
     /// Exponent k = 1/(s - 1).
-    pub(crate) k: Option<f64>,
+    pub k: Option<f64>,
     /// minimum, maximum, indifferent, stationary.
-    pub(crate) character: String,
+    pub character: String,
     /// regular, near-singular, singular, partial-contact, infeasible, several.
-    pub(crate) regime: String,
+    pub regime: String,
     /// Forces of a singular pressure.
-    pub(crate) limit_measure: Vec<PointForce>,
+    pub limit_measure: Vec<PointForce>,
     /// Multiplier of each resultant.
-    pub(crate) multipliers: ByRole,
+    pub multipliers: ByRole,
     /// Rigid velocity of wear.
-    pub(crate) feed: Option<ByRole>,
+    pub feed: Option<ByRole>,
     /// Smallest pressure.
-    pub(crate) p_min_MPa: Option<f64>,
+    pub p_min_MPa: Option<f64>,
     /// Largest pressure.
-    pub(crate) p_max_MPa: Option<f64>,
+    pub p_max_MPa: Option<f64>,
     /// Mean pressure.
-    pub(crate) p_mean_MPa: Option<f64>,
+    pub p_mean_MPa: Option<f64>,
     /// Carried pressing force.
-    pub(crate) force_N: Option<f64>,
+    pub force_N: Option<f64>,
     /// Carried moment.
-    pub(crate) moment_Nmm: Option<f64>,
+    pub moment_Nmm: Option<f64>,
     /// int p dS.
-    pub(crate) normal_force_N: Option<f64>,
+    pub normal_force_N: Option<f64>,
     /// Wear volume a second of both bodies.
-    pub(crate) wear_volume_rate_mm3_per_s: Option<f64>,
+    pub wear_volume_rate_mm3_per_s: Option<f64>,
     /// Friction power.
-    pub(crate) friction_power_mW: Option<f64>,
+    pub friction_power_mW: Option<f64>,
     /// Wear power.
-    pub(crate) wear_power_mW: Option<f64>,
+    pub wear_power_mW: Option<f64>,
     /// Friction torque.
-    pub(crate) torque_Nmm: Option<f64>,
+    pub torque_Nmm: Option<f64>,
     /// Torque over mu times force.
-    pub(crate) effective_radius_mm: Option<f64>,
+    pub effective_radius_mm: Option<f64>,
     /// How far the wear is from a rigid motion.
-    pub(crate) steadiness_residual: Option<f64>,
+    pub steadiness_residual: Option<f64>,
     /// How far the wear of both bodies is from proportional.
-    pub(crate) congruence_residual: Option<f64>,
+    pub congruence_residual: Option<f64>,
 }
 
 /// `summary.contact`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 #[allow(non_snake_case)]
-pub(crate) struct ContactResult {
+pub struct ContactResult {
     /// Status of the solve.
-    pub(crate) status: String,
+    pub status: String,
     /// Contact force.
-    pub(crate) force_N: Option<f64>,
+    pub force_N: Option<f64>,
     /// Contact moment.
-    pub(crate) moment_Nmm: Option<f64>,
+    pub moment_Nmm: Option<f64>,
     /// Closing of body 1.
-    pub(crate) approach_mm: Option<f64>,
+    pub approach_mm: Option<f64>,
     /// Rotation of body 1.
-    pub(crate) tilt_rad: Option<f64>,
+    pub tilt_rad: Option<f64>,
     /// Ends of contact.
-    pub(crate) ends_mm: Vec<f64>,
+    pub ends_mm: Vec<f64>,
     /// Largest pressure.
-    pub(crate) p_max_MPa: Option<f64>,
+    pub p_max_MPa: Option<f64>,
     /// Exponents of the pressure at sharp ends.
-    pub(crate) edge_exponents: Vec<f64>,
+    pub edge_exponents: Vec<f64>,
     /// Ends of the sticking zone.
-    pub(crate) stick_ends_mm: Vec<f64>,
+    pub stick_ends_mm: Vec<f64>,
     /// Largest shear.
-    pub(crate) q_max_MPa: Option<f64>,
+    pub q_max_MPa: Option<f64>,
     /// Body 1 turned about the axis.
-    pub(crate) twist: Option<TwistResult>,
+    pub twist: Option<TwistResult>,
     /// Other solutions under friction.
-    pub(crate) uniqueness: Option<UniquenessResult>,
+    pub uniqueness: Option<UniquenessResult>,
     /// Residual of p g = 0.
-    pub(crate) complementarity: Option<f64>,
+    pub complementarity: Option<f64>,
     /// Iterations.
-    pub(crate) iterations: Option<usize>,
+    pub iterations: Option<usize>,
 }
 
 /// `summary.contact.twist`: one number a step of the history.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 #[allow(non_snake_case)]
-pub(crate) struct TwistResult {
+pub struct TwistResult {
     /// sticks, slips-in-part, slips or turns-through, at the end of the last step.
-    pub(crate) status: String,
+    pub status: String,
     /// Rotation of the edge on which body 1 is held.
-    pub(crate) angle_rad: Vec<f64>,
+    pub angle_rad: Vec<f64>,
     /// Torque on body 1.
-    pub(crate) torque_Nmm: Vec<f64>,
+    pub torque_Nmm: Vec<f64>,
     /// Torque at which the whole contact slips.
-    pub(crate) slip_torque_Nmm: f64,
+    pub slip_torque_Nmm: f64,
 }
 
 /// `summary.contact.uniqueness`: coefficients of friction up to that of the scene.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub(crate) struct UniquenessResult {
+pub struct UniquenessResult {
     /// guaranteed, not-guaranteed, singular, or several.
-    pub(crate) verdict: String,
+    pub verdict: String,
     /// From where one solution is not guaranteed.
-    pub(crate) not_guaranteed_from: Option<f64>,
+    pub not_guaranteed_from: Option<f64>,
     /// From where the determinant of the system has changed its sign.
-    pub(crate) singular_from: Option<f64>,
+    pub singular_from: Option<f64>,
     /// From where the solution followed from no friction is lost.
-    pub(crate) lost_from: Option<f64>,
+    pub lost_from: Option<f64>,
 }
 
 /// `summary.interface`: the scaled system of the points in contact that the last contact solve rests on.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub(crate) struct InterfaceResult {
+pub struct InterfaceResult {
     /// Largest over smallest singular value.
-    pub(crate) condition: f64,
+    pub condition: f64,
     /// The smallest; it vanishes where solutions branch.
-    pub(crate) smallest_singular_value: f64,
+    pub smallest_singular_value: f64,
 }
 
 /// `summary.shape`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub(crate) struct ShapeResult {
+pub struct ShapeResult {
     /// Passes of the gap iteration.
-    pub(crate) iterations: usize,
+    pub iterations: usize,
     /// Largest gap.
-    pub(crate) gap_max_um: Option<f64>,
+    pub gap_max_um: Option<f64>,
     /// Where it is.
-    pub(crate) gap_where_mm: Option<f64>,
+    pub gap_where_mm: Option<f64>,
     /// Crown height: the largest gap; above the lowest one where the rigid part is prescribed.
-    pub(crate) crown_um: Option<f64>,
+    pub crown_um: Option<f64>,
     /// Rigid part taken out.
-    pub(crate) rigid_mm: Option<f64>,
+    pub rigid_mm: Option<f64>,
     /// Round trip on the same operators.
-    pub(crate) roundtrip_same: Option<f64>,
+    pub roundtrip_same: Option<f64>,
     /// Round trip on another discretisation.
-    pub(crate) roundtrip_independent: Option<f64>,
+    pub roundtrip_independent: Option<f64>,
     /// What errors of the shape do.
-    pub(crate) tolerance: Vec<ToleranceResult>,
+    pub tolerance: Vec<ToleranceResult>,
 }
 
 /// One entry of `summary.shape.tolerance`: an error of the shape in proportion to its amplitude.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub(crate) struct ToleranceResult {
+pub struct ToleranceResult {
     /// What kind of error; L is the length of the surface.
-    pub(crate) error: String,
+    pub error: String,
     /// Amplitude of the error.
-    pub(crate) amplitude_um: f64,
+    pub amplitude_um: f64,
     /// Largest change of the pressure over the inner 95 % of the surface, over the mean pressure.
-    pub(crate) pressure_change_relative: f64,
+    pub pressure_change_relative: f64,
     /// Root mean square of the change over the whole surface, over the mean pressure.
-    pub(crate) pressure_change_rms: f64,
+    pub pressure_change_rms: f64,
     /// Amplitude that changes the pressure by 10 % of its mean.
-    pub(crate) within_10_percent_um: f64,
+    pub within_10_percent_um: f64,
     /// Sliding distance in which wear takes the change down to 1/e.
-    pub(crate) run_in_distance_mm: Option<f64>,
+    pub run_in_distance_mm: Option<f64>,
 }
 
 /// `summary.wear`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub(crate) struct WearResult {
+pub struct WearResult {
     /// Status of the integration.
-    pub(crate) status: String,
+    pub status: String,
     /// Accepted steps.
-    pub(crate) steps: usize,
+    pub steps: usize,
     /// Rejected steps.
-    pub(crate) rejected_steps: usize,
+    pub rejected_steps: usize,
     /// Time reached.
-    pub(crate) time_s: Option<f64>,
+    pub time_s: Option<f64>,
     /// Sliding distance.
-    pub(crate) distance_mm: Option<f64>,
+    pub distance_mm: Option<f64>,
     /// Whether it is steady.
-    pub(crate) steady: bool,
+    pub steady: bool,
     /// Depth.
-    pub(crate) depth_um: Option<f64>,
+    pub depth_um: Option<f64>,
     /// Volume.
-    pub(crate) volume_mm3: Option<f64>,
+    pub volume_mm3: Option<f64>,
     /// Largest stable explicit step.
-    pub(crate) explicit_step_limit_s: Option<f64>,
+    pub explicit_step_limit_s: Option<f64>,
     /// Run-in distance of the slowest modes.
-    pub(crate) run_in_distance_mm: Vec<f64>,
+    pub run_in_distance_mm: Vec<f64>,
     /// Largest relative growth of the Lyapunov function in a step; without shear on the bodies it never grows.
-    pub(crate) lyapunov_increase: Option<f64>,
+    pub lyapunov_increase: Option<f64>,
     /// What it took until the pressure stayed within 1 % of the steady one (relative L2).
-    pub(crate) to_1_percent: Option<Settled>,
+    pub to_1_percent: Option<Settled>,
 }
 
 /// `summary.wear.to_1_percent`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub(crate) struct Settled {
+pub struct Settled {
     /// Time.
-    pub(crate) time_s: f64,
+    pub time_s: f64,
     /// Sliding distance.
-    pub(crate) distance_mm: f64,
+    pub distance_mm: f64,
     /// Largest depth worn off body 1.
-    pub(crate) depth_um: f64,
+    pub depth_um: f64,
     /// Volume worn off both bodies.
-    pub(crate) volume_mm3: f64,
+    pub volume_mm3: f64,
 }
 
 /// `summary.energy`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 #[allow(non_snake_case)]
-pub(crate) struct EnergyResult {
+pub struct EnergyResult {
     /// Strain energy of body 1.
-    pub(crate) body1_Nmm: Option<f64>,
+    pub body1_Nmm: Option<f64>,
     /// Strain energy of body 2.
-    pub(crate) body2_Nmm: Option<f64>,
+    pub body2_Nmm: Option<f64>,
 }
 
 /// One entry of `summary.reactions`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 #[allow(non_snake_case)]
-pub(crate) struct Reaction {
+pub struct Reaction {
     /// Along x.
-    pub(crate) x_N: Option<f64>,
+    pub x_N: Option<f64>,
     /// Along z.
-    pub(crate) z_N: Option<f64>,
+    pub z_N: Option<f64>,
     /// Moment.
-    pub(crate) moment_Nmm: Option<f64>,
+    pub moment_Nmm: Option<f64>,
 }
 
 /// What a level of the ladder says about the error.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(crate) struct Rung {
+pub struct Rung {
     /// What is compared: gap or pressure.
-    pub(crate) quantity: &'static str,
+    pub quantity: &'static str,
     /// Degree of the level.
-    pub(crate) degree: usize,
+    pub degree: usize,
     /// Relative difference from the level before.
-    pub(crate) change: Option<f64>,
+    pub change: Option<f64>,
     /// Estimated relative error, from this level and the two before it.
-    pub(crate) estimate: Option<f64>,
+    pub estimate: Option<f64>,
 }
 
 /// `summary.error`: estimated relative errors.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub(crate) struct ErrorResult {
+pub struct ErrorResult {
     /// Of the gap.
-    pub(crate) gap_relative: Option<f64>,
+    pub gap_relative: Option<f64>,
     /// Of the pressure.
-    pub(crate) pressure_relative: Option<f64>,
+    pub pressure_relative: Option<f64>,
     /// Of the energy.
-    pub(crate) energy_relative: Option<f64>,
+    pub energy_relative: Option<f64>,
     /// Of the torque of a twist, or of its angle where the torque is given.
-    pub(crate) twist_relative: Option<f64>,
+    pub twist_relative: Option<f64>,
     /// How they were estimated.
-    pub(crate) how: String,
+    pub how: String,
 }

@@ -1,22 +1,26 @@
 //! Runs the stages of the plan and puts the solution together.
 
-pub(crate) mod pressure;
-
 use scene::Fault;
 
+use crate::remarks;
+use crate::bodies::Bodies;
 use crate::effort::Effort;
-use crate::fe::{self, Before, Bodies, Outcome, Reported, Scope, Stage};
 use crate::ladder::Refusal;
-use crate::lints;
 use crate::options::Options;
 use crate::plan::Step;
 use crate::problem::Problem;
+use crate::scope::Scope;
 use crate::solution::{ErrorResult, Solution, Status};
+use crate::stage::Stage;
+use crate::steps::{approach, contact, pressure, recover, shape, torsion, wear};
+use crate::steps::answer::Outcome;
+use crate::steps::recover::Reported;
+use crate::steps::shape::Before;
 use crate::watch::Watch;
 
 /// Computes everything the plan lists. What has no answer is a solution with its status; an `Err` is the user's to mend. `bodies` keeps what
 /// was factorised for problems with the same bodies; `watch` is told what happens, and ends the solve by `Break`.
-pub(crate) fn solve(
+pub fn solve(
     problem: &Problem,
     options: &Options<'_>,
     bodies: &Bodies,
@@ -28,7 +32,7 @@ pub(crate) fn solve(
         Err(Refusal::Reason(reason)) => (solution.status, solution.reason) = (Status::Refused, Some(reason)),
         Err(Refusal::Fault(fault)) => return Err(fault),
     }
-    let after = lints::after(problem, &solution);
+    let after = remarks::after(problem, &solution);
     solution.lints.extend(after);
     Ok(solution)
 }
@@ -39,7 +43,7 @@ type Given<'a> = (&'a Problem, &'a Options<'a>, &'a Bodies);
 fn stages((problem, options, bodies): Given<'_>, watch: &mut Watch<'_>, solution: &mut Solution) -> Result<(), Refusal> {
     let mut known = None;
     if problem.plan.runs(Step::Force) {
-        let (found, effort) = fe::force(Stage::new(problem, options, bodies)?, watch)?;
+        let (found, effort) = approach::force(Stage::new(problem, options, bodies)?, watch)?;
         solution.effort += effort;
         if found.stopped {
             solution.status = Status::Interrupted;
@@ -82,23 +86,23 @@ fn elastic((problem, options, bodies): Given<'_>, passes: usize, watch: &mut Wat
             continue;
         }
         let (outcome, effort) = match step {
-            Step::Contact => fe::contact(stage, watch)?,
+            Step::Contact => contact::solve(stage, watch)?,
             Step::Shape => {
                 let how = solution.error.as_ref().map(|error| error.how.clone()).unwrap_or_default();
-                fe::shape(stage, &Before { passes, how: &how }, watch)?
+                shape::solve(stage, &Before { passes, how: &how }, watch)?
             }
-            _ => fe::wear(stage, watch)?,
+            _ => wear::solve(stage, watch)?,
         };
         solution.effort += effort;
         reported = solution.take(outcome);
     }
     let Some(reported) = reported.filter(|_| solution.status != Status::Interrupted) else { return Ok(()) };
     if let Some(profile) = solution.profile.as_mut().filter(|_| problem.plan.runs(Step::Torsion)) {
-        solution.effort += fe::twist(stage, &reported, profile)?;
+        solution.effort += torsion::fill(stage, &reported, profile)?;
     }
     if problem.plan.runs(Step::Fields) {
         let mut effort = Effort::default();
-        let (fields, work) = effort.timed(Step::Fields, options.clock, |_| fe::recover(stage, &reported))?;
+        let (fields, work) = effort.timed(Step::Fields, options.clock, |_| recover::recover(stage, &reported))?;
         effort += work;
         solution.effort += effort;
         solution.fields = fields;

@@ -2,9 +2,10 @@
 
 use nalgebra::{DMatrix, Vector3};
 use scene::Fault;
+use shapeopt::{Measure, difference_of_gaps};
 
+use crate::bodies::Bodies;
 use crate::effort::{Clock, Effort};
-use crate::fe::{Bodies, Measure, difference_of_gaps};
 use crate::ladder::errors;
 use crate::options::{CURVE, Options, Sampling, trapezoid_weights};
 use crate::plan::Step;
@@ -15,11 +16,11 @@ use crate::solve::solve;
 use crate::watch::Watch;
 
 /// Degrees of a study.
-pub(crate) const DEGREES: [usize; 7] = [4, 6, 8, 10, 12, 14, 16];
+pub const DEGREES: [usize; 7] = [4, 6, 8, 10, 12, 14, 16];
 
 /// What is compared: the result of the last task.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Quantity {
+pub enum Quantity {
     /// The gap of the shape, or of the worn bodies at the end, the best rigid part removed from differences.
     Gap(Measure),
     /// The contact: the larger of the relative errors of the energy and of the pressure (L2 over the inner 95 % of the contact).
@@ -28,7 +29,7 @@ pub(crate) enum Quantity {
 
 impl Quantity {
     /// Of a scene; `None` if it computes no elastic bodies.
-    pub(crate) fn of(problem: &Problem) -> Option<Quantity> {
+    pub fn of(problem: &Problem) -> Option<Quantity> {
         if problem.plan.runs(Step::Evolution) {
             Some(Quantity::Gap(Measure::Largest))
         } else if problem.plan.runs(Step::Shape) {
@@ -39,7 +40,7 @@ impl Quantity {
     }
 
     /// Its definition in a sentence.
-    pub(crate) fn description(self) -> &'static str {
+    pub fn description(self) -> &'static str {
         match self {
             Quantity::Gap(Measure::Largest) => "max |dg| / max g, rigid part removed",
             Quantity::Gap(Measure::Crown) => "max |dg| / (max g - min g), rigid part removed",
@@ -50,21 +51,21 @@ impl Quantity {
 
 /// What levels are compared with: places, values there, and the ends of contact.
 #[derive(Debug, Clone)]
-pub(crate) struct Truth {
+pub struct Truth {
     /// Places along the surface (mm).
-    pub(crate) s: Vec<f64>,
+    pub s: Vec<f64>,
     /// Positions there (mm).
-    pub(crate) position: Vec<[f64; 3]>,
+    pub position: Vec<[f64; 3]>,
     /// Unit normals out of body 2.
-    pub(crate) normal: Vec<[f64; 3]>,
+    pub normal: Vec<[f64; 3]>,
     /// Pressure there (MPa).
-    pub(crate) pressure: Vec<f64>,
+    pub pressure: Vec<f64>,
     /// Gap there (um).
-    pub(crate) gap: Vec<f64>,
+    pub gap: Vec<f64>,
     /// Outermost ends of contact (mm).
-    pub(crate) ends: [f64; 2],
+    pub ends: [f64; 2],
     /// Strain energy of both bodies (N mm).
-    pub(crate) energy: Option<f64>,
+    pub energy: Option<f64>,
 }
 
 impl Truth {
@@ -83,7 +84,7 @@ impl Truth {
 }
 
 /// The outermost of the ends of contact; without any, those of the surface.
-pub(crate) fn outermost(ends: &[f64], s: &[f64]) -> [f64; 2] {
+pub fn outermost(ends: &[f64], s: &[f64]) -> [f64; 2] {
     let all = if ends.is_empty() { s } else { ends };
     [all.iter().copied().fold(f64::INFINITY, f64::min), all.iter().copied().fold(f64::NEG_INFINITY, f64::max)]
 }
@@ -94,14 +95,14 @@ fn energy(solution: &Solution) -> Option<f64> {
 }
 
 /// One level of a study.
-pub(crate) struct Level {
-    pub(crate) degree: usize,
-    pub(crate) layers: usize,
-    pub(crate) effort: Effort,
+pub struct Level {
+    pub degree: usize,
+    pub layers: usize,
+    pub effort: Effort,
     /// Estimated error from this level and the two before it.
-    pub(crate) estimate: Option<f64>,
+    pub estimate: Option<f64>,
     /// Difference from the truth; none for a level that is the truth.
-    pub(crate) error: Option<f64>,
+    pub error: Option<f64>,
 }
 
 struct Solved {
@@ -113,7 +114,7 @@ struct Solved {
 
 /// Solves a problem on every degree and compares each level with the truth: the one given, or the finest level. `at` is the problem on the
 /// fixed discretisation of a degree, without the proof of its shape.
-pub(crate) fn study(
+pub fn study(
     at: &dyn Fn(usize) -> Result<Problem, Fault>,
     given: Option<Truth>,
     clock: Clock,

@@ -3,28 +3,25 @@
 use std::f64::consts::{PI, TAU};
 
 use hpfem::Kinematics;
+use meshing::{Body, ContactLine, contact_line};
 use nalgebra::Vector3;
+use scene::{Fault, Geometry, Length, Sliding, SurfaceShape, missing, positive};
 use wear::{Shape, SlidingMotion, Surface, SurfacePoint};
-use scene::{Fault, Geometry, Length, Sliding, SurfaceShape};
-
-use crate::couple::Body;
-use crate::given::{ContactLine, contact_line};
-use crate::setup::{missing, positive};
 
 /// A contact surface known without a mesh.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Patch {
+pub struct Patch {
     /// The surface with its sliding motion.
-    pub(crate) surface: Surface,
+    pub surface: Surface,
     /// What kind of motion closes a track, which decides how the counter-face wears.
-    pub(crate) kind: PatchKind,
+    pub kind: PatchKind,
     /// Whether the surface's own angle falls towards +x: a shoe at the bottom inside its drum.
-    pub(crate) backwards: bool,
+    pub backwards: bool,
 }
 
 /// Kind of contact surface, by how body 2 passes under it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum PatchKind {
+pub enum PatchKind {
     /// Plane strip or plane surface over which a long plate slides.
     Plane,
     /// Full ring on a turning disc.
@@ -35,250 +32,12 @@ pub(crate) enum PatchKind {
 
 impl Patch {
     /// A surface without bodies.
-    pub(crate) fn bare(surface: &SurfaceShape, sliding: Option<&Sliding>) -> Result<Patch, Fault> {
+    pub fn bare(surface: &SurfaceShape, sliding: Option<&Sliding>) -> Result<Patch, Fault> {
         Patch::new(bare(surface)?, sliding, false)
     }
 
     /// The surface between two bodies; none when it takes a mesh to know it.
-    pub(crate) fn between(kinematics: Kinematics, bodies: [&Body; 2], sliding: Option<&Sliding>) -> Result<Option<Patch>, Fault> {
-        let found = between(kinematics, bodies)?;
-        found
-            .map(|found| {
-                let backwards = matches!(found.0, Shape::Arc { internal: true, .. });
-                Patch::new(found, sliding, backwards)
-            })
-            .transpose()
-    }
-
-    fn new((shape, kind, centre, key): Found, sliding: Option<&Sliding>, backwards: bool) -> Result<Patch, Fault> {
-        let motion = motion(sliding, kind, &shape, centre)?;
-        let surface = Surface::new(shape, motion)
-            .map_err(|error| Fault::at(key, "degenerate", error.to_string(), "give a surface with area"))?;
-        Ok(Patch { surface, kind, backwards })
-    }
-
-    /// The surface with all sliding speeds multiplied by a factor.
-    pub(crate) fn faster(self, factor: f64) -> Patch {
-        let SlidingMotion { velocity, angular_velocity, about } = *self.surface.motion();
-        let motion = SlidingMotion { velocity: velocity * factor, angular_velocity: angular_velocity * factor, about };
-        match Surface::new(self.surface.shape().clone(), motion) {
-            Ok(surface) => Patch { surface, ..self },
-            Err(_) => self,
-        }
-    }
-
-    /// `count` points equally spaced in the surface's own coordinate, towards +x.
-    pub(crate) fn sample(&self, count: usize) -> Vec<SurfacePoint> {
-        self.towards_x(self.surface.sample(count))
-    }
-
-    /// Points of the surface in the order of its own coordinate, turned towards +x.
-    pub(crate) fn towards_x(&self, mut points: Vec<SurfacePoint>) -> Vec<SurfacePoint> {
-        if self.backwards {
-            points.reverse();
-        }
-        points
-    }
-
-    /// The arc length from the middle of a point, positive towards +x; on rings and sectors its radius.
-    pub(crate) fn place(&self, point: &SurfacePoint) -> f64 {
-        let position = point.position;
-        match self.surface.shape() {
-            Shape::Arc { radius, centre, angles, .. } => {
-                let (from, middle) = (position - centre, 0.5 * (angles[0] + angles[1]));
-                let off = (from.x.atan2(from.z) - middle + PI).rem_euclid(TAU) - PI;
-                if self.backwards { -radius * off } else { radius * off }
-            }
-            Shape::Annulus { .. } | Shape::Sector { .. } => position.x.hypot(position.y),
-            Shape::Strip { x, .. } | Shape::Rectangle { x, .. } => position.x - 0.5 * (x[0] + x[1]),
-            _ => position.x,
-        }
-    }
-
-    /// The angle (rad, from the z axis towards +x) at an arc length from the middle; none off an arc.
-    pub(crate) fn angle(&self, s: f64) -> Option<f64> {
-        let Shape::Arc { radius, angles, .. } = self.surface.shape() else { return None };
-        let middle = 0.5 * (angles[0] + angles[1]);
-        Some(if self.backwards { middle - s / radius } else { middle + s / radius })
-    }
-}
-
-impl Patch {
-    /// A flat surface from and to the given x (or radius), where a round body meets a flat one.
-    pub(crate) fn flat(kinematics: Kinematics, x: [f64; 2], z: f64, sliding: Option<&Sliding>) -> Result<Patch, Fault> {
-        let (shape, kind) = match kinematics.is_revolved() {
-            true => (Shape::Annulus { radii: x }, PatchKind::Ring),
-            false => (Shape::Strip { x, z, thickness: thickness(kinematics) }, PatchKind::Plane),
-        };
-        Patch::new((shape, kind, [0.0, z], "contact.edges"), sliding, false)
-    }
-}
-
-/// Thickness of plane bodies (mm); 1 for solids of revolution, which have none.
-fn thickness(kinematics: Kinematics) -> f64 {
-    match kinematics {
-        Kinematics::PlaneStress { thickness } | Kinematics::PlaneStrain { thickness } => thickness,
-        _ => 1.0,
-    }
-}
-
-type Found = (Shape, PatchKind, [f64; 2], &'static str);
-
-fn symmetric_arc(key: &str, radius: Length, half_angle: f64, width: f64) -> Result<Shape, Fault> {
-    positive(&format!("{key}.radius"), radius.0, "radius", " mm")?;
-    positive(&format!("{key}.width"), width, "width", " mm")?;
-    angle_below_quarter(&format!("{key}.half_angle"), half_angle)?;
-    let (centre, internal) = (Vector3::zeros(), false);
-    Ok(Shape::Arc { radius: radius.0, centre, angles: [-half_angle, half_angle], thickness: width, internal })
-}
-
-fn angle_below_quarter(key: &str, angle: f64) -> Result<(), Fault> {
-    if angle > 0.0 && angle < std::f64::consts::FRAC_PI_2 {
-        return Ok(());
-    }
-    let message = format!("half angle {} deg is out of range", angle.to_degrees());
-    Err(Fault::at(key, "degenerate", message, "give a half angle greater than 0 and less than 90 deg"))
-}
-
-fn bare(surface: &SurfaceShape) -> Result<Found, Fault> {
-    let range = |key: &str, range: [Length; 2]| {
-        if range[1].0 > range[0].0 {
-            return Ok([range[0].0, range[1].0]);
-        }
-        let message = format!("{key} = [{}, {}] does not increase", range[0].0, range[1].0);
-        Err(Fault::at(key, "degenerate", message, "write [from, to] with from < to"))
-    };
-    let origin = [0.0, 0.0];
-    match surface {
-        SurfaceShape::DiscPad(pad) => {
-            let key = "surface.disc-pad";
-            positive(&format!("{key}.inner"), pad.inner.0, "inner radius", " mm")?;
-            let radii = range(&format!("{key}.outer"), [pad.inner, pad.outer])?;
-            let half = pad.half_angle.0;
-            if !(half > 0.0 && half <= std::f64::consts::PI) {
-                let message = format!("half angle {} deg is out of range", half.to_degrees());
-                return Err(Fault::at(format!("{key}.half_angle"), "degenerate", message, "give 0 to 180 deg"));
-            }
-            Ok((Shape::Sector { radii, angles: [-half, half] }, PatchKind::Turning, origin, key))
-        }
-        SurfaceShape::PinnedShoe(shoe) => {
-            let key = "surface.pinned-shoe";
-            positive(&format!("{key}.radius"), shoe.radius.0, "radius", " mm")?;
-            positive(&format!("{key}.width"), shoe.width.0, "width", " mm")?;
-            positive(&format!("{key}.pin_distance"), shoe.pin_distance.0, "distance of the pin", " mm")?;
-            positive(&format!("{key}.arm"), shoe.arm.0, "lever arm", " mm")?;
-            let angles = [shoe.from.0, shoe.to.0];
-            if !(angles[0] >= 0.0 && angles[1] > angles[0] && angles[1] < std::f64::consts::PI) {
-                let (from, to) = (angles[0].to_degrees(), angles[1].to_degrees());
-                let message = format!("the lining reaches from {from} to {to} deg, where it cannot close everywhere");
-                return Err(Fault::at(format!("{key}.to"), "degenerate", message, "give 0 <= from < to < 180 deg"));
-            }
-            let shape =
-                Shape::Arc { radius: shoe.radius.0, centre: Vector3::zeros(), angles, thickness: shoe.width.0, internal: true };
-            Ok((shape, PatchKind::Turning, origin, key))
-        }
-        SurfaceShape::PivotedShoe(shoe) => {
-            let key = "surface.pivoted-shoe";
-            Ok((symmetric_arc(key, shoe.radius, shoe.half_angle.0, shoe.width.0)?, PatchKind::Turning, origin, key))
-        }
-        SurfaceShape::JournalArc(arc) => {
-            let key = "surface.journal-arc";
-            Ok((symmetric_arc(key, arc.radius, arc.half_angle.0, arc.width.0)?, PatchKind::Turning, origin, key))
-        }
-        SurfaceShape::RectangularPunch(punch) => {
-            let key = "surface.rectangular-punch";
-            let shape = Shape::Rectangle { x: range(&format!("{key}.x"), punch.x)?, y: range(&format!("{key}.y"), punch.y)? };
-            Ok((shape, PatchKind::Plane, origin, key))
-        }
-        SurfaceShape::EllipticPunch(punch) => {
-            let key = "surface.elliptic-punch";
-            for axis in punch.half_axes {
-                positive(&format!("{key}.half_axes"), axis.0, "half axis", " mm")?;
-            }
-            let semi_axes = [punch.half_axes[0].0, punch.half_axes[1].0];
-            Ok((Shape::Ellipse { semi_axes }, PatchKind::Plane, origin, key))
-        }
-    }
-}
-
-fn same(one: f64, other: f64, scale: f64) -> bool {
-    (one - other).abs() <= 1e-9 * scale
-}
-
-fn between(kinematics: Kinematics, [first, second]: [&Body; 2]) -> Result<Option<Found>, Fault> {
-    let edges = [&first.contact, &second.contact];
-    let (body1, body2) = (&first.geometry, &second.geometry);
-    if first.cells.is_some() || second.cells.is_some() {
-        let lines = [contact_line(first, true)?, contact_line(second, false)?];
-        return along(kinematics, lines);
-    }
-    let axisymmetric = kinematics.is_revolved();
-    let thickness = thickness(kinematics);
-    let key = "contact.edges";
-    let arc = |angles: [f64; 2], radius: f64, ring: &scene::Ring| {
-        let centre = ring.centre.map_or([0.0, 0.0], |centre| [centre[0].0, centre[1].0]);
-        if !same(radius, ring.outer.0, radius) || centre != [0.0, 0.0] {
-            let message =
-                format!("the arcs do not touch: radius {radius} about [0, 0] and radius {} about {centre:?}", ring.outer.0);
-            return Err(Fault::at("body2.geometry.ring", "no-contact", message, "give both the same radius and centre"));
-        }
-        let shape = Shape::Arc { radius, centre: Vector3::zeros(), angles, thickness, internal: false };
-        Ok(Some((shape, PatchKind::Turning, centre, key)))
-    };
-    match (body1, edges[0].as_str(), body2, edges[1].as_str()) {
-        (Geometry::ShoeBlock(shoe), "inner", Geometry::Ring(ring), "outer") => {
-            let angle = shoe.half_angle.0;
-            arc([-angle, angle], shoe.radius.0, ring)
-        }
-        (Geometry::RingSegment(segment), "inner", Geometry::Ring(ring), "outer") => {
-            let angles = segment.x.map(|x| (x.0 / segment.inner.0).asin());
-            arc(angles, segment.inner.0, ring)
-        }
-        (Geometry::Rectangle(punch), "bottom", Geometry::Rectangle(plate), "top") => {
-            let (x, below) = (punch.x.map(|x| x.0), plate.x.map(|x| x.0));
-            let scale = x[1] - x[0];
-            if !same(punch.z[0].0, plate.z[1].0, scale) {
-                let message = format!("the edges do not touch: z = {} and z = {}", punch.z[0].0, plate.z[1].0);
-                return Err(Fault::at(key, "no-contact", message, "give body1 z[0] = body2 z[1]"));
-            }
-            if x[0] < below[0] || x[1] > below[1] {
-                let message =
-                    format!("body 1 reaches from x = {} to {} over body 2 from {} to {}", x[0], x[1], below[0], below[1]);
-                return Err(Fault::at(
-                    "body2.geometry.rectangle.x",
-                    "no-contact",
-                    message,
-                    "make body 2 as wide as body 1 or wider",
-                ));
-            }
-            if axisymmetric {
-                return Ok(Some((Shape::Annulus { radii: x }, PatchKind::Ring, [0.0, punch.z[0].0], key)));
-            }
-            Ok(Some((Shape::Strip { x, z: punch.z[0].0, thickness }, PatchKind::Plane, [0.0, 0.0], key)))
-        }
-        (Geometry::HalfDisc(disc), "arc", Geometry::Rectangle(plate), "top") => {
-            let lowest = disc.centre[1].0 - disc.radius.0;
-            if same(lowest, plate.z[1].0, disc.radius.0) {
-                return Ok(None);
-            }
-            let message = format!("the edges do not touch: lowest point z = {lowest}, plane z = {}", plate.z[1].0);
-            Err(Fault::at(key, "no-contact", message, "give centre z - radius = body2 z[1]"))
-        }
-        _ => {
-            let message = format!(
-                "the edges {} of {} and {} of {} cannot touch",
-                edges[0],
-                crate::setup::template(body1),
-                edges[1],
-                crate::setup::template(body2)
-            );
-            let remedy = "pairs that touch: inner on outer (shoe-block or ring-segment on ring), bottom on top (rectangles), arc on top (half-disc on rectangle)";
-            Err(Fault::at(key, "no-contact", message, remedy))
-        }
-    }
-}
-
-/// The surface of two contact edges of which at least one belongs to a body given by its cells; none of a round body on a flat one.
+    pub /// The surface of two contact edges; none of a round body on a flat one.
 fn along(kinematics: Kinematics, lines: [ContactLine; 2]) -> Result<Option<Found>, Fault> {
     let key = "contact.edges";
     let thickness = thickness(kinematics);

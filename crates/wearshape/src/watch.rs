@@ -3,15 +3,15 @@
 
 use std::ops::ControlFlow;
 
+use scene::Fault;
 use serde::{Deserialize, Serialize};
 use shapeopt::WearState;
-use scene::Fault;
 
 use crate::plan::Step;
 use crate::profile::Profile;
 
 /// Something that happened.
-pub(crate) enum Event<'a> {
+pub enum Event<'a> {
     /// A level of discretisation begins.
     Level {
         /// The stage that climbs.
@@ -28,61 +28,61 @@ pub(crate) enum Event<'a> {
 }
 
 /// Told of every event; `Break` stops after what is finished.
-pub(crate) type Watch<'w> = dyn FnMut(Event<'_>) -> ControlFlow<()> + 'w;
+pub type Watch<'w> = dyn FnMut(Event<'_>) -> ControlFlow<()> + 'w;
 
 /// The beginning of a run in time on one level.
-pub(crate) struct RunLevel<'a> {
+pub struct RunLevel<'a> {
     /// The levels before.
-    pub(crate) finished: &'a [FinishedLevel],
+    pub finished: &'a [FinishedLevel],
     /// Steps that a resumed run has already; 0 for one from the start.
-    pub(crate) known_steps: usize,
+    pub known_steps: usize,
     /// The level in a sentence.
-    pub(crate) message: String,
+    pub message: String,
     /// The edges of the meshes of both bodies, two points (x, z) in mm a line; meshed again at each call.
-    pub(crate) lines: &'a dyn Fn() -> Result<[Vec<[f64; 2]>; 2], Fault>,
+    pub lines: &'a dyn Fn() -> Result<[Vec<[f64; 2]>; 2], Fault>,
 }
 
 /// An accepted step in time.
-pub(crate) struct WearStep<'a> {
+pub struct WearStep<'a> {
     /// Where the run is.
-    pub(crate) state: &'a WearState,
+    pub state: &'a WearState,
     /// Steps tried, the accepted one included.
-    pub(crate) tries: usize,
+    pub tries: usize,
     /// Linear systems solved.
-    pub(crate) linear_solves: usize,
+    pub linear_solves: usize,
     /// How far the run is, from 0 to 1, about.
-    pub(crate) share: f64,
+    pub share: f64,
     /// The columns at the contact points.
-    pub(crate) profile: &'a dyn Fn() -> Profile,
+    pub profile: &'a dyn Fn() -> Profile,
 }
 
 /// What a finished level of a run in time leaves behind: all that the levels after it need.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-pub(crate) struct FinishedLevel {
+pub struct FinishedLevel {
     /// Degree of the cells.
-    pub(crate) degree: usize,
+    pub degree: usize,
     /// Layers around each singular point.
-    pub(crate) layers: usize,
+    pub layers: usize,
     /// Worn gap at evenly spaced points.
-    pub(crate) gap_mm: Vec<f64>,
+    pub gap_mm: Vec<f64>,
     /// Closing of each rigid mode there, point by point.
-    pub(crate) closing: Vec<f64>,
+    pub closing: Vec<f64>,
     /// Time at its end.
-    pub(crate) time_s: f64,
+    pub time_s: f64,
     /// Steps taken.
-    pub(crate) wear_steps: usize,
+    pub wear_steps: usize,
     /// Factorisations.
-    pub(crate) factorisations: usize,
+    pub factorisations: usize,
     /// Contact solves.
-    pub(crate) contact_solves: usize,
+    pub contact_solves: usize,
 }
 
 /// An unfinished run in time, to go on with bit for bit.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(crate) struct Resume {
+pub struct Resume {
     /// The finished levels.
-    pub(crate) finished: Vec<FinishedLevel>,
+    pub finished: Vec<FinishedLevel>,
     /// States of the level after them, step by step. Only the last one must be whole; of the others step, time, sizes, volumes and pressure are
     /// used.
-    pub(crate) states: Vec<WearState>,
+    pub states: Vec<WearState>,
 }

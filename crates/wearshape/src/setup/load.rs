@@ -1,17 +1,15 @@
 //! The load: edge, kind, what is prescribed.
 
-use scene::{Fault, Geometry, Kinematics, Length, Load, LoadKind, Moment, Scene, SurfaceShape, Task};
+use meshing::{Body, LoadedEdge, Strip, outside};
+use scene::{Fault, Geometry, Kinematics, Length, Load, LoadKind, Moment, Scene, SurfaceShape, Task, missing, positive};
 
-use crate::couple::{Body, LoadedEdge, Strip};
-use crate::freedom::edge_points;
-use crate::given::outside;
-use crate::setup::bodies::{edge_names, known_edge};
-use crate::setup::{missing, positive};
-use crate::surface::Patch;
 use crate::{problem, setup};
+use crate::freedom::edge_points;
+use crate::setup::bodies::{edge_names, known_edge};
+use crate::surface::Patch;
 
 /// Checks the load and fills in its defaults.
-pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>, body: Option<&Body>) -> Result<(), Fault> {
+pub fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>, body: Option<&Body>) -> Result<(), Fault> {
     let Some(load) = &mut scene.load else {
         let example = if scene.surface.is_some() {
             "load = { force = \"10 kN\" }"
@@ -30,7 +28,7 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>, 
     let Some(edge) = load.edge.clone() else {
         return Err(missing("load.edge", "the load needs an edge of body 1", "load.edge = \"top\""));
     };
-    known_edge("load.edge", &edge, &edge_names(body, false))?;
+    known_edge("load.edge", &edge, &outline(body).names(false))?;
     outside(body, &edge)?;
     match load.kind {
         None => Err(missing("load.as", "how does the load act?", "load.as = \"pressure\" (or vertical, rigid)")),
@@ -86,7 +84,7 @@ fn on_surface(load: &mut Load, surface: &mut SurfaceShape) -> Result<(), Fault> 
 
 /// A vertical load on the edge or a strip of it.
 fn strip(load: &mut Load, body: &Body, edge: &str, tasks: &[Task]) -> Result<(), Fault> {
-    let points = edge_points(body, edge);
+    let points = outline(body).points(edge);
     let ends = points.iter().fold((f64::MAX, f64::MIN), |(lo, hi), p| (lo.min(p[0]), hi.max(p[0])));
     let centre = load.centre.get_or_insert(Length(0.0)).0;
     let Some(width) = load.width else { return Ok(()) };
@@ -96,11 +94,7 @@ fn strip(load: &mut Load, body: &Body, edge: &str, tasks: &[Task]) -> Result<(),
         let message = format!("the loaded strip x = {from} to {to} leaves the edge, x = {} to {}", ends.0, ends.1);
         return Err(Fault::at("load.width", "wrong-value", message, "give a narrower strip, or no width"));
     }
-    let strips = match &body.geometry {
-        Geometry::RingSegment(_) => edge == "outer",
-        Geometry::Blocks(_) | Geometry::Mesh(_) => true,
-        _ => false,
-    };
+    let strips = outline(body).edge(edge).is_some_and(|edge| edge.strips);
     if !strips && [from, to] != [ends.0, ends.1] && tasks != [Task::Pressure] {
         let message = format!("this template carries loads on the whole of the edge `{edge}`, not on a strip of it");
         let remedy = "leave out `width`, or give body 1 by geometry.blocks (wearshape new lining-on-back)";
@@ -166,7 +160,7 @@ fn worn_approach(scene: &Scene, time: f64) -> Result<(), Fault> {
 }
 
 /// Where and how a resolved load acts; none without an edge.
-pub(super) fn edge(load: &Load) -> Option<LoadedEdge> {
+pub fn edge(load: &Load) -> Option<LoadedEdge> {
     let kind = load.kind?;
     let centre = load.centre.map_or(0.0, |centre| centre.0);
     Some(LoadedEdge {
@@ -183,7 +177,7 @@ fn about(load: &Load) -> [f64; 2] {
 }
 
 /// The numbers of a resolved load.
-pub(super) fn numbers(scene: &Scene) -> problem::Load {
+pub fn numbers(scene: &Scene) -> problem::Load {
     let load = scene.load.clone().unwrap_or_default();
     let moment = |given: Option<Moment>| given.map_or(0.0, |moment| moment.0);
     problem::Load {

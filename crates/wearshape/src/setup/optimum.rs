@@ -1,12 +1,11 @@
 //! The optimum: functional, q, and the exponent s that decides what it is.
 
-use scene::{Balance, Fault, Functional, Modes, Optimum, Pair, Scene, Task};
+use scene::{Balance, Fault, Functional, Modes, Optimum, Pair, Scene, Task, positive};
 
 use crate::problem;
-use crate::setup::positive;
 
 /// Checks the optimum and fills in its defaults.
-pub(super) fn resolve(scene: &mut Scene, tasks: &[Task]) -> Result<(), Fault> {
+pub fn resolve(scene: &mut Scene, tasks: &[Task]) -> Result<(), Fault> {
     if !tasks.contains(&Task::Pressure) && !tasks.contains(&Task::Shape) {
         return Ok(());
     }
@@ -48,7 +47,7 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task]) -> Result<(), Fault> {
 }
 
 /// Exponents b of the bodies that wear.
-pub(super) fn exponents(scene: &Scene) -> Vec<f64> {
+pub fn exponents(scene: &Scene) -> Vec<f64> {
     let Some(wear) = &scene.wear else {
         return vec![1.0];
     };
@@ -73,12 +72,12 @@ fn power(functional: Functional, b: f64) -> f64 {
 }
 
 /// s - 1 = e q - 1, rounded once.
-pub(crate) fn s_minus_1(functional: Functional, b: f64, q: f64) -> f64 {
+pub fn s_minus_1(functional: Functional, b: f64, q: f64) -> f64 {
     kind(functional).s_minus_1(b, q)
 }
 
 /// The functional in the words of the theory.
-pub(crate) fn kind(functional: Functional) -> wear::Functional {
+pub fn kind(functional: Functional) -> wear::Functional {
     match functional {
         Functional::Steady => wear::Functional::Steady,
         Functional::WearVolume => wear::Functional::WearVolume,
@@ -89,7 +88,7 @@ pub(crate) fn kind(functional: Functional) -> wear::Functional {
 }
 
 /// The choice of a resolved scene.
-pub(super) fn choice(scene: &Scene) -> problem::Optimum {
+pub fn choice(scene: &Scene) -> problem::Optimum {
     let optimum = scene.optimum.clone().unwrap_or_default();
     problem::Optimum {
         functional: optimum.functional.unwrap_or(Functional::Steady),

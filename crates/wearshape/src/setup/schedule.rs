@@ -1,12 +1,11 @@
 //! The schedule of a run in time: its lists fit each other and the scene, its times increase.
 
-use scene::{Fault, Scene, Schedule, Time};
+use scene::{Fault, Scene, Schedule, Time, missing};
 
 use crate::problem::Piece;
-use crate::setup::missing;
 
 /// Checks the schedule and fills in the lists that the scene's load and sliding have.
-pub(super) fn resolve(scene: &mut Scene) -> Result<(), Fault> {
+pub fn resolve(scene: &mut Scene) -> Result<(), Fault> {
     let load = scene.load.clone().unwrap_or_default();
     let Some(schedule) = scene.schedule.as_mut() else { return Ok(()) };
     let pieces = times(schedule)?;
@@ -67,7 +66,7 @@ fn times(schedule: &Schedule) -> Result<usize, Fault> {
 }
 
 /// The pieces of a resolved schedule; none without one.
-pub(super) fn pieces(scene: &Scene) -> Vec<Piece> {
+pub fn pieces(scene: &Scene) -> Vec<Piece> {
     let Some(schedule) = &scene.schedule else { return Vec::new() };
     let factor = |list: &Option<Vec<f64>>, piece: usize| list.as_ref().and_then(|list| list.get(piece)).copied().unwrap_or(1.0);
     let piece = |(number, time): (usize, &Time)| Piece {

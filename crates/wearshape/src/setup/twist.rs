@@ -1,12 +1,10 @@
 //! The turning of body 1 about the axis: where it is used, and what it needs.
 
 use contact::Turn;
-use scene::{Body, Component, Fault, Kinematics, Scene, Task};
-
-use crate::setup::missing;
+use scene::{Body, Component, Fault, Kinematics, Scene, Task, missing};
 
 /// What body 1 is turned by, step after step; nothing where the scene does not turn it.
-pub(crate) fn turns(scene: &Scene) -> Vec<Turn> {
+pub fn turns(scene: &Scene) -> Vec<Turn> {
     let contact = scene.tasks.as_ref().is_some_and(|tasks| tasks.contains(&Task::Contact));
     let Some(load) = scene.load.as_ref().filter(|_| contact && scene.kinematics == Some(Kinematics::Axisymmetric)) else {
         return Vec::new();
@@ -17,7 +15,7 @@ pub(crate) fn turns(scene: &Scene) -> Vec<Turn> {
 }
 
 /// Checks the turning.
-pub(super) fn resolve(scene: &Scene, tasks: &[Task]) -> Result<(), Fault> {
+pub fn resolve(scene: &Scene, tasks: &[Task]) -> Result<(), Fault> {
     let Some(load) = &scene.load else { return Ok(()) };
     if load.twist.is_some() && load.torque.is_some() {
         let message = "both `load.twist` and `load.torque` are given";

@@ -1,11 +1,10 @@
 //! Keys that were written but that the scene's choices do not use.
 
+use meshing::unused_in_blocks;
 use scene::{Document, Functional, Geometry, Kinematics, LoadKind, Scene, Task};
 
-use crate::given::unused_in_blocks;
-
 /// The unused keys of a scene, sorted.
-pub(super) fn keys(document: &Document, scene: &Scene, tasks: &[Task]) -> Vec<String> {
+pub fn keys(document: &Document, scene: &Scene, tasks: &[Task]) -> Vec<String> {
     let mut unused = Vec::new();
     let mut when = |condition: bool, keys: &[&str]| {
         if condition {

@@ -1,14 +1,13 @@
 //! The wear rule: factors, exponents, counter-face.
 
+use scene::{Counterface, Fault, Functional, Pair, Scene, Task, Until, Wear, WearFactor, missing};
 use wear::{WearError, WearPair};
-use scene::{Counterface, Fault, Functional, Pair, Scene, Task, Until, Wear, WearFactor};
 
 use crate::problem;
-use crate::setup::missing;
 use crate::surface::{Patch, PatchKind};
 
 /// Checks the wear rule and the sliding, and fills in their defaults.
-pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) -> Result<(), Fault> {
+pub fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) -> Result<(), Fault> {
     let contact_only = tasks == [Task::Contact];
     let uniform = scene.optimum.as_ref().and_then(|optimum| optimum.functional) == Some(Functional::Uniform);
     let wants_wear = tasks.contains(&Task::Wear) || (!contact_only && !uniform);
@@ -56,7 +55,7 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) 
             return Err(Fault::at("wear.counterface", "wrong-value", message, remedy));
         }
         match wear.until.get_or_insert(Until::Steady) {
-            Until::Time(time) => super::positive("wear.until", time.0, "time", " s")?,
+            Until::Time(time) => scene::positive("wear.until", time.0, "time", " s")?,
             Until::Steady => {}
         }
     }
@@ -131,7 +130,7 @@ fn factors(wear: &mut Wear) -> Result<(&'static str, [WearFactor; 2]), Fault> {
 }
 
 /// The rules of a resolved scene.
-pub(super) fn numbers(scene: &Scene) -> problem::Wear {
+pub fn numbers(scene: &Scene) -> problem::Wear {
     let friction = scene.contact.as_ref().and_then(|contact| contact.friction).unwrap_or(0.0);
     problem::Wear {
         laws: laws(scene.wear.as_ref(), friction),

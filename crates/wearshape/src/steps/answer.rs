@@ -3,57 +3,55 @@
 use contact::{ContactPoint, Pair};
 use hpfem::InterfaceState;
 
-use crate::fe::operators::Reduced;
-use crate::fe::recover::Reported;
-use crate::fe::stage::Stage;
+use crate::bodies::Reduced;
 use crate::machined::Machined;
-use crate::lints::Lint;
 use crate::options::{CURVE, Sampling};
 use crate::profile::Profile;
-use crate::solution::{
-    ContactResult, EnergyResult, ErrorResult, InterfaceResult, Reaction, Rung, ShapeResult, Status, WearResult,
-};
+use crate::remarks::Remark;
+use crate::solution::{ContactResult, EnergyResult, ErrorResult, InterfaceResult, Reaction, Rung, ShapeResult, Status, WearResult};
+use crate::stage::Stage;
+use crate::steps::recover::Reported;
 use crate::watch::Resume;
 
 /// A solved pair of bodies.
-pub(crate) struct Answer<'a> {
-    pub(crate) stage: Stage<'a>,
-    pub(crate) reduced: &'a Reduced,
-    pub(crate) pair: &'a Pair<'a>,
+pub struct Answer<'a> {
+    pub stage: Stage<'a>,
+    pub reduced: &'a Reduced,
+    pub pair: &'a Pair<'a>,
     /// Displacements of body 1 and 2.
-    pub(crate) states: [Option<&'a InterfaceState>; 2],
+    pub states: [Option<&'a InterfaceState>; 2],
     /// At the contact points.
-    pub(crate) own: Own<'a>,
+    pub own: Own<'a>,
     /// Pressure (MPa), gap and opening (mm) at any point of the surface.
-    pub(crate) between: &'a dyn Fn(&ContactPoint) -> [f64; 3],
+    pub between: &'a dyn Fn(&ContactPoint) -> [f64; 3],
 }
 
 /// What is known at the contact points.
-pub(crate) struct Own<'a> {
-    pub(crate) points: &'a [ContactPoint],
+pub struct Own<'a> {
+    pub points: &'a [ContactPoint],
     /// MPa.
-    pub(crate) pressure: &'a [f64],
+    pub pressure: &'a [f64],
     /// Unloaded, mm.
-    pub(crate) gap: &'a [f64],
+    pub gap: &'a [f64],
     /// Under load, mm.
-    pub(crate) opening: &'a [f64],
+    pub opening: &'a [f64],
     /// Whether each point is in contact, where that is said by more than the sign of its pressure.
-    pub(crate) closed: Option<&'a [bool]>,
+    pub closed: Option<&'a [bool]>,
 }
 
 /// What is told of a reported level.
-pub(crate) struct Told {
-    pub(crate) energy: EnergyResult,
-    pub(crate) reactions: Vec<(String, Reaction)>,
+pub struct Told {
+    pub energy: EnergyResult,
+    pub reactions: Vec<(String, Reaction)>,
     /// At the contact points, or where the user wants it.
-    pub(crate) profile: Profile,
+    pub profile: Profile,
     /// At the points of pictures.
-    pub(crate) curve: Profile,
+    pub curve: Profile,
 }
 
 impl Answer<'_> {
     /// Energies, reactions and columns.
-    pub(crate) fn told(&self) -> Told {
+    pub fn told(&self) -> Told {
         let profile = match self.stage.options.sample {
             Some(sampling) => self.sampled(sampling),
             None => self.at_own_points(),
@@ -96,31 +94,31 @@ impl Answer<'_> {
 
 impl EnergyResult {
     /// Of both bodies.
-    pub(crate) fn total(&self) -> f64 {
+    pub fn total(&self) -> f64 {
         self.body1_Nmm.unwrap_or(0.0) + self.body2_Nmm.unwrap_or(0.0)
     }
 }
 
 /// Result of an elastic step; what it does not say stays as it was.
 #[derive(Default)]
-pub(crate) struct Outcome {
+pub struct Outcome {
     /// How it ended, with the reason where it did not end well.
-    pub(crate) ended: Option<(Status, String)>,
+    pub ended: Option<(Status, String)>,
     /// Whether the watcher ended it.
-    pub(crate) stopped: bool,
-    pub(crate) contact: Option<ContactResult>,
-    pub(crate) interface: Option<InterfaceResult>,
-    pub(crate) shape: Option<ShapeResult>,
-    pub(crate) wear: Option<WearResult>,
-    pub(crate) history: Vec<(String, Vec<f64>)>,
-    pub(crate) machined: Option<Machined>,
-    pub(crate) told: Option<Told>,
+    pub stopped: bool,
+    pub contact: Option<ContactResult>,
+    pub interface: Option<InterfaceResult>,
+    pub shape: Option<ShapeResult>,
+    pub wear: Option<WearResult>,
+    pub history: Vec<(String, Vec<f64>)>,
+    pub machined: Option<Machined>,
+    pub told: Option<Told>,
     /// Estimated errors; `how` is empty where there are none.
-    pub(crate) error: ErrorResult,
-    pub(crate) ladder: Vec<Rung>,
-    pub(crate) lints: Vec<Lint>,
+    pub error: ErrorResult,
+    pub ladder: Vec<Rung>,
+    pub lints: Vec<Remark>,
     /// For the fields and the twist.
-    pub(crate) reported: Option<Reported>,
+    pub reported: Option<Reported>,
     /// An unfinished run in time.
-    pub(crate) resume: Option<Resume>,
+    pub resume: Option<Resume>,
 }

@@ -3,34 +3,34 @@
 use std::ops::ControlFlow;
 
 use contact::Pair;
+use meshing::Cut;
 use nalgebra::{DMatrix, DVector};
 use shapeopt::{ApproachForce, force_of_approach};
 use wear::WearError;
 
 use crate::effort::Effort;
-use crate::fe::bodies::Level;
-use crate::fe::shape::{Shaper, unanswered};
-use crate::fe::stage::Stage;
-use crate::fe::template::Cut;
 use crate::ladder::{Climbed, Ladder, Refusal, climb, errors};
+use crate::level::Level;
 use crate::plan::Step;
 use crate::problem::Problem;
-use crate::solve::pressure;
+use crate::stage::Stage;
+use crate::steps::pressure;
+use crate::steps::shape::{Shaper, unanswered};
 use crate::watch::Watch;
 
 /// The force is found to this part of the accuracy asked for.
 const SHARE: f64 = 0.1;
 
 /// A force with its estimated relative error.
-pub(crate) struct Found {
+pub struct Found {
     /// The problem with the force filled in beside the approach.
-    pub(crate) problem: Problem,
+    pub problem: Problem,
     /// Shapes solved for on the last level.
-    pub(crate) passes: usize,
+    pub passes: usize,
     /// Estimated relative error of the force; `None` from fewer than three levels.
-    pub(crate) error: Option<f64>,
+    pub error: Option<f64>,
     /// Whether the watcher ended the search.
-    pub(crate) stopped: bool,
+    pub stopped: bool,
 }
 
 /// One level of the search.
@@ -40,7 +40,7 @@ struct Solved {
 }
 
 /// Finds the force level by level.
-pub(crate) fn force(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Found, Effort), Refusal> {
+pub fn force(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Found, Effort), Refusal> {
     let approach = stage.problem.load.approach.unwrap_or(0.0);
     let ladder = Ladder::of(stage.problem, stage.options).closer(SHARE);
     let solve = |level: Level, before: &[Solved], _: &mut Watch<'_>| {
@@ -98,13 +98,13 @@ fn motions(pair: &Pair<'_>, about: f64) -> DMatrix<f64> {
 }
 
 /// Closing at `about` and turning of rigid coordinates.
-pub(crate) fn motion(pair: &Pair<'_>, coordinates: &[f64], about: f64) -> [f64; 2] {
+pub fn motion(pair: &Pair<'_>, coordinates: &[f64], about: f64) -> [f64; 2] {
     let sums = motions(pair, about) * DVector::from_row_slice(coordinates);
     [sums[0], sums[1]]
 }
 
 /// Rigid coordinates of a closing at `about` and a turning, as far as body 1 has these motions.
-pub(crate) fn coordinates(pair: &Pair<'_>, [closing, turning]: [f64; 2], about: f64) -> Vec<f64> {
+pub fn coordinates(pair: &Pair<'_>, [closing, turning]: [f64; 2], about: f64) -> Vec<f64> {
     let wanted = DVector::from_row_slice(&[closing, turning]);
     // Rows of unlike units: the modes are scaled by the distance from the middle that they are about.
     let size = pair.trace().length();

@@ -1,28 +1,27 @@
 //! What a contact solve rests on: the condition of its system, and whether friction lets it have other solutions.
 
-use contact::{ContactLoad, ContactOperator, ContactSolution};
-
 use std::sync::Arc;
 
+use contact::{ContactLoad, ContactOperator, ContactSolution};
 use scene::Fault;
 
-use crate::fe::contact::{start_gaps, unsolved};
-use crate::fe::operators::Reduced;
-use crate::fe::stage::Stage;
+use crate::bodies::Reduced;
 use crate::solution::{InterfaceResult, UniquenessResult};
+use crate::stage::Stage;
+use crate::steps::contact::{start_gaps, unsolved};
 
 /// Difference of pressures, over the largest, above which they are two solutions.
 const APART: f64 = 1e-6;
 
 /// A solved contact on its bodies; what it rests on is worked out for the reported level alone.
-pub(crate) struct Diagnosis {
-    pub(crate) reduced: Arc<Reduced>,
-    pub(crate) found: ContactSolution,
+pub struct Diagnosis {
+    pub reduced: Arc<Reduced>,
+    pub found: ContactSolution,
 }
 
 impl Diagnosis {
     /// Uniqueness, and the condition of the system.
-    pub(crate) fn made(&self, stage: Stage<'_>) -> Result<(Option<UniquenessResult>, Option<InterfaceResult>), Fault> {
+    pub fn made(&self, stage: Stage<'_>) -> Result<(Option<UniquenessResult>, Option<InterfaceResult>), Fault> {
         let pair = self.reduced.pair()?;
         let operator = self.reduced.operator(&pair, stage.friction() > 0.0)?;
         let gap = start_gaps(stage, &pair, &operator);
@@ -33,7 +32,7 @@ impl Diagnosis {
 }
 
 /// Singular values of the system of the points in contact.
-pub(crate) fn interface(
+pub fn interface(
     operator: &ContactOperator<'_>,
     gap: &[f64],
     load: &ContactLoad,

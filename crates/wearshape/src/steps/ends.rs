@@ -3,30 +3,27 @@
 //! Conditions stand on the flat side: normal along z, gap `R - sqrt(R^2 - x^2)`. First the normal load is applied without friction, then
 //! the shear force with Coulomb friction (Cattaneo 1938, Mindlin 1949). The formulas of Hertz give the trial ends only.
 
-use contact::{
-    ContactLoad, ContactOperator, ContactPoint, ContactSolution, ContactState, Friction, Motion, Pair, Start,
-    Status as ContactStatus, position_nodes,
-};
+use contact::{ContactLoad, ContactOperator, ContactPoint, ContactSolution, ContactState, Friction, Motion, Pair, Start, Status as ContactStatus, position_nodes};
 use hpfem::{Body, InterfaceState, Mesh};
+use meshing::{Couple, HalfDiscOnFlat};
 use scene::Fault;
 
-use crate::couple::Couple;
+use crate::bodies;
 use crate::effort::Effort;
-use crate::fe::answer::{Outcome, Told};
-use crate::fe::bodies::{Level, Parts};
-use crate::fe::contact::{Solved, levels, unsolved};
-use crate::fe::ends_profile::Rows;
-use crate::fe::half_disc::HalfDiscOnFlat;
-use crate::fe::hertz_trial::hertz_end;
-use crate::fe::recover::{Moment, Reported};
-use crate::fe::torsion;
-use crate::fe::twist::Twist;
-use crate::fe::{diagnosis, operators};
 use crate::ladder::{Ladder, Refusal};
+use crate::level::Level;
 use crate::options::{CURVE, Options};
+use crate::parts::Parts;
 use crate::plan::Step;
 use crate::problem::Problem;
 use crate::solution::{ContactResult, EnergyResult, Reaction};
+use crate::steps::{diagnosis, torsion};
+use crate::steps::answer::{Outcome, Told};
+use crate::steps::contact::{Solved, levels, unsolved};
+use crate::steps::ends_profile::Rows;
+use crate::steps::hertz_trial::hertz_end;
+use crate::steps::recover::{Moment, Reported};
+use crate::steps::twist::Twist;
 use crate::watch::Watch;
 
 /// Samples of the pressure for the comparison of levels, over the inner 95 % of the contact.
@@ -35,18 +32,18 @@ const SAMPLES: usize = 191;
 const TOLERANCES: [f64; 2] = [1e-10, 1e-8];
 
 /// Two such bodies under their load.
-pub(crate) struct Setting<'a> {
-    pub(crate) problem: &'a Problem,
-    pub(crate) couple: &'a Couple,
-    pub(crate) disc: HalfDiscOnFlat,
-    pub(crate) options: &'a Options<'a>,
+pub struct Setting<'a> {
+    pub problem: &'a Problem,
+    pub couple: &'a Couple,
+    pub disc: HalfDiscOnFlat,
+    pub options: &'a Options<'a>,
     /// Coefficient of friction, and the shear force on body 1 along x.
-    pub(crate) friction: f64,
-    pub(crate) shear: f64,
+    pub friction: f64,
+    pub shear: f64,
 }
 
 /// Solves the contact; the nodes on the ends of the last level are left for the fields.
-pub(crate) fn solve(setting: &Setting<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort, Vec<f64>), Refusal> {
+pub fn solve(setting: &Setting<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort, Vec<f64>), Refusal> {
     let mut nodes = setting.trial()?;
     let (mut stick, mut sought) = (None, setting.shear != 0.0);
     let ladder = Ladder::of(setting.problem, setting.options).and_beyond(setting.problem);
@@ -74,16 +71,16 @@ struct Steps {
 }
 
 impl<'a> Setting<'a> {
-    pub(crate) fn new(problem: &'a Problem, couple: &'a Couple, disc: HalfDiscOnFlat, options: &'a Options<'a>) -> Setting<'a> {
+    pub fn new(problem: &'a Problem, couple: &'a Couple, disc: HalfDiscOnFlat, options: &'a Options<'a>) -> Setting<'a> {
         Setting { problem, couple, disc, options, friction: problem.friction.shear(), shear: problem.load.shear_force }
     }
 
-    pub(crate) fn revolved(&self) -> bool {
+    pub fn revolved(&self) -> bool {
         self.couple.is_revolved()
     }
 
     /// How often the meshed part is contained in the scene.
-    pub(crate) fn copies(&self) -> f64 {
+    pub fn copies(&self) -> f64 {
         if self.disc.whole || self.revolved() { 1.0 } else { 2.0 }
     }
 
@@ -92,7 +89,7 @@ impl<'a> Setting<'a> {
     }
 
     /// Trial ends between half-planes or half-spaces (Johnson 1985, sec. 4.2, 7.2): of contact, and before it of stick.
-    pub(crate) fn trial(&self) -> Result<Vec<f64>, Refusal> {
+    pub fn trial(&self) -> Result<Vec<f64>, Refusal> {
         let approach = self.problem.load.approach;
         let end = hertz_end(self.disc.radius, self.couple, &self.problem.load);
         if end <= 0.0 || end.is_nan() {
@@ -115,7 +112,7 @@ impl<'a> Setting<'a> {
     }
 
     /// Bodies with element nodes on the given ends.
-    pub(crate) fn parts(&self, level: Level, nodes: &[f64]) -> Result<(Parts, Effort), Refusal> {
+    pub fn parts(&self, level: Level, nodes: &[f64]) -> Result<(Parts, Effort), Refusal> {
         self.on_meshes(level, nodes, Parts::new)
     }
 
@@ -165,7 +162,7 @@ impl<'a> Setting<'a> {
     }
 
     /// Distance from the middle, or radius, of a point.
-    pub(crate) fn distance(&self, point: &ContactPoint) -> f64 {
+    pub fn distance(&self, point: &ContactPoint) -> f64 {
         (point.position[0] - self.disc.middle).abs()
     }
 
@@ -317,7 +314,7 @@ impl<'a> Setting<'a> {
     /// Forces of the supports of the whole scene.
     fn reactions(&self, parts: &Parts, bodies: &[Body<'_>; 2], states: [Option<&InterfaceState>; 2]) -> Vec<(String, Reaction)> {
         let names = [parts.parts[0].support_names.as_slice(), parts.parts[1].support_names.as_slice()];
-        let mut reactions = operators::reactions([&bodies[0].interface, &bodies[1].interface], names, states);
+        let mut reactions = bodies::reactions([&bodies[0].interface, &bodies[1].interface], names, states);
         if self.copies() > 1.0 {
             for (_, reaction) in &mut reactions {
                 let z = reaction.z_N.map(|z| self.copies() * z);

@@ -1,26 +1,26 @@
 //! Columns at the points of a half-disc's contact, for the whole scene when half of it was computed.
 
 use contact::{ContactOperator, ContactPoint, ContactSolution, ContactState, Pair, Side};
+use meshing::CANDIDATE;
 use nalgebra::Vector3;
 
-use crate::fe::bodies::MEAN_COLUMNS;
-use crate::fe::contact::word;
-use crate::fe::ends::Setting;
-use crate::fe::half_disc::CANDIDATE;
+use crate::options::{Sampling, trapezoid_weights};
+use crate::parts::MEAN_COLUMNS;
 use crate::profile::Profile;
 use crate::solution::ContactResult;
-use crate::options::{Sampling, trapezoid_weights};
+use crate::steps::contact::word;
+use crate::steps::ends::Setting;
 
 /// A solved contact with the ends its nodes stand on.
-pub(crate) struct Rows<'r> {
-    pub(crate) setting: &'r Setting<'r>,
-    pub(crate) pair: &'r Pair<'r>,
-    pub(crate) operator: &'r ContactOperator<'r>,
-    pub(crate) found: &'r ContactSolution,
-    pub(crate) gap: &'r [f64],
-    pub(crate) nodes: &'r [f64],
+pub struct Rows<'r> {
+    pub setting: &'r Setting<'r>,
+    pub pair: &'r Pair<'r>,
+    pub operator: &'r ContactOperator<'r>,
+    pub found: &'r ContactSolution,
+    pub gap: &'r [f64],
+    pub nodes: &'r [f64],
     /// Whether a node stands on both ends of stick.
-    pub(crate) stick_node: bool,
+    pub stick_node: bool,
 }
 
 /// A place of the surface: a computed point, or one between, and whether it is seen in the mirror.
@@ -37,7 +37,7 @@ impl Rows<'_> {
     }
 
     /// Pressure at a distance from the middle.
-    pub(crate) fn pressure_at(&self, distance: f64) -> f64 {
+    pub fn pressure_at(&self, distance: f64) -> f64 {
         let start = self.operator.points()[0].position[0] - self.setting.disc.middle;
         self.between(&self.found.pressure, distance - start)
     }
@@ -56,7 +56,7 @@ impl Rows<'_> {
     }
 
     /// Motion of body 1's load edge: of the rigid edge, or the mean.
-    pub(crate) fn rigid_motion(&self) -> [f64; 2] {
+    pub fn rigid_motion(&self) -> [f64; 2] {
         let (body, state) = (self.pair.shaped, &self.found.shaped);
         [0, 1].map(|k| match body.frame[k] {
             Some(unknown) => state.unknowns[unknown],
@@ -73,7 +73,7 @@ impl Rows<'_> {
     }
 
     /// The computed points.
-    pub(crate) fn own(&self) -> Profile {
+    pub fn own(&self) -> Profile {
         let points = self.operator.points();
         let place = |node: usize, mirrored: bool| Place { point: points[node], node: Some(node), mirrored };
         let mut places: Vec<Place> = (0..points.len()).map(|i| place(i, false)).collect();
@@ -85,7 +85,7 @@ impl Rows<'_> {
     }
 
     /// Points of the candidate surface, with trapezoid weights in x.
-    pub(crate) fn sampled(&self, sampling: Sampling<'_>) -> Profile {
+    pub fn sampled(&self, sampling: Sampling<'_>) -> Profile {
         let end = CANDIDATE * self.nodes[self.nodes.len() - 1];
         let from = if self.setting.revolved() { 0.0 } else { -end };
         let start = if self.setting.disc.whole { -end } else { 0.0 };
@@ -185,7 +185,7 @@ impl Rows<'_> {
     }
 
     /// Everything that is reported of the contact.
-    pub(crate) fn contact_result(&self) -> ContactResult {
+    pub fn contact_result(&self) -> ContactResult {
         let (setting, found) = (self.setting, self.found);
         let largest = |values: &[f64]| values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         let load = &setting.problem.load;

@@ -1,28 +1,28 @@
 //! The optimal pressure on a surface known without a mesh.
 
-use wear::{Regime, SurfacePoint, WearError};
 use scene::{Balance, Fault, Modes};
+use wear::{Regime, SurfacePoint, WearError};
 
+use crate::setup;
 use crate::freedom::{Freedom, Role};
 use crate::options::{Options, Sampling};
 use crate::problem::{Optimum, Problem};
 use crate::profile::Profile;
-use crate::setup;
 use crate::solution::{ByRole, ErrorResult, PointForce, PressureResult, Status};
 use crate::surface::Patch;
 
 /// The optimal pressure with its columns.
-pub(crate) struct Found {
+pub struct Found {
     /// How it ended, where it did not end well.
-    pub(crate) ended: Option<(Status, String)>,
-    pub(crate) result: PressureResult,
-    pub(crate) profile: Option<Profile>,
-    pub(crate) curve: Option<Profile>,
-    pub(crate) error: Option<ErrorResult>,
+    pub ended: Option<(Status, String)>,
+    pub result: PressureResult,
+    pub profile: Option<Profile>,
+    pub curve: Option<Profile>,
+    pub error: Option<ErrorResult>,
 }
 
 /// Solves for the optimal pressure.
-pub(crate) fn solve(problem: &Problem, options: &Options<'_>) -> Result<Found, Fault> {
+pub fn solve(problem: &Problem, options: &Options<'_>) -> Result<Found, Fault> {
     let Some(patch) = &problem.patch else { return Err(not_known()) };
     let wear = wear_problem(problem)?;
     let mut found = Found { ended: None, result: description(&problem.optimum), profile: None, curve: None, error: None };
@@ -61,12 +61,12 @@ fn not_known() -> Fault {
 }
 
 /// What is wrong with wear factors.
-pub(crate) fn wrong_wear(error: &WearError) -> Fault {
+pub fn wrong_wear(error: &WearError) -> Fault {
     Fault::at("wear", "wrong-value", error.to_string(), "mend the numbers in the message")
 }
 
 /// The problem in the words of the theory.
-pub(crate) fn wear_problem(problem: &Problem) -> Result<wear::Problem, Fault> {
+pub fn wear_problem(problem: &Problem) -> Result<wear::Problem, Fault> {
     let patch = problem.patch.as_ref().ok_or_else(not_known)?;
     let Optimum { functional, q, balance, modes, p_max } = problem.optimum;
     Ok(wear::Problem {

@@ -2,40 +2,41 @@
 
 use contact::{Pair, Side};
 use hpfem::{Body, Field, InterfaceState, Kinematics, Mesh, Stress};
+use meshing::Cut;
 use scene::Fault;
 
+use crate::bodies::paired;
 use crate::body_field::{BodyField, CellField, FieldFrame};
 use crate::cell_grid::CellGrid;
 use crate::effort::Effort;
-use crate::fe::bodies::{BodyParts, Level};
-use crate::fe::ends::Setting;
-use crate::fe::operators::paired;
-use crate::fe::stage::Stage;
-use crate::fe::template::Cut;
-use crate::fe::torsion;
 use crate::ladder::Refusal;
+use crate::level::Level;
+use crate::parts::BodyParts;
 use crate::plan::Step;
+use crate::stage::Stage;
+use crate::steps::torsion;
+use crate::steps::ends::Setting;
 
 /// What a stage leaves behind for the fields: the discretisation it reports, and the states of its bodies there.
-pub(crate) struct Reported {
-    pub(crate) level: Level,
+pub struct Reported {
+    pub level: Level,
     /// Ends of contact that the meshes are cut at, from -1 to 1 on the surface.
-    pub(crate) ends: Vec<f64>,
+    pub ends: Vec<f64>,
     /// The moments, the reported one first.
-    pub(crate) moments: Vec<Moment>,
+    pub moments: Vec<Moment>,
 }
 
 /// Both bodies at a moment.
-pub(crate) struct Moment {
-    pub(crate) time_s: f64,
-    pub(crate) name: &'static str,
-    pub(crate) states: [InterfaceState; 2],
+pub struct Moment {
+    pub time_s: f64,
+    pub name: &'static str,
+    pub states: [InterfaceState; 2],
     /// Shear around the axis on body 1 at the contact points (MPa), for the twist.
-    pub(crate) around: Vec<f64>,
+    pub around: Vec<f64>,
 }
 
 /// Recovers the moments of a stage on its bodies, made again at the reported level.
-pub(crate) fn recover(stage: Stage<'_>, reported: &Reported) -> Result<(Vec<FieldFrame>, Effort), Fault> {
+pub fn recover(stage: Stage<'_>, reported: &Reported) -> Result<(Vec<FieldFrame>, Effort), Fault> {
     let (parts, _) = stage.parts(reported.level, Cut::Ends(&reported.ends))?;
     let (bodies, reduction) = parts.reduce(stage.clock())?;
     let mut effort = counts(&reduction);
@@ -52,7 +53,7 @@ pub(crate) fn recover(stage: Stage<'_>, reported: &Reported) -> Result<(Vec<Fiel
 }
 
 /// The same of a half-disc on its flat side, with element nodes on the ends of contact; the whole scene, when half of it was computed.
-pub(crate) fn recover_ends(
+pub fn recover_ends(
     setting: &Setting<'_>,
     reported: &Reported,
     nodes: &[f64],

@@ -2,26 +2,24 @@
 //! than the contact, found from a first guess by solving on it; gap `R - sqrt(R^2 - x^2)` plus that of the scene, conditions on the flat side.
 
 use contact::Status as ContactStatus;
-
+use meshing::{ContactLine, Couple, Cut, Extent, contact_line};
 use scene::Fault;
 
+use crate::bodies::Bodies;
 use crate::body_field::FieldFrame;
-use crate::couple::Couple;
 use crate::effort::Effort;
-use crate::fe::answer::Outcome;
-use crate::fe::bodies::{Level, Parts};
-use crate::fe::contact::{Search, levels, on_standing_mesh, solve_level};
-use crate::fe::ends_scope::contact_alone;
-use crate::fe::hertz_trial::hertz_end;
-use crate::fe::operators::Bodies;
-use crate::fe::recover;
-use crate::fe::stage::Stage;
-use crate::fe::template::{Cut, Extent};
-use crate::given::{ContactLine, contact_line};
 use crate::ladder::{Ladder, Refusal};
+use crate::level::Level;
 use crate::options::Options;
+use crate::parts::Parts;
 use crate::plan::Step;
 use crate::problem::{Load, Problem};
+use crate::stage::Stage;
+use crate::steps::recover;
+use crate::steps::answer::Outcome;
+use crate::steps::contact::{Search, levels, on_standing_mesh, solve_level};
+use crate::steps::ends_scope::contact_alone;
+use crate::steps::hertz_trial::hertz_end;
 use crate::surface::Patch;
 use crate::watch::Watch;
 
@@ -34,7 +32,7 @@ const TRIALS: usize = 24;
 
 /// A round body on a flat one.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Round {
+pub struct Round {
     radius: f64,
     /// Where the bodies touch unloaded.
     touch: f64,
@@ -46,7 +44,7 @@ pub(crate) struct Round {
 
 impl Round {
     /// The round contact of two bodies; none where both are templates, or the contact is another.
-    pub(crate) fn of(couple: &Couple) -> Result<Option<Round>, Fault> {
+    pub fn of(couple: &Couple) -> Result<Option<Round>, Fault> {
         let [body1, body2] = &couple.bodies;
         if body1.cells.is_none() && body2.cells.is_none() {
             return Ok(None);
@@ -83,17 +81,17 @@ impl Round {
 
 /// A round contact of a problem.
 #[derive(Clone, Copy)]
-pub(crate) struct RoundContact<'a> {
-    pub(crate) problem: &'a Problem,
-    pub(crate) couple: &'a Couple,
-    pub(crate) round: Round,
-    pub(crate) options: &'a Options<'a>,
-    pub(crate) bodies: &'a Bodies,
+pub struct RoundContact<'a> {
+    pub problem: &'a Problem,
+    pub couple: &'a Couple,
+    pub round: Round,
+    pub options: &'a Options<'a>,
+    pub bodies: &'a Bodies,
 }
 
 impl RoundContact<'_> {
     /// Refuses what is not built, before anything is written.
-    pub(crate) fn available(&self) -> Result<(), Fault> {
+    pub fn available(&self) -> Result<(), Fault> {
         contact_alone(self.problem, "a round body on a flat one")?;
         if self.problem.load.shear_force != 0.0 {
             let message = "stick and slip is known between the templates half-disc and rectangle only";
@@ -104,7 +102,7 @@ impl RoundContact<'_> {
     }
 
     /// Parts of a level on the first guess, for a forecast.
-    pub(crate) fn first_parts(&self, level: Level) -> Result<Parts, Fault> {
+    pub fn first_parts(&self, level: Level) -> Result<Parts, Fault> {
         self.on_guess(|stage| Ok(stage.parts(level, Cut::Plain)?.0))
     }
 
@@ -121,7 +119,7 @@ impl RoundContact<'_> {
     }
 
     /// Solves the contact, with the fields if they are asked for.
-    pub(crate) fn solve(&self, watch: &mut Watch<'_>) -> Result<(Outcome, Effort, Vec<FieldFrame>), Refusal> {
+    pub fn solve(&self, watch: &mut Watch<'_>) -> Result<(Outcome, Effort, Vec<FieldFrame>), Refusal> {
         let (reach, mut effort) = self.reach()?;
         self.on(reach, |stage| {
             let mut search = Search::default();

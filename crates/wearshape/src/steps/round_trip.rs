@@ -1,18 +1,18 @@
 //! The proof of a shape: a full Signorini-Coulomb solve on it must give the wanted pressure back.
 
 use contact::{ContactLoad, ContactOperator, ContactSolution};
-use shapeopt::{GapCurve, Shape, SurfacePlace};
+use meshing::Cut;
 use scene::Fault;
+use shapeopt::{GapCurve, Shape, SurfacePlace};
 
+use crate::bodies::Reduced;
 use crate::effort::Effort;
-use crate::fe::answer::Told;
-use crate::fe::bodies::Level;
-use crate::fe::contact::{pressure_at, unsolved};
-use crate::fe::diagnosis;
-use crate::fe::operators::Reduced;
-use crate::fe::shape::Shaper;
-use crate::fe::template::Cut;
+use crate::level::Level;
 use crate::solution::InterfaceResult;
+use crate::steps::diagnosis;
+use crate::steps::answer::Told;
+use crate::steps::contact::{pressure_at, unsolved};
+use crate::steps::shape::Shaper;
 
 /// Relative area-weighted L2 difference of two pressures.
 fn difference(weights: &[f64], found: &[f64], wanted: &[f64]) -> f64 {
@@ -28,7 +28,7 @@ fn wanted(shaper: &Shaper<'_>, operator: &ContactOperator<'_>) -> (Vec<f64>, Vec
 }
 
 /// Round trip on the very operators the shape was found on: a test of the contact solver. With it the condition of its system.
-pub(crate) fn same(shaper: &Shaper<'_>, reduced: &Reduced, shape: &Shape) -> Result<(f64, Option<InterfaceResult>), Fault> {
+pub fn same(shaper: &Shaper<'_>, reduced: &Reduced, shape: &Shape) -> Result<(f64, Option<InterfaceResult>), Fault> {
     let pair = reduced.pair()?;
     let operator = reduced.operator(&pair, shaper.stage.friction() > 0.0)?;
     let gap: Vec<f64> = operator.points().iter().map(|p| shape.gap(&pair, p)).collect();
@@ -40,7 +40,7 @@ pub(crate) fn same(shaper: &Shaper<'_>, reduced: &Reduced, shape: &Shape) -> Res
 
 /// Round trip on an independent discretisation: two degrees more, other break points, the gap as a function of the arc length.
 /// Also writes the pressure found into the columns that are told, interpolated between the new points.
-pub(crate) fn independent(
+pub fn independent(
     shaper: &Shaper<'_>,
     level: Level,
     shape: &GapCurve,

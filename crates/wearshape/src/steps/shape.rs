@@ -6,25 +6,23 @@ use std::sync::Arc;
 use contact::{ContactLoad, ContactPoint, Motion, Pair};
 use hpfem::InterfaceState;
 use nalgebra::{DMatrix, Vector3};
-use shapeopt::{GapCurve, Integration, RigidPart, Shape, ShapeProblem, SurfacePlace, closing, solve_shape};
 use scene::{Balance, Fault};
+use shapeopt::{GapCurve, Integration, Measure, RigidPart, Shape, ShapeProblem, SurfacePlace, closing, difference_of_gaps, solve_shape};
 
+use crate::bodies::Reduced;
 use crate::effort::Effort;
-use crate::fe::answer::{Answer, Outcome, Own, Told};
-use crate::fe::bodies::Level;
-use crate::fe::gap_difference::{Measure, difference_of_gaps};
-use crate::fe::operators::Reduced;
-use crate::fe::pressure_ends::pressure_ends;
-use crate::fe::recover::{Moment, Reported};
-use crate::fe::stage::Stage;
-use crate::fe::{approach, round_trip, tolerance, torsion};
 use crate::freedom::Role;
 use crate::ladder::{Climbed, Ladder, Refusal, climb, errors, missed, rungs};
+use crate::level::Level;
 use crate::machined::{Machined, SurfacePoint};
 use crate::plan::Step;
 use crate::problem::Problem;
 use crate::solution::{ShapeResult, Status};
-use crate::solve::pressure;
+use crate::stage::Stage;
+use crate::steps::{approach, pressure, round_trip, tolerance, torsion};
+use crate::steps::answer::{Answer, Outcome, Own, Told};
+use crate::steps::pressure_ends::pressure_ends;
+use crate::steps::recover::{Moment, Reported};
 use crate::watch::Watch;
 
 /// Samples of the gap for the comparison of levels.
@@ -42,15 +40,15 @@ struct Solved {
 }
 
 /// What stages before the shape leave to it.
-pub(crate) struct Before<'a> {
+pub struct Before<'a> {
     /// Shapes solved for to find the force of a prescribed approach.
-    pub(crate) passes: usize,
+    pub passes: usize,
     /// How the error of the pressure was estimated.
-    pub(crate) how: &'a str,
+    pub how: &'a str,
 }
 
 /// Solves for the shape.
-pub(crate) fn solve(stage: Stage<'_>, before: &Before<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
+pub fn solve(stage: Stage<'_>, before: &Before<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
     let optimum = optimal(stage.problem)?;
     unanswered(stage, &optimum)?;
     let carried = balanced(stage.problem, &optimum);
@@ -78,7 +76,7 @@ pub(crate) fn solve(stage: Stage<'_>, before: &Before<'_>, watch: &mut Watch<'_>
 }
 
 /// The optimal pressure of a problem.
-pub(crate) fn optimal(problem: &Problem) -> Result<wear::Optimum, Refusal> {
+pub fn optimal(problem: &Problem) -> Result<wear::Optimum, Refusal> {
     wear::optimal_pressure(&pressure::wear_problem(problem)?).map_err(|error| Refusal::Reason(error.to_string()))
 }
 
@@ -109,7 +107,7 @@ fn balanced(problem: &Problem, optimum: &wear::Optimum) -> Option<Problem> {
 }
 
 /// A wanted pressure that is infinite somewhere has no shape.
-pub(crate) fn unanswered(stage: Stage<'_>, optimum: &wear::Optimum) -> Result<(), Refusal> {
+pub fn unanswered(stage: Stage<'_>, optimum: &wear::Optimum) -> Result<(), Refusal> {
     let points = stage.patch.surface.sample(SAMPLES);
     let Some(point) = points.iter().find(|point| !optimum.pressure_at(point).is_finite()) else { return Ok(()) };
     let [x, z] = [point.position.x, point.position.z];
@@ -119,16 +117,16 @@ pub(crate) fn unanswered(stage: Stage<'_>, optimum: &wear::Optimum) -> Result<()
 }
 
 /// The wanted tractions and the shape they ask for.
-pub(crate) struct Shaper<'a> {
-    pub(crate) stage: Stage<'a>,
-    pub(crate) optimum: &'a wear::Optimum,
+pub struct Shaper<'a> {
+    pub stage: Stage<'a>,
+    pub optimum: &'a wear::Optimum,
     /// Ends of the wanted pressure inside the surface.
     ends: Vec<f64>,
     feed: Vec<f64>,
 }
 
 impl<'a> Shaper<'a> {
-    pub(crate) fn new(stage: Stage<'a>, optimum: &'a wear::Optimum) -> Shaper<'a> {
+    pub fn new(stage: Stage<'a>, optimum: &'a wear::Optimum) -> Shaper<'a> {
         Shaper { stage, optimum, ends: pressure_ends(stage, optimum), feed: optimum.feed.clone().unwrap_or_default() }
     }
 
@@ -224,7 +222,7 @@ impl<'a> Shaper<'a> {
     }
 
     /// Wanted pressure at a place.
-    pub(crate) fn pressure(&self, place: &SurfacePlace) -> f64 {
+    pub fn pressure(&self, place: &SurfacePlace) -> f64 {
         self.optimum.pressure_at(&self.stage.surface_point(place.position, place.normal, 0.0))
     }
 
@@ -237,7 +235,7 @@ impl<'a> Shaper<'a> {
     }
 
     /// The shape on a pair of bodies.
-    pub(crate) fn shape(&self, pair: &Pair<'_>) -> Result<Shape, Fault> {
+    pub fn shape(&self, pair: &Pair<'_>) -> Result<Shape, Fault> {
         let load = &self.stage.problem.load;
         if !self.stage.rigid_prescribed() {
             return self.smallest(pair);
@@ -265,7 +263,7 @@ impl<'a> Shaper<'a> {
     }
 
     /// Adds the worn motions to those that a contact load prescribes.
-    pub(crate) fn add_feed(&self, load: &mut ContactLoad) {
+    pub fn add_feed(&self, load: &mut ContactLoad) {
         for (k, fed) in self.fed().unwrap_or_default().into_iter().enumerate() {
             if let Motion::Prescribed { value } = &mut load.motions[k + 1] {
                 *value -= fed;
@@ -274,7 +272,7 @@ impl<'a> Shaper<'a> {
     }
 
     /// The shape with its smallest rigid part; a prescribed rotation is kept.
-    pub(crate) fn smallest(&self, pair: &Pair<'_>) -> Result<Shape, Fault> {
+    pub fn smallest(&self, pair: &Pair<'_>) -> Result<Shape, Fault> {
         let about = self.stage.about();
         let rigid = match self.stage.turned() {
             0.0 => RigidPart::Smallest,

@@ -2,20 +2,21 @@
 
 use contact::{ContactOperator, ContactSolution, Pair};
 use hpfem::{Corner, SlidingEdge, sliding_edge};
+use meshing::{CONTACT, Cut, RATIO};
 use scene::Fault;
 
-use crate::fe::bodies::{BodyParts, Level};
-use crate::fe::contact::pressure_at;
-use crate::fe::stage::Stage;
-use crate::fe::template::{CONTACT, Cut, RATIO};
-use crate::lints::Lint;
+use crate::level::Level;
+use crate::parts::BodyParts;
+use crate::remarks::Remark;
+use crate::stage::Stage;
+use crate::steps::contact::pressure_at;
 
 /// Layers of the usual finest level.
 const MOST: usize = 16;
 
 /// A note on edges in contact that dig in, or whose innermost layer (of `layers`, or the usual most) still carries more than the accuracy asks
 /// for: the energy there goes like its size to the power `2 lambda`. `closed` tells whether the first and the last point of the surface are in contact.
-pub(crate) fn note(stage: Stage<'_>, layers: usize, closed: [bool; 2]) -> Result<Option<Lint>, Fault> {
+pub fn note(stage: Stage<'_>, layers: usize, closed: [bool; 2]) -> Result<Option<Remark>, Fault> {
     let friction = stage.friction();
     if friction == 0.0 || stage.facing() {
         return Ok(None);
@@ -49,7 +50,7 @@ pub(crate) fn note(stage: Stage<'_>, layers: usize, closed: [bool; 2]) -> Result
     }
     let message =
         format!("{}. Layers do not resolve that: round the edge off, or take less friction.", capital(&said.join("; ")));
-    Ok((!said.is_empty()).then_some(Lint { code: "edge-unresolved", message }))
+    Ok((!said.is_empty()).then_some(Remark { code: "edge-unresolved", message }))
 }
 
 fn capital(text: &str) -> String {
@@ -88,7 +89,7 @@ fn wedges(stage: Stage<'_>, bodies: [&BodyParts; 2], number: usize) -> Option<[C
 
 /// Exponents `l` of `p ~ d^l` at those ends of the surface that are in contact, from the pressure in the layers near them: the
 /// slope of log p over log d between 20 and 1000 times the smallest edge. Empty where the pressure is bounded there.
-pub(crate) fn exponents(pair: &Pair<'_>, operator: &ContactOperator<'_>, found: &ContactSolution) -> Vec<f64> {
+pub fn exponents(pair: &Pair<'_>, operator: &ContactOperator<'_>, found: &ContactSolution) -> Vec<f64> {
     let trace = pair.trace();
     let length = trace.length();
     let slope = |from_start: bool| {

@@ -4,9 +4,9 @@ use contact::ContactPoint;
 use scene::Fault;
 use shapeopt::{SurfacePlace, WearProblem, tolerances};
 
-use crate::fe::operators::Reduced;
-use crate::fe::shape::Shaper;
+use crate::bodies::Reduced;
 use crate::solution::ToleranceResult;
+use crate::steps::shape::Shaper;
 
 /// Amplitude of the errors, mm.
 const AMPLITUDE: f64 = 1e-3;
@@ -16,7 +16,7 @@ const ALLOWED: f64 = 0.1;
 const RIGID: f64 = 1e-6;
 
 /// Effects of the errors on the shape of a level, those that free rigid motions take up left out. Empty if a part of the surface is open.
-pub(crate) fn of(shaper: &Shaper<'_>, reduced: &Reduced) -> Result<Vec<ToleranceResult>, Fault> {
+pub fn of(shaper: &Shaper<'_>, reduced: &Reduced) -> Result<Vec<ToleranceResult>, Fault> {
     let stage = shaper.stage;
     let pair = reduced.pair()?;
     let operator = reduced.operator(&pair, stage.friction() > 0.0)?;

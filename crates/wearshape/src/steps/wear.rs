@@ -10,22 +10,20 @@ mod problem;
 
 use std::ops::ControlFlow;
 
+use history::History;
+use level::{MOST_STEPS, Mesh, run};
 use nalgebra::DMatrix;
-use shapeopt::EvolutionStatus;
+use pieces::Pieces;
+use shapeopt::{EvolutionStatus, Measure, difference_of_gaps};
 
 use crate::effort::Effort;
-use crate::fe::answer::{Outcome, Told};
-use crate::fe::gap_difference::{Measure, difference_of_gaps};
-use crate::fe::recover::Reported;
-use crate::fe::stage::Stage;
 use crate::ladder::{Climbed, Ladder, Refusal, climb, errors, missed, rungs};
 use crate::plan::Step;
 use crate::solution::{Status, WearResult};
+use crate::stage::Stage;
+use crate::steps::answer::{Outcome, Told};
+use crate::steps::recover::Reported;
 use crate::watch::{FinishedLevel, Resume, Watch};
-
-use history::History;
-use level::{MOST_STEPS, Mesh, run};
-use pieces::Pieces;
 
 /// A level: what it leaves behind for the others, and what is reported if it is the last.
 struct Solved {
@@ -45,7 +43,7 @@ struct Ran {
 }
 
 /// Runs the wear in time.
-pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
+pub fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
     let ladder = Ladder::of(stage.problem, stage.options);
     let pieces = Pieces::of(stage.problem);
     let resume = stage.options.resume.cloned().unwrap_or_default();

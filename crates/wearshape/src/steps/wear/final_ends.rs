@@ -2,14 +2,14 @@
 
 use scene::{Fault, Functional};
 
-use crate::fe::pressure_ends::pressure_ends;
-use crate::fe::stage::Stage;
-use crate::fe::wear::pieces::Pieces;
-use crate::solve::pressure;
+use crate::stage::Stage;
+use crate::steps::pressure;
+use crate::steps::pressure_ends::pressure_ends;
+use crate::steps::wear::pieces::Pieces;
 
 /// Ends inside the surface, from -1 to 1, of the steady pressure under the load that acts last: the gap gets its kinks there. None for a run
 /// to a given time, or where no steady pressure is known.
-pub(crate) fn final_ends(stage: Stage<'_>, pieces: &Pieces) -> Result<Vec<f64>, Fault> {
+pub fn final_ends(stage: Stage<'_>, pieces: &Pieces) -> Result<Vec<f64>, Fault> {
     if stage.problem.wear.until.is_some() {
         return Ok(Vec::new());
     }

@@ -9,9 +9,9 @@ const DEVIATION: f64 = 0.01;
 
 /// All states of a run; only the last one is whole.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct History {
+pub struct History {
     /// The states, step by step.
-    pub(crate) states: Vec<WearState>,
+    pub states: Vec<WearState>,
 }
 
 const COLUMNS: [&str; 13] = [
@@ -32,7 +32,7 @@ const COLUMNS: [&str; 13] = [
 
 impl History {
     /// Adds a state; the one before gives up what a run needs only to go on from it.
-    pub(crate) fn push(&mut self, state: WearState) {
+    pub fn push(&mut self, state: WearState) {
         if let Some(last) = self.states.last_mut() {
             let whole = std::mem::take(last);
             *last = WearState {
@@ -49,14 +49,14 @@ impl History {
     }
 
     /// Names and values of the columns of history.csv.
-    pub(crate) fn columns(&self) -> Vec<(String, Vec<f64>)> {
+    pub fn columns(&self) -> Vec<(String, Vec<f64>)> {
         let rows: Vec<[f64; COLUMNS.len()]> = self.states.iter().map(row).collect();
         let column = |k: usize| rows.iter().map(|row| row[k]).collect();
         COLUMNS.iter().enumerate().map(|(k, name)| (name.to_string(), column(k))).collect()
     }
 
     /// What the running-in of a run that ended steady has cost; weights are the areas of the contact points.
-    pub(crate) fn running_in(&self, weights: &[f64]) -> Option<Settled> {
+    pub fn running_in(&self, weights: &[f64]) -> Option<Settled> {
         settling(&self.states, weights, DEVIATION).map(|found| Settled {
             time_s: found.time,
             distance_mm: found.distance,

@@ -1,41 +1,41 @@
 //! One run in time on one level of discretisation.
 
 use contact::{ContactLoad, ContactOperator, ContactPoint, ContactSolution, Pair};
-use shapeopt::{Evolution, EvolutionStatus, Until, WearProblem, WearState, closing, lowest_nonnegative};
 use scene::Fault;
+use shapeopt::{Evolution, EvolutionStatus, Until, WearProblem, WearState, closing, lowest_nonnegative};
 
+use crate::bodies::Reduced;
 use crate::effort::Effort;
-use crate::fe::answer::{Answer, Own, Told};
-use crate::fe::bodies::Level;
-use crate::fe::contact::pressure_at;
-use crate::fe::operators::Reduced;
-use crate::fe::recover::{Moment, Reported};
-use crate::fe::stage::Stage;
-use crate::fe::torsion;
-use crate::fe::wear::Ran;
-use crate::fe::wear::history::History;
-use crate::fe::wear::mesh_lines::mesh_lines;
-use crate::fe::wear::nodal_curve::NodalCurve;
-use crate::fe::wear::pieces::Pieces;
-use crate::fe::wear::problem::{steady_residual, wear_problem};
 use crate::ladder::Refusal;
+use crate::level::Level;
 use crate::options::Sampling;
 use crate::plan::Step;
 use crate::solution::WearResult;
+use crate::stage::Stage;
+use crate::steps::torsion;
+use crate::steps::answer::{Answer, Own, Told};
+use crate::steps::contact::pressure_at;
+use crate::steps::recover::{Moment, Reported};
+use crate::steps::wear::Ran;
+use crate::steps::wear::history::History;
+use crate::steps::wear::mesh_lines::mesh_lines;
+use crate::steps::wear::nodal_curve::NodalCurve;
+use crate::steps::wear::pieces::Pieces;
+use crate::steps::wear::problem::{steady_residual, wear_problem};
 use crate::watch::{Event, FinishedLevel, RunLevel, Watch, WearStep};
 
 /// Samples of the gap for the comparison of levels.
 const SAMPLES: usize = 201;
 /// Most steps of a run.
-pub(crate) const MOST_STEPS: usize = 20_000;
+pub const MOST_STEPS: usize = 20_000;
 /// Run-in distances in the summary, slowest first.
 const RUN_IN: usize = 4;
 
 /// The discretisation of a run: a level, with nodes at the ends of the final pressure.
 #[derive(Clone, Copy)]
-pub(crate) struct Mesh<'a> {
-    pub(crate) level: Level,
-    pub(crate) ends: &'a [f64],
+pub struct Mesh<'a> {
+    pub level: Level,
+    pub ends: &'a [f64],
 }
 
 /// The contact of a level under each load of the schedule.
@@ -50,7 +50,7 @@ struct Scenes<'a> {
 
 /// One run on one level after the finished ones, from its start or from the last of the known states; the inner `Err` is one that the
 /// watcher cut short.
-pub(crate) fn run(
+pub fn run(
     (stage, pieces): (Stage<'_>, &Pieces),
     mesh: Mesh<'_>,
     (finished, known): (&[FinishedLevel], Vec<WearState>),

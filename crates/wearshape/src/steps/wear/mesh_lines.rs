@@ -1,17 +1,17 @@
 //! The meshes of both bodies as lines, for a viewer.
 
 use hpfem::Mesh;
+use meshing::Cut;
 use scene::Fault;
 
-use crate::fe::bodies::Level;
-use crate::fe::stage::Stage;
-use crate::fe::template::Cut;
+use crate::level::Level;
+use crate::stage::Stage;
 
 /// Straight pieces of a curved edge.
 const PIECES: usize = 8;
 
 /// The edges of both meshes of a level, cut at `ends`; two points (x, z) in mm a line.
-pub(crate) fn mesh_lines(stage: Stage<'_>, level: Level, ends: &[f64]) -> Result<[Vec<[f64; 2]>; 2], Fault> {
+pub fn mesh_lines(stage: Stage<'_>, level: Level, ends: &[f64]) -> Result<[Vec<[f64; 2]>; 2], Fault> {
     Ok(stage.meshes(level.layers, Cut::Ends(ends))?.map(|mesh| lines(&mesh)))
 }
 

@@ -5,16 +5,16 @@ use shapeopt::Interval;
 use crate::problem::Problem;
 
 /// The loads that occur, and which acts when.
-pub(crate) struct Pieces {
+pub struct Pieces {
     /// The problem under each of the different loads.
-    pub(crate) problems: Vec<Problem>,
+    pub problems: Vec<Problem>,
     /// The pieces in their order.
-    pub(crate) intervals: Vec<Interval>,
+    pub intervals: Vec<Interval>,
 }
 
 impl Pieces {
     /// The pieces of a problem; without a schedule the problem itself for ever.
-    pub(crate) fn of(problem: &Problem) -> Pieces {
+    pub fn of(problem: &Problem) -> Pieces {
         if problem.pieces.is_empty() {
             let intervals = vec![Interval { stage: 0, duration: f64::INFINITY }];
             return Pieces { problems: vec![problem.clone()], intervals };

@@ -3,9 +3,9 @@
 use contact::{ContactLoad, ContactOperator, Pair, Status as ContactStatus};
 use shapeopt::{Interval, LoadStage, Stepping, Until, WearProblem};
 
-use crate::fe::contact::start_gaps;
-use crate::fe::stage::Stage;
 use crate::ladder::Refusal;
+use crate::stage::Stage;
+use crate::steps::contact::start_gaps;
 
 /// Certificate of the steady state.
 const STEADY: f64 = 1e-9;
@@ -13,12 +13,12 @@ const STEADY: f64 = 1e-9;
 const REST: f64 = 0.01;
 
 /// The residual at which a run is steady: of the certificate, or of the wear still to come under a prescribed approach.
-pub(crate) fn steady_residual(stage: Stage<'_>) -> f64 {
+pub fn steady_residual(stage: Stage<'_>) -> f64 {
     if stage.problem.load.approach.is_some() { STEADY.max(REST * stage.accuracy()) } else { STEADY }
 }
 
 /// The wear problem on an operator; one stage a load that occurs. A run until the steady state goes on to the time `not_before` at least.
-pub(crate) fn wear_problem(
+pub fn wear_problem(
     (stages, loads): (&[Stage<'_>], &[ContactLoad]),
     intervals: &[Interval],
     (pair, operator): (&Pair<'_>, &ContactOperator<'_>),

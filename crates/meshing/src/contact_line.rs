@@ -3,36 +3,14 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use hpfem::{Curve, Mesh};
-use scene::{Fault, Geometry};
+use scene::Fault;
 
 use crate::couple::Body;
-
-
-/// Where a contact edge lies.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum ContactLine {
-    /// On a horizontal line.
-    Line {
-        /// Height.
-        z: f64,
-        /// From and to.
-        x: [f64; 2],
-    },
-    /// On a circle.
-    Circle {
-        /// Centre [x, z].
-        centre: [f64; 2],
-        /// Radius.
-        radius: f64,
-        /// From and to, from the z axis towards +x.
-        angles: [f64; 2],
-        /// Whether body 1 lies inside the circle, and body 2 outside.
-        internal: bool,
-    },
-}
+use crate::line::ContactLine;
+use crate::outline::outline;
 
 /// The line of a body's contact edge; `shaped` is body 1, which lies above the line, around the circle or inside it.
-pub(crate) fn contact_line(body: &Body, shaped: bool) -> Result<ContactLine, Fault> {
+pub fn contact_line(body: &Body, shaped: bool) -> Result<ContactLine, Fault> {
     let (key, edge) = (body.key, body.contact.as_str());
     let refuse = |message: String| {
         let remedy = "let the contact edge be one horizontal line with body 1 above, or part of one circle with body 1 around its top or inside its bottom, or let a round body 1 touch a line of body 2";
@@ -41,29 +19,8 @@ pub(crate) fn contact_line(body: &Body, shaped: bool) -> Result<ContactLine, Fau
     if let Some(mesh) = &body.cells {
         return of_mesh(mesh, edge, shaped).map_or_else(|why| refuse(format!("the edge `{edge}` of {key} {why}")), Ok);
     }
-    match (&body.geometry, edge, shaped) {
-        (Geometry::ShoeBlock(shoe), "inner", true) => {
-            let angle = shoe.half_angle.0;
-            Ok(ContactLine::Circle { centre: [0.0; 2], radius: shoe.radius.0, angles: [-angle, angle], internal: false })
-        }
-        (Geometry::RingSegment(segment), "inner", true) => {
-            let angles = segment.x.map(|x| (x.0 / segment.inner.0).asin());
-            Ok(ContactLine::Circle { centre: [0.0; 2], radius: segment.inner.0, angles, internal: false })
-        }
-        (Geometry::HalfDisc(disc), "arc", true) => {
-            let (centre, radius) = (disc.centre.map(|c| c.0), disc.radius.0);
-            Ok(ContactLine::Circle { centre, radius, angles: [FRAC_PI_2, PI + FRAC_PI_2], internal: true })
-        }
-        (Geometry::Ring(ring), "outer" | "inner", false) => {
-            let centre = ring.centre.map_or([0.0; 2], |c| c.map(|c| c.0));
-            let internal = edge == "inner";
-            let radius = if internal { ring.inner.0 } else { ring.outer.0 };
-            Ok(ContactLine::Circle { centre, radius, angles: [-PI, PI], internal })
-        }
-        (Geometry::Rectangle(r), "bottom", true) => Ok(ContactLine::Line { z: r.z[0].0, x: r.x.map(|x| x.0) }),
-        (Geometry::Rectangle(r), "top", false) => Ok(ContactLine::Line { z: r.z[1].0, x: r.x.map(|x| x.0) }),
-        (other, ..) => refuse(format!("the edge `{edge}` of the {} {key} cannot touch this body", crate::setup::template(other))),
-    }
+    let touches = outline(body).edge(edge).and_then(|edge| edge.touches[usize::from(!shaped)]);
+    touches.map_or_else(|| refuse(format!("the edge `{edge}` of the {} {key} cannot touch this body", body.geometry.name())), Ok)
 }
 
 fn of_mesh(mesh: &Mesh, edge: &str, shaped: bool) -> Result<ContactLine, String> {

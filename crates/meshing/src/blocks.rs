@@ -23,7 +23,7 @@ struct Named<'a> {
 }
 
 /// Cells of the blocks at the dotted `key`; `own` is the material of cells that name none.
-pub(super) fn given(key: &str, blocks: &Blocks, own: Option<Material>) -> Result<Given, Fault> {
+pub(crate) fn given(key: &str, blocks: &Blocks, own: Option<Material>) -> Result<Given, Fault> {
     let named = Named::new(key, blocks)?;
     let mut quads = Vec::new();
     let mut corners_of: HashMap<[usize; 4], &str> = HashMap::new();
@@ -60,7 +60,7 @@ pub(super) fn given(key: &str, blocks: &Blocks, own: Option<Material>) -> Result
 }
 
 /// Points, curves and materials that no cell uses, as keys below the blocks.
-pub(crate) fn unused(blocks: &Blocks) -> Vec<String> {
+pub fn unused(blocks: &Blocks) -> Vec<String> {
     let sides: Vec<&String> = blocks.cells.values().flat_map(|cell| &cell.curves).collect();
     let (used, idle): (Vec<_>, Vec<_>) = blocks.curves.iter().partition(|(name, _)| sides.contains(name));
     let ends: Vec<&String> = used.iter().flat_map(|(_, shape)| ends(shape)).collect();

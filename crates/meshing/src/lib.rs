@@ -1,0 +1,35 @@
+#![doc = include_str!("../README.md")]
+
+mod blocks;
+mod cells;
+mod coarse;
+mod contact_line;
+mod couple;
+mod cuts;
+mod extent;
+mod given;
+mod gmsh_file;
+mod half_disc;
+mod line;
+mod matching;
+mod meshes;
+mod names;
+mod near_ends;
+mod outline;
+mod read;
+mod round_cells;
+mod sound;
+mod template;
+
+pub use blocks::unused as unused_in_blocks;
+pub use contact_line::contact_line;
+pub use couple::{Body, Couple, LoadedEdge, Strip};
+pub use extent::{Cut, Extent};
+pub use given::{Files, Given, outside};
+pub use half_disc::{CANDIDATE, HalfDiscOnFlat};
+pub use line::ContactLine;
+pub use meshes::meshes;
+pub use names::{AXIS, CONTACT, LOAD, RATIO};
+pub use outline::{Edge, Outline, outline};
+pub use read::given;
+pub use sound::{sound, sound_material};

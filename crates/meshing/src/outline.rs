@@ -1,0 +1,163 @@
+//! What is known of a body without its mesh: its named edges, where they are, and what they can touch. A template says it here and nowhere else.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use scene::{Geometry, HalfDisc, Rectangle, Ring, RingSegment, ShoeBlock};
+
+use crate::couple::Body;
+use crate::given::edge_curves;
+use crate::line::ContactLine;
+
+/// The outline of a body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outline {
+    /// The named edges, and the named lines inside.
+    pub edges: Vec<Edge>,
+    /// Thickness above the middle of the contact edge (mm); cells that the user gives: from there to their highest vertex.
+    pub thickness: f64,
+}
+
+/// A named edge.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Edge {
+    /// Its name.
+    pub name: String,
+    /// Points [x, z] (mm) that span it: its ends, and the top or bottom of an arc; of cells three for each curve.
+    pub points: Vec<[f64; 2]>,
+    /// Whether it is a line inside the body, which can be held, but neither touched nor loaded.
+    pub inside: bool,
+    /// What it can touch as an edge of body 1 and of body 2; of cells that is found by [`crate::contact_line()`].
+    pub touches: [Option<ContactLine>; 2],
+    /// Whether a vertical load can act on a part of it.
+    pub strips: bool,
+}
+
+impl Outline {
+    /// Names of the edges, with the lines inside or without.
+    pub fn names(&self, inside: bool) -> Vec<String> {
+        self.edges.iter().filter(|edge| inside || !edge.inside).map(|edge| edge.name.clone()).collect()
+    }
+
+    /// An edge by its name.
+    pub fn edge(&self, name: &str) -> Option<&Edge> {
+        self.edges.iter().find(|edge| edge.name == name)
+    }
+
+    /// The points that span an edge; none of an unknown one.
+    pub fn points(&self, name: &str) -> Vec<[f64; 2]> {
+        self.edge(name).map(|edge| edge.points.clone()).unwrap_or_default()
+    }
+}
+
+/// The outline of a body.
+pub fn outline(body: &Body) -> Outline {
+    match &body.geometry {
+        Geometry::ShoeBlock(shoe) => shoe_block(shoe),
+        Geometry::Ring(circles) => ring(circles),
+        Geometry::Rectangle(block) => rectangle(block),
+        Geometry::RingSegment(segment) => ring_segment(segment),
+        Geometry::HalfDisc(disc) => half_disc(disc),
+        Geometry::Blocks(_) | Geometry::Mesh(_) => of_cells(body),
+    }
+}
+
+fn edge(name: &str, points: Vec<[f64; 2]>) -> Edge {
+    Edge { name: name.into(), points, inside: false, touches: [None, None], strips: false }
+}
+
+fn shoe_block(shoe: &ShoeBlock) -> Outline {
+    let angle = shoe.half_angle.0;
+    let (sine, cosine) = angle.sin_cos();
+    let (x, low, high) = (shoe.radius.0 * sine, shoe.radius.0 * cosine, shoe.top.0);
+    let circle = ContactLine::Circle { centre: [0.0; 2], radius: shoe.radius.0, angles: [-angle, angle], internal: false };
+    let inner = edge("inner", vec![[-x, low], [0.0, shoe.radius.0], [x, low]]);
+    Outline {
+        edges: vec![
+            Edge { touches: [Some(circle), None], ..inner },
+            edge("left", vec![[-x, low], [-x, high]]),
+            edge("right", vec![[x, low], [x, high]]),
+            edge("top", vec![[-x, high], [x, high]]),
+        ],
+        thickness: shoe.top.0 - shoe.radius.0,
+    }
+}
+
+fn ring(ring: &Ring) -> Outline {
+    let centre = ring.centre.map_or([0.0; 2], |centre| centre.map(|x| x.0));
+    let circle = |name: &str, radius: f64, internal: bool| {
+        let [x, z] = centre;
+        let touch = ContactLine::Circle { centre, radius, angles: [-PI, PI], internal };
+        let points = vec![[x - radius, z], [x, z + radius], [x + radius, z]];
+        Edge { touches: [None, Some(touch)], ..edge(name, points) }
+    };
+    Outline {
+        edges: vec![circle("inner", ring.inner.0, true), circle("outer", ring.outer.0, false)],
+        thickness: ring.outer.0 - ring.inner.0,
+    }
+}
+
+fn rectangle(rectangle: &Rectangle) -> Outline {
+    let (x, z) = (rectangle.x.map(|x| x.0), rectangle.z.map(|z| z.0));
+    let line = |z: f64| Some(ContactLine::Line { z, x });
+    Outline {
+        edges: vec![
+            edge("left", vec![[x[0], z[0]], [x[0], z[1]]]),
+            edge("right", vec![[x[1], z[0]], [x[1], z[1]]]),
+            Edge { touches: [line(z[0]), None], ..edge("bottom", vec![[x[0], z[0]], [x[1], z[0]]]) },
+            Edge { touches: [None, line(z[1])], ..edge("top", vec![[x[0], z[1]], [x[1], z[1]]]) },
+        ],
+        thickness: z[1] - z[0],
+    }
+}
+
+fn ring_segment(segment: &RingSegment) -> Outline {
+    let (inner, outer, x) = (segment.inner.0, segment.outer.0, segment.x.map(|x| x.0));
+    let height = |radius: f64, x: f64| (radius * radius - x * x).sqrt();
+    let cut = |x: f64| vec![[x, height(inner, x)], [x, height(outer, x)]];
+    let arc = |radius: f64| {
+        let middle = if x[0] < 0.0 && x[1] > 0.0 { 0.0 } else { 0.5 * (x[0] + x[1]) };
+        [x[0], middle, x[1]].map(|x| [x, height(radius, x)]).to_vec()
+    };
+    let angles = x.map(|x| (x / inner).asin());
+    let circle = ContactLine::Circle { centre: [0.0; 2], radius: inner, angles, internal: false };
+    Outline {
+        edges: vec![
+            Edge { touches: [Some(circle), None], ..edge("inner", arc(inner)) },
+            Edge { strips: true, ..edge("outer", arc(outer)) },
+            edge("left", cut(x[0])),
+            edge("right", cut(x[1])),
+            Edge { inside: true, ..edge("centre", cut(0.0)) },
+        ],
+        thickness: outer - inner,
+    }
+}
+
+fn half_disc(disc: &HalfDisc) -> Outline {
+    let ([x, z], radius) = (disc.centre.map(|c| c.0), disc.radius.0);
+    let angles = [FRAC_PI_2, PI + FRAC_PI_2];
+    let circle = ContactLine::Circle { centre: [x, z], radius, angles, internal: true };
+    let arc = edge("arc", vec![[x - radius, z], [x, z - radius], [x + radius, z]]);
+    Outline {
+        edges: vec![
+            Edge { touches: [Some(circle), None], ..arc },
+            edge("top", vec![[x - radius, z], [x + radius, z]]),
+            Edge { inside: true, ..edge("centre", vec![[x, z - radius], [x, z]]) },
+        ],
+        thickness: radius,
+    }
+}
+
+/// Of a body given by its cells; which edges lie inside is said by [`crate::outside`], with the place.
+fn of_cells(body: &Body) -> Outline {
+    let Some(mesh) = &body.cells else { return Outline { edges: Vec::new(), thickness: 0.0 } };
+    let points = |name: &str| -> Vec<[f64; 2]> {
+        edge_curves(mesh, name).iter().flat_map(|curve| [-1.0, 0.0, 1.0].map(|t| curve.point(t))).collect()
+    };
+    let edges = mesh.boundaries.iter().map(|name| Edge { strips: true, ..edge(name, points(name)) }).collect();
+    let along = points(&body.contact);
+    let ends = along.iter().fold([f64::MAX, f64::MIN], |[a, b], x| [a.min(x[0]), b.max(x[0])]);
+    let off = |x: &[f64; 2]| (x[0] - 0.5 * (ends[0] + ends[1])).abs();
+    let middle = along.iter().min_by(|a, b| off(a).total_cmp(&off(b))).map_or(f64::NAN, |x| x[1]);
+    let highest = mesh.vertices.iter().map(|x| x[1]).fold(f64::MIN, f64::max);
+    Outline { edges, thickness: highest - middle }
+}
