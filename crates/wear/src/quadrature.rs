@@ -43,6 +43,13 @@ pub(crate) fn legendre() -> &'static Rule {
     })
 }
 
+/// Rule on [0, 1] for integrands with any powers of t above -1, and its logarithm, at t = 0: Gauss-Legendre in the sixth root of t.
+pub(crate) fn graded() -> Rule {
+    let Rule { abscissa, weight } = *legendre();
+    let at = |i: usize| 6.0 * abscissa[i].powi(5) * weight[i];
+    Rule { abscissa: abscissa.map(|s| s.powi(6)), weight: std::array::from_fn(at) }
+}
+
 /// Rule for integrands t^exponent times a smooth function on [0, 1] (exponent > -1), with the weights divided by t^exponent, so
 /// that it is applied to the plain integrand. Golub-Welsch on the Jacobi recurrence.
 pub(crate) fn jacobi(exponent: f64) -> Rule {

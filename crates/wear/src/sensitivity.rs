@@ -1,216 +1,330 @@
-//! Derivatives of the answer with respect to the data, by differentiating the stationarity condition and the balance.
+//! What one per cent more of each given number does, by differentiating the stationarity condition and the balance.
 //!
-//! With p = C f^k (v/v_ref)^(-A), f = lambda . phi: d log p = dk log f + k df/f - dA log(v/v_ref), and d lambda follows from
-//! int psi_j p d log p dS + int d psi_j p dS = dF_j.
+//! With sum_i Q_i v^(A_i) p^(m_i) = f, f = lambda . phi - W2', and the shares t_i of the terms,
+//!
+//! ```text
+//! d log p = (df / f - sum_i t_i (d log Q_i + d(A_i log v) + dm_i log p)) / sum_i t_i m_i      below the cap
+//! d log p = d log p_max                                                                       at the cap
+//! ```
+//!
+//! and the changes of lambda, of the ratio of two bodies' norms (q != 1) and of the recession W2' of a revolving counter-face follow from the
+//! same number of linear equations: int (d psi_j + psi_j d log(p dS)) p dS = dF_j, the definition of Q_2/Q_1, that of W2'.
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::answer::Optimum;
 use crate::density::Density;
-use crate::report::{pressing, turning};
-use crate::{Balance, Functional, Modes, Optimum, Problem, RigidMotion, SurfacePoint, wear_rate};
+use crate::given::{Change, Given, times};
+use crate::pressure_law::Node;
+use crate::quadrature::graded;
+use crate::stage::Stage;
+use crate::stationarity::{Term, shares, terms};
+use crate::{Balance, Counterface, Functional, Modes, Problem, Shape, wear_rate};
 
-/// A datum of the problem.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Parameter {
-    /// Friction coefficient mu, also in beta mu^b where the factors are made of it.
-    Friction,
-    /// Pressure exponent b of both bodies, at constant beta or k.
-    PressureExponent,
-    /// Speed exponent a of both bodies.
-    SpeedExponent,
-    /// Natural logarithm of the wear factors of both bodies.
-    LogWearFactor,
-    /// Resultant of the mode with this index: force or moment.
-    Resultant(usize),
-}
-
-/// Derivatives of an optimum with respect to one parameter. What is zero for `LogWearFactor` does not depend on beta: pressure,
-/// friction power, torque and effective radius.
-#[derive(Clone, Debug, PartialEq)]
+/// What one per cent more of a given number does to first order, in per cent.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sensitivity {
-    /// d log p at the points of the optimum.
-    pub log_pressure: Vec<f64>,
-    /// Of the wear volume rate.
-    pub wear_volume_rate: f64,
-    /// Of the friction power.
-    pub friction_power: f64,
-    /// Of the wear power.
-    pub wear_power: f64,
-    /// Of the torque.
+    /// The number.
+    pub given: Given,
+    /// Of the wear rate: the rate at which wear opens the gap, mean over the surface; in the steady state under one force that of the feed.
+    /// `None` where nothing wears.
+    pub wear_rate: Option<f64>,
+    /// Of the friction torque where body 2 turns, of the friction force where it translates; `None` without friction.
     pub torque: Option<f64>,
-    /// Of the effective radius.
-    pub effective_radius: Option<f64>,
-    /// Of the feed of each mode; the time to a depth is depth/feed, so its logarithm has minus the derivative of log feed.
-    pub feed: Option<Vec<f64>>,
+    /// Of the largest pressure, at its present place.
+    pub p_max: f64,
 }
 
-/// Derivatives of `optimum`, the answer to `problem`. `None` where p is not a power of f and v by one common rule (two bodies with
-/// different exponents, revolving counter-face, pressure cap) or there is no density.
-pub fn sensitivity(problem: &Problem, optimum: &Optimum, parameter: Parameter) -> Option<Sensitivity> {
-    let Density::Power { k, .. } = optimum.law.density else {
-        return None;
+/// Effect of one per cent more of each given number that is not zero, on `optimum`, the answer to `problem`.
+///
+/// Exact derivatives; where the largest pressure is reached at several places, that of one of them. `None` where the pressure has no derivative or is
+/// no function: s = 1, several modes with q infinite or a uniform pressure, two wearing bodies with q infinite, a revolving counter-face that wears
+/// under a sector.
+pub fn one_percent(problem: &Problem, optimum: &Optimum) -> Option<Vec<Sensitivity>> {
+    let system = System::new(problem, optimum)?;
+    let lu = system.matrix().lu();
+    let of = |given: Given| {
+        let change = given.change(problem);
+        let unknowns = lu.solve(&system.side(&change))?;
+        Some(system.sensitivity(given, &change, &unknowns))
     };
-    let count = problem.modes.len();
-    if optimum.law.absolute || optimum.points.is_empty() || (k == 0.0 && count > 1) {
-        return None;
+    Given::all(problem).into_iter().filter(|given| system.defined(*given)).map(of).collect()
+}
+
+/// A point of the surface with what the change of its pressure is made of.
+struct Place {
+    node: Node,
+    log_pressure: f64,
+    log_speed: f64,
+    /// Shares of the terms, and d log p by each unknown; empty where the pressure is zero or at the cap.
+    shares: Vec<f64>,
+    reach: Vec<f64>,
+    capped: bool,
+}
+
+/// The linear equations for the changes of the multipliers (of the common factor where p = C v^-A) and of what else the pressure depends on.
+struct System<'a> {
+    problem: &'a Problem,
+    optimum: &'a Optimum,
+    /// Empty where p = C v^-A whatever f.
+    terms: Vec<Term>,
+    places: Vec<Place>,
+    /// Whether Q_2/Q_1 depends on the pressure.
+    ratio: bool,
+    /// Whether body 2 recedes by its mean wear.
+    recedes: bool,
+}
+
+impl<'a> System<'a> {
+    fn new(problem: &'a Problem, optimum: &'a Optimum) -> Option<System<'a>> {
+        let uniform = matches!(optimum.law.density, Density::Power { k: 0.0, .. });
+        let (count, two) = (problem.modes.len(), problem.wear.laws.iter().all(|law| law.factor > 0.0));
+        let of_wear = !matches!(problem.functional, Functional::Uniform | Functional::FrictionPower | Functional::Steady);
+        let recedes = matches!(optimum.law.density, Density::Receding { .. });
+        let excluded = uniform && (count > 1 || (two && of_wear)) || (recedes && optimum.law.recession.radii.is_some());
+        if optimum.points.is_empty() || excluded {
+            return None;
+        }
+        let terms = if uniform { Vec::new() } else { terms(problem, optimum)? };
+        let ratio = terms.len() == 2 && of_wear && problem.q != 1.0;
+        let mut system = System { problem, optimum, terms, places: Vec::new(), ratio, recedes };
+        let mut stage = Stage::new(problem, optimum.law.density).ok()?;
+        stage.law = optimum.law;
+        // Where contact ends inside the surface p has other powers of the distance than its derivatives.
+        stage.front_rule = stage.front_rule.is_some().then(graded);
+        let mut nodes = Vec::new();
+        stage.collect(&mut nodes);
+        system.places = nodes.into_iter().map(|node| system.place(node)).collect();
+        Some(system)
     }
-    let (dk, da) = exponent_changes(problem, k, parameter);
-    let gauge = optimum.law.gauge_multipliers();
-    let d_psi = |k: usize, point: &SurfacePoint| match (parameter, problem.balance, problem.modes[k].motion) {
-        (Parameter::Friction, Balance::Equilibrium, motion) if problem.shear_in_balance => {
-            -point.drag.dot(&motion.displacement(&point.position))
+
+    /// Whether the answer has a derivative by the number: not by one exponent b of two bodies whose factors beta mu^b vanish with mu.
+    fn defined(&self, given: Given) -> bool {
+        let vanishing = self.problem.wear.friction_driven && self.problem.friction == 0.0;
+        !(vanishing && self.terms.len() == 2 && matches!(given, Given::PressureExponent(_)))
+    }
+
+    fn unknowns(&self) -> usize {
+        self.problem.modes.len() + usize::from(self.ratio) + usize::from(self.recedes)
+    }
+
+    fn place(&self, node: Node) -> Place {
+        let log_pressure = self.optimum.law.log_pressure(&node);
+        let log_speed = node.point.sliding_speed.ln();
+        let capped = node.excess >= 0.0;
+        let mut place = Place { node, log_pressure, log_speed, shares: Vec::new(), reach: vec![0.0; self.unknowns()], capped };
+        if capped || log_pressure == f64::NEG_INFINITY {
+            return place;
         }
-        _ => 0.0,
-    };
-    let psi = |k: usize, point: &SurfacePoint| match (problem.balance, problem.modes[k].motion) {
-        (Balance::Paper, RigidMotion::Translation { .. }) => 1.0,
-        (Balance::Paper, motion) => motion.closing(point),
-        (_, motion) => motion.force_weight(point, optimum.law.friction),
-    };
-    let associated = problem.mode_kind == Modes::Associated;
-    let phi = |k: usize, point: &SurfacePoint| {
-        if associated { psi(k, point) } else { problem.modes[k].motion.closing(point) }
-    };
-    // Known part of d log p, then the matrix for the change of the multipliers (k = 0: of the common factor).
-    let known: Vec<f64> = optimum
-        .points
-        .iter()
-        .map(|point| {
-            let f: f64 = (0..count).map(|i| gauge[i] * phi(i, point)).sum();
-            if f <= 0.0 {
-                return 0.0;
+        if self.terms.is_empty() {
+            place.reach[0] = 1.0;
+            return place;
+        }
+        place.shares = shares(&self.terms, log_pressure, log_speed);
+        let m: f64 = self.terms.iter().zip(&place.shares).map(|(term, share)| share * term.m).sum();
+        let count = self.problem.modes.len();
+        (0..count).for_each(|k| place.reach[k] = place.node.modes.phi[k] / (place.node.f * m));
+        if self.ratio {
+            place.reach[count] = -place.shares[1] / m;
+        }
+        if self.recedes {
+            place.reach[count] = -1.0 / (place.node.f * m);
+        }
+        place
+    }
+
+    /// d log p at a place with all unknowns unchanged.
+    fn known(&self, place: &Place, change: &Change) -> f64 {
+        if place.capped {
+            return change.log_cap;
+        }
+        if place.log_pressure == f64::NEG_INFINITY {
+            return 0.0;
+        }
+        if self.terms.is_empty() {
+            return self.by_speed(place, change);
+        }
+        let own = self.terms.iter().zip(&place.shares);
+        let m: f64 = own.clone().map(|(term, share)| share * term.m).sum();
+        let resistance: f64 = own.map(|(term, share)| share * term.change(change, place.log_pressure, place.log_speed)).sum();
+        let gauge = self.optimum.law.gauge_multipliers();
+        let associated = self.problem.mode_kind == Modes::Associated;
+        let bent = |k: usize| gauge[k] * self.optimum.law.scale[k] * self.bent(place, k, change);
+        let force: f64 = if associated { (0..self.problem.modes.len()).map(bent).sum() } else { 0.0 };
+        (force / place.node.f - resistance) / m
+    }
+
+    /// d log p of p = C v^(-a/e), q infinite.
+    fn by_speed(&self, place: &Place, change: &Change) -> f64 {
+        let body = usize::from(self.problem.wear.laws[0].factor == 0.0 && self.problem.wear.laws[1].factor > 0.0);
+        let law = &self.problem.wear.laws[body];
+        let (a, e) = (law.speed_exponent, self.problem.functional.pressure_power(law.pressure_exponent));
+        match self.problem.functional {
+            Functional::Uniform => 0.0,
+            Functional::FrictionPower => -change.log_speed,
+            _ => {
+                let d_power = change.speed_exponents[body] / e - a / (e * e) * change.pressure_exponents[body];
+                -times(d_power, place.log_speed) - a / e * change.log_speed
             }
-            let bent: f64 = if associated { (0..count).map(|i| gauge[i] * d_psi(i, point)).sum() } else { 0.0 };
-            let speed = if da == 0.0 { 0.0 } else { da * (point.sliding_speed / optimum.law.reference_speed).ln() };
-            dk * f.ln() + k * bent / f - speed
-        })
-        .collect();
-    let reach = |i: usize, point: &SurfacePoint| {
-        let f: f64 = (0..count).map(|i| gauge[i] * phi(i, point)).sum();
-        if f <= 0.0 {
-            0.0
-        } else if k == 0.0 {
-            1.0
-        } else {
-            k * phi(i, point) / f
         }
-    };
-    let mut matrix = DMatrix::<f64>::zeros(count, count);
-    let mut side = DVector::<f64>::from_fn(count, |j, _| f64::from(u8::from(parameter == Parameter::Resultant(j))));
-    for ((point, p), known) in optimum.points.iter().zip(&optimum.pressure).zip(&known) {
+    }
+
+    /// d psi_k by friction, in the scaled modes.
+    fn bent(&self, place: &Place, k: usize, change: &Change) -> f64 {
+        if self.problem.balance == Balance::Paper || !self.problem.shear_in_balance {
+            return 0.0;
+        }
+        let point = &place.node.point;
+        let displacement = self.problem.modes[k].motion.displacement(&point.position);
+        -change.friction * point.drag.dot(&displacement) / self.optimum.law.scale[k]
+    }
+
+    /// Area weight and pressure of a place, N.
+    fn force(&self, place: &Place) -> f64 {
+        place.node.point.weight * place.log_pressure.exp()
+    }
+
+    /// Sum over the places of weights times (d log p by each unknown).
+    fn sums(&self, weight: impl Fn(&Place) -> f64) -> Vec<f64> {
+        let mut sums = vec![0.0; self.unknowns()];
+        for place in &self.places {
+            let weight = weight(place);
+            sums.iter_mut().zip(&place.reach).for_each(|(sum, reach)| *sum += weight * reach);
+        }
+        sums
+    }
+
+    /// Weight of a place in the norm A_i of a term's body, and the norm's share: X_i^q dS / A_i.
+    fn norm_weights(&self, term: &Term) -> Vec<f64> {
+        let body = term.body.unwrap_or(0);
+        let a = self.problem.wear.laws[body].speed_exponent;
+        let log = |place: &Place| (term.m + 1.0) * place.log_pressure + times(a * self.problem.q, place.log_speed);
+        normalised(&self.places, log)
+    }
+
+    /// Weight of a place in the wear of body 2.
+    fn wear_weights(&self) -> Vec<f64> {
+        let law = &self.problem.wear.laws[1];
+        normalised(&self.places, |place| law.pressure_exponent * place.log_pressure + times(law.speed_exponent, place.log_speed))
+    }
+
+    /// Recession of body 2 in the gauge of f.
+    fn recession(&self) -> f64 {
+        let law = &self.optimum.law;
+        law.recession.at(&self.optimum.points[0]) * (-law.log_scale).exp()
+    }
+
+    fn matrix(&self) -> DMatrix<f64> {
+        let (size, count) = (self.unknowns(), self.problem.modes.len());
+        let mut matrix = DMatrix::<f64>::zeros(size, size);
         for j in 0..count {
-            let share = point.weight * p * psi(j, point);
-            side[j] -= point.weight * p * d_psi(j, point) + share * known;
-            for l in 0..count {
-                matrix[(j, l)] += share * reach(l, point);
+            let row = self.sums(|place| self.force(place) * place.node.modes.psi[j]);
+            row.iter().enumerate().for_each(|(l, value)| matrix[(j, l)] = *value);
+        }
+        let mut subtract = |factor: f64, weights: &[f64]| {
+            for (place, weight) in self.places.iter().zip(weights) {
+                (0..size).for_each(|l| matrix[(count, l)] -= factor * weight * place.reach[l]);
+            }
+        };
+        if self.ratio {
+            // x = (1 - q)/q (d log A_2 - d log A_1), d log A_i = q (... + e_i d log p).
+            for (term, sign) in self.terms.iter().zip([-1.0, 1.0]) {
+                let e = (term.m + 1.0) / self.problem.q;
+                subtract(sign * (1.0 - self.problem.q) * e, &self.norm_weights(term));
+            }
+            matrix[(count, count)] += 1.0;
+        } else if self.recedes {
+            subtract(self.recession() * self.problem.wear.laws[1].pressure_exponent, &self.wear_weights());
+            matrix[(count, count)] += 1.0;
+        }
+        matrix
+    }
+
+    fn side(&self, change: &Change) -> DVector<f64> {
+        let count = self.problem.modes.len();
+        let known: Vec<f64> = self.places.iter().map(|place| self.known(place, change)).collect();
+        let mut side = DVector::<f64>::zeros(self.unknowns());
+        for j in 0..count {
+            side[j] = change.resultants[j] / self.optimum.law.scale[j];
+            for (place, known) in self.places.iter().zip(&known) {
+                let psi = place.node.modes.psi[j];
+                side[j] -= self.force(place) * (self.bent(place, j, change) + psi * (known + change.log_thickness));
             }
         }
-    }
-    let change = matrix.lu().solve(&side)?;
-    let log_pressure: Vec<f64> = optimum
-        .points
-        .iter()
-        .zip(&known)
-        .map(|(point, known)| known + (0..count).map(|l| reach(l, point) * change[l]).sum::<f64>())
-        .collect();
-    Some(assemble(problem, optimum, parameter, log_pressure, |i| if k == 0.0 { 0.0 } else { change[i] }))
-}
-
-/// dk and dA of p = C f^k v^(-A).
-fn exponent_changes(problem: &Problem, k: f64, parameter: Parameter) -> (f64, f64) {
-    let law = if problem.wear.laws[0].factor > 0.0 { problem.wear.laws[0] } else { problem.wear.laws[1] };
-    let (q, e) = match problem.functional {
-        Functional::WearVolume => (problem.q, law.pressure_exponent),
-        Functional::WearPower => (problem.q, law.pressure_exponent + 1.0),
-        Functional::Steady => (1.0, law.pressure_exponent + 1.0),
-        Functional::FrictionPower | Functional::Uniform => return (0.0, 0.0),
-    };
-    let a = law.speed_exponent;
-    match parameter {
-        Parameter::PressureExponent if q.is_infinite() => (0.0, -a / (e * e)),
-        Parameter::PressureExponent => (-k * k * q, -a * q * q * k * k),
-        Parameter::SpeedExponent if q.is_infinite() => (0.0, 1.0 / e),
-        Parameter::SpeedExponent => (0.0, q * k),
-        _ => (0.0, 0.0),
-    }
-}
-
-/// Change of the logarithm of body i's wear rate at fixed pressure.
-fn rate_change(problem: &Problem, i: usize, parameter: Parameter, log_pressure: f64, log_speed: f64) -> f64 {
-    let law = &problem.wear.laws[i];
-    let driven = problem.wear.friction_driven;
-    match parameter {
-        Parameter::Friction if driven => law.pressure_exponent / problem.friction,
-        Parameter::PressureExponent => log_pressure + if driven { problem.friction.ln() } else { 0.0 },
-        Parameter::SpeedExponent => log_speed,
-        Parameter::LogWearFactor => 1.0,
-        _ => 0.0,
-    }
-}
-
-fn assemble(
-    problem: &Problem,
-    optimum: &Optimum,
-    parameter: Parameter,
-    log_pressure: Vec<f64>,
-    change: impl Fn(usize) -> f64,
-) -> Sensitivity {
-    let (mut volume, mut power, mut swept, mut d_swept) = (0.0, 0.0, 0.0, 0.0);
-    for (index, point) in optimum.points.iter().enumerate() {
-        let (p, change) = (optimum.pressure[index], log_pressure[index]);
-        if p == 0.0 {
-            continue;
+        if self.ratio {
+            for (term, sign) in self.terms.iter().zip([-1.0, 1.0]) {
+                let (body, e) = (term.body.unwrap_or(0), (term.m + 1.0) / self.problem.q);
+                for ((place, known), weight) in self.places.iter().zip(&known).zip(self.norm_weights(term)) {
+                    let rate = change.log_rate(self.problem, body, place.log_pressure, place.log_speed);
+                    side[count] += sign * (1.0 - self.problem.q) * weight * (rate + e * known);
+                }
+            }
+        } else if self.recedes {
+            let b = self.problem.wear.laws[1].pressure_exponent;
+            for (place, weight) in self.places.iter().zip(self.wear_weights()) {
+                let rate = change.log_rate(self.problem, 1, place.log_pressure, place.log_speed);
+                side[count] += self.recession() * weight * (rate + b * self.known(place, change));
+            }
         }
-        swept += point.weight * p * point.sliding_speed;
-        d_swept += point.weight * p * point.sliding_speed * change;
-        for i in (0..2).filter(|i| problem.wear.wears(*i)) {
-            let law = &problem.wear.laws[i];
-            let rate = point.weight * wear_rate(law, p, point.sliding_speed);
-            let own = rate_change(problem, i, parameter, p.ln(), point.sliding_speed.ln());
-            let total = own + law.pressure_exponent * change;
-            volume += rate * total;
-            power += rate * p * (total + change);
+        side
+    }
+
+    fn sensitivity(&self, given: Given, change: &Change, unknowns: &DVector<f64>) -> Sensitivity {
+        let log_pressure = |place: &Place| {
+            let reached: f64 = place.reach.iter().zip(unknowns.iter()).map(|(reach, unknown)| reach * unknown).sum();
+            self.known(place, change) + reached
+        };
+        let highest = self.place(self.optimum.law.node(self.optimum.highest));
+        Sensitivity {
+            given,
+            wear_rate: self.wear_rate(change, &log_pressure),
+            torque: self.torque(change, &log_pressure),
+            p_max: log_pressure(&highest),
         }
     }
-    let own = if parameter == Parameter::Friction { swept } else { 0.0 };
-    let friction_power = own + problem.friction * d_swept;
-    let force = pressing(problem, optimum.normal_force);
-    let first = problem.modes.iter().position(|mode| matches!(mode.motion, RigidMotion::Translation { .. }));
-    let d_force = match (first, parameter) {
-        (Some(first), Parameter::Resultant(i)) => f64::from(u8::from(i == first)),
-        (Some(_), _) => 0.0,
-        (None, _) => {
-            let terms = optimum.points.iter().zip(&optimum.pressure).zip(&log_pressure);
-            terms.map(|((point, p), change)| point.weight * p * change).sum()
+
+    /// Relative change of int p v dS mu / speed.
+    fn torque(&self, change: &Change, log_pressure: &dyn Fn(&Place) -> f64) -> Option<f64> {
+        let power = |place: &Place| self.force(place) * place.node.point.sliding_speed;
+        let swept: f64 = self.places.iter().map(power).sum();
+        let changed: f64 = self.places.iter().map(|place| power(place) * log_pressure(place)).sum();
+        let mu = self.problem.friction;
+        (mu > 0.0 && swept > 0.0).then(|| change.friction / mu + changed / swept + change.log_thickness)
+    }
+
+    /// Relative change of the mean rate of the gap.
+    fn wear_rate(&self, change: &Change, log_pressure: &dyn Fn(&Place) -> f64) -> Option<f64> {
+        let (mut whole, mut changed) = (0.0, 0.0);
+        for (i, part) in [1.0, self.share_of_body2()].into_iter().enumerate().filter(|(i, _)| self.problem.wear.wears(*i)) {
+            let law = &self.problem.wear.laws[i];
+            for place in self.places.iter().filter(|place| place.log_pressure > f64::NEG_INFINITY) {
+                let point = &place.node.point;
+                let rate = part * point.weight * wear_rate(law, place.log_pressure.exp(), point.sliding_speed);
+                let own = change.log_rate(self.problem, i, place.log_pressure, place.log_speed);
+                whole += rate;
+                changed += rate * (own + law.pressure_exponent * log_pressure(place));
+            }
         }
-    };
-    let omega = turning(problem);
-    // Feed V = lambda sum_i bt_i v_ref^(a_i) C^(b_i): lambda changes, and the factor at fixed C.
-    let reference = optimum.law.reference_speed.ln();
-    let gauge = optimum.law.gauge_multipliers();
-    let feed = optimum.feed.as_ref().map(|feed| {
-        let active = (0..2).find(|i| problem.wear.wears(*i)).unwrap_or(0);
-        let own = rate_change(problem, active, parameter, optimum.law.log_scale, reference);
-        (0..feed.len())
-            .map(|i| {
-                let factor = feed_factor(feed, &gauge);
-                change(i) * factor + feed[i] * own
-            })
-            .collect()
-    });
-    Sensitivity {
-        log_pressure,
-        wear_volume_rate: volume,
-        friction_power,
-        wear_power: power,
-        torque: omega.map(|omega| friction_power / omega),
-        effective_radius: omega.map(|omega| (d_swept - swept * d_force / force) / omega / force),
-        feed,
+        (whole > 0.0).then(|| changed / whole)
+    }
+
+    /// Part of body 2's wear volume by which the gap grows.
+    fn share_of_body2(&self) -> f64 {
+        let surface = &self.problem.surface;
+        match (self.problem.counterface, surface.shape()) {
+            (Counterface::Fresh, _) => 0.0,
+            (Counterface::Congruent, _) | (_, Shape::Annulus { .. }) => 1.0,
+            (_, Shape::Sector { angles, .. }) => (angles[1] - angles[0]) / std::f64::consts::TAU,
+            _ => surface.track_area().map_or(0.0, |track| surface.area() / track),
+        }
     }
 }
 
-/// Feed over gauge multiplier, the same for every mode.
-fn feed_factor(feed: &[f64], gauge: &[f64]) -> f64 {
-    let largest = (0..feed.len()).max_by(|i, j| gauge[*i].abs().total_cmp(&gauge[*j].abs())).unwrap_or(0);
-    feed[largest] / gauge[largest]
+/// Weights exp(log) dS of the places, divided by their sum.
+fn normalised(places: &[Place], log: impl Fn(&Place) -> f64) -> Vec<f64> {
+    let touching = |place: &&Place| place.log_pressure > f64::NEG_INFINITY;
+    let largest = places.iter().filter(touching).map(&log).fold(f64::NEG_INFINITY, f64::max);
+    let size = |place: &Place| if touching(&place) { place.node.point.weight * (log(place) - largest).exp() } else { 0.0 };
+    let sum: f64 = places.iter().map(size).sum();
+    places.iter().map(|place| size(place) / sum).collect()
 }

@@ -8,4 +8,5 @@ mod properties;
 mod random;
 mod reference;
 mod reference_bodies;
+mod sensitivity;
 mod surfaces;
