@@ -3,9 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use report::SCHEMA_VERSION;
 use scene::{Fault, Place, sha256};
-
-use crate::report::SCHEMA_VERSION;
 
 /// File that marks a partial folder as ours; it is the first to be written.
 const MARK: &str = "scene.resolved.toml";

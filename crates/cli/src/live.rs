@@ -2,17 +2,13 @@
 
 use std::ops::ControlFlow;
 
+use wearshape;
 use scene::Fault;
+use wearshape::{Bodies, Event, Options, Problem, RunLevel, Solution, WearStep};
 
-use crate::fe::Bodies;
 use crate::interrupt;
-use crate::options::Options;
-use crate::problem::Problem;
 use crate::progress::Progress;
 use crate::record::{Iteration, Points, SceneUpdate, State, Tape};
-use crate::solution::Solution;
-use crate::solve;
-use crate::watch::{Event, RunLevel, WearStep};
 
 /// Recording and progress of a run.
 pub(crate) struct Live {

@@ -4,9 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use scene::{Document, Fault, Place, SCENES, builtin, did_you_mean};
-
-use crate::problem::Problem;
-use crate::setup::setup;
+use wearshape::{Problem, setup};
 
 /// Files beside a scene, by their paths as it has them.
 pub(crate) struct Beside(PathBuf);

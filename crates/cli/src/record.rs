@@ -19,8 +19,7 @@ use std::path::{Path, PathBuf};
 use scene::{Fault, Place};
 use schemars::JsonSchema;
 use serde::Serialize;
-
-use crate::watch::FinishedLevel;
+use wearshape::FinishedLevel;
 
 pub(crate) use messages::{Iteration, Log, Points};
 pub(crate) use replay::Replay;

@@ -5,7 +5,7 @@ pub const CONTACT: &str = "@contact";
 /// Name of the loaded edges.
 pub const LOAD: &str = "@load";
 /// Name of the edges on the axis of revolution or a plane of symmetry.
-pub(crate) const AXIS: &str = "@axis";
+pub const AXIS: &str = "@axis";
 
 /// Ratio of the sizes of successive layers. Of 0.1, 0.15, 0.25 the last reached a given error of the drum gap with the least work
 /// in degrees 6 to 12.

@@ -1,14 +1,13 @@
 //! The plots of a run: pressure, wear rate, gap.
 
-use crate::profile::Profile;
-use crate::report::line_plot::{Axis, LinePlot, Series};
-use crate::setup::Problem;
-use crate::solution::{Rung, Solution};
 use wear::Shape;
+use wearshape::{Problem, Profile, Rung, Solution};
+
+use crate::line_plot::{Axis, LinePlot, Series};
 
 /// The plots with the names of their files.
 pub(crate) fn line_plots(problem: &Problem, solution: &Solution) -> Vec<(&'static str, LinePlot)> {
-    let title = crate::report::title(problem);
+    let title = crate::title(problem);
     let Some(points) = &solution.profile else {
         return Vec::new();
     };

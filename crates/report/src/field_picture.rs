@@ -1,11 +1,10 @@
 //! The von Mises stress on the deformed bodies, as SVG.
 
 use scene::short;
+use wearshape::{CellField, CellGrid, FieldFrame};
 
-use crate::body_field::{CellField, FieldFrame};
-use crate::cell_grid::CellGrid;
-use crate::report::isobands::{Isobands, Placed};
-use crate::report::section_plot::Section;
+use crate::isobands::{Isobands, Placed};
+use crate::section_plot::Section;
 
 /// Size of a piece that is cut at the colours, in pixels.
 const PIECE: f64 = 12.0;
@@ -72,8 +71,8 @@ fn outline(grid: CellGrid, at: &[[f64; 2]]) -> String {
 #[cfg(test)]
 mod tests {
     use super::{field_picture, round_number};
-    use crate::body_field::{BodyField, CellField, FieldFrame};
-    use crate::cell_grid::CellGrid;
+    use wearshape::{BodyField, CellField, FieldFrame};
+    use wearshape::CellGrid;
     use hpfem::Stress;
 
     #[test]

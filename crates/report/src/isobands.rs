@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::cell_grid::CellGrid;
+use wearshape::CellGrid;
 
 /// Colours of the bands from low to high: cividis-like steps that colour-blind readers and grey printers tell apart.
 const BANDS: [&str; 12] = [
@@ -185,7 +185,7 @@ fn cut(polygon: &[Sample], level: f64, sign: f64) -> Vec<Sample> {
 #[cfg(test)]
 mod tests {
     use super::{Isobands, Placed, cut};
-    use crate::cell_grid::CellGrid;
+    use wearshape::CellGrid;
 
     #[test]
     fn a_peak_on_a_small_area_does_not_take_the_colours_from_the_rest() {

@@ -17,10 +17,10 @@ mod vtu;
 
 use scene::{Fault, scene_text};
 
-use crate::plan::Step;
+use wearshape::Step;
 use crate::record::{LAYOUT, Points, RUN_MCAP, Recorder, Tape};
-use crate::setup::Problem;
-use crate::solution::Solution;
+use wearshape::Problem;
+use wearshape::Solution;
 
 pub(crate) use curves::abscissa;
 pub(crate) use folder::Folder;
@@ -34,7 +34,7 @@ pub(crate) const SCHEMA_VERSION: u32 = 1;
 /// Text of scene.resolved.toml: the scene with every default, in base units.
 pub(crate) fn resolved(problem: &Problem) -> Result<String, Fault> {
     let head = "# Every default filled in; units N, mm, MPa, s, rad. Running this file gives the same result.\n";
-    Ok(format!("{head}{}", scene_text(&problem.scene)?))
+    Ok(format!("{head}{}", scene_text(&problem.scene())?))
 }
 
 /// The mesh files that the resolved scene names, to stand beside it.
@@ -94,16 +94,16 @@ pub(crate) fn write(
     // A run in time has been recorded as it went; anything else is one picture.
     if let Some(tape) = tape {
         tape.finish(verdict, &text)?;
-    } else if let Some(profile) = solution.profile.as_ref().filter(|_| problem.plan.runs(Step::Recording)) {
+    } else if let Some(profile) = solution.profile.as_ref().filter(|_| problem.plan().runs(Step::Recording)) {
         let mut recorder = Recorder::create(&folder.path().join(RUN_MCAP), resolved, None)?;
         recorder.log(verdict)?;
         recorder.picture(&Points::new(0, 0.0, profile))?;
         recorder.finish(&text)?;
     }
-    if problem.plan.runs(Step::Recording) {
+    if problem.plan().runs(Step::Recording) {
         folder.write(LAYOUT[0], LAYOUT[1])?;
     }
-    if problem.plan.runs(Step::Page) {
+    if problem.plan().runs(Step::Page) {
         folder.write("report.html", &page_of_folder(folder.path())?)?;
     }
     Ok(summary)
@@ -111,7 +111,7 @@ pub(crate) fn write(
 
 /// Title of a scene, or its name.
 pub(crate) fn title(problem: &Problem) -> String {
-    problem.scene.title.clone().unwrap_or_else(|| problem.name.clone())
+    problem.scene().title.clone().unwrap_or_else(|| problem.name().clone())
 }
 
 /// Named columns as CSV.

@@ -1,9 +1,9 @@
 //! The surface to machine, for machines: profile.csv, profile-spline.csv, profile.dxf.
 
 use scene::number_text;
+use wearshape::{Machined, SurfacePoint};
 
-use crate::machined::{Machined, SurfacePoint};
-use crate::report::dxf::{Drawing, dxf};
+use crate::dxf::{Drawing, dxf};
 
 /// Names and texts of the files.
 pub(crate) fn machined_files(machined: &Machined, title: &str) -> Vec<(&'static str, String)> {

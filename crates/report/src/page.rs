@@ -5,9 +5,9 @@ use std::path::Path;
 use scene::{Fault, Place};
 use serde_json::{Value, json};
 
+use crate::line_plot::{Axis, LinePlot, escaped, line_plot};
 use crate::record::RUN_MCAP;
-use crate::report::line_plot::{Axis, LinePlot, escaped, line_plot};
-use crate::report::run_in::run_in;
+use crate::run_in::run_in;
 
 /// The stress on the deformed bodies.
 pub(crate) const FIELD_PICTURE: &str = "plots/field.svg";

@@ -2,11 +2,10 @@
 
 use serde::Serialize;
 use serde_json::{Map, Value, json};
+use wearshape::{Problem, Solution};
 
-use crate::report::SCHEMA_VERSION;
-use crate::report::terminal::verdict;
-use crate::setup::Problem;
-use crate::solution::Solution;
+use crate::SCHEMA_VERSION;
+use crate::terminal::verdict;
 
 /// The whole summary: absent stages and numbers that are not finite are absent keys.
 pub(crate) fn summary(problem: &Problem, solution: &Solution, resolved: &str) -> Value {
@@ -16,14 +15,14 @@ pub(crate) fn summary(problem: &Problem, solution: &Solution, resolved: &str) ->
     };
     put("schema_version", json!(SCHEMA_VERSION));
     put("version", json!(env!("CARGO_PKG_VERSION")));
-    put("scene", json!(problem.name));
+    put("scene", json!(problem.name()));
     put("scene_sha256", json!(scene::sha256(resolved)));
     put("status", value(&solution.status));
     put("verdict", json!(verdict(problem, solution)));
-    put("stages", value(&problem.plan.stages));
+    put("stages", value(&problem.plan().stages));
     put("counters", value(&solution.effort.counters));
-    put("unused_keys", json!(problem.unused_keys));
-    put("lints", json!(problem.lints.iter().chain(&solution.lints).collect::<Vec<_>>()));
+    put("unused_keys", json!(problem.unused_keys()));
+    put("lints", json!(problem.remarks().iter().chain(&solution.lints).collect::<Vec<_>>()));
     put("pressure", value(&solution.pressure));
     put("contact", value(&solution.contact));
     put("shape", value(&solution.shape));

@@ -4,10 +4,7 @@ use std::path::Path;
 
 use scene::{Functional, short, with_short_numbers};
 use wear::Shape;
-
-use crate::profile::Profile;
-use crate::setup::Problem;
-use crate::solution::{Solution, Status};
+use wearshape::{Problem, Profile, Solution, Status};
 
 /// A place in the words of the scene.
 fn place(problem: &Problem, s: f64) -> String {
@@ -79,7 +76,7 @@ pub(crate) fn verdict(problem: &Problem, solution: &Solution) -> String {
         return match wear.steady {
             true => match &wear.to_1_percent {
                 Some(near) => format!("Worn in to 1 % after {} s, steady after {time} s.", short(near.time_s)),
-                None if problem.scene.load.as_ref().is_some_and(|load| load.approach.is_some()) => {
+                None if problem.scene().load.as_ref().is_some_and(|load| load.approach.is_some()) => {
                     format!(
                         "The contact has worn itself free after {time} s: under the prescribed approach nothing presses any more."
                     )
@@ -105,7 +102,7 @@ pub(crate) fn verdict(problem: &Problem, solution: &Solution) -> String {
     let Some(pressure) = &solution.pressure else {
         return "Nothing was asked for.".into();
     };
-    let what = match problem.scene.optimum.as_ref().and_then(|optimum| optimum.functional) {
+    let what = match problem.scene().optimum.as_ref().and_then(|optimum| optimum.functional) {
         Some(Functional::Uniform) => "The uniform pressure",
         Some(Functional::WearVolume) => "The pressure that makes the wear volume rate stationary",
         Some(Functional::FrictionPower) => "The pressure that makes the friction power stationary",
@@ -168,11 +165,11 @@ pub(crate) fn first_screen(problem: &Problem, solution: &Solution, folder: &Path
     if let Some(trip) = solution.shape.as_ref().and_then(|shape| shape.roundtrip_independent.or(shape.roundtrip_same)) {
         lines.push(format!("proof     a contact solve on this shape returns the pressure within {trip:.1e}"));
     }
-    for lint in solution.lints.iter().chain(&problem.lints).take(2) {
+    for lint in solution.lints.iter().chain(&problem.remarks()).take(2) {
         lines.push(format!("note      {}", lint.message));
     }
-    if !problem.unused_keys.is_empty() {
-        lines.push(format!("unused    {}", problem.unused_keys.join(", ")));
+    if !problem.unused_keys().is_empty() {
+        lines.push(format!("unused    {}", problem.unused_keys().join(", ")));
     }
     lines.truncate(9);
     lines.push(format!("files     {}", folder.display()));

@@ -3,7 +3,7 @@
 use scene::short;
 use serde_json::Value;
 
-use crate::report::line_plot::escaped;
+use crate::line_plot::escaped;
 
 /// A table of `summary.shape.tolerance` with a sentence under it; empty without entries.
 pub(super) fn tolerance(entries: &Value) -> String {

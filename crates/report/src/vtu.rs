@@ -5,9 +5,7 @@
 //! and the geometry and the stresses are interpolated in the points.
 
 use base64::Engine;
-
-use crate::body_field::{BodyField, CellField, FieldFrame};
-use crate::cell_grid::CellGrid;
+use wearshape::{BodyField, CellField, CellGrid, FieldFrame};
 
 /// Flat pieces, or whole cells.
 #[derive(Clone, Copy, PartialEq, Eq)]

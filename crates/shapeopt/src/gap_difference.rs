@@ -2,11 +2,9 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::problem::Problem;
-
 /// What the difference of two gaps is measured by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Measure {
+pub enum Measure {
     /// The largest gap: the rigid part is the smallest.
     Largest,
     /// The crown, highest minus lowest of the gap without its best rigid part: a rigid part that is prescribed may be any number of
@@ -14,19 +12,9 @@ pub(crate) enum Measure {
     Crown,
 }
 
-impl Measure {
-    /// The measure for the shape of a problem.
-    pub(crate) fn of(problem: &Problem) -> Measure {
-        let Problem { couple, load, .. } = problem;
-        let rigid = couple.as_ref().is_some_and(|couple| couple.has_rigid_edge());
-        let prescribed = rigid && (load.approach.is_some() || load.approach_time.is_some());
-        if prescribed { Measure::Crown } else { Measure::Largest }
-    }
-}
-
 /// `max |a - b|` of two sampled gaps over the size of `b`, after the best combination of closing velocities (one column a mode) is
-/// taken out of the difference.
-pub(crate) fn difference_of_gaps(a: &[f64], b: &[f64], closing: &DMatrix<f64>, measure: Measure) -> f64 {
+/// taken out of the difference. `a` and `b` hold one value a sample (mm); `closing` is samples x modes.
+pub fn difference_of_gaps(a: &[f64], b: &[f64], closing: &DMatrix<f64>, measure: Measure) -> f64 {
     let b = DVector::from_column_slice(b);
     let difference = DVector::from_column_slice(a) - &b;
     let size = match measure {

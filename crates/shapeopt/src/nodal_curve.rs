@@ -1,13 +1,18 @@
 //! A gap given at the contact points, as a curve for the choice of the rigid part.
 
 use contact::{ContactOperator, Pair};
-use shapeopt::{Curve, closing};
+
+use crate::rigid_part::Curve;
+use crate::shape::closing;
 
 /// Values (mm) at the contact points, polynomials in between.
-pub(crate) struct NodalCurve<'a> {
-    pub(crate) pair: &'a Pair<'a>,
-    pub(crate) operator: &'a ContactOperator<'a>,
-    pub(crate) gap: &'a [f64],
+pub struct NodalCurve<'a> {
+    /// The bodies.
+    pub pair: &'a Pair<'a>,
+    /// Their contact.
+    pub operator: &'a ContactOperator<'a>,
+    /// Gap at the contact points (mm).
+    pub gap: &'a [f64],
 }
 
 impl Curve for NodalCurve<'_> {

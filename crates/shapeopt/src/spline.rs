@@ -2,20 +2,20 @@
 
 /// A curve of `N` coordinates, twice continuously differentiable, a cubic polynomial between successive knots.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Spline<const N: usize> {
+pub struct Spline<const N: usize> {
     /// Knots, ascending.
-    pub(crate) knots: Vec<f64>,
+    pub knots: Vec<f64>,
     /// One piece an interval: coefficients `c` of each coordinate, `sum_k c[k] (t - knot)^k` from the knot on its left.
-    pub(crate) pieces: Vec<[[f64; 4]; N]>,
+    pub pieces: Vec<[[f64; 4]; N]>,
 }
 
 /// A spline and how far it is from its curve.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Fit<const N: usize> {
+pub struct Fit<const N: usize> {
     /// The spline.
-    pub(crate) spline: Spline<N>,
+    pub spline: Spline<N>,
     /// Largest deviation of a coordinate at seven places in each interval.
-    pub(crate) deviation: f64,
+    pub deviation: f64,
 }
 
 /// Equal intervals to begin with.
@@ -31,7 +31,7 @@ const PLACES: usize = 7;
 impl<const N: usize> Spline<N> {
     /// The spline through `values` at `knots` (four at least) without a break of the third derivative at the second knot and the last but
     /// one ("not a knot"; de Boor 1978, chapter IV).
-    pub(crate) fn through(knots: Vec<f64>, values: &[[f64; N]]) -> Spline<N> {
+    pub fn through(knots: Vec<f64>, values: &[[f64; N]]) -> Spline<N> {
         let slopes: [Vec<f64>; N] = std::array::from_fn(|c| slopes(&knots, &values.iter().map(|v| v[c]).collect::<Vec<_>>()));
         let piece = |i: usize| {
             let h = knots[i + 1] - knots[i];
@@ -46,7 +46,7 @@ impl<const N: usize> Spline<N> {
 
     /// The spline of a curve over a range, with intervals split until no coordinate deviates by more than `tolerance`, or there are too
     /// many.
-    pub(crate) fn fit(curve: impl Fn(f64) -> [f64; N], [from, to]: [f64; 2], tolerance: f64) -> Fit<N> {
+    pub fn fit(curve: impl Fn(f64) -> [f64; N], [from, to]: [f64; 2], tolerance: f64) -> Fit<N> {
         let mut knots: Vec<f64> =
             (0..=FIRST).map(|i| if i == FIRST { to } else { from + (to - from) * i as f64 / FIRST as f64 }).collect();
         let mut round = 0;
@@ -84,14 +84,14 @@ impl<const N: usize> Spline<N> {
     }
 
     /// Point at a parameter.
-    pub(crate) fn at(&self, t: f64) -> [f64; N] {
+    pub fn at(&self, t: f64) -> [f64; N] {
         let i = self.knots.partition_point(|knot| *knot <= t).clamp(1, self.pieces.len()) - 1;
         let x = t - self.knots[i];
         self.pieces[i].map(|[a, b, c, d]| a + x * (b + x * (c + x * d)))
     }
 
     /// Control points over the knots with the ends fourfold, by the polar form of the pieces.
-    pub(crate) fn control_points(&self) -> Vec<[f64; N]> {
+    pub fn control_points(&self) -> Vec<[f64; N]> {
         let last = self.pieces.len() - 1;
         let knot = |i: usize| self.knots[i.saturating_sub(3).min(self.knots.len() - 1)];
         let point = |i: usize| {
@@ -105,7 +105,7 @@ impl<const N: usize> Spline<N> {
     }
 
     /// The knots with the ends fourfold.
-    pub(crate) fn padded_knots(&self) -> Vec<f64> {
+    pub fn padded_knots(&self) -> Vec<f64> {
         let (first, last) = (self.knots[0], self.knots[self.knots.len() - 1]);
         [first; 3].into_iter().chain(self.knots.iter().copied()).chain([last; 3]).collect()
     }

@@ -41,8 +41,17 @@ pub struct Forecast {
     pub about_seconds: f64,
 }
 
-/// All levels that the run of a problem may climb to; the seconds are 0 by a clock that stands.
-pub fn forecast(problem: &Problem, clock: Clock) -> Result<Vec<Forecast>, Fault> {
+impl Problem {
+    /// All levels that a solve may climb to, by meshing them; about how long by timing the first ones with a clock.
+    ///
+    /// # Errors
+    /// What is not built, or cannot be meshed or held.
+    pub fn forecast(&self, clock: Clock) -> Result<Vec<Forecast>, Fault> {
+        forecast(self, clock)
+    }
+}
+
+fn forecast(problem: &Problem, clock: Clock) -> Result<Vec<Forecast>, Fault> {
     let options = Options { clock, ..Options::default() };
     let bodies = Bodies::default();
     let scope = Scope::of(problem, &options, &bodies)?;

@@ -1,6 +1,6 @@
 //! The rigid freedoms of body 1: what its supports and its load leave free, with the prescribed resultants.
 
-use meshing::{Body, Couple, LoadedEdge, edge_curves};
+use meshing::{Body, Couple, LoadedEdge, outline};
 use nalgebra::Vector3;
 use scene::{Component, Fault, Geometry, LoadKind, SurfaceShape};
 use wear::{RigidMode, RigidMotion};

@@ -20,7 +20,7 @@ impl Level {
     }
 
     /// Degree of a cell in a layer.
-    fn degree_in(self, layer: usize) -> usize {
+    pub fn degree_in(self, layer: usize) -> usize {
         let fall = if self.slow { layer / 2 } else { layer };
         self.degree.saturating_sub(fall).max(2.min(self.degree))
     }

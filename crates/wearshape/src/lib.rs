@@ -6,6 +6,7 @@ mod cell_grid;
 mod effort;
 mod forecast;
 mod freedom;
+mod functional;
 mod gap_profile;
 mod ladder;
 mod level;

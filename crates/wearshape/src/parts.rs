@@ -5,6 +5,7 @@ use meshing::{self, AXIS, CONTACT, Couple, LOAD, LoadedEdge};
 use scene::{Component, Fault, LoadKind};
 
 use crate::effort::{Clock, Effort};
+use crate::level::Level;
 use crate::plan::Step;
 
 /// Everything a body of one level is made of.
@@ -30,7 +31,7 @@ impl BodyParts {
     pub fn new(couple: &Couple, shaped: bool, mesh: Mesh, level: Level, kinematics: Kinematics) -> Result<BodyParts, Fault> {
         let body = &couple.bodies[usize::from(!shaped)];
         let key = body.key;
-        let materials = hpfem_materials(body).map_err(|error| {
+        let materials = body.elastic().map_err(|error| {
             Fault::at(format!("{key}.material"), "wrong-value", error.to_string(), "give young > 0 and poisson below 0.5")
         })?;
         let degrees = mesh.cells.iter().map(|c| level.degree_in(c.layer)).collect();
@@ -182,11 +183,6 @@ fn counted(bodies: [(&InterfaceOperator, hpfem::Effort); 2]) -> Effort {
     effort.counters.trace_dofs = bodies.iter().map(|(interface, _)| interface.stiffness.nrows()).sum();
     effort.counters.factorisations = bodies.len();
     effort
-}
-
-/// The materials of a body, by the index that its cells have.
-pub fn hpfem_materials(body: &couple::Body) -> Result<Vec<Material>, hpfem::Error> {
-    body.materials.iter().map(|m| Material::new(m.young.0, m.poisson)).collect()
 }
 
 /// The load for a force of 1 N, and the mean displacement functionals of the load edge.

@@ -2,7 +2,8 @@
 
 use contact::Turn;
 use meshing::Couple;
-use scene::{Gap, Scene, SurfaceShape};
+use scene::{Fault, Gap, Geometry, Scene, SurfaceShape};
+use shapeopt::Measure;
 use wear::{WearError, WearPair};
 
 use crate::freedom::Freedom;
@@ -45,7 +46,7 @@ pub struct Problem {
     /// Stages and reasons.
     pub plan: Plan,
     /// What the theory has to say about the scene.
-    pub lints: Vec<Remark>,
+    pub remarks: Vec<Remark>,
     /// Keys that were written but are not used.
     pub unused_keys: Vec<String>,
 }
@@ -140,6 +141,77 @@ pub struct Optimum {
 }
 
 impl Problem {
+    /// Short name of the scene.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Title of the scene, or its name.
+    pub fn title(&self) -> &str {
+        self.scene.title.as_deref().unwrap_or(&self.name)
+    }
+
+    /// The scene with every default filled in, in base units.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// The stages, with reasons.
+    pub fn plan(&self) -> &Plan {
+        &self.plan
+    }
+
+    /// What the theory has to say about the scene.
+    pub fn remarks(&self) -> &[Remark] {
+        &self.remarks
+    }
+
+    /// Keys that were written but are not used, sorted.
+    pub fn unused_keys(&self) -> &[String] {
+        &self.unused_keys
+    }
+
+    /// Text of scene.resolved.toml: the scene with every default, in base units; solving it gives the same result.
+    ///
+    /// # Errors
+    /// A scene that cannot be written, which is a fault of ours.
+    pub fn resolved(&self) -> Result<String, Fault> {
+        let head = "# Every default filled in; units N, mm, MPa, s, rad. Running this file gives the same result.\n";
+        Ok(format!("{head}{}", scene::scene_text(&self.scene)?))
+    }
+
+    /// The files that the resolved scene names, to stand beside it: name and bytes.
+    pub fn files(&self) -> Vec<(String, Vec<u8>)> {
+        let bodies = [&self.scene.body1, &self.scene.body2].into_iter().flatten();
+        let files = bodies.filter_map(|body| match &body.geometry {
+            Geometry::Mesh(file) => file.content.as_ref().map(|content| (file.file.clone(), content.to_vec())),
+            _ => None,
+        });
+        files.collect()
+    }
+
+    /// Area of the contact surface (mm^2), where it is known without a mesh.
+    pub fn contact_area(&self) -> Option<f64> {
+        self.patch.as_ref().map(|patch| patch.surface.area())
+    }
+
+    /// Number of free rigid modes of body 1.
+    pub fn free_modes(&self) -> usize {
+        self.freedoms.len()
+    }
+
+    /// The angle (rad, from the z axis towards +x) at an arc length from the middle (mm); none off an arc.
+    pub fn angle(&self, s: f64) -> Option<f64> {
+        self.patch.as_ref()?.angle(s)
+    }
+
+    /// What differences of its gap are measured by.
+    pub fn measure(&self) -> Measure {
+        let rigid = self.couple.as_ref().is_some_and(|couple| couple.has_rigid_edge());
+        let prescribed = rigid && (self.load.approach.is_some() || self.load.approach_time.is_some());
+        if prescribed { Measure::Crown } else { Measure::Largest }
+    }
+
     /// Level of a degree: as many layers as the degree asks for.
     pub fn level(&self, degree: usize) -> Level {
         Level::of(degree, self.wanted.bends)

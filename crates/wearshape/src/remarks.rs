@@ -1,13 +1,13 @@
 //! What the theory has to say about a scene before it is solved.
 
-use meshing::{Body, edge_curves};
+use meshing::outline;
 use scene::{Balance, Functional, Geometry, Task, short, with_short_numbers};
 use serde::Serialize;
 use wear::Shape;
 
 use crate::freedom::Role;
+use crate::functional::s_minus_1;
 use crate::problem::{Optimum, Problem};
-use crate::setup::s_minus_1;
 use crate::solution::Solution;
 
 /// A remark: the scene is legal, and something about it is worth knowing.
@@ -20,7 +20,7 @@ pub struct Remark {
 }
 
 /// All remarks, in a fixed order.
-pub fn lints(problem: &Problem, tasks: &[Task]) -> Vec<Remark> {
+pub fn remarks(problem: &Problem, tasks: &[Task]) -> Vec<Remark> {
     let mut found = Vec::new();
     let mut say = |code: &'static str, message: String| found.push(Remark { code, message: with_short_numbers(&message) });
     materials(problem, &mut say);

@@ -1,5 +1,6 @@
 //! Which of the three kinds of contact two bodies have: a surface known beforehand, a round body on a flat one, a half-disc on a rectangle.
 
+use hpfem::Mesh;
 use meshing::{Body, Cut, HalfDiscOnFlat};
 use scene::Fault;
 
@@ -82,5 +83,28 @@ impl<'a> Scope<'a> {
         let (fields, work) = effort.timed(Step::Fields, clock, |_| recover::recover_ends(setting, reported, &nodes))?;
         effort += work;
         Ok(Some((outcome, effort, fields)))
+    }
+}
+
+impl Problem {
+    /// Refuses what is not built yet, so that nothing need be written for it.
+    ///
+    /// # Errors
+    /// What is not built, with what to write instead.
+    pub fn available(&self) -> Result<(), Fault> {
+        if !self.plan.runs(Step::Mesh) {
+            return Ok(());
+        }
+        Scope::of(self, &Options::default(), &Bodies::default())?.available()
+    }
+
+    /// The meshes of both bodies at the fixed discretisation, or with the layers of degree 8.
+    ///
+    /// # Errors
+    /// Where there are no bodies on a known surface, or they cannot be meshed.
+    pub fn meshes(&self) -> Result<[Mesh; 2], Fault> {
+        let (options, bodies) = (Options::default(), Bodies::default());
+        let layers = self.wanted.fixed.map_or(8, |level| level.layers);
+        Stage::new(self, &options, &bodies)?.meshes(layers, Cut::Plain)
     }
 }

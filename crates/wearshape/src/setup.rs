@@ -12,20 +12,19 @@ mod wear_rule;
 use meshing::{Couple, Files};
 use scene::{Document, Fault, Gap, Scene};
 
-use crate::{freedom, lints};
+use crate::{freedom, remarks};
 use crate::plan::Plan;
-use crate::problem::Friction;
+use crate::problem::{Friction, Problem};
 use crate::surface::Patch;
 
-pub use crate::problem::Problem;
-
-pub use bodies::template;
-pub use optimum::{kind, s_minus_1};
-pub use twist::turns;
-
-/// Checks a scene and fills in its defaults.
-pub fn setup(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
-    check(document, files).map_err(|fault| document.locate(fault))
+impl Problem {
+    /// Checks a document and fills in its defaults; `files` gives the bytes of the files beside it, each read once.
+    ///
+    /// # Errors
+    /// What the user has to mend, with its place.
+    pub fn new(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
+        check(document, files).map_err(|fault| document.locate(fault))
+    }
 }
 
 fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
@@ -64,13 +63,13 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
         pieces: schedule::pieces(&scene),
         optimum: optimum::choice(&scene),
         plan: Plan::default(),
-        lints: Vec::new(),
+        remarks: Vec::new(),
         unused_keys,
         scene,
     };
     problem.plan = Plan::new(&problem, &tasks, problem.scene.check.unwrap_or(true));
     problem.freedoms = problem.own_freedoms();
-    problem.lints = remarks::lints(&problem, &tasks);
+    problem.remarks = remarks::remarks(&problem, &tasks);
     Ok(problem)
 }
 

@@ -62,7 +62,7 @@ pub struct Solution {
     /// Displacement and stress inside the bodies, the reported moment first; empty unless an output asks for them.
     pub fields: Vec<FieldFrame>,
     /// Remarks that only the result could tell.
-    pub lints: Vec<Remark>,
+    pub remarks: Vec<Remark>,
     /// What it took.
     pub effort: Effort,
     /// An unfinished run in time that was stopped, to go on with.

@@ -33,7 +33,7 @@ pub fn solve(
         Err(Refusal::Fault(fault)) => return Err(fault),
     }
     let after = remarks::after(problem, &solution);
-    solution.lints.extend(after);
+    solution.remarks.extend(after);
     Ok(solution)
 }
 
@@ -113,7 +113,7 @@ fn elastic((problem, options, bodies): Given<'_>, passes: usize, watch: &mut Wat
 impl Solution {
     /// Takes in what an elastic step found; what it does not say stays. Returns what twist and fields need.
     fn take(&mut self, outcome: Outcome) -> Option<Reported> {
-        let Outcome { ended, stopped, contact, interface, shape, wear, history, machined, told, error, ladder, lints, reported, resume } =
+        let Outcome { ended, stopped, contact, interface, shape, wear, history, machined, told, error, ladder, remarks, reported, resume } =
             outcome;
         if let Some((status, reason)) = ended {
             (self.status, self.reason) = (status, Some(reason));
@@ -137,7 +137,7 @@ impl Solution {
             self.curve = Some(told.curve);
         }
         self.ladder = ladder;
-        self.lints.extend(lints);
+        self.remarks.extend(remarks);
         if !error.how.is_empty() {
             self.error.get_or_insert_default().take(error);
         }

@@ -38,7 +38,7 @@ impl<'a> Stage<'a> {
             Fault::at("contact.edges", "not-available", message, "ask for the pressure alone: --set tasks=[pressure]")
         };
         let patch = problem.patch.as_ref().ok_or_else(none)?;
-        let extent = Extent::of(patch.surface.shape()).ok_or_else(none)?;
+        let extent = patch.extent().ok_or_else(none)?;
         let couple = problem.couple.as_ref().ok_or_else(none)?;
         Ok(Stage { problem, couple, patch, extent, options, bodies })
     }

@@ -33,7 +33,7 @@ impl Quantity {
         if problem.plan.runs(Step::Evolution) {
             Some(Quantity::Gap(Measure::Largest))
         } else if problem.plan.runs(Step::Shape) {
-            Some(Quantity::Gap(Measure::of(problem)))
+            Some(Quantity::Gap(problem.measure()))
         } else {
             problem.plan.runs(Step::Contact).then_some(Quantity::Contact)
         }

@@ -2,15 +2,13 @@
 
 use scene::Fault;
 use serde_json::json;
+use wearshape::{Forecast, Problem, Step, forecast};
 
-use crate::args::CheckArgs;
-use crate::commands::{print_json, print_out};
-use crate::clock::seconds;
-use crate::exit::Exit;
-use crate::fe::{Forecast, forecast};
 use crate::open;
-use crate::plan::Step;
-use crate::problem::Problem;
+use crate::args::CheckArgs;
+use crate::clock::seconds;
+use crate::commands::{print_json, print_out};
+use crate::exit::Exit;
 
 /// Prints the plan, the remarks and the unused keys of a scene.
 pub(crate) fn run(args: &CheckArgs) -> Result<Exit, Fault> {
@@ -26,10 +24,10 @@ pub(crate) fn run(args: &CheckArgs) -> Result<Exit, Fault> {
 /// The plan as a document.
 pub(crate) fn plan_json(problem: &Problem) -> serde_json::Value {
     let mut plan = json!({
-        "scene": problem.name,
-        "stages": problem.plan.stages,
-        "lints": problem.lints,
-        "unused_keys": problem.unused_keys,
+        "scene": problem.name(),
+        "stages": problem.plan().stages,
+        "lints": problem.remarks(),
+        "unused_keys": problem.unused_keys(),
     });
     match expected(problem) {
         Some(Ok(levels)) => plan["expected"] = json!(levels),
@@ -41,7 +39,7 @@ pub(crate) fn plan_json(problem: &Problem) -> serde_json::Value {
 
 /// Sizes and times of the levels; `None` for scenes without bodies.
 fn expected(problem: &Problem) -> Option<Result<Vec<Forecast>, Fault>> {
-    problem.plan.runs(Step::Mesh).then(|| forecast(problem, seconds))
+    problem.plan().runs(Step::Mesh).then(|| forecast(problem, seconds))
 }
 
 /// The plan in words, with what it will take.
@@ -60,7 +58,7 @@ pub(crate) fn describe_with_sizes(problem: &Problem) -> String {
             if levels.len() > 1 {
                 out += "the run climbs from row to row until its accuracy is reached; seconds are those up to there, with the proof\n";
             }
-            if problem.plan.runs(Step::Evolution) {
+            if problem.plan().runs(Step::Evolution) {
                 out += "the steps in time come on top: how many it takes is not known before\n";
             }
         }
@@ -70,9 +68,9 @@ pub(crate) fn describe_with_sizes(problem: &Problem) -> String {
 
 /// The plan in words.
 pub(crate) fn describe(problem: &Problem) -> String {
-    let title = problem.scene.title.as_deref().unwrap_or("");
-    let mut out = format!("{}: {title}\nthe scene is sound\n\n", problem.name);
-    for stage in &problem.plan.stages {
+    let title = problem.scene().title.as_deref().unwrap_or("");
+    let mut out = format!("{}: {title}\nthe scene is sound\n\n", problem.name());
+    for stage in &problem.plan().stages {
         let mark = if stage.ran { "yes" } else { " - " };
         out += &format!("  {mark}  {:<18} {}\n", stage.name.name(), stage.because);
     }
@@ -80,11 +78,11 @@ pub(crate) fn describe(problem: &Problem) -> String {
         out += &format!("\ncontact surface {:.6} mm^2", patch.surface.area());
         out += &format!(", free rigid modes of body 1: {}\n", problem.freedoms.len());
     }
-    for lint in &problem.lints {
+    for lint in &problem.remarks() {
         out += &format!("\nnote [{}]: {}\n  more: wearshape explain {}\n", lint.code, lint.message, lint.code);
     }
-    if !problem.unused_keys.is_empty() {
-        out += &format!("\nkeys not used by this scene: {}\n", problem.unused_keys.join(", "));
+    if !problem.unused_keys().is_empty() {
+        out += &format!("\nkeys not used by this scene: {}\n", problem.unused_keys().join(", "));
     }
     out
 }

@@ -1,10 +1,10 @@
 //! `wearshape report`: the page of a folder, built again from its files.
 
+use report::page_of_folder;
 use scene::{Fault, Place};
 
 use crate::args::ReportArgs;
 use crate::exit::Exit;
-use crate::report::page_of_folder;
 
 /// Rebuilds report.html.
 pub(crate) fn run(args: &ReportArgs) -> Result<Exit, Fault> {

@@ -3,24 +3,19 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
+use report::{self, Folder};
 use scene::{Fault, Place};
+use wearshape::{Bodies, Options, Problem, Sampling, Status, Step, available};
 
+use crate::{interrupt, open};
 use crate::args::{Common, RunArgs};
 use crate::clock::seconds;
-use crate::commands::check::{describe, describe_with_sizes, plan_json};
 use crate::commands::{print_json, print_out};
+use crate::commands::check::{describe, describe_with_sizes, plan_json};
 use crate::exit::Exit;
-use crate::fe::{Bodies, available};
-use crate::interrupt;
 use crate::live::Live;
-use crate::open;
-use crate::options::{Options, Sampling};
-use crate::plan::Step;
-use crate::problem::Problem;
 use crate::progress::Progress;
 use crate::record::Tape;
-use crate::report::{self, Folder};
-use crate::solution::Status;
 
 /// Computes a scene and writes its folder.
 pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
@@ -28,7 +23,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
     let common = &args.common;
     let (document, problem) = open::problem(&args.scene, &common.set)?;
     let options = options(common)?;
-    let target = common.output.clone().unwrap_or_else(|| PathBuf::from("out").join(&problem.name));
+    let target = common.output.clone().unwrap_or_else(|| PathBuf::from("out").join(problem.name()));
     if common.dry_run {
         if common.json {
             print_json(&plan_json(&problem));
@@ -46,7 +41,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
     }
     let ready = start.elapsed().as_secs_f64();
     folder.write("scene.resolved.toml", &resolved)?;
-    for (name, bytes) in report::mesh_files(&problem.scene) {
+    for (name, bytes) in report::mesh_files(&problem.scene()) {
         folder.write_bytes(&name, bytes)?;
     }
     if common.verbose && !common.quiet {
@@ -84,7 +79,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
 
 /// The recording of a run in time; a sentence says from where it goes on.
 fn tape(folder: &Folder, problem: &Problem, resolved: &str, common: &Common) -> Option<Tape> {
-    if !problem.plan.runs(Step::Evolution) {
+    if !problem.plan().runs(Step::Evolution) {
         if common.resume && !common.quiet {
             eprintln!("only runs in time can be continued; this one begins at its start");
         }

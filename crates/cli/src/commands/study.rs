@@ -3,21 +3,17 @@
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
+use report::{self, Folder};
+use report::line_plot::{Axis, LinePlot, Series, line_plot};
 use scene::{Fault, Place, number_text};
+use wearshape::{DEGREES, Event, Level, Measure, Quantity, Step, Truth, outermost, study};
 
+use crate::{interrupt, open};
 use crate::args::StudyArgs;
-use crate::commands::run::with_threads;
-use crate::commands::{print_json, print_out};
 use crate::clock::seconds;
+use crate::commands::{print_json, print_out};
+use crate::commands::run::with_threads;
 use crate::exit::Exit;
-use crate::fe::Measure;
-use crate::interrupt;
-use crate::open;
-use crate::report::line_plot::{Axis, LinePlot, Series, line_plot};
-use crate::report::{self, Folder};
-use crate::plan::Step;
-use crate::study::{DEGREES, Level, Quantity, Truth, outermost, study};
-use crate::watch::Event;
 
 /// Columns of study.csv.
 const COLUMNS: [&str; 12] = [
@@ -44,8 +40,8 @@ pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
         return Err(Fault::new("not-available", "study compares meshes, and this scene needs none", remedy));
     };
     let truth = args.reference.as_deref().map(reference).transpose()?;
-    crate::fe::available(&problem).map_err(|fault| document.locate(fault))?;
-    let target = common.output.clone().unwrap_or_else(|| PathBuf::from("out").join(format!("{}-study", problem.name)));
+    wearshape::available(&problem).map_err(|fault| document.locate(fault))?;
+    let target = common.output.clone().unwrap_or_else(|| PathBuf::from("out").join(format!("{}-study", problem.name())));
     if common.dry_run {
         print_out(&format!("would solve {} degrees and write {}\n", DEGREES.len(), target.display()));
         return Ok(Exit::Done);
@@ -81,7 +77,7 @@ pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
     let summary = serde_json::json!({
         "schema_version": report::SCHEMA_VERSION,
         "version": env!("CARGO_PKG_VERSION"),
-        "scene": problem.name,
+        "scene": problem.name(),
         "scene_sha256": scene::sha256(&resolved),
         "quantity": quantity.description(),
         "truth": against,
@@ -89,7 +85,7 @@ pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
     });
     folder.write("study.csv", &table)?;
     folder.write("study.json", &report::pretty(&summary))?;
-    folder.write("study.svg", &line_plot(&picture(&problem.name, quantity, &against, &rows)))?;
+    folder.write("study.svg", &line_plot(&picture(problem.name(), quantity, &against, &rows)))?;
     folder.write("scene.resolved.toml", &resolved)?;
     // Marks the folder as ours, so that the next study may replace it.
     folder.write("summary.json", &report::pretty(&summary))?;

@@ -4,22 +4,19 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use rayon::prelude::*;
+use report::{self, Folder, SCHEMA_VERSION};
 use scene::{Fault, Place};
 use serde_json::{Map, Value, json};
+use wearshape::{Bodies, Options, Status, available, setup};
 
+use crate::interrupt;
 use crate::args::{Common, SweepArgs};
-use crate::commands::run::{options, with_threads};
 use crate::commands::{print_json, print_out};
+use crate::commands::run::{options, with_threads};
 use crate::exit::Exit;
-use crate::fe::{Bodies, available};
 use crate::live::Live;
 use crate::open::{self, open};
-use crate::options::Options;
 use crate::progress::Progress;
-use crate::report::{self, Folder, SCHEMA_VERSION};
-use crate::setup::setup;
-use crate::solution::Status;
-use crate::interrupt;
 
 /// Points computed between two looks at Ctrl-C and two writes.
 const CHUNK: usize = 64;
@@ -58,7 +55,7 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
     interrupt::listen();
     let plan = json!({ "scene": args.scene, "set": common.set, "over": args.over, "sample": common.sample });
     // A first point without an answer is a row like any other; its scene stays as it is written.
-    let resolved = setup(&first, &|path| beside.read(path)).map_or_else(|_| first.scene.clone(), |problem| problem.scene);
+    let resolved = setup(&first, &|path| beside.read(path)).map_or_else(|_| first.scene.clone(), |problem| problem.scene());
     let mark = format!("# {}\n{}", plan, scene::scene_text(&resolved)?);
     let folder = Folder::begin(&target, common.resume)?;
     if common.resume {

@@ -4,11 +4,11 @@ use mcap::parse_record;
 use mcap::records::Record;
 use mcap::sans_io::{LinearReadEvent, LinearReader, LinearReaderOptions};
 use scene::Fault;
+use wearshape::FinishedLevel;
 
+use crate::record::{CHANNELS, LEVELS_ATTACHED, LIBRARY, PROFILE, Recorder, SCENE_ATTACHED, STATE};
 use crate::record::messages::Points;
 use crate::record::state::State;
-use crate::watch::FinishedLevel;
-use crate::record::{CHANNELS, LEVELS_ATTACHED, LIBRARY, PROFILE, Recorder, SCENE_ATTACHED, STATE};
 
 /// No step of ours is nearly as large (bytes): a longer record or chunk is damage.
 const LARGEST: usize = 1 << 26;

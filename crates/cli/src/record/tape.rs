@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 
 use scene::Fault;
 use shapeopt::WearState;
+use wearshape::{Resume, RunLevel};
 
-use crate::record::replay::Replay;
 use crate::record::{RUN_MCAP, Recorder, SceneUpdate, unwritable};
-use crate::watch::{Resume, RunLevel};
+use crate::record::replay::Replay;
 
 /// A recording that follows a run from level to level.
 pub(crate) struct Tape {

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 
 use shapeopt::WearState;
 
-use super::replay::Replay;
 use super::*;
+use super::replay::Replay;
 
 const RESOLVED: &str = "title = \"x\"\n";
 

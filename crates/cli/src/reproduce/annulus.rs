@@ -1,9 +1,9 @@
 //! Figures 18 to 23 and 27: the annular punch.
 
+use report::line_plot::{Axis, Series};
+use report::section_plot::Section;
 use scene::Fault;
 
-use crate::report::line_plot::{Axis, Series};
-use crate::report::section_plot::Section;
 use crate::reproduce::closed_form::{RADII, effective_radius, ring_force, ring_pressure};
 use crate::reproduce::made::{Made, plot, series};
 use crate::reproduce::row::Row;
@@ -136,7 +136,7 @@ fn scaled(curve: Vec<(f64, f64)>, factor: f64) -> Vec<(f64, f64)> {
 const EXPONENTS: [&str; 8] = ["1.05", "1.2", "1.4", "1.6", "1.7", "1.8", "1.9", "2"];
 
 /// Both functionals over b with q = 1: solid the wear volume, dashed the wear power.
-fn by_exponent(made: &mut Made, y_label: &str, shown: fn(&crate::profile::Profile) -> &Vec<f64>) -> Result<Vec<Run>, Fault> {
+fn by_exponent(made: &mut Made, y_label: &str, shown: fn(&wearshape::Profile) -> &Vec<f64>) -> Result<Vec<Run>, Fault> {
     let mut curves: Vec<Series> = Vec::new();
     let mut runs = Vec::new();
     for (functional, word, dashed) in [("wear-volume", "W", false), ("wear-power", "D_w", true)] {

@@ -1,8 +1,8 @@
 //! Figures 4 to 8: the block shoe on its drum.
 
 use scene::Fault;
+use wearshape::Profile;
 
-use crate::profile::Profile;
 use crate::reproduce::closed_form::{DRUM_FORCE, HALF_ANGLE, drum};
 use crate::reproduce::made::{Made, plot, series};
 use crate::reproduce::row::Row;

@@ -68,7 +68,7 @@ fn steady_state(made: &mut Made) -> Result<(), Fault> {
     let profile = uniform.solution.profile.clone().unwrap_or_default();
     let file = "uniform-shape.csv";
     let columns = [("s_mm".to_string(), profile.s.clone()), ("gap_um".to_string(), profile.gap.clone())];
-    made.file(file, crate::report::columns_csv(&columns));
+    made.file(file, report::columns_csv(&columns));
     let start = || Some((Gap::Profile { s: profile.s.clone(), gap: profile.gap.clone() }, file));
     let worn = set(&["tasks=[wear]", "mesh.degree=10"]);
     let flat = run(SCENE, &worn)?;

@@ -1,7 +1,8 @@
 //! What an item is made of: rows, files, the commands that repeat it, remarks.
 
-use crate::report::columns_csv;
-use crate::report::line_plot::{Axis, LinePlot, Series, line_plot};
+use report::columns_csv;
+use report::line_plot::{Axis, LinePlot, Series, line_plot};
+
 use crate::reproduce::row::Row;
 use crate::reproduce::run::Run;
 

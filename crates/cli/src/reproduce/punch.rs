@@ -1,8 +1,8 @@
 //! Figures 12 to 15: the translating punch.
 
+use report::line_plot::LinePlot;
 use scene::Fault;
 
-use crate::report::line_plot::LinePlot;
 use crate::reproduce::closed_form;
 use crate::reproduce::drum::asymmetry;
 use crate::reproduce::made::{Made, plot, series};

@@ -1,16 +1,10 @@
 //! One run of a built-in scene with some keys replaced, in memory.
 
+use report;
 use scene::{Document, Fault, Gap, builtin, number_text};
+use wearshape::{Bodies, Files, Options, PressureResult, Problem, Profile, Solution, Status, setup};
 
-use crate::fe::Bodies;
-use crate::given::Files;
 use crate::live::Live;
-use crate::options::Options;
-use crate::problem::Problem;
-use crate::profile::Profile;
-use crate::report;
-use crate::setup::setup;
-use crate::solution::{PressureResult, Solution, Status};
 
 /// Points of a drawn curve.
 const POINTS: usize = 201;
@@ -118,30 +112,30 @@ pub(super) fn set(words: &[&str]) -> Vec<String> {
 
 /// Columns of a profile, for [`Run::curve`].
 pub(super) mod column {
-    use crate::profile::Profile;
+    use wearshape::Profile;
 
     /// Contact pressure (MPa).
-    pub(in crate::reproduce) fn pressure(profile: &Profile) -> &Vec<f64> {
+    pub(crate) fn pressure(profile: &Profile) -> &Vec<f64> {
         &profile.pressure
     }
 
     /// Wear rate (um/s).
-    pub(in crate::reproduce) fn wear_rate(profile: &Profile) -> &Vec<f64> {
+    pub(crate) fn wear_rate(profile: &Profile) -> &Vec<f64> {
         &profile.wear_rate
     }
 
     /// Unloaded gap (um).
-    pub(in crate::reproduce) fn gap(profile: &Profile) -> &Vec<f64> {
+    pub(crate) fn gap(profile: &Profile) -> &Vec<f64> {
         &profile.gap
     }
 
     /// Normal displacement of body 1 (um).
-    pub(in crate::reproduce) fn normal1(profile: &Profile) -> &Vec<f64> {
+    pub(crate) fn normal1(profile: &Profile) -> &Vec<f64> {
         &profile.normal_displacement[0]
     }
 
     /// Normal displacement of body 2 (um).
-    pub(in crate::reproduce) fn normal2(profile: &Profile) -> &Vec<f64> {
+    pub(crate) fn normal2(profile: &Profile) -> &Vec<f64> {
         &profile.normal_displacement[1]
     }
 }

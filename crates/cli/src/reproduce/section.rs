@@ -1,9 +1,9 @@
 //! Meshes and geometry as pictures of the cross-section.
 
 use hpfem::{Curve, Mesh};
+use report::section_plot::Section;
 use scene::Fault;
 
-use crate::report::section_plot::Section;
 use crate::reproduce::made::Made;
 use crate::reproduce::run::prepared;
 
@@ -13,7 +13,7 @@ const FILLS: [&str; 2] = ["#cfe3f3", "#eeeeee"];
 /// Draws the meshes of both bodies of a scene as `mesh.svg` and their vertices as `mesh.csv`. Returns the number of cells.
 pub(super) fn meshes(made: &mut Made, scene: &str, settings: &[String], title: &str) -> Result<usize, Fault> {
     let (problem, resolved, command) = prepared(scene, settings)?;
-    let meshes = crate::fe::meshes_of(&problem)?;
+    let meshes = wearshape::meshes_of(&problem)?;
     if made.resolved.is_empty() {
         made.resolved = resolved;
     }
@@ -32,7 +32,7 @@ pub(super) fn meshes(made: &mut Made, scene: &str, settings: &[String], title: &
             }
         }
     }
-    let names = if problem.scene.kinematics == Some(scene::Kinematics::Axisymmetric) { ["r", "z"] } else { ["x", "z"] };
+    let names = if problem.scene().kinematics == Some(scene::Kinematics::Axisymmetric) { ["r", "z"] } else { ["x", "z"] };
     made.file("mesh.svg", section.picture(title, names, &body));
     made.file("mesh.csv", table);
     Ok(meshes.iter().map(|mesh| mesh.cells.len()).sum())

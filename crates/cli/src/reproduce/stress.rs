@@ -1,11 +1,11 @@
 //! Figures 16, 17 and 26: stresses in the punches.
 
 use hpfem::Stress;
+use report::isobands::{Isobands, Placed};
+use report::section_plot::Section;
 use scene::Fault;
+use wearshape::{BodyField, CellField};
 
-use crate::body_field::{BodyField, CellField};
-use crate::report::isobands::{Isobands, Placed};
-use crate::report::section_plot::Section;
 use crate::reproduce::annulus;
 use crate::reproduce::closed_form::{RADII, punch, ring_pressure};
 use crate::reproduce::made::Made;

@@ -1,8 +1,8 @@
 //! The table of section 7.4: wear volume rate of the stationary wear volume over that of the stationary wear power.
 
+use report::line_plot::Series;
 use scene::Fault;
 
-use crate::report::line_plot::Series;
 use crate::reproduce::annulus::SCENE;
 use crate::reproduce::closed_form::{RADII, power_integral};
 use crate::reproduce::made::{Made, plot};

@@ -1,11 +1,11 @@
 //! The load: edge, kind, what is prescribed.
 
-use meshing::{Body, LoadedEdge, Strip, outside};
+use meshing::{Body, LoadedEdge, Strip, outline, outside};
 use scene::{Fault, Geometry, Kinematics, Length, Load, LoadKind, Moment, Scene, SurfaceShape, Task, missing, positive};
 
 use crate::{problem, setup};
-use crate::freedom::edge_points;
-use crate::setup::bodies::{edge_names, known_edge};
+use crate::setup::bodies::known_edge;
+use crate::setup::twist::turns;
 use crate::surface::Patch;
 
 /// Checks the load and fills in its defaults.
@@ -189,6 +189,6 @@ pub fn numbers(scene: &Scene) -> problem::Load {
         moment_y: moment(load.moment_y),
         about: about(&load),
         shear_force: load.shear_force.map_or(0.0, |force| force.0),
-        turns: setup::turns(scene),
+        turns: turns(scene),
     }
 }

@@ -3,6 +3,7 @@
 use scene::{Balance, Fault, Functional, Modes, Optimum, Pair, Scene, Task, positive};
 
 use crate::problem;
+use crate::functional::{power, s_minus_1};
 
 /// Checks the optimum and fills in its defaults.
 pub fn resolve(scene: &mut Scene, tasks: &[Task]) -> Result<(), Fault> {
@@ -64,27 +65,6 @@ pub fn exponents(scene: &Scene) -> Vec<f64> {
     let mut kept: Vec<f64> = (0..2).filter(|i| factors[*i] > 0.0).map(|i| b[i]).collect();
     kept.dedup();
     kept
-}
-
-/// The power e of the pressure in the functional.
-fn power(functional: Functional, b: f64) -> f64 {
-    kind(functional).pressure_power(b)
-}
-
-/// s - 1 = e q - 1, rounded once.
-pub fn s_minus_1(functional: Functional, b: f64, q: f64) -> f64 {
-    kind(functional).s_minus_1(b, q)
-}
-
-/// The functional in the words of the theory.
-pub fn kind(functional: Functional) -> wear::Functional {
-    match functional {
-        Functional::Steady => wear::Functional::Steady,
-        Functional::WearVolume => wear::Functional::WearVolume,
-        Functional::FrictionPower => wear::Functional::FrictionPower,
-        Functional::WearPower => wear::Functional::WearPower,
-        Functional::Uniform => wear::Functional::Uniform,
-    }
 }
 
 /// The choice of a resolved scene.

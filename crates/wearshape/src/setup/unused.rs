@@ -3,6 +3,8 @@
 use meshing::unused_in_blocks;
 use scene::{Document, Functional, Geometry, Kinematics, LoadKind, Scene, Task};
 
+use crate::setup::twist::turns;
+
 /// The unused keys of a scene, sorted.
 pub fn keys(document: &Document, scene: &Scene, tasks: &[Task]) -> Vec<String> {
     let mut unused = Vec::new();
@@ -44,7 +46,7 @@ pub fn keys(document: &Document, scene: &Scene, tasks: &[Task]) -> Vec<String> {
     when(contact_only, &["wear.beta", "wear.k", "wear.a", "wear.b", "wear.counterface"]);
     let slides = scene.contact.as_ref().and_then(|contact| contact.friction).unwrap_or(0.0) > 0.0;
     when(contact_only && !slides, &["sliding.omega", "sliding.speed", "contact.shear"]);
-    let turned = !super::turns(scene).is_empty();
+    let turned = !turns(scene).is_empty();
     when(!turned, &["load.twist", "load.torque"]);
     when(contact_only && turned, &["sliding.omega", "sliding.speed"]);
     for (name, body) in [("body1", &scene.body1), ("body2", &scene.body2)] {

@@ -116,7 +116,7 @@ pub struct Outcome {
     /// Estimated errors; `how` is empty where there are none.
     pub error: ErrorResult,
     pub ladder: Vec<Rung>,
-    pub lints: Vec<Remark>,
+    pub remarks: Vec<Remark>,
     /// For the fields and the twist.
     pub reported: Option<Reported>,
     /// An unfinished run in time.

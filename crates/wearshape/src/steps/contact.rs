@@ -62,7 +62,7 @@ pub fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort
         if let Some(contact) = outcome.contact.as_mut().filter(|_| note.is_some()) {
             (contact.p_max_MPa, contact.q_max_MPa) = (None, None);
         }
-        outcome.lints.extend(note);
+        outcome.remarks.extend(note);
     }
     Ok((outcome, effort))
 }

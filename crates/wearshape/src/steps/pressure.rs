@@ -3,8 +3,8 @@
 use scene::{Balance, Fault, Modes};
 use wear::{Regime, SurfacePoint, WearError};
 
-use crate::setup;
 use crate::freedom::{Freedom, Role};
+use crate::functional::kind;
 use crate::options::{Options, Sampling};
 use crate::problem::{Optimum, Problem};
 use crate::profile::Profile;
@@ -75,7 +75,7 @@ pub fn wear_problem(problem: &Problem) -> Result<wear::Problem, Fault> {
         friction: problem.friction.coefficient,
         shear_in_balance: problem.friction.on_bodies,
         modes: problem.freedoms.iter().map(|freedom| freedom.mode).collect(),
-        functional: setup::kind(functional),
+        functional: kind(functional),
         q,
         balance: match balance {
             Balance::Paper => wear::Balance::Paper,

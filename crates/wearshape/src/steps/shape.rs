@@ -58,7 +58,7 @@ pub fn solve(stage: Stage<'_>, before: &Before<'_>, watch: &mut Watch<'_>) -> Re
     };
     let shaper = Shaper::new(stage, &optimum);
     let ladder = Ladder::of(stage.problem, stage.options);
-    let measure = Measure::of(stage.problem);
+    let measure = stage.problem.measure();
     let distance = |a: &Solved, b: &Solved| [difference_of_gaps(&a.gaps, &b.gaps, &b.closing, measure)];
     let solve = |level, _: &[Solved], _: &mut Watch<'_>| shaper.level(level).map(ControlFlow::Continue).map_err(Refusal::Fault);
     let Climbed { solved, stopped } = climb((&ladder, Step::Shape), Vec::new(), solve, distance, watch)?;
@@ -151,7 +151,7 @@ impl<'a> Shaper<'a> {
         let Solved { reduced, shape, gaps, .. } = solved;
         let (stage, pair) = (self.stage, reduced.pair()?);
         let most = (0..gaps.len()).max_by(|a, b| gaps[*a].total_cmp(&gaps[*b])).unwrap_or(0);
-        let lowest = match Measure::of(stage.problem) {
+        let lowest = match stage.problem.measure() {
             Measure::Largest => 0.0,
             Measure::Crown => gaps.iter().copied().fold(f64::INFINITY, f64::min),
         };

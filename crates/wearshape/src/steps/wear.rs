@@ -4,7 +4,6 @@ mod final_ends;
 mod history;
 mod level;
 mod mesh_lines;
-mod nodal_curve;
 mod pieces;
 mod problem;
 

@@ -2,7 +2,7 @@
 
 use contact::{ContactLoad, ContactOperator, ContactPoint, ContactSolution, Pair};
 use scene::Fault;
-use shapeopt::{Evolution, EvolutionStatus, Until, WearProblem, WearState, closing, lowest_nonnegative};
+use shapeopt::{Evolution, EvolutionStatus, NodalCurve, Until, WearProblem, WearState, closing, lowest_nonnegative};
 
 use crate::bodies::Reduced;
 use crate::effort::Effort;
@@ -19,7 +19,6 @@ use crate::steps::recover::{Moment, Reported};
 use crate::steps::wear::Ran;
 use crate::steps::wear::history::History;
 use crate::steps::wear::mesh_lines::mesh_lines;
-use crate::steps::wear::nodal_curve::NodalCurve;
 use crate::steps::wear::pieces::Pieces;
 use crate::steps::wear::problem::{steady_residual, wear_problem};
 use crate::watch::{Event, FinishedLevel, RunLevel, Watch, WearStep};
