@@ -4,39 +4,18 @@
 //! workspace that reads files, writes files and prints.
 
 mod args;
-mod body_field;
-mod cell_grid;
 mod clock;
 mod commands;
-mod couple;
 mod draw;
-mod effort;
 mod exit;
-mod fe;
-mod freedom;
-mod given;
+mod folder;
 mod interrupt;
-mod ladder;
-mod lints;
 mod live;
-mod machined;
 mod open;
-mod options;
-mod plan;
-mod problem;
-mod profile;
-mod profile_file;
 mod progress;
 mod record;
-mod report;
 mod reproduce;
-mod setup;
-mod solution;
-mod solve;
-mod spline;
-mod study;
-mod surface;
-mod watch;
+mod write;
 
 pub use exit::Exit;
 

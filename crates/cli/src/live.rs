@@ -33,7 +33,7 @@ impl Live {
 
     /// Solves a problem, recorded and shown while it goes.
     pub(crate) fn solve(&mut self, problem: &Problem, options: &Options<'_>, bodies: &Bodies) -> Result<Solution, Fault> {
-        let solved = solve::solve(problem, options, bodies, &mut |event| self.see(event));
+        let solved = wearshape::solve(problem, options, bodies, &mut |event| self.see(event));
         self.fault.take().map_or(solved, Err)
     }
 

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use scene::{Document, Fault, Place, SCENES, builtin, did_you_mean};
-use wearshape::{Problem, setup};
+use wearshape::Problem;
 
 /// Files beside a scene, by their paths as it has them.
 pub(crate) struct Beside(PathBuf);
@@ -19,7 +19,7 @@ impl Beside {
 /// A scene by its name or path, checked: with its document, which knows where the keys stand.
 pub(crate) fn problem(given: &str, settings: &[String]) -> Result<(Document, Problem), Fault> {
     let (document, beside) = open(given, settings)?;
-    let problem = setup(&document, &|path| beside.read(path))?;
+    let problem = Problem::new(&document, &|path| beside.read(path))?;
     Ok((document, problem))
 }
 

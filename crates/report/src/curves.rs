@@ -1,13 +1,12 @@
 //! The plots of a run: pressure, wear rate, gap.
 
-use wear::Shape;
-use wearshape::{Problem, Profile, Rung, Solution};
+use wearshape::{Problem, Profile, Rung, Shape, Solution};
 
 use crate::line_plot::{Axis, LinePlot, Series};
 
 /// The plots with the names of their files.
-pub(crate) fn line_plots(problem: &Problem, solution: &Solution) -> Vec<(&'static str, LinePlot)> {
-    let title = crate::title(problem);
+pub fn line_plots(problem: &Problem, solution: &Solution) -> Vec<(&'static str, LinePlot)> {
+    let title = problem.title();
     let Some(points) = &solution.profile else {
         return Vec::new();
     };
@@ -79,13 +78,13 @@ fn error_plot(title: &str, ladder: &[Rung]) -> Option<LinePlot> {
 }
 
 /// The coordinate of a picture and its name: angle on an arc, radius on a ring, else arc length.
-pub(crate) fn abscissa(problem: &Problem, profile: &Profile) -> (Vec<f64>, &'static str) {
+pub fn abscissa(problem: &Problem, profile: &Profile) -> (Vec<f64>, &'static str) {
     if let Some(angles) =
-        problem.patch.as_ref().and_then(|patch| profile.s.iter().map(|s| patch.angle(*s)).collect::<Option<Vec<_>>>())
+        profile.s.iter().map(|s| problem.angle(*s)).collect::<Option<Vec<_>>>()
     {
         return (angles.into_iter().map(f64::to_degrees).collect(), "angle (deg)");
     }
-    match problem.patch.as_ref().map(|patch| patch.surface.shape()) {
+    match problem.contact_shape() {
         Some(Shape::Annulus { .. } | Shape::Sector { .. }) => (profile.s.clone(), "radius (mm)"),
         Some(_) => (profile.position.iter().map(|p| p[0]).collect(), "x (mm)"),
         None => (profile.s.clone(), "s (mm)"),

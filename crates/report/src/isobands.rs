@@ -14,13 +14,13 @@ const BANDS: [&str; 12] = [
 const CLIP: f64 = 0.02;
 
 /// A point on paper (pixels) with a value.
-pub(crate) type Sample = ([f64; 2], f64);
+pub type Sample = ([f64; 2], f64);
 
 /// A cell's grid with its points on paper.
-pub(crate) type Placed = (CellGrid, Vec<Sample>);
+pub type Placed = (CellGrid, Vec<Sample>);
 
 /// Filled contours under construction: one path a band.
-pub(crate) struct Isobands {
+pub struct Isobands {
     low: f64,
     high: f64,
     paths: Vec<String>,
@@ -29,7 +29,7 @@ pub(crate) struct Isobands {
 impl Isobands {
     /// The bands of cells cut into pieces of about a size in pixels, between the 2 and 98 per cent quantiles of their values by area: at the
     /// corners of a held, loaded or sharp edge a stress is infinite, and its largest number means nothing.
-    pub(crate) fn of(cells: &[Placed], size: f64) -> Isobands {
+    pub fn of(cells: &[Placed], size: f64) -> Isobands {
         let pieces: Vec<Vec<Sample>> = cells.iter().flat_map(|cell| pieces(cell, size)).collect();
         let [low, high] = quantiles(&pieces);
         let mut bands = Isobands::new(low, high);
@@ -95,7 +95,7 @@ impl Isobands {
     }
 
     /// The bands as SVG; a thin line of their own colour closes the seams.
-    pub(crate) fn svg(&self) -> String {
+    pub fn svg(&self) -> String {
         let drawn = self.paths.iter().zip(BANDS).filter(|(path, _)| !path.is_empty());
         drawn
             .map(|(path, colour)| format!("<path d=\"{path}\" fill=\"{colour}\" stroke=\"{colour}\" stroke-width=\"0.5\"/>\n"))
@@ -103,7 +103,7 @@ impl Isobands {
     }
 
     /// The bar that tells the colours apart: from its upper left corner, with a label at every second step.
-    pub(crate) fn bar(&self, [left, top]: [f64; 2], height: f64) -> String {
+    pub fn bar(&self, [left, top]: [f64; 2], height: f64) -> String {
         let count = BANDS.len();
         let decade = ((self.high - self.low) / count as f64).max(f64::MIN_POSITIVE).log10().floor();
         let label = |value: f64| match decade {

@@ -2,7 +2,7 @@
 
 /// How an axis counts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Axis {
+pub enum Axis {
     /// Evenly.
     Linear,
     /// In decades.
@@ -11,32 +11,32 @@ pub(crate) enum Axis {
 
 /// One curve.
 #[derive(Debug, Clone)]
-pub(crate) struct Series {
+pub struct Series {
     /// Name in the legend; none for a single curve.
-    pub(crate) name: String,
+    pub name: String,
     /// Points; a point that is not finite interrupts the curve.
-    pub(crate) points: Vec<(f64, f64)>,
+    pub points: Vec<(f64, f64)>,
     /// Marks at the points.
-    pub(crate) marks: bool,
+    pub marks: bool,
     /// Dashed line.
-    pub(crate) dashed: bool,
+    pub dashed: bool,
 }
 
 /// A plot.
 #[derive(Debug, Clone)]
-pub(crate) struct LinePlot {
+pub struct LinePlot {
     /// Line above the plot.
-    pub(crate) title: String,
+    pub title: String,
     /// Name and unit along x.
-    pub(crate) x_label: String,
+    pub x_label: String,
     /// Name and unit along y.
-    pub(crate) y_label: String,
+    pub y_label: String,
     /// Kind of the axes along x and y.
-    pub(crate) axes: [Axis; 2],
+    pub axes: [Axis; 2],
     /// Whether y begins at zero when all values are positive.
-    pub(crate) from_zero: bool,
+    pub from_zero: bool,
     /// The curves.
-    pub(crate) series: Vec<Series>,
+    pub series: Vec<Series>,
 }
 
 const WIDTH: f64 = 720.0;
@@ -113,7 +113,7 @@ impl Scale {
 }
 
 /// Round values of a range with their labels.
-pub(super) fn ticks(range: [f64; 2], count: usize) -> Vec<(f64, String)> {
+pub fn ticks(range: [f64; 2], count: usize) -> Vec<(f64, String)> {
     let scale = Scale::new(range.into_iter(), Axis::Linear, false, count);
     let size = range[1] - range[0];
     let within = |tick: &f64| *tick >= range[0] - 1e-9 * size && *tick <= range[1] + 1e-9 * size;
@@ -125,12 +125,12 @@ fn plain(value: f64) -> String {
 }
 
 /// Text that may stand in SVG or HTML.
-pub(crate) fn escaped(text: &str) -> String {
+pub fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 /// Draws a plot.
-pub(crate) fn line_plot(plot: &LinePlot) -> String {
+pub fn line_plot(plot: &LinePlot) -> String {
     let all = |pick: fn(&(f64, f64)) -> f64| plot.series.iter().flat_map(move |s| s.points.iter().map(pick));
     let x = Scale::new(all(|p| p.0), plot.axes[0], false, 7);
     let x = Scale { ..tight(x, all(|p| p.0)) };

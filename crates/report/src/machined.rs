@@ -6,7 +6,7 @@ use wearshape::{Machined, SurfacePoint};
 use crate::dxf::{Drawing, dxf};
 
 /// Names and texts of the files.
-pub(crate) fn machined_files(machined: &Machined, title: &str) -> Vec<(&'static str, String)> {
+pub fn machined_files(machined: &Machined, title: &str) -> Vec<(&'static str, String)> {
     vec![("profile.csv", points(machined)), ("profile-spline.csv", spline(machined)), ("profile.dxf", drawing(machined, title))]
 }
 

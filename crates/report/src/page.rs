@@ -1,19 +1,17 @@
 //! report.html: one self-contained page, without network, built from the files of the folder.
 
-use std::path::Path;
-
-use scene::{Fault, Place};
+use scene::Fault;
 use serde_json::{Value, json};
+use wearshape::RunningIn;
 
 use crate::line_plot::{Axis, LinePlot, escaped, line_plot};
-use crate::record::RUN_MCAP;
 use crate::run_in::run_in;
 
 /// The stress on the deformed bodies.
-pub(crate) const FIELD_PICTURE: &str = "plots/field.svg";
+pub const FIELD_PICTURE: &str = "plots/field.svg";
 
 /// The plots as numbers, for the page and for other programs: plots/curves.json.
-pub(crate) fn curves_json(plots: &[(&'static str, LinePlot)]) -> Value {
+pub fn curves_json(plots: &[(&'static str, LinePlot)]) -> Value {
     let number = |value: f64| {
         if value.is_finite() { json!(value) } else { Value::Null }
     };
@@ -48,13 +46,13 @@ struct Parts {
     pictures: Vec<String>,
     /// plots/field.svg.
     field: Option<String>,
-    /// Steps of run.mcap.
+    /// Steps of a run in time.
     run_in: Option<Value>,
     /// scene.resolved.toml.
     resolved: String,
 }
 
-fn page(parts: &Parts) -> String {
+fn html(parts: &Parts) -> String {
     let Parts { summary, curves, pictures, field, run_in, resolved } = parts;
     let text = |key: &str| escaped(summary[key].as_str().unwrap_or(""));
     let title = resolved
@@ -170,34 +168,31 @@ fn breakable(key: &str) -> String {
     escaped(key).replace('_', "_<wbr>").replace('.', ".<wbr>")
 }
 
-/// The page of a folder, from its other files alone: the same bytes whenever it is built.
-pub(crate) fn page_of_folder(folder: &Path) -> Result<String, Fault> {
+/// The page of a folder, from its other files and the steps of a run in time: the same bytes whenever it is built.
+///
+/// # Errors
+/// A file that is missing or damaged, by name.
+pub fn page(files: &dyn Fn(&str) -> Option<Vec<u8>>, running_in: Option<&RunningIn>) -> Result<String, Fault> {
+    let missing = |name: &str| Fault::new("unreadable", format!("{name} is missing"), "give the folder of a finished run");
+    let damaged =
+        |name: &str, error: &dyn std::fmt::Display| Fault::new("unreadable", format!("{name} is damaged: {error}"), "run the scene again");
     let read = |name: &str| {
-        let path = folder.join(name);
-        std::fs::read(&path).map_err(|error| Fault {
-            place: Some(Place::Flag(folder.display().to_string())),
-            ..Fault::new("unreadable", format!("cannot read {}: {error}", path.display()), "give the folder of a finished run")
-        })
+        let bytes = files(name).ok_or_else(|| missing(name))?;
+        String::from_utf8(bytes).map_err(|error| damaged(name, &error))
     };
-    let damaged = |name: &str, error: &dyn std::fmt::Display| Fault {
-        place: Some(Place::Flag(folder.join(name).display().to_string())),
-        ..Fault::new("unreadable", format!("{name} is damaged: {error}"), "run the scene again")
-    };
-    let read_text = |name: &str| String::from_utf8(read(name)?).map_err(|error| damaged(name, &error));
-    let parse = |name: &str| serde_json::from_str::<Value>(&read_text(name)?).map_err(|error| damaged(name, &error));
-    let there = |name: &str| folder.join(name).is_file();
+    let parse = |name: &str| serde_json::from_str::<Value>(&read(name)?).map_err(|error| damaged(name, &error));
     let summary = parse("summary.json")?;
     let curves = parse("plots/curves.json")?;
     let mut pictures = Vec::new();
     for name in curves.as_array().into_iter().flatten().filter_map(|entry| entry["file"].as_str()) {
-        pictures.push(read_text(&format!("plots/{name}.svg"))?);
+        pictures.push(read(&format!("plots/{name}.svg"))?);
     }
-    let field = if there(FIELD_PICTURE) { Some(read_text(FIELD_PICTURE)?) } else { None };
-    let run_in = if there(RUN_MCAP) { run_in(&read(RUN_MCAP)?) } else { None };
-    Ok(page(&Parts { summary, curves, pictures, field, run_in, resolved: read_text("scene.resolved.toml")? }))
+    let field = if files(FIELD_PICTURE).is_some() { Some(read(FIELD_PICTURE)?) } else { None };
+    let run_in = running_in.and_then(run_in);
+    Ok(html(&Parts { summary, curves, pictures, field, run_in, resolved: read("scene.resolved.toml")? }))
 }
 
 /// Draws every plot.
-pub(crate) fn pictures(plots: &[(&'static str, LinePlot)]) -> Vec<String> {
+pub fn pictures(plots: &[(&'static str, LinePlot)]) -> Vec<String> {
     plots.iter().map(|(_, plot)| line_plot(plot)).collect()
 }

@@ -13,11 +13,11 @@ const BARE_LEFT: f64 = 18.0;
 const BARE_BOTTOM: f64 = 44.0;
 
 /// A cross-section in millimetres on paper, both axes to the same scale.
-pub(crate) struct Section {
+pub struct Section {
     x: [f64; 2],
     z: [f64; 2],
     /// Pixels a millimetre.
-    pub(crate) scale: f64,
+    pub scale: f64,
     /// Room on the right for a legend.
     margin: f64,
     left: f64,
@@ -25,35 +25,35 @@ pub(crate) struct Section {
 
 impl Section {
     /// The section that shows the given range with axes.
-    pub(crate) fn new(x: [f64; 2], z: [f64; 2], margin: f64) -> Section {
+    pub fn new(x: [f64; 2], z: [f64; 2], margin: f64) -> Section {
         let scale = (ROOM[0] / (x[1] - x[0])).min(ROOM[1] / (z[1] - z[0]));
         Section { x, z, scale, margin, left: LEFT }
     }
 
     /// The section without axes: what it shows is not to scale with them.
-    pub(crate) fn without_axes(x: [f64; 2], z: [f64; 2], margin: f64) -> Section {
+    pub fn without_axes(x: [f64; 2], z: [f64; 2], margin: f64) -> Section {
         let scale = (BARE_ROOM[0] / (x[1] - x[0])).min(BARE_ROOM[1] / (z[1] - z[0]));
         Section { x, z, scale, margin, left: BARE_LEFT }
     }
 
     /// Pixels of a point in mm.
-    pub(crate) fn place(&self, [x, z]: [f64; 2]) -> [f64; 2] {
+    pub fn place(&self, [x, z]: [f64; 2]) -> [f64; 2] {
         [self.left + self.scale * (x - self.x[0]), TOP + self.scale * (self.z[1] - z)]
     }
 
     /// Right edge of the drawing and its top and bottom, in pixels.
-    pub(crate) fn edges(&self) -> [f64; 3] {
+    pub fn edges(&self) -> [f64; 3] {
         let [right, bottom] = self.place([self.x[1], self.z[0]]);
         [right, TOP, bottom]
     }
 
     /// The picture around a body of SVG, with axes named by the coordinates' symbols.
-    pub(crate) fn picture(&self, title: &str, names: [&str; 2], body: &str) -> String {
+    pub fn picture(&self, title: &str, names: [&str; 2], body: &str) -> String {
         self.framed(title, BOTTOM, &format!("{body}{}", self.axes(names)))
     }
 
     /// The picture of a section without axes, with a remark below.
-    pub(crate) fn remarked(&self, title: &str, remark: &str, body: &str) -> String {
+    pub fn remarked(&self, title: &str, remark: &str, body: &str) -> String {
         let [_, _, bottom] = self.edges();
         let y = bottom + 28.0;
         let remark =

@@ -1,5 +1,6 @@
 //! summary.json.
 
+use scene::Fault;
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 use wearshape::{Problem, Solution};
@@ -8,7 +9,10 @@ use crate::SCHEMA_VERSION;
 use crate::terminal::verdict;
 
 /// The whole summary: absent stages and numbers that are not finite are absent keys.
-pub(crate) fn summary(problem: &Problem, solution: &Solution, resolved: &str) -> Value {
+///
+/// # Errors
+/// A scene that cannot be written, which is a fault of ours.
+pub fn summary(problem: &Problem, solution: &Solution) -> Result<Value, Fault> {
     let mut all = Map::new();
     let mut put = |key: &str, value: Value| {
         all.insert(key.to_string(), value);
@@ -16,13 +20,13 @@ pub(crate) fn summary(problem: &Problem, solution: &Solution, resolved: &str) ->
     put("schema_version", json!(SCHEMA_VERSION));
     put("version", json!(env!("CARGO_PKG_VERSION")));
     put("scene", json!(problem.name()));
-    put("scene_sha256", json!(scene::sha256(resolved)));
+    put("scene_sha256", json!(scene::sha256(problem.resolved()?)));
     put("status", value(&solution.status));
     put("verdict", json!(verdict(problem, solution)));
     put("stages", value(&problem.plan().stages));
     put("counters", value(&solution.effort.counters));
     put("unused_keys", json!(problem.unused_keys()));
-    put("lints", json!(problem.remarks().iter().chain(&solution.lints).collect::<Vec<_>>()));
+    put("lints", json!(problem.remarks().iter().chain(&solution.remarks).collect::<Vec<_>>()));
     put("pressure", value(&solution.pressure));
     put("contact", value(&solution.contact));
     put("shape", value(&solution.shape));
@@ -35,7 +39,7 @@ pub(crate) fn summary(problem: &Problem, solution: &Solution, resolved: &str) ->
     }
     put("error", value(&solution.error));
     put("interface", value(&solution.interface));
-    without_nulls(Value::Object(all))
+    Ok(without_nulls(Value::Object(all)))
 }
 
 fn value(part: &impl Serialize) -> Value {
@@ -43,7 +47,7 @@ fn value(part: &impl Serialize) -> Value {
 }
 
 /// Drops keys without a value: absent stages, and numbers that JSON cannot hold.
-pub(crate) fn without_nulls(value: Value) -> Value {
+pub fn without_nulls(value: Value) -> Value {
     match value {
         Value::Object(map) => {
             let kept = map.into_iter().filter(|(_, value)| !value.is_null());
@@ -55,7 +59,7 @@ pub(crate) fn without_nulls(value: Value) -> Value {
 }
 
 /// The numbers and words of a summary under dotted keys, without lists.
-pub(crate) fn numbers(summary: &Value) -> Vec<(String, Value)> {
+pub fn numbers(summary: &Value) -> Vec<(String, Value)> {
     let mut out = Vec::new();
     flatten("", summary, &mut out);
     out

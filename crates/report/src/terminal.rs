@@ -3,15 +3,14 @@
 use std::path::Path;
 
 use scene::{Functional, short, with_short_numbers};
-use wear::Shape;
-use wearshape::{Problem, Profile, Solution, Status};
+use wearshape::{Problem, Profile, Shape, Solution, Status};
 
 /// A place in the words of the scene.
 fn place(problem: &Problem, s: f64) -> String {
-    if let Some(angle) = problem.patch.as_ref().and_then(|patch| patch.angle(s)) {
+    if let Some(angle) = problem.angle(s) {
         return format!("{} deg", short((angle.to_degrees() * 1e3).round() / 1e3));
     }
-    match problem.patch.as_ref().map(|patch| patch.surface.shape()) {
+    match problem.contact_shape() {
         Some(Shape::Annulus { .. } | Shape::Sector { .. }) => format!("r = {} mm", short(s)),
         Some(Shape::Strip { x, .. } | Shape::Rectangle { x, .. }) => {
             // The middle, found up to round-off, is the middle.
@@ -53,7 +52,7 @@ fn pressures(problem: &Problem, profile: &Profile) -> Option<String> {
 }
 
 /// One sentence that says how it ended.
-pub(crate) fn verdict(problem: &Problem, solution: &Solution) -> String {
+pub fn verdict(problem: &Problem, solution: &Solution) -> String {
     if let Some(reason) = &solution.reason {
         let head = match solution.status {
             Status::Refused => "This scene has no answer",
@@ -122,7 +121,7 @@ pub(crate) fn verdict(problem: &Problem, solution: &Solution) -> String {
 }
 
 /// The lines for the screen.
-pub(crate) fn first_screen(problem: &Problem, solution: &Solution, folder: &Path) -> String {
+pub fn first_screen(problem: &Problem, solution: &Solution, folder: &Path) -> String {
     let mut lines = vec![format!("{}   [{}]", verdict(problem, solution), bracket(solution))];
     if let Some(pressure) = solution.pressure.as_ref().filter(|_| solution.status != Status::Refused) {
         let curve = solution.curve.as_ref().or(solution.profile.as_ref());
@@ -165,7 +164,7 @@ pub(crate) fn first_screen(problem: &Problem, solution: &Solution, folder: &Path
     if let Some(trip) = solution.shape.as_ref().and_then(|shape| shape.roundtrip_independent.or(shape.roundtrip_same)) {
         lines.push(format!("proof     a contact solve on this shape returns the pressure within {trip:.1e}"));
     }
-    for lint in solution.lints.iter().chain(&problem.remarks()).take(2) {
+    for lint in solution.remarks.iter().chain(problem.remarks()).take(2) {
         lines.push(format!("note      {}", lint.message));
     }
     if !problem.unused_keys().is_empty() {

@@ -157,7 +157,7 @@ impl Reduced {
 }
 
 /// Pairs two reduced bodies, on each other or facing each other across a gap.
-pub fn paired<'b>([first, second]: [&'b InterfaceOperator; 2], facing: bool) -> Result<Pair<'b>, Fault> {
+pub(crate) fn paired<'b>([first, second]: [&'b InterfaceOperator; 2], facing: bool) -> Result<Pair<'b>, Fault> {
     let pair = if facing { Pair::facing(first, second) } else { Pair::new(first, Some(second)) };
     pair.map_err(|error| {
         let remedy = "give both bodies the same contact surface";
@@ -166,7 +166,7 @@ pub fn paired<'b>([first, second]: [&'b InterfaceOperator; 2], facing: bool) -> 
 }
 
 /// Forces of the supports on their bodies, edge by edge; supports without a name are planes of symmetry.
-pub fn reactions(
+pub(crate) fn reactions(
     bodies: [&InterfaceOperator; 2],
     support_names: [&[String]; 2],
     states: [Option<&InterfaceState>; 2],

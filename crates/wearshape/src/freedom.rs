@@ -2,7 +2,7 @@
 
 use meshing::{Body, Couple, LoadedEdge, outline};
 use nalgebra::Vector3;
-use scene::{Component, Fault, Geometry, LoadKind, SurfaceShape};
+use scene::{Component, Fault, LoadKind, SurfaceShape};
 use wear::{RigidMode, RigidMotion};
 
 use crate::problem::Load;
@@ -31,7 +31,7 @@ pub enum Role {
 }
 
 /// Refuses supports under which the load cannot press body 1 on body 2, or would turn it.
-pub fn check(couple: &Couple, load: &Load) -> Result<(), Fault> {
+pub(crate) fn check(couple: &Couple, load: &Load) -> Result<(), Fault> {
     let body = &couple.bodies[0];
     let held = Held::of(body);
     if !held.z.is_empty() {
@@ -42,7 +42,7 @@ pub fn check(couple: &Couple, load: &Load) -> Result<(), Fault> {
 }
 
 /// The freedoms of body 1 on a known contact surface, the pressing first.
-pub fn of_bodies(couple: &Couple, load: &Load, patch: &Patch) -> Vec<Freedom> {
+pub(crate) fn of_bodies(couple: &Couple, load: &Load, patch: &Patch) -> Vec<Freedom> {
     let body = &couple.bodies[0];
     let push = Freedom { role: Role::Force, mode: RigidMode::press_down(load.force.unwrap_or(0.0)) };
     if couple.is_revolved() {
@@ -147,7 +147,7 @@ impl Held {
 }
 
 /// The freedoms of a body of which the surface alone is given.
-pub fn of_surface(surface: &SurfaceShape, load: &Load) -> Vec<Freedom> {
+pub(crate) fn of_surface(surface: &SurfaceShape, load: &Load) -> Vec<Freedom> {
     let force = load.force.unwrap_or(0.0);
     let push = Freedom { role: Role::Force, mode: RigidMode::press_down(force) };
     match surface {

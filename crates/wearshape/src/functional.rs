@@ -3,17 +3,17 @@
 use scene::Functional;
 
 /// The power e of the pressure in the functional.
-pub fn power(functional: Functional, b: f64) -> f64 {
+pub(crate) fn power(functional: Functional, b: f64) -> f64 {
     kind(functional).pressure_power(b)
 }
 
 /// s - 1 = e q - 1, rounded once.
-pub fn s_minus_1(functional: Functional, b: f64, q: f64) -> f64 {
+pub(crate) fn s_minus_1(functional: Functional, b: f64, q: f64) -> f64 {
     kind(functional).s_minus_1(b, q)
 }
 
 /// The functional in the words of the theory.
-pub fn kind(functional: Functional) -> wear::Functional {
+pub(crate) fn kind(functional: Functional) -> wear::Functional {
     match functional {
         Functional::Steady => wear::Functional::Steady,
         Functional::WearVolume => wear::Functional::WearVolume,

@@ -4,7 +4,7 @@ use meshing::Files;
 use scene::{Fault, Gap, Place};
 
 /// Reads the file of `contact.gap`.
-pub fn read(files: Files<'_>, name: &str) -> Result<Gap, Fault> {
+pub(crate) fn read(files: Files<'_>, name: &str) -> Result<Gap, Fault> {
     let text = files(name).and_then(|bytes| String::from_utf8(bytes).map_err(|error| format!("it is no text: {error}")));
     let text = text.map_err(|error| {
         let message = format!("cannot read the gap profile {name}: {error}");
@@ -45,7 +45,7 @@ pub fn read(files: Files<'_>, name: &str) -> Result<Gap, Fault> {
 }
 
 /// A profile needs two points or more, increasing in s, and no negative gap.
-pub fn check(s: &[f64], gap: &[f64]) -> Result<(), Fault> {
+pub(crate) fn check(s: &[f64], gap: &[f64]) -> Result<(), Fault> {
     let wrong = |message: String, remedy: &str| Err(Fault::at("contact.gap", "wrong-profile", message, remedy));
     if s.len() != gap.len() || s.len() < 2 {
         let message = format!("a gap profile with {} places and {} gaps", s.len(), gap.len());

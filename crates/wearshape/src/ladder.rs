@@ -18,7 +18,7 @@ const BEYOND: [usize; 2] = [18, 20];
 const NEARLY: f64 = 10.0;
 
 /// Why a step has no result.
-pub enum Refusal {
+pub(crate) enum Refusal {
     /// The scene has no answer: a sentence for the summary.
     Reason(String),
     /// The user's to mend.
@@ -33,7 +33,7 @@ impl From<Fault> for Refusal {
 
 /// The levels to solve.
 #[derive(Debug, Clone)]
-pub struct Ladder {
+pub(crate) struct Ladder {
     pub levels: Vec<Level>,
     /// How many of them are solved however far the error is.
     usual: usize,
@@ -43,7 +43,7 @@ pub struct Ladder {
 
 impl Ladder {
     /// The levels of a problem: up to the fixed one, or until the accuracy is reached.
-    pub fn of(problem: &Problem, options: &Options<'_>) -> Ladder {
+    pub(crate) fn of(problem: &Problem, options: &Options<'_>) -> Ladder {
         let [first, last, step] = DEGREES;
         let levels: Vec<Level> = match problem.wanted.fixed {
             Some(level) if options.alone => vec![level],
@@ -58,7 +58,7 @@ impl Ladder {
     }
 
     /// The same with further degrees for what is nearly there.
-    pub fn and_beyond(mut self, problem: &Problem) -> Ladder {
+    pub(crate) fn and_beyond(mut self, problem: &Problem) -> Ladder {
         if self.accuracy.is_some() {
             self.levels.extend(BEYOND.map(|degree| problem.level(degree)));
         }
@@ -66,7 +66,7 @@ impl Ladder {
     }
 
     /// The same for a quantity that is to be more accurate by a factor; of a fixed discretisation the last level alone.
-    pub fn closer(mut self, share: f64) -> Ladder {
+    pub(crate) fn closer(mut self, share: f64) -> Ladder {
         match &mut self.accuracy {
             Some(accuracy) => *accuracy *= share,
             None => {
@@ -78,19 +78,19 @@ impl Ladder {
     }
 
     /// The accuracy that a ladder with these estimated errors has missed, if it has.
-    pub fn missed(&self, error: f64) -> Option<f64> {
+    pub(crate) fn missed(&self, error: f64) -> Option<f64> {
         self.accuracy.filter(|accuracy| error > *accuracy)
     }
 
     /// Whether the discretisation is fixed.
-    pub fn is_fixed(&self) -> bool {
+    pub(crate) fn is_fixed(&self) -> bool {
         self.accuracy.is_none()
     }
 }
 
 /// The levels that were solved.
 #[derive(Debug)]
-pub struct Climbed<T> {
+pub(crate) struct Climbed<T> {
     pub solved: Vec<T>,
     /// Whether the watcher ended it.
     pub stopped: bool,
@@ -99,7 +99,7 @@ pub struct Climbed<T> {
 /// Solves level after level until it is enough; `solve` is given the levels before and ends the ladder by `Break`, with its level or, where the
 /// watcher cut that short, without. `distance` is how far two
 /// levels are apart, one relative number a quantity. Levels that are `known` are not solved again.
-pub fn climb<T, const N: usize>(
+pub(crate) fn climb<T, const N: usize>(
     (ladder, step): (&Ladder, Step),
     known: Vec<T>,
     mut solve: impl FnMut(Level, &[T], &mut Watch<'_>) -> Result<ControlFlow<Option<T>, T>, Refusal>,
@@ -130,12 +130,12 @@ pub fn climb<T, const N: usize>(
 }
 
 /// The largest of several errors.
-pub fn largest(errors: &[f64]) -> f64 {
+pub(crate) fn largest(errors: &[f64]) -> f64 {
     errors.iter().copied().fold(0.0, f64::max)
 }
 
 /// Estimated errors of the last of at least three levels.
-pub fn errors<T, const N: usize>(solved: &[T], distance: &impl Fn(&T, &T) -> [f64; N]) -> Option<[f64; N]> {
+pub(crate) fn errors<T, const N: usize>(solved: &[T], distance: &impl Fn(&T, &T) -> [f64; N]) -> Option<[f64; N]> {
     let [.., a, b, c] = solved else { return None };
     let (older, newer) = (distance(a, b), distance(b, c));
     Some(std::array::from_fn(|k| rest(older[k], newer[k])))
@@ -144,7 +144,7 @@ pub fn errors<T, const N: usize>(solved: &[T], distance: &impl Fn(&T, &T) -> [f6
 /// Estimated error of the last of at least three levels from the differences of successive ones, `older` and `newer`: they fall
 /// nearly like a geometric series, and since the fall slows down the ratio enters with the power 3/4 (true error over estimate
 /// between 0.3 and 1 on the drum in degrees 8 to 14).
-pub fn rest(older: f64, newer: f64) -> f64 {
+pub(crate) fn rest(older: f64, newer: f64) -> f64 {
     if newer == 0.0 {
         return f64::EPSILON;
     }
@@ -153,7 +153,7 @@ pub fn rest(older: f64, newer: f64) -> f64 {
 }
 
 /// What solved levels say about the error of their quantity number `which`, called `quantity`.
-pub fn rungs<T, const N: usize>(
+pub(crate) fn rungs<T, const N: usize>(
     degrees: &[usize],
     solved: &[T],
     (quantity, which): (&'static str, usize),
@@ -169,6 +169,6 @@ pub fn rungs<T, const N: usize>(
 }
 
 /// The sentence of an accuracy that was missed.
-pub fn missed(what: &str, error: f64, accuracy: f64) -> String {
+pub(crate) fn missed(what: &str, error: f64, accuracy: f64) -> String {
     format!("the {what} is accurate to {error:.1e}, not to the {accuracy:.0e} asked for")
 }

@@ -27,6 +27,9 @@ mod study;
 mod surface;
 mod watch;
 
+pub use meshing::Files;
+pub use shapeopt::Measure;
+
 pub use bodies::Bodies;
 pub use body_field::{BodyField, CellField, FieldFrame};
 pub use cell_grid::CellGrid;
@@ -39,9 +42,11 @@ pub use problem::Problem;
 pub use profile::Profile;
 pub use remarks::Remark;
 pub use solution::{
-    ByRole, ContactResult, EnergyResult, ErrorResult, InterfaceResult, PointForce, PressureResult, Reaction, Rung, Settled,
+    ByRole, ContactResult, EnergyResult, ErrorResult, InterfaceResult, PointForce, PressureResult, Reaction, RunningIn, RunningInStep, Rung, Settled,
     ShapeResult, Solution, Status, ToleranceResult, TwistResult, UniquenessResult, WearResult,
 };
 pub use solve::solve;
 pub use study::{DEGREES, Level as StudyLevel, Quantity, Truth, outermost, study};
+pub use wear::Shape;
+
 pub use watch::{Event, FinishedLevel, Resume, RunLevel, Watch, WearStep};

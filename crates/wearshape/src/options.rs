@@ -52,7 +52,7 @@ impl Sampling<'_> {
 pub const CURVE: Sampling<'static> = Sampling::Even(401);
 
 /// Trapezoid weights of ascending places: half the way to each neighbour.
-pub fn trapezoid_weights(places: &[f64]) -> Vec<f64> {
+pub(crate) fn trapezoid_weights(places: &[f64]) -> Vec<f64> {
     let last = places.len().saturating_sub(1);
     (0..places.len()).map(|i| 0.5 * (places[(i + 1).min(last)] - places[i.saturating_sub(1)])).collect()
 }

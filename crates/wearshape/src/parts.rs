@@ -24,7 +24,7 @@ pub struct BodyParts {
 }
 
 /// Load cases of body 1: a load of 1 N, then mean displacement functionals of the load edge along x, z, and in rotation.
-pub const MEAN_COLUMNS: [usize; 3] = [1, 2, 3];
+pub(crate) const MEAN_COLUMNS: [usize; 3] = [1, 2, 3];
 
 impl BodyParts {
     /// Body 1 (`shaped`) or body 2 on its mesh.

@@ -200,6 +200,11 @@ impl Problem {
         self.freedoms.len()
     }
 
+    /// The contact surface, where it is known without a mesh.
+    pub fn contact_shape(&self) -> Option<&wear::Shape> {
+        self.patch.as_ref().map(|patch| patch.surface.shape())
+    }
+
     /// The angle (rad, from the z axis towards +x) at an arc length from the middle (mm); none off an arc.
     pub fn angle(&self, s: f64) -> Option<f64> {
         self.patch.as_ref()?.angle(s)

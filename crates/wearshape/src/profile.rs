@@ -1,7 +1,6 @@
 //! The columns of contact.csv.
 
 use nalgebra::Vector3;
-use scene::number_text;
 
 /// Numbers at the contact points, in order along the surface; NaN where not available.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -57,47 +56,6 @@ impl Profile {
             hoop_displacement: pair(),
             status: vec!["contact"; points.len()],
         }
-    }
-
-    /// The table as CSV.
-    pub fn csv(&self) -> String {
-        let mut out = String::from(
-            "s_mm,x_mm,y_mm,z_mm,nx,ny,nz,weight_mm2,pressure_MPa,pressure_solved_MPa,shear_MPa,gap_um,opening_um,\
-             wear_rate_um_per_s,un1_um,un2_um,ut1_um,ut2_um,uphi1_um,uphi2_um,status\n",
-        );
-        for (row, s) in self.s.iter().enumerate() {
-            let [x, y, z] = self.position[row];
-            let [nx, ny, nz] = self.normal[row];
-            let numbers = [
-                *s,
-                x,
-                y,
-                z,
-                nx,
-                ny,
-                nz,
-                self.weight[row],
-                self.pressure[row],
-                self.pressure_solved[row],
-                self.shear[row],
-                self.gap[row],
-                self.opening[row],
-                self.wear_rate[row],
-                self.normal_displacement[0][row],
-                self.normal_displacement[1][row],
-                self.tangential_displacement[0][row],
-                self.tangential_displacement[1][row],
-                self.hoop_displacement[0][row],
-                self.hoop_displacement[1][row],
-            ];
-            for number in numbers {
-                out += &number_text(number);
-                out.push(',');
-            }
-            out += self.status[row];
-            out.push('\n');
-        }
-        out
     }
 }
 

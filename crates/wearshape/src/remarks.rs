@@ -1,7 +1,7 @@
 //! What the theory has to say about a scene before it is solved.
 
 use meshing::outline;
-use scene::{Balance, Functional, Geometry, Task, short, with_short_numbers};
+use scene::{Balance, Functional, Task, short, with_short_numbers};
 use serde::Serialize;
 use wear::Shape;
 
@@ -20,7 +20,7 @@ pub struct Remark {
 }
 
 /// All remarks, in a fixed order.
-pub fn remarks(problem: &Problem, tasks: &[Task]) -> Vec<Remark> {
+pub(crate) fn remarks(problem: &Problem, tasks: &[Task]) -> Vec<Remark> {
     let mut found = Vec::new();
     let mut say = |code: &'static str, message: String| found.push(Remark { code, message: with_short_numbers(&message) });
     materials(problem, &mut say);
@@ -96,7 +96,7 @@ fn jamming(problem: &Problem, say: &mut impl FnMut(&'static str, String)) {
 const WORN: f64 = 0.1;
 
 /// Remarks on what a run came to.
-pub fn after(problem: &Problem, solution: &Solution) -> Vec<Remark> {
+pub(crate) fn after(problem: &Problem, solution: &Solution) -> Vec<Remark> {
     other_solutions(solution).into_iter().chain(worn_through(problem, solution)).collect()
 }
 

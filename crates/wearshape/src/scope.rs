@@ -21,7 +21,7 @@ use crate::steps::round::{Round, RoundContact};
 use crate::watch::Watch;
 
 /// A contact, ready to be solved.
-pub enum Scope<'a> {
+pub(crate) enum Scope<'a> {
     /// On a surface known without a mesh.
     Known(Stage<'a>),
     /// A round body on a flat one of which at least one is given by its cells.
@@ -32,7 +32,7 @@ pub enum Scope<'a> {
 
 impl<'a> Scope<'a> {
     /// The contact of a problem.
-    pub fn of(problem: &'a Problem, options: &'a Options<'a>, bodies: &'a Bodies) -> Result<Scope<'a>, Fault> {
+    pub(crate) fn of(problem: &'a Problem, options: &'a Options<'a>, bodies: &'a Bodies) -> Result<Scope<'a>, Fault> {
         let Some(couple) = &problem.couple else { return Stage::new(problem, options, bodies).map(Scope::Known) };
         if let Some(disc) = HalfDiscOnFlat::of(couple)? {
             return Ok(Scope::HalfDisc(Setting::new(problem, couple, disc, options)));
@@ -44,7 +44,7 @@ impl<'a> Scope<'a> {
     }
 
     /// Refuses what is not built yet.
-    pub fn available(&self) -> Result<(), Fault> {
+    pub(crate) fn available(&self) -> Result<(), Fault> {
         match self {
             Scope::HalfDisc(setting) => ends_scope::available(setting),
             Scope::Round(round) => round.available(),
@@ -55,7 +55,7 @@ impl<'a> Scope<'a> {
     }
 
     /// Meshes, supports and loads of a level, on first guesses of the ends of a round contact.
-    pub fn parts(&self, level: Level) -> Result<Parts, Fault> {
+    pub(crate) fn parts(&self, level: Level) -> Result<Parts, Fault> {
         match self {
             Scope::Known(stage) => Ok(stage.parts(level, Cut::Plain)?.0),
             Scope::Round(round) => round.first_parts(level),
@@ -70,7 +70,7 @@ impl<'a> Scope<'a> {
     }
 
     /// Solves a contact that is not on a known surface, with the fields if they are asked for; `None` for one that is.
-    pub fn solve(&self, watch: &mut Watch<'_>) -> Result<Option<(Outcome, Effort, Vec<FieldFrame>)>, Refusal> {
+    pub(crate) fn solve(&self, watch: &mut Watch<'_>) -> Result<Option<(Outcome, Effort, Vec<FieldFrame>)>, Refusal> {
         let setting = match self {
             Scope::Known(_) => return Ok(None),
             Scope::Round(round) => return round.solve(watch).map(Some),

@@ -55,6 +55,8 @@ pub struct Solution {
     pub curve: Option<Profile>,
     /// Columns of history.csv: name and values.
     pub history: Vec<(String, Vec<f64>)>,
+    /// Pressure and gap of a run in time, step by step.
+    pub running_in: Option<RunningIn>,
     /// The levels of the last task that has any.
     pub ladder: Vec<Rung>,
     /// The surface to machine, of a shape.
@@ -352,4 +354,26 @@ pub struct ErrorResult {
     pub twist_relative: Option<f64>,
     /// How they were estimated.
     pub how: String,
+}
+
+/// Pressure and gap of a run in time at the contact points.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct RunningIn {
+    /// Surface coordinate of the points (mm).
+    pub s: Vec<f64>,
+    /// The steps.
+    pub steps: Vec<RunningInStep>,
+}
+
+/// One step of a run in time.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct RunningInStep {
+    /// Number of the step.
+    pub step: usize,
+    /// Time (s).
+    pub time: f64,
+    /// Pressure at the points (MPa).
+    pub pressure: Vec<f64>,
+    /// Unloaded gap at the points (um).
+    pub gap: Vec<f64>,
 }

@@ -113,7 +113,7 @@ fn elastic((problem, options, bodies): Given<'_>, passes: usize, watch: &mut Wat
 impl Solution {
     /// Takes in what an elastic step found; what it does not say stays. Returns what twist and fields need.
     fn take(&mut self, outcome: Outcome) -> Option<Reported> {
-        let Outcome { ended, stopped, contact, interface, shape, wear, history, machined, told, error, ladder, remarks, reported, resume } =
+        let Outcome { ended, stopped, contact, interface, shape, wear, history, machined, told, error, running_in, ladder, remarks, reported, resume } =
             outcome;
         if let Some((status, reason)) = ended {
             (self.status, self.reason) = (status, Some(reason));
@@ -126,6 +126,7 @@ impl Solution {
         self.shape = shape.or(self.shape.take());
         self.wear = wear.or(self.wear.take());
         self.machined = machined.or(self.machined.take());
+        self.running_in = running_in.or(self.running_in.take());
         self.resume = resume;
         if !history.is_empty() {
             self.history = history;

@@ -22,7 +22,7 @@ use crate::surface::Patch;
 
 /// A problem whose contact surface is known, ready for its elastic stages.
 #[derive(Clone, Copy)]
-pub struct Stage<'a> {
+pub(crate) struct Stage<'a> {
     pub problem: &'a Problem,
     pub couple: &'a Couple,
     pub patch: &'a Patch,
@@ -32,7 +32,7 @@ pub struct Stage<'a> {
 }
 
 impl<'a> Stage<'a> {
-    pub fn new(problem: &'a Problem, options: &'a Options<'a>, bodies: &'a Bodies) -> Result<Stage<'a>, Fault> {
+    pub(crate) fn new(problem: &'a Problem, options: &'a Options<'a>, bodies: &'a Bodies) -> Result<Stage<'a>, Fault> {
         let none = || {
             let message = "the elastic stages do not know this contact surface yet";
             Fault::at("contact.edges", "not-available", message, "ask for the pressure alone: --set tasks=[pressure]")
@@ -44,26 +44,26 @@ impl<'a> Stage<'a> {
     }
 
     /// The same with other numbers of load and sliding.
-    pub fn with(self, problem: &'a Problem) -> Result<Stage<'a>, Fault> {
+    pub(crate) fn with(self, problem: &'a Problem) -> Result<Stage<'a>, Fault> {
         Stage::new(problem, self.options, self.bodies)
     }
 
-    pub fn clock(&self) -> Clock {
+    pub(crate) fn clock(&self) -> Clock {
         self.options.clock
     }
 
     /// Accuracy asked for.
-    pub fn accuracy(&self) -> f64 {
+    pub(crate) fn accuracy(&self) -> f64 {
         self.problem.wanted.accuracy
     }
 
     /// Both bodies of a level with nodes at the ends of a pressure that does not fill the surface; without such ends as [`Stage::reduced`].
-    pub fn reduced_at(&self, level: Level, ends: &[f64]) -> Result<(Arc<Reduced>, Effort), Fault> {
+    pub(crate) fn reduced_at(&self, level: Level, ends: &[f64]) -> Result<(Arc<Reduced>, Effort), Fault> {
         if ends.is_empty() { self.reduced(level, Cut::Plain) } else { self.made(level, Cut::Ends(ends)) }
     }
 
     /// Both bodies of a level, meshed and reduced unless that was done before.
-    pub fn reduced(&self, level: Level, cut: Cut<'static>) -> Result<(Arc<Reduced>, Effort), Fault> {
+    pub(crate) fn reduced(&self, level: Level, cut: Cut<'static>) -> Result<(Arc<Reduced>, Effort), Fault> {
         // How far a round contact may reach follows from the load: such bodies fit no other run.
         if self.facing() {
             return self.made(level, cut);
@@ -72,7 +72,7 @@ impl<'a> Stage<'a> {
     }
 
     /// Both bodies of a level on meshes of their own, not kept.
-    pub fn made(&self, level: Level, cut: Cut<'_>) -> Result<(Arc<Reduced>, Effort), Fault> {
+    pub(crate) fn made(&self, level: Level, cut: Cut<'_>) -> Result<(Arc<Reduced>, Effort), Fault> {
         self.make(level, cut).map(|(reduced, effort)| (Arc::new(reduced), effort))
     }
 
@@ -84,7 +84,7 @@ impl<'a> Stage<'a> {
     }
 
     /// Both bodies of a level in the scalar problem of twisting; kept unless their meshes are cut at ends of contact.
-    pub fn twisted(&self, level: Level, ends: &[f64]) -> Result<(Arc<Reduced>, Effort), Fault> {
+    pub(crate) fn twisted(&self, level: Level, ends: &[f64]) -> Result<(Arc<Reduced>, Effort), Fault> {
         let make = |cut: Cut<'_>| -> Result<(Reduced, Effort), Fault> {
             let mut effort = Effort::default();
             let meshes = effort.timed(Step::Mesh, self.clock(), |_| self.meshes(level.layers, cut))?;
@@ -102,17 +102,17 @@ impl<'a> Stage<'a> {
     }
 
     /// The scalar problem of the bodies of a contact in which body 1 is turned.
-    pub fn turned_pair(&self, level: Level, ends: &[f64]) -> Result<Option<(Arc<Reduced>, Effort)>, Fault> {
+    pub(crate) fn turned_pair(&self, level: Level, ends: &[f64]) -> Result<Option<(Arc<Reduced>, Effort)>, Fault> {
         if self.problem.load.turns.is_empty() { Ok(None) } else { self.twisted(level, ends).map(Some) }
     }
 
     /// Whether the surfaces face each other across a gap.
-    pub fn facing(&self) -> bool {
+    pub(crate) fn facing(&self) -> bool {
         matches!(self.extent, Extent::Round { .. })
     }
 
     /// The meshes of both bodies with so many layers.
-    pub fn meshes(&self, layers: usize, cut: Cut<'_>) -> Result<[hpfem::Mesh; 2], Fault> {
+    pub(crate) fn meshes(&self, layers: usize, cut: Cut<'_>) -> Result<[hpfem::Mesh; 2], Fault> {
         // The coordinate of a surface may fall along its path.
         let turned: Vec<f64> = if self.patch.backwards { cut.ends().iter().rev().map(|t| -t).collect() } else { Vec::new() };
         let cut = if turned.is_empty() { cut } else { Cut::Ends(&turned) };
@@ -120,7 +120,7 @@ impl<'a> Stage<'a> {
     }
 
     /// Meshes, supports and loads of both bodies.
-    pub fn parts(&self, level: Level, cut: Cut<'_>) -> Result<(Parts, Effort), Fault> {
+    pub(crate) fn parts(&self, level: Level, cut: Cut<'_>) -> Result<(Parts, Effort), Fault> {
         let mut effort = Effort::default();
         let parts = effort.timed(Step::Mesh, self.clock(), |_| {
             Parts::new(self.couple, self.meshes(level.layers, cut)?, level, self.facing())
@@ -129,24 +129,24 @@ impl<'a> Stage<'a> {
     }
 
     /// Coefficient of the friction shear on the bodies.
-    pub fn friction(&self) -> f64 {
+    pub(crate) fn friction(&self) -> f64 {
         self.problem.friction.shear()
     }
 
     /// Wear rules of both bodies, and how body 2 passes.
-    pub fn rules(&self) -> Result<(wear::WearPair, wear::Counterface), Fault> {
+    pub(crate) fn rules(&self) -> Result<(wear::WearPair, wear::Counterface), Fault> {
         let wear = &self.problem.wear;
         let laws = wear.laws.clone().map_err(|error| wrong_wear(&error))?;
         Ok((laws, wear.counterface))
     }
 
     /// A point of the contact surface with sliding speed and drag direction.
-    pub fn surface_point(&self, x: [f64; 2], n: [f64; 2], weight: f64) -> wear::SurfacePoint {
+    pub(crate) fn surface_point(&self, x: [f64; 2], n: [f64; 2], weight: f64) -> wear::SurfacePoint {
         self.patch.surface.point(Vector3::new(x[0], 0.0, x[1]), Vector3::new(n[0], 0.0, n[1]), weight)
     }
 
     /// Sense of the drag along a point's tangent: 1, -1, or 0 without sliding in the plane.
-    pub fn drag(&self, point: &ContactPoint) -> f64 {
+    pub(crate) fn drag(&self, point: &ContactPoint) -> f64 {
         let along = self.surface_point(point.position, point.normal, 0.0).drag.dot(&Vector3::new(
             point.tangent[0],
             0.0,
@@ -156,34 +156,34 @@ impl<'a> Stage<'a> {
     }
 
     /// Whether body 1 is loaded through a rigid edge.
-    pub fn rigid_edge(&self) -> bool {
+    pub(crate) fn rigid_edge(&self) -> bool {
         self.couple.has_rigid_edge()
     }
 
     /// Whether the rigid part of a gap is prescribed instead of the smallest.
-    pub fn rigid_prescribed(&self) -> bool {
+    pub(crate) fn rigid_prescribed(&self) -> bool {
         let load = &self.problem.load;
         self.rigid_edge() && (load.approach.is_some() || load.approach_time.is_some())
     }
 
     /// Rotation that is prescribed and not zero, or 0.
-    pub fn turned(&self) -> f64 {
+    pub(crate) fn turned(&self) -> f64 {
         self.problem.load.tilt.filter(|_| self.rigid_edge()).unwrap_or(0.0)
     }
 
     /// Place x about which the rigid edge turns.
-    pub fn about(&self) -> f64 {
+    pub(crate) fn about(&self) -> f64 {
         self.problem.load.about[0]
     }
 
     /// Load-case factors of body 1: the force alone.
-    pub fn cases(&self) -> Vec<f64> {
+    pub(crate) fn cases(&self) -> Vec<f64> {
         let force = self.problem.load.force.unwrap_or(0.0);
         if self.rigid_edge() { vec![] } else { vec![force, 0.0, 0.0, 0.0] }
     }
 
     /// Load, motions of the rigid edge and friction of a contact solve.
-    pub fn contact_load(&self, points: &[ContactPoint]) -> ContactLoad {
+    pub(crate) fn contact_load(&self, points: &[ContactPoint]) -> ContactLoad {
         let mut contact = ContactLoad::factors(&self.cases(), &[]);
         contact.moment = MomentBalance::Pressure;
         let load = &self.problem.load;
@@ -205,19 +205,19 @@ impl<'a> Stage<'a> {
     }
 
     /// What counts as body 1 unmoved: the rigid edge held, or the mean displacement of the load edge zero.
-    pub fn gauge(&self, pair: &Pair<'_>) -> Gauge {
+    pub(crate) fn gauge(&self, pair: &Pair<'_>) -> Gauge {
         if self.rigid_edge() { Gauge::HeldEdge } else { Gauge::MeanOf(mean_columns(pair)) }
     }
 
     /// A state of body 1 with its rigid motion taken out.
-    pub fn held(&self, pair: &Pair<'_>, state: &InterfaceState) -> InterfaceState {
+    pub(crate) fn held(&self, pair: &Pair<'_>, state: &InterfaceState) -> InterfaceState {
         let mut held = state.clone();
         self.gauge(pair).zero(pair.shaped, &mut held);
         held
     }
 
     /// Surface coordinate at the start of the path: minus half the length, or the radius there.
-    pub fn start(&self, pair: &Pair<'_>) -> f64 {
+    pub(crate) fn start(&self, pair: &Pair<'_>) -> f64 {
         let trace = pair.trace();
         match self.patch.surface.shape() {
             wear::Shape::Annulus { .. } => trace.boundary_point(0, -1.0).0.position[0],
@@ -226,7 +226,7 @@ impl<'a> Stage<'a> {
     }
 
     /// Points of the path with trapezoid weights.
-    pub fn sample(&self, pair: &Pair<'_>, sampling: Sampling<'_>) -> Vec<ContactPoint> {
+    pub(crate) fn sample(&self, pair: &Pair<'_>, sampling: Sampling<'_>) -> Vec<ContactPoint> {
         let start = self.start(pair);
         let places = sampling.places([start, start + pair.trace().length()]);
         let weights = trapezoid_weights(&places);
@@ -239,7 +239,7 @@ impl<'a> Stage<'a> {
     }
 
     /// Columns that follow from a pressure and the states of both bodies.
-    pub fn profile(
+    pub(crate) fn profile(
         &self,
         pair: &Pair<'_>,
         points: &[ContactPoint],

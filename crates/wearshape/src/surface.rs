@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use hpfem::Kinematics;
 use meshing::{Body, ContactLine, Extent, contact_line};
 use nalgebra::Vector3;
-use scene::{Fault, Geometry, Length, Sliding, SurfaceShape, missing, positive};
+use scene::{Fault, Length, Sliding, SurfaceShape, missing, positive};
 use wear::{Shape, SlidingMotion, Surface, SurfacePoint};
 
 /// A contact surface known without a mesh.

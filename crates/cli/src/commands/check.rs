@@ -2,7 +2,7 @@
 
 use scene::Fault;
 use serde_json::json;
-use wearshape::{Forecast, Problem, Step, forecast};
+use wearshape::{Forecast, Problem, Step};
 
 use crate::open;
 use crate::args::CheckArgs;
@@ -39,7 +39,7 @@ pub(crate) fn plan_json(problem: &Problem) -> serde_json::Value {
 
 /// Sizes and times of the levels; `None` for scenes without bodies.
 fn expected(problem: &Problem) -> Option<Result<Vec<Forecast>, Fault>> {
-    problem.plan().runs(Step::Mesh).then(|| forecast(problem, seconds))
+    problem.plan().runs(Step::Mesh).then(|| problem.forecast(seconds))
 }
 
 /// The plan in words, with what it will take.
@@ -78,7 +78,7 @@ pub(crate) fn describe(problem: &Problem) -> String {
         out += &format!("\ncontact surface {:.6} mm^2", patch.surface.area());
         out += &format!(", free rigid modes of body 1: {}\n", problem.freedoms.len());
     }
-    for lint in &problem.remarks() {
+    for lint in problem.remarks() {
         out += &format!("\nnote [{}]: {}\n  more: wearshape explain {}\n", lint.code, lint.message, lint.code);
     }
     if !problem.unused_keys().is_empty() {

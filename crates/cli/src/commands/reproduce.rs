@@ -3,13 +3,14 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use report::{self, Folder, SCHEMA_VERSION};
+use report::SCHEMA_VERSION;
 use scene::{Fault, Place, did_you_mean};
 use serde_json::{Value, json};
 
 use crate::args::ReproduceArgs;
 use crate::commands::{print_json, print_out};
 use crate::exit::Exit;
+use crate::folder::Folder;
 use crate::reproduce::{ITEMS, Item, Made, Row, page, rows_csv, rows_json, rows_table};
 
 /// Computes one item or all of them, or lists them.

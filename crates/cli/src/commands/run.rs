@@ -3,9 +3,8 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use report::{self, Folder};
 use scene::{Fault, Place};
-use wearshape::{Bodies, Options, Problem, Sampling, Status, Step, available};
+use wearshape::{Bodies, Options, Problem, Sampling, Status, Step};
 
 use crate::{interrupt, open};
 use crate::args::{Common, RunArgs};
@@ -13,9 +12,11 @@ use crate::clock::seconds;
 use crate::commands::{print_json, print_out};
 use crate::commands::check::{describe, describe_with_sizes, plan_json};
 use crate::exit::Exit;
+use crate::folder::Folder;
 use crate::live::Live;
 use crate::progress::Progress;
 use crate::record::Tape;
+use crate::write::write;
 
 /// Computes a scene and writes its folder.
 pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
@@ -32,17 +33,17 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
         }
         return Ok(Exit::Done);
     }
-    available(&problem).map_err(|fault| document.locate(fault))?;
+    problem.available().map_err(|fault| document.locate(fault))?;
     interrupt::listen();
-    let resolved = report::resolved(&problem)?;
+    let resolved = problem.resolved()?;
     let folder = Folder::begin(&target, common.resume)?;
     if common.resume {
         folder.same_scene(&resolved)?;
     }
     let ready = start.elapsed().as_secs_f64();
     folder.write("scene.resolved.toml", &resolved)?;
-    for (name, bytes) in report::mesh_files(&problem.scene()) {
-        folder.write_bytes(&name, bytes)?;
+    for (name, bytes) in problem.files() {
+        folder.write_bytes(&name, &bytes)?;
     }
     if common.verbose && !common.quiet {
         eprint!("{}", describe(&problem));
@@ -67,7 +68,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
         return Ok(Exit::Interrupted);
     }
     let seconds = [ready, start.elapsed().as_secs_f64()];
-    let summary = report::write(&folder, &problem, &solution, &resolved, live.tape, seconds)?;
+    let summary = write(&folder, &problem, &solution, live.tape, seconds)?;
     folder.finish()?;
     if common.json {
         print_json(&summary);

@@ -3,10 +3,9 @@
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
-use report::{self, Folder};
-use report::line_plot::{Axis, LinePlot, Series, line_plot};
+use report::{Axis, LinePlot, Series, line_plot};
 use scene::{Fault, Place, number_text};
-use wearshape::{DEGREES, Event, Level, Measure, Quantity, Step, Truth, outermost, study};
+use wearshape::{DEGREES, Event, Measure, Quantity, Step, StudyLevel, Truth, outermost, study};
 
 use crate::{interrupt, open};
 use crate::args::StudyArgs;
@@ -14,6 +13,7 @@ use crate::clock::seconds;
 use crate::commands::{print_json, print_out};
 use crate::commands::run::with_threads;
 use crate::exit::Exit;
+use crate::folder::Folder;
 
 /// Columns of study.csv.
 const COLUMNS: [&str; 12] = [
@@ -40,7 +40,7 @@ pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
         return Err(Fault::new("not-available", "study compares meshes, and this scene needs none", remedy));
     };
     let truth = args.reference.as_deref().map(reference).transpose()?;
-    wearshape::available(&problem).map_err(|fault| document.locate(fault))?;
+    problem.available().map_err(|fault| document.locate(fault))?;
     let target = common.output.clone().unwrap_or_else(|| PathBuf::from("out").join(format!("{}-study", problem.name())));
     if common.dry_run {
         print_out(&format!("would solve {} degrees and write {}\n", DEGREES.len(), target.display()));
@@ -50,7 +50,7 @@ pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
         Some(folder) => folder.display().to_string(),
         None => "the finest degree".into(),
     };
-    let resolved = report::resolved(&problem)?;
+    let resolved = problem.resolved()?;
     let folder = Folder::begin(&target, false)?;
     let at = |degree: usize| {
         let mut settings = common.set.clone();
@@ -140,7 +140,7 @@ fn reference(folder: &Path) -> Result<Truth, Fault> {
     })
 }
 
-fn row(level: &Level) -> [f64; 12] {
+fn row(level: &StudyLevel) -> [f64; 12] {
     let seconds = |stages: &[Step]| -> f64 {
         level.effort.seconds.iter().filter(|(step, _)| stages.contains(step)).map(|(_, seconds)| seconds).sum()
     };

@@ -4,16 +4,17 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use rayon::prelude::*;
-use report::{self, Folder, SCHEMA_VERSION};
+use report::SCHEMA_VERSION;
 use scene::{Fault, Place};
 use serde_json::{Map, Value, json};
-use wearshape::{Bodies, Options, Status, available, setup};
+use wearshape::{Bodies, Options, Problem, Status};
 
 use crate::interrupt;
 use crate::args::{Common, SweepArgs};
 use crate::commands::{print_json, print_out};
 use crate::commands::run::{options, with_threads};
 use crate::exit::Exit;
+use crate::folder::Folder;
 use crate::live::Live;
 use crate::open::{self, open};
 use crate::progress::Progress;
@@ -55,7 +56,8 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
     interrupt::listen();
     let plan = json!({ "scene": args.scene, "set": common.set, "over": args.over, "sample": common.sample });
     // A first point without an answer is a row like any other; its scene stays as it is written.
-    let resolved = setup(&first, &|path| beside.read(path)).map_or_else(|_| first.scene.clone(), |problem| problem.scene());
+    let (resolved, files) = Problem::new(&first, &|path| beside.read(path))
+        .map_or_else(|_| (first.scene.clone(), Vec::new()), |problem| (problem.scene().clone(), problem.files()));
     let mark = format!("# {}\n{}", plan, scene::scene_text(&resolved)?);
     let folder = Folder::begin(&target, common.resume)?;
     if common.resume {
@@ -64,8 +66,8 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
     let mut rows = if common.resume { finished_rows(&folder) } else { Vec::new() };
     rows.truncate(count);
     folder.write("scene.resolved.toml", &mark)?;
-    for (name, bytes) in report::mesh_files(&resolved) {
-        folder.write_bytes(&name, bytes)?;
+    for (name, bytes) in files {
+        folder.write_bytes(&name, &bytes)?;
     }
     folder.write("sweep.jsonl", &lines(&rows))?;
     let bodies = Bodies::default();
@@ -190,9 +192,9 @@ fn row(scene: &str, (grid, point): (&[Over], usize), settings: &[String], option
         row.insert(over.key.clone(), value.parse::<f64>().ok().filter(|v| v.is_finite()).map_or(json!(value), |v| json!(v)));
     }
     let computed = open::problem(scene, settings).and_then(|(document, problem)| {
-        available(&problem).map_err(|fault| document.locate(fault))?;
+        problem.available().map_err(|fault| document.locate(fault))?;
         let solution = Live::silent().solve(&problem, options, bodies).map_err(|fault| document.locate(fault))?;
-        Ok((solution.status, report::summary_of(&problem, &solution)?))
+        Ok((solution.status, report::summary(&problem, &solution)?))
     });
     if matches!(computed, Ok((Status::Interrupted, _))) {
         return None;

@@ -4,10 +4,10 @@ use mcap::parse_record;
 use mcap::records::Record;
 use mcap::sans_io::{LinearReadEvent, LinearReader, LinearReaderOptions};
 use scene::Fault;
-use wearshape::FinishedLevel;
+use wearshape::{FinishedLevel, RunningIn, RunningInStep};
 
 use crate::record::{CHANNELS, LEVELS_ATTACHED, LIBRARY, PROFILE, Recorder, SCENE_ATTACHED, STATE};
-use crate::record::messages::Points;
+use crate::record::messages::{Point, Points};
 use crate::record::state::State;
 
 /// No step of ours is nearly as large (bytes): a longer record or chunk is damage.
@@ -75,10 +75,21 @@ impl Replay {
         replay
     }
 
-    /// The contact points at each finished step.
-    pub(crate) fn profiles(&self) -> Vec<Points> {
+    /// Pressure and gap at each finished step.
+    pub(crate) fn running_in(&self) -> RunningIn {
         let profiles = self.messages.iter().filter(|message| message.topic == PROFILE);
-        profiles.filter_map(|message| serde_json::from_slice(&message.data).ok()).collect()
+        let profiles: Vec<Points> = profiles.filter_map(|message| serde_json::from_slice(&message.data).ok()).collect();
+        let s = profiles.last().map(|last| last.points.iter().map(|point| point.s_mm).collect()).unwrap_or_default();
+        let column = |points: &Points, pick: fn(&Point) -> Option<f64>| -> Vec<f64> {
+            points.points.iter().map(|point| pick(point).unwrap_or(f64::NAN)).collect()
+        };
+        let step = |points: &Points| RunningInStep {
+            step: points.step as usize,
+            time: points.time_s,
+            pressure: column(points, |point| point.pressure_MPa),
+            gap: column(points, |point| point.gap_um),
+        };
+        RunningIn { s, steps: profiles.iter().map(step).collect() }
     }
 
     /// The levels that were finished before the recorded one.

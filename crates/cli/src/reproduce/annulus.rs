@@ -1,7 +1,6 @@
 //! Figures 18 to 23 and 27: the annular punch.
 
-use report::line_plot::{Axis, Series};
-use report::section_plot::Section;
+use report::{Axis, Section, Series};
 use scene::Fault;
 
 use crate::reproduce::closed_form::{RADII, effective_radius, ring_force, ring_pressure};

@@ -38,7 +38,7 @@ fn clutch(made: &mut Made) -> Result<(), Fault> {
 }
 
 /// The internal expanding shoe of Shigley's example: r 150, width 32, mu 0.32, 1 MPa, pin distance 122.654, arm 212, 0 to 126 deg.
-fn pinned(made: &mut Made) -> Result<report::line_plot::Series, Fault> {
+fn pinned(made: &mut Made) -> Result<report::Series, Fault> {
     let (r, width, mu, pin, arm, to) = (150.0, 32.0, 0.32, 122.654, 212.0, 126.0_f64.to_radians());
     // p = p_a sin(theta), largest at 90 degrees.
     let friction = mu * width * r * integral(|t: f64| t.sin() * (r - pin * t.cos()), 0.0, to);
@@ -80,7 +80,7 @@ fn pinned(made: &mut Made) -> Result<report::line_plot::Series, Fault> {
     Ok(series("pinned, from the pin", curve))
 }
 
-fn pivoted(made: &mut Made) -> Result<report::line_plot::Series, Fault> {
+fn pivoted(made: &mut Made) -> Result<report::Series, Fault> {
     let solved = run("pivoted-shoe", &[])?;
     made.ran(&solved);
     let (radius, width, angle) = (200.0, 50.0, std::f64::consts::FRAC_PI_4);

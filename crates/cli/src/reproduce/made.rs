@@ -1,7 +1,6 @@
 //! What an item is made of: rows, files, the commands that repeat it, remarks.
 
-use report::columns_csv;
-use report::line_plot::{Axis, LinePlot, Series, line_plot};
+use report::{Axis, LinePlot, Series, columns_csv, line_plot};
 
 use crate::reproduce::row::Row;
 use crate::reproduce::run::Run;

@@ -1,6 +1,6 @@
 //! Figures 12 to 15: the translating punch.
 
-use report::line_plot::LinePlot;
+use report::LinePlot;
 use scene::Fault;
 
 use crate::reproduce::closed_form;

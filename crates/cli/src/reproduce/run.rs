@@ -1,8 +1,7 @@
 //! One run of a built-in scene with some keys replaced, in memory.
 
-use report;
 use scene::{Document, Fault, Gap, builtin, number_text};
-use wearshape::{Bodies, Files, Options, PressureResult, Problem, Profile, Solution, Status, setup};
+use wearshape::{Bodies, Files, Options, PressureResult, Problem, Profile, Solution, Status};
 
 use crate::live::Live;
 
@@ -54,13 +53,13 @@ fn csv(gap: &Gap) -> String {
 /// A built-in scene with `--set` pairs, checked.
 fn read(scene: &str, settings: &[String], files: Files<'_>) -> Result<Problem, Fault> {
     let (file, text) = builtin(scene).map_or_else(Default::default, |builtin| (builtin.file(), builtin.text));
-    setup(&Document::read(&file, text, settings)?, files)
+    Problem::new(&Document::read(&file, text, settings)?, files)
 }
 
 /// A built-in scene with `--set` pairs, checked, as scene.resolved.toml, and as a command.
 pub(super) fn prepared(scene: &str, settings: &[String]) -> Result<(Problem, String, String), Fault> {
     let problem = read(scene, settings, &|_| Err("built-in scenes have no files beside them".into()))?;
-    let resolved = report::resolved(&problem)?;
+    let resolved = problem.resolved()?;
     let mut command = format!("wearshape run {scene}");
     for setting in settings {
         let plain = setting.chars().all(|c| c.is_ascii_alphanumeric() || "=._-,[]".contains(c));

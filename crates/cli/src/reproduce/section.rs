@@ -1,7 +1,7 @@
 //! Meshes and geometry as pictures of the cross-section.
 
 use hpfem::{Curve, Mesh};
-use report::section_plot::Section;
+use report::Section;
 use scene::Fault;
 
 use crate::reproduce::made::Made;
@@ -13,7 +13,7 @@ const FILLS: [&str; 2] = ["#cfe3f3", "#eeeeee"];
 /// Draws the meshes of both bodies of a scene as `mesh.svg` and their vertices as `mesh.csv`. Returns the number of cells.
 pub(super) fn meshes(made: &mut Made, scene: &str, settings: &[String], title: &str) -> Result<usize, Fault> {
     let (problem, resolved, command) = prepared(scene, settings)?;
-    let meshes = wearshape::meshes_of(&problem)?;
+    let meshes = problem.meshes()?;
     if made.resolved.is_empty() {
         made.resolved = resolved;
     }

@@ -1,8 +1,7 @@
 //! Figures 16, 17 and 26: stresses in the punches.
 
 use hpfem::Stress;
-use report::isobands::{Isobands, Placed};
-use report::section_plot::Section;
+use report::{Isobands, Placed, Section};
 use scene::Fault;
 use wearshape::{BodyField, CellField};
 

@@ -1,6 +1,6 @@
 //! The table of section 7.4: wear volume rate of the stationary wear volume over that of the stationary wear power.
 
-use report::line_plot::Series;
+use report::Series;
 use scene::Fault;
 
 use crate::reproduce::annulus::SCENE;

@@ -8,7 +8,7 @@ use scene::{Component, Contact, Fault, Gap, Kinematics, Scene, did_you_mean, mis
 use crate::gap_profile;
 
 /// Checks both bodies and the contact, and fills in their defaults. None of a surface alone.
-pub fn resolve(scene: &mut Scene, files: Files<'_>) -> Result<Option<(hpfem::Kinematics, [Body; 2])>, Fault> {
+pub(super) fn resolve(scene: &mut Scene, files: Files<'_>) -> Result<Option<(hpfem::Kinematics, [Body; 2])>, Fault> {
     friction(scene)?;
     if scene.surface.is_some() {
         return Ok(None);
@@ -111,7 +111,7 @@ fn on_axis_side(name: &str, mesh: &hpfem::Mesh, axisymmetric: bool) -> Result<()
 }
 
 /// Refuses an edge that the body does not have.
-pub fn known_edge(key: &str, edge: &str, edges: &[String]) -> Result<(), Fault> {
+pub(super) fn known_edge(key: &str, edge: &str, edges: &[String]) -> Result<(), Fault> {
     if edges.iter().any(|known| known == edge) {
         return Ok(());
     }

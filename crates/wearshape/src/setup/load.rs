@@ -1,15 +1,15 @@
 //! The load: edge, kind, what is prescribed.
 
 use meshing::{Body, LoadedEdge, Strip, outline, outside};
-use scene::{Fault, Geometry, Kinematics, Length, Load, LoadKind, Moment, Scene, SurfaceShape, Task, missing, positive};
+use scene::{Fault, Kinematics, Length, Load, LoadKind, Moment, Scene, SurfaceShape, Task, missing, positive};
 
-use crate::{problem, setup};
+use crate::problem;
 use crate::setup::bodies::known_edge;
 use crate::setup::twist::turns;
 use crate::surface::Patch;
 
 /// Checks the load and fills in its defaults.
-pub fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>, body: Option<&Body>) -> Result<(), Fault> {
+pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>, body: Option<&Body>) -> Result<(), Fault> {
     let Some(load) = &mut scene.load else {
         let example = if scene.surface.is_some() {
             "load = { force = \"10 kN\" }"
@@ -160,7 +160,7 @@ fn worn_approach(scene: &Scene, time: f64) -> Result<(), Fault> {
 }
 
 /// Where and how a resolved load acts; none without an edge.
-pub fn edge(load: &Load) -> Option<LoadedEdge> {
+pub(super) fn edge(load: &Load) -> Option<LoadedEdge> {
     let kind = load.kind?;
     let centre = load.centre.map_or(0.0, |centre| centre.0);
     Some(LoadedEdge {
@@ -177,7 +177,7 @@ fn about(load: &Load) -> [f64; 2] {
 }
 
 /// The numbers of a resolved load.
-pub fn numbers(scene: &Scene) -> problem::Load {
+pub(super) fn numbers(scene: &Scene) -> problem::Load {
     let load = scene.load.clone().unwrap_or_default();
     let moment = |given: Option<Moment>| given.map_or(0.0, |moment| moment.0);
     problem::Load {

@@ -6,7 +6,7 @@ use crate::problem;
 use crate::functional::{power, s_minus_1};
 
 /// Checks the optimum and fills in its defaults.
-pub fn resolve(scene: &mut Scene, tasks: &[Task]) -> Result<(), Fault> {
+pub(super) fn resolve(scene: &mut Scene, tasks: &[Task]) -> Result<(), Fault> {
     if !tasks.contains(&Task::Pressure) && !tasks.contains(&Task::Shape) {
         return Ok(());
     }
@@ -48,7 +48,7 @@ pub fn resolve(scene: &mut Scene, tasks: &[Task]) -> Result<(), Fault> {
 }
 
 /// Exponents b of the bodies that wear.
-pub fn exponents(scene: &Scene) -> Vec<f64> {
+pub(super) fn exponents(scene: &Scene) -> Vec<f64> {
     let Some(wear) = &scene.wear else {
         return vec![1.0];
     };
@@ -68,7 +68,7 @@ pub fn exponents(scene: &Scene) -> Vec<f64> {
 }
 
 /// The choice of a resolved scene.
-pub fn choice(scene: &Scene) -> problem::Optimum {
+pub(super) fn choice(scene: &Scene) -> problem::Optimum {
     let optimum = scene.optimum.clone().unwrap_or_default();
     problem::Optimum {
         functional: optimum.functional.unwrap_or(Functional::Steady),

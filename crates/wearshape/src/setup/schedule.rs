@@ -5,7 +5,7 @@ use scene::{Fault, Scene, Schedule, Time, missing};
 use crate::problem::Piece;
 
 /// Checks the schedule and fills in the lists that the scene's load and sliding have.
-pub fn resolve(scene: &mut Scene) -> Result<(), Fault> {
+pub(super) fn resolve(scene: &mut Scene) -> Result<(), Fault> {
     let load = scene.load.clone().unwrap_or_default();
     let Some(schedule) = scene.schedule.as_mut() else { return Ok(()) };
     let pieces = times(schedule)?;
@@ -66,7 +66,7 @@ fn times(schedule: &Schedule) -> Result<usize, Fault> {
 }
 
 /// The pieces of a resolved schedule; none without one.
-pub fn pieces(scene: &Scene) -> Vec<Piece> {
+pub(super) fn pieces(scene: &Scene) -> Vec<Piece> {
     let Some(schedule) = &scene.schedule else { return Vec::new() };
     let factor = |list: &Option<Vec<f64>>, piece: usize| list.as_ref().and_then(|list| list.get(piece)).copied().unwrap_or(1.0);
     let piece = |(number, time): (usize, &Time)| Piece {

@@ -9,7 +9,7 @@ use crate::problem::Wanted;
 const ACCURACY: f64 = 1e-6;
 
 /// Fills in tasks, title, accuracy and mesh; returns the tasks in their order.
-pub fn resolve(scene: &mut Scene) -> Result<Vec<Task>, Fault> {
+pub(super) fn resolve(scene: &mut Scene) -> Result<Vec<Task>, Fault> {
     if scene.surface.is_some() && (scene.body1.is_some() || scene.body2.is_some()) {
         let message = "both `surface` and bodies are given";
         return Err(Fault::at("surface", "two-alternatives", message, "keep body1 and body2, or `surface` alone"));
@@ -40,7 +40,7 @@ pub fn resolve(scene: &mut Scene) -> Result<Vec<Task>, Fault> {
 }
 
 /// The name of a task.
-pub fn word(task: Task) -> &'static str {
+pub(super) fn word(task: Task) -> &'static str {
     match task {
         Task::Pressure => "pressure",
         Task::Contact => "contact",
@@ -90,7 +90,7 @@ fn accuracy(scene: &mut Scene) -> Result<(), Fault> {
 }
 
 /// The accuracy of a resolved scene, or its fixed discretisation.
-pub fn wanted(scene: &Scene, tasks: &[Task]) -> Wanted {
+pub(super) fn wanted(scene: &Scene, tasks: &[Task]) -> Wanted {
     let thin = matches!(scene.body1.as_ref().map(|body| &body.geometry), Some(Geometry::RingSegment(_)));
     let bends = thin && tasks.contains(&Task::Shape);
     let mesh = scene.mesh.clone().unwrap_or_default();

@@ -4,7 +4,7 @@ use contact::Turn;
 use scene::{Body, Component, Fault, Kinematics, Scene, Task, missing};
 
 /// What body 1 is turned by, step after step; nothing where the scene does not turn it.
-pub fn turns(scene: &Scene) -> Vec<Turn> {
+pub(super) fn turns(scene: &Scene) -> Vec<Turn> {
     let contact = scene.tasks.as_ref().is_some_and(|tasks| tasks.contains(&Task::Contact));
     let Some(load) = scene.load.as_ref().filter(|_| contact && scene.kinematics == Some(Kinematics::Axisymmetric)) else {
         return Vec::new();
@@ -15,7 +15,7 @@ pub fn turns(scene: &Scene) -> Vec<Turn> {
 }
 
 /// Checks the turning.
-pub fn resolve(scene: &Scene, tasks: &[Task]) -> Result<(), Fault> {
+pub(super) fn resolve(scene: &Scene, tasks: &[Task]) -> Result<(), Fault> {
     let Some(load) = &scene.load else { return Ok(()) };
     if load.twist.is_some() && load.torque.is_some() {
         let message = "both `load.twist` and `load.torque` are given";

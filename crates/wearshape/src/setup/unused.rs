@@ -6,7 +6,7 @@ use scene::{Document, Functional, Geometry, Kinematics, LoadKind, Scene, Task};
 use crate::setup::twist::turns;
 
 /// The unused keys of a scene, sorted.
-pub fn keys(document: &Document, scene: &Scene, tasks: &[Task]) -> Vec<String> {
+pub(super) fn keys(document: &Document, scene: &Scene, tasks: &[Task]) -> Vec<String> {
     let mut unused = Vec::new();
     let mut when = |condition: bool, keys: &[&str]| {
         if condition {

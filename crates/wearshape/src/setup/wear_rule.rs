@@ -7,7 +7,7 @@ use crate::problem;
 use crate::surface::{Patch, PatchKind};
 
 /// Checks the wear rule and the sliding, and fills in their defaults.
-pub fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) -> Result<(), Fault> {
+pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) -> Result<(), Fault> {
     let contact_only = tasks == [Task::Contact];
     let uniform = scene.optimum.as_ref().and_then(|optimum| optimum.functional) == Some(Functional::Uniform);
     let wants_wear = tasks.contains(&Task::Wear) || (!contact_only && !uniform);
@@ -130,7 +130,7 @@ fn factors(wear: &mut Wear) -> Result<(&'static str, [WearFactor; 2]), Fault> {
 }
 
 /// The rules of a resolved scene.
-pub fn numbers(scene: &Scene) -> problem::Wear {
+pub(super) fn numbers(scene: &Scene) -> problem::Wear {
     let friction = scene.contact.as_ref().and_then(|contact| contact.friction).unwrap_or(0.0);
     problem::Wear {
         laws: laws(scene.wear.as_ref(), friction),

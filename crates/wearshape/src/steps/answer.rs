@@ -8,13 +8,13 @@ use crate::machined::Machined;
 use crate::options::{CURVE, Sampling};
 use crate::profile::Profile;
 use crate::remarks::Remark;
-use crate::solution::{ContactResult, EnergyResult, ErrorResult, InterfaceResult, Reaction, Rung, ShapeResult, Status, WearResult};
+use crate::solution::{ContactResult, EnergyResult, ErrorResult, InterfaceResult, Reaction, RunningIn, Rung, ShapeResult, Status, WearResult};
 use crate::stage::Stage;
 use crate::steps::recover::Reported;
 use crate::watch::Resume;
 
 /// A solved pair of bodies.
-pub struct Answer<'a> {
+pub(crate) struct Answer<'a> {
     pub stage: Stage<'a>,
     pub reduced: &'a Reduced,
     pub pair: &'a Pair<'a>,
@@ -27,7 +27,7 @@ pub struct Answer<'a> {
 }
 
 /// What is known at the contact points.
-pub struct Own<'a> {
+pub(crate) struct Own<'a> {
     pub points: &'a [ContactPoint],
     /// MPa.
     pub pressure: &'a [f64],
@@ -40,7 +40,7 @@ pub struct Own<'a> {
 }
 
 /// What is told of a reported level.
-pub struct Told {
+pub(crate) struct Told {
     pub energy: EnergyResult,
     pub reactions: Vec<(String, Reaction)>,
     /// At the contact points, or where the user wants it.
@@ -51,7 +51,7 @@ pub struct Told {
 
 impl Answer<'_> {
     /// Energies, reactions and columns.
-    pub fn told(&self) -> Told {
+    pub(crate) fn told(&self) -> Told {
         let profile = match self.stage.options.sample {
             Some(sampling) => self.sampled(sampling),
             None => self.at_own_points(),
@@ -101,7 +101,7 @@ impl EnergyResult {
 
 /// Result of an elastic step; what it does not say stays as it was.
 #[derive(Default)]
-pub struct Outcome {
+pub(crate) struct Outcome {
     /// How it ended, with the reason where it did not end well.
     pub ended: Option<(Status, String)>,
     /// Whether the watcher ended it.
@@ -111,6 +111,7 @@ pub struct Outcome {
     pub shape: Option<ShapeResult>,
     pub wear: Option<WearResult>,
     pub history: Vec<(String, Vec<f64>)>,
+    pub running_in: Option<RunningIn>,
     pub machined: Option<Machined>,
     pub told: Option<Told>,
     /// Estimated errors; `how` is empty where there are none.

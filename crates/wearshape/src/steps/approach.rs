@@ -22,7 +22,7 @@ use crate::watch::Watch;
 const SHARE: f64 = 0.1;
 
 /// A force with its estimated relative error.
-pub struct Found {
+pub(crate) struct Found {
     /// The problem with the force filled in beside the approach.
     pub problem: Problem,
     /// Shapes solved for on the last level.
@@ -40,7 +40,7 @@ struct Solved {
 }
 
 /// Finds the force level by level.
-pub fn force(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Found, Effort), Refusal> {
+pub(crate) fn force(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Found, Effort), Refusal> {
     let approach = stage.problem.load.approach.unwrap_or(0.0);
     let ladder = Ladder::of(stage.problem, stage.options).closer(SHARE);
     let solve = |level: Level, before: &[Solved], _: &mut Watch<'_>| {
@@ -98,13 +98,13 @@ fn motions(pair: &Pair<'_>, about: f64) -> DMatrix<f64> {
 }
 
 /// Closing at `about` and turning of rigid coordinates.
-pub fn motion(pair: &Pair<'_>, coordinates: &[f64], about: f64) -> [f64; 2] {
+pub(crate) fn motion(pair: &Pair<'_>, coordinates: &[f64], about: f64) -> [f64; 2] {
     let sums = motions(pair, about) * DVector::from_row_slice(coordinates);
     [sums[0], sums[1]]
 }
 
 /// Rigid coordinates of a closing at `about` and a turning, as far as body 1 has these motions.
-pub fn coordinates(pair: &Pair<'_>, [closing, turning]: [f64; 2], about: f64) -> Vec<f64> {
+pub(crate) fn coordinates(pair: &Pair<'_>, [closing, turning]: [f64; 2], about: f64) -> Vec<f64> {
     let wanted = DVector::from_row_slice(&[closing, turning]);
     // Rows of unlike units: the modes are scaled by the distance from the middle that they are about.
     let size = pair.trace().length();

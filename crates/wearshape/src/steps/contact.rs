@@ -28,7 +28,7 @@ const SIGNS_HOLD: f64 = 1e-9;
 const NEAR: f64 = 1e-3;
 
 /// Result of one level.
-pub struct Solved {
+pub(crate) struct Solved {
     pub contact: ContactResult,
     /// Condition of the system, where it is worked out on every level.
     pub interface: Option<InterfaceResult>,
@@ -49,7 +49,7 @@ pub struct Solved {
 }
 
 /// Solves the contact.
-pub fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
+pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
     let mut search = Search::default();
     let ladder = Ladder::of(stage.problem, stage.options).and_beyond(stage.problem);
     let (mut outcome, effort) = levels(&ladder, watch, |level| solve_level(stage, level, &mut search))?;
@@ -68,7 +68,7 @@ pub fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort
 }
 
 /// Solves level after level until the estimated errors are below the accuracy asked for, and reports the last one.
-pub fn levels(
+pub(crate) fn levels(
     ladder: &Ladder,
     watch: &mut Watch<'_>,
     mut solve_level: impl FnMut(Level) -> Result<Solved, Refusal>,
@@ -142,7 +142,7 @@ fn embedded(pressure: Option<f64>) -> ErrorResult {
 
 /// What one level leaves to the next: its ends of contact, and the diagnosis that is made if it is the last.
 #[derive(Default)]
-pub struct Search {
+pub(crate) struct Search {
     ends: FreeEnds,
     diagnosis: Option<Diagnosis>,
     last: Option<Level>,
@@ -150,7 +150,7 @@ pub struct Search {
 
 impl Search {
     /// What the last contact rests on.
-    pub fn report(&self, stage: Stage<'_>, outcome: &mut Outcome) -> Result<(), Fault> {
+    pub(crate) fn report(&self, stage: Stage<'_>, outcome: &mut Outcome) -> Result<(), Fault> {
         if let Some((diagnosis, contact)) = self.diagnosis.as_ref().zip(outcome.contact.as_mut()) {
             let (uniqueness, interface) = diagnosis.made(stage)?;
             contact.uniqueness = uniqueness;
@@ -170,7 +170,7 @@ struct Found {
 
 /// Solves a level; where contact ends inside the surface, with element nodes on its ends, from those of the last level.
 /// The diagnosis is left to be made if the level is the last.
-pub fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -> Result<Solved, Refusal> {
+pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -> Result<Solved, Refusal> {
     let mut effort = Effort::default();
     let Found { reduced, found, unsettled } = find(stage, level, &mut search.ends, &mut effort)?;
     let ends = &search.ends;
@@ -285,7 +285,7 @@ fn find(stage: Stage<'_>, level: Level, ends: &mut FreeEnds, effort: &mut Effort
 }
 
 /// The contact on the standing mesh of a level, and the length of its surface.
-pub fn on_standing_mesh(stage: Stage<'_>, level: Level) -> Result<(ContactSolution, f64, Effort), Fault> {
+pub(crate) fn on_standing_mesh(stage: Stage<'_>, level: Level) -> Result<(ContactSolution, f64, Effort), Fault> {
     let (reduced, mut effort) = stage.reduced(level, Cut::Plain)?;
     let pair = reduced.pair()?;
     let operator = effort.timed(Step::Interface, stage.clock(), |_| reduced.operator(&pair, stage.friction() > 0.0))?;
@@ -297,22 +297,22 @@ pub fn on_standing_mesh(stage: Stage<'_>, level: Level) -> Result<(ContactSoluti
     Ok((found, pair.trace().length(), effort))
 }
 
-pub fn unsolved(error: contact::Error) -> Fault {
+pub(crate) fn unsolved(error: contact::Error) -> Fault {
     Fault::at("contact", "no-contact", error.to_string(), "check the contact and its load")
 }
 
 /// The start gaps of the problem at the contact points.
-pub fn start_gaps(stage: Stage<'_>, pair: &Pair<'_>, operator: &ContactOperator<'_>) -> Vec<f64> {
+pub(crate) fn start_gaps(stage: Stage<'_>, pair: &Pair<'_>, operator: &ContactOperator<'_>) -> Vec<f64> {
     operator.points().iter().map(|p| start_gap(stage, pair, p.arc)).collect()
 }
 
 /// The start gap of the problem at an arc length.
-pub fn start_gap(stage: Stage<'_>, pair: &Pair<'_>, arc: f64) -> f64 {
+pub(crate) fn start_gap(stage: Stage<'_>, pair: &Pair<'_>, arc: f64) -> f64 {
     gap_at(stage, stage.start(pair) + arc)
 }
 
 /// The start gap of the problem at a surface coordinate.
-pub fn gap_at(stage: Stage<'_>, s: f64) -> f64 {
+pub(crate) fn gap_at(stage: Stage<'_>, s: f64) -> f64 {
     let given = match &stage.problem.gap {
         Gap::Profile { s: known, gap } => linear(known, gap, s) * 1e-3,
         _ => 0.0,
@@ -324,7 +324,7 @@ pub fn gap_at(stage: Stage<'_>, s: f64) -> f64 {
 }
 
 /// Pressure between the points: the polynomial through the points of the edge, or straight lines on an edge that is partly open.
-pub fn pressure_at(pair: &Pair<'_>, operator: &ContactOperator<'_>, pressure: &[f64], arc: f64) -> f64 {
+pub(crate) fn pressure_at(pair: &Pair<'_>, operator: &ContactOperator<'_>, pressure: &[f64], arc: f64) -> f64 {
     let (edge, _) = pair.trace().locate(arc);
     let range = operator.edge_points(edge);
     if pressure[range.clone()].contains(&0.0) {
@@ -335,7 +335,7 @@ pub fn pressure_at(pair: &Pair<'_>, operator: &ContactOperator<'_>, pressure: &[
 }
 
 /// Piecewise linear interpolation in ascending points.
-pub fn linear(points: &[f64], values: &[f64], s: f64) -> f64 {
+pub(crate) fn linear(points: &[f64], values: &[f64], s: f64) -> f64 {
     let after = points.partition_point(|p| *p < s).clamp(1, points.len() - 1);
     let (a, b) = (points[after - 1], points[after]);
     let t = ((s - a) / (b - a)).clamp(0.0, 1.0);
@@ -379,7 +379,7 @@ fn motions(pair: &Pair<'_>, found: &ContactSolution) -> [Option<f64>; 3] {
 }
 
 /// The status in the summary's word.
-pub fn word(status: &ContactStatus) -> &'static str {
+pub(crate) fn word(status: &ContactStatus) -> &'static str {
     match status {
         ContactStatus::Converged => "converged",
         ContactStatus::ClosedEverywhere => "closed-everywhere",

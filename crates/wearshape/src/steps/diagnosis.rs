@@ -14,14 +14,14 @@ use crate::steps::contact::{start_gaps, unsolved};
 const APART: f64 = 1e-6;
 
 /// A solved contact on its bodies; what it rests on is worked out for the reported level alone.
-pub struct Diagnosis {
+pub(crate) struct Diagnosis {
     pub reduced: Arc<Reduced>,
     pub found: ContactSolution,
 }
 
 impl Diagnosis {
     /// Uniqueness, and the condition of the system.
-    pub fn made(&self, stage: Stage<'_>) -> Result<(Option<UniquenessResult>, Option<InterfaceResult>), Fault> {
+    pub(crate) fn made(&self, stage: Stage<'_>) -> Result<(Option<UniquenessResult>, Option<InterfaceResult>), Fault> {
         let pair = self.reduced.pair()?;
         let operator = self.reduced.operator(&pair, stage.friction() > 0.0)?;
         let gap = start_gaps(stage, &pair, &operator);
@@ -32,7 +32,7 @@ impl Diagnosis {
 }
 
 /// Singular values of the system of the points in contact.
-pub fn interface(
+pub(crate) fn interface(
     operator: &ContactOperator<'_>,
     gap: &[f64],
     load: &ContactLoad,

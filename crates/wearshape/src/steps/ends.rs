@@ -32,7 +32,7 @@ const SAMPLES: usize = 191;
 const TOLERANCES: [f64; 2] = [1e-10, 1e-8];
 
 /// Two such bodies under their load.
-pub struct Setting<'a> {
+pub(crate) struct Setting<'a> {
     pub problem: &'a Problem,
     pub couple: &'a Couple,
     pub disc: HalfDiscOnFlat,
@@ -43,7 +43,7 @@ pub struct Setting<'a> {
 }
 
 /// Solves the contact; the nodes on the ends of the last level are left for the fields.
-pub fn solve(setting: &Setting<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort, Vec<f64>), Refusal> {
+pub(crate) fn solve(setting: &Setting<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort, Vec<f64>), Refusal> {
     let mut nodes = setting.trial()?;
     let (mut stick, mut sought) = (None, setting.shear != 0.0);
     let ladder = Ladder::of(setting.problem, setting.options).and_beyond(setting.problem);
@@ -71,16 +71,16 @@ struct Steps {
 }
 
 impl<'a> Setting<'a> {
-    pub fn new(problem: &'a Problem, couple: &'a Couple, disc: HalfDiscOnFlat, options: &'a Options<'a>) -> Setting<'a> {
+    pub(crate) fn new(problem: &'a Problem, couple: &'a Couple, disc: HalfDiscOnFlat, options: &'a Options<'a>) -> Setting<'a> {
         Setting { problem, couple, disc, options, friction: problem.friction.shear(), shear: problem.load.shear_force }
     }
 
-    pub fn revolved(&self) -> bool {
+    pub(crate) fn revolved(&self) -> bool {
         self.couple.is_revolved()
     }
 
     /// How often the meshed part is contained in the scene.
-    pub fn copies(&self) -> f64 {
+    pub(crate) fn copies(&self) -> f64 {
         if self.disc.whole || self.revolved() { 1.0 } else { 2.0 }
     }
 
@@ -89,7 +89,7 @@ impl<'a> Setting<'a> {
     }
 
     /// Trial ends between half-planes or half-spaces (Johnson 1985, sec. 4.2, 7.2): of contact, and before it of stick.
-    pub fn trial(&self) -> Result<Vec<f64>, Refusal> {
+    pub(crate) fn trial(&self) -> Result<Vec<f64>, Refusal> {
         let approach = self.problem.load.approach;
         let end = hertz_end(self.disc.radius, self.couple, &self.problem.load);
         if end <= 0.0 || end.is_nan() {
@@ -112,7 +112,7 @@ impl<'a> Setting<'a> {
     }
 
     /// Bodies with element nodes on the given ends.
-    pub fn parts(&self, level: Level, nodes: &[f64]) -> Result<(Parts, Effort), Refusal> {
+    pub(crate) fn parts(&self, level: Level, nodes: &[f64]) -> Result<(Parts, Effort), Refusal> {
         self.on_meshes(level, nodes, Parts::new)
     }
 
@@ -162,7 +162,7 @@ impl<'a> Setting<'a> {
     }
 
     /// Distance from the middle, or radius, of a point.
-    pub fn distance(&self, point: &ContactPoint) -> f64 {
+    pub(crate) fn distance(&self, point: &ContactPoint) -> f64 {
         (point.position[0] - self.disc.middle).abs()
     }
 

@@ -12,7 +12,7 @@ use crate::steps::contact::word;
 use crate::steps::ends::Setting;
 
 /// A solved contact with the ends its nodes stand on.
-pub struct Rows<'r> {
+pub(crate) struct Rows<'r> {
     pub setting: &'r Setting<'r>,
     pub pair: &'r Pair<'r>,
     pub operator: &'r ContactOperator<'r>,
@@ -37,7 +37,7 @@ impl Rows<'_> {
     }
 
     /// Pressure at a distance from the middle.
-    pub fn pressure_at(&self, distance: f64) -> f64 {
+    pub(crate) fn pressure_at(&self, distance: f64) -> f64 {
         let start = self.operator.points()[0].position[0] - self.setting.disc.middle;
         self.between(&self.found.pressure, distance - start)
     }
@@ -56,7 +56,7 @@ impl Rows<'_> {
     }
 
     /// Motion of body 1's load edge: of the rigid edge, or the mean.
-    pub fn rigid_motion(&self) -> [f64; 2] {
+    pub(crate) fn rigid_motion(&self) -> [f64; 2] {
         let (body, state) = (self.pair.shaped, &self.found.shaped);
         [0, 1].map(|k| match body.frame[k] {
             Some(unknown) => state.unknowns[unknown],
@@ -73,7 +73,7 @@ impl Rows<'_> {
     }
 
     /// The computed points.
-    pub fn own(&self) -> Profile {
+    pub(crate) fn own(&self) -> Profile {
         let points = self.operator.points();
         let place = |node: usize, mirrored: bool| Place { point: points[node], node: Some(node), mirrored };
         let mut places: Vec<Place> = (0..points.len()).map(|i| place(i, false)).collect();
@@ -85,7 +85,7 @@ impl Rows<'_> {
     }
 
     /// Points of the candidate surface, with trapezoid weights in x.
-    pub fn sampled(&self, sampling: Sampling<'_>) -> Profile {
+    pub(crate) fn sampled(&self, sampling: Sampling<'_>) -> Profile {
         let end = CANDIDATE * self.nodes[self.nodes.len() - 1];
         let from = if self.setting.revolved() { 0.0 } else { -end };
         let start = if self.setting.disc.whole { -end } else { 0.0 };
@@ -185,7 +185,7 @@ impl Rows<'_> {
     }
 
     /// Everything that is reported of the contact.
-    pub fn contact_result(&self) -> ContactResult {
+    pub(crate) fn contact_result(&self) -> ContactResult {
         let (setting, found) = (self.setting, self.found);
         let largest = |values: &[f64]| values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         let load = &setting.problem.load;

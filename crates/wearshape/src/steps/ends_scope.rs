@@ -7,7 +7,7 @@ use crate::problem::Problem;
 use crate::steps::ends::Setting;
 
 /// Refuses what is not built, before anything is written.
-pub fn available(setting: &Setting<'_>) -> Result<(), Fault> {
+pub(crate) fn available(setting: &Setting<'_>) -> Result<(), Fault> {
     let Setting { problem, couple, disc, .. } = setting;
     contact_alone(problem, "a half-disc on a rectangle")?;
     let refuse = |key: &str, message: &str, remedy: &str| Err(Fault::at(key, "not-available", message, remedy));
@@ -44,7 +44,7 @@ pub fn available(setting: &Setting<'_>) -> Result<(), Fault> {
 }
 
 /// Refuses all tasks but the contact.
-pub fn contact_alone(problem: &Problem, what: &str) -> Result<(), Fault> {
+pub(crate) fn contact_alone(problem: &Problem, what: &str) -> Result<(), Fault> {
     let others = [(Step::Pressure, "pressure"), (Step::Shape, "shape"), (Step::Evolution, "wear")];
     let Some((_, task)) = others.iter().find(|(step, _)| problem.plan.runs(*step)) else { return Ok(()) };
     let message = format!("{what} has the task contact, but no {task} yet");

@@ -32,7 +32,7 @@ const SAMPLES: usize = 191;
 
 /// Ends of contact inside the surface.
 #[derive(Clone, Debug, Default)]
-pub struct FreeEnds {
+pub(crate) struct FreeEnds {
     /// Where the nodes are, from -1 to 1 on the surface, ascending.
     pub places: Vec<f64>,
     /// Where contact ends: the places and the step that their pressures still ask for.
@@ -46,7 +46,7 @@ pub struct FreeEnds {
 }
 
 /// Bodies with element nodes on the ends of contact, and the solution with the points between the ends held in contact.
-pub struct Positioned {
+pub(crate) struct Positioned {
     pub ends: FreeEnds,
     pub reduced: Arc<Reduced>,
     pub held: ContactSolution,
@@ -54,7 +54,7 @@ pub struct Positioned {
 
 impl FreeEnds {
     /// The ends of a solution's contact zones that lie inside a surface of the given length; none where there is no partial contact.
-    pub fn of(solution: &ContactSolution, length: f64) -> FreeEnds {
+    pub(crate) fn of(solution: &ContactSolution, length: f64) -> FreeEnds {
         if solution.status != Status::Converged {
             return FreeEnds::default();
         }
@@ -74,7 +74,7 @@ impl FreeEnds {
     }
 
     /// All ends of contact as arc lengths, those of the surface included.
-    pub fn arcs(&self, length: f64) -> Vec<f64> {
+    pub(crate) fn arcs(&self, length: f64) -> Vec<f64> {
         let mut arcs: Vec<f64> = self.refined.iter().map(|t| 0.5 * (1.0 + t) * length).collect();
         if self.starts_closed {
             arcs.insert(0, 0.0);
@@ -87,7 +87,7 @@ impl FreeEnds {
 
     /// Moves nodes onto the ends until the pressure at all of them vanishes; `None` where that does not settle (two ends meet, an end leaves the
     /// surface, too many meshes).
-    pub fn position(&self, stage: Stage<'_>, level: Level, work: &mut Effort) -> Result<Option<Positioned>, Fault> {
+    pub(crate) fn position(&self, stage: Stage<'_>, level: Level, work: &mut Effort) -> Result<Option<Positioned>, Fault> {
         let tolerance = TOLERANCE * stage.accuracy();
         let places: Vec<f64> = match &self.before {
             Some(before) => self.refined.iter().zip(before).map(|(now, before)| now + GOES_ON * (now - before)).collect(),
@@ -137,7 +137,7 @@ impl FreeEnds {
 
 /// The contact zones of a solution on a surface of the given length; gaps and zones shorter than a millionth of it are left out, which only
 /// layers around an edge too sharp for them show.
-pub fn zones(solution: &ContactSolution, length: f64) -> Vec<[f64; 2]> {
+pub(crate) fn zones(solution: &ContactSolution, length: f64) -> Vec<[f64; 2]> {
     let near = TINY * length;
     let mut zones: Vec<[f64; 2]> = Vec::new();
     for [from, to] in &solution.zones {
@@ -151,12 +151,12 @@ pub fn zones(solution: &ContactSolution, length: f64) -> Vec<[f64; 2]> {
 }
 
 /// Ends of contact taken two by two.
-pub fn pairs(arcs: &[f64]) -> Vec<[f64; 2]> {
+pub(crate) fn pairs(arcs: &[f64]) -> Vec<[f64; 2]> {
     arcs.chunks_exact(2).map(|zone| [zone[0], zone[1]]).collect()
 }
 
 /// Evenly spaced places on the inner 95 %: without a fortieth of the surface at its ends, or of the contact where that ends before.
-pub fn inner(zones: &[[f64; 2]], length: f64) -> Vec<f64> {
+pub(crate) fn inner(zones: &[[f64; 2]], length: f64) -> Vec<f64> {
     let (from, to) = (zones.first().map_or(0.0, |zone| zone[0]), zones.last().map_or(0.0, |zone| zone[1]));
     let (low, high) = ((from + 0.025 * (to - from)).max(0.025 * length), (to - 0.025 * (to - from)).min(0.975 * length));
     (0..SAMPLES).map(|i| low + (high - low) * i as f64 / (SAMPLES - 1) as f64).collect()

@@ -7,7 +7,7 @@ use scene::Material;
 use crate::problem::Load;
 
 /// Half the width of contact, or its radius (Johnson 1985, sec. 4.2 and 7.2), of the softest materials of both bodies.
-pub fn hertz_end(radius: f64, couple: &Couple, load: &Load) -> f64 {
+pub(crate) fn hertz_end(radius: f64, couple: &Couple, load: &Load) -> f64 {
     let plane_stress = matches!(couple.kinematics, Kinematics::PlaneStress { .. });
     let softness = |m: &Material| (if plane_stress { 1.0 } else { 1.0 - m.poisson * m.poisson }) / m.young.0;
     let softest = |body: &Body| body.materials.iter().map(softness).fold(0.0, f64::max);

@@ -12,7 +12,7 @@ use crate::solution::{ByRole, ErrorResult, PointForce, PressureResult, Status};
 use crate::surface::Patch;
 
 /// The optimal pressure with its columns.
-pub struct Found {
+pub(crate) struct Found {
     /// How it ended, where it did not end well.
     pub ended: Option<(Status, String)>,
     pub result: PressureResult,
@@ -22,7 +22,7 @@ pub struct Found {
 }
 
 /// Solves for the optimal pressure.
-pub fn solve(problem: &Problem, options: &Options<'_>) -> Result<Found, Fault> {
+pub(crate) fn solve(problem: &Problem, options: &Options<'_>) -> Result<Found, Fault> {
     let Some(patch) = &problem.patch else { return Err(not_known()) };
     let wear = wear_problem(problem)?;
     let mut found = Found { ended: None, result: description(&problem.optimum), profile: None, curve: None, error: None };
@@ -61,12 +61,12 @@ fn not_known() -> Fault {
 }
 
 /// What is wrong with wear factors.
-pub fn wrong_wear(error: &WearError) -> Fault {
+pub(crate) fn wrong_wear(error: &WearError) -> Fault {
     Fault::at("wear", "wrong-value", error.to_string(), "mend the numbers in the message")
 }
 
 /// The problem in the words of the theory.
-pub fn wear_problem(problem: &Problem) -> Result<wear::Problem, Fault> {
+pub(crate) fn wear_problem(problem: &Problem) -> Result<wear::Problem, Fault> {
     let patch = problem.patch.as_ref().ok_or_else(not_known)?;
     let Optimum { functional, q, balance, modes, p_max } = problem.optimum;
     Ok(wear::Problem {

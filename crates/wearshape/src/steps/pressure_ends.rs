@@ -8,7 +8,7 @@ const PIECES: usize = 400;
 const APART: f64 = 1e-6;
 
 /// Places from -1 to 1 where the pressure begins or ends inside the surface, in order.
-pub fn pressure_ends(stage: Stage<'_>, optimum: &wear::Optimum) -> Vec<f64> {
+pub(crate) fn pressure_ends(stage: Stage<'_>, optimum: &wear::Optimum) -> Vec<f64> {
     let surface = &stage.patch.surface;
     let (lo, hi) = surface.range();
     let at = |t: f64| 0.5 * (lo * (1.0 - t) + hi * (1.0 + t));

@@ -18,7 +18,7 @@ use crate::steps::torsion;
 use crate::steps::ends::Setting;
 
 /// What a stage leaves behind for the fields: the discretisation it reports, and the states of its bodies there.
-pub struct Reported {
+pub(crate) struct Reported {
     pub level: Level,
     /// Ends of contact that the meshes are cut at, from -1 to 1 on the surface.
     pub ends: Vec<f64>,
@@ -27,7 +27,7 @@ pub struct Reported {
 }
 
 /// Both bodies at a moment.
-pub struct Moment {
+pub(crate) struct Moment {
     pub time_s: f64,
     pub name: &'static str,
     pub states: [InterfaceState; 2],
@@ -36,7 +36,7 @@ pub struct Moment {
 }
 
 /// Recovers the moments of a stage on its bodies, made again at the reported level.
-pub fn recover(stage: Stage<'_>, reported: &Reported) -> Result<(Vec<FieldFrame>, Effort), Fault> {
+pub(crate) fn recover(stage: Stage<'_>, reported: &Reported) -> Result<(Vec<FieldFrame>, Effort), Fault> {
     let (parts, _) = stage.parts(reported.level, Cut::Ends(&reported.ends))?;
     let (bodies, reduction) = parts.reduce(stage.clock())?;
     let mut effort = counts(&reduction);
@@ -53,7 +53,7 @@ pub fn recover(stage: Stage<'_>, reported: &Reported) -> Result<(Vec<FieldFrame>
 }
 
 /// The same of a half-disc on its flat side, with element nodes on the ends of contact; the whole scene, when half of it was computed.
-pub fn recover_ends(
+pub(crate) fn recover_ends(
     setting: &Setting<'_>,
     reported: &Reported,
     nodes: &[f64],

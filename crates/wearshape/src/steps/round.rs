@@ -32,7 +32,7 @@ const TRIALS: usize = 24;
 
 /// A round body on a flat one.
 #[derive(Clone, Copy, Debug)]
-pub struct Round {
+pub(crate) struct Round {
     radius: f64,
     /// Where the bodies touch unloaded.
     touch: f64,
@@ -44,7 +44,7 @@ pub struct Round {
 
 impl Round {
     /// The round contact of two bodies; none where both are templates, or the contact is another.
-    pub fn of(couple: &Couple) -> Result<Option<Round>, Fault> {
+    pub(crate) fn of(couple: &Couple) -> Result<Option<Round>, Fault> {
         let [body1, body2] = &couple.bodies;
         if body1.cells.is_none() && body2.cells.is_none() {
             return Ok(None);
@@ -81,7 +81,7 @@ impl Round {
 
 /// A round contact of a problem.
 #[derive(Clone, Copy)]
-pub struct RoundContact<'a> {
+pub(crate) struct RoundContact<'a> {
     pub problem: &'a Problem,
     pub couple: &'a Couple,
     pub round: Round,
@@ -91,7 +91,7 @@ pub struct RoundContact<'a> {
 
 impl RoundContact<'_> {
     /// Refuses what is not built, before anything is written.
-    pub fn available(&self) -> Result<(), Fault> {
+    pub(crate) fn available(&self) -> Result<(), Fault> {
         contact_alone(self.problem, "a round body on a flat one")?;
         if self.problem.load.shear_force != 0.0 {
             let message = "stick and slip is known between the templates half-disc and rectangle only";
@@ -102,7 +102,7 @@ impl RoundContact<'_> {
     }
 
     /// Parts of a level on the first guess, for a forecast.
-    pub fn first_parts(&self, level: Level) -> Result<Parts, Fault> {
+    pub(crate) fn first_parts(&self, level: Level) -> Result<Parts, Fault> {
         self.on_guess(|stage| Ok(stage.parts(level, Cut::Plain)?.0))
     }
 
@@ -119,7 +119,7 @@ impl RoundContact<'_> {
     }
 
     /// Solves the contact, with the fields if they are asked for.
-    pub fn solve(&self, watch: &mut Watch<'_>) -> Result<(Outcome, Effort, Vec<FieldFrame>), Refusal> {
+    pub(crate) fn solve(&self, watch: &mut Watch<'_>) -> Result<(Outcome, Effort, Vec<FieldFrame>), Refusal> {
         let (reach, mut effort) = self.reach()?;
         self.on(reach, |stage| {
             let mut search = Search::default();

@@ -28,7 +28,7 @@ fn wanted(shaper: &Shaper<'_>, operator: &ContactOperator<'_>) -> (Vec<f64>, Vec
 }
 
 /// Round trip on the very operators the shape was found on: a test of the contact solver. With it the condition of its system.
-pub fn same(shaper: &Shaper<'_>, reduced: &Reduced, shape: &Shape) -> Result<(f64, Option<InterfaceResult>), Fault> {
+pub(crate) fn same(shaper: &Shaper<'_>, reduced: &Reduced, shape: &Shape) -> Result<(f64, Option<InterfaceResult>), Fault> {
     let pair = reduced.pair()?;
     let operator = reduced.operator(&pair, shaper.stage.friction() > 0.0)?;
     let gap: Vec<f64> = operator.points().iter().map(|p| shape.gap(&pair, p)).collect();
@@ -40,7 +40,7 @@ pub fn same(shaper: &Shaper<'_>, reduced: &Reduced, shape: &Shape) -> Result<(f6
 
 /// Round trip on an independent discretisation: two degrees more, other break points, the gap as a function of the arc length.
 /// Also writes the pressure found into the columns that are told, interpolated between the new points.
-pub fn independent(
+pub(crate) fn independent(
     shaper: &Shaper<'_>,
     level: Level,
     shape: &GapCurve,

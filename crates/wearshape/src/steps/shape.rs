@@ -40,7 +40,7 @@ struct Solved {
 }
 
 /// What stages before the shape leave to it.
-pub struct Before<'a> {
+pub(crate) struct Before<'a> {
     /// Shapes solved for to find the force of a prescribed approach.
     pub passes: usize,
     /// How the error of the pressure was estimated.
@@ -48,7 +48,7 @@ pub struct Before<'a> {
 }
 
 /// Solves for the shape.
-pub fn solve(stage: Stage<'_>, before: &Before<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
+pub(crate) fn solve(stage: Stage<'_>, before: &Before<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
     let optimum = optimal(stage.problem)?;
     unanswered(stage, &optimum)?;
     let carried = balanced(stage.problem, &optimum);
@@ -76,7 +76,7 @@ pub fn solve(stage: Stage<'_>, before: &Before<'_>, watch: &mut Watch<'_>) -> Re
 }
 
 /// The optimal pressure of a problem.
-pub fn optimal(problem: &Problem) -> Result<wear::Optimum, Refusal> {
+pub(crate) fn optimal(problem: &Problem) -> Result<wear::Optimum, Refusal> {
     wear::optimal_pressure(&pressure::wear_problem(problem)?).map_err(|error| Refusal::Reason(error.to_string()))
 }
 
@@ -107,7 +107,7 @@ fn balanced(problem: &Problem, optimum: &wear::Optimum) -> Option<Problem> {
 }
 
 /// A wanted pressure that is infinite somewhere has no shape.
-pub fn unanswered(stage: Stage<'_>, optimum: &wear::Optimum) -> Result<(), Refusal> {
+pub(crate) fn unanswered(stage: Stage<'_>, optimum: &wear::Optimum) -> Result<(), Refusal> {
     let points = stage.patch.surface.sample(SAMPLES);
     let Some(point) = points.iter().find(|point| !optimum.pressure_at(point).is_finite()) else { return Ok(()) };
     let [x, z] = [point.position.x, point.position.z];
@@ -117,7 +117,7 @@ pub fn unanswered(stage: Stage<'_>, optimum: &wear::Optimum) -> Result<(), Refus
 }
 
 /// The wanted tractions and the shape they ask for.
-pub struct Shaper<'a> {
+pub(crate) struct Shaper<'a> {
     pub stage: Stage<'a>,
     pub optimum: &'a wear::Optimum,
     /// Ends of the wanted pressure inside the surface.
@@ -126,7 +126,7 @@ pub struct Shaper<'a> {
 }
 
 impl<'a> Shaper<'a> {
-    pub fn new(stage: Stage<'a>, optimum: &'a wear::Optimum) -> Shaper<'a> {
+    pub(crate) fn new(stage: Stage<'a>, optimum: &'a wear::Optimum) -> Shaper<'a> {
         Shaper { stage, optimum, ends: pressure_ends(stage, optimum), feed: optimum.feed.clone().unwrap_or_default() }
     }
 
@@ -222,7 +222,7 @@ impl<'a> Shaper<'a> {
     }
 
     /// Wanted pressure at a place.
-    pub fn pressure(&self, place: &SurfacePlace) -> f64 {
+    pub(crate) fn pressure(&self, place: &SurfacePlace) -> f64 {
         self.optimum.pressure_at(&self.stage.surface_point(place.position, place.normal, 0.0))
     }
 
@@ -235,7 +235,7 @@ impl<'a> Shaper<'a> {
     }
 
     /// The shape on a pair of bodies.
-    pub fn shape(&self, pair: &Pair<'_>) -> Result<Shape, Fault> {
+    pub(crate) fn shape(&self, pair: &Pair<'_>) -> Result<Shape, Fault> {
         let load = &self.stage.problem.load;
         if !self.stage.rigid_prescribed() {
             return self.smallest(pair);
@@ -263,7 +263,7 @@ impl<'a> Shaper<'a> {
     }
 
     /// Adds the worn motions to those that a contact load prescribes.
-    pub fn add_feed(&self, load: &mut ContactLoad) {
+    pub(crate) fn add_feed(&self, load: &mut ContactLoad) {
         for (k, fed) in self.fed().unwrap_or_default().into_iter().enumerate() {
             if let Motion::Prescribed { value } = &mut load.motions[k + 1] {
                 *value -= fed;
@@ -272,7 +272,7 @@ impl<'a> Shaper<'a> {
     }
 
     /// The shape with its smallest rigid part; a prescribed rotation is kept.
-    pub fn smallest(&self, pair: &Pair<'_>) -> Result<Shape, Fault> {
+    pub(crate) fn smallest(&self, pair: &Pair<'_>) -> Result<Shape, Fault> {
         let about = self.stage.about();
         let rigid = match self.stage.turned() {
             0.0 => RigidPart::Smallest,

@@ -16,7 +16,7 @@ const MOST: usize = 16;
 
 /// A note on edges in contact that dig in, or whose innermost layer (of `layers`, or the usual most) still carries more than the accuracy asks
 /// for: the energy there goes like its size to the power `2 lambda`. `closed` tells whether the first and the last point of the surface are in contact.
-pub fn note(stage: Stage<'_>, layers: usize, closed: [bool; 2]) -> Result<Option<Remark>, Fault> {
+pub(crate) fn note(stage: Stage<'_>, layers: usize, closed: [bool; 2]) -> Result<Option<Remark>, Fault> {
     let friction = stage.friction();
     if friction == 0.0 || stage.facing() {
         return Ok(None);
@@ -89,7 +89,7 @@ fn wedges(stage: Stage<'_>, bodies: [&BodyParts; 2], number: usize) -> Option<[C
 
 /// Exponents `l` of `p ~ d^l` at those ends of the surface that are in contact, from the pressure in the layers near them: the
 /// slope of log p over log d between 20 and 1000 times the smallest edge. Empty where the pressure is bounded there.
-pub fn exponents(pair: &Pair<'_>, operator: &ContactOperator<'_>, found: &ContactSolution) -> Vec<f64> {
+pub(crate) fn exponents(pair: &Pair<'_>, operator: &ContactOperator<'_>, found: &ContactSolution) -> Vec<f64> {
     let trace = pair.trace();
     let length = trace.length();
     let slope = |from_start: bool| {

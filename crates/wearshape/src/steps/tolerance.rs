@@ -16,7 +16,7 @@ const ALLOWED: f64 = 0.1;
 const RIGID: f64 = 1e-6;
 
 /// Effects of the errors on the shape of a level, those that free rigid motions take up left out. Empty if a part of the surface is open.
-pub fn of(shaper: &Shaper<'_>, reduced: &Reduced) -> Result<Vec<ToleranceResult>, Fault> {
+pub(crate) fn of(shaper: &Shaper<'_>, reduced: &Reduced) -> Result<Vec<ToleranceResult>, Fault> {
     let stage = shaper.stage;
     let pair = reduced.pair()?;
     let operator = reduced.operator(&pair, stage.friction() > 0.0)?;

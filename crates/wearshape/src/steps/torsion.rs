@@ -10,14 +10,14 @@ use crate::stage::Stage;
 use crate::steps::recover::Reported;
 
 /// Shear `mu p tau` around the axis on body 1 (MPa), positive where body 2 drags it anti-clockwise; of a stage under its own sliding.
-pub fn around(stage: Stage<'_>, points: &[ContactPoint], pressure: &[f64]) -> Vec<f64> {
+pub(crate) fn around(stage: Stage<'_>, points: &[ContactPoint], pressure: &[f64]) -> Vec<f64> {
     let drag = |point: &ContactPoint| stage.surface_point(point.position, point.normal, 0.0).drag.y;
     points.iter().zip(pressure).map(|(point, p)| stage.friction() * p * drag(point)).collect()
 }
 
 /// A body of the pair twisted by the shear at the contact points, with the same point forces that the contact has; `operator` is its scalar
 /// problem on the same mesh.
-pub fn twisted(
+pub(crate) fn twisted(
     operator: &InterfaceOperator,
     pair: &Pair<'_>,
     side: Side,
@@ -35,7 +35,7 @@ pub fn twisted(
 }
 
 /// Circumferential displacements of both bodies under the shear at the contact points, into the rows of a profile that lie at `rows`.
-pub fn write(pair: &Pair<'_>, around: &[f64], rows: &[ContactPoint], profile: &mut Profile) {
+pub(crate) fn write(pair: &Pair<'_>, around: &[f64], rows: &[ContactPoint], profile: &mut Profile) {
     let points = pair.points();
     for (body, side) in [Side::Shaped, Side::Counter].into_iter().enumerate() {
         let Some(operator) = pair.side(side) else { continue };
@@ -49,7 +49,7 @@ pub fn write(pair: &Pair<'_>, around: &[f64], rows: &[ContactPoint], profile: &m
 }
 
 /// Fills the circumferential displacements of both bodies into the reported columns, positive anti-clockwise.
-pub fn fill(stage: Stage<'_>, reported: &Reported, profile: &mut Profile) -> Result<Effort, Fault> {
+pub(crate) fn fill(stage: Stage<'_>, reported: &Reported, profile: &mut Profile) -> Result<Effort, Fault> {
     let Some(moment) = reported.moments.first() else { return Ok(Effort::default()) };
     let (twist, effort) = stage.twisted(reported.level, &reported.ends)?;
     let pair = twist.pair()?;

@@ -9,7 +9,7 @@ use crate::solution::{ContactResult, TwistResult};
 use crate::steps::contact::{linear, unsolved};
 
 /// The history of a twist at one level.
-pub struct Twist {
+pub(crate) struct Twist {
     /// The end of the last step.
     pub last: TwistSolution,
     result: TwistResult,
@@ -23,7 +23,7 @@ pub struct Twist {
 
 impl Twist {
     /// Turns body 1 as the scene asks; `pair` is the bodies' scalar problem, `found` their contact, pressed without shear.
-    pub fn new(problem: &Problem, pair: &Pair<'_>, found: &ContactSolution) -> Result<Option<Twist>, Fault> {
+    pub(crate) fn new(problem: &Problem, pair: &Pair<'_>, found: &ContactSolution) -> Result<Option<Twist>, Fault> {
         let turns = &problem.load.turns;
         let Some(first) = turns.first() else { return Ok(None) };
         let operator = TorsionOperator::new(pair).map_err(unsolved)?;
@@ -65,7 +65,7 @@ impl Twist {
     }
 
     /// Into the result of the contact; `start` is the surface coordinate where the path starts.
-    pub fn report(&self, contact: &mut ContactResult, start: f64) {
+    pub(crate) fn report(&self, contact: &mut ContactResult, start: f64) {
         contact.stick_ends_mm = self.last.stick.iter().flatten().map(|arc| start + arc).collect();
         let largest = self.last.shear.iter().fold(0.0_f64, |most, q| most.max(q.abs()));
         contact.q_max_MPa = Some(largest).filter(|_| contact.edge_exponents.is_empty());
@@ -73,14 +73,14 @@ impl Twist {
     }
 
     /// Where the outermost zone of stick ends, if that is a place for an element node: neither at the middle nor at the end of contact.
-    pub fn node(contact: &ContactResult) -> Option<f64> {
+    pub(crate) fn node(contact: &ContactResult) -> Option<f64> {
         contact.twist.as_ref()?;
         let share = contact.stick_ends_mm.last()? / contact.ends_mm.last()?;
         contact.stick_ends_mm.last().copied().filter(|_| (0.05..=0.95).contains(&share))
     }
 
     /// Shear and states into the rows of a profile, which lie anywhere on the surface.
-    pub fn fill(&self, operator: &ContactOperator<'_>, profile: &mut Profile, start: f64) {
+    pub(crate) fn fill(&self, operator: &ContactOperator<'_>, profile: &mut Profile, start: f64) {
         let arcs: Vec<f64> = operator.points().iter().map(|p| p.arc).collect();
         for row in 0..profile.s.len() {
             let arc = profile.s[row] - start;

@@ -9,7 +9,6 @@ mod problem;
 
 use std::ops::ControlFlow;
 
-use history::History;
 use level::{MOST_STEPS, Mesh, run};
 use nalgebra::DMatrix;
 use pieces::Pieces;
@@ -18,7 +17,7 @@ use shapeopt::{EvolutionStatus, Measure, difference_of_gaps};
 use crate::effort::Effort;
 use crate::ladder::{Climbed, Ladder, Refusal, climb, errors, missed, rungs};
 use crate::plan::Step;
-use crate::solution::{Status, WearResult};
+use crate::solution::{RunningIn, Status, WearResult};
 use crate::stage::Stage;
 use crate::steps::answer::{Outcome, Told};
 use crate::steps::recover::Reported;
@@ -33,7 +32,9 @@ struct Solved {
 /// A level that was run here, not in an earlier run that this one goes on with.
 struct Ran {
     ended: EvolutionStatus,
-    history: History,
+    /// Columns of history.csv.
+    history: Vec<(String, Vec<f64>)>,
+    running_in: RunningIn,
     wear: WearResult,
     told: Told,
     /// For the fields: the end, then the start.
@@ -42,7 +43,7 @@ struct Ran {
 }
 
 /// Runs the wear in time.
-pub fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
+pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
     let ladder = Ladder::of(stage.problem, stage.options);
     let pieces = Pieces::of(stage.problem);
     let resume = stage.options.resume.cloned().unwrap_or_default();
@@ -107,7 +108,8 @@ fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>) -> Outcome
     let levels = solved.len();
     let Some(last) = solved.pop().and_then(|level| level.run) else { return outcome };
     outcome.wear = Some(last.wear);
-    outcome.history = last.history.columns();
+    outcome.history = last.history;
+    outcome.running_in = Some(last.running_in);
     outcome.told = Some(last.told);
     outcome.reported = last.reported;
     outcome.ended = match last.ended {

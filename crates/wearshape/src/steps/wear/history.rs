@@ -2,14 +2,14 @@
 
 use shapeopt::{WearState, settling};
 
-use crate::solution::Settled;
+use crate::solution::{RunningIn, RunningInStep, Settled};
 
 /// How close to the steady pressure counts as worn in.
 const DEVIATION: f64 = 0.01;
 
 /// All states of a run; only the last one is whole.
 #[derive(Debug, Clone, Default)]
-pub struct History {
+pub(super) struct History {
     /// The states, step by step.
     pub states: Vec<WearState>,
 }
@@ -32,11 +32,10 @@ const COLUMNS: [&str; 13] = [
 
 impl History {
     /// Adds a state; the one before gives up what a run needs only to go on from it.
-    pub fn push(&mut self, state: WearState) {
+    pub(super) fn push(&mut self, state: WearState) {
         if let Some(last) = self.states.last_mut() {
             let whole = std::mem::take(last);
             *last = WearState {
-                gap: Vec::new(),
                 opening: Vec::new(),
                 coordinates: Vec::new(),
                 approach: Vec::new(),
@@ -48,15 +47,26 @@ impl History {
         self.states.push(state);
     }
 
+    /// Pressure and gap of every step, at places along the surface (mm).
+    pub(super) fn running_in(&self, s: Vec<f64>) -> RunningIn {
+        let step = |state: &WearState| RunningInStep {
+            step: state.step,
+            time: state.time,
+            pressure: state.pressure.clone(),
+            gap: state.gap.iter().map(|g| 1e3 * g).collect(),
+        };
+        RunningIn { s, steps: self.states.iter().map(step).collect() }
+    }
+
     /// Names and values of the columns of history.csv.
-    pub fn columns(&self) -> Vec<(String, Vec<f64>)> {
+    pub(super) fn columns(&self) -> Vec<(String, Vec<f64>)> {
         let rows: Vec<[f64; COLUMNS.len()]> = self.states.iter().map(row).collect();
         let column = |k: usize| rows.iter().map(|row| row[k]).collect();
         COLUMNS.iter().enumerate().map(|(k, name)| (name.to_string(), column(k))).collect()
     }
 
     /// What the running-in of a run that ended steady has cost; weights are the areas of the contact points.
-    pub fn running_in(&self, weights: &[f64]) -> Option<Settled> {
+    pub(super) fn settled(&self, weights: &[f64]) -> Option<Settled> {
         settling(&self.states, weights, DEVIATION).map(|found| Settled {
             time_s: found.time,
             distance_mm: found.distance,

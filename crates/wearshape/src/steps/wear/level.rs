@@ -26,13 +26,13 @@ use crate::watch::{Event, FinishedLevel, RunLevel, Watch, WearStep};
 /// Samples of the gap for the comparison of levels.
 const SAMPLES: usize = 201;
 /// Most steps of a run.
-pub const MOST_STEPS: usize = 20_000;
+pub(super) const MOST_STEPS: usize = 20_000;
 /// Run-in distances in the summary, slowest first.
 const RUN_IN: usize = 4;
 
 /// The discretisation of a run: a level, with nodes at the ends of the final pressure.
 #[derive(Clone, Copy)]
-pub struct Mesh<'a> {
+pub(super) struct Mesh<'a> {
     pub level: Level,
     pub ends: &'a [f64],
 }
@@ -49,7 +49,7 @@ struct Scenes<'a> {
 
 /// One run on one level after the finished ones, from its start or from the last of the known states; the inner `Err` is one that the
 /// watcher cut short.
-pub fn run(
+pub(super) fn run(
     (stage, pieces): (Stage<'_>, &Pieces),
     mesh: Mesh<'_>,
     (finished, known): (&[FinishedLevel], Vec<WearState>),
@@ -114,8 +114,10 @@ impl Scenes<'_> {
             contact_solves: effort.counters.contact_solves,
         };
         let reported = Some(Reported { level, ends: mesh.ends.to_vec(), moments });
+        let start = stage.start(self.pair);
+        let running_in = run.history.running_in(self.operator.points().iter().map(|p| start + p.arc).collect());
         let Run { ended, history, .. } = run;
-        Ok((left, Ran { ended, history, wear, told, reported, effort }))
+        Ok((left, Ran { ended, history: history.columns(), running_in, wear, told, reported, effort }))
     }
 
     /// The contact on a gap under one of the loads.
@@ -171,7 +173,7 @@ fn result(run: &Run, weights: &[f64], stage: Stage<'_>) -> WearResult {
         explicit_step_limit_s: run_in.as_ref().map(|r| r.explicit_limit),
         run_in_distance_mm: run_in.iter().flat_map(|r| r.distances.iter().copied().take(RUN_IN)).collect(),
         lyapunov_increase: (stage.friction() == 0.0).then_some(state.lyapunov_increase),
-        to_1_percent: if steady { history.running_in(weights) } else { None },
+        to_1_percent: if steady { history.settled(weights) } else { None },
     }
 }
 

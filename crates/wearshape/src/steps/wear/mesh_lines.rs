@@ -11,7 +11,7 @@ use crate::stage::Stage;
 const PIECES: usize = 8;
 
 /// The edges of both meshes of a level, cut at `ends`; two points (x, z) in mm a line.
-pub fn mesh_lines(stage: Stage<'_>, level: Level, ends: &[f64]) -> Result<[Vec<[f64; 2]>; 2], Fault> {
+pub(super) fn mesh_lines(stage: Stage<'_>, level: Level, ends: &[f64]) -> Result<[Vec<[f64; 2]>; 2], Fault> {
     Ok(stage.meshes(level.layers, Cut::Ends(ends))?.map(|mesh| lines(&mesh)))
 }
 

@@ -5,7 +5,7 @@ use shapeopt::Interval;
 use crate::problem::Problem;
 
 /// The loads that occur, and which acts when.
-pub struct Pieces {
+pub(super) struct Pieces {
     /// The problem under each of the different loads.
     pub problems: Vec<Problem>,
     /// The pieces in their order.
@@ -14,7 +14,7 @@ pub struct Pieces {
 
 impl Pieces {
     /// The pieces of a problem; without a schedule the problem itself for ever.
-    pub fn of(problem: &Problem) -> Pieces {
+    pub(super) fn of(problem: &Problem) -> Pieces {
         if problem.pieces.is_empty() {
             let intervals = vec![Interval { stage: 0, duration: f64::INFINITY }];
             return Pieces { problems: vec![problem.clone()], intervals };

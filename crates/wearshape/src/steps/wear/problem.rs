@@ -13,12 +13,12 @@ const STEADY: f64 = 1e-9;
 const REST: f64 = 0.01;
 
 /// The residual at which a run is steady: of the certificate, or of the wear still to come under a prescribed approach.
-pub fn steady_residual(stage: Stage<'_>) -> f64 {
+pub(super) fn steady_residual(stage: Stage<'_>) -> f64 {
     if stage.problem.load.approach.is_some() { STEADY.max(REST * stage.accuracy()) } else { STEADY }
 }
 
 /// The wear problem on an operator; one stage a load that occurs. A run until the steady state goes on to the time `not_before` at least.
-pub fn wear_problem(
+pub(super) fn wear_problem(
     (stages, loads): (&[Stage<'_>], &[ContactLoad]),
     intervals: &[Interval],
     (pair, operator): (&Pair<'_>, &ContactOperator<'_>),
