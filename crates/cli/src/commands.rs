@@ -16,8 +16,8 @@ use std::path::Path;
 use clap::{CommandFactory, Parser};
 use scene::{Fault, Place};
 
-use crate::draw;
 use crate::args::{Cli, Command};
+use crate::draw;
 use crate::exit::Exit;
 
 /// Runs the command that the arguments ask for.

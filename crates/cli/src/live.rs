@@ -2,8 +2,8 @@
 
 use std::ops::ControlFlow;
 
-use wearshape;
 use scene::Fault;
+use wearshape;
 use wearshape::{Bodies, Event, Options, Problem, RunLevel, Solution, WearStep};
 
 use crate::interrupt;
@@ -69,7 +69,7 @@ impl Live {
             step: state.step as u64,
             tries: step.tries as u64,
             linear_solves: step.linear_solves as u64,
-            step_s: state.step_size,
+            step_size: state.step_size,
             error: state.error,
             steady_residual: state.steady_residual,
         };

@@ -87,7 +87,7 @@ impl Recorder {
 
     /// Records an accepted step: its work, its profile, and last its state, from which a run can go on.
     pub(crate) fn step(&mut self, iteration: &Iteration, profile: &Points, state: &State) -> Result<(), Fault> {
-        self.time = nanoseconds(state.time_s);
+        self.time = nanoseconds(state.time);
         self.put(ITERATION, iteration)?;
         self.put(PROFILE, profile)?;
         self.put(STATE, state)

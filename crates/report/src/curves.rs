@@ -79,9 +79,7 @@ fn error_plot(title: &str, ladder: &[Rung]) -> Option<LinePlot> {
 
 /// The coordinate of a picture and its name: angle on an arc, radius on a ring, else arc length.
 pub fn abscissa(problem: &Problem, profile: &Profile) -> (Vec<f64>, &'static str) {
-    if let Some(angles) =
-        profile.s.iter().map(|s| problem.angle(*s)).collect::<Option<Vec<_>>>()
-    {
+    if let Some(angles) = profile.s.iter().map(|s| problem.angle(*s)).collect::<Option<Vec<_>>>() {
         return (angles.into_iter().map(f64::to_degrees).collect(), "angle (deg)");
     }
     match problem.contact_shape() {

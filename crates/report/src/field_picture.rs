@@ -71,9 +71,9 @@ fn outline(grid: CellGrid, at: &[[f64; 2]]) -> String {
 #[cfg(test)]
 mod tests {
     use super::{field_picture, round_number};
-    use wearshape::{BodyField, CellField, FieldFrame};
-    use wearshape::CellGrid;
     use hpfem::Stress;
+    use wearshape::CellGrid;
+    use wearshape::{BodyField, CellField, FieldFrame};
 
     #[test]
     fn a_picture_has_its_title_and_says_how_the_bodies_are_drawn() {
@@ -84,7 +84,7 @@ mod tests {
             stress: vec![Stress { xx: 2.0, ..Stress::default() }; 4],
         };
         let body = BodyField { cells: vec![cell], ..BodyField::default() };
-        let frame = FieldFrame { time_s: 0.0, moment: "", bodies: [body, BodyField::default()] };
+        let frame = FieldFrame { time: 0.0, moment: "", bodies: [body, BodyField::default()] };
         let picture = field_picture(&frame, "a < b");
         assert!(picture.contains("a &lt; b") && picture.contains("Displacements 1000 times"), "{picture}");
     }

@@ -174,8 +174,9 @@ fn breakable(key: &str) -> String {
 /// A file that is missing or damaged, by name.
 pub fn page(files: &dyn Fn(&str) -> Option<Vec<u8>>, running_in: Option<&RunningIn>) -> Result<String, Fault> {
     let missing = |name: &str| Fault::new("unreadable", format!("{name} is missing"), "give the folder of a finished run");
-    let damaged =
-        |name: &str, error: &dyn std::fmt::Display| Fault::new("unreadable", format!("{name} is damaged: {error}"), "run the scene again");
+    let damaged = |name: &str, error: &dyn std::fmt::Display| {
+        Fault::new("unreadable", format!("{name} is damaged: {error}"), "run the scene again")
+    };
     let read = |name: &str| {
         let bytes = files(name).ok_or_else(|| missing(name))?;
         String::from_utf8(bytes).map_err(|error| damaged(name, &error))

@@ -64,17 +64,17 @@ pub fn verdict(problem: &Problem, solution: &Solution) -> String {
         return format!("{head}: {}.", with_short_numbers(reason));
     }
     if let Some(shape) = &solution.shape {
-        let crown = shape.crown_um.unwrap_or(0.0);
-        let at = shape.gap_where_mm.map(|s| format!(" at {}", place(problem, s))).unwrap_or_default();
+        let crown = shape.crown.unwrap_or(0.0);
+        let at = shape.gap_where.map(|s| format!(" at {}", place(problem, s))).unwrap_or_default();
         let steady = solution.pressure.as_ref().is_some_and(|pressure| pressure.functional == "steady");
         let end = if steady { "it starts worn in" } else { "it has the wanted pressure" };
         return format!("Machine this shape: crown {} um{at}; {end}.", short(crown));
     }
     if let Some(wear) = &solution.wear {
-        let time = wear.time_s.map(short).unwrap_or_default();
+        let time = wear.time.map(short).unwrap_or_default();
         return match wear.steady {
             true => match &wear.to_1_percent {
-                Some(near) => format!("Worn in to 1 % after {} s, steady after {time} s.", short(near.time_s)),
+                Some(near) => format!("Worn in to 1 % after {} s, steady after {time} s.", short(near.time)),
                 None if problem.scene().load.as_ref().is_some_and(|load| load.approach.is_some()) => {
                     format!(
                         "The contact has worn itself free after {time} s: under the prescribed approach nothing presses any more."
@@ -86,13 +86,13 @@ pub fn verdict(problem: &Problem, solution: &Solution) -> String {
         };
     }
     if let Some(contact) = &solution.contact {
-        let force = contact.force_N.map(short).unwrap_or_default();
+        let force = contact.force.map(short).unwrap_or_default();
         let exponents: Vec<String> = contact.edge_exponents.iter().map(|exponent| format!("{exponent:.3}")).collect();
-        let peak = match contact.p_max_MPa {
+        let peak = match contact.p_max {
             Some(peak) => format!("at most {} MPa", short(peak)),
             None => format!("the pressure grows towards the edges like d^({})", exponents.join(") and d^(")),
         };
-        let turned = contact.twist.as_ref().and_then(|twist| twist.angle_rad.last().zip(twist.torque_Nmm.last()));
+        let turned = contact.twist.as_ref().and_then(|twist| twist.angle.last().zip(twist.torque.last()));
         let turned = turned.map_or(String::new(), |(angle, torque)| {
             format!("; turned by {} rad, a torque of {} N mm acts", short(*angle), short(*torque))
         });
@@ -129,25 +129,25 @@ pub fn first_screen(problem: &Problem, solution: &Solution, folder: &Path) -> St
         let q = pressure.q.filter(|_| with_q).map(|q| format!(" q = {q},")).unwrap_or_default();
         let kind = format!("({},{q} {}, {})", pressure.functional, pressure.character, pressure.regime);
         let spread = solution.shape.as_ref().and(curve).and_then(|curve| pressures(problem, curve));
-        let mean = pressure.p_mean_MPa.map(|mean| format!("mean {} MPa", short(mean))).unwrap_or_default();
+        let mean = pressure.p_mean.map(|mean| format!("mean {} MPa", short(mean))).unwrap_or_default();
         lines.push(format!("pressure  {} {kind}", spread.unwrap_or(mean)));
         for atom in pressure.limit_measure.iter().take(3) {
             lines.push(format!(
                 "          {} N at x = {}, y = {}, z = {} mm",
-                short(atom.force_N),
-                short(atom.x_mm),
-                short(atom.y_mm),
-                short(atom.z_mm)
+                short(atom.force),
+                short(atom.x),
+                short(atom.y),
+                short(atom.z)
             ));
         }
         let mut wear = Vec::new();
-        if let Some(rate) = pressure.wear_volume_rate_mm3_per_s.filter(|value| value.is_finite()) {
+        if let Some(rate) = pressure.wear_volume_rate.filter(|value| value.is_finite()) {
             wear.push(format!("{} mm^3/s", short(rate)));
         }
-        if let Some(power) = pressure.friction_power_mW.filter(|value| value.is_finite()) {
+        if let Some(power) = pressure.friction_power.filter(|value| value.is_finite()) {
             wear.push(format!("friction {} W", short(1e-3 * power)));
         }
-        if let Some(torque) = pressure.torque_Nmm.filter(|value| value.is_finite()) {
+        if let Some(torque) = pressure.torque.filter(|value| value.is_finite()) {
             wear.push(format!("torque {} N m", short(1e-3 * torque)));
         }
         if !wear.is_empty() {
@@ -155,10 +155,10 @@ pub fn first_screen(problem: &Problem, solution: &Solution, folder: &Path) -> St
         }
     }
     if let Some(wear) = &solution.wear {
-        let mut words = vec![format!("depth {} um", short(wear.depth_um.unwrap_or(0.0)))];
-        words.extend(wear.volume_mm3.map(|volume| format!("volume {} mm^3", short(volume))));
+        let mut words = vec![format!("depth {} um", short(wear.depth.unwrap_or(0.0)))];
+        words.extend(wear.volume.map(|volume| format!("volume {} mm^3", short(volume))));
         let near = wear.to_1_percent.as_ref();
-        words.extend(near.map(|near| format!("within 1 % of the steady pressure after {} s", short(near.time_s))));
+        words.extend(near.map(|near| format!("within 1 % of the steady pressure after {} s", short(near.time))));
         lines.push(format!("wear      {}", words.join(", ")));
     }
     if let Some(trip) = solution.shape.as_ref().and_then(|shape| shape.roundtrip_independent.or(shape.roundtrip_same)) {

@@ -22,7 +22,7 @@ pub fn field_files(frames: &[FieldFrame]) -> Vec<(String, String)> {
         for (number, body) in frame.bodies.iter().enumerate() {
             let moment = if frame.moment.is_empty() { String::new() } else { format!(".{}", frame.moment) };
             let name = format!("body{}{moment}", number + 1);
-            series.push((frame.time_s, number, format!("{name}.vtu")));
+            series.push((frame.time, number, format!("{name}.vtu")));
             files.push((format!("fields/{name}.vtu"), vtu(body, Cut::Pieces)));
             files.push((format!("fields/{name}.lagrange.vtu"), vtu(body, Cut::Whole)));
         }

@@ -1,8 +1,8 @@
 //! Reduced bodies of all levels, kept as long as what they depend on stays the same: a sweep in load, friction, wear or optimum meshes and
 //! factors each level once, and so do several tasks of one run.
 
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use contact::{ContactOperator, Pair, UnitResponses};
 use hpfem::{InterfaceOperator, InterfaceState};
@@ -123,7 +123,10 @@ impl Reduced {
         let (interfaces, effort) = parts.interfaces(clock)?;
         let names = |body: usize| parts.parts[body].support_names.clone();
         let counters = effort.counters.clone();
-        Ok((Reduced { interfaces, support_names: [names(0), names(1)], facing: parts.facing, counters, unit: Default::default() }, effort))
+        Ok((
+            Reduced { interfaces, support_names: [names(0), names(1)], facing: parts.facing, counters, unit: Default::default() },
+            effort,
+        ))
     }
 
     /// Cells and unknowns of the discretisation.
@@ -178,12 +181,12 @@ pub(crate) fn reactions(
             let [x, z, moment] = body.reaction(number, state);
             match reactions.iter_mut().find(|(known, _)| known == name) {
                 Some((_, sum)) => {
-                    sum.x_N = sum.x_N.map(|v| v + x);
-                    sum.z_N = sum.z_N.map(|v| v + z);
-                    sum.moment_Nmm = sum.moment_Nmm.map(|v| v + moment);
+                    sum.x = sum.x.map(|v| v + x);
+                    sum.z = sum.z.map(|v| v + z);
+                    sum.moment = sum.moment.map(|v| v + moment);
                 }
                 None => {
-                    let new = Reaction { x_N: Some(x), z_N: Some(z), moment_Nmm: Some(moment) };
+                    let new = Reaction { x: Some(x), z: Some(z), moment: Some(moment) };
                     reactions.push((name.clone(), new));
                 }
             }

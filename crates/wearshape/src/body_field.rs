@@ -8,7 +8,7 @@ use crate::cell_grid::CellGrid;
 #[derive(Debug, Clone, PartialEq)]
 pub struct FieldFrame {
     /// Simulated time; 0 where nothing runs in time.
-    pub time_s: f64,
+    pub time: f64,
     /// Goes into the names of the files: "" for what is reported, "start" for the start of a wear run.
     pub moment: &'static str,
     /// Body 1 and body 2.

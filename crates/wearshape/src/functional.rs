@@ -22,4 +22,3 @@ pub(crate) fn kind(functional: Functional) -> wear::Functional {
         Functional::Uniform => wear::Functional::Uniform,
     }
 }
-

@@ -25,4 +25,3 @@ impl Level {
         self.degree.saturating_sub(fall).max(2.min(self.degree))
     }
 }
-

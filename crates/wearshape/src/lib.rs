@@ -42,8 +42,8 @@ pub use problem::Problem;
 pub use profile::Profile;
 pub use remarks::Remark;
 pub use solution::{
-    ByRole, ContactResult, EnergyResult, ErrorResult, InterfaceResult, PointForce, PressureResult, Reaction, RunningIn, RunningInStep, Rung, Settled,
-    ShapeResult, Solution, Status, ToleranceResult, TwistResult, UniquenessResult, WearResult,
+    ByRole, ContactResult, EnergyResult, ErrorResult, InterfaceResult, PointForce, PressureResult, Reaction, Rung, RunningIn,
+    RunningInStep, Settled, ShapeResult, Solution, Status, ToleranceResult, TwistResult, UniquenessResult, WearResult,
 };
 pub use solve::solve;
 pub use study::{DEGREES, Level as StudyLevel, Quantity, Truth, outermost, study};

@@ -1,6 +1,9 @@
 //! The bodies of a scene as finite element problems of one discretisation.
 
-use hpfem::{Additions, Body, BodyProblem, Direction, EdgeTraction, InterfaceOperator, Kinematics, LoadCase, Material, Mesh, RigidEdge, Sizes, SpaceKind, Support};
+use hpfem::{
+    Additions, Body, BodyProblem, Direction, EdgeTraction, InterfaceOperator, Kinematics, LoadCase, Material, Mesh, RigidEdge,
+    Sizes, SpaceKind, Support,
+};
 use meshing::{self, AXIS, CONTACT, Couple, LOAD, LoadedEdge};
 use scene::{Component, Fault, LoadKind};
 
@@ -71,11 +74,7 @@ impl BodyParts {
                     boundary: LOAD.into(),
                     reference: [about[0], height.unwrap_or(about[1])],
                     // A rotation prescribed as zero is held; another one is a motion.
-                    free: [
-                        !holds(Component::X) && !revolved,
-                        !holds(Component::Z),
-                        !revolved && !load.level,
-                    ],
+                    free: [!holds(Component::X) && !revolved, !holds(Component::Z), !revolved && !load.level],
                 })
             }
         };
@@ -150,10 +149,8 @@ impl Parts {
         level: Level,
         (kinematics, facing): (Kinematics, bool),
     ) -> Result<Parts, Fault> {
-        let parts = [
-            BodyParts::new(couple, true, first, level, kinematics)?,
-            BodyParts::new(couple, false, second, level, kinematics)?,
-        ];
+        let parts =
+            [BodyParts::new(couple, true, first, level, kinematics)?, BodyParts::new(couple, false, second, level, kinematics)?];
         Ok(Parts { parts, facing })
     }
 

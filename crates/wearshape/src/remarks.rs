@@ -86,8 +86,9 @@ fn jamming(problem: &Problem, say: &mut impl FnMut(&'static str, String)) {
     let mu = problem.friction.shear();
     let weights = patch.surface.sample(201).into_iter().map(|point| push.mode.motion.force_weight(&point, mu));
     if weights.fold(f64::MAX, f64::min) <= 0.0 && mu > 0.0 {
-        let message =
-            format!("With friction {mu} part of the surface lifts body 1 when pressed (self-locking): the load may have no balance.");
+        let message = format!(
+            "With friction {mu} part of the surface lifts body 1 when pressed (self-locking): the load may have no balance."
+        );
         say("jamming", message);
     }
 }
@@ -124,7 +125,7 @@ fn other_solutions(solution: &Solution) -> Option<Remark> {
 
 /// Wear beyond what body 1's stiffness stands for.
 fn worn_through(problem: &Problem, solution: &Solution) -> Option<Remark> {
-    let depth = 1e-3 * solution.wear.as_ref()?.depth_um?;
+    let depth = 1e-3 * solution.wear.as_ref()?.depth?;
     let thickness = outline(&problem.couple.as_ref()?.bodies[0]).thickness;
     let allowed = WORN * thickness;
     if depth <= allowed {

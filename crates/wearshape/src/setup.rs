@@ -12,10 +12,10 @@ mod wear_rule;
 use meshing::{Couple, Files};
 use scene::{Document, Fault, Gap, Scene};
 
-use crate::{freedom, remarks};
 use crate::plan::Plan;
 use crate::problem::{Friction, Problem};
 use crate::surface::Patch;
+use crate::{freedom, remarks};
 
 impl Problem {
     /// Checks a document and fills in its defaults; `files` gives the bytes of the files beside it, each read once.

@@ -90,21 +90,23 @@ pub struct ByRole {
 
 /// A concentrated force of a singular pressure.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[allow(non_snake_case)]
 pub struct PointForce {
     /// Place.
-    pub x_mm: f64,
+    #[serde(rename = "x_mm")]
+    pub x: f64,
     /// Place.
-    pub y_mm: f64,
+    #[serde(rename = "y_mm")]
+    pub y: f64,
     /// Place.
-    pub z_mm: f64,
+    #[serde(rename = "z_mm")]
+    pub z: f64,
     /// Normal force there; for lines and circles of the whole line.
-    pub force_N: f64,
+    #[serde(rename = "force_N")]
+    pub force: f64,
 }
 
 /// `summary.pressure`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
-#[allow(non_snake_case)]
 pub struct PressureResult {
     /// Functional in the scene's word.
     pub functional: String,
@@ -129,27 +131,38 @@ pub struct PressureResult {
     /// Rigid velocity of wear.
     pub feed: Option<ByRole>,
     /// Smallest pressure.
-    pub p_min_MPa: Option<f64>,
+    #[serde(rename = "p_min_MPa")]
+    pub p_min: Option<f64>,
     /// Largest pressure.
-    pub p_max_MPa: Option<f64>,
+    #[serde(rename = "p_max_MPa")]
+    pub p_max: Option<f64>,
     /// Mean pressure.
-    pub p_mean_MPa: Option<f64>,
+    #[serde(rename = "p_mean_MPa")]
+    pub p_mean: Option<f64>,
     /// Carried pressing force.
-    pub force_N: Option<f64>,
+    #[serde(rename = "force_N")]
+    pub force: Option<f64>,
     /// Carried moment.
-    pub moment_Nmm: Option<f64>,
+    #[serde(rename = "moment_Nmm")]
+    pub moment: Option<f64>,
     /// int p dS.
-    pub normal_force_N: Option<f64>,
+    #[serde(rename = "normal_force_N")]
+    pub normal_force: Option<f64>,
     /// Wear volume a second of both bodies.
-    pub wear_volume_rate_mm3_per_s: Option<f64>,
+    #[serde(rename = "wear_volume_rate_mm3_per_s")]
+    pub wear_volume_rate: Option<f64>,
     /// Friction power.
-    pub friction_power_mW: Option<f64>,
+    #[serde(rename = "friction_power_mW")]
+    pub friction_power: Option<f64>,
     /// Wear power.
-    pub wear_power_mW: Option<f64>,
+    #[serde(rename = "wear_power_mW")]
+    pub wear_power: Option<f64>,
     /// Friction torque.
-    pub torque_Nmm: Option<f64>,
+    #[serde(rename = "torque_Nmm")]
+    pub torque: Option<f64>,
     /// Torque over mu times force.
-    pub effective_radius_mm: Option<f64>,
+    #[serde(rename = "effective_radius_mm")]
+    pub effective_radius: Option<f64>,
     /// How far the wear is from a rigid motion.
     pub steadiness_residual: Option<f64>,
     /// How far the wear of both bodies is from proportional.
@@ -158,28 +171,35 @@ pub struct PressureResult {
 
 /// `summary.contact`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
-#[allow(non_snake_case)]
 pub struct ContactResult {
     /// Status of the solve.
     pub status: String,
     /// Contact force.
-    pub force_N: Option<f64>,
+    #[serde(rename = "force_N")]
+    pub force: Option<f64>,
     /// Contact moment.
-    pub moment_Nmm: Option<f64>,
+    #[serde(rename = "moment_Nmm")]
+    pub moment: Option<f64>,
     /// Closing of body 1.
-    pub approach_mm: Option<f64>,
+    #[serde(rename = "approach_mm")]
+    pub approach: Option<f64>,
     /// Rotation of body 1.
-    pub tilt_rad: Option<f64>,
+    #[serde(rename = "tilt_rad")]
+    pub tilt: Option<f64>,
     /// Ends of contact.
-    pub ends_mm: Vec<f64>,
+    #[serde(rename = "ends_mm")]
+    pub ends: Vec<f64>,
     /// Largest pressure.
-    pub p_max_MPa: Option<f64>,
+    #[serde(rename = "p_max_MPa")]
+    pub p_max: Option<f64>,
     /// Exponents of the pressure at sharp ends.
     pub edge_exponents: Vec<f64>,
     /// Ends of the sticking zone.
-    pub stick_ends_mm: Vec<f64>,
+    #[serde(rename = "stick_ends_mm")]
+    pub stick_ends: Vec<f64>,
     /// Largest shear.
-    pub q_max_MPa: Option<f64>,
+    #[serde(rename = "q_max_MPa")]
+    pub q_max: Option<f64>,
     /// Body 1 turned about the axis.
     pub twist: Option<TwistResult>,
     /// Other solutions under friction.
@@ -192,16 +212,18 @@ pub struct ContactResult {
 
 /// `summary.contact.twist`: one number a step of the history.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
-#[allow(non_snake_case)]
 pub struct TwistResult {
     /// sticks, slips-in-part, slips or turns-through, at the end of the last step.
     pub status: String,
     /// Rotation of the edge on which body 1 is held.
-    pub angle_rad: Vec<f64>,
+    #[serde(rename = "angle_rad")]
+    pub angle: Vec<f64>,
     /// Torque on body 1.
-    pub torque_Nmm: Vec<f64>,
+    #[serde(rename = "torque_Nmm")]
+    pub torque: Vec<f64>,
     /// Torque at which the whole contact slips.
-    pub slip_torque_Nmm: f64,
+    #[serde(rename = "slip_torque_Nmm")]
+    pub slip_torque: f64,
 }
 
 /// `summary.contact.uniqueness`: coefficients of friction up to that of the scene.
@@ -232,13 +254,17 @@ pub struct ShapeResult {
     /// Passes of the gap iteration.
     pub iterations: usize,
     /// Largest gap.
-    pub gap_max_um: Option<f64>,
+    #[serde(rename = "gap_max_um")]
+    pub gap_max: Option<f64>,
     /// Where it is.
-    pub gap_where_mm: Option<f64>,
+    #[serde(rename = "gap_where_mm")]
+    pub gap_where: Option<f64>,
     /// Crown height: the largest gap; above the lowest one where the rigid part is prescribed.
-    pub crown_um: Option<f64>,
+    #[serde(rename = "crown_um")]
+    pub crown: Option<f64>,
     /// Rigid part taken out.
-    pub rigid_mm: Option<f64>,
+    #[serde(rename = "rigid_mm")]
+    pub rigid: Option<f64>,
     /// Round trip on the same operators.
     pub roundtrip_same: Option<f64>,
     /// Round trip on another discretisation.
@@ -253,15 +279,18 @@ pub struct ToleranceResult {
     /// What kind of error; L is the length of the surface.
     pub error: String,
     /// Amplitude of the error.
-    pub amplitude_um: f64,
+    #[serde(rename = "amplitude_um")]
+    pub amplitude: f64,
     /// Largest change of the pressure over the inner 95 % of the surface, over the mean pressure.
     pub pressure_change_relative: f64,
     /// Root mean square of the change over the whole surface, over the mean pressure.
     pub pressure_change_rms: f64,
     /// Amplitude that changes the pressure by 10 % of its mean.
-    pub within_10_percent_um: f64,
+    #[serde(rename = "within_10_percent_um")]
+    pub within_10_percent: f64,
     /// Sliding distance in which wear takes the change down to 1/e.
-    pub run_in_distance_mm: Option<f64>,
+    #[serde(rename = "run_in_distance_mm")]
+    pub run_in_distance: Option<f64>,
 }
 
 /// `summary.wear`.
@@ -274,19 +303,25 @@ pub struct WearResult {
     /// Rejected steps.
     pub rejected_steps: usize,
     /// Time reached.
-    pub time_s: Option<f64>,
+    #[serde(rename = "time_s")]
+    pub time: Option<f64>,
     /// Sliding distance.
-    pub distance_mm: Option<f64>,
+    #[serde(rename = "distance_mm")]
+    pub distance: Option<f64>,
     /// Whether it is steady.
     pub steady: bool,
     /// Depth.
-    pub depth_um: Option<f64>,
+    #[serde(rename = "depth_um")]
+    pub depth: Option<f64>,
     /// Volume.
-    pub volume_mm3: Option<f64>,
+    #[serde(rename = "volume_mm3")]
+    pub volume: Option<f64>,
     /// Largest stable explicit step.
-    pub explicit_step_limit_s: Option<f64>,
+    #[serde(rename = "explicit_step_limit_s")]
+    pub explicit_step_limit: Option<f64>,
     /// Run-in distance of the slowest modes.
-    pub run_in_distance_mm: Vec<f64>,
+    #[serde(rename = "run_in_distance_mm")]
+    pub run_in_distance: Vec<f64>,
     /// Largest relative growth of the Lyapunov function in a step; without shear on the bodies it never grows.
     pub lyapunov_increase: Option<f64>,
     /// What it took until the pressure stayed within 1 % of the steady one (relative L2).
@@ -297,35 +332,42 @@ pub struct WearResult {
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct Settled {
     /// Time.
-    pub time_s: f64,
+    #[serde(rename = "time_s")]
+    pub time: f64,
     /// Sliding distance.
-    pub distance_mm: f64,
+    #[serde(rename = "distance_mm")]
+    pub distance: f64,
     /// Largest depth worn off body 1.
-    pub depth_um: f64,
+    #[serde(rename = "depth_um")]
+    pub depth: f64,
     /// Volume worn off both bodies.
-    pub volume_mm3: f64,
+    #[serde(rename = "volume_mm3")]
+    pub volume: f64,
 }
 
 /// `summary.energy`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
-#[allow(non_snake_case)]
 pub struct EnergyResult {
     /// Strain energy of body 1.
-    pub body1_Nmm: Option<f64>,
+    #[serde(rename = "body1_Nmm")]
+    pub body1: Option<f64>,
     /// Strain energy of body 2.
-    pub body2_Nmm: Option<f64>,
+    #[serde(rename = "body2_Nmm")]
+    pub body2: Option<f64>,
 }
 
 /// One entry of `summary.reactions`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
-#[allow(non_snake_case)]
 pub struct Reaction {
     /// Along x.
-    pub x_N: Option<f64>,
+    #[serde(rename = "x_N")]
+    pub x: Option<f64>,
     /// Along z.
-    pub z_N: Option<f64>,
+    #[serde(rename = "z_N")]
+    pub z: Option<f64>,
     /// Moment.
-    pub moment_Nmm: Option<f64>,
+    #[serde(rename = "moment_Nmm")]
+    pub moment: Option<f64>,
 }
 
 /// What a level of the ladder says about the error.

@@ -2,30 +2,25 @@
 
 use scene::Fault;
 
-use crate::remarks;
 use crate::bodies::Bodies;
 use crate::effort::Effort;
 use crate::ladder::Refusal;
 use crate::options::Options;
 use crate::plan::Step;
 use crate::problem::Problem;
+use crate::remarks;
 use crate::scope::Scope;
 use crate::solution::{ErrorResult, Solution, Status};
 use crate::stage::Stage;
-use crate::steps::{approach, contact, pressure, recover, shape, torsion, wear};
 use crate::steps::answer::Outcome;
 use crate::steps::recover::Reported;
 use crate::steps::shape::Before;
+use crate::steps::{approach, contact, pressure, recover, shape, torsion, wear};
 use crate::watch::Watch;
 
 /// Computes everything the plan lists. What has no answer is a solution with its status; an `Err` is the user's to mend. `bodies` keeps what
 /// was factorised for problems with the same bodies; `watch` is told what happens, and ends the solve by `Break`.
-pub fn solve(
-    problem: &Problem,
-    options: &Options<'_>,
-    bodies: &Bodies,
-    watch: &mut Watch<'_>,
-) -> Result<Solution, Fault> {
+pub fn solve(problem: &Problem, options: &Options<'_>, bodies: &Bodies, watch: &mut Watch<'_>) -> Result<Solution, Fault> {
     let mut solution = Solution::default();
     match stages((problem, options, bodies), watch, &mut solution) {
         Ok(()) => {}
@@ -70,7 +65,12 @@ fn stages((problem, options, bodies): Given<'_>, watch: &mut Watch<'_>, solution
 }
 
 /// Contact, shape and wear as the plan asks, with twist and fields of the last of them.
-fn elastic((problem, options, bodies): Given<'_>, passes: usize, watch: &mut Watch<'_>, solution: &mut Solution) -> Result<(), Refusal> {
+fn elastic(
+    (problem, options, bodies): Given<'_>,
+    passes: usize,
+    watch: &mut Watch<'_>,
+    solution: &mut Solution,
+) -> Result<(), Refusal> {
     let scope = Scope::of(problem, options, bodies)?;
     scope.available()?;
     if let Some((outcome, effort, fields)) = scope.solve(watch)? {
@@ -113,8 +113,23 @@ fn elastic((problem, options, bodies): Given<'_>, passes: usize, watch: &mut Wat
 impl Solution {
     /// Takes in what an elastic step found; what it does not say stays. Returns what twist and fields need.
     fn take(&mut self, outcome: Outcome) -> Option<Reported> {
-        let Outcome { ended, stopped, contact, interface, shape, wear, history, machined, told, error, running_in, ladder, remarks, reported, resume } =
-            outcome;
+        let Outcome {
+            ended,
+            stopped,
+            contact,
+            interface,
+            shape,
+            wear,
+            history,
+            machined,
+            told,
+            error,
+            running_in,
+            ladder,
+            remarks,
+            reported,
+            resume,
+        } = outcome;
         if let Some((status, reason)) = ended {
             (self.status, self.reason) = (status, Some(reason));
         }

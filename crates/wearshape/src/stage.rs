@@ -88,8 +88,7 @@ impl<'a> Stage<'a> {
         let make = |cut: Cut<'_>| -> Result<(Reduced, Effort), Fault> {
             let mut effort = Effort::default();
             let meshes = effort.timed(Step::Mesh, self.clock(), |_| self.meshes(level.layers, cut))?;
-            let (reduced, work) =
-                Reduced::new(&Parts::torsion(self.couple, meshes, level, self.facing())?, self.clock())?;
+            let (reduced, work) = Reduced::new(&Parts::torsion(self.couple, meshes, level, self.facing())?, self.clock())?;
             effort += work;
             Ok((reduced, effort))
         };

@@ -70,7 +70,7 @@ pub struct Truth {
 
 impl Truth {
     fn of(profile: &Profile, solution: &Solution) -> Truth {
-        let known = solution.contact.as_ref().map(|contact| contact.ends_mm.as_slice()).unwrap_or_default();
+        let known = solution.contact.as_ref().map(|contact| contact.ends.as_slice()).unwrap_or_default();
         Truth {
             s: profile.s.clone(),
             position: profile.position.clone(),
@@ -91,7 +91,7 @@ pub fn outermost(ends: &[f64], s: &[f64]) -> [f64; 2] {
 
 fn energy(solution: &Solution) -> Option<f64> {
     let energy = solution.energy.as_ref()?;
-    Some(energy.body1_Nmm? + energy.body2_Nmm.unwrap_or(0.0))
+    Some(energy.body1? + energy.body2.unwrap_or(0.0))
 }
 
 /// One level of a study.

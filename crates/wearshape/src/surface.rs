@@ -217,7 +217,9 @@ fn same(one: f64, other: f64, scale: f64) -> bool {
 fn along(kinematics: Kinematics, lines: [ContactLine; 2]) -> Result<Option<Found>, Fault> {
     let revolved = kinematics.is_revolved();
     match lines {
-        [ContactLine::Line { z, x }, ContactLine::Line { z: below, x: under }] => on_line(kinematics, (z, x), (below, under)).map(Some),
+        [ContactLine::Line { z, x }, ContactLine::Line { z: below, x: under }] => {
+            on_line(kinematics, (z, x), (below, under)).map(Some)
+        }
         [
             ContactLine::Circle { centre, radius, angles, internal },
             ContactLine::Circle { centre: c, radius: r, angles: under, internal: within },
@@ -267,11 +269,7 @@ fn on_line(kinematics: Kinematics, (z, x): (f64, [f64; 2]), (below, under): (f64
 type Circle = ([f64; 2], f64, [f64; 2], bool);
 
 /// Two parts of one circle.
-fn on_circle(
-    thickness: f64,
-    (centre, radius, angles, internal): Circle,
-    (c, r, under, within): Circle,
-) -> Result<Found, Fault> {
+fn on_circle(thickness: f64, (centre, radius, angles, internal): Circle, (c, r, under, within): Circle) -> Result<Found, Fault> {
     if internal != within {
         let [first, second] = [internal, !within].map(|inside| if inside { "inside" } else { "outside" });
         let message = format!("body 1 lies {first} its circle, and body 2 {second} its own");

@@ -64,11 +64,13 @@ pub struct FinishedLevel {
     /// Layers around each singular point.
     pub layers: usize,
     /// Worn gap at evenly spaced points.
-    pub gap_mm: Vec<f64>,
+    #[serde(rename = "gap_mm")]
+    pub gap: Vec<f64>,
     /// Closing of each rigid mode there, point by point.
     pub closing: Vec<f64>,
     /// Time at its end.
-    pub time_s: f64,
+    #[serde(rename = "time_s")]
+    pub time: f64,
     /// Steps taken.
     pub wear_steps: usize,
     /// Factorisations.

@@ -4,11 +4,11 @@ use scene::Fault;
 use serde_json::json;
 use wearshape::{Forecast, Problem, Step};
 
-use crate::open;
 use crate::args::CheckArgs;
 use crate::clock::seconds;
 use crate::commands::{print_json, print_out};
 use crate::exit::Exit;
+use crate::open;
 
 /// Prints the plan, the remarks and the unused keys of a scene.
 pub(crate) fn run(args: &CheckArgs) -> Result<Exit, Fault> {

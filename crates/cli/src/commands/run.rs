@@ -6,17 +6,17 @@ use std::time::Instant;
 use scene::{Fault, Place};
 use wearshape::{Bodies, Options, Problem, Sampling, Status, Step};
 
-use crate::{interrupt, open};
 use crate::args::{Common, RunArgs};
 use crate::clock::seconds;
-use crate::commands::{print_json, print_out};
 use crate::commands::check::{describe, describe_with_sizes, plan_json};
+use crate::commands::{print_json, print_out};
 use crate::exit::Exit;
 use crate::folder::Folder;
 use crate::live::Live;
 use crate::progress::Progress;
 use crate::record::Tape;
 use crate::write::write;
+use crate::{interrupt, open};
 
 /// Computes a scene and writes its folder.
 pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {

@@ -7,13 +7,13 @@ use report::{Axis, LinePlot, Series, line_plot};
 use scene::{Fault, Place, number_text};
 use wearshape::{DEGREES, Event, Measure, Quantity, Step, StudyLevel, Truth, outermost, study};
 
-use crate::{interrupt, open};
 use crate::args::StudyArgs;
 use crate::clock::seconds;
-use crate::commands::{print_json, print_out};
 use crate::commands::run::with_threads;
+use crate::commands::{print_json, print_out};
 use crate::exit::Exit;
 use crate::folder::Folder;
+use crate::{interrupt, open};
 
 /// Columns of study.csv.
 const COLUMNS: [&str; 12] = [

@@ -9,12 +9,12 @@ use scene::{Fault, Place};
 use serde_json::{Map, Value, json};
 use wearshape::{Bodies, Options, Problem, Status};
 
-use crate::interrupt;
 use crate::args::{Common, SweepArgs};
-use crate::commands::{print_json, print_out};
 use crate::commands::run::{options, with_threads};
+use crate::commands::{print_json, print_out};
 use crate::exit::Exit;
 use crate::folder::Folder;
+use crate::interrupt;
 use crate::live::Live;
 use crate::open::{self, open};
 use crate::progress::Progress;
@@ -180,13 +180,23 @@ fn settings_of(grid: &[Over], point: usize, set: &[String]) -> Vec<String> {
 }
 
 /// Rows of some points, on as many threads as asked for, up to the first that Ctrl-C has cut short.
-fn in_threads(common: &Common, points: &[usize], row: impl Fn(usize) -> Option<Value> + Sync + Send) -> Result<Vec<Value>, Fault> {
+fn in_threads(
+    common: &Common,
+    points: &[usize],
+    row: impl Fn(usize) -> Option<Value> + Sync + Send,
+) -> Result<Vec<Value>, Fault> {
     let rows = with_threads(common, || points.par_iter().map(|point| row(*point)).collect::<Vec<Option<Value>>>())?;
     Ok(rows.into_iter().map_while(|row| row).collect())
 }
 
 /// One row: the keys, the status, the numbers of the summary. None if Ctrl-C has cut it short.
-fn row(scene: &str, (grid, point): (&[Over], usize), settings: &[String], options: &Options<'_>, bodies: &Bodies) -> Option<Value> {
+fn row(
+    scene: &str,
+    (grid, point): (&[Over], usize),
+    settings: &[String],
+    options: &Options<'_>,
+    bodies: &Bodies,
+) -> Option<Value> {
     let mut row = Map::new();
     for (over, value) in grid.iter().zip(values_of(grid, point)) {
         row.insert(over.key.clone(), value.parse::<f64>().ok().filter(|v| v.is_finite()).map_or(json!(value), |v| json!(v)));

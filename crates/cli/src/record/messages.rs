@@ -10,53 +10,56 @@ pub(crate) struct Points {
     /// Number of the step.
     pub(crate) step: u64,
     /// Simulated time.
-    pub(crate) time_s: f64,
+    #[serde(rename = "time_s")]
+    pub(crate) time: f64,
     /// The points in order along the surface.
     pub(crate) points: Vec<Point>,
 }
 
 /// One contact point.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[allow(non_snake_case)]
 pub(crate) struct Point {
     /// Arc length from the middle, or r.
-    pub(crate) s_mm: f64,
+    #[serde(rename = "s_mm")]
+    pub(crate) s: f64,
     /// Place along x, or r.
-    pub(crate) x_mm: f64,
+    #[serde(rename = "x_mm")]
+    pub(crate) x: f64,
     /// Place along z.
-    pub(crate) z_mm: f64,
+    #[serde(rename = "z_mm")]
+    pub(crate) z: f64,
     /// Pressure.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) pressure_MPa: Option<f64>,
+    #[serde(rename = "pressure_MPa", skip_serializing_if = "Option::is_none")]
+    pub(crate) pressure: Option<f64>,
     /// Shear on body 1 along tau.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) shear_MPa: Option<f64>,
+    #[serde(rename = "shear_MPa", skip_serializing_if = "Option::is_none")]
+    pub(crate) shear: Option<f64>,
     /// Unloaded gap.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) gap_um: Option<f64>,
+    #[serde(rename = "gap_um", skip_serializing_if = "Option::is_none")]
+    pub(crate) gap: Option<f64>,
     /// Gap under load.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) opening_um: Option<f64>,
+    #[serde(rename = "opening_um", skip_serializing_if = "Option::is_none")]
+    pub(crate) opening: Option<f64>,
     /// Wear rate of both bodies.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) wear_rate_um_per_s: Option<f64>,
+    #[serde(rename = "wear_rate_um_per_s", skip_serializing_if = "Option::is_none")]
+    pub(crate) wear_rate: Option<f64>,
 }
 
 impl Points {
     /// The points of a profile.
-    pub(crate) fn new(step: u64, time_s: f64, profile: &Profile) -> Points {
+    pub(crate) fn new(step: u64, time: f64, profile: &Profile) -> Points {
         let known = |value: f64| Some(value).filter(|value| value.is_finite());
         let point = |row: usize| Point {
-            s_mm: profile.s[row],
-            x_mm: profile.position[row][0],
-            z_mm: profile.position[row][2],
-            pressure_MPa: known(profile.pressure[row]),
-            shear_MPa: known(profile.shear[row]),
-            gap_um: known(profile.gap[row]),
-            opening_um: known(profile.opening[row]),
-            wear_rate_um_per_s: known(profile.wear_rate[row]),
+            s: profile.s[row],
+            x: profile.position[row][0],
+            z: profile.position[row][2],
+            pressure: known(profile.pressure[row]),
+            shear: known(profile.shear[row]),
+            gap: known(profile.gap[row]),
+            opening: known(profile.opening[row]),
+            wear_rate: known(profile.wear_rate[row]),
         };
-        Points { step, time_s, points: (0..profile.s.len()).map(point).collect() }
+        Points { step, time, points: (0..profile.s.len()).map(point).collect() }
     }
 }
 
@@ -70,7 +73,8 @@ pub(crate) struct Iteration {
     /// Linear systems solved.
     pub(crate) linear_solves: u64,
     /// Length of the accepted step.
-    pub(crate) step_s: f64,
+    #[serde(rename = "step_s")]
+    pub(crate) step_size: f64,
     /// Its estimated error.
     pub(crate) error: f64,
     /// How far the wear is from a rigid motion.

@@ -6,9 +6,9 @@ use mcap::sans_io::{LinearReadEvent, LinearReader, LinearReaderOptions};
 use scene::Fault;
 use wearshape::{FinishedLevel, RunningIn, RunningInStep};
 
-use crate::record::{CHANNELS, LEVELS_ATTACHED, LIBRARY, PROFILE, Recorder, SCENE_ATTACHED, STATE};
 use crate::record::messages::{Point, Points};
 use crate::record::state::State;
+use crate::record::{CHANNELS, LEVELS_ATTACHED, LIBRARY, PROFILE, Recorder, SCENE_ATTACHED, STATE};
 
 /// No step of ours is nearly as large (bytes): a longer record or chunk is damage.
 const LARGEST: usize = 1 << 26;
@@ -79,15 +79,15 @@ impl Replay {
     pub(crate) fn running_in(&self) -> RunningIn {
         let profiles = self.messages.iter().filter(|message| message.topic == PROFILE);
         let profiles: Vec<Points> = profiles.filter_map(|message| serde_json::from_slice(&message.data).ok()).collect();
-        let s = profiles.last().map(|last| last.points.iter().map(|point| point.s_mm).collect()).unwrap_or_default();
+        let s = profiles.last().map(|last| last.points.iter().map(|point| point.s).collect()).unwrap_or_default();
         let column = |points: &Points, pick: fn(&Point) -> Option<f64>| -> Vec<f64> {
             points.points.iter().map(|point| pick(point).unwrap_or(f64::NAN)).collect()
         };
         let step = |points: &Points| RunningInStep {
             step: points.step as usize,
-            time: points.time_s,
-            pressure: column(points, |point| point.pressure_MPa),
-            gap: column(points, |point| point.gap_um),
+            time: points.time,
+            pressure: column(points, |point| point.pressure),
+            gap: column(points, |point| point.gap),
         };
         RunningIn { s, steps: profiles.iter().map(step).collect() }
     }

@@ -6,20 +6,24 @@ use shapeopt::WearState;
 
 /// The fields of [`WearState`] with their units; numbers are written so that they read back to the same bits.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[allow(non_snake_case)]
 pub(crate) struct State {
     /// Steps taken.
     pub(crate) step: u64,
     /// Simulated time.
-    pub(crate) time_s: f64,
+    #[serde(rename = "time_s")]
+    pub(crate) time: f64,
     /// Sliding distance.
-    pub(crate) distance_mm: f64,
+    #[serde(rename = "distance_mm")]
+    pub(crate) distance: f64,
     /// Largest depth worn off body 1.
-    pub(crate) depth_mm: f64,
+    #[serde(rename = "depth_mm")]
+    pub(crate) depth: f64,
     /// Volumes worn off body 1 and body 2.
-    pub(crate) volume_mm3: [f64; 2],
+    #[serde(rename = "volume_mm3")]
+    pub(crate) volume: [f64; 2],
     /// Depth by which a revolving counter-face has receded.
-    pub(crate) recession_mm: f64,
+    #[serde(rename = "recession_mm")]
+    pub(crate) recession: f64,
     /// How far the wear is from a rigid motion.
     pub(crate) steady_residual: f64,
     /// Wear power of the bodies that open the gap: the Lyapunov function.
@@ -27,9 +31,11 @@ pub(crate) struct State {
     /// Its largest relative growth in a step so far.
     pub(crate) lyapunov_increase: f64,
     /// Length of the last step.
-    pub(crate) step_s: f64,
+    #[serde(rename = "step_s")]
+    pub(crate) step_size: f64,
     /// Length of the next step to try.
-    pub(crate) next_step_s: f64,
+    #[serde(rename = "next_step_s")]
+    pub(crate) next_step: f64,
     /// Estimated error of the last step.
     pub(crate) error: f64,
     /// Steps rejected so far.
@@ -39,49 +45,55 @@ pub(crate) struct State {
     /// Number of the piece of the schedule that acts, from 0.
     pub(crate) piece: u64,
     /// Time at which that piece began.
-    pub(crate) piece_start_s: f64,
+    #[serde(rename = "piece_start_s")]
+    pub(crate) piece_start: f64,
     /// Rigid coordinates of the free motions.
     pub(crate) coordinates: Vec<f64>,
     /// Their change since the start.
     pub(crate) approach: Vec<f64>,
     /// Unloaded gap at the contact points.
-    pub(crate) gap_mm: Vec<f64>,
+    #[serde(rename = "gap_mm")]
+    pub(crate) gap: Vec<f64>,
     /// Pressure.
-    pub(crate) pressure_MPa: Vec<f64>,
+    #[serde(rename = "pressure_MPa")]
+    pub(crate) pressure: Vec<f64>,
     /// Gap under load.
-    pub(crate) opening_mm: Vec<f64>,
+    #[serde(rename = "opening_mm")]
+    pub(crate) opening: Vec<f64>,
     /// Rate of the gap.
-    pub(crate) gap_rate_mm_per_s: Vec<f64>,
+    #[serde(rename = "gap_rate_mm_per_s")]
+    pub(crate) gap_rate: Vec<f64>,
     /// Depth worn off body 1.
-    pub(crate) worn_mm: Vec<f64>,
+    #[serde(rename = "worn_mm")]
+    pub(crate) worn: Vec<f64>,
 }
 
 impl From<&WearState> for State {
     fn from(state: &WearState) -> State {
         State {
             step: state.step as u64,
-            time_s: state.time,
-            distance_mm: state.distance,
-            depth_mm: state.depth,
-            volume_mm3: state.volume,
-            recession_mm: state.recession,
+            time: state.time,
+            distance: state.distance,
+            depth: state.depth,
+            volume: state.volume,
+            recession: state.recession,
             steady_residual: state.steady_residual,
             lyapunov: state.lyapunov,
             lyapunov_increase: state.lyapunov_increase,
-            step_s: state.step_size,
-            next_step_s: state.next_step,
+            step_size: state.step_size,
+            next_step: state.next_step,
             error: state.error,
             rejected: state.rejected as u64,
             linear_solves: state.newton_iterations as u64,
             piece: state.interval as u64,
-            piece_start_s: state.interval_start,
+            piece_start: state.interval_start,
             coordinates: state.coordinates.clone(),
             approach: state.approach.clone(),
-            gap_mm: state.gap.clone(),
-            pressure_MPa: state.pressure.clone(),
-            opening_mm: state.opening.clone(),
-            gap_rate_mm_per_s: state.gap_rate.clone(),
-            worn_mm: state.worn.clone(),
+            gap: state.gap.clone(),
+            pressure: state.pressure.clone(),
+            opening: state.opening.clone(),
+            gap_rate: state.gap_rate.clone(),
+            worn: state.worn.clone(),
         }
     }
 }
@@ -90,28 +102,28 @@ impl From<State> for WearState {
     fn from(state: State) -> WearState {
         WearState {
             step: state.step as usize,
-            time: state.time_s,
-            distance: state.distance_mm,
-            gap: state.gap_mm,
-            pressure: state.pressure_MPa,
-            opening: state.opening_mm,
+            time: state.time,
+            distance: state.distance,
+            gap: state.gap,
+            pressure: state.pressure,
+            opening: state.opening,
             coordinates: state.coordinates,
             approach: state.approach,
-            gap_rate: state.gap_rate_mm_per_s,
-            worn: state.worn_mm,
-            depth: state.depth_mm,
-            recession: state.recession_mm,
-            volume: state.volume_mm3,
+            gap_rate: state.gap_rate,
+            worn: state.worn,
+            depth: state.depth,
+            recession: state.recession,
+            volume: state.volume,
             steady_residual: state.steady_residual,
             lyapunov: state.lyapunov,
             lyapunov_increase: state.lyapunov_increase,
-            step_size: state.step_s,
-            next_step: state.next_step_s,
+            step_size: state.step_size,
+            next_step: state.next_step,
             error: state.error,
             rejected: state.rejected as usize,
             newton_iterations: state.linear_solves as usize,
             interval: state.piece as usize,
-            interval_start: state.piece_start_s,
+            interval_start: state.piece_start,
         }
     }
 }

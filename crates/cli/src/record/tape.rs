@@ -7,8 +7,8 @@ use scene::Fault;
 use shapeopt::WearState;
 use wearshape::{Resume, RunLevel};
 
-use crate::record::{RUN_MCAP, Recorder, SceneUpdate, unwritable};
 use crate::record::replay::Replay;
+use crate::record::{RUN_MCAP, Recorder, SceneUpdate, unwritable};
 
 /// A recording that follows a run from level to level.
 pub(crate) struct Tape {
@@ -32,7 +32,7 @@ impl Tape {
                     (None, None) => format!("goes on after {} finished levels", found.levels().len()),
                     (None, Some(last)) => {
                         let levels = found.levels().len();
-                        format!("goes on after {levels} finished levels and step {} at {} s", last.step, last.time_s)
+                        format!("goes on after {levels} finished levels and step {} at {} s", last.step, last.time)
                     }
                 },
             };

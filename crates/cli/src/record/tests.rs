@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 
 use shapeopt::WearState;
 
-use super::*;
 use super::replay::Replay;
+use super::*;
 
 const RESOLVED: &str = "title = \"x\"\n";
 
@@ -41,12 +41,12 @@ fn state(step: usize) -> WearState {
 }
 
 fn profile(step: usize) -> Points {
-    let point = messages::Point { s_mm: step as f64, pressure_MPa: Some(0.1), ..messages::Point::default() };
-    Points { step: step as u64, time_s: 0.1 * step as f64, points: vec![point; 40] }
+    let point = messages::Point { s: step as f64, pressure: Some(0.1), ..messages::Point::default() };
+    Points { step: step as u64, time: 0.1 * step as f64, points: vec![point; 40] }
 }
 
 fn levels() -> Vec<FinishedLevel> {
-    vec![FinishedLevel { degree: 4, layers: 4, gap_mm: vec![0.1, 1.0 / 3.0], closing: vec![1.0, -1.0], ..Default::default() }]
+    vec![FinishedLevel { degree: 4, layers: 4, gap: vec![0.1, 1.0 / 3.0], closing: vec![1.0, -1.0], ..Default::default() }]
 }
 
 fn add(recorder: &mut Recorder, step: usize) {

@@ -57,14 +57,14 @@ pub(super) fn geometry() -> Result<Made, Fault> {
         quantity: "load: mean pressure on the ring".into(),
         unit: "MPa",
         paper: Some((100.0, "section 7.4")),
-        ours: solved.pressure().p_mean_MPa.unwrap_or(f64::NAN),
+        ours: solved.pressure().p_mean.unwrap_or(f64::NAN),
         ..Row::default()
     });
     made.rows.push(Row {
         quantity: "load: force".into(),
         unit: "N",
         reference: Some(ring_force()),
-        ours: solved.pressure().force_N.unwrap_or(f64::NAN),
+        ours: solved.pressure().force.unwrap_or(f64::NAN),
         note: "100 MPa times pi (120^2 - 20^2) mm^2".into(),
         ..Row::default()
     });
@@ -104,7 +104,7 @@ pub(super) fn singular_pressures() -> Result<Made, Fault> {
             quantity: "b q -> 1 from above: radius of the whole load".into(),
             unit: "mm",
             paper: Some((20.0, "section 7.2")),
-            ours: atom.x_mm,
+            ours: atom.x,
             ..Row::default()
         });
     }
@@ -116,7 +116,7 @@ pub(super) fn singular_pressures() -> Result<Made, Fault> {
             unit: "mm",
             paper: Some((said, "(68), limit q -> 1")),
             reference: Some(effective_radius(exponent / (exponent - 1.0))),
-            ours: solved.pressure().effective_radius_mm.unwrap_or(f64::NAN),
+            ours: solved.pressure().effective_radius.unwrap_or(f64::NAN),
             note: if said > 100.0 {
                 "the largest torque: this branch maximises the friction power".into()
             } else {
@@ -224,7 +224,7 @@ fn by_q(name: &str, qs: &[&str]) -> Result<Made, Fault> {
             quantity: format!("q = {q}: torque over mu F0"),
             unit: "mm",
             reference: Some(effective_radius(e)),
-            ours: solved.pressure().effective_radius_mm.unwrap_or(f64::NAN),
+            ours: solved.pressure().effective_radius.unwrap_or(f64::NAN),
             note: if worst { "s < 1: the worst pressure, not the best".into() } else { String::new() },
             ..Row::default()
         });
@@ -244,7 +244,7 @@ pub(super) fn pressure_by_q() -> Result<Made, Fault> {
             quantity: "q = 0.5: radius of the whole load".into(),
             unit: "mm",
             paper: Some((20.0, "section 7.5")),
-            ours: atom.x_mm,
+            ours: atom.x,
             note: "the limit from above; at q = 0.5 itself there is no pressure".into(),
             ..Row::default()
         });
@@ -261,7 +261,7 @@ pub(super) fn pressure_by_small_q() -> Result<Made, Fault> {
         unit: "mm",
         paper: Some((120.0, "section 7.5: singular at r_e")),
         reference: Some(effective_radius(0.4999 / (2.0 * 0.4999 - 1.0))),
-        ours: near.pressure().effective_radius_mm.unwrap_or(f64::NAN),
+        ours: near.pressure().effective_radius.unwrap_or(f64::NAN),
         ..Row::default()
     });
     Ok(made)
@@ -292,7 +292,7 @@ pub(super) fn steady_shape() -> Result<Made, Fault> {
     made.rows.push(Row {
         quantity: "largest gap".into(),
         unit: "um",
-        ours: shape.gap_max_um.unwrap_or(f64::NAN),
+        ours: shape.gap_max.unwrap_or(f64::NAN),
         note: "at the outer edge; heights are ours, curve only".into(),
         ..Row::default()
     });

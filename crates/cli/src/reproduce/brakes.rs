@@ -29,7 +29,7 @@ fn clutch(made: &mut Made) -> Result<(), Fault> {
             quantity: format!("clutch, {name}: torque over mu F"),
             unit: "mm",
             reference: Some(radius),
-            ours: solved.pressure().effective_radius_mm.unwrap_or(f64::NAN),
+            ours: solved.pressure().effective_radius.unwrap_or(f64::NAN),
             note: if functional == "steady" { "(r_i + r_o) / 2".into() } else { "2/3 (r_o^3 - r_i^3) / (r_o^2 - r_i^2)".into() },
             ..Row::default()
         });
@@ -56,8 +56,8 @@ fn pinned(made: &mut Made) -> Result<report::Series, Fault> {
             curve = solved.curve(column::pressure);
         }
         for (what, unit, reference, value) in [
-            ("largest pressure", "MPa", share, ours.p_max_MPa),
-            ("friction torque", "N m", 1e-3 * share * torque, ours.torque_Nmm.map(|t| 1e-3 * t.abs())),
+            ("largest pressure", "MPa", share, ours.p_max),
+            ("friction torque", "N m", 1e-3 * share * torque, ours.torque.map(|t| 1e-3 * t.abs())),
         ] {
             made.rows.push(Row {
                 quantity: format!("pinned shoe, {name}: {what}"),
@@ -89,14 +89,14 @@ fn pivoted(made: &mut Made) -> Result<report::Series, Fault> {
         quantity: "pivoted shoe: largest pressure".into(),
         unit: "MPa",
         reference: Some(10_000.0 / (radius * width * share)),
-        ours: solved.pressure().p_max_MPa.unwrap_or(f64::NAN),
+        ours: solved.pressure().p_max.unwrap_or(f64::NAN),
         note: "F = p_max R t (a0 + sin a0 cos a0), p = p_max cos(alpha)".into(),
         ..Row::default()
     });
     made.rows.push(Row {
         quantity: "pivoted shoe: pressure at 45 deg over the largest".into(),
         reference: Some(angle.cos()),
-        ours: solved.at(column::pressure, 45.0) / solved.pressure().p_max_MPa.unwrap_or(f64::NAN),
+        ours: solved.at(column::pressure, 45.0) / solved.pressure().p_max.unwrap_or(f64::NAN),
         ..Row::default()
     });
     Ok(series("pivoted, from the pivot", solved.curve(column::pressure)))

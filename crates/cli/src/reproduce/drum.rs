@@ -158,7 +158,7 @@ pub(super) fn pressure_of_friction_power() -> Result<Made, Fault> {
             unit: "mW",
             paper: Some((said, "(38)")),
             reference: Some(0.25 * 500.0 * normal),
-            ours: run.pressure().friction_power_mW.unwrap_or(f64::NAN),
+            ours: run.pressure().friction_power.unwrap_or(f64::NAN),
             note: "(38) takes int p dS for F0; on an arc the normal forces sum up to more".into(),
             ..Row::default()
         });

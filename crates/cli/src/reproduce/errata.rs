@@ -37,7 +37,7 @@ fn maxima(made: &mut Made) -> Result<(), Fault> {
         made.rows.push(Row {
             quantity: format!("drum, {name}: wear volume rate"),
             unit: "mm^3/s",
-            ours: solved.pressure().wear_volume_rate_mm3_per_s.unwrap_or(f64::NAN),
+            ours: solved.pressure().wear_volume_rate.unwrap_or(f64::NAN),
             note: if name.starts_with("stationary") {
                 "called min W in the paper; the two below carry the same load and wear less".into()
             } else {
@@ -52,7 +52,7 @@ fn maxima(made: &mut Made) -> Result<(), Fault> {
             quantity: format!("ring, stationary friction power of q = {q}: torque over mu F0"),
             unit: "mm",
             reference: Some(super::closed_form::effective_radius(q.parse::<f64>().map_or(f64::NAN, |q| q / (q - 1.0)))),
-            ours: solved.pressure().effective_radius_mm.unwrap_or(f64::NAN),
+            ours: solved.pressure().effective_radius.unwrap_or(f64::NAN),
             note: format!("a {} (between 20 and 120 mm)", solved.pressure().character),
             ..Row::default()
         });
@@ -131,7 +131,7 @@ fn missed_force(made: &mut Made) -> Result<(), Fault> {
             unit: "N",
             paper: Some((DRUM_FORCE, "section 5.3")),
             reference: Some(DRUM_FORCE * exact.printed / exact.balanced),
-            ours: solved.pressure().force_N.unwrap_or(f64::NAN),
+            ours: solved.pressure().force.unwrap_or(f64::NAN),
             note: "(29)-(34) balance int p dS, which is not the vertical force on an arc".into(),
             ..Row::default()
         });

@@ -43,7 +43,7 @@ fn near(q: &str, end: f64) -> Result<Made, Fault> {
         quantity: "torque over mu F0".into(),
         unit: "mm",
         reference: Some(effective_radius(e)),
-        ours: solved.pressure().effective_radius_mm.unwrap_or(f64::NAN),
+        ours: solved.pressure().effective_radius.unwrap_or(f64::NAN),
         ..Row::default()
     });
     let (radius, most) = highest(&gap);

@@ -1,7 +1,7 @@
 //! The page that shows all items: validation.md.
 
-use crate::reproduce::{ITEMS, Made};
 use crate::reproduce::row::rows_markdown;
+use crate::reproduce::{ITEMS, Made};
 
 /// Pictures shown on the page.
 const SHOWN: [&str; 16] = [

@@ -41,7 +41,7 @@ pub(super) fn initial_pressure() -> Result<Made, Fault> {
         quantity: "vertical force carried".into(),
         unit: "N",
         paper: Some((10_000.0, "section 5.4")),
-        ours: contact.force_N.unwrap_or(f64::NAN),
+        ours: contact.force.unwrap_or(f64::NAN),
         ..Row::default()
     });
     let inner: Vec<(f64, f64)> = curve.iter().copied().filter(|point| point.0.abs() < 20.0).collect();

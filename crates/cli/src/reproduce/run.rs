@@ -32,7 +32,8 @@ pub(super) fn run_from(scene: &str, settings: &[String], start: Option<(Gap, &st
         let table = csv(&gap);
         let mut all = settings.to_vec();
         all.push(format!("contact.gap={name}"));
-        problem = read(scene, &all, &|path| if path == name { Ok(table.clone().into_bytes()) } else { Err("no such file".into()) })?;
+        problem =
+            read(scene, &all, &|path| if path == name { Ok(table.clone().into_bytes()) } else { Err("no such file".into()) })?;
         command += &format!(" --set contact.gap={name}");
     }
     let solution = Live::silent().solve(&problem, &Options::default(), &Bodies::default())?;

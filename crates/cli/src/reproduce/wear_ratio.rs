@@ -41,7 +41,7 @@ pub(super) fn table() -> Result<Made, Fault> {
             let solved =
                 run(SCENE, &[format!("optimum.functional={functional}"), format!("wear.b={b}"), "tasks=[pressure]".into()])?;
             made.ran(&solved);
-            *rate = solved.pressure().wear_volume_rate_mm3_per_s.unwrap_or(f64::NAN);
+            *rate = solved.pressure().wear_volume_rate.unwrap_or(f64::NAN);
         }
         let ours = rates[0] / rates[1];
         let number: f64 = b.parse().unwrap_or(f64::NAN);

@@ -8,7 +8,9 @@ use crate::machined::Machined;
 use crate::options::{CURVE, Sampling};
 use crate::profile::Profile;
 use crate::remarks::Remark;
-use crate::solution::{ContactResult, EnergyResult, ErrorResult, InterfaceResult, Reaction, RunningIn, Rung, ShapeResult, Status, WearResult};
+use crate::solution::{
+    ContactResult, EnergyResult, ErrorResult, InterfaceResult, Reaction, Rung, RunningIn, ShapeResult, Status, WearResult,
+};
 use crate::stage::Stage;
 use crate::steps::recover::Reported;
 use crate::watch::Resume;
@@ -56,18 +58,13 @@ impl Answer<'_> {
             Some(sampling) => self.sampled(sampling),
             None => self.at_own_points(),
         };
-        Told {
-            energy: self.energy(),
-            reactions: self.reduced.reactions(self.states),
-            profile,
-            curve: self.sampled(CURVE),
-        }
+        Told { energy: self.energy(), reactions: self.reduced.reactions(self.states), profile, curve: self.sampled(CURVE) }
     }
 
     fn energy(&self) -> EnergyResult {
         let bodies = [Some(self.pair.shaped), self.pair.counter];
         let [first, second] = [0, 1].map(|k| bodies[k].zip(self.states[k]).map(|(body, state)| body.strain_energy(state)));
-        EnergyResult { body1_Nmm: first, body2_Nmm: second }
+        EnergyResult { body1: first, body2: second }
     }
 
     fn at_own_points(&self) -> Profile {
@@ -95,7 +92,7 @@ impl Answer<'_> {
 impl EnergyResult {
     /// Of both bodies.
     pub fn total(&self) -> f64 {
-        self.body1_Nmm.unwrap_or(0.0) + self.body2_Nmm.unwrap_or(0.0)
+        self.body1.unwrap_or(0.0) + self.body2.unwrap_or(0.0)
     }
 }
 

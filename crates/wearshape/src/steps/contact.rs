@@ -14,12 +14,12 @@ use crate::level::Level;
 use crate::plan::Step;
 use crate::solution::{ContactResult, ErrorResult, InterfaceResult, Status};
 use crate::stage::Stage;
-use crate::steps::{sharp_edges, torsion};
 use crate::steps::answer::{Answer, Outcome, Own, Told};
 use crate::steps::diagnosis::Diagnosis;
 use crate::steps::free_ends::{FreeEnds, inner, pairs, zones};
 use crate::steps::recover::{Moment, Reported};
 use crate::steps::twist::Twist;
+use crate::steps::{sharp_edges, torsion};
 use crate::watch::Watch;
 
 /// Relative violation of signs below which a solution with its points held in contact is the contact's.
@@ -60,7 +60,7 @@ pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome,
         let note = sharp_edges::note(stage, level.layers, closed)?;
         // The largest value at a point says nothing about an infinite pressure.
         if let Some(contact) = outcome.contact.as_mut().filter(|_| note.is_some()) {
-            (contact.p_max_MPa, contact.q_max_MPa) = (None, None);
+            (contact.p_max, contact.q_max) = (None, None);
         }
         outcome.remarks.extend(note);
     }
@@ -104,7 +104,13 @@ fn finish(ladder: &Ladder, mut solved: Vec<Solved>) -> Outcome {
     let found = errors(&solved, &distance);
     let levels = solved.len();
     let Some(last) = solved.pop() else { return Outcome::default() };
-    let mut outcome = Outcome { contact: Some(last.contact), interface: last.interface, told: Some(last.told), ladder: rungs, ..Outcome::default() };
+    let mut outcome = Outcome {
+        contact: Some(last.contact),
+        interface: last.interface,
+        told: Some(last.told),
+        ladder: rungs,
+        ..Outcome::default()
+    };
     if let Some(reason) = last.refused {
         outcome.ended = Some((Status::Refused, reason));
         return outcome;
@@ -187,7 +193,7 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
     };
     let mut contact = result(stage, &pair, &operator, &found);
     if !ends.places.is_empty() {
-        contact.ends_mm = ends.arcs(length).iter().map(|arc| start + arc).collect();
+        contact.ends = ends.arcs(length).iter().map(|arc| start + arc).collect();
     }
     twist.iter().for_each(|twist| twist.report(&mut contact, start));
     let embedded = match stage.problem.wanted.fixed {
@@ -208,7 +214,7 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
             Some(twist) => twist.last.shear.clone(),
             None => torsion::around(stage, operator.points(), &found.pressure),
         };
-        Reported { level, ends: ends.places.clone(), moments: vec![Moment { time_s: 0.0, name: "", states, around }] }
+        Reported { level, ends: ends.places.clone(), moments: vec![Moment { time: 0.0, name: "", states, around }] }
     });
     let twist = twist.map(|twist| twist.answer);
     search.last = Some(level);
@@ -228,13 +234,8 @@ fn told(
         let pressure = pressure_at(pair, operator, &found.pressure, point.arc);
         [pressure, start_gap(stage, pair, point.arc), linear(&arcs, &found.opening, point.arc).max(0.0)]
     };
-    let own = Own {
-        points: operator.points(),
-        pressure: &found.pressure,
-        gap,
-        opening: &found.opening,
-        closed: Some(&found.closed),
-    };
+    let own =
+        Own { points: operator.points(), pressure: &found.pressure, gap, opening: &found.opening, closed: Some(&found.closed) };
     let states = [Some(&found.shaped), found.counter.as_ref()];
     Answer { stage, reduced, pair, states, own, between: &between }.told()
 }
@@ -355,16 +356,16 @@ fn result(stage: Stage<'_>, pair: &Pair<'_>, operator: &ContactOperator<'_>, fou
     let shear = found.shear.iter().map(|q| q.abs()).fold(0.0, f64::max);
     ContactResult {
         status: word(&found.status).into(),
-        force_N: Some(found.force[1]),
-        moment_Nmm: Some(moment),
-        approach_mm: tz.map(|z| -z),
-        tilt_rad: theta.map(|t| -t),
-        ends_mm: zones(found, pair.trace().length()).iter().flatten().map(|arc| start + arc).collect(),
+        force: Some(found.force[1]),
+        moment: Some(moment),
+        approach: tz.map(|z| -z),
+        tilt: theta.map(|t| -t),
+        ends: zones(found, pair.trace().length()).iter().flatten().map(|arc| start + arc).collect(),
         // At a sharp corner the pressure is infinite: its exponent says more than the largest nodal value.
-        p_max_MPa: Some(largest).filter(|_| edge_exponents.is_empty()),
+        p_max: Some(largest).filter(|_| edge_exponents.is_empty()),
         edge_exponents,
-        stick_ends_mm: Vec::new(),
-        q_max_MPa: Some(shear).filter(|_| !singular),
+        stick_ends: Vec::new(),
+        q_max: Some(shear).filter(|_| !singular),
         twist: None,
         uniqueness: None,
         complementarity: Some(found.complementarity),

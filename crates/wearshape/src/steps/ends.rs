@@ -3,7 +3,10 @@
 //! Conditions stand on the flat side: normal along z, gap `R - sqrt(R^2 - x^2)`. First the normal load is applied without friction, then
 //! the shear force with Coulomb friction (Cattaneo 1938, Mindlin 1949). The formulas of Hertz give the trial ends only.
 
-use contact::{ContactLoad, ContactOperator, ContactPoint, ContactSolution, ContactState, Friction, Motion, Pair, Start, Status as ContactStatus, position_nodes};
+use contact::{
+    ContactLoad, ContactOperator, ContactPoint, ContactSolution, ContactState, Friction, Motion, Pair, Start,
+    Status as ContactStatus, position_nodes,
+};
 use hpfem::{Body, InterfaceState, Mesh};
 use meshing::{Couple, HalfDiscOnFlat};
 use scene::Fault;
@@ -17,13 +20,13 @@ use crate::parts::Parts;
 use crate::plan::Step;
 use crate::problem::Problem;
 use crate::solution::{ContactResult, EnergyResult, Reaction};
-use crate::steps::{diagnosis, torsion};
 use crate::steps::answer::{Outcome, Told};
 use crate::steps::contact::{Solved, levels, unsolved};
 use crate::steps::ends_profile::Rows;
 use crate::steps::hertz_trial::hertz_end;
 use crate::steps::recover::{Moment, Reported};
 use crate::steps::twist::Twist;
+use crate::steps::{diagnosis, torsion};
 use crate::watch::Watch;
 
 /// Samples of the pressure for the comparison of levels, over the inner 95 % of the contact.
@@ -286,7 +289,7 @@ impl<'a> Setting<'a> {
         let refused = refused.or_else(|| twist.as_ref().and_then(|twist| twist.refused.clone()));
         let reported = found.counter.clone().map(|counter| {
             let states = [found.shaped.clone(), counter];
-            Reported { level, ends: Vec::new(), moments: vec![Moment { time_s: 0.0, name: "", states, around: Vec::new() }] }
+            Reported { level, ends: Vec::new(), moments: vec![Moment { time: 0.0, name: "", states, around: Vec::new() }] }
         });
         let twist = twist.map(|twist| twist.answer);
         Ok(Solved { contact, interface, told, pressure, twist, embedded, unsettled: false, refused, reported, effort })
@@ -308,7 +311,7 @@ impl<'a> Setting<'a> {
             let operator = [Some(pair.shaped), pair.counter][body];
             self.copies() * operator.zip(states[body]).map_or(0.0, |(operator, state)| operator.strain_energy(state))
         });
-        EnergyResult { body1_Nmm: Some(first), body2_Nmm: Some(second) }
+        EnergyResult { body1: Some(first), body2: Some(second) }
     }
 
     /// Forces of the supports of the whole scene.
@@ -317,10 +320,10 @@ impl<'a> Setting<'a> {
         let mut reactions = bodies::reactions([&bodies[0].interface, &bodies[1].interface], names, states);
         if self.copies() > 1.0 {
             for (_, reaction) in &mut reactions {
-                let z = reaction.z_N.map(|z| self.copies() * z);
-                reaction.x_N = Some(0.0);
-                reaction.moment_Nmm = z.map(|z| self.disc.middle * z);
-                reaction.z_N = z;
+                let z = reaction.z.map(|z| self.copies() * z);
+                reaction.x = Some(0.0);
+                reaction.moment = z.map(|z| self.disc.middle * z);
+                reaction.z = z;
             }
         }
         reactions

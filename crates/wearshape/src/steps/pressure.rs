@@ -129,24 +129,23 @@ fn describe(result: &mut PressureResult, optimum: &wear::Optimum, freedoms: &[Fr
     }
     .into();
     let atoms = optimum.limit_measure.iter();
-    result.limit_measure = atoms
-        .map(|atom| PointForce { x_mm: atom.position.x, y_mm: atom.position.y, z_mm: atom.position.z, force_N: atom.force })
-        .collect();
+    result.limit_measure =
+        atoms.map(|atom| PointForce { x: atom.position.x, y: atom.position.y, z: atom.position.z, force: atom.force }).collect();
     result.multipliers = by_role(&optimum.multipliers, freedoms);
     result.feed = optimum.feed.as_ref().map(|feed| by_role(feed, freedoms));
     let spread = optimum.regime != Regime::Singular;
-    result.p_min_MPa = Some(optimum.p_min).filter(|_| spread);
-    result.p_max_MPa = Some(optimum.p_max).filter(|_| spread);
-    result.p_mean_MPa = Some(optimum.p_mean).filter(|_| spread);
+    result.p_min = Some(optimum.p_min).filter(|_| spread);
+    result.p_max = Some(optimum.p_max).filter(|_| spread);
+    result.p_mean = Some(optimum.p_mean).filter(|_| spread);
     let carried = by_role(&optimum.resultants, freedoms);
-    result.force_N = carried.force;
-    result.moment_Nmm = carried.moment;
-    result.normal_force_N = Some(optimum.normal_force);
-    result.wear_volume_rate_mm3_per_s = Some(optimum.wear_volume_rate);
-    result.friction_power_mW = Some(optimum.friction_power);
-    result.wear_power_mW = Some(optimum.wear_power);
-    result.torque_Nmm = optimum.torque;
-    result.effective_radius_mm = optimum.effective_radius;
+    result.force = carried.force;
+    result.moment = carried.moment;
+    result.normal_force = Some(optimum.normal_force);
+    result.wear_volume_rate = Some(optimum.wear_volume_rate);
+    result.friction_power = Some(optimum.friction_power);
+    result.wear_power = Some(optimum.wear_power);
+    result.torque = optimum.torque;
+    result.effective_radius = optimum.effective_radius;
     result.steadiness_residual = optimum.steadiness_residual.filter(|_| active);
     result.congruence_residual = optimum.congruence_residual;
 }

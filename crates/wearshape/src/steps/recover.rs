@@ -14,8 +14,8 @@ use crate::level::Level;
 use crate::parts::BodyParts;
 use crate::plan::Step;
 use crate::stage::Stage;
-use crate::steps::torsion;
 use crate::steps::ends::Setting;
+use crate::steps::torsion;
 
 /// What a stage leaves behind for the fields: the discretisation it reports, and the states of its bodies there.
 pub(crate) struct Reported {
@@ -28,7 +28,7 @@ pub(crate) struct Reported {
 
 /// Both bodies at a moment.
 pub(crate) struct Moment {
-    pub time_s: f64,
+    pub time: f64,
     pub name: &'static str,
     pub states: [InterfaceState; 2],
     /// Shear around the axis on body 1 at the contact points (MPa), for the twist.
@@ -88,7 +88,7 @@ fn frame(moment: &Moment, bodies: &[Body<'_>; 2], meshes: [&Mesh; 2], effort: &m
         let cells = meshes[number].cells.iter().enumerate().map(|(cell, of)| on_grid(&field, cell, of.is_triangle())).collect();
         Ok(BodyField { cells, revolved, twisted: false })
     };
-    Ok(FieldFrame { time_s: moment.time_s, moment: moment.name, bodies: [body(0)?, body(1)?] })
+    Ok(FieldFrame { time: moment.time, moment: moment.name, bodies: [body(0)?, body(1)?] })
 }
 
 fn field<'a>(body: &Body<'a>, state: &InterfaceState) -> Result<Field<'a>, Fault> {

@@ -15,11 +15,11 @@ use crate::parts::Parts;
 use crate::plan::Step;
 use crate::problem::{Load, Problem};
 use crate::stage::Stage;
-use crate::steps::recover;
 use crate::steps::answer::Outcome;
 use crate::steps::contact::{Search, levels, on_standing_mesh, solve_level};
 use crate::steps::ends_scope::contact_alone;
 use crate::steps::hertz_trial::hertz_end;
+use crate::steps::recover;
 use crate::surface::Patch;
 use crate::watch::Watch;
 
@@ -129,8 +129,7 @@ impl RoundContact<'_> {
             search.report(stage, &mut outcome)?;
             let reported = outcome.reported.take().filter(|_| stage.problem.plan.runs(Step::Fields));
             let Some(reported) = reported else { return Ok((outcome, effort, Vec::new())) };
-            let (fields, work) =
-                effort.timed(Step::Fields, stage.clock(), |_| recover::recover(stage, &reported))?;
+            let (fields, work) = effort.timed(Step::Fields, stage.clock(), |_| recover::recover(stage, &reported))?;
             effort += work;
             Ok((outcome, effort, fields))
         })

@@ -9,9 +9,9 @@ use crate::bodies::Reduced;
 use crate::effort::Effort;
 use crate::level::Level;
 use crate::solution::InterfaceResult;
-use crate::steps::diagnosis;
 use crate::steps::answer::Told;
 use crate::steps::contact::{pressure_at, unsolved};
+use crate::steps::diagnosis;
 use crate::steps::shape::Shaper;
 
 /// Relative area-weighted L2 difference of two pressures.
@@ -40,12 +40,7 @@ pub(crate) fn same(shaper: &Shaper<'_>, reduced: &Reduced, shape: &Shape) -> Res
 
 /// Round trip on an independent discretisation: two degrees more, other break points, the gap as a function of the arc length.
 /// Also writes the pressure found into the columns that are told, interpolated between the new points.
-pub(crate) fn independent(
-    shaper: &Shaper<'_>,
-    level: Level,
-    shape: &GapCurve,
-    told: &mut Told,
-) -> Result<(f64, Effort), Fault> {
+pub(crate) fn independent(shaper: &Shaper<'_>, level: Level, shape: &GapCurve, told: &mut Told) -> Result<(f64, Effort), Fault> {
     let finer = Level { degree: (level.degree + 2).min(hpfem::MAX_DEGREE), ..level };
     let (reduced, effort) = shaper.stage.reduced(finer, Cut::Shifted)?;
     let pair = reduced.pair()?;

@@ -7,7 +7,9 @@ use contact::{ContactLoad, ContactPoint, Motion, Pair};
 use hpfem::InterfaceState;
 use nalgebra::{DMatrix, Vector3};
 use scene::{Balance, Fault};
-use shapeopt::{GapCurve, Integration, Measure, RigidPart, Shape, ShapeProblem, SurfacePlace, closing, difference_of_gaps, solve_shape};
+use shapeopt::{
+    GapCurve, Integration, Measure, RigidPart, Shape, ShapeProblem, SurfacePlace, closing, difference_of_gaps, solve_shape,
+};
 
 use crate::bodies::Reduced;
 use crate::effort::Effort;
@@ -19,10 +21,10 @@ use crate::plan::Step;
 use crate::problem::Problem;
 use crate::solution::{ShapeResult, Status};
 use crate::stage::Stage;
-use crate::steps::{approach, pressure, round_trip, tolerance, torsion};
 use crate::steps::answer::{Answer, Outcome, Own, Told};
 use crate::steps::pressure_ends::pressure_ends;
 use crate::steps::recover::{Moment, Reported};
+use crate::steps::{approach, pressure, round_trip, tolerance, torsion};
 use crate::watch::Watch;
 
 /// Samples of the gap for the comparison of levels.
@@ -81,12 +83,7 @@ pub(crate) fn optimal(problem: &Problem) -> Result<wear::Optimum, Refusal> {
 }
 
 /// The error of the gap, and whether it is small enough.
-fn estimated(
-    outcome: &mut Outcome,
-    (ladder, levels): (&Ladder, usize),
-    (measure, error): (Measure, Option<f64>),
-    closed: &str,
-) {
+fn estimated(outcome: &mut Outcome, (ladder, levels): (&Ladder, usize), (measure, error): (Measure, Option<f64>), closed: &str) {
     let of = if measure == Measure::Crown { "gap relative to its crown" } else { "gap" };
     outcome.error.gap_relative = error;
     outcome.error.how = match error {
@@ -157,10 +154,10 @@ impl<'a> Shaper<'a> {
         };
         let mut result = ShapeResult {
             iterations: passes + 1,
-            gap_max_um: Some(1e3 * gaps[most]),
-            gap_where_mm: Some(stage.start(&pair) + samples(&pair)[most]),
-            crown_um: Some(1e3 * (gaps[most] - lowest)),
-            rigid_mm: shape.rigid.first().copied(),
+            gap_max: Some(1e3 * gaps[most]),
+            gap_where: Some(stage.start(&pair) + samples(&pair)[most]),
+            crown: Some(1e3 * (gaps[most] - lowest)),
+            rigid: shape.rigid.first().copied(),
             roundtrip_same: None,
             roundtrip_independent: None,
             tolerance: if stage.options.machining { tolerance::of(self, reduced)? } else { Vec::new() },
@@ -217,7 +214,7 @@ impl<'a> Shaper<'a> {
         let pressure: Vec<f64> = points.iter().map(|p| self.pressure(&place(p))).collect();
         let around = torsion::around(self.stage, &points, &pressure);
         let counter = last.shape.counter.clone()?;
-        let moments = vec![Moment { time_s: 0.0, name: "", states: [last.shape.shaped.clone(), counter], around }];
+        let moments = vec![Moment { time: 0.0, name: "", states: [last.shape.shaped.clone(), counter], around }];
         Some(Reported { level: last.level, ends: self.ends.clone(), moments })
     }
 

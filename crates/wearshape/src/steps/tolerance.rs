@@ -52,11 +52,11 @@ pub(crate) fn of(shaper: &Shaper<'_>, reduced: &Reduced) -> Result<Vec<Tolerance
             let square = pairs().map(|(p, c)| p.weight * c * c).sum::<f64>() / area;
             ToleranceResult {
                 error: name.clone(),
-                amplitude_um: 1e3 * AMPLITUDE,
+                amplitude: 1e3 * AMPLITUDE,
                 pressure_change_relative: most,
                 pressure_change_rms: square.sqrt() / mean,
-                within_10_percent_um: 1e3 * AMPLITUDE * ALLOWED / most,
-                run_in_distance_mm: effect.run_in_distance,
+                within_10_percent: 1e3 * AMPLITUDE * ALLOWED / most,
+                run_in_distance: effect.run_in_distance,
             }
         })
         .collect();

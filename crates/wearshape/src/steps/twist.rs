@@ -29,12 +29,12 @@ impl Twist {
         let operator = TorsionOperator::new(pair).map_err(unsolved)?;
         let friction = problem.friction.coefficient;
         let limits: Vec<f64> = found.nodal_force.iter().map(|force| friction * force.max(0.0)).collect();
-        let mut result = TwistResult { slip_torque_Nmm: operator.slip_torque(&limits), ..TwistResult::default() };
+        let mut result = TwistResult { slip_torque: operator.slip_torque(&limits), ..TwistResult::default() };
         let mut step = |turn: Turn, slip: &[f64]| -> Result<TwistSolution, Fault> {
             let at = operator.solve(&limits, turn, slip).map_err(unsolved)?;
             if at.status.is_solved() {
-                result.angle_rad.push(at.angle);
-                result.torque_Nmm.push(at.torque);
+                result.angle.push(at.angle);
+                result.torque.push(at.torque);
             }
             Ok(at)
         };
@@ -55,7 +55,7 @@ impl Twist {
         let refused = match &last.status {
             status if status.is_solved() => None,
             TwistStatus::TurnsThrough => {
-                let [most, torque] = [result.slip_torque_Nmm, last.torque].map(short);
+                let [most, torque] = [result.slip_torque, last.torque].map(short);
                 Some(format!("{}: {most} N mm against {torque} N mm", last.status))
             }
             status => Some(status.to_string()),
@@ -66,17 +66,17 @@ impl Twist {
 
     /// Into the result of the contact; `start` is the surface coordinate where the path starts.
     pub(crate) fn report(&self, contact: &mut ContactResult, start: f64) {
-        contact.stick_ends_mm = self.last.stick.iter().flatten().map(|arc| start + arc).collect();
+        contact.stick_ends = self.last.stick.iter().flatten().map(|arc| start + arc).collect();
         let largest = self.last.shear.iter().fold(0.0_f64, |most, q| most.max(q.abs()));
-        contact.q_max_MPa = Some(largest).filter(|_| contact.edge_exponents.is_empty());
+        contact.q_max = Some(largest).filter(|_| contact.edge_exponents.is_empty());
         contact.twist = Some(self.result.clone());
     }
 
     /// Where the outermost zone of stick ends, if that is a place for an element node: neither at the middle nor at the end of contact.
     pub(crate) fn node(contact: &ContactResult) -> Option<f64> {
         contact.twist.as_ref()?;
-        let share = contact.stick_ends_mm.last()? / contact.ends_mm.last()?;
-        contact.stick_ends_mm.last().copied().filter(|_| (0.05..=0.95).contains(&share))
+        let share = contact.stick_ends.last()? / contact.ends.last()?;
+        contact.stick_ends.last().copied().filter(|_| (0.05..=0.95).contains(&share))
     }
 
     /// Shear and states into the rows of a profile, which lie anywhere on the surface.

@@ -96,9 +96,9 @@ fn before(left: &FinishedLevel) -> Effort {
 /// Difference of the worn gaps of two levels, modulo the rigid part, over the largest gap.
 fn distance(a: &Solved, b: &Solved) -> [f64; 1] {
     let (a, b) = (&a.left, &b.left);
-    let points = b.gap_mm.len();
+    let points = b.gap.len();
     let closing = DMatrix::from_row_slice(points, b.closing.len() / points.max(1), &b.closing);
-    [difference_of_gaps(&a.gap_mm, &b.gap_mm, &closing, Measure::Largest)]
+    [difference_of_gaps(&a.gap, &b.gap, &closing, Measure::Largest)]
 }
 
 fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>) -> Outcome {
@@ -114,9 +114,7 @@ fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>) -> Outcome
     outcome.reported = last.reported;
     outcome.ended = match last.ended {
         EvolutionStatus::Stuck { .. } => Some((Status::NotConverged, last.ended.to_string())),
-        EvolutionStatus::Running => {
-            Some((Status::NotConverged, format!("the run was not steady after {MOST_STEPS} steps")))
-        }
+        EvolutionStatus::Running => Some((Status::NotConverged, format!("the run was not steady after {MOST_STEPS} steps"))),
         _ => None,
     };
     let Some(error) = error.filter(|_| outcome.ended.is_none()) else { return outcome };

@@ -68,10 +68,10 @@ impl History {
     /// What the running-in of a run that ended steady has cost; weights are the areas of the contact points.
     pub(super) fn settled(&self, weights: &[f64]) -> Option<Settled> {
         settling(&self.states, weights, DEVIATION).map(|found| Settled {
-            time_s: found.time,
-            distance_mm: found.distance,
-            depth_um: 1e3 * found.depth,
-            volume_mm3: found.volume[0] + found.volume[1],
+            time: found.time,
+            distance: found.distance,
+            depth: 1e3 * found.depth,
+            volume: found.volume[0] + found.volume[1],
         })
     }
 }

@@ -12,10 +12,10 @@ use crate::options::Sampling;
 use crate::plan::Step;
 use crate::solution::WearResult;
 use crate::stage::Stage;
-use crate::steps::torsion;
 use crate::steps::answer::{Answer, Own, Told};
 use crate::steps::contact::pressure_at;
 use crate::steps::recover::{Moment, Reported};
+use crate::steps::torsion;
 use crate::steps::wear::Ran;
 use crate::steps::wear::history::History;
 use crate::steps::wear::mesh_lines::mesh_lines;
@@ -63,7 +63,7 @@ pub(super) fn run(
     let stages = pieces.problems.iter().map(|problem| stage.with(problem)).collect::<Result<Vec<Stage<'_>>, Fault>>()?;
     let loads: Vec<ContactLoad> = stages.iter().map(|stage| stage.contact_load(operator.points())).collect();
     // Gaps of levels are compared at one time: where part of the surface is open, the worn part goes on receding from it.
-    let not_before = finished.iter().map(|level| level.time_s).fold(0.0, f64::max);
+    let not_before = finished.iter().map(|level| level.time).fold(0.0, f64::max);
     let problem = wear_problem((&stages, &loads), &pieces.intervals, (&pair, &operator), not_before)?;
     let scenes = Scenes { stages, loads, pieces, reduced: &reduced, pair: &pair, operator: &operator };
     let run_level = RunLevel {
@@ -106,8 +106,8 @@ impl Scenes<'_> {
         let left = FinishedLevel {
             degree: level.degree,
             layers: level.layers,
-            gap_mm: samples.iter().map(|p| self.operator.value_at(&normalised, p.arc)).collect(),
-            time_s: state.time,
+            gap: samples.iter().map(|p| self.operator.value_at(&normalised, p.arc)).collect(),
+            time: state.time,
             closing: samples.iter().flat_map(|point| closing(self.pair, point)).collect(),
             wear_steps: state.step,
             factorisations: effort.counters.factorisations,
@@ -141,10 +141,10 @@ impl Scenes<'_> {
     }
 
     /// The bodies at a moment; each is twisted by the sliding of its own piece of the schedule.
-    fn moment(&self, (name, time_s): (&'static str, f64), at: ContactSolution, load: usize) -> Option<Moment> {
+    fn moment(&self, (name, time): (&'static str, f64), at: ContactSolution, load: usize) -> Option<Moment> {
         let stage = self.stages[load];
         let around = torsion::around(stage, self.operator.points(), &at.pressure);
-        at.counter.map(|counter| Moment { time_s, name, states: [stage.held(self.pair, &at.shaped), counter], around })
+        at.counter.map(|counter| Moment { time, name, states: [stage.held(self.pair, &at.shaped), counter], around })
     }
 }
 
@@ -165,13 +165,13 @@ fn result(run: &Run, weights: &[f64], stage: Stage<'_>) -> WearResult {
         status: word(ended).into(),
         steps: state.step,
         rejected_steps: state.rejected,
-        time_s: Some(state.time),
-        distance_mm: Some(state.distance),
+        time: Some(state.time),
+        distance: Some(state.distance),
         steady,
-        depth_um: Some(1e3 * state.depth),
-        volume_mm3: Some(state.volume[0] + state.volume[1]),
-        explicit_step_limit_s: run_in.as_ref().map(|r| r.explicit_limit),
-        run_in_distance_mm: run_in.iter().flat_map(|r| r.distances.iter().copied().take(RUN_IN)).collect(),
+        depth: Some(1e3 * state.depth),
+        volume: Some(state.volume[0] + state.volume[1]),
+        explicit_step_limit: run_in.as_ref().map(|r| r.explicit_limit),
+        run_in_distance: run_in.iter().flat_map(|r| r.distances.iter().copied().take(RUN_IN)).collect(),
         lyapunov_increase: (stage.friction() == 0.0).then_some(state.lyapunov_increase),
         to_1_percent: if steady { history.settled(weights) } else { None },
     }
