@@ -6,12 +6,15 @@
 mod args;
 mod clock;
 mod commands;
+mod describe;
 mod draw;
 mod exit;
 mod folder;
 mod interrupt;
 mod live;
 mod open;
+mod options;
+mod print;
 mod progress;
 mod record;
 mod reproduce;

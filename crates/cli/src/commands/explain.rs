@@ -2,8 +2,8 @@
 
 use scene::{Fault, Place, did_you_mean};
 
-use crate::commands::print_out;
 use crate::exit::Exit;
+use crate::print::print_out;
 
 /// All notes, a section each.
 const PAGE: &str = include_str!("../../../../docs/lints.md");

@@ -8,9 +8,9 @@ use scene::{Fault, Place, did_you_mean};
 use serde_json::{Value, json};
 
 use crate::args::ReproduceArgs;
-use crate::commands::{print_json, print_out};
 use crate::exit::Exit;
 use crate::folder::Folder;
+use crate::print::{print_json, print_out};
 use crate::reproduce::{ITEMS, Item, Made, Row, page, rows_csv, rows_json, rows_table};
 
 /// Computes one item or all of them, or lists them.

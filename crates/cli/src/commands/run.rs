@@ -3,16 +3,16 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use scene::{Fault, Place};
-use wearshape::{Bodies, Options, Problem, Sampling, Status, Step};
+use scene::Fault;
+use wearshape::{Bodies, Options, Problem, Status, Step};
 
 use crate::args::{Common, RunArgs};
-use crate::clock::seconds;
-use crate::commands::check::{describe, describe_with_sizes, plan_json};
-use crate::commands::{print_json, print_out};
+use crate::describe::{describe, describe_with_sizes, plan_json};
 use crate::exit::Exit;
 use crate::folder::Folder;
 use crate::live::Live;
+use crate::options::{options, with_threads};
+use crate::print::{print_json, print_out};
 use crate::progress::Progress;
 use crate::record::Tape;
 use crate::write::write;
@@ -75,7 +75,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
     } else if !common.quiet {
         print_out(&report::first_screen(&problem, &solution, &target));
     }
-    Ok(exit_of(solution.status))
+    Ok(Exit::of(solution.status))
 }
 
 /// The recording of a run in time; a sentence says from where it goes on.
@@ -106,40 +106,4 @@ fn again(args: &RunArgs, in_time: bool) -> String {
     let what = if in_time { "every finished step is kept; continue with" } else { "begin it again with" };
     let end = if in_time { " --resume" } else { "" };
     format!("{what}: {call}{end}")
-}
-
-/// The exit of a status.
-pub(crate) fn exit_of(status: Status) -> Exit {
-    match status {
-        Status::Ok => Exit::Done,
-        Status::AccuracyMissed | Status::NotConverged | Status::Refused => Exit::GoalMissed,
-        Status::Interrupted => Exit::Interrupted,
-    }
-}
-
-/// The options that reach the solver.
-pub(crate) fn options(common: &Common) -> Result<Options<'static>, Fault> {
-    if let Some(sample) = common.sample.filter(|sample| !(2..=10_000_000).contains(sample)) {
-        return Err(Fault {
-            place: Some(Place::Flag(format!("--sample {sample}"))),
-            ..Fault::new("wrong-flag", format!("--sample {sample} is out of range"), "ask for 2 to 10000000 points")
-        });
-    }
-    Ok(Options { sample: common.sample.map(Sampling::Even), machining: true, clock: seconds, ..Options::default() })
-}
-
-/// Does the work on the number of threads asked for.
-pub(crate) fn with_threads<T: Send>(common: &Common, work: impl FnOnce() -> T + Send) -> Result<T, Fault> {
-    let Some(threads) = common.threads else {
-        return Ok(work());
-    };
-    let wrong = |message: String| Fault {
-        place: Some(Place::Flag(format!("--threads {threads}"))),
-        ..Fault::new("wrong-flag", message, "give a number of threads from 1 to 1024")
-    };
-    if !(1..=1024).contains(&threads) {
-        return Err(wrong(format!("--threads {threads} is out of range")));
-    }
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-    Ok(pool.map_err(|error| wrong(format!("cannot start {threads} threads: {error}")))?.install(work))
 }

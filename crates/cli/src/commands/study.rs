@@ -9,10 +9,10 @@ use wearshape::{DEGREES, Event, Measure, Quantity, Step, StudyLevel, Truth, oute
 
 use crate::args::StudyArgs;
 use crate::clock::seconds;
-use crate::commands::run::with_threads;
-use crate::commands::{print_json, print_out};
 use crate::exit::Exit;
 use crate::folder::Folder;
+use crate::options::with_threads;
+use crate::print::{print_json, print_out};
 use crate::{interrupt, open};
 
 /// Columns of study.csv.

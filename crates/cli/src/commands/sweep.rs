@@ -10,13 +10,13 @@ use serde_json::{Map, Value, json};
 use wearshape::{Bodies, Options, Problem, Status};
 
 use crate::args::{Common, SweepArgs};
-use crate::commands::run::{options, with_threads};
-use crate::commands::{print_json, print_out};
 use crate::exit::Exit;
 use crate::folder::Folder;
 use crate::interrupt;
 use crate::live::Live;
 use crate::open::{self, open};
+use crate::options::{options, with_threads};
+use crate::print::{print_json, print_out};
 use crate::progress::Progress;
 
 /// Points computed between two looks at Ctrl-C and two writes.
