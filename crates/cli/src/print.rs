@@ -12,8 +12,7 @@ pub(crate) fn complain(fault: &Fault, json: bool) -> Exit {
     if json {
         print_json(&draw::json(fault));
     } else {
-        let colour = std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
-        eprint!("{}", draw::render(fault, colour));
+        eprint!("{}", draw::render(fault, std::io::stderr().is_terminal() && !no_colour()));
     }
     Exit::Wrong
 }
@@ -29,4 +28,9 @@ pub(crate) fn print_json(document: &serde_json::Value) {
 pub(crate) fn print_out(text: &str) {
     let mut out = std::io::stdout().lock();
     let _ = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+}
+
+/// Whether the user wants neither colour nor bars: <https://no-color.org>.
+pub(crate) fn no_colour() -> bool {
+    std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty())
 }
