@@ -3,6 +3,7 @@
 //! The data goes one way: `Scene -> Problem -> Solution -> Report` by `setup`, `solve`, `report`. This is the only crate of the
 //! workspace that reads files, writes files and prints.
 
+mod again;
 mod args;
 mod clock;
 mod commands;
@@ -10,6 +11,7 @@ mod describe;
 mod draw;
 mod exit;
 mod folder;
+mod grid;
 mod interrupt;
 mod live;
 mod open;

@@ -6,6 +6,7 @@ use std::time::Instant;
 use scene::Fault;
 use wearshape::{Bodies, Options, Problem, Status, Step};
 
+use crate::again::again;
 use crate::args::{Common, RunArgs};
 use crate::describe::{describe, describe_with_sizes, plan_json};
 use crate::exit::Exit;
@@ -64,7 +65,8 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
         }
     };
     if solution.status == Status::Interrupted {
-        eprintln!("interrupted; {}", again(args, live.tape.is_some()));
+        let kept = live.tape.as_ref().map(|_| "every finished step");
+        eprintln!("interrupted; {}", again(&["run", &args.scene], common, kept));
         return Ok(Exit::Interrupted);
     }
     let seconds = [ready, start.elapsed().as_secs_f64()];
@@ -91,19 +93,4 @@ fn tape(folder: &Folder, problem: &Problem, resolved: &str, common: &Common) -> 
         eprintln!("{word}");
     }
     Some(tape)
-}
-
-/// How an interrupted run goes on.
-fn again(args: &RunArgs, in_time: bool) -> String {
-    let quoted = |text: &str| if text.contains([' ', '"', '{', '[', '*', ';']) { format!("'{text}'") } else { text.to_string() };
-    let mut call = format!("wearshape run {}", quoted(&args.scene));
-    if let Some(folder) = &args.common.output {
-        call += &format!(" -o {}", quoted(&folder.display().to_string()));
-    }
-    for set in &args.common.set {
-        call += &format!(" --set {}", quoted(set));
-    }
-    let what = if in_time { "every finished step is kept; continue with" } else { "begin it again with" };
-    let end = if in_time { " --resume" } else { "" };
-    format!("{what}: {call}{end}")
 }

@@ -14,6 +14,7 @@ mod folder;
 mod free_ends;
 mod hertz;
 mod internal_shoe;
+mod interrupted;
 mod json;
 mod machined;
 mod partial_contact;
