@@ -17,6 +17,7 @@ mod internal_shoe;
 mod interrupted;
 mod json;
 mod machined;
+mod own_materials;
 mod partial_contact;
 mod pressure;
 mod reproduce;
