@@ -1,7 +1,7 @@
 //! Meshes of bodies given by their cells: cut where contact and load end, where the other body has its break points, and where cells
 //! are slender.
 
-use hpfem::{Direction, Mesh, Support};
+use hpfem::{Direction, Mesh, Support, bisect};
 use scene::{Component, Fault};
 
 use crate::couple::{Couple, Strip};
@@ -242,11 +242,7 @@ impl Cells {
             if off(-1.0).abs() <= near || off(1.0).abs() <= near || off(-1.0) * off(1.0) > 0.0 {
                 return None;
             }
-            let (mut low, mut high) = (-1.0, 1.0);
-            for _ in 0..60 {
-                let middle = 0.5 * (low + high);
-                if off(middle) * off(-1.0) > 0.0 { low = middle } else { high = middle }
-            }
+            let [low, high] = bisect([-1.0, 1.0], 60, |middle| off(middle) * off(-1.0) > 0.0);
             Some((e, 0.5 * (low + high)))
         });
         if let Some((edge, t)) = hit {

@@ -4,6 +4,7 @@
 //! at the end of contact, where f = 0, the cell ends exactly there and a Gauss-Jacobi rule takes the power f^k.
 
 use crate::SurfacePoint;
+use crate::bracket::Bracket;
 use crate::pressure_law::Node;
 use crate::quadrature::{ORDER, Rule, legendre};
 use crate::stage::Stage;
@@ -225,35 +226,25 @@ impl Line<'_, '_> {
 
     /// Zero of a node's value between two parameters of opposite sign.
     fn root(&self, a: f64, b: f64, value: &dyn Fn(&Node) -> f64) -> f64 {
-        let (mut a, mut b) = (a, b);
-        let (mut fa, mut fb) = (value(&self.node(a)), value(&self.node(b)));
-        if fa == 0.0 {
+        let mut root = Bracket { a, value_a: value(&self.node(a)), b, value_b: value(&self.node(b)) };
+        if root.value_a == 0.0 {
             return a;
         }
-        if fb == 0.0 {
+        if root.value_b == 0.0 {
             return b;
         }
-        // Secant steps kept inside the bracket (Illinois).
         for _ in 0..200 {
-            let c = (a * fb - b * fa) / (fb - fa);
-            if !(c > a.min(b) && c < a.max(b)) {
-                break;
-            }
-            let fc = value(&self.node(c));
-            if fc == 0.0 {
+            let Some(c) = root.secant() else { break };
+            let at = value(&self.node(c));
+            if at == 0.0 {
                 return c;
             }
-            if (fc > 0.0) == (fb > 0.0) {
-                fa *= 0.5;
-            } else {
-                (a, fa) = (b, fb);
-            }
-            (b, fb) = (c, fc);
-            if (a - b).abs() <= 2.0 * f64::EPSILON * a.abs().max(b.abs()) {
+            root.take(c, at);
+            if (root.a - root.b).abs() <= 2.0 * f64::EPSILON * root.a.abs().max(root.b.abs()) {
                 break;
             }
         }
-        b
+        root.b
     }
 
     fn take(&self, cell: &Interval, nodes: &mut Vec<Node>) {

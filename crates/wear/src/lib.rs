@@ -8,6 +8,7 @@
 mod absolute;
 mod answer;
 mod balance;
+mod bracket;
 mod cells;
 mod character;
 mod continuation;
