@@ -9,4 +9,3 @@ pub(crate) struct Coarse {
     /// Ends of contact, where the pressure goes like a square root: half as many layers do.
     pub free: Vec<[f64; 2]>,
 }
-

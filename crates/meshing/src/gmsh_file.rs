@@ -28,7 +28,8 @@ pub(crate) fn read(key: &str, file: &mut MeshFile, files: Files<'_>, own: Option
         let remedy = "bring the old file back, or remove the key sha256";
         return Err(Fault::at(format!("{key}.geometry.mesh.sha256"), "changed-mesh", message, remedy));
     }
-    let (mesh, groups) = parse(&bytes).map_err(|error| Fault::at(&at, "wrong-mesh", format!("{name}: {error}"), remedy(&error)))?;
+    let (mesh, groups) =
+        parse(&bytes).map_err(|error| Fault::at(&at, "wrong-mesh", format!("{name}: {error}"), remedy(&error)))?;
     file.content = Some(bytes.into());
     file.file = format!("{key}.msh");
     file.sha256 = Some(hash);

@@ -22,4 +22,3 @@ pub enum ContactLine {
         internal: bool,
     },
 }
-

@@ -13,12 +13,7 @@ use crate::template::{coarse, contact_cuts};
 const ROUNDS: usize = 20;
 
 /// The coarse meshes of both bodies: cut at the break points of both on the contact surface, graded towards the same points there.
-pub(crate) fn matched(
-    couple: &Couple,
-    given: [Option<Mesh>; 2],
-    extent: Extent,
-    cut: Cut<'_>,
-) -> Result<[Coarse; 2], Fault> {
+pub(crate) fn matched(couple: &Couple, given: [Option<Mesh>; 2], extent: Extent, cut: Cut<'_>) -> Result<[Coarse; 2], Fault> {
     let mut cells: Vec<Option<Cells>> = Vec::new();
     for (number, given) in given.into_iter().enumerate() {
         cells.push(given.map(|mesh| Cells::new(couple, number, mesh, extent)).transpose()?);

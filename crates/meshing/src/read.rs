@@ -2,8 +2,8 @@
 
 use scene::{Fault, Geometry};
 
-use crate::{blocks, gmsh_file};
 use crate::given::{Files, Given};
+use crate::{blocks, gmsh_file};
 
 /// The cells of a body (`key` is "body1" or "body2"); none of a template. A mesh file is read, and from then on named as its copy.
 pub fn given(key: &str, body: &mut scene::Body, files: Files<'_>) -> Result<Option<Given>, Fault> {
@@ -14,4 +14,3 @@ pub fn given(key: &str, body: &mut scene::Body, files: Files<'_>) -> Result<Opti
         _ => Ok(None),
     }
 }
-

@@ -15,9 +15,7 @@ use crate::couple::{Body, Couple};
 /// ```
 pub(crate) fn as_cells(couple: &Couple, body: &Body) -> Option<Mesh> {
     let mesh = match &body.geometry {
-        Geometry::HalfDisc(disc) => {
-            half_disc(disc.radius.0, disc.centre.map(|c| c.0), couple.is_revolved())
-        }
+        Geometry::HalfDisc(disc) => half_disc(disc.radius.0, disc.centre.map(|c| c.0), couple.is_revolved()),
         Geometry::Rectangle(rectangle) => {
             let (x, z) = (rectangle.x.map(|x| x.0), rectangle.z.map(|z| z.0));
             let corners = vec![[x[0], z[0]], [x[1], z[0]], [x[1], z[1]], [x[0], z[1]]];

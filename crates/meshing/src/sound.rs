@@ -108,4 +108,3 @@ pub fn sound(name: &str, geometry: &mut Geometry, axisymmetric: bool) -> Result<
 fn degrees(angle: f64) -> f64 {
     angle * 180.0 / std::f64::consts::PI
 }
-
