@@ -1,6 +1,10 @@
-//! A mesh before it is graded.
+//! A mesh before it is graded, and the grading.
 
 use hpfem::Mesh;
+
+/// Ratio of the sizes of successive layers. Of 0.1, 0.15, 0.25 the last reached a given error of the drum gap with the least work
+/// in degrees 6 to 12.
+pub const RATIO: f64 = 0.25;
 
 /// A coarse mesh and the points towards which it is to be graded.
 pub(crate) struct Coarse {

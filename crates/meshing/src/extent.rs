@@ -30,7 +30,7 @@ impl Extent {
     }
 
     /// Coordinates of the ends of a line or arc of the contact edge, the one at `t = -1` first; angles next to those of the contact.
-    pub fn range(&self, curve: &Curve) -> [f64; 2] {
+    pub(crate) fn range(&self, curve: &Curve) -> [f64; 2] {
         use std::f64::consts::{FRAC_PI_2, PI, TAU};
         match (self, curve) {
             (Extent::Angles(angles), Curve::Arc { from, to, .. }) => {
@@ -44,7 +44,7 @@ impl Extent {
     }
 
     /// Parameter of a place on a line or arc of the contact edge; outside of [-1, 1] or no number where it is not on it.
-    pub fn parameter(&self, curve: &Curve, place: f64) -> f64 {
+    pub(crate) fn parameter(&self, curve: &Curve, place: f64) -> f64 {
         use std::f64::consts::{FRAC_PI_2, PI, TAU};
         match (self, curve) {
             (Extent::Round { .. }, Curve::Arc { centre, radius, from, to }) => {
@@ -73,6 +73,7 @@ pub enum Cut<'a> {
 }
 
 impl<'a> Cut<'a> {
+    /// The ends of contact; none of the other cuts.
     pub fn ends(self) -> &'a [f64] {
         match self {
             Cut::Ends(ends) => ends,

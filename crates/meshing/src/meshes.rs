@@ -3,11 +3,10 @@
 use hpfem::Mesh;
 use scene::Fault;
 
-use crate::coarse::Coarse;
+use crate::coarse::{Coarse, RATIO};
 use crate::couple::Couple;
 use crate::extent::{Cut, Extent};
 use crate::matching::matched;
-use crate::names::RATIO;
 use crate::near_ends::{self, cut_near};
 use crate::round_cells::as_cells;
 use crate::template::{coarse, contact_cuts};

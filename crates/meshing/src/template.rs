@@ -5,9 +5,9 @@ use scene::{Fault, Geometry, Rectangle, Ring, RingSegment, ShoeBlock};
 
 use crate::coarse::Coarse;
 use crate::couple::{Couple, LoadedEdge};
-use crate::cuts::{growing, halved, merged, parameters, subdivide, widest};
+use crate::cuts::{SAME, growing, halved, merged, parameters, subdivide, widest};
 use crate::extent::{Cut, Extent};
-use crate::names::{AXIS, CONTACT, LOAD, SAME};
+use crate::names::{AXIS, CONTACT, LOAD};
 
 fn not_meshed(key: &str, what: &str) -> Fault {
     let message = format!("{what} cannot be meshed for this contact yet");
