@@ -2,26 +2,26 @@
 
 use hpfem::Curve;
 
-/// Extent of the contact surface, shared by both bodies.
+/// Extent of the contact surface in its own coordinate, shared by both bodies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Extent {
-    /// On an arc about the centre, angles from the z axis towards +x.
+    /// On an arc: from and to as angles (rad) at its centre, from the z axis towards +x: `x = R sin(angle)`, `z = R cos(angle)`.
     Angles([f64; 2]),
-    /// On a horizontal line.
+    /// On a horizontal line, from and to (mm).
     X([f64; 2]),
     /// On a horizontal line that a round body touches at one place and faces across a gap.
     Round {
-        /// From and to.
+        /// From and to (mm).
         x: [f64; 2],
-        /// Where it touches.
+        /// Where it touches (mm).
         touch: f64,
-        /// Radius of the round body.
+        /// Radius of the round body (mm).
         radius: f64,
     },
 }
 
 impl Extent {
-    /// First and last coordinate.
+    /// First and last coordinate (rad or mm).
     pub fn ends(&self) -> [f64; 2] {
         match self {
             Extent::Angles(angles) => *angles,
@@ -64,11 +64,11 @@ impl Extent {
 /// Where the contact surface is cut.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cut<'a> {
-    /// The standing choice.
+    /// By the geometry alone.
     Plain,
     /// Elsewhere, for an independent solution.
     Shifted,
-    /// Also at ends of contact, given by their place on the surface from -1 to 1, with layers around them.
+    /// Also at ends of contact, given by their place `t` from -1 to 1: `from + (1 + t) / 2 (to - from)`, with layers around them.
     Ends(&'a [f64]),
 }
 

@@ -49,7 +49,7 @@ impl Outline {
     }
 }
 
-/// The outline of a body.
+/// The outline of a body; of one given by its cells every named edge is a curve of its mesh.
 pub fn outline(body: &Body) -> Outline {
     match &body.geometry {
         Geometry::ShoeBlock(shoe) => shoe_block(shoe),
@@ -168,6 +168,9 @@ pub(crate) fn edge_curves(mesh: &Mesh, edge: &str) -> Vec<Curve> {
 }
 
 /// Refuses an edge with a part inside the body, where nothing can touch or press it.
+///
+/// # Errors
+/// The fault of the key that names the edge: of the blocks, or the mesh file.
 pub fn outside(body: &Body, edge: &str) -> Result<(), Fault> {
     let Some(mesh) = &body.cells else { return Ok(()) };
     let key = body.key;
