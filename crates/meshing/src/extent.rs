@@ -81,3 +81,66 @@ impl<'a> Cut<'a> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TURN: f64 = std::f64::consts::TAU;
+
+    /// An arc about `centre` between two angles from the z axis, walked either way.
+    fn arc(centre: [f64; 2], radius: f64, [from, to]: [f64; 2]) -> Curve {
+        Curve::Arc { centre, radius, from: 0.25 * TURN - from, to: 0.25 * TURN - to }
+    }
+
+    /// The coordinate of a parameter and back, and the ends at -1 and 1.
+    fn holds_both_ways(extent: Extent, curve: &Curve, coordinate: impl Fn([f64; 2]) -> f64) {
+        let [a, b] = extent.range(curve);
+        for (t, end) in [(-1.0, a), (1.0, b)] {
+            assert!((coordinate(curve.point(t)) - end).abs() < 1e-12, "{extent:?}: {end} at t = {t}");
+        }
+        for t in [-1.0, -0.7, 0.0, 0.31, 1.0] {
+            let place = coordinate(curve.point(t));
+            assert!((extent.parameter(curve, place) - t).abs() < 1e-11, "{extent:?}: place {place} of t = {t}");
+        }
+    }
+
+    #[test]
+    fn parameter_of_a_coordinate_is_where_the_curve_has_it() {
+        let about = |centre: [f64; 2]| move |x: [f64; 2]| (x[0] - centre[0]).atan2(x[1] - centre[1]);
+        for ends in [[-0.4, 0.1], [0.1, -0.4]] {
+            holds_both_ways(Extent::Angles([-0.5, 0.5]), &arc([3.0, -1.0], 20.0, ends), about([3.0, -1.0]));
+            holds_both_ways(
+                Extent::X([-9.0, 9.0]),
+                &Curve::Line { start: [20.0 * ends[0], 4.0], end: [20.0 * ends[1], 4.0] },
+                |x| x[0],
+            );
+        }
+        // A round body from above: its lowest point is at x = 2; equal steps of the arc are no equal steps of x.
+        let round = Extent::Round { x: [-1.0, 5.0], touch: 2.0, radius: 10.0 };
+        for ends in [[0.5 * TURN - 0.2, 0.5 * TURN + 0.1], [0.5 * TURN + 0.1, 0.5 * TURN - 0.2]] {
+            holds_both_ways(round, &arc([2.0, 10.0], 10.0, ends), |x| x[0]);
+        }
+        holds_both_ways(round, &Curve::Line { start: [5.0, 0.0], end: [-1.0, 0.0] }, |x| x[0]);
+    }
+
+    /// A shoe inside its drum lies around the angle pi; the arc of a full ring may be numbered a turn away.
+    #[test]
+    fn angles_are_those_next_to_the_contact() {
+        let extent = Extent::Angles([0.5 * TURN - 0.5, 0.5 * TURN + 0.5]);
+        for turns in [-1.0, 0.0, 2.0] {
+            let ends = [3.0, 3.3].map(|angle| angle + turns * TURN);
+            let [a, b] = extent.range(&arc([0.0; 2], 5.0, ends));
+            assert!((a - 3.0).abs() < 1e-12 && (b - 3.3).abs() < 1e-12, "{a} {b}");
+        }
+    }
+
+    #[test]
+    fn a_place_off_the_curve_has_a_parameter_beyond_its_ends() {
+        let curve = Curve::Line { start: [1.0, 0.0], end: [2.0, 0.0] };
+        assert!(Extent::X([0.0, 5.0]).parameter(&curve, 2.5) > 1.0);
+        assert!(Extent::X([0.0, 5.0]).parameter(&curve, 0.5) < -1.0);
+        let round = Extent::Round { x: [-1.0, 1.0], touch: 0.0, radius: 10.0 };
+        assert!(round.parameter(&arc([0.0, 10.0], 10.0, [0.5 * TURN, 0.6 * TURN]), 30.0).is_nan());
+    }
+}
