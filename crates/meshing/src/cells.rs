@@ -5,8 +5,9 @@ use hpfem::{Direction, Mesh, Support, bisect};
 use scene::{Component, Fault};
 
 use crate::couple::{Couple, Strip};
+use crate::cuts::SAME;
 use crate::extent::Extent;
-use crate::names::{AXIS, CONTACT, LOAD, SAME};
+use crate::names::{AXIS, CONTACT, LOAD};
 
 /// Longest side of a cell over its shortest before it is cut.
 const SLENDER: f64 = 3.0;
