@@ -38,6 +38,7 @@ mod zones;
 
 pub use coulomb::ContactState;
 pub use error::Error;
+pub use interpolate::piecewise_linear;
 pub use load::{ContactLoad, Friction, MomentBalance, Motion};
 pub use operator::{ContactOperator, UnitResponses};
 pub use pair::{Pair, contact_traction, normal};

@@ -6,7 +6,7 @@ use crate::body_field::FieldFrame;
 use crate::effort::Effort;
 use crate::machined::Machined;
 use crate::profile::Profile;
-use crate::remarks::Remark;
+use crate::remark::Remark;
 use crate::watch::Resume;
 
 /// How a run ended.

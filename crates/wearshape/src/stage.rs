@@ -11,13 +11,13 @@ use shapeopt::Gauge;
 
 use crate::bodies::{Bodies, Place, Reduced};
 use crate::effort::{Clock, Effort};
+use crate::faults::wrong_wear;
 use crate::level::Level;
 use crate::options::{Options, Sampling, trapezoid_weights};
 use crate::parts::{MEAN_COLUMNS, Parts};
-use crate::plan::Step;
 use crate::problem::Problem;
 use crate::profile::Profile;
-use crate::steps::pressure::wrong_wear;
+use crate::step::Step;
 use crate::surface::Patch;
 
 /// A problem whose contact surface is known, ready for its elastic stages.

@@ -7,12 +7,12 @@ use crate::bodies::Reduced;
 use crate::machined::Machined;
 use crate::options::{CURVE, Sampling};
 use crate::profile::Profile;
-use crate::remarks::Remark;
+use crate::remark::Remark;
 use crate::solution::{
     ContactResult, EnergyResult, ErrorResult, InterfaceResult, Reaction, Rung, RunningIn, ShapeResult, Status, WearResult,
 };
 use crate::stage::Stage;
-use crate::steps::recover::Reported;
+use crate::steps::reported::Reported;
 use crate::watch::Resume;
 
 /// A solved pair of bodies.

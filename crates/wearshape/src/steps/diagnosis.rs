@@ -6,9 +6,10 @@ use contact::{ContactLoad, ContactOperator, ContactSolution};
 use scene::Fault;
 
 use crate::bodies::Reduced;
+use crate::faults::unsolved;
 use crate::solution::{InterfaceResult, UniquenessResult};
 use crate::stage::Stage;
-use crate::steps::contact::{start_gaps, unsolved};
+use crate::steps::start_gap::start_gaps;
 
 /// Difference of pressures, over the largest, above which they are two solutions.
 const APART: f64 = 1e-6;

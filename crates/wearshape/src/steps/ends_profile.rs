@@ -8,8 +8,8 @@ use crate::options::{Sampling, trapezoid_weights};
 use crate::parts::MEAN_COLUMNS;
 use crate::profile::Profile;
 use crate::solution::ContactResult;
-use crate::steps::contact::word;
-use crate::steps::ends::Setting;
+use crate::steps::contact_result::word;
+use crate::steps::ends_setting::Setting;
 
 /// A solved contact with the ends its nodes stand on.
 pub(crate) struct Rows<'r> {

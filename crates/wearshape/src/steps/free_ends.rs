@@ -8,9 +8,10 @@ use scene::Fault;
 
 use crate::bodies::Reduced;
 use crate::effort::Effort;
+use crate::faults::unsolved;
 use crate::level::Level;
 use crate::stage::Stage;
-use crate::steps::contact::{gap_at, unsolved};
+use crate::steps::start_gap::gap_at;
 
 /// Accuracy of the nodes by the accuracy asked for: a misplaced end changes the pressure by about its distance over the length of the contact.
 /// The ends themselves are reported closer, with the step that their pressures still ask for.

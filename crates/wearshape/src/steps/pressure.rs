@@ -3,6 +3,7 @@
 use scene::{Balance, Fault, Modes};
 use wear::{Regime, SurfacePoint, WearError};
 
+use crate::faults::wrong_wear;
 use crate::freedom::{Freedom, Role};
 use crate::functional::kind;
 use crate::options::{Options, Sampling};
@@ -58,11 +59,6 @@ pub(crate) fn solve(problem: &Problem, options: &Options<'_>) -> Result<Found, F
 fn not_known() -> Fault {
     let message = "the contact surface of this geometry is not known before it is meshed, so it has no optimal pressure yet";
     Fault::at("tasks", "not-available", message, "ask for tasks = [\"contact\"]")
-}
-
-/// What is wrong with wear factors.
-pub(crate) fn wrong_wear(error: &WearError) -> Fault {
-    Fault::at("wear", "wrong-value", error.to_string(), "mend the numbers in the message")
 }
 
 /// The problem in the words of the theory.

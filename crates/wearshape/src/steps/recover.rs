@@ -10,30 +10,12 @@ use crate::body_field::{BodyField, CellField, FieldFrame};
 use crate::cell_grid::CellGrid;
 use crate::effort::Effort;
 use crate::ladder::Refusal;
-use crate::level::Level;
 use crate::parts::BodyParts;
-use crate::plan::Step;
 use crate::stage::Stage;
-use crate::steps::ends::Setting;
+use crate::step::Step;
+use crate::steps::ends_setting::Setting;
+use crate::steps::reported::{Moment, Reported};
 use crate::steps::torsion;
-
-/// What a stage leaves behind for the fields: the discretisation it reports, and the states of its bodies there.
-pub(crate) struct Reported {
-    pub level: Level,
-    /// Ends of contact that the meshes are cut at, from -1 to 1 on the surface.
-    pub ends: Vec<f64>,
-    /// The moments, the reported one first.
-    pub moments: Vec<Moment>,
-}
-
-/// Both bodies at a moment.
-pub(crate) struct Moment {
-    pub time: f64,
-    pub name: &'static str,
-    pub states: [InterfaceState; 2],
-    /// Shear around the axis on body 1 at the contact points (MPa), for the twist.
-    pub around: Vec<f64>,
-}
 
 /// Recovers the moments of a stage on its bodies, made again at the reported level.
 pub(crate) fn recover(stage: Stage<'_>, reported: &Reported) -> Result<(Vec<FieldFrame>, Effort), Fault> {

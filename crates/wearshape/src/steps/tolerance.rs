@@ -6,7 +6,7 @@ use shapeopt::{SurfacePlace, WearProblem, tolerances};
 
 use crate::bodies::Reduced;
 use crate::solution::ToleranceResult;
-use crate::steps::shape::Shaper;
+use crate::steps::shaper::Shaper;
 
 /// Amplitude of the errors, mm.
 const AMPLITUDE: f64 = 1e-3;

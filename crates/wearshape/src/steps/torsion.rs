@@ -7,7 +7,7 @@ use scene::Fault;
 use crate::effort::Effort;
 use crate::profile::Profile;
 use crate::stage::Stage;
-use crate::steps::recover::Reported;
+use crate::steps::reported::Reported;
 
 /// Shear `mu p tau` around the axis on body 1 (MPa), positive where body 2 drags it anti-clockwise; of a stage under its own sliding.
 pub(crate) fn around(stage: Stage<'_>, points: &[ContactPoint], pressure: &[f64]) -> Vec<f64> {

@@ -1,12 +1,12 @@
 //! Body 1 turned about the axis under its pressure: stick and slip around the axis, step after step.
 
-use contact::{ContactOperator, ContactSolution, Pair, TorsionOperator, Turn, TwistSolution, TwistStatus};
+use contact::{ContactOperator, ContactSolution, Pair, TorsionOperator, Turn, TwistSolution, TwistStatus, piecewise_linear};
 use scene::{Fault, short};
 
+use crate::faults::unsolved;
 use crate::problem::Problem;
 use crate::profile::Profile;
 use crate::solution::{ContactResult, TwistResult};
-use crate::steps::contact::{linear, unsolved};
 
 /// The history of a twist at one level.
 pub(crate) struct Twist {
@@ -104,7 +104,7 @@ impl Twist {
         if inner.windows(2).all(|two| two[0] == two[1]) {
             operator.value_at(&self.last.shear, arc)
         } else {
-            linear(arcs, &self.last.shear, arc)
+            piecewise_linear(arcs, &self.last.shear, arc)
         }
     }
 }

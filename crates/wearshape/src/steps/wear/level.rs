@@ -9,18 +9,17 @@ use crate::effort::Effort;
 use crate::ladder::Refusal;
 use crate::level::Level;
 use crate::options::Sampling;
-use crate::plan::Step;
 use crate::solution::WearResult;
 use crate::stage::Stage;
+use crate::step::Step;
 use crate::steps::answer::{Answer, Own, Told};
-use crate::steps::contact::pressure_at;
-use crate::steps::recover::{Moment, Reported};
+use crate::steps::reported::{Moment, Reported};
 use crate::steps::torsion;
-use crate::steps::wear::Ran;
 use crate::steps::wear::history::History;
 use crate::steps::wear::mesh_lines::mesh_lines;
 use crate::steps::wear::pieces::Pieces;
 use crate::steps::wear::problem::{steady_residual, wear_problem};
+use crate::steps::wear::ran::Ran;
 use crate::watch::{Event, FinishedLevel, RunLevel, Watch, WearStep};
 
 /// Samples of the gap for the comparison of levels.
@@ -132,7 +131,7 @@ impl Scenes<'_> {
         let (pair, operator) = (self.pair, self.operator);
         let between = |point: &ContactPoint| {
             let at = |values: &[f64]| operator.value_at(values, point.arc);
-            [pressure_at(pair, operator, &state.pressure, point.arc), at(gap), at(&state.opening)]
+            [operator.pressure_at(&state.pressure, point.arc), at(gap), at(&state.opening)]
         };
         let points = operator.points();
         let own = Own { points, pressure: &state.pressure, gap, opening: &state.opening, closed: None };
