@@ -44,4 +44,5 @@ pub use solution::{
 };
 pub use solve::solve;
 pub use study::{DEGREES, Level as StudyLevel, Quantity, Truth, outermost, study};
+pub use wear::WearRule;
 pub use watch::{Event, FinishedLevel, Resume, RunLevel, Watch, WearStep};
