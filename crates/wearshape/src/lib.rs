@@ -38,6 +38,7 @@ pub use plan::{Plan, Stage, Step};
 pub use problem::Problem;
 pub use profile::Profile;
 pub use remarks::Remark;
+pub use scene::{Document, Fault};
 pub use solution::{
     ByRole, ContactResult, EnergyResult, ErrorResult, InterfaceResult, PointForce, PressureResult, Reaction, Rung, Settled,
     ShapeResult, Solution, Status, ToleranceResult, TwistResult, UniquenessResult, WearResult,
