@@ -118,10 +118,12 @@ fn find_scale(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<(), WearEr
         fb = at(stage, b);
         step *= 2.0;
         if step > farthest {
-            return Err(WearError::Infeasible {
-                resultants: stage.problem.modes.iter().map(|mode| mode.resultant).collect(),
-                why: "the load is larger than the surface carries under p_max, or friction carries it",
-            });
+            return Err(stage.infeasible(match stage.law.density {
+                Density::Rule { .. } if fb > 0.0 => {
+                    "the whole surface stays below the threshold of the wear rule, where nothing moves"
+                }
+                _ => "the load is larger than the surface carries under p_max, or friction carries it",
+            }));
         }
     }
     let mut root = Bracket { a, value_a: fa, b, value_b: fb };

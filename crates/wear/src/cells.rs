@@ -5,6 +5,7 @@
 
 use crate::SurfacePoint;
 use crate::bracket::Bracket;
+use crate::density::Density;
 use crate::pressure_law::Node;
 use crate::quadrature::{ORDER, Rule, legendre};
 use crate::stage::Stage;
@@ -12,6 +13,8 @@ use crate::surface::{Shape, Surface};
 
 pub(crate) const SAMPLES: usize = 5;
 const SMOOTH: f64 = 0.03;
+/// Largest third difference of log p under a rule given as a function, so that a bend of p stands in a cell of 1e-4 of the surface, about.
+const BENT: f64 = 1e-4;
 
 impl Surface {
     /// Calls `visit` at a coarse set of points that includes the ends.
@@ -217,6 +220,11 @@ impl Line<'_, '_> {
             return Verdict::Take(*cell);
         }
         let plain: [f64; SAMPLES] = std::array::from_fn(|i| log_h[i] - self.settings.exponent * distance(i));
+        // The pressure of a rule given as a function may bend where f does not.
+        let given = matches!(self.stage.law.density, Density::Rule { .. }) && cell.front == [false, false];
+        if given && bends(&log_h) {
+            return Verdict::Halve(0.5 * (cell.lo + cell.hi), false);
+        }
         let strong = (cell.front[0] || cell.front[1]) && self.settings.exponent > 6.0;
         if !strong && smooth(&log_f, SMOOTH) && smooth(&log_v, SMOOTH) && spread(&plain) < self.settings.spread {
             return Verdict::Take(*cell);
@@ -271,6 +279,12 @@ enum Verdict {
 /// Small fourth difference: the function is close to a cubic on the cell.
 pub(crate) fn smooth(values: &[f64; SAMPLES], limit: f64) -> bool {
     (values[0] - 4.0 * values[1] + 6.0 * values[2] - 4.0 * values[3] + values[4]).abs() < limit
+}
+
+/// A third difference that is not small: wherever a bend is between the places, one of the two sees it.
+fn bends(values: &[f64; SAMPLES]) -> bool {
+    let third = |i: usize| values[i + 3] - 3.0 * values[i + 2] + 3.0 * values[i + 1] - values[i];
+    third(0).abs().max(third(1).abs()) > BENT
 }
 
 pub(crate) fn spread(values: &[f64; SAMPLES]) -> f64 {

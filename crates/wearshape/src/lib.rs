@@ -45,6 +45,7 @@ pub use plan::{Plan, Stage};
 pub use problem::Problem;
 pub use profile::Profile;
 pub use remark::Remark;
+pub use scene::{Document, Fault};
 pub use solution::{
     ByRole, ContactResult, EnergyResult, ErrorResult, InterfaceResult, PointForce, PressureResult, Reaction, Rung, RunningIn,
     RunningInStep, Settled, ShapeResult, Solution, Status, ToleranceResult, TwistResult, UniquenessResult, WearResult,
@@ -52,6 +53,5 @@ pub use solution::{
 pub use solve::solve;
 pub use step::Step;
 pub use study::{DEGREES, Level as StudyLevel, Quantity, Truth, outermost, study};
-pub use wear::Shape;
-
+pub use wear::{Shape, WearRule};
 pub use watch::{Event, FinishedLevel, Resume, RunLevel, Watch, WearStep};

@@ -3,7 +3,7 @@
 use meshing::Couple;
 use scene::{Fault, Gap, Geometry, Scene, SurfaceShape};
 use shapeopt::Measure;
-use wear::{WearError, WearPair};
+use wear::{WearError, WearPair, WearRule, wear_rate};
 
 use crate::freedom::Freedom;
 use crate::level::Level;
@@ -91,6 +91,30 @@ pub struct Wear {
     pub until: Option<f64>,
     /// Whether the factors stand in front of the friction stress.
     pub of_friction: bool,
+    /// A rule of the caller's own, by which body 1 wears alone; the `laws` are then none.
+    pub rule: Option<OwnRule>,
+}
+
+/// A wear rule of the caller's own; equal to another one that is the same function.
+#[derive(Debug, Clone, Copy)]
+pub struct OwnRule(pub WearRule);
+
+impl PartialEq for OwnRule {
+    fn eq(&self, other: &OwnRule) -> bool {
+        std::ptr::fn_addr_eq(self.0, other.0)
+    }
+}
+
+impl Wear {
+    /// Wear rate of both bodies (mm/s) at a pressure (MPa) and a sliding speed (mm/s); none where the scene's factors leave it open.
+    pub fn rate(&self, pressure: f64, sliding_speed: f64) -> Option<f64> {
+        if let Some(OwnRule(rule)) = self.rule {
+            return Some(if pressure > 0.0 { rule(pressure, sliding_speed)[0] } else { 0.0 });
+        }
+        let pair = self.laws.as_ref().ok()?;
+        let worn = (0..2).filter(|body| pair.wears(*body));
+        Some(worn.map(|body| wear_rate(&pair.laws[body], pressure, sliding_speed)).sum())
+    }
 }
 
 /// A piece of a run in time: factors on what load and sliding give.
@@ -148,12 +172,17 @@ impl Problem {
         &self.unused_keys
     }
 
-    /// Text of scene.resolved.toml: the scene with every default, in base units; solving it gives the same result.
+    /// Text of scene.resolved.toml: the scene with every default, in base units; solving it gives the same result, but for a wear rule given as
+    /// a function.
     ///
     /// # Errors
     /// A scene that cannot be written, which is a fault of ours.
     pub fn resolved(&self) -> Result<String, Fault> {
-        let head = "# Every default filled in; units N, mm, MPa, s, rad. Running this file gives the same result.\n";
+        let same = match self.wear.rule {
+            None => "Running this file gives the same result.",
+            Some(_) => "The pressure was found by another wear rule, given as a function.",
+        };
+        let head = format!("# Every default filled in; units N, mm, MPa, s, rad. {same}\n");
         Ok(format!("{head}{}", scene::scene_text(&self.scene)?))
     }
 

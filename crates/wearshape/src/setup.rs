@@ -3,6 +3,7 @@
 mod bodies;
 mod load;
 mod optimum;
+mod own_rule;
 mod remarks;
 mod schedule;
 mod stages;

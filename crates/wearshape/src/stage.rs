@@ -254,9 +254,7 @@ impl<'a> Stage<'a> {
         for (row, (point, on_surface)) in points.iter().zip(&surface).enumerate() {
             profile.pressure[row] = pressure[row];
             profile.shear[row] = self.friction() * pressure[row];
-            if let Ok(pair) = &self.problem.wear.laws {
-                let worn = (0..2).filter(|body| pair.wears(*body));
-                let rate: f64 = worn.map(|body| wear::wear_rate(&pair.laws[body], pressure[row], on_surface.sliding_speed)).sum();
+            if let Some(rate) = self.problem.wear.rate(pressure[row], on_surface.sliding_speed) {
                 profile.wear_rate[row] = 1e3 * rate;
             }
             // Without sliding in the plane tau is the tangent itself.

@@ -7,7 +7,7 @@ use crate::faults::wrong_wear;
 use crate::freedom::{Freedom, Role};
 use crate::functional::kind;
 use crate::options::{Options, Sampling};
-use crate::problem::{Optimum, Problem};
+use crate::problem::{Optimum, OwnRule, Problem};
 use crate::profile::Profile;
 use crate::solution::{ByRole, ErrorResult, PointForce, PressureResult, Status};
 use crate::surface::Patch;
@@ -27,15 +27,15 @@ pub(crate) fn solve(problem: &Problem, options: &Options<'_>) -> Result<Found, F
     let Some(patch) = &problem.patch else { return Err(not_known()) };
     let wear = wear_problem(problem)?;
     let mut found = Found { ended: None, result: description(&problem.optimum), profile: None, curve: None, error: None };
-    match wear::optimal_pressure(&wear) {
+    match optimum(problem, &wear) {
         Ok(optimum) => {
             describe(&mut found.result, &optimum, &problem.freedoms, wear.wear.active);
             let points = match options.sample {
                 Some(Sampling::Even(count)) => patch.sample(count),
                 _ => patch.towards_x(optimum.points.clone()),
             };
-            found.profile = Some(profile(&wear, patch, &optimum, points));
-            found.curve = Some(profile(&wear, patch, &optimum, patch.sample(401)));
+            found.profile = Some(profile(problem, patch, &optimum, points));
+            found.curve = Some(profile(problem, patch, &optimum, patch.sample(401)));
             found.error = Some(ErrorResult {
                 pressure_relative: Some(optimum.balance_residual.max(f64::EPSILON)),
                 how: "closed form of the pressure; residual of the balance".into(),
@@ -54,6 +54,14 @@ pub(crate) fn solve(problem: &Problem, options: &Options<'_>) -> Result<Found, F
         }
     }
     Ok(found)
+}
+
+/// The optimal pressure of a problem, by the caller's own wear rule where there is one; `wear` is the problem in the words of the theory.
+pub fn optimum(problem: &Problem, wear: &wear::Problem) -> Result<wear::Optimum, WearError> {
+    match problem.wear.rule {
+        Some(OwnRule(rule)) => wear::steady_pressure_of_rule(wear, rule),
+        None => wear::optimal_pressure(wear),
+    }
 }
 
 fn not_known() -> Fault {
@@ -146,20 +154,19 @@ fn describe(result: &mut PressureResult, optimum: &wear::Optimum, freedoms: &[Fr
     result.congruence_residual = optimum.congruence_residual;
 }
 
-fn profile(problem: &wear::Problem, patch: &Patch, optimum: &wear::Optimum, points: Vec<SurfacePoint>) -> Profile {
+fn profile(problem: &Problem, patch: &Patch, optimum: &wear::Optimum, points: Vec<SurfacePoint>) -> Profile {
     let s = points.iter().map(|point| patch.place(point)).collect();
     let mut profile = Profile::new(s, &points);
     if optimum.regime == Regime::Singular {
         return profile;
     }
-    let shear = if problem.shear_in_balance { problem.friction } else { 0.0 };
     for (row, point) in points.iter().enumerate() {
         let pressure = optimum.pressure_at(point);
         profile.pressure[row] = pressure;
-        profile.shear[row] = shear * pressure;
-        let worn = (0..2).filter(|body| problem.wear.wears(*body));
-        let rate: f64 = worn.map(|body| wear::wear_rate(&problem.wear.laws[body], pressure, point.sliding_speed)).sum();
-        profile.wear_rate[row] = 1e3 * rate;
+        profile.shear[row] = problem.friction.shear() * pressure;
+        if let Some(rate) = problem.wear.rate(pressure, point.sliding_speed) {
+            profile.wear_rate[row] = 1e3 * rate;
+        }
         profile.status[row] = if pressure > 0.0 { "contact" } else { "open" };
     }
     profile

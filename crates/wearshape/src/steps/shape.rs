@@ -77,7 +77,7 @@ pub(crate) fn solve(stage: Stage<'_>, before: &Before<'_>, watch: &mut Watch<'_>
 
 /// The optimal pressure of a problem.
 pub(crate) fn optimal(problem: &Problem) -> Result<wear::Optimum, Refusal> {
-    wear::optimal_pressure(&pressure::wear_problem(problem)?).map_err(|error| Refusal::Reason(error.to_string()))
+    pressure::optimum(problem, &pressure::wear_problem(problem)?).map_err(|error| Refusal::Reason(error.to_string()))
 }
 
 /// The error of the gap, and whether it is small enough.
