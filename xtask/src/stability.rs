@@ -7,7 +7,7 @@ mod case;
 mod check;
 mod page;
 
-use crate::verify::run as programs;
+use crate::verify::programs;
 use case::{Case, Kind, Scene};
 use check::Result as Checked;
 use std::path::{Path, PathBuf};

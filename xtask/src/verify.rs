@@ -9,8 +9,8 @@ pub(crate) mod compare;
 pub(crate) mod debian;
 mod known;
 mod picture;
+pub(crate) mod programs;
 mod report;
-pub(crate) mod run;
 mod study;
 
 use case::Case;
@@ -108,7 +108,7 @@ fn parse(words: &[String]) -> Result<Wish, String> {
 fn wearshape(root: &Path, wish: &Wish) -> Result<PathBuf, String> {
     match &wish.program {
         Some(program) => Ok(program.clone()),
-        None => run::build(root),
+        None => programs::build(root),
     }
 }
 
@@ -150,8 +150,8 @@ fn is_wanted(case: &Case, wish: &Wish) -> bool {
 fn run_case(root: &Path, wearshape: &Path, case: &Case, fault: Option<&str>) -> Outcome {
     let folder = root.join("target/verify").join(&case.name);
     let started = Instant::now();
-    let result = run::solve(root, wearshape, case, &folder)
-        .and_then(|()| run::script(root, &case.script, &folder, fault))
+    let result = programs::solve(root, wearshape, case, &folder)
+        .and_then(|()| programs::script(root, &case.script, &folder, fault))
         .and_then(|()| compare::case(case, &folder));
     Outcome::new(case, result, started.elapsed().as_secs_f64())
 }

@@ -5,7 +5,7 @@
 
 use super::case::{Wanted, text, wanted};
 use super::report::Outcome;
-use super::{compare, report, run};
+use super::{compare, programs, report};
 use std::fs;
 use std::path::Path;
 use std::time::Instant;
@@ -44,7 +44,7 @@ fn one(root: &Path, case: &Value, name: &str, fault: Option<&str>) -> Result<Vec
     save("scene.resolved.toml", scene(root, case)?)?;
     save("contact.csv", columns(case)?)?;
     save("summary.json", summary(case))?;
-    run::script(root, &text(case, "script")?, &folder, fault)?;
+    programs::script(root, &text(case, "script")?, &folder, fault)?;
     let list = case.get("quantities").and_then(Value::as_array).ok_or(format!("{name}: no quantities"))?;
     let quantities: Vec<Wanted> = list.iter().map(wanted).collect::<Result<_, _>>()?;
     compare::rows(&quantities, &folder)

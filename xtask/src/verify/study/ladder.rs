@@ -1,6 +1,6 @@
 //! Runs both programs on their ladders.
 
-use super::super::{compare, run};
+use super::super::{compare, programs};
 use super::case::{Curve, Study};
 use super::front::{Point, relative_l2};
 use serde_json::Value;
@@ -121,7 +121,7 @@ pub(crate) fn theirs(root: &Path, study: &Study, truth: &Truth, folder: &Path) -
     let out = folder.join("out.json");
     let log = folder.join("script.log");
     let file = fs::File::create(&log).map_err(|error| format!("{}: {error}", log.display()))?;
-    let mut command = run::python(root);
+    let mut command = programs::python(root);
     command.arg(root.join("verify/study.py")).arg(folder).arg(&study.name);
     let status = command.stdout(Stdio::null()).stderr(file).status().map_err(|error| format!("study.py: {error}"))?;
     if !status.success() {
