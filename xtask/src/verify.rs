@@ -5,13 +5,14 @@
 //! With `--known` the scripts themselves are compared with published and computed numbers.
 
 mod case;
-pub(crate) mod compare;
+mod compare;
 pub(crate) mod debian;
 mod known;
 mod picture;
 pub(crate) mod programs;
 mod report;
 mod study;
+pub(crate) mod tables;
 
 use case::Case;
 use report::{Outcome, Row};

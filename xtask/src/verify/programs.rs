@@ -49,7 +49,7 @@ pub(crate) fn solve(root: &Path, wearshape: &Path, case: &Case, folder: &Path) -
     if output.status.success() {
         return Ok(());
     }
-    let summary = super::compare::read_json(&folder.join("ours/summary.json")).unwrap_or_default();
+    let summary = super::tables::read_json(&folder.join("ours/summary.json")).unwrap_or_default();
     let words = String::from_utf8_lossy(&output.stderr);
     let words = summary["verdict"].as_str().unwrap_or(words.trim());
     Err(format!("wearshape ended with {}: {words}", output.status))

@@ -133,7 +133,7 @@ pub(crate) fn write(folder: &Path, outcomes: &[Outcome], fault: Option<&str>, se
 
 fn versions(folder: &Path, outcome: &Outcome) -> Value {
     let path = folder.join(&outcome.name).join("out.json");
-    super::compare::read_json(&path).map_or(Value::Null, |out| out["versions"].clone())
+    super::tables::read_json(&path).map_or(Value::Null, |out| out["versions"].clone())
 }
 
 fn case_json(outcome: &Outcome) -> Value {

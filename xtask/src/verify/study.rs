@@ -148,7 +148,7 @@ fn known(root: &Path, study: &Study, truth: &ladder::Truth) -> Result<(Vec<Strin
     }
     if let Some(entry) = &study.known {
         let word = |key: &str| entry.get(key).and_then(toml::Value::as_str).ok_or(format!("{}: known needs {key}", study.name));
-        let file = super::compare::read_json(&root.join("data/reference").join(word("file")?))?;
+        let file = super::tables::read_json(&root.join("data/reference").join(word("file")?))?;
         let list = |pointer: &str| -> Vec<f64> {
             file.pointer(pointer).and_then(Value::as_array).into_iter().flatten().filter_map(Value::as_f64).collect()
         };

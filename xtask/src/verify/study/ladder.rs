@@ -1,6 +1,6 @@
 //! Runs both programs on their ladders.
 
-use super::super::{compare, programs};
+use super::super::{programs, tables};
 use super::case::{Curve, Study};
 use super::front::{Point, relative_l2};
 use serde_json::Value;
@@ -14,7 +14,7 @@ pub(crate) struct Truth {
     modes: Vec<Vec<f64>>,
     keep: Vec<bool>,
     pub(crate) summary: Value,
-    pub(crate) table: compare::Csv,
+    pub(crate) table: tables::Csv,
 }
 
 /// Solves the finest level of ours into `<folder>/ours`.
@@ -22,8 +22,8 @@ pub(crate) fn truth(root: &Path, wearshape: &Path, study: &Study, folder: &Path)
     let ours = folder.join("ours");
     let settings: Vec<&String> = study.set.iter().chain(&study.truth).collect();
     solve(root, wearshape, &study.scene, &settings, study.sample, &ours)?;
-    let table = compare::read_csv(&ours.join("contact.csv"))?;
-    let summary = compare::read_json(&ours.join("summary.json"))?;
+    let table = tables::read_csv(&ours.join("contact.csv"))?;
+    let summary = tables::read_json(&ours.join("summary.json"))?;
     let values = table.column(&study.column)?.to_vec();
     let modes = study.modes.iter().map(|name| table.column(name).map(<[f64]>::to_vec)).collect::<Result<_, _>>()?;
     let s = table.column("s_mm")?;
@@ -66,7 +66,7 @@ pub(crate) fn ours(
             let settings: Vec<&String> = study.set.iter().chain(&curve.set).chain(&level).collect();
             let at = folder.join("level");
             solve(root, wearshape, scene, &settings, study.sample, &at)?;
-            truth.error(compare::read_csv(&at.join("contact.csv"))?.column(&study.column)?)
+            truth.error(tables::read_csv(&at.join("contact.csv"))?.column(&study.column)?)
         };
         let label = format!("degree {degree}, {layers} layers");
         points.push(Point { label, unknowns: value("dofs"), seconds: value("seconds_total"), error });
@@ -86,7 +86,7 @@ pub(crate) fn times(root: &Path, wearshape: &Path, study: &Study, curve: &Curve,
         command.args(["--set", change]);
     }
     finish(command)?;
-    let found = compare::read_json(&folder.join("study/study.json"))?;
+    let found = tables::read_json(&folder.join("study/study.json"))?;
     found["levels"].as_array().cloned().ok_or_else(|| "study.json has no levels".into())
 }
 
@@ -127,7 +127,7 @@ pub(crate) fn theirs(root: &Path, study: &Study, truth: &Truth, folder: &Path) -
     if !status.success() {
         return Err(format!("study.py ended with {status}; see {}", log.display()));
     }
-    let found = compare::read_json(&out)?;
+    let found = tables::read_json(&out)?;
     let rows = found["rows"].as_array().cloned().unwrap_or_default();
     let number = |row: &Value, key: &str| row[key].as_f64().unwrap_or(f64::NAN);
     let point = |row: &Value| {
