@@ -11,11 +11,13 @@ mod known;
 mod picture;
 pub(crate) mod programs;
 mod report;
+mod row;
 mod study;
 pub(crate) mod tables;
 
 use case::Case;
-use report::{Outcome, Row};
+use report::Outcome;
+use row::Row;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;

@@ -1,7 +1,7 @@
 //! Our numbers against the script's, quantity by quantity.
 
 use super::case::{Case, Norm, Wanted};
-use super::report::Row;
+use super::row::Row;
 use super::tables::{Csv, read_csv, read_json};
 use serde_json::Value;
 use std::path::Path;

@@ -5,6 +5,7 @@
 
 use super::case::{Wanted, text, wanted};
 use super::report::Outcome;
+use super::row::Row;
 use super::{compare, programs, report};
 use std::fs;
 use std::path::Path;
@@ -34,7 +35,7 @@ pub(crate) fn compare(root: &Path, names: &[String], quick: bool, fault: Option<
     report::write(&root.join("target/verify/known"), &outcomes, None, started.elapsed().as_secs_f64())
 }
 
-fn one(root: &Path, case: &Value, name: &str, fault: Option<&str>) -> Result<Vec<report::Row>, String> {
+fn one(root: &Path, case: &Value, name: &str, fault: Option<&str>) -> Result<Vec<Row>, String> {
     let folder = root.join("target/verify/known").join(name);
     let ours = folder.join("ours");
     fs::create_dir_all(&ours).map_err(|error| format!("{}: {error}", ours.display()))?;
