@@ -13,6 +13,7 @@ mod plot;
 
 use case::Study;
 use front::{Point, front, seconds_at};
+use ladder::Setting;
 use outcome::{Factor, Ladder, Outcome};
 use serde_json::{Value, json};
 use std::fs;
@@ -52,22 +53,23 @@ pub(crate) fn run(root: &Path, wearshape: &Path, names: &[String], repeat: usize
 fn one(root: &Path, wearshape: &Path, study: Study, repeat: usize) -> Result<Outcome, String> {
     let folder = root.join("target/verify/study").join(&study.name);
     fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
-    let truth = ladder::truth(root, wearshape, &study, &folder)?;
+    let setting = Setting { root, wearshape, study: &study, folder: &folder };
+    let truth = ladder::truth(&setting)?;
     let (sentences, mut passed) = known(root, &study, &truth)?;
     let mut ladders = Vec::new();
     for curve in &study.curves {
-        let points = ladder::ours(root, wearshape, &study, curve, &truth, &folder)?;
+        let points = ladder::ours(&setting, curve, &truth)?;
         ladders.push(Ladder { name: format!("wearshape, {}", curve.name), ours: true, points });
     }
     // The first run compiles and is thrown away.
-    let mut found = ladder::theirs(root, &study, &truth, &folder)?;
+    let mut found = ladder::theirs(&setting, &truth)?;
     for number in 0..repeat {
         for (curve, ladder) in study.curves.iter().zip(&mut ladders) {
-            let rows = ladder::times(root, wearshape, &study, curve, &folder)?;
+            let rows = ladder::times(&setting, curve)?;
             let seconds = rows.iter().map(|row| row["seconds_total"].as_f64().unwrap_or(f64::NAN));
             ladder.points.iter_mut().zip(seconds).for_each(|(point, seconds)| point.seconds = point.seconds.min(seconds));
         }
-        let again = ladder::theirs(root, &study, &truth, &folder)?;
+        let again = ladder::theirs(&setting, &truth)?;
         if number == 0 {
             found = again;
         } else {
