@@ -4,7 +4,7 @@ use scene::{Fault, Functional, Task};
 use wear::{Counterface, WearLaw, WearPair, WearRule};
 
 use crate::problem::{OwnRule, Problem};
-use crate::remarks;
+use crate::setup::remarks;
 use crate::setup::tasks::word;
 
 impl Problem {
