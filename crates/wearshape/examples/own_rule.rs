@@ -67,7 +67,10 @@ fn tell(name: &str, solution: &Solution) {
     }
     if let Some(shape) = &solution.shape {
         println!("   crown {:.4} um", shape.crown_um.unwrap_or(f64::NAN));
-        println!("   a contact solve on other meshes gives the pressure back to {:.1e}", shape.roundtrip_independent.unwrap_or(f64::NAN));
+        println!(
+            "   a contact solve on other meshes gives the pressure back to {:.1e}",
+            shape.roundtrip_independent.unwrap_or(f64::NAN)
+        );
     }
 }
 

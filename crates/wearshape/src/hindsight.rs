@@ -6,6 +6,7 @@ use scene::short;
 use crate::problem::Problem;
 use crate::remark::Remark;
 use crate::solution::Solution;
+use crate::words::Uniqueness;
 
 /// Part of body 1's thickness that wear may take before the body is another one.
 const WORN: f64 = 0.1;
@@ -19,12 +20,12 @@ pub(crate) fn remarks(problem: &Problem, solution: &Solution) -> Vec<Remark> {
 fn other_solutions(solution: &Solution) -> Option<Remark> {
     let found = solution.contact.as_ref()?.uniqueness.as_ref()?;
     let from = short(found.not_guaranteed_from?);
-    let message = match (found.verdict.as_str(), found.singular_from.or(found.lost_from)) {
+    let message = match (found.verdict, found.singular_from.or(found.lost_from)) {
         (_, Some(lost)) => format!(
             "The contact followed up from no friction ends at a coefficient of {}: there its system is singular, and beyond it several contacts may be right, or none.",
             short(lost)
         ),
-        ("several", _) => {
+        (Uniqueness::Several, _) => {
             "At this friction the contact has several solutions: the one reported is not the one that grows from no friction."
                 .into()
         }
@@ -32,7 +33,7 @@ fn other_solutions(solution: &Solution) -> Option<Remark> {
             "From a coefficient of friction of {from} on nothing guarantees that this is the only contact; the one reported grows from no friction without branching."
         ),
     };
-    let branches = matches!(found.verdict.as_str(), "singular" | "several");
+    let branches = matches!(found.verdict, Uniqueness::Singular | Uniqueness::Several);
     let code = if branches { "several-solutions" } else { "not-guaranteed-unique" };
     Some(Remark { code, message })
 }

@@ -30,6 +30,7 @@ mod steps;
 mod study;
 mod surface;
 mod watch;
+mod words;
 
 pub use meshing::Files;
 pub use shapeopt::Measure;
@@ -53,5 +54,6 @@ pub use solution::{
 pub use solve::solve;
 pub use step::Step;
 pub use study::{DEGREES, Level as StudyLevel, Quantity, Truth, outermost, study};
-pub use wear::{Shape, WearRule};
 pub use watch::{Event, FinishedLevel, Resume, RunLevel, Watch, WearStep};
+pub use wear::{Shape, WearRule};
+pub use words::{Character, ContactStatus, PointStatus, Regime, TwistStatus, Uniqueness, WearStatus, word};

@@ -1,5 +1,6 @@
 //! What was computed: plain data, one struct a stage, the profile at the contact points, counters and times.
 
+use scene::{Balance, Functional, Modes};
 use serde::Serialize;
 
 use crate::body_field::FieldFrame;
@@ -8,6 +9,7 @@ use crate::machined::Machined;
 use crate::profile::Profile;
 use crate::remark::Remark;
 use crate::watch::Resume;
+use crate::words::{Character, ContactStatus, Regime, TwistStatus, Uniqueness, WearStatus};
 
 /// How a run ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
@@ -109,21 +111,21 @@ pub struct PointForce {
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct PressureResult {
     /// Functional in the scene's word.
-    pub functional: String,
+    pub functional: Functional,
     /// Its q; only the three functionals of the paper use it.
     pub q: Option<f64>,
     /// equilibrium or paper.
-    pub balance: String,
+    pub balance: Balance,
     /// kinematic or associated.
-    pub modes: String,
+    pub modes: Modes,
     /// Exponent s.
     pub s: Option<f64>,
     /// Exponent k = 1/(s - 1).
     pub k: Option<f64>,
     /// minimum, maximum, indifferent, stationary.
-    pub character: String,
+    pub character: Option<Character>,
     /// regular, near-singular, singular, partial-contact, infeasible, several.
-    pub regime: String,
+    pub regime: Option<Regime>,
     /// Forces of a singular pressure.
     pub limit_measure: Vec<PointForce>,
     /// Multiplier of each resultant.
@@ -173,7 +175,7 @@ pub struct PressureResult {
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct ContactResult {
     /// Status of the solve.
-    pub status: String,
+    pub status: ContactStatus,
     /// Contact force.
     #[serde(rename = "force_N")]
     pub force: Option<f64>,
@@ -214,7 +216,7 @@ pub struct ContactResult {
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct TwistResult {
     /// sticks, slips-in-part, slips or turns-through, at the end of the last step.
-    pub status: String,
+    pub status: TwistStatus,
     /// Rotation of the edge on which body 1 is held.
     #[serde(rename = "angle_rad")]
     pub angle: Vec<f64>,
@@ -230,7 +232,7 @@ pub struct TwistResult {
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct UniquenessResult {
     /// guaranteed, not-guaranteed, singular, or several.
-    pub verdict: String,
+    pub verdict: Uniqueness,
     /// From where one solution is not guaranteed.
     pub not_guaranteed_from: Option<f64>,
     /// From where the determinant of the system has changed its sign.
@@ -297,7 +299,7 @@ pub struct ToleranceResult {
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct WearResult {
     /// Status of the integration.
-    pub status: String,
+    pub status: WearStatus,
     /// Accepted steps.
     pub steps: usize,
     /// Rejected steps.

@@ -19,6 +19,7 @@ use crate::problem::Problem;
 use crate::profile::Profile;
 use crate::step::Step;
 use crate::surface::Patch;
+use crate::words::PointStatus;
 
 /// A problem whose contact surface is known, ready for its elastic stages.
 #[derive(Clone, Copy)]
@@ -265,7 +266,7 @@ impl<'a> Stage<'a> {
                 profile.normal_displacement[body][row] = 1e3 * u[0];
                 profile.tangential_displacement[body][row] = 1e3 * sense * u[1];
             }
-            profile.status[row] = if pressure[row] > 0.0 { "contact" } else { "open" };
+            profile.status[row] = PointStatus::pressed(pressure[row] > 0.0);
         }
         profile
     }

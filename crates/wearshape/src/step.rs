@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use crate::words::word;
+
 /// A stage of a run, in the words of the summary and of timing.json.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub enum Step {
@@ -64,6 +66,6 @@ pub enum Step {
 impl Step {
     /// Its name in files and on the screen.
     pub fn name(self) -> String {
-        serde_json::to_value(self).ok().and_then(|name| name.as_str().map(str::to_string)).unwrap_or_default()
+        word(&self)
     }
 }

@@ -14,6 +14,7 @@ use crate::solution::{
 use crate::stage::Stage;
 use crate::steps::reported::Reported;
 use crate::watch::Resume;
+use crate::words::PointStatus;
 
 /// A solved pair of bodies.
 pub(crate) struct Answer<'a> {
@@ -73,7 +74,7 @@ impl Answer<'_> {
         profile.gap = gap.iter().map(|g| 1e3 * g).collect();
         profile.opening = opening.iter().map(|g| 1e3 * g).collect();
         if let Some(closed) = closed {
-            profile.status = closed.iter().map(|closed| if *closed { "contact" } else { "open" }).collect();
+            profile.status = closed.iter().map(|closed| PointStatus::pressed(*closed)).collect();
         }
         profile
     }

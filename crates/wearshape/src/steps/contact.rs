@@ -23,6 +23,7 @@ use crate::steps::start_gap::{start_gap, start_gaps};
 use crate::steps::twist::Twist;
 use crate::steps::{sharp_edges, torsion};
 use crate::watch::Watch;
+use crate::words::PointStatus;
 
 /// Relative violation of signs below which a solution with its points held in contact is the contact's.
 const SIGNS_HOLD: f64 = 1e-9;
@@ -36,7 +37,7 @@ pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome,
     let (mut outcome, effort) = levels(&ladder, watch, |level| solve_level(stage, level, &mut search))?;
     search.report(stage, &mut outcome)?;
     if let Some((level, profile)) = search.last.zip(outcome.told.as_ref().map(|told| &told.profile)) {
-        let is_closed = |status: Option<&&'static str>| status.is_some_and(|status| *status == "contact");
+        let is_closed = |status: Option<&PointStatus>| status == Some(&PointStatus::Contact);
         let closed = [is_closed(profile.status.first()), is_closed(profile.status.last())];
         let note = sharp_edges::note(stage, level.layers, closed)?;
         // The largest value at a point says nothing about an infinite pressure.

@@ -1,6 +1,6 @@
 //! A solved contact in numbers of the summary.
 
-use contact::{ContactOperator, ContactSolution, Pair, Status};
+use contact::{ContactOperator, ContactSolution, Pair};
 
 use crate::solution::ContactResult;
 use crate::stage::Stage;
@@ -25,7 +25,7 @@ pub(crate) fn result(
     let largest = found.pressure.iter().copied().fold(0.0, f64::max);
     let shear = found.shear.iter().map(|q| q.abs()).fold(0.0, f64::max);
     ContactResult {
-        status: word(&found.status).into(),
+        status: (&found.status).into(),
         force: Some(found.force[1]),
         moment: Some(moment),
         approach: tz.map(|z| -z),
@@ -47,17 +47,4 @@ pub(crate) fn result(
 fn motions(pair: &Pair<'_>, found: &ContactSolution) -> [Option<f64>; 3] {
     let frame = pair.shaped.frame;
     frame.map(|unknown| unknown.map(|u| found.shaped.unknowns[u]))
-}
-
-/// The status in the summary's word.
-pub(crate) fn word(status: &Status) -> &'static str {
-    match status {
-        Status::Converged => "converged",
-        Status::ClosedEverywhere => "closed-everywhere",
-        Status::NoContact => "no-contact",
-        Status::NoBalance => "no-balance",
-        Status::Jammed => "jammed",
-        Status::NotUnique => "not-unique",
-        _ => "iteration-limit",
-    }
 }

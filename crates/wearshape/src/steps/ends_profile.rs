@@ -8,8 +8,8 @@ use crate::options::{Sampling, trapezoid_weights};
 use crate::parts::MEAN_COLUMNS;
 use crate::profile::Profile;
 use crate::solution::ContactResult;
-use crate::steps::contact_result::word;
 use crate::steps::ends_setting::Setting;
+use crate::words::PointStatus;
 
 /// A solved contact with the ends its nodes stand on.
 pub(crate) struct Rows<'r> {
@@ -150,10 +150,10 @@ impl Rows<'_> {
                 None => self.state_near(&place.point),
             };
             profile.status[row] = match (state, self.setting.shear != 0.0) {
-                (ContactState::Open, _) => "open",
-                (_, false) => "contact",
-                (ContactState::Stick, true) => "stick",
-                (_, true) => "slip",
+                (ContactState::Open, _) => PointStatus::Open,
+                (_, false) => PointStatus::Contact,
+                (ContactState::Stick, true) => PointStatus::Stick,
+                (_, true) => PointStatus::Slip,
             };
         }
         profile
@@ -199,7 +199,7 @@ impl Rows<'_> {
         let both = |end: f64| if setting.revolved() { vec![0.0, end] } else { vec![-end, end] };
         let sheared = setting.shear != 0.0;
         ContactResult {
-            status: word(&found.status).into(),
+            status: (&found.status).into(),
             force: Some(setting.copies() * found.force[1]),
             moment: Some(moment).filter(|_| !setting.revolved()),
             approach: Some(-self.rigid_motion()[1]),

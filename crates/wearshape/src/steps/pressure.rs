@@ -11,6 +11,7 @@ use crate::problem::{Optimum, OwnRule, Problem};
 use crate::profile::Profile;
 use crate::solution::{ByRole, ErrorResult, PointForce, PressureResult, Status};
 use crate::surface::Patch;
+use crate::words::{self, PointStatus};
 
 /// The optimal pressure with its columns.
 pub(crate) struct Found {
@@ -48,7 +49,7 @@ pub(crate) fn solve(problem: &Problem, options: &Options<'_>) -> Result<Found, F
                 _ => Status::Refused,
             };
             if let WearError::Infeasible { .. } = error {
-                found.result.regime = "infeasible".into();
+                found.result.regime = Some(words::Regime::Infeasible);
             }
             found.ended = Some((status, error.to_string()));
         }
@@ -95,12 +96,11 @@ pub(crate) fn wear_problem(problem: &Problem) -> Result<wear::Problem, Fault> {
 }
 
 fn description(optimum: &Optimum) -> PressureResult {
-    let word = |value: Option<serde_json::Value>| value.and_then(|value| value.as_str().map(str::to_string)).unwrap_or_default();
     PressureResult {
-        functional: word(serde_json::to_value(optimum.functional).ok()),
+        functional: optimum.functional,
         q: Some(optimum.q),
-        balance: word(serde_json::to_value(optimum.balance).ok()),
-        modes: word(serde_json::to_value(optimum.modes).ok()),
+        balance: optimum.balance,
+        modes: optimum.modes,
         ..PressureResult::default()
     }
 }
@@ -122,16 +122,8 @@ fn by_role(values: &[f64], freedoms: &[Freedom]) -> ByRole {
 fn describe(result: &mut PressureResult, optimum: &wear::Optimum, freedoms: &[Freedom], active: bool) {
     result.s = optimum.s;
     result.k = optimum.k;
-    result.character = format!("{:?}", optimum.character).to_lowercase();
-    result.regime = match optimum.regime {
-        Regime::Regular => "regular",
-        Regime::NearSingular => "near-singular",
-        Regime::Singular => "singular",
-        Regime::PartialContact => "partial-contact",
-        Regime::Infeasible => "infeasible",
-        Regime::Several => "several",
-    }
-    .into();
+    result.character = Some(optimum.character.into());
+    result.regime = Some(optimum.regime.into());
     let atoms = optimum.limit_measure.iter();
     result.limit_measure =
         atoms.map(|atom| PointForce { x: atom.position.x, y: atom.position.y, z: atom.position.z, force: atom.force }).collect();
@@ -167,7 +159,7 @@ fn profile(problem: &Problem, patch: &Patch, optimum: &wear::Optimum, points: Ve
         if let Some(rate) = problem.wear.rate(pressure, point.sliding_speed) {
             profile.wear_rate[row] = 1e3 * rate;
         }
-        profile.status[row] = if pressure > 0.0 { "contact" } else { "open" };
+        profile.status[row] = PointStatus::pressed(pressure > 0.0);
     }
     profile
 }

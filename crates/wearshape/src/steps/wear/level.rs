@@ -161,7 +161,7 @@ fn result(run: &Run, weights: &[f64], stage: Stage<'_>) -> WearResult {
     let Run { state, ended, history, run_in, .. } = run;
     let steady = state.steady_residual <= steady_residual(stage);
     WearResult {
-        status: word(ended).into(),
+        status: ended.into(),
         steps: state.step,
         rejected_steps: state.rejected,
         time: Some(state.time),
@@ -240,15 +240,5 @@ fn share(state: &WearState, problem: &WearProblem) -> f64 {
         Until::Time(end) => state.time / end,
         Until::Steady { .. } if state.interval + 1 < problem.schedule.len() => 0.0,
         Until::Steady { residual, .. } => state.steady_residual.max(f64::MIN_POSITIVE).ln() / residual.ln(),
-    }
-}
-
-/// The status in the summary's word.
-fn word(status: &EvolutionStatus) -> &'static str {
-    match status {
-        EvolutionStatus::Steady => "steady",
-        EvolutionStatus::TimeReached => "time-reached",
-        EvolutionStatus::Running => "step-limit",
-        EvolutionStatus::Stuck { .. } => "stuck",
     }
 }
