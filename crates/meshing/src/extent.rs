@@ -136,6 +136,15 @@ mod tests {
     }
 
     #[test]
+    fn arcs_of_a_round_body_may_be_numbered_a_turn_away() {
+        let round = Extent::Round { x: [-1.0, 1.0], touch: 0.0, radius: 10.0 };
+        for turns in [-1.0, 0.0, 2.0] {
+            let ends = [0.5, 0.52].map(|share| (share + turns) * TURN);
+            assert!((round.parameter(&arc([0.0, 10.0], 10.0, ends), 0.0) + 1.0).abs() < 1e-12, "{turns} turns");
+        }
+    }
+
+    #[test]
     fn a_place_off_the_curve_has_a_parameter_beyond_its_ends() {
         let curve = Curve::Line { start: [1.0, 0.0], end: [2.0, 0.0] };
         assert!(Extent::X([0.0, 5.0]).parameter(&curve, 2.5) > 1.0);

@@ -53,6 +53,10 @@ fn agree(couple: &Couple) {
     let known = |places: &[f64], x: f64| places.iter().any(|known| (known - x).abs() <= near(extent));
     let shifted = of(0, Cut::Shifted);
     assert!(shifted.iter().any(|x| !known(&coarse, *x)), "another mesh: {shifted:?}");
+    // Next to the end of the surface cells are about as small as their distance from it, before any layers.
+    let close = of(0, Cut::Ends(&[0.99]));
+    let [.., before, place, _, _] = close[..] else { unreachable!() };
+    assert!((to - place - 0.005 * (to - from)).abs() <= near(extent) && place - before < 6.0 * (to - place), "{close:?}");
     for ends in [[-0.3, 0.55].as_slice(), &[0.2], &[-0.4, 0.99]] {
         let cut = of(4, Cut::Ends(ends));
         for t in ends {
