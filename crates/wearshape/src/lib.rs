@@ -40,8 +40,8 @@ pub use profile::Profile;
 pub use remarks::Remark;
 pub use scene::{Document, Fault};
 pub use solution::{
-    ByRole, ContactResult, EnergyResult, ErrorResult, InterfaceResult, PointForce, PressureResult, Reaction, Rung, Settled,
-    ShapeResult, Solution, Status, ToleranceResult, TwistResult, UniquenessResult, WearResult,
+    ByRole, ContactResult, EnergyResult, ErrorResult, InterfaceResult, PointForce, PressureResult, Reaction, Rung,
+    SensitivityResult, Settled, ShapeResult, Solution, Status, ToleranceResult, TwistResult, UniquenessResult, WearResult,
 };
 pub use solve::solve;
 pub use study::{DEGREES, Level as StudyLevel, Quantity, Truth, outermost, study};

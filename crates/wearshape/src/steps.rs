@@ -14,6 +14,7 @@ pub mod pressure_ends;
 pub mod recover;
 pub mod round;
 pub mod round_trip;
+pub mod sensitivity;
 pub mod shape;
 pub mod sharp_edges;
 pub mod tolerance;

@@ -4,7 +4,7 @@ use approx::{assert_abs_diff_eq, assert_relative_eq};
 use wearshape::{Bodies, Document, Problem, Solution, Status};
 
 #[path = "../../examples/own_rule.rs"]
-#[allow(dead_code, clippy::print_stdout)]
+#[allow(dead_code, unreachable_pub)]
 mod example;
 
 fn without_threshold(pressure: f64, sliding_speed: f64) -> [f64; 2] {
@@ -52,11 +52,8 @@ fn a_threshold_that_vanishes_gives_the_law_without_it_and_a_high_one_a_uniform_p
     let plain = problem(&text);
     let pressure = |rule| example::solved(&plain.with_wear_rule(rule).unwrap(), &Bodies::default()).unwrap();
     let without = example::solved(&plain, &Bodies::default()).unwrap();
-    let [small, smaller, high]: [wearshape::WearRule; 3] = [
-        |p, v| example::above(1e-3, p, v),
-        |p, v| example::above(1e-6, p, v),
-        |p, v| example::above(4.9, p, v),
-    ];
+    let [small, smaller, high]: [wearshape::WearRule; 3] =
+        [|p, v| example::above(1e-3, p, v), |p, v| example::above(1e-6, p, v), |p, v| example::above(4.9, p, v)];
     let column = |profile: &wearshape::Profile| -> Vec<f64> { profile.pressure.clone() };
     let far = apart(&without, &pressure(small), |profile| &profile.pressure);
     let near = apart(&without, &pressure(smaller), |profile| &profile.pressure);
