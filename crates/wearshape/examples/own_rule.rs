@@ -5,13 +5,13 @@ use std::ops::ControlFlow;
 
 use wearshape::{Bodies, Document, Fault, Options, Problem, Solution, solve};
 
-/// The drum brake with a block shoe, after Paczelt and Mroz (2007), with w' = k p^b v; a smaller accuracy than that of the built-in scene.
+/// The drum brake with a block shoe, after Paczelt and Mroz (2007), with w' = k p^b v.
 pub const SCENE: &str = r#"
 units = "N-mm"
 kinematics = "plane-stress"
 thickness = 10
 tasks = ["pressure", "shape"]
-accuracy = 1e-4
+accuracy = 1e-6
 
 body1.material = { young = "210 GPa", poisson = 0.3 }
 body1.geometry.shoe-block = { radius = 200, half_angle = "30 deg", top = 300 }

@@ -49,7 +49,7 @@ pub use remark::Remark;
 pub use scene::{Document, Fault};
 pub use solution::{
     ByRole, ContactResult, EnergyResult, ErrorResult, InterfaceResult, PointForce, PressureResult, Reaction, Rung, RunningIn,
-    RunningInStep, Settled, ShapeResult, Solution, Status, ToleranceResult, TwistResult, UniquenessResult, WearResult,
+    RunningInStep, SensitivityResult, Settled, ShapeResult, Solution, Status, ToleranceResult, TwistResult, UniquenessResult, WearResult,
 };
 pub use solve::solve;
 pub use step::Step;

@@ -169,6 +169,25 @@ pub struct PressureResult {
     pub steadiness_residual: Option<f64>,
     /// How far the wear of both bodies is from proportional.
     pub congruence_residual: Option<f64>,
+    /// What 1 % more of each given number does; empty where the pressure has no derivative, or carries the force of a prescribed approach.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub sensitivity: Vec<SensitivityResult>,
+}
+
+/// One entry of `summary.pressure.sensitivity`: what 1 % more of a given number does to first order, in per cent.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub struct SensitivityResult {
+    /// Key of the number in the scene: "load.force", "contact.friction", "wear.beta.0"; without an index where both bodies have the same one.
+    pub given: String,
+    /// Of the mean wear rate of the gap; none where nothing wears.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub wear_rate_percent: Option<f64>,
+    /// Of the friction torque, or of the friction force where body 2 translates; none without friction.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub torque_percent: Option<f64>,
+    /// Of the largest pressure.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub p_max_percent: Option<f64>,
 }
 
 /// `summary.contact`.

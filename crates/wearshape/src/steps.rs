@@ -19,6 +19,7 @@ pub(crate) mod reported;
 pub(crate) mod rigid_coordinates;
 pub(crate) mod round;
 pub(crate) mod round_trip;
+pub(crate) mod sensitivity;
 pub(crate) mod shape;
 pub(crate) mod shaper;
 pub(crate) mod sharp_edges;

@@ -10,6 +10,7 @@ use crate::options::{Options, Sampling};
 use crate::problem::{Optimum, OwnRule, Problem};
 use crate::profile::Profile;
 use crate::solution::{ByRole, ErrorResult, PointForce, PressureResult, Status};
+use crate::steps::sensitivity;
 use crate::surface::Patch;
 use crate::words::{self, PointStatus};
 
@@ -31,6 +32,9 @@ pub(crate) fn solve(problem: &Problem, options: &Options<'_>) -> Result<Found, F
     match optimum(problem, &wear) {
         Ok(optimum) => {
             describe(&mut found.result, &optimum, &problem.freedoms, wear.wear.active);
+            if options.machining {
+                found.result.sensitivity = sensitivity::of(problem, &wear, &optimum);
+            }
             let points = match options.sample {
                 Some(Sampling::Even(count)) => patch.sample(count),
                 _ => patch.towards_x(optimum.points.clone()),
@@ -58,7 +62,7 @@ pub(crate) fn solve(problem: &Problem, options: &Options<'_>) -> Result<Found, F
 }
 
 /// The optimal pressure of a problem, by the caller's own wear rule where there is one; `wear` is the problem in the words of the theory.
-pub fn optimum(problem: &Problem, wear: &wear::Problem) -> Result<wear::Optimum, WearError> {
+pub(crate) fn optimum(problem: &Problem, wear: &wear::Problem) -> Result<wear::Optimum, WearError> {
     match problem.wear.rule {
         Some(OwnRule(rule)) => wear::steady_pressure_of_rule(wear, rule),
         None => wear::optimal_pressure(wear),

@@ -1,10 +1,12 @@
 //! A wear rule given as a function: it is the scene's own law where it is the same law, and what it cannot serve is refused.
 
+use std::ops::ControlFlow;
+
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use wearshape::{Bodies, Document, Problem, Solution, Status};
+use wearshape::{Bodies, Document, Options, Problem, Solution, Status, solve};
 
 #[path = "../../examples/own_rule.rs"]
-#[allow(dead_code, clippy::print_stdout)]
+#[allow(dead_code, unreachable_pub)]
 mod example;
 
 fn without_threshold(pressure: f64, sliding_speed: f64) -> [f64; 2] {
@@ -88,4 +90,22 @@ fn problems_are_equal_by_their_rules_and_say_so_where_they_are_written() {
     assert_ne!(given, plain);
     assert_ne!(given, plain.with_wear_rule(without_threshold).unwrap());
     assert!(given.resolved().unwrap().contains("given as a function"));
+}
+
+#[test]
+fn the_force_of_an_approach_follows_from_the_rule_and_a_tolerance_says_nothing_of_running_in() {
+    let load = r#"{ edge = "top", as = "rigid", approach = 0.01 }"#;
+    let text = example::SCENE.replace(r#"{ edge = "top", as = "pressure", force = "10 kN" }"#, load).replace("1e-6\n", "1e-4\n");
+    let plain = problem(&text);
+    let given = plain.with_wear_rule(without_threshold).unwrap();
+    let options = Options { machining: true, ..Options::default() };
+    let bodies = Bodies::default();
+    let [plain, given] =
+        [plain, given].map(|problem| solve(&problem, &options, &bodies, &mut |_| ControlFlow::Continue(())).unwrap());
+    let force = |solution: &Solution| solution.pressure.as_ref().unwrap().force_N.unwrap();
+    assert_relative_eq!(force(&plain), force(&given), max_relative = 1e-9);
+    let [plain, given] = [plain, given].map(|solution| solution.shape.unwrap().tolerance);
+    assert!(plain.iter().all(|error| error.run_in_distance_mm.is_some()));
+    assert!(!given.is_empty() && given.iter().all(|error| error.run_in_distance_mm.is_none()));
+    assert_relative_eq!(plain[0].pressure_change_relative, given[0].pressure_change_relative, max_relative = 1e-6);
 }
