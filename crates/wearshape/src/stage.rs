@@ -261,8 +261,8 @@ impl<'a> Stage<'a> {
             // Without sliding in the plane tau is the tangent itself.
             let sense = if self.drag(point) < 0.0 { -1.0 } else { 1.0 };
             for (body, side) in [Side::Shaped, Side::Counter].into_iter().enumerate() {
-                let Some((operator, state)) = pair.side(side).zip(states[body]) else { continue };
-                let u = displacement(operator, state, point, pair.place(side, point));
+                let Some(state) = states[body] else { continue };
+                let u = pair.displacement(side, state, point);
                 profile.normal_displacement[body][row] = 1e3 * u[0];
                 profile.tangential_displacement[body][row] = 1e3 * sense * u[1];
             }
@@ -270,19 +270,6 @@ impl<'a> Stage<'a> {
         }
         profile
     }
-}
-
-/// Displacement along normal and tangent of a point.
-fn displacement(
-    operator: &hpfem::InterfaceOperator,
-    state: &InterfaceState,
-    point: &ContactPoint,
-    place: (usize, f64),
-) -> [f64; 2] {
-    let (rows, constant) = operator.trace.displacement_row(place.0, place.1);
-    let u: [f64; 2] = std::array::from_fn(|k| rows[k].iter().map(|(i, c)| c * state.unknowns[*i]).sum::<f64>() + constant[k]);
-    let along = |d: [f64; 2]| u[0] * d[0] + u[1] * d[1];
-    [along(point.normal), along(point.tangent)]
 }
 
 /// Columns of the mean displacement functionals that fix the free rigid modes, one a mode, each in turn the one of z, x,

@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
-use contact::{ContactOperator, ContactSolution, Pair, Status as ContactStatus, piecewise_linear};
+use contact::{
+    ContactOperator, ContactSolution, FreeEnds, Pair, Status as ContactStatus, inner_places, piecewise_linear, without_slivers,
+};
 use meshing::Cut;
 use scene::Fault;
 
@@ -17,7 +19,7 @@ use crate::steps::answer::{Answer, Outcome, Own, Told};
 use crate::steps::contact_levels::{Solved, levels};
 use crate::steps::contact_result::result;
 use crate::steps::diagnosis::Diagnosis;
-use crate::steps::free_ends::{FreeEnds, inner, pairs, zones};
+use crate::steps::free_ends::position;
 use crate::steps::reported::{Moment, Reported};
 use crate::steps::start_gap::{start_gap, start_gaps};
 use crate::steps::twist::Twist;
@@ -29,6 +31,8 @@ use crate::words::PointStatus;
 const SIGNS_HOLD: f64 = 1e-9;
 /// Relative violation of signs above which that solution is no start for the contact's.
 const NEAR: f64 = 1e-3;
+/// Samples of the pressure for the comparison of levels, over the inner 95 % of the contact.
+const SAMPLES: usize = 191;
 
 /// Solves the contact.
 pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
@@ -103,8 +107,8 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
         Some(_) => operator.embedded_difference(&gap, &stage.contact_load(operator.points()), &found).map_err(unsolved)?,
         None => None,
     };
-    let zones = if ends.places.is_empty() { zones(&found, length) } else { pairs(&ends.arcs(length)) };
-    let pressure = inner(&zones, length).iter().map(|arc| operator.pressure_at(&found.pressure, *arc)).collect();
+    let zones = if ends.places.is_empty() { without_slivers(&found.zones, length) } else { ends.zones(length) };
+    let pressure = inner_places(&zones, length, SAMPLES).iter().map(|arc| operator.pressure_at(&found.pressure, *arc)).collect();
     let mut told = told(stage, &reduced, (&pair, &operator), (&gap, &found));
     if let Some(twist) = &twist {
         [&mut told.profile, &mut told.curve].into_iter().for_each(|profile| twist.fill(&operator, profile, start));
@@ -152,11 +156,11 @@ fn find(stage: Stage<'_>, level: Level, ends: &mut FreeEnds, effort: &mut Effort
         *ends = FreeEnds::of(&found, length);
         trial = Some(found);
     }
-    let positioned = if ends.places.is_empty() { None } else { ends.position(stage, level, effort)? };
+    let positioned = if ends.places.is_empty() { None } else { position(stage, level, ends, effort)? };
     let mut unsettled = false;
     let (reduced, held) = match positioned {
-        Some(positioned) => {
-            *ends = positioned.ends;
+        Some((found, positioned)) => {
+            *ends = found;
             *effort += positioned.reduced.sizes();
             (positioned.reduced, Some(positioned.held))
         }

@@ -1,10 +1,9 @@
 //! A solved contact in numbers of the summary.
 
-use contact::{ContactOperator, ContactSolution, Pair};
+use contact::{ContactOperator, ContactSolution, Pair, without_slivers};
 
 use crate::solution::ContactResult;
 use crate::stage::Stage;
-use crate::steps::free_ends::zones;
 use crate::steps::sharp_edges;
 
 /// What the summary says of a contact; the ends are those of its points.
@@ -30,7 +29,7 @@ pub(crate) fn result(
         moment: Some(moment),
         approach: tz.map(|z| -z),
         tilt: theta.map(|t| -t),
-        ends: zones(found, pair.trace().length()).iter().flatten().map(|arc| start + arc).collect(),
+        ends: without_slivers(&found.zones, pair.trace().length()).iter().flatten().map(|arc| start + arc).collect(),
         // At a sharp corner the pressure is infinite: its exponent says more than the largest nodal value.
         p_max: Some(largest).filter(|_| edge_exponents.is_empty()),
         edge_exponents,

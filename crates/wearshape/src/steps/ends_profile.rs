@@ -124,6 +124,7 @@ impl Rows<'_> {
         // Body 2 moves against the shear force relative to body 1.
         let sense = if self.setting.shear > 0.0 { -1.0 } else { 1.0 };
         let rigid = self.rigid_motion();
+        let states = [Some(&self.found.shaped), self.found.counter.as_ref()];
         for (row, place) in places.iter().enumerate() {
             let value = |values: &[f64]| match place.node {
                 Some(node) => values[node],
@@ -139,7 +140,8 @@ impl Rows<'_> {
             profile.opening[row] = 1e3 * value(&self.found.opening).max(0.0);
             let turn = if place.mirrored { -sense } else { sense };
             for (body, side) in [Side::Shaped, Side::Counter].into_iter().enumerate() {
-                let Some(u) = displacement(self.pair, side, self.found, &place.point) else { continue };
+                let Some(state) = states[body] else { continue };
+                let u = self.pair.displacement(side, state, &place.point);
                 let held = if body == 0 { rigid } else { [0.0; 2] };
                 profile.normal_displacement[body][row] = 1e3 * (u[0] - held[1]);
                 profile.tangential_displacement[body][row] = 1e3 * turn * (u[1] - held[0]);
@@ -215,15 +217,4 @@ impl Rows<'_> {
             iterations: Some(found.iterations),
         }
     }
-}
-
-/// Displacement of a side along normal and tangent at a contact point.
-fn displacement(pair: &Pair<'_>, side: Side, found: &ContactSolution, point: &ContactPoint) -> Option<[f64; 2]> {
-    let state = if side == Side::Shaped { Some(&found.shaped) } else { found.counter.as_ref() };
-    let (operator, state) = pair.side(side).zip(state)?;
-    let (edge, t) = pair.place(side, point);
-    let (rows, constant) = operator.trace.displacement_row(edge, t);
-    let u: [f64; 2] = std::array::from_fn(|k| rows[k].iter().map(|(i, c)| c * state.unknowns[*i]).sum::<f64>() + constant[k]);
-    let along = |d: [f64; 2]| u[0] * d[0] + u[1] * d[1];
-    Some([along(point.normal), along(point.tangent)])
 }

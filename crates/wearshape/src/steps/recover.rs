@@ -15,7 +15,6 @@ use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::ends_setting::Setting;
 use crate::steps::reported::{Moment, Reported};
-use crate::steps::torsion;
 
 /// Recovers the moments of a stage on its bodies, made again at the reported level.
 pub(crate) fn recover(stage: Stage<'_>, reported: &Reported) -> Result<(Vec<FieldFrame>, Effort), Fault> {
@@ -99,11 +98,10 @@ fn twist(
 ) -> Result<(), Fault> {
     let level = reported.level;
     let meshes = stage.meshes(level.layers, Cut::Ends(&reported.ends))?;
-    let points = pair.points();
     for ((number, mesh), side) in meshes.into_iter().enumerate().zip([Side::Shaped, Side::Counter]) {
         let parts = BodyParts::new(stage.couple, number == 0, mesh, level, Kinematics::Torsion)?;
         let body = parts.reduce(stage.clock())?;
-        let field = field(&body, &torsion::twisted(&body.interface, pair, side, &points, &moment.around))?;
+        let field = field(&body, &pair.twisted(side, &body.interface, &moment.around))?;
         effort.counters.factorisations += 1;
         effort.counters.back_substitutions += 1;
         for (cell, values) in frame.bodies[number].cells.iter_mut().enumerate() {
