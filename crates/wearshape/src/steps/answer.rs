@@ -8,9 +8,7 @@ use crate::machined::Machined;
 use crate::options::{CURVE, Sampling};
 use crate::profile::Profile;
 use crate::remark::Remark;
-use crate::solution::{
-    ContactResult, EnergyResult, ErrorResult, InterfaceResult, Reaction, Rung, RunningIn, ShapeResult, Status, WearResult,
-};
+use crate::solution::{ContactResult, EnergyResult, ErrorResult, InterfaceResult, Reaction, Rung, RunningIn, ShapeResult, Status, WearResult};
 use crate::stage::Stage;
 use crate::steps::reported::Reported;
 use crate::watch::Resume;
