@@ -1,8 +1,8 @@
 //! Reduced bodies of all levels, kept as long as what they depend on stays the same: a sweep in load, friction, wear or optimum meshes and
 //! factors each level once, and so do several tasks of one run.
 
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use contact::{ContactOperator, Pair, UnitResponses};
 use hpfem::{InterfaceOperator, InterfaceState};
@@ -12,7 +12,7 @@ use scene::Fault;
 use crate::effort::{Clock, Counters, Effort};
 use crate::level::Level;
 use crate::parts::Parts;
-use crate::solution::Reaction;
+use crate::results::Reaction;
 
 /// Kinds of bodies that are kept at once; a sweep over geometries does not keep them all.
 const KINDS: usize = 4;

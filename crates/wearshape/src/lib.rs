@@ -20,6 +20,7 @@ mod plan;
 mod problem;
 mod profile;
 mod remark;
+mod results;
 mod scope;
 mod setup;
 mod solution;
@@ -46,11 +47,12 @@ pub use plan::{Plan, Stage};
 pub use problem::Problem;
 pub use profile::Profile;
 pub use remark::Remark;
-pub use scene::{Document, Fault};
-pub use solution::{
-    ByRole, ContactResult, EnergyResult, ErrorResult, InterfaceResult, PointForce, PressureResult, Reaction, Rung, RunningIn,
-    RunningInStep, SensitivityResult, Settled, ShapeResult, Solution, Status, ToleranceResult, TwistResult, UniquenessResult, WearResult,
+pub use results::{
+    ByRole, ContactResult, EnergyResult, ErrorResult, InterfaceResult, PointForce, PressureResult, Reaction, SensitivityResult,
+    Settled, ShapeResult, ToleranceResult, TwistResult, UniquenessResult, WearResult,
 };
+pub use scene::{Document, Fault};
+pub use solution::{Rung, RunningIn, RunningInStep, Solution, Status};
 pub use solve::solve;
 pub use step::Step;
 pub use study::{DEGREES, Level as StudyLevel, Quantity, Truth, outermost, study};

@@ -2,7 +2,7 @@
 
 use contact::{ContactOperator, ContactSolution, Pair, without_slivers};
 
-use crate::solution::ContactResult;
+use crate::results::ContactResult;
 use crate::stage::Stage;
 use crate::steps::sharp_edges;
 

@@ -7,7 +7,7 @@ use scene::Fault;
 
 use crate::bodies::Reduced;
 use crate::faults::unsolved;
-use crate::solution::{InterfaceResult, UniquenessResult};
+use crate::results::{InterfaceResult, UniquenessResult};
 use crate::stage::Stage;
 use crate::steps::start_gap::start_gaps;
 use crate::words::Uniqueness;

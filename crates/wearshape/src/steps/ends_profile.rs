@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use crate::options::{Sampling, trapezoid_weights};
 use crate::parts::MEAN_COLUMNS;
 use crate::profile::Profile;
-use crate::solution::ContactResult;
+use crate::results::ContactResult;
 use crate::steps::ends_setting::Setting;
 use crate::words::PointStatus;
 

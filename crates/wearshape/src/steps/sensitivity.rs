@@ -4,9 +4,9 @@ use scene::SurfaceShape;
 use wear::{Given, Sensitivity, one_percent};
 
 use crate::freedom::Role;
-use crate::plan::Step;
 use crate::problem::Problem;
-use crate::solution::SensitivityResult;
+use crate::results::SensitivityResult;
+use crate::step::Step;
 
 /// Decimals of an effect in per cent; what is beyond them is rounding.
 const DIGITS: f64 = 1e9;

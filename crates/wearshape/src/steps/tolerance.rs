@@ -5,7 +5,7 @@ use scene::Fault;
 use shapeopt::{SurfacePlace, WearProblem, tolerances};
 
 use crate::bodies::Reduced;
-use crate::solution::ToleranceResult;
+use crate::results::ToleranceResult;
 use crate::steps::shaper::Shaper;
 
 /// Amplitude of the errors, mm.

@@ -6,7 +6,7 @@ use scene::{Fault, short};
 use crate::faults::unsolved;
 use crate::problem::Problem;
 use crate::profile::Profile;
-use crate::solution::{ContactResult, TwistResult};
+use crate::results::{ContactResult, TwistResult};
 use crate::words::PointStatus;
 
 /// The history of a twist at one level.

@@ -3,7 +3,8 @@
 use shapeopt::EvolutionStatus;
 
 use crate::effort::Effort;
-use crate::solution::{RunningIn, WearResult};
+use crate::results::WearResult;
+use crate::solution::RunningIn;
 use crate::steps::answer::Told;
 use crate::steps::reported::Reported;
 
