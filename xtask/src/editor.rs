@@ -42,7 +42,7 @@ fn check(root: &Path) -> Result<usize, String> {
         }
     }
     let schema = scenes_folder.join(SCHEMA);
-    let written = Command::new(verify::run::build(root)?).arg("schema").output().map_err(|error| error.to_string())?;
+    let written = Command::new(verify::programs::build(root)?).arg("schema").output().map_err(|error| error.to_string())?;
     write(&schema, &written.stdout)?;
     let mut scenes = Vec::new();
     for entry in fs::read_dir(root.join("data/scenes")).map_err(|error| format!("data/scenes: {error}"))? {
