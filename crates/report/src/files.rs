@@ -3,8 +3,8 @@
 use scene::Fault;
 use wearshape::{Problem, Solution, Step};
 
-use crate::columns::{columns_csv, profile_csv};
 use crate::json::pretty;
+use crate::table::{columns_csv, profile_csv};
 use crate::{curves, field_picture, machined, page, summary, vtu};
 
 /// The files of a folder, by name and bytes; the same problem gives the same bytes. What takes a clock or goes on while a problem is solved

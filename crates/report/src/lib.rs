@@ -1,6 +1,5 @@
 #![doc = include_str!("../README.md")]
 
-mod columns;
 mod curves;
 mod dxf;
 mod field_picture;
@@ -13,11 +12,11 @@ mod page;
 mod run_in;
 mod section_plot;
 mod summary;
+mod table;
 mod terminal;
 mod tolerance;
 mod vtu;
 
-pub use columns::{columns_csv, profile_csv};
 pub use curves::abscissa;
 pub use files::files;
 pub use isobands::{Isobands, Placed};
@@ -26,4 +25,5 @@ pub use line_plot::{Axis, LinePlot, Series, line_plot};
 pub use page::page;
 pub use section_plot::Section;
 pub use summary::{numbers, summary};
+pub use table::{column, columns_csv, numbers_row, table};
 pub use terminal::first_screen;

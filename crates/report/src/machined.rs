@@ -1,36 +1,30 @@
 //! The surface to machine, for machines: profile.csv, profile-spline.csv, profile.dxf.
 
-use scene::number_text;
 use wearshape::{Machined, SurfacePoint};
 
 use crate::dxf::{Drawing, dxf};
+use crate::table::{numbers_row, table};
 
 /// Names and texts of the files.
 pub fn machined_files(machined: &Machined, title: &str) -> Vec<(&'static str, String)> {
     vec![("profile.csv", points(machined)), ("profile-spline.csv", spline(machined)), ("profile.dxf", drawing(machined, title))]
 }
 
-fn row(numbers: &[f64]) -> String {
-    numbers.iter().map(|number| number_text(*number)).collect::<Vec<_>>().join(",") + "\n"
-}
-
 fn points(machined: &Machined) -> String {
-    let mut out = String::from("s_mm,x_mm,z_mm,gap_um,nominal_x_mm,nominal_z_mm,nx,nz\n");
-    for point in &machined.points {
+    let row = |point: &SurfacePoint| {
         let ([x, z], [a, b], [nx, nz]) = (point.finished(), point.nominal, point.normal);
-        out += &row(&[point.s, x, z, 1e3 * point.gap, a, b, nx, nz]);
-    }
-    out
+        numbers_row(&[point.s, x, z, 1e3 * point.gap, a, b, nx, nz])
+    };
+    let names = ["s_mm", "x_mm", "z_mm", "gap_um", "nominal_x_mm", "nominal_z_mm", "nx", "nz"];
+    table(&names, machined.points.iter().map(row))
 }
 
 /// One row an interval: x, z and the gap are `c0 + c1 d + c2 d^2 + c3 d^3` with `d = s - from`.
 fn spline(machined: &Machined) -> String {
     let spline = &machined.fit.spline;
-    let mut out = String::from("from_s_mm,to_s_mm,x0,x1,x2,x3,z0,z1,z2,z3,gap0_mm,gap1,gap2,gap3\n");
-    for (ends, piece) in spline.knots.windows(2).zip(&spline.pieces) {
-        out += &row(&[ends, piece.concat().as_slice()].concat());
-    }
-    out
+    let names = ["from_s_mm", "to_s_mm", "x0", "x1", "x2", "x3", "z0", "z1", "z2", "z3", "gap0_mm", "gap1", "gap2", "gap3"];
+    let pieces = spline.knots.windows(2).zip(&spline.pieces);
+    table(&names, pieces.map(|(ends, piece)| numbers_row(&[ends, piece.concat().as_slice()].concat())))
 }
 
 fn drawing(machined: &Machined, title: &str) -> String {

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use scene::{Functional, short, with_short_numbers};
-use wearshape::{Problem, Profile, Shape, Solution, Status};
+use wearshape::{Character, Problem, Profile, Regime, Shape, Solution, Status, word};
 
 /// A place in the words of the scene.
 fn place(problem: &Problem, s: f64) -> String {
@@ -66,7 +66,7 @@ pub fn verdict(problem: &Problem, solution: &Solution) -> String {
     if let Some(shape) = &solution.shape {
         let crown = shape.crown.unwrap_or(0.0);
         let at = shape.gap_where.map(|s| format!(" at {}", place(problem, s))).unwrap_or_default();
-        let steady = solution.pressure.as_ref().is_some_and(|pressure| pressure.functional == "steady");
+        let steady = solution.pressure.as_ref().is_some_and(|pressure| pressure.functional == Functional::Steady);
         let end = if steady { "it starts worn in" } else { "it has the wanted pressure" };
         return format!("Machine this shape: crown {} um{at}; {end}.", short(crown));
     }
@@ -108,15 +108,12 @@ pub fn verdict(problem: &Problem, solution: &Solution) -> String {
         Some(Functional::WearPower) => "The pressure that makes the wear power stationary",
         _ => "The worn-in pressure",
     };
-    if pressure.regime == "singular" {
+    if pressure.regime == Some(Regime::Singular) {
         return format!("{what} concentrates on points or lines: see the limit measure.");
     }
     let curve = solution.curve.as_ref().or(solution.profile.as_ref());
     let numbers = curve.and_then(|curve| pressures(problem, curve)).unwrap_or_default();
-    let kind = match pressure.character.as_str() {
-        "maximum" => ", the worst case",
-        _ => "",
-    };
+    let kind = if pressure.character == Some(Character::Maximum) { ", the worst case" } else { "" };
     format!("{what} is {numbers}{kind}.")
 }
 
@@ -125,9 +122,9 @@ pub fn first_screen(problem: &Problem, solution: &Solution, folder: &Path) -> St
     let mut lines = vec![format!("{}   [{}]", verdict(problem, solution), bracket(solution))];
     if let Some(pressure) = solution.pressure.as_ref().filter(|_| solution.status != Status::Refused) {
         let curve = solution.curve.as_ref().or(solution.profile.as_ref());
-        let with_q = !matches!(pressure.functional.as_str(), "steady" | "uniform");
+        let with_q = !matches!(pressure.functional, Functional::Steady | Functional::Uniform);
         let q = pressure.q.filter(|_| with_q).map(|q| format!(" q = {q},")).unwrap_or_default();
-        let kind = format!("({},{q} {}, {})", pressure.functional, pressure.character, pressure.regime);
+        let kind = format!("({},{q} {}, {})", word(&pressure.functional), word(&pressure.character), word(&pressure.regime));
         let spread = solution.shape.as_ref().and(curve).and_then(|curve| pressures(problem, curve));
         let mean = pressure.p_mean.map(|mean| format!("mean {} MPa", short(mean))).unwrap_or_default();
         lines.push(format!("pressure  {} {kind}", spread.unwrap_or(mean)));

@@ -12,7 +12,7 @@ use scene::Fault;
 use crate::effort::{Clock, Counters, Effort};
 use crate::level::Level;
 use crate::parts::Parts;
-use crate::solution::Reaction;
+use crate::results::Reaction;
 
 /// Kinds of bodies that are kept at once; a sweep over geometries does not keep them all.
 const KINDS: usize = 4;

@@ -10,9 +10,9 @@ use crate::ladder::Ladder;
 use crate::level::Level;
 use crate::options::Options;
 use crate::parts::Parts;
-use crate::plan::Step;
 use crate::problem::Problem;
 use crate::scope::Scope;
+use crate::step::Step;
 
 /// Degrees that are computed to see how fast the machine is, and how often: the fastest counts.
 const TIMED: [usize; 2] = [6, 8];

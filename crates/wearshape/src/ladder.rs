@@ -6,9 +6,9 @@ use scene::Fault;
 
 use crate::level::Level;
 use crate::options::Options;
-use crate::plan::Step;
 use crate::problem::Problem;
 use crate::solution::Rung;
+use crate::step::Step;
 use crate::watch::{Event, Watch};
 
 /// First and last degree of the ladder, and its step.

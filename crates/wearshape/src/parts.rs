@@ -9,7 +9,7 @@ use scene::{Component, Fault, LoadKind};
 
 use crate::effort::{Clock, Effort};
 use crate::level::Level;
-use crate::plan::Step;
+use crate::step::Step;
 
 /// Everything a body of one level is made of.
 pub struct BodyParts {

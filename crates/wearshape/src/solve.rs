@@ -4,16 +4,17 @@ use scene::Fault;
 
 use crate::bodies::Bodies;
 use crate::effort::Effort;
+use crate::hindsight;
 use crate::ladder::Refusal;
 use crate::options::Options;
-use crate::plan::Step;
 use crate::problem::Problem;
-use crate::remarks;
+use crate::results::ErrorResult;
 use crate::scope::Scope;
-use crate::solution::{ErrorResult, Solution, Status};
+use crate::solution::{Solution, Status};
 use crate::stage::Stage;
+use crate::step::Step;
 use crate::steps::answer::Outcome;
-use crate::steps::recover::Reported;
+use crate::steps::reported::Reported;
 use crate::steps::shape::Before;
 use crate::steps::{approach, contact, pressure, recover, shape, torsion, wear};
 use crate::watch::Watch;
@@ -27,7 +28,7 @@ pub fn solve(problem: &Problem, options: &Options<'_>, bodies: &Bodies, watch: &
         Err(Refusal::Reason(reason)) => (solution.status, solution.reason) = (Status::Refused, Some(reason)),
         Err(Refusal::Fault(fault)) => return Err(fault),
     }
-    let after = remarks::after(problem, &solution);
+    let after = hindsight::remarks(problem, &solution);
     solution.remarks.extend(after);
     Ok(solution)
 }

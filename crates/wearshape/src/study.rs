@@ -8,11 +8,11 @@ use crate::bodies::Bodies;
 use crate::effort::{Clock, Effort};
 use crate::ladder::errors;
 use crate::options::{CURVE, Options, Sampling, trapezoid_weights};
-use crate::plan::Step;
 use crate::problem::Problem;
 use crate::profile::Profile;
 use crate::solution::{Solution, Status};
 use crate::solve::solve;
+use crate::step::Step;
 use crate::watch::Watch;
 
 /// Degrees of a study.

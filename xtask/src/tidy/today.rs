@@ -4,7 +4,6 @@
 #[rustfmt::skip]
 pub(super) const CIRCLES: &[(&str, usize)] = &[
     ("cli", 8),
-    ("wearshape", 23),
 ];
 
 /// Functions of more than 60 lines.
@@ -13,9 +12,6 @@ pub(super) const LONG_FUNCTIONS: &[&str] = &[
     "cli/commands/study.rs: run",
     "cli/commands/sweep.rs: run",
     "cli/reproduce/ring.rs: gaps",
-    "hpfem/rigid.rs: free_motions",
-    "meshing/matching.rs: matched",
-    "meshing/sound.rs: sound",
     "report/page.rs: html",
     "report/terminal.rs: verdict",
 ];

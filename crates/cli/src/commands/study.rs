@@ -3,8 +3,8 @@
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
-use report::{Axis, LinePlot, Series, line_plot};
-use scene::{Fault, Place, number_text};
+use report::{Axis, LinePlot, Series, line_plot, numbers_row, table};
+use scene::{Fault, Place};
 use wearshape::{DEGREES, Event, Measure, Quantity, Step, StudyLevel, Truth, outermost, study};
 
 use crate::args::StudyArgs;
@@ -66,10 +66,6 @@ pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
         }
     };
     let rows: Vec<[f64; 12]> = levels.iter().map(row).collect();
-    let mut table = COLUMNS.join(",") + "\n";
-    for row in &rows {
-        table += &(row.iter().map(|v| number_text(*v)).collect::<Vec<_>>().join(",") + "\n");
-    }
     let object = |row: &[f64; 12]| -> serde_json::Value {
         let known = COLUMNS.iter().zip(row).filter(|(_, value)| value.is_finite());
         known.map(|(name, value)| (name.to_string(), serde_json::json!(value))).collect::<serde_json::Map<_, _>>().into()
@@ -83,7 +79,7 @@ pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
         "truth": against,
         "levels": rows.iter().map(object).collect::<Vec<_>>(),
     });
-    folder.write("study.csv", &table)?;
+    folder.write("study.csv", &table(&COLUMNS, rows.iter().map(|row| numbers_row(row))))?;
     folder.write("study.json", &report::pretty(&summary))?;
     folder.write("study.svg", &line_plot(&picture(problem.name(), quantity, &against, &rows)))?;
     folder.write("scene.resolved.toml", &resolved)?;
@@ -109,14 +105,8 @@ fn reference(folder: &Path) -> Result<Truth, Fault> {
         std::fs::read_to_string(&path).map_err(|error| fault(format!("cannot read {}: {error}", path.display())))
     };
     let table = read("contact.csv")?;
-    let mut lines = table.lines();
-    let header: Vec<&str> = lines.next().unwrap_or_default().split(',').collect();
-    let cells: Vec<Vec<&str>> = lines.map(|line| line.split(',').collect()).collect();
-    let column = |name: &str| -> Result<Vec<f64>, Fault> {
-        let at = header.iter().position(|known| *known == name);
-        let numbers = at.map(|at| cells.iter().map(|row| row.get(at)?.parse().ok()).collect::<Option<Vec<f64>>>());
-        numbers.flatten().ok_or_else(|| fault(format!("contact.csv has no column `{name}` of numbers")))
-    };
+    let column =
+        |name: &str| report::column(&table, name).ok_or_else(|| fault(format!("contact.csv has no column `{name}` of numbers")));
     let vectors = |names: [&str; 3]| -> Result<Vec<[f64; 3]>, Fault> {
         let [x, y, z] = [column(names[0])?, column(names[1])?, column(names[2])?];
         Ok((0..x.len()).map(|i| [x[i], y[i], z[i]]).collect())

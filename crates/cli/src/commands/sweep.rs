@@ -249,17 +249,10 @@ fn table(rows: &[Value]) -> String {
     }
     let cell = |value: Option<&Value>| match value {
         None => String::new(),
-        Some(Value::String(text)) if text.contains([',', '"', '\n']) => {
-            format!("\"{}\"", text.replace('"', "\"\""))
-        }
         Some(Value::String(text)) => text.clone(),
         Some(Value::Number(number)) => number.as_f64().map(scene::number_text).unwrap_or_default(),
         Some(other) => other.to_string(),
     };
-    let mut out = columns.iter().map(|key| key.as_str()).collect::<Vec<_>>().join(",") + "\n";
-    for row in rows {
-        let cells: Vec<String> = columns.iter().map(|key| cell(row.get(key.as_str()))).collect();
-        out += &(cells.join(",") + "\n");
-    }
-    out
+    let names: Vec<&str> = columns.iter().map(|key| key.as_str()).collect();
+    report::table(&names, rows.iter().map(|row| columns.iter().map(|key| cell(row.get(key.as_str()))).collect()))
 }

@@ -1,6 +1,6 @@
 //! Figures 18 to 23 and 27: the annular punch.
 
-use report::{Axis, Section, Series};
+use report::{Axis, Section, Series, numbers_row, table};
 use scene::Fault;
 
 use crate::reproduce::closed_form::{RADII, effective_radius, ring_force, ring_pressure};
@@ -52,7 +52,9 @@ pub(super) fn geometry() -> Result<Made, Fault> {
     let bottom = section.place([0.0, 0.0])[1];
     body += &format!("<path d=\"M{axis:.1} {top:.1}V{bottom:.1}\" stroke=\"#d55e00\" stroke-dasharray=\"12 4 2 4\"/>\n");
     made.file("geometry.svg", section.picture("Annular punch on a disc: half section", ["r", "z"], &body));
-    made.file("geometry.csv", "body,inner_mm,outer_mm,bottom_mm,top_mm\n1,20,120,50,100\n2,10,140,0,50\n".into());
+    let rows = [[1.0, 20.0, 120.0, 50.0, 100.0], [2.0, 10.0, 140.0, 0.0, 50.0]];
+    let names = ["body", "inner_mm", "outer_mm", "bottom_mm", "top_mm"];
+    made.file("geometry.csv", table(&names, rows.iter().map(|row| numbers_row(row))));
     made.rows.push(Row {
         quantity: "load: mean pressure on the ring".into(),
         unit: "MPa",

@@ -91,13 +91,9 @@ fn curves_csv(plot: &LinePlot) -> String {
         let of = if series.name.is_empty() { String::new() } else { format!("{}: ", series.name) };
         if number == 0 || !shared {
             let of = if shared { "" } else { &of };
-            columns.push((quoted(&format!("{of}{}", plot.x_label)), places(series)));
+            columns.push((format!("{of}{}", plot.x_label), places(series)));
         }
-        columns.push((quoted(&format!("{of}{}", plot.y_label)), series.points.iter().map(|point| point.1).collect()));
+        columns.push((format!("{of}{}", plot.y_label), series.points.iter().map(|point| point.1).collect()));
     }
     columns_csv(&columns)
-}
-
-fn quoted(text: &str) -> String {
-    if text.contains([',', '"']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_string() }
 }

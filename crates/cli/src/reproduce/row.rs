@@ -121,25 +121,23 @@ pub(crate) fn rows_markdown(rows: &[Row]) -> String {
 
 /// The rows as CSV with all digits.
 pub(crate) fn rows_csv(rows: &[(&str, &Row)]) -> String {
-    let mut out = String::from("item,quantity,unit,paper,where,printed,reference,ours,difference,note\n");
-    let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
     let number = |value: Option<f64>| value.map(scene::number_text).unwrap_or_default();
-    for (item, row) in rows {
-        let cells = [
+    let names = ["item", "quantity", "unit", "paper", "where", "printed", "reference", "ours", "difference", "note"];
+    let cells = |(item, row): &(&str, &Row)| {
+        vec![
             (*item).to_string(),
-            quoted(&row.quantity),
-            quoted(row.unit),
+            row.quantity.clone(),
+            row.unit.to_string(),
             number(row.paper.map(|said| said.0)),
-            quoted(row.paper.map_or("", |said| said.1)),
+            row.paper.map_or("", |said| said.1).to_string(),
             number(row.printed),
             number(row.reference),
             number(Some(row.ours)),
             number(row.difference()),
-            quoted(&row.note),
-        ];
-        out += &(cells.join(",") + "\n");
-    }
-    out
+            row.note.clone(),
+        ]
+    };
+    report::table(&names, rows.iter().map(cells))
 }
 
 /// The rows as JSON; what is not there is an absent key.

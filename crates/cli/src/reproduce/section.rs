@@ -22,19 +22,19 @@ pub(super) fn meshes(made: &mut Made, scene: &str, settings: &[String], title: &
     let range = |k: usize| points().fold([f64::MAX, f64::MIN], |[lo, hi], p| [lo.min(p[k]), hi.max(p[k])]);
     let section = Section::new(range(0), range(1), 0.0);
     let mut body = String::new();
-    let mut table = String::from("body,cell,corner,x_mm,z_mm\n");
+    let mut rows = Vec::new();
     for (number, mesh) in meshes.iter().enumerate() {
         body += &mesh_svg(mesh, &section, FILLS[number]);
         for (cell, corners) in mesh.cells.iter().map(|cell| cell.vertices()).enumerate() {
             for (corner, vertex) in corners.iter().enumerate() {
                 let [x, z] = mesh.vertices[*vertex].map(scene::number_text);
-                table += &format!("{},{cell},{corner},{x},{z}\n", number + 1);
+                rows.push(vec![(number + 1).to_string(), cell.to_string(), corner.to_string(), x, z]);
             }
         }
     }
     let names = if problem.scene().kinematics == Some(scene::Kinematics::Axisymmetric) { ["r", "z"] } else { ["x", "z"] };
     made.file("mesh.svg", section.picture(title, names, &body));
-    made.file("mesh.csv", table);
+    made.file("mesh.csv", report::table(&["body", "cell", "corner", "x_mm", "z_mm"], rows));
     Ok(meshes.iter().map(|mesh| mesh.cells.len()).sum())
 }
 

@@ -1,7 +1,7 @@
 //! Figures 16, 17 and 26: stresses in the punches.
 
 use hpfem::Stress;
-use report::{Isobands, Placed, Section};
+use report::{Isobands, Placed, Section, numbers_row, table};
 use scene::Fault;
 use wearshape::{BodyField, CellField};
 
@@ -43,12 +43,9 @@ fn draw(made: &mut Made, name: &str, title: &str, body: &BodyField, stress: fn(&
     let svg = bands.svg() + &bands.bar([right + 16.0, top], (bottom - top).min(320.0));
     let names = if body.revolved { ["r", "z"] } else { ["x", "z"] };
     made.file(&format!("{name}.svg"), section.picture(title, names, &svg));
-    let mut table = String::from("x_mm,z_mm,stress_MPa\n");
-    for (place, value) in body.cells.iter().flat_map(|cell| cell.position.iter().zip(&cell.stress)) {
-        let [x, z, s] = [place[0], place[1], stress(value)].map(scene::number_text);
-        table += &format!("{x},{z},{s}\n");
-    }
-    made.file(&format!("{name}.csv"), table);
+    let points = body.cells.iter().flat_map(|cell| cell.position.iter().zip(&cell.stress));
+    let rows = points.map(|(place, value)| numbers_row(&[place[0], place[1], stress(value)]));
+    made.file(&format!("{name}.csv"), table(&["x_mm", "z_mm", "stress_MPa"], rows));
 }
 
 /// Largest difference of a stress on a horizontal line from what it ought to be, for places between two ends.

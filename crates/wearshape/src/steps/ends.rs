@@ -7,24 +7,23 @@ use contact::{
     ContactLoad, ContactOperator, ContactPoint, ContactSolution, ContactState, Friction, Motion, Pair, Start,
     Status as ContactStatus, position_nodes,
 };
-use hpfem::{Body, InterfaceState, Mesh};
-use meshing::{Couple, HalfDiscOnFlat};
+use hpfem::{Body, InterfaceState};
 use scene::Fault;
 
 use crate::bodies;
 use crate::effort::Effort;
+use crate::faults::unsolved;
 use crate::ladder::{Ladder, Refusal};
 use crate::level::Level;
-use crate::options::{CURVE, Options};
+use crate::options::CURVE;
 use crate::parts::Parts;
-use crate::plan::Step;
-use crate::problem::Problem;
-use crate::solution::{ContactResult, EnergyResult, Reaction};
+use crate::results::{ContactResult, EnergyResult, Reaction};
+use crate::step::Step;
 use crate::steps::answer::{Outcome, Told};
-use crate::steps::contact::{Solved, levels, unsolved};
+use crate::steps::contact_levels::{Solved, levels};
 use crate::steps::ends_profile::Rows;
-use crate::steps::hertz_trial::hertz_end;
-use crate::steps::recover::{Moment, Reported};
+use crate::steps::ends_setting::Setting;
+use crate::steps::reported::{Moment, Reported};
 use crate::steps::twist::Twist;
 use crate::steps::{diagnosis, torsion};
 use crate::watch::Watch;
@@ -33,17 +32,6 @@ use crate::watch::Watch;
 const SAMPLES: usize = 191;
 /// Accuracy of the ends relative to the length of contact, of contact alone and with the ends of stick, whose residual is less smooth.
 const TOLERANCES: [f64; 2] = [1e-10, 1e-8];
-
-/// Two such bodies under their load.
-pub(crate) struct Setting<'a> {
-    pub problem: &'a Problem,
-    pub couple: &'a Couple,
-    pub disc: HalfDiscOnFlat,
-    pub options: &'a Options<'a>,
-    /// Coefficient of friction, and the shear force on body 1 along x.
-    pub friction: f64,
-    pub shear: f64,
-}
 
 /// Solves the contact; the nodes on the ends of the last level are left for the fields.
 pub(crate) fn solve(setting: &Setting<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort, Vec<f64>), Refusal> {
@@ -73,75 +61,7 @@ struct Steps {
     sheared: Option<ContactSolution>,
 }
 
-impl<'a> Setting<'a> {
-    pub(crate) fn new(problem: &'a Problem, couple: &'a Couple, disc: HalfDiscOnFlat, options: &'a Options<'a>) -> Setting<'a> {
-        Setting { problem, couple, disc, options, friction: problem.friction.shear(), shear: problem.load.shear_force }
-    }
-
-    pub(crate) fn revolved(&self) -> bool {
-        self.couple.is_revolved()
-    }
-
-    /// How often the meshed part is contained in the scene.
-    pub(crate) fn copies(&self) -> f64 {
-        if self.disc.whole || self.revolved() { 1.0 } else { 2.0 }
-    }
-
-    fn force(&self) -> f64 {
-        self.problem.load.force.unwrap_or(0.0)
-    }
-
-    /// Trial ends between half-planes or half-spaces (Johnson 1985, sec. 4.2, 7.2): of contact, and before it of stick.
-    pub(crate) fn trial(&self) -> Result<Vec<f64>, Refusal> {
-        let approach = self.problem.load.approach;
-        let end = hertz_end(self.disc.radius, self.couple, &self.problem.load);
-        if end <= 0.0 || end.is_nan() {
-            let message = format!("an approach of {} mm does not press body 1 on body 2", approach.unwrap_or(0.0));
-            return Err(Fault::at("load.approach", "wrong-value", message, "give an approach greater than 0").into());
-        }
-        if self.shear == 0.0 {
-            return Ok(vec![end]);
-        }
-        let most = self.friction * self.force();
-        let carried = self.shear.abs() / most;
-        if approach.is_none() && carried >= 1.0 {
-            return Err(Refusal::Reason(format!(
-                "the shear force {} N is more than friction carries, {most} N",
-                self.shear.abs()
-            )));
-        }
-        let stick = (1.0 - carried.min(0.9)).sqrt();
-        Ok(vec![stick * end, end])
-    }
-
-    /// Bodies with element nodes on the given ends.
-    pub(crate) fn parts(&self, level: Level, nodes: &[f64]) -> Result<(Parts, Effort), Refusal> {
-        self.on_meshes(level, nodes, Parts::new)
-    }
-
-    fn on_meshes(
-        &self,
-        level: Level,
-        nodes: &[f64],
-        make: fn(&Couple, [Mesh; 2], Level, bool) -> Result<Parts, Fault>,
-    ) -> Result<(Parts, Effort), Refusal> {
-        let (end, longest) = (nodes[nodes.len() - 1], self.disc.longest());
-        if nodes.len() > 1 && nodes[0] <= 0.0 {
-            let reason = "the zone of stick shrinks to nothing: friction hardly carries the shear force";
-            return Err(Refusal::Reason(reason.into()));
-        }
-        if end.is_nan() || end > longest || end <= 0.0 {
-            return Err(Refusal::Reason(format!(
-                "the contact reaches {end:.4} mm from the middle, over the {longest:.4} mm that the bodies allow"
-            )));
-        }
-        let mut effort = Effort::default();
-        let parts = effort.timed(Step::Mesh, self.options.clock, |_| {
-            make(self.couple, self.disc.meshes(nodes, level.layers.div_ceil(2))?, level, true)
-        })?;
-        Ok((parts, effort))
-    }
-
+impl Setting<'_> {
     /// The load before any shear.
     fn press(&self) -> ContactLoad {
         let rigid = self.couple.has_rigid_edge();
@@ -162,11 +82,6 @@ impl<'a> Setting<'a> {
         push.motions[0] = Motion::Free { resultant: self.shear };
         push.friction = Friction::Coulomb { coefficient: self.friction, slip_before: slip_before.to_vec() };
         push
-    }
-
-    /// Distance from the middle, or radius, of a point.
-    pub(crate) fn distance(&self, point: &ContactPoint) -> f64 {
-        (point.position[0] - self.disc.middle).abs()
     }
 
     /// States of the points between given ends of stick and contact.

@@ -10,30 +10,11 @@ use crate::body_field::{BodyField, CellField, FieldFrame};
 use crate::cell_grid::CellGrid;
 use crate::effort::Effort;
 use crate::ladder::Refusal;
-use crate::level::Level;
 use crate::parts::BodyParts;
-use crate::plan::Step;
 use crate::stage::Stage;
-use crate::steps::ends::Setting;
-use crate::steps::torsion;
-
-/// What a stage leaves behind for the fields: the discretisation it reports, and the states of its bodies there.
-pub(crate) struct Reported {
-    pub level: Level,
-    /// Ends of contact that the meshes are cut at, from -1 to 1 on the surface.
-    pub ends: Vec<f64>,
-    /// The moments, the reported one first.
-    pub moments: Vec<Moment>,
-}
-
-/// Both bodies at a moment.
-pub(crate) struct Moment {
-    pub time: f64,
-    pub name: &'static str,
-    pub states: [InterfaceState; 2],
-    /// Shear around the axis on body 1 at the contact points (MPa), for the twist.
-    pub around: Vec<f64>,
-}
+use crate::step::Step;
+use crate::steps::ends_setting::Setting;
+use crate::steps::reported::{Moment, Reported};
 
 /// Recovers the moments of a stage on its bodies, made again at the reported level.
 pub(crate) fn recover(stage: Stage<'_>, reported: &Reported) -> Result<(Vec<FieldFrame>, Effort), Fault> {
@@ -117,11 +98,10 @@ fn twist(
 ) -> Result<(), Fault> {
     let level = reported.level;
     let meshes = stage.meshes(level.layers, Cut::Ends(&reported.ends))?;
-    let points = pair.points();
     for ((number, mesh), side) in meshes.into_iter().enumerate().zip([Side::Shaped, Side::Counter]) {
         let parts = BodyParts::new(stage.couple, number == 0, mesh, level, Kinematics::Torsion)?;
         let body = parts.reduce(stage.clock())?;
-        let field = field(&body, &torsion::twisted(&body.interface, pair, side, &points, &moment.around))?;
+        let field = field(&body, &pair.twisted(side, &body.interface, &moment.around))?;
         effort.counters.factorisations += 1;
         effort.counters.back_substitutions += 1;
         for (cell, values) in frame.bodies[number].cells.iter_mut().enumerate() {

@@ -6,40 +6,28 @@ mod level;
 mod mesh_lines;
 mod pieces;
 mod problem;
+mod ran;
 
 use std::ops::ControlFlow;
 
 use level::{MOST_STEPS, Mesh, run};
 use nalgebra::DMatrix;
 use pieces::Pieces;
+use ran::Ran;
 use shapeopt::{EvolutionStatus, Measure, difference_of_gaps};
 
 use crate::effort::Effort;
 use crate::ladder::{Climbed, Ladder, Refusal, climb, errors, missed, rungs};
-use crate::plan::Step;
-use crate::solution::{RunningIn, Status, WearResult};
+use crate::solution::Status;
 use crate::stage::Stage;
-use crate::steps::answer::{Outcome, Told};
-use crate::steps::recover::Reported;
+use crate::step::Step;
+use crate::steps::answer::Outcome;
 use crate::watch::{FinishedLevel, Resume, Watch};
 
 /// A level: what it leaves behind for the others, and what is reported if it is the last.
 struct Solved {
     left: FinishedLevel,
     run: Option<Ran>,
-}
-
-/// A level that was run here, not in an earlier run that this one goes on with.
-struct Ran {
-    ended: EvolutionStatus,
-    /// Columns of history.csv.
-    history: Vec<(String, Vec<f64>)>,
-    running_in: RunningIn,
-    wear: WearResult,
-    told: Told,
-    /// For the fields: the end, then the start.
-    reported: Option<Reported>,
-    effort: Effort,
 }
 
 /// Runs the wear in time.

@@ -9,18 +9,17 @@ use crate::effort::Effort;
 use crate::ladder::Refusal;
 use crate::level::Level;
 use crate::options::Sampling;
-use crate::plan::Step;
-use crate::solution::WearResult;
+use crate::results::WearResult;
 use crate::stage::Stage;
+use crate::step::Step;
 use crate::steps::answer::{Answer, Own, Told};
-use crate::steps::contact::pressure_at;
-use crate::steps::recover::{Moment, Reported};
+use crate::steps::reported::{Moment, Reported};
 use crate::steps::torsion;
-use crate::steps::wear::Ran;
 use crate::steps::wear::history::History;
 use crate::steps::wear::mesh_lines::mesh_lines;
 use crate::steps::wear::pieces::Pieces;
 use crate::steps::wear::problem::{steady_residual, wear_problem};
+use crate::steps::wear::ran::Ran;
 use crate::watch::{Event, FinishedLevel, RunLevel, Watch, WearStep};
 
 /// Samples of the gap for the comparison of levels.
@@ -132,7 +131,7 @@ impl Scenes<'_> {
         let (pair, operator) = (self.pair, self.operator);
         let between = |point: &ContactPoint| {
             let at = |values: &[f64]| operator.value_at(values, point.arc);
-            [pressure_at(pair, operator, &state.pressure, point.arc), at(gap), at(&state.opening)]
+            [operator.pressure_at(&state.pressure, point.arc), at(gap), at(&state.opening)]
         };
         let points = operator.points();
         let own = Own { points, pressure: &state.pressure, gap, opening: &state.opening, closed: None };
@@ -162,7 +161,7 @@ fn result(run: &Run, weights: &[f64], stage: Stage<'_>) -> WearResult {
     let Run { state, ended, history, run_in, .. } = run;
     let steady = state.steady_residual <= steady_residual(stage);
     WearResult {
-        status: word(ended).into(),
+        status: ended.into(),
         steps: state.step,
         rejected_steps: state.rejected,
         time: Some(state.time),
@@ -241,15 +240,5 @@ fn share(state: &WearState, problem: &WearProblem) -> f64 {
         Until::Time(end) => state.time / end,
         Until::Steady { .. } if state.interval + 1 < problem.schedule.len() => 0.0,
         Until::Steady { residual, .. } => state.steady_residual.max(f64::MIN_POSITIVE).ln() / residual.ln(),
-    }
-}
-
-/// The status in the summary's word.
-fn word(status: &EvolutionStatus) -> &'static str {
-    match status {
-        EvolutionStatus::Steady => "steady",
-        EvolutionStatus::TimeReached => "time-reached",
-        EvolutionStatus::Running => "step-limit",
-        EvolutionStatus::Stuck { .. } => "stuck",
     }
 }

@@ -5,7 +5,7 @@ use shapeopt::{Interval, LoadStage, Stepping, Until, WearProblem};
 
 use crate::ladder::Refusal;
 use crate::stage::Stage;
-use crate::steps::contact::start_gaps;
+use crate::steps::start_gap::start_gaps;
 
 /// Certificate of the steady state.
 const STEADY: f64 = 1e-9;

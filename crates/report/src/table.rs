@@ -1,0 +1,64 @@
+//! Tables as CSV: fields parted by commas, quoted only where they must be, lines ended by LF.
+
+use scene::number_text;
+use wearshape::Profile;
+
+/// A table of texts; every row is as long as the names.
+pub fn table(names: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> String {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let written = writer.write_record(names).and_then(|()| rows.into_iter().try_for_each(|row| writer.write_record(row)));
+    assert!(written.is_ok(), "a row of {names:?} is too short or too long");
+    String::from_utf8(writer.into_inner().unwrap_or_default()).unwrap_or_default()
+}
+
+/// A row of numbers, each in the shortest form that reads back to the same bits.
+pub fn numbers_row(numbers: &[f64]) -> Vec<String> {
+    numbers.iter().map(|number| number_text(*number)).collect()
+}
+
+/// Named columns of numbers, as many rows as the shortest has.
+pub fn columns_csv(columns: &[(String, Vec<f64>)]) -> String {
+    let names: Vec<&str> = columns.iter().map(|(name, _)| name.as_str()).collect();
+    let rows = columns.iter().map(|(_, values)| values.len()).min().unwrap_or(0);
+    table(&names, (0..rows).map(|row| columns.iter().map(|(_, values)| number_text(values[row])).collect()))
+}
+
+/// The numbers of a column of a table; none if it has no such column, or a row without a number there.
+pub fn column(table: &str, name: &str) -> Option<Vec<f64>> {
+    let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(table.as_bytes());
+    let at = reader.headers().ok()?.iter().position(|known| known == name)?;
+    reader.records().map(|row| row.ok()?.get(at)?.parse().ok()).collect()
+}
+
+/// The columns of contact.csv before its status: name, and value at a contact point.
+type Column = (&'static str, fn(&Profile, usize) -> f64);
+const CONTACT: [Column; 20] = [
+    ("s_mm", |p, k| p.s[k]),
+    ("x_mm", |p, k| p.position[k][0]),
+    ("y_mm", |p, k| p.position[k][1]),
+    ("z_mm", |p, k| p.position[k][2]),
+    ("nx", |p, k| p.normal[k][0]),
+    ("ny", |p, k| p.normal[k][1]),
+    ("nz", |p, k| p.normal[k][2]),
+    ("weight_mm2", |p, k| p.weight[k]),
+    ("pressure_MPa", |p, k| p.pressure[k]),
+    ("pressure_solved_MPa", |p, k| p.pressure_solved[k]),
+    ("shear_MPa", |p, k| p.shear[k]),
+    ("gap_um", |p, k| p.gap[k]),
+    ("opening_um", |p, k| p.opening[k]),
+    ("wear_rate_um_per_s", |p, k| p.wear_rate[k]),
+    ("un1_um", |p, k| p.normal_displacement[0][k]),
+    ("un2_um", |p, k| p.normal_displacement[1][k]),
+    ("ut1_um", |p, k| p.tangential_displacement[0][k]),
+    ("ut2_um", |p, k| p.tangential_displacement[1][k]),
+    ("uphi1_um", |p, k| p.hoop_displacement[0][k]),
+    ("uphi2_um", |p, k| p.hoop_displacement[1][k]),
+];
+
+/// contact.csv: one row a contact point.
+pub(crate) fn profile_csv(profile: &Profile) -> String {
+    let names: Vec<&str> = CONTACT.iter().map(|(name, _)| *name).chain(["status"]).collect();
+    let numbers = |row| CONTACT.iter().map(move |(_, value)| number_text(value(profile, row)));
+    let status = |row: usize| profile.status[row].word().to_string();
+    table(&names, (0..profile.s.len()).map(|row| numbers(row).chain([status(row)]).collect()))
+}
