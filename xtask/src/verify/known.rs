@@ -53,7 +53,7 @@ fn one(root: &Path, case: &Value, name: &str, fault: Option<&str>) -> Result<Vec
 
 /// The built-in scene with the case's changes laid over it.
 fn scene(root: &Path, case: &Value) -> Result<String, String> {
-    let path = root.join("data/scenes").join(text(case, "scene")? + ".toml");
+    let path = root.join("crates/scene/scenes").join(text(case, "scene")? + ".toml");
     let mut scene = read_toml(&path)?;
     if let Some(changes) = case.get("change").and_then(Value::as_table) {
         lay_over(&mut scene, changes);
