@@ -28,7 +28,8 @@ mod surface;
 mod watch;
 
 pub use meshing::Files;
-pub use shapeopt::Measure;
+pub use scene::{Builtin, Document, Fault, Place, SCENES, Spot, Task, builtin};
+pub use shapeopt::{Measure, WearState};
 
 pub use bodies::Bodies;
 pub use body_field::{BodyField, CellField, FieldFrame};
