@@ -34,7 +34,8 @@ mod watch;
 mod words;
 
 pub use meshing::Files;
-pub use shapeopt::Measure;
+pub use scene::{Builtin, Document, Fault, Place, SCENES, Spot, Task, builtin};
+pub use shapeopt::{Measure, WearState};
 
 pub use bodies::Bodies;
 pub use body_field::{BodyField, CellField, FieldFrame};
