@@ -1,5 +1,10 @@
 //! What was computed: plain data, one struct a stage, the profile at the contact points, counters and times.
 
+mod contact;
+mod wear;
+
+pub use self::contact::{ContactResult, InterfaceResult, TwistResult, UniquenessResult};
+pub use self::wear::{RunningIn, RunningInStep, Settled, WearResult};
 use serde::Serialize;
 
 use crate::body_field::FieldFrame;
@@ -169,85 +174,6 @@ pub struct PressureResult {
     pub congruence_residual: Option<f64>,
 }
 
-/// `summary.contact`.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub struct ContactResult {
-    /// Status of the solve.
-    pub status: String,
-    /// Contact force.
-    #[serde(rename = "force_N")]
-    pub force: Option<f64>,
-    /// Contact moment.
-    #[serde(rename = "moment_Nmm")]
-    pub moment: Option<f64>,
-    /// Closing of body 1.
-    #[serde(rename = "approach_mm")]
-    pub approach: Option<f64>,
-    /// Rotation of body 1.
-    #[serde(rename = "tilt_rad")]
-    pub tilt: Option<f64>,
-    /// Ends of contact.
-    #[serde(rename = "ends_mm")]
-    pub ends: Vec<f64>,
-    /// Largest pressure.
-    #[serde(rename = "p_max_MPa")]
-    pub p_max: Option<f64>,
-    /// Exponents of the pressure at sharp ends.
-    pub edge_exponents: Vec<f64>,
-    /// Ends of the sticking zone.
-    #[serde(rename = "stick_ends_mm")]
-    pub stick_ends: Vec<f64>,
-    /// Largest shear.
-    #[serde(rename = "q_max_MPa")]
-    pub q_max: Option<f64>,
-    /// Body 1 turned about the axis.
-    pub twist: Option<TwistResult>,
-    /// Other solutions under friction.
-    pub uniqueness: Option<UniquenessResult>,
-    /// Residual of p g = 0.
-    pub complementarity: Option<f64>,
-    /// Iterations.
-    pub iterations: Option<usize>,
-}
-
-/// `summary.contact.twist`: one number a step of the history.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub struct TwistResult {
-    /// sticks, slips-in-part, slips or turns-through, at the end of the last step.
-    pub status: String,
-    /// Rotation of the edge on which body 1 is held.
-    #[serde(rename = "angle_rad")]
-    pub angle: Vec<f64>,
-    /// Torque on body 1.
-    #[serde(rename = "torque_Nmm")]
-    pub torque: Vec<f64>,
-    /// Torque at which the whole contact slips.
-    #[serde(rename = "slip_torque_Nmm")]
-    pub slip_torque: f64,
-}
-
-/// `summary.contact.uniqueness`: coefficients of friction up to that of the scene.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub struct UniquenessResult {
-    /// guaranteed, not-guaranteed, singular, or several.
-    pub verdict: String,
-    /// From where one solution is not guaranteed.
-    pub not_guaranteed_from: Option<f64>,
-    /// From where the determinant of the system has changed its sign.
-    pub singular_from: Option<f64>,
-    /// From where the solution followed from no friction is lost.
-    pub lost_from: Option<f64>,
-}
-
-/// `summary.interface`: the scaled system of the points in contact that the last contact solve rests on.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub struct InterfaceResult {
-    /// Largest over smallest singular value.
-    pub condition: f64,
-    /// The smallest; it vanishes where solutions branch.
-    pub smallest_singular_value: f64,
-}
-
 /// `summary.shape`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct ShapeResult {
@@ -293,58 +219,6 @@ pub struct ToleranceResult {
     pub run_in_distance: Option<f64>,
 }
 
-/// `summary.wear`.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub struct WearResult {
-    /// Status of the integration.
-    pub status: String,
-    /// Accepted steps.
-    pub steps: usize,
-    /// Rejected steps.
-    pub rejected_steps: usize,
-    /// Time reached.
-    #[serde(rename = "time_s")]
-    pub time: Option<f64>,
-    /// Sliding distance.
-    #[serde(rename = "distance_mm")]
-    pub distance: Option<f64>,
-    /// Whether it is steady.
-    pub steady: bool,
-    /// Depth.
-    #[serde(rename = "depth_um")]
-    pub depth: Option<f64>,
-    /// Volume.
-    #[serde(rename = "volume_mm3")]
-    pub volume: Option<f64>,
-    /// Largest stable explicit step.
-    #[serde(rename = "explicit_step_limit_s")]
-    pub explicit_step_limit: Option<f64>,
-    /// Run-in distance of the slowest modes.
-    #[serde(rename = "run_in_distance_mm")]
-    pub run_in_distance: Vec<f64>,
-    /// Largest relative growth of the Lyapunov function in a step; without shear on the bodies it never grows.
-    pub lyapunov_increase: Option<f64>,
-    /// What it took until the pressure stayed within 1 % of the steady one (relative L2).
-    pub to_1_percent: Option<Settled>,
-}
-
-/// `summary.wear.to_1_percent`.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub struct Settled {
-    /// Time.
-    #[serde(rename = "time_s")]
-    pub time: f64,
-    /// Sliding distance.
-    #[serde(rename = "distance_mm")]
-    pub distance: f64,
-    /// Largest depth worn off body 1.
-    #[serde(rename = "depth_um")]
-    pub depth: f64,
-    /// Volume worn off both bodies.
-    #[serde(rename = "volume_mm3")]
-    pub volume: f64,
-}
-
 /// `summary.energy`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct EnergyResult {
@@ -354,6 +228,13 @@ pub struct EnergyResult {
     /// Strain energy of body 2.
     #[serde(rename = "body2_Nmm")]
     pub body2: Option<f64>,
+}
+
+impl EnergyResult {
+    /// Of both bodies.
+    pub fn total(&self) -> f64 {
+        self.body1.unwrap_or(0.0) + self.body2.unwrap_or(0.0)
+    }
 }
 
 /// One entry of `summary.reactions`.
@@ -396,26 +277,4 @@ pub struct ErrorResult {
     pub twist_relative: Option<f64>,
     /// How they were estimated.
     pub how: String,
-}
-
-/// Pressure and gap of a run in time at the contact points.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct RunningIn {
-    /// Surface coordinate of the points (mm).
-    pub s: Vec<f64>,
-    /// The steps.
-    pub steps: Vec<RunningInStep>,
-}
-
-/// One step of a run in time.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct RunningInStep {
-    /// Number of the step.
-    pub step: usize,
-    /// Time (s).
-    pub time: f64,
-    /// Pressure at the points (MPa).
-    pub pressure: Vec<f64>,
-    /// Unloaded gap at the points (um).
-    pub gap: Vec<f64>,
 }

@@ -125,7 +125,7 @@ impl RoundContact<'_> {
         let (reach, mut effort) = self.reach()?;
         self.on(reach, |stage| {
             let mut search = Search::default();
-            let ladder = Ladder::of(stage.problem, stage.options).and_beyond(stage.problem);
+            let ladder = Ladder::of(stage.problem, stage.options, Step::Contact).and_beyond(stage.problem);
             let (mut outcome, work) = levels(&ladder, watch, |level| solve_level(stage, level, &mut search))?;
             effort += work;
             search.report(stage, &mut outcome)?;
