@@ -52,7 +52,6 @@ pub use results::{
     ByRole, ContactResult, EnergyResult, ErrorResult, InterfaceResult, PointForce, PressureResult, Reaction, SensitivityResult,
     Settled, ShapeResult, ToleranceResult, TwistResult, UniquenessResult, WearResult,
 };
-pub use scene::{Document, Fault};
 pub use solution::{Rung, RunningIn, RunningInStep, Solution, Status};
 pub use solve::solve;
 pub use step::Step;

@@ -309,6 +309,13 @@ pub struct EnergyResult {
     pub body2: Option<f64>,
 }
 
+impl EnergyResult {
+    /// Of both bodies (N mm).
+    pub fn total(&self) -> f64 {
+        self.body1.unwrap_or(0.0) + self.body2.unwrap_or(0.0)
+    }
+}
+
 /// One entry of `summary.reactions`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct Reaction {

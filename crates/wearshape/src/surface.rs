@@ -42,13 +42,14 @@ impl Patch {
         let found = along(kinematics, [contact_line(first, true)?, contact_line(second, false)?])?;
         found
             .map(|found| {
-                let backwards = matches!(found.0, Shape::Arc { internal: true, .. });
+                let backwards = matches!(found.shape, Shape::Arc { internal: true, .. });
                 Patch::new(found, sliding, backwards)
             })
             .transpose()
     }
 
-    fn new((shape, kind, centre, key): Found, sliding: Option<&Sliding>, backwards: bool) -> Result<Patch, Fault> {
+    fn new(found: Found, sliding: Option<&Sliding>, backwards: bool) -> Result<Patch, Fault> {
+        let Found { shape, kind, centre, key } = found;
         let motion = motion(sliding, kind, &shape, centre)?;
         let surface = Surface::new(shape, motion)
             .map_err(|error| Fault::at(key, "degenerate", error.to_string(), "give a surface with area"))?;
@@ -118,7 +119,7 @@ impl Patch {
             true => (Shape::Annulus { radii: x }, PatchKind::Ring),
             false => (Shape::Strip { x, z, thickness: thickness(kinematics) }, PatchKind::Plane),
         };
-        Patch::new((shape, kind, [0.0, z], "contact.edges"), sliding, false)
+        Patch::new(Found { shape, kind, centre: [0.0, z], key: EDGES }, sliding, false)
     }
 }
 
@@ -130,7 +131,15 @@ fn thickness(kinematics: Kinematics) -> f64 {
     }
 }
 
-type Found = (Shape, PatchKind, [f64; 2], &'static str);
+/// A contact surface without its sliding.
+struct Found {
+    shape: Shape,
+    kind: PatchKind,
+    /// Point [x, z] about which body 2 turns in the plane.
+    centre: [f64; 2],
+    /// The key to blame for it.
+    key: &'static str,
+}
 
 fn symmetric_arc(key: &str, radius: Length, half_angle: f64, width: f64) -> Result<Shape, Fault> {
     positive(&format!("{key}.radius"), radius.0, "radius", " mm")?;
@@ -156,7 +165,7 @@ fn bare(surface: &SurfaceShape) -> Result<Found, Fault> {
         let message = format!("{key} = [{}, {}] does not increase", range[0].0, range[1].0);
         Err(Fault::at(key, "degenerate", message, "write [from, to] with from < to"))
     };
-    let origin = [0.0, 0.0];
+    let found = |shape: Shape, kind: PatchKind, key: &'static str| Ok(Found { shape, kind, centre: [0.0, 0.0], key });
     match surface {
         SurfaceShape::DiscPad(pad) => {
             let key = "surface.disc-pad";
@@ -167,7 +176,7 @@ fn bare(surface: &SurfaceShape) -> Result<Found, Fault> {
                 let message = format!("half angle {} deg is out of range", half.to_degrees());
                 return Err(Fault::at(format!("{key}.half_angle"), "degenerate", message, "give 0 to 180 deg"));
             }
-            Ok((Shape::Sector { radii, angles: [-half, half] }, PatchKind::Turning, origin, key))
+            found(Shape::Sector { radii, angles: [-half, half] }, PatchKind::Turning, key)
         }
         SurfaceShape::PinnedShoe(shoe) => {
             let key = "surface.pinned-shoe";
@@ -183,20 +192,20 @@ fn bare(surface: &SurfaceShape) -> Result<Found, Fault> {
             }
             let shape =
                 Shape::Arc { radius: shoe.radius.0, centre: Vector3::zeros(), angles, thickness: shoe.width.0, internal: true };
-            Ok((shape, PatchKind::Turning, origin, key))
+            found(shape, PatchKind::Turning, key)
         }
         SurfaceShape::PivotedShoe(shoe) => {
             let key = "surface.pivoted-shoe";
-            Ok((symmetric_arc(key, shoe.radius, shoe.half_angle.0, shoe.width.0)?, PatchKind::Turning, origin, key))
+            found(symmetric_arc(key, shoe.radius, shoe.half_angle.0, shoe.width.0)?, PatchKind::Turning, key)
         }
         SurfaceShape::JournalArc(arc) => {
             let key = "surface.journal-arc";
-            Ok((symmetric_arc(key, arc.radius, arc.half_angle.0, arc.width.0)?, PatchKind::Turning, origin, key))
+            found(symmetric_arc(key, arc.radius, arc.half_angle.0, arc.width.0)?, PatchKind::Turning, key)
         }
         SurfaceShape::RectangularPunch(punch) => {
             let key = "surface.rectangular-punch";
             let shape = Shape::Rectangle { x: range(&format!("{key}.x"), punch.x)?, y: range(&format!("{key}.y"), punch.y)? };
-            Ok((shape, PatchKind::Plane, origin, key))
+            found(shape, PatchKind::Plane, key)
         }
         SurfaceShape::EllipticPunch(punch) => {
             let key = "surface.elliptic-punch";
@@ -204,7 +213,7 @@ fn bare(surface: &SurfaceShape) -> Result<Found, Fault> {
                 positive(&format!("{key}.half_axes"), axis.0, "half axis", " mm")?;
             }
             let semi_axes = [punch.half_axes[0].0, punch.half_axes[1].0];
-            Ok((Shape::Ellipse { semi_axes }, PatchKind::Plane, origin, key))
+            found(Shape::Ellipse { semi_axes }, PatchKind::Plane, key)
         }
     }
 }
@@ -218,14 +227,17 @@ fn along(kinematics: Kinematics, lines: [ContactLine; 2]) -> Result<Option<Found
     let revolved = kinematics.is_revolved();
     match lines {
         [ContactLine::Line { z, x }, ContactLine::Line { z: below, x: under }] => {
-            on_line(kinematics, (z, x), (below, under)).map(Some)
+            on_line(kinematics, Line { z, x }, Line { z: below, x: under }).map(Some)
         }
         [
             ContactLine::Circle { centre, radius, angles, internal },
             ContactLine::Circle { centre: c, radius: r, angles: under, internal: within },
-        ] if !revolved => on_circle(thickness(kinematics), (centre, radius, angles, internal), (c, r, under, within)).map(Some),
+        ] if !revolved => {
+            let first = Circle { centre, radius, angles, internal };
+            on_circle(thickness(kinematics), first, Circle { centre: c, radius: r, angles: under, internal: within }).map(Some)
+        }
         [ContactLine::Circle { centre, radius, angles, internal: true }, ContactLine::Line { z, x }] => {
-            round_on_flat((centre, radius, angles), (z, x)).map(|()| None)
+            round_on_flat(Circle { centre, radius, angles, internal: true }, Line { z, x }).map(|()| None)
         }
         [ContactLine::Circle { .. }, ContactLine::Circle { .. }] => {
             apart("axisymmetric bodies touch along horizontal lines only".into(), "let both contact edges be horizontal")
@@ -249,8 +261,14 @@ fn inside([from, to]: [f64; 2], [low, high]: [f64; 2]) -> bool {
     from >= low - near && to <= high + near
 }
 
-/// Two horizontal lines, each by its height and its range of x.
-fn on_line(kinematics: Kinematics, (z, x): (f64, [f64; 2]), (below, under): (f64, [f64; 2])) -> Result<Found, Fault> {
+/// A horizontal line: height, and from where to where in x.
+struct Line {
+    z: f64,
+    x: [f64; 2],
+}
+
+/// Two horizontal lines.
+fn on_line(kinematics: Kinematics, Line { z, x }: Line, Line { z: below, x: under }: Line) -> Result<Found, Fault> {
     if !same(z, below, x[1] - x[0]) {
         return apart(format!("the edges do not touch: z = {z} and z = {below}"), "give both contact edges the same height");
     }
@@ -260,16 +278,28 @@ fn on_line(kinematics: Kinematics, (z, x): (f64, [f64; 2]), (below, under): (f64
         return apart(message, "make the contact edge of body 2 as wide as that of body 1 or wider");
     }
     Ok(match kinematics.is_revolved() {
-        true => (Shape::Annulus { radii: x }, PatchKind::Ring, [0.0, z], EDGES),
-        false => (Shape::Strip { x, z, thickness: thickness(kinematics) }, PatchKind::Plane, [0.0, 0.0], EDGES),
+        true => Found { shape: Shape::Annulus { radii: x }, kind: PatchKind::Ring, centre: [0.0, z], key: EDGES },
+        false => {
+            let shape = Shape::Strip { x, z, thickness: thickness(kinematics) };
+            Found { shape, kind: PatchKind::Plane, centre: [0.0, 0.0], key: EDGES }
+        }
     })
 }
 
-/// Centre, radius, angles from the z axis, and whether body 1 lies inside.
-type Circle = ([f64; 2], f64, [f64; 2], bool);
+/// Part of a circle.
+struct Circle {
+    centre: [f64; 2],
+    radius: f64,
+    /// From and to, from the z axis.
+    angles: [f64; 2],
+    /// Whether body 1 lies inside.
+    internal: bool,
+}
 
 /// Two parts of one circle.
-fn on_circle(thickness: f64, (centre, radius, angles, internal): Circle, (c, r, under, within): Circle) -> Result<Found, Fault> {
+fn on_circle(thickness: f64, first: Circle, second: Circle) -> Result<Found, Fault> {
+    let Circle { centre, radius, angles, internal } = first;
+    let Circle { centre: c, radius: r, angles: under, internal: within } = second;
     if internal != within {
         let [first, second] = [internal, !within].map(|inside| if inside { "inside" } else { "outside" });
         let message = format!("body 1 lies {first} its circle, and body 2 {second} its own");
@@ -291,11 +321,12 @@ fn on_circle(thickness: f64, (centre, radius, angles, internal): Circle, (c, r, 
         return apart(message.into(), "let the arc of body 1 be less than half a circle");
     }
     let shape = Shape::Arc { radius, centre: Vector3::new(centre[0], 0.0, centre[1]), angles, thickness, internal };
-    Ok((shape, PatchKind::Turning, centre, EDGES))
+    Ok(Found { shape, kind: PatchKind::Turning, centre, key: EDGES })
 }
 
-/// A round body 1, by centre, radius and angles, that touches a line of body 2, by height and range of x, with its lowest point.
-fn round_on_flat((centre, radius, angles): ([f64; 2], f64, [f64; 2]), (z, x): (f64, [f64; 2])) -> Result<(), Fault> {
+/// A round body 1 that touches a line of body 2 with its lowest point.
+fn round_on_flat(round: Circle, Line { z, x }: Line) -> Result<(), Fault> {
+    let Circle { centre, radius, angles, .. } = round;
     let lowest = centre[1] - radius;
     let near = 1e-9;
     if !(angles[0] <= PI + near && angles[1] >= PI - near) {

@@ -4,7 +4,7 @@
 
 use crate::common::cylinder::{Sizes, block, mirrored, round};
 use crate::common::{falling_degrees, material, support};
-use approx::assert_relative_eq;
+use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact::*;
 use hpfem::{Body, BodyProblem, Direction, Kinematics, Mesh, RigidEdge, SpaceKind, Support};
 

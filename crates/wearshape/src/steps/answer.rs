@@ -89,13 +89,6 @@ impl Answer<'_> {
     }
 }
 
-impl EnergyResult {
-    /// Of both bodies.
-    pub fn total(&self) -> f64 {
-        self.body1.unwrap_or(0.0) + self.body2.unwrap_or(0.0)
-    }
-}
-
 /// Result of an elastic step; what it does not say stays as it was.
 #[derive(Default)]
 pub(crate) struct Outcome {

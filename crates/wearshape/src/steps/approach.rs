@@ -42,7 +42,7 @@ struct Solved {
 /// Finds the force level by level.
 pub(crate) fn force(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Found, Effort), Refusal> {
     let approach = stage.problem.load.approach.unwrap_or(0.0);
-    let ladder = Ladder::of(stage.problem, stage.options).closer(SHARE);
+    let ladder = Ladder::of(stage.problem, stage.options, Step::Force).closer(SHARE);
     let solve = |level: Level, before: &[Solved], _: &mut Watch<'_>| {
         let (reduced, mut effort) = stage.reduced(level, Cut::Plain)?;
         let pair = reduced.pair()?;
@@ -56,7 +56,7 @@ pub(crate) fn force(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Found, E
         Ok(ControlFlow::Continue(Solved { found, effort }))
     };
     let distance = |a: &Solved, b: &Solved| [((a.found.force - b.found.force) / b.found.force).abs()];
-    let Climbed { solved, stopped } = climb((&ladder, Step::Force), Vec::new(), solve, distance, watch)?;
+    let Climbed { solved, stopped } = climb(&ladder, Vec::new(), solve, distance, watch)?;
     let error = errors(&solved, &distance).map(|[error]| error);
     let mut effort = Effort::default();
     solved.iter().for_each(|level| effort += level.effort.clone());

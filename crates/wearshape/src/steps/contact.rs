@@ -2,9 +2,7 @@
 
 use std::sync::Arc;
 
-use contact::{
-    ContactOperator, ContactSolution, FreeEnds, Pair, Status as ContactStatus, inner_places, piecewise_linear, without_slivers,
-};
+use contact::{ContactOperator, ContactSolution, FreeEnds, Status as ContactStatus, inner_places, piecewise_linear, without_slivers};
 use meshing::Cut;
 use scene::Fault;
 
@@ -15,6 +13,7 @@ use crate::ladder::{Ladder, Refusal};
 use crate::level::Level;
 use crate::stage::Stage;
 use crate::step::Step;
+use crate::steps::{sharp_edges, torsion};
 use crate::steps::answer::{Answer, Outcome, Own, Told};
 use crate::steps::contact_levels::{Solved, levels};
 use crate::steps::contact_result::result;
@@ -23,7 +22,6 @@ use crate::steps::free_ends::position;
 use crate::steps::reported::{Moment, Reported};
 use crate::steps::start_gap::{start_gap, start_gaps};
 use crate::steps::twist::Twist;
-use crate::steps::{sharp_edges, torsion};
 use crate::watch::Watch;
 use crate::words::PointStatus;
 
@@ -37,7 +35,7 @@ const SAMPLES: usize = 191;
 /// Solves the contact.
 pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
     let mut search = Search::default();
-    let ladder = Ladder::of(stage.problem, stage.options).and_beyond(stage.problem);
+    let ladder = Ladder::of(stage.problem, stage.options, Step::Contact).and_beyond(stage.problem);
     let (mut outcome, effort) = levels(&ladder, watch, |level| solve_level(stage, level, &mut search))?;
     search.report(stage, &mut outcome)?;
     if let Some((level, profile)) = search.last.zip(outcome.told.as_ref().map(|told| &told.profile)) {
@@ -89,7 +87,7 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
     let ends = &search.ends;
     let pair = reduced.pair()?;
     let operator = reduced.operator(&pair, stage.friction() > 0.0)?;
-    let gap = start_gaps(stage, &pair, &operator);
+    let gap = start_gaps(stage, &operator);
     let (start, length) = (stage.start(&pair), pair.trace().length());
     let twist = match stage.turned_pair(level, &ends.places)? {
         Some((reduced, work)) => {
@@ -109,7 +107,7 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
     };
     let zones = if ends.places.is_empty() { without_slivers(&found.zones, length) } else { ends.zones(length) };
     let pressure = inner_places(&zones, length, SAMPLES).iter().map(|arc| operator.pressure_at(&found.pressure, *arc)).collect();
-    let mut told = told(stage, &reduced, (&pair, &operator), (&gap, &found));
+    let mut told = told(stage, &reduced, &operator, &gap, &found);
     if let Some(twist) = &twist {
         [&mut told.profile, &mut told.curve].into_iter().for_each(|profile| twist.fill(&operator, profile, start));
     }
@@ -130,12 +128,8 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
 }
 
 /// Energies, reactions and columns of a solved contact.
-fn told(
-    stage: Stage<'_>,
-    reduced: &Reduced,
-    (pair, operator): (&Pair<'_>, &ContactOperator<'_>),
-    (gap, found): (&[f64], &ContactSolution),
-) -> Told {
+fn told(stage: Stage<'_>, reduced: &Reduced, operator: &ContactOperator<'_>, gap: &[f64], found: &ContactSolution) -> Told {
+    let pair = operator.pair();
     let arcs: Vec<f64> = operator.points().iter().map(|p| p.arc).collect();
     let between = |point: &contact::ContactPoint| {
         let pressure = operator.pressure_at(&found.pressure, point.arc);
@@ -184,7 +178,7 @@ fn find(stage: Stage<'_>, level: Level, ends: &mut FreeEnds, effort: &mut Effort
         (_, held) => {
             effort.counters.contact_solves += 1;
             let near = held.as_ref().filter(|held| held.complementarity < NEAR);
-            let gap = start_gaps(stage, &pair, &operator);
+            let gap = start_gaps(stage, &operator);
             operator.solve(&gap, &stage.contact_load(operator.points()), near).map_err(unsolved)
         }
     })?;
@@ -197,7 +191,7 @@ pub(crate) fn on_standing_mesh(stage: Stage<'_>, level: Level) -> Result<(Contac
     let (reduced, mut effort) = stage.reduced(level, Cut::Plain)?;
     let pair = reduced.pair()?;
     let operator = effort.timed(Step::Interface, stage.clock(), |_| reduced.operator(&pair, stage.friction() > 0.0))?;
-    let gap = start_gaps(stage, &pair, &operator);
+    let gap = start_gaps(stage, &operator);
     effort.counters.contact_solves += 1;
     let found = effort.timed(Step::Contact, stage.clock(), |_| {
         operator.solve(&gap, &stage.contact_load(operator.points()), None).map_err(unsolved)

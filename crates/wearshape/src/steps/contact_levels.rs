@@ -7,7 +7,6 @@ use crate::ladder::{Climbed, Ladder, Refusal, climb, errors, largest, missed, ru
 use crate::level::Level;
 use crate::results::{ContactResult, ErrorResult, InterfaceResult};
 use crate::solution::Status;
-use crate::step::Step;
 use crate::steps::answer::{Outcome, Told};
 use crate::steps::reported::Reported;
 use crate::watch::Watch;
@@ -43,7 +42,7 @@ pub(crate) fn levels(
         let solved = solve_level(level)?;
         Ok(if solved.refused.is_some() { ControlFlow::Break(Some(solved)) } else { ControlFlow::Continue(solved) })
     };
-    let Climbed { solved, stopped } = climb((ladder, Step::Contact), Vec::new(), solve, distance, watch)?;
+    let Climbed { solved, stopped } = climb(ladder, Vec::new(), solve, distance, watch)?;
     let mut effort = Effort::default();
     solved.iter().for_each(|level| effort += level.effort.clone());
     Ok((Outcome { stopped, ..finish(ladder, solved) }, effort))
@@ -66,7 +65,7 @@ fn relative_difference(x: &[f64], y: &[f64]) -> f64 {
 
 fn finish(ladder: &Ladder, mut solved: Vec<Solved>) -> Outcome {
     let degrees: Vec<usize> = ladder.levels.iter().map(|level| level.degree).collect();
-    let rungs = rungs(&degrees, &solved, ("pressure", 1), distance);
+    let rungs = rungs(&degrees, &solved, "pressure", 1, distance);
     let found = errors(&solved, &distance);
     let levels = solved.len();
     let Some(last) = solved.pop() else { return Outcome::default() };

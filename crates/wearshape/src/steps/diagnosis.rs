@@ -26,7 +26,7 @@ impl Diagnosis {
     pub(crate) fn made(&self, stage: Stage<'_>) -> Result<(Option<UniquenessResult>, Option<InterfaceResult>), Fault> {
         let pair = self.reduced.pair()?;
         let operator = self.reduced.operator(&pair, stage.friction() > 0.0)?;
-        let gap = start_gaps(stage, &pair, &operator);
+        let gap = start_gaps(stage, &operator);
         let load = stage.contact_load(operator.points());
         let uniqueness = uniqueness(&operator, &gap, &load, &self.found)?;
         Ok((uniqueness, interface(&operator, &gap, &load, &self.found)?))

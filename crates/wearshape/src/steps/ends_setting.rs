@@ -18,10 +18,12 @@ use crate::steps::hertz_trial::hertz_end;
 pub(crate) struct Setting<'a> {
     pub problem: &'a Problem,
     pub couple: &'a Couple,
+    /// Sizes of both bodies.
     pub disc: HalfDiscOnFlat,
     pub options: &'a Options<'a>,
-    /// Coefficient of friction, and the shear force on body 1 along x.
+    /// Coefficient of friction of the shear on the bodies.
     pub friction: f64,
+    /// Shear force (N) on body 1 along x.
     pub shear: f64,
 }
 

@@ -11,7 +11,7 @@ use crate::effort::Effort;
 use crate::faults::unsolved;
 use crate::level::Level;
 use crate::stage::Stage;
-use crate::steps::start_gap::gap_at;
+use crate::steps::start_gap::start_gaps;
 
 /// Accuracy of the nodes by the accuracy asked for: a misplaced end changes the pressure by about its distance over the length of the contact.
 /// The ends themselves are reported closer, with the step that their pressures still ask for.
@@ -40,8 +40,8 @@ pub(crate) fn position(
         work.counters.contact_solves += 1;
         let pair = reduced.pair()?;
         let operator = reduced.operator(&pair, stage.friction() > 0.0)?;
-        let (start, length) = (stage.start(&pair), pair.trace().length());
-        let gap: Vec<f64> = operator.points().iter().map(|p| gap_at(stage, start + p.arc)).collect();
+        let length = pair.trace().length();
+        let gap = start_gaps(stage, &operator);
         let arcs: Vec<f64> = places.iter().map(|t| 0.5 * (1.0 + t) * length).collect();
         let (nodes, closed) = held_between(operator.points(), &arcs, ends.starts_closed);
         let load = stage.contact_load(operator.points());

@@ -12,7 +12,7 @@ fn motions(pair: &Pair<'_>, about: f64) -> DMatrix<f64> {
     })
 }
 
-/// Closing at `about` and turning of rigid coordinates.
+/// Closing at `about` (mm) and turning (rad) of rigid coordinates, one a rigid mode.
 pub(crate) fn motion(pair: &Pair<'_>, coordinates: &[f64], about: f64) -> [f64; 2] {
     let sums = motions(pair, about) * DVector::from_row_slice(coordinates);
     [sums[0], sums[1]]

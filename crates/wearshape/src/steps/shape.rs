@@ -16,14 +16,14 @@ use crate::ladder::{Climbed, Ladder, Refusal, climb, errors, missed, rungs};
 use crate::level::Level;
 use crate::machined::{Machined, SurfacePoint};
 use crate::problem::Problem;
-use crate::results::ShapeResult;
+use crate::results::{ErrorResult, ShapeResult};
 use crate::solution::Status;
 use crate::stage::Stage;
 use crate::step::Step;
+use crate::steps::{pressure, round_trip, tolerance, torsion};
 use crate::steps::answer::{Answer, Outcome, Own, Told};
 use crate::steps::reported::{Moment, Reported};
 use crate::steps::shaper::{Shaper, unanswered};
-use crate::steps::{pressure, round_trip, tolerance, torsion};
 use crate::watch::Watch;
 
 /// Samples of the gap for the comparison of levels.
@@ -58,18 +58,21 @@ pub(crate) fn solve(stage: Stage<'_>, before: &Before<'_>, watch: &mut Watch<'_>
         None => stage,
     };
     let shaper = Shaper::new(stage, &optimum);
-    let ladder = Ladder::of(stage.problem, stage.options);
+    let ladder = Ladder::of(stage.problem, stage.options, Step::Shape);
     let measure = stage.problem.measure();
     let distance = |a: &Solved, b: &Solved| [difference_of_gaps(&a.gaps, &b.gaps, &b.closing, measure)];
     let solve = |level, _: &[Solved], _: &mut Watch<'_>| shaper.level(level).map(ControlFlow::Continue).map_err(Refusal::Fault);
-    let Climbed { solved, stopped } = climb((&ladder, Step::Shape), Vec::new(), solve, distance, watch)?;
+    let Climbed { solved, stopped } = climb(&ladder, Vec::new(), solve, distance, watch)?;
     let mut effort = Effort::default();
     solved.iter().for_each(|level| effort += level.effort.clone());
     let degrees: Vec<usize> = ladder.levels.iter().map(|level| level.degree).collect();
-    let mut outcome = Outcome { stopped, ladder: rungs(&degrees, &solved, ("gap", 0), distance), ..Outcome::default() };
+    let mut outcome = Outcome { stopped, ladder: rungs(&degrees, &solved, "gap", 0, distance), ..Outcome::default() };
     let error = errors(&solved, &distance).map(|[error]| error);
     if let Some(last) = solved.last() {
-        estimated(&mut outcome, (&ladder, solved.len()), (measure, error), before.how);
+        outcome.error = error_of_gap(error, measure, solved.len(), before.how);
+        if let Some((error, accuracy)) = error.and_then(|error| Some((error, ladder.missed(error)?))) {
+            outcome.ended = Some((Status::AccuracyMissed, missed("gap", error, accuracy)));
+        }
         let work = shaper.report(last, before.passes, &mut outcome)?;
         effort += work;
     }
@@ -81,17 +84,14 @@ pub(crate) fn optimal(problem: &Problem) -> Result<wear::Optimum, Refusal> {
     pressure::optimum(problem, &pressure::wear_problem(problem)?).map_err(|error| Refusal::Reason(error.to_string()))
 }
 
-/// The error of the gap, and whether it is small enough.
-fn estimated(outcome: &mut Outcome, (ladder, levels): (&Ladder, usize), (measure, error): (Measure, Option<f64>), closed: &str) {
+/// The estimated error of the gap from so many levels, and how it was found; `pressure` says the same of the pressure.
+fn error_of_gap(error: Option<f64>, measure: Measure, levels: usize, pressure: &str) -> ErrorResult {
     let of = if measure == Measure::Crown { "gap relative to its crown" } else { "gap" };
-    outcome.error.gap_relative = error;
-    outcome.error.how = match error {
-        Some(_) => format!("{of}: rest of the series of {levels} degrees; pressure: {closed}"),
-        None => format!("gap: not estimated below degree 5; pressure: {closed}"),
+    let how = match error {
+        Some(_) => format!("{of}: rest of the series of {levels} degrees; pressure: {pressure}"),
+        None => format!("gap: not estimated below degree 5; pressure: {pressure}"),
     };
-    if let Some((error, accuracy)) = error.and_then(|error| Some((error, ladder.missed(error)?))) {
-        outcome.ended = Some((Status::AccuracyMissed, missed("gap", error, accuracy)));
-    }
+    ErrorResult { gap_relative: error, how, ..ErrorResult::default() }
 }
 
 /// The problem under the force that the pressure really carries, where that is not the load (`optimum.balance = "paper"` on an arc): bodies out

@@ -25,10 +25,13 @@ pub(crate) fn unanswered(stage: Stage<'_>, optimum: &wear::Optimum) -> Result<()
 
 /// The wanted tractions and the shape they ask for.
 pub(crate) struct Shaper<'a> {
+    /// The problem on its surface.
     pub stage: Stage<'a>,
+    /// The wanted pressure.
     pub optimum: &'a wear::Optimum,
     /// Ends of the wanted pressure inside the surface.
     pub ends: Vec<f64>,
+    /// Rigid velocities of wear (mm/s, rad/s), one a freedom; empty where there are none.
     feed: Vec<f64>,
 }
 

@@ -10,7 +10,7 @@ mod ran;
 
 use std::ops::ControlFlow;
 
-use level::{MOST_STEPS, Mesh, run};
+use level::{Known, MOST_STEPS, Mesh, run};
 use nalgebra::DMatrix;
 use pieces::Pieces;
 use ran::Ran;
@@ -32,7 +32,7 @@ struct Solved {
 
 /// Runs the wear in time.
 pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
-    let ladder = Ladder::of(stage.problem, stage.options);
+    let ladder = Ladder::of(stage.problem, stage.options, Step::Evolution);
     let pieces = Pieces::of(stage.problem);
     let resume = stage.options.resume.cloned().unwrap_or_default();
     let (known, mut states) = if fits(&resume, &ladder) { (resume.finished, resume.states) } else { Default::default() };
@@ -42,7 +42,8 @@ pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome,
     let solve = |level, before: &[Solved], watch: &mut Watch<'_>| {
         let finished: Vec<FinishedLevel> = before.iter().map(|solved| solved.left.clone()).collect();
         let states = std::mem::take(&mut states);
-        let (left, ran) = match run((stage, &pieces), Mesh { level, ends: &ends }, (&finished, states), watch)? {
+        let known = Known { finished: &finished, states };
+        let (left, ran) = match run(stage, &pieces, Mesh { level, ends: &ends }, known, watch)? {
             Ok(done) => done,
             Err(history) => {
                 cut = Some(history);
@@ -53,7 +54,7 @@ pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome,
         let solved = Solved { left, run: Some(ran) };
         Ok(if stuck { ControlFlow::Break(Some(solved)) } else { ControlFlow::Continue(solved) })
     };
-    let Climbed { solved, stopped } = climb((&ladder, Step::Evolution), known, solve, distance, watch)?;
+    let Climbed { solved, stopped } = climb(&ladder, known, solve, distance, watch)?;
     let mut effort = Effort::default();
     for level in &solved {
         match &level.run {
@@ -91,7 +92,7 @@ fn distance(a: &Solved, b: &Solved) -> [f64; 1] {
 
 fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>) -> Outcome {
     let degrees: Vec<usize> = solved.iter().map(|level| level.left.degree).collect();
-    let mut outcome = Outcome { ladder: rungs(&degrees, &solved, ("gap", 0), distance), ..Outcome::default() };
+    let mut outcome = Outcome { ladder: rungs(&degrees, &solved, "gap", 0, distance), ..Outcome::default() };
     let error = errors(&solved, &distance).map(|[error]| error);
     let levels = solved.len();
     let Some(last) = solved.pop().and_then(|level| level.run) else { return outcome };
