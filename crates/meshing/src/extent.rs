@@ -73,6 +73,7 @@ pub enum Cut<'a> {
 }
 
 impl<'a> Cut<'a> {
+    /// The ends of contact that it cuts at; none of the standing choices.
     pub fn ends(self) -> &'a [f64] {
         match self {
             Cut::Ends(ends) => ends,
