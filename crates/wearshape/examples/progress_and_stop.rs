@@ -35,7 +35,7 @@ fn watched(problem: &Problem, resume: Option<&Resume>, most: usize) -> Result<(S
             Event::Run(level) => println!("  {} steps are known", level.known_steps),
             Event::WearStep(step) => {
                 steps += 1;
-                if steps % 20 == 0 {
+                if steps % 10 == 0 {
                     println!("  {:3.0} %, t = {:9.3} s", 100.0 * step.share, step.state.time);
                 }
             }

@@ -1,5 +1,5 @@
 //! The library as another program uses it: by its public names alone.
-#![allow(clippy::unwrap_used, missing_docs)]
+#![allow(clippy::unwrap_used)]
 
 mod bodies;
 mod common;
