@@ -15,6 +15,7 @@ mod summary;
 mod table;
 mod terminal;
 mod tolerance;
+mod verdict;
 mod vtu;
 
 pub use curves::abscissa;

@@ -5,8 +5,8 @@ use serde::Serialize;
 use serde_json::{Map, Value, json};
 use wearshape::{Problem, Solution};
 
-use crate::SCHEMA_VERSION;
-use crate::terminal::verdict;
+use crate::json::SCHEMA_VERSION;
+use crate::verdict::verdict;
 
 /// The whole summary: absent stages and numbers that are not finite are absent keys.
 ///

@@ -1,0 +1,135 @@
+//! One sentence that says how a run ended.
+
+use scene::{Functional, short, with_short_numbers};
+use wearshape::{Character, ContactResult, PressureResult, Problem, Profile, Regime, Shape, ShapeResult, Solution, Status, WearResult};
+
+/// How it ended: the reason it stopped, or the number that was asked for.
+pub(crate) fn verdict(problem: &Problem, solution: &Solution) -> String {
+    if let Some(reason) = &solution.reason {
+        return stopped(solution.status, reason);
+    }
+    if let Some(shape) = &solution.shape {
+        return machine(problem, solution, shape);
+    }
+    if let Some(wear) = &solution.wear {
+        return worn(problem, wear);
+    }
+    if let Some(contact) = &solution.contact {
+        return touching(contact);
+    }
+    match &solution.pressure {
+        Some(pressure) => pressed(problem, solution, pressure),
+        None => "Nothing was asked for.".into(),
+    }
+}
+
+fn stopped(status: Status, reason: &str) -> String {
+    let head = match status {
+        Status::Refused => "This scene has no answer",
+        Status::NotConverged => "The computation did not arrive",
+        Status::AccuracyMissed => "Done, but not to the accuracy asked for",
+        Status::Ok => "Done",
+        Status::Interrupted => "Interrupted",
+    };
+    format!("{head}: {}.", with_short_numbers(reason))
+}
+
+fn machine(problem: &Problem, solution: &Solution, shape: &ShapeResult) -> String {
+    let crown = shape.crown.unwrap_or(0.0);
+    let at = shape.gap_where.map(|s| format!(" at {}", place(problem, s))).unwrap_or_default();
+    let steady = solution.pressure.as_ref().is_some_and(|pressure| pressure.functional == Functional::Steady);
+    let end = if steady { "it starts worn in" } else { "it has the wanted pressure" };
+    format!("Machine this shape: crown {} um{at}; {end}.", short(crown))
+}
+
+fn worn(problem: &Problem, wear: &WearResult) -> String {
+    let time = wear.time.map(short).unwrap_or_default();
+    if !wear.steady {
+        return format!("Worn for {time} s; not yet steady.");
+    }
+    let by_approach = problem.scene().load.as_ref().is_some_and(|load| load.approach.is_some());
+    match &wear.to_1_percent {
+        Some(near) => format!("Worn in to 1 % after {} s, steady after {time} s.", short(near.time)),
+        None if by_approach => {
+            format!("The contact has worn itself free after {time} s: under the prescribed approach nothing presses any more.")
+        }
+        None => format!("Worn in after {time} s: the pressure no longer changes."),
+    }
+}
+
+fn touching(contact: &ContactResult) -> String {
+    let force = contact.force.map(short).unwrap_or_default();
+    let exponents: Vec<String> = contact.edge_exponents.iter().map(|exponent| format!("{exponent:.3}")).collect();
+    let peak = match contact.p_max {
+        Some(peak) => format!("at most {} MPa", short(peak)),
+        None => format!("the pressure grows towards the edges like d^({})", exponents.join(") and d^(")),
+    };
+    let turned = contact.twist.as_ref().and_then(|twist| twist.angle.last().zip(twist.torque.last()));
+    let turned = turned.map_or(String::new(), |(angle, torque)| {
+        format!("; turned by {} rad, a torque of {} N mm acts", short(*angle), short(*torque))
+    });
+    format!("The bodies touch with {force} N, {peak}{turned}.")
+}
+
+fn pressed(problem: &Problem, solution: &Solution, pressure: &PressureResult) -> String {
+    let what = match problem.scene().optimum.as_ref().and_then(|optimum| optimum.functional) {
+        Some(Functional::Uniform) => "The uniform pressure",
+        Some(Functional::WearVolume) => "The pressure that makes the wear volume rate stationary",
+        Some(Functional::FrictionPower) => "The pressure that makes the friction power stationary",
+        Some(Functional::WearPower) => "The pressure that makes the wear power stationary",
+        _ => "The worn-in pressure",
+    };
+    if pressure.regime == Some(Regime::Singular) {
+        return format!("{what} concentrates on points or lines: see the limit measure.");
+    }
+    let curve = solution.curve.as_ref().or(solution.profile.as_ref());
+    let numbers = curve.and_then(|curve| pressures(problem, curve)).unwrap_or_default();
+    let kind = if pressure.character == Some(Character::Maximum) { ", the worst case" } else { "" };
+    format!("{what} is {numbers}{kind}.")
+}
+
+/// A place in the words of the scene.
+fn place(problem: &Problem, s: f64) -> String {
+    if let Some(angle) = problem.angle(s) {
+        return format!("{} deg", short((angle.to_degrees() * 1e3).round() / 1e3));
+    }
+    match problem.contact_shape() {
+        Some(Shape::Annulus { .. } | Shape::Sector { .. }) => format!("r = {} mm", short(s)),
+        Some(Shape::Strip { x, .. } | Shape::Rectangle { x, .. }) => {
+            // The middle, found up to round-off, is the middle.
+            let s = if s.abs() < 1e-9 * (x[1] - x[0]) { 0.0 } else { s };
+            format!("x = {} mm", short(s + 0.5 * (x[0] + x[1])))
+        }
+        Some(Shape::Ellipse { .. }) => format!("x = {} mm", short(s)),
+        _ => format!("s = {} mm", short(s)),
+    }
+}
+
+fn extreme(values: &[f64], better: fn(f64, f64) -> bool) -> Option<usize> {
+    let mut best: Option<usize> = None;
+    for (row, value) in values.iter().enumerate().filter(|(_, value)| value.is_finite()) {
+        if best.is_none_or(|best| better(*value, values[best])) {
+            best = Some(row);
+        }
+    }
+    best
+}
+
+/// "5.45455 MPa at 0 deg, 4.09091 MPa at -30 deg".
+pub(crate) fn pressures(problem: &Problem, profile: &Profile) -> Option<String> {
+    let high = extreme(&profile.pressure, |a, b| a > b * (1.0 + 1e-9))?;
+    let low = extreme(&profile.pressure, |a, b| a < b * (1.0 - 1e-9))?;
+    let (top, bottom) = (profile.pressure[high], profile.pressure[low]);
+    if top - bottom <= 1e-9 * top {
+        return Some(format!("{} MPa everywhere", short(top)));
+    }
+    let at = |row: usize| {
+        let mirrored = profile.pressure[profile.pressure.len() - 1 - row];
+        let s = profile.s[row];
+        let reach = profile.s.iter().fold(0.0f64, |most, s| most.max(s.abs()));
+        let even = s < -1e-9 * reach && (mirrored - profile.pressure[row]).abs() <= 1e-9 * top;
+        let word = place(problem, s);
+        if even { word.replacen('-', "+-", 1) } else { word }
+    };
+    Some(format!("{} MPa at {}, {} MPa at {}", short(top), at(high), short(bottom), at(low)))
+}
