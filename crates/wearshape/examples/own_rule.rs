@@ -66,7 +66,7 @@ fn tell(name: &str, solution: &Solution) {
         }
     }
     if let Some(shape) = &solution.shape {
-        println!("   crown {:.4} um", shape.crown_um.unwrap_or(f64::NAN));
+        println!("   crown {:.4} um", shape.crown.unwrap_or(f64::NAN));
         println!(
             "   a contact solve on other meshes gives the pressure back to {:.1e}",
             shape.roundtrip_independent.unwrap_or(f64::NAN)

@@ -42,8 +42,8 @@ fn the_scenes_own_law_as_a_function_gives_its_pressure_gap_and_wear_rate() {
     assert!(apart(&plain, &given, |profile| &profile.wear_rate) < 1e-9);
     let [plain, given] = [plain, given].map(|solution| solution.pressure.unwrap());
     assert_relative_eq!(plain.feed.unwrap().force.unwrap(), given.feed.unwrap().force.unwrap(), max_relative = 1e-9);
-    assert_relative_eq!(plain.wear_power_mW.unwrap(), given.wear_power_mW.unwrap(), max_relative = 1e-9);
-    assert_relative_eq!(plain.torque_Nmm.unwrap(), given.torque_Nmm.unwrap(), max_relative = 1e-9);
+    assert_relative_eq!(plain.wear_power.unwrap(), given.wear_power.unwrap(), max_relative = 1e-9);
+    assert_relative_eq!(plain.torque.unwrap(), given.torque.unwrap(), max_relative = 1e-9);
     // What is said of powers alone is not said.
     assert_eq!((given.s, given.k), (None, None));
 }
@@ -102,10 +102,10 @@ fn the_force_of_an_approach_follows_from_the_rule_and_a_tolerance_says_nothing_o
     let bodies = Bodies::default();
     let [plain, given] =
         [plain, given].map(|problem| solve(&problem, &options, &bodies, &mut |_| ControlFlow::Continue(())).unwrap());
-    let force = |solution: &Solution| solution.pressure.as_ref().unwrap().force_N.unwrap();
+    let force = |solution: &Solution| solution.pressure.as_ref().unwrap().force.unwrap();
     assert_relative_eq!(force(&plain), force(&given), max_relative = 1e-9);
     let [plain, given] = [plain, given].map(|solution| solution.shape.unwrap().tolerance);
-    assert!(plain.iter().all(|error| error.run_in_distance_mm.is_some()));
-    assert!(!given.is_empty() && given.iter().all(|error| error.run_in_distance_mm.is_none()));
+    assert!(plain.iter().all(|error| error.run_in_distance.is_some()));
+    assert!(!given.is_empty() && given.iter().all(|error| error.run_in_distance.is_none()));
     assert_relative_eq!(plain[0].pressure_change_relative, given[0].pressure_change_relative, max_relative = 1e-6);
 }
