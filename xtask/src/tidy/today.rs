@@ -3,15 +3,11 @@
 /// Modules that hang in circles, by crate.
 #[rustfmt::skip]
 pub(super) const CIRCLES: &[(&str, usize)] = &[
-    ("cli", 8),
 ];
 
 /// Functions of more than 60 lines.
 #[rustfmt::skip]
 pub(super) const LONG_FUNCTIONS: &[&str] = &[
-    "cli/commands/study.rs: run",
-    "cli/commands/sweep.rs: run",
-    "cli/reproduce/ring.rs: gaps",
     "report/page.rs: html",
     "report/terminal.rs: verdict",
 ];
@@ -19,8 +15,6 @@ pub(super) const LONG_FUNCTIONS: &[&str] = &[
 /// Functions of more than 5 arguments.
 #[rustfmt::skip]
 pub(super) const WIDE_SIGNATURES: &[&str] = &[
-    "cli/reproduce/drum.rs: by_q",
-    "cli/reproduce/drum.rs: localisation",
 ];
 
 /// Libraries that look at a clock or keep global state.
