@@ -42,7 +42,8 @@ impl Rows<'_> {
         self.between(&self.found.pressure, distance - start)
     }
 
-    /// The polynomial through the points of the edge at an arc length.
+    /// The polynomial through the points of the edge at an arc length: [`ContactOperator::value_at`] but for the last digits, since the points stand at
+    /// their arc lengths here and at their edge parameters there.
     fn between(&self, values: &[f64], arc: f64) -> f64 {
         let Some(counter) = self.pair.counter else { return f64::NAN };
         let (edge, t) = counter.trace.locate(arc);
