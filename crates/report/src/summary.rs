@@ -47,7 +47,7 @@ fn value(part: &impl Serialize) -> Value {
 }
 
 /// Drops keys without a value: absent stages, and numbers that JSON cannot hold.
-pub fn without_nulls(value: Value) -> Value {
+pub(crate) fn without_nulls(value: Value) -> Value {
     match value {
         Value::Object(map) => {
             let kept = map.into_iter().filter(|(_, value)| !value.is_null());
