@@ -1,16 +1,50 @@
-//! Known values of data/reference/X.json for the built-in scenes, through the whole program.
+//! Known values of data/reference/X.json for the built-in scenes, solved by the library or through the whole program.
 
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
+use wearshape::{Bodies, Document, Options, Problem, Profile, Sampling, Solution, builtin, solve};
 
-/// A finished run.
+/// The problem of a built-in scene; settings as of `--set`.
+pub(crate) fn problem(scene: &str, settings: &[&str]) -> Problem {
+    let settings: Vec<String> = settings.iter().map(|setting| setting.to_string()).collect();
+    let scene = builtin(scene).unwrap();
+    let document = Document::read(&scene.file(), scene.text, &settings).unwrap();
+    Problem::new(&document, &|file| Err(format!("there is no {file}"))).unwrap()
+}
+
+/// A built-in scene solved in memory, its columns at so many evenly spaced points, or at the contact points.
+pub(crate) fn solved(scene: &str, settings: &[&str], samples: Option<usize>) -> Solution {
+    let options = Options { sample: samples.map(Sampling::Even), ..Options::default() };
+    let going_on = &mut |_: wearshape::Event<'_>| ControlFlow::Continue(());
+    solve(&problem(scene, settings), &options, &Bodies::default(), going_on).unwrap()
+}
+
+/// The columns of a solution.
+pub(crate) fn profile(solution: &Solution) -> &Profile {
+    solution.profile.as_ref().unwrap()
+}
+
+/// The value of a column at a place of the surface, which must be a sample point.
+pub(crate) fn at(profile: &Profile, column: &[f64], s: f64) -> f64 {
+    let row = profile.s.iter().position(|place| (place - s).abs() < 1e-9 * (1.0 + s.abs()));
+    column[row.unwrap_or_else(|| panic!("no sample at {s}"))]
+}
+
+/// Force along x and z of the support on an edge, N.
+pub(crate) fn reaction(solution: &Solution, edge: &str) -> [f64; 2] {
+    let (_, found) = solution.reactions.iter().find(|(name, _)| name == edge).unwrap();
+    [found.x.unwrap(), found.z.unwrap()]
+}
+
+/// A finished run of the program.
 pub(crate) struct Run {
     pub(crate) exit: cli::Exit,
     folder: PathBuf,
 }
 
-/// Runs a built-in scene in a folder of its own; `arguments` as on the command line.
+/// Runs a built-in scene through the program, in a folder of its own; `arguments` as on the command line.
 pub(crate) fn run(scene: &str, case: &str, arguments: &[&str]) -> Run {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{scene}-{case}"));
     let mut all: Vec<String> = ["wearshape", "run", scene, "-q", "-o"].map(String::from).to_vec();
@@ -20,24 +54,21 @@ pub(crate) fn run(scene: &str, case: &str, arguments: &[&str]) -> Run {
 }
 
 impl Run {
+    /// A file of the folder; none if it was not written.
+    pub(crate) fn file(&self, name: &str) -> Option<Vec<u8>> {
+        std::fs::read(self.folder.join(name)).ok()
+    }
+
     pub(crate) fn summary(&self) -> Value {
-        serde_json::from_str(&std::fs::read_to_string(self.folder.join("summary.json")).unwrap()).unwrap()
+        serde_json::from_slice(&self.file("summary.json").unwrap()).unwrap()
     }
 
     /// A column of contact.csv.
     pub(crate) fn column(&self, name: &str) -> Vec<f64> {
-        let text = std::fs::read_to_string(self.folder.join("contact.csv")).unwrap();
+        let text = String::from_utf8(self.file("contact.csv").unwrap()).unwrap();
         let mut lines = text.lines();
         let at = lines.next().unwrap().split(',').position(|column| column == name).unwrap();
         lines.map(|line| line.split(',').nth(at).unwrap().parse().unwrap()).collect()
-    }
-
-    /// Linear interpolation of a column at a place of the surface; the places asked for are sample points.
-    pub(crate) fn at(&self, name: &str, s: f64) -> f64 {
-        let places = self.column("s_mm");
-        let row = (0..places.len()).min_by(|a, b| (places[*a] - s).abs().total_cmp(&(places[*b] - s).abs())).unwrap();
-        assert!((places[row] - s).abs() < 1e-9 * (1.0 + s.abs()), "no sample at {s}");
-        self.column(name)[row]
     }
 }
 

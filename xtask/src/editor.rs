@@ -42,10 +42,10 @@ fn check(root: &Path) -> Result<usize, String> {
         }
     }
     let schema = scenes_folder.join(SCHEMA);
-    let written = Command::new(verify::run::build(root)?).arg("schema").output().map_err(|error| error.to_string())?;
+    let written = Command::new(verify::programs::build(root)?).arg("schema").output().map_err(|error| error.to_string())?;
     write(&schema, &written.stdout)?;
     let mut scenes = Vec::new();
-    for entry in fs::read_dir(root.join("data/scenes")).map_err(|error| format!("data/scenes: {error}"))? {
+    for entry in fs::read_dir(root.join("crates/scene/scenes")).map_err(|error| format!("crates/scene/scenes: {error}"))? {
         let path = entry.map_err(|error| error.to_string())?.path();
         if let Some(name) = path.file_name().filter(|_| path.extension().is_some_and(|extension| extension == "toml")) {
             let copy = scenes_folder.join(name);
@@ -55,7 +55,7 @@ fn check(root: &Path) -> Result<usize, String> {
     }
     scenes.sort();
     if scenes.is_empty() {
-        return Err("there are no scenes in data/scenes".into());
+        return Err("there are no scenes in crates/scene/scenes".into());
     }
     for named in [None, Some(schema.as_path())] {
         let (sound, words) = lint(&taplo, named, &scenes)?;

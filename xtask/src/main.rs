@@ -1,6 +1,7 @@
 //! Project chores, started as `cargo xtask <chore>`.
 
 mod bench;
+mod crates;
 mod editor;
 mod outputs;
 mod package;
@@ -27,6 +28,7 @@ usage: cargo xtask <chore>
             [--case NAME] [--scenes] [--program PATH] [--docs]
   outputs   open the files of runs with VTK, ezdxf, the reader of MCAP and Chromium [--install]
   editor    check the scenes by the schema with the checker of an editor plug-in (taplo, from npm)
+  crates    whether each library crate packs all that it needs: files and versions
   package   the static program, manual pages, completions and the Debian package
   bench     run the benches of our crates and print their ratios [crate ..]
 ";
@@ -42,6 +44,7 @@ fn main() -> ExitCode {
         Some("validation") => validation::run(&root),
         Some("editor") => editor::run(&root),
         Some("outputs") => outputs::run(&root, &words[1..]),
+        Some("crates") => crates::run(&root),
         Some("package") => package::run(&root),
         Some("help" | "-h" | "--help") => {
             print!("{USAGE}");

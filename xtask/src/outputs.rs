@@ -64,7 +64,7 @@ fn check(root: &Path, install: bool) -> Result<(), String> {
         environment(&folder, &python)?;
     }
     faults_are_seen(&folder)?;
-    let wearshape = verify::run::build(root)?;
+    let wearshape = verify::programs::build(root)?;
     for (scene, changes, limits) in CASES {
         println!("{scene}");
         let name = Path::new(scene).file_stem().unwrap_or_default();
@@ -96,7 +96,7 @@ fn check(root: &Path, install: bool) -> Result<(), String> {
 
 fn environment(folder: &Path, python: &Path) -> Result<(), String> {
     if !python.exists() {
-        finished(Command::new(verify::debian::PYTHON).args(["-m", "venv"]).arg(folder.join("venv")))?;
+        finished(Command::new(verify::programs::PYTHON).args(["-m", "venv"]).arg(folder.join("venv")))?;
     }
     finished(Command::new(python).args(["-m", "pip", "install", "-q", "--disable-pip-version-check"]).args(MODULES))
 }

@@ -6,23 +6,18 @@
 mod case;
 mod check;
 mod page;
+mod row;
 
-use crate::verify::run as programs;
+use crate::verify::programs;
 use case::{Case, Kind, Scene};
 use check::Result as Checked;
+use row::Row;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
 use std::time::{Duration, Instant};
 
 /// Longest time one case may take.
 const LIMIT: Duration = Duration::from_secs(120);
-
-/// A case and what it came to.
-pub(crate) struct Row {
-    pub(crate) case: Case,
-    pub(crate) result: Checked,
-    pub(crate) seconds: f64,
-}
 
 /// Runs all cases, or the named ones.
 pub(crate) fn run(root: &Path, words: &[String]) -> ExitCode {

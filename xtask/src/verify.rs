@@ -5,16 +5,19 @@
 //! With `--known` the scripts themselves are compared with published and computed numbers.
 
 mod case;
-pub(crate) mod compare;
+mod compare;
 pub(crate) mod debian;
 mod known;
 mod picture;
+pub(crate) mod programs;
 mod report;
-pub(crate) mod run;
+mod row;
 mod study;
+pub(crate) mod tables;
 
 use case::Case;
-use report::{Outcome, Row};
+use report::Outcome;
+use row::Row;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
@@ -108,7 +111,7 @@ fn parse(words: &[String]) -> Result<Wish, String> {
 fn wearshape(root: &Path, wish: &Wish) -> Result<PathBuf, String> {
     match &wish.program {
         Some(program) => Ok(program.clone()),
-        None => run::build(root),
+        None => programs::build(root),
     }
 }
 
@@ -150,8 +153,8 @@ fn is_wanted(case: &Case, wish: &Wish) -> bool {
 fn run_case(root: &Path, wearshape: &Path, case: &Case, fault: Option<&str>) -> Outcome {
     let folder = root.join("target/verify").join(&case.name);
     let started = Instant::now();
-    let result = run::solve(root, wearshape, case, &folder)
-        .and_then(|()| run::script(root, &case.script, &folder, fault))
+    let result = programs::solve(root, wearshape, case, &folder)
+        .and_then(|()| programs::script(root, &case.script, &folder, fault))
         .and_then(|()| compare::case(case, &folder));
     Outcome::new(case, result, started.elapsed().as_secs_f64())
 }

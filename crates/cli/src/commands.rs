@@ -10,15 +10,14 @@ mod study;
 mod sweep;
 
 use std::ffi::OsString;
-use std::io::{IsTerminal, Write};
 use std::path::Path;
 
 use clap::{CommandFactory, Parser};
 use scene::{Fault, Place};
 
 use crate::args::{Cli, Command};
-use crate::draw;
 use crate::exit::Exit;
+use crate::print::{complain, print_json, print_out};
 
 /// Runs the command that the arguments ask for.
 pub(crate) fn run(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> Exit {
@@ -42,30 +41,6 @@ pub(crate) fn run(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -
         Command::Reproduce(args) => reproduce::run(&args),
     };
     outcome.unwrap_or_else(|fault| complain(&fault, json))
-}
-
-/// Prints a fault: the picture on stderr, with `--json` the document on stdout.
-pub(crate) fn complain(fault: &Fault, json: bool) -> Exit {
-    if json {
-        print_json(&draw::json(fault));
-    } else {
-        let colour = std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
-        eprint!("{}", draw::render(fault, colour));
-    }
-    Exit::Wrong
-}
-
-/// Prints one JSON document on stdout.
-pub(crate) fn print_json(document: &serde_json::Value) {
-    if let Ok(text) = serde_json::to_string_pretty(document) {
-        print_out(&(text + "\n"));
-    }
-}
-
-/// Prints to stdout; a closed pipe is no error of ours.
-pub(crate) fn print_out(text: &str) {
-    let mut out = std::io::stdout().lock();
-    let _ = out.write_all(text.as_bytes()).and_then(|()| out.flush());
 }
 
 fn usage(error: &clap::Error, json: bool) -> Exit {

@@ -1,30 +1,34 @@
 //! A fault as the user sees it: a picture in the terminal, or one JSON document.
 
-use scene::{Fault, Place};
+use annotate_snippets::renderer::{AnsiColor, Effects};
+use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
+use scene::{Fault, Place, Spot};
 
 /// The picture for a terminal: message, place, the line with a caret, remedy.
 pub(crate) fn render(fault: &Fault, colour: bool) -> String {
-    let (bold, red, blue, green, plain) =
-        if colour { ("\x1b[1m", "\x1b[1;31m", "\x1b[34m", "\x1b[32m", "\x1b[0m") } else { ("", "", "", "", "") };
-    let mut out = format!("{red}error{plain}{bold}: {}{plain}\n", fault.message);
-    match &fault.place {
-        Some(Place::File(spot)) => {
-            let margin = spot.line.to_string().len();
-            let pad = " ".repeat(margin);
-            let tabs: String = spot.text.chars().take(spot.column - 1).map(|c| if c == '\t' { '\t' } else { ' ' }).collect();
-            let carets = "^".repeat(spot.length);
-            out += &format!("{pad}{blue}-->{plain} {}:{}:{}\n", spot.file, spot.line, spot.column);
-            out += &format!("{pad} {blue}|{plain}\n");
-            out += &format!("{blue}{} |{plain} {}\n", spot.line, spot.text);
-            out += &format!("{pad} {blue}|{plain} {tabs}{red}{carets}{plain}\n");
-        }
-        Some(Place::Flag(flag)) => out += &format!(" {blue}-->{plain} {flag}\n"),
-        None => {}
-    }
+    let title = Level::ERROR.primary_title(&fault.message);
+    let picture = match &fault.place {
+        Some(Place::File(spot)) => title.element(snippet(spot)),
+        Some(Place::Flag(flag)) => title.element(Origin::path(flag)),
+        None => Group::with_title(title),
+    };
+    let styled = Renderer::styled().help(AnsiColor::Green.on_default().effects(Effects::BOLD));
+    let renderer = if colour { styled } else { Renderer::plain() };
+    let mut out = renderer.render(&[picture]) + "\n";
     if !fault.remedy.is_empty() {
-        out += &format!("{green}remedy{plain}: {}\n", fault.remedy);
+        let remedy = Level::HELP.with_name("remedy").primary_title(&fault.remedy);
+        out += &(renderer.render(&[Group::with_title(remedy)]) + "\n");
     }
     out
+}
+
+/// The line of a place, with what is wrong in it underlined.
+fn snippet(spot: &Spot) -> Snippet<'_, annotate_snippets::Annotation<'_>> {
+    // Bytes up to a number of characters.
+    let bytes = |count: usize| spot.text.char_indices().nth(count).map_or(spot.text.len(), |(at, _)| at);
+    let start = spot.column - 1;
+    let span = bytes(start)..bytes(start + spot.length);
+    Snippet::source(&spot.text).line_start(spot.line).path(&spot.file).annotation(AnnotationKind::Primary.span(span))
 }
 
 /// The one JSON document of a failed `--json` call.
@@ -48,4 +52,55 @@ pub(crate) fn json(fault: &Fault) -> serde_json::Value {
     }
     error.insert("remedy".into(), fault.remedy.clone().into());
     serde_json::json!({ "error": error })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The picture of a fault in the middle of a text.
+    fn picture(text: &str, wrong: &str) -> String {
+        let start = text.find(wrong).unwrap_or(0);
+        let place = Some(Place::file("shoe.toml", text, start..start + wrong.len()));
+        render(&Fault { place, ..Fault::new("wrong", "this is wrong", "write something else") }, false)
+    }
+
+    #[test]
+    fn a_fault_is_drawn_with_place_line_caret_and_remedy() {
+        let drawn = picture("a = 1\nb = wrong\n", "wrong");
+        let wanted = "error: this is wrong\n --> shoe.toml:2:5\n  |\n2 | b = wrong\n  |     ^^^^^\n";
+        assert!(drawn.starts_with(wanted), "{drawn}");
+        assert!(drawn.ends_with("remedy: write something else\n"), "{drawn}");
+    }
+
+    #[test]
+    fn carets_stand_below_what_is_wrong_behind_tabs_and_wide_characters() {
+        for (text, wrong, column) in [("\tb = wrong", "wrong", 6), ("t\u{ef}tle = \"\u{5f62}\u{72b6}\", wrong", "wrong", 15)] {
+            let drawn = picture(text, wrong);
+            let lines: Vec<&str> = drawn.lines().collect();
+            let width = |text: &str| text.chars().map(|c| if c > '\u{2000}' { 2 } else { 1 }).sum::<usize>();
+            let line = lines.iter().find(|line| line.starts_with("1 | ")).copied().unwrap_or_default();
+            let carets = lines.iter().find(|line| line.contains('^')).copied().unwrap_or_default();
+            let at = |line: &str, what: &str| width(line.split(what).next().unwrap_or_default());
+            assert_eq!(at(line, "wrong"), at(carets, "^"), "{drawn}");
+            assert!(drawn.contains(&format!("shoe.toml:1:{column}\n")), "{drawn}");
+        }
+    }
+
+    #[test]
+    fn a_fault_of_an_empty_text_or_behind_its_end_has_a_picture() {
+        assert!(picture("", "").contains("--> shoe.toml:1:1"));
+        let behind = Fault { place: Some(Place::file("x.toml", "a =", 3..4)), ..Fault::new("x", "no value", "") };
+        let drawn = render(&behind, false);
+        assert!(drawn.contains("--> x.toml:1:4") && drawn.contains("1 | a =\n"), "{drawn}");
+        assert!(!drawn.contains("remedy") && drawn.contains('^'), "{drawn}");
+    }
+
+    #[test]
+    fn colour_is_said_in_escapes_and_plain_text_has_none() {
+        let flag = Fault { place: Some(Place::Flag("--set x".into())), ..Fault::new("x", "wrong", "right") };
+        let plain = render(&flag, false);
+        assert!(plain.contains("--> --set x\n") && !plain.contains('\x1b'), "{plain}");
+        assert!(render(&flag, true).contains("\x1b["));
+    }
 }

@@ -2,6 +2,8 @@
 
 use std::process::ExitCode;
 
+use wearshape::Status;
+
 /// End of a call, with the number the shell sees.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Exit {
@@ -16,6 +18,15 @@ pub enum Exit {
 }
 
 impl Exit {
+    /// The end of a run with this status.
+    pub(crate) fn of(status: Status) -> Exit {
+        match status {
+            Status::Ok => Exit::Done,
+            Status::AccuracyMissed | Status::NotConverged | Status::Refused => Exit::GoalMissed,
+            Status::Interrupted => Exit::Interrupted,
+        }
+    }
+
     /// The number.
     pub fn code(self) -> u8 {
         match self {

@@ -1,17 +1,31 @@
-//! The program `wearshape`: reads a scene, computes what it asks for, writes the report.
+//! The program `wearshape`: arguments, folders, the terminal, Ctrl-C, progress, the recording, and the figures of the paper.
 //!
-//! The data goes one way: `Scene -> Problem -> Solution -> Report` by `setup`, `solve`, `report`. This is the only crate of the
-//! workspace that reads files, writes files and prints.
+//! What is computed and what it looks like are not here. The data goes one way:
+//!
+//! ```text
+//!  file --open--> Document --Problem::new--> Problem --solve--> Solution --report::files--> names and bytes --write--> folder
+//!       scene               wearshape                wearshape            report
+//! ```
+//!
+//! This is the only crate of the workspace that reads files, writes files, prints, has a clock, builds pools of threads and listens for signals. All of
+//! that is around [`wearshape::solve`]: `live` watches a solve, and so records it, shows its progress, and ends it after Ctrl-C. A command is one
+//! function from its arguments to an [`Exit`]; what several commands use stands in modules below them. `reproduce` computes through the same
+//! public functions as any other program could.
 
+mod again;
 mod args;
 mod clock;
 mod commands;
+mod describe;
 mod draw;
 mod exit;
 mod folder;
+mod grid;
 mod interrupt;
 mod live;
 mod open;
+mod options;
+mod print;
 mod progress;
 mod record;
 mod reproduce;

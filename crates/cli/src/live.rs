@@ -3,7 +3,6 @@
 use std::ops::ControlFlow;
 
 use scene::Fault;
-use wearshape;
 use wearshape::{Bodies, Event, Options, Problem, RunLevel, Solution, WearStep};
 
 use crate::interrupt;

@@ -6,20 +6,38 @@ use std::path::{Path, PathBuf};
 use scene::{Document, Fault, Place, SCENES, builtin, did_you_mean};
 use wearshape::Problem;
 
-/// Files beside a scene, by their paths as it has them.
+/// Files beside a scene, by their paths as it has them. The folder of the scene is empty where it is the current one.
 pub(crate) struct Beside(PathBuf);
 
 impl Beside {
     /// The bytes of a file, or why there are none.
     pub(crate) fn read(&self, path: &str) -> Result<Vec<u8>, String> {
-        fs::read(self.0.join(path)).map_err(|error| error.to_string())
+        fs::read(self.0.join(path)).map_err(|error| {
+            let found = self.found(path);
+            if found == path { error.to_string() } else { format!("{found}: {error}") }
+        })
+    }
+
+    /// The path of a file as seen from the current folder.
+    fn found(&self, path: &str) -> String {
+        self.0.join(path).display().to_string()
+    }
+
+    /// A fault inside a file beside the scene names the file as it is found from the current folder.
+    fn named(&self, scene: &str, mut fault: Fault) -> Fault {
+        if let Some(Place::File(spot)) = &mut fault.place
+            && spot.file != scene
+        {
+            spot.file = self.found(&spot.file);
+        }
+        fault
     }
 }
 
 /// A scene by its name or path, checked: with its document, which knows where the keys stand.
 pub(crate) fn problem(given: &str, settings: &[String]) -> Result<(Document, Problem), Fault> {
     let (document, beside) = open(given, settings)?;
-    let problem = Problem::new(&document, &|path| beside.read(path))?;
+    let problem = Problem::new(&document, &|path| beside.read(path)).map_err(|fault| beside.named(given, fault))?;
     Ok((document, problem))
 }
 
@@ -30,7 +48,7 @@ pub(crate) fn open(given: &str, settings: &[String]) -> Result<(Document, Beside
     if let Some(scene) = builtin(given)
         && !path.is_file()
     {
-        return Ok((Document::read(&scene.file(), scene.text, settings)?, Beside(PathBuf::from("."))));
+        return Ok((Document::read(&scene.file(), scene.text, settings)?, Beside(PathBuf::new())));
     }
     if !looks_like_path {
         let names: Vec<&str> = SCENES.iter().map(|scene| scene.name).collect();
@@ -49,6 +67,6 @@ pub(crate) fn open(given: &str, settings: &[String]) -> Result<(Document, Beside
         place: Some(Place::Flag(given.to_string())),
         ..Fault::new("not-text", format!("{given} is not UTF-8 text: {error}"), "save the scene as UTF-8")
     })?;
-    let folder = path.parent().map_or_else(|| PathBuf::from("."), Path::to_path_buf);
+    let folder = path.parent().unwrap_or(Path::new("")).to_path_buf();
     Ok((Document::read(given, &text, settings)?, Beside(folder)))
 }

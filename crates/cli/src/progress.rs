@@ -7,6 +7,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use shapeopt::WearState;
 
 use crate::args::Common;
+use crate::print::no_colour;
 
 /// Work shorter than this shows no bar.
 const MOMENT: Duration = Duration::from_millis(500);
@@ -77,8 +78,7 @@ fn bar(length: u64, template: &str) -> ProgressBar {
 }
 
 fn wanted_here(common: &Common) -> bool {
-    let plain = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
-    wanted(common, std::io::stderr().is_terminal(), plain)
+    wanted(common, std::io::stderr().is_terminal(), no_colour())
 }
 
 /// Bars are for a terminal whose user wants them.

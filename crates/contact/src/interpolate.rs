@@ -22,4 +22,37 @@ impl ContactOperator<'_> {
         let shapes = lagrange(&nodes, &barycentric_weights(&nodes), t.clamp(-1.0, 1.0));
         shapes.iter().zip(&values[range]).map(|(l, v)| l * v).sum()
     }
+
+    /// Pressure at arc length `arc` of one given at the contact points: [`ContactOperator::value_at`], or [`piecewise_linear`] on an edge with a
+    /// point of no pressure, where the polynomial would be negative beside the end of contact.
+    pub fn pressure_at(&self, pressure: &[f64], arc: f64) -> f64 {
+        let (edge, _) = self.pair.trace().locate(arc);
+        let range = self.edge_points(edge);
+        if pressure[range.clone()].contains(&0.0) {
+            let arcs: Vec<f64> = self.unit.points[range.clone()].iter().map(|p| p.arc).collect();
+            return piecewise_linear(&arcs, &pressure[range], arc);
+        }
+        self.value_at(pressure, arc)
+    }
+}
+
+/// Straight lines between values at two or more ascending places; the nearest value outside them.
+pub fn piecewise_linear(places: &[f64], values: &[f64], at: f64) -> f64 {
+    let after = places.partition_point(|p| *p < at).clamp(1, places.len() - 1);
+    let (a, b) = (places[after - 1], places[after]);
+    let t = ((at - a) / (b - a)).clamp(0.0, 1.0);
+    (1.0 - t) * values[after - 1] + t * values[after]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::piecewise_linear;
+
+    #[test]
+    fn straight_lines_meet_the_values_and_go_on_level() {
+        let (places, values) = ([-1.0, 0.0, 4.0], [2.0, 6.0, 4.0]);
+        for (at, value) in [(-9.0, 2.0), (-1.0, 2.0), (-0.5, 4.0), (0.0, 6.0), (1.0, 5.5), (4.0, 4.0), (5.0, 4.0)] {
+            assert_eq!(piecewise_linear(&places, &values, at), value);
+        }
+    }
 }

@@ -10,9 +10,11 @@
 //! with `push` the projected multipliers at the openings `w(t) = w + t (A d lambda + Psi d y)` and `r` the residual of the balance with its
 //! proximal springs. The slope grows with `t`.
 
+use faer::Mat;
+use hpfem::bisect;
+
 use crate::lcp::Point;
 use crate::products::{add, times};
-use faer::Mat;
 
 /// Slope at the Newton point, over that at the start, below which the Newton point is the minimum.
 const SETTLED: f64 = 1e-3;
@@ -63,10 +65,6 @@ pub(crate) fn line_search(
         return None;
     }
     // Bisection on the sign of the slope.
-    let (mut low, mut high) = (0.0, 1.0);
-    for _ in 0..halvings {
-        let middle = 0.5 * (low + high);
-        if slope(middle) < 0.0 { low = middle } else { high = middle }
-    }
+    let [low, high] = bisect([0.0, 1.0], halvings, |middle| slope(middle) < 0.0);
     Some(at(0.5 * (low + high)))
 }

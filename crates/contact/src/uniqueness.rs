@@ -5,13 +5,15 @@
 //! more: the solution branches only where the determinant of the system of its active points passes zero (Klarbring 1990), that is where its smallest
 //! singular value vanishes. So the solution is followed from no friction up, but only where the form is indefinite.
 
+use faer::{Mat, Side};
+use hpfem::bisect;
+
 use crate::error::Error;
 use crate::lcp::{Answer, Complementarity, Point};
 use crate::linear::{Scaling, extreme_singular_values, matrix};
 use crate::load::{ContactLoad, Friction};
 use crate::operator::ContactOperator;
 use crate::solution::ContactSolution;
-use faer::{Mat, Side};
 
 /// Steps in which the solution is followed from no friction.
 const STEPS: usize = 16;
@@ -157,11 +159,8 @@ fn follow(family: &Family<'_>, coefficient: f64, force: &[f64]) -> Uniqueness {
 }
 
 /// Where something that holds at the start of a range ceases to.
-fn halve([mut low, mut high]: [f64; 2], holds: impl Fn(f64) -> bool) -> f64 {
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (low + high);
-        if holds(middle) { low = middle } else { high = middle }
-    }
+fn halve(range: [f64; 2], holds: impl Fn(f64) -> bool) -> f64 {
+    let [low, high] = bisect(range, HALVINGS, holds);
     0.5 * (low + high)
 }
 

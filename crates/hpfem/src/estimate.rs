@@ -1,5 +1,7 @@
 //! Error estimates from a sequence of degrees.
 
+use crate::bisect::bisect;
+
 /// Energy of the exact solution and error of the last of three, extrapolated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EnergyEstimate {
@@ -31,17 +33,14 @@ pub fn energy_estimate(solutions: [(usize, f64); 3]) -> Option<EnergyEstimate> {
     // right one from below 1; their difference changes sign once if the steps shrink fast enough.
     let ratio = first / second;
     let rest = |x: f64| x / (1.0 + x) - ((1.0 + x) / (1.0 + x + ratio)).powf(q);
-    let (mut low, mut high) = (0.0, 1.0);
+    let mut high = 1.0;
     while rest(high) < 0.0 {
         high *= 2.0;
         if high > 1e12 {
             return None;
         }
     }
-    for _ in 0..200 {
-        let middle = 0.5 * (low + high);
-        if rest(middle) < 0.0 { low = middle } else { high = middle }
-    }
+    [_, high] = bisect([0.0, high], 200, |middle| rest(middle) < 0.0);
     let energy = u3 + high * second;
     Some(EnergyEstimate { energy, error: ((energy - u3) / energy).abs().sqrt() })
 }

@@ -17,46 +17,52 @@ pub(crate) fn free_motions(mesh: &Mesh, space: &Space, kinematics: Kinematics, h
         Kinematics::Torsion => &[2],
         _ => &[0, 1, 2],
     };
-    // Rows of conditions on (t_x, t_z, theta * size).
-    let mut rows: Vec<[f64; 3]> = Vec::new();
-    let mut condition = |x: [f64; 2], d: [f64; 2]| {
+    let (columns, pivots) = eliminated(conditions(mesh, space, (kinematics, size), held), candidates);
+    columns
+        .iter()
+        .map(|free| {
+            let mut motion = [0.0; 3];
+            motion[*free] = 1.0;
+            pivots.iter().for_each(|(c, r)| motion[*c] = -r[*free]);
+            motion[2] /= size;
+            let unit = motion.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+            if *free == 2 { motion.map(|v| v * size) } else { motion.map(|v| v / unit) }
+        })
+        .collect()
+}
+
+/// Rows of conditions on `(t_x, t_z, theta size)`: of the held directions, of the supports, of the rigid edge.
+fn conditions(mesh: &Mesh, space: &Space, (kinematics, size): (Kinematics, f64), held: &[([f64; 2], [f64; 2])]) -> Vec<[f64; 3]> {
+    let row = |x: [f64; 2], d: [f64; 2]| {
         let motions = rigid_rows(x, [0.0, 0.0]);
-        rows.push([0, 1, 2].map(|k| (motions[k][0] * d[0] + motions[k][1] * d[1]) / if k == 2 { size } else { 1.0 }));
+        [0, 1, 2].map(|k| (motions[k][0] * d[0] + motions[k][1] * d[1]) / if k == 2 { size } else { 1.0 })
     };
-    for (x, d) in held {
-        condition(*x, *d);
-    }
-    for (g, freedom) in space.freedom.iter().enumerate() {
+    let mut rows: Vec<[f64; 3]> = held.iter().map(|(x, d)| row(*x, *d)).collect();
+    for (g, freedom) in space.freedom.iter().enumerate().filter(|(_, freedom)| !freedom.slaved) {
         let x = match g.checked_sub(mesh.vertices.len()) {
             None => mesh.vertices[g],
             Some(e) => mesh.edges[e].curve.point(0.0),
         };
-        if freedom.slaved {
-            continue;
-        }
-        for axis in 0..2 {
-            if freedom.fixed[axis].is_some() {
-                if kinematics == Kinematics::Torsion {
-                    // u_phi = r theta.
-                    condition([0.0, x[0]], [-1.0, 0.0]);
-                } else {
-                    condition(x, freedom.axes[axis]);
-                }
-            }
+        for axis in (0..2).filter(|axis| freedom.fixed[*axis].is_some()) {
+            rows.push(match kinematics {
+                // u_phi = r theta.
+                Kinematics::Torsion => row([0.0, x[0]], [-1.0, 0.0]),
+                _ => row(x, freedom.axes[axis]),
+            });
         }
     }
     if let Some((_, rigid)) = &space.frame {
-        let motions = rigid_rows(rigid.reference, [0.0, 0.0]);
-        for (k, d) in [[1.0, 0.0], [0.0, 1.0]].iter().enumerate() {
-            if !rigid.free[k] {
-                rows.push([0, 1, 2].map(|m| (motions[m][0] * d[0] + motions[m][1] * d[1]) / if m == 2 { size } else { 1.0 }));
-            }
-        }
+        let axes = [[1.0, 0.0], [0.0, 1.0]];
+        rows.extend(axes.iter().enumerate().filter(|(k, _)| !rigid.free[*k]).map(|(_, d)| row(rigid.reference, *d)));
         if !rigid.free[2] {
             rows.push([0.0, 0.0, 1.0]);
         }
     }
-    // Gaussian elimination with pivoting; free columns give the motions.
+    rows
+}
+
+/// Gaussian elimination with pivoting among `candidates`: the free columns, and the pivot rows by their columns.
+fn eliminated(mut rows: Vec<[f64; 3]>, candidates: &[usize]) -> (Vec<usize>, Vec<(usize, [f64; 3])>) {
     let mut pivots: Vec<(usize, [f64; 3])> = Vec::new();
     let mut columns: Vec<usize> = candidates.to_vec();
     for _ in 0..candidates.len() {
@@ -80,17 +86,7 @@ pub(crate) fn free_motions(mesh: &Mesh, space: &Space, kinematics: Kinematics, h
         pivots.push((column, pivot));
         columns.retain(|c| *c != column);
     }
-    columns
-        .iter()
-        .map(|free| {
-            let mut motion = [0.0; 3];
-            motion[*free] = 1.0;
-            pivots.iter().for_each(|(c, r)| motion[*c] = -r[*free]);
-            motion[2] /= size;
-            let unit = motion.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-            if *free == 2 { motion.map(|v| v * size) } else { motion.map(|v| v / unit) }
-        })
-        .collect()
+    (columns, pivots)
 }
 
 /// The motions as kept unknowns.

@@ -5,9 +5,11 @@
 //! of all conditions is `D0(lambda) + mu D1(lambda)`, and the pressure goes like `d^(lambda - 1)` with the smallest root between 0 and 1
 //! (Dundurs and Lee 1972 for frictionless edges, Gdoutos and Theocaris 1975 and Comninou 1976 with friction).
 
+use nalgebra::DMatrix;
+
+use crate::bisect::bisect;
 use crate::material::Kinematics;
 use crate::singular::{C, Corner, Sector, condition, plane};
-use nalgebra::DMatrix;
 
 /// What the pressure does at a sharp sliding edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,11 +40,7 @@ pub fn sliding_edge(shaped: &Corner, counter: &Corner, friction: f64, kinematics
     for lambda in places {
         let now = value(lambda, friction);
         if let Some((lower, sign)) = before.filter(|(_, sign)| sign.signum() != now.signum()) {
-            let (mut low, mut high) = (lower, lambda);
-            for _ in 0..60 {
-                let middle = 0.5 * (low + high);
-                if value(middle, friction).signum() == sign.signum() { low = middle } else { high = middle }
-            }
+            let [low, high] = bisect([lower, lambda], 60, |middle| value(middle, friction).signum() == sign.signum());
             return SlidingEdge::Singular { lambda: 0.5 * (low + high) };
         }
         before = Some((lambda, now));

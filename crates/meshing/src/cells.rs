@@ -1,12 +1,13 @@
 //! Meshes of bodies given by their cells: cut where contact and load end, where the other body has its break points, and where cells
 //! are slender.
 
-use hpfem::{Direction, Mesh, Support};
+use hpfem::{Direction, Mesh, Support, bisect};
 use scene::{Component, Fault};
 
 use crate::couple::{Couple, Strip};
+use crate::cuts::SAME;
 use crate::extent::Extent;
-use crate::names::{AXIS, CONTACT, LOAD, SAME};
+use crate::names::{AXIS, CONTACT, LOAD};
 
 /// Longest side of a cell over its shortest before it is cut.
 const SLENDER: f64 = 3.0;
@@ -242,11 +243,7 @@ impl Cells {
             if off(-1.0).abs() <= near || off(1.0).abs() <= near || off(-1.0) * off(1.0) > 0.0 {
                 return None;
             }
-            let (mut low, mut high) = (-1.0, 1.0);
-            for _ in 0..60 {
-                let middle = 0.5 * (low + high);
-                if off(middle) * off(-1.0) > 0.0 { low = middle } else { high = middle }
-            }
+            let [low, high] = bisect([-1.0, 1.0], 60, |middle| off(middle) * off(-1.0) > 0.0);
             Some((e, 0.5 * (low + high)))
         });
         if let Some((edge, t)) = hit {

@@ -10,6 +10,9 @@ use crate::line::ContactLine;
 use crate::outline::outline;
 
 /// The line of a body's contact edge; `shaped` is body 1, which lies above the line, around the circle or inside it.
+///
+/// # Errors
+/// The fault of `contact.edges` that says why the edge of this body cannot touch the other one.
 pub fn contact_line(body: &Body, shaped: bool) -> Result<ContactLine, Fault> {
     let (key, edge) = (body.key, body.contact.as_str());
     let refuse = |message: String| {

@@ -89,7 +89,7 @@ impl Body {
         self.cells.is_some()
     }
 
-    /// The materials in the words of the finite elements.
+    /// The materials in the words of the finite elements, by the index that cells have.
     ///
     /// # Errors
     /// A modulus or a ratio out of range.

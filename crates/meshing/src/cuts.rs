@@ -1,5 +1,8 @@
 //! Points that cut a line: between two ends, merged, halved, evenly or growing.
 
+/// Share of the contact below which two points of it are meant to be one: a mesh file has fewer digits than its geometry.
+pub(crate) const SAME: f64 = 1e-6;
+
 /// Cuts every interval between the given points into equal pieces no longer than `step`.
 pub(crate) fn subdivide(points: &[f64], step: f64) -> Vec<f64> {
     let mut cuts = vec![points[0]];

@@ -2,26 +2,26 @@
 
 use hpfem::Curve;
 
-/// Extent of the contact surface, shared by both bodies.
+/// Extent of the contact surface in its own coordinate, shared by both bodies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Extent {
-    /// On an arc about the centre, angles from the z axis towards +x.
+    /// On an arc: from and to as angles (rad) at its centre, from the z axis towards +x: `x = R sin(angle)`, `z = R cos(angle)`.
     Angles([f64; 2]),
-    /// On a horizontal line.
+    /// On a horizontal line, from and to (mm).
     X([f64; 2]),
     /// On a horizontal line that a round body touches at one place and faces across a gap.
     Round {
-        /// From and to.
+        /// From and to (mm).
         x: [f64; 2],
-        /// Where it touches.
+        /// Where it touches (mm).
         touch: f64,
-        /// Radius of the round body.
+        /// Radius of the round body (mm).
         radius: f64,
     },
 }
 
 impl Extent {
-    /// First and last coordinate.
+    /// First and last coordinate (rad or mm).
     pub fn ends(&self) -> [f64; 2] {
         match self {
             Extent::Angles(angles) => *angles,
@@ -30,7 +30,7 @@ impl Extent {
     }
 
     /// Coordinates of the ends of a line or arc of the contact edge, the one at `t = -1` first; angles next to those of the contact.
-    pub fn range(&self, curve: &Curve) -> [f64; 2] {
+    pub(crate) fn range(&self, curve: &Curve) -> [f64; 2] {
         use std::f64::consts::{FRAC_PI_2, PI, TAU};
         match (self, curve) {
             (Extent::Angles(angles), Curve::Arc { from, to, .. }) => {
@@ -44,7 +44,7 @@ impl Extent {
     }
 
     /// Parameter of a place on a line or arc of the contact edge; outside of [-1, 1] or no number where it is not on it.
-    pub fn parameter(&self, curve: &Curve, place: f64) -> f64 {
+    pub(crate) fn parameter(&self, curve: &Curve, place: f64) -> f64 {
         use std::f64::consts::{FRAC_PI_2, PI, TAU};
         match (self, curve) {
             (Extent::Round { .. }, Curve::Arc { centre, radius, from, to }) => {
@@ -64,19 +64,92 @@ impl Extent {
 /// Where the contact surface is cut.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Cut<'a> {
-    /// The standing choice.
+    /// By the geometry alone.
     Plain,
     /// Elsewhere, for an independent solution.
     Shifted,
-    /// Also at ends of contact, given by their place on the surface from -1 to 1, with layers around them.
+    /// Also at ends of contact, given by their place `t` from -1 to 1: `from + (1 + t) / 2 (to - from)`, with layers around them.
     Ends(&'a [f64]),
 }
 
 impl<'a> Cut<'a> {
+    /// The ends of contact; none of the other cuts.
     pub fn ends(self) -> &'a [f64] {
         match self {
             Cut::Ends(ends) => ends,
             _ => &[],
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TURN: f64 = std::f64::consts::TAU;
+
+    /// An arc about `centre` between two angles from the z axis, walked either way.
+    fn arc(centre: [f64; 2], radius: f64, [from, to]: [f64; 2]) -> Curve {
+        Curve::Arc { centre, radius, from: 0.25 * TURN - from, to: 0.25 * TURN - to }
+    }
+
+    /// The coordinate of a parameter and back, and the ends at -1 and 1.
+    fn holds_both_ways(extent: Extent, curve: &Curve, coordinate: impl Fn([f64; 2]) -> f64) {
+        let [a, b] = extent.range(curve);
+        for (t, end) in [(-1.0, a), (1.0, b)] {
+            assert!((coordinate(curve.point(t)) - end).abs() < 1e-12, "{extent:?}: {end} at t = {t}");
+        }
+        for t in [-1.0, -0.7, 0.0, 0.31, 1.0] {
+            let place = coordinate(curve.point(t));
+            assert!((extent.parameter(curve, place) - t).abs() < 1e-11, "{extent:?}: place {place} of t = {t}");
+        }
+    }
+
+    #[test]
+    fn parameter_of_a_coordinate_is_where_the_curve_has_it() {
+        let about = |centre: [f64; 2]| move |x: [f64; 2]| (x[0] - centre[0]).atan2(x[1] - centre[1]);
+        for ends in [[-0.4, 0.1], [0.1, -0.4]] {
+            holds_both_ways(Extent::Angles([-0.5, 0.5]), &arc([3.0, -1.0], 20.0, ends), about([3.0, -1.0]));
+            holds_both_ways(
+                Extent::X([-9.0, 9.0]),
+                &Curve::Line { start: [20.0 * ends[0], 4.0], end: [20.0 * ends[1], 4.0] },
+                |x| x[0],
+            );
+        }
+        // A round body from above: its lowest point is at x = 2; equal steps of the arc are no equal steps of x.
+        let round = Extent::Round { x: [-1.0, 5.0], touch: 2.0, radius: 10.0 };
+        for ends in [[0.5 * TURN - 0.2, 0.5 * TURN + 0.1], [0.5 * TURN + 0.1, 0.5 * TURN - 0.2]] {
+            holds_both_ways(round, &arc([2.0, 10.0], 10.0, ends), |x| x[0]);
+        }
+        holds_both_ways(round, &Curve::Line { start: [5.0, 0.0], end: [-1.0, 0.0] }, |x| x[0]);
+    }
+
+    /// A shoe inside its drum lies around the angle pi; the arc of a full ring may be numbered a turn away.
+    #[test]
+    fn angles_are_those_next_to_the_contact() {
+        let extent = Extent::Angles([0.5 * TURN - 0.5, 0.5 * TURN + 0.5]);
+        for turns in [-1.0, 0.0, 2.0] {
+            let ends = [3.0, 3.3].map(|angle| angle + turns * TURN);
+            let [a, b] = extent.range(&arc([0.0; 2], 5.0, ends));
+            assert!((a - 3.0).abs() < 1e-12 && (b - 3.3).abs() < 1e-12, "{a} {b}");
+        }
+    }
+
+    #[test]
+    fn arcs_of_a_round_body_may_be_numbered_a_turn_away() {
+        let round = Extent::Round { x: [-1.0, 1.0], touch: 0.0, radius: 10.0 };
+        for turns in [-1.0, 0.0, 2.0] {
+            let ends = [0.5, 0.52].map(|share| (share + turns) * TURN);
+            assert!((round.parameter(&arc([0.0, 10.0], 10.0, ends), 0.0) + 1.0).abs() < 1e-12, "{turns} turns");
+        }
+    }
+
+    #[test]
+    fn a_place_off_the_curve_has_a_parameter_beyond_its_ends() {
+        let curve = Curve::Line { start: [1.0, 0.0], end: [2.0, 0.0] };
+        assert!(Extent::X([0.0, 5.0]).parameter(&curve, 2.5) > 1.0);
+        assert!(Extent::X([0.0, 5.0]).parameter(&curve, 0.5) < -1.0);
+        let round = Extent::Round { x: [-1.0, 1.0], touch: 0.0, radius: 10.0 };
+        assert!(round.parameter(&arc([0.0, 10.0], 10.0, [0.5 * TURN, 0.6 * TURN]), 30.0).is_nan());
     }
 }

@@ -23,11 +23,11 @@ pub const CANDIDATE: f64 = 1.5;
 /// A half-disc on the flat top of a rectangle, both symmetric about the line through the centre.
 #[derive(Clone, Debug)]
 pub struct HalfDiscOnFlat {
-    /// Radius of the disc.
+    /// Radius of the disc (mm).
     pub radius: f64,
-    /// Place x of the centre.
+    /// Place x of the centre (mm).
     pub middle: f64,
-    /// Height z of the flat side.
+    /// Height z of the flat side (mm).
     pub height: f64,
     /// From the middle to the side of the rectangle.
     width: f64,
@@ -38,7 +38,10 @@ pub struct HalfDiscOnFlat {
 }
 
 impl HalfDiscOnFlat {
-    /// The couple of two bodies; none if they are others.
+    /// The half-disc and the rectangle of a couple; none if its bodies are others.
+    ///
+    /// # Errors
+    /// The fault of bodies that are not symmetric about the line through the centre, or held so that they cannot be pressed.
     pub fn of(couple: &Couple) -> Result<Option<HalfDiscOnFlat>, Fault> {
         let [body1, body2] = &couple.bodies;
         let (Geometry::HalfDisc(disc), Geometry::Rectangle(plate)) = (&body1.geometry, &body2.geometry) else {
@@ -77,19 +80,22 @@ impl HalfDiscOnFlat {
         }))
     }
 
-    /// The longest contact, from the middle, that fits the bodies and these meshes.
+    /// The longest contact (mm), from the middle, that fits the bodies and these meshes.
     pub fn longest(&self) -> f64 {
         (0.6 * self.radius).min(0.8 * self.width).min(0.8 * self.depth) / CANDIDATE
     }
 
-    /// Unloaded gap above the flat side: `R - sqrt(R^2 - x^2)`.
+    /// Unloaded gap (mm) above the flat side: `R - sqrt(R^2 - (x - x_0)^2)`, written without cancellation.
     pub fn gap(&self, x: f64) -> f64 {
         let (r, x) = (self.radius, x - self.middle);
         x * x / (r + ((r - x) * (r + x)).max(0.0).sqrt())
     }
 
-    /// Both bodies with element nodes at the given distances from the middle (ascending; the last one is the end of contact) and so many
-    /// layers around each of them.
+    /// Both bodies with element nodes at the given distances (mm) from the middle (ascending; the last one is the end of contact) and so
+    /// many layers around each of them.
+    ///
+    /// # Errors
+    /// The fault of bodies too thin for cells around that contact.
     pub fn meshes(&self, nodes: &[f64], layers: usize) -> Result<[Mesh; 2], Fault> {
         let meshes = || -> Result<[Mesh; 2], Error> {
             let halves = [self.disc(nodes, layers)?, self.block(nodes, layers)?];

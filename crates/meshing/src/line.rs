@@ -5,18 +5,18 @@
 pub enum ContactLine {
     /// On a horizontal line.
     Line {
-        /// Height.
+        /// Height (mm).
         z: f64,
-        /// From and to.
+        /// From and to (mm).
         x: [f64; 2],
     },
     /// On a circle.
     Circle {
-        /// Centre [x, z].
+        /// Centre [x, z] (mm).
         centre: [f64; 2],
-        /// Radius.
+        /// Radius (mm).
         radius: f64,
-        /// From and to, from the z axis towards +x.
+        /// From and to (rad), from the z axis towards +x.
         angles: [f64; 2],
         /// Whether body 1 lies inside the circle, and body 2 outside.
         internal: bool,

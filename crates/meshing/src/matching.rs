@@ -14,67 +14,113 @@ const ROUNDS: usize = 20;
 
 /// The coarse meshes of both bodies: cut at the break points of both on the contact surface, graded towards the same points there.
 pub(crate) fn matched(couple: &Couple, given: [Option<Mesh>; 2], extent: Extent, cut: Cut<'_>) -> Result<[Coarse; 2], Fault> {
-    let mut cells: Vec<Option<Cells>> = Vec::new();
-    for (number, given) in given.into_iter().enumerate() {
-        cells.push(given.map(|mesh| Cells::new(couple, number, mesh, extent)).transpose()?);
-    }
-    let [from, to] = extent.ends();
-    let ends: Vec<f64> = cut.ends().iter().map(|t| from + 0.5 * (1.0 + t) * (to - from)).collect();
-    cells.iter_mut().flatten().for_each(|cells| ends.iter().for_each(|end| cells.draw(*end)));
-    if cut == Cut::Shifted {
-        cells.iter_mut().flatten().try_for_each(Cells::halve)?;
-    }
-    // Cuts that keep two points to grade towards apart in a template.
-    let mut apart: Vec<f64> = Vec::new();
+    let mut matching = Matching::new(couple, given, extent, cut)?;
     for _ in 0..ROUNDS {
-        let breaks: Vec<f64> = cells.iter().flatten().flat_map(Cells::breaks).chain(apart.iter().copied()).collect();
-        let cuts = contact_cuts(couple, extent, cut, &breaks);
-        cells.iter_mut().flatten().try_for_each(|cells| cells.cut(&cuts))?;
-        let near = 1e-10 * (cuts[cuts.len() - 1] - cuts[0]);
-        let known = |place: &f64| cuts.iter().any(|c| (c - place).abs() <= near);
-        if !cells.iter().flatten().all(|cells| cells.breaks().iter().all(known)) {
+        let cuts = contact_cuts(couple, extent, cut, &matching.breaks());
+        if !matching.cut_at(&cuts)? {
             continue;
         }
-        let mut meshes: Vec<Coarse> = Vec::new();
-        for (number, cells) in cells.iter().enumerate() {
-            meshes.push(match cells {
-                Some(cells) => {
-                    let free = ends.iter().filter_map(|end| cells.point_at(*end)).collect();
-                    Coarse { mesh: cells.mesh.clone(), singular: cells.singular.clone(), free }
-                }
-                None => coarse(couple, number, &cuts, cut)?,
-            });
+        let mut meshes = matching.meshes(&cuts)?;
+        matching.share_graded(&mut meshes);
+        if !matching.part_crowded(&meshes)? {
+            return Ok(meshes);
         }
+    }
+    Err(unmatched())
+}
+
+/// Two bodies on the way to common break points.
+struct Matching<'a> {
+    couple: &'a Couple,
+    cut: Cut<'a>,
+    /// Coordinates of the ends of contact.
+    ends: Vec<f64>,
+    /// Cells of the bodies given by them; none of a template.
+    cells: [Option<Cells>; 2],
+    /// Coordinates of cuts that keep two points to grade towards apart in a template.
+    apart: Vec<f64>,
+}
+
+impl<'a> Matching<'a> {
+    /// The given cells, cut where contact and load end, with vertices drawn onto the ends of contact.
+    fn new(couple: &'a Couple, given: [Option<Mesh>; 2], extent: Extent, cut: Cut<'a>) -> Result<Matching<'a>, Fault> {
+        let one = |number: usize, given: Option<Mesh>| given.map(|mesh| Cells::new(couple, number, mesh, extent)).transpose();
+        let [first, second] = given;
+        let mut cells = [one(0, first)?, one(1, second)?];
+        let [from, to] = extent.ends();
+        let ends: Vec<f64> = cut.ends().iter().map(|t| from + 0.5 * (1.0 + t) * (to - from)).collect();
+        cells.iter_mut().flatten().for_each(|cells| ends.iter().for_each(|end| cells.draw(*end)));
+        if cut == Cut::Shifted {
+            cells.iter_mut().flatten().try_for_each(Cells::halve)?;
+        }
+        Ok(Matching { couple, cut, ends, cells, apart: Vec::new() })
+    }
+
+    /// The bodies that are given by cells.
+    fn given(&self) -> impl Iterator<Item = &Cells> {
+        self.cells.iter().flatten()
+    }
+
+    /// Break points on the contact surface that the given cells have, and those that a template needs.
+    fn breaks(&self) -> Vec<f64> {
+        self.given().flat_map(Cells::breaks).chain(self.apart.iter().copied()).collect()
+    }
+
+    /// Cuts the given cells; false if a cut came back to the contact surface elsewhere.
+    fn cut_at(&mut self, cuts: &[f64]) -> Result<bool, Fault> {
+        self.cells.iter_mut().flatten().try_for_each(|cells| cells.cut(cuts))?;
+        let near = 1e-10 * (cuts[cuts.len() - 1] - cuts[0]);
+        let known = |place: &f64| cuts.iter().any(|c| (c - place).abs() <= near);
+        Ok(self.given().all(|cells| cells.breaks().iter().all(known)))
+    }
+
+    /// The coarse meshes, each with the points towards which it is graded for its own sake.
+    fn meshes(&self, cuts: &[f64]) -> Result<[Coarse; 2], Fault> {
+        let one = |number: usize| match &self.cells[number] {
+            Some(cells) => {
+                let free = self.ends.iter().filter_map(|end| cells.point_at(*end)).collect();
+                Ok(Coarse { mesh: cells.mesh.clone(), singular: cells.singular.clone(), free })
+            }
+            None => coarse(self.couple, number, cuts, self.cut),
+        };
+        Ok([one(0)?, one(1)?])
+    }
+
+    /// Points of the contact surface that need layers in one body get them in both, for common break points.
+    fn share_graded(&self, meshes: &mut [Coarse; 2]) {
         let both: Vec<[f64; 2]> = meshes.iter().flat_map(|coarse| coarse.singular.iter().copied()).collect();
-        let touching = |x: &&[f64; 2]| cells.iter().flatten().any(|cells| cells.coordinate(**x).is_some());
-        for (x, coarse) in both.iter().filter(touching).flat_map(|x| (0..2).map(move |number| (x, number))) {
-            let Coarse { mesh, singular, .. } = &mut meshes[coarse];
-            add_singular(mesh, singular, *x);
+        let touching = |x: &&[f64; 2]| self.given().any(|cells| cells.coordinate(**x).is_some());
+        for x in both.iter().filter(touching) {
+            for Coarse { mesh, singular, .. } in &mut *meshes {
+                add_singular(mesh, singular, *x);
+            }
         }
         // A template that faces the cells lies on the same surface.
-        if let Some(free) = meshes.iter().map(|coarse| coarse.free.clone()).find(|free| free.len() == ends.len()) {
-            meshes.iter_mut().filter(|coarse| coarse.free.len() != ends.len()).for_each(|coarse| coarse.free.clone_from(&free));
+        let count = self.ends.len();
+        if let Some(free) = meshes.iter().map(|coarse| coarse.free.clone()).find(|free| free.len() == count) {
+            meshes.iter_mut().filter(|coarse| coarse.free.len() != count).for_each(|coarse| coarse.free.clone_from(&free));
         }
+    }
+
+    /// Asks for a cut in each body with a cell that touches two points to grade towards; false if there is none.
+    fn part_crowded(&mut self, meshes: &[Coarse; 2]) -> Result<bool, Fault> {
         let mut again = false;
         for (number, coarse) in meshes.iter().enumerate() {
             let graded: Vec<[f64; 2]> = coarse.singular.iter().chain(&coarse.free).copied().collect();
             let Some((cell, corners)) = crowded(&coarse.mesh, &graded) else { continue };
             again = true;
-            if let Some(cells) = &mut cells[number] {
+            if let Some(cells) = &mut self.cells[number] {
                 coarse.singular.iter().for_each(|x| cells.grade_towards(*x));
                 cells.part(cell, corners)?;
                 continue;
             }
             let corner = |k: usize| coarse.mesh.vertices[coarse.mesh.cells[cell].corners[k]];
-            let place = |k: usize| cells.iter().flatten().find_map(|cells| cells.coordinate(corner(k)));
+            let place = |k: usize| self.given().find_map(|cells| cells.coordinate(corner(k)));
             let [Some(a), Some(b)] = corners.map(place) else { return Err(unmatched()) };
-            apart.push(0.5 * (a + b));
+            self.apart.push(0.5 * (a + b));
         }
-        if !again {
-            return <[Coarse; 2]>::try_from(meshes).map_err(|_| unmatched());
-        }
+        Ok(again)
     }
-    Err(unmatched())
 }
 
 fn unmatched() -> Fault {

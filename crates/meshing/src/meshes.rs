@@ -3,16 +3,19 @@
 use hpfem::Mesh;
 use scene::Fault;
 
-use crate::coarse::Coarse;
+use crate::coarse::{Coarse, RATIO, degenerate};
 use crate::couple::Couple;
 use crate::extent::{Cut, Extent};
 use crate::matching::matched;
-use crate::names::RATIO;
 use crate::near_ends::{self, cut_near};
 use crate::round_cells::as_cells;
 use crate::template::{coarse, contact_cuts};
 
-/// The meshes of both bodies with the given number of layers around each singular point.
+/// The meshes of body 1 and body 2, with so many `layers` of cells around each singular point, whose sizes fall by [`RATIO`], and half as
+/// many around each end of contact. The edges named [`CONTACT`](crate::CONTACT) have the same break points in both.
+///
+/// # Errors
+/// The fault of a body that is no body 1 or body 2 of this contact, that is too thin, or whose cells cannot be cut where the other's are.
 pub fn meshes(couple: &Couple, extent: Extent, layers: usize, cut: Cut<'_>) -> Result<[Mesh; 2], Fault> {
     let [far, near] = near_ends::split(cut);
     let cut = if near.is_empty() { cut } else { Cut::Ends(&far) };
@@ -27,14 +30,14 @@ pub fn meshes(couple: &Couple, extent: Extent, layers: usize, cut: Cut<'_>) -> R
     };
     let graded = |coarse: Coarse, key: &str| {
         let vertices = |mesh: &Mesh, points: &[[f64; 2]]| points.iter().map(|x| mesh.nearest_vertex(*x)).collect::<Vec<usize>>();
-        let (mesh, near) = cut_near(coarse.mesh, extent, &near).map_err(|error| geometry_fault(key, &error))?;
+        let (mesh, near) = cut_near(coarse.mesh, extent, &near).map_err(|error| degenerate(key, &error))?;
         let singular = vertices(&mesh, &coarse.singular);
-        let mesh = mesh.refined_towards(&singular, RATIO, layers).map_err(|error| geometry_fault(key, &error))?;
+        let mesh = mesh.refined_towards(&singular, RATIO, layers).map_err(|error| degenerate(key, &error))?;
         let free = vertices(&mesh, &[coarse.free, near].concat());
         if free.is_empty() {
             return Ok(mesh);
         }
-        mesh.refined_towards(&free, RATIO, layers.div_ceil(2)).map_err(|error| geometry_fault(key, &error))
+        mesh.refined_towards(&free, RATIO, layers.div_ceil(2)).map_err(|error| degenerate(key, &error))
     };
     Ok([graded(first, "body1.geometry")?, graded(second, "body2.geometry")?])
 }
@@ -55,8 +58,4 @@ fn templates(couple: &Couple, extent: Extent, cut: Cut<'_>) -> Result<[Coarse; 2
         }
     }
     Ok([first, second])
-}
-
-fn geometry_fault(key: &str, error: &hpfem::Error) -> Fault {
-    Fault::at(key, "degenerate", error.to_string(), "make the body less thin or less distorted")
 }

@@ -1,15 +1,8 @@
-//! Names of boundaries that no scene can have, and the grading.
+//! Names of boundaries that no scene can have, since its own do not begin with @.
 
-/// Name of the edges on the contact surface.
+/// The edges on the contact surface.
 pub const CONTACT: &str = "@contact";
-/// Name of the loaded edges.
+/// The loaded edges of body 1.
 pub const LOAD: &str = "@load";
-/// Name of the edges on the axis of revolution or a plane of symmetry.
+/// The edges on the axis of revolution, or on a plane of symmetry where half of the bodies is meshed.
 pub const AXIS: &str = "@axis";
-
-/// Ratio of the sizes of successive layers. Of 0.1, 0.15, 0.25 the last reached a given error of the drum gap with the least work
-/// in degrees 6 to 12.
-pub const RATIO: f64 = 0.25;
-
-/// Share of the contact below which two points of it are meant to be one: a mesh file has fewer digits than its geometry.
-pub(crate) const SAME: f64 = 1e-6;

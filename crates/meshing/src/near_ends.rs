@@ -2,8 +2,9 @@
 
 use hpfem::{Error, Mesh};
 
+use crate::coarse::RATIO;
 use crate::extent::{Cut, Extent};
-use crate::names::{CONTACT, RATIO};
+use crate::names::CONTACT;
 
 /// Share of half the surface within which an end of contact is next to its end.
 const NEAR: f64 = 0.05;

@@ -2,10 +2,10 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use scene::{Geometry, HalfDisc, Rectangle, Ring, RingSegment, ShoeBlock};
+use hpfem::{Curve, Mesh};
+use scene::{Fault, Geometry, HalfDisc, Rectangle, Ring, RingSegment, ShoeBlock};
 
 use crate::couple::Body;
-use crate::given::edge_curves;
 use crate::line::ContactLine;
 
 /// The outline of a body.
@@ -49,7 +49,7 @@ impl Outline {
     }
 }
 
-/// The outline of a body.
+/// The outline of a body; of one given by its cells every named edge is a curve of its mesh.
 pub fn outline(body: &Body) -> Outline {
     match &body.geometry {
         Geometry::ShoeBlock(shoe) => shoe_block(shoe),
@@ -160,4 +160,28 @@ fn of_cells(body: &Body) -> Outline {
     let middle = along.iter().min_by(|a, b| off(a).total_cmp(&off(b))).map_or(f64::NAN, |x| x[1]);
     let highest = mesh.vertices.iter().map(|x| x[1]).fold(f64::MIN, f64::max);
     Outline { edges, thickness: highest - middle }
+}
+
+/// The curves of a named edge.
+pub(crate) fn edge_curves(mesh: &Mesh, edge: &str) -> Vec<Curve> {
+    mesh.boundary(edge).unwrap_or_default().into_iter().map(|e| mesh.edges[e].curve).collect()
+}
+
+/// Refuses an edge with a part inside the body, where nothing can touch or press it.
+///
+/// # Errors
+/// The fault of the key that names the edge: of the blocks, or the mesh file.
+pub fn outside(body: &Body, edge: &str) -> Result<(), Fault> {
+    let Some(mesh) = &body.cells else { return Ok(()) };
+    let key = body.key;
+    let cells = mesh.edge_cells();
+    let inside = mesh.boundary(edge).unwrap_or_default().into_iter().find(|e| cells[*e].len() > 1);
+    let Some(e) = inside else { return Ok(()) };
+    let [x, z] = mesh.edges[e].curve.point(0.0);
+    let place = match &body.geometry {
+        Geometry::Blocks(_) => format!("{key}.geometry.blocks.edges.{edge}"),
+        _ => format!("{key}.geometry.mesh.file"),
+    };
+    let message = format!("the edge `{edge}` lies inside the body at x = {x}, z = {z}, where nothing can touch or load it");
+    Err(Fault::at(place, "not-on-boundary", message, "name curves of one cell only; inner lines can be held by supports"))
 }

@@ -5,8 +5,12 @@ use scene::{Fault, Geometry};
 use crate::given::{Files, Given};
 use crate::{blocks, gmsh_file};
 
-/// The cells of a body (`key` is "body1" or "body2"); none of a template. A mesh file is read, and from then on named as its copy.
-pub fn given(key: &str, body: &mut scene::Body, files: Files<'_>) -> Result<Option<Given>, Fault> {
+/// The cells of a body (`key` is "body1" or "body2"); none of a template. A mesh file is read through `files` once: from then on the scene
+/// holds its bytes and their SHA-256, and names it `key`.msh.
+///
+/// # Errors
+/// The fault of the key below `key`.geometry that makes them degenerate, or that cannot be read.
+pub fn read_cells(key: &str, body: &mut scene::Body, files: Files<'_>) -> Result<Option<Given>, Fault> {
     let own = body.material;
     match &mut body.geometry {
         Geometry::Blocks(blocks) => blocks::given(&format!("{key}.geometry.blocks"), blocks, own).map(Some),

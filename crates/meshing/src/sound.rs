@@ -1,8 +1,10 @@
 //! What can be wrong with the numbers of a geometry.
 
-use scene::{Fault, Geometry, Length, Material, positive};
+use std::collections::BTreeMap;
 
-/// Checks a linear elastic material at a key.
+use scene::{Fault, Geometry, HalfDisc, Length, Material, Rectangle, RingSegment, ShoeBlock, positive};
+
+/// Checks a linear elastic material at a dotted key: `E > 0` and `-1 < nu < 0.5`.
 ///
 /// # Errors
 /// The fault of the number out of range.
@@ -47,62 +49,66 @@ pub fn sound(name: &str, geometry: &mut Geometry, axisymmetric: bool) -> Result<
         return Err(Fault::at(key, "wrong-value", message, remedy));
     }
     match geometry {
-        Geometry::ShoeBlock(shoe) => {
-            positive(&format!("{key}.radius"), shoe.radius.0, "radius", " mm")?;
-            let angle = shoe.half_angle.0;
-            if !(angle > 0.0 && angle < std::f64::consts::FRAC_PI_2) {
-                let message =
-                    format!("half angle {} deg: the shoe must close somewhere along its arc and have sides", degrees(angle));
-                let remedy = "give a half angle greater than 0 and less than 90 deg";
-                return Err(Fault::at(format!("{key}.half_angle"), "degenerate", message, remedy));
-            }
-            if shoe.top.0 <= shoe.radius.0 || !shoe.top.0.is_finite() {
-                let message = format!("the top at z = {} is not above the arc of radius {}", shoe.top.0, shoe.radius.0);
-                return Err(Fault::at(format!("{key}.top"), "degenerate", message, "give top > radius"));
-            }
-        }
+        Geometry::ShoeBlock(shoe) => shoe_block(&key, shoe),
         Geometry::Ring(ring) => {
             ring.centre.get_or_insert([Length(0.0), Length(0.0)]);
-            radii(&key, ring.inner, ring.outer)?;
+            radii(&key, ring.inner, ring.outer)
         }
-        Geometry::RingSegment(segment) => {
-            radii(&key, segment.inner, segment.outer)?;
-            interval(&format!("{key}.x"), segment.x)?;
-            if segment.x.iter().any(|x| x.0.abs() >= segment.inner.0) {
-                let message = format!(
-                    "the cuts x = {} and {} do not both cross the inner radius {}",
-                    segment.x[0].0, segment.x[1].0, segment.inner.0
-                );
-                return Err(Fault::at(format!("{key}.x"), "degenerate", message, "give |x| < inner"));
-            }
-        }
-        Geometry::Rectangle(rectangle) => {
-            interval(&format!("{key}.x"), rectangle.x)?;
-            interval(&format!("{key}.z"), rectangle.z)?;
-            if axisymmetric && rectangle.x[0].0 < 0.0 {
-                let message = format!("an axisymmetric body reaches to r = {}", rectangle.x[0].0);
-                return Err(Fault::at(format!("{key}.x"), "degenerate", message, "give x = [from, to] with from >= 0"));
-            }
-        }
-        Geometry::HalfDisc(disc) => {
-            positive(&format!("{key}.radius"), disc.radius.0, "radius", " mm")?;
-            if axisymmetric && disc.centre[0].0 != 0.0 {
-                let message = format!("an axisymmetric half disc has its centre at r = {}", disc.centre[0].0);
-                return Err(Fault::at(format!("{key}.centre"), "degenerate", message, "give centre = [0, z]"));
-            }
-        }
-        Geometry::Blocks(blocks) => {
-            for (material, values) in &blocks.materials {
-                sound_material(&format!("{key}.materials.{material}"), *values)?;
-            }
-        }
-        Geometry::Mesh(file) => {
-            for (material, values) in &file.materials {
-                sound_material(&format!("{key}.materials.{material}"), *values)?;
-            }
-        }
+        Geometry::RingSegment(segment) => ring_segment(&key, segment),
+        Geometry::Rectangle(sides) => rectangle(&key, sides, axisymmetric),
+        Geometry::HalfDisc(disc) => half_disc(&key, disc, axisymmetric),
+        Geometry::Blocks(blocks) => materials(&key, &blocks.materials),
+        Geometry::Mesh(file) => materials(&key, &file.materials),
+    }
+}
+
+fn shoe_block(key: &str, shoe: &ShoeBlock) -> Result<(), Fault> {
+    positive(&format!("{key}.radius"), shoe.radius.0, "radius", " mm")?;
+    let angle = shoe.half_angle.0;
+    if !(angle > 0.0 && angle < std::f64::consts::FRAC_PI_2) {
+        let message = format!("half angle {} deg: the shoe must close somewhere along its arc and have sides", degrees(angle));
+        let remedy = "give a half angle greater than 0 and less than 90 deg";
+        return Err(Fault::at(format!("{key}.half_angle"), "degenerate", message, remedy));
+    }
+    if shoe.top.0 <= shoe.radius.0 || !shoe.top.0.is_finite() {
+        let message = format!("the top at z = {} is not above the arc of radius {}", shoe.top.0, shoe.radius.0);
+        return Err(Fault::at(format!("{key}.top"), "degenerate", message, "give top > radius"));
     }
     Ok(())
+}
+
+fn ring_segment(key: &str, segment: &RingSegment) -> Result<(), Fault> {
+    radii(key, segment.inner, segment.outer)?;
+    interval(&format!("{key}.x"), segment.x)?;
+    if segment.x.iter().any(|x| x.0.abs() >= segment.inner.0) {
+        let [from, to] = segment.x.map(|x| x.0);
+        let message = format!("the cuts x = {from} and {to} do not both cross the inner radius {}", segment.inner.0);
+        return Err(Fault::at(format!("{key}.x"), "degenerate", message, "give |x| < inner"));
+    }
+    Ok(())
+}
+
+fn rectangle(key: &str, rectangle: &Rectangle, axisymmetric: bool) -> Result<(), Fault> {
+    interval(&format!("{key}.x"), rectangle.x)?;
+    interval(&format!("{key}.z"), rectangle.z)?;
+    if axisymmetric && rectangle.x[0].0 < 0.0 {
+        let message = format!("an axisymmetric body reaches to r = {}", rectangle.x[0].0);
+        return Err(Fault::at(format!("{key}.x"), "degenerate", message, "give x = [from, to] with from >= 0"));
+    }
+    Ok(())
+}
+
+fn half_disc(key: &str, disc: &HalfDisc, axisymmetric: bool) -> Result<(), Fault> {
+    positive(&format!("{key}.radius"), disc.radius.0, "radius", " mm")?;
+    if axisymmetric && disc.centre[0].0 != 0.0 {
+        let message = format!("an axisymmetric half disc has its centre at r = {}", disc.centre[0].0);
+        return Err(Fault::at(format!("{key}.centre"), "degenerate", message, "give centre = [0, z]"));
+    }
+    Ok(())
+}
+
+fn materials(key: &str, materials: &BTreeMap<String, Material>) -> Result<(), Fault> {
+    materials.iter().try_for_each(|(name, values)| sound_material(&format!("{key}.materials.{name}"), *values))
 }
 
 fn degrees(angle: f64) -> f64 {

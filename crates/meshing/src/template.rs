@@ -3,19 +3,15 @@
 use hpfem::{Curve, Mesh, Named, Ruled, Side};
 use scene::{Fault, Geometry, Rectangle, Ring, RingSegment, ShoeBlock};
 
-use crate::coarse::Coarse;
+use crate::coarse::{Coarse, degenerate};
 use crate::couple::{Couple, LoadedEdge};
-use crate::cuts::{growing, halved, merged, parameters, subdivide, widest};
+use crate::cuts::{SAME, growing, halved, merged, parameters, subdivide, widest};
 use crate::extent::{Cut, Extent};
-use crate::names::{AXIS, CONTACT, LOAD, SAME};
+use crate::names::{AXIS, CONTACT, LOAD};
 
 fn not_meshed(key: &str, what: &str) -> Fault {
     let message = format!("{what} cannot be meshed for this contact yet");
     Fault::at(key, "not-available", message, "use the templates shoe-block, ring, ring-segment, rectangle")
-}
-
-fn geometry_fault(key: &str, error: &hpfem::Error) -> Fault {
-    Fault::at(key, "degenerate", error.to_string(), "make the body less thin or less distorted")
 }
 
 /// Common break points of both bodies on the contact surface: at least two equal pieces, on arcs of at most 30 degrees, and those
@@ -69,7 +65,7 @@ pub(crate) fn coarse(couple: &Couple, number: usize, cuts: &[f64], cut: Cut<'_>)
         Geometry::Rectangle(rectangle) => block(couple, rectangle, cuts, shaped, cut),
         other => return Err(not_meshed(key, other.name())),
     };
-    result.map_err(|error| geometry_fault(key, &error))
+    result.map_err(|error| degenerate(key, &error))
 }
 
 fn named(side: Side, name: &str) -> Named<'_> {

@@ -59,6 +59,6 @@ const CONTACT: [Column; 20] = [
 pub(crate) fn profile_csv(profile: &Profile) -> String {
     let names: Vec<&str> = CONTACT.iter().map(|(name, _)| *name).chain(["status"]).collect();
     let numbers = |row| CONTACT.iter().map(move |(_, value)| number_text(value(profile, row)));
-    let status = |row: usize| profile.status[row].to_string();
+    let status = |row: usize| profile.status[row].word().to_string();
     table(&names, (0..profile.s.len()).map(|row| numbers(row).chain([status(row)]).collect()))
 }

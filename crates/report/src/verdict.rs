@@ -1,7 +1,7 @@
 //! One sentence that says how a run ended.
 
 use scene::{Functional, short, with_short_numbers};
-use wearshape::{ContactResult, PressureResult, Problem, Profile, Shape, ShapeResult, Solution, Status, WearResult};
+use wearshape::{Character, ContactResult, PressureResult, Problem, Profile, Regime, Shape, ShapeResult, Solution, Status, WearResult};
 
 /// How it ended: the reason it stopped, or the number that was asked for.
 pub(crate) fn verdict(problem: &Problem, solution: &Solution) -> String {
@@ -37,7 +37,7 @@ fn stopped(status: Status, reason: &str) -> String {
 fn machine(problem: &Problem, solution: &Solution, shape: &ShapeResult) -> String {
     let crown = shape.crown.unwrap_or(0.0);
     let at = shape.gap_where.map(|s| format!(" at {}", place(problem, s))).unwrap_or_default();
-    let steady = solution.pressure.as_ref().is_some_and(|pressure| pressure.functional == "steady");
+    let steady = solution.pressure.as_ref().is_some_and(|pressure| pressure.functional == Functional::Steady);
     let end = if steady { "it starts worn in" } else { "it has the wanted pressure" };
     format!("Machine this shape: crown {} um{at}; {end}.", short(crown))
 }
@@ -79,15 +79,12 @@ fn pressed(problem: &Problem, solution: &Solution, pressure: &PressureResult) ->
         Some(Functional::WearPower) => "The pressure that makes the wear power stationary",
         _ => "The worn-in pressure",
     };
-    if pressure.regime == "singular" {
+    if pressure.regime == Some(Regime::Singular) {
         return format!("{what} concentrates on points or lines: see the limit measure.");
     }
     let curve = solution.curve.as_ref().or(solution.profile.as_ref());
     let numbers = curve.and_then(|curve| pressures(problem, curve)).unwrap_or_default();
-    let kind = match pressure.character.as_str() {
-        "maximum" => ", the worst case",
-        _ => "",
-    };
+    let kind = if pressure.character == Some(Character::Maximum) { ", the worst case" } else { "" };
     format!("{what} is {numbers}{kind}.")
 }
 

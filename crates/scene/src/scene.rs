@@ -322,11 +322,12 @@ pub struct Optimum {
 }
 
 /// What is made stationary.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Functional {
     /// The pressure of the steady state.
+    #[default]
     Steady,
     /// Wear volume rate.
     WearVolume,
@@ -339,22 +340,24 @@ pub enum Functional {
 }
 
 /// Which balance the pressure fulfils.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Balance {
     /// Force and moment balance with friction.
+    #[default]
     Equilibrium,
     /// The paper's normalisation int p dS = F0.
     Paper,
 }
 
 /// Which modes weigh the pressure.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Modes {
     /// Closing velocity of the rigid modes.
+    #[default]
     Kinematic,
     /// The columns of the balance.
     Associated,

@@ -204,15 +204,10 @@ impl Shape {
         self.jump(pair, point) + closing
     }
 
-    /// Normal and tangential displacement of a side at a point, along its normal and tangent.
+    /// Displacement of a side at a point along its normal and tangent; zero for a rigid counter-face.
     pub fn displacement(&self, pair: &Pair<'_>, side: Side, point: &ContactPoint) -> [f64; 2] {
         let state = if side == Side::Shaped { Some(&self.shaped) } else { self.counter.as_ref() };
-        let (Some(state), Some(body)) = (state, pair.side(side)) else { return [0.0; 2] };
-        let (edge, t) = pair.place(side, point);
-        let (rows, constant) = body.trace.displacement_row(edge, t);
-        let u: [f64; 2] = std::array::from_fn(|k| rows[k].iter().map(|(i, c)| c * state.unknowns[*i]).sum::<f64>() + constant[k]);
-        let along = |d: [f64; 2]| u[0] * d[0] + u[1] * d[1];
-        [along(point.normal), along(point.tangent)]
+        state.map_or([0.0; 2], |state| pair.displacement(side, state, point))
     }
 }
 

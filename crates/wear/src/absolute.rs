@@ -6,6 +6,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::WearError;
 use crate::balance::Balanced;
+use crate::bracket::Bracket;
 use crate::density::Density;
 use crate::pressure_law::Node;
 use crate::stage::Stage;
@@ -117,28 +118,22 @@ fn find_scale(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<(), WearEr
         fb = at(stage, b);
         step *= 2.0;
         if step > farthest {
-            return Err(WearError::Infeasible {
-                resultants: stage.problem.modes.iter().map(|mode| mode.resultant).collect(),
-                why: "the load is larger than the surface carries under p_max, or friction carries it",
-            });
+            return Err(stage.infeasible(match stage.law.density {
+                Density::Rule { .. } if fb > 0.0 => {
+                    "the whole surface stays below the threshold of the wear rule, where nothing moves"
+                }
+                _ => "the load is larger than the surface carries under p_max, or friction carries it",
+            }));
         }
     }
+    let mut root = Bracket { a, value_a: fa, b, value_b: fb };
     for _ in 0..200 {
-        if fb == 0.0 || (b - a).abs() <= 1e-14 * b.abs().max(1.0) {
+        if root.value_b == 0.0 || (root.b - root.a).abs() <= 1e-14 * root.b.abs().max(1.0) {
             break;
         }
-        let mut c = (a * fb - b * fa) / (fb - fa);
-        if !(c > a.min(b) && c < a.max(b)) {
-            c = 0.5 * (a + b);
-        }
-        let fc = at(stage, c);
-        if (fc > 0.0) == (fb > 0.0) {
-            fa *= 0.5;
-        } else {
-            (a, fa) = (b, fb);
-        }
-        (b, fb) = (c, fc);
+        let c = root.next();
+        root.take(c, at(stage, c));
     }
-    stage.law.log_scale = b;
+    stage.law.log_scale = root.b;
     Ok(())
 }

@@ -4,6 +4,8 @@
 //! at the end of contact, where f = 0, the cell ends exactly there and a Gauss-Jacobi rule takes the power f^k.
 
 use crate::SurfacePoint;
+use crate::bracket::Bracket;
+use crate::density::Density;
 use crate::pressure_law::Node;
 use crate::quadrature::{ORDER, Rule, legendre};
 use crate::stage::Stage;
@@ -11,6 +13,8 @@ use crate::surface::{Shape, Surface};
 
 pub(crate) const SAMPLES: usize = 5;
 const SMOOTH: f64 = 0.03;
+/// Largest third difference of log p under a rule given as a function, so that a bend of p stands in a cell of 1e-4 of the surface, about.
+const BENT: f64 = 1e-4;
 
 impl Surface {
     /// Calls `visit` at a coarse set of points that includes the ends.
@@ -216,6 +220,11 @@ impl Line<'_, '_> {
             return Verdict::Take(*cell);
         }
         let plain: [f64; SAMPLES] = std::array::from_fn(|i| log_h[i] - self.settings.exponent * distance(i));
+        // The pressure of a rule given as a function may bend where f does not.
+        let given = matches!(self.stage.law.density, Density::Rule { .. }) && cell.front == [false, false];
+        if given && bends(&log_h) {
+            return Verdict::Halve(0.5 * (cell.lo + cell.hi), false);
+        }
         let strong = (cell.front[0] || cell.front[1]) && self.settings.exponent > 6.0;
         if !strong && smooth(&log_f, SMOOTH) && smooth(&log_v, SMOOTH) && spread(&plain) < self.settings.spread {
             return Verdict::Take(*cell);
@@ -225,35 +234,25 @@ impl Line<'_, '_> {
 
     /// Zero of a node's value between two parameters of opposite sign.
     fn root(&self, a: f64, b: f64, value: &dyn Fn(&Node) -> f64) -> f64 {
-        let (mut a, mut b) = (a, b);
-        let (mut fa, mut fb) = (value(&self.node(a)), value(&self.node(b)));
-        if fa == 0.0 {
+        let mut root = Bracket { a, value_a: value(&self.node(a)), b, value_b: value(&self.node(b)) };
+        if root.value_a == 0.0 {
             return a;
         }
-        if fb == 0.0 {
+        if root.value_b == 0.0 {
             return b;
         }
-        // Secant steps kept inside the bracket (Illinois).
         for _ in 0..200 {
-            let c = (a * fb - b * fa) / (fb - fa);
-            if !(c > a.min(b) && c < a.max(b)) {
-                break;
-            }
-            let fc = value(&self.node(c));
-            if fc == 0.0 {
+            let Some(c) = root.secant() else { break };
+            let at = value(&self.node(c));
+            if at == 0.0 {
                 return c;
             }
-            if (fc > 0.0) == (fb > 0.0) {
-                fa *= 0.5;
-            } else {
-                (a, fa) = (b, fb);
-            }
-            (b, fb) = (c, fc);
-            if (a - b).abs() <= 2.0 * f64::EPSILON * a.abs().max(b.abs()) {
+            root.take(c, at);
+            if (root.a - root.b).abs() <= 2.0 * f64::EPSILON * root.a.abs().max(root.b.abs()) {
                 break;
             }
         }
-        b
+        root.b
     }
 
     fn take(&self, cell: &Interval, nodes: &mut Vec<Node>) {
@@ -280,6 +279,12 @@ enum Verdict {
 /// Small fourth difference: the function is close to a cubic on the cell.
 pub(crate) fn smooth(values: &[f64; SAMPLES], limit: f64) -> bool {
     (values[0] - 4.0 * values[1] + 6.0 * values[2] - 4.0 * values[3] + values[4]).abs() < limit
+}
+
+/// A third difference that is not small: wherever a bend is between the places, one of the two sees it.
+fn bends(values: &[f64; SAMPLES]) -> bool {
+    let third = |i: usize| values[i + 3] - 3.0 * values[i + 2] + 3.0 * values[i + 1] - values[i];
+    third(0).abs().max(third(1).abs()) > BENT
 }
 
 pub(crate) fn spread(values: &[f64; SAMPLES]) -> f64 {

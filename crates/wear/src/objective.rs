@@ -63,7 +63,7 @@ pub(crate) fn multiplier_factor(
 ) -> Option<f64> {
     let problem = stage.problem;
     let steady = problem.functional == Functional::Steady;
-    if steady && matches!(stage.law.density, Density::Sum { .. } | Density::Receding { .. }) {
+    if steady && matches!(stage.law.density, Density::Sum { .. } | Density::Receding { .. } | Density::Rule { .. }) {
         return Some(if problem.wear.active { stage.law.log_scale.exp() } else { 0.0 });
     }
     let free = || nodes.iter().zip(log_pressure).enumerate().filter(|(_, (node, _))| node.excess < 0.0);

@@ -4,11 +4,12 @@ use crate::density::Density;
 use crate::ratio;
 use crate::reduce::{Task, reduce};
 use crate::report::report;
+use crate::rule::WearRule;
 use crate::singular::{LimitSide, limit};
 use crate::singular_report::singular_report;
 use crate::solve::balance_any;
 use crate::stage::Stage;
-use crate::{Optimum, Problem, Regime, WearError};
+use crate::{Counterface, Functional, Optimum, Problem, Regime, WearError, WearLaw, WearPair};
 
 /// Optimal pressure of a problem: the stationary pressure of its functional, the steady state, or the limit where there is no pressure.
 ///
@@ -49,6 +50,17 @@ pub fn stationary_pressures(problem: &Problem) -> Result<Vec<Optimum>, WearError
         Task::Linear { speed_power } => Ok(vec![linear(problem, speed_power)?]),
         Task::Revolving => Ok(vec![revolving(problem)?]),
     }
+}
+
+/// Steady state of body 1 under a rule: w'(p, v) = V . phi with int psi p dS = F, p = 0 where V . phi <= 0. The problem's own functional and
+/// wear factors are not used; body 2 is taken as fresh.
+///
+/// Where the whole surface stays below the threshold nothing moves and the pressure is not determined by wear; such a load is refused.
+pub fn steady_pressure_of_rule(problem: &Problem, rule: WearRule) -> Result<Optimum, WearError> {
+    problem.check()?;
+    let wear = WearPair { laws: [WearLaw::NONE; 2], active: true, friction_driven: false };
+    let steady = Problem { wear, functional: Functional::Steady, counterface: Counterface::Fresh, ..problem.clone() };
+    solve(&steady, Density::Rule { rule }, f64::NAN)
 }
 
 /// Body 2 recedes by its mean wear along its tracks.

@@ -5,6 +5,7 @@
 //! delta = log(e_2/e_1) + q log(c_2/c_1) + ((1-q)/q) log(A_2/A_1)(delta).
 
 use crate::balance::Balanced;
+use crate::bracket::Bracket;
 use crate::density::Density;
 use crate::pressure_law::Node;
 use crate::reduce::Ratio;
@@ -113,26 +114,17 @@ fn bracket(
 }
 
 fn refine(ends: [f64; 2], values: [f64; 2], defect: &mut dyn FnMut(f64) -> Result<f64, WearError>) -> Result<f64, WearError> {
-    let ([mut a, mut b], [mut fa, mut fb]) = (ends, values);
+    let mut root = Bracket { a: ends[0], value_a: values[0], b: ends[1], value_b: values[1] };
     for _ in 0..100 {
-        if fb == 0.0 || (b - a).abs() <= 1e-15 * b.abs().max(1.0) {
+        if root.value_b == 0.0 || (root.b - root.a).abs() <= 1e-15 * root.b.abs().max(1.0) {
             break;
         }
-        let mut c = (a * fb - b * fa) / (fb - fa);
-        if !(c > a.min(b) && c < a.max(b)) {
-            c = 0.5 * (a + b);
-        }
-        let fc = defect(c)?;
-        if (fc > 0.0) == (fb > 0.0) {
-            fa *= 0.5;
-        } else {
-            (a, fa) = (b, fb);
-        }
-        let moved = (c - b).abs();
-        (b, fb) = (c, fc);
-        if moved <= 1e-15 * b.abs().max(1.0) {
+        let c = root.next();
+        let moved = (c - root.b).abs();
+        root.take(c, defect(c)?);
+        if moved <= 1e-15 * root.b.abs().max(1.0) {
             break;
         }
     }
-    Ok(b)
+    Ok(root.b)
 }

@@ -24,8 +24,7 @@ pub(crate) fn report(stage: &mut Stage<'_>, nodes: &[Node], balanced: &Balanced,
     let points: Vec<SurfacePoint> = nodes.iter().map(|node| node.point).collect();
     let log_pressure: Vec<f64> = nodes.iter().map(|node| stage.law.log_pressure(node)).collect();
     let pressure: Vec<f64> = log_pressure.iter().map(|log| log.exp()).collect();
-    let rates: Vec<[f64; 2]> =
-        nodes.iter().zip(&log_pressure).map(|(node, log)| [0, 1].map(|i| rate(problem, i, *log, node))).collect();
+    let rates: Vec<[f64; 2]> = nodes.iter().zip(&log_pressure).map(|(node, log)| rates(stage, *log, node)).collect();
     let gap: Vec<f64> = nodes.iter().zip(&rates).map(|(node, rate)| gap_rate(problem, &recession, node, rate)).collect();
     let integral = |value: &dyn Fn(usize, &Node) -> f64| -> f64 {
         nodes.iter().enumerate().map(|(i, node)| node.point.weight * value(i, node)).sum()
@@ -89,6 +88,16 @@ fn mean_recession(stage: &mut Stage<'_>) -> Recession {
         recession = if matches!(problem.surface.shape(), Shape::Annulus { .. }) { recession } else { stage.measured_recession() };
     }
     recession
+}
+
+/// Wear rates of both bodies at a node; under a rule given as a function body 1 wears alone.
+fn rates(stage: &Stage<'_>, log_pressure: f64, node: &Node) -> [f64; 2] {
+    match stage.law.density {
+        Density::Rule { rule } if log_pressure > f64::NEG_INFINITY => {
+            [rule(log_pressure.exp(), node.point.sliding_speed)[0], 0.0]
+        }
+        _ => [0, 1].map(|i| rate(stage.problem, i, log_pressure, node)),
+    }
 }
 
 /// Wear rate of a body at a node, also where p itself overflows.

@@ -36,7 +36,7 @@ pub(crate) fn balance_any(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Resul
             stage.law.log_cap = cap;
             balance_absolute(stage, nodes)
         }
-        Density::Sum { .. } | Density::Receding { .. } | Density::BangBang { .. } => {
+        Density::Sum { .. } | Density::Receding { .. } | Density::BangBang { .. } | Density::Rule { .. } => {
             stage.law.log_cap = cap;
             balance_absolute(stage, nodes)
         }

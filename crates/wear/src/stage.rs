@@ -3,7 +3,7 @@
 use crate::density::Density;
 use crate::mode::MAX_MODES;
 use crate::pressure_law::{Node, PressureLaw};
-use crate::quadrature::{Rule, jacobi};
+use crate::quadrature::{Rule, graded, jacobi};
 use crate::recession::Recession;
 use crate::{Problem, RigidMode, RigidMotion, WearError};
 
@@ -12,7 +12,7 @@ use crate::{Problem, RigidMode, RigidMotion, WearError};
 pub(crate) struct Stage<'a> {
     pub(crate) problem: &'a Problem,
     pub(crate) law: PressureLaw,
-    /// Gauss-Jacobi rule for cells that end where f = 0.
+    /// Gauss-Jacobi rule, or a graded one, for cells that end where f = 0.
     pub(crate) front_rule: Option<Rule>,
 }
 
@@ -63,8 +63,11 @@ impl<'a> Stage<'a> {
             law.ratio[k] = law.resultant(k) / law.resultant(law.pivot);
         }
         let exponent = density.front_exponent();
-        let ends = (count > 1 || smallest <= 0.0) && exponent > 0.0 && exponent <= 6.0;
-        let front_rule = ends.then(|| jacobi(exponent - 1.0));
+        let ends = count > 1 || smallest <= 0.0;
+        let front_rule = match density {
+            Density::Rule { .. } => ends.then(graded),
+            _ => (ends && exponent > 0.0 && exponent <= 6.0).then(|| jacobi(exponent - 1.0)),
+        };
         Ok(Self { problem, law, front_rule })
     }
 

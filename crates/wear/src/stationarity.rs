@@ -52,12 +52,13 @@ pub(crate) fn shares(terms: &[Term], log_pressure: f64, log_speed: f64) -> Vec<f
     sizes.iter().map(|size| (size - largest).exp() / sum).collect()
 }
 
-/// The terms of a problem's condition. `None` where the pressure is not given by one: q infinite, uniform pressure, s = 1.
+/// The terms of a problem's condition. `None` where the pressure is not given by them: q infinite, uniform pressure, s = 1, a
+/// rule given as a function.
 pub(crate) fn terms(problem: &Problem, optimum: &Optimum) -> Option<Vec<Term>> {
     let (functional, q) = (problem.functional, problem.q);
     let alone = Term { body: None, log_weight: 0.0, power: 0.0, m: 0.0, q: 0.0, e: None };
     match optimum.law.density {
-        Density::Exponential | Density::BangBang { .. } => return None,
+        Density::Exponential | Density::BangBang { .. } | Density::Rule { .. } => return None,
         Density::Power { k: 0.0, .. } => return None,
         _ if functional == Functional::FrictionPower => return Some(vec![Term { power: q, m: q - 1.0, ..alone }]),
         _ if q == 0.0 && functional != Functional::Steady => return Some(vec![Term { m: -1.0, ..alone }]),

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use crate::bracket::Bracket;
 use crate::law::log_wear_rate;
 use crate::pressure_law::Node;
 use crate::quadrature::{ORDER, legendre};
@@ -82,31 +83,23 @@ impl Stage<'_> {
             value - mean(stage, nodes)
         };
         let saved = self.law.recession.values;
-        let (mut a, mut fa) = (0.0, defect(self, 0.0));
-        let (mut b, mut fb) = (-fa, 0.0);
-        if fa < 0.0 {
-            fb = defect(self, b);
+        let at_zero = defect(self, 0.0);
+        let mut root = Bracket { a: 0.0, value_a: at_zero, b: -at_zero, value_b: 0.0 };
+        if at_zero < 0.0 {
+            root.value_b = defect(self, root.b);
         }
         for _ in 0..100 {
-            if fb == 0.0 || (b - a).abs() <= 4.0 * f64::EPSILON * b.abs() {
+            if root.value_b == 0.0 || (root.b - root.a).abs() <= 4.0 * f64::EPSILON * root.b.abs() {
                 break;
             }
-            let mut c = (a * fb - b * fa) / (fb - fa);
-            if !(c > a.min(b) && c < a.max(b)) {
-                c = 0.5 * (a + b);
-            }
-            let fc = defect(self, c);
-            if (fc > 0.0) == (fb > 0.0) {
-                fa *= 0.5;
-            } else {
-                (a, fa) = (b, fb);
-            }
-            (b, fb) = (c, fc);
-            if fc.abs() <= 1e-16 * c.abs() {
+            let c = root.next();
+            let value = defect(self, c);
+            root.take(c, value);
+            if value.abs() <= 1e-16 * c.abs() {
                 break;
             }
         }
         self.law.recession.values = saved;
-        self.law.recession.values[track.unwrap_or(0)] = b;
+        self.law.recession.values[track.unwrap_or(0)] = root.b;
     }
 }

@@ -1,8 +1,8 @@
 //! Reduced bodies of all levels, kept as long as what they depend on stays the same: a sweep in load, friction, wear or optimum meshes and
 //! factors each level once, and so do several tasks of one run.
 
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use contact::{ContactOperator, Pair, UnitResponses};
 use hpfem::{InterfaceOperator, InterfaceState};
@@ -12,15 +12,17 @@ use scene::Fault;
 use crate::effort::{Clock, Counters, Effort};
 use crate::level::Level;
 use crate::parts::Parts;
-use crate::solution::Reaction;
+use crate::results::Reaction;
 
 /// Kinds of bodies that are kept at once; a sweep over geometries does not keep them all.
 const KINDS: usize = 4;
 
 /// Which reduced bodies of a couple.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
+pub(crate) struct Place {
+    /// Degree and layers.
     pub level: Level,
+    /// Where the meshes are cut.
     pub cut: Cut<'static>,
     /// The scalar problem of twisting instead of the one in the plane.
     pub torsion: bool,
@@ -50,7 +52,7 @@ impl Bodies {
     }
 
     /// The reduced bodies of a place, made if they are not there.
-    pub fn get(
+    pub(crate) fn get(
         &self,
         couple: &Couple,
         place: Place,
@@ -102,7 +104,8 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 }
 
 /// Both bodies of one discretisation, reduced to their contact surface.
-pub struct Reduced {
+pub(crate) struct Reduced {
+    /// Body 1 and body 2.
     pub interfaces: [InterfaceOperator; 2],
     support_names: [Vec<String>; 2],
     facing: bool,
@@ -119,7 +122,7 @@ impl std::fmt::Debug for Reduced {
 
 impl Reduced {
     /// Assembles and reduces both bodies.
-    pub fn new(parts: &Parts, clock: Clock) -> Result<(Reduced, Effort), Fault> {
+    pub(crate) fn new(parts: &Parts, clock: Clock) -> Result<(Reduced, Effort), Fault> {
         let (interfaces, effort) = parts.interfaces(clock)?;
         let names = |body: usize| parts.parts[body].support_names.clone();
         let counters = effort.counters.clone();
@@ -130,18 +133,18 @@ impl Reduced {
     }
 
     /// Cells and unknowns of the discretisation.
-    pub fn sizes(&self) -> Effort {
+    pub(crate) fn sizes(&self) -> Effort {
         let Counters { cells, dofs, trace_dofs, .. } = self.counters;
         Effort { counters: Counters { cells, dofs, trace_dofs, ..Counters::default() }, seconds: Vec::new() }
     }
 
     /// Pairs the two bodies.
-    pub fn pair(&self) -> Result<Pair<'_>, Fault> {
+    pub(crate) fn pair(&self) -> Result<Pair<'_>, Fault> {
         paired([&self.interfaces[0], &self.interfaces[1]], self.facing)
     }
 
     /// The contact of the pair, its unit responses kept.
-    pub fn operator<'b>(&'b self, pair: &Pair<'b>, shear: bool) -> Result<ContactOperator<'b>, Fault> {
+    pub(crate) fn operator<'b>(&'b self, pair: &Pair<'b>, shear: bool) -> Result<ContactOperator<'b>, Fault> {
         let place = &self.unit[usize::from(shear)];
         let known = lock(place).clone();
         if let Some(unit) = known {
@@ -154,7 +157,7 @@ impl Reduced {
     }
 
     /// Forces of the supports on their bodies.
-    pub fn reactions(&self, states: [Option<&InterfaceState>; 2]) -> Vec<(String, Reaction)> {
+    pub(crate) fn reactions(&self, states: [Option<&InterfaceState>; 2]) -> Vec<(String, Reaction)> {
         reactions([&self.interfaces[0], &self.interfaces[1]], [&self.support_names[0], &self.support_names[1]], states)
     }
 }

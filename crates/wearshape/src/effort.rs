@@ -4,7 +4,7 @@ use std::ops::AddAssign;
 
 use serde::Serialize;
 
-use crate::plan::Step;
+use crate::step::Step;
 
 /// Seconds since any fixed moment. The library has no clock of its own: who wants to know the seconds brings one.
 pub type Clock = fn() -> f64;

@@ -6,13 +6,13 @@ use serde::Serialize;
 
 use crate::bodies::Bodies;
 use crate::effort::Clock;
-use crate::ladder::Ladder;
+use crate::ladder::levels;
 use crate::level::Level;
 use crate::options::Options;
 use crate::parts::Parts;
-use crate::plan::Step;
 use crate::problem::Problem;
 use crate::scope::Scope;
+use crate::step::Step;
 
 /// Degrees that are computed to see how fast the machine is, and how often: the fastest counts.
 const TIMED: [usize; 2] = [6, 8];
@@ -62,7 +62,7 @@ fn forecast(problem: &Problem, clock: Clock) -> Result<Vec<Forecast>, Fault> {
     let contact = problem.plan.runs(Step::Contact) || problem.plan.runs(Step::Evolution);
     let mut before = 0.0;
     let mut found = Vec::new();
-    for level in Ladder::of(problem, &options).levels {
+    for level in levels(problem, &options) {
         let (start, level_parts) = (clock(), scope.parts(level)?);
         let meshing = clock() - start;
         let bodies = sizes(&level_parts)?;

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use scene::{Component, Fault, LoadKind, SurfaceShape};
 use wear::{RigidMode, RigidMotion};
 
-use crate::problem::Load;
+use crate::load::Load;
 use crate::surface::Patch;
 
 /// One free rigid mode.

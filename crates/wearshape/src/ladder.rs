@@ -6,9 +6,9 @@ use scene::Fault;
 
 use crate::level::Level;
 use crate::options::Options;
-use crate::plan::Step;
 use crate::problem::Problem;
 use crate::solution::Rung;
+use crate::step::Step;
 use crate::watch::{Event, Watch};
 
 /// First and last degree of the ladder, and its step.
@@ -34,6 +34,9 @@ impl From<Fault> for Refusal {
 /// The levels to solve.
 #[derive(Debug, Clone)]
 pub(crate) struct Ladder {
+    /// The step that climbs.
+    step: Step,
+    /// The levels, coarsest first.
     pub levels: Vec<Level>,
     /// How many of them are solved however far the error is.
     usual: usize,
@@ -43,18 +46,10 @@ pub(crate) struct Ladder {
 
 impl Ladder {
     /// The levels of a problem: up to the fixed one, or until the accuracy is reached.
-    pub(crate) fn of(problem: &Problem, options: &Options<'_>) -> Ladder {
-        let [first, last, step] = DEGREES;
-        let levels: Vec<Level> = match problem.wanted.fixed {
-            Some(level) if options.alone => vec![level],
-            None => (first..=last).step_by(step).map(|degree| problem.level(degree)).collect(),
-            Some(level) => {
-                let below = [4, 2, 0].into_iter().filter(|down| level.degree > *down);
-                below.map(|down| Level { degree: level.degree - down, ..level }).collect()
-            }
-        };
+    pub(crate) fn of(problem: &Problem, options: &Options<'_>, step: Step) -> Ladder {
+        let levels = levels(problem, options);
         let accuracy = problem.wanted.fixed.is_none().then_some(problem.wanted.accuracy);
-        Ladder { usual: levels.len(), levels, accuracy }
+        Ladder { step, usual: levels.len(), levels, accuracy }
     }
 
     /// The same with further degrees for what is nearly there.
@@ -88,19 +83,33 @@ impl Ladder {
     }
 }
 
+/// The levels that a problem may climb: up to the fixed one, or those of the usual degrees.
+pub(crate) fn levels(problem: &Problem, options: &Options<'_>) -> Vec<Level> {
+    let [first, last, step] = DEGREES;
+    match problem.wanted.fixed {
+        Some(level) if options.alone => vec![level],
+        None => (first..=last).step_by(step).map(|degree| problem.level(degree)).collect(),
+        Some(level) => {
+            let below = [4, 2, 0].into_iter().filter(|down| level.degree > *down);
+            below.map(|down| Level { degree: level.degree - down, ..level }).collect()
+        }
+    }
+}
+
 /// The levels that were solved.
 #[derive(Debug)]
 pub(crate) struct Climbed<T> {
+    /// Those known before and the new ones, coarsest first.
     pub solved: Vec<T>,
     /// Whether the watcher ended it.
     pub stopped: bool,
 }
 
 /// Solves level after level until it is enough; `solve` is given the levels before and ends the ladder by `Break`, with its level or, where the
-/// watcher cut that short, without. `distance` is how far two
-/// levels are apart, one relative number a quantity. Levels that are `known` are not solved again.
+/// watcher cut that short, without. `distance` is how far two levels are apart, one relative number a quantity. Levels that are `known` are not
+/// solved again.
 pub(crate) fn climb<T, const N: usize>(
-    (ladder, step): (&Ladder, Step),
+    ladder: &Ladder,
     known: Vec<T>,
     mut solve: impl FnMut(Level, &[T], &mut Watch<'_>) -> Result<ControlFlow<Option<T>, T>, Refusal>,
     distance: impl Fn(&T, &T) -> [f64; N],
@@ -112,7 +121,7 @@ pub(crate) fn climb<T, const N: usize>(
         if number >= ladder.usual && !ladder.accuracy.zip(error).is_some_and(|(accuracy, error)| error <= NEARLY * accuracy) {
             break;
         }
-        if watch(Event::Level { step, degree: level.degree, layers: level.layers }).is_break() {
+        if watch(Event::Level { step: ladder.step, degree: level.degree, layers: level.layers }).is_break() {
             return Ok(Climbed { solved, stopped: true });
         }
         let (level, more) = match solve(level, &solved, watch)? {
@@ -156,7 +165,8 @@ pub(crate) fn rest(older: f64, newer: f64) -> f64 {
 pub(crate) fn rungs<T, const N: usize>(
     degrees: &[usize],
     solved: &[T],
-    (quantity, which): (&'static str, usize),
+    quantity: &'static str,
+    which: usize,
     distance: impl Fn(&T, &T) -> [f64; N],
 ) -> Vec<Rung> {
     let rung = |(i, degree): (usize, &usize)| Rung {

@@ -4,31 +4,38 @@ mod bodies;
 mod body_field;
 mod cell_grid;
 mod effort;
+mod faults;
 mod forecast;
 mod freedom;
 mod functional;
 mod gap_profile;
+mod hindsight;
 mod ladder;
 mod level;
+mod load;
 mod machined;
 mod options;
 mod parts;
 mod plan;
 mod problem;
 mod profile;
-mod remarks;
+mod remark;
+mod results;
 mod scope;
 mod setup;
 mod solution;
 mod solve;
 mod stage;
+mod step;
 mod steps;
 mod study;
 mod surface;
 mod watch;
+mod words;
 
 pub use meshing::Files;
-pub use shapeopt::Measure;
+pub use scene::{Builtin, Document, Fault, Place, SCENES, Spot, Task, builtin};
+pub use shapeopt::{Measure, WearState};
 
 pub use bodies::Bodies;
 pub use body_field::{BodyField, CellField, FieldFrame};
@@ -37,16 +44,18 @@ pub use effort::{Clock, Counters, Effort};
 pub use forecast::Forecast;
 pub use machined::{Machined, SurfacePoint};
 pub use options::{CURVE, Options, Sampling};
-pub use plan::{Plan, Stage, Step};
+pub use plan::{Plan, Stage};
 pub use problem::Problem;
 pub use profile::Profile;
-pub use remarks::Remark;
-pub use solution::{
-    ByRole, ContactResult, EnergyResult, ErrorResult, InterfaceResult, PointForce, PressureResult, Reaction, Rung, RunningIn,
-    RunningInStep, Settled, ShapeResult, Solution, Status, ToleranceResult, TwistResult, UniquenessResult, WearResult,
+pub use remark::Remark;
+pub use results::{
+    ByRole, ContactResult, EnergyResult, ErrorResult, InterfaceResult, PointForce, PressureResult, Reaction, SensitivityResult,
+    Settled, ShapeResult, ToleranceResult, TwistResult, UniquenessResult, WearResult,
 };
+pub use solution::{Rung, RunningIn, RunningInStep, Solution, Status};
 pub use solve::solve;
+pub use step::Step;
 pub use study::{DEGREES, Level as StudyLevel, Quantity, Truth, outermost, study};
-pub use wear::Shape;
-
 pub use watch::{Event, FinishedLevel, Resume, RunLevel, Watch, WearStep};
+pub use wear::{Shape, WearRule};
+pub use words::{Character, ContactStatus, PointStatus, Regime, TwistStatus, Uniqueness, WearStatus, word};

@@ -10,7 +10,7 @@ pub struct Options<'a> {
     pub sample: Option<Sampling<'a>>,
     /// Solves the scene's fixed discretisation alone, without the coarser ones that its error estimate needs.
     pub alone: bool,
-    /// Adds what the workshop needs of a shape: the finished surface, and what errors of it do.
+    /// Adds what the workshop needs: of a shape the finished surface and what errors of it do, of a pressure what 1 % more of each given number does.
     pub machining: bool,
     /// Clock for the seconds of the stages.
     pub clock: Clock,

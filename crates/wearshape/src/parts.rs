@@ -1,18 +1,15 @@
 //! The bodies of a scene as finite element problems of one discretisation.
 
-use hpfem::{
-    Additions, Body, BodyProblem, Direction, EdgeTraction, InterfaceOperator, Kinematics, LoadCase, Material, Mesh, RigidEdge,
-    Sizes, SpaceKind, Support,
-};
+use hpfem::{Additions, Body, BodyProblem, Direction, EdgeTraction, InterfaceOperator, Kinematics, LoadCase, Material, Mesh, RigidEdge, Sizes, SpaceKind, Support};
 use meshing::{self, AXIS, CONTACT, Couple, LOAD, LoadedEdge};
 use scene::{Component, Fault, LoadKind};
 
 use crate::effort::{Clock, Effort};
 use crate::level::Level;
-use crate::plan::Step;
+use crate::step::Step;
 
 /// Everything a body of one level is made of.
-pub struct BodyParts {
+pub(crate) struct BodyParts {
     key: &'static str,
     /// The mesh.
     pub mesh: Mesh,
@@ -31,7 +28,13 @@ pub(crate) const MEAN_COLUMNS: [usize; 3] = [1, 2, 3];
 
 impl BodyParts {
     /// Body 1 (`shaped`) or body 2 on its mesh.
-    pub fn new(couple: &Couple, shaped: bool, mesh: Mesh, level: Level, kinematics: Kinematics) -> Result<BodyParts, Fault> {
+    pub(crate) fn new(
+        couple: &Couple,
+        shaped: bool,
+        mesh: Mesh,
+        level: Level,
+        kinematics: Kinematics,
+    ) -> Result<BodyParts, Fault> {
         let body = &couple.bodies[usize::from(!shaped)];
         let key = body.key;
         let materials = body.elastic().map_err(|error| {
@@ -86,22 +89,22 @@ impl BodyParts {
     }
 
     /// The wedge of the body at a vertex of its boundary.
-    pub fn corner(&self, vertex: usize, kinematics: Kinematics) -> Option<hpfem::Corner> {
+    pub(crate) fn corner(&self, vertex: usize, kinematics: Kinematics) -> Option<hpfem::Corner> {
         hpfem::Corner::at(&self.mesh, vertex, kinematics, &self.materials, &self.supports).ok().flatten()
     }
 
     /// Assembles and reduces the body.
-    pub fn reduce(&self, clock: Clock) -> Result<Body<'_>, Fault> {
+    pub(crate) fn reduce(&self, clock: Clock) -> Result<Body<'_>, Fault> {
         Body::timed(self.problem(), Additions::default(), clock).map_err(|error| self.not_held(&error))
     }
 
     /// Reduces the body to its contact edge, keeping nothing of its inside.
-    pub fn interface(&self, clock: Clock) -> Result<(InterfaceOperator, hpfem::Effort), Fault> {
+    pub(crate) fn interface(&self, clock: Clock) -> Result<(InterfaceOperator, hpfem::Effort), Fault> {
         Body::interface_timed(&self.problem(), clock).map_err(|error| self.not_held(&error))
     }
 
     /// What the reduction takes.
-    pub fn sizes(&self) -> Result<Sizes, Fault> {
+    pub(crate) fn sizes(&self) -> Result<Sizes, Fault> {
         Body::sizes(&self.problem()).map_err(|error| self.not_held(&error))
     }
 
@@ -126,7 +129,8 @@ impl BodyParts {
 }
 
 /// The two bodies of a level before their reduction.
-pub struct Parts {
+pub(crate) struct Parts {
+    /// Body 1 and body 2.
     pub parts: [BodyParts; 2],
     /// Whether the surfaces face each other across a gap.
     pub facing: bool,
@@ -134,20 +138,21 @@ pub struct Parts {
 
 impl Parts {
     /// Both bodies on their meshes.
-    pub fn new(couple: &Couple, [first, second]: [Mesh; 2], level: Level, facing: bool) -> Result<Parts, Fault> {
-        Parts::of(couple, [first, second], level, (couple.kinematics, facing))
+    pub(crate) fn new(couple: &Couple, [first, second]: [Mesh; 2], level: Level, facing: bool) -> Result<Parts, Fault> {
+        Parts::of(couple, [first, second], level, couple.kinematics, facing)
     }
 
     /// The scalar problem of twisting on the same meshes.
-    pub fn torsion(couple: &Couple, [first, second]: [Mesh; 2], level: Level, facing: bool) -> Result<Parts, Fault> {
-        Parts::of(couple, [first, second], level, (Kinematics::Torsion, facing))
+    pub(crate) fn torsion(couple: &Couple, [first, second]: [Mesh; 2], level: Level, facing: bool) -> Result<Parts, Fault> {
+        Parts::of(couple, [first, second], level, Kinematics::Torsion, facing)
     }
 
     fn of(
         couple: &Couple,
         [first, second]: [Mesh; 2],
         level: Level,
-        (kinematics, facing): (Kinematics, bool),
+        kinematics: Kinematics,
+        facing: bool,
     ) -> Result<Parts, Fault> {
         let parts =
             [BodyParts::new(couple, true, first, level, kinematics)?, BodyParts::new(couple, false, second, level, kinematics)?];
@@ -155,14 +160,14 @@ impl Parts {
     }
 
     /// Assembles and reduces both bodies.
-    pub fn reduce(&self, clock: Clock) -> Result<([Body<'_>; 2], Effort), Fault> {
+    pub(crate) fn reduce(&self, clock: Clock) -> Result<([Body<'_>; 2], Effort), Fault> {
         let bodies = [self.parts[0].reduce(clock)?, self.parts[1].reduce(clock)?];
         let effort = counted([0, 1].map(|k| (&bodies[k].interface, bodies[k].effort)));
         Ok((bodies, effort))
     }
 
     /// Reduces both bodies to their contact surface, keeping nothing of their inside.
-    pub fn interfaces(&self, clock: Clock) -> Result<([InterfaceOperator; 2], Effort), Fault> {
+    pub(crate) fn interfaces(&self, clock: Clock) -> Result<([InterfaceOperator; 2], Effort), Fault> {
         let [(first, effort), (second, other)] = [self.parts[0].interface(clock)?, self.parts[1].interface(clock)?];
         let effort = counted([(&first, effort), (&second, other)]);
         Ok(([first, second], effort))

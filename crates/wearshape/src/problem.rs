@@ -1,15 +1,15 @@
 //! A checked scene: everything that is computed from, typed, with every default filled in.
 
-use contact::Turn;
 use meshing::Couple;
 use scene::{Fault, Gap, Geometry, Scene, SurfaceShape};
 use shapeopt::Measure;
-use wear::{WearError, WearPair};
+use wear::{WearError, WearPair, WearRule, wear_rate};
 
 use crate::freedom::Freedom;
 use crate::level::Level;
+use crate::load::Load;
 use crate::plan::Plan;
-use crate::remarks::Remark;
+use crate::remark::Remark;
 use crate::surface::Patch;
 
 /// A checked scene: everything the stages need.
@@ -78,29 +78,6 @@ impl Friction {
     }
 }
 
-/// What presses, shifts and turns body 1. Where it acts is said by [`meshing::LoadedEdge`].
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Load {
-    /// Force that presses body 1 on body 2 (N); under a prescribed approach none until it is found.
-    pub force: Option<f64>,
-    /// Prescribed closing of a rigid edge (mm).
-    pub approach: Option<f64>,
-    /// Adds the worn approach of this time (s) to the prescribed one.
-    pub approach_time: Option<f64>,
-    /// Prescribed rotation of a rigid edge (rad), positive when the +x side closes.
-    pub tilt: Option<f64>,
-    /// Moment int (x - about_x) p dS (N mm).
-    pub moment: f64,
-    /// Moment int (y - about_y) p dS (N mm).
-    pub moment_y: f64,
-    /// The point the moments are about (mm).
-    pub about: [f64; 2],
-    /// Shear force on a rigid edge, applied after the normal force (N).
-    pub shear_force: f64,
-    /// What body 1 is turned by about the axis, step after step.
-    pub turns: Vec<Turn>,
-}
-
 /// Wear of both bodies.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wear {
@@ -114,6 +91,30 @@ pub struct Wear {
     pub until: Option<f64>,
     /// Whether the factors stand in front of the friction stress.
     pub of_friction: bool,
+    /// A rule of the caller's own, by which body 1 wears alone; the `laws` are then none.
+    pub rule: Option<OwnRule>,
+}
+
+/// A wear rule of the caller's own; equal to another one that is the same function.
+#[derive(Debug, Clone, Copy)]
+pub struct OwnRule(pub WearRule);
+
+impl PartialEq for OwnRule {
+    fn eq(&self, other: &OwnRule) -> bool {
+        std::ptr::fn_addr_eq(self.0, other.0)
+    }
+}
+
+impl Wear {
+    /// Wear rate of both bodies (mm/s) at a pressure (MPa) and a sliding speed (mm/s); none where the scene's factors leave it open.
+    pub fn rate(&self, pressure: f64, sliding_speed: f64) -> Option<f64> {
+        if let Some(OwnRule(rule)) = self.rule {
+            return Some(if pressure > 0.0 { rule(pressure, sliding_speed)[0] } else { 0.0 });
+        }
+        let pair = self.laws.as_ref().ok()?;
+        let worn = (0..2).filter(|body| pair.wears(*body));
+        Some(worn.map(|body| wear_rate(&pair.laws[body], pressure, sliding_speed)).sum())
+    }
 }
 
 /// A piece of a run in time: factors on what load and sliding give.
@@ -171,12 +172,17 @@ impl Problem {
         &self.unused_keys
     }
 
-    /// Text of scene.resolved.toml: the scene with every default, in base units; solving it gives the same result.
+    /// Text of scene.resolved.toml: the scene with every default, in base units; solving it gives the same result, but for a wear rule given as
+    /// a function.
     ///
     /// # Errors
     /// A scene that cannot be written, which is a fault of ours.
     pub fn resolved(&self) -> Result<String, Fault> {
-        let head = "# Every default filled in; units N, mm, MPa, s, rad. Running this file gives the same result.\n";
+        let same = match self.wear.rule {
+            None => "Running this file gives the same result.",
+            Some(_) => "The pressure was found by another wear rule, given as a function.",
+        };
+        let head = format!("# Every default filled in; units N, mm, MPa, s, rad. {same}\n");
         Ok(format!("{head}{}", scene::scene_text(&self.scene)?))
     }
 

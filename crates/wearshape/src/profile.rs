@@ -2,6 +2,8 @@
 
 use nalgebra::Vector3;
 
+use crate::words::PointStatus;
+
 /// Numbers at the contact points, in order along the surface; NaN where not available.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Profile {
@@ -32,7 +34,7 @@ pub struct Profile {
     /// Displacement around the axis of body 1 and 2, positive anti-clockwise (um).
     pub hoop_displacement: [Vec<f64>; 2],
     /// contact, open, stick or slip.
-    pub status: Vec<&'static str>,
+    pub status: Vec<PointStatus>,
 }
 
 impl Profile {
@@ -54,7 +56,7 @@ impl Profile {
             normal_displacement: pair(),
             tangential_displacement: pair(),
             hoop_displacement: pair(),
-            status: vec!["contact"; points.len()],
+            status: vec![PointStatus::Contact; points.len()],
         }
     }
 }

@@ -11,13 +11,13 @@ use crate::ladder::Refusal;
 use crate::level::Level;
 use crate::options::Options;
 use crate::parts::Parts;
-use crate::plan::Step;
 use crate::problem::Problem;
 use crate::stage::Stage;
+use crate::step::Step;
+use crate::steps::{ends, ends_scope, recover};
 use crate::steps::answer::Outcome;
-use crate::steps::ends::{self, Setting};
+use crate::steps::ends_setting::Setting;
 use crate::steps::round::{Round, RoundContact};
-use crate::steps::{ends_scope, recover};
 use crate::watch::Watch;
 
 /// A contact, ready to be solved.

@@ -3,7 +3,10 @@
 mod bodies;
 mod load;
 mod optimum;
+mod own_rule;
+mod remarks;
 mod schedule;
+mod stages;
 mod tasks;
 mod twist;
 mod unused;
@@ -12,10 +15,10 @@ mod wear_rule;
 use meshing::{Couple, Files};
 use scene::{Document, Fault, Gap, Scene};
 
+use crate::freedom;
 use crate::plan::Plan;
 use crate::problem::{Friction, Problem};
 use crate::surface::Patch;
-use crate::{freedom, remarks};
 
 impl Problem {
     /// Checks a document and fills in its defaults; `files` gives the bytes of the files beside it, each read once.
@@ -67,7 +70,7 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
         unused_keys,
         scene,
     };
-    problem.plan = Plan::new(&problem, &tasks, problem.scene.check.unwrap_or(true));
+    problem.plan = stages::plan(&problem, &tasks, problem.scene.check.unwrap_or(true));
     problem.freedoms = problem.own_freedoms();
     problem.remarks = remarks::remarks(&problem, &tasks);
     Ok(problem)

@@ -2,40 +2,48 @@
 
 use scene::Fault;
 
+use crate::hindsight;
 use crate::bodies::Bodies;
 use crate::effort::Effort;
 use crate::ladder::Refusal;
 use crate::options::Options;
-use crate::plan::Step;
 use crate::problem::Problem;
-use crate::remarks;
+use crate::results::ErrorResult;
 use crate::scope::Scope;
-use crate::solution::{ErrorResult, Solution, Status};
+use crate::solution::{Solution, Status};
 use crate::stage::Stage;
-use crate::steps::answer::Outcome;
-use crate::steps::recover::Reported;
-use crate::steps::shape::Before;
+use crate::step::Step;
 use crate::steps::{approach, contact, pressure, recover, shape, torsion, wear};
+use crate::steps::answer::Outcome;
+use crate::steps::reported::Reported;
+use crate::steps::shape::Before;
 use crate::watch::Watch;
 
 /// Computes everything the plan lists. What has no answer is a solution with its status; an `Err` is the user's to mend. `bodies` keeps what
 /// was factorised for problems with the same bodies; `watch` is told what happens, and ends the solve by `Break`.
 pub fn solve(problem: &Problem, options: &Options<'_>, bodies: &Bodies, watch: &mut Watch<'_>) -> Result<Solution, Fault> {
     let mut solution = Solution::default();
-    match stages((problem, options, bodies), watch, &mut solution) {
+    match stages(Given { problem, options, bodies }, watch, &mut solution) {
         Ok(()) => {}
         Err(Refusal::Reason(reason)) => (solution.status, solution.reason) = (Status::Refused, Some(reason)),
         Err(Refusal::Fault(fault)) => return Err(fault),
     }
-    let after = remarks::after(problem, &solution);
+    let after = hindsight::remarks(problem, &solution);
     solution.remarks.extend(after);
     Ok(solution)
 }
 
 /// A problem with the caller's options and bodies.
-type Given<'a> = (&'a Problem, &'a Options<'a>, &'a Bodies);
+#[derive(Clone, Copy)]
+struct Given<'a> {
+    problem: &'a Problem,
+    options: &'a Options<'a>,
+    bodies: &'a Bodies,
+}
 
-fn stages((problem, options, bodies): Given<'_>, watch: &mut Watch<'_>, solution: &mut Solution) -> Result<(), Refusal> {
+/// The force of a prescribed approach, the optimal pressure, and what takes elastic bodies.
+fn stages(given: Given<'_>, watch: &mut Watch<'_>, solution: &mut Solution) -> Result<(), Refusal> {
+    let Given { problem, options, bodies } = given;
     let mut known = None;
     if problem.plan.runs(Step::Force) {
         let (found, effort) = approach::force(Stage::new(problem, options, bodies)?, watch)?;
@@ -59,18 +67,14 @@ fn stages((problem, options, bodies): Given<'_>, watch: &mut Watch<'_>, solution
         error.how = "force of the approach, rest of the series of degrees".into();
     }
     if solution.status != Status::Refused && problem.plan.runs(Step::Mesh) {
-        elastic((problem, options, bodies), known.as_ref().map_or(0, |found| found.passes), watch, solution)?;
+        elastic(Given { problem, ..given }, known.as_ref().map_or(0, |found| found.passes), watch, solution)?;
     }
     Ok(())
 }
 
-/// Contact, shape and wear as the plan asks, with twist and fields of the last of them.
-fn elastic(
-    (problem, options, bodies): Given<'_>,
-    passes: usize,
-    watch: &mut Watch<'_>,
-    solution: &mut Solution,
-) -> Result<(), Refusal> {
+/// Contact, shape and wear as the plan asks, with twist and fields of the last of them; `passes` is what finding the force took.
+fn elastic(given: Given<'_>, passes: usize, watch: &mut Watch<'_>, solution: &mut Solution) -> Result<(), Refusal> {
+    let Given { problem, options, bodies } = given;
     let scope = Scope::of(problem, options, bodies)?;
     scope.available()?;
     if let Some((outcome, effort, fields)) = scope.solve(watch)? {

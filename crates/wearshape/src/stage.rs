@@ -11,14 +11,15 @@ use shapeopt::Gauge;
 
 use crate::bodies::{Bodies, Place, Reduced};
 use crate::effort::{Clock, Effort};
+use crate::faults::wrong_wear;
 use crate::level::Level;
 use crate::options::{Options, Sampling, trapezoid_weights};
 use crate::parts::{MEAN_COLUMNS, Parts};
-use crate::plan::Step;
 use crate::problem::Problem;
 use crate::profile::Profile;
-use crate::steps::pressure::wrong_wear;
+use crate::step::Step;
 use crate::surface::Patch;
+use crate::words::PointStatus;
 
 /// A problem whose contact surface is known, ready for its elastic stages.
 #[derive(Clone, Copy)]
@@ -254,36 +255,21 @@ impl<'a> Stage<'a> {
         for (row, (point, on_surface)) in points.iter().zip(&surface).enumerate() {
             profile.pressure[row] = pressure[row];
             profile.shear[row] = self.friction() * pressure[row];
-            if let Ok(pair) = &self.problem.wear.laws {
-                let worn = (0..2).filter(|body| pair.wears(*body));
-                let rate: f64 = worn.map(|body| wear::wear_rate(&pair.laws[body], pressure[row], on_surface.sliding_speed)).sum();
+            if let Some(rate) = self.problem.wear.rate(pressure[row], on_surface.sliding_speed) {
                 profile.wear_rate[row] = 1e3 * rate;
             }
             // Without sliding in the plane tau is the tangent itself.
             let sense = if self.drag(point) < 0.0 { -1.0 } else { 1.0 };
             for (body, side) in [Side::Shaped, Side::Counter].into_iter().enumerate() {
-                let Some((operator, state)) = pair.side(side).zip(states[body]) else { continue };
-                let u = displacement(operator, state, point, pair.place(side, point));
+                let Some(state) = states[body] else { continue };
+                let u = pair.displacement(side, state, point);
                 profile.normal_displacement[body][row] = 1e3 * u[0];
                 profile.tangential_displacement[body][row] = 1e3 * sense * u[1];
             }
-            profile.status[row] = if pressure[row] > 0.0 { "contact" } else { "open" };
+            profile.status[row] = PointStatus::pressed(pressure[row] > 0.0);
         }
         profile
     }
-}
-
-/// Displacement along normal and tangent of a point.
-fn displacement(
-    operator: &hpfem::InterfaceOperator,
-    state: &InterfaceState,
-    point: &ContactPoint,
-    place: (usize, f64),
-) -> [f64; 2] {
-    let (rows, constant) = operator.trace.displacement_row(place.0, place.1);
-    let u: [f64; 2] = std::array::from_fn(|k| rows[k].iter().map(|(i, c)| c * state.unknowns[*i]).sum::<f64>() + constant[k]);
-    let along = |d: [f64; 2]| u[0] * d[0] + u[1] * d[1];
-    [along(point.normal), along(point.tangent)]
 }
 
 /// Columns of the mean displacement functionals that fix the free rigid modes, one a mode, each in turn the one of z, x,

@@ -8,11 +8,11 @@ use crate::bodies::Bodies;
 use crate::effort::{Clock, Effort};
 use crate::ladder::errors;
 use crate::options::{CURVE, Options, Sampling, trapezoid_weights};
-use crate::plan::Step;
 use crate::problem::Problem;
 use crate::profile::Profile;
 use crate::solution::{Solution, Status};
 use crate::solve::solve;
+use crate::step::Step;
 use crate::watch::Watch;
 
 /// Degrees of a study.
@@ -96,8 +96,11 @@ fn energy(solution: &Solution) -> Option<f64> {
 
 /// One level of a study.
 pub struct Level {
+    /// Degree of the cells.
     pub degree: usize,
+    /// Layers around each singular point.
     pub layers: usize,
+    /// What it took.
     pub effort: Effort,
     /// Estimated error from this level and the two before it.
     pub estimate: Option<f64>,
@@ -125,7 +128,7 @@ pub fn study(
         Some(truth) => (truth, None),
         None => {
             let problem = at(finest)?;
-            let level = solve_degree(&problem, finest, (CURVE, clock), watch)?;
+            let level = solve_degree(&problem, finest, CURVE, clock, watch)?;
             (level.truth.clone(), Some((problem, level)))
         }
     };
@@ -137,7 +140,7 @@ pub fn study(
             Some(level) => level,
             None => {
                 let problem = at(degree)?;
-                let level = solve_degree(&problem, degree, (Sampling::At(&truth.s), clock), watch)?;
+                let level = solve_degree(&problem, degree, Sampling::At(&truth.s), clock, watch)?;
                 (problem, level)
             }
         };
@@ -159,7 +162,8 @@ pub fn study(
 fn solve_degree(
     problem: &Problem,
     degree: usize,
-    (sampling, clock): (Sampling<'_>, Clock),
+    sampling: Sampling<'_>,
+    clock: Clock,
     watch: &mut Watch<'_>,
 ) -> Result<Solved, Fault> {
     let options = Options { sample: Some(sampling), alone: true, clock, ..Options::default() };

@@ -7,8 +7,8 @@ use scene::Fault;
 use serde::{Deserialize, Serialize};
 use shapeopt::WearState;
 
-use crate::plan::Step;
 use crate::profile::Profile;
+use crate::step::Step;
 
 /// Something that happened.
 pub enum Event<'a> {

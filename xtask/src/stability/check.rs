@@ -1,7 +1,7 @@
 //! What must hold of a finished run.
 
 use super::case::{Number, Scaled, Scene};
-use crate::verify::compare::{Csv, read_csv, read_json};
+use crate::verify::tables::{Csv, read_csv, read_json};
 use serde_json::Value;
 use std::path::Path;
 

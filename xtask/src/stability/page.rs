@@ -1,6 +1,6 @@
 //! The table on the screen, and docs/stability.md.
 
-use super::Row;
+use super::row::Row;
 use std::fs;
 use std::path::Path;
 

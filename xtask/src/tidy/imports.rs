@@ -63,7 +63,7 @@ const TABLE: &[Row] = &[
     Row {
         package: "crates/wearshape",
         ours: &["scene", "meshing", "hpfem", "contact", "wear", "shapeopt"],
-        others: Some(&["rayon", "serde", "serde_json", "nalgebra", "faer", "thiserror", "toml"]),
+        others: Some(&["csv", "serde", "serde_json", "nalgebra"]),
         because: "wearshape is the library: from a document to a solution, for any program",
     },
     Row {

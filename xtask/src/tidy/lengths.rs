@@ -14,7 +14,7 @@ const MOST_ARGUMENTS: usize = 5;
 
 /// A function outside tests.
 pub(super) struct Function {
-    /// Its place without a line: `cli/fe/ends.rs: Ends::result`.
+    /// Its place without a line: `hpfem/space.rs: Space::new`.
     pub(super) place: String,
     /// Path of its file.
     pub(super) file: String,

@@ -24,20 +24,48 @@ const BANS: &[Ban] = &[
     Ban { paths: &["std::time"], remedy: "who calls measures the seconds, between the events it watches" },
 ];
 
+const NO_STATE: &str = "pass it as an argument: two callers in one process must not see each other";
+
 const PRINTING: &[&str] = &["println", "print", "eprintln", "eprint"];
 
 /// Types whose content changes behind a shared reference.
 const INTERIOR: &[&str] = &["Mutex", "RwLock", "OnceLock", "OnceCell", "LazyLock", "LazyCell", "Cell", "RefCell", "UnsafeCell"];
 
+/// Of these, the types that are written once.
+const ONCE: &[&str] = &["OnceLock", "LazyLock"];
+
+/// Statics that hold a table of constants, each with the reason why it is kept. They are written once, with what depends on nothing, so
+/// that no caller can tell whether another was there before; a static that could be written again is not helped by an entry.
+const TABLES_OF_CONSTANTS: &[(&str, &str)] = &[
+    (
+        "hpfem/basis.rs: static TABLES",
+        "shape functions of a degree and their products at the Gauss points: every element matrix is integrated from them, and making them \
+         takes longer than a cell",
+    ),
+    (
+        "wear/quadrature.rs: static RULE",
+        "abscissas and weights of one Gauss-Legendre rule, found by Newton's method: every integral over every piece of a surface asks for them",
+    ),
+];
+
 /// Findings in all files; `known` are the places of today, as `hpfem/body.rs: std::time`.
 pub(super) fn check(files: &[Parsed], known: &[&str]) -> Vec<Finding> {
+    check_with(files, known, TABLES_OF_CONSTANTS)
+}
+
+fn check_with(files: &[Parsed], known: &[&str], tables: &[(&str, &str)]) -> Vec<Finding> {
     let mut findings = Vec::new();
     let mut needed = Vec::new();
+    let mut kept = Vec::new();
     for file in files.iter().filter(|file| !TOPS.contains(&file.krate.as_str())) {
         let mut uses = Vec::new();
         collect(&names(&file.tree), &mut uses);
-        for Use { what, line, remedy } in uses {
+        for Use { what, line, remedy, once } in uses {
             let place = format!("{}/{}: {what}", file.krate, file.inner);
+            if once && tables.iter().any(|(table, _)| *table == place) {
+                kept.push(place);
+                continue;
+            }
             if !known.contains(&place.as_str()) {
                 let problem = format!("`{what}` in a library");
                 findings.push(Finding { file: file.path.clone(), line, problem, remedy: remedy.into() });
@@ -46,15 +74,21 @@ pub(super) fn check(files: &[Parsed], known: &[&str]) -> Vec<Finding> {
         }
     }
     let stale = known.iter().filter(|place| !needed.iter().any(|needed| needed == *place));
-    findings.extend(stale.map(|place| Finding {
-        file: "xtask/src/tidy/today.rs".into(),
-        line: 1,
-        problem: format!("OUTSIDE_LIBRARIES lists `{place}`, which is not there"),
-        remedy: "take it off the list".into(),
-    }));
+    findings.extend(stale.map(|place| gone("today.rs", "OUTSIDE_LIBRARIES", place)));
+    let stale = tables.iter().filter(|(place, _)| !kept.iter().any(|kept| kept == place));
+    findings.extend(stale.map(|(place, _)| gone("libraries.rs", "TABLES_OF_CONSTANTS", place)));
     findings.sort();
     findings.dedup();
     findings
+}
+
+fn gone(file: &str, list: &str, place: &str) -> Finding {
+    Finding {
+        file: format!("xtask/src/tidy/{file}"),
+        line: 1,
+        problem: format!("{list} lists `{place}`, which is not there"),
+        remedy: "take it off the list".into(),
+    }
 }
 
 /// One use of what has no place there.
@@ -62,6 +96,8 @@ struct Use {
     what: String,
     line: usize,
     remedy: &'static str,
+    /// A static that is written once.
+    once: bool,
 }
 
 fn collect(names: &Names, uses: &mut Vec<Use>) {
@@ -73,8 +109,10 @@ fn collect(names: &Names, uses: &mut Vec<Use>) {
         macros(mention, uses);
     }
     for (name, words, line) in &names.statics {
-        if words.iter().any(|word| INTERIOR.contains(&word.as_str()) || word.starts_with("Atomic")) {
-            global(&format!("static {name}"), *line, uses);
+        let mut interior = words.iter().filter(|word| INTERIOR.contains(&word.as_str()) || word.starts_with("Atomic")).peekable();
+        if interior.peek().is_some() {
+            let once = interior.all(|word| ONCE.contains(&word.as_str()));
+            uses.push(Use { what: format!("static {name}"), line: *line, remedy: NO_STATE, once });
         }
     }
     names.inline.iter().for_each(|(_, inside)| collect(inside, uses));
@@ -92,13 +130,13 @@ fn path(path: &[String], line: usize, uses: &mut Vec<Use>) {
         for banned in ban.paths {
             let words: Vec<&str> = banned.split("::").collect();
             if path.starts_with(&words) {
-                uses.push(Use { what: (*banned).into(), line, remedy: ban.remedy });
+                uses.push(Use { what: (*banned).into(), line, remedy: ban.remedy, once: false });
             }
         }
     }
     if path.contains(&"ThreadPoolBuilder") {
         let remedy = "work in the pool that the caller installed";
-        uses.push(Use { what: "ThreadPoolBuilder".into(), line, remedy });
+        uses.push(Use { what: "ThreadPoolBuilder".into(), line, remedy, once: false });
     }
 }
 
@@ -111,16 +149,12 @@ fn macros(mention: &Mention, uses: &mut Vec<Use>) {
             what: format!("{name}!"),
             line: mention.line,
             remedy: "return the number or the sentence; only cli prints",
+            once: false,
         });
     }
     if name == "thread_local" {
-        global("thread_local!", mention.line, uses);
+        uses.push(Use { what: "thread_local!".into(), line: mention.line, remedy: NO_STATE, once: false });
     }
-}
-
-fn global(what: &str, line: usize, uses: &mut Vec<Use>) {
-    let remedy = "pass it as an argument: two callers in one process must not see each other";
-    uses.push(Use { what: what.into(), line, remedy });
 }
 
 #[cfg(test)]
@@ -131,7 +165,7 @@ mod tests {
 
     fn found(path: &str, text: &str) -> Vec<(usize, String)> {
         let (parsed, _) = parse(&[file(path, text)]);
-        check(&parsed, &[]).into_iter().map(|finding| (finding.line, finding.problem)).collect()
+        check_with(&parsed, &[], &[]).into_iter().map(|finding| (finding.line, finding.problem)).collect()
     }
 
     fn lines(text: &str) -> Vec<usize> {
@@ -172,9 +206,21 @@ mod tests {
     #[test]
     fn known_places_pass_and_mended_ones_leave_the_list() {
         let (parsed, _) = parse(&[file("crates/hpfem/src/body.rs", "use std::time::Instant;\n")]);
-        assert!(check(&parsed, &["hpfem/body.rs: std::time"]).is_empty());
-        let findings = check(&parsed, &["hpfem/body.rs: std::time", "hpfem/gone.rs: std::fs"]);
+        assert!(check_with(&parsed, &["hpfem/body.rs: std::time"], &[]).is_empty());
+        let findings = check_with(&parsed, &["hpfem/body.rs: std::time", "hpfem/gone.rs: std::fs"], &[]);
         assert_eq!(findings.len(), 1);
         assert_eq!(findings[0].remedy, "take it off the list");
+    }
+
+    #[test]
+    fn tables_of_constants_are_kept_if_they_are_written_once() {
+        let tables = [("hpfem/basis.rs: static TABLES", "asked for by every cell")];
+        let found = |text: &str| check_with(&parse(&[file("crates/hpfem/src/basis.rs", text)]).0, &[], &tables);
+        assert!(found("static TABLES: [OnceLock<Table>; 21] = [const { OnceLock::new() }; 21];\n").is_empty());
+        assert!(found("fn f() { static TABLES: LazyLock<Table> = LazyLock::new(table); }\n").is_empty());
+        let other = found("static OTHER: OnceLock<Table> = OnceLock::new();\n");
+        assert_eq!(other.len(), 2, "{other:?}");
+        assert!(other[1].problem.contains("TABLES_OF_CONSTANTS lists") && other[0].problem.contains("static OTHER"));
+        assert_eq!(found("static TABLES: OnceLock<Mutex<Table>> = OnceLock::new();\n").len(), 2);
     }
 }

@@ -1,7 +1,7 @@
 //! The modules of one crate and what the paths in them stand for.
 //!
-//! A name passed on by `pub use` belongs to the module that defines it, so `use crate::fe::Operators` is an import of `fe::operators`
-//! where `fe` says `pub(crate) use operators::Operators`.
+//! A name passed on by `pub use` belongs to the module that defines it, so `use crate::steps::Answer` is an import of `steps::answer`
+//! where `steps` says `pub(crate) use answer::Answer`.
 
 use std::collections::BTreeMap;
 
@@ -206,7 +206,7 @@ impl<'a> Modules<'a> {
     }
 }
 
-/// The name of a file's module: `fe::ends` for `fe/ends.rs`.
+/// The name of a file's module: `steps::ends` for `steps/ends.rs`.
 pub(super) fn module_name(file: &Parsed) -> String {
     let stem = file.inner.trim_end_matches(".rs").trim_end_matches("/mod");
     stem.replace('/', "::")
@@ -242,40 +242,40 @@ mod tests {
     #[test]
     fn a_name_passed_on_belongs_to_where_it_is_defined() {
         let found = edges(&[
-            ("lib.rs", "mod fe;\nmod run;\nmod scene;\npub use scene::Scene;\n"),
-            ("fe.rs", "mod contact;\npub(crate) use contact::Foo;\npub(crate) struct Own;\n"),
-            ("fe/contact.rs", "pub(crate) struct Foo;\nfn f(_: super::Own) {}\n"),
-            ("run.rs", "use crate::fe::Foo;\nuse crate::Scene;\n"),
+            ("lib.rs", "mod steps;\nmod run;\nmod scene;\npub use scene::Scene;\n"),
+            ("steps.rs", "mod contact;\npub(crate) use contact::Foo;\npub(crate) struct Own;\n"),
+            ("steps/contact.rs", "pub(crate) struct Foo;\nfn f(_: super::Own) {}\n"),
+            ("run.rs", "use crate::steps::Foo;\nuse crate::Scene;\n"),
             ("scene.rs", "pub struct Scene;\n"),
         ]);
-        assert_eq!(found, ["fe::contact -> fe: 2", "run -> fe::contact: 1", "run -> scene: 2"]);
+        assert_eq!(found, ["steps::contact -> steps: 2", "run -> steps::contact: 1", "run -> scene: 2"]);
     }
 
     #[test]
     fn passing_on_is_no_import_and_using_is() {
-        let lib = ("lib.rs", "mod fe;\n");
-        let child = ("fe/contact.rs", "pub(super) struct Foo;\npub(super) fn solve() {}\n");
-        assert!(edges(&[lib, ("fe.rs", "mod contact;\npub(crate) use contact::Foo;\n"), child]).is_empty());
+        let lib = ("lib.rs", "mod steps;\n");
+        let child = ("steps/contact.rs", "pub(super) struct Foo;\npub(super) fn solve() {}\n");
+        assert!(edges(&[lib, ("steps.rs", "mod contact;\npub(crate) use contact::Foo;\n"), child]).is_empty());
         for text in [
             "mod contact;\nuse contact::Foo;\n",
             "mod contact;\nfn f() { contact::solve() }\n",
             "pub(crate) use contact::solve; mod contact;\nfn f() { solve() }\n",
         ] {
-            assert_eq!(edges(&[lib, ("fe.rs", text), child]).len(), 1, "{text}");
+            assert_eq!(edges(&[lib, ("steps.rs", text), child]).len(), 1, "{text}");
         }
         let variable = "mod contact;\npub(crate) use contact::solve;\nfn f(solve: f64) -> f64 { solve }\n";
-        assert!(edges(&[lib, ("fe.rs", variable), child]).is_empty());
+        assert!(edges(&[lib, ("steps.rs", variable), child]).is_empty());
     }
 
     #[test]
     fn an_alias_of_a_module_counts_where_it_is_used() {
         let found = edges(&[
-            ("lib.rs", "mod fe;\nmod run;\n"),
-            ("fe.rs", "pub(crate) mod forecast;\npub(crate) use forecast::forecast;\n"),
-            ("fe/forecast.rs", "pub(crate) fn forecast() {}\n"),
-            ("run.rs", "use crate::fe;\n\nfn f() { fe::forecast() }\n"),
+            ("lib.rs", "mod steps;\nmod run;\n"),
+            ("steps.rs", "pub(crate) mod forecast;\npub(crate) use forecast::forecast;\n"),
+            ("steps/forecast.rs", "pub(crate) fn forecast() {}\n"),
+            ("run.rs", "use crate::steps;\n\nfn f() { steps::forecast() }\n"),
         ]);
-        assert_eq!(found, ["run -> fe::forecast: 3"]);
+        assert_eq!(found, ["run -> steps::forecast: 3"]);
     }
 
     #[test]

@@ -225,7 +225,7 @@ impl<'ast> Visit<'ast> for Names {
         }
     }
 
-    /// `pub(in crate::fe)` says who may look, not what is used.
+    /// `pub(in crate::steps)` says who may look, not what is used.
     fn visit_visibility(&mut self, _: &'ast syn::Visibility) {}
 
     fn visit_path(&mut self, path: &'ast syn::Path) {

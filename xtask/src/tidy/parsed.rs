@@ -41,7 +41,7 @@ pub(super) fn parse(files: &[TextFile]) -> (Vec<Parsed>, Vec<Finding>) {
     (parsed, findings)
 }
 
-/// Crate and path below its `src`: `cli` and `fe/ends.rs` for `crates/cli/src/fe/ends.rs`.
+/// Crate and path below its `src`: `wearshape` and `steps/ends.rs` for `crates/wearshape/src/steps/ends.rs`.
 fn place(path: &str) -> Option<(&str, &str)> {
     let path = path.strip_suffix(".rs").map(|_| path)?;
     match path.strip_prefix("crates/") {
@@ -98,7 +98,7 @@ mod tests {
     #[test]
     fn only_sources_are_parsed_and_broken_ones_are_found() {
         let files = [
-            file("crates/cli/src/fe/ends.rs", "mod a;\n"),
+            file("crates/wearshape/src/steps/ends.rs", "mod a;\n"),
             file("crates/cli/src/record.rs", "#[cfg(test)]\nmod tests;\n"),
             file("crates/cli/src/record/tests.rs", "fn a() {}\n"),
             file("crates/cli/tests/it/main.rs", "fn a() {}\n"),
@@ -107,7 +107,7 @@ mod tests {
         ];
         let (parsed, findings) = parse(&files);
         let places: Vec<_> = parsed.iter().map(|file| (file.krate.as_str(), file.inner.as_str())).collect();
-        assert_eq!(places, [("cli", "fe/ends.rs"), ("cli", "record.rs"), ("xtask", "main.rs")]);
+        assert_eq!(places, [("wearshape", "steps/ends.rs"), ("cli", "record.rs"), ("xtask", "main.rs")]);
         assert_eq!(findings.iter().map(|f| (f.file.as_str(), f.line)).collect::<Vec<_>>(), [("crates/cli/src/broken.rs", 2)]);
     }
 

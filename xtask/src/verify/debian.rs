@@ -1,11 +1,8 @@
 //! The independent solver: packages of Debian 12.
 
-use super::run;
+use super::programs::{self, PYTHON};
 use std::path::Path;
 use std::process::Command;
-
-/// Debian's own interpreter; another python3 on the PATH cannot import its packages.
-pub(crate) const PYTHON: &str = "/usr/bin/python3";
 
 const PACKAGES: [&str; 3] = ["python3-dolfinx-real", "python3-gmsh", "libopenblas0-pthread"];
 
@@ -51,7 +48,7 @@ fn user_is_root() -> Result<bool, String> {
 
 /// Says what is missing, and how to get it.
 pub(crate) fn check(root: &Path) -> Result<(), String> {
-    let output = run::python(root)
+    let output = programs::python(root)
         .args(["-c", "import dolfinx, gmsh; print(dolfinx.__version__)"])
         .output()
         .map_err(|error| remedy(&format!("{PYTHON}: {error}")))?;

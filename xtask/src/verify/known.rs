@@ -5,7 +5,8 @@
 
 use super::case::{Wanted, text, wanted};
 use super::report::Outcome;
-use super::{compare, report, run};
+use super::row::Row;
+use super::{compare, programs, report};
 use std::fs;
 use std::path::Path;
 use std::time::Instant;
@@ -34,7 +35,7 @@ pub(crate) fn compare(root: &Path, names: &[String], quick: bool, fault: Option<
     report::write(&root.join("target/verify/known"), &outcomes, None, started.elapsed().as_secs_f64())
 }
 
-fn one(root: &Path, case: &Value, name: &str, fault: Option<&str>) -> Result<Vec<report::Row>, String> {
+fn one(root: &Path, case: &Value, name: &str, fault: Option<&str>) -> Result<Vec<Row>, String> {
     let folder = root.join("target/verify/known").join(name);
     let ours = folder.join("ours");
     fs::create_dir_all(&ours).map_err(|error| format!("{}: {error}", ours.display()))?;
@@ -44,7 +45,7 @@ fn one(root: &Path, case: &Value, name: &str, fault: Option<&str>) -> Result<Vec
     save("scene.resolved.toml", scene(root, case)?)?;
     save("contact.csv", columns(case)?)?;
     save("summary.json", summary(case))?;
-    run::script(root, &text(case, "script")?, &folder, fault)?;
+    programs::script(root, &text(case, "script")?, &folder, fault)?;
     let list = case.get("quantities").and_then(Value::as_array).ok_or(format!("{name}: no quantities"))?;
     let quantities: Vec<Wanted> = list.iter().map(wanted).collect::<Result<_, _>>()?;
     compare::rows(&quantities, &folder)
@@ -52,7 +53,7 @@ fn one(root: &Path, case: &Value, name: &str, fault: Option<&str>) -> Result<Vec
 
 /// The built-in scene with the case's changes laid over it.
 fn scene(root: &Path, case: &Value) -> Result<String, String> {
-    let path = root.join("data/scenes").join(text(case, "scene")? + ".toml");
+    let path = root.join("crates/scene/scenes").join(text(case, "scene")? + ".toml");
     let mut scene = read_toml(&path)?;
     if let Some(changes) = case.get("change").and_then(Value::as_table) {
         lay_over(&mut scene, changes);

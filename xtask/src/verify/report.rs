@@ -2,48 +2,10 @@
 
 use super::case::{Case, Norm};
 use super::picture;
+use super::row::Row;
 use serde_json::{Value, json};
 use std::fs;
 use std::path::Path;
-
-/// One compared quantity.
-pub(crate) struct Row {
-    pub(crate) quantity: String,
-    pub(crate) points: usize,
-    /// Largest value of ours: what the differences are relative to.
-    pub(crate) scale: f64,
-    pub(crate) difference: f64,
-    pub(crate) tolerance: f64,
-    /// Difference between the two levels of the reference, relative.
-    pub(crate) self_error: f64,
-    pub(crate) norm: Norm,
-    /// Arc length of the points, our values, the reference's with the rigid motion taken out.
-    pub(crate) at: Vec<f64>,
-    pub(crate) ours: Vec<f64>,
-    pub(crate) theirs: Vec<f64>,
-}
-
-impl Row {
-    /// Within the tolerance, and the reference is at least that sure of itself.
-    pub(crate) fn passed(&self) -> bool {
-        self.difference <= self.tolerance && self.self_error <= self.tolerance
-    }
-
-    /// Difference in units of the tolerance.
-    pub(crate) fn excess(&self) -> f64 {
-        self.difference / self.tolerance
-    }
-
-    fn verdict(&self) -> &'static str {
-        if self.difference > self.tolerance {
-            "FAILED"
-        } else if self.self_error > self.tolerance {
-            "FAILED (the reference is not that sure of itself)"
-        } else {
-            "ok"
-        }
-    }
-}
 
 /// What became of a case.
 pub(crate) struct Outcome {
@@ -133,7 +95,7 @@ pub(crate) fn write(folder: &Path, outcomes: &[Outcome], fault: Option<&str>, se
 
 fn versions(folder: &Path, outcome: &Outcome) -> Value {
     let path = folder.join(&outcome.name).join("out.json");
-    super::compare::read_json(&path).map_or(Value::Null, |out| out["versions"].clone())
+    super::tables::read_json(&path).map_or(Value::Null, |out| out["versions"].clone())
 }
 
 fn case_json(outcome: &Outcome) -> Value {

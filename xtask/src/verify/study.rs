@@ -7,54 +7,17 @@
 mod case;
 mod front;
 mod ladder;
+mod outcome;
 mod page;
 mod plot;
 
 use case::Study;
 use front::{Point, front, seconds_at};
+use ladder::Setting;
+use outcome::{Factor, Ladder, Outcome};
 use serde_json::{Value, json};
 use std::fs;
 use std::path::Path;
-
-/// One ladder with its errors.
-pub(crate) struct Ladder {
-    pub(crate) name: String,
-    pub(crate) ours: bool,
-    pub(crate) points: Vec<Point>,
-}
-
-/// A finished study.
-pub(crate) struct Outcome {
-    pub(crate) study: Study,
-    pub(crate) ladders: Vec<Ladder>,
-    /// Sentences about the truth: against digits of others, and its own estimate.
-    pub(crate) truth: Vec<String>,
-    pub(crate) factors: Vec<Factor>,
-    pub(crate) versions: Value,
-    /// Largest ratio of wall clock to processor time among the levels of dolfinx.
-    pub(crate) waited: f64,
-    passed: bool,
-}
-
-/// Seconds of both at one error.
-pub(crate) struct Factor {
-    pub(crate) error: f64,
-    pub(crate) ours: Option<f64>,
-    pub(crate) theirs: Option<f64>,
-    /// The factor that must be reached.
-    pub(crate) least: Option<f64>,
-}
-
-impl Factor {
-    /// How many times longer dolfinx takes.
-    pub(crate) fn value(&self) -> Option<f64> {
-        Some(self.theirs? / self.ours?)
-    }
-
-    fn missed(&self) -> bool {
-        self.least.is_some_and(|least| self.value().is_none_or(|value| value < least))
-    }
-}
 
 /// Runs the studies of verify/study.toml, or the named ones; false when a truth or a factor is missed.
 pub(crate) fn run(root: &Path, wearshape: &Path, names: &[String], repeat: usize, docs: bool) -> Result<bool, String> {
@@ -90,22 +53,23 @@ pub(crate) fn run(root: &Path, wearshape: &Path, names: &[String], repeat: usize
 fn one(root: &Path, wearshape: &Path, study: Study, repeat: usize) -> Result<Outcome, String> {
     let folder = root.join("target/verify/study").join(&study.name);
     fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
-    let truth = ladder::truth(root, wearshape, &study, &folder)?;
+    let setting = Setting { root, wearshape, study: &study, folder: &folder };
+    let truth = ladder::truth(&setting)?;
     let (sentences, mut passed) = known(root, &study, &truth)?;
     let mut ladders = Vec::new();
     for curve in &study.curves {
-        let points = ladder::ours(root, wearshape, &study, curve, &truth, &folder)?;
+        let points = ladder::ours(&setting, curve, &truth)?;
         ladders.push(Ladder { name: format!("wearshape, {}", curve.name), ours: true, points });
     }
     // The first run compiles and is thrown away.
-    let mut found = ladder::theirs(root, &study, &truth, &folder)?;
+    let mut found = ladder::theirs(&setting, &truth)?;
     for number in 0..repeat {
         for (curve, ladder) in study.curves.iter().zip(&mut ladders) {
-            let rows = ladder::times(root, wearshape, &study, curve, &folder)?;
+            let rows = ladder::times(&setting, curve)?;
             let seconds = rows.iter().map(|row| row["seconds_total"].as_f64().unwrap_or(f64::NAN));
             ladder.points.iter_mut().zip(seconds).for_each(|(point, seconds)| point.seconds = point.seconds.min(seconds));
         }
-        let again = ladder::theirs(root, &study, &truth, &folder)?;
+        let again = ladder::theirs(&setting, &truth)?;
         if number == 0 {
             found = again;
         } else {
@@ -148,7 +112,7 @@ fn known(root: &Path, study: &Study, truth: &ladder::Truth) -> Result<(Vec<Strin
     }
     if let Some(entry) = &study.known {
         let word = |key: &str| entry.get(key).and_then(toml::Value::as_str).ok_or(format!("{}: known needs {key}", study.name));
-        let file = super::compare::read_json(&root.join("data/reference").join(word("file")?))?;
+        let file = super::tables::read_json(&root.join("data/reference").join(word("file")?))?;
         let list = |pointer: &str| -> Vec<f64> {
             file.pointer(pointer).and_then(Value::as_array).into_iter().flatten().filter_map(Value::as_f64).collect()
         };

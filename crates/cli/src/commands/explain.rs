@@ -2,8 +2,8 @@
 
 use scene::{Fault, Place, did_you_mean};
 
-use crate::commands::print_out;
 use crate::exit::Exit;
+use crate::print::print_out;
 
 /// All notes, a section each.
 const PAGE: &str = include_str!("../../../../docs/lints.md");
@@ -36,7 +36,10 @@ mod tests {
 
     #[test]
     fn every_note_of_the_program_has_its_section() {
-        let source = include_str!("../lints.rs");
+        let source = concat!(
+            include_str!("../../../wearshape/src/remarks.rs"),
+            include_str!("../../../wearshape/src/steps/sharp_edges.rs"),
+        );
         let is_code = |word: &&str| word.contains('-') && word.bytes().all(|c| c.is_ascii_lowercase() || c == b'-');
         let codes: Vec<&str> = source.split('"').skip(1).step_by(2).filter(is_code).collect();
         assert!(codes.len() >= 8, "{codes:?}");

@@ -3,8 +3,8 @@
 use scene::{Fault, SCENES, builtin, did_you_mean};
 
 use crate::args::NewArgs;
-use crate::commands::print_out;
 use crate::exit::Exit;
+use crate::print::print_out;
 
 /// Lists the templates, prints one, or writes it.
 pub(crate) fn run(args: &NewArgs) -> Result<Exit, Fault> {

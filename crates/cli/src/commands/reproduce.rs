@@ -8,9 +8,10 @@ use scene::{Fault, Place, did_you_mean};
 use serde_json::{Value, json};
 
 use crate::args::ReproduceArgs;
-use crate::commands::{print_json, print_out};
 use crate::exit::Exit;
 use crate::folder::Folder;
+use crate::interrupt;
+use crate::print::{print_json, print_out};
 use crate::reproduce::{ITEMS, Item, Made, Row, page, rows_csv, rows_json, rows_table};
 
 /// Computes one item or all of them, or lists them.
@@ -23,28 +24,42 @@ pub(crate) fn run(args: &ReproduceArgs) -> Result<Exit, Fault> {
         }
     };
     let root = PathBuf::from("out").join("reproduce");
-    if name != "all" {
-        let item = find(name)?;
-        let target = args.output.clone().unwrap_or_else(|| root.join(name));
-        let (made, document) = compute(item, &target)?;
-        if args.json {
-            print_json(&document);
-        } else if !args.quiet {
-            print_out(&screen(item, &made));
-            print_out(&format!("files     {}\n", target.display()));
-        }
-        return Ok(Exit::Done);
+    let outcome = if name == "all" {
+        every(args, &args.output.clone().unwrap_or(root))
+    } else {
+        single(args, find(name)?, &args.output.clone().unwrap_or_else(|| root.join(name)))
+    };
+    // A run that Ctrl-C has cut short is a fault of its item; nothing is wrong with it.
+    if outcome.is_err() && interrupt::asked() {
+        eprintln!(
+            "interrupted; items that are finished keep their folders, the others are computed again: wearshape reproduce {name}"
+        );
+        return Ok(Exit::Interrupted);
     }
-    let root = args.output.clone().unwrap_or(root);
-    crate::interrupt::listen();
+    outcome
+}
+
+/// One item.
+fn single(args: &ReproduceArgs, item: &Item, target: &Path) -> Result<Exit, Fault> {
+    interrupt::listen();
+    let (made, document) = compute(item, target)?;
+    if args.json {
+        print_json(&document);
+    } else if !args.quiet {
+        print_out(&screen(item, &made));
+        print_out(&format!("files     {}\n", target.display()));
+    }
+    Ok(Exit::Done)
+}
+
+/// Every item, in a folder each, and the index of all.
+fn every(args: &ReproduceArgs, root: &Path) -> Result<Exit, Fault> {
+    interrupt::listen();
     let mut all = Vec::new();
     let mut documents = Vec::new();
     for item in ITEMS {
         let start = Instant::now();
         let (made, document) = compute(item, &root.join(item.name))?;
-        if crate::interrupt::asked() {
-            return Ok(Exit::Interrupted);
-        }
         if !args.json && !args.quiet {
             eprintln!("{:<9} {:6.2} s  {}", item.name, start.elapsed().as_secs_f64(), item.sentence);
         }

@@ -3,16 +3,17 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use scene::{Fault, Place};
-use wearshape::{Bodies, Options, Problem, Sampling, Status, Step};
+use scene::Fault;
+use wearshape::{Bodies, Options, Problem, Status, Step};
 
+use crate::again::again;
 use crate::args::{Common, RunArgs};
-use crate::clock::seconds;
-use crate::commands::check::{describe, describe_with_sizes, plan_json};
-use crate::commands::{print_json, print_out};
+use crate::describe::{describe, describe_with_sizes, plan_json};
 use crate::exit::Exit;
 use crate::folder::Folder;
 use crate::live::Live;
+use crate::options::{options, with_threads};
+use crate::print::{print_json, print_out};
 use crate::progress::Progress;
 use crate::record::Tape;
 use crate::write::write;
@@ -64,7 +65,8 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
         }
     };
     if solution.status == Status::Interrupted {
-        eprintln!("interrupted; {}", again(args, live.tape.is_some()));
+        let kept = live.tape.as_ref().map(|_| "every finished step");
+        eprintln!("interrupted; {}", again(&["run", &args.scene], common, kept));
         return Ok(Exit::Interrupted);
     }
     let seconds = [ready, start.elapsed().as_secs_f64()];
@@ -75,7 +77,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
     } else if !common.quiet {
         print_out(&report::first_screen(&problem, &solution, &target));
     }
-    Ok(exit_of(solution.status))
+    Ok(Exit::of(solution.status))
 }
 
 /// The recording of a run in time; a sentence says from where it goes on.
@@ -91,55 +93,4 @@ fn tape(folder: &Folder, problem: &Problem, resolved: &str, common: &Common) -> 
         eprintln!("{word}");
     }
     Some(tape)
-}
-
-/// How an interrupted run goes on.
-fn again(args: &RunArgs, in_time: bool) -> String {
-    let quoted = |text: &str| if text.contains([' ', '"', '{', '[', '*', ';']) { format!("'{text}'") } else { text.to_string() };
-    let mut call = format!("wearshape run {}", quoted(&args.scene));
-    if let Some(folder) = &args.common.output {
-        call += &format!(" -o {}", quoted(&folder.display().to_string()));
-    }
-    for set in &args.common.set {
-        call += &format!(" --set {}", quoted(set));
-    }
-    let what = if in_time { "every finished step is kept; continue with" } else { "begin it again with" };
-    let end = if in_time { " --resume" } else { "" };
-    format!("{what}: {call}{end}")
-}
-
-/// The exit of a status.
-pub(crate) fn exit_of(status: Status) -> Exit {
-    match status {
-        Status::Ok => Exit::Done,
-        Status::AccuracyMissed | Status::NotConverged | Status::Refused => Exit::GoalMissed,
-        Status::Interrupted => Exit::Interrupted,
-    }
-}
-
-/// The options that reach the solver.
-pub(crate) fn options(common: &Common) -> Result<Options<'static>, Fault> {
-    if let Some(sample) = common.sample.filter(|sample| !(2..=10_000_000).contains(sample)) {
-        return Err(Fault {
-            place: Some(Place::Flag(format!("--sample {sample}"))),
-            ..Fault::new("wrong-flag", format!("--sample {sample} is out of range"), "ask for 2 to 10000000 points")
-        });
-    }
-    Ok(Options { sample: common.sample.map(Sampling::Even), machining: true, clock: seconds, ..Options::default() })
-}
-
-/// Does the work on the number of threads asked for.
-pub(crate) fn with_threads<T: Send>(common: &Common, work: impl FnOnce() -> T + Send) -> Result<T, Fault> {
-    let Some(threads) = common.threads else {
-        return Ok(work());
-    };
-    let wrong = |message: String| Fault {
-        place: Some(Place::Flag(format!("--threads {threads}"))),
-        ..Fault::new("wrong-flag", message, "give a number of threads from 1 to 1024")
-    };
-    if !(1..=1024).contains(&threads) {
-        return Err(wrong(format!("--threads {threads} is out of range")));
-    }
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-    Ok(pool.map_err(|error| wrong(format!("cannot start {threads} threads: {error}")))?.install(work))
 }

@@ -7,12 +7,13 @@ use report::{Axis, LinePlot, Series, line_plot, numbers_row, table};
 use scene::{Fault, Place};
 use wearshape::{DEGREES, Event, Measure, Quantity, Step, StudyLevel, Truth, outermost, study};
 
+use crate::again::again;
 use crate::args::StudyArgs;
 use crate::clock::seconds;
-use crate::commands::run::with_threads;
-use crate::commands::{print_json, print_out};
 use crate::exit::Exit;
 use crate::folder::Folder;
+use crate::options::with_threads;
+use crate::print::{print_json, print_out};
 use crate::{interrupt, open};
 
 /// Columns of study.csv.
@@ -46,23 +47,17 @@ pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
         print_out(&format!("would solve {} degrees and write {}\n", DEGREES.len(), target.display()));
         return Ok(Exit::Done);
     }
-    let against = match &args.reference {
-        Some(folder) => folder.display().to_string(),
-        None => "the finest degree".into(),
-    };
+    let against = args.reference.as_ref().map_or_else(|| "the finest degree".into(), |folder| folder.display().to_string());
+    interrupt::listen();
     let resolved = problem.resolved()?;
     let folder = Folder::begin(&target, false)?;
-    let at = |degree: usize| {
-        let mut settings = common.set.clone();
-        settings.extend([format!("mesh.degree={degree}"), "check=false".into()]);
-        open::problem(&args.scene, &settings).map(|(_, problem)| problem)
-    };
-    let mut watch = |_: Event<'_>| if interrupt::asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
-    let levels = match with_threads(common, || study(&at, truth, seconds, &mut watch))? {
-        Ok(levels) => levels,
-        Err(fault) => {
+    let levels = match with_threads(common, || levels(args, truth))? {
+        Ok(Some(levels)) => levels,
+        ended => {
             folder.discard();
-            return Err(document.locate(fault));
+            ended.map_err(|fault| document.locate(fault))?;
+            eprintln!("interrupted; {}", call(args));
+            return Ok(Exit::Interrupted);
         }
     };
     let rows: Vec<[f64; 12]> = levels.iter().map(row).collect();
@@ -92,6 +87,29 @@ pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
         print_out(&screen(&rows, quantity, &target));
     }
     Ok(Exit::Done)
+}
+
+/// The levels of a study; none if Ctrl-C has ended it between two levels or steps.
+fn levels(args: &StudyArgs, truth: Option<Truth>) -> Result<Option<Vec<StudyLevel>>, Fault> {
+    let at = |degree: usize| {
+        let mut settings = args.common.set.clone();
+        settings.extend([format!("mesh.degree={degree}"), "check=false".into()]);
+        open::problem(&args.scene, &settings).map(|(_, problem)| problem)
+    };
+    let mut watch = |_: Event<'_>| if interrupt::asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
+    match study(&at, truth, seconds, &mut watch) {
+        // A level that was cut short is a fault of the study; nothing is wrong with it.
+        Err(_) if interrupt::asked() => Ok(None),
+        solved => solved.map(Some),
+    }
+}
+
+/// How an interrupted study begins again: its levels are compared with the finest one, so that none is of use alone.
+fn call(args: &StudyArgs) -> String {
+    let reference = args.reference.as_ref().map(|folder| folder.display().to_string());
+    let mut words = vec!["study", &args.scene];
+    words.extend(reference.iter().flat_map(|folder| ["--reference", folder]));
+    again(&words, &args.common, None)
 }
 
 /// The results in the folder of a run, as the truth.

@@ -4,6 +4,7 @@
 use std::path::{Path, PathBuf};
 
 use shapeopt::WearState;
+use wearshape::{FinishedLevel, RunLevel};
 
 use super::replay::Replay;
 use super::*;
@@ -49,6 +50,18 @@ fn levels() -> Vec<FinishedLevel> {
     vec![FinishedLevel { degree: 4, layers: 4, gap: vec![0.1, 1.0 / 3.0], closing: vec![1.0, -1.0], ..Default::default() }]
 }
 
+/// Begins the level after the finished ones, of which a resumed run knows some steps already.
+fn begin(tape: &mut Tape, mesh: SceneUpdate, known_steps: usize) {
+    let finished = levels();
+    let level = RunLevel {
+        finished: &finished,
+        known_steps,
+        message: "a level".into(),
+        lines: &|| Err(Fault::new("unused", "the mesh is given", "")),
+    };
+    tape.begin_level(&level, || Ok(mesh)).unwrap();
+}
+
 fn add(recorder: &mut Recorder, step: usize) {
     let iteration = Iteration { step: step as u64, tries: 1, ..Iteration::default() };
     recorder.step(&iteration, &profile(step), &State::from(&state(step))).unwrap();
@@ -59,7 +72,8 @@ fn recorded(folder: &Path, steps: usize) -> PathBuf {
     let (mut tape, word) = Tape::new(folder, RESOLVED, false);
     assert_eq!(word, None);
     let mesh = SceneUpdate::new(&[vec![[0.0, 0.0], [1.0, 0.0]], vec![[0.0, 0.0], [0.0, -1.0]]]);
-    assert!(tape.begin_level(&levels(), &mesh, "a level").unwrap().is_empty());
+    assert_eq!(tape.resume(), None);
+    begin(&mut tape, mesh, 0);
     (0..steps).for_each(|step| add(tape.recorder().unwrap(), step));
     tape.finish("done", "{}\n").unwrap();
     folder.join(RUN_MCAP)
@@ -93,7 +107,7 @@ fn what_was_recorded_reads_back_to_the_bit() {
 fn a_recording_cut_anywhere_gives_back_every_step_that_was_flushed() {
     let folder = temp_dir::TempDir::new().unwrap();
     let (mut tape, _) = Tape::new(folder.path(), RESOLVED, false);
-    tape.begin_level(&levels(), &SceneUpdate::default(), "a level").unwrap();
+    begin(&mut tape, SceneUpdate::default(), 0);
     let mut lengths = Vec::new();
     for step in 0..8 {
         add(tape.recorder().unwrap(), step);
@@ -118,10 +132,11 @@ fn a_torn_recording_goes_on_to_the_same_bytes() {
         let (mut tape, word) = Tape::new(torn.path(), RESOLVED, true);
         assert!(word.is_some());
         let mesh = SceneUpdate::new(&[vec![[0.0, 0.0], [1.0, 0.0]], vec![[0.0, 0.0], [0.0, -1.0]]]);
-        let known = tape.begin_level(&levels(), &mesh, "a level").unwrap();
-        (known.len()..12).for_each(|step| add(tape.recorder().unwrap(), step));
+        let known = tape.resume().map_or(0, |resume| resume.states.len());
+        begin(&mut tape, mesh, known);
+        (known..12).for_each(|step| add(tape.recorder().unwrap(), step));
         tape.finish("done", "{}\n").unwrap();
-        assert!(std::fs::read(torn.path().join(RUN_MCAP)).unwrap() == bytes, "cut at {cut}, {} steps known", known.len());
+        assert!(std::fs::read(torn.path().join(RUN_MCAP)).unwrap() == bytes, "cut at {cut}, {} steps known", known);
     }
 }
 

@@ -60,11 +60,7 @@ pub(super) fn punch(moment: f64) -> Punch {
         integral(|t: f64| weight(t.sin()) * root(kappa, t.sin()) * t.cos(), -quarter, quarter)
     };
     let arm = |kappa: f64| mean(kappa, |xi| xi) / mean(kappa, |_| 1.0) * half;
-    let (mut low, mut high) = (-1.0, 1.0);
-    for _ in 0..200 {
-        let middle = 0.5 * (low + high);
-        if arm(middle) < moment / force { low = middle } else { high = middle }
-    }
+    let [low, high] = hpfem::bisect([-1.0, 1.0], 200, |middle| arm(middle) < moment / force);
     let kappa = if moment == 0.0 { 0.0 } else { 0.5 * (low + high) };
     let size = force / (half * thickness * mean(kappa, |_| 1.0));
     let lambda = 3.0 * wear * size * size;

@@ -25,24 +25,74 @@ fn solve(made: &mut Made, functional: &str, q: &str) -> Result<Run, Fault> {
     Ok(solved)
 }
 
-/// Curves of one functional over q, with rows that compare the middle and the edge with the closed form.
-fn by_q(
-    functional: &str,
+/// What a figure draws over the angle.
+#[derive(Clone, Copy, PartialEq)]
+enum Shown {
+    Pressure,
+    WearRate,
+}
+
+impl Shown {
+    fn label(self) -> &'static str {
+        match self {
+            Shown::Pressure => "pressure (MPa)",
+            Shown::WearRate => "wear rate (\u{b5}m/s)",
+        }
+    }
+
+    fn column(self) -> fn(&Profile) -> &Vec<f64> {
+        match self {
+            Shown::Pressure => column::pressure,
+            Shown::WearRate => column::wear_rate,
+        }
+    }
+}
+
+/// A functional with its values of q.
+struct Family<'a> {
+    /// As in `optimum.functional`.
+    functional: &'a str,
+    /// Power of the pressure in it, for q = 1.
     power: f64,
-    qs: &[&str],
-    title: &str,
-    y_label: &str,
-    shown: fn(&Profile) -> &Vec<f64>,
-) -> Result<(Made, Vec<Run>), Fault> {
+    /// Values of q as they are written.
+    qs: &'a [&'a str],
+    /// Title of its figures.
+    title: &'a str,
+}
+
+/// Stationary wear volume, figures 4 and 5.
+const WEAR_VOLUME: Family<'static> = Family {
+    functional: "wear-volume",
+    power: B,
+    qs: &["0", "1.5", "1.9", "2.1", "3", "10"],
+    title: "Drum, stationary wear volume rate, a = 1, b = 0.5",
+};
+/// Stationary friction power, figure 6.
+const FRICTION_POWER: Family<'static> = Family {
+    functional: "friction-power",
+    power: 1.0,
+    qs: &["1.05", "1.1", "1.25", "1.5", "2", "10"],
+    title: "Drum, stationary friction power, a = 1, b = 0.5",
+};
+/// Stationary wear power, figure 7.
+const WEAR_POWER: Family<'static> = Family {
+    functional: "wear-power",
+    power: B + 1.0,
+    qs: &["0.5", "0.62", "0.7", "0.8", "1", "2", "10"],
+    title: "Drum, stationary wear power, a = 1, b = 0.5",
+};
+
+/// Curves of one functional over q, with rows that compare the middle and the edge with the closed form.
+fn by_q(family: &Family<'_>, shown: Shown) -> Result<(Made, Vec<Run>), Fault> {
     let mut made = Made::default();
     let mut runs = Vec::new();
     let mut curves = Vec::new();
-    for q in qs {
-        let solved = solve(&mut made, functional, q)?;
-        curves.push(series(format!("q = {q}"), solved.curve(shown)));
-        let k = 1.0 / (power * q.parse::<f64>().unwrap_or(f64::INFINITY) - 1.0);
+    for q in family.qs {
+        let solved = solve(&mut made, family.functional, q)?;
+        curves.push(series(format!("q = {q}"), solved.curve(shown.column())));
+        let k = 1.0 / (family.power * q.parse::<f64>().unwrap_or(f64::INFINITY) - 1.0);
         let (exact, edge) = (drum(k), HALF_ANGLE.cos().powf(k));
-        let wear = y_label.starts_with("wear");
+        let wear = shown == Shown::WearRate;
         // um/s from MPa.
         let value = |p: f64| if wear { 1e3 * RATE * (MU * p).powf(B) } else { p };
         for (angle, share) in [(0.0, 1.0), (30.0, edge)] {
@@ -51,14 +101,14 @@ fn by_q(
                 unit: if wear { "um/s" } else { "MPa" },
                 printed: Some(value(exact.printed * share)),
                 reference: Some(value(exact.balanced * share)),
-                ours: solved.at(shown, angle),
+                ours: solved.at(shown.column(), angle),
                 note: if angle == 0.0 { character(&solved) } else { String::new() },
                 ..Row::default()
             });
         }
         runs.push(solved);
     }
-    made.draw("curves", &plot(title, ANGLE, y_label, curves));
+    made.draw("curves", &plot(family.title, ANGLE, shown.label(), curves));
     made.remarks.push(
         "The paper draws curves and prints no numbers for this figure; its values of q are not all named in the text. The independent \
          value is cos^k with the true balance of vertical forces; the formula as printed balances int p dS instead, which carries too \
@@ -81,10 +131,10 @@ fn character(run: &Run) -> String {
     }
 }
 
-/// Rows on where the pressure gathers on both sides of the singular exponent.
-fn localisation(made: &mut Made, runs: &[Run], qs: &[&str], below: &str, above: &str, place: &'static str) {
+/// Rows on where the pressure gathers: at the edges for `q` below the singular one, in the middle above it, as the paper says at a `place`.
+fn localisation(made: &mut Made, (family, runs): (&Family<'_>, &[Run]), [below, above]: [&str; 2], place: &'static str) {
     for (q, said) in [(below, 30.0), (above, 0.0)] {
-        let Some(run) = qs.iter().position(|other| *other == q).map(|i| &runs[i]) else { continue };
+        let Some(run) = family.qs.iter().position(|other| *other == q).map(|i| &runs[i]) else { continue };
         made.rows.push(Row {
             quantity: format!("q = {q}: angle of the largest pressure"),
             unit: "deg",
@@ -103,12 +153,9 @@ fn singular_q(runs: &[Run]) -> f64 {
     [first, last].iter().find_map(|p| Some(p.q? / p.s.filter(|s| s.is_finite() && *s > 0.0)?)).unwrap_or(f64::NAN)
 }
 
-const WEAR_VOLUME_Q: [&str; 6] = ["0", "1.5", "1.9", "2.1", "3", "10"];
-
 /// Figure 4.
 pub(super) fn pressure_of_wear_volume() -> Result<Made, Fault> {
-    let title = "Drum, stationary wear volume rate, a = 1, b = 0.5";
-    let (mut made, runs) = by_q("wear-volume", B, &WEAR_VOLUME_Q, title, "pressure (MPa)", column::pressure)?;
+    let (mut made, runs) = by_q(&WEAR_VOLUME, Shown::Pressure)?;
     let singular = Row {
         quantity: "q of the singular pressure".into(),
         paper: Some((2.0, "section 5.3")),
@@ -117,7 +164,7 @@ pub(super) fn pressure_of_wear_volume() -> Result<Made, Fault> {
         ..Row::default()
     };
     made.rows.push(singular);
-    localisation(&mut made, &runs, &WEAR_VOLUME_Q, "1.9", "2.1", "section 5.2");
+    localisation(&mut made, (&WEAR_VOLUME, &runs), ["1.9", "2.1"], "section 5.2");
     uniform(&mut made)?;
     Ok(made)
 }
@@ -139,18 +186,15 @@ fn uniform(made: &mut Made) -> Result<(), Fault> {
 
 /// Figure 5.
 pub(super) fn wear_rate_of_wear_volume() -> Result<Made, Fault> {
-    let title = "Drum, stationary wear volume rate, a = 1, b = 0.5";
-    Ok(by_q("wear-volume", B, &WEAR_VOLUME_Q, title, "wear rate (\u{b5}m/s)", column::wear_rate)?.0)
+    Ok(by_q(&WEAR_VOLUME, Shown::WearRate)?.0)
 }
 
 /// Figure 6.
 pub(super) fn pressure_of_friction_power() -> Result<Made, Fault> {
-    let qs = ["1.05", "1.1", "1.25", "1.5", "2", "10"];
-    let title = "Drum, stationary friction power, a = 1, b = 0.5";
-    let (mut made, runs) = by_q("friction-power", 1.0, &qs, title, "pressure (MPa)", column::pressure)?;
-    localisation(&mut made, &runs, &qs, "", "1.05", "section 5.3");
+    let (mut made, runs) = by_q(&FRICTION_POWER, Shown::Pressure)?;
+    localisation(&mut made, (&FRICTION_POWER, &runs), ["", "1.05"], "section 5.3");
     let said = 0.25 * 500.0 * DRUM_FORCE;
-    for (q, run) in qs.iter().zip(&runs).filter(|(q, _)| ["1.05", "10"].contains(q)) {
+    for (q, run) in FRICTION_POWER.qs.iter().zip(&runs).filter(|(q, _)| ["1.05", "10"].contains(q)) {
         let k = 1.0 / (q.parse::<f64>().unwrap_or(1.0) - 1.0);
         let normal = drum(k).balanced * 2000.0 * super::closed_form::integral(|a| a.cos().powf(k), -HALF_ANGLE, HALF_ANGLE);
         made.rows.push(Row {
@@ -168,9 +212,7 @@ pub(super) fn pressure_of_friction_power() -> Result<Made, Fault> {
 
 /// Figure 7.
 pub(super) fn wear_rate_of_wear_power() -> Result<Made, Fault> {
-    let qs = ["0.5", "0.62", "0.7", "0.8", "1", "2", "10"];
-    let title = "Drum, stationary wear power, a = 1, b = 0.5";
-    let (mut made, runs) = by_q("wear-power", B + 1.0, &qs, title, "wear rate (\u{b5}m/s)", column::wear_rate)?;
+    let (mut made, runs) = by_q(&WEAR_POWER, Shown::WearRate)?;
     made.rows.push(Row {
         quantity: "q of the singular pressure".into(),
         paper: Some((2.0 / 3.0, "section 5.3")),
@@ -178,7 +220,7 @@ pub(super) fn wear_rate_of_wear_power() -> Result<Made, Fault> {
         note: "(b + 1) q = 1".into(),
         ..Row::default()
     });
-    localisation(&mut made, &runs, &qs, "0.62", "0.7", "section 5.2");
+    localisation(&mut made, (&WEAR_POWER, &runs), ["0.62", "0.7"], "section 5.2");
     if let Some(steady) = runs.get(4) {
         made.rows.push(Row {
             quantity: "q = 1: wear rate at +-30 deg over that at 0".into(),

@@ -53,7 +53,7 @@ fn maxima(made: &mut Made) -> Result<(), Fault> {
             unit: "mm",
             reference: Some(super::closed_form::effective_radius(q.parse::<f64>().map_or(f64::NAN, |q| q / (q - 1.0)))),
             ours: solved.pressure().effective_radius.unwrap_or(f64::NAN),
-            note: format!("a {} (between 20 and 120 mm)", solved.pressure().character),
+            note: format!("a {} (between 20 and 120 mm)", wearshape::word(&solved.pressure().character)),
             ..Row::default()
         });
     }

@@ -66,10 +66,14 @@ fn near(q: &str, end: f64) -> Result<Made, Fault> {
     });
     made.rows.push(Row { quantity: "cells of both bodies in the picture".into(), ours: cells as f64, ..Row::default() });
     let pressure = solved.pressure();
-    let word = if pressure.character == "maximum" { "is a maximum of the wear power" } else { "is a minimum of the wear power" };
+    let word = if pressure.character == Some(wearshape::Character::Maximum) {
+        "is a maximum of the wear power"
+    } else {
+        "is a minimum of the wear power"
+    };
     made.remarks.push(format!(
         "This pressure {word} ({}); stresses of this size are far beyond any yield stress, the figure is a matter of principle.",
-        pressure.regime
+        wearshape::word(&pressure.regime)
     ));
     Ok(made)
 }

@@ -82,6 +82,13 @@ pub(super) fn initial_pressure() -> Result<Made, Fault> {
 /// Figure 11.
 pub(super) fn gaps() -> Result<Made, Fault> {
     let mut made = Made::default();
+    gaps_by_friction(&mut made)?;
+    gaps_by_support(&mut made)?;
+    Ok(made)
+}
+
+/// Both ends held, by the coefficient of friction.
+fn gaps_by_friction(made: &mut Made) -> Result<(), Fault> {
     let mut curves = Vec::new();
     let mut pressures = Vec::new();
     for friction in ["0", "0.1", "0.2", "0.25"] {
@@ -115,6 +122,11 @@ pub(super) fn gaps() -> Result<Made, Fault> {
         });
     }
     made.draw("a", &plot("Ring shoe, both ends held: gap for uniform pressure", ANGLE, "gap (\u{b5}m)", curves));
+    Ok(())
+}
+
+/// With the friction of the scene, by what holds the shoe.
+fn gaps_by_support(made: &mut Made) -> Result<(), Fault> {
     let mut curves = Vec::new();
     let uniform = ["optimum.functional=uniform", "check=false"];
     let drop = ["load={edge=\"outer\",as=\"vertical\",force=\"10 kN\"}"];
@@ -148,5 +160,5 @@ pub(super) fn gaps() -> Result<Made, Fault> {
         ..Row::default()
     });
     made.draw("b", &plot("Ring shoe, \u{b5} = 0.25: gap for uniform pressure by support", ANGLE, "gap (\u{b5}m)", curves));
-    Ok(made)
+    Ok(())
 }

@@ -171,7 +171,9 @@ fn a_ratio_of_one_half_is_refused() {
 
 #[test]
 fn arcs_that_do_not_touch_are_refused() {
-    broken("outer = 200", "outer = 199", "do not touch", "same radius");
+    let apart = SOUND.replacen("outer = 200", "outer = 199", 1);
+    let contact = SOUND[..SOUND.find("contact = ").unwrap()].matches('\n').count() + 1;
+    refused(&apart, Some(contact), "radius 200 about [0.0, 0.0] and radius 199", "same radius");
 }
 
 #[test]
@@ -242,6 +244,22 @@ fn a_gap_profile_that_is_missing_or_damaged_is_refused() {
             assert!(call.err.contains(&format!("profile.csv:{line}:")), "{text}: {}", call.err);
         }
     }
+}
+
+#[test]
+fn a_file_beside_a_scene_in_another_folder_is_named_as_it_is_found_from_here() {
+    let bench = Bench::new();
+    bench.file("shoes/scene.toml", &SOUND.replace("gap = 0", "gap = \"measured/profile.csv\""));
+    let call = bench.call("check shoes/scene.toml");
+    assert_eq!(call.code, 2);
+    assert!(call.err.contains("shoes/measured/profile.csv") && call.err.contains("shoes/scene.toml:13:"), "{}", call.err);
+    bench.file("shoes/measured/profile.csv", "s_mm,gap_um\n0,1\n1,x\n");
+    let call = bench.call("check shoes/scene.toml");
+    assert!(call.code == 2 && call.err.contains("--> shoes/measured/profile.csv:3:1\n"), "{}", call.err);
+    let mesh = SOUND.replace("shoe-block = { radius = 200, half_angle = \"30 deg\", top = 300 }", "mesh.file = \"shoe.msh\"");
+    bench.file("shoes/mesh.toml", &mesh);
+    let call = bench.call("check shoes/mesh.toml");
+    assert!(call.code == 2 && call.err.contains("shoes/shoe.msh") && call.err.contains("shoes/mesh.toml:8:"), "{}", call.err);
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Starts the program in a folder of its own.
 
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::{Child, Command, Output, Stdio};
 
 /// A folder that vanishes with the test.
 pub(crate) struct Bench {
@@ -47,6 +47,13 @@ impl Bench {
     pub(crate) fn call_with(&self, args: &[impl AsRef<std::ffi::OsStr>]) -> Call {
         let mut command = Command::new(env!("CARGO_BIN_EXE_wearshape"));
         finished(command.args(args).current_dir(self.folder.path()).output().unwrap())
+    }
+
+    /// Starts a call and leaves it running; what it says on stderr can be read at its end.
+    pub(crate) fn start(&self, args: &str) -> Child {
+        let args = args.split_whitespace().map(|arg| arg.replace('_', " "));
+        let mut command = Command::new(env!("CARGO_BIN_EXE_wearshape"));
+        command.args(args).current_dir(self.folder.path()).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap()
     }
 
     /// Runs a shell script in which `$0` is the program.

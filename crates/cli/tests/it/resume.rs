@@ -1,20 +1,13 @@
 //! Runs in time that break off: killed, interrupted, with a torn recording. Continued they end with the same bytes.
 
 use std::path::Path;
-use std::process::{Child, Command, Stdio};
+use std::process::{Child, Command};
 use std::time::{Duration, Instant};
 
 use crate::call::{Bench, files};
 
 /// The punch on a fixed mesh: levels of degree 4, 6, 8, each with many steps.
 const SCENE: &str = "punch-wear --set mesh.degree=8 --set wear.until=1000_s --set contact.shear=false";
-
-/// Starts a run and leaves it running.
-fn start(bench: &Bench, args: &str) -> Child {
-    let args = args.split_whitespace().map(|arg| arg.replace('_', " "));
-    let mut command = Command::new(env!("CARGO_BIN_EXE_wearshape"));
-    command.args(args).current_dir(bench.path("")).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap()
-}
 
 /// Waits until the recording of a run holds that many bytes more than before; `false` if the run ended first.
 fn grown(child: &mut Child, recording: &Path, bytes: u64) -> bool {
@@ -48,7 +41,7 @@ fn a_killed_run_is_continued_to_the_same_bytes() {
     // Killed twice: in its first levels, and some steps after it was continued.
     let recording = bench.path("x.partial/run.mcap");
     for (flag, bytes) in [("", 120_000), ("--resume", 30_000)] {
-        let mut child = start(&bench, &format!("run {SCENE} -q -o x {flag}"));
+        let mut child = bench.start(&format!("run {SCENE} -q -o x {flag}"));
         assert!(grown(&mut child, &recording, bytes), "the run was over before it could be killed");
         child.kill().unwrap();
         child.wait().unwrap();
@@ -65,7 +58,7 @@ fn a_killed_run_is_continued_to_the_same_bytes() {
 fn ctrl_c_ends_with_130_and_a_run_that_can_be_continued() {
     let bench = Bench::new();
     assert_eq!(bench.call(&format!("run {SCENE} -q -o whole")).code, 0);
-    let mut child = start(&bench, &format!("run {SCENE} -o x"));
+    let mut child = bench.start(&format!("run {SCENE} -o x"));
     assert!(grown(&mut child, &bench.path("x.partial/run.mcap"), 60_000), "the run was over before it could be interrupted");
     assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
     let output = child.wait_with_output().unwrap();

@@ -4,7 +4,7 @@
 
 use crate::common::cylinder::{Sizes, block, mirrored, round};
 use crate::common::{falling_degrees, material, support};
-use approx::assert_relative_eq;
+use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact::*;
 use hpfem::{Body, BodyProblem, Direction, Kinematics, Mesh, RigidEdge, SpaceKind, Support};
 
@@ -236,5 +236,21 @@ fn most_steps(friction: f64, degree: usize) -> usize {
 fn stick_and_slip_settle_within_twenty_steps_from_little_to_much_friction() {
     for (friction, degree) in [(0.01, 12), (0.3, 6), (0.3, 12), (2.0, 12)] {
         assert!(most_steps(friction, degree) <= 20);
+    }
+}
+
+#[test]
+fn opening_and_slip_are_differences_of_the_displacements() {
+    let bodies = bodies(&[hertz(NORMAL).0], 1.3, 6, 2);
+    let pair = bodies.pair().unwrap();
+    let operator = ContactOperator::new(&pair, true).unwrap();
+    let gap: Vec<f64> = operator.points().iter().map(gap).collect();
+    let found = operator.solve(&gap, &push(NORMAL, 0.5 * FRICTION * NORMAL, &vec![0.0; gap.len()]), None).unwrap();
+    let size = found.slip.iter().fold(0.0_f64, |most, slip| most.max(slip.abs()));
+    for (i, point) in operator.points().iter().enumerate() {
+        let [first, tangential] = pair.displacement(Side::Shaped, &found.shaped, point);
+        let [second, along] = pair.displacement(Side::Counter, found.counter.as_ref().unwrap(), point);
+        assert_abs_diff_eq!(gap[i] + first - second, found.opening[i], epsilon = 1e-9 * size);
+        assert_abs_diff_eq!(tangential - along, found.slip[i], epsilon = 1e-9 * size);
     }
 }

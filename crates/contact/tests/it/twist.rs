@@ -239,3 +239,19 @@ fn bodies_that_can_turn_are_refused() {
     let pair = Pair::facing(&free, &held).unwrap();
     assert_eq!(TorsionOperator::new(&pair).err(), Some(Error::FreeToTurn { side: Side::Shaped }));
 }
+
+#[test]
+fn bodies_twisted_by_the_shear_move_past_each_other_by_the_slip() {
+    let bodies = bodies(&[END], 8, 3);
+    let pair = bodies.pair().unwrap();
+    let operator = TorsionOperator::new(&pair).unwrap();
+    let limits = limits(&operator);
+    let twist = operator.solve(&limits, Turn::Torque(0.6 * operator.slip_torque(&limits)), &vec![0.0; limits.len()]).unwrap();
+    let [first, second] = [(Side::Shaped, &bodies.shaped), (Side::Counter, &bodies.counter)]
+        .map(|(side, body)| (side, pair.twisted(side, body, &twist.shear)));
+    let size = twist.slip.iter().fold(0.0_f64, |most, slip| most.max(slip.abs()));
+    for (point, slip) in operator.points().iter().zip(&twist.slip) {
+        let [u, v] = [&first, &second].map(|(side, state)| pair.hoop_displacement(*side, state, point));
+        assert_abs_diff_eq!(u - v + point.position[0] * twist.angle, *slip, epsilon = 1e-9 * size);
+    }
+}

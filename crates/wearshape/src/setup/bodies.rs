@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use meshing::{Body, Files, given, outline, outside, sound, sound_material};
+use meshing::{Body, Files, outline, outside, read_cells, sound, sound_material};
 use scene::{Component, Contact, Fault, Gap, Kinematics, Scene, did_you_mean, missing, positive};
 
 use crate::gap_profile;
@@ -74,7 +74,7 @@ fn one_body(name: &'static str, body: &mut scene::Body, axisymmetric: bool, file
             }
         }
     }
-    let given = given(name, body, files)?;
+    let given = read_cells(name, body, files)?;
     if let Some(given) = &given {
         on_axis_side(name, &given.mesh, axisymmetric)?;
     }

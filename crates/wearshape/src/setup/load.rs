@@ -3,7 +3,7 @@
 use meshing::{Body, LoadedEdge, Strip, outline, outside};
 use scene::{Fault, Kinematics, Length, Load, LoadKind, Moment, Scene, SurfaceShape, Task, missing, positive};
 
-use crate::problem;
+use crate::load;
 use crate::setup::bodies::known_edge;
 use crate::setup::twist::turns;
 use crate::surface::Patch;
@@ -177,10 +177,10 @@ fn about(load: &Load) -> [f64; 2] {
 }
 
 /// The numbers of a resolved load.
-pub(super) fn numbers(scene: &Scene) -> problem::Load {
+pub(super) fn numbers(scene: &Scene) -> load::Load {
     let load = scene.load.clone().unwrap_or_default();
     let moment = |given: Option<Moment>| given.map_or(0.0, |moment| moment.0);
-    problem::Load {
+    load::Load {
         force: load.force.map(|force| force.0),
         approach: load.approach.map(|approach| approach.0),
         approach_time: load.approach_time.map(|time| time.0),

@@ -145,6 +145,7 @@ pub(super) fn numbers(scene: &Scene) -> problem::Wear {
             _ => None,
         },
         of_friction: scene.wear.as_ref().is_some_and(|wear| wear.beta.is_some()),
+        rule: None,
     }
 }
 

@@ -7,13 +7,13 @@ use crate::bodies::Reduced;
 use crate::machined::Machined;
 use crate::options::{CURVE, Sampling};
 use crate::profile::Profile;
-use crate::remarks::Remark;
-use crate::solution::{
-    ContactResult, EnergyResult, ErrorResult, InterfaceResult, Reaction, Rung, RunningIn, ShapeResult, Status, WearResult,
-};
+use crate::remark::Remark;
+use crate::results::{ContactResult, EnergyResult, ErrorResult, InterfaceResult, Reaction, ShapeResult, WearResult};
+use crate::solution::{Rung, RunningIn, Status};
 use crate::stage::Stage;
-use crate::steps::recover::Reported;
+use crate::steps::reported::Reported;
 use crate::watch::Resume;
+use crate::words::PointStatus;
 
 /// A solved pair of bodies.
 pub(crate) struct Answer<'a> {
@@ -73,7 +73,7 @@ impl Answer<'_> {
         profile.gap = gap.iter().map(|g| 1e3 * g).collect();
         profile.opening = opening.iter().map(|g| 1e3 * g).collect();
         if let Some(closed) = closed {
-            profile.status = closed.iter().map(|closed| if *closed { "contact" } else { "open" }).collect();
+            profile.status = closed.iter().map(|closed| PointStatus::pressed(*closed)).collect();
         }
         profile
     }
@@ -86,13 +86,6 @@ impl Answer<'_> {
         profile.gap = values.iter().map(|[_, gap, _]| 1e3 * gap).collect();
         profile.opening = values.iter().map(|[.., opening]| 1e3 * opening).collect();
         profile
-    }
-}
-
-impl EnergyResult {
-    /// Of both bodies.
-    pub fn total(&self) -> f64 {
-        self.body1.unwrap_or(0.0) + self.body2.unwrap_or(0.0)
     }
 }
 

@@ -4,18 +4,18 @@ use std::ops::ControlFlow;
 
 use contact::Pair;
 use meshing::Cut;
-use nalgebra::{DMatrix, DVector};
 use shapeopt::{ApproachForce, force_of_approach};
 use wear::WearError;
 
 use crate::effort::Effort;
 use crate::ladder::{Climbed, Ladder, Refusal, climb, errors};
 use crate::level::Level;
-use crate::plan::Step;
 use crate::problem::Problem;
 use crate::stage::Stage;
+use crate::step::Step;
 use crate::steps::pressure;
-use crate::steps::shape::{Shaper, unanswered};
+use crate::steps::rigid_coordinates::motion;
+use crate::steps::shaper::{Shaper, unanswered};
 use crate::watch::Watch;
 
 /// The force is found to this part of the accuracy asked for.
@@ -42,7 +42,7 @@ struct Solved {
 /// Finds the force level by level.
 pub(crate) fn force(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Found, Effort), Refusal> {
     let approach = stage.problem.load.approach.unwrap_or(0.0);
-    let ladder = Ladder::of(stage.problem, stage.options).closer(SHARE);
+    let ladder = Ladder::of(stage.problem, stage.options, Step::Force).closer(SHARE);
     let solve = |level: Level, before: &[Solved], _: &mut Watch<'_>| {
         let (reduced, mut effort) = stage.reduced(level, Cut::Plain)?;
         let pair = reduced.pair()?;
@@ -56,7 +56,7 @@ pub(crate) fn force(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Found, E
         Ok(ControlFlow::Continue(Solved { found, effort }))
     };
     let distance = |a: &Solved, b: &Solved| [((a.found.force - b.found.force) / b.found.force).abs()];
-    let Climbed { solved, stopped } = climb((&ladder, Step::Force), Vec::new(), solve, distance, watch)?;
+    let Climbed { solved, stopped } = climb(&ladder, Vec::new(), solve, distance, watch)?;
     let error = errors(&solved, &distance).map(|[error]| error);
     let mut effort = Effort::default();
     solved.iter().for_each(|level| effort += level.effort.clone());
@@ -71,7 +71,7 @@ pub(crate) fn force(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Found, E
 fn needed(stage: Stage<'_>, pair: &Pair<'_>, force: f64) -> Result<Option<f64>, Refusal> {
     let problem = stage.problem.with_force(force);
     let stage = stage.with(&problem)?;
-    let optimum = match wear::optimal_pressure(&pressure::wear_problem(&problem)?) {
+    let optimum = match pressure::optimum(&problem, &pressure::wear_problem(&problem)?) {
         Ok(optimum) => optimum,
         Err(WearError::Infeasible { .. }) => return Ok(None),
         Err(error) => return Err(Refusal::Reason(error.to_string())),
@@ -83,29 +83,4 @@ fn needed(stage: Stage<'_>, pair: &Pair<'_>, force: f64) -> Result<Option<f64>, 
 
 fn area(pair: &Pair<'_>) -> f64 {
     pair.points().iter().map(|point| point.weight).sum()
-}
-
-/// Closing at `about` and turning (closing more at larger x) of body 1's rigid modes, `2 x modes`.
-fn motions(pair: &Pair<'_>, about: f64) -> DMatrix<f64> {
-    let modes = &pair.shaped.rigid_motions;
-    DMatrix::from_fn(2, modes.len(), |row, k| {
-        let [_, tz, theta] = modes[k];
-        if row == 0 { -(tz + theta * about) } else { -theta }
-    })
-}
-
-/// Closing at `about` and turning of rigid coordinates.
-pub(crate) fn motion(pair: &Pair<'_>, coordinates: &[f64], about: f64) -> [f64; 2] {
-    let sums = motions(pair, about) * DVector::from_row_slice(coordinates);
-    [sums[0], sums[1]]
-}
-
-/// Rigid coordinates of a closing at `about` and a turning, as far as body 1 has these motions.
-pub(crate) fn coordinates(pair: &Pair<'_>, [closing, turning]: [f64; 2], about: f64) -> Vec<f64> {
-    let wanted = DVector::from_row_slice(&[closing, turning]);
-    // Rows of unlike units: the modes are scaled by the distance from the middle that they are about.
-    let size = pair.trace().length();
-    let scale = DMatrix::from_diagonal(&DVector::from_row_slice(&[1.0, size]));
-    let svd = (&scale * motions(pair, about)).svd(true, true);
-    svd.solve(&(scale * wanted), 1e-12).map(|x| x.iter().copied().collect()).unwrap_or_default()
 }

@@ -6,9 +6,11 @@ use contact::{ContactLoad, ContactOperator, ContactSolution};
 use scene::Fault;
 
 use crate::bodies::Reduced;
-use crate::solution::{InterfaceResult, UniquenessResult};
+use crate::faults::unsolved;
+use crate::results::{InterfaceResult, UniquenessResult};
 use crate::stage::Stage;
-use crate::steps::contact::{start_gaps, unsolved};
+use crate::steps::start_gap::start_gaps;
+use crate::words::Uniqueness;
 
 /// Difference of pressures, over the largest, above which they are two solutions.
 const APART: f64 = 1e-6;
@@ -24,7 +26,7 @@ impl Diagnosis {
     pub(crate) fn made(&self, stage: Stage<'_>) -> Result<(Option<UniquenessResult>, Option<InterfaceResult>), Fault> {
         let pair = self.reduced.pair()?;
         let operator = self.reduced.operator(&pair, stage.friction() > 0.0)?;
-        let gap = start_gaps(stage, &pair, &operator);
+        let gap = start_gaps(stage, &operator);
         let load = stage.contact_load(operator.points());
         let uniqueness = uniqueness(&operator, &gap, &load, &self.found)?;
         Ok((uniqueness, interface(&operator, &gap, &load, &self.found)?))
@@ -52,16 +54,16 @@ fn uniqueness(
     let judged = operator.uniqueness(gap, load, found).map_err(unsolved)?;
     Ok(judged.map(|judged| {
         let verdict = if judged.is_guaranteed() {
-            "guaranteed"
+            Uniqueness::Guaranteed
         } else if judged.singular_from.or(judged.lost_from).is_some() {
-            "singular"
+            Uniqueness::Singular
         } else if judged.other_solution > APART {
-            "several"
+            Uniqueness::Several
         } else {
-            "not-guaranteed"
+            Uniqueness::NotGuaranteed
         };
         UniquenessResult {
-            verdict: verdict.into(),
+            verdict,
             not_guaranteed_from: judged.not_guaranteed_from,
             singular_from: judged.singular_from,
             lost_from: judged.lost_from,

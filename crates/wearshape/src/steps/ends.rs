@@ -3,30 +3,26 @@
 //! Conditions stand on the flat side: normal along z, gap `R - sqrt(R^2 - x^2)`. First the normal load is applied without friction, then
 //! the shear force with Coulomb friction (Cattaneo 1938, Mindlin 1949). The formulas of Hertz give the trial ends only.
 
-use contact::{
-    ContactLoad, ContactOperator, ContactPoint, ContactSolution, ContactState, Friction, Motion, Pair, Start,
-    Status as ContactStatus, position_nodes,
-};
-use hpfem::{Body, InterfaceState, Mesh};
-use meshing::{Couple, HalfDiscOnFlat};
+use contact::{ContactLoad, ContactOperator, ContactPoint, ContactSolution, ContactState, Friction, Motion, Pair, Start, Status as ContactStatus, position_nodes};
+use hpfem::{Body, InterfaceState};
 use scene::Fault;
 
 use crate::bodies;
 use crate::effort::Effort;
+use crate::faults::unsolved;
 use crate::ladder::{Ladder, Refusal};
 use crate::level::Level;
-use crate::options::{CURVE, Options};
+use crate::options::CURVE;
 use crate::parts::Parts;
-use crate::plan::Step;
-use crate::problem::Problem;
-use crate::solution::{ContactResult, EnergyResult, Reaction};
-use crate::steps::answer::{Outcome, Told};
-use crate::steps::contact::{Solved, levels, unsolved};
-use crate::steps::ends_profile::Rows;
-use crate::steps::hertz_trial::hertz_end;
-use crate::steps::recover::{Moment, Reported};
-use crate::steps::twist::Twist;
+use crate::results::{EnergyResult, Reaction};
+use crate::step::Step;
 use crate::steps::{diagnosis, torsion};
+use crate::steps::answer::{Outcome, Told};
+use crate::steps::contact_levels::{Solved, levels};
+use crate::steps::ends_profile::Rows;
+use crate::steps::ends_setting::Setting;
+use crate::steps::reported::{Moment, Reported};
+use crate::steps::twist::Twist;
 use crate::watch::Watch;
 
 /// Samples of the pressure for the comparison of levels, over the inner 95 % of the contact.
@@ -34,29 +30,18 @@ const SAMPLES: usize = 191;
 /// Accuracy of the ends relative to the length of contact, of contact alone and with the ends of stick, whose residual is less smooth.
 const TOLERANCES: [f64; 2] = [1e-10, 1e-8];
 
-/// Two such bodies under their load.
-pub(crate) struct Setting<'a> {
-    pub problem: &'a Problem,
-    pub couple: &'a Couple,
-    pub disc: HalfDiscOnFlat,
-    pub options: &'a Options<'a>,
-    /// Coefficient of friction, and the shear force on body 1 along x.
-    pub friction: f64,
-    pub shear: f64,
-}
-
 /// Solves the contact; the nodes on the ends of the last level are left for the fields.
 pub(crate) fn solve(setting: &Setting<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort, Vec<f64>), Refusal> {
     let mut nodes = setting.trial()?;
     let (mut stick, mut sought) = (None, setting.shear != 0.0);
-    let ladder = Ladder::of(setting.problem, setting.options).and_beyond(setting.problem);
+    let ladder = Ladder::of(setting.problem, setting.options, Step::Contact).and_beyond(setting.problem);
     let (outcome, effort) = levels(&ladder, watch, |level| {
         let mut work = Effort::default();
-        let mut found = setting.position(level, (&nodes, stick), sought, &mut work)?;
+        let mut found = setting.position(level, Trial { nodes: &nodes, stick, sought }, &mut work)?;
         // Where stick does not end alike on both sides no one place is its end: only the contact's own end is sought from then on.
         if found.is_none() && sought {
             sought = false;
-            found = setting.position(level, (&nodes, stick), sought, &mut work)?;
+            found = setting.position(level, Trial { nodes: &nodes, stick, sought }, &mut work)?;
         }
         nodes = found.ok_or_else(|| unsettled(&nodes))?;
         let solved = setting.result(level, &nodes, sought, work)?;
@@ -66,6 +51,17 @@ pub(crate) fn solve(setting: &Setting<'_>, watch: &mut Watch<'_>) -> Result<(Out
     Ok((outcome, effort, nodes))
 }
 
+/// Where the ends are looked for.
+#[derive(Clone, Copy)]
+struct Trial<'t> {
+    /// Trial ends from the middle: of stick where there is a shear force, then of contact.
+    nodes: &'t [f64],
+    /// Where the stick of a twist ended at the last level.
+    stick: Option<f64>,
+    /// Whether the end of stick is looked for too.
+    sought: bool,
+}
+
 /// Both load steps on the bodies of one mesh.
 struct Steps {
     points: Vec<ContactPoint>,
@@ -73,75 +69,7 @@ struct Steps {
     sheared: Option<ContactSolution>,
 }
 
-impl<'a> Setting<'a> {
-    pub(crate) fn new(problem: &'a Problem, couple: &'a Couple, disc: HalfDiscOnFlat, options: &'a Options<'a>) -> Setting<'a> {
-        Setting { problem, couple, disc, options, friction: problem.friction.shear(), shear: problem.load.shear_force }
-    }
-
-    pub(crate) fn revolved(&self) -> bool {
-        self.couple.is_revolved()
-    }
-
-    /// How often the meshed part is contained in the scene.
-    pub(crate) fn copies(&self) -> f64 {
-        if self.disc.whole || self.revolved() { 1.0 } else { 2.0 }
-    }
-
-    fn force(&self) -> f64 {
-        self.problem.load.force.unwrap_or(0.0)
-    }
-
-    /// Trial ends between half-planes or half-spaces (Johnson 1985, sec. 4.2, 7.2): of contact, and before it of stick.
-    pub(crate) fn trial(&self) -> Result<Vec<f64>, Refusal> {
-        let approach = self.problem.load.approach;
-        let end = hertz_end(self.disc.radius, self.couple, &self.problem.load);
-        if end <= 0.0 || end.is_nan() {
-            let message = format!("an approach of {} mm does not press body 1 on body 2", approach.unwrap_or(0.0));
-            return Err(Fault::at("load.approach", "wrong-value", message, "give an approach greater than 0").into());
-        }
-        if self.shear == 0.0 {
-            return Ok(vec![end]);
-        }
-        let most = self.friction * self.force();
-        let carried = self.shear.abs() / most;
-        if approach.is_none() && carried >= 1.0 {
-            return Err(Refusal::Reason(format!(
-                "the shear force {} N is more than friction carries, {most} N",
-                self.shear.abs()
-            )));
-        }
-        let stick = (1.0 - carried.min(0.9)).sqrt();
-        Ok(vec![stick * end, end])
-    }
-
-    /// Bodies with element nodes on the given ends.
-    pub(crate) fn parts(&self, level: Level, nodes: &[f64]) -> Result<(Parts, Effort), Refusal> {
-        self.on_meshes(level, nodes, Parts::new)
-    }
-
-    fn on_meshes(
-        &self,
-        level: Level,
-        nodes: &[f64],
-        make: fn(&Couple, [Mesh; 2], Level, bool) -> Result<Parts, Fault>,
-    ) -> Result<(Parts, Effort), Refusal> {
-        let (end, longest) = (nodes[nodes.len() - 1], self.disc.longest());
-        if nodes.len() > 1 && nodes[0] <= 0.0 {
-            let reason = "the zone of stick shrinks to nothing: friction hardly carries the shear force";
-            return Err(Refusal::Reason(reason.into()));
-        }
-        if end.is_nan() || end > longest || end <= 0.0 {
-            return Err(Refusal::Reason(format!(
-                "the contact reaches {end:.4} mm from the middle, over the {longest:.4} mm that the bodies allow"
-            )));
-        }
-        let mut effort = Effort::default();
-        let parts = effort.timed(Step::Mesh, self.options.clock, |_| {
-            make(self.couple, self.disc.meshes(nodes, level.layers.div_ceil(2))?, level, true)
-        })?;
-        Ok((parts, effort))
-    }
-
+impl Setting<'_> {
     /// The load before any shear.
     fn press(&self) -> ContactLoad {
         let rigid = self.couple.has_rigid_edge();
@@ -164,11 +92,6 @@ impl<'a> Setting<'a> {
         push
     }
 
-    /// Distance from the middle, or radius, of a point.
-    pub(crate) fn distance(&self, point: &ContactPoint) -> f64 {
-        (point.position[0] - self.disc.middle).abs()
-    }
-
     /// States of the points between given ends of stick and contact.
     fn states(&self, points: &[ContactPoint], nodes: &[f64]) -> Vec<ContactState> {
         let slip = if self.shear > 0.0 { ContactState::Backward } else { ContactState::Forward };
@@ -185,13 +108,8 @@ impl<'a> Setting<'a> {
     /// Moves element nodes onto the ends: there the pressure vanishes, and where stick is `sought`, the shear that sticking takes is just its
     /// limit. A node where the stick of a twist ended at the last level stays there; one of a stick that is not sought keeps its part of the
     /// contact. `None` where that does not settle.
-    fn position(
-        &self,
-        level: Level,
-        (start, stick): (&[f64], Option<f64>),
-        sought: bool,
-        work: &mut Effort,
-    ) -> Result<Option<Vec<f64>>, Refusal> {
+    fn position(&self, level: Level, trial: Trial<'_>, work: &mut Effort) -> Result<Option<Vec<f64>>, Refusal> {
+        let Trial { nodes: start, stick, sought } = trial;
         let end = start[start.len() - 1];
         let moving = if sought { start } else { &start[start.len() - 1..] };
         let part = (self.shear != 0.0 && !sought).then(|| start[0] / end);
@@ -274,25 +192,33 @@ impl<'a> Setting<'a> {
         let rows = Rows { setting: self, pair: &pair, operator: &operator, found: &found, gap: &gap, nodes, stick_node: sought };
         let end = nodes[nodes.len() - 1];
         let pressure = (0..SAMPLES).map(|i| rows.pressure_at(0.95 * end * i as f64 / (SAMPLES - 1) as f64)).collect();
-        let mut contact = rows.contact_result();
         let profile = self.options.sample.map_or_else(|| rows.own(), |sampling| rows.sampled(sampling));
         let states = [Some(&found.shaped), found.counter.as_ref()];
-        let mut told = Told {
+        let told = Told {
             energy: self.energy(&pair, states),
             reactions: self.reactions(&parts, &bodies, states),
             profile,
             curve: rows.sampled(CURVE),
         };
-        let twist = self.twisted(level, nodes, (&operator, &found), (&mut contact, &mut told), &mut effort)?;
-        let solved = found.status.is_solved() && found.status != ContactStatus::NoContact;
-        let refused = (!solved).then(|| found.status.to_string());
-        let refused = refused.or_else(|| twist.as_ref().and_then(|twist| twist.refused.clone()));
+        let touches = found.status.is_solved() && found.status != ContactStatus::NoContact;
         let reported = found.counter.clone().map(|counter| {
             let states = [found.shaped.clone(), counter];
             Reported { level, ends: Vec::new(), moments: vec![Moment { time: 0.0, name: "", states, around: Vec::new() }] }
         });
-        let twist = twist.map(|twist| twist.answer);
-        Ok(Solved { contact, interface, told, pressure, twist, embedded, unsettled: false, refused, reported, effort })
+        let mut solved = Solved {
+            contact: rows.contact_result(),
+            interface,
+            told,
+            pressure,
+            twist: None,
+            embedded,
+            unsettled: false,
+            refused: (!touches).then(|| found.status.to_string()),
+            reported,
+            effort,
+        };
+        self.turn(level, &rows, &mut solved)?;
+        Ok(solved)
     }
 
     /// The last load step with its conditions of sign, and its load.
@@ -330,30 +256,25 @@ impl<'a> Setting<'a> {
     }
 
     /// Turns body 1, if the problem does, and writes what comes of it.
-    fn twisted(
-        &self,
-        level: Level,
-        nodes: &[f64],
-        (operator, found): (&ContactOperator<'_>, &ContactSolution),
-        (contact, told): (&mut ContactResult, &mut Told),
-        effort: &mut Effort,
-    ) -> Result<Option<Twist>, Refusal> {
+    fn turn(&self, level: Level, rows: &Rows<'_>, solved: &mut Solved) -> Result<(), Refusal> {
         if self.problem.load.turns.is_empty() {
-            return Ok(None);
+            return Ok(());
         }
-        let (parts, work) = self.on_meshes(level, nodes, Parts::torsion)?;
+        let (parts, work) = self.on_meshes(level, rows.nodes, Parts::torsion)?;
         let (bodies, reduced) = parts.reduce(self.options.clock)?;
-        *effort += work.aside();
-        *effort += reduced.aside();
+        solved.effort += work.aside();
+        solved.effort += reduced.aside();
         let pair = facing(&bodies)?;
-        let Some(twist) = Twist::new(self.problem, &pair, found)? else { return Ok(None) };
-        twist.report(contact, 0.0);
-        for profile in [&mut told.profile, &mut told.curve] {
-            twist.fill(operator, profile, 0.0);
+        let Some(twist) = Twist::new(self.problem, &pair, rows.found)? else { return Ok(()) };
+        twist.report(&mut solved.contact, 0.0);
+        for profile in [&mut solved.told.profile, &mut solved.told.curve] {
+            twist.fill(rows.operator, profile, 0.0);
             let at: Vec<ContactPoint> = profile.s.iter().map(|s| pair.at_arc(*s)).collect();
             torsion::write(&pair, &twist.last.shear, &at, profile);
         }
-        Ok(Some(twist))
+        solved.twist = Some(twist.answer);
+        solved.refused = solved.refused.take().or(twist.refused);
+        Ok(())
     }
 }
 

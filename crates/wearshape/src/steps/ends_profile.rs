@@ -7,9 +7,9 @@ use nalgebra::Vector3;
 use crate::options::{Sampling, trapezoid_weights};
 use crate::parts::MEAN_COLUMNS;
 use crate::profile::Profile;
-use crate::solution::ContactResult;
-use crate::steps::contact::word;
-use crate::steps::ends::Setting;
+use crate::results::ContactResult;
+use crate::steps::ends_setting::Setting;
+use crate::words::PointStatus;
 
 /// A solved contact with the ends its nodes stand on.
 pub(crate) struct Rows<'r> {
@@ -124,6 +124,7 @@ impl Rows<'_> {
         // Body 2 moves against the shear force relative to body 1.
         let sense = if self.setting.shear > 0.0 { -1.0 } else { 1.0 };
         let rigid = self.rigid_motion();
+        let states = [Some(&self.found.shaped), self.found.counter.as_ref()];
         for (row, place) in places.iter().enumerate() {
             let value = |values: &[f64]| match place.node {
                 Some(node) => values[node],
@@ -139,7 +140,8 @@ impl Rows<'_> {
             profile.opening[row] = 1e3 * value(&self.found.opening).max(0.0);
             let turn = if place.mirrored { -sense } else { sense };
             for (body, side) in [Side::Shaped, Side::Counter].into_iter().enumerate() {
-                let Some(u) = displacement(self.pair, side, self.found, &place.point) else { continue };
+                let Some(state) = states[body] else { continue };
+                let u = self.pair.displacement(side, state, &place.point);
                 let held = if body == 0 { rigid } else { [0.0; 2] };
                 profile.normal_displacement[body][row] = 1e3 * (u[0] - held[1]);
                 profile.tangential_displacement[body][row] = 1e3 * turn * (u[1] - held[0]);
@@ -150,10 +152,10 @@ impl Rows<'_> {
                 None => self.state_near(&place.point),
             };
             profile.status[row] = match (state, self.setting.shear != 0.0) {
-                (ContactState::Open, _) => "open",
-                (_, false) => "contact",
-                (ContactState::Stick, true) => "stick",
-                (_, true) => "slip",
+                (ContactState::Open, _) => PointStatus::Open,
+                (_, false) => PointStatus::Contact,
+                (ContactState::Stick, true) => PointStatus::Stick,
+                (_, true) => PointStatus::Slip,
             };
         }
         profile
@@ -199,7 +201,7 @@ impl Rows<'_> {
         let both = |end: f64| if setting.revolved() { vec![0.0, end] } else { vec![-end, end] };
         let sheared = setting.shear != 0.0;
         ContactResult {
-            status: word(&found.status).into(),
+            status: (&found.status).into(),
             force: Some(setting.copies() * found.force[1]),
             moment: Some(moment).filter(|_| !setting.revolved()),
             approach: Some(-self.rigid_motion()[1]),
@@ -215,15 +217,4 @@ impl Rows<'_> {
             iterations: Some(found.iterations),
         }
     }
-}
-
-/// Displacement of a side along normal and tangent at a contact point.
-fn displacement(pair: &Pair<'_>, side: Side, found: &ContactSolution, point: &ContactPoint) -> Option<[f64; 2]> {
-    let state = if side == Side::Shaped { Some(&found.shaped) } else { found.counter.as_ref() };
-    let (operator, state) = pair.side(side).zip(state)?;
-    let (edge, t) = pair.place(side, point);
-    let (rows, constant) = operator.trace.displacement_row(edge, t);
-    let u: [f64; 2] = std::array::from_fn(|k| rows[k].iter().map(|(i, c)| c * state.unknowns[*i]).sum::<f64>() + constant[k]);
-    let along = |d: [f64; 2]| u[0] * d[0] + u[1] * d[1];
-    Some([along(point.normal), along(point.tangent)])
 }

@@ -2,9 +2,9 @@
 
 use scene::{Component, Fault, Gap};
 
-use crate::plan::Step;
 use crate::problem::Problem;
-use crate::steps::ends::Setting;
+use crate::step::Step;
+use crate::steps::ends_setting::Setting;
 
 /// Refuses what is not built, before anything is written.
 pub(crate) fn available(setting: &Setting<'_>) -> Result<(), Fault> {

@@ -4,7 +4,7 @@ use hpfem::Kinematics;
 use meshing::{Body, Couple};
 use scene::Material;
 
-use crate::problem::Load;
+use crate::load::Load;
 
 /// Half the width of contact, or its radius (Johnson 1985, sec. 4.2 and 7.2), of the softest materials of both bodies.
 pub(crate) fn hertz_end(radius: f64, couple: &Couple, load: &Load) -> f64 {

@@ -3,13 +3,17 @@
 use scene::{Balance, Fault, Modes};
 use wear::{Regime, SurfacePoint, WearError};
 
+use crate::faults::wrong_wear;
 use crate::freedom::{Freedom, Role};
 use crate::functional::kind;
 use crate::options::{Options, Sampling};
-use crate::problem::{Optimum, Problem};
+use crate::problem::{Optimum, OwnRule, Problem};
 use crate::profile::Profile;
-use crate::solution::{ByRole, ErrorResult, PointForce, PressureResult, Status};
+use crate::results::{ByRole, ErrorResult, PointForce, PressureResult};
+use crate::solution::Status;
+use crate::steps::sensitivity;
 use crate::surface::Patch;
+use crate::words::{self, PointStatus};
 
 /// The optimal pressure with its columns.
 pub(crate) struct Found {
@@ -26,15 +30,18 @@ pub(crate) fn solve(problem: &Problem, options: &Options<'_>) -> Result<Found, F
     let Some(patch) = &problem.patch else { return Err(not_known()) };
     let wear = wear_problem(problem)?;
     let mut found = Found { ended: None, result: description(&problem.optimum), profile: None, curve: None, error: None };
-    match wear::optimal_pressure(&wear) {
+    match optimum(problem, &wear) {
         Ok(optimum) => {
             describe(&mut found.result, &optimum, &problem.freedoms, wear.wear.active);
+            if options.machining {
+                found.result.sensitivity = sensitivity::of(problem, &wear, &optimum);
+            }
             let points = match options.sample {
                 Some(Sampling::Even(count)) => patch.sample(count),
                 _ => patch.towards_x(optimum.points.clone()),
             };
-            found.profile = Some(profile(&wear, patch, &optimum, points));
-            found.curve = Some(profile(&wear, patch, &optimum, patch.sample(401)));
+            found.profile = Some(profile(problem, patch, &optimum, points));
+            found.curve = Some(profile(problem, patch, &optimum, patch.sample(401)));
             found.error = Some(ErrorResult {
                 pressure_relative: Some(optimum.balance_residual.max(f64::EPSILON)),
                 how: "closed form of the pressure; residual of the balance".into(),
@@ -47,7 +54,7 @@ pub(crate) fn solve(problem: &Problem, options: &Options<'_>) -> Result<Found, F
                 _ => Status::Refused,
             };
             if let WearError::Infeasible { .. } = error {
-                found.result.regime = "infeasible".into();
+                found.result.regime = Some(words::Regime::Infeasible);
             }
             found.ended = Some((status, error.to_string()));
         }
@@ -55,14 +62,17 @@ pub(crate) fn solve(problem: &Problem, options: &Options<'_>) -> Result<Found, F
     Ok(found)
 }
 
+/// The optimal pressure of a problem, by the caller's own wear rule where there is one; `wear` is the problem in the words of the theory.
+pub(crate) fn optimum(problem: &Problem, wear: &wear::Problem) -> Result<wear::Optimum, WearError> {
+    match problem.wear.rule {
+        Some(OwnRule(rule)) => wear::steady_pressure_of_rule(wear, rule),
+        None => wear::optimal_pressure(wear),
+    }
+}
+
 fn not_known() -> Fault {
     let message = "the contact surface of this geometry is not known before it is meshed, so it has no optimal pressure yet";
     Fault::at("tasks", "not-available", message, "ask for tasks = [\"contact\"]")
-}
-
-/// What is wrong with wear factors.
-pub(crate) fn wrong_wear(error: &WearError) -> Fault {
-    Fault::at("wear", "wrong-value", error.to_string(), "mend the numbers in the message")
 }
 
 /// The problem in the words of the theory.
@@ -91,12 +101,11 @@ pub(crate) fn wear_problem(problem: &Problem) -> Result<wear::Problem, Fault> {
 }
 
 fn description(optimum: &Optimum) -> PressureResult {
-    let word = |value: Option<serde_json::Value>| value.and_then(|value| value.as_str().map(str::to_string)).unwrap_or_default();
     PressureResult {
-        functional: word(serde_json::to_value(optimum.functional).ok()),
+        functional: optimum.functional,
         q: Some(optimum.q),
-        balance: word(serde_json::to_value(optimum.balance).ok()),
-        modes: word(serde_json::to_value(optimum.modes).ok()),
+        balance: optimum.balance,
+        modes: optimum.modes,
         ..PressureResult::default()
     }
 }
@@ -118,16 +127,8 @@ fn by_role(values: &[f64], freedoms: &[Freedom]) -> ByRole {
 fn describe(result: &mut PressureResult, optimum: &wear::Optimum, freedoms: &[Freedom], active: bool) {
     result.s = optimum.s;
     result.k = optimum.k;
-    result.character = format!("{:?}", optimum.character).to_lowercase();
-    result.regime = match optimum.regime {
-        Regime::Regular => "regular",
-        Regime::NearSingular => "near-singular",
-        Regime::Singular => "singular",
-        Regime::PartialContact => "partial-contact",
-        Regime::Infeasible => "infeasible",
-        Regime::Several => "several",
-    }
-    .into();
+    result.character = Some(optimum.character.into());
+    result.regime = Some(optimum.regime.into());
     let atoms = optimum.limit_measure.iter();
     result.limit_measure =
         atoms.map(|atom| PointForce { x: atom.position.x, y: atom.position.y, z: atom.position.z, force: atom.force }).collect();
@@ -150,21 +151,20 @@ fn describe(result: &mut PressureResult, optimum: &wear::Optimum, freedoms: &[Fr
     result.congruence_residual = optimum.congruence_residual;
 }
 
-fn profile(problem: &wear::Problem, patch: &Patch, optimum: &wear::Optimum, points: Vec<SurfacePoint>) -> Profile {
+fn profile(problem: &Problem, patch: &Patch, optimum: &wear::Optimum, points: Vec<SurfacePoint>) -> Profile {
     let s = points.iter().map(|point| patch.place(point)).collect();
     let mut profile = Profile::new(s, &points);
     if optimum.regime == Regime::Singular {
         return profile;
     }
-    let shear = if problem.shear_in_balance { problem.friction } else { 0.0 };
     for (row, point) in points.iter().enumerate() {
         let pressure = optimum.pressure_at(point);
         profile.pressure[row] = pressure;
-        profile.shear[row] = shear * pressure;
-        let worn = (0..2).filter(|body| problem.wear.wears(*body));
-        let rate: f64 = worn.map(|body| wear::wear_rate(&problem.wear.laws[body], pressure, point.sliding_speed)).sum();
-        profile.wear_rate[row] = 1e3 * rate;
-        profile.status[row] = if pressure > 0.0 { "contact" } else { "open" };
+        profile.shear[row] = problem.friction.shear() * pressure;
+        if let Some(rate) = problem.wear.rate(pressure, point.sliding_speed) {
+            profile.wear_rate[row] = 1e3 * rate;
+        }
+        profile.status[row] = PointStatus::pressed(pressure > 0.0);
     }
     profile
 }

@@ -10,30 +10,11 @@ use crate::body_field::{BodyField, CellField, FieldFrame};
 use crate::cell_grid::CellGrid;
 use crate::effort::Effort;
 use crate::ladder::Refusal;
-use crate::level::Level;
 use crate::parts::BodyParts;
-use crate::plan::Step;
 use crate::stage::Stage;
-use crate::steps::ends::Setting;
-use crate::steps::torsion;
-
-/// What a stage leaves behind for the fields: the discretisation it reports, and the states of its bodies there.
-pub(crate) struct Reported {
-    pub level: Level,
-    /// Ends of contact that the meshes are cut at, from -1 to 1 on the surface.
-    pub ends: Vec<f64>,
-    /// The moments, the reported one first.
-    pub moments: Vec<Moment>,
-}
-
-/// Both bodies at a moment.
-pub(crate) struct Moment {
-    pub time: f64,
-    pub name: &'static str,
-    pub states: [InterfaceState; 2],
-    /// Shear around the axis on body 1 at the contact points (MPa), for the twist.
-    pub around: Vec<f64>,
-}
+use crate::step::Step;
+use crate::steps::ends_setting::Setting;
+use crate::steps::reported::{Moment, Reported};
 
 /// Recovers the moments of a stage on its bodies, made again at the reported level.
 pub(crate) fn recover(stage: Stage<'_>, reported: &Reported) -> Result<(Vec<FieldFrame>, Effort), Fault> {
@@ -42,10 +23,10 @@ pub(crate) fn recover(stage: Stage<'_>, reported: &Reported) -> Result<(Vec<Fiel
     let mut effort = counts(&reduction);
     let pair = paired([&bodies[0].interface, &bodies[1].interface], stage.facing())?;
     let mut frames = Vec::new();
-    for moment in &reported.moments {
+    for (number, moment) in reported.moments.iter().enumerate() {
         let mut frame = frame(moment, &bodies, [0, 1].map(|number| &parts.parts[number].mesh), &mut effort)?;
         if stage.problem.plan.runs(Step::Torsion) {
-            twist(stage, reported, (moment, &pair), &mut frame, &mut effort)?;
+            effort += twist(stage, reported, number, &pair, &mut frame)?;
         }
         frames.push(frame);
     }
@@ -107,21 +88,15 @@ fn on_grid(field: &Field<'_>, cell: usize, triangle: bool) -> CellField {
     values
 }
 
-/// Adds the twist about the axis under the friction at a moment: a scalar problem of its own on the same meshes.
-fn twist(
-    stage: Stage<'_>,
-    reported: &Reported,
-    (moment, pair): (&Moment, &Pair<'_>),
-    frame: &mut FieldFrame,
-    effort: &mut Effort,
-) -> Result<(), Fault> {
-    let level = reported.level;
+/// Adds the twist about the axis under the friction at one of the moments: a scalar problem of its own on the same meshes.
+fn twist(stage: Stage<'_>, reported: &Reported, moment: usize, pair: &Pair<'_>, frame: &mut FieldFrame) -> Result<Effort, Fault> {
+    let (level, around) = (reported.level, &reported.moments[moment].around);
+    let mut effort = Effort::default();
     let meshes = stage.meshes(level.layers, Cut::Ends(&reported.ends))?;
-    let points = pair.points();
     for ((number, mesh), side) in meshes.into_iter().enumerate().zip([Side::Shaped, Side::Counter]) {
         let parts = BodyParts::new(stage.couple, number == 0, mesh, level, Kinematics::Torsion)?;
         let body = parts.reduce(stage.clock())?;
-        let field = field(&body, &torsion::twisted(&body.interface, pair, side, &points, &moment.around))?;
+        let field = field(&body, &pair.twisted(side, &body.interface, around))?;
         effort.counters.factorisations += 1;
         effort.counters.back_substitutions += 1;
         for (cell, values) in frame.bodies[number].cells.iter_mut().enumerate() {
@@ -134,5 +109,5 @@ fn twist(
         }
         frame.bodies[number].twisted = true;
     }
-    Ok(())
+    Ok(effort)
 }

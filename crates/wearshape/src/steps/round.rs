@@ -10,16 +10,18 @@ use crate::body_field::FieldFrame;
 use crate::effort::Effort;
 use crate::ladder::{Ladder, Refusal};
 use crate::level::Level;
+use crate::load::Load;
 use crate::options::Options;
 use crate::parts::Parts;
-use crate::plan::Step;
-use crate::problem::{Load, Problem};
+use crate::problem::Problem;
 use crate::stage::Stage;
+use crate::step::Step;
+use crate::steps::recover;
 use crate::steps::answer::Outcome;
-use crate::steps::contact::{Search, levels, on_standing_mesh, solve_level};
+use crate::steps::contact::{Search, on_standing_mesh, solve_level};
+use crate::steps::contact_levels::levels;
 use crate::steps::ends_scope::contact_alone;
 use crate::steps::hertz_trial::hertz_end;
-use crate::steps::recover;
 use crate::surface::Patch;
 use crate::watch::Watch;
 
@@ -123,7 +125,7 @@ impl RoundContact<'_> {
         let (reach, mut effort) = self.reach()?;
         self.on(reach, |stage| {
             let mut search = Search::default();
-            let ladder = Ladder::of(stage.problem, stage.options).and_beyond(stage.problem);
+            let ladder = Ladder::of(stage.problem, stage.options, Step::Contact).and_beyond(stage.problem);
             let (mut outcome, work) = levels(&ladder, watch, |level| solve_level(stage, level, &mut search))?;
             effort += work;
             search.report(stage, &mut outcome)?;

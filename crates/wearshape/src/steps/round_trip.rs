@@ -7,12 +7,12 @@ use shapeopt::{GapCurve, Shape, SurfacePlace};
 
 use crate::bodies::Reduced;
 use crate::effort::Effort;
+use crate::faults::unsolved;
 use crate::level::Level;
-use crate::solution::InterfaceResult;
-use crate::steps::answer::Told;
-use crate::steps::contact::{pressure_at, unsolved};
+use crate::results::InterfaceResult;
 use crate::steps::diagnosis;
-use crate::steps::shape::Shaper;
+use crate::steps::answer::Told;
+use crate::steps::shaper::Shaper;
 
 /// Relative area-weighted L2 difference of two pressures.
 fn difference(weights: &[f64], found: &[f64], wanted: &[f64]) -> f64 {
@@ -51,7 +51,7 @@ pub(crate) fn independent(shaper: &Shaper<'_>, level: Level, shape: &GapCurve, t
     let (start, length) = (shaper.stage.start(&pair), pair.trace().length());
     for profile in [&mut told.profile, &mut told.curve] {
         profile.pressure_solved =
-            profile.s.iter().map(|s| pressure_at(&pair, &operator, &found, (s - start).clamp(0.0, length))).collect();
+            profile.s.iter().map(|s| operator.pressure_at(&found, (s - start).clamp(0.0, length))).collect();
     }
     Ok((difference(&weights, &found, &wanted), effort))
 }

@@ -3,13 +3,11 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use contact::{ContactLoad, ContactPoint, Motion, Pair};
+use contact::{ContactPoint, Pair};
 use hpfem::InterfaceState;
-use nalgebra::{DMatrix, Vector3};
+use nalgebra::DMatrix;
 use scene::{Balance, Fault};
-use shapeopt::{
-    GapCurve, Integration, Measure, RigidPart, Shape, ShapeProblem, SurfacePlace, closing, difference_of_gaps, solve_shape,
-};
+use shapeopt::{GapCurve, Measure, Shape, SurfacePlace, closing, difference_of_gaps};
 
 use crate::bodies::Reduced;
 use crate::effort::Effort;
@@ -17,14 +15,15 @@ use crate::freedom::Role;
 use crate::ladder::{Climbed, Ladder, Refusal, climb, errors, missed, rungs};
 use crate::level::Level;
 use crate::machined::{Machined, SurfacePoint};
-use crate::plan::Step;
 use crate::problem::Problem;
-use crate::solution::{ShapeResult, Status};
+use crate::results::{ErrorResult, ShapeResult};
+use crate::solution::Status;
 use crate::stage::Stage;
+use crate::step::Step;
+use crate::steps::{pressure, round_trip, tolerance, torsion};
 use crate::steps::answer::{Answer, Outcome, Own, Told};
-use crate::steps::pressure_ends::pressure_ends;
-use crate::steps::recover::{Moment, Reported};
-use crate::steps::{approach, pressure, round_trip, tolerance, torsion};
+use crate::steps::reported::{Moment, Reported};
+use crate::steps::shaper::{Shaper, unanswered};
 use crate::watch::Watch;
 
 /// Samples of the gap for the comparison of levels.
@@ -59,18 +58,21 @@ pub(crate) fn solve(stage: Stage<'_>, before: &Before<'_>, watch: &mut Watch<'_>
         None => stage,
     };
     let shaper = Shaper::new(stage, &optimum);
-    let ladder = Ladder::of(stage.problem, stage.options);
+    let ladder = Ladder::of(stage.problem, stage.options, Step::Shape);
     let measure = stage.problem.measure();
     let distance = |a: &Solved, b: &Solved| [difference_of_gaps(&a.gaps, &b.gaps, &b.closing, measure)];
     let solve = |level, _: &[Solved], _: &mut Watch<'_>| shaper.level(level).map(ControlFlow::Continue).map_err(Refusal::Fault);
-    let Climbed { solved, stopped } = climb((&ladder, Step::Shape), Vec::new(), solve, distance, watch)?;
+    let Climbed { solved, stopped } = climb(&ladder, Vec::new(), solve, distance, watch)?;
     let mut effort = Effort::default();
     solved.iter().for_each(|level| effort += level.effort.clone());
     let degrees: Vec<usize> = ladder.levels.iter().map(|level| level.degree).collect();
-    let mut outcome = Outcome { stopped, ladder: rungs(&degrees, &solved, ("gap", 0), distance), ..Outcome::default() };
+    let mut outcome = Outcome { stopped, ladder: rungs(&degrees, &solved, "gap", 0, distance), ..Outcome::default() };
     let error = errors(&solved, &distance).map(|[error]| error);
     if let Some(last) = solved.last() {
-        estimated(&mut outcome, (&ladder, solved.len()), (measure, error), before.how);
+        outcome.error = error_of_gap(error, measure, solved.len(), before.how);
+        if let Some((error, accuracy)) = error.and_then(|error| Some((error, ladder.missed(error)?))) {
+            outcome.ended = Some((Status::AccuracyMissed, missed("gap", error, accuracy)));
+        }
         let work = shaper.report(last, before.passes, &mut outcome)?;
         effort += work;
     }
@@ -79,20 +81,17 @@ pub(crate) fn solve(stage: Stage<'_>, before: &Before<'_>, watch: &mut Watch<'_>
 
 /// The optimal pressure of a problem.
 pub(crate) fn optimal(problem: &Problem) -> Result<wear::Optimum, Refusal> {
-    wear::optimal_pressure(&pressure::wear_problem(problem)?).map_err(|error| Refusal::Reason(error.to_string()))
+    pressure::optimum(problem, &pressure::wear_problem(problem)?).map_err(|error| Refusal::Reason(error.to_string()))
 }
 
-/// The error of the gap, and whether it is small enough.
-fn estimated(outcome: &mut Outcome, (ladder, levels): (&Ladder, usize), (measure, error): (Measure, Option<f64>), closed: &str) {
+/// The estimated error of the gap from so many levels, and how it was found; `pressure` says the same of the pressure.
+fn error_of_gap(error: Option<f64>, measure: Measure, levels: usize, pressure: &str) -> ErrorResult {
     let of = if measure == Measure::Crown { "gap relative to its crown" } else { "gap" };
-    outcome.error.gap_relative = error;
-    outcome.error.how = match error {
-        Some(_) => format!("{of}: rest of the series of {levels} degrees; pressure: {closed}"),
-        None => format!("gap: not estimated below degree 5; pressure: {closed}"),
+    let how = match error {
+        Some(_) => format!("{of}: rest of the series of {levels} degrees; pressure: {pressure}"),
+        None => format!("gap: not estimated below degree 5; pressure: {pressure}"),
     };
-    if let Some((error, accuracy)) = error.and_then(|error| Some((error, ladder.missed(error)?))) {
-        outcome.ended = Some((Status::AccuracyMissed, missed("gap", error, accuracy)));
-    }
+    ErrorResult { gap_relative: error, how, ..ErrorResult::default() }
 }
 
 /// The problem under the force that the pressure really carries, where that is not the load (`optimum.balance = "paper"` on an arc): bodies out
@@ -103,30 +102,7 @@ fn balanced(problem: &Problem, optimum: &wear::Optimum) -> Option<Problem> {
     Some(problem.with_force(optimum.resultants[push]))
 }
 
-/// A wanted pressure that is infinite somewhere has no shape.
-pub(crate) fn unanswered(stage: Stage<'_>, optimum: &wear::Optimum) -> Result<(), Refusal> {
-    let points = stage.patch.surface.sample(SAMPLES);
-    let Some(point) = points.iter().find(|point| !optimum.pressure_at(point).is_finite()) else { return Ok(()) };
-    let [x, z] = [point.position.x, point.position.z];
-    Err(Refusal::Reason(format!(
-        "the wanted pressure is infinite at x = {x}, z = {z}, and no shape has it; leave a hole or a cap there (optimum.p_max)"
-    )))
-}
-
-/// The wanted tractions and the shape they ask for.
-pub(crate) struct Shaper<'a> {
-    pub stage: Stage<'a>,
-    pub optimum: &'a wear::Optimum,
-    /// Ends of the wanted pressure inside the surface.
-    ends: Vec<f64>,
-    feed: Vec<f64>,
-}
-
-impl<'a> Shaper<'a> {
-    pub(crate) fn new(stage: Stage<'a>, optimum: &'a wear::Optimum) -> Shaper<'a> {
-        Shaper { stage, optimum, ends: pressure_ends(stage, optimum), feed: optimum.feed.clone().unwrap_or_default() }
-    }
-
+impl Shaper<'_> {
     /// Solves one level.
     fn level(&self, level: Level) -> Result<Solved, Fault> {
         let (reduced, mut effort) = self.stage.reduced_at(level, &self.ends)?;
@@ -216,82 +192,6 @@ impl<'a> Shaper<'a> {
         let counter = last.shape.counter.clone()?;
         let moments = vec![Moment { time: 0.0, name: "", states: [last.shape.shaped.clone(), counter], around }];
         Some(Reported { level: last.level, ends: self.ends.clone(), moments })
-    }
-
-    /// Wanted pressure at a place.
-    pub(crate) fn pressure(&self, place: &SurfacePlace) -> f64 {
-        self.optimum.pressure_at(&self.stage.surface_point(place.position, place.normal, 0.0))
-    }
-
-    /// Pressure and shear along the tangent at a place.
-    fn traction(&self, place: &SurfacePlace) -> [f64; 2] {
-        let point = self.stage.surface_point(place.position, place.normal, 0.0);
-        let pressure = self.optimum.pressure_at(&point);
-        let tangent = Vector3::new(place.normal[1], 0.0, -place.normal[0]);
-        [pressure, self.stage.friction() * pressure * point.drag.dot(&tangent)]
-    }
-
-    /// The shape on a pair of bodies.
-    pub(crate) fn shape(&self, pair: &Pair<'_>) -> Result<Shape, Fault> {
-        let load = &self.stage.problem.load;
-        if !self.stage.rigid_prescribed() {
-            return self.smallest(pair);
-        }
-        let fed = self.fed()?;
-        let about = self.stage.about();
-        let turned = match (load.approach, load.tilt) {
-            // A rotation that nothing prescribes is that of the smallest shape.
-            (Some(_), None) => approach::motion(pair, &self.smallest(pair)?.rigid, about)[1],
-            (_, tilt) => tilt.unwrap_or(0.0),
-        };
-        let motion = [load.approach.unwrap_or(0.0) + fed[0], turned + fed[1]];
-        self.with_rigid_part(pair, RigidPart::Prescribed(approach::coordinates(pair, motion, about)))
-    }
-
-    /// Worn approach and turning after `approach_time`.
-    fn fed(&self) -> Result<[f64; 2], Fault> {
-        let time = self.stage.problem.load.approach_time.unwrap_or(0.0);
-        if time != 0.0 && self.feed.is_empty() {
-            let message = "approach_time needs the feed of wear, and the multipliers of this functional are no velocities";
-            let remedy = "use optimum.functional = \"steady\", or \"wear-power\" with q = 1 and equal b, with wear";
-            return Err(Fault::at("load.approach_time", "no-feed", message, remedy));
-        }
-        Ok([0, 1].map(|k| self.feed.get(k).copied().unwrap_or(0.0) * time))
-    }
-
-    /// Adds the worn motions to those that a contact load prescribes.
-    pub(crate) fn add_feed(&self, load: &mut ContactLoad) {
-        for (k, fed) in self.fed().unwrap_or_default().into_iter().enumerate() {
-            if let Motion::Prescribed { value } = &mut load.motions[k + 1] {
-                *value -= fed;
-            }
-        }
-    }
-
-    /// The shape with its smallest rigid part; a prescribed rotation is kept.
-    pub(crate) fn smallest(&self, pair: &Pair<'_>) -> Result<Shape, Fault> {
-        let about = self.stage.about();
-        let rigid = match self.stage.turned() {
-            0.0 => RigidPart::Smallest,
-            tilt => RigidPart::SmallestAlong {
-                start: approach::coordinates(pair, [0.0, tilt], about),
-                direction: approach::coordinates(pair, [1.0, 0.0], about),
-            },
-        };
-        self.with_rigid_part(pair, rigid)
-    }
-
-    fn with_rigid_part(&self, pair: &Pair<'_>, rigid: RigidPart) -> Result<Shape, Fault> {
-        solve_shape(&ShapeProblem {
-            pair: *pair,
-            traction: &|place| self.traction(place),
-            cases_shaped: &self.stage.cases(),
-            cases_counter: &[],
-            gauge: self.stage.gauge(pair),
-            rigid,
-            integration: Integration::Lobatto,
-        })
-        .map_err(|error| Fault::at("load", "no-closing", error.to_string(), "press body 1 on body 2"))
     }
 }
 

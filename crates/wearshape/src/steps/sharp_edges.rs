@@ -7,9 +7,8 @@ use scene::Fault;
 
 use crate::level::Level;
 use crate::parts::BodyParts;
-use crate::remarks::Remark;
+use crate::remark::Remark;
 use crate::stage::Stage;
-use crate::steps::contact::pressure_at;
 
 /// Layers of the usual finest level.
 const MOST: usize = 16;
@@ -108,7 +107,7 @@ pub(crate) fn exponents(pair: &Pair<'_>, operator: &ContactOperator<'_>, found: 
             let d = range[0] * (range[1] / range[0]).powf(f64::from(i) / f64::from(count - 1));
             let arc = if from_start { d } else { length - d };
             x.push(d.ln());
-            y.push(pressure_at(pair, operator, &found.pressure, arc).ln());
+            y.push(operator.pressure_at(&found.pressure, arc).ln());
         }
         let mean = |v: &[f64]| v.iter().sum::<f64>() / v.len() as f64;
         let (mx, my) = (mean(&x), mean(&y));

@@ -5,8 +5,8 @@ use scene::Fault;
 use shapeopt::{SurfacePlace, WearProblem, tolerances};
 
 use crate::bodies::Reduced;
-use crate::solution::ToleranceResult;
-use crate::steps::shape::Shaper;
+use crate::results::ToleranceResult;
+use crate::steps::shaper::Shaper;
 
 /// Amplitude of the errors, mm.
 const AMPLITUDE: f64 = 1e-3;
@@ -30,6 +30,7 @@ pub(crate) fn of(shaper: &Shaper<'_>, reduced: &Reduced) -> Result<Vec<Tolerance
     let (laws, counterface) = stage.rules()?;
     let surface: Vec<wear::SurfacePoint> = points.iter().map(|p| stage.surface_point(p.position, p.normal, p.weight)).collect();
     let gap = vec![0.0; points.len()];
+    // By a rule of the caller's own nothing wears here: the errors have no run-in distance.
     let mut problem = WearProblem::new(surface, laws, counterface, gap, system);
     problem.track_area = stage.patch.surface.track_area();
     let length = pair.trace().length();

@@ -1,12 +1,13 @@
 //! Body 1 turned about the axis under its pressure: stick and slip around the axis, step after step.
 
-use contact::{ContactOperator, ContactSolution, Pair, TorsionOperator, Turn, TwistSolution, TwistStatus};
+use contact::{ContactOperator, ContactSolution, Pair, TorsionOperator, Turn, TwistSolution, TwistStatus, piecewise_linear};
 use scene::{Fault, short};
 
+use crate::faults::unsolved;
 use crate::problem::Problem;
 use crate::profile::Profile;
-use crate::solution::{ContactResult, TwistResult};
-use crate::steps::contact::{linear, unsolved};
+use crate::results::{ContactResult, TwistResult};
+use crate::words::PointStatus;
 
 /// The history of a twist at one level.
 pub(crate) struct Twist {
@@ -51,7 +52,7 @@ impl Twist {
         };
         let before = if turns.len() > 1 { amount(turns.len() - 2) } else { 0.0 };
         let sense = if amount(turns.len() - 1) > before { -1.0 } else { 1.0 };
-        result.status = word(&last.status).into();
+        result.status = (&last.status).into();
         let refused = match &last.status {
             status if status.is_solved() => None,
             TwistStatus::TurnsThrough => {
@@ -89,9 +90,9 @@ impl Twist {
             profile.shear[row] = self.sense * self.shear_at(operator, &arcs, arc);
             let sticks = self.last.stick.iter().any(|[from, to]| (*from..=*to).contains(&arc));
             profile.status[row] = match profile.status[row] {
-                "open" => "open",
-                _ if sticks => "stick",
-                _ => "slip",
+                PointStatus::Open => PointStatus::Open,
+                _ if sticks => PointStatus::Stick,
+                _ => PointStatus::Slip,
             };
         }
     }
@@ -104,18 +105,7 @@ impl Twist {
         if inner.windows(2).all(|two| two[0] == two[1]) {
             operator.value_at(&self.last.shear, arc)
         } else {
-            linear(arcs, &self.last.shear, arc)
+            piecewise_linear(arcs, &self.last.shear, arc)
         }
-    }
-}
-
-/// The status in the summary's word.
-fn word(status: &TwistStatus) -> &'static str {
-    match status {
-        TwistStatus::Sticks => "sticks",
-        TwistStatus::SlipsInPart => "slips-in-part",
-        TwistStatus::Slips => "slips",
-        TwistStatus::TurnsThrough => "turns-through",
-        TwistStatus::IterationLimit { .. } => "iteration-limit",
     }
 }

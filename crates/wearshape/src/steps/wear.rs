@@ -6,21 +6,22 @@ mod level;
 mod mesh_lines;
 mod pieces;
 mod problem;
+mod ran;
 
 use std::ops::ControlFlow;
 
-use level::{MOST_STEPS, Mesh, run};
+use level::{Known, MOST_STEPS, Mesh, run};
 use nalgebra::DMatrix;
 use pieces::Pieces;
+use ran::Ran;
 use shapeopt::{EvolutionStatus, Measure, difference_of_gaps};
 
 use crate::effort::Effort;
 use crate::ladder::{Climbed, Ladder, Refusal, climb, errors, missed, rungs};
-use crate::plan::Step;
-use crate::solution::{RunningIn, Status, WearResult};
+use crate::solution::Status;
 use crate::stage::Stage;
-use crate::steps::answer::{Outcome, Told};
-use crate::steps::recover::Reported;
+use crate::step::Step;
+use crate::steps::answer::Outcome;
 use crate::watch::{FinishedLevel, Resume, Watch};
 
 /// A level: what it leaves behind for the others, and what is reported if it is the last.
@@ -29,22 +30,9 @@ struct Solved {
     run: Option<Ran>,
 }
 
-/// A level that was run here, not in an earlier run that this one goes on with.
-struct Ran {
-    ended: EvolutionStatus,
-    /// Columns of history.csv.
-    history: Vec<(String, Vec<f64>)>,
-    running_in: RunningIn,
-    wear: WearResult,
-    told: Told,
-    /// For the fields: the end, then the start.
-    reported: Option<Reported>,
-    effort: Effort,
-}
-
 /// Runs the wear in time.
 pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
-    let ladder = Ladder::of(stage.problem, stage.options);
+    let ladder = Ladder::of(stage.problem, stage.options, Step::Evolution);
     let pieces = Pieces::of(stage.problem);
     let resume = stage.options.resume.cloned().unwrap_or_default();
     let (known, mut states) = if fits(&resume, &ladder) { (resume.finished, resume.states) } else { Default::default() };
@@ -54,7 +42,8 @@ pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome,
     let solve = |level, before: &[Solved], watch: &mut Watch<'_>| {
         let finished: Vec<FinishedLevel> = before.iter().map(|solved| solved.left.clone()).collect();
         let states = std::mem::take(&mut states);
-        let (left, ran) = match run((stage, &pieces), Mesh { level, ends: &ends }, (&finished, states), watch)? {
+        let known = Known { finished: &finished, states };
+        let (left, ran) = match run(stage, &pieces, Mesh { level, ends: &ends }, known, watch)? {
             Ok(done) => done,
             Err(history) => {
                 cut = Some(history);
@@ -65,7 +54,7 @@ pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome,
         let solved = Solved { left, run: Some(ran) };
         Ok(if stuck { ControlFlow::Break(Some(solved)) } else { ControlFlow::Continue(solved) })
     };
-    let Climbed { solved, stopped } = climb((&ladder, Step::Evolution), known, solve, distance, watch)?;
+    let Climbed { solved, stopped } = climb(&ladder, known, solve, distance, watch)?;
     let mut effort = Effort::default();
     for level in &solved {
         match &level.run {
@@ -103,7 +92,7 @@ fn distance(a: &Solved, b: &Solved) -> [f64; 1] {
 
 fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>) -> Outcome {
     let degrees: Vec<usize> = solved.iter().map(|level| level.left.degree).collect();
-    let mut outcome = Outcome { ladder: rungs(&degrees, &solved, ("gap", 0), distance), ..Outcome::default() };
+    let mut outcome = Outcome { ladder: rungs(&degrees, &solved, "gap", 0, distance), ..Outcome::default() };
     let error = errors(&solved, &distance).map(|[error]| error);
     let levels = solved.len();
     let Some(last) = solved.pop().and_then(|level| level.run) else { return outcome };

@@ -1,6 +1,6 @@
 //! Runs both programs on their ladders.
 
-use super::super::{compare, run};
+use super::super::{programs, tables};
 use super::case::{Curve, Study};
 use super::front::{Point, relative_l2};
 use serde_json::Value;
@@ -8,22 +8,34 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
+/// A study, and what and where it is run.
+pub(crate) struct Setting<'a> {
+    /// The workspace.
+    pub(crate) root: &'a Path,
+    /// The program of ours.
+    pub(crate) wearshape: &'a Path,
+    pub(crate) study: &'a Study,
+    /// Where its runs write.
+    pub(crate) folder: &'a Path,
+}
+
 /// What the levels are compared with.
 pub(crate) struct Truth {
     values: Vec<f64>,
     modes: Vec<Vec<f64>>,
     keep: Vec<bool>,
     pub(crate) summary: Value,
-    pub(crate) table: compare::Csv,
+    pub(crate) table: tables::Csv,
 }
 
 /// Solves the finest level of ours into `<folder>/ours`.
-pub(crate) fn truth(root: &Path, wearshape: &Path, study: &Study, folder: &Path) -> Result<Truth, String> {
-    let ours = folder.join("ours");
+pub(crate) fn truth(setting: &Setting<'_>) -> Result<Truth, String> {
+    let study = setting.study;
+    let ours = setting.folder.join("ours");
     let settings: Vec<&String> = study.set.iter().chain(&study.truth).collect();
-    solve(root, wearshape, &study.scene, &settings, study.sample, &ours)?;
-    let table = compare::read_csv(&ours.join("contact.csv"))?;
-    let summary = compare::read_json(&ours.join("summary.json"))?;
+    solve(setting, &study.scene, &settings, &ours)?;
+    let table = tables::read_csv(&ours.join("contact.csv"))?;
+    let summary = tables::read_json(&ours.join("summary.json"))?;
     let values = table.column(&study.column)?.to_vec();
     let modes = study.modes.iter().map(|name| table.column(name).map(<[f64]>::to_vec)).collect::<Result<_, _>>()?;
     let s = table.column("s_mm")?;
@@ -45,15 +57,9 @@ impl Truth {
 }
 
 /// One ladder of ours, timed by `wearshape study`, the errors by a run of each level.
-pub(crate) fn ours(
-    root: &Path,
-    wearshape: &Path,
-    study: &Study,
-    curve: &Curve,
-    truth: &Truth,
-    folder: &Path,
-) -> Result<Vec<Point>, String> {
-    let rows = times(root, wearshape, study, curve, folder)?;
+pub(crate) fn ours(setting: &Setting<'_>, curve: &Curve, truth: &Truth) -> Result<Vec<Point>, String> {
+    let study = setting.study;
+    let rows = times(setting, curve)?;
     let scene = curve.scene.as_ref().unwrap_or(&study.scene);
     let mut points = Vec::new();
     for row in &rows {
@@ -64,9 +70,9 @@ pub(crate) fn ours(
         } else {
             let level = [format!("mesh.degree={degree}"), format!("mesh.layers={layers}"), "check=false".into()];
             let settings: Vec<&String> = study.set.iter().chain(&curve.set).chain(&level).collect();
-            let at = folder.join("level");
-            solve(root, wearshape, scene, &settings, study.sample, &at)?;
-            truth.error(compare::read_csv(&at.join("contact.csv"))?.column(&study.column)?)
+            let at = setting.folder.join("level");
+            solve(setting, scene, &settings, &at)?;
+            truth.error(tables::read_csv(&at.join("contact.csv"))?.column(&study.column)?)
         };
         let label = format!("degree {degree}, {layers} layers");
         points.push(Point { label, unknowns: value("dofs"), seconds: value("seconds_total"), error });
@@ -75,7 +81,8 @@ pub(crate) fn ours(
 }
 
 /// Rows of `wearshape study` of a curve.
-pub(crate) fn times(root: &Path, wearshape: &Path, study: &Study, curve: &Curve, folder: &Path) -> Result<Vec<Value>, String> {
+pub(crate) fn times(setting: &Setting<'_>, curve: &Curve) -> Result<Vec<Value>, String> {
+    let Setting { root, wearshape, study, folder } = setting;
     let mut command = Command::new(wearshape);
     command.current_dir(root).args(["study", curve.scene.as_ref().unwrap_or(&study.scene)]);
     command.args(["--threads", "1", "-q", "--no-progress", "-o"]).arg(folder.join("study"));
@@ -86,15 +93,15 @@ pub(crate) fn times(root: &Path, wearshape: &Path, study: &Study, curve: &Curve,
         command.args(["--set", change]);
     }
     finish(command)?;
-    let found = compare::read_json(&folder.join("study/study.json"))?;
+    let found = tables::read_json(&folder.join("study/study.json"))?;
     found["levels"].as_array().cloned().ok_or_else(|| "study.json has no levels".into())
 }
 
-fn solve(root: &Path, wearshape: &Path, scene: &str, settings: &[&String], sample: i64, folder: &Path) -> Result<(), String> {
-    let mut command = Command::new(wearshape);
-    command.current_dir(root).args(["run", scene, "-q", "--no-progress", "--threads", "1", "-o"]).arg(folder);
-    command.args(["--sample", &sample.to_string()]);
-    for change in settings {
+fn solve(setting: &Setting<'_>, scene: &str, changes: &[&String], folder: &Path) -> Result<(), String> {
+    let mut command = Command::new(setting.wearshape);
+    command.current_dir(setting.root).args(["run", scene, "-q", "--no-progress", "--threads", "1", "-o"]).arg(folder);
+    command.args(["--sample", &setting.study.sample.to_string()]);
+    for change in changes {
         command.args(["--set", change]);
     }
     finish(command)
@@ -117,17 +124,18 @@ pub(crate) struct Theirs {
 }
 
 /// The ladder of dolfinx.
-pub(crate) fn theirs(root: &Path, study: &Study, truth: &Truth, folder: &Path) -> Result<Theirs, String> {
+pub(crate) fn theirs(setting: &Setting<'_>, truth: &Truth) -> Result<Theirs, String> {
+    let Setting { root, study, folder, .. } = setting;
     let out = folder.join("out.json");
     let log = folder.join("script.log");
     let file = fs::File::create(&log).map_err(|error| format!("{}: {error}", log.display()))?;
-    let mut command = run::python(root);
+    let mut command = programs::python(root);
     command.arg(root.join("verify/study.py")).arg(folder).arg(&study.name);
     let status = command.stdout(Stdio::null()).stderr(file).status().map_err(|error| format!("study.py: {error}"))?;
     if !status.success() {
         return Err(format!("study.py ended with {status}; see {}", log.display()));
     }
-    let found = compare::read_json(&out)?;
+    let found = tables::read_json(&out)?;
     let rows = found["rows"].as_array().cloned().unwrap_or_default();
     let number = |row: &Value, key: &str| row[key].as_f64().unwrap_or(f64::NAN);
     let point = |row: &Value| {

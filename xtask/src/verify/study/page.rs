@@ -1,7 +1,8 @@
 //! The pages of a study: target/verify/study.html, and its part of docs/error-against-time.md.
 
 use super::super::picture::escape;
-use super::{Factor, Outcome, plot};
+use super::outcome::{Factor, Outcome};
+use super::plot;
 use std::fs;
 use std::path::Path;
 use std::process::Command;

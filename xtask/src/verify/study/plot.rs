@@ -1,7 +1,8 @@
 //! Error against seconds as SVG, both axes logarithmic.
 
 use super::super::picture::escape;
-use super::{Ladder, Outcome};
+use super::front::front;
+use super::outcome::{Ladder, Outcome};
 
 const WIDTH: f64 = 620.0;
 const HEIGHT: f64 = 380.0;
@@ -63,7 +64,7 @@ fn curve(ladder: &Ladder, x: &Axis, y: &Axis, colour: &str) -> String {
             point.error
         );
     }
-    let best = super::front(&ladder.points);
+    let best = front(&ladder.points);
     let line: Vec<String> = best.iter().map(|p| format!("{:.1},{:.1}", x.place(p.seconds), y.place(p.error))).collect();
     svg + &format!("<polyline points='{}' fill='none' stroke='{colour}' stroke-width='1.8'/>\n", line.join(" "))
 }

@@ -2,7 +2,8 @@
 
 use shapeopt::{WearState, settling};
 
-use crate::solution::{RunningIn, RunningInStep, Settled};
+use crate::results::Settled;
+use crate::solution::{RunningIn, RunningInStep};
 
 /// How close to the steady pressure counts as worn in.
 const DEVIATION: f64 = 0.01;

@@ -9,18 +9,17 @@ use crate::effort::Effort;
 use crate::ladder::Refusal;
 use crate::level::Level;
 use crate::options::Sampling;
-use crate::plan::Step;
-use crate::solution::WearResult;
+use crate::results::WearResult;
 use crate::stage::Stage;
-use crate::steps::answer::{Answer, Own, Told};
-use crate::steps::contact::pressure_at;
-use crate::steps::recover::{Moment, Reported};
+use crate::step::Step;
 use crate::steps::torsion;
-use crate::steps::wear::Ran;
+use crate::steps::answer::{Answer, Own, Told};
+use crate::steps::reported::{Moment, Reported};
 use crate::steps::wear::history::History;
 use crate::steps::wear::mesh_lines::mesh_lines;
 use crate::steps::wear::pieces::Pieces;
 use crate::steps::wear::problem::{steady_residual, wear_problem};
+use crate::steps::wear::ran::Ran;
 use crate::watch::{Event, FinishedLevel, RunLevel, Watch, WearStep};
 
 /// Samples of the gap for the comparison of levels.
@@ -37,6 +36,14 @@ pub(super) struct Mesh<'a> {
     pub ends: &'a [f64],
 }
 
+/// What is known of a run before a level.
+pub(super) struct Known<'a> {
+    /// The finished levels.
+    pub finished: &'a [FinishedLevel],
+    /// The steps of this level that an earlier run made.
+    pub states: Vec<WearState>,
+}
+
 /// The contact of a level under each load of the schedule.
 struct Scenes<'a> {
     stages: Vec<Stage<'a>>,
@@ -50,12 +57,14 @@ struct Scenes<'a> {
 /// One run on one level after the finished ones, from its start or from the last of the known states; the inner `Err` is one that the
 /// watcher cut short.
 pub(super) fn run(
-    (stage, pieces): (Stage<'_>, &Pieces),
+    stage: Stage<'_>,
+    pieces: &Pieces,
     mesh: Mesh<'_>,
-    (finished, known): (&[FinishedLevel], Vec<WearState>),
+    known: Known<'_>,
     watch: &mut Watch<'_>,
 ) -> Result<Result<(FinishedLevel, Ran), History>, Refusal> {
     let Mesh { level, ends } = mesh;
+    let Known { finished, states } = known;
     let (reduced, mut effort) = stage.reduced_at(level, ends)?;
     let pair = reduced.pair()?;
     let operator = effort.timed(Step::Interface, stage.clock(), |_| reduced.operator(&pair, stage.friction() > 0.0))?;
@@ -64,16 +73,16 @@ pub(super) fn run(
     let loads: Vec<ContactLoad> = stages.iter().map(|stage| stage.contact_load(operator.points())).collect();
     // Gaps of levels are compared at one time: where part of the surface is open, the worn part goes on receding from it.
     let not_before = finished.iter().map(|level| level.time).fold(0.0, f64::max);
-    let problem = wear_problem((&stages, &loads), &pieces.intervals, (&pair, &operator), not_before)?;
+    let problem = wear_problem(&stages, &loads, &pieces.intervals, &operator, not_before)?;
     let scenes = Scenes { stages, loads, pieces, reduced: &reduced, pair: &pair, operator: &operator };
     let run_level = RunLevel {
         finished,
-        known_steps: known.len(),
+        known_steps: states.len(),
         message: format!("degree {}, {} layers, {} contact points", level.degree, level.layers, operator.points().len()),
         lines: &|| mesh_lines(stage, level, ends),
     };
     let begun = watch(Event::Run(&run_level)).is_continue();
-    let run = evolve(&problem, &scenes, (known, begun), watch)?;
+    let run = evolve(&problem, &scenes, states, begun, watch)?;
     effort.add_seconds(Step::Evolution, stage.clock()() - start);
     if run.stopped {
         return Ok(Err(run.history));
@@ -93,15 +102,15 @@ impl Scenes<'_> {
         effort.counters.contact_solves += 2;
         effort.counters.wear_steps += state.step;
         let samples = stage.sample(self.pair, Sampling::Even(SAMPLES));
-        let told = self.told(stage, state, (&normalised, &found));
+        let told = self.told(stage, state, &normalised, &found);
         let weights: Vec<f64> = self.operator.points().iter().map(|p| p.weight).collect();
         let wear = result(&run, &weights, stage);
-        let mut moments: Vec<Moment> = self.moment(("", state.time), found, last).into_iter().collect();
+        let mut moments: Vec<Moment> = self.moment("", state.time, found, last).into_iter().collect();
         if stage.problem.plan.runs(Step::Fields) {
             let first = self.pieces.intervals[0].stage;
             let started = self.solve(&problem.gap, first)?;
             effort.counters.contact_solves += 1;
-            moments.extend(self.moment(("start", 0.0), started, first));
+            moments.extend(self.moment("start", 0.0, started, first));
         }
         let left = FinishedLevel {
             degree: level.degree,
@@ -128,11 +137,11 @@ impl Scenes<'_> {
     }
 
     /// Energies, reactions and columns of a state.
-    fn told(&self, stage: Stage<'_>, state: &WearState, (gap, found): (&[f64], &ContactSolution)) -> Told {
+    fn told(&self, stage: Stage<'_>, state: &WearState, gap: &[f64], found: &ContactSolution) -> Told {
         let (pair, operator) = (self.pair, self.operator);
         let between = |point: &ContactPoint| {
             let at = |values: &[f64]| operator.value_at(values, point.arc);
-            [pressure_at(pair, operator, &state.pressure, point.arc), at(gap), at(&state.opening)]
+            [operator.pressure_at(&state.pressure, point.arc), at(gap), at(&state.opening)]
         };
         let points = operator.points();
         let own = Own { points, pressure: &state.pressure, gap, opening: &state.opening, closed: None };
@@ -141,7 +150,7 @@ impl Scenes<'_> {
     }
 
     /// The bodies at a moment; each is twisted by the sliding of its own piece of the schedule.
-    fn moment(&self, (name, time): (&'static str, f64), at: ContactSolution, load: usize) -> Option<Moment> {
+    fn moment(&self, name: &'static str, time: f64, at: ContactSolution, load: usize) -> Option<Moment> {
         let stage = self.stages[load];
         let around = torsion::around(stage, self.operator.points(), &at.pressure);
         at.counter.map(|counter| Moment { time, name, states: [stage.held(self.pair, &at.shaped), counter], around })
@@ -162,7 +171,7 @@ fn result(run: &Run, weights: &[f64], stage: Stage<'_>) -> WearResult {
     let Run { state, ended, history, run_in, .. } = run;
     let steady = state.steady_residual <= steady_residual(stage);
     WearResult {
-        status: word(ended).into(),
+        status: ended.into(),
         steps: state.step,
         rejected_steps: state.rejected,
         time: Some(state.time),
@@ -191,11 +200,13 @@ struct Run {
     run_in: Option<shapeopt::RunIn>,
 }
 
-/// Steps until the end, from the start or from the last of the known states, unless the watcher has ended it already; each new step is told.
+/// Steps until the end, from the start or from the last of the known states; each new step is told. Nothing is done where the watcher has not let it
+/// begin.
 fn evolve(
     problem: &WearProblem,
     scenes: &Scenes<'_>,
-    (known, begun): (Vec<WearState>, bool),
+    known: Vec<WearState>,
+    begun: bool,
     watch: &mut Watch<'_>,
 ) -> Result<Run, Refusal> {
     let mut history = History::default();
@@ -241,15 +252,5 @@ fn share(state: &WearState, problem: &WearProblem) -> f64 {
         Until::Time(end) => state.time / end,
         Until::Steady { .. } if state.interval + 1 < problem.schedule.len() => 0.0,
         Until::Steady { residual, .. } => state.steady_residual.max(f64::MIN_POSITIVE).ln() / residual.ln(),
-    }
-}
-
-/// The status in the summary's word.
-fn word(status: &EvolutionStatus) -> &'static str {
-    match status {
-        EvolutionStatus::Steady => "steady",
-        EvolutionStatus::TimeReached => "time-reached",
-        EvolutionStatus::Running => "step-limit",
-        EvolutionStatus::Stuck { .. } => "stuck",
     }
 }

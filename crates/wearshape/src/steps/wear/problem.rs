@@ -1,11 +1,11 @@
 //! The wear problem of a level: contact points, wear rules, start gap, and the loads of the schedule.
 
-use contact::{ContactLoad, ContactOperator, Pair, Status as ContactStatus};
+use contact::{ContactLoad, ContactOperator, Status as ContactStatus};
 use shapeopt::{Interval, LoadStage, Stepping, Until, WearProblem};
 
 use crate::ladder::Refusal;
 use crate::stage::Stage;
-use crate::steps::contact::start_gaps;
+use crate::steps::start_gap::start_gaps;
 
 /// Certificate of the steady state.
 const STEADY: f64 = 1e-9;
@@ -17,11 +17,12 @@ pub(super) fn steady_residual(stage: Stage<'_>) -> f64 {
     if stage.problem.load.approach.is_some() { STEADY.max(REST * stage.accuracy()) } else { STEADY }
 }
 
-/// The wear problem on an operator; one stage a load that occurs. A run until the steady state goes on to the time `not_before` at least.
+/// The wear problem on an operator; `stages` and `loads` are the different ones that occur, `intervals` which acts when. A run until the steady state goes on to the time `not_before` at least.
 pub(super) fn wear_problem(
-    (stages, loads): (&[Stage<'_>], &[ContactLoad]),
+    stages: &[Stage<'_>],
+    loads: &[ContactLoad],
     intervals: &[Interval],
-    (pair, operator): (&Pair<'_>, &ContactOperator<'_>),
+    operator: &ContactOperator<'_>,
     not_before: f64,
 ) -> Result<WearProblem, Refusal> {
     let reason = |error: contact::Error| Refusal::Reason(error.to_string());
@@ -30,7 +31,7 @@ pub(super) fn wear_problem(
         operator.points().iter().map(|p| stage.surface_point(p.position, p.normal, p.weight)).collect()
     };
     let (laws, counterface) = stage.rules()?;
-    let gap = start_gaps(stage, pair, operator);
+    let gap = start_gaps(stage, operator);
     let start = operator.solve(&gap, &loads[intervals[0].stage], None).map_err(reason)?;
     if !start.status.is_solved() || start.status == ContactStatus::NoContact {
         return Err(Refusal::Reason(start.status.to_string()));

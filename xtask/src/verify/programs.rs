@@ -1,12 +1,14 @@
 //! Starting programs: wearshape, and the scripts in verify/.
 
 use super::case::Case;
-use super::debian::PYTHON;
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
+
+/// Debian's own interpreter; another python3 on the PATH cannot import its packages.
+pub(crate) const PYTHON: &str = "/usr/bin/python3";
 
 /// Longest time a script may take.
 const LIMIT: Duration = Duration::from_secs(600);
@@ -47,7 +49,7 @@ pub(crate) fn solve(root: &Path, wearshape: &Path, case: &Case, folder: &Path) -
     if output.status.success() {
         return Ok(());
     }
-    let summary = super::compare::read_json(&folder.join("ours/summary.json")).unwrap_or_default();
+    let summary = super::tables::read_json(&folder.join("ours/summary.json")).unwrap_or_default();
     let words = String::from_utf8_lossy(&output.stderr);
     let words = summary["verdict"].as_str().unwrap_or(words.trim());
     Err(format!("wearshape ended with {}: {words}", output.status))

@@ -1,0 +1,59 @@
+//! Ctrl-C in sweeps, studies and figures: the program ends with 130 and says how to go on; what is finished is kept.
+#![cfg(unix)]
+
+use std::process::{Child, Command};
+use std::time::{Duration, Instant};
+
+use crate::call::Bench;
+
+/// Presses Ctrl-C as soon as something is there; returns the exit code and what was said.
+fn interrupt_when(mut child: Child, ready: impl Fn() -> bool) -> (Option<i32>, String) {
+    let begin = Instant::now();
+    while !ready() {
+        assert_eq!(child.try_wait().unwrap(), None, "it was over before it could be interrupted");
+        assert!(begin.elapsed() < Duration::from_secs(120), "nothing comes");
+        std::thread::sleep(Duration::from_micros(200));
+    }
+    assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+    let output = child.wait_with_output().unwrap();
+    (output.status.code(), String::from_utf8(output.stderr).unwrap())
+}
+
+#[test]
+fn a_sweep_keeps_its_finished_rows_and_is_resumed_to_the_same_bytes() {
+    let bench = Bench::new();
+    let args = "sweep drum-brake-block --set mesh.degree=4 --set check=false --over contact.friction=0:0.3:400 -q";
+    assert_eq!(bench.call(&format!("{args} -o whole")).code, 0);
+    let rows = || std::fs::read_to_string(bench.path("x.partial/sweep.jsonl")).unwrap_or_default();
+    let (code, said) = interrupt_when(bench.start(&format!("{args} -o x")), || !rows().is_empty());
+    assert_eq!(code, Some(130), "{said}");
+    assert!(said.contains("wearshape sweep drum-brake-block --over contact.friction=0:0.3:400 -o x"), "{said}");
+    assert!(said.contains("--resume") && !bench.path("x").exists(), "{said}");
+    let kept = rows();
+    assert!(kept.ends_with('\n') && (64..400).contains(&kept.lines().count()), "{} rows", kept.lines().count());
+    assert!(bench.read("whole/sweep.jsonl").starts_with(&kept), "the finished rows are those of the whole sweep");
+    assert_eq!(bench.call(&format!("{args} -o x --resume")).code, 0);
+    for name in ["sweep.csv", "sweep.jsonl", "scene.resolved.toml"] {
+        assert!(bench.bytes(&format!("x/{name}")) == bench.bytes(&format!("whole/{name}")), "{name} differs");
+    }
+}
+
+#[test]
+fn a_study_ends_without_an_error_and_without_a_folder() {
+    let bench = Bench::new();
+    let child = bench.start("study drum-brake-block --set tasks=[contact] -o x");
+    let (code, said) = interrupt_when(child, || bench.path("x.partial").exists());
+    assert_eq!(code, Some(130), "{said}");
+    assert!(said.contains("begin it again with: wearshape study drum-brake-block -o x"), "{said}");
+    assert!(!said.contains("error") && !bench.path("x").exists() && !bench.path("x.partial").exists(), "{said}");
+}
+
+#[test]
+fn figures_that_are_finished_stay() {
+    let bench = Bench::new();
+    let child = bench.start("reproduce all -q -o x");
+    let (code, said) = interrupt_when(child, || bench.path("x/fig4").exists());
+    assert_eq!(code, Some(130), "{said}");
+    assert!(said.contains("wearshape reproduce all") && !said.contains("error"), "{said}");
+    assert!(bench.path("x/fig4/rows.csv").exists() && !bench.path("x/index").exists());
+}

@@ -1,0 +1,158 @@
+//! Ends of contact inside the surface, followed from level to level of discretisation: element nodes are moved onto all of them.
+
+use crate::positioning::{Start, position_nodes};
+use crate::solution::ContactSolution;
+use crate::status::Status;
+use crate::zones::without_slivers;
+use nalgebra::DMatrix;
+
+/// What an end moves from one level to the next, of what it moved to that one: the search starts that much further.
+const GOES_ON: f64 = 0.15;
+
+/// A level moves its nodes until the step left is this share of its first one, that is of what the level before it still lacked.
+const SHARE: f64 = 0.05;
+
+/// Meshes of a level after which its ends are held not to settle.
+const MOST: usize = 16;
+
+/// Ends of contact inside the surface; none where contact fills it.
+#[derive(Clone, Debug, Default)]
+pub struct FreeEnds {
+    /// Where the nodes are, from -1 to 1 on the surface, ascending.
+    pub places: Vec<f64>,
+    /// Where contact ends: the places and the step that their pressures still ask for.
+    refined: Vec<f64>,
+    /// The same on the level before, if there was one.
+    before: Option<Vec<f64>>,
+    /// How the pressures at the ends change with their places, from the level before.
+    jacobian: Option<DMatrix<f64>>,
+    /// Whether the start of the surface is in contact.
+    pub starts_closed: bool,
+}
+
+impl FreeEnds {
+    /// The ends of a solution's contact zones that lie inside a surface of the given length; none where there is no partial contact.
+    pub fn of(solution: &ContactSolution, length: f64) -> FreeEnds {
+        if solution.status != Status::Converged {
+            return FreeEnds::default();
+        }
+        let inside = |arc: &f64| *arc > 1e-9 * length && *arc < (1.0 - 1e-9) * length;
+        let zones = without_slivers(&solution.zones, length);
+        if zones.len() < solution.zones.len() {
+            return FreeEnds::default();
+        }
+        let places: Vec<f64> = zones.iter().flatten().copied().filter(inside).map(|arc| 2.0 * arc / length - 1.0).collect();
+        FreeEnds {
+            refined: places.clone(),
+            places,
+            before: None,
+            jacobian: None,
+            starts_closed: zones.first().is_some_and(|zone| !inside(&zone[0])),
+        }
+    }
+
+    /// All ends of contact as arc lengths on a surface of the given length, its own ends included where they are in contact.
+    pub fn arcs(&self, length: f64) -> Vec<f64> {
+        let mut arcs: Vec<f64> = self.refined.iter().map(|t| 0.5 * (1.0 + t) * length).collect();
+        if self.starts_closed {
+            arcs.insert(0, 0.0);
+        }
+        if !arcs.len().is_multiple_of(2) {
+            arcs.push(length);
+        }
+        arcs
+    }
+
+    /// The zones of contact between these ends, as arc lengths.
+    pub fn zones(&self, length: f64) -> Vec<[f64; 2]> {
+        self.arcs(length).chunks_exact(2).map(|zone| [zone[0], zone[1]]).collect()
+    }
+
+    /// Moves nodes onto the ends until the pressure at all of them vanishes, to a tolerance relative to the extent of the places. `held` makes bodies
+    /// with nodes at the given places, solves with the points between them held in contact, and returns the pressures at the nodes (each
+    /// in a scale of its own) with whatever is wanted of the last ones; `None` where no bodies can be made.
+    ///
+    /// Returns `None` where the ends do not settle: two of them meet, one leaves the surface, too many meshes.
+    ///
+    /// # Errors
+    /// Those of `held`.
+    pub fn position<T, E>(
+        &self,
+        tolerance: f64,
+        mut held: impl FnMut(&[f64]) -> Result<Option<(Vec<f64>, T)>, E>,
+    ) -> Result<Option<(FreeEnds, T)>, E> {
+        let places: Vec<f64> = match &self.before {
+            Some(before) => self.refined.iter().zip(before).map(|(now, before)| now + GOES_ON * (now - before)).collect(),
+            None => self.refined.clone(),
+        };
+        let start = Start { places: &places, jacobian: self.jacobian.as_ref(), tolerance, share: SHARE };
+        let mut meshes = 0;
+        let found = position_nodes(start, |places| -> Result<_, Option<E>> {
+            let ascending = places.windows(2).all(|pair| pair[0] < pair[1]);
+            meshes += 1;
+            if !(meshes <= MOST && ascending && places.iter().all(|t| t.abs() < 1.0 - 1e-6)) {
+                return Err(None);
+            }
+            held(places)?.ok_or(None)
+        });
+        match found {
+            Ok(nodes) if nodes.found => {
+                let (places, refined, jacobian) = (nodes.places, nodes.refined, Some(nodes.jacobian));
+                // The first search starts from a mesh that knows no ends.
+                let before = self.jacobian.is_some().then(|| self.refined.clone());
+                Ok(Some((FreeEnds { places, refined, before, jacobian, starts_closed: self.starts_closed }, nodes.last)))
+            }
+            Ok(_) | Err(None) => Ok(None),
+            Err(Some(error)) => Err(error),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::FreeEnds;
+
+    fn at(places: &[f64], starts_closed: bool) -> FreeEnds {
+        FreeEnds { places: places.to_vec(), refined: places.to_vec(), starts_closed, ..FreeEnds::default() }
+    }
+
+    #[test]
+    fn zones_between_free_ends_reach_the_ends_of_the_surface_where_these_are_closed() {
+        assert_eq!(at(&[-0.5, 0.5], false).zones(8.0), [[2.0, 6.0]]);
+        assert_eq!(at(&[-0.5, 0.5], true).zones(8.0), [[0.0, 2.0], [6.0, 8.0]]);
+        assert_eq!(at(&[0.5], true).zones(8.0), [[0.0, 6.0]]);
+        assert_eq!(at(&[0.5], false).zones(8.0), [[6.0, 8.0]]);
+    }
+
+    /// The pressures at two ends whose distances from 0.3 and 0.7 they are, some of each in the other.
+    fn pressures(places: &[f64]) -> Vec<f64> {
+        let off = [places[0] - 0.3, places[1] - 0.7];
+        vec![2.0 * off[0] + 0.1 * off[1] + off[0] * off[0], off[1] - 0.2 * off[0]]
+    }
+
+    #[test]
+    fn nodes_move_onto_the_ends_and_a_second_search_goes_on_from_them() {
+        let mut meshes = 0;
+        let mut search = |ends: &FreeEnds| {
+            let found = ends.position(1e-8, |places| -> Result<_, ()> {
+                meshes += 1;
+                Ok(Some((pressures(places), places.to_vec())))
+            });
+            found.ok().flatten().expect("the ends settle")
+        };
+        let (first, last) = search(&at(&[0.25, 0.75], false));
+        assert_eq!(first.places, last);
+        let (second, _) = search(&first);
+        assert!((second.arcs(2.0)[0] - 1.3).abs() < 1e-6 && (second.arcs(2.0)[1] - 1.7).abs() < 1e-6);
+        assert!(meshes < 16);
+    }
+
+    #[test]
+    fn ends_that_meet_or_cannot_be_meshed_do_not_settle() {
+        let apart = at(&[0.25, 0.75], false);
+        let crossed = at(&[0.75, 0.25], false);
+        assert!(matches!(crossed.position(1e-8, |places| -> Result<_, ()> { Ok(Some((pressures(places), ()))) }), Ok(None)));
+        assert!(matches!(apart.position(1e-8, |_| -> Result<Option<(Vec<f64>, ())>, ()> { Ok(None) }), Ok(None)));
+        assert_eq!(apart.position(1e-8, |_| -> Result<Option<(Vec<f64>, ())>, i32> { Err(3) }).err(), Some(3));
+    }
+}

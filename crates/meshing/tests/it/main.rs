@@ -1,0 +1,7 @@
+//! Tests of the crate, one binary.
+#![allow(clippy::unwrap_used, missing_docs)]
+
+mod breaks;
+mod common;
+mod faults;
+mod outlines;

@@ -1,0 +1,109 @@
+//! A wear rule of one's own, given as a function.
+
+use approx::assert_relative_eq;
+use nalgebra::Vector3;
+use wear::{Problem, Regime, RigidMode, WearError, WearLaw, one_percent, optimal_pressure, steady_pressure_of_rule, wear_rate};
+
+use crate::surfaces::{annulus, drum, drum_at, plane_at, punch};
+
+const LAW: WearLaw = WearLaw { factor: 1e-6, speed_exponent: 0.8, pressure_exponent: 1.7 };
+
+/// A power of the pressure as a function.
+fn power(pressure: f64, speed: f64) -> [f64; 2] {
+    let rate = wear_rate(&LAW, pressure, speed);
+    [rate, LAW.pressure_exponent * rate / pressure]
+}
+
+/// Nothing wears below p0 = 0.4 MPa. This function and the call of `steady_pressure_of_rule` are all it takes.
+fn threshold(pressure: f64, speed: f64) -> [f64; 2] {
+    let (k, p0) = (1e-6, 0.4);
+    if pressure > p0 { [k * (pressure - p0) * speed, k * speed] } else { [0.0, 0.0] }
+}
+
+/// Ten times the wear for every MPa beyond p1 = 2 MPa.
+fn severe(pressure: f64, speed: f64) -> [f64; 2] {
+    let (k, p1) = (1e-6, 2.0);
+    if pressure <= p1 { [k * pressure * speed, k * speed] } else { [k * (p1 + 10.0 * (pressure - p1)) * speed, 10.0 * k * speed] }
+}
+
+#[test]
+fn wear_law_with_a_pressure_threshold_shifts_the_clutch_between_the_textbook_cases() {
+    let force = 5e4;
+    let problem = Problem { friction: 0.25, ..Problem::new(annulus(), WearLaw::NONE, vec![RigidMode::press_down(force)]) };
+    let optimum = steady_pressure_of_rule(&problem, threshold).unwrap();
+    // p = p0 + C/r with int p dS = F.
+    let area = problem.surface.area();
+    let c = (force - 0.4 * area) / (std::f64::consts::TAU * 100.0);
+    for r in [20.0, 55.0, 120.0] {
+        let p = optimum.pressure_at(&plane_at(&problem.surface, r));
+        assert_relative_eq!(p, 0.4 + c / r, max_relative = 1e-11);
+    }
+    assert!(optimum.steadiness_residual.unwrap() < 1e-11);
+    assert_relative_eq!(optimum.feed.as_ref().unwrap()[0], 1e-6 * 2.5 * c, max_relative = 1e-11);
+    let radius = optimum.effective_radius.unwrap();
+    assert!(radius > 70.0 && radius < 81.905);
+    assert_eq!(one_percent(&problem, &optimum), None);
+    // Below the threshold everywhere nothing moves: refused by name.
+    let light = Problem { modes: vec![RigidMode::press_down(0.3 * area)], ..problem };
+    let refused = steady_pressure_of_rule(&light, threshold);
+    assert!(matches!(refused, Err(WearError::Infeasible { why, .. }) if why.contains("threshold")), "{refused:?}");
+}
+
+#[test]
+fn a_power_law_given_as_a_function_is_the_built_in_law() {
+    // Full contact, then a moment that leaves part of the punch open.
+    for moment in [4e3, 16e3] {
+        let modes = vec![RigidMode::press_down(1e3), RigidMode::tilt(moment, Vector3::zeros())];
+        let problem = Problem::new(punch(), LAW, modes);
+        let (built_in, given) = (optimal_pressure(&problem).unwrap(), steady_pressure_of_rule(&problem, power).unwrap());
+        assert_eq!(given.regime, built_in.regime);
+        assert_eq!(given.character, built_in.character);
+        for x in [-30.0, 1.0, 15.0, 30.0] {
+            let point = plane_at(&problem.surface, x);
+            assert_relative_eq!(built_in.pressure_at(&point), given.pressure_at(&point), max_relative = 1e-9);
+        }
+        // The cell at the end of contact is integrated for the power of p by the one, for all powers by the other.
+        assert_relative_eq!(built_in.wear_volume_rate, given.wear_volume_rate, max_relative = 1e-6);
+        assert_relative_eq!(built_in.wear_power, given.wear_power, max_relative = 1e-9);
+        assert_relative_eq!(built_in.feed.unwrap()[1], given.feed.unwrap()[1], max_relative = 1e-9);
+    }
+}
+
+#[test]
+fn a_threshold_ends_the_contact_of_a_tilted_punch_with_a_jump_of_the_pressure() {
+    // p = p0 + c (x + 10) on -10 < x < 30 carries F = t (p0 l + c l^2/2) and M = F x_mean.
+    let (p0, c, l, t) = (0.4, 0.05, 40.0, 10.0);
+    let force = t * (p0 * l + 0.5 * c * l * l);
+    let moment = t * (p0 * l * 10.0 + 0.5 * c * l * l * (30.0 - l / 3.0));
+    let problem =
+        Problem::new(punch(), WearLaw::NONE, vec![RigidMode::press_down(force), RigidMode::tilt(moment, Vector3::zeros())]);
+    let optimum = steady_pressure_of_rule(&problem, threshold).unwrap();
+    assert_eq!(optimum.regime, Regime::PartialContact);
+    for x in [-9.9, 0.0, 30.0] {
+        assert_relative_eq!(optimum.pressure_at(&plane_at(&problem.surface, x)), p0 + c * (x + 10.0), max_relative = 1e-8);
+    }
+    assert_eq!(optimum.pressure_at(&plane_at(&problem.surface, -10.1)), 0.0);
+}
+
+#[test]
+fn a_rule_with_a_bend_balances_its_load() {
+    let problem = Problem { friction: 0.25, ..Problem::new(drum(), WearLaw::NONE, vec![RigidMode::press_down(4e3)]) };
+    let optimum = steady_pressure_of_rule(&problem, severe).unwrap();
+    // w' ~ cos: the same rule inverted by hand, with the force by a fine midpoint rule.
+    let feed = optimum.feed.as_ref().unwrap()[0];
+    let at = |degrees: f64| {
+        let w = feed * degrees.to_radians().cos() / (1e-6 * 500.0);
+        if w <= 2.0 { w } else { 2.0 + (w - 2.0) / 10.0 }
+    };
+    assert!(at(0.0) > 2.0 && at(30.0) < 2.0);
+    for degrees in [-30.0, -7.0, 0.0, 22.0] {
+        assert_relative_eq!(optimum.pressure_at(&drum_at(&problem.surface, degrees)), at(degrees), max_relative = 1e-11);
+    }
+    let count = 200_000;
+    let force = |i: usize| {
+        let degrees = -30.0 + 60.0 * (i as f64 + 0.5) / count as f64;
+        at(degrees) * degrees.to_radians().cos() * 2000.0 * 60_f64.to_radians() / count as f64
+    };
+    // Friction along the surface cancels: sin is odd.
+    assert_relative_eq!((0..count).map(force).sum::<f64>(), 4e3, max_relative = 1e-8);
+}

@@ -1,0 +1,59 @@
+//! What only the result of a run can tell: remarks made after it is solved.
+
+use meshing::outline;
+use scene::short;
+
+use crate::problem::Problem;
+use crate::remark::Remark;
+use crate::solution::Solution;
+use crate::words::Uniqueness;
+
+/// Part of body 1's thickness that wear may take before the body is another one.
+const WORN: f64 = 0.1;
+
+/// Remarks on what a run came to.
+pub(crate) fn remarks(problem: &Problem, solution: &Solution) -> Vec<Remark> {
+    other_solutions(solution).into_iter().chain(worn_through(problem, solution)).collect()
+}
+
+/// What friction does to the one solution of a contact.
+fn other_solutions(solution: &Solution) -> Option<Remark> {
+    let found = solution.contact.as_ref()?.uniqueness.as_ref()?;
+    let from = short(found.not_guaranteed_from?);
+    let message = match (found.verdict, found.singular_from.or(found.lost_from)) {
+        (_, Some(lost)) => format!(
+            "The contact followed up from no friction ends at a coefficient of {}: there its system is singular, and beyond it several contacts may be right, or none.",
+            short(lost)
+        ),
+        (Uniqueness::Several, _) => {
+            "At this friction the contact has several solutions: the one reported is not the one that grows from no friction."
+                .into()
+        }
+        _ => format!(
+            "From a coefficient of friction of {from} on nothing guarantees that this is the only contact; the one reported grows from no friction without branching."
+        ),
+    };
+    let branches = matches!(found.verdict, Uniqueness::Singular | Uniqueness::Several);
+    let code = if branches { "several-solutions" } else { "not-guaranteed-unique" };
+    Some(Remark { code, message })
+}
+
+/// Wear beyond what body 1's stiffness stands for.
+fn worn_through(problem: &Problem, solution: &Solution) -> Option<Remark> {
+    let depth = 1e-3 * solution.wear.as_ref()?.depth?;
+    let thickness = outline(&problem.couple.as_ref()?.bodies[0]).thickness;
+    let allowed = WORN * thickness;
+    if depth <= allowed {
+        return None;
+    }
+    let column = |name: &str| solution.history.iter().find(|(known, _)| known == name).map(|(_, values)| values.as_slice());
+    let rows = column("time_s").zip(column("depth_um"));
+    let within = rows.and_then(|(times, depths)| times.iter().zip(depths).take_while(|(_, d)| 1e-3 * **d <= allowed).last());
+    let until = within.map_or(String::new(), |(time, _)| format!(" (up to {} s it is less)", short(*time)));
+    let message = format!(
+        "Wear takes {} mm off body 1, more than a tenth of its thickness of {} mm{until}; the bodies keep the stiffness they have unworn.",
+        short(depth),
+        short(thickness)
+    );
+    Some(Remark { code: "wear-beyond-body", message })
+}

@@ -1,0 +1,145 @@
+//! The contact surface of two edges that touch: one line, or parts of one circle.
+
+use std::f64::consts::{PI, TAU};
+
+use hpfem::Kinematics;
+use meshing::ContactLine;
+use nalgebra::Vector3;
+use scene::Fault;
+use wear::Shape;
+
+use crate::surface::found::{Found, PatchKind};
+
+/// The key to blame for edges that do not touch.
+pub(super) const EDGES: &str = "contact.edges";
+
+/// The surface of two contact edges; none of a round body on a flat one.
+pub(super) fn along(kinematics: Kinematics, lines: [ContactLine; 2]) -> Result<Option<Found>, Fault> {
+    let revolved = kinematics.is_revolved();
+    match lines {
+        [ContactLine::Line { z, x }, ContactLine::Line { z: below, x: under }] => {
+            on_line(kinematics, Line { z, x }, Line { z: below, x: under }).map(Some)
+        }
+        [
+            ContactLine::Circle { centre, radius, angles, internal },
+            ContactLine::Circle { centre: c, radius: r, angles: under, internal: within },
+        ] if !revolved => {
+            let first = Circle { centre, radius, angles, internal };
+            on_circle(thickness(kinematics), first, Circle { centre: c, radius: r, angles: under, internal: within }).map(Some)
+        }
+        [ContactLine::Circle { centre, radius, angles, internal: true }, ContactLine::Line { z, x }] => {
+            round_on_flat(Circle { centre, radius, angles, internal: true }, Line { z, x }).map(|()| None)
+        }
+        [ContactLine::Circle { .. }, ContactLine::Circle { .. }] => {
+            apart("axisymmetric bodies touch along horizontal lines only".into(), "let both contact edges be horizontal")
+        }
+        _ => apart(
+            "one contact edge is a line and the other part of a circle".into(),
+            "let both be one horizontal line, or parts of one circle, or let a round body 1 touch a line",
+        ),
+    }
+}
+
+fn same(one: f64, other: f64, scale: f64) -> bool {
+    (one - other).abs() <= 1e-9 * scale
+}
+
+fn apart<T>(message: String, remedy: &str) -> Result<T, Fault> {
+    Err(Fault::at(EDGES, "no-contact", message, remedy))
+}
+
+fn inside([from, to]: [f64; 2], [low, high]: [f64; 2]) -> bool {
+    let near = 1e-9 * (to - from);
+    from >= low - near && to <= high + near
+}
+
+/// A horizontal line: height, and from where to where in x.
+struct Line {
+    z: f64,
+    x: [f64; 2],
+}
+
+/// Two horizontal lines.
+fn on_line(kinematics: Kinematics, Line { z, x }: Line, Line { z: below, x: under }: Line) -> Result<Found, Fault> {
+    if !same(z, below, x[1] - x[0]) {
+        return apart(format!("the edges do not touch: z = {z} and z = {below}"), "give both contact edges the same height");
+    }
+    if !inside(x, under) {
+        let [a, b, c, d] = [x[0], x[1], under[0], under[1]];
+        let message = format!("body 1 reaches from x = {a} to {b} over body 2 from {c} to {d}");
+        return apart(message, "make the contact edge of body 2 as wide as that of body 1 or wider");
+    }
+    Ok(match kinematics.is_revolved() {
+        true => Found { shape: Shape::Annulus { radii: x }, kind: PatchKind::Ring, centre: [0.0, z], key: EDGES },
+        false => {
+            let shape = Shape::Strip { x, z, thickness: thickness(kinematics) };
+            Found { shape, kind: PatchKind::Plane, centre: [0.0, 0.0], key: EDGES }
+        }
+    })
+}
+
+/// Part of a circle.
+struct Circle {
+    centre: [f64; 2],
+    radius: f64,
+    /// From and to, from the z axis.
+    angles: [f64; 2],
+    /// Whether body 1 lies inside.
+    internal: bool,
+}
+
+/// Two parts of one circle.
+fn on_circle(thickness: f64, first: Circle, second: Circle) -> Result<Found, Fault> {
+    let Circle { centre, radius, angles, internal } = first;
+    let Circle { centre: c, radius: r, angles: under, internal: within } = second;
+    if internal != within {
+        let [first, second] = [internal, !within].map(|inside| if inside { "inside" } else { "outside" });
+        let message = format!("body 1 lies {first} its circle, and body 2 {second} its own");
+        return apart(message, "let one body lie inside the circle, and the other outside");
+    }
+    if !(same(radius, r, radius) && same(centre[0], c[0], radius) && same(centre[1], c[1], radius)) {
+        let message = format!("the arcs do not touch: radius {radius} about {centre:?} and radius {r} about {c:?}");
+        return apart(message, "give both the same radius and centre");
+    }
+    let full = under[1] - under[0] > TAU * (1.0 - 1e-12);
+    if !(full || [-TAU, 0.0, TAU].iter().any(|by| inside(angles, under.map(|a| a + by)))) {
+        let [a, b, c, d] = [angles[0], angles[1], under[0], under[1]].map(f64::to_degrees);
+        let message = format!("body 1 reaches from {a:.6} to {b:.6} deg over body 2 from {c:.6} to {d:.6} deg");
+        return apart(message, "make the contact edge of body 2 as long as that of body 1 or longer");
+    }
+    // Half a circle from side to side cannot close everywhere.
+    if angles[1] - angles[0] >= PI * (1.0 - 1e-9) {
+        let message = "the contact reaches up to the middle of the circle";
+        return apart(message.into(), "let the arc of body 1 be less than half a circle");
+    }
+    let shape = Shape::Arc { radius, centre: Vector3::new(centre[0], 0.0, centre[1]), angles, thickness, internal };
+    Ok(Found { shape, kind: PatchKind::Turning, centre, key: EDGES })
+}
+
+/// A round body 1 that touches a line of body 2 with its lowest point.
+fn round_on_flat(round: Circle, Line { z, x }: Line) -> Result<(), Fault> {
+    let Circle { centre, radius, angles, .. } = round;
+    let lowest = centre[1] - radius;
+    let near = 1e-9;
+    if !(angles[0] <= PI + near && angles[1] >= PI - near) {
+        let message = "the arc of the round body 1 does not contain its lowest point";
+        return apart(message.into(), "let it touch the line with its lowest point");
+    }
+    if !same(lowest, z, radius) {
+        let message = format!("the edges do not touch: lowest point z = {lowest}, plane z = {z}");
+        return apart(message, "let the round body 1 touch the line with its lowest point");
+    }
+    if !inside([centre[0]; 2], x) {
+        let message = format!("body 1 touches at x = {}, beside body 2 from {} to {}", centre[0], x[0], x[1]);
+        return apart(message, "let body 2 lie under the lowest point of body 1");
+    }
+    Ok(())
+}
+
+/// Thickness of plane bodies (mm); 1 for solids of revolution, which have none.
+pub(super) fn thickness(kinematics: Kinematics) -> f64 {
+    match kinematics {
+        Kinematics::PlaneStress { thickness } | Kinematics::PlaneStrain { thickness } => thickness,
+        _ => 1.0,
+    }
+}

@@ -1,0 +1,26 @@
+//! A contact surface without its sliding.
+
+use wear::Shape;
+
+/// Kind of contact surface, by how body 2 passes under it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PatchKind {
+    /// Plane strip or plane surface over which a long plate slides.
+    Plane,
+    /// Full ring on a turning disc.
+    Ring,
+    /// Arc or sector under which a drum, shaft or disc turns.
+    Turning,
+}
+
+/// A contact surface without its sliding.
+pub(super) struct Found {
+    /// Its shape.
+    pub shape: Shape,
+    /// How body 2 passes under it.
+    pub kind: PatchKind,
+    /// Point [x, z] about which body 2 turns in the plane.
+    pub centre: [f64; 2],
+    /// The key to blame for it.
+    pub key: &'static str,
+}
