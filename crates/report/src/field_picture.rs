@@ -71,9 +71,7 @@ fn outline(grid: CellGrid, at: &[[f64; 2]]) -> String {
 #[cfg(test)]
 mod tests {
     use super::{field_picture, round_number};
-    use hpfem::Stress;
-    use wearshape::CellGrid;
-    use wearshape::{BodyField, CellField, FieldFrame};
+    use wearshape::{BodyField, CellField, CellGrid, FieldFrame, Stress};
 
     #[test]
     fn a_picture_has_its_title_and_says_how_the_bodies_are_drawn() {
