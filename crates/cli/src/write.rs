@@ -16,8 +16,8 @@ pub(crate) fn write(
     tape: Option<Tape>,
     [ready, all]: [f64; 2],
 ) -> Result<Value, Fault> {
-    let summary = report::summary(problem, solution)?;
-    for (name, bytes) in report::files(problem, solution)? {
+    let summary = report::summary(problem, solution);
+    for (name, bytes) in report::files(problem, solution) {
         folder.write_bytes(&name, &bytes)?;
     }
     folder.write("timing.json", &timing(solution, ready, all))?;
@@ -26,7 +26,7 @@ pub(crate) fn write(
     if let Some(tape) = tape {
         tape.finish(verdict, &text)?;
     } else if let Some(profile) = solution.profile.as_ref().filter(|_| problem.plan().runs(Step::Recording)) {
-        let mut recorder = Recorder::create(&folder.path().join(RUN_MCAP), &problem.resolved()?, None)?;
+        let mut recorder = Recorder::create(&folder.path().join(RUN_MCAP), &problem.resolved(), None)?;
         recorder.log(verdict)?;
         recorder.picture(&Points::new(0, 0.0, profile))?;
         recorder.finish(&text)?;

@@ -1,11 +1,12 @@
-//! The plots of a run: pressure, wear rate, gap.
+//! The plots of a run: pressure, wear rate, gap, error.
 
+use serde_json::{Value, json};
 use wearshape::{Problem, Profile, Rung, Shape, Solution};
 
 use crate::line_plot::{Axis, LinePlot, Series};
 
 /// The plots with the names of their files.
-pub fn line_plots(problem: &Problem, solution: &Solution) -> Vec<(&'static str, LinePlot)> {
+pub(crate) fn line_plots(problem: &Problem, solution: &Solution) -> Vec<(&'static str, LinePlot)> {
     let title = problem.title();
     let Some(points) = &solution.profile else {
         return Vec::new();
@@ -49,7 +50,7 @@ pub fn line_plots(problem: &Problem, solution: &Solution) -> Vec<(&'static str, 
         };
         plots.push(("gap", plot(what, "gap (\u{b5}m)", true, vec![series("", &profile.gap, false)])));
     }
-    plots.extend(error_plot(&title, &solution.ladder).map(|plot| ("error", plot)));
+    plots.extend(error_plot(title, &solution.ladder).map(|plot| ("error", plot)));
     plots
 }
 
@@ -75,6 +76,33 @@ fn error_plot(title: &str, ladder: &[Rung]) -> Option<LinePlot> {
         series: series.into_iter().filter(|series| series.points.len() > 1).collect(),
     })
     .filter(|plot| !plot.series.is_empty())
+}
+
+/// The plots as numbers, for the page and for other programs: plots/curves.json.
+pub(crate) fn curves_json(plots: &[(&'static str, LinePlot)]) -> Value {
+    let number = |value: f64| {
+        if value.is_finite() { json!(value) } else { Value::Null }
+    };
+    let chart = |plot: &LinePlot| {
+        let series = plot.series.iter().map(|series| {
+            json!({
+                "name": series.name,
+                "dashed": series.dashed,
+                "marks": series.marks,
+                "x": series.points.iter().map(|point| number(point.0)).collect::<Vec<_>>(),
+                "y": series.points.iter().map(|point| number(point.1)).collect::<Vec<_>>(),
+            })
+        });
+        json!({
+            "title": plot.title,
+            "x_label": plot.x_label,
+            "y_label": plot.y_label,
+            "from_zero": plot.from_zero,
+            "log_y": plot.axes[1] == Axis::Logarithmic,
+            "series": series.collect::<Vec<_>>(),
+        })
+    };
+    Value::Array(plots.iter().map(|(name, plot)| json!({ "file": name, "chart": chart(plot) })).collect())
 }
 
 /// The coordinate of a picture and its name: angle on an arc, radius on a ring, else arc length.

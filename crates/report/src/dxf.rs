@@ -1,15 +1,15 @@
 //! A drawing with one cubic spline and marked points, as ASCII DXF of AutoCAD 2000 (AC1015), the oldest version that has splines.
 
 /// What is drawn, in the plane (x, z) of the scene as (x, y) of the drawing.
-pub struct Drawing<'a> {
+pub(crate) struct Drawing<'a> {
     /// Comments at the head, and texts on the layer NOTES.
-    pub notes: &'a [String],
+    pub(crate) notes: &'a [String],
     /// Knots of the spline, the ends fourfold.
-    pub knots: &'a [f64],
+    pub(crate) knots: &'a [f64],
     /// Control points of the spline.
-    pub control: &'a [[f64; 2]],
+    pub(crate) control: &'a [[f64; 2]],
     /// Points by layer.
-    pub marks: &'a [(&'static str, [f64; 2])],
+    pub(crate) marks: &'a [(&'static str, [f64; 2])],
 }
 
 /// Group codes and values, one a line.
@@ -71,7 +71,7 @@ const PAPER_SPACE: &str = "1B";
 const FIRST_HANDLE: u32 = 0x100;
 
 /// Text of the file.
-pub fn dxf(drawing: &Drawing<'_>) -> String {
+pub(crate) fn dxf(drawing: &Drawing<'_>) -> String {
     let mut out = Writer { text: String::new(), handle: FIRST_HANDLE };
     for note in drawing.notes {
         out.put(999, ascii(note));

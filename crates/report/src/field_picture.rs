@@ -14,7 +14,7 @@ const SEEN: f64 = 18.0;
 const LEGEND: f64 = 90.0;
 
 /// Draws a moment.
-pub fn field_picture(frame: &FieldFrame, title: &str) -> String {
+pub(crate) fn field_picture(frame: &FieldFrame, title: &str) -> String {
     let cells = || frame.bodies.iter().flat_map(|body| &body.cells);
     let rest = bounds(cells().flat_map(|cell| cell.position.iter().copied()));
     let size = (rest[1][0] - rest[0][0]).hypot(rest[1][1] - rest[0][1]);
@@ -71,9 +71,7 @@ fn outline(grid: CellGrid, at: &[[f64; 2]]) -> String {
 #[cfg(test)]
 mod tests {
     use super::{field_picture, round_number};
-    use hpfem::Stress;
-    use wearshape::CellGrid;
-    use wearshape::{BodyField, CellField, FieldFrame};
+    use wearshape::{BodyField, CellField, CellGrid, FieldFrame, Stress};
 
     #[test]
     fn a_picture_has_its_title_and_says_how_the_bodies_are_drawn() {

@@ -1,21 +1,29 @@
 //! All files that a solution has to say.
 
-use scene::Fault;
 use wearshape::{Problem, Solution, Step};
 
 use crate::json::pretty;
+use crate::line_plot::line_plot;
 use crate::table::{columns_csv, profile_csv};
 use crate::{curves, field_picture, machined, page, summary, vtu};
 
 /// The files of a folder, by name and bytes; the same problem gives the same bytes. What takes a clock or goes on while a problem is solved
 /// (timing.json, run.mcap) is not among them.
-///
-/// # Errors
-/// A scene that cannot be written, which is a fault of ours.
-pub fn files(problem: &Problem, solution: &Solution) -> Result<Vec<(String, Vec<u8>)>, Fault> {
-    let resolved = problem.resolved()?;
+pub fn files(problem: &Problem, solution: &Solution) -> Vec<(String, Vec<u8>)> {
+    let resolved = problem.resolved();
+    let summary = summary::summary(problem, solution);
+    let plots = curves::line_plots(problem, solution);
+    let curves = curves::curves_json(&plots);
+    let pictures: Vec<String> = plots.iter().map(|(_, plot)| line_plot(plot)).collect();
+    let title = format!("{}: von Mises stress", problem.title());
+    let field = solution.fields.first().map(|frame| field_picture::field_picture(frame, &title));
     let mut files: Vec<(String, Vec<u8>)> = Vec::new();
     let mut put = |name: &str, text: String| files.push((name.to_string(), text.into_bytes()));
+    if problem.plan().runs(Step::Page) {
+        let (field, running_in) = (field.as_deref(), solution.running_in.as_ref());
+        let (summary, curves, pictures, resolved) = (&summary, &curves, &pictures, &resolved);
+        put("report.html", page::html(&page::Parts { summary, curves, pictures, field, running_in, resolved }));
+    }
     if let Some(profile) = &solution.profile {
         put("contact.csv", profile_csv(profile));
     }
@@ -26,21 +34,15 @@ pub fn files(problem: &Problem, solution: &Solution) -> Result<Vec<(String, Vec<
         machined::machined_files(surface, problem.title()).into_iter().for_each(|(name, text)| put(name, text));
     }
     vtu::field_files(&solution.fields).into_iter().for_each(|(name, text)| put(&name, text));
-    if let Some(frame) = solution.fields.first() {
-        put(page::FIELD_PICTURE, field_picture::field_picture(frame, &format!("{}: von Mises stress", problem.title())));
+    if let Some(picture) = field {
+        put(page::FIELD_PICTURE, picture);
     }
-    let plots = curves::line_plots(problem, solution);
-    for ((name, _), svg) in plots.iter().zip(page::pictures(&plots)) {
-        put(&format!("plots/{name}.svg"), svg);
+    for ((name, _), picture) in plots.iter().zip(pictures) {
+        put(&format!("plots/{name}.svg"), picture);
     }
-    put("plots/curves.json", format!("{}\n", page::curves_json(&plots)));
-    put("summary.json", pretty(&summary::summary(problem, solution)?));
+    put("plots/curves.json", format!("{curves}\n"));
+    put("summary.json", pretty(&summary));
     put("scene.resolved.toml", resolved);
     files.extend(problem.files());
-    if problem.plan().runs(Step::Page) {
-        let known = |name: &str| files.iter().find(|(known, _)| known == name).map(|(_, bytes)| bytes.clone());
-        let page = page::page(&known, solution.running_in.as_ref())?;
-        files.push(("report.html".into(), page.into_bytes()));
-    }
-    Ok(files)
+    files
 }

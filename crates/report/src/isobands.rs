@@ -14,7 +14,7 @@ const BANDS: [&str; 12] = [
 const CLIP: f64 = 0.02;
 
 /// A point on paper (pixels) with a value.
-pub type Sample = ([f64; 2], f64);
+pub(crate) type Sample = ([f64; 2], f64);
 
 /// A cell's grid with its points on paper.
 pub type Placed = (CellGrid, Vec<Sample>);

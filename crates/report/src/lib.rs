@@ -2,13 +2,16 @@
 
 mod curves;
 mod dxf;
+mod escape;
 mod field_picture;
 mod files;
 mod isobands;
 mod json;
 mod line_plot;
 mod machined;
+mod one_percent;
 mod page;
+mod page_tables;
 mod run_in;
 mod section_plot;
 mod summary;

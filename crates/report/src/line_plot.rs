@@ -1,5 +1,7 @@
 //! Line plots as SVG, for print and screen: no script, no network, no font file.
 
+use crate::escape::escaped;
+
 /// How an axis counts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Axis {
@@ -113,7 +115,7 @@ impl Scale {
 }
 
 /// Round values of a range with their labels.
-pub fn ticks(range: [f64; 2], count: usize) -> Vec<(f64, String)> {
+pub(crate) fn ticks(range: [f64; 2], count: usize) -> Vec<(f64, String)> {
     let scale = Scale::new(range.into_iter(), Axis::Linear, false, count);
     let size = range[1] - range[0];
     let within = |tick: &f64| *tick >= range[0] - 1e-9 * size && *tick <= range[1] + 1e-9 * size;
@@ -122,11 +124,6 @@ pub fn ticks(range: [f64; 2], count: usize) -> Vec<(f64, String)> {
 
 fn plain(value: f64) -> String {
     format!("{value}").replace('-', "\u{2212}")
-}
-
-/// Text that may stand in SVG or HTML.
-pub fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 /// Draws a plot.

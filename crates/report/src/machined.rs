@@ -6,7 +6,7 @@ use crate::dxf::{Drawing, dxf};
 use crate::table::{numbers_row, table};
 
 /// Names and texts of the files.
-pub fn machined_files(machined: &Machined, title: &str) -> Vec<(&'static str, String)> {
+pub(crate) fn machined_files(machined: &Machined, title: &str) -> Vec<(&'static str, String)> {
     vec![("profile.csv", points(machined)), ("profile-spline.csv", spline(machined)), ("profile.dxf", drawing(machined, title))]
 }
 

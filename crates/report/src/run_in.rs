@@ -8,7 +8,7 @@ const STEPS: usize = 80;
 const POINTS: usize = 161;
 
 /// Steps of a run, thinned out; none of one with fewer than two.
-pub fn run_in(run: &RunningIn) -> Option<Value> {
+pub(crate) fn run_in(run: &RunningIn) -> Option<Value> {
     let RunningIn { s, steps } = run;
     let last = steps.len().checked_sub(1).filter(|last| *last > 0)?;
     let count = last.min(STEPS - 1);

@@ -1,6 +1,7 @@
 //! Pictures of a cross-section to scale: the frame, with or without axes, into which meshes and fields are drawn.
 
-use crate::line_plot::{escaped, ticks};
+use crate::escape::escaped;
+use crate::line_plot::ticks;
 
 const LEFT: f64 = 72.0;
 const TOP: f64 = 46.0;

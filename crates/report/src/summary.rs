@@ -1,6 +1,5 @@
 //! summary.json.
 
-use scene::Fault;
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 use wearshape::{Problem, Solution};
@@ -9,10 +8,7 @@ use crate::json::SCHEMA_VERSION;
 use crate::verdict::verdict;
 
 /// The whole summary: absent stages and numbers that are not finite are absent keys.
-///
-/// # Errors
-/// A scene that cannot be written, which is a fault of ours.
-pub fn summary(problem: &Problem, solution: &Solution) -> Result<Value, Fault> {
+pub fn summary(problem: &Problem, solution: &Solution) -> Value {
     let mut all = Map::new();
     let mut put = |key: &str, value: Value| {
         all.insert(key.to_string(), value);
@@ -20,7 +16,7 @@ pub fn summary(problem: &Problem, solution: &Solution) -> Result<Value, Fault> {
     put("schema_version", json!(SCHEMA_VERSION));
     put("version", json!(env!("CARGO_PKG_VERSION")));
     put("scene", json!(problem.name()));
-    put("scene_sha256", json!(scene::sha256(problem.resolved()?)));
+    put("scene_sha256", json!(scene::sha256(problem.resolved())));
     put("status", value(&solution.status));
     put("verdict", json!(verdict(problem, solution)));
     put("stages", value(&problem.plan().stages));
@@ -39,7 +35,7 @@ pub fn summary(problem: &Problem, solution: &Solution) -> Result<Value, Fault> {
     }
     put("error", value(&solution.error));
     put("interface", value(&solution.interface));
-    Ok(without_nulls(Value::Object(all)))
+    without_nulls(Value::Object(all))
 }
 
 fn value(part: &impl Serialize) -> Value {
@@ -47,7 +43,7 @@ fn value(part: &impl Serialize) -> Value {
 }
 
 /// Drops keys without a value: absent stages, and numbers that JSON cannot hold.
-pub fn without_nulls(value: Value) -> Value {
+pub(crate) fn without_nulls(value: Value) -> Value {
     match value {
         Value::Object(map) => {
             let kept = map.into_iter().filter(|(_, value)| !value.is_null());

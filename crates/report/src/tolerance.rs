@@ -3,10 +3,10 @@
 use scene::short;
 use serde_json::Value;
 
-use crate::line_plot::escaped;
+use crate::escape::escaped;
 
 /// A table of `summary.shape.tolerance` with a sentence under it; empty without entries.
-pub fn tolerance(entries: &Value) -> String {
+pub(crate) fn tolerance(entries: &Value) -> String {
     let entries = entries.as_array().map(Vec::as_slice).unwrap_or_default();
     let number = |entry: &Value, key: &str| entry[key].as_f64();
     let Some(tightest) = entries.iter().filter_map(|e| number(e, "within_10_percent_um")).reduce(f64::min) else {

@@ -1,7 +1,9 @@
 //! One sentence that says how a run ended.
 
 use scene::{Functional, short, with_short_numbers};
-use wearshape::{Character, ContactResult, PressureResult, Problem, Profile, Regime, Shape, ShapeResult, Solution, Status, WearResult};
+use wearshape::{
+    Character, ContactResult, PressureResult, Problem, Profile, Regime, Shape, ShapeResult, Solution, Status, WearResult,
+};
 
 /// How it ended: the reason it stopped, or the number that was asked for.
 pub(crate) fn verdict(problem: &Problem, solution: &Solution) -> String {

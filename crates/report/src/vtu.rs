@@ -15,7 +15,7 @@ enum Cut {
 }
 
 /// Names and texts of all files.
-pub fn field_files(frames: &[FieldFrame]) -> Vec<(String, String)> {
+pub(crate) fn field_files(frames: &[FieldFrame]) -> Vec<(String, String)> {
     let mut files = Vec::new();
     let mut series = Vec::new();
     for frame in frames {

@@ -1,8 +1,8 @@
 //! Reduced bodies of all levels, kept as long as what they depend on stays the same: a sweep in load, friction, wear or optimum meshes and
 //! factors each level once, and so do several tasks of one run.
 
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use contact::{ContactOperator, Pair, UnitResponses};
 use hpfem::{InterfaceOperator, InterfaceState};

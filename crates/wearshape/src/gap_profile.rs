@@ -83,6 +83,7 @@ pub(crate) fn check(s: &[f64], gap: &[f64]) -> Result<(), Fault> {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::read;
     use scene::{Fault, Gap, Place};

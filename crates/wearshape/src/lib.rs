@@ -33,6 +33,7 @@ mod surface;
 mod watch;
 mod words;
 
+pub use hpfem::Stress;
 pub use meshing::Files;
 pub use scene::{Builtin, Document, Fault, Place, SCENES, Spot, Task, builtin};
 pub use shapeopt::{Measure, WearState};

@@ -1,6 +1,9 @@
 //! The bodies of a scene as finite element problems of one discretisation.
 
-use hpfem::{Additions, Body, BodyProblem, Direction, EdgeTraction, InterfaceOperator, Kinematics, LoadCase, Material, Mesh, RigidEdge, Sizes, SpaceKind, Support};
+use hpfem::{
+    Additions, Body, BodyProblem, Direction, EdgeTraction, InterfaceOperator, Kinematics, LoadCase, Material, Mesh, RigidEdge,
+    Sizes, SpaceKind, Support,
+};
 use meshing::{self, AXIS, CONTACT, Couple, LOAD, LoadedEdge};
 use scene::{Component, Fault, LoadKind};
 

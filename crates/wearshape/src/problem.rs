@@ -1,7 +1,7 @@
 //! A checked scene: everything that is computed from, typed, with every default filled in.
 
 use meshing::Couple;
-use scene::{Fault, Gap, Geometry, Scene, SurfaceShape};
+use scene::{Gap, Geometry, Scene, SurfaceShape};
 use shapeopt::Measure;
 use wear::{WearError, WearPair, WearRule, wear_rate};
 
@@ -174,16 +174,13 @@ impl Problem {
 
     /// Text of scene.resolved.toml: the scene with every default, in base units; solving it gives the same result, but for a wear rule given as
     /// a function.
-    ///
-    /// # Errors
-    /// A scene that cannot be written, which is a fault of ours.
-    pub fn resolved(&self) -> Result<String, Fault> {
+    pub fn resolved(&self) -> String {
         let same = match self.wear.rule {
             None => "Running this file gives the same result.",
             Some(_) => "The pressure was found by another wear rule, given as a function.",
         };
         let head = format!("# Every default filled in; units N, mm, MPa, s, rad. {same}\n");
-        Ok(format!("{head}{}", scene::scene_text(&self.scene)?))
+        head + &scene::scene_text(&self.scene)
     }
 
     /// The files that the resolved scene names, to stand beside it: name and bytes.

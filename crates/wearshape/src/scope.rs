@@ -14,10 +14,10 @@ use crate::parts::Parts;
 use crate::problem::Problem;
 use crate::stage::Stage;
 use crate::step::Step;
-use crate::steps::{ends, ends_scope, recover};
 use crate::steps::answer::Outcome;
 use crate::steps::ends_setting::Setting;
 use crate::steps::round::{Round, RoundContact};
+use crate::steps::{ends, ends_scope, recover};
 use crate::watch::Watch;
 
 /// A contact, ready to be solved.

@@ -7,7 +7,9 @@ use crate::effort::Effort;
 use crate::machined::Machined;
 use crate::profile::Profile;
 use crate::remark::Remark;
-use crate::results::{ContactResult, EnergyResult, ErrorResult, InterfaceResult, PressureResult, Reaction, ShapeResult, WearResult};
+use crate::results::{
+    ContactResult, EnergyResult, ErrorResult, InterfaceResult, PressureResult, Reaction, ShapeResult, WearResult,
+};
 use crate::watch::Resume;
 
 /// How a run ended.

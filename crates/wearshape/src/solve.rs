@@ -2,9 +2,9 @@
 
 use scene::Fault;
 
-use crate::hindsight;
 use crate::bodies::Bodies;
 use crate::effort::Effort;
+use crate::hindsight;
 use crate::ladder::Refusal;
 use crate::options::Options;
 use crate::problem::Problem;
@@ -13,10 +13,10 @@ use crate::scope::Scope;
 use crate::solution::{Solution, Status};
 use crate::stage::Stage;
 use crate::step::Step;
-use crate::steps::{approach, contact, pressure, recover, shape, torsion, wear};
 use crate::steps::answer::Outcome;
 use crate::steps::reported::Reported;
 use crate::steps::shape::Before;
+use crate::steps::{approach, contact, pressure, recover, shape, torsion, wear};
 use crate::watch::Watch;
 
 /// Computes everything the plan lists. What has no answer is a solution with its status; an `Err` is the user's to mend. `bodies` keeps what

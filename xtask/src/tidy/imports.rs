@@ -69,7 +69,7 @@ const TABLE: &[Row] = &[
     Row {
         package: "crates/report",
         ours: &["wearshape", "scene"],
-        others: Some(&["serde", "serde_json", "csv", "dxf", "base64"]),
+        others: Some(&["serde", "serde_json", "csv", "base64"]),
         because: "report writes what the solution says; what it needs of a mesh or a law, the solution carries",
     },
     Row {

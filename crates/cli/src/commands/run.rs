@@ -36,7 +36,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
     }
     problem.available().map_err(|fault| document.locate(fault))?;
     interrupt::listen();
-    let resolved = problem.resolved()?;
+    let resolved = problem.resolved();
     let folder = Folder::begin(&target, common.resume)?;
     if common.resume {
         folder.same_scene(&resolved)?;

@@ -49,7 +49,7 @@ pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
     }
     let against = args.reference.as_ref().map_or_else(|| "the finest degree".into(), |folder| folder.display().to_string());
     interrupt::listen();
-    let resolved = problem.resolved()?;
+    let resolved = problem.resolved();
     let folder = Folder::begin(&target, false)?;
     let levels = match with_threads(common, || levels(args, truth))? {
         Ok(Some(levels)) => levels,

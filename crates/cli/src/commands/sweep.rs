@@ -87,7 +87,7 @@ impl Sweep<'_> {
         // A first point without an answer is a row like any other; its scene stays as it is written.
         let (resolved, files) = Problem::new(first, &|path| beside.read(path))
             .map_or_else(|_| (first.scene.clone(), Vec::new()), |problem| (problem.scene().clone(), problem.files()));
-        let mark = format!("# {}\n{}", plan, scene::scene_text(&resolved)?);
+        let mark = format!("# {}\n{}", plan, scene::scene_text(&resolved));
         if common.resume {
             folder.same_scene(&mark)?;
         }
@@ -153,7 +153,7 @@ impl Sweep<'_> {
         problem.available().map_err(|fault| document.locate(fault))?;
         let solved = Live::silent().solve(&problem, &self.options, &self.bodies);
         let solution = solved.map_err(|fault| document.locate(fault))?;
-        Ok((solution.status, report::summary(&problem, &solution)?))
+        Ok((solution.status, report::summary(&problem, &solution)))
     }
 
     fn summary(&self, name: &str, mark: &str, failed: usize) -> Value {

@@ -2,8 +2,8 @@
 
 use scene::{Balance, Fault, Functional, Modes, Optimum, Pair, Scene, Task, positive};
 
-use crate::problem;
 use crate::functional::{power, s_minus_1};
+use crate::problem;
 
 /// Checks the optimum and fills in its defaults.
 pub(super) fn resolve(scene: &mut Scene, tasks: &[Task]) -> Result<(), Fault> {

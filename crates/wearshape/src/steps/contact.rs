@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
-use contact::{ContactOperator, ContactSolution, FreeEnds, Status as ContactStatus, inner_places, piecewise_linear, without_slivers};
+use contact::{
+    ContactOperator, ContactSolution, FreeEnds, Status as ContactStatus, inner_places, piecewise_linear, without_slivers,
+};
 use meshing::Cut;
 use scene::Fault;
 
@@ -13,7 +15,6 @@ use crate::ladder::{Ladder, Refusal};
 use crate::level::Level;
 use crate::stage::Stage;
 use crate::step::Step;
-use crate::steps::{sharp_edges, torsion};
 use crate::steps::answer::{Answer, Outcome, Own, Told};
 use crate::steps::contact_levels::{Solved, levels};
 use crate::steps::contact_result::result;
@@ -22,6 +23,7 @@ use crate::steps::free_ends::position;
 use crate::steps::reported::{Moment, Reported};
 use crate::steps::start_gap::{start_gap, start_gaps};
 use crate::steps::twist::Twist;
+use crate::steps::{sharp_edges, torsion};
 use crate::watch::Watch;
 use crate::words::PointStatus;
 

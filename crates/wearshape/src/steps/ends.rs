@@ -3,7 +3,10 @@
 //! Conditions stand on the flat side: normal along z, gap `R - sqrt(R^2 - x^2)`. First the normal load is applied without friction, then
 //! the shear force with Coulomb friction (Cattaneo 1938, Mindlin 1949). The formulas of Hertz give the trial ends only.
 
-use contact::{ContactLoad, ContactOperator, ContactPoint, ContactSolution, ContactState, Friction, Motion, Pair, Start, Status as ContactStatus, position_nodes};
+use contact::{
+    ContactLoad, ContactOperator, ContactPoint, ContactSolution, ContactState, Friction, Motion, Pair, Start,
+    Status as ContactStatus, position_nodes,
+};
 use hpfem::{Body, InterfaceState};
 use scene::Fault;
 
@@ -16,13 +19,13 @@ use crate::options::CURVE;
 use crate::parts::Parts;
 use crate::results::{EnergyResult, Reaction};
 use crate::step::Step;
-use crate::steps::{diagnosis, torsion};
 use crate::steps::answer::{Outcome, Told};
 use crate::steps::contact_levels::{Solved, levels};
 use crate::steps::ends_profile::Rows;
 use crate::steps::ends_setting::Setting;
 use crate::steps::reported::{Moment, Reported};
 use crate::steps::twist::Twist;
+use crate::steps::{diagnosis, torsion};
 use crate::watch::Watch;
 
 /// Samples of the pressure for the comparison of levels, over the inner 95 % of the contact.

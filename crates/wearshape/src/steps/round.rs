@@ -16,12 +16,12 @@ use crate::parts::Parts;
 use crate::problem::Problem;
 use crate::stage::Stage;
 use crate::step::Step;
-use crate::steps::recover;
 use crate::steps::answer::Outcome;
 use crate::steps::contact::{Search, on_standing_mesh, solve_level};
 use crate::steps::contact_levels::levels;
 use crate::steps::ends_scope::contact_alone;
 use crate::steps::hertz_trial::hertz_end;
+use crate::steps::recover;
 use crate::surface::Patch;
 use crate::watch::Watch;
 

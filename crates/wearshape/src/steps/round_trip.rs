@@ -10,8 +10,8 @@ use crate::effort::Effort;
 use crate::faults::unsolved;
 use crate::level::Level;
 use crate::results::InterfaceResult;
-use crate::steps::diagnosis;
 use crate::steps::answer::Told;
+use crate::steps::diagnosis;
 use crate::steps::shaper::Shaper;
 
 /// Relative area-weighted L2 difference of two pressures.

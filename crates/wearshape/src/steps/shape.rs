@@ -20,10 +20,10 @@ use crate::results::{ErrorResult, ShapeResult};
 use crate::solution::Status;
 use crate::stage::Stage;
 use crate::step::Step;
-use crate::steps::{pressure, round_trip, tolerance, torsion};
 use crate::steps::answer::{Answer, Outcome, Own, Told};
 use crate::steps::reported::{Moment, Reported};
 use crate::steps::shaper::{Shaper, unanswered};
+use crate::steps::{pressure, round_trip, tolerance, torsion};
 use crate::watch::Watch;
 
 /// Samples of the gap for the comparison of levels.

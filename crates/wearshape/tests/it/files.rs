@@ -46,7 +46,7 @@ fn a_resolved_scene_with_its_files_is_the_same_problem() {
     let problem = problem.unwrap();
     let kept = problem.files();
     let kept: Vec<(&str, &[u8])> = kept.iter().map(|(name, bytes)| (name.as_str(), bytes.as_slice())).collect();
-    let (again, asked) = with(&problem.resolved().unwrap(), &[], &kept);
+    let (again, asked) = with(&problem.resolved(), &[], &kept);
     // The profile stands in the resolved scene itself.
     assert_eq!(asked, ["body1.msh"]);
     let unused_keys = problem.unused_keys.clone();
