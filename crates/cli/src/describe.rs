@@ -59,9 +59,8 @@ pub(crate) fn describe(problem: &Problem) -> String {
         let mark = if stage.ran { "yes" } else { " - " };
         out += &format!("  {mark}  {:<18} {}\n", stage.name.name(), stage.because);
     }
-    if let Some(patch) = &problem.patch {
-        out += &format!("\ncontact surface {:.6} mm^2", patch.surface.area());
-        out += &format!(", free rigid modes of body 1: {}\n", problem.freedoms.len());
+    if let Some(area) = problem.contact_area() {
+        out += &format!("\ncontact surface {area:.6} mm^2, free rigid modes of body 1: {}\n", problem.free_modes());
     }
     for lint in problem.remarks() {
         out += &format!("\nnote [{}]: {}\n  more: wearshape explain {}\n", lint.code, lint.message, lint.code);

@@ -10,7 +10,7 @@ use crate::surface::Patch;
 
 /// One free rigid mode.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Freedom {
+pub(crate) struct Freedom {
     /// Which resultant it carries in the summary.
     pub role: Role,
     /// Motion and resultant.
@@ -19,7 +19,7 @@ pub struct Freedom {
 
 /// What a resultant is called.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Role {
+pub(crate) enum Role {
     /// The pressing force.
     Force,
     /// The moment int x p dS, or that about a pin or pivot.

@@ -4,7 +4,7 @@ use contact::Turn;
 
 /// What presses, shifts and turns body 1. Where it acts is said by [`meshing::LoadedEdge`].
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Load {
+pub(crate) struct Load {
     /// Force that presses body 1 on body 2 (N); under a prescribed approach none until it is found.
     pub force: Option<f64>,
     /// Prescribed closing of a rigid edge (mm).

@@ -16,44 +16,44 @@ use crate::surface::Patch;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Problem {
     /// Short name of the scene.
-    pub name: String,
+    pub(crate) name: String,
     /// The scene with every default filled in, in base units. It is written, and nothing is computed from it.
-    pub scene: Scene,
+    pub(crate) scene: Scene,
     /// The accuracy asked for, or a fixed discretisation.
-    pub wanted: Wanted,
+    pub(crate) wanted: Wanted,
     /// The elastic bodies; none of a surface alone.
-    pub couple: Option<Couple>,
+    pub(crate) couple: Option<Couple>,
     /// A surface without bodies.
-    pub bare: Option<SurfaceShape>,
+    pub(crate) bare: Option<SurfaceShape>,
     /// The contact surface, when it is known without a mesh.
-    pub patch: Option<Patch>,
+    pub(crate) patch: Option<Patch>,
     /// The rigid freedoms of body 1 with their resultants.
-    pub freedoms: Vec<Freedom>,
+    pub(crate) freedoms: Vec<Freedom>,
     /// Friction between the bodies.
-    pub friction: Friction,
+    pub(crate) friction: Friction,
     /// Unloaded gap at the start.
-    pub gap: Gap,
+    pub(crate) gap: Gap,
     /// What presses, shifts and turns body 1.
-    pub load: Load,
+    pub(crate) load: Load,
     /// Motion of body 2; none where nothing slides.
-    pub sliding: Option<scene::Sliding>,
+    pub(crate) sliding: Option<scene::Sliding>,
     /// Wear rules and where a run in time ends.
-    pub wear: Wear,
+    pub(crate) wear: Wear,
     /// Pieces of a run in time; none where load and sliding stay.
-    pub pieces: Vec<Piece>,
+    pub(crate) pieces: Vec<Piece>,
     /// Which pressure is wanted.
-    pub optimum: Optimum,
+    pub(crate) optimum: Optimum,
     /// Stages and reasons.
-    pub plan: Plan,
+    pub(crate) plan: Plan,
     /// What the theory has to say about the scene.
-    pub remarks: Vec<Remark>,
+    pub(crate) remarks: Vec<Remark>,
     /// Keys that were written but are not used.
-    pub unused_keys: Vec<String>,
+    pub(crate) unused_keys: Vec<String>,
 }
 
 /// How accurate the answer is to be.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Wanted {
+pub(crate) struct Wanted {
     /// Relative error.
     pub accuracy: f64,
     /// A fixed discretisation instead of the accuracy.
@@ -64,7 +64,7 @@ pub struct Wanted {
 
 /// Coulomb friction.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Friction {
+pub(crate) struct Friction {
     /// Coefficient, 0 or more.
     pub coefficient: f64,
     /// Whether the shear acts on the bodies and in the balance.
@@ -73,14 +73,14 @@ pub struct Friction {
 
 impl Friction {
     /// Coefficient of the shear on the bodies.
-    pub fn shear(self) -> f64 {
+    pub(crate) fn shear(self) -> f64 {
         if self.on_bodies { self.coefficient } else { 0.0 }
     }
 }
 
 /// Wear of both bodies.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Wear {
+pub(crate) struct Wear {
     /// Rules w' = k p^b v^a of body 1 and 2; an error where the scene's factors leave them open.
     pub laws: Result<WearPair, WearError>,
     /// Exponents b of the bodies with a wear factor, each once.
@@ -97,7 +97,7 @@ pub struct Wear {
 
 /// A wear rule of the caller's own; equal to another one that is the same function.
 #[derive(Debug, Clone, Copy)]
-pub struct OwnRule(pub WearRule);
+pub(crate) struct OwnRule(pub WearRule);
 
 impl PartialEq for OwnRule {
     fn eq(&self, other: &OwnRule) -> bool {
@@ -107,7 +107,7 @@ impl PartialEq for OwnRule {
 
 impl Wear {
     /// Wear rate of both bodies (mm/s) at a pressure (MPa) and a sliding speed (mm/s); none where the scene's factors leave it open.
-    pub fn rate(&self, pressure: f64, sliding_speed: f64) -> Option<f64> {
+    pub(crate) fn rate(&self, pressure: f64, sliding_speed: f64) -> Option<f64> {
         if let Some(OwnRule(rule)) = self.rule {
             return Some(if pressure > 0.0 { rule(pressure, sliding_speed)[0] } else { 0.0 });
         }
@@ -119,7 +119,7 @@ impl Wear {
 
 /// A piece of a run in time: factors on what load and sliding give.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Piece {
+pub(crate) struct Piece {
     /// Time at which it begins (s).
     pub time: f64,
     /// Factors on force, moment and speed.
@@ -128,7 +128,7 @@ pub struct Piece {
 
 /// Which pressure is wanted.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Optimum {
+pub(crate) struct Optimum {
     /// What is made stationary.
     pub functional: scene::Functional,
     /// Exponent of the generalised functionals.
@@ -221,12 +221,12 @@ impl Problem {
     }
 
     /// Level of a degree: as many layers as the degree asks for.
-    pub fn level(&self, degree: usize) -> Level {
+    pub(crate) fn level(&self, degree: usize) -> Level {
         Level::of(degree, self.wanted.bends)
     }
 
     /// The problem under a force, its approach kept.
-    pub fn with_force(&self, force: f64) -> Problem {
+    pub(crate) fn with_force(&self, force: f64) -> Problem {
         let mut problem = self.clone();
         problem.load.force = Some(force);
         problem.freedoms = problem.own_freedoms();
@@ -234,7 +234,7 @@ impl Problem {
     }
 
     /// The problem with load and sliding multiplied by factors on force, moment and speed.
-    pub fn under(&self, [force, moment, speed]: [f64; 3]) -> Problem {
+    pub(crate) fn under(&self, [force, moment, speed]: [f64; 3]) -> Problem {
         let mut problem = self.clone();
         problem.load.force = problem.load.force.map(|f| f * force);
         problem.load.moment *= moment;
@@ -244,7 +244,7 @@ impl Problem {
     }
 
     /// The freedoms under the load as it is; none where it takes a mesh to know them.
-    pub fn own_freedoms(&self) -> Vec<Freedom> {
+    pub(crate) fn own_freedoms(&self) -> Vec<Freedom> {
         match (&self.bare, &self.couple, &self.patch) {
             (Some(surface), _, _) => crate::freedom::of_surface(surface, &self.load),
             (None, Some(couple), Some(patch)) => crate::freedom::of_bodies(couple, &self.load, patch),

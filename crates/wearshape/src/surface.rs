@@ -18,7 +18,7 @@ use crate::surface::found::Found;
 
 /// A contact surface known without a mesh.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Patch {
+pub(crate) struct Patch {
     /// The surface with its sliding motion.
     pub surface: Surface,
     /// What kind of motion closes a track, which decides how the counter-face wears.
@@ -29,12 +29,12 @@ pub struct Patch {
 
 impl Patch {
     /// A surface without bodies.
-    pub fn bare(surface: &SurfaceShape, sliding: Option<&Sliding>) -> Result<Patch, Fault> {
+    pub(crate) fn bare(surface: &SurfaceShape, sliding: Option<&Sliding>) -> Result<Patch, Fault> {
         Patch::new(bare::bare(surface)?, sliding, false)
     }
 
     /// The surface between two bodies; none when it takes a mesh to know it.
-    pub fn between(kinematics: Kinematics, bodies: [&Body; 2], sliding: Option<&Sliding>) -> Result<Option<Patch>, Fault> {
+    pub(crate) fn between(kinematics: Kinematics, bodies: [&Body; 2], sliding: Option<&Sliding>) -> Result<Option<Patch>, Fault> {
         let [first, second] = bodies;
         let found = along(kinematics, [contact_line(first, true)?, contact_line(second, false)?])?;
         found
@@ -54,7 +54,7 @@ impl Patch {
     }
 
     /// Its extent in its own coordinate; none where bodies cannot be meshed for it.
-    pub fn extent(&self) -> Option<Extent> {
+    pub(crate) fn extent(&self) -> Option<Extent> {
         match self.surface.shape() {
             Shape::Arc { angles, .. } => Some(Extent::Angles(*angles)),
             Shape::Strip { x, .. } => Some(Extent::X(*x)),
@@ -64,7 +64,7 @@ impl Patch {
     }
 
     /// The surface with all sliding speeds multiplied by a factor.
-    pub fn faster(self, factor: f64) -> Patch {
+    pub(crate) fn faster(self, factor: f64) -> Patch {
         let SlidingMotion { velocity, angular_velocity, about } = *self.surface.motion();
         let motion = SlidingMotion { velocity: velocity * factor, angular_velocity: angular_velocity * factor, about };
         match Surface::new(self.surface.shape().clone(), motion) {
@@ -74,12 +74,12 @@ impl Patch {
     }
 
     /// `count` points equally spaced in the surface's own coordinate, towards +x.
-    pub fn sample(&self, count: usize) -> Vec<SurfacePoint> {
+    pub(crate) fn sample(&self, count: usize) -> Vec<SurfacePoint> {
         self.towards_x(self.surface.sample(count))
     }
 
     /// Points of the surface in the order of its own coordinate, turned towards +x.
-    pub fn towards_x(&self, mut points: Vec<SurfacePoint>) -> Vec<SurfacePoint> {
+    pub(crate) fn towards_x(&self, mut points: Vec<SurfacePoint>) -> Vec<SurfacePoint> {
         if self.backwards {
             points.reverse();
         }
@@ -87,7 +87,7 @@ impl Patch {
     }
 
     /// The arc length from the middle of a point, positive towards +x; on rings and sectors its radius.
-    pub fn place(&self, point: &SurfacePoint) -> f64 {
+    pub(crate) fn place(&self, point: &SurfacePoint) -> f64 {
         let position = point.position;
         match self.surface.shape() {
             Shape::Arc { radius, centre, angles, .. } => {
@@ -102,7 +102,7 @@ impl Patch {
     }
 
     /// The angle (rad, from the z axis towards +x) at an arc length from the middle; none off an arc.
-    pub fn angle(&self, s: f64) -> Option<f64> {
+    pub(crate) fn angle(&self, s: f64) -> Option<f64> {
         let Shape::Arc { radius, angles, .. } = self.surface.shape() else { return None };
         let middle = 0.5 * (angles[0] + angles[1]);
         Some(if self.backwards { middle - s / radius } else { middle + s / radius })
@@ -111,7 +111,7 @@ impl Patch {
 
 impl Patch {
     /// A flat surface from and to the given x (or radius), where a round body meets a flat one.
-    pub fn flat(kinematics: Kinematics, x: [f64; 2], z: f64, sliding: Option<&Sliding>) -> Result<Patch, Fault> {
+    pub(crate) fn flat(kinematics: Kinematics, x: [f64; 2], z: f64, sliding: Option<&Sliding>) -> Result<Patch, Fault> {
         let (shape, kind) = match kinematics.is_revolved() {
             true => (Shape::Annulus { radii: x }, PatchKind::Ring),
             false => (Shape::Strip { x, z, thickness: thickness(kinematics) }, PatchKind::Plane),

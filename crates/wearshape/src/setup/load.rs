@@ -86,8 +86,8 @@ fn on_surface(load: &mut Load, surface: &mut SurfaceShape) -> Result<(), Fault> 
 fn strip(load: &mut Load, body: &Body, edge: &str, tasks: &[Task]) -> Result<(), Fault> {
     let points = outline(body).points(edge);
     let ends = points.iter().fold((f64::MAX, f64::MIN), |(lo, hi), p| (lo.min(p[0]), hi.max(p[0])));
-    let centre = load.centre.get_or_insert(Length(0.0)).0;
     let Some(width) = load.width else { return Ok(()) };
+    let centre = load.centre.get_or_insert(Length(0.0)).0;
     positive("load.width", width.0, "width", " mm")?;
     let (from, to) = (centre - 0.5 * width.0, centre + 0.5 * width.0);
     if !points.is_empty() && (from < ends.0 || to > ends.1) {

@@ -4,7 +4,7 @@ use wear::Shape;
 
 /// Kind of contact surface, by how body 2 passes under it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum PatchKind {
+pub(crate) enum PatchKind {
     /// Plane strip or plane surface over which a long plate slides.
     Plane,
     /// Full ring on a turning disc.
