@@ -30,3 +30,8 @@ pub(crate) fn solved_on(problem: &Problem, bodies: &Bodies) -> Solution {
 pub(crate) fn digits(solution: &Solution) -> String {
     format!("{:?}", Solution { effort: Effort::default(), ..solution.clone() })
 }
+
+/// Everything a problem is computed from: all of it but the keys that its text had in vain.
+pub(crate) fn computed_from(problem: &Problem) -> String {
+    format!("{problem:?}").replace(&format!("unused_keys: {:?}", problem.unused_keys()), "")
+}
