@@ -104,8 +104,10 @@ impl Sweep<'_> {
         rows.truncate(count);
         folder.write("sweep.jsonl", &lines(rows))?;
         let progress = Progress::counted(&self.args.common, count);
+        // The first point is computed alone: what it factorises serves the others.
+        let mut size = 1;
         while rows.len() < count && !interrupt::asked() {
-            let chunk = rows.len()..count.min(rows.len() + CHUNK);
+            let chunk = rows.len()..count.min(rows.len() + std::mem::replace(&mut size, CHUNK));
             // The points are begun in their order, so that few rows stand behind the first that is cut short.
             let mut new: Vec<(usize, Value)> =
                 chunk.clone().par_bridge().filter_map(|point| Some((point, self.row(point)?))).collect();

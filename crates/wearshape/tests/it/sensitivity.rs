@@ -81,7 +81,7 @@ fn nothing_is_said_without_being_asked_by_an_own_rule_or_under_a_prescribed_appr
     assert_eq!(pressure(&own, true).sensitivity, []);
     let json = serde_json::to_value(pressure(&own, true)).unwrap();
     assert_eq!(json.get("sensitivity"), None);
-    assert_abs_diff_eq!(json["p_mean"].as_f64().unwrap(), 5.0, epsilon = 0.5);
+    assert_abs_diff_eq!(json["p_mean_MPa"].as_f64().unwrap(), 5.0, epsilon = 0.5);
     // Here every number changes the force too.
     let load = "load={ edge = \"top\", as = \"rigid\", approach = 0.01 }".to_string();
     let approached = pressure(&problem("translating-punch", &[load, "accuracy=1e-2".into(), "tasks=[\"shape\"]".into()]), true);
