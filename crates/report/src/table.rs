@@ -4,7 +4,7 @@ use scene::number_text;
 use wearshape::Profile;
 
 /// A table of texts; every row is as long as the names.
-pub fn table(names: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> String {
+pub fn table(names: &[&str], rows: impl IntoIterator<Item: IntoIterator<Item: AsRef<[u8]>>>) -> String {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let written = writer.write_record(names).and_then(|()| rows.into_iter().try_for_each(|row| writer.write_record(row)));
     assert!(written.is_ok(), "a row of {names:?} is too short or too long");
@@ -20,7 +20,7 @@ pub fn numbers_row(numbers: &[f64]) -> Vec<String> {
 pub fn columns_csv(columns: &[(String, Vec<f64>)]) -> String {
     let names: Vec<&str> = columns.iter().map(|(name, _)| name.as_str()).collect();
     let rows = columns.iter().map(|(_, values)| values.len()).min().unwrap_or(0);
-    table(&names, (0..rows).map(|row| columns.iter().map(|(_, values)| number_text(values[row])).collect()))
+    table(&names, (0..rows).map(|row| columns.iter().map(move |(_, values)| number_text(values[row]))))
 }
 
 /// The numbers of a column of a table; none if it has no such column, or a row without a number there.
@@ -60,5 +60,5 @@ pub(crate) fn profile_csv(profile: &Profile) -> String {
     let names: Vec<&str> = CONTACT.iter().map(|(name, _)| *name).chain(["status"]).collect();
     let numbers = |row| CONTACT.iter().map(move |(_, value)| number_text(value(profile, row)));
     let status = |row: usize| profile.status[row].word().to_string();
-    table(&names, (0..profile.s.len()).map(|row| numbers(row).chain([status(row)]).collect()))
+    table(&names, (0..profile.s.len()).map(|row| numbers(row).chain([status(row)])))
 }

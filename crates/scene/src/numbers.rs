@@ -30,6 +30,10 @@ pub fn number_text(number: f64) -> String {
         return "0".into();
     }
     let plain = format!("{number}");
+    // The other form is never shorter by more than two here.
+    if (1e-4..1e4).contains(&number.abs()) {
+        return plain;
+    }
     let scientific = format!("{number:e}");
     if plain.len() <= scientific.len() + 2 { plain } else { scientific }
 }
@@ -66,7 +70,18 @@ pub fn with_short_numbers(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::with_short_numbers;
+    use super::{number_text, with_short_numbers};
+
+    #[test]
+    fn a_number_is_plain_unless_that_is_longer_by_more_than_two() {
+        let digits = [1.0, -1.5, 9.999999999999998, 1.0 / 3.0, std::f64::consts::PI];
+        for number in (-8..10).flat_map(|power| digits.map(|digit| digit * 10f64.powi(power))).chain([1e-4, 1e4]) {
+            let (plain, scientific) = (format!("{number}"), format!("{number:e}"));
+            let expected = if plain.len() <= scientific.len() + 2 { plain } else { scientific };
+            assert_eq!(number_text(number), expected);
+        }
+        assert_eq!([1e-5, 1e5].map(number_text), ["1e-5", "100000"]);
+    }
 
     #[test]
     fn long_numbers_are_rounded_and_names_and_quotes_are_not() {

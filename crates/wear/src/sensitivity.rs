@@ -261,9 +261,9 @@ impl<'a> System<'a> {
             }
         } else if self.recedes {
             let b = self.problem.wear.laws[1].pressure_exponent;
-            for (place, weight) in self.places.iter().zip(self.wear_weights()) {
+            for ((place, known), weight) in self.places.iter().zip(&known).zip(self.wear_weights()) {
                 let rate = change.log_rate(self.problem, 1, place.log_pressure, place.log_speed);
-                side[count] += self.recession() * weight * (rate + b * self.known(place, change));
+                side[count] += self.recession() * weight * (rate + b * known);
             }
         }
         side
@@ -275,34 +275,36 @@ impl<'a> System<'a> {
             self.known(place, change) + reached
         };
         let highest = self.place(self.optimum.law.node(self.optimum.highest));
+        let changes: Vec<f64> = self.places.iter().map(log_pressure).collect();
         Sensitivity {
             given,
-            wear_rate: self.wear_rate(change, &log_pressure),
-            torque: self.torque(change, &log_pressure),
+            wear_rate: self.wear_rate(change, &changes),
+            torque: self.torque(change, &changes),
             p_max: log_pressure(&highest),
         }
     }
 
     /// Relative change of int p v dS mu / speed.
-    fn torque(&self, change: &Change, log_pressure: &dyn Fn(&Place) -> f64) -> Option<f64> {
+    fn torque(&self, change: &Change, log_pressures: &[f64]) -> Option<f64> {
         let power = |place: &Place| self.force(place) * place.node.point.sliding_speed;
         let swept: f64 = self.places.iter().map(power).sum();
-        let changed: f64 = self.places.iter().map(|place| power(place) * log_pressure(place)).sum();
+        let changed: f64 = self.places.iter().zip(log_pressures).map(|(place, change)| power(place) * change).sum();
         let mu = self.problem.friction;
         (mu > 0.0 && swept > 0.0).then(|| change.friction / mu + changed / swept + change.log_thickness)
     }
 
     /// Relative change of the mean rate of the gap.
-    fn wear_rate(&self, change: &Change, log_pressure: &dyn Fn(&Place) -> f64) -> Option<f64> {
+    fn wear_rate(&self, change: &Change, log_pressures: &[f64]) -> Option<f64> {
         let (mut whole, mut changed) = (0.0, 0.0);
         for (i, part) in [1.0, self.share_of_body2()].into_iter().enumerate().filter(|(i, _)| self.problem.wear.wears(*i)) {
             let law = &self.problem.wear.laws[i];
-            for place in self.places.iter().filter(|place| place.log_pressure > f64::NEG_INFINITY) {
+            let touching = self.places.iter().zip(log_pressures).filter(|(place, _)| place.log_pressure > f64::NEG_INFINITY);
+            for (place, log_pressure) in touching {
                 let point = &place.node.point;
                 let rate = part * point.weight * wear_rate(law, place.log_pressure.exp(), point.sliding_speed);
                 let own = change.log_rate(self.problem, i, place.log_pressure, place.log_speed);
                 whole += rate;
-                changed += rate * (own + law.pressure_exponent * log_pressure(place));
+                changed += rate * (own + law.pressure_exponent * log_pressure);
             }
         }
         (whole > 0.0).then(|| changed / whole)

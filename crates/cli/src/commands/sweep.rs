@@ -203,5 +203,5 @@ fn table(rows: &[Value]) -> String {
         Some(other) => other.to_string(),
     };
     let names: Vec<&str> = columns.iter().map(|key| key.as_str()).collect();
-    report::table(&names, rows.iter().map(|row| columns.iter().map(|key| cell(row.get(key.as_str()))).collect()))
+    report::table(&names, rows.iter().map(|row| columns.iter().map(move |key| cell(row.get(key.as_str())))))
 }
