@@ -30,7 +30,7 @@ fn a_sweep_keeps_its_finished_rows_and_is_resumed_to_the_same_bytes() {
     assert!(said.contains("wearshape sweep drum-brake-block --over contact.friction=0:0.3:400 -o x"), "{said}");
     assert!(said.contains("--resume") && !bench.path("x").exists(), "{said}");
     let kept = rows();
-    assert!(kept.ends_with('\n') && (64..400).contains(&kept.lines().count()), "{} rows", kept.lines().count());
+    assert!(kept.ends_with('\n') && (1..400).contains(&kept.lines().count()), "{} rows", kept.lines().count());
     assert!(bench.read("whole/sweep.jsonl").starts_with(&kept), "the finished rows are those of the whole sweep");
     assert_eq!(bench.call(&format!("{args} -o x --resume")).code, 0);
     for name in ["sweep.csv", "sweep.jsonl", "scene.resolved.toml"] {
