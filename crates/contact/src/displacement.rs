@@ -29,7 +29,7 @@ impl Pair<'_> {
         for (point, shear) in self.points().iter().zip(shear) {
             body.trace.add_force(&mut load, self.place(side, point), [sign * shear * point.weight, 0.0]);
         }
-        let factors = body.factors(&[]);
+        let factors = body.factors_in_order(&[]);
         let unknowns = body.solve_one(&body.right_hand_side(&load, &factors));
         InterfaceState { unknowns, factors, load }
     }

@@ -56,7 +56,7 @@ impl Response {
         let unknowns = body.stiffness.nrows();
         let frame: Vec<usize> = body.frame.iter().flatten().copied().collect();
         let kept: Vec<usize> = (0..unknowns).filter(|i| !frame.contains(i)).collect();
-        let columns = body.load_cases + 1;
+        let columns = body.load_cases.len() + 1;
         let mut right = Mat::zeros(unknowns, 0);
         let blocks = [Some(normal.transpose()), tangential.as_ref().map(|t| t.transpose())];
         for block in blocks.into_iter().flatten() {

@@ -97,11 +97,11 @@ impl ContactOperator<'_> {
         let (mut rows, mut factors) = (Vec::new(), Vec::new());
         for (b, response) in self.unit.responses.iter().enumerate() {
             let operator = self.operator(b);
-            if load.factors[b].len() != operator.load_cases || load.factors[b].iter().any(|a| !a.is_finite()) {
-                return Err(Error::Factors { body: b + 1, given: load.factors[b].len(), cases: operator.load_cases });
+            if load.factors[b].len() != operator.load_cases.len() || load.factors[b].iter().any(|a| !a.is_finite()) {
+                return Err(Error::Factors { body: b + 1, given: load.factors[b].len(), cases: operator.load_cases.len() });
             }
-            let all = operator.factors(&load.factors[b]);
-            let columns = all[..=operator.load_cases].to_vec();
+            let all = operator.factors_in_order(&load.factors[b]);
+            let columns = all[..=operator.prescribed_column()].to_vec();
             let u = times(&response.to_columns, &columns);
             let displaced = times(&response.normal, &u);
             (0..n).for_each(|i| opening[i] += SIGNS[b] * (displaced[i] + response.constant[0][i]));

@@ -1,14 +1,14 @@
 //! What the cells of a body are assembled from.
 
-use crate::additions::{Additions, BodyForce};
 use crate::basis::{BoundaryModes, points_for};
 use crate::boundary::edge_modes;
 use crate::check::unit_of_stiffness;
-use crate::edge_load::EdgeLoad;
+use crate::edge_load::Loads;
 use crate::freedom::rotation_about_origin;
-use crate::material::{Kinematics, Material};
+use crate::kinematics::Kinematics;
 use crate::mesh::Mesh;
-use crate::problem::{BodyProblem, LoadCase};
+use crate::moduli::Moduli;
+use crate::problem::BodyProblem;
 use crate::space::{Space, Target};
 use crate::triangle_matrix::TriangleTable;
 use std::sync::Arc;
@@ -18,15 +18,12 @@ pub(crate) struct Assembly<'a> {
     pub(crate) mesh: &'a Mesh,
     pub(crate) space: &'a Space,
     pub(crate) kinematics: Kinematics,
-    /// Materials in units of `unit`.
-    pub(crate) materials: Vec<Material>,
+    /// Moduli of the materials in units of `unit`.
+    pub(crate) moduli: Vec<Moduli>,
     /// Stiffnesses and loads are divided by this power of two.
     pub(crate) unit: f64,
     pub(crate) triangle_tables: Vec<Option<Arc<TriangleTable>>>,
-    /// Tractions by edge; empty when no loads are needed.
-    pub(crate) edge_loads: Vec<Vec<EdgeLoad<'a>>>,
-    pub(crate) load_cases: &'a [LoadCase<'a>],
-    pub(crate) body_forces: &'a [BodyForce<'a>],
+    pub(crate) loads: Loads<'a>,
     /// Rigid rotation about the origin, modal coefficients of each group with prescribed parts, for the moments of reactions.
     pub(crate) rotation: Vec<Vec<[f64; 2]>>,
     /// Number of right-hand-side columns: load cases, one for prescribed displacements, reactions.
@@ -34,13 +31,8 @@ pub(crate) struct Assembly<'a> {
 }
 
 impl<'a> Assembly<'a> {
-    pub(crate) fn new(
-        problem: &'a BodyProblem<'_>,
-        space: &'a Space,
-        additions: &'a Additions<'_>,
-        edge_loads: Vec<Vec<EdgeLoad<'a>>>,
-    ) -> Assembly<'a> {
-        let mesh = problem.mesh;
+    pub(crate) fn new(problem: &'a BodyProblem, space: &'a Space, loads: Loads<'a>) -> Assembly<'a> {
+        let mesh = &*problem.mesh;
         let unit = unit_of_stiffness(problem);
         let highest = space.cell_degree.iter().copied().max().unwrap_or(0);
         let mut triangle_tables: Vec<Option<Arc<TriangleTable>>> = vec![None; highest + 1];
@@ -64,14 +56,12 @@ impl<'a> Assembly<'a> {
             mesh,
             space,
             kinematics: problem.kinematics,
-            materials: problem.materials.iter().map(|m| m.scaled(1.0 / unit)).collect(),
+            moduli: problem.materials.iter().map(|m| m.scaled(1.0 / unit).moduli(problem.kinematics)).collect(),
             unit,
             triangle_tables,
-            edge_loads,
-            load_cases: problem.load_cases,
-            body_forces: &additions.body_forces,
+            columns: loads.cases + problem.columns() - problem.load_cases.len(),
+            loads,
             rotation,
-            columns: problem.load_cases.len() + 1 + 3 * (problem.supports.len() + additions.pins.len()),
         }
     }
 }

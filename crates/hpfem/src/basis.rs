@@ -145,6 +145,14 @@ impl BoundaryModes {
 }
 
 impl LocalModes {
+    /// Sign of every scalar mode in the local order.
+    pub(crate) fn signs(&self) -> Vec<f64> {
+        let mut signs = vec![1.0; self.modes];
+        let present = self.position.iter().zip(&self.sign).filter(|(position, _)| **position != usize::MAX);
+        present.for_each(|(position, sign)| signs[*position] = *sign);
+        signs
+    }
+
     /// Modes of a cell of degree `degree` whose edges have degrees `edges` and are walked `against` their own direction: odd
     /// modes of such an edge change sign, which is all that continuity needs.
     pub(crate) fn new(degree: usize, edges: [usize; 4], against: [bool; 4], trunk: bool) -> LocalModes {

@@ -1,59 +1,65 @@
 //! A body: mesh, material, supports and loads, reduced to its kept boundary.
 
-use crate::additions::Additions;
 use crate::assembly::Assembly;
 use crate::cell_matrix::map_cells;
+use crate::edge_load::Loads;
 use crate::effort::{Clock, Effort, still};
-use crate::elimination::Condensed;
+use crate::elimination::{Condensed, Forward};
 use crate::error::Error;
-use crate::field::Field;
+use crate::field::{Field, FieldParts};
 use crate::interface::{InterfaceOperator, InterfaceState};
 use crate::kept::Kept;
 use crate::mesh::Mesh;
 use crate::problem::BodyProblem;
 use crate::reduce::{Reduction, reduce};
+use crate::rigid::motion_words;
 use crate::space::Space;
 use crate::trace::TraceLoad;
 use faer::Mat;
+use std::sync::Arc;
 
-/// A body whose interior is eliminated.
-pub struct Body<'a> {
+/// A body whose interior is eliminated. It owns its problem, can be sent to a thread, and is cheap to clone but for its interface
+/// operator: the factors are shared.
+#[derive(Clone)]
+pub struct Body {
     /// The reduced body.
     pub interface: InterfaceOperator,
     /// Sizes and times of the reduction.
     pub effort: Effort,
-    problem: BodyProblem<'a>,
-    additions: Additions<'a>,
-    space: Space,
-    condensed: Condensed,
-    kept: Kept,
+    /// The problem, with the load cases added later.
+    pub(crate) problem: BodyProblem,
+    pub(crate) factored: Arc<Factored>,
+    /// The load cases added after the factorisation, which follow those of the first hour.
+    pub(crate) added: Vec<Arc<Forward>>,
 }
 
-impl<'a> Body<'a> {
+/// What is known once a body is factorised.
+pub(crate) struct Factored {
+    pub(crate) space: Space,
+    pub(crate) condensed: Condensed,
+    pub(crate) kept: Kept,
+    /// Number of load cases at the time.
+    pub(crate) cases: usize,
+}
+
+impl Body {
     /// Assembles the body and eliminates everything but the kept boundary and the rigid edge.
     ///
     /// # Errors
-    /// Unknown boundary names, folded cells, degrees out of range, a body that nothing holds.
-    pub fn new(problem: BodyProblem<'a>) -> Result<Body<'a>, Error> {
-        Body::with(problem, Additions::default())
+    /// Unknown boundary names, folded cells, degrees out of range, displacements that contradict each other, a body that nothing holds.
+    pub fn new(problem: BodyProblem) -> Result<Body, Error> {
+        Body::timed(problem, still)
     }
 
-    /// As [`Body::new`], with pins, elastic foundations, body forces, tractions on parts of boundaries and displacements that vary. The strain energy of such a body includes its foundations;
-    /// reactions of pins are numbered after those of the supports.
+    /// As [`Body::new`]; [`Body::effort`] holds the seconds that the two parts of the reduction take by `clock`.
     ///
     /// # Errors
-    /// As for [`Body::new`]; pins, load cases or boundaries that do not exist, negative foundations.
-    pub fn with(problem: BodyProblem<'a>, additions: Additions<'a>) -> Result<Body<'a>, Error> {
-        Body::timed(problem, additions, still)
-    }
-
-    /// As [`Body::with`]; [`Body::effort`] holds the seconds that the two parts of the reduction take by `clock`.
-    ///
-    /// # Errors
-    /// As for [`Body::with`].
-    pub fn timed(problem: BodyProblem<'a>, additions: Additions<'a>, clock: Clock) -> Result<Body<'a>, Error> {
-        let Reduction { interface, effort, space, condensed, kept } = reduce(&problem, &additions, true, clock)?;
-        Ok(Body { interface, effort, problem, additions, space, condensed, kept })
+    /// As for [`Body::new`].
+    pub fn timed(problem: BodyProblem, clock: Clock) -> Result<Body, Error> {
+        let Reduction { interface, effort, space, condensed, kept } = reduce(&problem, true, clock)?;
+        let cases = problem.load_cases.len();
+        let factored = Arc::new(Factored { space, condensed, kept, cases });
+        Ok(Body { interface, effort, problem, factored, added: Vec::new() })
     }
 
     /// The interface operator alone, without what it takes to recover displacements inside: the factors of the fronts are dropped as the
@@ -61,7 +67,7 @@ impl<'a> Body<'a> {
     ///
     /// # Errors
     /// As for [`Body::new`].
-    pub fn interface(problem: &BodyProblem<'_>) -> Result<(InterfaceOperator, Effort), Error> {
+    pub fn interface(problem: &BodyProblem) -> Result<(InterfaceOperator, Effort), Error> {
         Body::interface_timed(problem, still)
     }
 
@@ -69,51 +75,87 @@ impl<'a> Body<'a> {
     ///
     /// # Errors
     /// As for [`Body::new`].
-    pub fn interface_timed(problem: &BodyProblem<'_>, clock: Clock) -> Result<(InterfaceOperator, Effort), Error> {
-        let reduction = reduce(problem, &Additions::default(), false, clock)?;
+    pub fn interface_timed(problem: &BodyProblem, clock: Clock) -> Result<(InterfaceOperator, Effort), Error> {
+        let reduction = reduce(problem, false, clock)?;
         Ok((reduction.interface, reduction.effort))
     }
 
-    /// The mesh of the body.
-    pub fn mesh(&self) -> &'a Mesh {
-        self.problem.mesh
+    /// The problem of the body, with the load cases added later.
+    pub fn problem(&self) -> &BodyProblem {
+        &self.problem
     }
 
-    /// Solves the body alone under the load-case factors, one a load case (all motions held by supports or kept).
+    /// The mesh of the body.
+    pub fn mesh(&self) -> &Arc<Mesh> {
+        &self.problem.mesh
+    }
+
+    /// Solves the body alone under load cases by name, each with its factor; cases not named do not act. All motions are held by
+    /// supports, or the loads balance: then the answer has no part of a rigid motion, as far as the kept unknowns tell.
     ///
-    /// # Panics
-    /// With fewer factors than load cases.
-    pub fn solve(&self, cases: &[f64]) -> InterfaceState {
-        let factors = self.interface.factors(cases);
+    /// # Errors
+    /// [`Error::NoSuchLoadCase`]; [`Error::Unbalanced`] if the loads work on a motion that nothing holds.
+    pub fn solve(&self, cases: &[(&str, f64)]) -> Result<InterfaceState, Error> {
+        let factors = self.interface.factors(cases)?;
         let n = self.interface.stiffness.nrows();
         let load = TraceLoad { unknowns: vec![0.0; n], ..TraceLoad::default() };
         let right = self.interface.right_hand_side(&load, &factors);
+        self.check_balance(&right, &factors)?;
         let right = Mat::from_fn(n, 1, |i, _| right[i]);
         let x = self.interface.solve(&right, &self.interface.rigid_modes);
-        InterfaceState { unknowns: (0..n).map(|i| x[(i, 0)]).collect(), factors, load }
+        Ok(InterfaceState { unknowns: (0..n).map(|i| x[(i, 0)]).collect(), factors, load })
+    }
+
+    /// Refuses loads that work on a motion that nothing holds, beyond what quadrature leaves.
+    fn check_balance(&self, right: &[f64], factors: &[f64]) -> Result<(), Error> {
+        let interface = &self.interface;
+        let modes = &interface.rigid_modes;
+        // The size of the loads, by what they do to the body held at its kept unknowns and by what is left on those.
+        let inner: f64 = factors.iter().enumerate().map(|(k, a)| a * a * interface.work[(k, k)]).sum();
+        let stiff = (0..right.len()).fold(0.0_f64, |m, i| m.max(interface.stiffness[(i, i)]));
+        for (k, motion) in interface.rigid_motions.iter().enumerate() {
+            let products = right.iter().enumerate().map(|(i, f)| f * modes[(i, k)]);
+            let (load, size) = products.fold((0.0, 0.0), |(sum, size), p| (sum + p, size + p.abs()));
+            let largest = (0..right.len()).fold(0.0_f64, |m, i| m.max(modes[(i, k)].abs()));
+            if load.abs() > 1e-6 * size.max((inner.max(0.0) * stiff).sqrt() * largest) {
+                let motion = motion_words(interface.kinematics, std::slice::from_ref(motion));
+                return Err(Error::Unbalanced { motion, load });
+            }
+        }
+        Ok(())
     }
 
     /// Recovers the displacement of the whole body, mm, in a state of its kept unknowns.
     ///
     /// # Errors
-    /// As for [`Body::new`]; cells are assembled again.
-    pub fn field(&self, state: &InterfaceState) -> Result<Field<'a>, Error> {
-        let mut values: Vec<Vec<f64>> = vec![Vec::new(); self.space.size.len()];
-        let mut at = 0;
-        for g in &self.kept.groups {
-            values[*g] = state.unknowns[at..at + self.space.size[*g]].to_vec();
-            at += self.space.size[*g];
+    /// As for [`Body::new`]; cells are assembled again. [`Error::OtherLoads`] for a state from before a load was added.
+    pub fn field(&self, state: &InterfaceState) -> Result<Field, Error> {
+        let columns = self.interface.columns.ncols();
+        if state.factors.len() != columns {
+            return Err(Error::OtherLoads { given: state.factors.len(), expected: columns });
         }
-        let mut size = self.space.size.clone();
-        size.push(state.factors.len());
-        values.push(state.factors.iter().map(|f| -f).collect());
-        self.condensed.back_substitute(&mut values, &size);
-        let assembly = Assembly::new(&self.problem, &self.space, &self.additions, Vec::new());
-        let mesh = self.problem.mesh;
+        let Factored { space, condensed, kept, cases } = &*self.factored;
+        let mut values: Vec<Vec<f64>> = vec![Vec::new(); space.size.len()];
+        let mut at = 0;
+        for g in &kept.groups {
+            values[*g] = state.unknowns[at..at + space.size[*g]].to_vec();
+            at += space.size[*g];
+        }
+        // The factorisation knows the load cases of its time, then all other columns.
+        let later = *cases..*cases + self.added.len();
+        let first: Vec<f64> = state.factors.iter().enumerate().filter(|(k, _)| !later.contains(k)).map(|(_, f)| -f).collect();
+        let mut size = space.size.clone();
+        size.push(first.len());
+        values.push(first);
+        let added: Vec<(f64, &Forward)> = state.factors[later].iter().copied().zip(self.added.iter().map(|f| &**f)).collect();
+        condensed.back_substitute(&mut values, &size, &added);
+        let mesh = &*self.problem.mesh;
+        let loads = Loads::new(mesh, &self.problem.load_cases)?;
+        let assembly = Assembly::new(&self.problem, space, loads);
         let coefficients = map_cells(mesh.cells.len(), |work, c| {
-            let local = self.space.local_modes(mesh, c);
+            let local = space.local_modes(mesh, c);
             let boundary: Vec<f64> = assembly
-                .targets(c, &self.space.boundary_modes(mesh, c))
+                .targets(c, &space.boundary_modes(mesh, c))
                 .iter()
                 .map(|t| {
                     let active: f64 = t.active.iter().map(|(g, i, c)| c * values[*g][*i]).sum();
@@ -121,15 +163,15 @@ impl<'a> Body<'a> {
                 })
                 .collect();
             let mut u = assembly.recover(c, &boundary, work)?;
-            if !assembly.body_forces.is_empty() {
-                let interior = assembly.body_load(c, work)?.interior;
+            if assembly.loads.inside(c) {
+                let interior = assembly.inner_load(c, work)?.interior;
                 for (i, u) in u.iter_mut().take(interior.nrows()).enumerate() {
                     *u += (0..interior.ncols()).map(|k| state.factors[k] * interior[(i, k)]).sum::<f64>();
                 }
             }
             Ok((local, u))
         });
-        let coefficients = coefficients.into_iter().collect::<Result<Vec<_>, Error>>()?;
-        Ok(Field::new(mesh, self.problem.kinematics, self.problem.materials, &self.space, coefficients))
+        let cells = coefficients.into_iter().collect::<Result<Vec<_>, Error>>()?;
+        Ok(Field::new(FieldParts { problem: &self.problem, space, factors: &state.factors, cells }))
     }
 }

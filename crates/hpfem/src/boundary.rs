@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 
 /// A point on the boundary of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct BoundaryPoint {
     /// Position (x, z) or (r, z), mm.
     pub position: [f64; 2],

@@ -107,7 +107,7 @@ impl Assembly<'_> {
         work: &'w mut Workspace,
     ) -> Result<(MatMut<'w, f64>, usize), Error> {
         let degree = self.space.cell_degree[cell];
-        let moduli = self.materials[self.mesh.cells[cell].material].moduli(self.kinematics);
+        let moduli = self.moduli[self.mesh.cells[cell].material];
         let form = CellForm { mesh: self.mesh, cell, local, moduli, kinematics: self.kinematics };
         if self.mesh.cells[cell].is_triangle() {
             let table = self.triangle_tables[degree].as_ref().ok_or(Error::Degree { cell, degree })?;
@@ -118,7 +118,7 @@ impl Assembly<'_> {
         let ni = self.space.components * local.interior;
         let n = self.space.components * local.modes;
         factor_leading(&mut work.matrix[..n * n], n, ni)
-            .map_err(|_| Error::NotHeld { place: format!("the interior of cell {cell}") })?;
+            .map_err(|_| Error::NoStiffness { place: format!("the interior of cell {cell}") })?;
         Ok((matrix_in(&mut work.matrix, n, n), ni))
     }
 
@@ -129,8 +129,7 @@ impl Assembly<'_> {
         let (k, ni) = self.condensed(cell, &local, work)?;
         // From the order of unknowns to that of the matrix: unsigned, one component after the other.
         let modes = boundary.len() / components;
-        let mut sign = vec![1.0; local.modes];
-        local.position.iter().zip(&local.sign).filter(|(p, _)| **p != usize::MAX).for_each(|(p, s)| sign[*p] = *s);
+        let sign = local.signs();
         let unsigned = |row: usize| sign[local.interior + row % modes] * boundary[components * (row % modes) + row / modes];
         let mut x = Mat::zeros(ni, 1);
         let known = Mat::from_fn(boundary.len(), 1, |row, _| unsigned(row));

@@ -6,6 +6,8 @@
 //! points of quadrature prefer one corner, which makes no difference then.
 
 use crate::curve::Curve;
+use crate::kinematics::Kinematics;
+use crate::material::Material;
 use crate::mesh::{CELL_EDGES, Mesh};
 use crate::space::Space;
 use std::collections::HashMap;
@@ -94,8 +96,9 @@ impl Congruence {
         Congruence { classes: (0..cells).map(class).collect(), class: (0..cells).collect(), turn: vec![Turn::NONE; cells] }
     }
 
-    /// Finds the classes of plane cells with straight and circular edges.
-    pub(crate) fn of_plane_cells(mesh: &Mesh, space: &Space) -> Congruence {
+    /// Finds the classes of plane cells with straight and circular edges; a cell of a material with directions only joins a class from
+    /// which it differs by a turn that its moduli do not see.
+    pub(crate) fn of_plane_cells(mesh: &Mesh, space: &Space, materials: &[Material], kinematics: Kinematics) -> Congruence {
         let mut found = Congruence { classes: Vec::new(), class: Vec::new(), turn: Vec::new() };
         let mut outlines: Vec<Option<Outline>> = Vec::new();
         let mut buckets: HashMap<[i64; 6], Vec<usize>> = HashMap::new();
@@ -107,7 +110,9 @@ impl Congruence {
                 let [a, b, d] = invariants(outline);
                 let key = [a, b, d, cell.material as i64, space.cell_degree[c] as i64, i64::from(outline.triangle)];
                 let bucket = buckets.entry(key).or_default();
-                hit = bucket.iter().find_map(|k| similarity(outlines[*k].as_ref()?, outline).map(|turn| (*k, turn)));
+                let material = &materials[cell.material];
+                let sees = |turn: &Turn| !material.is_isotropic(kinematics) && !material.is_alike_after(turn.matrix);
+                hit = bucket.iter().find_map(|k| similarity(outlines[*k].as_ref()?, outline, sees).map(|turn| (*k, turn)));
                 if hit.is_none() {
                     bucket.push(found.classes.len());
                 }
@@ -168,8 +173,8 @@ fn invariants(outline: &Outline) -> [i64; 3] {
     [apart, middle, spread].map(|v| (1e6 * v).round() as i64)
 }
 
-/// The similarity that takes one outline to another, if there is one.
-fn similarity(first: &Outline, member: &Outline) -> Option<Turn> {
+/// A similarity that takes one outline to another and that the material does not see, if there is one.
+fn similarity(first: &Outline, member: &Outline, sees: impl Fn(&Turn) -> bool) -> Option<Turn> {
     let minus = |a: [f64; 2], b: [f64; 2]| [a[0] - b[0], a[1] - b[1]];
     let corners = if first.triangle { 3 } else { 4 };
     let of_cell = if first.triangle { Turn::of_triangle } else { Turn::of_square };
@@ -203,7 +208,9 @@ fn similarity(first: &Outline, member: &Outline) -> Option<Turn> {
             let length = factor[0].hypot(factor[1]);
             let (cos, sin) = (factor[0] / length, factor[1] / length);
             turn.matrix = [[cos, -side * sin], [sin, side * cos]];
-            return Some(turn);
+            if !sees(&turn) {
+                return Some(turn);
+            }
         }
     }
     None

@@ -7,7 +7,8 @@
 
 use crate::basis::{LocalModes, Table};
 use crate::error::Error;
-use crate::material::{Kinematics, Moduli};
+use crate::kinematics::Kinematics;
+use crate::moduli::Moduli;
 use crate::mesh::{Mesh, blend};
 use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, Par};
@@ -90,7 +91,7 @@ pub(crate) fn stiffness<'w>(form: &CellForm<'_>, table: &Table, work: &'w mut Wo
     matrix_in(&mut work.matrix, size, size);
     let pairs: &[(usize, usize)] = if components == 2 { &[(0, 0), (1, 1), (1, 0)] } else { &[(0, 0)] };
     for &(c, d) in pairs {
-        let terms: &[Term] = if kinematics.is_revolved() && (c, d) != (1, 1) { &FULL } else { &GRADIENT };
+        let terms: &[Term] = if kinematics.has_hoop_strain() && (c, d) != (1, 1) { &FULL } else { &GRADIENT };
         // Coefficients A_kl at the points: one block of columns a term, rows eta, columns xi.
         let mut coefficients = matrix_in(&mut work.coefficients, nq, nq * terms.len());
         for b in 0..nq {
@@ -242,7 +243,31 @@ pub(crate) struct PointForm {
 impl PointForm {
     /// `sigma(u) : eps(v)` for `v = test component` with `[value, d/dx, d/dz] = v`, and `u` likewise.
     pub(crate) fn value(&self, v: [f64; 3], u: [f64; 3]) -> f64 {
-        let Moduli { c11, c12, shear } = self.moduli;
+        match &self.moduli {
+            Moduli::Isotropic { c11, c12, shear } => self.isotropic([*c11, *c12, *shear], v, u),
+            Moduli::General { stiffness } => {
+                let (e, f) = (self.strain(self.test, v), self.strain(self.trial, u));
+                let stress = |i: usize| (0..4).map(|j| stiffness[i][j] * f[j]).sum::<f64>();
+                (0..4).map(|i| e[i] * stress(i)).sum()
+            }
+            Moduli::Scalar { matrix: [[a, b], [c, d]] } => {
+                let hoop = if self.kinematics.has_hoop_strain() { self.inverse_radius } else { 0.0 };
+                let [e, f] = [v, u].map(|w| [if hoop == 0.0 { w[1] } else { w[1] - hoop * w[0] }, w[2]]);
+                e[0] * (a * f[0] + b * f[1]) + e[1] * (c * f[0] + d * f[1])
+            }
+        }
+    }
+
+    /// Strains `[xx, zz, yy, gamma_xz]` of a component.
+    fn strain(&self, component: usize, w: [f64; 3]) -> [f64; 4] {
+        match (component, self.kinematics.has_hoop_strain()) {
+            (0, true) => [w[1], 0.0, self.inverse_radius * w[0], w[2]],
+            (0, false) => [w[1], 0.0, 0.0, w[2]],
+            _ => [0.0, w[2], 0.0, w[1]],
+        }
+    }
+
+    fn isotropic(&self, [c11, c12, shear]: [f64; 3], v: [f64; 3], u: [f64; 3]) -> f64 {
         let hoop = self.inverse_radius;
         match (self.kinematics, self.test, self.trial) {
             (Kinematics::Torsion, ..) => shear * ((v[1] - hoop * v[0]) * (u[1] - hoop * u[0]) + v[2] * u[2]),

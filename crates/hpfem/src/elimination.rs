@@ -14,7 +14,7 @@ use crate::cell_matrix::Elements;
 use crate::dense::{factor_panel, subtract_square};
 use crate::front::{FrontPlan, Plan};
 use faer::linalg::matmul::matmul;
-use faer::linalg::triangular_solve::solve_upper_triangular_in_place;
+use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
 use faer::{Accum, Mat, MatMut, MatRef, Par};
 
 /// Number of buffers of merged elements kept for the next ones, and their largest length: a store that only grows costs more than it saves.
@@ -96,11 +96,62 @@ impl Plan {
     }
 }
 
+/// A right-hand side eliminated after the factorisation.
+#[derive(Clone)]
+pub(crate) struct Forward {
+    /// `y = L11^-1 f` of every front; empty where the load has not come.
+    parts: Vec<Vec<f64>>,
+    /// `y . y_k` with the right-hand sides of the factorisation.
+    pub(crate) work: Vec<f64>,
+}
+
+impl Forward {
+    /// `y . y` with another one.
+    pub(crate) fn dot(&self, other: &Forward) -> f64 {
+        let pairs = self.parts.iter().zip(&other.parts);
+        pairs.map(|(a, b)| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>()).sum()
+    }
+}
+
 impl Condensed {
+    /// Eliminates one more right-hand side. `values` holds one vector a group, empty for zero; on return those of the kept groups are
+    /// condensed. Only fronts on the way from the load to the kept groups are visited.
+    pub(crate) fn forward(&self, values: &mut [Vec<f64>], size: &[usize], columns: usize) -> Forward {
+        let mut forward = Forward { parts: Vec::with_capacity(self.panels.len()), work: vec![0.0; columns] };
+        for (front, panel) in self.plan.fronts.iter().zip(&self.panels) {
+            let (gone, left) = front.groups.split_at(front.eliminated);
+            if gone.iter().all(|g| values[*g].is_empty()) {
+                forward.parts.push(Vec::new());
+                continue;
+            }
+            let mut y = Vec::new();
+            for g in gone {
+                let end = y.len() + size[*g];
+                y.extend(std::mem::take(&mut values[*g]));
+                y.resize(end, 0.0);
+            }
+            let (ne, rest) = (y.len(), left.iter().map(|g| size[*g]).sum::<usize>());
+            let (l11, l21) = MatRef::from_column_major_slice(panel, ne + rest, ne).split_at_row(ne);
+            let mut part = MatMut::from_column_major_slice_mut(&mut y, ne, 1);
+            solve_lower_triangular_in_place(l11, part.as_mut(), Par::Seq);
+            let shed = l21 * part.as_ref();
+            let mut at = 0;
+            for g in left {
+                let (target, sign) =
+                    if *g + 1 == size.len() { (&mut forward.work, 1.0) } else { (&mut values[*g], -1.0) };
+                target.resize(size[*g], 0.0);
+                target.iter_mut().enumerate().for_each(|(i, v)| *v += sign * shed[(at + i, 0)]);
+                at += size[*g];
+            }
+            forward.parts.push(y);
+        }
+        forward
+    }
+
     /// Recovers the eliminated unknowns: `values` holds one vector a group, those of the kept groups filled in; that of the right-hand
-    /// sides holds the factors they are combined with, negative.
-    pub(crate) fn back_substitute(&self, values: &mut [Vec<f64>], size: &[usize]) {
-        for (front, panel) in self.plan.fronts.iter().zip(&self.panels).rev() {
+    /// sides holds the factors they are combined with, negative. Right-hand sides eliminated later come with their factors in `added`.
+    pub(crate) fn back_substitute(&self, values: &mut [Vec<f64>], size: &[usize], added: &[(f64, &Forward)]) {
+        for (number, (front, panel)) in self.plan.fronts.iter().zip(&self.panels).enumerate().rev() {
             let (gone, left) = front.groups.split_at(front.eliminated);
             let known: Vec<f64> = left.iter().flat_map(|g| values[*g].iter().copied()).collect();
             let ne = gone.iter().map(|g| size[*g]).sum();
@@ -108,6 +159,9 @@ impl Condensed {
             let (l11, l21) = MatRef::from_column_major_slice(panel, ne + known.len(), ne).split_at_row(ne);
             let known = MatRef::from_column_major_slice(&known, known.len(), 1);
             matmul(x.as_mut(), Accum::Replace, l21.transpose(), known, -1.0, Par::Seq);
+            for (factor, forward) in added {
+                forward.parts[number].iter().enumerate().for_each(|(i, y)| x[(i, 0)] += factor * y);
+            }
             solve_upper_triangular_in_place(l11.transpose(), x.as_mut(), Par::Seq);
             let mut at = 0;
             for g in gone {

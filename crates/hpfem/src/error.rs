@@ -2,6 +2,7 @@
 
 /// Wrong input, with the numbers that show it.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum Error {
     /// A cell's map is folded or has no area.
     #[error(
@@ -60,12 +61,72 @@ pub enum Error {
         poisson: f64,
     },
     /// The body can move without strain and neither a support nor the kept boundary holds it.
-    #[error(
-        "the body is not held: elimination met a pivot without stiffness at {place}; add a support, or keep the boundary that holds it"
-    )]
+    #[error("the body is not held: {motion}; add a support against it, or keep a boundary that it moves")]
     NotHeld {
+        /// The free motion in words, as in "it can slide along the first axis".
+        motion: String,
+    },
+    /// Elimination met a pivot without stiffness although the body is held.
+    #[error("elimination met a pivot without stiffness at {place}: moduli, lengths or degrees there are too far apart for the digits there are")]
+    NoStiffness {
         /// Words for the place.
         place: String,
+    },
+    /// The loads work on a motion that nothing holds.
+    #[error("the loads do not balance: nothing holds the body, {motion}, and the load along that motion is {load:.3e}; add a support, or balance the loads")]
+    Unbalanced {
+        /// The free motion in words.
+        motion: String,
+        /// Work of the loads on a unit of the motion, N or N mm.
+        load: f64,
+    },
+    /// One displacement component is prescribed twice, with two values.
+    #[error("\"{boundary}\" prescribes {value:e} at {place}, where another support prescribes {known:e} along the same direction")]
+    HeldTwice {
+        /// The boundary of the second support.
+        boundary: String,
+        /// Words for the place.
+        place: String,
+        /// What it prescribes, mm.
+        value: f64,
+        /// What the other supports prescribe along its direction, mm.
+        known: f64,
+    },
+    /// A load case that the body does not have.
+    #[error("the body has no load case \"{name}\"; it has: {known}")]
+    NoSuchLoadCase {
+        /// The name asked for.
+        name: String,
+        /// The names there are.
+        known: String,
+    },
+    /// Two load cases of one name.
+    #[error("there are two load cases \"{name}\"; give each a name of its own")]
+    DuplicateLoadCase {
+        /// The name.
+        name: String,
+    },
+    /// A state that belongs to other load cases than the body has now.
+    #[error("the state has {given} factors, but the body has {expected} right-hand sides: solve again after adding loads")]
+    OtherLoads {
+        /// Number of factors of the state.
+        given: usize,
+        /// Number of right-hand sides of the body.
+        expected: usize,
+    },
+    /// Moduli that cannot be, or a question that is answered for isotropic materials alone.
+    #[error("an anisotropic material: {reason}")]
+    Anisotropic {
+        /// What is wrong.
+        reason: String,
+    },
+    /// A material without what the kinematics asks for.
+    #[error("material {number} has no {property}, which this kinematics needs")]
+    MaterialLacks {
+        /// Index of the material.
+        number: usize,
+        /// What it lacks.
+        property: &'static str,
     },
     /// The boundary to be kept is not one connected path of edges.
     #[error("the edges of boundary \"{name}\" do not form one open path")]

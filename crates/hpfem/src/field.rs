@@ -1,22 +1,40 @@
 //! The displacement and stress of a whole body at any point.
 
 use crate::basis::LocalModes;
-use crate::cell_point::CellPoint;
+use crate::cell_point::{CellPoint, cell_rule};
 use crate::error::Error;
-use crate::material::{Kinematics, Material};
-use crate::mesh::{Mesh, distance};
+use crate::kinematics::Kinematics;
+use crate::load_case::{BodyPoint, Eigenstrain, Load};
+use crate::locate::locate;
+use crate::material::Material;
+use crate::mesh::Mesh;
+use crate::moduli::Moduli;
+use crate::problem::BodyProblem;
 use crate::space::Space;
 use crate::stress::Stress;
-use crate::triangle::collapsed;
+use std::sync::Arc;
 
-/// A displacement field with its stresses.
-pub struct Field<'a> {
-    mesh: &'a Mesh,
+/// A displacement field with its stresses. It owns all it needs and can be sent to a thread.
+#[derive(Clone)]
+pub struct Field {
+    mesh: Arc<Mesh>,
     kinematics: Kinematics,
     materials: Vec<Material>,
     degrees: Vec<usize>,
     components: usize,
     cells: Vec<(LocalModes, Vec<f64>)>,
+    /// Eigenstrains with the factors of their load cases.
+    eigenstrains: Vec<(f64, Eigenstrain)>,
+}
+
+/// What a field is made of.
+pub(crate) struct FieldParts<'a> {
+    pub(crate) problem: &'a BodyProblem,
+    pub(crate) space: &'a Space,
+    /// Factors of the load cases, others may follow.
+    pub(crate) factors: &'a [f64],
+    /// Modes and coefficients of every cell.
+    pub(crate) cells: Vec<(LocalModes, Vec<f64>)>,
 }
 
 /// Displacement and stress at a point.
@@ -26,32 +44,74 @@ pub struct PointState {
     pub displacement: [f64; 2],
     /// Displacement gradient `[[u_x,x, u_x,z], [u_z,x, u_z,z]]`, no unit; in torsion `[[u_phi,r, u_phi,z], [0, 0]]`.
     pub gradient: [[f64; 2]; 2],
-    /// Stress, MPa, `[xx, zz, xz, yy]` (yy is the out-of-plane or hoop stress); in torsion `[r phi, phi z, 0, 0]`.
+    /// Stress, MPa, `[xx, zz, xz, yy]` (yy is the out-of-plane or hoop stress); in torsion `[r phi, phi z, 0, 0]`, of a
+    /// potential `k grad u` (minus the flux) in the first two.
     pub stress: [f64; 4],
 }
 
-impl<'a> Field<'a> {
-    pub(crate) fn new(
-        mesh: &'a Mesh,
-        kinematics: Kinematics,
-        materials: &[Material],
-        space: &Space,
-        cells: Vec<(LocalModes, Vec<f64>)>,
-    ) -> Field<'a> {
+impl Field {
+    pub(crate) fn new(FieldParts { problem, space, factors, cells }: FieldParts<'_>) -> Field {
+        let mut eigenstrains = Vec::new();
+        for (case, factor) in problem.load_cases.iter().zip(factors).filter(|(_, factor)| **factor != 0.0) {
+            for load in &case.loads {
+                if let Load::Eigenstrain(eigen) = load {
+                    eigenstrains.push((*factor, eigen.clone()));
+                }
+            }
+        }
         Field {
-            mesh,
-            kinematics,
-            materials: materials.to_vec(),
+            mesh: Arc::clone(&problem.mesh),
+            kinematics: problem.kinematics,
+            materials: problem.materials.clone(),
             degrees: space.cell_degree.clone(),
             components: space.components,
             cells,
+            eigenstrains,
         }
+    }
+
+    /// The mesh.
+    pub fn mesh(&self) -> &Arc<Mesh> {
+        &self.mesh
+    }
+
+    /// Strain energy `1/2 int sigma : (eps - eps*) dV`, N mm, by Gauss quadrature; for a potential half the dissipation. Foundations are not
+    /// part of it.
+    pub fn strain_energy(&self) -> f64 {
+        let mut energy = 0.0;
+        for cell in 0..self.cells.len() {
+            for ([xi, eta], weight) in cell_rule(self.mesh.cells[cell].is_triangle(), self.degrees[cell] + 3) {
+                let point = CellPoint::new(&self.mesh, cell, self.degrees[cell], xi, eta);
+                let (value, gradient) = self.state(cell, &point);
+                let strain = self.elastic_strain(cell, [xi, eta], &point, (value, gradient));
+                let moduli = self.materials[self.mesh.cells[cell].material].moduli(self.kinematics);
+                let stress = moduli.stress(strain, self.kinematics);
+                let work: f64 = strain.iter().zip(stress).map(|(e, s)| e * s).sum();
+                energy += 0.5 * weight * point.jacobian() * self.kinematics.measure(point.position[0]) * work;
+            }
+        }
+        energy
     }
 
     /// State at the reference point `(xi, eta)` of a cell; in a triangle the side `eta = 1` is corner 2, see [`Cell`](crate::Cell).
     pub fn at(&self, cell: usize, xi: f64, eta: f64) -> PointState {
+        let point = CellPoint::new(&self.mesh, cell, self.degrees[cell], xi, eta);
+        let (value, gradient) = self.state(cell, &point);
+        let moduli = self.materials[self.mesh.cells[cell].material].moduli(self.kinematics);
+        let stress = match moduli {
+            Moduli::Isotropic { c11, c12, shear } if self.eigenstrains.is_empty() => {
+                self.isotropic_stress(cell, [c11, c12, shear], point.position[0], (value, gradient))
+            }
+            Moduli::Isotropic { .. } | Moduli::General { .. } | Moduli::Scalar { .. } => {
+                moduli.stress(self.elastic_strain(cell, [xi, eta], &point, (value, gradient)), self.kinematics)
+            }
+        };
+        PointState { displacement: value, gradient, stress }
+    }
+
+    /// Displacement and its gradient at a point of a cell.
+    fn state(&self, cell: usize, point: &CellPoint) -> ([f64; 2], [[f64; 2]; 2]) {
         let (local, u) = &self.cells[cell];
-        let point = CellPoint::new(self.mesh, cell, self.degrees[cell], xi, eta);
         let [[xx, xe], [zx, ze]] = point.derivative;
         let jacobian = point.jacobian();
         let mut value = [0.0; 2];
@@ -70,8 +130,38 @@ impl<'a> Field<'a> {
         let gradient: [[f64; 2]; 2] = std::array::from_fn(|c| {
             [(slope[c][0] * ze - slope[c][1] * zx) / jacobian, (slope[c][1] * xx - slope[c][0] * xe) / jacobian]
         });
-        let stress = self.stress(cell, point.position[0], value, gradient);
-        PointState { displacement: value, gradient, stress }
+        (value, gradient)
+    }
+
+    /// Strains `[xx, zz, gamma_xz, yy]` at a point without the eigenstrains, of a scalar problem its two strains.
+    fn elastic_strain(
+        &self,
+        cell: usize,
+        reference: [f64; 2],
+        point: &CellPoint,
+        (u, g): ([f64; 2], [[f64; 2]; 2]),
+    ) -> [f64; 4] {
+        let hoop = self.hoop_strain(cell, point.position[0], u, g);
+        let mut strain = match self.kinematics {
+            Kinematics::Torsion => [g[0][0] - hoop, g[0][1], 0.0, 0.0],
+            Kinematics::Potential { .. } | Kinematics::AxisymmetricPotential => [g[0][0], g[0][1], 0.0, 0.0],
+            Kinematics::Axisymmetric => [g[0][0], g[1][1], g[0][1] + g[1][0], hoop],
+            Kinematics::PlaneStress { .. } | Kinematics::PlaneStrain { .. } => [g[0][0], g[1][1], g[0][1] + g[1][0], 0.0],
+        };
+        let place = BodyPoint { cell, reference, position: point.position, material: self.mesh.cells[cell].material };
+        for (factor, eigen) in &self.eigenstrains {
+            let own = (eigen.strain)(&place);
+            strain.iter_mut().zip(own).for_each(|(e, own)| *e -= factor * own);
+        }
+        strain
+    }
+
+    /// `u_r / r`, `u_phi / r`.
+    fn hoop_strain(&self, cell: usize, r: f64, u: [f64; 2], g: [[f64; 2]; 2]) -> f64 {
+        // Near the axis it is round-off over round-off; its limit is u_r,r.
+        let corners = self.mesh.cells[cell].corners.map(|v| self.mesh.vertices[v]);
+        let size = corners.iter().fold(0.0_f64, |m, c| m.max((c[0] - corners[0][0]).abs()));
+        if r > 1e-8 * size { u[0] / r } else { g[0][0] }
     }
 
     /// Number of cells.
@@ -94,64 +184,36 @@ impl<'a> Field<'a> {
     /// # Errors
     /// [`Error::OutsideMesh`].
     pub fn locate(&self, x: [f64; 2]) -> Result<(usize, f64, f64), Error> {
-        for cell in 0..self.mesh.cells.len() {
-            let corners = self.mesh.cells[cell].corners.map(|v| self.mesh.vertices[v]);
-            let size = corners.iter().map(|c| distance(*c, corners[0])).fold(0.0, f64::max);
-            if corners.iter().all(|c| distance(*c, x) > 2.0 * size) {
-                continue;
-            }
-            let triangle = self.mesh.cells[cell].is_triangle();
-            // Newton's method in the cell's own coordinates, in which the map of a triangle is regular up to its corners.
-            let map = |t: [f64; 2]| match triangle {
-                true => self.mesh.reference_map(cell, [1.0 - t[0] - t[1], t[0], t[1]]),
-                false => self.mesh.map(cell, t[0], t[1]),
-            };
-            let mut t = if triangle { [1.0 / 3.0; 2] } else { [0.0; 2] };
-            for _ in 0..50 {
-                let (at, [[a, b], [c, d]]) = map(t);
-                let det = a * d - b * c;
-                let r = [x[0] - at[0], x[1] - at[1]];
-                let step = [(d * r[0] - b * r[1]) / det, (a * r[1] - c * r[0]) / det];
-                t = [(t[0] + step[0]).clamp(-1.5, 1.5), (t[1] + step[1]).clamp(-1.5, 1.5)];
-                if step[0].abs() + step[1].abs() < 1e-14 {
-                    break;
-                }
-            }
-            let hit = distance(map(t).0, x) < 1e-9 * size;
-            if triangle {
-                let l = [1.0 - t[0] - t[1], t[0], t[1]];
-                if hit && l.iter().all(|v| *v >= -1e-9) {
-                    let (xi, eta) = collapsed(l.map(|v| v.max(0.0)));
-                    return Ok((cell, xi, eta.clamp(-1.0, 1.0)));
-                }
-            } else if hit && t.iter().all(|v| v.abs() <= 1.0 + 1e-9) {
-                return Ok((cell, t[0].clamp(-1.0, 1.0), t[1].clamp(-1.0, 1.0)));
-            }
-        }
-        Err(Error::OutsideMesh { x: x[0], z: x[1] })
+        locate(&self.mesh, x)
     }
 
-    fn stress(&self, cell: usize, r: f64, u: [f64; 2], g: [[f64; 2]; 2]) -> [f64; 4] {
-        let material = self.materials[self.mesh.cells[cell].material];
-        let m = material.moduli(self.kinematics);
-        // Near the axis u_r / r is round-off over round-off; its limit is u_r,r.
-        let corners = self.mesh.cells[cell].corners.map(|v| self.mesh.vertices[v]);
-        let size = corners.iter().fold(0.0_f64, |m, c| m.max((c[0] - corners[0][0]).abs()));
-        let hoop = if r > 1e-8 * size { u[0] / r } else { g[0][0] };
+    /// Stress in an isotropic material, in the order of operations of its own law.
+    fn isotropic_stress(
+        &self,
+        cell: usize,
+        [c11, c12, shear]: [f64; 3],
+        r: f64,
+        (u, g): ([f64; 2], [[f64; 2]; 2]),
+    ) -> [f64; 4] {
+        let hoop = self.hoop_strain(cell, r, u, g);
+        let in_plane = || [c11 * g[0][0] + c12 * g[1][1], c11 * g[1][1] + c12 * g[0][0], shear * (g[0][1] + g[1][0])];
         match self.kinematics {
-            Kinematics::Torsion => [m.shear * (g[0][0] - hoop), m.shear * g[0][1], 0.0, 0.0],
+            Kinematics::Torsion => [shear * (g[0][0] - hoop), shear * g[0][1], 0.0, 0.0],
+            Kinematics::Potential { .. } | Kinematics::AxisymmetricPotential => [0.0; 4],
             Kinematics::Axisymmetric => [
-                m.c11 * g[0][0] + m.c12 * (g[1][1] + hoop),
-                m.c11 * g[1][1] + m.c12 * (g[0][0] + hoop),
-                m.shear * (g[0][1] + g[1][0]),
-                m.c11 * hoop + m.c12 * (g[0][0] + g[1][1]),
+                c11 * g[0][0] + c12 * (g[1][1] + hoop),
+                c11 * g[1][1] + c12 * (g[0][0] + hoop),
+                shear * (g[0][1] + g[1][0]),
+                c11 * hoop + c12 * (g[0][0] + g[1][1]),
             ],
-            _ => {
-                let xx = m.c11 * g[0][0] + m.c12 * g[1][1];
-                let zz = m.c11 * g[1][1] + m.c12 * g[0][0];
-                let plane_strain = matches!(self.kinematics, Kinematics::PlaneStrain { .. });
-                let yy = if plane_strain { material.poisson() * (xx + zz) } else { 0.0 };
-                [xx, zz, m.shear * (g[0][1] + g[1][0]), yy]
+            Kinematics::PlaneStress { .. } => {
+                let [xx, zz, xz] = in_plane();
+                [xx, zz, xz, 0.0]
+            }
+            Kinematics::PlaneStrain { .. } => {
+                let [xx, zz, xz] = in_plane();
+                let poisson = self.materials[self.mesh.cells[cell].material].poisson().unwrap_or(0.0);
+                [xx, zz, xz, poisson * (xx + zz)]
             }
         }
     }

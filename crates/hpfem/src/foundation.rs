@@ -1,24 +1,33 @@
 //! Elastic foundations: where they hold a body, and the stiffness of one on an edge.
 
-use crate::additions::{Additions, Foundation};
 use crate::assembly::Assembly;
 use crate::basis::points_for;
 use crate::boundary::boundary_point;
 use crate::error::Error;
 use crate::legendre::shape_functions;
-use crate::material::Kinematics;
+use crate::kinematics::Kinematics;
 use crate::mesh::Mesh;
+use crate::freedom::Foundation;
 use crate::own_element::{LocalMatrix, OwnElement};
+use crate::problem::BodyProblem;
 use crate::quadrature::gauss;
 use crate::space::{Space, Target};
 use faer::Mat;
 
-/// A place and the direction in which it is held.
-pub(crate) type HeldPlace = ([f64; 2], [f64; 2]);
+/// A place that a foundation holds; in torsion the direction does not count.
+#[derive(Clone, Copy)]
+pub(crate) struct HeldPlace {
+    /// The group of its edge.
+    pub(crate) group: usize,
+    pub(crate) position: [f64; 2],
+    /// The direction in which it is held.
+    pub(crate) direction: [f64; 2],
+}
 
-impl Additions<'_> {
+impl BodyProblem {
     /// Edges on foundations.
-    pub(crate) fn foundation_edges(&self, mesh: &Mesh) -> Result<Vec<(usize, &Foundation)>, Error> {
+    pub(crate) fn foundation_edges(&self) -> Result<Vec<(usize, &Foundation)>, Error> {
+        let mesh = &self.mesh;
         let mut edges = Vec::new();
         for f in &self.foundations {
             edges.extend(mesh.boundary(&f.boundary)?.into_iter().map(|e| (e, f)));
@@ -27,13 +36,22 @@ impl Additions<'_> {
     }
 
     /// Places and directions that foundations hold elastically.
-    pub(crate) fn held(&self, mesh: &Mesh) -> Result<Vec<HeldPlace>, Error> {
+    pub(crate) fn held(&self) -> Result<Vec<HeldPlace>, Error> {
+        let mesh = &self.mesh;
         let mut held = Vec::new();
-        for (e, f) in self.foundation_edges(mesh)? {
+        for (e, f) in self.foundation_edges()? {
             for t in [-0.9, 0.0, 0.9] {
                 let (p, _) = boundary_point(&mesh.edges[e].curve, t, false);
-                let directions = [(f.normal, p.outward), (f.tangential, p.tangent)];
-                held.extend(directions.iter().filter(|(k, _)| *k > 0.0).map(|(_, d)| (p.position, *d)));
+                let held_there = match self.kinematics {
+                    Kinematics::Torsion => vec![(f.tangential, p.tangent)],
+                    Kinematics::Potential { .. } | Kinematics::AxisymmetricPotential => vec![(f.normal, [1.0, 0.0])],
+                    Kinematics::PlaneStress { .. } | Kinematics::PlaneStrain { .. } | Kinematics::Axisymmetric => {
+                        vec![(f.normal, p.outward), (f.tangential, p.tangent)]
+                    }
+                };
+                let (group, position) = (mesh.vertices.len() + e, p.position);
+                let stiff = held_there.into_iter().filter(|(k, _)| *k > 0.0);
+                held.extend(stiff.map(|(_, direction)| HeldPlace { group, position, direction }));
             }
         }
         Ok(held)
@@ -55,7 +73,10 @@ impl Assembly<'_> {
             let shapes = shape_functions(degree, *t).0;
             let stiffness = |c: usize, d: usize| match self.kinematics {
                 Kinematics::Torsion => foundation.tangential,
-                _ => foundation.normal * p.outward[c] * p.outward[d] + foundation.tangential * p.tangent[c] * p.tangent[d],
+                Kinematics::Potential { .. } | Kinematics::AxisymmetricPotential => foundation.normal,
+                Kinematics::PlaneStress { .. } | Kinematics::PlaneStrain { .. } | Kinematics::Axisymmetric => {
+                    foundation.normal * p.outward[c] * p.outward[d] + foundation.tangential * p.tangent[c] * p.tangent[d]
+                }
             };
             for j in 0..n {
                 for i in 0..n {

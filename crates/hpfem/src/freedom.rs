@@ -1,5 +1,8 @@
 //! What supports and rigid edges leave free: their directions, and the freedom of the unknowns of a vertex or an edge.
 
+use std::fmt;
+use std::sync::Arc;
+
 /// A direction in which a boundary is held.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
@@ -12,7 +15,7 @@ pub enum Direction {
 }
 
 /// A displacement component prescribed on a named boundary.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone)]
 pub struct Support {
     /// Name of the boundary.
     pub boundary: String,
@@ -20,6 +23,79 @@ pub struct Support {
     pub direction: Direction,
     /// Its value, mm; 0 holds it.
     pub value: f64,
+    /// A part that varies along the support, added to the constant `value`: mm, as a function of the position; met at the vertices,
+    /// interpolated at the Gauss-Lobatto points of every edge.
+    pub varying: Option<Profile>,
+}
+
+/// A displacement, mm, as a function of the position, mm.
+pub type Profile = Arc<dyn Fn([f64; 2]) -> f64 + Send + Sync>;
+
+impl Support {
+    /// Holds a component of a boundary.
+    pub fn hold(boundary: &str, direction: Direction) -> Support {
+        Support::moved(boundary, direction, 0.0)
+    }
+
+    /// Lets a straight boundary slide along itself: holds the component along its normal.
+    pub fn roller(boundary: &str) -> Support {
+        Support::hold(boundary, Direction::Normal)
+    }
+
+    /// Moves a component of a boundary by `value`, mm.
+    pub fn moved(boundary: &str, direction: Direction, value: f64) -> Support {
+        Support { boundary: boundary.to_string(), direction, value, varying: None }
+    }
+
+    /// The same with a displacement, mm, that varies with the position.
+    #[must_use]
+    pub fn varying(self, displacement: impl Fn([f64; 2]) -> f64 + Send + Sync + 'static) -> Support {
+        Support { varying: Some(Arc::new(displacement)), ..self }
+    }
+
+    /// The prescribed displacement at a place, mm.
+    pub(crate) fn displacement(&self, x: [f64; 2]) -> f64 {
+        self.value + self.varying.as_ref().map_or(0.0, |d| d(x))
+    }
+}
+
+impl fmt::Debug for Support {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let varies = self.varying.is_some();
+        let mut text = f.debug_struct("Support");
+        text.field("boundary", &self.boundary).field("direction", &self.direction).field("value", &self.value);
+        text.field("varies", &varies).finish()
+    }
+}
+
+/// An elastic foundation: the boundary is pulled back by `-normal (u . n) n - tangential (u . t) t` per area. In torsion the
+/// tangential stiffness acts on `u_phi`; for a potential `normal` is the film coefficient h of `q = -h u` (the flux `h u_0` of an ambient
+/// potential is a traction).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Foundation {
+    /// Name of the boundary.
+    pub boundary: String,
+    /// Stiffness along the normal, pressure per length, MPa/mm; zero or positive.
+    pub normal: f64,
+    /// Stiffness along the tangent, MPa/mm; zero or positive.
+    pub tangential: f64,
+}
+
+impl Foundation {
+    /// A foundation by its stiffness along the normal and along the tangent, MPa/mm.
+    pub fn new(boundary: &str, normal: f64, tangential: f64) -> Foundation {
+        Foundation { boundary: boundary.to_string(), normal, tangential }
+    }
+}
+
+/// A vertex held at zero in one direction, to stop rigid motions. Its reaction is number `supports + index`; on a body whose loads
+/// balance it vanishes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pin {
+    /// The vertex, an index into [`Mesh::vertices`](crate::Mesh::vertices).
+    pub vertex: usize,
+    /// [`Direction::First`] or [`Direction::Second`].
+    pub direction: Direction,
 }
 
 /// A boundary that moves as a rigid line: `u_x = t_x - theta (z - z0)`, `u_z = t_z + theta (x - x0)`.
@@ -70,8 +146,9 @@ impl Freedom {
         self.fixed[..axis].iter().filter(|f| f.is_none()).count()
     }
 
-    /// Prescribes the component along the unit vector `d`; a direction already prescribed stays as it is.
-    pub(crate) fn fix(&mut self, d: [f64; 2], support: usize, value: f64) {
+    /// Prescribes the component along the unit vector `d`. What is prescribed along it already must be the same value, to round-off of
+    /// values of the size `scale`; if not, that value is returned.
+    pub(crate) fn fix(&mut self, d: [f64; 2], support: usize, value: f64, scale: f64) -> Result<(), f64> {
         let along = |a: [f64; 2]| a[0] * d[0] + a[1] * d[1];
         match self.fixed {
             [None, None] if d[0].abs() == 1.0 => self.fixed[0] = Some((support, value * d[0])),
@@ -86,8 +163,15 @@ impl Freedom {
             [None, Some((_, known))] if along(self.axes[0]).abs() > 1e-12 => {
                 self.fixed[0] = Some((support, (value - known * along(self.axes[1])) / along(self.axes[0])));
             }
-            _ => {}
+            _ => {
+                let part = |axis: usize| self.fixed[axis].map_or(0.0, |(_, known)| known * along(self.axes[axis]));
+                let known = part(0) + part(1);
+                if (known - value).abs() > 1e-9 * scale.max(known.abs()).max(value.abs()) {
+                    return Err(known);
+                }
+            }
         }
+        Ok(())
     }
 }
 

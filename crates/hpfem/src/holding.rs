@@ -1,9 +1,8 @@
 //! What rigid edge, supports, pins and the axis of revolution take of the freedom of vertices and edges.
 
-use crate::additions::{Additions, Pin, SupportDisplacement};
 use crate::boundary::edge_modes;
 use crate::error::Error;
-use crate::freedom::{AXIS, Direction, FREE, Freedom, RigidEdge, Support};
+use crate::freedom::{AXIS, Direction, FREE, Freedom, Pin, RigidEdge, Support};
 use crate::mesh::Mesh;
 use crate::problem::BodyProblem;
 use std::collections::HashMap;
@@ -20,24 +19,23 @@ impl Holding {
     /// What a problem holds on edges of the given degrees.
     ///
     /// # Errors
-    /// Boundaries that do not exist or are not straight where they must be, displacements that are not finite.
-    pub(crate) fn new(problem: &BodyProblem<'_>, additions: &Additions<'_>, edge_degree: &[usize]) -> Result<Holding, Error> {
-        let mesh = problem.mesh;
+    /// Boundaries that do not exist or are not straight where they must be, displacements that are not finite or contradict each other.
+    pub(crate) fn new(problem: &BodyProblem, edge_degree: &[usize]) -> Result<Holding, Error> {
+        let mesh = &*problem.mesh;
         let freedom = vec![FREE; mesh.vertices.len() + mesh.edges.len()];
         let mut holding = Holding { freedom, mode_freedom: HashMap::new() };
         if let Some(rigid) = &problem.rigid_edge {
             holding.tie(mesh, rigid)?;
         }
         for (number, support) in problem.supports.iter().enumerate() {
-            let varying = additions.displacements.iter().filter(|d| d.support == number).collect();
-            let given = Given { number, support, varying };
             for e in mesh.boundary(&support.boundary)? {
-                holding.hold(mesh, e, edge_degree[e], &given)?;
+                holding.hold(mesh, e, edge_degree[e], (number, support))?;
             }
         }
-        holding.pin(&additions.pins, problem.supports.len());
-        if problem.kinematics.is_revolved() {
-            holding.hold_axis(mesh);
+        holding.pin(&problem.pins, problem.supports.len())?;
+        // A potential need not vanish on the axis.
+        if problem.kinematics.has_hoop_strain() {
+            holding.hold_axis(mesh)?;
         }
         Ok(holding)
     }
@@ -55,67 +53,73 @@ impl Holding {
         Ok(())
     }
 
-    /// Holds an edge of a support and its vertices.
-    fn hold(&mut self, mesh: &Mesh, edge: usize, degree: usize, given: &Given<'_, '_>) -> Result<(), Error> {
-        let direction = direction(mesh, given.support, edge)?;
-        for v in mesh.edges[edge].vertices {
-            let value = given.displacement(mesh.vertices[v]);
+    /// Holds an edge of a support, given with its number, and its vertices.
+    fn hold(&mut self, mesh: &Mesh, edge: usize, degree: usize, (number, support): (usize, &Support)) -> Result<(), Error> {
+        let direction = direction(mesh, support, edge)?;
+        let values = mesh.edges[edge].vertices.map(|v| support.displacement(mesh.vertices[v]));
+        let scale = values[0].abs().max(values[1].abs());
+        let twice = |place: String, value: f64| {
+            let boundary = support.boundary.clone();
+            move |known: f64| Error::HeldTwice { boundary, place, value, known }
+        };
+        for (v, value) in mesh.edges[edge].vertices.into_iter().zip(values) {
             if !value.is_finite() {
-                let quantity = format!("the displacement of support \"{}\" at vertex {v}", given.support.boundary);
+                let quantity = format!("the displacement of support \"{}\" at vertex {v}", support.boundary);
                 return Err(Error::OutOfRange { quantity, value, range: "finite" });
             }
-            self.freedom[v].fix(direction, given.number, value);
+            let [x, z] = mesh.vertices[v];
+            self.freedom[v].fix(direction, number, value, scale).map_err(twice(format!("({x:.6}, {z:.6})"), value))?;
         }
         let group = mesh.vertices.len() + edge;
         // Modes of an edge follow the same axes with values of their own.
-        if !given.varying.is_empty() {
+        if support.varying.is_some() {
             self.mode_freedom.entry(group).or_insert_with(|| vec![self.freedom[group]; degree - 1]);
         }
         if let Some(modes) = self.mode_freedom.get_mut(&group) {
-            let values = match given.varying.is_empty() {
+            let values = match support.varying.is_none() {
                 true => vec![[0.0; 2]; modes.len()],
-                false => edge_modes(&mesh.edges[edge].curve, degree, |x| [given.displacement(x), 0.0]),
+                false => edge_modes(&mesh.edges[edge].curve, degree, |x| [support.displacement(x), 0.0]),
             };
-            modes.iter_mut().zip(values).for_each(|(mode, value)| mode.fix(direction, given.number, value[0]));
+            let [x, z] = mesh.edges[edge].curve.point(0.0);
+            for (mode, [value, _]) in modes.iter_mut().zip(values) {
+                let place = format!("the edge around ({x:.6}, {z:.6})");
+                mode.fix(direction, number, value, scale).map_err(twice(place, value))?;
+            }
         }
-        self.freedom[group].fix(direction, given.number, 0.0);
+        // The modes of an edge with a constant displacement vanish, whatever holds them first.
+        self.freedom[group].fix(direction, number, 0.0, f64::INFINITY).unwrap_or_default();
         Ok(())
     }
 
     /// Holds pinned vertices; their reactions follow those of the supports.
-    fn pin(&mut self, pins: &[Pin], supports: usize) {
+    fn pin(&mut self, pins: &[Pin], supports: usize) -> Result<(), Error> {
         for (number, pin) in pins.iter().enumerate() {
             let d = if pin.direction == Direction::Second { [0.0, 1.0] } else { [1.0, 0.0] };
-            self.freedom[pin.vertex].fix(d, supports + number, 0.0);
+            let boundary = "a pin".to_string();
+            let place = format!("vertex {}", pin.vertex);
+            let twice = |known| Error::HeldTwice { boundary, place, value: 0.0, known };
+            self.freedom[pin.vertex].fix(d, supports + number, 0.0, 0.0).map_err(twice)?;
         }
+        Ok(())
     }
 
     /// Holds what lies on the axis of revolution.
-    fn hold_axis(&mut self, mesh: &Mesh) {
+    fn hold_axis(&mut self, mesh: &Mesh) -> Result<(), Error> {
         let on_axis = axis_vertices(mesh);
         let vertices = mesh.vertices.len();
         for v in (0..vertices).filter(|v| on_axis[*v]) {
-            self.freedom[v].fix([1.0, 0.0], AXIS, 0.0);
+            let twice = |known| {
+                let boundary = "the axis of revolution".to_string();
+                Error::HeldTwice { boundary, place: format!("vertex {v}"), value: 0.0, known }
+            };
+            self.freedom[v].fix([1.0, 0.0], AXIS, 0.0, 0.0).map_err(twice)?;
         }
         for (e, edge) in mesh.edges.iter().enumerate() {
             if edge.vertices.iter().all(|v| on_axis[*v]) && edge.curve.is_straight() {
-                self.freedom[vertices + e].fix([1.0, 0.0], AXIS, 0.0);
+                self.freedom[vertices + e].fix([1.0, 0.0], AXIS, 0.0, f64::INFINITY).unwrap_or_default();
             }
         }
-    }
-}
-
-/// A support with its number and the displacements that vary along it.
-struct Given<'g, 'a> {
-    number: usize,
-    support: &'g Support,
-    varying: Vec<&'g SupportDisplacement<'a>>,
-}
-
-impl Given<'_, '_> {
-    /// The prescribed displacement at a place, mm.
-    fn displacement(&self, x: [f64; 2]) -> f64 {
-        self.support.value + self.varying.iter().map(|d| (d.displacement)(x)).sum::<f64>()
+        Ok(())
     }
 }
 

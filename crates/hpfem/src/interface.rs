@@ -1,7 +1,8 @@
 //! What is left of a body when everything but its kept boundary is eliminated.
 
 use crate::check::power_of_two_below;
-use crate::material::Kinematics;
+use crate::error::Error;
+use crate::kinematics::Kinematics;
 use crate::trace::{Trace, TraceLoad};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Scale, Side};
@@ -15,8 +16,10 @@ use faer::{Mat, Scale, Side};
 pub struct InterfaceOperator {
     /// Kinematics of the body.
     pub kinematics: Kinematics,
-    /// The kept boundary.
+    /// The kept boundary, the first of several.
     pub trace: Trace,
+    /// The other kept boundaries, in the order of their names; their unknowns are numbered on.
+    pub more_traces: Vec<Trace>,
     /// `S`, N/mm (N mm/rad for a rotation), symmetric, `unknowns x unknowns`; positive semidefinite, singular exactly for the rigid modes.
     pub stiffness: Mat<f64>,
     /// Condensed right-hand sides, `unknowns x columns`: N for load cases and prescribed displacements, N/mm for the forces among the
@@ -28,8 +31,8 @@ pub struct InterfaceOperator {
     pub rigid_modes: Mat<f64>,
     /// The same motions in the plane: `[t_x, t_z, theta]` about the origin, mm and rad; one for every column of `rigid_modes`.
     pub rigid_motions: Vec<[f64; 3]>,
-    /// Number of load cases.
-    pub load_cases: usize,
+    /// Names of the load cases.
+    pub load_cases: Vec<String>,
     /// Indices of the kept unknowns that are the free motions of the rigid edge, `[t_x, t_z, theta]` about its reference point; `None` if not free.
     pub frame: [Option<usize>; 3],
     /// Constant parts of the reactions, `reactions x columns`.
@@ -48,15 +51,39 @@ pub struct InterfaceState {
 }
 
 impl InterfaceOperator {
-    /// Factors of all columns for given load-case factors, one a load case; prescribed displacements count fully.
+    /// Factors of all columns for given factors of load cases by name, 0 for those not named; prescribed displacements count fully.
     ///
-    /// # Panics
-    /// With fewer factors than load cases.
-    pub fn factors(&self, cases: &[f64]) -> Vec<f64> {
+    /// # Errors
+    /// [`Error::NoSuchLoadCase`].
+    pub fn factors(&self, cases: &[(&str, f64)]) -> Result<Vec<f64>, Error> {
+        let mut factors = self.factors_in_order(&[]);
+        for (name, factor) in cases {
+            factors[self.load_case(name)?] += factor;
+        }
+        Ok(factors)
+    }
+
+    /// The same for factors in the order of the load cases, 0 for those at the end that are left out.
+    pub fn factors_in_order(&self, cases: &[f64]) -> Vec<f64> {
         let mut factors = vec![0.0; self.columns.ncols()];
-        factors[..self.load_cases].copy_from_slice(&cases[..self.load_cases]);
-        factors[self.load_cases] = 1.0;
+        let known = self.load_cases.len();
+        factors[..known].iter_mut().zip(cases).for_each(|(factor, given)| *factor = *given);
+        factors[known] = 1.0;
         factors
+    }
+
+    /// Column of a load case.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchLoadCase`].
+    pub fn load_case(&self, name: &str) -> Result<usize, Error> {
+        let missing = || Error::NoSuchLoadCase { name: name.to_string(), known: self.load_cases.join(", ") };
+        self.load_cases.iter().position(|known| known == name).ok_or_else(missing)
+    }
+
+    /// The column of the prescribed displacements, after those of the load cases.
+    pub fn prescribed_column(&self) -> usize {
+        self.load_cases.len()
     }
 
     /// Whole right-hand side, N, one value a kept unknown: contact load plus condensed columns.
@@ -110,10 +137,10 @@ impl InterfaceOperator {
         boundary + interior
     }
 
-    /// Strain energy `1/2 f . u`, N mm, of a state without prescribed displacements.
+    /// Strain energy `1/2 f . u`, N mm, of a state without prescribed displacements and eigenstrains.
     pub fn strain_energy(&self, state: &InterfaceState) -> f64 {
         let contact: f64 = state.load.unknowns.iter().zip(&state.unknowns).map(|(f, u)| f * u).sum();
-        let loads: f64 = (0..self.load_cases).map(|k| state.factors[k] * self.column_work(k, state)).sum();
+        let loads: f64 = (0..self.load_cases.len()).map(|k| state.factors[k] * self.column_work(k, state)).sum();
         0.5 * (contact + loads)
     }
 
@@ -124,7 +151,7 @@ impl InterfaceOperator {
             let r = 3 * support + k;
             let constant: f64 = state.factors.iter().enumerate().map(|(l, a)| a * self.reaction_constant[(r, l)]).sum();
             let direct = state.load.supports.get(support).map_or(0.0, |l| l[k]);
-            self.column_work(self.load_cases + 1 + r, state) + constant - direct
+            self.column_work(self.prescribed_column() + 1 + r, state) + constant - direct
         })
     }
 }

@@ -7,8 +7,8 @@ use crate::space::Space;
 
 /// What is kept of a body: the unknowns of a boundary along its path, then the free motions of the rigid edge.
 pub(crate) struct Kept {
-    /// Edges of the kept boundary along its path, and whether each is walked against its own direction.
-    pub(crate) walk: Vec<(usize, bool)>,
+    /// Edges of each kept boundary along its path, and whether each is walked against its own direction.
+    pub(crate) walks: Vec<Vec<(usize, bool)>>,
     /// Groups whose unknowns are kept, in order.
     pub(crate) groups: Vec<usize>,
     /// First kept unknown of each group of the space; `None` for those that are eliminated.
@@ -18,17 +18,17 @@ pub(crate) struct Kept {
 }
 
 impl Kept {
-    /// What is kept with the boundary of that name; the rigid edge alone without one.
-    pub(crate) fn new(mesh: &Mesh, space: &Space, name: Option<&str>) -> Result<Kept, Error> {
-        let walk = name.map(|name| path(mesh, name)).transpose()?.unwrap_or_default();
-        let groups = kept_groups(mesh, space, &walk);
+    /// What is kept with the boundaries of those names; the rigid edge alone without one.
+    pub(crate) fn new(mesh: &Mesh, space: &Space, names: &[String]) -> Result<Kept, Error> {
+        let walks = names.iter().map(|name| path(mesh, name)).collect::<Result<Vec<_>, _>>()?;
+        let groups = kept_groups(mesh, space, &walks);
         let mut start = vec![None; space.size.len()];
         let mut unknowns = 0;
         for g in &groups {
             start[*g] = Some(unknowns);
             unknowns += space.size[*g];
         }
-        Ok(Kept { walk, groups, start, unknowns })
+        Ok(Kept { walks, groups, start, unknowns })
     }
 
     /// Kept unknowns of the free motions of the rigid edge, `[t_x, t_z, theta]`; `None` if not free.
@@ -45,18 +45,26 @@ impl Kept {
     }
 }
 
-/// Groups whose unknowns are kept: those of the path in order, then the rigid edge.
-fn kept_groups(mesh: &Mesh, space: &Space, walk: &[(usize, bool)]) -> Vec<usize> {
+/// Groups whose unknowns are kept: those of the paths in order, each once, then the rigid edge.
+fn kept_groups(mesh: &Mesh, space: &Space, walks: &[Vec<(usize, bool)>]) -> Vec<usize> {
     let mut groups = Vec::new();
-    for (i, (edge, against)) in walk.iter().enumerate() {
-        let [a, b] = mesh.edges[*edge].vertices;
-        let (from, to) = if *against { (b, a) } else { (a, b) };
-        if i == 0 {
-            groups.push(from);
+    let mut known = vec![false; space.size.len()];
+    let mut push = |g: usize| {
+        if space.size[g] > 0 && !std::mem::replace(&mut known[g], true) {
+            groups.push(g);
         }
-        groups.extend([mesh.vertices.len() + edge, to]);
+    };
+    for walk in walks {
+        for (i, (edge, against)) in walk.iter().enumerate() {
+            let [a, b] = mesh.edges[*edge].vertices;
+            let (from, to) = if *against { (b, a) } else { (a, b) };
+            if i == 0 {
+                push(from);
+            }
+            push(mesh.vertices.len() + edge);
+            push(to);
+        }
     }
-    groups.extend(space.frame.iter().map(|(g, _)| *g));
-    groups.retain(|g| space.size[*g] > 0);
+    space.frame.iter().for_each(|(g, _)| push(*g));
     groups
 }

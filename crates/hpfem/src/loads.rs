@@ -15,7 +15,7 @@ impl Assembly<'_> {
             // Edge 3 of a triangle ends at corner 2, which is corner 3 too.
             let ends = CELL_EDGES[e].map(|k| k.min(modes.corners - 1));
             let against = self.mesh.cells[cell].against[e];
-            for load in self.edge_loads[edge].iter().filter(|load| load.owner == cell) {
+            for load in self.loads.edges[edge].iter().filter(|load| load.owner == cell) {
                 let degree = self.space.edge_degree[edge];
                 let rule = gauss(points_for(degree) + 4);
                 let curve = self.mesh.local_curve(cell, e);

@@ -1,22 +1,23 @@
 //! Space and order of elimination of a body, before anything is assembled.
 
-use crate::additions::{Additions, Foundation};
 use crate::check::check;
 use crate::congruence::Congruence;
-use crate::edge_load::{EdgeLoad, edge_loads};
+use crate::edge_load::Loads;
 use crate::error::Error;
 use crate::foundation::edge_groups;
+use crate::freedom::Foundation;
 use crate::front::Plan;
 use crate::kept::Kept;
 use crate::mesh::Mesh;
 use crate::problem::BodyProblem;
+use crate::rigid::check_held;
 use crate::space::Space;
 
 /// Space and order of elimination of a body.
 pub(crate) struct Ordered<'a> {
     pub(crate) space: Space,
     pub(crate) kept: Kept,
-    pub(crate) edge_loads: Vec<Vec<EdgeLoad<'a>>>,
+    pub(crate) loads: Loads<'a>,
     /// Edges on foundations.
     pub(crate) foundations: Vec<(usize, &'a Foundation)>,
     pub(crate) congruence: Congruence,
@@ -33,24 +34,24 @@ pub(crate) struct Ordered<'a> {
 impl<'a> Ordered<'a> {
     /// # Errors
     /// What is wrong with the problem, as far as no element is needed to see it.
-    pub(crate) fn new(problem: &'a BodyProblem<'_>, additions: &'a Additions<'_>) -> Result<Ordered<'a>, Error> {
+    pub(crate) fn new(problem: &'a BodyProblem) -> Result<Ordered<'a>, Error> {
         check(problem)?;
-        additions.check(problem)?;
-        let mesh = problem.mesh;
-        let space = Space::new(problem, additions)?;
-        let kept = Kept::new(mesh, &space, problem.kept)?;
-        let edge_loads = edge_loads(mesh, problem.load_cases, &additions.segments)?;
-        let foundations = additions.foundation_edges(mesh)?;
+        let mesh = &*problem.mesh;
+        let space = Space::new(problem)?;
+        let kept = Kept::new(mesh, &space, &problem.kept)?;
+        let loads = Loads::new(mesh, &problem.load_cases)?;
+        let foundations = problem.foundation_edges()?;
+        check_held(problem, &space, &kept)?;
         let congruence = if problem.kinematics.is_revolved() {
             // The radius tells cells apart.
             Congruence::none(mesh, &space)
         } else {
-            Congruence::of_plane_cells(mesh, &space)
+            Congruence::of_plane_cells(mesh, &space, &problem.materials, problem.kinematics)
         };
         let mut groups: Vec<Vec<usize>> = (0..mesh.cells.len()).map(|c| space.cell_groups(mesh, c)).collect();
         groups.extend(foundations.iter().map(|(e, _)| edge_groups(mesh, &space, *e)));
         let columns = space.size.len();
-        for element in with_columns(problem, additions, &space, &edge_loads, &foundations) {
+        for element in with_columns(mesh, &space, &loads, &foundations) {
             groups[element].push(columns);
         }
         // The order does not depend on the number of right-hand sides.
@@ -58,31 +59,29 @@ impl<'a> Ordered<'a> {
         size.push(0);
         let last: Vec<usize> = kept.groups.iter().copied().chain([columns]).collect();
         let plan = Plan::new(&groups, &places(mesh, &foundations), &size, &last);
-        size[columns] = problem.load_cases.len() + 1 + 3 * (problem.supports.len() + additions.pins.len());
+        size[columns] = problem.columns();
         groups.iter_mut().for_each(|groups| groups.sort_by_key(|g| plan.rank[*g]));
         let first = |e: usize| congruence.class.get(e).is_none_or(|class| congruence.classes[*class].first == e);
         let bytes = plan.bytes(&groups, &size, &last, |e| first(e) || groups[e].last() == Some(&columns));
-        Ok(Ordered { space, kept, edge_loads, foundations, congruence, groups, size, last, plan, bytes })
+        Ok(Ordered { space, kept, loads, foundations, congruence, groups, size, last, plan, bytes })
     }
 }
 
 /// Elements that have right-hand sides: cells with loads or supports, then foundations on supports.
 fn with_columns(
-    problem: &BodyProblem<'_>,
-    additions: &Additions<'_>,
+    mesh: &Mesh,
     space: &Space,
-    edge_loads: &[Vec<EdgeLoad<'_>>],
+    loads: &Loads<'_>,
     foundations: &[(usize, &Foundation)],
 ) -> Vec<usize> {
-    let mesh = problem.mesh;
     let vertices = mesh.vertices.len();
     let supported = |g: usize| space.is_supported(g);
     let cell = |c: &usize| {
         let (c, cell) = (*c, &mesh.cells[*c]);
-        let loaded = |e: usize| edge_loads[e].iter().any(|load| load.owner == c);
-        !additions.body_forces.is_empty()
+        loads.inside(c)
+            || loads.on_edges(mesh, c)
             || cell.vertices().iter().any(|v| supported(*v))
-            || cell.sides().any(|(_, e)| loaded(e) || supported(vertices + e))
+            || cell.sides().any(|(_, e)| supported(vertices + e))
     };
     let foundation = |number: &usize| {
         let (e, _) = foundations[*number];

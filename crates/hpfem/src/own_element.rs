@@ -14,7 +14,7 @@ pub(crate) struct OwnElement {
     pub(crate) matrix: Vec<f64>,
     /// Parts of the reactions that do not depend on active unknowns, `reactions x columns`; `None` without prescribed parts.
     pub(crate) constant: Option<Mat<f64>>,
-    /// Work of body forces on the interior they displace, by load cases.
+    /// Work of loads inside on the interior they displace, by load cases.
     pub(crate) interior_work: Option<Mat<f64>>,
 }
 
@@ -47,10 +47,10 @@ impl Assembly<'_> {
         let modes = self.space.boundary_modes(self.mesh, cell);
         let mut load = self.cell_loads(cell, &modes);
         let mut interior_work = None;
-        if !self.body_forces.is_empty() {
-            let body = self.body_load(cell, work)?;
-            load.extend(body.boundary);
-            interior_work = Some(body.work);
+        if self.loads.inside(cell) {
+            let inner = self.inner_load(cell, work)?;
+            load.extend(inner.boundary);
+            interior_work = Some(inner.work);
         }
         let mut s = Vec::new();
         self.boundary_matrix(cell, &(0..modes.len()).collect::<Vec<_>>(), shared, &mut s);
@@ -116,7 +116,7 @@ impl Assembly<'_> {
     /// Adds the columns of prescribed displacements and reactions; returns the constant parts of the reactions.
     fn supports(&self, local: &LocalMatrix<'_>, rows: &[Vec<(usize, f64)>], rhs: &mut Mat<f64>) -> Option<Mat<f64>> {
         let LocalMatrix { matrix: s, targets, load } = *local;
-        let prescribed_column = self.load_cases.len();
+        let prescribed_column = self.loads.cases;
         let reactions = self.columns - prescribed_column - 1;
         if targets.iter().all(|t| t.fixed.is_empty()) {
             return None;
@@ -124,22 +124,7 @@ impl Assembly<'_> {
         let mut constant = Mat::zeros(reactions, self.columns);
         let nb = targets.len();
         let prescribed: Vec<f64> = targets.iter().map(|t| t.fixed.iter().map(|f| f.share * f.value).sum()).collect();
-        // Virtual displacements of the local unknowns, one vector a reaction.
-        let mut virtual_motion = vec![Vec::new(); reactions];
-        for (i, target) in targets.iter().enumerate() {
-            for fixed in &target.fixed {
-                let vertex = fixed.group < self.mesh.vertices.len();
-                let unit = f64::from(u8::from(vertex));
-                let rotation = self.rotation[fixed.group].get(fixed.mode).copied().unwrap_or_default();
-                for (k, motion) in [[unit, 0.0], [0.0, unit], rotation].iter().enumerate() {
-                    let along = fixed.axis[0] * motion[0] + fixed.axis[1] * motion[1];
-                    if let Some(v) = virtual_motion.get_mut(3 * fixed.support + k).filter(|_| along != 0.0) {
-                        v.resize(nb, 0.0);
-                        v[i] += fixed.share * along;
-                    }
-                }
-            }
-        }
+        let virtual_motion = self.virtual_motion(targets, reactions);
         let times = |v: &[f64]| -> Vec<f64> {
             let mut out = vec![0.0; nb];
             for (j, factor) in v.iter().enumerate().filter(|(_, factor)| **factor != 0.0) {
@@ -163,6 +148,28 @@ impl Assembly<'_> {
             }
         }
         Some(constant)
+    }
+}
+
+impl Assembly<'_> {
+    /// Virtual displacements of local unknowns, one vector a reaction, empty where the reaction does not touch them.
+    pub(crate) fn virtual_motion(&self, targets: &[Target], reactions: usize) -> Vec<Vec<f64>> {
+        let mut virtual_motion = vec![Vec::new(); reactions];
+        for (i, target) in targets.iter().enumerate() {
+            for fixed in &target.fixed {
+                let vertex = fixed.group < self.mesh.vertices.len();
+                let unit = f64::from(u8::from(vertex));
+                let rotation = self.rotation[fixed.group].get(fixed.mode).copied().unwrap_or_default();
+                for (k, motion) in [[unit, 0.0], [0.0, unit], rotation].iter().enumerate() {
+                    let along = fixed.axis[0] * motion[0] + fixed.axis[1] * motion[1];
+                    if let Some(v) = virtual_motion.get_mut(3 * fixed.support + k).filter(|_| along != 0.0) {
+                        v.resize(targets.len(), 0.0);
+                        v[i] += fixed.share * along;
+                    }
+                }
+            }
+        }
+        virtual_motion
     }
 }
 

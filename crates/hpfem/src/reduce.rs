@@ -1,12 +1,11 @@
 //! From a problem to its reduced body.
 
-use crate::additions::{Additions, Foundation};
 use crate::assembly::Assembly;
 use crate::cell_matrix::{Elements, SharedMatrices, map_cells};
 use crate::effort::{Clock, Effort};
 use crate::elimination::Condensed;
 use crate::error::Error;
-use crate::foundation::HeldPlace;
+use crate::freedom::Foundation;
 use crate::front::MEMORY_LIMIT;
 use crate::interface::InterfaceOperator;
 use crate::kept::Kept;
@@ -29,26 +28,25 @@ pub(crate) struct Reduction {
 
 /// Reduces a body; `factors` tells whether the factorised fronts are kept.
 pub(crate) fn reduce(
-    problem: &BodyProblem<'_>,
-    additions: &Additions<'_>,
+    problem: &BodyProblem,
     factors: bool,
     clock: Clock,
 ) -> Result<Reduction, Error> {
     let start = clock();
-    let ordered = Ordered::new(problem, additions)?;
-    let mesh = problem.mesh;
+    let ordered = Ordered::new(problem)?;
+    let mesh = &*problem.mesh;
     if ordered.bytes > MEMORY_LIMIT {
         let unknowns = ordered.space.size.iter().sum();
         return Err(Error::TooLarge { unknowns, bytes: ordered.bytes, limit: MEMORY_LIMIT });
     }
     let after_order = clock() - start;
-    let Ordered { space, kept, edge_loads, foundations, congruence, groups, size, last, plan, bytes } = ordered;
-    let assembly = Assembly::new(problem, &space, additions, edge_loads);
+    let Ordered { space, kept, loads, foundations, congruence, groups, size, last, plan, bytes } = ordered;
+    let assembly = Assembly::new(problem, &space, loads);
     let shared = assembly.shared_matrices(congruence)?;
     let Own { matrices, reaction_constant, interior_work } = own_elements(&assembly, &groups, &foundations, &shared)?;
     let assembled = clock() - start;
     let mut elements = Elements::new(&assembly, &groups, shared, matrices);
-    let mut condensed = plan.run(&mut elements, &size, &last, factors).map_err(|g| Error::NotHeld { place: place(mesh, g) })?;
+    let mut condensed = plan.run(&mut elements, &size, &last, factors).map_err(|g| Error::NoStiffness { place: place(mesh, g) })?;
     condensed.work += &interior_work;
     let finite = |m: &Mat<f64>| m.col_iter().all(|c| c.iter().all(|v| v.is_finite()));
     if !(finite(&condensed.rhs) && finite(&condensed.work)) {
@@ -56,7 +54,7 @@ pub(crate) fn reduce(
         return Err(Error::OutOfRange { quantity, value: f64::NAN, range: "finite" });
     }
     let factored = clock() - start;
-    let interface = interface(&assembly, &kept, &additions.held(mesh)?, &condensed, &reaction_constant);
+    let interface = interface(&assembly, problem, &kept, &condensed, &reaction_constant)?;
     let effort = Effort {
         cells: mesh.cells.len(),
         unknowns: whole_size(mesh, &space),
@@ -89,7 +87,7 @@ fn own_elements(
     let on_foundations = foundations.iter().zip(&groups[cells..]);
     let on_foundations = on_foundations.map(|((e, f), groups)| Ok(Some(assembly.foundation(*e, f, groups))));
     let mut matrices = Vec::with_capacity(groups.len());
-    let mut reaction_constant = Mat::zeros(columns - assembly.load_cases.len() - 1, columns);
+    let mut reaction_constant = Mat::zeros(columns - assembly.loads.cases - 1, columns);
     let mut interior_work = Mat::<f64>::zeros(columns, columns);
     for result in results.into_iter().chain(on_foundations) {
         let Some(element) = result? else {
@@ -108,29 +106,32 @@ fn own_elements(
     Ok(Own { matrices, reaction_constant, interior_work })
 }
 
-/// The interface operator in the units of the problem; `held` are the places and directions that foundations hold.
+/// The interface operator in the units of the problem.
 fn interface(
     assembly: &Assembly<'_>,
+    problem: &BodyProblem,
     kept: &Kept,
-    held: &[HeldPlace],
     condensed: &Condensed,
     reaction_constant: &Mat<f64>,
-) -> InterfaceOperator {
+) -> Result<InterfaceOperator, Error> {
     let Assembly { mesh, space, kinematics, .. } = *assembly;
     let unit = faer::Scale(assembly.unit);
-    let rigid_motions = free_motions(mesh, space, kinematics, held);
-    InterfaceOperator {
+    let rigid_motions = free_motions(problem, space)?;
+    let mut traces = kept.walks.iter().map(|walk| Trace::new(mesh, space, kinematics, (kept, walk)));
+    let trace = traces.next().unwrap_or_else(|| Trace::new(mesh, space, kinematics, (kept, &[])));
+    Ok(InterfaceOperator {
         kinematics,
-        trace: Trace::new(mesh, space, kinematics, kept),
+        trace,
+        more_traces: traces.collect(),
         stiffness: unit * &condensed.stiffness,
         columns: unit * &condensed.rhs,
         work: unit * &condensed.work,
         rigid_modes: rigid_columns(mesh, space, kinematics, kept, &rigid_motions),
         rigid_motions,
-        load_cases: assembly.load_cases.len(),
+        load_cases: problem.load_cases.iter().map(|case| case.name.clone()).collect(),
         frame: kept.frame(space),
         reaction_constant: unit * reaction_constant,
-    }
+    })
 }
 
 /// Words for the place of a group.

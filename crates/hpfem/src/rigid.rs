@@ -1,64 +1,193 @@
 //! Rigid motions that supports leave free, and what they are in kept unknowns.
 
 use crate::boundary::edge_modes;
+use crate::error::Error;
+use crate::foundation::HeldPlace;
 use crate::freedom::rigid_rows;
 use crate::kept::Kept;
-use crate::material::Kinematics;
+use crate::kinematics::Kinematics;
 use crate::mesh::Mesh;
+use crate::problem::BodyProblem;
 use crate::space::Space;
 use faer::Mat;
 
-/// Rigid motions `[t_x, t_z, theta]` about the origin that neither a support nor one of the directions `(place, direction)` in
-/// `held` hinders, as a reduced basis.
-pub(crate) fn free_motions(mesh: &Mesh, space: &Space, kinematics: Kinematics, held: &[([f64; 2], [f64; 2])]) -> Vec<[f64; 3]> {
-    let size = mesh.vertices.iter().fold(0.0_f64, |m, x| m.max(x[0].abs()).max(x[1].abs()));
-    let candidates: &[usize] = match kinematics {
-        Kinematics::Axisymmetric => &[1],
-        Kinematics::Torsion => &[2],
-        _ => &[0, 1, 2],
+/// Rigid motions `[t_x, t_z, theta]` about the origin that neither a support nor a foundation hinders, as a reduced basis. Of a potential,
+/// the constant, as `[1, 0, 0]`.
+pub(crate) fn free_motions(problem: &BodyProblem, space: &Space) -> Result<Vec<[f64; 3]>, Error> {
+    let body = Conditions::new(problem, space);
+    Ok(body.free(body.rows(&|_| true, &problem.held()?)))
+}
+
+/// Refuses a body that can move without moving what is kept, and a body of several parts one of which can move at all.
+pub(crate) fn check_held(problem: &BodyProblem, space: &Space, kept: &Kept) -> Result<(), Error> {
+    let body = Conditions::new(problem, space);
+    let part = parts(&problem.mesh, space);
+    let parts = part.iter().max().map_or(0, |last| last + 1);
+    let held = problem.held()?;
+    for number in 0..parts {
+        let within = |g: usize| part[g] == number;
+        let here: Vec<HeldPlace> = held.iter().filter(|place| within(place.group)).copied().collect();
+        let mut rows = body.rows(&within, &here);
+        if parts == 1 {
+            rows.extend(kept.groups.iter().flat_map(|g| body.whole_rows(*g)));
+        }
+        let free = body.free(rows);
+        if !free.is_empty() {
+            let whole = if parts == 1 { String::new() } else { format!("of its {parts} unconnected parts, ") };
+            let motion = format!("{whole}{}", motion_words(problem.kinematics, &free));
+            return Err(Error::NotHeld { motion });
+        }
+    }
+    Ok(())
+}
+
+/// Free motions in words.
+pub(crate) fn motion_words(kinematics: Kinematics, free: &[[f64; 3]]) -> String {
+    if kinematics.is_conduction() {
+        return "its potential is known up to a constant".to_string();
+    }
+    if kinematics == Kinematics::Torsion {
+        return "it can turn about its axis".to_string();
+    }
+    let words = |motion: &[f64; 3]| match motion {
+        [_, t, theta] if theta.abs() <= 1e-12 && motion[0].abs() <= 1e-12 * t.abs() => "slide along the second axis".to_string(),
+        [t, _, theta] if theta.abs() <= 1e-12 && motion[1].abs() <= 1e-12 * t.abs() => "slide along the first axis".to_string(),
+        [x, z, theta] if theta.abs() <= 1e-12 => format!("slide along the direction ({x:.4}, {z:.4})"),
+        // A rotation is free about any point if both translations are.
+        [..] if free.len() == 3 => "turn".to_string(),
+        [x, z, theta] => format!("turn about ({:.4}, {:.4})", 0.0 - z / theta, x / theta),
     };
-    let (columns, pivots) = eliminated(conditions(mesh, space, (kinematics, size), held), candidates);
-    columns
-        .iter()
-        .map(|free| {
+    format!("it can {}", free.iter().map(words).collect::<Vec<_>>().join(" and "))
+}
+
+/// Number of the connected part of every group, the rigid edge's included.
+fn parts(mesh: &Mesh, space: &Space) -> Vec<usize> {
+    let vertices = mesh.vertices.len();
+    let mut parent: Vec<usize> = (0..vertices + mesh.edges.len() + 1).collect();
+    fn root(parent: &mut [usize], mut g: usize) -> usize {
+        while parent[g] != g {
+            parent[g] = parent[parent[g]];
+            g = parent[g];
+        }
+        g
+    }
+    let frame = vertices + mesh.edges.len();
+    let join = |parent: &mut Vec<usize>, a: usize, b: usize| {
+        let (a, b) = (root(parent, a), root(parent, b));
+        parent[a.max(b)] = a.min(b);
+    };
+    let mut used = vec![false; vertices];
+    for cell in &mesh.cells {
+        let first = cell.corners[0];
+        for v in cell.vertices() {
+            used[*v] = true;
+            join(&mut parent, first, *v);
+        }
+        cell.sides().for_each(|(_, e)| join(&mut parent, first, vertices + e));
+    }
+    (0..vertices).filter(|v| space.freedom[*v].slaved).for_each(|v| join(&mut parent, v, frame));
+    // Vertices that no cell has, and a rigid edge that is none, belong to the first part.
+    let anchor = mesh.cells.first().map_or(0, |cell| cell.corners[0]);
+    (0..vertices).filter(|v| !used[*v]).for_each(|v| join(&mut parent, anchor, v));
+    if space.frame.is_none() {
+        join(&mut parent, anchor, frame);
+    }
+    let mut number = vec![usize::MAX; parent.len()];
+    let mut next = 0;
+    let roots: Vec<usize> = (0..parent.len()).map(|g| root(&mut parent, g)).collect();
+    for r in &roots {
+        if number[*r] == usize::MAX {
+            number[*r] = next;
+            next += 1;
+        }
+    }
+    roots.into_iter().map(|r| number[r]).collect()
+}
+
+/// What a problem asks of rigid motions.
+struct Conditions<'a> {
+    problem: &'a BodyProblem,
+    space: &'a Space,
+    /// A length of the size of the body, the unit of rotations, mm.
+    size: f64,
+}
+
+impl Conditions<'_> {
+    fn new<'a>(problem: &'a BodyProblem, space: &'a Space) -> Conditions<'a> {
+        let size = problem.mesh.vertices.iter().fold(0.0_f64, |m, x| m.max(x[0].abs()).max(x[1].abs()));
+        Conditions { problem, space, size }
+    }
+
+    /// The motions without those that `rows` exclude.
+    fn free(&self, rows: Vec<[f64; 3]>) -> Vec<[f64; 3]> {
+        let size = self.size;
+        let candidates: &[usize] = match self.problem.kinematics {
+            Kinematics::Axisymmetric => &[1],
+            Kinematics::Torsion => &[2],
+            Kinematics::Potential { .. } | Kinematics::AxisymmetricPotential => &[0],
+            Kinematics::PlaneStress { .. } | Kinematics::PlaneStrain { .. } => &[0, 1, 2],
+        };
+        let (columns, pivots) = eliminated(rows, candidates);
+        let motion = |free: &usize| {
             let mut motion = [0.0; 3];
             motion[*free] = 1.0;
             pivots.iter().for_each(|(c, r)| motion[*c] = -r[*free]);
             motion[2] /= size;
             let unit = motion.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
             if *free == 2 { motion.map(|v| v * size) } else { motion.map(|v| v / unit) }
-        })
-        .collect()
-}
-
-/// Rows of conditions on `(t_x, t_z, theta size)`: of the held directions, of the supports, of the rigid edge.
-fn conditions(mesh: &Mesh, space: &Space, (kinematics, size): (Kinematics, f64), held: &[([f64; 2], [f64; 2])]) -> Vec<[f64; 3]> {
-    let row = |x: [f64; 2], d: [f64; 2]| {
-        let motions = rigid_rows(x, [0.0, 0.0]);
-        [0, 1, 2].map(|k| (motions[k][0] * d[0] + motions[k][1] * d[1]) / if k == 2 { size } else { 1.0 })
-    };
-    let mut rows: Vec<[f64; 3]> = held.iter().map(|(x, d)| row(*x, *d)).collect();
-    for (g, freedom) in space.freedom.iter().enumerate().filter(|(_, freedom)| !freedom.slaved) {
-        let x = match g.checked_sub(mesh.vertices.len()) {
-            None => mesh.vertices[g],
-            Some(e) => mesh.edges[e].curve.point(0.0),
         };
-        for axis in (0..2).filter(|axis| freedom.fixed[*axis].is_some()) {
-            rows.push(match kinematics {
-                // u_phi = r theta.
-                Kinematics::Torsion => row([0.0, x[0]], [-1.0, 0.0]),
-                _ => row(x, freedom.axes[axis]),
-            });
+        columns.iter().map(motion).collect()
+    }
+
+    /// The condition on `(t_x, t_z, theta size)` that a direction is held at a place.
+    fn row(&self, x: [f64; 2], d: [f64; 2]) -> [f64; 3] {
+        let (x, d) = match self.problem.kinematics {
+            // u_phi = r theta.
+            Kinematics::Torsion => ([0.0, x[0]], [-1.0, 0.0]),
+            Kinematics::Potential { .. } | Kinematics::AxisymmetricPotential => return [1.0, 0.0, 0.0],
+            Kinematics::PlaneStress { .. } | Kinematics::PlaneStrain { .. } | Kinematics::Axisymmetric => (x, d),
+        };
+        let motions = rigid_rows(x, [0.0, 0.0]);
+        [0, 1, 2].map(|k| (motions[k][0] * d[0] + motions[k][1] * d[1]) / if k == 2 { self.size } else { 1.0 })
+    }
+
+    /// The middle of a vertex or edge.
+    fn place(&self, group: usize) -> [f64; 2] {
+        let mesh = &self.problem.mesh;
+        match group.checked_sub(mesh.vertices.len()) {
+            None => mesh.vertices[group],
+            Some(e) => mesh.edges[e].curve.point(0.0),
         }
     }
-    if let Some((_, rigid)) = &space.frame {
-        let axes = [[1.0, 0.0], [0.0, 1.0]];
-        rows.extend(axes.iter().enumerate().filter(|(k, _)| !rigid.free[*k]).map(|(_, d)| row(rigid.reference, *d)));
-        if !rigid.free[2] {
-            rows.push([0.0, 0.0, 1.0]);
+
+    /// Conditions of the held directions, of the supports and of the rigid edge, as far as they are `within` a part.
+    fn rows(&self, within: &dyn Fn(usize) -> bool, held: &[HeldPlace]) -> Vec<[f64; 3]> {
+        let mut rows: Vec<[f64; 3]> = held.iter().map(|place| self.row(place.position, place.direction)).collect();
+        let groups = self.space.freedom.iter().enumerate();
+        for (g, freedom) in groups.filter(|(g, freedom)| within(*g) && !freedom.slaved) {
+            let fixed = (0..2).filter(|axis| freedom.fixed[*axis].is_some());
+            rows.extend(fixed.map(|axis| self.row(self.place(g), freedom.axes[axis])));
         }
+        if let Some((_, rigid)) = self.space.frame.as_ref().filter(|(group, _)| within(*group)) {
+            let free = rigid.free;
+            rows.extend(self.frame_rows().into_iter().zip(free).filter(|(_, free)| !free).map(|(row, _)| row));
+        }
+        rows
     }
-    rows
+
+    /// Conditions that a group does not move at all.
+    fn whole_rows(&self, group: usize) -> Vec<[f64; 3]> {
+        if self.space.frame.as_ref().is_some_and(|(frame, _)| *frame == group) {
+            return self.frame_rows();
+        }
+        [[1.0, 0.0], [0.0, 1.0]].iter().map(|d| self.row(self.place(group), *d)).collect()
+    }
+
+    /// Conditions that the rigid edge does not slide along either axis nor turn.
+    fn frame_rows(&self) -> Vec<[f64; 3]> {
+        let Some((_, rigid)) = &self.space.frame else { return Vec::new() };
+        vec![self.row(rigid.reference, [1.0, 0.0]), self.row(rigid.reference, [0.0, 1.0]), [0.0, 0.0, 1.0]]
+    }
 }
 
 /// Gaussian elimination with pivoting among `candidates`: the free columns, and the pivot rows by their columns.
@@ -95,6 +224,9 @@ pub(crate) fn rigid_columns(mesh: &Mesh, space: &Space, kinematics: Kinematics, 
     let field = |m: &[f64; 3], x: [f64; 2]| -> [f64; 2] {
         if kinematics == Kinematics::Torsion {
             return [m[2] * x[0], 0.0];
+        }
+        if kinematics.is_conduction() {
+            return [m[0], 0.0];
         }
         let rows = rigid_rows(x, [0.0, 0.0]);
         std::array::from_fn(|i| (0..3).map(|k| m[k] * rows[k][i]).sum())

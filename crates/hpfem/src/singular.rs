@@ -16,7 +16,8 @@
 
 use crate::error::Error;
 use crate::freedom::{Direction, Support};
-use crate::material::{Kinematics, Material};
+use crate::kinematics::Kinematics;
+use crate::material::Material;
 use crate::mesh::Mesh;
 use nalgebra::{Complex, DMatrix};
 use std::f64::consts::{PI, TAU};
@@ -48,15 +49,43 @@ pub enum Face {
 pub struct Sector {
     /// Opening angle, radians.
     pub angle: f64,
-    /// Its material.
-    pub material: Material,
+    /// Its constants.
+    pub constants: Constants,
+}
+
+/// Constants of an isotropic sector.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Constants {
+    /// Young's modulus, MPa; for a potential twice the conductivity.
+    pub young: f64,
+    /// Poisson's ratio, no unit; zero for a potential.
+    pub poisson: f64,
+}
+
+impl Constants {
+    /// The constants of materials.
+    ///
+    /// # Errors
+    /// [`Error::Anisotropic`]: the functions of this page are those of isotropic sectors.
+    pub fn of(materials: &[Material], kinematics: Kinematics) -> Result<Vec<Constants>, Error> {
+        let one = |material: &Material| {
+            let known = match material.conductivity().filter(|_| kinematics.is_conduction()) {
+                Some([[k, _], _]) if material.is_isotropic(kinematics) => Some(Constants { young: 2.0 * k, poisson: 0.0 }),
+                Some(_) => None,
+                None => material.young().zip(material.poisson()).map(|(young, poisson)| Constants { young, poisson }),
+            };
+            let reason = "exponents of corners are known for isotropic materials alone".to_string();
+            known.ok_or(Error::Anisotropic { reason })
+        };
+        materials.iter().map(one).collect()
+    }
 }
 
 /// The singular vertices of a mesh: every boundary vertex and every vertex between materials whose exponent is below 1, and the
 /// vertices where a boundary in `loaded` ends.
 ///
 /// # Errors
-/// [`Error::NoSuchBoundary`].
+/// [`Error::NoSuchBoundary`]; [`Error::Anisotropic`].
 pub fn singular_vertices(
     mesh: &Mesh,
     kinematics: Kinematics,
@@ -64,7 +93,8 @@ pub fn singular_vertices(
     supports: &[Support],
     loaded: &[&str],
 ) -> Result<Vec<SingularVertex>, Error> {
-    let wedges = Wedges { mesh, sides: mesh.edge_cells(), materials, held: held(mesh, supports)?, kinematics };
+    let constants = Constants::of(materials, kinematics)?;
+    let wedges = Wedges { mesh, sides: mesh.edge_cells(), constants, held: held(mesh, supports)?, kinematics };
     // Number of the load on each edge; jumps are where it changes along the boundary.
     let mut load = vec![0_usize; mesh.edges.len()];
     for (number, name) in loaded.iter().enumerate() {
@@ -85,7 +115,7 @@ pub fn singular_vertices(
         };
         let smooth = matches!(faces, Some(f) if f[0] == f[1]) && (sectors.iter().map(|s| s.angle).sum::<f64>() - PI).abs() < 1e-6
             || faces.is_none();
-        let uniform = sectors.windows(2).all(|s| s[0].material == s[1].material);
+        let uniform = sectors.windows(2).all(|s| s[0].constants == s[1].constants);
         // A straight interface between two materials.
         let straight = faces.is_none() && sectors.len() == 2 && (sectors[0].angle - PI).abs() < 1e-6;
         let exponent = if (smooth && uniform) || straight { 1.0 } else { corner_exponent(&sectors, faces, kinematics) };
@@ -133,7 +163,7 @@ impl Corner {
     /// The wedge of a body with the given supports at a boundary vertex, its sectors anti-clockwise; none inside the body.
     ///
     /// # Errors
-    /// [`Error::NoSuchBoundary`].
+    /// [`Error::NoSuchBoundary`]; [`Error::Anisotropic`].
     pub fn at(
         mesh: &Mesh,
         vertex: usize,
@@ -141,7 +171,8 @@ impl Corner {
         materials: &[Material],
         supports: &[Support],
     ) -> Result<Option<Corner>, Error> {
-        let wedges = Wedges { mesh, sides: mesh.edge_cells(), materials, held: held(mesh, supports)?, kinematics };
+        let constants = Constants::of(materials, kinematics)?;
+        let wedges = Wedges { mesh, sides: mesh.edge_cells(), constants, held: held(mesh, supports)?, kinematics };
         let touching = |(c, cell): (usize, &crate::mesh::Cell)| cell.vertices().iter().position(|v| *v == vertex).map(|k| (c, k));
         let cells: Vec<(usize, usize)> = mesh.cells.iter().enumerate().filter_map(touching).collect();
         let found = wedges.at(vertex, &cells);
@@ -174,7 +205,8 @@ struct Wedges<'a> {
     mesh: &'a Mesh,
     /// Cells on each edge, as by [`Mesh::edge_cells`].
     sides: Vec<Vec<(usize, usize)>>,
-    materials: &'a [Material],
+    /// Constants of the materials.
+    constants: Vec<Constants>,
     /// Directions held on each edge.
     held: Vec<Vec<[f64; 2]>>,
     kinematics: Kinematics,
@@ -202,11 +234,11 @@ impl Wedges<'_> {
             if angle < 1e-9 {
                 angle = TAU;
             }
-            let material = *self.materials.get(mesh.cells[cell.0].material)?;
+            let constants = *self.constants.get(mesh.cells[cell.0].material)?;
             // Cells of one material next to each other are one sector.
             match sectors.last_mut() {
-                Some(Sector { angle: sum, material: same }) if *same == material => *sum += angle,
-                _ => sectors.push(Sector { angle, material }),
+                Some(Sector { angle: sum, constants: same }) if *same == constants => *sum += angle,
+                _ => sectors.push(Sector { angle, constants }),
             }
             last = b;
             match cells.iter().copied().find(|c| leaving(*c).is_some_and(|(a, _)| a == b)) {
@@ -216,7 +248,7 @@ impl Wedges<'_> {
         }
         if inner {
             if let [first, .., last] = &mut sectors[..]
-                && first.material == last.material
+                && first.constants == last.constants
             {
                 first.angle += last.angle;
                 sectors.pop();
@@ -225,7 +257,8 @@ impl Wedges<'_> {
         }
         let face = |e: usize| match (self.held[e].len(), *kinematics) {
             (0, _) => Face::Free,
-            (1, Kinematics::Torsion) | (2.., _) => Face::Fixed,
+            (1, kinematics) if kinematics.components() == 1 => Face::Fixed,
+            (2.., _) => Face::Fixed,
             (1, _) => {
                 let (d, r) = (self.held[e][0], ray(mesh, e, vertex));
                 Face::Held((r[0] * d[1] - r[1] * d[0]).atan2(r[0] * d[0] + r[1] * d[1]).rem_euclid(PI))
@@ -273,13 +306,13 @@ pub fn corner_exponent(sectors: &[Sector], faces: Option<[Face; 2]>, kinematics:
 
 /// Determinant of the conditions of a corner at the exponent `l`.
 fn determinant(l: C, sectors: &[Sector], faces: Option<[Face; 2]>, kinematics: Kinematics) -> C {
-    let torsion = kinematics == Kinematics::Torsion;
-    let (unknowns, rows) = if torsion { (2, 1) } else { (4, 2) };
+    let scalar = kinematics.components() == 1;
+    let (unknowns, rows) = if scalar { (2, 1) } else { (4, 2) };
     let n = sectors.len();
     let mut m = DMatrix::<C>::zeros(unknowns * n, unknowns * n);
     let mut row = 0;
     let state = |s: &Sector, t: f64| {
-        if torsion { antiplane(l, s, t) } else { plane(l, s, t, kinematics) }
+        if scalar { antiplane(l, s, t) } else { plane(l, s, t, kinematics) }
     };
     if let Some(faces) = faces {
         for (side, face) in faces.iter().enumerate() {
@@ -308,13 +341,11 @@ fn determinant(l: C, sectors: &[Sector], faces: Option<[Face; 2]>, kinematics: K
 
 /// Rows of displacement (first half) and traction (second half) of a sector at angle `t`, by its coefficients.
 pub(crate) fn plane(l: C, sector: &Sector, t: f64, kinematics: Kinematics) -> Vec<Vec<C>> {
-    let nu = sector.material.poisson();
-    let kappa = match kinematics {
-        Kinematics::PlaneStress { .. } => (3.0 - nu) / (1.0 + nu),
-        _ => 3.0 - 4.0 * nu,
-    };
+    let Constants { young, poisson: nu } = sector.constants;
+    let plane_stress = matches!(kinematics, Kinematics::PlaneStress { .. });
+    let kappa = if plane_stress { (3.0 - nu) / (1.0 + nu) } else { 3.0 - 4.0 * nu };
     // Coefficients in units that keep displacements and tractions near one for any modulus.
-    let shear = sector.material.young() / (1.0 + nu);
+    let shear = young / (1.0 + nu);
     let unit = shear / (shear + 1.0);
     let (minus, plus) = ((l - 1.0) * t, (l + 1.0) * t);
     let (cm, sm, cp, sp) = (minus.cos(), minus.sin(), plus.cos(), plus.sin());
@@ -329,7 +360,7 @@ pub(crate) fn plane(l: C, sector: &Sector, t: f64, kinematics: Kinematics) -> Ve
 
 /// `w = r^l (a cos(l t) + b sin(l t))`, `tau_tz = mu w_,t / r`.
 fn antiplane(l: C, sector: &Sector, t: f64) -> Vec<Vec<C>> {
-    let shear = 0.5 * sector.material.young() / (1.0 + sector.material.poisson());
+    let shear = 0.5 * sector.constants.young / (1.0 + sector.constants.poisson);
     let (c, s) = ((l * t).cos(), (l * t).sin());
     vec![vec![c, s], vec![-s * l * shear, c * l * shear]]
 }

@@ -1,6 +1,5 @@
 //! What a reduction will take, known from the mesh and the degrees before anything is computed.
 
-use crate::additions::Additions;
 use crate::body::Body;
 use crate::error::Error;
 use crate::front::partial_factor;
@@ -16,7 +15,7 @@ pub struct Sizes {
     pub unknowns: usize,
     /// Number of unknowns that are kept: those of the kept boundary and of the rigid edge.
     pub kept_unknowns: usize,
-    /// Gauss-Lobatto points of the kept boundary.
+    /// Gauss-Lobatto points of the kept boundaries.
     pub points: usize,
     /// Memory that [`Body::new`] will hold at once, factors, right-hand sides and mesh included, bytes; bodies beyond 12 GiB
     /// are refused by this number. Between 0.9 and 1.3 of what is measured, for bodies beyond some 20 MB.
@@ -25,15 +24,14 @@ pub struct Sizes {
     pub operations: f64,
 }
 
-impl Body<'_> {
+impl Body {
     /// What [`Body::new`] will take: it meshes nothing, assembles nothing and factors nothing. A body beyond the memory has sizes too.
     ///
     /// # Errors
     /// As for [`Body::new`], as far as no element is needed to see it.
-    pub fn sizes(problem: &BodyProblem<'_>) -> Result<Sizes, Error> {
-        let additions = Additions::default();
-        let ordered = Ordered::new(problem, &additions)?;
-        let (mesh, space) = (problem.mesh, &ordered.space);
+    pub fn sizes(problem: &BodyProblem) -> Result<Sizes, Error> {
+        let ordered = Ordered::new(problem)?;
+        let (mesh, space) = (&*problem.mesh, &ordered.space);
         // Similar cells share one matrix.
         let matrices = ordered.congruence.classes.iter().map(|class| {
             let modes = space.local_modes(mesh, class.first);
@@ -46,12 +44,12 @@ impl Body<'_> {
         });
         let size = |groups: &[usize]| groups.iter().map(|g| ordered.size[*g]).sum::<usize>() as f64;
         let fronts = ordered.plan.fronts.iter().map(|f| partial_factor(size(&f.groups[..f.eliminated]), size(&f.groups)));
-        let points: usize = ordered.kept.walk.iter().map(|(edge, _)| space.edge_degree[*edge]).sum();
+        let points = |walk: &Vec<(usize, bool)>| walk.iter().map(|(edge, _)| space.edge_degree[*edge]).sum::<usize>() + 1;
         Ok(Sizes {
             cells: mesh.cells.len(),
             unknowns: whole_size(mesh, space),
             kept_unknowns: ordered.kept.unknowns,
-            points: points + usize::from(!ordered.kept.walk.is_empty()),
+            points: ordered.kept.walks.iter().map(points).sum(),
             bytes: ordered.bytes,
             operations: matrices.sum::<f64>() + fronts.sum::<f64>(),
         })

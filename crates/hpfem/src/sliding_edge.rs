@@ -8,7 +8,7 @@
 use nalgebra::DMatrix;
 
 use crate::bisect::bisect;
-use crate::material::Kinematics;
+use crate::kinematics::Kinematics;
 use crate::singular::{C, Corner, Sector, condition, plane};
 
 /// What the pressure does at a sharp sliding edge.

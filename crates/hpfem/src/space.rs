@@ -1,6 +1,5 @@
 //! Degrees of freedom: degrees of cells and edges, and what supports and rigid edges leave of them.
 
-use crate::additions::Additions;
 use crate::basis::{BoundaryModes, LocalModes, MAX_DEGREE, SpaceKind};
 use crate::error::Error;
 use crate::freedom::{AXIS, Freedom, RigidEdge, rigid_rows};
@@ -52,8 +51,8 @@ pub(crate) struct Fixed {
 impl Space {
     /// # Errors
     /// Degrees out of range, boundaries that do not exist or are not straight where they must be, displacements that are not finite.
-    pub(crate) fn new(problem: &BodyProblem<'_>, additions: &Additions<'_>) -> Result<Space, Error> {
-        let (mesh, cell_degree, components) = (problem.mesh, problem.degrees.clone(), problem.kinematics.components());
+    pub(crate) fn new(problem: &BodyProblem) -> Result<Space, Error> {
+        let (mesh, cell_degree, components) = (&problem.mesh, problem.degrees.clone(), problem.kinematics.components());
         if let Some(cell) = (0..mesh.cells.len()).find(|c| !(1..=MAX_DEGREE).contains(&cell_degree[*c])) {
             return Err(Error::Degree { cell, degree: cell_degree[cell] });
         }
@@ -61,7 +60,7 @@ impl Space {
         for (cell, degree) in mesh.cells.iter().zip(&cell_degree) {
             cell.sides().for_each(|(_, e)| edge_degree[e] = edge_degree[e].min(*degree));
         }
-        let Holding { freedom, mode_freedom } = Holding::new(problem, additions, &edge_degree)?;
+        let Holding { freedom, mode_freedom } = Holding::new(problem, &edge_degree)?;
         let vertices = mesh.vertices.len();
         let mut size: Vec<usize> = freedom
             .iter()

@@ -5,7 +5,7 @@ use crate::curve::Curve;
 use crate::freedom::rigid_rows;
 use crate::kept::Kept;
 use crate::legendre::shape_functions;
-use crate::material::Kinematics;
+use crate::kinematics::Kinematics;
 use crate::mesh::Mesh;
 use crate::quadrature::{gauss_lobatto, gauss_lobatto_jacobi};
 use crate::space::Space;
@@ -13,6 +13,7 @@ use faer::Mat;
 
 /// One edge of the path.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct TraceEdge {
     /// Index of the edge in [`Mesh::edges`].
     pub edge: usize,
@@ -36,6 +37,7 @@ pub struct TraceEdge {
 
 /// The kept boundary: edges in order, and the Gauss-Lobatto points where contact is checked.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Trace {
     /// Edges along the path, which runs towards growing first coordinate.
     pub edges: Vec<TraceEdge>,
@@ -48,6 +50,7 @@ pub struct Trace {
 
 /// A Gauss-Lobatto point of the path.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct TracePoint {
     /// Edge of the path, an index into [`Trace::edges`].
     pub edge: usize,
@@ -102,11 +105,11 @@ impl TraceEdge {
 }
 
 impl Trace {
-    pub(crate) fn new(mesh: &Mesh, space: &Space, kinematics: Kinematics, kept: &Kept) -> Trace {
+    pub(crate) fn new(mesh: &Mesh, space: &Space, kinematics: Kinematics, (kept, walk): (&Kept, &[(usize, bool)])) -> Trace {
         let neighbours = mesh.edge_cells();
         let mut trace = Trace { edges: Vec::new(), points: Vec::new(), unknowns: kept.unknowns, components: space.components };
         let mut arc = 0.0;
-        for (edge, against) in &kept.walk {
+        for (edge, against) in walk {
             let (cell, local) = neighbours[*edge][0];
             // Local edges 0 and 1 run anti-clockwise, with the cell on their left.
             let cell_left_of_own = (local < 2) != mesh.cells[cell].against[local];

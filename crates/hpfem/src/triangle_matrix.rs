@@ -61,7 +61,7 @@ pub(crate) fn triangle_stiffness<'w>(
     let mut out = Mat::<f64>::zeros(n, n);
     for &(c, d) in pairs {
         // The value itself counts only in the hoop strain.
-        let first = if kinematics.is_revolved() && (c, d) != (1, 1) { 0 } else { 1 };
+        let first = if kinematics.has_hoop_strain() && (c, d) != (1, 1) { 0 } else { 1 };
         for q in 0..nq {
             let form = PointForm { moduli, kinematics, inverse_radius: 1.0 / radius[q], test: c, trial: d };
             let unit = |k: usize| std::array::from_fn(|i| f64::from(u8::from(i == k)));

@@ -302,7 +302,7 @@ fn tag(mesh: &mut Mesh, edges: &[usize], name: &str) {
 /// Points where the stress of a body is unbounded or its load jumps.
 fn singular(couple: &Couple, number: usize, mesh: &Mesh, extent: Extent) -> Result<Vec<[f64; 2]>, hpfem::Error> {
     let body = &couple.bodies[number];
-    let support = |boundary: &str, direction| Support { boundary: boundary.to_string(), direction, value: 0.0 };
+    let support = Support::hold;
     let directions = |component: &Component| match component {
         Component::X => Some(Direction::First),
         Component::Z => Some(Direction::Second),

@@ -94,7 +94,7 @@ impl Body {
     /// # Errors
     /// A modulus or a ratio out of range.
     pub fn elastic(&self) -> Result<Vec<hpfem::Material>, hpfem::Error> {
-        self.materials.iter().map(|m| hpfem::Material::new(m.young.0, m.poisson)).collect()
+        self.materials.iter().map(|m| hpfem::Material::isotropic(m.young.0, m.poisson)).collect()
     }
 
     /// Whether an edge holds a component.

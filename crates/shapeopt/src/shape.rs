@@ -126,7 +126,7 @@ fn side_state(problem: &ShapeProblem<'_>, side: Side, body: &InterfaceOperator, 
         Integration::Gauss(extra) => body.trace.load(body.kinematics, extra, traction),
         Integration::Lobatto => nodal_load(problem, side, body),
     };
-    let factors = body.factors(cases);
+    let factors = body.factors_in_order(cases);
     let right = body.right_hand_side(&load, &factors);
     let held = side == Side::Shaped && problem.gauge == Gauge::HeldEdge;
     let unknowns = if held { solve_held(body, &right) } else { body.solve_one(&right) };

@@ -1,8 +1,9 @@
 //! The bodies of a scene as finite element problems of one discretisation.
 
+use std::sync::Arc;
+
 use hpfem::{
-    Additions, Body, BodyProblem, Direction, EdgeTraction, InterfaceOperator, Kinematics, LoadCase, Material, Mesh, RigidEdge,
-    Sizes, SpaceKind, Support,
+    Body, BodyProblem, Direction, EdgeTraction, InterfaceOperator, Kinematics, LoadCase, Mesh, RigidEdge, Sizes, Support,
 };
 use meshing::{self, AXIS, CONTACT, Couple, LOAD, LoadedEdge};
 use scene::{Component, Fault, LoadKind};
@@ -14,19 +15,15 @@ use crate::step::Step;
 /// Everything a body of one level is made of.
 pub(crate) struct BodyParts {
     key: &'static str,
-    /// The mesh.
-    pub mesh: Mesh,
-    degrees: Vec<usize>,
-    kinematics: Kinematics,
-    materials: Vec<Material>,
-    supports: Vec<Support>,
+    problem: BodyProblem,
     /// Names of the supported edges, one a support.
     pub support_names: Vec<String>,
-    rigid_edge: Option<RigidEdge>,
-    load_cases: Vec<LoadCase<'static>>,
 }
 
 /// Load cases of body 1: a load of 1 N, then mean displacement functionals of the load edge along x, z, and in rotation.
+pub(crate) const CASES: [&str; 4] = ["load", "mean x", "mean z", "mean turn"];
+
+/// Columns of the mean displacement functionals.
 pub(crate) const MEAN_COLUMNS: [usize; 3] = [1, 2, 3];
 
 impl BodyParts {
@@ -60,12 +57,12 @@ impl BodyParts {
                 if on_rigid_edge && kinematics != Kinematics::Torsion {
                     continue;
                 }
-                supports.push(Support { boundary: edge.clone(), direction, value: 0.0 });
+                supports.push(Support::hold(edge, direction));
                 support_names.push(format!("{key}.{edge}"));
             }
         }
         if mesh.boundaries.iter().any(|name| name == AXIS) {
-            supports.push(Support { boundary: AXIS.into(), direction: Direction::First, value: 0.0 });
+            supports.push(Support::hold(AXIS, Direction::First));
             support_names.push(String::new());
         }
         let rigid_edge = match (rigid, kinematics) {
@@ -88,46 +85,45 @@ impl BodyParts {
             (true, Kinematics::Torsion) | (false, _) => Vec::new(),
             (true, _) => load_cases(&couple.load, &mesh, kinematics, rigid_edge.is_some()),
         };
-        Ok(BodyParts { key, mesh, degrees, kinematics, materials, supports, support_names, rigid_edge, load_cases })
+        let problem = BodyProblem {
+            degrees,
+            materials,
+            supports,
+            rigid_edge,
+            load_cases,
+            ..BodyProblem::new(mesh, 1, kinematics).keep(CONTACT)
+        };
+        Ok(BodyParts { key, problem, support_names })
+    }
+
+    /// The mesh.
+    pub(crate) fn mesh(&self) -> &Arc<Mesh> {
+        &self.problem.mesh
     }
 
     /// The wedge of the body at a vertex of its boundary.
     pub(crate) fn corner(&self, vertex: usize, kinematics: Kinematics) -> Option<hpfem::Corner> {
-        hpfem::Corner::at(&self.mesh, vertex, kinematics, &self.materials, &self.supports).ok().flatten()
+        hpfem::Corner::at(self.mesh(), vertex, kinematics, &self.problem.materials, &self.problem.supports).ok().flatten()
     }
 
     /// Assembles and reduces the body.
-    pub(crate) fn reduce(&self, clock: Clock) -> Result<Body<'_>, Fault> {
-        Body::timed(self.problem(), Additions::default(), clock).map_err(|error| self.not_held(&error))
+    pub(crate) fn reduce(&self, clock: Clock) -> Result<Body, Fault> {
+        Body::timed(self.problem.clone(), clock).map_err(|error| self.not_held(&error))
     }
 
     /// Reduces the body to its contact edge, keeping nothing of its inside.
     pub(crate) fn interface(&self, clock: Clock) -> Result<(InterfaceOperator, hpfem::Effort), Fault> {
-        Body::interface_timed(&self.problem(), clock).map_err(|error| self.not_held(&error))
+        Body::interface_timed(&self.problem, clock).map_err(|error| self.not_held(&error))
     }
 
     /// What the reduction takes.
     pub(crate) fn sizes(&self) -> Result<Sizes, Fault> {
-        Body::sizes(&self.problem()).map_err(|error| self.not_held(&error))
+        Body::sizes(&self.problem).map_err(|error| self.not_held(&error))
     }
 
     fn not_held(&self, error: &hpfem::Error) -> Fault {
         let remedy = "hold it by supports so that only the load's own motions stay free";
         Fault::at(format!("{}.support", self.key), "not-held", error.to_string(), remedy)
-    }
-
-    fn problem(&self) -> BodyProblem<'_> {
-        BodyProblem {
-            mesh: &self.mesh,
-            degrees: self.degrees.clone(),
-            space: SpaceKind::Tensor,
-            kinematics: self.kinematics,
-            materials: &self.materials,
-            supports: &self.supports,
-            rigid_edge: self.rigid_edge.clone(),
-            load_cases: &self.load_cases,
-            kept: Some(CONTACT),
-        }
     }
 }
 
@@ -163,7 +159,7 @@ impl Parts {
     }
 
     /// Assembles and reduces both bodies.
-    pub(crate) fn reduce(&self, clock: Clock) -> Result<([Body<'_>; 2], Effort), Fault> {
+    pub(crate) fn reduce(&self, clock: Clock) -> Result<([Body; 2], Effort), Fault> {
         let bodies = [self.parts[0].reduce(clock)?, self.parts[1].reduce(clock)?];
         let effort = counted([0, 1].map(|k| (&bodies[k].interface, bodies[k].effort)));
         Ok((bodies, effort))
@@ -191,7 +187,7 @@ fn counted(bodies: [(&InterfaceOperator, hpfem::Effort); 2]) -> Effort {
 }
 
 /// The load for a force of 1 N, and the mean displacement functionals of the load edge.
-fn load_cases(load: &LoadedEdge, mesh: &Mesh, kinematics: Kinematics, rigid: bool) -> Vec<LoadCase<'static>> {
+fn load_cases(load: &LoadedEdge, mesh: &Mesh, kinematics: Kinematics, rigid: bool) -> Vec<LoadCase> {
     if rigid {
         return Vec::new();
     }
@@ -216,11 +212,11 @@ fn load_cases(load: &LoadedEdge, mesh: &Mesh, kinematics: Kinematics, rigid: boo
         let [nx, nz] = point.outward;
         if vertical { [0.0, -intensity * nz.abs()] } else { [-intensity * nx, -intensity * nz] }
     };
-    let on_load = |traction| vec![EdgeTraction { boundary: LOAD.into(), traction }];
-    vec![
-        on_load(Box::new(traction)),
-        on_load(Box::new(move |_| [1.0 / area, 0.0])),
-        on_load(Box::new(move |_| [0.0, 1.0 / area])),
-        on_load(Box::new(move |p| [(middle[1] - p.position[1]) / area, (p.position[0] - middle[0]) / area])),
-    ]
+    let tractions = [
+        EdgeTraction::new(LOAD, traction),
+        EdgeTraction::new(LOAD, move |_| [1.0 / area, 0.0]),
+        EdgeTraction::new(LOAD, move |_| [0.0, 1.0 / area]),
+        EdgeTraction::new(LOAD, move |p| [(middle[1] - p.position[1]) / area, (p.position[0] - middle[0]) / area]),
+    ];
+    CASES.into_iter().zip(tractions).map(|(name, traction)| LoadCase::new(name).with(traction)).collect()
 }

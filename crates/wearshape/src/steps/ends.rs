@@ -150,7 +150,7 @@ impl Setting<'_> {
     }
 
     /// Both load steps, or the first alone, with the states of all points given by the ends.
-    fn held_steps(&self, bodies: &[Body<'_>; 2], nodes: &[f64], both: bool, work: &mut Effort) -> Result<Steps, Fault> {
+    fn held_steps(&self, bodies: &[Body; 2], nodes: &[f64], both: bool, work: &mut Effort) -> Result<Steps, Fault> {
         let clock = self.options.clock;
         let pair = facing(bodies)?;
         let operator = work.timed(Step::Interface, clock, |_| self.operator(&pair))?;
@@ -244,7 +244,7 @@ impl Setting<'_> {
     }
 
     /// Forces of the supports of the whole scene.
-    fn reactions(&self, parts: &Parts, bodies: &[Body<'_>; 2], states: [Option<&InterfaceState>; 2]) -> Vec<(String, Reaction)> {
+    fn reactions(&self, parts: &Parts, bodies: &[Body; 2], states: [Option<&InterfaceState>; 2]) -> Vec<(String, Reaction)> {
         let names = [parts.parts[0].support_names.as_slice(), parts.parts[1].support_names.as_slice()];
         let mut reactions = bodies::reactions([&bodies[0].interface, &bodies[1].interface], names, states);
         if self.copies() > 1.0 {
@@ -287,7 +287,7 @@ fn unsettled(nodes: &[f64]) -> Refusal {
 }
 
 /// Pairs the two bodies of a level across their gap.
-fn facing<'b>(bodies: &'b [Body<'_>; 2]) -> Result<Pair<'b>, Fault> {
+fn facing<'b>(bodies: &'b [Body; 2]) -> Result<Pair<'b>, Fault> {
     Pair::facing(&bodies[0].interface, &bodies[1].interface).map_err(unsolved)
 }
 

@@ -61,7 +61,7 @@ impl Rows<'_> {
         let (body, state) = (self.pair.shaped, &self.found.shaped);
         [0, 1].map(|k| match body.frame[k] {
             Some(unknown) => state.unknowns[unknown],
-            None if body.load_cases > MEAN_COLUMNS[k] && !(k == 0 && self.nodes_from_axis()) => {
+            None if body.load_cases.len() > MEAN_COLUMNS[k] && !(k == 0 && self.nodes_from_axis()) => {
                 body.column_work(MEAN_COLUMNS[k], state)
             }
             None => 0.0,

@@ -20,6 +20,7 @@ pub(crate) fn hertz_end(radius: f64, couple: &Couple, load: &Load) -> f64 {
         (None, Kinematics::PlaneStress { thickness } | Kinematics::PlaneStrain { thickness }) => {
             (4.0 * force * radius / (std::f64::consts::PI * modulus * thickness)).sqrt()
         }
-        (None, Kinematics::Torsion) => 0.0,
+        // Problems of one component have no load across the surface.
+        (None, Kinematics::Torsion | Kinematics::Potential { .. } | Kinematics::AxisymmetricPotential) => 0.0,
     }
 }

@@ -24,7 +24,7 @@ pub(crate) fn recover(stage: Stage<'_>, reported: &Reported) -> Result<(Vec<Fiel
     let pair = paired([&bodies[0].interface, &bodies[1].interface], stage.facing())?;
     let mut frames = Vec::new();
     for (number, moment) in reported.moments.iter().enumerate() {
-        let mut frame = frame(moment, &bodies, [0, 1].map(|number| &parts.parts[number].mesh), &mut effort)?;
+        let mut frame = frame(moment, &bodies, [0, 1].map(|number| &**parts.parts[number].mesh()), &mut effort)?;
         if stage.problem.plan.runs(Step::Torsion) {
             effort += twist(stage, reported, number, &pair, &mut frame)?;
         }
@@ -44,7 +44,7 @@ pub(crate) fn recover_ends(
     let mut effort = counts(&reduction);
     let mut frames = Vec::new();
     for moment in &reported.moments {
-        let mut frame = frame(moment, &bodies, [0, 1].map(|number| &parts.parts[number].mesh), &mut effort)?;
+        let mut frame = frame(moment, &bodies, [0, 1].map(|number| &**parts.parts[number].mesh()), &mut effort)?;
         if setting.copies() > 1.0 {
             frame.bodies = frame.bodies.map(|body| body.mirrored(setting.disc.middle));
         }
@@ -61,7 +61,7 @@ fn counts(reduction: &Effort) -> Effort {
 }
 
 /// Both bodies at a moment, without twist.
-fn frame(moment: &Moment, bodies: &[Body<'_>; 2], meshes: [&Mesh; 2], effort: &mut Effort) -> Result<FieldFrame, Fault> {
+fn frame(moment: &Moment, bodies: &[Body; 2], meshes: [&Mesh; 2], effort: &mut Effort) -> Result<FieldFrame, Fault> {
     effort.counters.back_substitutions += bodies.len();
     let body = |number: usize| -> Result<BodyField, Fault> {
         let field = field(&bodies[number], &moment.states[number])?;
@@ -72,11 +72,11 @@ fn frame(moment: &Moment, bodies: &[Body<'_>; 2], meshes: [&Mesh; 2], effort: &m
     Ok(FieldFrame { time: moment.time, moment: moment.name, bodies: [body(0)?, body(1)?] })
 }
 
-fn field<'a>(body: &Body<'a>, state: &InterfaceState) -> Result<Field<'a>, Fault> {
+fn field(body: &Body, state: &InterfaceState) -> Result<Field, Fault> {
     body.field(state).map_err(|error| Fault::at("output.fields", "no-field", error.to_string(), "write output.fields = false"))
 }
 
-fn on_grid(field: &Field<'_>, cell: usize, triangle: bool) -> CellField {
+fn on_grid(field: &Field, cell: usize, triangle: bool) -> CellField {
     let grid = CellGrid { degree: field.degree(cell), triangle };
     let mut values = CellField { grid, ..CellField::default() };
     for [xi, eta] in grid.reference() {

@@ -59,16 +59,16 @@ fn capital(text: &str) -> String {
 
 /// The first or last vertex of a body's contact surface, by x.
 fn end_vertex(body: &BodyParts, number: usize) -> Option<usize> {
-    let edges = body.mesh.boundary(CONTACT).ok()?;
-    let vertices = edges.into_iter().flat_map(|e| body.mesh.edges[e].vertices);
-    let x = |v: &usize| body.mesh.vertices[*v][0];
+    let edges = body.mesh().boundary(CONTACT).ok()?;
+    let vertices = edges.into_iter().flat_map(|e| body.mesh().edges[e].vertices);
+    let x = |v: &usize| body.mesh().vertices[*v][0];
     if number == 0 { vertices.min_by(|a, b| x(a).total_cmp(&x(b))) } else { vertices.max_by(|a, b| x(a).total_cmp(&x(b))) }
 }
 
 /// Place x of an end of the surface, and the sense of the drag there along growing x.
 fn end(stage: Stage<'_>, counter: &BodyParts, number: usize) -> (f64, f64) {
     let Some(vertex) = end_vertex(counter, number) else { return (0.0, 0.0) };
-    let x = counter.mesh.vertices[vertex];
+    let x = counter.mesh().vertices[vertex];
     let surface = stage.surface_point(x, [0.0, 1.0], 0.0);
     (x[0], if surface.drag.x == 0.0 { 0.0 } else { surface.drag.x.signum() })
 }
