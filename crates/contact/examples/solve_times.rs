@@ -35,9 +35,9 @@ fn best(mut run: impl FnMut()) -> Duration {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let materials = [Material::new(210e3, 0.3)?];
-    let hold = |direction| Support { boundary: "back".into(), direction, value: 0.0 };
-    let load: Vec<LoadCase<'_>> = vec![vec![EdgeTraction { boundary: "back".into(), traction: Box::new(|_| [0.0, -10.0]) }]];
+    let materials = [Material::isotropic(210e3, 0.3)?];
+    let hold = |direction| Support::moved("back", direction, 0.0);
+    let load: Vec<Vec<EdgeTraction>> = vec![vec![EdgeTraction::new("back", |_| [0.0, -10.0])]];
     println!("points  prepare_us  full_us  partial_us  steps  warm_us  steps  sliding_us");
     for cells in [12, 25, 50] {
         let upper = strip(0.0, 1.0, cells, Side::Bottom, Side::Top)?;

@@ -73,10 +73,10 @@ fn angles() -> impl Iterator<Item = f64> {
 /// Gap without a rigid part at the 1201 angles, seconds from nothing to both traces, unknowns.
 fn gap(level: Level) -> (Vec<f64>, f64, usize) {
     let start = Instant::now();
-    let material = [Material::new(210e3, 0.3).expect("steel")];
+    let material = [Material::isotropic(210e3, 0.3).expect("steel")];
     let (shoe, drum) = (shoe(level), drum(level));
-    let support = |b: &str, direction| Support { boundary: b.into(), direction, value: 0.0 };
-    let load = vec![vec![EdgeTraction { boundary: "top".into(), traction: Box::new(|_| [0.0, -PRESSURE]) }]];
+    let support = |b: &str, direction| Support::hold(b, direction);
+    let load = vec![vec![EdgeTraction::new("top", |_| [0.0, -PRESSURE])]];
     let guides = [support("left", Direction::First), support("right", Direction::First)];
     let hub = [support("hub", Direction::First), support("hub", Direction::Second)];
     let shoe = reduce(&shoe, level, &material, &guides, &load);

@@ -48,7 +48,7 @@ fn main() {
 }
 
 fn stress(kinematics: Kinematics, degree: usize) -> f64 {
-    let exact = Exact { kinematics, material: Material::new(1.7, 0.28).unwrap() };
+    let exact = Exact { kinematics, material: Material::isotropic(1.7, 0.28).unwrap() };
     let materials = [exact.material];
     let mesh = mixed(TURNS[6], Shape::Arcs, 0.0);
     let load = [vec![traction("all", |p| exact.traction(p))]];

@@ -113,9 +113,9 @@ fn run(faer: bool, n: usize, p: usize) -> Outcome<Row> {
 
 /// Unknowns and estimated bytes.
 fn reduce(mesh: &Mesh, p: usize) -> Outcome<[f64; 2]> {
-    let hold = |direction| Support { boundary: "bottom".into(), direction, value: 0.0 };
+    let hold = |direction| Support::moved("bottom", direction, 0.0);
     let supports = [hold(Direction::First), hold(Direction::Second)];
-    let materials = [Material::new(1.0, 0.3)?];
+    let materials = [Material::isotropic(1.0, 0.3)?];
     let body = Body::new(BodyProblem {
         mesh,
         degrees: vec![p; mesh.cells.len()],

@@ -18,10 +18,10 @@ pub fn deflection(degree: usize, layers: usize) -> Result<f64, Error> {
     let corners = [[0.0, 0.0], [0.0, 44.0], [48.0, 44.0], [48.0, 60.0]].map(|x| mesh.nearest_vertex(x));
     let mesh = mesh.refined_towards(&corners, 0.15, layers)?;
 
-    let materials = [Material::new(1.0, 1.0 / 3.0)?];
-    let hold = |direction| Support { boundary: "wall".into(), direction, value: 0.0 };
+    let materials = [Material::isotropic(1.0, 1.0 / 3.0)?];
+    let hold = |direction| Support::moved("wall", direction, 0.0);
     let supports = [hold(Direction::First), hold(Direction::Second)];
-    let load = [vec![EdgeTraction { boundary: "sheared".into(), traction: Box::new(|_| [0.0, 1.0 / 16.0]) }]];
+    let load = [vec![EdgeTraction::new("sheared", |_| [0.0, 1.0 / 16.0])]];
     let body = Body::new(BodyProblem {
         mesh: &mesh,
         degrees: vec![degree; mesh.cells.len()],

@@ -16,11 +16,11 @@ pub fn strain_energy(accuracy: f64) -> Result<(f64, f64), Error> {
     let names = [([0, 5], "foot"), ([5, 7], "foot"), ([2, 3], "top")];
     let coarse = Mesh::new(vertices, &quads, &[], &names)?;
 
-    let materials = [Material::new(1.0, 0.3)?];
+    let materials = [Material::isotropic(1.0, 0.3)?];
     let kinematics = Kinematics::PlaneStrain { thickness: 1.0 };
-    let hold = |direction| Support { boundary: "foot".into(), direction, value: 0.0 };
+    let hold = |direction| Support::moved("foot", direction, 0.0);
     let supports = [hold(Direction::First), hold(Direction::Second)];
-    let load = [vec![EdgeTraction { boundary: "top".into(), traction: Box::new(|_| [1.0, 0.0]) }]];
+    let load = [vec![EdgeTraction::new("top", |_| [1.0, 0.0])]];
     let singular = singular_vertices(&coarse, kinematics, &materials, &supports, &["top"])?;
     let run = adapt(&coarse, &singular, accuracy, 16, |mesh, degrees| {
         let body = Body::new(BodyProblem {

@@ -16,10 +16,10 @@ pub fn stress_concentration(degree: usize) -> Result<f64, Error> {
     let names = [([0, 1], "below"), ([1, 2], "pulled"), ([4, 5], "left")];
     let mesh = Mesh::new(vertices, &[quad([0, 1, 2, 3]), quad([3, 2, 4, 5])], &curves, &names)?.refined()?.refined()?;
 
-    let materials = [Material::new(210e3, 0.3)?];
-    let roller = |boundary: &str, direction| Support { boundary: boundary.into(), direction, value: 0.0 };
+    let materials = [Material::isotropic(210e3, 0.3)?];
+    let roller = |boundary: &str, direction| Support::hold(boundary, direction);
     let supports = [roller("below", Direction::Second), roller("left", Direction::First)];
-    let load = [vec![EdgeTraction { boundary: "pulled".into(), traction: Box::new(|p| p.outward) }]];
+    let load = [vec![EdgeTraction::new("pulled", |p| p.outward)]];
     let body = Body::new(BodyProblem {
         mesh: &mesh,
         degrees: vec![degree; mesh.cells.len()],

@@ -10,10 +10,10 @@ pub fn bore_displacement(degree: usize) -> Result<f64, Error> {
     let names = [([0, 1], "lower end"), ([2, 3], "upper end"), ([3, 0], "bore")];
     let mesh = Mesh::new(vertices, &[quad], &[], &names)?;
 
-    let materials = [Material::new(210e3, 0.3)?];
-    let hold = |boundary: &str| Support { boundary: boundary.into(), direction: Direction::Second, value: 0.0 };
+    let materials = [Material::isotropic(210e3, 0.3)?];
+    let hold = |boundary: &str| Support::hold(boundary, Direction::Second);
     let supports = [hold("lower end"), hold("upper end")];
-    let load = [vec![EdgeTraction { boundary: "bore".into(), traction: Box::new(|p| p.outward.map(|n| -50.0 * n)) }]];
+    let load = [vec![EdgeTraction::new("bore", |p| p.outward.map(|n| -50.0 * n))]];
     let body = Body::new(BodyProblem {
         mesh: &mesh,
         degrees: vec![degree],

@@ -36,10 +36,10 @@ pub fn stress_concentration(degree: usize) -> Result<f64, Error> {
     let names = [([0, 1], "middle"), ([1, 2], "middle"), ([6, 7], "end"), ([7, 8], "end")];
     let mesh = Mesh::new(vertices, &quads, &curves, &names)?.refined()?.refined()?;
 
-    let materials = [Material::new(2.6, 0.3)?];
-    let supports = [Support { boundary: "middle".into(), direction: Direction::First, value: 0.0 }];
+    let materials = [Material::isotropic(2.6, 0.3)?];
+    let supports = [Support::hold("middle", Direction::First)];
     // tau = r on the end: the moment is pi / 2.
-    let load = [vec![EdgeTraction { boundary: "end".into(), traction: Box::new(|p| [p.position[0], 0.0]) }]];
+    let load = [vec![EdgeTraction::new("end", |p| [p.position[0], 0.0])]];
     let body = Body::new(BodyProblem {
         mesh: &mesh,
         degrees: vec![degree; mesh.cells.len()],

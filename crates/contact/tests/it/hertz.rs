@@ -12,8 +12,8 @@ const SIZES: Sizes = Sizes { radius: 50.0, width: 100.0, depth: 200.0 };
 pub(crate) fn bodies(end: f64, candidate: f64, degree: usize, layers: usize, force: f64) -> Rebuilt {
     let kinematics = Kinematics::PlaneStrain { thickness: 1.0 };
     let pressure = force / (2.0 * SIZES.radius);
-    let load = vec![vec![EdgeTraction { boundary: "top".into(), traction: Box::new(move |_| [0.0, -pressure]) }]];
-    let reduce = |mesh: &Mesh, young: f64, supports: &[Support], load: &[LoadCase<'_>]| {
+    let load = vec![vec![EdgeTraction::new("top", move |_| [0.0, -pressure])]];
+    let reduce = |mesh: &Mesh, young: f64, supports: &[Support], load: &[Vec<EdgeTraction>]| {
         Body::new(BodyProblem {
             mesh,
             degrees: falling_degrees(mesh, degree, layers),

@@ -47,15 +47,15 @@ fn block(upper: bool, breaks: &[f64], cut_curve: Curve) -> Mesh {
     .unwrap()
 }
 
-fn press(boundary: &str) -> EdgeTraction<'static> {
-    EdgeTraction { boundary: boundary.into(), traction: Box::new(|p: &BoundaryPoint| p.outward.map(|n| -PRESSURE * n)) }
+fn press(boundary: &str) -> EdgeTraction {
+    EdgeTraction::new(boundary, |p: &BoundaryPoint| p.outward.map(|n| -PRESSURE * n))
 }
 
-fn body(mesh: &Mesh, upper: bool, loads: &[LoadCase<'_>], degree: usize) -> hpfem::InterfaceOperator {
+fn body(mesh: &Mesh, upper: bool, loads: &[Vec<EdgeTraction>], degree: usize) -> hpfem::InterfaceOperator {
     body_of(mesh, upper, loads, degree, YOUNG)
 }
 
-fn body_of(mesh: &Mesh, upper: bool, loads: &[LoadCase<'_>], degree: usize, young: f64) -> hpfem::InterfaceOperator {
+fn body_of(mesh: &Mesh, upper: bool, loads: &[Vec<EdgeTraction>], degree: usize, young: f64) -> hpfem::InterfaceOperator {
     let mut supports = vec![support("left", Direction::First)];
     if !upper {
         supports.push(support("far", Direction::Second));

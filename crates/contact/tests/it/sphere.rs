@@ -11,8 +11,8 @@ const SIZES: Sizes = Sizes { radius: 5.0, width: 10.0, depth: 10.0 };
 
 fn bodies(end: f64, degree: usize, layers: usize, force: f64, poisson: f64) -> Rebuilt {
     let pressure = force / (std::f64::consts::PI * SIZES.radius * SIZES.radius);
-    let load = vec![vec![EdgeTraction { boundary: "top".into(), traction: Box::new(move |_| [0.0, -pressure]) }]];
-    let reduce = |mesh: &Mesh, supports: &[Support], load: &[LoadCase<'_>]| {
+    let load = vec![vec![EdgeTraction::new("top", move |_| [0.0, -pressure])]];
+    let reduce = |mesh: &Mesh, supports: &[Support], load: &[Vec<EdgeTraction>]| {
         Body::new(BodyProblem {
             mesh,
             degrees: falling_degrees(mesh, degree, layers),

@@ -23,7 +23,7 @@ fn graph() -> Curve {
     Curve::graph(-1.0, 1.0, |x| (RADIUS * RADIUS - x * x).sqrt())
 }
 
-fn reduce(mesh: &Mesh, far: &[Direction], loads: &[LoadCase<'_>], degree: usize) -> InterfaceOperator {
+fn reduce(mesh: &Mesh, far: &[Direction], loads: &[Vec<EdgeTraction>], degree: usize) -> InterfaceOperator {
     let mut supports: Vec<_> = far.iter().map(|d| support("far", *d)).collect();
     supports.extend(["left", "right"].map(|side| support(side, Direction::Normal)));
     Body::new(BodyProblem {
@@ -58,7 +58,7 @@ fn bodies(lower_cut: Curve, lower_breaks: &[f64], degree: usize) -> [InterfaceOp
     };
     let upper = ring(arc(RADIUS), arc(3.0), &[-1.0, -0.5, 0.0, 0.5, 1.0], Side::Bottom, Side::Top);
     let lower = ring(arc(1.0), lower_cut, lower_breaks, Side::Top, Side::Bottom);
-    let press = EdgeTraction { boundary: "far".into(), traction: Box::new(|p: &BoundaryPoint| p.outward.map(|n| -n)) };
+    let press = EdgeTraction::new("far", |p: &BoundaryPoint| p.outward.map(|n| -n));
     let load = [vec![press]];
     [reduce(&upper, &[], &load, degree), reduce(&lower, &[Direction::First, Direction::Second], &[], degree)]
 }

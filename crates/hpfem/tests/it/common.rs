@@ -103,38 +103,46 @@ fn bowed(a: [f64; 2], b: [f64; 2], bow: f64, shape: Shape) -> Curve {
 pub(crate) const TURNS: [[usize; 4]; 7] = [[0; 4], [1; 4], [2; 4], [3; 4], [0, 1, 2, 3], [2, 0, 0, 2], [3, 2, 0, 1]];
 
 pub(crate) fn steel() -> [Material; 1] {
-    [Material::new(210e3, 0.3).unwrap()]
+    [Material::isotropic(210e3, 0.3).unwrap()]
 }
 
 pub(crate) fn support(boundary: &str, direction: Direction) -> Support {
-    Support { boundary: boundary.into(), direction, value: 0.0 }
+    Support::hold(boundary, direction)
 }
 
-pub(crate) fn traction<'a>(boundary: &str, f: impl Fn(&BoundaryPoint) -> [f64; 2] + Sync + 'a) -> EdgeTraction<'a> {
-    EdgeTraction { boundary: boundary.into(), traction: Box::new(f) }
+pub(crate) fn traction(boundary: &str, f: impl Fn(&BoundaryPoint) -> [f64; 2] + Send + Sync + 'static) -> EdgeTraction {
+    EdgeTraction::new(boundary, f)
 }
 
-/// The problem with the usual choices: tensor space, one degree, no rigid edge.
-pub(crate) fn problem<'a>(
-    mesh: &'a Mesh,
+/// The problem with the usual choices: tensor space, one degree, no rigid edge; load cases are named by their numbers.
+pub(crate) fn problem(
+    mesh: &Mesh,
     degree: usize,
     kinematics: Kinematics,
-    materials: &'a [Material],
-    supports: &'a [Support],
-    load_cases: &'a [LoadCase<'a>],
-    kept: Option<&'a str>,
-) -> BodyProblem<'a> {
+    materials: &[Material],
+    supports: &[Support],
+    load_cases: &[Vec<EdgeTraction>],
+    kept: Option<&str>,
+) -> BodyProblem {
     BodyProblem {
-        mesh,
-        degrees: vec![degree; mesh.cells.len()],
-        space: SpaceKind::Tensor,
-        kinematics,
-        materials,
-        supports,
-        rigid_edge: None,
-        load_cases,
-        kept,
+        materials: materials.to_vec(),
+        supports: supports.to_vec(),
+        load_cases: load_cases.iter().enumerate().map(|(number, loads)| case(number, loads.clone())).collect(),
+        kept: kept.iter().map(|name| name.to_string()).collect(),
+        ..BodyProblem::new(mesh.clone(), degree, kinematics)
     }
+}
+
+/// A load case named by its number.
+pub(crate) fn case<T: Into<Load>>(number: usize, loads: impl IntoIterator<Item = T>) -> LoadCase {
+    loads.into_iter().fold(LoadCase::new(number.to_string()), LoadCase::with)
+}
+
+/// The body under its load cases with factors in their order.
+pub(crate) fn solved(body: &Body, factors: &[f64]) -> InterfaceState {
+    let names: Vec<String> = (0..factors.len()).map(|number| number.to_string()).collect();
+    let cases: Vec<(&str, f64)> = names.iter().map(String::as_str).zip(factors.iter().copied()).collect();
+    body.solve(&cases).unwrap()
 }
 
 /// Reference points spread over a cell, corners included.
@@ -144,7 +152,7 @@ pub(crate) fn sample_points() -> impl Iterator<Item = (f64, f64)> {
 }
 
 /// Largest difference of the stress components from `exact(position)` over all cells, relative to the largest exact one.
-pub(crate) fn stress_error(field: &Field<'_>, mesh: &Mesh, exact: impl Fn([f64; 2]) -> [f64; 4]) -> f64 {
+pub(crate) fn stress_error(field: &Field, mesh: &Mesh, exact: impl Fn([f64; 2]) -> [f64; 4]) -> f64 {
     let (mut error, mut size) = (0.0_f64, 0.0_f64);
     for cell in 0..mesh.cells.len() {
         for (xi, eta) in sample_points() {

@@ -16,7 +16,7 @@ fn ring(separate: bool) -> (Mesh, Vec<Material>) {
     let coarse = Mesh::ruled(&Ruled { bottom, top, breaks: &breaks, levels, closed: true, material: 0, names: &names }).unwrap();
     let ends = [-1.0, 1.0].map(|t| coarse.nearest_vertex(top.point(t / 6.0)));
     let mut mesh = coarse.refined_towards(&ends, 0.25, 3).unwrap();
-    let steel = Material::new(1.7, 0.28).unwrap();
+    let steel = Material::isotropic(1.7, 0.28).unwrap();
     if !separate {
         return (mesh, vec![steel]);
     }
@@ -28,9 +28,9 @@ fn ring(separate: bool) -> (Mesh, Vec<Material>) {
 
 fn operator(separate: bool, space: SpaceKind) -> (faer::Mat<f64>, f64) {
     let (mesh, materials) = ring(separate);
-    let supports = [Support { boundary: "hub".into(), direction: Direction::First, value: 0.0 }];
-    let load: Vec<LoadCase<'_>> =
-        vec![vec![EdgeTraction { boundary: "contact".into(), traction: Box::new(|p| [p.position[1], 0.7]) }]];
+    let supports = [Support::hold("hub", Direction::First)];
+    let load: Vec<Vec<EdgeTraction>> =
+        vec![vec![EdgeTraction::new("contact", |p| [p.position[1], 0.7])]];
     let body = Body::new(BodyProblem {
         mesh: &mesh,
         degrees: mesh.cells.iter().map(|c| 7 - c.layer).collect(),
@@ -43,7 +43,7 @@ fn operator(separate: bool, space: SpaceKind) -> (faer::Mat<f64>, f64) {
         kept: Some("contact"),
     })
     .unwrap();
-    let point = body.field(&body.solve(&[1.0])).unwrap().at(5, 0.3, -0.4);
+    let point = body.field(&solved(&body, &[1.0])).unwrap().at(5, 0.3, -0.4);
     (body.interface.stiffness.clone(), point.displacement[1])
 }
 
@@ -64,7 +64,7 @@ fn triangles(separate: bool) -> (Mesh, Vec<Material>) {
     let cells = [triangle(0, 1, 2), triangle(2, 3, 0), triangle(4, 0, 5), triangle(0, 3, 5)];
     let names = [([0, 1], "bottom"), ([0, 4], "bottom"), ([2, 3], "top"), ([3, 5], "top")];
     let mut mesh = Mesh::new(vertices, &cells, &[], &names).unwrap().refined().unwrap().refined().unwrap();
-    let steel = Material::new(1.7, 0.28).unwrap();
+    let steel = Material::isotropic(1.7, 0.28).unwrap();
     if separate {
         mesh.cells.iter_mut().enumerate().for_each(|(i, c)| c.material = i);
     }
@@ -72,7 +72,7 @@ fn triangles(separate: bool) -> (Mesh, Vec<Material>) {
     (mesh, materials)
 }
 
-fn of_triangles<T>(separate: bool, kinematics: Kinematics, take: impl Fn(BodyProblem<'_>) -> T) -> T {
+fn of_triangles<T>(separate: bool, kinematics: Kinematics, take: impl Fn(BodyProblem) -> T) -> T {
     let (mesh, materials) = triangles(separate);
     let supports = [Direction::First, Direction::Second].map(|d| Support { boundary: "bottom".into(), direction: d, value: 0.0 });
     take(BodyProblem {
@@ -119,7 +119,7 @@ fn triangles_of_revolution_never_share() {
                 end[0] += 5.0;
             }
         });
-        let supports = [Support { boundary: "bottom".into(), direction: Direction::Second, value: 0.0 }];
+        let supports = [Support::hold("bottom", Direction::Second)];
         let problem = BodyProblem {
             mesh: &mesh,
             degrees: vec![4; mesh.cells.len()],
@@ -151,8 +151,8 @@ fn cells_whose_curves_differ_between_equal_ends_and_middles_do_not_share() {
             degrees: vec![4; 2],
             space: SpaceKind::Tensor,
             kinematics: Kinematics::PlaneStrain { thickness: 1.0 },
-            materials: &[Material::new(1.7, 0.28).unwrap(); 2],
-            supports: &[Support { boundary: "bottom".into(), direction: Direction::Second, value: 0.0 }],
+            materials: &[Material::isotropic(1.7, 0.28).unwrap(); 2],
+            supports: &[Support::hold("bottom", Direction::Second)],
             rigid_edge: None,
             load_cases: &[],
             kept: Some("top"),

@@ -53,13 +53,13 @@ fn refinement_of_mixed_meshes_keeps_shape_names_and_the_kinds_of_cells() {
 
 #[test]
 fn points_of_curved_triangles_are_found_by_their_position_and_the_map_has_its_derivative() {
-    let exact = Exact { kinematics: PLANE_STRAIN, material: Material::new(1.7, 0.28).unwrap() };
+    let exact = Exact { kinematics: PLANE_STRAIN, material: Material::isotropic(1.7, 0.28).unwrap() };
     let materials = [exact.material];
     for shape in [Shape::Arcs, Shape::Polynomial(4)] {
         let mesh = mixed(TURNS[4], shape, 0.0);
         let load = [vec![traction("all", |p| exact.traction(p))]];
         let body = Body::new(problem(&mesh, 4, PLANE_STRAIN, &materials, &[], &load, Some("top"))).unwrap();
-        let field = body.field(&body.solve(&[1.0])).unwrap();
+        let field = body.field(&solved(&body, &[1.0])).unwrap();
         for cell in 0..mesh.cells.len() {
             for (xi, eta) in sample_points() {
                 let x = field.position(cell, xi, eta);
@@ -87,7 +87,7 @@ fn points_of_curved_triangles_are_found_by_their_position_and_the_map_has_its_de
 #[test]
 fn the_singular_corner_of_a_mesh_of_triangles_is_found_and_its_layers_converge_exponentially() {
     let mesh = cut(&l_shape());
-    let materials = [Material::new(1.0, 0.3).unwrap()];
+    let materials = [Material::isotropic(1.0, 0.3).unwrap()];
     let found = singular_vertices(&mesh, PLANE_STRAIN, &materials, &[], &[]).unwrap();
     assert_eq!(found.iter().map(|s| s.vertex).collect::<Vec<_>>(), [0]);
     assert_abs_diff_eq!(found[0].exponent, 0.544483736782464, epsilon = 1e-9);

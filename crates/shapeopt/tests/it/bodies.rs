@@ -18,11 +18,11 @@ pub struct Bodies {
     supports: [Vec<Support>; 2],
     materials: [Material; 1],
     rigid_edge: Option<RigidEdge>,
-    load: Vec<LoadCase<'static>>,
+    load: Vec<Vec<EdgeTraction>>,
 }
 
 fn support(boundary: &str, direction: Direction) -> Support {
-    Support { boundary: boundary.into(), direction, value: 0.0 }
+    Support::hold(boundary, direction)
 }
 
 fn named(side: Side, name: &str) -> Named<'_> {
@@ -65,7 +65,7 @@ pub fn punch(degree: usize, layers: usize, tilts: bool) -> Bodies {
         degree,
         layers,
         supports: [vec![], vec![support("bottom", Direction::First), support("bottom", Direction::Second)]],
-        materials: [Material::new(210e3, 0.3).unwrap()],
+        materials: [Material::isotropic(210e3, 0.3).unwrap()],
         rigid_edge: Some(RigidEdge { boundary: "top".into(), reference: [0.0, 200.0], free: [false, true, tilts] }),
         load: vec![],
     }
@@ -108,9 +108,9 @@ pub fn drum(degree: usize, layers: usize) -> Bodies {
             vec![support("left", Direction::First), support("right", Direction::First)],
             vec![support("hub", Direction::First), support("hub", Direction::Second)],
         ],
-        materials: [Material::new(210e3, 0.3).unwrap()],
+        materials: [Material::isotropic(210e3, 0.3).unwrap()],
         rigid_edge: None,
-        load: vec![vec![EdgeTraction { boundary: "top".into(), traction: Box::new(|_| [0.0, -5.0]) }]],
+        load: vec![vec![EdgeTraction::new("top", |_| [0.0, -5.0])]],
     }
 }
 
@@ -121,7 +121,7 @@ impl Bodies {
         self
     }
 
-    pub fn reduced(&self) -> [Body<'_>; 2] {
+    pub fn reduced(&self) -> [Body; 2] {
         [0, 1].map(|number: usize| {
             let mesh = &self.meshes[number];
             let fall = |layer: usize| (layer * self.degree).checked_div(self.layers).unwrap_or(0);

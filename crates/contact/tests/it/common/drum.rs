@@ -15,7 +15,7 @@ pub(crate) struct Drum {
     layers: usize,
     supports: [Vec<Support>; 2],
     materials: [[Material; 1]; 2],
-    load: Vec<LoadCase<'static>>,
+    load: Vec<Vec<EdgeTraction>>,
 }
 
 impl Drum {
@@ -64,15 +64,15 @@ impl Drum {
                 vec![support("hub", Direction::First), support("hub", Direction::Second)],
             ],
             materials: young.map(|e| material(e, 0.3)),
-            load: vec![vec![EdgeTraction { boundary: "top".into(), traction: Box::new(|_| [0.0, -5.0]) }]],
+            load: vec![vec![EdgeTraction::new("top", |_| [0.0, -5.0])]],
         }
     }
 
-    pub(crate) fn bodies(&self) -> (Body<'_>, Body<'_>) {
+    pub(crate) fn bodies(&self) -> (Body, Body) {
         self.bodies_of_degrees([self.degree, self.degree])
     }
 
-    pub(crate) fn bodies_of_degrees(&self, degrees: [usize; 2]) -> (Body<'_>, Body<'_>) {
+    pub(crate) fn bodies_of_degrees(&self, degrees: [usize; 2]) -> (Body, Body) {
         let body = |number: usize| {
             let mesh = [&self.shoe, &self.drum][number];
             Body::new(BodyProblem {

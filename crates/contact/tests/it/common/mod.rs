@@ -8,11 +8,11 @@ pub(crate) mod wedge;
 use hpfem::{Direction, Material, Mesh, Support};
 
 pub(crate) fn material(young: f64, poisson: f64) -> [Material; 1] {
-    [Material::new(young, poisson).unwrap()]
+    [Material::isotropic(young, poisson).unwrap()]
 }
 
 pub(crate) fn support(boundary: &str, direction: Direction) -> Support {
-    Support { boundary: boundary.into(), direction, value: 0.0 }
+    Support::hold(boundary, direction)
 }
 
 /// Degrees that fall from `degree` outside the layers to 2 in the innermost.

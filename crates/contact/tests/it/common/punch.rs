@@ -11,7 +11,7 @@ pub(crate) struct Punch {
     pub(crate) supports: [Vec<Support>; 2],
     pub(crate) materials: [[Material; 1]; 2],
     pub(crate) rigid_edge: Option<RigidEdge>,
-    pub(crate) load: Vec<LoadCase<'static>>,
+    pub(crate) load: Vec<Vec<EdgeTraction>>,
 }
 
 /// Rectangle with vertical cuts at `x` and horizontal ones at `z`; the part of the bottom or top between the `contact` points is
@@ -82,11 +82,11 @@ impl Punch {
             supports: [vec![], vec![support("bottom", Direction::First), support("bottom", Direction::Second)]],
             materials: [material(210e3, 0.3), material(210e3, 0.3)],
             rigid_edge: None,
-            load: vec![vec![EdgeTraction { boundary: "top".into(), traction: Box::new(|_| [0.0, -100.0]) }]],
+            load: vec![vec![EdgeTraction::new("top", |_| [0.0, -100.0])]],
         }
     }
 
-    pub(crate) fn bodies(&self) -> (Body<'_>, Body<'_>) {
+    pub(crate) fn bodies(&self) -> (Body, Body) {
         let body = |number: usize| {
             let mesh = &self.meshes[number];
             Body::new(BodyProblem {
