@@ -106,6 +106,16 @@ impl Assembly<'_> {
         local: &LocalModes,
         work: &'w mut Workspace,
     ) -> Result<(MatMut<'w, f64>, usize), Error> {
+        self.whole_stiffness(cell, local, work)?;
+        let ni = self.space.components * local.interior;
+        let n = self.space.components * local.modes;
+        factor_leading(&mut work.matrix[..n * n], n, ni)
+            .map_err(|_| Error::NoStiffness { place: format!("the interior of cell {cell}") })?;
+        Ok((matrix_in(&mut work.matrix, n, n), ni))
+    }
+
+    /// Fills the lower triangle of a cell's stiffness on its unsigned modes into the workspace.
+    pub(crate) fn whole_stiffness(&self, cell: usize, local: &LocalModes, work: &mut Workspace) -> Result<(), Error> {
         let degree = self.space.cell_degree[cell];
         let moduli = self.moduli[self.mesh.cells[cell].material];
         let form = CellForm { mesh: self.mesh, cell, local, moduli, kinematics: self.kinematics };
@@ -115,11 +125,7 @@ impl Assembly<'_> {
         } else {
             stiffness(&form, Table::of(degree), work)?;
         }
-        let ni = self.space.components * local.interior;
-        let n = self.space.components * local.modes;
-        factor_leading(&mut work.matrix[..n * n], n, ni)
-            .map_err(|_| Error::NoStiffness { place: format!("the interior of cell {cell}") })?;
-        Ok((matrix_in(&mut work.matrix, n, n), ni))
+        Ok(())
     }
 
     /// Interior unknowns of a cell from its boundary unknowns: `u_i = -K_ii^-1 K_ib u_b`, followed by the boundary unknowns.

@@ -8,6 +8,7 @@ pub const CURVE_DEGREE: usize = 8;
 
 /// A plane curve with a parameter `t` in `[-1, 1]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Curve {
     /// Straight segment, `x(t) = (1-t)/2 a + (1+t)/2 b`.
     Line {

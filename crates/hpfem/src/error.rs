@@ -100,6 +100,14 @@ pub enum Error {
         /// The names there are.
         known: String,
     },
+    /// An iteration that did not settle.
+    #[error("{what} did not settle within {steps} steps")]
+    NotConverged {
+        /// What was sought.
+        what: &'static str,
+        /// The number of steps.
+        steps: usize,
+    },
     /// Two load cases of one name.
     #[error("there are two load cases \"{name}\"; give each a name of its own")]
     DuplicateLoadCase {

@@ -61,6 +61,14 @@ impl BodyProblem {
 impl Assembly<'_> {
     /// The stiffness of a foundation on one edge, as an element of its own on groups sorted by rank.
     pub(crate) fn foundation(&self, edge: usize, foundation: &Foundation, groups: &[usize]) -> OwnElement {
+        let (k, targets) = self.foundation_matrix(edge, foundation);
+        let local = LocalMatrix { matrix: k.as_ref(), targets: &targets, load: &[] };
+        let (matrix, constant) = self.on_groups(&local, groups);
+        OwnElement { matrix, constant, interior_work: None }
+    }
+
+    /// The stiffness of a foundation on the local unknowns of one edge, and what these hang on.
+    pub(crate) fn foundation_matrix(&self, edge: usize, foundation: &Foundation) -> (Mat<f64>, Vec<Target>) {
         let own = &self.mesh.edges[edge];
         let components = self.space.components;
         let degree = self.space.edge_degree[edge];
@@ -92,9 +100,7 @@ impl Assembly<'_> {
             })
             .map(|(group, mode, c)| self.space.target(self.mesh, group, mode, c))
             .collect();
-        let local = LocalMatrix { matrix: k.as_ref(), targets: &targets, load: &[] };
-        let (matrix, constant) = self.on_groups(&local, groups);
-        OwnElement { matrix, constant, interior_work: None }
+        (k, targets)
     }
 }
 

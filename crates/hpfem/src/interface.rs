@@ -13,6 +13,7 @@ use faer::{Mat, Scale, Side};
 /// columns `F_k` are the condensed load cases, then one column of prescribed displacements, then the reaction functionals, three a support
 /// and then three a pin: `columns = load cases + 1 + 3 (supports + pins)`. Units follow the unknowns: mm, and rad for a rotation `theta`.
 #[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(try_from = "InterfaceParts", into = "InterfaceParts"))]
 pub struct InterfaceOperator {
     /// Kinematics of the body.
     pub kinematics: Kinematics,
@@ -39,6 +40,89 @@ pub struct InterfaceOperator {
     pub(crate) reaction_constant: Mat<f64>,
 }
 
+/// All that an [`InterfaceOperator`] is made of, as plain data: from another program, or from a file (feature `serde`). The fields are those of
+/// the operator.
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct InterfaceParts {
+    /// Kinematics of the body.
+    pub kinematics: Kinematics,
+    /// The kept boundaries, one at least.
+    pub traces: Vec<Trace>,
+    /// `S`, `unknowns x unknowns`, symmetric.
+    #[cfg_attr(feature = "serde", serde(with = "crate::matrix_text"))]
+    pub stiffness: Mat<f64>,
+    /// Condensed right-hand sides, `unknowns x columns`.
+    #[cfg_attr(feature = "serde", serde(with = "crate::matrix_text"))]
+    pub columns: Mat<f64>,
+    /// Work between the columns, `columns x columns`.
+    #[cfg_attr(feature = "serde", serde(with = "crate::matrix_text"))]
+    pub work: Mat<f64>,
+    /// Rigid motions as kept unknowns, `unknowns x modes`.
+    #[cfg_attr(feature = "serde", serde(with = "crate::matrix_text"))]
+    pub rigid_modes: Mat<f64>,
+    /// The same motions in the plane, one a mode.
+    pub rigid_motions: Vec<[f64; 3]>,
+    /// Names of the load cases.
+    pub load_cases: Vec<String>,
+    /// Kept unknowns of the rigid edge.
+    pub frame: [Option<usize>; 3],
+    /// Constant parts of the reactions, `reactions x columns`, `columns = load cases + 1 + reactions`.
+    #[cfg_attr(feature = "serde", serde(with = "crate::matrix_text"))]
+    pub reaction_constant: Mat<f64>,
+}
+
+impl InterfaceParts {
+    /// Refuses parts that do not fit together.
+    fn check(&self) -> Result<(), Error> {
+        let n = self.stiffness.nrows();
+        let columns = self.columns.ncols();
+        let counts = [
+            ("columns of the stiffness", self.stiffness.ncols(), n),
+            ("rows of the right-hand sides", self.columns.nrows(), n),
+            ("rows of the rigid modes", self.rigid_modes.nrows(), n),
+            ("rigid motions", self.rigid_motions.len(), self.rigid_modes.ncols()),
+            ("rows of the work", self.work.nrows(), columns),
+            ("columns of the work", self.work.ncols(), columns),
+            ("columns of the reactions", self.reaction_constant.ncols(), columns),
+            ("right-hand sides", columns, self.load_cases.len() + 1 + self.reaction_constant.nrows()),
+        ];
+        let traces = self.traces.iter().map(|trace| ("kept unknowns of a boundary", trace.unknowns, n));
+        if let Some((what, given, expected)) = counts.into_iter().chain(traces).find(|(_, given, expected)| given != expected) {
+            return Err(Error::Count { what: what.into(), given, expected });
+        }
+        if self.traces.iter().any(|trace| !trace.is_sound()) || self.frame.iter().flatten().any(|unknown| *unknown >= n) {
+            return Err(Error::Count { what: "a kept unknown that a boundary names, kept unknowns".into(), given: n + 1, expected: n });
+        }
+        let matrices = [&self.stiffness, &self.columns, &self.work, &self.rigid_modes, &self.reaction_constant];
+        if let Some(value) = matrices.iter().flat_map(|m| m.col_iter()).flat_map(|c| c.iter()).find(|v| !v.is_finite()) {
+            return Err(Error::OutOfRange { quantity: "a number of the operator".into(), value: *value, range: "finite" });
+        }
+        let size = self.stiffness.norm_max();
+        let skew = (0..n).map(|i| (0..i).fold(0.0_f64, |m, j| m.max((self.stiffness[(i, j)] - self.stiffness[(j, i)]).abs())));
+        match skew.fold(0.0, f64::max) {
+            skew if skew > 1e-9 * size => {
+                Err(Error::OutOfRange { quantity: "the skewness of the stiffness".into(), value: skew, range: "zero" })
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+impl TryFrom<InterfaceParts> for InterfaceOperator {
+    type Error = Error;
+
+    fn try_from(parts: InterfaceParts) -> Result<InterfaceOperator, Error> {
+        InterfaceOperator::from_parts(parts)
+    }
+}
+
+impl From<InterfaceOperator> for InterfaceParts {
+    fn from(operator: InterfaceOperator) -> InterfaceParts {
+        operator.into_parts()
+    }
+}
+
 /// The state of the kept unknowns under given contact loads and load-case factors.
 #[derive(Clone, Debug)]
 pub struct InterfaceState {
@@ -51,6 +135,52 @@ pub struct InterfaceState {
 }
 
 impl InterfaceOperator {
+    /// An operator from its parts.
+    ///
+    /// # Errors
+    /// [`Error::Count`] for shapes that do not fit together; [`Error::OutOfRange`] for a stiffness that is not symmetric or numbers that
+    /// are not finite.
+    pub fn from_parts(parts: InterfaceParts) -> Result<InterfaceOperator, Error> {
+        parts.check()?;
+        let InterfaceParts { kinematics, traces, stiffness, columns, work, rigid_modes, rigid_motions, .. } = parts;
+        let mut traces = traces.into_iter();
+        let none = || Error::Count { what: "kept boundaries".into(), given: 0, expected: 1 };
+        let trace = traces.next().ok_or_else(none)?;
+        let (more_traces, load_cases, frame) = (traces.collect(), parts.load_cases, parts.frame);
+        let reaction_constant = parts.reaction_constant;
+        Ok(InterfaceOperator {
+            kinematics,
+            trace,
+            more_traces,
+            stiffness,
+            columns,
+            work,
+            rigid_modes,
+            rigid_motions,
+            load_cases,
+            frame,
+            reaction_constant,
+        })
+    }
+
+    /// The parts of the operator.
+    pub fn into_parts(self) -> InterfaceParts {
+        let mut traces = vec![self.trace];
+        traces.extend(self.more_traces);
+        InterfaceParts {
+            kinematics: self.kinematics,
+            traces,
+            stiffness: self.stiffness,
+            columns: self.columns,
+            work: self.work,
+            rigid_modes: self.rigid_modes,
+            rigid_motions: self.rigid_motions,
+            load_cases: self.load_cases,
+            frame: self.frame,
+            reaction_constant: self.reaction_constant,
+        }
+    }
+
     /// Factors of all columns for given factors of load cases by name, 0 for those not named; prescribed displacements count fully.
     ///
     /// # Errors

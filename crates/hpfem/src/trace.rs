@@ -152,6 +152,17 @@ impl Trace {
         }
     }
 
+    /// Whether all edges name kept unknowns that there are, for all their modes.
+    pub(crate) fn is_sound(&self) -> bool {
+        let edge = |e: &TraceEdge| {
+            let modes = e.degree + 1;
+            let named = e.unknowns.iter().flatten().flatten().all(|(u, _)| *u < self.unknowns);
+            let components = e.unknowns.iter().all(|mode| mode.len() == self.components);
+            named && components && e.unknowns.len() == modes && e.prescribed.len() == modes && e.fixed.iter().all(|f| f.0 < modes)
+        };
+        self.components <= 2 && self.edges.iter().all(edge) && self.points.iter().all(|p| p.edge < self.edges.len())
+    }
+
     /// Total arc length, mm.
     pub fn length(&self) -> f64 {
         self.edges.last().map_or(0.0, |e| e.start + e.curve.length())

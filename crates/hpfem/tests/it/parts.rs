@@ -1,0 +1,66 @@
+//! Interface operators as plain data, several kept boundaries, closed ones.
+
+use crate::common::*;
+use hpfem::*;
+
+fn ring_patch() -> BodyProblem {
+    BodyProblem::new(mixed([0, 1, 2, 3], Shape::Arcs, 0.0), 5, PLANE_STRAIN)
+        .material(Material::isotropic(210e3, 0.3).unwrap())
+        .hold("left", Direction::First)
+        .load("pull", EdgeTraction::new("right", |p| p.outward))
+}
+
+#[cfg(feature = "serde")]
+#[test]
+fn an_operator_comes_back_from_text_with_the_same_bits() {
+    let operator = Body::interface(&ring_patch().keep("top").keep("bottom")).unwrap().0;
+    let text = serde_json::to_string(&operator).unwrap();
+    let back: InterfaceOperator = serde_json::from_str(&text).unwrap();
+    assert_eq!(back.stiffness, operator.stiffness);
+    assert_eq!(back.columns, operator.columns);
+    assert_eq!(back.trace.points, operator.trace.points);
+    assert_eq!(back.more_traces.len(), 1);
+    let broken = text.replacen("\"load_cases\":[\"pull\"]", "\"load_cases\":[]", 1);
+    let error = serde_json::from_str::<InterfaceOperator>(&broken).unwrap_err().to_string();
+    assert!(error.contains("right-hand sides"), "{error}");
+}
+
+#[test]
+fn parts_that_do_not_fit_are_refused() {
+    let parts = || Body::interface(&ring_patch().keep("top")).unwrap().0.into_parts();
+    assert!(InterfaceOperator::from_parts(parts()).is_ok());
+    let mut skew = parts();
+    skew.stiffness[(0, 1)] *= 1.5;
+    assert!(matches!(InterfaceOperator::from_parts(skew), Err(Error::OutOfRange { .. })));
+    let mut short = parts();
+    short.load_cases.clear();
+    assert!(matches!(InterfaceOperator::from_parts(short), Err(Error::Count { .. })));
+    let mut none = parts();
+    none.traces.clear();
+    assert!(matches!(InterfaceOperator::from_parts(none), Err(Error::Count { .. })));
+    let mut beyond = parts();
+    beyond.frame[0] = Some(1000);
+    assert!(matches!(InterfaceOperator::from_parts(beyond), Err(Error::Count { .. })));
+}
+
+#[test]
+fn several_kept_boundaries_condense_to_each_alone() {
+    let both = Body::new(ring_patch().keep("top").keep("bottom")).unwrap();
+    assert_eq!(both.interface.more_traces.len(), 1);
+    assert_eq!(both.interface.trace.unknowns, both.interface.more_traces[0].unknowns);
+    // The field is the same whatever is kept.
+    let alone = Body::new(ring_patch().keep("top")).unwrap();
+    let fields = [&both, &alone].map(|body| {
+        let problem = body.problem().clone().hold("bottom", Direction::Second);
+        let body = Body::new(problem).unwrap();
+        body.field(&body.solve(&[("pull", 1.0)]).unwrap()).unwrap()
+    });
+    for (xi, eta) in sample_points() {
+        let (a, b) = (fields[0].at(0, xi, eta), fields[1].at(0, xi, eta));
+        a.stress.iter().zip(b.stress).for_each(|(a, b)| assert!((a - b).abs() < 1e-10, "{a} {b}"));
+    }
+    // A boundary kept twice, or two that share a corner, have each unknown once.
+    let corner = Body::interface(&ring_patch().keep("top").keep("right")).unwrap().0;
+    let twice = Body::interface(&ring_patch().keep("top").keep("right").keep("top")).unwrap().0;
+    assert_eq!(corner.stiffness, twice.stiffness);
+}
