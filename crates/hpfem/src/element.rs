@@ -269,16 +269,23 @@ impl PointForm {
 
     fn isotropic(&self, [c11, c12, shear]: [f64; 3], v: [f64; 3], u: [f64; 3]) -> f64 {
         let hoop = self.inverse_radius;
-        match (self.kinematics, self.test, self.trial) {
-            (Kinematics::Torsion, ..) => shear * ((v[1] - hoop * v[0]) * (u[1] - hoop * u[0]) + v[2] * u[2]),
-            (Kinematics::Axisymmetric, 0, 0) => {
-                let (vh, uh) = (hoop * v[0], hoop * u[0]);
-                c11 * (v[1] * u[1] + vh * uh) + c12 * (v[1] * uh + vh * u[1]) + shear * v[2] * u[2]
-            }
-            (Kinematics::Axisymmetric, 1, 0) => c12 * v[2] * (u[1] + hoop * u[0]) + shear * v[1] * u[2],
-            (_, 0, 0) => c11 * v[1] * u[1] + shear * v[2] * u[2],
-            (_, 1, 1) => c11 * v[2] * u[2] + shear * v[1] * u[1],
-            _ => c12 * v[2] * u[1] + shear * v[1] * u[2],
+        match self.kinematics {
+            Kinematics::Torsion => shear * ((v[1] - hoop * v[0]) * (u[1] - hoop * u[0]) + v[2] * u[2]),
+            Kinematics::Axisymmetric => match (self.test, self.trial) {
+                (0, 0) => {
+                    let (vh, uh) = (hoop * v[0], hoop * u[0]);
+                    c11 * (v[1] * u[1] + vh * uh) + c12 * (v[1] * uh + vh * u[1]) + shear * v[2] * u[2]
+                }
+                (1, 0) => c12 * v[2] * (u[1] + hoop * u[0]) + shear * v[1] * u[2],
+                _ => c11 * v[2] * u[2] + shear * v[1] * u[1],
+            },
+            Kinematics::PlaneStress { .. } | Kinematics::PlaneStrain { .. } => match (self.test, self.trial) {
+                (0, 0) => c11 * v[1] * u[1] + shear * v[2] * u[2],
+                (1, 1) => c11 * v[2] * u[2] + shear * v[1] * u[1],
+                _ => c12 * v[2] * u[1] + shear * v[1] * u[2],
+            },
+            // A potential has a scalar law.
+            Kinematics::Potential { .. } | Kinematics::AxisymmetricPotential => 0.0,
         }
     }
 }

@@ -40,6 +40,8 @@
 //! ones named in these pages, N, mm, MPa = N/mm^2 and rad, are one such choice. All forces are totals over the thickness or the full turn. Results scale bit for bit with powers of two, and are the same bits for any
 //! number of threads.
 
+#![warn(clippy::wildcard_enum_match_arm)]
+
 mod adapt;
 mod amalgamation;
 mod assembly;
@@ -125,7 +127,7 @@ pub use gmsh_error::GmshError;
 pub use interface::{InterfaceOperator, InterfaceParts, InterfaceState};
 pub use legendre::{legendre, shape_functions};
 pub use kinematics::Kinematics;
-pub use load_case::{BodyForce, BodyPoint, BoundaryTraction, EdgeTraction, Eigenstrain, Load, LoadCase, PointForce};
+pub use load_case::{BodyForce, BodyPoint, BoundaryTraction, EdgeTraction, Eigenstrain, Load, LoadCase, PointForce, StrainAt};
 pub use material::{MAX_POISSON, Material, Orthotropic};
 pub use mesh::{CELL_EDGES, Cell, Edge, Mesh, Quad};
 pub use modes::Mode;

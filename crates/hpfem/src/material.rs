@@ -165,24 +165,18 @@ impl Material {
 
     /// Whether an orthogonal map of the plane leaves the moduli as they are, to round-off.
     pub(crate) fn is_alike_after(&self, turn: [[f64; 2]; 2]) -> bool {
-        let numbers = |material: &Material| -> Vec<f64> {
-            let conductivity = material.conductivity.unwrap_or_default();
-            match &material.elastic {
-                Elastic::None | Elastic::Isotropic { .. } => conductivity.concat(),
-                Elastic::General { stiffness, shear } => {
-                    // The two kinds of moduli differ in size; conductivities differ from both.
-                    [stiffness.concat(), shear.concat(), conductivity.concat()].concat()
-                }
-            }
+        let numbers = |material: &Material| {
+            let moduli = match &material.elastic {
+                Elastic::None | Elastic::Isotropic { .. } => Vec::new(),
+                Elastic::General { stiffness, shear } => [stiffness.concat(), shear.concat()].concat(),
+            };
+            [moduli, material.conductivity.unwrap_or_default().concat()]
         };
-        let (own, other) = (numbers(self), numbers(&self.seen_by(turn)));
-        let size = |part: &[f64]| part.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-        let parts = if own.len() == 4 { vec![0..4] } else { vec![0..20, 20..24] };
-        let alike = |part: std::ops::Range<usize>| {
-            let round_off = 1e-14 * size(&own[part.clone()]);
-            own[part.clone()].iter().zip(&other[part]).all(|(a, b)| (a - b).abs() <= round_off)
+        let alike = |(own, other): (&Vec<f64>, &Vec<f64>)| {
+            let size = own.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+            own.iter().zip(other).all(|(a, b)| (a - b).abs() <= 1e-14 * size)
         };
-        parts.into_iter().all(alike)
+        numbers(self).iter().zip(&numbers(&self.seen_by(turn))).all(alike)
     }
 
     /// The material with its moduli multiplied by a positive factor.
