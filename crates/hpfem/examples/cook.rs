@@ -35,7 +35,7 @@ pub fn deflection(degree: usize, layers: usize) -> Result<f64, Error> {
     })?;
     let field = body.field(&body.solve(&[1.0]))?;
     let (cell, xi, eta) = field.locate([48.0, 52.0])?;
-    Ok(field.at(cell, xi, eta).displacement[1])
+    Ok(field.at(cell, xi, eta)?.displacement[1])
 }
 
 #[allow(dead_code)]

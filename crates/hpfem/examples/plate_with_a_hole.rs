@@ -33,7 +33,7 @@ pub fn stress_concentration(degree: usize) -> Result<f64, Error> {
     })?;
     let field = body.field(&body.solve(&[1.0]))?;
     let (cell, xi, eta) = field.locate([0.0, 1.0])?;
-    Ok(field.at(cell, xi, eta).stress[0])
+    Ok(field.at(cell, xi, eta)?.stress[0])
 }
 
 #[allow(dead_code)]

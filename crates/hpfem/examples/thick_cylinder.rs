@@ -26,7 +26,7 @@ pub fn bore_displacement(degree: usize) -> Result<f64, Error> {
         kept: None,
     })?;
     let field = body.field(&body.solve(&[1.0]))?;
-    Ok(field.at(0, -1.0, 0.0).displacement[0])
+    Ok(field.at(0, -1.0, 0.0)?.displacement[0])
 }
 
 #[allow(dead_code)]

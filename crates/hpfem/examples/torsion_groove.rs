@@ -54,7 +54,7 @@ pub fn stress_concentration(degree: usize) -> Result<f64, Error> {
     let field = body.field(&body.solve(&[1.0]))?;
     let (cell, xi, eta) = field.locate([radius - groove, 0.0])?;
     let nominal = 2.0 * FRAC_PI_2 / (PI * (radius - groove).powi(3));
-    Ok(field.at(cell, xi, eta).stress[1] / nominal)
+    Ok(field.at(cell, xi, eta)?.stress[1] / nominal)
 }
 
 #[allow(dead_code)]

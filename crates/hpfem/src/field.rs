@@ -4,10 +4,11 @@ use crate::basis::LocalModes;
 use crate::cell_point::CellPoint;
 use crate::error::Error;
 use crate::material::{Kinematics, Material};
-use crate::mesh::{Mesh, distance};
+use crate::mesh::Mesh;
+use crate::point_search::PointSearch;
 use crate::space::Space;
 use crate::stress::Stress;
-use crate::triangle::collapsed;
+use std::sync::OnceLock;
 
 /// A displacement field with its stresses.
 pub struct Field<'a> {
@@ -17,6 +18,7 @@ pub struct Field<'a> {
     degrees: Vec<usize>,
     components: usize,
     cells: Vec<(LocalModes, Vec<f64>)>,
+    search: OnceLock<PointSearch<'a>>,
 }
 
 /// Displacement and stress at a point.
@@ -45,12 +47,18 @@ impl<'a> Field<'a> {
             degrees: space.cell_degree.clone(),
             components: space.components,
             cells,
+            search: OnceLock::new(),
         }
     }
 
     /// State at the reference point `(xi, eta)` of a cell; in a triangle the side `eta = 1` is corner 2, see [`Cell`](crate::Cell).
-    pub fn at(&self, cell: usize, xi: f64, eta: f64) -> PointState {
-        let (local, u) = &self.cells[cell];
+    ///
+    /// # Errors
+    /// [`Error::Count`] for a cell that the mesh does not have.
+    pub fn at(&self, cell: usize, xi: f64, eta: f64) -> Result<PointState, Error> {
+        let beyond =
+            || Error::Count { what: format!("cell {cell} of the field, cells"), given: cell + 1, expected: self.cells.len() };
+        let (local, u) = self.cells.get(cell).ok_or_else(beyond)?;
         let point = CellPoint::new(self.mesh, cell, self.degrees[cell], xi, eta);
         let [[xx, xe], [zx, ze]] = point.derivative;
         let jacobian = point.jacobian();
@@ -71,7 +79,7 @@ impl<'a> Field<'a> {
             [(slope[c][0] * ze - slope[c][1] * zx) / jacobian, (slope[c][1] * xx - slope[c][0] * xe) / jacobian]
         });
         let stress = self.stress(cell, point.position[0], value, gradient);
-        PointState { displacement: value, gradient, stress }
+        Ok(PointState { displacement: value, gradient, stress })
     }
 
     /// Number of cells.
@@ -89,46 +97,13 @@ impl<'a> Field<'a> {
         self.mesh.map(cell, xi, eta).0
     }
 
-    /// The cell that holds a point (mm) and its reference coordinates, `(cell, xi, eta)`, by Newton's method on the map of nearby cells.
+    /// The cell that holds a point (mm) and its reference coordinates, `(cell, xi, eta)`, as by [`PointSearch::locate`]; the search is
+    /// built with the first point.
     ///
     /// # Errors
     /// [`Error::OutsideMesh`].
     pub fn locate(&self, x: [f64; 2]) -> Result<(usize, f64, f64), Error> {
-        for cell in 0..self.mesh.cells.len() {
-            let corners = self.mesh.cells[cell].corners.map(|v| self.mesh.vertices[v]);
-            let size = corners.iter().map(|c| distance(*c, corners[0])).fold(0.0, f64::max);
-            if corners.iter().all(|c| distance(*c, x) > 2.0 * size) {
-                continue;
-            }
-            let triangle = self.mesh.cells[cell].is_triangle();
-            // Newton's method in the cell's own coordinates, in which the map of a triangle is regular up to its corners.
-            let map = |t: [f64; 2]| match triangle {
-                true => self.mesh.reference_map(cell, [1.0 - t[0] - t[1], t[0], t[1]]),
-                false => self.mesh.map(cell, t[0], t[1]),
-            };
-            let mut t = if triangle { [1.0 / 3.0; 2] } else { [0.0; 2] };
-            for _ in 0..50 {
-                let (at, [[a, b], [c, d]]) = map(t);
-                let det = a * d - b * c;
-                let r = [x[0] - at[0], x[1] - at[1]];
-                let step = [(d * r[0] - b * r[1]) / det, (a * r[1] - c * r[0]) / det];
-                t = [(t[0] + step[0]).clamp(-1.5, 1.5), (t[1] + step[1]).clamp(-1.5, 1.5)];
-                if step[0].abs() + step[1].abs() < 1e-14 {
-                    break;
-                }
-            }
-            let hit = distance(map(t).0, x) < 1e-9 * size;
-            if triangle {
-                let l = [1.0 - t[0] - t[1], t[0], t[1]];
-                if hit && l.iter().all(|v| *v >= -1e-9) {
-                    let (xi, eta) = collapsed(l.map(|v| v.max(0.0)));
-                    return Ok((cell, xi, eta.clamp(-1.0, 1.0)));
-                }
-            } else if hit && t.iter().all(|v| v.abs() <= 1.0 + 1e-9) {
-                return Ok((cell, t[0].clamp(-1.0, 1.0), t[1].clamp(-1.0, 1.0)));
-            }
-        }
-        Err(Error::OutsideMesh { x: x[0], z: x[1] })
+        self.search.get_or_init(|| PointSearch::new(self.mesh)).locate(x)
     }
 
     fn stress(&self, cell: usize, r: f64, u: [f64; 2], g: [[f64; 2]; 2]) -> [f64; 4] {

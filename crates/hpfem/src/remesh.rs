@@ -90,7 +90,9 @@ impl Mesh {
         }
         let quads: Vec<Quad> =
             self.cells.iter().map(|c| Quad { corners: c.corners, material: c.material, layer: c.layer }).collect();
-        Mesh::new(vertices, &quads, &curves, &names)
+        let mesh = Mesh::joined(vertices, &quads, &curves, &names)?;
+        mesh.check_cells()?;
+        Ok(mesh)
     }
 }
 

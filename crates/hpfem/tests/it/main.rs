@@ -21,6 +21,7 @@ mod patch;
 mod quadrature;
 mod quadrature_table;
 mod remesh;
+mod search;
 mod sharing;
 mod singular;
 mod sliding_edge;

@@ -43,7 +43,7 @@ fn operator(separate: bool, space: SpaceKind) -> (faer::Mat<f64>, f64) {
         kept: Some("contact"),
     })
     .unwrap();
-    let point = body.field(&body.solve(&[1.0])).unwrap().at(5, 0.3, -0.4);
+    let point = body.field(&body.solve(&[1.0])).unwrap().at(5, 0.3, -0.4).unwrap();
     (body.interface.stiffness.clone(), point.displacement[1])
 }
 
