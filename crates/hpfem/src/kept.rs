@@ -1,6 +1,6 @@
 //! The kept boundary: its path, its groups and the numbers of its unknowns.
 
-use crate::boundary::path;
+use crate::boundary::open_path;
 use crate::error::Error;
 use crate::mesh::Mesh;
 use crate::space::Space;
@@ -20,7 +20,7 @@ pub(crate) struct Kept {
 impl Kept {
     /// What is kept with the boundary of that name; the rigid edge alone without one.
     pub(crate) fn new(mesh: &Mesh, space: &Space, name: Option<&str>) -> Result<Kept, Error> {
-        let walk = name.map(|name| path(mesh, name)).transpose()?.unwrap_or_default();
+        let walk = name.map(|name| open_path(mesh, name)).transpose()?.unwrap_or_default();
         let groups = kept_groups(mesh, space, &walk);
         let mut start = vec![None; space.size.len()];
         let mut unknowns = 0;

@@ -3,6 +3,7 @@
 
 mod additions;
 mod classics;
+mod closed;
 mod common;
 mod continuity;
 mod convergence;
