@@ -56,7 +56,7 @@ pub struct Sector {
 /// vertices where a boundary in `loaded` ends.
 ///
 /// # Errors
-/// [`Error::NoSuchBoundary`].
+/// [`Error::NoSuchBoundary`]; [`Error::Count`] for a cell whose material is not among the `materials`.
 pub fn singular_vertices(
     mesh: &Mesh,
     kinematics: Kinematics,
@@ -64,6 +64,7 @@ pub fn singular_vertices(
     supports: &[Support],
     loaded: &[&str],
 ) -> Result<Vec<SingularVertex>, Error> {
+    check_materials(mesh, materials)?;
     let wedges = Wedges { mesh, sides: mesh.edge_cells(), materials, held: held(mesh, supports)?, kinematics };
     // Number of the load on each edge; jumps are where it changes along the boundary.
     let mut load = vec![0_usize; mesh.edges.len()];
@@ -96,6 +97,17 @@ pub fn singular_vertices(
         }
     }
     Ok(found)
+}
+
+/// Refuses cells of a material that is not given.
+fn check_materials(mesh: &Mesh, materials: &[Material]) -> Result<(), Error> {
+    match mesh.cells.iter().position(|cell| cell.material >= materials.len()) {
+        Some(cell) => {
+            let (what, expected) = (format!("materials for cell {cell}"), mesh.cells[cell].material + 1);
+            Err(Error::Count { what, given: materials.len(), expected })
+        }
+        None => Ok(()),
+    }
 }
 
 /// Directions held on every edge.
@@ -133,7 +145,7 @@ impl Corner {
     /// The wedge of a body with the given supports at a boundary vertex, its sectors anti-clockwise; none inside the body.
     ///
     /// # Errors
-    /// [`Error::NoSuchBoundary`].
+    /// [`Error::NoSuchBoundary`]; [`Error::Count`] for a cell whose material is not among the `materials`.
     pub fn at(
         mesh: &Mesh,
         vertex: usize,
@@ -141,6 +153,7 @@ impl Corner {
         materials: &[Material],
         supports: &[Support],
     ) -> Result<Option<Corner>, Error> {
+        check_materials(mesh, materials)?;
         let wedges = Wedges { mesh, sides: mesh.edge_cells(), materials, held: held(mesh, supports)?, kinematics };
         let touching = |(c, cell): (usize, &crate::mesh::Cell)| cell.vertices().iter().position(|v| *v == vertex).map(|k| (c, k));
         let cells: Vec<(usize, usize)> = mesh.cells.iter().enumerate().filter_map(touching).collect();
@@ -311,7 +324,7 @@ pub(crate) fn plane(l: C, sector: &Sector, t: f64, kinematics: Kinematics) -> Ve
     let nu = sector.material.poisson();
     let kappa = match kinematics {
         Kinematics::PlaneStress { .. } => (3.0 - nu) / (1.0 + nu),
-        _ => 3.0 - 4.0 * nu,
+        Kinematics::PlaneStrain { .. } | Kinematics::Axisymmetric | Kinematics::Torsion => 3.0 - 4.0 * nu,
     };
     // Coefficients in units that keep displacements and tractions near one for any modulus.
     let shear = sector.material.young() / (1.0 + nu);

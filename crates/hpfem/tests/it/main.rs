@@ -21,6 +21,7 @@ mod lshape;
 mod patch;
 mod quadrature;
 mod quadrature_table;
+mod refused;
 mod remesh;
 mod search;
 mod sharing;
