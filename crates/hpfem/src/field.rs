@@ -12,8 +12,8 @@ use std::sync::OnceLock;
 
 /// A displacement field with its stresses.
 pub struct Field<'a> {
-    mesh: &'a Mesh,
-    kinematics: Kinematics,
+    pub(crate) mesh: &'a Mesh,
+    pub(crate) kinematics: Kinematics,
     materials: Vec<Material>,
     degrees: Vec<usize>,
     components: usize,

@@ -29,7 +29,8 @@
 //!
 //! # Where to start
 //!
-//! [`Mesh::new`] or [`Mesh::ruled`] or [`GmshMesh::read`], then [`Body::new`], [`Body::solve`], [`Body::field`], [`Field::at`];
+//! [`Mesh::new`] or [`Mesh::ruled`] or [`GmshMesh::read`] (with [`Mesh::with_outline`] for its round boundaries), [`Mesh::join`] for bodies of
+//! several parts, then [`Body::new`], [`Body::solve`], [`Body::field`], [`Field::at`];
 //! [`Body::interface`] gives the interface operator alone, in less memory, and [`Body::sizes`] the sizes and the memory beforehand.
 //! [`singular_vertices`] and [`adapt`] choose mesh and degrees for an accuracy. The README has a whole program and an extension guide.
 //!
@@ -51,6 +52,7 @@ mod body;
 mod body_force;
 mod boundary;
 mod box_tree;
+mod cell_grid;
 mod cell_matrix;
 mod cell_point;
 mod check;
@@ -66,6 +68,8 @@ mod elimination;
 mod error;
 mod estimate;
 mod field;
+#[cfg(feature = "vtu")]
+mod field_vtu;
 mod foundation;
 mod freedom;
 mod front;
@@ -104,6 +108,8 @@ mod stress;
 mod trace;
 mod triangle;
 mod triangle_matrix;
+#[cfg(feature = "vtu")]
+mod vtu;
 
 pub use adapt::{AdaptStatus, Adapted, adapt, graded_level};
 pub use additions::{Additions, BodyForce, Force, Foundation, Pin, SegmentTraction, SupportDisplacement};
@@ -112,6 +118,7 @@ pub use bisect::bisect;
 pub use blocks::{Named, Ruled, Side};
 pub use body::Body;
 pub use boundary::BoundaryPoint;
+pub use cell_grid::CellGrid;
 pub use curve::{CURVE_DEGREE, Curve};
 pub use effort::{Clock, Effort};
 pub use error::Error;
@@ -134,6 +141,8 @@ pub use sizes::Sizes;
 pub use sliding_edge::{SlidingEdge, sliding_edge};
 pub use stress::Stress;
 pub use trace::{Trace, TraceEdge, TraceLoad, TracePoint};
+#[cfg(feature = "vtu")]
+pub use vtu::{Vtu, VtuArray, VtuKind};
 
 /// The program of the README, compiled and run with the documentation tests.
 #[doc = include_str!("../README.md")]

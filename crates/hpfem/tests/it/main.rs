@@ -31,3 +31,5 @@ mod singular;
 mod sliding_edge;
 mod supports;
 mod triangles;
+#[cfg(feature = "vtu")]
+mod vtu;

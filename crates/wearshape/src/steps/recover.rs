@@ -1,13 +1,12 @@
 //! Displacement and stress inside the bodies, by back substitution at the reported level; done only if an output asks for it.
 
 use contact::{Pair, Side};
-use hpfem::{Body, Field, InterfaceState, Kinematics, Mesh, Stress};
+use hpfem::{Body, CellGrid, Field, InterfaceState, Kinematics, Mesh, Stress};
 use meshing::Cut;
 use scene::Fault;
 
 use crate::bodies::paired;
 use crate::body_field::{BodyField, CellField, FieldFrame};
-use crate::cell_grid::CellGrid;
 use crate::effort::Effort;
 use crate::ladder::Refusal;
 use crate::parts::BodyParts;
