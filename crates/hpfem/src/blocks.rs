@@ -175,6 +175,6 @@ pub(crate) fn between(bottom: &Curve, top: &Curve, level: f64) -> Option<Curve> 
         {
             Some(Curve::Arc { centre, radius: (1.0 - level) * radius + level * r, from, to })
         }
-        _ => None,
+        (Curve::Line { .. } | Curve::Arc { .. } | Curve::Polynomial { .. }, _) => None,
     }
 }

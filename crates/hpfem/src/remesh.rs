@@ -109,6 +109,6 @@ fn joined(a: &Curve, b: &Curve) -> Option<Curve> {
             // The second angle may be a full turn off.
             (same && (to - from) * (t - f) > 0.0).then_some(Curve::Arc { centre, radius, from, to: to + (t - f) })
         }
-        _ => None,
+        (Curve::Line { .. } | Curve::Arc { .. } | Curve::Polynomial { .. }, _) => None,
     }
 }
