@@ -4,6 +4,9 @@
 use hpfem::*;
 
 /// Strain energy of an L of three unit squares, clamped at its foot and pulled sideways at its top, with the estimated relative error.
+///
+/// # Errors
+/// Those of the mesh and the body.
 pub fn strain_energy(accuracy: f64) -> Result<(f64, f64), Error> {
     //   2---3        The corner at vertex 4 is re-entrant.
     //   |   |

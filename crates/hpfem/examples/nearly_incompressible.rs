@@ -12,7 +12,8 @@ pub fn mean_stress_error(poisson: f64, degree: usize) -> Result<f64, Error> {
     let named = |side, name| Named { side, range: None, name };
     let names = [named(Side::Bottom, "bore"), named(Side::Left, "left"), named(Side::Right, "right")];
     let (breaks, levels) = ([-1.0, -0.3, 0.5, 1.0], [0.0, 0.35, 1.0]);
-    let ring = Ruled { bottom: arc(1.0), top: arc(2.0), breaks: &breaks, levels: &levels, closed: false, material: 0, names: &names };
+    let ring =
+        Ruled { bottom: arc(1.0), top: arc(2.0), breaks: &breaks, levels: &levels, closed: false, material: 0, names: &names };
     let problem = BodyProblem::new(Mesh::ruled(&ring)?, degree, Kinematics::PlaneStrain { thickness: 1.0 })
         .material(Material::isotropic(1.0, poisson)?)
         .roller("left")

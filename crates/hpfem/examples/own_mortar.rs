@@ -12,7 +12,8 @@ fn block(n: usize, bottom: f64) -> Result<Mesh, Error> {
     let at = |i: usize| 2.0 * i as f64 / n as f64;
     let vertices = (0..=n).map(|i| [at(i), bottom]).chain((0..=n).map(|i| [at(i), bottom + 1.0])).collect();
     let cells: Vec<Quad> = (0..n).map(|i| Quad { corners: [i, i + 1, i + n + 2, i + n + 1], material: 0, layer: 0 }).collect();
-    let mut names: Vec<([usize; 2], &str)> = (0..n).flat_map(|i| [([i, i + 1], "below"), ([i + n + 1, i + n + 2], "above")]).collect();
+    let mut names: Vec<([usize; 2], &str)> =
+        (0..n).flat_map(|i| [([i, i + 1], "below"), ([i + n + 1, i + n + 2], "above")]).collect();
     names.extend([([0, n + 1], "left"), ([n, 2 * n + 1], "right")]);
     Mesh::new(vertices, &cells, &[], &names)
 }

@@ -7,6 +7,9 @@ use hpfem::*;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 /// Largest stress at the hole divided by the pull.
+///
+/// # Errors
+/// Those of the mesh and the body.
 pub fn stress_concentration(degree: usize) -> Result<f64, Error> {
     let (h, side) = (0.5_f64.sqrt(), 4.0);
     let vertices = vec![[1.0, 0.0], [side, 0.0], [side, side], [h, h], [0.0, side], [0.0, 1.0]];
@@ -33,7 +36,7 @@ pub fn stress_concentration(degree: usize) -> Result<f64, Error> {
     })?;
     let field = body.field(&body.solve(&[1.0]))?;
     let (cell, xi, eta) = field.locate([0.0, 1.0])?;
-    Ok(field.at(cell, xi, eta).stress[0])
+    Ok(field.at(cell, xi, eta)?.stress[0])
 }
 
 #[allow(dead_code)]

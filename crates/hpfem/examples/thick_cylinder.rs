@@ -4,6 +4,9 @@ use hpfem::*;
 
 /// Radial displacement of the bore of a tube of radii 1 and 2, E = 210 GPa, nu = 0.3, pressure 50 MPa, ends held axially.
 /// Lame: `(1 + nu)/E (A (1 - 2 nu) + B)` with `A = 50/3`, `B = 200/3`.
+///
+/// # Errors
+/// Those of the mesh and the body.
 pub fn bore_displacement(degree: usize) -> Result<f64, Error> {
     let vertices = vec![[1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0]];
     let quad = Quad { corners: [0, 1, 2, 3], material: 0, layer: 0 };
@@ -26,7 +29,7 @@ pub fn bore_displacement(degree: usize) -> Result<f64, Error> {
         kept: None,
     })?;
     let field = body.field(&body.solve(&[1.0]))?;
-    Ok(field.at(0, -1.0, 0.0).displacement[0])
+    Ok(field.at(0, -1.0, 0.0)?.displacement[0])
 }
 
 #[allow(dead_code)]

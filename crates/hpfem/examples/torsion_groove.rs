@@ -5,6 +5,9 @@ use hpfem::*;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// Stress concentration factor of a shaft of radius 1 with a half-round groove of radius 0.1.
+///
+/// # Errors
+/// Those of the mesh and the body.
 pub fn stress_concentration(degree: usize) -> Result<f64, Error> {
     let (radius, groove, length) = (1.0, 0.1, 4.0);
     // Coordinates (r, z). Half of the shaft: the plane z = 0 through the groove is held, the far end is twisted.
@@ -54,7 +57,7 @@ pub fn stress_concentration(degree: usize) -> Result<f64, Error> {
     let field = body.field(&body.solve(&[1.0]))?;
     let (cell, xi, eta) = field.locate([radius - groove, 0.0])?;
     let nominal = 2.0 * FRAC_PI_2 / (PI * (radius - groove).powi(3));
-    Ok(field.at(cell, xi, eta).stress[1] / nominal)
+    Ok(field.at(cell, xi, eta)?.stress[1] / nominal)
 }
 
 #[allow(dead_code)]

@@ -77,7 +77,7 @@ pub fn graded_level(coarse: &Mesh, singular: &[SingularVertex], p: usize) -> Res
 /// anything that converges) is at most `accuracy`, or the degree reaches `highest`.
 ///
 /// # Errors
-/// Those of `quantity` and of the refinement; [`Error::OutOfRange`] if `accuracy` is not positive or `highest` not in `3..=24`.
+/// Those of `quantity` and of the refinement; [`Error::Count`] if the number of quantities changes; [`Error::OutOfRange`] if `accuracy` is not positive or `highest` not in `3..=24`.
 pub fn adapt(
     coarse: &Mesh,
     singular: &[SingularVertex],
@@ -98,7 +98,7 @@ pub fn adapt(
         let (mesh, degrees) = graded_level(coarse, singular, p)?;
         quantities.push(quantity(&mesh, &degrees)?);
         // Three levels at least: an estimate from one difference cannot know the rate.
-        let estimate = if quantities.len() < 3 { f64::INFINITY } else { sequence_estimate(&quantities).unwrap_or(f64::INFINITY) };
+        let estimate = if quantities.len() < 3 { f64::INFINITY } else { sequence_estimate(&quantities)? };
         let status = if estimate <= accuracy { AdaptStatus::Reached } else { AdaptStatus::DegreeLimit };
         if status == AdaptStatus::Reached || p == highest {
             return Ok(Adapted { mesh, degrees, quantities, estimate, status });

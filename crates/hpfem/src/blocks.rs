@@ -3,6 +3,7 @@
 use crate::curve::Curve;
 use crate::error::Error;
 use crate::mesh::{Mesh, Quad};
+use std::cmp::Ordering;
 
 /// A side of a ruled region.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,7 +38,7 @@ pub struct Ruled<'a> {
     pub bottom: Curve,
     /// Curve of level 1.
     pub top: Curve,
-    /// Ascending parameters in `[-1, 1]` where the curves are cut, both ends included.
+    /// Ascending parameters in `[-1, 1]` where the curves are cut, both ends included; at least four of a closed region.
     pub breaks: &'a [f64],
     /// Ascending levels from 0 to 1.
     pub levels: &'a [f64],
@@ -53,9 +54,13 @@ impl Mesh {
     /// The structured mesh of a ruled region. Levels between two concentric arcs of the same angles are arcs, others lines.
     ///
     /// # Errors
-    /// [`Error::FoldedCell`].
+    /// [`Error::OutOfRange`] for breaks or levels that do not rise from end to end (-1 to 1, 0 to 1, up to 1e-12), for fewer than two of
+    /// them (four breaks of a closed region, whose columns must differ in their vertices), and for a ruling or an end of a range that
+    /// is none of them; those of [`Mesh::new`].
     pub fn ruled(region: &Ruled<'_>) -> Result<Mesh, Error> {
         let (breaks, levels) = (region.breaks, region.levels);
+        check_rising("breaks", breaks, [-1.0, 1.0], if region.closed { 4 } else { 2 })?;
+        check_rising("levels", levels, [0.0, 1.0], 2)?;
         let columns = if region.closed { breaks.len() - 1 } else { breaks.len() };
         let vertex = |i: usize, j: usize| j * columns + i % columns;
         let mut vertices = Vec::new();
@@ -69,7 +74,7 @@ impl Mesh {
         let mut curves = Vec::new();
         for j in 0..levels.len() {
             for i in 0..breaks.len() - 1 {
-                if let Some(curve) = level_curve(region, levels[j]) {
+                if let Some(curve) = level_curve(region, j) {
                     curves.push(([vertex(i, j), vertex(i + 1, j)], curve.part(breaks[i], breaks[i + 1])));
                 }
                 if j + 1 < levels.len() {
@@ -79,25 +84,8 @@ impl Mesh {
             }
         }
         let mut names = Vec::new();
-        let last = (breaks.len() - 1, levels.len() - 1);
         for named in region.names {
-            let along = |values: &[f64], edge: &dyn Fn(usize) -> [usize; 2]| {
-                let [from, to] = named.range.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
-                (0..values.len() - 1)
-                    .filter(|i| (from..to).contains(&(0.5 * (values[*i] + values[*i + 1]))))
-                    .map(|i| (edge(i), named.name))
-                    .collect::<Vec<_>>()
-            };
-            names.extend(match named.side {
-                Side::Bottom => along(breaks, &|i| [vertex(i, 0), vertex(i + 1, 0)]),
-                Side::Top => along(breaks, &|i| [vertex(i, last.1), vertex(i + 1, last.1)]),
-                Side::Left => along(levels, &|j| [vertex(0, j), vertex(0, j + 1)]),
-                Side::Right => along(levels, &|j| [vertex(last.0, j), vertex(last.0, j + 1)]),
-                Side::Ruling(t) => match breaks.iter().position(|b| (b - t).abs() < 1e-12) {
-                    Some(i) => along(levels, &|j| [vertex(i, j), vertex(i, j + 1)]),
-                    None => Vec::new(),
-                },
-            });
+            names.extend(named_edges(region, named, &vertex)?.into_iter().map(|edge| (edge, named.name)));
         }
         Mesh::new(vertices, &quads, &curves, &names)
     }
@@ -109,12 +97,73 @@ impl Mesh {
     }
 }
 
+/// How far a parameter may be from the break it stands for.
+const SAME: f64 = 1e-12;
+
+/// Refuses numbers that do not rise from the first end to the last, or are too few.
+fn check_rising(what: &str, values: &[f64], [first, last]: [f64; 2], fewest: usize) -> Result<(), Error> {
+    if values.len() < fewest {
+        let quantity = format!("the number of {what} of a ruled region");
+        let range = if fewest > 2 { "at least 4 for a closed one" } else { "at least 2" };
+        return Err(Error::OutOfRange { quantity, value: values.len() as f64, range });
+    }
+    let ends = [(0, first), (values.len() - 1, last)];
+    if let Some((i, _)) = ends.into_iter().find(|(i, end)| values[*i].is_nan() || (values[*i] - end).abs() > SAME) {
+        let quantity = format!("number {i} of the {what} of a ruled region");
+        let range = match (i, what) {
+            (0, "breaks") => "-1, the start of the curves",
+            (0, _) => "0, the bottom",
+            _ => "1, the end",
+        };
+        return Err(Error::OutOfRange { quantity, value: values[i], range });
+    }
+    match values.windows(2).position(|w| w[0].partial_cmp(&w[1]) != Some(Ordering::Less)) {
+        Some(i) => {
+            let quantity = format!("number {} of the {what} of a ruled region", i + 1);
+            Err(Error::OutOfRange { quantity, value: values[i + 1], range: "larger than the one before it" })
+        }
+        None => Ok(()),
+    }
+}
+
+/// The edges that a name stands for.
+fn named_edges(region: &Ruled<'_>, named: &Named<'_>, vertex: &dyn Fn(usize, usize) -> usize) -> Result<Vec<[usize; 2]>, Error> {
+    let (breaks, levels) = (region.breaks, region.levels);
+    let find = |values: &[f64], t: f64, quantity: String, range: &'static str| {
+        let found = values.iter().position(|b| (b - t).abs() < SAME);
+        found.ok_or(Error::OutOfRange { quantity, value: t, range })
+    };
+    let along = |values: &[f64], range: &'static str| match named.range {
+        None => Ok(0..values.len() - 1),
+        Some(ends) => {
+            let [from, to] = ends.map(|t| find(values, t, format!("an end of the range of \"{}\"", named.name), range));
+            let (from, to) = (from?, to?);
+            let quantity = || format!("the end of the range of \"{}\"", named.name);
+            if from >= to {
+                return Err(Error::OutOfRange { quantity: quantity(), value: ends[1], range: "larger than its start" });
+            }
+            Ok(from..to)
+        }
+    };
+    let row = |j: usize| Ok(along(breaks, "one of the breaks")?.map(|i| [vertex(i, j), vertex(i + 1, j)]).collect());
+    let column = |i: usize| Ok(along(levels, "one of the levels")?.map(|j| [vertex(i, j), vertex(i, j + 1)]).collect());
+    match named.side {
+        Side::Bottom => row(0),
+        Side::Top => row(levels.len() - 1),
+        Side::Left => column(0),
+        Side::Right => column(breaks.len() - 1),
+        Side::Ruling(t) => {
+            column(find(breaks, t, format!("the parameter of the ruling \"{}\"", named.name), "one of the breaks")?)
+        }
+    }
+}
+
 /// The curve of a level, if it is not straight between its vertices.
-fn level_curve(region: &Ruled<'_>, level: f64) -> Option<Curve> {
-    match level {
-        0.0 => Some(region.bottom),
-        1.0 => Some(region.top),
-        _ => between(&region.bottom, &region.top, level),
+fn level_curve(region: &Ruled<'_>, j: usize) -> Option<Curve> {
+    match j {
+        0 => Some(region.bottom),
+        _ if j + 1 == region.levels.len() => Some(region.top),
+        _ => between(&region.bottom, &region.top, region.levels[j]),
     }
 }
 
@@ -126,6 +175,6 @@ pub(crate) fn between(bottom: &Curve, top: &Curve, level: f64) -> Option<Curve> 
         {
             Some(Curve::Arc { centre, radius: (1.0 - level) * radius + level * r, from, to })
         }
-        _ => None,
+        (Curve::Line { .. } | Curve::Arc { .. } | Curve::Polynomial { .. }, _) => None,
     }
 }

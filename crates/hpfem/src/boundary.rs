@@ -4,6 +4,7 @@ use crate::curve::Curve;
 use crate::error::Error;
 use crate::mesh::Mesh;
 use crate::quadrature::gauss_lobatto;
+use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
 /// A point on the boundary of a body.
@@ -27,7 +28,8 @@ pub(crate) fn boundary_point(curve: &Curve, t: f64, clockwise: bool) -> (Boundar
     (BoundaryPoint { position: curve.point(t), outward: [tangent[1], -tangent[0]], tangent }, length)
 }
 
-/// Orders the edges of a boundary into a path: `(edge, against)` from the end with the smaller coordinates.
+/// Orders the edges of a boundary into a path of `(edge, against)`: an open one from the end with the smaller coordinates (first coordinate
+/// first), a closed one from its vertex with the smallest, with the body on its left (an inner line that closes: the cell of the lower number).
 pub(crate) fn path(mesh: &Mesh, name: &str) -> Result<Vec<(usize, bool)>, Error> {
     let edges = mesh.boundary(name)?;
     let broken = || Error::NotAPath { name: name.to_string() };
@@ -36,20 +38,31 @@ pub(crate) fn path(mesh: &Mesh, name: &str) -> Result<Vec<(usize, bool)>, Error>
         mesh.edges[*e].vertices.iter().for_each(|v| at.entry(*v).or_default().push(*e));
     }
     let ends: Vec<usize> = at.iter().filter(|(_, e)| e.len() == 1).map(|(v, _)| *v).collect();
-    if ends.len() != 2 || at.values().any(|e| e.len() > 2) {
+    if !matches!(ends.len(), 0 | 2) || at.values().any(|e| e.len() > 2) {
         return Err(broken());
     }
-    let key = |v: usize| (mesh.vertices[v][0], mesh.vertices[v][1]);
-    let mut vertex = if key(ends[0]) <= key(ends[1]) { ends[0] } else { ends[1] };
-    let mut last = usize::MAX;
+    let starts: Vec<usize> = if ends.is_empty() { at.keys().copied().collect() } else { ends };
+    let key = |v: usize| mesh.vertices[v];
+    let smaller = |a: &usize, b: &usize| key(*a).partial_cmp(&key(*b)).unwrap_or(Ordering::Equal);
+    let start = starts.into_iter().min_by(smaller).ok_or_else(broken)?;
+    let cells = mesh.edge_cells();
+    let leads = |e: &usize| (mesh.edges[*e].vertices[1] == start) != has_cell_on_left(mesh, cells[*e][0]);
+    let mut next = at[&start].iter().find(|e| leads(e)).or(at[&start].first()).copied();
+    let mut vertex = start;
     let mut walk = Vec::new();
-    while let Some(e) = at[&vertex].iter().copied().find(|e| *e != last) {
+    while let Some(e) = next {
         let against = mesh.edges[e].vertices[1] == vertex;
         walk.push((e, against));
         vertex = mesh.edges[e].vertices[usize::from(!against)];
-        last = e;
+        next = at[&vertex].iter().copied().find(|other| *other != e && vertex != start);
     }
     if walk.len() == edges.len() { Ok(walk) } else { Err(broken()) }
+}
+
+/// Whether a cell lies on the left of its local edge, walked in the edge's own direction.
+fn has_cell_on_left(mesh: &Mesh, (cell, local): (usize, usize)) -> bool {
+    // Local edges 0 and 1 run anti-clockwise.
+    (local < 2) != mesh.cells[cell].against[local]
 }
 
 /// Coefficients of the modes 2.. of a field on an edge, interpolated at Lobatto points, in the edge's own parameter.

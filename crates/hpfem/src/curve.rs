@@ -2,9 +2,21 @@
 
 use crate::legendre::legendre;
 use crate::quadrature::{barycentric_weights, gauss, gauss_lobatto, lagrange};
+use std::f64::consts::{PI, TAU};
 
 /// Highest degree of [`Curve::Polynomial`].
 pub const CURVE_DEGREE: usize = 8;
+
+/// `sqrt(2 (2k - 1))` of the modes `N_k = (P_k - P_{k-2}) / sqrt(2 (2k - 1))`, `k = 2..=8`.
+const MODE_SCALES: [f64; CURVE_DEGREE - 1] = [
+    2.449_489_742_783_178,
+    3.162_277_660_168_379_5,
+    3.741_657_386_773_941_3,
+    4.242_640_687_119_285,
+    4.690_415_759_823_43,
+    5.099_019_513_592_785,
+    5.477_225_575_051_661,
+];
 
 /// A plane curve with a parameter `t` in `[-1, 1]`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -182,6 +194,81 @@ impl Curve {
                 Curve::Polynomial { start: end, end: start, modes }
             }
         }
+    }
+
+    /// Position and derivative at `t` at once, up to round-off those of [`Curve::point`] and [`Curve::derivative`].
+    pub(crate) fn jet(&self, t: f64) -> ([f64; 2], [f64; 2]) {
+        match self {
+            Curve::Line { .. } => (self.point(t), self.derivative(t)),
+            Curve::Arc { centre, radius, from, to } => {
+                let (sin, cos) = (0.5 * ((1.0 - t) * from + (1.0 + t) * to)).sin_cos();
+                let rate = 0.5 * (to - from) * radius;
+                ([centre[0] + radius * cos, centre[1] + radius * sin], [-rate * sin, rate * cos])
+            }
+            Curve::Polynomial { start, end, modes } => {
+                let (a, b) = (0.5 * (1.0 - t), 0.5 * (1.0 + t));
+                let mut x = [0, 1].map(|i| a * start[i] + b * end[i]);
+                let mut d = [0, 1].map(|i| 0.5 * (end[i] - start[i]));
+                let mut p = [1.0, t];
+                for ((k, mode), scale) in (2..).zip(modes).zip(MODE_SCALES) {
+                    let next = next_legendre(k, t, p);
+                    let (shape, slope) = ((next - p[0]) / scale, 0.5 * scale * p[1]);
+                    for i in 0..2 {
+                        x[i] += shape * mode[i];
+                        d[i] += slope * mode[i];
+                    }
+                    p = [p[1], next];
+                }
+                (x, d)
+            }
+        }
+    }
+
+    /// A bound for the distance from the chord at the same parameter, by component: at most `radius (to - from)^2 / 8` on an arc, whose
+    /// second derivative is `radius ((to - from) / 2)^2`, and `|N_k| <= 2 / sqrt(2 (2k-1))` for the modes of a polynomial.
+    pub(crate) fn bulge(&self) -> [f64; 2] {
+        match self {
+            Curve::Line { .. } => [0.0; 2],
+            Curve::Arc { radius, from, to, .. } => [(radius * (to - from) * (to - from) / 8.0).min(2.0 * radius); 2],
+            Curve::Polynomial { modes, .. } => {
+                let bound = |i: usize| modes.iter().zip(MODE_SCALES).map(|(m, scale)| m[i].abs() * 2.0 / scale).sum();
+                [bound(0), bound(1)]
+            }
+        }
+    }
+
+    /// The same curve between other ends: a line between them, a part of the same circle if they lie on it up to 1e-10 of the
+    /// length, otherwise the polynomial to which the shifts of the ends are added linearly.
+    pub(crate) fn with_ends(&self, start: [f64; 2], end: [f64; 2]) -> Curve {
+        if self.point(-1.0) == start && self.point(1.0) == end {
+            return *self;
+        }
+        match *self {
+            Curve::Line { .. } => Curve::Line { start, end },
+            Curve::Arc { centre, radius, from, to } => {
+                let near = 1e-10 * self.length() + 1e-14 * (radius + centre[0].abs() + centre[1].abs());
+                let on = |x: [f64; 2]| ((x[0] - centre[0]).hypot(x[1] - centre[1]) - radius).abs() <= near;
+                // The angle of a point next to a given one.
+                let angle = |x: [f64; 2], near: f64| {
+                    let a = (x[1] - centre[1]).atan2(x[0] - centre[0]);
+                    near + (a - near + PI).rem_euclid(TAU) - PI
+                };
+                if on(start) && on(end) {
+                    return Curve::Arc { centre, radius, from: angle(start, from), to: angle(end, to) };
+                }
+                self.interpolated_between(start, end)
+            }
+            Curve::Polynomial { modes, .. } => Curve::Polynomial { start, end, modes },
+        }
+    }
+
+    /// The polynomial of degree [`CURVE_DEGREE`] through the points of the curve, each moved by its share of the shifts of the ends.
+    fn interpolated_between(&self, start: [f64; 2], end: [f64; 2]) -> Curve {
+        let (a, b) = (self.point(-1.0), self.point(1.0));
+        Curve::interpolated(CURVE_DEGREE, |t| {
+            let (x, low, high) = (self.point(t), 0.5 * (1.0 - t), 0.5 * (1.0 + t));
+            [0, 1].map(|i| x[i] + low * (start[i] - a[i]) + high * (end[i] - b[i]))
+        })
     }
 
     /// Length of the curve, mm.

@@ -144,7 +144,7 @@ impl Mesh {
                 let share = 0.5 * (1.0 + at);
                 Curve::Arc { centre, radius: (1.0 - share) * radius + share * r, from, to }
             }
-            _ => Curve::interpolated(CURVE_DEGREE, point),
+            [Curve::Line { .. } | Curve::Arc { .. } | Curve::Polynomial { .. }, _] => Curve::interpolated(CURVE_DEGREE, point),
         }
     }
 }

@@ -3,8 +3,8 @@
 use crate::boundary::path;
 use crate::error::Error;
 use crate::load_case::{BoundaryTraction, EdgeTraction, Load, LoadCase, PointForce};
-use crate::locate::locate;
 use crate::mesh::Mesh;
+use crate::point_search::PointSearch;
 use std::collections::BTreeMap;
 
 /// A traction on an edge, or on a part of it.
@@ -94,7 +94,7 @@ impl<'a> Loads<'a> {
     }
 
     fn push_point(&mut self, mesh: &Mesh, (case, load): (usize, &PointForce)) -> Result<(), Error> {
-        let (cell, xi, eta) = locate(mesh, load.at)?;
+        let (cell, xi, eta) = PointSearch::new(mesh).locate(load.at)?;
         self.points.entry(cell).or_default().push(CellForce { case, reference: [xi, eta], force: load.force });
         Ok(())
     }

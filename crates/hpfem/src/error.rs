@@ -67,13 +67,17 @@ pub enum Error {
         motion: String,
     },
     /// Elimination met a pivot without stiffness although the body is held.
-    #[error("elimination met a pivot without stiffness at {place}: moduli, lengths or degrees there are too far apart for the digits there are")]
+    #[error(
+        "elimination met a pivot without stiffness at {place}: moduli, lengths or degrees there are too far apart for the digits there are"
+    )]
     NoStiffness {
         /// Words for the place.
         place: String,
     },
     /// The loads work on a motion that nothing holds.
-    #[error("the loads do not balance: nothing holds the body, {motion}, and the load along that motion is {load:.3e}; add a support, or balance the loads")]
+    #[error(
+        "the loads do not balance: nothing holds the body, {motion}, and the load along that motion is {load:.3e}; add a support, or balance the loads"
+    )]
     Unbalanced {
         /// The free motion in words.
         motion: String,
@@ -81,7 +85,9 @@ pub enum Error {
         load: f64,
     },
     /// One displacement component is prescribed twice, with two values.
-    #[error("\"{boundary}\" prescribes {value:e} at {place}, where another support prescribes {known:e} along the same direction")]
+    #[error(
+        "\"{boundary}\" prescribes {value:e} at {place}, where another support prescribes {known:e} along the same direction"
+    )]
     HeldTwice {
         /// The boundary of the second support.
         boundary: String,
@@ -229,5 +235,96 @@ pub enum Error {
         bytes: u64,
         /// The limit, bytes.
         limit: u64,
+    },
+    /// A mesh without cells.
+    #[error("a mesh needs at least one cell, but has none")]
+    NoCells,
+    /// Two cells lie on one place.
+    #[error("the middle of cell {a}, ({x:.6}, {z:.6}), lies inside cell {b}; bodies on one place must share their cells")]
+    CellsOverlap {
+        /// The cell whose middle it is.
+        a: usize,
+        /// The cell that holds it.
+        b: usize,
+        /// First coordinate of the middle, mm.
+        x: f64,
+        /// Second coordinate of the middle, mm.
+        z: f64,
+    },
+    /// Two meshes to be joined have no edge in common.
+    #[error("the meshes share no edge within {tolerance:.3e}; their closest boundary vertices are {distance:.3e} apart")]
+    NotTouching {
+        /// Distance up to which vertices are merged, mm.
+        tolerance: f64,
+        /// Distance of the closest two boundary vertices, mm.
+        distance: f64,
+    },
+    /// A vertex of one mesh has more than one partner in the other.
+    #[error(
+        "more than one vertex lies within {tolerance:.3e} of the vertex at ({x:.6}, {z:.6}) on the other mesh; take a smaller tolerance, or join away from slits"
+    )]
+    AmbiguousVertex {
+        /// Distance up to which vertices are merged, mm.
+        tolerance: f64,
+        /// First coordinate of the vertex, mm.
+        x: f64,
+        /// Second coordinate of the vertex, mm.
+        z: f64,
+    },
+    /// The edges of two meshes between the same vertices run differently.
+    #[error("the edges of the two meshes at ({x:.6}, {z:.6}) are {distance:.3e} apart, but must be the same curve")]
+    CurvesDisagree {
+        /// First coordinate of the place, mm.
+        x: f64,
+        /// Second coordinate of the place, mm.
+        z: f64,
+        /// Distance of the curves there, mm.
+        distance: f64,
+    },
+    /// A vertex of one mesh lies on an edge of the other, between its ends.
+    #[error(
+        "the vertex at ({x:.6}, {z:.6}) of one mesh lies between the ends of an edge of the other; cut that edge there first"
+    )]
+    HangingVertex {
+        /// First coordinate of the vertex, mm.
+        x: f64,
+        /// Second coordinate of the vertex, mm.
+        z: f64,
+    },
+    /// Two meshes to be joined lie on one place.
+    #[error("the meshes overlap at ({x:.6}, {z:.6})")]
+    MeshesOverlap {
+        /// First coordinate of the place, mm.
+        x: f64,
+        /// Second coordinate of the place, mm.
+        z: f64,
+    },
+    /// A boundary does not lie on the circle or line that it shall lie on.
+    #[error("vertex {vertex} of boundary \"{boundary}\" is {distance:.3e} away from the outline, more than {allowed:.3e}")]
+    OffOutline {
+        /// Name of the boundary.
+        boundary: String,
+        /// The vertex.
+        vertex: usize,
+        /// Its distance from the outline, mm.
+        distance: f64,
+        /// The distance allowed, mm.
+        allowed: f64,
+    },
+    /// An edge of a boundary runs elsewhere than the circle or line that it shall lie on.
+    #[error(
+        "the edge {a}-{b} of boundary \"{boundary}\" has its middle {distance:.3e} away from the outline, more than {allowed:.3e}: it runs elsewhere"
+    )]
+    EdgeOffOutline {
+        /// Name of the boundary.
+        boundary: String,
+        /// First vertex of the edge.
+        a: usize,
+        /// Second vertex of the edge.
+        b: usize,
+        /// Distance of its middle from the outline, mm.
+        distance: f64,
+        /// The distance allowed, mm.
+        allowed: f64,
     },
 }

@@ -1,6 +1,7 @@
 //! Error estimates from a sequence of degrees.
 
 use crate::bisect::bisect;
+use crate::error::Error;
 
 /// Energy of the exact solution and error of the last of three, extrapolated.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,23 +49,33 @@ pub fn energy_estimate(solutions: [(usize, f64); 3]) -> Option<EnergyEstimate> {
 /// Relative error of the last of a sequence of approximations of ever higher degree, from their differences in the Euclidean norm:
 /// if the differences `d_k = |q_k - q_{k-1}|` fall by the factor `rho`, what is left is `d rho / (1 - rho)`. With two approximations
 /// only, their difference; `rho` is the geometric mean of the last two ratios and is kept in `[0.05, 0.9]`, so that one lucky small difference does not
-/// end a run. The result is doubled: better twice too large than a little too small.
-pub fn sequence_estimate(sequence: &[Vec<f64>]) -> Option<f64> {
+/// end a run. The result is doubled: better twice too large than a little too small. If the last approximation is zero it is the last
+/// difference itself, in the unit of the quantities.
+///
+/// # Errors
+/// [`Error::Count`] for fewer than two approximations, and for two of different lengths.
+pub fn sequence_estimate(sequence: &[Vec<f64>]) -> Result<f64, Error> {
+    let [.., before, end] = sequence else {
+        return Err(Error::Count { what: "approximations to compare".into(), given: sequence.len(), expected: 2 });
+    };
+    if let Some((i, other)) = sequence.iter().enumerate().find(|(_, other)| other.len() != end.len()) {
+        let what = format!("quantities of approximation {i}, as many as of the last");
+        return Err(Error::Count { what, given: other.len(), expected: end.len() });
+    }
     let norm = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
-    let differences: Vec<f64> =
-        sequence.windows(2).map(|w| norm(&w[0].iter().zip(&w[1]).map(|(a, b)| a - b).collect::<Vec<_>>())).collect();
-    let size = norm(sequence.last()?);
-    let last = *differences.last()?;
+    let difference = |a: &[f64], b: &[f64]| norm(&a.iter().zip(b).map(|(a, b)| a - b).collect::<Vec<_>>());
+    let differences: Vec<f64> = sequence.windows(2).map(|w| difference(&w[0], &w[1])).collect();
+    let (size, last) = (norm(end), difference(before, end));
     if size == 0.0 || last == 0.0 {
-        return Some(last);
+        return Ok(last);
     }
     let n = differences.len();
     if n == 1 {
-        return Some(last / size);
+        return Ok(last / size);
     }
     let ratios = &differences[n.saturating_sub(3)..];
     let rho = (last / ratios[0]).powf(1.0 / (ratios.len() - 1) as f64).clamp(0.05, 0.9);
     // The larger of the last two differences, brought to the last level: one difference alone may be small by chance.
     let steady = last.max(rho * differences[n - 2]);
-    Some(2.0 * steady * rho / (1.0 - rho) / size)
+    Ok(2.0 * steady * rho / (1.0 - rho) / size)
 }

@@ -5,26 +5,27 @@ use crate::cell_point::{CellPoint, cell_rule};
 use crate::error::Error;
 use crate::kinematics::Kinematics;
 use crate::load_case::{BodyPoint, Eigenstrain, Load};
-use crate::locate::locate;
 use crate::material::Material;
 use crate::mesh::Mesh;
 use crate::moduli::Moduli;
+use crate::point_search::CellBoxes;
 use crate::problem::BodyProblem;
 use crate::space::Space;
 use crate::stress::Stress;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// A displacement field with its stresses. It owns all it needs and can be sent to a thread.
 #[derive(Clone)]
 pub struct Field {
     mesh: Arc<Mesh>,
-    kinematics: Kinematics,
+    pub(crate) kinematics: Kinematics,
     materials: Vec<Material>,
     degrees: Vec<usize>,
     components: usize,
     cells: Vec<(LocalModes, Vec<f64>)>,
     /// Eigenstrains with the factors of their load cases.
     eigenstrains: Vec<(f64, Eigenstrain)>,
+    search: OnceLock<CellBoxes>,
 }
 
 /// What a field is made of.
@@ -67,6 +68,7 @@ impl Field {
             components: space.components,
             cells,
             eigenstrains,
+            search: OnceLock::new(),
         }
     }
 
@@ -82,7 +84,7 @@ impl Field {
         for cell in 0..self.cells.len() {
             for ([xi, eta], weight) in cell_rule(self.mesh.cells[cell].is_triangle(), self.degrees[cell] + 3) {
                 let point = CellPoint::new(&self.mesh, cell, self.degrees[cell], xi, eta);
-                let (value, gradient) = self.state(cell, &point);
+                let (value, gradient) = self.state(&self.cells[cell], &point);
                 let strain = self.elastic_strain(cell, [xi, eta], &point, (value, gradient));
                 let moduli = self.materials[self.mesh.cells[cell].material].moduli(self.kinematics);
                 let stress = moduli.stress(strain, self.kinematics);
@@ -94,9 +96,15 @@ impl Field {
     }
 
     /// State at the reference point `(xi, eta)` of a cell; in a triangle the side `eta = 1` is corner 2, see [`Cell`](crate::Cell).
-    pub fn at(&self, cell: usize, xi: f64, eta: f64) -> PointState {
+    ///
+    /// # Errors
+    /// [`Error::Count`] for a cell that the mesh does not have.
+    pub fn at(&self, cell: usize, xi: f64, eta: f64) -> Result<PointState, Error> {
+        let beyond =
+            || Error::Count { what: format!("cell {cell} of the field, cells"), given: cell + 1, expected: self.cells.len() };
+        let local = self.cells.get(cell).ok_or_else(beyond)?;
         let point = CellPoint::new(&self.mesh, cell, self.degrees[cell], xi, eta);
-        let (value, gradient) = self.state(cell, &point);
+        let (value, gradient) = self.state(local, &point);
         let moduli = self.materials[self.mesh.cells[cell].material].moduli(self.kinematics);
         let stress = match moduli {
             Moduli::Isotropic { c11, c12, shear } if self.eigenstrains.is_empty() => {
@@ -106,12 +114,11 @@ impl Field {
                 moduli.stress(self.elastic_strain(cell, [xi, eta], &point, (value, gradient)), self.kinematics)
             }
         };
-        PointState { displacement: value, gradient, stress }
+        Ok(PointState { displacement: value, gradient, stress })
     }
 
-    /// Displacement and its gradient at a point of a cell.
-    fn state(&self, cell: usize, point: &CellPoint) -> ([f64; 2], [[f64; 2]; 2]) {
-        let (local, u) = &self.cells[cell];
+    /// Displacement and its gradient at a point of a cell, given with its modes and coefficients.
+    fn state(&self, (local, u): &(LocalModes, Vec<f64>), point: &CellPoint) -> ([f64; 2], [[f64; 2]; 2]) {
         let [[xx, xe], [zx, ze]] = point.derivative;
         let jacobian = point.jacobian();
         let mut value = [0.0; 2];
@@ -134,13 +141,7 @@ impl Field {
     }
 
     /// Strains `[xx, zz, gamma_xz, yy]` at a point without the eigenstrains, of a scalar problem its two strains.
-    fn elastic_strain(
-        &self,
-        cell: usize,
-        reference: [f64; 2],
-        point: &CellPoint,
-        (u, g): ([f64; 2], [[f64; 2]; 2]),
-    ) -> [f64; 4] {
+    fn elastic_strain(&self, cell: usize, reference: [f64; 2], point: &CellPoint, (u, g): ([f64; 2], [[f64; 2]; 2])) -> [f64; 4] {
         let hoop = self.hoop_strain(cell, point.position[0], u, g);
         let mut strain = match self.kinematics {
             Kinematics::Torsion => [g[0][0] - hoop, g[0][1], 0.0, 0.0],
@@ -179,22 +180,17 @@ impl Field {
         self.mesh.map(cell, xi, eta).0
     }
 
-    /// The cell that holds a point (mm) and its reference coordinates, `(cell, xi, eta)`, by Newton's method on the map of nearby cells.
+    /// The cell that holds a point (mm) and its reference coordinates, `(cell, xi, eta)`, as by [`PointSearch::locate`]; the search is
+    /// built with the first point.
     ///
     /// # Errors
     /// [`Error::OutsideMesh`].
     pub fn locate(&self, x: [f64; 2]) -> Result<(usize, f64, f64), Error> {
-        locate(&self.mesh, x)
+        self.search.get_or_init(|| CellBoxes::new(&self.mesh)).locate(&self.mesh, x)
     }
 
     /// Stress in an isotropic material, in the order of operations of its own law.
-    fn isotropic_stress(
-        &self,
-        cell: usize,
-        [c11, c12, shear]: [f64; 3],
-        r: f64,
-        (u, g): ([f64; 2], [[f64; 2]; 2]),
-    ) -> [f64; 4] {
+    fn isotropic_stress(&self, cell: usize, [c11, c12, shear]: [f64; 3], r: f64, (u, g): ([f64; 2], [[f64; 2]; 2])) -> [f64; 4] {
         let hoop = self.hoop_strain(cell, r, u, g);
         let in_plane = || [c11 * g[0][0] + c12 * g[1][1], c11 * g[1][1] + c12 * g[0][0], shear * (g[0][1] + g[1][0])];
         match self.kinematics {

@@ -13,7 +13,11 @@ use faer::{Mat, Scale, Side};
 /// columns `F_k` are the condensed load cases, then one column of prescribed displacements, then the reaction functionals, three a support
 /// and then three a pin: `columns = load cases + 1 + 3 (supports + pins)`. Units follow the unknowns: mm, and rad for a rotation `theta`.
 #[derive(Clone, Debug)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(try_from = "InterfaceParts", into = "InterfaceParts"))]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize, serde::Deserialize),
+    serde(try_from = "InterfaceParts", into = "InterfaceParts")
+)]
 pub struct InterfaceOperator {
     /// Kinematics of the body.
     pub kinematics: Kinematics,
@@ -92,7 +96,11 @@ impl InterfaceParts {
             return Err(Error::Count { what: what.into(), given, expected });
         }
         if self.traces.iter().any(|trace| !trace.is_sound()) || self.frame.iter().flatten().any(|unknown| *unknown >= n) {
-            return Err(Error::Count { what: "a kept unknown that a boundary names, kept unknowns".into(), given: n + 1, expected: n });
+            return Err(Error::Count {
+                what: "a kept unknown that a boundary names, kept unknowns".into(),
+                given: n + 1,
+                expected: n,
+            });
         }
         let matrices = [&self.stiffness, &self.columns, &self.work, &self.rigid_modes, &self.reaction_constant];
         if let Some(value) = matrices.iter().flat_map(|m| m.col_iter()).flat_map(|c| c.iter()).find(|v| !v.is_finite()) {

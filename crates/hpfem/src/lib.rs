@@ -29,7 +29,8 @@
 //!
 //! # Where to start
 //!
-//! [`Mesh::new`] or [`Mesh::ruled`] or [`GmshMesh::read`], then [`Body::new`], [`Body::solve`], [`Body::field`], [`Field::at`];
+//! [`Mesh::new`] or [`Mesh::ruled`] or [`GmshMesh::read`] (with [`Mesh::with_outline`] for its round boundaries), [`Mesh::join`] for bodies of
+//! several parts, then [`Body::new`], [`Body::solve`], [`Body::field`], [`Field::at`];
 //! [`Body::interface`] gives the interface operator alone, in less memory, and [`Body::sizes`] the sizes and the memory beforehand.
 //! [`singular_vertices`] and [`adapt`] choose mesh and degrees for an accuracy. The README has a whole program and an extension guide.
 //!
@@ -50,6 +51,8 @@ mod bisect;
 mod blocks;
 mod body;
 mod boundary;
+mod box_tree;
+mod cell_grid;
 mod cell_matrix;
 mod cell_point;
 mod check;
@@ -65,6 +68,8 @@ mod elimination;
 mod error;
 mod estimate;
 mod field;
+#[cfg(feature = "vtu")]
+mod field_vtu;
 mod foundation;
 mod freedom;
 mod front;
@@ -73,13 +78,13 @@ mod gmsh_error;
 mod gmsh_read;
 mod holding;
 mod interface;
+mod join;
 mod kept;
 mod kinematics;
 mod later_load;
 mod legendre;
 mod load_case;
 mod loads;
-mod locate;
 mod material;
 #[cfg(feature = "serde")]
 mod matrix_text;
@@ -88,8 +93,11 @@ mod minimum_degree;
 mod modes;
 mod moduli;
 mod ordered;
+mod outline;
+mod overlap;
 mod own_element;
 mod plan;
+mod point_search;
 mod problem;
 mod quadrature;
 mod reduce;
@@ -109,6 +117,8 @@ mod trace;
 mod triangle;
 mod triangle_matrix;
 mod volume_load;
+#[cfg(feature = "vtu")]
+mod vtu;
 
 pub use adapt::{AdaptStatus, Adapted, adapt, graded_level};
 pub use basis::{MAX_DEGREE, SpaceKind};
@@ -116,6 +126,7 @@ pub use bisect::bisect;
 pub use blocks::{Named, Ruled, Side};
 pub use body::Body;
 pub use boundary::BoundaryPoint;
+pub use cell_grid::CellGrid;
 pub use curve::{CURVE_DEGREE, Curve};
 pub use effort::{Clock, Effort};
 pub use error::Error;
@@ -125,13 +136,16 @@ pub use freedom::{Direction, Foundation, Pin, Profile, RigidEdge, Support};
 pub use gmsh::GmshMesh;
 pub use gmsh_error::GmshError;
 pub use interface::{InterfaceOperator, InterfaceParts, InterfaceState};
-pub use legendre::{legendre, shape_functions};
+pub use join::Joint;
 pub use kinematics::Kinematics;
+pub use legendre::{legendre, shape_functions};
 pub use load_case::{BodyForce, BodyPoint, BoundaryTraction, EdgeTraction, Eigenstrain, Load, LoadCase, PointForce, StrainAt};
 pub use material::{MAX_POISSON, Material, Orthotropic};
 pub use mesh::{CELL_EDGES, Cell, Edge, Mesh, Quad};
 pub use modes::Mode;
 pub use moduli::Moduli;
+pub use outline::Outline;
+pub use point_search::PointSearch;
 pub use problem::BodyProblem;
 pub use quadrature::{Quadrature, barycentric_weights, gauss, gauss_lobatto, gauss_lobatto_jacobi, lagrange};
 pub use singular::{Constants, Corner, Face, Sector, SingularVertex, corner_exponent, singular_vertices};
@@ -140,6 +154,8 @@ pub use sliding_edge::{SlidingEdge, sliding_edge};
 pub use sparse::{Element, SparseBody};
 pub use stress::Stress;
 pub use trace::{Trace, TraceEdge, TraceLoad, TracePoint};
+#[cfg(feature = "vtu")]
+pub use vtu::{Vtu, VtuArray, VtuKind};
 
 /// The program of the README, compiled and run with the documentation tests.
 #[doc = include_str!("../README.md")]

@@ -285,10 +285,5 @@ fn conjugated(turn: &[[f64; 2]; 2], m: &[[f64; 2]; 2]) -> [[f64; 2]; 2] {
 
 /// What an orthogonal map of the plane makes of the stresses `[xx, zz, yy, xz]`.
 fn stress_turn([[a, b], [c, d]]: [[f64; 2]; 2]) -> [[f64; 4]; 4] {
-    [
-        [a * a, b * b, 0.0, 2.0 * a * b],
-        [c * c, d * d, 0.0, 2.0 * c * d],
-        [0.0, 0.0, 1.0, 0.0],
-        [a * c, b * d, 0.0, a * d + b * c],
-    ]
+    [[a * a, b * b, 0.0, 2.0 * a * b], [c * c, d * d, 0.0, 2.0 * c * d], [0.0, 0.0, 1.0, 0.0], [a * c, b * d, 0.0, a * d + b * c]]
 }

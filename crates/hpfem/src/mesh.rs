@@ -89,8 +89,9 @@ impl Mesh {
     /// `curves` and `names` refer to edges by their two vertices in any order; a curve runs from the first vertex given.
     ///
     /// # Errors
-    /// [`Error::NoSuchEdge`], [`Error::CurveMissesVertex`], [`Error::FoldedCell`], [`Error::Overlapping`], numbers that are
-    /// not finite, corners that do not exist.
+    /// [`Error::NoCells`], [`Error::NoSuchEdge`], [`Error::CurveMissesVertex`], [`Error::FoldedCell`], [`Error::Overlapping`];
+    /// [`Error::CellsOverlap`] if the middle of one cell lies inside another; [`Error::OutOfRange`] for numbers that are not finite,
+    /// [`Error::Count`] for corners that do not exist.
     pub fn new(
         vertices: Vec<[f64; 2]>,
         quads: &[Quad],
@@ -99,6 +100,7 @@ impl Mesh {
     ) -> Result<Mesh, Error> {
         let mesh = Mesh::joined(vertices, quads, curves, names)?;
         mesh.check_cells()?;
+        mesh.check_overlap()?;
         Ok(mesh)
     }
 
@@ -109,6 +111,9 @@ impl Mesh {
         curves: &[([usize; 2], Curve)],
         names: &[([usize; 2], &str)],
     ) -> Result<Mesh, Error> {
+        if quads.is_empty() {
+            return Err(Error::NoCells);
+        }
         check_vertices(&vertices, quads)?;
         let mut mesh = Mesh { vertices, ..Mesh::default() };
         let mut index = EdgeIndex { first: vec![usize::MAX; mesh.vertices.len()], next: Vec::new() };
@@ -160,7 +165,7 @@ impl Mesh {
         // Deep layers are so small that the round-off of their coordinates counts.
         let circle = match &curve {
             Curve::Arc { centre, radius, .. } => radius + centre[0].abs().max(centre[1].abs()),
-            _ => 0.0,
+            Curve::Line { .. } | Curve::Polynomial { .. } => 0.0,
         };
         let size = self.vertices[a].iter().fold(circle, |m, x| m.max(x.abs()));
         let round_off = 64.0 * f64::EPSILON * size;

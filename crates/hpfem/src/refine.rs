@@ -131,6 +131,8 @@ impl Mesh {
             vertices.push(self.map(c, 0.0, 0.0).0);
             quads.extend((0..4).map(|k| quad([cell.corners[k], middle[k], centre, middle[(k + 3) % 4]])));
         }
-        Mesh::new(vertices, &quads, &curves, &names)
+        let mesh = Mesh::joined(vertices, &quads, &curves, &names)?;
+        mesh.check_cells()?;
+        Ok(mesh)
     }
 }

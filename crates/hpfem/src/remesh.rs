@@ -90,7 +90,9 @@ impl Mesh {
         }
         let quads: Vec<Quad> =
             self.cells.iter().map(|c| Quad { corners: c.corners, material: c.material, layer: c.layer }).collect();
-        Mesh::new(vertices, &quads, &curves, &names)
+        let mesh = Mesh::joined(vertices, &quads, &curves, &names)?;
+        mesh.check_cells()?;
+        Ok(mesh)
     }
 }
 
@@ -107,6 +109,6 @@ fn joined(a: &Curve, b: &Curve) -> Option<Curve> {
             // The second angle may be a full turn off.
             (same && (to - from) * (t - f) > 0.0).then_some(Curve::Arc { centre, radius, from, to: to + (t - f) })
         }
-        _ => None,
+        (Curve::Line { .. } | Curve::Arc { .. } | Curve::Polynomial { .. }, _) => None,
     }
 }

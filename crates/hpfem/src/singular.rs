@@ -85,7 +85,7 @@ impl Constants {
 /// vertices where a boundary in `loaded` ends.
 ///
 /// # Errors
-/// [`Error::NoSuchBoundary`]; [`Error::Anisotropic`].
+/// [`Error::NoSuchBoundary`]; [`Error::Anisotropic`]; [`Error::Count`] for a cell whose material is not among the `materials`.
 pub fn singular_vertices(
     mesh: &Mesh,
     kinematics: Kinematics,
@@ -93,6 +93,7 @@ pub fn singular_vertices(
     supports: &[Support],
     loaded: &[&str],
 ) -> Result<Vec<SingularVertex>, Error> {
+    check_materials(mesh, materials)?;
     let constants = Constants::of(materials, kinematics)?;
     let wedges = Wedges { mesh, sides: mesh.edge_cells(), constants, held: held(mesh, supports)?, kinematics };
     // Number of the load on each edge; jumps are where it changes along the boundary.
@@ -126,6 +127,17 @@ pub fn singular_vertices(
         }
     }
     Ok(found)
+}
+
+/// Refuses cells of a material that is not given.
+fn check_materials(mesh: &Mesh, materials: &[Material]) -> Result<(), Error> {
+    match mesh.cells.iter().position(|cell| cell.material >= materials.len()) {
+        Some(cell) => {
+            let (what, expected) = (format!("materials for cell {cell}"), mesh.cells[cell].material + 1);
+            Err(Error::Count { what, given: materials.len(), expected })
+        }
+        None => Ok(()),
+    }
 }
 
 /// Directions held on every edge.
@@ -163,7 +175,7 @@ impl Corner {
     /// The wedge of a body with the given supports at a boundary vertex, its sectors anti-clockwise; none inside the body.
     ///
     /// # Errors
-    /// [`Error::NoSuchBoundary`]; [`Error::Anisotropic`].
+    /// [`Error::NoSuchBoundary`]; [`Error::Anisotropic`]; [`Error::Count`] for a cell whose material is not among the `materials`.
     pub fn at(
         mesh: &Mesh,
         vertex: usize,
@@ -171,6 +183,7 @@ impl Corner {
         materials: &[Material],
         supports: &[Support],
     ) -> Result<Option<Corner>, Error> {
+        check_materials(mesh, materials)?;
         let constants = Constants::of(materials, kinematics)?;
         let wedges = Wedges { mesh, sides: mesh.edge_cells(), constants, held: held(mesh, supports)?, kinematics };
         let touching = |(c, cell): (usize, &crate::mesh::Cell)| cell.vertices().iter().position(|v| *v == vertex).map(|k| (c, k));

@@ -221,7 +221,8 @@ impl SparseBody {
 
     fn collected(&self, entries: &[Triplet<usize, usize, f64>]) -> Result<SparseColMat<usize, f64>, Error> {
         let n = self.unknowns();
-        let too_large = |_| Error::Count { what: "entries of a sparse matrix".into(), given: entries.len(), expected: usize::MAX };
+        let too_large =
+            |_| Error::Count { what: "entries of a sparse matrix".into(), given: entries.len(), expected: usize::MAX };
         SparseColMat::try_new_from_triplets(n, n, entries).map_err(too_large)
     }
 

@@ -4,8 +4,8 @@ use crate::boundary::{BoundaryPoint, boundary_point};
 use crate::curve::Curve;
 use crate::freedom::rigid_rows;
 use crate::kept::Kept;
-use crate::legendre::shape_functions;
 use crate::kinematics::Kinematics;
+use crate::legendre::shape_functions;
 use crate::mesh::Mesh;
 use crate::quadrature::{gauss_lobatto, gauss_lobatto_jacobi};
 use crate::space::Space;
@@ -45,6 +45,8 @@ pub struct Trace {
     pub points: Vec<TracePoint>,
     /// Number of kept unknowns, those of the rigid edge included.
     pub unknowns: usize,
+    /// Whether the path ends where it starts; that point is there once, as the first.
+    pub closed: bool,
     components: usize,
 }
 
@@ -107,7 +109,13 @@ impl TraceEdge {
 impl Trace {
     pub(crate) fn new(mesh: &Mesh, space: &Space, kinematics: Kinematics, (kept, walk): (&Kept, &[(usize, bool)])) -> Trace {
         let neighbours = mesh.edge_cells();
-        let mut trace = Trace { edges: Vec::new(), points: Vec::new(), unknowns: kept.unknowns, components: space.components };
+        let mut trace = Trace {
+            edges: Vec::new(),
+            points: Vec::new(),
+            unknowns: kept.unknowns,
+            closed: is_closed(mesh, walk),
+            components: space.components,
+        };
         let mut arc = 0.0;
         for (edge, against) in walk {
             let (cell, local) = neighbours[*edge][0];
@@ -141,7 +149,11 @@ impl Trace {
                 };
                 let weight = w * length * measure;
                 let arc = edge.start + edge.curve.length_until(*t);
-                if i == 0 && number > 0 {
+                if self.closed && number + 1 == self.edges.len() && i + 1 == n {
+                    if let Some(first) = self.points.first_mut() {
+                        first.weight += weight;
+                    }
+                } else if i == 0 && number > 0 {
                     if let Some(shared) = self.points.last_mut() {
                         shared.weight += weight;
                     }
@@ -261,6 +273,15 @@ impl Trace {
         for (total, m) in load.resultant.iter_mut().zip(rigid_rows(x, [0.0, 0.0])) {
             *total += force[0] * m[0] + force[1] * m[1];
         }
+    }
+}
+
+/// Whether a walk along edges ends at the vertex where it starts.
+fn is_closed(mesh: &Mesh, walk: &[(usize, bool)]) -> bool {
+    let end = |(edge, against): &(usize, bool), last: bool| mesh.edges[*edge].vertices[usize::from(*against != last)];
+    match walk {
+        [first, .., last] => end(first, false) == end(last, true),
+        _ => false,
     }
 }
 

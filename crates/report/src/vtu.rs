@@ -4,7 +4,7 @@
 //! `bodyN.lagrange.vtu` keeps it whole as a Lagrange quadrilateral or triangle (VTK types 70 and 69), on which the displacement is exact,
 //! and the geometry and the stresses are interpolated in the points.
 
-use base64::Engine;
+use hpfem::{Vtu, VtuArray, VtuKind};
 use wearshape::{BodyField, CellField, CellGrid, FieldFrame};
 
 /// Flat pieces, or whole cells.
@@ -45,56 +45,50 @@ fn collection(series: &[(f64, usize, String)]) -> String {
 }
 
 fn vtu(body: &BodyField, cut: Cut) -> String {
-    let points: usize = body.cells.iter().map(|cell| cell.position.len()).sum();
-    let mut connectivity: Vec<i64> = Vec::new();
-    let mut offsets: Vec<i64> = Vec::new();
-    let mut degrees: Vec<f64> = Vec::new();
-    let mut types: Vec<u8> = Vec::new();
+    let mut cells = Vec::new();
+    let mut degrees = Vec::new();
     let mut first = 0;
     for cell in &body.cells {
         for nodes in elements(cell.grid, cut) {
-            types.push(vtk_type(cell.grid, cut));
-            connectivity.extend(nodes.iter().map(|node| (first + node) as i64));
-            offsets.push(connectivity.len() as i64);
+            cells.push((vtk_kind(cell.grid, cut), nodes.into_iter().map(|node| first + node).collect()));
             degrees.push(cell.grid.degree as f64);
         }
         first += cell.position.len();
     }
-    let mut out = format!(
-        "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n\
-         <UnstructuredGrid>\n<Piece NumberOfPoints=\"{points}\" NumberOfCells=\"{}\">\n",
-        offsets.len()
-    );
-    out += "<PointData Vectors=\"displacement_mm\" Scalars=\"von_mises_MPa\">\n";
-    let all = |value: &dyn Fn(&CellField, usize) -> f64| -> Vec<f64> {
-        body.cells.iter().flat_map(|cell| (0..cell.position.len()).map(|row| value(cell, row)).collect::<Vec<f64>>()).collect()
+    let positions = body.cells.iter().flat_map(|cell| cell.position.iter().flat_map(|[x, z]| [*x, 0.0, *z])).collect();
+    let file = Vtu {
+        points: VtuArray::new("position_mm", 3, positions),
+        cells,
+        point_arrays: point_arrays(body),
+        cell_arrays: vec![VtuArray::new("degree", 1, degrees)],
+        vectors: "displacement_mm".into(),
+        scalars: "von_mises_MPa".into(),
     };
-    let displacement: Vec<f64> = body.cells.iter().flat_map(|cell| cell.displacement.iter().flatten().copied()).collect();
-    out += &array("displacement_mm", 3, &displacement);
+    file.text().expect("every point of a cell has its values")
+}
+
+/// Displacement and stresses at all points.
+fn point_arrays(body: &BodyField) -> Vec<VtuArray> {
+    let all = |name: &str, value: &dyn Fn(&CellField, usize) -> f64| -> VtuArray {
+        let of = |cell: &CellField| (0..cell.position.len()).map(|row| value(cell, row)).collect::<Vec<f64>>();
+        VtuArray::new(name, 1, body.cells.iter().flat_map(of).collect())
+    };
+    let displacement = body.cells.iter().flat_map(|cell| cell.displacement.iter().flatten().copied()).collect();
     let [x, y] = if body.revolved { ["r", "hoop"] } else { ["x", "y"] };
-    out += &array(&format!("sigma_{x}_MPa"), 1, &all(&|cell, row| cell.stress[row].xx));
-    out += &array("sigma_z_MPa", 1, &all(&|cell, row| cell.stress[row].zz));
-    out += &array(&format!("sigma_{y}_MPa"), 1, &all(&|cell, row| cell.stress[row].yy));
-    out += &array(&format!("tau_{x}z_MPa"), 1, &all(&|cell, row| cell.stress[row].xz));
+    let mut arrays = vec![
+        VtuArray::new("displacement_mm", 3, displacement),
+        all(&format!("sigma_{x}_MPa"), &|cell, row| cell.stress[row].xx),
+        all("sigma_z_MPa", &|cell, row| cell.stress[row].zz),
+        all(&format!("sigma_{y}_MPa"), &|cell, row| cell.stress[row].yy),
+        all(&format!("tau_{x}z_MPa"), &|cell, row| cell.stress[row].xz),
+    ];
     if body.twisted {
-        out += &array("tau_rphi_MPa", 1, &all(&|cell, row| cell.stress[row].xy));
-        out += &array("tau_phiz_MPa", 1, &all(&|cell, row| cell.stress[row].yz));
+        arrays.push(all("tau_rphi_MPa", &|cell, row| cell.stress[row].xy));
+        arrays.push(all("tau_phiz_MPa", &|cell, row| cell.stress[row].yz));
     }
-    out += &array("von_mises_MPa", 1, &all(&|cell, row| cell.stress[row].von_mises()));
-    for k in 0..3 {
-        out += &array(&format!("principal_{}_MPa", k + 1), 1, &all(&|cell, row| cell.stress[row].principal()[k]));
-    }
-    out += "</PointData>\n<CellData>\n";
-    out += &array("degree", 1, &degrees);
-    out += "</CellData>\n<Points>\n";
-    let positions: Vec<f64> = body.cells.iter().flat_map(|cell| cell.position.iter().flat_map(|[x, z]| [*x, 0.0, *z])).collect();
-    out += &array("position_mm", 3, &positions);
-    out += "</Points>\n<Cells>\n";
-    let bytes = |values: &[i64]| values.iter().flat_map(|value| value.to_le_bytes()).collect::<Vec<u8>>();
-    out += &binary("Int64", "connectivity", 1, &bytes(&connectivity));
-    out += &binary("Int64", "offsets", 1, &bytes(&offsets));
-    out += &binary("UInt8", "types", 1, &types);
-    out + "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n"
+    arrays.push(all("von_mises_MPa", &|cell, row| cell.stress[row].von_mises()));
+    arrays.extend((0..3).map(|k| all(&format!("principal_{}_MPa", k + 1), &|cell, row| cell.stress[row].principal()[k])));
+    arrays
 }
 
 /// Nodes of the elements of a cell, as numbers of its points, in VTK's order.
@@ -105,27 +99,12 @@ fn elements(grid: CellGrid, cut: Cut) -> Vec<Vec<usize>> {
     }
 }
 
-/// VTK's number of the kind of these elements.
-fn vtk_type(grid: CellGrid, cut: Cut) -> u8 {
+/// Kind of these elements.
+fn vtk_kind(grid: CellGrid, cut: Cut) -> VtuKind {
     match (cut, grid.triangle) {
-        (Cut::Pieces, false) => 9,
-        (Cut::Pieces, true) => 5,
-        (Cut::Whole, false) => 70,
-        (Cut::Whole, true) => 69,
+        (Cut::Pieces, false) => VtuKind::Quadrilateral,
+        (Cut::Pieces, true) => VtuKind::Triangle,
+        (Cut::Whole, false) => VtuKind::LagrangeQuadrilateral,
+        (Cut::Whole, true) => VtuKind::LagrangeTriangle,
     }
-}
-
-fn array(name: &str, components: usize, values: &[f64]) -> String {
-    let bytes: Vec<u8> = values.iter().flat_map(|value| value.to_le_bytes()).collect();
-    binary("Float64", name, components, &bytes)
-}
-
-/// An array in VTK's inline binary form: the number of bytes, then the bytes, as one base64 text.
-fn binary(kind: &str, name: &str, components: usize, bytes: &[u8]) -> String {
-    let mut data = (bytes.len() as u64).to_le_bytes().to_vec();
-    data.extend_from_slice(bytes);
-    let text = base64::engine::general_purpose::STANDARD.encode(&data);
-    format!(
-        "<DataArray type=\"{kind}\" Name=\"{name}\" NumberOfComponents=\"{components}\" format=\"binary\">{text}</DataArray>\n"
-    )
 }

@@ -1,8 +1,6 @@
 //! Displacement and stress inside the bodies, as plain numbers on the cells.
 
-use hpfem::Stress;
-
-use crate::cell_grid::CellGrid;
+use hpfem::{CellGrid, Stress};
 
 /// Both bodies at a moment.
 #[derive(Debug, Clone, PartialEq)]

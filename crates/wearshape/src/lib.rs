@@ -2,7 +2,6 @@
 
 mod bodies;
 mod body_field;
-mod cell_grid;
 mod effort;
 mod faults;
 mod forecast;
@@ -33,14 +32,13 @@ mod surface;
 mod watch;
 mod words;
 
-pub use hpfem::Stress;
+pub use hpfem::{CellGrid, Stress};
 pub use meshing::Files;
 pub use scene::{Builtin, Document, Fault, Place, SCENES, Spot, Task, builtin};
 pub use shapeopt::{Measure, WearState};
 
 pub use bodies::Bodies;
 pub use body_field::{BodyField, CellField, FieldFrame};
-pub use cell_grid::CellGrid;
 pub use effort::{Clock, Counters, Effort};
 pub use forecast::Forecast;
 pub use machined::{Machined, SurfacePoint};

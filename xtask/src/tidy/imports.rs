@@ -27,7 +27,7 @@ const TABLE: &[Row] = &[
     Row {
         package: "crates/hpfem",
         ours: &[],
-        others: Some(&["nalgebra", "faer", "pulp", "rayon", "thiserror"]),
+        others: Some(&["nalgebra", "faer", "pulp", "rayon", "thiserror", "base64"]),
         because: "hpfem offers elements and bodies and knows nothing of contact, wear or files",
     },
     Row {
@@ -68,9 +68,9 @@ const TABLE: &[Row] = &[
     },
     Row {
         package: "crates/report",
-        ours: &["wearshape", "scene"],
-        others: Some(&["serde", "serde_json", "csv", "base64"]),
-        because: "report writes what the solution says; what it needs of a mesh or a law, the solution carries",
+        ours: &["wearshape", "scene", "hpfem"],
+        others: Some(&["serde", "serde_json", "csv"]),
+        because: "report writes what the solution says; what it needs of a mesh or a law, the solution carries; of hpfem it takes the file format",
     },
     Row {
         package: "crates/cli",

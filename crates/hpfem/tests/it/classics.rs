@@ -212,7 +212,7 @@ fn cooks_membrane() {
         for (a, b) in reaction.iter().zip([0.0, -1.0, -48.0]) {
             assert!((a - b).abs() < 1e-9, "{reaction:?}");
         }
-        (field.at(cell, xi, eta).displacement[1], body.interface.strain_energy(&state))
+        (field.at(cell, xi, eta).unwrap().displacement[1], body.interface.strain_energy(&state))
     };
     let ([coarse, fine], [low, high]) = {
         let (a, b) = (tip(12, 8), tip(16, 8));

@@ -156,7 +156,7 @@ pub(crate) fn stress_error(field: &Field, mesh: &Mesh, exact: impl Fn([f64; 2]) 
     let (mut error, mut size) = (0.0_f64, 0.0_f64);
     for cell in 0..mesh.cells.len() {
         for (xi, eta) in sample_points() {
-            let value = field.at(cell, xi, eta).stress;
+            let value = field.at(cell, xi, eta).unwrap().stress;
             let wanted = exact(field.position(cell, xi, eta));
             for (a, b) in value.iter().zip(wanted) {
                 error = error.max((a - b).abs());

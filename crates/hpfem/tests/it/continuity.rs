@@ -13,7 +13,7 @@ fn jump(mesh: &Mesh, field: &Field) -> f64 {
                 // The parameter in the edge's own direction is t on both sides.
                 let s = if mesh.cells[cell].against[local] { -t } else { t };
                 let (xi, eta) = [(s, -1.0), (1.0, s), (s, 1.0), (-1.0, s)][local];
-                field.at(cell, xi, eta).displacement
+                field.at(cell, xi, eta).unwrap().displacement
             });
             jump = jump.max((values[0][0] - values[1][0]).abs()).max((values[0][1] - values[1][1]).abs());
             size = size.max(values[0][0].abs()).max(values[0][1].abs());

@@ -53,7 +53,7 @@ fn supports_pins_and_foundations_of_a_body_of_many_cells_balance_its_loads() {
         for (t, w) in rule.points.iter().zip(&rule.weights) {
             assert_eq!(local, 0);
             let length = 0.5 * mesh.edges[e].curve.length();
-            pulled += w * length * 0.7 * 3.0 * field.at(cell, *t, -1.0).displacement[0];
+            pulled += w * length * 0.7 * 3.0 * field.at(cell, *t, -1.0).unwrap().displacement[0];
         }
     }
     let reaction = body.interface.reaction(0, &state)[0];
@@ -87,7 +87,7 @@ fn bits(mesh: &Mesh, degree: usize, kinematics: Kinematics, threads: usize) -> V
         let interface = &body.interface;
         let matrices = [&interface.stiffness, &interface.columns, &interface.work];
         let numbers = matrices.into_iter().flat_map(|m| m.col_iter().flat_map(|c| c.iter().copied()).collect::<Vec<f64>>());
-        let points = (0..mesh.cells.len()).flat_map(|c| field.at(c, 0.3, -0.4).stress);
+        let points = (0..mesh.cells.len()).flat_map(|c| field.at(c, 0.3, -0.4).unwrap().stress);
         numbers.chain(points).map(f64::to_bits).collect()
     })
 }

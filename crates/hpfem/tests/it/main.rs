@@ -3,6 +3,7 @@
 
 mod additions;
 mod classics;
+mod closed;
 mod common;
 mod continuity;
 mod convergence;
@@ -14,15 +15,21 @@ mod examples;
 mod extremes;
 mod gmsh;
 mod input;
+mod join;
 mod large;
 mod loads;
 mod lshape;
+mod outline;
 mod patch;
 mod quadrature;
 mod quadrature_table;
+mod refused;
 mod remesh;
+mod search;
 mod sharing;
 mod singular;
 mod sliding_edge;
 mod supports;
 mod triangles;
+#[cfg(feature = "vtu")]
+mod vtu;

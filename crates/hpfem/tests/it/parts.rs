@@ -64,3 +64,31 @@ fn several_kept_boundaries_condense_to_each_alone() {
     let twice = Body::interface(&ring_patch().keep("top").keep("right").keep("top")).unwrap().0;
     assert_eq!(corner.stiffness, twice.stiffness);
 }
+
+#[test]
+fn a_closed_boundary_is_kept_with_every_point_once() {
+    // A ring, its bore kept: the stiffness against a uniform pressure is Lame's, and the three rigid motions cost no energy.
+    let arc = |radius| Curve::Arc { centre: [0.3, -0.2], radius, from: std::f64::consts::TAU, to: 0.0 };
+    let names = [Named { side: Side::Bottom, range: None, name: "bore" }];
+    let breaks: Vec<f64> = (0..=6).map(|k| f64::from(k) / 3.0 - 1.0).collect();
+    let (bottom, top) = (arc(1.0), arc(2.0));
+    let region = Ruled { bottom, top, breaks: &breaks, levels: &[0.0, 0.4, 1.0], closed: true, material: 0, names: &names };
+    let mesh = Mesh::ruled(&region).unwrap();
+    let problem = BodyProblem::new(mesh, 8, PLANE_STRESS).material(Material::isotropic(2.0, 0.3).unwrap()).keep("bore");
+    let operator = Body::new(problem).unwrap().interface;
+    let trace = &operator.trace;
+    assert!(trace.closed);
+    assert_eq!(trace.points.len(), 6 * 8);
+    let area: f64 = trace.points.iter().map(|p| p.weight).sum();
+    assert!((area / (0.7 * std::f64::consts::TAU) - 1.0).abs() < 1e-12, "{area}");
+    assert_eq!(operator.rigid_motions.len(), 3);
+    let rigid = &operator.stiffness * &operator.rigid_modes;
+    assert!(rigid.norm_max() < 1e-9 * operator.stiffness.norm_max());
+    let load = trace.load(operator.kinematics, 2, |p| p.outward.map(|n| -n));
+    let u = operator.solve_one(&load.unknowns);
+    // u_r = p a / E ((b^2 + a^2) / (b^2 - a^2) + nu).
+    let wanted = (5.0 / 3.0 + 0.3) / 2.0;
+    let (rows, _) = trace.displacement_row(2, 0.37);
+    let at = |k: usize| rows[k].iter().map(|(i, c)| c * u[*i]).sum::<f64>();
+    assert!((at(0).hypot(at(1)) / wanted - 1.0).abs() < 1e-6, "{} {wanted}", at(0).hypot(at(1)));
+}

@@ -29,8 +29,7 @@ fn ring(separate: bool) -> (Mesh, Vec<Material>) {
 fn operator(separate: bool, space: SpaceKind) -> (faer::Mat<f64>, f64) {
     let (mesh, materials) = ring(separate);
     let supports = [Support::hold("hub", Direction::First)];
-    let load: Vec<Vec<EdgeTraction>> =
-        vec![vec![EdgeTraction::new("contact", |p| [p.position[1], 0.7])]];
+    let load: Vec<Vec<EdgeTraction>> = vec![vec![EdgeTraction::new("contact", |p| [p.position[1], 0.7])]];
     let body = Body::new(BodyProblem {
         mesh: &mesh,
         degrees: mesh.cells.iter().map(|c| 7 - c.layer).collect(),

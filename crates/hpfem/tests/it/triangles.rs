@@ -67,7 +67,7 @@ fn points_of_curved_triangles_are_found_by_their_position_and_the_map_has_its_de
                 let y = field.position(found, a, b);
                 assert!((x[0] - y[0]).hypot(x[1] - y[1]) < 1e-9, "{x:?} {y:?}");
                 // The displacement is continuous, whichever of the neighbours was found.
-                let (u, v) = (field.at(cell, xi, eta).displacement, field.at(found, a, b).displacement);
+                let (u, v) = (field.at(cell, xi, eta).unwrap().displacement, field.at(found, a, b).unwrap().displacement);
                 assert!((u[0] - v[0]).hypot(u[1] - v[1]) < 1e-8, "{x:?}");
                 let h = 1e-6;
                 let (s, t) = (xi.clamp(-1.0 + h, 1.0 - h), eta.clamp(-1.0 + h, 1.0 - h));

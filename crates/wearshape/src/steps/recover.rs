@@ -1,13 +1,12 @@
 //! Displacement and stress inside the bodies, by back substitution at the reported level; done only if an output asks for it.
 
 use contact::{Pair, Side};
-use hpfem::{Body, Field, InterfaceState, Kinematics, Mesh, Stress};
+use hpfem::{Body, CellGrid, Field, InterfaceState, Kinematics, Mesh, Stress};
 use meshing::Cut;
 use scene::Fault;
 
 use crate::bodies::paired;
 use crate::body_field::{BodyField, CellField, FieldFrame};
-use crate::cell_grid::CellGrid;
 use crate::effort::Effort;
 use crate::ladder::Refusal;
 use crate::parts::BodyParts;
@@ -66,26 +65,30 @@ fn frame(moment: &Moment, bodies: &[Body; 2], meshes: [&Mesh; 2], effort: &mut E
     let body = |number: usize| -> Result<BodyField, Fault> {
         let field = field(&bodies[number], &moment.states[number])?;
         let revolved = bodies[number].interface.kinematics.is_revolved();
-        let cells = meshes[number].cells.iter().enumerate().map(|(cell, of)| on_grid(&field, cell, of.is_triangle())).collect();
-        Ok(BodyField { cells, revolved, twisted: false })
+        let cells = meshes[number].cells.iter().enumerate().map(|(cell, of)| on_grid(&field, cell, of.is_triangle()));
+        Ok(BodyField { cells: cells.collect::<Result<_, Fault>>()?, revolved, twisted: false })
     };
     Ok(FieldFrame { time: moment.time, moment: moment.name, bodies: [body(0)?, body(1)?] })
 }
 
 fn field(body: &Body, state: &InterfaceState) -> Result<Field, Fault> {
-    body.field(state).map_err(|error| Fault::at("output.fields", "no-field", error.to_string(), "write output.fields = false"))
+    body.field(state).map_err(no_field)
 }
 
-fn on_grid(field: &Field, cell: usize, triangle: bool) -> CellField {
+fn no_field(error: hpfem::Error) -> Fault {
+    Fault::at("output.fields", "no-field", error.to_string(), "write output.fields = false")
+}
+
+fn on_grid(field: &Field, cell: usize, triangle: bool) -> Result<CellField, Fault> {
     let grid = CellGrid { degree: field.degree(cell), triangle };
     let mut values = CellField { grid, ..CellField::default() };
     for [xi, eta] in grid.reference() {
-        let state = field.at(cell, xi, eta);
+        let state = field.at(cell, xi, eta).map_err(no_field)?;
         values.position.push(field.position(cell, xi, eta));
         values.displacement.push([state.displacement[0], 0.0, state.displacement[1]]);
         values.stress.push(Stress::new(state.stress, [0.0; 2]));
     }
-    values
+    Ok(values)
 }
 
 /// Adds the twist about the axis under the friction at one of the moments: a scalar problem of its own on the same meshes.
@@ -101,7 +104,7 @@ fn twist(stage: Stage<'_>, reported: &Reported, moment: usize, pair: &Pair<'_>, 
         effort.counters.back_substitutions += 1;
         for (cell, values) in frame.bodies[number].cells.iter_mut().enumerate() {
             for (row, [xi, eta]) in values.grid.reference().enumerate() {
-                let state = field.at(cell, xi, eta);
+                let state = field.at(cell, xi, eta).map_err(no_field)?;
                 values.displacement[row][1] = state.displacement[0];
                 values.stress[row].xy = state.stress[0];
                 values.stress[row].yz = state.stress[1];

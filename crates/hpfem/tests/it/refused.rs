@@ -1,0 +1,137 @@
+//! Meshes and questions that cannot be, which once gave wrong answers or a panic.
+
+use crate::classics::rectangle;
+use crate::common::*;
+use hpfem::*;
+
+fn line(z: f64) -> Curve {
+    Curve::Line { start: [0.0, z], end: [2.0, z] }
+}
+
+/// A rectangle of 2 x 1 cut by the breaks and levels.
+fn ruled(breaks: &[f64], levels: &[f64], names: &[Named<'_>]) -> Result<Mesh, Error> {
+    Mesh::ruled(&Ruled { bottom: line(0.0), top: line(1.0), breaks, levels, closed: false, material: 0, names })
+}
+
+fn quantity(result: Result<Mesh, Error>) -> (String, f64) {
+    match result {
+        Err(Error::OutOfRange { quantity, value, .. }) => (quantity, value),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn breaks_and_levels_that_do_not_run_from_end_to_end_are_refused() {
+    let (breaks, levels) = ([-1.0, 0.2, 1.0], [0.0, 0.5, 1.0]);
+    assert_eq!(ruled(&breaks, &levels, &[]).unwrap().cells.len(), 4);
+    for few in [&[][..], &[-1.0], &[1.0]] {
+        assert_eq!(quantity(ruled(few, &levels, &[])), ("the number of breaks of a ruled region".into(), few.len() as f64));
+        assert_eq!(quantity(ruled(&breaks, few, &[])), ("the number of levels of a ruled region".into(), few.len() as f64));
+    }
+    for (wrong, at, value) in [
+        (&[-1.0, 0.0][..], 1, 0.0),
+        (&[0.0, 1.0], 0, 0.0),
+        (&[-1.0, 2.0], 1, 2.0),
+        (&[-1.0, 0.3, 0.3, 1.0], 2, 0.3),
+        (&[-1.0, 0.3, 0.1, 1.0], 2, 0.1),
+        (&[1.0, -1.0], 0, 1.0),
+    ] {
+        assert_eq!(quantity(ruled(wrong, &levels, &[])), (format!("number {at} of the breaks of a ruled region"), value));
+    }
+    assert_eq!(quantity(ruled(&breaks, &[0.0, 0.5], &[])), ("number 1 of the levels of a ruled region".into(), 0.5));
+    for wrong in [[f64::NAN, 0.0, 1.0], [-1.0, f64::NAN, 1.0], [-1.0, 0.0, f64::NAN]] {
+        assert!(matches!(ruled(&wrong, &levels, &[]), Err(Error::OutOfRange { .. })));
+    }
+    // Two columns of a closed region would share both vertices of their edges.
+    let arc = |radius| Curve::Arc { centre: [0.0; 2], radius, from: std::f64::consts::TAU, to: 0.0 };
+    for breaks in [&[][..], &[-1.0], &[-1.0, 1.0], &[-1.0, 0.0, 1.0]] {
+        let ring = Ruled { bottom: arc(1.0), top: arc(2.0), breaks, levels: &[0.0, 1.0], closed: true, material: 0, names: &[] };
+        assert_eq!(quantity(Mesh::ruled(&ring)).1, breaks.len() as f64);
+    }
+}
+
+#[test]
+fn a_ruling_or_range_that_is_no_break_is_refused_by_its_name() {
+    let (breaks, levels) = ([-1.0, 0.2, 1.0], [0.0, 0.5, 1.0]);
+    let named = |side, range| ruled(&breaks, &levels, &[Named { side, range, name: "middle" }]);
+    let edges = |side, range| named(side, range).unwrap().boundary("middle").unwrap().len();
+    assert_eq!(edges(Side::Ruling(0.2), None), 2);
+    assert_eq!(edges(Side::Ruling(0.2), Some([0.0, 0.5])), 1);
+    assert_eq!(edges(Side::Top, Some([-1.0, 0.2])), 1);
+    assert_eq!(edges(Side::Left, Some([0.5, 1.0])), 1);
+    for (side, range, value, what) in [
+        (Side::Ruling(0.3), None, 0.3, "the parameter of the ruling \"middle\""),
+        (Side::Ruling(f64::NAN), None, f64::NAN, "the parameter of the ruling \"middle\""),
+        (Side::Ruling(0.2), Some([0.0, 0.7]), 0.7, "an end of the range of \"middle\""),
+        (Side::Bottom, Some([-0.9, 0.2]), -0.9, "an end of the range of \"middle\""),
+        (Side::Right, Some([0.2, 1.0]), 0.2, "an end of the range of \"middle\""),
+        (Side::Top, Some([0.2, -1.0]), -1.0, "the end of the range of \"middle\""),
+        (Side::Top, Some([0.2, 0.2]), 0.2, "the end of the range of \"middle\""),
+    ] {
+        let (quantity, number) = quantity(named(side, range));
+        assert!(quantity == what && (number == value || value.is_nan()), "{side:?}: {quantity} {number}");
+    }
+}
+
+#[test]
+fn a_mesh_without_cells_and_cells_on_one_place_are_refused() {
+    assert_eq!(Mesh::new(vec![[0.0; 2]], &[], &[], &[]), Err(Error::NoCells));
+    let quad = |corners| Quad { corners, material: 0, layer: 0 };
+    let two = |shift: [f64; 2]| {
+        let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+        let vertices = square.into_iter().chain(square.map(|x| [x[0] + shift[0], x[1] + shift[1]])).collect();
+        Mesh::new(vertices, &[quad([0, 1, 2, 3]), quad([4, 5, 6, 7])], &[], &[])
+    };
+    for shift in [[0.0, 0.0], [0.3, 0.2], [-0.45, 0.45], [0.0, 0.4]] {
+        let error = two(shift).unwrap_err();
+        assert!(matches!(error, Error::CellsOverlap { a: 0, b: 1, .. }), "{shift:?}: {error}");
+    }
+    // Side by side with vertices of their own: the faces of a slit.
+    for shift in [[1.0, 0.0], [0.0, -1.0], [1.5, 0.0], [1.0, 1.0]] {
+        assert_eq!(two(shift).unwrap().cells.len(), 2);
+    }
+    // A small triangle inside a cell; cells whose boxes overlap, but not they themselves.
+    let vertices = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.7, 0.7], [0.8, 0.7], [0.7, 0.8]];
+    let error = Mesh::new(vertices, &[quad([0, 1, 2, 3]), quad([4, 5, 6, 6])], &[], &[]).unwrap_err();
+    assert!(matches!(error, Error::CellsOverlap { a: 1, b: 0, .. }), "{error}");
+    let vertices = vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 0.2], [1.0, 1.0], [0.2, 1.0]];
+    assert!(Mesh::new(vertices, &[quad([0, 1, 2, 2]), quad([3, 4, 5, 5])], &[], &[]).is_ok());
+    // A cell in the hollow of a curved one.
+    let vertices = vec![[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0], [0.9, 0.05], [1.1, 0.05], [1.1, 0.25], [0.9, 0.25]];
+    let cells = [quad([0, 1, 2, 3]), quad([4, 5, 6, 7])];
+    let hollow = Curve::interpolated(4, |t| [1.0 + t, 0.5 * (1.0 - t * t)]);
+    assert!(Mesh::new(vertices.clone(), &cells, &[([0, 1], hollow)], &[]).is_ok());
+    assert!(matches!(Mesh::new(vertices, &cells, &[], &[]), Err(Error::CellsOverlap { .. })));
+}
+
+#[test]
+fn a_cell_beyond_the_mesh_is_an_error_of_the_field() {
+    let mesh = rectangle([0.0, 1.0], [0.0, 1.0]);
+    let (materials, supports) = (steel(), [support("left", Direction::First), support("bottom", Direction::Second)]);
+    let load = [vec![traction("right", |_| [1.0, 0.0])]];
+    let body = Body::new(problem(&mesh, 3, PLANE_STRESS, &materials, &supports, &load, None)).unwrap();
+    let field = body.field(&body.solve(&[1.0])).unwrap();
+    assert!(field.at(0, 0.0, 0.0).is_ok());
+    assert!(matches!(field.at(7, 0.0, 0.0), Err(Error::Count { given: 8, expected: 1, .. })));
+}
+
+#[test]
+fn singular_vertices_of_cells_without_material_are_refused() {
+    let mesh = rectangle([0.0, 1.0], [0.0, 1.0]);
+    let error = singular_vertices(&mesh, PLANE_STRAIN, &[], &[], &[]).unwrap_err();
+    assert!(matches!(error, Error::Count { given: 0, expected: 1, .. }), "{error}");
+    assert!(matches!(Corner::at(&mesh, 0, PLANE_STRAIN, &[], &[]), Err(Error::Count { .. })));
+}
+
+#[test]
+fn sequences_of_different_lengths_have_no_estimate() {
+    assert_eq!(sequence_estimate(&[vec![3.0], vec![4.0]]), Ok(0.25));
+    for wrong in [&[][..], &[vec![1.0]]] {
+        assert!(matches!(sequence_estimate(wrong), Err(Error::Count { expected: 2, .. })));
+    }
+    let error = sequence_estimate(&[vec![1.0, 2.0], vec![1.0], vec![1.0, 2.0]]).unwrap_err();
+    assert!(matches!(error, Error::Count { given: 1, expected: 2, .. }), "{error}");
+    let mesh = rectangle([0.0, 1.0], [0.0, 1.0]);
+    let ever_more = |_: &Mesh, degrees: &[usize]| Ok(vec![1.0; degrees[0]]);
+    assert!(matches!(adapt(&mesh, &[], 1e-3, 8, ever_more), Err(Error::Count { .. })));
+}
