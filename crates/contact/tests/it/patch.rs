@@ -168,7 +168,7 @@ fn boundaries_of_different_extent_or_apart_are_refused() {
         bottom: line([0.2, 0.5], [1.5, 0.5]),
         top: line([0.2, 1.0], [1.5, 1.0]),
         breaks: &breaks,
-        levels: &breaks,
+        levels: &[0.0, 1.0],
         closed: false,
         material: 0,
         names: &["cut", "far", "left"].map(|name| {
