@@ -58,5 +58,5 @@ pub use solve::solve;
 pub use step::Step;
 pub use study::{DEGREES, Level as StudyLevel, Quantity, Truth, outermost, study};
 pub use watch::{Event, FinishedLevel, Resume, RunLevel, Watch, WearStep};
-pub use wear::{Shape, WearRule};
+pub use wear::{OwnRule, Shape};
 pub use words::{Character, ContactStatus, PointStatus, Regime, TwistStatus, Uniqueness, WearStatus, word};

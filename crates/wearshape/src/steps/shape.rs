@@ -81,7 +81,7 @@ pub(crate) fn solve(stage: Stage<'_>, before: &Before<'_>, watch: &mut Watch<'_>
 
 /// The optimal pressure of a problem.
 pub(crate) fn optimal(problem: &Problem) -> Result<wear::Optimum, Refusal> {
-    pressure::optimum(problem, &pressure::wear_problem(problem)?).map_err(|error| Refusal::Reason(error.to_string()))
+    wear::optimal_pressure(&pressure::wear_problem(problem)?).map_err(|error| Refusal::Reason(error.to_string()))
 }
 
 /// The estimated error of the gap from so many levels, and how it was found; `pressure` says the same of the pressure.

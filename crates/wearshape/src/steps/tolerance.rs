@@ -30,7 +30,6 @@ pub(crate) fn of(shaper: &Shaper<'_>, reduced: &Reduced) -> Result<Vec<Tolerance
     let (laws, counterface) = stage.rules()?;
     let surface: Vec<wear::SurfacePoint> = points.iter().map(|p| stage.surface_point(p.position, p.normal, p.weight)).collect();
     let gap = vec![0.0; points.len()];
-    // By a rule of the caller's own nothing wears here: the errors have no run-in distance.
     let mut problem = WearProblem::new(surface, laws, counterface, gap, system);
     problem.track_area = stage.patch.surface.track_area();
     let length = pair.trace().length();
