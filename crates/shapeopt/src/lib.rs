@@ -1,5 +1,7 @@
 //! The contact shape that produces a wanted pressure, and its evolution by wear.
 
+#![warn(clippy::missing_errors_doc, clippy::wildcard_enum_match_arm)]
+
 mod approach;
 mod error;
 mod evolution;

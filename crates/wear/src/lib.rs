@@ -4,6 +4,7 @@
 //! Theory, formulas with their equation numbers and corrections: see the README below. Units: N, mm, MPa, s, rad.
 
 #![doc = include_str!("../README.md")]
+#![warn(clippy::missing_errors_doc, clippy::wildcard_enum_match_arm)]
 
 mod absolute;
 mod answer;

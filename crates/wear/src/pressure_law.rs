@@ -67,7 +67,7 @@ impl PressureLaw {
             let psi = match (self.balance, mode.motion) {
                 (Balance::Equilibrium, motion) => motion.force_weight(point, self.friction),
                 (Balance::Paper, RigidMotion::Translation { .. }) => 1.0,
-                (Balance::Paper, _) => phi,
+                (Balance::Paper, RigidMotion::Rotation { .. } | RigidMotion::Expansion) => phi,
             };
             values.phi[k] = if self.mode_kind == Modes::Associated { psi } else { phi } / self.scale[k];
             values.psi[k] = psi / self.scale[k];

@@ -318,9 +318,12 @@ impl<'a> System<'a> {
         let surface = &self.problem.surface;
         match (self.problem.counterface, surface.shape()) {
             (Counterface::Fresh, _) => 0.0,
-            (Counterface::Congruent, _) | (_, Shape::Annulus { .. }) => 1.0,
-            (_, Shape::Sector { angles, .. }) => (angles[1] - angles[0]) / std::f64::consts::TAU,
-            _ => surface.track_area().map_or(0.0, |track| surface.area() / track),
+            (Counterface::Congruent, _) | (Counterface::Revolving, Shape::Annulus { .. }) => 1.0,
+            (Counterface::Revolving, Shape::Sector { angles, .. }) => (angles[1] - angles[0]) / std::f64::consts::TAU,
+            (
+                Counterface::Revolving,
+                Shape::Points(_) | Shape::Arc { .. } | Shape::Strip { .. } | Shape::Rectangle { .. } | Shape::Ellipse { .. },
+            ) => surface.track_area().map_or(0.0, |track| surface.area() / track),
         }
     }
 }

@@ -8,7 +8,6 @@ use crate::{SlidingMotion, SurfacePoint, WearError};
 
 /// Geometry of a contact surface. Lengths in mm, angles in rad.
 #[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum Shape {
     /// Points with weights, for example the contact points of a finite element boundary.
     Points(Vec<SurfacePoint>),

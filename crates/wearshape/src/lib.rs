@@ -43,6 +43,7 @@ pub use body_field::{BodyField, CellField, FieldFrame};
 pub use cell_grid::CellGrid;
 pub use effort::{Clock, Counters, Effort};
 pub use forecast::Forecast;
+pub use functional::functional_row;
 pub use machined::{Machined, SurfacePoint};
 pub use options::{CURVE, Options, Sampling};
 pub use plan::{Plan, Stage};

@@ -176,7 +176,12 @@ impl Problem {
         let bodies = [&self.scene.body1, &self.scene.body2].into_iter().flatten();
         let files = bodies.filter_map(|body| match &body.geometry {
             Geometry::Mesh(file) => file.content.as_ref().map(|content| (file.file.clone(), content.to_vec())),
-            _ => None,
+            Geometry::Blocks(_)
+            | Geometry::ShoeBlock(_)
+            | Geometry::Ring(_)
+            | Geometry::Rectangle(_)
+            | Geometry::RingSegment(_)
+            | Geometry::HalfDisc(_) => None,
         });
         files.collect()
     }
