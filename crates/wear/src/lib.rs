@@ -1,8 +1,3 @@
-//! Wear rules, functionals and optimal pressures, without finite elements: a surface is points with position, normal, area weight,
-//! sliding speed and drag direction.
-//!
-//! Theory, formulas with their equation numbers and corrections: see the README below. Units: N, mm, MPa, s, rad.
-
 #![doc = include_str!("../README.md")]
 #![warn(clippy::missing_errors_doc, clippy::wildcard_enum_match_arm)]
 
@@ -51,6 +46,9 @@ mod steady;
 mod sums;
 mod surface;
 mod tracks;
+
+/// Vectors of surfaces and motions.
+pub use nalgebra;
 
 pub use answer::{Character, Optimum, PointForce, Regime};
 pub use error::WearError;

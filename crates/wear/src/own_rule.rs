@@ -8,8 +8,8 @@ type RateAndSlope = dyn Fn(f64, f64) -> [f64; 2] + Send + Sync;
 
 /// A wear rule that is no power of the pressure: with a threshold, with a change from mild to severe wear, with a rate that saturates.
 ///
-/// The rate must be zero up to some pressure p0 >= 0, continuous, and grow from there. A rate that stays below a bound is admitted: a load that
-/// would need more than the bound has no steady state, and is refused. Two rules are equal if one is a clone of the other.
+/// The rate must be zero up to some pressure p0 >= 0, continuous, and grow from there; where it comes near a bound the pressure of the steady
+/// state grows without one. Two rules are equal if one is a clone of the other.
 #[derive(Clone)]
 pub struct OwnRule {
     law: Arc<RateAndSlope>,

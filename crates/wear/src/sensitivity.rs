@@ -23,6 +23,7 @@ use crate::{Balance, Counterface, Functional, Modes, Problem, Shape, wear_rate};
 
 /// What one per cent more of a given number does to first order, in per cent.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Sensitivity {
     /// The number.
     pub given: Given,

@@ -21,8 +21,7 @@ pub(crate) fn of(shaper: &Shaper<'_>, reduced: &Reduced) -> Result<Vec<Tolerance
     let pair = reduced.pair()?;
     let operator = reduced.operator(&pair, stage.friction() > 0.0)?;
     let points = operator.points();
-    let place = |p: &ContactPoint| SurfacePlace { position: p.position, normal: p.normal };
-    let pressure: Vec<f64> = points.iter().map(|p| shaper.pressure(&place(p))).collect();
+    let pressure: Vec<f64> = points.iter().map(|p| shaper.pressure(&SurfacePlace::from(p))).collect();
     if pressure.iter().any(|p| *p <= 0.0) {
         return Ok(Vec::new());
     }
