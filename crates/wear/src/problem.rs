@@ -42,7 +42,7 @@ pub struct Problem {
 }
 
 impl Problem {
-    /// Steady state of body 1's wear rule, a [`WearLaw`] or an [`OwnRule`](crate::OwnRule), under one force or several modes, frictionless
+    /// Steady state of body 1's wear rule, a [`WearLaw`](crate::WearLaw) or an [`OwnRule`](crate::OwnRule), under one force or several modes, frictionless
     /// balance, one wearing body.
     pub fn new(surface: Surface, rule: impl Into<Rule>, modes: Vec<RigidMode>) -> Self {
         Self {
