@@ -77,7 +77,7 @@ impl<'a> Cut<'a> {
     pub fn ends(self) -> &'a [f64] {
         match self {
             Cut::Ends(ends) => ends,
-            _ => &[],
+            Cut::Plain | Cut::Shifted => &[],
         }
     }
 }

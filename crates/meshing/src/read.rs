@@ -15,6 +15,10 @@ pub fn read_cells(key: &str, body: &mut scene::Body, files: Files<'_>) -> Result
     match &mut body.geometry {
         Geometry::Blocks(blocks) => blocks::given(&format!("{key}.geometry.blocks"), blocks, own).map(Some),
         Geometry::Mesh(file) => gmsh_file::read(key, file, files, own).map(Some),
-        _ => Ok(None),
+        Geometry::ShoeBlock(_)
+        | Geometry::Ring(_)
+        | Geometry::Rectangle(_)
+        | Geometry::RingSegment(_)
+        | Geometry::HalfDisc(_) => Ok(None),
     }
 }

@@ -22,7 +22,9 @@ pub(crate) fn as_cells(couple: &Couple, body: &Body) -> Option<Mesh> {
             let names = [([0, 1], "bottom"), ([1, 2], "right"), ([3, 2], "top"), ([0, 3], "left")];
             Mesh::new(corners, &[Quad { corners: [0, 1, 2, 3], material: 0, layer: 0 }], &[], &names)
         }
-        _ => return None,
+        Geometry::ShoeBlock(_) | Geometry::Ring(_) | Geometry::RingSegment(_) | Geometry::Blocks(_) | Geometry::Mesh(_) => {
+            return None;
+        }
     };
     mesh.ok()
 }

@@ -63,7 +63,12 @@ pub(crate) fn coarse(couple: &Couple, number: usize, cuts: &[f64], cut: Cut<'_>)
         Geometry::RingSegment(segment) if shaped => ring_segment(couple, segment, cuts, cut),
         Geometry::Ring(ring) if !shaped => full_ring(ring, cuts, &body.contact),
         Geometry::Rectangle(rectangle) => block(couple, rectangle, cuts, shaped, cut),
-        other => return Err(not_meshed(key, other.name())),
+        other @ (Geometry::ShoeBlock(_)
+        | Geometry::Ring(_)
+        | Geometry::RingSegment(_)
+        | Geometry::HalfDisc(_)
+        | Geometry::Blocks(_)
+        | Geometry::Mesh(_)) => return Err(not_meshed(key, other.name())),
     };
     result.map_err(|error| degenerate(key, &error))
 }

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use scene::{Functional, short};
-use wearshape::{PressureResult, Problem, Solution, Status, WearResult, word};
+use scene::short;
+use wearshape::{PressureResult, Problem, Solution, Status, WearResult, functional_row, word};
 
 use crate::verdict::{pressures, verdict};
 
@@ -30,8 +30,7 @@ pub fn first_screen(problem: &Problem, solution: &Solution, folder: &Path) -> St
 
 fn pressure_lines(problem: &Problem, solution: &Solution, pressure: &PressureResult) -> Vec<String> {
     let curve = solution.curve.as_ref().or(solution.profile.as_ref());
-    let with_q = !matches!(pressure.functional, Functional::Steady | Functional::Uniform);
-    let q = pressure.q.filter(|_| with_q).map(|q| format!(" q = {q},")).unwrap_or_default();
+    let q = pressure.q.filter(|_| functional_row(pressure.functional).needs.q).map(|q| format!(" q = {q},")).unwrap_or_default();
     let kind = format!("({},{q} {}, {})", word(&pressure.functional), word(&pressure.character), word(&pressure.regime));
     let spread = solution.shape.as_ref().and(curve).and_then(|curve| pressures(problem, curve));
     let mean = pressure.p_mean.map(|mean| format!("mean {} MPa", short(mean))).unwrap_or_default();

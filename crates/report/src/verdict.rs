@@ -3,6 +3,7 @@
 use scene::{Functional, short, with_short_numbers};
 use wearshape::{
     Character, ContactResult, PressureResult, Problem, Profile, Regime, Shape, ShapeResult, Solution, Status, WearResult,
+    functional_row,
 };
 
 /// How it ended: the reason it stopped, or the number that was asked for.
@@ -74,13 +75,8 @@ fn touching(contact: &ContactResult) -> String {
 }
 
 fn pressed(problem: &Problem, solution: &Solution, pressure: &PressureResult) -> String {
-    let what = match problem.scene().optimum.as_ref().and_then(|optimum| optimum.functional) {
-        Some(Functional::Uniform) => "The uniform pressure",
-        Some(Functional::WearVolume) => "The pressure that makes the wear volume rate stationary",
-        Some(Functional::FrictionPower) => "The pressure that makes the friction power stationary",
-        Some(Functional::WearPower) => "The pressure that makes the wear power stationary",
-        _ => "The worn-in pressure",
-    };
+    let functional = problem.scene().optimum.as_ref().and_then(|optimum| optimum.functional);
+    let what = functional_row(functional.unwrap_or_default()).sentence;
     if pressure.regime == Some(Regime::Singular) {
         return format!("{what} concentrates on points or lines: see the limit measure.");
     }
@@ -103,7 +99,7 @@ fn place(problem: &Problem, s: f64) -> String {
             format!("x = {} mm", short(s + 0.5 * (x[0] + x[1])))
         }
         Some(Shape::Ellipse { .. }) => format!("x = {} mm", short(s)),
-        _ => format!("s = {} mm", short(s)),
+        Some(Shape::Arc { .. } | Shape::Points(_)) | None => format!("s = {} mm", short(s)),
     }
 }
 

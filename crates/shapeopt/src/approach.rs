@@ -2,6 +2,7 @@
 
 /// A force with what it took to find it.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct ApproachForce {
     /// Force, N.
     pub force: f64,

@@ -2,6 +2,7 @@
 
 /// Wrong input or a problem without an answer, with the numbers that show it.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum Error {
     /// No rigid part of the gap is the lowest.
     #[error(

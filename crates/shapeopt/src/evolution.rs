@@ -207,7 +207,7 @@ impl<'a> Evolution<'a> {
                 EvolutionStatus::Steady
             }
             Until::Time(end) if state.time >= end => EvolutionStatus::TimeReached,
-            _ => EvolutionStatus::Running,
+            Until::Steady { .. } | Until::Time(_) => EvolutionStatus::Running,
         }
     }
 

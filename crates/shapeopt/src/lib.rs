@@ -1,4 +1,5 @@
-//! The contact shape that produces a wanted pressure, and its evolution by wear.
+#![doc = include_str!("../README.md")]
+#![warn(clippy::missing_errors_doc, clippy::wildcard_enum_match_arm)]
 
 mod approach;
 mod error;
@@ -8,6 +9,7 @@ mod gap_difference;
 mod gap_rate;
 mod implicit_stage;
 mod nodal_curve;
+mod place;
 mod rigid_part;
 mod rigid_wear;
 mod run_in;
@@ -20,16 +22,20 @@ mod wear_problem;
 mod wear_state;
 mod wear_step;
 
+/// What the signatures are made of: contact systems and pairs, matrices, reduced bodies, rules and surfaces.
+pub use {contact, faer, hpfem, wear};
+
 pub use approach::{ApproachForce, force_of_approach};
 pub use error::Error;
 pub use evolution::{Evolution, EvolutionStatus};
 pub use gap_curve::GapCurve;
 pub use gap_difference::{Measure, difference_of_gaps};
 pub use nodal_curve::NodalCurve;
+pub use place::SurfacePlace;
 pub use rigid_part::{Curve, lowest_nonnegative};
 pub use run_in::RunIn;
 pub use settling::{Settling, settling};
-pub use shape::{Gauge, Integration, RigidPart, Shape, ShapeProblem, SurfacePlace, closing, solve_shape};
+pub use shape::{Gauge, Integration, RigidPart, Shape, ShapeProblem, closing, solve_shape};
 pub use spline::{Fit, Spline};
 pub use tolerance::{Tolerance, tolerances};
 pub use wear_problem::{Interval, LoadStage, Scheme, Stepping, Until, WearProblem};

@@ -10,6 +10,7 @@ use faer::{Mat, Side};
 
 /// Modes of the linearised wear.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct RunIn {
     /// Times `1 / Re(1/T)` in which the modes fall by the factor e, slowest first, s. Negative ones grow.
     pub times: Vec<f64>,

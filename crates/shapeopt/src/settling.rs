@@ -4,6 +4,7 @@ use crate::wear_state::WearState;
 
 /// Time, distance and wear until the pressure stays within a part of the steady one.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Settling {
     /// Deviation `||p - p_end|| / ||p_end||` in the area norm.
     pub deviation: f64,

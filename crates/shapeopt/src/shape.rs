@@ -1,6 +1,7 @@
 //! The gap that produces a wanted pressure: Appendix A of Paczelt and Mroz (2007), corrected, in one linear pass.
 
 use crate::error::Error;
+use crate::place::SurfacePlace;
 use crate::rigid_part::{Curve, lowest_nonnegative};
 use contact::{ContactPoint, Pair, Side, contact_traction, normal};
 use faer::Mat;
@@ -11,7 +12,7 @@ use nalgebra::{DMatrix, DVector};
 pub struct ShapeProblem<'a> {
     /// The two bodies.
     pub pair: Pair<'a>,
-    /// Wanted pressure `p >= 0` and shear along the tangent (normal turned clockwise) on body 1, at a point with given normal.
+    /// Wanted pressure `p >= 0` and shear along the tangent (normal turned clockwise) on body 1, at a place of the surface.
     pub traction: &'a (dyn Fn(&SurfacePlace) -> [f64; 2] + Sync),
     /// Factors of the load cases of body 1.
     pub cases_shaped: &'a [f64],
@@ -33,15 +34,6 @@ pub enum Integration {
     Lobatto,
     /// By Gauss rules with this many points beyond the degree plus two on every edge.
     Gauss(usize),
-}
-
-/// A place on the contact surface where the traction is asked for.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SurfacePlace {
-    /// Position.
-    pub position: [f64; 2],
-    /// Unit normal out of body 2 into body 1.
-    pub normal: [f64; 2],
 }
 
 /// Zero of the rigid coordinates of body 1.
@@ -118,7 +110,7 @@ pub fn solve_shape(problem: &ShapeProblem<'_>) -> Result<Shape, Error> {
 /// One body under its loads and the wanted tractions.
 fn side_state(problem: &ShapeProblem<'_>, side: Side, body: &InterfaceOperator, cases: &[f64]) -> InterfaceState {
     let traction = |point: &BoundaryPoint| {
-        let place = SurfacePlace { position: point.position, normal: normal(side, point) };
+        let place = SurfacePlace::near(problem.pair.trace(), point.position, normal(side, point));
         let [pressure, shear] = (problem.traction)(&place);
         contact_traction(side, point, pressure, shear)
     };
@@ -142,7 +134,7 @@ fn nodal_load(problem: &ShapeProblem<'_>, side: Side, body: &InterfaceOperator) 
     let mut load = TraceLoad { unknowns: vec![0.0; body.trace.unknowns], ..TraceLoad::default() };
     let sign = if side == Side::Shaped { 1.0 } else { -1.0 };
     for point in problem.pair.points() {
-        let [p, q] = (problem.traction)(&SurfacePlace { position: point.position, normal: point.normal });
+        let [p, q] = (problem.traction)(&SurfacePlace::from(&point));
         let force = |k: usize| sign * point.weight * (p * point.normal[k] + q * point.tangent[k]);
         body.trace.add_force(&mut load, point.place, [force(0), force(1)]);
     }

@@ -7,6 +7,7 @@ use faer::linalg::solvers::{PartialPivLu, Solve};
 
 /// Effect of one error of the shape, in proportion to it as long as the contact stays closed.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Tolerance {
     /// Change of the pressure at the contact points, MPa.
     pub change: Vec<f64>,

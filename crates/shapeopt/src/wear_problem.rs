@@ -130,11 +130,9 @@ impl WearProblem {
         if self.start.iter().flatten().any(|values| values.len() != n) {
             return wrong(format!("the pressure and opening at the start need {n} values each"));
         }
-        for law in &self.wear.laws {
-            let sound =
-                law.factor >= 0.0 && law.factor.is_finite() && law.pressure_exponent > 0.0 && law.pressure_exponent.is_finite();
-            if !sound {
-                return wrong(format!("the wear rule {law:?} needs a factor of at least 0 and an exponent b > 0"));
+        for rule in &self.wear.rules {
+            if let Err(error) = rule.check() {
+                return wrong(format!("a wear rule does not do: {error}"));
             }
         }
         for stage in &self.stages {

@@ -118,11 +118,11 @@ fn find_scale(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<(), WearEr
         fb = at(stage, b);
         step *= 2.0;
         if step > farthest {
-            return Err(stage.infeasible(match stage.law.density {
-                Density::Rule { .. } if fb > 0.0 => {
-                    "the whole surface stays below the threshold of the wear rule, where nothing moves"
-                }
-                _ => "the load is larger than the surface carries under p_max, or friction carries it",
+            let below = matches!(stage.law.density, Density::Given(_)) && fb > 0.0;
+            return Err(stage.infeasible(if below {
+                "the whole surface stays below the threshold of the wear rule, where nothing moves"
+            } else {
+                "the load is larger than the surface carries under p_max, or friction carries it"
             }));
         }
     }

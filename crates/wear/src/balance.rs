@@ -19,7 +19,9 @@ pub(crate) fn balance(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<Ba
     stage.collect(nodes);
     let k = match stage.law.density {
         Density::Power { k, .. } | Density::Mixed { k, .. } => k,
-        _ => f64::INFINITY,
+        Density::Exponential | Density::BangBang { .. } | Density::Given(_) | Density::Receding { .. } | Density::Sum { .. } => {
+            f64::INFINITY
+        }
     };
     if nodes.iter().all(|node| node.log_h == f64::NEG_INFINITY) {
         return Err(stage.infeasible("no point of the surface closes under the load"));

@@ -94,7 +94,7 @@ impl Stage<'_> {
     }
 
     fn settings(&self) -> Settings {
-        let powers = self.problem.wear.laws.map(|law| law.pressure_exponent);
+        let powers = self.problem.wear.powers().map(|law| law.pressure_exponent);
         let small = powers[0].min(powers[1]).min(1.0);
         let large = powers[0].max(powers[1]) + 1.0;
         Settings {
@@ -221,7 +221,7 @@ impl Line<'_, '_> {
         }
         let plain: [f64; SAMPLES] = std::array::from_fn(|i| log_h[i] - self.settings.exponent * distance(i));
         // The pressure of a rule given as a function may bend where f does not.
-        let given = matches!(self.stage.law.density, Density::Rule { .. }) && cell.front == [false, false];
+        let given = matches!(self.stage.law.density, Density::Given(_)) && cell.front == [false, false];
         if given && bends(&log_h) {
             return Verdict::Halve(0.5 * (cell.lo + cell.hi), false);
         }

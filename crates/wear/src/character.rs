@@ -2,7 +2,7 @@
 
 use crate::density::Density;
 use crate::pressure_law::Node;
-use crate::reduce::wearing;
+use crate::reduce::wearing_powers;
 use crate::stage::Stage;
 use crate::{Character, Counterface, Functional, Modes, Regime, WearLaw};
 
@@ -14,15 +14,15 @@ pub(crate) fn character(stage: &Stage<'_>, nodes: &[Node], s: f64) -> Character 
         return Character::Stationary;
     }
     match problem.functional {
-        // The minimum of the largest pressure, and of Phi = sum int beta~ v^a p^(b+1)/(b+1).
-        Functional::Uniform => return Character::Minimum,
+        // The minimum of the largest pressure, of a convex functional, and of Phi = sum int beta~ v^a p^(b+1)/(b+1).
+        Functional::Uniform | Functional::Own(_) => return Character::Minimum,
         Functional::Steady if problem.counterface != Counterface::Revolving => {
             return Character::Minimum;
         }
         Functional::Steady if matches!(stage.law.density, Density::Receding { .. }) => {
             return Character::Stationary;
         }
-        _ => {}
+        Functional::Steady | Functional::WearVolume | Functional::FrictionPower | Functional::WearPower => {}
     }
     if matches!(stage.law.density, Density::Exponential) {
         return Character::Indifferent;
@@ -35,8 +35,8 @@ pub(crate) fn character(stage: &Stage<'_>, nodes: &[Node], s: f64) -> Character 
         return if s > 1.0 { Character::Minimum } else { Character::Maximum };
     }
     let power = |law: &WearLaw| problem.functional.pressure_power(law.pressure_exponent);
-    let above = wearing(problem).all(|(_, law)| power(&law) * problem.q >= 1.0 && power(&law) >= 1.0);
-    let below = wearing(problem).all(|(_, law)| power(&law) * problem.q <= 1.0 && power(&law) <= 1.0);
+    let above = wearing_powers(problem).all(|(_, law)| power(&law) * problem.q >= 1.0 && power(&law) >= 1.0);
+    let below = wearing_powers(problem).all(|(_, law)| power(&law) * problem.q <= 1.0 && power(&law) <= 1.0);
     match (above, below) {
         (true, _) => Character::Minimum,
         (_, true) => Character::Maximum,

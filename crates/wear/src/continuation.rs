@@ -9,7 +9,7 @@ use crate::stage::Stage;
 /// Reaches the exponent k from 1 (s = 2) or -1 (s = 0, the analytic centre, which exists for every load inside the moment cone) in
 /// steps, when the direct iteration has failed.
 pub(crate) fn balance_by_continuation(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<Balanced, WearError> {
-    let target = stage.law.density;
+    let target = stage.law.density.clone();
     let (Density::Power { k, .. } | Density::Mixed { k, .. }) = target else {
         return Err(WearError::NotConverged { iterations: 0, residual: f64::NAN });
     };
@@ -18,7 +18,7 @@ pub(crate) fn balance_by_continuation(stage: &mut Stage<'_>, nodes: &mut Vec<Nod
     let mut last = k.signum();
     for step in 0..=steps {
         let here = k.signum() * k.abs().powf(f64::from(step) / f64::from(steps));
-        stage.law.density = if step == steps { target } else { with_exponent(target, k, here) };
+        stage.law.density = if step == steps { target.clone() } else { with_exponent(&target, k, here) };
         if step > 0 {
             // Towards small k the ends of contact settle, not the bends k y.
             let ratio = if k.abs() > 1.0 { last / here } else { 1.0 };
@@ -39,10 +39,12 @@ pub(crate) fn balance_by_continuation(stage: &mut Stage<'_>, nodes: &mut Vec<Nod
 }
 
 /// The same density with another exponent of f, the share of the speed kept.
-fn with_exponent(density: Density, k: f64, here: f64) -> Density {
-    match density {
+fn with_exponent(density: &Density, k: f64, here: f64) -> Density {
+    match *density {
         Density::Power { speed_power, .. } => Density::Power { k: here, speed_power: speed_power * here / k },
         Density::Mixed { log_theta, powers, .. } => Density::Mixed { k: here, log_theta, powers },
-        other => other,
+        Density::Exponential | Density::BangBang { .. } | Density::Given(_) | Density::Receding { .. } | Density::Sum { .. } => {
+            density.clone()
+        }
     }
 }

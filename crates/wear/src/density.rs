@@ -1,9 +1,9 @@
 //! The pointwise law of a stationary pressure: log p as a function of log f and log v.
 
-use crate::rule::{WearRule, invert};
+use crate::condition::Condition;
 
 /// Solution of the stationarity condition (17) at a point, up to a common factor for `Power` and `Mixed`.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) enum Density {
     /// p ~ (f / g^s)^k = f^k v^(-speed_power): one effective body.
     Power { k: f64, speed_power: f64 },
@@ -13,8 +13,8 @@ pub(crate) enum Density {
     Exponential,
     /// p = p_max where f > g = v^speed_power, else 0: s = 1 under a pressure cap.
     BangBang { speed_power: f64 },
-    /// w'(p, v) = f for a rule given as a function.
-    Rule { rule: WearRule },
+    /// x(p, v) = f for a wear rule or a functional given as a function.
+    Given(Condition),
     /// exp(log_weight) v^power p^m = f - recession of body 2.
     Receding { log_weight: f64, power: f64, m: f64 },
     /// sum_i exp(log_weight_i) v^(powers_i) p^(m_i) = f: two bodies with b1 != b2, or two rules in the steady state.
@@ -33,7 +33,7 @@ impl Density {
             // Exponential is given its exponent in place of log f; BangBang only its cap.
             Self::Exponential => (log_f, 1.0),
             Self::BangBang { .. } => (0.0, 0.0),
-            Self::Rule { rule } => invert(rule, log_f, log_speed.exp()),
+            Self::Given(ref condition) => condition.invert(log_f, log_speed.exp()),
             Self::Receding { log_weight, power, m } => ((log_f - log_weight - times(power, log_speed)) / m, 1.0 / m),
             Self::Mixed { k, log_theta, powers } => {
                 let resistance = log_sum([times(powers[0], log_speed), log_theta + times(powers[1], log_speed)]);
@@ -65,11 +65,11 @@ impl Density {
         }
     }
 
-    /// Exponent of p in f where f -> 0; of a rule given as a function it is not known.
+    /// Exponent of p in f where f -> 0; of a function of one's own it is not known.
     pub(crate) fn front_exponent(&self) -> f64 {
         match *self {
             Self::Power { k, .. } | Self::Mixed { k, .. } => k,
-            Self::Exponential | Self::BangBang { .. } | Self::Rule { .. } => 0.0,
+            Self::Exponential | Self::BangBang { .. } | Self::Given(_) => 0.0,
             Self::Receding { m, .. } => 1.0 / m,
             Self::Sum { m, .. } => 1.0 / if m[0] > 0.0 { m[0].min(m[1]) } else { m[0].max(m[1]) },
         }
@@ -84,7 +84,7 @@ impl Density {
     pub(crate) fn falls_with_speed(&self) -> bool {
         match *self {
             Self::Power { speed_power, .. } | Self::BangBang { speed_power } => speed_power >= 0.0,
-            Self::Exponential | Self::Rule { .. } => true,
+            Self::Exponential | Self::Given(_) => true,
             Self::Receding { power, .. } => power >= 0.0,
             Self::Mixed { k, powers, .. } => k * (powers[0] + powers[1]) >= 0.0,
             Self::Sum { m, powers, .. } => (powers[0] + powers[1]) * m[0] >= 0.0,

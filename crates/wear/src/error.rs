@@ -58,6 +58,14 @@ pub enum WearError {
         /// What to do.
         remedy: &'static str,
     },
+    /// A rule of one's own says too little for this functional or counter-face.
+    #[error("{functional} is not answered for a wear rule given as a function; {remedy}")]
+    OwnRule {
+        /// Field word of the functional.
+        functional: &'static str,
+        /// What to do.
+        remedy: &'static str,
+    },
     /// With s < 1 the pressure rises so steeply towards an edge that doubles cannot resolve it.
     #[error(
         "with s < 1 the peak at the edge is narrower than round-off (smallest over largest f = {ratio:.1e}); nearly all of the load \

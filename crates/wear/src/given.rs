@@ -49,7 +49,7 @@ pub(crate) struct Change {
 impl Given {
     /// The numbers of a problem that are not zero (one per cent more of nothing is nothing), in the order of the variants.
     pub(crate) fn all(problem: &Problem) -> Vec<Given> {
-        let laws = &problem.wear.laws;
+        let laws = problem.wear.powers();
         // Without any factor the exponents of body 1 still give the pressure.
         let counts = |i: usize| laws[i].factor > 0.0 || (i == 0 && laws[1].factor == 0.0);
         let bodies = || (0..2).filter(|i| counts(*i));
@@ -71,7 +71,7 @@ impl Given {
     /// What a relative change of this number does to the data.
     pub(crate) fn change(self, problem: &Problem) -> Change {
         let mut change = Change::default();
-        let laws = &problem.wear.laws;
+        let laws = problem.wear.powers();
         let driven = problem.wear.friction_driven;
         match self {
             Given::Resultant(k) => change.resultants[k] = problem.modes[k].resultant,
@@ -103,7 +103,7 @@ impl Change {
     pub(crate) fn log_rate(&self, problem: &Problem, body: usize, log_pressure: f64, log_speed: f64) -> f64 {
         self.log_factors[body]
             + times(self.speed_exponents[body], log_speed)
-            + problem.wear.laws[body].speed_exponent * self.log_speed
+            + problem.wear.powers()[body].speed_exponent * self.log_speed
             + times(self.pressure_exponents[body], log_pressure)
     }
 }

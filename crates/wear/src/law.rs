@@ -16,18 +16,6 @@ pub struct WearLaw {
     pub pressure_exponent: f64,
 }
 
-/// The rules of the two bodies in contact: body 1 is shaped (shoe, punch), body 2 the counter-face.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WearPair {
-    /// Rules of body 1 and body 2.
-    pub laws: [WearLaw; 2],
-    /// False when the friction coefficient is zero while the factors are beta: the bodies do not wear, `laws` then only
-    /// weigh the bodies against each other, and rates, powers, multipliers and feed are reported as zero.
-    pub active: bool,
-    /// True when the factors are beta mu^b and so change with the friction coefficient (for sensitivities).
-    pub friction_driven: bool,
-}
-
 impl WearLaw {
     /// Rule with factor beta~ = beta mu^b, equation (4).
     pub fn from_beta(beta: f64, friction: f64, speed_exponent: f64, pressure_exponent: f64) -> Self {
@@ -50,43 +38,6 @@ impl WearLaw {
             return Err(WearError::OutOfRange { name: "speed exponent a", value, wanted: "finite" });
         }
         Ok(())
-    }
-}
-
-impl WearPair {
-    /// Rules with factors k (Archard, no friction coefficient in them): w_i' = k_i p^{b_i} v^{a_i}.
-    pub fn archard(k: [f64; 2], speed_exponent: [f64; 2], pressure_exponent: [f64; 2]) -> Self {
-        let law = |i: usize| WearLaw { factor: k[i], speed_exponent: speed_exponent[i], pressure_exponent: pressure_exponent[i] };
-        Self { laws: [law(0), law(1)], active: true, friction_driven: false }
-    }
-
-    /// Rules with factors beta_i mu^{b_i}, equation (4).
-    ///
-    /// With mu = 0 nothing wears; the pressure is still defined as the limit mu -> 0 when one body wears or b1 = b2 (it does not
-    /// depend on the factor), and the pair is then returned with `active = false`. Two wearing bodies with b1 != b2 and mu = 0
-    /// are refused: the ratio of the factors has no limit; give Archard's k instead.
-    pub fn from_beta(
-        beta: [f64; 2],
-        friction: f64,
-        speed_exponent: [f64; 2],
-        pressure_exponent: [f64; 2],
-    ) -> Result<Self, WearError> {
-        if friction != 0.0 {
-            let law = |i: usize| WearLaw::from_beta(beta[i], friction, speed_exponent[i], pressure_exponent[i]);
-            return Ok(Self { laws: [law(0), law(1)], active: true, friction_driven: true });
-        }
-        if beta[0] > 0.0 && beta[1] > 0.0 && pressure_exponent[0] != pressure_exponent[1] {
-            return Err(WearError::NoWear {
-                functional: "a wear functional",
-                remedy: "with mu = 0 and b1 != b2 give Archard's factors k instead of beta",
-            });
-        }
-        Ok(Self { active: false, friction_driven: true, ..Self::archard(beta, speed_exponent, pressure_exponent) })
-    }
-
-    /// True when the law of body `i` takes away material.
-    pub fn wears(&self, i: usize) -> bool {
-        self.active && self.laws[i].factor > 0.0
     }
 }
 

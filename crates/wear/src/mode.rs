@@ -69,7 +69,7 @@ impl RigidMotion {
     pub fn closing(&self, point: &SurfacePoint) -> f64 {
         match self {
             Self::Expansion => 1.0,
-            _ => -point.normal.dot(&self.displacement(&point.position)),
+            Self::Translation { .. } | Self::Rotation { .. } => -point.normal.dot(&self.displacement(&point.position)),
         }
     }
 

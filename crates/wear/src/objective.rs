@@ -1,29 +1,32 @@
 //! Values of the functionals (11)-(13), in logarithms, and the multipliers that follow from Euler's identity.
 
 use crate::density::Density;
-use crate::law::log_wear_rate;
 use crate::pressure_law::Node;
 use crate::stage::Stage;
 use crate::{Functional, Problem, SurfacePoint};
 
 /// log of the local term X_i.
-fn log_term(problem: &Problem, i: usize, log_pressure: f64, log_speed: f64) -> f64 {
-    let law = &problem.wear.laws[i];
-    match problem.functional {
-        Functional::WearVolume => log_wear_rate(law, log_pressure, log_speed),
-        Functional::WearPower | Functional::Steady => log_wear_rate(law, log_pressure, log_speed) + log_pressure,
-        Functional::FrictionPower if i == 0 => problem.friction.ln() + log_pressure + log_speed,
-        _ => f64::NEG_INFINITY,
+fn log_term(problem: &Problem, i: usize, log_pressure: f64, speed: f64) -> f64 {
+    let rule = &problem.wear.rules[i];
+    match &problem.functional {
+        Functional::WearVolume => rule.log_rate(log_pressure, speed),
+        Functional::WearPower | Functional::Steady => rule.log_rate(log_pressure, speed) + log_pressure,
+        Functional::FrictionPower if i == 0 => problem.friction.ln() + log_pressure + speed.ln(),
+        Functional::Own(functional) if i == 0 && log_pressure > f64::NEG_INFINITY => {
+            functional.at(log_pressure.exp(), speed, problem.friction)[0].ln()
+        }
+        Functional::FrictionPower | Functional::Own(_) | Functional::Uniform => f64::NEG_INFINITY,
     }
 }
 
 /// J_i = (int X_i^q dS)^(1/q) of both bodies, the maxima for q = inf; `None` where J is not defined (q = 0, uniform, steady).
 pub(crate) fn terms(problem: &Problem, points: &[SurfacePoint], log_pressure: &[f64]) -> Option<[f64; 2]> {
-    let q = problem.q;
+    let own = matches!(problem.functional, Functional::Own(_));
+    let q = if own { 1.0 } else { problem.q };
     if q == 0.0 || matches!(problem.functional, Functional::Uniform | Functional::Steady) {
         return None;
     }
-    if !problem.wear.active && problem.functional != Functional::FrictionPower {
+    if !problem.wear.active && !own && problem.functional != Functional::FrictionPower {
         return Some([0.0; 2]);
     }
     Some([0, 1].map(|i| {
@@ -31,7 +34,7 @@ pub(crate) fn terms(problem: &Problem, points: &[SurfacePoint], log_pressure: &[
             points
                 .iter()
                 .zip(log_pressure)
-                .map(move |(point, log)| (log_term(problem, i, *log, point.sliding_speed.ln()), point.weight))
+                .map(move |(point, log)| (log_term(problem, i, *log, point.sliding_speed), point.weight))
         };
         let largest = logs().map(|term| term.0).fold(f64::NEG_INFINITY, f64::max);
         if largest == f64::NEG_INFINITY || q == f64::INFINITY {
@@ -46,7 +49,7 @@ pub(crate) fn terms(problem: &Problem, points: &[SurfacePoint], log_pressure: &[
     }))
 }
 
-/// Value of the functional for any pressure: J of (11)-(13), or the plain power for q = 1. `None` for q = 0, uniform and steady.
+/// Value of the functional for any pressure: J of (11)-(13), or the plain power for q = 1; int X dS of a functional of one's own. `None` for q = 0, uniform and steady.
 pub fn functional_value(problem: &Problem, points: &[SurfacePoint], pressure: &[f64]) -> Option<f64> {
     let logs: Vec<f64> = pressure.iter().map(|p| p.ln()).collect();
     terms(problem, points, &logs).map(|terms| terms[0] + terms[1])
@@ -63,7 +66,11 @@ pub(crate) fn multiplier_factor(
 ) -> Option<f64> {
     let problem = stage.problem;
     let steady = problem.functional == Functional::Steady;
-    if steady && matches!(stage.law.density, Density::Sum { .. } | Density::Receding { .. } | Density::Rule { .. }) {
+    if matches!(problem.functional, Functional::Own(_)) {
+        // dX/dp = f itself.
+        return Some(stage.law.log_scale.exp());
+    }
+    if steady && matches!(stage.law.density, Density::Sum { .. } | Density::Receding { .. } | Density::Given(_)) {
         return Some(if problem.wear.active { stage.law.log_scale.exp() } else { 0.0 });
     }
     let free = || nodes.iter().zip(log_pressure).enumerate().filter(|(_, (node, _))| node.excess < 0.0);
@@ -82,7 +89,7 @@ fn euler(problem: &Problem, nodes: &[Node], log_pressure: &[f64], terms: [f64; 2
     (0..2)
         .filter(|i| terms[*i] > 0.0)
         .map(|i| {
-            let e = problem.functional.pressure_power(problem.wear.laws[i].pressure_exponent);
+            let e = problem.functional.pressure_power(problem.wear.powers()[i].pressure_exponent);
             let capped = nodes.iter().any(|node| node.excess >= 0.0);
             if !capped || q.is_infinite() {
                 return e * terms[i];
@@ -93,7 +100,7 @@ fn euler(problem: &Problem, nodes: &[Node], log_pressure: &[f64], terms: [f64; 2
                 .zip(log_pressure)
                 .filter(|(node, _)| node.excess < 0.0)
                 .map(|(node, log)| {
-                    let term = log_term(problem, i, *log, node.point.sliding_speed.ln());
+                    let term = log_term(problem, i, *log, node.point.sliding_speed);
                     node.point.weight * (q * term - log_norm).exp()
                 })
                 .sum();

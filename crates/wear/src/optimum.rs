@@ -4,16 +4,22 @@ use crate::density::Density;
 use crate::ratio;
 use crate::reduce::{Task, reduce};
 use crate::report::report;
-use crate::rule::WearRule;
 use crate::singular::{LimitSide, limit};
 use crate::singular_report::singular_report;
 use crate::solve::balance_any;
 use crate::stage::Stage;
-use crate::{Counterface, Functional, Optimum, Problem, Regime, WearError, WearLaw, WearPair};
+use crate::{Optimum, Problem, Regime, WearError};
 
 /// Optimal pressure of a problem: the stationary pressure of its functional, the steady state, or the limit where there is no pressure.
 ///
-/// Where several pressures are stationary the one with the smallest functional is returned, with the regime `Several`.
+/// Where several pressures are stationary the one with the smallest functional is returned, with the regime `Several`. The steady state under
+/// a rule of one's own is that of the whole surface above its threshold: below it nothing moves and wear does not determine the pressure.
+///
+/// # Errors
+/// [`WearError::OutOfRange`] and [`WearError::Modes`] for numbers and modes that make no problem; [`WearError::NoWear`] where no body wears that
+/// would determine the pressure; [`WearError::MixedExponents`] and [`WearError::OwnRule`] for what this crate does not answer;
+/// [`WearError::Infeasible`] for a load that no pressure carries; [`WearError::Unresolved`] and [`WearError::NotConverged`] where the numbers
+/// end.
 pub fn optimal_pressure(problem: &Problem) -> Result<Optimum, WearError> {
     problem.check()?;
     if let Task::Density { density, s } = reduce(problem)? {
@@ -31,6 +37,9 @@ pub fn optimal_pressure(problem: &Problem) -> Result<Optimum, WearError> {
 }
 
 /// All stationary pressures found: more than one is possible for the wear volume with b < 1, s > 1 and a1 != a2.
+///
+/// # Errors
+/// Those of [`optimal_pressure`].
 pub fn stationary_pressures(problem: &Problem) -> Result<Vec<Optimum>, WearError> {
     problem.check()?;
     match reduce(problem)? {
@@ -52,20 +61,9 @@ pub fn stationary_pressures(problem: &Problem) -> Result<Vec<Optimum>, WearError
     }
 }
 
-/// Steady state of body 1 under a rule: w'(p, v) = V . phi with int psi p dS = F, p = 0 where V . phi <= 0. The problem's own functional and
-/// wear factors are not used; body 2 is taken as fresh.
-///
-/// Where the whole surface stays below the threshold nothing moves and the pressure is not determined by wear; such a load is refused.
-pub fn steady_pressure_of_rule(problem: &Problem, rule: WearRule) -> Result<Optimum, WearError> {
-    problem.check()?;
-    let wear = WearPair { laws: [WearLaw::NONE; 2], active: true, friction_driven: false };
-    let steady = Problem { wear, functional: Functional::Steady, counterface: Counterface::Fresh, ..problem.clone() };
-    solve(&steady, Density::Rule { rule }, f64::NAN)
-}
-
 /// Body 2 recedes by its mean wear along its tracks.
 fn revolving(problem: &Problem) -> Result<Optimum, WearError> {
-    let front = problem.wear.laws[0];
+    let front = problem.wear.powers()[0];
     if front.factor == 0.0 {
         return Err(WearError::NoWear {
             functional: "steady with a revolving counterface",

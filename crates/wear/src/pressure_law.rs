@@ -31,7 +31,7 @@ pub(crate) struct Node {
 
 /// A pressure as a function of position: f = phi_p + sum_j y_j (phi_j - ratio_j phi_p) with modes divided by their scales, so that
 /// lambda . F stays fixed whatever y, and log p = log_scale + log h(f, v).
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct PressureLaw {
     pub(crate) density: Density,
     pub(crate) modes: [RigidMode; MAX_MODES],
@@ -67,7 +67,7 @@ impl PressureLaw {
             let psi = match (self.balance, mode.motion) {
                 (Balance::Equilibrium, motion) => motion.force_weight(point, self.friction),
                 (Balance::Paper, RigidMotion::Translation { .. }) => 1.0,
-                (Balance::Paper, _) => phi,
+                (Balance::Paper, RigidMotion::Rotation { .. } | RigidMotion::Expansion) => phi,
             };
             values.phi[k] = if self.mode_kind == Modes::Associated { psi } else { phi } / self.scale[k];
             values.psi[k] = psi / self.scale[k];
@@ -131,7 +131,9 @@ impl PressureLaw {
                 f -= self.recession.at(&point) * (-before).exp();
                 log_f = if f > 0.0 { before + f.ln() } else { f64::NEG_INFINITY };
             }
-            _ => log_f += before,
+            Density::Exponential | Density::Power { .. } | Density::Mixed { .. } | Density::Given(_) | Density::Sum { .. } => {
+                log_f += before
+            }
         }
         let mut node =
             Node { point, modes, f, log_h: f64::NEG_INFINITY, slope: 0.0, excess: f64::NEG_INFINITY, parameter: [0.0; 2] };

@@ -1,7 +1,7 @@
 //! A wear problem: surface, rule, load, and what is to be made stationary.
 
 use crate::mode::MAX_MODES;
-use crate::{Balance, Functional, Modes, RigidMode, Shape, Surface, WearError, WearLaw, WearPair};
+use crate::{Balance, Functional, Modes, RigidMode, Rule, Shape, Surface, WearError, WearPair};
 
 /// The way body 2's points pass through the contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,11 +42,12 @@ pub struct Problem {
 }
 
 impl Problem {
-    /// Steady state of body 1's wear rule under one force or several modes, frictionless balance, one wearing body.
-    pub fn new(surface: Surface, law: WearLaw, modes: Vec<RigidMode>) -> Self {
+    /// Steady state of body 1's wear rule, a [`WearLaw`](crate::WearLaw) or an [`OwnRule`](crate::OwnRule), under one force or several modes, frictionless
+    /// balance, one wearing body.
+    pub fn new(surface: Surface, rule: impl Into<Rule>, modes: Vec<RigidMode>) -> Self {
         Self {
             surface,
-            wear: WearPair { laws: [law, WearLaw::NONE], active: true, friction_driven: false },
+            wear: WearPair::alone(rule),
             friction: 0.0,
             shear_in_balance: true,
             modes,
@@ -85,8 +86,8 @@ impl Problem {
             let why = "a full ring carries axial modes only; use a sector of one turn for moments";
             return Err(WearError::Modes { count, why });
         }
-        for law in &self.wear.laws {
-            law.check()?;
+        for rule in &self.wear.rules {
+            rule.check()?;
         }
         Ok(())
     }

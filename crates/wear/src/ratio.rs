@@ -26,7 +26,7 @@ pub(crate) fn roots(problem: &Problem, ratio: &Ratio) -> Result<Vec<f64>, WearEr
     if lo == hi {
         return Ok(vec![lo]);
     }
-    let b = problem.wear.laws.map(|law| law.pressure_exponent);
+    let b = problem.wear.powers().map(|law| law.pressure_exponent);
     let several = problem.functional == Functional::WearVolume && b[0].min(b[1]) < 1.0 && ratio.m[0] > 0.0;
     let count = if several { SCAN } else { 1 };
     let mut found = Vec::new();
@@ -72,7 +72,7 @@ fn target(stage: &Stage<'_>, ratio: &Ratio, nodes: &[Node]) -> f64 {
         let sum: f64 = nodes.iter().map(|node| node.point.weight * (log(node) - shift).exp()).sum();
         shift + sum.ln()
     };
-    let laws = stage.problem.wear.laws;
+    let laws = stage.problem.wear.powers();
     let factor = q * (laws[1].factor.ln() - laws[0].factor.ln());
     ratio.base + (1.0 - q) / q * (norm(1) - norm(0) + factor)
 }
@@ -88,7 +88,7 @@ fn bracket(
     problem.surface.survey(&mut |point| {
         speeds = (speeds.0.min(point.sliding_speed), speeds.1.max(point.sliding_speed));
     });
-    let laws = problem.wear.laws;
+    let laws = problem.wear.powers();
     let centre = ratio.base + (1.0 - q) * (laws[1].factor.ln() - laws[0].factor.ln());
     if matches!(ratio.density(0.0), Density::Mixed { .. }) && speeds.0 > 0.0 {
         let ends = [speeds.0, speeds.1].map(|v| centre + (1.0 - q) / q * (ratio.powers[1] - ratio.powers[0]) * v.ln());

@@ -15,7 +15,12 @@ impl Recession {
     pub(crate) fn none(surface: &Surface) -> Self {
         let radii = match surface.shape() {
             Shape::Sector { radii, .. } => Some(*radii).filter(|radii| radii[0] > 0.0),
-            _ => None,
+            Shape::Points(_)
+            | Shape::Arc { .. }
+            | Shape::Strip { .. }
+            | Shape::Annulus { .. }
+            | Shape::Rectangle { .. }
+            | Shape::Ellipse { .. } => None,
         };
         Self { values: [0.0; ORDER], radii }
     }

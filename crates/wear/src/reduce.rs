@@ -1,13 +1,14 @@
 //! From functional, q and wear rules to the pointwise law of the stationary pressure.
 
+use crate::condition::Condition;
 use crate::density::Density;
-use crate::{Counterface, Functional, Problem, Shape, WearError, WearLaw};
+use crate::{Counterface, Functional, Problem, Rule, Shape, WearError, WearLaw};
 
 /// Closest to 1 that s is told apart from 1: below it s - 1 is the rounding of decimal input such as b = 0.1, q = 10.
 const SINGULAR: f64 = 1e-15;
 
 /// What the functional asks for.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) enum Task {
     /// The density is known up to the multipliers.
     Density { density: Density, s: f64 },
@@ -44,23 +45,31 @@ impl Ratio {
 }
 
 /// The wear rules that matter, body 1 first.
-pub(crate) fn wearing(problem: &Problem) -> impl Iterator<Item = (usize, WearLaw)> {
+pub(crate) fn wearing(problem: &Problem) -> impl Iterator<Item = (usize, &Rule)> {
     let alone = problem.functional == Functional::Steady && problem.counterface == Counterface::Fresh;
-    let laws = problem.wear.laws;
-    (0..2).filter(move |i| laws[*i].factor > 0.0 && !(alone && *i == 1)).map(move |i| (i, laws[i]))
+    problem.wear.rules.iter().enumerate().filter(move |(i, rule)| rule.wears() && !(alone && *i == 1))
+}
+
+/// The power laws among the wear rules that matter.
+pub(crate) fn wearing_powers(problem: &Problem) -> impl Iterator<Item = (usize, WearLaw)> {
+    wearing(problem).filter_map(|(i, rule)| Some((i, *rule.power()?)))
 }
 
 pub(crate) fn reduce(problem: &Problem) -> Result<Task, WearError> {
-    let (functional, q) = (problem.functional, problem.q);
+    let (functional, q) = (&problem.functional, problem.q);
     match functional {
         Functional::Uniform => {
             return Ok(Task::Density { density: Density::Power { k: 0.0, speed_power: 0.0 }, s: f64::INFINITY });
         }
         Functional::FrictionPower => return Ok(single(functional, q, 1.0, 1.0)),
-        _ => {}
+        Functional::Own(own) => return Ok(given(Condition::Functional(own.clone(), problem.friction))),
+        Functional::Steady | Functional::WearVolume | Functional::WearPower => {}
     }
-    let given = problem.wear.laws;
-    let (first, last) = match (wearing(problem).next(), wearing(problem).last()) {
+    if wearing(problem).any(|(_, rule)| rule.power().is_none()) {
+        return of_own_rule(problem);
+    }
+    let given = problem.wear.powers();
+    let (first, last) = match (wearing_powers(problem).next(), wearing_powers(problem).last()) {
         (Some(first), Some(last)) => (first, last),
         // No factor at all: the exponents of body 1 still give a pressure.
         _ if given[1].factor == 0.0 => ((0, given[0]), (0, given[0])),
@@ -72,19 +81,43 @@ pub(crate) fn reduce(problem: &Problem) -> Result<Task, WearError> {
         }
     };
     let rules = [first.1, last.1];
-    if functional == Functional::Steady {
-        let revolving = problem.counterface == Counterface::Revolving && last.0 == 1;
-        let tracks_covered = matches!(problem.surface.shape(), Shape::Annulus { .. });
-        return Ok(if revolving && !tracks_covered { Task::Revolving } else { steady(&rules) });
+    if *functional == Functional::Steady {
+        return Ok(if recedes(problem, last.0) { Task::Revolving } else { steady(&rules) });
     }
     powers(functional, q, &rules)
+}
+
+/// Whether body 2 is the last body that wears and recedes by its mean along tracks that the surface does not cover.
+fn recedes(problem: &Problem, last: usize) -> bool {
+    let tracks_covered = matches!(problem.surface.shape(), Shape::Annulus { .. });
+    problem.counterface == Counterface::Revolving && last == 1 && !tracks_covered
+}
+
+/// The condition of a function of one's own.
+fn given(condition: Condition) -> Task {
+    Task::Density { density: Density::Given(condition), s: f64::NAN }
+}
+
+/// The steady state where some body wears by a rule of one's own: the sum of the rates is the rigid wear.
+fn of_own_rule(problem: &Problem) -> Result<Task, WearError> {
+    let functional = problem.functional.word();
+    if problem.functional != Functional::Steady {
+        let remedy = "ask for the steady state, or give a functional of your own with its derivatives";
+        return Err(WearError::OwnRule { functional, remedy });
+    }
+    let wearing: Vec<(usize, &Rule)> = wearing(problem).collect();
+    if wearing.last().is_some_and(|(last, _)| recedes(problem, *last)) {
+        let remedy = "on a revolving counter-face that wears both rules must be power laws";
+        return Err(WearError::OwnRule { functional, remedy });
+    }
+    Ok(given(Condition::Wear(wearing.into_iter().map(|(_, rule)| rule.clone()).collect())))
 }
 
 /// The steady state: sum_i c_i v^(a_i) p^(b_i) = f.
 fn steady(rules: &[WearLaw; 2]) -> Task {
     let (a, b) = (rules.map(|law| law.speed_exponent), rules.map(|law| law.pressure_exponent));
     if a[0] == a[1] && b[0] == b[1] {
-        return single(Functional::WearPower, 1.0, a[0], b[0]);
+        return single(&Functional::WearPower, 1.0, a[0], b[0]);
     }
     let weights = rules.map(|law| law.factor.ln());
     if b[0] == b[1] {
@@ -95,7 +128,7 @@ fn steady(rules: &[WearLaw; 2]) -> Task {
 }
 
 /// Wear volume and wear power with their q.
-fn powers(functional: Functional, q: f64, rules: &[WearLaw; 2]) -> Result<Task, WearError> {
+fn powers(functional: &Functional, q: f64, rules: &[WearLaw; 2]) -> Result<Task, WearError> {
     let (a, b) = (rules.map(|law| law.speed_exponent), rules.map(|law| law.pressure_exponent));
     if a[0] == a[1] && b[0] == b[1] {
         return Ok(single(functional, q, a[0], b[0]));
@@ -120,7 +153,7 @@ fn powers(functional: Functional, q: f64, rules: &[WearLaw; 2]) -> Result<Task, 
 }
 
 /// One effective body: p = (f / g^s)^k with g^s = v^(a q).
-fn single(functional: Functional, q: f64, a: f64, b: f64) -> Task {
+fn single(functional: &Functional, q: f64, a: f64, b: f64) -> Task {
     let e = functional.pressure_power(b);
     if q.is_infinite() {
         return Task::Density { density: Density::Power { k: 0.0, speed_power: a / e }, s: q };

@@ -6,14 +6,13 @@ use crate::balance::Balanced;
 use crate::character::{character, regime};
 use crate::density::Density;
 use crate::extremes::extremes;
-use crate::law::log_wear_rate;
 use crate::objective::{multiplier_factor, terms};
 use crate::pressure_law::Node;
 use crate::recession::Recession;
-use crate::reduce::wearing;
+use crate::reduce::wearing_powers;
 use crate::stage::Stage;
 use crate::steady::{congruence, gap_rate, steadiness};
-use crate::{Counterface, Functional, Optimum, Problem, RigidMotion, Shape, SurfacePoint, wear_rate};
+use crate::{Counterface, Functional, Optimum, Problem, RigidMotion, Shape, SurfacePoint};
 
 /// The answer for a balanced stage and its nodes.
 pub(crate) fn report(stage: &mut Stage<'_>, nodes: &[Node], balanced: &Balanced, s: f64) -> Optimum {
@@ -64,7 +63,7 @@ pub(crate) fn report(stage: &mut Stage<'_>, nodes: &[Node], balanced: &Balanced,
         pressure,
         log_pressure,
         highest: extremes.highest,
-        law: stage.law,
+        law: stage.law.clone(),
     }
 }
 
@@ -90,33 +89,28 @@ fn mean_recession(stage: &mut Stage<'_>) -> Recession {
     recession
 }
 
-/// Wear rates of both bodies at a node; under a rule given as a function body 1 wears alone.
+/// Wear rates of both bodies at a node.
 fn rates(stage: &Stage<'_>, log_pressure: f64, node: &Node) -> [f64; 2] {
-    match stage.law.density {
-        Density::Rule { rule } if log_pressure > f64::NEG_INFINITY => {
-            [rule(log_pressure.exp(), node.point.sliding_speed)[0], 0.0]
-        }
-        _ => [0, 1].map(|i| rate(stage.problem, i, log_pressure, node)),
-    }
+    [0, 1].map(|i| rate(stage.problem, i, log_pressure, node))
 }
 
 /// Wear rate of a body at a node, also where p itself overflows.
 fn rate(problem: &Problem, i: usize, log_pressure: f64, node: &Node) -> f64 {
-    let law = &problem.wear.laws[i];
+    let rule = &problem.wear.rules[i];
     if !problem.wear.wears(i) {
         return 0.0;
     }
     if log_pressure.abs() < 700.0 {
-        return wear_rate(law, log_pressure.exp(), node.point.sliding_speed);
+        return rule.rate(log_pressure.exp(), node.point.sliding_speed);
     }
-    log_wear_rate(law, log_pressure, node.point.sliding_speed.ln()).exp()
+    rule.log_rate(log_pressure, node.point.sliding_speed).exp()
 }
 
 fn exponent(density: &Density) -> Option<f64> {
     match density {
         Density::Power { k, .. } | Density::Mixed { k, .. } => Some(*k),
         Density::Receding { m, .. } => Some(1.0 / m),
-        _ => None,
+        Density::Exponential | Density::BangBang { .. } | Density::Given(_) | Density::Sum { .. } => None,
     }
 }
 
@@ -141,9 +135,9 @@ fn feed_share(problem: &Problem) -> Option<f64> {
     if problem.functional == Functional::Steady {
         return Some(1.0);
     }
-    let first = wearing(problem).next().map_or(problem.wear.laws[0], |(_, law)| law);
+    let first = wearing_powers(problem).next().map_or(problem.wear.powers()[0], |(_, law)| law);
     let b = first.pressure_exponent;
-    let same = wearing(problem).all(|(_, law)| law.pressure_exponent == b);
+    let same = wearing_powers(problem).all(|(_, law)| law.pressure_exponent == b);
     let velocity = problem.functional == Functional::WearPower && problem.q == 1.0 && same && problem.p_max.is_none();
     velocity.then(|| 1.0 / (b + 1.0))
 }

@@ -1,51 +1,192 @@
-//! A wear rule given as a function, for a law that is no power of the pressure: its inverse, the pressure that wears at a given rate.
+//! The wear rule of a body: a power law, or a function of one's own. Rate, slope, inverse and potential of both stand here, and the
+//! optimum, the wear in time and the tolerance of a shape take them from here alone.
 
-/// Wear rate of body 1 and its slope, `[w', dw'/dp]` in mm/s and mm/(s MPa), from pressure (MPa) and sliding speed (mm/s). It must be
-/// zero up to some pressure p0 >= 0, continuous, and grow from there without bound.
-pub type WearRule = fn(pressure: f64, sliding_speed: f64) -> [f64; 2];
+use crate::invert::{integral, invert};
+use crate::own_rule::OwnRule;
+use crate::{WearError, WearLaw};
 
-/// log p with w'(p, v) = exp(log_rate), and d log p / d log w': bracketing, then Newton kept inside the bracket.
-pub(crate) fn invert(rule: WearRule, log_rate: f64, speed: f64) -> (f64, f64) {
-    let defect = |u: f64| {
-        let [rate, slope] = rule(u.exp(), speed);
-        (rate.ln() - log_rate, slope * u.exp() / rate)
-    };
-    let [mut low, mut high] = bracket(&|u| defect(u).0);
-    let mut u = 0.5 * (low + high);
-    let mut slope = f64::INFINITY;
-    for _ in 0..200 {
-        let (value, growth) = defect(u);
-        // Below a threshold 0/0: there the pressure does not change with the rate.
-        slope = if growth.is_nan() { f64::INFINITY } else { growth };
-        if value > 0.0 {
-            high = u
-        } else {
-            low = u
-        }
-        let newton = u - value / growth;
-        let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-        let moved = (next - u).abs();
-        u = next;
-        if moved <= 1e-15 * (1.0 + u.abs()) {
-            break;
-        }
-    }
-    (u, 1.0 / slope)
+use crate::law::{log_wear_rate, wear_rate};
+
+/// Wear rule of one body: the wear rate w' (mm/s) as a function of pressure (MPa) and sliding speed (mm/s).
+#[derive(Clone, Debug, PartialEq)]
+pub enum Rule {
+    /// w' = beta~ p^b v^a, equation (4).
+    Power(WearLaw),
+    /// A function of one's own.
+    Own(OwnRule),
 }
 
-/// Logarithms of two pressures between which the defect of the rate changes its sign, as far as a pressure is a number.
-fn bracket(defect: &dyn Fn(f64) -> f64) -> [f64; 2] {
-    let (mut low, mut high) = (-1.0, 1.0);
-    let mut step = 1.0;
-    while defect(high) < 0.0 && high < 700.0 {
-        (low, high) = (high, high + step);
-        step *= 2.0;
+impl From<WearLaw> for Rule {
+    fn from(law: WearLaw) -> Rule {
+        Rule::Power(law)
     }
-    step = 1.0;
-    // Below a threshold the rate is zero and its logarithm -inf: that is low enough.
-    while defect(low) >= 0.0 && low > -700.0 {
-        low -= step;
-        step *= 2.0;
+}
+
+impl From<OwnRule> for Rule {
+    fn from(rule: OwnRule) -> Rule {
+        Rule::Own(rule)
     }
-    [low, high]
+}
+
+impl Rule {
+    /// A body that does not wear.
+    pub const NONE: Rule = Rule::Power(WearLaw::NONE);
+
+    /// Wear rate w'(p, v) in mm/s; zero pressure gives zero.
+    pub fn rate(&self, pressure: f64, sliding_speed: f64) -> f64 {
+        match self {
+            Rule::Power(law) => wear_rate(law, pressure, sliding_speed),
+            Rule::Own(rule) => rule.rate(pressure, sliding_speed),
+        }
+    }
+
+    /// Slope dw'/dp in mm/(s MPa); at p = 0 from above.
+    pub fn slope(&self, pressure: f64, sliding_speed: f64) -> f64 {
+        self.at(sliding_speed).slope(pressure)
+    }
+
+    /// The pressure (MPa) that wears at a rate (mm/s): zero for rates of 0 and less, infinite for rates that no pressure reaches.
+    pub fn inverse(&self, rate: f64, sliding_speed: f64) -> f64 {
+        self.at(sliding_speed).inverse(rate)
+    }
+
+    /// Potential int_0^p w'(s, v) ds in N/(mm s), beta~ v^a p^(b+1)/(b+1) for the power law; its area integral is the Lyapunov function of the
+    /// wear in time.
+    pub fn potential(&self, pressure: f64, sliding_speed: f64) -> f64 {
+        self.at(sliding_speed).potential(pressure)
+    }
+
+    /// The rule at a place, where the sliding speed (mm/s) is known.
+    pub fn at(&self, sliding_speed: f64) -> LocalRule {
+        match self {
+            Rule::Power(law) => LocalRule::Power {
+                factor: if law.factor == 0.0 { 0.0 } else { law.factor * sliding_speed.powf(law.speed_exponent) },
+                exponent: law.pressure_exponent,
+            },
+            Rule::Own(rule) => LocalRule::Own { rule: rule.clone(), sliding_speed },
+        }
+    }
+
+    /// Whether the rule takes away material.
+    pub fn wears(&self) -> bool {
+        match self {
+            Rule::Power(law) => law.factor > 0.0,
+            Rule::Own(_) => true,
+        }
+    }
+
+    /// The power law; `None` for a function of one's own.
+    pub fn power(&self) -> Option<&WearLaw> {
+        match self {
+            Rule::Power(law) => Some(law),
+            Rule::Own(_) => None,
+        }
+    }
+
+    /// Checks the numbers of the rule; a function of one's own has none.
+    ///
+    /// # Errors
+    /// [`WearError::OutOfRange`] for a factor below 0, an exponent b that is not greater than 0, and numbers that are not finite.
+    pub fn check(&self) -> Result<(), WearError> {
+        match self {
+            Rule::Power(law) => law.check(),
+            Rule::Own(_) => Ok(()),
+        }
+    }
+
+    /// log w', usable where w' itself overflows; -inf when nothing wears.
+    pub(crate) fn log_rate(&self, log_pressure: f64, sliding_speed: f64) -> f64 {
+        match self {
+            Rule::Power(law) => log_wear_rate(law, log_pressure, sliding_speed.ln()),
+            Rule::Own(rule) => rule.rate(log_pressure.exp(), sliding_speed).ln(),
+        }
+    }
+}
+
+/// A wear rule at a place of known sliding speed: a function of the pressure alone. The factor beta~ v^a is one number here, so that a rate may
+/// differ in its last digit from that of [`Rule::rate`], which multiplies from the left.
+#[derive(Clone, Debug, PartialEq)]
+pub enum LocalRule {
+    /// w' = factor p^exponent.
+    Power {
+        /// beta~ v^a.
+        factor: f64,
+        /// b.
+        exponent: f64,
+    },
+    /// A function of one's own.
+    Own {
+        /// The rule.
+        rule: OwnRule,
+        /// Sliding speed, mm/s.
+        sliding_speed: f64,
+    },
+}
+
+impl LocalRule {
+    /// A place that does not wear.
+    pub const NONE: LocalRule = LocalRule::Power { factor: 0.0, exponent: 1.0 };
+
+    /// Wear rate in mm/s.
+    pub fn rate(&self, pressure: f64) -> f64 {
+        match self {
+            LocalRule::Power { factor, exponent } => {
+                if *factor == 0.0 || pressure <= 0.0 {
+                    0.0
+                } else {
+                    factor * pressure.powf(*exponent)
+                }
+            }
+            LocalRule::Own { rule, sliding_speed } => rule.rate(pressure, *sliding_speed),
+        }
+    }
+
+    /// Slope dw'/dp in mm/(s MPa).
+    pub fn slope(&self, pressure: f64) -> f64 {
+        match self {
+            LocalRule::Power { factor, exponent } => {
+                if *factor == 0.0 {
+                    0.0
+                } else {
+                    factor * exponent * pressure.max(0.0).powf(exponent - 1.0)
+                }
+            }
+            LocalRule::Own { rule, sliding_speed } => rule.slope(pressure, *sliding_speed),
+        }
+    }
+
+    /// The pressure that wears at a rate, as [`Rule::inverse`].
+    pub fn inverse(&self, rate: f64) -> f64 {
+        if rate <= 0.0 {
+            return 0.0;
+        }
+        match self {
+            LocalRule::Power { factor, exponent } => (rate / factor).powf(1.0 / exponent),
+            LocalRule::Own { rule, sliding_speed } => invert(&|p| rule.at(p, *sliding_speed), rate.ln()).0.exp(),
+        }
+    }
+
+    /// Potential int_0^p w' in N/(mm s), as [`Rule::potential`]; that of a function by Gauss rules.
+    pub fn potential(&self, pressure: f64) -> f64 {
+        match self {
+            LocalRule::Power { exponent, .. } => self.rate(pressure) * pressure / (exponent + 1.0),
+            LocalRule::Own { rule, sliding_speed } => integral(&|p| rule.rate(p, *sliding_speed), pressure),
+        }
+    }
+
+    /// Whether anything wears here.
+    pub fn wears(&self) -> bool {
+        match self {
+            LocalRule::Power { factor, .. } => *factor > 0.0,
+            LocalRule::Own { .. } => true,
+        }
+    }
+
+    /// Whether the rate is proportional to the pressure.
+    pub fn is_linear(&self) -> bool {
+        match self {
+            LocalRule::Power { factor, exponent } => *exponent == 1.0 || *factor == 0.0,
+            LocalRule::Own { .. } => false,
+        }
+    }
 }

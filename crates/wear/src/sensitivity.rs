@@ -23,6 +23,7 @@ use crate::{Balance, Counterface, Functional, Modes, Problem, Shape, wear_rate};
 
 /// What one per cent more of a given number does to first order, in per cent.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Sensitivity {
     /// The number.
     pub given: Given,
@@ -39,7 +40,7 @@ pub struct Sensitivity {
 ///
 /// Exact derivatives; where the largest pressure is reached at several places, that of one of them. `None` where the pressure has no derivative or is
 /// no function: s = 1, several modes with q infinite or a uniform pressure, two wearing bodies with q infinite, a revolving counter-face that wears
-/// under a sector.
+/// under a sector, a wear rule or a functional of one's own.
 pub fn one_percent(problem: &Problem, optimum: &Optimum) -> Option<Vec<Sensitivity>> {
     let system = System::new(problem, optimum)?;
     let lu = system.matrix().lu();
@@ -77,9 +78,12 @@ struct System<'a> {
 
 impl<'a> System<'a> {
     fn new(problem: &'a Problem, optimum: &'a Optimum) -> Option<System<'a>> {
+        if problem.wear.has_own() {
+            return None;
+        }
         let uniform = matches!(optimum.law.density, Density::Power { k: 0.0, .. });
-        let (count, two) = (problem.modes.len(), problem.wear.laws.iter().all(|law| law.factor > 0.0));
-        let of_wear = !matches!(problem.functional, Functional::Uniform | Functional::FrictionPower | Functional::Steady);
+        let (count, two) = (problem.modes.len(), problem.wear.powers().iter().all(|law| law.factor > 0.0));
+        let of_wear = matches!(problem.functional, Functional::WearVolume | Functional::WearPower);
         let recedes = matches!(optimum.law.density, Density::Receding { .. });
         let excluded = uniform && (count > 1 || (two && of_wear)) || (recedes && optimum.law.recession.radii.is_some());
         if optimum.points.is_empty() || excluded {
@@ -88,8 +92,8 @@ impl<'a> System<'a> {
         let terms = if uniform { Vec::new() } else { terms(problem, optimum)? };
         let ratio = terms.len() == 2 && of_wear && problem.q != 1.0;
         let mut system = System { problem, optimum, terms, places: Vec::new(), ratio, recedes };
-        let mut stage = Stage::new(problem, optimum.law.density).ok()?;
-        stage.law = optimum.law;
+        let mut stage = Stage::new(problem, optimum.law.density.clone()).ok()?;
+        stage.law = optimum.law.clone();
         // Where contact ends inside the surface p has other powers of the distance than its derivatives.
         stage.front_rule = stage.front_rule.is_some().then(graded);
         let mut nodes = Vec::new();
@@ -156,13 +160,13 @@ impl<'a> System<'a> {
 
     /// d log p of p = C v^(-a/e), q infinite.
     fn by_speed(&self, place: &Place, change: &Change) -> f64 {
-        let body = usize::from(self.problem.wear.laws[0].factor == 0.0 && self.problem.wear.laws[1].factor > 0.0);
-        let law = &self.problem.wear.laws[body];
+        let body = usize::from(self.problem.wear.powers()[0].factor == 0.0 && self.problem.wear.powers()[1].factor > 0.0);
+        let law = self.problem.wear.powers()[body];
         let (a, e) = (law.speed_exponent, self.problem.functional.pressure_power(law.pressure_exponent));
         match self.problem.functional {
             Functional::Uniform => 0.0,
             Functional::FrictionPower => -change.log_speed,
-            _ => {
+            Functional::WearVolume | Functional::WearPower | Functional::Steady | Functional::Own(_) => {
                 let d_power = change.speed_exponents[body] / e - a / (e * e) * change.pressure_exponents[body];
                 -times(d_power, place.log_speed) - a / e * change.log_speed
             }
@@ -197,14 +201,14 @@ impl<'a> System<'a> {
     /// Weight of a place in the norm A_i of a term's body, and the norm's share: X_i^q dS / A_i.
     fn norm_weights(&self, term: &Term) -> Vec<f64> {
         let body = term.body.unwrap_or(0);
-        let a = self.problem.wear.laws[body].speed_exponent;
+        let a = self.problem.wear.powers()[body].speed_exponent;
         let log = |place: &Place| (term.m + 1.0) * place.log_pressure + times(a * self.problem.q, place.log_speed);
         normalised(&self.places, log)
     }
 
     /// Weight of a place in the wear of body 2.
     fn wear_weights(&self) -> Vec<f64> {
-        let law = &self.problem.wear.laws[1];
+        let law = self.problem.wear.powers()[1];
         normalised(&self.places, |place| law.pressure_exponent * place.log_pressure + times(law.speed_exponent, place.log_speed))
     }
 
@@ -234,7 +238,7 @@ impl<'a> System<'a> {
             }
             matrix[(count, count)] += 1.0;
         } else if self.recedes {
-            subtract(self.recession() * self.problem.wear.laws[1].pressure_exponent, &self.wear_weights());
+            subtract(self.recession() * self.problem.wear.powers()[1].pressure_exponent, &self.wear_weights());
             matrix[(count, count)] += 1.0;
         }
         matrix
@@ -260,7 +264,7 @@ impl<'a> System<'a> {
                 }
             }
         } else if self.recedes {
-            let b = self.problem.wear.laws[1].pressure_exponent;
+            let b = self.problem.wear.powers()[1].pressure_exponent;
             for ((place, known), weight) in self.places.iter().zip(&known).zip(self.wear_weights()) {
                 let rate = change.log_rate(self.problem, 1, place.log_pressure, place.log_speed);
                 side[count] += self.recession() * weight * (rate + b * known);
@@ -297,11 +301,11 @@ impl<'a> System<'a> {
     fn wear_rate(&self, change: &Change, log_pressures: &[f64]) -> Option<f64> {
         let (mut whole, mut changed) = (0.0, 0.0);
         for (i, part) in [1.0, self.share_of_body2()].into_iter().enumerate().filter(|(i, _)| self.problem.wear.wears(*i)) {
-            let law = &self.problem.wear.laws[i];
+            let law = self.problem.wear.powers()[i];
             let touching = self.places.iter().zip(log_pressures).filter(|(place, _)| place.log_pressure > f64::NEG_INFINITY);
             for (place, log_pressure) in touching {
                 let point = &place.node.point;
-                let rate = part * point.weight * wear_rate(law, place.log_pressure.exp(), point.sliding_speed);
+                let rate = part * point.weight * wear_rate(&law, place.log_pressure.exp(), point.sliding_speed);
                 let own = change.log_rate(self.problem, i, place.log_pressure, place.log_speed);
                 whole += rate;
                 changed += rate * (own + law.pressure_exponent * log_pressure);
@@ -315,9 +319,12 @@ impl<'a> System<'a> {
         let surface = &self.problem.surface;
         match (self.problem.counterface, surface.shape()) {
             (Counterface::Fresh, _) => 0.0,
-            (Counterface::Congruent, _) | (_, Shape::Annulus { .. }) => 1.0,
-            (_, Shape::Sector { angles, .. }) => (angles[1] - angles[0]) / std::f64::consts::TAU,
-            _ => surface.track_area().map_or(0.0, |track| surface.area() / track),
+            (Counterface::Congruent, _) | (Counterface::Revolving, Shape::Annulus { .. }) => 1.0,
+            (Counterface::Revolving, Shape::Sector { angles, .. }) => (angles[1] - angles[0]) / std::f64::consts::TAU,
+            (
+                Counterface::Revolving,
+                Shape::Points(_) | Shape::Arc { .. } | Shape::Strip { .. } | Shape::Rectangle { .. } | Shape::Ellipse { .. },
+            ) => surface.track_area().map_or(0.0, |track| surface.area() / track),
         }
     }
 }

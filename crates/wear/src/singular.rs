@@ -27,6 +27,10 @@ type Place = ([f64; 2], SurfacePoint);
 
 /// Forces that the stationary pressures approach as s -> 1 from one side, for the cost g = v^speed_power of the functional
 /// (a/b for wear volume, 1 for friction power, a/(b+1) for wear power).
+///
+/// # Errors
+/// Those of [`optimal_pressure`](crate::optimal_pressure): [`WearError::Infeasible`] for a load that no forces carry,
+/// [`WearError::MixedExponents`] for several kinematic modes with friction on a curved surface.
 pub fn singular_limit(problem: &Problem, speed_power: f64, side: LimitSide) -> Result<Vec<PointForce>, WearError> {
     problem.check()?;
     let stage = Stage::new(problem, crate::density::Density::BangBang { speed_power })?;

@@ -15,7 +15,7 @@ pub(crate) fn singular_report(stage: &Stage<'_>, atoms: &Atoms, s: f64) -> Optim
     let wear: f64 = (0..2)
         .filter(|i| problem.wear.wears(*i))
         .map(|i| {
-            let law = &problem.wear.laws[i];
+            let Some(law) = problem.wear.rules[i].power() else { return f64::NAN };
             let sum = atoms.iter().map(|(p, force)| law.factor * force * p.sliding_speed.powf(law.speed_exponent));
             linear(law.pressure_exponent, sum.sum())
         })
@@ -52,6 +52,6 @@ pub(crate) fn singular_report(stage: &Stage<'_>, atoms: &Atoms, s: f64) -> Optim
         iterations: 0,
         balance_residual: 0.0,
         highest: stage.problem.surface.at(0.0, 0.0),
-        law: stage.law,
+        law: stage.law.clone(),
     }
 }

@@ -36,11 +36,11 @@ pub(crate) fn balance_any(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Resul
             stage.law.log_cap = cap;
             balance_absolute(stage, nodes)
         }
-        Density::Sum { .. } | Density::Receding { .. } | Density::BangBang { .. } | Density::Rule { .. } => {
+        Density::Sum { .. } | Density::Receding { .. } | Density::BangBang { .. } | Density::Given(_) => {
             stage.law.log_cap = cap;
             balance_absolute(stage, nodes)
         }
-        _ => {
+        Density::Power { .. } | Density::Mixed { .. } | Density::Exponential => {
             let balanced = match balance(stage, nodes) {
                 Err(WearError::NotConverged { .. }) if several => return second_way(stage, nodes, cap),
                 other => other?,

@@ -56,17 +56,18 @@ impl<'a> Stage<'a> {
             law.scale[k] = *most;
         }
         let low = if speeds.0 > 0.0 { speeds.0 } else { speeds.1 };
-        let reference = if density.falls_with_speed() { low } else { speeds.1 };
+        let reference = if law.density.falls_with_speed() { low } else { speeds.1 };
         law.reference_speed = if reference > 0.0 { reference } else { 1.0 };
         law.pivot = pivot(problem, &law)?;
         for k in 0..count {
             law.ratio[k] = law.resultant(k) / law.resultant(law.pivot);
         }
-        let exponent = density.front_exponent();
+        let exponent = law.density.front_exponent();
         let ends = count > 1 || smallest <= 0.0;
-        let front_rule = match density {
-            Density::Rule { .. } => ends.then(graded),
-            _ => (ends && exponent > 0.0 && exponent <= 6.0).then(|| jacobi(exponent - 1.0)),
+        let front_rule = if matches!(law.density, Density::Given(_)) {
+            ends.then(graded)
+        } else {
+            (ends && exponent > 0.0 && exponent <= 6.0).then(|| jacobi(exponent - 1.0))
         };
         Ok(Self { problem, law, front_rule })
     }

@@ -3,7 +3,7 @@
 use crate::answer::Optimum;
 use crate::density::Density;
 use crate::given::{Change, times};
-use crate::reduce::wearing;
+use crate::reduce::wearing_powers;
 use crate::{Functional, Problem, WearLaw};
 
 /// One term Q v^A p^m.
@@ -53,37 +53,41 @@ pub(crate) fn shares(terms: &[Term], log_pressure: f64, log_speed: f64) -> Vec<f
 }
 
 /// The terms of a problem's condition. `None` where the pressure is not given by them: q infinite, uniform pressure, s = 1, a
-/// rule given as a function.
+/// function of one's own.
 pub(crate) fn terms(problem: &Problem, optimum: &Optimum) -> Option<Vec<Term>> {
-    let (functional, q) = (problem.functional, problem.q);
+    let (functional, q) = (&problem.functional, problem.q);
     let alone = Term { body: None, log_weight: 0.0, power: 0.0, m: 0.0, q: 0.0, e: None };
     match optimum.law.density {
-        Density::Exponential | Density::BangBang { .. } | Density::Rule { .. } => return None,
+        Density::Exponential | Density::BangBang { .. } | Density::Given(_) => return None,
         Density::Power { k: 0.0, .. } => return None,
-        _ if functional == Functional::FrictionPower => return Some(vec![Term { power: q, m: q - 1.0, ..alone }]),
-        _ if q == 0.0 && functional != Functional::Steady => return Some(vec![Term { m: -1.0, ..alone }]),
-        Density::Receding { .. } => return Some(vec![of_rule(functional, 1.0, 0, &problem.wear.laws[0])]),
-        _ => {}
+        _ if *functional == Functional::FrictionPower => return Some(vec![Term { power: q, m: q - 1.0, ..alone }]),
+        _ if q == 0.0 && *functional != Functional::Steady => return Some(vec![Term { m: -1.0, ..alone }]),
+        Density::Receding { .. } => return Some(vec![of_rule(functional, 1.0, 0, &problem.wear.powers()[0])]),
+        Density::Power { .. } | Density::Mixed { .. } | Density::Sum { .. } => {}
     }
-    let mut terms: Vec<Term> = wearing(problem).map(|(i, law)| of_rule(functional, q, i, &law)).collect();
+    let mut terms: Vec<Term> = wearing_powers(problem).map(|(i, law)| of_rule(functional, q, i, &law)).collect();
     if terms.is_empty() {
-        terms.push(of_rule(functional, q, 0, &problem.wear.laws[0]));
+        terms.push(of_rule(functional, q, 0, &problem.wear.powers()[0]));
     }
     if terms.len() == 2 {
         let weights = match optimum.law.density {
             Density::Mixed { log_theta, .. } => [0.0, log_theta],
             Density::Sum { log_weight, .. } => log_weight,
             // Equal rules: the terms are as the factors.
-            _ => problem.wear.laws.map(|law| law.factor.ln()),
+            Density::Power { .. }
+            | Density::Exponential
+            | Density::BangBang { .. }
+            | Density::Given(_)
+            | Density::Receding { .. } => problem.wear.powers().map(|law| law.factor.ln()),
         };
         terms.iter_mut().zip(weights).for_each(|(term, weight)| term.log_weight = weight);
     }
     Some(terms)
 }
 
-fn of_rule(functional: Functional, q: f64, body: usize, law: &WearLaw) -> Term {
+fn of_rule(functional: &Functional, q: f64, body: usize, law: &WearLaw) -> Term {
     let (a, b) = (law.speed_exponent, law.pressure_exponent);
-    if functional == Functional::Steady {
+    if *functional == Functional::Steady {
         return Term { body: Some(body), log_weight: 0.0, power: a, m: b, q: 1.0, e: None };
     }
     let e = functional.pressure_power(b);

@@ -8,7 +8,6 @@ use crate::{SlidingMotion, SurfacePoint, WearError};
 
 /// Geometry of a contact surface. Lengths in mm, angles in rad.
 #[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum Shape {
     /// Points with weights, for example the contact points of a finite element boundary.
     Points(Vec<SurfacePoint>),
@@ -70,6 +69,9 @@ pub struct Surface {
 
 impl Surface {
     /// A list of points, taken as it is: its weights are the quadrature.
+    ///
+    /// # Errors
+    /// [`WearError::EmptySurface`] without points or without area.
     pub fn from_points(points: Vec<SurfacePoint>) -> Result<Self, WearError> {
         let area: f64 = points.iter().map(|point| point.weight).sum();
         if points.is_empty() || !(area > 0.0 && area.is_finite()) {
@@ -79,6 +81,10 @@ impl Surface {
     }
 
     /// A parametric surface with the motion of body 2 over it.
+    ///
+    /// # Errors
+    /// [`WearError::OutOfRange`] for lengths, angles and radii that span nothing or are not finite; [`WearError::EmptySurface`] for points
+    /// without area.
     pub fn new(shape: Shape, motion: SlidingMotion) -> Result<Self, WearError> {
         let surface = Self { shape, motion, track_area: None };
         let positive = |name, value: f64| {
@@ -135,7 +141,9 @@ impl Surface {
     pub(crate) fn reaches_axis(&self) -> bool {
         let radii = match &self.shape {
             Shape::Annulus { radii } | Shape::Sector { radii, .. } => radii,
-            _ => return false,
+            Shape::Points(_) | Shape::Arc { .. } | Shape::Strip { .. } | Shape::Rectangle { .. } | Shape::Ellipse { .. } => {
+                return false;
+            }
         };
         radii[0] == 0.0 && self.motion.velocity == Vector3::zeros()
     }
@@ -154,7 +162,12 @@ impl Surface {
     pub fn track_area(&self) -> Option<f64> {
         match &self.shape {
             Shape::Arc { radius, thickness, .. } => Some(TAU * radius * thickness),
-            _ => self.track_area,
+            Shape::Points(_)
+            | Shape::Strip { .. }
+            | Shape::Annulus { .. }
+            | Shape::Sector { .. }
+            | Shape::Rectangle { .. }
+            | Shape::Ellipse { .. } => self.track_area,
         }
     }
 
@@ -176,7 +189,7 @@ impl Surface {
             Shape::Sector { radii, .. } => Some(log_range(radii)),
             Shape::Rectangle { x, .. } => Some(*x),
             Shape::Ellipse { .. } => Some([-TAU / 4.0, TAU / 4.0]),
-            _ => None,
+            Shape::Points(_) | Shape::Arc { .. } | Shape::Strip { .. } | Shape::Annulus { .. } => None,
         }
     }
 

@@ -3,7 +3,6 @@
 use std::f64::consts::TAU;
 
 use crate::bracket::Bracket;
-use crate::law::log_wear_rate;
 use crate::pressure_law::Node;
 use crate::quadrature::{ORDER, legendre};
 use crate::recession::Recession;
@@ -66,10 +65,10 @@ impl Stage<'_> {
     }
 
     fn worn_by_body2(&self, nodes: &[Node]) -> f64 {
-        let law = &self.problem.wear.laws[1];
+        let rule = &self.problem.wear.rules[1];
         nodes
             .iter()
-            .map(|node| node.point.weight * log_wear_rate(law, self.law.log_pressure(node), node.point.sliding_speed.ln()).exp())
+            .map(|node| node.point.weight * rule.log_rate(self.law.log_pressure(node), node.point.sliding_speed).exp())
             .sum()
     }
 

@@ -3,7 +3,7 @@
 
 use std::ops::ControlFlow;
 
-use wearshape::{Bodies, Document, Fault, Options, Problem, Solution, solve};
+use wearshape::{Bodies, Document, Fault, Options, OwnRule, Problem, Solution, solve};
 
 /// The drum brake with a block shoe, after Paczelt and Mroz (2007), with w' = k p^b v.
 pub const SCENE: &str = r#"
@@ -79,6 +79,6 @@ pub fn main() -> Result<(), Fault> {
     let bodies = Bodies::default();
     let power_law = scene()?;
     tell("w' = k p^0.5 v", &solved(&power_law, &bodies)?);
-    tell("w' = k max(p - 3 MPa, 0)^0.5 v", &solved(&power_law.with_wear_rule(rule)?, &bodies)?);
+    tell("w' = k max(p - 3 MPa, 0)^0.5 v", &solved(&power_law.with_wear_rule(OwnRule::new(rule))?, &bodies)?);
     Ok(())
 }

@@ -70,7 +70,12 @@ pub(crate) fn of_bodies(couple: &Couple, load: &Load, patch: &Patch) -> Vec<Free
 fn surface_height(patch: &Patch) -> f64 {
     match patch.surface.shape() {
         wear::Shape::Strip { z, .. } => *z,
-        _ => 0.0,
+        wear::Shape::Points(_)
+        | wear::Shape::Arc { .. }
+        | wear::Shape::Annulus { .. }
+        | wear::Shape::Sector { .. }
+        | wear::Shape::Rectangle { .. }
+        | wear::Shape::Ellipse { .. } => 0.0,
     }
 }
 

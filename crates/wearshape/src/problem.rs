@@ -3,7 +3,7 @@
 use meshing::Couple;
 use scene::{Gap, Geometry, Scene, SurfaceShape};
 use shapeopt::Measure;
-use wear::{WearError, WearPair, WearRule, wear_rate};
+use wear::{WearError, WearPair};
 
 use crate::freedom::Freedom;
 use crate::level::Level;
@@ -81,7 +81,7 @@ impl Friction {
 /// Wear of both bodies.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Wear {
-    /// Rules w' = k p^b v^a of body 1 and 2; an error where the scene's factors leave them open.
+    /// Rules of body 1 and 2; an error where the scene's factors leave them open.
     pub laws: Result<WearPair, WearError>,
     /// Exponents b of the bodies with a wear factor, each once.
     pub exponents: Vec<f64>,
@@ -91,29 +91,16 @@ pub(crate) struct Wear {
     pub until: Option<f64>,
     /// Whether the factors stand in front of the friction stress.
     pub of_friction: bool,
-    /// A rule of the caller's own, by which body 1 wears alone; the `laws` are then none.
-    pub rule: Option<OwnRule>,
-}
-
-/// A wear rule of the caller's own; equal to another one that is the same function.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct OwnRule(pub WearRule);
-
-impl PartialEq for OwnRule {
-    fn eq(&self, other: &OwnRule) -> bool {
-        std::ptr::fn_addr_eq(self.0, other.0)
-    }
+    /// Whether body 1 wears by a rule of the caller's own in place of the scene's, and body 2 not at all.
+    pub own_rule: bool,
 }
 
 impl Wear {
     /// Wear rate of both bodies (mm/s) at a pressure (MPa) and a sliding speed (mm/s); none where the scene's factors leave it open.
     pub(crate) fn rate(&self, pressure: f64, sliding_speed: f64) -> Option<f64> {
-        if let Some(OwnRule(rule)) = self.rule {
-            return Some(if pressure > 0.0 { rule(pressure, sliding_speed)[0] } else { 0.0 });
-        }
         let pair = self.laws.as_ref().ok()?;
         let worn = (0..2).filter(|body| pair.wears(*body));
-        Some(worn.map(|body| wear_rate(&pair.laws[body], pressure, sliding_speed)).sum())
+        Some(worn.map(|body| pair.rules[body].rate(pressure, sliding_speed)).sum())
     }
 }
 
@@ -175,9 +162,10 @@ impl Problem {
     /// Text of scene.resolved.toml: the scene with every default, in base units; solving it gives the same result, but for a wear rule given as
     /// a function.
     pub fn resolved(&self) -> String {
-        let same = match self.wear.rule {
-            None => "Running this file gives the same result.",
-            Some(_) => "The pressure was found by another wear rule, given as a function.",
+        let same = if self.wear.own_rule {
+            "The pressure was found by another wear rule, given as a function."
+        } else {
+            "Running this file gives the same result."
         };
         let head = format!("# Every default filled in; units N, mm, MPa, s, rad. {same}\n");
         head + &scene::scene_text(&self.scene)
@@ -188,7 +176,12 @@ impl Problem {
         let bodies = [&self.scene.body1, &self.scene.body2].into_iter().flatten();
         let files = bodies.filter_map(|body| match &body.geometry {
             Geometry::Mesh(file) => file.content.as_ref().map(|content| (file.file.clone(), content.to_vec())),
-            _ => None,
+            Geometry::Blocks(_)
+            | Geometry::ShoeBlock(_)
+            | Geometry::Ring(_)
+            | Geometry::Rectangle(_)
+            | Geometry::RingSegment(_)
+            | Geometry::HalfDisc(_) => None,
         });
         files.collect()
     }

@@ -221,7 +221,12 @@ impl<'a> Stage<'a> {
         let trace = pair.trace();
         match self.patch.surface.shape() {
             wear::Shape::Annulus { .. } => trace.boundary_point(0, -1.0).0.position[0],
-            _ => -0.5 * trace.length(),
+            wear::Shape::Points(_)
+            | wear::Shape::Arc { .. }
+            | wear::Shape::Strip { .. }
+            | wear::Shape::Sector { .. }
+            | wear::Shape::Rectangle { .. }
+            | wear::Shape::Ellipse { .. } => -0.5 * trace.length(),
         }
     }
 

@@ -59,7 +59,7 @@ impl Patch {
             Shape::Arc { angles, .. } => Some(Extent::Angles(*angles)),
             Shape::Strip { x, .. } => Some(Extent::X(*x)),
             Shape::Annulus { radii } => Some(Extent::X(*radii)),
-            _ => None,
+            Shape::Points(_) | Shape::Sector { .. } | Shape::Rectangle { .. } | Shape::Ellipse { .. } => None,
         }
     }
 
@@ -97,7 +97,7 @@ impl Patch {
             }
             Shape::Annulus { .. } | Shape::Sector { .. } => position.x.hypot(position.y),
             Shape::Strip { x, .. } | Shape::Rectangle { x, .. } => position.x - 0.5 * (x[0] + x[1]),
-            _ => position.x,
+            Shape::Points(_) | Shape::Ellipse { .. } => position.x,
         }
     }
 
@@ -127,7 +127,7 @@ fn motion(sliding: Option<&Sliding>, kind: PatchKind, shape: &Shape, centre: [f6
     };
     let (wanted, found, other) = match kind {
         PatchKind::Plane => ("speed", sliding.speed.map(|speed| speed.0), sliding.omega.map(|_| "omega")),
-        _ => ("omega", sliding.omega.map(|omega| omega.0), sliding.speed.map(|_| "speed")),
+        PatchKind::Ring | PatchKind::Turning => ("omega", sliding.omega.map(|omega| omega.0), sliding.speed.map(|_| "speed")),
     };
     let example = if wanted == "speed" { "sliding = { speed = \"5 mm/s\" }" } else { "sliding = { omega = \"2.5 rad/s\" }" };
     let Some(value) = found else {

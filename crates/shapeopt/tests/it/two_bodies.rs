@@ -24,8 +24,8 @@ fn reference(problem: &WearProblem, force: f64) -> Vec<f64> {
     if let Some(area) = problem.track_area {
         surface = surface.with_track_area(area);
     }
-    let mut wear = wear::Problem::new(surface, problem.wear.laws[0], vec![RigidMode::press_down(force)]);
-    wear.wear = problem.wear;
+    let mut wear = wear::Problem::new(surface, problem.wear.rules[0].clone(), vec![RigidMode::press_down(force)]);
+    wear.wear = problem.wear.clone();
     wear.counterface = problem.counterface;
     wear.functional = Functional::Steady;
     optimal_pressure(&wear).unwrap().pressure

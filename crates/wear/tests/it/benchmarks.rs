@@ -118,7 +118,7 @@ fn steady_drum_is_a_power_of_the_cosine_and_not_uniform() {
 fn equal_wear_of_a_revolving_drum_lowers_the_edge_pressure() {
     let law = WearLaw::from_beta(2e-4, 0.25, 1.0, 0.5);
     let case = Problem {
-        wear: WearPair { laws: [law, law], active: true, friction_driven: true },
+        wear: WearPair { rules: [law.into(), law.into()], active: true, friction_driven: true },
         counterface: Counterface::Revolving,
         ..Problem::new(drum(), law, press(1e4))
     };
@@ -143,7 +143,7 @@ fn revolving_disc_under_a_pad_recedes_by_the_mean_along_each_track() {
     let law = WearLaw { factor: 1e-7, speed_exponent: 1.0, pressure_exponent: 1.0 };
     let modes = vec![RigidMode::press_down(5000.0), RigidMode::tilt(0.0, Vector3::new(88.0, 0.0, 0.0))];
     let case = Problem {
-        wear: WearPair { laws: [law, law], active: true, friction_driven: false },
+        wear: WearPair { rules: [law.into(), law.into()], active: true, friction_driven: false },
         counterface: Counterface::Revolving,
         ..Problem::new(surface.clone(), law, modes)
     };

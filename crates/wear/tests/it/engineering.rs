@@ -6,12 +6,23 @@ use wear::WearError;
 #[path = "../../examples/clutch_torque.rs"]
 #[allow(dead_code)]
 mod clutch_torque;
+#[path = "../../examples/own_wear_law.rs"]
+#[allow(dead_code)]
+mod own_wear_law;
 #[path = "../../examples/pinned_shoe.rs"]
 #[allow(dead_code)]
 mod pinned_shoe;
 #[path = "../../examples/punch_beyond_kern.rs"]
 #[allow(dead_code)]
 mod punch_beyond_kern;
+
+#[test]
+fn example_own_wear_law() {
+    own_wear_law::main().unwrap();
+    // Beyond the kern part of the face lifts under this law too.
+    let lifted = own_wear_law::punch([1e3, 1.5e4]).unwrap();
+    assert_eq!(lifted.regime, wear::Regime::PartialContact);
+}
 
 #[test]
 fn example_clutch_torque() {

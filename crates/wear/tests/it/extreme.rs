@@ -189,7 +189,7 @@ fn loads_that_no_pressure_carries_are_refused_by_name() {
             (Functional::WearVolume, -2.0),
             (Functional::WearPower, f64::INFINITY),
         ] {
-            let case = problem(punch(), functional, q, 1.0, 1.0, press_and_tilt(1e3, moment));
+            let case = problem(punch(), functional.clone(), q, 1.0, 1.0, press_and_tilt(1e3, moment));
             assert!(infeasible(&case), "{functional:?} {q} {moment}: {:?}", optimal_pressure(&case).map(|o| o.regime));
         }
     }

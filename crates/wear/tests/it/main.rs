@@ -4,6 +4,7 @@
 mod benchmarks;
 mod engineering;
 mod extreme;
+mod own_functional;
 mod own_rule;
 mod properties;
 mod random;

@@ -111,7 +111,7 @@ fn counterface_wears_by_equation_43a() {
         let optimum = optimal_pressure(&case).unwrap();
         same(id, "lambda", optimum.multipliers[0], number(outputs, "lambda_F"), rtol);
         // One pass of the punch (thickness 10) wears the plate by w2 = int w2'/v dx.
-        let [law1, law2] = case.wear.laws;
+        let [law1, law2] = [0, 1].map(|i| *case.wear.rules[i].power().unwrap());
         let rate = |(point, p): (&SurfacePoint, &f64)| point.weight * wear_rate(&law2, *p, 5.0) / (5.0 * 10.0);
         let depth: f64 = optimum.points.iter().zip(&optimum.pressure).map(rate).sum();
         same(id, "w2 (41)", depth, number(outputs, "w2_quadrature_eq41"), rtol);

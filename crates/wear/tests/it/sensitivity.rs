@@ -57,7 +57,7 @@ impl Data {
         Problem {
             wear: WearPair::from_beta(self.beta, self.mu, self.a, self.b).unwrap(),
             friction: self.mu,
-            functional: self.functional,
+            functional: self.functional.clone(),
             q: self.q,
             mode_kind: self.kind,
             counterface: self.counterface,
@@ -109,8 +109,8 @@ fn with_track(surface: Surface, like: &Surface) -> Surface {
 fn wear_rate(data: &Data, optimum: &Optimum) -> f64 {
     let problem = data.problem();
     let volume = |i: usize| -> f64 {
-        let law = &problem.wear.laws[i];
-        optimum.points.iter().zip(&optimum.pressure).map(|(pt, p)| pt.weight * wear::wear_rate(law, *p, pt.sliding_speed)).sum()
+        let rule = &problem.wear.rules[i];
+        optimum.points.iter().zip(&optimum.pressure).map(|(pt, p)| pt.weight * rule.rate(*p, pt.sliding_speed)).sum()
     };
     let area = data.surface.area();
     match data.counterface {

@@ -40,7 +40,7 @@ pub(super) fn resolve(scene: &mut Scene, files: Files<'_>) -> Result<Option<(hpf
     let kinematics = match scene.kinematics {
         Some(Kinematics::PlaneStrain) => hpfem::Kinematics::PlaneStrain { thickness },
         Some(Kinematics::Axisymmetric) => hpfem::Kinematics::Axisymmetric,
-        _ => hpfem::Kinematics::PlaneStress { thickness },
+        Some(Kinematics::PlaneStress) | None => hpfem::Kinematics::PlaneStress { thickness },
     };
     Ok(<[Body; 2]>::try_from(bodies).ok().map(|bodies| (kinematics, bodies)))
 }
@@ -66,7 +66,11 @@ fn one_body(name: &'static str, body: &mut scene::Body, axisymmetric: bool, file
                 scene::Geometry::Blocks(blocks) => blocks.cells.values().all(|cell| cell.material.is_some()),
                 // The groups of the file say below whether one is missing.
                 scene::Geometry::Mesh(mesh) => !mesh.materials.is_empty(),
-                _ => false,
+                scene::Geometry::ShoeBlock(_)
+                | scene::Geometry::Ring(_)
+                | scene::Geometry::Rectangle(_)
+                | scene::Geometry::RingSegment(_)
+                | scene::Geometry::HalfDisc(_) => false,
             };
             if !own {
                 let example = format!("{name}.material = {{ young = \"210 GPa\", poisson = 0.3 }}");

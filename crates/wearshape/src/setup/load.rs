@@ -77,7 +77,7 @@ fn on_surface(load: &mut Load, surface: &mut SurfaceShape) -> Result<(), Fault> 
             load.moment_y.get_or_insert(Moment(0.0));
             load.about.get_or_insert([Length(0.0); 2]);
         }
-        _ => {}
+        SurfaceShape::DiscPad(_) | SurfaceShape::PinnedShoe(_) | SurfaceShape::JournalArc(_) => {}
     }
     Ok(())
 }
@@ -126,7 +126,12 @@ fn rigid(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) -> Result<(),
     if load.about.is_none() && !axisymmetric {
         let middle = patch.and_then(|patch| match patch.surface.shape() {
             wear::Shape::Strip { x, z, .. } => Some([Length(0.5 * (x[0] + x[1])), Length(*z)]),
-            _ => None,
+            wear::Shape::Points(_)
+            | wear::Shape::Arc { .. }
+            | wear::Shape::Annulus { .. }
+            | wear::Shape::Sector { .. }
+            | wear::Shape::Rectangle { .. }
+            | wear::Shape::Ellipse { .. } => None,
         });
         load.about = Some(middle.unwrap_or([Length(0.0); 2]));
     }
@@ -149,7 +154,7 @@ fn worn_approach(scene: &Scene, time: f64) -> Result<(), Fault> {
     let velocity = match optimum.functional.unwrap_or(Functional::Steady) {
         Functional::Steady => true,
         Functional::WearPower => optimum.q.unwrap_or(1.0) == 1.0 && equal,
-        _ => false,
+        Functional::WearVolume | Functional::FrictionPower | Functional::Uniform => false,
     };
     if velocity {
         return Ok(());

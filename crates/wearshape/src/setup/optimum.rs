@@ -2,7 +2,7 @@
 
 use scene::{Balance, Fault, Functional, Modes, Optimum, Pair, Scene, Task, positive};
 
-use crate::functional::{power, s_minus_1};
+use crate::functional::{functional_row, power, s_minus_1};
 use crate::problem;
 
 /// Checks the optimum and fills in its defaults.
@@ -20,8 +20,7 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task]) -> Result<(), Fault> {
     if optimum.q.is_some_and(f64::is_nan) {
         return Err(Fault::at("optimum.q", "wrong-value", "optimum.q is not a number", "give any real number, or inf"));
     }
-    let with_q = matches!(functional, Functional::WearVolume | Functional::FrictionPower | Functional::WearPower);
-    if !with_q {
+    if !functional_row(functional).needs.q {
         return Ok(());
     }
     let q = *optimum.q.get_or_insert(1.0);

@@ -1,9 +1,9 @@
 //! A wear rule of the caller's own in place of the scene's.
 
 use scene::{Fault, Functional, Task};
-use wear::{Counterface, WearLaw, WearPair, WearRule};
+use wear::{Counterface, OwnRule, WearPair};
 
-use crate::problem::{OwnRule, Problem};
+use crate::problem::Problem;
 use crate::setup::remarks;
 use crate::setup::tasks::word;
 
@@ -11,14 +11,13 @@ impl Problem {
     /// The problem with a wear rule of the caller's own in place of the scene's: body 1 wears by it, body 2 stays fresh, and pressure and shape
     /// are those of the steady state, `w'(p, v) = V . phi` where the rigid wear `V . phi` is positive, `p = 0` elsewhere.
     ///
-    /// `rule(pressure, sliding_speed)` gives `[w', dw'/dp]` in mm/s and mm/(s MPa) from MPa and mm/s: zero up to some pressure, the threshold, and
-    /// growing from there without bound. A load that leaves the whole surface below the threshold is refused by the solve. What needs powers of
-    /// the pressure is left out of the solution: `s`, `k`, sensitivities, the run-in distances of a shape's tolerance.
+    /// A load that leaves the whole surface below the threshold of the rule is refused by the solve. What needs powers of the pressure is left out
+    /// of the solution: `s`, `k`, sensitivities.
     ///
     /// # Errors
     /// Tasks and functionals that a rule has no say in, or that need powers of the pressure: anything but the pressure of the steady state, its
     /// shape, and a contact beside them.
-    pub fn with_wear_rule(&self, rule: WearRule) -> Result<Problem, Fault> {
+    pub fn with_wear_rule(&self, rule: OwnRule) -> Result<Problem, Fault> {
         let tasks = self.scene.tasks.clone().unwrap_or_default();
         if tasks.contains(&Task::Wear) {
             let message = format!("{} follows powers of the pressure, and no wear rule given as a function", word(Task::Wear));
@@ -34,8 +33,8 @@ impl Problem {
             return Err(Fault::at("optimum.functional", "not-available", message, remedy));
         }
         let mut problem = self.clone();
-        problem.wear.rule = Some(OwnRule(rule));
-        problem.wear.laws = Ok(WearPair { laws: [WearLaw::NONE; 2], active: true, friction_driven: false });
+        problem.wear.own_rule = true;
+        problem.wear.laws = Ok(WearPair::alone(rule));
         problem.wear.exponents = Vec::new();
         problem.wear.counterface = Counterface::Fresh;
         problem.wear.of_friction = false;

@@ -4,7 +4,7 @@ use scene::{Balance, Functional, Task, with_short_numbers};
 use wear::Shape;
 
 use crate::freedom::Role;
-use crate::functional::s_minus_1;
+use crate::functional::{functional_row, s_minus_1};
 use crate::problem::{Optimum, Problem};
 use crate::remark::Remark;
 
@@ -45,7 +45,7 @@ fn materials(problem: &Problem, say: &mut impl FnMut(&'static str, String)) {
 /// What the theory says of the functional.
 fn optimum(problem: &Problem, say: &mut impl FnMut(&'static str, String)) {
     let Optimum { functional, q, balance, .. } = problem.optimum;
-    if matches!(functional, Functional::WearVolume | Functional::FrictionPower | Functional::WearPower) {
+    if functional_row(functional).needs.q {
         for b in &problem.wear.exponents {
             let s_minus_1 = s_minus_1(functional, *b, q);
             let s = 1.0 + s_minus_1;

@@ -1,8 +1,9 @@
 //! Keys that were written but that the scene's choices do not use.
 
 use meshing::unused_in_blocks;
-use scene::{Document, Functional, Geometry, Kinematics, LoadKind, Scene, Task};
+use scene::{Document, Geometry, Kinematics, LoadKind, Scene, Task};
 
+use crate::functional::functional_row;
 use crate::setup::twist::turns;
 
 /// The unused keys of a scene, sorted.
@@ -40,8 +41,9 @@ pub(super) fn keys(document: &Document, scene: &Scene, tasks: &[Task]) -> Vec<St
     when(scene.load.as_ref().is_some_and(|load| load.width.is_none()), &["load.centre"]);
     let functional = scene.optimum.as_ref().and_then(|optimum| optimum.functional);
     when(!optimal, &["optimum.functional", "optimum.q", "optimum.balance", "optimum.modes", "optimum.p_max"]);
-    when(optimal && matches!(functional, Some(Functional::Steady | Functional::Uniform)), &["optimum.q"]);
-    when(optimal && functional == Some(Functional::Uniform), &["optimum.modes"]);
+    let needs = functional.map(|functional| functional_row(functional).needs);
+    when(optimal && needs.is_some_and(|needs| !needs.q), &["optimum.q"]);
+    when(optimal && needs.is_some_and(|needs| !needs.modes), &["optimum.modes"]);
     let contact_only = tasks == [Task::Contact];
     when(contact_only, &["wear.beta", "wear.k", "wear.a", "wear.b", "wear.counterface"]);
     let slides = scene.contact.as_ref().and_then(|contact| contact.friction).unwrap_or(0.0) > 0.0;

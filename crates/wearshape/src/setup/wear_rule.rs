@@ -138,14 +138,14 @@ pub(super) fn numbers(scene: &Scene) -> problem::Wear {
         counterface: match scene.wear.as_ref().and_then(|wear| wear.counterface) {
             Some(Counterface::Congruent) => wear::Counterface::Congruent,
             Some(Counterface::Revolving) => wear::Counterface::Revolving,
-            _ => wear::Counterface::Fresh,
+            Some(Counterface::Fresh) | None => wear::Counterface::Fresh,
         },
         until: match scene.wear.as_ref().and_then(|wear| wear.until) {
             Some(Until::Time(time)) => Some(time.0),
-            _ => None,
+            Some(Until::Steady) | None => None,
         },
         of_friction: scene.wear.as_ref().is_some_and(|wear| wear.beta.is_some()),
-        rule: None,
+        own_rule: false,
     }
 }
 

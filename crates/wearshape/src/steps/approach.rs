@@ -71,7 +71,7 @@ pub(crate) fn force(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Found, E
 fn needed(stage: Stage<'_>, pair: &Pair<'_>, force: f64) -> Result<Option<f64>, Refusal> {
     let problem = stage.problem.with_force(force);
     let stage = stage.with(&problem)?;
-    let optimum = match pressure::optimum(&problem, &pressure::wear_problem(&problem)?) {
+    let optimum = match wear::optimal_pressure(&pressure::wear_problem(&problem)?) {
         Ok(optimum) => optimum,
         Err(WearError::Infeasible { .. }) => return Ok(None),
         Err(error) => return Err(Refusal::Reason(error.to_string())),

@@ -7,7 +7,7 @@ use crate::faults::wrong_wear;
 use crate::freedom::{Freedom, Role};
 use crate::functional::kind;
 use crate::options::{Options, Sampling};
-use crate::problem::{Optimum, OwnRule, Problem};
+use crate::problem::{Optimum, Problem};
 use crate::profile::Profile;
 use crate::results::{ByRole, ErrorResult, PointForce, PressureResult};
 use crate::solution::Status;
@@ -30,7 +30,7 @@ pub(crate) fn solve(problem: &Problem, options: &Options<'_>) -> Result<Found, F
     let Some(patch) = &problem.patch else { return Err(not_known()) };
     let wear = wear_problem(problem)?;
     let mut found = Found { ended: None, result: description(&problem.optimum), profile: None, curve: None, error: None };
-    match optimum(problem, &wear) {
+    match wear::optimal_pressure(&wear) {
         Ok(optimum) => {
             describe(&mut found.result, &optimum, &problem.freedoms, wear.wear.active);
             if options.machining {
@@ -60,14 +60,6 @@ pub(crate) fn solve(problem: &Problem, options: &Options<'_>) -> Result<Found, F
         }
     }
     Ok(found)
-}
-
-/// The optimal pressure of a problem, by the caller's own wear rule where there is one; `wear` is the problem in the words of the theory.
-pub(crate) fn optimum(problem: &Problem, wear: &wear::Problem) -> Result<wear::Optimum, WearError> {
-    match problem.wear.rule {
-        Some(OwnRule(rule)) => wear::steady_pressure_of_rule(wear, rule),
-        None => wear::optimal_pressure(wear),
-    }
 }
 
 fn not_known() -> Fault {

@@ -1,7 +1,7 @@
 //! What 1 % more of each number that a scene gives does to the optimal pressure, by the keys of the scene.
 
 use scene::SurfaceShape;
-use wear::{Given, Sensitivity, one_percent};
+use wear::{Given, Sensitivity, WearLaw, one_percent};
 
 use crate::freedom::Role;
 use crate::problem::Problem;
@@ -51,15 +51,16 @@ impl SensitivityResult {
 
 /// The key of a number in the scene. An exponent that both bodies share is one number.
 fn key(problem: &Problem, wear: &wear::Problem, given: Given) -> String {
-    let laws = &wear.wear.laws;
+    let [first, second] = [0, 1].map(|body| wear.wear.rules[body].power());
+    let shared = |exponent: fn(&WearLaw) -> f64| first.map(exponent) == second.map(exponent);
     let of_body =
         |name: &str, body: usize, shared: bool| if shared { format!("wear.{name}") } else { format!("wear.{name}.{body}") };
     match given {
         Given::Resultant(k) => resultant(problem, k).into(),
         Given::Friction => "contact.friction".into(),
         Given::WearFactor(body) => of_body(if problem.wear.of_friction { "beta" } else { "k" }, body, false),
-        Given::PressureExponent(body) => of_body("b", body, laws[0].pressure_exponent == laws[1].pressure_exponent),
-        Given::SpeedExponent(body) => of_body("a", body, laws[0].speed_exponent == laws[1].speed_exponent),
+        Given::PressureExponent(body) => of_body("b", body, shared(|law| law.pressure_exponent)),
+        Given::SpeedExponent(body) => of_body("a", body, shared(|law| law.speed_exponent)),
         Given::SlidingSpeed => match problem.sliding.as_ref().and_then(|sliding| sliding.omega) {
             Some(_) => "sliding.omega".into(),
             None => "sliding.speed".into(),

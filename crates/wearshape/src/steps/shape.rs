@@ -81,7 +81,7 @@ pub(crate) fn solve(stage: Stage<'_>, before: &Before<'_>, watch: &mut Watch<'_>
 
 /// The optimal pressure of a problem.
 pub(crate) fn optimal(problem: &Problem) -> Result<wear::Optimum, Refusal> {
-    pressure::optimum(problem, &pressure::wear_problem(problem)?).map_err(|error| Refusal::Reason(error.to_string()))
+    wear::optimal_pressure(&pressure::wear_problem(problem)?).map_err(|error| Refusal::Reason(error.to_string()))
 }
 
 /// The estimated error of the gap from so many levels, and how it was found; `pressure` says the same of the pressure.
@@ -162,10 +162,9 @@ impl Shaper<'_> {
 
     /// Energies, reactions and columns of the shape.
     fn told(&self, reduced: &Reduced, pair: &Pair<'_>, shape: &Shape) -> Told {
-        let place = |p: &ContactPoint| SurfacePlace { position: p.position, normal: p.normal };
-        let between = |point: &ContactPoint| [self.pressure(&place(point)), shape.gap(pair, point), 0.0];
+        let between = |point: &ContactPoint| [self.pressure(&SurfacePlace::from(point)), shape.gap(pair, point), 0.0];
         let points = pair.points();
-        let pressure: Vec<f64> = points.iter().map(|p| self.pressure(&place(p))).collect();
+        let pressure: Vec<f64> = points.iter().map(|p| self.pressure(&SurfacePlace::from(p))).collect();
         let gap: Vec<f64> = points.iter().map(|p| shape.gap(pair, p)).collect();
         let opening = vec![0.0; points.len()];
         let own = Own { points: &points, pressure: &pressure, gap: &gap, opening: &opening, closed: None };
@@ -185,9 +184,8 @@ impl Shaper<'_> {
 
     /// What fields and twist need of the last level.
     fn reported(&self, last: &Solved, pair: &Pair<'_>) -> Option<Reported> {
-        let place = |p: &ContactPoint| SurfacePlace { position: p.position, normal: p.normal };
         let points = pair.points();
-        let pressure: Vec<f64> = points.iter().map(|p| self.pressure(&place(p))).collect();
+        let pressure: Vec<f64> = points.iter().map(|p| self.pressure(&SurfacePlace::from(p))).collect();
         let around = torsion::around(self.stage, &points, &pressure);
         let counter = last.shape.counter.clone()?;
         let moments = vec![Moment { time: 0.0, name: "", states: [last.shape.shaped.clone(), counter], around }];

@@ -21,8 +21,7 @@ pub(crate) fn of(shaper: &Shaper<'_>, reduced: &Reduced) -> Result<Vec<Tolerance
     let pair = reduced.pair()?;
     let operator = reduced.operator(&pair, stage.friction() > 0.0)?;
     let points = operator.points();
-    let place = |p: &ContactPoint| SurfacePlace { position: p.position, normal: p.normal };
-    let pressure: Vec<f64> = points.iter().map(|p| shaper.pressure(&place(p))).collect();
+    let pressure: Vec<f64> = points.iter().map(|p| shaper.pressure(&SurfacePlace::from(p))).collect();
     if pressure.iter().any(|p| *p <= 0.0) {
         return Ok(Vec::new());
     }
@@ -30,7 +29,6 @@ pub(crate) fn of(shaper: &Shaper<'_>, reduced: &Reduced) -> Result<Vec<Tolerance
     let (laws, counterface) = stage.rules()?;
     let surface: Vec<wear::SurfacePoint> = points.iter().map(|p| stage.surface_point(p.position, p.normal, p.weight)).collect();
     let gap = vec![0.0; points.len()];
-    // By a rule of the caller's own nothing wears here: the errors have no run-in distance.
     let mut problem = WearProblem::new(surface, laws, counterface, gap, system);
     problem.track_area = stage.patch.surface.track_area();
     let length = pair.trace().length();

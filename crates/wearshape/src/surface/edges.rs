@@ -140,6 +140,6 @@ fn round_on_flat(round: Circle, Line { z, x }: Line) -> Result<(), Fault> {
 pub(super) fn thickness(kinematics: Kinematics) -> f64 {
     match kinematics {
         Kinematics::PlaneStress { thickness } | Kinematics::PlaneStrain { thickness } => thickness,
-        _ => 1.0,
+        Kinematics::Axisymmetric | Kinematics::Torsion => 1.0,
     }
 }

@@ -77,7 +77,7 @@ fn numbers_of_two_bodies_are_told_apart_where_they_differ() {
 fn nothing_is_said_without_being_asked_by_an_own_rule_or_under_a_prescribed_approach() {
     let base = problem("drum-brake-block", &[]);
     assert_eq!(pressure(&base, false).sensitivity, []);
-    let own = base.with_wear_rule(|pressure, speed| [1e-6 * pressure * speed, 1e-6 * speed]).unwrap();
+    let own = base.with_wear_rule(wearshape::OwnRule::new(|pressure, speed| [1e-6 * pressure * speed, 1e-6 * speed])).unwrap();
     assert_eq!(pressure(&own, true).sensitivity, []);
     let json = serde_json::to_value(pressure(&own, true)).unwrap();
     assert_eq!(json.get("sensitivity"), None);

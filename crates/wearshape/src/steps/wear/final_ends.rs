@@ -20,6 +20,6 @@ pub(super) fn final_ends(stage: Stage<'_>, pieces: &Pieces) -> Result<Vec<f64>, 
     if steady.load.force.is_none() {
         return Ok(Vec::new());
     }
-    let optimum = pressure::wear_problem(&steady).ok().and_then(|problem| pressure::optimum(&steady, &problem).ok());
+    let optimum = pressure::wear_problem(&steady).ok().and_then(|problem| wear::optimal_pressure(&problem).ok());
     Ok(optimum.map(|optimum| pressure_ends(stage, &optimum)).unwrap_or_default())
 }
