@@ -138,8 +138,5 @@ fn round_on_flat(round: Circle, Line { z, x }: Line) -> Result<(), Fault> {
 
 /// Thickness of plane bodies (mm); 1 for solids of revolution, which have none.
 pub(super) fn thickness(kinematics: Kinematics) -> f64 {
-    match kinematics {
-        Kinematics::PlaneStress { thickness } | Kinematics::PlaneStrain { thickness } => thickness,
-        Kinematics::Axisymmetric | Kinematics::Torsion => 1.0,
-    }
+    kinematics.thickness().unwrap_or(1.0)
 }
