@@ -34,7 +34,7 @@ impl ContactOperator<'_> {
     /// # Errors
     /// As [`ContactOperator::solve`].
     pub fn system(&self, load: &ContactLoad) -> Result<ContactSystem, Error> {
-        let problem = self.stage(&vec![0.0; self.points().len()], load)?.problem;
+        let problem = self.stage(&vec![0.0; self.points().len()], load)?.plain.problem;
         Ok(ContactSystem {
             compliance: problem.compliance.into_owned(),
             influence: problem.influence,
