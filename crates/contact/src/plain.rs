@@ -12,13 +12,16 @@ use crate::verdict;
 use faer::{Mat, Side};
 use std::borrow::Cow;
 
-/// What acts before any contact force, by point and by coordinate.
-pub(crate) struct Unloaded {
-    /// Opening and slip at the points.
-    pub(crate) opening: Vec<f64>,
-    pub(crate) slip: Vec<f64>,
-    /// Resultant along every coordinate.
-    pub(crate) rows: Vec<f64>,
+/// What a load does before any contact force acts.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Unloaded {
+    /// Opening at the points.
+    pub opening: Vec<f64>,
+    /// Slip at the points.
+    pub slip: Vec<f64>,
+    /// Force (or moment) along each motion.
+    pub forces: Vec<f64>,
 }
 
 /// How the coordinates are held.
@@ -60,7 +63,7 @@ impl<'m> Plain<'m> {
             balance,
             stiffness,
             opening: unloaded.opening,
-            load: free.iter().map(|j| unloaded.rows[*j]).collect(),
+            load: free.iter().map(|j| unloaded.forces[*j]).collect(),
             symmetric: !active,
         };
         Ok(Plain { matrices, problem, slide, slip: unloaded.slip, sliding })

@@ -22,6 +22,14 @@ pub(crate) struct Stage<'m> {
     pub(crate) free: Vec<usize>,
 }
 
+/// What a gap and a load do without contact, in all coordinates.
+pub(crate) struct Acting {
+    pub(crate) unloaded: Unloaded,
+    pub(crate) held: Held,
+    factors: Vec<Factors>,
+    prescribed: Vec<Option<f64>>,
+}
+
 impl Stage<'_> {
     /// Start from an earlier solution.
     pub(crate) fn warm<'s>(&self, solution: &'s ContactSolution) -> Warm<'s> {
@@ -39,15 +47,20 @@ impl Stage<'_> {
 impl ContactOperator<'_> {
     /// The plain problem of a gap and a load.
     pub(crate) fn stage(&self, gap: &[f64], load: &ContactLoad) -> Result<Stage<'_>, Error> {
+        let Acting { unloaded, held, factors, prescribed } = self.acting(gap, load)?;
+        let plain = Plain::new(&self.unit.matrices, &load.friction, unloaded, &held)?;
+        Ok(Stage { plain, factors, prescribed, free: held.free })
+    }
+
+    /// What a gap and a load do without contact.
+    pub(crate) fn acting(&self, gap: &[f64], load: &ContactLoad) -> Result<Acting, Error> {
         let (mut unloaded, factors) = self.unloaded(gap, load)?;
-        let (stiffness, prescribed) = self.held(load, &mut unloaded.rows);
+        let (stiffness, prescribed) = self.held(load, &mut unloaded.forces);
         let free: Vec<usize> = (0..prescribed.len()).filter(|j| prescribed[*j].is_none()).collect();
         self.move_prescribed(&mut unloaded, &stiffness, &prescribed, &free);
         let by_pressure = load.moment == MomentBalance::Pressure;
         let guided = (0..prescribed.len()).map(|j| by_pressure && self.edge_motion(j) == Some(2)).collect();
-        let held = Held { stiffness, free, guided };
-        let plain = Plain::new(&self.unit.matrices, &load.friction, unloaded, &held)?;
-        Ok(Stage { plain, factors, prescribed, free: held.free })
+        Ok(Acting { unloaded, held: Held { stiffness, free, guided }, factors, prescribed })
     }
 
     /// Both bodies under the load factors, from the gap.
@@ -57,7 +70,7 @@ impl ContactOperator<'_> {
             return Err(Error::Gap { given: gap.len(), points: n });
         }
         let (mut opening, mut slip) = (gap.to_vec(), vec![0.0; n]);
-        let (mut rows, mut factors) = (Vec::new(), Vec::new());
+        let (mut forces, mut factors) = (Vec::new(), Vec::new());
         for (b, response) in self.unit.responses.iter().enumerate() {
             let operator = self.operator(b);
             if load.factors[b].len() != operator.load_cases || load.factors[b].iter().any(|a| !a.is_finite()) {
@@ -72,15 +85,15 @@ impl ContactOperator<'_> {
                 let displaced = times(tangential, &u);
                 (0..n).for_each(|i| slip[i] += SIGNS[b] * (displaced[i] + response.constant[1][i]));
             }
-            rows.extend(times(&response.motion_columns, &columns));
+            forces.extend(times(&response.motion_columns, &columns));
             factors.push((all, columns));
         }
-        Ok((Unloaded { opening, slip, rows }, factors))
+        Ok((Unloaded { opening, slip, forces }, factors))
     }
 
-    /// Stiffness of all coordinates and their prescribed values; resultants and springs of the rigid edge add to the rows.
-    fn held(&self, load: &ContactLoad, rows: &mut [f64]) -> (Mat<f64>, Vec<Option<f64>>) {
-        let total = rows.len();
+    /// Stiffness of all coordinates and their prescribed values; resultants and springs of the rigid edge add to the forces.
+    fn held(&self, load: &ContactLoad, forces: &mut [f64]) -> (Mat<f64>, Vec<Option<f64>>) {
+        let total = forces.len();
         let mut stiffness = Mat::zeros(total, total);
         let mut offset = 0;
         for r in &self.unit.responses {
@@ -92,11 +105,11 @@ impl ContactOperator<'_> {
         for j in 0..total {
             let Some(k) = self.edge_motion(j) else { continue };
             match load.motions[k] {
-                Motion::Free { resultant } => rows[j] += resultant,
+                Motion::Free { resultant } => forces[j] += resultant,
                 Motion::Prescribed { value } => prescribed[j] = Some(value),
                 Motion::Sprung { stiffness: spring, rest } => {
                     stiffness[(j, j)] += spring;
-                    rows[j] += spring * rest;
+                    forces[j] += spring * rest;
                 }
             }
         }
@@ -111,7 +124,7 @@ impl ContactOperator<'_> {
             if let Some(shear) = &self.unit.matrices.shear_influence {
                 (0..n).for_each(|i| unloaded.slip[i] += shear[(i, j)] * value);
             }
-            free.iter().for_each(|i| unloaded.rows[*i] -= stiffness[(*i, j)] * value);
+            free.iter().for_each(|i| unloaded.forces[*i] -= stiffness[(*i, j)] * value);
         }
     }
 }

@@ -23,6 +23,7 @@ const BALANCE: f64 = 1e6;
 
 /// What was found out about other solutions of a contact that slides steadily.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Uniqueness {
     /// Coefficient of friction from which the quadratic form is indefinite and one solution is not guaranteed; `None` if it is up to that of the
     /// load.
