@@ -72,7 +72,7 @@ pub enum Error {
     #[error("the points held in contact cannot balance the load: the linear system is singular")]
     Singular,
     /// Friction is asked of an operator made without shear, or of a compliance that has none.
-    #[error("the contact operator was made without shear; make it with shear for a load with friction")]
+    #[error("the contact knows no shear; friction needs an operator made with shear, or a compliance along normals and tangents")]
     ShearNotPrepared,
     /// A matrix or list has the wrong size.
     #[error("the {name} must be {} x {}; it is {} x {}", wanted[0], wanted[1], given[0], given[1])]
