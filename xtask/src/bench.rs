@@ -11,7 +11,9 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::{Command, ExitCode, Stdio};
+use std::process::ExitCode;
+
+use super::packages::{cargo, package_of, printed};
 
 /// One line of a bench.
 #[derive(Debug, Clone, PartialEq)]
@@ -62,18 +64,8 @@ fn crates_with_benches(root: &Path) -> Result<Vec<String>, String> {
 }
 
 fn measure(root: &Path, name: &str) -> Result<Vec<Measure>, String> {
-    let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".into());
-    let output = Command::new(cargo)
-        .args(["bench", "--package", name, "--bench", "*"])
-        .current_dir(root)
-        .stdin(Stdio::null())
-        .stderr(Stdio::inherit())
-        .output()
-        .map_err(|error| format!("cargo: {error}"))?;
-    if !output.status.success() {
-        return Err(format!("the benches of {name} ended with {}", output.status));
-    }
-    let text = String::from_utf8_lossy(&output.stdout);
+    let package = package_of(root, name)?;
+    let text = printed(cargo(root).args(["bench", "--package", &package, "--bench", "*"]))?;
     for line in text.lines().filter(|line| !line.starts_with("bench ")) {
         println!("{line}");
     }

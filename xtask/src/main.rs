@@ -1,10 +1,13 @@
 //! Project chores, started as `cargo xtask <chore>`.
 
+mod api;
 mod bench;
+mod builds;
 mod crates;
 mod editor;
 mod outputs;
 mod package;
+mod packages;
 mod stability;
 mod tidy;
 mod validation;
@@ -28,7 +31,10 @@ usage: cargo xtask <chore>
             [--case NAME] [--scenes] [--program PATH] [--docs]
   outputs   open the files of runs with VTK, ezdxf, the reader of MCAP and Chromium [--install]
   editor    check the scenes by the schema with the checker of an editor plug-in (taplo, from npm)
-  crates    whether each library crate packs all that it needs: files and versions
+  crates    whether each library crate packs all that it needs, files and versions, and offers the
+            names that docs/api lists [--write]
+  builds    the libraries by the oldest Rust promised, without features, and for a browser, with a
+            module run by node
   package   the static program, manual pages, completions and the Debian package
   bench     run the benches of our crates and print their ratios [crate ..]
 ";
@@ -44,7 +50,8 @@ fn main() -> ExitCode {
         Some("validation") => validation::run(&root),
         Some("editor") => editor::run(&root),
         Some("outputs") => outputs::run(&root, &words[1..]),
-        Some("crates") => crates::run(&root),
+        Some("crates") => crates::run(&root, &words[1..]),
+        Some("builds") => builds::run(&root),
         Some("package") => package::run(&root),
         Some("help" | "-h" | "--help") => {
             print!("{USAGE}");

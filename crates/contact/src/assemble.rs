@@ -1,57 +1,15 @@
 //! From forces and coordinates to a solution: pressures, states of the bodies, resultants, zones.
 
 use crate::coulomb::ContactState;
-use crate::lcp::{Answer, Point};
+use crate::ending::Ending;
 use crate::operator::{ContactOperator, SIGNS};
 use crate::products::times;
 use crate::solution::ContactSolution;
 use crate::stage::Stage;
-use crate::status::Status;
 use crate::zones::zones;
 use hpfem::{InterfaceState, TraceLoad};
 
-/// What a solve found and how it ended.
-pub(crate) struct Ending {
-    pub(crate) status: Status,
-    pub(crate) states: Vec<ContactState>,
-    /// Normal forces and free coordinates.
-    pub(crate) point: Point,
-    /// Shear forces.
-    pub(crate) shear: Vec<f64>,
-    pub(crate) opening: Vec<f64>,
-    pub(crate) complementarity: f64,
-    pub(crate) balance: f64,
-    pub(crate) iterations: usize,
-    pub(crate) took_over: bool,
-}
-
 impl ContactOperator<'_> {
-    pub(crate) fn solution(&self, stage: &Stage<'_>, answer: Answer, status: Status) -> ContactSolution {
-        let problem = &stage.problem;
-        let complementarity = problem.complementarity(&answer.point, &answer.opening);
-        let balance = problem.relative_imbalance(&answer.point);
-        let shear = answer.point.force.iter().zip(&stage.slide).map(|(f, s)| f * s).collect();
-        let states = answer.active.iter().zip(&stage.slide).map(|(closed, slide)| match (closed, *slide) {
-            (false, _) => ContactState::Open,
-            (true, s) if s > 0.0 => ContactState::Forward,
-            (true, s) if s < 0.0 => ContactState::Backward,
-            _ => ContactState::Stick,
-        });
-        let states = states.collect();
-        let ending = Ending {
-            status,
-            states,
-            point: answer.point,
-            shear,
-            opening: answer.opening,
-            complementarity,
-            balance,
-            iterations: answer.factorisations,
-            took_over: answer.pivoted,
-        };
-        self.assemble(stage, ending)
-    }
-
     /// Puts a solution together from forces and coordinates.
     pub(crate) fn assemble(&self, stage: &Stage<'_>, ending: Ending) -> ContactSolution {
         let n = self.unit.points.len();
@@ -97,7 +55,7 @@ impl ContactOperator<'_> {
     ) -> (InterfaceState, Option<InterfaceState>, Vec<f64>) {
         let n = self.unit.points.len();
         let mut states = Vec::new();
-        let mut slip = vec![0.0; if self.unit.tangential.is_some() { n } else { 0 }];
+        let mut slip = vec![0.0; if self.unit.matrices.tangential.is_some() { n } else { 0 }];
         for (b, response) in self.unit.responses.iter().enumerate() {
             let [lambda, sigma] = forces.map(|v| v.iter().map(|v| SIGNS[b] * v).collect::<Vec<f64>>());
             let (all, columns) = &stage.factors[b];

@@ -110,7 +110,7 @@ impl Coulomb<'_> {
         match state {
             ContactState::Forward => self.coefficient,
             ContactState::Backward => -self.coefficient,
-            _ => 0.0,
+            ContactState::Open | ContactState::Stick => 0.0,
         }
     }
 
@@ -259,7 +259,7 @@ impl Coulomb<'_> {
                     ContactState::Stick => ContactState::Stick,
                     ContactState::Forward if slip[i] > slip_tolerance => ContactState::Stick,
                     ContactState::Backward if slip[i] < -slip_tolerance => ContactState::Stick,
-                    slipping => slipping,
+                    slipping @ (ContactState::Forward | ContactState::Backward) => slipping,
                 }
             })
             .collect();

@@ -24,7 +24,7 @@ impl ContactOperator<'_> {
     /// # Errors
     /// As [`ContactOperator::solve`].
     pub fn embedded_difference(&self, gap: &[f64], load: &ContactLoad, solution: &ContactSolution) -> Result<Option<f64>, Error> {
-        let problem = self.stage(gap, load)?.problem;
+        let problem = self.stage(gap, load)?.plain.problem;
         let edges = &self.pair.trace().edges;
         let smooth = |edge: usize| edges[edge].degree > 2 && self.edge_points(edge).all(|i| solution.closed[i]);
         if !(0..edges.len()).any(smooth) || matches!(load.friction, Friction::Coulomb { .. }) {

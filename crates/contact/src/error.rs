@@ -4,6 +4,7 @@ use crate::side::Side;
 
 /// Wrong input, with the numbers that show it.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum Error {
     /// The two boundaries do not lie on each other, or face each other.
     #[error(
@@ -70,7 +71,57 @@ pub enum Error {
     /// The points held in contact cannot hold the bodies.
     #[error("the points held in contact cannot balance the load: the linear system is singular")]
     Singular,
-    /// Friction is asked of an operator made without shear.
-    #[error("the contact operator was made without shear; make it with shear for a load with friction")]
+    /// Friction is asked of an operator made without shear, or of a compliance that has none.
+    #[error("the contact knows no shear; friction needs an operator made with shear, or a compliance along normals and tangents")]
     ShearNotPrepared,
+    /// A matrix or list has the wrong size.
+    #[error("the {name} must be {} x {}; it is {} x {}", wanted[0], wanted[1], given[0], given[1])]
+    Shape {
+        /// What it is.
+        name: &'static str,
+        /// Rows and columns it should have.
+        wanted: [usize; 2],
+        /// Rows and columns it has.
+        given: [usize; 2],
+    },
+    /// An entry of a matrix is not a finite number.
+    #[error("the {name} is not finite in row {row}, column {column}")]
+    NotFinite {
+        /// Which matrix.
+        name: &'static str,
+        /// Row, from 0.
+        row: usize,
+        /// Column, from 0.
+        column: usize,
+    },
+    /// A matrix that must be symmetric is not.
+    #[error(
+        "the {name} is not symmetric: {below:e} in row {row}, column {column}, {above:e} across; take half the sum with its transpose if that is \
+         an error of discretisation"
+    )]
+    NotSymmetric {
+        /// Which matrix.
+        name: &'static str,
+        /// Row, from 0.
+        row: usize,
+        /// Column, from 0.
+        column: usize,
+        /// Entry there.
+        below: f64,
+        /// Entry in row `column`, column `row`.
+        above: f64,
+    },
+    /// A number that must be above 0 (on a diagonal, or a weight) is not.
+    #[error("the {name} must be above 0 at place {place}; it is {value:e}")]
+    NotPositive {
+        /// Which matrix or list.
+        name: &'static str,
+        /// Place on the diagonal or in the list, from 0.
+        place: usize,
+        /// Number there.
+        value: f64,
+    },
+    /// A stiffness has no inverse with positive energies.
+    #[error("the stiffness is not positive definite; hold the bodies, and give the motions they are free to make as motions")]
+    NotDefinite,
 }

@@ -1,25 +1,29 @@
-//! Unilateral frictional contact of elastic bodies on their interface operators.
-//!
-//! Signs: body 1 is shaped, body 2 the counter-face; the normal `n` points out of body 2 into body 1, the gap is positive when
-//! open, the pressure positive in compression; traction on body 1 is `p n + mu p tau`, on body 2 the opposite.
+#![doc = include_str!("../README.md")]
+#![warn(clippy::wildcard_enum_match_arm)]
 
 mod active_set;
 mod assemble;
+mod checked;
 mod complementarity;
 mod coulomb;
 mod displacement;
 mod embedded;
+mod ending;
 mod error;
 mod facing;
 mod free_ends;
+mod growth;
 mod interpolate;
 mod lcp;
 mod line_search;
 mod linear;
 mod load;
+mod matrices;
+mod matrix_contact;
 mod operator;
 mod pair;
 mod pivoting;
+mod plain;
 mod point;
 mod positioning;
 mod problem;
@@ -38,13 +42,22 @@ mod uniqueness;
 mod verdict;
 mod zones;
 
+/// The matrices of [`MatrixContact`] and [`ContactSystem`].
+pub use faer;
+/// The bodies of [`Pair`].
+pub use hpfem;
+/// The matrices of [`Start`] and [`Nodes`].
+pub use nalgebra;
+
 pub use coulomb::ContactState;
 pub use error::Error;
 pub use free_ends::FreeEnds;
 pub use interpolate::piecewise_linear;
 pub use load::{ContactLoad, Friction, MomentBalance, Motion};
+pub use matrix_contact::{MatrixContact, MatrixSolution, Motions};
 pub use operator::{ContactOperator, UnitResponses};
 pub use pair::{Pair, contact_traction, normal};
+pub use plain::Unloaded;
 pub use point::ContactPoint;
 pub use positioning::{Nodes, Positioned, Positioning, Rebuilt, Start, held_between, position_ends, position_nodes};
 pub use problem::{ContactProblem, solve};

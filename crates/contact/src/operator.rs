@@ -1,7 +1,9 @@
 //! The contact of a pair of bodies, prepared once: compliance at the contact points.
 
 use crate::error::Error;
+use crate::lcp::Complementarity;
 use crate::load::{ContactLoad, Friction};
+use crate::matrices::Matrices;
 use crate::pair::Pair;
 use crate::point::ContactPoint;
 use crate::response::Response;
@@ -29,16 +31,8 @@ pub struct UnitResponses {
     pub(crate) points: Vec<ContactPoint>,
     pub(crate) stations: Vec<Station>,
     pub(crate) responses: Vec<Response>,
-    /// `C`, `points x points`.
-    pub(crate) normal: Mat<f64>,
-    /// `C_nt`: normal opening by shear forces.
-    pub(crate) normal_by_shear: Option<Mat<f64>>,
-    /// `C_tt`: slip by shear forces.
-    pub(crate) tangential: Option<Mat<f64>>,
-    /// `Psi`: opening by coordinates, both bodies side by side.
-    pub(crate) influence: Mat<f64>,
-    /// Tangential relative motion (body 1 less body 2) by coordinates.
-    pub(crate) shear_influence: Option<Mat<f64>>,
+    /// The coordinates of both bodies side by side.
+    pub(crate) matrices: Matrices,
 }
 
 /// `[1, -1]`: sign of a body's displacement in the opening and of the contact force on it.
@@ -82,7 +76,8 @@ impl<'a> ContactOperator<'a> {
         };
         let influence = side_by_side(0);
         let shear_influence = shear.then(|| side_by_side(1));
-        let unit = UnitResponses { points, stations, responses, normal, normal_by_shear, tangential, influence, shear_influence };
+        let matrices = Matrices { normal, normal_by_shear, tangential, influence, shear_influence };
+        let unit = UnitResponses { points, stations, responses, matrices };
         Ok(ContactOperator { pair: *pair, unit: Arc::new(unit) })
     }
 
@@ -108,7 +103,7 @@ impl<'a> ContactOperator<'a> {
 
     /// Normal compliance `C` at the points, `points x points`: opening by nodal normal forces with the rigid coordinates at zero.
     pub fn compliance(&self) -> &Mat<f64> {
-        &self.unit.normal
+        &self.unit.matrices.normal
     }
 
     /// Solves for a gap (one value a point, positive open) under a load, from an earlier solution if there is one.
@@ -117,17 +112,9 @@ impl<'a> ContactOperator<'a> {
     /// [`Error::Gap`], [`Error::Factors`], [`Error::Drag`], [`Error::ShearNotPrepared`] on wrong sizes.
     pub fn solve(&self, gap: &[f64], load: &ContactLoad, warm_start: Option<&ContactSolution>) -> Result<ContactSolution, Error> {
         let stage = self.stage(gap, load)?;
-        if let Friction::Coulomb { coefficient, slip_before } = &load.friction {
-            let coulomb = self.coulomb(&stage, *coefficient, slip_before)?;
-            return Ok(self.step(&stage, &coulomb, warm_start));
-        }
-        let start = warm_start.map(|s| (stage.start(s), s.closed.clone()));
-        let mut answer = stage.problem.solve(start.as_ref().map(|(p, a)| (p, a.as_slice())));
-        if !answer.settled && !stage.problem.symmetric {
-            answer = self.grown(gap, load)?.unwrap_or(answer);
-        }
-        let status = verdict::status(&stage.problem, &self.unit.normal, &answer);
-        Ok(self.solution(&stage, answer, status))
+        let warm = warm_start.map(|solution| stage.warm(solution));
+        let ending = stage.plain.solve(&load.friction, warm, &|mu, read| self.with_friction(gap, load, mu, read))?;
+        Ok(self.assemble(&stage, ending))
     }
 
     /// Solves with the exact active-set method alone, as a second opinion.
@@ -136,9 +123,10 @@ impl<'a> ContactOperator<'a> {
     /// As [`ContactOperator::solve`].
     pub fn solve_by_pivoting(&self, gap: &[f64], load: &ContactLoad) -> Result<ContactSolution, Error> {
         let stage = self.stage(gap, load)?;
-        let answer = stage.problem.solve_by_pivoting();
-        let status = verdict::status(&stage.problem, &self.unit.normal, &answer);
-        Ok(self.solution(&stage, answer, status))
+        let plain = &stage.plain;
+        let answer = plain.problem.solve_by_pivoting();
+        let status = verdict::status(&plain.problem, &plain.matrices.normal, &answer);
+        Ok(self.assemble(&stage, plain.ending(answer, status)))
     }
 
     /// Solves with a given set of points in contact and no conditions on signs: pressures may come out negative. Node positioning uses it.
@@ -147,8 +135,23 @@ impl<'a> ContactOperator<'a> {
     /// As [`ContactOperator::solve`].
     pub fn solve_on(&self, gap: &[f64], load: &ContactLoad, closed: &[bool]) -> Result<Option<ContactSolution>, Error> {
         let stage = self.stage(gap, load)?;
-        let answer = stage.problem.solve_on(closed);
-        Ok(answer.map(|a| self.solution(&stage, a, Status::Converged)))
+        let answer = stage.plain.problem.solve_on(closed);
+        Ok(answer.map(|a| self.assemble(&stage, stage.plain.ending(a, Status::Converged))))
+    }
+
+    /// Gives the problem of another coefficient of friction to `read`; sizes and numbers of the load were found right before.
+    pub(crate) fn with_friction(
+        &self,
+        gap: &[f64],
+        load: &ContactLoad,
+        coefficient: f64,
+        read: &mut dyn FnMut(&Complementarity<'_>),
+    ) {
+        let Friction::Sliding { drag, .. } = &load.friction else { return };
+        let friction = Friction::Sliding { coefficient, drag: drag.clone() };
+        if let Ok(stage) = self.stage(gap, &ContactLoad { friction, ..load.clone() }) {
+            read(&stage.plain.problem);
+        }
     }
 
     pub(crate) fn operator(&self, body: usize) -> &'a InterfaceOperator {

@@ -2,6 +2,7 @@
 
 /// A point of the contact surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct ContactPoint {
     /// Edge of both paths and parameter on it.
     pub place: (usize, f64),

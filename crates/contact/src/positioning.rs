@@ -33,6 +33,7 @@ impl Rebuilt {
 
 /// Result of [`position_ends`].
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Positioned {
     /// Arc lengths of the ends of contact.
     pub ends: Vec<f64>,
@@ -65,6 +66,7 @@ const LIMIT: usize = 40;
 
 /// Places found by [`position_nodes`].
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Nodes<T> {
     /// The places of the last evaluation.
     pub places: Vec<f64>,

@@ -7,6 +7,7 @@ use hpfem::InterfaceState;
 /// Pressures, openings and the state of both bodies. Arrays hold one value a contact point, in the order of
 /// [`ContactOperator::points`](crate::ContactOperator::points).
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct ContactSolution {
     /// How the solve ended.
     pub status: Status,

@@ -1,6 +1,7 @@
 //! The complementarity problem of contact as plain numbers, for laws that add to it (wear).
 
 use crate::error::Error;
+use crate::lcp::Complementarity;
 use crate::load::ContactLoad;
 use crate::operator::ContactOperator;
 use faer::Mat;
@@ -9,7 +10,8 @@ use faer::Mat;
 /// `opening = gap + opening_0 + A f + Psi y >= 0` with `f . opening = 0`, and `load + B^T f = K y`.
 ///
 /// Nodal forces are pressure times the point's weight. Any linear contact can be written this way: the operator of two bodies
-/// ([`ContactOperator::system`]) or a closed-form compliance.
+/// ([`ContactOperator::system`]), a contact of given matrices
+/// ([`MatrixContact::system`](crate::MatrixContact::system)), or a closed-form compliance.
 #[derive(Clone, Debug)]
 pub struct ContactSystem {
     /// `A`, `points x points`: opening by nodal normal forces, the shear that goes with them included.
@@ -28,14 +30,10 @@ pub struct ContactSystem {
     pub symmetric: bool,
 }
 
-impl ContactOperator<'_> {
-    /// The system of a load.
-    ///
-    /// # Errors
-    /// As [`ContactOperator::solve`].
-    pub fn system(&self, load: &ContactLoad) -> Result<ContactSystem, Error> {
-        let problem = self.stage(&vec![0.0; self.points().len()], load)?.problem;
-        Ok(ContactSystem {
+impl ContactSystem {
+    /// The system of a problem.
+    pub(crate) fn of(problem: Complementarity<'_>) -> ContactSystem {
+        ContactSystem {
             compliance: problem.compliance.into_owned(),
             influence: problem.influence,
             balance: problem.balance,
@@ -43,6 +41,16 @@ impl ContactOperator<'_> {
             opening: problem.opening,
             load: problem.load,
             symmetric: problem.symmetric,
-        })
+        }
+    }
+}
+
+impl ContactOperator<'_> {
+    /// The system of a load.
+    ///
+    /// # Errors
+    /// As [`ContactOperator::solve`].
+    pub fn system(&self, load: &ContactLoad) -> Result<ContactSystem, Error> {
+        Ok(ContactSystem::of(self.stage(&vec![0.0; self.points().len()], load)?.plain.problem))
     }
 }

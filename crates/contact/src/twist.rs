@@ -75,6 +75,7 @@ impl fmt::Display for TwistStatus {
 
 /// Shear around the axis. Arrays hold one value a contact point.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct TwistSolution {
     /// How the solve ended.
     pub status: TwistStatus,
@@ -285,7 +286,7 @@ fn settle(
                 Bound::Free if exact.force[i] > high => Bound::High(high),
                 Bound::Low(_) if gaps[i] < 0.0 => Bound::Free,
                 Bound::High(_) if gaps[i] > 0.0 => Bound::Free,
-                right => right,
+                right @ (Bound::Free | Bound::Low(_) | Bound::High(_)) => right,
             };
         }
     }

@@ -9,14 +9,13 @@ use faer::{Mat, Side};
 use hpfem::bisect;
 
 use crate::error::Error;
-use crate::lcp::{Answer, Complementarity, Point};
+use crate::growth::{Family, STEPS};
+use crate::lcp::{Complementarity, Point};
 use crate::linear::{Scaling, extreme_singular_values, matrix};
 use crate::load::{ContactLoad, Friction};
 use crate::operator::ContactOperator;
 use crate::solution::ContactSolution;
 
-/// Steps in which the solution is followed from no friction.
-const STEPS: usize = 16;
 /// Halvings of a step or of the range in which something changes.
 const HALVINGS: usize = 16;
 /// Weight of the balance in the quadratic form (Finsler 1937).
@@ -24,6 +23,7 @@ const BALANCE: f64 = 1e6;
 
 /// What was found out about other solutions of a contact that slides steadily.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Uniqueness {
     /// Coefficient of friction from which the quadratic form is indefinite and one solution is not guaranteed; `None` if it is up to that of the
     /// load.
@@ -59,9 +59,9 @@ impl ContactOperator<'_> {
         let stage = self.stage(gap, load)?;
         let system = match &load.friction {
             Friction::Coulomb { coefficient, slip_before } => {
-                self.coulomb(&stage, *coefficient, slip_before)?.matrix(&solution.states)
+                stage.plain.coulomb(*coefficient, slip_before)?.matrix(&solution.states)
             }
-            _ => of_active(&stage.problem, &solution.closed),
+            Friction::None | Friction::Sliding { .. } => of_active(&stage.plain.problem, &solution.closed),
         };
         Ok(extreme_singular_values(&system))
     }
@@ -72,43 +72,13 @@ impl ContactOperator<'_> {
     /// As [`ContactOperator::solve`].
     pub fn uniqueness(&self, gap: &[f64], load: &ContactLoad, solution: &ContactSolution) -> Result<Option<Uniqueness>, Error> {
         let Friction::Sliding { coefficient, .. } = &load.friction else { return Ok(None) };
-        if self.stage(gap, load)?.problem.symmetric {
+        if self.stage(gap, load)?.plain.problem.symmetric {
             return Ok(None);
         }
         let family = |mu: f64, read: &mut dyn FnMut(&Complementarity<'_>)| self.with_friction(gap, load, mu, read);
         Ok(Some(follow(&family, *coefficient, &solution.nodal_force)))
     }
-
-    /// The answer that grows from no friction, for loads from which a cold start does not settle; `None` where it is lost on the way.
-    pub(crate) fn grown(&self, gap: &[f64], load: &ContactLoad) -> Result<Option<Answer>, Error> {
-        let Friction::Sliding { coefficient, .. } = &load.friction else { return Ok(None) };
-        let mut last: Option<Answer> = None;
-        for k in 0..=STEPS {
-            let mut next = None;
-            let start = last.as_ref().map(|a| (&a.point, a.active.as_slice()));
-            self.with_friction(gap, load, coefficient * k as f64 / STEPS as f64, &mut |problem| {
-                next = Some(problem.solve(start))
-            });
-            last = next.filter(|answer| answer.settled);
-            if last.is_none() {
-                break;
-            }
-        }
-        Ok(last)
-    }
-
-    /// Gives the problem of another coefficient of friction to `read`; sizes and numbers of the load were found right before.
-    fn with_friction(&self, gap: &[f64], load: &ContactLoad, coefficient: f64, read: &mut dyn FnMut(&Complementarity<'_>)) {
-        let Friction::Sliding { drag, .. } = &load.friction else { return };
-        let friction = Friction::Sliding { coefficient, drag: drag.clone() };
-        if let Ok(stage) = self.stage(gap, &ContactLoad { friction, ..load.clone() }) {
-            read(&stage.problem);
-        }
-    }
 }
-
-/// Gives the problem of a coefficient of friction to its second argument.
-type Family<'f> = dyn Fn(f64, &mut dyn FnMut(&Complementarity<'_>)) + 'f;
 
 /// The form by halving the range, then the solution from no friction on.
 fn follow(family: &Family<'_>, coefficient: f64, force: &[f64]) -> Uniqueness {

@@ -3,7 +3,7 @@
 //! A block shoe (`200 <= r`, half angle 30 degrees, flat top at 300) on a ring (100 to 200), plane stress, t = 10, uniform pressure of 5
 //! MPa with friction 0.25 on the arc. Error: L2 of the gap over 1201 equally spaced angles relative to the gap, the best multiple of
 //! cos(alpha) removed; reference: degree 16 with 14 layers. Run with RAYON_NUM_THREADS=1 for one thread;
-//! `cargo bench -p hpfem --bench drum -- DEGREE SHOE DRUM SLOPE RATIO` measures one mesh.
+//! `cargo bench -p wearshape-hpfem --bench drum -- DEGREE SHOE DRUM SLOPE RATIO` measures one mesh.
 
 use hpfem::*;
 use std::f64::consts::{FRAC_PI_2, PI};

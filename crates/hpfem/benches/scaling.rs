@@ -2,7 +2,7 @@
 //! skeleton handed to faer's sparse Cholesky factorisation. Prints a table with fitted exponents; a file name as an argument
 //! receives the picture.
 //!
-//! `cargo bench -p hpfem --bench scaling -- [largest number of unknowns] [picture.svg]`
+//! `cargo bench -p wearshape-hpfem --bench scaling -- [largest number of unknowns] [picture.svg]`
 //!
 //! Every case is a process of its own, one thread, CPU seconds and peak memory by the system's account (Linux).
 

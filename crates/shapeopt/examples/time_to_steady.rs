@@ -1,5 +1,5 @@
 //! Ways to the steady shape of the paper's translating punch (b = 1 and 2, sliding with friction 0.25): direct, by implicit steps and by
-//! explicit steps, on the same operators. Prints a table; `cargo run --release -p shapeopt --example time_to_steady`.
+//! explicit steps, on the same operators. Prints a table; `cargo run --release -p wearshape-shapeopt --example time_to_steady`.
 #![allow(clippy::unwrap_used, unreachable_pub, dead_code)]
 
 #[path = "../tests/it/bodies.rs"]

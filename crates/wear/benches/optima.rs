@@ -1,4 +1,4 @@
-//! Throughput of closed-form optima: annulus and drum, one core. Run with `cargo bench -p wear`.
+//! Throughput of closed-form optima: annulus and drum, one core. Run with `cargo bench -p wearshape-wear`.
 
 use std::time::Instant;
 

@@ -9,11 +9,11 @@ use contact::*;
 use hpfem::{Body, BodyProblem, Direction, Kinematics, Mesh, RigidEdge, SpaceKind, Support};
 
 const SIZES: Sizes = Sizes { radius: 10.0, width: 20.0, depth: 20.0 };
-const NORMAL: f64 = 135.75;
-const SHEAR: f64 = 38.75;
-const FRICTION: f64 = 0.3;
+pub(crate) const NORMAL: f64 = 135.75;
+pub(crate) const SHEAR: f64 = 38.75;
+pub(crate) const FRICTION: f64 = 0.3;
 
-fn bodies(nodes: &[f64], candidate: f64, degree: usize, layers: usize) -> Rebuilt {
+pub(crate) fn bodies(nodes: &[f64], candidate: f64, degree: usize, layers: usize) -> Rebuilt {
     let reduce = |mesh: &Mesh, supports: &[Support], rigid_edge| {
         Body::new(BodyProblem {
             mesh,
@@ -38,12 +38,12 @@ fn bodies(nodes: &[f64], candidate: f64, degree: usize, layers: usize) -> Rebuil
     }
 }
 
-fn gap(point: &ContactPoint) -> f64 {
+pub(crate) fn gap(point: &ContactPoint) -> f64 {
     let x = point.position[0];
     x * x / (SIZES.radius + (SIZES.radius.powi(2) - x * x).sqrt())
 }
 
-fn push(normal: f64, shear: f64, slip_before: &[f64]) -> ContactLoad {
+pub(crate) fn push(normal: f64, shear: f64, slip_before: &[f64]) -> ContactLoad {
     ContactLoad {
         motions: [Motion::Free { resultant: shear }, Motion::Free { resultant: -normal }, Motion::FREE],
         friction: Friction::Coulomb { coefficient: FRICTION, slip_before: slip_before.to_vec() },
@@ -52,7 +52,7 @@ fn push(normal: f64, shear: f64, slip_before: &[f64]) -> ContactLoad {
 }
 
 /// End of contact and highest pressure between half-planes.
-fn hertz(normal: f64) -> (f64, f64) {
+pub(crate) fn hertz(normal: f64) -> (f64, f64) {
     let modulus = 72.1e3 / (2.0 * (1.0 - 0.33 * 0.33));
     let end = (4.0 * normal * SIZES.radius / (std::f64::consts::PI * modulus)).sqrt();
     (end, 2.0 * normal / (std::f64::consts::PI * end))

@@ -1,0 +1,29 @@
+//! What a solve found at the contact points and how it ended.
+
+use crate::coulomb::ContactState;
+use crate::lcp::Point;
+use crate::status::Status;
+
+/// What a solve found and how it ended.
+pub(crate) struct Ending {
+    pub(crate) status: Status,
+    pub(crate) states: Vec<ContactState>,
+    /// Normal forces and free coordinates.
+    pub(crate) point: Point,
+    /// Shear forces.
+    pub(crate) shear: Vec<f64>,
+    pub(crate) opening: Vec<f64>,
+    pub(crate) complementarity: f64,
+    pub(crate) balance: f64,
+    pub(crate) iterations: usize,
+    pub(crate) took_over: bool,
+}
+
+/// Where a solve starts from.
+pub(crate) struct Warm<'s> {
+    /// Normal forces and free coordinates.
+    pub(crate) point: Point,
+    pub(crate) shear: &'s [f64],
+    pub(crate) closed: &'s [bool],
+    pub(crate) states: &'s [ContactState],
+}
