@@ -2,8 +2,8 @@
 
 use crate::error::Error;
 use crate::freedom::Direction;
-use crate::mesh::Mesh;
 use crate::load_case::{Load, LoadCase};
+use crate::mesh::Mesh;
 use crate::problem::BodyProblem;
 use std::f64::consts::TAU;
 

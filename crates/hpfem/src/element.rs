@@ -8,8 +8,8 @@
 use crate::basis::{LocalModes, Table};
 use crate::error::Error;
 use crate::kinematics::Kinematics;
-use crate::moduli::Moduli;
 use crate::mesh::{Mesh, blend};
+use crate::moduli::Moduli;
 use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, Par};
 

@@ -137,8 +137,7 @@ impl Condensed {
             let shed = l21 * part.as_ref();
             let mut at = 0;
             for g in left {
-                let (target, sign) =
-                    if *g + 1 == size.len() { (&mut forward.work, 1.0) } else { (&mut values[*g], -1.0) };
+                let (target, sign) = if *g + 1 == size.len() { (&mut forward.work, 1.0) } else { (&mut values[*g], -1.0) };
                 target.resize(size[*g], 0.0);
                 target.iter_mut().enumerate().for_each(|(i, v)| *v += sign * shed[(at + i, 0)]);
                 at += size[*g];

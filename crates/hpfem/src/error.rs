@@ -67,13 +67,17 @@ pub enum Error {
         motion: String,
     },
     /// Elimination met a pivot without stiffness although the body is held.
-    #[error("elimination met a pivot without stiffness at {place}: moduli, lengths or degrees there are too far apart for the digits there are")]
+    #[error(
+        "elimination met a pivot without stiffness at {place}: moduli, lengths or degrees there are too far apart for the digits there are"
+    )]
     NoStiffness {
         /// Words for the place.
         place: String,
     },
     /// The loads work on a motion that nothing holds.
-    #[error("the loads do not balance: nothing holds the body, {motion}, and the load along that motion is {load:.3e}; add a support, or balance the loads")]
+    #[error(
+        "the loads do not balance: nothing holds the body, {motion}, and the load along that motion is {load:.3e}; add a support, or balance the loads"
+    )]
     Unbalanced {
         /// The free motion in words.
         motion: String,
@@ -81,7 +85,9 @@ pub enum Error {
         load: f64,
     },
     /// One displacement component is prescribed twice, with two values.
-    #[error("\"{boundary}\" prescribes {value:e} at {place}, where another support prescribes {known:e} along the same direction")]
+    #[error(
+        "\"{boundary}\" prescribes {value:e} at {place}, where another support prescribes {known:e} along the same direction"
+    )]
     HeldTwice {
         /// The boundary of the second support.
         boundary: String,

@@ -134,13 +134,7 @@ impl Field {
     }
 
     /// Strains `[xx, zz, gamma_xz, yy]` at a point without the eigenstrains, of a scalar problem its two strains.
-    fn elastic_strain(
-        &self,
-        cell: usize,
-        reference: [f64; 2],
-        point: &CellPoint,
-        (u, g): ([f64; 2], [[f64; 2]; 2]),
-    ) -> [f64; 4] {
+    fn elastic_strain(&self, cell: usize, reference: [f64; 2], point: &CellPoint, (u, g): ([f64; 2], [[f64; 2]; 2])) -> [f64; 4] {
         let hoop = self.hoop_strain(cell, point.position[0], u, g);
         let mut strain = match self.kinematics {
             Kinematics::Torsion => [g[0][0] - hoop, g[0][1], 0.0, 0.0],
@@ -188,13 +182,7 @@ impl Field {
     }
 
     /// Stress in an isotropic material, in the order of operations of its own law.
-    fn isotropic_stress(
-        &self,
-        cell: usize,
-        [c11, c12, shear]: [f64; 3],
-        r: f64,
-        (u, g): ([f64; 2], [[f64; 2]; 2]),
-    ) -> [f64; 4] {
+    fn isotropic_stress(&self, cell: usize, [c11, c12, shear]: [f64; 3], r: f64, (u, g): ([f64; 2], [[f64; 2]; 2])) -> [f64; 4] {
         let hoop = self.hoop_strain(cell, r, u, g);
         let in_plane = || [c11 * g[0][0] + c12 * g[1][1], c11 * g[1][1] + c12 * g[0][0], shear * (g[0][1] + g[1][0])];
         match self.kinematics {

@@ -92,7 +92,10 @@ impl Body {
         }
         // Work with all columns in their order: the cases of the factorisation, those added, this one, all others.
         let mut work = forward.work.clone();
-        work.splice(factored.cases..factored.cases, self.added.iter().map(|other| forward.dot(other)).chain([forward.dot(&forward)]));
+        work.splice(
+            factored.cases..factored.cases,
+            self.added.iter().map(|other| forward.dot(other)).chain([forward.dot(&forward)]),
+        );
         work.iter_mut().zip(&inner).for_each(|(sum, w)| *sum += w);
         let unit = assembly.unit;
         let scaled = |v: Vec<f64>| v.into_iter().map(|v| unit * v).collect::<Vec<_>>();

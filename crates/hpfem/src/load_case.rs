@@ -146,8 +146,11 @@ impl PointForce {
 pub struct Eigenstrain {
     /// The strains at a place, in the order of the stresses: `[xx, zz, gamma_xz, yy]`, in torsion `[gamma_r phi, gamma_phi z, _, _]`, for a
     /// potential a gradient without flux.
-    pub strain: Arc<dyn Fn(&BodyPoint) -> [f64; 4] + Send + Sync>,
+    pub strain: BodyStrain,
 }
+
+/// Strains as a function of the place.
+pub type BodyStrain = Arc<dyn Fn(&BodyPoint) -> [f64; 4] + Send + Sync>;
 
 /// A place in a body. Cell and material tell the two sides of a joint apart.
 #[derive(Clone, Copy, Debug, PartialEq)]

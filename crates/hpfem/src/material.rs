@@ -177,12 +177,15 @@ impl Material {
         };
         let (own, other) = (numbers(self), numbers(&self.seen_by(turn)));
         let size = |part: &[f64]| part.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-        let parts = if own.len() == 4 { vec![0..4] } else { vec![0..20, 20..24] };
-        let alike = |part: std::ops::Range<usize>| {
-            let round_off = 1e-14 * size(&own[part.clone()]);
-            own[part.clone()].iter().zip(&other[part]).all(|(a, b)| (a - b).abs() <= round_off)
+        let alike = |own: &[f64], other: &[f64]| {
+            let round_off = 1e-14 * size(own);
+            own.iter().zip(other).all(|(a, b)| (a - b).abs() <= round_off)
         };
-        parts.into_iter().all(alike)
+        // The conductivities come last, four numbers.
+        let conductivities = own.len() - 4;
+        let ((stiff, conducting), (stiff_after, conducting_after)) =
+            (own.split_at(conductivities), other.split_at(conductivities));
+        alike(stiff, stiff_after) && alike(conducting, conducting_after)
     }
 
     /// The material with its moduli multiplied by a positive factor.
@@ -291,10 +294,5 @@ fn conjugated(turn: &[[f64; 2]; 2], m: &[[f64; 2]; 2]) -> [[f64; 2]; 2] {
 
 /// What an orthogonal map of the plane makes of the stresses `[xx, zz, yy, xz]`.
 fn stress_turn([[a, b], [c, d]]: [[f64; 2]; 2]) -> [[f64; 4]; 4] {
-    [
-        [a * a, b * b, 0.0, 2.0 * a * b],
-        [c * c, d * d, 0.0, 2.0 * c * d],
-        [0.0, 0.0, 1.0, 0.0],
-        [a * c, b * d, 0.0, a * d + b * c],
-    ]
+    [[a * a, b * b, 0.0, 2.0 * a * b], [c * c, d * d, 0.0, 2.0 * c * d], [0.0, 0.0, 1.0, 0.0], [a * c, b * d, 0.0, a * d + b * c]]
 }

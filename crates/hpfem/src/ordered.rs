@@ -68,12 +68,7 @@ impl<'a> Ordered<'a> {
 }
 
 /// Elements that have right-hand sides: cells with loads or supports, then foundations on supports.
-fn with_columns(
-    mesh: &Mesh,
-    space: &Space,
-    loads: &Loads<'_>,
-    foundations: &[(usize, &Foundation)],
-) -> Vec<usize> {
+fn with_columns(mesh: &Mesh, space: &Space, loads: &Loads<'_>, foundations: &[(usize, &Foundation)]) -> Vec<usize> {
     let vertices = mesh.vertices.len();
     let supported = |g: usize| space.is_supported(g);
     let cell = |c: &usize| {

@@ -27,11 +27,7 @@ pub(crate) struct Reduction {
 }
 
 /// Reduces a body; `factors` tells whether the factorised fronts are kept.
-pub(crate) fn reduce(
-    problem: &BodyProblem,
-    factors: bool,
-    clock: Clock,
-) -> Result<Reduction, Error> {
+pub(crate) fn reduce(problem: &BodyProblem, factors: bool, clock: Clock) -> Result<Reduction, Error> {
     let start = clock();
     let ordered = Ordered::new(problem)?;
     let mesh = &*problem.mesh;
@@ -46,7 +42,8 @@ pub(crate) fn reduce(
     let Own { matrices, reaction_constant, interior_work } = own_elements(&assembly, &groups, &foundations, &shared)?;
     let assembled = clock() - start;
     let mut elements = Elements::new(&assembly, &groups, shared, matrices);
-    let mut condensed = plan.run(&mut elements, &size, &last, factors).map_err(|g| Error::NoStiffness { place: place(mesh, g) })?;
+    let mut condensed =
+        plan.run(&mut elements, &size, &last, factors).map_err(|g| Error::NoStiffness { place: place(mesh, g) })?;
     condensed.work += &interior_work;
     let finite = |m: &Mat<f64>| m.col_iter().all(|c| c.iter().all(|v| v.is_finite()));
     if !(finite(&condensed.rhs) && finite(&condensed.work)) {
