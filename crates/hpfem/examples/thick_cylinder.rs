@@ -10,22 +10,13 @@ pub fn bore_displacement(degree: usize) -> Result<f64, Error> {
     let names = [([0, 1], "lower end"), ([2, 3], "upper end"), ([3, 0], "bore")];
     let mesh = Mesh::new(vertices, &[quad], &[], &names)?;
 
-    let materials = [Material::isotropic(210e3, 0.3)?];
-    let hold = |boundary: &str| Support::hold(boundary, Direction::Second);
-    let supports = [hold("lower end"), hold("upper end")];
-    let load = [vec![EdgeTraction::new("bore", |p| p.outward.map(|n| -50.0 * n))]];
-    let body = Body::new(BodyProblem {
-        mesh: &mesh,
-        degrees: vec![degree],
-        space: SpaceKind::Tensor,
-        kinematics: Kinematics::Axisymmetric,
-        materials: &materials,
-        supports: &supports,
-        rigid_edge: None,
-        load_cases: &load,
-        kept: None,
-    })?;
-    let field = body.field(&body.solve(&[1.0]))?;
+    let problem = BodyProblem::new(mesh, degree, Kinematics::Axisymmetric)
+        .material(Material::isotropic(210e3, 0.3)?)
+        .roller("lower end")
+        .roller("upper end")
+        .load("pressure", EdgeTraction::pressure("bore", |_| 50.0));
+    let body = Body::new(problem)?;
+    let field = body.field(&body.solve(&[("pressure", 1.0)])?)?;
     Ok(field.at(0, -1.0, 0.0).displacement[0])
 }
 
