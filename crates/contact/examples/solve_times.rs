@@ -1,10 +1,7 @@
 //! Time of a contact solve on a prepared operator with about 100, 200 and 400 points: full contact, partial contact, a wear-like warm start.
 
 use contact::{ContactLoad, ContactOperator, Pair};
-use hpfem::{
-    Body, BodyProblem, Curve, Direction, EdgeTraction, Kinematics, LoadCase, Material, Mesh, Named, Ruled, Side, SpaceKind,
-    Support,
-};
+use hpfem::{Body, BodyProblem, Curve, Direction, EdgeTraction, Kinematics, Material, Mesh, Named, Ruled, Side};
 use std::error::Error;
 use std::time::{Duration, Instant};
 
@@ -35,28 +32,16 @@ fn best(mut run: impl FnMut()) -> Duration {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let materials = [Material::isotropic(210e3, 0.3)?];
-    let hold = |direction| Support::moved("back", direction, 0.0);
-    let load: Vec<Vec<EdgeTraction>> = vec![vec![EdgeTraction::new("back", |_| [0.0, -10.0])]];
+    let kinematics = Kinematics::PlaneStrain { thickness: 1.0 };
+    let steel = Material::isotropic(210e3, 0.3)?;
     println!("points  prepare_us  full_us  partial_us  steps  warm_us  steps  sliding_us");
     for cells in [12, 25, 50] {
         let upper = strip(0.0, 1.0, cells, Side::Bottom, Side::Top)?;
         let lower = strip(-1.0, 0.0, cells, Side::Top, Side::Bottom)?;
-        let body = |mesh, supports, load_cases| {
-            Body::new(BodyProblem {
-                mesh,
-                degrees: vec![8; 2 * cells],
-                space: SpaceKind::Tensor,
-                kinematics: Kinematics::PlaneStrain { thickness: 1.0 },
-                materials: &materials,
-                supports,
-                rigid_edge: None,
-                load_cases,
-                kept: Some("contact"),
-            })
-        };
-        let (guide, clamp) = ([hold(Direction::First)], [hold(Direction::First), hold(Direction::Second)]);
-        let (one, two) = (body(&upper, &guide, &load)?, body(&lower, &clamp, &[])?);
+        let problem = |mesh| BodyProblem::new(mesh, 8, kinematics).material(steel).keep("contact");
+        let press = EdgeTraction::new("back", |_| [0.0, -10.0]);
+        let one = Body::new(problem(upper).hold("back", Direction::First).load("press", press))?;
+        let two = Body::new(problem(lower).clamp("back"))?;
         let pair = Pair::new(&one.interface, Some(&two.interface))?;
         let operator = ContactOperator::new(&pair, true)?;
         let prepare = best(|| drop(ContactOperator::new(&pair, true)));

@@ -73,14 +73,9 @@ fn angles() -> impl Iterator<Item = f64> {
 /// Gap without a rigid part at the 1201 angles, seconds from nothing to both traces, unknowns.
 fn gap(level: Level) -> (Vec<f64>, f64, usize) {
     let start = Instant::now();
-    let material = [Material::isotropic(210e3, 0.3).expect("steel")];
-    let (shoe, drum) = (shoe(level), drum(level));
-    let support = |b: &str, direction| Support::hold(b, direction);
-    let load = vec![vec![EdgeTraction::new("top", |_| [0.0, -PRESSURE])]];
-    let guides = [support("left", Direction::First), support("right", Direction::First)];
-    let hub = [support("hub", Direction::First), support("hub", Direction::Second)];
-    let shoe = reduce(&shoe, level, &material, &guides, &load);
-    let drum = reduce(&drum, level, &material, &hub, &[]);
+    let shoe = problem(shoe(level), level).hold("left", Direction::First).hold("right", Direction::First);
+    let shoe = reduced(shoe.load("top", EdgeTraction::new("top", |_| [0.0, -PRESSURE])));
+    let drum = reduced(problem(drum(level), level).clamp("hub"));
     let (u1, u2) = (press(&shoe.0, 1.0, &[1.0]), press(&drum.0, -1.0, &[]));
     let seconds = start.elapsed().as_secs_f64();
     let gap = angles().map(|a| normal(&drum.0, &u2, a) - normal(&shoe.0, &u1, a)).collect();
@@ -116,17 +111,14 @@ fn drum(level: Level) -> Mesh {
     ruled(arc(100.0), arc(RADIUS), &breaks, &names, (level.ratio, level.layers_drum))
 }
 
-fn reduce<'a>(
-    mesh: &'a Mesh,
-    level: Level,
-    materials: &'a [Material],
-    supports: &'a [Support],
-    load_cases: &'a [LoadCase<'a>],
-) -> (InterfaceOperator, Effort) {
+fn problem(mesh: Mesh, level: Level) -> BodyProblem {
     let degree = |cell: &Cell| (level.degree as f64 - level.slope * cell.layer as f64).round().max(2.0) as usize;
     let degrees = mesh.cells.iter().map(degree).collect();
-    let (space, kinematics, kept) = (SpaceKind::Tensor, KINEMATICS, Some("contact"));
-    let problem = BodyProblem { mesh, degrees, space, kinematics, materials, supports, rigid_edge: None, load_cases, kept };
+    let steel = Material::isotropic(210e3, 0.3).expect("steel");
+    BodyProblem::new(mesh, level.degree, KINEMATICS).degrees(degrees).material(steel).keep("contact")
+}
+
+fn reduced(problem: BodyProblem) -> (InterfaceOperator, Effort) {
     Body::interface(&problem).expect("the body is held")
 }
 
@@ -136,7 +128,7 @@ fn press(operator: &InterfaceOperator, side: f64, cases: &[f64]) -> Vec<f64> {
         let n = point.outward.map(|v| -side * v);
         [side * PRESSURE * (n[0] - FRICTION * n[1]), side * PRESSURE * (n[1] + FRICTION * n[0])]
     });
-    let right = operator.right_hand_side(&load, &operator.factors(cases));
+    let right = operator.right_hand_side(&load, &operator.factors_in_order(cases));
     let x = operator.solve(&faer::Mat::from_fn(right.len(), 1, |i, _| right[i]), &operator.rigid_modes);
     (0..right.len()).map(|i| x[(i, 0)]).collect()
 }

@@ -49,11 +49,9 @@ fn main() {
 
 fn stress(kinematics: Kinematics, degree: usize) -> f64 {
     let exact = Exact { kinematics, material: Material::isotropic(1.7, 0.28).unwrap() };
-    let materials = [exact.material];
     let mesh = mixed(TURNS[6], Shape::Arcs, 0.0);
-    let load = [vec![traction("all", |p| exact.traction(p))]];
-    let body = Body::new(problem(&mesh, degree, kinematics, &materials, &[], &load, Some("right"))).unwrap();
-    stress_error(&body.field(&body.solve(&[1.0])).unwrap(), &mesh, |x| exact.stress(x))
+    let body = Body::new(exact.loaded(&mesh, degree).keep("right")).unwrap();
+    stress_error(&body.field(&solved(&body, &[1.0])).unwrap(), &mesh, |x| exact.stress(x))
 }
 
 /// One plot with decades as its vertical scale; `share` places an abscissa between 0 and 1.

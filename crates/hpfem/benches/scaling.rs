@@ -14,6 +14,7 @@ use faer::{Par, Spec};
 use hpfem::*;
 use std::error::Error as StdError;
 use std::process::Command;
+use std::sync::Arc;
 
 /// Largest number of unknowns; a first argument that is a number replaces it.
 const LARGEST: usize = 200_000;
@@ -100,7 +101,7 @@ fn peak() -> Outcome<f64> {
 
 /// Runs a case, small ones often enough for the clock.
 fn run(faer: bool, n: usize, p: usize) -> Outcome<Row> {
-    let mesh = square(n);
+    let mesh = Arc::new(square(n));
     let start = cpu()?;
     let mut runs = 0.0;
     let mut result = [0.0; 2];
@@ -112,21 +113,10 @@ fn run(faer: bool, n: usize, p: usize) -> Outcome<Row> {
 }
 
 /// Unknowns and estimated bytes.
-fn reduce(mesh: &Mesh, p: usize) -> Outcome<[f64; 2]> {
-    let hold = |direction| Support::moved("bottom", direction, 0.0);
-    let supports = [hold(Direction::First), hold(Direction::Second)];
-    let materials = [Material::isotropic(1.0, 0.3)?];
-    let body = Body::new(BodyProblem {
-        mesh,
-        degrees: vec![p; mesh.cells.len()],
-        space: SpaceKind::Tensor,
-        kinematics: Kinematics::PlaneStrain { thickness: 1.0 },
-        materials: &materials,
-        supports: &supports,
-        rigid_edge: None,
-        load_cases: &[],
-        kept: Some("top"),
-    })?;
+fn reduce(mesh: &Arc<Mesh>, p: usize) -> Outcome<[f64; 2]> {
+    let kinematics = Kinematics::PlaneStrain { thickness: 1.0 };
+    let problem = BodyProblem::new(Arc::clone(mesh), p, kinematics).material(Material::isotropic(1.0, 0.3)?);
+    let body = Body::new(problem.clamp("bottom").keep("top"))?;
     Ok([body.effort.unknowns as f64, body.effort.bytes as f64])
 }
 

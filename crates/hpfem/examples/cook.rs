@@ -21,22 +21,12 @@ pub fn deflection(degree: usize, layers: usize) -> Result<f64, Error> {
     let corners = [[0.0, 0.0], [0.0, 44.0], [48.0, 44.0], [48.0, 60.0]].map(|x| mesh.nearest_vertex(x));
     let mesh = mesh.refined_towards(&corners, 0.15, layers)?;
 
-    let materials = [Material::isotropic(1.0, 1.0 / 3.0)?];
-    let hold = |direction| Support::moved("wall", direction, 0.0);
-    let supports = [hold(Direction::First), hold(Direction::Second)];
-    let load = [vec![EdgeTraction::new("sheared", |_| [0.0, 1.0 / 16.0])]];
-    let body = Body::new(BodyProblem {
-        mesh: &mesh,
-        degrees: vec![degree; mesh.cells.len()],
-        space: SpaceKind::Tensor,
-        kinematics: Kinematics::PlaneStress { thickness: 1.0 },
-        materials: &materials,
-        supports: &supports,
-        rigid_edge: None,
-        load_cases: &load,
-        kept: None,
-    })?;
-    let field = body.field(&body.solve(&[1.0]))?;
+    let problem = BodyProblem::new(mesh, degree, Kinematics::PlaneStress { thickness: 1.0 })
+        .material(Material::isotropic(1.0, 1.0 / 3.0)?)
+        .clamp("wall")
+        .load("shear", EdgeTraction::new("sheared", |_| [0.0, 1.0 / 16.0]));
+    let body = Body::new(problem)?;
+    let field = body.field(&body.solve(&[("shear", 1.0)])?)?;
     let (cell, xi, eta) = field.locate([48.0, 52.0])?;
     Ok(field.at(cell, xi, eta)?.displacement[1])
 }

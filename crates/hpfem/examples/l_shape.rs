@@ -19,25 +19,15 @@ pub fn strain_energy(accuracy: f64) -> Result<(f64, f64), Error> {
     let names = [([0, 5], "foot"), ([5, 7], "foot"), ([2, 3], "top")];
     let coarse = Mesh::new(vertices, &quads, &[], &names)?;
 
-    let materials = [Material::isotropic(1.0, 0.3)?];
-    let kinematics = Kinematics::PlaneStrain { thickness: 1.0 };
-    let hold = |direction| Support::moved("foot", direction, 0.0);
-    let supports = [hold(Direction::First), hold(Direction::Second)];
-    let load = [vec![EdgeTraction::new("top", |_| [1.0, 0.0])]];
-    let singular = singular_vertices(&coarse, kinematics, &materials, &supports, &["top"])?;
-    let run = adapt(&coarse, &singular, accuracy, 16, |mesh, degrees| {
-        let body = Body::new(BodyProblem {
-            mesh,
-            degrees: degrees.to_vec(),
-            space: SpaceKind::Tensor,
-            kinematics,
-            materials: &materials,
-            supports: &supports,
-            rigid_edge: None,
-            load_cases: &load,
-            kept: None,
-        })?;
-        Ok(vec![body.interface.strain_energy(&body.solve(&[1.0]))])
+    let problem = BodyProblem::new(coarse, 1, Kinematics::PlaneStrain { thickness: 1.0 })
+        .material(Material::isotropic(1.0, 0.3)?)
+        .clamp("foot")
+        .load("pull", EdgeTraction::new("top", |_| [1.0, 0.0]));
+    let singular = singular_vertices(&problem.mesh, problem.kinematics, &problem.materials, &problem.supports, &["top"])?;
+    let run = adapt(&problem.mesh, &singular, accuracy, 16, |mesh, degrees| {
+        let finer = BodyProblem { mesh: mesh.clone().into(), ..problem.clone() };
+        let body = Body::new(finer.degrees(degrees.to_vec()))?;
+        Ok(vec![body.interface.strain_energy(&body.solve(&[("pull", 1.0)])?)])
     })?;
     Ok((run.quantities.last().map_or(f64::NAN, |q| q[0]), run.estimate))
 }

@@ -19,22 +19,13 @@ pub fn stress_concentration(degree: usize) -> Result<f64, Error> {
     let names = [([0, 1], "below"), ([1, 2], "pulled"), ([4, 5], "left")];
     let mesh = Mesh::new(vertices, &[quad([0, 1, 2, 3]), quad([3, 2, 4, 5])], &curves, &names)?.refined()?.refined()?;
 
-    let materials = [Material::isotropic(210e3, 0.3)?];
-    let roller = |boundary: &str, direction| Support::hold(boundary, direction);
-    let supports = [roller("below", Direction::Second), roller("left", Direction::First)];
-    let load = [vec![EdgeTraction::new("pulled", |p| p.outward)]];
-    let body = Body::new(BodyProblem {
-        mesh: &mesh,
-        degrees: vec![degree; mesh.cells.len()],
-        space: SpaceKind::Tensor,
-        kinematics: Kinematics::PlaneStress { thickness: 1.0 },
-        materials: &materials,
-        supports: &supports,
-        rigid_edge: None,
-        load_cases: &load,
-        kept: None,
-    })?;
-    let field = body.field(&body.solve(&[1.0]))?;
+    let problem = BodyProblem::new(mesh, degree, Kinematics::PlaneStress { thickness: 1.0 })
+        .material(Material::isotropic(210e3, 0.3)?)
+        .roller("below")
+        .roller("left")
+        .load("pull", EdgeTraction::new("pulled", |p| p.outward));
+    let body = Body::new(problem)?;
+    let field = body.field(&body.solve(&[("pull", 1.0)])?)?;
     let (cell, xi, eta) = field.locate([0.0, 1.0])?;
     Ok(field.at(cell, xi, eta)?.stress[0])
 }

@@ -4,31 +4,19 @@ use hpfem::*;
 
 /// Radial displacement of the bore of a tube of radii 1 and 2, E = 210 GPa, nu = 0.3, pressure 50 MPa, ends held axially.
 /// Lame: `(1 + nu)/E (A (1 - 2 nu) + B)` with `A = 50/3`, `B = 200/3`.
-///
-/// # Errors
-/// Those of the mesh and the body.
 pub fn bore_displacement(degree: usize) -> Result<f64, Error> {
     let vertices = vec![[1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0]];
     let quad = Quad { corners: [0, 1, 2, 3], material: 0, layer: 0 };
     let names = [([0, 1], "lower end"), ([2, 3], "upper end"), ([3, 0], "bore")];
     let mesh = Mesh::new(vertices, &[quad], &[], &names)?;
 
-    let materials = [Material::isotropic(210e3, 0.3)?];
-    let hold = |boundary: &str| Support::hold(boundary, Direction::Second);
-    let supports = [hold("lower end"), hold("upper end")];
-    let load = [vec![EdgeTraction::new("bore", |p| p.outward.map(|n| -50.0 * n))]];
-    let body = Body::new(BodyProblem {
-        mesh: &mesh,
-        degrees: vec![degree],
-        space: SpaceKind::Tensor,
-        kinematics: Kinematics::Axisymmetric,
-        materials: &materials,
-        supports: &supports,
-        rigid_edge: None,
-        load_cases: &load,
-        kept: None,
-    })?;
-    let field = body.field(&body.solve(&[1.0]))?;
+    let problem = BodyProblem::new(mesh, degree, Kinematics::Axisymmetric)
+        .material(Material::isotropic(210e3, 0.3)?)
+        .roller("lower end")
+        .roller("upper end")
+        .load("pressure", EdgeTraction::pressure("bore", |_| 50.0));
+    let body = Body::new(problem)?;
+    let field = body.field(&body.solve(&[("pressure", 1.0)])?)?;
     Ok(field.at(0, -1.0, 0.0)?.displacement[0])
 }
 

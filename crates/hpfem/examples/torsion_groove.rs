@@ -39,22 +39,13 @@ pub fn stress_concentration(degree: usize) -> Result<f64, Error> {
     let names = [([0, 1], "middle"), ([1, 2], "middle"), ([6, 7], "end"), ([7, 8], "end")];
     let mesh = Mesh::new(vertices, &quads, &curves, &names)?.refined()?.refined()?;
 
-    let materials = [Material::isotropic(2.6, 0.3)?];
-    let supports = [Support::hold("middle", Direction::First)];
     // tau = r on the end: the moment is pi / 2.
-    let load = [vec![EdgeTraction::new("end", |p| [p.position[0], 0.0])]];
-    let body = Body::new(BodyProblem {
-        mesh: &mesh,
-        degrees: vec![degree; mesh.cells.len()],
-        space: SpaceKind::Tensor,
-        kinematics: Kinematics::Torsion,
-        materials: &materials,
-        supports: &supports,
-        rigid_edge: None,
-        load_cases: &load,
-        kept: None,
-    })?;
-    let field = body.field(&body.solve(&[1.0]))?;
+    let problem = BodyProblem::new(mesh, degree, Kinematics::Torsion)
+        .material(Material::isotropic(2.6, 0.3)?)
+        .clamp("middle")
+        .load("twist", EdgeTraction::new("end", |p| [p.position[0], 0.0]));
+    let body = Body::new(problem)?;
+    let field = body.field(&body.solve(&[("twist", 1.0)])?)?;
     let (cell, xi, eta) = field.locate([radius - groove, 0.0])?;
     let nominal = 2.0 * FRAC_PI_2 / (PI * (radius - groove).powi(3));
     Ok(field.at(cell, xi, eta)?.stress[1] / nominal)

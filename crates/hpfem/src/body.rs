@@ -15,7 +15,6 @@ use crate::reduce::{Reduction, reduce};
 use crate::rigid::motion_words;
 use crate::space::Space;
 use crate::trace::TraceLoad;
-use faer::Mat;
 use std::sync::Arc;
 
 /// A body whose interior is eliminated. It owns its problem, can be sent to a thread, and is cheap to clone but for its interface
@@ -100,24 +99,28 @@ impl Body {
         let n = self.interface.stiffness.nrows();
         let load = TraceLoad { unknowns: vec![0.0; n], ..TraceLoad::default() };
         let right = self.interface.right_hand_side(&load, &factors);
-        self.check_balance(&right, &factors)?;
-        let right = Mat::from_fn(n, 1, |i, _| right[i]);
-        let x = self.interface.solve(&right, &self.interface.rigid_modes);
-        Ok(InterfaceState { unknowns: (0..n).map(|i| x[(i, 0)]).collect(), factors, load })
+        let state = InterfaceState { unknowns: self.interface.solve_one(&right), factors, load };
+        self.check_balance(&right, &state)?;
+        Ok(state)
     }
 
-    /// Refuses loads that work on a motion that nothing holds, beyond what quadrature leaves.
-    fn check_balance(&self, right: &[f64], factors: &[f64]) -> Result<(), Error> {
+    /// Refuses loads that work on a motion `m` that nothing holds, beyond what quadrature and the space leave. A turn of curved cells is
+    /// not in the space: its image has the energy `m . S m`, and by Cauchy and Schwarz balanced loads work on it by no more than the
+    /// product of the energy norms of the image and of the answer.
+    fn check_balance(&self, right: &[f64], state: &InterfaceState) -> Result<(), Error> {
         let interface = &self.interface;
         let modes = &interface.rigid_modes;
         // The size of the loads, by what they do to the body held at its kept unknowns and by what is left on those.
-        let inner: f64 = factors.iter().enumerate().map(|(k, a)| a * a * interface.work[(k, k)]).sum();
+        let inner: f64 = state.factors.iter().enumerate().map(|(k, a)| a * a * interface.work[(k, k)]).sum();
         let stiff = (0..right.len()).fold(0.0_f64, |m, i| m.max(interface.stiffness[(i, i)]));
+        let strained = modes.transpose() * &interface.stiffness * modes;
+        let work = 2.0 * interface.strain_energy(state).abs();
         for (k, motion) in interface.rigid_motions.iter().enumerate() {
+            let image = (work * strained[(k, k)].max(0.0)).sqrt();
             let products = right.iter().enumerate().map(|(i, f)| f * modes[(i, k)]);
             let (load, size) = products.fold((0.0, 0.0), |(sum, size), p| (sum + p, size + p.abs()));
             let largest = (0..right.len()).fold(0.0_f64, |m, i| m.max(modes[(i, k)].abs()));
-            if load.abs() > 1e-6 * size.max((inner.max(0.0) * stiff).sqrt() * largest) {
+            if load.abs() > 2.0 * image + 1e-6 * size.max((inner.max(0.0) * stiff).sqrt() * largest) {
                 let motion = motion_words(interface.kinematics, std::slice::from_ref(motion));
                 return Err(Error::Unbalanced { motion, load });
             }

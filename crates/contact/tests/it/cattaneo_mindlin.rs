@@ -3,10 +3,10 @@
 //! a = 0.206698, p0 = 418.104, c / a = sqrt(1 - Q / (mu P)) = 0.220218, q_max = mu p0 (1 - c / a) sqrt((1 + c / a) / (1 - c / a)) = 122.352.
 
 use crate::common::cylinder::{Sizes, block, mirrored, round};
-use crate::common::{falling_degrees, material, support};
+use crate::common::{material, touching};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact::*;
-use hpfem::{Body, BodyProblem, Direction, Kinematics, Mesh, RigidEdge, SpaceKind, Support};
+use hpfem::{Body, BodyProblem, Kinematics, RigidEdge};
 
 const SIZES: Sizes = Sizes { radius: 10.0, width: 20.0, depth: 20.0 };
 pub(crate) const NORMAL: f64 = 135.75;
@@ -14,28 +14,13 @@ pub(crate) const SHEAR: f64 = 38.75;
 pub(crate) const FRICTION: f64 = 0.3;
 
 pub(crate) fn bodies(nodes: &[f64], candidate: f64, degree: usize, layers: usize) -> Rebuilt {
-    let reduce = |mesh: &Mesh, supports: &[Support], rigid_edge| {
-        Body::new(BodyProblem {
-            mesh,
-            degrees: falling_degrees(mesh, degree, layers),
-            space: SpaceKind::Tensor,
-            kinematics: Kinematics::PlaneStrain { thickness: 1.0 },
-            materials: &material(72.1e3, 0.33),
-            supports,
-            rigid_edge,
-            load_cases: &[],
-            kept: Some("contact"),
-        })
-        .unwrap()
-        .interface
-    };
+    let kinematics = Kinematics::PlaneStrain { thickness: 1.0 };
+    let problem = |mesh| touching(mesh, [degree, layers], kinematics, material(72.1e3, 0.33));
     let edge = RigidEdge { boundary: "top".into(), reference: [0.0, 10.0], free: [true, true, false] };
-    let clamp = [support("bottom", Direction::First), support("bottom", Direction::Second)];
-    Rebuilt {
-        shaped: reduce(&mirrored(&round(&SIZES, nodes, candidate, layers)), &[], Some(edge)),
-        counter: reduce(&mirrored(&block(&SIZES, nodes, candidate, layers)), &clamp, None),
-        facing: true,
-    }
+    let upper = BodyProblem { rigid_edge: Some(edge), ..problem(mirrored(&round(&SIZES, nodes, candidate, layers))) };
+    let lower = problem(mirrored(&block(&SIZES, nodes, candidate, layers))).clamp("bottom");
+    let reduced = |problem| Body::new(problem).unwrap().interface;
+    Rebuilt { shaped: reduced(upper), counter: reduced(lower), facing: true }
 }
 
 pub(crate) fn gap(point: &ContactPoint) -> f64 {

@@ -1,32 +1,21 @@
 //! Sharp edges of contact: stiffness of a rigid annular punch, and exponents of the pressure `p ~ d^l` at the distance `d` from an edge.
 
 use crate::common::punch::{Punch, rectangle};
-use crate::common::{at_arc, falling_degrees, material, support};
+use crate::common::{at_arc, material, touching};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact::{ContactLoad, ContactOperator, ContactSolution, Motion, Pair};
 use hpfem::{
-    Body, BodyProblem, Corner, Direction, Face, InterfaceOperator, Kinematics, Mesh, RigidEdge, Sector, Side, SlidingEdge,
-    SpaceKind, Support, sliding_edge,
+    Body, BodyProblem, Constants, Corner, Direction, Face, InterfaceOperator, Kinematics, Mesh, RigidEdge, Sector, Side,
+    SlidingEdge, sliding_edge,
 };
 
 const YOUNG: f64 = 1000.0;
 const POISSON: f64 = 0.3;
 
 /// A block above a rigid flat, in contact with it between two places; its top is a rigid edge that only moves up and down.
-fn block(mesh: &Mesh, kinematics: Kinematics, supports: &[Support], degree: usize, layers: usize) -> InterfaceOperator {
-    Body::new(BodyProblem {
-        mesh,
-        degrees: falling_degrees(mesh, degree, layers),
-        space: SpaceKind::Tensor,
-        kinematics,
-        materials: &material(YOUNG, POISSON),
-        supports,
-        rigid_edge: Some(RigidEdge { boundary: "top".into(), reference: [0.0; 2], free: [false, true, false] }),
-        load_cases: &[],
-        kept: Some("contact"),
-    })
-    .unwrap()
-    .interface
+fn block(problem: BodyProblem) -> InterfaceOperator {
+    let top = RigidEdge { boundary: "top".into(), reference: [0.0; 2], free: [false, true, false] };
+    Body::new(BodyProblem { rigid_edge: Some(top), ..problem }).unwrap().interface
 }
 
 fn refined(mesh: &Mesh, x: &[f64], layers: usize) -> Mesh {
@@ -76,7 +65,9 @@ fn annulus_stiffness(inner: f64, size: f64, degree: usize, layers: usize) -> f64
         list.extend((0..=count as usize).map(|i| first * (size / first).powf(i as f64 / count)));
     }
     let mesh = refined(&rectangle(&r, &z, Side::Bottom, [inner, 1.0]), &[inner, 1.0], layers);
-    let body = block(&mesh, Kinematics::Axisymmetric, &[support("left", Direction::First)], degree, layers);
+    let body = block(
+        touching(mesh, [degree, layers], Kinematics::Axisymmetric, material(YOUNG, POISSON)).hold("left", Direction::First),
+    );
     let approach = 1e-3;
     let (_, solution) = pressed(&body, approach, 0.0);
     solution.force[1] / (2.0 * YOUNG / (1.0 - POISSON * POISSON) * approach)
@@ -98,7 +89,7 @@ fn edges_of_a_sliding_rigid_punch_have_the_exponents_of_theory() {
     // Elastic body over a rigid flat of width 2: -1/2 -+ g, tan(pi g) = mu (1 - 2 nu) / (2 (1 - nu)).
     let x = [-10.0, -4.0, -1.0, 0.0, 1.0, 4.0, 10.0];
     let mesh = refined(&rectangle(&x, &[0.0, 1.0, 4.0, 10.0], Side::Bottom, [-1.0, 1.0]), &[-1.0, 1.0], 12);
-    let body = block(&mesh, Kinematics::PlaneStrain { thickness: 1.0 }, &[], 14, 12);
+    let body = block(touching(mesh, [14, 12], Kinematics::PlaneStrain { thickness: 1.0 }, material(YOUNG, POISSON)));
     let friction = 0.25;
     let (pressure, _) = pressed(&body, 1e-3, friction);
     let g = (friction * (1.0 - 2.0 * POISSON) / (2.0 * (1.0 - POISSON))).atan() / std::f64::consts::PI;
@@ -133,10 +124,8 @@ fn sharp_edges_of_a_sliding_elastic_punch_have_the_exponents_of_the_characterist
     let operator = ContactOperator::new(&pair, true).unwrap();
     let n = operator.points().len();
     let last = operator.points()[n - 1].arc;
-    let wedge = |angle: f64| Corner {
-        sectors: vec![Sector { angle: angle.to_radians(), material: punch.materials[0][0] }],
-        faces: [Face::Free; 2],
-    };
+    let constants = Constants::of(&punch.materials, punch.kinematics).unwrap()[0];
+    let wedge = |angle: f64| Corner { sectors: vec![Sector { angle: angle.to_radians(), constants }], faces: [Face::Free; 2] };
     for friction in [0.1, 0.25, 0.5, 1.0] {
         let mut load = ContactLoad::factors(&[], &[]).sliding(friction, vec![1.0; n]);
         load.motions[1] = Motion::Free { resultant: -1000.0 };

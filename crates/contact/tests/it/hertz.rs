@@ -1,10 +1,10 @@
 //! Elastic cylinder on an elastic block, NAFEMS R94 CB1 (plane strain, thickness 1 mm): E 210 and 70 GPa, nu 0.3, R 50 mm, 35 kN.
 
 use crate::common::cylinder::{Sizes, block, round};
-use crate::common::{falling_degrees, material, support};
+use crate::common::{material, touching};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact::*;
-use hpfem::{Body, BodyProblem, Direction, EdgeTraction, Kinematics, LoadCase, Mesh, SpaceKind, Support};
+use hpfem::{Body, Direction, EdgeTraction, Kinematics, Mesh};
 
 const SIZES: Sizes = Sizes { radius: 50.0, width: 100.0, depth: 200.0 };
 
@@ -12,29 +12,13 @@ const SIZES: Sizes = Sizes { radius: 50.0, width: 100.0, depth: 200.0 };
 pub(crate) fn bodies(end: f64, candidate: f64, degree: usize, layers: usize, force: f64) -> Rebuilt {
     let kinematics = Kinematics::PlaneStrain { thickness: 1.0 };
     let pressure = force / (2.0 * SIZES.radius);
-    let load = vec![vec![EdgeTraction::new("top", move |_| [0.0, -pressure])]];
-    let reduce = |mesh: &Mesh, young: f64, supports: &[Support], load: &[Vec<EdgeTraction>]| {
-        Body::new(BodyProblem {
-            mesh,
-            degrees: falling_degrees(mesh, degree, layers),
-            space: SpaceKind::Tensor,
-            kinematics,
-            materials: &material(young, 0.3),
-            supports,
-            rigid_edge: None,
-            load_cases: load,
-            kept: Some("contact"),
-        })
-        .unwrap()
-        .interface
-    };
-    let axis = support("axis", Direction::First);
-    let clamp = [axis.clone(), support("bottom", Direction::First), support("bottom", Direction::Second)];
-    Rebuilt {
-        shaped: reduce(&round(&SIZES, &[end], candidate, layers), 210e3, &[axis], &load),
-        counter: reduce(&block(&SIZES, &[end], candidate, layers), 70e3, &clamp, &[]),
-        facing: true,
-    }
+    let held =
+        |mesh: Mesh, young| touching(mesh, [degree, layers], kinematics, material(young, 0.3)).hold("axis", Direction::First);
+    let load = EdgeTraction::new("top", move |_| [0.0, -pressure]);
+    let upper = held(round(&SIZES, &[end], candidate, layers), 210e3).load("force", load);
+    let lower = held(block(&SIZES, &[end], candidate, layers), 70e3).clamp("bottom");
+    let reduced = |problem| Body::new(problem).unwrap().interface;
+    Rebuilt { shaped: reduced(upper), counter: reduced(lower), facing: true }
 }
 
 pub(crate) fn gap(point: &ContactPoint) -> f64 {

@@ -11,12 +11,10 @@
 //!      o o o o o
 //! ```
 
-use crate::common::{material, support};
+use crate::common::material;
 use approx::assert_relative_eq;
 use contact::{ContactLoad, ContactOperator, Error, Pair, Status};
-use hpfem::{
-    Body, BodyProblem, BoundaryPoint, Curve, Direction, EdgeTraction, Kinematics, LoadCase, Mesh, Named, Ruled, Side, SpaceKind,
-};
+use hpfem::{Body, BodyProblem, BoundaryPoint, Curve, Direction, EdgeTraction, Kinematics, Mesh, Named, Ruled, Side};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_6};
 
 const PRESSURE: f64 = 7.0;
@@ -51,38 +49,29 @@ fn press(boundary: &str) -> EdgeTraction {
     EdgeTraction::new(boundary, |p: &BoundaryPoint| p.outward.map(|n| -PRESSURE * n))
 }
 
-fn body(mesh: &Mesh, upper: bool, loads: &[Vec<EdgeTraction>], degree: usize) -> hpfem::InterfaceOperator {
+fn body(mesh: &Mesh, upper: bool, loads: &[&str], degree: usize) -> hpfem::InterfaceOperator {
     body_of(mesh, upper, loads, degree, YOUNG)
 }
 
-fn body_of(mesh: &Mesh, upper: bool, loads: &[Vec<EdgeTraction>], degree: usize, young: f64) -> hpfem::InterfaceOperator {
-    let mut supports = vec![support("left", Direction::First)];
+fn body_of(mesh: &Mesh, upper: bool, loads: &[&str], degree: usize, young: f64) -> hpfem::InterfaceOperator {
+    let kinematics = Kinematics::PlaneStrain { thickness: 1.0 };
+    let mut problem = BodyProblem::new(mesh.clone(), degree, kinematics).material(material(young, POISSON)).keep("cut");
+    problem = problem.hold("left", Direction::First);
     if !upper {
-        supports.push(support("far", Direction::Second));
+        problem = problem.hold("far", Direction::Second);
     }
-    Body::new(BodyProblem {
-        mesh,
-        degrees: vec![degree; mesh.cells.len()],
-        space: SpaceKind::Tensor,
-        kinematics: Kinematics::PlaneStrain { thickness: 1.0 },
-        materials: &material(young, POISSON),
-        supports: &supports,
-        rigid_edge: None,
-        load_cases: loads,
-        kept: Some("cut"),
-    })
-    .unwrap()
-    .interface
+    let problem = loads.iter().fold(problem, |problem, boundary| problem.load("pressure", press(boundary)));
+    Body::new(problem).unwrap().interface
 }
 
 #[test]
 fn curved_cut_passes_the_patch_test_with_force_energy_and_reaction() {
     let breaks = [-1.0, -0.2, 1.0];
     let meshes = [block(true, &breaks, ARC), block(false, &breaks, ARC)];
-    let loads = [[vec![press("far"), press("right")]], [vec![press("right")]]];
+    let loads = [&["far", "right"][..], &["right"]];
     for degrees in [[9, 9], [10, 8]] {
-        let upper = body(&meshes[0], true, &loads[0], degrees[0]);
-        let lower = body(&meshes[1], false, &loads[1], degrees[1]);
+        let upper = body(&meshes[0], true, loads[0], degrees[0]);
+        let lower = body(&meshes[1], false, loads[1], degrees[1]);
         let pair = Pair::new(&upper, Some(&lower)).unwrap();
         let operator = ContactOperator::new(&pair, false).unwrap();
         let gap = vec![0.0; operator.points().len()];
@@ -103,9 +92,9 @@ fn curved_cut_passes_the_patch_test_with_force_energy_and_reaction() {
 /// Largest relative error of the pressure, and force and moment left over between the bodies (relative), without common break points.
 fn unmatched(cuts: [Curve; 2], degrees: [usize; 2], young: [f64; 2]) -> [f64; 3] {
     let meshes = [block(true, &[-1.0, -0.2, 1.0], cuts[0]), block(false, &[-1.0, 0.1, 0.4, 1.0], cuts[1])];
-    let loads = [[vec![press("far"), press("right")]], [vec![press("right")]]];
-    let upper = body_of(&meshes[0], true, &loads[0], degrees[0], young[0]);
-    let lower = body_of(&meshes[1], false, &loads[1], degrees[1], young[1]);
+    let loads = [&["far", "right"][..], &["right"]];
+    let upper = body_of(&meshes[0], true, loads[0], degrees[0], young[0]);
+    let lower = body_of(&meshes[1], false, loads[1], degrees[1], young[1]);
     let pair = Pair::new(&upper, Some(&lower)).unwrap();
     assert!(!pair.is_nodal());
     let operator = ContactOperator::new(&pair, false).unwrap();

@@ -1,39 +1,24 @@
 //! Elastic sphere on an elastic disc, steel on steel, axisymmetric: R 5 mm, 21 N; half-space values a = 0.088044, p0 = 1293.48.
 
 use crate::common::cylinder::{Sizes, block, round};
-use crate::common::{falling_degrees, material, support};
+use crate::common::{material, touching};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact::*;
-use hpfem::{Body, BodyProblem, Direction, EdgeTraction, Kinematics, LoadCase, Mesh, SpaceKind, Support};
+use hpfem::{Body, Direction, EdgeTraction, Kinematics, Mesh};
 
 const YOUNG: f64 = 2.1e5;
 const SIZES: Sizes = Sizes { radius: 5.0, width: 10.0, depth: 10.0 };
 
 fn bodies(end: f64, degree: usize, layers: usize, force: f64, poisson: f64) -> Rebuilt {
     let pressure = force / (std::f64::consts::PI * SIZES.radius * SIZES.radius);
-    let load = vec![vec![EdgeTraction::new("top", move |_| [0.0, -pressure])]];
-    let reduce = |mesh: &Mesh, supports: &[Support], load: &[Vec<EdgeTraction>]| {
-        Body::new(BodyProblem {
-            mesh,
-            degrees: falling_degrees(mesh, degree, layers),
-            space: SpaceKind::Tensor,
-            kinematics: Kinematics::Axisymmetric,
-            materials: &material(YOUNG, poisson),
-            supports,
-            rigid_edge: None,
-            load_cases: load,
-            kept: Some("contact"),
-        })
-        .unwrap()
-        .interface
+    let held = |mesh: Mesh| {
+        touching(mesh, [degree, layers], Kinematics::Axisymmetric, material(YOUNG, poisson)).hold("axis", Direction::First)
     };
-    let axis = support("axis", Direction::First);
-    let clamp = [axis.clone(), support("bottom", Direction::First), support("bottom", Direction::Second)];
-    Rebuilt {
-        shaped: reduce(&round(&SIZES, &[end], 1.6, layers), &[axis], &load),
-        counter: reduce(&block(&SIZES, &[end], 1.6, layers), &clamp, &[]),
-        facing: true,
-    }
+    let load = EdgeTraction::new("top", move |_| [0.0, -pressure]);
+    let upper = held(round(&SIZES, &[end], 1.6, layers)).load("force", load);
+    let lower = held(block(&SIZES, &[end], 1.6, layers)).clamp("bottom");
+    let reduced = |problem| Body::new(problem).unwrap().interface;
+    Rebuilt { shaped: reduced(upper), counter: reduced(lower), facing: true }
 }
 
 fn gap(point: &ContactPoint) -> f64 {

@@ -3,14 +3,11 @@
 //!
 //! A ring segment (body 1) on a full block of the same arc, radius 2, half angle 30 degrees, pressed by 1 MPa on the outside.
 
-use crate::common::{material, support};
+use crate::common::material;
 use contact::{ContactLoad, ContactOperator, Pair, Side as Body12};
 use faer::Mat;
 use faer::linalg::solvers::Solve;
-use hpfem::{
-    Body, BodyProblem, BoundaryPoint, Curve, Direction, EdgeTraction, InterfaceOperator, Kinematics, LoadCase, Mesh, Named,
-    Ruled, Side, SpaceKind,
-};
+use hpfem::{Body, BodyProblem, BoundaryPoint, Curve, EdgeTraction, InterfaceOperator, Kinematics, Mesh, Named, Ruled, Side};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_6};
 
 const RADIUS: f64 = 2.0;
@@ -23,22 +20,10 @@ fn graph() -> Curve {
     Curve::graph(-1.0, 1.0, |x| (RADIUS * RADIUS - x * x).sqrt())
 }
 
-fn reduce(mesh: &Mesh, far: &[Direction], loads: &[Vec<EdgeTraction>], degree: usize) -> InterfaceOperator {
-    let mut supports: Vec<_> = far.iter().map(|d| support("far", *d)).collect();
-    supports.extend(["left", "right"].map(|side| support(side, Direction::Normal)));
-    Body::new(BodyProblem {
-        mesh,
-        degrees: vec![degree; mesh.cells.len()],
-        space: SpaceKind::Tensor,
-        kinematics: Kinematics::PlaneStrain { thickness: 1.0 },
-        materials: &material(1000.0, 0.3),
-        supports: &supports,
-        rigid_edge: None,
-        load_cases: loads,
-        kept: Some("cut"),
-    })
-    .unwrap()
-    .interface
+fn reduce(mesh: Mesh, degree: usize, complete: impl Fn(BodyProblem) -> BodyProblem) -> InterfaceOperator {
+    let kinematics = Kinematics::PlaneStrain { thickness: 1.0 };
+    let problem = BodyProblem::new(mesh, degree, kinematics).material(material(1000.0, 0.3)).keep("cut");
+    Body::new(complete(problem).roller("left").roller("right")).unwrap().interface
 }
 
 /// Ring segment above, ring segment below with radial sides: under a uniform pressure outside all stays uniform along the arc.
@@ -59,8 +44,10 @@ fn bodies(lower_cut: Curve, lower_breaks: &[f64], degree: usize) -> [InterfaceOp
     let upper = ring(arc(RADIUS), arc(3.0), &[-1.0, -0.5, 0.0, 0.5, 1.0], Side::Bottom, Side::Top);
     let lower = ring(arc(1.0), lower_cut, lower_breaks, Side::Top, Side::Bottom);
     let press = EdgeTraction::new("far", |p: &BoundaryPoint| p.outward.map(|n| -n));
-    let load = [vec![press]];
-    [reduce(&upper, &[], &load, degree), reduce(&lower, &[Direction::First, Direction::Second], &[], degree)]
+    [
+        reduce(upper, degree, |problem| problem.load("pressure", press.clone())),
+        reduce(lower, degree, |problem| problem.clamp("far")),
+    ]
 }
 
 /// Pressure at the points of body 1 from one-pass collocation: every point presses on the given place of body 2, where the displacement is compared.

@@ -12,10 +12,10 @@
 //! = p0 (K - E)(k)`, `k^2 = 1 - s^2/a^2`, and the torque `8 mu/3 (c^3 H(c) + 3 int_c^a s^2 H ds)`, at most `3 pi/16 mu P a`.
 
 use crate::common::cylinder::{Sizes, block, round};
-use crate::common::{falling_degrees, material, support};
+use crate::common::{material, touching};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use contact::*;
-use hpfem::{Body, BodyProblem, Direction, Kinematics, Mesh, SpaceKind, gauss};
+use hpfem::{Body, Direction, Kinematics, Mesh, gauss};
 use std::f64::consts::PI;
 
 const SIZES: Sizes = Sizes { radius: 5.0, width: 10.0, depth: 10.0 };
@@ -31,24 +31,13 @@ fn softness() -> f64 {
 }
 
 fn bodies(nodes: &[f64], degree: usize, layers: usize) -> Rebuilt {
-    let reduce = |mesh: &Mesh, held: &str, young: f64| {
-        Body::new(BodyProblem {
-            mesh,
-            degrees: falling_degrees(mesh, degree, layers),
-            space: SpaceKind::Tensor,
-            kinematics: Kinematics::Torsion,
-            materials: &material(young, 0.3),
-            supports: &[support("axis", Direction::First), support(held, Direction::First)],
-            rigid_edge: None,
-            load_cases: &[],
-            kept: Some("contact"),
-        })
-        .unwrap()
-        .interface
+    let reduce = |mesh: Mesh, held: &str, young: f64| {
+        let problem = touching(mesh, [degree, layers], Kinematics::Torsion, material(young, 0.3));
+        Body::new(problem.hold("axis", Direction::First).hold(held, Direction::First)).unwrap().interface
     };
     Rebuilt {
-        shaped: reduce(&round(&SIZES, nodes, 1.6, layers), "top", YOUNG[0]),
-        counter: reduce(&block(&SIZES, nodes, 1.6, layers), "bottom", YOUNG[1]),
+        shaped: reduce(round(&SIZES, nodes, 1.6, layers), "top", YOUNG[0]),
+        counter: reduce(block(&SIZES, nodes, 1.6, layers), "bottom", YOUNG[1]),
         facing: true,
     }
 }
@@ -222,19 +211,8 @@ fn limits_that_jump_from_point_to_point_leave_every_condition_fulfilled() {
 #[test]
 fn bodies_that_can_turn_are_refused() {
     let mesh = round(&SIZES, &[END], 1.6, 2);
-    let free = Body::new(BodyProblem {
-        mesh: &mesh,
-        degrees: falling_degrees(&mesh, 4, 2),
-        space: SpaceKind::Tensor,
-        kinematics: Kinematics::Torsion,
-        materials: &material(2.1e5, 0.3),
-        supports: &[support("axis", Direction::First)],
-        rigid_edge: None,
-        load_cases: &[],
-        kept: Some("contact"),
-    })
-    .unwrap()
-    .interface;
+    let problem = touching(mesh, [4, 2], Kinematics::Torsion, material(2.1e5, 0.3)).hold("axis", Direction::First);
+    let free = Body::new(problem).unwrap().interface;
     let held = bodies(&[END], 4, 2).counter;
     let pair = Pair::facing(&free, &held).unwrap();
     assert_eq!(TorsionOperator::new(&pair).err(), Some(Error::FreeToTurn { side: Side::Shaped }));

@@ -6,10 +6,6 @@ use crate::exact::Exact;
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use hpfem::*;
 
-fn force<'a>(case: usize, f: impl Fn([f64; 2]) -> [f64; 2] + Sync + 'a) -> BodyForce<'a> {
-    BodyForce { case, force: Box::new(f) }
-}
-
 /// `u_x = c sin(a x + b z)`, `u_z = c e^(d x) cos(e z)` in plane strain with lambda = mu = 1 (E = 2.5, nu = 0.25), no symmetry.
 struct Manufactured;
 
@@ -46,13 +42,12 @@ fn a_manufactured_solution_with_body_force_converges_exponentially_on_turned_cur
         let errors: Vec<f64> = [2, 4, 6, 8, 10, 12]
             .iter()
             .map(|p| {
-                let load = [vec![traction("all", |q| {
+                let pull = traction("all", |q| {
                     let ([x, z, t, _], n) = (Manufactured::stress(q.position), q.outward);
                     [x * n[0] + t * n[1], t * n[0] + z * n[1]]
-                })]];
-                let additions = Additions { body_forces: vec![force(0, Manufactured::force)], ..Additions::default() };
-                let problem = problem(&mesh, *p, PLANE_STRAIN, &materials, &[], &load, Some("top"));
-                let body = Body::with(problem, additions).unwrap();
+                });
+                let problem = problem(&mesh, *p, PLANE_STRAIN, &materials, &[], &[], Some("top"));
+                let body = Body::new(problem.load("0", pull).load("0", BodyForce::new(Manufactured::force))).unwrap();
                 stress_error(&body.field(&solved(&body, &[1.0])).unwrap(), &mesh, Manufactured::stress)
             })
             .collect();
@@ -67,11 +62,10 @@ fn a_hanging_bar_has_the_stress_energy_and_reaction_of_its_weight() {
     let mesh = rectangle([0.0, 1.5], [-1.0, 2.0]);
     let materials = [Material::isotropic(1000.0, 0.0).unwrap()];
     let supports = [support("top", Direction::First), support("top", Direction::Second)];
-    let load = [Vec::new()];
     for kept in [None, Some("bottom"), Some("right")] {
         for degree in [2, 5] {
-            let additions = Additions { body_forces: vec![force(0, |_| [0.0, -4.0])], ..Additions::default() };
-            let body = Body::with(problem(&mesh, degree, PLANE_STRESS, &materials, &supports, &load, kept), additions).unwrap();
+            let problem = problem(&mesh, degree, PLANE_STRESS, &materials, &supports, &[], kept);
+            let body = Body::new(problem.load("0", BodyForce::weight(2.0, [0.0, -2.0]))).unwrap();
             let state = solved(&body, &[1.0]);
             let field = body.field(&state).unwrap();
             assert!(stress_error(&field, &mesh, |x| [0.0, 4.0 * (x[1] + 1.0), 0.0, 0.0]) < 1e-11);
@@ -85,14 +79,10 @@ fn a_hanging_bar_has_the_stress_energy_and_reaction_of_its_weight() {
 #[test]
 fn pins_hold_a_balanced_body_without_reaction() {
     let exact = Exact { kinematics: PLANE_STRESS, material: Material::isotropic(1.7, 0.28).unwrap() };
-    let materials = [exact.material];
     let mesh = patch([0, 1, 2, 3], Shape::Arcs, 0.0);
-    let load = [vec![traction("all", |p| exact.traction(p))]];
     let pin = |vertex, direction| Pin { vertex, direction };
     let pins = vec![pin(0, Direction::First), pin(0, Direction::Second), pin(6, Direction::First)];
-    let body =
-        Body::with(problem(&mesh, 12, PLANE_STRESS, &materials, &[], &load, None), Additions { pins, ..Additions::default() })
-            .unwrap();
+    let body = Body::new(BodyProblem { pins, ..exact.loaded(&mesh, 12) }).unwrap();
     assert!(body.interface.rigid_motions.is_empty());
     let state = solved(&body, &[1.0]);
     for number in 0..3 {
@@ -120,22 +110,20 @@ fn a_foundation_is_a_spring_along_the_normal_and_the_tangent() {
     // A block pressed by s sinks s / k_n plus its own compression s h / E (nu = 0), and slides t / k_t under shear.
     let mesh = rectangle([0.0, 2.0], [0.0, 1.0]);
     let materials = [Material::isotropic(1000.0, 0.0).unwrap()];
-    let foundations = vec![Foundation { boundary: "bottom".into(), normal: 50.0, tangential: 0.0 }];
     let supports = [support("left", Direction::First)];
     let load = [vec![traction("top", |_| [0.0, -3.0])]];
     for kept in [None, Some("top"), Some("bottom")] {
-        let additions = Additions { foundations: foundations.clone(), ..Additions::default() };
-        let body = Body::with(problem(&mesh, 4, PLANE_STRESS, &materials, &supports, &load, kept), additions).unwrap();
+        let problem = problem(&mesh, 4, PLANE_STRESS, &materials, &supports, &load, kept);
+        let body = Body::new(problem.foundation(Foundation::new("bottom", 50.0, 0.0))).unwrap();
         assert!(body.interface.rigid_motions.is_empty());
         let state = solved(&body, &[1.0]);
         let field = body.field(&state).unwrap();
         assert_relative_eq!(field.at(0, 0.3, -1.0).unwrap().displacement[1], -3.0 / 50.0, max_relative = 1e-11);
         assert_relative_eq!(field.at(0, 0.3, 1.0).unwrap().displacement[1], -3.0 / 50.0 - 3.0 / 1000.0, max_relative = 1e-11);
     }
-    let foundations = vec![Foundation { boundary: "bottom".into(), normal: 50.0, tangential: 20.0 }];
-    let additions = Additions { foundations, ..Additions::default() };
     let pull = [vec![traction("bottom", |_| [1.0, 0.0])]];
-    let body = Body::with(problem(&mesh, 3, PLANE_STRESS, &materials, &[], &pull, None), additions).unwrap();
+    let problem = problem(&mesh, 3, PLANE_STRESS, &materials, &[], &pull, None);
+    let body = Body::new(problem.foundation(Foundation::new("bottom", 50.0, 20.0))).unwrap();
     let field = body.field(&solved(&body, &[1.0])).unwrap();
     assert_relative_eq!(field.at(0, 0.3, -1.0).displacement[0], 1.0 / 20.0, max_relative = 1e-11);
 }
@@ -144,14 +132,17 @@ fn a_foundation_is_a_spring_along_the_normal_and_the_tangent() {
 fn additions_that_cannot_be_are_refused() {
     let mesh = rectangle([0.0, 2.0], [0.0, 1.0]);
     let materials = steel();
-    let fault =
-        |additions| Body::with(problem(&mesh, 2, PLANE_STRESS, &materials, &[], &[], Some("top")), additions).err().unwrap();
-    let pins = vec![Pin { vertex: 9, direction: Direction::First }];
-    assert!(matches!(fault(Additions { pins, ..Additions::default() }), Error::Count { given: 10, .. }));
-    let foundations = vec![Foundation { boundary: "bottom".into(), normal: -1.0, tangential: 0.0 }];
-    assert!(matches!(fault(Additions { foundations, ..Additions::default() }), Error::OutOfRange { .. }));
-    let foundations = vec![Foundation { boundary: "soil".into(), normal: 1.0, tangential: 0.0 }];
-    assert!(matches!(fault(Additions { foundations, ..Additions::default() }), Error::NoSuchBoundary { .. }));
-    let body_forces = vec![force(0, |_| [0.0; 2])];
-    assert!(matches!(fault(Additions { body_forces, ..Additions::default() }), Error::Count { .. }));
+    let problem = || problem(&mesh, 2, PLANE_STRESS, &materials, &[], &[], Some("top"));
+    let fault = |problem| Body::new(problem).err().unwrap();
+    let pin = |vertex, direction| BodyProblem { pins: vec![Pin { vertex, direction }], ..problem() };
+    assert!(matches!(fault(pin(9, Direction::First)), Error::Count { given: 10, .. }));
+    assert!(matches!(fault(pin(0, Direction::Normal)), Error::NotStraight { .. }));
+    let soft = |boundary, normal| problem().foundation(Foundation::new(boundary, normal, 0.0));
+    assert!(matches!(fault(soft("bottom", -1.0)), Error::OutOfRange { .. }));
+    assert!(matches!(fault(soft("soil", 1.0)), Error::NoSuchBoundary { .. }));
+    // A load belongs to a case by its name; a case that is not there cannot act.
+    let body = Body::new(problem().load("weight", BodyForce::new(|_| [0.0; 2]))).unwrap();
+    assert!(matches!(body.solve(&[("wind", 1.0)]), Err(Error::NoSuchLoadCase { .. })));
+    let twice = BodyProblem { load_cases: vec![LoadCase::new("weight"), LoadCase::new("weight")], ..problem() };
+    assert!(matches!(fault(twice), Error::DuplicateLoadCase { .. }));
 }

@@ -145,6 +145,15 @@ pub(crate) fn solved(body: &Body, factors: &[f64]) -> InterfaceState {
     body.solve(&cases).unwrap()
 }
 
+/// The same where the loads need not balance: what is left of them along the free motions is taken away, and the answer has no part of those.
+pub(crate) fn afloat(body: &Body, factors: &[f64]) -> InterfaceState {
+    let interface = &body.interface;
+    let load = TraceLoad { unknowns: vec![0.0; interface.stiffness.nrows()], ..TraceLoad::default() };
+    let factors = interface.factors_in_order(factors);
+    let unknowns = interface.solve_one(&interface.right_hand_side(&load, &factors));
+    InterfaceState { unknowns, factors, load }
+}
+
 /// Reference points spread over a cell, corners included.
 pub(crate) fn sample_points() -> impl Iterator<Item = (f64, f64)> {
     let t = [-1.0, -0.62, 0.13, 0.77, 1.0];

@@ -5,9 +5,7 @@ use crate::exact::Exact;
 use hpfem::*;
 
 fn error(mesh: &Mesh, degree: usize, exact: &Exact, kept: &str) -> f64 {
-    let materials = [exact.material];
-    let load = vec![vec![traction("all", |p| exact.traction(p))]];
-    let body = Body::new(problem(mesh, degree, exact.kinematics, &materials, &[], &load, Some(kept))).unwrap();
+    let body = Body::new(exact.loaded(mesh, degree).keep(kept)).unwrap();
     let field = body.field(&solved(&body, &[1.0])).unwrap();
     stress_error(&field, mesh, |x| exact.stress(x))
 }
@@ -80,13 +78,10 @@ fn torsion_converges_exponentially_off_and_on_the_axis() {
 #[test]
 fn the_trunk_space_converges_exponentially_too() {
     let exact = Exact { kinematics: PLANE_STRESS, material: Material::isotropic(1.7, 0.28).unwrap() };
-    let materials = [exact.material];
-    let load = vec![vec![traction("all", |p| exact.traction(p))]];
     for turns in TURNS {
         let mesh = patch(turns, Shape::Straight, 0.0);
         let error = |p: usize| {
-            let problem =
-                BodyProblem { space: SpaceKind::Trunk, ..problem(&mesh, p, PLANE_STRESS, &materials, &[], &load, Some("right")) };
+            let problem = BodyProblem { space: SpaceKind::Trunk, ..exact.loaded(&mesh, p).keep("right") };
             let body = Body::new(problem).unwrap();
             let field = body.field(&solved(&body, &[1.0])).unwrap();
             (stress_error(&field, &mesh, |x| exact.stress(x)), body.effort.unknowns)

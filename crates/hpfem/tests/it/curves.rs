@@ -61,7 +61,7 @@ fn a_body_with_a_profile_laid_on_its_boundary_converges_exponentially() {
     let (breaks, levels) = ([-1.0, 0.2, 1.0], [0.0, 1.0]);
     let mesh = Mesh::ruled(&Ruled { bottom, top, breaks: &breaks, levels: &levels, closed: false, material: 0, names: &names });
     let mesh = mesh.unwrap();
-    let load = [vec![traction("all", |p| exact.traction(p))]];
+    let load = [vec![traction("all", move |p| exact.traction(p))]];
     let errors = [3, 6, 9, 12, 15].map(|p| {
         let body = Body::new(problem(&mesh, p, PLANE_STRAIN, &materials, &[], &load, Some("right"))).unwrap();
         stress_error(&body.field(&solved(&body, &[1.0])).unwrap(), &mesh, |x| exact.stress(x))
@@ -75,7 +75,7 @@ fn the_trunk_space_of_curved_mixed_cells_holds_fewer_unknowns_and_still_converge
     let exact = Exact { kinematics: PLANE_STRAIN, material: Material::isotropic(1.7, 0.28).unwrap() };
     let materials = [exact.material];
     let mesh = mixed(TURNS[6], Shape::Arcs, 0.0);
-    let load = [vec![traction("all", |p| exact.traction(p))]];
+    let load = [vec![traction("all", move |p| exact.traction(p))]];
     let solve = |space, p: usize| {
         let problem = BodyProblem { space, ..problem(&mesh, p, PLANE_STRAIN, &materials, &[], &load, Some("right")) };
         let body = Body::new(problem).unwrap();

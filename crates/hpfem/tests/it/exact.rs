@@ -1,6 +1,6 @@
 //! Exact solutions of the equations of elasticity without body force, none of them with any symmetry.
 
-use hpfem::{BoundaryPoint, Kinematics, Material};
+use hpfem::{BodyProblem, BoundaryPoint, EdgeTraction, Kinematics, Material, Mesh};
 use nalgebra::Complex;
 
 type C = Complex<f64>;
@@ -18,6 +18,7 @@ impl Exact {
             Kinematics::PlaneStress { .. } | Kinematics::PlaneStrain { .. } => self.plane(x).0,
             Kinematics::Axisymmetric => self.revolved(x).0,
             Kinematics::Torsion => torsion(x, self.material).0,
+            Kinematics::Potential { .. } | Kinematics::AxisymmetricPotential => unreachable!("the solutions are elastic"),
         }
     }
 
@@ -26,6 +27,7 @@ impl Exact {
             Kinematics::PlaneStress { .. } | Kinematics::PlaneStrain { .. } => self.plane(x).1,
             Kinematics::Axisymmetric => self.revolved(x).1,
             Kinematics::Torsion => torsion(x, self.material).1,
+            Kinematics::Potential { .. } | Kinematics::AxisymmetricPotential => unreachable!("the solutions are elastic"),
         }
     }
 
@@ -38,8 +40,14 @@ impl Exact {
         [x * n[0] + t * n[1], t * n[0] + z * n[1]]
     }
 
+    /// The body under the tractions of the solution on its boundary "all", load case "0", not held.
+    pub(crate) fn loaded(self, mesh: &Mesh, degree: usize) -> BodyProblem {
+        let pull = EdgeTraction::new("all", move |p| self.traction(p));
+        BodyProblem::new(mesh.clone(), degree, self.kinematics).material(self.material).load("0", pull)
+    }
+
     fn shear(&self) -> f64 {
-        0.5 * self.material.young() / (1.0 + self.material.poisson())
+        0.5 * self.material.young().unwrap() / (1.0 + self.material.poisson().unwrap())
     }
 
     /// Kolosov and Muskhelishvili: `2 G (u + i w) = kappa phi - zeta conj(phi') - conj(psi)`, `s_xx + s_zz = 4 Re phi'`,
@@ -48,7 +56,7 @@ impl Exact {
         let zeta = C::new(x[0] - 2.0, x[1] - 0.7);
         let (a, b) = (C::new(0.7, -0.4), C::new(-0.3, 0.9));
         let (phi, psi) = ((a * zeta).exp(), (b * zeta).exp() * C::new(0.8, 0.5));
-        let nu = self.material.poisson();
+        let nu = self.material.poisson().unwrap();
         let strain = matches!(self.kinematics, Kinematics::PlaneStrain { .. });
         let kappa = if strain { 3.0 - 4.0 * nu } else { (3.0 - nu) / (1.0 + nu) };
         let u = (phi * kappa - zeta * (a * phi).conj() - psi.conj()) / (2.0 * self.shear());
@@ -62,7 +70,7 @@ impl Exact {
     /// `f = J_0(k r) e^(k z)` and `h = J_0(m r) e^(-m z)`.
     fn revolved(&self, x: [f64; 2]) -> ([f64; 2], [f64; 4]) {
         let [r, z] = x;
-        let nu = self.material.poisson();
+        let nu = self.material.poisson().unwrap();
         let (k, m): (f64, f64) = (0.9, 0.6);
         let (e, g) = ((k * z).exp(), (-m * z).exp());
         // J_1(s)/s is finite on the axis; J_0' = -J_1 and J_1' = J_0 - J_1/s.
@@ -84,7 +92,7 @@ impl Exact {
 
 /// `G u_phi = J_1(k r) e^(k z) + r z`.
 fn torsion([r, z]: [f64; 2], material: Material) -> ([f64; 2], [f64; 4]) {
-    let shear = 0.5 * material.young() / (1.0 + material.poisson());
+    let shear = 0.5 * material.young().unwrap() / (1.0 + material.poisson().unwrap());
     let k = 1.1;
     let (j0, j1) = (bessel(0, k * r), bessel_over(k * r));
     let e = (k * z).exp();

@@ -11,7 +11,7 @@ fn near_incompressible_plane_strain_does_not_lock_from_degree_four_on() {
         // A pressure of order one, a volume strain of order 1 - 2 nu: the displacement error shows locking.
         let exact = Exact { kinematics: PLANE_STRAIN, material: Material::isotropic(1.0, nu).unwrap() };
         let materials = [exact.material];
-        let load = vec![vec![traction("all", |q| exact.traction(q))]];
+        let load = vec![vec![traction("all", move |q| exact.traction(q))]];
         let body = Body::new(problem(&mesh, p, PLANE_STRAIN, &materials, &[], &load, Some("right"))).unwrap();
         let field = body.field(&solved(&body, &[1.0])).unwrap();
         let (mut error, mut size) = (0.0_f64, 0.0_f64);
@@ -40,7 +40,7 @@ fn the_highest_degree_works_and_is_as_accurate_as_round_off_allows() {
     for kinematics in [PLANE_STRESS, PLANE_STRAIN, Kinematics::Axisymmetric, Kinematics::Torsion] {
         let exact = Exact { kinematics, material: Material::isotropic(1.0, 0.3).unwrap() };
         let materials = [exact.material];
-        let load = vec![vec![traction("all", |q| exact.traction(q))]];
+        let load = vec![vec![traction("all", move |q| exact.traction(q))]];
         for p in [16, 20, MAX_DEGREE] {
             let body = Body::new(problem(&mesh, p, kinematics, &materials, &[], &load, Some("right"))).unwrap();
             let field = body.field(&solved(&body, &[1.0])).unwrap();
@@ -104,13 +104,15 @@ fn scaled(kinematics: Kinematics, length: f64, load: f64, modulus: f64, held: bo
     let mesh = Mesh::new(vertices, &quads, &curves, &named).unwrap();
     let materials = [Material::isotropic(3.0 * modulus, 0.25).unwrap()];
     let supports = [support("bottom", Direction::First), support("bottom", Direction::Second)];
-    let cases = [vec![traction("top", |p| {
+    let cases = [vec![traction("top", move |p| {
         let x = p.position[0] / length;
         [load * x, load * (1.0 - x * x)]
     })]];
     let supports = if held { &supports[..] } else { &[] };
     let body = Body::new(problem(&mesh, 7, kinematics, &materials, supports, &cases, Some("right"))).unwrap();
-    solved(&body, &[1.0]).unknowns
+    // Nothing balances the load of the body that floats.
+    assert!(held || matches!(body.solve(&[("0", 1.0)]), Err(Error::Unbalanced { .. })));
+    afloat(&body, &[1.0]).unknowns
 }
 
 #[test]

@@ -22,7 +22,7 @@ fn a_floating_body_of_many_cells_with_a_kept_boundary_is_as_exact_as_one_of_few(
     let materials = [exact.material];
     // More cells than are ordered by minimum degree.
     let mesh = square(36);
-    let load = [vec![traction("all", |p| exact.traction(p))]];
+    let load = [vec![traction("all", move |p| exact.traction(p))]];
     let body = Body::new(problem(&mesh, 4, PLANE_STRAIN, &materials, &[], &load, Some("right"))).unwrap();
     let state = solved(&body, &[1.0]);
     let error = stress_error(&body.field(&state).unwrap(), &mesh, |x| exact.stress(x));
@@ -40,9 +40,8 @@ fn supports_pins_and_foundations_of_a_body_of_many_cells_balance_its_loads() {
     let materials = steel();
     let supports = [support("left", Direction::First)];
     let load = [vec![traction("right", |p| [3.0 + p.position[1], -2.0])]];
-    let foundations = vec![Foundation { boundary: "bottom".into(), normal: 40.0, tangential: 3.0 }];
-    let additions = Additions { foundations, ..Additions::default() };
-    let body = Body::with(problem(&mesh, 3, PLANE_STRESS, &materials, &supports, &load, None), additions).unwrap();
+    let problem = problem(&mesh, 3, PLANE_STRESS, &materials, &supports, &load, None);
+    let body = Body::new(problem.foundation(Foundation::new("bottom", 40.0, 3.0))).unwrap();
     let state = solved(&body, &[1.0]);
     let field = body.field(&state).unwrap();
     // The foundation's share of the force along x from the displacement it sees, 3 N/mm^3 on the thickness 0.7.
@@ -79,10 +78,9 @@ fn bits(mesh: &Mesh, degree: usize, kinematics: Kinematics, threads: usize) -> V
         let materials = steel();
         let supports = [support("left", Direction::First)];
         let load = [vec![traction("top", |p| [p.position[0], 1.0])]];
-        let force = BodyForce { case: 0, force: Box::new(|x| [x[1], -x[0]]) };
-        let additions = Additions { body_forces: vec![force], ..Additions::default() };
-        let body = Body::with(problem(mesh, degree, kinematics, &materials, &supports, &load, Some("right")), additions).unwrap();
-        let state = solved(&body, &[1.0]);
+        let problem = problem(mesh, degree, kinematics, &materials, &supports, &load, Some("right"));
+        let body = Body::new(problem.load("0", BodyForce::new(|x| [x[1], -x[0]]))).unwrap();
+        let state = afloat(&body, &[1.0]);
         let field = body.field(&state).unwrap();
         let interface = &body.interface;
         let matrices = [&interface.stiffness, &interface.columns, &interface.work];

@@ -34,11 +34,8 @@ fn a_traction_on_a_part_of_a_boundary_has_its_resultant_to_round_off_wherever_th
             for kinematics in [PLANE_STRAIN, Kinematics::Axisymmetric] {
                 // From the middle of the first edge of two into the second one; beyond the end the path is cut off.
                 for range in [[0.31, 1.47], [-1.0, 0.2], [1.9, 50.0]] {
-                    let segments = vec![SegmentTraction { case: 0, boundary: "right".into(), range, traction: Box::new(pull) }];
-                    let additions = Additions { segments, ..Additions::default() };
-                    let (supports, cases) = (clamp(), [vec![]]);
-                    let problem = problem(&mesh, 7, kinematics, &materials, &supports, &cases, Some("right"));
-                    let body = Body::with(problem, additions).unwrap();
+                    let cases = [vec![traction("right", pull).within(range)]];
+                    let body = Body::new(problem(&mesh, 7, kinematics, &materials, &clamp(), &cases, Some("right"))).unwrap();
                     let state = solved(&body, &[1.0]);
                     let wanted = resultant(&body, range, pull);
                     for k in 0..if kinematics.is_revolved() { 0 } else { 3 } {
@@ -60,9 +57,8 @@ fn the_whole_boundary_as_a_part_is_the_load_on_the_boundary() {
     let (supports, pull) = (clamp(), |p: &BoundaryPoint| [p.position[1].sin(), p.position[0]]);
     let whole = [vec![traction("top", pull)]];
     let one = Body::new(problem(&mesh, 6, PLANE_STRESS, &materials, &supports, &whole, Some("right"))).unwrap();
-    let segments = vec![SegmentTraction { case: 0, boundary: "top".into(), range: [0.0, 9.0], traction: Box::new(pull) }];
-    let (empty, additions) = ([vec![]], Additions { segments, ..Additions::default() });
-    let two = Body::with(problem(&mesh, 6, PLANE_STRESS, &materials, &supports, &empty, Some("right")), additions).unwrap();
+    let part = [vec![traction("top", pull).within([0.0, 9.0])]];
+    let two = Body::new(problem(&mesh, 6, PLANE_STRESS, &materials, &supports, &part, Some("right"))).unwrap();
     let difference = (&one.interface.columns - &two.interface.columns).norm_max();
     assert!(difference < 1e-13 * one.interface.columns.norm_max(), "{difference:.1e}");
 }
@@ -75,26 +71,22 @@ fn displacements_that_vary_along_a_support_converge_exponentially_to_an_exact_so
         for mesh in [patch(TURNS[6], Shape::Arcs, 0.0), mixed(TURNS[4], Shape::Arcs, 0.0)] {
             // Prescribed left and top, so that a corner belongs to two; loaded elsewhere. The constant part of the support counts too.
             let errors = [2, 4, 6, 8, 10, 12].map(|p| {
-                let directions = [Direction::First, Direction::Second];
+                let moved = |boundary, (component, direction)| {
+                    Support::moved(boundary, direction, 0.3).varying(move |x| exact.displacement(x)[component] - 0.3)
+                };
+                let directions = [(0, Direction::First), (1, Direction::Second)];
                 let supports: Vec<Support> = ["left", "top"]
                     .iter()
-                    .flat_map(|b| directions.iter().map(|d| Support { boundary: b.to_string(), direction: *d, value: 0.3 }))
+                    .flat_map(|b| directions.map(|d| moved(b, d)))
                     .take(if kinematics == Kinematics::Torsion { 1 } else { 4 })
                     .collect();
-                let displacement = |component: usize| -> Box<dyn Fn([f64; 2]) -> f64 + Sync> {
-                    Box::new(move |x| exact.displacement(x)[component] - 0.3)
-                };
-                let displacements = (0..supports.len())
-                    .map(|support| SupportDisplacement { support, displacement: displacement(support % 2) })
-                    .collect();
-                let pull = |b: &str| traction(b, |p| exact.traction(p));
+                let pull = |b: &str| traction(b, move |p| exact.traction(p));
                 let mut load = vec![pull("right"), pull("bottom")];
                 if kinematics == Kinematics::Torsion {
                     load.push(pull("top"));
                 }
                 let cases = [load];
-                let problem = problem(&mesh, p, kinematics, &materials, &supports, &cases, Some("right"));
-                let body = Body::with(problem, Additions { displacements, ..Additions::default() }).unwrap();
+                let body = Body::new(problem(&mesh, p, kinematics, &materials, &supports, &cases, Some("right"))).unwrap();
                 stress_error(&body.field(&solved(&body, &[1.0])).unwrap(), &mesh, |x| exact.stress(x))
             });
             assert!(errors[5] < 2e-7, "{kinematics:?}: {errors:?}");
@@ -109,16 +101,11 @@ fn a_rotation_prescribed_along_supports_turns_the_body_without_stress() {
     let mesh = patch(TURNS[5], Shape::Straight, 0.0);
     let materials = steel();
     let turn = |x: [f64; 2]| [-1e-3 * (x[1] + 0.3), 1e-3 * (x[0] - 0.4)];
-    let names = ["bottom", "right", "left"];
-    let supports = names.map(|n| support(n, Direction::First));
-    let displacements = (0..3).map(|s| SupportDisplacement { support: s, displacement: Box::new(move |x| turn(x)[0]) });
-    let mut all: Vec<_> = displacements.collect();
-    let mut supports = supports.to_vec();
-    supports.push(support("bottom", Direction::Second));
-    all.push(SupportDisplacement { support: 3, displacement: Box::new(move |x| turn(x)[1]) });
+    let moved = |boundary, direction, component: usize| Support::hold(boundary, direction).varying(move |x| turn(x)[component]);
+    let mut supports = ["bottom", "right", "left"].map(|name| moved(name, Direction::First, 0)).to_vec();
+    supports.push(moved("bottom", Direction::Second, 1));
     let cases = [vec![]];
-    let problem = problem(&mesh, 3, PLANE_STRAIN, &materials, &supports, &cases, None);
-    let body = Body::with(problem, Additions { displacements: all, ..Additions::default() }).unwrap();
+    let body = Body::new(problem(&mesh, 3, PLANE_STRAIN, &materials, &supports, &cases, None)).unwrap();
     let field = body.field(&solved(&body, &[1.0])).unwrap();
     for (cell, (xi, eta)) in (0..4).flat_map(|c| sample_points().map(move |x| (c, x))) {
         let (u, wanted) = (field.at(cell, xi, eta).unwrap().displacement, turn(field.position(cell, xi, eta)));
@@ -130,18 +117,17 @@ fn a_rotation_prescribed_along_supports_turns_the_body_without_stress() {
 
 #[test]
 fn parts_and_displacements_that_cannot_be_are_refused() {
-    let (mesh, materials, supports, cases) = (patch([0; 4], Shape::Straight, 0.0), steel(), clamp(), [vec![]]);
-    let refused = |additions| {
-        Body::with(problem(&mesh, 2, PLANE_STRAIN, &materials, &supports, &cases, None), additions).err().unwrap().to_string()
-    };
-    let segment = |case, range| SegmentTraction { case, boundary: "top".into(), range, traction: Box::new(|_| [0.0; 2]) };
-    let segments = |s| Additions { segments: vec![s], ..Additions::default() };
-    assert!(refused(segments(segment(1, [0.0, 1.0]))).contains("2 given, 1 expected"));
-    assert!(refused(segments(segment(0, [1.0, 0.5]))).contains("\"top\""));
-    let moved = |support, value| SupportDisplacement { support, displacement: Box::new(move |_| value) };
-    let displacements = |d| Additions { displacements: vec![d], ..Additions::default() };
-    assert!(refused(displacements(moved(2, 0.0))).contains("3 given, 2 expected"));
-    assert!(refused(displacements(moved(0, f64::NAN))).contains("\"left\""));
+    let mesh = patch([0; 4], Shape::Straight, 0.0);
+    let held = || problem(&mesh, 2, PLANE_STRAIN, &steel(), &clamp(), &[], None);
+    let refused = |problem| Body::new(problem).err().unwrap().to_string();
+    let part = |boundary, range| held().load("0", traction(boundary, |_| [0.0; 2]).within(range));
+    assert!(refused(part("lid", [0.0, 1.0])).contains("\"lid\""));
+    assert!(refused(part("top", [1.0, 0.5])).contains("\"top\""));
+    let moved = |boundary, value| held().support(Support::hold(boundary, Direction::First).varying(move |_| value));
+    assert!(refused(moved("lid", 0.0)).contains("\"lid\""));
+    assert!(refused(moved("left", f64::NAN)).contains("\"left\""));
+    // Next to the clamp, another value along the same direction.
+    assert!(matches!(Body::new(moved("left", 0.1)), Err(Error::HeldTwice { .. })));
 }
 
 #[test]

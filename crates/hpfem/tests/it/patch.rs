@@ -10,7 +10,7 @@ use hpfem::*;
 /// Stress error of the constant stress `s = [xx, zz, xz]` loaded on all edges of a floating body.
 fn error(mesh: &Mesh, degree: usize, kinematics: Kinematics, s: [f64; 3]) -> f64 {
     let materials = steel();
-    let load = vec![vec![traction("all", |p| {
+    let load = vec![vec![traction("all", move |p| {
         let n = p.outward;
         [s[0] * n[0] + s[2] * n[1], s[2] * n[0] + s[1] * n[1]]
     })]];

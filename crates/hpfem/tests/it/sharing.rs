@@ -1,5 +1,6 @@
 //! Similar cells share their condensed matrix.
 
+use crate::common::*;
 use hpfem::*;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -29,20 +30,12 @@ fn ring(separate: bool) -> (Mesh, Vec<Material>) {
 fn operator(separate: bool, space: SpaceKind) -> (faer::Mat<f64>, f64) {
     let (mesh, materials) = ring(separate);
     let supports = [Support::hold("hub", Direction::First)];
-    let load: Vec<Vec<EdgeTraction>> = vec![vec![EdgeTraction::new("contact", |p| [p.position[1], 0.7])]];
-    let body = Body::new(BodyProblem {
-        mesh: &mesh,
-        degrees: mesh.cells.iter().map(|c| 7 - c.layer).collect(),
-        space,
-        kinematics: Kinematics::PlaneStrain { thickness: 1.0 },
-        materials: &materials,
-        supports: &supports,
-        rigid_edge: None,
-        load_cases: &load,
-        kept: Some("contact"),
-    })
-    .unwrap();
-    let point = body.field(&solved(&body, &[1.0])).unwrap().at(5, 0.3, -0.4);
+    let degrees = mesh.cells.iter().map(|c| 7 - c.layer).collect();
+    let load = [vec![traction("contact", |p| [p.position[1], 0.7])]];
+    let plane = Kinematics::PlaneStrain { thickness: 1.0 };
+    let problem = problem(&mesh, 1, plane, &materials, &supports, &load, Some("contact"));
+    let body = Body::new(BodyProblem { degrees, space, ..problem }).unwrap();
+    let point = body.field(&afloat(&body, &[1.0])).unwrap().at(5, 0.3, -0.4);
     (body.interface.stiffness.clone(), point.displacement[1])
 }
 
@@ -73,19 +66,9 @@ fn triangles(separate: bool) -> (Mesh, Vec<Material>) {
 
 fn of_triangles<T>(separate: bool, kinematics: Kinematics, take: impl Fn(BodyProblem) -> T) -> T {
     let (mesh, materials) = triangles(separate);
-    let supports = [Direction::First, Direction::Second].map(|d| Support { boundary: "bottom".into(), direction: d, value: 0.0 });
-    take(BodyProblem {
-        mesh: &mesh,
-        // Unequal degrees, so that edges have fewer modes than their cells.
-        degrees: mesh.cells.iter().enumerate().map(|(i, _)| 4 + i % 3).collect(),
-        space: SpaceKind::Tensor,
-        kinematics,
-        materials: &materials,
-        supports: &supports,
-        rigid_edge: None,
-        load_cases: &[],
-        kept: Some("top"),
-    })
+    // Unequal degrees, so that edges have fewer modes than their cells.
+    let degrees = (0..mesh.cells.len()).map(|i| 4 + i % 3).collect();
+    take(problem(&mesh, 1, kinematics, &materials, &[], &[], Some("top")).degrees(degrees).clamp("bottom"))
 }
 
 #[test]
@@ -119,17 +102,7 @@ fn triangles_of_revolution_never_share() {
             }
         });
         let supports = [Support::hold("bottom", Direction::Second)];
-        let problem = BodyProblem {
-            mesh: &mesh,
-            degrees: vec![4; mesh.cells.len()],
-            space: SpaceKind::Tensor,
-            kinematics: Kinematics::Axisymmetric,
-            materials: &materials,
-            supports: &supports,
-            rigid_edge: None,
-            load_cases: &[],
-            kept: Some("top"),
-        };
+        let problem = problem(&mesh, 4, Kinematics::Axisymmetric, &materials, &supports, &[], Some("top"));
         Body::sizes(&problem).unwrap().operations
     };
     assert_eq!(revolved(false), revolved(true));
@@ -145,20 +118,10 @@ fn cells_whose_curves_differ_between_equal_ends_and_middles_do_not_share() {
         let wave = Curve::interpolated(3, |t| [0.5 * (1.0 + t), 1.0 + 0.2 * (t - t.powi(3))]);
         let names = [([5, 4], "top"), ([4, 3], "top"), ([0, 1], "bottom"), ([1, 2], "bottom")];
         let mesh = Mesh::new(vertices, &cells, &[([5, 4], wave)], &names).unwrap();
-        Body::new(BodyProblem {
-            mesh: &mesh,
-            degrees: vec![4; 2],
-            space: SpaceKind::Tensor,
-            kinematics: Kinematics::PlaneStrain { thickness: 1.0 },
-            materials: &[Material::isotropic(1.7, 0.28).unwrap(); 2],
-            supports: &[Support::hold("bottom", Direction::Second)],
-            rigid_edge: None,
-            load_cases: &[],
-            kept: Some("top"),
-        })
-        .unwrap()
-        .interface
-        .stiffness
+        let plane = Kinematics::PlaneStrain { thickness: 1.0 };
+        let materials = [Material::isotropic(1.7, 0.28).unwrap(); 2];
+        let supports = [Support::hold("bottom", Direction::Second)];
+        Body::new(problem(&mesh, 4, plane, &materials, &supports, &[], Some("top"))).unwrap().interface.stiffness
     };
     let (free_to_share, separate) = (stiffness(0), stiffness(1));
     let difference = (&free_to_share - &separate).norm_max();

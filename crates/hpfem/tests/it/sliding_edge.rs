@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 use crate::common::*;
 
 fn wedge(degrees: f64, young: f64, nu: f64) -> Corner {
-    let sector = Sector { angle: degrees.to_radians(), material: Material::isotropic(young, nu).unwrap() };
+    let sector = Sector { angle: degrees.to_radians(), constants: Constants { young, poisson: nu } };
     Corner { sectors: vec![sector], faces: [Face::Free; 2] }
 }
 

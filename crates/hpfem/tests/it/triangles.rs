@@ -57,7 +57,7 @@ fn points_of_curved_triangles_are_found_by_their_position_and_the_map_has_its_de
     let materials = [exact.material];
     for shape in [Shape::Arcs, Shape::Polynomial(4)] {
         let mesh = mixed(TURNS[4], shape, 0.0);
-        let load = [vec![traction("all", |p| exact.traction(p))]];
+        let load = [vec![traction("all", move |p| exact.traction(p))]];
         let body = Body::new(problem(&mesh, 4, PLANE_STRAIN, &materials, &[], &load, Some("top"))).unwrap();
         let field = body.field(&solved(&body, &[1.0])).unwrap();
         for cell in 0..mesh.cells.len() {

@@ -12,17 +12,15 @@ const PLANE_STRESS: Kinematics = Kinematics::PlaneStress { thickness: 10.0 };
 
 /// Two bodies of one discretisation.
 pub struct Bodies {
-    meshes: [Mesh; 2],
+    /// All but their degrees.
+    problems: [BodyProblem; 2],
     degree: usize,
     layers: usize,
-    supports: [Vec<Support>; 2],
-    materials: [Material; 1],
-    rigid_edge: Option<RigidEdge>,
-    load: Vec<Vec<EdgeTraction>>,
 }
 
-fn support(boundary: &str, direction: Direction) -> Support {
-    Support::hold(boundary, direction)
+/// A steel plate of 10 mm that keeps its boundary "contact".
+fn steel(mesh: Mesh) -> BodyProblem {
+    BodyProblem::new(mesh, 1, PLANE_STRESS).material(Material::isotropic(210e3, 0.3).unwrap()).keep("contact")
 }
 
 fn named(side: Side, name: &str) -> Named<'_> {
@@ -60,15 +58,9 @@ pub fn punch(degree: usize, layers: usize, tilts: bool) -> Bodies {
     let ends = [[-30.0, 100.0], [30.0, 100.0]];
     let punch = rectangle(&[-30.0, 0.0, 30.0], &[100.0, 150.0, 200.0], Side::Bottom, [-30.0, 30.0]);
     let plate = rectangle(&[-60.0, -30.0, 0.0, 30.0, 60.0], &[0.0, 50.0, 100.0], Side::Top, [-30.0, 30.0]);
-    Bodies {
-        meshes: [refined(&punch, &ends, layers), refined(&plate, &ends, layers)],
-        degree,
-        layers,
-        supports: [vec![], vec![support("bottom", Direction::First), support("bottom", Direction::Second)]],
-        materials: [Material::isotropic(210e3, 0.3).unwrap()],
-        rigid_edge: Some(RigidEdge { boundary: "top".into(), reference: [0.0, 200.0], free: [false, true, tilts] }),
-        load: vec![],
-    }
+    let top = RigidEdge { boundary: "top".into(), reference: [0.0, 200.0], free: [false, true, tilts] };
+    let punch = BodyProblem { rigid_edge: Some(top), ..steel(refined(&punch, &ends, layers)) };
+    Bodies { problems: [punch, steel(refined(&plate, &ends, layers)).clamp("bottom")], degree, layers }
 }
 
 /// Shoe on an arc of radius 200 mm and half angle 30 degrees, guided at its sides, 10 kN on its flat top; drum from 100 mm.
@@ -100,45 +92,24 @@ pub fn drum(degree: usize, layers: usize) -> Bodies {
         ],
     })
     .unwrap();
-    Bodies {
-        meshes: [refined(&shoe, &ends, layers), refined(&drum, &ends, layers)],
-        degree,
-        layers,
-        supports: [
-            vec![support("left", Direction::First), support("right", Direction::First)],
-            vec![support("hub", Direction::First), support("hub", Direction::Second)],
-        ],
-        materials: [Material::isotropic(210e3, 0.3).unwrap()],
-        rigid_edge: None,
-        load: vec![vec![EdgeTraction::new("top", |_| [0.0, -5.0])]],
-    }
+    let shoe = steel(refined(&shoe, &ends, layers)).hold("left", Direction::First).hold("right", Direction::First);
+    let shoe = shoe.load("force", EdgeTraction::new("top", |_| [0.0, -5.0]));
+    Bodies { problems: [shoe, steel(refined(&drum, &ends, layers)).clamp("hub")], degree, layers }
 }
 
 impl Bodies {
     /// The same with every point of the shaped body moved by a map.
     pub fn with_shaped(mut self, map: impl Fn([f64; 2]) -> [f64; 2]) -> Bodies {
-        self.meshes[0] = self.meshes[0].mapped(map).unwrap();
+        self.problems[0].mesh = self.problems[0].mesh.mapped(map).unwrap().into();
         self
     }
 
     pub fn reduced(&self) -> [Body; 2] {
-        [0, 1].map(|number: usize| {
-            let mesh = &self.meshes[number];
+        self.problems.clone().map(|problem| {
             let fall = |layer: usize| (layer * self.degree).checked_div(self.layers).unwrap_or(0);
-            let degrees =
-                mesh.cells.iter().map(|c| (self.degree + 1).saturating_sub(fall(c.layer)).clamp(2, self.degree)).collect();
-            Body::new(BodyProblem {
-                mesh,
-                degrees,
-                space: SpaceKind::Tensor,
-                kinematics: PLANE_STRESS,
-                materials: &self.materials,
-                supports: &self.supports[number],
-                rigid_edge: if number == 0 { self.rigid_edge.clone() } else { None },
-                load_cases: if number == 0 { &self.load } else { &[] },
-                kept: Some("contact"),
-            })
-            .unwrap()
+            let degree = |cell: &Cell| (self.degree + 1).saturating_sub(fall(cell.layer)).clamp(2, self.degree);
+            let degrees = problem.mesh.cells.iter().map(degree).collect();
+            Body::new(problem.degrees(degrees)).unwrap()
         })
     }
 }

@@ -1,6 +1,6 @@
 //! Block shoe on a drum: arc of radius 200 mm, half angle 30 degrees, ring from 100 mm, 10 kN on the flat top.
 
-use super::{falling_degrees, material, support};
+use super::{material, touching};
 use hpfem::*;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -13,9 +13,7 @@ pub(crate) struct Drum {
     drum: Mesh,
     degree: usize,
     layers: usize,
-    supports: [Vec<Support>; 2],
-    materials: [[Material; 1]; 2],
-    load: Vec<Vec<EdgeTraction>>,
+    materials: [Material; 2],
 }
 
 impl Drum {
@@ -26,7 +24,7 @@ impl Drum {
         let name = |side, name| Named { side, range: None, name };
         let inner = Curve::Arc { centre: [0.0; 2], radius: RADIUS, from: FRAC_PI_2 + HALF_ANGLE, to: FRAC_PI_2 - HALF_ANGLE };
         let top = Curve::Line { start: [-half_chord, 300.0], end: [half_chord, 300.0] };
-        let names = [name(Side::Bottom, "inner"), name(Side::Top, "top"), name(Side::Left, "left"), name(Side::Right, "right")];
+        let names = [name(Side::Bottom, "contact"), name(Side::Top, "top"), name(Side::Left, "left"), name(Side::Right, "right")];
         let shoe = Mesh::ruled(&Ruled {
             bottom: inner,
             top,
@@ -54,18 +52,7 @@ impl Drum {
             names: &[name(Side::Bottom, "hub"), name(Side::Top, "outer"), contact],
         })
         .unwrap();
-        Drum {
-            shoe: refined(shoe),
-            drum: refined(drum),
-            degree,
-            layers,
-            supports: [
-                vec![support("left", Direction::First), support("right", Direction::First)],
-                vec![support("hub", Direction::First), support("hub", Direction::Second)],
-            ],
-            materials: young.map(|e| material(e, 0.3)),
-            load: vec![vec![EdgeTraction::new("top", |_| [0.0, -5.0])]],
-        }
+        Drum { shoe: refined(shoe), drum: refined(drum), degree, layers, materials: young.map(|e| material(e, 0.3)) }
     }
 
     pub(crate) fn bodies(&self) -> (Body, Body) {
@@ -73,21 +60,11 @@ impl Drum {
     }
 
     pub(crate) fn bodies_of_degrees(&self, degrees: [usize; 2]) -> (Body, Body) {
-        let body = |number: usize| {
-            let mesh = [&self.shoe, &self.drum][number];
-            Body::new(BodyProblem {
-                mesh,
-                degrees: falling_degrees(mesh, degrees[number], self.layers),
-                space: SpaceKind::Tensor,
-                kinematics: KINEMATICS,
-                materials: &self.materials[number],
-                supports: &self.supports[number],
-                rigid_edge: None,
-                load_cases: if number == 0 { &self.load } else { &[] },
-                kept: Some(["inner", "contact"][number]),
-            })
-            .unwrap()
-        };
-        (body(0), body(1))
+        let problem =
+            |mesh: &Mesh, body: usize| touching(mesh.clone(), [degrees[body], self.layers], KINEMATICS, self.materials[body]);
+        let shoe = problem(&self.shoe, 0).hold("left", Direction::First).hold("right", Direction::First);
+        let shoe = shoe.load("force", EdgeTraction::new("top", |_| [0.0, -5.0]));
+        let drum = problem(&self.drum, 1).clamp("hub");
+        (Body::new(shoe).unwrap(), Body::new(drum).unwrap())
     }
 }

@@ -5,14 +5,16 @@ pub(crate) mod drum;
 pub(crate) mod punch;
 pub(crate) mod wedge;
 
-use hpfem::{Direction, Material, Mesh, Support};
+use hpfem::{BodyProblem, Kinematics, Material, Mesh};
 
-pub(crate) fn material(young: f64, poisson: f64) -> [Material; 1] {
-    [Material::isotropic(young, poisson).unwrap()]
+pub(crate) fn material(young: f64, poisson: f64) -> Material {
+    Material::isotropic(young, poisson).unwrap()
 }
 
-pub(crate) fn support(boundary: &str, direction: Direction) -> Support {
-    Support::hold(boundary, direction)
+/// A body of degrees that fall towards the layers, whose boundary "contact" is kept.
+pub(crate) fn touching(mesh: Mesh, [degree, layers]: [usize; 2], kinematics: Kinematics, material: Material) -> BodyProblem {
+    let degrees = falling_degrees(&mesh, degree, layers);
+    BodyProblem::new(mesh, degree, kinematics).degrees(degrees).material(material).keep("contact")
 }
 
 /// Degrees that fall from `degree` outside the layers to 2 in the innermost.

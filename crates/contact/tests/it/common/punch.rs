@@ -1,6 +1,6 @@
 //! Rectangle pressed on a rectangle: translating punch and, in axisymmetric kinematics, annular punch on a disc.
 
-use super::{falling_degrees, material, support};
+use super::{material, touching};
 use hpfem::*;
 
 pub(crate) struct Punch {
@@ -8,10 +8,10 @@ pub(crate) struct Punch {
     pub(crate) kinematics: Kinematics,
     pub(crate) degree: usize,
     pub(crate) layers: usize,
-    pub(crate) supports: [Vec<Support>; 2],
-    pub(crate) materials: [[Material; 1]; 2],
+    pub(crate) materials: [Material; 2],
     pub(crate) rigid_edge: Option<RigidEdge>,
-    pub(crate) load: Vec<Vec<EdgeTraction>>,
+    /// Pull on the top, MPa.
+    pub(crate) load: Option<f64>,
 }
 
 /// Rectangle with vertical cuts at `x` and horizontal ones at `z`; the part of the bottom or top between the `contact` points is
@@ -60,10 +60,9 @@ impl Punch {
             kinematics: Kinematics::PlaneStress { thickness: 10.0 },
             degree,
             layers,
-            supports: [vec![], vec![support("bottom", Direction::First), support("bottom", Direction::Second)]],
             materials: [material(210e3, 0.3), material(210e3, 0.3)],
             rigid_edge: Some(RigidEdge { boundary: "top".into(), reference: [0.0, 200.0], free }),
-            load: vec![],
+            load: None,
         }
     }
 
@@ -79,29 +78,19 @@ impl Punch {
             kinematics: Kinematics::Axisymmetric,
             degree,
             layers,
-            supports: [vec![], vec![support("bottom", Direction::First), support("bottom", Direction::Second)]],
             materials: [material(210e3, 0.3), material(210e3, 0.3)],
             rigid_edge: None,
-            load: vec![vec![EdgeTraction::new("top", |_| [0.0, -100.0])]],
+            load: Some(-100.0),
         }
     }
 
     pub(crate) fn bodies(&self) -> (Body, Body) {
-        let body = |number: usize| {
-            let mesh = &self.meshes[number];
-            Body::new(BodyProblem {
-                mesh,
-                degrees: falling_degrees(mesh, self.degree, self.layers),
-                space: SpaceKind::Tensor,
-                kinematics: self.kinematics,
-                materials: &self.materials[number],
-                supports: &self.supports[number],
-                rigid_edge: if number == 0 { self.rigid_edge.clone() } else { None },
-                load_cases: if number == 0 { &self.load } else { &[] },
-                kept: Some("contact"),
-            })
-            .unwrap()
-        };
-        (body(0), body(1))
+        let problem =
+            |body: usize| touching(self.meshes[body].clone(), [self.degree, self.layers], self.kinematics, self.materials[body]);
+        let mut punch = BodyProblem { rigid_edge: self.rigid_edge.clone(), ..problem(0) };
+        if let Some(pull) = self.load {
+            punch = punch.load("force", EdgeTraction::new("top", move |_| [0.0, pull]));
+        }
+        (Body::new(punch).unwrap(), Body::new(problem(1).clamp("bottom")).unwrap())
     }
 }

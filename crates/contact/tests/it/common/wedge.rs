@@ -1,6 +1,6 @@
 //! Wedge pushed up an inclined plane of slope `tan a`: NAFEMS CGS-4, `F / G = (tan a + mu) / (1 - mu tan a)`.
 
-use super::{material, support};
+use super::material;
 use hpfem::*;
 
 const KINEMATICS: Kinematics = Kinematics::PlaneStrain { thickness: 1.0 };
@@ -26,22 +26,9 @@ pub(crate) fn bodies(slope: f64) -> (InterfaceOperator, InterfaceOperator) {
     let height = 4.0 + 6.0 * slope.max(0.0);
     let wedge = strip(incline, [[0.0, height], [6.0, height]], Side::Bottom);
     let plane = strip([[0.0, -6.0], [6.0, -6.0]], incline, Side::Top);
-    let clamp = [support("back", Direction::First), support("back", Direction::Second)];
-    let reduce = |mesh: &Mesh, supports: &[Support], rigid_edge| {
-        Body::new(BodyProblem {
-            mesh,
-            degrees: vec![6; mesh.cells.len()],
-            space: SpaceKind::Tensor,
-            kinematics: KINEMATICS,
-            materials: &material(206e3, 0.3),
-            supports,
-            rigid_edge,
-            load_cases: &[],
-            kept: Some("contact"),
-        })
-        .unwrap()
-        .interface
-    };
+    let problem = |mesh| BodyProblem::new(mesh, 6, KINEMATICS).material(material(206e3, 0.3)).keep("contact");
     let edge = RigidEdge { boundary: "back".into(), reference: [3.0, height], free: [true, true, false] };
-    (reduce(&wedge, &[], Some(edge)), reduce(&plane, &clamp, None))
+    let wedge = BodyProblem { rigid_edge: Some(edge), ..problem(wedge) };
+    let reduced = |problem| Body::new(problem).unwrap().interface;
+    (reduced(wedge), reduced(problem(plane).clamp("back")))
 }
