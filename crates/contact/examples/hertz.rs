@@ -27,20 +27,11 @@ fn block(turn: f64, a: f64) -> Result<InterfaceOperator, hpfem::Error> {
         material: 0,
         names: &[name(Side::Bottom, "contact"), name(Side::Top, "far")],
     })?;
-    let steel = Material::new(210e3, 0.3)?;
-    let clamp = [Direction::First, Direction::Second].map(|direction| Support { boundary: "far".into(), direction, value: 0.0 });
+    let block = BodyProblem::new(mesh, 8, Kinematics::PlaneStrain { thickness: 1.0 })
+        .material(Material::isotropic(210e3, 0.3)?)
+        .keep("contact");
     let press = RigidEdge { boundary: "far".into(), reference: [0.0, 20.0], free: [false, true, false] };
-    let problem = BodyProblem {
-        degrees: vec![8; mesh.cells.len()],
-        mesh: &mesh,
-        space: SpaceKind::Tensor,
-        kinematics: Kinematics::PlaneStrain { thickness: 1.0 },
-        materials: &[steel],
-        supports: if turn > 0.0 { &[] } else { &clamp },
-        rigid_edge: (turn > 0.0).then_some(press),
-        load_cases: &[],
-        kept: Some("contact"),
-    };
+    let problem = if turn > 0.0 { BodyProblem { rigid_edge: Some(press), ..block } } else { block.clamp("far") };
     Ok(Body::interface(&problem)?.0)
 }
 

@@ -42,24 +42,11 @@ fn bodies(degree: usize) -> Result<[InterfaceOperator; 2], hpfem::Error> {
     };
     let punch = rectangle([-HALF, HALF], [100.0, 200.0], &[-1.0, 0.0, 1.0], Side::Bottom, [-1.0, 1.0])?;
     let plate = rectangle([-60.0, 60.0], [0.0, 100.0], &[-1.0, -0.5, 0.0, 0.5, 1.0], Side::Top, [-0.5, 0.5])?;
-    let clamp = |direction| Support { boundary: "bottom".into(), direction, value: 0.0 };
-    let clamped = [clamp(Direction::First), clamp(Direction::Second)];
     let pressed = RigidEdge { boundary: "top".into(), reference: [0.0, 200.0], free: [false, true, false] };
-    let materials = [Material::new(210e3, 0.3)?];
-    let body = |mesh: &Mesh, supports: &[Support], rigid_edge: Option<RigidEdge>| {
-        Body::interface(&BodyProblem {
-            mesh,
-            degrees: vec![degree; mesh.cells.len()],
-            space: SpaceKind::Tensor,
-            kinematics: Kinematics::PlaneStress { thickness: 10.0 },
-            materials: &materials,
-            supports,
-            rigid_edge,
-            load_cases: &[],
-            kept: Some("contact"),
-        })
-    };
-    Ok([body(&punch, &[], Some(pressed))?.0, body(&plate, &clamped, None)?.0])
+    let steel = Material::isotropic(210e3, 0.3)?;
+    let body = |mesh| BodyProblem::new(mesh, degree, Kinematics::PlaneStress { thickness: 10.0 }).material(steel).keep("contact");
+    let punch = BodyProblem { rigid_edge: Some(pressed), ..body(punch) };
+    Ok([Body::interface(&punch)?.0, Body::interface(&body(plate).clamp("bottom"))?.0])
 }
 
 /// What the iteration has come to.

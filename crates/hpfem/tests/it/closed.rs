@@ -19,11 +19,9 @@ fn ring(start: f64, columns: u32, backwards: bool) -> Mesh {
 fn force(mesh: &Mesh, boundary: &str, range: [f64; 2]) -> [f64; 2] {
     let (materials, held) = (steel(), if boundary == "hub" { "outer" } else { "hub" });
     let supports = [support(held, Direction::First), support(held, Direction::Second)];
-    let segments = vec![SegmentTraction { case: 0, boundary: boundary.into(), range, traction: Box::new(|p| p.outward) }];
-    let additions = Additions { segments, ..Additions::default() };
-    let cases = [vec![]];
-    let body = Body::with(problem(mesh, 6, PLANE_STRESS, &materials, &supports, &cases, None), additions).unwrap();
-    let state = body.solve(&[1.0]);
+    let load = [vec![traction(boundary, |p| p.outward).within(range)]];
+    let body = Body::new(problem(mesh, 6, PLANE_STRESS, &materials, &supports, &load, None)).unwrap();
+    let state = solved(&body, &[1.0]);
     [0, 1].map(|k| -(0..2).map(|s| body.interface.reaction(s, &state)[k]).sum::<f64>() / 0.7)
 }
 
@@ -56,9 +54,8 @@ fn the_whole_of_a_closed_boundary_balances_and_two_rings_are_no_path() {
     let curves: Vec<([usize; 2], Curve)> = mesh.edges.iter().map(|e| (e.vertices, e.curve)).collect();
     let quads: Vec<Quad> = mesh.cells.iter().map(|c| Quad { corners: c.corners, material: 0, layer: 0 }).collect();
     let both = Mesh::new(mesh.vertices.clone(), &quads, &curves, &names).unwrap();
-    let segments =
-        vec![SegmentTraction { case: 0, boundary: "both".into(), range: [0.0, 1.0], traction: Box::new(|p| p.outward) }];
-    let (materials, cases, additions) = (steel(), [vec![]], Additions { segments, ..Additions::default() });
-    let error = Body::with(problem(&both, 3, PLANE_STRESS, &materials, &[], &cases, None), additions).err().unwrap();
+    let load = [vec![traction("both", |p| p.outward).within([0.0, 1.0])]];
+    let supports = [support("both", Direction::First), support("both", Direction::Second)];
+    let error = Body::new(problem(&both, 3, PLANE_STRESS, &steel(), &supports, &load, None)).err().unwrap();
     assert!(matches!(error, Error::NotAPath { .. }), "{error}");
 }

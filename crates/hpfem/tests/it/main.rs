@@ -19,7 +19,10 @@ mod join;
 mod large;
 mod loads;
 mod lshape;
+mod modes;
+mod orthotropic;
 mod outline;
+mod parts;
 mod patch;
 mod quadrature;
 mod quadrature_table;
@@ -31,5 +34,4 @@ mod singular;
 mod sliding_edge;
 mod supports;
 mod triangles;
-#[cfg(feature = "vtu")]
 mod vtu;

@@ -110,7 +110,7 @@ fn a_cell_beyond_the_mesh_is_an_error_of_the_field() {
     let (materials, supports) = (steel(), [support("left", Direction::First), support("bottom", Direction::Second)]);
     let load = [vec![traction("right", |_| [1.0, 0.0])]];
     let body = Body::new(problem(&mesh, 3, PLANE_STRESS, &materials, &supports, &load, None)).unwrap();
-    let field = body.field(&body.solve(&[1.0])).unwrap();
+    let field = body.field(&solved(&body, &[1.0])).unwrap();
     assert!(field.at(0, 0.0, 0.0).is_ok());
     assert!(matches!(field.at(7, 0.0, 0.0), Err(Error::Count { given: 8, expected: 1, .. })));
 }
