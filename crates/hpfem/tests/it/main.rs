@@ -34,4 +34,5 @@ mod singular;
 mod sliding_edge;
 mod supports;
 mod triangles;
+#[cfg(feature = "vtu")]
 mod vtu;
