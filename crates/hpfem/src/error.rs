@@ -143,7 +143,7 @@ pub enum Error {
         property: &'static str,
     },
     /// The boundary to be kept is not one connected path of edges.
-    #[error("the edges of boundary \"{name}\" do not form one open path")]
+    #[error("the edges of boundary \"{name}\" do not form one path")]
     NotAPath {
         /// Name of the boundary.
         name: String,

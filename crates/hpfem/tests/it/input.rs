@@ -143,7 +143,7 @@ fn a_normal_roller_or_rigid_line_on_a_curved_edge_is_refused() {
 }
 
 #[test]
-fn a_closed_or_broken_contact_path_is_refused() {
+fn a_closed_path_is_kept_and_a_broken_one_is_refused() {
     let arc = |radius| Curve::Arc { centre: [0.0; 2], radius, from: TAU, to: 0.0 };
     let names = [
         Named { side: Side::Top, range: None, name: "outer" },
@@ -157,10 +157,10 @@ fn a_closed_or_broken_contact_path_is_refused() {
     let mesh = Mesh::ruled(&region).unwrap();
     let materials = steel();
     let supports = [support("hub", Direction::First), support("hub", Direction::Second)];
-    for name in ["outer", "two"] {
-        let error = Body::new(problem(&mesh, 3, PLANE_STRESS, &materials, &supports, &[], Some(name))).err().unwrap();
-        assert!(matches!(error, Error::NotAPath { .. }), "{error}");
-    }
+    let body = |name| Body::new(problem(&mesh, 3, PLANE_STRESS, &materials, &supports, &[], Some(name)));
+    assert!(body("outer").unwrap().interface.trace.closed);
+    let error = body("two").err().unwrap();
+    assert!(matches!(error, Error::NotAPath { .. }), "{error}");
 }
 
 #[test]
@@ -169,4 +169,12 @@ fn materials_outside_their_range_are_refused() {
         assert!(matches!(Material::isotropic(young, poisson), Err(Error::Material { .. })));
     }
     assert!(Material::isotropic(1.0, 0.49999).is_ok());
+    // Nearer to one half only where volume changes do not count.
+    let mesh = patch(TURNS[0], Shape::Straight, 0.5);
+    for (kinematics, taken) in [(PLANE_STRESS, true), (PLANE_STRAIN, false), (Kinematics::Axisymmetric, false)] {
+        let near = [Material::isotropic(1.0, 0.499999).unwrap()];
+        let result = Body::new(problem(&mesh, 2, kinematics, &near, &[], &[], Some("top")));
+        let refused = matches!(result, Err(Error::OutOfRange { value: 0.499999, .. }));
+        assert!(if taken { result.is_ok() } else { refused });
+    }
 }
