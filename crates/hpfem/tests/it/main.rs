@@ -15,6 +15,7 @@ mod examples;
 mod extremes;
 mod gmsh;
 mod input;
+mod kept;
 mod large;
 mod later_load;
 mod loads;
