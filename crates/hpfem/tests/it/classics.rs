@@ -5,7 +5,7 @@ use hpfem::*;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 /// Quarter ring of radii 1 and 2 in the first quadrant, one cell, boundaries inner, outer, start (angle 90) and end (angle 0).
-fn quarter_ring(cells: usize) -> Mesh {
+pub(crate) fn quarter_ring(cells: usize) -> Mesh {
     let arc = |radius| Curve::Arc { centre: [0.0; 2], radius, from: FRAC_PI_2, to: 0.0 };
     let breaks: Vec<f64> = (0..=cells).map(|i| 2.0 * i as f64 / cells as f64 - 1.0).collect();
     let named = |side, name| Named { side, range: None, name };
@@ -30,7 +30,7 @@ pub(crate) fn rectangle(x: [f64; 2], z: [f64; 2]) -> Mesh {
 }
 
 /// Cartesian `[xx, zz, xz]` from polar `[rr, tt, rt]` at the angle of `x`.
-fn cartesian(x: [f64; 2], [rr, tt, rt]: [f64; 3]) -> [f64; 3] {
+pub(crate) fn cartesian(x: [f64; 2], [rr, tt, rt]: [f64; 3]) -> [f64; 3] {
     let angle = x[1].atan2(x[0]);
     let (s, c) = angle.sin_cos();
     [

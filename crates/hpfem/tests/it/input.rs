@@ -178,3 +178,19 @@ fn materials_outside_their_range_are_refused() {
         assert!(if taken { result.is_ok() } else { refused });
     }
 }
+
+#[test]
+fn ratios_whose_mean_stress_would_be_lost_are_refused_where_volume_changes_count() {
+    let mesh = rectangle([0.5, 1.0], [0.0, 1.0]);
+    let of = |kinematics, poisson| {
+        let material = Material::isotropic(1.0, poisson).unwrap();
+        Body::new(problem(&mesh, 2, kinematics, &[material], &[], &[], None).clamp("bottom"))
+    };
+    for kinematics in [PLANE_STRAIN, Kinematics::Axisymmetric] {
+        assert!(of(kinematics, MAX_POISSON).is_ok());
+        assert!(matches!(of(kinematics, 0.499991), Err(Error::OutOfRange { .. })));
+    }
+    for kinematics in [PLANE_STRESS, Kinematics::Torsion] {
+        assert!(of(kinematics, 0.4999999).is_ok());
+    }
+}
