@@ -23,7 +23,7 @@ use std::sync::Arc;
 ///     .load("pull", EdgeTraction::new("right", |_| [100.0, 0.0]));
 /// let body = Body::new(problem)?;
 /// let field = body.field(&body.solve(&[("pull", 1.0)])?)?;
-/// assert!((field.at(0, 1.0, 1.0).displacement[0] - 2.0 * 100.0 / 210e3).abs() < 1e-15);
+/// assert!((field.at(0, 1.0, 1.0)?.displacement[0] - 2.0 * 100.0 / 210e3).abs() < 1e-15);
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Debug)]

@@ -3,14 +3,31 @@
 
 #[path = "../../examples/cook.rs"]
 mod cook;
+#[path = "../../examples/from_gmsh.rs"]
+mod from_gmsh;
+#[path = "../../examples/gravity_and_spin.rs"]
+mod gravity_and_spin;
 #[path = "../../examples/l_shape.rs"]
 mod l_shape;
+#[path = "../../examples/modes.rs"]
+mod modes;
+#[path = "../../examples/nearly_incompressible.rs"]
+mod nearly_incompressible;
+#[cfg(feature = "vtu")]
+#[path = "../../examples/outputs.rs"]
+mod outputs;
+#[path = "../../examples/own_mortar.rs"]
+mod own_mortar;
 #[path = "../../examples/plate_with_a_hole.rs"]
 mod plate_with_a_hole;
+#[path = "../../examples/poisson.rs"]
+mod poisson;
 #[path = "../../examples/thick_cylinder.rs"]
 mod thick_cylinder;
 #[path = "../../examples/torsion_groove.rs"]
 mod torsion_groove;
+#[path = "../../examples/two_materials.rs"]
+mod two_materials;
 
 use approx::assert_relative_eq;
 
@@ -48,4 +65,63 @@ fn the_groove_concentrates_the_stress_by_its_number() {
     let k = [10, 14].map(|p| torsion_groove::stress_concentration(p).unwrap());
     assert_relative_eq!(k[0], k[1], max_relative = 1e-11);
     assert_relative_eq!(k[1], 1.643949227873, max_relative = 1e-11);
+}
+
+#[test]
+fn a_file_with_exact_circles_reaches_lame_where_its_own_edges_stall() {
+    let [file, exact] = from_gmsh::errors(10).unwrap();
+    assert!(file > 1e-5 && exact < 1e-12, "{file:e} {exact:e}");
+}
+
+#[test]
+fn the_compound_tube_meets_lame_at_its_joint() {
+    assert_relative_eq!(two_materials::joint_stress(14).unwrap(), two_materials::exact(), max_relative = 1e-11);
+}
+
+#[test]
+fn the_mean_stress_converges_near_one_half_and_is_refused_beyond() {
+    let [near, nearer] = [0.4999, 0.49999].map(|poisson| nearly_incompressible::mean_stress_error(poisson, 12).unwrap());
+    assert!(near < 2e-7 && nearer < 2e-6, "{near:e} {nearer:e}");
+    assert!(nearly_incompressible::mean_stress_error(0.499999, 12).is_err());
+}
+
+#[test]
+fn the_flywheel_weighs_and_spins_by_its_closed_forms() {
+    for (value, exact) in gravity_and_spin::flywheel(12).unwrap().into_iter().zip(gravity_and_spin::exact()) {
+        assert_relative_eq!(value, exact, max_relative = 1e-8);
+    }
+}
+
+#[test]
+fn the_energy_of_poissons_equation_on_the_l_is_that_of_the_literature() {
+    // Torsion of an L of unit squares: int u = 0.2140758036.
+    assert_relative_eq!(2.0 * poisson::energy(12, 14).unwrap(), 0.2140758036, max_relative = 1e-7);
+}
+
+#[test]
+fn the_ring_rings_a_little_lower_than_a_thin_one() {
+    let [coarse, fine] = [8, 10].map(|degree| modes::frequencies(degree, 4).unwrap());
+    for ((a, b), n) in coarse.iter().zip(&fine).zip([2.0, 2.0, 3.0, 3.0]) {
+        assert_relative_eq!(a, b, max_relative = 1e-8);
+        let ratio = b / modes::thin_ring(n);
+        assert!((0.98..1.0).contains(&ratio), "{ratio}");
+    }
+}
+
+#[test]
+fn a_bent_beam_goes_through_the_mortar_exactly() {
+    assert!(own_mortar::stress_error(2, 2).unwrap() < 1e-12);
+}
+
+#[cfg(feature = "vtu")]
+#[test]
+fn the_cantilever_balances_and_is_written() {
+    let (deflection, reaction, file) = outputs::cantilever(8).unwrap();
+    // Timoshenko: F L^3 / (3 E I) + 1.2 F L / (G A).
+    let beam = 10.0 * 1e6 / (3.0 * 210e3 * 1000.0 / 12.0) + 1.2 * 10.0 * 100.0 / (210e3 / 2.6 * 10.0);
+    assert_relative_eq!(deflection, -beam, max_relative = 2e-3);
+    for (value, exact) in reaction.into_iter().zip([0.0, 10.0, 1000.0]) {
+        approx::assert_abs_diff_eq!(value, exact, epsilon = 1e-8);
+    }
+    assert!(file.starts_with("<?xml") && file.contains("von_mises"));
 }
