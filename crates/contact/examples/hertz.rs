@@ -2,10 +2,7 @@
 //! the gap. Between half-planes the contact ends at `a = sqrt(4 P R / (pi E'))`, `1 / E' = 2 (1 - nu^2) / E`, and the highest pressure is `2 P / (pi a)`.
 
 use contact::{ContactLoad, ContactOperator, Motion, Pair};
-use hpfem::{
-    Body, BodyProblem, Curve, Direction, InterfaceOperator, Kinematics, Material, Mesh, Named, RigidEdge, Ruled, Side, SpaceKind,
-    Support,
-};
+use hpfem::{Body, BodyProblem, Curve, InterfaceOperator, Kinematics, Material, Mesh, Named, RigidEdge, Ruled, Side};
 use std::f64::consts::PI;
 
 const FORCE: f64 = 100.0;

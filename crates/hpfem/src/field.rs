@@ -180,7 +180,7 @@ impl Field {
         self.mesh.map(cell, xi, eta).0
     }
 
-    /// The cell that holds a point (mm) and its reference coordinates, `(cell, xi, eta)`, as by [`PointSearch::locate`]; the search is
+    /// The cell that holds a point (mm) and its reference coordinates, `(cell, xi, eta)`, as by [`PointSearch::locate`](crate::PointSearch::locate); the search is
     /// built with the first point.
     ///
     /// # Errors

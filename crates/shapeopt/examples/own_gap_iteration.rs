@@ -10,10 +10,7 @@
 //! ```
 
 use contact::{ContactLoad, ContactOperator, Motion, Pair};
-use hpfem::{
-    Body, BodyProblem, Curve, Direction, InterfaceOperator, Kinematics, Material, Mesh, Named, RigidEdge, Ruled, Side, SpaceKind,
-    Support,
-};
+use hpfem::{Body, BodyProblem, Curve, InterfaceOperator, Kinematics, Material, Mesh, Named, RigidEdge, Ruled, Side};
 use shapeopt::{Gauge, Integration, RigidPart, ShapeProblem, solve_shape};
 
 type Anything = Box<dyn std::error::Error>;

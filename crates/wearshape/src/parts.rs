@@ -42,45 +42,14 @@ impl BodyParts {
         })?;
         let degrees = mesh.cells.iter().map(|c| level.degree_in(c.layer)).collect();
         let rigid = Some(&couple.load).filter(|_| shaped && couple.has_rigid_edge());
-        let mut supports = Vec::new();
-        let mut support_names = Vec::new();
-        for (edge, components) in &body.supports {
-            let on_rigid_edge = rigid.is_some_and(|load| load.is(edge));
-            for component in components {
-                let direction = match (component, kinematics) {
-                    (Component::Phi, Kinematics::Torsion) => Direction::First,
-                    (Component::X, Kinematics::Torsion) | (Component::Z, Kinematics::Torsion) => continue,
-                    (Component::Phi, _) => continue,
-                    (Component::X, _) => Direction::First,
-                    (Component::Z, _) => Direction::Second,
-                };
-                if on_rigid_edge && kinematics != Kinematics::Torsion {
-                    continue;
-                }
-                supports.push(Support::hold(edge, direction));
-                support_names.push(format!("{key}.{edge}"));
-            }
-        }
+        let (mut supports, mut support_names) = (held_edges(body, rigid, kinematics), Vec::new());
+        support_names.extend(supports.iter().map(|support| format!("{key}.{}", support.boundary)));
         if mesh.boundaries.iter().any(|name| name == AXIS) {
             supports.push(Support::hold(AXIS, Direction::First));
             support_names.push(String::new());
         }
-        let rigid_edge = match (rigid, kinematics) {
-            (None, _) | (_, Kinematics::Torsion) => None,
-            (Some(load), _) => {
-                let held = body.supports.get(&load.edge);
-                let holds = |component| held.is_some_and(|components| components.contains(&component));
-                let about = load.about;
-                let height = mesh.boundary(LOAD).ok().and_then(|edges| edges.first().map(|e| mesh.edges[*e].curve.point(0.0)[1]));
-                let revolved = kinematics.is_revolved();
-                Some(RigidEdge {
-                    boundary: LOAD.into(),
-                    reference: [about[0], height.unwrap_or(about[1])],
-                    // A rotation prescribed as zero is held; another one is a motion.
-                    free: [!holds(Component::X) && !revolved, !holds(Component::Z), !revolved && !load.level],
-                })
-            }
-        };
+        let rigid_edge =
+            rigid.filter(|_| kinematics != Kinematics::Torsion).map(|load| rigid_edge(body, load, &mesh, kinematics));
         let load_cases = match (shaped, kinematics) {
             (true, Kinematics::Torsion) | (false, _) => Vec::new(),
             (true, _) => load_cases(&couple.load, &mesh, kinematics, rigid_edge.is_some()),
@@ -124,6 +93,38 @@ impl BodyParts {
     fn not_held(&self, error: &hpfem::Error) -> Fault {
         let remedy = "hold it by supports so that only the load's own motions stay free";
         Fault::at(format!("{}.support", self.key), "not-held", error.to_string(), remedy)
+    }
+}
+
+/// The components held on the edges of a body, but for those of its rigid edge, which are motions.
+fn held_edges(body: &meshing::Body, rigid: Option<&LoadedEdge>, kinematics: Kinematics) -> Vec<Support> {
+    let torsion = kinematics == Kinematics::Torsion;
+    let direction = |component: &Component| match component {
+        Component::Phi => torsion.then_some(Direction::First),
+        Component::X => (!torsion).then_some(Direction::First),
+        Component::Z => (!torsion).then_some(Direction::Second),
+    };
+    let mut supports = Vec::new();
+    for (edge, components) in &body.supports {
+        if torsion || !rigid.is_some_and(|load| load.is(edge)) {
+            supports.extend(components.iter().filter_map(direction).map(|direction| Support::hold(edge, direction)));
+        }
+    }
+    supports
+}
+
+/// The rigid edge of body 1.
+fn rigid_edge(body: &meshing::Body, load: &LoadedEdge, mesh: &Mesh, kinematics: Kinematics) -> RigidEdge {
+    let held = body.supports.get(&load.edge);
+    let holds = |component| held.is_some_and(|components| components.contains(&component));
+    let about = load.about;
+    let height = mesh.boundary(LOAD).ok().and_then(|edges| edges.first().map(|e| mesh.edges[*e].curve.point(0.0)[1]));
+    let revolved = kinematics.is_revolved();
+    RigidEdge {
+        boundary: LOAD.into(),
+        reference: [about[0], height.unwrap_or(about[1])],
+        // A rotation prescribed as zero is held; another one is a motion.
+        free: [!holds(Component::X) && !revolved, !holds(Component::Z), !revolved && !load.level],
     }
 }
 

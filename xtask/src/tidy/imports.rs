@@ -27,7 +27,7 @@ const TABLE: &[Row] = &[
     Row {
         package: "crates/hpfem",
         ours: &[],
-        others: Some(&["nalgebra", "faer", "pulp", "rayon", "thiserror", "base64"]),
+        others: Some(&["nalgebra", "faer", "pulp", "rayon", "thiserror", "base64", "serde"]),
         because: "hpfem offers elements and bodies and knows nothing of contact, wear or files",
     },
     Row {
