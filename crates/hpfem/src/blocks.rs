@@ -4,6 +4,7 @@ use crate::curve::Curve;
 use crate::error::Error;
 use crate::mesh::{Mesh, Quad};
 use std::cmp::Ordering;
+use std::f64::consts::TAU;
 
 /// A side of a ruled region.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,11 +57,12 @@ impl Mesh {
     /// # Errors
     /// [`Error::OutOfRange`] for breaks or levels that do not rise from end to end (-1 to 1, 0 to 1, up to 1e-12), for fewer than two of
     /// them (four breaks of a closed region, whose columns must differ in their vertices), and for a ruling or an end of a range that
-    /// is none of them; those of [`Mesh::new`].
+    /// is none of them, for arcs beyond a full turn; those of [`Mesh::new`].
     pub fn ruled(region: &Ruled<'_>) -> Result<Mesh, Error> {
         let (breaks, levels) = (region.breaks, region.levels);
         check_rising("breaks", breaks, [-1.0, 1.0], if region.closed { 4 } else { 2 })?;
         check_rising("levels", levels, [0.0, 1.0], 2)?;
+        check_turn(&[region.bottom, region.top])?;
         let columns = if region.closed { breaks.len() - 1 } else { breaks.len() };
         let vertex = |i: usize, j: usize| j * columns + i % columns;
         let mut vertices = Vec::new();
@@ -87,7 +89,10 @@ impl Mesh {
         for named in region.names {
             names.extend(named_edges(region, named, &vertex)?.into_iter().map(|edge| (edge, named.name)));
         }
-        Mesh::new(vertices, &quads, &curves, &names)
+        // Columns of a ruled region lie beside each other: cells that are not folded do not overlap.
+        let mesh = Mesh::joined(vertices, &quads, &curves, &names)?;
+        mesh.check_cells()?;
+        Ok(mesh)
     }
 
     /// The vertex nearest to a point.
@@ -124,6 +129,19 @@ fn check_rising(what: &str, values: &[f64], [first, last]: [f64; 2], fewest: usi
         }
         None => Ok(()),
     }
+}
+
+/// Refuses arcs beyond a full turn, whose columns would lie on each other.
+fn check_turn(curves: &[Curve]) -> Result<(), Error> {
+    for curve in curves {
+        if let Curve::Arc { from, to, .. } = curve
+            && (to - from).abs() > TAU * (1.0 + SAME)
+        {
+            let quantity = "the angle of an arc of a ruled region".into();
+            return Err(Error::OutOfRange { quantity, value: to - from, range: "at most a full turn" });
+        }
+    }
+    Ok(())
 }
 
 /// The edges that a name stands for.

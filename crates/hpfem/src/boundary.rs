@@ -41,13 +41,17 @@ pub(crate) fn path(mesh: &Mesh, name: &str) -> Result<Vec<(usize, bool)>, Error>
     if !matches!(ends.len(), 0 | 2) || at.values().any(|e| e.len() > 2) {
         return Err(broken());
     }
-    let starts: Vec<usize> = if ends.is_empty() { at.keys().copied().collect() } else { ends };
+    let closed = ends.is_empty();
+    let starts: Vec<usize> = if closed { at.keys().copied().collect() } else { ends };
     let key = |v: usize| mesh.vertices[v];
     let smaller = |a: &usize, b: &usize| key(*a).partial_cmp(&key(*b)).unwrap_or(Ordering::Equal);
     let start = starts.into_iter().min_by(smaller).ok_or_else(broken)?;
-    let cells = mesh.edge_cells();
-    let leads = |e: &usize| (mesh.edges[*e].vertices[1] == start) != has_cell_on_left(mesh, cells[*e][0]);
-    let mut next = at[&start].iter().find(|e| leads(e)).or(at[&start].first()).copied();
+    let mut next = at[&start].first().copied();
+    if closed {
+        let cells = mesh.edge_cells();
+        let leads = |e: &&usize| (mesh.edges[**e].vertices[1] == start) != has_cell_on_left(mesh, cells[**e][0]);
+        next = at[&start].iter().find(leads).copied().or(next);
+    }
     let mut vertex = start;
     let mut walk = Vec::new();
     while let Some(e) = next {

@@ -94,23 +94,15 @@ pub(crate) fn stiffness<'w>(form: &CellForm<'_>, table: &Table, work: &'w mut Wo
         let terms: &[Term] = if kinematics.has_hoop_strain() && (c, d) != (1, 1) { &FULL } else { &GRADIENT };
         // Coefficients A_kl at the points: one block of columns a term, rows eta, columns xi.
         let mut coefficients = matrix_in(&mut work.coefficients, nq, nq * terms.len());
-        for b in 0..nq {
-            for a in 0..nq {
-                let [[xx, xe], [zx, ze]] = geometry.derivative[a + nq * b];
-                let jacobian = xx * ze - xe * zx;
-                let [x, z] = geometry.position[a + nq * b];
-                if jacobian.is_nan() || jacobian <= 0.0 {
-                    return Err(Error::FoldedCell { cell, jacobian, x, z });
-                }
-                // Rows: gradient of xi, gradient of eta; the value needs the hoop strain 1/r.
-                let inverse = 1.0 / jacobian;
-                let g = [[ze * inverse, -xe * inverse], [-zx * inverse, xx * inverse]];
-                let weight = table.rule.weights[a] * table.rule.weights[b] * jacobian * kinematics.measure(x);
-                let form = PointForm { moduli, kinematics, inverse_radius: 1.0 / x, test: c, trial: d };
-                for (i, t) in terms.iter().enumerate() {
-                    let value = form.value(operator(t[0], &g), operator(t[1], &g));
-                    coefficients[(b, a + nq * i)] = weight * value;
-                }
+        let points = PointCoefficients { form, table, geometry: &geometry, terms };
+        let at = |inverse_radius| PointForm { moduli: &moduli, kinematics, inverse_radius, test: c, trial: d };
+        match moduli {
+            // The law of most bodies, compiled on its own.
+            Moduli::Isotropic { c11, c12, shear } => {
+                points.fill(coefficients.as_mut(), |r, v, u| at(r).isotropic([c11, c12, shear], v, u))?;
+            }
+            Moduli::General { .. } | Moduli::Scalar { .. } => {
+                points.fill(coefficients.as_mut(), |r, v, u| at(r).value(v, u))?;
             }
         }
         // A block of one component is symmetric: half of its columns will do.
@@ -131,6 +123,41 @@ pub(crate) fn stiffness<'w>(form: &CellForm<'_>, table: &Table, work: &'w mut Wo
         layout.scatter(&work.out, (c, d), &mut work.matrix[..size * size]);
     }
     Ok(matrix_in(&mut work.matrix, size, size))
+}
+
+/// What makes the coefficients `A_kl` of a component pair at the points of a cell.
+struct PointCoefficients<'a> {
+    form: &'a CellForm<'a>,
+    table: &'a Table,
+    geometry: &'a CellGeometry,
+    terms: &'a [Term],
+}
+
+impl PointCoefficients<'_> {
+    /// Fills one block of columns a term, rows eta, columns xi; `value` is the form of two operators `[value, d/dx, d/dz]`, given `1/r`.
+    #[inline]
+    fn fill(&self, mut out: MatMut<'_, f64>, value: impl Fn(f64, [f64; 3], [f64; 3]) -> f64) -> Result<(), Error> {
+        let PointCoefficients { form: CellForm { cell, kinematics, .. }, table, geometry, terms } = *self;
+        let nq = table.rule.points.len();
+        for b in 0..nq {
+            for a in 0..nq {
+                let [[xx, xe], [zx, ze]] = geometry.derivative[a + nq * b];
+                let jacobian = xx * ze - xe * zx;
+                let [x, z] = geometry.position[a + nq * b];
+                if jacobian.is_nan() || jacobian <= 0.0 {
+                    return Err(Error::FoldedCell { cell: *cell, jacobian, x, z });
+                }
+                // Rows: gradient of xi, gradient of eta; the value needs the hoop strain 1/r.
+                let inverse = 1.0 / jacobian;
+                let g = [[ze * inverse, -xe * inverse], [-zx * inverse, xx * inverse]];
+                let weight = table.rule.weights[a] * table.rule.weights[b] * jacobian * kinematics.measure(x);
+                for (i, t) in terms.iter().enumerate() {
+                    out[(b, a + nq * i)] = weight * value(1.0 / x, operator(t[0], &g), operator(t[1], &g));
+                }
+            }
+        }
+        Ok(())
+    }
 }
 
 /// Where the products of the tables go in the matrix of a cell.
@@ -232,18 +259,18 @@ fn operator(order: usize, g: &[[f64; 2]; 2]) -> [f64; 3] {
 }
 
 /// Energy density form of a component pair at one point.
-pub(crate) struct PointForm {
-    pub(crate) moduli: Moduli,
+pub(crate) struct PointForm<'m> {
+    pub(crate) moduli: &'m Moduli,
     pub(crate) kinematics: Kinematics,
     pub(crate) inverse_radius: f64,
     pub(crate) test: usize,
     pub(crate) trial: usize,
 }
 
-impl PointForm {
+impl PointForm<'_> {
     /// `sigma(u) : eps(v)` for `v = test component` with `[value, d/dx, d/dz] = v`, and `u` likewise.
     pub(crate) fn value(&self, v: [f64; 3], u: [f64; 3]) -> f64 {
-        match &self.moduli {
+        match self.moduli {
             Moduli::Isotropic { c11, c12, shear } => self.isotropic([*c11, *c12, *shear], v, u),
             Moduli::General { stiffness } => {
                 let (e, f) = (self.strain(self.test, v), self.strain(self.trial, u));
@@ -267,6 +294,7 @@ impl PointForm {
         }
     }
 
+    #[inline]
     fn isotropic(&self, [c11, c12, shear]: [f64; 3], v: [f64; 3], u: [f64; 3]) -> f64 {
         let hoop = self.inverse_radius;
         match self.kinematics {

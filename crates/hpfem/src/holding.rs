@@ -58,17 +58,17 @@ impl Holding {
         let direction = direction(mesh, support, edge)?;
         let values = mesh.edges[edge].vertices.map(|v| support.displacement(mesh.vertices[v]));
         let scale = values[0].abs().max(values[1].abs());
-        let twice = |place: String, value: f64| {
-            let boundary = support.boundary.clone();
-            move |known: f64| Error::HeldTwice { boundary, place, value, known }
+        let twice = |what: &str, [x, z]: [f64; 2], [value, known]: [f64; 2]| {
+            let (boundary, place) = (support.boundary.clone(), format!("{what}({x:.6}, {z:.6})"));
+            Error::HeldTwice { boundary, place, value, known }
         };
         for (v, value) in mesh.edges[edge].vertices.into_iter().zip(values) {
             if !value.is_finite() {
                 let quantity = format!("the displacement of support \"{}\" at vertex {v}", support.boundary);
                 return Err(Error::OutOfRange { quantity, value, range: "finite" });
             }
-            let [x, z] = mesh.vertices[v];
-            self.freedom[v].fix(direction, number, value, scale).map_err(twice(format!("({x:.6}, {z:.6})"), value))?;
+            let fixed = self.freedom[v].fix(direction, number, value, scale);
+            fixed.map_err(|known| twice("", mesh.vertices[v], [value, known]))?;
         }
         let group = mesh.vertices.len() + edge;
         // Modes of an edge follow the same axes with values of their own.
@@ -76,14 +76,14 @@ impl Holding {
             self.mode_freedom.entry(group).or_insert_with(|| vec![self.freedom[group]; degree - 1]);
         }
         if let Some(modes) = self.mode_freedom.get_mut(&group) {
+            let curve = &mesh.edges[edge].curve;
             let values = match support.varying.is_none() {
                 true => vec![[0.0; 2]; modes.len()],
-                false => edge_modes(&mesh.edges[edge].curve, degree, |x| [support.displacement(x), 0.0]),
+                false => edge_modes(curve, degree, |x| [support.displacement(x), 0.0]),
             };
-            let [x, z] = mesh.edges[edge].curve.point(0.0);
             for (mode, [value, _]) in modes.iter_mut().zip(values) {
-                let place = format!("the edge around ({x:.6}, {z:.6})");
-                mode.fix(direction, number, value, scale).map_err(twice(place, value))?;
+                let fixed = mode.fix(direction, number, value, scale);
+                fixed.map_err(|known| twice("the edge around ", curve.point(0.0), [value, known]))?;
             }
         }
         // The modes of an edge with a constant displacement vanish, whatever holds them first.

@@ -63,7 +63,7 @@ pub(crate) fn triangle_stiffness<'w>(
         // The value itself counts only in the hoop strain.
         let first = if kinematics.has_hoop_strain() && (c, d) != (1, 1) { 0 } else { 1 };
         for q in 0..nq {
-            let form = PointForm { moduli, kinematics, inverse_radius: 1.0 / radius[q], test: c, trial: d };
+            let form = PointForm { moduli: &moduli, kinematics, inverse_radius: 1.0 / radius[q], test: c, trial: d };
             let unit = |k: usize| std::array::from_fn(|i| f64::from(u8::from(i == k)));
             let a: [[f64; 3]; 3] = std::array::from_fn(|i| std::array::from_fn(|j| measure[q] * form.value(unit(i), unit(j))));
             for m in 0..n {
