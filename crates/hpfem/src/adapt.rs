@@ -30,6 +30,7 @@ impl AdaptStatus {
 
 /// Result of an adaptive run.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Adapted {
     /// The last mesh.
     pub mesh: Mesh,

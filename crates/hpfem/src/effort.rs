@@ -11,6 +11,7 @@ pub(crate) fn still() -> f64 {
 
 /// Sizes and times of a reduction.
 #[derive(Clone, Copy, Debug, Default)]
+#[non_exhaustive]
 pub struct Effort {
     /// Number of cells.
     pub cells: usize,

@@ -5,6 +5,7 @@ use crate::error::Error;
 
 /// Energy of the exact solution and error of the last of three, extrapolated.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct EnergyEstimate {
     /// Extrapolated energy, in the unit of the given ones.
     pub energy: f64,

@@ -8,6 +8,7 @@ use crate::problem::BodyProblem;
 
 /// Sizes of a reduction before it is done.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub struct Sizes {
     /// Number of cells.
     pub cells: usize,

@@ -38,7 +38,7 @@ fn of_mesh(mesh: &Mesh, edge: &str, shaped: bool) -> Result<ContactLine, String>
                 match curve {
                     Curve::Line { start, end } if near(start[1], height) && near(end[1], height) => {}
                     Curve::Line { .. } => return Err("is not horizontal".into()),
-                    _ => return Err("is partly straight and partly curved".into()),
+                    Curve::Arc { .. } | Curve::Polynomial { .. } => return Err("is partly straight and partly curved".into()),
                 }
             }
             let ends = [start[0], walk[walk.len() - 1].point(1.0)[0]];
@@ -60,7 +60,9 @@ fn of_mesh(mesh: &Mesh, edge: &str, shaped: bool) -> Result<ContactLine, String>
                     {
                         turned += to - from;
                     }
-                    _ => return Err("is not part of one circle".into()),
+                    Curve::Arc { .. } | Curve::Line { .. } | Curve::Polynomial { .. } => {
+                        return Err("is not part of one circle".into());
+                    }
                 }
             }
             // Left of an anti-clockwise walk is inside the circle.

@@ -26,6 +26,9 @@ pub struct Document {
 
 impl Document {
     /// Reads a scene from the text of a file and applies the `--set` options; `file` is its name or path in messages.
+    ///
+    /// # Errors
+    /// What is wrong with the writing, with its place and a remedy.
     pub fn read(file: &str, text: &str, settings: &[String]) -> Result<Document, Fault> {
         let mut tree = tree::parse(text).map_err(|(message, span)| Fault {
             place: Some(Place::file(file, text, span)),

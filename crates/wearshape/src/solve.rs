@@ -21,6 +21,9 @@ use crate::watch::Watch;
 
 /// Computes everything the plan lists. What has no answer is a solution with its status; an `Err` is the user's to mend. `bodies` keeps what
 /// was factorised for problems with the same bodies; `watch` is told what happens, and ends the solve by `Break`.
+///
+/// # Errors
+/// What the user has to mend in the scene, as far as only solving shows it.
 pub fn solve(problem: &Problem, options: &Options<'_>, bodies: &Bodies, watch: &mut Watch<'_>) -> Result<Solution, Fault> {
     let mut solution = Solution::default();
     match stages(Given { problem, options, bodies }, watch, &mut solution) {

@@ -117,6 +117,9 @@ struct Solved {
 
 /// Solves a problem on every degree and compares each level with the truth: the one given, or the finest level. `at` is the problem on the
 /// fixed discretisation of a degree, without the proof of its shape.
+///
+/// # Errors
+/// Those of `at` and of [`solve`](crate::solve); a level without an answer.
 pub fn study(
     at: &dyn Fn(usize) -> Result<Problem, Fault>,
     given: Option<Truth>,

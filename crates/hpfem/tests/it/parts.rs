@@ -92,3 +92,26 @@ fn a_closed_boundary_is_kept_with_every_point_once() {
     let at = |k: usize| rows[k].iter().map(|(i, c)| c * u[*i]).sum::<f64>();
     assert!((at(0).hypot(at(1)) / wanted - 1.0).abs() < 1e-6, "{} {wanted}", at(0).hypot(at(1)));
 }
+
+#[test]
+fn bodies_are_stored_returned_and_sent_to_threads() {
+    fn is_sent<T: Clone + Send + Sync + 'static>() {}
+    is_sent::<BodyProblem>();
+    is_sent::<Body>();
+    is_sent::<Field>();
+    is_sent::<InterfaceOperator>();
+    // A body made in one thread, loaded in another, read in a third.
+    let made = std::thread::spawn(|| Body::new(ring_patch().hold("bottom", Direction::Second)).unwrap()).join().unwrap();
+    let loaded = std::thread::spawn(move || {
+        let mut body = made;
+        body.add_load(LoadCase::new("push").with(EdgeTraction::pressure("top", |x| x[0]))).unwrap();
+        body.field(&body.solve(&[("pull", 2.0), ("push", 1.0)]).unwrap()).unwrap()
+    });
+    let field = loaded.join().unwrap();
+    let sum = std::thread::spawn(move || (0..field.cells()).map(|c| field.at(c, 0.0, 0.0).unwrap().stress[0]).sum::<f64>());
+    let here = ring_patch().hold("bottom", Direction::Second).load("push", EdgeTraction::pressure("top", |x| x[0]));
+    let here = Body::new(here).unwrap();
+    let field = here.field(&here.solve(&[("push", 1.0), ("pull", 2.0)]).unwrap()).unwrap();
+    let wanted: f64 = (0..field.cells()).map(|c| field.at(c, 0.0, 0.0).unwrap().stress[0]).sum();
+    assert!((sum.join().unwrap() / wanted - 1.0).abs() < 1e-11);
+}

@@ -104,7 +104,7 @@ fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>) -> Outcome
     outcome.ended = match last.ended {
         EvolutionStatus::Stuck { .. } => Some((Status::NotConverged, last.ended.to_string())),
         EvolutionStatus::Running => Some((Status::NotConverged, format!("the run was not steady after {MOST_STEPS} steps"))),
-        _ => None,
+        EvolutionStatus::Steady | EvolutionStatus::TimeReached => None,
     };
     let Some(error) = error.filter(|_| outcome.ended.is_none()) else { return outcome };
     outcome.error.gap_relative = Some(error);
