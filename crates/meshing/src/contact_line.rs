@@ -32,25 +32,7 @@ fn of_mesh(mesh: &Mesh, edge: &str, shaped: bool) -> Result<ContactLine, String>
     let first = walk.first().copied().ok_or("has no curves")?;
     let near = |a: f64, b: f64| (a - b).abs() <= 1e-9 * length;
     match first {
-        Curve::Line { start, .. } => {
-            let height = start[1];
-            for curve in &walk {
-                match curve {
-                    Curve::Line { start, end } if near(start[1], height) && near(end[1], height) => {}
-                    Curve::Line { .. } => return Err("is not horizontal".into()),
-                    Curve::Arc { .. } | Curve::Polynomial { .. } => return Err("is partly straight and partly curved".into()),
-                }
-            }
-            let ends = [start[0], walk[walk.len() - 1].point(1.0)[0]];
-            let x = [ends[0].min(ends[1]), ends[0].max(ends[1])];
-            // The body lies on the left of the walk.
-            let above = ends[1] > ends[0];
-            match (shaped, above) {
-                (true, false) => Err("has its body below it, which must be above".into()),
-                (false, true) => Err("has its body above it, which must be below".into()),
-                _ => Ok(ContactLine::Line { z: height, x }),
-            }
-        }
+        Curve::Line { start, .. } => of_line(&walk, start, near, shaped),
         Curve::Arc { centre, radius, from, .. } => {
             let mut turned = 0.0;
             for curve in &walk {
@@ -85,6 +67,27 @@ fn of_mesh(mesh: &Mesh, edge: &str, shaped: bool) -> Result<ContactLine, String>
             Ok(ContactLine::Circle { centre, radius, angles: [about + off - half, about + off + half], internal })
         }
         Curve::Polynomial { .. } => Err("is neither a line nor an arc".into()),
+    }
+}
+
+/// The line that curves on a level make up.
+fn of_line(walk: &[Curve], start: [f64; 2], near: impl Fn(f64, f64) -> bool, shaped: bool) -> Result<ContactLine, String> {
+    let height = start[1];
+    for curve in walk {
+        match curve {
+            Curve::Line { start, end } if near(start[1], height) && near(end[1], height) => {}
+            Curve::Line { .. } => return Err("is not horizontal".into()),
+            Curve::Arc { .. } | Curve::Polynomial { .. } => return Err("is partly straight and partly curved".into()),
+        }
+    }
+    let ends = [start[0], walk[walk.len() - 1].point(1.0)[0]];
+    let x = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+    // The body lies on the left of the walk.
+    let above = ends[1] > ends[0];
+    match (shaped, above) {
+        (true, false) => Err("has its body below it, which must be above".into()),
+        (false, true) => Err("has its body above it, which must be below".into()),
+        _ => Ok(ContactLine::Line { z: height, x }),
     }
 }
 
