@@ -2,6 +2,7 @@
 #![warn(clippy::missing_errors_doc, clippy::wildcard_enum_match_arm)]
 
 mod approach;
+mod edge;
 mod error;
 mod evolution;
 mod gap_curve;
@@ -26,6 +27,7 @@ mod wear_step;
 pub use {contact, faer, hpfem, wear};
 
 pub use approach::{ApproachForce, force_of_approach};
+pub use edge::{EdgeLoad, is_held_elastically};
 pub use error::Error;
 pub use evolution::{Evolution, EvolutionStatus};
 pub use gap_curve::GapCurve;

@@ -1,10 +1,10 @@
 //! The gap that produces a wanted pressure: Appendix A of Paczelt and Mroz (2007), corrected, in one linear pass.
 
+use crate::edge::{EdgeLoad, held_edge, solve_edge, solve_held};
 use crate::error::Error;
 use crate::place::SurfacePlace;
 use crate::rigid_part::{Curve, lowest_nonnegative};
 use contact::{ContactPoint, Pair, Side, contact_traction, normal};
-use faer::Mat;
 use hpfem::{BoundaryPoint, InterfaceOperator, InterfaceState, TraceLoad};
 use nalgebra::{DMatrix, DVector};
 
@@ -41,6 +41,8 @@ pub enum Integration {
 pub enum Gauge {
     /// The rigid edge is held: its free motions are zero.
     HeldEdge,
+    /// The rigid edge is held along the body's rigid modes alone; free motions that supports hold elastically follow what acts on the edge.
+    LoadedEdge(EdgeLoad),
     /// Mean displacement of the load edge is zero: columns of the interface operator that hold the mean displacement functionals of
     /// the free motions, one a rigid mode.
     MeanOf(Vec<usize>),
@@ -109,52 +111,51 @@ pub fn solve_shape(problem: &ShapeProblem<'_>) -> Result<Shape, Error> {
 
 /// One body under its loads and the wanted tractions.
 fn side_state(problem: &ShapeProblem<'_>, side: Side, body: &InterfaceOperator, cases: &[f64]) -> InterfaceState {
-    let traction = |point: &BoundaryPoint| {
-        let place = SurfacePlace::near(problem.pair.trace(), point.position, normal(side, point));
-        let [pressure, shear] = (problem.traction)(&place);
-        contact_traction(side, point, pressure, shear)
-    };
-    let load = match problem.integration {
-        Integration::Gauss(extra) => body.trace.load(body.kinematics, extra, traction),
-        Integration::Lobatto => nodal_load(problem, side, body),
-    };
+    let load = contact_load(problem, problem.traction, side, body);
     let factors = body.factors_in_order(cases);
     let right = body.right_hand_side(&load, &factors);
-    let held = side == Side::Shaped && problem.gauge == Gauge::HeldEdge;
-    let unknowns = if held { solve_held(body, &right) } else { body.solve_one(&right) };
+    let unknowns = match (&problem.gauge, side) {
+        (Gauge::HeldEdge, Side::Shaped) => solve_held(body, &held_edge(body), &right),
+        (Gauge::LoadedEdge(edge), Side::Shaped) => {
+            let pressure = |place: &SurfacePlace| [(problem.traction)(place)[0], 0.0];
+            let by_pressure = contact_load(problem, &pressure, side, body);
+            solve_edge(body, edge, &right, &body.right_hand_side(&by_pressure, &factors))
+        }
+        (Gauge::MeanOf(_) | Gauge::Orthogonal, _) | (_, Side::Counter) => body.solve_one(&right),
+    };
     let mut state = InterfaceState { unknowns, factors, load };
-    if side == Side::Shaped && !held {
+    if side == Side::Shaped && problem.gauge != Gauge::HeldEdge {
         problem.gauge.zero(body, &mut state);
     }
     state
 }
 
+/// Pressure and shear at a place of the surface.
+type Traction<'a> = dyn Fn(&SurfacePlace) -> [f64; 2] + Sync + 'a;
+
+/// The load of tractions on the contact edges of a body.
+fn contact_load(problem: &ShapeProblem<'_>, traction: &Traction<'_>, side: Side, body: &InterfaceOperator) -> TraceLoad {
+    let at = |point: &BoundaryPoint| {
+        let place = SurfacePlace::near(problem.pair.trace(), point.position, normal(side, point));
+        let [pressure, shear] = traction(&place);
+        contact_traction(side, point, pressure, shear)
+    };
+    match problem.integration {
+        Integration::Gauss(extra) => body.trace.load(body.kinematics, extra, at),
+        Integration::Lobatto => nodal_load(problem, traction, side, body),
+    }
+}
+
 /// The nodal forces `weight (p n + q t)` at the contact points of the pair.
-fn nodal_load(problem: &ShapeProblem<'_>, side: Side, body: &InterfaceOperator) -> TraceLoad {
+fn nodal_load(problem: &ShapeProblem<'_>, traction: &Traction<'_>, side: Side, body: &InterfaceOperator) -> TraceLoad {
     let mut load = TraceLoad { unknowns: vec![0.0; body.trace.unknowns], ..TraceLoad::default() };
     let sign = if side == Side::Shaped { 1.0 } else { -1.0 };
     for point in problem.pair.points() {
-        let [p, q] = (problem.traction)(&SurfacePlace::from(&point));
+        let [p, q] = traction(&SurfacePlace::from(&point));
         let force = |k: usize| sign * point.weight * (p * point.normal[k] + q * point.tangent[k]);
         body.trace.add_force(&mut load, point.place, [force(0), force(1)]);
     }
     load
-}
-
-/// Solves with the rigid edge's motions at zero.
-fn solve_held(body: &InterfaceOperator, right: &[f64]) -> Vec<f64> {
-    let held: Vec<usize> = body.frame.iter().flatten().copied().collect();
-    let mut operator = body.clone();
-    for &h in &held {
-        for i in 0..operator.stiffness.nrows() {
-            operator.stiffness[(h, i)] = 0.0;
-            operator.stiffness[(i, h)] = 0.0;
-        }
-        operator.stiffness[(h, h)] = body.stiffness[(h, h)];
-    }
-    operator.rigid_modes = Mat::zeros(right.len(), 0);
-    let right: Vec<f64> = right.iter().enumerate().map(|(i, f)| if held.contains(&i) { 0.0 } else { *f }).collect();
-    operator.solve_one(&right)
 }
 
 impl Gauge {
@@ -164,7 +165,7 @@ impl Gauge {
         // Values of the functionals that are to vanish, in the state and in each mode.
         let (values, of_modes): (Vec<f64>, Vec<Vec<f64>>) = match self {
             Gauge::Orthogonal => return,
-            Gauge::HeldEdge => {
+            Gauge::HeldEdge | Gauge::LoadedEdge(_) => {
                 let held = body.frame.iter().flatten();
                 held.map(|h| (state.unknowns[*h], (0..modes).map(|m| body.rigid_modes[(*h, m)]).collect())).unzip()
             }

@@ -7,7 +7,7 @@ use hpfem::InterfaceState;
 use meshing::{Couple, Cut, Extent, meshes};
 use nalgebra::Vector3;
 use scene::Fault;
-use shapeopt::Gauge;
+use shapeopt::{EdgeLoad, Gauge};
 
 use crate::bodies::{Bodies, Place, Reduced};
 use crate::effort::{Clock, Effort};
@@ -206,7 +206,14 @@ impl<'a> Stage<'a> {
 
     /// What counts as body 1 unmoved: the rigid edge held, or the mean displacement of the load edge zero.
     pub(crate) fn gauge(&self, pair: &Pair<'_>) -> Gauge {
-        if self.rigid_edge() { Gauge::HeldEdge } else { Gauge::MeanOf(mean_columns(pair)) }
+        if !self.rigid_edge() {
+            return Gauge::MeanOf(mean_columns(pair));
+        }
+        if !shapeopt::is_held_elastically(pair.shaped) {
+            return Gauge::HeldEdge;
+        }
+        let ContactLoad { motions, moment, .. } = self.contact_load(&[]);
+        Gauge::LoadedEdge(EdgeLoad { motions, moment })
     }
 
     /// A state of body 1 with its rigid motion taken out.

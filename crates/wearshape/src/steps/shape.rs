@@ -149,6 +149,7 @@ impl Shaper<'_> {
             outcome.interface = interface;
             let (independent, work) = round_trip::independent(self, solved.level, &curve, &mut told)?;
             result.roundtrip_independent = Some(independent);
+            outcome.ended = outcome.ended.take().or(disproved([same, independent], outcome.error.gap_relative));
             // Its meshes and factorisations are counted, its seconds are those of the proof.
             effort.counters.factorisations = work.counters.factorisations;
             effort.counters.check_solves = 2;
@@ -191,6 +192,26 @@ impl Shaper<'_> {
         let moments = vec![Moment { time: 0.0, name: "", states: [last.shape.shaped.clone(), counter], around }];
         Some(Reported { level: last.level, ends: self.ends.clone(), moments })
     }
+}
+
+/// What a proof may miss at most on the very operators of the shape, relative to the pressure: there it is round-off.
+const SAME: f64 = 1e-6;
+
+/// What a proof on other meshes may miss at least before it counts as failed, and how much larger than that of the gap the error of a
+/// pressure may be: a pressure follows the curvature of the gap.
+const INDEPENDENT: [f64; 2] = [3e-2, 2e3];
+
+/// The end of a shape whose proof fails: on the same operators, or on independent ones beyond what the error of the gap allows.
+fn disproved([same, independent]: [f64; 2], gap: Option<f64>) -> Option<(Status, String)> {
+    let allowed = INDEPENDENT[0].max(INDEPENDENT[1] * gap.unwrap_or(0.0));
+    let (miss, on) = match (same > SAME, independent > allowed) {
+        (true, _) => (same, "on the very bodies it was found on"),
+        (_, true) => (independent, "on independent meshes"),
+        _ => return None,
+    };
+    let reason =
+        format!("the proof fails: a contact solve on this shape gives the pressure back within {} {on}", scene::short(miss));
+    Some((Status::AccuracyMissed, reason))
 }
 
 /// Arc lengths at which levels are compared.
