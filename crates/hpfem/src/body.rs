@@ -120,7 +120,7 @@ impl Body {
             let products = right.iter().enumerate().map(|(i, f)| f * modes[(i, k)]);
             let (load, size) = products.fold((0.0, 0.0), |(sum, size), p| (sum + p, size + p.abs()));
             let largest = (0..right.len()).fold(0.0_f64, |m, i| m.max(modes[(i, k)].abs()));
-            if load.abs() > 2.0 * image + 1e-6 * size.max((inner.max(0.0) * stiff).sqrt() * largest) {
+            if load.abs() > 2.0 * image + 1e-6 * size.max(inner.max(0.0).sqrt() * stiff.sqrt() * largest) {
                 let motion = motion_words(interface.kinematics, std::slice::from_ref(motion));
                 return Err(Error::Unbalanced { motion, load });
             }
@@ -131,13 +131,18 @@ impl Body {
     /// Recovers the displacement of the whole body, mm, in a state of its kept unknowns.
     ///
     /// # Errors
-    /// As for [`Body::new`]; cells are assembled again. [`Error::OtherLoads`] for a state from before a load was added.
+    /// As for [`Body::new`]; cells are assembled again. [`Error::OtherLoads`] for a state from before a load was added, [`Error::Count`] for one of
+    /// another body.
     pub fn field(&self, state: &InterfaceState) -> Result<Field, Error> {
         let columns = self.interface.columns.ncols();
         if state.factors.len() != columns {
             return Err(Error::OtherLoads { given: state.factors.len(), expected: columns });
         }
         let Factored { space, condensed, kept, cases } = &*self.factored;
+        if state.unknowns.len() != kept.unknowns {
+            let what = "kept unknowns of the state".into();
+            return Err(Error::Count { what, given: state.unknowns.len(), expected: kept.unknowns });
+        }
         let mut values: Vec<Vec<f64>> = vec![Vec::new(); space.size.len()];
         let mut at = 0;
         for g in &kept.groups {

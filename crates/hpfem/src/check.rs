@@ -2,6 +2,7 @@
 
 use crate::error::Error;
 use crate::freedom::Direction;
+use crate::kinematics::Kinematics;
 use crate::load_case::{Load, LoadCase};
 use crate::mesh::Mesh;
 use crate::problem::BodyProblem;
@@ -33,20 +34,45 @@ pub(crate) fn check(problem: &BodyProblem) -> Result<(), Error> {
             return out(format!("the displacement of support \"{}\"", support.boundary), support.value, "finite");
         }
     }
+    check_components(problem)?;
     check_pins_and_foundations(problem)?;
     for (number, case) in problem.load_cases.iter().enumerate() {
         if problem.load_cases[..number].iter().any(|other| other.name == case.name) {
             return Err(Error::DuplicateLoadCase { name: case.name.clone() });
         }
-        check_case(case, mesh)?;
+        check_case(case, mesh, problem.kinematics)?;
     }
     Ok(())
+}
+
+/// Refuses directions and rigid edges that the kinematics does not have.
+fn check_components(problem: &BodyProblem) -> Result<(), Error> {
+    let kinematics = problem.kinematics;
+    let refuse = |what: String| Err(Error::NoMeaning { what, kinematics: kinematics.words() });
+    let scalar = kinematics.components() == 1;
+    if let Some(support) = problem.supports.iter().find(|s| scalar && s.direction != Direction::First) {
+        return refuse(format!("the direction of the support of \"{}\" (the only component is the first)", support.boundary));
+    }
+    if let Some(pin) = problem.pins.iter().find(|pin| scalar && pin.direction != Direction::First) {
+        return refuse(format!("the direction of the pin at vertex {} (the only component is the first)", pin.vertex));
+    }
+    match &problem.rigid_edge {
+        Some(rigid) if scalar => refuse(format!("the rigid edge \"{}\"", rigid.boundary)),
+        Some(rigid) if kinematics.is_revolved() && (rigid.free[0] || rigid.free[2]) => {
+            refuse(format!("a free t_r or theta of the rigid edge \"{}\"", rigid.boundary))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Refuses pins and foundations that cannot be.
 fn check_pins_and_foundations(problem: &BodyProblem) -> Result<(), Error> {
     let vertices = problem.mesh.vertices.len();
     for pin in &problem.pins {
+        if pin.vertex < vertices && problem.mesh.cells.iter().all(|cell| !cell.vertices().contains(&pin.vertex)) {
+            let what = format!("cells at the pinned vertex {}", pin.vertex);
+            return Err(Error::Count { what, given: 0, expected: 1 });
+        }
         if pin.vertex >= vertices {
             let what = "pinned vertex, vertices".into();
             return Err(Error::Count { what, given: pin.vertex + 1, expected: vertices });
@@ -67,9 +93,16 @@ fn check_pins_and_foundations(problem: &BodyProblem) -> Result<(), Error> {
 }
 
 /// Refuses a load case with a boundary, a length or a force that cannot be.
-pub(crate) fn check_case(case: &LoadCase, mesh: &Mesh) -> Result<(), Error> {
+pub(crate) fn check_case(case: &LoadCase, mesh: &Mesh, kinematics: Kinematics) -> Result<(), Error> {
+    let scalar = kinematics.components() == 1;
+    let refuse = |what: &str| {
+        let what = format!("{what} (load case \"{}\")", case.name);
+        Err(Error::NoMeaning { what, kinematics: kinematics.words() })
+    };
     for load in &case.loads {
         match load {
+            Load::Traction(traction) if scalar && traction.along_normal => return refuse("a pressure along the normal"),
+            Load::Eigenstrain(eigen) if scalar && eigen.of_normals => return refuse("a thermal strain"),
             Load::Traction(traction) => {
                 mesh.boundary(&traction.boundary)?;
                 let Some([a, b]) = traction.range else { continue };

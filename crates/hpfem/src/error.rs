@@ -98,6 +98,24 @@ pub enum Error {
         /// What the other supports prescribe along its direction, mm.
         known: f64,
     },
+    /// A support or pin at a vertex of the rigid edge, against one of its free motions or with a displacement.
+    #[error(
+        "{boundary} holds the rigid edge at {place}, where it is free to move, or moves it; say so by the free motions of the rigid edge"
+    )]
+    TiedAndHeld {
+        /// The boundary of the support.
+        boundary: String,
+        /// Words for the place.
+        place: String,
+    },
+    /// A support, load or rigid edge that the kinematics has no meaning for.
+    #[error("{what} has no meaning in {kinematics}")]
+    NoMeaning {
+        /// What was given.
+        what: String,
+        /// The kinematics in words.
+        kinematics: &'static str,
+    },
     /// A load case that the body does not have.
     #[error("the body has no load case \"{name}\"; it has: {known}")]
     NoSuchLoadCase {
@@ -113,6 +131,12 @@ pub enum Error {
         what: &'static str,
         /// The number of steps.
         steps: usize,
+    },
+    /// Parts of an interface operator that contradict each other.
+    #[error("the parts of the interface operator do not fit: {what}")]
+    Inconsistent {
+        /// What is wrong.
+        what: &'static str,
     },
     /// Two load cases of one name.
     #[error("there are two load cases \"{name}\"; give each a name of its own")]

@@ -171,11 +171,17 @@ impl Field {
     }
 
     /// Degree of a cell.
+    ///
+    /// # Panics
+    /// For a cell that the mesh does not have.
     pub fn degree(&self, cell: usize) -> usize {
         self.degrees[cell]
     }
 
     /// Position (x, z) or (r, z) of a reference point, mm.
+    ///
+    /// # Panics
+    /// For a cell that the mesh does not have.
     pub fn position(&self, cell: usize, xi: f64, eta: f64) -> [f64; 2] {
         self.mesh.map(cell, xi, eta).0
     }

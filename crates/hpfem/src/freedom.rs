@@ -10,7 +10,7 @@ pub enum Direction {
     First,
     /// Along the second coordinate, z.
     Second,
-    /// Along the normal of a straight edge (an inclined roller).
+    /// Along the normal out of the body of a straight edge (an inclined roller).
     Normal,
 }
 
@@ -101,7 +101,9 @@ pub struct Pin {
 /// A boundary that moves as a rigid line: `u_x = t_x - theta (z - z0)`, `u_z = t_z + theta (x - x0)`.
 ///
 /// Its free motions are kept as unknowns of the interface operator, so that force and moment or approach and tilt can be
-/// chosen later without a new factorisation. Supports of the boundary itself are expressed by `free`.
+/// chosen later without a new factorisation. What supports hold of the boundary is expressed by `free`: a support or pin against a free motion
+/// at one of its vertices, or with a displacement there, is refused. In a body of revolution only `t_z` can be free; problems of one
+/// component have no rigid edges.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RigidEdge {
     /// Name of the boundary, which must be straight.
@@ -157,10 +159,10 @@ impl Freedom {
                 self.axes = [d, [-d[1], d[0]]];
                 self.fixed[0] = Some((support, value));
             }
-            [Some((_, known)), None] if along(self.axes[1]).abs() > 1e-12 => {
+            [Some((_, known)), None] if along(self.axes[1]).abs() > 1e-9 => {
                 self.fixed[1] = Some((support, (value - known * along(self.axes[0])) / along(self.axes[1])));
             }
-            [None, Some((_, known))] if along(self.axes[0]).abs() > 1e-12 => {
+            [None, Some((_, known))] if along(self.axes[0]).abs() > 1e-9 => {
                 self.fixed[0] = Some((support, (value - known * along(self.axes[1])) / along(self.axes[0])));
             }
             _ => {

@@ -2,7 +2,7 @@
 
 use crate::boundary::edge_modes;
 use crate::error::Error;
-use crate::freedom::{AXIS, Direction, FREE, Freedom, Pin, RigidEdge, Support};
+use crate::freedom::{AXIS, Direction, FREE, Freedom, Pin, RigidEdge, Support, rigid_rows};
 use crate::mesh::Mesh;
 use crate::problem::BodyProblem;
 use std::collections::HashMap;
@@ -27,9 +27,12 @@ impl Holding {
         if let Some(rigid) = &problem.rigid_edge {
             holding.tie(mesh, rigid)?;
         }
+        let scale = largest_displacement(problem)?;
         for (number, support) in problem.supports.iter().enumerate() {
-            for e in mesh.boundary(&support.boundary)? {
-                holding.hold(mesh, e, edge_degree[e], (number, support))?;
+            let directions = directions(mesh, support)?;
+            for (e, direction) in directions {
+                let given = Given { number, support, direction, scale, rigid: problem.rigid_edge.as_ref() };
+                holding.hold(mesh, e, edge_degree[e], &given)?;
             }
         }
         holding.pin(&problem.pins, problem.supports.len())?;
@@ -53,19 +56,18 @@ impl Holding {
         Ok(())
     }
 
-    /// Holds an edge of a support, given with its number, and its vertices.
-    fn hold(&mut self, mesh: &Mesh, edge: usize, degree: usize, (number, support): (usize, &Support)) -> Result<(), Error> {
-        let direction = direction(mesh, support, edge)?;
+    /// Holds an edge of a support and its vertices.
+    fn hold(&mut self, mesh: &Mesh, edge: usize, degree: usize, given: &Given<'_>) -> Result<(), Error> {
+        let Given { number, support, direction, scale, .. } = *given;
         let values = mesh.edges[edge].vertices.map(|v| support.displacement(mesh.vertices[v]));
-        let scale = values[0].abs().max(values[1].abs());
         let twice = |what: &str, [x, z]: [f64; 2], [value, known]: [f64; 2]| {
             let (boundary, place) = (support.boundary.clone(), format!("{what}({x:.6}, {z:.6})"));
             Error::HeldTwice { boundary, place, value, known }
         };
         for (v, value) in mesh.edges[edge].vertices.into_iter().zip(values) {
-            if !value.is_finite() {
-                let quantity = format!("the displacement of support \"{}\" at vertex {v}", support.boundary);
-                return Err(Error::OutOfRange { quantity, value, range: "finite" });
+            if self.freedom[v].slaved {
+                given.check_tied(mesh.vertices[v], value)?;
+                continue;
             }
             let fixed = self.freedom[v].fix(direction, number, value, scale);
             fixed.map_err(|known| twice("", mesh.vertices[v], [value, known]))?;
@@ -95,6 +97,9 @@ impl Holding {
     fn pin(&mut self, pins: &[Pin], supports: usize) -> Result<(), Error> {
         for (number, pin) in pins.iter().enumerate() {
             let d = if pin.direction == Direction::Second { [0.0, 1.0] } else { [1.0, 0.0] };
+            if self.freedom[pin.vertex].slaved {
+                return Err(Error::TiedAndHeld { boundary: "a pin".into(), place: format!("vertex {}", pin.vertex) });
+            }
             let boundary = "a pin".to_string();
             let place = format!("vertex {}", pin.vertex);
             let twice = |known| Error::HeldTwice { boundary, place, value: 0.0, known };
@@ -123,20 +128,82 @@ impl Holding {
     }
 }
 
-/// Direction in which a support holds one of its edges.
-fn direction(mesh: &Mesh, support: &Support, edge: usize) -> Result<[f64; 2], Error> {
-    match support.direction {
-        Direction::First => Ok([1.0, 0.0]),
-        Direction::Second => Ok([0.0, 1.0]),
-        Direction::Normal if !mesh.edges[edge].curve.is_straight() => {
-            Err(Error::NotStraight { what: "a support along the normal", boundary: support.boundary.clone() })
+/// A support on one of its edges.
+struct Given<'g> {
+    number: usize,
+    support: &'g Support,
+    /// The direction it holds there.
+    direction: [f64; 2],
+    /// The largest displacement that any support prescribes, mm.
+    scale: f64,
+    rigid: Option<&'g RigidEdge>,
+}
+
+impl Given<'_> {
+    /// Refuses a support that holds a vertex of the rigid edge against one of the edge's free motions, or moves it.
+    fn check_tied(&self, x: [f64; 2], value: f64) -> Result<(), Error> {
+        let Some(rigid) = self.rigid else { return Ok(()) };
+        let rows = rigid_rows(x, rigid.reference);
+        let lever = (x[0] - rigid.reference[0]).hypot(x[1] - rigid.reference[1]);
+        let size = [1.0, 1.0, lever.max(f64::MIN_POSITIVE)];
+        let moves = |k: usize| (rows[k][0] * self.direction[0] + rows[k][1] * self.direction[1]).abs() > 1e-9 * size[k];
+        if value != 0.0 || (0..3).any(|k| rigid.free[k] && moves(k)) {
+            let place = format!("({:.6}, {:.6})", x[0], x[1]);
+            return Err(Error::TiedAndHeld { boundary: self.support.boundary.clone(), place });
         }
-        Direction::Normal => {
-            let [p, q] = mesh.edges[edge].vertices.map(|v| mesh.vertices[v]);
-            let length = (q[0] - p[0]).hypot(q[1] - p[1]);
-            Ok([(q[1] - p[1]) / length, -(q[0] - p[0]) / length])
+        Ok(())
+    }
+}
+
+/// The largest displacement that supports prescribe at vertices and middles of their edges, mm.
+fn largest_displacement(problem: &BodyProblem) -> Result<f64, Error> {
+    let mesh = &problem.mesh;
+    let mut largest = 0.0_f64;
+    for support in &problem.supports {
+        for e in mesh.boundary(&support.boundary)? {
+            let [a, b] = mesh.edges[e].vertices.map(|v| mesh.vertices[v]);
+            for value in [a, b, mesh.edges[e].curve.point(0.0)].map(|x| support.displacement(x)) {
+                if !value.is_finite() {
+                    let quantity = format!("the displacement of support \"{}\"", support.boundary);
+                    return Err(Error::OutOfRange { quantity, value, range: "finite" });
+                }
+                largest = largest.max(value.abs());
+            }
         }
     }
+    Ok(largest)
+}
+
+/// The edges of a support, each with the direction in which it is held. Edges in one line share one normal, that of the longest: two that differ by
+/// round-off would hold their common vertex in both directions.
+fn directions(mesh: &Mesh, support: &Support) -> Result<Vec<(usize, [f64; 2])>, Error> {
+    let edges = mesh.boundary(&support.boundary)?;
+    if support.direction != Direction::Normal {
+        let direction = if support.direction == Direction::First { [1.0, 0.0] } else { [0.0, 1.0] };
+        return Ok(edges.into_iter().map(|e| (e, direction)).collect());
+    }
+    let cells = mesh.edge_cells();
+    let extent = mesh.vertices.iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
+    let mut normals = Vec::new();
+    for e in edges {
+        if !mesh.edges[e].curve.is_straight() {
+            return Err(Error::NotStraight { what: "a support along the normal", boundary: support.boundary.clone() });
+        }
+        let [p, q] = mesh.edges[e].vertices.map(|v| mesh.vertices[v]);
+        let length = (q[0] - p[0]).hypot(q[1] - p[1]);
+        let (cell, local) = cells[e][0];
+        // Out of the body: on the right of an edge that has its cell on the left.
+        let side = if (local < 2) != mesh.cells[cell].against[local] { 1.0 } else { -1.0 };
+        normals.push((e, length, [side * (q[1] - p[1]) / length, -side * (q[0] - p[0]) / length]));
+    }
+    let mut longest: Vec<(f64, [f64; 2])> = normals.iter().map(|(_, length, n)| (*length, *n)).collect();
+    longest.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let shared = |(e, length, n): (usize, f64, [f64; 2])| {
+        let round_off = 1e-9 + 64.0 * f64::EPSILON * extent / length;
+        let alike = |m: &[f64; 2]| m[0] * n[0] + m[1] * n[1] > 0.0 && (m[0] * n[1] - m[1] * n[0]).abs() <= round_off;
+        (e, longest.iter().map(|(_, m)| *m).find(alike).unwrap_or(n))
+    };
+    Ok(normals.into_iter().map(shared).collect())
 }
 
 /// Which vertices lie on the axis of revolution, to round-off of the mesh's size.

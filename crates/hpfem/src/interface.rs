@@ -77,6 +77,28 @@ pub struct InterfaceParts {
 }
 
 impl InterfaceParts {
+    /// What in the parts names unknowns, edges or cases that there are not.
+    fn inconsistent(&self, n: usize) -> Option<&'static str> {
+        let components = self.kinematics.components();
+        let frame: Vec<usize> = self.frame.iter().flatten().copied().collect();
+        let twice = |list: &[usize]| list.iter().enumerate().any(|(i, a)| list[..i].contains(a));
+        let names = &self.load_cases;
+        let faults = [
+            (
+                self.traces.iter().any(|t| !t.is_sound(components)),
+                "a kept boundary names unknowns, modes, edges or places that there are not",
+            ),
+            (
+                frame.iter().any(|unknown| *unknown >= n) || twice(&frame),
+                "the rigid edge names an unknown that there is not, or one twice",
+            ),
+            (names.iter().enumerate().any(|(i, a)| names[..i].contains(a)), "two load cases have one name"),
+            (!self.reaction_constant.nrows().is_multiple_of(3), "reactions come in threes, one a support or pin"),
+            (self.rigid_motions.iter().flatten().any(|v| !v.is_finite()), "a rigid motion is not finite"),
+        ];
+        faults.into_iter().find(|(fault, _)| *fault).map(|(_, what)| what)
+    }
+
     /// Refuses parts that do not fit together.
     fn check(&self) -> Result<(), Error> {
         let n = self.stiffness.nrows();
@@ -95,12 +117,8 @@ impl InterfaceParts {
         if let Some((what, given, expected)) = counts.into_iter().chain(traces).find(|(_, given, expected)| given != expected) {
             return Err(Error::Count { what: what.into(), given, expected });
         }
-        if self.traces.iter().any(|trace| !trace.is_sound()) || self.frame.iter().flatten().any(|unknown| *unknown >= n) {
-            return Err(Error::Count {
-                what: "a kept unknown that a boundary names, kept unknowns".into(),
-                given: n + 1,
-                expected: n,
-            });
+        if let Some(what) = self.inconsistent(n) {
+            return Err(Error::Inconsistent { what });
         }
         let matrices = [&self.stiffness, &self.columns, &self.work, &self.rigid_modes, &self.reaction_constant];
         if let Some(value) = matrices.iter().flat_map(|m| m.col_iter()).flat_map(|c| c.iter()).find(|v| !v.is_finite()) {
@@ -146,7 +164,7 @@ impl InterfaceOperator {
     /// An operator from its parts.
     ///
     /// # Errors
-    /// [`Error::Count`] for shapes that do not fit together; [`Error::OutOfRange`] for a stiffness that is not symmetric or numbers that
+    /// [`Error::Count`] and [`Error::Inconsistent`] for parts that do not fit together; [`Error::OutOfRange`] for a stiffness that is not symmetric or numbers that
     /// are not finite.
     pub fn from_parts(parts: InterfaceParts) -> Result<InterfaceOperator, Error> {
         parts.check()?;
@@ -192,10 +210,14 @@ impl InterfaceOperator {
     /// Factors of all columns for given factors of load cases by name, 0 for those not named; prescribed displacements count fully.
     ///
     /// # Errors
-    /// [`Error::NoSuchLoadCase`].
+    /// [`Error::NoSuchLoadCase`]; [`Error::OutOfRange`] for a factor that is not finite.
     pub fn factors(&self, cases: &[(&str, f64)]) -> Result<Vec<f64>, Error> {
         let mut factors = self.factors_in_order(&[]);
         for (name, factor) in cases {
+            if !factor.is_finite() {
+                let quantity = format!("the factor of load case \"{name}\"");
+                return Err(Error::OutOfRange { quantity, value: *factor, range: "finite" });
+            }
             factors[self.load_case(name)?] += factor;
         }
         Ok(factors)
@@ -282,8 +304,11 @@ impl InterfaceOperator {
         0.5 * (contact + loads)
     }
 
-    /// Force and moment (about the origin) that support number `support` exerts on the body: `[x, z, moment]`, N and N mm; in torsion
-    /// the third is zero and the first is the sum of the circumferential nodal forces.
+    /// Force and moment (about the origin) that support number `support` exerts on the body: `[x, z, moment]`, N and N mm; in torsion and for
+    /// a potential the first alone has a meaning, the sum of the circumferential nodal forces or of the fluxes.
+    ///
+    /// # Panics
+    /// For a support that the body does not have, or a state of another body.
     pub fn reaction(&self, support: usize, state: &InterfaceState) -> [f64; 3] {
         std::array::from_fn(|k| {
             let r = 3 * support + k;

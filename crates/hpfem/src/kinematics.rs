@@ -63,6 +63,18 @@ impl Kinematics {
         self.thickness().is_none()
     }
 
+    /// The kinematics in words.
+    pub(crate) fn words(self) -> &'static str {
+        match self {
+            Kinematics::PlaneStress { .. } => "plane stress",
+            Kinematics::PlaneStrain { .. } => "plane strain",
+            Kinematics::Axisymmetric => "a body of revolution",
+            Kinematics::Torsion => "torsion",
+            Kinematics::Potential { .. } => "the problem of a potential",
+            Kinematics::AxisymmetricPotential => "the problem of a potential in a body of revolution",
+        }
+    }
+
     /// Whether the unknown is a scalar potential.
     pub fn is_conduction(self) -> bool {
         matches!(self, Kinematics::Potential { .. } | Kinematics::AxisymmetricPotential)

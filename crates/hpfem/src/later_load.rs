@@ -25,14 +25,14 @@ struct CellLoad {
 impl Body {
     /// Adds a load case to the factorised body: what [`Body::new`] gives with the case in its problem, to round-off, for one forward
     /// substitution along the fronts between the load and the kept boundary. A case of the same name that was added before is
-    /// replaced. States solved before belong to the body as it was: solve again.
+    /// replaced in its place. States solved before belong to the body as it was: solve again.
     ///
     /// # Errors
     /// [`Error::DuplicateLoadCase`] if the body was made with a case of that name; boundaries that do not exist, points outside
     /// the mesh, numbers that are not finite.
     pub fn add_load(&mut self, case: LoadCase) -> Result<(), Error> {
         let mesh = Arc::clone(&self.problem.mesh);
-        check_case(&case, &mesh)?;
+        check_case(&case, &mesh, self.problem.kinematics)?;
         if self.problem.load_cases[..self.factored.cases].iter().any(|known| known.name == case.name) {
             return Err(Error::DuplicateLoadCase { name: case.name });
         }
@@ -44,6 +44,7 @@ impl Body {
         }
         if let Some(number) = before {
             self.remove_column(number);
+            self.move_last_to(number);
         }
         Ok(())
     }
@@ -57,6 +58,23 @@ impl Body {
         *columns = without(columns.as_ref(), number);
         *work = without(without(work.as_ref(), number).transpose(), number);
         *reaction_constant = without(reaction_constant.as_ref(), number);
+    }
+
+    /// Gives the last load case another place among those that were added.
+    fn move_last_to(&mut self, number: usize) {
+        let last = self.problem.load_cases.len() - 1;
+        self.problem.load_cases[number..].rotate_right(1);
+        self.added[number - self.factored.cases..].rotate_right(1);
+        let InterfaceOperator { load_cases, columns, work, reaction_constant, .. } = &mut self.interface;
+        load_cases[number..].rotate_right(1);
+        let from = |j: usize| match j {
+            j if j == number => last,
+            j if j > number && j <= last => j - 1,
+            j => j,
+        };
+        *columns = Mat::from_fn(columns.nrows(), columns.ncols(), |i, j| columns[(i, from(j))]);
+        *work = Mat::from_fn(work.nrows(), work.ncols(), |i, j| work[(from(i), from(j))]);
+        *reaction_constant = Mat::from_fn(reaction_constant.nrows(), columns.ncols(), |i, j| reaction_constant[(i, from(j))]);
     }
 
     /// Makes the column of the last load case, for which the interface operator has none yet; nothing is changed on an error.
@@ -99,6 +117,10 @@ impl Body {
         work.iter_mut().zip(&inner).for_each(|(sum, w)| *sum += w);
         let unit = assembly.unit;
         let scaled = |v: Vec<f64>| v.into_iter().map(|v| unit * v).collect::<Vec<_>>();
+        if let Some(value) = column.iter().chain(&work).chain(&constant).find(|v| !v.is_finite()) {
+            let quantity = format!("a number of load case \"{}\"", self.problem.load_cases[new].name);
+            return Err(Error::OutOfRange { quantity, value: *value, range: "finite" });
+        }
         self.interface.insert_case(new, &self.problem.load_cases[new].name, [scaled(column), scaled(work), scaled(constant)]);
         self.added.push(Arc::new(forward));
         Ok(())

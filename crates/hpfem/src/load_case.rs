@@ -77,6 +77,8 @@ pub struct EdgeTraction {
     pub range: Option<[f64; 2]>,
     /// The traction, MPa; it must be smooth on each edge for the quadrature to be accurate.
     pub traction: BoundaryTraction,
+    /// Made as a pressure: two components are meant.
+    pub(crate) along_normal: bool,
 }
 
 /// A traction, MPa, as a function of the boundary point.
@@ -85,12 +87,13 @@ pub type BoundaryTraction = Arc<dyn Fn(&BoundaryPoint) -> [f64; 2] + Send + Sync
 impl EdgeTraction {
     /// A traction on a whole boundary.
     pub fn new(boundary: &str, traction: impl Fn(&BoundaryPoint) -> [f64; 2] + Send + Sync + 'static) -> EdgeTraction {
-        EdgeTraction { boundary: boundary.to_string(), range: None, traction: Arc::new(traction) }
+        EdgeTraction { boundary: boundary.to_string(), range: None, traction: Arc::new(traction), along_normal: false }
     }
 
-    /// A pressure, MPa, positive into the body, as a function of the position, mm.
+    /// A pressure, MPa, positive into the body, as a function of the position, mm; refused in problems of one component.
     pub fn pressure(boundary: &str, pressure: impl Fn([f64; 2]) -> f64 + Send + Sync + 'static) -> EdgeTraction {
-        EdgeTraction::new(boundary, move |p| p.outward.map(|n| -pressure(p.position) * n))
+        let along_normal = EdgeTraction::new(boundary, move |p| p.outward.map(|n| -pressure(p.position) * n));
+        EdgeTraction { along_normal: true, ..along_normal }
     }
 
     /// The same on the part between two arc lengths, mm, see [`EdgeTraction::range`].
@@ -147,6 +150,8 @@ pub struct Eigenstrain {
     /// The strains at a place, in the order of the stresses: `[xx, zz, gamma_xz, yy]`, in torsion `[gamma_r phi, gamma_phi z, _, _]`, for a
     /// potential a gradient without flux.
     pub strain: StrainAt,
+    /// Made of normal strains, as a thermal one is.
+    pub(crate) of_normals: bool,
 }
 
 /// Strains as a function of the place.
@@ -168,19 +173,20 @@ pub struct BodyPoint {
 impl Eigenstrain {
     /// A strain by a function of the place.
     pub fn new(strain: impl Fn(&BodyPoint) -> [f64; 4] + Send + Sync + 'static) -> Eigenstrain {
-        Eigenstrain { strain: Arc::new(strain) }
+        Eigenstrain { strain: Arc::new(strain), of_normals: false }
     }
 
     /// Thermal strain `alpha (T - T_0)` alike in all directions: `expansion` has one coefficient a material, 1/K, and `rise` is the
     /// temperature above the one without strain, K.
     ///
-    /// A place whose material has no coefficient does not expand.
+    /// A place whose material has no coefficient does not expand. Refused in problems of one component.
     pub fn thermal(expansion: &[f64], rise: impl Fn(&BodyPoint) -> f64 + Send + Sync + 'static) -> Eigenstrain {
         let expansion = expansion.to_vec();
-        Eigenstrain::new(move |place| {
+        let thermal = Eigenstrain::new(move |place| {
             let e = expansion.get(place.material).copied().unwrap_or(0.0) * rise(place);
             [e, e, 0.0, e]
-        })
+        });
+        Eigenstrain { of_normals: true, ..thermal }
     }
 }
 

@@ -274,7 +274,7 @@ impl Material {
 /// Whether a matrix is symmetric and positive definite.
 fn is_positive([[a, b], [c, d]]: &[[f64; 2]; 2]) -> bool {
     let finite = [a, b, c, d].iter().all(|v| v.is_finite());
-    finite && (b - c).abs() <= 1e-12 * (a.abs() + d.abs()) && *a > 0.0 && *d > 0.0 && a * d > b * c
+    finite && (b - c).abs() <= 1e-12 * (a.abs() + d.abs()) && *a > 0.0 && *d > 0.0 && (b / a) * (c / d) < 1.0
 }
 
 /// `T M T^T`.

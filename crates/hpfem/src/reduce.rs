@@ -46,7 +46,7 @@ pub(crate) fn reduce(problem: &BodyProblem, factors: bool, clock: Clock) -> Resu
         plan.run(&mut elements, &size, &last, factors).map_err(|g| Error::NoStiffness { place: place(mesh, g) })?;
     condensed.work += &interior_work;
     let finite = |m: &Mat<f64>| m.col_iter().all(|c| c.iter().all(|v| v.is_finite()));
-    if !(finite(&condensed.rhs) && finite(&condensed.work)) {
+    if !(finite(&condensed.rhs) && finite(&condensed.work) && finite(&reaction_constant)) {
         let quantity = "a load, or what is left of it after elimination,".into();
         return Err(Error::OutOfRange { quantity, value: f64::NAN, range: "finite" });
     }

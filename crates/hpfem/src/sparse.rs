@@ -71,11 +71,6 @@ impl SparseBody {
         &self.problem
     }
 
-    /// The numbering of the unknowns.
-    pub(crate) fn numbering(&self) -> &Space {
-        &self.space
-    }
-
     /// Number of unknowns.
     pub fn unknowns(&self) -> usize {
         self.inner_start.last().copied().unwrap_or(0)
@@ -157,6 +152,9 @@ impl SparseBody {
             scatter(&unknowns, &k, &mut entries);
             self.prescribe(&unknowns, &prescribed, &k, &mut right);
         }
+        if right.col_iter().any(|column| column.iter().any(|v| !v.is_finite())) {
+            return Err(Error::OutOfRange { quantity: "a load".into(), value: f64::NAN, range: "finite" });
+        }
         Ok((self.collected(&entries)?, right))
     }
 
@@ -231,6 +229,11 @@ impl SparseBody {
     /// # Errors
     /// [`Error::Count`] for vectors of other lengths than the unknowns and the load cases.
     pub fn field(&self, unknowns: &[f64], factors: &[f64]) -> Result<Field, Error> {
+        self.field_with(unknowns, factors, 1.0)
+    }
+
+    /// The same with the prescribed displacements times a factor: none in a natural mode.
+    pub(crate) fn field_with(&self, unknowns: &[f64], factors: &[f64], share: f64) -> Result<Field, Error> {
         let check = |what: &str, given: usize, expected: usize| match given == expected {
             true => Ok(()),
             false => Err(Error::Count { what: what.into(), given, expected }),
@@ -245,7 +248,7 @@ impl SparseBody {
             let mut u = unknowns[start..self.inner_start[cell + 1]].to_vec();
             for target in assembly.targets(cell, &self.space.boundary_modes(mesh, cell)) {
                 let (active, prescribed) = self.hang(&target);
-                u.push(active.iter().map(|(i, c)| c * unknowns[*i]).sum::<f64>() + prescribed);
+                u.push(active.iter().map(|(i, c)| c * unknowns[*i]).sum::<f64>() + share * prescribed);
             }
             (local, u)
         };

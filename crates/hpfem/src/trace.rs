@@ -164,15 +164,16 @@ impl Trace {
         }
     }
 
-    /// Whether all edges name kept unknowns that there are, for all their modes.
-    pub(crate) fn is_sound(&self) -> bool {
+    /// Whether all edges name kept unknowns that there are, for all their modes, and all points lie on the edges.
+    pub(crate) fn is_sound(&self, components: usize) -> bool {
         let edge = |e: &TraceEdge| {
             let modes = e.degree + 1;
             let named = e.unknowns.iter().flatten().flatten().all(|(u, _)| *u < self.unknowns);
             let components = e.unknowns.iter().all(|mode| mode.len() == self.components);
             named && components && e.unknowns.len() == modes && e.prescribed.len() == modes && e.fixed.iter().all(|f| f.0 < modes)
         };
-        self.components <= 2 && self.edges.iter().all(edge) && self.points.iter().all(|p| p.edge < self.edges.len())
+        let point = |p: &TracePoint| p.edge < self.edges.len() && p.parameter.abs() <= 1.0 && p.weight >= 0.0;
+        self.components == components && self.edges.iter().all(edge) && self.points.iter().all(point)
     }
 
     /// Total arc length, mm.

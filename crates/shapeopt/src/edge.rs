@@ -25,7 +25,7 @@ pub fn is_held_elastically(body: &InterfaceOperator) -> bool {
 /// K q = r + Psi^T f        Psi: the body's answer to unit motions of the edge, K: their stiffness, r: the resultants on the edge,
 /// ```
 ///
-/// with the rigid part of `q` left at zero. Where the moment balances the pressure alone, its row takes `by_pressure`, the
+/// with the rigid part of `q` left at zero, prescribed or not. Where the moment balances the pressure alone, its row takes `by_pressure`, the
 /// right-hand side without shear, instead of `right`.
 pub(crate) fn solve_edge(body: &InterfaceOperator, edge: &EdgeLoad, right: &[f64], by_pressure: &[f64]) -> Vec<f64> {
     let frame: Vec<(usize, usize)> = (0..3).filter_map(|k| body.frame[k].map(|unknown| (k, unknown))).collect();
@@ -33,33 +33,42 @@ pub(crate) fn solve_edge(body: &InterfaceOperator, edge: &EdgeLoad, right: &[f64
     let answers: Vec<Vec<f64>> = frame.iter().map(|(_, unknown)| unit_motion(body, &held, *unknown)).collect();
     let work = |a: &[f64], f: &[f64]| a.iter().zip(f).map(|(a, f)| a * f).sum::<f64>();
     let (q, modes) = (frame.len(), body.rigid_modes.ncols());
-    // The bordered system [K Z; Z^T 0], rows of prescribed motions being the values themselves.
+    // The bordered system [K Z; Z^T 0], rows of motions that are given being the values themselves.
     let mut matrix = Mat::<f64>::zeros(q + modes, q + modes);
     let mut loads = Mat::<f64>::zeros(q + modes, 1);
+    let stiffness = |i: usize, j: usize| (0..right.len()).map(|m| body.stiffness[(frame[i].1, m)] * answers[j][m]).sum::<f64>();
+    let rigid: Vec<bool> = frame.iter().map(|(_, u)| (0..modes).any(|m| body.rigid_modes[(*u, m)].abs() > 1e-9)).collect();
+    // Where the rigid modes are motions of the edge themselves, these are zero and need no balance.
+    let apart = rigid.iter().filter(|rigid| **rigid).count() == modes;
     for (i, (k, unknown)) in frame.iter().enumerate() {
-        let stiffness = |j: usize| (0..right.len()).map(|m| body.stiffness[(*unknown, m)] * answers[j][m]).sum::<f64>();
+        let own = stiffness(i, i).max(body.stiffness[(*unknown, *unknown)]);
+        let given = match edge.motions[*k] {
+            _ if rigid[i] && apart => Some(0.0),
+            Motion::Prescribed { value } if !rigid[i] => Some(value),
+            Motion::Prescribed { .. } | Motion::Free { .. } | Motion::Sprung { .. } => None,
+        };
+        if let Some(value) = given {
+            (matrix[(i, i)], loads[(i, 0)]) = (own, own * value);
+            continue;
+        }
         let guided = *k == 2 && edge.moment == MomentBalance::Pressure;
-        let contact = work(&answers[i], if guided { by_pressure } else { right });
-        let own = stiffness(i);
+        loads[(i, 0)] = work(&answers[i], if guided { by_pressure } else { right });
         match edge.motions[*k] {
-            Motion::Prescribed { value } => {
-                matrix[(i, i)] = own;
-                loads[(i, 0)] = own * value;
-                continue;
-            }
-            Motion::Free { resultant } => loads[(i, 0)] = contact + resultant,
+            Motion::Prescribed { .. } => {}
+            Motion::Free { resultant } => loads[(i, 0)] += resultant,
             Motion::Sprung { stiffness, rest } => {
                 matrix[(i, i)] += stiffness;
-                loads[(i, 0)] = contact + stiffness * rest;
+                loads[(i, 0)] += stiffness * rest;
             }
         }
-        (0..q).for_each(|j| matrix[(i, j)] += stiffness(j));
-        for m in 0..modes {
-            matrix[(i, q + m)] = own * body.rigid_modes[(*unknown, m)];
-        }
+        (0..q).for_each(|j| matrix[(i, j)] += stiffness(i, j));
+        (0..modes).for_each(|m| matrix[(i, q + m)] = own * body.rigid_modes[(*unknown, m)]);
     }
     for (j, (_, unknown)) in frame.iter().enumerate() {
-        (0..modes).for_each(|m| matrix[(q + m, j)] = body.rigid_modes[(*unknown, m)]);
+        (0..modes).for_each(|m| matrix[(q + m, j)] = if apart { 0.0 } else { body.rigid_modes[(*unknown, m)] });
+    }
+    if apart {
+        (0..modes).for_each(|m| matrix[(q + m, q + m)] = 1.0);
     }
     let motions = matrix.full_piv_lu().solve(&loads);
     let mut unknowns = solve_held(body, &held, right);

@@ -30,10 +30,17 @@ pub(crate) enum Role {
     SideForce,
 }
 
-/// Refuses supports under which the load cannot press body 1 on body 2, or would turn it.
-pub(crate) fn check(couple: &Couple, load: &Load) -> Result<(), Fault> {
+/// Refuses supports under which the load cannot press body 1 on body 2 or would turn it, under which friction drags it away (if it
+/// `drags`), and under which body 2 gives way.
+pub(crate) fn check(couple: &Couple, load: &Load, drags: bool) -> Result<(), Fault> {
     let body = &couple.bodies[0];
     let held = Held::of(body);
+    holds_against(couple)?;
+    if drags && !couple.is_revolved() && held.x.is_empty() && load.shear_force == 0.0 && held.may_turn(load) {
+        let message = "body 1 can slide along x and turn, and friction drags it along";
+        let remedy = "hold x on an edge, as in body1.support = { left = [\"x\"] }";
+        return Err(Fault::at("body1.support", "not-held", message, remedy));
+    }
     if !held.z.is_empty() {
         let message = "body 1 is held along z, so that the load cannot press it on body 2";
         return Err(Fault::at("body1.support", "held", message, "hold body 1 along x only"));
@@ -65,6 +72,34 @@ pub(crate) fn of_bodies(couple: &Couple, load: &Load, patch: &Patch) -> Vec<Free
         free.push(Freedom { role: Role::SideForce, mode: RigidMode { motion, resultant: load.shear_force } });
     }
     free
+}
+
+/// Refuses supports under which body 2 can move.
+fn holds_against(couple: &Couple) -> Result<(), Fault> {
+    let body = &couple.bodies[1];
+    let held = Held::of(body);
+    let apart = |places: &[f64]| {
+        let [least, most] = [places.iter().copied().fold(f64::MAX, f64::min), places.iter().copied().fold(f64::MIN, f64::max)];
+        most - least > 1e-9 * least.abs().max(most.abs())
+    };
+    let mut free = Vec::new();
+    if couple.is_revolved() {
+        free.extend(held.z.is_empty().then_some("slide along z"));
+    } else {
+        free.extend(held.x.is_empty().then_some("slide along x"));
+        free.extend(held.z.is_empty().then_some("slide along z"));
+        // Two supports along different lines hold it: x at two heights, z at two places, or both together anywhere.
+        let turns = !apart(&held.x) && !apart(&held.z);
+        free.extend(turns.then_some("turn"));
+    }
+    if free.is_empty() {
+        return Ok(());
+    }
+    let message = format!("body 2 can {}, so that nothing carries the load", free.join(" and "));
+    let components = if couple.is_revolved() { "[\"z\"]" } else { "[\"x\", \"z\"]" };
+    let remedy =
+        format!("hold an edge of it that does not touch body 1, as in {}.support = {{ bottom = {components} }}", body.key);
+    Err(Fault::at(format!("{}.support", body.key), "not-held", message, remedy))
 }
 
 fn surface_height(patch: &Patch) -> f64 {

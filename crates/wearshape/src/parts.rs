@@ -117,6 +117,13 @@ fn held_edges(body: &meshing::Body, rigid: Option<&LoadedEdge>, kinematics: Kine
 fn rigid_edge(body: &meshing::Body, load: &LoadedEdge, mesh: &Mesh, kinematics: Kinematics) -> RigidEdge {
     let held = body.supports.get(&load.edge);
     let holds = |component| held.is_some_and(|components| components.contains(&component));
+    // A support along x that ends at the edge, level with it, holds the edge along x.
+    let vertices = |name: &str| -> Vec<usize> {
+        mesh.boundary(name).unwrap_or_default().into_iter().flat_map(|e| mesh.edges[e].vertices).collect()
+    };
+    let own = vertices(LOAD);
+    let meets = |edge: &str| vertices(edge).iter().any(|v| own.contains(v));
+    let along_x = body.supports.iter().any(|(edge, components)| components.contains(&Component::X) && meets(edge));
     let about = load.about;
     let height = mesh.boundary(LOAD).ok().and_then(|edges| edges.first().map(|e| mesh.edges[*e].curve.point(0.0)[1]));
     let revolved = kinematics.is_revolved();
@@ -124,7 +131,7 @@ fn rigid_edge(body: &meshing::Body, load: &LoadedEdge, mesh: &Mesh, kinematics: 
         boundary: LOAD.into(),
         reference: [about[0], height.unwrap_or(about[1])],
         // A rotation prescribed as zero is held; another one is a motion.
-        free: [!holds(Component::X) && !revolved, !holds(Component::Z), !revolved && !load.level],
+        free: [!along_x && !revolved, !holds(Component::Z), !revolved && !load.level],
     }
 }
 

@@ -13,7 +13,7 @@ mod unused;
 mod wear_rule;
 
 use meshing::{Couple, Files};
-use scene::{Document, Fault, Gap, Scene};
+use scene::{Document, Fault, Gap, Scene, Task};
 
 use crate::freedom;
 use crate::plan::Plan;
@@ -48,7 +48,7 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     let edge = scene.load.as_ref().and_then(load::edge);
     let couple = bodies.zip(edge).map(|((kinematics, bodies), load)| Couple { kinematics, bodies, load });
     if let Some(couple) = couple.as_ref().filter(|_| patch.is_some()) {
-        freedom::check(couple, &load)?;
+        freedom::check(couple, &load, drags(&scene, &tasks))?;
     }
     let unused_keys = unused::keys(document, &scene, &tasks);
     let mut problem = Problem {
@@ -74,6 +74,12 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     problem.freedoms = problem.own_freedoms();
     problem.remarks = remarks::remarks(&problem, &tasks);
     Ok(problem)
+}
+
+/// Whether steady friction drags body 1 along in what is to be computed.
+fn drags(scene: &Scene, tasks: &[Task]) -> bool {
+    let Friction { coefficient, on_bodies } = friction(scene);
+    coefficient > 0.0 && on_bodies && tasks.iter().any(|task| *task != Task::Contact)
 }
 
 fn friction(scene: &Scene) -> Friction {

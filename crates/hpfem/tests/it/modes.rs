@@ -109,3 +109,51 @@ fn what_cannot_be_is_refused() {
     assert!(matches!(sparse.modes(&[1.0], 0), Err(Error::OutOfRange { .. })));
     assert!(matches!(sparse.element(9), Err(Error::Count { .. })));
 }
+
+#[test]
+fn as_many_modes_come_as_are_asked_for() {
+    let steel = Material::isotropic(210e3, 0.3).unwrap();
+    // On a foundation ten orders softer than steel, three modes are nearly rigid.
+    let soft = BodyProblem::new(rectangle([0.0, 100.0], [0.0, 50.0]).refined().unwrap(), 7, PLANE_STRESS).material(steel);
+    let soft = SparseBody::new(soft.foundation(Foundation::new("bottom", 1e-3, 1e-3))).unwrap();
+    assert!(soft.unknowns() > 200);
+    let (few, many) = (soft.modes(&[7.85e-9], 6).unwrap(), soft.modes(&[7.85e-9], 20).unwrap());
+    assert_eq!((few.len(), many.len()), (6, 20));
+    for (a, b) in few.iter().zip(&many).skip(3) {
+        assert!((a.eigenvalue / b.eigenvalue - 1.0).abs() < 1e-9, "{} {}", a.eigenvalue, b.eigenvalue);
+    }
+    // Nearly rigid: the three lowest are those of a block on springs, k_t L / m along x.
+    let slide = 1e-3 * 100.0 * 0.7 / (7.85e-9 * 100.0 * 50.0 * 0.7);
+    assert!(few[..3].iter().any(|mode| (mode.eigenvalue / slide - 1.0).abs() < 0.5), "{slide}");
+    assert!(few[2].eigenvalue < 1e-3 * few[3].eigenvalue);
+    // All modes of a small body, held or free; in two parts; with a moved support, whose displacement is no part of a mode.
+    let small = BodyProblem::new(rectangle([0.0, 2.0], [0.0, 1.0]), 3, PLANE_STRESS).material(steel);
+    for problem in [small.clone(), small.clone().support(Support::moved("left", Direction::First, 0.5))] {
+        let sparse = SparseBody::new(problem).unwrap();
+        let modes = sparse.modes(&[7.85e-9], sparse.unknowns()).unwrap();
+        assert_eq!(modes.len(), sparse.unknowns());
+        assert!(modes.windows(2).all(|m| m[0].eigenvalue <= m[1].eigenvalue));
+    }
+    let moved = SparseBody::new(small.support(Support::moved("left", Direction::First, 0.5))).unwrap();
+    let mode = &moved.modes(&[7.85e-9], 3).unwrap()[2];
+    assert!(mode.field.at(0, -1.0, 0.3).unwrap().displacement[0].abs() < 1e-12);
+}
+
+#[test]
+fn two_parts_ring_each_for_itself() {
+    let square = |x: f64| vec![[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]];
+    let vertices: Vec<[f64; 2]> = [square(0.0), square(2.2)].concat();
+    let cell = |k: usize| Quad { corners: [k, k + 1, k + 2, k + 3], material: 0, layer: 0 };
+    let both = Mesh::new(vertices, &[cell(0), cell(4)], &[], &[]).unwrap();
+    let one = Mesh::new(square(0.0), &[cell(0)], &[], &[]).unwrap();
+    let modes = |mesh: Mesh, count| {
+        let problem = BodyProblem::new(mesh, 8, PLANE_STRAIN).material(Material::isotropic(2.0, 0.3).unwrap());
+        SparseBody::new(problem).unwrap().modes(&[1.5], count).unwrap()
+    };
+    let (single, double) = (modes(one, 8), modes(both, 16));
+    for k in 3..8 {
+        for mode in &double[2 * k..2 * k + 2] {
+            assert!((mode.eigenvalue / single[k].eigenvalue - 1.0).abs() < 1e-8, "{k}");
+        }
+    }
+}

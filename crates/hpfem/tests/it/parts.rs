@@ -40,7 +40,7 @@ fn parts_that_do_not_fit_are_refused() {
     assert!(matches!(InterfaceOperator::from_parts(none), Err(Error::Count { .. })));
     let mut beyond = parts();
     beyond.frame[0] = Some(1000);
-    assert!(matches!(InterfaceOperator::from_parts(beyond), Err(Error::Count { .. })));
+    assert!(matches!(InterfaceOperator::from_parts(beyond), Err(Error::Inconsistent { .. })));
 }
 
 #[test]

@@ -135,3 +135,122 @@ fn sequences_of_different_lengths_have_no_estimate() {
     let ever_more = |_: &Mesh, degrees: &[usize]| Ok(vec![1.0; degrees[0]]);
     assert!(matches!(adapt(&mesh, &[], 1e-3, 8, ever_more), Err(Error::Count { .. })));
 }
+
+/// A sheet turned by 0.3 far from the origin, `n` cells a side.
+fn turned_sheet(n: usize, far: f64) -> Mesh {
+    let (s, c) = 0.3_f64.sin_cos();
+    let at = |i: usize, j: usize| {
+        let (u, v) = (2.0 * i as f64 / n as f64, j as f64 / n as f64);
+        [far + c * u - s * v, 0.7 * far + s * u + c * v]
+    };
+    let k = |i: usize, j: usize| j * (n + 1) + i;
+    let vertices = (0..=n).flat_map(|j| (0..=n).map(move |i| at(i, j))).collect();
+    let cell =
+        |(i, j): (usize, usize)| Quad { corners: [k(i, j), k(i + 1, j), k(i + 1, j + 1), k(i, j + 1)], material: 0, layer: 0 };
+    let cells: Vec<Quad> = (0..n).flat_map(|j| (0..n).map(move |i| (i, j))).map(cell).collect();
+    let names: Vec<([usize; 2], &str)> = (0..n)
+        .flat_map(|i| [([k(i, 0), k(i + 1, 0)], "bottom"), ([k(0, i), k(0, i + 1)], "left"), ([k(n, i), k(n, i + 1)], "right")])
+        .collect();
+    Mesh::new(vertices, &cells, &[], &names).unwrap()
+}
+
+#[test]
+fn rollers_in_one_line_slide_wherever_they_lie() {
+    let (s, c) = 0.3_f64.sin_cos();
+    for far in [0.0, 1e3, 1e4] {
+        let problem = BodyProblem::new(turned_sheet(12, far), 2, PLANE_STRESS).material(Material::isotropic(100.0, 0.3).unwrap());
+        let body = problem.roller("left").roller("bottom").load("pull", EdgeTraction::new("right", move |_| [c, s]));
+        let body = Body::new(body).unwrap();
+        let field = body.field(&body.solve(&[("pull", 1.0)]).unwrap()).unwrap();
+        let u = field.at(11, 1.0, -1.0).unwrap().displacement;
+        assert!(((u[0] * c + u[1] * s) / 0.02 - 1.0).abs() < 1e-7, "{far}: {u:?}");
+    }
+}
+
+#[test]
+fn a_displacement_along_the_normal_points_out_of_the_body() {
+    let mesh = rectangle([0.0, 2.0], [0.0, 1.0]);
+    let out = [("left", [-1.0, 0.0]), ("right", [1.0, 0.0]), ("bottom", [0.0, -1.0]), ("top", [0.0, 1.0])];
+    for (name, n) in out {
+        let moved = Support::moved(name, Direction::Normal, 1e-3);
+        let problem = BodyProblem::new(mesh.clone(), 2, PLANE_STRESS).material(Material::isotropic(100.0, 0.3).unwrap());
+        let opposite = match name {
+            "left" => "right",
+            "right" => "left",
+            "top" => "bottom",
+            _ => "top",
+        };
+        let body = Body::new(problem.clamp(opposite).support(moved)).unwrap();
+        let field = body.field(&body.solve(&[]).unwrap()).unwrap();
+        let u = field.at(0, n[0], n[1]).unwrap().displacement;
+        assert!((u[0] * n[0] + u[1] * n[1] - 1e-3).abs() < 1e-15, "{name}: {u:?}");
+    }
+}
+
+#[test]
+fn what_the_kinematics_has_no_meaning_for_is_refused() {
+    let mesh = rectangle([1.0, 2.0], [0.0, 1.0]);
+    let material = Material::isotropic(100.0, 0.3).unwrap().conducting([[1.0, 0.0], [0.0, 1.0]]).unwrap();
+    let problem = |kinematics| BodyProblem::new(mesh.clone(), 2, kinematics).material(material);
+    let meaningless = |problem: BodyProblem| matches!(Body::new(problem), Err(Error::NoMeaning { .. }));
+    let rigid = |free| Some(RigidEdge { boundary: "top".into(), reference: [1.5, 1.0], free });
+    for kinematics in [Kinematics::Torsion, Kinematics::Potential { thickness: 1.0 }, Kinematics::AxisymmetricPotential] {
+        assert!(meaningless(problem(kinematics).clamp("left").hold("right", Direction::Second)));
+        assert!(meaningless(problem(kinematics).clamp("left").roller("right")));
+        assert!(meaningless(BodyProblem { rigid_edge: rigid([true, false, false]), ..problem(kinematics).clamp("bottom") }));
+        assert!(meaningless(problem(kinematics).clamp("left").load("hot", Eigenstrain::thermal(&[1e-5], |_| 100.0))));
+        assert!(meaningless(problem(kinematics).clamp("left").load("press", EdgeTraction::pressure("right", |_| 1.0))));
+    }
+    assert!(meaningless(BodyProblem {
+        rigid_edge: rigid([false, true, true]),
+        ..problem(Kinematics::Axisymmetric).roller("bottom")
+    }));
+}
+
+#[test]
+fn supports_against_a_free_motion_of_the_rigid_edge_are_refused() {
+    let rigid = |free| Some(RigidEdge { boundary: "right".into(), reference: [2.0, 0.0], free });
+    let problem = |free| {
+        let problem = BodyProblem::new(rectangle([0.0, 2.0], [0.0, 1.0]), 2, PLANE_STRESS);
+        BodyProblem { rigid_edge: rigid(free), ..problem.material(Material::isotropic(100.0, 0.3).unwrap()) }
+    };
+    let tied = |problem: BodyProblem| matches!(Body::new(problem), Err(Error::TiedAndHeld { .. }));
+    assert!(tied(problem([true; 3]).clamp("bottom")));
+    assert!(tied(problem([true, false, false]).clamp("bottom")));
+    assert!(tied(problem([false; 3]).support(Support::moved("bottom", Direction::Second, 0.1)).hold("bottom", Direction::First)));
+    assert!(tied(BodyProblem { pins: vec![Pin { vertex: 2, direction: Direction::First }], ..problem([true; 3]) }));
+    assert!(Body::new(problem([true, false, false]).hold("bottom", Direction::Second).hold("left", Direction::First)).is_ok());
+}
+
+#[test]
+fn numbers_that_are_not_finite_are_refused_wherever_they_come_in() {
+    let problem = BodyProblem::new(rectangle([0.0, 2.0], [0.0, 1.0]), 2, PLANE_STRESS);
+    let problem = problem
+        .material(Material::isotropic(100.0, 0.3).unwrap())
+        .clamp("left")
+        .load("pull", EdgeTraction::new("right", |p| p.outward));
+    let mut body = Body::new(problem.clone()).unwrap();
+    let loads: [Load; 3] = [
+        BodyForce::new(|_| [f64::NAN, 0.0]).into(),
+        EdgeTraction::new("left", |_| [f64::INFINITY, 0.0]).into(),
+        Eigenstrain::new(|_| [f64::NAN; 4]).into(),
+    ];
+    for load in loads {
+        let case = LoadCase::new("bad").with(load.clone());
+        assert!(matches!(body.add_load(case), Err(Error::OutOfRange { .. })));
+        assert!(Body::new(problem.clone().load("bad", load)).is_err());
+    }
+    assert!(body.solve(&[("pull", 1.0)]).is_ok());
+    assert!(matches!(body.solve(&[("pull", f64::NAN)]), Err(Error::OutOfRange { .. })));
+    let other = Body::new(problem.keep("top")).unwrap();
+    assert!(matches!(body.field(&other.solve(&[("pull", 1.0)]).unwrap()), Err(Error::Count { .. })));
+}
+
+#[test]
+fn supports_that_agree_but_for_round_off_are_taken() {
+    let problem = BodyProblem::new(rectangle([0.0, 1.0], [0.0, 1.0]), 3, PLANE_STRESS);
+    let problem = problem.material(Material::isotropic(100.0, 0.3).unwrap()).hold("right", Direction::First);
+    let bent = Support::moved("bottom", Direction::First, 0.0).varying(|x| 1e-3 * (std::f64::consts::PI * x[0]).sin());
+    assert!(Body::new(problem.support(bent).hold("bottom", Direction::Second)).is_ok());
+    assert!(Material::conductor(1e-200).is_ok());
+}

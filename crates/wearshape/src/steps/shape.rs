@@ -204,7 +204,9 @@ const INDEPENDENT: [f64; 2] = [3e-2, 2e3];
 /// The end of a shape whose proof fails: on the same operators, or on independent ones beyond what the error of the gap allows.
 fn disproved([same, independent]: [f64; 2], gap: Option<f64>) -> Option<(Status, String)> {
     let allowed = INDEPENDENT[0].max(INDEPENDENT[1] * gap.unwrap_or(0.0));
-    let (miss, on) = match (same > SAME, independent > allowed) {
+    // A miss that is no number is one too.
+    let within = |miss: f64, limit: f64| miss <= limit;
+    let (miss, on) = match (!within(same, SAME), !within(independent, allowed)) {
         (true, _) => (same, "on the very bodies it was found on"),
         (_, true) => (independent, "on independent meshes"),
         _ => return None,
@@ -222,4 +224,26 @@ fn samples(pair: &Pair<'_>) -> Vec<f64> {
 
 fn states(shape: &Shape) -> [Option<&InterfaceState>; 2] {
     [Some(&shape.shaped), shape.counter.as_ref()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_proof_that_misses_ends_as_such() {
+        assert_eq!(disproved([1e-9, 1e-4], Some(1e-7)), None);
+        let says = |misses: [f64; 2], words: &str| {
+            let end = disproved(misses, Some(1e-7));
+            assert!(
+                end.as_ref().is_some_and(|(status, why)| *status == Status::AccuracyMissed && why.contains(words)),
+                "{end:?}"
+            );
+        };
+        says([1e-3, 1e-3], "within 0.001 on the very bodies");
+        says([1e-9, 6.6e-2], "on independent meshes");
+        // A rough answer was asked for.
+        assert_eq!(disproved([1e-9, 6.6e-2], Some(1e-3)), None);
+        assert!(disproved([f64::NAN, 1e-4], Some(1e-7)).is_some());
+    }
 }

@@ -6,6 +6,7 @@ mod common;
 mod effort;
 mod examples;
 mod files;
+mod guided;
 mod load;
 mod own_rule;
 mod plain;

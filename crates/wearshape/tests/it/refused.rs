@@ -28,3 +28,26 @@ fn a_load_without_an_answer_is_a_solution_with_a_reason() {
         assert!(solution.shape.is_none() && solution.wear.is_none(), "{settings:?}");
     }
 }
+
+#[test]
+fn bodies_that_nothing_holds_are_refused_by_their_free_motions() {
+    let fault = |name: &str, settings: &[&str]| {
+        let settings: Vec<String> = settings.iter().map(|s| s.to_string()).collect();
+        let document = wearshape::Document::read(name, wearshape::builtin(name).unwrap().text, &settings).unwrap();
+        wearshape::Problem::new(&document, &|_| Err("no file".into())).unwrap_err()
+    };
+    let first = fault("drum-brake-block", &["body1.support={ }"]);
+    assert_eq!((first.code, first.key.as_deref()), ("not-held", Some("body1.support")));
+    assert!(first.message.contains("slide along x and turn"), "{}", first.message);
+    for (support, motions) in [
+        ("{ }", "slide along x and slide along z and turn"),
+        ("{ inner = [\"x\"] }", "slide along z"),
+        ("{ inner = [\"z\"] }", "slide along x"),
+    ] {
+        let second = fault("drum-brake-block", &[&format!("body2.support={support}")]);
+        assert_eq!((second.code, second.key.as_deref()), ("not-held", Some("body2.support")));
+        assert!(second.message.contains(&format!("body 2 can {motions},")), "{}", second.message);
+    }
+    let turned = fault("annular-punch", &["body2.support={ }"]);
+    assert!(turned.message.contains("body 2 can slide along z,"), "{}", turned.message);
+}
