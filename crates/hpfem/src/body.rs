@@ -28,7 +28,7 @@ pub struct Body {
     /// The problem, with the load cases added later.
     pub(crate) problem: BodyProblem,
     pub(crate) factored: Arc<Factored>,
-    /// The load cases added after the factorisation, which follow those of the first hour.
+    /// The load cases added after the factorisation, which follow those it was made with.
     pub(crate) added: Vec<Arc<Forward>>,
 }
 
