@@ -6,6 +6,9 @@
 //!
 //! Every case is a process of its own, one thread, CPU seconds and peak memory by the system's account (Linux).
 
+mod common;
+
+use common::square;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::sparse::linalg::SupernodalThreshold;
 use faer::sparse::linalg::cholesky::{CholeskySymbolicParams, SymmetricOrdering, factorize_symbolic_cholesky};
@@ -101,7 +104,7 @@ fn peak() -> Outcome<f64> {
 
 /// Runs a case, small ones often enough for the clock.
 fn run(faer: bool, n: usize, p: usize) -> Outcome<Row> {
-    let mesh = Arc::new(square(n));
+    let mesh = Arc::new(square(n)?);
     let start = cpu()?;
     let mut runs = 0.0;
     let mut result = [0.0; 2];
@@ -163,20 +166,6 @@ fn skeleton(n: usize, p: usize) -> Outcome<[f64; 2]> {
         .map_err(|e| format!("{e:?}"))?;
     let interior = 2 * n * n * (p - 1) * (p - 1);
     Ok([(size + interior) as f64, 8.0 * symbolic.len_val() as f64])
-}
-
-/// A square of cells that all differ.
-fn square(n: usize) -> Mesh {
-    let cuts = |sign: f64| -> Vec<f64> {
-        (0..=n).map(|i| i as f64 / n as f64).map(|t| t + sign * 0.17 * t * (1.0 - t) * (1.0 + 0.3 * t)).collect()
-    };
-    let breaks: Vec<f64> = cuts(1.0).iter().map(|t| 2.0 * t - 1.0).collect();
-    let line = |z| Curve::Line { start: [-1.0, z], end: [1.0 + 0.034 * z, z] };
-    let names = [Named { side: Side::Top, range: None, name: "top" }, Named { side: Side::Bottom, range: None, name: "bottom" }];
-    let levels = cuts(-1.0);
-    let (bottom, top) = (line(-1.0), line(1.0));
-    Mesh::ruled(&Ruled { bottom, top, breaks: &breaks, levels: &levels, closed: false, material: 0, names: &names })
-        .expect("the region is not folded")
 }
 
 /// Two log-log plots, seconds and bytes over unknowns: this crate in full lines, faer in broken ones, by degree.

@@ -64,7 +64,7 @@ pub(crate) fn path(mesh: &Mesh, name: &str) -> Result<Vec<(usize, bool)>, Error>
 }
 
 /// Whether a cell lies on the left of its local edge, walked in the edge's own direction.
-fn has_cell_on_left(mesh: &Mesh, (cell, local): (usize, usize)) -> bool {
+pub(crate) fn has_cell_on_left(mesh: &Mesh, (cell, local): (usize, usize)) -> bool {
     // Local edges 0 and 1 run anti-clockwise.
     (local < 2) != mesh.cells[cell].against[local]
 }

@@ -29,11 +29,6 @@ pub(crate) fn check(problem: &BodyProblem) -> Result<(), Error> {
             return out(format!("the radius of vertex {i}"), x[0], "zero or positive");
         }
     }
-    for support in &problem.supports {
-        if !support.value.is_finite() {
-            return out(format!("the displacement of support \"{}\"", support.boundary), support.value, "finite");
-        }
-    }
     check_components(problem)?;
     check_pins_and_foundations(problem)?;
     for (number, case) in problem.load_cases.iter().enumerate() {

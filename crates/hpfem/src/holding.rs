@@ -1,6 +1,6 @@
 //! What rigid edge, supports, pins and the axis of revolution take of the freedom of vertices and edges.
 
-use crate::boundary::edge_modes;
+use crate::boundary::{edge_modes, has_cell_on_left};
 use crate::error::Error;
 use crate::freedom::{AXIS, Direction, FREE, Freedom, Pin, RigidEdge, Support, rigid_rows};
 use crate::mesh::Mesh;
@@ -35,10 +35,10 @@ impl Holding {
                 holding.hold(mesh, e, edge_degree[e], &given)?;
             }
         }
-        holding.pin(&problem.pins, problem.supports.len())?;
+        holding.pin(&problem.pins, problem.supports.len(), scale)?;
         // A potential need not vanish on the axis.
         if problem.kinematics.has_hoop_strain() {
-            holding.hold_axis(mesh)?;
+            holding.hold_axis(mesh, scale)?;
         }
         Ok(holding)
     }
@@ -94,7 +94,7 @@ impl Holding {
     }
 
     /// Holds pinned vertices; their reactions follow those of the supports.
-    fn pin(&mut self, pins: &[Pin], supports: usize) -> Result<(), Error> {
+    fn pin(&mut self, pins: &[Pin], supports: usize, scale: f64) -> Result<(), Error> {
         for (number, pin) in pins.iter().enumerate() {
             let d = if pin.direction == Direction::Second { [0.0, 1.0] } else { [1.0, 0.0] };
             if self.freedom[pin.vertex].slaved {
@@ -103,13 +103,13 @@ impl Holding {
             let boundary = "a pin".to_string();
             let place = format!("vertex {}", pin.vertex);
             let twice = |known| Error::HeldTwice { boundary, place, value: 0.0, known };
-            self.freedom[pin.vertex].fix(d, supports + number, 0.0, 0.0).map_err(twice)?;
+            self.freedom[pin.vertex].fix(d, supports + number, 0.0, scale).map_err(twice)?;
         }
         Ok(())
     }
 
     /// Holds what lies on the axis of revolution.
-    fn hold_axis(&mut self, mesh: &Mesh) -> Result<(), Error> {
+    fn hold_axis(&mut self, mesh: &Mesh, scale: f64) -> Result<(), Error> {
         let on_axis = axis_vertices(mesh);
         let vertices = mesh.vertices.len();
         for v in (0..vertices).filter(|v| on_axis[*v]) {
@@ -117,7 +117,7 @@ impl Holding {
                 let boundary = "the axis of revolution".to_string();
                 Error::HeldTwice { boundary, place: format!("vertex {v}"), value: 0.0, known }
             };
-            self.freedom[v].fix([1.0, 0.0], AXIS, 0.0, 0.0).map_err(twice)?;
+            self.freedom[v].fix([1.0, 0.0], AXIS, 0.0, scale).map_err(twice)?;
         }
         for (e, edge) in mesh.edges.iter().enumerate() {
             if edge.vertices.iter().all(|v| on_axis[*v]) && edge.curve.is_straight() {
@@ -191,9 +191,8 @@ fn directions(mesh: &Mesh, support: &Support) -> Result<Vec<(usize, [f64; 2])>, 
         }
         let [p, q] = mesh.edges[e].vertices.map(|v| mesh.vertices[v]);
         let length = (q[0] - p[0]).hypot(q[1] - p[1]);
-        let (cell, local) = cells[e][0];
         // Out of the body: on the right of an edge that has its cell on the left.
-        let side = if (local < 2) != mesh.cells[cell].against[local] { 1.0 } else { -1.0 };
+        let side = if has_cell_on_left(mesh, cells[e][0]) { 1.0 } else { -1.0 };
         normals.push((e, length, [side * (q[1] - p[1]) / length, -side * (q[0] - p[0]) / length]));
     }
     let mut longest: Vec<(f64, [f64; 2])> = normals.iter().map(|(_, length, n)| (*length, *n)).collect();

@@ -1,6 +1,6 @@
 //! The kept boundary as one path of edges: points, weights and the trace of the displacement.
 
-use crate::boundary::{BoundaryPoint, boundary_point};
+use crate::boundary::{BoundaryPoint, boundary_point, has_cell_on_left};
 use crate::curve::Curve;
 use crate::freedom::rigid_rows;
 use crate::kept::Kept;
@@ -118,10 +118,7 @@ impl Trace {
         };
         let mut arc = 0.0;
         for (edge, against) in walk {
-            let (cell, local) = neighbours[*edge][0];
-            // Local edges 0 and 1 run anti-clockwise, with the cell on their left.
-            let cell_left_of_own = (local < 2) != mesh.cells[cell].against[local];
-            let body_right = cell_left_of_own == *against;
+            let body_right = has_cell_on_left(mesh, neighbours[*edge][0]) == *against;
             let edge = TraceEdge { body_right, start: arc, ..TraceEdge::new(mesh, space, kept, (*edge, *against)) };
             arc += edge.curve.length();
             trace.edges.push(edge);

@@ -253,4 +253,14 @@ fn supports_that_agree_but_for_round_off_are_taken() {
     let bent = Support::moved("bottom", Direction::First, 0.0).varying(|x| 1e-3 * (std::f64::consts::PI * x[0]).sin());
     assert!(Body::new(problem.support(bent).hold("bottom", Direction::Second)).is_ok());
     assert!(Material::conductor(1e-200).is_ok());
+    // Round-off of a displacement at a pin and on the axis of revolution.
+    let sine = |x: [f64; 2]| 1e-3 * (std::f64::consts::PI * (x[0] + 1.0)).sin();
+    let bent = |mesh: Mesh, kinematics| {
+        let problem = BodyProblem::new(mesh, 3, kinematics).material(Material::isotropic(100.0, 0.3).unwrap());
+        problem.support(Support::moved("bottom", Direction::First, 0.0).varying(sine)).hold("bottom", Direction::Second)
+    };
+    let pins = vec![Pin { vertex: 1, direction: Direction::First }];
+    let square = || rectangle([0.0, 1.0], [0.0, 1.0]);
+    assert!(Body::new(BodyProblem { pins, ..bent(square(), PLANE_STRESS) }).is_ok());
+    assert!(Body::new(bent(square(), Kinematics::Axisymmetric)).is_ok());
 }

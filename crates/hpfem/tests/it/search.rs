@@ -2,7 +2,6 @@
 
 use crate::common::*;
 use hpfem::*;
-use std::f64::consts::PI;
 
 /// Uniform numbers in [0, 1).
 fn random() -> impl FnMut() -> f64 {
@@ -94,57 +93,4 @@ fn points_next_to_a_vertex_are_found_in_deep_layers() {
         let (cell, ..) = search.locate([x[0] + 0.6 * r, x[1] + 0.3 * r]).unwrap();
         assert!(mesh.cells[cell].layer + 1 >= depth as usize, "{depth}: {}", mesh.cells[cell].layer);
     }
-}
-
-/// 10,000 cells of a half ring.
-fn ring() -> Mesh {
-    let arc = |radius| Curve::Arc { centre: [0.0; 2], radius, from: PI, to: 0.0 };
-    let breaks: Vec<f64> = (0..=200).map(|i| f64::from(i) / 100.0 - 1.0).collect();
-    let levels: Vec<f64> = (0..=50).map(|i| f64::from(i) / 50.0).collect();
-    let (bottom, top) = (arc(1.0), arc(2.0));
-    Mesh::ruled(&Ruled { bottom, top, breaks: &breaks, levels: &levels, closed: false, material: 0, names: &[] }).unwrap()
-}
-
-#[test]
-#[ignore = "prints times"]
-fn seconds_of_the_search() {
-    let start = std::time::Instant::now();
-    let mesh = ring();
-    let made = start.elapsed();
-    let seconds = |what: &str, mesh: &Mesh| {
-        let start = std::time::Instant::now();
-        let search = PointSearch::new(mesh);
-        let built = start.elapsed();
-        let mut random = random();
-        let points: Vec<[f64; 2]> = (0..100_000)
-            .map(|_| {
-                let (r, a) = (1.0 + random(), PI * random());
-                [r * a.cos(), r * a.sin()]
-            })
-            .collect();
-        let start = std::time::Instant::now();
-        let found = points.iter().filter(|x| search.locate(**x).is_ok()).count();
-        let time = start.elapsed().as_secs_f64() / points.len() as f64;
-        println!(
-            "{what}: {} cells, search built in {built:?}, {found} points found, {:.2} us each",
-            mesh.cells.len(),
-            1e6 * time
-        );
-    };
-    println!("mesh made in {made:?}");
-    seconds("arcs", &mesh);
-    seconds("polynomials", &mesh.mapped(|[x, z]| [x, z + 0.01 * (3.0 * x).sin()]).unwrap());
-    let corners: Vec<Quad> = mesh.cells.iter().map(|c| Quad { corners: c.corners, material: 0, layer: 0 }).collect();
-    let start = std::time::Instant::now();
-    let straight = Mesh::new(mesh.vertices.clone(), &corners, &[], &[]).unwrap();
-    println!("straight mesh made in {:?}", start.elapsed());
-    seconds("straight", &straight);
-    let start = std::time::Instant::now();
-    let fine = straight.refined().unwrap().refined().unwrap();
-    println!("{} cells refined in {:?}", fine.cells.len(), start.elapsed());
-    let corners: Vec<Quad> = fine.cells.iter().map(|c| Quad { corners: c.corners, material: 0, layer: 0 }).collect();
-    let vertices = fine.vertices.clone();
-    let start = std::time::Instant::now();
-    let fine = Mesh::new(vertices, &corners, &[], &[]).unwrap();
-    println!("{} straight cells made in {:?}", fine.cells.len(), start.elapsed());
 }
