@@ -46,6 +46,7 @@ mod steady;
 mod sums;
 mod surface;
 mod tracks;
+mod turn;
 
 /// Vectors of surfaces and motions.
 pub use nalgebra;

@@ -6,10 +6,13 @@ use crate::pressure_law::{ModeValues, Node};
 use crate::singular;
 use crate::stage::Stage;
 use crate::sums::sums;
+use crate::turn;
 use crate::{Modes, WearError};
 
 const ITERATIONS: usize = 100;
 const TOLERANCE: f64 = 1e-14;
+/// Iterations after which it is worth asking whether the load can be carried at all.
+const DOUBT: usize = 4;
 
 /// Newton on the reduced residuals with the convex dual (associated modes) or the residual itself as merit.
 pub(crate) fn newton(stage: &mut Stage<'_>, nodes: &mut Vec<Node>, k: f64) -> Result<(usize, f64), WearError> {
@@ -29,6 +32,9 @@ pub(crate) fn newton(stage: &mut Stage<'_>, nodes: &mut Vec<Node>, k: f64) -> Re
         }
         if here.size <= TOLERANCE {
             return Ok((iteration, here.size));
+        }
+        if iteration == DOUBT && last > 1e-6 && !singular::carries(stage) {
+            return Err(not_carried(stage));
         }
         let Some(step) = here.jacobian.clone().lu().solve(&(-&here.residual)) else {
             break;
@@ -87,10 +93,19 @@ impl Search<'_> {
     }
 }
 
+/// No pressure at all carries the load.
+fn not_carried(stage: &Stage<'_>) -> WearError {
+    stage.infeasible(if turn::bends(stage) {
+        "the friction carries the load: self-locking"
+    } else {
+        "the moment is at or beyond the edge of the surface"
+    })
+}
+
 /// Why the iteration has ended away from a solution.
 fn failure(stage: &Stage<'_>, nodes: &[Node], k: f64, residual: f64) -> WearError {
     if !singular::carries(stage) {
-        return stage.infeasible("the moment is at or beyond the edge of the surface");
+        return not_carried(stage);
     }
     if stage.may_lack_function(k) && stage.closeness(nodes) < 1e-3 {
         return stage.infeasible("with s < 1 no stationary pressure carries this moment (its limit has a force on the edge)");
@@ -160,13 +175,13 @@ impl Stage<'_> {
 
     /// True where f^k stays integrable as f -> 0 at the border, so that moments exist which no function carries: k > -1 on a line,
     /// k > -2 at the corner of an area.
-    fn may_lack_function(&self, k: f64) -> bool {
+    pub(crate) fn may_lack_function(&self, k: f64) -> bool {
         let limit = if self.problem.surface.outer_range().is_some() { -2.0 } else { -1.0 };
         k < 0.0 && k > limit
     }
 
     /// Smallest over largest f.
-    fn closeness(&self, nodes: &[Node]) -> f64 {
+    pub(crate) fn closeness(&self, nodes: &[Node]) -> f64 {
         let (mut low, mut high) = (f64::INFINITY, 0.0_f64);
         for node in nodes {
             (low, high) = (low.min(node.f), high.max(node.f));

@@ -29,7 +29,7 @@ pub(crate) struct Node {
     pub(crate) parameter: [f64; 2],
 }
 
-/// A pressure as a function of position: f = phi_p + sum_j y_j (phi_j - ratio_j phi_p) with modes divided by their scales, so that
+/// A pressure as a function of position: f = side phi_p + sum_j y_j (phi_j - ratio_j phi_p) with modes divided by their scales, so that
 /// lambda . F stays fixed whatever y, and log p = log_scale + log h(f, v).
 #[derive(Clone, Debug)]
 pub(crate) struct PressureLaw {
@@ -42,6 +42,8 @@ pub(crate) struct PressureLaw {
     pub(crate) scale: [f64; MAX_MODES],
     pub(crate) ratio: [f64; MAX_MODES],
     pub(crate) pivot: usize,
+    /// Sign of lambda . F: 1, or -1 where friction bends the balance so far that kinematic multipliers stand against the load.
+    pub(crate) side: f64,
     pub(crate) y: [f64; MAX_MODES],
     pub(crate) reference_speed: f64,
     /// Common factor: of the pressure (`scale_free` densities) or of f.
@@ -82,7 +84,7 @@ impl PressureLaw {
 
     /// f and log f at a point; the logarithm keeps full accuracy where f is the pivot mode plus a small correction.
     pub(crate) fn force_function(&self, point: &SurfacePoint, values: &ModeValues) -> (f64, f64) {
-        let base = values.phi[self.pivot];
+        let base = self.side * values.phi[self.pivot];
         let mut correction = 0.0;
         for j in (0..self.count).filter(|j| *j != self.pivot) {
             correction += self.y[j] * self.reduced(&values.phi, j);
@@ -95,7 +97,7 @@ impl PressureLaw {
         (f, if near { self.log_base(point, base) + (correction / base).ln_1p() } else { f.ln() })
     }
 
-    /// log of the pivot mode. For a translation phi = cos(angle between normal and direction), whose logarithm is taken from the sine
+    /// log of the pivot mode's size. For a translation phi = cos(angle between normal and direction), whose logarithm is taken from the sine
     /// so that it stays exact where the cosine is next to 1 and k is large.
     fn log_base(&self, point: &SurfacePoint, base: f64) -> f64 {
         let kinematic = self.mode_kind == Modes::Kinematic || self.friction == 0.0;
@@ -168,7 +170,7 @@ impl PressureLaw {
     /// Multipliers in the unscaled modes, in the gauge of this law: f = sum_k lambda_k phi_k.
     pub(crate) fn gauge_multipliers(&self) -> [f64; MAX_MODES] {
         let mut lambda = [0.0; MAX_MODES];
-        let mut pivot = 1.0;
+        let mut pivot = self.side;
         for j in (0..self.count).filter(|j| *j != self.pivot) {
             lambda[j] = self.y[j] / self.scale[j];
             pivot -= self.y[j] * self.ratio[j];

@@ -126,7 +126,8 @@ fn several_modes(stage: &Stage<'_>, mut places: Vec<Place>, cost: &dyn Fn(&Surfa
 /// by taking away a billionth of a uniform pressure.
 pub(crate) fn carries(stage: &Stage<'_>) -> bool {
     let law = &stage.law;
-    let places = grid(stage, None, 1.0);
+    let mut places = grid(stage, None, 1.0);
+    places.extend(border(stage));
     let mean = |k: usize| places.iter().map(|place| law.mode_values(&place.1).psi[k]).sum::<f64>();
     let factor = 1e-9 * law.resultant(law.pivot) / mean(law.pivot);
     let target: Vec<f64> = (0..law.count).map(|k| law.resultant(k) - factor * mean(k)).collect();
@@ -150,6 +151,19 @@ fn extent(stage: &Stage<'_>) -> f64 {
         hi = hi.sup(&point.position);
     });
     (hi - lo).norm()
+}
+
+/// Points of the border of a surface with two parameters, dense so that a load just inside a curved border is told from one outside.
+fn border(stage: &Stage<'_>) -> Vec<Place> {
+    const COUNT: usize = 512;
+    let surface = &stage.problem.surface;
+    let (inner, Some(outer)) = (surface.inner_range(), surface.outer_range()) else { return Vec::new() };
+    let place = |range: [f64; 2], i: usize| range[0] + (range[1] - range[0]) * i as f64 / COUNT as f64;
+    let sides = |i: usize| {
+        let (u, v) = (place(inner, i), place(outer, i));
+        [[inner[0], v], [inner[1], v], [u, outer[0]], [u, outer[1]]]
+    };
+    (0..=COUNT).flat_map(sides).map(|at| (at, surface.at(at[0], at[1]))).collect()
 }
 
 /// Points of the surface around given parameters within `reach` of the whole range (the whole surface without a centre).

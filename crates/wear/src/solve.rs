@@ -7,10 +7,37 @@ use crate::continuation::balance_by_continuation;
 use crate::density::Density;
 use crate::pressure_law::Node;
 use crate::stage::Stage;
+use crate::turn;
 
-/// Solves the balance for any density, under the pressure cap if there is one.
+/// Solves the balance for any density, under the pressure cap if there is one: by Newton's method, and where that fails for two modes by
+/// the direction of their multipliers.
 pub(crate) fn balance_any(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<Balanced, WearError> {
     let cap = stage.problem.p_max.map_or(f64::INFINITY, f64::ln);
+    match by_newton(stage, nodes, cap) {
+        Err(error) if turn::may_help(stage, &error) => turned(stage, nodes, cap),
+        other => other,
+    }
+}
+
+/// By the direction of the multipliers: the state without the cap where it stays below it, else the state under the cap.
+fn turned(stage: &mut Stage<'_>, nodes: &mut Vec<Node>, cap: f64) -> Result<Balanced, WearError> {
+    (stage.law.absolute, stage.law.log_cap, stage.law.log_scale) = (false, f64::INFINITY, 0.0);
+    if stage.law.density.scale_free() {
+        let balanced = turn::balance_by_turning(stage, nodes)?;
+        if balanced.log_scale + highest(nodes) <= cap {
+            return Ok(balanced);
+        }
+        stage.law.log_scale = balanced.log_scale;
+    }
+    (stage.law.absolute, stage.law.log_cap) = (true, cap);
+    turn::balance_by_turning(stage, nodes)
+}
+
+fn highest(nodes: &[Node]) -> f64 {
+    nodes.iter().map(|node| node.log_h).fold(f64::NEG_INFINITY, f64::max)
+}
+
+fn by_newton(stage: &mut Stage<'_>, nodes: &mut Vec<Node>, cap: f64) -> Result<Balanced, WearError> {
     let several = stage.law.count > 1;
     match stage.law.density {
         Density::Power { k: target, speed_power } if several && (0.0..0.05).contains(&target) => {
@@ -42,7 +69,7 @@ pub(crate) fn balance_any(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Resul
         }
         Density::Power { .. } | Density::Mixed { .. } | Density::Exponential => {
             let balanced = match balance(stage, nodes) {
-                Err(WearError::NotConverged { .. }) if several => return second_way(stage, nodes, cap),
+                Err(WearError::NotConverged { .. }) if several && !turn::bends(stage) => return second_way(stage, nodes, cap),
                 other => other?,
             };
             capped(stage, nodes, balanced, cap)
@@ -68,9 +95,8 @@ fn second_way(stage: &mut Stage<'_>, nodes: &mut Vec<Node>, cap: f64) -> Result<
 
 /// The balanced state itself where it stays below the cap, else the state under the cap.
 fn capped(stage: &mut Stage<'_>, nodes: &mut Vec<Node>, balanced: Balanced, cap: f64) -> Result<Balanced, WearError> {
-    let largest = nodes.iter().map(|node| node.log_h).fold(f64::NEG_INFINITY, f64::max);
     stage.law.log_scale = balanced.log_scale;
-    if balanced.log_scale + largest <= cap {
+    if balanced.log_scale + highest(nodes) <= cap {
         return Ok(balanced);
     }
     stage.law.log_cap = cap;

@@ -31,6 +31,7 @@ impl<'a> Stage<'a> {
             scale: [1.0; MAX_MODES],
             ratio: [0.0; MAX_MODES],
             pivot: 0,
+            side: 1.0,
             y: [0.0; MAX_MODES],
             reference_speed: 1.0,
             log_scale: 0.0,

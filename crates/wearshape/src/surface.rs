@@ -92,7 +92,10 @@ impl Patch {
         match self.surface.shape() {
             Shape::Arc { radius, centre, angles, .. } => {
                 let (from, middle) = (position - centre, 0.5 * (angles[0] + angles[1]));
-                let off = (from.x.atan2(from.z) - middle + PI).rem_euclid(TAU) - PI;
+                let turned = from.x.atan2(from.z) - middle;
+                let off = (turned + PI).rem_euclid(TAU) - PI;
+                // The two ends of a full turn meet in one place.
+                let off = if off == -PI && turned > 0.0 { PI } else { off };
                 if self.backwards { -radius * off } else { radius * off }
             }
             Shape::Annulus { .. } | Shape::Sector { .. } => position.x.hypot(position.y),

@@ -111,3 +111,55 @@ fn a_load_beyond_what_the_cap_carries_at_s_1_is_refused_at_once() {
         assert_eq!(call.code, code, "{force}: {}{}", call.out, call.err);
     }
 }
+
+/// The journal arc of another half angle, with what else is set.
+fn shell(bench: &Bench, half_angle: &str, set: &[&str]) -> crate::call::Call {
+    let half_angle = format!("surface.journal-arc.half_angle={half_angle}");
+    let mut args = vec!["run", "journal-arc", "-q", "-o", "x", "--set", &half_angle];
+    set.iter().for_each(|set| args.extend(["--set", set]));
+    bench.call_with(&args)
+}
+
+fn of_shell(half_angle: &str, set: &[&str]) -> serde_json::Value {
+    let bench = Bench::new();
+    let call = shell(&bench, half_angle, set);
+    assert_eq!(call.code, 0, "{half_angle} {set:?}: {}", call.err);
+    let summary: serde_json::Value = serde_json::from_str(&bench.read("x/summary.json")).unwrap();
+    summary["pressure"].clone()
+}
+
+#[test]
+fn a_bearing_shell_beyond_90_degrees_has_a_pressure() {
+    // p = p_max cos(a) over the half turn that closes: F = p_max R t pi/2.
+    let top = 2e3 / (500.0 * std::f64::consts::PI);
+    for half in ["100 deg", "180 deg"] {
+        let p = of_shell(half, &["contact.friction=0"]);
+        assert_relative_eq!(number(&p, "p_max_MPa"), top, max_relative = 1e-12);
+        assert_eq!(p["regime"], "partial-contact");
+    }
+    // With friction it touches over the half turn about atan(mu): sqrt(1 + mu^2) p_max R t pi/2 = F.
+    let p = of_shell("2.9", &["contact.friction=1"]);
+    assert_relative_eq!(number(&p, "p_max_MPa"), top / 2f64.sqrt(), max_relative = 1e-9);
+}
+
+#[test]
+fn a_bearing_shell_with_much_friction_and_b_3_has_a_pressure() {
+    let p = of_shell("1.2", &["contact.friction=1", "wear.b=3"]);
+    assert_relative_eq!(number(&p, "force_N"), 2e3, max_relative = 1e-9);
+    assert!(number(&p, "steadiness_residual") < 1e-8);
+}
+
+#[test]
+fn a_shell_of_more_than_a_turn_is_refused() {
+    let call = shell(&Bench::new(), "181 deg", &[]);
+    assert_eq!(call.code, 2, "{}", call.err);
+    assert!(call.err.contains("at most 180 deg"), "{}", call.err);
+}
+
+#[test]
+fn a_jammed_shell_is_named() {
+    // The friction angle lies beyond the end of the shell: no pressure is balanced.
+    let call = shell(&Bench::new(), "1", &["contact.friction=2"]);
+    assert_eq!(call.code, 1, "{}", call.err);
+    assert!(call.out.contains("self-locking") || call.err.contains("self-locking"), "{} {}", call.out, call.err);
+}

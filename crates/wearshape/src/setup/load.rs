@@ -68,7 +68,8 @@ fn on_surface(load: &mut Load, surface: &mut SurfaceShape) -> Result<(), Fault> 
     pressing(load)?;
     match surface {
         SurfaceShape::PivotedShoe(shoe) => {
-            let angle = shoe.half_angle.0;
+            // Where the shoe reaches beyond 90 deg it does not press.
+            let angle = shoe.half_angle.0.min(std::f64::consts::FRAC_PI_2);
             let neutral = 4.0 * shoe.radius.0 * angle.sin() / (2.0 * angle + (2.0 * angle).sin());
             shoe.pivot.get_or_insert(Length(neutral));
         }

@@ -71,15 +71,15 @@ pub(super) fn bare(surface: &SurfaceShape) -> Result<Found, Fault> {
 fn symmetric_arc(key: &str, radius: Length, half_angle: f64, width: f64) -> Result<Shape, Fault> {
     positive(&format!("{key}.radius"), radius.0, "radius", " mm")?;
     positive(&format!("{key}.width"), width, "width", " mm")?;
-    angle_below_quarter(&format!("{key}.half_angle"), half_angle)?;
+    half_turn_at_most(&format!("{key}.half_angle"), half_angle)?;
     let (centre, internal) = (Vector3::zeros(), false);
     Ok(Shape::Arc { radius: radius.0, centre, angles: [-half_angle, half_angle], thickness: width, internal })
 }
 
-fn angle_below_quarter(key: &str, angle: f64) -> Result<(), Fault> {
-    if angle > 0.0 && angle < std::f64::consts::FRAC_PI_2 {
+fn half_turn_at_most(key: &str, angle: f64) -> Result<(), Fault> {
+    if angle > 0.0 && angle <= std::f64::consts::PI {
         return Ok(());
     }
     let message = format!("half angle {} deg is out of range", angle.to_degrees());
-    Err(Fault::at(key, "degenerate", message, "give a half angle greater than 0 and less than 90 deg"))
+    Err(Fault::at(key, "degenerate", message, "give a half angle greater than 0 and at most 180 deg"))
 }
