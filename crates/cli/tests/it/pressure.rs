@@ -159,7 +159,11 @@ fn a_shell_of_more_than_a_turn_is_refused() {
 #[test]
 fn a_jammed_shell_is_named() {
     // The friction angle lies beyond the end of the shell: no pressure is balanced.
-    let call = shell(&Bench::new(), "1", &["contact.friction=2"]);
+    let bench = Bench::new();
+    let call = shell(&bench, "1", &["contact.friction=2"]);
     assert_eq!(call.code, 1, "{}", call.err);
-    assert!(call.out.contains("self-locking") || call.err.contains("self-locking"), "{} {}", call.out, call.err);
+    let summary: serde_json::Value = serde_json::from_str(&bench.read("x/summary.json")).unwrap();
+    assert_eq!(summary["status"], "refused");
+    assert_eq!(summary["pressure"]["regime"], "infeasible");
+    assert!(summary["verdict"].as_str().unwrap().contains("self-locking"), "{}", summary["verdict"]);
 }
