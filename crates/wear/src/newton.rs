@@ -6,7 +6,6 @@ use crate::pressure_law::{ModeValues, Node};
 use crate::singular;
 use crate::stage::Stage;
 use crate::sums::sums;
-use crate::turn;
 use crate::{Modes, WearError};
 
 const ITERATIONS: usize = 100;
@@ -95,7 +94,7 @@ impl Search<'_> {
 
 /// No pressure at all carries the load.
 fn not_carried(stage: &Stage<'_>) -> WearError {
-    stage.infeasible(if turn::bends(stage) {
+    stage.infeasible(if stage.bends() {
         "the friction carries the load: self-locking"
     } else {
         "the moment is at or beyond the edge of the surface"

@@ -69,7 +69,7 @@ fn by_newton(stage: &mut Stage<'_>, nodes: &mut Vec<Node>, cap: f64) -> Result<B
         }
         Density::Power { .. } | Density::Mixed { .. } | Density::Exponential => {
             let balanced = match balance(stage, nodes) {
-                Err(WearError::NotConverged { .. }) if several && !turn::bends(stage) => return second_way(stage, nodes, cap),
+                Err(WearError::NotConverged { .. }) if several && !stage.bends() => return second_way(stage, nodes, cap),
                 other => other?,
             };
             capped(stage, nodes, balanced, cap)

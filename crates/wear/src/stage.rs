@@ -82,6 +82,16 @@ impl<'a> Stage<'a> {
         open
     }
 
+    /// True when psi differs from phi somewhere: friction bends the balance.
+    pub(crate) fn bends(&self) -> bool {
+        let mut bends = false;
+        self.problem.surface.survey(&mut |point| {
+            let values = self.law.mode_values(point);
+            bends |= (0..self.law.count).any(|k| (values.phi[k] - values.psi[k]).abs() > 1e-14);
+        });
+        bends
+    }
+
     /// The load is not carried, and why.
     pub(crate) fn infeasible(&self, why: &'static str) -> WearError {
         WearError::Infeasible { resultants: self.problem.modes.iter().map(|mode| mode.resultant).collect(), why }

@@ -25,24 +25,14 @@ const BALANCED: f64 = 1e-10;
 const AT_THE_EDGE: f64 = 1e-3;
 const NO_MOTION: &str = "the friction holds body 1: no rigid motion of it wears the surface under this load (jammed)";
 
-/// True when psi differs from phi somewhere.
-pub(crate) fn bends(stage: &Stage<'_>) -> bool {
-    let mut bends = false;
-    stage.problem.surface.survey(&mut |point| {
-        let values = stage.law.mode_values(point);
-        bends |= (0..stage.law.count).any(|k| (values.phi[k] - values.psi[k]).abs() > 1e-14);
-    });
-    bends
-}
-
 /// Whether an error of Newton's method may be one of its way, not of the load.
 pub(crate) fn may_help(stage: &Stage<'_>, error: &WearError) -> bool {
     if stage.law.count != 2 || matches!(stage.law.density, Density::Exponential) {
         return false;
     }
     match error {
-        WearError::NotConverged { .. } => bends(stage) || stage.law.density.front_exponent() >= 0.0,
-        WearError::Infeasible { .. } | WearError::Unresolved { .. } => bends(stage) && singular::carries(stage),
+        WearError::NotConverged { .. } => stage.bends() || stage.law.density.front_exponent() >= 0.0,
+        WearError::Infeasible { .. } | WearError::Unresolved { .. } => stage.bends() && singular::carries(stage),
         WearError::EmptySurface { .. }
         | WearError::MixedExponents { .. }
         | WearError::Modes { .. }

@@ -11,4 +11,5 @@ mod random;
 mod reference;
 mod reference_bodies;
 mod sensitivity;
+mod shell;
 mod surfaces;
