@@ -6,7 +6,7 @@ use clap::{Args, Parser, Subcommand};
 
 /// Contact pressure and contact shape of two bodies worn in by steady sliding, computed directly.
 #[derive(Debug, Parser)]
-#[command(name = "wearshape", version, about, max_term_width = 100, disable_help_subcommand = true)]
+#[command(name = "wearshape", version, about, max_term_width = 100)]
 #[command(
     after_help = "Begin with:\n  wearshape run drum-brake-block\n  wearshape new drum-brake-block my-shoe.toml\n  wearshape new --list"
 )]
@@ -58,7 +58,7 @@ pub(crate) enum Command {
         shell: clap_complete::Shell,
     },
     /// Print what is behind a note on a scene.
-    #[command(after_help = "Examples:\n  wearshape explain\n  wearshape explain s-below-one")]
+    #[command(after_help = "Examples:\n  wearshape explain                  (the list)\n  wearshape explain s-below-one")]
     Explain {
         /// Code of the note, as in note [s-one]; all codes without it.
         code: Option<String>,
@@ -105,7 +105,7 @@ pub(crate) struct Common {
     #[arg(long)]
     pub(crate) no_progress: bool,
     /// Accepted; a folder that is not ours is refused all the same.
-    #[arg(long)]
+    #[arg(long, hide = true)]
     pub(crate) force: bool,
 }
 
@@ -133,6 +133,9 @@ pub(crate) struct CheckArgs {
     /// Say nothing but errors.
     #[arg(short, long)]
     pub(crate) quiet: bool,
+    /// No progress line.
+    #[arg(long)]
+    pub(crate) no_progress: bool,
 }
 
 /// `new`.

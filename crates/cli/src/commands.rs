@@ -1,7 +1,9 @@
 //! One function a command: from arguments to an exit code.
 
 mod check;
+mod completions;
 mod explain;
+mod man;
 mod new;
 mod report;
 mod reproduce;
@@ -10,10 +12,9 @@ mod study;
 mod sweep;
 
 use std::ffi::OsString;
-use std::path::Path;
 
-use clap::{CommandFactory, Parser};
-use scene::{Fault, Place};
+use clap::Parser;
+use scene::Fault;
 
 use crate::args::{Cli, Command};
 use crate::exit::Exit;
@@ -31,9 +32,9 @@ pub(crate) fn run(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -
         Command::Check(args) => check::run(&args),
         Command::New(args) => new::run(&args),
         Command::Schema => schema(),
-        Command::Completions { shell } => completions(shell),
+        Command::Completions { shell } => completions::run(shell),
         Command::Explain { code } => explain::run(code.as_deref()),
-        Command::Man { folder } => man(folder.as_deref()),
+        Command::Man { folder } => man::run(folder.as_deref()),
         Command::Run(args) => run::run(&args),
         Command::Sweep(args) => sweep::run(&args),
         Command::Report(args) => report::run(&args),
@@ -62,35 +63,5 @@ fn schema() -> Result<Exit, Fault> {
     settings.inline_subschemas = false;
     let schema = settings.into_generator().into_root_schema_for::<scene::Scene>();
     print_json(schema.as_value());
-    Ok(Exit::Done)
-}
-
-fn completions(shell: clap_complete::Shell) -> Result<Exit, Fault> {
-    let mut script = Vec::new();
-    clap_complete::generate(shell, &mut Cli::command(), "wearshape", &mut script);
-    print_out(&String::from_utf8_lossy(&script));
-    Ok(Exit::Done)
-}
-
-fn man(folder: Option<&Path>) -> Result<Exit, Fault> {
-    let unwritable = |error: std::io::Error| {
-        let shown = folder.unwrap_or(Path::new("-")).display().to_string();
-        Fault {
-            place: Some(Place::Flag(shown.clone())),
-            ..Fault::new(
-                "unwritable",
-                format!("cannot write manual pages to {shown}: {error}"),
-                "give a folder that can be written",
-            )
-        }
-    };
-    if let Some(folder) = folder {
-        let written = std::fs::create_dir_all(folder).and_then(|()| clap_mangen::generate_to(Cli::command(), folder));
-        written.map_err(unwritable)?;
-    } else {
-        let mut page = Vec::new();
-        clap_mangen::Man::new(Cli::command()).render(&mut page).map_err(unwritable)?;
-        print_out(&String::from_utf8_lossy(&page));
-    }
     Ok(Exit::Done)
 }

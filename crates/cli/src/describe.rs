@@ -2,19 +2,20 @@
 
 use scene::Fault;
 use serde_json::json;
-use wearshape::{Forecast, Problem, Step};
+use wearshape::{Forecast, Options, Problem, Step};
 
 use crate::clock::seconds;
+use crate::progress::Progress;
 
 /// The plan as a document.
-pub(crate) fn plan_json(problem: &Problem) -> serde_json::Value {
+pub(crate) fn plan_json(problem: &Problem, progress: &Progress) -> serde_json::Value {
     let mut plan = json!({
         "scene": problem.name(),
         "stages": problem.plan().stages,
         "lints": problem.remarks(),
         "unused_keys": problem.unused_keys(),
     });
-    match expected(problem) {
+    match expected(problem, progress) {
         Some(Ok(levels)) => plan["expected"] = json!(levels),
         Some(Err(fault)) => plan["not_expected"] = json!(fault.message),
         None => {}
@@ -23,14 +24,16 @@ pub(crate) fn plan_json(problem: &Problem) -> serde_json::Value {
 }
 
 /// Sizes and times of the levels; `None` for scenes without bodies.
-fn expected(problem: &Problem) -> Option<Result<Vec<Forecast>, Fault>> {
-    problem.plan().runs(Step::Mesh).then(|| problem.forecast(seconds))
+fn expected(problem: &Problem, progress: &Progress) -> Option<Result<Vec<Forecast>, Fault>> {
+    let begun = |step| progress.busy(step);
+    let options = Options { clock: seconds, begun: &begun, ..Options::default() };
+    problem.plan().runs(Step::Mesh).then(|| problem.forecast(&options))
 }
 
-/// The plan in words, with what it will take.
-pub(crate) fn describe_with_sizes(problem: &Problem) -> String {
-    let mut out = describe(problem);
-    match expected(problem) {
+/// What the plan will take, in words; nothing for scenes without bodies.
+pub(crate) fn sizes(problem: &Problem, progress: &Progress) -> String {
+    let mut out = String::new();
+    match expected(problem, progress) {
         None => {}
         Some(Err(fault)) => out += &format!("\nno sizes: {}\n", fault.message),
         Some(Ok(levels)) => {

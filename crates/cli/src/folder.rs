@@ -105,8 +105,8 @@ impl Folder {
         let _ = fs::remove_dir_all(&self.partial);
     }
 
-    /// Puts the finished folder in its place.
-    pub(crate) fn finish(self) -> Result<(), Fault> {
+    /// Puts the finished folder in its place; returns that.
+    pub(crate) fn finish(self) -> Result<PathBuf, Fault> {
         Folder::check(&self.target)?;
         let aside = self.target.with_extension("old");
         let replaced = self.target.exists();
@@ -121,7 +121,18 @@ impl Folder {
         if replaced && ours(&aside) {
             fs::remove_dir_all(&aside).map_err(|error| self.unwritable(&aside, &error))?;
         }
-        Ok(())
+        Ok(self.target)
+    }
+
+    /// Puts a folder without an answer in its place, or beside it, as `<dir>.failed`, where the run of before had one; returns where it is.
+    pub(crate) fn finish_beside_good(mut self) -> Result<PathBuf, Fault> {
+        let good = summary(&self.target)["status"].as_str().is_some_and(|status| matches!(status, "ok" | "accuracy-missed"));
+        if good {
+            let mut name = self.target.file_name().unwrap_or_default().to_os_string();
+            name.push(".failed");
+            self.target.set_file_name(name);
+        }
+        self.finish()
     }
 
     fn unwritable(&self, path: &Path, error: &std::io::Error) -> Fault {
@@ -136,11 +147,16 @@ impl Folder {
     }
 }
 
+/// The summary in a folder; null without one.
+fn summary(folder: &Path) -> serde_json::Value {
+    let text = fs::read_to_string(folder.join("summary.json")).unwrap_or_default();
+    serde_json::from_str(&text).unwrap_or_default()
+}
+
 /// Whether a folder holds a summary that this program wrote.
 fn ours(folder: &Path) -> bool {
     let empty = fs::read_dir(folder).is_ok_and(|mut entries| entries.next().is_none());
-    let text = fs::read_to_string(folder.join("summary.json")).unwrap_or_default();
-    let summary: serde_json::Value = serde_json::from_str(&text).unwrap_or_default();
+    let summary = summary(folder);
     empty
         || summary["schema_version"].as_u64().is_some_and(|version| version <= u64::from(SCHEMA_VERSION))
             && summary["scene_sha256"].is_string()

@@ -29,6 +29,7 @@ mod print;
 mod progress;
 mod record;
 mod reproduce;
+mod track;
 mod write;
 
 pub use exit::Exit;

@@ -1,6 +1,7 @@
 //! What goes along with a run while it computes: the recording, the progress on the terminal, Ctrl-C.
 
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use scene::Fault;
 use wearshape::{Bodies, Event, Options, Problem, RunLevel, Solution, WearStep};
@@ -14,29 +15,33 @@ pub(crate) struct Live {
     /// The recording of a run in time.
     pub(crate) tape: Option<Tape>,
     /// What the terminal shows.
-    pub(crate) progress: Progress,
+    pub(crate) progress: Arc<Progress>,
     /// Why the run was ended from here, but for Ctrl-C.
     fault: Option<Fault>,
 }
 
 impl Live {
     /// A recording, if there is one, and the progress.
-    pub(crate) fn new(tape: Option<Tape>, progress: Progress) -> Live {
+    pub(crate) fn new(tape: Option<Tape>, progress: Arc<Progress>) -> Live {
         Live { tape, progress, fault: None }
     }
 
     /// Neither recording nor progress; Ctrl-C ends the run.
     pub(crate) fn silent() -> Live {
-        Live::new(None, Progress::none())
+        Live::new(None, Arc::new(Progress::none()))
     }
 
     /// Solves a problem, recorded and shown while it goes.
     pub(crate) fn solve(&mut self, problem: &Problem, options: &Options<'_>, bodies: &Bodies) -> Result<Solution, Fault> {
-        let solved = wearshape::solve(problem, options, bodies, &mut |event| self.see(event));
+        let progress = Arc::clone(&self.progress);
+        let begun = |step| progress.part(step);
+        let options = Options { begun: &begun, ..*options };
+        let solved = wearshape::solve(problem, &options, bodies, &mut |event| self.see(event));
         self.fault.take().map_or(solved, Err)
     }
 
     fn see(&mut self, event: Event<'_>) -> ControlFlow<()> {
+        self.progress.see(&event);
         let done = match event {
             Event::Level { .. } => Ok(()),
             Event::Run(level) => self.begin(level),
@@ -53,7 +58,6 @@ impl Live {
     }
 
     fn begin(&mut self, level: &RunLevel<'_>) -> Result<(), Fault> {
-        self.progress.level(&level.message);
         match &mut self.tape {
             Some(tape) => tape.begin_level(level, || Ok(SceneUpdate::new(&(level.lines)()?))),
             None => Ok(()),
@@ -62,7 +66,6 @@ impl Live {
 
     fn step(&mut self, step: &WearStep<'_>) -> Result<(), Fault> {
         let state = step.state;
-        self.progress.wear(state, step.share);
         let Some(recorder) = self.tape.as_mut().and_then(Tape::recorder) else { return Ok(()) };
         let iteration = Iteration {
             step: state.step as u64,

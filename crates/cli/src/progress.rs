@@ -1,41 +1,60 @@
 //! Progress on a terminal: a bar for work that takes longer than a moment, nothing otherwise.
 
 use std::io::IsTerminal;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use scene::short;
 use shapeopt::WearState;
+use wearshape::{Event, Problem, Step};
 
 use crate::args::Common;
 use crate::print::no_colour;
+use crate::track::{Level, Track, words};
 
 /// Work shorter than this shows no bar.
 const MOMENT: Duration = Duration::from_millis(500);
+/// Time between two drawings: the seconds go on while one factorisation does.
+const TICK: Duration = Duration::from_millis(200);
 /// Length of a bar that shows a share.
 const SHARES: u64 = 1000;
+
+/// Lines of work whose length is not known, of a share, and of things that are counted.
+const BUSY: &str = "{spinner} {elapsed:>3}  {wide_msg}";
+const SHARE: &str = "[{bar:20}] {percent:>3}% {elapsed:>4}  {wide_msg}";
+const COUNT: &str = "[{bar:20}] {pos}/{len} {elapsed:>4}  {wide_msg}";
 
 /// A bar, or none.
 pub(crate) struct Progress {
     bar: Option<ProgressBar>,
     start: Instant,
-    level: String,
-    share: f64,
+    track: Mutex<Track>,
 }
 
 impl Progress {
     /// No bar.
     pub(crate) fn none() -> Progress {
-        Progress { bar: None, start: Instant::now(), level: String::new(), share: 0.0 }
+        Progress::with(None)
     }
 
-    /// A bar that shows a share of the work, where one is wanted.
+    fn with(bar: Option<ProgressBar>) -> Progress {
+        Progress { bar, start: Instant::now(), track: Mutex::default() }
+    }
+
+    /// A line that says what is done, where one is wanted.
     pub(crate) fn new(common: &Common) -> Progress {
-        Progress { bar: wanted_here(common).then(|| bar(SHARES, "[{bar:30}] {percent}% {msg}")), ..Progress::none() }
+        Progress::with(wanted_here(common).then(|| bar(SHARES, BUSY)))
     }
 
     /// A bar that counts, where one is wanted.
     pub(crate) fn counted(common: &Common, count: usize) -> Progress {
-        Progress { bar: wanted_here(common).then(|| bar(count as u64, "[{bar:30}] {pos}/{len} {msg}")), ..Progress::none() }
+        Progress::with(wanted_here(common).then(|| bar(count as u64, COUNT)))
+    }
+
+    /// Says what is done.
+    pub(crate) fn say(&self, what: &str) {
+        self.show(|bar| bar.set_message(what.to_string()));
     }
 
     /// So many of the things that are counted are done.
@@ -43,19 +62,44 @@ impl Progress {
         self.show(|bar| bar.set_position(count as u64));
     }
 
-    /// Another level of discretisation begins.
-    pub(crate) fn level(&mut self, name: &str) {
-        self.share = 0.0;
-        self.level = name.into();
+    /// From here on the bar shows the share of a run.
+    pub(crate) fn run(&self, problem: &Problem) {
+        *self.track() = Track::of(problem);
+        self.show(|bar| bar.set_style(style(SHARE)));
     }
 
-    /// A run in time has come to a state, this share of its way.
-    pub(crate) fn wear(&mut self, state: &WearState, share: f64) {
-        self.share = share.clamp(self.share, 1.0);
-        self.show(|bar| {
-            bar.set_position((self.share * SHARES as f64) as u64);
-            bar.set_message(format!("{}, step {}, {:.4e} s", self.level, state.step, state.time));
-        });
+    /// Something happened in a run.
+    pub(crate) fn see(&self, event: &Event<'_>) {
+        match event {
+            Event::Level { step, degree, left, .. } => {
+                self.track().level(Level { step: *step, degree: *degree, left: *left });
+            }
+            Event::Run(_) => {}
+            Event::WearStep(step) => {
+                let state = self.wear(step.state);
+                self.track().wear(step.share, state);
+            }
+        }
+        self.draw();
+    }
+
+    /// A part of the work of a run begins.
+    pub(crate) fn part(&self, step: Step) {
+        self.track().part(step);
+        self.draw();
+    }
+
+    /// A part of work of unknown length begins.
+    pub(crate) fn busy(&self, step: Step) {
+        self.say(words(step));
+    }
+
+    /// Prints beside the bar.
+    pub(crate) fn beside<T>(&self, print: impl FnOnce() -> T) -> T {
+        match &self.bar {
+            Some(bar) => bar.suspend(print),
+            None => print(),
+        }
     }
 
     /// Takes the bar away.
@@ -65,16 +109,69 @@ impl Progress {
         }
     }
 
+    /// A state of a run in time, with what is left of it.
+    fn wear(&self, state: &WearState) -> String {
+        let left = self.track_left().map_or(String::new(), |left| format!(", about {} left", span(left)));
+        let time: f64 = format!("{:.2e}", state.time).parse().unwrap_or(state.time);
+        format!("step {}, t = {} s{left}", state.step, short(time))
+    }
+
+    fn track_left(&self) -> Option<f64> {
+        self.track().left(self.start.elapsed().as_secs_f64())
+    }
+
+    fn draw(&self) {
+        self.show(|bar| {
+            let track = self.track();
+            bar.set_position((track.share() * SHARES as f64) as u64);
+            bar.set_message(track.words());
+        });
+    }
+
+    /// A panic elsewhere is reported there.
+    fn track(&self) -> MutexGuard<'_, Track> {
+        self.track.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
     fn show(&self, change: impl FnOnce(&ProgressBar)) {
-        if let Some(bar) = self.bar.as_ref().filter(|_| self.start.elapsed() >= MOMENT) {
+        if let Some(bar) = &self.bar {
             change(bar);
         }
     }
 }
 
+impl Drop for Progress {
+    /// What is said of a fault stands in a line of its own.
+    fn drop(&mut self) {
+        self.end();
+    }
+}
+
+/// Seconds in the unit that fits.
+fn span(seconds: f64) -> String {
+    match seconds {
+        s if s < 90.0 => format!("{s:.0} s"),
+        s if s < 5400.0 => format!("{:.0} min", s / 60.0),
+        s => format!("{:.1} h", s / 3600.0),
+    }
+}
+
+/// A bar that comes after a moment and is drawn again and again, whatever the work does.
 fn bar(length: u64, template: &str) -> ProgressBar {
-    let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
-    ProgressBar::with_draw_target(Some(length), ProgressDrawTarget::stderr_with_hz(10)).with_style(style.progress_chars("#> "))
+    let bar = ProgressBar::with_draw_target(Some(length), ProgressDrawTarget::hidden()).with_style(style(template));
+    let shown = bar.clone();
+    std::thread::spawn(move || {
+        std::thread::sleep(MOMENT);
+        if !shown.is_finished() {
+            shown.set_draw_target(ProgressDrawTarget::stderr_with_hz(10));
+            shown.enable_steady_tick(TICK);
+        }
+    });
+    bar
+}
+
+fn style(template: &str) -> ProgressStyle {
+    ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar()).progress_chars("#> ").tick_chars("|/-\\ ")
 }
 
 fn wanted_here(common: &Common) -> bool {
@@ -97,5 +194,10 @@ mod tests {
         assert!(!wanted(&common, false, false) && !wanted(&common, true, true));
         assert!(!wanted(&Common { quiet: true, ..Common::default() }, true, false));
         assert!(!wanted(&Common { no_progress: true, ..Common::default() }, true, false));
+    }
+
+    #[test]
+    fn the_time_left_has_a_unit_that_fits() {
+        assert_eq!([12.4, 100.0, 7200.0].map(span), ["12 s", "2 min", "2.0 h"]);
     }
 }

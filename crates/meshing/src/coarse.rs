@@ -8,6 +8,7 @@ use scene::Fault;
 pub const RATIO: f64 = 0.25;
 
 /// A coarse mesh and the points towards which it is to be graded.
+#[derive(Debug)]
 pub(crate) struct Coarse {
     pub mesh: Mesh,
     pub singular: Vec<[f64; 2]>,

@@ -29,7 +29,7 @@ pub use extent::{Cut, Extent};
 pub use given::{Files, Given};
 pub use half_disc::{CANDIDATE, HalfDiscOnFlat};
 pub use line::ContactLine;
-pub use meshes::meshes;
+pub use meshes::{CoarseMeshes, coarse_meshes, meshes};
 pub use names::{AXIS, CONTACT, LOAD};
 pub use outline::{Edge, Outline, outline, outside};
 pub use read::read_cells;

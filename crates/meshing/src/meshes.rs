@@ -17,6 +17,23 @@ use crate::template::{coarse, contact_cuts};
 /// # Errors
 /// The fault of a body that is no body 1 or body 2 of this contact, that is too thin, or whose cells cannot be cut where the other's are.
 pub fn meshes(couple: &Couple, extent: Extent, layers: usize, cut: Cut<'_>) -> Result<[Mesh; 2], Fault> {
+    coarse_meshes(couple, extent, cut)?.graded(layers)
+}
+
+/// Both meshes of a couple before their layers: the same for every number of them.
+#[derive(Debug)]
+pub struct CoarseMeshes {
+    bodies: [Coarse; 2],
+    extent: Extent,
+    /// Ends of contact next to those of the surface, from -1 to 1.
+    near: Vec<f64>,
+}
+
+/// The meshes of [`meshes`] before their layers.
+///
+/// # Errors
+/// Those of [`meshes`].
+pub fn coarse_meshes(couple: &Couple, extent: Extent, cut: Cut<'_>) -> Result<CoarseMeshes, Fault> {
     let [far, near] = near_ends::split(cut);
     let cut = if near.is_empty() { cut } else { Cut::Ends(&far) };
     let cells = couple.bodies.each_ref().map(|body| body.cells.as_deref().cloned());
@@ -28,18 +45,30 @@ pub fn meshes(couple: &Couple, extent: Extent, layers: usize, cut: Cut<'_>) -> R
         let [own, other] = cells;
         matched(couple, [own.or(first), other.or(second)], extent, cut)?
     };
-    let graded = |coarse: Coarse, key: &str| {
+    Ok(CoarseMeshes { bodies: [first, second], extent, near })
+}
+
+impl CoarseMeshes {
+    /// The meshes of body 1 and body 2 with so many layers, as by [`meshes`].
+    ///
+    /// # Errors
+    /// The fault of a body whose cells cannot be cut any further.
+    pub fn graded(&self, layers: usize) -> Result<[Mesh; 2], Fault> {
+        let [first, second] = &self.bodies;
+        Ok([self.graded_body(first, layers, "body1.geometry")?, self.graded_body(second, layers, "body2.geometry")?])
+    }
+
+    fn graded_body(&self, coarse: &Coarse, layers: usize, key: &str) -> Result<Mesh, Fault> {
         let vertices = |mesh: &Mesh, points: &[[f64; 2]]| points.iter().map(|x| mesh.nearest_vertex(*x)).collect::<Vec<usize>>();
-        let (mesh, near) = cut_near(coarse.mesh, extent, &near).map_err(|error| degenerate(key, &error))?;
+        let (mesh, near) = cut_near(coarse.mesh.clone(), self.extent, &self.near).map_err(|error| degenerate(key, &error))?;
         let singular = vertices(&mesh, &coarse.singular);
         let mesh = mesh.refined_towards(&singular, RATIO, layers).map_err(|error| degenerate(key, &error))?;
-        let free = vertices(&mesh, &[coarse.free, near].concat());
+        let free = vertices(&mesh, &[coarse.free.as_slice(), &near].concat());
         if free.is_empty() {
             return Ok(mesh);
         }
         mesh.refined_towards(&free, RATIO, layers.div_ceil(2)).map_err(|error| degenerate(key, &error))
-    };
-    Ok([graded(first, "body1.geometry")?, graded(second, "body2.geometry")?])
+    }
 }
 
 /// The coarse meshes of two templates.

@@ -9,6 +9,7 @@ mod isobands;
 mod json;
 mod line_plot;
 mod machined;
+mod missed;
 mod one_percent;
 mod page;
 mod page_tables;

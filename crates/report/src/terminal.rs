@@ -5,11 +5,13 @@ use std::path::Path;
 use scene::short;
 use wearshape::{PressureResult, Problem, Solution, Status, WearResult, functional_row, word};
 
+use crate::missed;
 use crate::verdict::{pressures, verdict};
 
 /// The lines for the screen.
 pub fn first_screen(problem: &Problem, solution: &Solution, folder: &Path) -> String {
     let mut lines = vec![format!("{}   [{}]", verdict(problem, solution), bracket(solution))];
+    lines.extend(missed::lines(problem, solution));
     if let Some(pressure) = solution.pressure.as_ref().filter(|_| solution.status != Status::Refused) {
         lines.extend(pressure_lines(problem, solution, pressure));
     }

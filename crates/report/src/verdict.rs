@@ -87,7 +87,7 @@ fn pressed(problem: &Problem, solution: &Solution, pressure: &PressureResult) ->
 }
 
 /// A place in the words of the scene.
-fn place(problem: &Problem, s: f64) -> String {
+pub(crate) fn place(problem: &Problem, s: f64) -> String {
     if let Some(angle) = problem.angle(s) {
         return format!("{} deg", short((angle.to_degrees() * 1e3).round() / 1e3));
     }

@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use contact::{ContactOperator, Pair, UnitResponses};
 use hpfem::{InterfaceOperator, InterfaceState};
-use meshing::{Couple, Cut};
+use meshing::{CoarseMeshes, Couple, Cut, Extent, coarse_meshes};
 use scene::Fault;
 
 use crate::effort::{Clock, Counters, Effort};
@@ -33,9 +33,13 @@ pub(crate) struct Place {
 #[derive(Debug, Default)]
 pub struct Bodies {
     kinds: Mutex<Vec<(Couple, Kind)>>,
+    coarse: Mutex<Vec<Coarse>>,
     factorisations: AtomicUsize,
     reused: AtomicUsize,
 }
+
+/// The coarse meshes of a couple that touches on a surface, by where they are cut.
+type Coarse = (Couple, Extent, Cut<'static>, Arc<CoarseMeshes>);
 
 /// The reduced bodies of one couple.
 type Kind = Vec<(Place, Arc<Reduced>)>;
@@ -49,6 +53,21 @@ impl Bodies {
     /// Bodies that were asked for and already there.
     pub fn reused(&self) -> usize {
         self.reused.load(Ordering::Relaxed)
+    }
+
+    /// The coarse meshes of a couple, made if they are not there: those of cells that the user gives take longer than what is done with them.
+    pub(crate) fn coarse(&self, couple: &Couple, extent: Extent, cut: Cut<'static>) -> Result<Arc<CoarseMeshes>, Fault> {
+        let same = |known: &&Coarse| known.0 == *couple && known.1 == extent && known.2 == cut;
+        if let Some(known) = lock(&self.coarse).iter().find(same).map(|known| Arc::clone(&known.3)) {
+            return Ok(known);
+        }
+        let new = Arc::new(coarse_meshes(couple, extent, cut)?);
+        let mut kept = lock(&self.coarse);
+        if kept.len() >= KINDS {
+            kept.remove(0);
+        }
+        kept.push((couple.clone(), extent, cut, Arc::clone(&new)));
+        Ok(new)
     }
 
     /// The reduced bodies of a place, made if they are not there.

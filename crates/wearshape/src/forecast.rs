@@ -5,7 +5,6 @@ use scene::Fault;
 use serde::Serialize;
 
 use crate::bodies::Bodies;
-use crate::effort::Clock;
 use crate::ladder::levels;
 use crate::level::Level;
 use crate::options::Options;
@@ -17,6 +16,8 @@ use crate::step::Step;
 /// Degrees that are computed to see how fast the machine is, and how often: the fastest counts.
 const TIMED: [usize; 2] = [6, 8];
 const TIMES: usize = 3;
+/// Seconds of a computation that need no second look.
+const LONG: f64 = 0.1;
 /// Meshes that find the ends of contact on one level, about.
 const ENDS: f64 = 6.0;
 
@@ -42,27 +43,27 @@ pub struct Forecast {
 }
 
 impl Problem {
-    /// All levels that a solve may climb to, by meshing them; about how long by timing the first ones with a clock.
+    /// All levels that a solve may climb to, by meshing them; about how long by timing the first ones with the clock of the options, which are also
+    /// told of every mesh and elimination.
     ///
     /// # Errors
     /// What is not built, or cannot be meshed or held.
-    pub fn forecast(&self, clock: Clock) -> Result<Vec<Forecast>, Fault> {
-        forecast(self, clock)
+    pub fn forecast(&self, options: &Options<'_>) -> Result<Vec<Forecast>, Fault> {
+        forecast(self, options)
     }
 }
 
-fn forecast(problem: &Problem, clock: Clock) -> Result<Vec<Forecast>, Fault> {
-    let options = Options { clock, ..Options::default() };
-    let bodies = Bodies::default();
-    let scope = Scope::of(problem, &options, &bodies)?;
+fn forecast(problem: &Problem, options: &Options<'_>) -> Result<Vec<Forecast>, Fault> {
+    let (bodies, clock) = (Bodies::default(), options.clock);
+    let scope = Scope::of(problem, options, &bodies)?;
     scope.available()?;
-    let rate = rate(problem, &scope, clock)?;
+    let rate = rate(problem, &scope, options)?;
     let passes = if matches!(scope, Scope::HalfDisc(..)) { ENDS } else { 1.0 };
     let proof = problem.plan.runs(Step::RoundTrip);
     let contact = problem.plan.runs(Step::Contact) || problem.plan.runs(Step::Evolution);
     let mut before = 0.0;
     let mut found = Vec::new();
-    for level in levels(problem, &options) {
+    for level in levels(problem, options) {
         let (start, level_parts) = (clock(), scope.parts(level)?);
         let meshing = clock() - start;
         let bodies = sizes(&level_parts)?;
@@ -95,15 +96,21 @@ fn forecast(problem: &Problem, clock: Clock) -> Result<Vec<Forecast>, Fault> {
 }
 
 /// Multiplications a second of this machine; infinite by a clock that stands.
-fn rate(problem: &Problem, scope: &Scope<'_>, clock: Clock) -> Result<f64, Fault> {
+fn rate(problem: &Problem, scope: &Scope<'_>, options: &Options<'_>) -> Result<f64, Fault> {
+    let clock = options.clock;
     let mut rate = 0.0_f64;
     for degree in TIMED {
         let level = scope.parts(problem.level(degree))?;
         let operations: f64 = sizes(&level)?.iter().map(|size| size.operations).sum();
+        (options.begun)(Step::Factor);
         for _ in 0..TIMES {
             let start = clock();
             level.interfaces(clock)?;
-            rate = rate.max(operations / (clock() - start));
+            let seconds = clock() - start;
+            rate = rate.max(operations / seconds);
+            if seconds > LONG {
+                break;
+            }
         }
     }
     Ok(rate)

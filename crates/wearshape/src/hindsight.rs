@@ -10,32 +10,45 @@ use crate::words::Uniqueness;
 
 /// Part of body 1's thickness that wear may take before the body is another one.
 const WORN: f64 = 0.1;
+/// Part of the scene's friction below which the end of a guarantee is no coefficient but the guarantee's own weakness: it asks for a positive
+/// form on all surfaces that could touch, those that never do included.
+const BARELY: f64 = 0.01;
 
 /// Remarks on what a run came to.
 pub(crate) fn remarks(problem: &Problem, solution: &Solution) -> Vec<Remark> {
-    other_solutions(solution).into_iter().chain(worn_through(problem, solution)).collect()
+    other_solutions(problem, solution).into_iter().chain(worn_through(problem, solution)).collect()
 }
 
 /// What friction does to the one solution of a contact.
-fn other_solutions(solution: &Solution) -> Option<Remark> {
+fn other_solutions(problem: &Problem, solution: &Solution) -> Option<Remark> {
     let found = solution.contact.as_ref()?.uniqueness.as_ref()?;
-    let from = short(found.not_guaranteed_from?);
+    let from = found.not_guaranteed_from?;
+    let friction = problem.friction.shear();
     let message = match (found.verdict, found.singular_from.or(found.lost_from)) {
         (_, Some(lost)) => format!(
             "The contact followed up from no friction ends at a coefficient of {}: there its system is singular, and beyond it several contacts may be right, or none.",
-            short(lost)
+            rounded(lost)
         ),
         (Uniqueness::Several, _) => {
             "At this friction the contact has several solutions: the one reported is not the one that grows from no friction."
                 .into()
         }
+        // A guarantee that ends as soon as there is friction tells nothing of this one, whose contact was followed up without branching.
+        _ if from < BARELY * friction => return None,
         _ => format!(
-            "From a coefficient of friction of {from} on nothing guarantees that this is the only contact; the one reported grows from no friction without branching."
+            "From a coefficient of friction of {} on nothing guarantees that this is the only contact; the one reported grows from no friction without branching.",
+            rounded(from)
         ),
     };
     let branches = matches!(found.verdict, Uniqueness::Singular | Uniqueness::Several);
     let code = if branches { "several-solutions" } else { "not-guaranteed-unique" };
     Some(Remark { code, message })
+}
+
+/// A coefficient of friction with the digits it deserves.
+fn rounded(coefficient: f64) -> String {
+    let text = format!("{coefficient:.2e}");
+    short(text.parse().unwrap_or(coefficient))
 }
 
 /// Wear beyond what body 1's stiffness stands for.

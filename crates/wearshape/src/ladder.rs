@@ -16,6 +16,8 @@ const DEGREES: [usize; 3] = [4, 16, 2];
 /// Degrees after those, and how far above the accuracy asked for the estimated error may be to climb on to them.
 const BEYOND: [usize; 2] = [18, 20];
 const NEARLY: f64 = 10.0;
+/// Digits that a level gains, about, before errors tell.
+const DIGITS: f64 = 1.5;
 
 /// Why a step has no result.
 pub(crate) enum Refusal {
@@ -72,6 +74,18 @@ impl Ladder {
         self
     }
 
+    /// Levels expected after this one, from the errors before it: the last one and the ratio at which they fall.
+    fn left(&self, number: usize, errors: Option<[f64; 2]>) -> usize {
+        let last = self.usual.max(number + 1) - 1;
+        let Some(accuracy) = self.accuracy else { return last - number };
+        let more = match errors {
+            Some([error, ratio]) => ((accuracy / error).ln() / ratio.ln()).ceil().max(1.0) as usize - 1,
+            // Three levels tell an error, and each further one gains about a digit and a half.
+            None => ((-accuracy.log10() / DIGITS).round().max(2.0) as usize).saturating_sub(number),
+        };
+        more.min(last - number)
+    }
+
     /// The accuracy that a ladder with these estimated errors has missed, if it has.
     pub(crate) fn missed(&self, error: f64) -> Option<f64> {
         self.accuracy.filter(|accuracy| error > *accuracy)
@@ -121,7 +135,8 @@ pub(crate) fn climb<T, const N: usize>(
         if number >= ladder.usual && !ladder.accuracy.zip(error).is_some_and(|(accuracy, error)| error <= NEARLY * accuracy) {
             break;
         }
-        if watch(Event::Level { step: ladder.step, degree: level.degree, layers: level.layers }).is_break() {
+        let left = ladder.left(number, falls(&solved, &distance));
+        if watch(Event::Level { step: ladder.step, degree: level.degree, layers: level.layers, left }).is_break() {
             return Ok(Climbed { solved, stopped: true });
         }
         let (level, more) = match solve(level, &solved, watch)? {
@@ -148,6 +163,16 @@ pub(crate) fn errors<T, const N: usize>(solved: &[T], distance: &impl Fn(&T, &T)
     let [.., a, b, c] = solved else { return None };
     let (older, newer) = (distance(a, b), distance(b, c));
     Some(std::array::from_fn(|k| rest(older[k], newer[k])))
+}
+
+/// The estimated error of the last of at least three levels, and the ratio at which differences fall.
+fn falls<T, const N: usize>(solved: &[T], distance: &impl Fn(&T, &T) -> [f64; N]) -> Option<[f64; 2]> {
+    let [.., a, b, c] = solved else { return None };
+    let [older, newer] = [distance(a, b), distance(b, c)].map(|distances| largest(&distances));
+    let error = largest(&errors(solved, distance)?);
+    // Differences of nothing, or that grow, tell no ratio.
+    let ratio = if older > 0.0 { (newer / older).clamp(1e-3, 0.85) } else { 0.85 };
+    Some([error, ratio])
 }
 
 /// Estimated error of the last of at least three levels from the differences of successive ones, `older` and `newer`: they fall

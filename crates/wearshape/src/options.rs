@@ -1,10 +1,13 @@
 //! What a caller chooses beside the scene: points of the table, the clock, where to go on.
 
+use std::fmt;
+
 use crate::effort::Clock;
+use crate::step::Step;
 use crate::watch::Resume;
 
 /// Options of a solve that are no part of the scene.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub struct Options<'a> {
     /// Points of the table instead of the contact points.
     pub sample: Option<Sampling<'a>>,
@@ -16,12 +19,24 @@ pub struct Options<'a> {
     pub clock: Clock,
     /// An unfinished run in time to go on with.
     pub resume: Option<&'a Resume>,
+    /// Told of every part of the work as it begins, for a line of progress: [`Step::Mesh`], [`Step::Factor`], [`Step::Contact`] and so on, each as
+    /// often as it comes. It cannot end anything; that is for the [`Watch`](crate::Watch).
+    pub begun: &'a (dyn Fn(Step) + Sync),
+}
+
+impl fmt::Debug for Options<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Options { sample, alone, machining, resume, .. } = self;
+        let mut shown = f.debug_struct("Options");
+        shown.field("sample", sample).field("alone", alone).field("machining", machining).field("resume", resume);
+        shown.finish_non_exhaustive()
+    }
 }
 
 impl Default for Options<'_> {
     /// The contact points, nothing for the workshop, a clock that stands.
     fn default() -> Self {
-        Options { sample: None, alone: false, machining: false, clock: || 0.0, resume: None }
+        Options { sample: None, alone: false, machining: false, clock: || 0.0, resume: None, begun: &|_| {} }
     }
 }
 

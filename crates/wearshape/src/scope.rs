@@ -80,6 +80,7 @@ impl<'a> Scope<'a> {
         let reported = outcome.reported.as_ref().filter(|_| setting.problem.plan.runs(Step::Fields));
         let Some(reported) = reported else { return Ok(Some((outcome, effort, Vec::new()))) };
         let clock = setting.options.clock;
+        (setting.options.begun)(Step::Fields);
         let (fields, work) = effort.timed(Step::Fields, clock, |_| recover::recover_ends(setting, reported, &nodes))?;
         effort += work;
         Ok(Some((outcome, effort, fields)))

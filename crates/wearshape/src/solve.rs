@@ -109,6 +109,7 @@ fn elastic(given: Given<'_>, passes: usize, watch: &mut Watch<'_>, solution: &mu
     }
     if problem.plan.runs(Step::Fields) {
         let mut effort = Effort::default();
+        (options.begun)(Step::Fields);
         let (fields, work) = effort.timed(Step::Fields, options.clock, |_| recover::recover(stage, &reported))?;
         effort += work;
         solution.effort += effort;

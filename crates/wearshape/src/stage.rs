@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use contact::{ContactLoad, ContactPoint, MomentBalance, Motion, Pair, Side};
 use hpfem::InterfaceState;
-use meshing::{Couple, Cut, Extent, meshes};
+use meshing::{Body, Couple, Cut, Extent, meshes};
 use nalgebra::Vector3;
 use scene::Fault;
 use shapeopt::{EdgeLoad, Gauge};
@@ -79,6 +79,7 @@ impl<'a> Stage<'a> {
 
     fn make(&self, level: Level, cut: Cut<'_>) -> Result<(Reduced, Effort), Fault> {
         let (parts, mut effort) = self.parts(level, cut)?;
+        (self.options.begun)(Step::Factor);
         let (reduced, work) = Reduced::new(&parts, self.clock())?;
         effort += work;
         Ok((reduced, effort))
@@ -88,6 +89,7 @@ impl<'a> Stage<'a> {
     pub(crate) fn twisted(&self, level: Level, ends: &[f64]) -> Result<(Arc<Reduced>, Effort), Fault> {
         let make = |cut: Cut<'_>| -> Result<(Reduced, Effort), Fault> {
             let mut effort = Effort::default();
+            (self.options.begun)(Step::Torsion);
             let meshes = effort.timed(Step::Mesh, self.clock(), |_| self.meshes(level.layers, cut))?;
             let (reduced, work) = Reduced::new(&Parts::torsion(self.couple, meshes, level, self.facing())?, self.clock())?;
             effort += work;
@@ -116,12 +118,21 @@ impl<'a> Stage<'a> {
         // The coordinate of a surface may fall along its path.
         let turned: Vec<f64> = if self.patch.backwards { cut.ends().iter().rev().map(|t| -t).collect() } else { Vec::new() };
         let cut = if turned.is_empty() { cut } else { Cut::Ends(&turned) };
-        meshes(self.couple, self.extent, layers, cut)
+        let kept = match cut {
+            Cut::Plain => Some(Cut::Plain),
+            Cut::Shifted => Some(Cut::Shifted),
+            Cut::Ends(_) => None,
+        };
+        match kept.filter(|_| self.couple.bodies.iter().any(Body::is_given)) {
+            Some(cut) => self.bodies.coarse(self.couple, self.extent, cut)?.graded(layers),
+            None => meshes(self.couple, self.extent, layers, cut),
+        }
     }
 
     /// Meshes, supports and loads of both bodies.
     pub(crate) fn parts(&self, level: Level, cut: Cut<'_>) -> Result<(Parts, Effort), Fault> {
         let mut effort = Effort::default();
+        (self.options.begun)(Step::Mesh);
         let parts = effort.timed(Step::Mesh, self.clock(), |_| {
             Parts::new(self.couple, self.meshes(level.layers, cut)?, level, self.facing())
         })?;

@@ -20,6 +20,8 @@ pub enum Event<'a> {
         degree: usize,
         /// Layers around each singular point.
         layers: usize,
+        /// Levels expected after this one, about: from the errors so far, once three levels tell them.
+        left: usize,
     },
     /// A run in time begins a level, or goes on with one.
     Run(&'a RunLevel<'a>),

@@ -2,19 +2,27 @@
 
 use scene::Fault;
 
-use crate::args::CheckArgs;
-use crate::describe::{describe_with_sizes, plan_json};
+use crate::args::{CheckArgs, Common};
+use crate::describe::{describe, plan_json, sizes};
 use crate::exit::Exit;
 use crate::open;
 use crate::print::{print_json, print_out};
+use crate::progress::Progress;
 
 /// Prints the plan, the remarks and the unused keys of a scene.
 pub(crate) fn run(args: &CheckArgs) -> Result<Exit, Fault> {
+    let common = Common { json: args.json, quiet: args.quiet, no_progress: args.no_progress, ..Common::default() };
+    let progress = Progress::new(&common);
+    progress.say("reading the scene");
     let (_, problem) = open::problem(&args.scene, &args.set)?;
     if args.json {
-        print_json(&plan_json(&problem));
+        print_json(&plan_json(&problem, &progress));
     } else if !args.quiet {
-        print_out(&describe_with_sizes(&problem));
+        // What is known at once is said at once; the sizes take meshing.
+        progress.beside(|| print_out(&describe(&problem)));
+        let sizes = sizes(&problem, &progress);
+        progress.end();
+        print_out(&format!("{sizes}\n"));
     }
     Ok(Exit::Done)
 }

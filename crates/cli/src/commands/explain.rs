@@ -8,21 +8,56 @@ use crate::print::print_out;
 /// All notes, a section each.
 const PAGE: &str = include_str!("../../../../docs/lints.md");
 
-/// Prints the section of a code, or the list of codes.
+/// Longest line of the list.
+const LINE: usize = 100;
+
+/// Prints the section of a code, or the list of codes with what each says.
 pub(crate) fn run(code: Option<&str>) -> Result<Exit, Fault> {
-    let codes: Vec<&str> = sections().map(|(code, _)| code).collect();
     let Some(wanted) = code else {
-        print_out(&format!("notes: {}\n", codes.join(", ")));
+        let lines = sections().map(|(code, text)| format!("{code:<22} {}\n", first_sentence(text)));
+        print_out(&(lines.collect::<String>() + "\nmore: wearshape explain CODE\n"));
         return Ok(Exit::Done);
     };
     let Some((code, text)) = sections().find(|(code, _)| *code == wanted) else {
         return Err(Fault {
             place: Some(Place::Flag(wanted.to_string())),
-            ..Fault::new("no-note", format!("there is no note `{wanted}`"), did_you_mean(wanted, &codes))
+            ..Fault::new("no-note", format!("there is no note `{wanted}`"), meant(wanted))
         });
     };
     print_out(&format!("{code}\n\n{text}\n"));
     Ok(Exit::Done)
+}
+
+/// The codes of all notes.
+pub(crate) fn codes() -> Vec<&'static str> {
+    sections().map(|(code, _)| code).collect()
+}
+
+/// What may be meant by a word that is no code: the nearest one, or the notes that speak of it.
+fn meant(word: &str) -> String {
+    let near = did_you_mean(word, &codes());
+    if let Some((near, _)) = near.split_once(" known here").filter(|_| near.starts_with("did you mean")) {
+        return format!("{near} `wearshape explain` lists all notes");
+    }
+    let word = word.to_lowercase();
+    let speak = sections().filter(|(code, text)| code.contains(&word) || text.to_lowercase().contains(&word));
+    let speak: Vec<&str> = speak.map(|(code, _)| code).take(4).collect();
+    match speak.as_slice() {
+        [] => "`wearshape explain` lists all notes".into(),
+        some => format!("notes that speak of it: {}; `wearshape explain` lists all", some.join(", ")),
+    }
+}
+
+/// The first sentence of a section in one line, without marks.
+fn first_sentence(text: &str) -> String {
+    let paragraph = text.split("\n\n").next().unwrap_or("").replace('\n', " ").replace('`', "");
+    let sentence = paragraph.split(". ").next().unwrap_or("").trim_end_matches('.').to_string();
+    let room = LINE - 23;
+    if sentence.chars().count() <= room {
+        return sentence;
+    }
+    let cut: String = sentence.chars().take(room - 3).collect();
+    format!("{}...", cut.rsplit_once(' ').map_or(cut.as_str(), |(whole, _)| whole))
 }
 
 /// Code and text of every section.

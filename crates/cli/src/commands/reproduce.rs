@@ -7,11 +7,12 @@ use report::SCHEMA_VERSION;
 use scene::{Fault, Place, did_you_mean};
 use serde_json::{Value, json};
 
-use crate::args::ReproduceArgs;
+use crate::args::{Common, ReproduceArgs};
 use crate::exit::Exit;
 use crate::folder::Folder;
 use crate::interrupt;
 use crate::print::{print_json, print_out};
+use crate::progress::Progress;
 use crate::reproduce::{ITEMS, Item, Made, Row, page, rows_csv, rows_json, rows_table};
 
 /// Computes one item or all of them, or lists them.
@@ -42,7 +43,10 @@ pub(crate) fn run(args: &ReproduceArgs) -> Result<Exit, Fault> {
 /// One item.
 fn single(args: &ReproduceArgs, item: &Item, target: &Path) -> Result<Exit, Fault> {
     interrupt::listen();
+    let progress = busy(args);
+    progress.say(item.name);
     let (made, document) = compute(item, target)?;
+    progress.end();
     if args.json {
         print_json(&document);
     } else if !args.quiet {
@@ -57,15 +61,19 @@ fn every(args: &ReproduceArgs, root: &Path) -> Result<Exit, Fault> {
     interrupt::listen();
     let mut all = Vec::new();
     let mut documents = Vec::new();
+    let progress = busy(args);
     for item in ITEMS {
+        progress.say(item.name);
         let start = Instant::now();
         let (made, document) = compute(item, &root.join(item.name))?;
         if !args.json && !args.quiet {
-            eprintln!("{:<9} {:6.2} s  {}", item.name, start.elapsed().as_secs_f64(), item.sentence);
+            let seconds = start.elapsed().as_secs_f64();
+            progress.beside(|| eprintln!("{:<9} {seconds:6.2} s  {}", item.name, item.sentence));
         }
         documents.push(document);
         all.push((item, made));
     }
+    progress.end();
     let document = index(&all, documents, &root.join("index"))?;
     if args.json {
         print_json(&document);
@@ -76,6 +84,11 @@ fn every(args: &ReproduceArgs, root: &Path) -> Result<Exit, Fault> {
         print_out(&format!("files     {} (all rows in index/rows.csv, the page in index/validation.md)\n", root.display()));
     }
     Ok(Exit::Done)
+}
+
+/// A line that says which item is computed.
+fn busy(args: &ReproduceArgs) -> Progress {
+    Progress::new(&Common { json: args.json, quiet: args.quiet, ..Common::default() })
 }
 
 fn list(json: bool) {

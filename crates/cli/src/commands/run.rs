@@ -1,14 +1,15 @@
 //! `wearshape run`: from scene to folder.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Instant;
 
 use scene::Fault;
-use wearshape::{Bodies, Options, Problem, Status, Step};
+use wearshape::{Bodies, Options, Problem, Solution, Status, Step};
 
 use crate::again::again;
 use crate::args::{Common, RunArgs};
-use crate::describe::{describe, describe_with_sizes, plan_json};
+use crate::describe::{describe, plan_json, sizes};
 use crate::exit::Exit;
 use crate::folder::Folder;
 use crate::live::Live;
@@ -23,21 +24,21 @@ use crate::{interrupt, open};
 pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
     let start = Instant::now();
     let common = &args.common;
+    let progress = Arc::new(Progress::new(common));
+    progress.say("reading the scene");
     let (document, problem) = open::problem(&args.scene, &common.set)?;
     let options = options(common)?;
     let target = common.output.clone().unwrap_or_else(|| PathBuf::from("out").join(problem.name()));
     if common.dry_run {
-        if common.json {
-            print_json(&plan_json(&problem));
-        } else {
-            print_out(&format!("{}\nwould write {}\n", describe_with_sizes(&problem), target.display()));
-        }
+        dry_run(common, &problem, &target, &progress);
         return Ok(Exit::Done);
     }
+    progress.say("meshing");
     problem.available().map_err(|fault| document.locate(fault))?;
     interrupt::listen();
     let resolved = problem.resolved();
-    let folder = Folder::begin(&target, common.resume)?;
+    let wanted = target;
+    let folder = Folder::begin(&wanted, common.resume)?;
     if common.resume {
         folder.same_scene(&resolved)?;
     }
@@ -47,13 +48,14 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
         folder.write_bytes(&name, &bytes)?;
     }
     if common.verbose && !common.quiet {
-        eprint!("{}", describe(&problem));
+        progress.beside(|| eprint!("{}", describe(&problem)));
     }
-    let mut live = Live::new(tape(&folder, &problem, &resolved, common), Progress::new(common));
+    progress.run(&problem);
+    let tape = progress.beside(|| tape(&folder, &problem, &resolved, common));
+    let mut live = Live::new(tape, progress);
     let resume = live.tape.as_ref().and_then(Tape::resume);
     let options = Options { resume: resume.as_ref(), ..options };
     let solved = with_threads(common, || live.solve(&problem, &options, &Bodies::default()))?;
-    live.progress.end();
     let solution = match solved {
         Ok(solution) => solution,
         Err(fault) => {
@@ -66,18 +68,55 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
     };
     if solution.status == Status::Interrupted {
         let kept = live.tape.as_ref().map(|_| "every finished step");
+        live.progress.end();
         eprintln!("interrupted; {}", again(&["run", &args.scene], common, kept));
         return Ok(Exit::Interrupted);
     }
-    let seconds = [ready, start.elapsed().as_secs_f64()];
-    let summary = write(&folder, &problem, &solution, live.tape, seconds)?;
-    folder.finish()?;
-    if common.json {
-        print_json(&summary);
-    } else if !common.quiet {
-        print_out(&report::first_screen(&problem, &solution, &target));
+    Finished { common, problem: &problem, wanted: &wanted, begun: [ready, start.elapsed().as_secs_f64()] }.keep(
+        folder, &solution, live,
+    )
+}
+
+/// A run that has come to its end.
+struct Finished<'a> {
+    common: &'a Common,
+    problem: &'a Problem,
+    wanted: &'a Path,
+    /// Seconds until the solve, and to its end.
+    begun: [f64; 2],
+}
+
+impl Finished<'_> {
+    /// Writes the folder and says what came of it.
+    fn keep(&self, folder: Folder, solution: &Solution, live: Live) -> Result<Exit, Fault> {
+        let Finished { common, problem, wanted, begun } = *self;
+        live.progress.part(Step::Page);
+        let summary = write(&folder, problem, solution, live.tape, begun)?;
+        let unanswered = matches!(solution.status, Status::Refused | Status::NotConverged);
+        let target = if unanswered { folder.finish_beside_good()? } else { folder.finish()? };
+        live.progress.end();
+        if target != wanted && !common.quiet {
+            eprintln!("{} keeps the run of before", wanted.display());
+        }
+        if common.json {
+            print_json(&summary);
+        } else if !common.quiet {
+            print_out(&report::first_screen(problem, solution, &target));
+        }
+        Ok(Exit::of(solution.status))
     }
-    Ok(Exit::of(solution.status))
+}
+
+/// Says what would be done.
+fn dry_run(common: &Common, problem: &Problem, target: &Path, progress: &Progress) {
+    if common.json {
+        print_json(&plan_json(problem, progress));
+        return;
+    }
+    progress.beside(|| print_out(&describe(problem)));
+    let sizes = sizes(problem, progress);
+    progress.end();
+    print_out(&format!("{sizes}\nwould write {}\n", target.display()));
 }
 
 /// The recording of a run in time; a sentence says from where it goes on.

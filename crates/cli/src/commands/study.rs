@@ -14,6 +14,7 @@ use crate::exit::Exit;
 use crate::folder::Folder;
 use crate::options::with_threads;
 use crate::print::{print_json, print_out};
+use crate::progress::Progress;
 use crate::{interrupt, open};
 
 /// Columns of study.csv.
@@ -96,7 +97,15 @@ fn levels(args: &StudyArgs, truth: Option<Truth>) -> Result<Option<Vec<StudyLeve
         settings.extend([format!("mesh.degree={degree}"), "check=false".into()]);
         open::problem(&args.scene, &settings).map(|(_, problem)| problem)
     };
-    let mut watch = |_: Event<'_>| if interrupt::asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
+    let progress = Progress::new(&args.common);
+    let mut degrees = 0;
+    let mut watch = |event: Event<'_>| {
+        if let Event::Level { degree, .. } = event {
+            degrees += 1;
+            progress.say(&format!("degree {degree}, {degrees} of {}", DEGREES.len()));
+        }
+        if interrupt::asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    };
     match study(&at, truth, seconds, &mut watch) {
         // A level that was cut short is a fault of the study; nothing is wrong with it.
         Err(_) if interrupt::asked() => Ok(None),

@@ -29,4 +29,5 @@ mod set;
 mod study;
 mod sweep;
 mod templates;
+mod terminal;
 mod twist;

@@ -48,6 +48,7 @@ pub(crate) fn force(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Found, E
         let pair = reduced.pair()?;
         // Mean pressures of a millionth of the modulus deform like any other.
         let trial = before.last().map_or_else(|| 1e-6 * stage.couple.softest() * area(&pair), |level| level.found.force);
+        (stage.options.begun)(Step::Force);
         let found = effort
             .timed(Step::Force, stage.clock(), |_| force_of_approach(approach, trial, |force| needed(stage, &pair, force)))?;
         let found = found.ok_or_else(|| {

@@ -169,6 +169,7 @@ fn find(stage: Stage<'_>, level: Level, ends: &mut FreeEnds, effort: &mut Effort
         }
     };
     let pair = reduced.pair()?;
+    (stage.options.begun)(Step::Contact);
     let operator = effort.timed(Step::Interface, stage.clock(), |_| reduced.operator(&pair, stage.friction() > 0.0))?;
     let found = effort.timed(Step::Contact, stage.clock(), |effort| match (trial, held) {
         (Some(found), None) => Ok(found),
@@ -192,6 +193,7 @@ fn find(stage: Stage<'_>, level: Level, ends: &mut FreeEnds, effort: &mut Effort
 pub(crate) fn on_standing_mesh(stage: Stage<'_>, level: Level) -> Result<(ContactSolution, f64, Effort), Fault> {
     let (reduced, mut effort) = stage.reduced(level, Cut::Plain)?;
     let pair = reduced.pair()?;
+    (stage.options.begun)(Step::Contact);
     let operator = effort.timed(Step::Interface, stage.clock(), |_| reduced.operator(&pair, stage.friction() > 0.0))?;
     let gap = start_gaps(stage, &operator);
     effort.counters.contact_solves += 1;

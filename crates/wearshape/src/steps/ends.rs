@@ -125,6 +125,7 @@ impl Setting<'_> {
         let nodes = position_nodes(start, |moving| -> Result<_, Refusal> {
             let nodes = &with_stick(moving);
             let (parts, effort) = self.parts(level, nodes)?;
+            (self.options.begun)(Step::Factor);
             let (bodies, reduced) = parts.reduce(self.options.clock)?;
             *work += effort;
             *work += reduced;
@@ -179,6 +180,7 @@ impl Setting<'_> {
     /// The contact with its conditions of sign on the positioned mesh, and everything that is reported.
     fn result(&self, level: Level, nodes: &[f64], sought: bool, mut effort: Effort) -> Result<Solved, Refusal> {
         let (parts, work) = self.parts(level, nodes)?;
+        (self.options.begun)(Step::Factor);
         let (bodies, reduced) = parts.reduce(self.options.clock)?;
         effort += work;
         effort += reduced;
@@ -186,6 +188,7 @@ impl Setting<'_> {
         let pair = facing(&bodies)?;
         let operator = self.operator(&pair)?;
         let gap: Vec<f64> = held.points.iter().map(|p| self.disc.gap(p.position[0])).collect();
+        (self.options.begun)(Step::Contact);
         let start = (self.options.clock)();
         let (found, load) = self.solved(&operator, &gap, &held)?;
         let embedded = operator.embedded_difference(&gap, &load, &found).map_err(unsolved)?;

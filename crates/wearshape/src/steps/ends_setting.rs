@@ -94,6 +94,7 @@ impl<'a> Setting<'a> {
             )));
         }
         let mut effort = Effort::default();
+        (self.options.begun)(Step::Mesh);
         let parts = effort.timed(Step::Mesh, self.options.clock, |_| {
             make(self.couple, self.disc.meshes(nodes, level.layers.div_ceil(2))?, level, true)
         })?;

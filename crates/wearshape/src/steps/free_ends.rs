@@ -11,6 +11,7 @@ use crate::effort::Effort;
 use crate::faults::unsolved;
 use crate::level::Level;
 use crate::stage::Stage;
+use crate::step::Step;
 use crate::steps::start_gap::start_gaps;
 
 /// Accuracy of the nodes by the accuracy asked for: a misplaced end changes the pressure by about its distance over the length of the contact.
@@ -33,6 +34,7 @@ pub(crate) fn position(
     ends.position(TOLERANCE * stage.accuracy(), |places| {
         // Cells that cannot be cut there are no fault of the user's: they serve on the standing mesh.
         let Ok((parts, effort)) = stage.parts(level, Cut::Ends(places)) else { return Ok(None) };
+        (stage.options.begun)(Step::Factor);
         let (reduced, reduction) = Reduced::new(&parts, stage.clock())?;
         let reduced = Arc::new(reduced);
         *work += effort;

@@ -33,6 +33,7 @@ pub(crate) fn solve(problem: &Problem, options: &Options<'_>) -> Result<Found, F
     match wear::optimal_pressure(&wear) {
         Ok(optimum) => {
             describe(&mut found.result, &optimum, &problem.freedoms, wear.wear.active);
+            found.result.wear_rule = problem.wear.own_rule.then_some("given as a function");
             if options.machining {
                 found.result.sensitivity = sensitivity::of(problem, &wear, &optimum);
             }

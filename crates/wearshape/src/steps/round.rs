@@ -131,6 +131,7 @@ impl RoundContact<'_> {
             search.report(stage, &mut outcome)?;
             let reported = outcome.reported.take().filter(|_| stage.problem.plan.runs(Step::Fields));
             let Some(reported) = reported else { return Ok((outcome, effort, Vec::new())) };
+            (stage.options.begun)(Step::Fields);
             let (fields, work) = effort.timed(Step::Fields, stage.clock(), |_| recover::recover(stage, &reported))?;
             effort += work;
             Ok((outcome, effort, fields))

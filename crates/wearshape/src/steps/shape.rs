@@ -107,6 +107,7 @@ impl Shaper<'_> {
     fn level(&self, level: Level) -> Result<Solved, Fault> {
         let (reduced, mut effort) = self.stage.reduced_at(level, &self.ends)?;
         let pair = reduced.pair()?;
+        (self.stage.options.begun)(Step::Shape);
         let shape = effort.timed(Step::Shape, self.stage.clock(), |_| self.shape(&pair))?;
         let arcs = samples(&pair);
         let gaps: Vec<f64> = arcs.iter().map(|arc| shape.gap(&pair, &pair.at_arc(*arc))).collect();
@@ -143,6 +144,7 @@ impl Shaper<'_> {
         let mut effort = Effort::default();
         if stage.problem.plan.runs(Step::RoundTrip) && !outcome.stopped {
             let start = stage.clock()();
+            (stage.options.begun)(Step::RoundTrip);
             let curve = GapCurve::of(shape, &pair);
             let (same, interface) = round_trip::same(self, reduced, shape)?;
             result.roundtrip_same = Some(same);

@@ -93,7 +93,7 @@ fn levels_and_steps_are_told_in_their_order() {
     let (mut levels, mut runs, mut times) = (Vec::new(), Vec::new(), Vec::new());
     let watch = &mut |event: Event<'_>| {
         match event {
-            Event::Level { step, degree, layers } => levels.push((step, degree, layers)),
+            Event::Level { step, degree, layers, .. } => levels.push((step, degree, layers)),
             Event::Run(level) => {
                 assert_eq!(level.finished.len(), runs.len());
                 assert!((level.lines)().unwrap().iter().all(|body| !body.is_empty()));

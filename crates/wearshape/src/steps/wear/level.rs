@@ -67,6 +67,7 @@ pub(super) fn run(
     let Known { finished, states } = known;
     let (reduced, mut effort) = stage.reduced_at(level, ends)?;
     let pair = reduced.pair()?;
+    (stage.options.begun)(Step::Interface);
     let operator = effort.timed(Step::Interface, stage.clock(), |_| reduced.operator(&pair, stage.friction() > 0.0))?;
     let start = stage.clock()();
     let stages = pieces.problems.iter().map(|problem| stage.with(problem)).collect::<Result<Vec<Stage<'_>>, Fault>>()?;
