@@ -26,6 +26,7 @@ pub(crate) fn plan_json(problem: &Problem, progress: &Progress) -> serde_json::V
 /// Sizes and times of the levels; `None` for scenes without bodies.
 fn expected(problem: &Problem, progress: &Progress) -> Option<Result<Vec<Forecast>, Fault>> {
     let begun = |step| progress.busy(step);
+    progress.busy(Step::Mesh);
     let options = Options { clock: seconds, begun: &begun, ..Options::default() };
     problem.plan().runs(Step::Mesh).then(|| problem.forecast(&options))
 }
@@ -44,7 +45,7 @@ pub(crate) fn sizes(problem: &Problem, progress: &Progress) -> String {
                 out += &format!("{:>14}  {memory:>9.1}  about {:.2}\n", level.contact_points, level.about_seconds);
             }
             if levels.len() > 1 {
-                out += "the run climbs from row to row until its accuracy is reached; seconds are those up to there, with the proof\n";
+                out += "the run climbs from row to row until its accuracy is reached;\nseconds are those up to there, with the proof\n";
             }
             if problem.plan().runs(Step::Evolution) {
                 out += "the steps in time come on top: how many it takes is not known before\n";

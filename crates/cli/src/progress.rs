@@ -22,7 +22,7 @@ const SHARES: u64 = 1000;
 
 /// Lines of work whose length is not known, of a share, and of things that are counted.
 const BUSY: &str = "{spinner} {elapsed:>3}  {wide_msg}";
-const SHARE: &str = "[{bar:20}] {percent:>3}% {elapsed:>4}  {wide_msg}";
+const SHARE: &str = "[{bar:14}] {percent:>3}% {elapsed:>4}  {wide_msg}";
 const COUNT: &str = "[{bar:20}] {pos}/{len} {elapsed:>4}  {wide_msg}";
 
 /// A bar, or none.
@@ -75,10 +75,7 @@ impl Progress {
                 self.track().level(Level { step: *step, degree: *degree, left: *left });
             }
             Event::Run(_) => {}
-            Event::WearStep(step) => {
-                let state = self.wear(step.state);
-                self.track().wear(step.share, state);
-            }
+            Event::WearStep(step) => self.track().wear(step.share, at(step.state)),
         }
         self.draw();
     }
@@ -109,22 +106,13 @@ impl Progress {
         }
     }
 
-    /// A state of a run in time, with what is left of it.
-    fn wear(&self, state: &WearState) -> String {
-        let left = self.track_left().map_or(String::new(), |left| format!(", about {} left", span(left)));
-        let time: f64 = format!("{:.2e}", state.time).parse().unwrap_or(state.time);
-        format!("step {}, t = {} s{left}", state.step, short(time))
-    }
-
-    fn track_left(&self) -> Option<f64> {
-        self.track().left(self.start.elapsed().as_secs_f64())
-    }
-
     fn draw(&self) {
         self.show(|bar| {
             let track = self.track();
             bar.set_position((track.share() * SHARES as f64) as u64);
-            bar.set_message(track.words());
+            let left = track.left(self.start.elapsed().as_secs_f64());
+            let left = left.map_or(String::new(), |left| format!("about {} left, ", span(left)));
+            bar.set_message(left + &track.words());
         });
     }
 
@@ -145,6 +133,12 @@ impl Drop for Progress {
     fn drop(&mut self) {
         self.end();
     }
+}
+
+/// A state of a run in time.
+fn at(state: &WearState) -> String {
+    let time: f64 = format!("{:.2e}", state.time).parse().unwrap_or(state.time);
+    format!("step {}, t = {} s", state.step, short(time))
 }
 
 /// Seconds in the unit that fits.
@@ -171,7 +165,10 @@ fn bar(length: u64, template: &str) -> ProgressBar {
 }
 
 fn style(template: &str) -> ProgressStyle {
-    ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar()).progress_chars("#> ").tick_chars("|/-\\ ")
+    ProgressStyle::with_template(template)
+        .unwrap_or_else(|_| ProgressStyle::default_bar())
+        .progress_chars("#> ")
+        .tick_chars("|/-\\ ")
 }
 
 fn wanted_here(common: &Common) -> bool {

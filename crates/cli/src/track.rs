@@ -109,9 +109,10 @@ impl Track {
         }
     }
 
-    /// Seconds to go after so many, about; none before there is much to go by.
+    /// Seconds to go after so many of a run in time, about; none before there is much to go by. How many levels another run takes is hardly known.
     pub(crate) fn left(&self, seconds: f64) -> Option<f64> {
-        (seconds > 1.0 && self.share > 0.02).then(|| seconds * (1.0 - self.share) / self.share)
+        let in_time = self.climbing.is_some_and(|(step, _)| step == Step::Evolution);
+        (in_time && seconds > 1.0 && self.share > 0.02).then(|| seconds * (1.0 - self.share) / self.share)
     }
 
     /// Shares of the run between which the levels of a step lie.

@@ -70,3 +70,38 @@ fn worn_through(problem: &Problem, solution: &Solution) -> Option<Remark> {
     );
     Some(Remark { code: "wear-beyond-body", message })
 }
+
+#[cfg(test)]
+mod tests {
+    use scene::{Document, builtin};
+
+    use super::*;
+    use crate::results::{ContactResult, UniquenessResult};
+
+    /// The remark on a drum brake with friction 0.25 whose contact is unique, or not, from some coefficients on.
+    fn said(verdict: Uniqueness, not_guaranteed_from: f64, singular_from: Option<f64>) -> Option<(&'static str, String)> {
+        let document = Document::read("scene", builtin("drum-brake-block")?.text, &[]).ok()?;
+        let problem = Problem::new(&document, &|_| Err("no file".into())).ok()?;
+        let found = UniquenessResult { verdict, not_guaranteed_from: Some(not_guaranteed_from), singular_from, lost_from: None };
+        let contact = ContactResult { uniqueness: Some(found), ..ContactResult::default() };
+        let solution = Solution { contact: Some(contact), ..Solution::default() };
+        other_solutions(&problem, &solution).map(|remark| (remark.code, remark.message))
+    }
+
+    #[test]
+    fn a_guarantee_that_ends_at_once_is_no_word_about_this_friction() {
+        assert_eq!(said(Uniqueness::NotGuaranteed, 3.0518e-6, None), None);
+        let (code, message) = said(Uniqueness::NotGuaranteed, 0.123456, None).unwrap_or_default();
+        assert_eq!(code, "not-guaranteed-unique");
+        assert!(message.contains("a coefficient of friction of 0.123 on"), "{message}");
+    }
+
+    #[test]
+    fn a_contact_that_branches_is_said_wherever_its_guarantee_ended() {
+        let (code, message) = said(Uniqueness::Singular, 3.0518e-6, Some(0.204_567)).unwrap_or_default();
+        assert_eq!(code, "several-solutions");
+        assert!(message.contains("at a coefficient of 0.205:"), "{message}");
+        let (code, _) = said(Uniqueness::Several, 0.0, None).unwrap_or_default();
+        assert_eq!(code, "several-solutions");
+    }
+}

@@ -8,8 +8,9 @@ use crate::print::print_out;
 /// All notes, a section each.
 const PAGE: &str = include_str!("../../../../docs/lints.md");
 
-/// Longest line of the list.
+/// Longest line of the list, and of a page.
 const LINE: usize = 100;
+const WIDTH: usize = 80;
 
 /// Prints the section of a code, or the list of codes with what each says.
 pub(crate) fn run(code: Option<&str>) -> Result<Exit, Fault> {
@@ -24,8 +25,27 @@ pub(crate) fn run(code: Option<&str>) -> Result<Exit, Fault> {
             ..Fault::new("no-note", format!("there is no note `{wanted}`"), meant(wanted))
         });
     };
-    print_out(&format!("{code}\n\n{text}\n"));
+    print_out(&format!("{code}\n\n{}", wrapped(text)));
     Ok(Exit::Done)
+}
+
+/// Paragraphs in lines that fit a terminal.
+fn wrapped(text: &str) -> String {
+    let mut out = String::new();
+    for (number, paragraph) in text.split("\n\n").enumerate() {
+        out += if number > 0 { "\n" } else { "" };
+        let mut line = String::new();
+        for word in paragraph.split_whitespace() {
+            if !line.is_empty() && line.chars().count() + 1 + word.chars().count() > WIDTH {
+                out += &format!("{line}\n");
+                line.clear();
+            }
+            line += if line.is_empty() { "" } else { " " };
+            line += word;
+        }
+        out += &format!("{line}\n");
+    }
+    out
 }
 
 /// The codes of all notes.

@@ -14,7 +14,10 @@ use crate::print::print_out;
 const EXIT_STATUS: [(&str, &str); 4] = [
     ("0", "Done."),
     ("1", "Computed, but the goal is not met: accuracy missed, not converged, no answer, or a sweep with such rows."),
-    ("2", "Wrong command or scene, or a file that cannot be read or written: the message names the place and what to write instead."),
+    (
+        "2",
+        "Wrong command or scene, or a file that cannot be read or written: the message names the place and what to write instead.",
+    ),
     ("130", "Interrupted: what is finished is kept where --resume can go on with it."),
 ];
 

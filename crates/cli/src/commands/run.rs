@@ -72,9 +72,8 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
         eprintln!("interrupted; {}", again(&["run", &args.scene], common, kept));
         return Ok(Exit::Interrupted);
     }
-    Finished { common, problem: &problem, wanted: &wanted, begun: [ready, start.elapsed().as_secs_f64()] }.keep(
-        folder, &solution, live,
-    )
+    Finished { common, problem: &problem, wanted: &wanted, begun: [ready, start.elapsed().as_secs_f64()] }
+        .keep(folder, &solution, live)
 }
 
 /// A run that has come to its end.

@@ -14,13 +14,16 @@ fn explain_lists_every_note_in_one_line_each() {
         assert!(what.trim().len() > 10 && line.len() <= 100, "{line}");
         let page = bench.call(&format!("explain {code}"));
         assert!(page.code == 0 && page.out.starts_with(code), "{code}");
+        assert!(page.out.lines().all(|line| line.chars().count() <= 80), "{}", page.out);
     }
 }
 
 #[test]
 fn an_unknown_note_is_answered_by_the_nearest_or_by_those_that_speak_of_it() {
     let bench = Bench::new();
-    for (word, answer) in [("s-on", "did you mean `s-one`?"), ("paper", "paper-balance"), ("friction", "jamming"), ("zzz", "lists all")] {
+    for (word, answer) in
+        [("s-on", "did you mean `s-one`?"), ("paper", "paper-balance"), ("friction", "jamming"), ("zzz", "lists all")]
+    {
         let call = bench.call(&format!("explain {word}"));
         assert!(call.code == 2 && call.err.contains(answer), "{word}: {}", call.err);
     }

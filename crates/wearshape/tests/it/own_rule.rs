@@ -46,6 +46,7 @@ fn the_scenes_own_law_as_a_function_gives_its_pressure_gap_and_wear_rate() {
     assert_relative_eq!(plain.torque.unwrap(), given.torque.unwrap(), max_relative = 1e-9);
     // What is said of powers alone is not said.
     assert_eq!((given.s, given.k), (None, None));
+    assert_eq!([plain.wear_rule, given.wear_rule], [None, Some("given as a function")]);
 }
 
 #[test]

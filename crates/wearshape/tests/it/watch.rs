@@ -1,6 +1,7 @@
 //! What a watcher sees, and what it leaves when it stops a solve.
 
 use std::ops::ControlFlow;
+use std::sync::Mutex;
 
 use wearshape::{Bodies, Event, Options, Problem, SCENES, Solution, Status, Step, Task, solve};
 
@@ -115,4 +116,26 @@ fn levels_and_steps_are_told_in_their_order() {
     assert!(runs[2].starts_with("degree 6, 6 layers, "), "{}", runs[2]);
     let (name, told) = &solution.history[1];
     assert_eq!((name.as_str(), told), ("time_s", &times));
+}
+
+#[test]
+fn every_part_of_the_work_is_told_as_it_begins() {
+    let told = Mutex::new(Vec::new());
+    let begun = |step: Step| told.lock().unwrap().push(step);
+    let options = Options { begun: &begun, ..Options::default() };
+    let problem = scene("drum-brake-block", &["tasks=[contact,shape]", "accuracy=1e-3", "output.fields=true"]);
+    let left = Mutex::new(Vec::new());
+    let watch = &mut |event: Event<'_>| {
+        if let Event::Level { step: Step::Shape, left: more, .. } = event {
+            left.lock().unwrap().push(more);
+        }
+        ControlFlow::Continue(())
+    };
+    assert_eq!(solve(&problem, &options, &Bodies::default(), watch).unwrap().status, Status::Ok);
+    let told = told.into_inner().unwrap();
+    for step in [Step::Mesh, Step::Factor, Step::Contact, Step::Shape, Step::RoundTrip, Step::Fields] {
+        assert!(told.contains(&step), "{step:?} is not among {told:?}");
+    }
+    let left = left.into_inner().unwrap();
+    assert!(left.len() >= 3 && left[..3] == [2, 1, 0], "{left:?}");
 }
