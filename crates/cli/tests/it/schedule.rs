@@ -169,7 +169,8 @@ fn rates_near_the_smallest_number_only_take_longer_and_below_it_nothing_wears() 
     let wear = |friction: f64| {
         let sets = "--set contact.shear=false --set mesh.degree=4 --set output.report=false";
         let call = bench.call(&format!("run punch-wear {sets} --set contact.friction={friction:e} -q"));
-        (call.code, bench.summary("punch-wear"))
+        // A run without an answer stands beside the good one.
+        (call.code, bench.summary(if call.code == 1 { "punch-wear.failed" } else { "punch-wear" }))
     };
     let (of, times): (Vec<_>, Vec<_>) =
         [0.25, 1e-100].map(wear).map(|(_, s)| (s["wear"]["depth_um"].as_f64(), s["wear"]["time_s"].as_f64())).into_iter().unzip();
