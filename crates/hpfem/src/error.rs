@@ -275,6 +275,32 @@ pub enum Error {
         /// Second coordinate of the middle, mm.
         z: f64,
     },
+    /// Two cells of one mesh touch without sharing the vertex or edge there.
+    #[error(
+        "cells {cell} and {other} touch at ({x:.6}, {z:.6}) without sharing vertices there: vertex {vertex} lies on an edge of cell {cell} that it is no end of"
+    )]
+    TouchingApart {
+        /// The vertex.
+        vertex: usize,
+        /// The cell whose edge it lies on.
+        cell: usize,
+        /// A cell that the vertex belongs to.
+        other: usize,
+        /// First coordinate of the vertex, mm.
+        x: f64,
+        /// Second coordinate of the vertex, mm.
+        z: f64,
+    },
+    /// A mesh in pieces that share no edge.
+    #[error("cell {cell} at ({x:.6}, {z:.6}) is in another piece than cell 0: no common edges join them")]
+    Pieces {
+        /// The first cell of another piece than that of cell 0.
+        cell: usize,
+        /// First coordinate of its first corner, mm.
+        x: f64,
+        /// Second coordinate of its first corner, mm.
+        z: f64,
+    },
     /// Two meshes to be joined have no edge in common.
     #[error("the meshes share no edge within {tolerance:.3e}; their closest boundary vertices are {distance:.3e} apart")]
     NotTouching {

@@ -77,6 +77,7 @@ mod triangle_matrix;
 mod volume_load;
 #[cfg(feature = "vtu")]
 mod vtu;
+mod whole;
 
 /// The linear algebra of the matrices in this crate's answers.
 pub use faer;

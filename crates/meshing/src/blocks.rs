@@ -276,33 +276,25 @@ impl<'a> Named<'a> {
 
     /// Refuses cells that touch nothing, and points that lie on a side without cutting it.
     fn connected(&self, mesh: &Mesh, blocks: &Blocks) -> Result<(), Fault> {
-        let name = |v: usize| {
+        let names: Vec<&str> = blocks.cells.keys().map(String::as_str).collect();
+        let of_vertex = |v: usize| {
             let x = mesh.vertices[v];
             self.points.iter().position(|p| *p == x).map_or("", |i| self.names[i])
         };
-        let neighbours = mesh.edge_cells();
-        for (e, edge) in mesh.edges.iter().enumerate().filter(|(e, _)| neighbours[*e].len() == 1) {
-            for v in (0..mesh.vertices.len()).filter(|v| !edge.vertices.contains(v)) {
-                if lies_on(&edge.curve, mesh.vertices[v]) {
-                    let cell = blocks.cells.keys().nth(neighbours[e][0].0).map_or("", String::as_str);
-                    let message = format!("the point `{}` lies on a side of the cell `{cell}` without being its corner", name(v));
-                    let remedy = "cut that cell there, so that cells touch along whole curves only";
-                    return Err(Fault::at(format!("{}.cells.{cell}", self.key), "hanging-point", message, remedy));
-                }
+        mesh.check_whole().map_err(|error| match error {
+            Error::TouchingApart { vertex, cell, .. } => {
+                let (point, cell) = (of_vertex(vertex), names[cell]);
+                let message = format!("the point `{point}` lies on a side of the cell `{cell}` without being its corner");
+                let remedy = "cut that cell there, so that cells touch along whole curves only";
+                Fault::at(format!("{}.cells.{cell}", self.key), "hanging-point", message, remedy)
             }
-        }
-        let mut reached = vec![false; mesh.cells.len()];
-        let mut open = vec![0];
-        while let Some(c) = open.pop() {
-            if !std::mem::replace(&mut reached[c], true) {
-                open.extend(mesh.cells[c].sides().flat_map(|(_, e)| neighbours[e].iter().map(|(cell, _)| *cell)));
+            Error::Pieces { cell, .. } => {
+                let message = format!("the cells `{}` and `{}` belong to two pieces that share no curve", names[0], names[cell]);
+                let remedy = "join all cells of a body by common curves";
+                Fault::at(format!("{}.cells.{}", self.key, names[cell]), "loose-cell", message, remedy)
             }
-        }
-        let Some(loose) = reached.iter().position(|r| !r) else { return Ok(()) };
-        let names: Vec<&str> = blocks.cells.keys().map(String::as_str).collect();
-        let message = format!("the cells `{}` and `{}` belong to two pieces that share no curve", names[0], names[loose]);
-        let remedy = "join all cells of a body by common curves";
-        Err(Fault::at(format!("{}.cells.{}", self.key, names[loose]), "loose-cell", message, remedy))
+            other => Fault::at(self.key, "degenerate", other.to_string(), "mend the points and curves of this body"),
+        })
     }
 }
 
@@ -323,22 +315,4 @@ fn smooth(places: &[[f64; 2]]) -> Curve {
         let shapes = hpfem::lagrange(&parameters, &weights, t);
         std::array::from_fn(|i| shapes.iter().zip(places).map(|(l, x)| l * x[i]).sum())
     })
-}
-
-/// Whether a point lies on a line or arc between its ends; of polynomial curves it is not asked.
-fn lies_on(curve: &Curve, x: [f64; 2]) -> bool {
-    let near = 1e-9 * curve.length();
-    let inner = |t: f64| t.abs() < 1.0 && distance(curve.point(t), x) <= near;
-    match *curve {
-        Curve::Line { start, end } => {
-            let (d, r) = ([end[0] - start[0], end[1] - start[1]], [x[0] - start[0], x[1] - start[1]]);
-            inner(2.0 * (d[0] * r[0] + d[1] * r[1]) / (d[0] * d[0] + d[1] * d[1]) - 1.0)
-        }
-        Curve::Arc { centre, from, to, .. } => {
-            let angle = (x[1] - centre[1]).atan2(x[0] - centre[0]);
-            let off = (angle - 0.5 * (from + to) + PI).rem_euclid(TAU) - PI;
-            inner(2.0 * off / (to - from))
-        }
-        Curve::Polynomial { .. } => false,
-    }
 }

@@ -12,6 +12,8 @@ pub const RATIO: f64 = 0.25;
 pub(crate) struct Coarse {
     pub mesh: Mesh,
     pub singular: Vec<[f64; 2]>,
+    /// How far the body reaches beyond the left and right of its mesh (mm): less than a cell, added once cells there are as small.
+    pub ledges: [f64; 2],
     /// Ends of contact, where the pressure goes like a square root: half as many layers do.
     pub free: Vec<[f64; 2]>,
 }

@@ -3,9 +3,10 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use hpfem::{Curve, Mesh};
-use scene::Fault;
+use scene::{Fault, Geometry, short};
 
 use crate::couple::Body;
+use crate::gmsh_file::circle;
 use crate::line::ContactLine;
 use crate::outline::outline;
 
@@ -20,10 +21,27 @@ pub fn contact_line(body: &Body, shaped: bool) -> Result<ContactLine, Fault> {
         Err(Fault::at(if shaped { "contact.edges.0" } else { "contact.edges.1" }, "not-available", message, remedy))
     };
     if let Some(mesh) = &body.cells {
+        if let Some((pieces, radius)) = facets(mesh, edge).filter(|_| matches!(body.geometry, Geometry::Mesh(_))) {
+            let radius = short(radius);
+            let message = format!("the edge `{edge}` of {key} is an arc of radius {radius} made of {pieces} straight sides");
+            let remedy = "mesh with order 2 (Mesh.ElementOrder = 2), so that the sides are curved";
+            return Err(Fault::at(if shaped { "contact.edges.0" } else { "contact.edges.1" }, "not-available", message, remedy));
+        }
         return of_mesh(mesh, edge, shaped).map_or_else(|why| refuse(format!("the edge `{edge}` of {key} {why}")), Ok);
     }
     let touches = outline(body).edge(edge).and_then(|edge| edge.touches[usize::from(!shaped)]);
     touches.map_or_else(|| refuse(format!("the edge `{edge}` of the {} {key} cannot touch this body", body.geometry.name())), Ok)
+}
+
+/// Number of sides and radius of an edge whose straight sides turn along one circle: a mesh of order 1 on an arc.
+fn facets(mesh: &Mesh, edge: &str) -> Option<(usize, f64)> {
+    let walk = walk(mesh, edge)?;
+    let first = walk.first().filter(|_| walk.len() > 1 && walk.iter().all(Curve::is_straight))?;
+    let points: Vec<[f64; 2]> = std::iter::once(first.point(-1.0)).chain(walk.iter().map(|side| side.point(1.0))).collect();
+    let (centre, radius) = circle(&points)?;
+    let length: f64 = walk.iter().map(Curve::length).sum();
+    let on = |x: &[f64; 2]| ((x[0] - centre[0]).hypot(x[1] - centre[1]) - radius).abs() <= 1e-6 * length;
+    (radius < 100.0 * length && points.iter().all(on)).then_some((walk.len(), radius))
 }
 
 fn of_mesh(mesh: &Mesh, edge: &str, shaped: bool) -> Result<ContactLine, String> {

@@ -1,13 +1,18 @@
 //! `geometry.mesh`: a gmsh file beside the scene.
 
-use hpfem::{Curve, GmshError, GmshMesh, Mesh};
+use hpfem::{Curve, Error, GmshError, GmshMesh, Mesh};
 use scene::{Fault, Material, MeshFile, did_you_mean, sha256};
 
 use crate::given::{Files, Given};
+use crate::placing::Placing;
 
-/// The cells of a mesh file, and the physical group of each material index.
-fn parse(bytes: &[u8]) -> Result<(Mesh, Vec<String>), GmshError> {
+/// The cells of a mesh file in their place, and the physical group of each material index.
+fn parse(bytes: &[u8], placing: Option<Placing>) -> Result<(Mesh, Vec<String>), GmshError> {
     let GmshMesh { mut mesh, materials } = GmshMesh::read(bytes)?;
+    mesh.check_whole()?;
+    if let Some(placing) = placing {
+        placing.put(&mut mesh);
+    }
     round(&mut mesh);
     Ok((mesh, materials))
 }
@@ -28,13 +33,36 @@ pub(crate) fn read(key: &str, file: &mut MeshFile, files: Files<'_>, own: Option
         let remedy = "bring the old file back, or remove the key sha256";
         return Err(Fault::at(format!("{key}.geometry.mesh.sha256"), "changed-mesh", message, remedy));
     }
-    let (mesh, groups) =
-        parse(&bytes).map_err(|error| Fault::at(&at, "wrong-mesh", format!("{name}: {error}"), remedy(&error)))?;
+    let (mesh, groups) = parse(&bytes, Placing::of(file))
+        .map_err(|error| Fault::at(&at, "wrong-mesh", format!("{name}: {}", sentence(&error)), remedy(&error)))?;
+    if let Some(own) = mesh.boundaries.iter().find(|name| name.starts_with('@')) {
+        let message = format!("{name}: the physical curve `{own}` begins with @");
+        return Err(Fault::at(&at, "wrong-mesh", message, "give it a name without @"));
+    }
     file.content = Some(bytes.into());
     file.file = format!("{key}.msh");
     file.sha256 = Some(hash);
     let materials = materials(&format!("{key}.geometry.mesh"), file, &groups, own)?;
     Ok(Given { mesh, materials })
+}
+
+/// What is wrong, with cells counted as the file has them.
+fn sentence(error: &GmshError) -> String {
+    match error {
+        GmshError::Mesh(Error::TouchingApart { cell, other, x, z, .. }) => {
+            let (cell, other) = (cell.min(other) + 1, cell.max(other) + 1);
+            format!(
+                "cells {cell} and {other} touch without sharing nodes at ({x}, {z}): the body would be solved as if cut there (cells counted from 1)"
+            )
+        }
+        GmshError::Mesh(Error::Pieces { cell, x, z }) => {
+            format!(
+                "the body is in pieces: no shared edges join cell {} at ({x}, {z}) to cell 1 (cells counted from 1)",
+                cell + 1
+            )
+        }
+        other => other.to_string(),
+    }
 }
 
 fn remedy(error: &GmshError) -> &'static str {
@@ -44,6 +72,10 @@ fn remedy(error: &GmshError) -> &'static str {
         GmshError::Version { .. } => "save as version 4.1: gmsh -format msh41",
         GmshError::NotPlane { .. } => "put the section into the x-y or the x-z plane",
         GmshError::LooseLine { .. } => "let physical curves follow sides of cells",
+        GmshError::Mesh(Error::TouchingApart { .. }) => {
+            "merge duplicate nodes (gmsh: Coherence Mesh), and let no node lie inside the side of another cell; a crack with closed faces cannot be told from that and is not known"
+        }
+        GmshError::Mesh(Error::Pieces { .. }) => "join the pieces along common nodes, or save the one body alone",
         GmshError::Mesh(_) => "mend the mesh: gmsh's Tools, Statistics shows cells of low quality",
         _ => "write the file again with gmsh, as MSH 4.1 or 2.2",
     }
@@ -121,7 +153,7 @@ fn nodes(curve: &Curve) -> Option<Vec<[f64; 2]>> {
 }
 
 /// Centre and radius of the circle nearest to points, by linear least squares on `x^2 + z^2 = 2 a x + 2 b z + c`.
-fn circle(points: &[[f64; 2]]) -> Option<([f64; 2], f64)> {
+pub(crate) fn circle(points: &[[f64; 2]]) -> Option<([f64; 2], f64)> {
     let count = points.len() as f64;
     let mean: [f64; 2] = std::array::from_fn(|i| points.iter().map(|x| x[i]).sum::<f64>() / count);
     let rows = points.iter().map(|x| nalgebra::Vector3::new(x[0] - mean[0], x[1] - mean[1], 1.0));

@@ -79,7 +79,7 @@ impl<'a> Matching<'a> {
         let one = |number: usize| match &self.cells[number] {
             Some(cells) => {
                 let free = self.ends.iter().filter_map(|end| cells.point_at(*end)).collect();
-                Ok(Coarse { mesh: cells.mesh.clone(), singular: cells.singular.clone(), free })
+                Ok(Coarse { mesh: cells.mesh.clone(), singular: cells.singular.clone(), ledges: [0.0; 2], free })
             }
             None => coarse(self.couple, number, cuts, self.cut),
         };

@@ -6,6 +6,7 @@ use scene::Fault;
 use crate::coarse::{Coarse, RATIO, degenerate};
 use crate::couple::Couple;
 use crate::extent::{Cut, Extent};
+use crate::ledge;
 use crate::matching::matched;
 use crate::near_ends::{self, cut_near};
 use crate::round_cells::as_cells;
@@ -61,8 +62,7 @@ impl CoarseMeshes {
     fn graded_body(&self, coarse: &Coarse, layers: usize, key: &str) -> Result<Mesh, Fault> {
         let vertices = |mesh: &Mesh, points: &[[f64; 2]]| points.iter().map(|x| mesh.nearest_vertex(*x)).collect::<Vec<usize>>();
         let (mesh, near) = cut_near(coarse.mesh.clone(), self.extent, &self.near).map_err(|error| degenerate(key, &error))?;
-        let singular = vertices(&mesh, &coarse.singular);
-        let mesh = mesh.refined_towards(&singular, RATIO, layers).map_err(|error| degenerate(key, &error))?;
+        let mesh = ledge::graded(&mesh, &coarse.singular, coarse.ledges, layers).map_err(|error| degenerate(key, &error))?;
         let free = vertices(&mesh, &[coarse.free.as_slice(), &near].concat());
         if free.is_empty() {
             return Ok(mesh);

@@ -58,7 +58,12 @@ pub fn sound(name: &str, geometry: &mut Geometry, axisymmetric: bool) -> Result<
         Geometry::Rectangle(sides) => rectangle(&key, sides, axisymmetric),
         Geometry::HalfDisc(disc) => half_disc(&key, disc, axisymmetric),
         Geometry::Blocks(blocks) => materials(&key, &blocks.materials),
-        Geometry::Mesh(file) => materials(&key, &file.materials),
+        Geometry::Mesh(file) => {
+            if let Some(scale) = file.scale {
+                positive(&format!("{key}.scale"), scale.0, "scale", "")?;
+            }
+            materials(&key, &file.materials)
+        }
     }
 }
 

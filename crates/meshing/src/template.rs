@@ -9,6 +9,11 @@ use crate::cuts::{SAME, growing, halved, merged, parameters, subdivide, widest};
 use crate::extent::{Cut, Extent};
 use crate::names::{AXIS, CONTACT, LOAD};
 
+/// Share of the contact up to which what body 2 is longer is added to its graded mesh.
+const LEDGE: f64 = 0.02;
+/// Share of the contact up to which both bodies end at one place.
+const SAME_END: f64 = 1e-9;
+
 fn not_meshed(key: &str, what: &str) -> Fault {
     let message = format!("{what} cannot be meshed for this contact yet");
     Fault::at(key, "not-available", message, "use the templates shoe-block, ring, ring-segment, rectangle")
@@ -117,7 +122,7 @@ fn shoe_block(load: &LoadedEdge, shoe: &ShoeBlock, cuts: &[f64], cut: Cut<'_>) -
         material: 0,
         names: &names,
     })?;
-    Ok(Coarse { mesh, singular: vec![[-x, z], [x, z]], free })
+    Ok(Coarse { mesh, singular: vec![[-x, z], [x, z]], ledges: [0.0; 2], free })
 }
 
 /// Where a ring segment is cut, in the common parameter of its arcs.
@@ -181,7 +186,7 @@ fn ring_segment(couple: &Couple, segment: &RingSegment, cuts: &[f64], cut: Cut<'
     singular.extend(centre.into_iter().flat_map(|t| [bottom.point(t), top.point(t)]));
     let levels = [0.0, 0.5, 1.0];
     let mesh = Mesh::ruled(&Ruled { bottom, top, breaks: &breaks, levels: &levels, closed: false, material: 0, names: &names })?;
-    Ok(Coarse { mesh, singular, free })
+    Ok(Coarse { mesh, singular, ledges: [0.0; 2], free })
 }
 
 fn full_ring(ring: &Ring, cuts: &[f64], contact_edge: &str) -> Result<Coarse, hpfem::Error> {
@@ -215,7 +220,7 @@ fn full_ring(ring: &Ring, cuts: &[f64], contact_edge: &str) -> Result<Coarse, hp
         material: 0,
         names: &names,
     })?;
-    Ok(Coarse { mesh, singular, free: Vec::new() })
+    Ok(Coarse { mesh, singular, ledges: [0.0; 2], free: Vec::new() })
 }
 
 /// Levels of a ring from its inner arc; about a hole much smaller than the cells next to it their radii grow fourfold at most, as the fields do.
@@ -228,8 +233,23 @@ fn ring_levels(inner: f64, outer: f64, width: f64) -> Vec<f64> {
     levels
 }
 
+/// How far body 2 reaches beyond the contact where that is little of its length; its ends are drawn back to those of the contact.
+fn ledges(x: &mut [f64; 2], ends: [f64; 2], revolved: bool) -> [f64; 2] {
+    let length = ends[1] - ends[0];
+    [0, 1].map(|side| {
+        let beyond = if side == 0 { ends[0] - x[0] } else { x[1] - ends[1] };
+        // A ledge up to the axis has no side there.
+        if beyond > LEDGE * length || (revolved && x[side] == 0.0) {
+            return 0.0;
+        }
+        x[side] = ends[side];
+        if beyond > SAME_END * length { beyond } else { 0.0 }
+    })
+}
+
 fn block(couple: &Couple, rectangle: &Rectangle, cuts: &[f64], shaped: bool, cut: Cut<'_>) -> Result<Coarse, hpfem::Error> {
-    let (x, z) = (rectangle.x.map(|x| x.0), rectangle.z.map(|z| z.0));
+    let (mut x, z) = (rectangle.x.map(|x| x.0), rectangle.z.map(|z| z.0));
+    let ledges = if shaped { [0.0; 2] } else { ledges(&mut x, [cuts[0], cuts[cuts.len() - 1]], couple.is_revolved()) };
     let (contact_side, contact_z) = if shaped { (Side::Bottom, z[0]) } else { (Side::Top, z[1]) };
     let ends = [cuts[0], cuts[cuts.len() - 1]];
     let step = widest(cuts);
@@ -271,5 +291,5 @@ fn block(couple: &Couple, rectangle: &Rectangle, cuts: &[f64], shaped: bool, cut
         material: 0,
         names: &names,
     })?;
-    Ok(Coarse { mesh, singular, free })
+    Ok(Coarse { mesh, singular, ledges, free })
 }

@@ -1,12 +1,13 @@
 //! A scene with its text, so that every later complaint can point into it.
 
+use std::ops::Range;
 use std::path::Path;
 
 use serde::Deserialize;
 
 use crate::fault::{Fault, Place};
 use crate::flags;
-use crate::read::Mismatch;
+use crate::read::{Mismatch, decimal_comma};
 use crate::scene::Scene;
 use crate::tree::{self, Node, Origin};
 
@@ -30,10 +31,7 @@ impl Document {
     /// # Errors
     /// What is wrong with the writing, with its place and a remedy.
     pub fn read(file: &str, text: &str, settings: &[String]) -> Result<Document, Fault> {
-        let mut tree = tree::parse(text).map_err(|(message, span)| Fault {
-            place: Some(Place::file(file, text, span)),
-            ..Fault::new("syntax", format!("this is not TOML: {message}"), "write `key = value`; text in double quotes")
-        })?;
+        let mut tree = tree::parse(text).map_err(|(message, span)| syntax(file, text, &message, span))?;
         if text.lines().all(|line| line.trim().is_empty() || line.trim().starts_with('#')) && settings.is_empty() {
             return Err(Fault {
                 place: Some(Place::file(file, text, 0..0)),
@@ -65,6 +63,32 @@ impl Document {
         }
         fault
     }
+}
+
+/// What the TOML reader did not understand.
+fn syntax(file: &str, text: &str, message: &str, span: Range<usize>) -> Fault {
+    let (message, remedy) = match comma_number(text, span.start) {
+        Some((written, meant)) => {
+            (format!("a decimal comma in `{written}`"), format!("write a decimal point, not a comma: {meant}"))
+        }
+        None => (message.to_string(), "write `key = value`; text in double quotes".to_string()),
+    };
+    Fault { place: Some(Place::file(file, text, span)), ..Fault::new("syntax", format!("this is not TOML: {message}"), remedy) }
+}
+
+/// A value next to a place of its line that is a number with a decimal comma: as written, and as meant.
+fn comma_number(text: &str, at: usize) -> Option<(&str, String)> {
+    let before = text.get(..at)?;
+    let line = text[before.rfind('\n').map_or(0, |end| end + 1)..].lines().next()?;
+    let place = at - before.rfind('\n').map_or(0, |end| end + 1);
+    line.match_indices('=').find_map(|(equals, _)| {
+        let rest = line[equals + 1..].trim_start();
+        let end = rest.find(|c: char| !(c.is_ascii_digit() || "+-,eE".contains(c))).unwrap_or(rest.len());
+        let written = rest[..end].trim_end_matches(',');
+        let from = line.len() - rest.len();
+        let meant = decimal_comma(written)?;
+        (from..=from + end + 1).contains(&place).then_some((written, meant))
+    })
 }
 
 fn explain(mismatch: Mismatch, file: &str, text: &str, settings: &[String]) -> Fault {

@@ -77,13 +77,26 @@ fn floor_boundary(text: &str, at: usize) -> usize {
 impl Fault {
     /// A fault of the whole input: no key, no place.
     pub fn new(code: &'static str, message: impl Into<String>, remedy: impl Into<String>) -> Self {
-        Fault { code, message: with_short_numbers(&message.into()), key: None, place: None, remedy: remedy.into() }
+        Fault { code, message: with_short_numbers(&in_words(message.into())), key: None, place: None, remedy: remedy.into() }
     }
 
     /// A fault of one dotted key of the scene.
     pub fn at(key: impl Into<String>, code: &'static str, message: impl Into<String>, remedy: impl Into<String>) -> Self {
         Fault { key: Some(key.into()), ..Fault::new(code, message, remedy) }
     }
+}
+
+/// Names that a mesh gives its own boundaries, which no scene has, in words.
+fn in_words(mut message: String) -> String {
+    for (name, words) in [("@contact", "the contact edge"), ("@load", "the loaded edge"), ("@axis", "the axis")] {
+        if message.contains(name) && !message.contains("begins with @") {
+            // Among what is known to the user there is nothing to be told of them.
+            for form in [format!(", {name}"), format!("boundary \"{name}\""), format!("\"{name}\""), name.to_string()] {
+                message = message.replace(&form, if form.starts_with(',') { "" } else { words });
+            }
+        }
+    }
+    message
 }
 
 impl fmt::Display for Fault {

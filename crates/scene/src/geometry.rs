@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::material::Material;
 use crate::point_shape::PointShape;
-use crate::units::{Angle, Length};
+use crate::units::{Angle, Length, Scale};
 
 /// A body's shape; x to the right (r in axisymmetry), z up.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
@@ -51,8 +51,10 @@ impl Geometry {
 #[serde(deny_unknown_fields)]
 pub struct ShoeBlock {
     /// Radius of the arc about the origin (mm).
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub radius: Length,
     /// The arc reaches from minus to plus this angle from the z axis.
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub half_angle: Angle,
     /// Height z of the flat top (mm).
     pub top: Length,
@@ -64,8 +66,10 @@ pub struct ShoeBlock {
 #[serde(deny_unknown_fields)]
 pub struct Ring {
     /// Inner radius (mm).
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub inner: Length,
     /// Outer radius (mm).
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub outer: Length,
     /// Centre [x, z]. Default the origin.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -89,8 +93,10 @@ pub struct Rectangle {
 #[serde(deny_unknown_fields)]
 pub struct RingSegment {
     /// Inner radius (mm).
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub inner: Length,
     /// Outer radius (mm).
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub outer: Length,
     /// The cuts x = from and x = to (mm).
     pub x: [Length; 2],
@@ -102,6 +108,7 @@ pub struct RingSegment {
 #[serde(deny_unknown_fields)]
 pub struct HalfDisc {
     /// Radius (mm).
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub radius: Length,
     /// Centre [x, z]; the cut is horizontal through it.
     pub centre: [Length; 2],
@@ -183,6 +190,16 @@ pub struct MeshFile {
     /// SHA-256 of the file, to be sure that it is the one meant.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sha256: Option<String>,
+    /// What the coordinates of the file are multiplied by, or their unit: "m" for a mesh in metres. Default 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
+    pub scale: Option<Scale>,
+    /// Rotation about the origin after that, anti-clockwise: from +x towards +z. Default 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rotate: Option<Angle>,
+    /// Shift [x, z] after that (mm). Default [0, 0].
+    #[serde(rename = "move", skip_serializing_if = "Option::is_none")]
+    pub shift: Option<[Length; 2]>,
     /// Materials by physical group of cells; default the body's own.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub materials: BTreeMap<String, Material>,
@@ -216,10 +233,13 @@ pub enum SurfaceShape {
 #[serde(deny_unknown_fields)]
 pub struct DiscPad {
     /// Inner radius (mm).
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub inner: Length,
     /// Outer radius (mm).
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub outer: Length,
     /// The sector reaches from minus to plus this angle from the x axis.
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub half_angle: Angle,
 }
 
@@ -229,16 +249,20 @@ pub struct DiscPad {
 #[serde(deny_unknown_fields)]
 pub struct PinnedShoe {
     /// Inner radius of the drum (mm).
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub radius: Length,
     /// Width of the lining along y (mm).
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub width: Length,
     /// Distance of the pin from the drum's centre (mm).
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub pin_distance: Length,
     /// Where the lining begins.
     pub from: Angle,
     /// Where the lining ends.
     pub to: Angle,
     /// Lever arm of the actuating force about the pin (mm).
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub arm: Length,
 }
 
@@ -248,10 +272,13 @@ pub struct PinnedShoe {
 #[serde(deny_unknown_fields)]
 pub struct PivotedShoe {
     /// Radius of the drum about the origin (mm).
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub radius: Length,
     /// The lining reaches from minus to plus this angle from the z axis.
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub half_angle: Angle,
     /// Width of the lining along y (mm).
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub width: Length,
     /// Height of the pivot above the drum's centre (mm). Default: where friction has no moment for b = 1,
     /// 4 R sin(a0) / (2 a0 + sin(2 a0)).
@@ -285,9 +312,12 @@ pub struct EllipticPunch {
 #[serde(deny_unknown_fields)]
 pub struct JournalArc {
     /// Radius of the shaft about the origin (mm).
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub radius: Length,
     /// The shell reaches from minus to plus this angle from the z axis.
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub half_angle: Angle,
     /// Width along y (mm).
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub width: Length,
 }

@@ -35,6 +35,6 @@ pub use scene::{
     Balance, Body, Component, Contact, Counterface, Functional, Kinematics, Load, LoadKind, Mesh, Modes, Optimum, Output, Scene,
     Schedule, Sliding, Task, Units, Wear,
 };
-pub use units::{Angle, AngularSpeed, Force, Length, Moment, Pair, Pressure, Speed, Steps, Time, WearFactor};
+pub use units::{Angle, AngularSpeed, Force, Length, Moment, Pair, Pressure, Scale, Speed, Steps, Time, WearFactor};
 pub use value::{missing, positive};
 pub use write::scene_text;

@@ -10,7 +10,9 @@ use crate::units::Pressure;
 #[serde(deny_unknown_fields)]
 pub struct Material {
     /// Young's modulus (MPa).
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub young: Pressure,
     /// Poisson's ratio.
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = -1, "exclusiveMaximum" = 0.5)))]
     pub poisson: f64,
 }

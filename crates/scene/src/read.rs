@@ -49,11 +49,46 @@ fn write(expected: &dyn Expected) -> String {
     match expected.as_str() {
         "f64" => "write a number".to_string(),
         "usize" | "u64" => "write a whole number, 0 or more".to_string(),
-        _ => match expected.strip_prefix("an array of length ") {
-            Some(length) => format!("write a list of {length}"),
-            None => format!("write {expected}"),
+        "a string" => "write text in double quotes".to_string(),
+        "a map" => "write a table, as in { name = ... }".to_string(),
+        "a sequence" => "write a list, as in [...]".to_string(),
+        _ => match (expected.strip_prefix("an array of length "), expected.strip_prefix("struct ")) {
+            (Some(length), _) => format!("write a list of {length}"),
+            (_, Some(table)) => format!("write a table, as in {}", table_like(table)),
+            _ => format!("write {expected}"),
         },
     }
+}
+
+/// A table of the kind that serde knows by the name of its type.
+fn table_like(table: &str) -> &'static str {
+    match table {
+        "Material" => "{ young = \"210 GPa\", poisson = 0.3 }",
+        "Body" => "{ material = { ... }, geometry = { ... }, support = { ... } }",
+        "Contact" => "{ edges = [\"bottom\", \"top\"], friction = 0.25 }",
+        "Load" => "{ edge = \"top\", as = \"pressure\", force = \"10 kN\" }",
+        "Sliding" => "{ speed = \"5 mm/s\" }",
+        "Wear" => "{ beta = [2e-4, 0], a = 1, b = 1 }",
+        "Schedule" => "{ time = [0, 10], force = [1, 2] }",
+        "Optimum" => "{ functional = \"steady\" }",
+        "Mesh" => "{ degree = 8, layers = 8 }",
+        "Output" => "{ fields = true }",
+        "MeshFile" => "{ file = \"body.msh\" }",
+        "Rectangle" => "{ x = [-30, 30], z = [0, 100] }",
+        "Ring" => "{ inner = 100, outer = 200 }",
+        "RingSegment" => "{ inner = 200, outer = 220, x = [-100, 100] }",
+        "ShoeBlock" => "{ radius = 200, half_angle = \"30 deg\", top = 300 }",
+        "HalfDisc" => "{ radius = 50, centre = [0, 50] }",
+        _ => "{ key = value }",
+    }
+}
+
+/// The number that a text with a decimal comma means, as "0.25" of "0,25", with what follows it.
+pub(crate) fn decimal_comma(text: &str) -> Option<String> {
+    let (whole, rest) = text.trim().split_once(',')?;
+    let digits = rest.len() - rest.trim_start_matches(|c: char| c.is_ascii_digit()).len();
+    let number = !whole.is_empty() && whole.trim_start_matches(['+', '-']).bytes().all(|b| b.is_ascii_digit());
+    (number && digits > 0 && !rest.contains([',', '.'])).then(|| format!("{whole}.{rest}"))
 }
 
 impl Display for Mismatch {
@@ -73,7 +108,9 @@ impl serde::de::Error for Mismatch {
     }
 
     fn invalid_type(found: Unexpected<'_>, expected: &dyn Expected) -> Self {
-        Mismatch::new("wrong-type", format!("wrong type: found {found}"), write(expected))
+        let meant = if let Unexpected::Str(text) = found { decimal_comma(text) } else { None };
+        let remedy = meant.map_or_else(|| write(expected), |meant| format!("write a decimal point, not a comma: {meant}"));
+        Mismatch::new("wrong-type", format!("wrong type: found {found}"), remedy)
     }
 
     fn invalid_value(found: Unexpected<'_>, expected: &dyn Expected) -> Self {
@@ -114,6 +151,19 @@ impl<'de> Deserializer<'de> for &'de Node {
 
     fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Mismatch> {
         visitor.visit_some(self)
+    }
+
+    fn deserialize_struct<V: Visitor<'de>>(
+        self,
+        _name: &'static str,
+        _fields: &'static [&'static str],
+        visitor: V,
+    ) -> Result<V::Value, Mismatch> {
+        // Serde would take the entries of a list for the keys in their order.
+        match &self.value {
+            Value::List(_) => Err(Mismatch::invalid_type(Unexpected::Seq, &visitor).at(&self.origin)),
+            _ => self.deserialize_any(visitor),
+        }
     }
 
     fn deserialize_newtype_struct<V: Visitor<'de>>(self, _name: &'static str, visitor: V) -> Result<V::Value, Mismatch> {
@@ -157,7 +207,7 @@ impl<'de> Deserializer<'de> for &'de Node {
 
     forward_to_deserialize_any! {
         bool i8 i16 i32 i64 i128 u8 u16 u32 u64 u128 f32 f64 char str string bytes byte_buf
-        unit unit_struct seq tuple tuple_struct map struct identifier ignored_any
+        unit unit_struct seq tuple tuple_struct map identifier ignored_any
     }
 }
 

@@ -23,12 +23,14 @@ pub struct Scene {
     pub kinematics: Option<Kinematics>,
     /// Thickness out of the plane (mm); axisymmetric scenes have none.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub thickness: Option<Length>,
     /// What to compute. Default: pressure and shape; a surface alone: pressure.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tasks: Option<Vec<Task>>,
     /// Wanted relative accuracy of the answer; the mesh follows from it. Default 1e-6.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub accuracy: Option<f64>,
     /// A fixed discretisation instead of an accuracy.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -112,6 +114,7 @@ pub enum Task {
 pub struct Mesh {
     /// Polynomial degree.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "schema", schemars(extend("minimum" = 1)))]
     pub degree: Option<usize>,
     /// Layers of cells graded towards each singular point.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -156,6 +159,7 @@ pub struct Contact {
     pub edges: Option<[String; 2]>,
     /// Coefficient of friction. Default 0.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "schema", schemars(extend("minimum" = 0)))]
     pub friction: Option<f64>,
     /// Whether the friction shear acts on the bodies and in the balance. Default true.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -248,15 +252,18 @@ pub struct Load {
 pub struct Wear {
     /// Wear factor in front of the friction stress; one number means body 1 alone.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "schema", schemars(extend("minimum" = 0)))]
     pub beta: Option<Pair<WearFactor>>,
     /// Archard's wear factor in front of the pressure, instead of beta; one number means body 1 alone.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "schema", schemars(extend("minimum" = 0)))]
     pub k: Option<Pair<WearFactor>>,
     /// Exponent of the sliding speed. Default 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub a: Option<Pair<f64>>,
     /// Exponent of the pressure. Default 1.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub b: Option<Pair<f64>>,
     /// How the counter-face meets body 1. Default by kind of scene.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -318,6 +325,7 @@ pub struct Optimum {
     pub modes: Option<Modes>,
     /// Cap of the pressure (MPa).
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub p_max: Option<Pressure>,
 }
 

@@ -7,13 +7,25 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use crate::gap::{Gap, Until};
 use crate::point_shape::{PointShape, PolarPoint};
 use crate::units::dimension::{ANGLE, ANGULAR_SPEED, Dimension, FORCE, LENGTH, MOMENT, PRESSURE, SPEED, TIME, WEAR_FACTOR};
-use crate::units::{Angle, AngularSpeed, Force, Length, Moment, Pair, Pressure, Speed, Steps, Time, WearFactor};
+use crate::units::{Angle, AngularSpeed, Force, Length, Moment, Pair, Pressure, Scale, Speed, Steps, Time, WearFactor};
 
 fn schema_of(dimension: &Dimension) -> Schema {
     json_schema!({
         "description": dimension.expected(),
-        "anyOf": [{ "type": "number" }, { "type": "string", "pattern": "^\\s*[-+.0-9]" }]
+        "anyOf": [{ "type": "number" }, { "type": "string", "pattern": pattern(dimension) }]
     })
+}
+
+/// The regular expression of a number with one of the units, or with none.
+fn pattern(dimension: &Dimension) -> String {
+    let units: Vec<String> = dimension.units.iter().map(|unit| unit_pattern(unit.0)).collect();
+    format!("^\\s*[-+]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][-+]?[0-9]+)?\\s*({})?\\s*$", units.join("|"))
+}
+
+/// A unit, with blanks, dots or asterisks between its factors and raised digits, as they are read.
+fn unit_pattern(unit: &str) -> String {
+    let unit = unit.replace('/', "\\s*/\\s*").replace(' ', "[\\s*·]*").replace('(', "\\(").replace(')', "\\)");
+    unit.replace("^2", "(\\^2|²)").replace("^3", "(\\^3|³)")
 }
 
 macro_rules! quantity {
@@ -42,6 +54,21 @@ quantity!(
     WearFactor of WEAR_FACTOR,
 );
 
+impl JsonSchema for Scale {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        "Scale".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        let units: Vec<&str> = LENGTH.units.iter().map(|unit| unit.0).collect();
+        json_schema!({ "anyOf": [{ "type": "number" }, { "enum": units }] })
+    }
+}
+
 impl JsonSchema for Gap {
     fn schema_name() -> Cow<'static, str> {
         "Gap".into()
@@ -55,8 +82,8 @@ impl JsonSchema for Gap {
                 {
                     "type": "object",
                     "properties": {
-                        "s_mm": { "type": "array", "items": { "type": "number" } },
-                        "gap_um": { "type": "array", "items": { "type": "number" } }
+                        "s_mm": { "type": "array", "items": { "type": "number" }, "minItems": 2 },
+                        "gap_um": { "type": "array", "items": { "type": "number", "minimum": 0 }, "minItems": 2 }
                     },
                     "required": ["s_mm", "gap_um"],
                     "additionalProperties": false
@@ -72,7 +99,7 @@ impl JsonSchema for Until {
     }
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({ "anyOf": [{ "const": "steady" }, { "type": "number" }, { "type": "string" }] })
+        json_schema!({ "anyOf": [{ "const": "steady" }, { "type": "number" }, { "type": "string", "pattern": pattern(&TIME) }] })
     }
 }
 

@@ -2,6 +2,7 @@
 
 pub(crate) mod dimension;
 mod pair;
+mod scale;
 mod steps;
 
 use std::fmt;
@@ -11,6 +12,7 @@ use serde::{Serialize, Serializer};
 
 use dimension::{ANGLE, ANGULAR_SPEED, Dimension, FORCE, LENGTH, MOMENT, PRESSURE, SPEED, TIME, WEAR_FACTOR};
 pub use pair::Pair;
+pub use scale::Scale;
 pub use steps::Steps;
 
 /// Magnitudes other than zero that a quantity may have: squares and ratios of what is in between are numbers still.

@@ -2,6 +2,7 @@
 
 mod bodies;
 mod load;
+mod metres;
 mod optimum;
 mod own_rule;
 mod remarks;
@@ -16,6 +17,7 @@ use meshing::{Couple, Files};
 use scene::{Document, Fault, Gap, Scene, Task};
 
 use crate::freedom;
+use crate::gap_profile;
 use crate::plan::Plan;
 use crate::problem::{Friction, Problem};
 use crate::surface::Patch;
@@ -36,9 +38,13 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     let bodies = bodies::resolve(&mut scene, files)?;
     let patch = match (&scene.surface, &bodies) {
         (Some(surface), _) => Some(Patch::bare(surface, scene.sliding.as_ref())?),
-        (None, Some((kinematics, [first, second]))) => Patch::between(*kinematics, [first, second], scene.sliding.as_ref())?,
+        (None, Some((kinematics, [first, second]))) => Patch::between(*kinematics, [first, second], scene.sliding.as_ref())
+            .map_err(|fault| metres::hinted(fault, [first, second]))?,
         _ => None,
     };
+    if let (Some(contact), Some(surface)) = (&scene.contact, patch.as_ref().and_then(Patch::places)) {
+        contact.gap.as_ref().map_or(Ok(()), |gap| gap_profile::covers(gap, surface))?;
+    }
     wear_rule::resolve(&mut scene, &tasks, patch.as_ref())?;
     load::resolve(&mut scene, &tasks, patch.as_ref(), bodies.as_ref().map(|(_, [first, _])| first))?;
     twist::resolve(&scene, &tasks)?;

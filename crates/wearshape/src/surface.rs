@@ -63,6 +63,17 @@ impl Patch {
         }
     }
 
+    /// First and last place along it, as `place` counts them (mm); none of surfaces of two dimensions.
+    pub(crate) fn places(&self) -> Option<[f64; 2]> {
+        let about_middle = |length: f64| [-0.5 * length, 0.5 * length];
+        match self.surface.shape() {
+            Shape::Arc { radius, angles, .. } => Some(about_middle(radius * (angles[1] - angles[0]))),
+            Shape::Strip { x, .. } => Some(about_middle(x[1] - x[0])),
+            Shape::Annulus { radii } => Some(*radii),
+            Shape::Points(_) | Shape::Sector { .. } | Shape::Rectangle { .. } | Shape::Ellipse { .. } => None,
+        }
+    }
+
     /// The surface with all sliding speeds multiplied by a factor.
     pub(crate) fn faster(self, factor: f64) -> Patch {
         let SlidingMotion { velocity, angular_velocity, about } = *self.surface.motion();

@@ -1,5 +1,7 @@
 //! What can be measured, in which units, and how a string with a unit is read.
 
+use crate::read::decimal_comma;
+
 /// One unit: its name, and the factor to the base unit as numerator and denominator, so that "5 um" rounds once.
 pub(crate) type Unit = (&'static str, f64, f64);
 
@@ -90,6 +92,9 @@ impl Dimension {
         let number: f64 = trimmed[..end].parse().map_err(|_| {
             format!("\"{text}\" is not {}: no number at its beginning\nwrite {}", self.with_article(), self.expected())
         })?;
+        if let Some(meant) = decimal_comma(trimmed) {
+            return Err(format!("\"{text}\" has a decimal comma\nwrite a decimal point, not a comma: \"{meant}\""));
+        }
         let unit = normal(&trimmed[end..]);
         if unit.is_empty() {
             return Ok((number, false));

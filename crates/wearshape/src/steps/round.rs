@@ -8,6 +8,7 @@ use scene::Fault;
 use crate::bodies::Bodies;
 use crate::body_field::FieldFrame;
 use crate::effort::Effort;
+use crate::gap_profile;
 use crate::ladder::{Ladder, Refusal};
 use crate::level::Level;
 use crate::load::Load;
@@ -124,6 +125,9 @@ impl RoundContact<'_> {
     pub(crate) fn solve(&self, watch: &mut Watch<'_>) -> Result<(Outcome, Effort, Vec<FieldFrame>), Refusal> {
         let (reach, mut effort) = self.reach()?;
         self.on(reach, |stage| {
+            if let Some(surface) = stage.patch.places() {
+                gap_profile::covers(&stage.problem.gap, surface)?;
+            }
             let mut search = Search::default();
             let ladder = Ladder::of(stage.problem, stage.options, Step::Contact).and_beyond(stage.problem);
             let (mut outcome, work) = levels(&ladder, watch, |level| solve_level(stage, level, &mut search))?;
