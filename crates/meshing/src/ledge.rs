@@ -1,7 +1,8 @@
-//! What a body is longer than its contact by, where that is less than a cell: a strip along its side, added once the cells at the ends of
-//! contact are graded to about its width. The fields change there over that width, and over every size above it.
+//! What a body with straight edges is longer than its contact by, where that is less than a cell: its side is moved out once the cells at the
+//! ends of contact are graded to about that width, so that no cell becomes slender. The fields change there over the width, and over every size
+//! above it.
 
-use hpfem::{Curve, Error, Mesh, Quad};
+use hpfem::{Error, Mesh, Quad};
 
 use crate::coarse::RATIO;
 use crate::names::CONTACT;
@@ -30,6 +31,8 @@ pub(crate) fn graded(mesh: &Mesh, points: &[[f64; 2]], ledges: [f64; 2], layers:
             }
         }
         mesh = widened(&mesh, side, ledges[side])?;
+        // Over the width of the ledge nothing falls off: its cells keep their degree.
+        mesh.cells.iter_mut().for_each(|cell| cell.layer = 0);
     }
     towards(&mesh, &points, left)
 }
@@ -63,39 +66,39 @@ fn longest_edge(mesh: &Mesh, x: [f64; 2]) -> f64 {
     own.map(|edge| edge.curve.length()).fold(0.0, f64::max)
 }
 
-/// The mesh with a cell of the given width beside each edge of a side. The side's names go on to the new outside; those of the edges next to
-/// the side to the ends of the strip, but for the contact, which ends where it did.
+/// The mesh with a side further out by a width, all but its end of contact, and a triangle between that and the new corner. The names of the
+/// side go on to the new outside; those of the contact edge to the end of the body, but for the contact, which ends where it did.
 fn widened(mesh: &Mesh, side: usize, width: f64) -> Result<Mesh, Error> {
     let own = mesh.boundary(SIDES[side])?;
-    let neighbours = mesh.edge_cells();
+    let contact = mesh.boundary(CONTACT)?;
+    let touches = |v: &usize| contact.iter().any(|e| mesh.edges[*e].vertices.contains(v));
+    let ends = |e: usize| mesh.edges[e].vertices;
+    let Some((last, end)) = own.iter().find_map(|e| Some((*e, ends(*e).into_iter().find(touches)?))) else {
+        return Err(Error::NotAPath { name: CONTACT.into() });
+    };
     let mut vertices = mesh.vertices.clone();
-    let quad = |cell: &hpfem::Cell, corners| Quad { corners, material: cell.material, layer: cell.layer };
-    let mut quads: Vec<Quad> = mesh.cells.iter().map(|cell| quad(cell, cell.corners)).collect();
-    let mut beside: Vec<Option<usize>> = vec![None; mesh.vertices.len()];
+    let mut on_side: Vec<usize> = own.iter().flat_map(|e| ends(*e)).filter(|v| *v != end).collect();
+    on_side.sort_unstable();
+    on_side.dedup();
+    on_side.iter().for_each(|v| vertices[*v][0] += step(side, width));
+    let corner = vertices.len();
+    vertices.push([vertices[end][0] + step(side, width), vertices[end][1]]);
+    let [a, b] = ends(last);
+    let next = if a == end { b } else { a };
+    let [second, third] = if side == 0 { [corner, next] } else { [next, corner] };
+    let mut quads: Vec<Quad> = Vec::with_capacity(mesh.cells.len() + 1);
+    quads.extend(mesh.cells.iter().map(|cell| Quad { corners: cell.corners, material: cell.material, layer: cell.layer }));
+    let inner =
+        mesh.cells.iter().find(|cell| cell.sides().any(|(_, e)| e == last)).map_or((0, 0), |cell| (cell.material, cell.layer));
+    quads.push(Quad { corners: [end, second, third, third], material: inner.0, layer: inner.1 });
     let mut names: Vec<([usize; 2], &str)> = Vec::new();
-    for e in &own {
-        let edge = &mesh.edges[*e];
-        let [a, b] = edge.vertices;
-        let [low, high] = if mesh.vertices[a][1] < mesh.vertices[b][1] { [a, b] } else { [b, a] };
-        let [below, above] = [low, high].map(|v| {
-            *beside[v].get_or_insert_with(|| {
-                let [x, z] = mesh.vertices[v];
-                vertices.push([x + step(side, width), z]);
-                vertices.len() - 1
-            })
-        });
-        names.extend(edge.tags.iter().map(|tag| ([below, above], mesh.boundaries[*tag].as_str())));
-        let corners = if side == 0 { [below, low, high, above] } else { [low, below, above, high] };
-        quads.push(quad(&mesh.cells[neighbours[*e][0].0], corners));
-    }
-    for (e, edge) in mesh.edges.iter().enumerate().filter(|(e, _)| !own.contains(e)) {
+    for (e, edge) in mesh.edges.iter().enumerate() {
         let tags = || edge.tags.iter().map(|tag| mesh.boundaries[*tag].as_str());
-        names.extend(tags().map(|name| (edge.vertices, name)));
-        let ends = edge.vertices.into_iter().filter_map(|v| Some([v, beside[v]?]));
-        for strip in ends.filter(|_| neighbours[e].len() == 1) {
-            names.extend(tags().filter(|name| *name != CONTACT).map(|name| (strip, name)));
+        let walk = if e == last { [next, corner] } else { edge.vertices };
+        names.extend(tags().map(|name| (walk, name)));
+        if contact.contains(&e) && edge.vertices.contains(&end) {
+            names.extend(tags().filter(|name| *name != CONTACT).map(|name| ([end, corner], name)));
         }
     }
-    let curves: Vec<([usize; 2], Curve)> = mesh.edges.iter().map(|edge| (edge.vertices, edge.curve)).collect();
-    Mesh::new(vertices, &quads, &curves, &names)
+    Mesh::new(vertices, &quads, &[], &names)
 }

@@ -276,3 +276,42 @@ fn a_scene_that_is_no_file_is_refused() {
     let call = bench.call("check binary.toml");
     assert_eq!((call.code, call.err.contains("UTF-8")), (2, true), "{}", call.err);
 }
+
+#[test]
+fn a_gap_profile_that_covers_a_part_of_the_surface_is_refused_with_both_lengths() {
+    let bench = Bench::new();
+    bench.file("scene.toml", &SOUND.replace("gap = 0", "gap = \"profile.csv\""));
+    bench.file("profile.csv", "\u{feff}s_mm;gap_um\r\n-10,5;0\r\n10,5;1\r\n");
+    let call = bench.call("check scene.toml");
+    assert_eq!(call.code, 2, "{}", call.err);
+    assert!(
+        call.err.contains("21 mm of the contact surface of 209.44 mm") && call.err.contains("scene.toml:13:"),
+        "{}",
+        call.err
+    );
+    broken("gap = 0", "gap = { s_mm = [-10, 10], gap_um = [0, 1] }", "20 mm of the contact surface", "whole surface");
+    broken("gap = 0", "gap = { s_mm = [-200, 200], gap_um = [0, -1] }", "gap_um = -1 is negative", "0 or more");
+}
+
+#[test]
+fn the_table_of_a_run_is_a_profile_of_the_next() {
+    let bench = Bench::new();
+    for scene in ["punch-wear", "annular-punch"] {
+        let made = bench.call(&format!("run {scene} -q -o made --set accuracy=1e-3"));
+        assert_eq!(made.code, 0, "{}", made.err);
+        let call = bench.call(&format!("check {scene} --set contact.gap=made/contact.csv --set tasks=[contact]"));
+        assert_eq!(call.code, 0, "{scene}: {}", call.err);
+    }
+}
+
+#[test]
+fn tables_and_decimal_commas_are_asked_for_in_words_of_a_scene() {
+    let table = "write a table, as in { young = ";
+    broken("{ young = \"210 GPa\", poisson = 0.3 }", "3", "found integer `3`", table);
+    broken("{ young = \"210 GPa\", poisson = 0.3 }", "[210e3, 0.3]", "found sequence", table);
+    broken("friction = 0.25", "friction = 0,25", "a decimal comma in `0,25`", "decimal point, not a comma: 0.25");
+    broken("accuracy = 1e-6", "accuracy = 0,5", "a decimal comma in `0,5`", "decimal point, not a comma: 0.5");
+    broken("friction = 0.25", "friction = \"0,25\"", "wrong type", "decimal point, not a comma: 0.25");
+    broken("force = \"10 kN\"", "force = \"1,5 kN\"", "decimal comma", "\"1.5 kN\"");
+    broken("title = \"test\"", "title = 3", "found integer `3`", "text in double quotes");
+}

@@ -27,6 +27,22 @@ fn a_wrong_command_is_exit_2() {
 }
 
 #[test]
+fn the_schema_knows_units_and_least_numbers() {
+    let bench = Bench::new();
+    let schema: serde_json::Value = serde_json::from_str(&bench.call("schema").out).unwrap();
+    let definitions = &schema["definitions"];
+    let length = definitions["Length"]["anyOf"][1]["pattern"].as_str().unwrap();
+    assert!(length.contains("(mm|m|cm|um|") && length.starts_with('^') && length.ends_with('$'), "{length}");
+    let least = |of: &serde_json::Value, key: &str| of["properties"][key]["exclusiveMinimum"].as_f64();
+    assert_eq!(least(&schema, "thickness"), Some(0.0));
+    assert_eq!(least(&definitions["Material"], "young"), Some(0.0));
+    assert_eq!(least(&definitions["Material"], "poisson"), Some(-1.0));
+    assert_eq!(definitions["Contact"]["properties"]["friction"]["minimum"].as_f64(), Some(0.0));
+    let mesh = &definitions["MeshFile"]["properties"];
+    assert!(["scale", "rotate", "move"].iter().all(|key| mesh[key].is_object()), "{mesh}");
+}
+
+#[test]
 fn the_schema_is_draft_7_and_knows_the_keys() {
     let bench = Bench::new();
     let schema: serde_json::Value = serde_json::from_str(&bench.call("schema").out).unwrap();

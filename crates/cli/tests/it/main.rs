@@ -10,6 +10,7 @@ mod commands;
 mod counterfaces;
 mod expected;
 mod fields;
+mod files;
 mod folder;
 mod free_ends;
 mod hertz;

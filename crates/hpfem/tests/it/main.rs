@@ -40,3 +40,4 @@ mod supports;
 mod triangles;
 #[cfg(feature = "vtu")]
 mod vtu;
+mod whole;
