@@ -10,7 +10,7 @@ use crate::extent::{Cut, Extent};
 use crate::names::{AXIS, CONTACT, LOAD};
 
 /// Share of the contact up to which what body 2 is longer is added to its graded mesh.
-const LEDGE: f64 = 0.02;
+const LEDGE: f64 = 0.01;
 /// Share of the contact up to which both bodies end at one place.
 const SAME_END: f64 = 1e-9;
 

@@ -25,7 +25,7 @@ body1.geometry.mesh = { file = "body.msh" }
 fn msh(nodes: &[[f64; 2]], cells: &[Vec<usize>], lines: &[(&str, Vec<usize>)]) -> String {
     let mut names: Vec<&str> = lines.iter().map(|line| line.0).collect();
     names.dedup();
-    let kind = |nodes: usize, of: [i32; 2]| if nodes % 2 == 0 && nodes < 5 { of[0] } else { of[1] };
+    let kind = |nodes: usize, of: [i32; 2]| if matches!(nodes, 2 | 4) { of[0] } else { of[1] };
     let words = |list: &[usize]| list.iter().map(|n| format!(" {}", n + 1)).collect::<String>();
     let mut text = format!("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n{}\n", names.len());
     names.iter().enumerate().for_each(|(i, name)| text += &format!("1 {} \"{name}\"\n", i + 1));
