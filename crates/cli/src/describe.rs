@@ -12,6 +12,7 @@ pub(crate) fn plan_json(problem: &Problem, progress: &Progress) -> serde_json::V
     let mut plan = json!({
         "scene": problem.name(),
         "stages": problem.plan().stages,
+        "holding": problem.holding(),
         "lints": problem.remarks(),
         "unused_keys": problem.unused_keys(),
     });
@@ -65,6 +66,9 @@ pub(crate) fn describe(problem: &Problem) -> String {
     }
     if let Some(area) = problem.contact_area() {
         out += &format!("\ncontact surface {area:.6} mm^2, free rigid modes of body 1: {}\n", problem.free_modes());
+    }
+    for (number, body) in problem.holding().iter().enumerate() {
+        out += &format!("{}{body}\n", if number == 0 { "\n" } else { "" });
     }
     for lint in problem.remarks() {
         out += &format!("\nnote [{}]: {}\n  more: wearshape explain {}\n", lint.code, lint.message, lint.code);

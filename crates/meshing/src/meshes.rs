@@ -62,13 +62,19 @@ impl CoarseMeshes {
     fn graded_body(&self, coarse: &Coarse, layers: usize, key: &str) -> Result<Mesh, Fault> {
         let vertices = |mesh: &Mesh, points: &[[f64; 2]]| points.iter().map(|x| mesh.nearest_vertex(*x)).collect::<Vec<usize>>();
         let (mesh, near) = cut_near(coarse.mesh.clone(), self.extent, &self.near).map_err(|error| degenerate(key, &error))?;
-        let mesh = ledge::graded(&mesh, &coarse.singular, coarse.ledges, layers).map_err(|error| degenerate(key, &error))?;
+        let mesh = ledge::graded(&mesh, &coarse.singular, coarse.ledges, layers).map_err(|error| too_many(key, layers, &error))?;
         let free = vertices(&mesh, &[coarse.free.as_slice(), &near].concat());
         if free.is_empty() {
             return Ok(mesh);
         }
-        mesh.refined_towards(&free, RATIO, layers.div_ceil(2)).map_err(|error| degenerate(key, &error))
+        mesh.refined_towards(&free, RATIO, layers.div_ceil(2)).map_err(|error| too_many(key, layers, &error))
     }
+}
+
+/// The fault of a mesh that has cells before it is graded, and none that are sound after: they are too small for their coordinates.
+fn too_many(key: &str, layers: usize, error: &hpfem::Error) -> Fault {
+    let message = format!("{layers} layers of cells around a point of {key}, each 1/{} of the one before: {error}", 1.0 / RATIO);
+    Fault::at("mesh.layers", "degenerate", message, "give fewer layers, as in mesh.layers = 8")
 }
 
 /// The coarse meshes of two templates.

@@ -13,7 +13,8 @@ use crate::line::ContactLine;
 pub struct Outline {
     /// The named edges, and the named lines inside.
     pub edges: Vec<Edge>,
-    /// Thickness above the middle of the contact edge (mm); cells that the user gives: from there to their highest vertex.
+    /// Thickness at the middle of the contact edge (mm); of cells that the user gives that of the material there, along the normal: a lining without
+    /// its back. No number where the edge is unknown.
     pub thickness: f64,
 }
 
@@ -154,12 +155,47 @@ fn of_cells(body: &Body) -> Outline {
         edge_curves(mesh, name).iter().flat_map(|curve| [-1.0, 0.0, 1.0].map(|t| curve.point(t))).collect()
     };
     let edges = mesh.boundaries.iter().map(|name| Edge { strips: true, ..edge(name, points(name)) }).collect();
-    let along = points(&body.contact);
-    let ends = along.iter().fold([f64::MAX, f64::MIN], |[a, b], x| [a.min(x[0]), b.max(x[0])]);
-    let off = |x: &[f64; 2]| (x[0] - 0.5 * (ends[0] + ends[1])).abs();
-    let middle = along.iter().min_by(|a, b| off(a).total_cmp(&off(b))).map_or(f64::NAN, |x| x[1]);
-    let highest = mesh.vertices.iter().map(|x| x[1]).fold(f64::MIN, f64::max);
-    Outline { edges, thickness: highest - middle }
+    Outline { edges, thickness: thickness_of_cells(mesh, &body.contact) }
+}
+
+/// How far a normal from the middle of the contact edge runs inside the material there.
+fn thickness_of_cells(mesh: &Mesh, contact: &str) -> f64 {
+    let touching = mesh.boundary(contact).unwrap_or_default();
+    let middle = |e: &usize| mesh.edges[*e].curve.point(0.0);
+    let ends = touching.iter().map(middle).fold([f64::MAX, f64::MIN], |[a, b], x| [a.min(x[0]), b.max(x[0])]);
+    let off = |e: &usize| (middle(e)[0] - 0.5 * (ends[0] + ends[1])).abs();
+    let Some(start) = touching.iter().min_by(|a, b| off(a).total_cmp(&off(b))) else { return f64::NAN };
+    let cells = mesh.edge_cells();
+    let Some((owner, _)) = cells[*start].first() else { return f64::NAN };
+    let material = mesh.cells[*owner].material;
+    let (foot, along) = (middle(start), mesh.edges[*start].curve.derivative(0.0));
+    let corners = mesh.cells[*owner].corners.map(|v| mesh.vertices[v]);
+    let inside = [0, 1].map(|k| 0.25 * corners.iter().map(|x| x[k]).sum::<f64>() - foot[k]);
+    let length = along[0].hypot(along[1]);
+    let side = (inside[1] * along[0] - inside[0] * along[1]).signum();
+    let normal = [-side * along[1] / length, side * along[0] / length];
+    // Sides of the material: edges with one cell of it.
+    let sides = cells.iter().enumerate().filter(|(e, around)| {
+        around.iter().filter(|(cell, _)| mesh.cells[*cell].material == material).count() == 1 && !touching.contains(e)
+    });
+    sides.filter_map(|(e, _)| crossing(&mesh.edges[e].curve, foot, normal)).fold(f64::INFINITY, f64::min)
+}
+
+/// Distance from a point along a ray to a curve, taken as a line of few pieces; none where they do not cross.
+fn crossing(curve: &Curve, foot: [f64; 2], ray: [f64; 2]) -> Option<f64> {
+    const PIECES: u32 = 64;
+    // Along the ray and across it.
+    let place = |i: u32| {
+        let x = curve.point(2.0 * f64::from(i) / f64::from(PIECES) - 1.0);
+        let [dx, dz] = [x[0] - foot[0], x[1] - foot[1]];
+        [dx * ray[0] + dz * ray[1], dx * ray[1] - dz * ray[0]]
+    };
+    let crossed = (0..PIECES).filter_map(|i| {
+        let [a, b] = [place(i), place(i + 1)];
+        let share = a[1] / (a[1] - b[1]);
+        (a[1] * b[1] <= 0.0 && share.is_finite()).then(|| a[0] + share * (b[0] - a[0]))
+    });
+    crossed.filter(|distance| *distance > 0.0).reduce(f64::min)
 }
 
 /// The curves of a named edge.

@@ -1,7 +1,7 @@
 //! Meshes of the geometry templates: coarse cells cut at what the scene names, graded towards its singular points.
 
 use hpfem::{Curve, Mesh, Named, Ruled, Side};
-use scene::{Fault, Geometry, Rectangle, Ring, RingSegment, ShoeBlock};
+use scene::{Fault, Geometry, Rectangle, Ring, RingSegment, ShoeBlock, short};
 
 use crate::coarse::{Coarse, degenerate};
 use crate::couple::{Couple, LoadedEdge};
@@ -63,6 +63,9 @@ fn with_ends([from, to]: [f64; 2], cut: Cut<'_>) -> Vec<f64> {
 pub(crate) fn coarse(couple: &Couple, number: usize, cuts: &[f64], cut: Cut<'_>) -> Result<Coarse, Fault> {
     let (shaped, body) = (number == 0, &couple.bodies[number]);
     let key = if shaped { "body1.geometry" } else { "body2.geometry" };
+    if let Geometry::Rectangle(rectangle) = &body.geometry {
+        not_too_wide(key, rectangle, cuts)?;
+    }
     let result = match &body.geometry {
         Geometry::ShoeBlock(shoe) if shaped => shoe_block(&couple.load, shoe, cuts, cut),
         Geometry::RingSegment(segment) if shaped => ring_segment(couple, segment, cuts, cut),
@@ -76,6 +79,19 @@ pub(crate) fn coarse(couple: &Couple, number: usize, cuts: &[f64], cut: Cut<'_>)
         | Geometry::Mesh(_)) => return Err(not_meshed(key, other.name())),
     };
     result.map_err(|error| degenerate(key, &error))
+}
+
+/// Refuses a rectangle beside whose width the contact has no length left.
+fn not_too_wide(key: &str, rectangle: &Rectangle, cuts: &[f64]) -> Result<(), Fault> {
+    const MOST: f64 = 1e8;
+    let width = rectangle.x[1].0 - rectangle.x[0].0;
+    let contact = cuts[cuts.len() - 1] - cuts[0];
+    if width <= MOST * contact {
+        return Ok(());
+    }
+    let [wide, long] = [width, contact].map(short);
+    let message = format!("a body {wide} mm wide for a contact of {long} mm: cells between the two sizes have no digits left");
+    Err(Fault::at(format!("{key}.rectangle.x"), "degenerate", message, "give a width of some lengths of the contact"))
 }
 
 fn named(side: Side, name: &str) -> Named<'_> {

@@ -1,7 +1,19 @@
 //! The errors of the crates below in the user's words.
 
+use meshing::{AXIS, CONTACT, Couple, LOAD};
 use scene::Fault;
 use wear::WearError;
+
+/// A fault with the edges of the meshes in the names of the scene.
+pub(crate) fn in_names_of(couple: Option<&Couple>, mut fault: Fault) -> Fault {
+    let Some(couple) = couple else { return fault };
+    let first = !fault.key.as_deref().is_some_and(|key| key.starts_with("body2"));
+    let contact = &couple.bodies[usize::from(!first)].contact;
+    for (inner, name) in [(CONTACT, contact.as_str()), (LOAD, &couple.load.edge), (AXIS, "the axis")] {
+        fault.message = fault.message.replace(inner, name);
+    }
+    fault
+}
 
 /// What is wrong with wear factors.
 pub(crate) fn wrong_wear(error: &WearError) -> Fault {

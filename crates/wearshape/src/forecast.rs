@@ -5,10 +5,10 @@ use scene::Fault;
 use serde::Serialize;
 
 use crate::bodies::Bodies;
+use crate::faults::in_names_of;
 use crate::ladder::levels;
 use crate::level::Level;
 use crate::options::Options;
-use crate::parts::Parts;
 use crate::problem::Problem;
 use crate::scope::Scope;
 use crate::step::Step;
@@ -49,7 +49,7 @@ impl Problem {
     /// # Errors
     /// What is not built, or cannot be meshed or held.
     pub fn forecast(&self, options: &Options<'_>) -> Result<Vec<Forecast>, Fault> {
-        forecast(self, options)
+        forecast(self, options).map_err(|fault| in_names_of(self.couple.as_ref(), fault))
     }
 }
 
@@ -66,13 +66,13 @@ fn forecast(problem: &Problem, options: &Options<'_>) -> Result<Vec<Forecast>, F
     for level in levels(problem, options) {
         let (start, level_parts) = (clock(), scope.parts(level)?);
         let meshing = clock() - start;
-        let bodies = sizes(&level_parts)?;
+        let bodies = level_parts.sizes()?;
         let operations = total(&bodies, contact);
         before += passes * (meshing + operations / rate);
         // The proof is one more level of two degrees more, with a contact solve on each.
         let proved = if proof {
             let finer = Level { degree: (level.degree + 2).min(hpfem::MAX_DEGREE), ..level };
-            meshing + (total(&sizes(&scope.parts(finer)?)?, true) + total(&bodies, true) - total(&bodies, false)) / rate
+            meshing + (total(&scope.parts(finer)?.sizes()?, true) + total(&bodies, true) - total(&bodies, false)) / rate
         } else {
             0.0
         };
@@ -101,7 +101,7 @@ fn rate(problem: &Problem, scope: &Scope<'_>, options: &Options<'_>) -> Result<f
     let mut rate = 0.0_f64;
     for degree in TIMED {
         let level = scope.parts(problem.level(degree))?;
-        let operations: f64 = sizes(&level)?.iter().map(|size| size.operations).sum();
+        let operations: f64 = level.sizes()?.iter().map(|size| size.operations).sum();
         (options.begun)(Step::Factor);
         for _ in 0..TIMES {
             let start = clock();
@@ -114,10 +114,6 @@ fn rate(problem: &Problem, scope: &Scope<'_>, options: &Options<'_>) -> Result<f
         }
     }
     Ok(rate)
-}
-
-fn sizes(parts: &Parts) -> Result<[Sizes; 2], Fault> {
-    Ok([parts.parts[0].sizes()?, parts.parts[1].sizes()?])
 }
 
 /// Multiplications of a level: both bodies, both traces solved with, and for a contact the responses at its points and a solve on them.

@@ -2,9 +2,10 @@
 
 use meshing::{Body, Couple, LoadedEdge, outline};
 use nalgebra::Vector3;
-use scene::{Component, Fault, LoadKind, SurfaceShape};
+use scene::{Fault, LoadKind, SurfaceShape};
 use wear::{RigidMode, RigidMotion};
 
+use crate::held::Held;
 use crate::load::Load;
 use crate::surface::Patch;
 
@@ -30,22 +31,96 @@ pub(crate) enum Role {
     SideForce,
 }
 
-/// Refuses supports under which the load cannot press body 1 on body 2 or would turn it, under which friction drags it away (if it
-/// `drags`), and under which body 2 gives way.
-pub(crate) fn check(couple: &Couple, load: &Load, drags: bool) -> Result<(), Fault> {
+/// What friction does to body 1 along the contact surface.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Grip {
+    /// Nothing: there is none.
+    None,
+    /// It holds it, since nothing slides.
+    Holds,
+    /// It drags it along with body 2.
+    Drags,
+}
+
+/// Refuses supports under which body 2 gives way, under which body 1 has a motion that neither contact nor friction stops, and under which the
+/// load cannot press body 1 on body 2 or would turn it. The contact surface is none where it takes a mesh to know it: round bodies on flat ones.
+pub(crate) fn check(couple: &Couple, load: &Load, patch: Option<&Patch>, grip: Grip) -> Result<(), Fault> {
     let body = &couple.bodies[0];
     let held = Held::of(body);
     holds_against(couple)?;
-    if drags && !couple.is_revolved() && held.x.is_empty() && load.shear_force == 0.0 && held.may_turn(load) {
-        let message = "body 1 can slide along x and turn, and friction drags it along";
-        let remedy = "hold x on an edge, as in body1.support = { left = [\"x\"] }";
-        return Err(Fault::at("body1.support", "not-held", message, remedy));
+    let free = if couple.is_revolved() { None } else { unstopped(&held, load, patch) };
+    let why = match grip {
+        Grip::None => Some("without friction nothing holds it"),
+        Grip::Holds => None,
+        Grip::Drags => Some("friction drags it along"),
+    };
+    if let Some((motion, why)) = free.zip(why) {
+        let remedy = format!("hold x on an edge{}", example(body, couple, patch.is_some()));
+        return Err(Fault::at("body1.support", "not-held", format!("body 1 can {motion}, and {why}"), remedy));
     }
     if !held.z.is_empty() {
         let message = "body 1 is held along z, so that the load cannot press it on body 2";
         return Err(Fault::at("body1.support", "held", message, "hold body 1 along x only"));
     }
-    if !couple.is_revolved() && !couple.has_rigid_edge() && held.may_turn(load) { level(body, &couple.load) } else { Ok(()) }
+    let turns = !couple.is_revolved() && !couple.has_rigid_edge() && may_turn(&held, load);
+    if turns && patch.is_some() { level(body, &couple.load) } else { Ok(()) }
+}
+
+/// The motion of body 1 along its contact surface that its supports and its load leave free: along a straight one it slides, along an arc it
+/// turns about the centre. Pressure does not stop it.
+fn unstopped(held: &Held, load: &Load, patch: Option<&Patch>) -> Option<&'static str> {
+    let turns = may_turn(held, load);
+    let arc = patch.and_then(|patch| match patch.surface.shape() {
+        wear::Shape::Arc { radius, centre, .. } => Some((*radius, centre.z)),
+        wear::Shape::Strip { .. }
+        | wear::Shape::Points(_)
+        | wear::Shape::Annulus { .. }
+        | wear::Shape::Sector { .. }
+        | wear::Shape::Rectangle { .. }
+        | wear::Shape::Ellipse { .. } => None,
+    });
+    match (arc, held.pole_height()) {
+        _ if held.x.is_empty() && turns => Some("slide along x and turn"),
+        (None, _) if held.x.is_empty() => Some("slide along x"),
+        (Some((radius, z)), Some(height)) if turns && (height - z).abs() <= 1e-9 * radius => {
+            Some("turn about the centre of its arc, the height at which it is held along x")
+        }
+        _ => None,
+    }
+}
+
+/// An edge of body 1 that may be held along x: neither touching nor the loaded one, where there is another.
+fn example(body: &Body, couple: &Couple, known: bool) -> String {
+    let edges = outline(body).names(!known);
+    let other = |edge: &&String| **edge != body.contact && !couple.load.is(edge);
+    let edge = edges.iter().find(|edge| other(edge) && *edge != "centre").or_else(|| edges.iter().find(other));
+    edge.map_or(String::new(), |edge| format!(", as in body1.support = {{ {edge} = [\"x\"] }}"))
+}
+
+/// Whether supports and load leave body 1 free to turn.
+fn may_turn(held: &Held, load: &Load) -> bool {
+    load.tilt.is_none() && !held.holds_turning()
+}
+
+/// Whether the supports of body 1 alone hold it against turning.
+pub(crate) fn guides_hold_turning(body: &Body) -> bool {
+    Held::of(body).holds_turning()
+}
+
+/// Moment of the load about the middle of the contact surface (N mm, positive where it presses the +x side), where supports hold body 1 against
+/// turning and so carry it; none where they do not, or where there is no such moment.
+pub(crate) fn guided_moment(couple: &Couple, load: &Load, patch: &Patch) -> Option<f64> {
+    let body = &couple.bodies[0];
+    if couple.is_revolved() || load.tilt.is_some() || !guides_hold_turning(body) {
+        return None;
+    }
+    let [first, last] = [patch.surface.sample(2).first()?.position.x, patch.surface.sample(2).last()?.position.x];
+    let middle = 0.5 * (first + last);
+    let force = load.force.unwrap_or(0.0);
+    let (moment, at) =
+        if couple.has_rigid_edge() { (load.moment, load.about[0]) } else { (0.0, load_centre(body, &couple.load).0) };
+    let moment = moment + force * (at - middle);
+    (moment.abs() > 1e-9 * force * (last - first).abs()).then_some(moment)
 }
 
 /// The freedoms of body 1 on a known contact surface, the pressing first.
@@ -57,7 +132,7 @@ pub(crate) fn of_bodies(couple: &Couple, load: &Load, patch: &Patch) -> Vec<Free
     }
     let held = Held::of(body);
     let mut free = vec![push];
-    if held.may_turn(load) {
+    if may_turn(&held, load) {
         let mode = if couple.has_rigid_edge() {
             // The moment of the contact pressure alone is prescribed: about a point of the surface friction has none.
             RigidMode::tilt(load.moment, Vector3::new(load.about[0], 0.0, surface_height(patch)))
@@ -78,27 +153,24 @@ pub(crate) fn of_bodies(couple: &Couple, load: &Load, patch: &Patch) -> Vec<Free
 fn holds_against(couple: &Couple) -> Result<(), Fault> {
     let body = &couple.bodies[1];
     let held = Held::of(body);
-    let apart = |places: &[f64]| {
-        let [least, most] = [places.iter().copied().fold(f64::MAX, f64::min), places.iter().copied().fold(f64::MIN, f64::max)];
-        most - least > 1e-9 * least.abs().max(most.abs())
-    };
     let mut free = Vec::new();
     if couple.is_revolved() {
         free.extend(held.z.is_empty().then_some("slide along z"));
     } else {
         free.extend(held.x.is_empty().then_some("slide along x"));
         free.extend(held.z.is_empty().then_some("slide along z"));
-        // Two supports along different lines hold it: x at two heights, z at two places, or both together anywhere.
-        let turns = !apart(&held.x) && !apart(&held.z);
-        free.extend(turns.then_some("turn"));
+        free.extend((!held.holds_turning()).then_some("turn"));
     }
     if free.is_empty() {
         return Ok(());
     }
     let message = format!("body 2 can {}, so that nothing carries the load", free.join(" and "));
     let components = if couple.is_revolved() { "[\"z\"]" } else { "[\"x\", \"z\"]" };
-    let remedy =
-        format!("hold an edge of it that does not touch body 1, as in {}.support = {{ bottom = {components} }}", body.key);
+    let names = outline(body).names(false);
+    let far = |edge: &&String| **edge != body.contact;
+    let edge = names.iter().find(|edge| *edge == "bottom" && far(edge)).or_else(|| names.iter().find(far));
+    let edge = edge.map_or(String::new(), |edge| format!(", as in {}.support = {{ {edge} = {components} }}", body.key));
+    let remedy = format!("hold an edge of it that does not touch body 1{edge}");
     Err(Fault::at(format!("{}.support", body.key), "not-held", message, remedy))
 }
 
@@ -149,41 +221,6 @@ fn level(body: &Body, load: &LoadedEdge) -> Result<(), Fault> {
         message,
         "load it vertically (as = \"vertical\"), or hold body 1 along x at two heights",
     ))
-}
-
-/// Heights z at which x is held, and places x at which z is held.
-struct Held {
-    x: Vec<f64>,
-    z: Vec<f64>,
-}
-
-impl Held {
-    fn of(body: &Body) -> Held {
-        let mut held = Held { x: Vec::new(), z: Vec::new() };
-        let outline = outline(body);
-        for (edge, components) in &body.supports {
-            for point in outline.points(edge) {
-                if components.contains(&Component::X) {
-                    held.x.push(point[1]);
-                }
-                if components.contains(&Component::Z) {
-                    held.z.push(point[0]);
-                }
-            }
-        }
-        held
-    }
-
-    /// Height of the line along x on which body 1 is held; none if it is held nowhere, NaN if at several heights.
-    fn pole_height(&self) -> Option<f64> {
-        let scale = self.x.iter().fold(0.0_f64, |scale, z| scale.max(z.abs()));
-        self.x.iter().copied().reduce(|a, b| if (a - b).abs() <= 1e-9 * scale { a } else { f64::NAN })
-    }
-
-    /// Whether supports and load leave body 1 free to turn.
-    fn may_turn(&self, load: &Load) -> bool {
-        load.tilt.is_none() && self.pole_height().is_none_or(|height| !height.is_nan())
-    }
 }
 
 /// The freedoms of a body of which the surface alone is given.

@@ -14,9 +14,12 @@ const WORN: f64 = 0.1;
 /// form on all surfaces that could touch, those that never do included.
 const BARELY: f64 = 0.01;
 
+/// Part of body 1's thickness beyond which a gap is no small displacement any more.
+const WIDE: f64 = 0.01;
+
 /// Remarks on what a run came to.
 pub(crate) fn remarks(problem: &Problem, solution: &Solution) -> Vec<Remark> {
-    other_solutions(problem, solution).into_iter().chain(worn_through(problem, solution)).collect()
+    other_solutions(problem, solution).into_iter().chain(wide(problem, solution)).chain(worn_through(problem, solution)).collect()
 }
 
 /// What friction does to the one solution of a contact.
@@ -51,20 +54,37 @@ fn rounded(coefficient: f64) -> String {
     short(text.parse().unwrap_or(coefficient))
 }
 
+/// A gap beyond small displacements.
+fn wide(problem: &Problem, solution: &Solution) -> Option<Remark> {
+    let gap = 1e-3 * solution.shape.as_ref()?.gap_max?;
+    let thickness = outline(&problem.couple.as_ref()?.bodies[0]).thickness;
+    let share = gap / thickness;
+    let message = format!(
+        "The gap of {} mm is {} % of the thickness of body 1 at the contact, {} mm: the shape is that of small displacements, and these are not small.",
+        short(gap),
+        short(100.0 * share),
+        short(thickness)
+    );
+    (share > WIDE && share.is_finite()).then_some(Remark { code: "gap-not-small", message })
+}
+
 /// Wear beyond what body 1's stiffness stands for.
 fn worn_through(problem: &Problem, solution: &Solution) -> Option<Remark> {
     let depth = 1e-3 * solution.wear.as_ref()?.depth?;
     let thickness = outline(&problem.couple.as_ref()?.bodies[0]).thickness;
     let allowed = WORN * thickness;
-    if depth <= allowed {
+    // Without a thickness nothing can be said.
+    if depth <= allowed || !allowed.is_finite() {
         return None;
     }
     let column = |name: &str| solution.history.iter().find(|(known, _)| known == name).map(|(_, values)| values.as_slice());
     let rows = column("time_s").zip(column("depth_um"));
     let within = rows.and_then(|(times, depths)| times.iter().zip(depths).take_while(|(_, d)| 1e-3 * **d <= allowed).last());
     let until = within.map_or(String::new(), |(time, _)| format!(" (up to {} s it is less)", short(*time)));
+    let lined = problem.couple.as_ref()?.bodies[0].materials.len() > 1;
+    let whose = if lined { "its lining's" } else { "its" };
     let message = format!(
-        "Wear takes {} mm off body 1, more than a tenth of its thickness of {} mm{until}; the bodies keep the stiffness they have unworn.",
+        "Wear takes {} mm off body 1, more than a tenth of {whose} thickness of {} mm{until}; the bodies keep the stiffness they have unworn.",
         short(depth),
         short(thickness)
     );

@@ -19,6 +19,9 @@ const NEARLY: f64 = 10.0;
 /// Digits that a level gains, about, before errors tell.
 const DIGITS: f64 = 1.5;
 
+/// Levels from which an error can be estimated: every solve climbs them, or all that there are.
+pub(crate) const LEAST: usize = 3;
+
 /// Why a step has no result.
 pub(crate) enum Refusal {
     /// The scene has no answer: a sentence for the summary.
@@ -119,7 +122,7 @@ pub(crate) struct Climbed<T> {
     pub stopped: bool,
 }
 
-/// Solves level after level until it is enough; `solve` is given the levels before and ends the ladder by `Break`, with its level or, where the
+/// Solves level after level until it is enough, or until one cannot be meshed or solved and those before it have an estimate; `solve` is given the levels before and ends the ladder by `Break`, with its level or, where the
 /// watcher cut that short, without. `distance` is how far two levels are apart, one relative number a quantity. Levels that are `known` are not
 /// solved again.
 pub(crate) fn climb<T, const N: usize>(
@@ -139,7 +142,11 @@ pub(crate) fn climb<T, const N: usize>(
         if watch(Event::Level { step: ladder.step, degree: level.degree, layers: level.layers, left }).is_break() {
             return Ok(Climbed { solved, stopped: true });
         }
-        let (level, more) = match solve(level, &solved, watch)? {
+        let found = match solve(level, &solved, watch) {
+            Err(Refusal::Fault(_)) if solved.len() >= LEAST => break,
+            found => found?,
+        };
+        let (level, more) = match found {
             ControlFlow::Continue(level) => (level, true),
             ControlFlow::Break(Some(level)) => (level, false),
             ControlFlow::Break(None) => return Ok(Climbed { solved, stopped: true }),

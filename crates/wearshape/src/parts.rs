@@ -86,7 +86,7 @@ impl BodyParts {
     }
 
     /// What the reduction takes.
-    pub(crate) fn sizes(&self) -> Result<Sizes, Fault> {
+    fn sizes(&self) -> Result<Sizes, Fault> {
         Body::sizes(&self.problem).map_err(|error| self.not_held(&error))
     }
 
@@ -164,6 +164,11 @@ impl Parts {
         let parts =
             [BodyParts::new(couple, true, first, level, kinematics)?, BodyParts::new(couple, false, second, level, kinematics)?];
         Ok(Parts { parts, facing })
+    }
+
+    /// What the reduction of both bodies takes.
+    pub(crate) fn sizes(&self) -> Result<[Sizes; 2], Fault> {
+        Ok([self.parts[0].sizes()?, self.parts[1].sizes()?])
     }
 
     /// Assembles and reduces both bodies.

@@ -1,13 +1,14 @@
 //! Which of the three kinds of contact two bodies have: a surface known beforehand, a round body on a flat one, a half-disc on a rectangle.
 
 use hpfem::Mesh;
-use meshing::{Body, Cut, HalfDiscOnFlat};
+use meshing::{Cut, HalfDiscOnFlat};
 use scene::Fault;
 
 use crate::bodies::Bodies;
 use crate::body_field::FieldFrame;
 use crate::effort::Effort;
-use crate::ladder::Refusal;
+use crate::faults::in_names_of;
+use crate::ladder::{LEAST, Refusal, levels};
 use crate::level::Level;
 use crate::options::Options;
 use crate::parts::Parts;
@@ -48,9 +49,26 @@ impl<'a> Scope<'a> {
         match self {
             Scope::HalfDisc(setting) => ends_scope::available(setting),
             Scope::Round(round) => round.available(),
-            // Cells of the user's own making may not match: better said before anything is written.
-            Scope::Known(stage) if stage.couple.bodies.iter().any(Body::is_given) => stage.meshes(1, Cut::Plain).map(|_| ()),
             Scope::Known(_) => Ok(()),
+        }
+    }
+
+    /// Refuses bodies that cannot be meshed, held or loaded on the levels that every solve of a problem climbs.
+    fn sound(&self, problem: &Problem, options: &Options<'_>) -> Result<(), Fault> {
+        let levels = levels(problem, options);
+        let Some(level) = levels.iter().take(LEAST).next_back().copied() else { return Ok(()) };
+        match self {
+            // A contact too long for the bodies is an answer.
+            Scope::HalfDisc(setting) => match setting.trial().and_then(|trial| setting.parts(level, &trial)) {
+                Ok((parts, _)) => parts.sizes().map(|_| ()),
+                Err(Refusal::Fault(fault)) => Err(fault),
+                Err(Refusal::Reason(_)) => Ok(()),
+            },
+            Scope::Round(_) => self.parts(level)?.sizes().map(|_| ()),
+            Scope::Known(stage) => {
+                self.parts(level)?.sizes()?;
+                if problem.plan.runs(Step::RoundTrip) { stage.meshes(level.layers, Cut::Shifted).map(|_| ()) } else { Ok(()) }
+            }
         }
     }
 
@@ -88,15 +106,22 @@ impl<'a> Scope<'a> {
 }
 
 impl Problem {
-    /// Refuses what is not built yet, so that nothing need be written for it.
+    /// Refuses what is not built yet, and bodies that cannot be meshed, held or loaded: what [`solve`](crate::solve()) would refuse on its way
+    /// to its first estimate of the error, so that nothing need be written for it.
     ///
     /// # Errors
-    /// What is not built, with what to write instead.
+    /// What is to be mended, with what to write instead.
     pub fn available(&self) -> Result<(), Fault> {
         if !self.plan.runs(Step::Mesh) {
             return Ok(());
         }
-        Scope::of(self, &Options::default(), &Bodies::default())?.available()
+        let (options, bodies) = (Options::default(), Bodies::default());
+        let sound = || {
+            let scope = Scope::of(self, &options, &bodies)?;
+            scope.available()?;
+            scope.sound(self, &options)
+        };
+        sound().map_err(|fault| in_names_of(self.couple.as_ref(), fault))
     }
 
     /// The meshes of both bodies at the fixed discretisation, or with the layers of degree 8.

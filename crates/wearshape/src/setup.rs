@@ -1,6 +1,7 @@
 //! What a scene means: defaults filled in, every user error found, the plan made.
 
 mod bodies;
+mod carried;
 mod load;
 mod metres;
 mod optimum;
@@ -14,9 +15,9 @@ mod unused;
 mod wear_rule;
 
 use meshing::{Couple, Files};
-use scene::{Document, Fault, Gap, Scene, Task};
+use scene::{Document, Fault, Gap, Scene};
 
-use crate::freedom;
+use crate::freedom::{self, Grip};
 use crate::gap_profile;
 use crate::plan::Plan;
 use crate::problem::{Friction, Problem};
@@ -53,8 +54,9 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     let load = load::numbers(&scene);
     let edge = scene.load.as_ref().and_then(load::edge);
     let couple = bodies.zip(edge).map(|((kinematics, bodies), load)| Couple { kinematics, bodies, load });
-    if let Some(couple) = couple.as_ref().filter(|_| patch.is_some()) {
-        freedom::check(couple, &load, drags(&scene, &tasks))?;
+    carried::check(&scene, &tasks, couple.as_ref(), patch.as_ref())?;
+    if let Some(couple) = &couple {
+        freedom::check(couple, &load, patch.as_ref(), grip(&scene))?;
     }
     let unused_keys = unused::keys(document, &scene, &tasks);
     let mut problem = Problem {
@@ -82,10 +84,14 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     Ok(problem)
 }
 
-/// Whether steady friction drags body 1 along in what is to be computed.
-fn drags(scene: &Scene, tasks: &[Task]) -> bool {
+/// What friction does to body 1 along the contact surface.
+fn grip(scene: &Scene) -> Grip {
     let Friction { coefficient, on_bodies } = friction(scene);
-    coefficient > 0.0 && on_bodies && tasks.iter().any(|task| *task != Task::Contact)
+    match (coefficient > 0.0 && on_bodies, &scene.sliding) {
+        (false, _) => Grip::None,
+        (true, None) => Grip::Holds,
+        (true, Some(_)) => Grip::Drags,
+    }
 }
 
 fn friction(scene: &Scene) -> Friction {

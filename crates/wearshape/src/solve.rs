@@ -4,6 +4,7 @@ use scene::Fault;
 
 use crate::bodies::Bodies;
 use crate::effort::Effort;
+use crate::faults::in_names_of;
 use crate::hindsight;
 use crate::ladder::Refusal;
 use crate::options::Options;
@@ -29,7 +30,7 @@ pub fn solve(problem: &Problem, options: &Options<'_>, bodies: &Bodies, watch: &
     match stages(Given { problem, options, bodies }, watch, &mut solution) {
         Ok(()) => {}
         Err(Refusal::Reason(reason)) => (solution.status, solution.reason) = (Status::Refused, Some(reason)),
-        Err(Refusal::Fault(fault)) => return Err(fault),
+        Err(Refusal::Fault(fault)) => return Err(in_names_of(problem.couple.as_ref(), fault)),
     }
     let after = hindsight::remarks(problem, &solution);
     solution.remarks.extend(after);

@@ -14,7 +14,9 @@ pub(crate) fn run(args: &CheckArgs) -> Result<Exit, Fault> {
     let common = Common { json: args.json, quiet: args.quiet, no_progress: args.no_progress, ..Common::default() };
     let progress = Progress::new(&common);
     progress.say("reading the scene");
-    let (_, problem) = open::problem(&args.scene, &args.set)?;
+    let (document, problem) = open::problem(&args.scene, &args.set)?;
+    progress.say("meshing");
+    problem.available().map_err(|fault| document.locate(fault))?;
     if args.json {
         print_json(&plan_json(&problem, &progress));
     } else if !args.quiet {

@@ -29,12 +29,12 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
     let (document, problem) = open::problem(&args.scene, &common.set)?;
     let options = options(common)?;
     let target = common.output.clone().unwrap_or_else(|| PathBuf::from("out").join(problem.name()));
+    progress.say("meshing");
+    problem.available().map_err(|fault| document.locate(fault))?;
     if common.dry_run {
         dry_run(common, &problem, &target, &progress);
         return Ok(Exit::Done);
     }
-    progress.say("meshing");
-    problem.available().map_err(|fault| document.locate(fault))?;
     interrupt::listen();
     let resolved = problem.resolved();
     let wanted = target;

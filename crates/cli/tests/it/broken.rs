@@ -32,6 +32,7 @@ fn broken(from: &str, to: &str, message: &str, remedy: &str) {
 fn refused(text: &str, line: Option<usize>, message: &str, remedy: &str) {
     let bench = Bench::new();
     bench.file("scene.toml", text);
+    bench.check_and_run("scene.toml");
     for command in ["check scene.toml", "run scene.toml"] {
         let call = bench.call(command);
         assert_eq!(call.code, 2, "{command}: {}{}", call.out, call.err);

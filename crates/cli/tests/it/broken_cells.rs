@@ -41,6 +41,7 @@ materials.lining = { young = "1 GPa", poisson = 0.25 }
 /// Runs a scene and compares code and key of its error, and the line of its place.
 fn refused(bench: &Bench, text: &str, code: &str, key: &str, line: usize) {
     bench.file("scene.toml", text);
+    bench.check_and_run("scene.toml");
     let call = bench.call("run scene.toml --json");
     let said: serde_json::Value = serde_json::from_str(&call.out).unwrap_or_default();
     let error = &said["error"];

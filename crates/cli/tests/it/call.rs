@@ -49,6 +49,22 @@ impl Bench {
         finished(command.args(args).current_dir(self.folder.path()).output().unwrap())
     }
 
+    /// Calls `check` and `run` with the same scene and settings, blank-separated: both refuse it in the same words with exit 2, or neither does.
+    /// Returns the call of `run`.
+    pub(crate) fn check_and_run(&self, scene: &str) -> Call {
+        let with = |command| [command].into_iter().chain(scene.split_whitespace()).collect::<Vec<_>>();
+        let [check, run] = ["check", "run"].map(|command| self.call_with(&with(command)));
+        assert_eq!(check.code == 2, run.code == 2, "{scene}\ncheck: {}{}\nrun: {}{}", check.out, check.err, run.out, run.err);
+        if run.code == 2 {
+            assert_eq!(check.err, run.err, "{scene}");
+            assert!(check.out.is_empty() && run.out.is_empty(), "errors belong on stderr");
+            assert!(!check.err.contains('@'), "{}", check.err);
+        } else {
+            assert_eq!(check.code, 0, "{scene}: {}", check.err);
+        }
+        run
+    }
+
     /// Starts a call and leaves it running; what it says on stderr can be read at its end.
     pub(crate) fn start(&self, args: &str) -> Child {
         let args = args.split_whitespace().map(|arg| arg.replace('_', " "));

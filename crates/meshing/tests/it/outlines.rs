@@ -191,3 +191,22 @@ fn thickness_is_that_of_the_mesh() {
     }
     assert_eq!(outline(&body("body1", &two_cells([-3.0, 1.0, 5.0], [2.0, 9.0]), "bottom", "")).thickness, 7.0);
 }
+
+/// Body 1 of a built-in scene that is given by its cells.
+fn built_in(name: &str) -> Body {
+    let document = scene::Document::read(name, scene::builtin(name).unwrap().text, &[]).unwrap();
+    let contact = document.scene.contact.unwrap().edges.unwrap()[0].clone();
+    let mut body = document.scene.body1.unwrap();
+    let given = meshing::read_cells("body1", &mut body, &|_| Err("no files".to_string())).unwrap().unwrap();
+    let cells = Some(std::sync::Arc::new(given.mesh));
+    Body { key: "body1", geometry: body.geometry, cells, materials: given.materials, supports: body.support, contact }
+}
+
+/// Of a body of several materials the one at the contact counts, outside a drum as inside: no back plate, and nothing negative.
+#[test]
+fn thickness_of_a_lined_shoe_is_that_of_its_lining() {
+    for (name, thickness) in [("lining-on-back", 10.0), ("internal-shoe", 6.0)] {
+        let found = outline(&built_in(name)).thickness;
+        assert!((found - thickness).abs() < 1e-2 * thickness, "{name}: {found}");
+    }
+}

@@ -88,10 +88,18 @@ fn one_body(name: &'static str, body: &mut scene::Body, axisymmetric: bool, file
     };
     let (geometry, supports) = (body.geometry.clone(), body.support.clone());
     let typed = Body { key: name, geometry, cells, materials, supports, contact: String::new() };
-    let edges = outline(&typed).names(true);
+    held_edges(name, body, &typed, axisymmetric)?;
+    Ok(typed)
+}
+
+/// Checks the edges that are held, and by which components.
+fn held_edges(name: &str, body: &scene::Body, typed: &Body, axisymmetric: bool) -> Result<(), Fault> {
+    let outline = outline(typed);
+    let edges = outline.names(true);
     for (edge, components) in &body.support {
         let key = format!("{name}.support.{edge}");
         known_edge(&key, edge, &edges)?;
+        off_axis(&key, edge, &outline.points(edge), axisymmetric)?;
         if components.is_empty() {
             let message = format!("{key} holds nothing");
             return Err(Fault::at(key, "wrong-value", message, "write the components held, as in [\"x\", \"z\"]"));
@@ -101,7 +109,17 @@ fn one_body(name: &'static str, body: &mut scene::Body, axisymmetric: bool, file
             return Err(Fault::at(key, "wrong-value", message, "write \"x\" or \"z\" here"));
         }
     }
-    Ok(typed)
+    Ok(())
+}
+
+/// Refuses an edge on the axis of revolution.
+pub(super) fn off_axis(key: &str, edge: &str, points: &[[f64; 2]], axisymmetric: bool) -> Result<(), Fault> {
+    let size = points.iter().flatten().fold(0.0_f64, |size, x| size.max(x.abs()));
+    if !axisymmetric || points.is_empty() || points.iter().any(|x| x[0].abs() > 1e-12 * size) {
+        return Ok(());
+    }
+    let message = format!("the edge `{edge}` lies on the axis of revolution, where it has no area: it holds and carries nothing");
+    Err(Fault::at(key, "degenerate", message, "name an edge off the axis; along r the axis holds the body by itself"))
 }
 
 /// An axisymmetric body lies at r >= 0.

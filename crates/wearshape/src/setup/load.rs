@@ -4,7 +4,7 @@ use meshing::{Body, LoadedEdge, Strip, outline, outside};
 use scene::{Fault, Kinematics, Length, Load, LoadKind, Moment, Scene, SurfaceShape, Task, missing, positive};
 
 use crate::load;
-use crate::setup::bodies::known_edge;
+use crate::setup::bodies::{known_edge, off_axis};
 use crate::setup::twist::turns;
 use crate::surface::Patch;
 
@@ -30,6 +30,7 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>, 
     };
     known_edge("load.edge", &edge, &outline(body).names(false))?;
     outside(body, &edge)?;
+    can_be_loaded(body, &edge, load.kind, scene.kinematics == Some(Kinematics::Axisymmetric))?;
     match load.kind {
         None => Err(missing("load.as", "how does the load act?", "load.as = \"pressure\" (or vertical, rigid)")),
         Some(LoadKind::Rigid) => rigid(scene, tasks, patch),
@@ -38,6 +39,22 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>, 
             if kind == LoadKind::Vertical { strip(load, body, &edge, tasks) } else { Ok(()) }
         }
     }
+}
+
+/// Refuses an edge that touches body 2, and one on which no load presses downwards.
+fn can_be_loaded(body: &Body, edge: &str, kind: Option<LoadKind>, axisymmetric: bool) -> Result<(), Fault> {
+    if edge == body.contact {
+        let message = format!("the edge `{edge}` touches body 2, and cannot be loaded too");
+        return Err(Fault::at("load.edge", "wrong-value", message, "load another edge of body 1, as in load.edge = \"top\""));
+    }
+    let points = outline(body).points(edge);
+    off_axis("load.edge", edge, &points, axisymmetric)?;
+    let [from, to] = points.iter().fold([f64::MAX, f64::MIN], |[from, to], x| [from.min(x[0]), to.max(x[0])]);
+    if points.is_empty() || kind == Some(LoadKind::Rigid) || to - from > 1e-12 * from.abs().max(to.abs()) {
+        return Ok(());
+    }
+    let message = format!("the edge `{edge}` is upright: a load on it does not press body 1 on body 2");
+    Err(Fault::at("load.edge", "wrong-value", message, "load an edge that faces up or down, or write load.as = \"rigid\""))
 }
 
 /// What may not stand beside each other.

@@ -1,9 +1,9 @@
 //! What the theory has to say about a scene before it is solved.
 
-use scene::{Balance, Functional, Task, with_short_numbers};
+use scene::{Balance, Functional, Geometry, Task, with_short_numbers};
 use wear::Shape;
 
-use crate::freedom::Role;
+use crate::freedom::{Role, guided_moment};
 use crate::functional::{functional_row, s_minus_1};
 use crate::problem::{Optimum, Problem};
 use crate::remark::Remark;
@@ -13,6 +13,7 @@ pub(super) fn remarks(problem: &Problem, tasks: &[Task]) -> Vec<Remark> {
     let mut found = Vec::new();
     let mut say = |code: &'static str, message: String| found.push(Remark { code, message: with_short_numbers(&message) });
     materials(problem, &mut say);
+    guide(problem, &mut say);
     if problem.wear.of_friction && problem.friction.coefficient == 0.0 && tasks != [Task::Contact] {
         let message = "Friction is 0 and wear.beta stands in front of the friction stress: nothing wears, and rates, powers, multipliers and feed are 0. Pressure and shape are as for vanishing friction; wear.k wears without friction.";
         say("no-wear", message.to_string());
@@ -25,21 +26,56 @@ pub(super) fn remarks(problem: &Problem, tasks: &[Task]) -> Vec<Remark> {
     found
 }
 
-/// Moduli that no material has, each said once a body.
+/// Moduli that no material has, each said once a body, by the name of the material where cells bring their own.
 fn materials(problem: &Problem, say: &mut impl FnMut(&'static str, String)) {
-    for (name, body) in ["body 1", "body 2"].iter().zip(problem.couple.iter().flat_map(|couple| &couple.bodies)) {
+    let own = [&problem.scene.body1, &problem.scene.body2];
+    for (body, own) in problem.couple.iter().flat_map(|couple| &couple.bodies).zip(own) {
         let mut said: Vec<f64> = Vec::new();
         for young in body.materials.iter().map(|material| material.young.0) {
             if (1.0..=1.3e6).contains(&young) || said.contains(&young) {
                 continue;
             }
             said.push(young);
+            let name =
+                own.as_ref().and_then(|own| name_of(own, young)).map_or(String::new(), |name| format!(" (material {name})"));
+            let of = body.key.replace("body", "body ");
             say(
                 "young-implausible",
-                format!("Young's modulus of {name} is {young} MPa: is the unit right? Steel has 210 GPa, rubber 1 to 10 MPa."),
+                format!(
+                    "Young's modulus of {of} is {young} MPa{name}: is the unit right? Steel has 210 GPa, rubber 1 to 10 MPa."
+                ),
             );
         }
     }
+}
+
+/// Names of the materials of cells with a modulus.
+fn name_of(body: &scene::Body, young: f64) -> Option<String> {
+    let materials = match &body.geometry {
+        Geometry::Blocks(blocks) => &blocks.materials,
+        Geometry::Mesh(file) => &file.materials,
+        Geometry::ShoeBlock(_)
+        | Geometry::Ring(_)
+        | Geometry::Rectangle(_)
+        | Geometry::RingSegment(_)
+        | Geometry::HalfDisc(_) => return None,
+    };
+    let names: Vec<&str> = materials.iter().filter(|(_, own)| own.young.0 == young).map(|(name, _)| name.as_str()).collect();
+    (!names.is_empty()).then(|| names.join(", "))
+}
+
+/// A moment of the load that goes into the supports.
+fn guide(problem: &Problem, say: &mut impl FnMut(&'static str, String)) {
+    let Some((couple, patch)) = problem.couple.as_ref().zip(problem.patch.as_ref()) else { return };
+    let Some(moment) = guided_moment(couple, &problem.load, patch) else { return };
+    let edges: Vec<&str> = couple.bodies[0].supports.keys().map(String::as_str).collect();
+    let guides = edges.join(" and ");
+    say(
+        "moment-on-guide",
+        format!(
+            "Body 1 is held against tilting by {guides}: that carries the load's moment of {moment} N mm about the middle of the contact, and the pressure does not."
+        ),
+    );
 }
 
 /// What the theory says of the functional.

@@ -25,7 +25,7 @@ pub(super) fn keys(document: &Document, scene: &Scene, tasks: &[Task]) -> Vec<St
     when(pressure_only, &["mesh.degree", "mesh.layers"]);
     let flat = matches!(scene.contact.as_ref().and_then(|contact| contact.gap.as_ref()), None | Some(scene::Gap::Constant(_)));
     when(pressure_only && !flat, &["contact.gap"]);
-    when(pressure_only, &["output.fields"]);
+    when(pressure_only, &["output.fields", "load.approach_time"]);
     let timed = matches!(scene.wear.as_ref().and_then(|wear| wear.until), Some(scene::Until::Time(_)));
     when(!wears && timed, &["wear.until"]);
     when(!wears, &["schedule"]);
@@ -45,10 +45,14 @@ pub(super) fn keys(document: &Document, scene: &Scene, tasks: &[Task]) -> Vec<St
     when(optimal && needs.is_some_and(|needs| !needs.q), &["optimum.q"]);
     when(optimal && needs.is_some_and(|needs| !needs.modes), &["optimum.modes"]);
     let contact_only = tasks == [Task::Contact];
-    when(contact_only, &["wear.beta", "wear.k", "wear.a", "wear.b", "wear.counterface"]);
-    let slides = scene.contact.as_ref().and_then(|contact| contact.friction).unwrap_or(0.0) > 0.0;
-    when(contact_only && !slides, &["sliding.omega", "sliding.speed", "contact.shear"]);
     let turned = !turns(scene).is_empty();
+    // The wear rate of a contact that slides is a column of contact.csv.
+    let rates = scene.sliding.is_some() && !turned && scene.wear.as_ref().is_some_and(|wear| wear.beta.or(wear.k).is_some());
+    when(contact_only, &["wear.counterface"]);
+    when(contact_only && !rates, &["wear.beta", "wear.k", "wear.a", "wear.b"]);
+    let slides = scene.contact.as_ref().and_then(|contact| contact.friction).unwrap_or(0.0) > 0.0;
+    when(contact_only && !slides && !rates, &["sliding.omega", "sliding.speed"]);
+    when(contact_only && !slides, &["contact.shear"]);
     when(!turned, &["load.twist", "load.torque"]);
     when(contact_only && turned, &["sliding.omega", "sliding.speed"]);
     for (name, body) in [("body1", &scene.body1), ("body2", &scene.body2)] {

@@ -41,7 +41,6 @@ fn problems_whose_bodies_differ_do_not_share() {
         "body2.material.young=209e3",
         "body1.support={left=[\"x\"]}",
         "body2.support={inner=[\"x\",\"z\"],outer=[\"x\"]}",
-        "load.edge=right",
         "load.as=vertical",
         "thickness=11",
         "kinematics=plane-strain",

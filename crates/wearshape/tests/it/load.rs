@@ -3,7 +3,7 @@
 use approx::assert_relative_eq;
 use wearshape::Problem;
 
-use crate::common::{digits, read, scene, solved};
+use crate::common::{read, scene, solved};
 
 /// ```text
 ///      d---------m--c        vertical load on the whole of the top edge, x = -15 to 25: its middle is x = 5
@@ -73,18 +73,25 @@ fn a_vertical_load_on_a_whole_edge_passes_through_its_middle() {
     }
 }
 
-/// On an edge that takes no strips the width says nothing: the same bodies, the same digits.
+/// A pressure acts on the whole edge: a strip of it is refused, unless it is the whole edge, or the pressure alone is asked for.
 #[test]
-fn the_width_of_a_pressure_on_a_ring_changes_nothing() {
-    let ring = |more: &[&str]| scene("drum-brake-ring", &[&["load.as=pressure", "mesh.degree=4"], more].concat());
-    let (wide, narrow) = (ring(&[]), ring(&["load.width=40", "load.centre=10"]));
-    for problem in [&wide, &narrow] {
-        assert_eq!(problem.unused_keys(), ["load.centre", "load.width"]);
-    }
-    let [one, other] = [&wide, &narrow].map(solved);
-    assert_eq!(one.effort.counters, other.effort.counters);
-    assert!(digits(&one) == digits(&other));
+fn the_width_of_a_pressure_is_refused_where_it_would_be_left_out() {
+    let read = |settings: &[&str]| {
+        let settings: Vec<String> = settings.iter().map(|setting| setting.to_string()).collect();
+        let text = wearshape::builtin("drum-brake-ring").unwrap().text;
+        let document = wearshape::Document::read("drum-brake-ring", text, &settings).unwrap();
+        wearshape::Problem::new(&document, &|_| Err("no file".into()))
+    };
+    let fault = read(&["load.as=pressure", "load.width=40"]).unwrap_err();
+    assert_eq!((fault.code, fault.key.as_deref()), ("not-carried", Some("load.width")));
+    assert!(fault.message.contains("load.width = 40") && fault.remedy.contains("vertical"), "{fault:?}");
+    let whole = read(&["load.as=pressure", "load.width=200", "load.centre=0"]).unwrap();
+    assert_eq!(whole.unused_keys(), ["load.centre", "load.width"]);
+    assert_eq!(
+        read(&["load.as=pressure", "load.width=40", "tasks=[pressure]"]).unwrap().unused_keys(),
+        ["load.centre", "load.width"]
+    );
     // As a strip it cuts the mesh.
-    let strip = solved(&scene("drum-brake-ring", &["mesh.degree=4"]));
-    assert!(strip.effort.counters.cells > one.effort.counters.cells);
+    let [whole, strip] = [whole, scene("drum-brake-ring", &["mesh.degree=4"])];
+    assert!(strip.meshes().unwrap()[0].cells.len() > whole.meshes().unwrap()[0].cells.len());
 }
