@@ -166,14 +166,12 @@ fn thickness_of_cells(mesh: &Mesh, contact: &str) -> f64 {
     let off = |e: &usize| (middle(e)[0] - 0.5 * (ends[0] + ends[1])).abs();
     let Some(start) = touching.iter().min_by(|a, b| off(a).total_cmp(&off(b))) else { return f64::NAN };
     let cells = mesh.edge_cells();
-    let Some((owner, _)) = cells[*start].first() else { return f64::NAN };
-    let material = mesh.cells[*owner].material;
-    let (foot, along) = (middle(start), mesh.edges[*start].curve.derivative(0.0));
-    let corners = mesh.cells[*owner].corners.map(|v| mesh.vertices[v]);
-    let inside = [0, 1].map(|k| 0.25 * corners.iter().map(|x| x[k]).sum::<f64>() - foot[k]);
-    let length = along[0].hypot(along[1]);
-    let side = (inside[1] * along[0] - inside[0] * along[1]).signum();
-    let normal = [-side * along[1] / length, side * along[0] / length];
+    let Some((owner, local)) = cells[*start].first().copied() else { return f64::NAN };
+    let material = mesh.cells[owner].material;
+    let along = mesh.local_curve(owner, local).derivative(0.0);
+    // Local edges 0 and 1 have the cell on their left.
+    let length = if local < 2 { along[0].hypot(along[1]) } else { -along[0].hypot(along[1]) };
+    let (foot, normal) = (middle(start), [-along[1] / length, along[0] / length]);
     // Sides of the material: edges with one cell of it.
     let sides = cells.iter().enumerate().filter(|(e, around)| {
         around.iter().filter(|(cell, _)| mesh.cells[*cell].material == material).count() == 1 && !touching.contains(e)
