@@ -62,7 +62,12 @@ impl CoarseMeshes {
     fn graded_body(&self, coarse: &Coarse, layers: usize, key: &str) -> Result<Mesh, Fault> {
         let vertices = |mesh: &Mesh, points: &[[f64; 2]]| points.iter().map(|x| mesh.nearest_vertex(*x)).collect::<Vec<usize>>();
         let (mesh, near) = cut_near(coarse.mesh.clone(), self.extent, &self.near).map_err(|error| degenerate(key, &error))?;
-        let mesh = ledge::graded(&mesh, &coarse.singular, coarse.ledges, layers).map_err(|error| too_many(key, layers, &error))?;
+        // Cells that are sound with one layer are too small with many.
+        let grade = |layers| ledge::graded(&mesh, &coarse.singular, coarse.ledges, layers);
+        let mesh = grade(layers).map_err(|error| match grade(1) {
+            Ok(_) => too_many(key, layers, &error),
+            Err(_) => degenerate(key, &error),
+        })?;
         let free = vertices(&mesh, &[coarse.free.as_slice(), &near].concat());
         if free.is_empty() {
             return Ok(mesh);
