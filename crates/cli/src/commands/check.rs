@@ -15,13 +15,16 @@ pub(crate) fn run(args: &CheckArgs) -> Result<Exit, Fault> {
     let progress = Progress::new(&common);
     progress.say("reading the scene");
     let (document, problem) = open::problem(&args.scene, &args.set)?;
+    let prints = !args.json && !args.quiet;
+    if prints {
+        // What is known at once is said at once; whether the bodies can be meshed, and into what, takes its time.
+        progress.beside(|| print_out(&describe(&problem)));
+    }
     progress.say("meshing");
     problem.available().map_err(|fault| document.locate(fault))?;
     if args.json {
         print_json(&plan_json(&problem, &progress));
-    } else if !args.quiet {
-        // What is known at once is said at once; the sizes take meshing.
-        progress.beside(|| print_out(&describe(&problem)));
+    } else if prints {
         let sizes = sizes(&problem, &progress);
         progress.end();
         print_out(&format!("{sizes}\n"));
