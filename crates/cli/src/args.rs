@@ -124,6 +124,12 @@ pub(crate) struct RunArgs {
 pub(crate) struct CheckArgs {
     /// TOML file, or name of a built-in scene.
     pub(crate) scene: String,
+    /// Write a drawing of the scene (SVG): bodies, materials, supports, load, sliding.
+    #[arg(short = 'o', long = "drawing", value_name = "FILE")]
+    pub(crate) drawing: Option<PathBuf>,
+    /// Say more: draw the scene too, as NAME.svg here unless -o says where.
+    #[arg(short, long)]
+    pub(crate) verbose: bool,
     /// Replace one key of the scene; repeatable.
     #[arg(long = "set", value_name = "KEY=VALUE", allow_hyphen_values = true)]
     pub(crate) set: Vec<String>,

@@ -1,16 +1,33 @@
-//! The plots of a run: pressure, wear rate, gap, error.
+//! The plots of a run: pressure, shear and where it sticks, wear rate, gap, what a run in time does, error.
 
 use serde_json::{Value, json};
-use wearshape::{Problem, Profile, Rung, Shape, Solution};
+use wearshape::{PointStatus, Problem, Profile, Rung, Shape, Solution};
 
-use crate::line_plot::{Axis, LinePlot, Series};
+use crate::brief::brief;
+use crate::line_plot::{Axis, LinePlot, Series, Zone, cut};
 
-/// The plots with the names of their files.
-pub(crate) fn line_plots(problem: &Problem, solution: &Solution) -> Vec<(&'static str, LinePlot)> {
+/// A plot with the name of its file and the named parts of its x axis.
+pub(crate) struct Picture {
+    pub(crate) file: &'static str,
+    pub(crate) plot: LinePlot,
+    pub(crate) zones: Vec<Zone>,
+}
+
+/// The plots of a run.
+pub(crate) fn line_plots(problem: &Problem, solution: &Solution) -> Vec<Picture> {
     let title = problem.title();
     let Some(points) = &solution.profile else {
         return Vec::new();
     };
+    let plain = |(file, plot): (&'static str, LinePlot)| Picture { file, plot, zones: Vec::new() };
+    let mut plots = along_the_surface(problem, solution, points);
+    plots.extend(histories(title, &solution.history).into_iter().map(plain));
+    plots.extend(error_plot(title, &solution.ladder).map(|plot| ("error", plot)).map(plain));
+    plots
+}
+
+/// Pressure, wear rate and gap along the contact surface.
+fn along_the_surface(problem: &Problem, solution: &Solution, points: &Profile) -> Vec<Picture> {
     // Evenly spaced points draw smoother than the contact points.
     let profile = solution.curve.as_ref().unwrap_or(points);
     let (places, x_label) = abscissa(problem, profile);
@@ -21,36 +38,101 @@ pub(crate) fn line_plots(problem: &Problem, solution: &Solution) -> Vec<(&'stati
         dashed,
     };
     let known = |values: &[f64]| values.iter().any(|value| value.is_finite());
-    let plot = |what: &str, y_label: &str, from_zero: bool, series: Vec<Series>| LinePlot {
-        title: format!("{title}: {what}"),
+    let plot = |what: &str, y_label: &str, series: Vec<Series>| LinePlot {
+        title: format!("{}: {what}", problem.title()),
         x_label: x_label.to_string(),
         y_label: y_label.to_string(),
         axes: [Axis::Linear, Axis::Linear],
-        from_zero,
+        from_zero: true,
         series,
     };
     let mut plots = Vec::new();
     if known(&profile.pressure) {
         let mut curves = vec![series("", &profile.pressure, false)];
+        let mut what = ("contact pressure", "pressure (MPa)");
+        let touched = solution.contact.is_some() && solution.shape.is_none() && solution.wear.is_none();
         if known(&profile.pressure_solved) {
             curves[0].name = "wanted".into();
             curves.push(series("contact solve on the shape", &profile.pressure_solved, true));
+        } else if touched && profile.shear.iter().any(|shear| shear.abs() > 0.0) {
+            curves[0].name = "pressure".into();
+            curves.push(series("shear on body 1", &profile.shear, false));
+            what = ("contact pressure and shear", "pressure, shear (MPa)");
         }
-        plots.push(("pressure", plot("contact pressure", "pressure (MPa)", true, curves)));
+        // From point to point of the contact: their status changes exactly there.
+        let zones = sticking(&abscissa(problem, points).0, points);
+        plots.push(Picture { file: "pressure", plot: plot(what.0, what.1, curves), zones });
     }
+    let mut plain = |file: &'static str, plot: LinePlot| plots.push(Picture { file, plot, zones: Vec::new() });
     if profile.wear_rate.iter().any(|rate| *rate > 0.0) {
-        let curves = vec![series("", &profile.wear_rate, false)];
-        plots.push(("wear-rate", plot("wear rate", "wear rate (\u{b5}m/s)", true, curves)));
+        plain("wear-rate", plot("wear rate", "wear rate (\u{b5}m/s)", vec![series("", &profile.wear_rate, false)]));
     }
     if known(&profile.gap) && points.gap.iter().any(|gap| *gap != 0.0) {
         let what = match (&solution.wear, &solution.shape) {
-            (Some(_), _) => "worn gap",
-            (None, Some(_)) => "machined gap",
+            (Some(_), _) => "worn profile, without load",
+            (None, Some(_)) => "taken off by machining",
             _ => "gap without load",
         };
-        plots.push(("gap", plot(what, "gap (\u{b5}m)", true, vec![series("", &profile.gap, false)])));
+        plain("gap", plot(what, "gap (\u{b5}m)", vec![series("", &profile.gap, false)]));
     }
-    plots.extend(error_plot(title, &solution.ladder).map(|plot| ("error", plot)));
+    plots
+}
+
+/// Where the contact sticks, of one that slips elsewhere.
+fn sticking(places: &[f64], profile: &Profile) -> Vec<Zone> {
+    let mut zones: Vec<Zone> = Vec::new();
+    let mut open = false;
+    for (place, status) in places.iter().zip(&profile.status) {
+        let sticks = *status == PointStatus::Stick;
+        match zones.last_mut().filter(|_| open && sticks) {
+            Some(zone) => zone.range[1] = *place,
+            None if sticks => zones.push(Zone { range: [*place; 2], name: "sticks" }),
+            None => {}
+        }
+        open = sticks;
+    }
+    zones
+}
+
+/// A run in time: its pressures, the depth and the volume worn off.
+fn histories(title: &str, history: &[(String, Vec<f64>)]) -> Vec<(&'static str, LinePlot)> {
+    let column = |name: &str| history.iter().find(|(known, _)| known == name).map(|(_, values)| values.as_slice());
+    let Some(time) = column("time_s").filter(|time| time.len() > 1) else { return Vec::new() };
+    let series = |name: &str, column: &[f64]| Series {
+        name: name.to_string(),
+        points: time.iter().copied().zip(column.iter().copied()).collect(),
+        marks: true,
+        dashed: false,
+    };
+    let speed = column("distance_mm").and_then(|distance| Some(distance.last()? / time.last()?)).filter(|v| v.is_finite());
+    let x_label = speed.map_or("time (s)".into(), |speed| format!("time (s); {} mm of sliding a second", brief(speed)));
+    let plot = |what: &str, y_label: &str, axes: [Axis; 2], series: Vec<Series>| LinePlot {
+        title: format!("{title}: {what}"),
+        x_label: x_label.clone(),
+        y_label: y_label.into(),
+        axes,
+        from_zero: axes[1] == Axis::Linear,
+        series,
+    };
+    // Most steps of a run into the steady state lie in its very beginning.
+    let early = time[time.len() / 2] < 0.02 * time[time.len() - 1];
+    let x_axis = if early { Axis::Logarithmic } else { Axis::Linear };
+    let mut plots = Vec::new();
+    if let (Some(most), Some(least)) = (column("p_max_MPa"), column("p_min_MPa")) {
+        let wide = most.iter().copied().fold(0.0, f64::max) > 20.0 * most.iter().copied().fold(f64::INFINITY, f64::min);
+        let y_axis = if wide { Axis::Logarithmic } else { Axis::Linear };
+        let curves = vec![series("largest", most), series("smallest", least)];
+        plots.push(("history-pressure", plot("pressure over time", "pressure (MPa)", [x_axis, y_axis], curves)));
+    }
+    let linear = [Axis::Linear; 2];
+    if let Some(depth) = column("depth_um") {
+        plots.push(("history-depth", plot("depth worn off body 1", "depth (\u{b5}m)", linear, vec![series("", depth)])));
+    }
+    let worn = |name: &'static str, key: &str| column(key).filter(|v| v.iter().any(|v| *v > 0.0)).map(|v| series(name, v));
+    let volumes: Vec<Series> = [worn("body 1", "volume1_mm3"), worn("body 2", "volume2_mm3")].into_iter().flatten().collect();
+    if !volumes.is_empty() {
+        plots.push(("history-volume", plot("volume worn off", "volume (mm\u{b3})", linear, volumes)));
+    }
     plots
 }
 
@@ -79,11 +161,14 @@ fn error_plot(title: &str, ladder: &[Rung]) -> Option<LinePlot> {
 }
 
 /// The plots as numbers, for the page and for other programs: plots/curves.json.
-pub(crate) fn curves_json(plots: &[(&'static str, LinePlot)]) -> Value {
+pub(crate) fn curves_json(plots: &[Picture]) -> Value {
     let number = |value: f64| {
         if value.is_finite() { json!(value) } else { Value::Null }
     };
-    let chart = |plot: &LinePlot| {
+    let chart = |picture: &Picture| {
+        let plot = &picture.plot;
+        let cut = cut(plot);
+        let zones = picture.zones.iter().map(|zone| json!({ "from": zone.range[0], "to": zone.range[1], "name": zone.name }));
         let series = plot.series.iter().map(|series| {
             json!({
                 "name": series.name,
@@ -98,11 +183,15 @@ pub(crate) fn curves_json(plots: &[(&'static str, LinePlot)]) -> Value {
             "x_label": plot.x_label,
             "y_label": plot.y_label,
             "from_zero": plot.from_zero,
+            "log_x": plot.axes[0] == Axis::Logarithmic,
             "log_y": plot.axes[1] == Axis::Logarithmic,
+            "top": cut.map(|cut| cut.high),
+            "note": cut.map(|cut| cut.note()),
+            "zones": zones.collect::<Vec<_>>(),
             "series": series.collect::<Vec<_>>(),
         })
     };
-    Value::Array(plots.iter().map(|(name, plot)| json!({ "file": name, "chart": chart(plot) })).collect())
+    Value::Array(plots.iter().map(|picture| json!({ "file": picture.file, "chart": chart(picture) })).collect())
 }
 
 /// The coordinate of a picture and its name: angle on an arc, radius on a ring, else arc length.

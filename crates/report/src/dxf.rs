@@ -146,7 +146,7 @@ fn tables(out: &mut Writer) {
     let layer = |colour: &'static str| [(70, "0"), (62, colour), (6, "Continuous")];
     let (black, red, blue, green) = (layer("7"), layer("1"), layer("5"), layer("3"));
     let layers: &[(&str, &[(u32, &str)])] =
-        &[("0", &black), ("PROFILE", &black), ("DATUM", &red), ("CROWN", &blue), ("NOTES", &green)];
+        &[("0", &black), ("PROFILE", &black), ("DATUM", &red), ("MOST-TAKEN-OFF", &blue), ("NOTES", &green)];
     out.table("LAYER", "AcDbLayerTableRecord", layers);
     let style: &[(u32, &str)] = &[(70, "0"), (40, "0"), (41, "1"), (50, "0"), (71, "0"), (42, "2.5"), (3, "txt"), (4, "")];
     out.table("STYLE", "AcDbTextStyleTableRecord", &[("Standard", style)]);

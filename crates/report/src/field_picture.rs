@@ -5,6 +5,7 @@ use wearshape::{CellField, CellGrid, FieldFrame};
 
 use crate::isobands::{Isobands, Placed};
 use crate::section_plot::Section;
+use crate::touch::Touch;
 
 /// Size of a piece that is cut at the colours, in pixels.
 const PIECE: f64 = 12.0;
@@ -13,22 +14,33 @@ const SEEN: f64 = 18.0;
 /// Room for the legend, in pixels.
 const LEGEND: f64 = 90.0;
 
-/// Draws a moment.
-pub(crate) fn field_picture(frame: &FieldFrame, title: &str) -> String {
-    let cells = || frame.bodies.iter().flat_map(|body| &body.cells);
-    let rest = bounds(cells().flat_map(|cell| cell.position.iter().copied()));
+/// Draws a moment: the reported one with the bodies as they touch.
+pub(crate) fn field_picture(frame: &FieldFrame, touch: Option<&Touch<'_>>, title: &str) -> String {
+    let cells = || frame.bodies.iter().enumerate().flat_map(|(number, body)| body.cells.iter().map(move |cell| (number, cell)));
+    let rest = bounds(cells().flat_map(|(_, cell)| cell.position.iter().copied()));
     let size = (rest[1][0] - rest[0][0]).hypot(rest[1][1] - rest[0][1]);
-    let largest = cells().flat_map(|cell| &cell.displacement).map(|u| u[0].hypot(u[2])).fold(0.0, f64::max);
-    let magnified = if largest > 0.0 { round_number(0.03 * size / largest) } else { 1.0 };
-    let moved = |cell: &CellField, k: usize| {
-        [cell.position[k][0] + magnified * cell.displacement[k][0], cell.position[k][1] + magnified * cell.displacement[k][2]]
+    let shifted = |number: usize, place: [f64; 2], u: [f64; 3], magnified: f64| {
+        let [x, z] = touch.filter(|_| number == 0).map_or([0.0; 2], |touch| touch.shift(place, magnified));
+        [magnified * u[0] + x, magnified * u[2] + z]
     };
-    let [low, high] = bounds(cells().flat_map(|cell| (0..cell.position.len()).map(|k| moved(cell, k)).collect::<Vec<_>>()));
+    let length = |(number, cell): (usize, &CellField)| {
+        let rows = cell.position.iter().zip(&cell.displacement);
+        rows.map(|(place, u)| shifted(number, *place, *u, 1.0)).map(|[x, z]| x.hypot(z)).fold(0.0, f64::max)
+    };
+    let largest = cells().map(length).fold(0.0, f64::max);
+    let magnified = if largest > 0.0 { round_number(0.03 * size / largest) } else { 1.0 };
+    let moved = |number: usize, cell: &CellField, k: usize| {
+        let [x, z] = shifted(number, cell.position[k], cell.displacement[k], magnified);
+        [cell.position[k][0] + x, cell.position[k][1] + z]
+    };
+    let drawn: Vec<(&CellField, Vec<[f64; 2]>)> =
+        cells().map(|(number, cell)| (cell, (0..cell.position.len()).map(|k| moved(number, cell, k)).collect())).collect();
+    let [low, high] = bounds(drawn.iter().flat_map(|(_, at)| at.iter().copied()));
     let section = Section::without_axes([low[0], high[0]], [low[1], high[1]], LEGEND);
-    let placed: Vec<Placed> = cells()
-        .map(|cell| {
-            let sample = |k: usize| (section.place(moved(cell, k)), cell.stress[k].von_mises());
-            (cell.grid, (0..cell.position.len()).map(sample).collect())
+    let placed: Vec<Placed> = drawn
+        .iter()
+        .map(|(cell, at)| {
+            (cell.grid, at.iter().zip(&cell.stress).map(|(x, stress)| (section.place(*x), stress.von_mises())).collect())
         })
         .collect();
     let bands = Isobands::of(&placed, PIECE);
@@ -80,10 +92,11 @@ mod tests {
             position: vec![[0.0, 0.0], [5.0, 0.0], [0.0, 1.0], [5.0, 1.0]],
             displacement: vec![[0.0, 0.0, 1e-4]; 4],
             stress: vec![Stress { xx: 2.0, ..Stress::default() }; 4],
+            ..CellField::default()
         };
         let body = BodyField { cells: vec![cell], ..BodyField::default() };
         let frame = FieldFrame { time: 0.0, moment: "", bodies: [body, BodyField::default()] };
-        let picture = field_picture(&frame, "a < b");
+        let picture = field_picture(&frame, None, "a < b");
         assert!(picture.contains("a &lt; b") && picture.contains("Displacements 1000 times"), "{picture}");
     }
 

@@ -1,48 +1,68 @@
 //! All files that a solution has to say.
 
+use std::collections::BTreeMap;
+
 use wearshape::{Problem, Solution, Step};
 
+use crate::drawing::drawing;
 use crate::json::pretty;
-use crate::line_plot::line_plot;
+use crate::line_plot::zoned_plot;
 use crate::table::{columns_csv, profile_csv};
-use crate::{curves, field_picture, machined, page, summary, vtu};
+use crate::touch::Touch;
+use crate::{curves, field_picture, machined, map_picture, page, summary, vtu};
 
 /// The files of a folder, by name and bytes; the same problem gives the same bytes. What takes a clock or goes on while a problem is solved
 /// (timing.json, run.mcap) is not among them.
 pub fn files(problem: &Problem, solution: &Solution) -> Vec<(String, Vec<u8>)> {
     let resolved = problem.resolved();
     let summary = summary::summary(problem, solution);
-    let plots = curves::line_plots(problem, solution);
-    let curves = curves::curves_json(&plots);
-    let pictures: Vec<String> = plots.iter().map(|(_, plot)| line_plot(plot)).collect();
-    let title = format!("{}: von Mises stress", problem.title());
-    let field = solution.fields.first().map(|frame| field_picture::field_picture(frame, &title));
     let mut files: Vec<(String, Vec<u8>)> = Vec::new();
     let mut put = |name: &str, text: String| files.push((name.to_string(), text.into_bytes()));
-    if problem.plan().runs(Step::Page) {
-        let (field, running_in) = (field.as_deref(), solution.running_in.as_ref());
-        let (summary, curves, pictures, resolved) = (&summary, &curves, &pictures, &resolved);
-        put("report.html", page::html(&page::Parts { summary, curves, pictures, field, running_in, resolved }));
-    }
     if let Some(profile) = &solution.profile {
         put("contact.csv", profile_csv(profile));
     }
     if !solution.history.is_empty() {
-        put("history.csv", columns_csv(&solution.history));
+        put("history.csv", columns_csv(&with_numbers(&solution.history)));
     }
     if let Some(surface) = &solution.machined {
         machined::machined_files(surface, problem.title()).into_iter().for_each(|(name, text)| put(name, text));
     }
-    vtu::field_files(&solution.fields).into_iter().for_each(|(name, text)| put(&name, text));
-    if let Some(picture) = field {
-        put(page::FIELD_PICTURE, picture);
-    }
-    for ((name, _), picture) in plots.iter().zip(pictures) {
-        put(&format!("plots/{name}.svg"), picture);
-    }
-    put("plots/curves.json", format!("{curves}\n"));
+    vtu::field_files(solution).into_iter().for_each(|(name, text)| put(&name, text));
+    pictures(problem, solution, &mut put);
     put("summary.json", pretty(&summary));
     put("scene.resolved.toml", resolved);
+    if problem.plan().runs(Step::Page) {
+        let known: BTreeMap<&str, &str> =
+            files.iter().filter_map(|(name, bytes)| Some((name.as_str(), std::str::from_utf8(bytes).ok()?))).collect();
+        // Files that were made a moment ago are whole.
+        if let Ok(page) = page::built(&|name| known.get(name).map(|text| text.to_string()), solution.running_in.as_ref()) {
+            files.insert(0, ("report.html".into(), page.into_bytes()));
+        }
+    }
     files.extend(problem.files());
     files
+}
+
+/// The drawing, the plots with their numbers, the map and the stress.
+fn pictures(problem: &Problem, solution: &Solution, put: &mut dyn FnMut(&str, String)) {
+    let title = problem.title();
+    put(page::SCENE_PICTURE, drawing(problem));
+    if let Some(frame) = solution.fields.first() {
+        let touch = solution.profile.as_ref().and_then(|profile| Touch::new(problem, profile));
+        let title = format!("{title}: von Mises stress");
+        put(page::FIELD_PICTURE, field_picture::field_picture(frame, touch.as_ref(), &title));
+    }
+    if let (Some(map), Some(pressure)) = (&solution.map, &solution.pressure) {
+        put(page::MAP_PICTURE, map_picture::map_picture(map, pressure, &format!("{title}: contact pressure")));
+    }
+    let plots = curves::line_plots(problem, solution);
+    for picture in &plots {
+        put(&format!("plots/{}.svg", picture.file), zoned_plot(&picture.plot, &picture.zones));
+    }
+    put("plots/curves.json", format!("{}\n", curves::curves_json(&plots)));
+}
+
+/// The columns that hold a number.
+fn with_numbers(columns: &[(String, Vec<f64>)]) -> Vec<(String, Vec<f64>)> {
+    columns.iter().filter(|(_, values)| values.iter().any(|value| !value.is_nan())).cloned().collect()
 }

@@ -37,6 +37,14 @@ impl Isobands {
         bands
     }
 
+    /// The bands of cells cut into pieces of about a size in pixels, between two values.
+    pub(crate) fn between(cells: &[Placed], size: f64, [low, high]: [f64; 2]) -> Isobands {
+        let wide = high - low > 1e-9 * high.abs().max(low.abs());
+        let mut bands = if wide { Isobands::new(low, high) } else { Isobands::new(low - 0.5, high + 0.5) };
+        cells.iter().flat_map(|cell| pieces(cell, size)).for_each(|piece| bands.piece(&piece));
+        bands
+    }
+
     /// Bands of equal width between two values; what lies beyond is drawn in the outermost colours.
     fn new(low: f64, high: f64) -> Isobands {
         Isobands { low, high, paths: vec![String::new(); BANDS.len()] }

@@ -1,28 +1,41 @@
 #![doc = include_str!("../README.md")]
 
+mod bare_drawing;
+mod brief;
+mod contact_line;
 mod curves;
+mod drawing;
+mod drawing_words;
 mod dxf;
 mod escape;
 mod field_picture;
 mod files;
 mod isobands;
 mod json;
+mod labels;
 mod line_plot;
 mod machined;
 mod missed;
+mod map_picture;
 mod one_percent;
 mod page;
 mod page_tables;
+mod reach;
 mod run_in;
 mod section_plot;
+mod shape_words;
+mod sheet;
 mod summary;
 mod table;
 mod terminal;
 mod tolerance;
+mod touch;
 mod verdict;
 mod vtu;
+mod wrapped;
 
 pub use curves::abscissa;
+pub use drawing::drawing;
 pub use files::files;
 pub use isobands::{Isobands, Placed};
 pub use json::{SCHEMA_VERSION, pretty};

@@ -1,6 +1,8 @@
 //! Line plots as SVG, for print and screen: no script, no network, no font file.
 
 use crate::escape::escaped;
+use crate::reach::{Reach, reach};
+use crate::wrapped::wrapped;
 
 /// How an axis counts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -47,6 +49,10 @@ const LEFT: f64 = 84.0;
 const RIGHT: f64 = 24.0;
 const TOP: f64 = 48.0;
 const BOTTOM: f64 = 62.0;
+/// Most letters in a line of the title.
+const TITLE: usize = 66;
+/// Colour of named parts of the x axis.
+const ZONE: &str = "#e69f00";
 /// Colours that colour-blind readers tell apart (Okabe and Ito).
 const COLOURS: [&str; 8] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000", "#7f7f7f"];
 
@@ -126,27 +132,53 @@ fn plain(value: f64) -> String {
     format!("{value}").replace('-', "\u{2212}")
 }
 
+/// A part of the x axis with a name: where a contact sticks.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Zone {
+    /// From and to along x.
+    pub(crate) range: [f64; 2],
+    /// Its name.
+    pub(crate) name: &'static str,
+}
+
+/// Where the y axis of a plot is cut; none where it holds its curves.
+pub(crate) fn cut(plot: &LinePlot) -> Option<Reach> {
+    let linear = plot.axes == [Axis::Linear; 2];
+    reach(plot.series.iter().map(|series| series.points.as_slice())).filter(|_| linear)
+}
+
 /// Draws a plot.
 pub fn line_plot(plot: &LinePlot) -> String {
+    zoned_plot(plot, &[])
+}
+
+/// Draws a plot with named parts of its x axis.
+pub(crate) fn zoned_plot(plot: &LinePlot, zones: &[Zone]) -> String {
     let all = |pick: fn(&(f64, f64)) -> f64| plot.series.iter().flat_map(move |s| s.points.iter().map(pick));
     let x = Scale::new(all(|p| p.0), plot.axes[0], false, 7);
     let x = Scale { ..tight(x, all(|p| p.0)) };
-    let y = Scale::new(all(|p| p.1), plot.axes[1], plot.from_zero, 6);
+    let cut = cut(plot);
+    let high = cut.map_or(f64::INFINITY, |cut| cut.high);
+    let y = Scale::new(all(|p| p.1).map(|y| y.min(high)), plot.axes[1], plot.from_zero, 6);
     let place = |point: (f64, f64)| {
         let px = LEFT + x.share(point.0) * (WIDTH - LEFT - RIGHT);
-        let py = HEIGHT - BOTTOM - y.share(point.1) * (HEIGHT - TOP - BOTTOM);
+        let py = HEIGHT - BOTTOM - y.share(if cut.is_some() { point.1.min(y.high) } else { point.1 }) * (HEIGHT - TOP - BOTTOM);
         (px, py)
     };
     let legend = Legend::new(&plot.series, &place);
     let width = WIDTH + if legend.beside { legend.width + 12.0 } else { 0.0 };
-    let mut out = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {HEIGHT}\" width=\"{width}\" height=\"{HEIGHT}\" \
-         font-family=\"'DejaVu Sans', Helvetica, Arial, sans-serif\" font-size=\"13\" fill=\"#222\">\n\
-         <title>{0}</title>\n<rect width=\"{width}\" height=\"{HEIGHT}\" fill=\"#fff\"/>\n\
-         <text x=\"{LEFT}\" y=\"26\" font-size=\"15\" font-weight=\"bold\">{0}</text>\n",
-        escaped(&plot.title)
-    );
+    let (mut out, end) = head(&plot.title, width);
     let (bottom, right) = (HEIGHT - BOTTOM, WIDTH - RIGHT);
+    for zone in zones {
+        let [from, to] = zone.range.map(|at| place((at, y.low)).0);
+        out += &format!(
+            "<path d=\"M{from:.2} {TOP}H{to:.2}V{bottom}H{from:.2}Z\" fill=\"{ZONE}\" fill-opacity=\"0.22\"/>\n\
+             <text x=\"{:.2}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n",
+            0.5 * (from + to),
+            bottom - 8.0,
+            zone.name
+        );
+    }
     out += "<g stroke=\"#e3e3e3\" stroke-width=\"1\">\n";
     for tick in x.ticks.iter().filter(|t| inside(x.share(**t))) {
         let px = place((*tick, y.low)).0;
@@ -176,7 +208,32 @@ pub fn line_plot(plot: &LinePlot) -> String {
         out += &curve(series, COLOURS[number % COLOURS.len()], &place, plot.axes);
     }
     out += &legend.draw(&plot.series);
-    out + "</svg>\n"
+    if let Some(cut) = cut {
+        out += &format!("<text x=\"{}\" y=\"{}\" font-size=\"12\" fill=\"#555\">{}</text>\n", LEFT + 8.0, TOP + 14.0, cut.note());
+    }
+    out + end
+}
+
+/// The beginning of the picture with its title in as many lines as it takes, and its end.
+fn head(title: &str, width: f64) -> (String, &'static str) {
+    let lines = wrapped(title, TITLE);
+    let below = 19.0 * (lines.len() - 1) as f64;
+    let height = HEIGHT + below;
+    let mut out = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" \
+         role=\"img\" aria-label=\"{0}\" \
+         font-family=\"'DejaVu Sans', Helvetica, Arial, sans-serif\" font-size=\"13\" fill=\"#222\">\n\
+         <title>{0}</title>\n<rect width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>\n",
+        escaped(title)
+    );
+    for (row, line) in lines.iter().enumerate() {
+        let y = 26.0 + 19.0 * row as f64;
+        out += &format!("<text x=\"{LEFT}\" y=\"{y}\" font-size=\"15\" font-weight=\"bold\">{}</text>\n", escaped(line));
+    }
+    if lines.len() == 1 {
+        return (out, "</svg>\n");
+    }
+    (out + &format!("<g transform=\"translate(0 {below})\">\n"), "</g>\n</svg>\n")
 }
 
 /// Along x the curve fills the frame: the scale ends with the data, ticks beyond are dropped.

@@ -39,14 +39,14 @@ fn drawing(machined: &Machined, title: &str) -> String {
     let notes = [
         title.to_string(),
         "finished surface of body 1 in the coordinates of the scene (x, z), mm".to_string(),
-        format!("datum (least gap): {}", place(&machined.datum)),
-        format!("crown (largest gap): {}", place(&machined.crown)),
+        format!("datum (least taken off): {}", place(&machined.datum)),
+        format!("most taken off: {}", place(&machined.deepest)),
         format!("largest deviation from the computed surface: {:.1e} mm", machined.fit.deviation),
     ];
     dxf(&Drawing {
         notes: &notes,
         knots: &knots,
         control: &control,
-        marks: &[("DATUM", machined.datum.finished()), ("CROWN", machined.crown.finished())],
+        marks: &[("DATUM", machined.datum.finished()), ("MOST-TAKEN-OFF", machined.deepest.finished())],
     })
 }

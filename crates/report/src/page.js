@@ -35,9 +35,11 @@
   }
 
   function draw(figure, chart) {
+    if (chart.log_x) for (const s of chart.series) { s.y = s.y.filter((_, i) => s.x[i] > 0); s.x = s.x.filter(v => v > 0); }
     const xs = [].concat(...chart.series.map(s => s.x)), ys = [].concat(...chart.series.map(s => s.y));
     const fullX = range(xs);
     let view = fullX.slice(), drag = null;
+    const along = chart.log_x ? v => Math.log10(v) : v => v, from = chart.log_x ? v => Math.pow(10, v) : v => v;
     const up = chart.log_y ? v => (v === null || v <= 0 ? null : Math.log10(v)) : v => v;
     const back = chart.log_y ? v => Math.pow(10, v) : v => v;
     const old = figure.querySelector("svg");
@@ -58,7 +60,9 @@
       const seen = [];
       for (const s of chart.series) s.x.forEach((x, i) => { if (x >= view[0] && x <= view[1]) seen.push(up(s.y[i])); });
       let [low, high] = chart.y_range || range(seen.length ? seen : ys.map(up));
-      if (chart.from_zero && low >= 0 && view[0] === fullX[0] && view[1] === fullX[1]) low = 0;
+      const whole = view[0] === fullX[0] && view[1] === fullX[1];
+      if (chart.top && whole) high = chart.top;
+      if (chart.from_zero && low >= 0 && whole) low = 0;
       if (chart.log_y && high - low < 1) high = low + 1;
       const yTicks = ticks(low, high, 6), step = chart.log_y ? Math.max(1, Math.ceil((high - low) / 6)) : yTicks.length > 1 ? yTicks[1] - yTicks[0] : 1;
       low = Math.floor(low / step + 1e-9) * step; high = Math.ceil(high / step - 1e-9) * step;
@@ -67,9 +71,20 @@
       const label = value => show(Number(value.toPrecision(12)));
       const [widest, letter] = measure(rows.map(label), "axis");
       L = Math.max(76, widest + 12 + 1.7 * letter);
-      const px = x => L + (x - view[0]) / (view[1] - view[0]) * (W - L - R);
+      const px = x => L + (along(x) - along(view[0])) / (along(view[1]) - along(view[0])) * (W - L - R);
       const py = y => H - B - (Math.min(Math.max(up(y), low), high) - low) / (high - low) * (H - T - B);
-      for (const t of ticks(view[0], view[1], 7)) {
+      for (const zone of chart.zones || []) {
+        const a = Math.max(view[0], zone.from), b = Math.min(view[1], zone.to);
+        if (b <= a) continue;
+        make("rect", { class: "zone", x: px(a), y: T, width: px(b) - px(a), height: H - T - B }, svg);
+        make("text", { class: "axis", x: (px(a) + px(b)) / 2, y: H - B - 8, "text-anchor": "middle" }, svg, zone.name);
+      }
+      const decades = () => {
+        const [a, b] = [Math.ceil(Math.log10(view[0]) - 1e-9), Math.floor(Math.log10(view[1]) + 1e-9)];
+        const step = Math.max(1, Math.ceil((b - a) / 7));
+        return Array.from({ length: Math.max(0, Math.floor((b - a) / step) + 1) }, (_, i) => Math.pow(10, a + i * step));
+      };
+      for (const t of chart.log_x ? decades() : ticks(view[0], view[1], 7)) {
         make("path", { class: "grid", d: `M${px(t)} ${T}V${H - B}` }, svg);
         make("text", { class: "axis", x: px(t), y: H - B + 8 + 0.8 * letter, "text-anchor": "middle" }, svg, label(t));
       }
@@ -95,11 +110,12 @@
           make("text", { class: "tip", x: from + 30, y: T + row * (n + 1) }, svg, s.name);
         }
       });
+      if (chart.note && whole) make("text", { class: "axis", x: L + 8, y: T + letter }, svg, chart.note);
       const over = make("g", {}, svg);
       const inverse = event => {
         const box = svg.getBoundingClientRect();
         const at = (event.clientX - box.left) / box.width * W;
-        return view[0] + (at - L) / (W - L - R) * (view[1] - view[0]);
+        return from(along(view[0]) + (at - L) / (W - L - R) * (along(view[1]) - along(view[0])));
       };
       svg.onpointermove = event => {
         over.replaceChildren();
@@ -130,7 +146,7 @@
       svg.onpointerdown = event => { if (event.pointerType !== "touch") { event.preventDefault(); drag = inverse(event); } };
       svg.onpointerup = event => {
         const [a, b] = [drag, inverse(event)].sort((p, q) => p - q);
-        const marked = drag !== null && b - a > 0.02 * (view[1] - view[0]);
+        const marked = drag !== null && along(b) - along(a) > 0.02 * (along(view[1]) - along(view[0]));
         drag = null;
         if (marked) { view = [Math.max(view[0], a), Math.min(view[1], b)]; render(); }
       };
@@ -142,12 +158,11 @@
   function runIn() {
     const slider = document.getElementById("step"), moment = document.getElementById("moment");
     const steps = run_in.time_s.length;
-    run_in.gap = run_in.gap.map(values => { const least = Math.min(...values.filter(v => v !== null)); return values.map(v => v === null ? null : v - least); });
     const panels = [["pressure", "pressure (MPa)"], ["gap", "gap (\u00b5m)"]].map(([key, label]) => {
-      // The start may be singular at the ends: the end decides what is shown.
-      const y_range = [0, (key === "pressure" ? 2.5 : 1.05) * Math.max(...run_in[key][steps - 1]) || 1];
+      // One axis for all steps; what a spike would take from the rest is cut off and said.
+      const { top, note } = run_in[key + "_axis"], y_range = [0, top || 1];
       const start = { name: "start", dashed: true, x: run_in.x, y: run_in[key][0] };
-      const chart = { title: label, x_label: run_in.x_label, y_label: label, y_range, series: [{ name: "now", dashed: false, x: run_in.x, y: run_in[key][0] }, start] };
+      const chart = { title: label, x_label: run_in.x_label, y_label: label, y_range, note, series: [{ name: "now", dashed: false, x: run_in.x, y: run_in[key][0] }, start] };
       return { key, chart, render: draw(document.getElementById("run-in-" + key), chart) };
     });
     function show_step() {

@@ -5,37 +5,67 @@ use serde_json::{Value, json};
 use wearshape::RunningIn;
 
 use crate::escape::escaped;
-use crate::page_tables::{stages, tables};
+use crate::page_tables::{glance, stages, tables};
 use crate::run_in::run_in;
 
-/// The stress on the deformed bodies.
+/// The drawing of the scene, the stress on the deformed bodies, and the pressure over a surface of two dimensions.
+pub(crate) const SCENE_PICTURE: &str = "plots/scene.svg";
 pub(crate) const FIELD_PICTURE: &str = "plots/field.svg";
+pub(crate) const MAP_PICTURE: &str = "plots/map.svg";
+
+/// Files that a folder may hold, with what is in them.
+const FILES: [(&str, &str); 12] = [
+    ("summary.json", "every result with its unit"),
+    ("contact.csv", "one row a contact point"),
+    ("history.csv", "the steps of the run in time"),
+    ("profile.csv", "the finished surface as points"),
+    ("profile-spline.csv", "the finished surface as cubic pieces"),
+    ("profile.dxf", "the finished surface as a drawing"),
+    ("fields/body1.vtu", "stress in body 1, for ParaView"),
+    ("fields/body2.vtu", "stress in body 2, for ParaView"),
+    ("fields/fields.pvd", "both bodies, for ParaView"),
+    (SCENE_PICTURE, "the drawing above"),
+    ("plots/curves.json", "the curves above as numbers"),
+    ("scene.resolved.toml", "the scene with every default"),
+];
 
 /// What the page is built from: files of the folder.
-pub(crate) struct Parts<'a> {
+struct Parts<'a> {
     /// summary.json.
-    pub(crate) summary: &'a Value,
+    summary: Value,
     /// plots/curves.json.
-    pub(crate) curves: &'a Value,
+    curves: Value,
     /// The static picture of each chart.
-    pub(crate) pictures: &'a [String],
-    /// plots/field.svg.
-    pub(crate) field: Option<&'a str>,
+    pictures: Vec<String>,
+    /// The drawing of the scene, the stress, the map.
+    scene: Option<String>,
+    field: Option<String>,
+    map: Option<String>,
     /// Steps of a run in time.
-    pub(crate) running_in: Option<&'a RunningIn>,
+    running_in: Option<&'a RunningIn>,
     /// scene.resolved.toml.
-    pub(crate) resolved: &'a str,
+    resolved: String,
+    /// Names of the files that are there.
+    there: Vec<&'static str>,
 }
 
 /// The page; the same parts give the same bytes.
-pub(crate) fn html(parts: &Parts<'_>) -> String {
+fn html(parts: &Parts<'_>) -> String {
     let Parts { summary, curves, resolved, .. } = parts;
     let charts: Vec<&Value> = curves.as_array().into_iter().flatten().map(|entry| &entry["chart"]).collect();
     let run_in = parts.running_in.and_then(run_in);
     let mut out = head(summary, resolved);
-    out += &figures(&charts, parts.pictures);
+    if let Some(picture) = &parts.scene {
+        out += &format!("<figure class=\"drawn scene\">\n{picture}</figure>\n");
+    }
+    out += &glance(summary);
+    if let Some(picture) = &parts.map {
+        out += &format!("<figure class=\"drawn map\"><figcaption>pressure over the surface</figcaption>\n{picture}</figure>\n");
+    }
+    out += &figures(&charts, &parts.pictures);
     out += run_in.as_ref().map_or("", |_| RUN_IN);
-    out += &parts.field.map(inside).unwrap_or_default();
+    out += &parts.field.as_deref().map(inside).unwrap_or_default();
+    out += &links(parts);
     out += &tables(summary);
     out += &stages(summary);
     out += &limits(summary);
@@ -43,7 +73,17 @@ pub(crate) fn html(parts: &Parts<'_>) -> String {
     // `<` cannot end the element early: it is written as an escape.
     let data = json!({ "charts": charts, "run_in": run_in }).to_string().replace('<', "\\u003c");
     out += &format!("<script type=\"application/json\" id=\"data\">{data}</script>\n");
-    out + "<script>\n" + include_str!("page.js") + "</script>\n</body>\n</html>\n"
+    out + "<script>\n" + include_str!("page.js") + "</script>\n</main>\n</body>\n</html>\n"
+}
+
+/// The files of the folder, by relative links.
+fn links(parts: &Parts<'_>) -> String {
+    let recorded = |stage: &&Value| stage["name"] == "run.mcap" && stage["ran"] == true;
+    let recording = parts.summary["stages"].as_array().into_iter().flatten().any(|stage| recorded(&stage));
+    let known = FILES.iter().filter(|(name, _)| parts.there.contains(name)).copied();
+    let all = known.chain(recording.then_some(("run.mcap", "the recording, for Foxglove or Lichtblick")));
+    let rows: String = all.map(|(name, words)| format!("<li><a href=\"{name}\">{name}</a> {words}</li>\n")).collect();
+    format!("<h2>Files</h2>\n<ul class=\"files\">\n{rows}</ul>\n")
 }
 
 /// A text of the summary.
@@ -64,12 +104,13 @@ fn head(summary: &Value, resolved: &str) -> String {
          <link rel=\"icon\" href=\"data:,\">\n<title>{title}</title>\n<style>\n{}</style>\n</head>\n<body>\n",
         include_str!("page.css")
     );
+    out += "<main>\n";
     out += &format!(
-        "<h1>{title}</h1>\n<p class=\"soft\">{} &middot; wearshape {} &middot; status: {}</p>\n<p class=\"verdict\">{}</p>\n",
+        "<h1>{title}</h1>\n<p class=\"verdict\">{}</p>\n<p class=\"soft\">{} &middot; wearshape {} &middot; status: {}</p>\n",
+        text("verdict"),
         text("scene"),
         text("version"),
-        text("status"),
-        text("verdict")
+        text("status")
     );
     for lint in summary["lints"].as_array().into_iter().flatten() {
         let message = escaped(lint["message"].as_str().unwrap_or(""));
@@ -101,11 +142,10 @@ const RUN_IN: &str = "<h2>Running in</h2>\n<p class=\"soft\">Pressure and gap at
 /// The stress on the deformed bodies.
 fn inside(picture: &str) -> String {
     format!(
-        "<h2>Inside the bodies</h2>\n<figure class=\"field\"><figcaption>von Mises stress</figcaption>\n{picture}</figure>\n\
+        "<h2>Inside the bodies</h2>\n<figure class=\"drawn field\"><figcaption>von Mises stress</figcaption>\n{picture}</figure>\n\
          <p class=\"soft\">Colours are clipped to 2 to 98 % of the area: at sharp corners and at sharp ends of contact the \
         stress of linear elasticity grows without bound, and the largest number there says more about the mesh than about the body. \
-        All numbers are in fields/*.vtu. Body 1 is drawn without its free rigid motion, \
-        which may part the bodies in the picture.</p>\n"
+        All numbers are in fields/*.vtu. Body 1 is drawn where it stands on body 2.</p>\n"
     )
 }
 
@@ -133,23 +173,43 @@ fn scene(summary: &Value, resolved: &str) -> String {
 /// # Errors
 /// A file that is missing or damaged, by name.
 pub fn page(files: &dyn Fn(&str) -> Option<Vec<u8>>, running_in: Option<&RunningIn>) -> Result<String, Fault> {
-    let missing = |name: &str| Fault::new("unreadable", format!("{name} is missing"), "give the folder of a finished run");
-    let damaged = |name: &str, error: &dyn std::fmt::Display| {
-        Fault::new("unreadable", format!("{name} is damaged: {error}"), "run the scene again")
+    let text = |name: &str| {
+        let bytes = files(name)?;
+        Some(String::from_utf8(bytes).map_err(|error| damaged(name, &error)))
     };
-    let read = |name: &str| {
-        let bytes = files(name).ok_or_else(|| missing(name))?;
-        String::from_utf8(bytes).map_err(|error| damaged(name, &error))
-    };
+    // Known first, so that a file which is no text is named.
+    for name in ["summary.json", "plots/curves.json", "scene.resolved.toml"] {
+        text(name).transpose()?.ok_or_else(|| missing(name))?;
+    }
+    built(&|name| text(name).and_then(Result::ok), running_in)
+}
+
+/// The page from the texts of the other files.
+pub(crate) fn built(text: &dyn Fn(&str) -> Option<String>, running_in: Option<&RunningIn>) -> Result<String, Fault> {
+    let read = |name: &str| text(name).ok_or_else(|| missing(name));
     let parse = |name: &str| serde_json::from_str::<Value>(&read(name)?).map_err(|error| damaged(name, &error));
-    let summary = parse("summary.json")?;
     let curves = parse("plots/curves.json")?;
     let mut pictures = Vec::new();
     for name in curves.as_array().into_iter().flatten().filter_map(|entry| entry["file"].as_str()) {
         pictures.push(read(&format!("plots/{name}.svg"))?);
     }
-    let field = if files(FIELD_PICTURE).is_some() { Some(read(FIELD_PICTURE)?) } else { None };
-    let resolved = read("scene.resolved.toml")?;
-    let (summary, curves, field) = (&summary, &curves, field.as_deref());
-    Ok(html(&Parts { summary, curves, pictures: &pictures, field, running_in, resolved: &resolved }))
+    Ok(html(&Parts {
+        summary: parse("summary.json")?,
+        curves,
+        pictures,
+        scene: text(SCENE_PICTURE),
+        field: text(FIELD_PICTURE),
+        map: text(MAP_PICTURE),
+        running_in,
+        resolved: read("scene.resolved.toml")?,
+        there: FILES.iter().map(|(name, _)| *name).filter(|name| text(name).is_some()).collect(),
+    }))
+}
+
+fn missing(name: &str) -> Fault {
+    Fault::new("unreadable", format!("{name} is missing"), "give the folder of a finished run")
+}
+
+fn damaged(name: &str, error: &dyn std::fmt::Display) -> Fault {
+    Fault::new("unreadable", format!("{name} is damaged: {error}"), "run the scene again")
 }

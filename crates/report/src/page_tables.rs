@@ -2,13 +2,27 @@
 
 use serde_json::Value;
 
-use crate::escape::{breakable, escaped};
+use crate::brief::brief;
+use crate::escape::escaped;
+use crate::labels::{label, word_explained};
 use crate::one_percent::one_percent;
 use crate::summary::numbers;
 use crate::tolerance::tolerance;
 
 /// Lists of the summary with a table of their own.
 const OWN_TABLES: [&str; 2] = ["tolerance", "sensitivity"];
+
+/// Headings of the parts.
+const HEADINGS: [(&str, &str); 8] = [
+    ("shape", "Shape"),
+    ("pressure", "Wanted pressure"),
+    ("contact", "Contact"),
+    ("wear", "Wear in time"),
+    ("energy", "Energy"),
+    ("reactions", "Forces on the supports"),
+    ("error", "Estimated errors"),
+    ("counters", "What it took"),
+];
 
 /// A table for each part of the summary.
 pub(crate) fn tables(summary: &Value) -> String {
@@ -27,7 +41,7 @@ pub(crate) fn tables(summary: &Value) -> String {
 /// What was done, and why.
 pub(crate) fn stages(summary: &Value) -> String {
     let mut out =
-        "<h2>Stages</h2>\n<div class=\"wide\"><table>\n<tr><th>stage</th><th>done</th><th>because</th></tr>\n".to_string();
+        "<h2>What was done</h2>\n<div class=\"wide\"><table>\n<tr><th>stage</th><th>done</th><th>because</th></tr>\n".to_string();
     for stage in summary["stages"].as_array().into_iter().flatten() {
         out += &format!(
             "<tr><td>{}</td><td>{}</td><td>{}</td></tr>\n",
@@ -39,24 +53,65 @@ pub(crate) fn stages(summary: &Value) -> String {
     out + "</table></div>\n"
 }
 
+/// The first numbers, in four digits, with the units of an engineer.
+pub(crate) fn glance(summary: &Value) -> String {
+    let number = |part: &str, key: &str| summary[part][key].as_f64().filter(|value| value.is_finite());
+    let mut rows: Vec<(&str, String)> = Vec::new();
+    let mut put = |words: &'static str, value: Option<f64>, factor: f64, unit: &str| {
+        rows.extend(value.map(|value| (words, format!("{} {unit}", brief(factor * value)))));
+    };
+    let pressures = if summary["pressure"]["p_max_MPa"].is_null() { "contact" } else { "pressure" };
+    put("largest pressure", number(pressures, "p_max_MPa"), 1.0, "MPa");
+    put("smallest pressure", number(pressures, "p_min_MPa"), 1.0, "MPa");
+    put("mean pressure", number(pressures, "p_mean_MPa"), 1.0, "MPa");
+    put("largest shear", number("contact", "q_max_MPa"), 1.0, "MPa");
+    put("most taken off", number("shape", "gap_max_um"), 1.0, "\u{b5}m");
+    put("mean wear of both bodies", number("pressure", "wear_depth_um_per_h"), 1.0, "\u{b5}m an hour");
+    put("the same by distance", number("pressure", "wear_depth_mm_per_1000_km"), 1.0, "mm in 1000 km");
+    put("wear volume", number("pressure", "wear_volume_rate_mm3_per_s"), 1.0, "mm\u{b3}/s");
+    put("friction power", number("pressure", "friction_power_mW"), 1e-3, "W");
+    put("friction torque", number("pressure", "torque_Nmm"), 1e-3, "N m");
+    put("depth worn off", number("wear", "depth_um"), 1.0, "\u{b5}m");
+    put("volume worn off", number("wear", "volume_mm3"), 1.0, "mm\u{b3}");
+    put("after", number("wear", "time_s"), 1.0, "s");
+    let per =
+        |of: &str| number("wear", "depth_um").zip(number("wear", of)).filter(|(_, by)| *by > 0.0).map(|(depth, by)| depth / by);
+    put("wear on average", per("time_s"), 3600.0, "\u{b5}m an hour");
+    put("the same by distance", per("distance_mm"), 1e6, "mm in 1000 km");
+    if rows.is_empty() {
+        return String::new();
+    }
+    let rows: String =
+        rows.iter().map(|(words, value)| format!("<div><dt>{words}</dt><dd>{}</dd></div>\n", escaped(value))).collect();
+    format!("<dl class=\"glance\">\n{rows}</dl>\n")
+}
+
 fn table(name: &str, part: &Value) -> String {
     if !part.is_object() {
         return String::new();
     }
-    let mut heading = name.to_string();
-    if let Some(first) = heading.get_mut(0..1) {
-        first.make_ascii_uppercase();
-    }
+    let heading = HEADINGS.iter().find(|(known, _)| *known == name).map_or(name, |(_, heading)| heading);
     let mut out = format!("<h2>{heading}</h2>\n<div class=\"wide\"><table>\n");
+    let mut row = |key: &str, value: &str, number: bool| {
+        let (words, unit) = label(&format!("{name}.{key}"));
+        let class = if number { " class=\"number\"" } else { "" };
+        let space = if unit.is_empty() { "" } else { " " };
+        out += &format!(
+            "<tr><td title=\"{}\">{}</td><td{class}>{}{space}{unit}</td></tr>\n",
+            escaped(&format!("{name}.{key}")),
+            escaped(&words),
+            escaped(value)
+        );
+    };
     for (key, value) in numbers(part) {
-        let class = if value.is_number() { " class=\"number\"" } else { "" };
-        out += &format!("<tr><td>{}</td><td{class}>{}</td></tr>\n", breakable(&key), escaped(&shown(&value)));
+        let explained = value.as_str().and_then(word_explained).map_or(String::new(), |words| format!(" ({words})"));
+        row(&key, &format!("{}{explained}", shown(&value)), value.is_number());
     }
     let lists = part.as_object().into_iter().flatten().filter(|(_, value)| value.is_array());
     for (key, value) in lists.filter(|(key, _)| !OWN_TABLES.contains(&key.as_str())) {
         let items: Vec<String> = value.as_array().into_iter().flatten().map(shown).collect();
         if !items.is_empty() {
-            out += &format!("<tr><td>{}</td><td>{}</td></tr>\n", breakable(key), escaped(&items.join(", ")));
+            row(key, &items.join(", "), false);
         }
     }
     out + "</table></div>\n"
@@ -67,6 +122,17 @@ fn shown(value: &Value) -> String {
     match value {
         Value::Number(number) if number.is_f64() => scene::short(number.as_f64().unwrap_or(f64::NAN)),
         Value::String(text) => text.clone(),
+        Value::Bool(yes) => if *yes { "yes" } else { "no" }.into(),
+        Value::Object(entries) => {
+            let entries: Vec<String> = entries
+                .iter()
+                .map(|(key, value)| {
+                    let (words, unit) = label(key);
+                    format!("{words} {} {unit}", shown(value)).trim_end().to_string()
+                })
+                .collect();
+            entries.join(", ")
+        }
         other => other.to_string(),
     }
 }

@@ -3,6 +3,8 @@
 use serde_json::{Value, json};
 use wearshape::{RunningIn, RunningInStep};
 
+use crate::reach::reach;
+
 /// Most steps that the page shows, and most points a step.
 const STEPS: usize = 80;
 const POINTS: usize = 161;
@@ -21,14 +23,31 @@ pub(crate) fn run_in(run: &RunningIn) -> Option<Value> {
     let rows: Vec<usize> = (0..=rows).map(|k| k * (points - 1) / rows).collect();
     let number = |value: f64| if value.is_finite() { json!(six_digits(value)) } else { Value::Null };
     let column = |values: &[f64]| -> Vec<Value> { rows.iter().map(|row| number(values[*row])).collect() };
+    let above = |values: &[f64]| -> Vec<f64> {
+        let least = values.iter().copied().filter(|value| value.is_finite()).fold(f64::INFINITY, f64::min);
+        values.iter().map(|value| value - least).collect()
+    };
+    let pressures: Vec<Vec<f64>> = shown.iter().map(|step| step.pressure.clone()).collect();
+    let gaps: Vec<Vec<f64>> = shown.iter().map(|step| above(&step.gap)).collect();
     Some(json!({
-        "x_label": "s (mm)",
+        "x_label": "along the surface from its middle, s (mm)",
+        "pressure_axis": axis(s, &pressures),
+        "gap_axis": axis(s, &gaps),
         "x": column(s),
         "step": shown.iter().map(|step| step.step).collect::<Vec<_>>(),
         "time_s": shown.iter().map(|step| six_digits(step.time)).collect::<Vec<_>>(),
-        "pressure": shown.iter().map(|step| column(&step.pressure)).collect::<Vec<_>>(),
-        "gap": shown.iter().map(|step| column(&step.gap)).collect::<Vec<_>>(),
+        "pressure": pressures.iter().map(|values| column(values)).collect::<Vec<_>>(),
+        "gap": gaps.iter().map(|values| column(values)).collect::<Vec<_>>(),
     }))
+}
+
+/// The largest value that the axis of all steps holds, and the words on what is cut off.
+fn axis(s: &[f64], steps: &[Vec<f64>]) -> Value {
+    let curves: Vec<Vec<(f64, f64)>> =
+        steps.iter().map(|values| s.iter().copied().zip(values.iter().copied()).collect()).collect();
+    let cut = reach(curves.iter().map(Vec::as_slice));
+    let most = steps.iter().flatten().copied().filter(|value| value.is_finite()).fold(0.0, f64::max);
+    json!({ "top": six_digits(cut.map_or(most, |cut| cut.high)), "note": cut.map(|cut| cut.note()) })
 }
 
 /// Enough for a picture.

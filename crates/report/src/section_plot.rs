@@ -69,7 +69,7 @@ impl Section {
         let height = bottom + below;
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width:.0} {height:.0}\" width=\"{width:.0}\" height=\"{height:.0}\" \
-             font-family=\"'DejaVu Sans', Helvetica, Arial, sans-serif\" font-size=\"13\" fill=\"#222\">\n\
+             font-family=\"'DejaVu Sans', Helvetica, Arial, sans-serif\" font-size=\"13\" fill=\"#222\" role=\"img\" aria-label=\"{0}\">\n\
              <title>{0}</title>\n<rect width=\"{width:.0}\" height=\"{height:.0}\" fill=\"#fff\"/>\n\
              <text class=\"title\" x=\"{1}\" y=\"26\" font-size=\"15\" font-weight=\"bold\">{0}</text>\n{body}</svg>\n",
             escaped(title),

@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
-use scene::short;
-use wearshape::{PressureResult, Problem, Solution, Status, WearResult, functional_row, word};
+use wearshape::{Character, PressureResult, Problem, Regime, Solution, Status, WearResult, functional_row};
 
 use crate::missed;
+use crate::brief::brief;
 use crate::verdict::{pressures, verdict};
 
 /// The lines for the screen.
@@ -32,20 +32,22 @@ pub fn first_screen(problem: &Problem, solution: &Solution, folder: &Path) -> St
 
 fn pressure_lines(problem: &Problem, solution: &Solution, pressure: &PressureResult) -> Vec<String> {
     let curve = solution.curve.as_ref().or(solution.profile.as_ref());
-    let q = pressure.q.filter(|_| functional_row(pressure.functional).needs.q).map(|q| format!(" q = {q},")).unwrap_or_default();
-    let kind = format!("({},{q} {}, {})", word(&pressure.functional), word(&pressure.character), word(&pressure.regime));
     let spread = solution.shape.as_ref().and(curve).and_then(|curve| pressures(problem, curve));
-    let mean = pressure.p_mean.map(|mean| format!("mean {} MPa", short(mean))).unwrap_or_default();
-    let mut lines = vec![format!("pressure  {} {kind}", spread.unwrap_or(mean))];
+    let mean = pressure.p_mean.map(|mean| format!("mean {} MPa", brief(mean))).unwrap_or_default();
+    let lines_of = [Some(spread.unwrap_or(mean)), kind(pressure)];
+    let said: Vec<String> = lines_of.into_iter().flatten().filter(|text| !text.is_empty()).collect();
+    let mut lines = if said.is_empty() { Vec::new() } else { vec![format!("pressure  {}", said.join("; "))] };
     for atom in pressure.limit_measure.iter().take(3) {
-        let [force, x, y, z] = [atom.force, atom.x, atom.y, atom.z].map(short);
+        let [force, x, y, z] = [atom.force, atom.x, atom.y, atom.z].map(brief);
         lines.push(format!("          {force} N at x = {x}, y = {y}, z = {z} mm"));
     }
     let finite = |value: Option<f64>| value.filter(|value| value.is_finite());
     let wear = [
-        finite(pressure.wear_volume_rate).map(|rate| format!("{} mm^3/s", short(rate))),
-        finite(pressure.friction_power).map(|power| format!("friction {} W", short(1e-3 * power))),
-        finite(pressure.torque).map(|torque| format!("torque {} N m", short(1e-3 * torque))),
+        finite(pressure.wear_volume_rate).map(|rate| format!("{} mm^3/s", brief(rate))),
+        finite(pressure.wear_depth_per_hour).map(|rate| format!("{} um/h", brief(rate))),
+        finite(pressure.wear_depth_per_1000_km).map(|depth| format!("{} mm per 1000 km", brief(depth))),
+        finite(pressure.friction_power).map(|power| format!("friction {} W", brief(1e-3 * power))),
+        finite(pressure.torque).map(|torque| format!("torque {} N m", brief(1e-3 * torque))),
     ];
     let wear: Vec<String> = wear.into_iter().flatten().collect();
     if !wear.is_empty() {
@@ -54,11 +56,38 @@ fn pressure_lines(problem: &Problem, solution: &Solution, pressure: &PressureRes
     lines
 }
 
+/// What is unusual about a pressure, in plain words; its terms stand in the summary.
+fn kind(pressure: &PressureResult) -> Option<String> {
+    let functional = pressure.functional;
+    let q = pressure.q.filter(|_| functional_row(functional).needs.q).map(|q| format!("for q = {q}"));
+    let character = match pressure.character {
+        Some(Character::Maximum) => Some("the worst case, not the best".to_string()),
+        Some(Character::Indifferent) => Some("every pressure that carries the load is as good".to_string()),
+        Some(Character::Minimum | Character::Stationary) | None => None,
+    };
+    let regime = match pressure.regime {
+        Some(Regime::NearSingular) => Some("nearly concentrated on points or lines"),
+        Some(Regime::Singular) => Some("concentrated on points or lines"),
+        Some(Regime::PartialContact) => Some("part of the surface carries nothing"),
+        Some(Regime::Several) => Some("one of several pressures"),
+        Some(Regime::Regular | Regime::Infeasible) | None => None,
+    };
+    let words: Vec<String> = [q, character, regime.map(String::from)].into_iter().flatten().collect();
+    if words.is_empty() { None } else { Some(words.join(", ")) }
+}
+
 fn wear_line(wear: &WearResult) -> String {
-    let mut words = vec![format!("depth {} um", short(wear.depth.unwrap_or(0.0)))];
-    words.extend(wear.volume.map(|volume| format!("volume {} mm^3", short(volume))));
+    let mut words = vec![format!("depth {} um", brief(wear.depth.unwrap_or(0.0)))];
+    words.extend(wear.volume.map(|volume| format!("volume {} mm^3", brief(volume))));
+    if let (Some(depth), Some(time), Some(distance)) = (wear.depth, wear.time, wear.distance)
+        && time > 0.0
+        && distance > 0.0
+    {
+        words.push(format!("{} um/h", brief(3600.0 * depth / time)));
+        words.push(format!("{} mm per 1000 km", brief(1e6 * depth / distance)));
+    }
     let near = wear.to_1_percent.as_ref();
-    words.extend(near.map(|near| format!("within 1 % of the steady pressure after {} s", short(near.time))));
+    words.extend(near.map(|near| format!("within 1 % of the steady pressure after {} s", brief(near.time))));
     format!("wear      {}", words.join(", "))
 }
 

@@ -1,10 +1,13 @@
 //! One sentence that says how a run ended.
 
-use scene::{Functional, short, with_short_numbers};
+use scene::{Functional, with_short_numbers};
 use wearshape::{
     Character, ContactResult, PressureResult, Problem, Profile, Regime, Shape, ShapeResult, Solution, Status, WearResult,
     functional_row,
 };
+
+use crate::brief::brief;
+use crate::shape_words::shape_words;
 
 /// How it ended: the reason it stopped, or the number that was asked for.
 pub(crate) fn verdict(problem: &Problem, solution: &Solution) -> String {
@@ -38,21 +41,23 @@ fn stopped(status: Status, reason: &str) -> String {
 }
 
 fn machine(problem: &Problem, solution: &Solution, shape: &ShapeResult) -> String {
-    let crown = shape.crown.unwrap_or(0.0);
-    let at = shape.gap_where.map(|s| format!(" at {}", place(problem, s))).unwrap_or_default();
+    let words = shape_words(problem, solution).or_else(|| {
+        let at = shape.gap_where.map(|s| format!(" at {}", place(problem, s))).unwrap_or_default();
+        shape.gap_max.map(|most| format!("take off most, {} um,{at}", brief(most)))
+    });
     let steady = solution.pressure.as_ref().is_some_and(|pressure| pressure.functional == Functional::Steady);
     let end = if steady { "it starts worn in" } else { "it has the wanted pressure" };
-    format!("Machine this shape: crown {} um{at}; {end}.", short(crown))
+    format!("Machine this shape: {}; {end}.", words.unwrap_or_default())
 }
 
 fn worn(problem: &Problem, wear: &WearResult) -> String {
-    let time = wear.time.map(short).unwrap_or_default();
+    let time = wear.time.map(brief).unwrap_or_default();
     if !wear.steady {
         return format!("Worn for {time} s; not yet steady.");
     }
     let by_approach = problem.scene().load.as_ref().is_some_and(|load| load.approach.is_some());
     match &wear.to_1_percent {
-        Some(near) => format!("Worn in to 1 % after {} s, steady after {time} s.", short(near.time)),
+        Some(near) => format!("Worn in to 1 % after {} s, steady after {time} s.", brief(near.time)),
         None if by_approach => {
             format!("The contact has worn itself free after {time} s: under the prescribed approach nothing presses any more.")
         }
@@ -61,15 +66,15 @@ fn worn(problem: &Problem, wear: &WearResult) -> String {
 }
 
 fn touching(contact: &ContactResult) -> String {
-    let force = contact.force.map(short).unwrap_or_default();
+    let force = contact.force.map(brief).unwrap_or_default();
     let exponents: Vec<String> = contact.edge_exponents.iter().map(|exponent| format!("{exponent:.3}")).collect();
     let peak = match contact.p_max {
-        Some(peak) => format!("at most {} MPa", short(peak)),
+        Some(peak) => format!("at most {} MPa", brief(peak)),
         None => format!("the pressure grows towards the edges like d^({})", exponents.join(") and d^(")),
     };
     let turned = contact.twist.as_ref().and_then(|twist| twist.angle.last().zip(twist.torque.last()));
     let turned = turned.map_or(String::new(), |(angle, torque)| {
-        format!("; turned by {} rad, a torque of {} N mm acts", short(*angle), short(*torque))
+        format!("; turned by {} rad, a torque of {} N mm acts", brief(*angle), brief(*torque))
     });
     format!("The bodies touch with {force} N, {peak}{turned}.")
 }
@@ -81,25 +86,43 @@ fn pressed(problem: &Problem, solution: &Solution, pressure: &PressureResult) ->
         return format!("{what} concentrates on points or lines: see the limit measure.");
     }
     let curve = solution.curve.as_ref().or(solution.profile.as_ref());
-    let numbers = curve.and_then(|curve| pressures(problem, curve)).unwrap_or_default();
+    let on_plane = extremes(solution, pressure);
+    let numbers = on_plane.or_else(|| curve.and_then(|curve| pressures(problem, curve))).unwrap_or_default();
     let kind = if pressure.character == Some(Character::Maximum) { ", the worst case" } else { "" };
     format!("{what} is {numbers}{kind}.")
+}
+
+/// The largest and the smallest pressure of a surface of two dimensions, which no cut shows.
+pub(crate) fn extremes(solution: &Solution, pressure: &PressureResult) -> Option<String> {
+    let map = solution.map.as_ref()?;
+    let (most, least) = (pressure.p_max?, pressure.p_min?);
+    let seen = solution.curve.as_ref()?.pressure.iter().copied().fold(0.0, f64::max);
+    if seen >= most * (1.0 - 1e-6) {
+        return None;
+    }
+    let lowest = extreme(&map.pressure, |a, b| a < b * (1.0 - 1e-9))?;
+    let Some([x, y, _]) = pressure.p_max_at.filter(|_| most - least > 1e-9 * most) else {
+        return Some(format!("{} MPa everywhere", brief(most)));
+    };
+    let round = |x: f64| if x.abs() < 1e-6 * map.position[0][0].hypot(map.position[0][1]) { 0.0 } else { x };
+    let at = |[x, y]: [f64; 2]| format!("x = {}, y = {} mm", brief(round(x)), brief(round(y)));
+    Some(format!("{} MPa at {}, {} MPa at {}", brief(most), at([x, y]), brief(least), at(map.position[lowest])))
 }
 
 /// A place in the words of the scene.
 pub(crate) fn place(problem: &Problem, s: f64) -> String {
     if let Some(angle) = problem.angle(s) {
-        return format!("{} deg", short((angle.to_degrees() * 1e3).round() / 1e3));
+        return format!("{} deg", brief((angle.to_degrees() * 1e3).round() / 1e3));
     }
     match problem.contact_shape() {
-        Some(Shape::Annulus { .. } | Shape::Sector { .. }) => format!("r = {} mm", short(s)),
+        Some(Shape::Annulus { .. } | Shape::Sector { .. }) => format!("r = {} mm", brief(s)),
         Some(Shape::Strip { x, .. } | Shape::Rectangle { x, .. }) => {
             // The middle, found up to round-off, is the middle.
             let s = if s.abs() < 1e-9 * (x[1] - x[0]) { 0.0 } else { s };
-            format!("x = {} mm", short(s + 0.5 * (x[0] + x[1])))
+            format!("x = {} mm", brief(s + 0.5 * (x[0] + x[1])))
         }
-        Some(Shape::Ellipse { .. }) => format!("x = {} mm", short(s)),
-        Some(Shape::Arc { .. } | Shape::Points(_)) | None => format!("s = {} mm", short(s)),
+        Some(Shape::Ellipse { .. }) => format!("x = {} mm", brief(s)),
+        Some(Shape::Arc { .. } | Shape::Points(_)) | None => format!("s = {} mm", brief(s)),
     }
 }
 
@@ -119,7 +142,7 @@ pub(crate) fn pressures(problem: &Problem, profile: &Profile) -> Option<String> 
     let low = extreme(&profile.pressure, |a, b| a < b * (1.0 - 1e-9))?;
     let (top, bottom) = (profile.pressure[high], profile.pressure[low]);
     if top - bottom <= 1e-9 * top {
-        return Some(format!("{} MPa everywhere", short(top)));
+        return Some(format!("{} MPa everywhere", brief(top)));
     }
     let at = |row: usize| {
         let mirrored = profile.pressure[profile.pressure.len() - 1 - row];
@@ -129,5 +152,5 @@ pub(crate) fn pressures(problem: &Problem, profile: &Profile) -> Option<String> 
         let word = place(problem, s);
         if even { word.replacen('-', "+-", 1) } else { word }
     };
-    Some(format!("{} MPa at {}, {} MPa at {}", short(top), at(high), short(bottom), at(low)))
+    Some(format!("{} MPa at {}, {} MPa at {}", brief(top), at(high), brief(bottom), at(low)))
 }

@@ -5,7 +5,9 @@
 //! and the geometry and the stresses are interpolated in the points.
 
 use hpfem::{Vtu, VtuArray, VtuKind};
-use wearshape::{BodyField, CellField, CellGrid, FieldFrame};
+use wearshape::{BodyField, CellField, CellGrid, FieldFrame, Solution};
+
+use crate::contact_line::ContactLine;
 
 /// Flat pieces, or whole cells.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -15,16 +17,17 @@ enum Cut {
 }
 
 /// Names and texts of all files.
-pub(crate) fn field_files(frames: &[FieldFrame]) -> Vec<(String, String)> {
+pub(crate) fn field_files(solution: &Solution) -> Vec<(String, String)> {
     let mut files = Vec::new();
     let mut series = Vec::new();
-    for frame in frames {
+    for frame in &solution.fields {
+        let line = pressed(solution, frame);
         for (number, body) in frame.bodies.iter().enumerate() {
             let moment = if frame.moment.is_empty() { String::new() } else { format!(".{}", frame.moment) };
             let name = format!("body{}{moment}", number + 1);
             series.push((frame.time, number, format!("{name}.vtu")));
-            files.push((format!("fields/{name}.vtu"), vtu(body, Cut::Pieces)));
-            files.push((format!("fields/{name}.lagrange.vtu"), vtu(body, Cut::Whole)));
+            files.push((format!("fields/{name}.vtu"), vtu(body, line.as_ref(), Cut::Pieces)));
+            files.push((format!("fields/{name}.lagrange.vtu"), vtu(body, line.as_ref(), Cut::Whole)));
         }
     }
     if !series.is_empty() {
@@ -44,27 +47,57 @@ fn collection(series: &[(f64, usize, String)]) -> String {
     out + "</Collection>\n</VTKFile>\n"
 }
 
-fn vtu(body: &BodyField, cut: Cut) -> String {
+/// The pressure along the contact surface at a moment.
+fn pressed<'a>(solution: &'a Solution, frame: &FieldFrame) -> Option<ContactLine<'a>> {
+    let profile = solution.profile.as_ref()?;
+    let start = solution.running_in.as_ref().and_then(|run| run.steps.first());
+    let pressure = if frame.moment.is_empty() { &profile.pressure } else { &start?.pressure };
+    ContactLine::new(&profile.position, pressure)
+}
+
+fn vtu(body: &BodyField, line: Option<&ContactLine<'_>>, cut: Cut) -> String {
     let mut cells = Vec::new();
+    let mut materials = Vec::new();
     let mut degrees = Vec::new();
     let mut first = 0;
     for cell in &body.cells {
         for nodes in elements(cell.grid, cut) {
             cells.push((vtk_kind(cell.grid, cut), nodes.into_iter().map(|node| first + node).collect()));
             degrees.push(cell.grid.degree as f64);
+            materials.push(cell.material);
         }
         first += cell.position.len();
     }
     let positions = body.cells.iter().flat_map(|cell| cell.position.iter().flat_map(|[x, z]| [*x, 0.0, *z])).collect();
+    let of_material = |value: fn(&scene::Material) -> f64| -> Vec<f64> {
+        materials.iter().map(|index| body.materials.get(*index).map_or(f64::NAN, value)).collect()
+    };
+    let cell_arrays = vec![
+        VtuArray::new("degree", 1, degrees),
+        VtuArray::new("material", 1, materials.iter().map(|index| *index as f64).collect()),
+        VtuArray::new("young_MPa", 1, of_material(|material| material.young.0)),
+        VtuArray::new("poisson", 1, of_material(|material| material.poisson)),
+    ];
+    let mut point_arrays = point_arrays(body);
+    point_arrays.extend(line.map(|line| VtuArray::new("contact_pressure_MPa", 1, contact_pressure(body, line))));
     let file = Vtu {
         points: VtuArray::new("position_mm", 3, positions),
         cells,
-        point_arrays: point_arrays(body),
-        cell_arrays: vec![VtuArray::new("degree", 1, degrees)],
+        point_arrays,
+        cell_arrays,
         vectors: "displacement_mm".into(),
         scalars: "von_mises_MPa".into(),
     };
     file.text().expect("every point of a cell has its values")
+}
+
+/// The pressure at the points of the contact surface, interpolated in contact.csv; at all others there is none.
+fn contact_pressure(body: &BodyField, line: &ContactLine<'_>) -> Vec<f64> {
+    let at = |cell: &CellField, row: usize| match cell.touching.get(row) {
+        Some(true) => line.at(cell.position[row]),
+        _ => f64::NAN,
+    };
+    body.cells.iter().flat_map(|cell| (0..cell.position.len()).map(move |row| at(cell, row))).collect()
 }
 
 /// Displacement and stresses at all points.

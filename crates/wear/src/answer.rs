@@ -98,7 +98,7 @@ pub struct Optimum {
     /// Relative residual of the balance.
     pub balance_residual: f64,
     /// A place of the largest pressure.
-    pub(crate) highest: SurfacePoint,
+    pub highest: SurfacePoint,
     pub(crate) law: PressureLaw,
 }
 

@@ -18,6 +18,8 @@ pub struct FieldFrame {
 pub struct BodyField {
     /// The cells.
     pub cells: Vec<CellField>,
+    /// The materials, by the index that cells have.
+    pub materials: Vec<scene::Material>,
     /// The body is revolved about the axis: x is r, and y is the direction around the axis.
     pub revolved: bool,
     /// Friction twists the body: the displacement along y and the shears xy and yz are known.
@@ -35,6 +37,10 @@ pub struct CellField {
     pub displacement: Vec<[f64; 3]>,
     /// Stresses, MPa.
     pub stress: Vec<Stress>,
+    /// Index of the material.
+    pub material: usize,
+    /// Whether a point lies on the contact surface.
+    pub touching: Vec<bool>,
 }
 
 impl BodyField {
@@ -52,6 +58,8 @@ impl CellField {
         let order = self.grid.mirror();
         CellField {
             grid: self.grid,
+            material: self.material,
+            touching: order.iter().map(|k| self.touching.get(*k).copied().unwrap_or(false)).collect(),
             position: order.iter().map(|k| [2.0 * middle - self.position[*k][0], self.position[*k][1]]).collect(),
             displacement: order
                 .iter()
@@ -75,10 +83,18 @@ mod tests {
         let position = vec![[1.0, 0.0], [3.0, 0.0], [1.0, 1.0], [3.0, 1.0]];
         let stress = Stress::new([1.0, 2.0, 3.0, 4.0], [0.0; 2]);
         let grid = CellGrid { degree: 1, triangle: false };
-        let cell = CellField { grid, displacement: vec![[0.1, 0.0, 0.2]; 4], stress: vec![stress; 4], position };
+        let cell = CellField {
+            grid,
+            displacement: vec![[0.1, 0.0, 0.2]; 4],
+            stress: vec![stress; 4],
+            position,
+            touching: vec![true, false, false, false],
+            ..CellField::default()
+        };
         let whole = BodyField { cells: vec![cell], ..BodyField::default() }.mirrored(0.5);
         let image = &whole.cells[1];
         assert_eq!(image.position, [[-2.0, 0.0], [0.0, 0.0], [-2.0, 1.0], [0.0, 1.0]]);
+        assert_eq!(image.touching, [false, true, false, false]);
         assert_eq!(image.displacement[0], [-0.1, 0.0, 0.2]);
         assert_eq!((image.stress[0].xx, image.stress[0].xz, image.stress[0].zz), (1.0, -3.0, 2.0));
     }

@@ -16,6 +16,7 @@ mod level;
 mod load;
 mod machined;
 mod options;
+mod outlines;
 mod parts;
 mod plan;
 mod problem;
@@ -47,6 +48,7 @@ pub use functional::functional_row;
 pub use holding::{HeldBy, Holding};
 pub use machined::{Machined, SurfacePoint};
 pub use options::{CURVE, Options, Sampling};
+pub use outlines::{Area, BodyOutline};
 pub use plan::{Plan, Stage};
 pub use problem::Problem;
 pub use profile::Profile;
@@ -55,7 +57,7 @@ pub use results::{
     ByRole, ContactResult, EnergyResult, ErrorResult, InterfaceResult, PointForce, PressureResult, Reaction, SensitivityResult,
     Settled, ShapeResult, ToleranceResult, TwistResult, UniquenessResult, WearResult,
 };
-pub use solution::{Rung, RunningIn, RunningInStep, Solution, Status};
+pub use solution::{PressureMap, Rung, RunningIn, RunningInStep, Solution, Status};
 pub use solve::solve;
 pub use step::Step;
 pub use study::{DEGREES, Level as StudyLevel, Quantity, Truth, outermost, study};

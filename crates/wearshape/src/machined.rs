@@ -37,8 +37,8 @@ pub struct Machined {
     pub fit: Fit<3>,
     /// The rigid datum: where the gap is least, 0 unless the rigid part is prescribed.
     pub datum: SurfacePoint,
-    /// Where the gap is largest.
-    pub crown: SurfacePoint,
+    /// Where most is taken off: the largest gap.
+    pub deepest: SurfacePoint,
 }
 
 impl Machined {
@@ -56,6 +56,6 @@ impl Machined {
         let fit = Spline::fit(curve, [from, to], DEVIATION[0].max(DEVIATION[1] * size));
         let known = || fit.spline.knots.iter().map(|s| surface(*s)).chain(points.iter().copied());
         let extreme = |sign: f64| known().min_by(|a, b| (sign * a.gap).total_cmp(&(sign * b.gap))).unwrap_or(points[0]);
-        Machined { datum: extreme(1.0), crown: extreme(-1.0), points, fit }
+        Machined { datum: extreme(1.0), deepest: extreme(-1.0), points, fit }
     }
 }

@@ -8,6 +8,7 @@ use wear::{WearError, WearPair};
 use crate::freedom::Freedom;
 use crate::level::Level;
 use crate::load::Load;
+use crate::outlines::BodyOutline;
 use crate::plan::Plan;
 use crate::remark::Remark;
 use crate::surface::Patch;
@@ -194,6 +195,12 @@ impl Problem {
     /// Number of free rigid modes of body 1.
     pub fn free_modes(&self) -> usize {
         self.freedoms.len()
+    }
+
+    /// Both bodies as a picture shows them; none of a surface alone.
+    pub fn outlines(&self) -> Option<[BodyOutline; 2]> {
+        let couple = self.couple.as_ref()?;
+        Some(couple.bodies.each_ref().map(|body| BodyOutline::of(body, couple.is_revolved())))
     }
 
     /// The contact surface, where it is known without a mesh.

@@ -72,6 +72,9 @@ pub struct PressureResult {
     /// Largest pressure.
     #[serde(rename = "p_max_MPa")]
     pub p_max: Option<f64>,
+    /// Place (x, y, z) of the largest pressure.
+    #[serde(rename = "p_max_at_mm", skip_serializing_if = "Option::is_none")]
+    pub p_max_at: Option<[f64; 3]>,
     /// Mean pressure.
     #[serde(rename = "p_mean_MPa")]
     pub p_mean: Option<f64>,
@@ -87,6 +90,12 @@ pub struct PressureResult {
     /// Wear volume a second of both bodies.
     #[serde(rename = "wear_volume_rate_mm3_per_s")]
     pub wear_volume_rate: Option<f64>,
+    /// Mean depth worn off both bodies over the surface in an hour.
+    #[serde(rename = "wear_depth_um_per_h", skip_serializing_if = "Option::is_none")]
+    pub wear_depth_per_hour: Option<f64>,
+    /// The same by the mean sliding distance.
+    #[serde(rename = "wear_depth_mm_per_1000_km", skip_serializing_if = "Option::is_none")]
+    pub wear_depth_per_1000_km: Option<f64>,
     /// Friction power.
     #[serde(rename = "friction_power_mW")]
     pub friction_power: Option<f64>,

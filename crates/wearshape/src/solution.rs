@@ -1,5 +1,6 @@
 //! What was computed: plain data, one struct a stage, the profile at the contact points, counters and times.
 
+use hpfem::CellGrid;
 use serde::Serialize;
 
 use crate::body_field::FieldFrame;
@@ -56,6 +57,8 @@ pub struct Solution {
     pub profile: Option<Profile>,
     /// The same at evenly spaced points of a surface known without a mesh, for pictures.
     pub curve: Option<Profile>,
+    /// The pressure over a surface of two dimensions, for a picture.
+    pub map: Option<PressureMap>,
     /// Columns of history.csv: name and values.
     pub history: Vec<(String, Vec<f64>)>,
     /// Pressure and gap of a run in time, step by step.
@@ -72,6 +75,17 @@ pub struct Solution {
     pub effort: Effort,
     /// An unfinished run in time that was stopped, to go on with.
     pub resume: Option<Resume>,
+}
+
+/// The pressure over a surface of two dimensions, on a grid of points that covers it.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct PressureMap {
+    /// Where the points are in the grid.
+    pub grid: CellGrid,
+    /// Places (x, y), mm.
+    pub position: Vec<[f64; 2]>,
+    /// Pressure (MPa).
+    pub pressure: Vec<f64>,
 }
 
 /// What a level of the ladder says about the error.

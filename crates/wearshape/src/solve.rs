@@ -32,6 +32,10 @@ pub fn solve(problem: &Problem, options: &Options<'_>, bodies: &Bodies, watch: &
         Err(Refusal::Reason(reason)) => (solution.status, solution.reason) = (Status::Refused, Some(reason)),
         Err(Refusal::Fault(fault)) => return Err(in_names_of(problem.couple.as_ref(), fault)),
     }
+    if let Some(couple) = &problem.couple {
+        let bodies = solution.fields.iter_mut().flat_map(|frame| frame.bodies.iter_mut().zip(&couple.bodies));
+        bodies.for_each(|(field, body)| field.materials.clone_from(&body.materials));
+    }
     let after = hindsight::remarks(problem, &solution);
     solution.remarks.extend(after);
     Ok(solution)
@@ -175,7 +179,7 @@ impl Solution {
             (self.status, self.reason) = (status, Some(reason));
         }
         self.pressure = Some(found.result);
-        (self.profile, self.curve, self.error) = (found.profile, found.curve, found.error);
+        (self.profile, self.curve, self.map, self.error) = (found.profile, found.curve, found.map, found.error);
     }
 }
 

@@ -1,6 +1,9 @@
 //! `wearshape check`: what a scene means, before anything is computed.
 
-use scene::Fault;
+use std::path::PathBuf;
+
+use scene::{Fault, Place};
+use wearshape::Problem;
 
 use crate::args::{CheckArgs, Common};
 use crate::describe::{describe, plan_json, sizes};
@@ -29,5 +32,20 @@ pub(crate) fn run(args: &CheckArgs) -> Result<Exit, Fault> {
         progress.end();
         print_out(&format!("{sizes}\n"));
     }
+    draw(args, &problem)?;
     Ok(Exit::Done)
+}
+
+/// Writes the drawing where it is asked for.
+fn draw(args: &CheckArgs, problem: &Problem) -> Result<(), Fault> {
+    let own = args.verbose.then(|| PathBuf::from(format!("{}.svg", problem.name())));
+    let Some(path) = args.drawing.clone().or(own) else { return Ok(()) };
+    std::fs::write(&path, report::drawing(problem)).map_err(|error| Fault {
+        place: Some(Place::Flag(format!("-o {}", path.display()))),
+        ..Fault::new("unwritable", format!("cannot write {}: {error}", path.display()), "give a file that can be written")
+    })?;
+    if !args.quiet {
+        eprintln!("drawing written to {}", path.display());
+    }
+    Ok(())
 }

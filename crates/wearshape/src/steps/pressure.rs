@@ -1,7 +1,11 @@
 //! The optimal pressure on a surface known without a mesh.
 
+use std::f64::consts::TAU;
+
+use hpfem::CellGrid;
+use nalgebra::Vector3;
 use scene::{Balance, Fault, Modes};
-use wear::{Regime, SurfacePoint, WearError};
+use wear::{Regime, Shape, SurfacePoint, WearError};
 
 use crate::faults::wrong_wear;
 use crate::freedom::{Freedom, Role};
@@ -10,7 +14,7 @@ use crate::options::{Options, Sampling};
 use crate::problem::{Optimum, Problem};
 use crate::profile::Profile;
 use crate::results::{ByRole, ErrorResult, PointForce, PressureResult};
-use crate::solution::Status;
+use crate::solution::{PressureMap, Status};
 use crate::steps::sensitivity;
 use crate::surface::Patch;
 use crate::words::{self, PointStatus};
@@ -22,6 +26,7 @@ pub(crate) struct Found {
     pub result: PressureResult,
     pub profile: Option<Profile>,
     pub curve: Option<Profile>,
+    pub map: Option<PressureMap>,
     pub error: Option<ErrorResult>,
 }
 
@@ -29,13 +34,16 @@ pub(crate) struct Found {
 pub(crate) fn solve(problem: &Problem, options: &Options<'_>) -> Result<Found, Fault> {
     let Some(patch) = &problem.patch else { return Err(not_known()) };
     let wear = wear_problem(problem)?;
-    let mut found = Found { ended: None, result: description(&problem.optimum), profile: None, curve: None, error: None };
+    let mut found =
+        Found { ended: None, result: description(&problem.optimum), profile: None, curve: None, map: None, error: None };
     match wear::optimal_pressure(&wear) {
         Ok(optimum) => {
             describe(&mut found.result, &optimum, &problem.freedoms, wear.wear.active);
             found.result.wear_rule = problem.wear.own_rule.then_some("given as a function");
+            depths(&mut found.result, &optimum, patch);
             if options.machining {
                 found.result.sensitivity = sensitivity::of(problem, &wear, &optimum);
+                found.map = map(patch, &optimum);
             }
             let points = match options.sample {
                 Some(Sampling::Even(count)) => patch.sample(count),
@@ -130,6 +138,8 @@ fn describe(result: &mut PressureResult, optimum: &wear::Optimum, freedoms: &[Fr
     let spread = optimum.regime != Regime::Singular;
     result.p_min = Some(optimum.p_min).filter(|_| spread);
     result.p_max = Some(optimum.p_max).filter(|_| spread);
+    let place = optimum.highest.position;
+    result.p_max_at = Some([place.x, place.y, place.z]).filter(|_| spread && result.p_max > result.p_min);
     result.p_mean = Some(optimum.p_mean).filter(|_| spread);
     let carried = by_role(&optimum.resultants, freedoms);
     result.force = carried.force;
@@ -142,6 +152,45 @@ fn describe(result: &mut PressureResult, optimum: &wear::Optimum, freedoms: &[Fr
     result.effective_radius = optimum.effective_radius;
     result.steadiness_residual = optimum.steadiness_residual.filter(|_| active);
     result.congruence_residual = optimum.congruence_residual;
+}
+
+/// Mean depth worn off both bodies, by time and by sliding distance.
+fn depths(result: &mut PressureResult, optimum: &wear::Optimum, patch: &Patch) {
+    let rate = optimum.wear_volume_rate / patch.surface.area();
+    let sum = |value: fn(&SurfacePoint) -> f64| optimum.points.iter().map(|point| point.weight * value(point)).sum::<f64>();
+    let speed = sum(|point| point.sliding_speed) / sum(|_| 1.0);
+    if rate > 0.0 && speed > 0.0 {
+        result.wear_depth_per_hour = Some(1e3 * 3600.0 * rate);
+        result.wear_depth_per_1000_km = Some(1e9 * rate / speed);
+    }
+}
+
+/// Cells along each side of the map.
+const MAP: usize = 48;
+
+/// The pressure over a surface of two dimensions; none of a line.
+fn map(patch: &Patch, optimum: &wear::Optimum) -> Option<PressureMap> {
+    let surface = &patch.surface;
+    let between = |[from, to]: [f64; 2], t: f64| from + (to - from) * t;
+    let place = |[s, t]: [f64; 2]| match surface.shape() {
+        Shape::Rectangle { x, y } => Some([between(*x, s), between(*y, t)]),
+        Shape::Ellipse { semi_axes: [a, b] } => {
+            let (sine, cosine) = (TAU * t).sin_cos();
+            Some([a * s * cosine, b * s * sine])
+        }
+        Shape::Sector { radii, angles } => {
+            let (sine, cosine) = between(*angles, t).sin_cos();
+            Some([between(*radii, s) * cosine, between(*radii, s) * sine])
+        }
+        Shape::Points(_) | Shape::Arc { .. } | Shape::Strip { .. } | Shape::Annulus { .. } => None,
+    };
+    let grid = CellGrid { degree: MAP, triangle: false };
+    let position = grid.reference().map(|at| place(at.map(|t| 0.5 * (t + 1.0)))).collect::<Option<Vec<_>>>()?;
+    if optimum.regime == Regime::Singular {
+        return None;
+    }
+    let pressure = |[x, y]: &[f64; 2]| optimum.pressure_at(&surface.point(Vector3::new(*x, *y, 0.0), Vector3::z(), 0.0));
+    Some(PressureMap { grid, pressure: position.iter().map(pressure).collect(), position })
 }
 
 fn profile(problem: &Problem, patch: &Patch, optimum: &wear::Optimum, points: Vec<SurfacePoint>) -> Profile {

@@ -1,8 +1,8 @@
 //! Displacement and stress inside the bodies, by back substitution at the reported level; done only if an output asks for it.
 
 use contact::{Pair, Side};
-use hpfem::{Body, CellGrid, Field, InterfaceState, Kinematics, Mesh, Stress};
-use meshing::Cut;
+use hpfem::{Body, Cell, CellGrid, Field, InterfaceState, Kinematics, Mesh, Stress};
+use meshing::{CONTACT, Cut};
 use scene::Fault;
 
 use crate::bodies::paired;
@@ -65,10 +65,30 @@ fn frame(moment: &Moment, bodies: &[Body; 2], meshes: [&Mesh; 2], effort: &mut E
     let body = |number: usize| -> Result<BodyField, Fault> {
         let field = field(&bodies[number], &moment.states[number])?;
         let revolved = bodies[number].interface.kinematics.is_revolved();
-        let cells = meshes[number].cells.iter().enumerate().map(|(cell, of)| on_grid(&field, cell, of.is_triangle()));
-        Ok(BodyField { cells: cells.collect::<Result<_, Fault>>()?, revolved, twisted: false })
+        let mesh = meshes[number];
+        let contact = mesh.boundary(CONTACT).unwrap_or_default();
+        let cells = mesh.cells.iter().enumerate().map(|(cell, of)| {
+            let values = on_grid(&field, cell, of.is_triangle())?;
+            let touching = touching(values.grid, of, &contact);
+            Ok(CellField { material: of.material, touching, ..values })
+        });
+        Ok(BodyField { cells: cells.collect::<Result<_, Fault>>()?, materials: Vec::new(), revolved, twisted: false })
     };
     Ok(FieldFrame { time: moment.time, moment: moment.name, bodies: [body(0)?, body(1)?] })
+}
+
+/// Which points of a cell lie on edges of the contact surface.
+fn touching(grid: CellGrid, cell: &Cell, contact: &[usize]) -> Vec<bool> {
+    let sides: Vec<usize> = cell.sides().filter(|(_, edge)| contact.contains(edge)).map(|(local, _)| local).collect();
+    let p = grid.degree;
+    let on = |side: usize, (i, j): (usize, usize)| match side {
+        0 => j == 0,
+        1 if grid.triangle => i + j == p,
+        1 => i == p,
+        2 => j == p,
+        _ => i == 0,
+    };
+    grid.steps().map(|step| sides.iter().any(|side| on(*side, step))).collect()
 }
 
 fn field(body: &Body, state: &InterfaceState) -> Result<Field, Fault> {

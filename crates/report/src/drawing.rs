@@ -1,0 +1,198 @@
+//! The drawing of a scene: bodies, materials, supports, load and sliding.
+
+use std::f64::consts::PI;
+
+use scene::{Component, Kinematics, Load, LoadKind, Scene};
+use wearshape::{BodyOutline, Problem};
+
+use crate::bare_drawing::bare_drawing;
+use crate::drawing_words::{LOADED, SLIDES, TOUCHES, legend};
+use crate::sheet::Sheet;
+
+/// Fills of body 1 and of body 2, one material after the other.
+pub(crate) const FILLS: [[&str; 4]; 2] =
+    [["#cfe3f3", "#86b6dc", "#e3eef8", "#5b93c4"], ["#e4e4e4", "#c2c2c2", "#f2f2f2", "#a8a8a8"]];
+
+/// The scene as SVG: what is where, before anything is computed. The same problem gives the same bytes.
+pub fn drawing(problem: &Problem) -> String {
+    let scene = problem.scene();
+    let Some(bodies) = problem.outlines() else { return bare_drawing(problem) };
+    let mut sheet = Sheet::new(bodies.iter().flat_map(|body| body.borders.iter().flatten().copied()));
+    for (number, body) in bodies.iter().enumerate().rev() {
+        for (index, area) in body.areas.iter().enumerate() {
+            let fill = FILLS[number][index % 4];
+            // Cells of a mesh side by side, or the lines around a body and its holes.
+            match area.loops.len() {
+                1 | 2 => sheet.area(&area.loops, fill),
+                _ => area.loops.iter().for_each(|line| sheet.area(std::slice::from_ref(line), fill)),
+            }
+        }
+        body.borders.iter().for_each(|line| sheet.line(line, "#555", 1.0, ""));
+    }
+    if scene.kinematics == Some(Kinematics::Axisymmetric) {
+        axis(&mut sheet, &bodies);
+    }
+    let edges = scene.contact.as_ref().and_then(|contact| contact.edges.as_ref());
+    if let Some([first, _]) = edges {
+        bodies[0].edge(first).iter().for_each(|line| sheet.line(line, TOUCHES, 4.0, ""));
+    }
+    for (body, outline) in [&scene.body1, &scene.body2].into_iter().zip(&bodies) {
+        let held = body.iter().flat_map(|body| &body.support);
+        held.for_each(|(edge, components)| support(&mut sheet, outline, edge, components));
+    }
+    if let Some(load) = &scene.load {
+        loaded(&mut sheet, &bodies[0], load);
+    }
+    sliding(&mut sheet, scene, &bodies[1]);
+    sheet.picture(problem.title(), &legend(problem))
+}
+
+/// The axis of revolution.
+fn axis(sheet: &mut Sheet, bodies: &[BodyOutline; 2]) {
+    let heights = || bodies.iter().flat_map(|body| body.borders.iter().flatten()).map(|p| p[1]);
+    let (low, high) = (heights().fold(f64::MAX, f64::min), heights().fold(f64::MIN, f64::max));
+    let beyond = 0.06 * (high - low);
+    sheet.line(&[[0.0, low - beyond], [0.0, high + beyond]], "#777", 1.2, "14 4 3 4");
+}
+
+/// Whether a place lies in a body.
+fn within(body: &BodyOutline, [x, z]: [f64; 2]) -> bool {
+    body.areas.iter().any(|area| {
+        let crossings = |line: &Vec<[f64; 2]>| {
+            let ends = line.iter().zip(line.iter().cycle().skip(1));
+            ends.filter(|(a, b)| (a[1] > z) != (b[1] > z) && x < a[0] + (z - a[1]) / (b[1] - a[1]) * (b[0] - a[0])).count()
+        };
+        area.loops.iter().map(crossings).sum::<usize>() % 2 == 1
+    })
+}
+
+/// Points along lines about every so many pixels, with the unit normal out of the body, in pixels; none for the normal within it.
+fn along(sheet: &Sheet, body: &BodyOutline, lines: &[Vec<[f64; 2]>], every: f64) -> Vec<([f64; 2], Option<[f64; 2]>)> {
+    let mut out = Vec::new();
+    for pair in lines.iter().flat_map(|line| line.windows(2)) {
+        let [a, b] = [sheet.at(pair[0]), sheet.at(pair[1])];
+        let length = (b[0] - a[0]).hypot(b[1] - a[1]);
+        let count = ((length / every).round() as usize).max(1);
+        if length < 1e-9 {
+            continue;
+        }
+        let normal = [(b[1] - a[1]) / length, -(b[0] - a[0]) / length];
+        let middle = [0.5 * (pair[0][0] + pair[1][0]), 0.5 * (pair[0][1] + pair[1][1])];
+        let off = 1e-3 * (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]);
+        // In mm the z axis points up.
+        let inside = |side: f64| within(body, [middle[0] + side * off * normal[0], middle[1] - side * off * normal[1]]);
+        let outwards = match (inside(1.0), inside(-1.0)) {
+            (false, true) => Some(normal),
+            (true, false) => Some(normal.map(|x| -x)),
+            _ => None,
+        };
+        out.extend((0..count).map(|k| {
+            let t = (k as f64 + 0.5) / count as f64;
+            ([a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])], outwards)
+        }));
+    }
+    out
+}
+
+/// A held edge: hatched, with the held directions beside it.
+fn support(sheet: &mut Sheet, body: &BodyOutline, edge: &str, held: &[Component]) {
+    let lines = body.edge(edge).to_vec();
+    lines.iter().for_each(|line| sheet.line(line, "#333", 2.0, ""));
+    let places = along(sheet, body, &lines, 11.0);
+    for (place, out) in &places {
+        sheet.hatch(&[*place], out.unwrap_or([1.0, 0.0]));
+    }
+    let words: Vec<&str> = held
+        .iter()
+        .map(|component| match component {
+            Component::X => "x",
+            Component::Z => "z",
+            Component::Phi => "\u{3c6}",
+        })
+        .collect();
+    if let Some(([x, y], out)) = places.get(places.len() / 2) {
+        let [dx, dy] = out.unwrap_or([1.0, 0.0]);
+        let anchor = if dx > 0.5 {
+            "start"
+        } else if dx < -0.5 {
+            "end"
+        } else {
+            "middle"
+        };
+        sheet.sign(&format!(
+            "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"{anchor}\">{}</text>\n",
+            x + 17.0 * dx,
+            y + 20.0 * dy + 5.0,
+            words.join(", ")
+        ));
+    }
+}
+
+/// The load on its edge of body 1.
+fn loaded(sheet: &mut Sheet, body: &BodyOutline, load: &Load) {
+    let Some(edge) = &load.edge else { return };
+    let lines = body.edge(edge).to_vec();
+    let places = along(sheet, body, &lines, 8.0);
+    let width = load.width.map(|width| {
+        let centre = load.centre.map_or(0.0, |centre| centre.0);
+        [sheet.at([centre - 0.5 * width.0, 0.0])[0], sheet.at([centre + 0.5 * width.0, 0.0])[0]]
+    });
+    let pressed: Vec<_> =
+        places.into_iter().filter(|(p, _)| width.is_none_or(|[a, b]| p[0] >= a - 4.0 && p[0] <= b + 4.0)).collect();
+    let (Some(first), Some(last)) = (pressed.first(), pressed.last()) else { return };
+    match load.kind {
+        Some(LoadKind::Rigid) => {
+            lines.iter().for_each(|line| sheet.line(line, LOADED, 4.0, ""));
+            let middle = load.about.map_or(0.5 * (first.0[0] + last.0[0]), |about| sheet.at(about.map(|x| x.0))[0]);
+            let top = pressed.iter().map(|(p, _)| p[1]).fold(f64::MAX, f64::min);
+            sheet.arrow([middle, top - 44.0], [middle, top - 4.0], LOADED);
+            if let Some(side) = load.shear_force.filter(|force| force.0 != 0.0) {
+                let step = 44.0 * side.0.signum();
+                sheet.arrow([middle + 0.2 * step, top - 22.0], [middle + 1.2 * step, top - 22.0], LOADED);
+            }
+        }
+        kind => {
+            let every = (pressed.len() / 7).max(1);
+            for (place, out) in pressed.iter().skip(every / 2).step_by(every) {
+                let out = if kind == Some(LoadKind::Vertical) { [0.0, -1.0] } else { out.unwrap_or([0.0, -1.0]) };
+                let [from, to] = [38.0, 3.0].map(|far| [place[0] + far * out[0], place[1] + far * out[1]]);
+                sheet.arrow(from, to, LOADED);
+            }
+        }
+    }
+}
+
+/// How body 2 moves.
+fn sliding(sheet: &mut Sheet, scene: &Scene, body: &BodyOutline) {
+    let Some(sliding) = &scene.sliding else { return };
+    let points = || body.borders.iter().flatten();
+    let (low, high) = points().fold(([f64::MAX; 2], [f64::MIN; 2]), |(low, high), p| {
+        ([low[0].min(p[0]), low[1].min(p[1])], [high[0].max(p[0]), high[1].max(p[1])])
+    });
+    let centre = [0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])];
+    if let Some(speed) = sliding.speed {
+        let [x, y] = sheet.at(centre);
+        let half = 42.0 * speed.0.signum();
+        sheet.arrow([x - half, y], [x + half, y], SLIDES);
+    } else if let Some(omega) = sliding.omega {
+        let sense = omega.0.signum();
+        if scene.kinematics == Some(Kinematics::Axisymmetric) {
+            // The axis is upright in the picture: an ellipse around it, its near side drawn.
+            let [x, y] = sheet.at([0.0, low[1]]);
+            let [from, to] = [-26.0 * sense, 26.0 * sense];
+            sheet.sign(&format!(
+                "<path d=\"M{:.1} {:.1}A26 8 0 0 {} {:.1} {:.1}\" fill=\"none\" stroke=\"{SLIDES}\" stroke-width=\"2.2\"/>\n",
+                x + from,
+                y + 14.0,
+                if sense > 0.0 { 0 } else { 1 },
+                x + to,
+                y + 14.0
+            ));
+            sheet.arrow([x + 0.8 * to, y + 20.0], [x + to, y + 12.0], SLIDES);
+            return;
+        }
+        let inner = points().map(|p| (p[0] - centre[0]).hypot(p[1] - centre[1])).fold(f64::MAX, f64::min);
+        let outer = 0.5 * (high[0] - low[0]);
+        sheet.turning(centre, if inner < 0.9 * outer { 0.5 * (inner + outer) } else { 0.5 * outer }, sense * 0.6 * PI, SLIDES);
+    }
+}

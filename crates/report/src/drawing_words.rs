@@ -1,0 +1,87 @@
+//! The words below the drawing of a scene.
+
+use scene::{Kinematics, Load, LoadKind, Material, Scene};
+use wearshape::Problem;
+
+use crate::brief::brief;
+use crate::drawing::FILLS;
+use crate::sheet::Mark;
+
+/// Colour of the contact, of the load and of the sliding.
+pub(crate) const TOUCHES: &str = "#d55e00";
+pub(crate) const LOADED: &str = "#a3267c";
+pub(crate) const SLIDES: &str = "#00795a";
+
+/// The lines of the legend.
+pub(crate) fn legend(problem: &Problem) -> Vec<(Mark, String)> {
+    let scene = problem.scene();
+    let mut rows = Vec::new();
+    for (number, body) in problem.outlines().into_iter().flatten().enumerate() {
+        for (index, area) in body.areas.iter().enumerate() {
+            let text = format!(
+                "body {}{}: {}",
+                number + 1,
+                if number == 0 { ", shaped" } else { ", counter-face" },
+                elastic(&area.material)
+            );
+            rows.push((Mark::Fill(FILLS[number][index % 4]), text));
+        }
+    }
+    let friction = scene.contact.as_ref().and_then(|contact| contact.friction).unwrap_or(0.0);
+    let surface = if scene.surface.is_some() { "contact surface of body 1" } else { "contact" };
+    let mark = if scene.surface.is_some() { Mark::Fill(FILLS[0][0]) } else { Mark::Line(TOUCHES) };
+    rows.push((mark, format!("{surface}, friction {}", brief(friction))));
+    let held = [&scene.body1, &scene.body2].into_iter().flatten().any(|body| !body.support.is_empty());
+    if held {
+        rows.push((Mark::Hatch, "held in the directions written beside it".into()));
+    }
+    rows.extend(scene.load.as_ref().map(|load| (Mark::Arrow(LOADED), load_words(load))));
+    rows.extend(sliding_words(scene).map(|text| (Mark::Arrow(SLIDES), text)));
+    rows.extend(plane_words(scene).map(|text| (Mark::Fill("none"), text)));
+    rows
+}
+
+fn elastic(material: &Material) -> String {
+    format!("E = {} GPa, \u{3bd} = {}", brief(1e-3 * material.young.0), material.poisson)
+}
+
+/// What presses, turns and shifts body 1.
+fn load_words(load: &Load) -> String {
+    let mut words = Vec::new();
+    words.extend(load.force.map(|force| format!("{} N", brief(force.0))));
+    words.extend(load.approach.map(|approach| format!("pressed in by {} mm", brief(approach.0))));
+    let edge = load.edge.as_deref().unwrap_or("");
+    words.extend(load.kind.map(|kind| match kind {
+        LoadKind::Pressure => format!("as a pressure on {edge}"),
+        LoadKind::Vertical => format!("vertically on {edge}"),
+        LoadKind::Rigid => format!("on {edge}, which stays straight"),
+    }));
+    words.extend(load.tilt.map(|tilt| format!("turned by {} rad", brief(tilt.0))));
+    let named = |name: &str, value: Option<f64>, unit: &str| {
+        value.filter(|value| *value != 0.0).map(|value| format!("{name} {} {unit}", brief(value)))
+    };
+    words.extend(named("moment", load.moment.map(|m| m.0), "N mm"));
+    words.extend(named("moment about x", load.moment_y.map(|m| m.0), "N mm"));
+    words.extend(named("then sideways", load.shear_force.map(|f| f.0), "N"));
+    if load.twist.is_some() || load.torque.is_some() {
+        words.push("then turned about the axis".into());
+    }
+    format!("load: {}", words.join(", "))
+}
+
+fn sliding_words(scene: &Scene) -> Option<String> {
+    let sliding = scene.sliding.as_ref()?;
+    let by_speed = sliding.speed.map(|speed| format!("body 2 slides at {} mm/s", brief(speed.0.abs())));
+    let sense = |omega: f64| if omega > 0.0 { "anti-clockwise" } else { "clockwise" };
+    let turning = sliding.omega.map(|omega| format!("body 2 turns {} at {} rad/s", sense(omega.0), brief(omega.0.abs())));
+    by_speed.or(turning)
+}
+
+fn plane_words(scene: &Scene) -> Option<String> {
+    let thick = scene.thickness.map(|thickness| format!(", {} mm thick", brief(thickness.0))).unwrap_or_default();
+    Some(match scene.kinematics? {
+        Kinematics::PlaneStress => format!("plane stress{thick}: thin, free to widen"),
+        Kinematics::PlaneStrain => format!("plane strain{thick}: long, kept from widening"),
+        Kinematics::Axisymmetric => "a section through bodies of revolution".into(),
+    })
+}

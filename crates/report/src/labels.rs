@@ -1,0 +1,121 @@
+//! The keys of the summary in words, with their units.
+
+/// Words for keys that do not say enough themselves, by the end of the dotted key.
+const WORDS: &[(&str, &str)] = &[
+    ("shape.iterations", "passes of the shape iteration"),
+    ("shape.gap_max_um", "most taken off"),
+    ("shape.gap_where_mm", "there, along the surface from its middle"),
+    ("shape.crown_um", "most above least taken off"),
+    ("shape.rigid_mm", "rigid motion in the gap"),
+    ("shape.roundtrip_same", "proof on the same mesh: pressure off by, relative"),
+    ("shape.roundtrip_independent", "proof on another mesh: pressure off by, relative"),
+    ("pressure.functional", "what the pressure is best for"),
+    ("pressure.q", "control parameter q"),
+    ("pressure.balance", "balance of forces"),
+    ("pressure.modes", "rigid motions used"),
+    ("pressure.s", "exponent s of the theory"),
+    ("pressure.k", "exponent k of the theory"),
+    ("pressure.character", "kind of extremum"),
+    ("pressure.regime", "kind of pressure"),
+    ("pressure.p_max_at_mm", "place of the largest pressure (x, y, z)"),
+    ("pressure.normal_force_N", "sum of the normal pressure"),
+    ("pressure.wear_depth_um_per_h", "mean depth worn off both bodies in an hour"),
+    ("pressure.wear_depth_mm_per_1000_km", "mean depth worn off both bodies in 1000 km of sliding"),
+    ("pressure.steadiness_residual", "how far the wear is from a rigid motion, relative"),
+    ("pressure.congruence_residual", "how far the wear of both bodies is from proportional, relative"),
+    ("p_min_MPa", "smallest pressure"),
+    ("p_max_MPa", "largest pressure"),
+    ("p_mean_MPa", "mean pressure"),
+    ("q_max_MPa", "largest shear"),
+    ("contact.approach_mm", "closing of body 1"),
+    ("contact.tilt_rad", "rotation of body 1"),
+    ("contact.ends_mm", "ends of contact"),
+    ("contact.stick_ends_mm", "ends of the sticking part"),
+    ("contact.edge_exponents", "exponents of the pressure at sharp ends"),
+    ("contact.complementarity", "largest pressure times opening, relative"),
+    ("contact.uniqueness.verdict", "one solution"),
+    ("contact.uniqueness.not_guaranteed_from", "one solution not guaranteed from friction"),
+    ("contact.uniqueness.singular_from", "singular from friction"),
+    ("contact.uniqueness.lost_from", "solution lost from friction"),
+    ("wear.time_s", "time"),
+    ("wear.distance_mm", "sliding distance"),
+    ("wear.depth_um", "largest depth worn off body 1"),
+    ("wear.volume_mm3", "volume worn off both bodies"),
+    ("wear.explicit_step_limit_s", "longest stable explicit step"),
+    ("wear.run_in_distance_mm", "sliding distances of the slowest parts of running in"),
+    ("wear.lyapunov_increase", "largest growth of the energy in a step, relative"),
+    ("wear.to_1_percent.time_s", "time until within 1 % of the steady pressure"),
+    ("wear.to_1_percent.distance_mm", "sliding distance until then"),
+    ("wear.to_1_percent.depth_um", "depth worn off until then"),
+    ("wear.to_1_percent.volume_mm3", "volume worn off until then"),
+    ("energy.body1_Nmm", "strain energy of body 1"),
+    ("energy.body2_Nmm", "strain energy of body 2"),
+    ("error.gap_relative", "gap, relative"),
+    ("error.pressure_relative", "pressure, relative"),
+    ("error.energy_relative", "energy, relative"),
+    ("error.twist_relative", "torque or angle of the twist, relative"),
+    ("error.how", "estimated from"),
+    ("counters.dofs", "unknowns"),
+    ("counters.trace_dofs", "unknowns on the contact surface"),
+    ("counters.check_solves", "contact solves of proofs"),
+];
+
+/// Ends of keys that name a unit.
+const UNITS: &[(&str, &str)] = &[
+    ("_mm3_per_s", "mm\u{b3}/s"),
+    ("_mm_per_1000_km", "mm"),
+    ("_um_per_h", "\u{b5}m"),
+    ("_mm3", "mm\u{b3}"),
+    ("_mm2", "mm\u{b2}"),
+    ("_Nmm", "N mm"),
+    ("_MPa", "MPa"),
+    ("_rad", "rad"),
+    ("_mW", "mW"),
+    ("_um", "\u{b5}m"),
+    ("_mm", "mm"),
+    ("_N", "N"),
+    ("_s", "s"),
+];
+
+/// A key of the summary in words, and its unit; "" for none.
+pub(crate) fn label(key: &str) -> (String, &'static str) {
+    let (stem, unit) = UNITS.iter().find_map(|(end, unit)| Some((key.strip_suffix(end)?, *unit))).unwrap_or((key, ""));
+    let known = WORDS.iter().find(|(known, _)| key == *known || key.strip_suffix(known).is_some_and(|head| head.ends_with('.')));
+    if let Some((_, words)) = known {
+        return (words.to_string(), unit);
+    }
+    let own = stem.split_once('.').map_or(stem, |(_, rest)| rest);
+    (own.replace('_', " ").replace('.', ", "), unit)
+}
+
+/// A word of the summary, with what it means to whom the theory is new.
+pub(crate) fn word_explained(word: &str) -> Option<&'static str> {
+    Some(match word {
+        "regular" => "positive on the whole surface",
+        "near-singular" => "nearly concentrated on points or lines",
+        "singular" => "concentrated on points or lines",
+        "partial-contact" => "part of the surface carries nothing",
+        "several" => "there are several",
+        "minimum" => "the least, proved",
+        "maximum" => "the largest, proved",
+        "stationary" => "no more is proved",
+        "indifferent" => "every pressure gives the same",
+        "steady" => "the pressure once worn in",
+        "equilibrium" => "force and moment with friction",
+        "kinematic" => "how wear lets body 1 move",
+        _ => return None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::label;
+
+    #[test]
+    fn keys_become_words_with_units() {
+        assert_eq!(label("contact.p_max_MPa"), ("largest pressure".into(), "MPa"));
+        assert_eq!(label("reactions.body1.left.x_N"), ("body1, left, x".into(), "N"));
+        assert_eq!(label("wear.rejected_steps"), ("rejected steps".into(), ""));
+        assert_eq!(label("pressure.wear_volume_rate_mm3_per_s"), ("wear volume rate".into(), "mm\u{b3}/s"));
+    }
+}
