@@ -86,7 +86,7 @@ fn flat(problem: &Problem, [a, b, c, d]: [f64; 4], surface: &[[f64; 2]]) -> Shee
     for (place, name) in [([b + 0.8 * wide, 0.5 * (c + d)], "x"), ([0.5 * (a + b), d + 0.6 * high], "y")] {
         let [x, y] = sheet.at(place);
         sheet.sign(&format!(
-            "<text x=\"{x:.1}\" y=\"{:.1}\" text-anchor=\"middle\" font-style=\"italic\">{name}</text>\n",
+            "<text class=\"on\" x=\"{x:.1}\" y=\"{:.1}\" text-anchor=\"middle\" font-style=\"italic\">{name}</text>\n",
             y + 5.0
         ));
     }

@@ -16,7 +16,7 @@ impl<'a> ContactLine<'a> {
     /// The value at the foot of the perpendicular; 0 beyond the ends.
     pub(crate) fn at(&self, place: [f64; 2]) -> f64 {
         let (row, share, _) = self.nearest(place);
-        if !(-1e-9..=1.0 + 1e-9).contains(&share) {
+        if !(0.0..=1.0).contains(&share) {
             return 0.0;
         }
         (1.0 - share) * self.values[row] + share * self.values[row + 1]
@@ -26,6 +26,8 @@ impl<'a> ContactLine<'a> {
     pub(crate) fn nearest(&self, place: [f64; 2]) -> (usize, f64, f64) {
         let mut best = (0, 0.0, f64::INFINITY);
         let last = self.points.len() - 2;
+        let [first, end] = [self.points[0], self.points[last + 1]];
+        let near = 1e-9 * (end[0] - first[0]).hypot(end[1] - first[1]);
         for (row, pair) in self.points.windows(2).enumerate() {
             let [a, b] = [pair[0], pair[1]];
             let (along, from) = ([b[0] - a[0], b[1] - a[1]], [place[0] - a[0], place[1] - a[1]]);
@@ -37,7 +39,9 @@ impl<'a> ContactLine<'a> {
             let foot = share.clamp(0.0, 1.0);
             let distance = (from[0] - foot * along[0]).hypot(from[1] - foot * along[1]);
             if distance < best.2 {
-                let beyond = (row == 0 && share < 0.0) || (row == last && share > 1.0);
+                // An end found up to round-off is the end, however short the last piece.
+                let over = (share - foot).abs() * length.sqrt() > near;
+                let beyond = over && ((row == 0 && share < 0.0) || (row == last && share > 1.0));
                 best = (row, if beyond { share } else { foot }, distance);
             }
         }

@@ -49,7 +49,8 @@ fn along_the_surface(problem: &Problem, solution: &Solution, points: &Profile) -
     let mut plots = Vec::new();
     if known(&profile.pressure) {
         let mut curves = vec![series("", &profile.pressure, false)];
-        let mut what = ("contact pressure", "pressure (MPa)");
+        let cut = solution.map.is_some();
+        let mut what = (if cut { "contact pressure on the middle line" } else { "contact pressure" }, "pressure (MPa)");
         let touched = solution.contact.is_some() && solution.shape.is_none() && solution.wear.is_none();
         if known(&profile.pressure_solved) {
             curves[0].name = "wanted".into();

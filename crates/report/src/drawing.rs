@@ -17,7 +17,13 @@ pub(crate) const FILLS: [[&str; 4]; 2] =
 pub fn drawing(problem: &Problem) -> String {
     let scene = problem.scene();
     let Some(bodies) = problem.outlines() else { return bare_drawing(problem) };
-    let mut sheet = Sheet::new(bodies.iter().flat_map(|body| body.borders.iter().flatten().copied()));
+    let points = || bodies.iter().flat_map(|body| body.borders.iter().flatten().copied());
+    // The sign of a turn about the axis reaches to its other side.
+    let revolved = scene.kinematics == Some(Kinematics::Axisymmetric);
+    let beyond = revolved
+        .then(|| points().fold(0.0, |far: f64, p| far.max(p[0])))
+        .map(|far| [-0.08 * far, points().next().map_or(0.0, |p| p[1])]);
+    let mut sheet = Sheet::new(points().chain(beyond));
     for (number, body) in bodies.iter().enumerate().rev() {
         for (index, area) in body.areas.iter().enumerate() {
             let fill = FILLS[number][index % 4];
@@ -29,7 +35,7 @@ pub fn drawing(problem: &Problem) -> String {
         }
         body.borders.iter().for_each(|line| sheet.line(line, "#555", 1.0, ""));
     }
-    if scene.kinematics == Some(Kinematics::Axisymmetric) {
+    if revolved {
         axis(&mut sheet, &bodies);
     }
     let edges = scene.contact.as_ref().and_then(|contact| contact.edges.as_ref());
@@ -38,7 +44,11 @@ pub fn drawing(problem: &Problem) -> String {
     }
     for (body, outline) in [&scene.body1, &scene.body2].into_iter().zip(&bodies) {
         let held = body.iter().flat_map(|body| &body.support);
-        held.for_each(|(edge, components)| support(&mut sheet, outline, edge, components));
+        let pressed = scene.load.as_ref().and_then(|load| load.edge.as_deref());
+        held.for_each(|(edge, components)| {
+            let aside = outline == &bodies[0] && pressed == Some(edge.as_str());
+            support(&mut sheet, outline, (edge, components), aside);
+        });
     }
     if let Some(load) = &scene.load {
         loaded(&mut sheet, &bodies[0], load);
@@ -94,8 +104,8 @@ fn along(sheet: &Sheet, body: &BodyOutline, lines: &[Vec<[f64; 2]>], every: f64)
     out
 }
 
-/// A held edge: hatched, with the held directions beside it.
-fn support(sheet: &mut Sheet, body: &BodyOutline, edge: &str, held: &[Component]) {
+/// A held edge: hatched, with the held directions beside it, at its end where the load stands on its middle.
+fn support(sheet: &mut Sheet, body: &BodyOutline, (edge, held): (&str, &[Component]), aside: bool) {
     let lines = body.edge(edge).to_vec();
     lines.iter().for_each(|line| sheet.line(line, "#333", 2.0, ""));
     let places = along(sheet, body, &lines, 11.0);
@@ -110,8 +120,11 @@ fn support(sheet: &mut Sheet, body: &BodyOutline, edge: &str, held: &[Component]
             Component::Phi => "\u{3c6}",
         })
         .collect();
-    if let Some(([x, y], out)) = places.get(places.len() / 2) {
-        let [dx, dy] = out.unwrap_or([1.0, 0.0]);
+    let at = if aside { 0 } else { places.len() / 2 };
+    if let Some(([x, y], out)) = places.get(at) {
+        let [dx, dy] = if aside { [-1.0, 0.0] } else { out.unwrap_or([1.0, 0.0]) };
+        // Beside a line within the body the words stand on its colour.
+        let class = if out.is_none() { " class=\"on\"" } else { "" };
         let anchor = if dx > 0.5 {
             "start"
         } else if dx < -0.5 {
@@ -120,7 +133,7 @@ fn support(sheet: &mut Sheet, body: &BodyOutline, edge: &str, held: &[Component]
             "middle"
         };
         sheet.sign(&format!(
-            "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"{anchor}\">{}</text>\n",
+            "<text{class} x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"{anchor}\">{}</text>\n",
             x + 17.0 * dx,
             y + 20.0 * dy + 5.0,
             words.join(", ")

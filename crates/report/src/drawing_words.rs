@@ -37,7 +37,7 @@ pub(crate) fn legend(problem: &Problem) -> Vec<(Mark, String)> {
     }
     rows.extend(scene.load.as_ref().map(|load| (Mark::Arrow(LOADED), load_words(load))));
     rows.extend(sliding_words(scene).map(|text| (Mark::Arrow(SLIDES), text)));
-    rows.extend(plane_words(scene).map(|text| (Mark::Fill("none"), text)));
+    rows.extend(plane_words(scene).map(|text| (Mark::None, text)));
     rows
 }
 
@@ -56,7 +56,10 @@ fn load_words(load: &Load) -> String {
         LoadKind::Vertical => format!("vertically on {edge}"),
         LoadKind::Rigid => format!("on {edge}, which stays straight"),
     }));
-    words.extend(load.tilt.map(|tilt| format!("turned by {} rad", brief(tilt.0))));
+    words.extend(load.tilt.map(|tilt| match tilt.0 {
+        0.0 => "kept from turning".into(),
+        tilt => format!("turned by {} rad", brief(tilt)),
+    }));
     let named = |name: &str, value: Option<f64>, unit: &str| {
         value.filter(|value| *value != 0.0).map(|value| format!("{name} {} {unit}", brief(value)))
     };

@@ -104,7 +104,11 @@ fn table(name: &str, part: &Value) -> String {
         );
     };
     for (key, value) in numbers(part) {
-        let explained = value.as_str().and_then(word_explained).map_or(String::new(), |words| format!(" ({words})"));
+        let explained = value
+            .as_str()
+            .filter(|_| key != "status")
+            .and_then(word_explained)
+            .map_or(String::new(), |words| format!(" ({words})"));
         row(&key, &format!("{}{explained}", shown(&value)), value.is_number());
     }
     let lists = part.as_object().into_iter().flatten().filter(|(_, value)| value.is_array());

@@ -23,6 +23,8 @@ pub(crate) enum Mark {
     Arrow(&'static str),
     /// A hatched line.
     Hatch,
+    /// Nothing.
+    None,
 }
 
 /// A sheet under construction.
@@ -149,6 +151,7 @@ fn drawn(mark: &Mark, y: f64) -> String {
         }
         Mark::Line(colour) => format!("<path d=\"M18 {y:.1}h28\" stroke=\"{colour}\" stroke-width=\"4\"/>\n"),
         Mark::Arrow(colour) => arrow([18.0, y], [46.0, y], colour),
+        Mark::None => String::new(),
         Mark::Hatch => format!(
             "<path class=\"ink\" d=\"M18 {0:.1}h28M22 {0:.1}l-5 8M30 {0:.1}l-5 8M38 {0:.1}l-5 8M46 {0:.1}l-5 8\" fill=\"none\" stroke=\"#333\" stroke-width=\"1.2\"/>\n",
             y - 3.0

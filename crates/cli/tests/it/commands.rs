@@ -100,3 +100,29 @@ fn the_first_screen_has_ten_lines_at_most_and_begins_with_the_verdict() {
     }
     assert!(bench.call("run disc-pad -q").out.is_empty());
 }
+
+#[test]
+fn check_draws_the_scene_where_it_is_asked_to() {
+    let bench = Bench::new();
+    let call = bench.call("check drum-brake-block -v");
+    assert_eq!(call.code, 0, "{}", call.err);
+    assert!(bench.read("drum-brake-block.svg").starts_with("<svg ") && call.err.contains("drum-brake-block.svg"), "{}", call.err);
+    assert_eq!(bench.call("check disc-pad -q -o pad.svg").code, 0);
+    assert!(bench.read("pad.svg").contains("Disc brake pad"));
+    let call = bench.call("check disc-pad -o no/such/folder/pad.svg");
+    assert!(call.code == 2 && call.err.contains("cannot write"), "{}", call.err);
+}
+
+#[test]
+fn a_run_in_time_has_curves_over_time() {
+    let bench = Bench::new();
+    let call = bench.call("run punch-wear --set mesh.degree=4 --set mesh.layers=3");
+    assert_eq!(call.code, 0, "{}", call.err);
+    assert!(call.out.contains(" um/h") && call.out.contains(" mm per 1000 km"), "{}", call.out);
+    let page = bench.read("out/punch-wear/report.html");
+    for name in ["history-pressure", "history-depth", "history-volume", "gap", "scene"] {
+        assert!(bench.read(&format!("out/punch-wear/plots/{name}.svg")).contains("role=\"img\""), "{name}");
+    }
+    assert!(page.contains("href=\"history.csv\"") && page.contains("href=\"run.mcap\""));
+    assert!(bench.call("report out/punch-wear").code == 0 && page == bench.read("out/punch-wear/report.html"));
+}

@@ -43,6 +43,7 @@ fn a_shape_has_its_tables_pictures_fields_drawing_and_page_each_once() {
         "plots/field.svg",
         "plots/gap.svg",
         "plots/pressure.svg",
+        "plots/scene.svg",
         "profile-spline.csv",
         "profile.csv",
         "profile.dxf",
@@ -103,4 +104,112 @@ fn profile_csv_is_the_surface_to_machine_to_the_last_bit() {
     assert!(same(&report::column(&table, "s_mm").unwrap(), &of(|point| point.s)));
     assert!(same(&report::column(&table, "x_mm").unwrap(), &of(|point| point.finished()[0])));
     assert!(same(&report::column(&table, "z_mm").unwrap(), &of(|point| point.finished()[1])));
+}
+
+#[test]
+fn the_page_begins_with_the_drawing_of_the_scene_and_links_the_files_beside_it() {
+    let page = text("report.html");
+    let drawing = text("plots/scene.svg");
+    let (at, curves) = (page.find(&drawing).unwrap(), page.find("data-chart=").unwrap());
+    assert!(at < curves);
+    for link in ["summary.json", "contact.csv", "profile.dxf", "fields/body1.vtu", "plots/scene.svg"] {
+        assert!(page.contains(&format!("href=\"{link}\"")) && file(link).is_some(), "{link}");
+    }
+    assert!(!page.contains("href=\"history.csv\"") && !page.contains("href=\"run.mcap\""), "what is not there is not linked");
+    for words in [
+        "body 1, shaped: E = 210 GPa",
+        "load: 10000 N, as a pressure on top",
+        "turns anti-clockwise at 2.5 rad/s",
+        "friction 0.25",
+    ] {
+        assert!(drawing.contains(words), "{words}: {drawing}");
+    }
+}
+
+#[test]
+fn every_picture_has_a_role_and_a_title() {
+    for (name, bytes) in files() {
+        if name.ends_with(".svg") {
+            let picture = String::from_utf8(bytes).unwrap();
+            assert!(picture.contains("role=\"img\"") && picture.contains("<title>Drum brake"), "{name}");
+        }
+    }
+}
+
+#[test]
+fn tables_of_the_page_say_words_and_units() {
+    let page = text("report.html");
+    assert!(page.contains(">largest pressure</td><td class=\"number\">5.45455 MPa<"), "{page}");
+    assert!(!page.contains(">p_max_MPa<") && !page.contains(">crown_um<") && !page.contains(">nan<"), "{page}");
+}
+
+#[test]
+fn a_shape_is_said_by_what_to_take_off() {
+    let summary = report::summary(&DRUM.0, &DRUM.1);
+    let verdict = summary["verdict"].as_str().unwrap();
+    assert!(verdict.contains("take off most, 1.08") && verdict.contains(" um, at 30 deg; nothing at -12.6"), "{verdict}");
+    let drawing = text("profile.dxf");
+    assert!(drawing.contains("MOST-TAKEN-OFF") && drawing.contains("DATUM") && !drawing.contains("CROWN"));
+}
+
+#[test]
+fn the_fields_say_the_material_of_each_cell_and_the_pressure_on_the_contact() {
+    let field = text("fields/body1.vtu");
+    for name in ["material", "young_MPa", "poisson", "contact_pressure_MPa"] {
+        assert!(field.contains(&format!("Name=\"{name}\"")), "{name}");
+    }
+    let frame = &DRUM.1.fields[0];
+    let touching: Vec<[f64; 2]> = frame.bodies[0]
+        .cells
+        .iter()
+        .flat_map(|cell| cell.position.iter().zip(&cell.touching))
+        .filter(|(_, on)| **on)
+        .map(|(place, _)| *place)
+        .collect();
+    assert!(touching.len() > 20 && touching.iter().all(|[x, z]| (x.hypot(*z) - 200.0).abs() < 1e-9));
+    assert_eq!(frame.bodies[0].materials.len(), 1);
+}
+
+/// A surface without bodies, solved.
+fn bare(name: &str) -> (Problem, Solution) {
+    let document = Document::read(&format!("{name}.toml"), builtin(name).unwrap().text, &[]).unwrap();
+    let problem = Problem::new(&document, &|file| Err(format!("there is no file {file}"))).unwrap();
+    let going_on = &mut |_: Event<'_>| ControlFlow::Continue(());
+    let options = Options { machining: true, ..Options::default() };
+    let solution = wearshape::solve(&problem, &options, &Bodies::default(), going_on).unwrap();
+    (problem, solution)
+}
+
+#[test]
+fn a_surface_of_two_dimensions_says_its_largest_pressure_and_has_a_map() {
+    for (name, words) in [("rectangular-punch", "6.771 MPa at x = 30, y = -20 mm"), ("elliptic-punch", "8.551 MPa at x = 26.")] {
+        let (problem, solution) = bare(name);
+        let summary = report::summary(&problem, &solution);
+        let (verdict, most) = (summary["verdict"].as_str().unwrap(), summary["pressure"]["p_max_MPa"].as_f64().unwrap());
+        assert!(verdict.contains(words), "{verdict}");
+        let map = solution.map.as_ref().unwrap();
+        let drawn = map.pressure.iter().copied().fold(0.0, f64::max);
+        assert!(drawn <= most * (1.0 + 1e-12) && drawn > 0.99 * most, "{drawn} of {most}");
+        let files = report::files(&problem, &solution);
+        assert!(files.iter().any(|(name, _)| name == "plots/map.svg") && files.iter().any(|(name, _)| name == "plots/scene.svg"));
+    }
+    // Where a cut says it all, it does.
+    let (problem, solution) = bare("disc-pad");
+    let verdict = report::summary(&problem, &solution)["verdict"].to_string();
+    assert!(verdict.contains("1.91 MPa at r = 100 mm, 1.273 MPa at r = 150 mm"), "{verdict}");
+}
+
+#[test]
+fn every_built_in_scene_can_be_drawn_before_it_is_computed() {
+    for scene in wearshape::SCENES {
+        let document = Document::read(&format!("{}.toml", scene.name), scene.text, &[]).unwrap();
+        let Ok(problem) = Problem::new(&document, &|file| Err(format!("there is no file {file}"))) else { continue };
+        let drawing = report::drawing(&problem);
+        assert!(
+            drawing.starts_with("<svg ") && !drawing.contains("NaN") && !drawing.contains("inf"),
+            "{}: {drawing}",
+            scene.name
+        );
+        assert!(drawing.contains("load: "), "{}", scene.name);
+    }
 }
