@@ -5,8 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use scene::SurfaceShape;
 use wearshape::Problem;
 
-use crate::drawing::FILLS;
-use crate::drawing_words::{LOADED, SLIDES, TOUCHES, legend};
+use crate::drawing_words::{FILLS, LOADED, SLIDES, TOUCHES, legend};
 use crate::sheet::Sheet;
 
 /// Closed line around the origin; angles from the x axis.

@@ -6,12 +6,8 @@ use scene::{Component, Kinematics, Load, LoadKind, Scene};
 use wearshape::{BodyOutline, Problem};
 
 use crate::bare_drawing::bare_drawing;
-use crate::drawing_words::{LOADED, SLIDES, TOUCHES, legend};
+use crate::drawing_words::{FILLS, LOADED, SLIDES, TOUCHES, legend};
 use crate::sheet::Sheet;
-
-/// Fills of body 1 and of body 2, one material after the other.
-pub(crate) const FILLS: [[&str; 4]; 2] =
-    [["#cfe3f3", "#86b6dc", "#e3eef8", "#5b93c4"], ["#e4e4e4", "#c2c2c2", "#f2f2f2", "#a8a8a8"]];
 
 /// The scene as SVG: what is where, before anything is computed. The same problem gives the same bytes.
 pub fn drawing(problem: &Problem) -> String {

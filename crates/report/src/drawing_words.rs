@@ -4,8 +4,11 @@ use scene::{Kinematics, Load, LoadKind, Material, Scene};
 use wearshape::Problem;
 
 use crate::brief::brief;
-use crate::drawing::FILLS;
 use crate::sheet::Mark;
+
+/// Fills of body 1 and of body 2, one material after the other.
+pub(crate) const FILLS: [[&str; 4]; 2] =
+    [["#cfe3f3", "#86b6dc", "#e3eef8", "#5b93c4"], ["#e4e4e4", "#c2c2c2", "#f2f2f2", "#a8a8a8"]];
 
 /// Colour of the contact, of the load and of the sliding.
 pub(crate) const TOUCHES: &str = "#d55e00";

@@ -20,6 +20,7 @@ mod map_picture;
 mod one_percent;
 mod page;
 mod page_tables;
+mod place;
 mod reach;
 mod run_in;
 mod section_plot;

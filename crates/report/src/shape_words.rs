@@ -3,7 +3,7 @@
 use wearshape::{Problem, Solution};
 
 use crate::brief::brief;
-use crate::verdict::place;
+use crate::place::place;
 
 /// Part of the surface at each end that is no middle.
 const END: f64 = 0.15;

@@ -2,11 +2,11 @@
 
 use scene::{Functional, with_short_numbers};
 use wearshape::{
-    Character, ContactResult, PressureResult, Problem, Profile, Regime, Shape, ShapeResult, Solution, Status, WearResult,
-    functional_row,
+    Character, ContactResult, PressureResult, Problem, Profile, Regime, ShapeResult, Solution, Status, WearResult, functional_row,
 };
 
 use crate::brief::brief;
+use crate::place::place;
 use crate::shape_words::shape_words;
 
 /// How it ended: the reason it stopped, or the number that was asked for.
@@ -107,23 +107,6 @@ pub(crate) fn extremes(solution: &Solution, pressure: &PressureResult) -> Option
     let round = |x: f64| if x.abs() < 1e-6 * map.position[0][0].hypot(map.position[0][1]) { 0.0 } else { x };
     let at = |[x, y]: [f64; 2]| format!("x = {}, y = {} mm", brief(round(x)), brief(round(y)));
     Some(format!("{} MPa at {}, {} MPa at {}", brief(most), at([x, y]), brief(least), at(map.position[lowest])))
-}
-
-/// A place in the words of the scene.
-pub(crate) fn place(problem: &Problem, s: f64) -> String {
-    if let Some(angle) = problem.angle(s) {
-        return format!("{} deg", brief((angle.to_degrees() * 1e3).round() / 1e3));
-    }
-    match problem.contact_shape() {
-        Some(Shape::Annulus { .. } | Shape::Sector { .. }) => format!("r = {} mm", brief(s)),
-        Some(Shape::Strip { x, .. } | Shape::Rectangle { x, .. }) => {
-            // The middle, found up to round-off, is the middle.
-            let s = if s.abs() < 1e-9 * (x[1] - x[0]) { 0.0 } else { s };
-            format!("x = {} mm", brief(s + 0.5 * (x[0] + x[1])))
-        }
-        Some(Shape::Ellipse { .. }) => format!("x = {} mm", brief(s)),
-        Some(Shape::Arc { .. } | Shape::Points(_)) | None => format!("s = {} mm", brief(s)),
-    }
 }
 
 fn extreme(values: &[f64], better: fn(f64, f64) -> bool) -> Option<usize> {
