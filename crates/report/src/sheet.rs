@@ -9,7 +9,7 @@ const ROOM: [f64; 2] = [470.0, 400.0];
 /// Room above the drawing for arrows, below the title.
 const ABOVE: f64 = 56.0;
 /// Letters in a line of the title and of the legend, and the distance of lines.
-const LETTERS: [usize; 2] = [52, 58];
+const LETTERS: [usize; 2] = [52, 48];
 const ROW: f64 = 23.0;
 
 /// What stands before a line of the legend.
