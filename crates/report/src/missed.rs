@@ -3,7 +3,7 @@
 use scene::short;
 use wearshape::{ContactResult, Problem, ShapeResult, Solution, Status};
 
-use crate::verdict::place;
+use crate::place::place;
 
 /// The lines of a run that was computed but whose goal is not met; none of any other.
 pub(crate) fn lines(problem: &Problem, solution: &Solution) -> Vec<String> {

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use wearshape::{Character, PressureResult, Problem, Regime, Solution, Status, WearResult, functional_row};
 
-use crate::missed;
 use crate::brief::brief;
+use crate::missed;
 use crate::verdict::{pressures, verdict};
 
 /// The lines for the screen.
