@@ -40,6 +40,11 @@ pub(crate) enum Command {
     /// Error against run time over a ladder of meshes.
     #[command(after_help = "Example:\n  wearshape study drum-brake-block")]
     Study(StudyArgs),
+    /// Say what the results of two folders differ in.
+    #[command(
+        after_help = "Examples:\n  wearshape diff out/one out/other\n  wearshape diff before after --tolerance 1e-6\n\nExit codes: 0 the results are the same within the tolerance, 1 they differ, 2 they cannot be compared."
+    )]
+    Diff(DiffArgs),
     /// Build report.html of a folder again.
     #[command(after_help = "Example:\n  wearshape report out/drum-brake-block")]
     Report(ReportArgs),
@@ -80,7 +85,7 @@ pub(crate) struct Common {
     /// Replace one key of the scene, as in --set contact.friction=.1; repeatable.
     #[arg(long = "set", value_name = "KEY=VALUE", allow_hyphen_values = true)]
     pub(crate) set: Vec<String>,
-    /// Write contact.csv at N equally spaced points.
+    /// Write contact.csv at N equally spaced points; in a sweep, keep the curves of every point.
     #[arg(long, value_name = "N")]
     pub(crate) sample: Option<usize>,
     /// Print one JSON document on stdout: summary.json, or the error.
@@ -181,6 +186,26 @@ pub(crate) struct StudyArgs {
     /// Options.
     #[command(flatten)]
     pub(crate) common: Common,
+}
+
+/// `diff`.
+#[derive(Debug, Args)]
+pub(crate) struct DiffArgs {
+    /// Folder of a finished run.
+    #[arg(value_name = "A")]
+    pub(crate) first: PathBuf,
+    /// Folder of another one.
+    #[arg(value_name = "B")]
+    pub(crate) second: PathBuf,
+    /// Relative differences up to this are none.
+    #[arg(long, value_name = "T", default_value_t = 0.0)]
+    pub(crate) tolerance: f64,
+    /// Print one JSON document on stdout.
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Say nothing but errors.
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
 }
 
 /// `report`.

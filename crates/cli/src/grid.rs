@@ -1,18 +1,49 @@
 //! The points of a sweep: all combinations of the values of some keys.
 
+use std::borrow::Cow;
+
 use scene::{Fault, Place};
 use serde_json::{Map, Value, json};
 
 /// More points than this are a slip of the keyboard.
 const MOST: usize = 10_000_000;
+/// Ranges with more values than this are told by their ends.
+const MOST_TOLD: usize = 1000;
 
-/// One key with its values as text.
+/// One key with its values as text: right-hand sides of `--set`.
 #[derive(Debug, Clone, PartialEq)]
 struct Over {
     /// Dotted key.
     key: String,
-    /// Right-hand sides of `--set`.
-    values: Vec<String>,
+    values: Values,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+enum Values {
+    /// As they were typed.
+    List(Vec<String>),
+    /// Evenly spaced, both ends included.
+    Range { from: f64, to: f64, count: usize },
+}
+
+impl Values {
+    fn count(&self) -> usize {
+        match self {
+            Values::List(values) => values.len(),
+            Values::Range { count, .. } => *count,
+        }
+    }
+
+    fn at(&self, place: usize) -> Cow<'_, str> {
+        match self {
+            Values::List(values) => Cow::Borrowed(values.get(place).map_or("", String::as_str)),
+            Values::Range { from, to, count } => {
+                let t = place as f64 / (count - 1).max(1) as f64;
+                let value = if place + 1 == *count && *count > 1 { *to } else { from + (to - from) * t };
+                Cow::Owned(scene::number_text(value))
+            }
+        }
+    }
 }
 
 /// A grid of keys. The last key turns fastest.
@@ -24,24 +55,43 @@ pub(crate) struct Grid {
 }
 
 impl Grid {
-    /// The grid of some `--over` options.
+    /// The grid of some `--over` options; its points are counted before any of them is made.
     pub(crate) fn read(over: &[String]) -> Result<Grid, Fault> {
         let keys = over.iter().map(|over| read_over(over)).collect::<Result<Vec<Over>, Fault>>()?;
-        let count = keys.iter().map(|over| over.values.len()).try_fold(1usize, |n, m| n.checked_mul(m));
+        let count = keys.iter().map(|over| over.values.count()).try_fold(1usize, |n, m| n.checked_mul(m));
         let Some(count) = count.filter(|count| *count <= MOST) else {
-            return Err(Fault::new("wrong-flag", "the grid has more than ten million points", "give fewer values"));
+            let place = Some(Place::Flag(format!("--over {}", over.join(" --over "))));
+            return Err(Fault {
+                place,
+                ..Fault::new("wrong-flag", "the grid has more than ten million points", "give fewer values")
+            });
         };
         Ok(Grid { keys, count })
     }
 
+    /// The keys.
+    pub(crate) fn keys(&self) -> Vec<&str> {
+        self.keys.iter().map(|over| over.key.as_str()).collect()
+    }
+
     /// Keys and values at a point.
-    pub(crate) fn at(&self, mut point: usize) -> Vec<(&str, &str)> {
-        let mut values = vec![("", ""); self.keys.len()];
-        for (place, over) in self.keys.iter().enumerate().rev() {
-            values[place] = (&over.key, &over.values[point % over.values.len()]);
-            point /= over.values.len();
+    pub(crate) fn at(&self, mut point: usize) -> Vec<(&str, Cow<'_, str>)> {
+        let mut values: Vec<(&str, Cow<'_, str>)> = Vec::with_capacity(self.keys.len());
+        for over in self.keys.iter().rev() {
+            values.push((&over.key, over.values.at(point % over.values.count())));
+            point /= over.values.count();
         }
+        values.reverse();
         values
+    }
+
+    /// The values at a point for people: as they were typed, those of a range in few digits.
+    pub(crate) fn label(&self, point: usize) -> Vec<String> {
+        let told = |(over, value): (&Over, Cow<'_, str>)| match &over.values {
+            Values::List(_) => value.into_owned(),
+            Values::Range { .. } => value.parse().map_or_else(|_| value.to_string(), scene::short),
+        };
+        self.keys.iter().zip(self.at(point)).map(|(over, (_, value))| told((over, value))).collect()
     }
 
     /// The `--set` options of a point: those given, then its own.
@@ -49,9 +99,22 @@ impl Grid {
         set.iter().cloned().chain(self.at(point).into_iter().map(|(key, value)| format!("{key}={value}"))).collect()
     }
 
-    /// Keys with all their values.
+    /// Keys with the values that are no bare numbers, and so may have a unit.
+    pub(crate) fn words(&self) -> impl Iterator<Item = (&str, &str)> {
+        let lists = self.keys.iter().filter_map(|over| match &over.values {
+            Values::List(values) => Some(values.iter().map(|value| (over.key.as_str(), value.as_str()))),
+            Values::Range { .. } => None,
+        });
+        lists.flatten().filter(|(_, value)| value.parse::<f64>().is_err())
+    }
+
+    /// Keys with all their values, or with the ends and the count of a long range.
     pub(crate) fn document(&self) -> Value {
-        self.keys.iter().map(|over| (over.key.clone(), json!(over.values))).collect::<Map<_, _>>().into()
+        let values = |values: &Values| match values {
+            Values::Range { from, to, count } if *count > MOST_TOLD => json!({ "from": from, "to": to, "count": count }),
+            values => (0..values.count()).map(|place| values.at(place)).collect(),
+        };
+        self.keys.iter().map(|over| (over.key.clone(), values(&over.values))).collect::<Map<_, _>>().into()
     }
 }
 
@@ -76,13 +139,17 @@ fn read_over(text: &str) -> Result<Over, Fault> {
         if count == 0 || !from.is_finite() || !to.is_finite() {
             return Err(wrong(format!("`{values}` has no values")));
         }
-        let last = (count - 1).max(1) as f64;
-        let value = |i: usize| {
-            let t = i as f64 / last;
-            if i + 1 == count && count > 1 { to } else { from + (to - from) * t }
-        };
-        return Ok(Over { key, values: (0..count).map(|i| scene::number_text(value(i))).collect() });
+        return Ok(Over { key, values: Values::Range { from, to, count } });
     }
+    let values: Vec<String> = list(values);
+    if values.iter().any(String::is_empty) {
+        return Err(wrong(format!("--over {text} has an empty value")));
+    }
+    Ok(Over { key, values: Values::List(values) })
+}
+
+/// The parts of a list; commas inside brackets and quotes do not separate.
+fn list(values: &str) -> Vec<String> {
     let mut list = vec![String::new()];
     let (mut depth, mut quote) = (0i32, None);
     for c in values.chars() {
@@ -101,9 +168,5 @@ fn read_over(text: &str) -> Result<Over, Fault> {
             last.push(c);
         }
     }
-    let values: Vec<String> = list.iter().map(|value| value.trim().to_string()).collect();
-    if values.iter().any(String::is_empty) {
-        return Err(wrong(format!("--over {text} has an empty value")));
-    }
-    Ok(Over { key, values })
+    list.iter().map(|value| value.trim().to_string()).collect()
 }

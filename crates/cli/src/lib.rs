@@ -17,6 +17,7 @@ mod args;
 mod clock;
 mod commands;
 mod describe;
+mod diff;
 mod draw;
 mod exit;
 mod folder;
@@ -30,6 +31,7 @@ mod progress;
 mod record;
 mod reproduce;
 mod track;
+mod sweep;
 mod write;
 
 pub use exit::Exit;

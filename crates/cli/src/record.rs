@@ -15,11 +15,14 @@ use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::BufWriter;
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 use scene::{Fault, Place};
 use schemars::JsonSchema;
 use serde::Serialize;
 use wearshape::FinishedLevel;
+
+use crate::folder::INTERVAL;
 
 pub(crate) use messages::{Iteration, Log, Points};
 pub(crate) use replay::Replay;
@@ -55,6 +58,8 @@ const LIBRARY: &str = concat!("wearshape ", env!("CARGO_PKG_VERSION"));
 pub(crate) struct Recorder {
     path: PathBuf,
     writer: mcap::Writer<BufWriter<File>>,
+    /// The same file, to hand it to the disk, and when that was done last.
+    disk: (File, Instant),
     channels: Vec<u16>,
     sequence: u32,
     time: u64,
@@ -64,6 +69,7 @@ impl Recorder {
     /// Begins a recording; the resolved scene and, in a run in time, the finished levels are attached to it.
     pub(crate) fn create(path: &Path, resolved: &str, levels: Option<&[FinishedLevel]>) -> Result<Recorder, Fault> {
         let file = File::create(path).map_err(|error| unwritable(path, &error))?;
+        let disk = (file.try_clone().map_err(|error| unwritable(path, &error))?, Instant::now());
         let writer = mcap::WriteOptions::new()
             .compression(Some(mcap::Compression::Zstd))
             .compression_threads(0)
@@ -71,7 +77,7 @@ impl Recorder {
             .library(LIBRARY)
             .create(BufWriter::new(file))
             .map_err(|error| unwritable(path, &error))?;
-        let mut recorder = Recorder { path: path.to_path_buf(), writer, channels: Vec::new(), sequence: 0, time: 0 };
+        let mut recorder = Recorder { path: path.to_path_buf(), writer, disk, channels: Vec::new(), sequence: 0, time: 0 };
         recorder.attach(SCENE_ATTACHED, "application/toml", resolved)?;
         if let Some(levels) = levels {
             let text = serde_json::to_string(levels).map_err(|error| unwritable(path, &error))?;
@@ -115,9 +121,14 @@ impl Recorder {
         self.writer.finish().map(|_| ()).map_err(|error| unwritable(&self.path, &error))
     }
 
-    /// Closes the chunk and hands everything to the system.
+    /// Closes the chunk and hands everything to the system, and now and then to the disk.
     fn flush(&mut self) -> Result<(), Fault> {
-        self.writer.flush().map_err(|error| unwritable(&self.path, &error))
+        let mut flushed = self.writer.flush().map_err(|error| unwritable(&self.path, &error));
+        if flushed.is_ok() && self.disk.1.elapsed() >= INTERVAL {
+            flushed = self.disk.0.sync_data().map_err(|error| unwritable(&self.path, &error));
+            self.disk.1 = Instant::now();
+        }
+        flushed
     }
 
     fn channel<M: JsonSchema>(&mut self, topic: &str, name: &str) -> Result<(), Fault> {

@@ -17,22 +17,22 @@ pub(crate) fn write(
     [ready, all]: [f64; 2],
 ) -> Result<Value, Fault> {
     let summary = report::summary(problem, solution);
-    for (name, bytes) in report::files(problem, solution) {
+    for (name, bytes) in report::files(problem, solution).into_iter().filter(|(name, _)| name != "summary.json") {
         folder.write_bytes(&name, &bytes)?;
     }
     folder.write("timing.json", &timing(solution, ready, all))?;
-    let (text, verdict) = (pretty(&summary), summary["verdict"].as_str().unwrap_or(""));
-    // A run in time has been recorded as it went; anything else is one picture.
-    if let Some(tape) = tape {
-        tape.finish(verdict, &text)?;
-    } else if let Some(profile) = solution.profile.as_ref().filter(|_| problem.plan().runs(Step::Recording)) {
-        let mut recorder = Recorder::create(&folder.path().join(RUN_MCAP), &problem.resolved(), None)?;
-        recorder.log(verdict)?;
-        recorder.picture(&Points::new(0, 0.0, profile))?;
-        recorder.finish(&text)?;
-    }
     if problem.plan().runs(Step::Recording) {
         folder.write(LAYOUT[0], LAYOUT[1])?;
+    }
+    let verdict = summary["verdict"].as_str().unwrap_or("");
+    // A run in time has been recorded as it went; anything else is one picture. What is attached names the recording among the files.
+    if let Some(tape) = tape {
+        tape.finish(verdict, &pretty(&folder.listed(&summary)))?;
+    } else if let Some(profile) = solution.profile.as_ref().filter(|_| problem.plan().runs(Step::Recording)) {
+        let mut recorder = Recorder::create(&folder.own(RUN_MCAP)?, &problem.resolved(), None)?;
+        recorder.log(verdict)?;
+        recorder.picture(&Points::new(0, 0.0, profile))?;
+        recorder.finish(&pretty(&folder.listed(&summary)))?;
     }
     Ok(summary)
 }

@@ -120,7 +120,7 @@ fn head(summary: &Value, resolved: &str) -> String {
 }
 
 /// The charts with their static pictures.
-fn figures(charts: &[&Value], pictures: &[String]) -> String {
+pub(crate) fn figures(charts: &[&Value], pictures: &[String]) -> String {
     let mut out = String::new();
     for (number, chart) in charts.iter().enumerate() {
         let caption = escaped(chart["title"].as_str().unwrap_or(""));

@@ -205,14 +205,23 @@ fn difference_of_pressures(level: &Truth, truth: &Truth) -> f64 {
     (square(&|i| level.pressure[i] - truth.pressure[i]) / square(&|i| truth.pressure[i])).sqrt()
 }
 
+impl Problem {
+    /// Closing velocities -n . u of the free rigid modes of body 1 at some positions (mm) with their normals out of body 2: one list a mode.
+    pub fn closing(&self, position: &[[f64; 3]], normal: &[[f64; 3]]) -> Vec<Vec<f64>> {
+        let point = |(position, normal): (&[f64; 3], &[f64; 3])| wear::SurfacePoint {
+            position: Vector3::from(*position),
+            normal: Vector3::from(*normal),
+            weight: 0.0,
+            sliding_speed: 0.0,
+            drag: Vector3::zeros(),
+        };
+        let points: Vec<wear::SurfacePoint> = position.iter().zip(normal).map(point).collect();
+        self.freedoms.iter().map(|freedom| points.iter().map(|point| freedom.mode.motion.closing(point)).collect()).collect()
+    }
+}
+
 /// Closing velocities of the free rigid modes at the places of a truth, one column a mode.
 fn closing(problem: &Problem, truth: &Truth) -> DMatrix<f64> {
-    let point = |row: usize| wear::SurfacePoint {
-        position: Vector3::from(truth.position[row]),
-        normal: Vector3::from(truth.normal[row]),
-        weight: 0.0,
-        sliding_speed: 0.0,
-        drag: Vector3::zeros(),
-    };
-    DMatrix::from_fn(truth.s.len(), problem.freedoms.len(), |row, k| problem.freedoms[k].mode.motion.closing(&point(row)))
+    let modes = problem.closing(&truth.position, &truth.normal);
+    DMatrix::from_fn(truth.s.len(), modes.len(), |row, k| modes[k][row])
 }

@@ -116,8 +116,7 @@ fn find(name: &str) -> Result<&'static Item, Fault> {
 fn compute(item: &Item, target: &Path) -> Result<(Made, Value), Fault> {
     Folder::check(target)?;
     let made = (item.make)()?;
-    let folder = Folder::begin(target, false)?;
-    folder.write("scene.resolved.toml", &made.resolved)?;
+    let folder = Folder::begin(target, &made.resolved, false)?;
     for file in &made.files {
         folder.write(&file.name, &file.text)?;
     }
@@ -135,15 +134,13 @@ fn compute(item: &Item, target: &Path) -> Result<(Made, Value), Fault> {
         "commands": made.commands,
         "files": made.files.iter().map(|file| file.name.clone()).collect::<Vec<_>>(),
     });
-    folder.write("summary.json", &report::pretty(&document))?;
-    folder.finish()?;
+    let document = folder.finish(&document)?;
     Ok((made, document))
 }
 
 /// Writes the rows of all items and the page.
 fn index(all: &[(&Item, Made)], documents: Vec<Value>, target: &Path) -> Result<Value, Fault> {
-    let folder = Folder::begin(target, false)?;
-    folder.write("scene.resolved.toml", "# The index has no scene of its own.\n")?;
+    let folder = Folder::begin(target, "# The index has no scene of its own.\n", false)?;
     let rows: Vec<(&str, &Row)> = all.iter().flat_map(|(item, made)| made.rows.iter().map(|row| (item.name, row))).collect();
     folder.write("rows.csv", &rows_csv(&rows))?;
     let named: Vec<(&str, &Made)> = all.iter().map(|(item, made)| (item.name, made)).collect();
@@ -156,9 +153,7 @@ fn index(all: &[(&Item, Made)], documents: Vec<Value>, target: &Path) -> Result<
         "scene_sha256": scene::sha256(""),
         "items": documents,
     });
-    folder.write("summary.json", &report::pretty(&document))?;
-    folder.finish()?;
-    Ok(document)
+    folder.finish(&document)
 }
 
 fn screen(item: &Item, made: &Made) -> String {

@@ -16,7 +16,7 @@ use crate::live::Live;
 use crate::options::{options, with_threads};
 use crate::print::{print_json, print_out};
 use crate::progress::Progress;
-use crate::record::Tape;
+use crate::record::{RUN_MCAP, Tape};
 use crate::write::write;
 use crate::{interrupt, open};
 
@@ -38,20 +38,14 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
     interrupt::listen();
     let resolved = problem.resolved();
     let wanted = target;
-    let folder = Folder::begin(&wanted, common.resume)?;
-    if common.resume {
-        folder.same_scene(&resolved)?;
-    }
+    let folder = Folder::begin(&wanted, &resolved, common.resume)?;
     let ready = start.elapsed().as_secs_f64();
-    folder.write("scene.resolved.toml", &resolved)?;
-    for (name, bytes) in problem.files() {
-        folder.write_bytes(&name, &bytes)?;
-    }
+    folder.write_files_of_scene(problem.files())?;
     if common.verbose && !common.quiet {
         progress.beside(|| eprint!("{}", describe(&problem)));
     }
     progress.run(&problem);
-    let tape = progress.beside(|| tape(&folder, &problem, &resolved, common));
+    let tape = progress.beside(|| tape(&folder, &problem, &resolved, common))?;
     let mut live = Live::new(tape, progress);
     let resume = live.tape.as_ref().and_then(Tape::resume);
     let options = Options { resume: resume.as_ref(), ..options };
@@ -92,15 +86,16 @@ impl Finished<'_> {
         live.progress.part(Step::Page);
         let summary = write(&folder, problem, solution, live.tape, begun)?;
         let unanswered = matches!(solution.status, Status::Refused | Status::NotConverged);
-        let target = if unanswered { folder.finish_beside_good()? } else { folder.finish()? };
+        let (summary, beside) = if unanswered { folder.finish_beside_good(&summary)? } else { (folder.finish(&summary)?, None) };
         live.progress.end();
-        if target != wanted && !common.quiet {
+        if beside.is_some() && !common.quiet {
             eprintln!("{} keeps the run of before", wanted.display());
         }
+        let target = beside.as_deref().unwrap_or(wanted);
         if common.json {
             print_json(&summary);
         } else if !common.quiet {
-            print_out(&report::first_screen(problem, solution, &target));
+            print_out(&report::first_screen(problem, solution, target));
         }
         Ok(Exit::of(solution.status))
     }
@@ -119,16 +114,16 @@ fn dry_run(common: &Common, problem: &Problem, target: &Path, progress: &Progres
 }
 
 /// The recording of a run in time; a sentence says from where it goes on.
-fn tape(folder: &Folder, problem: &Problem, resolved: &str, common: &Common) -> Option<Tape> {
+fn tape(folder: &Folder, problem: &Problem, resolved: &str, common: &Common) -> Result<Option<Tape>, Fault> {
     if !problem.plan().runs(Step::Evolution) {
         if common.resume && !common.quiet {
             eprintln!("only runs in time can be continued; this one begins at its start");
         }
-        return None;
+        return Ok(None);
     }
-    let (tape, word) = Tape::new(folder.path(), resolved, common.resume);
+    let (tape, word) = Tape::new(&folder.own(RUN_MCAP)?, resolved, common.resume)?;
     if let Some(word) = word.filter(|_| !common.quiet) {
         eprintln!("{word}");
     }
-    Some(tape)
+    Ok(Some(tape))
 }

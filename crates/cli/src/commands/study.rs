@@ -12,10 +12,11 @@ use crate::args::StudyArgs;
 use crate::clock::seconds;
 use crate::exit::Exit;
 use crate::folder::Folder;
+use crate::interrupt;
+use crate::open::Source;
 use crate::options::with_threads;
 use crate::print::{print_json, print_out};
 use crate::progress::Progress;
-use crate::{interrupt, open};
 
 /// Columns of study.csv.
 const COLUMNS: [&str; 12] = [
@@ -36,7 +37,8 @@ const COLUMNS: [&str; 12] = [
 /// Solves a scene on a ladder of degrees and writes study.csv, study.json and study.svg.
 pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
     let common = &args.common;
-    let (document, problem) = open::problem(&args.scene, &common.set)?;
+    let source = Source::read(&args.scene)?;
+    let (document, problem) = source.problem(&common.set)?;
     let Some(quantity) = Quantity::of(&problem) else {
         let remedy = "add a task with elastic bodies: --set tasks=[pressure,shape]";
         return Err(Fault::new("not-available", "study compares meshes, and this scene needs none", remedy));
@@ -51,8 +53,8 @@ pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
     let against = args.reference.as_ref().map_or_else(|| "the finest degree".into(), |folder| folder.display().to_string());
     interrupt::listen();
     let resolved = problem.resolved();
-    let folder = Folder::begin(&target, false)?;
-    let levels = match with_threads(common, || levels(args, truth))? {
+    let folder = Folder::begin(&target, &resolved, false)?;
+    let levels = match with_threads(common, || levels(args, &source, truth))? {
         Ok(Some(levels)) => levels,
         ended => {
             folder.discard();
@@ -78,10 +80,7 @@ pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
     folder.write("study.csv", &table(&COLUMNS, rows.iter().map(|row| numbers_row(row))))?;
     folder.write("study.json", &report::pretty(&summary))?;
     folder.write("study.svg", &line_plot(&picture(problem.name(), quantity, &against, &rows)))?;
-    folder.write("scene.resolved.toml", &resolved)?;
-    // Marks the folder as ours, so that the next study may replace it.
-    folder.write("summary.json", &report::pretty(&summary))?;
-    folder.finish()?;
+    let summary = folder.finish(&summary)?;
     if common.json {
         print_json(&summary);
     } else if !common.quiet {
@@ -91,11 +90,11 @@ pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
 }
 
 /// The levels of a study; none if Ctrl-C has ended it between two levels or steps.
-fn levels(args: &StudyArgs, truth: Option<Truth>) -> Result<Option<Vec<StudyLevel>>, Fault> {
+fn levels(args: &StudyArgs, source: &Source, truth: Option<Truth>) -> Result<Option<Vec<StudyLevel>>, Fault> {
     let at = |degree: usize| {
         let mut settings = args.common.set.clone();
         settings.extend([format!("mesh.degree={degree}"), "check=false".into()]);
-        open::problem(&args.scene, &settings).map(|(_, problem)| problem)
+        source.problem(&settings).map(|(_, problem)| problem)
     };
     let progress = Progress::new(&args.common);
     let mut degrees = 0;

@@ -1,13 +1,14 @@
 //! `wearshape sweep`: a scene over a grid of keys, one row a point, failures kept as rows.
 
-use std::path::PathBuf;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use rayon::prelude::*;
 use report::SCHEMA_VERSION;
 use scene::{Document, Fault};
 use serde_json::{Map, Value, json};
-use wearshape::{Bodies, Options, Problem, Status};
+use wearshape::{Bodies, Options, Solution, Status};
 
 use crate::again::again;
 use crate::args::SweepArgs;
@@ -16,10 +17,13 @@ use crate::folder::Folder;
 use crate::grid::Grid;
 use crate::interrupt;
 use crate::live::Live;
-use crate::open::{self, Beside, open};
+use crate::open::Source;
 use crate::options::{options, with_threads};
 use crate::print::{print_json, print_out};
 use crate::progress::Progress;
+use crate::sweep::curves::{self, CURVES};
+use crate::sweep::figures::Figures;
+use crate::sweep::rows::{BASE, ROWS, Rows, axis_value};
 
 /// Points computed between two writes.
 const CHUNK: usize = 64;
@@ -27,20 +31,30 @@ const CHUNK: usize = 64;
 /// What every point of a sweep needs.
 struct Sweep<'a> {
     args: &'a SweepArgs,
+    source: Source,
     grid: Grid,
+    /// Values of axes in base units, by key and what was typed.
+    base: BTreeMap<(String, String), f64>,
     options: Options<'static>,
     bodies: Bodies,
 }
 
-/// Computes all points and writes sweep.csv and sweep.jsonl.
+/// The row of a point, and its curves where they are kept.
+struct Point {
+    row: Value,
+    curve: String,
+}
+
+/// Computes all points; writes their rows, curves and page.
 pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
     let start = Instant::now();
     let common = &args.common;
     // Rows hold no lists.
     let options = Options { machining: false, ..options(common)? };
-    let sweep = Sweep { args, grid: Grid::read(&args.over)?, options, bodies: Bodies::default() };
-    let count = sweep.grid.count;
-    let (first, beside) = open(&args.scene, &sweep.grid.settings(0, &common.set))?;
+    let grid = Grid::read(&args.over)?;
+    let source = Source::read(&args.scene)?;
+    let first = source.document(&grid.settings(0, &common.set))?;
+    let count = grid.count;
     let target = common.output.clone().unwrap_or_else(|| PathBuf::from("out").join(format!("{}-sweep", first.name)));
     if common.dry_run {
         if common.json {
@@ -50,28 +64,29 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
         }
         return Ok(Exit::Done);
     }
+    let base = base_units(&source, &grid, &common.set);
+    let sweep = Sweep { args, source, grid, base, options, bodies: Bodies::default() };
     interrupt::listen();
-    let folder = Folder::begin(&target, common.resume)?;
-    let mark = sweep.begin(&folder, &first, &beside)?;
-    let mut rows = if common.resume { finished_rows(&folder) } else { Vec::new() };
+    let (folder, mark) = sweep.begin(&target, &first)?;
+    let mut rows = sweep.finished(&folder)?;
     with_threads(common, || sweep.compute(&folder, &mut rows))??;
-    if rows.len() < count {
+    if rows.count < count {
         let words = [&["sweep", &args.scene][..], &sweep.over()].concat();
-        eprintln!("interrupted after {} of {count} points; {}", rows.len(), again(&words, common, Some("every finished row")));
+        eprintln!("interrupted after {} of {count} points; {}", rows.count, again(&words, common, Some("every finished row")));
         return Ok(Exit::Interrupted);
     }
-    folder.write("sweep.csv", &table(&rows))?;
+    rows.write_table(&folder, &sweep.grid)?;
     folder.write("timing.json", &report::pretty(&json!({ "seconds_total": start.elapsed().as_secs_f64(), "points": count })))?;
-    let failed = rows.iter().filter(|row| row["status"] != "ok").count();
-    let summary = sweep.summary(&first.name, &mark, failed);
-    folder.write("summary.json", &report::pretty(&summary))?;
-    folder.finish()?;
+    let figures = Figures::new(&sweep.grid, &rows.first);
+    let summary = sweep.summary(&first.name, &mark, rows.failed);
+    folder.write("report.html", &sweep.page(&folder, &first, &summary, &figures, &mark))?;
+    let summary = folder.finish(&summary)?;
     if common.json {
         print_json(&summary);
     } else if !common.quiet {
-        print_out(&format!("{count} points, {failed} without an answer\nfiles     {}\n", target.join("sweep.csv").display()));
+        print_out(&screen(&figures, &rows, &target));
     }
-    Ok(if failed == 0 { Exit::Done } else { Exit::GoalMissed })
+    Ok(if rows.failed == 0 { Exit::Done } else { Exit::GoalMissed })
 }
 
 impl Sweep<'_> {
@@ -80,82 +95,110 @@ impl Sweep<'_> {
         self.args.over.iter().flat_map(|over| ["--over", over]).collect()
     }
 
-    /// Writes the scene of the first point, headed by what the sweep is, and its files; refuses to go on with another sweep. Returns that text.
-    fn begin(&self, folder: &Folder, first: &Document, beside: &Beside) -> Result<String, Fault> {
+    /// Begins the folder with the scene of the first point, headed by what the sweep is, and its files; refuses to go on with another sweep. Returns
+    /// that text too.
+    fn begin(&self, target: &Path, first: &Document) -> Result<(Folder, String), Fault> {
         let common = &self.args.common;
         let plan = json!({ "scene": self.args.scene, "set": common.set, "over": self.args.over, "sample": common.sample });
         // A first point without an answer is a row like any other; its scene stays as it is written.
-        let (resolved, files) = Problem::new(first, &|path| beside.read(path))
-            .map_or_else(|_| (first.scene.clone(), Vec::new()), |problem| (problem.scene().clone(), problem.files()));
+        let posed = self.source.pose(first);
+        let (resolved, files) =
+            posed.map_or_else(|_| (first.scene.clone(), Vec::new()), |problem| (problem.scene().clone(), problem.files()));
         let mark = format!("# {}\n{}", plan, scene::scene_text(&resolved));
-        if common.resume {
-            folder.same_scene(&mark)?;
+        let folder = Folder::begin(target, &mark, common.resume)?;
+        folder.write_files_of_scene(files)?;
+        Ok((folder, mark))
+    }
+
+    /// The rows that are there already; what was torn behind them is cut off.
+    fn finished(&self, folder: &Folder) -> Result<Rows, Fault> {
+        let mut rows = Rows::default();
+        let length = rows.see_finished(&folder.path().join(ROWS), &self.grid);
+        folder.cut(ROWS, length)?;
+        let kept = curves::length_of(&folder.path().join(CURVES), rows.count);
+        folder.cut(CURVES, kept)?;
+        if kept == 0 {
+            folder.append(CURVES, &curves::header(&self.grid))?;
         }
-        folder.write("scene.resolved.toml", &mark)?;
-        for (name, bytes) in files {
-            folder.write_bytes(&name, &bytes)?;
-        }
-        Ok(mark)
+        Ok(rows)
     }
 
     /// Adds the rows that are missing, and writes them as they come; Ctrl-C ends it with those that are finished.
-    fn compute(&self, folder: &Folder, rows: &mut Vec<Value>) -> Result<(), Fault> {
+    fn compute(&self, folder: &Folder, rows: &mut Rows) -> Result<(), Fault> {
         let count = self.grid.count;
-        rows.truncate(count);
-        folder.write("sweep.jsonl", &lines(rows))?;
         let progress = Progress::counted(&self.args.common, count);
         // The first point is computed alone: what it factorises serves the others.
         let mut size = 1;
-        while rows.len() < count && !interrupt::asked() {
-            let chunk = rows.len()..count.min(rows.len() + std::mem::replace(&mut size, CHUNK));
+        while rows.count < count && !interrupt::asked() {
+            let chunk = rows.count..count.min(rows.count + std::mem::replace(&mut size, CHUNK));
             // The points are begun in their order, so that few rows stand behind the first that is cut short.
-            let mut new: Vec<(usize, Value)> =
-                chunk.clone().par_bridge().filter_map(|point| Some((point, self.row(point)?))).collect();
+            let mut new: Vec<(usize, Point)> =
+                chunk.clone().par_bridge().filter_map(|point| Some((point, self.point(point)?))).collect();
             new.sort_by_key(|(point, _)| *point);
-            let whole = chunk.zip(new).map_while(|(point, (of, row))| (point == of).then_some(row));
-            let new: Vec<Value> = whole.collect();
-            folder.append("sweep.jsonl", &lines(&new))?;
-            rows.extend(new);
-            progress.done(rows.len());
+            let whole = chunk.zip(new).map_while(|(point, (of, found))| (point == of).then_some(found));
+            let new: Vec<Point> = whole.collect();
+            // Curves first: a row that is there has its curves.
+            folder.append(CURVES, &new.iter().map(|point| point.curve.as_str()).collect::<String>())?;
+            folder.append(ROWS, &new.iter().map(|point| format!("{}\n", point.row)).collect::<String>())?;
+            new.iter().for_each(|point| rows.see(&point.row));
+            progress.done(rows.count);
         }
         progress.end();
         Ok(())
     }
 
-    /// One row: the keys, the status, the numbers of the summary. None if Ctrl-C has cut it short.
-    fn row(&self, point: usize) -> Option<Value> {
+    /// One point: the keys, the status, the numbers of the summary. None if Ctrl-C has cut it short.
+    fn point(&self, point: usize) -> Option<Point> {
         if interrupt::asked() {
             return None;
         }
         let mut row = Map::new();
         for (key, value) in self.grid.at(point) {
-            row.insert(key.into(), value.parse::<f64>().ok().filter(|v| v.is_finite()).map_or(json!(value), |v| json!(v)));
+            row.insert(key.into(), axis_value(&value));
+            let base = self.base.get(&(key.to_string(), value.to_string())).copied();
+            let bare = || value.parse().ok().filter(|_| self.base.keys().any(|(of, _)| of == key));
+            if let Some(base) = base.or_else(bare) {
+                row.insert(format!("{key}{BASE}"), json!(base));
+            }
         }
+        let mut curve = String::new();
         match self.solve(&self.grid.settings(point, &self.args.common.set)) {
-            Ok((Status::Interrupted, _)) => return None,
-            Ok((_, summary)) => {
+            Ok((solution, _)) if solution.status == Status::Interrupted => return None,
+            Ok((solution, summary)) => {
                 let skipped = ["schema_version", "version", "scene", "scene_sha256"];
                 for (key, value) in report::numbers(&summary) {
                     if !skipped.contains(&key.as_str()) && !key.starts_with("counters.") {
                         row.insert(key, value);
                     }
                 }
+                curve = self.curve(point, &solution);
             }
             Err(fault) => {
                 row.insert("status".into(), json!("invalid"));
                 row.insert("verdict".into(), json!(fault.message));
             }
         }
-        Some(Value::Object(row))
+        Some(Point { row: Value::Object(row), curve })
     }
 
-    /// Status and summary of the scene with some settings.
-    fn solve(&self, settings: &[String]) -> Result<(Status, Value), Fault> {
-        let (document, problem) = open::problem(&self.args.scene, settings)?;
+    /// The curves of a point: with --sample those of every point, else those of the points that are drawn.
+    fn curve(&self, point: usize, solution: &Solution) -> String {
+        let sampled = self.options.sample.is_some();
+        let fine = solution.curve.as_ref().filter(|_| !sampled);
+        match fine.or(solution.profile.as_ref()) {
+            Some(profile) if sampled || curves::is_drawn(point, self.grid.count) => curves::curve(&self.grid, point, profile),
+            _ => String::new(),
+        }
+    }
+
+    /// Solution and summary of the scene with some settings.
+    fn solve(&self, settings: &[String]) -> Result<(Solution, Value), Fault> {
+        let (document, problem) = self.source.problem(settings)?;
         problem.available().map_err(|fault| document.locate(fault))?;
         let solved = Live::silent().solve(&problem, &self.options, &self.bodies);
         let solution = solved.map_err(|fault| document.locate(fault))?;
-        Ok((solution.status, report::summary(&problem, &solution)))
+        let summary = report::summary(&problem, &solution);
+        Ok((solution, summary))
     }
 
     fn summary(&self, name: &str, mark: &str, failed: usize) -> Value {
@@ -173,35 +216,41 @@ impl Sweep<'_> {
             "counters": { "factorisations": self.bodies.factorisations(), "factorisations_saved": self.bodies.reused() },
         })
     }
-}
 
-fn lines(rows: &[Value]) -> String {
-    rows.iter().map(|row| format!("{row}\n")).collect()
-}
-
-/// Rows of an interrupted sweep.
-fn finished_rows(folder: &Folder) -> Vec<Value> {
-    let text = std::fs::read_to_string(folder.path().join("sweep.jsonl")).unwrap_or_default();
-    let whole = text.rfind('\n').map_or("", |end| &text[..=end]);
-    whole.lines().map_while(|line| serde_json::from_str(line).ok()).collect()
-}
-
-/// CSV of all rows: the union of their keys, in order of first appearance.
-fn table(rows: &[Value]) -> String {
-    let mut columns: Vec<&String> = Vec::new();
-    for row in rows {
-        for key in row.as_object().into_iter().flatten().map(|(key, _)| key) {
-            if !columns.contains(&key) {
-                columns.push(key);
-            }
-        }
+    /// report.html.
+    fn page(&self, folder: &Folder, first: &Document, summary: &Value, figures: &Figures, mark: &str) -> String {
+        let title = first.scene.title.as_deref().unwrap_or(&first.name);
+        report::sweep_page(&report::SweepPage {
+            title,
+            summary,
+            plots: &curves::plots(&folder.path().join(CURVES), &self.grid, title),
+            names: &figures.names,
+            rows: &figures.rows,
+            resolved: mark,
+        })
     }
-    let cell = |value: Option<&Value>| match value {
-        None => String::new(),
-        Some(Value::String(text)) => text.clone(),
-        Some(Value::Number(number)) => number.as_f64().map(scene::number_text).unwrap_or_default(),
-        Some(other) => other.to_string(),
+}
+
+/// Values of axes that were typed with a unit, in base units.
+fn base_units(source: &Source, grid: &Grid, set: &[String]) -> BTreeMap<(String, String), f64> {
+    let number = |key: &str, value: &str| {
+        let mut settings = grid.settings(0, set);
+        settings.push(format!("{key}={value}"));
+        let document = source.document(&settings).ok()?;
+        let table: toml::Table = toml::from_str(&scene::scene_text(&document.scene)).ok()?;
+        let (first, rest) = key.split_once('.').unwrap_or((key, ""));
+        let mut inner = rest.split('.').filter(|part| !part.is_empty());
+        inner.try_fold(table.get(first)?, |value, part| value.get(part))?.as_float()
     };
-    let names: Vec<&str> = columns.iter().map(|key| key.as_str()).collect();
-    report::table(&names, rows.iter().map(|row| columns.iter().map(move |key| cell(row.get(key.as_str())))))
+    grid.words().filter_map(|(key, value)| Some(((key.into(), value.into()), number(key, value)?))).collect()
+}
+
+/// The first screen: the points, then what is left to say.
+fn screen(figures: &Figures, rows: &Rows, target: &Path) -> String {
+    let mut out = figures.screen();
+    if rows.count > rows.first.len() {
+        out += &format!("and {} more rows in sweep.csv\n", rows.count - rows.first.len());
+    }
+    let (count, failed, target) = (rows.count, rows.failed, target.display());
+    out + &format!("\n{count} points, {failed} without an answer\nfiles     {target} (sweep.csv, report.html)\n")
 }

@@ -3,12 +3,12 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use scene::Fault;
+use scene::{Fault, Place};
 use shapeopt::WearState;
 use wearshape::{Resume, RunLevel};
 
 use crate::record::replay::Replay;
-use crate::record::{RUN_MCAP, Recorder, SceneUpdate, unwritable};
+use crate::record::{Recorder, SceneUpdate, unwritable};
 
 /// A recording that follows a run from level to level.
 pub(crate) struct Tape {
@@ -19,16 +19,20 @@ pub(crate) struct Tape {
 }
 
 impl Tape {
-    /// A recording in a folder; with `resume` it goes on with the one that is there. The sentence says from where.
-    pub(crate) fn new(folder: &Path, resolved: &str, resume: bool) -> (Tape, Option<String>) {
-        let path = folder.join(RUN_MCAP);
+    /// A recording; with `resume` it goes on with the one that is there. The sentence says from where.
+    ///
+    /// # Errors
+    /// A recording with finished steps that cannot be continued: it is not written over.
+    pub(crate) fn new(path: &Path, resolved: &str, resume: bool) -> Result<(Tape, Option<String>), Fault> {
+        let path = path.to_path_buf();
         let (mut replay, mut word) = (None, None);
         if resume {
             let found = fs::read(&path).ok().map(|bytes| Replay::read(&bytes));
             let said = match &found {
                 None => "there is no recording to go on from; the run begins at its start".to_string(),
                 Some(found) => match (found.unfit(resolved), found.states.last()) {
-                    (Some(why), _) => format!("{} cannot be continued: {why}; the run begins at its start", path.display()),
+                    (Some(why), Some(_)) => return Err(lost(&path, &why, found.states.len())),
+                    (Some(why), None) => format!("{} cannot be continued: {why}; the run begins at its start", path.display()),
                     (None, None) => format!("goes on after {} finished levels", found.levels().len()),
                     (None, Some(last)) => {
                         let levels = found.levels().len();
@@ -39,7 +43,7 @@ impl Tape {
             word = Some(said);
             replay = found.filter(|found| found.unfit(resolved).is_none());
         }
-        (Tape { path, resolved: resolved.into(), recorder: None, replay }, word)
+        Ok((Tape { path, resolved: resolved.into(), recorder: None, replay }, word))
     }
 
     /// Where an interrupted run goes on.
@@ -84,4 +88,11 @@ impl Tape {
         recorder.log(verdict)?;
         recorder.finish(summary)
     }
+}
+
+/// Going on would write over finished steps.
+fn lost(path: &Path, why: &str, steps: usize) -> Fault {
+    let message = format!("{} holds {steps} finished steps and cannot be continued: {why}", path.display());
+    let remedy = "go on with the program that wrote it, or leave out --resume to begin again without those steps";
+    Fault { place: Some(Place::Flag("--resume".into())), ..Fault::new("another-recording", message, remedy) }
 }

@@ -84,6 +84,12 @@ impl Bench {
     }
 }
 
+/// SHA-256 of a text.
+pub(crate) fn sha256(text: &str) -> String {
+    use sha2::Digest;
+    sha2::Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
 fn finished(output: Output) -> Call {
     Call {
         code: output.status.code().unwrap_or(-1),

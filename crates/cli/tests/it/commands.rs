@@ -10,7 +10,7 @@ fn help_and_version_go_to_stdout_with_exit_0() {
     assert!(call.out.contains("wearshape run drum-brake-block"), "{}", call.out);
     let call = bench.call("--version");
     assert_eq!((call.code, call.out.trim()), (0, concat!("wearshape ", env!("CARGO_PKG_VERSION"))));
-    for command in ["run", "check", "new", "sweep", "study", "report", "reproduce", "schema", "completions"] {
+    for command in ["run", "check", "new", "sweep", "study", "diff", "report", "reproduce", "schema", "completions"] {
         let call = bench.call(&format!("{command} --help"));
         assert!(call.code == 0 && (call.out.contains("Example") || command == "completions"), "{command}: {}", call.out);
     }

@@ -70,9 +70,127 @@ fn a_partial_folder_of_somebody_else_is_left_alone() {
 fn a_leftover_partial_folder_of_ours_is_begun_again() {
     let bench = Bench::new();
     bench.file("x.partial/scene.resolved.toml", "title = \"old\"");
-    bench.file("x.partial/rubbish.csv", "1");
+    bench.file("x.partial/history.csv", "1");
     assert_eq!(bench.call("run disc-pad -o x -q").code, 0);
-    assert!(!bench.path("x.partial").exists() && !bench.path("x/rubbish.csv").exists());
+    assert!(!bench.path("x.partial").exists() && !bench.path("x/history.csv").exists());
+}
+
+#[test]
+fn a_folder_that_the_user_has_put_aside_is_never_deleted() {
+    let bench = Bench::new();
+    assert_eq!(bench.call("run disc-pad -q -o shoe").code, 0);
+    std::fs::rename(bench.path("shoe"), bench.path("shoe.old")).unwrap();
+    for friction in [".1", ".2", ".3"] {
+        assert_eq!(bench.call(&format!("run disc-pad -q -o shoe --set contact.friction={friction}")).code, 0);
+    }
+    for name in ["run.v1", "run.old", "run.v1"] {
+        assert_eq!(bench.call(&format!("run disc-pad -q -o {name}")).code, 0);
+    }
+    assert!(bench.path("shoe.old/summary.json").exists() && bench.path("run.old/summary.json").exists());
+    // Nothing is left of what was replaced.
+    let names = std::fs::read_dir(bench.path("")).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let mut names: Vec<String> = names.collect();
+    names.sort();
+    assert_eq!(names, ["run.old", "run.v1", "shoe", "shoe.old"]);
+}
+
+#[test]
+fn files_of_somebody_else_in_a_folder_of_ours_are_never_touched() {
+    let bench = Bench::new();
+    assert_eq!(bench.call("run disc-pad -q -o x").code, 0);
+    let before = bench.bytes("x/summary.json");
+    for name in ["notes.txt", "plots/notes.txt", "more/notes.txt"] {
+        bench.file(&format!("x/{name}"), "precious");
+        let call = bench.call("run disc-pad -q -o x --set contact.friction=.1");
+        assert!(call.code == 2 && call.err.contains(name) && call.err.contains("did not write"), "{name}: {}", call.err);
+        assert_eq!((bench.read(&format!("x/{name}")).as_str(), bench.bytes("x/summary.json") == before), ("precious", true));
+        std::fs::remove_file(bench.path(&format!("x/{name}"))).unwrap();
+    }
+    assert_eq!(bench.call("run disc-pad -q -o x --set contact.friction=.1").code, 0);
+    // The same in a partial folder, with and without going on.
+    bench.file("y.partial/scene.resolved.toml", "");
+    bench.file("y.partial/thesis.tex", "precious");
+    for flag in ["", "--resume"] {
+        let call = bench.call(&format!("run disc-pad -q -o y {flag}"));
+        assert!(call.code == 2 && call.err.contains("thesis.tex"), "{}", call.err);
+    }
+    assert_eq!(files(&bench.path("y.partial")), ["scene.resolved.toml", "thesis.tex"]);
+}
+
+#[test]
+fn the_summary_lists_the_files_of_its_folder() {
+    let bench = Bench::new();
+    for args in [
+        "run drum-brake-block --set mesh.degree=4 --set output.fields=true",
+        "run punch-wear --set mesh={degree=4,layers=2} --set wear.until=20_s",
+        "sweep disc-pad --over contact.friction=.1,.2",
+        "study drum-brake-block --set optimum.functional=uniform",
+        "reproduce fig19",
+    ] {
+        let call = bench.call(&format!("{args} --json -o x"));
+        assert!(call.code < 2, "{args}: {}{}", call.out, call.err);
+        let said: serde_json::Value = serde_json::from_str(&call.out).unwrap();
+        let written: serde_json::Value = serde_json::from_str(&bench.read("x/summary.json")).unwrap();
+        assert_eq!(said, written, "{args}");
+        assert_eq!(written["manifest"], serde_json::json!(files(&bench.path("x"))), "{args}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_folder_has_a_name_and_links_lead_somewhere() {
+    let bench = Bench::new();
+    std::os::unix::fs::symlink("nowhere", bench.path("dangling")).unwrap();
+    for folder in [".", "..", "/", "dangling"] {
+        let call = bench.call(&format!("run disc-pad -q -o {folder}"));
+        assert!(call.code == 2 && call.err.contains(&format!("-o {folder}")), "{folder}: {}", call.err);
+    }
+    std::fs::create_dir(bench.path("there")).unwrap();
+    std::os::unix::fs::symlink("there", bench.path("link")).unwrap();
+    for _ in 0..2 {
+        assert_eq!(bench.call("run disc-pad -q -o link").code, 0);
+    }
+    assert!(bench.path("link").is_symlink() && bench.path("there/summary.json").exists());
+}
+
+#[cfg(unix)]
+#[test]
+fn of_two_calls_into_one_folder_one_wins_and_the_other_says_so() {
+    let bench = Bench::new();
+    let slow = "run punch-wear --set mesh.degree=8 --set wear.until=1000 --set contact.shear=false -q -o c";
+    let mut first = bench.start(slow);
+    while !bench.path("c.partial/run.mcap").exists() {
+        assert_eq!(first.try_wait().unwrap(), None, "it was over before another could begin");
+        std::thread::sleep(std::time::Duration::from_micros(200));
+    }
+    for other in [
+        format!("{slow} --set contact.friction=.1"),
+        format!("{slow} --resume"),
+        "sweep disc-pad --over contact.friction=.1,.2 -o c".into(),
+        "study drum-brake-block -o ./c".into(),
+    ] {
+        let call = bench.call(&other);
+        assert!(call.code == 2 && call.err.contains("is being written by another wearshape"), "{other}: {}", call.err);
+    }
+    assert_eq!(first.wait().unwrap().code(), Some(0));
+    let summary: serde_json::Value = serde_json::from_str(&bench.read("c/summary.json")).unwrap();
+    assert_eq!(summary["scene_sha256"], crate::call::sha256(&bench.read("c/scene.resolved.toml")));
+    assert!(bench.read("c/scene.resolved.toml").contains("friction = 0.25"));
+}
+
+#[test]
+fn a_partial_folder_whose_scene_is_changed_meanwhile_is_not_finished() {
+    let bench = Bench::new();
+    let mut child = bench.start("sweep drum-brake-block --set mesh.degree=4 --over contact.friction=0:.4:60 -q -o x");
+    while !bench.path("x.partial/sweep.jsonl").exists() {
+        assert_eq!(child.try_wait().unwrap(), None);
+        std::thread::sleep(std::time::Duration::from_micros(200));
+    }
+    bench.file("x.partial/scene.resolved.toml", "title = \"another\"\n");
+    let output = child.wait_with_output().unwrap();
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.code() == Some(2) && said.contains("its scene is another one"), "{said}");
+    assert!(!bench.path("x").exists());
 }
 
 #[test]

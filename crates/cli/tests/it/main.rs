@@ -9,6 +9,7 @@ mod carried;
 mod cells;
 mod commands;
 mod counterfaces;
+mod diff;
 mod expected;
 mod fields;
 mod files;

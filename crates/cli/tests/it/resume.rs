@@ -146,3 +146,20 @@ fn shape_and_wear_have_the_same_bytes_with_one_thread_and_two() {
         }
     }
 }
+
+#[test]
+fn a_recording_of_another_version_is_not_written_over() {
+    let bench = Bench::new();
+    let scene = "run punch-wear --set mesh={degree=4,layers=2} --set wear.until=20_s -q";
+    assert_eq!(bench.call(&format!("{scene} -o whole")).code, 0);
+    let mut bytes = bench.bytes("whole/run.mcap");
+    let version = concat!("wearshape ", env!("CARGO_PKG_VERSION")).as_bytes();
+    let at = bytes.windows(version.len()).position(|window| window == version).unwrap() + version.len() - 1;
+    bytes[at] ^= 1;
+    std::fs::create_dir(bench.path("x.partial")).unwrap();
+    std::fs::copy(bench.path("whole/scene.resolved.toml"), bench.path("x.partial/scene.resolved.toml")).unwrap();
+    std::fs::write(bench.path("x.partial/run.mcap"), &bytes).unwrap();
+    let call = bench.call(&format!("{scene} -o x --resume"));
+    assert!(call.code == 2 && call.err.contains("finished steps") && call.err.contains("was written by"), "{}", call.err);
+    assert!(bench.bytes("x.partial/run.mcap") == bytes && !bench.path("x").exists());
+}

@@ -69,6 +69,23 @@ fn an_interrupted_sweep_is_resumed_to_the_same_bytes() {
 }
 
 #[test]
+fn a_resumed_sweep_has_the_same_curves_and_page() {
+    let bench = Bench::new();
+    let args = "sweep drum-brake-block --set tasks=[pressure] --over contact.friction=0:1:150 -q";
+    assert_eq!(bench.call(&format!("{args} -o whole")).code, 0);
+    let rows: String = bench.read("whole/sweep.jsonl").lines().take(70).map(|line| format!("{line}\n")).collect();
+    bench.file("x.partial/sweep.jsonl", &rows);
+    let curves = bench.read("whole/curves.csv");
+    bench.file("x.partial/curves.csv", &curves[..curves.len() * 3 / 4]);
+    std::fs::copy(bench.path("whole/scene.resolved.toml"), bench.path("x.partial/scene.resolved.toml")).unwrap();
+    let call = bench.call(&format!("{args} -o x --resume"));
+    assert_eq!(call.code, 0, "{}", call.err);
+    for name in ["sweep.jsonl", "sweep.csv", "curves.csv", "report.html"] {
+        assert!(bench.bytes(&format!("x/{name}")) == bench.bytes(&format!("whole/{name}")), "{name} differs");
+    }
+}
+
+#[test]
 fn a_wrong_grid_is_refused() {
     let bench = Bench::new();
     for over in ["wear.b", "=1,2", "wear.b=1:2:0", "wear.b=1:2:x", "wear.b=1,,2"] {
@@ -175,4 +192,120 @@ fn the_resolved_scene_of_a_sweep_runs_beside_its_mesh() {
     let row: serde_json::Value = serde_json::from_str(bench.read("x/sweep.jsonl").lines().next().unwrap()).unwrap();
     let summary: serde_json::Value = serde_json::from_str(&bench.read("first/summary.json")).unwrap();
     assert_eq!(row["pressure.p_max_MPa"], summary["pressure"]["p_max_MPa"]);
+}
+
+#[test]
+fn a_scene_that_is_edited_during_its_sweep_changes_no_row() {
+    let bench = Bench::new();
+    assert_eq!(bench.call("new annular-punch s.toml").code, 0);
+    bench.file("gap.csv", "s_mm,gap_um\n20,0\n120,1\n");
+    let mut child = bench.start("sweep s.toml --set tasks=[pressure] --over wear.b=1.05:2:640 --threads 1 -q -o x");
+    while !bench.path("x.partial/sweep.jsonl").exists() {
+        assert_eq!(child.try_wait().unwrap(), None, "it was over before the scene could be edited");
+        std::thread::sleep(std::time::Duration::from_micros(200));
+    }
+    bench.file("s.toml", "rubbish");
+    assert_eq!(child.wait().unwrap().code(), Some(0));
+    let rows = bench.read("x/sweep.jsonl");
+    assert!(rows.lines().count() == 640 && rows.lines().all(|row| row.contains("\"status\":\"ok\"")));
+}
+
+#[cfg(unix)]
+#[test]
+fn sweeps_and_studies_read_a_scene_from_a_pipe() {
+    let bench = Bench::new();
+    let call = bench.shell("\"$0\" new disc-pad | \"$0\" sweep /dev/stdin --over contact.friction=.1,.2,.3 -q -o x");
+    assert_eq!(call.code, 0, "{}", call.err);
+    assert_eq!(bench.read("x/sweep.csv").lines().count(), 4);
+    let call = bench.shell("\"$0\" new drum-brake-block | \"$0\" study /dev/stdin --set optimum.functional=uniform -q -o y");
+    assert_eq!(call.code, 0, "{}", call.err);
+}
+
+#[test]
+fn points_are_counted_before_any_is_made() {
+    let bench = Bench::new();
+    for over in [
+        "--over wear.b=1:2:18446744073709551615",
+        "--over wear.b=1:2:1000000000",
+        "--over wear.b=1:2:10000 --over contact.friction=0:1:10000",
+        "--over wear.b=1:2:99999999999999999999999",
+    ] {
+        let call = bench.call(&format!("sweep annular-punch {over} --dry-run"));
+        assert!(
+            call.code == 2 && call.err.contains("--over") && call.err.contains("remedy: "),
+            "{over}: {} {}",
+            call.code,
+            call.err
+        );
+    }
+    let call = bench.call("sweep annular-punch --over wear.b=1:2:10000000 --dry-run");
+    assert!(call.code == 0 && call.out.starts_with("10000000 points"), "{}{}", call.out, call.err);
+}
+
+/// A limit on the size of files stands for the kill between the opening of a file and its writing.
+#[cfg(unix)]
+#[test]
+fn finished_rows_are_never_written_again() {
+    let bench = Bench::new();
+    let args = "sweep annular-punch --set tasks=[pressure] --over wear.b=1.05:2:192 -q";
+    assert_eq!(bench.call(&format!("{args} -o whole")).code, 0);
+    let whole = bench.read("whole/sweep.jsonl");
+    let rows: String = whole.lines().take(128).map(|row| format!("{row}\n")).collect();
+    bench.file("x.partial/sweep.jsonl", &(rows.clone() + "{\"wear.b\": 1."));
+    std::fs::copy(bench.path("whole/scene.resolved.toml"), bench.path("x.partial/scene.resolved.toml")).unwrap();
+    let call = bench.shell(&format!("trap '' XFSZ; ulimit -f 8; exec \"$0\" {args} -o x --resume"));
+    assert_eq!(call.code, 2, "{}", call.err);
+    assert!(bench.read("x.partial/sweep.jsonl").starts_with(&rows), "finished rows are gone");
+    assert_eq!(bench.call(&format!("{args} -o x --resume")).code, 0);
+    assert!(bench.read("x/sweep.jsonl") == whole);
+}
+
+#[test]
+fn a_sweep_shows_its_points_with_the_axes_as_they_were_typed() {
+    let bench = Bench::new();
+    let sets = "sweep drum-brake-block --set mesh.degree=4 --set check=false";
+    let call = bench.call(&format!("{sets} --over load.force=5_kN,.1e5,many --over contact.friction=0,.25 -o x"));
+    assert_eq!(call.code, 1, "{}", call.err);
+    let lines: Vec<&str> = call.out.lines().collect();
+    assert!(lines[0].contains("force  friction  p max MPa  gap max um") && lines[0].ends_with("status"), "{}", call.out);
+    assert!(lines[2].trim_start().starts_with("5 kN") && lines[3].trim_start().starts_with(".1e5"), "{}", call.out);
+    assert!(lines[..7].iter().all(|line| line.chars().count() <= 80), "{}", call.out);
+    assert!(call.out.contains("no answer at many, 0: ") && call.out.contains("6 points, 2 without an answer"), "{}", call.out);
+    // The table has them as typed, and beside it in base units.
+    let table = bench.read("x/sweep.csv");
+    assert!(table.starts_with("load.force,load.force.base,contact.friction,status,"), "{table}");
+    assert!(
+        table.contains("\n5 kN,5000,.25,ok,") && table.contains("\n.1e5,10000,0,ok,") && table.contains("\nmany,,0,invalid,")
+    );
+    let page = bench.read("x/report.html");
+    for word in ["contact pressure by force, friction", "gap by force, friction", ">5 kN, .25<", "<td class=\"number\">.1e5</td>"]
+    {
+        assert!(page.contains(word), "{word}");
+    }
+    for word in ["src=", "http://", "https://", "@import", "url("] {
+        assert!(!page.replace("http://www.w3.org/2000/svg", "").contains(word), "the page contains {word}");
+    }
+    assert!(bench.call(&format!("{sets} --over load.force=1e4 -q")).out.is_empty());
+}
+
+#[test]
+fn a_sweep_with_sample_keeps_the_curves_of_every_point() {
+    let bench = Bench::new();
+    let args = "sweep annular-punch --set tasks=[pressure] --over wear.b=1.05:2:20 -q";
+    assert_eq!(bench.call(&format!("{args} --sample 11 -o x")).code, 0);
+    let curves = bench.read("x/curves.csv");
+    assert_eq!(curves.lines().count(), 1 + 20 * 11);
+    assert!(curves.starts_with("point,s_mm,x_mm,y_mm,z_mm,pressure_MPa,"), "{curves}");
+    // The rows of a point are those of a run of it.
+    assert_eq!(bench.call("run annular-punch --set tasks=[pressure] --set wear.b=1.05 --sample 11 -q -o first").code, 0);
+    let column = |table: &str, name: &str| -> Vec<String> {
+        let at = table.lines().next().unwrap().split(',').position(|known| known == name).unwrap();
+        table.lines().skip(1).map(|row| row.split(',').nth(at).unwrap().to_string()).collect()
+    };
+    assert_eq!(column(&curves, "pressure_MPa")[..11], column(&bench.read("first/contact.csv"), "pressure_MPa"));
+    // Without it those that are drawn, twelve at most.
+    assert_eq!(bench.call(&format!("{args} -o y")).code, 0);
+    let mut points = column(&bench.read("y/curves.csv"), "point");
+    points.dedup();
+    assert!(points.len() == 12 && points[0] == "0" && points[11] == "19", "{points:?}");
 }
