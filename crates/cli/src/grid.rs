@@ -87,11 +87,11 @@ impl Grid {
 
     /// The values at a point for people: as they were typed, those of a range in few digits.
     pub(crate) fn label(&self, point: usize) -> Vec<String> {
-        let told = |(over, value): (&Over, Cow<'_, str>)| match &over.values {
+        let told = |(over, (_, value)): (&Over, (&str, Cow<'_, str>))| match &over.values {
             Values::List(_) => value.into_owned(),
             Values::Range { .. } => value.parse().map_or_else(|_| value.to_string(), scene::short),
         };
-        self.keys.iter().zip(self.at(point)).map(|(over, (_, value))| told((over, value))).collect()
+        self.keys.iter().zip(self.at(point)).map(told).collect()
     }
 
     /// The `--set` options of a point: those given, then its own.

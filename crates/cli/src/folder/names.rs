@@ -65,7 +65,7 @@ pub(super) fn foreign_in_finished(folder: &Path) -> Option<String> {
 
 /// The first file of a partial folder that is not ours.
 pub(super) fn foreign_in_partial(folder: &Path) -> Option<String> {
-    let begun = ["scene.resolved.toml", LIST].iter().any(|name| folder.join(name).is_file());
+    let begun = ["scene.resolved.toml", LIST, NEW_LIST].iter().any(|name| folder.join(name).is_file());
     let known = if begun { known(folder) } else { BTreeSet::new() };
     entries(folder).into_iter().find(|name| !known.contains(name))
 }

@@ -69,7 +69,7 @@ fn add(recorder: &mut Recorder, step: usize) {
 
 /// A recording of some steps, ended or not.
 fn recorded(folder: &Path, steps: usize) -> PathBuf {
-    let (mut tape, word) = Tape::new(folder, RESOLVED, false);
+    let (mut tape, word) = Tape::new(&folder.join(RUN_MCAP), RESOLVED, false).unwrap();
     assert_eq!(word, None);
     let mesh = SceneUpdate::new(&[vec![[0.0, 0.0], [1.0, 0.0]], vec![[0.0, 0.0], [0.0, -1.0]]]);
     assert_eq!(tape.resume(), None);
@@ -106,7 +106,7 @@ fn what_was_recorded_reads_back_to_the_bit() {
 #[test]
 fn a_recording_cut_anywhere_gives_back_every_step_that_was_flushed() {
     let folder = temp_dir::TempDir::new().unwrap();
-    let (mut tape, _) = Tape::new(folder.path(), RESOLVED, false);
+    let (mut tape, _) = Tape::new(&folder.path().join(RUN_MCAP), RESOLVED, false).unwrap();
     begin(&mut tape, SceneUpdate::default(), 0);
     let mut lengths = Vec::new();
     for step in 0..8 {
@@ -129,7 +129,7 @@ fn a_torn_recording_goes_on_to_the_same_bytes() {
     let bytes = std::fs::read(recorded(whole.path(), 12)).unwrap();
     for cut in (0..bytes.len()).step_by(bytes.len() / 40) {
         std::fs::write(torn.path().join(RUN_MCAP), &bytes[..cut]).unwrap();
-        let (mut tape, word) = Tape::new(torn.path(), RESOLVED, true);
+        let (mut tape, word) = Tape::new(&torn.path().join(RUN_MCAP), RESOLVED, true).unwrap();
         assert!(word.is_some());
         let mesh = SceneUpdate::new(&[vec![[0.0, 0.0], [1.0, 0.0]], vec![[0.0, 0.0], [0.0, -1.0]]]);
         let known = tape.resume().map_or(0, |resume| resume.states.len());
