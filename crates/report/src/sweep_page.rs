@@ -43,6 +43,7 @@ pub fn sweep_page(page: &SweepPage<'_>) -> String {
         text("status"),
         text("verdict")
     );
+    out += &legend(page.plots);
     out += &figures(&charts, &pictures);
     let points = page.summary["points"].as_u64().unwrap_or(0) as usize;
     out += &points_table(page, points);
@@ -56,6 +57,28 @@ pub fn sweep_page(page: &SweepPage<'_>) -> String {
     let data = json!({ "charts": charts, "run_in": null }).to_string().replace('<', "\\u003c");
     out += &format!("<script type=\"application/json\" id=\"data\">{data}</script>\n");
     out + "<script>\n" + include_str!("page.js") + "</script>\n</body>\n</html>\n"
+}
+
+/// Names that find room inside a chart.
+const NAMES_INSIDE: usize = 6;
+/// The colours of the charts, in their order.
+const COLOURS: [&str; 7] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#888888"];
+
+/// The names of many curves, above the charts.
+fn legend(plots: &[LinePlot]) -> String {
+    let Some(plot) = plots.iter().max_by_key(|plot| plot.series.len()).filter(|plot| plot.series.len() > NAMES_INSIDE) else {
+        return String::new();
+    };
+    let mut out = String::from("<p>");
+    for (series, colour) in plot.series.iter().zip(COLOURS.iter().cycle()) {
+        let dash = if series.dashed { " stroke-dasharray=\"7 5\"" } else { "" };
+        out += &format!(
+            "<span style=\"display:inline-block;margin-right:1.2em\"><svg width=\"26\" height=\"10\" aria-hidden=\"true\">\
+             <path d=\"M0 5h26\" stroke=\"{colour}\" stroke-width=\"2\"{dash}/></svg> {}</span>\n",
+            escaped(&series.name)
+        );
+    }
+    out + "</p>\n"
 }
 
 /// The points with their main figures.

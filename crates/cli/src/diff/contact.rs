@@ -53,7 +53,8 @@ pub(crate) fn compare(a: &Table<'_>, b: &Table<'_>, closing: &[Vec<f64>]) -> Res
     let (places, others) = (a.column("s_mm"), b.column("s_mm"));
     let same = places == others && a.places()[0] == b.places()[0];
     let ascending = |s: &[f64]| s.len() > 1 && s.windows(2).all(|pair| pair[0] < pair[1]);
-    if !same && !(ascending(&places) && ascending(&others)) {
+    let lines = ascending(&places) && ascending(&others);
+    if !same && !lines {
         return Err("their points are not the same, and not in order along a line: compare runs with the same --sample N".into());
     }
     let (first, last) = (others.first().copied().unwrap_or(0.0), others.last().copied().unwrap_or(0.0));
@@ -136,6 +137,7 @@ fn without(mut values: Vec<f64>, modes: Vec<Vec<f64>>, weights: &[f64]) -> Vec<f
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
 

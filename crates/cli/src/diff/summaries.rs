@@ -105,6 +105,7 @@ fn flatten(prefix: &str, value: &Value, found: &mut Vec<(String, Value)>) {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
     use serde_json::json;

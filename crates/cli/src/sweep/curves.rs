@@ -85,8 +85,8 @@ pub(crate) fn plots(file: &Path, grid: &Grid, title: &str) -> Vec<LinePlot> {
             name: grid.label(*point).join(", "),
             points: rows.iter().filter_map(place).collect(),
             marks: false,
-            // Colours come again after eight.
-            dashed: number >= 8,
+            // Colours come again after seven.
+            dashed: number >= 7,
         });
         LinePlot {
             title: format!("{title}: {what} by {by}"),
