@@ -85,6 +85,10 @@ impl FreeEnds {
             Some(before) => self.refined.iter().zip(before).map(|(now, before)| now + GOES_ON * (now - before)).collect(),
             None => self.refined.clone(),
         };
+        // Differences take a mesh an end, and a mesh more before them and after.
+        if self.jacobian.is_none() && places.len() + 2 > MOST {
+            return Ok(None);
+        }
         let start = Start { places: &places, jacobian: self.jacobian.as_ref(), tolerance, share: SHARE };
         let mut meshes = 0;
         let found = position_nodes(start, |places| -> Result<_, Option<E>> {
@@ -145,6 +149,18 @@ mod tests {
         let (second, _) = search(&first);
         assert!((second.arcs(2.0)[0] - 1.3).abs() < 1e-6 && (second.arcs(2.0)[1] - 1.7).abs() < 1e-6);
         assert!(meshes < 16);
+    }
+
+    #[test]
+    fn no_mesh_is_made_for_more_ends_than_a_search_has_meshes_for() {
+        let places: Vec<f64> = (0..20).map(|i| 0.09 * f64::from(i) - 0.9).collect();
+        let mut meshes = 0;
+        let found = at(&places, false).position(1e-8, |places| -> Result<_, ()> {
+            meshes += 1;
+            Ok(Some((places.to_vec(), ())))
+        });
+        assert!(matches!(found, Ok(None)));
+        assert_eq!(meshes, 0);
     }
 
     #[test]

@@ -73,6 +73,8 @@ struct Iterate {
     recession: f64,
     /// The normal map.
     u: Vec<f64>,
+    /// Pressure and slope at points where they are known already for this normal map.
+    known: Vec<Option<(f64, f64)>>,
     /// Newton steps so far, this one counted.
     steps: usize,
 }
@@ -125,8 +127,23 @@ impl<'a> Load<'a> {
             .collect()
     }
 
+    /// Solves the contact on a gap, from a start that may be of another load: from every point just in contact where that leads nowhere.
+    pub(crate) fn solve_anyhow(&self, gap: &[f64], start: &Contact) -> Option<Solved> {
+        let n = self.weights.len();
+        let free = self.system.load.len();
+        let all = || Contact { pressure: vec![0.0; n], opening: vec![-f64::MIN_POSITIVE; n], coordinates: vec![0.0; free] };
+        // One point at a time changes sides in the end, and each may have to.
+        let patient = NEWTON_LIMIT + 4 * n;
+        self.solve(gap, 0.0, start).or_else(|| self.solve_within(gap, 0.0, &all(), patient))
+    }
+
     /// Solves a stage. `known` is the gap without the wear of this stage; `None` if the iteration does not settle.
     pub(crate) fn solve(&self, known: &[f64], step: f64, start: &Contact) -> Option<Solved> {
+        self.solve_within(known, step, start, NEWTON_LIMIT)
+    }
+
+    /// The same in at most so many Newton steps.
+    fn solve_within(&self, known: &[f64], step: f64, start: &Contact, limit: usize) -> Option<Solved> {
         let n = self.weights.len();
         let stage = Stage { known, step };
         let linear_rate = step == 0.0 || (self.rate.is_linear());
@@ -135,11 +152,15 @@ impl<'a> Load<'a> {
         let u: Vec<f64> = (0..n)
             .map(|i| self.sigma[i] * contact.pressure[i] + step * self.rate.local(i, contact.pressure[i]) - contact.opening[i])
             .collect();
-        let mut at = Iterate { contact, recession, u, steps: 0 };
+        let mut at = Iterate { contact, recession, u, known: vec![None; n], steps: 0 };
         let mut relative_before = f64::INFINITY;
-        for iteration in 1..=NEWTON_LIMIT {
+        for iteration in 1..=limit {
             let (pressure, slope): (Vec<f64>, Vec<f64>) = (0..n)
-                .map(|i| if at.u[i] > 0.0 { self.rate.inverse(i, self.sigma[i], step, at.u[i]) } else { (0.0, 0.0) })
+                .map(|i| match at.known[i] {
+                    _ if at.u[i] <= 0.0 => (0.0, 0.0),
+                    Some(known) => known,
+                    None => self.rate.inverse(i, self.sigma[i], step, at.u[i]),
+                })
                 .unzip();
             (at.contact.pressure, at.steps) = (pressure, iteration);
             let active: Vec<usize> = (0..n).filter(|i| at.u[*i] > 0.0).collect();
@@ -180,11 +201,12 @@ impl<'a> Load<'a> {
             at.recession += change[a + contact.coordinates.len()];
         }
         // Points in the open follow from the new pressures.
-        let pressure: Vec<f64> = (0..n)
-            .map(|i| if next[i] > 0.0 && u[i] > 0.0 { self.rate.inverse(i, self.sigma[i], step, next[i]).0 } else { 0.0 })
-            .collect();
-        let elastic = self.elastic(&pressure);
-        for i in (0..n).filter(|i| u[*i] <= 0.0) {
+        let pressed = |i: usize| next[i] > 0.0 && u[i] > 0.0;
+        at.known = (0..n).map(|i| pressed(i).then(|| self.rate.inverse(i, self.sigma[i], step, next[i]))).collect();
+        let pressure: Vec<f64> = at.known.iter().map(|known| known.map_or(0.0, |(pressure, _)| pressure)).collect();
+        let open: Vec<usize> = (0..n).filter(|i| u[*i] <= 0.0).collect();
+        let elastic = if open.is_empty() { Vec::new() } else { self.elastic(&pressure) };
+        for i in open {
             let rigid = self.rigid(i, &contact.coordinates);
             next[i] = -(stage.known[i] + self.system.opening[i] + elastic[i] + rigid + at.recession);
         }
@@ -195,6 +217,7 @@ impl<'a> Load<'a> {
         if let (true, Some(only)) = (at.steps > PATIENCE, changed.last()) {
             for i in changed.iter().copied().filter(|i| i != only) {
                 next[i] = if u[i] > 0.0 { f64::MIN_POSITIVE.max(1e-12 * u[i]) } else { 0.0 };
+                at.known[i] = None;
             }
         }
         at.u = next;

@@ -17,7 +17,7 @@ pub(crate) struct RigidWear {
     /// Balance columns of the held coordinates over their stiffness.
     pub(crate) held_balance: Mat<f64>,
     /// Whether the load pushes along some rigid mode. If not, wear relieves the contact.
-    driven: bool,
+    pub(crate) driven: bool,
 }
 
 impl RigidWear {

@@ -1,6 +1,11 @@
 //! When a run has come within a given part of its steady state, and what it has cost until then.
 
+use crate::evolution::Evolution;
 use crate::wear_state::WearState;
+
+/// Tries of the root finder, and the part of the time passed at which the moment is found.
+const TRIES: usize = 60;
+const FOUND: f64 = 1e-12;
 
 /// Time, distance and wear until the pressure stays within a part of the steady one.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,29 +23,65 @@ pub struct Settling {
     pub volume: [f64; 2],
 }
 
-/// The moment after which the pressure of a run that ended steady stays within `deviation` of its last pressure; between two states the
-/// deviation is taken to fall exponentially. `None` if the run never comes that close before its last state or is empty.
-pub fn settling(states: &[WearState], weights: &[f64], deviation: f64) -> Option<Settling> {
-    let end = states.last()?;
-    let norm = |difference: &dyn Fn(usize) -> f64| -> f64 {
-        (0..weights.len()).map(|i| weights[i] * difference(i).powi(2)).sum::<f64>().sqrt()
-    };
-    let size = norm(&|i| end.pressure[i]);
-    let distance = |state: &WearState| norm(&|i| state.pressure[i] - end.pressure[i]) / size;
-    let inside = states.iter().rposition(|s| distance(s) > deviation).map_or(0, |last| last + 1);
-    if inside + 1 >= states.len() && inside > 0 {
-        return None;
+impl Evolution<'_> {
+    /// The moment after which the pressure of a run that ended steady stays within `deviation` of its last pressure, from all states of this run
+    /// (whole ones need only their time, distance, gap, pressure, worn depth, recession, volumes and interval). Between the two states around it
+    /// the moment is the end of a step of the integrator itself, so that it is as accurate as the run.
+    ///
+    /// `None` if the run never comes that close before its last state, if the contact wears itself free and no steady pressure is left, or if
+    /// there are no states.
+    pub fn settling(&self, states: &[WearState], deviation: f64) -> Option<Settling> {
+        let end = states.last().filter(|end| self.driven(end))?;
+        let norm = |difference: &dyn Fn(usize) -> f64| -> f64 {
+            self.weights().enumerate().map(|(i, weight)| weight * difference(i).powi(2)).sum::<f64>().sqrt()
+        };
+        let size = norm(&|i| end.pressure[i]);
+        let away = |pressure: &[f64]| (norm(&|i| pressure[i] - end.pressure[i]) / size / deviation).ln();
+        let Some(before) = states.iter().rposition(|state| away(&state.pressure) > 0.0) else {
+            return states.first().map(|state| settled(state, deviation));
+        };
+        if before + 2 >= states.len() {
+            return None;
+        }
+        let from = self.restored(&states[before])?;
+        let after = &states[before + 1];
+        let found = self.crossing(&from, (after.time - from.time, away(&after.pressure)), &|state| away(&state.pressure))?;
+        Some(settled(&found, deviation))
     }
-    let after = &states[inside];
-    let before = &states[inside.saturating_sub(1)];
-    let (d0, d1) = (distance(before), distance(after));
-    let part = if inside == 0 || d1 == 0.0 { 1.0 } else { (d0 / deviation).ln() / (d0 / d1).ln() };
-    let between = |a: f64, b: f64| a + part * (b - a);
-    Some(Settling {
-        deviation,
-        time: between(before.time, after.time),
-        distance: between(before.distance, after.distance),
-        depth: between(before.depth, after.depth),
-        volume: std::array::from_fn(|i| between(before.volume[i], after.volume[i])),
-    })
+
+    /// The state at which a value falls to zero within a step from a state where it is positive; `long` is a step at whose end it is not, with the
+    /// value there. Regula falsi with halved ends (Illinois).
+    fn crossing(&self, from: &WearState, mut long: (f64, f64), value_of: &dyn Fn(&WearState) -> f64) -> Option<WearState> {
+        let mut short = (0.0, value_of(from));
+        let mut kept = 0.0;
+        let mut found = None;
+        for _ in 0..TRIES {
+            let secant = (short.0 * long.1 - long.0 * short.1) / (long.1 - short.1);
+            let step = if secant > short.0 && secant < long.0 { secant } else { 0.5 * (short.0 + long.0) };
+            if !(step > short.0 && step < long.0) {
+                break;
+            }
+            let state = self.after(from, step)?;
+            let value = value_of(&state);
+            let done = value.abs() <= FOUND || long.0 - short.0 <= FOUND * state.time;
+            found = Some(state);
+            if done {
+                break;
+            }
+            let again = if kept == value.signum() { 0.5 } else { 1.0 };
+            if value > 0.0 {
+                short = (step, value);
+                long.1 *= again;
+            } else {
+                long = (step, value);
+                short.1 *= again;
+            }
+            kept = value.signum();
+        }
+        found
+    }
+}
+
+fn settled(state: &WearState, deviation: f64) -> Settling {
+    Settling { deviation, time: state.time, distance: state.distance, depth: state.depth, volume: state.volume }
 }

@@ -29,6 +29,8 @@ pub struct WearProblem {
     pub scheme: Scheme,
     /// How steps are chosen.
     pub stepping: Stepping,
+    /// What the times of a run until the steady state are wanted for, if they are.
+    pub times: Option<Times>,
 }
 
 /// A load with its sliding speeds. A reversal is a stage of its own, since the shear turns with the sense of sliding.
@@ -77,6 +79,16 @@ pub enum Scheme {
     Explicit,
 }
 
+/// Times at which a run comes near its steady state ([`Evolution::settling`](crate::Evolution::settling)), as far as adaptive steps are to see to
+/// them: until then errors of the pressure are measured by what it deviates from the steady one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Times {
+    /// Smallest relative deviation whose time is wanted.
+    pub deviation: f64,
+    /// Relative error wanted of that time, and of distance and depth then.
+    pub accuracy: f64,
+}
+
 /// Choice of steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stepping {
@@ -112,6 +124,7 @@ impl WearProblem {
             until: Until::Steady { residual: 1e-9, not_before: 0.0 },
             scheme: Scheme::Sdirk4,
             stepping: Stepping::Adaptive { accuracy: 1e-4 },
+            times: None,
         }
     }
 }

@@ -13,13 +13,20 @@ pub(crate) struct Trial {
     pub(crate) recession: f64,
     pub(crate) volume: [f64; 2],
     pub(crate) error: f64,
+    /// Of the gap, and of the pressure by the force that acts.
+    errors: [f64; 2],
     pub(crate) iterations: usize,
 }
 
-/// Tries a step; `None` if a stage cannot be solved.
-pub(crate) fn try_step(load: &Load<'_>, scheme: Scheme, state: &WearState, step: f64) -> Option<Trial> {
+/// Tries a step; `None` if a stage cannot be solved. `severity` are factors on the estimated errors of gap and pressure.
+pub(crate) fn try_step(load: &Load<'_>, scheme: Scheme, state: &WearState, step: f64, severity: [f64; 2]) -> Option<Trial> {
     match Tableau::of(scheme) {
-        Some(tableau) => implicit_step(load, state, step, tableau),
+        Some(tableau) => {
+            let mut trial = implicit_step(load, state, step, tableau)?;
+            let [gap, pressure] = trial.errors;
+            trial.error = (severity[0] * gap).max(severity[1] * pressure);
+            Some(trial)
+        }
         None => explicit_step(load, state, step),
     }
 }
@@ -64,8 +71,8 @@ fn implicit_step(load: &Load<'_>, state: &WearState, step: f64, tableau: &Tablea
     let depth = worn.iter().copied().fold(0.0, f64::max);
     let scale = gap_scale(load, state).max(depth);
     let error = gap_error.iter().fold(0.0_f64, |m, e| m.max(e.abs() / scale));
-    let error = error.max(force(&pressure_error) / force(&contact.pressure));
-    Some(Trial { contact, gap, worn, recession, volume, error, iterations })
+    let errors = [error, force(&pressure_error) / force(&contact.pressure)];
+    Some(Trial { contact, gap, worn, recession, volume, error, errors, iterations })
 }
 
 fn explicit_step(load: &Load<'_>, state: &WearState, step: f64) -> Option<Trial> {
@@ -77,7 +84,16 @@ fn explicit_step(load: &Load<'_>, state: &WearState, step: f64) -> Option<Trial>
         std::array::from_fn(|body| state.volume[body] + step * (0..n).map(|i| load.weights[i] * wear(body, i)).sum::<f64>());
     let recession = state.recession + step * load.rate.recession(&state.pressure);
     let solved = load.solve(&gap, 0.0, &Contact::of(state))?;
-    Some(Trial { contact: solved.contact, gap, worn, recession, volume, error: 0.0, iterations: solved.iterations })
+    Some(Trial {
+        contact: solved.contact,
+        gap,
+        worn,
+        recession,
+        volume,
+        error: 0.0,
+        errors: [0.0; 2],
+        iterations: solved.iterations,
+    })
 }
 
 /// Length that gap errors are measured by: elastic closing or wear depth.

@@ -7,6 +7,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::WearError;
 use crate::balance::Balanced;
 use crate::bracket::Bracket;
+use crate::cells::{cut_short, whole};
 use crate::density::Density;
 use crate::pressure_law::Node;
 use crate::stage::Stage;
@@ -62,6 +63,7 @@ pub(crate) fn balance_absolute(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> 
         }
     }
     here = residual(stage, nodes, &free);
+    whole(nodes)?;
     let size = here.amax();
     if size.is_nan() || size > 1e-10 {
         return Err(WearError::NotConverged { iterations, residual: size });
@@ -86,6 +88,9 @@ fn residual(stage: &mut Stage<'_>, nodes: &mut Vec<Node>, free: &[usize]) -> DVe
         stage.settle_recession(nodes);
     }
     stage.collect(nodes);
+    if cut_short(nodes) {
+        return DVector::from_element(free.len() + 1, f64::NAN);
+    }
     let target = stage.law.resultant(stage.law.pivot);
     let mut values = DVector::<f64>::zeros(free.len() + 1);
     for node in nodes.iter() {
@@ -101,12 +106,13 @@ fn residual(stage: &mut Stage<'_>, nodes: &mut Vec<Node>, free: &[usize]) -> DVe
 
 /// Common factor for which the pivot resultant is met, by bracketing: the resultant grows with the factor.
 fn find_scale(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<(), WearError> {
-    let mut at = |stage: &mut Stage<'_>, scale: f64| {
+    let at = |stage: &mut Stage<'_>, nodes: &mut Vec<Node>, scale: f64| {
         stage.law.log_scale = scale;
         residual(stage, nodes, &[])[0]
     };
     let mut a = stage.law.log_scale;
-    let mut fa = at(stage, a);
+    let mut fa = at(stage, nodes, a);
+    whole(nodes)?;
     let mut step = 0.5;
     let mut b = a;
     let mut fb = fa;
@@ -115,7 +121,8 @@ fn find_scale(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<(), WearEr
     while (fa > 0.0) == (fb > 0.0) {
         (a, fa) = (b, fb);
         b -= step * fb.signum();
-        fb = at(stage, b);
+        fb = at(stage, nodes, b);
+        whole(nodes)?;
         step *= 2.0;
         if step > farthest {
             let below = matches!(stage.law.density, Density::Given(_)) && fb > 0.0;
@@ -132,7 +139,7 @@ fn find_scale(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<(), WearEr
             break;
         }
         let c = root.next();
-        root.take(c, at(stage, c));
+        root.take(c, at(stage, nodes, c));
     }
     stage.law.log_scale = root.b;
     Ok(())

@@ -1,6 +1,7 @@
 //! The balance sum over the nodes of psi_k p = F_k for densities known up to a factor.
 
 use crate::WearError;
+use crate::cells::whole;
 use crate::density::Density;
 use crate::newton::newton;
 use crate::pressure_law::Node;
@@ -17,6 +18,7 @@ pub(crate) struct Balanced {
 /// Solves the balance for a density known up to a factor (`Power`, `Mixed`, `Exponential`).
 pub(crate) fn balance(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<Balanced, WearError> {
     stage.collect(nodes);
+    whole(nodes)?;
     let k = match stage.law.density {
         Density::Power { k, .. } | Density::Mixed { k, .. } => k,
         Density::Exponential | Density::BangBang { .. } | Density::Given(_) | Density::Receding { .. } | Density::Sum { .. } => {
@@ -31,6 +33,7 @@ pub(crate) fn balance(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<Ba
         return Err(stage.infeasible(why));
     }
     let (iterations, residual) = if stage.law.count == 1 { (0, 0.0) } else { newton(stage, nodes, k)? };
+    whole(nodes)?;
     if let Density::Power { speed_power, .. } = stage.law.density
         && speed_power >= 2.0
         && stage.problem.surface.reaches_axis()

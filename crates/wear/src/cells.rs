@@ -4,6 +4,7 @@
 //! at the end of contact, where f = 0, the cell ends exactly there and a Gauss-Jacobi rule takes the power f^k.
 
 use crate::SurfacePoint;
+use crate::WearError;
 use crate::bracket::Bracket;
 use crate::density::Density;
 use crate::pressure_law::Node;
@@ -12,6 +13,8 @@ use crate::stage::Stage;
 use crate::surface::{Shape, Surface};
 
 pub(crate) const SAMPLES: usize = 5;
+/// Nodes of a surface beyond which no more are added: the density is steeper than a run should pay for (some 300 MB).
+const MOST_NODES: usize = 1_000_000;
 const SMOOTH: f64 = 0.03;
 /// Largest third difference of log p under a rule given as a function, so that a bend of p stands in a cell of 1e-4 of the surface, about.
 const BENT: f64 = 1e-4;
@@ -34,6 +37,16 @@ impl Surface {
             }
         }
     }
+}
+
+/// Whether a collection ended for its number of nodes, so that part of the surface is missing from it.
+pub(crate) fn cut_short(nodes: &[Node]) -> bool {
+    nodes.len() >= MOST_NODES
+}
+
+/// Refuses a collection that [`cut_short`] says is incomplete.
+pub(crate) fn whole(nodes: &[Node]) -> Result<(), WearError> {
+    if cut_short(nodes) { Err(WearError::TooSteep { nodes: MOST_NODES }) } else { Ok(()) }
 }
 
 /// One line of the surface (fixed outer parameter) and the collector of its nodes.
@@ -127,7 +140,7 @@ impl Line<'_, '_> {
             let node = self.node(range[0] + (range[1] - range[0]) * f64::from(i) / 4.0);
             top = top.max(node.log_h + node.point.weight.ln());
         }
-        while depth > 0 {
+        while depth > 0 && !cut_short(nodes) {
             depth -= 1;
             let cell = stack[depth];
             match self.judge(&cell, &mut top) {

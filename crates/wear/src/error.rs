@@ -75,6 +75,15 @@ pub enum WearError {
         /// Smallest over largest value of f = lambda . phi.
         ratio: f64,
     },
+    /// The pressure rises so steeply over so much of the surface that its integrals need more nodes than are made.
+    #[error(
+        "the pressure is so steep that its integrals over the surface need more than {nodes} nodes; give exponents of the wear rule nearer \
+         to 1, or a surface of one parameter"
+    )]
+    TooSteep {
+        /// Most nodes that are made.
+        nodes: usize,
+    },
     /// The iteration did not reach its tolerance.
     #[error("not converged after {iterations} iterations, relative residual {residual:.1e}")]
     NotConverged {

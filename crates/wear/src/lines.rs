@@ -3,7 +3,7 @@
 //! An outer cell is halved where the lines' integrals vary too much; it ends exactly where the end of contact moves from one border
 //! of the surface to another, and is graded towards such a place.
 
-use crate::cells::{Line, SAMPLES, Settings, smooth, spread};
+use crate::cells::{Line, SAMPLES, Settings, cut_short, smooth, spread};
 use crate::pressure_law::Node;
 use crate::quadrature::{ORDER, Rule, legendre};
 use crate::stage::Stage;
@@ -29,7 +29,7 @@ impl Stage<'_> {
         for i in 0..=8 {
             top = top.max(self.profile(range[0] + whole * f64::from(i) / 8.0, inner, &mut line).0);
         }
-        while let Some(cell) = stack.pop() {
+        while let Some(cell) = stack.pop().filter(|_| !cut_short(nodes)) {
             let Cell { lo, hi, graded } = cell;
             let length = hi - lo;
             let place = |i: usize| lo + length * (0.002 + 0.249 * i as f64);

@@ -2,6 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::cells::{cut_short, whole};
 use crate::pressure_law::{ModeValues, Node};
 use crate::singular;
 use crate::stage::Stage;
@@ -20,6 +21,7 @@ pub(crate) fn newton(stage: &mut Stage<'_>, nodes: &mut Vec<Node>, k: f64) -> Re
     let mut last = f64::INFINITY;
     let mut earlier = f64::INFINITY;
     for iteration in 0..ITERATIONS {
+        whole(nodes)?;
         let here = evaluate(stage, nodes, &free, k);
         last = here.size;
         if iteration % 8 == 7 {
@@ -73,6 +75,9 @@ impl Search<'_> {
             let closes = k > 0.0 || !stage.open_at_ends();
             if closes {
                 stage.collect(nodes);
+            }
+            if cut_short(nodes) {
+                return true;
             }
             if closes && (k > 0.0 || nodes.iter().all(|node| node.f > 0.0)) {
                 let there = evaluate(stage, nodes, self.free, k);

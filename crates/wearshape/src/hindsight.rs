@@ -19,7 +19,13 @@ const WIDE: f64 = 0.01;
 
 /// Remarks on what a run came to.
 pub(crate) fn remarks(problem: &Problem, solution: &Solution) -> Vec<Remark> {
-    other_solutions(problem, solution).into_iter().chain(wide(problem, solution)).chain(worn_through(problem, solution)).collect()
+    let notes = [
+        other_solutions(problem, solution),
+        wide(problem, solution),
+        worn_through(problem, solution),
+        worn_free(problem, solution),
+    ];
+    notes.into_iter().flatten().collect()
 }
 
 /// What friction does to the one solution of a contact.
@@ -89,6 +95,25 @@ fn worn_through(problem: &Problem, solution: &Solution) -> Option<Remark> {
         short(thickness)
     );
     Some(Remark { code: "wear-beyond-body", message })
+}
+
+/// How the pressure under a prescribed approach ends: the wear takes away the closing that makes it, so that `p' = -C p^b`.
+fn worn_free(problem: &Problem, solution: &Solution) -> Option<Remark> {
+    solution.wear.as_ref().filter(|_| problem.load.approach.is_some() && !problem.wear.own_rule)?;
+    let [exponent] = problem.wear.exponents[..] else { return None };
+    let law = if exponent > 1.0 {
+        format!(
+            "with b = {} the pressure falls in the long run like t^(-1/(b - 1)) = t^-{}",
+            short(exponent),
+            short(1.0 / (exponent - 1.0))
+        )
+    } else if exponent == 1.0 {
+        "with b = 1 the pressure falls exponentially in the long run".into()
+    } else {
+        format!("with b = {} the pressure is gone after a finite time", short(exponent))
+    };
+    let message = format!("Under a prescribed approach the contact wears itself free: {law}.");
+    Some(Remark { code: "wears-itself-free", message })
 }
 
 #[cfg(test)]

@@ -288,6 +288,9 @@ pub struct WearResult {
     pub run_in_distance: Vec<f64>,
     /// Largest relative growth of the Lyapunov function in a step; without shear on the bodies it never grows.
     pub lyapunov_increase: Option<f64>,
+    /// Estimated relative error of the time, distance and depth of `to_1_percent`, or else of the depth at the end: what the steps in time and
+    /// the levels of discretisation leave.
+    pub run_in_error: Option<f64>,
     /// What it took until the pressure stayed within 1 % of the steady one (relative L2).
     pub to_1_percent: Option<Settled>,
 }

@@ -73,6 +73,12 @@ pub struct FinishedLevel {
     /// Time at its end.
     #[serde(rename = "time_s")]
     pub time: f64,
+    /// Time until the pressure stayed within 1 % of the steady one, if it did.
+    #[serde(rename = "to_1_percent_s", default)]
+    pub to_1_percent: Option<f64>,
+    /// What the steps in time leave wrong in that time and the depth then, or in the depth at the end: relative. Found on the first level.
+    #[serde(default)]
+    pub integration_error: Option<f64>,
     /// Steps taken.
     pub wear_steps: usize,
     /// Factorisations.
@@ -86,7 +92,7 @@ pub struct FinishedLevel {
 pub struct Resume {
     /// The finished levels.
     pub finished: Vec<FinishedLevel>,
-    /// States of the level after them, step by step. Only the last one must be whole; of the others step, time, sizes, volumes and pressure are
-    /// used.
+    /// States of the level after them, step by step. Only the last one must be whole; of the others step, time, sizes, volumes, gap, pressure, worn depth
+    /// and interval are used.
     pub states: Vec<WearState>,
 }

@@ -20,6 +20,7 @@ mod holding;
 mod internal_shoe;
 mod interrupted;
 mod json;
+mod long_runs;
 mod machined;
 mod own_materials;
 mod partial_contact;

@@ -10,7 +10,7 @@
 use crate::closed_form::{HALF_WIDTH, SPEED, THICKNESS, points, problem, rule, winkler};
 use approx::assert_relative_eq;
 use faer::Mat;
-use shapeopt::{Evolution, Stepping, Until, WearProblem, WearState, settling};
+use shapeopt::{Evolution, Stepping, Times, Until, WearProblem, WearState};
 
 const FOUNDATION: f64 = 500.0;
 const WEAR: f64 = 1e-7;
@@ -64,22 +64,23 @@ fn a_spring_in_series_slows_the_wear() {
 #[test]
 fn settling_tells_when_the_pressure_is_within_a_part_of_steady() {
     let points = points(30);
-    let weights: Vec<f64> = points.iter().map(|p| p.weight).collect();
     let gap: Vec<f64> = points.iter().map(|p| 1e-4 * (0.3 * p.position.x).sin()).collect();
     let mut run = problem(points.clone(), winkler(&points, None, FOUNDATION), rule(WEAR, 1.0), gap);
     run.stepping = Stepping::Adaptive { accuracy: 1e-10 };
     run.until = Until::Steady { residual: 1e-12, not_before: 0.0 };
-    let states: Vec<WearState> = Evolution::new(&run).unwrap().collect();
+    run.times = Some(Times { deviation: 1e-5, accuracy: 1e-9 });
+    let mut evolution = Evolution::new(&run).unwrap();
+    let states: Vec<WearState> = evolution.by_ref().collect();
     let norm = |p: &[f64]| -> f64 { p.iter().map(|v| (v - 1000.0 / AREA).powi(2)).sum::<f64>().sqrt() };
     let start = norm(&states[0].pressure) / (30.0_f64.sqrt() * 1000.0 / AREA);
     for deviation in [1e-2, 1e-5] {
-        let found = settling(&states, &weights, deviation).unwrap();
+        let found = evolution.settling(&states, deviation).unwrap();
         let time = (start / deviation).ln() / (FOUNDATION * WEAR * SPEED);
-        assert_relative_eq!(found.time, time, max_relative = 1e-5);
-        assert_relative_eq!(found.distance, SPEED * time, max_relative = 1e-5);
-        assert_relative_eq!(found.volume[0], WEAR * 1000.0 * SPEED * time, max_relative = 1e-5);
+        assert_relative_eq!(found.time, time, max_relative = 1e-8);
+        assert_relative_eq!(found.distance, SPEED * time, max_relative = 1e-8);
+        assert_relative_eq!(found.volume[0], WEAR * 1000.0 * SPEED * time, max_relative = 1e-8);
     }
-    assert!(settling(&states, &weights, 0.0).is_none());
+    assert!(evolution.settling(&states, 0.0).is_none());
 }
 
 /// With b = 1 a change of units by powers of two changes no digit.

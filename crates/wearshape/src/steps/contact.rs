@@ -34,6 +34,11 @@ const NEAR: f64 = 1e-3;
 /// Samples of the pressure for the comparison of levels, over the inner 95 % of the contact.
 const SAMPLES: usize = 191;
 
+/// Ends of contact inside the surface of a usual contact. Where there are more, a search that has failed is not tried on finer levels, and levels
+/// are left out for which both surfaces together would have more unknowns than this: their eliminations take the cube of it.
+const USUAL_ENDS: usize = 4;
+const MOST_UNKNOWNS: usize = 4000;
+
 /// Solves the contact.
 pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
     let mut search = Search::default();
@@ -59,6 +64,8 @@ pub(crate) struct Search {
     ends: FreeEnds,
     diagnosis: Option<Diagnosis>,
     last: Option<Level>,
+    /// Whether nodes did not settle on more ends than usual.
+    lost: bool,
 }
 
 impl Search {
@@ -85,7 +92,7 @@ struct Found {
 /// The diagnosis is left to be made if the level is the last.
 pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -> Result<Solved, Refusal> {
     let mut effort = Effort::default();
-    let Found { reduced, found, unsettled } = find(stage, level, &mut search.ends, &mut effort)?;
+    let Found { reduced, found, unsettled } = find(stage, level, search, &mut effort)?;
     let ends = &search.ends;
     let pair = reduced.pair()?;
     let operator = reduced.operator(&pair, stage.friction() > 0.0)?;
@@ -124,9 +131,11 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
         Reported { level, ends: ends.places.clone(), moments: vec![Moment { time: 0.0, name: "", states, around }] }
     });
     let twist = twist.map(|twist| twist.answer);
+    let grown = effort.counters.trace_dofs * (level.degree + 2).pow(2) / level.degree.pow(2);
+    let crowded = (search.ends.places.len() > USUAL_ENDS && grown > MOST_UNKNOWNS).then_some(search.ends.places.len());
     search.last = Some(level);
     search.diagnosis = Some(Diagnosis { reduced: Arc::clone(&reduced), found });
-    Ok(Solved { contact, interface: None, told, pressure, twist, embedded, unsettled, refused, reported, effort })
+    Ok(Solved { contact, interface: None, told, pressure, twist, embedded, unsettled, crowded, refused, reported, effort })
 }
 
 /// Energies, reactions and columns of a solved contact.
@@ -144,7 +153,8 @@ fn told(stage: Stage<'_>, reduced: &Reduced, operator: &ContactOperator<'_>, gap
 }
 
 /// Positions nodes on the ends of contact, if there are any inside the surface, and solves.
-fn find(stage: Stage<'_>, level: Level, ends: &mut FreeEnds, effort: &mut Effort) -> Result<Found, Fault> {
+fn find(stage: Stage<'_>, level: Level, search: &mut Search, effort: &mut Effort) -> Result<Found, Fault> {
+    let Search { ends, lost, .. } = search;
     let mut trial = None;
     if ends.places.is_empty() {
         let (found, length, work) = on_standing_mesh(stage, level)?;
@@ -152,7 +162,10 @@ fn find(stage: Stage<'_>, level: Level, ends: &mut FreeEnds, effort: &mut Effort
         *ends = FreeEnds::of(&found, length);
         trial = Some(found);
     }
-    let positioned = if ends.places.is_empty() { None } else { position(stage, level, ends, effort)? };
+    let many = ends.places.len() > USUAL_ENDS;
+    let sought = !ends.places.is_empty() && !(many && *lost);
+    let positioned = if sought { position(stage, level, ends, effort)? } else { None };
+    *lost |= many && positioned.is_none();
     let mut unsettled = false;
     let (reduced, held) = match positioned {
         Some((found, positioned)) => {

@@ -25,6 +25,8 @@ pub(crate) struct Solved {
     pub embedded: Option<f64>,
     /// Whether ends of contact lie inside elements because nodes did not settle on them.
     pub unsettled: bool,
+    /// Number of ends of contact inside the surface, where they are so many that the next level would have too many unknowns on it.
+    pub crowded: Option<usize>,
     /// Why there is no answer.
     pub refused: Option<String>,
     /// For the fields.
@@ -40,7 +42,8 @@ pub(crate) fn levels(
 ) -> Result<(Outcome, Effort), Refusal> {
     let solve = |level: Level, _: &[Solved], _: &mut Watch<'_>| {
         let solved = solve_level(level)?;
-        Ok(if solved.refused.is_some() { ControlFlow::Break(Some(solved)) } else { ControlFlow::Continue(solved) })
+        let last = solved.refused.is_some() || solved.crowded.is_some();
+        Ok(if last { ControlFlow::Break(Some(solved)) } else { ControlFlow::Continue(solved) })
     };
     let Climbed { solved, stopped } = climb(ladder, Vec::new(), solve, distance, watch)?;
     let mut effort = Effort::default();
@@ -94,6 +97,10 @@ fn finish(ladder: &Ladder, mut solved: Vec<Solved>) -> Outcome {
     let Some(found) = found else { return outcome };
     if last.unsettled {
         outcome.error.how += "; nodes did not settle on the ends of contact, which lie inside elements";
+    }
+    if let Some(ends) = last.crowded {
+        outcome.error.how +=
+            &format!("; with {ends} ends of contact inside the surface finer levels are left out: a smoother gap has fewer");
     }
     let worst = largest(&found[..if last.twist.is_some() { 3 } else { 2 }]);
     if let Some(accuracy) = ladder.missed(worst) {

@@ -219,6 +219,7 @@ impl Setting<'_> {
             twist: None,
             embedded,
             unsettled: false,
+            crowded: None,
             refused: (!touches).then(|| found.status.to_string()),
             reported,
             effort,

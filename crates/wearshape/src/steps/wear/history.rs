@@ -1,12 +1,12 @@
 //! The states of a run as far as they are looked at again: the table history.csv, what the running-in has cost, and where to go on.
 
-use shapeopt::{WearState, settling};
+use shapeopt::{Evolution, WearState};
 
 use crate::results::Settled;
 use crate::solution::{RunningIn, RunningInStep};
 
 /// How close to the steady pressure counts as worn in.
-const DEVIATION: f64 = 0.01;
+pub(super) const DEVIATION: f64 = 0.01;
 
 /// All states of a run; only the last one is whole.
 #[derive(Debug, Clone, Default)]
@@ -36,14 +36,8 @@ impl History {
     pub(super) fn push(&mut self, state: WearState) {
         if let Some(last) = self.states.last_mut() {
             let whole = std::mem::take(last);
-            *last = WearState {
-                opening: Vec::new(),
-                coordinates: Vec::new(),
-                approach: Vec::new(),
-                gap_rate: Vec::new(),
-                worn: Vec::new(),
-                ..whole
-            };
+            *last =
+                WearState { opening: Vec::new(), coordinates: Vec::new(), approach: Vec::new(), gap_rate: Vec::new(), ..whole };
         }
         self.states.push(state);
     }
@@ -66,9 +60,9 @@ impl History {
         COLUMNS.iter().enumerate().map(|(k, name)| (name.to_string(), column(k))).collect()
     }
 
-    /// What the running-in of a run that ended steady has cost; weights are the areas of the contact points.
-    pub(super) fn settled(&self, weights: &[f64]) -> Option<Settled> {
-        settling(&self.states, weights, DEVIATION).map(|found| Settled {
+    /// What the running-in of a run that ended steady has cost.
+    pub(super) fn settled(&self, evolution: &Evolution<'_>) -> Option<Settled> {
+        evolution.settling(&self.states, DEVIATION).map(|found| Settled {
             time: found.time,
             distance: found.distance,
             depth: 1e3 * found.depth,

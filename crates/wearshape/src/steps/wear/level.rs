@@ -2,14 +2,16 @@
 
 use contact::{ContactLoad, ContactOperator, ContactPoint, ContactSolution, Pair};
 use scene::Fault;
-use shapeopt::{Evolution, EvolutionStatus, NodalCurve, Until, WearProblem, WearState, closing, lowest_nonnegative};
+use shapeopt::{
+    Evolution, EvolutionStatus, NodalCurve, Stepping, Times, Until, WearProblem, WearState, closing, lowest_nonnegative,
+};
 
 use crate::bodies::Reduced;
 use crate::effort::Effort;
 use crate::ladder::Refusal;
 use crate::level::Level;
 use crate::options::Sampling;
-use crate::results::WearResult;
+use crate::results::{Settled, WearResult};
 use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::answer::{Answer, Own, Told};
@@ -75,6 +77,7 @@ pub(super) fn run(
     // Gaps of levels are compared at one time: where part of the surface is open, the worn part goes on receding from it.
     let not_before = finished.iter().map(|level| level.time).fold(0.0, f64::max);
     let problem = wear_problem(&stages, &loads, &pieces.intervals, &operator, not_before)?;
+    let known_error = finished.first().map(|level| level.integration_error);
     let scenes = Scenes { stages, loads, pieces, reduced: &reduced, pair: &pair, operator: &operator };
     let run_level = RunLevel {
         finished,
@@ -84,11 +87,13 @@ pub(super) fn run(
     };
     let begun = watch(Event::Run(&run_level)).is_continue();
     let run = evolve(&problem, &scenes, states, begun, watch)?;
-    effort.add_seconds(Step::Evolution, stage.clock()() - start);
     if run.stopped {
         return Ok(Err(run.history));
     }
-    scenes.ran(mesh, &problem, run, effort).map(Ok)
+    let integration_error = known_error.unwrap_or_else(|| integration_error(&problem, &run));
+    effort.add_seconds(Step::Evolution, stage.clock()() - start);
+    let (left, ran) = scenes.ran(mesh, &problem, run, effort)?;
+    Ok(Ok((FinishedLevel { integration_error, ..left }, ran)))
 }
 
 impl Scenes<'_> {
@@ -104,8 +109,7 @@ impl Scenes<'_> {
         effort.counters.wear_steps += state.step;
         let samples = stage.sample(self.pair, Sampling::Even(SAMPLES));
         let told = self.told(stage, state, &normalised, &found);
-        let weights: Vec<f64> = self.operator.points().iter().map(|p| p.weight).collect();
-        let wear = result(&run, &weights, stage);
+        let wear = result(&run, stage);
         let mut moments: Vec<Moment> = self.moment("", state.time, found, last).into_iter().collect();
         if stage.problem.plan.runs(Step::Fields) {
             let first = self.pieces.intervals[0].stage;
@@ -118,6 +122,8 @@ impl Scenes<'_> {
             layers: level.layers,
             gap: samples.iter().map(|p| self.operator.value_at(&normalised, p.arc)).collect(),
             time: state.time,
+            to_1_percent: wear.to_1_percent.as_ref().map(|settled| settled.time),
+            integration_error: None,
             closing: samples.iter().flat_map(|point| closing(self.pair, point)).collect(),
             wear_steps: state.step,
             factorisations: effort.counters.factorisations,
@@ -167,9 +173,9 @@ fn with_lowest_rigid_part(stage: Stage<'_>, pair: &Pair<'_>, operator: &ContactO
     operator.points().iter().zip(gap).map(|(p, g)| g + lifted(p)).collect()
 }
 
-/// What the summary says of a run; weights are the areas of the contact points.
-fn result(run: &Run, weights: &[f64], stage: Stage<'_>) -> WearResult {
-    let Run { state, ended, history, run_in, .. } = run;
+/// What the summary says of a run.
+fn result(run: &Run, stage: Stage<'_>) -> WearResult {
+    let Run { state, ended, run_in, .. } = run;
     let steady = state.steady_residual <= steady_residual(stage);
     WearResult {
         status: ended.into(),
@@ -183,8 +189,34 @@ fn result(run: &Run, weights: &[f64], stage: Stage<'_>) -> WearResult {
         explicit_step_limit: run_in.as_ref().map(|r| r.explicit_limit),
         run_in_distance: run_in.iter().flat_map(|r| r.distances.iter().copied().take(RUN_IN)).collect(),
         lyapunov_increase: (stage.friction() == 0.0).then_some(state.lyapunov_increase),
-        to_1_percent: if steady { history.settled(weights) } else { None },
+        run_in_error: None,
+        to_1_percent: run.settled.clone().filter(|_| steady),
     }
+}
+
+/// How much coarser the steps of the run are that a run is compared with, by the error that each may make.
+const COARSER: f64 = 16.0;
+
+/// What the steps of a run leave wrong in its time to the steady pressure and the depth then, or in its depth at the end where it has no such time:
+/// its relative difference from a run with coarser steps, whose error is that many times as large.
+fn integration_error(problem: &WearProblem, run: &Run) -> Option<f64> {
+    let Stepping::Adaptive { accuracy } = problem.stepping else { return None };
+    if !matches!(run.ended, EvolutionStatus::Steady | EvolutionStatus::TimeReached) {
+        return None;
+    }
+    let stepping = Stepping::Adaptive { accuracy: COARSER * accuracy };
+    let times = problem.times.map(|times| Times { accuracy: COARSER * times.accuracy, ..times });
+    let coarse = WearProblem { stepping, times, ..problem.clone() };
+    let mut evolution = Evolution::new(&coarse).ok()?;
+    let mut history = History::default();
+    evolution.by_ref().take(MOST_STEPS).for_each(|state| history.push(state));
+    let relative = |fine: f64, coarse: f64| if fine == coarse { 0.0 } else { (fine - coarse).abs() / fine.abs() };
+    let difference = match (&run.settled, history.settled(&evolution)) {
+        (Some(fine), Some(coarse)) => relative(fine.time, coarse.time).max(relative(fine.depth, coarse.depth)),
+        (None, None) if run.ended == *evolution.status() => relative(run.state.depth, evolution.state().depth),
+        _ => return None,
+    };
+    Some(difference / (COARSER - 1.0))
 }
 
 /// Why a run whose every rate is 0 has no end.
@@ -198,6 +230,8 @@ struct Run {
     /// Whether the watcher ended it.
     stopped: bool,
     history: History,
+    /// What it took until the pressure was nearly the last one.
+    settled: Option<Settled>,
     run_in: Option<shapeopt::RunIn>,
 }
 
@@ -244,7 +278,8 @@ fn evolve(
         history.push(state);
     }
     let (state, ended, run_in) = (evolution.state().clone(), evolution.status().clone(), evolution.run_in());
-    Ok(Run { state, ended, stopped, history, run_in })
+    let settled = if stopped { None } else { history.settled(&evolution) };
+    Ok(Run { state, ended, stopped, history, settled, run_in })
 }
 
 /// How far a run is, from 0 to 1, about; the steady state counts in the last piece of a schedule alone.

@@ -1,11 +1,12 @@
 //! The wear problem of a level: contact points, wear rules, start gap, and the loads of the schedule.
 
 use contact::{ContactLoad, ContactOperator, Status as ContactStatus};
-use shapeopt::{Interval, LoadStage, Stepping, Until, WearProblem};
+use shapeopt::{Interval, LoadStage, Stepping, Times, Until, WearProblem};
 
 use crate::ladder::Refusal;
 use crate::stage::Stage;
 use crate::steps::start_gap::start_gaps;
+use crate::steps::wear::history::DEVIATION;
 
 /// Certificate of the steady state.
 const STEADY: f64 = 1e-9;
@@ -48,6 +49,7 @@ pub(super) fn wear_problem(
     problem.start = Some([start.pressure, start.opening]);
     problem.track_area = stage.patch.surface.track_area();
     problem.until = Until::Steady { residual: steady_residual(stage), not_before };
+    problem.times = Some(Times { deviation: DEVIATION, accuracy: stage.accuracy() });
     if let Some(time) = stage.problem.wear.until {
         problem.until = Until::Time(time);
         problem.stepping = Stepping::Adaptive { accuracy: stage.accuracy() };
