@@ -213,6 +213,15 @@ impl<'a> Load<'a> {
         if !next.iter().all(|v| v.is_finite()) {
             return None;
         }
+        // A step that opens the whole contact goes too far: the half of it that it opens least stays.
+        if next.iter().filter(|v| **v > 0.0).count() < self.unit.len().max(1) {
+            let mut least = active.to_vec();
+            least.sort_by(|i, j| next[*j].total_cmp(&next[*i]));
+            for i in least.into_iter().take(active.len() / 2) {
+                next[i] = next[i].max(f64::MIN_POSITIVE.max(1e-12 * u[i]));
+                at.known[i] = None;
+            }
+        }
         let changed: Vec<usize> = (0..n).filter(|i| (next[*i] > 0.0) != (u[*i] > 0.0)).collect();
         if let (true, Some(only)) = (at.steps > PATIENCE, changed.last()) {
             for i in changed.iter().copied().filter(|i| i != only) {
