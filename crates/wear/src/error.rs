@@ -77,7 +77,8 @@ pub enum WearError {
     },
     /// The pressure rises so steeply over so much of the surface that its integrals need more nodes than are made.
     #[error(
-        "the pressure is so steep that its integrals over the surface need more than {nodes} nodes; give exponents of the wear rule nearer to 1"
+        "the pressure is so steep that its integrals over the surface need more than {nodes} nodes; give exponents of the wear \
+         rule nearer to 1, or a load that presses more of it"
     )]
     TooSteep {
         /// Most nodes that are made.

@@ -7,6 +7,7 @@
 use crate::WearError;
 use crate::balance::Balanced;
 use crate::bracket::Bracket;
+use crate::cells::cut_short;
 use crate::density::Density;
 use crate::pressure_law::Node;
 use crate::singular;
@@ -38,7 +39,8 @@ pub(crate) fn may_help(stage: &Stage<'_>, error: &WearError) -> bool {
         | WearError::Modes { .. }
         | WearError::NoWear { .. }
         | WearError::OutOfRange { .. }
-        | WearError::OwnRule { .. } => false,
+        | WearError::OwnRule { .. }
+        | WearError::TooSteep { .. } => false,
     }
 }
 
@@ -239,6 +241,9 @@ impl Turn<'_, '_> {
     /// The resultant of the present law.
     fn measured(&mut self) -> Option<Resultant> {
         self.stage.collect(self.nodes);
+        if cut_short(self.nodes) {
+            return None;
+        }
         let total = sums(self.stage, self.nodes);
         let (pivot, other) = (self.stage.law.pivot, self.other());
         let load = [self.stage.law.resultant(pivot), self.stage.law.resultant(other)];

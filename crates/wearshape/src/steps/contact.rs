@@ -163,8 +163,8 @@ fn find(stage: Stage<'_>, level: Level, search: &mut Search, effort: &mut Effort
         trial = Some(found);
     }
     let many = ends.places.len() > USUAL_ENDS;
-    let sought = !ends.places.is_empty() && !(many && *lost);
-    let positioned = if sought { position(stage, level, ends, effort)? } else { None };
+    let given_up = ends.places.is_empty() || many && *lost;
+    let positioned = if given_up { None } else { position(stage, level, ends, effort)? };
     *lost |= many && positioned.is_none();
     let mut unsettled = false;
     let (reduced, held) = match positioned {
