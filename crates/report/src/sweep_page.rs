@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::curves::curves_json;
+use crate::curves::{Picture, curves_json};
 use crate::escape::escaped;
 use crate::line_plot::{LinePlot, line_plot};
 use crate::page::figures;
@@ -27,8 +27,8 @@ pub struct SweepPage<'a> {
 /// The page of a sweep, self-contained; the same parts give the same bytes.
 pub fn sweep_page(page: &SweepPage<'_>) -> String {
     let text = |key: &str| escaped(page.summary[key].as_str().unwrap_or(""));
-    let named: Vec<(&'static str, LinePlot)> = page.plots.iter().map(|plot| ("", plot.clone())).collect();
-    let charts = curves_json(&named);
+    let plain = |plot: &LinePlot| Picture { file: "", plot: plot.clone(), zones: Vec::new() };
+    let charts = curves_json(&page.plots.iter().map(plain).collect::<Vec<Picture>>());
     let charts: Vec<&Value> = charts.as_array().into_iter().flatten().map(|entry| &entry["chart"]).collect();
     let pictures: Vec<String> = page.plots.iter().map(line_plot).collect();
     let title = escaped(page.title);
