@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use crate::bodies::Bodies;
 use crate::faults::in_names_of;
+use crate::fixed;
 use crate::ladder::levels;
 use crate::level::Level;
 use crate::options::Options;
@@ -63,7 +64,11 @@ fn forecast(problem: &Problem, options: &Options<'_>) -> Result<Vec<Forecast>, F
     let contact = problem.plan.runs(Step::Contact) || problem.plan.runs(Step::Evolution);
     let mut before = 0.0;
     let mut found = Vec::new();
-    for level in levels(problem, options) {
+    let (step, beside) = match problem.plan.runs(Step::Contact) {
+        true => (Step::Contact, problem.wanted.fixed.and_then(fixed::beside)),
+        false => (Step::Shape, None),
+    };
+    for level in beside.into_iter().chain(levels(problem, options, step)) {
         let (start, level_parts) = (clock(), scope.parts(level)?);
         let meshing = clock() - start;
         let bodies = level_parts.sizes()?;

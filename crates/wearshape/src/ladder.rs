@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 
 use scene::Fault;
 
+use crate::fixed::{Differences, error_of_gap, levels_of_contact, levels_of_gap};
 use crate::level::Level;
 use crate::options::Options;
 use crate::problem::Problem;
@@ -18,6 +19,10 @@ const BEYOND: [usize; 2] = [18, 20];
 const NEARLY: f64 = 10.0;
 /// Digits that a level gains, about, before errors tell.
 const DIGITS: f64 = 1.5;
+/// Successive levels without a smaller difference after which finer ones are of no use: round-off, or something that degrees do not mend.
+const IDLE: usize = 2;
+/// A level that is so many times farther away than the one before it was, after a steady fall, is the wrong one of both.
+const WILD: f64 = 100.0;
 
 /// Levels from which an error can be estimated: every solve climbs them, or all that there are.
 pub(crate) const LEAST: usize = 3;
@@ -52,7 +57,7 @@ pub(crate) struct Ladder {
 impl Ladder {
     /// The levels of a problem: up to the fixed one, or until the accuracy is reached.
     pub(crate) fn of(problem: &Problem, options: &Options<'_>, step: Step) -> Ladder {
-        let levels = levels(problem, options);
+        let levels = levels(problem, options, step);
         let accuracy = problem.wanted.fixed.is_none().then_some(problem.wanted.accuracy);
         Ladder { step, usual: levels.len(), levels, accuracy }
     }
@@ -94,22 +99,42 @@ impl Ladder {
         self.accuracy.filter(|accuracy| error > *accuracy)
     }
 
+    /// The level of a fixed discretisation that coarser ones tell the error of.
+    pub(crate) fn fixed(&self) -> Option<Level> {
+        let fixed = self.accuracy.is_none().then(|| self.levels.last()).flatten();
+        fixed.copied().filter(|_| self.levels.len() > 2)
+    }
+
     /// Whether the discretisation is fixed.
     pub(crate) fn is_fixed(&self) -> bool {
         self.accuracy.is_none()
     }
+
+    /// Whether a level that fails is given up for those `solved` before it, which tell their error.
+    pub(crate) fn can_do_without<T>(&self, solved: &[T]) -> bool {
+        self.accuracy.is_some() && solved.len() > 2
+    }
+
+    /// Estimated error of the gap of the last level; `None` from fewer than three.
+    pub(crate) fn error_of_gap<T>(&self, solved: &[T], distance: &impl Fn(&T, &T) -> [f64; 1]) -> Option<f64> {
+        match (self.fixed(), solved) {
+            (Some(fixed), [a, b, c]) => {
+                let [[older], [newer]] = [distance(a, b), distance(b, c)];
+                Some(error_of_gap(fixed, Differences { older, newer, layers: 0.0 }))
+            }
+            _ => errors(solved, distance).map(|[error]| error),
+        }
+    }
 }
 
-/// The levels that a problem may climb: up to the fixed one, or those of the usual degrees.
-pub(crate) fn levels(problem: &Problem, options: &Options<'_>) -> Vec<Level> {
-    let [first, last, step] = DEGREES;
-    match problem.wanted.fixed {
-        Some(level) if options.alone => vec![level],
-        None => (first..=last).step_by(step).map(|degree| problem.level(degree)).collect(),
-        Some(level) => {
-            let below = [4, 2, 0].into_iter().filter(|down| level.degree > *down);
-            below.map(|down| Level { degree: level.degree - down, ..level }).collect()
-        }
+/// The levels that a step may climb: up to the fixed one, or those of the usual degrees.
+pub(crate) fn levels(problem: &Problem, options: &Options<'_>, step: Step) -> Vec<Level> {
+    let [first, last, by] = DEGREES;
+    match (problem.wanted.fixed, step) {
+        (Some(level), _) if options.alone => vec![level],
+        (None, _) => (first..=last).step_by(by).map(|degree| problem.level(degree)).collect(),
+        (Some(level), Step::Contact) => levels_of_contact(level),
+        (Some(level), _) => levels_of_gap(level),
     }
 }
 
@@ -122,9 +147,9 @@ pub(crate) struct Climbed<T> {
     pub stopped: bool,
 }
 
-/// Solves level after level until it is enough, or until one cannot be meshed or solved and those before it have an estimate; `solve` is given the levels before and ends the ladder by `Break`, with its level or, where the
-/// watcher cut that short, without. `distance` is how far two levels are apart, one relative number a quantity. Levels that are `known` are not
-/// solved again.
+/// Solves level after level until it is enough, or until one cannot be meshed or solved and those before it have an estimate; `solve` is given the
+/// levels before and ends the ladder by `Break`, with its level or, where the watcher cut that short, without. `distance` is how far two levels
+/// are apart, one relative number a quantity. Levels that are `known` are not solved again.
 pub(crate) fn climb<T, const N: usize>(
     ladder: &Ladder,
     known: Vec<T>,
@@ -142,22 +167,74 @@ pub(crate) fn climb<T, const N: usize>(
         if watch(Event::Level { step: ladder.step, degree: level.degree, layers: level.layers, left }).is_break() {
             return Ok(Climbed { solved, stopped: true });
         }
-        let found = match solve(level, &solved, watch) {
-            Err(Refusal::Fault(_)) if solved.len() >= LEAST => break,
-            found => found?,
+        let next = match solve(level, &solved, watch) {
+            // More accuracy must not lose the answer that is there.
+            Err(_) if ladder.can_do_without(&solved) => break,
+            next => next?,
         };
-        let (level, more) = match found {
+        let (level, more) = match next {
             ControlFlow::Continue(level) => (level, true),
             ControlFlow::Break(Some(level)) => (level, false),
             ControlFlow::Break(None) => return Ok(Climbed { solved, stopped: true }),
         };
         solved.push(level);
         let error = errors(&solved, &distance).map(|errors| largest(&errors));
-        if !more || ladder.accuracy.zip(error).is_some_and(|(accuracy, error)| error <= accuracy) {
+        let enough = ladder.accuracy.zip(error).is_some_and(|(accuracy, error)| error <= accuracy);
+        if !more || enough || (ladder.accuracy.is_some() && idle(&changes(&solved, &distance))) {
             break;
         }
     }
     Ok(Climbed { solved, stopped: false })
+}
+
+/// Largest difference of each level from the one before it.
+fn changes<T, const N: usize>(solved: &[T], distance: &impl Fn(&T, &T) -> [f64; N]) -> Vec<f64> {
+    solved.windows(2).map(|pair| largest(&distance(&pair[0], &pair[1]))).collect()
+}
+
+/// Whether differences of successive levels that fell before no longer do.
+fn idle(changes: &[f64]) -> bool {
+    let (before, last) = changes.split_at(changes.len().saturating_sub(IDLE));
+    let least = before.iter().copied().fold(f64::INFINITY, f64::min);
+    before.len() > 2 && last.iter().all(|change| *change >= least)
+}
+
+/// The levels of a ladder up to the one to report, with its estimated errors: the last one, or where finer ones came out worse the one with the
+/// smallest error that these leave credible. `None` from fewer than three levels.
+pub(crate) fn best<T, const N: usize>(
+    ladder: &Ladder,
+    solved: &[T],
+    distance: &impl Fn(&T, &T) -> [f64; N],
+) -> Option<(usize, [f64; N])> {
+    let last = errors(solved, distance)?;
+    let ended = (solved.len(), last);
+    if ladder.missed(largest(&last)).is_none() {
+        return Some(ended);
+    }
+    let changes = changes(solved, distance);
+    let of = |count: usize| errors(&solved[..count], distance).map(|errors| credible(solved, &changes, count, errors, distance));
+    let all = (3..=solved.len()).filter_map(|count| Some((count, of(count)?)));
+    let best = all.min_by(|(_, a), (_, b)| largest(a).total_cmp(&largest(b)));
+    best.or(Some(ended))
+}
+
+/// Estimated errors of the level number `count` after what finer ones say of it: it is as far away as the nearest of them, unless
+/// a steady fall up to it shows that these are wrong.
+fn credible<T, const N: usize>(
+    solved: &[T],
+    changes: &[f64],
+    count: usize,
+    errors: [f64; N],
+    distance: &impl Fn(&T, &T) -> [f64; N],
+) -> [f64; N] {
+    let apart = solved[count..].iter().map(|finer| distance(&solved[count - 1], finer));
+    let Some(nearest) = apart.min_by(|a, b| largest(a).total_cmp(&largest(b))) else { return errors };
+    let fell = &changes[count.saturating_sub(4)..count - 1];
+    let steadily = fell.len() > 2 && fell.windows(2).all(|pair| pair[1] < pair[0]);
+    if steadily && largest(&nearest) > WILD * fell[fell.len() - 1] {
+        return errors;
+    }
+    std::array::from_fn(|k| errors[k].max(nearest[k]))
 }
 
 /// The largest of several errors.
@@ -189,8 +266,19 @@ pub(crate) fn rest(older: f64, newer: f64) -> f64 {
     if newer == 0.0 {
         return f64::EPSILON;
     }
-    let ratio = (newer / older).clamp(0.0, 0.85).powf(0.75);
+    let ratio = slowed(newer / older);
     (newer * ratio / (1.0 - ratio)).max(1e-14)
+}
+
+/// Rest of a series over its last difference, from the ratio of its last two.
+pub(crate) fn share(ratio: f64) -> f64 {
+    let ratio = slowed(ratio);
+    ratio / (1.0 - ratio)
+}
+
+/// The ratio of the differences to come.
+fn slowed(ratio: f64) -> f64 {
+    ratio.clamp(0.0, 0.85).powf(0.75)
 }
 
 /// What solved levels say about the error of their quantity number `which`, called `quantity`.

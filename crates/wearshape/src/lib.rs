@@ -4,6 +4,7 @@ mod bodies;
 mod body_field;
 mod effort;
 mod faults;
+mod fixed;
 mod forecast;
 mod freedom;
 mod functional;

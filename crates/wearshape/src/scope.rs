@@ -55,7 +55,8 @@ impl<'a> Scope<'a> {
 
     /// Refuses bodies that cannot be meshed, held or loaded on the levels that every solve of a problem climbs.
     fn sound(&self, problem: &Problem, options: &Options<'_>) -> Result<(), Fault> {
-        let levels = levels(problem, options);
+        let step = if problem.plan.runs(Step::Contact) { Step::Contact } else { Step::Shape };
+        let levels = levels(problem, options, step);
         let Some(level) = levels.iter().take(LEAST).next_back().copied() else { return Ok(()) };
         match self {
             // A contact too long for the bodies is an answer.

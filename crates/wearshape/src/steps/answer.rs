@@ -113,3 +113,12 @@ pub(crate) struct Outcome {
     /// An unfinished run in time.
     pub resume: Option<Resume>,
 }
+
+impl Outcome {
+    /// Writes another estimate of the last level's error into the table of levels, if there is one.
+    pub(crate) fn tell(&mut self, error: Option<f64>) {
+        if let Some((rung, error)) = self.ladder.last_mut().zip(error) {
+            rung.estimate = Some(error);
+        }
+    }
+}

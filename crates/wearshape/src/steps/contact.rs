@@ -16,7 +16,7 @@ use crate::level::Level;
 use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::answer::{Answer, Outcome, Own, Told};
-use crate::steps::contact_levels::{Solved, levels};
+use crate::steps::contact_levels::{Solved, imbalance, levels};
 use crate::steps::contact_result::result;
 use crate::steps::diagnosis::Diagnosis;
 use crate::steps::free_ends::position;
@@ -43,9 +43,9 @@ const MOST_UNKNOWNS: usize = 4000;
 pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
     let mut search = Search::default();
     let ladder = Ladder::of(stage.problem, stage.options, Step::Contact).and_beyond(stage.problem);
-    let (mut outcome, effort) = levels(&ladder, watch, |level| solve_level(stage, level, &mut search))?;
-    search.report(stage, &mut outcome)?;
-    if let Some((level, profile)) = search.last.zip(outcome.told.as_ref().map(|told| &told.profile)) {
+    let (mut outcome, effort, last) = levels(&ladder, watch, |level| solve_level(stage, level, &mut search))?;
+    last.iter().try_for_each(|last| last.diagnosis.report(stage, &mut outcome))?;
+    if let Some((Last { level, .. }, profile)) = last.zip(outcome.told.as_ref().map(|told| &told.profile)) {
         let is_closed = |status: Option<&PointStatus>| status == Some(&PointStatus::Contact);
         let closed = [is_closed(profile.status.first()), is_closed(profile.status.last())];
         let note = sharp_edges::note(stage, level.layers, closed)?;
@@ -58,26 +58,19 @@ pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome,
     Ok((outcome, effort))
 }
 
-/// What one level leaves to the next: its ends of contact, and the diagnosis that is made if it is the last.
+/// What one level leaves to the next: its ends of contact.
 #[derive(Default)]
 pub(crate) struct Search {
     ends: FreeEnds,
-    diagnosis: Option<Diagnosis>,
-    last: Option<Level>,
     /// Whether nodes did not settle on more ends than usual.
     lost: bool,
 }
 
-impl Search {
-    /// What the last contact rests on.
-    pub(crate) fn report(&self, stage: Stage<'_>, outcome: &mut Outcome) -> Result<(), Fault> {
-        if let Some((diagnosis, contact)) = self.diagnosis.as_ref().zip(outcome.contact.as_mut()) {
-            let (uniqueness, interface) = diagnosis.made(stage)?;
-            contact.uniqueness = uniqueness;
-            outcome.interface = interface;
-        }
-        Ok(())
-    }
+/// What is needed of a level beside its result if it is the reported one.
+pub(crate) struct Last {
+    pub level: Level,
+    /// The diagnosis to be made of it.
+    pub diagnosis: Diagnosis,
 }
 
 /// Bodies of a level, the contact found on them, and its start gap.
@@ -88,9 +81,9 @@ struct Found {
     unsettled: bool,
 }
 
-/// Solves a level; where contact ends inside the surface, with element nodes on its ends, from those of the last level.
-/// The diagnosis is left to be made if the level is the last.
-pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -> Result<Solved, Refusal> {
+/// Solves a level; where contact ends inside the surface, with element nodes on its ends, from those of the last level, which `search` leaves
+/// from one level to the next.
+pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -> Result<(Solved, Last), Refusal> {
     let mut effort = Effort::default();
     let Found { reduced, found, unsettled } = find(stage, level, search, &mut effort)?;
     let ends = &search.ends;
@@ -131,11 +124,28 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
         Reported { level, ends: ends.places.clone(), moments: vec![Moment { time: 0.0, name: "", states, around }] }
     });
     let twist = twist.map(|twist| twist.answer);
+    let moment = [found.moment, 0.1 * length];
+    let imbalance = match stage.couple.is_revolved() {
+        true => imbalance(&told.reactions, [None, Some(found.force[1])], None),
+        false => imbalance(&told.reactions, found.force.map(Some), Some(moment)),
+    };
     let grown = effort.counters.trace_dofs * (level.degree + 2).pow(2) / level.degree.pow(2);
-    let crowded = (search.ends.places.len() > USUAL_ENDS && grown > MOST_UNKNOWNS).then_some(search.ends.places.len());
-    search.last = Some(level);
-    search.diagnosis = Some(Diagnosis { reduced: Arc::clone(&reduced), found });
-    Ok(Solved { contact, interface: None, told, pressure, twist, embedded, unsettled, crowded, refused, reported, effort })
+    let crowded = (ends.places.len() > USUAL_ENDS && grown > MOST_UNKNOWNS).then_some(ends.places.len());
+    let solved = Solved {
+        contact,
+        interface: None,
+        told,
+        pressure,
+        twist,
+        embedded,
+        unsettled,
+        crowded,
+        imbalance,
+        refused,
+        reported,
+        effort,
+    };
+    Ok((solved, Last { level, diagnosis: Diagnosis { reduced: Arc::clone(&reduced), found } }))
 }
 
 /// Energies, reactions and columns of a solved contact.
@@ -154,7 +164,7 @@ fn told(stage: Stage<'_>, reduced: &Reduced, operator: &ContactOperator<'_>, gap
 
 /// Positions nodes on the ends of contact, if there are any inside the surface, and solves.
 fn find(stage: Stage<'_>, level: Level, search: &mut Search, effort: &mut Effort) -> Result<Found, Fault> {
-    let Search { ends, lost, .. } = search;
+    let Search { ends, lost } = search;
     let mut trial = None;
     if ends.places.is_empty() {
         let (found, length, work) = on_standing_mesh(stage, level)?;

@@ -3,13 +3,17 @@
 use std::ops::ControlFlow;
 
 use crate::effort::Effort;
-use crate::ladder::{Climbed, Ladder, Refusal, climb, errors, largest, missed, rungs};
+use crate::fixed;
+use crate::ladder::{Climbed, Ladder, Refusal, best, climb, largest, missed, rungs};
 use crate::level::Level;
-use crate::results::{ContactResult, ErrorResult, InterfaceResult};
-use crate::solution::Status;
+use crate::results::{ContactResult, ErrorResult, InterfaceResult, Reaction};
+use crate::solution::{Rung, Status};
 use crate::steps::answer::{Outcome, Told};
 use crate::steps::reported::Reported;
 use crate::watch::Watch;
+
+/// Error of a contact over the imbalance of its forces.
+const ROUND_OFF: f64 = 2.0;
 
 /// Result of one level.
 pub(crate) struct Solved {
@@ -27,6 +31,8 @@ pub(crate) struct Solved {
     pub unsettled: bool,
     /// Number of ends of contact inside the surface, where they are so many that the next level would have too many unknowns on it.
     pub crowded: Option<usize>,
+    /// How far the forces on body 2 are from balance, relative: what round-off has made of its equations.
+    pub imbalance: f64,
     /// Why there is no answer.
     pub refused: Option<String>,
     /// For the fields.
@@ -34,21 +40,33 @@ pub(crate) struct Solved {
     pub effort: Effort,
 }
 
-/// Solves level after level until the estimated errors are below the accuracy asked for, and reports the last one.
-pub(crate) fn levels(
+/// Solves level after level until the estimated errors are below the accuracy asked for; reports the last one, or the best where finer ones come out
+/// worse, with what `solve_level` gave beside it.
+pub(crate) fn levels<X>(
     ladder: &Ladder,
     watch: &mut Watch<'_>,
-    mut solve_level: impl FnMut(Level) -> Result<Solved, Refusal>,
-) -> Result<(Outcome, Effort), Refusal> {
-    let solve = |level: Level, _: &[Solved], _: &mut Watch<'_>| {
-        let solved = solve_level(level)?;
-        let last = solved.refused.is_some() || solved.crowded.is_some();
-        Ok(if last { ControlFlow::Break(Some(solved)) } else { ControlFlow::Continue(solved) })
-    };
-    let Climbed { solved, stopped } = climb(ladder, Vec::new(), solve, distance, watch)?;
+    mut solve_level: impl FnMut(Level) -> Result<(Solved, X), Refusal>,
+) -> Result<(Outcome, Effort, Option<X>), Refusal> {
     let mut effort = Effort::default();
+    let beside = match ladder.fixed().and_then(fixed::beside) {
+        Some(level) => Some(solve_level(level)?),
+        None => None,
+    };
+    beside.iter().for_each(|(level, _)| effort += level.effort.clone());
+    let solve = |level: Level, before: &[(Solved, X)], _: &mut Watch<'_>| {
+        let solved = solve_level(level)?;
+        Ok(match &solved.0.refused {
+            Some(reason) if ladder.can_do_without(before) => return Err(Refusal::Reason(reason.clone())),
+            None if solved.0.crowded.is_none() => ControlFlow::Continue(solved),
+            _ => ControlFlow::Break(Some(solved)),
+        })
+    };
+    let apart = |(x, _): &(Solved, X), (y, _): &(Solved, X)| distance(x, y);
+    let Climbed { solved, stopped } = climb(ladder, Vec::new(), solve, apart, watch)?;
+    let (solved, others): (Vec<Solved>, Vec<X>) = solved.into_iter().unzip();
     solved.iter().for_each(|level| effort += level.effort.clone());
-    Ok((Outcome { stopped, ..finish(ladder, solved) }, effort))
+    let (outcome, reported) = finish(ladder, solved, beside.map(|(level, _)| level));
+    Ok((Outcome { stopped, ..outcome }, effort, others.into_iter().nth(reported)))
 }
 
 /// How far two levels are apart: relative differences of the energy, of the pressure (L2 over the inner 95 % of the contact), and of a twist
@@ -66,12 +84,53 @@ fn relative_difference(x: &[f64], y: &[f64]) -> f64 {
     (square(&|i| x[i] - y[i]) / square(&|i| y[i])).sqrt()
 }
 
-fn finish(ladder: &Ladder, mut solved: Vec<Solved>) -> Outcome {
+/// How far the supports of body 2 are from carrying the contact force along x and z and its moment about the origin, each as far as given, relative.
+pub(crate) fn imbalance(reactions: &[(String, Reaction)], force: [Option<f64>; 2], moment: Option<[f64; 2]>) -> f64 {
+    let total = |of: fn(&Reaction) -> Option<f64>| -> Option<f64> {
+        reactions.iter().filter(|(name, _)| name.starts_with("body2.")).map(|(_, reaction)| of(reaction)).sum()
+    };
+    let size = force.iter().flatten().fold(0.0, |most: f64, f| most.max(f.abs()));
+    let off = |carried: Option<f64>, needed: Option<f64>, size: f64| match carried.zip(needed) {
+        Some((carried, needed)) if size > 0.0 => (carried - needed).abs() / size,
+        _ => 0.0,
+    };
+    let along = [off(total(|r| r.x), force[0], size), off(total(|r| r.z), force[1], size)];
+    let turning = moment.map_or(0.0, |[moment, arm]| off(total(|r| r.moment), Some(moment), moment.abs().max(size * arm)));
+    largest(&[along[0], along[1], turning])
+}
+
+/// What is reported, and of which level.
+fn finish(ladder: &Ladder, mut solved: Vec<Solved>, beside: Option<Solved>) -> (Outcome, usize) {
     let degrees: Vec<usize> = ladder.levels.iter().map(|level| level.degree).collect();
     let rungs = rungs(&degrees, &solved, "pressure", 1, distance);
-    let found = errors(&solved, &distance);
     let levels = solved.len();
-    let Some(last) = solved.pop() else { return Outcome::default() };
+    let (count, found) = match (ladder.fixed(), &solved[..]) {
+        (Some(fixed), [a, b, c]) => (levels, Some(errors_of_fixed(fixed, [a, b, c], beside.as_ref()))),
+        _ => best(ladder, &solved, &distance).map_or((levels, None), |(count, errors)| (count, Some(errors))),
+    };
+    solved.truncate(count);
+    let Some(last) = solved.pop() else { return Default::default() };
+    // Displacements are off by about what equilibrium is off by, and no series of levels tells that.
+    let found = found.map(|errors| errors.map(|error| error.max(ROUND_OFF * last.imbalance)));
+    let mut outcome = report(ladder, last, found, rungs);
+    if count < levels {
+        outcome.error.how += &format!("; the best of them is reported, of degree {}", degrees[count - 1]);
+    }
+    outcome.tell(found.filter(|_| ladder.is_fixed()).map(|[_, pressure, _]| pressure));
+    (outcome, count - 1)
+}
+
+/// Estimated errors of the last of the three levels of a fixed discretisation.
+fn errors_of_fixed(fixed: Level, [a, b, c]: [&Solved; 3], beside: Option<&Solved>) -> [f64; 3] {
+    let (older, newer) = (distance(a, b), distance(b, c));
+    let layers = beside.map_or([0.0; 3], |beside| distance(beside, b));
+    let of = |k: usize| fixed::Differences { older: older[k], newer: newer[k], layers: layers[k] };
+    fixed::errors_of_contact(fixed, std::array::from_fn(of))
+}
+
+/// What is reported of a level with these estimated errors.
+fn report(ladder: &Ladder, last: Solved, found: Option<[f64; 3]>, rungs: Vec<Rung>) -> Outcome {
+    let levels = rungs.len();
     let mut outcome = Outcome {
         contact: Some(last.contact),
         interface: last.interface,

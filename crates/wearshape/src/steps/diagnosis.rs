@@ -9,6 +9,7 @@ use crate::bodies::Reduced;
 use crate::faults::unsolved;
 use crate::results::{InterfaceResult, UniquenessResult};
 use crate::stage::Stage;
+use crate::steps::answer::Outcome;
 use crate::steps::start_gap::start_gaps;
 use crate::words::Uniqueness;
 
@@ -22,8 +23,16 @@ pub(crate) struct Diagnosis {
 }
 
 impl Diagnosis {
+    /// Writes what the contact rests on.
+    pub(crate) fn report(&self, stage: Stage<'_>, outcome: &mut Outcome) -> Result<(), Fault> {
+        if let Some(contact) = outcome.contact.as_mut() {
+            (contact.uniqueness, outcome.interface) = self.made(stage)?;
+        }
+        Ok(())
+    }
+
     /// Uniqueness, and the condition of the system.
-    pub(crate) fn made(&self, stage: Stage<'_>) -> Result<(Option<UniquenessResult>, Option<InterfaceResult>), Fault> {
+    fn made(&self, stage: Stage<'_>) -> Result<(Option<UniquenessResult>, Option<InterfaceResult>), Fault> {
         let pair = self.reduced.pair()?;
         let operator = self.reduced.operator(&pair, stage.friction() > 0.0)?;
         let gap = start_gaps(stage, &operator);

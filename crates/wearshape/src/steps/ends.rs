@@ -20,7 +20,7 @@ use crate::parts::Parts;
 use crate::results::{EnergyResult, Reaction};
 use crate::step::Step;
 use crate::steps::answer::{Outcome, Told};
-use crate::steps::contact_levels::{Solved, levels};
+use crate::steps::contact_levels::{Solved, imbalance, levels};
 use crate::steps::ends_profile::Rows;
 use crate::steps::ends_setting::Setting;
 use crate::steps::reported::{Moment, Reported};
@@ -33,12 +33,12 @@ const SAMPLES: usize = 191;
 /// Accuracy of the ends relative to the length of contact, of contact alone and with the ends of stick, whose residual is less smooth.
 const TOLERANCES: [f64; 2] = [1e-10, 1e-8];
 
-/// Solves the contact; the nodes on the ends of the last level are left for the fields.
+/// Solves the contact; the nodes on the ends of the reported level are left for the fields.
 pub(crate) fn solve(setting: &Setting<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort, Vec<f64>), Refusal> {
     let mut nodes = setting.trial()?;
     let (mut stick, mut sought) = (None, setting.shear != 0.0);
     let ladder = Ladder::of(setting.problem, setting.options, Step::Contact).and_beyond(setting.problem);
-    let (outcome, effort) = levels(&ladder, watch, |level| {
+    let (outcome, effort, reported) = levels(&ladder, watch, |level| {
         let mut work = Effort::default();
         let mut found = setting.position(level, Trial { nodes: &nodes, stick, sought }, &mut work)?;
         // Where stick does not end alike on both sides no one place is its end: only the contact's own end is sought from then on.
@@ -49,9 +49,9 @@ pub(crate) fn solve(setting: &Setting<'_>, watch: &mut Watch<'_>) -> Result<(Out
         nodes = found.ok_or_else(|| unsettled(&nodes))?;
         let solved = setting.result(level, &nodes, sought, work)?;
         stick = Twist::node(&solved.contact);
-        Ok(solved)
+        Ok((solved, nodes.clone()))
     })?;
-    Ok((outcome, effort, nodes))
+    Ok((outcome, effort, reported.unwrap_or_default()))
 }
 
 /// Where the ends are looked for.
@@ -95,17 +95,28 @@ impl Setting<'_> {
         push
     }
 
-    /// States of the points between given ends of stick and contact.
+    /// States of the points between given ends of stick and contact. The nodes on the ends are the points nearest to them, and the others stand
+    /// before or after them in order: distances do not tell points apart that lie closer than round-off of the lengths.
     fn states(&self, points: &[ContactPoint], nodes: &[f64]) -> Vec<ContactState> {
         let slip = if self.shear > 0.0 { ContactState::Backward } else { ContactState::Forward };
-        points
-            .iter()
-            .map(|point| match self.distance(point) / (1.0 + 1e-9) {
-                x if x > nodes[nodes.len() - 1] => ContactState::Open,
-                x if x > nodes[0] => slip,
-                _ => ContactState::Stick,
+        let within = |node: f64| {
+            let [one, other] = [-node, node].map(|x| self.nearest(points, x));
+            one.min(other)..=one.max(other)
+        };
+        let (stick, contact) = (within(nodes[0]), within(nodes[nodes.len() - 1]));
+        (0..points.len())
+            .map(|i| match (stick.contains(&i), contact.contains(&i)) {
+                (true, _) => ContactState::Stick,
+                (false, true) => slip,
+                (false, false) => ContactState::Open,
             })
             .collect()
+    }
+
+    /// The point nearest to a place, from the middle.
+    fn nearest(&self, points: &[ContactPoint], x: f64) -> usize {
+        let far = |i: &usize| (points[*i].position[0] - self.disc.middle - x).abs();
+        (0..points.len()).min_by(|i, j| far(i).total_cmp(&far(j))).unwrap_or(0)
     }
 
     /// Moves element nodes onto the ends: there the pressure vanishes, and where stick is `sought`, the shear that sticking takes is just its
@@ -130,10 +141,7 @@ impl Setting<'_> {
             *work += effort;
             *work += reduced;
             let steps = self.held_steps(&bodies, nodes, sought, work)?;
-            let at = |x: f64| {
-                let far = |i: &usize| (steps.points[*i].position[0] - self.disc.middle - x).abs();
-                (0..steps.points.len()).min_by(|i, j| far(i).total_cmp(&far(j))).unwrap_or(0)
-            };
+            let at = |x: f64| self.nearest(&steps.points, x);
             let end = steps.pressed.pressure[at(nodes[nodes.len() - 1])];
             Ok((
                 match &steps.sheared {
@@ -206,6 +214,7 @@ impl Setting<'_> {
             profile,
             curve: rows.sampled(CURVE),
         };
+        let imbalance = imbalance(&told.reactions, [None, Some(self.copies() * found.force[1])], None);
         let touches = found.status.is_solved() && found.status != ContactStatus::NoContact;
         let reported = found.counter.clone().map(|counter| {
             let states = [found.shaped.clone(), counter];
@@ -220,6 +229,7 @@ impl Setting<'_> {
             embedded,
             unsettled: false,
             crowded: None,
+            imbalance,
             refused: (!touches).then(|| found.status.to_string()),
             reported,
             effort,

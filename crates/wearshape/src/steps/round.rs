@@ -130,9 +130,9 @@ impl RoundContact<'_> {
             }
             let mut search = Search::default();
             let ladder = Ladder::of(stage.problem, stage.options, Step::Contact).and_beyond(stage.problem);
-            let (mut outcome, work) = levels(&ladder, watch, |level| solve_level(stage, level, &mut search))?;
+            let (mut outcome, work, last) = levels(&ladder, watch, |level| solve_level(stage, level, &mut search))?;
             effort += work;
-            search.report(stage, &mut outcome)?;
+            last.iter().try_for_each(|last| last.diagnosis.report(stage, &mut outcome))?;
             let reported = outcome.reported.take().filter(|_| stage.problem.plan.runs(Step::Fields));
             let Some(reported) = reported else { return Ok((outcome, effort, Vec::new())) };
             (stage.options.begun)(Step::Fields);

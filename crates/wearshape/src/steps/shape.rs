@@ -12,7 +12,7 @@ use shapeopt::{GapCurve, Measure, Shape, SurfacePlace, closing, difference_of_ga
 use crate::bodies::Reduced;
 use crate::effort::Effort;
 use crate::freedom::Role;
-use crate::ladder::{Climbed, Ladder, Refusal, climb, errors, missed, rungs};
+use crate::ladder::{Climbed, Ladder, Refusal, best, climb, missed, rungs};
 use crate::level::Level;
 use crate::machined::{Machined, SurfacePoint};
 use crate::problem::Problem;
@@ -67,8 +67,12 @@ pub(crate) fn solve(stage: Stage<'_>, before: &Before<'_>, watch: &mut Watch<'_>
     solved.iter().for_each(|level| effort += level.effort.clone());
     let degrees: Vec<usize> = ladder.levels.iter().map(|level| level.degree).collect();
     let mut outcome = Outcome { stopped, ladder: rungs(&degrees, &solved, "gap", 0, distance), ..Outcome::default() };
-    let error = errors(&solved, &distance).map(|[error]| error);
-    if let Some(last) = solved.last() {
+    let (last, error) = match best(&ladder, &solved, &distance) {
+        Some((count, [error])) if !ladder.is_fixed() => (solved.get(count - 1), Some(error)),
+        _ => (solved.last(), ladder.error_of_gap(&solved, &distance)),
+    };
+    outcome.tell(error.filter(|_| ladder.is_fixed()));
+    if let Some(last) = last {
         outcome.error = error_of_gap(error, measure, solved.len(), before.how);
         if let Some((error, accuracy)) = error.and_then(|error| Some((error, ladder.missed(error)?))) {
             outcome.ended = Some((Status::AccuracyMissed, missed("gap", error, accuracy)));

@@ -17,7 +17,7 @@ use ran::Ran;
 use shapeopt::{EvolutionStatus, Measure, difference_of_gaps};
 
 use crate::effort::Effort;
-use crate::ladder::{Climbed, Ladder, Refusal, climb, errors, missed, rungs};
+use crate::ladder::{Climbed, Ladder, Refusal, climb, missed, rungs};
 use crate::results::WearResult;
 use crate::solution::Status;
 use crate::stage::Stage;
@@ -93,7 +93,7 @@ fn distance(a: &Solved, b: &Solved) -> [f64; 1] {
 
 /// Estimated relative error of the time to the steady pressure: of the steps, and the rest of the series of the levels. Of a run without such a
 /// time what the steps leave in its depth; none before there are three levels.
-fn run_in_error(solved: &[Solved], gap: Option<f64>) -> Option<f64> {
+fn run_in_error(ladder: &Ladder, solved: &[Solved], gap: Option<f64>) -> Option<f64> {
     let steps = solved.last()?.left.integration_error?;
     let relative = |a: f64, b: f64| if a == b { 0.0 } else { ((a - b) / b).abs() };
     if solved.iter().all(|level| level.left.to_1_percent.is_none()) {
@@ -101,15 +101,16 @@ fn run_in_error(solved: &[Solved], gap: Option<f64>) -> Option<f64> {
     }
     let known = solved.iter().rev().take(3).all(|level| level.left.to_1_percent.is_some());
     let time = |level: &Solved| level.left.to_1_percent.unwrap_or(0.0);
-    let [levels] = errors(solved, &|a, b| [relative(time(a), time(b))]).filter(|_| known)?;
+    let levels = ladder.error_of_gap(solved, &|a, b| [relative(time(a), time(b))]).filter(|_| known)?;
     Some(levels + steps)
 }
 
 fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>) -> Outcome {
     let degrees: Vec<usize> = solved.iter().map(|level| level.left.degree).collect();
     let mut outcome = Outcome { ladder: rungs(&degrees, &solved, "gap", 0, distance), ..Outcome::default() };
-    let error = errors(&solved, &distance).map(|[error]| error);
-    let run_in_error = run_in_error(&solved, error);
+    let error = ladder.error_of_gap(&solved, &distance);
+    outcome.tell(error.filter(|_| ladder.is_fixed()));
+    let run_in_error = run_in_error(ladder, &solved, error);
     let levels = solved.len();
     let Some(last) = solved.pop().and_then(|level| level.run) else { return outcome };
     let arrived = matches!(last.ended, EvolutionStatus::Steady | EvolutionStatus::TimeReached);
