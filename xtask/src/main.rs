@@ -5,6 +5,7 @@ mod bench;
 mod builds;
 mod crates;
 mod editor;
+mod estimates;
 mod outputs;
 mod package;
 mod packages;
@@ -29,6 +30,8 @@ usage: cargo xtask <chore>
   validation  writes docs/validation.md: the paper's figures and tables, recomputed
   stability run extreme cases: each must be right, or refused by name
             [--case NAME] [--scenes] [--program PATH] [--docs]
+  estimates true errors over estimated ones on random scenes of fixed discretisation
+            [--seed N] [--count N] [--program PATH] [--docs]
   outputs   open the files of runs with VTK, ezdxf, the reader of MCAP and Chromium [--install]
   editor    check the scenes by the schema with the checker of an editor plug-in (taplo, from npm)
   crates    whether each library crate packs all that it needs, files and versions, and offers the
@@ -46,6 +49,7 @@ fn main() -> ExitCode {
         Some("tidy") => tidy::run(&root, &words[1..]),
         Some("bench") => bench::run(&root, &words[1..]),
         Some("stability") => stability::run(&root, &words[1..]),
+        Some("estimates") => estimates::run(&root, &words[1..]),
         Some("verify") => verify::run(&root, &words[1..]),
         Some("validation") => validation::run(&root),
         Some("editor") => editor::run(&root),

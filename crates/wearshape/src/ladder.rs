@@ -302,3 +302,43 @@ pub(crate) fn rungs<T, const N: usize>(
 pub(crate) fn missed(what: &str, error: f64, accuracy: f64) -> String {
     format!("the {what} is accurate to {error:.1e}, not to the {accuracy:.0e} asked for")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ladder(accuracy: f64) -> Ladder {
+        Ladder { step: Step::Contact, levels: Vec::new(), usual: 0, accuracy: Some(accuracy) }
+    }
+
+    #[allow(clippy::trivially_copy_pass_by_ref)]
+    fn distance(a: &f64, b: &f64) -> [f64; 1] {
+        [(a - b).abs()]
+    }
+
+    #[test]
+    fn levels_worse_than_those_before_are_not_reported() {
+        let falling = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
+        let wild: Vec<f64> = falling.into_iter().chain([0.3]).collect();
+        let (count, [error]) = best(&ladder(1e-9), &wild, &distance).expect("levels enough");
+        assert!(count == 5 && error < 1e-5, "{count}: {error:e}");
+        // In round-off the estimate is what levels differ by.
+        let lost: Vec<f64> = falling.into_iter().chain([3e-7, -2e-7, 4e-7]).collect();
+        let (_, [error]) = best(&ladder(1e-9), &lost, &distance).expect("levels enough");
+        assert!((1e-7..2e-6).contains(&error), "{error:e}");
+    }
+
+    #[test]
+    fn a_ladder_that_falls_reports_its_last_level() {
+        let falling = [1e-2, 1e-3, 1e-4, 1e-5];
+        assert_eq!(best(&ladder(1e-9), &falling, &distance).map(|(count, _)| count), Some(4));
+        assert_eq!(best(&ladder(1e-9), &falling[..2], &distance), None);
+    }
+
+    #[test]
+    fn climbing_ends_where_differences_no_longer_fall() {
+        assert!(!idle(&[1e-2, 1e-3, 1e-4]));
+        assert!(!idle(&[1e-2, 1e-3, 2e-3, 1e-4, 3e-4]));
+        assert!(idle(&[1e-2, 1e-3, 1e-4, 2e-4, 3e-4]));
+    }
+}

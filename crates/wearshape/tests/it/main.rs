@@ -4,6 +4,7 @@
 mod bodies;
 mod common;
 mod effort;
+mod estimates;
 mod examples;
 mod files;
 mod guided;
