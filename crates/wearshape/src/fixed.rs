@@ -6,8 +6,8 @@
 //! with fewer layers shows what these are worth. The constants are measured, on 800 discretisations of seven scenes and a campaign of random ones
 //! ([estimates](../../../docs/estimates.md)).
 
-use crate::ladder::share;
 use crate::level::Level;
+use crate::series::share;
 
 /// Layers that the level beside those of a contact lacks.
 const LESS: usize = 2;

@@ -25,6 +25,7 @@ mod profile;
 mod remark;
 mod results;
 mod scope;
+mod series;
 mod setup;
 mod solution;
 mod solve;
