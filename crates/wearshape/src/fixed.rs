@@ -30,6 +30,8 @@ const ROUND_OFF: f64 = 1e-14;
 /// The levels that tell the error of a fixed discretisation's gap, the coarsest first, itself the last.
 pub(crate) fn levels_of_gap(fixed: Level) -> Vec<Level> {
     let layers = match fixed.layers {
+        // Two levels tell no error, and share their bodies with those of a contact.
+        _ if fixed.degree <= 4 => 0,
         0 | 1 => 0,
         2 | 3 => 1,
         _ => 2,
