@@ -269,9 +269,15 @@ fn the_folder_of_the_program_holds_the_files_of_the_library() {
         let solution = wearshape::solve(&problem, &options, &wearshape::Bodies::default(), going_on).unwrap();
         let files = report::files(&problem, &solution);
         assert!(files.iter().any(|(name, _)| name == "contact.csv") && files.iter().any(|(name, _)| name == "report.html"));
-        for (name, bytes) in &files {
+        for (name, bytes) in files.iter().filter(|(name, _)| name != "summary.json") {
             assert!(run.file(name).as_ref() == Some(bytes), "{scene}: {name} differs");
         }
+        // The folder lists its files in its summary.
+        let (_, bytes) = files.iter().find(|(name, _)| name == "summary.json").unwrap();
+        let mut written = run.summary();
+        let manifest = written.as_object_mut().unwrap().remove("manifest").unwrap();
+        assert_eq!(written, serde_json::from_slice::<serde_json::Value>(bytes).unwrap());
+        assert!(files.iter().all(|(name, _)| manifest.as_array().unwrap().iter().any(|listed| listed == name)));
         assert!(run.file("timing.json").is_some());
     }
 }

@@ -30,8 +30,8 @@ mod print;
 mod progress;
 mod record;
 mod reproduce;
-mod track;
 mod sweep;
+mod track;
 mod write;
 
 pub use exit::Exit;

@@ -4,7 +4,10 @@
 //! and wear together; the gap alone is the state. Source of the model: Paczelt and Mroz (2007), section 2, with optimality theory, section 6,
 //! of this project's documents.
 
+mod intervals;
+
 use crate::error::Error;
+use crate::evolution_status::EvolutionStatus;
 use crate::gap_rate::GapRate;
 use crate::implicit_stage::{Contact, Load};
 use crate::rigid_wear::RigidWear;
@@ -13,7 +16,6 @@ use crate::tableau::Tableau;
 use crate::wear_problem::{Scheme, Stepping, Until, WearProblem};
 use crate::wear_state::WearState;
 use crate::wear_step::{Trial, gap_scale, try_step};
-use std::fmt;
 
 /// Largest growth of the step from one to the next.
 const GROWTH: f64 = 8.0;
@@ -30,40 +32,6 @@ const NEAR: f64 = 0.3;
 const TIMES: f64 = 20.0;
 /// A step shorter than this part of the time passed, or of the step wanted at first, gives up.
 const SHORTEST: [f64; 2] = [1e-14, 1e-10];
-
-/// How a run stands.
-#[derive(Clone, Debug, PartialEq)]
-pub enum EvolutionStatus {
-    /// More steps follow.
-    Running,
-    /// The wear is a rigid motion: the shape no longer changes.
-    Steady,
-    /// The end time is reached.
-    TimeReached,
-    /// No step, however short, could be solved.
-    Stuck {
-        /// Time at which the run stopped.
-        time: f64,
-        /// Length of the step that failed.
-        step: f64,
-    },
-}
-
-impl fmt::Display for EvolutionStatus {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            EvolutionStatus::Running => f.write_str("the run goes on"),
-            EvolutionStatus::Steady => f.write_str("steady: the worn surfaces recede as rigid bodies and keep their shape"),
-            EvolutionStatus::TimeReached => f.write_str("the end time is reached"),
-            EvolutionStatus::Stuck { time, step } => {
-                write!(
-                    f,
-                    "not converged: at {time:.6e} s even a step of {step:.3e} s has no solution; the load may have lost its contact"
-                )
-            }
-        }
-    }
-}
 
 /// Length of a step taken and of the next one, and the time at its end where that is given.
 struct Taken {
@@ -355,33 +323,6 @@ impl<'a> Evolution<'a> {
         state.time = until;
         state.error = 0.0;
         state
-    }
-
-    /// Number and start of the interval after the one of a state, if that is over.
-    fn next_interval(&self, state: &WearState) -> Option<(usize, f64)> {
-        let end = state.interval_start + self.problem.schedule[state.interval].duration;
-        let over = state.interval + 1 < self.problem.schedule.len() && state.time >= end;
-        over.then_some((state.interval + 1, end))
-    }
-
-    /// Moves on to the interval that acts at the state's time; a new load changes the pressure at once.
-    fn enter_interval(&self, state: &mut WearState) {
-        let mut entered = false;
-        while let Some(next) = self.next_interval(state) {
-            (state.interval, state.interval_start) = next;
-            entered = true;
-        }
-        if !entered {
-            return;
-        }
-        let load = self.load(state);
-        let start = Contact::of(state);
-        if let Some(solved) = load.solve_anyhow(&state.gap, &start) {
-            state.newton_iterations += solved.iterations;
-            change_approach(state, &solved.contact.coordinates);
-            self.take_contact(state, solved.contact);
-        }
-        state.next_step = state.next_step.min(self.first_step(state));
     }
 
     /// Moves a state on by a step that is accurate enough.

@@ -18,16 +18,13 @@ pub(crate) fn run(args: &CheckArgs) -> Result<Exit, Fault> {
     let progress = Progress::new(&common);
     progress.say("reading the scene");
     let (document, problem) = open::problem(&args.scene, &args.set)?;
-    let prints = !args.json && !args.quiet;
-    if prints {
-        // What is known at once is said at once; whether the bodies can be meshed, and into what, takes its time.
-        progress.beside(|| print_out(&describe(&problem)));
-    }
+    // Whether the scene is sound is decided before a word goes to stdout; what the levels take is measured after it.
     progress.say("meshing");
     problem.available().map_err(|fault| document.locate(fault))?;
     if args.json {
         print_json(&plan_json(&problem, &progress));
-    } else if prints {
+    } else if !args.quiet {
+        progress.beside(|| print_out(&describe(&problem)));
         let sizes = sizes(&problem, &progress);
         progress.end();
         print_out(&format!("{sizes}\n"));

@@ -115,22 +115,17 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
     }
     let refused = (!found.status.is_solved() || found.status == ContactStatus::NoContact).then(|| found.status.to_string());
     let refused = refused.or_else(|| twist.as_ref().and_then(|twist| twist.refused.clone()));
+    let around = || match &twist {
+        Some(twist) => twist.last.shear.clone(),
+        None => torsion::around(stage, operator.points(), &found.pressure),
+    };
     let reported = found.counter.clone().map(|counter| {
         let states = [stage.held(&pair, &found.shaped), counter];
-        let around = match &twist {
-            Some(twist) => twist.last.shear.clone(),
-            None => torsion::around(stage, operator.points(), &found.pressure),
-        };
-        Reported { level, ends: ends.places.clone(), moments: vec![Moment { time: 0.0, name: "", states, around }] }
+        Reported { level, ends: ends.places.clone(), moments: vec![Moment { time: 0.0, name: "", states, around: around() }] }
     });
     let twist = twist.map(|twist| twist.answer);
-    let moment = [found.moment, 0.1 * length];
-    let imbalance = match stage.couple.is_revolved() {
-        true => imbalance(&told.reactions, [None, Some(found.force[1])], None),
-        false => imbalance(&told.reactions, found.force.map(Some), Some(moment)),
-    };
-    let grown = effort.counters.trace_dofs * (level.degree + 2).pow(2) / level.degree.pow(2);
-    let crowded = (ends.places.len() > USUAL_ENDS && grown > MOST_UNKNOWNS).then_some(ends.places.len());
+    let imbalance = imbalance_of(stage, &told, &found, length);
+    let crowded = crowded(ends, level, &effort);
     let solved = Solved {
         contact,
         interface: None,
@@ -146,6 +141,20 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
         effort,
     };
     Ok((solved, Last { level, diagnosis: Diagnosis { reduced: Arc::clone(&reduced), found } }))
+}
+
+/// Number of ends of contact, where they are so many that the next level would have too many unknowns.
+fn crowded(ends: &FreeEnds, level: Level, effort: &Effort) -> Option<usize> {
+    let grown = effort.counters.trace_dofs * (level.degree + 2).pow(2) / level.degree.pow(2);
+    (ends.places.len() > USUAL_ENDS && grown > MOST_UNKNOWNS).then_some(ends.places.len())
+}
+
+/// How far the supports of body 2 are from carrying a contact on a surface of this length.
+fn imbalance_of(stage: Stage<'_>, told: &Told, found: &ContactSolution, length: f64) -> f64 {
+    match stage.couple.is_revolved() {
+        true => imbalance(&told.reactions, [None, Some(found.force[1])], None),
+        false => imbalance(&told.reactions, found.force.map(Some), Some([found.moment, 0.1 * length])),
+    }
 }
 
 /// Energies, reactions and columns of a solved contact.

@@ -1,0 +1,37 @@
+//! How a run in time stands.
+
+use std::fmt;
+
+/// How a run stands.
+#[derive(Clone, Debug, PartialEq)]
+pub enum EvolutionStatus {
+    /// More steps follow.
+    Running,
+    /// The wear is a rigid motion: the shape no longer changes.
+    Steady,
+    /// The end time is reached.
+    TimeReached,
+    /// No step, however short, could be solved.
+    Stuck {
+        /// Time at which the run stopped.
+        time: f64,
+        /// Length of the step that failed.
+        step: f64,
+    },
+}
+
+impl fmt::Display for EvolutionStatus {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            EvolutionStatus::Running => f.write_str("the run goes on"),
+            EvolutionStatus::Steady => f.write_str("steady: the worn surfaces recede as rigid bodies and keep their shape"),
+            EvolutionStatus::TimeReached => f.write_str("the end time is reached"),
+            EvolutionStatus::Stuck { time, step } => {
+                write!(
+                    f,
+                    "not converged: at {time:.6e} s even a step of {step:.3e} s has no solution; the load may have lost its contact"
+                )
+            }
+        }
+    }
+}
