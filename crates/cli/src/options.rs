@@ -8,10 +8,10 @@ use crate::clock::seconds;
 
 /// The options that reach the solver.
 pub(crate) fn options(common: &Common) -> Result<Options<'static>, Fault> {
-    if let Some(sample) = common.sample.filter(|sample| !(2..=10_000_000).contains(sample)) {
+    if let Some(sample) = common.sample.filter(|sample| !(2..=1_000_000).contains(sample)) {
         return Err(Fault {
             place: Some(Place::Flag(format!("--sample {sample}"))),
-            ..Fault::new("wrong-flag", format!("--sample {sample} is out of range"), "ask for 2 to 10000000 points")
+            ..Fault::new("wrong-flag", format!("--sample {sample} is out of range"), "ask for 2 to 1000000 points")
         });
     }
     Ok(Options { sample: common.sample.map(Sampling::Even), machining: true, clock: seconds, ..Options::default() })

@@ -31,7 +31,7 @@ impl GmshMesh {
         let mut materials: Vec<String> = surfaces.iter().map(|t| group_name(&tables, 2, *t)).collect();
         let mut cells = Cells::default();
         for element in tables.elements.iter().filter(|e| corners(e.kind) > 0) {
-            let group = element.physical.first().and_then(|t| surfaces.iter().position(|s| s == t));
+            let group = element.physical.first().and_then(|t| surfaces.binary_search(t).ok());
             cells.push(&tables, &plane, element, group.unwrap_or(surfaces.len()))?;
         }
         if cells.quads.is_empty() {
@@ -111,7 +111,7 @@ impl Cells {
         }
         let mut named: Vec<([usize; 2], String)> = Vec::new();
         for element in tables.elements.iter().filter(|e| matches!(e.kind, 1 | 8 | 26 | 27)) {
-            for tag in &element.physical {
+            for tag in element.physical.iter() {
                 let name = group_name(tables, 1, *tag);
                 let ends = [0, 1].map(|k| self.numbers.get(&element.nodes[k]).copied());
                 match ends {

@@ -2,6 +2,10 @@
 
 use crate::gmsh_error::GmshError;
 use std::collections::HashMap;
+use std::rc::Rc;
+
+/// Most physical groups one entity may be in. Every element of it is in all of them: without a bound a short file grows to any size.
+const MOST_GROUPS: u64 = 100;
 
 /// What a file says: nodes, elements with their physical tags, names.
 #[derive(Debug, Default)]
@@ -17,7 +21,8 @@ pub(crate) struct Tables {
 pub(crate) struct Element {
     pub(crate) tag: u64,
     pub(crate) kind: i32,
-    pub(crate) physical: Vec<i32>,
+    /// Physical tags, which the elements of an entity share.
+    pub(crate) physical: Rc<[i32]>,
     pub(crate) nodes: Vec<u64>,
 }
 
@@ -27,7 +32,7 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Tables, GmshError> {
     let mut tables = Tables::default();
     let mut old = None;
     // Physical tags of the geometric entities of MSH 4.
-    let mut entities: HashMap<(i32, i32), Vec<i32>> = HashMap::new();
+    let mut entities = HashMap::new();
     while let Some(section) = reader.section() {
         match (section.as_str(), old) {
             ("MeshFormat", _) => old = Some(format(&mut reader)?),
@@ -83,7 +88,8 @@ fn names(reader: &mut Reader<'_>, tables: &mut Tables) -> Result<(), GmshError> 
     Ok(())
 }
 
-fn read_entities(reader: &mut Reader<'_>) -> Result<HashMap<(i32, i32), Vec<i32>>, GmshError> {
+/// Physical tags of the entities, by dimension and tag.
+fn read_entities(reader: &mut Reader<'_>) -> Result<HashMap<(i32, i32), Rc<[i32]>>, GmshError> {
     let counts = [reader.count()?, reader.count()?, reader.count()?, reader.count()?];
     let mut entities = HashMap::new();
     for (dimension, count) in (0..).zip(counts) {
@@ -93,7 +99,11 @@ fn read_entities(reader: &mut Reader<'_>) -> Result<HashMap<(i32, i32), Vec<i32>
                 reader.double()?;
             }
             let physical = reader.count()?;
-            let tags = (0..physical).map(|_| reader.int()).collect::<Result<Vec<i32>, _>>()?;
+            if physical > MOST_GROUPS {
+                return Err(reader.fault(&format!("an entity is in {physical} physical groups, of at most {MOST_GROUPS}")));
+            }
+            // Gmsh marks a reversed group by a negative tag.
+            let tags = (0..physical).map(|_| reader.int().map(i32::wrapping_abs)).collect::<Result<Rc<[i32]>, _>>()?;
             if dimension > 0 {
                 let bounding = reader.count()?;
                 for _ in 0..bounding {
@@ -126,7 +136,7 @@ fn nodes_4(reader: &mut Reader<'_>, tables: &mut Tables) -> Result<(), GmshError
     Ok(())
 }
 
-fn elements_4(reader: &mut Reader<'_>, entities: &HashMap<(i32, i32), Vec<i32>>, tables: &mut Tables) -> Result<(), GmshError> {
+fn elements_4(reader: &mut Reader<'_>, entities: &HashMap<(i32, i32), Rc<[i32]>>, tables: &mut Tables) -> Result<(), GmshError> {
     let blocks = reader.count()?;
     (0..3).try_for_each(|_| reader.count().map(|_| ()))?;
     for _ in 0..blocks {
@@ -137,9 +147,7 @@ fn elements_4(reader: &mut Reader<'_>, entities: &HashMap<(i32, i32), Vec<i32>>,
         for _ in 0..count {
             let tag = reader.count()?;
             let nodes = (0..size).map(|_| reader.count()).collect::<Result<_, _>>()?;
-            // Gmsh marks a reversed group by a negative tag.
-            let physical = physical.iter().map(|p| p.wrapping_abs()).collect();
-            tables.elements.push(Element { tag, kind, physical, nodes });
+            tables.elements.push(Element { tag, kind, physical: Rc::clone(&physical), nodes });
         }
     }
     Ok(())
@@ -174,9 +182,14 @@ fn elements_2(reader: &mut Reader<'_>, tables: &mut Tables) -> Result<(), GmshEr
                 Some(tag) => tag,
                 None => reader.positive()?,
             };
-            let tags = (0..tags).map(|_| reader.int()).collect::<Result<Vec<i32>, _>>()?;
+            // The first tag is the physical group, 0 for none.
+            let mut physical = 0;
+            for k in 0..tags {
+                let tag = reader.int()?;
+                physical = if k == 0 { tag.wrapping_abs() } else { physical };
+            }
             let nodes = (0..size).map(|_| reader.positive()).collect::<Result<_, _>>()?;
-            let physical = tags.first().filter(|t| **t != 0).map(|t| t.wrapping_abs()).into_iter().collect();
+            let physical = Some(physical).filter(|tag| *tag != 0).into_iter().collect();
             tables.elements.push(Element { tag, kind, physical, nodes });
         }
         done += following;

@@ -1,6 +1,6 @@
 //! `geometry.blocks`: from names to cells, and what can be wrong with them.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::f64::consts::{PI, TAU};
 
 use hpfem::{Curve, Error, Mesh, Quad};
@@ -27,6 +27,7 @@ pub(crate) fn given(key: &str, blocks: &Blocks, own: Option<Material>) -> Result
     let named = Named::new(key, blocks)?;
     let mut quads = Vec::new();
     let mut corners_of: HashMap<[usize; 4], &str> = HashMap::new();
+    let known: Vec<&str> = blocks.materials.keys().map(String::as_str).collect();
     for (name, cell) in &blocks.cells {
         let corners = named.corners(name, cell)?;
         let mut set = corners;
@@ -36,8 +37,7 @@ pub(crate) fn given(key: &str, blocks: &Blocks, own: Option<Material>) -> Result
             return Err(Fault::at(format!("{key}.cells.{name}"), "duplicate-cell", message, "remove one of them"));
         }
         let material = match &cell.material {
-            Some(material) => blocks.materials.keys().position(|known| known == material).ok_or_else(|| {
-                let known: Vec<&str> = blocks.materials.keys().map(String::as_str).collect();
+            Some(material) => known.binary_search(&material.as_str()).map_err(|_| {
                 let message = format!("there is no material `{material}` in {key}.materials");
                 let remedy = match known.is_empty() {
                     true => format!("describe it: {key}.materials.{material} = {{ young = \"1 GPa\", poisson = 0.3 }}"),
@@ -53,21 +53,23 @@ pub(crate) fn given(key: &str, blocks: &Blocks, own: Option<Material>) -> Result
         let remedy = "write cells.one = { curves = [\"below\", \"right\", \"above\", \"left\"] }";
         return Err(Fault::at(format!("{key}.cells"), "no-cells", "the body has no cells", remedy));
     }
-    let edges = named.edges(blocks, &quads)?;
-    let mesh = named.mesh(blocks, &quads, &edges)?;
+    let sides: HashSet<[usize; 2]> =
+        quads.iter().flat_map(|q| (0..4).map(|i| sorted([q.corners[i], q.corners[(i + 1) % 4]]))).collect();
+    let edges = named.edges(blocks, &sides)?;
+    let mesh = named.mesh(blocks, &quads, &sides, &edges)?;
     named.connected(&mesh, blocks)?;
     Ok(Given { mesh, materials: blocks.materials.values().copied().chain(own).collect() })
 }
 
 /// Points, curves and materials that no cell uses, as keys below the blocks.
 pub fn unused(blocks: &Blocks) -> Vec<String> {
-    let sides: Vec<&String> = blocks.cells.values().flat_map(|cell| &cell.curves).collect();
+    let sides: HashSet<&String> = blocks.cells.values().flat_map(|cell| &cell.curves).collect();
     let (used, idle): (Vec<_>, Vec<_>) = blocks.curves.iter().partition(|(name, _)| sides.contains(name));
-    let ends: Vec<&String> = used.iter().flat_map(|(_, shape)| ends(shape)).collect();
+    let ends: HashSet<&String> = used.iter().flat_map(|(_, shape)| ends(shape)).collect();
     let points = blocks.points.keys().filter(|name| !ends.contains(name)).map(|name| format!("points.{name}"));
     let curves = idle.into_iter().map(|(name, _)| format!("curves.{name}"));
-    let named = |name: &&String| blocks.cells.values().any(|cell| cell.material.as_ref() == Some(*name));
-    let materials = blocks.materials.keys().filter(|name| !named(name)).map(|name| format!("materials.{name}"));
+    let named: HashSet<&String> = blocks.cells.values().filter_map(|cell| cell.material.as_ref()).collect();
+    let materials = blocks.materials.keys().filter(|name| !named.contains(name)).map(|name| format!("materials.{name}"));
     points.chain(curves).chain(materials).collect()
 }
 
@@ -84,23 +86,15 @@ impl<'a> Named<'a> {
     fn new(key: &'a str, blocks: &'a Blocks) -> Result<Named<'a>, Fault> {
         let names: Vec<&str> = blocks.points.keys().map(String::as_str).collect();
         let points: Vec<[f64; 2]> = blocks.points.values().map(|p| p.position()).collect();
-        let size = points.iter().flatten().fold(0.0_f64, |size, x| size.max(x.abs()));
-        for (i, p) in points.iter().enumerate() {
-            if let Some(j) = (0..i).find(|j| distance(points[*j], *p) <= 1e-9 * size) {
-                let message = format!("the points `{}` and `{}` are at the same place", names[j], names[i]);
-                return Err(Fault::at(format!("{key}.points.{}", names[i]), "duplicate-point", message, "use one of them"));
-            }
+        if let Some([j, i]) = same_place(&points) {
+            let message = format!("the points `{}` and `{}` are at the same place", names[j], names[i]);
+            return Err(Fault::at(format!("{key}.points.{}", names[i]), "duplicate-point", message, "use one of them"));
         }
+        let mut joining: HashMap<[usize; 2], &str> = HashMap::new();
         let mut named = Named { key, points, names, curves: BTreeMap::new() };
         for (name, shape) in &blocks.curves {
             let joined = named.curve(name, shape)?;
-            let mut ends = joined.ends;
-            ends.sort_unstable();
-            let twin = named
-                .curves
-                .iter()
-                .find(|(_, other)| ends == [other.ends[0].min(other.ends[1]), other.ends[0].max(other.ends[1])]);
-            if let Some((twin, _)) = twin {
+            if let Some(twin) = joining.insert(sorted(joined.ends), name) {
                 let message = format!("the curves `{twin}` and `{name}` join the same two points");
                 let remedy = "use one curve in both cells, or put a point between";
                 return Err(Fault::at(format!("{key}.curves.{name}"), "duplicate-curve", message, remedy));
@@ -120,7 +114,7 @@ impl<'a> Named<'a> {
         let ends = ends(shape);
         let mut numbers = [0; 2];
         for (number, end) in numbers.iter_mut().zip(ends) {
-            *number = self.names.iter().position(|known| known == end).ok_or_else(|| {
+            *number = self.names.binary_search(&end.as_str()).map_err(|_| {
                 let message = format!("the curve `{name}` ends at the point `{end}`, which does not exist");
                 Fault::at(at(part), "unknown-point", message, did_you_mean(end, &self.names))
             })?;
@@ -203,11 +197,7 @@ impl<'a> Named<'a> {
     }
 
     /// Named edges as pairs of points.
-    fn edges(&self, blocks: &'a Blocks, quads: &[Quad]) -> Result<Vec<([usize; 2], &'a str)>, Fault> {
-        let side = |ends: [usize; 2]| {
-            let next = |q: &Quad, i: usize| [q.corners[i], q.corners[(i + 1) % 4]];
-            quads.iter().any(|q| (0..4).any(|i| next(q, i) == ends || next(q, i) == [ends[1], ends[0]]))
-        };
+    fn edges(&self, blocks: &'a Blocks, sides: &HashSet<[usize; 2]>) -> Result<Vec<([usize; 2], &'a str)>, Fault> {
         let mut edges = Vec::new();
         for (name, curves) in &blocks.edges {
             let at = format!("{}.edges.{name}", self.key);
@@ -221,7 +211,7 @@ impl<'a> Named<'a> {
                     let message = format!("the edge `{name}` names the curve `{curve}`, which does not exist");
                     return Err(Fault::at(at, "unknown-curve", message, did_you_mean(curve, &known)));
                 };
-                if !side(joined.ends) {
+                if !sides.contains(&sorted(joined.ends)) {
                     let message = format!("the edge `{name}` names the curve `{curve}`, which is not a side of any cell");
                     return Err(Fault::at(at, "not-on-boundary", message, "name curves of the boundary"));
                 }
@@ -232,22 +222,24 @@ impl<'a> Named<'a> {
     }
 
     /// The mesh of the points that cells use.
-    fn mesh(&self, blocks: &Blocks, quads: &[Quad], edges: &[([usize; 2], &str)]) -> Result<Mesh, Fault> {
+    fn mesh(
+        &self,
+        blocks: &Blocks,
+        quads: &[Quad],
+        sides: &HashSet<[usize; 2]>,
+        edges: &[([usize; 2], &str)],
+    ) -> Result<Mesh, Fault> {
         let mut used: Vec<usize> = quads.iter().flat_map(|q| q.corners).collect();
         used.sort_unstable();
         used.dedup();
         let number = |point: usize| used.binary_search(&point).unwrap_or(0);
-        let is_used = |ends: &[usize; 2]| ends.iter().all(|p| used.binary_search(p).is_ok());
         let vertices = used.iter().map(|p| self.points[*p]).collect();
         let cells: Vec<Quad> = quads.iter().map(|q| Quad { corners: q.corners.map(number), ..*q }).collect();
-        let sides: Vec<[usize; 2]> = cells.iter().flat_map(|q| (0..4).map(|i| [q.corners[i], q.corners[(i + 1) % 4]])).collect();
-        let is_side = |ends: &[usize; 2]| sides.iter().any(|s| s == ends || [s[1], s[0]] == *ends);
         let curves: Vec<([usize; 2], Curve)> = self
             .curves
             .values()
-            .filter(|joined| is_used(&joined.ends))
+            .filter(|joined| sides.contains(&sorted(joined.ends)))
             .map(|joined| (joined.ends.map(number), joined.curve))
-            .filter(|(ends, _)| is_side(ends))
             .collect();
         let names: Vec<([usize; 2], &str)> = edges.iter().map(|(ends, name)| (ends.map(number), *name)).collect();
         Mesh::new(vertices, &cells, &curves, &names).map_err(|error| {
@@ -296,6 +288,29 @@ impl<'a> Named<'a> {
             other => Fault::at(self.key, "degenerate", other.to_string(), "mend the points and curves of this body"),
         })
     }
+}
+
+/// The first point, in their order, that lies where an earlier one does, after the first of these.
+fn same_place(points: &[[f64; 2]]) -> Option<[usize; 2]> {
+    let size = points.iter().flatten().fold(0.0_f64, |size, x| size.max(x.abs()));
+    let near = 1e-9 * size;
+    // Squares twice as wide: what is near lies in the same one or next to it.
+    let mut squares: HashMap<[i64; 2], Vec<usize>> = HashMap::new();
+    for (i, p) in points.iter().enumerate() {
+        let [x, z] = p.map(|x| (x / (2.0 * near)).floor() as i64);
+        let around = (-1..=1).flat_map(|k| (-1..=1).map(move |l| [x.saturating_add(k), z.saturating_add(l)]));
+        let others = around.filter_map(|square| squares.get(&square)).flatten();
+        if let Some(j) = others.copied().filter(|j| distance(points[*j], *p) <= near).min() {
+            return Some([j, i]);
+        }
+        squares.entry([x, z]).or_default().push(i);
+    }
+    None
+}
+
+/// The two ends of a curve, the lower number first.
+fn sorted([a, b]: [usize; 2]) -> [usize; 2] {
+    [a.min(b), a.max(b)]
 }
 
 fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {

@@ -18,6 +18,10 @@ const ALTERNATIVES: [&[&str]; 11] = [
     &["body2", "surface"],
 ];
 
+/// The longest `--set`, bytes, and the deepest: parts of its key, and lists and tables within each other in its value.
+const LONGEST: usize = 100_000;
+const DEEPEST: usize = 64;
+
 /// Applies the `--set` options, in their order, to the tree of the scene.
 pub(crate) fn apply(tree: &mut Node, settings: &[String]) -> Result<(), Fault> {
     for (number, setting) in settings.iter().enumerate() {
@@ -25,6 +29,9 @@ pub(crate) fn apply(tree: &mut Node, settings: &[String]) -> Result<(), Fault> {
             place: Some(Place::Flag(format!("--set {setting}"))),
             ..Fault::new("wrong-flag", message, remedy)
         };
+        if setting.len() > LONGEST {
+            return Err(too_much(setting, format!("is {} bytes long, of at most {LONGEST}", setting.len())));
+        }
         let form = "write --set key=value, as in --set contact.friction=0.1";
         let Some((key, text)) = setting.split_once('=') else {
             return Err(wrong(format!("--set {setting} has no `=`"), form));
@@ -34,6 +41,10 @@ pub(crate) fn apply(tree: &mut Node, settings: &[String]) -> Result<(), Fault> {
             return Err(wrong(format!("--set {setting}: the key is empty or has an empty part"), form));
         }
         let path: Vec<&str> = key.split('.').map(|part| part.trim().trim_matches('"')).collect();
+        let depth = depth(text).max(path.len());
+        if depth > DEEPEST {
+            return Err(too_much(setting, format!("is nested {depth} deep, of at most {DEEPEST}")));
+        }
         let mut value = value_of(text.trim());
         mark(&mut value, number);
         displace(tree, &path);
@@ -45,6 +56,31 @@ pub(crate) fn apply(tree: &mut Node, settings: &[String]) -> Result<(), Fault> {
         })?;
     }
     Ok(())
+}
+
+/// A setting beyond a bound, of which only the beginning is shown.
+fn too_much(setting: &str, what: String) -> Fault {
+    let start: String = setting.chars().take(40).collect();
+    Fault {
+        place: Some(Place::Flag(format!("--set {start}..."))),
+        ..Fault::new("wrong-flag", format!("--set {start}... {what}"), "write it into the scene file")
+    }
+}
+
+/// How deep lists and tables lie within each other at most, as the brackets outside of quotes say.
+fn depth(text: &str) -> usize {
+    let (mut deepest, mut depth, mut quote) = (0_usize, 0_usize, None);
+    for c in text.chars() {
+        match (quote, c) {
+            (Some(open), _) => quote = Some(open).filter(|open| *open != c),
+            (None, '"' | '\'') => quote = Some(c),
+            (None, '[' | '{') => depth += 1,
+            (None, ']' | '}') => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        deepest = deepest.max(depth);
+    }
+    deepest
 }
 
 /// The value of a `--set`: TOML; else a number that begins with a point; else a list or table with bare words; else text.

@@ -12,6 +12,12 @@ use crate::record::{CHANNELS, LEVELS_ATTACHED, LIBRARY, PROFILE, Recorder, SCENE
 
 /// No step of ours is nearly as large (bytes): a longer record or chunk is damage.
 const LARGEST: usize = 1 << 26;
+/// What is unpacked of a recording at most: this many bytes, and so many for each byte of the file. Digits of ours are packed to no less than a
+/// twentieth: beyond that a recording is damaged too.
+const UNPACKED: [usize; 2] = [LARGEST, 50];
+
+/// What a record takes beside its bytes.
+const RECORD: usize = 64;
 
 /// What a recording still holds.
 #[derive(Debug, Default)]
@@ -122,6 +128,8 @@ impl Replay {
 struct Records<'a> {
     rest: &'a [u8],
     reader: LinearReader,
+    /// Bytes that may still be unpacked.
+    room: usize,
 }
 
 impl<'a> Records<'a> {
@@ -130,7 +138,8 @@ impl<'a> Records<'a> {
             .with_skip_end_magic(true)
             .with_prevalidate_chunk_crcs(true)
             .with_record_length_limit(LARGEST);
-        Records { rest: bytes, reader: LinearReader::new_with_options(options) }
+        let room = UNPACKED[0].saturating_add(UNPACKED[1].saturating_mul(bytes.len()));
+        Records { rest: bytes, reader: LinearReader::new_with_options(options), room }
     }
 
     fn next(&mut self) -> Option<Record<'static>> {
@@ -142,7 +151,10 @@ impl<'a> Records<'a> {
                     self.reader.notify_read(now.len());
                     self.rest = rest;
                 }
-                Ok(LinearReadEvent::Record { data, opcode }) => return parse_record(opcode, data).ok().map(Record::into_owned),
+                Ok(LinearReadEvent::Record { data, opcode }) => {
+                    self.room = self.room.checked_sub(data.len() + RECORD)?;
+                    return parse_record(opcode, data).ok().map(Record::into_owned);
+                }
                 Err(_) => return None,
             }
         }

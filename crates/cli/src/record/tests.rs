@@ -158,3 +158,20 @@ fn a_damaged_recording_is_read_up_to_the_damage() {
         assert!(Replay::read(rubbish).unfit(RESOLVED).is_some());
     }
 }
+
+#[test]
+fn a_recording_that_unpacks_beyond_measure_is_read_in_part() {
+    let folder = temp_dir::TempDir::new().unwrap();
+    let (mut tape, _) = Tape::new(&folder.path().join(RUN_MCAP), RESOLVED, false).unwrap();
+    begin(&mut tape, SceneUpdate::default(), 0);
+    let blank = vec![b' '; 1 << 20];
+    for step in 0..200 {
+        tape.recorder().unwrap().put_bytes(LOG, 0, &blank).unwrap();
+        add(tape.recorder().unwrap(), step);
+    }
+    tape.finish("done", "{}\n").unwrap();
+    let bytes = std::fs::read(folder.path().join(RUN_MCAP)).unwrap();
+    assert!(bytes.len() < 1 << 20);
+    let read = Replay::read(&bytes).states.len();
+    assert!((60..120).contains(&read), "{read} steps of 1 MB each");
+}

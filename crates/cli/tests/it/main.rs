@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, missing_docs)]
 
 mod approach;
+mod bounds;
 mod broken;
 mod broken_cells;
 mod call;

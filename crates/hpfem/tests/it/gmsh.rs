@@ -165,3 +165,20 @@ fn files_cut_anywhere_and_files_with_any_byte_changed_never_panic() {
         }
     }
 }
+
+/// A square whose entity is in so many physical groups.
+fn square_in_groups(groups: usize) -> String {
+    let tags = vec!["1"; groups].join(" ");
+    format!(
+        "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n0 0 1 0\n1 0 0 0 1 1 0 {groups} {tags} 0\n$EndEntities\n\
+         $Nodes\n1 4 1 4\n2 1 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n$EndNodes\n\
+         $Elements\n1 1 1 1\n2 1 3 1\n1 1 2 3 4\n$EndElements\n"
+    )
+}
+
+#[test]
+fn an_entity_in_more_groups_than_any_body_has_is_refused() {
+    assert_eq!(GmshMesh::read(square_in_groups(100).as_bytes()).unwrap().materials, ["1"]);
+    let error = GmshMesh::read(square_in_groups(60_000).as_bytes()).unwrap_err().to_string();
+    assert!(error.contains("an entity is in 60000 physical groups, of at most 100"), "{error}");
+}
