@@ -7,6 +7,9 @@ use std::rc::Rc;
 /// Most physical groups one entity may be in. Every element of it is in all of them: without a bound a short file grows to any size.
 const MOST_GROUPS: u64 = 100;
 
+/// Physical tags of the geometric entities of MSH 4, by dimension and tag.
+type Entities = HashMap<(i32, i32), Rc<[i32]>>;
+
 /// What a file says: nodes, elements with their physical tags, names.
 #[derive(Debug, Default)]
 pub(crate) struct Tables {
@@ -31,8 +34,7 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Tables, GmshError> {
     let mut reader = Reader { bytes, at: 0, binary: false };
     let mut tables = Tables::default();
     let mut old = None;
-    // Physical tags of the geometric entities of MSH 4.
-    let mut entities = HashMap::new();
+    let mut entities = Entities::new();
     while let Some(section) = reader.section() {
         match (section.as_str(), old) {
             ("MeshFormat", _) => old = Some(format(&mut reader)?),
@@ -88,8 +90,7 @@ fn names(reader: &mut Reader<'_>, tables: &mut Tables) -> Result<(), GmshError> 
     Ok(())
 }
 
-/// Physical tags of the entities, by dimension and tag.
-fn read_entities(reader: &mut Reader<'_>) -> Result<HashMap<(i32, i32), Rc<[i32]>>, GmshError> {
+fn read_entities(reader: &mut Reader<'_>) -> Result<Entities, GmshError> {
     let counts = [reader.count()?, reader.count()?, reader.count()?, reader.count()?];
     let mut entities = HashMap::new();
     for (dimension, count) in (0..).zip(counts) {
@@ -136,7 +137,7 @@ fn nodes_4(reader: &mut Reader<'_>, tables: &mut Tables) -> Result<(), GmshError
     Ok(())
 }
 
-fn elements_4(reader: &mut Reader<'_>, entities: &HashMap<(i32, i32), Rc<[i32]>>, tables: &mut Tables) -> Result<(), GmshError> {
+fn elements_4(reader: &mut Reader<'_>, entities: &Entities, tables: &mut Tables) -> Result<(), GmshError> {
     let blocks = reader.count()?;
     (0..3).try_for_each(|_| reader.count().map(|_| ()))?;
     for _ in 0..blocks {
