@@ -19,7 +19,7 @@ use scene::Fault;
 
 use crate::args::{Cli, Command};
 use crate::exit::Exit;
-use crate::print::{complain, print_json, print_out};
+use crate::print::{colour_on_stderr, complain, ended, print_err, print_json, print_out};
 
 /// Runs the command that the arguments ask for.
 pub(crate) fn run(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> Exit {
@@ -27,7 +27,7 @@ pub(crate) fn run(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -
     let json = args.iter().any(|arg| arg == "--json");
     let cli = match Cli::try_parse_from(&args) {
         Ok(cli) => cli,
-        Err(error) => return usage(&error, json),
+        Err(error) => return ended(usage(&error, json)),
     };
     let outcome = match cli.command {
         Command::Check(args) => check::run(&args),
@@ -43,7 +43,7 @@ pub(crate) fn run(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -
         Command::Study(args) => study::run(&args),
         Command::Reproduce(args) => reproduce::run(&args),
     };
-    outcome.unwrap_or_else(|fault| complain(&fault, json))
+    ended(outcome.unwrap_or_else(|fault| complain(&fault, json)))
 }
 
 fn usage(error: &clap::Error, json: bool) -> Exit {
@@ -56,7 +56,8 @@ fn usage(error: &clap::Error, json: bool) -> Exit {
         let first = text.lines().next().unwrap_or("").trim_start_matches("error: ").to_string();
         return complain(&Fault::new("usage", first, "see `wearshape --help`"), true);
     }
-    let _ = error.print();
+    let text = error.render();
+    print_err(&if colour_on_stderr() { text.ansi().to_string() } else { text.to_string() });
     Exit::Wrong
 }
 

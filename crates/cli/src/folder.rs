@@ -19,6 +19,7 @@ use std::time::Instant;
 use scene::{Fault, Place, sha256};
 use serde_json::{Value, json};
 
+use crate::print::talk;
 use exchange::exchange;
 use lock::{Lock, lock};
 use names::{LIST, SUMMARY};
@@ -228,7 +229,7 @@ impl Folder {
         sync::parent(&self.target)?;
         let old = names::known(&aside);
         if names::remove(&aside, &old).and_then(|()| fs::remove_dir(&aside)).is_err() {
-            eprintln!("what {} held before is left in {}", self.target.display(), aside.display());
+            talk(&format!("what {} held before is left in {}", self.target.display(), aside.display()));
         }
         Ok(())
     }

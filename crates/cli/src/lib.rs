@@ -12,6 +12,9 @@
 //! function from its arguments to an [`Exit`]; what several commands use stands in modules below them. `reproduce` computes through the same
 //! public functions as any other program could.
 
+// A macro of these panics where the stream is full or closed: `print` has what does not.
+#![deny(clippy::print_stdout, clippy::print_stderr)]
+
 mod again;
 mod args;
 mod clock;
@@ -26,6 +29,7 @@ mod interrupt;
 mod live;
 mod open;
 mod options;
+mod panics;
 mod print;
 mod progress;
 mod record;
@@ -35,6 +39,7 @@ mod track;
 mod write;
 
 pub use exit::Exit;
+pub use panics::tell_panics;
 
 /// Runs the program with the given arguments, the first of which is the program's name; prints to stdout and stderr.
 pub fn run(args: impl IntoIterator<Item = impl Into<std::ffi::OsString> + Clone>) -> Exit {

@@ -3,5 +3,6 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
+    cli::tell_panics();
     cli::run(std::env::args_os()).into()
 }

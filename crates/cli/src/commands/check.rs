@@ -9,7 +9,7 @@ use crate::args::{CheckArgs, Common};
 use crate::describe::{describe, plan_json, sizes};
 use crate::exit::Exit;
 use crate::open;
-use crate::print::{print_json, print_out};
+use crate::print::{print_json, print_out, talk};
 use crate::progress::Progress;
 
 /// Prints the plan, the remarks and the unused keys of a scene.
@@ -42,7 +42,7 @@ fn draw(args: &CheckArgs, problem: &Problem) -> Result<(), Fault> {
         ..Fault::new("unwritable", format!("cannot write {}: {error}", path.display()), "give a file that can be written")
     })?;
     if !args.quiet {
-        eprintln!("drawing written to {}", path.display());
+        talk(&format!("drawing written to {}", path.display()));
     }
     Ok(())
 }

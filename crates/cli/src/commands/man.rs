@@ -11,14 +11,16 @@ use crate::exit::Exit;
 use crate::print::print_out;
 
 /// How a call ends.
-const EXIT_STATUS: [(&str, &str); 4] = [
+const EXIT_STATUS: [(&str, &str); 5] = [
     ("0", "Done."),
     ("1", "Computed, but the goal is not met: accuracy missed, not converged, no answer, or a sweep with such rows."),
     (
         "2",
-        "Wrong command or scene, or a file that cannot be read or written: the message names the place and what to write instead.",
+        "Wrong command or scene, or a file or stream that cannot be read or written: the message names the place and what to write instead. A pipe that \
+         nobody reads any more is no error.",
     ),
-    ("130", "Interrupted: what is finished is kept where --resume can go on with it."),
+    ("101", "A fault of wearshape itself: two lines on stderr say what to report, and where."),
+    ("130", "Interrupted by Ctrl-C, SIGTERM or SIGHUP: what is finished is kept where --resume can go on with it."),
 ];
 
 /// What commands that compute read and write.

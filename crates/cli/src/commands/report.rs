@@ -4,6 +4,7 @@ use scene::{Fault, Place};
 
 use crate::args::ReportArgs;
 use crate::exit::Exit;
+use crate::print::talk;
 use crate::record::{RUN_MCAP, Replay};
 
 /// Rebuilds report.html.
@@ -20,6 +21,6 @@ pub(crate) fn run(args: &ReportArgs) -> Result<Exit, Fault> {
         place: Some(Place::Flag(args.folder.display().to_string())),
         ..Fault::new("unwritable", format!("cannot write {}: {error}", path.display()), "give a folder that can be written")
     })?;
-    eprintln!("{} written", path.display());
+    talk(&format!("{} written", path.display()));
     Ok(Exit::Done)
 }

@@ -11,7 +11,7 @@ use crate::args::{Common, ReproduceArgs};
 use crate::exit::Exit;
 use crate::folder::Folder;
 use crate::interrupt;
-use crate::print::{print_json, print_out};
+use crate::print::{print_json, print_out, talk};
 use crate::progress::Progress;
 use crate::reproduce::{ITEMS, Item, Made, Row, page, rows_csv, rows_json, rows_table};
 
@@ -32,9 +32,9 @@ pub(crate) fn run(args: &ReproduceArgs) -> Result<Exit, Fault> {
     };
     // A run that Ctrl-C has cut short is a fault of its item; nothing is wrong with it.
     if outcome.is_err() && interrupt::asked() {
-        eprintln!(
+        talk(&format!(
             "interrupted; items that are finished keep their folders, the others are computed again: wearshape reproduce {name}"
-        );
+        ));
         return Ok(Exit::Interrupted);
     }
     outcome
@@ -68,7 +68,7 @@ fn every(args: &ReproduceArgs, root: &Path) -> Result<Exit, Fault> {
         let (made, document) = compute(item, &root.join(item.name))?;
         if !args.json && !args.quiet {
             let seconds = start.elapsed().as_secs_f64();
-            progress.beside(|| eprintln!("{:<9} {seconds:6.2} s  {}", item.name, item.sentence));
+            progress.beside(|| talk(&format!("{:<9} {seconds:6.2} s  {}", item.name, item.sentence)));
         }
         documents.push(document);
         all.push((item, made));

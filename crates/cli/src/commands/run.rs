@@ -14,7 +14,7 @@ use crate::exit::Exit;
 use crate::folder::Folder;
 use crate::live::Live;
 use crate::options::{options, with_threads};
-use crate::print::{print_json, print_out};
+use crate::print::{print_json, print_out, talk};
 use crate::progress::Progress;
 use crate::record::{RUN_MCAP, Tape};
 use crate::write::write;
@@ -42,7 +42,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
     let ready = start.elapsed().as_secs_f64();
     folder.write_files_of_scene(problem.files())?;
     if common.verbose && !common.quiet {
-        progress.beside(|| eprint!("{}", describe(&problem)));
+        progress.beside(|| talk(describe(&problem).trim_end()));
     }
     progress.run(&problem);
     let tape = progress.beside(|| tape(&folder, &problem, &resolved, common))?;
@@ -63,7 +63,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
     if solution.status == Status::Interrupted {
         let kept = live.tape.as_ref().map(|_| "every finished step");
         live.progress.end();
-        eprintln!("interrupted; {}", again(&["run", &args.scene], common, kept));
+        talk(&format!("interrupted; {}", again(&["run", &args.scene], common, kept)));
         return Ok(Exit::Interrupted);
     }
     Finished { common, problem: &problem, wanted: &wanted, begun: [ready, start.elapsed().as_secs_f64()] }
@@ -89,7 +89,7 @@ impl Finished<'_> {
         let (summary, beside) = if unanswered { folder.finish_beside_good(&summary)? } else { (folder.finish(&summary)?, None) };
         live.progress.end();
         if beside.is_some() && !common.quiet {
-            eprintln!("{} keeps the run of before", wanted.display());
+            talk(&format!("{} keeps the run of before", wanted.display()));
         }
         let target = beside.as_deref().unwrap_or(wanted);
         if common.json {
@@ -117,13 +117,13 @@ fn dry_run(common: &Common, problem: &Problem, target: &Path, progress: &Progres
 fn tape(folder: &Folder, problem: &Problem, resolved: &str, common: &Common) -> Result<Option<Tape>, Fault> {
     if !problem.plan().runs(Step::Evolution) {
         if common.resume && !common.quiet {
-            eprintln!("only runs in time can be continued; this one begins at its start");
+            talk("only runs in time can be continued; this one begins at its start");
         }
         return Ok(None);
     }
     let (tape, word) = Tape::new(&folder.own(RUN_MCAP)?, resolved, common.resume)?;
     if let Some(word) = word.filter(|_| !common.quiet) {
-        eprintln!("{word}");
+        talk(&word);
     }
     Ok(Some(tape))
 }

@@ -19,7 +19,7 @@ use crate::interrupt;
 use crate::live::Live;
 use crate::open::Source;
 use crate::options::{options, with_threads};
-use crate::print::{print_json, print_out};
+use crate::print::{print_json, print_out, talk};
 use crate::progress::Progress;
 use crate::sweep::curves::{self, CURVES};
 use crate::sweep::figures::Figures;
@@ -72,7 +72,8 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
     with_threads(common, || sweep.compute(&folder, &mut rows))??;
     if rows.count < count {
         let words = [&["sweep", &args.scene][..], &sweep.over()].concat();
-        eprintln!("interrupted after {} of {count} points; {}", rows.count, again(&words, common, Some("every finished row")));
+        let again = again(&words, common, Some("every finished row"));
+        talk(&format!("interrupted after {} of {count} points; {again}", rows.count));
         return Ok(Exit::Interrupted);
     }
     rows.write_table(&folder, &sweep.grid)?;

@@ -33,6 +33,7 @@ mod round;
 mod schedule;
 mod set;
 mod sound;
+mod streams;
 mod study;
 mod sweep;
 mod templates;
