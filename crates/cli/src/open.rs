@@ -105,7 +105,8 @@ impl Source {
         if !looks_like_path {
             let names: Vec<&str> = SCENES.iter().map(|scene| scene.name).collect();
             let message = format!("`{given}` is neither a file nor a built-in scene");
-            return Err(Fault::new("no-scene", message, did_you_mean(given, &names)));
+            let place = Some(Place::Flag(given.to_string()));
+            return Err(Fault { place, ..Fault::new("no-scene", message, did_you_mean(given, &names)) });
         }
         let bytes = whole(path, LARGEST_SCENE).map_err(|error| Fault {
             place: Some(Place::Flag(given.to_string())),

@@ -81,6 +81,7 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     problem.plan = stages::plan(&problem, &tasks, problem.scene.check.unwrap_or(true));
     problem.freedoms = problem.own_freedoms();
     problem.remarks = remarks::remarks(&problem, &tasks);
+    unused::leave_out(document, &mut problem.scene, &tasks);
     Ok(problem)
 }
 

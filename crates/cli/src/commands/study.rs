@@ -10,12 +10,13 @@ use wearshape::{DEGREES, Event, Measure, Quantity, Step, StudyLevel, Truth, oute
 use crate::again::again;
 use crate::args::StudyArgs;
 use crate::clock::seconds;
+use crate::diff::scenes;
 use crate::exit::Exit;
 use crate::folder::Folder;
 use crate::interrupt;
 use crate::open::Source;
 use crate::options::with_threads;
-use crate::print::{print_json, print_out};
+use crate::print::{print_json, print_out, talk};
 use crate::progress::Progress;
 
 /// Columns of study.csv.
@@ -41,9 +42,14 @@ pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
     let (document, problem) = source.problem(&common.set)?;
     let Some(quantity) = Quantity::of(&problem) else {
         let remedy = "add a task with elastic bodies: --set tasks=[pressure,shape]";
-        return Err(Fault::new("not-available", "study compares meshes, and this scene needs none", remedy));
+        return Err(document.locate(Fault::at(
+            "tasks",
+            "not-available",
+            "study compares meshes, and this scene needs none",
+            remedy,
+        )));
     };
-    let truth = args.reference.as_deref().map(reference).transpose()?;
+    let truth = args.reference.as_deref().map(|folder| reference(folder, &problem.resolved())).transpose()?;
     problem.available().map_err(|fault| document.locate(fault))?;
     let target = common.output.clone().unwrap_or_else(|| PathBuf::from("out").join(format!("{}-study", problem.name())));
     if common.dry_run {
@@ -59,7 +65,7 @@ pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
         ended => {
             folder.discard();
             ended.map_err(|fault| document.locate(fault))?;
-            eprintln!("interrupted; {}", call(args));
+            talk(&format!("interrupted; {}", call(args)));
             return Ok(Exit::Interrupted);
         }
     };
@@ -120,8 +126,25 @@ fn call(args: &StudyArgs) -> String {
     again(&words, &args.common, None)
 }
 
-/// The results in the folder of a run, as the truth.
-fn reference(folder: &Path) -> Result<Truth, Fault> {
+/// Keys that two runs of one problem may differ in: how finely it is computed, and what is written.
+const FREE: [&str; 5] = ["accuracy", "check", "mesh", "output", "title"];
+
+/// Refuses results of another scene; how finely it was computed is free.
+fn same_problem(scene: &str, here: &str) -> Result<(), String> {
+    let free = |key: &str| FREE.contains(&key.split('.').next().unwrap_or(key));
+    let shown = |value: &Option<String>| value.clone().unwrap_or_else(|| "nothing".into());
+    let apart: Vec<_> = scenes::compare([scene, here]).into_iter().filter(|(key, _)| !free(key)).collect();
+    // Other tasks bring other keys with them.
+    match apart.iter().find(|(key, _)| key == "tasks").or(apart.first()) {
+        None => Ok(()),
+        Some((key, [there, here])) => {
+            Err(format!("it holds results of another scene: {key} is {} there and {} here", shown(there), shown(here)))
+        }
+    }
+}
+
+/// The results in the folder of a run of the same problem, as the truth.
+fn reference(folder: &Path, resolved: &str) -> Result<Truth, Fault> {
     let fault = |message: String| Fault {
         place: Some(Place::Flag(format!("--reference {}", folder.display()))),
         ..Fault::new("no-reference", message, "give the folder of a finished run of the same scene: wearshape run SCENE -o DIR")
@@ -130,6 +153,7 @@ fn reference(folder: &Path) -> Result<Truth, Fault> {
         let path = folder.join(name);
         std::fs::read_to_string(&path).map_err(|error| fault(format!("cannot read {}: {error}", path.display())))
     };
+    same_problem(&read("scene.resolved.toml")?, resolved).map_err(&fault)?;
     let table = read("contact.csv")?;
     let column =
         |name: &str| report::column(&table, name).ok_or_else(|| fault(format!("contact.csv has no column `{name}` of numbers")));

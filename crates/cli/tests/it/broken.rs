@@ -42,6 +42,7 @@ fn refused(text: &str, line: Option<usize>, message: &str, remedy: &str) {
         if let Some(line) = line {
             assert!(call.err.contains(&format!("scene.toml:{line}:")), "{command}: not line {line}:\n{}", call.err);
         }
+        assert!(call.err.contains("--> "), "{command}: no place:\n{}", call.err);
         assert!(call.out.is_empty(), "{command}: errors belong on stderr: {}", call.out);
     }
     assert!(!bench.path("out").exists(), "a scene that is refused on reading leaves no folder");
@@ -315,4 +316,50 @@ fn tables_and_decimal_commas_are_asked_for_in_words_of_a_scene() {
     broken("friction = 0.25", "friction = \"0,25\"", "wrong type", "decimal point, not a comma: 0.25");
     broken("force = \"10 kN\"", "force = \"1,5 kN\"", "decimal comma", "\"1.5 kN\"");
     broken("title = \"test\"", "title = 3", "found integer `3`", "text in double quotes");
+}
+
+#[test]
+fn every_refusal_of_a_call_has_a_place_and_a_remedy() {
+    let bench = Bench::new();
+    bench.file("there.toml", "");
+    bench.file("latin.toml", "");
+    std::fs::write(bench.path("latin.toml"), b"title = \"\xe9\"").unwrap();
+    bench.file("foreign/notes.txt", "");
+    bench.file("file", "");
+    assert_eq!(bench.call("run disc-pad -q -o pad").code, 0);
+    for args in [
+        "run nosuch",
+        "run nosuch.toml",
+        "run latin.toml",
+        "run there.toml",
+        "run disc-pad -o foreign",
+        "run disc-pad -o file",
+        "run disc-pad -o .",
+        "run disc-pad -o file/below",
+        "run disc-pad --set nosuch=1",
+        "run disc-pad --set load.force=-1",
+        "run disc-pad --set load.force",
+        "run disc-pad --sample 1",
+        "run disc-pad --threads 0",
+        "check disc-pad -o file/below.svg",
+        "new nosuch",
+        "new disc-pad there.toml",
+        "new disc-pad file/below.toml",
+        "sweep disc-pad --over load.force",
+        "sweep disc-pad --over load.force=1:2:0",
+        "sweep disc-pad --over nosuch=1,2 --set nosuch.more=1",
+        "study disc-pad",
+        "study drum-brake-block --reference pad",
+        "study drum-brake-block --reference nowhere",
+        "diff pad nowhere",
+        "diff pad pad --tolerance=-1",
+        "report nowhere",
+        "reproduce nosuch",
+        "explain nosuch",
+        "man file",
+    ] {
+        let call = bench.call(args);
+        assert_eq!(call.code, 2, "{args}: {}{}", call.out, call.err);
+        assert!(call.err.contains("--> ") && call.err.contains("remedy: "), "{args}: {}", call.err);
+    }
 }

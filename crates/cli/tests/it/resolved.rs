@@ -39,6 +39,37 @@ fn the_resolved_scene_gives_the_same_result() {
     }
 }
 
+/// Every built-in scene, with its own tasks and with each other that it can have, on a coarse mesh: all files but the times.
+#[test]
+fn a_resolved_scene_run_again_gives_the_same_bytes() {
+    let bench = Bench::new();
+    let mut scenes = 0;
+    for name in bench.call("new --list").out.lines().map(|line| line.split(' ').next().unwrap().to_string()) {
+        for tasks in ["", "pressure", "contact", "shape", "wear"] {
+            let tasks = if tasks.is_empty() { String::new() } else { format!("--set tasks=[{tasks}]") };
+            let call = bench.call(&format!("run {name} -q -o first/{name} {tasks} --set mesh.degree=4 --set mesh.layers=3"));
+            if call.code == 2 {
+                assert!(!tasks.is_empty(), "{name}: {}", call.err);
+                continue;
+            }
+            scenes += 1;
+            std::fs::copy(bench.path(&format!("first/{name}/scene.resolved.toml")), bench.path(&format!("{name}.toml"))).unwrap();
+            let again = bench.call(&format!("run {name}.toml -q -o second/{name}"));
+            assert_eq!(again.code, call.code, "{name} {tasks}: {}", again.err);
+            for folder in ["first", "second"] {
+                std::fs::remove_file(bench.path(&format!("{folder}/{name}/timing.json"))).unwrap();
+            }
+            let [first, second] = ["first", "second"].map(|folder| bench.path(&format!("{folder}/{name}")));
+            assert_eq!(files(&first), files(&second), "{name} {tasks}");
+            for file in files(&first) {
+                let [a, b] = [&first, &second].map(|folder| std::fs::read(folder.join(&file)).unwrap());
+                assert!(a == b, "{name} {tasks}: {file} differs");
+            }
+        }
+    }
+    assert!(scenes > 40, "{scenes}");
+}
+
 #[test]
 fn the_hash_is_that_of_the_resolved_scene() {
     let bench = Bench::new();

@@ -57,6 +57,27 @@ fn a_study_against_a_finished_run_measures_every_degree_at_its_points() {
 }
 
 #[test]
+fn a_study_against_results_of_another_scene_is_refused_by_the_key() {
+    let bench = Bench::new();
+    let coarse = "--set mesh.degree=4 --set mesh.layers=3 -q";
+    assert_eq!(bench.call(&format!("run hertz-cylinder {coarse} -o hertz")).code, 0);
+    assert_eq!(bench.call(&format!("run drum-brake-block {coarse} -o drum")).code, 0);
+    for (settings, reference, key) in [
+        ("", "hertz", "body1.geometry."),
+        ("--set contact.friction=0.2", "drum", "contact.friction is 0.25 there and 0.2 here"),
+        ("--set tasks=[contact]", "drum", "tasks is"),
+    ] {
+        let call = bench.call(&format!("study drum-brake-block {settings} --reference {reference} -q -o x"));
+        assert_eq!(call.code, 2, "{settings}: {}", call.err);
+        assert!(call.err.contains("results of another scene") && call.err.contains(key), "{settings}: {}", call.err);
+        assert!(call.err.contains(&format!("--> --reference {reference}")) && !bench.path("x").exists(), "{}", call.err);
+    }
+    // How finely it was computed is free.
+    let call = bench.call("study drum-brake-block --set accuracy=1e-4 --set title=other --reference drum -q -o x");
+    assert_eq!(call.code, 0, "{}", call.err);
+}
+
+#[test]
 fn a_study_of_a_scene_without_a_shape_says_what_to_ask_for() {
     let bench = Bench::new();
     let call = bench.call_with(&["study", "disc-pad", "-o", "out"]);

@@ -8,10 +8,39 @@ use crate::setup::twist::turns;
 
 /// The unused keys of a scene, sorted.
 pub(super) fn keys(document: &Document, scene: &Scene, tasks: &[Task]) -> Vec<String> {
-    let mut unused = Vec::new();
-    let mut when = |condition: bool, keys: &[&str]| {
+    let mut unused: Vec<String> = idle(scene, tasks).into_iter().filter(|key| document.has(key)).map(String::from).collect();
+    for (name, body) in [("body1", &scene.body1), ("body2", &scene.body2)] {
+        if let Some(Geometry::Blocks(blocks)) = body.as_ref().map(|body| &body.geometry) {
+            unused.extend(unused_in_blocks(blocks).iter().map(|key| format!("{name}.geometry.blocks.{key}")));
+        }
+    }
+    unused.sort();
+    unused.dedup();
+    unused
+}
+
+/// Takes out the defaults that were filled in although nothing uses them: read again, they would be unused keys.
+pub(super) fn leave_out(document: &Document, scene: &mut Scene, tasks: &[Task]) {
+    let idle = idle(scene, tasks);
+    let filled = |key: &str| idle.contains(&key) && !document.has(key);
+    if let Some(contact) = &mut scene.contact
+        && filled("contact.shear")
+    {
+        contact.shear = None;
+    }
+    if let Some(wear) = &mut scene.wear
+        && filled("wear.counterface")
+    {
+        wear.counterface = None;
+    }
+}
+
+/// Keys that the scene's choices do not use, written or not.
+fn idle(scene: &Scene, tasks: &[Task]) -> Vec<&'static str> {
+    let mut idle = Vec::new();
+    let mut when = |condition: bool, keys: &[&'static str]| {
         if condition {
-            unused.extend(keys.iter().filter(|key| document.has(key)).map(|key| key.to_string()));
+            idle.extend_from_slice(keys);
         }
     };
     let axisymmetric = scene.kinematics == Some(Kinematics::Axisymmetric);
@@ -55,12 +84,5 @@ pub(super) fn keys(document: &Document, scene: &Scene, tasks: &[Task]) -> Vec<St
     when(contact_only && !slides, &["contact.shear"]);
     when(!turned, &["load.twist", "load.torque"]);
     when(contact_only && turned, &["sliding.omega", "sliding.speed"]);
-    for (name, body) in [("body1", &scene.body1), ("body2", &scene.body2)] {
-        if let Some(Geometry::Blocks(blocks)) = body.as_ref().map(|body| &body.geometry) {
-            unused.extend(unused_in_blocks(blocks).iter().map(|key| format!("{name}.geometry.blocks.{key}")));
-        }
-    }
-    unused.sort();
-    unused.dedup();
-    unused
+    idle
 }
