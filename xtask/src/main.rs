@@ -10,6 +10,7 @@ mod outputs;
 mod package;
 mod packages;
 mod stability;
+mod supply;
 mod tidy;
 mod validation;
 mod verify;
@@ -38,7 +39,9 @@ usage: cargo xtask <chore>
             names that docs/api lists [--write]
   builds    the libraries by the oldest Rust promised, without features, and for a browser, with a
             module run by node
-  package   the static program, manual pages, completions and the Debian package
+  supply    every package of others comes from the registry, under a licence that deny.toml allows
+  package   the static program, manual pages, completions, notices of third parties, the list of
+            components and the Debian package
   bench     run the benches of our crates and print their ratios [crate ..]
 ";
 
@@ -56,6 +59,7 @@ fn main() -> ExitCode {
         Some("outputs") => outputs::run(&root, &words[1..]),
         Some("crates") => crates::run(&root, &words[1..]),
         Some("builds") => builds::run(&root),
+        Some("supply") => supply::run(&root),
         Some("package") => package::run(&root),
         Some("help" | "-h" | "--help") => {
             print!("{USAGE}");

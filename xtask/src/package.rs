@@ -4,6 +4,8 @@ use std::path::Path;
 use std::process::{Command, ExitCode};
 use std::time::Instant;
 
+use crate::supply;
+
 const TARGET: &str = "x86_64-unknown-linux-gnu";
 /// Starts that are timed; the fastest counts.
 const STARTS: usize = 20;
@@ -31,6 +33,7 @@ fn package(root: &Path) -> Result<(), String> {
         let script = start(Command::new(&program).args(["completions", shell]))?;
         std::fs::write(folder.join(file), script).map_err(|error| format!("cannot write {file}: {error}"))?;
     }
+    println!("notices  of {} packages", supply::write(root, TARGET, &folder)?);
     let bytes = std::fs::metadata(&program).map_err(|error| error.to_string())?.len();
     println!("program  {} ({:.1} MB)", program.display(), bytes as f64 / 1e6);
     println!("start    {:.1} ms", 1e3 * fastest_start(&program)?);
