@@ -20,7 +20,9 @@ pub fn tell_panics() {
 /// The two lines.
 fn words(panic: &PanicHookInfo<'_>) -> String {
     let place = panic.location().map_or_else(|| "an unknown place".to_string(), ToString::to_string);
-    let what = panic.payload_as_str().unwrap_or("no message").replace('\n', " ");
+    let (payload, said) = (panic.payload(), "no message");
+    let said = payload.downcast_ref::<&str>().copied().or(payload.downcast_ref::<String>().map(String::as_str)).unwrap_or(said);
+    let what = said.replace('\n', " ");
     format!(
         "fault of wearshape {} itself, at {place}: {what}\n\
          please report this line with the call and its scene in the issue tracker of the project; files written before are as they were\n",
@@ -29,6 +31,7 @@ fn words(panic: &PanicHookInfo<'_>) -> String {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     /// Called by the test below in a process of its own.
     #[test]

@@ -86,6 +86,7 @@ fn components(packages: &[Package]) -> Value {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
 
