@@ -2,40 +2,67 @@
 
 use annotate_snippets::renderer::{AnsiColor, Effects};
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
-use scene::{Fault, Place, Spot};
+use scene::{Fault, Place, Spot, bounded, visible};
+
+/// Longest line that is quoted whole, and the characters before the place and in all of what is quoted of a longer one.
+const LINE: usize = 160;
+const PART: [usize; 2] = [50, 110];
 
 /// The picture for a terminal: message, place, the line with a caret, remedy.
 pub(crate) fn render(fault: &Fault, colour: bool) -> String {
-    let title = Level::ERROR.primary_title(&fault.message);
+    let title = Level::ERROR.primary_title(told(&fault.message));
     let picture = match &fault.place {
         Some(Place::File(spot)) => title.element(snippet(spot)),
-        Some(Place::Flag(flag)) => title.element(Origin::path(flag)),
+        Some(Place::Flag(flag)) => title.element(Origin::path(told(flag))),
         None => Group::with_title(title),
     };
     let styled = Renderer::styled().help(AnsiColor::Green.on_default().effects(Effects::BOLD));
     let renderer = if colour { styled } else { Renderer::plain() };
     let mut out = renderer.render(&[picture]) + "\n";
+    if let Some(Place::File(spot)) = &fault.place {
+        // The column in the file, of which a part may be quoted.
+        let at = |column: usize| format!("{}:{}:{column}", told(&spot.file), spot.line);
+        out = out.replacen(&at(quoted(spot).0.chars().count() + 1), &at(spot.column), 1);
+    }
     if !fault.remedy.is_empty() {
-        let remedy = Level::HELP.with_name("remedy").primary_title(&fault.remedy);
+        let remedy = Level::HELP.with_name("remedy").primary_title(told(&fault.remedy));
         out += &(renderer.render(&[Group::with_title(remedy)]) + "\n");
     }
     out
 }
 
-/// The line of a place, with what is wrong in it underlined.
-fn snippet(spot: &Spot) -> Snippet<'_, annotate_snippets::Annotation<'_>> {
+/// A text of the fault as it is shown: of bounded length, and nothing in it acts.
+fn told(text: &str) -> String {
+    visible(&bounded(text)).into_owned()
+}
+
+/// What is quoted of the line of a place: before it, at it and after it; of a long line what is around the place.
+fn quoted(spot: &Spot) -> (String, String, String) {
     // Bytes up to a number of characters.
     let bytes = |count: usize| spot.text.char_indices().nth(count).map_or(spot.text.len(), |(at, _)| at);
     let start = spot.column - 1;
-    let span = bytes(start)..bytes(start + spot.length);
-    Snippet::source(&spot.text).line_start(spot.line).path(&spot.file).annotation(AnnotationKind::Primary.span(span))
+    let long = bytes(LINE) < spot.text.len();
+    let from = if long { start.saturating_sub(PART[0]) } else { 0 };
+    let to = if long { bytes(from + PART[1]) } else { spot.text.len() };
+    let (begin, end) = (bytes(start), bytes(start + spot.length).min(to));
+    let before = format!("{}{}", if from > 0 { "\u{2026}" } else { "" }, visible(&spot.text[bytes(from)..begin]));
+    let after = format!("{}{}", visible(&spot.text[end..to]), if to < spot.text.len() { "\u{2026}" } else { "" });
+    (before, visible(&spot.text[begin..end]).into_owned(), after)
+}
+
+/// The line of a place with what is wrong in it underlined.
+fn snippet(spot: &Spot) -> Snippet<'static, annotate_snippets::Annotation<'static>> {
+    let (before, wrong, after) = quoted(spot);
+    let span = before.len()..before.len() + wrong.len();
+    let annotation = AnnotationKind::Primary.span(span);
+    Snippet::source(before + &wrong + &after).line_start(spot.line).path(told(&spot.file)).annotation(annotation)
 }
 
 /// The one JSON document of a failed `--json` call.
 pub(crate) fn json(fault: &Fault) -> serde_json::Value {
     let mut error = serde_json::Map::new();
     error.insert("code".into(), fault.code.into());
-    error.insert("message".into(), fault.message.clone().into());
+    error.insert("message".into(), bounded(&fault.message).into());
     match &fault.place {
         Some(Place::File(spot)) => {
             error.insert("file".into(), spot.file.clone().into());
@@ -50,7 +77,7 @@ pub(crate) fn json(fault: &Fault) -> serde_json::Value {
     if let Some(key) = &fault.key {
         error.insert("key".into(), key.clone().into());
     }
-    error.insert("remedy".into(), fault.remedy.clone().into());
+    error.insert("remedy".into(), bounded(&fault.remedy).into());
     serde_json::json!({ "error": error })
 }
 
@@ -102,5 +129,27 @@ mod tests {
         let plain = render(&flag, false);
         assert!(plain.contains("--> --set x\n") && !plain.contains('\x1b'), "{plain}");
         assert!(render(&flag, true).contains("\x1b["));
+    }
+
+    #[test]
+    fn of_a_long_line_what_is_around_the_place_is_quoted() {
+        let text = format!("a = [{}, wrong, {}]\n", "1, ".repeat(200_000), "2, ".repeat(200_000));
+        let drawn = picture(&text, "wrong");
+        assert!(drawn.len() < 1000 && drawn.contains("1, , wrong, 2,"), "{drawn}");
+        assert!(drawn.contains("shoe.toml:1:600008\n"), "{drawn}");
+        let lines: Vec<&str> = drawn.lines().collect();
+        let at = |what: &str| lines.iter().find_map(|line| Some(line.split_once(what)?.0.chars().count()));
+        assert_eq!(at("wrong, 2"), at("^"), "{drawn}");
+        assert_eq!(drawn.matches('\u{2026}').count(), 2, "{drawn}");
+    }
+
+    #[test]
+    fn nothing_in_a_fault_acts_on_a_terminal() {
+        let esc = "\u{1b}]0;owned\u{7}";
+        let text = format!("x = '{esc}' wrong\n");
+        let start = text.find("wrong").unwrap_or(0);
+        let place = Some(Place::file(esc, &text, start..start + 5));
+        let drawn = render(&Fault { place, ..Fault::new("wrong", esc, esc) }, false);
+        assert!(!drawn.contains(['\u{1b}', '\u{7}']) && drawn.matches("\\u{1b}]0;owned\\u{7}").count() == 4, "{drawn}");
     }
 }

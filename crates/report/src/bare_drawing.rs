@@ -6,7 +6,7 @@ use scene::SurfaceShape;
 use wearshape::Problem;
 
 use crate::drawing_words::{FILLS, LOADED, SLIDES, TOUCHES, legend};
-use crate::sheet::Sheet;
+use crate::sheet::{Sheet, into_sheet};
 
 /// Closed line around the origin; angles from the x axis.
 fn ring(radius: f64, from: f64, to: f64) -> Vec<[f64; 2]> {
@@ -25,6 +25,7 @@ pub(crate) fn bare_drawing(problem: &Problem) -> String {
             surface.append(&mut far);
             let mut sheet = on(&[ring(1.12 * outer, 0.0, TAU)], &surface);
             sheet.turning([0.0; 2], 0.6 * inner, 0.7 * PI * omega, SLIDES);
+            pressed(&mut sheet, [0.5 * (inner + outer), 0.0]);
             sheet
         }
         Some(SurfaceShape::RectangularPunch(punch)) => {
@@ -82,6 +83,7 @@ fn flat(problem: &Problem, [a, b, c, d]: [f64; 4], surface: &[[f64; 2]]) -> Shee
     if speed != 0.0 {
         sheet.arrow([x - 42.0 * speed, y], [x + 42.0 * speed, y], SLIDES);
     }
+    pressed(&mut sheet, [0.5 * (a + b), 0.5 * (c + d)]);
     for (place, name) in [([b + 0.8 * wide, 0.5 * (c + d)], "x"), ([0.5 * (a + b), d + 0.6 * high], "y")] {
         let [x, y] = sheet.at(place);
         sheet.sign(&format!(
@@ -90,6 +92,12 @@ fn flat(problem: &Problem, [a, b, c, d]: [f64; 4], surface: &[[f64; 2]]) -> Shee
         ));
     }
     sheet
+}
+
+/// A load that presses into the sheet: the feathers of its arrow.
+fn pressed(sheet: &mut Sheet, place: [f64; 2]) {
+    let [x, y] = sheet.at(place);
+    sheet.sign(&into_sheet([x, y], 9.0, LOADED));
 }
 
 /// A drum or a shaft with an arc of contact on it.

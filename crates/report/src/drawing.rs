@@ -161,7 +161,8 @@ fn loaded(sheet: &mut Sheet, body: &BodyOutline, load: &Load) {
             }
         }
         kind => {
-            let every = (pressed.len() / 7).max(1);
+            // Seven arrows, or as many as have room for their heads.
+            let every = (pressed.len() / 7).max(2).min(pressed.len());
             for (place, out) in pressed.iter().skip(every / 2).step_by(every) {
                 let out = if kind == Some(LoadKind::Vertical) { [0.0, -1.0] } else { out.unwrap_or([0.0, -1.0]) };
                 let [from, to] = [38.0, 3.0].map(|far| [place[0] + far * out[0], place[1] + far * out[1]]);

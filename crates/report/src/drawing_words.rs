@@ -1,6 +1,6 @@
 //! The words below the drawing of a scene.
 
-use scene::{Kinematics, Load, LoadKind, Material, Scene};
+use scene::{Kinematics, Load, LoadKind, Material, Scene, SurfaceShape};
 use wearshape::Problem;
 
 use crate::brief::brief;
@@ -31,14 +31,19 @@ pub(crate) fn legend(problem: &Problem) -> Vec<(Mark, String)> {
         }
     }
     let friction = scene.contact.as_ref().and_then(|contact| contact.friction).unwrap_or(0.0);
+    let plan = matches!(
+        scene.surface,
+        Some(SurfaceShape::DiscPad(_) | SurfaceShape::RectangularPunch(_) | SurfaceShape::EllipticPunch(_))
+    );
     let surface = if scene.surface.is_some() { "contact surface of body 1" } else { "contact" };
-    let mark = if scene.surface.is_some() { Mark::Fill(FILLS[0][0]) } else { Mark::Line(TOUCHES) };
+    let mark = if plan { Mark::Fill(FILLS[0][0]) } else { Mark::Line(TOUCHES) };
     rows.push((mark, format!("{surface}, friction {}", brief(friction))));
     let held = [&scene.body1, &scene.body2].into_iter().flatten().any(|body| !body.support.is_empty());
     if held {
         rows.push((Mark::Hatch, "held in the directions written beside it".into()));
     }
-    rows.extend(scene.load.as_ref().map(|load| (Mark::Arrow(LOADED), load_words(load))));
+    let arrow = if plan { Mark::Into(LOADED) } else { Mark::Arrow(LOADED) };
+    rows.extend(scene.load.as_ref().map(|load| (arrow, load_words(load))));
     rows.extend(sliding_words(scene).map(|text| (Mark::Arrow(SLIDES), text)));
     rows.extend(plane_words(scene).map(|text| (Mark::None, text)));
     rows

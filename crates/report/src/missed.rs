@@ -1,9 +1,9 @@
 //! What a run still found that did not reach its goal, and what would reach it.
 
-use scene::short;
-use wearshape::{ContactResult, Problem, ShapeResult, Solution, Status};
+use wearshape::{ContactResult, Problem, Solution, Status};
 
-use crate::place::place;
+use crate::brief::brief;
+use crate::shape_words::taken_off;
 
 /// The lines of a run that was computed but whose goal is not met; none of any other.
 pub(crate) fn lines(problem: &Problem, solution: &Solution) -> Vec<String> {
@@ -13,16 +13,16 @@ pub(crate) fn lines(problem: &Problem, solution: &Solution) -> Vec<String> {
     let mut lines = Vec::new();
     lines.extend(help(problem, solution).map(|help| format!("help      {help}")));
     lines.extend(solution.contact.as_ref().map(|contact| format!("contact   {}", touching(contact))));
-    lines.extend(solution.shape.as_ref().and_then(|shape| largest(problem, shape)).map(|gap| format!("gap       {gap}")));
+    lines.extend(taken_off(problem, solution).map(|words| format!("shape     {words}")));
     lines
 }
 
 /// Force, pressure, approach and ends of a contact.
 fn touching(contact: &ContactResult) -> String {
-    let um = |value: f64| format!("approach {} um", digits(1e3 * value));
+    let um = |value: f64| format!("approach {} um", brief(1e3 * value));
     let words = [
-        contact.force.map(|force| format!("force {} N", digits(force))),
-        contact.p_max.map(|peak| format!("at most {} MPa", digits(peak))),
+        contact.force.map(|force| format!("force {} N", brief(force))),
+        contact.p_max.map(|peak| format!("at most {} MPa", brief(peak))),
         contact.approach.map(um),
         ends(&contact.ends),
     ];
@@ -32,20 +32,14 @@ fn touching(contact: &ContactResult) -> String {
 /// The outermost ends of contact.
 fn ends(ends: &[f64]) -> Option<String> {
     let (first, last) = (ends.first()?, ends.last()?);
-    (first < last).then(|| format!("from s = {} to {} mm", digits(*first), digits(*last)))
-}
-
-/// The largest gap of a shape and its place.
-fn largest(problem: &Problem, shape: &ShapeResult) -> Option<String> {
-    let at = shape.gap_where.map(|s| format!(" at {}", place(problem, s))).unwrap_or_default();
-    Some(format!("at most {} um{at}", digits(shape.gap_max?)))
+    (first < last).then(|| format!("from s = {} to {} mm", brief(*first), brief(*last)))
 }
 
 /// What reaches the goal.
 fn help(problem: &Problem, solution: &Solution) -> Option<String> {
     if solution.status == Status::NotConverged {
         let time = solution.wear.as_ref().and_then(|wear| wear.time)?;
-        return Some(format!("to end it where it is: --set wear.until={}", digits(time)));
+        return Some(format!("to end it where it is: --set wear.until={}", brief(time)));
     }
     let error = error(solution)?;
     let asked = problem.scene().accuracy;
@@ -72,11 +66,6 @@ fn above(error: f64) -> String {
     step.map_or_else(|| format!("1e{}", power + 1), |step| format!("{step}e{power}"))
 }
 
-/// A number with four significant digits.
-fn digits(value: f64) -> String {
-    short(format!("{value:.3e}").parse().unwrap_or(value))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -84,10 +73,5 @@ mod tests {
     #[test]
     fn the_accuracy_to_ask_for_is_a_round_one_above_the_error() {
         assert_eq!([2.04e-8, 9.9e-7, 1.1e-3, 3e-4, 0.02].map(above), ["5e-8", "1e-6", "2e-3", "5e-4", "5e-2"]);
-    }
-
-    #[test]
-    fn numbers_have_four_digits() {
-        assert_eq!([1234.567, 0.0123456, 3.05176e-6].map(digits), ["1235", "0.01235", "3.052e-6"]);
     }
 }

@@ -5,6 +5,8 @@ use serde_json::{Value, json};
 use wearshape::RunningIn;
 
 use crate::escape::escaped;
+use crate::harmless::is_harmless;
+use crate::page_frame::{begin, end};
 use crate::page_tables::{glance, stages, tables};
 use crate::run_in::run_in;
 
@@ -45,6 +47,8 @@ struct Parts<'a> {
     running_in: Option<&'a RunningIn>,
     /// scene.resolved.toml.
     resolved: String,
+    /// Names of pictures that are none of ours.
+    left_out: Vec<String>,
     /// Names of the files that are there.
     there: Vec<&'static str>,
 }
@@ -55,6 +59,10 @@ fn html(parts: &Parts<'_>) -> String {
     let charts: Vec<&Value> = curves.as_array().into_iter().flatten().map(|entry| &entry["chart"]).collect();
     let run_in = parts.running_in.and_then(run_in);
     let mut out = head(summary, resolved);
+    if !parts.left_out.is_empty() {
+        let names = escaped(&parts.left_out.join(", "));
+        out += &format!("<p class=\"note\">Left out, for they are no pictures as wearshape draws them: {names}</p>\n");
+    }
     if let Some(picture) = &parts.scene {
         out += &format!("<figure class=\"drawn scene\">\n{picture}</figure>\n");
     }
@@ -70,10 +78,7 @@ fn html(parts: &Parts<'_>) -> String {
     out += &stages(summary);
     out += &limits(summary);
     out += &scene(summary, resolved);
-    // `<` cannot end the element early: it is written as an escape.
-    let data = json!({ "charts": charts, "run_in": run_in }).to_string().replace('<', "\\u003c");
-    out += &format!("<script type=\"application/json\" id=\"data\">{data}</script>\n");
-    out + "<script>\n" + include_str!("page.js") + "</script>\n</main>\n</body>\n</html>\n"
+    out + &end(&json!({ "charts": charts, "run_in": run_in }))
 }
 
 /// The files of the folder, by relative links.
@@ -98,13 +103,7 @@ fn head(summary: &Value, resolved: &str) -> String {
         .lines()
         .find_map(|line| line.strip_prefix("title = "))
         .map_or_else(|| text("scene"), |title| escaped(title.trim_matches('"')));
-    let mut out = format!(
-        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <link rel=\"icon\" href=\"data:,\">\n<title>{title}</title>\n<style>\n{}</style>\n</head>\n<body>\n",
-        include_str!("page.css")
-    );
-    out += "<main>\n";
+    let mut out = begin(&title);
     out += &format!(
         "<h1>{title}</h1>\n<p class=\"verdict\">{}</p>\n<p class=\"soft\">{} &middot; wearshape {} &middot; status: {}</p>\n",
         text("verdict"),
@@ -190,20 +189,41 @@ pub(crate) fn built(text: &dyn Fn(&str) -> Option<String>, running_in: Option<&R
     let parse = |name: &str| serde_json::from_str::<Value>(&read(name)?).map_err(|error| damaged(name, &error));
     let curves = parse("plots/curves.json")?;
     let mut pictures = Vec::new();
+    let mut left_out = Vec::new();
     for name in curves.as_array().into_iter().flatten().filter_map(|entry| entry["file"].as_str()) {
-        pictures.push(read(&format!("plots/{name}.svg"))?);
+        let file = format!("plots/{name}.svg");
+        // A chart without its picture is drawn by the script.
+        let picture = if is_plain(name) { read(&file)? } else { String::new() };
+        pictures.push(checked(&file, picture, &mut left_out).unwrap_or_default());
     }
+    let [scene, field, map] = [SCENE_PICTURE, FIELD_PICTURE, MAP_PICTURE]
+        .map(|name| text(name).and_then(|picture| checked(name, picture, &mut left_out)));
     Ok(html(&Parts {
         summary: parse("summary.json")?,
         curves,
         pictures,
-        scene: text(SCENE_PICTURE),
-        field: text(FIELD_PICTURE),
-        map: text(MAP_PICTURE),
+        scene,
+        field,
+        map,
+        left_out,
         running_in,
         resolved: read("scene.resolved.toml")?,
         there: FILES.iter().map(|(name, _)| *name).filter(|name| text(name).is_some()).collect(),
     }))
+}
+
+/// Whether a name is that of a plain file: letters, digits and hyphens.
+fn is_plain(name: &str) -> bool {
+    !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '-')
+}
+
+/// A picture of ours; of any other the name is kept.
+fn checked(name: &str, picture: String, left_out: &mut Vec<String>) -> Option<String> {
+    let harmless = is_harmless(&picture);
+    if !harmless {
+        left_out.push(name.to_string());
+    }
+    harmless.then_some(picture)
 }
 
 fn missing(name: &str) -> Fault {

@@ -87,7 +87,9 @@ pub(crate) fn glance(summary: &Value) -> String {
 }
 
 fn table(name: &str, part: &Value) -> String {
-    if !part.is_object() {
+    // What needs no bodies took nothing.
+    let nothing = name == "counters" && part.as_object().into_iter().flatten().all(|(_, count)| *count == 0);
+    if !part.is_object() || nothing {
         return String::new();
     }
     let heading = HEADINGS.iter().find(|(known, _)| *known == name).map_or(name, |(_, heading)| heading);

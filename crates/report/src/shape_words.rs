@@ -52,8 +52,17 @@ fn read(rows: &[[f64; 2]]) -> Option<Read> {
     Some(Read { most, least, form })
 }
 
+/// What to take off where, of a run that has found a shape.
+pub(crate) fn taken_off(problem: &Problem, solution: &Solution) -> Option<String> {
+    let shape = solution.shape.as_ref()?;
+    shape_words(problem, solution).or_else(|| {
+        let at = shape.gap_where.map(|s| format!(" at {}", place(problem, s))).unwrap_or_default();
+        shape.gap_max.map(|most| format!("take off most, {} um,{at}", brief(most)))
+    })
+}
+
 /// "take off most, 1.09 um, at 30 deg; nothing at -12.6 deg": none without a gap.
-pub(crate) fn shape_words(problem: &Problem, solution: &Solution) -> Option<String> {
+fn shape_words(problem: &Problem, solution: &Solution) -> Option<String> {
     let rows: Vec<[f64; 2]> = match (&solution.machined, &solution.profile) {
         (Some(machined), _) => machined.points.iter().map(|point| [point.s, 1e3 * point.gap]).collect(),
         (None, Some(profile)) => profile.s.iter().zip(&profile.gap).map(|(s, gap)| [*s, *gap]).collect(),

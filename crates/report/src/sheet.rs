@@ -21,6 +21,8 @@ pub(crate) enum Mark {
     Line(&'static str),
     /// An arrow.
     Arrow(&'static str),
+    /// An arrow that goes into the sheet.
+    Into(&'static str),
     /// A hatched line.
     Hatch,
     /// Nothing.
@@ -151,12 +153,26 @@ fn drawn(mark: &Mark, y: f64) -> String {
         }
         Mark::Line(colour) => format!("<path d=\"M18 {y:.1}h28\" stroke=\"{colour}\" stroke-width=\"4\"/>\n"),
         Mark::Arrow(colour) => arrow([18.0, y], [46.0, y], colour),
+        Mark::Into(colour) => into_sheet([32.0, y], 8.0, colour),
         Mark::None => String::new(),
         Mark::Hatch => format!(
             "<path class=\"ink\" d=\"M18 {0:.1}h28M22 {0:.1}l-5 8M30 {0:.1}l-5 8M38 {0:.1}l-5 8M46 {0:.1}l-5 8\" fill=\"none\" stroke=\"#333\" stroke-width=\"1.2\"/>\n",
             y - 3.0
         ),
     }
+}
+
+/// An arrow that goes into the sheet, seen along it: a ring with a cross.
+pub(crate) fn into_sheet([x, y]: [f64; 2], radius: f64, colour: &str) -> String {
+    let cross = radius * std::f64::consts::FRAC_1_SQRT_2;
+    format!(
+        "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{radius}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"2.2\"/>\n\
+         <path d=\"M{0:.1} {1:.1}L{2:.1} {3:.1}M{0:.1} {3:.1}L{2:.1} {1:.1}\" stroke=\"{colour}\" stroke-width=\"2.2\"/>\n",
+        x - cross,
+        y - cross,
+        x + cross,
+        y + cross
+    )
 }
 
 fn arrow(from: [f64; 2], to: [f64; 2], colour: &str) -> String {

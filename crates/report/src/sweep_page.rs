@@ -6,6 +6,7 @@ use crate::curves::{Picture, curves_json};
 use crate::escape::escaped;
 use crate::line_plot::{LinePlot, line_plot};
 use crate::page::figures;
+use crate::page_frame::{begin, end};
 
 /// What the page of a sweep shows.
 #[derive(Debug, Clone, Copy)]
@@ -32,12 +33,9 @@ pub fn sweep_page(page: &SweepPage<'_>) -> String {
     let charts: Vec<&Value> = charts.as_array().into_iter().flatten().map(|entry| &entry["chart"]).collect();
     let pictures: Vec<String> = page.plots.iter().map(line_plot).collect();
     let title = escaped(page.title);
-    let mut out = format!(
-        "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <link rel=\"icon\" href=\"data:,\">\n<title>{title}: sweep</title>\n<style>\n{}</style>\n</head>\n<body>\n\
-         <h1>{title}: sweep</h1>\n<p class=\"soft\">{} &middot; wearshape {} &middot; status: {}</p>\n<p class=\"verdict\">{}</p>\n",
-        include_str!("page.css"),
+    let mut out = begin(&format!("{title}: sweep"));
+    out += &format!(
+        "<h1>{title}: sweep</h1>\n<p class=\"soft\">{} &middot; wearshape {} &middot; status: {}</p>\n<p class=\"verdict\">{}</p>\n",
         text("scene"),
         text("version"),
         text("status"),
@@ -53,10 +51,7 @@ pub fn sweep_page(page: &SweepPage<'_>) -> String {
          headed by what was swept</summary>\n<pre>{}</pre></details>\n",
         escaped(page.resolved)
     );
-    // `<` cannot end the element early: it is written as an escape.
-    let data = json!({ "charts": charts, "run_in": null }).to_string().replace('<', "\\u003c");
-    out += &format!("<script type=\"application/json\" id=\"data\">{data}</script>\n");
-    out + "<script>\n" + include_str!("page.js") + "</script>\n</body>\n</html>\n"
+    out + &end(&json!({ "charts": charts, "run_in": null }))
 }
 
 /// Names that find room inside a chart.

@@ -8,9 +8,14 @@ use crate::brief::brief;
 use crate::missed;
 use crate::verdict::{pressures, verdict};
 
+/// Columns of a terminal, of the names of lines, and of the longest phrase that is kept together.
+const WIDTH: usize = 80;
+const INDENT: usize = 10;
+const PHRASE: usize = 45;
+
 /// The lines for the screen.
 pub fn first_screen(problem: &Problem, solution: &Solution, folder: &Path) -> String {
-    let mut lines = vec![format!("{}   [{}]", verdict(problem, solution), bracket(solution))];
+    let mut lines = Vec::new();
     lines.extend(missed::lines(problem, solution));
     if let Some(pressure) = solution.pressure.as_ref().filter(|_| solution.status != Status::Refused) {
         lines.extend(pressure_lines(problem, solution, pressure));
@@ -25,9 +30,37 @@ pub fn first_screen(problem: &Problem, solution: &Solution, folder: &Path) -> St
     if !problem.unused_keys().is_empty() {
         lines.push(format!("unused    {}", problem.unused_keys().join(", ")));
     }
-    lines.truncate(9);
-    lines.push(format!("files     {}", folder.display()));
-    lines.join("\n") + "\n"
+    lines.truncate(8);
+    let mut rows = folded(&verdict(problem, solution), 0);
+    let bracket = format!("[{}]", bracket(solution));
+    match rows.last_mut().filter(|last| last.chars().count() + 3 + bracket.chars().count() <= WIDTH) {
+        Some(last) => *last += &format!("   {bracket}"),
+        None => rows.push(bracket),
+    }
+    rows.extend(lines.iter().flat_map(|line| folded(line, INDENT)));
+    rows.push(format!("files     {}", folder.display()));
+    rows.join("\n") + "\n"
+}
+
+/// A line in pieces that are no wider than a terminal, cut between phrases where they are short enough, else between words; all but the first are
+/// indented.
+fn folded(line: &str, indent: usize) -> Vec<String> {
+    let mut rows = vec![String::new()];
+    let mut add = |part: &str| {
+        let room = WIDTH - if rows.len() > 1 { indent } else { 0 };
+        match rows.last_mut().filter(|row| row.chars().count() + part.trim_end().chars().count() <= room || row.is_empty()) {
+            Some(row) => row.push_str(part),
+            None => rows.push(part.to_string()),
+        }
+    };
+    for phrase in line.split_inclusive("; ").flat_map(|part| part.split_inclusive(", ")) {
+        match phrase.chars().count() <= PHRASE {
+            true => add(phrase),
+            false => phrase.split_inclusive(' ').for_each(&mut add),
+        }
+    }
+    let pad = |(number, row): (usize, String)| format!("{}{}", " ".repeat(if number > 0 { indent } else { 0 }), row.trim_end());
+    rows.into_iter().enumerate().map(pad).collect()
 }
 
 fn pressure_lines(problem: &Problem, solution: &Solution, pressure: &PressureResult) -> Vec<String> {
@@ -106,5 +139,22 @@ fn bracket(solution: &Solution) -> String {
     match error {
         Some((what, value)) => format!("{status}, {what} error {value:.0e}"),
         None => status.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{INDENT, folded};
+
+    #[test]
+    fn long_lines_are_cut_between_phrases_and_lose_no_word() {
+        let line = "wear      38480 mm^3/s, 3150000 um/h, 4273000 mm per 1000 km, friction 192400 W, torque 76970 N m";
+        let rows = folded(line, INDENT);
+        assert_eq!(rows, [&line[..80], "          torque 76970 N m"]);
+        let note = format!("note      {}", "word ".repeat(60));
+        let rows = folded(&note, INDENT);
+        assert!(rows.len() > 3 && rows.iter().all(|row| row.chars().count() <= 80), "{rows:?}");
+        assert_eq!(rows.join(" ").split_whitespace().collect::<Vec<_>>(), note.split_whitespace().collect::<Vec<_>>());
+        assert_eq!(folded("short", 0), ["short"]);
     }
 }

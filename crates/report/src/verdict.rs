@@ -2,20 +2,20 @@
 
 use scene::{Functional, with_short_numbers};
 use wearshape::{
-    Character, ContactResult, PressureResult, Problem, Profile, Regime, ShapeResult, Solution, Status, WearResult, functional_row,
+    Character, ContactResult, PressureResult, Problem, Profile, Regime, Solution, Status, WearResult, functional_row,
 };
 
 use crate::brief::brief;
 use crate::place::place;
-use crate::shape_words::shape_words;
+use crate::shape_words::taken_off;
 
 /// How it ended: the reason it stopped, or the number that was asked for.
 pub(crate) fn verdict(problem: &Problem, solution: &Solution) -> String {
     if let Some(reason) = &solution.reason {
         return stopped(solution.status, reason);
     }
-    if let Some(shape) = &solution.shape {
-        return machine(problem, solution, shape);
+    if solution.shape.is_some() {
+        return machine(problem, solution);
     }
     if let Some(wear) = &solution.wear {
         return worn(problem, wear);
@@ -40,11 +40,8 @@ fn stopped(status: Status, reason: &str) -> String {
     format!("{head}: {}.", with_short_numbers(reason))
 }
 
-fn machine(problem: &Problem, solution: &Solution, shape: &ShapeResult) -> String {
-    let words = shape_words(problem, solution).or_else(|| {
-        let at = shape.gap_where.map(|s| format!(" at {}", place(problem, s))).unwrap_or_default();
-        shape.gap_max.map(|most| format!("take off most, {} um,{at}", brief(most)))
-    });
+fn machine(problem: &Problem, solution: &Solution) -> String {
+    let words = taken_off(problem, solution);
     let steady = solution.pressure.as_ref().is_some_and(|pressure| pressure.functional == Functional::Steady);
     let end = if steady { "it starts worn in" } else { "it has the wanted pressure" };
     format!("Machine this shape: {}; {end}.", words.unwrap_or_default())

@@ -17,6 +17,7 @@ mod schema;
 mod tree;
 mod units;
 mod value;
+mod visible;
 mod write;
 
 pub use builtin::{Builtin, SCENES, builtin};
@@ -37,4 +38,5 @@ pub use scene::{
 };
 pub use units::{Angle, AngularSpeed, Force, Length, Moment, Pair, Pressure, Scale, Speed, Steps, Time, WearFactor};
 pub use value::{missing, positive};
+pub use visible::{acts, bounded, visible};
 pub use write::scene_text;

@@ -80,7 +80,7 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
     folder.write("timing.json", &report::pretty(&json!({ "seconds_total": start.elapsed().as_secs_f64(), "points": count })))?;
     let figures = Figures::new(&sweep.grid, &rows.first);
     let summary = sweep.summary(&first.name, &mark, rows.failed);
-    folder.write("report.html", &sweep.page(&folder, &first, &summary, &figures, &mark))?;
+    folder.write("report.html", &page(folder.path(), &sweep.grid, &summary, &rows, &mark))?;
     let summary = folder.finish(&summary)?;
     if common.json {
         print_json(&summary);
@@ -217,19 +217,36 @@ impl Sweep<'_> {
             "counters": { "factorisations": self.bodies.factorisations(), "factorisations_saved": self.bodies.reused() },
         })
     }
+}
 
-    /// report.html.
-    fn page(&self, folder: &Folder, first: &Document, summary: &Value, figures: &Figures, mark: &str) -> String {
-        let title = first.scene.title.as_deref().unwrap_or(&first.name);
-        report::sweep_page(&report::SweepPage {
-            title,
-            summary,
-            plots: &curves::plots(&folder.path().join(CURVES), &self.grid, title),
-            names: &figures.names,
-            rows: &figures.rows,
-            resolved: mark,
-        })
-    }
+/// report.html from the files of a folder.
+fn page(folder: &Path, grid: &Grid, summary: &Value, rows: &Rows, mark: &str) -> String {
+    let named = toml::from_str::<toml::Table>(mark).ok().and_then(|scene| Some(scene.get("title")?.as_str()?.to_string()));
+    let title = named.as_deref().or(summary["scene"].as_str()).unwrap_or("");
+    let figures = Figures::new(grid, &rows.first);
+    report::sweep_page(&report::SweepPage {
+        title,
+        summary,
+        plots: &curves::plots(&folder.join(CURVES), grid, title),
+        names: &figures.names,
+        rows: &figures.rows,
+        resolved: mark,
+    })
+}
+
+/// The page of a finished sweep, built again; none where the scene of the folder is not headed by what was swept.
+pub(super) fn page_again(folder: &Path, read: &dyn Fn(&str) -> Option<Vec<u8>>) -> Option<String> {
+    let text = |name: &str| String::from_utf8(read(name)?).ok();
+    let mark = text("scene.resolved.toml")?;
+    let plan: Value = serde_json::from_str(mark.lines().next()?.strip_prefix("# ")?).ok()?;
+    let over: Vec<String> = serde_json::from_value(plan["over"].clone()).ok()?;
+    let grid = Grid::read(&over).ok().filter(|_| !over.is_empty())?;
+    let summary: Value = serde_json::from_str(&text("summary.json")?).ok()?;
+    let mut rows = Rows::default();
+    // Read line by line: only what is shown is kept.
+    read(CURVES).and(read(ROWS))?;
+    rows.see_finished(&folder.join(ROWS), &grid);
+    Some(page(folder, &grid, &summary, &rows, &mark))
 }
 
 /// Values of axes that were typed with a unit, in base units.

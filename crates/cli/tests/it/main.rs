@@ -18,6 +18,7 @@ mod folder;
 mod free_ends;
 mod hertz;
 mod holding;
+mod hostile;
 mod internal_shoe;
 mod interrupted;
 mod json;

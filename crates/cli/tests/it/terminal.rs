@@ -106,7 +106,7 @@ fn a_missed_accuracy_says_what_was_found_and_what_would_reach_it() {
     let again = bench.call(&format!("run hertz-cylinder -o x --set accuracy={help}"));
     assert_eq!(again.code, 0, "{}", again.out);
     let call = bench.call("run drum-brake-block -o y --set accuracy=1e-13");
-    assert!(call.code == 1 && call.out.contains("gap       at most 1.0") && call.out.contains("pressure  5.45"), "{}", call.out);
+    assert!(call.code == 1 && call.out.contains("take off most, 1.0") && call.out.contains("pressure  5.45"), "{}", call.out);
 }
 
 #[test]
