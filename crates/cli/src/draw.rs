@@ -75,7 +75,7 @@ pub(crate) fn json(fault: &Fault) -> serde_json::Value {
         None => {}
     }
     if let Some(key) = &fault.key {
-        error.insert("key".into(), key.clone().into());
+        error.insert("key".into(), bounded(key).into());
     }
     error.insert("remedy".into(), bounded(&fault.remedy).into());
     serde_json::json!({ "error": error })

@@ -6,7 +6,7 @@
 use std::io::{self, ErrorKind, IsTerminal, Write};
 use std::sync::OnceLock;
 
-use scene::{Fault, Place, acts, visible};
+use scene::{Fault, Place, visible};
 
 use crate::draw;
 use crate::exit::Exit;
@@ -27,16 +27,8 @@ pub(crate) fn complain(fault: &Fault, json: bool) -> Exit {
 /// Prints one JSON document on stdout.
 pub(crate) fn print_json(document: &serde_json::Value) {
     if let Ok(text) = serde_json::to_string_pretty(document) {
-        print_out(&(in_json(text) + "\n"));
+        print_out(&(report::inert(text) + "\n"));
     }
-}
-
-/// JSON in which no character acts on a terminal: written as escapes, as which they read back.
-fn in_json(text: String) -> String {
-    if !text.contains(acts) {
-        return text;
-    }
-    text.chars().map(|c| if acts(c) { format!("\\u{:04x}", u32::from(c)) } else { c.to_string() }).collect()
 }
 
 /// Prints to stdout what texts of others say, but does nothing that they ask a terminal for.

@@ -9,6 +9,9 @@ use crate::bare_drawing::bare_drawing;
 use crate::drawing_words::{FILLS, LOADED, SLIDES, TOUCHES, legend};
 use crate::sheet::Sheet;
 
+/// Least distance of two arrows side by side (pixels).
+const ROOM: f64 = 14.0;
+
 /// The scene as SVG: what is where, before anything is computed. The same problem gives the same bytes.
 pub fn drawing(problem: &Problem) -> String {
     let scene = problem.scene();
@@ -161,15 +164,26 @@ fn loaded(sheet: &mut Sheet, body: &BodyOutline, load: &Load) {
             }
         }
         kind => {
-            // Seven arrows, or as many as have room for their heads.
-            let every = (pressed.len() / 7).max(2).min(pressed.len());
-            for (place, out) in pressed.iter().skip(every / 2).step_by(every) {
+            for (place, out) in spread(&pressed) {
                 let out = if kind == Some(LoadKind::Vertical) { [0.0, -1.0] } else { out.unwrap_or([0.0, -1.0]) };
                 let [from, to] = [38.0, 3.0].map(|far| [place[0] + far * out[0], place[1] + far * out[1]]);
                 sheet.arrow(from, to, LOADED);
             }
         }
     }
+}
+
+/// About seven of some places in a row, fewer where their arrows would touch.
+fn spread<T: Copy>(places: &[([f64; 2], T)]) -> Vec<([f64; 2], T)> {
+    let every = (places.len() / 7).max(1);
+    let mut kept: Vec<([f64; 2], T)> = Vec::new();
+    for (place, of) in places.iter().skip(every / 2).step_by(every) {
+        let apart = |(last, _): &([f64; 2], T)| (place[0] - last[0]).hypot(place[1] - last[1]);
+        if kept.last().is_none_or(|last| apart(last) >= ROOM) {
+            kept.push((*place, *of));
+        }
+    }
+    kept
 }
 
 /// How body 2 moves.
@@ -204,5 +218,19 @@ fn sliding(sheet: &mut Sheet, scene: &Scene, body: &BodyOutline) {
         let inner = points().map(|p| (p[0] - centre[0]).hypot(p[1] - centre[1])).fold(f64::MAX, f64::min);
         let outer = 0.5 * (high[0] - low[0]);
         sheet.turning(centre, if inner < 0.9 * outer { 0.5 * (inner + outer) } else { 0.5 * outer }, sense * 0.6 * PI, SLIDES);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ROOM, spread};
+
+    #[test]
+    fn arrows_on_a_narrow_edge_stand_apart() {
+        let places = |step: f64| (0..40).map(|k| ([f64::from(k) * step, 0.0], ())).collect::<Vec<_>>();
+        let narrow = spread(&places(0.5));
+        assert!(narrow.len() == 2 && narrow[1].0[0] - narrow[0].0[0] >= ROOM, "{narrow:?}");
+        assert_eq!(spread(&places(8.0)).len(), 8);
+        assert!(spread::<()>(&[]).is_empty());
     }
 }

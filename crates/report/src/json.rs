@@ -7,3 +7,11 @@ pub const SCHEMA_VERSION: u32 = 1;
 pub fn pretty(value: &serde_json::Value) -> String {
     serde_json::to_string_pretty(value).unwrap_or_default() + "\n"
 }
+
+/// JSON in which no character acts on a terminal or turns the text of a page: such are written as escapes, as which they read back.
+pub fn inert(json: String) -> String {
+    if !json.contains(scene::acts) {
+        return json;
+    }
+    json.chars().map(|c| if scene::acts(c) { format!("\\u{:04x}", u32::from(c)) } else { c.to_string() }).collect()
+}

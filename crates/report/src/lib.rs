@@ -42,7 +42,7 @@ pub use curves::abscissa;
 pub use drawing::drawing;
 pub use files::files;
 pub use isobands::{Isobands, Placed};
-pub use json::{SCHEMA_VERSION, pretty};
+pub use json::{SCHEMA_VERSION, inert, pretty};
 pub use line_plot::{Axis, LinePlot, Series, line_plot};
 pub use page::page;
 pub use section_plot::Section;
