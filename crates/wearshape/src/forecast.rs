@@ -64,10 +64,9 @@ fn forecast(problem: &Problem, options: &Options<'_>) -> Result<Vec<Forecast>, F
     let contact = problem.plan.runs(Step::Contact) || problem.plan.runs(Step::Evolution);
     let mut before = 0.0;
     let mut found = Vec::new();
-    let (step, beside) = match problem.plan.runs(Step::Contact) {
-        true => (Step::Contact, problem.wanted.fixed.and_then(fixed::beside)),
-        false => (Step::Shape, None),
-    };
+    let in_time = problem.plan.runs(Step::Evolution) && !problem.plan.runs(Step::Contact) && !problem.plan.runs(Step::Shape);
+    let step = if in_time { Step::Evolution } else { Step::Shape };
+    let beside = problem.wanted.fixed.and_then(fixed::beside).filter(|_| !in_time).map(|(level, _)| level);
     for level in beside.into_iter().chain(levels(problem, options, step)) {
         let (start, level_parts) = (clock(), scope.parts(level)?);
         let meshing = clock() - start;

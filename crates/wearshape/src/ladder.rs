@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use scene::Fault;
 
-use crate::fixed::{Differences, error_of_gap, levels_of_contact, levels_of_gap};
+use crate::fixed::{self, Differences, error_of_gap};
 use crate::level::Level;
 use crate::options::Options;
 use crate::problem::Problem;
@@ -116,13 +116,33 @@ impl Ladder {
         self.accuracy.is_some() && solved.len() > 2
     }
 
+    /// The level beside those of a fixed discretisation, if it has one.
+    pub(crate) fn beside(&self) -> Option<Level> {
+        self.fixed().and_then(fixed::beside).map(|(level, _)| level)
+    }
+
+    /// What the levels of a fixed discretisation differ by, with that beside them; `None` of any others.
+    pub(crate) fn differences<T, const N: usize>(
+        &self,
+        solved: &[T],
+        beside: Option<&T>,
+        distance: &impl Fn(&T, &T) -> [f64; N],
+    ) -> Option<(Level, [Differences; N])> {
+        let (fixed, [a, b, c]) = (self.fixed()?, solved) else { return None };
+        let (older, newer) = (distance(a, b), distance(b, c));
+        let layers = beside.zip(fixed::beside(fixed)).map_or([0.0; N], |(beside, (_, with))| distance(beside, &solved[with]));
+        Some((fixed, std::array::from_fn(|k| Differences { older: older[k], newer: newer[k], layers: layers[k] })))
+    }
+
     /// Estimated error of the gap of the last level; `None` from fewer than three.
-    pub(crate) fn error_of_gap<T>(&self, solved: &[T], distance: &impl Fn(&T, &T) -> [f64; 1]) -> Option<f64> {
-        match (self.fixed(), solved) {
-            (Some(fixed), [a, b, c]) => {
-                let [[older], [newer]] = [distance(a, b), distance(b, c)];
-                Some(error_of_gap(fixed, Differences { older, newer, layers: 0.0 }))
-            }
+    pub(crate) fn error_of_gap<T>(
+        &self,
+        solved: &[T],
+        beside: Option<&T>,
+        distance: &impl Fn(&T, &T) -> [f64; 1],
+    ) -> Option<f64> {
+        match self.differences(solved, beside, distance) {
+            Some((fixed, [differences])) => Some(error_of_gap(fixed, differences)),
             _ => errors(solved, distance).map(|[error]| error),
         }
     }
@@ -131,11 +151,11 @@ impl Ladder {
 /// The levels that a step may climb: up to the fixed one, or those of the usual degrees.
 pub(crate) fn levels(problem: &Problem, options: &Options<'_>, step: Step) -> Vec<Level> {
     let [first, last, by] = DEGREES;
-    match (problem.wanted.fixed, step) {
-        (Some(level), _) if options.alone => vec![level],
-        (None, _) => (first..=last).step_by(by).map(|degree| problem.level(degree)).collect(),
-        (Some(level), Step::Contact) => levels_of_contact(level),
-        (Some(level), _) => levels_of_gap(level),
+    match problem.wanted.fixed {
+        Some(level) if options.alone => vec![level],
+        Some(level) if step == Step::Evolution => fixed::levels_of_wear(level),
+        None => (first..=last).step_by(by).map(|degree| problem.level(degree)).collect(),
+        Some(level) => fixed::levels(level),
     }
 }
 

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use crate::effort::Effort;
-use crate::fixed;
+use crate::fixed::errors_of_contact;
 use crate::ladder::{Climbed, Ladder, Refusal, best, climb, largest, missed, rungs};
 use crate::level::Level;
 use crate::results::{ContactResult, ErrorResult, InterfaceResult, Reaction};
@@ -48,7 +48,7 @@ pub(crate) fn levels<X>(
     mut solve_level: impl FnMut(Level) -> Result<(Solved, X), Refusal>,
 ) -> Result<(Outcome, Effort, Option<X>), Refusal> {
     let mut effort = Effort::default();
-    let beside = match ladder.fixed().and_then(fixed::beside) {
+    let beside = match ladder.beside() {
         Some(level) => Some(solve_level(level)?),
         None => None,
     };
@@ -104,9 +104,9 @@ fn finish(ladder: &Ladder, mut solved: Vec<Solved>, beside: Option<Solved>) -> (
     let degrees: Vec<usize> = ladder.levels.iter().map(|level| level.degree).collect();
     let rungs = rungs(&degrees, &solved, "pressure", 1, distance);
     let levels = solved.len();
-    let (count, found) = match (ladder.fixed(), &solved[..]) {
-        (Some(fixed), [a, b, c]) => (levels, Some(errors_of_fixed(fixed, [a, b, c], beside.as_ref()))),
-        _ => best(ladder, &solved, &distance).map_or((levels, None), |(count, errors)| (count, Some(errors))),
+    let (count, found) = match ladder.differences(&solved, beside.as_ref(), &distance) {
+        Some((fixed, differences)) => (levels, Some(errors_of_contact(fixed, differences))),
+        None => best(ladder, &solved, &distance).map_or((levels, None), |(count, errors)| (count, Some(errors))),
     };
     solved.truncate(count);
     let Some(last) = solved.pop() else { return Default::default() };
@@ -118,14 +118,6 @@ fn finish(ladder: &Ladder, mut solved: Vec<Solved>, beside: Option<Solved>) -> (
     }
     outcome.tell(found.filter(|_| ladder.is_fixed()).map(|[_, pressure, _]| pressure));
     (outcome, count - 1)
-}
-
-/// Estimated errors of the last of the three levels of a fixed discretisation.
-fn errors_of_fixed(fixed: Level, [a, b, c]: [&Solved; 3], beside: Option<&Solved>) -> [f64; 3] {
-    let (older, newer) = (distance(a, b), distance(b, c));
-    let layers = beside.map_or([0.0; 3], |beside| distance(beside, b));
-    let of = |k: usize| fixed::Differences { older: older[k], newer: newer[k], layers: layers[k] };
-    fixed::errors_of_contact(fixed, std::array::from_fn(of))
 }
 
 /// What is reported of a level with these estimated errors.

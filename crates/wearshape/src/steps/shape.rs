@@ -63,13 +63,14 @@ pub(crate) fn solve(stage: Stage<'_>, before: &Before<'_>, watch: &mut Watch<'_>
     let distance = |a: &Solved, b: &Solved| [difference_of_gaps(&a.gaps, &b.gaps, &b.closing, measure)];
     let solve = |level, _: &[Solved], _: &mut Watch<'_>| shaper.level(level).map(ControlFlow::Continue).map_err(Refusal::Fault);
     let Climbed { solved, stopped } = climb(&ladder, Vec::new(), solve, distance, watch)?;
+    let beside = ladder.beside().filter(|_| !stopped).map(|level| shaper.level(level)).transpose()?;
     let mut effort = Effort::default();
-    solved.iter().for_each(|level| effort += level.effort.clone());
+    beside.iter().chain(&solved).for_each(|level| effort += level.effort.clone());
     let degrees: Vec<usize> = ladder.levels.iter().map(|level| level.degree).collect();
     let mut outcome = Outcome { stopped, ladder: rungs(&degrees, &solved, "gap", 0, distance), ..Outcome::default() };
     let (last, error) = match best(&ladder, &solved, &distance) {
         Some((count, [error])) if !ladder.is_fixed() => (solved.get(count - 1), Some(error)),
-        _ => (solved.last(), ladder.error_of_gap(&solved, &distance)),
+        _ => (solved.last(), ladder.error_of_gap(&solved, beside.as_ref(), &distance)),
     };
     outcome.tell(error.filter(|_| ladder.is_fixed()));
     if let Some(last) = last {

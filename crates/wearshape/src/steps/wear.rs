@@ -101,14 +101,14 @@ fn run_in_error(ladder: &Ladder, solved: &[Solved], gap: Option<f64>) -> Option<
     }
     let known = solved.iter().rev().take(3).all(|level| level.left.to_1_percent.is_some());
     let time = |level: &Solved| level.left.to_1_percent.unwrap_or(0.0);
-    let levels = ladder.error_of_gap(solved, &|a, b| [relative(time(a), time(b))]).filter(|_| known)?;
+    let levels = ladder.error_of_gap(solved, None, &|a, b| [relative(time(a), time(b))]).filter(|_| known)?;
     Some(levels + steps)
 }
 
 fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>) -> Outcome {
     let degrees: Vec<usize> = solved.iter().map(|level| level.left.degree).collect();
     let mut outcome = Outcome { ladder: rungs(&degrees, &solved, "gap", 0, distance), ..Outcome::default() };
-    let error = ladder.error_of_gap(&solved, &distance);
+    let error = ladder.error_of_gap(&solved, None, &distance);
     outcome.tell(error.filter(|_| ladder.is_fixed()));
     let run_in_error = run_in_error(ladder, &solved, error);
     let levels = solved.len();
