@@ -1,7 +1,8 @@
 //! `cargo xtask estimates`: how honest the estimated errors of fixed discretisations are, on random scenes.
 //!
 //! Each scene is a built-in one with other bodies, materials and friction, at a random degree and number of layers. It is solved again
-//! four degrees higher with as many layers; what they differ by is taken for the true error.
+//! four degrees higher with as many layers; what they differ by is taken for the true error. Whatever the number of scenes, the last one begins before
+//! the minutes are over.
 
 mod compare;
 mod random;
@@ -12,6 +13,7 @@ use compare::{Solved, differences};
 use random::{Random, Scene};
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
+use std::time::{Duration, Instant};
 use table::Row;
 
 /// Share of a true error up to which the finer solution may itself be off.
@@ -34,13 +36,14 @@ pub(crate) fn run(root: &Path, words: &[String]) -> ExitCode {
 }
 
 fn campaign(root: &Path, words: &[String]) -> Result<bool, String> {
-    let (mut seed, mut count, mut docs, mut program) = (1_u64, 500_usize, false, None);
+    let (mut seed, mut count, mut minutes, mut docs, mut program) = (1_u64, 500_usize, 15_u64, false, None);
     let mut rest = words.iter();
     while let Some(word) = rest.next() {
         let mut number = || rest.next().and_then(|text| text.parse::<u64>().ok()).ok_or(format!("{word} needs a whole number"));
         match word.as_str() {
             "--seed" => seed = number()?,
             "--count" => count = usize::try_from(number()?).map_err(|error| error.to_string())?,
+            "--minutes" => minutes = number()?,
             "--docs" => docs = true,
             "--program" => program = Some(PathBuf::from(rest.next().ok_or("--program needs the path of a built wearshape")?)),
             other => return Err(format!("there is no option `{other}`")),
@@ -49,7 +52,8 @@ fn campaign(root: &Path, words: &[String]) -> Result<bool, String> {
     let wearshape = program.map_or_else(|| programs::build(root), Ok)?;
     let mut random = Random::new(seed);
     let mut rows = Vec::new();
-    for number in 0..count {
+    let end = Instant::now() + Duration::from_secs(60 * minutes);
+    for number in (0..count).take_while(|_| Instant::now() < end) {
         let scene = Scene::draw(&mut random);
         let row = one(root, &wearshape, number, scene)?;
         println!("{}", table::line(&row));
