@@ -32,7 +32,7 @@ usage: cargo xtask <chore>
   stability run extreme cases: each must be right, or refused by name
             [--case NAME] [--scenes] [--program PATH] [--docs]
   estimates true errors over estimated ones on random scenes of fixed discretisation
-            [--seed N] [--count N] [--program PATH] [--docs]
+            [--seed N] [--count N] [--minutes N] [--program PATH] [--docs]
   outputs   open the files of runs with VTK, ezdxf, the reader of MCAP and Chromium [--install]
   editor    check the scenes by the schema with the checker of an editor plug-in (taplo, from npm)
   crates    whether each library crate packs all that it needs, files and versions, and offers the
