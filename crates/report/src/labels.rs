@@ -52,6 +52,7 @@ const WORDS: &[(&str, &str)] = &[
     ("wear.explicit_step_limit_s", "longest stable explicit step"),
     ("wear.run_in_distance_mm", "sliding distances of the slowest parts of running in"),
     ("wear.lyapunov_increase", "largest growth of the energy in a step, relative"),
+    ("wear.run_in_error", "error of that time, or of the depth without one, relative"),
     ("wear.to_1_percent.time_s", "time until within 1 % of the steady pressure"),
     ("wear.to_1_percent.distance_mm", "sliding distance until then"),
     ("wear.to_1_percent.depth_um", "depth worn off until then"),

@@ -120,7 +120,9 @@ fn wear_line(wear: &WearResult) -> String {
         words.push(format!("{} mm per 1000 km", brief(1e6 * depth / distance)));
     }
     let near = wear.to_1_percent.as_ref();
-    words.extend(near.map(|near| format!("within 1 % of the steady pressure after {} s", brief(near.time))));
+    // Of a run without that time it is the error of its depth.
+    let off = |value: f64| wear.run_in_error.map(|error| format!(" +- {:.0e}", error * value)).unwrap_or_default();
+    words.extend(near.map(|near| format!("within 1 % of the steady pressure after {}{} s", brief(near.time), off(near.time))));
     format!("wear      {}", words.join(", "))
 }
 

@@ -16,6 +16,8 @@ pub(crate) const SAMPLES: usize = 5;
 /// Nodes of a surface beyond which no more are added: the density is steeper than a run should pay for (some 300 MB).
 const MOST_NODES: usize = 1_000_000;
 const SMOOTH: f64 = 0.03;
+/// Largest change of log h dA over a cell for the sake of the area alone; what a power of the pressure makes of a change does not count for areas.
+const AREAS: f64 = 2.0;
 /// Largest third difference of log p under a rule given as a function, so that a bend of p stands in a cell of 1e-4 of the surface, about.
 const BENT: f64 = 1e-4;
 
@@ -61,7 +63,7 @@ pub(crate) struct Line<'a, 'b> {
 /// Limits of one collection.
 #[derive(Clone, Copy)]
 pub(crate) struct Settings {
-    /// Largest change of log h over a cell.
+    /// Largest change of log h over a cell; below [`AREAS`] without the areas.
     pub(crate) spread: f64,
     /// Cells whose density is smaller than the largest by exp(-drop) are not refined.
     pub(crate) drop: f64,
@@ -69,6 +71,13 @@ pub(crate) struct Settings {
     pub(crate) smallest: f64,
     /// Exponent of f at the end of contact.
     pub(crate) exponent: f64,
+}
+
+impl Settings {
+    /// Whether values change little enough over a cell, with and without the areas that they are multiplied by.
+    pub(crate) fn even(&self, with_areas: &[f64; SAMPLES], without: &[f64; SAMPLES]) -> bool {
+        spread(with_areas) < self.spread.max(AREAS) && (self.spread >= AREAS || spread(without) < self.spread)
+    }
 }
 
 /// An interval with marks for ends at which f = 0.
@@ -110,6 +119,11 @@ impl Stage<'_> {
         let powers = self.problem.wear.powers().map(|law| law.pressure_exponent);
         let small = powers[0].min(powers[1]).min(1.0);
         let large = powers[0].max(powers[1]) + 1.0;
+        // A density on the way to another is not asked what it wears.
+        let large = match self.law.density {
+            Density::Power { k, .. } | Density::Mixed { k, .. } if self.on_the_way => large.min(1.0 / k.abs() + 1.0),
+            _ => large,
+        };
         Settings {
             spread: 12.0 / large.max(1.5),
             drop: 40.0 / small,
@@ -233,13 +247,14 @@ impl Line<'_, '_> {
             return Verdict::Take(*cell);
         }
         let plain: [f64; SAMPLES] = std::array::from_fn(|i| log_h[i] - self.settings.exponent * distance(i));
+        let density: [f64; SAMPLES] = std::array::from_fn(|i| samples[i].log_h - self.settings.exponent * distance(i));
         // The pressure of a rule given as a function may bend where f does not.
         let given = matches!(self.stage.law.density, Density::Given(_)) && cell.front == [false, false];
         if given && bends(&log_h) {
             return Verdict::Halve(0.5 * (cell.lo + cell.hi), false);
         }
         let strong = (cell.front[0] || cell.front[1]) && self.settings.exponent > 6.0;
-        if !strong && smooth(&log_f, SMOOTH) && smooth(&log_v, SMOOTH) && spread(&plain) < self.settings.spread {
+        if !strong && smooth(&log_f, SMOOTH) && smooth(&log_v, SMOOTH) && self.settings.even(&plain, &density) {
             return Verdict::Take(*cell);
         }
         Verdict::Halve(0.5 * (cell.lo + cell.hi), false)

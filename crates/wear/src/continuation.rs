@@ -18,6 +18,7 @@ pub(crate) fn balance_by_continuation(stage: &mut Stage<'_>, nodes: &mut Vec<Nod
     let mut last = k.signum();
     for step in 0..=steps {
         let here = k.signum() * k.abs().powf(f64::from(step) / f64::from(steps));
+        stage.on_the_way = step < steps;
         stage.law.density = if step == steps { target.clone() } else { with_exponent(&target, k, here) };
         if step > 0 {
             // Towards small k the ends of contact settle, not the bends k y.
@@ -32,7 +33,10 @@ pub(crate) fn balance_by_continuation(stage: &mut Stage<'_>, nodes: &mut Vec<Nod
         match balanced {
             // A step that has stalled close to its solution is good enough to go on from.
             Ok(_) | Err(WearError::NotConverged { .. }) => {}
-            Err(other) => return Err(other),
+            Err(other) => {
+                stage.on_the_way = false;
+                return Err(other);
+            }
         }
     }
     Err(WearError::NotConverged { iterations: 0, residual: f64::NAN })

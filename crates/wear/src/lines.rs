@@ -3,7 +3,7 @@
 //! An outer cell is halved where the lines' integrals vary too much; it ends exactly where the end of contact moves from one border
 //! of the surface to another, and is graded towards such a place.
 
-use crate::cells::{Line, SAMPLES, Settings, cut_short, smooth, spread};
+use crate::cells::{Line, SAMPLES, Settings, cut_short, smooth};
 use crate::pressure_law::Node;
 use crate::quadrature::{ORDER, Rule, legendre};
 use crate::stage::Stage;
@@ -19,6 +19,17 @@ struct Cell {
     graded: [bool; 2],
 }
 
+/// What a line carries.
+#[derive(Clone, Copy)]
+struct Profile {
+    /// log of the integral over the line.
+    log: f64,
+    /// log of the mean over its part in contact.
+    mean: f64,
+    /// Which of its ends are in contact.
+    ends: u8,
+}
+
 impl Stage<'_> {
     /// Adds the nodes of all lines between the ends of the outer and of the inner parameter.
     pub(crate) fn collect_lines(&self, [range, inner]: [[f64; 2]; 2], settings: Settings, front: &Rule, nodes: &mut Vec<Node>) {
@@ -27,29 +38,29 @@ impl Stage<'_> {
         let mut stack = vec![Cell { lo: range[0], hi: range[1], graded: [false; 2] }];
         let mut top = f64::NEG_INFINITY;
         for i in 0..=8 {
-            top = top.max(self.profile(range[0] + whole * f64::from(i) / 8.0, inner, &mut line).0);
+            top = top.max(self.profile(range[0] + whole * f64::from(i) / 8.0, inner, &mut line).log);
         }
         while let Some(cell) = stack.pop().filter(|_| !cut_short(nodes)) {
             let Cell { lo, hi, graded } = cell;
             let length = hi - lo;
             let place = |i: usize| lo + length * (0.002 + 0.249 * i as f64);
-            let profile: [(f64, u8); SAMPLES] = std::array::from_fn(|i| self.profile(place(i), inner, &mut line));
-            let values = profile.map(|entry| entry.0);
+            let profile: [Profile; SAMPLES] = std::array::from_fn(|i| self.profile(place(i), inner, &mut line));
+            let [values, means] = [profile.map(|entry| entry.log), profile.map(|entry| entry.mean)];
             let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
             top = top.max(largest);
-            let change = (1..SAMPLES).find(|i| profile[*i].1 != profile[*i - 1].1);
+            let change = (1..SAMPLES).find(|i| profile[*i].ends != profile[*i - 1].ends);
             if largest == f64::NEG_INFINITY && change.is_none() {
                 continue;
             }
             let split = if length < 1e-7 * whole || largest < top - settings.drop {
                 None
             } else if let Some(i) = change {
-                Some((self.border([place(i - 1), place(i)], profile[i - 1].1, inner), true))
+                Some((self.border([place(i - 1), place(i)], profile[i - 1].ends, inner), true))
             } else if graded[0] && length > GRADING[1] * whole {
                 Some((lo + GRADING[0] * length, false))
             } else if graded[1] && length > GRADING[1] * whole {
                 Some((hi - GRADING[0] * length, false))
-            } else if !smooth(&values, 0.1) || spread(&values) > settings.spread {
+            } else if !smooth(&values, 0.1) || !settings.even(&values, &means) {
                 Some((0.5 * (lo + hi), false))
             } else {
                 None
@@ -87,16 +98,17 @@ impl Stage<'_> {
         touches(inner[0]) + 2 * touches(inner[1])
     }
 
-    /// log of the integral over the line, and which of its ends are in contact.
-    fn profile(&self, outer: f64, inner: [f64; 2], line: &mut Vec<Node>) -> (f64, u8) {
+    /// What a line carries.
+    fn profile(&self, outer: f64, inner: [f64; 2], line: &mut Vec<Node>) -> Profile {
         line.clear();
         self.collect_line(outer, line);
         let logs = || line.iter().map(|node| node.log_h + node.point.weight.ln());
         let largest = logs().fold(f64::NEG_INFINITY, f64::max);
         let ends = self.ends_in_contact(outer, inner);
         if largest == f64::NEG_INFINITY {
-            return (largest, ends);
+            return Profile { log: largest, mean: largest, ends };
         }
-        (largest + logs().map(|log| (log - largest).exp()).sum::<f64>().ln(), ends)
+        let log = largest + logs().map(|log| (log - largest).exp()).sum::<f64>().ln();
+        Profile { log, mean: log - line.iter().map(|node| node.point.weight).sum::<f64>().ln(), ends }
     }
 }

@@ -47,6 +47,7 @@ fn by_newton(stage: &mut Stage<'_>, nodes: &mut Vec<Node>, cap: f64) -> Result<B
             while k > target.max(1e-8) {
                 let mut softer = Stage::new(stage.problem, Density::Power { k, speed_power })?;
                 softer.law.y = stage.law.y;
+                softer.on_the_way = true;
                 match balance(&mut softer, nodes) {
                     Ok(_) | Err(WearError::NotConverged { .. }) => stage.law.y = softer.law.y,
                     Err(other) => return Err(other),

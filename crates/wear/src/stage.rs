@@ -14,6 +14,8 @@ pub(crate) struct Stage<'a> {
     pub(crate) law: PressureLaw,
     /// Gauss-Jacobi rule, or a graded one, for cells that end where f = 0.
     pub(crate) front_rule: Option<Rule>,
+    /// Whether the density only leads to another one.
+    pub(crate) on_the_way: bool,
 }
 
 impl<'a> Stage<'a> {
@@ -70,7 +72,7 @@ impl<'a> Stage<'a> {
         } else {
             (ends && exponent > 0.0 && exponent <= 6.0).then(|| jacobi(exponent - 1.0))
         };
-        Ok(Self { problem, law, front_rule })
+        Ok(Self { problem, law, front_rule, on_the_way: false })
     }
 
     /// True when f <= 0 somewhere among the ends and coarse points of the surface.

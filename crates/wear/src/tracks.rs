@@ -4,7 +4,6 @@ use std::f64::consts::TAU;
 
 use crate::bracket::Bracket;
 use crate::pressure_law::Node;
-use crate::quadrature::{ORDER, legendre};
 use crate::recession::Recession;
 use crate::stage::Stage;
 
@@ -24,8 +23,7 @@ impl Stage<'_> {
                 );
             }
             Some(radii) => {
-                for i in 0..ORDER {
-                    let outer = (radii[1] / radii[0]).ln() * legendre().abscissa[i];
+                for (i, outer) in self.law.recession.tracks().into_iter().enumerate() {
                     self.solve_track(
                         &mut |stage, nodes| {
                             nodes.clear();
@@ -52,8 +50,7 @@ impl Stage<'_> {
                 recession.values[0] = self.worn_by_body2(&nodes) / self.problem.surface.track_area().unwrap_or(f64::INFINITY);
             }
             Some(radii) => {
-                for i in 0..ORDER {
-                    let outer = (radii[1] / radii[0]).ln() * legendre().abscissa[i];
+                for (i, outer) in recession.tracks().into_iter().enumerate() {
                     nodes.clear();
                     self.collect_line(outer, &mut nodes);
                     let r = radii[0] * outer.exp();
@@ -76,7 +73,7 @@ impl Stage<'_> {
     fn solve_track(&mut self, mean: &mut dyn FnMut(&Self, &mut Vec<Node>) -> f64, nodes: &mut Vec<Node>, track: Option<usize>) {
         let mut defect = |stage: &mut Self, value: f64| {
             match track {
-                Some(_) => stage.law.recession.values = [value; ORDER],
+                Some(_) => stage.law.recession.values.fill(value),
                 None => stage.law.recession.values[0] = value,
             }
             value - mean(stage, nodes)

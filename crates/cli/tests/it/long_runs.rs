@@ -45,6 +45,18 @@ fn a_contact_that_has_worn_itself_free_takes_few_steps_to_the_end_time() {
     assert!((depth / 5.0 - 1.0).abs() < 1e-6 && error < 1e-6, "depth {depth} um, said to be accurate to {error:e}");
 }
 
+#[test]
+fn the_time_of_a_run_in_is_as_accurate_as_asked_for_and_printed_with_its_error() {
+    let bench = Bench::new();
+    let call = bench.call("run punch-wear");
+    assert_eq!(call.code, 0, "{}", call.err);
+    let wear = &bench.summary("punch-wear")["wear"];
+    let error = wear["run_in_error"].as_f64().unwrap();
+    assert!(error > 0.0 && error <= 1e-6, "{error:e}");
+    assert!(call.out.contains("after 2.369 +- ") && call.out.contains("e-6 s"), "{}", call.out);
+    assert!(bench.read("out/punch-wear/report.html").contains("error of that time"));
+}
+
 const ROUGH: &str = r#"
 title = "A rigidly guided block on a rough surface"
 units = "N-mm"

@@ -163,3 +163,170 @@ fn a_recording_of_another_version_is_not_written_over() {
     assert!(call.code == 2 && call.err.contains("finished steps") && call.err.contains("was written by"), "{}", call.err);
     assert!(bench.bytes("x.partial/run.mcap") == bytes && !bench.path("x").exists());
 }
+
+/// A recording with its attached levels, or the data of its last state, written anew, with right checksums.
+fn crafted(bench: &Bench, levels: &str, last_state: Option<&str>) -> Vec<u8> {
+    let bytes = bench.bytes("whole/run.mcap");
+    let library = concat!("wearshape ", env!("CARGO_PKG_VERSION"));
+    let mut out = std::io::Cursor::new(Vec::new());
+    let mut writer = mcap::WriteOptions::new().profile("wearshape").library(library).create(&mut out).unwrap();
+    for (name, text) in [("scene.resolved.toml", bench.read("whole/scene.resolved.toml")), ("levels.json", levels.into())] {
+        let data = std::borrow::Cow::Owned(text.into_bytes());
+        let attachment =
+            mcap::Attachment { log_time: 0, create_time: 0, name: name.into(), media_type: "application/json".into(), data };
+        writer.attach(&attachment).unwrap();
+    }
+    let messages: Vec<mcap::Message<'_>> = mcap::MessageStream::new(&bytes).unwrap().map(Result::unwrap).collect();
+    let last = messages.iter().rposition(|message| message.channel.topic == "/state").unwrap();
+    for (number, mut message) in messages.into_iter().enumerate().take(last + 1) {
+        if let Some(text) = last_state.filter(|_| number == last) {
+            message.data = std::borrow::Cow::Owned(text.as_bytes().to_vec());
+        }
+        writer.write(&message).unwrap();
+    }
+    writer.finish().unwrap();
+    drop(writer);
+    out.into_inner()
+}
+
+/// The levels that are attached to the recording, and the data of its last state.
+fn recorded(bench: &Bench) -> [String; 2] {
+    let bytes = bench.bytes("whole/run.mcap");
+    let summary = mcap::Summary::read(&bytes).unwrap().unwrap();
+    let levels = summary.attachment_indexes.iter().find(|index| index.name == "levels.json").unwrap();
+    let levels = mcap::read::attachment(&bytes, levels).unwrap().data.into_owned();
+    let messages = mcap::MessageStream::new(&bytes).unwrap().map(Result::unwrap);
+    let state = messages.filter(|message| message.channel.topic == "/state").last().unwrap().data.into_owned();
+    [levels, state].map(|data| String::from_utf8(data).unwrap())
+}
+
+const SHORT: &str = "punch-wear --set mesh={degree=6,layers=2} --set wear.until=1_s";
+
+fn resumed(bench: &Bench, recording: &[u8]) -> crate::call::Call {
+    let _ = std::fs::remove_dir_all(bench.path("x.partial"));
+    let _ = std::fs::remove_dir_all(bench.path("x"));
+    std::fs::create_dir(bench.path("x.partial")).unwrap();
+    std::fs::copy(bench.path("whole/scene.resolved.toml"), bench.path("x.partial/scene.resolved.toml")).unwrap();
+    std::fs::write(bench.path("x.partial/run.mcap"), recording).unwrap();
+    bench.call(&format!("run {SHORT} -o x --resume --threads 1"))
+}
+
+/// Of the list of numbers that follows a key, the place of its first comma.
+fn first_comma(text: &str, key: &str) -> usize {
+    let start = text.find(key).unwrap();
+    start + text[start..].find(',').unwrap()
+}
+
+#[test]
+fn a_recording_whose_lists_are_of_other_lengths_is_refused_by_name() {
+    let bench = Bench::new();
+    assert_eq!(bench.call(&format!("run {SHORT} -q -o whole")).code, 0);
+    let [levels, state] = recorded(&bench);
+    assert_eq!(resumed(&bench, &crafted(&bench, &levels, None)).code, 0, "what was recorded goes on");
+    let longer = |text: &str, key: &str| {
+        let place = first_comma(text, key);
+        format!("{},0.5{}", &text[..place], &text[place..])
+    };
+    let mut wrong = vec![
+        (levels.replace("\"degree\":4", "\"degree\":5"), None),
+        (levels.replace("\"closing\":[", "\"closing\":[1e300,"), None),
+        (longer(&levels, "\"gap_mm\":["), None),
+        ("[{}]".into(), None),
+    ];
+    for key in ["gap_mm", "pressure_MPa", "opening_mm", "gap_rate_mm_per_s", "worn_mm"] {
+        wrong.push((levels.clone(), Some(longer(&state, &format!("\"{key}\":[")))));
+    }
+    wrong.push((levels.clone(), Some(state.replace("\"coordinates\":[", "\"coordinates\":[0.5,"))));
+    wrong.push((levels.clone(), Some(state.replace("\"piece\":0", "\"piece\":7"))));
+    for (number, (levels, state)) in wrong.iter().enumerate() {
+        let call = resumed(&bench, &crafted(&bench, levels, state.as_deref()));
+        assert_eq!(call.code, 2, "number {number}: {}{}", call.out, call.err);
+        assert!(call.err.contains("recording") && call.err.contains("--resume"), "number {number}: {}", call.err);
+    }
+}
+
+#[test]
+fn no_mutation_of_the_recorded_levels_makes_a_panic() {
+    let bench = Bench::new();
+    assert_eq!(bench.call(&format!("run {SHORT} -q -o whole")).code, 0);
+    let [levels, state] = recorded(&bench);
+    let mut seed: u64 = 7;
+    let mut random = |below: usize| {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 33) as usize % below
+    };
+    let mut codes = [0; 3];
+    for number in 0..300 {
+        let mut text = if number % 3 == 2 { state.clone() } else { levels.clone() };
+        match random(5) {
+            0 => text.truncate(random(text.len())),
+            1 => {
+                let place = random(text.len());
+                text.replace_range(place..=place, ["9", "-", ",", "e", "[", "0"][random(6)]);
+            }
+            // A number more or less, or another one, in one of the lists.
+            kind => {
+                let commas: Vec<usize> = text.match_indices(',').map(|(place, _)| place).collect();
+                let from = random(commas.len() - 1);
+                let more = ["", ",0", ",1e300", ",-5e-324"][kind - 2 + random(2)];
+                text.replace_range(commas[from]..commas[from + usize::from(kind < 4)], more);
+            }
+        }
+        let recording = if number % 3 == 2 { crafted(&bench, &levels, Some(&text)) } else { crafted(&bench, &text, None) };
+        let call = resumed(&bench, &recording);
+        assert!((0..=2).contains(&call.code), "mutation {number}: exit {}: {}", call.code, call.err);
+        codes[call.code as usize] += 1;
+    }
+    assert!(codes[0] > 0 && codes[2] > 100, "{codes:?}");
+}
+
+/// A punch whose load turns at 7 s: the level of degree 14 finds no pressure there.
+const TURNED: &str = r#"
+title = "A punch whose load turns"
+units = "N-mm"
+kinematics = "plane-strain"
+thickness = 6
+tasks = ["wear"]
+body1.material = { young = 5000, poisson = 0.35 }
+body1.geometry.rectangle = { x = [-20, 25], z = [50, 90] }
+body1.support = { top = ["x"] }
+body2.material = { young = 80000, poisson = 0.25 }
+body2.geometry.rectangle = { x = [-60, 70], z = [0, 50] }
+body2.support = { bottom = ["x", "z"] }
+contact = { edges = ["bottom", "top"], friction = 0.5, gap = 0 }
+sliding = { speed = 5 }
+load = { edge = "top", as = "rigid", force = 900, moment = 700, about = [2.5, 50] }
+wear = { k = [4e-7, 0], a = 1, b = 3, until = 60 }
+schedule = { time = [0, 7, 30], force = [1, 0.4, 1.5], moment = [1, -2, 1], speed = [1, -2, 0.5] }
+"#;
+
+#[test]
+fn a_finer_level_without_an_end_loses_neither_the_answer_nor_the_bytes_of_a_continued_run() {
+    let bench = Bench::new();
+    bench.file("turned.toml", TURNED);
+    let call = bench.call("run turned.toml -o whole");
+    assert_eq!(call.code, 1, "{}{}", call.out, call.err);
+    let summary: serde_json::Value = serde_json::from_str(&bench.read("whole/summary.json")).unwrap();
+    assert_eq!(summary["status"], "accuracy-missed", "{}", call.out);
+    assert_eq!(summary["wear"]["time_s"], 60.0);
+    let error = summary["error"]["gap_relative"].as_f64().unwrap();
+    assert!((1e-6..1e-4).contains(&error), "{error:e}");
+    // Asked for what is reached, it is the answer.
+    let call = bench.call("run turned.toml -o less --set accuracy=1e-4");
+    assert_eq!(call.code, 0, "{}{}", call.out, call.err);
+    let less: serde_json::Value = serde_json::from_str(&bench.read("less/summary.json")).unwrap();
+    let depth = |summary: &serde_json::Value| summary["wear"]["depth_um"].as_f64().unwrap();
+    assert!((depth(&less) / depth(&summary) - 1.0).abs() < 1e-4, "{} {}", depth(&less), depth(&summary));
+    // The recording is one of the level that is reported, and goes on from there.
+    let bytes = bench.bytes("whole/run.mcap");
+    for share in [0.5, 0.97] {
+        let _ = std::fs::remove_dir_all(bench.path("x"));
+        std::fs::create_dir(bench.path("x.partial")).unwrap();
+        std::fs::copy(bench.path("whole/scene.resolved.toml"), bench.path("x.partial/scene.resolved.toml")).unwrap();
+        std::fs::write(bench.path("x.partial/run.mcap"), &bytes[..(share * bytes.len() as f64) as usize]).unwrap();
+        let call = bench.call("run turned.toml -o x --resume");
+        assert_eq!(call.code, 1, "{}", call.err);
+        assert!(call.err.contains("goes on after 4 finished levels and step"), "{}", call.err);
+        assert_same(&bench, "whole", "x", "continued");
+    }
+}

@@ -1,5 +1,6 @@
 //! The wear stage: the gap in time, from the start gap until it is steady or a time is over.
 
+mod earlier;
 mod final_ends;
 mod history;
 mod level;
@@ -10,14 +11,16 @@ mod ran;
 
 use std::ops::ControlFlow;
 
-use level::{Known, MOST_STEPS, Mesh, run};
+use earlier::check_degrees;
+use level::{Known, Mesh, Unfinished, run};
 use nalgebra::DMatrix;
 use pieces::Pieces;
 use ran::Ran;
-use shapeopt::{EvolutionStatus, Measure, difference_of_gaps};
+use shapeopt::{EvolutionStatus, Measure, WearState, difference_of_gaps};
 
 use crate::effort::Effort;
-use crate::ladder::{Climbed, Ladder, Refusal, climb, missed, rungs};
+use crate::ladder::{Climbed, Ladder, Refusal, best, climb, missed, rungs};
+use crate::level::Level;
 use crate::results::WearResult;
 use crate::solution::Status;
 use crate::stage::Stage;
@@ -36,42 +39,60 @@ pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome,
     let ladder = Ladder::of(stage.problem, stage.options, Step::Evolution);
     let pieces = Pieces::of(stage.problem);
     let resume = stage.options.resume.cloned().unwrap_or_default();
-    let (known, mut states) = if fits(&resume, &ladder) { (resume.finished, resume.states) } else { Default::default() };
+    check_degrees(&resume, &ladder)?;
+    let mut states = resume.states;
     let ends = final_ends::final_ends(stage, &pieces)?;
-    let known: Vec<Solved> = known.into_iter().map(|left| Solved { left, run: None }).collect();
-    let mut cut = None;
-    let solve = |level, before: &[Solved], watch: &mut Watch<'_>| {
-        let finished: Vec<FinishedLevel> = before.iter().map(|solved| solved.left.clone()).collect();
-        let states = std::mem::take(&mut states);
-        let known = Known { finished: &finished, states };
-        let (left, ran) = match run(stage, &pieces, Mesh { level, ends: &ends }, known, watch)? {
+    let known: Vec<Solved> = resume.finished.into_iter().map(|left| Solved { left, run: None }).collect();
+    let (mut cut, mut given_up, mut effort) = (None, None, Effort::default());
+    let run = |level: Level, before: &[Solved], states: Vec<WearState>, watch: &mut Watch<'_>| {
+        let finished = lefts(before);
+        run(stage, &pieces, Mesh { level, ends: &ends }, Known { finished: &finished, states }, watch)
+    };
+    let solve = |level: Level, before: &[Solved], watch: &mut Watch<'_>| {
+        let (left, ran) = match run(level, before, std::mem::take(&mut states), watch)? {
             Ok(done) => done,
-            Err(history) => {
-                cut = Some(history);
+            Err(unfinished) => {
+                cut = Some(unfinished);
                 return Ok(ControlFlow::Break(None));
             }
         };
+        if let Some(why) = ran.failure().filter(|_| ladder.can_do_without(before)) {
+            effort += ran.effort;
+            given_up = Some(format!("the level of degree {} has no end ({why})", level.degree));
+            return Err(Refusal::Reason(why));
+        }
         let stuck = matches!(ran.ended, EvolutionStatus::Stuck { .. });
         let solved = Solved { left, run: Some(ran) };
         Ok(if stuck { ControlFlow::Break(Some(solved)) } else { ControlFlow::Continue(solved) })
     };
-    let Climbed { solved, stopped } = climb(&ladder, known, solve, distance, watch)?;
-    let mut effort = Effort::default();
+    let Climbed { mut solved, mut stopped } = climb(&ladder, known, solve, distance, watch)?;
     for level in &solved {
-        match &level.run {
-            Some(ran) => effort += ran.effort.clone(),
-            None => effort += before(&level.left),
+        effort += level.run.as_ref().map_or_else(|| before(&level.left), |ran| ran.effort.clone());
+    }
+    let found = if stopped { None } else { best(&ladder, &solved, &distance) };
+    let levels = solved.len();
+    if let Some((count, _)) = found.filter(|(count, _)| *count < levels || given_up.is_some()) {
+        // Run again, so that the recording holds the level that is reported, also where this run has gone on with another.
+        solved.truncate(count);
+        let again = run(ladder.levels[count - 1], &solved[..count - 1], Vec::new(), watch)?;
+        match again {
+            Ok((_, ran)) => solved[count - 1].run = Some(ran),
+            Err(unfinished) => (cut, stopped) = (Some(unfinished), solved.pop().is_some()),
         }
     }
-    let finished = || solved.iter().map(|level| level.left.clone()).collect();
-    let resume = stopped.then(|| Resume { finished: finished(), states: cut.map_or_else(Vec::new, |cut| cut.states) });
-    Ok((Outcome { stopped, resume, ..finish(stage, &ladder, solved) }, effort))
+    let states = match cut {
+        Some(Unfinished::Unfit(fault)) => return Err(fault.into()),
+        Some(Unfinished::Stopped(history)) => history.states,
+        None => Vec::new(),
+    };
+    let resume = stopped.then(|| Resume { finished: lefts(&solved), states });
+    let outcome = finish(stage, &ladder, solved, Levels { count: levels, given_up, errors: found.map(|(_, errors)| errors) });
+    Ok((Outcome { stopped, resume, ..outcome }, effort))
 }
 
-/// Whether an unfinished run is one on these levels.
-fn fits(resume: &Resume, ladder: &Ladder) -> bool {
-    let same = resume.finished.iter().zip(&ladder.levels).all(|(left, l)| (left.degree, left.layers) == (l.degree, l.layers));
-    same && resume.finished.len() < ladder.levels.len()
+/// What levels leave behind.
+fn lefts(solved: &[Solved]) -> Vec<FinishedLevel> {
+    solved.iter().map(|level| level.left.clone()).collect()
 }
 
 /// Work of a level of an earlier run.
@@ -83,52 +104,67 @@ fn before(left: &FinishedLevel) -> Effort {
     effort
 }
 
-/// Difference of the worn gaps of two levels, modulo the rigid part, over the largest gap.
-fn distance(a: &Solved, b: &Solved) -> [f64; 1] {
+/// How far two levels are apart: the difference of their worn gaps, modulo the rigid part, over the largest gap, and the relative difference of their
+/// times to the steady pressure (0 without them).
+fn distance(a: &Solved, b: &Solved) -> [f64; 2] {
     let (a, b) = (&a.left, &b.left);
     let points = b.gap.len();
     let closing = DMatrix::from_row_slice(points, b.closing.len() / points.max(1), &b.closing);
-    [difference_of_gaps(&a.gap, &b.gap, &closing, Measure::Largest)]
+    let time = a.to_1_percent.zip(b.to_1_percent).map_or(0.0, |(a, b)| if a == b { 0.0 } else { ((a - b) / b).abs() });
+    [difference_of_gaps(&a.gap, &b.gap, &closing, Measure::Largest), time]
 }
 
 /// Estimated relative error of the time to the steady pressure: of the steps, and the rest of the series of the levels. Of a run without such a
 /// time what the steps leave in its depth; none before there are three levels.
-fn run_in_error(ladder: &Ladder, solved: &[Solved], gap: Option<f64>) -> Option<f64> {
+fn run_in_error(solved: &[Solved], errors: Option<[f64; 2]>) -> Option<f64> {
     let steps = solved.last()?.left.integration_error?;
-    let relative = |a: f64, b: f64| if a == b { 0.0 } else { ((a - b) / b).abs() };
     if solved.iter().all(|level| level.left.to_1_percent.is_none()) {
-        return gap.map(|gap| gap + steps);
+        return errors.map(|[gap, _]| gap + steps);
     }
     let known = solved.iter().rev().take(3).all(|level| level.left.to_1_percent.is_some());
-    let time = |level: &Solved| level.left.to_1_percent.unwrap_or(0.0);
-    let levels = ladder.error_of_gap(solved, None, &|a, b| [relative(time(a), time(b))]).filter(|_| known)?;
-    Some(levels + steps)
+    errors.filter(|_| known).map(|[_, time]| time + steps)
 }
 
-fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>) -> Outcome {
+/// What climbing has come to.
+struct Levels {
+    /// Number of levels solved.
+    count: usize,
+    /// Why a finer one is not among them.
+    given_up: Option<String>,
+    /// Estimated errors of the one to report, of a ladder without end.
+    errors: Option<[f64; 2]>,
+}
+
+fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>, levels: Levels) -> Outcome {
     let degrees: Vec<usize> = solved.iter().map(|level| level.left.degree).collect();
     let mut outcome = Outcome { ladder: rungs(&degrees, &solved, "gap", 0, distance), ..Outcome::default() };
-    let error = ladder.error_of_gap(&solved, None, &distance);
+    let of = |k: usize| ladder.error_of_gap(&solved, None, &|a, b| [distance(a, b)[k]]);
+    let errors = if ladder.is_fixed() { of(0).zip(of(1)).map(|(gap, time)| [gap, time]) } else { levels.errors };
+    let error = errors.map(|[gap, _]| gap);
     outcome.tell(error.filter(|_| ladder.is_fixed()));
-    let run_in_error = run_in_error(ladder, &solved, error);
-    let levels = solved.len();
+    let run_in_error = run_in_error(&solved, errors);
+    let reported = solved.len();
     let Some(last) = solved.pop().and_then(|level| level.run) else { return outcome };
-    let arrived = matches!(last.ended, EvolutionStatus::Steady | EvolutionStatus::TimeReached);
-    outcome.wear = Some(WearResult { run_in_error: run_in_error.filter(|_| arrived), ..last.wear });
+    let failure = last.failure();
+    let run_in_error = run_in_error.filter(|_| failure.is_none());
+    let in_time = last.wear.to_1_percent.is_some();
+    outcome.wear = Some(WearResult { run_in_error, ..last.wear });
     outcome.history = last.history;
     outcome.running_in = Some(last.running_in);
     outcome.told = Some(last.told);
     outcome.reported = last.reported;
-    outcome.ended = match last.ended {
-        EvolutionStatus::Stuck { .. } => Some((Status::NotConverged, last.ended.to_string())),
-        EvolutionStatus::Running => Some((Status::NotConverged, format!("the run was not steady after {MOST_STEPS} steps"))),
-        EvolutionStatus::Steady | EvolutionStatus::TimeReached => None,
-    };
+    outcome.ended = failure.map(|why| (Status::NotConverged, why));
     let Some(error) = error.filter(|_| outcome.ended.is_none()) else { return outcome };
     outcome.error.gap_relative = Some(error);
-    outcome.error.how = format!("gap at the end: rest of the series of {levels} degrees");
-    if ladder.missed(error).is_some() {
-        outcome.ended = Some((Status::AccuracyMissed, missed("worn gap", error, stage.accuracy())));
+    outcome.error.how = format!("gap at the end: rest of the series of {} degrees", levels.count);
+    if reported < levels.count || levels.given_up.is_some() {
+        outcome.error.how += &format!("; the best of them is reported, of degree {}", degrees[reported - 1]);
     }
+    outcome.error.how += &levels.given_up.map_or_else(String::new, |why| format!("; {why}"));
+    let what = if in_time { "time to 1 % of the steady pressure" } else { "depth worn off" };
+    let missed_one = [("worn gap", Some(error)), (what, run_in_error)].into_iter().find_map(|(what, error)| {
+        error.filter(|error| ladder.missed(*error).is_some()).map(|error| missed(what, error, stage.accuracy()))
+    });
+    outcome.ended = missed_one.map(|sentence| (Status::AccuracyMissed, sentence));
     outcome
 }

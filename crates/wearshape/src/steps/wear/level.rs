@@ -17,17 +17,16 @@ use crate::step::Step;
 use crate::steps::answer::{Answer, Own, Told};
 use crate::steps::reported::{Moment, Reported};
 use crate::steps::torsion;
+use crate::steps::wear::earlier::{check_levels, check_states};
 use crate::steps::wear::history::History;
 use crate::steps::wear::mesh_lines::mesh_lines;
 use crate::steps::wear::pieces::Pieces;
 use crate::steps::wear::problem::{steady_residual, wear_problem};
-use crate::steps::wear::ran::Ran;
+use crate::steps::wear::ran::{MOST_STEPS, Ran};
 use crate::watch::{Event, FinishedLevel, RunLevel, Watch, WearStep};
 
 /// Samples of the gap for the comparison of levels.
 const SAMPLES: usize = 201;
-/// Most steps of a run.
-pub(super) const MOST_STEPS: usize = 20_000;
 /// Run-in distances in the summary, slowest first.
 const RUN_IN: usize = 4;
 
@@ -56,15 +55,22 @@ struct Scenes<'a> {
     operator: &'a ContactOperator<'a>,
 }
 
-/// One run on one level after the finished ones, from its start or from the last of the known states; the inner `Err` is one that the
-/// watcher cut short.
+/// Why a level has no end.
+pub(super) enum Unfinished {
+    /// The watcher cut it short.
+    Stopped(History),
+    /// What is known of it does not belong to it.
+    Unfit(Fault),
+}
+
+/// One run on one level after the finished ones, from its start or from the last of the known states.
 pub(super) fn run(
     stage: Stage<'_>,
     pieces: &Pieces,
     mesh: Mesh<'_>,
     known: Known<'_>,
     watch: &mut Watch<'_>,
-) -> Result<Result<(FinishedLevel, Ran), History>, Refusal> {
+) -> Result<Result<(FinishedLevel, Ran), Unfinished>, Refusal> {
     let Mesh { level, ends } = mesh;
     let Known { finished, states } = known;
     let (reduced, mut effort) = stage.reduced_at(level, ends)?;
@@ -77,6 +83,10 @@ pub(super) fn run(
     // Gaps of levels are compared at one time: where part of the surface is open, the worn part goes on receding from it.
     let not_before = finished.iter().map(|level| level.time).fold(0.0, f64::max);
     let problem = wear_problem(&stages, &loads, &pieces.intervals, &operator, not_before)?;
+    let modes = pair.shaped.rigid_modes.ncols();
+    if let Err(fault) = check_levels(finished, SAMPLES, modes).and_then(|()| check_states(&states, &problem)) {
+        return Ok(Err(Unfinished::Unfit(fault)));
+    }
     let known_error = finished.first().map(|level| level.integration_error);
     let scenes = Scenes { stages, loads, pieces, reduced: &reduced, pair: &pair, operator: &operator };
     let run_level = RunLevel {
@@ -88,7 +98,7 @@ pub(super) fn run(
     let begun = watch(Event::Run(&run_level)).is_continue();
     let run = evolve(&problem, &scenes, states, begun, watch)?;
     if run.stopped {
-        return Ok(Err(run.history));
+        return Ok(Err(Unfinished::Stopped(run.history)));
     }
     let integration_error = known_error.unwrap_or_else(|| integration_error(&problem, &run));
     effort.add_seconds(Step::Evolution, stage.clock()() - start);

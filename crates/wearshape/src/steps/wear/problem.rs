@@ -13,6 +13,9 @@ const STEADY: f64 = 1e-9;
 /// Part of the accuracy asked for that the wear still to come may make where the contact wears itself free.
 const REST: f64 = 0.01;
 
+/// Part of the accuracy asked for that steps in time may take from the times reported; the rest is left to the levels.
+const STEPS: f64 = 0.5;
+
 /// The residual at which a run is steady: of the certificate, or of the wear still to come under a prescribed approach.
 pub(super) fn steady_residual(stage: Stage<'_>) -> f64 {
     if stage.problem.load.approach.is_some() { STEADY.max(REST * stage.accuracy()) } else { STEADY }
@@ -49,7 +52,7 @@ pub(super) fn wear_problem(
     problem.start = Some([start.pressure, start.opening]);
     problem.track_area = stage.patch.surface.track_area();
     problem.until = Until::Steady { residual: steady_residual(stage), not_before };
-    problem.times = Some(Times { deviation: DEVIATION, accuracy: stage.accuracy() });
+    problem.times = Some(Times { deviation: DEVIATION, accuracy: STEPS * stage.accuracy() });
     if let Some(time) = stage.problem.wear.until {
         problem.until = Until::Time(time);
         problem.stepping = Stepping::Adaptive { accuracy: stage.accuracy() };

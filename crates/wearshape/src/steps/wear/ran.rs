@@ -8,6 +8,9 @@ use crate::solution::RunningIn;
 use crate::steps::answer::Told;
 use crate::steps::reported::Reported;
 
+/// Most steps of a run.
+pub(super) const MOST_STEPS: usize = 20_000;
+
 /// A level that was run here, not in an earlier run that this one goes on with.
 pub(super) struct Ran {
     pub ended: EvolutionStatus,
@@ -19,4 +22,15 @@ pub(super) struct Ran {
     /// For the fields: the end, then the start.
     pub reported: Option<Reported>,
     pub effort: Effort,
+}
+
+impl Ran {
+    /// Why the run has not come to its end, if it has not.
+    pub(super) fn failure(&self) -> Option<String> {
+        match self.ended {
+            EvolutionStatus::Stuck { .. } => Some(self.ended.to_string()),
+            EvolutionStatus::Running => Some(format!("the run was not steady after {MOST_STEPS} steps")),
+            EvolutionStatus::Steady | EvolutionStatus::TimeReached => None,
+        }
+    }
 }
