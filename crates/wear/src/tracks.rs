@@ -69,9 +69,9 @@ impl Stage<'_> {
             .sum()
     }
 
-    /// Root of W - mean(W), increasing in W: bracketed by 0 and the mean at W = 0.
+    /// Root of W - mean(W), increasing in W: bracketed by 0 and the mean at W = 0, or where no pressure is left.
     fn solve_track(&mut self, mean: &mut dyn FnMut(&Self, &mut Vec<Node>) -> f64, nodes: &mut Vec<Node>, track: Option<usize>) {
-        let mut defect = |stage: &mut Self, value: f64| {
+        let mut defect = |stage: &mut Self, value: f64, nodes: &mut Vec<Node>| {
             match track {
                 Some(_) => stage.law.recession.values.fill(value),
                 None => stage.law.recession.values[0] = value,
@@ -79,17 +79,19 @@ impl Stage<'_> {
             value - mean(stage, nodes)
         };
         let saved = self.law.recession.values;
-        let at_zero = defect(self, 0.0);
-        let mut root = Bracket { a: 0.0, value_a: at_zero, b: -at_zero, value_b: 0.0 };
+        let at_zero = defect(self, 0.0, nodes);
+        // Body 2 recedes by less than the rigid motion closes: what it takes with it carries nothing.
+        let most = nodes.iter().map(|node| node.f).fold(0.0, f64::max) * self.law.log_scale.exp();
+        let mut root = Bracket { a: 0.0, value_a: at_zero, b: most.min(-at_zero), value_b: 0.0 };
         if at_zero < 0.0 {
-            root.value_b = defect(self, root.b);
+            root.value_b = defect(self, root.b, nodes);
         }
         for _ in 0..100 {
             if root.value_b == 0.0 || (root.b - root.a).abs() <= 4.0 * f64::EPSILON * root.b.abs() {
                 break;
             }
             let c = root.next();
-            let value = defect(self, c);
+            let value = defect(self, c, nodes);
             root.take(c, value);
             if value.abs() <= 1e-16 * c.abs() {
                 break;

@@ -167,3 +167,72 @@ fn a_jammed_shell_is_named() {
     assert_eq!(summary["pressure"]["regime"], "infeasible");
     assert!(summary["verdict"].as_str().unwrap().contains("self-locking"), "{}", summary["verdict"]);
 }
+
+/// Body 2 wears by a far higher power of the pressure than the pad: guesses of the feed start where it would wear 1e40 mm/s.
+#[test]
+fn a_revolving_disc_that_wears_by_a_high_power_is_no_obstacle() {
+    let p = pressure(
+        "disc-pad --set surface={disc-pad={inner=0.2017,outer=85.2,half_angle=3.14159}} --set contact.friction=2 \
+         --set load.force=2.7282 --set sliding={omega=10} --set wear.beta=[1e-8,3.7e-10] --set wear.a=[0,0.245] --set wear.b=[0.5,3.248] \
+         --set wear.counterface=revolving",
+    );
+    // Body 2's share is 1e-12 of the wear, and body 1 wears alike at every speed: the pressure is uniform.
+    let uniform = 2.7282 / (std::f64::consts::PI * (85.2_f64.powi(2) - 0.2017_f64.powi(2)));
+    assert_relative_eq!(number(&p, "p_max_MPa"), uniform, max_relative = 1e-6);
+    assert_relative_eq!(number(&p, "p_min_MPa"), uniform, max_relative = 1e-6);
+}
+
+/// With `p ~ f^(1/b)` the pressure of a steep wear rule tends to a uniform one, up to the ends of contact.
+#[cfg(unix)]
+#[test]
+fn a_huge_wear_exponent_takes_little_memory_and_levels_the_pressure() {
+    let bench = Bench::new();
+    for scene in ["disc-pad", "journal-arc", "pivoted-shoe", "annular-punch", "elliptic-punch"] {
+        for b in ["1e4", "1e9"] {
+            let run = format!("run {scene} -q --threads 1 --set wear.b={b} --set 'tasks=[\"pressure\"]' -o {scene}-{b}");
+            let start = std::time::Instant::now();
+            // 800 MB of addresses: what the program itself maps is in it.
+            let call = bench.shell(&format!("ulimit -v 800000; exec \"$0\" {run}"));
+            assert_eq!(call.code, 0, "{scene} {b}: {}", call.err);
+            assert!(start.elapsed().as_secs() < 60, "{scene} {b}: {:?}", start.elapsed());
+            let summary: serde_json::Value = serde_json::from_str(&bench.read(&format!("{scene}-{b}/summary.json"))).unwrap();
+            let p = &summary["pressure"];
+            if ["disc-pad", "annular-punch"].contains(&scene) {
+                assert_relative_eq!(number(p, "p_max_MPa"), number(p, "p_mean_MPa"), max_relative = 1e-3);
+            }
+        }
+    }
+}
+
+/// Body 1 and the mean of body 2 along each circle wear as fast at every radius: `w1(p, v) + w2(p, v) half_angle / pi` is one number.
+#[test]
+fn a_revolving_disc_of_a_wide_ring_recedes_evenly_with_the_pad() {
+    let bench = Bench::new();
+    let ring = "surface.disc-pad = { inner = 0.038, outer = 15.7, half_angle = 0.8 }";
+    bench.file(
+        "ring.toml",
+        &format!(
+            "title = \"A wide ring\"\nunits = \"N-mm\"\ntasks = [\"pressure\"]\n{ring}\ncontact = {{ friction = 0.3 }}\n\
+             sliding = {{ omega = 10 }}\nload = {{ force = 30 }}\n\
+             wear = {{ beta = [1e-8, 4.1e-8], a = [1, 0.02], b = [5, 5], counterface = \"revolving\" }}\n\
+             optimum = {{ functional = \"steady\" }}\n"
+        ),
+    );
+    let call = bench.call("run ring.toml -q -o x");
+    assert_eq!(call.code, 0, "{}", call.err);
+    let table = bench.read("x/contact.csv");
+    let mut lines = table.lines();
+    let names: Vec<&str> = lines.next().unwrap().split(',').collect();
+    let column = |name: &str| names.iter().position(|n| *n == name).unwrap();
+    let [x, y, p] = ["x_mm", "y_mm", "pressure_MPa"].map(column);
+    let rates = lines.map(|line| {
+        let row: Vec<f64> = line.split(',').map(|field| field.parse().unwrap_or(f64::NAN)).collect();
+        let (v, sheared) = (10.0 * row[x].hypot(row[y]), 0.3 * row[p]);
+        1e-8 * sheared.powi(5) * v + 4.1e-8 * sheared.powi(5) * v.powf(0.02) * 0.8 / std::f64::consts::PI
+    });
+    let rates: Vec<f64> = rates.collect();
+    assert!(rates.len() > 10 && rates[0] > 0.0);
+    for rate in &rates {
+        assert_relative_eq!(*rate, rates[0], max_relative = 1e-10);
+    }
+}
