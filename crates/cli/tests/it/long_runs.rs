@@ -57,6 +57,19 @@ fn the_time_of_a_run_in_is_as_accurate_as_asked_for_and_printed_with_its_error()
     assert!(bench.read("out/punch-wear/report.html").contains("error of that time"));
 }
 
+/// The gap is accurate to 1e-8, the time is not.
+#[test]
+fn a_time_less_accurate_than_asked_for_is_said() {
+    let bench = Bench::new();
+    let call = bench.call("run punch-wear -q --set accuracy=1e-8");
+    let summary = bench.summary("punch-wear");
+    let error = summary["wear"]["run_in_error"].as_f64().unwrap();
+    assert_eq!((call.code, error > 1e-8), (1, true), "{error:e}: {}", summary["verdict"]);
+    assert_eq!(summary["status"], "accuracy-missed");
+    let verdict = summary["verdict"].as_str().unwrap();
+    assert!(verdict.contains("the time to 1 % of the steady pressure is accurate to"), "{verdict}");
+}
+
 const ROUGH: &str = r#"
 title = "A rigidly guided block on a rough surface"
 units = "N-mm"
