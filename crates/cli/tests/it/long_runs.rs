@@ -108,13 +108,3 @@ fn a_rough_gap_with_many_ends_of_contact_takes_few_meshes_and_says_what_it_misse
     assert_eq!(summary["status"], "accuracy-missed", "{summary}");
     assert!(summary["error"]["how"].as_str().unwrap().contains("ends of contact"), "{}", summary["error"]);
 }
-
-/// The exponents of an optimum that rises over thousands of e-folds: once 15 GB.
-#[test]
-fn a_pressure_too_steep_for_its_surface_is_refused_by_name() {
-    let bench = Bench::new();
-    let call = bench.call("run elliptic-punch --set wear.b=1e4 -q");
-    assert_eq!(call.code, 1, "{}", call.err);
-    let verdict = bench.summary("elliptic-punch")["verdict"].to_string();
-    assert!(verdict.contains("so steep that its integrals"), "{verdict}");
-}

@@ -59,7 +59,7 @@ pub(super) fn check_states(states: &[WearState], problem: &WearProblem) -> Resul
         let moved = [&state.coordinates, &state.approach].iter().all(|list| list.len() == free);
         moved && [&state.opening, &state.gap_rate].into_iter().all(right)
     };
-    let wrong = states.iter().find(|state| !part(state)).or(states.last().filter(|last| !whole(last)));
+    let wrong = states.iter().find(|state| !part(state)).or_else(|| states.last().filter(|last| !whole(last)));
     wrong.map_or(Ok(()), |state| Err(unfit(&format!("its step {} is not one of {points} contact points", state.step))))
 }
 
