@@ -120,10 +120,7 @@ impl Stage<'_> {
         let small = powers[0].min(powers[1]).min(1.0);
         let large = powers[0].max(powers[1]) + 1.0;
         // A density on the way to another is not asked what it wears.
-        let large = match self.law.density {
-            Density::Power { k, .. } | Density::Mixed { k, .. } if self.on_the_way => large.min(1.0 / k.abs() + 1.0),
-            _ => large,
-        };
+        let large = if self.on_the_way { large.min(1.0 / self.law.density.front_exponent().abs() + 1.0) } else { large };
         Settings {
             spread: 12.0 / large.max(1.5),
             drop: 40.0 / small,

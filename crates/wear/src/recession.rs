@@ -58,15 +58,15 @@ impl Recession {
         // Barycentric interpolation at the Gauss points; weights (-1)^i sqrt(x (1 - x) w).
         let rule = legendre();
         let (mut above, mut below) = (0.0, 0.0);
-        for i in 0..ORDER {
+        for (i, value) in values.iter().copied().enumerate() {
             let distance = t - rule.abscissa[i];
             if distance == 0.0 {
-                return values[i];
+                return value;
             }
             let x = rule.abscissa[i];
             let weight = (x * (1.0 - x) * rule.weight[i]).sqrt() / distance;
             let signed = if i % 2 == 0 { weight } else { -weight };
-            above += signed * values[i];
+            above += signed * value;
             below += signed;
         }
         above / below
