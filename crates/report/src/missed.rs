@@ -44,11 +44,12 @@ fn help(problem: &Problem, solution: &Solution) -> Option<String> {
     let error = error(solution)?;
     let asked = problem.scene().accuracy;
     if asked.is_none_or(|asked| error > asked) {
-        let asked_for = above(error);
+        // An error as large as the numbers is nothing to be content with.
+        let asked_for = (error < 0.5).then(|| above(error))?;
         return Some(format!("the numbers hold to {error:.1e}; to be content with that: --set accuracy={asked_for}"));
     }
     // The gap is as accurate as asked for, but its proof is not.
-    asked.map(|asked| format!("a finer mesh may prove it: --set accuracy={:e}", 0.1 * asked))
+    asked.map(|asked| format!("a finer mesh may prove it: --set accuracy={:.0e}", 0.1 * asked))
 }
 
 /// The estimated error that decides: of the gap, or the largest of a contact.

@@ -143,7 +143,7 @@ impl<'de> Deserializer<'de> for &'de Node {
             Value::Integer(number) => visitor.visit_i64(*number),
             Value::Float(number) => visitor.visit_f64(*number),
             Value::Text(text) => visitor.visit_borrowed_str(text),
-            Value::List(items) => visitor.visit_seq(ListReader { items, next: 0 }),
+            Value::List(items) => whole_list(items, visitor),
             Value::Table(entries) => visitor.visit_map(TableReader { entries, next: 0 }),
         }
         .map_err(|error| error.at(&self.origin))
@@ -209,6 +209,17 @@ impl<'de> Deserializer<'de> for &'de Node {
         bool i8 i16 i32 i64 i128 u8 u16 u32 u64 u128 f32 f64 char str string bytes byte_buf
         unit unit_struct seq tuple tuple_struct map identifier ignored_any
     }
+}
+
+/// Reads a list to its end: a type of fixed length would leave out what comes after.
+fn whole_list<'de, V: Visitor<'de>>(items: &'de [Node], visitor: V) -> Result<V::Value, Mismatch> {
+    let mut list = ListReader { items, next: 0 };
+    let read = visitor.visit_seq(&mut list)?;
+    if list.next < items.len() {
+        let message = format!("wrong number of entries: found {}", items.len());
+        return Err(Mismatch::new("wrong-type", message, format!("write a list of {}", list.next)));
+    }
+    Ok(read)
 }
 
 struct ListReader<'de> {

@@ -206,6 +206,21 @@ fn exponents_and_factors_out_of_range_are_refused() {
 }
 
 #[test]
+fn a_list_with_more_entries_than_are_read_is_refused() {
+    broken("[0, 0]", "[0, 0, 200]", "body2.geometry.ring.centre: wrong number of entries: found 3", "write a list of 2");
+    broken(
+        "[\"inner\", \"outer\"]",
+        "[\"inner\", \"outer\", \"outer\"]",
+        "contact.edges: wrong number of entries: found 3",
+        "write a list of 2",
+    );
+    let bench = Bench::new();
+    let call = bench.call("check translating-punch --set body2.geometry.rectangle.z=[0,50,100]");
+    assert_eq!(call.code, 2, "{}", call.err);
+    assert!(call.err.contains("body2.geometry.rectangle.z: wrong number of entries: found 3"), "{}", call.err);
+}
+
+#[test]
 fn accuracy_out_of_range_is_refused() {
     broken("accuracy = 1e-6", "accuracy = 0", "accuracy = 0 is out of range", "1e-6");
     broken("accuracy = 1e-6", "accuracy = nan", "out of range", "1e-6");
