@@ -24,6 +24,7 @@ pub(crate) fn remarks(problem: &Problem, solution: &Solution) -> Vec<Remark> {
         wide(problem, solution),
         worn_through(problem, solution),
         worn_free(problem, solution),
+        late(problem, solution),
     ];
     notes.into_iter().flatten().collect()
 }
@@ -54,7 +55,7 @@ fn other_solutions(problem: &Problem, solution: &Solution) -> Option<Remark> {
     Some(Remark { code, message })
 }
 
-/// A coefficient of friction with the digits it deserves.
+/// A coefficient or an error with the digits it deserves.
 fn rounded(coefficient: f64) -> String {
     let text = format!("{coefficient:.2e}");
     short(text.parse().unwrap_or(coefficient))
@@ -114,6 +115,16 @@ fn worn_free(problem: &Problem, solution: &Solution) -> Option<Remark> {
     };
     let message = format!("Under a prescribed approach the contact wears itself free: {law}.");
     Some(Remark { code: "wears-itself-free", message })
+}
+
+/// A time that is less accurate than the shape.
+fn late(problem: &Problem, solution: &Solution) -> Option<Remark> {
+    let wear = solution.wear.as_ref()?;
+    let accuracy = problem.wanted.accuracy;
+    let error = wear.run_in_error.filter(|error| *error > accuracy && problem.wanted.fixed.is_none())?;
+    let what = if wear.to_1_percent.is_some() { "time to 1 % of the steady pressure" } else { "depth worn off" };
+    let message = format!("The {what} is accurate to {}, not to {} like the shape.", rounded(error), short(accuracy));
+    Some(Remark { code: "time-less-accurate", message })
 }
 
 #[cfg(test)]

@@ -95,15 +95,10 @@ impl Setting<'_> {
         push
     }
 
-    /// Sign of the shear where the contact slips: that of body 2 on body 1, against the shear force.
-    fn slip_sign(&self) -> f64 {
-        if self.shear > 0.0 { -1.0 } else { 1.0 }
-    }
-
     /// States of the points between given ends of stick and contact. The nodes on the ends are the points nearest to them, and the others stand
     /// before or after them in order: distances do not tell points apart that lie closer than round-off of the lengths.
     fn states(&self, points: &[ContactPoint], nodes: &[f64]) -> Vec<ContactState> {
-        let slip = if self.slip_sign() < 0.0 { ContactState::Backward } else { ContactState::Forward };
+        let slip = if self.shear > 0.0 { ContactState::Backward } else { ContactState::Forward };
         let within = |node: f64| {
             let [one, other] = [-node, node].map(|x| self.nearest(points, x));
             one.min(other)..=one.max(other)
@@ -151,9 +146,8 @@ impl Setting<'_> {
             Ok((
                 match &steps.sheared {
                     Some(sheared) => {
-                        // Finite bodies shift the stick zone as a whole a little: its half length is that of both sides' mean. The shear keeps
-                        // its sign: what the shift adds on one side, on small elements many times the limit, it takes from the other.
-                        let excess = |i: usize| self.slip_sign() * sheared.shear[i] - self.friction * sheared.pressure[i];
+                        // Finite bodies shift the stick zone as a whole a little: its half length is that of both sides' mean.
+                        let excess = |i: usize| sheared.shear[i].abs() - self.friction * sheared.pressure[i];
                         vec![0.5 * (excess(at(nodes[0])) + excess(at(-nodes[0]))), end]
                     }
                     None => vec![end],

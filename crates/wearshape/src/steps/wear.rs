@@ -15,6 +15,7 @@ use earlier::check_degrees;
 use level::{Known, Mesh, Unfinished, run};
 use nalgebra::DMatrix;
 use pieces::Pieces;
+use problem::STEPS;
 use ran::Ran;
 use shapeopt::{EvolutionStatus, Measure, WearState, difference_of_gaps};
 
@@ -105,13 +106,13 @@ fn before(left: &FinishedLevel) -> Effort {
 }
 
 /// How far two levels are apart: the difference of their worn gaps, modulo the rigid part, over the largest gap, and the relative difference of their
-/// times to the steady pressure (0 without them).
+/// times to the steady pressure (0 without them) over the part of the accuracy that the steps leave to the levels.
 fn distance(a: &Solved, b: &Solved) -> [f64; 2] {
     let (a, b) = (&a.left, &b.left);
     let points = b.gap.len();
     let closing = DMatrix::from_row_slice(points, b.closing.len() / points.max(1), &b.closing);
     let time = a.to_1_percent.zip(b.to_1_percent).map_or(0.0, |(a, b)| if a == b { 0.0 } else { ((a - b) / b).abs() });
-    [difference_of_gaps(&a.gap, &b.gap, &closing, Measure::Largest), time]
+    [difference_of_gaps(&a.gap, &b.gap, &closing, Measure::Largest), time / (1.0 - STEPS)]
 }
 
 /// Estimated relative error of the time to the steady pressure: of the steps, and the rest of the series of the levels. Of a run without such a
@@ -122,7 +123,7 @@ fn run_in_error(solved: &[Solved], errors: Option<[f64; 2]>) -> Option<f64> {
         return errors.map(|[gap, _]| gap + steps);
     }
     let known = solved.iter().rev().take(3).all(|level| level.left.to_1_percent.is_some());
-    errors.filter(|_| known).map(|[_, time]| time + steps)
+    errors.filter(|_| known).map(|[_, time]| (1.0 - STEPS) * time + steps)
 }
 
 /// What climbing has come to.
@@ -147,7 +148,6 @@ fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>, levels: Le
     let Some(last) = solved.pop().and_then(|level| level.run) else { return outcome };
     let failure = last.failure();
     let run_in_error = run_in_error.filter(|_| failure.is_none());
-    let in_time = last.wear.to_1_percent.is_some();
     outcome.wear = Some(WearResult { run_in_error, ..last.wear });
     outcome.history = last.history;
     outcome.running_in = Some(last.running_in);
@@ -161,10 +161,8 @@ fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>, levels: Le
         outcome.error.how += &format!("; the best of them is reported, of degree {}", degrees[reported - 1]);
     }
     outcome.error.how += &levels.given_up.map_or_else(String::new, |why| format!("; {why}"));
-    let what = if in_time { "time to 1 % of the steady pressure" } else { "depth worn off" };
-    let missed_one = [("worn gap", Some(error)), (what, run_in_error)].into_iter().find_map(|(what, error)| {
-        error.filter(|error| ladder.missed(*error).is_some()).map(|error| missed(what, error, stage.accuracy()))
-    });
-    outcome.ended = missed_one.map(|sentence| (Status::AccuracyMissed, sentence));
+    if ladder.missed(error).is_some() {
+        outcome.ended = Some((Status::AccuracyMissed, missed("worn gap", error, stage.accuracy())));
+    }
     outcome
 }

@@ -14,7 +14,7 @@ const STEADY: f64 = 1e-9;
 const REST: f64 = 0.01;
 
 /// Part of the accuracy asked for that steps in time may take from the times reported; the rest is left to the levels.
-const STEPS: f64 = 0.3;
+pub(super) const STEPS: f64 = 0.3;
 
 /// The residual at which a run is steady: of the certificate, or of the wear still to come under a prescribed approach.
 pub(super) fn steady_residual(stage: Stage<'_>) -> f64 {
