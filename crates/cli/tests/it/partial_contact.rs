@@ -65,3 +65,17 @@ fn keys_of_a_wear_rule_that_a_contact_does_not_use_need_no_factor() {
     assert_eq!(call.code, 0, "{}", call.err);
     assert!(call.out.contains("wear.b"), "{}", call.out);
 }
+
+/// A pad with a friction moment that its load does not carry: the trailing end of its surface carries nothing, and touches all the same.
+#[test]
+fn the_shape_of_a_pad_that_carries_on_a_part_of_its_surface_is_proved() {
+    let bench = Bench::new();
+    let pad = "kinematics=plane-strain body1.geometry.rectangle={x=[-20,20],z=[100,115]} body1.material.young=3000 \
+               load={edge=top,as=pressure,force=1000} contact.friction=.3";
+    let sets: String = pad.split(' ').filter(|set| !set.is_empty()).map(|set| format!(" --set {set}")).collect();
+    let call = bench.call(&format!("run translating-punch --set accuracy=1e-4 -q{sets}"));
+    assert_eq!(call.code, 0, "{}", call.err);
+    let summary = bench.summary("translating-punch");
+    assert_eq!(summary["pressure"]["regime"], "partial-contact");
+    assert!(summary["shape"]["roundtrip_independent"].as_f64().unwrap() < 1e-2, "{}", summary["shape"]);
+}
