@@ -78,9 +78,20 @@ fn shape_words(problem: &Problem, solution: &Solution) -> Option<String> {
         return Some("nothing is to be taken off".into());
     }
     let at = |row: [f64; 2]| format!("at {}", place(problem, row[0]));
-    let rest = match least[1].abs() <= 1e-3 * size {
-        true => format!("nothing {}", at(least)),
-        false => format!("least, {} um, {}", brief(least[1]), at(least)),
+    if most[1] < 0.0 {
+        // A prescribed rigid part may ask for more material than is drawn.
+        return Some(format!(
+            "leave on most, {} um, {}; least, {} um, {}",
+            brief(-least[1]),
+            at(least),
+            brief(-most[1]),
+            at(most)
+        ));
+    }
+    let rest = match least[1] {
+        gap if gap.abs() <= 1e-3 * size => format!("nothing {}", at(least)),
+        gap if gap < 0.0 => format!("leave on {} um {}", brief(-gap), at(least)),
+        gap => format!("least, {} um, {}", brief(gap), at(least)),
     };
     let reach = rows.last()?[0] - rows.first()?[0];
     let centred = (most[0] - 0.5 * (rows.last()?[0] + rows.first()?[0])).abs() <= 0.05 * reach;

@@ -192,11 +192,16 @@ fn check_row([s, gap]: [f64; 2], before: Option<f64>) -> Result<(), [String; 2]>
     Ok(())
 }
 
+/// "1 place", "2 places".
+fn counted(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}
+
 fn check_count(places: usize, gaps: usize) -> Result<(), Fault> {
     if places == gaps && places >= 2 {
         return Ok(());
     }
-    let message = format!("a gap profile with {places} places and {gaps} gaps");
+    let message = format!("a gap profile with {} and {}", counted(places, "place"), counted(gaps, "gap"));
     Err(Fault::at("contact.gap", "wrong-profile", message, "give two points or more, a gap for each place"))
 }
 

@@ -63,16 +63,26 @@ fn rounded(coefficient: f64) -> String {
 
 /// A gap beyond small displacements.
 fn wide(problem: &Problem, solution: &Solution) -> Option<Remark> {
-    let gap = 1e-3 * solution.shape.as_ref()?.gap_max?;
+    let given = match &problem.gap {
+        scene::Gap::Profile { gap, .. } => spread(gap),
+        _ => None,
+    };
+    let gap = 1e-3 * solution.shape.as_ref().and_then(|shape| shape.gap_max).or(given)?;
     let thickness = outline(&problem.couple.as_ref()?.bodies[0]).thickness;
     let share = gap / thickness;
     let message = format!(
-        "The gap of {} mm is {} % of the thickness of body 1 at the contact, {} mm: the shape is that of small displacements, and these are not small.",
+        "The gap of {} mm is {} % of the thickness of body 1 at the contact, {} mm: results are those of small displacements, and these are not small.",
         short(gap),
         short(100.0 * share),
         short(thickness)
     );
     (share > WIDE && share.is_finite()).then_some(Remark { code: "gap-not-small", message })
+}
+
+/// Largest less smallest value; none of no values.
+fn spread(values: &[f64]) -> Option<f64> {
+    let most = values.iter().copied().reduce(f64::max)?;
+    values.iter().copied().reduce(f64::min).map(|least| most - least)
 }
 
 /// Wear beyond what body 1's stiffness stands for.

@@ -56,6 +56,21 @@ fn a_gap_beyond_a_hundredth_of_the_body_is_a_note_with_its_size() {
     assert!(!lints("210_GPa").contains("gap-not-small"));
     let soft = lints("20_MPa");
     assert!(soft.contains("gap-not-small") && soft.contains("100 mm"), "{soft}");
+    let given =
+        "run translating-punch -q --set tasks=[contact] --set mesh.degree=4 --set contact.gap={s_mm=[-30,30],gap_um=[0,1500]}";
+    assert!(bench.call_with(&given.split(' ').collect::<Vec<_>>()).code < 2);
+    let lints = bench.summary("translating-punch")["lints"].to_string();
+    assert!(lints.contains("gap-not-small") && lints.contains("1.5 mm"), "{lints}");
+}
+
+/// A prescribed rigid part may ask for more material than is drawn.
+#[test]
+fn a_surface_that_is_to_stand_proud_is_said_so() {
+    let bench = Bench::new();
+    let call = bench
+        .call("run translating-punch --set load={edge=top,as=rigid,force=1000,tilt=1e-5,approach_time=0} --set accuracy=1e-3");
+    assert!(call.code < 2 && call.out.contains("leave on most, "), "{}{}", call.out, call.err);
+    assert!(!call.out.contains("take off"), "{}", call.out);
 }
 
 #[test]
