@@ -67,8 +67,8 @@ fn a_gap_beyond_a_hundredth_of_the_body_is_a_note_with_its_size() {
 #[test]
 fn a_surface_that_is_to_stand_proud_is_said_so() {
     let bench = Bench::new();
-    let call = bench
-        .call("run translating-punch --set load={edge=top,as=rigid,force=1000,tilt=1e-5,approach_time=0} --set accuracy=1e-3");
+    let load = "load={edge=top,as=rigid,force=1000,tilt=1e-5,approach_time=0}";
+    let call = bench.call_with(&["run", "translating-punch", "--set", load, "--set", "accuracy=1e-3"]);
     assert!(call.code < 2 && call.out.contains("leave on most, "), "{}{}", call.out, call.err);
     assert!(!call.out.contains("take off"), "{}", call.out);
 }
