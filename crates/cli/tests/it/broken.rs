@@ -251,7 +251,7 @@ fn a_gap_profile_that_is_missing_or_damaged_is_refused() {
         ("s_mm,gap_um\n0,1\n1,x\n", 3, "no two finite numbers"),
         ("s_mm,gap_um\n0,1\n0,2\n", 3, "does not increase"),
         ("s_mm,gap_um\n0,1\n1,-2\n", 3, "negative"),
-        ("s_mm,gap_um\n0,1\n", 0, "1 places"),
+        ("s_mm,gap_um\n0,1\n", 0, "1 place and 1 gap"),
         ("s_mm,gap_um\n-9,1,5\n9,0,0\n", 2, "3 fields, the first one 2 fields"),
         ("s_mm;gap_um\n-9;0\n9;1,5\n", 0, "18 mm of the contact surface of 209.44 mm"),
     ] {
