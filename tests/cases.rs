@@ -43,6 +43,41 @@ fn translating_punch_pressure() {
     assert_relative_eq!(number(&pressure["p_min_MPa"]), 0.351531 * mean, max_relative = 2e-6);
 }
 
+/// Pad to and fro with a linear wear rule: the mean of both pressures is F/A = 2.5 MPa, and the largest of each are the same by symmetry.
+#[test]
+fn reciprocating_pad_pressures() {
+    let pad = solved("reciprocating-pad", &[], None);
+    assert_eq!(pad.status, Status::Ok, "{:?}", pad.reason);
+    let (mean, both) = (pad.pressure.as_ref().unwrap(), pad.reversing.as_ref().unwrap());
+    assert_relative_eq!(mean.p_max.unwrap(), 2.5, max_relative = 1e-9);
+    assert_relative_eq!(mean.p_min.unwrap(), 2.5, max_relative = 1e-9);
+    assert_relative_eq!(both.forward.p_max, both.back.p_max, max_relative = 1e-6);
+    // Where the other sense lifts off, one carries all: the largest pressure is the same over some length, forward at one end and backward at the other.
+    assert!(both.forward.p_max_where * both.back.p_max_where < 0.0);
+    assert!(estimated_gap_error(&pad) < 1e-4);
+}
+
+/// Ball of radius 3 mm on a disc, both wear by Archard's law: on 200 m under 5 N it loses k F s, and flat-worn the depth h with
+/// pi h^2 (R - h/3) = k F s but for the elastic bulge (1 %); the disc loses its own k F s.
+#[test]
+fn pin_on_disc_wear() {
+    let worn = solved("pin-on-disc", &["accuracy=1e-3"], None);
+    assert_eq!(worn.status, Status::Ok);
+    let wear = worn.wear.as_ref().unwrap();
+    let groove = wear.groove.as_ref().unwrap();
+    let volumes = wear.volumes.unwrap();
+    assert_relative_eq!(volumes[0], 0.01, max_relative = 1e-10);
+    assert_relative_eq!(volumes[1], 0.005, max_relative = 1e-10);
+    assert_relative_eq!(wear.depth.unwrap(), 1e3 * (0.01 / (std::f64::consts::PI * 3.0)).sqrt(), max_relative = 1e-2);
+    // Across the groove: a chord of what the disc would wear standing still, 4/3 a of its depth in the middle over the length of the track.
+    let half = 0.5 * wear.scar.unwrap();
+    let ratio = 0.5 * 4.0 / 3.0 * half / (std::f64::consts::TAU * 15.0);
+    assert_relative_eq!(groove.depth_ratio, ratio, max_relative = 2e-2);
+    let [(_, y), (_, depth)] = &worn.groove[..] else { panic!("groove.csv has two columns") };
+    let area: f64 = (1..y.len()).map(|i| 0.5e-3 * (depth[i] + depth[i - 1]) * (y[i] - y[i - 1])).sum();
+    assert_relative_eq!(area * std::f64::consts::TAU * 15.0, groove.volume, max_relative = 1e-3);
+}
+
 /// Largest error of the drum's gap at the five known angles, relative to the largest known gap, modulo the rigid part.
 fn drum_gap_error(solution: &Solution, key: &str) -> f64 {
     let known = &reference("drum-brake-block")["uniform_gap"];

@@ -6,6 +6,7 @@ mod builds;
 mod crates;
 mod editor;
 mod estimates;
+mod fuzz;
 mod outputs;
 mod package;
 mod packages;
@@ -33,6 +34,8 @@ usage: cargo xtask <chore>
             [--case NAME] [--scenes] [--program PATH] [--docs]
   estimates true errors over estimated ones on random scenes of fixed discretisation
             [--seed N] [--count N] [--minutes N] [--program PATH] [--docs]
+  fuzz      mutated scenes, meshes, profiles and recordings in 1 GB of memory and 5 s each
+            [scene|gmsh|profile|recording ..] [--seconds N] [--seed N]
   outputs   open the files of runs with VTK, ezdxf, the reader of MCAP and Chromium [--install]
   editor    check the scenes by the schema with the checker of an editor plug-in (taplo, from npm)
   crates    whether each library crate packs all that it needs, files and versions, and offers the
@@ -54,6 +57,7 @@ fn main() -> ExitCode {
         Some("stability") => stability::run(&root, &words[1..]),
         Some("estimates") => estimates::run(&root, &words[1..]),
         Some("verify") => verify::run(&root, &words[1..]),
+        Some("fuzz") => fuzz::run(&root, &words[1..]),
         Some("validation") => validation::run(&root),
         Some("editor") => editor::run(&root),
         Some("outputs") => outputs::run(&root, &words[1..]),

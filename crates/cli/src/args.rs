@@ -62,6 +62,11 @@ pub(crate) enum Command {
         /// The shell.
         shell: clap_complete::Shell,
     },
+    /// List the materials that a scene may name, with their numbers and where these are from.
+    #[command(
+        after_help = "A scene names one in place of its numbers: body1.material = \"steel\".\n\nExamples:\n  wearshape materials\n  wearshape run drum-brake-block --set body2.material=grey-cast-iron"
+    )]
+    Materials,
     /// Print what is behind a note on a scene.
     #[command(after_help = "Examples:\n  wearshape explain                  (the list)\n  wearshape explain s-below-one")]
     Explain {

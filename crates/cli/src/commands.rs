@@ -5,6 +5,7 @@ mod completions;
 mod diff;
 mod explain;
 mod man;
+mod materials;
 mod new;
 mod report;
 mod reproduce;
@@ -35,6 +36,7 @@ pub(crate) fn run(args: impl IntoIterator<Item = impl Into<OsString> + Clone>) -
         Command::Schema => schema(),
         Command::Completions { shell } => completions::run(shell),
         Command::Explain { code } => explain::run(code.as_deref()),
+        Command::Materials => materials::run(),
         Command::Man { folder } => man::run(folder.as_deref()),
         Command::Run(args) => run::run(&args),
         Command::Sweep(args) => sweep::run(&args),

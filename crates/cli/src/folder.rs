@@ -19,6 +19,7 @@ use std::time::Instant;
 use scene::{Fault, Place, sha256};
 use serde_json::{Value, json};
 
+use crate::bounded;
 use crate::print::talk;
 use exchange::exchange;
 use lock::{Lock, lock};
@@ -71,7 +72,7 @@ impl Folder {
         if let Some(name) = names::foreign_in_partial(&partial) {
             return Err(foreign(&target, &partial, &name));
         }
-        let before = fs::read_to_string(partial.join(MARK)).ok().filter(|_| resume);
+        let before = bounded::result_text(&partial.join(MARK)).ok().filter(|_| resume);
         if let Some(before) = &before {
             same_scene(&partial, before, scene)?;
         }
@@ -120,7 +121,7 @@ impl Folder {
     /// Writes the files that the scene names. One that is there with another content is of another scene: it is not continued.
     pub(crate) fn write_files_of_scene(&self, files: Vec<(String, Vec<u8>)>) -> Result<(), Fault> {
         for (name, bytes) in files {
-            match fs::read(self.partial.join(&name)) {
+            match bounded::result(&self.partial.join(&name)) {
                 Ok(before) if before == bytes => {}
                 Ok(_) => {
                     let message = format!("{} was begun with another {name}", self.partial.display());
@@ -180,7 +181,7 @@ impl Folder {
         if let Some(name) = names::foreign_in_partial(&self.partial) {
             return Err(foreign(&target, &self.partial, &name));
         }
-        let there = fs::read_to_string(self.partial.join(MARK)).unwrap_or_default();
+        let there = bounded::result_text(&self.partial.join(MARK)).unwrap_or_default();
         if sha256(&there) != self.mark {
             let message = format!("{} was changed while it was written: its scene is another one", self.partial.display());
             let fault = Fault::new(

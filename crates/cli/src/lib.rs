@@ -17,6 +17,7 @@
 
 mod again;
 mod args;
+mod bounded;
 mod clock;
 mod commands;
 mod describe;

@@ -1,13 +1,13 @@
 //! A scene by its name or path: the one place where scene files are opened.
 
 use std::collections::BTreeMap;
-use std::fs::{self, File};
-use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 use scene::{Document, Fault, Place, SCENES, builtin, did_you_mean};
 use wearshape::Problem;
+
+use crate::bounded;
 
 /// The largest scene, and the largest mesh or profile beside one, bytes.
 const LARGEST_SCENE: u64 = 16_000_000;
@@ -30,29 +30,6 @@ struct Beside {
     read: Mutex<BTreeMap<String, Result<Vec<u8>, String>>>,
 }
 
-/// The bytes of a file, or of a pipe up to its end; at most so many.
-fn whole(path: &Path, largest: u64) -> Result<Vec<u8>, String> {
-    let mut bytes = Vec::new();
-    let read = File::open(path).and_then(|file| file.take(largest + 1).read_to_end(&mut bytes));
-    match read {
-        Err(error) => Err(error.to_string()),
-        Ok(length) if length as u64 > largest => {
-            Err(format!("it is larger than {} MB, the largest that is read", largest / 1_000_000))
-        }
-        Ok(_) => Ok(bytes),
-    }
-}
-
-/// The bytes of a mesh or profile, which is a file and nothing else: a pipe may never end, and is read but once.
-fn beside(path: &Path) -> Result<Vec<u8>, String> {
-    let kind = fs::metadata(path).map_err(|error| error.to_string())?;
-    match (kind.is_file(), kind.is_dir()) {
-        (true, _) => whole(path, LARGEST_BESIDE),
-        (_, true) => Err("it is a folder".into()),
-        _ => Err("it is a pipe or a device, not a file".into()),
-    }
-}
-
 impl Beside {
     fn new(folder: PathBuf) -> Beside {
         Beside { folder, read: Mutex::default() }
@@ -62,7 +39,7 @@ impl Beside {
     fn read(&self, path: &str) -> Result<Vec<u8>, String> {
         let mut read = self.read.lock().unwrap_or_else(PoisonError::into_inner);
         let bytes = read.entry(path.to_string()).or_insert_with(|| {
-            beside(&self.folder.join(path)).map_err(|error| {
+            bounded::file(&self.folder.join(path), LARGEST_BESIDE).map_err(|error| {
                 let found = self.found(path);
                 if found == path { error } else { format!("{found}: {error}") }
             })
@@ -108,7 +85,7 @@ impl Source {
             let place = Some(Place::Flag(given.to_string()));
             return Err(Fault { place, ..Fault::new("no-scene", message, did_you_mean(given, &names)) });
         }
-        let bytes = whole(path, LARGEST_SCENE).map_err(|error| Fault {
+        let bytes = bounded::whole(path, LARGEST_SCENE).map_err(|error| Fault {
             place: Some(Place::Flag(given.to_string())),
             ..Fault::new(
                 "unreadable",

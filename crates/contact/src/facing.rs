@@ -12,6 +12,20 @@ pub(crate) fn coincide(a: &Trace, b: &Trace) -> bool {
     a.edges.len() == b.edges.len() && (0..a.edges.len()).all(|edge| [-1.0, -0.5, 0.0, 0.5, 1.0].iter().all(|t| same(edge, *t)))
 }
 
+/// Where the normals of two boundaries are not opposite at the same edge and parameter: the edge, and how far a length of the boundary lies off by
+/// that angle.
+pub(crate) fn unlike_normal(a: &Trace, b: &Trace) -> Option<(usize, f64)> {
+    if a.edges.len() != b.edges.len() {
+        return Some((a.edges.len().min(b.edges.len()), a.length()));
+    }
+    let off = |edge: usize, t: f64| {
+        let [one, other] = [a, b].map(|trace| trace.boundary_point(edge, t).0.outward);
+        (one[0] + other[0]).hypot(one[1] + other[1])
+    };
+    let places = (0..a.edges.len()).flat_map(|edge| [-1.0, 0.0, 1.0].map(|t| (edge, off(edge, t))));
+    places.into_iter().find(|(_, off)| off.is_nan() || *off > 1e-9).map(|(edge, off)| (edge, off * a.length()))
+}
+
 /// The place of a boundary on the normal line through a point, the nearest if there are several, and its distance along the normal.
 pub(crate) fn crossing(trace: &Trace, point: &ContactPoint) -> Option<((usize, f64), f64)> {
     let slack = 1e-9 * trace.length();

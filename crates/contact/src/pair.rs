@@ -1,7 +1,7 @@
 //! Two boundaries facing each other: common places, normal, drag direction.
 
 use crate::error::Error;
-use crate::facing::{coincide, crossing, nearest_break};
+use crate::facing::{coincide, crossing, nearest_break, unlike_normal};
 use crate::point::{ContactPoint, along, difference};
 use crate::side::Side;
 use hpfem::{BoundaryPoint, InterfaceOperator, Trace};
@@ -63,6 +63,19 @@ impl<'a> Pair<'a> {
             return Ok(pair(true));
         }
         pair(false).uncovered(f64::INFINITY).map_or(Ok(pair(false)), Err)
+    }
+
+    /// Pairs two arcs of different radii that face each other by the angle, each about its own centre, as a shaft and its housing: points, normals
+    /// and weights are those of the counter-face, the gap between them is the caller's.
+    ///
+    /// # Errors
+    /// [`Error::Unmatched`] when the edges of both do not end at the same angles.
+    pub fn by_angle(shaped: &'a InterfaceOperator, counter: &'a InterfaceOperator) -> Result<Pair<'a>, Error> {
+        let pair = Pair { shaped, counter: Some(counter), surface: Surface::Common(Side::Counter), matched: true };
+        match unlike_normal(&shaped.trace, &counter.trace) {
+            None => Ok(pair),
+            Some((edge, distance)) => Err(Error::Unmatched { edge, distance }),
+        }
     }
 
     /// Whether contact is nodal: the boundaries share break points and edge parameters.

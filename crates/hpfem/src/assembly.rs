@@ -44,7 +44,7 @@ impl<'a> Assembly<'a> {
         }
         let mut rotation = vec![Vec::new(); space.freedom.len()];
         for (g, freedom) in space.freedom.iter().enumerate() {
-            if freedom.fixed.iter().all(Option::is_none) {
+            if freedom.fixed.iter().all(Option::is_none) && !space.reacts(freedom) {
                 continue;
             }
             rotation[g] = match g.checked_sub(mesh.vertices.len()) {

@@ -4,7 +4,7 @@ use std::fmt;
 use std::sync::Arc;
 
 /// A direction in which a boundary is held.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Direction {
     /// Along the first coordinate, x or r; the only component, u_phi, in torsion.
     First,
@@ -12,6 +12,8 @@ pub enum Direction {
     Second,
     /// Along the normal out of the body of a straight edge (an inclined roller).
     Normal,
+    /// Along the direction at this angle from the first coordinate towards the second, rad.
+    Inclined(f64),
 }
 
 /// A displacement component prescribed on a named boundary.
@@ -31,6 +33,22 @@ pub struct Support {
 /// A displacement, mm, as a function of the position, mm.
 pub type Profile = Arc<dyn Fn([f64; 2]) -> f64 + Send + Sync>;
 
+impl Direction {
+    /// The unit vector; none of the normal of an edge.
+    pub(crate) fn vector(self) -> Option<[f64; 2]> {
+        match self {
+            Direction::First => Some([1.0, 0.0]),
+            Direction::Second => Some([0.0, 1.0]),
+            Direction::Normal => None,
+            Direction::Inclined(angle) => {
+                // Exactly along an axis where the angle is a right one but for its own rounding.
+                let [x, z] = [angle.cos(), angle.sin()].map(|c| if c.abs() < 1e-15 { 0.0 } else { c });
+                Some([x, z])
+            }
+        }
+    }
+}
+
 impl Support {
     /// Holds a component of a boundary.
     pub fn hold(boundary: &str, direction: Direction) -> Support {
@@ -40,6 +58,11 @@ impl Support {
     /// Lets a straight boundary slide along itself: holds the component along its normal.
     pub fn roller(boundary: &str) -> Support {
         Support::hold(boundary, Direction::Normal)
+    }
+
+    /// Lets a boundary of any form slide in the direction at this angle from the first coordinate towards the second, rad.
+    pub fn sliding(boundary: &str, angle: f64) -> Support {
+        Support::hold(boundary, Direction::Inclined(angle + std::f64::consts::FRAC_PI_2))
     }
 
     /// Moves a component of a boundary by `value`, mm.
@@ -94,7 +117,7 @@ impl Foundation {
 pub struct Pin {
     /// The vertex, an index into [`Mesh::vertices`](crate::Mesh::vertices).
     pub vertex: usize,
-    /// [`Direction::First`] or [`Direction::Second`].
+    /// Any direction but [`Direction::Normal`].
     pub direction: Direction,
 }
 
@@ -106,7 +129,8 @@ pub struct Pin {
 /// component have no rigid edges.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RigidEdge {
-    /// Name of the boundary, which must be straight.
+    /// Name of the boundary. Along a curved one the turn is interpolated at the Gauss-Lobatto points of every edge, as prescribed
+    /// displacements are.
     pub boundary: String,
     /// Reference point `(x0, z0)` of the rotation, mm.
     pub reference: [f64; 2],

@@ -2,7 +2,7 @@
 
 use crate::boundary::{edge_modes, has_cell_on_left};
 use crate::error::Error;
-use crate::freedom::{AXIS, Direction, FREE, Freedom, Pin, RigidEdge, Support, rigid_rows};
+use crate::freedom::{AXIS, FREE, Freedom, Pin, RigidEdge, Support, rigid_rows};
 use crate::mesh::Mesh;
 use crate::problem::BodyProblem;
 use std::collections::HashMap;
@@ -45,11 +45,7 @@ impl Holding {
 
     /// Ties vertices and edges to the rigid edge.
     fn tie(&mut self, mesh: &Mesh, rigid: &RigidEdge) -> Result<(), Error> {
-        let edges = mesh.boundary(&rigid.boundary)?;
-        if edges.iter().any(|e| !mesh.edges[*e].curve.is_straight()) {
-            return Err(Error::NotStraight { what: "a rigid edge", boundary: rigid.boundary.clone() });
-        }
-        for e in edges {
+        for e in mesh.boundary(&rigid.boundary)? {
             let [a, b] = mesh.edges[e].vertices;
             [a, b, mesh.vertices.len() + e].iter().for_each(|g| self.freedom[*g].slaved = true);
         }
@@ -96,7 +92,7 @@ impl Holding {
     /// Holds pinned vertices; their reactions follow those of the supports.
     fn pin(&mut self, pins: &[Pin], supports: usize, scale: f64) -> Result<(), Error> {
         for (number, pin) in pins.iter().enumerate() {
-            let d = if pin.direction == Direction::Second { [0.0, 1.0] } else { [1.0, 0.0] };
+            let d = pin.direction.vector().unwrap_or([1.0, 0.0]);
             if self.freedom[pin.vertex].slaved {
                 return Err(Error::TiedAndHeld { boundary: "a pin".into(), place: format!("vertex {}", pin.vertex) });
             }
@@ -178,8 +174,7 @@ fn largest_displacement(problem: &BodyProblem) -> Result<f64, Error> {
 /// round-off would hold their common vertex in both directions.
 fn directions(mesh: &Mesh, support: &Support) -> Result<Vec<(usize, [f64; 2])>, Error> {
     let edges = mesh.boundary(&support.boundary)?;
-    if support.direction != Direction::Normal {
-        let direction = if support.direction == Direction::First { [1.0, 0.0] } else { [0.0, 1.0] };
+    if let Some(direction) = support.direction.vector() {
         return Ok(edges.into_iter().map(|e| (e, direction)).collect());
     }
     let cells = mesh.edge_cells();

@@ -42,6 +42,8 @@ pub struct BodyProblem {
     pub supports: Vec<Support>,
     /// A boundary that moves as a rigid line.
     pub rigid_edge: Option<RigidEdge>,
+    /// Whether the force of what holds and moves the rigid edge is a reaction too: the last one, after those of supports and pins.
+    pub edge_reaction: bool,
     /// Pinned vertices; their reactions are numbered after those of the supports.
     pub pins: Vec<Pin>,
     /// Elastic foundations. The strain energy of a body includes its foundations.
@@ -64,6 +66,7 @@ impl BodyProblem {
             materials: Vec::new(),
             supports: Vec::new(),
             rigid_edge: None,
+            edge_reaction: false,
             pins: Vec::new(),
             foundations: Vec::new(),
             load_cases: Vec::new(),
@@ -134,8 +137,14 @@ impl BodyProblem {
         self
     }
 
-    /// Right-hand sides: load cases, one for prescribed displacements, three reactions a support and a pin.
+    /// Right-hand sides: load cases, one for prescribed displacements, three reactions a support, a pin and a rigid edge that wants its own.
     pub(crate) fn columns(&self) -> usize {
-        self.load_cases.len() + 1 + 3 * (self.supports.len() + self.pins.len())
+        let edge = usize::from(self.reacting_edge().is_some());
+        self.load_cases.len() + 1 + 3 * (self.supports.len() + self.pins.len() + edge)
+    }
+
+    /// Number of the reaction of the rigid edge.
+    pub(crate) fn reacting_edge(&self) -> Option<usize> {
+        (self.edge_reaction && self.rigid_edge.is_some()).then_some(self.supports.len() + self.pins.len())
     }
 }

@@ -15,7 +15,7 @@
 //! next to a corner off the axis; torsion like antiplane shear.
 
 use crate::error::Error;
-use crate::freedom::{Direction, Support};
+use crate::freedom::Support;
 use crate::kinematics::Kinematics;
 use crate::material::Material;
 use crate::mesh::Mesh;
@@ -145,15 +145,11 @@ fn held(mesh: &Mesh, supports: &[Support]) -> Result<Vec<Vec<[f64; 2]>>, Error> 
     let mut held: Vec<Vec<[f64; 2]>> = vec![Vec::new(); mesh.edges.len()];
     for support in supports {
         for e in mesh.boundary(&support.boundary)? {
-            let d = match support.direction {
-                Direction::First => [1.0, 0.0],
-                Direction::Second => [0.0, 1.0],
-                Direction::Normal => {
-                    let t = mesh.edges[e].curve.derivative(0.0);
-                    let n = t[0].hypot(t[1]);
-                    [t[1] / n, -t[0] / n]
-                }
-            };
+            let d = support.direction.vector().unwrap_or_else(|| {
+                let t = mesh.edges[e].curve.derivative(0.0);
+                let n = t[0].hypot(t[1]);
+                [t[1] / n, -t[0] / n]
+            });
             if held[e].iter().all(|h: &[f64; 2]| (h[0] * d[1] - h[1] * d[0]).abs() > 1e-9) {
                 held[e].push(d);
             }

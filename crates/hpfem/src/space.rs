@@ -1,6 +1,7 @@
 //! Degrees of freedom: degrees of cells and edges, and what supports and rigid edges leave of them.
 
 use crate::basis::{BoundaryModes, LocalModes, MAX_DEGREE, SpaceKind};
+use crate::boundary::edge_modes;
 use crate::error::Error;
 use crate::freedom::{AXIS, Freedom, RigidEdge, rigid_rows};
 use crate::holding::Holding;
@@ -22,6 +23,10 @@ pub(crate) struct Space {
     /// Number of active unknowns of each group.
     pub(crate) size: Vec<usize>,
     pub(crate) frame: Option<(usize, RigidEdge)>,
+    /// Number of the reaction of the rigid edge, if it has one.
+    edge_reaction: Option<usize>,
+    /// Modes of the curved edges of the rigid edge under its motions `t_x`, `t_z`, `theta`, by group.
+    bent: BentModes,
 }
 
 /// How one local unknown of a cell hangs on active unknowns.
@@ -69,7 +74,10 @@ impl Space {
             .collect();
         let frame = problem.rigid_edge.as_ref().map(|r| (size.len(), r.clone()));
         size.extend(frame.iter().map(|(_, rigid)| rigid.free.iter().filter(|f| **f).count()));
-        Ok(Space { components, kind: problem.space, cell_degree, edge_degree, freedom, mode_freedom, size, frame })
+        let bent = bent_edges(problem, &edge_degree)?;
+        let edge_reaction = problem.reacting_edge();
+        let kind = problem.space;
+        Ok(Space { components, kind, cell_degree, edge_degree, freedom, mode_freedom, size, frame, edge_reaction, bent })
     }
 
     /// Order of the modes of a cell.
@@ -110,31 +118,23 @@ impl Space {
         groups
     }
 
-    /// Whether a support prescribes something on a vertex or edge.
+    /// Whether a support prescribes something on a vertex or edge, or the rigid edge with a reaction moves it.
     pub(crate) fn is_supported(&self, group: usize) -> bool {
-        self.freedom[group].fixed.iter().flatten().any(|(support, _)| *support != AXIS)
+        let freedom = &self.freedom[group];
+        self.reacts(freedom) || freedom.fixed.iter().flatten().any(|(support, _)| *support != AXIS)
+    }
+
+    /// Whether what moves with the rigid edge counts for a reaction.
+    pub(crate) fn reacts(&self, freedom: &Freedom) -> bool {
+        freedom.slaved && self.edge_reaction.is_some()
     }
 
     /// Targets of component `component` of mode `mode` (0 for a vertex value) of a vertex or edge group.
     pub(crate) fn target(&self, mesh: &Mesh, group: usize, mode: usize, component: usize) -> Target {
         let mut target = Target::default();
         let freedom = &self.freedom[group];
-        let is_vertex = group < mesh.vertices.len();
         if freedom.slaved {
-            if let (true, Some((frame, rigid))) = (is_vertex, &self.frame) {
-                let x = mesh.vertices[group];
-                let rows = rigid_rows(x, rigid.reference);
-                let mut index = 0;
-                for (k, row) in rows.iter().enumerate() {
-                    if rigid.free[k] {
-                        if row[component] != 0.0 {
-                            target.active.push((*frame, index, row[component]));
-                        }
-                        index += 1;
-                    }
-                }
-            }
-            return target;
+            return self.moved_along(mesh, group, mode, component);
         }
         let free = freedom.free(self.components);
         let fixed = self.mode_freedom.get(&group).and_then(|modes| modes.get(mode)).unwrap_or(freedom).fixed;
@@ -153,4 +153,46 @@ impl Space {
         }
         target
     }
+
+    /// Target of what moves with the rigid edge.
+    fn moved_along(&self, mesh: &Mesh, group: usize, mode: usize, component: usize) -> Target {
+        let mut target = Target::default();
+        let Some((frame, rigid)) = &self.frame else { return target };
+        let rows = if group < mesh.vertices.len() {
+            Some(rigid_rows(mesh.vertices[group], rigid.reference))
+        } else {
+            self.bent.get(&group).and_then(|modes| modes.get(mode)).copied()
+        };
+        let free = (0..3).filter(|k| rigid.free[*k]);
+        for (index, k) in free.enumerate() {
+            let share = rows.map_or(0.0, |rows| rows[k][component]);
+            if share != 0.0 {
+                target.active.push((*frame, index, share));
+            }
+        }
+        if let Some(support) = self.edge_reaction {
+            let axis = std::array::from_fn(|k| if k == component { 1.0 } else { 0.0 });
+            target.fixed.push(Fixed { support, value: 0.0, axis, share: 1.0, group, mode });
+        }
+        target
+    }
+}
+
+/// Of each curved edge of a rigid edge, by its group: the values of its modes under the three motions.
+type BentModes = HashMap<usize, Vec<[[f64; 2]; 3]>>;
+
+/// Modes of the curved edges of a rigid edge under its three motions; along a straight one the modes vanish.
+fn bent_edges(problem: &BodyProblem, edge_degree: &[usize]) -> Result<BentModes, Error> {
+    let mut bent = HashMap::new();
+    let (mesh, Some(rigid)) = (&problem.mesh, &problem.rigid_edge) else { return Ok(bent) };
+    for e in mesh.boundary(&rigid.boundary)? {
+        let curve = &mesh.edges[e].curve;
+        if !curve.is_straight() {
+            let of = |k: usize| edge_modes(curve, edge_degree[e], |x| rigid_rows(x, rigid.reference)[k]);
+            let [x, z, turn] = [of(0), of(1), of(2)];
+            let modes = turn.iter().enumerate().map(|(m, turn)| [x[m], z[m], *turn]).collect();
+            bent.insert(mesh.vertices.len() + e, modes);
+        }
+    }
+    Ok(bent)
 }

@@ -299,17 +299,26 @@ fn tag(mesh: &mut Mesh, edges: &[usize], name: &str) {
     edges.iter().for_each(|e| mesh.edges[*e].tags.push(tag));
 }
 
-/// Points where the stress of a body is unbounded or its load jumps.
-fn singular(couple: &Couple, number: usize, mesh: &Mesh, extent: Extent) -> Result<Vec<[f64; 2]>, hpfem::Error> {
-    let body = &couple.bodies[number];
-    let support = Support::hold;
-    let directions = |component: &Component| match component {
+/// An edge as the stress at its ends sees it: one that turns about a pin is clamped to a rigid line.
+fn held_along(edge: &str, support: &scene::Support) -> Vec<Support> {
+    let hold = |direction| Support::hold(edge, direction);
+    let direction = |component: &Component| match component {
         Component::X => Some(Direction::First),
         Component::Z => Some(Direction::Second),
         Component::Phi => None,
     };
-    let held = body.supports.iter().flat_map(|(edge, held)| held.iter().filter_map(directions).map(move |d| (edge, d)));
-    let mut supports: Vec<Support> = held.map(|(edge, direction)| support(edge, direction)).collect();
+    match support {
+        scene::Support::Components(held) => held.iter().filter_map(direction).map(hold).collect(),
+        scene::Support::Pin(_) => vec![hold(Direction::First), hold(Direction::Second)],
+        scene::Support::Roller(angle) => vec![Support::sliding(edge, angle.0)],
+    }
+}
+
+/// Points where the stress of a body is unbounded or its load jumps.
+fn singular(couple: &Couple, number: usize, mesh: &Mesh, extent: Extent) -> Result<Vec<[f64; 2]>, hpfem::Error> {
+    let body = &couple.bodies[number];
+    let support = Support::hold;
+    let mut supports: Vec<Support> = body.supports.iter().flat_map(|(edge, held)| held_along(edge, held)).collect();
     // A round body has left the other where the surface that may touch ends.
     let mut loaded = if matches!(extent, Extent::Round { .. }) { vec![] } else { vec![CONTACT] };
     if number == 0 && couple.has_rigid_edge() {

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use hpfem::{Kinematics, Mesh};
-use scene::{Component, Geometry, LoadKind, Material};
+use scene::{Component, Geometry, LoadKind, Material, Support};
 
 /// Two bodies that touch, and where the first is loaded.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,8 +29,8 @@ pub struct Body {
     pub cells: Option<Arc<Mesh>>,
     /// Materials, by the index that cells have; one for a template.
     pub materials: Vec<Material>,
-    /// Components held, by the name of the edge.
-    pub supports: BTreeMap<String, Vec<Component>>,
+    /// What holds it, by the name of the edge.
+    pub supports: BTreeMap<String, Support>,
     /// Name of the edge that touches the other body.
     pub contact: String,
 }
@@ -46,6 +46,8 @@ pub struct LoadedEdge {
     pub strip: Option<Strip>,
     /// Point [x, z] about which a rigid edge turns (mm).
     pub about: [f64; 2],
+    /// Direction of a traction, from +x (rad); 0 of other loads.
+    pub direction: f64,
     /// Whether a rigid edge is held against turning: a rotation prescribed as zero. Any other one is a motion like a free one.
     pub level: bool,
 }
@@ -77,6 +79,11 @@ impl Couple {
         self.load.kind == LoadKind::Rigid
     }
 
+    /// Whether a pin or a roller leaves body 1 one motion: the force of the load is then that of its actuator, whichever way it acts.
+    pub fn moves_one_way(&self) -> bool {
+        self.bodies[0].moves_one_way()
+    }
+
     /// Young's modulus (MPa) of the softest material of both bodies.
     pub fn softest(&self) -> f64 {
         self.bodies.iter().flat_map(|body| &body.materials).map(|material| material.young.0).fold(f64::INFINITY, f64::min)
@@ -99,7 +106,20 @@ impl Body {
 
     /// Whether an edge holds a component.
     pub fn holds(&self, component: Component) -> bool {
-        self.supports.values().any(|held| held.contains(&component))
+        self.supports.values().any(|held| held.holds(component))
+    }
+
+    /// Whether it has a pin or a roller.
+    pub fn moves_one_way(&self) -> bool {
+        self.supports.values().any(|support| matches!(support, Support::Pin(_) | Support::Roller(_)))
+    }
+
+    /// The edge that turns about a pin, and the pin (mm).
+    pub fn pin(&self) -> Option<(&str, [f64; 2])> {
+        self.supports.iter().find_map(|(edge, support)| match support {
+            Support::Pin(at) => Some((edge.as_str(), at.map(|x| x.0))),
+            Support::Components(_) | Support::Roller(_) => None,
+        })
     }
 }
 

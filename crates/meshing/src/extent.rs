@@ -7,6 +7,13 @@ use hpfem::Curve;
 pub enum Extent {
     /// On an arc: from and to as angles (rad) at its centre, from the z axis towards +x: `x = R sin(angle)`, `z = R cos(angle)`.
     Angles([f64; 2]),
+    /// On arcs of two radii that face each other by the angle, each about its own centre.
+    Circles {
+        /// From and to as angles (rad), as of [`Extent::Angles`].
+        angles: [f64; 2],
+        /// Centre [x, z] and radius (mm) of the arc of body 1 and of body 2.
+        circles: [([f64; 2], f64); 2],
+    },
     /// On a horizontal line, from and to (mm).
     X([f64; 2]),
     /// On a horizontal line that a round body touches at one place and faces across a gap.
@@ -24,16 +31,23 @@ impl Extent {
     /// First and last coordinate (rad or mm).
     pub fn ends(&self) -> [f64; 2] {
         match self {
-            Extent::Angles(angles) => *angles,
+            Extent::Angles(angles) | Extent::Circles { angles, .. } => *angles,
             Extent::X(x) | Extent::Round { x, .. } => *x,
         }
+    }
+
+    /// What a point of the contact surface of a body (0 or 1) faces on the other one: on arcs of two radii the point at its angle, else itself.
+    pub(crate) fn facing(&self, body: usize, x: [f64; 2]) -> [f64; 2] {
+        let Extent::Circles { circles, .. } = self else { return x };
+        let ((own, radius), (other, wanted)) = (circles[body], circles[1 - body]);
+        [0, 1].map(|k| other[k] + (x[k] - own[k]) * wanted / radius)
     }
 
     /// Coordinates of the ends of a line or arc of the contact edge, the one at `t = -1` first; angles next to those of the contact.
     pub(crate) fn range(&self, curve: &Curve) -> [f64; 2] {
         use std::f64::consts::{FRAC_PI_2, PI, TAU};
         match (self, curve) {
-            (Extent::Angles(angles), Curve::Arc { from, to, .. }) => {
+            (Extent::Angles(angles) | Extent::Circles { angles, .. }, Curve::Arc { from, to, .. }) => {
                 let middle = 0.5 * (angles[0] + angles[1]);
                 let own = FRAC_PI_2 - 0.5 * (from + to);
                 let own = (own - middle + PI).rem_euclid(TAU) - PI + middle;
@@ -141,6 +155,20 @@ mod tests {
         for turns in [-1.0, 0.0, 2.0] {
             let ends = [0.5, 0.52].map(|share| (share + turns) * TURN);
             assert!((round.parameter(&arc([0.0, 10.0], 10.0, ends), 0.0) + 1.0).abs() < 1e-12, "{turns} turns");
+        }
+    }
+
+    #[test]
+    fn points_of_two_circles_face_each_other_by_their_angle() {
+        let circles = [([0.0, -2.0], 26.0), ([0.0, 0.0], 24.0)];
+        let extent = Extent::Circles { angles: [-0.5, 0.5], circles };
+        let [first, second] = circles.map(|(centre, radius)| arc(centre, radius, [-0.5, 0.5]));
+        for t in [-1.0, -0.3, 0.8] {
+            assert!((extent.parameter(&second, extent.range(&first)[0]) + 1.0).abs() < 1e-12);
+            for (body, [own, other]) in [[first, second], [second, first]].into_iter().enumerate() {
+                let (x, y) = (extent.facing(body, own.point(t)), other.point(t));
+                assert!((x[0] - y[0]).hypot(x[1] - y[1]) < 1e-13 * 26.0, "{x:?} {y:?}");
+            }
         }
     }
 

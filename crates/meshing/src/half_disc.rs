@@ -63,7 +63,7 @@ impl HalfDiscOnFlat {
             let message = "body 2 is not held alike on its left and right";
             return Err(Fault::at("body2.support", "not-available", message, "hold both sides alike, or the bottom"));
         }
-        let bad = body1.supports.iter().find(|(edge, held)| *edge == "arc" || held.contains(&Component::Z));
+        let bad = body1.supports.iter().find(|(edge, held)| *edge == "arc" || held.holds(Component::Z));
         if let Some((edge, _)) = bad {
             let message = format!("body 1 is held on its edge {edge}, so that the load cannot press it on body 2");
             return Err(Fault::at("body1.support", "held", message, "hold body 1 along x only, on its line centre or its top"));
@@ -97,8 +97,23 @@ impl HalfDiscOnFlat {
     /// # Errors
     /// The fault of bodies too thin for cells around that contact.
     pub fn meshes(&self, nodes: &[f64], layers: usize) -> Result<[Mesh; 2], Fault> {
+        let candidate = CANDIDATE * nodes[nodes.len() - 1];
+        self.cut(&Breaks { nodes, candidate, graded: nodes }, layers)
+    }
+
+    /// Both bodies of a contact whose end moves: with element nodes at the given distances (mm) from the middle (ascending), a candidate surface
+    /// that reaches as far as `reach`, and so many layers around the last of the nodes.
+    ///
+    /// # Errors
+    /// Those of [`HalfDiscOnFlat::meshes`].
+    pub fn meshes_reaching(&self, nodes: &[f64], reach: f64, layers: usize) -> Result<[Mesh; 2], Fault> {
+        let graded = &nodes[nodes.len().saturating_sub(1)..];
+        self.cut(&Breaks { nodes, candidate: reach, graded }, layers)
+    }
+
+    fn cut(&self, breaks: &Breaks<'_>, layers: usize) -> Result<[Mesh; 2], Fault> {
         let meshes = || -> Result<[Mesh; 2], Error> {
-            let halves = [self.disc(nodes, layers)?, self.block(nodes, layers)?];
+            let halves = [self.disc(breaks, layers)?, self.block(breaks, layers)?];
             let [mut disc, mut block] = if self.whole { [mirrored(&halves[0])?, mirrored(&halves[1])?] } else { halves };
             shift(&mut disc, [self.middle, self.height]);
             shift(&mut block, [self.middle, self.height]);
@@ -116,14 +131,12 @@ impl HalfDiscOnFlat {
     }
 
     /// The part x >= 0 of the half-disc about (0, R), cut at z = R.
-    fn disc(&self, nodes: &[f64], layers: usize) -> Result<Mesh, Error> {
-        let r = self.radius;
-        let candidate = CANDIDATE * nodes[nodes.len() - 1];
-        let levels: Vec<f64> = nodes.iter().copied().chain(growing(candidate, r * 0.5_f64.sqrt())).collect();
-        let (mut plan, [b, d, a]) = Plan::nested(&levels, 0.7);
+    fn disc(&self, breaks: &Breaks<'_>, layers: usize) -> Result<Mesh, Error> {
+        let (r, candidate) = (self.radius, breaks.candidate);
+        let (mut plan, [b, d, a]) = Plan::nested(&breaks.levels(r * 0.5_f64.sqrt()), 0.7);
         let e = plan.vertices.len();
         plan.add(&[[r, r], [0.5 * r, r], [0.0, r]], &[[b, e, e + 1, d], [a, d, e + 1, e + 2]]);
-        let straight = plan.refined(&towards(nodes), layers)?;
+        let straight = plan.refined(&towards(breaks.graded), layers)?;
         let sag = |x: f64| x * x / (r + (r * r - x * x).max(0.0).sqrt());
         let place = |v: [f64; 2]| if v[0] >= r { v } else { [v[0], v[1] + sag(v[0]) * (1.0 - v[1] / r)] };
         let angle = |v: [f64; 2]| if v[0] >= r { 0.0 } else { (v[0] / r).asin() - std::f64::consts::FRAC_PI_2 };
@@ -156,12 +169,10 @@ impl HalfDiscOnFlat {
     }
 
     /// The part x >= 0 of the rectangle below z = 0.
-    fn block(&self, nodes: &[f64], layers: usize) -> Result<Mesh, Error> {
-        let (w, h) = (self.width, self.depth);
+    fn block(&self, breaks: &Breaks<'_>, layers: usize) -> Result<Mesh, Error> {
+        let (w, h, candidate) = (self.width, self.depth, breaks.candidate);
         let side = w.min(h);
-        let candidate = CANDIDATE * nodes[nodes.len() - 1];
-        let levels: Vec<f64> = nodes.iter().copied().chain(growing(candidate, side)).collect();
-        let (mut plan, [b, d, a]) = Plan::nested(&levels, 1.0);
+        let (mut plan, [b, d, a]) = Plan::nested(&breaks.levels(side), 1.0);
         // Beyond the square: along the longer side. First the end of the last row at the middle line or the surface, then the other.
         let (mut near, mut far) = if h > w { (a, d) } else { (b, d) };
         for to in growing(side, w.max(h)).skip(1) {
@@ -173,7 +184,7 @@ impl HalfDiscOnFlat {
             }
             (near, far) = (n, n + 1);
         }
-        let places: Vec<[f64; 2]> = towards(nodes).into_iter().chain([[w, h]]).collect();
+        let places: Vec<[f64; 2]> = towards(breaks.graded).into_iter().chain([[w, h]]).collect();
         let straight = plan.refined(&places, layers)?;
         let below = |v: [f64; 2]| [v[0], -v[1]];
         let names = |p: [f64; 2], q: [f64; 2]| {
@@ -196,6 +207,22 @@ impl HalfDiscOnFlat {
             names
         };
         moved(&straight, true, below, |_, _| None, names)
+    }
+}
+
+/// Where half of each body is cut on the contact surface (mm from the middle, ascending).
+struct Breaks<'a> {
+    nodes: &'a [f64],
+    /// End of the candidate surface.
+    candidate: f64,
+    /// Nodes with layers around them.
+    graded: &'a [f64],
+}
+
+impl Breaks<'_> {
+    /// All nested squares: at the nodes, at the end of the candidate surface, and growing to `last`.
+    fn levels(&self, last: f64) -> Vec<f64> {
+        self.nodes.iter().copied().chain(growing(self.candidate, last)).collect()
     }
 }
 

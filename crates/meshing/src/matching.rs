@@ -32,6 +32,7 @@ pub(crate) fn matched(couple: &Couple, given: [Option<Mesh>; 2], extent: Extent,
 /// Two bodies on the way to common break points.
 struct Matching<'a> {
     couple: &'a Couple,
+    extent: Extent,
     cut: Cut<'a>,
     /// Coordinates of the ends of contact.
     ends: Vec<f64>,
@@ -53,7 +54,7 @@ impl<'a> Matching<'a> {
         if cut == Cut::Shifted {
             cells.iter_mut().flatten().try_for_each(Cells::halve)?;
         }
-        Ok(Matching { couple, cut, ends, cells, apart: Vec::new() })
+        Ok(Matching { couple, extent, cut, ends, cells, apart: Vec::new() })
     }
 
     /// The bodies that are given by cells.
@@ -88,18 +89,29 @@ impl<'a> Matching<'a> {
 
     /// Points of the contact surface that need layers in one body get them in both, for common break points.
     fn share_graded(&self, meshes: &mut [Coarse; 2]) {
-        let both: Vec<[f64; 2]> = meshes.iter().flat_map(|coarse| coarse.singular.iter().copied()).collect();
-        let touching = |x: &&[f64; 2]| self.given().any(|cells| cells.coordinate(**x).is_some());
-        for x in both.iter().filter(touching) {
-            for Coarse { mesh, singular, .. } in &mut *meshes {
+        let own = |(body, coarse): (usize, &Coarse)| coarse.singular.iter().map(|x| self.on_both(body, *x)).collect::<Vec<_>>();
+        let both: Vec<[[f64; 2]; 2]> = meshes.iter().enumerate().flat_map(own).collect();
+        let touches =
+            |(cells, x): (&Option<Cells>, &[f64; 2])| cells.as_ref().is_some_and(|cells| cells.coordinate(*x).is_some());
+        let touching = |points: &&[[f64; 2]; 2]| self.cells.iter().zip(points.iter()).any(touches);
+        for points in both.iter().filter(touching) {
+            for (Coarse { mesh, singular, .. }, x) in meshes.iter_mut().zip(points) {
                 add_singular(mesh, singular, *x);
             }
         }
         // A template that faces the cells lies on the same surface.
         let count = self.ends.len();
-        if let Some(free) = meshes.iter().map(|coarse| coarse.free.clone()).find(|free| free.len() == count) {
-            meshes.iter_mut().filter(|coarse| coarse.free.len() != count).for_each(|coarse| coarse.free.clone_from(&free));
+        let Some(body) = meshes.iter().position(|coarse| coarse.free.len() == count) else { return };
+        let free: Vec<[[f64; 2]; 2]> = meshes[body].free.iter().map(|x| self.on_both(body, *x)).collect();
+        for (other, coarse) in meshes.iter_mut().enumerate().filter(|(_, coarse)| coarse.free.len() != count) {
+            coarse.free = free.iter().map(|points| points[other]).collect();
         }
+    }
+
+    /// A point of a body's contact surface, and what it faces, body 1's first.
+    fn on_both(&self, body: usize, x: [f64; 2]) -> [[f64; 2]; 2] {
+        let faced = self.extent.facing(body, x);
+        if body == 0 { [x, faced] } else { [faced, x] }
     }
 
     /// Asks for a cut in each body with a cell that touches two points to grade towards; false if there is none.
@@ -115,7 +127,7 @@ impl<'a> Matching<'a> {
                 continue;
             }
             let corner = |k: usize| coarse.mesh.vertices[coarse.mesh.cells[cell].corners[k]];
-            let place = |k: usize| self.given().find_map(|cells| cells.coordinate(corner(k)));
+            let place = |k: usize| self.cells[1 - number].as_ref()?.coordinate(self.extent.facing(number, corner(k)));
             let [Some(a), Some(b)] = corners.map(place) else { return Err(unmatched()) };
             self.apart.push(0.5 * (a + b));
         }

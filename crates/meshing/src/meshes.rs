@@ -6,6 +6,7 @@ use scene::Fault;
 use crate::coarse::{Coarse, RATIO, degenerate};
 use crate::couple::Couple;
 use crate::extent::{Cut, Extent};
+use crate::half_disc::HalfDiscOnFlat;
 use crate::ledge;
 use crate::matching::matched;
 use crate::near_ends::{self, cut_near};
@@ -18,6 +19,14 @@ use crate::template::{coarse, contact_cuts};
 /// # Errors
 /// The fault of a body that is no body 1 or body 2 of this contact, that is too thin, or whose cells cannot be cut where the other's are.
 pub fn meshes(couple: &Couple, extent: Extent, layers: usize, cut: Cut<'_>) -> Result<[Mesh; 2], Fault> {
+    if let Extent::Round { x: [from, to], touch, .. } = extent
+        && let Some(mut disc) = HalfDiscOnFlat::of(couple)?
+    {
+        let places = cut.ends().iter().map(|t| from + 0.5 * (1.0 + t) * (to - from) - touch);
+        let nodes: Vec<f64> = places.filter(|x| *x > 0.0).collect();
+        disc.whole = !couple.is_revolved();
+        return disc.meshes_reaching(&nodes, to - touch, layers.div_ceil(2));
+    }
     coarse_meshes(couple, extent, cut)?.graded(layers)
 }
 
@@ -88,13 +97,13 @@ fn templates(couple: &Couple, extent: Extent, cut: Cut<'_>) -> Result<[Coarse; 2
     let first = coarse(couple, 0, &cuts, cut)?;
     let mut second = coarse(couple, 1, &cuts, cut)?;
     // Points of the contact surface that need layers in the shaped body need them in both, for common break points.
-    second.free.clone_from(&first.free);
-    for x in &first.singular {
-        let y = second.mesh.vertices[second.mesh.nearest_vertex(*x)];
+    second.free = first.free.iter().map(|x| extent.facing(0, *x)).collect();
+    for x in first.singular.iter().map(|x| extent.facing(0, *x)) {
+        let y = second.mesh.vertices[second.mesh.nearest_vertex(x)];
         let scale = x[0].hypot(x[1]);
         let near = |z: &[f64; 2]| (x[0] - z[0]).hypot(x[1] - z[1]) <= 1e-9 * scale;
         if near(&y) && !second.singular.iter().any(near) {
-            second.singular.push(*x);
+            second.singular.push(x);
         }
     }
     Ok([first, second])

@@ -4,7 +4,7 @@ use hpfem::{Curve, Mesh, Named, Ruled, Side};
 use scene::{Fault, Geometry, Rectangle, Ring, RingSegment, ShoeBlock, short};
 
 use crate::coarse::{Coarse, degenerate};
-use crate::couple::{Couple, LoadedEdge};
+use crate::couple::Couple;
 use crate::cuts::{SAME, growing, halved, merged, parameters, subdivide, widest};
 use crate::extent::{Cut, Extent};
 use crate::names::{AXIS, CONTACT, LOAD};
@@ -32,12 +32,12 @@ pub(crate) fn contact_cuts(couple: &Couple, extent: Extent, cut: Cut<'_>, breaks
     };
     let more = if cut == Cut::Shifted { 1.0 } else { 0.0 };
     match (extent, &couple.bodies[0].geometry) {
-        (Extent::Angles(ends), Geometry::RingSegment(segment)) => {
+        (Extent::Angles(ends) | Extent::Circles { angles: ends, .. }, Geometry::RingSegment(segment)) => {
             let half = 0.5 * (ends[1] - ends[0]);
             let own: Vec<f64> = segment_breaks(couple, segment, cut).breaks.iter().map(|t| ends[0] + half * (1.0 + t)).collect();
             if breaks.is_empty() { own } else { with(&own) }
         }
-        (Extent::Angles([from, to]), _) => {
+        (Extent::Angles([from, to]) | Extent::Circles { angles: [from, to], .. }, _) => {
             let pieces = ((to - from) / std::f64::consts::FRAC_PI_6 * (1.0 - 1e-9)).ceil().max(2.0) + more;
             subdivide(&with(&with_ends([from, to], cut)), (to - from) / pieces)
         }
@@ -67,7 +67,7 @@ pub(crate) fn coarse(couple: &Couple, number: usize, cuts: &[f64], cut: Cut<'_>)
         not_too_wide(key, rectangle, cuts)?;
     }
     let result = match &body.geometry {
-        Geometry::ShoeBlock(shoe) if shaped => shoe_block(&couple.load, shoe, cuts, cut),
+        Geometry::ShoeBlock(shoe) if shaped => shoe_block(couple, shoe, cuts, cut),
         Geometry::RingSegment(segment) if shaped => ring_segment(couple, segment, cuts, cut),
         Geometry::Ring(ring) if !shaped => full_ring(ring, cuts, &body.contact),
         Geometry::Rectangle(rectangle) => block(couple, rectangle, cuts, shaped, cut),
@@ -110,7 +110,7 @@ fn levels(height: f64, width: f64, least: usize) -> Vec<f64> {
     (0..=n).map(|i| if i == n { 1.0 } else { (f64::from(1_u32 << i) - 1.0) / last }).collect()
 }
 
-fn shoe_block(load: &LoadedEdge, shoe: &ShoeBlock, cuts: &[f64], cut: Cut<'_>) -> Result<Coarse, hpfem::Error> {
+fn shoe_block(couple: &Couple, shoe: &ShoeBlock, cuts: &[f64], cut: Cut<'_>) -> Result<Coarse, hpfem::Error> {
     let (radius, angle, top) = (shoe.radius.0, shoe.half_angle.0, shoe.top.0);
     let (x, z) = (radius * angle.sin(), radius * angle.cos());
     let mut names = vec![
@@ -121,10 +121,12 @@ fn shoe_block(load: &LoadedEdge, shoe: &ShoeBlock, cuts: &[f64], cut: Cut<'_>) -
         named(Side::Right, "right"),
     ];
     for (side, edge) in [(Side::Top, "top"), (Side::Left, "left"), (Side::Right, "right")] {
-        if load.is(edge) {
+        if couple.load.is(edge) {
             names.push(named(side, LOAD));
         }
     }
+    // A top that turns about a pin or runs on a roller is graded towards its ends.
+    let guided = couple.moves_one_way() && couple.bodies[0].supports.contains_key("top");
     let breaks = parameters(cuts, [-angle, angle]);
     let width = radius * widest(cuts);
     let bottom = arc([0.0; 2], radius, [-angle, angle]);
@@ -133,12 +135,16 @@ fn shoe_block(load: &LoadedEdge, shoe: &ShoeBlock, cuts: &[f64], cut: Cut<'_>) -
         bottom,
         top: Curve::Line { start: [-x, top], end: [x, top] },
         breaks: &breaks,
-        levels: &levels(top - radius, width, 1),
+        levels: &levels(top - radius, width, if guided { 2 } else { 1 }),
         closed: false,
         material: 0,
         names: &names,
     })?;
-    Ok(Coarse { mesh, singular: vec![[-x, z], [x, z]], ledges: [0.0; 2], free })
+    let mut singular = vec![[-x, z], [x, z]];
+    if guided {
+        singular.extend([[-x, top], [x, top]]);
+    }
+    Ok(Coarse { mesh, singular, ledges: [0.0; 2], free })
 }
 
 /// Where a ring segment is cut, in the common parameter of its arcs.

@@ -22,6 +22,7 @@ pub(crate) fn line_plots(problem: &Problem, solution: &Solution) -> Vec<Picture>
     let plain = |(file, plot): (&'static str, LinePlot)| Picture { file, plot, zones: Vec::new() };
     let mut plots = along_the_surface(problem, solution, points);
     plots.extend(histories(title, &solution.history).into_iter().map(plain));
+    plots.extend(groove(title, &solution.groove).map(plain));
     plots.extend(error_plot(title, &solution.ladder).map(|plot| ("error", plot)).map(plain));
     plots
 }
@@ -52,13 +53,21 @@ fn along_the_surface(problem: &Problem, solution: &Solution, points: &Profile) -
         let cut = solution.map.is_some();
         let mut what = (if cut { "contact pressure on the middle line" } else { "contact pressure" }, "pressure (MPa)");
         let touched = solution.contact.is_some() && solution.shape.is_none() && solution.wear.is_none();
-        if known(&profile.pressure_solved) {
+        if let Some(reversing) = solution.reversing.as_ref().filter(|_| !profile.pressure_back.is_empty()) {
+            curves = both_senses(profile, reversing.share, &series);
+            what.0 = "contact pressure forward and backward";
+        } else if known(&profile.pressure_solved) {
             curves[0].name = "wanted".into();
             curves.push(series("contact solve on the shape", &profile.pressure_solved, true));
         } else if touched && profile.shear.iter().any(|shear| shear.abs() > 0.0) {
             curves[0].name = "pressure".into();
             curves.push(series("shear on body 1", &profile.shear, false));
             what = ("contact pressure and shear", "pressure, shear (MPa)");
+        }
+        if let Some(now) = &solution.unmachined {
+            let first = if curves[0].name.is_empty() { "as machined".into() } else { format!("as machined: {}", curves[0].name) };
+            curves[0].name = first;
+            curves.push(series("as it is now", &now.pressure, false));
         }
         // From point to point of the contact: their status changes exactly there.
         let zones = sticking(&abscissa(problem, points).0, points);
@@ -77,6 +86,18 @@ fn along_the_surface(problem: &Problem, solution: &Solution, points: &Profile) -
         plain("gap", plot(what, "gap (\u{b5}m)", vec![series("", &profile.gap, false)]));
     }
     plots
+}
+
+/// The pressures of a reversing motion, what a contact solve forward gives back, and the mean over the time.
+fn both_senses(profile: &Profile, share: f64, series: &dyn Fn(&str, &[f64], bool) -> Series) -> Vec<Series> {
+    let both = profile.pressure.iter().zip(&profile.pressure_back);
+    let mean: Vec<f64> = both.map(|(forward, backward)| share * forward + (1.0 - share) * backward).collect();
+    let mut curves = vec![series("forward", &profile.pressure, false), series("backward", &profile.pressure_back, false)];
+    curves.push(series("mean over the time", &mean, false));
+    if profile.pressure_solved.iter().any(|value| value.is_finite()) {
+        curves.push(series("contact solve on the shape, forward", &profile.pressure_solved, true));
+    }
+    curves
 }
 
 /// Where the contact sticks, of one that slips elsewhere.
@@ -129,12 +150,30 @@ fn histories(title: &str, history: &[(String, Vec<f64>)]) -> Vec<(&'static str, 
     if let Some(depth) = column("depth_um") {
         plots.push(("history-depth", plot("depth worn off body 1", "depth (\u{b5}m)", linear, vec![series("", depth)])));
     }
+    if let Some(scar) = column("scar_mm") {
+        plots.push(("history-scar", plot("width of the scar", "width (mm)", linear, vec![series("", scar)])));
+    }
     let worn = |name: &'static str, key: &str| column(key).filter(|v| v.iter().any(|v| *v > 0.0)).map(|v| series(name, v));
     let volumes: Vec<Series> = [worn("body 1", "volume1_mm3"), worn("body 2", "volume2_mm3")].into_iter().flatten().collect();
     if !volumes.is_empty() {
         plots.push(("history-volume", plot("volume worn off", "volume (mm\u{b3})", linear, volumes)));
     }
     plots
+}
+
+/// The profile of the groove in a revolving disc.
+fn groove(title: &str, columns: &[(String, Vec<f64>)]) -> Option<(&'static str, LinePlot)> {
+    let [(_, places), (_, depths)] = columns else { return None };
+    let points = places.iter().copied().zip(depths.iter().map(|depth| -depth)).collect();
+    let plot = LinePlot {
+        title: format!("{title}: groove in body 2"),
+        x_label: "across the track (mm)".into(),
+        y_label: "height (\u{b5}m)".into(),
+        axes: [Axis::Linear; 2],
+        from_zero: true,
+        series: vec![Series { name: String::new(), points, marks: false, dashed: false }],
+    };
+    Some(("groove", plot))
 }
 
 /// What the levels say about the error.

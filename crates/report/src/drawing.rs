@@ -2,12 +2,13 @@
 
 use std::f64::consts::PI;
 
-use scene::{Component, Kinematics, Load, LoadKind, Scene};
+use scene::{Component, Kinematics, Load, LoadKind, Scene, Support};
 use wearshape::{BodyOutline, Problem};
 
 use crate::bare_drawing::bare_drawing;
 use crate::drawing_words::{FILLS, LOADED, SLIDES, TOUCHES, legend};
 use crate::sheet::Sheet;
+use crate::support_drawing::{is_near, pin, roller};
 
 /// Least distance of two arrows side by side (pixels).
 const ROOM: f64 = 14.0;
@@ -22,7 +23,12 @@ pub fn drawing(problem: &Problem) -> String {
     let beyond = revolved
         .then(|| points().fold(0.0, |far: f64, p| far.max(p[0])))
         .map(|far| [-0.08 * far, points().next().map_or(0.0, |p| p[1])]);
-    let mut sheet = Sheet::new(points().chain(beyond));
+    let pins = scene.body1.iter().flat_map(|body| body.support.values()).filter_map(|support| match support {
+        Support::Pin(at) => Some(at.map(|x| x.0)),
+        Support::Components(_) | Support::Roller(_) => None,
+    });
+    let near = pins.filter(|pin| is_near(*pin, points())).collect::<Vec<_>>();
+    let mut sheet = Sheet::new(points().chain(beyond).chain(near.iter().copied()));
     for (number, body) in bodies.iter().enumerate().rev() {
         for (index, area) in body.areas.iter().enumerate() {
             let fill = FILLS[number][index % 4];
@@ -44,9 +50,17 @@ pub fn drawing(problem: &Problem) -> String {
     for (body, outline) in [&scene.body1, &scene.body2].into_iter().zip(&bodies) {
         let held = body.iter().flat_map(|body| &body.support);
         let pressed = scene.load.as_ref().and_then(|load| load.edge.as_deref());
-        held.for_each(|(edge, components)| {
-            let aside = outline == &bodies[0] && pressed == Some(edge.as_str());
-            support(&mut sheet, outline, (edge, components), aside);
+        held.for_each(|(edge, held)| match held {
+            Support::Components(components) => {
+                let aside = outline == &bodies[0] && pressed == Some(edge.as_str());
+                support(&mut sheet, outline, (edge, components), aside);
+            }
+            Support::Pin(at) => pin(&mut sheet, outline, edge, at.map(|x| x.0), !near.is_empty()),
+            Support::Roller(angle) => {
+                let lines = outline.edge(edge).to_vec();
+                let out = along(&sheet, outline, &lines, 11.0).first().and_then(|(_, out)| *out).unwrap_or([0.0, -1.0]);
+                roller(&mut sheet, &lines, out, angle.0);
+            }
         });
     }
     if let Some(load) = &scene.load {
@@ -165,7 +179,12 @@ fn loaded(sheet: &mut Sheet, body: &BodyOutline, load: &Load) {
         }
         kind => {
             for (place, out) in spread(&pressed) {
-                let out = if kind == Some(LoadKind::Vertical) { [0.0, -1.0] } else { out.unwrap_or([0.0, -1.0]) };
+                let out = match (kind, load.direction) {
+                    (Some(LoadKind::Vertical), _) => [0.0, -1.0],
+                    // Against the traction, with z downwards.
+                    (Some(LoadKind::Traction), Some(angle)) => [-angle.0.cos(), angle.0.sin()],
+                    _ => out.unwrap_or([0.0, -1.0]),
+                };
                 let [from, to] = [38.0, 3.0].map(|far| [place[0] + far * out[0], place[1] + far * out[1]]);
                 sheet.arrow(from, to, LOADED);
             }

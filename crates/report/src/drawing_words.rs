@@ -1,6 +1,6 @@
 //! The words below the drawing of a scene.
 
-use scene::{Kinematics, Load, LoadKind, Material, Scene, SurfaceShape};
+use scene::{Kinematics, Load, LoadKind, Material, Scene, Support, SurfaceShape};
 use wearshape::Problem;
 
 use crate::brief::brief;
@@ -38,15 +38,29 @@ pub(crate) fn legend(problem: &Problem) -> Vec<(Mark, String)> {
     let surface = if scene.surface.is_some() { "contact surface of body 1" } else { "contact" };
     let mark = if plan { Mark::Fill(FILLS[0][0]) } else { Mark::Line(TOUCHES) };
     rows.push((mark, format!("{surface}, friction {}", brief(friction))));
-    let held = [&scene.body1, &scene.body2].into_iter().flatten().any(|body| !body.support.is_empty());
+    let supports = || [&scene.body1, &scene.body2].into_iter().flatten().flat_map(|body| &body.support);
+    let held = supports().any(|(_, support)| matches!(support, Support::Components(_)));
     if held {
         rows.push((Mark::Hatch, "held in the directions written beside it".into()));
     }
+    rows.extend(supports().filter_map(guided_words).map(|text| (Mark::None, text)));
     let arrow = if plan { Mark::Into(LOADED) } else { Mark::Arrow(LOADED) };
     rows.extend(scene.load.as_ref().map(|load| (arrow, load_words(load))));
     rows.extend(sliding_words(scene).map(|text| (Mark::Arrow(SLIDES), text)));
     rows.extend(plane_words(scene).map(|text| (Mark::None, text)));
     rows
+}
+
+/// What a pin or a roller leaves an edge.
+fn guided_words((edge, support): (&String, &Support)) -> Option<String> {
+    match support {
+        Support::Components(_) => None,
+        Support::Pin(at) => {
+            let [x, z] = at.map(|x| brief(x.0));
+            Some(format!("{edge} turns about the pin at ({x}, {z})"))
+        }
+        Support::Roller(angle) => Some(format!("{edge} runs on a roller at {} deg", brief(angle.0.to_degrees()))),
+    }
 }
 
 fn elastic(material: &Material) -> String {
@@ -63,6 +77,10 @@ fn load_words(load: &Load) -> String {
         LoadKind::Pressure => format!("as a pressure on {edge}"),
         LoadKind::Vertical => format!("vertically on {edge}"),
         LoadKind::Rigid => format!("on {edge}, which stays straight"),
+        LoadKind::Traction => {
+            let direction = load.direction.map_or(0.0, |angle| angle.0.to_degrees());
+            format!("as a traction at {} deg on {edge}", brief(direction))
+        }
     }));
     words.extend(load.tilt.map(|tilt| match tilt.0 {
         0.0 => "kept from turning".into(),

@@ -24,6 +24,9 @@ pub fn files(problem: &Problem, solution: &Solution) -> Vec<(String, Vec<u8>)> {
     if !solution.history.is_empty() {
         put("history.csv", columns_csv(&with_numbers(&solution.history)));
     }
+    if !solution.groove.is_empty() {
+        put("groove.csv", columns_csv(&solution.groove));
+    }
     if let Some(surface) = &solution.machined {
         machined::machined_files(surface, problem.title()).into_iter().for_each(|(name, text)| put(name, text));
     }

@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod bare_drawing;
+mod brake_line;
 mod brief;
 mod contact_line;
 mod curves;
@@ -29,6 +30,7 @@ mod section_plot;
 mod shape_words;
 mod sheet;
 mod summary;
+mod support_drawing;
 mod sweep_page;
 mod table;
 mod terminal;
@@ -48,5 +50,5 @@ pub use page::page;
 pub use section_plot::Section;
 pub use summary::{numbers, summary};
 pub use sweep_page::{SweepPage, sweep_page};
-pub use table::{column, columns_csv, numbers_row, table};
+pub use table::{CONTACT_COLUMNS, ContactColumn, column, columns_csv, numbers_row, table};
 pub use terminal::first_screen;

@@ -16,10 +16,11 @@ pub(crate) const FIELD_PICTURE: &str = "plots/field.svg";
 pub(crate) const MAP_PICTURE: &str = "plots/map.svg";
 
 /// Files that a folder may hold, with what is in them.
-const FILES: [(&str, &str); 12] = [
+const FILES: [(&str, &str); 13] = [
     ("summary.json", "every result with its unit"),
     ("contact.csv", "one row a contact point"),
     ("history.csv", "the steps of the run in time"),
+    ("groove.csv", "profile of the groove in body 2"),
     ("profile.csv", "the finished surface as points"),
     ("profile-spline.csv", "the finished surface as cubic pieces"),
     ("profile.dxf", "the finished surface as a drawing"),

@@ -13,11 +13,14 @@ use crate::tolerance::tolerance;
 const OWN_TABLES: [&str; 2] = ["tolerance", "sensitivity"];
 
 /// Headings of the parts.
-const HEADINGS: [(&str, &str); 8] = [
+const HEADINGS: [(&str, &str); 11] = [
+    ("machining", "As it is now against as machined"),
+    ("reversing", "Forward and backward"),
     ("shape", "Shape"),
     ("pressure", "Wanted pressure"),
     ("contact", "Contact"),
     ("wear", "Wear in time"),
+    ("brake", "As a brake"),
     ("energy", "Energy"),
     ("reactions", "Forces on the supports"),
     ("error", "Estimated errors"),
@@ -27,7 +30,9 @@ const HEADINGS: [(&str, &str); 8] = [
 /// A table for each part of the summary.
 pub(crate) fn tables(summary: &Value) -> String {
     let mut out = String::new();
-    for part in ["shape", "pressure", "contact", "wear", "energy", "reactions", "error", "counters"] {
+    for part in
+        ["machining", "shape", "pressure", "reversing", "contact", "wear", "brake", "energy", "reactions", "error", "counters"]
+    {
         out += &table(part, &summary[part]);
         match part {
             "shape" => out += &tolerance(&summary["shape"]["tolerance"]),
@@ -61,8 +66,16 @@ pub(crate) fn glance(summary: &Value) -> String {
         rows.extend(value.map(|value| (words, format!("{} {unit}", brief(factor * value)))));
     };
     let pressures = if summary["pressure"]["p_max_MPa"].is_null() { "contact" } else { "pressure" };
-    put("largest pressure", number(pressures, "p_max_MPa"), 1.0, "MPa");
-    put("smallest pressure", number(pressures, "p_min_MPa"), 1.0, "MPa");
+    let sense = |sense: &str| summary["reversing"][sense]["p_max_MPa"].as_f64();
+    put("largest pressure forward", sense("forward"), 1.0, "MPa");
+    put("largest pressure backward", sense("back"), 1.0, "MPa");
+    let largest = if summary["reversing"].is_null() { "largest pressure" } else { "largest mean pressure" };
+    put(largest, number(pressures, "p_max_MPa"), 1.0, "MPa");
+    put("largest pressure as it is now", number("machining", "p_max_now_MPa"), 1.0, "MPa");
+    put("in contact as it is now", number("machining", "contact_share_now"), 100.0, "% of the surface");
+    put("in contact as machined", number("machining", "contact_share_then"), 100.0, "% of the surface");
+    let smallest = if summary["reversing"].is_null() { "smallest pressure" } else { "smallest mean pressure" };
+    put(smallest, number(pressures, "p_min_MPa"), 1.0, "MPa");
     put("mean pressure", number(pressures, "p_mean_MPa"), 1.0, "MPa");
     put("largest shear", number("contact", "q_max_MPa"), 1.0, "MPa");
     put("most taken off", number("shape", "gap_max_um"), 1.0, "\u{b5}m");
@@ -73,6 +86,8 @@ pub(crate) fn glance(summary: &Value) -> String {
     put("friction torque", number("pressure", "torque_Nmm"), 1e-3, "N m");
     put("depth worn off", number("wear", "depth_um"), 1.0, "\u{b5}m");
     put("volume worn off", number("wear", "volume_mm3"), 1.0, "mm\u{b3}");
+    put("scar", number("wear", "scar_mm"), 1.0, "mm");
+    put("groove in body 2", summary["wear"]["groove"]["depth_um"].as_f64(), 1.0, "\u{b5}m deep");
     put("after", number("wear", "time_s"), 1.0, "s");
     let per =
         |of: &str| number("wear", "depth_um").zip(number("wear", of)).filter(|(_, by)| *by > 0.0).map(|(depth, by)| depth / by);

@@ -24,6 +24,8 @@ pub fn summary(problem: &Problem, solution: &Solution) -> Value {
     put("unused_keys", json!(problem.unused_keys()));
     put("lints", json!(problem.remarks().iter().chain(&solution.remarks).collect::<Vec<_>>()));
     put("pressure", value(&solution.pressure));
+    put("machining", value(&solution.machining));
+    put("reversing", value(&solution.reversing));
     put("contact", value(&solution.contact));
     put("shape", value(&solution.shape));
     put("wear", value(&solution.wear));
@@ -33,6 +35,7 @@ pub fn summary(problem: &Problem, solution: &Solution) -> Value {
             solution.reactions.iter().map(|(edge, reaction)| (edge.clone(), value(reaction))).collect();
         put("reactions", Value::Object(reactions));
     }
+    put("brake", value(&solution.brake));
     put("error", value(&solution.error));
     put("interface", value(&solution.interface));
     without_nulls(Value::Object(all))

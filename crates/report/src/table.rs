@@ -30,9 +30,11 @@ pub fn column(table: &str, name: &str) -> Option<Vec<f64>> {
     reader.records().map(|row| row.ok()?.get(at)?.parse().ok()).collect()
 }
 
-/// The columns of contact.csv before its status: name, and value at a contact point.
-type Column = (&'static str, fn(&Profile, usize) -> f64);
-const CONTACT: [Column; 20] = [
+/// A column of contact.csv: its name with its unit, and the value at the contact point of a number.
+pub type ContactColumn = (&'static str, fn(&Profile, usize) -> f64);
+
+/// The columns of contact.csv before its status, in their order; units stand in the names.
+pub const CONTACT_COLUMNS: [ContactColumn; 20] = [
     ("s_mm", |p, k| p.s[k]),
     ("x_mm", |p, k| p.position[k][0]),
     ("y_mm", |p, k| p.position[k][1]),
@@ -55,10 +57,15 @@ const CONTACT: [Column; 20] = [
     ("uphi2_um", |p, k| p.hoop_displacement[1][k]),
 ];
 
+/// The pressure backward, of a reversing motion alone.
+const PRESSURE_BACK: ContactColumn = ("pressure_back_MPa", |p, k| p.pressure_back[k]);
+
 /// contact.csv: one row a contact point.
 pub(crate) fn profile_csv(profile: &Profile) -> String {
-    let names: Vec<&str> = CONTACT.iter().map(|(name, _)| *name).chain(["status"]).collect();
-    let numbers = |row| CONTACT.iter().map(move |(_, value)| number_text(value(profile, row)));
+    let back = (!profile.pressure_back.is_empty()).then_some(PRESSURE_BACK);
+    let columns = || CONTACT_COLUMNS.iter().copied().chain(back);
+    let names: Vec<&str> = columns().map(|(name, _)| name).chain(["status"]).collect();
+    let numbers = |row| columns().map(move |(_, value)| number_text(value(profile, row)));
     let status = |row: usize| profile.status[row].word().to_string();
     table(&names, (0..profile.s.len()).map(|row| numbers(row).chain([status(row)])))
 }

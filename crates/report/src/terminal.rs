@@ -2,10 +2,15 @@
 
 use std::path::Path;
 
-use wearshape::{Character, PressureResult, Problem, Regime, Solution, Status, WearResult, functional_row};
+use wearshape::{
+    Character, LifeResult, MachiningResult, PressureResult, Problem, Regime, ReversingResult, SenseResult, Solution, Status,
+    WearResult, functional_row,
+};
 
+use crate::brake_line::brake_line;
 use crate::brief::brief;
 use crate::missed;
+use crate::place::place;
 use crate::verdict::{pressures, verdict};
 
 /// Columns of a terminal, of the names of lines, and of the longest phrase that is kept together.
@@ -20,9 +25,16 @@ pub fn first_screen(problem: &Problem, solution: &Solution, folder: &Path) -> St
     if let Some(pressure) = solution.pressure.as_ref().filter(|_| solution.status != Status::Refused) {
         lines.extend(pressure_lines(problem, solution, pressure));
     }
+    lines.extend(solution.brake.as_ref().filter(|_| solution.status != Status::Refused).map(brake_line));
+    lines.extend(solution.machining.as_ref().map(machining_line));
     lines.extend(solution.wear.as_ref().map(wear_line));
     if let Some(trip) = solution.shape.as_ref().and_then(|shape| shape.roundtrip_independent.or(shape.roundtrip_same)) {
-        lines.push(format!("proof     a contact solve on this shape returns the pressure within {trip:.1e}"));
+        lines.push(match solution.reversing.is_some() {
+            true => {
+                format!("proof     contact solves forward and backward on this shape return both pressures within {trip:.1e}")
+            }
+            false => format!("proof     a contact solve on this shape returns the pressure within {trip:.1e}"),
+        });
     }
     for lint in solution.remarks.iter().chain(problem.remarks()).take(2) {
         lines.push(format!("note      {}", lint.message));
@@ -66,6 +78,7 @@ fn folded(line: &str, indent: usize) -> Vec<String> {
 fn pressure_lines(problem: &Problem, solution: &Solution, pressure: &PressureResult) -> Vec<String> {
     let curve = solution.curve.as_ref().or(solution.profile.as_ref());
     let spread = solution.shape.as_ref().and(curve).and_then(|curve| pressures(problem, curve));
+    let spread = solution.reversing.as_ref().map(|reversing| both_senses(problem, reversing)).or(spread);
     let mean = pressure.p_mean.map(|mean| format!("mean {} MPa", brief(mean))).unwrap_or_default();
     let lines_of = [Some(spread.unwrap_or(mean)), kind(pressure)];
     let said: Vec<String> = lines_of.into_iter().flatten().filter(|text| !text.is_empty()).collect();
@@ -86,7 +99,28 @@ fn pressure_lines(problem: &Problem, solution: &Solution, pressure: &PressureRes
     if !wear.is_empty() {
         lines.push(format!("wear      {}", wear.join(", ")));
     }
+    lines.extend(pressure.life.as_ref().map(life_line));
     lines
+}
+
+/// The largest pressures of a reversing motion.
+fn both_senses(problem: &Problem, reversing: &ReversingResult) -> String {
+    let most = |sense: &SenseResult| format!("{} MPa at {}", brief(sense.p_max), place(problem, sense.p_max_where));
+    format!("forward at most {}, backward at most {}", most(&reversing.forward), most(&reversing.back))
+}
+
+/// How long the thickness that may wear off lasts.
+fn life_line(life: &LifeResult) -> String {
+    let mut words = vec![format!("{} h", brief(life.hours))];
+    words.extend(
+        life.hours_between.map(|[low, high]| format!("between {} h and {} h by the wear factor", brief(low), brief(high))),
+    );
+    words.push(format!("{} km", brief(life.distance)));
+    words.extend(life.revolutions.map(|turns| format!("{} turns", brief(turns))));
+    if life.friction_work > 0.0 {
+        words.push(format!("{} MJ of friction", brief(life.friction_work)));
+    }
+    format!("life      {}", words.join(", "))
 }
 
 /// What is unusual about a pressure, in plain words; its terms stand in the summary.
@@ -124,6 +158,22 @@ fn wear_line(wear: &WearResult) -> String {
     let off = |value: f64| wear.run_in_error.map(|error| format!(" +- {:.0e}", error * value)).unwrap_or_default();
     words.extend(near.map(|near| format!("within 1 % of the steady pressure after {}{} s", brief(near.time), off(near.time))));
     format!("wear      {}", words.join(", "))
+}
+
+/// The surface as it is now against as machined.
+fn machining_line(machining: &MachiningResult) -> String {
+    let at_most =
+        |peak: Option<f64>| peak.map_or("without limit at its edges".into(), |peak| format!("at most {} MPa", brief(peak)));
+    let percent = |share: f64| brief(100.0 * share);
+    let mut line =
+        format!("now       {} on {} % of the surface", at_most(machining.p_max_now), percent(machining.contact_share_now));
+    if let (Some(peak), Some(share)) = (machining.p_max_then, machining.contact_share_then) {
+        line += &format!("; as machined at most {} MPa on {} %", brief(peak), percent(share));
+    }
+    if let Some(saved) = machining.run_in_distance_saved {
+        line += &format!("; machining saves {} m of running in", brief(1e-3 * saved));
+    }
+    line
 }
 
 fn bracket(solution: &Solution) -> String {

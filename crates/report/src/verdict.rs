@@ -49,6 +49,9 @@ fn machine(problem: &Problem, solution: &Solution) -> String {
 
 fn worn(problem: &Problem, wear: &WearResult) -> String {
     let time = wear.time.map(brief).unwrap_or_default();
+    if let Some(scar) = wear.scar {
+        return format!("Worn for {time} s: the scar is {} mm wide.", brief(scar));
+    }
     if !wear.steady {
         return format!("Worn for {time} s; not yet steady.");
     }

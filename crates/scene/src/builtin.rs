@@ -28,17 +28,22 @@ macro_rules! scenes {
 }
 
 /// All built-in scenes.
-pub const SCENES: [Builtin; 16] = scenes![
+pub const SCENES: [Builtin; 21] = scenes![
     "drum-brake-block",
     "drum-brake-ring",
     "lining-on-back",
     "internal-shoe",
+    "pinned-shoe-elastic",
     "translating-punch",
     "punch-wear",
     "annular-punch",
+    "reciprocating-pad",
     "hertz-cylinder",
     "hertz-sphere",
     "cattaneo-mindlin",
+    "bushing",
+    "knee",
+    "pin-on-disc",
     "disc-pad",
     "pinned-shoe",
     "pivoted-shoe",

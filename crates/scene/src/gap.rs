@@ -6,7 +6,11 @@ use serde::de::{self, Deserialize, Deserializer, MapAccess, Visitor};
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 
-use crate::units::Time;
+use crate::gap_sum::GapSum;
+use crate::units::{Length, Time};
+
+/// Keys of a table of the gap.
+const KEYS: [&str; 7] = ["s_mm", "gap_um", "crown", "tilt", "cosine", "profile", "smooth"];
 
 /// The unloaded gap at the start.
 #[derive(Debug, Clone, PartialEq)]
@@ -22,6 +26,8 @@ pub enum Gap {
         /// Gap along the normal (um).
         gap: Vec<f64>,
     },
+    /// A sum of formulas and a profile.
+    Sum(GapSum),
 }
 
 impl<'de> Deserialize<'de> for Gap {
@@ -31,7 +37,7 @@ impl<'de> Deserialize<'de> for Gap {
             type Value = Gap;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("0, the name of a CSV file with the columns s_mm and gap_um, or { s_mm = [...], gap_um = [...] }")
+                f.write_str("0, the name of a CSV file with the columns s_mm and gap_um, { s_mm = [...], gap_um = [...] }, or a sum such as { crown = \"10 um\" }")
             }
 
             fn visit_i64<E: de::Error>(self, number: i64) -> Result<Gap, E> {
@@ -47,13 +53,31 @@ impl<'de> Deserialize<'de> for Gap {
             }
 
             fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Gap, A::Error> {
-                let (mut s, mut gap) = (None, None);
+                let (mut s, mut gap, mut sum) = (None, None, GapSum::default());
+                let (mut rows, mut terms) = (false, None);
                 while let Some(key) = map.next_key::<String>()? {
+                    let is_row = matches!(key.as_str(), "s_mm" | "gap_um");
                     match key.as_str() {
                         "s_mm" => s = Some(map.next_value()?),
                         "gap_um" => gap = Some(map.next_value()?),
-                        other => return Err(de::Error::unknown_field(other, &["s_mm", "gap_um"])),
+                        "crown" => sum.crown = map.next_value()?,
+                        "tilt" => sum.tilt = map.next_value()?,
+                        "cosine" => sum.cosine = map.next_value()?,
+                        "profile" => sum.profile = map.next_value()?,
+                        "smooth" => sum.smooth = map.next_value()?,
+                        other => return Err(de::Error::unknown_field(other, &KEYS)),
                     }
+                    rows |= is_row;
+                    terms = terms.or((!is_row).then_some(key));
+                }
+                match terms {
+                    None if rows => {}
+                    Some(term) if rows => {
+                        return Err(de::Error::custom(format!(
+                            "s_mm and gap_um beside `{term}`\nwrite profile = {{ s_mm = [...], gap_um = [...] }} to add them"
+                        )));
+                    }
+                    _ => return Ok(Gap::Sum(sum)),
                 }
                 let s = s.ok_or_else(|| de::Error::missing_field("s_mm"))?;
                 let gap = gap.ok_or_else(|| de::Error::missing_field("gap_um"))?;
@@ -69,6 +93,7 @@ impl Serialize for Gap {
         match self {
             Gap::Constant(gap) => serializer.serialize_f64(*gap),
             Gap::File(name) => serializer.serialize_str(name),
+            Gap::Sum(sum) => sum.serialize(serializer),
             Gap::Profile { s, gap } => {
                 let mut table = serializer.serialize_struct("Gap", 2)?;
                 table.serialize_field("s_mm", s)?;
@@ -86,16 +111,22 @@ pub enum Until {
     Steady,
     /// At a time.
     Time(Time),
+    /// After a sliding distance.
+    Distance(Length),
+    /// After so many turns of body 2.
+    Revolutions(f64),
 }
+
+const ENDS: [&str; 3] = ["time", "distance", "revolutions"];
 
 impl<'de> Deserialize<'de> for Until {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         struct UntilVisitor;
-        impl Visitor<'_> for UntilVisitor {
+        impl<'de> Visitor<'de> for UntilVisitor {
             type Value = Until;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("\"steady\" or a time such as \"10 s\"")
+                f.write_str("\"steady\", a time such as \"10 s\", { distance = \"2 km\" }, or { revolutions = 1e5 }")
             }
 
             fn visit_i64<E: de::Error>(self, number: i64) -> Result<Until, E> {
@@ -112,6 +143,22 @@ impl<'de> Deserialize<'de> for Until {
                 }
                 Time::deserialize(de::value::StrDeserializer::new(text)).map(Until::Time)
             }
+
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Until, A::Error> {
+                let mut until = None;
+                while let Some(key) = map.next_key::<String>()? {
+                    let next = match key.as_str() {
+                        "time" => Until::Time(map.next_value()?),
+                        "distance" => Until::Distance(map.next_value()?),
+                        "revolutions" => Until::Revolutions(map.next_value()?),
+                        other => return Err(de::Error::unknown_field(other, &ENDS)),
+                    };
+                    if until.replace(next).is_some() {
+                        return Err(de::Error::custom("a run in time has one end\nkeep one of: time, distance, revolutions"));
+                    }
+                }
+                until.ok_or_else(|| de::Error::custom("an empty table\nwrite one of: time, distance, revolutions"))
+            }
         }
         deserializer.deserialize_any(UntilVisitor)
     }
@@ -122,6 +169,16 @@ impl Serialize for Until {
         match self {
             Until::Steady => serializer.serialize_str("steady"),
             Until::Time(time) => time.serialize(serializer),
+            Until::Distance(length) => {
+                let mut table = serializer.serialize_struct("Until", 1)?;
+                table.serialize_field("distance", length)?;
+                table.end()
+            }
+            Until::Revolutions(count) => {
+                let mut table = serializer.serialize_struct("Until", 1)?;
+                table.serialize_field("revolutions", count)?;
+                table.end()
+            }
         }
     }
 }

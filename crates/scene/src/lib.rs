@@ -5,15 +5,20 @@ mod document;
 mod fault;
 mod flags;
 mod gap;
+mod gap_sum;
 mod geometry;
 mod hash;
+mod known;
 mod material;
 mod numbers;
+mod output;
 mod point_shape;
 mod read;
+mod reversing;
 mod scene;
 #[cfg(feature = "schema")]
 mod schema;
+mod support;
 mod tree;
 mod units;
 mod value;
@@ -24,18 +29,22 @@ pub use builtin::{Builtin, SCENES, builtin};
 pub use document::Document;
 pub use fault::{Fault, Place, Spot, did_you_mean};
 pub use gap::{Gap, Until};
+pub use gap_sum::{Cosine, GapSum, Rows};
 pub use geometry::{
     ArcShape, Blocks, CellShape, CurveShape, DiscPad, EllipticPunch, Geometry, HalfDisc, JournalArc, MeshFile, PinnedShoe,
     PivotedShoe, Rectangle, RectangularPunch, Ring, RingSegment, ShoeBlock, SplineShape, SurfaceShape,
 };
 pub use hash::sha256;
+pub use known::{KnownMaterial, known_materials};
 pub use material::Material;
 pub use numbers::{number_text, short, with_short_numbers};
 pub use point_shape::{PointShape, PolarPoint};
+pub use reversing::Reversing;
 pub use scene::{
-    Balance, Body, Component, Contact, Counterface, Functional, Kinematics, Load, LoadKind, Mesh, Modes, Optimum, Output, Scene,
-    Schedule, Sliding, Task, Units, Wear,
+    Balance, Body, Contact, Counterface, Functional, Kinematics, Load, LoadKind, Mesh, Modes, Optimum, Output, Scene, Schedule,
+    Sliding, Task, Units, Wear,
 };
+pub use support::{Component, Support};
 pub use units::{Angle, AngularSpeed, Force, Length, Moment, Pair, Pressure, Scale, Speed, Steps, Time, WearFactor};
 pub use value::{missing, positive};
 pub use visible::{acts, bounded, visible};

@@ -63,7 +63,6 @@ fn write(expected: &dyn Expected) -> String {
 /// A table of the kind that serde knows by the name of its type.
 fn table_like(table: &str) -> &'static str {
     match table {
-        "Material" => "{ young = \"210 GPa\", poisson = 0.3 }",
         "Body" => "{ material = { ... }, geometry = { ... }, support = { ... } }",
         "Contact" => "{ edges = [\"bottom\", \"top\"], friction = 0.25 }",
         "Load" => "{ edge = \"top\", as = \"pressure\", force = \"10 kN\" }",

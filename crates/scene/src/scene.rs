@@ -6,7 +6,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::geometry::{Geometry, SurfaceShape};
 use crate::material::Material;
+use crate::support::Support;
 use crate::units::{AngularSpeed, Force, Length, Moment, Pair, Pressure, Speed, Time, WearFactor};
+
+pub use crate::output::Output;
 
 /// A wear scene: two bodies (or a surface alone), their load and sliding, the wear rule, and what is wanted.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
@@ -131,26 +134,13 @@ pub struct Body {
     pub material: Option<Material>,
     /// Shape with named edges.
     pub geometry: Geometry,
-    /// Fixed components of named edges.
+    /// What holds named edges: a list of components, { pin = [x, z] }, or { roller = angle }.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
-    pub support: BTreeMap<String, Vec<Component>>,
-}
-
-/// A displacement component.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "kebab-case")]
-pub enum Component {
-    /// Along x, or r.
-    X,
-    /// Along z.
-    Z,
-    /// Around the axis.
-    Phi,
+    pub support: BTreeMap<String, Support>,
 }
 
 /// The contact.
-#[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Contact {
@@ -164,9 +154,16 @@ pub struct Contact {
     /// Whether the friction shear acts on the bodies and in the balance. Default true.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub shear: Option<bool>,
-    /// Unloaded gap at the start: 0, a CSV file with the columns s_mm, gap_um, or the columns themselves.
+    /// Unloaded gap at the start: 0, a CSV file with the columns s_mm, gap_um, the columns themselves, or a sum of a crown, a tilt, a cosine and
+    /// a profile.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gap: Option<crate::gap::Gap>,
+    /// Radial clearance of a shaft in its housing whose arcs are drawn with one radius: that of the hole less that of the shaft.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub clearance: Option<Length>,
+    /// Roughness of the machined surface (mm): a shape whose largest gap is smaller is not worth machining.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub roughness: Option<Length>,
 }
 
 /// Motion of body 2.
@@ -180,6 +177,12 @@ pub struct Sliding {
     /// Speed along +x (mm/s).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub speed: Option<Speed>,
+    /// Radius of the track of a ball on a revolving disc (mm), on which `speed` is `omega` times it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub track_radius: Option<Length>,
+    /// Motion that reverses, in cycles short against wear.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reversing: Option<crate::reversing::Reversing>,
 }
 
 /// How the load is applied.
@@ -193,6 +196,8 @@ pub enum LoadKind {
     Vertical,
     /// The edge moves as a rigid line.
     Rigid,
+    /// Uniform traction along `load.direction`, on a body 1 that turns about a pin or runs on a roller.
+    Traction,
 }
 
 /// The load on body 1.
@@ -203,16 +208,20 @@ pub struct Load {
     /// The loaded edge of body 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub edge: Option<String>,
-    /// How: pressure, vertical, rigid.
+    /// How: pressure, vertical, rigid, traction.
     #[serde(rename = "as", skip_serializing_if = "Option::is_none")]
     pub kind: Option<LoadKind>,
     /// Resultant force that presses body 1 on body 2 (N).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub force: Option<Force>,
+    /// Direction of a traction: its angle from +x, anti-clockwise (rad).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub direction: Option<crate::units::Angle>,
     /// Prescribed closing of a rigid edge (mm), instead of a force.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub approach: Option<Length>,
-    /// Moment int (x - about_x) p dS of the contact pressure (N mm).
+    /// Moment int (x - about_x) p dS of the contact pressure (N mm). On a body 1 that turns about a pin: the moment about it, anti-clockwise
+    /// positive.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub moment: Option<Moment>,
     /// Moment int (y - about_y) p dS of the contact pressure (N mm), for surfaces of two dimensions.
@@ -268,9 +277,16 @@ pub struct Wear {
     /// How the counter-face meets body 1. Default by kind of scene.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub counterface: Option<Counterface>,
-    /// Where the run in time ends: "steady", or a time. Default "steady".
+    /// Where the run in time ends: "steady", a time, `{ distance = "2 km" }` or `{ revolutions = 1e5 }`. Default "steady".
     #[serde(skip_serializing_if = "Option::is_none")]
     pub until: Option<crate::gap::Until>,
+    /// Thickness of body 1 that may wear off (mm): its life follows from the steady wear.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub wearable: Option<Length>,
+    /// Relative spread of the wear factor, from 0 to less than 1: that of the life follows.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "schema", schemars(extend("minimum" = 0, "exclusiveMaximum" = 1)))]
+    pub spread: Option<f64>,
 }
 
 /// A run in time in pieces: each begins at its time and lasts until the next one, the last until the run ends. The lists hold one
@@ -369,20 +385,4 @@ pub enum Modes {
     Kinematic,
     /// The columns of the balance.
     Associated,
-}
-
-/// Which of the larger files are written.
-#[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct Output {
-    /// Displacement and stress fields as VTU. Default false.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub fields: Option<bool>,
-    /// The recording run.mcap. Default false; a wear run always keeps one.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub recording: Option<bool>,
-    /// The page report.html. Default true.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub report: Option<bool>,
 }

@@ -5,7 +5,11 @@ use std::borrow::Cow;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 
 use crate::gap::{Gap, Until};
+use crate::gap_sum::{Columns, GapSum, Rows};
+use crate::known::known_materials;
+use crate::material::{Material, Numbers};
 use crate::point_shape::{PointShape, PolarPoint};
+use crate::support::{Component, Support};
 use crate::units::dimension::{ANGLE, ANGULAR_SPEED, Dimension, FORCE, LENGTH, MOMENT, PRESSURE, SPEED, TIME, WEAR_FACTOR};
 use crate::units::{Angle, AngularSpeed, Force, Length, Moment, Pair, Pressure, Scale, Speed, Steps, Time, WearFactor};
 
@@ -74,11 +78,13 @@ impl JsonSchema for Gap {
         "Gap".into()
     }
 
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let sum = generator.subschema_for::<GapSum>();
         json_schema!({
             "anyOf": [
                 { "type": "number" },
                 { "type": "string" },
+                sum,
                 {
                     "type": "object",
                     "properties": {
@@ -93,13 +99,64 @@ impl JsonSchema for Gap {
     }
 }
 
+impl JsonSchema for Rows {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        "Rows".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let columns = generator.subschema_for::<Columns>();
+        json_schema!({ "anyOf": [{ "type": "string" }, columns] })
+    }
+}
+
 impl JsonSchema for Until {
     fn schema_name() -> Cow<'static, str> {
         "Until".into()
     }
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({ "anyOf": [{ "const": "steady" }, { "type": "number" }, { "type": "string", "pattern": pattern(&TIME) }] })
+        let table = json_schema!({
+            "type": "object",
+            "properties": {
+                "time": schema_of(&TIME),
+                "distance": schema_of(&LENGTH),
+                "revolutions": { "type": "number", "exclusiveMinimum": 0 }
+            },
+            "minProperties": 1,
+            "maxProperties": 1,
+            "additionalProperties": false
+        });
+        let time = json_schema!({ "type": "string", "pattern": pattern(&TIME) });
+        json_schema!({ "anyOf": [{ "const": "steady" }, { "type": "number" }, time, table] })
+    }
+}
+
+impl JsonSchema for Material {
+    fn schema_name() -> Cow<'static, str> {
+        "Material".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let names: Vec<String> = known_materials().into_iter().map(|material| material.name).collect();
+        json_schema!({ "anyOf": [generator.subschema_for::<Numbers>(), { "enum": names }] })
+    }
+}
+
+impl JsonSchema for Support {
+    fn schema_name() -> Cow<'static, str> {
+        "Support".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let components = generator.subschema_for::<Vec<Component>>();
+        let (at, angle) = (generator.subschema_for::<[Length; 2]>(), generator.subschema_for::<Angle>());
+        let table = |key: &str, value: Schema| json_schema!({ "type": "object", "properties": { key: value }, "required": [key], "additionalProperties": false });
+        json_schema!({ "anyOf": [components, table("pin", at), table("roller", angle)] })
     }
 }
 

@@ -21,4 +21,12 @@ pub enum Error {
     /// The start of a wear run has no contact pressure that balances the load.
     #[error("no contact pressure balances the load on the gap at the start; check the direction of the load and the gap")]
     NoContactAtStart,
+    /// No steady shape of a reversing motion was found.
+    #[error(
+        "no shape was found that wears steadily in both senses of sliding ({why}); press nearer the middle, or take less friction"
+    )]
+    NoSteadyReversal {
+        /// How the search ended.
+        why: String,
+    },
 }

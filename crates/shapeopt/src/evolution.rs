@@ -104,7 +104,7 @@ impl<'a> Evolution<'a> {
             .iter()
             .map(|stage| {
                 let rate = GapRate::new(&problem.wear, problem.counterface, &stage.speeds, &weights, problem.track_area);
-                Load::new(&stage.system, rate, weights.clone())
+                Load::new(&stage.system, rate.passing(problem.passing.clone()), weights.clone())
             })
             .collect();
         let rigid = problem.stages.iter().map(|stage| RigidWear::new(&stage.system)).collect();

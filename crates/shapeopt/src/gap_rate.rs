@@ -1,5 +1,6 @@
 //! The rate at which wear opens the gap, and its implicit inverse.
 
+use faer::Mat;
 use wear::{Counterface, LocalRule, WearPair, resisted_pressure};
 
 /// `w_1'` of body 1 plus what body 2 adds to the gap, at every point.
@@ -9,6 +10,8 @@ pub(crate) struct GapRate {
     counterface: Counterface,
     /// Weight over track area.
     share: Vec<f64>,
+    /// Rate at which a groove opens the gap at a point (row) by body 2's wear rate at each point (column).
+    passing: Option<Mat<f64>>,
 }
 
 impl GapRate {
@@ -18,7 +21,30 @@ impl GapRate {
             speeds.iter().map(|v| if wear.wears(body) { rule.at(*v) } else { LocalRule::NONE }).collect()
         });
         let track = track.unwrap_or(f64::INFINITY);
-        GapRate { rules, counterface, share: weights.iter().map(|w| w / track).collect() }
+        GapRate { rules, counterface, share: weights.iter().map(|w| w / track).collect(), passing: None }
+    }
+
+    /// The same with the groove that body 2 wears as it passes.
+    pub(crate) fn passing(self, passing: Option<Mat<f64>>) -> GapRate {
+        GapRate { passing: passing.filter(|_| self.rules[1].iter().any(LocalRule::wears)), ..self }
+    }
+
+    /// Rate of the groove at all points; none without one.
+    pub(crate) fn groove(&self, pressure: &[f64]) -> Option<Vec<f64>> {
+        let passing = self.passing.as_ref()?;
+        let mut rate = vec![0.0; pressure.len()];
+        for (j, p) in pressure.iter().enumerate().filter(|(_, p)| **p > 0.0) {
+            let own = self.wear(1, j, *p);
+            rate.iter_mut().zip(passing.col(j).iter()).for_each(|(rate, share)| *rate += share * own);
+        }
+        Some(rate)
+    }
+
+    /// `d groove / dp_j` at every point; none without a groove.
+    pub(crate) fn groove_slope(&self, j: usize, pressure: f64) -> Option<impl Fn(usize) -> f64> {
+        let passing = self.passing.as_ref()?;
+        let slope = self.wear_slope(1, j, pressure);
+        Some(move |i: usize| slope * passing[(i, j)])
     }
 
     /// Wear rate of a body at a point.
@@ -66,7 +92,9 @@ impl GapRate {
     /// Gap rate at all points.
     pub(crate) fn total(&self, pressure: &[f64]) -> Vec<f64> {
         let recession = self.recession(pressure);
-        pressure.iter().enumerate().map(|(i, p)| self.local(i, *p) + recession).collect()
+        let mut total: Vec<f64> = pressure.iter().enumerate().map(|(i, p)| self.local(i, *p) + recession).collect();
+        self.groove(pressure).iter().for_each(|groove| total.iter_mut().zip(groove).for_each(|(rate, g)| *rate += g));
+        total
     }
 
     /// Density of `Phi` at a point.

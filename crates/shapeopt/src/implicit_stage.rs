@@ -205,7 +205,7 @@ impl<'a> Load<'a> {
         at.known = (0..n).map(|i| pressed(i).then(|| self.rate.inverse(i, self.sigma[i], step, next[i]))).collect();
         let pressure: Vec<f64> = at.known.iter().map(|known| known.map_or(0.0, |(pressure, _)| pressure)).collect();
         let open: Vec<usize> = (0..n).filter(|i| u[*i] <= 0.0).collect();
-        let elastic = if open.is_empty() { Vec::new() } else { self.elastic(&pressure) };
+        let elastic = if open.is_empty() { Vec::new() } else { self.spread(step, &pressure) };
         for i in open {
             let rigid = self.rigid(i, &contact.coordinates);
             next[i] = -(stage.known[i] + self.system.opening[i] + elastic[i] + rigid + at.recession);
@@ -236,7 +236,7 @@ impl<'a> Load<'a> {
     /// Right-hand side of a Newton step: openings of the active points, balance of the coordinates, and recession of the counter-face.
     fn right(&self, stage: &Stage<'_>, at: &Iterate, active: &[usize]) -> Vec<f64> {
         let (now, recession) = (&at.contact, at.recession);
-        let elastic = self.elastic(&now.pressure);
+        let elastic = self.spread(stage.step, &now.pressure);
         let residual = |i: usize| {
             stage.known[i] + self.system.opening[i] + elastic[i] + self.rigid(i, &now.coordinates) + recession
                 - self.sigma[i] * now.pressure[i]
@@ -247,6 +247,14 @@ impl<'a> Load<'a> {
             right.push(stage.step * self.rate.recession(&now.pressure) - recession);
         }
         right
+    }
+
+    /// What pressures open at other points too: the elastic opening, and the groove of a step.
+    fn spread(&self, step: f64, pressure: &[f64]) -> Vec<f64> {
+        let mut opening = self.elastic(pressure);
+        let groove = self.rate.groove(pressure).filter(|_| step > 0.0);
+        groove.iter().for_each(|groove| opening.iter_mut().zip(groove).for_each(|(o, g)| *o += step * g));
+        opening
     }
 
     /// Whether the counter-face recedes in a step.
@@ -271,6 +279,9 @@ impl<'a> Load<'a> {
             let scale = self.weights[*j] * slope[*j];
             let column = self.system.compliance.col(*j);
             active.iter().enumerate().for_each(|(r, i)| matrix[(r, c)] = column[*i] * scale);
+            if let Some(groove) = self.rate.groove_slope(*j, pressure[*j]).filter(|_| step > 0.0) {
+                active.iter().enumerate().for_each(|(r, i)| matrix[(r, c)] += step * groove(*i) * slope[*j]);
+            }
             matrix[(c, c)] += 1.0 - self.sigma[*j] * slope[*j];
             (0..m).for_each(|r| matrix[(a + r, c)] = self.system.balance[(*j, r)] * scale);
             (0..m).for_each(|r| matrix[(c, a + r)] = self.system.influence[(*j, r)] * self.unit[r]);

@@ -16,6 +16,10 @@ pub(crate) struct RigidWear {
     pub(crate) held_influence: Mat<f64>,
     /// Balance columns of the held coordinates over their stiffness.
     pub(crate) held_balance: Mat<f64>,
+    /// Resultants along the rigid modes.
+    pub(crate) load: Vec<f64>,
+    /// Displacements of the held coordinates by their resultants.
+    pub(crate) held_load: Vec<f64>,
     /// Whether the load pushes along some rigid mode. If not, wear relieves the contact.
     pub(crate) driven: bool,
 }
@@ -46,6 +50,7 @@ impl RigidWear {
         };
         let along_mode = |k: usize| (0..m).map(|j| system.load[j] * unit[j] * vectors[(j, k)]).sum::<f64>();
         let size: f64 = (0..m).map(|j| (system.load[j] * unit[j]).abs()).sum();
+        let (rigid, held): (Vec<usize>, Vec<usize>) = (0..m).partition(|k| values[*k] < IDLE);
         let driven = (0..m).any(|k| values[k] < IDLE && along_mode(k).abs() > 1e-13 * size);
         RigidWear {
             driven,
@@ -53,6 +58,8 @@ impl RigidWear {
             balance: along(&system.balance, true, false),
             held_influence: along(&system.influence, false, false),
             held_balance: along(&system.balance, false, true),
+            load: rigid.into_iter().map(along_mode).collect(),
+            held_load: held.into_iter().map(|k| along_mode(k) * softest / values[k]).collect(),
         }
     }
 

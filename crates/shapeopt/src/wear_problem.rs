@@ -2,6 +2,7 @@
 
 use crate::error::Error;
 use contact::ContactSystem;
+use faer::Mat;
 use wear::{Counterface, SurfacePoint, WearPair};
 
 /// Wear in time of a gap under given loads. Arrays hold one value a contact point.
@@ -15,6 +16,9 @@ pub struct WearProblem {
     pub counterface: Counterface,
     /// Area (mm^2) of body 2's closed track, needed by [`Counterface::Revolving`].
     pub track_area: Option<f64>,
+    /// Depth of the groove that body 2 wears as it passes, at each point (row) by its wear standing still at each point (column); it adds to what
+    /// the counter-face does. None where body 2 has no groove.
+    pub passing: Option<Mat<f64>>,
     /// Unloaded gap at the start, mm, positive open.
     pub gap: Vec<f64>,
     /// Pressure (MPa) and opening (mm) at the start, if a contact solve has found them; they are solved for otherwise.
@@ -117,6 +121,7 @@ impl WearProblem {
             wear,
             counterface,
             track_area: None,
+            passing: None,
             gap,
             start: None,
             stages: vec![LoadStage { system, speeds }],
@@ -154,6 +159,9 @@ impl WearProblem {
             if !fits || stage.speeds.len() != n || stage.speeds.iter().any(|v| !(*v >= 0.0 && v.is_finite())) {
                 return wrong(format!("a load stage does not fit the {n} contact points, or a sliding speed is negative"));
             }
+        }
+        if self.passing.as_ref().is_some_and(|passing| passing.nrows() != n || passing.ncols() != n) {
+            return wrong(format!("the groove does not fit the {n} contact points"));
         }
         if self.schedule.is_empty() || self.schedule.iter().any(|i| i.stage >= self.stages.len()) {
             return wrong(format!("the schedule has to name stages 0..{}", self.stages.len()));

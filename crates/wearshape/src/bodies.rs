@@ -11,7 +11,7 @@ use scene::Fault;
 
 use crate::effort::{Clock, Counters, Effort};
 use crate::level::Level;
-use crate::parts::Parts;
+use crate::parts::{Meeting, Parts};
 use crate::results::Reaction;
 
 /// Kinds of bodies that are kept at once; a sweep over geometries does not keep them all.
@@ -127,7 +127,7 @@ pub(crate) struct Reduced {
     /// Body 1 and body 2.
     pub interfaces: [InterfaceOperator; 2],
     support_names: [Vec<String>; 2],
-    facing: bool,
+    meeting: Meeting,
     counters: Counters,
     /// Unit responses without and with shear.
     unit: [Mutex<Option<Arc<UnitResponses>>>; 2],
@@ -146,7 +146,13 @@ impl Reduced {
         let names = |body: usize| parts.parts[body].support_names.clone();
         let counters = effort.counters.clone();
         Ok((
-            Reduced { interfaces, support_names: [names(0), names(1)], facing: parts.facing, counters, unit: Default::default() },
+            Reduced {
+                interfaces,
+                support_names: [names(0), names(1)],
+                meeting: parts.meeting,
+                counters,
+                unit: Default::default(),
+            },
             effort,
         ))
     }
@@ -159,7 +165,7 @@ impl Reduced {
 
     /// Pairs the two bodies.
     pub(crate) fn pair(&self) -> Result<Pair<'_>, Fault> {
-        paired([&self.interfaces[0], &self.interfaces[1]], self.facing)
+        paired([&self.interfaces[0], &self.interfaces[1]], self.meeting)
     }
 
     /// The contact of the pair, its unit responses kept.
@@ -181,9 +187,13 @@ impl Reduced {
     }
 }
 
-/// Pairs two reduced bodies, on each other or facing each other across a gap.
-pub(crate) fn paired<'b>([first, second]: [&'b InterfaceOperator; 2], facing: bool) -> Result<Pair<'b>, Fault> {
-    let pair = if facing { Pair::facing(first, second) } else { Pair::new(first, Some(second)) };
+/// Pairs two reduced bodies.
+pub(crate) fn paired<'b>([first, second]: [&'b InterfaceOperator; 2], meeting: Meeting) -> Result<Pair<'b>, Fault> {
+    let pair = match meeting {
+        Meeting::Together => Pair::new(first, Some(second)),
+        Meeting::Across => Pair::facing(first, second),
+        Meeting::ByAngle => Pair::by_angle(first, second),
+    };
     pair.map_err(|error| {
         let remedy = "give both bodies the same contact surface";
         Fault::at("contact.edges", "no-contact", error.to_string(), remedy)

@@ -66,7 +66,7 @@ fn forecast(problem: &Problem, options: &Options<'_>) -> Result<Vec<Forecast>, F
     let mut found = Vec::new();
     let in_time = problem.plan.runs(Step::Evolution) && !problem.plan.runs(Step::Contact) && !problem.plan.runs(Step::Shape);
     let step = if in_time { Step::Evolution } else { Step::Shape };
-    let beside = problem.wanted.fixed.and_then(fixed::beside).filter(|_| !in_time).map(|(level, _)| level);
+    let beside = problem.wanted.fixed.filter(|_| !in_time && !options.alone).map(fixed::beside);
     for level in beside.into_iter().chain(levels(problem, options, step)) {
         let (start, level_parts) = (clock(), scope.parts(level)?);
         let meshing = clock() - start;
@@ -92,7 +92,7 @@ fn forecast(problem: &Problem, options: &Options<'_>) -> Result<Vec<Forecast>, F
             about_seconds: before + proved,
         });
     }
-    // The coarser levels of a fixed discretisation serve its error estimate; the last one is the run.
+    // Other levels of a fixed discretisation serve its error estimate; the last one is the run.
     if problem.wanted.fixed.is_some() {
         found.drain(..found.len().saturating_sub(1));
     }

@@ -7,6 +7,7 @@ use wear::{RigidMode, RigidMotion};
 
 use crate::held::Held;
 use crate::load::Load;
+use crate::one_way;
 use crate::surface::Patch;
 
 /// One free rigid mode.
@@ -48,6 +49,9 @@ pub(crate) fn check(couple: &Couple, load: &Load, patch: Option<&Patch>, grip: G
     let body = &couple.bodies[0];
     let held = Held::of(body);
     holds_against(couple)?;
+    if couple.moves_one_way() {
+        return one_way::check(couple, load, patch);
+    }
     let free = if couple.is_revolved() { None } else { unstopped(&held, load, patch) };
     let why = match grip {
         Grip::None => Some("without friction nothing holds it"),
@@ -111,7 +115,7 @@ pub(crate) fn guides_hold_turning(body: &Body) -> bool {
 /// turning and so carry it; none where they do not, or where there is no such moment.
 pub(crate) fn guided_moment(couple: &Couple, load: &Load, patch: &Patch) -> Option<f64> {
     let body = &couple.bodies[0];
-    if couple.is_revolved() || load.tilt.is_some() || !guides_hold_turning(body) {
+    if couple.is_revolved() || couple.moves_one_way() || load.tilt.is_some() || !guides_hold_turning(body) {
         return None;
     }
     let [first, last] = [patch.surface.sample(2).first()?.position.x, patch.surface.sample(2).last()?.position.x];
@@ -126,6 +130,11 @@ pub(crate) fn guided_moment(couple: &Couple, load: &Load, patch: &Patch) -> Opti
 /// The freedoms of body 1 on a known contact surface, the pressing first.
 pub(crate) fn of_bodies(couple: &Couple, load: &Load, patch: &Patch) -> Vec<Freedom> {
     let body = &couple.bodies[0];
+    if couple.moves_one_way() {
+        let turns = |mode: &RigidMode| matches!(mode.motion, RigidMotion::Rotation { .. });
+        let role = |mode: &RigidMode| if turns(mode) { Role::Moment } else { Role::Force };
+        return one_way::mode(couple, load).map(|mode| Freedom { role: role(&mode), mode }).into_iter().collect();
+    }
     let push = Freedom { role: Role::Force, mode: RigidMode::press_down(load.force.unwrap_or(0.0)) };
     if couple.is_revolved() {
         return vec![push];

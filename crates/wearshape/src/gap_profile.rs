@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use meshing::Files;
-use scene::{Fault, Gap, Place};
+use scene::{Fault, Gap, GapSum, Place, Rows};
 
 /// Units of length in the names of columns: as powers of ten of a metre.
 const UNITS: [(&str, i32); 6] = [("mm", -3), ("um", -6), ("µm", -6), ("m", 0), ("cm", -2), ("nm", -9)];
@@ -14,10 +14,13 @@ const MISSED: f64 = 1e-6;
 
 const ROW: &str = "write s_mm and gap_um, as in `-30.0,12.5`";
 
-/// Reads the file of `contact.gap`.
-pub(crate) fn read(files: Files<'_>, name: &str) -> Result<Gap, Fault> {
+/// The columns of a profile: places (mm) and gaps (um).
+pub(crate) type Columns = (Vec<f64>, Vec<f64>);
+
+/// Reads the file that a key names.
+pub(crate) fn read(files: Files<'_>, name: &str, key: &str) -> Result<Columns, Fault> {
     let unreadable = |error: String, remedy: &str| {
-        Fault::at("contact.gap", "unreadable", format!("cannot read the gap profile {name}: {error}"), remedy)
+        Fault::at(key, "unreadable", format!("cannot read the gap profile {name}: {error}"), remedy)
     };
     let bytes = files(name).map_err(|error| unreadable(error, "write 0, or the path of a CSV file, relative to the scene"))?;
     if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) || bytes.contains(&0) {
@@ -31,7 +34,7 @@ pub(crate) fn read(files: Files<'_>, name: &str) -> Result<Gap, Fault> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
     let wrong = |at: Range<usize>, [message, remedy]: [String; 2]| Fault {
         place: Some(Place::file(name, text, at)),
-        ..Fault::at("contact.gap", "wrong-profile", message, remedy)
+        ..Fault::at(key, "wrong-profile", message, remedy)
     };
     let mut lines = lines(text);
     let Some((at, first)) = lines.next() else {
@@ -45,9 +48,8 @@ pub(crate) fn read(files: Files<'_>, name: &str) -> Result<Gap, Fault> {
         check_row([s, gap], rows.last().map(|[s, _]| *s)).map_err(|why| wrong(at, why))?;
         rows.push([s, gap]);
     }
-    check_count(rows.len(), rows.len())?;
-    let (s, gap) = rows.into_iter().map(|[s, gap]| (s, gap)).unzip();
-    Ok(Gap::Profile { s, gap })
+    check_count(rows.len(), rows.len(), key)?;
+    Ok(rows.into_iter().map(|[s, gap]| (s, gap)).unzip())
 }
 
 fn words(message: impl Into<String>, remedy: &str) -> [String; 2] {
@@ -197,22 +199,22 @@ fn counted(count: usize, what: &str) -> String {
     format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 
-fn check_count(places: usize, gaps: usize) -> Result<(), Fault> {
+fn check_count(places: usize, gaps: usize, key: &str) -> Result<(), Fault> {
     if places == gaps && places >= 2 {
         return Ok(());
     }
     let message = format!("a gap profile with {} and {}", counted(places, "place"), counted(gaps, "gap"));
-    Err(Fault::at("contact.gap", "wrong-profile", message, "give two points or more, a gap for each place"))
+    Err(Fault::at(key, "wrong-profile", message, "give two points or more, a gap for each place"))
 }
 
 /// Checks the columns of a profile in the scene: two points or more, increasing in s, and no negative gap.
-pub(crate) fn check(s: &[f64], gap: &[f64]) -> Result<(), Fault> {
-    check_count(s.len(), gap.len())?;
+pub(crate) fn check(s: &[f64], gap: &[f64], key: &str) -> Result<(), Fault> {
+    check_count(s.len(), gap.len(), key)?;
     let mut before = None;
     for (row, (s, gap)) in s.iter().zip(gap).enumerate() {
         check_row([*s, *gap], before).map_err(|[message, remedy]| {
             let column = if message.starts_with("s_mm") { "s_mm" } else { "gap_um" };
-            Fault::at(format!("contact.gap.{column}.{row}"), "wrong-profile", message, remedy)
+            Fault::at(format!("{key}.{column}.{row}"), "wrong-profile", message, remedy)
         })?;
         before = Some(*s);
     }
@@ -221,7 +223,7 @@ pub(crate) fn check(s: &[f64], gap: &[f64]) -> Result<(), Fault> {
 
 /// Refuses a profile that ends before the contact surface does; `surface` is its first and last place (mm).
 pub(crate) fn covers(gap: &Gap, surface: [f64; 2]) -> Result<(), Fault> {
-    let Gap::Profile { s, .. } = gap else { return Ok(()) };
+    let (Gap::Profile { s, .. } | Gap::Sum(GapSum { profile: Some(Rows::Columns { s, .. }), .. })) = gap else { return Ok(()) };
     let [Some(first), Some(last)] = [s.first(), s.last()] else { return Ok(()) };
     let [from, to] = surface;
     let near = MISSED * (to - from);
@@ -249,7 +251,7 @@ mod tests {
     use scene::{Fault, Gap, Place};
 
     fn of(text: &str) -> Result<Gap, Fault> {
-        read(&|_| Ok(text.as_bytes().to_vec()), "gap.csv")
+        read(&|_| Ok(text.as_bytes().to_vec()), "gap.csv", "contact.gap").map(|(s, gap)| Gap::Profile { s, gap })
     }
 
     #[test]
@@ -301,9 +303,9 @@ mod tests {
     #[test]
     fn other_encodings_than_utf_8_are_refused_by_name() {
         let utf16: Vec<u8> = "\u{feff}s_mm;gap_um\n0;1\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
-        let fault = read(&|_| Ok(utf16.clone()), "gap.csv").unwrap_err();
+        let fault = read(&|_| Ok(utf16.clone()), "gap.csv", "contact.gap").unwrap_err();
         assert!(fault.message.contains("UTF-16") && fault.remedy.contains("UTF-8"), "{fault:?}");
-        let fault = read(&|_| Ok(b"s_mm,gap_um\n0,1\n# \xb5m\n".to_vec()), "gap.csv").unwrap_err();
+        let fault = read(&|_| Ok(b"s_mm,gap_um\n0,1\n# \xb5m\n".to_vec()), "gap.csv", "contact.gap").unwrap_err();
         assert!(fault.message.contains("line 3") && fault.remedy.contains("UTF-8"), "{fault:?}");
     }
 

@@ -26,7 +26,7 @@ impl Held {
 
     /// By the supports of one edge.
     pub(crate) fn by(body: &Body, edge: &str) -> Held {
-        let holds = |component| body.supports.get(edge).is_some_and(|held| held.contains(&component));
+        let holds = |component| body.supports.get(edge).is_some_and(|held| held.holds(component));
         let points = outline(body).points(edge);
         let along = |component, axis: usize| match holds(component) {
             true => points.iter().map(|point| point[axis]).collect(),

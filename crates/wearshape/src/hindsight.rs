@@ -6,6 +6,7 @@ use scene::short;
 use crate::problem::Problem;
 use crate::remark::Remark;
 use crate::solution::Solution;
+use crate::surface::Patch;
 use crate::words::Uniqueness;
 
 /// Part of body 1's thickness that wear may take before the body is another one.
@@ -22,9 +23,11 @@ pub(crate) fn remarks(problem: &Problem, solution: &Solution) -> Vec<Remark> {
     let notes = [
         other_solutions(problem, solution),
         wide(problem, solution),
+        not_worth_machining(solution),
         worn_through(problem, solution),
         worn_free(problem, solution),
         late(problem, solution),
+        grooved(solution),
     ];
     notes.into_iter().flatten().collect()
 }
@@ -63,11 +66,8 @@ fn rounded(coefficient: f64) -> String {
 
 /// A gap beyond small displacements.
 fn wide(problem: &Problem, solution: &Solution) -> Option<Remark> {
-    let given = match &problem.gap {
-        scene::Gap::Profile { gap, .. } => spread(gap),
-        _ => None,
-    };
-    let gap = 1e-3 * solution.shape.as_ref().and_then(|shape| shape.gap_max).or(given)?;
+    let given = problem.gap.spread(problem.patch.as_ref().and_then(Patch::places));
+    let gap = solution.shape.as_ref().and_then(|shape| shape.gap_max).map(|gap| 1e-3 * gap).or(given)?;
     let thickness = outline(&problem.couple.as_ref()?.bodies[0]).thickness;
     let share = gap / thickness;
     let message = format!(
@@ -79,10 +79,16 @@ fn wide(problem: &Problem, solution: &Solution) -> Option<Remark> {
     (share > WIDE && share.is_finite()).then_some(Remark { code: "gap-not-small", message })
 }
 
-/// Largest less smallest value; none of no values.
-fn spread(values: &[f64]) -> Option<f64> {
-    let most = values.iter().copied().reduce(f64::max)?;
-    values.iter().copied().reduce(f64::min).map(|least| most - least)
+/// A shape that drowns in the roughness of its surface.
+fn not_worth_machining(solution: &Solution) -> Option<Remark> {
+    let machining = solution.machining.as_ref().filter(|machining| machining.worth_machining == Some(false))?;
+    let (gap, roughness) = (machining.gap_max?, machining.roughness?);
+    let message = format!(
+        "Not worth machining: the shape takes off {} um at most, less than the roughness of {} um; running in does as much.",
+        rounded(gap),
+        short(roughness)
+    );
+    Some(Remark { code: "not-worth-machining", message })
 }
 
 /// Wear beyond what body 1's stiffness stands for.
@@ -125,6 +131,17 @@ fn worn_free(problem: &Problem, solution: &Solution) -> Option<Remark> {
     };
     let message = format!("Under a prescribed approach the contact wears itself free: {law}.");
     Some(Remark { code: "wears-itself-free", message })
+}
+
+/// A groove that the contact knows by its mean.
+fn grooved(solution: &Solution) -> Option<Remark> {
+    let ratio = solution.wear.as_ref()?.groove.as_ref()?.depth_ratio;
+    let message = format!(
+        "The groove in body 2 is {} of the depth worn off body 1; the contact knows it by its mean around the axis of the ball, which leaves out about {} of that depth.",
+        rounded(ratio),
+        rounded(ratio * ratio)
+    );
+    Some(Remark { code: "groove-mean", message })
 }
 
 /// A time that is less accurate than the shape.

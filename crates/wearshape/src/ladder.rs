@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use scene::Fault;
 
-use crate::fixed::{self, Differences, error_of_gap};
+use crate::fixed;
 use crate::level::Level;
 use crate::options::Options;
 use crate::problem::Problem;
@@ -53,14 +53,17 @@ pub(crate) struct Ladder {
     usual: usize,
     /// Relative error at which it is enough; none on a fixed discretisation, whose levels are all solved.
     accuracy: Option<f64>,
+    /// The level beside a fixed one that tells its error.
+    beside: Option<Level>,
 }
 
 impl Ladder {
-    /// The levels of a problem: up to the fixed one, or until the accuracy is reached.
+    /// The levels of a problem: the fixed one, or until the accuracy is reached.
     pub(crate) fn of(problem: &Problem, options: &Options<'_>, step: Step) -> Ladder {
         let levels = levels(problem, options, step);
         let accuracy = problem.wanted.fixed.is_none().then_some(problem.wanted.accuracy);
-        Ladder { step, usual: levels.len(), levels, accuracy }
+        let beside = problem.wanted.fixed.filter(|_| step != Step::Evolution && !options.alone).map(fixed::beside);
+        Ladder { step, usual: levels.len(), levels, accuracy, beside }
     }
 
     /// The same with further degrees for what is nearly there.
@@ -78,6 +81,7 @@ impl Ladder {
             None => {
                 self.levels = self.levels.split_off(self.levels.len().saturating_sub(1));
                 self.usual = self.levels.len();
+                self.beside = None;
             }
         }
         self
@@ -86,7 +90,7 @@ impl Ladder {
     /// Levels expected after this one, from the errors before it: the last one and the ratio at which they fall.
     fn left(&self, number: usize, errors: Option<[f64; 2]>) -> usize {
         let last = self.usual.max(number + 1) - 1;
-        let Some(accuracy) = self.accuracy else { return last - number };
+        let Some(accuracy) = self.accuracy else { return last - number + usize::from(self.beside.is_some()) };
         let more = match errors {
             Some([error, ratio]) => ((accuracy / error).ln() / ratio.ln()).ceil().max(1.0) as usize - 1,
             // Three levels tell an error, and each further one gains about a digit and a half.
@@ -100,12 +104,6 @@ impl Ladder {
         self.accuracy.filter(|accuracy| error > *accuracy)
     }
 
-    /// The level of a fixed discretisation that coarser ones tell the error of.
-    pub(crate) fn fixed(&self) -> Option<Level> {
-        let fixed = self.accuracy.is_none().then(|| self.levels.last()).flatten();
-        fixed.copied().filter(|_| self.levels.len() > 2)
-    }
-
     /// Whether the discretisation is fixed.
     pub(crate) fn is_fixed(&self) -> bool {
         self.accuracy.is_none()
@@ -116,46 +114,50 @@ impl Ladder {
         self.accuracy.is_some() && solved.len() > 2
     }
 
-    /// The level beside those of a fixed discretisation, if it has one.
-    pub(crate) fn beside(&self) -> Option<Level> {
-        self.fixed().and_then(fixed::beside).map(|(level, _)| level)
+    /// The level beside a fixed one, told to the watcher, unless a solve is `stopped` or this stops it.
+    pub(crate) fn beside(&self, stopped: &mut bool, watch: &mut Watch<'_>) -> Option<Level> {
+        let level = self.beside.filter(|_| !*stopped)?;
+        let event = Event::Level { step: self.step, degree: level.degree, layers: level.layers, left: 0 };
+        *stopped = watch(event).is_break();
+        (!*stopped).then_some(level)
     }
 
-    /// What the levels of a fixed discretisation differ by, with that beside them; `None` of any others.
-    pub(crate) fn differences<T, const N: usize>(
+    /// The level to report of a gap, and its estimated error: by the series of levels, or on a fixed discretisation by the level beside it.
+    pub(crate) fn to_report<'s, T>(
         &self,
-        solved: &[T],
-        beside: Option<&T>,
-        distance: &impl Fn(&T, &T) -> [f64; N],
-    ) -> Option<(Level, [Differences; N])> {
-        let (fixed, [a, b, c]) = (self.fixed()?, solved) else { return None };
-        let (older, newer) = (distance(a, b), distance(b, c));
-        let layers = beside.zip(fixed::beside(fixed)).map_or([0.0; N], |(beside, (_, with))| distance(beside, &solved[with]));
-        Some((fixed, std::array::from_fn(|k| Differences { older: older[k], newer: newer[k], layers: layers[k] })))
-    }
-
-    /// Estimated error of the gap of the last level; `None` from fewer than three.
-    pub(crate) fn error_of_gap<T>(
-        &self,
-        solved: &[T],
+        solved: &'s [T],
         beside: Option<&T>,
         distance: &impl Fn(&T, &T) -> [f64; 1],
-    ) -> Option<f64> {
-        match self.differences(solved, beside, distance) {
-            Some((fixed, [differences])) => Some(error_of_gap(fixed, differences)),
-            _ => errors(solved, distance).map(|[error]| error),
+    ) -> (Option<&'s T>, Option<f64>) {
+        match best(self, solved, distance) {
+            Some((count, [error])) => (solved.get(count - 1), Some(error)),
+            None => (solved.last(), solved.last().zip(beside).map(|(last, beside)| fixed::error(distance(last, beside)[0]))),
         }
+    }
+
+    /// What tells the estimated error of so many solved levels.
+    pub(crate) fn told_by(&self, levels: usize) -> String {
+        match self.beside {
+            Some(Level { degree, layers, .. }) => format!("difference from degree {degree} with {layers} layers"),
+            None => format!("rest of the series of {levels} degrees"),
+        }
+    }
+
+    /// Estimated error of the gap of the last of three levels of a run in time on a fixed discretisation.
+    pub(crate) fn error_in_time<T>(&self, solved: &[T], distance: &impl Fn(&T, &T) -> f64) -> Option<f64> {
+        let (fixed, [a, b, c]) = (self.levels.last()?, solved) else { return None };
+        Some(fixed::error_in_time(*fixed, distance(a, b), distance(b, c)))
     }
 }
 
-/// The levels that a step may climb: up to the fixed one, or those of the usual degrees.
+/// The levels that a step may climb: the fixed one, of a contact and in time those up to it, or those of the usual degrees.
 pub(crate) fn levels(problem: &Problem, options: &Options<'_>, step: Step) -> Vec<Level> {
     let [first, last, by] = DEGREES;
     match problem.wanted.fixed {
-        Some(level) if options.alone => vec![level],
-        Some(level) if step == Step::Evolution => fixed::levels_of_wear(level),
+        Some(level) if step == Step::Evolution && !options.alone => fixed::levels_of_wear(level),
+        Some(level) if step == Step::Contact && !options.alone => fixed::levels_of_contact(level),
+        Some(level) => vec![level],
         None => (first..=last).step_by(by).map(|degree| problem.level(degree)).collect(),
-        Some(level) => fixed::levels(level),
     }
 }
 
@@ -307,7 +309,7 @@ mod tests {
     use super::*;
 
     fn ladder(accuracy: f64) -> Ladder {
-        Ladder { step: Step::Contact, levels: Vec::new(), usual: 0, accuracy: Some(accuracy) }
+        Ladder { step: Step::Contact, levels: Vec::new(), usual: 0, accuracy: Some(accuracy), beside: None }
     }
 
     #[allow(clippy::trivially_copy_pass_by_ref)]

@@ -2,12 +2,15 @@
 
 mod bodies;
 mod body_field;
+mod brake;
 mod effort;
+mod error_result;
 mod faults;
 mod fixed;
 mod forecast;
 mod freedom;
 mod functional;
+mod gap;
 mod gap_profile;
 mod held;
 mod hindsight;
@@ -16,6 +19,9 @@ mod ladder;
 mod level;
 mod load;
 mod machined;
+mod machining;
+mod machining_result;
+mod one_way;
 mod options;
 mod outlines;
 mod parts;
@@ -24,6 +30,7 @@ mod problem;
 mod profile;
 mod remark;
 mod results;
+mod reversing_result;
 mod scope;
 mod series;
 mod setup;
@@ -44,11 +51,13 @@ pub use shapeopt::{Measure, WearState};
 
 pub use bodies::Bodies;
 pub use body_field::{BodyField, CellField, FieldFrame};
+pub use brake::{BrakeResult, Sense, SupportForce};
 pub use effort::{Clock, Counters, Effort};
 pub use forecast::Forecast;
 pub use functional::functional_row;
 pub use holding::{HeldBy, Holding};
 pub use machined::{Machined, SurfacePoint};
+pub use machining_result::MachiningResult;
 pub use options::{CURVE, Options, Sampling};
 pub use outlines::{Area, BodyOutline};
 pub use plan::{Plan, Stage};
@@ -56,9 +65,10 @@ pub use problem::Problem;
 pub use profile::Profile;
 pub use remark::Remark;
 pub use results::{
-    ByRole, ContactResult, EnergyResult, ErrorResult, InterfaceResult, PointForce, PressureResult, Reaction, SensitivityResult,
-    Settled, ShapeResult, ToleranceResult, TwistResult, UniquenessResult, WearResult,
+    ByRole, ContactResult, EnergyResult, ErrorResult, InterfaceResult, LifeResult, PointForce, PressureResult, Reaction,
+    SensitivityResult, Settled, ShapeResult, ToleranceResult, TwistResult, UniquenessResult, WearResult,
 };
+pub use reversing_result::{ReversingResult, SenseResult};
 pub use solution::{PressureMap, Rung, RunningIn, RunningInStep, Solution, Status};
 pub use solve::solve;
 pub use step::Step;

@@ -11,7 +11,7 @@ use crate::watch::Resume;
 pub struct Options<'a> {
     /// Points of the table instead of the contact points.
     pub sample: Option<Sampling<'a>>,
-    /// Solves the scene's fixed discretisation alone, without the coarser ones that its error estimate needs.
+    /// Solves the scene's fixed discretisation alone, without the others that its error estimate needs.
     pub alone: bool,
     /// Adds what the workshop needs: of a shape the finished surface and what errors of it do, of a pressure what 1 % more of each given number does.
     pub machining: bool,

@@ -41,24 +41,28 @@ impl BodyParts {
             Fault::at(format!("{key}.material"), "wrong-value", error.to_string(), "give young > 0 and poisson below 0.5")
         })?;
         let degrees = mesh.cells.iter().map(|c| level.degree_in(c.layer)).collect();
-        let rigid = Some(&couple.load).filter(|_| shaped && couple.has_rigid_edge());
+        let pin = body.pin().filter(|_| shaped && kinematics != Kinematics::Torsion);
+        let rigid = Some(&couple.load).filter(|_| shaped && couple.has_rigid_edge() && !couple.moves_one_way());
         let (mut supports, mut support_names) = (held_edges(body, rigid, kinematics), Vec::new());
         support_names.extend(supports.iter().map(|support| format!("{key}.{}", support.boundary)));
         if mesh.boundaries.iter().any(|name| name == AXIS) {
             supports.push(Support::hold(AXIS, Direction::First));
             support_names.push(String::new());
         }
+        // The reaction of an edge that turns is the last one.
+        support_names.extend(pin.map(|(edge, _)| format!("{key}.{edge}")));
         let rigid_edge =
             rigid.filter(|_| kinematics != Kinematics::Torsion).map(|load| rigid_edge(body, load, &mesh, kinematics));
         let load_cases = match (shaped, kinematics) {
             (true, Kinematics::Torsion) | (false, _) => Vec::new(),
-            (true, _) => load_cases(&couple.load, &mesh, kinematics, rigid_edge.is_some()),
+            (true, _) => load_cases(couple, &mesh, kinematics),
         };
         let problem = BodyProblem {
             degrees,
             materials,
             supports,
-            rigid_edge,
+            edge_reaction: pin.is_some(),
+            rigid_edge: rigid_edge.or(pin.map(turning)),
             load_cases,
             ..BodyProblem::new(mesh, 1, kinematics).keep(CONTACT)
         };
@@ -105,25 +109,33 @@ fn held_edges(body: &meshing::Body, rigid: Option<&LoadedEdge>, kinematics: Kine
         Component::Z => (!torsion).then_some(Direction::Second),
     };
     let mut supports = Vec::new();
-    for (edge, components) in &body.supports {
+    for (edge, held) in &body.supports {
         if torsion || !rigid.is_some_and(|load| load.is(edge)) {
-            supports.extend(components.iter().filter_map(direction).map(|direction| Support::hold(edge, direction)));
+            supports.extend(held.components().iter().filter_map(direction).map(|direction| Support::hold(edge, direction)));
+        }
+        if let scene::Support::Roller(angle) = held {
+            supports.push(Support::sliding(edge, angle.0));
         }
     }
     supports
 }
 
+/// An edge that turns about a pin.
+fn turning((edge, pin): (&str, [f64; 2])) -> RigidEdge {
+    RigidEdge { boundary: edge.into(), reference: pin, free: [false, false, true] }
+}
+
 /// The rigid edge of body 1.
 fn rigid_edge(body: &meshing::Body, load: &LoadedEdge, mesh: &Mesh, kinematics: Kinematics) -> RigidEdge {
     let held = body.supports.get(&load.edge);
-    let holds = |component| held.is_some_and(|components| components.contains(&component));
+    let holds = |component| held.is_some_and(|held| held.holds(component));
     // A support along x that ends at the edge, level with it, holds the edge along x.
     let vertices = |name: &str| -> Vec<usize> {
         mesh.boundary(name).unwrap_or_default().into_iter().flat_map(|e| mesh.edges[e].vertices).collect()
     };
     let own = vertices(LOAD);
     let meets = |edge: &str| vertices(edge).iter().any(|v| own.contains(v));
-    let along_x = body.supports.iter().any(|(edge, components)| components.contains(&Component::X) && meets(edge));
+    let along_x = body.supports.iter().any(|(edge, held)| held.holds(Component::X) && meets(edge));
     let about = load.about;
     let height = mesh.boundary(LOAD).ok().and_then(|edges| edges.first().map(|e| mesh.edges[*e].curve.point(0.0)[1]));
     let revolved = kinematics.is_revolved();
@@ -135,23 +147,34 @@ fn rigid_edge(body: &meshing::Body, load: &LoadedEdge, mesh: &Mesh, kinematics: 
     }
 }
 
+/// How the contact surfaces of two bodies lie to each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Meeting {
+    /// On each other.
+    Together,
+    /// Across a gap, along the normals of body 2.
+    Across,
+    /// As arcs of two radii, by the angle.
+    ByAngle,
+}
+
 /// The two bodies of a level before their reduction.
 pub(crate) struct Parts {
     /// Body 1 and body 2.
     pub parts: [BodyParts; 2],
-    /// Whether the surfaces face each other across a gap.
-    pub facing: bool,
+    /// How the surfaces lie to each other.
+    pub meeting: Meeting,
 }
 
 impl Parts {
     /// Both bodies on their meshes.
-    pub(crate) fn new(couple: &Couple, [first, second]: [Mesh; 2], level: Level, facing: bool) -> Result<Parts, Fault> {
-        Parts::of(couple, [first, second], level, couple.kinematics, facing)
+    pub(crate) fn new(couple: &Couple, [first, second]: [Mesh; 2], level: Level, meeting: Meeting) -> Result<Parts, Fault> {
+        Parts::of(couple, [first, second], level, couple.kinematics, meeting)
     }
 
     /// The scalar problem of twisting on the same meshes.
-    pub(crate) fn torsion(couple: &Couple, [first, second]: [Mesh; 2], level: Level, facing: bool) -> Result<Parts, Fault> {
-        Parts::of(couple, [first, second], level, Kinematics::Torsion, facing)
+    pub(crate) fn torsion(couple: &Couple, [first, second]: [Mesh; 2], level: Level, meeting: Meeting) -> Result<Parts, Fault> {
+        Parts::of(couple, [first, second], level, Kinematics::Torsion, meeting)
     }
 
     fn of(
@@ -159,11 +182,11 @@ impl Parts {
         [first, second]: [Mesh; 2],
         level: Level,
         kinematics: Kinematics,
-        facing: bool,
+        meeting: Meeting,
     ) -> Result<Parts, Fault> {
         let parts =
             [BodyParts::new(couple, true, first, level, kinematics)?, BodyParts::new(couple, false, second, level, kinematics)?];
-        Ok(Parts { parts, facing })
+        Ok(Parts { parts, meeting })
     }
 
     /// What the reduction of both bodies takes.
@@ -200,10 +223,11 @@ fn counted(bodies: [(&InterfaceOperator, hpfem::Effort); 2]) -> Effort {
 }
 
 /// The load for a force of 1 N, and the mean displacement functionals of the load edge.
-fn load_cases(load: &LoadedEdge, mesh: &Mesh, kinematics: Kinematics, rigid: bool) -> Vec<LoadCase> {
-    if rigid {
+fn load_cases(couple: &Couple, mesh: &Mesh, kinematics: Kinematics) -> Vec<LoadCase> {
+    if couple.has_rigid_edge() {
         return Vec::new();
     }
+    let load = &couple.load;
     let vertical = load.kind == LoadKind::Vertical;
     // Area, projected area, and middle of the loaded edges.
     let (mut area, mut projected, mut middle) = (0.0, 0.0, [0.0; 2]);
@@ -220,10 +244,17 @@ fn load_cases(load: &LoadedEdge, mesh: &Mesh, kinematics: Kinematics, rigid: boo
         }
     }
     let middle = middle.map(|m| m / area);
-    let intensity = 1.0 / projected;
+    // The force of an actuator is that of its resultant, whichever way it acts.
+    let actuator = couple.unit_load().filter(|_| couple.moves_one_way() && !vertical);
+    let intensity = actuator.map_or(1.0 / projected, |unit| unit.intensity / kinematics.measure(1.0));
+    let along = Some([load.direction.cos(), load.direction.sin()]).filter(|_| load.kind == LoadKind::Traction);
     let traction = move |point: &hpfem::BoundaryPoint| {
         let [nx, nz] = point.outward;
-        if vertical { [0.0, -intensity * nz.abs()] } else { [-intensity * nx, -intensity * nz] }
+        match along {
+            Some(along) => along.map(|d| intensity * d),
+            None if vertical => [0.0, -intensity * nz.abs()],
+            None => [-intensity * nx, -intensity * nz],
+        }
     };
     let tractions = [
         EdgeTraction::new(LOAD, traction),

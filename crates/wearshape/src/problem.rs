@@ -1,11 +1,12 @@
 //! A checked scene: everything that is computed from, typed, with every default filled in.
 
 use meshing::Couple;
-use scene::{Gap, Geometry, Scene, SurfaceShape};
+use scene::{Geometry, Scene, SurfaceShape};
 use shapeopt::Measure;
 use wear::{WearError, WearPair};
 
 use crate::freedom::Freedom;
+use crate::gap::StartGap;
 use crate::level::Level;
 use crate::load::Load;
 use crate::outlines::BodyOutline;
@@ -33,11 +34,13 @@ pub struct Problem {
     /// Friction between the bodies.
     pub(crate) friction: Friction,
     /// Unloaded gap at the start.
-    pub(crate) gap: Gap,
+    pub(crate) gap: StartGap,
     /// What presses, shifts and turns body 1.
     pub(crate) load: Load,
     /// Motion of body 2; none where nothing slides.
     pub(crate) sliding: Option<scene::Sliding>,
+    /// Share of the time that a reversing motion goes forward; none where the motion keeps its sense, or nothing asks for its mean wear.
+    pub(crate) reversing: Option<f64>,
     /// Wear rules and where a run in time ends.
     pub(crate) wear: Wear,
     /// Pieces of a run in time; none where load and sliding stay.
@@ -90,10 +93,21 @@ pub(crate) struct Wear {
     pub counterface: wear::Counterface,
     /// Time at which a run in time ends (s); none for the steady state.
     pub until: Option<f64>,
+    /// What of body 1 may wear off; none where its life is not asked for.
+    pub wearable: Option<Wearable>,
     /// Whether the factors stand in front of the friction stress.
     pub of_friction: bool,
     /// Whether body 1 wears by a rule of the caller's own in place of the scene's, and body 2 not at all.
     pub own_rule: bool,
+}
+
+/// A layer of body 1 that may wear off.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Wearable {
+    /// Its thickness (mm).
+    pub thickness: f64,
+    /// Relative spread of the wear factor; none where it is not given.
+    pub spread: Option<f64>,
 }
 
 impl Wear {
@@ -190,6 +204,11 @@ impl Problem {
     /// Area of the contact surface (mm^2), where it is known without a mesh.
     pub fn contact_area(&self) -> Option<f64> {
         self.patch.as_ref().map(|patch| patch.surface.area())
+    }
+
+    /// Radius (mm) of the track of a ball on a revolving disc; none of other scenes.
+    pub(crate) fn track(&self) -> Option<f64> {
+        self.sliding.as_ref()?.track_radius.map(|radius| radius.0)
     }
 
     /// Number of free rigid modes of body 1.

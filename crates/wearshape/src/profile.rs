@@ -17,6 +17,8 @@ pub struct Profile {
     pub weight: Vec<f64>,
     /// Pressure of the last task: optimal, solved, wanted, current (MPa).
     pub pressure: Vec<f64>,
+    /// Pressure of a reversing motion as it goes backward (MPa); empty for other motions, and then no column.
+    pub pressure_back: Vec<f64>,
     /// Pressure of the round trip (MPa).
     pub pressure_solved: Vec<f64>,
     /// Shear on body 1 along tau (MPa).
@@ -48,6 +50,7 @@ impl Profile {
             normal: points.iter().map(|point| array(point.normal)).collect(),
             weight: points.iter().map(|point| point.weight).collect(),
             pressure: nothing.clone(),
+            pressure_back: Vec::new(),
             pressure_solved: nothing.clone(),
             shear: nothing.clone(),
             gap: nothing.clone(),

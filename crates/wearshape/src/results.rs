@@ -3,6 +3,8 @@
 use scene::{Balance, Functional, Modes};
 use serde::Serialize;
 
+pub use crate::error_result::ErrorResult;
+
 use crate::words::{Character, ContactStatus, Regime, TwistStatus, Uniqueness, WearStatus};
 
 /// One number for each role of a rigid mode.
@@ -96,6 +98,9 @@ pub struct PressureResult {
     /// The same by the mean sliding distance.
     #[serde(rename = "wear_depth_mm_per_1000_km", skip_serializing_if = "Option::is_none")]
     pub wear_depth_per_1000_km: Option<f64>,
+    /// How long the thickness that may wear off body 1 lasts.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub life: Option<LifeResult>,
     /// Friction power.
     #[serde(rename = "friction_power_mW")]
     pub friction_power: Option<f64>,
@@ -115,6 +120,26 @@ pub struct PressureResult {
     /// What 1 % more of each given number does; empty where the pressure has no derivative, or carries the force of a prescribed approach.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub sensitivity: Vec<SensitivityResult>,
+}
+
+/// `summary.pressure.life`: until the thickness that may wear off body 1 is gone at its thinnest, by the steady wear.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub struct LifeResult {
+    /// Time of sliding.
+    #[serde(rename = "time_h")]
+    pub hours: f64,
+    /// Mean sliding distance.
+    #[serde(rename = "distance_km")]
+    pub distance: f64,
+    /// Turns of body 2, where it turns.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub revolutions: Option<f64>,
+    /// Work of friction.
+    #[serde(rename = "friction_work_MJ")]
+    pub friction_work: f64,
+    /// Shortest and longest time, by the spread of the wear factor.
+    #[serde(rename = "time_between_h", skip_serializing_if = "Option::is_none")]
+    pub hours_between: Option<[f64; 2]>,
 }
 
 /// One entry of `summary.pressure.sensitivity`: what 1 % more of a given number does to first order, in per cent.
@@ -280,6 +305,15 @@ pub struct WearResult {
     /// Volume.
     #[serde(rename = "volume_mm3")]
     pub volume: Option<f64>,
+    /// Width of the scar of a round contact; of a ball its diameter.
+    #[serde(rename = "scar_mm", skip_serializing_if = "Option::is_none")]
+    pub scar: Option<f64>,
+    /// Volumes of a round contact, body by body.
+    #[serde(rename = "volumes_mm3", skip_serializing_if = "Option::is_none")]
+    pub volumes: Option<[f64; 2]>,
+    /// Groove in a revolving disc.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub groove: Option<GrooveResult>,
     /// Largest stable explicit step.
     #[serde(rename = "explicit_step_limit_s")]
     pub explicit_step_limit: Option<f64>,
@@ -293,6 +327,23 @@ pub struct WearResult {
     pub run_in_error: Option<f64>,
     /// What it took until the pressure stayed within 1 % of the steady one (relative L2).
     pub to_1_percent: Option<Settled>,
+}
+
+/// `summary.wear.groove`: what a ball wears into a revolving disc; its profile stands in groove.csv.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct GrooveResult {
+    /// Depth in the middle of the track.
+    #[serde(rename = "depth_um")]
+    pub depth: f64,
+    /// Width.
+    #[serde(rename = "width_mm")]
+    pub width: f64,
+    /// Volume.
+    #[serde(rename = "volume_mm3")]
+    pub volume: f64,
+    /// Depth over the depth worn off the ball. The contact knows the groove by its mean around the axis of the ball; what that leaves out is of the
+    /// order of the square of this.
+    pub depth_ratio: f64,
 }
 
 /// `summary.wear.to_1_percent`.
@@ -342,19 +393,4 @@ pub struct Reaction {
     /// Moment.
     #[serde(rename = "moment_Nmm")]
     pub moment: Option<f64>,
-}
-
-/// `summary.error`: estimated relative errors.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub struct ErrorResult {
-    /// Of the gap.
-    pub gap_relative: Option<f64>,
-    /// Of the pressure.
-    pub pressure_relative: Option<f64>,
-    /// Of the energy.
-    pub energy_relative: Option<f64>,
-    /// Of the torque of a twist, or of its angle where the torque is given.
-    pub twist_relative: Option<f64>,
-    /// How they were estimated.
-    pub how: String,
 }

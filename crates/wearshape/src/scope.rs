@@ -18,6 +18,7 @@ use crate::step::Step;
 use crate::steps::answer::Outcome;
 use crate::steps::ends_setting::Setting;
 use crate::steps::round::{Round, RoundContact};
+use crate::steps::wear::RoundWear;
 use crate::steps::{ends, ends_scope, recover};
 use crate::watch::Watch;
 
@@ -29,6 +30,8 @@ pub(crate) enum Scope<'a> {
     Round(RoundContact<'a>),
     /// A half-disc on a rectangle.
     HalfDisc(Setting<'a>),
+    /// The same that wears in time.
+    RoundWear(RoundWear<'a>),
 }
 
 impl<'a> Scope<'a> {
@@ -36,6 +39,9 @@ impl<'a> Scope<'a> {
     pub(crate) fn of(problem: &'a Problem, options: &'a Options<'a>, bodies: &'a Bodies) -> Result<Scope<'a>, Fault> {
         let Some(couple) = &problem.couple else { return Stage::new(problem, options, bodies).map(Scope::Known) };
         if let Some(disc) = HalfDiscOnFlat::of(couple)? {
+            if problem.plan.runs(Step::Evolution) {
+                return Ok(Scope::RoundWear(RoundWear { problem, couple, disc, options, bodies }));
+            }
             return Ok(Scope::HalfDisc(Setting::new(problem, couple, disc, options)));
         }
         match Round::of(couple)? {
@@ -49,6 +55,7 @@ impl<'a> Scope<'a> {
         match self {
             Scope::HalfDisc(setting) => ends_scope::available(setting),
             Scope::Round(round) => round.available(),
+            Scope::RoundWear(round) => round.available(),
             Scope::Known(_) => Ok(()),
         }
     }
@@ -65,7 +72,7 @@ impl<'a> Scope<'a> {
                 Err(Refusal::Fault(fault)) => Err(fault),
                 Err(Refusal::Reason(_)) => Ok(()),
             },
-            Scope::Round(_) => self.parts(level)?.sizes().map(|_| ()),
+            Scope::Round(_) | Scope::RoundWear(_) => self.parts(level)?.sizes().map(|_| ()),
             Scope::Known(stage) => {
                 self.parts(level)?.sizes()?;
                 if problem.plan.runs(Step::RoundTrip) { stage.meshes(level.layers, Cut::Shifted).map(|_| ()) } else { Ok(()) }
@@ -78,6 +85,7 @@ impl<'a> Scope<'a> {
         match self {
             Scope::Known(stage) => Ok(stage.parts(level, Cut::Plain)?.0),
             Scope::Round(round) => round.first_parts(level),
+            Scope::RoundWear(round) => round.first_parts(level),
             Scope::HalfDisc(setting) => {
                 let parts = setting.trial().and_then(|trial| setting.parts(level, &trial));
                 parts.map(|(parts, _)| parts).map_err(|refusal| match refusal {
@@ -93,6 +101,7 @@ impl<'a> Scope<'a> {
         let setting = match self {
             Scope::Known(_) => return Ok(None),
             Scope::Round(round) => return round.solve(watch).map(Some),
+            Scope::RoundWear(round) => return round.solve(watch).map(Some),
             Scope::HalfDisc(setting) => setting,
         };
         let (outcome, mut effort, nodes) = ends::solve(setting, watch)?;

@@ -2,23 +2,27 @@
 
 mod bodies;
 mod carried;
+mod duty;
 mod load;
 mod metres;
+mod one_way;
 mod optimum;
 mod own_rule;
 mod remarks;
+mod reversing;
 mod schedule;
 mod stages;
+mod start_gap;
 mod tasks;
+mod track;
 mod twist;
 mod unused;
 mod wear_rule;
 
 use meshing::{Couple, Files};
-use scene::{Document, Fault, Gap, Scene};
+use scene::{Document, Fault, Scene};
 
 use crate::freedom::{self, Grip};
-use crate::gap_profile;
 use crate::plan::Plan;
 use crate::problem::{Friction, Problem};
 use crate::surface::Patch;
@@ -43,17 +47,23 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
             .map_err(|fault| metres::hinted(fault, [first, second]))?,
         _ => None,
     };
-    if let (Some(contact), Some(surface)) = (&scene.contact, patch.as_ref().and_then(Patch::places)) {
-        contact.gap.as_ref().map_or(Ok(()), |gap| gap_profile::covers(gap, surface))?;
-    }
+    let gap = start_gap::on_surface(&scene, patch.as_ref())?;
+    track::resolve(&scene, &tasks)?;
     wear_rule::resolve(&mut scene, &tasks, patch.as_ref())?;
     load::resolve(&mut scene, &tasks, patch.as_ref(), bodies.as_ref().map(|(_, [first, _])| first))?;
+    duty::resolve(&scene, &tasks)?;
     twist::resolve(&scene, &tasks)?;
     schedule::resolve(&mut scene)?;
     optimum::resolve(&mut scene, &tasks)?;
+    reversing::resolve(&mut scene, &tasks, patch.as_ref())?;
+    if let Some(roughness) = scene.contact.as_ref().and_then(|contact| contact.roughness) {
+        scene::positive("contact.roughness", roughness.0, "roughness", " mm")?;
+    }
     let load = load::numbers(&scene);
-    let edge = scene.load.as_ref().and_then(load::edge);
+    let first = bodies.as_ref().map(|(_, [first, _])| first);
+    let edge = scene.load.as_ref().and_then(|load| load::edge(load, first));
     let couple = bodies.zip(edge).map(|((kinematics, bodies), load)| Couple { kinematics, bodies, load });
+    one_way::wanted(&scene, couple.as_ref(), patch.as_ref())?;
     carried::check(&scene, &tasks, couple.as_ref(), patch.as_ref())?;
     if let Some(couple) = &couple {
         freedom::check(couple, &load, patch.as_ref(), grip(&scene))?;
@@ -67,9 +77,10 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
         patch,
         freedoms: Vec::new(),
         friction: friction(&scene),
-        gap: scene.contact.as_ref().and_then(|contact| contact.gap.clone()).unwrap_or(Gap::Constant(0.0)),
+        gap,
         load,
         sliding: scene.sliding.clone(),
+        reversing: reversing::share(&scene, &tasks),
         wear: wear_rule::numbers(&scene),
         pieces: schedule::pieces(&scene),
         optimum: optimum::choice(&scene),

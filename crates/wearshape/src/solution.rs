@@ -4,13 +4,16 @@ use hpfem::CellGrid;
 use serde::Serialize;
 
 use crate::body_field::FieldFrame;
+use crate::brake::BrakeResult;
 use crate::effort::Effort;
 use crate::machined::Machined;
+use crate::machining_result::MachiningResult;
 use crate::profile::Profile;
 use crate::remark::Remark;
 use crate::results::{
     ContactResult, EnergyResult, ErrorResult, InterfaceResult, PressureResult, Reaction, ShapeResult, WearResult,
 };
+use crate::reversing_result::ReversingResult;
 use crate::watch::Resume;
 
 /// How a run ended.
@@ -39,6 +42,12 @@ pub struct Solution {
     pub reason: Option<String>,
     /// The optimal pressure.
     pub pressure: Option<PressureResult>,
+    /// Both senses of a reversing motion.
+    pub reversing: Option<ReversingResult>,
+    /// The surface as it is now against as machined, of a scene that asks for contact and shape.
+    pub machining: Option<MachiningResult>,
+    /// Columns of the surface as it is now, for the picture beside those as machined.
+    pub unmachined: Option<Profile>,
     /// The contact of the bodies as given.
     pub contact: Option<ContactResult>,
     /// The shape.
@@ -49,6 +58,8 @@ pub struct Solution {
     pub energy: Option<EnergyResult>,
     /// Reaction of each supported edge, by "body1.left".
     pub reactions: Vec<(String, Reaction)>,
+    /// Body 1 as a brake under the pressure of the last task, where a pin or a roller guides it.
+    pub brake: Option<BrakeResult>,
     /// Estimated errors.
     pub error: Option<ErrorResult>,
     /// Condition of the system on the contact surface.
@@ -61,6 +72,8 @@ pub struct Solution {
     pub map: Option<PressureMap>,
     /// Columns of history.csv: name and values.
     pub history: Vec<(String, Vec<f64>)>,
+    /// Columns of groove.csv, of a ball on a revolving disc: name and values.
+    pub groove: Vec<(String, Vec<f64>)>,
     /// Pressure and gap of a run in time, step by step.
     pub running_in: Option<RunningIn>,
     /// The levels of the last task that has any.

@@ -7,6 +7,7 @@ use crate::effort::Effort;
 use crate::faults::in_names_of;
 use crate::hindsight;
 use crate::ladder::Refusal;
+use crate::machining;
 use crate::options::Options;
 use crate::problem::Problem;
 use crate::results::ErrorResult;
@@ -17,7 +18,7 @@ use crate::step::Step;
 use crate::steps::answer::Outcome;
 use crate::steps::reported::Reported;
 use crate::steps::shape::Before;
-use crate::steps::{approach, contact, pressure, recover, shape, torsion, wear};
+use crate::steps::{approach, contact, pressure, recover, reversing, shape, torsion, wear};
 use crate::watch::Watch;
 
 /// Computes everything the plan lists. What has no answer is a solution with its status; an `Err` is the user's to mend. `bodies` keeps what
@@ -63,7 +64,7 @@ fn stages(given: Given<'_>, watch: &mut Watch<'_>, solution: &mut Solution) -> R
         known = Some(found);
     }
     let problem = known.as_ref().map_or(problem, |found| &found.problem);
-    if problem.plan.runs(Step::Pressure) {
+    if problem.plan.runs(Step::Pressure) && problem.reversing.is_none() {
         let mut effort = Effort::default();
         let found = effort.timed(Step::Pressure, options.clock, |_| pressure::solve(problem, options))?;
         solution.effort += effort;
@@ -99,6 +100,7 @@ fn elastic(given: Given<'_>, passes: usize, watch: &mut Watch<'_>, solution: &mu
         }
         let (outcome, effort) = match step {
             Step::Contact => contact::solve(stage, watch)?,
+            Step::Shape if problem.reversing.is_some() => reversing::solve(stage, watch)?,
             Step::Shape => {
                 let how = solution.error.as_ref().map(|error| error.how.clone()).unwrap_or_default();
                 shape::solve(stage, &Before { passes, how: &how }, watch)?
@@ -107,6 +109,7 @@ fn elastic(given: Given<'_>, passes: usize, watch: &mut Watch<'_>, solution: &mu
         };
         solution.effort += effort;
         reported = solution.take(outcome);
+        machining::compare(problem, step, solution);
     }
     let Some(reported) = reported.filter(|_| solution.status != Status::Interrupted) else { return Ok(()) };
     if let Some(profile) = solution.profile.as_mut().filter(|_| problem.plan.runs(Step::Torsion)) {
@@ -129,11 +132,14 @@ impl Solution {
         let Outcome {
             ended,
             stopped,
+            pressure,
+            reversing,
             contact,
             interface,
             shape,
             wear,
             history,
+            groove,
             machined,
             told,
             error,
@@ -149,6 +155,8 @@ impl Solution {
         if stopped {
             (self.status, self.reason) = (Status::Interrupted, None);
         }
+        self.pressure = pressure.or(self.pressure.take());
+        self.reversing = reversing.or(self.reversing.take());
         self.contact = contact.or(self.contact.take());
         self.interface = interface.or(self.interface.take());
         self.shape = shape.or(self.shape.take());
@@ -159,9 +167,13 @@ impl Solution {
         if !history.is_empty() {
             self.history = history;
         }
+        if !groove.is_empty() {
+            self.groove = groove;
+        }
         if let Some(told) = told {
             self.energy = Some(told.energy);
             self.reactions = told.reactions;
+            self.brake = told.brake;
             self.profile = Some(told.profile);
             self.curve = Some(told.curve);
         }
@@ -179,6 +191,7 @@ impl Solution {
             (self.status, self.reason) = (status, Some(reason));
         }
         self.pressure = Some(found.result);
+        self.brake = found.brake;
         (self.profile, self.curve, self.map, self.error) = (found.profile, found.curve, found.map, found.error);
     }
 }

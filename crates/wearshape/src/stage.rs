@@ -14,7 +14,7 @@ use crate::effort::{Clock, Effort};
 use crate::faults::wrong_wear;
 use crate::level::Level;
 use crate::options::{Options, Sampling, trapezoid_weights};
-use crate::parts::{MEAN_COLUMNS, Parts};
+use crate::parts::{MEAN_COLUMNS, Meeting, Parts};
 use crate::problem::Problem;
 use crate::profile::Profile;
 use crate::step::Step;
@@ -44,8 +44,11 @@ impl<'a> Stage<'a> {
         Ok(Stage { problem, couple, patch, extent, options, bodies })
     }
 
-    /// The same with other numbers of load and sliding.
+    /// The same with other numbers of load and sliding; a round contact has one load.
     pub(crate) fn with(self, problem: &'a Problem) -> Result<Stage<'a>, Fault> {
+        if self.facing() {
+            return Ok(Stage { problem, ..self });
+        }
         Stage::new(problem, self.options, self.bodies)
     }
 
@@ -91,7 +94,7 @@ impl<'a> Stage<'a> {
             let mut effort = Effort::default();
             (self.options.begun)(Step::Torsion);
             let meshes = effort.timed(Step::Mesh, self.clock(), |_| self.meshes(level.layers, cut))?;
-            let (reduced, work) = Reduced::new(&Parts::torsion(self.couple, meshes, level, self.facing())?, self.clock())?;
+            let (reduced, work) = Reduced::new(&Parts::torsion(self.couple, meshes, level, self.meeting())?, self.clock())?;
             effort += work;
             Ok((reduced, effort))
         };
@@ -111,6 +114,15 @@ impl<'a> Stage<'a> {
     /// Whether the surfaces face each other across a gap.
     pub(crate) fn facing(&self) -> bool {
         matches!(self.extent, Extent::Round { .. })
+    }
+
+    /// How the surfaces lie to each other.
+    pub(crate) fn meeting(&self) -> Meeting {
+        match self.extent {
+            Extent::Round { .. } => Meeting::Across,
+            Extent::Circles { .. } => Meeting::ByAngle,
+            Extent::Angles(_) | Extent::X(_) => Meeting::Together,
+        }
     }
 
     /// The meshes of both bodies with so many layers.
@@ -134,7 +146,7 @@ impl<'a> Stage<'a> {
         let mut effort = Effort::default();
         (self.options.begun)(Step::Mesh);
         let parts = effort.timed(Step::Mesh, self.clock(), |_| {
-            Parts::new(self.couple, self.meshes(level.layers, cut)?, level, self.facing())
+            Parts::new(self.couple, self.meshes(level.layers, cut)?, level, self.meeting())
         })?;
         Ok((parts, effort))
     }
@@ -168,7 +180,7 @@ impl<'a> Stage<'a> {
 
     /// Whether body 1 is loaded through a rigid edge.
     pub(crate) fn rigid_edge(&self) -> bool {
-        self.couple.has_rigid_edge()
+        self.couple.has_rigid_edge() && !self.couple.moves_one_way()
     }
 
     /// Whether the rigid part of a gap is prescribed instead of the smallest.
@@ -190,7 +202,7 @@ impl<'a> Stage<'a> {
     /// Load-case factors of body 1: the force alone.
     pub(crate) fn cases(&self) -> Vec<f64> {
         let force = self.problem.load.force.unwrap_or(0.0);
-        if self.rigid_edge() { vec![] } else { vec![force, 0.0, 0.0, 0.0] }
+        if self.couple.has_rigid_edge() { vec![] } else { vec![force, 0.0, 0.0, 0.0] }
     }
 
     /// Load, motions of the rigid edge and friction of a contact solve.
@@ -198,7 +210,11 @@ impl<'a> Stage<'a> {
         let mut contact = ContactLoad::factors(&self.cases(), &[]);
         contact.moment = MomentBalance::Pressure;
         let load = &self.problem.load;
-        if self.rigid_edge() {
+        if self.couple.moves_one_way() {
+            // The pin turns under pressure and friction alike.
+            contact.moment = MomentBalance::Traction;
+            contact.motions[2] = Motion::Free { resultant: load.moment };
+        } else if self.rigid_edge() {
             let force = load.force.unwrap_or(0.0);
             contact.motions[1] = match load.approach {
                 Some(approach) => Motion::Prescribed { value: -approach },
@@ -217,6 +233,9 @@ impl<'a> Stage<'a> {
 
     /// What counts as body 1 unmoved: the rigid edge held, or the mean displacement of the load edge zero.
     pub(crate) fn gauge(&self, pair: &Pair<'_>) -> Gauge {
+        if self.couple.bodies[0].pin().is_some() {
+            return Gauge::HeldEdge;
+        }
         if !self.rigid_edge() {
             return Gauge::MeanOf(mean_columns(pair));
         }

@@ -13,8 +13,9 @@ use scene::{Fault, Sliding, SurfaceShape, missing};
 use wear::{Shape, SlidingMotion, Surface, SurfacePoint};
 
 pub(crate) use self::found::PatchKind;
+use crate::gap::Circles;
 use crate::surface::edges::{EDGES, along, thickness};
-use crate::surface::found::Found;
+use crate::surface::found::{Found, Round};
 
 /// A contact surface known without a mesh.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,6 +26,8 @@ pub(crate) struct Patch {
     pub kind: PatchKind,
     /// Whether the surface's own angle falls towards +x: a shoe at the bottom inside its drum.
     pub backwards: bool,
+    /// The circle of body 1, where it is another than that of the surface, which is body 2's.
+    other: Option<Round>,
 }
 
 impl Patch {
@@ -46,17 +49,20 @@ impl Patch {
     }
 
     fn new(found: Found, sliding: Option<&Sliding>, backwards: bool) -> Result<Patch, Fault> {
-        let Found { shape, kind, centre, key } = found;
+        let Found { shape, kind, centre, key, other } = found;
         let motion = motion(sliding, kind, &shape, centre)?;
         let surface = Surface::new(shape, motion)
             .map_err(|error| Fault::at(key, "degenerate", error.to_string(), "give a surface with area"))?;
-        Ok(Patch { surface, kind, backwards })
+        Ok(Patch { surface, kind, backwards, other })
     }
 
     /// Its extent in its own coordinate; none where bodies cannot be meshed for it.
     pub(crate) fn extent(&self) -> Option<Extent> {
         match self.surface.shape() {
-            Shape::Arc { angles, .. } => Some(Extent::Angles(*angles)),
+            Shape::Arc { angles, centre, radius, .. } => Some(match self.other {
+                Some(first) => Extent::Circles { angles: *angles, circles: [first, ([centre.x, centre.z], *radius)] },
+                None => Extent::Angles(*angles),
+            }),
             Shape::Strip { x, .. } => Some(Extent::X(*x)),
             Shape::Annulus { radii } => Some(Extent::X(*radii)),
             Shape::Points(_) | Shape::Sector { .. } | Shape::Rectangle { .. } | Shape::Ellipse { .. } => None,
@@ -72,6 +78,30 @@ impl Patch {
             Shape::Annulus { radii } => Some(*radii),
             Shape::Points(_) | Shape::Sector { .. } | Shape::Rectangle { .. } | Shape::Ellipse { .. } => None,
         }
+    }
+
+    /// Whether it is a full ring about the axis of revolution.
+    pub(crate) fn is_ring(&self) -> bool {
+        self.kind == PatchKind::Ring
+    }
+
+    /// Radius of an arc (mm), and whether body 1 lies inside it.
+    pub(crate) fn circle(&self) -> Option<(f64, bool)> {
+        match self.surface.shape() {
+            Shape::Arc { radius, internal, .. } => Some((*radius, *internal)),
+            _ => None,
+        }
+    }
+
+    /// The circles of two arcs that are drawn with different radii.
+    pub(crate) fn circles(&self) -> Option<Circles> {
+        self.other.and_then(|(_, radius)| self.circles_of(radius))
+    }
+
+    /// The circles of an arc and of a body 1 with a radius of its own.
+    pub(crate) fn circles_of(&self, first: f64) -> Option<Circles> {
+        let Shape::Arc { radius, angles, .. } = self.surface.shape() else { return None };
+        Some(Circles::new([first, *radius], 0.5 * (angles[0] + angles[1]), self.backwards))
     }
 
     /// The surface with all sliding speeds multiplied by a factor.
@@ -124,13 +154,20 @@ impl Patch {
 }
 
 impl Patch {
+    /// A flat surface that slides as a whole along x.
+    pub(crate) fn along_x(shape: Shape, speed: f64) -> Result<Patch, Fault> {
+        let surface = Surface::new(shape, SlidingMotion::along_x(speed))
+            .map_err(|error| Fault::at(EDGES, "degenerate", error.to_string(), "give a surface with area"))?;
+        Ok(Patch { surface, kind: PatchKind::Plane, backwards: false, other: None })
+    }
+
     /// A flat surface from and to the given x (or radius), where a round body meets a flat one.
     pub(crate) fn flat(kinematics: Kinematics, x: [f64; 2], z: f64, sliding: Option<&Sliding>) -> Result<Patch, Fault> {
         let (shape, kind) = match kinematics.is_revolved() {
             true => (Shape::Annulus { radii: x }, PatchKind::Ring),
             false => (Shape::Strip { x, z, thickness: thickness(kinematics) }, PatchKind::Plane),
         };
-        Patch::new(Found { shape, kind, centre: [0.0, z], key: EDGES }, sliding, false)
+        Patch::new(Found { shape, kind, centre: [0.0, z], key: EDGES, other: None }, sliding, false)
     }
 }
 

@@ -85,6 +85,12 @@ const TABLE: &[Row] = &[
         because: "the module shows that hpfem alone runs in a browser",
     },
     Row {
+        package: "tests/fuzz",
+        ours: &["hpfem", "scene", "wearshape", "cli"],
+        others: Some(&["mcap"]),
+        because: "inputs are given to what reads them: the libraries, or the program where a recording is read",
+    },
+    Row {
         package: "tests",
         ours: &["wearshape", "scene", "report", "cli"],
         others: None,

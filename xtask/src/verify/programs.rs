@@ -15,20 +15,26 @@ const LIMIT: Duration = Duration::from_secs(600);
 
 /// Builds wearshape and returns where it is.
 pub(crate) fn build(root: &Path) -> Result<PathBuf, String> {
+    build_one(root, "cli", "wearshape")
+}
+
+/// Builds a program of one of our packages, with the features it has beside wearshape, and returns where it is.
+pub(crate) fn build_one(root: &Path, package: &str, name: &str) -> Result<PathBuf, String> {
     let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".into());
     let output = Command::new(cargo)
-        .args(["build", "--release", "--package", "cli", "--bin", "wearshape", "--message-format=json-render-diagnostics"])
+        .args(["build", "--release", "--package", "cli", "--package", package, "--bin", name])
+        .arg("--message-format=json-render-diagnostics")
         .current_dir(root)
         .stderr(Stdio::inherit())
         .output()
         .map_err(|error| format!("cargo: {error}"))?;
     if !output.status.success() {
-        return Err("wearshape does not build".into());
+        return Err(format!("{name} does not build"));
     }
     let text = String::from_utf8_lossy(&output.stdout);
     let messages = text.lines().filter_map(|line| serde_json::from_str::<Value>(line).ok());
     let found = messages.filter_map(|message| message["executable"].as_str().map(PathBuf::from)).next_back();
-    found.ok_or("cargo built wearshape and did not say where".into())
+    found.ok_or(format!("cargo built {name} and did not say where"))
 }
 
 /// Runs wearshape on the case's scene into `<folder>/ours`.

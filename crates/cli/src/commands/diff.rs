@@ -1,12 +1,12 @@
 //! `wearshape diff`: what two folders of results differ in.
 
-use std::fs;
 use std::path::Path;
 
 use scene::{Fault, Place};
 use serde_json::{Value, json};
 
 use crate::args::DiffArgs;
+use crate::bounded;
 use crate::diff::contact::{self, Apart, Contact, Table};
 use crate::diff::scenes;
 use crate::diff::summaries::{self, Entry};
@@ -64,7 +64,7 @@ fn read(folder: &Path) -> Result<Results, Fault> {
     };
     let read = |name: &str| {
         let path = folder.join(name);
-        fs::read_to_string(&path).map_err(|error| fault(format!("cannot read {}: {error}", path.display())))
+        bounded::result_text(&path).map_err(|error| fault(format!("cannot read {}: {error}", path.display())))
     };
     let damaged = |error: &dyn std::fmt::Display| fault(format!("{} is damaged: {error}", folder.join("summary.json").display()));
     let summary: Value = serde_json::from_str(&read("summary.json")?).map_err(|error| damaged(&error))?;

@@ -9,6 +9,7 @@ use wearshape::{DEGREES, Event, Measure, Quantity, Step, StudyLevel, Truth, oute
 
 use crate::again::again;
 use crate::args::StudyArgs;
+use crate::bounded;
 use crate::clock::seconds;
 use crate::diff::scenes;
 use crate::exit::Exit;
@@ -151,7 +152,7 @@ fn reference(folder: &Path, resolved: &str) -> Result<Truth, Fault> {
     };
     let read = |name: &str| {
         let path = folder.join(name);
-        std::fs::read_to_string(&path).map_err(|error| fault(format!("cannot read {}: {error}", path.display())))
+        bounded::result_text(&path).map_err(|error| fault(format!("cannot read {}: {error}", path.display())))
     };
     same_problem(&read("scene.resolved.toml")?, resolved).map_err(&fault)?;
     let table = read("contact.csv")?;

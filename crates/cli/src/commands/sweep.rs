@@ -235,7 +235,7 @@ fn page(folder: &Path, grid: &Grid, summary: &Value, rows: &Rows, mark: &str) ->
 }
 
 /// The page of a finished sweep, built again; none where the scene of the folder is not headed by what was swept.
-pub(super) fn page_again(folder: &Path, read: &dyn Fn(&str) -> Option<Vec<u8>>) -> Option<String> {
+pub(super) fn page_again(folder: &Path, read: &dyn Fn(&str) -> Option<Vec<u8>>, there: &dyn Fn(&str) -> bool) -> Option<String> {
     let text = |name: &str| String::from_utf8(read(name)?).ok();
     let mark = text("scene.resolved.toml")?;
     let plan: Value = serde_json::from_str(mark.lines().next()?.strip_prefix("# ")?).ok()?;
@@ -244,7 +244,7 @@ pub(super) fn page_again(folder: &Path, read: &dyn Fn(&str) -> Option<Vec<u8>>) 
     let summary: Value = serde_json::from_str(&text("summary.json")?).ok()?;
     let mut rows = Rows::default();
     // Read line by line: only what is shown is kept.
-    read(CURVES).and(read(ROWS))?;
+    (there(CURVES) && there(ROWS)).then_some(())?;
     rows.see_finished(&folder.join(ROWS), &grid);
     Some(page(folder, &grid, &summary, &rows, &mark))
 }

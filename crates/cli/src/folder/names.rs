@@ -8,6 +8,8 @@ use std::path::Path;
 use report::SCHEMA_VERSION;
 use serde_json::Value;
 
+use crate::bounded;
+
 /// Names of the files of a partial folder, one a line; it is not among them.
 pub(super) const LIST: &str = ".wearshape-files";
 /// The list on its way to its name.
@@ -42,7 +44,7 @@ const FOLDERS_WITHOUT_LIST: [&str; 2] = ["plots/", "fields/"];
 /// The files in a folder that are ours; those that its lists name, or without any list those of the known names.
 pub(super) fn known(folder: &Path) -> BTreeSet<String> {
     let summary = summary(folder);
-    let list = fs::read_to_string(folder.join(LIST)).ok();
+    let list = bounded::result_text(&folder.join(LIST)).ok();
     let manifest = summary["manifest"].as_array();
     let listed = manifest.into_iter().flatten().filter_map(Value::as_str).chain(list.iter().flat_map(|list| list.lines()));
     let listed: BTreeSet<&str> = listed.collect();
@@ -104,7 +106,7 @@ fn remove_empty(folder: &Path) {
 
 /// The summary in a folder; null without one.
 pub(super) fn summary(folder: &Path) -> Value {
-    let text = fs::read_to_string(folder.join(SUMMARY)).unwrap_or_default();
+    let text = bounded::result_text(&folder.join(SUMMARY)).unwrap_or_default();
     serde_json::from_str(&text).unwrap_or_default()
 }
 

@@ -7,8 +7,18 @@ use scene::{Fault, Place};
 use shapeopt::WearState;
 use wearshape::{Resume, RunLevel};
 
+use crate::bounded;
 use crate::record::replay::Replay;
 use crate::record::{Recorder, SceneUpdate, unwritable};
+
+/// The bytes of a recording.
+fn recorded(path: &Path) -> Result<Vec<u8>, Fault> {
+    bounded::result(path).map_err(|why| {
+        let message = format!("cannot read the recording {}: {why}", path.display());
+        let remedy = "take it away, or leave out --resume to begin again";
+        Fault { place: Some(Place::Flag("--resume".into())), ..Fault::new("unreadable", message, remedy) }
+    })
+}
 
 /// A recording that follows a run from level to level.
 pub(crate) struct Tape {
@@ -27,7 +37,7 @@ impl Tape {
         let path = path.to_path_buf();
         let (mut replay, mut word) = (None, None);
         if resume {
-            let found = fs::read(&path).ok().map(|bytes| Replay::read(&bytes));
+            let found = if path.exists() { Some(Replay::read(&recorded(&path)?)) } else { None };
             let said = match &found {
                 None => "there is no recording to go on from; the run begins at its start".to_string(),
                 Some(found) => match (found.unfit(resolved), found.states.last()) {

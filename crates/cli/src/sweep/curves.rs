@@ -15,20 +15,23 @@ pub(crate) const CURVES: &str = "curves.csv";
 /// Points that still can be told apart in one picture.
 const MOST_DRAWN: usize = 12;
 
-/// The columns between the number of the point and the values of its axes.
-type Column = (&'static str, fn(&Profile, usize) -> f64);
-const COLUMNS: [Column; 10] = [
-    ("s_mm", |p, k| p.s[k]),
-    ("x_mm", |p, k| p.position[k][0]),
-    ("y_mm", |p, k| p.position[k][1]),
-    ("z_mm", |p, k| p.position[k][2]),
-    ("pressure_MPa", |p, k| p.pressure[k]),
-    ("pressure_solved_MPa", |p, k| p.pressure_solved[k]),
-    ("shear_MPa", |p, k| p.shear[k]),
-    ("gap_um", |p, k| p.gap[k]),
-    ("opening_um", |p, k| p.opening[k]),
-    ("wear_rate_um_per_s", |p, k| p.wear_rate[k]),
+/// The columns of contact.csv between the number of the point and the values of its axes.
+const COLUMNS: [&str; 10] = [
+    "s_mm",
+    "x_mm",
+    "y_mm",
+    "z_mm",
+    "pressure_MPa",
+    "pressure_solved_MPa",
+    "shear_MPa",
+    "gap_um",
+    "opening_um",
+    "wear_rate_um_per_s",
 ];
+
+fn columns() -> impl Iterator<Item = &'static report::ContactColumn> {
+    report::CONTACT_COLUMNS.iter().filter(|(name, _)| COLUMNS.contains(name))
+}
 
 /// Whether a point of a sweep is drawn: all where they are few, else some that are evenly spread, with the first and the last.
 pub(crate) fn is_drawn(point: usize, count: usize) -> bool {
@@ -41,14 +44,14 @@ pub(crate) fn header(grid: &Grid) -> String {
 }
 
 fn names(grid: &Grid) -> Vec<&str> {
-    std::iter::once("point").chain(COLUMNS.iter().map(|(name, _)| *name)).chain(grid.keys()).collect()
+    std::iter::once("point").chain(columns().map(|(name, _)| *name)).chain(grid.keys()).collect()
 }
 
 /// The rows of a point.
 pub(crate) fn curve(grid: &Grid, point: usize, profile: &Profile) -> String {
     let axes = grid.at(point);
     let row = |place: usize| {
-        let numbers = COLUMNS.iter().map(move |(_, value)| scene::number_text(value(profile, place)));
+        let numbers = columns().map(move |(_, value)| scene::number_text(value(profile, place)));
         let axes = axes.iter().map(|(_, value)| value.to_string());
         std::iter::once(point.to_string()).chain(numbers).chain(axes).collect::<Vec<_>>()
     };
@@ -76,7 +79,7 @@ pub(crate) fn plots(file: &Path, grid: &Grid, title: &str) -> Vec<LinePlot> {
         let numbers = line.split(',').skip(1).take(COLUMNS.len()).map(|number| number.parse().unwrap_or(f64::NAN));
         curves.entry(point).or_default().push(numbers.collect());
     }
-    let column = |name: &str| COLUMNS.iter().position(|(known, _)| *known == name).unwrap_or(0);
+    let column = |name: &str| COLUMNS.iter().position(|known| *known == name).unwrap_or(0);
     let by = figures::labels(grid).join(", ");
     let plot = |what: &str, y_label: &str, name: &str| {
         let y = column(name);

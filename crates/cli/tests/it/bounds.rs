@@ -136,3 +136,74 @@ fn blocks_of_40_000_cells_take_seconds() {
     let call = bench.shell("ulimit -t 10; \"$0\" check blocks.toml");
     assert_eq!(call.code, 0, "{}", call.err);
 }
+
+/// The folder `x` with the results of a small scene.
+fn results() -> Bench {
+    let bench = Bench::new();
+    let call = bench.call("run translating-punch -q -o x --set tasks=[pressure,shape] --set mesh.degree=3 --set mesh.layers=1");
+    assert!(call.code < 2, "{}", call.err);
+    bench
+}
+
+#[cfg(unix)]
+#[test]
+fn results_are_files_of_at_most_1_gb() {
+    let bench = results();
+    let study = "study translating-punch --reference x -o y --set tasks=[pressure,shape] --set mesh.degree=3 --set mesh.layers=1";
+    for (name, commands) in [
+        ("summary.json", &["report x", "diff x x", study][..]),
+        ("contact.csv", &["report x", "diff x x", study]),
+        ("scene.resolved.toml", &["diff x x", study]),
+    ] {
+        let (path, kept) = (bench.path(&format!("x/{name}")), bench.path("kept"));
+        std::fs::rename(&path, &kept).unwrap();
+        File::create(&path).unwrap().set_len(1_000_000_001).unwrap();
+        for command in commands {
+            let args: Vec<&str> = command.split(' ').collect();
+            refused(&bench, &args, &format!("cannot read x/{name}: it is larger than 1000 MB, the largest that is read"));
+        }
+        std::fs::remove_file(&path).unwrap();
+        assert_eq!(bench.shell(&format!("mkfifo x/{name}")).code, 0);
+        for command in commands {
+            let args: Vec<&str> = command.split(' ').collect();
+            refused(&bench, &args, &format!("cannot read x/{name}: it is a pipe or a device, not a file"));
+        }
+        std::fs::remove_file(&path).unwrap();
+        std::fs::rename(&kept, &path).unwrap();
+    }
+    assert_eq!(bench.call("diff x x").code, 0);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_recording_is_a_file_of_at_most_1_gb() {
+    let bench = results();
+    let wear = "run punch-wear -q -o w --set mesh.degree=4 --set mesh.layers=2 --set accuracy=1e-2";
+    assert_eq!(bench.call(wear).code, 0);
+    assert_eq!(
+        bench
+            .shell(
+                "mkdir w.partial && cp w/scene.resolved.toml w.partial && rm w/run.mcap && mkfifo x/run.mcap w.partial/run.mcap"
+            )
+            .code,
+        0
+    );
+    let resume = format!("{wear} --resume");
+    let resume: Vec<&str> = resume.split(' ').collect();
+    refused(&bench, &["report", "x"], "cannot read x/run.mcap: it is a pipe or a device, not a file");
+    refused(&bench, &resume, "run.mcap: it is a pipe or a device, not a file");
+    assert_eq!(bench.shell("rm x/run.mcap w.partial/run.mcap").code, 0);
+    for (name, args) in [("x/run.mcap", &["report", "x"][..]), ("w.partial/run.mcap", &resume)] {
+        File::create(bench.path(name)).unwrap().set_len(1_000_000_001).unwrap();
+        refused(&bench, args, "run.mcap: it is larger than 1000 MB, the largest that is read");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_pressure_too_steep_to_be_integrated_is_refused_in_half_a_gigabyte() {
+    let bench = Bench::new();
+    let call = bench.shell("ulimit -v 500000; $0 run elliptic-punch --set load.moment=1e16 --set wear.b=30 --threads 1 -o x");
+    assert_eq!(call.code, 1, "{}", call.err);
+    assert!(bench.read("x/summary.json").contains("the pressure is so steep that its integrals over the surface need more than"));
+}

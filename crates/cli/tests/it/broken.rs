@@ -173,9 +173,9 @@ fn a_ratio_of_one_half_is_refused() {
 
 #[test]
 fn arcs_that_do_not_touch_are_refused() {
-    let apart = SOUND.replacen("outer = 200", "outer = 199", 1);
+    let apart = SOUND.replacen("outer = 200", "outer = 201", 1);
     let contact = SOUND[..SOUND.find("contact = ").unwrap()].matches('\n').count() + 1;
-    refused(&apart, Some(contact), "radius 200 about [0.0, 0.0] and radius 199", "same radius");
+    refused(&apart, Some(contact), "the shaft has the radius 201, its hole the radius 200", "larger radius");
 }
 
 #[test]

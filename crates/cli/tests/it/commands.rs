@@ -35,8 +35,8 @@ fn the_schema_knows_units_and_least_numbers() {
     assert!(length.contains("(mm|m|cm|um|") && length.starts_with('^') && length.ends_with('$'), "{length}");
     let least = |of: &serde_json::Value, key: &str| of["properties"][key]["exclusiveMinimum"].as_f64();
     assert_eq!(least(&schema, "thickness"), Some(0.0));
-    assert_eq!(least(&definitions["Material"], "young"), Some(0.0));
-    assert_eq!(least(&definitions["Material"], "poisson"), Some(-1.0));
+    assert_eq!(least(&definitions["MaterialNumbers"], "young"), Some(0.0));
+    assert_eq!(least(&definitions["MaterialNumbers"], "poisson"), Some(-1.0));
     assert_eq!(definitions["Contact"]["properties"]["friction"]["minimum"].as_f64(), Some(0.0));
     let mesh = &definitions["MeshFile"]["properties"];
     assert!(["scale", "rotate", "move"].iter().all(|key| mesh[key].is_object()), "{mesh}");

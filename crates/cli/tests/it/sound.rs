@@ -11,7 +11,7 @@ fn what_cannot_be_meshed_is_refused_by_check_as_by_run() {
         ("drum-brake-block --set body1.geometry.shoe-block.half_angle=1.5533", "make the body less thin"),
         ("translating-punch --set body2.geometry.rectangle.x=[-1e12,1e12]", "2e12 mm wide for a contact of 60 mm"),
         ("translating-punch --set load.edge=left", "rigid edge"),
-        ("hertz-cylinder --set tasks=[contact,wear] --set sliding.speed=1 --set wear.k=1e-7", "no wear yet"),
+        ("hertz-cylinder --set tasks=[contact,wear] --set sliding.speed=1 --set wear.k=1e-7", "has the task wear alone"),
         ("hertz-cylinder --set body2.geometry.rectangle.x=[-100,90]", "symmetric"),
         ("cattaneo-mindlin --set contact.friction=0", "friction"),
         ("cattaneo-mindlin --set load.tilt=1e-3", "without tilt"),

@@ -2,17 +2,22 @@
 
 use crate::call::Bench;
 
-const NAMES: [&str; 16] = [
+const NAMES: [&str; 21] = [
     "drum-brake-block",
     "drum-brake-ring",
     "lining-on-back",
     "internal-shoe",
+    "pinned-shoe-elastic",
     "translating-punch",
     "punch-wear",
     "annular-punch",
+    "reciprocating-pad",
     "hertz-cylinder",
     "hertz-sphere",
     "cattaneo-mindlin",
+    "bushing",
+    "knee",
+    "pin-on-disc",
     "disc-pad",
     "pinned-shoe",
     "pivoted-shoe",

@@ -258,6 +258,91 @@ fn a_rigid_edge_without_free_motion_is_a_clamp() {
 }
 
 #[test]
+fn a_curved_rigid_edge_turns_as_a_line_about_a_point_off_it_and_its_reaction_balances() {
+    // A patch with arcs, its top turning about a point, its left end loaded: what the top takes is what is pressed on.
+    let materials = steel();
+    let pin = [2.0, 3.5];
+    let load = [vec![traction("right", |p| [1.0, 0.3 * p.position[1]])]];
+    for turns in TURNS {
+        let mesh = patch(turns, Shape::Arcs, 0.0);
+        let rigid = RigidEdge { boundary: "top".into(), reference: pin, free: [false, false, true] };
+        let problem = BodyProblem {
+            rigid_edge: Some(rigid),
+            edge_reaction: true,
+            ..problem(&mesh, 9, PLANE_STRESS, &materials, &[], &load, Some("left"))
+        };
+        let body = Body::new(problem).unwrap();
+        let i = &body.interface;
+        // Free, it turns about the pin without strain, but for what degree 9 leaves of the sines.
+        let [[x, z, theta]] = i.rigid_motions[..] else { panic!("{:?}", i.rigid_motions) };
+        assert!((x - theta * pin[1]).abs() < 1e-12 * theta.abs() && (z + theta * pin[0]).abs() < 1e-12 * theta.abs());
+        let strain = &i.stiffness * &i.rigid_modes;
+        assert!(strain.norm_max() < 1e-8 * i.stiffness.norm_max() * i.rigid_modes.norm_max().max(1.0));
+        // A force on the kept edge that balances the load about the pin leaves the body at rest, and the pin takes the rest of the force.
+        let Some(unknown) = i.frame[2] else { panic!("the turn is free") };
+        let loads = afloat(&body, &[1.0]);
+        let moment = -(0..i.stiffness.nrows()).map(|k| i.rigid_modes[(k, 0)] * i.columns[(k, 0)]).sum::<f64>()
+            / i.rigid_modes[(unknown, 0)];
+        let mut load = loads.load.clone();
+        load.unknowns[unknown] = moment;
+        let right = i.right_hand_side(&load, &loads.factors);
+        let state = InterfaceState { unknowns: i.solve_one(&right), factors: loads.factors, load };
+        let force = integral(&mesh, "right", |p| [1.0, 0.3 * p[1]]);
+        let r = i.reaction(0, &state);
+        assert_relative_eq!(r[0], -force[0], max_relative = 1e-9);
+        assert_relative_eq!(r[1], -force[1], max_relative = 1e-9);
+        // About the origin: the reaction of the line takes what the moment on it does not balance, at the pin.
+        assert_relative_eq!(r[2], -force[2], max_relative = 1e-9);
+        let field = body.field(&state).unwrap();
+        let theta = state.unknowns[unknown];
+        for cell in [2, 3] {
+            for (xi, eta) in sample_points() {
+                let x = field.position(cell, xi, eta);
+                let on_top = mesh.boundary("top").unwrap().into_iter().any(|e| {
+                    (0..=400).any(|k| {
+                        let y = mesh.edges[e].curve.point(f64::from(k) / 200.0 - 1.0);
+                        (y[0] - x[0]).hypot(y[1] - x[1]) < 1e-9
+                    })
+                });
+                if on_top {
+                    let u = field.at(cell, xi, eta).unwrap().displacement;
+                    let wanted = [-theta * (x[1] - pin[1]), theta * (x[0] - pin[0])];
+                    let size = theta.abs() * 1e-9 + 1e-18;
+                    assert!((u[0] - wanted[0]).abs() < size && (u[1] - wanted[1]).abs() < size, "{u:?} {wanted:?}");
+                }
+            }
+        }
+    }
+}
+
+/// Force and moment about the origin of a traction on a boundary of a body of the usual thickness.
+fn integral(mesh: &Mesh, boundary: &str, traction: impl Fn([f64; 2]) -> [f64; 2]) -> [f64; 3] {
+    let thickness = PLANE_STRESS.thickness().unwrap();
+    let rule = gauss(20);
+    let mut sum = [0.0; 3];
+    for e in mesh.boundary(boundary).unwrap() {
+        for (t, w) in rule.points.iter().zip(&rule.weights) {
+            let (x, d) = (mesh.edges[e].curve.point(*t), mesh.edges[e].curve.derivative(*t));
+            let q = traction(x).map(|q| q * w * thickness * d[0].hypot(d[1]));
+            (sum[0], sum[1], sum[2]) = (sum[0] + q[0], sum[1] + q[1], sum[2] + x[0] * q[1] - x[1] * q[0]);
+        }
+    }
+    sum
+}
+
+#[test]
+fn an_edge_that_slides_at_an_angle_leaves_that_translation_alone() {
+    let mesh = patch([0; 4], Shape::Arcs, 0.0);
+    let angle = 0.6_f64;
+    let problem =
+        BodyProblem::new(mesh, 5, PLANE_STRESS).material(steel()[0]).support(Support::sliding("top", angle)).keep("left");
+    let body = Body::new(problem).unwrap();
+    let [[x, z, theta]] = body.interface.rigid_motions[..] else { panic!("{:?}", body.interface.rigid_motions) };
+    assert_relative_eq!(z / x, angle.tan(), max_relative = 1e-12);
+    assert_abs_diff_eq!(theta, 0.0, epsilon = 1e-12);
+}
+
+#[test]
 fn strain_energy_is_that_of_a_bar() {
     // U = s^2 V / (2 E).
     let mesh = rectangle([0.0, 2.0], [0.0, 1.5]);

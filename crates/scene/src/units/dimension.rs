@@ -23,6 +23,7 @@ pub(crate) const LENGTH: Dimension = Dimension {
         ("µm", 1.0, 1e3),
         ("nm", 1.0, 1e6),
         ("in", 25.4, 1.0),
+        ("km", 1e6, 1.0),
     ],
 };
 pub(crate) const FORCE: Dimension =

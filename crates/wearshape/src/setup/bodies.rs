@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use meshing::{Body, Files, outline, outside, read_cells, sound, sound_material};
-use scene::{Component, Contact, Fault, Gap, Kinematics, Scene, did_you_mean, missing, positive};
+use scene::{Component, Fault, Kinematics, Scene, Support, did_you_mean, missing, positive};
 
-use crate::gap_profile;
+use crate::setup::{one_way, start_gap};
 
 /// Checks both bodies and the contact, and fills in their defaults. None of a surface alone.
 pub(super) fn resolve(scene: &mut Scene, files: Files<'_>) -> Result<Option<(hpfem::Kinematics, [Body; 2])>, Fault> {
@@ -46,7 +46,7 @@ pub(super) fn resolve(scene: &mut Scene, files: Files<'_>) -> Result<Option<(hpf
 }
 
 fn friction(scene: &mut Scene) -> Result<(), Fault> {
-    let contact = scene.contact.get_or_insert(Contact { edges: None, friction: None, shear: None, gap: None });
+    let contact = scene.contact.get_or_insert_default();
     let friction = *contact.friction.get_or_insert(0.0);
     if !friction.is_finite() || friction < 0.0 {
         let message = format!("negative friction: contact.friction = {friction}");
@@ -96,10 +96,12 @@ fn one_body(name: &'static str, body: &mut scene::Body, axisymmetric: bool, file
 fn held_edges(name: &str, body: &scene::Body, typed: &Body, axisymmetric: bool) -> Result<(), Fault> {
     let outline = outline(typed);
     let edges = outline.names(true);
-    for (edge, components) in &body.support {
+    one_way::supports(name, body, axisymmetric)?;
+    for (edge, support) in &body.support {
         let key = format!("{name}.support.{edge}");
         known_edge(&key, edge, &edges)?;
         off_axis(&key, edge, &outline.points(edge), axisymmetric)?;
+        let Support::Components(components) = support else { continue };
         if components.is_empty() {
             let message = format!("{key} holds nothing");
             return Err(Fault::at(key, "wrong-value", message, "write the components held, as in [\"x\", \"z\"]"));
@@ -155,17 +157,7 @@ fn contact_edges(scene: &mut Scene, bodies: &mut [Body], files: Files<'_>) -> Re
     for (body, edge) in bodies.iter_mut().zip(edges) {
         outside(body, edge)?;
         body.contact.clone_from(edge);
+        one_way::off_contact(body)?;
     }
-    let gap = contact.gap.get_or_insert(Gap::Constant(0.0));
-    match gap {
-        Gap::Constant(0.0) => {}
-        Gap::Constant(value) => {
-            let message = format!("contact.gap = {value}: a uniform gap is no shape");
-            let remedy = "write 0, or the name of a CSV file with the columns s_mm, gap_um";
-            return Err(Fault::at("contact.gap", "wrong-value", message, remedy));
-        }
-        Gap::File(name) => *gap = gap_profile::read(files, name)?,
-        Gap::Profile { s, gap } => gap_profile::check(s, gap)?,
-    }
-    Ok(())
+    start_gap::resolve(contact, files)
 }

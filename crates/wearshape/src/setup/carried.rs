@@ -36,6 +36,7 @@ fn moments(scene: &Scene, load: &Load, couple: Option<&Couple>) -> Vec<Row> {
     let axisymmetric = scene.kinematics == Some(Kinematics::Axisymmetric);
     let bare = scene.surface.is_some();
     let flat = matches!(scene.surface, Some(SurfaceShape::RectangularPunch(_) | SurfaceShape::EllipticPunch(_)));
+    let pinned = couple.is_some_and(|couple| couple.bodies[0].pin().is_some());
     let turns_by_load = load.kind == Some(LoadKind::Rigid) && !axisymmetric && !bare;
     let why = match (bare, axisymmetric) {
         (true, _) => "this surface is pressed by a force alone",
@@ -51,7 +52,7 @@ fn moments(scene: &Scene, load: &Load, couple: Option<&Couple>) -> Vec<Row> {
     let tilt = load.tilt.map(|tilt| tilt.0).filter(|tilt| *tilt != 0.0 || !(guided || bare || axisymmetric));
     let [moment, moment_y] = [load.moment, load.moment_y].map(|moment| moment.map(|moment| moment.0).filter(not_zero));
     vec![
-        ("load.moment", moment, turns_by_load || flat, why, remedy),
+        ("load.moment", moment, turns_by_load || flat || pinned, why, remedy),
         ("load.moment_y", moment_y, flat, "it belongs to the surfaces of punches", "leave it out"),
         ("load.tilt", tilt, turns_by_load, why, remedy),
     ]

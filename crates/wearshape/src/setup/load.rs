@@ -5,6 +5,7 @@ use scene::{Fault, Kinematics, Length, Load, LoadKind, Moment, Scene, SurfaceSha
 
 use crate::load;
 use crate::setup::bodies::{known_edge, off_axis};
+use crate::setup::one_way;
 use crate::setup::twist::turns;
 use crate::surface::Patch;
 
@@ -25,14 +26,21 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>, 
     let Some(body) = body else {
         return Ok(());
     };
+    if body.moves_one_way() && one_way::by_moment(load, body)? {
+        return Ok(());
+    }
     let Some(edge) = load.edge.clone() else {
         return Err(missing("load.edge", "the load needs an edge of body 1", "load.edge = \"top\""));
     };
     known_edge("load.edge", &edge, &outline(body).names(false))?;
     outside(body, &edge)?;
+    one_way::direction(load, body)?;
     can_be_loaded(body, &edge, load.kind, scene.kinematics == Some(Kinematics::Axisymmetric))?;
     match load.kind {
-        None => Err(missing("load.as", "how does the load act?", "load.as = \"pressure\" (or vertical, rigid)")),
+        None => {
+            let others = if body.moves_one_way() { "vertical, traction" } else { "vertical, rigid" };
+            Err(missing("load.as", "how does the load act?", &format!("load.as = \"pressure\" (or {others})")))
+        }
         Some(LoadKind::Rigid) => rigid(scene, tasks, patch),
         Some(kind) => {
             pressing(load)?;
@@ -50,7 +58,8 @@ fn can_be_loaded(body: &Body, edge: &str, kind: Option<LoadKind>, axisymmetric: 
     let points = outline(body).points(edge);
     off_axis("load.edge", edge, &points, axisymmetric)?;
     let [from, to] = points.iter().fold([f64::MAX, f64::MIN], |[from, to], x| [from.min(x[0]), to.max(x[0])]);
-    if points.is_empty() || kind == Some(LoadKind::Rigid) || to - from > 1e-12 * from.abs().max(to.abs()) {
+    let any_way = kind == Some(LoadKind::Rigid) || (body.moves_one_way() && kind != Some(LoadKind::Vertical));
+    if points.is_empty() || any_way || to - from > 1e-12 * from.abs().max(to.abs()) {
         return Ok(());
     }
     let message = format!("the edge `{edge}` is upright: a load on it does not press body 1 on body 2");
@@ -182,8 +191,12 @@ fn worn_approach(scene: &Scene, time: f64) -> Result<(), Fault> {
     Err(Fault::at("load.approach_time", "wrong-value", message, remedy))
 }
 
-/// Where and how a resolved load acts; none without an edge.
-pub(super) fn edge(load: &Load) -> Option<LoadedEdge> {
+/// Where and how a resolved load acts; none without an edge. A moment about a pin acts on the edge that turns.
+pub(super) fn edge(load: &Load, body: Option<&Body>) -> Option<LoadedEdge> {
+    if let (None, Some((edge, pin))) = (load.kind, body.and_then(Body::pin)) {
+        let (kind, edge) = (LoadKind::Rigid, edge.to_string());
+        return Some(LoadedEdge { edge, kind, strip: None, about: pin, direction: 0.0, level: false });
+    }
     let kind = load.kind?;
     let centre = load.centre.map_or(0.0, |centre| centre.0);
     Some(LoadedEdge {
@@ -191,6 +204,7 @@ pub(super) fn edge(load: &Load) -> Option<LoadedEdge> {
         kind,
         strip: load.width.filter(|_| kind == LoadKind::Vertical).map(|width| Strip { centre, width: width.0 }),
         about: about(load),
+        direction: load.direction.map_or(0.0, |angle| angle.0),
         level: load.tilt.is_some_and(|tilt| tilt.0 == 0.0),
     })
 }

@@ -14,6 +14,15 @@ pub(super) fn remarks(problem: &Problem, tasks: &[Task]) -> Vec<Remark> {
     let mut say = |code: &'static str, message: String| found.push(Remark { code, message: with_short_numbers(&message) });
     materials(problem, &mut say);
     guide(problem, &mut say);
+    if let Some(residual) = problem.gap.residual {
+        let [rms, most] = [residual.rms, residual.most].map(scene::short);
+        say(
+            "smoothed-gap",
+            format!(
+                "The gap is the smoothest curve near the rows of the profile: {rms} um from them in the root mean square, {most} um at most."
+            ),
+        );
+    }
     if problem.wear.of_friction && problem.friction.coefficient == 0.0 && tasks != [Task::Contact] {
         let message = "Friction is 0 and wear.beta stands in front of the friction stress: nothing wears, and rates, powers, multipliers and feed are 0. Pressure and shape are as for vanishing friction; wear.k wears without friction.";
         say("no-wear", message.to_string());

@@ -20,6 +20,8 @@ struct Facts {
     revolved: bool,
     slides: bool,
     turned: bool,
+    /// Whether the shape is that of a reversing motion.
+    reverses: bool,
     /// Whether a body is held against turning about the axis.
     held: bool,
     fields: bool,
@@ -47,7 +49,10 @@ const TABLE: [(Step, Rule); 18] = [
     (Step::Factor, elastic),
     (Step::Interface, elastic),
     (Step::Contact, |f| f.asked(Task::Contact, "the task \"contact\" asks for it", NO_TASK)),
-    (Step::Shape, |f| f.asked(Task::Shape, "the task \"shape\" asks for it", NO_TASK)),
+    (Step::Shape, |f| match f.reverses {
+        true => Some((true, "the pressures forward and backward are those of its gap")),
+        false => f.asked(Task::Shape, "the task \"shape\" asks for it", NO_TASK),
+    }),
     (Step::RoundTrip, |f| match (f.has(Task::Shape), f.check) {
         (true, true) => Some((true, "a contact solve on the shape proves it")),
         (true, false) => Some((false, "check = false")),
@@ -109,6 +114,7 @@ impl Facts {
             revolved: couple.is_some_and(|couple| couple.is_revolved()),
             slides: problem.sliding.is_some(),
             turned: !problem.load.turns.is_empty(),
+            reverses: problem.reversing.is_some(),
             held: couple.is_some_and(|couple| couple.bodies.iter().any(|body| body.holds(Component::Phi))),
             fields: output.fields.unwrap_or(false),
             page: output.report.unwrap_or(true),

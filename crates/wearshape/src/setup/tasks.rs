@@ -19,6 +19,11 @@ pub(super) fn resolve(scene: &mut Scene) -> Result<Vec<Task>, Fault> {
         None => vec![Task::Pressure, Task::Shape],
     };
     let mut tasks = scene.tasks.clone().unwrap_or(default);
+    // The pressures of a reversing motion come with the shape that has them.
+    let reverses = scene.sliding.as_ref().is_some_and(|sliding| sliding.reversing.is_some());
+    if reverses && scene.surface.is_none() && tasks.contains(&Task::Pressure) {
+        tasks.push(Task::Shape);
+    }
     tasks.sort();
     tasks.dedup();
     if tasks.is_empty() {

@@ -35,7 +35,7 @@ pub(super) fn resolve(scene: &Scene, tasks: &[Task]) -> Result<(), Fault> {
         let message = "nothing resists the turning: there is no friction shear";
         return Err(Fault::at(key, "no-balance", message, "give contact.friction > 0, and no contact.shear = false"));
     }
-    let held = |body: &Option<Body>| body.iter().flat_map(|b| b.support.values()).any(|held| held.contains(&Component::Phi));
+    let held = |body: &Option<Body>| body.iter().flat_map(|b| b.support.values()).any(|held| held.holds(Component::Phi));
     for (name, body, edge) in [("body1", &scene.body1, "top"), ("body2", &scene.body2, "bottom")] {
         if !held(body) {
             let why = if name == "body1" { "this is the edge that is turned" } else { "it would turn along" };

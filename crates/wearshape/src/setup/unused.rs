@@ -1,7 +1,7 @@
 //! Keys that were written but that the scene's choices do not use.
 
 use meshing::unused_in_blocks;
-use scene::{Document, Geometry, Kinematics, LoadKind, Scene, Task};
+use scene::{Document, Geometry, Kinematics, LoadKind, Scene, Support, Task};
 
 use crate::functional::functional_row;
 use crate::setup::twist::turns;
@@ -49,21 +49,26 @@ fn idle(scene: &Scene, tasks: &[Task]) -> Vec<&'static str> {
     let optimal = tasks.contains(&Task::Pressure) || tasks.contains(&Task::Shape);
     let wears = tasks.contains(&Task::Wear);
     when(axisymmetric || bare, &["thickness"]);
-    when(bare, &["kinematics", "contact.edges", "contact.gap", "load.edge", "load.as"]);
+    when(bare, &["kinematics", "contact.edges", "contact.gap", "contact.clearance", "load.edge", "load.as"]);
     when(!tasks.contains(&Task::Shape), &["check"]);
     when(pressure_only, &["mesh.degree", "mesh.layers"]);
     let flat = matches!(scene.contact.as_ref().and_then(|contact| contact.gap.as_ref()), None | Some(scene::Gap::Constant(_)));
     when(pressure_only && !flat, &["contact.gap"]);
+    when(!tasks.contains(&Task::Contact) && !wears, &["contact.clearance"]);
     when(pressure_only, &["output.fields", "load.approach_time"]);
-    let timed = matches!(scene.wear.as_ref().and_then(|wear| wear.until), Some(scene::Until::Time(_)));
+    let timed = scene.wear.as_ref().and_then(|wear| wear.until).is_some_and(|until| until != scene::Until::Steady);
     when(!wears && timed, &["wear.until"]);
     when(!wears, &["schedule"]);
+    when(!super::duty::has_life(scene, tasks), &["wear.wearable", "wear.spread"]);
     let kind = scene.load.as_ref().and_then(|load| load.kind);
     let rigid = kind == Some(LoadKind::Rigid);
     when(!rigid, &["load.approach", "load.tilt", "load.approach_time", "load.shear_force"]);
     let punch = matches!(scene.surface, Some(scene::SurfaceShape::RectangularPunch(_) | scene::SurfaceShape::EllipticPunch(_)));
     let no_moment = if bare { !punch } else { !rigid || axisymmetric };
-    when(no_moment, &["load.moment", "load.about"]);
+    let pinned = scene.body1.iter().flat_map(|body| body.support.values()).any(|held| matches!(held, Support::Pin(_)));
+    when(no_moment && !pinned, &["load.moment"]);
+    when(no_moment, &["load.about"]);
+    when(kind != Some(LoadKind::Traction), &["load.direction"]);
     when(!punch, &["load.moment_y"]);
     when(rigid && axisymmetric, &["load.tilt"]);
     when(kind != Some(LoadKind::Vertical), &["load.width", "load.centre"]);
@@ -82,6 +87,9 @@ fn idle(scene: &Scene, tasks: &[Task]) -> Vec<&'static str> {
     let slides = scene.contact.as_ref().and_then(|contact| contact.friction).unwrap_or(0.0) > 0.0;
     when(contact_only && !slides && !rates, &["sliding.omega", "sliding.speed"]);
     when(contact_only && !slides, &["contact.shear"]);
+    when(!optimal, &["sliding.reversing"]);
+    let compared = tasks.contains(&Task::Contact) && tasks.contains(&Task::Shape);
+    when(!compared, &["contact.roughness"]);
     when(!turned, &["load.twist", "load.torque"]);
     when(contact_only && turned, &["sliding.omega", "sliding.speed"]);
     idle

@@ -4,6 +4,7 @@ use scene::{Counterface, Fault, Functional, Pair, Scene, Task, Until, Wear, Wear
 use wear::{WearError, WearPair};
 
 use crate::problem;
+use crate::setup::duty;
 use crate::surface::{Patch, PatchKind};
 
 /// Checks the wear rule and the sliding, and fills in their defaults.
@@ -39,7 +40,11 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) 
         let key = if tasks == [Task::Wear] { "contact.friction" } else { "wear.beta" };
         return Err(Fault::at(key, "no-wear", message, remedy));
     }
+    let sliding = scene.sliding.as_ref();
     let default = match patch.map(|patch| patch.kind) {
+        // A ball.
+        None if sliding.is_some_and(|sliding| sliding.track_radius.is_some()) => Counterface::Revolving,
+        None if sliding.is_some_and(|sliding| sliding.speed.is_some()) => Counterface::Fresh,
         Some(PatchKind::Plane) => Counterface::Fresh,
         Some(PatchKind::Ring) => Counterface::Congruent,
         Some(PatchKind::Turning) => Counterface::Revolving,
@@ -54,10 +59,7 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) 
             let remedy = "write \"fresh\" for a long plate, \"congruent\" where the same points always meet (ring on disc)";
             return Err(Fault::at("wear.counterface", "wrong-value", message, remedy));
         }
-        match wear.until.get_or_insert(Until::Steady) {
-            Until::Time(time) => scene::positive("wear.until", time.0, "time", " s")?,
-            Until::Steady => {}
-        }
+        duty::end(scene, patch)?;
     }
     Ok(())
 }
@@ -142,9 +144,10 @@ pub(super) fn numbers(scene: &Scene) -> problem::Wear {
         },
         until: match scene.wear.as_ref().and_then(|wear| wear.until) {
             Some(Until::Time(time)) => Some(time.0),
-            Some(Until::Steady) | None => None,
+            _ => None,
         },
         of_friction: scene.wear.as_ref().is_some_and(|wear| wear.beta.is_some()),
+        wearable: duty::wearable(scene),
         own_rule: false,
     }
 }

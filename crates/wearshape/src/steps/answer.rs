@@ -4,11 +4,15 @@ use contact::{ContactPoint, Pair};
 use hpfem::InterfaceState;
 
 use crate::bodies::Reduced;
+use crate::brake::{BrakeResult, brake};
 use crate::machined::Machined;
 use crate::options::{CURVE, Sampling};
 use crate::profile::Profile;
 use crate::remark::Remark;
-use crate::results::{ContactResult, EnergyResult, ErrorResult, InterfaceResult, Reaction, ShapeResult, WearResult};
+use crate::results::{
+    ContactResult, EnergyResult, ErrorResult, InterfaceResult, PressureResult, Reaction, ShapeResult, WearResult,
+};
+use crate::reversing_result::ReversingResult;
 use crate::solution::{Rung, RunningIn, Status};
 use crate::stage::Stage;
 use crate::steps::reported::Reported;
@@ -45,6 +49,8 @@ pub(crate) struct Own<'a> {
 pub(crate) struct Told {
     pub energy: EnergyResult,
     pub reactions: Vec<(String, Reaction)>,
+    /// Body 1 as a brake, where a pin or a roller guides it.
+    pub brake: Option<BrakeResult>,
     /// At the contact points, or where the user wants it.
     pub profile: Profile,
     /// At the points of pictures.
@@ -58,7 +64,15 @@ impl Answer<'_> {
             Some(sampling) => self.sampled(sampling),
             None => self.at_own_points(),
         };
-        Told { energy: self.energy(), reactions: self.reduced.reactions(self.states), profile, curve: self.sampled(CURVE) }
+        let (energy, reactions) = (self.energy(), self.reduced.reactions(self.states));
+        Told { energy, reactions, brake: self.brake(), profile, curve: self.sampled(CURVE) }
+    }
+
+    fn brake(&self) -> Option<BrakeResult> {
+        let Own { points, pressure, .. } = self.own;
+        let surface: Vec<wear::SurfacePoint> =
+            points.iter().map(|p| self.stage.surface_point(p.position, p.normal, p.weight)).collect();
+        brake(self.stage.problem, &surface, pressure)
     }
 
     fn energy(&self) -> EnergyResult {
@@ -96,11 +110,15 @@ pub(crate) struct Outcome {
     pub ended: Option<(Status, String)>,
     /// Whether the watcher ended it.
     pub stopped: bool,
+    /// The mean pressure of a reversing motion.
+    pub pressure: Option<PressureResult>,
+    pub reversing: Option<ReversingResult>,
     pub contact: Option<ContactResult>,
     pub interface: Option<InterfaceResult>,
     pub shape: Option<ShapeResult>,
     pub wear: Option<WearResult>,
     pub history: Vec<(String, Vec<f64>)>,
+    pub groove: Vec<(String, Vec<f64>)>,
     pub running_in: Option<RunningIn>,
     pub machined: Option<Machined>,
     pub told: Option<Told>,

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use crate::effort::Effort;
-use crate::fixed::errors_of_contact;
+use crate::fixed;
 use crate::ladder::{Climbed, Ladder, Refusal, best, climb, largest, missed, rungs};
 use crate::level::Level;
 use crate::results::{ContactResult, ErrorResult, InterfaceResult, Reaction};
@@ -48,11 +48,6 @@ pub(crate) fn levels<X>(
     mut solve_level: impl FnMut(Level) -> Result<(Solved, X), Refusal>,
 ) -> Result<(Outcome, Effort, Option<X>), Refusal> {
     let mut effort = Effort::default();
-    let beside = match ladder.beside() {
-        Some(level) => Some(solve_level(level)?),
-        None => None,
-    };
-    beside.iter().for_each(|(level, _)| effort += level.effort.clone());
     let solve = |level: Level, before: &[(Solved, X)], _: &mut Watch<'_>| {
         let solved = solve_level(level)?;
         Ok(match &solved.0.refused {
@@ -62,10 +57,16 @@ pub(crate) fn levels<X>(
         })
     };
     let apart = |(x, _): &(Solved, X), (y, _): &(Solved, X)| distance(x, y);
-    let Climbed { solved, stopped } = climb(ladder, Vec::new(), solve, apart, watch)?;
+    let Climbed { solved, mut stopped } = climb(ladder, Vec::new(), solve, apart, watch)?;
+    // A level beside that cannot be meshed or solved tells nothing.
+    let refused = solved.iter().any(|(level, _)| level.refused.is_some());
+    let beside = if refused { None } else { ladder.beside(&mut stopped, watch) };
+    let beside = beside.and_then(|level| solve_level(level).ok());
+    let beside = beside.map(|(level, _)| level).filter(|level| level.refused.is_none());
+    beside.iter().for_each(|level| effort += level.effort.clone());
     let (solved, others): (Vec<Solved>, Vec<X>) = solved.into_iter().unzip();
     solved.iter().for_each(|level| effort += level.effort.clone());
-    let (outcome, reported) = finish(ladder, solved, beside.map(|(level, _)| level));
+    let (outcome, reported) = finish(ladder, solved, beside);
     Ok((Outcome { stopped, ..outcome }, effort, others.into_iter().nth(reported)))
 }
 
@@ -104,8 +105,8 @@ fn finish(ladder: &Ladder, mut solved: Vec<Solved>, beside: Option<Solved>) -> (
     let degrees: Vec<usize> = ladder.levels.iter().map(|level| level.degree).collect();
     let rungs = rungs(&degrees, &solved, "pressure", 1, distance);
     let levels = solved.len();
-    let (count, found) = match ladder.differences(&solved, beside.as_ref(), &distance) {
-        Some((fixed, differences)) => (levels, Some(errors_of_contact(fixed, differences))),
+    let (count, found) = match solved.last().zip(beside) {
+        Some((last, beside)) => (levels, Some(distance(last, &beside).map(fixed::error))),
         None => best(ladder, &solved, &distance).map_or((levels, None), |(count, errors)| (count, Some(errors))),
     };
     solved.truncate(count);
@@ -141,7 +142,7 @@ fn report(ladder: &Ladder, last: Solved, found: Option<[f64; 3]>, rungs: Vec<Run
             energy_relative: Some(energy),
             pressure_relative: Some(pressure),
             twist_relative: last.twist.map(|_| twist),
-            how: format!("energy and pressure of the contact: rest of the series of {levels} degrees"),
+            how: format!("energy and pressure of the contact: {}", ladder.told_by(levels)),
             ..ErrorResult::default()
         },
     };
@@ -160,9 +161,9 @@ fn report(ladder: &Ladder, last: Solved, found: Option<[f64; 3]>, rungs: Vec<Run
     outcome
 }
 
-/// The error of a fixed discretisation without coarser ones.
+/// The error of a fixed discretisation by itself.
 fn embedded(pressure: Option<f64>) -> ErrorResult {
-    let how = "pressure of the contact: what its highest degree on each edge adds; energy: not estimated below degree 5";
+    let how = "pressure of the contact: what its highest degree on each edge adds; energy: not estimated";
     match pressure {
         Some(_) => ErrorResult { pressure_relative: pressure, how: how.into(), ..ErrorResult::default() },
         None => ErrorResult::default(),

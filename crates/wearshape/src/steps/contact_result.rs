@@ -26,7 +26,8 @@ pub(crate) fn result(
     ContactResult {
         status: (&found.status).into(),
         force: Some(found.force[1]),
-        moment: Some(moment),
+        // About a pin it is that of the load.
+        moment: Some(moment).filter(|_| !stage.couple.moves_one_way()),
         approach: tz.map(|z| -z),
         tilt: theta.map(|t| -t),
         ends: without_slivers(&found.zones, pair.trace().length()).iter().flatten().map(|arc| start + arc).collect(),

@@ -209,6 +209,7 @@ impl Setting<'_> {
         let profile = self.options.sample.map_or_else(|| rows.own(), |sampling| rows.sampled(sampling));
         let states = [Some(&found.shaped), found.counter.as_ref()];
         let told = Told {
+            brake: None,
             energy: self.energy(&pair, states),
             reactions: self.reactions(&parts, &bodies, states),
             profile,

@@ -1,6 +1,6 @@
 //! Which scenes of a half-disc on a rectangle are built.
 
-use scene::{Component, Fault, Gap};
+use scene::{Component, Fault};
 
 use crate::problem::Problem;
 use crate::step::Step;
@@ -12,7 +12,7 @@ pub(crate) fn available(setting: &Setting<'_>) -> Result<(), Fault> {
     contact_alone(problem, "a half-disc on a rectangle")?;
     let refuse = |key: &str, message: &str, remedy: &str| Err(Fault::at(key, "not-available", message, remedy));
     let load = &problem.load;
-    if problem.gap != Gap::Constant(0.0) {
+    if !problem.gap.is_none() {
         return refuse("contact.gap", "a profile on a half-disc is not known yet", "write gap = 0");
     }
     if problem.plan.runs(Step::Fields) && !load.turns.is_empty() {

@@ -9,7 +9,7 @@ use crate::effort::Effort;
 use crate::ladder::Refusal;
 use crate::level::Level;
 use crate::options::Options;
-use crate::parts::Parts;
+use crate::parts::{Meeting, Parts};
 use crate::problem::Problem;
 use crate::step::Step;
 use crate::steps::hertz_trial::hertz_end;
@@ -81,7 +81,7 @@ impl<'a> Setting<'a> {
         &self,
         level: Level,
         nodes: &[f64],
-        make: fn(&Couple, [Mesh; 2], Level, bool) -> Result<Parts, Fault>,
+        make: fn(&Couple, [Mesh; 2], Level, Meeting) -> Result<Parts, Fault>,
     ) -> Result<(Parts, Effort), Refusal> {
         let (end, longest) = (nodes[nodes.len() - 1], self.disc.longest());
         if nodes.len() > 1 && nodes[0] <= 0.0 {
@@ -96,7 +96,7 @@ impl<'a> Setting<'a> {
         let mut effort = Effort::default();
         (self.options.begun)(Step::Mesh);
         let parts = effort.timed(Step::Mesh, self.options.clock, |_| {
-            make(self.couple, self.disc.meshes(nodes, level.layers.div_ceil(2))?, level, true)
+            make(self.couple, self.disc.meshes(nodes, level.layers.div_ceil(2))?, level, Meeting::Across)
         })?;
         Ok((parts, effort))
     }

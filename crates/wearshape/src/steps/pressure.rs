@@ -7,6 +7,7 @@ use nalgebra::Vector3;
 use scene::{Balance, Fault, Modes};
 use wear::{Regime, Shape, SurfacePoint, WearError};
 
+use crate::brake::{BrakeResult, brake};
 use crate::faults::wrong_wear;
 use crate::freedom::{Freedom, Role};
 use crate::functional::kind;
@@ -15,7 +16,7 @@ use crate::problem::{Optimum, Problem};
 use crate::profile::Profile;
 use crate::results::{ByRole, ErrorResult, PointForce, PressureResult};
 use crate::solution::{PressureMap, Status};
-use crate::steps::sensitivity;
+use crate::steps::{life, sensitivity};
 use crate::surface::Patch;
 use crate::words::{self, PointStatus};
 
@@ -28,19 +29,31 @@ pub(crate) struct Found {
     pub curve: Option<Profile>,
     pub map: Option<PressureMap>,
     pub error: Option<ErrorResult>,
+    /// Body 1 as a brake, where a pin or a roller guides it.
+    pub brake: Option<BrakeResult>,
 }
 
 /// Solves for the optimal pressure.
 pub(crate) fn solve(problem: &Problem, options: &Options<'_>) -> Result<Found, Fault> {
     let Some(patch) = &problem.patch else { return Err(not_known()) };
     let wear = wear_problem(problem)?;
-    let mut found =
-        Found { ended: None, result: description(&problem.optimum), profile: None, curve: None, map: None, error: None };
+    let mut found = Found {
+        ended: None,
+        result: description(&problem.optimum),
+        profile: None,
+        curve: None,
+        map: None,
+        error: None,
+        brake: None,
+    };
     match wear::optimal_pressure(&wear) {
         Ok(optimum) => {
             describe(&mut found.result, &optimum, &problem.freedoms, wear.wear.active);
             found.result.wear_rule = problem.wear.own_rule.then_some("given as a function");
             depths(&mut found.result, &optimum, patch);
+            let at_points: Vec<f64> = optimum.points.iter().map(|point| optimum.pressure_at(point)).collect();
+            found.brake = brake(problem, &optimum.points, &at_points);
+            found.result.life = life::of(problem, &optimum, &patch.sample(401));
             if options.machining {
                 found.result.sensitivity = sensitivity::of(problem, &wear, &optimum);
                 found.map = map(patch, &optimum);
@@ -111,7 +124,7 @@ fn description(optimum: &Optimum) -> PressureResult {
     }
 }
 
-fn by_role(values: &[f64], freedoms: &[Freedom]) -> ByRole {
+pub(crate) fn by_role(values: &[f64], freedoms: &[Freedom]) -> ByRole {
     let mut all = ByRole::default();
     for (value, freedom) in values.iter().zip(freedoms) {
         let slot = match freedom.role {

@@ -20,7 +20,7 @@ pub(crate) fn recover(stage: Stage<'_>, reported: &Reported) -> Result<(Vec<Fiel
     let (parts, _) = stage.parts(reported.level, Cut::Ends(&reported.ends))?;
     let (bodies, reduction) = parts.reduce(stage.clock())?;
     let mut effort = counts(&reduction);
-    let pair = paired([&bodies[0].interface, &bodies[1].interface], stage.facing())?;
+    let pair = paired([&bodies[0].interface, &bodies[1].interface], stage.meeting())?;
     let mut frames = Vec::new();
     for (number, moment) in reported.moments.iter().enumerate() {
         let mut frame = frame(moment, &bodies, [0, 1].map(|number| &**parts.parts[number].mesh()), &mut effort)?;

@@ -126,7 +126,8 @@ impl RoundContact<'_> {
         let (reach, mut effort) = self.reach()?;
         self.on(reach, |stage| {
             if let Some(surface) = stage.patch.places() {
-                gap_profile::covers(&stage.problem.gap, surface)?;
+                let contact = stage.problem.scene.contact.as_ref();
+                contact.and_then(|contact| contact.gap.as_ref()).map_or(Ok(()), |gap| gap_profile::covers(gap, surface))?;
             }
             let mut search = Search::default();
             let ladder = Ladder::of(stage.problem, stage.options, Step::Contact).and_beyond(stage.problem);

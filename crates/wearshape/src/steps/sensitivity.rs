@@ -73,7 +73,8 @@ fn key(problem: &Problem, wear: &wear::Problem, given: Given) -> String {
 /// The load that a resultant is made of.
 fn resultant(problem: &Problem, k: usize) -> &'static str {
     // A shoe on a pin is turned by its force.
-    let pinned = matches!(problem.bare, Some(SurfaceShape::PinnedShoe(_)));
+    let by_actuator = problem.couple.as_ref().is_some_and(|couple| couple.moves_one_way() && !couple.has_rigid_edge());
+    let pinned = by_actuator || matches!(problem.bare, Some(SurfaceShape::PinnedShoe(_)));
     match problem.freedoms.get(k).map(|freedom| freedom.role) {
         Some(Role::Moment) if !pinned => "load.moment",
         Some(Role::MomentY) => "load.moment_y",

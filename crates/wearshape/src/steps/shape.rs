@@ -12,7 +12,7 @@ use shapeopt::{GapCurve, Measure, Shape, SurfacePlace, closing, difference_of_ga
 use crate::bodies::Reduced;
 use crate::effort::Effort;
 use crate::freedom::Role;
-use crate::ladder::{Climbed, Ladder, Refusal, best, climb, missed, rungs};
+use crate::ladder::{Climbed, Ladder, Refusal, climb, missed, rungs};
 use crate::level::Level;
 use crate::machined::{Machined, SurfacePoint};
 use crate::problem::Problem;
@@ -62,19 +62,17 @@ pub(crate) fn solve(stage: Stage<'_>, before: &Before<'_>, watch: &mut Watch<'_>
     let measure = stage.problem.measure();
     let distance = |a: &Solved, b: &Solved| [difference_of_gaps(&a.gaps, &b.gaps, &b.closing, measure)];
     let solve = |level, _: &[Solved], _: &mut Watch<'_>| shaper.level(level).map(ControlFlow::Continue).map_err(Refusal::Fault);
-    let Climbed { solved, stopped } = climb(&ladder, Vec::new(), solve, distance, watch)?;
-    let beside = ladder.beside().filter(|_| !stopped).map(|level| shaper.level(level)).transpose()?;
+    let Climbed { solved, mut stopped } = climb(&ladder, Vec::new(), solve, distance, watch)?;
+    // A level beside that cannot be meshed or solved tells nothing.
+    let beside = ladder.beside(&mut stopped, watch).and_then(|level| shaper.level(level).ok());
     let mut effort = Effort::default();
     beside.iter().chain(&solved).for_each(|level| effort += level.effort.clone());
     let degrees: Vec<usize> = ladder.levels.iter().map(|level| level.degree).collect();
     let mut outcome = Outcome { stopped, ladder: rungs(&degrees, &solved, "gap", 0, distance), ..Outcome::default() };
-    let (last, error) = match best(&ladder, &solved, &distance) {
-        Some((count, [error])) if !ladder.is_fixed() => (solved.get(count - 1), Some(error)),
-        _ => (solved.last(), ladder.error_of_gap(&solved, beside.as_ref(), &distance)),
-    };
+    let (last, error) = ladder.to_report(&solved, beside.as_ref(), &distance);
     outcome.tell(error.filter(|_| ladder.is_fixed()));
     if let Some(last) = last {
-        outcome.error = error_of_gap(error, measure, solved.len(), before.how);
+        outcome.error = error_of_gap(error, measure, &ladder.told_by(solved.len()), before.how);
         if let Some((error, accuracy)) = error.and_then(|error| Some((error, ladder.missed(error)?))) {
             outcome.ended = Some((Status::AccuracyMissed, missed("gap", error, accuracy)));
         }
@@ -89,12 +87,12 @@ pub(crate) fn optimal(problem: &Problem) -> Result<wear::Optimum, Refusal> {
     wear::optimal_pressure(&pressure::wear_problem(problem)?).map_err(|error| Refusal::Reason(error.to_string()))
 }
 
-/// The estimated error of the gap from so many levels, and how it was found; `pressure` says the same of the pressure.
-fn error_of_gap(error: Option<f64>, measure: Measure, levels: usize, pressure: &str) -> ErrorResult {
+/// The estimated error of the gap, and what told it; `pressure` says how that of the pressure was found.
+fn error_of_gap(error: Option<f64>, measure: Measure, told_by: &str, pressure: &str) -> ErrorResult {
     let of = if measure == Measure::Crown { "gap relative to its crown" } else { "gap" };
     let how = match error {
-        Some(_) => format!("{of}: rest of the series of {levels} degrees; pressure: {pressure}"),
-        None => format!("gap: not estimated below degree 5; pressure: {pressure}"),
+        Some(_) => format!("{of}: {told_by}; pressure: {pressure}"),
+        None => format!("gap: not estimated; pressure: {pressure}"),
     };
     ErrorResult { gap_relative: error, how, ..ErrorResult::default() }
 }
@@ -139,7 +137,7 @@ impl Shaper<'_> {
             gap_max: Some(1e3 * gaps[most]),
             gap_where: Some(stage.start(&pair) + samples(&pair)[most]),
             crown: Some(1e3 * (gaps[most] - lowest)),
-            rigid: shape.rigid.first().copied(),
+            rigid: shape.rigid.first().copied().filter(|_| stage.couple.bodies[0].pin().is_none()),
             roundtrip_same: None,
             roundtrip_independent: None,
             tolerance: if stage.options.machining { tolerance::of(self, reduced)? } else { Vec::new() },

@@ -1,8 +1,7 @@
 //! The start gap of a problem.
 
-use contact::{ContactOperator, Pair, piecewise_linear};
+use contact::{ContactOperator, Pair};
 use meshing::Extent;
-use scene::Gap;
 
 use crate::stage::Stage;
 
@@ -18,10 +17,7 @@ pub(crate) fn start_gap(stage: Stage<'_>, pair: &Pair<'_>, arc: f64) -> f64 {
 
 /// The same at a surface coordinate: what the scene gives, and on a round body `R - sqrt(R^2 - s^2)`, without cancellation.
 fn gap_at(stage: Stage<'_>, s: f64) -> f64 {
-    let given = match &stage.problem.gap {
-        Gap::Profile { s: known, gap } => piecewise_linear(known, gap, s) * 1e-3,
-        _ => 0.0,
-    };
+    let given = stage.problem.gap.at(s);
     match stage.extent {
         Extent::Round { radius, .. } => given + s * s / (radius + ((radius - s) * (radius + s)).max(0.0).sqrt()),
         _ => given,

@@ -8,6 +8,12 @@ mod mesh_lines;
 mod pieces;
 mod problem;
 mod ran;
+mod rigid_scar;
+mod round;
+mod round_mesh;
+mod round_result;
+mod scar;
+mod track;
 
 use std::ops::ControlFlow;
 
@@ -35,19 +41,26 @@ struct Solved {
     run: Option<Ran>,
 }
 
+pub(crate) use self::round::RoundWear;
+
 /// Runs the wear in time.
 pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
+    let ends = final_ends::final_ends(stage, &Pieces::of(stage.problem))?;
+    solve_at(stage, &ends, watch)
+}
+
+/// The same on meshes with nodes at given places, from -1 to 1 along the surface.
+fn solve_at(stage: Stage<'_>, ends: &[f64], watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
     let ladder = Ladder::of(stage.problem, stage.options, Step::Evolution);
     let pieces = Pieces::of(stage.problem);
     let resume = stage.options.resume.cloned().unwrap_or_default();
     check_degrees(&resume, &ladder)?;
     let mut states = resume.states;
-    let ends = final_ends::final_ends(stage, &pieces)?;
     let known: Vec<Solved> = resume.finished.into_iter().map(|left| Solved { left, run: None }).collect();
     let (mut cut, mut given_up, mut effort) = (None, None, Effort::default());
     let run = |level: Level, before: &[Solved], states: Vec<WearState>, watch: &mut Watch<'_>| {
         let finished = lefts(before);
-        run(stage, &pieces, Mesh { level, ends: &ends }, Known { finished: &finished, states }, watch)
+        run(stage, &pieces, Mesh { level, ends }, Known { finished: &finished, states }, watch)
     };
     let solve = |level: Level, before: &[Solved], watch: &mut Watch<'_>| {
         let (left, ran) = match run(level, before, std::mem::take(&mut states), watch)? {
@@ -66,6 +79,7 @@ pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome,
         let solved = Solved { left, run: Some(ran) };
         Ok(if stuck { ControlFlow::Break(Some(solved)) } else { ControlFlow::Continue(solved) })
     };
+    let distance = apart(stage);
     let Climbed { mut solved, mut stopped } = climb(&ladder, known, solve, distance, watch)?;
     for level in &solved {
         effort += level.run.as_ref().map_or_else(|| before(&level.left), |ran| ran.effort.clone());
@@ -115,6 +129,13 @@ fn distance(a: &Solved, b: &Solved) -> [f64; 2] {
     [difference_of_gaps(&a.gap, &b.gap, &closing, Measure::Largest), time / (1.0 - STEPS)]
 }
 
+/// How far two levels of a stage are apart. Where the end of contact moves over the elements, levels fall with a power of the degree only, and
+/// in no order: their differences count so many times.
+fn apart(stage: Stage<'_>) -> impl Fn(&Solved, &Solved) -> [f64; 2] + Copy {
+    let times = if stage.facing() { 3.0 } else { 1.0 };
+    move |a, b| distance(a, b).map(|d| times * d)
+}
+
 /// Estimated relative error of the time to the steady pressure: of the steps, and the rest of the series of the levels. Of a run without such a
 /// time what the steps leave in its depth; none before there are three levels.
 fn run_in_error(solved: &[Solved], errors: Option<[f64; 2]>) -> Option<f64> {
@@ -137,11 +158,14 @@ struct Levels {
 }
 
 fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>, levels: Levels) -> Outcome {
+    let distance = apart(stage);
     let degrees: Vec<usize> = solved.iter().map(|level| level.left.degree).collect();
     let mut outcome = Outcome { ladder: rungs(&degrees, &solved, "gap", 0, distance), ..Outcome::default() };
-    let of = |k: usize| ladder.error_of_gap(&solved, None, &|a, b| [distance(a, b)[k]]);
+    let of = |k: usize| ladder.error_in_time(&solved, &|a, b| distance(a, b)[k]);
     let errors = if ladder.is_fixed() { of(0).zip(of(1)).map(|(gap, time)| [gap, time]) } else { levels.errors };
-    let error = errors.map(|[gap, _]| gap);
+    // The depth of a round contact is the worn gap itself, with what the steps leave in it.
+    let steps = solved.last().filter(|_| stage.facing()).and_then(|level| level.left.integration_error).unwrap_or(0.0);
+    let error = errors.map(|[gap, _]| gap + steps);
     outcome.tell(error.filter(|_| ladder.is_fixed()));
     let run_in_error = run_in_error(&solved, errors);
     let reported = solved.len();
@@ -150,13 +174,18 @@ fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>, levels: Le
     let run_in_error = run_in_error.filter(|_| failure.is_none());
     outcome.wear = Some(WearResult { run_in_error, ..last.wear });
     outcome.history = last.history;
+    outcome.groove = last.groove;
     outcome.running_in = Some(last.running_in);
     outcome.told = Some(last.told);
     outcome.reported = last.reported;
     outcome.ended = failure.map(|why| (Status::NotConverged, why));
     let Some(error) = error.filter(|_| outcome.ended.is_none()) else { return outcome };
     outcome.error.gap_relative = Some(error);
-    outcome.error.how = format!("gap at the end: rest of the series of {} degrees", levels.count);
+    outcome.error.how = if stage.facing() {
+        format!("depth worn off along the surface at the end: rest of the series of {} degrees, and of the steps", levels.count)
+    } else {
+        format!("gap at the end: rest of the series of {} degrees", levels.count)
+    };
     if reported < levels.count || levels.given_up.is_some() {
         outcome.error.how += &format!("; the best of them is reported, of degree {}", degrees[reported - 1]);
     }

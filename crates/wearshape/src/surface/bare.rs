@@ -15,7 +15,7 @@ pub(super) fn bare(surface: &SurfaceShape) -> Result<Found, Fault> {
         let message = format!("{key} = [{}, {}] does not increase", range[0].0, range[1].0);
         Err(Fault::at(key, "degenerate", message, "write [from, to] with from < to"))
     };
-    let found = |shape: Shape, kind: PatchKind, key: &'static str| Ok(Found { shape, kind, centre: [0.0, 0.0], key });
+    let found = |shape: Shape, kind: PatchKind, key: &'static str| Ok(Found::bare(shape, kind, key));
     match surface {
         SurfaceShape::DiscPad(pad) => {
             let key = "surface.disc-pad";

@@ -8,7 +8,7 @@ use nalgebra::Vector3;
 use scene::Fault;
 use wear::Shape;
 
-use crate::surface::found::{Found, PatchKind};
+use crate::surface::found::{Found, PatchKind, Round};
 
 /// The key to blame for edges that do not touch.
 pub(super) const EDGES: &str = "contact.edges";
@@ -70,10 +70,10 @@ fn on_line(kinematics: Kinematics, Line { z, x }: Line, Line { z: below, x: unde
         return apart(message, "make the contact edge of body 2 as wide as that of body 1 or wider");
     }
     Ok(match kinematics.is_revolved() {
-        true => Found { shape: Shape::Annulus { radii: x }, kind: PatchKind::Ring, centre: [0.0, z], key: EDGES },
+        true => Found { shape: Shape::Annulus { radii: x }, kind: PatchKind::Ring, centre: [0.0, z], key: EDGES, other: None },
         false => {
             let shape = Shape::Strip { x, z, thickness: thickness(kinematics) };
-            Found { shape, kind: PatchKind::Plane, centre: [0.0, 0.0], key: EDGES }
+            Found { shape, kind: PatchKind::Plane, centre: [0.0, 0.0], key: EDGES, other: None }
         }
     })
 }
@@ -97,10 +97,7 @@ fn on_circle(thickness: f64, first: Circle, second: Circle) -> Result<Found, Fau
         let message = format!("body 1 lies {first} its circle, and body 2 {second} its own");
         return apart(message, "let one body lie inside the circle, and the other outside");
     }
-    if !(same(radius, r, radius) && same(centre[0], c[0], radius) && same(centre[1], c[1], radius)) {
-        let message = format!("the arcs do not touch: radius {radius} about {centre:?} and radius {r} about {c:?}");
-        return apart(message, "give both the same radius and centre");
-    }
+    let other = other_circle([([centre[0], centre[1]], radius), (c, r)], internal)?;
     let full = under[1] - under[0] > TAU * (1.0 - 1e-12);
     if !(full || [-TAU, 0.0, TAU].iter().any(|by| inside(angles, under.map(|a| a + by)))) {
         let [a, b, c, d] = [angles[0], angles[1], under[0], under[1]].map(f64::to_degrees);
@@ -112,8 +109,33 @@ fn on_circle(thickness: f64, first: Circle, second: Circle) -> Result<Found, Fau
         let message = "the contact reaches up to the middle of the circle";
         return apart(message.into(), "let the arc of body 1 be less than half a circle");
     }
+    let (centre, radius) = if other.is_some() { (c, r) } else { (centre, radius) };
     let shape = Shape::Arc { radius, centre: Vector3::new(centre[0], 0.0, centre[1]), angles, thickness, internal };
-    Ok(Found { shape, kind: PatchKind::Turning, centre, key: EDGES })
+    Ok(Found { shape, kind: PatchKind::Turning, centre, key: EDGES, other })
+}
+
+/// The circle of body 1, where it is another than that of body 2: a shaft and its hole, one drawn in the other with their centres on one line along z.
+fn other_circle([first, second]: [Round; 2], internal: bool) -> Result<Option<Round>, Fault> {
+    let ((centre, radius), (c, r)) = (first, second);
+    let level = same(centre[0], c[0], radius);
+    if same(radius, r, radius) {
+        if level && same(centre[1], c[1], radius) {
+            return Ok(None);
+        }
+        let message = format!("the arcs do not touch: radius {radius} about {centre:?} and radius {r} about {c:?}");
+        return apart(message, "give both the same radius and centre");
+    }
+    let (shaft, hole) = if internal { (radius, r) } else { (r, radius) };
+    if shaft > hole {
+        let message = format!("the arcs cross: the shaft has the radius {shaft}, its hole the radius {hole}");
+        return apart(message, "let the hole have the larger radius");
+    }
+    if !level || (centre[1] - c[1]).abs() > (hole - shaft) + 1e-9 * radius {
+        let message = format!("the arcs cross or lie apart: radius {radius} about {centre:?} and radius {r} about {c:?}");
+        let remedy = "draw the shaft inside the hole, with the same centre or touching it at the top or bottom";
+        return apart(message, remedy);
+    }
+    Ok(Some(first))
 }
 
 /// A round body 1 that touches a line of body 2 with its lowest point.

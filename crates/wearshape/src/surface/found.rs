@@ -23,4 +23,16 @@ pub(super) struct Found {
     pub centre: [f64; 2],
     /// The key to blame for it.
     pub key: &'static str,
+    /// Centre and radius of body 1's circle, where it is another than body 2's.
+    pub other: Option<Round>,
 }
+
+impl Found {
+    /// A surface without bodies.
+    pub(super) fn bare(shape: Shape, kind: PatchKind, key: &'static str) -> Found {
+        Found { shape, kind, centre: [0.0, 0.0], key, other: None }
+    }
+}
+
+/// A circle: centre [x, z] and radius (mm).
+pub(crate) type Round = ([f64; 2], f64);

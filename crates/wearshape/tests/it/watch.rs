@@ -46,7 +46,9 @@ fn every_task_of_every_scene_can_be_stopped_at_its_first_event() {
         if problem.plan().runs(Step::Mesh) {
             assert_eq!((solution.status, events), (Status::Interrupted, 1), "{what:?}");
             assert!(solution.contact.is_none() && solution.shape.is_none() && solution.wear.is_none(), "{what:?}");
-            let known = problem.plan().runs(Step::Pressure) && !problem.plan().runs(Step::Force);
+            // Under reversing motion the pressures depend on the bodies.
+            let reversing = problem.scene().sliding.as_ref().is_some_and(|sliding| sliding.reversing.is_some());
+            let known = problem.plan().runs(Step::Pressure) && !problem.plan().runs(Step::Force) && !reversing;
             assert_eq!(solution.pressure.is_some(), known, "{what:?}");
             let wear_alone = problem.scene().tasks.as_deref() == Some(&[Task::Wear]);
             assert!(solution.resume.is_some() || !wear_alone, "{what:?}");
@@ -58,17 +60,18 @@ fn every_task_of_every_scene_can_be_stopped_at_its_first_event() {
 
 #[test]
 fn a_stop_after_some_levels_gives_those_levels_and_no_proof() {
-    for (task, levels) in ["contact", "shape", "wear"].into_iter().flat_map(|task| [1, 2].map(|levels| (task, levels))) {
+    for (task, levels) in [("contact", 1), ("contact", 2), ("shape", 1), ("wear", 1), ("wear", 2)] {
         let problem = scene("drum-brake-block", &["mesh.degree=6", &format!("tasks=[{task}]"), "wear.until=1"]);
         let solution = stopped_after(&problem, levels);
         assert_eq!(solution.status, Status::Interrupted, "{task}");
         let degrees: Vec<usize> = solution.ladder.iter().map(|rung| rung.degree).collect();
-        assert_eq!(degrees, [2, 4, 6][..levels], "{task}");
+        let before: &[usize] = if task == "shape" { &[6] } else { &[2, 4, 6] };
+        assert_eq!(degrees, before[..levels], "{task}");
         assert!(solution.profile.is_some(), "{task}: a finished level has its columns");
         let proofs = solution.shape.iter().filter(|shape| shape.roundtrip_same.or(shape.roundtrip_independent).is_some());
         assert_eq!(proofs.count(), 0, "{task}");
         assert_eq!(solution.resume.map(|resume| resume.finished.len()), (task == "wear").then_some(levels), "{task}");
-        assert!(solution.error.is_none_or(|error| error.gap_relative.is_none()), "{task}: two levels tell no error");
+        assert!(solution.error.is_none_or(|error| error.gap_relative.is_none()), "{task}: too few levels to tell an error");
     }
     let whole = solved(&scene("drum-brake-block", &["mesh.degree=6", "tasks=[shape]"]));
     assert!(whole.shape.unwrap().roundtrip_independent.is_some());
@@ -110,11 +113,11 @@ fn levels_and_steps_are_told_in_their_order() {
         ControlFlow::Continue(())
     };
     let solution = solve(&problem, &Options::default(), &Bodies::default(), watch).unwrap();
-    let steps = [Step::Contact, Step::Shape, Step::Evolution];
-    // The levels that tell the error of a run in time have fewer layers too.
-    let layers = |step: Step, degree: usize| if step == Step::Evolution { degree } else { 6 };
-    let expected = steps.iter().flat_map(|step| [2, 4, 6].map(|degree| (*step, degree, layers(*step, degree))));
-    assert_eq!(levels, expected.collect::<Vec<_>>());
+    // A finer level tells the error of a fixed one, coarser ones that of a run in time; the ends of a contact are found on coarser ones.
+    let contact = [(2, 6), (4, 6), (6, 6), (8, 8)].map(|(degree, layers)| (Step::Contact, degree, layers));
+    let shape = [6, 8].map(|degree| (Step::Shape, degree, degree));
+    let wear = [2, 4, 6].map(|degree| (Step::Evolution, degree, degree));
+    assert_eq!(levels, contact.into_iter().chain(shape).chain(wear).collect::<Vec<_>>());
     assert_eq!(runs.len(), 3);
     assert!(runs[2].starts_with("degree 6, 6 layers, "), "{}", runs[2]);
     let (name, told) = &solution.history[1];

@@ -23,6 +23,7 @@ use crate::steps::wear::mesh_lines::mesh_lines;
 use crate::steps::wear::pieces::Pieces;
 use crate::steps::wear::problem::{steady_residual, wear_problem};
 use crate::steps::wear::ran::{MOST_STEPS, Ran};
+use crate::steps::wear::round_result::RoundContact;
 use crate::watch::{Event, FinishedLevel, RunLevel, Watch, WearStep};
 
 /// Samples of the gap for the comparison of levels.
@@ -83,7 +84,8 @@ pub(super) fn run(
     // Gaps of levels are compared at one time: where part of the surface is open, the worn part goes on receding from it.
     let not_before = finished.iter().map(|level| level.time).fold(0.0, f64::max);
     let problem = wear_problem(&stages, &loads, &pieces.intervals, &operator, not_before)?;
-    let modes = pair.shaped.rigid_modes.ncols();
+    // What is worn off a round body is measured from what is not: no rigid part is taken out.
+    let modes = if stage.facing() { 0 } else { pair.shaped.rigid_modes.ncols() };
     if let Err(fault) = check_levels(finished, SAMPLES, modes).and_then(|()| check_states(&states, &problem)) {
         return Ok(Err(Unfinished::Unfit(fault)));
     }
@@ -119,7 +121,7 @@ impl Scenes<'_> {
         effort.counters.wear_steps += state.step;
         let samples = stage.sample(self.pair, Sampling::Even(SAMPLES));
         let told = self.told(stage, state, &normalised, &found);
-        let wear = result(&run, stage);
+        let mut wear = result(&run, stage);
         let mut moments: Vec<Moment> = self.moment("", state.time, found, last).into_iter().collect();
         if stage.problem.plan.runs(Step::Fields) {
             let first = self.pieces.intervals[0].stage;
@@ -127,23 +129,34 @@ impl Scenes<'_> {
             effort.counters.contact_solves += 1;
             moments.extend(self.moment("start", 0.0, started, first));
         }
+        let round = stage.facing();
+        let worn: Vec<f64> = state.gap.iter().zip(&problem.gap).map(|(now, start)| now - start).collect();
+        let compared = if round { &worn } else { &normalised };
         let left = FinishedLevel {
             degree: level.degree,
             layers: level.layers,
-            gap: samples.iter().map(|p| self.operator.value_at(&normalised, p.arc)).collect(),
+            gap: samples.iter().map(|p| self.operator.value_at(compared, p.arc)).collect(),
             time: state.time,
             to_1_percent: wear.to_1_percent.as_ref().map(|settled| settled.time),
             integration_error: None,
-            closing: samples.iter().flat_map(|point| closing(self.pair, point)).collect(),
+            closing: if round { Vec::new() } else { samples.iter().flat_map(|point| closing(self.pair, point)).collect() },
             wear_steps: state.step,
             factorisations: effort.counters.factorisations,
             contact_solves: effort.counters.contact_solves,
         };
         let reported = Some(Reported { level, ends: mesh.ends.to_vec(), moments });
         let start = stage.start(self.pair);
-        let running_in = run.history.running_in(self.operator.points().iter().map(|p| start + p.arc).collect());
+        let places: Vec<f64> = self.operator.points().iter().map(|p| start + p.arc).collect();
+        let running_in = run.history.running_in(places.clone());
         let Run { ended, history, .. } = run;
-        Ok((left, Ran { ended, history: history.columns(), running_in, wear, told, reported, effort }))
+        let (mut columns, mut groove) = (history.columns(), Vec::new());
+        if round {
+            let contact = RoundContact { stage, places };
+            let scars = contact.scars(&history);
+            groove = contact.fill(&mut wear, &history, &scars);
+            columns.push(("scar_mm".into(), scars));
+        }
+        Ok((left, Ran { ended, history: columns, groove, running_in, wear, told, reported, effort }))
     }
 
     /// The contact on a gap under one of the loads.
@@ -199,6 +212,9 @@ fn result(run: &Run, stage: Stage<'_>) -> WearResult {
         explicit_step_limit: run_in.as_ref().map(|r| r.explicit_limit),
         run_in_distance: run_in.iter().flat_map(|r| r.distances.iter().copied().take(RUN_IN)).collect(),
         lyapunov_increase: (stage.friction() == 0.0).then_some(state.lyapunov_increase),
+        scar: None,
+        volumes: None,
+        groove: None,
         run_in_error: None,
         to_1_percent: run.settled.clone().filter(|_| steady),
     }
@@ -221,7 +237,9 @@ fn integration_error(problem: &WearProblem, run: &Run) -> Option<f64> {
     let mut history = History::default();
     evolution.by_ref().take(MOST_STEPS).for_each(|state| history.push(state));
     let relative = |fine: f64, coarse: f64| if fine == coarse { 0.0 } else { (fine - coarse).abs() / fine.abs() };
-    let difference = match (&run.settled, history.settled(&evolution)) {
+    // A round contact comes near no steady pressure.
+    let settled = problem.times.and_then(|_| history.settled(&evolution));
+    let difference = match (&run.settled, settled) {
         (Some(fine), Some(coarse)) => relative(fine.time, coarse.time).max(relative(fine.depth, coarse.depth)),
         (None, None) if run.ended == *evolution.status() => relative(run.state.depth, evolution.state().depth),
         _ => return None,
@@ -288,7 +306,7 @@ fn evolve(
         history.push(state);
     }
     let (state, ended, run_in) = (evolution.state().clone(), evolution.status().clone(), evolution.run_in());
-    let settled = if stopped { None } else { history.settled(&evolution) };
+    let settled = if stopped || problem.times.is_none() { None } else { history.settled(&evolution) };
     Ok(Run { state, ended, stopped, history, settled, run_in })
 }
 

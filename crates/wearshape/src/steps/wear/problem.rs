@@ -1,7 +1,9 @@
 //! The wear problem of a level: contact points, wear rules, start gap, and the loads of the schedule.
 
 use contact::{ContactLoad, ContactOperator, Status as ContactStatus};
+use shapeopt::faer::Mat;
 use shapeopt::{Interval, LoadStage, Stepping, Times, Until, WearProblem};
+use wear::{Counterface, Groove};
 
 use crate::ladder::Refusal;
 use crate::stage::Stage;
@@ -12,6 +14,10 @@ use crate::steps::wear::history::DEVIATION;
 const STEADY: f64 = 1e-9;
 /// Part of the accuracy asked for that the wear still to come may make where the contact wears itself free.
 const REST: f64 = 0.01;
+
+/// Error of the steps of a round contact over the accuracy asked for at the end, and the largest.
+const ROUND: f64 = 10.0;
+const ROUGHEST: f64 = 2e-3;
 
 /// Part of the accuracy asked for that steps in time may take from the times reported; the rest is left to the levels.
 pub(super) const STEPS: f64 = 0.3;
@@ -56,6 +62,18 @@ pub(super) fn wear_problem(
     if let Some(time) = stage.problem.wear.until {
         problem.until = Until::Time(time);
         problem.stepping = Stepping::Adaptive { accuracy: stage.accuracy() };
+    }
+    if stage.facing() {
+        // Points that come into contact bend the rates, and the error of their steps falls with the wear after them.
+        problem.stepping = Stepping::Adaptive { accuracy: (ROUND * stage.accuracy()).min(ROUGHEST) };
+        problem.times = None;
+        let start = stage.start(operator.pair());
+        let places: Vec<f64> = operator.points().iter().map(|p| start + p.arc).collect();
+        problem.passing = stage.problem.track().map(|track| {
+            let mean = Groove::new(track, &places).mean();
+            Mat::from_fn(places.len(), places.len(), |i, j| mean[(i, j)])
+        });
+        problem.counterface = if problem.passing.is_some() { Counterface::Fresh } else { counterface };
     }
     Ok(problem)
 }

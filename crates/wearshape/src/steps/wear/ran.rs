@@ -16,6 +16,8 @@ pub(super) struct Ran {
     pub ended: EvolutionStatus,
     /// Columns of history.csv.
     pub history: Vec<(String, Vec<f64>)>,
+    /// Columns of groove.csv; none without a groove.
+    pub groove: Vec<(String, Vec<f64>)>,
     pub running_in: RunningIn,
     pub wear: WearResult,
     pub told: Told,

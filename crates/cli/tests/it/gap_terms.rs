@@ -1,0 +1,123 @@
+//! Gaps by formula, by smooth profiles, and what is refused.
+
+use serde_json::Value;
+
+use crate::call::Bench;
+
+/// A punch on a plate under a small load, so that the gap stays as it is.
+fn scene(contact: &str) -> String {
+    format!(
+        r#"units = "N-mm"
+kinematics = "plane-strain"
+thickness = 10
+tasks = ["contact"]
+accuracy = 1e-3
+contact = {{ edges = ["bottom", "top"], {contact} }}
+load = {{ edge = "top", as = "rigid", force = "2 kN", tilt = 0 }}
+body1.material = {{ young = "210 GPa", poisson = 0.3 }}
+body1.geometry.rectangle = {{ x = [-20, 20], z = [0, 30] }}
+body1.support = {{ top = ["x"] }}
+body2.material = {{ young = "210 GPa", poisson = 0.3 }}
+body2.geometry.rectangle = {{ x = [-40, 40], z = [-40, 0] }}
+body2.support = {{ bottom = ["x", "z"] }}
+"#
+    )
+}
+
+/// The columns s_mm and gap_um of contact.csv of a run.
+fn gaps(bench: &Bench, contact: &str) -> (Vec<[f64; 2]>, Value) {
+    bench.file("punch.toml", &scene(contact));
+    let call = bench.call("run punch.toml -q -o punch");
+    assert_eq!(call.code, 0, "{contact}: {}{}", call.out, call.err);
+    let table = bench.read("punch/contact.csv");
+    let names: Vec<&str> = table.lines().next().unwrap().split(',').collect();
+    let column = |name: &str| names.iter().position(|known| *known == name).unwrap();
+    let (s, gap) = (column("s_mm"), column("gap_um"));
+    let row = |line: &str| {
+        let fields: Vec<&str> = line.split(',').collect();
+        [fields[s].parse().unwrap(), fields[gap].parse().unwrap()]
+    };
+    (table.lines().skip(1).map(row).collect(), serde_json::from_str(&bench.read("punch/summary.json")).unwrap())
+}
+
+#[test]
+fn a_sum_of_formulas_is_the_gap_of_the_contact_and_its_resolved_scene_gives_it_again() {
+    let bench = Bench::new();
+    let given = r#"gap = { crown = "10 um", tilt = "0.1 mrad", cosine = { amplitude = "1 um", wavelength = "20 mm" } }"#;
+    let (rows, _) = gaps(&bench, given);
+    for [s, gap] in &rows {
+        let wave = 1.0 - (std::f64::consts::TAU * s / 20.0).cos();
+        let expected = 10.0 * (s / 20.0).powi(2) + 1e3 * 1e-4_f64.tan() * (s + 20.0) + wave;
+        assert!((gap - expected).abs() < 1e-10, "{s}: {gap} {expected}");
+    }
+    let first = bench.read("punch/contact.csv");
+    std::fs::copy(bench.path("punch/scene.resolved.toml"), bench.path("again.toml")).unwrap();
+    assert_eq!(bench.call("run again.toml -q -o again").code, 0);
+    assert_eq!(bench.read("again/contact.csv"), first);
+}
+
+#[test]
+fn rows_of_a_parabola_give_the_contact_of_the_crown_and_smoothing_says_what_it_left() {
+    let bench = Bench::new();
+    let (_, crown) = gaps(&bench, r#"gap = { crown = "10 um" }"#);
+    let rows: String = (0..=40).map(|i| i - 20).map(|s| format!("{s},{}\n", 0.025 * f64::from(s * s))).collect();
+    bench.file("gap.csv", &format!("s_mm,gap_um\n{rows}"));
+    let (_, same) = gaps(&bench, r#"gap = "gap.csv""#);
+    let p_max = |summary: &Value| summary["contact"]["p_max_MPa"].as_f64().unwrap();
+    assert!((p_max(&same) / p_max(&crown) - 1.0).abs() < 1e-10, "{} {}", p_max(&same), p_max(&crown));
+    let rough: String = (0..=40)
+        .map(|i| i - 20)
+        .map(|s| format!("{s},{}\n", 0.025 * f64::from(s * s) + 0.5 * f64::from((s * s * 7) % 3)))
+        .collect();
+    bench.file("rough.csv", &format!("s_mm,gap_um\n{rough}"));
+    let (_, smooth) = gaps(&bench, r#"gap = { profile = "rough.csv", smooth = "0.5 um" }"#);
+    let note = smooth["lints"].as_array().unwrap().iter().find(|note| note["code"] == "smoothed-gap").unwrap();
+    assert!(note["message"].as_str().unwrap().contains("0.5 um from them"), "{note}");
+    assert!((p_max(&smooth) / p_max(&crown) - 1.0).abs() < 0.1);
+}
+
+#[test]
+fn gaps_without_sense_are_refused_with_a_remedy() {
+    let bench = Bench::new();
+    bench.file("short.csv", "s_mm,gap_um\n-20,1\n-10,0\n10,1\n");
+    for (contact, says) in [
+        ("gap = {}", "empty table"),
+        ("gap = { crown = \"-1 um\" }", "is negative"),
+        ("gap = { tilt = \"20 deg\" }", "no small angle"),
+        ("gap = { cosine = { amplitude = \"1 um\", wavelength = 0 } }", "zero wavelength"),
+        ("gap = { cosine = { amplitude = \"-1 um\", wavelength = 3 } }", "is negative"),
+        ("gap = { cosine = { amplitude = \"1 um\" } }", "wavelength"),
+        ("gap = { crow = 3 }", "crow"),
+        ("gap = { crown = 0.01, s_mm = [0, 1], gap_um = [0, 1] }", "profile ="),
+        ("gap = { smooth = \"2 um\" }", "there is none"),
+        ("gap = { profile = \"short.csv\", smooth = \"-2 um\" }", "negative residual"),
+        ("gap = { profile = \"short.csv\", crown = \"1 um\" }", "covers 30 mm of the contact surface of 40 mm"),
+        ("gap = { profile = \"none.csv\" }", "cannot read the gap profile none.csv"),
+        ("clearance = \"50 um\"", "is no arc"),
+    ] {
+        bench.file("bad.toml", &scene(contact));
+        let call = bench.check_and_run("bad.toml");
+        assert_eq!(call.code, 2, "{contact}: {}{}", call.out, call.err);
+        assert!(call.err.contains(says), "{contact}: {}", call.err);
+    }
+    for (set, says) in [
+        ("contact.clearance=-1_um", "interference"),
+        ("contact.clearance=30", "no clearance of a radius"),
+        ("body2.geometry.ring.outer=26", "the arcs cross"),
+        ("body2.geometry.ring.outer=24", "drawn with two radii"),
+        ("body2.geometry.ring.centre=[1,0]", "do not touch"),
+    ] {
+        let call = bench.check_and_run(&format!("bushing --set {}", set.replace('_', "")));
+        assert_eq!(call.code, 2, "{set}: {}{}", call.out, call.err);
+        assert!(call.err.contains(says), "{set}: {}", call.err);
+    }
+    for (set, says) in
+        [("body2.geometry.ring.centre=[1,0]", "cross or lie apart"), ("body2.geometry.ring.centre=[0,3]", "cross or lie apart")]
+    {
+        let call = bench.check_and_run(&format!("knee --set {set}"));
+        assert_eq!(call.code, 2, "{set}: {}{}", call.out, call.err);
+        assert!(call.err.contains(says), "{set}: {}", call.err);
+    }
+    let round = bench.check_and_run("hertz-cylinder --set contact.gap={crown=0.01}");
+    assert!(round.code == 2 && round.err.contains("counted from the ends"), "{}", round.err);
+}

@@ -1,0 +1,128 @@
+//! The life of a thickness that may wear off, and runs in time that end by distance or turns: against closed forms.
+
+use approx::assert_relative_eq;
+
+use crate::call::Bench;
+
+fn life(bench: &Bench, scene: &str) -> serde_json::Value {
+    let call = bench.call(&format!("run {scene} -o x"));
+    assert_eq!(call.code, 0, "{scene}: {}", call.err);
+    assert!(call.out.contains("\nlife      "), "{}", call.out);
+    let summary: serde_json::Value = serde_json::from_str(&bench.read("x/summary.json")).unwrap();
+    summary["pressure"].clone()
+}
+
+/// A punch that slides under a uniform pressure p = F / A recedes by k p v: it lasts h / (k p v), h / (k p) of way, and rubs mu F h / (k p) of work.
+#[test]
+fn a_uniform_punch_lasts_its_thickness_over_k_p_v() {
+    let bench = Bench::new();
+    let scene = "translating-punch --set tasks=[pressure] --set wear.k=[1e-9,0] --set wear.a=1 --set wear.b=1 --set load.moment=0 \
+                 --set load.force=1_kN --set contact.friction=.25 --set sliding.speed=5 --set wear.wearable=4_mm --set wear.spread=.5";
+    let life = life(&bench, scene)["life"].clone();
+    let (pressure, speed, k) = (1000.0 / 600.0, 5.0, 1e-9);
+    let seconds = 4.0 / (k * pressure * speed);
+    let number = |key: &str| life[key].as_f64().unwrap();
+    assert_relative_eq!(number("time_h"), seconds / 3600.0, max_relative = 1e-9);
+    assert_relative_eq!(number("distance_km"), 4e-6 / (k * pressure), max_relative = 1e-9);
+    assert_relative_eq!(number("friction_work_MJ"), 1e-9 * 0.25 * 1000.0 * speed * seconds, max_relative = 1e-9);
+    assert!(life["revolutions"].is_null(), "{life}");
+    let between = |place: usize| life["time_between_h"][place].as_f64().unwrap();
+    assert_relative_eq!(between(0), seconds / 3600.0 / 1.5, max_relative = 1e-9);
+    assert_relative_eq!(between(1), seconds / 3600.0 / 0.5, max_relative = 1e-9);
+}
+
+/// A shoe that a drum drags sinks by the feed V, and recedes by V cos(angle) along its normal: most in its middle.
+#[test]
+fn a_shoe_lasts_until_its_middle_is_gone() {
+    let bench = Bench::new();
+    let pressure = life(&bench, "drum-brake-block --set tasks=[pressure] --set wear.wearable=4_mm");
+    let seconds = 4.0 / pressure["feed"]["force"].as_f64().unwrap();
+    let number = |key: &str| pressure["life"][key].as_f64().unwrap();
+    assert_relative_eq!(number("time_h"), seconds / 3600.0, max_relative = 1e-9);
+    assert_relative_eq!(number("distance_km"), 2.5 * 200.0 * 3600.0 * number("time_h") / 1e6, max_relative = 1e-9);
+    assert_relative_eq!(number("revolutions"), 2.5 * 3600.0 * number("time_h") / std::f64::consts::TAU, max_relative = 1e-9);
+    assert!(pressure["life"]["time_between_h"].is_null());
+}
+
+/// A pad on a disc wears evenly: what it loses is the feed everywhere, although p and v differ.
+#[test]
+fn a_pad_on_a_disc_lasts_its_thickness_over_the_feed() {
+    let bench = Bench::new();
+    let pressure = life(&bench, "disc-pad --set wear.wearable=10_mm --set wear.counterface=fresh");
+    let hours = 10.0 / pressure["feed"]["force"].as_f64().unwrap() / 3600.0;
+    assert_relative_eq!(pressure["life"]["time_h"].as_f64().unwrap(), hours, max_relative = 1e-9);
+}
+
+#[test]
+fn a_scene_without_a_thickness_has_no_life() {
+    let bench = Bench::new();
+    let call = bench.call("run disc-pad -o x");
+    assert!(!call.out.contains("life") && !bench.read("x/summary.json").contains("life"), "{}", call.out);
+}
+
+#[test]
+fn an_end_by_distance_or_turns_is_the_end_by_their_time() {
+    let bench = Bench::new();
+    let coarse = "--set mesh.degree=3 --set mesh.layers=1 -q";
+    let punch = format!("run punch-wear {coarse} --set wear.until=");
+    let drum = format!("run drum-brake-block {coarse} --set tasks=[wear] --set wear.until=");
+    let turns = 0.5e-3 * std::f64::consts::TAU / 2.5;
+    let cases = [
+        (format!("{punch}{{distance=\"0.1_m\"}}"), format!("{punch}20")),
+        (format!("{punch}{{time=\"20_s\"}}"), format!("{punch}20")),
+        (format!("{drum}{{revolutions=0.5e-3}}"), format!("{drum}{turns:e}")),
+    ];
+    for (one, other) in cases {
+        for (call, folder) in [(&one, "a"), (&other, "b")] {
+            let call = bench.call(&format!("{call} -o {folder}"));
+            assert!(call.code < 2, "{one}: {}", call.err);
+        }
+        for name in ["history.csv", "contact.csv", "scene.resolved.toml"] {
+            assert!(bench.read(&format!("a/{name}")) == bench.read(&format!("b/{name}")), "{one}: {name}");
+        }
+    }
+}
+
+/// The speed of a drum's surface is omega R.
+#[test]
+fn a_distance_on_a_drum_is_a_time_by_its_radius() {
+    let bench = Bench::new();
+    let sets = "--set mesh.degree=3 --set mesh.layers=1 --set tasks=[wear]";
+    let call = bench.call(&format!("run drum-brake-block -q {sets} --set wear.until={{distance=\"1e-6_km\"}} -o x"));
+    assert!(call.code < 2, "{}", call.err);
+    let scene: toml::Table = bench.read("x/scene.resolved.toml").parse().unwrap();
+    assert_relative_eq!(scene["wear"]["until"].as_float().unwrap(), 1.0 / (2.5 * 200.0), max_relative = 1e-12);
+}
+
+#[test]
+fn what_has_no_meaning_is_refused_with_what_to_do() {
+    let bench = Bench::new();
+    for (scene, words) in [
+        ("punch-wear --set wear.until={revolutions=10}", "body 2 does not turn"),
+        ("punch-wear --set wear.until={distance=-1}", "wear.until"),
+        ("punch-wear --set wear.until={revolutions=0}", "wear.until"),
+        ("punch-wear --set wear.until={distance=1,time=1}", "one end"),
+        ("punch-wear --set wear.until={}", "empty table"),
+        ("punch-wear --set wear.until={way=1}", "unknown key"),
+        ("punch-wear --set wear.until=2_km", "km"),
+        ("punch-wear --set wear.until={distance=9} --set schedule={time=[0,1],speed=[1,2]}", "schedule.speed"),
+        ("annular-punch --set tasks=[wear] --set wear.until={distance=9}", "no single sliding speed"),
+        ("disc-pad --set wear.wearable=0", "wear.wearable"),
+        ("disc-pad --set wear.wearable=nan", "wear.wearable"),
+        ("disc-pad --set wear.wearable=4 --set wear.spread=1", "out of range"),
+        ("disc-pad --set wear.wearable=4 --set wear.spread=-.1", "out of range"),
+        ("disc-pad --set wear.spread=.5", "add wear.wearable"),
+        ("disc-pad --set wear.wearable=4 --set contact.friction=0", "contact.friction = 0 with wear.beta means no wear"),
+        ("disc-pad --set wear.wearable=4 --set wear.beta=[0,1e-8]", "its wear factor is 0"),
+        ("translating-punch --set wear.wearable=4 --set load.approach=1e-3", "does not follow the wear"),
+    ] {
+        let call = bench.check_and_run(scene);
+        assert_eq!(call.code, 2, "{scene}: {}", call.out);
+        assert!(call.err.contains(words), "{scene}: {}", call.err);
+    }
+    // Without the steady wear nothing uses it, and that is said.
+    for sets in ["--set optimum.functional=uniform", "--set optimum.functional=wear-power --set optimum.q=2"] {
+        let call = bench.call(&format!("check disc-pad --set wear.wearable=4 {sets}"));
+        assert!(call.code == 0 && call.out.contains("wear.wearable"), "{sets}: {}{}", call.out, call.err);
+    }
+}

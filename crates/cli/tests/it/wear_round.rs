@@ -1,0 +1,61 @@
+//! Balls and cylinders that wear in time, from scene to folder.
+
+use crate::call::Bench;
+
+#[test]
+fn a_pin_on_disc_writes_its_scar_and_groove() {
+    let bench = Bench::new();
+    let call = bench.call("run pin-on-disc -q --set accuracy=1e-2");
+    assert_eq!(call.code, 0, "{}", call.err);
+    let wear = &bench.summary("pin-on-disc")["wear"];
+    assert_eq!(wear["status"], "time-reached");
+    let number = |key: &str| wear.pointer(key).and_then(serde_json::Value::as_f64).unwrap();
+    assert!((number("/scar_mm") - number("/groove/width_mm")).abs() < 1e-12 && number("/scar_mm") > 0.8);
+    let groove = bench.read("out/pin-on-disc/groove.csv");
+    assert!(groove.starts_with("y_mm,depth_um\n") && groove.lines().count() == 202, "{groove}");
+    let header = bench.read("out/pin-on-disc/history.csv");
+    assert!(header.lines().next().unwrap().ends_with(",scar_mm"), "{header}");
+    assert!(bench.read("out/pin-on-disc/report.html").contains("width of the scar"));
+    assert!(bench.summary("pin-on-disc")["lints"].to_string().contains("groove-mean"));
+    // Without a track the disc is a long plate, and the ball alone is changed by its wear.
+    let call = bench.call(
+        "run hertz-sphere -q --set tasks=[wear] --set sliding.speed=10 --set wear.k=1e-7 --set wear.until=1 --set accuracy=1e-2",
+    );
+    assert_eq!(call.code, 0, "{}", call.err);
+    assert!(bench.read("out/hertz-sphere/scene.resolved.toml").contains("counterface = \"fresh\""));
+    assert!(!bench.path("out/hertz-sphere/groove.csv").exists());
+}
+
+#[test]
+fn what_is_no_round_contact_that_wears_is_refused_with_a_remedy() {
+    let bench = Bench::new();
+    for (change, says, remedy) in [
+        ("wear.until=steady", "no pressure is steady", "give a time"),
+        ("contact.shear=true", "no symmetry about its axis", "contact.shear = false"),
+        ("sliding.track_radius=-1", "radius of the track", "sliding.track_radius"),
+        ("sliding.track_radius=0", "radius of the track", "sliding.track_radius"),
+        ("sliding={omega=3}", "at one speed", "track_radius"),
+        ("sliding={speed=3,omega=3,track_radius=15}", "both `sliding.speed` and `sliding.omega`", "keep one"),
+        ("sliding={speed=0,track_radius=15}", "nothing slides", "sliding.speed"),
+        ("wear.counterface=fresh", "revolves under the ball", "revolving"),
+        ("sliding={speed=100} --set wear.counterface=revolving", "no closed track", "track_radius"),
+        ("wear.k=[0,1e-8]", "does not wear", "give both bodies"),
+        ("wear={k=[1e-8,1e-8],b=[1,2],until=2}", "same power", "one b"),
+        ("wear.until=1e9", "over the", "end the run earlier"),
+        ("tasks=[contact,wear]", "the task wear alone", "tasks = [\"wear\"]"),
+        ("schedule={time=[0,1],force=[1,2]}", "one load and speed", "schedule"),
+    ] {
+        let call = bench.check_and_run(&format!("pin-on-disc --set {change}"));
+        assert_eq!(call.code, 2, "{change}: {}", call.out);
+        assert!(call.err.contains(says) && call.err.contains(remedy), "{change}: {}", call.err);
+    }
+    for scene in [
+        "hertz-cylinder --set tasks=[wear] --set sliding.speed=10 --set wear={k=1e-7,until=1}",
+        "translating-punch",
+        "punch-wear",
+    ] {
+        let call = bench.check_and_run(&format!("{scene} --set sliding.track_radius=15"));
+        assert_eq!(call.code, 2, "{scene}: {}", call.out);
+        assert!(call.err.contains("track_radius"), "{scene}: {}", call.err);
+    }
+}

@@ -1,0 +1,30 @@
+//! A shoe on a pin or a roller as a brake, in one line of the first screen.
+
+use wearshape::{BrakeResult, Sense};
+
+use crate::brief::brief;
+
+/// Leading or trailing, what the actuator makes, and how far it is from locking.
+pub(crate) fn brake_line(brake: &BrakeResult) -> String {
+    let shoe = match brake.shoe {
+        Sense::Leading => "leading",
+        Sense::Trailing => "trailing",
+        Sense::Neutral => "neither leading nor trailing",
+    };
+    let by = match (brake.actuator, brake.moment) {
+        (Some(force), _) => format!(" from {} N", brief(force)),
+        (None, Some(moment)) => format!(" from {} N m about the pin", brief(1e-3 * moment)),
+        (None, None) => String::new(),
+    };
+    let made = match brake.torque {
+        Some(torque) => format!("torque {} N m{by}", brief(1e-3 * torque)),
+        None => format!("friction {} N{by}", brief(brake.friction_force)),
+    };
+    let mut words = vec![format!("{shoe}: {made}")];
+    words.extend(brake.brake_factor.map(|factor| format!("brake factor {}", brief(factor))));
+    words.extend(brake.locks_at_friction.map(|at| {
+        let times = brake.lock_reserve.map(|times| format!(", {} times this one", brief(times))).unwrap_or_default();
+        format!("locks at friction {}{times}", brief(at))
+    }));
+    format!("brake     {}", words.join(", "))
+}

@@ -1,0 +1,130 @@
+//! How long it runs: the end of a run in time by distance or turns, and the thickness that may wear off.
+
+use std::f64::consts::TAU;
+
+use scene::{Fault, Functional, Pair, Scene, Task, Time, Until, positive};
+
+use crate::problem::Wearable;
+use crate::surface::Patch;
+
+/// Relative difference of speeds up to which a surface slides as one.
+const SAME: f64 = 1e-9;
+
+/// Turns the end of a run in time into a time; none means the steady state.
+pub(super) fn end(scene: &mut Scene, patch: Option<&Patch>) -> Result<(), Fault> {
+    let until = scene.wear.as_ref().and_then(|wear| wear.until).unwrap_or(Until::Steady);
+    let time = match until {
+        Until::Steady => None,
+        Until::Time(time) => {
+            positive("wear.until", time.0, "time", " s")?;
+            Some(time.0)
+        }
+        Until::Distance(length) => {
+            positive("wear.until.distance", length.0, "distance", " mm")?;
+            Some(length.0 / speed(scene, patch)?)
+        }
+        Until::Revolutions(count) => {
+            positive("wear.until.revolutions", count, "number of turns", "")?;
+            Some(count * TAU / turning(scene)?)
+        }
+    };
+    if let Some(wear) = &mut scene.wear {
+        wear.until = Some(time.map_or(Until::Steady, |time| Until::Time(Time(time))));
+    }
+    Ok(())
+}
+
+/// One speed that does not change in time.
+fn steady(scene: &Scene, key: &str) -> Result<(), Fault> {
+    if scene.schedule.as_ref().is_none_or(|schedule| schedule.speed.is_none()) {
+        return Ok(());
+    }
+    let message = "the speed changes by schedule.speed, so that the end is no single time";
+    Err(Fault::at(key, "two-alternatives", message, "write wear.until as a time, as in until = \"300 s\""))
+}
+
+/// Angular speed of body 2 (rad/s).
+fn turning(scene: &Scene) -> Result<f64, Fault> {
+    let key = "wear.until.revolutions";
+    steady(scene, key)?;
+    let omega = scene.sliding.as_ref().and_then(|sliding| sliding.omega).map(|omega| omega.0.abs());
+    omega.filter(|omega| *omega > 0.0).ok_or_else(|| {
+        let remedy = "give sliding.omega, or the end as { distance = \"2 km\" }";
+        Fault::at(key, "wrong-value", "body 2 does not turn, and has no revolutions", remedy)
+    })
+}
+
+/// Sliding speed of the whole surface (mm/s).
+fn speed(scene: &Scene, patch: Option<&Patch>) -> Result<f64, Fault> {
+    let key = "wear.until.distance";
+    steady(scene, key)?;
+    let given = scene.sliding.as_ref().and_then(|sliding| sliding.speed).map(|speed| speed.0.abs());
+    let sampled = || {
+        let speeds: Vec<f64> = patch?.sample(3).iter().map(|point| point.sliding_speed).collect();
+        let [low, high] = speeds.iter().fold([f64::MAX, 0.0], |[low, high], v| [v.min(low), v.max(high)]);
+        (high - low <= SAME * high).then_some(high)
+    };
+    given.or_else(sampled).filter(|speed| *speed > 0.0).ok_or_else(|| {
+        let message = "the contact has no single sliding speed that a distance could be counted by";
+        Fault::at(key, "wrong-value", message, "write { revolutions = 1e5 } where body 2 turns, or a time")
+    })
+}
+
+/// Whether the steady wear that a life follows from is computed.
+pub(super) fn has_life(scene: &Scene, tasks: &[Task]) -> bool {
+    let steady = scene.optimum.as_ref().and_then(|optimum| optimum.functional).is_none_or(|f| f == Functional::Steady);
+    let reverses = scene.sliding.as_ref().is_some_and(|sliding| sliding.reversing.is_some());
+    steady && !reverses && (tasks.contains(&Task::Pressure) || tasks.contains(&Task::Shape))
+}
+
+/// Checks the thickness that may wear off.
+pub(super) fn resolve(scene: &Scene, tasks: &[Task]) -> Result<(), Fault> {
+    let Some(wear) = &scene.wear else { return Ok(()) };
+    if let Some(spread) = wear.spread {
+        if !(0.0..1.0).contains(&spread) {
+            let message = format!("the spread {spread} of the wear factor is out of range");
+            return Err(Fault::at("wear.spread", "wrong-value", message, "give 0 or more and less than 1, as in spread = 0.5"));
+        }
+        if wear.wearable.is_none() {
+            let message = "the spread of the wear factor is for a life, and no thickness that may wear off is given";
+            return Err(Fault::at(
+                "wear.spread",
+                "missing-key",
+                message,
+                "add wear.wearable = \"4 mm\", or leave the spread out",
+            ));
+        }
+    }
+    let Some(thickness) = wear.wearable else { return Ok(()) };
+    positive("wear.wearable", thickness.0, "thickness", " mm")?;
+    if !has_life(scene, tasks) {
+        return Ok(());
+    }
+    let first = match wear.k.or(wear.beta) {
+        Some(Pair::Two([first, _]) | Pair::One(first)) => first.value,
+        None => 0.0,
+    };
+    let friction = scene.contact.as_ref().and_then(|contact| contact.friction).unwrap_or(0.0);
+    if first == 0.0 || (wear.k.is_none() && friction == 0.0) {
+        let why = if first == 0.0 { "its wear factor is 0" } else { "contact.friction = 0 with wear.beta means no wear" };
+        let message = format!("body 1 does not wear, so that no thickness of it has a life: {why}");
+        let remedy = "give body 1 a wear factor, as in wear.k = [1e-7, 0], or leave wear.wearable out";
+        return Err(Fault::at("wear.wearable", "no-wear", message, remedy));
+    }
+    if scene.load.as_ref().is_some_and(|load| load.approach.is_some()) {
+        let message = "load.approach holds body 1 where it is: it does not follow the wear, and the steady wear is none";
+        return Err(Fault::at(
+            "wear.wearable",
+            "two-alternatives",
+            message,
+            "give load.force instead, or leave wear.wearable out",
+        ));
+    }
+    Ok(())
+}
+
+/// The thickness that may wear off, of a checked scene.
+pub(super) fn wearable(scene: &Scene) -> Option<Wearable> {
+    let wear = scene.wear.as_ref()?;
+    Some(Wearable { thickness: wear.wearable?.0, spread: wear.spread })
+}

@@ -1,0 +1,284 @@
+//! A ball or cylinder on a flat that wears in time: the end of contact moves outwards, over a surface that may touch as far as it will come.
+
+use contact::ContactLoad;
+use hpfem::Kinematics;
+use meshing::{CANDIDATE as LONGEST, Couple, Cut, Extent, HalfDiscOnFlat};
+use scene::Fault;
+use shapeopt::{Evolution, EvolutionStatus, Stepping};
+use wear::Shape;
+
+use crate::bodies::Bodies;
+use crate::body_field::FieldFrame;
+use crate::effort::Effort;
+use crate::faults::wrong_wear;
+use crate::ladder::Refusal;
+use crate::level::Level;
+use crate::options::Options;
+use crate::parts::Parts;
+use crate::problem::Problem;
+use crate::stage::Stage;
+use crate::step::Step;
+use crate::steps::answer::Outcome;
+use crate::steps::hertz_trial::hertz_end;
+use crate::steps::recover;
+use crate::steps::wear::pieces::Pieces;
+use crate::steps::wear::problem::wear_problem;
+use crate::steps::wear::ran::MOST_STEPS;
+use crate::steps::wear::rigid_scar::RigidScar;
+use crate::steps::wear::round_mesh::{CANDIDATE, along, breaks};
+use crate::steps::wear::{scar, solve_at, track};
+use crate::surface::Patch;
+use crate::watch::Watch;
+
+/// Degree and accuracy of the runs that find the end of contact.
+const FIRST: usize = 4;
+const ROUGH: f64 = 1e-2;
+/// Relative change of the end of contact at which it is found, and most runs for it.
+const FOUND: f64 = 1e-3;
+const TRIALS: usize = 8;
+
+/// A ball or cylinder on a flat, and how long it wears.
+#[derive(Clone)]
+pub(crate) struct RoundWear<'a> {
+    pub problem: &'a Problem,
+    pub couple: &'a Couple,
+    pub disc: HalfDiscOnFlat,
+    pub options: &'a Options<'a>,
+    pub bodies: &'a Bodies,
+}
+
+impl<'a> RoundWear<'a> {
+    /// Refuses what is not built, before anything is written.
+    pub(crate) fn available(&self) -> Result<(), Fault> {
+        let problem = self.problem;
+        let refuse = |key: &str, message: &str, remedy: &str| Err(Fault::at(key, "not-available", message, remedy));
+        if [Step::Pressure, Step::Contact, Step::Shape].iter().any(|step| problem.plan.runs(*step)) {
+            let message =
+                "a round contact that wears has the task wear alone: the pressure of its start is the first of its curves";
+            return refuse("tasks", message, "write tasks = [\"wear\"]");
+        }
+        if problem.wear.until.is_none() {
+            let message = "a ball or cylinder is worn for ever: its scar grows, and no pressure is steady";
+            return refuse("wear.until", message, "give a time, as in wear.until = \"10 h\"");
+        }
+        if !problem.pieces.is_empty() {
+            return refuse("schedule", "a round contact wears under one load and speed so far", "leave out `schedule`");
+        }
+        if problem.load.force.is_none() {
+            return refuse("load.approach", "a round contact wears under a force so far", "give load.force instead");
+        }
+        if problem.load.shear_force != 0.0 {
+            return refuse(
+                "load.shear_force",
+                "a body that slides neither sticks nor carries another shear force",
+                "leave it out",
+            );
+        }
+        if !problem.gap.is_none() {
+            return refuse("contact.gap", "a profile on a half-disc is not known yet", "write gap = 0");
+        }
+        if self.couple.is_revolved() && problem.friction.shear() > 0.0 {
+            let message = "the shear of a ball that slides has no symmetry about its axis";
+            return refuse(
+                "contact.shear",
+                message,
+                "write contact.shear = false, which takes it off the bodies and keeps it in power and wear",
+            );
+        }
+        track::available(problem, self.couple, &refuse)?;
+        let end = self.guess()?;
+        self.fits(end)?;
+        self.on(&self.nodes(end), |stage, ends| stage.meshes(1, Cut::Ends(ends)).map(|_| ()))
+    }
+
+    /// Refuses a scar longer than the bodies.
+    fn fits(&self, end: f64) -> Result<(), Fault> {
+        let longest = LONGEST / CANDIDATE * self.disc.longest();
+        if end <= longest {
+            return Ok(());
+        }
+        let message = format!("the scar would reach {end:.4} mm from the middle, over the {longest:.4} mm that the bodies allow");
+        Err(Fault::at("wear.until", "contact-too-long", message, "end the run earlier, press less, or give larger bodies"))
+    }
+
+    /// Sliding speed (mm/s); on a revolving disc that of its track.
+    fn speed(&self) -> Result<f64, Fault> {
+        let example = "write sliding = { speed = \"100 mm/s\" }";
+        let Some(sliding) = &self.problem.sliding else {
+            return Err(Fault::at("sliding", "missing", "wear needs sliding".to_string(), example));
+        };
+        let (key, speed) = match (sliding.speed, sliding.omega, sliding.track_radius) {
+            (Some(speed), None, _) => ("sliding.speed", speed.0),
+            (None, Some(omega), Some(track)) => ("sliding.omega", omega.0 * track.0),
+            (None, _, _) => {
+                let message =
+                    "a ball or cylinder slides along a flat at one speed: `sliding.omega` alone does not say it".to_string();
+                let remedy = "write sliding = { speed = \"100 mm/s\" }, or omega with the track_radius of a ball on a disc";
+                return Err(Fault::at("sliding.omega", "wrong-key", message, remedy));
+            }
+            (Some(_), Some(_), _) => {
+                let message = "both `sliding.speed` and `sliding.omega` are given".to_string();
+                return Err(Fault::at("sliding.omega", "two-alternatives", message, "keep one of them"));
+            }
+        };
+        if speed == 0.0 || !speed.is_finite() {
+            let message = format!("{key} = {speed}: nothing slides");
+            return Err(Fault::at(key, "wrong-value", message, example));
+        }
+        Ok(speed)
+    }
+
+    /// Half the width of contact at the start.
+    fn start(&self) -> f64 {
+        hertz_end(self.disc.radius, self.couple, &self.problem.load)
+    }
+
+    /// A first guess of the end of contact after the run.
+    fn guess(&self) -> Result<f64, Fault> {
+        let Problem { wear, load, .. } = self.problem;
+        let laws = wear.laws.as_ref().map_err(wrong_wear)?;
+        let rigid = RigidScar {
+            radius: self.disc.radius,
+            kinematics: self.couple.kinematics,
+            force: load.force.unwrap_or(0.0),
+            speed: self.speed()?.abs(),
+            laws,
+            counterface: wear.counterface,
+        };
+        Ok(rigid.after(wear.until.unwrap_or(0.0), self.start()))
+    }
+
+    fn nodes(&self, end: f64) -> Vec<f64> {
+        breaks(self.start(), end)
+    }
+
+    /// Does something with the stage of a surface cut at these distances (mm) from the middle, and with its cuts from -1 to 1.
+    fn on<T, E: From<Fault>>(&self, nodes: &[f64], act: impl FnOnce(Stage<'_>, &[f64]) -> Result<T, E>) -> Result<T, E> {
+        let RoundWear { problem, couple, disc, options, bodies } = self;
+        let end = nodes[nodes.len() - 1];
+        self.fits(end)?;
+        let reach = CANDIDATE * end;
+        let from = if couple.is_revolved() { disc.middle } else { disc.middle - reach };
+        let extent = Extent::Round { x: [from, disc.middle + reach], touch: disc.middle, radius: disc.radius };
+        let patch = self.patch(extent.ends())?;
+        let stage = Stage { problem, couple, patch: &patch, extent, options, bodies };
+        act(stage, &along(stage, nodes, reach))
+    }
+
+    /// The flat side, which slides along x at one speed.
+    fn patch(&self, x: [f64; 2]) -> Result<Patch, Fault> {
+        let shape = match self.couple.kinematics {
+            Kinematics::PlaneStress { thickness } | Kinematics::PlaneStrain { thickness } => {
+                Shape::Strip { x, z: self.disc.height, thickness }
+            }
+            Kinematics::Axisymmetric | Kinematics::Torsion | Kinematics::Potential { .. } | Kinematics::AxisymmetricPotential => {
+                Shape::Annulus { radii: x }
+            }
+        };
+        Patch::along_x(shape, self.speed()?)
+    }
+
+    /// Parts of a level on the first guess, for a forecast.
+    pub(crate) fn first_parts(&self, level: Level) -> Result<Parts, Fault> {
+        self.on(&self.nodes(self.guess()?), |stage, ends| Ok(stage.parts(level, Cut::Ends(ends))?.0))
+    }
+
+    /// Runs the wear in time, with the fields if they are asked for.
+    pub(crate) fn solve(&self, watch: &mut Watch<'_>) -> Result<(Outcome, Effort, Vec<FieldFrame>), Refusal> {
+        let (end, mut effort) = self.end()?;
+        self.on(&self.nodes(end), |stage, ends| {
+            let (mut outcome, work) = solve_at(stage, ends, watch)?;
+            effort += work;
+            let reported = outcome.reported.take().filter(|_| stage.problem.plan.runs(Step::Fields) && !outcome.stopped);
+            let Some(reported) = reported else { return Ok((outcome, effort, Vec::new())) };
+            (stage.options.begun)(Step::Fields);
+            let (fields, work) = effort.timed(Step::Fields, stage.clock(), |_| recover::recover(stage, &reported))?;
+            effort += work;
+            Ok((outcome, effort, fields))
+        })
+    }
+
+    /// Where the contact ends after the run, from the first guess by running on it.
+    fn end(&self) -> Result<(f64, Effort), Refusal> {
+        let mut effort = Effort::default();
+        let mut end = self.guess()?;
+        for _ in 0..TRIALS {
+            let found = self.on(&self.nodes(end), |stage, ends| trial(stage, ends, &mut effort))?;
+            let change = (found / end - 1.0).abs();
+            end = found;
+            if change <= FOUND {
+                break;
+            }
+        }
+        Ok((end, effort))
+    }
+}
+
+/// Where the contact of a rough run ends.
+fn trial(stage: Stage<'_>, ends: &[f64], effort: &mut Effort) -> Result<f64, Refusal> {
+    let (reduced, work) = stage.made(stage.problem.level(FIRST), Cut::Ends(ends))?;
+    *effort += work;
+    let pair = reduced.pair()?;
+    let operator = effort.timed(Step::Interface, stage.clock(), |_| reduced.operator(&pair, stage.friction() > 0.0))?;
+    let began = stage.clock()();
+    let load: ContactLoad = stage.contact_load(operator.points());
+    let mut problem = wear_problem(&[stage], &[load], &Pieces::of(stage.problem).intervals, &operator, 0.0)?;
+    problem.stepping = Stepping::Adaptive { accuracy: stage.accuracy().max(ROUGH) };
+    let mut evolution = Evolution::new(&problem).map_err(|error| Refusal::Reason(error.to_string()))?;
+    evolution.by_ref().take(MOST_STEPS).for_each(drop);
+    if *evolution.status() != EvolutionStatus::TimeReached {
+        return Err(Refusal::Reason(evolution.status().to_string()));
+    }
+    let state = evolution.state();
+    effort.counters.contact_solves += 1;
+    effort.counters.wear_steps += state.step;
+    effort.add_seconds(Step::Evolution, stage.clock()() - began);
+    let start = stage.start(&pair);
+    let places: Vec<f64> = operator.points().iter().map(|point| start + point.arc).collect();
+    let ends = scar::ends(&places, &state.pressure, &state.worn);
+    let [from, to] = ends.ok_or_else(|| Refusal::Reason("no point presses at the end of the run".into()))?;
+    Ok(if stage.couple.is_revolved() { to } else { 0.5 * (to - from) })
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use scene::{Document, builtin};
+    use shapeopt::{Scheme, WearProblem};
+
+    use super::*;
+
+    /// On the same operators explicit steps below their stability bound come to the same gap as implicit ones.
+    #[test]
+    fn an_explicit_run_below_its_bound_agrees() {
+        let set = ["tasks=[wear]", "sliding.speed=10", "wear.k=1e-7", "wear.until=5", "accuracy=1e-4"].map(String::from);
+        let document = Document::read("scene", builtin("hertz-sphere").unwrap().text, &set).unwrap();
+        let problem = Problem::new(&document, &|_| Err("no file".into())).unwrap();
+        let (options, bodies) = (Options::default(), Bodies::default());
+        let couple = problem.couple.as_ref().unwrap();
+        let disc = HalfDiscOnFlat::of(couple).unwrap().unwrap();
+        let round = RoundWear { problem: &problem, couple, disc, options: &options, bodies: &bodies };
+        let end = round.guess().unwrap();
+        assert!(end > 1.1 * round.start(), "the end of contact moves: {end}");
+        let found = round.on(&round.nodes(end), |stage, ends| -> Result<(), Refusal> {
+            let (reduced, _) = stage.made(problem.level(FIRST), Cut::Ends(ends))?;
+            let pair = reduced.pair()?;
+            let operator = reduced.operator(&pair, false)?;
+            let load = stage.contact_load(operator.points());
+            let implicit = wear_problem(&[stage], &[load], &Pieces::of(&problem).intervals, &operator, 0.0)?;
+            let explicit = WearProblem { scheme: Scheme::Explicit, ..implicit.clone() };
+            let [implicit, explicit] = [&implicit, &explicit].map(|problem| {
+                let mut evolution = Evolution::new(problem).unwrap();
+                evolution.by_ref().take(MOST_STEPS).for_each(drop);
+                assert_eq!(*evolution.status(), EvolutionStatus::TimeReached);
+                evolution.state().clone()
+            });
+            assert!((implicit.depth / explicit.depth - 1.0).abs() < 2e-3, "{} {}", implicit.depth, explicit.depth);
+            let apart = implicit.worn.iter().zip(&explicit.worn).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            // Euler's steps are of first order: they are off by no more than one of them.
+            assert!(apart < implicit.depth / explicit.step as f64, "{apart} of {}", implicit.depth);
+            Ok(())
+        });
+        assert!(found.is_ok());
+    }
+}

@@ -1,0 +1,117 @@
+//! A ball or cylinder on a flat that wears in time, against the laws of rigid bodies and against finer runs.
+
+use approx::assert_relative_eq;
+use wearshape::{Problem, Solution, Status};
+
+use crate::common::{scene, solved};
+
+/// Settings of a run in time; the bodies may be stiffer by a factor.
+fn worn(name: &str, stiffer: f64, settings: &[&str]) -> Problem {
+    let young = [1, 2].map(|body| {
+        let steel = if (name, body) == ("hertz-cylinder", 2) { 70e3 } else { 210e3 };
+        format!("body{body}.material.young={}", steel * stiffer)
+    });
+    let set = ["tasks=[wear]", "contact.friction=0.1", "contact.shear=false", "sliding.speed=10", "wear.k=1e-7"];
+    let all: Vec<&str> = set.into_iter().chain(young.iter().map(String::as_str)).chain(settings.iter().copied()).collect();
+    scene(name, &all)
+}
+
+fn depth(solution: &Solution) -> f64 {
+    1e-3 * solution.wear.as_ref().unwrap().depth.unwrap()
+}
+
+fn estimate(solution: &Solution) -> f64 {
+    solution.error.as_ref().unwrap().gap_relative.unwrap()
+}
+
+fn column<'a>(solution: &'a Solution, name: &str) -> &'a [f64] {
+    &solution.history.iter().find(|(known, _)| known == name).unwrap().1
+}
+
+/// The root of a growing function between 0 and `most`.
+fn root(most: f64, f: impl Fn(f64) -> f64) -> f64 {
+    let mut range = [0.0, most];
+    for _ in 0..200 {
+        let middle = 0.5 * (range[0] + range[1]);
+        range[usize::from(f(middle) > 0.0)] = middle;
+    }
+    range[0]
+}
+
+/// A rigid ball wears flat: the cap of height h has the volume pi h^2 (R - h/3) = k F s, for small h that of h = sqrt(k F s/(pi R)).
+#[test]
+fn a_rigid_ball_loses_the_cap_of_its_volume() {
+    let solution = solved(&worn("hertz-sphere", 1e3, &["wear.until=1000", "accuracy=1e-4"]));
+    assert_eq!(solution.status, Status::Ok, "{:?}", solution.reason);
+    let volume = 1e-7 * 21.0 * 1e4;
+    let exact = root(5.0, |h| std::f64::consts::PI * h * h * (5.0 - h / 3.0) - volume);
+    let wear = solution.wear.as_ref().unwrap();
+    assert_relative_eq!(wear.volume.unwrap(), volume, max_relative = 1e-10);
+    assert_relative_eq!(depth(&solution), exact, max_relative = 5e-5);
+    assert_relative_eq!(depth(&solution), (volume / (std::f64::consts::PI * 5.0)).sqrt(), max_relative = 2e-3);
+    assert_relative_eq!(wear.scar.unwrap(), 2.0 * (exact * (10.0 - exact)).sqrt(), max_relative = 1e-3);
+    // The volume is k F s at every step.
+    let distances = column(&solution, "distance_mm").iter().zip(column(&solution, "volume1_mm3"));
+    distances.for_each(|(s, v)| assert_relative_eq!(*v, 1e-7 * 21.0 * s, max_relative = 1e-9));
+}
+
+/// A rigid cylinder: the segment of height h has the area R^2 acos(1 - h/R) - (R - h) sqrt(h (2R - h)) = k (F/t) s, about (4/3) sqrt(2R) h^(3/2).
+#[test]
+fn a_rigid_cylinder_loses_the_segment_of_its_volume() {
+    let solution = solved(&worn("hertz-cylinder", 1e5, &["wear.until=10", "accuracy=1e-4"]));
+    assert_eq!(solution.status, Status::Ok, "{:?}", solution.reason);
+    let area = 1e-7 * 35e3 * 100.0;
+    let segment = |h: f64| 2500.0 * (1.0 - h / 50.0).acos() - (50.0 - h) * (h * (100.0 - h)).sqrt();
+    let exact = root(50.0, |h| segment(h) - area);
+    assert_relative_eq!(solution.wear.as_ref().unwrap().volume.unwrap(), area, max_relative = 1e-10);
+    assert_relative_eq!(depth(&solution), exact, max_relative = 2e-5);
+    assert_relative_eq!(4.0 / 3.0 * 10.0 * exact.powf(1.5), area, max_relative = 1e-3);
+}
+
+/// The first state is the contact of the task contact.
+#[test]
+fn a_run_begins_with_the_contact_of_hertz() {
+    for (name, force) in [("hertz-sphere", "load.force=21"), ("hertz-cylinder", "load.force=3500")] {
+        let contact = solved(&scene(name, &["accuracy=1e-6", force]));
+        let run = solved(&worn(name, 1.0, &["wear.until=1", "accuracy=1e-3", force]));
+        let peak = contact.contact.as_ref().unwrap().p_max.unwrap();
+        assert_relative_eq!(column(&run, "p_max_MPa")[0], peak, max_relative = 2e-3);
+        let ends = &contact.contact.as_ref().unwrap().ends;
+        let half = ends.iter().copied().fold(0.0, f64::max);
+        assert_relative_eq!(column(&run, "scar_mm")[0], 2.0 * half, max_relative = 2e-2);
+    }
+}
+
+/// Errors against a finer run are within the estimates, for powers of the pressure of 1 and others.
+#[test]
+fn errors_are_within_their_estimates() {
+    for rule in [["wear.b=1", "wear.k=1e-7"], ["wear.b=2", "wear.k=1e-9"], ["wear.b=0.5", "wear.k=1e-6"]] {
+        let of = |accuracy: &str| solved(&worn("hertz-sphere", 1.0, &["wear.until=50", accuracy, rule[0], rule[1]]));
+        let fine = of("accuracy=1e-5");
+        for accuracy in ["accuracy=1e-2", "accuracy=1e-4"] {
+            let rough = of(accuracy);
+            let error = (depth(&rough) / depth(&fine) - 1.0).abs();
+            println!("{rule:?} {accuracy}: true {error:.1e}, estimated {:.1e} ({:?})", estimate(&rough), rough.status);
+            assert!(error < estimate(&rough) + estimate(&fine), "{rule:?} {accuracy}: {error:.1e}, {:.1e}", estimate(&rough));
+        }
+    }
+}
+
+/// Friction on the bodies drags the scar of a cylinder to one side; the mirror image of the run slides the other way.
+#[test]
+fn shear_on_a_cylinder_turns_with_the_sense_of_sliding() {
+    let of = |speed: &str| {
+        let set = ["load.force=3500", "wear.until=1", "accuracy=1e-2", "contact.shear=true", "contact.friction=0.3", speed];
+        solved(&worn("hertz-cylinder", 1.0, &set))
+    };
+    let [there, back] = ["sliding.speed=10", "sliding.speed=-10"].map(of);
+    assert_relative_eq!(depth(&there), depth(&back), max_relative = 1e-6);
+    let pressure = |solution: &Solution| solution.profile.as_ref().unwrap().pressure.clone();
+    let (there, mut back) = (pressure(&there), pressure(&back));
+    let peak = there.iter().copied().fold(0.0, f64::max);
+    back.reverse();
+    let apart = there.iter().zip(&back).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    back.reverse();
+    let moved = there.iter().zip(&back).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    assert!(apart < 1e-3 * peak && moved > 3.0 * apart, "mirrored {apart:.1e}, as it is {moved:.1e}, of {peak:.1e}");
+}
