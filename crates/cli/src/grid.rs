@@ -118,11 +118,15 @@ impl Grid {
     }
 }
 
-/// `key=from:to:count` or `key=a,b,c`; commas inside brackets and quotes do not separate.
+/// `key=from:to:count`, the ends with units or without, or `key=a,b,c`; commas inside brackets and quotes do not separate.
 fn read_over(text: &str) -> Result<Over, Fault> {
     let wrong = |message: String| Fault {
         place: Some(Place::Flag(format!("--over {text}"))),
-        ..Fault::new("wrong-flag", message, "write --over optimum.q=0.5:3:20 or --over contact.friction=0,.1,.25")
+        ..Fault::new(
+            "wrong-flag",
+            message,
+            "write --over optimum.q=0.5:3:20, --over contact.friction=0,.1,.25 or --over load.force=\"1 kN:10 kN:4\"",
+        )
     };
     let Some((key, values)) = text.split_once('=') else {
         return Err(wrong(format!("--over {text} has no `=`")));
@@ -141,11 +145,48 @@ fn read_over(text: &str) -> Result<Over, Fault> {
         }
         return Ok(Over { key, values: Values::Range { from, to, count } });
     }
+    if let Some(values) = range_with_unit(values).map_err(&wrong)? {
+        return Ok(Over { key, values: Values::List(values) });
+    }
     let values: Vec<String> = list(values);
     if values.iter().any(String::is_empty) {
         return Err(wrong(format!("--over {text} has an empty value")));
     }
     Ok(Over { key, values: Values::List(values) })
+}
+
+/// Evenly spaced values with a unit, as in `1 kN:10 kN:4` or `1:10 kN:4`; none where that is not what is written.
+fn range_with_unit(values: &str) -> Result<Option<Vec<String>>, String> {
+    let parts: Vec<&str> = values.split(':').map(|part| part.trim().trim_matches(['"', '\''])).collect();
+    let [from, to, count] = parts[..] else {
+        return Ok(None);
+    };
+    let (Some((from, first)), Some((to, unit))) = (number_and_unit(from), number_and_unit(to)) else {
+        return Ok(None);
+    };
+    if !(first == unit || first.is_empty()) {
+        return Err(format!("a range from {first} to {unit} has two units"));
+    }
+    let count: usize = count.parse().map_err(|_| format!("`{count}` is no number of values"))?;
+    if count == 0 || count > MOST_TOLD {
+        return Err(format!("a range with a unit has 1 to {MOST_TOLD} values; longer ones are written in base units"));
+    }
+    let range = Values::Range { from, to, count };
+    Ok(Some((0..count).map(|place| format!("{} {unit}", range.at(place))).collect()))
+}
+
+/// A number and the unit behind it, which may be empty.
+fn number_and_unit(text: &str) -> Option<(f64, &str)> {
+    // The unit begins at the first letter that is no exponent.
+    let end = text
+        .char_indices()
+        .find(|(place, c)| {
+            c.is_alphabetic()
+                && !(matches!(c, 'e' | 'E') && text[place + 1..].starts_with(|c: char| c.is_ascii_digit() || "+-".contains(c)))
+        })
+        .map_or(text.len(), |(place, _)| place);
+    let (number, unit) = text.split_at(end);
+    Some((number.trim().parse().ok().filter(|number: &f64| number.is_finite())?, unit.trim()))
 }
 
 /// The parts of a list; commas inside brackets and quotes do not separate.

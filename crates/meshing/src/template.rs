@@ -105,9 +105,10 @@ fn arc(centre: [f64; 2], radius: f64, [from, to]: [f64; 2]) -> Curve {
 
 /// Levels from 0 to 1, at least `least` of them, whose cells are about as high as wide at 0 and twice as high from one to the next.
 fn levels(height: f64, width: f64, least: usize) -> Vec<f64> {
-    let n = ((height / width + 1.0).log2().round() as usize).max(least);
-    let last = f64::from(1_u32 << n) - 1.0;
-    (0..=n).map(|i| if i == n { 1.0 } else { (f64::from(1_u32 << i) - 1.0) / last }).collect()
+    // No two lengths are further apart than 2^1000.
+    let n = (height / width + 1.0).log2().round().min(1000.0).max(least as f64) as i32;
+    let up_to = |level: i32| 2.0_f64.powi(level) - 1.0;
+    (0..=n).map(|level| if level == n { 1.0 } else { up_to(level) / up_to(n) }).collect()
 }
 
 fn shoe_block(couple: &Couple, shoe: &ShoeBlock, cuts: &[f64], cut: Cut<'_>) -> Result<Coarse, hpfem::Error> {

@@ -195,9 +195,10 @@ fn error_plot(title: &str, ladder: &[Rung]) -> Option<LinePlot> {
         y_label: "relative error".into(),
         axes: [Axis::Linear, Axis::Logarithmic],
         from_zero: false,
-        series: series.into_iter().filter(|series| series.points.len() > 1).collect(),
+        series: series.into_iter().filter(|series| !series.points.is_empty()).collect(),
     })
-    .filter(|plot| !plot.series.is_empty())
+    // Two points at the least, of one curve or of two.
+    .filter(|plot| plot.series.iter().map(|series| series.points.len()).sum::<usize>() > 1)
 }
 
 /// The plots as numbers, for the page and for other programs: plots/curves.json.

@@ -207,3 +207,13 @@ fn a_pressure_too_steep_to_be_integrated_is_refused_in_half_a_gigabyte() {
     assert_eq!(call.code, 1, "{}", call.err);
     assert!(bench.read("x/summary.json").contains("the pressure is so steep that its integrals over the surface need more than"));
 }
+
+/// A body a thousand million times as high as wide has cells of sizes without common digits: said, or computed, but no fault of the program.
+#[test]
+fn a_body_of_any_height_has_cells_or_is_refused() {
+    let bench = Bench::new();
+    for top in ["3e11", "3e30", "3e300"] {
+        let call = bench.call(&format!("run drum-brake-block --set body1.geometry.shoe-block.top={top} -q -o x"));
+        assert!([1, 2].contains(&call.code), "{top}: exit {}, {}", call.code, call.err);
+    }
+}

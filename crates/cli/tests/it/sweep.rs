@@ -88,10 +88,28 @@ fn a_resumed_sweep_has_the_same_curves_and_page() {
 #[test]
 fn a_wrong_grid_is_refused() {
     let bench = Bench::new();
-    for over in ["wear.b", "=1,2", "wear.b=1:2:0", "wear.b=1:2:x", "wear.b=1,,2"] {
+    for over in ["wear.b", "=1,2", "wear.b=1:2:0", "wear.b=1:2:x", "wear.b=1,,2", "load.force=1kN:2MN:3", "load.force=1:2kN:0"] {
         let call = bench.call(&format!("sweep annular-punch --over {over}"));
         assert_eq!(call.code, 2, "{over}");
         assert!(call.err.contains("--over") && call.err.contains("remedy: "), "{over}: {}", call.err);
+    }
+}
+
+#[test]
+fn a_range_has_units_like_a_single_value() {
+    let bench = Bench::new();
+    let sweep = |over: &str, name: &str| {
+        let call = bench.call(&format!("sweep drum-brake-block --set tasks=[pressure] --over {over} -q -o {name}"));
+        assert_eq!(call.code, 0, "{over}: {}", call.err);
+        let rows = bench.read(&format!("{name}/sweep.jsonl"));
+        let peak = |row: &str| serde_json::from_str::<serde_json::Value>(row).unwrap()["pressure.p_max_MPa"].as_f64().unwrap();
+        rows.lines().map(peak).collect::<Vec<f64>>()
+    };
+    let bare = sweep("load.force=1000:3000:3", "bare");
+    assert_eq!(bare.len(), 3);
+    assert!((bare[2] / bare[0] - 3.0).abs() < 1e-12);
+    for (number, over) in ["load.force=1kN:3kN:3", "load.force=1:3kN:3", "load.force=1e-3MN:3e-3MN:3"].iter().enumerate() {
+        assert_eq!(sweep(over, &format!("with-{number}")), bare, "{over}");
     }
 }
 

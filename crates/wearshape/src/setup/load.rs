@@ -86,6 +86,10 @@ fn alternatives(load: &Load) -> Result<(), Fault> {
 /// A force is needed.
 fn pressing(load: &Load) -> Result<(), Fault> {
     let why = "nothing presses body 1 on body 2";
+    if load.force.is_none() && load.approach.is_some() && load.edge.is_some() {
+        let message = "an approach is prescribed to a rigid edge, and this load is a traction";
+        return Err(Fault::at("load.approach", "wrong-value", message, "write load.as = \"rigid\", or give load.force instead"));
+    }
     load.force.map(|_| ()).ok_or_else(|| missing("load.force", why, "load.force = \"10 kN\""))
 }
 

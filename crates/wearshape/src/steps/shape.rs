@@ -154,8 +154,9 @@ impl Shaper<'_> {
             outcome.interface = interface;
             let (independent, work) = round_trip::independent(self, solved.level, &curve, &mut told)?;
             result.roundtrip_independent = Some(independent);
-            outcome.ended =
-                outcome.ended.take().or(disproved([same, independent], outcome.error.gap_relative, !self.ends.is_empty()));
+            // A proof that fails says more than an estimate that is missed: the estimate is then not to be believed either.
+            let disproof = disproved([same, independent], outcome.error.gap_relative, !self.ends.is_empty());
+            outcome.ended = disproof.or(outcome.ended.take());
             // Its meshes and factorisations are counted, its seconds are those of the proof.
             effort.counters.factorisations = work.counters.factorisations;
             effort.counters.check_solves = 2;

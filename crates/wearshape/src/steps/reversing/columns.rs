@@ -45,7 +45,7 @@ impl Senses<'_> {
             (stage.options.begun)(Step::RoundTrip);
             let (other, work) = independent(self, solved, &operator, &mut told)?;
             (shape.roundtrip_same, shape.roundtrip_independent) = (Some(misses), Some(other));
-            outcome.ended = outcome.ended.take().or(disproved([misses, other], outcome.error.gap_relative));
+            outcome.ended = disproved([misses, other], outcome.error.gap_relative).or(outcome.ended.take());
             effort.counters.factorisations = work.counters.factorisations;
             effort.counters.check_solves = 4;
             effort.add_seconds(Step::RoundTrip, stage.clock()() - begun);
