@@ -45,8 +45,8 @@ fn help(problem: &Problem, solution: &Solution) -> Option<String> {
     let asked = problem.scene().accuracy;
     if asked.is_none_or(|asked| error > asked) {
         // An error as large as the numbers is nothing to be content with, nor is one that its proof does not bear out.
-        let proof = solution.shape.as_ref().and_then(|shape| shape.roundtrip_independent).unwrap_or(0.0);
-        let asked_for = (error.max(proof) < 0.5).then(|| above(error))?;
+        let proved = solution.shape.as_ref().is_none_or(|shape| !shape.proof_failed);
+        let asked_for = (proved && error < 0.5).then(|| above(error))?;
         return Some(format!("the numbers hold to {error:.1e}; to be content with that: --set accuracy={asked_for}"));
     }
     // The gap is as accurate as asked for, but its proof is not.

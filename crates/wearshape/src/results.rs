@@ -258,6 +258,9 @@ pub struct ShapeResult {
     pub roundtrip_same: Option<f64>,
     /// Round trip on another discretisation.
     pub roundtrip_independent: Option<f64>,
+    /// Whether a round trip misses by more than round-off and the estimated error of the gap allow; the status says so in words.
+    #[serde(skip)]
+    pub proof_failed: bool,
     /// What errors of the shape do.
     pub tolerance: Vec<ToleranceResult>,
 }

@@ -140,6 +140,7 @@ impl Shaper<'_> {
             rigid: shape.rigid.first().copied().filter(|_| stage.couple.bodies[0].pin().is_none()),
             roundtrip_same: None,
             roundtrip_independent: None,
+            proof_failed: false,
             tolerance: if stage.options.machining { tolerance::of(self, reduced)? } else { Vec::new() },
         };
         outcome.machined = stage.options.machining.then(|| self.machined(&pair, shape));
@@ -156,6 +157,7 @@ impl Shaper<'_> {
             result.roundtrip_independent = Some(independent);
             // A proof that fails says more than an estimate that is missed: the estimate is then not to be believed either.
             let disproof = disproved([same, independent], outcome.error.gap_relative, !self.ends.is_empty());
+            result.proof_failed = disproof.is_some();
             outcome.ended = disproof.or(outcome.ended.take());
             // Its meshes and factorisations are counted, its seconds are those of the proof.
             effort.counters.factorisations = work.counters.factorisations;

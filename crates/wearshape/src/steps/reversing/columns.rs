@@ -45,7 +45,9 @@ impl Senses<'_> {
             (stage.options.begun)(Step::RoundTrip);
             let (other, work) = independent(self, solved, &operator, &mut told)?;
             (shape.roundtrip_same, shape.roundtrip_independent) = (Some(misses), Some(other));
-            outcome.ended = disproved([misses, other], outcome.error.gap_relative).or(outcome.ended.take());
+            let disproof = disproved([misses, other], outcome.error.gap_relative);
+            shape.proof_failed = disproof.is_some();
+            outcome.ended = disproof.or(outcome.ended.take());
             effort.counters.factorisations = work.counters.factorisations;
             effort.counters.check_solves = 4;
             effort.add_seconds(Step::RoundTrip, stage.clock()() - begun);
