@@ -1,8 +1,8 @@
 //! A pin in the hole of a large plate of the same material, without friction: the closed form of Persson for the arc of contact.
 //!
-//! Source: A. Persson, On the stress distribution of cylindrical elastic bodies in contact (Chalmers, 1964); M. Ciavarella, P. Decuzzi, The state of
-//! stress induced by the plane frictionless cylindrical contact, I. The case of elastic similarity, Int. J. Solids Struct. 38 (2001) 4507-4523:
-//! with b = tan(eps/2), E' = E/(1 - nu^2), the load Q per thickness and y = tan(phi/2)
+//! Source: A. Persson, On the stress distribution of cylindrical elastic bodies in contact, dissertation, Chalmers, Gothenburg 1964; M. Ciavarella,
+//! P. Decuzzi, The state of stress induced by the plane frictionless cylindrical contact, I. The case of elastic similarity, Int. J. Solids
+//! Struct. 38 (2001) 4507-4523: with b = tan(eps/2), E' = E/(1 - nu^2), the load Q per thickness and y = tan(phi/2)
 //!
 //! ```text
 //!        . - - .             E' dR / Q = (2 - 2 b^4 - ln(1 + b^2)) / (pi b^2 (1 + b^2))
