@@ -112,6 +112,10 @@ pub(crate) fn check_case(case: &LoadCase, mesh: &Mesh, kinematics: Kinematics) -
                     return Err(Error::OutOfRange { quantity, value: *value, range: "finite" });
                 }
             }
+            Load::Eigenstrain(eigen) if eigen.cells.is_some_and(|cells| cells != mesh.cells.len()) => {
+                let what = format!("cells of the mesh of the temperature in load case \"{}\", cells", case.name);
+                return Err(Error::Count { what, given: eigen.cells.unwrap_or(0), expected: mesh.cells.len() });
+            }
             Load::BodyForce(_) | Load::Eigenstrain(_) => {}
         }
     }

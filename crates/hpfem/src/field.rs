@@ -77,6 +77,11 @@ impl Field {
         &self.mesh
     }
 
+    /// The kinematics of the problem whose field it is.
+    pub fn kinematics(&self) -> Kinematics {
+        self.kinematics
+    }
+
     /// Strain energy `1/2 int sigma : (eps - eps*) dV`, N mm, by Gauss quadrature; for a potential half the dissipation. Foundations are not
     /// part of it.
     pub fn strain_energy(&self) -> f64 {

@@ -1,6 +1,9 @@
 //! Loads and named load cases.
 
 use crate::boundary::BoundaryPoint;
+use crate::error::Error;
+use crate::field::Field;
+use crate::kinematics::Kinematics;
 use std::fmt;
 use std::sync::Arc;
 
@@ -152,6 +155,8 @@ pub struct Eigenstrain {
     pub strain: StrainAt,
     /// Made of normal strains, as a thermal one is.
     pub(crate) of_normals: bool,
+    /// Number of cells of the mesh it belongs to, if it belongs to one.
+    pub(crate) cells: Option<usize>,
 }
 
 /// Strains as a function of the place.
@@ -173,7 +178,7 @@ pub struct BodyPoint {
 impl Eigenstrain {
     /// A strain by a function of the place.
     pub fn new(strain: impl Fn(&BodyPoint) -> [f64; 4] + Send + Sync + 'static) -> Eigenstrain {
-        Eigenstrain { strain: Arc::new(strain), of_normals: false }
+        Eigenstrain { strain: Arc::new(strain), of_normals: false, cells: None }
     }
 
     /// Thermal strain `alpha (T - T_0)` alike in all directions: `expansion` has one coefficient a material, 1/K, and `rise` is the
@@ -187,6 +192,30 @@ impl Eigenstrain {
             [e, e, 0.0, e]
         });
         Eigenstrain { of_normals: true, ..thermal }
+    }
+
+    /// Thermal strain by the field of a potential on the same mesh, a temperature: `expansion` has one coefficient a material, 1/K, and at
+    /// the temperature `reference` there is no strain.
+    ///
+    /// The degrees of the two problems may differ; cells are told by their index.
+    ///
+    /// # Errors
+    /// [`Error::NoMeaning`] for a field that is no potential. A body with another number of cells refuses the load.
+    pub fn of_temperature(expansion: &[f64], temperature: Field, reference: f64) -> Result<Eigenstrain, Error> {
+        let kinematics = temperature.kinematics();
+        match kinematics {
+            Kinematics::Potential { .. } | Kinematics::AxisymmetricPotential => {}
+            Kinematics::PlaneStress { .. } | Kinematics::PlaneStrain { .. } | Kinematics::Axisymmetric | Kinematics::Torsion => {
+                return Err(Error::NoMeaning { what: "a temperature".to_string(), kinematics: kinematics.words() });
+            }
+        }
+        let cells = Some(temperature.cells());
+        let thermal = Eigenstrain::thermal(expansion, move |place| {
+            let [xi, eta] = place.reference;
+            // Every cell is there: the body that takes the load has as many.
+            temperature.at(place.cell, xi, eta).map_or(f64::NAN, |state| state.displacement[0] - reference)
+        });
+        Ok(Eigenstrain { cells, ..thermal })
     }
 }
 

@@ -120,3 +120,25 @@ fn a_thick_cylinder_hot_inside_has_the_stress_of_its_closed_form() {
     });
     assert!(error < 1e-9, "{error:.1e}");
 }
+
+/// A temperature on another mesh, and a field that is none.
+#[test]
+fn a_temperature_belongs_to_its_mesh() {
+    let conduction = |mesh: &Mesh| {
+        let problem = BodyProblem::new(mesh.clone(), 2, Kinematics::Potential { thickness: 1.0 });
+        let body = Body::new(problem.material(Material::conductor(1.0).unwrap()).clamp("left")).unwrap();
+        body.field(&body.solve(&[]).unwrap()).unwrap()
+    };
+    let (one, other) = (rectangle([1.0, 2.0], [0.0, 0.5]), quarter_ring(2));
+    let load = Eigenstrain::of_temperature(&[1e-5], conduction(&one), 20.0).unwrap();
+    let held = |mesh: &Mesh, edge: &str| {
+        BodyProblem::new(mesh.clone(), 2, PLANE_STRAIN).material(steel()[0]).clamp(edge).load("heat", load.clone())
+    };
+    let error = Body::new(held(&other, "start")).map(|_| ()).unwrap_err();
+    assert!(matches!(error, Error::Count { given: 1, expected: 2, .. }), "{error}");
+    // Cold by 20 K and held: a stress, and a field of displacements is no temperature.
+    let body = Body::new(held(&one, "left")).unwrap();
+    let field = body.field(&body.solve(&[("heat", 1.0)]).unwrap()).unwrap();
+    assert!(field.at(0, -1.0, 0.0).unwrap().stress[1] > 0.0);
+    assert!(matches!(Eigenstrain::of_temperature(&[1e-5], field, 20.0), Err(Error::NoMeaning { .. })));
+}

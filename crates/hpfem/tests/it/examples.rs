@@ -1,12 +1,18 @@
 //! The examples of the crate with their numbers pinned.
 #![allow(unreachable_pub)]
 
+#[path = "../../examples/composite_wall.rs"]
+mod composite_wall;
 #[path = "../../examples/cook.rs"]
 mod cook;
+#[path = "../../examples/fin.rs"]
+mod fin;
 #[path = "../../examples/from_gmsh.rs"]
 mod from_gmsh;
 #[path = "../../examples/gravity_and_spin.rs"]
 mod gravity_and_spin;
+#[path = "../../examples/hot_rim.rs"]
+mod hot_rim;
 #[path = "../../examples/l_shape.rs"]
 mod l_shape;
 #[path = "../../examples/modes.rs"]
@@ -124,4 +130,27 @@ fn the_cantilever_balances_and_is_written() {
         approx::assert_abs_diff_eq!(value, exact, epsilon = 1e-8);
     }
     assert!(file.starts_with("<?xml") && file.contains("von_mises"));
+}
+
+#[test]
+fn a_composite_wall_has_the_temperatures_of_resistances_in_series() {
+    for (value, exact) in composite_wall::temperatures(1).unwrap().into_iter().zip(composite_wall::exact()) {
+        assert_relative_eq!(value, exact, max_relative = 1e-12);
+    }
+}
+
+#[test]
+fn a_fin_takes_in_the_heat_of_its_series() {
+    let [rough, fine] = [6, 12].map(|degree| fin::fin(degree).unwrap());
+    for (place, exact) in fin::exact().into_iter().enumerate() {
+        assert_relative_eq!(fine[place], exact, max_relative = 1e-9);
+        assert!((fine[place] - exact).abs() < 1e-2 * (rough[place] - exact).abs());
+    }
+}
+
+#[test]
+fn a_disc_with_a_hot_rim_has_the_stress_of_its_closed_form() {
+    for (value, exact) in hot_rim::hoop_stress(18).unwrap().into_iter().zip(hot_rim::exact()) {
+        assert_relative_eq!(value, exact, max_relative = 1e-9);
+    }
 }
