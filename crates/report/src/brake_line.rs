@@ -5,7 +5,9 @@ use wearshape::{BrakeResult, Sense};
 use crate::brief::brief;
 
 /// Leading or trailing, what the actuator makes, and how far it is from locking.
-pub(crate) fn brake_line(brake: &BrakeResult) -> String {
+///
+/// A worn-in pressure of a pinned shoe is the same at any friction; another one, unless `steady`, changes as locking comes near.
+pub(crate) fn brake_line(brake: &BrakeResult, steady: bool) -> String {
     let shoe = match brake.shoe {
         Sense::Leading => "leading",
         Sense::Trailing => "trailing",
@@ -24,7 +26,8 @@ pub(crate) fn brake_line(brake: &BrakeResult) -> String {
     words.extend(brake.brake_factor.map(|factor| format!("brake factor {}", brief(factor))));
     words.extend(brake.locks_at_friction.map(|at| {
         let times = brake.lock_reserve.map(|times| format!(", {} times this one", brief(times))).unwrap_or_default();
-        format!("locks at friction {}{times}", brief(at))
+        let so = if steady { "" } else { " if the pressure stayed as it is" };
+        format!("locks at friction {}{times}{so}", brief(at))
     }));
     format!("brake     {}", words.join(", "))
 }

@@ -41,6 +41,7 @@ const WORDS: &[(&str, &str)] = &[
     ("machining.contact_share_now", "part of the surface in contact as it is now"),
     ("machining.contact_share_then", "part of the surface in contact as machined"),
     ("machining.gap_max_um", "most taken off"),
+    ("machining.differs_um", "most between the surface as it is and as machined"),
     ("machining.roughness_um", "roughness of the surface"),
     ("machining.worth_machining", "worth machining"),
     ("machining.run_in_distance_saved_mm", "sliding distance of running in that machining saves"),

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use scene::Pair;
 use wearshape::{
     Character, LifeResult, MachiningResult, PressureResult, Problem, Regime, ReversingResult, SenseResult, Solution, Status,
     WearResult, functional_row,
@@ -25,7 +26,13 @@ pub fn first_screen(problem: &Problem, solution: &Solution, folder: &Path) -> St
     if let Some(pressure) = solution.pressure.as_ref().filter(|_| solution.status != Status::Refused) {
         lines.extend(pressure_lines(problem, solution, pressure));
     }
-    lines.extend(solution.brake.as_ref().filter(|_| solution.status != Status::Refused).map(brake_line));
+    lines.extend(
+        solution
+            .brake
+            .as_ref()
+            .filter(|_| solution.status != Status::Refused)
+            .map(|brake| brake_line(brake, solution.pressure.is_some())),
+    );
     lines.extend(solution.machining.as_ref().map(machining_line));
     lines.extend(solution.wear.as_ref().map(wear_line));
     if let Some(trip) = solution.shape.as_ref().and_then(|shape| shape.roundtrip_independent.or(shape.roundtrip_same)) {
@@ -90,7 +97,7 @@ fn pressure_lines(problem: &Problem, solution: &Solution, pressure: &PressureRes
     let finite = |value: Option<f64>| value.filter(|value| value.is_finite());
     let wear = [
         finite(pressure.wear_volume_rate).map(|rate| format!("{} mm^3/s", brief(rate))),
-        finite(pressure.wear_depth_per_hour).map(|rate| format!("{} um/h", brief(rate))),
+        finite(pressure.wear_depth_per_hour).map(|rate| format!("{} {} um/h", mean_of(problem), brief(rate))),
         finite(pressure.wear_depth_per_1000_km).map(|depth| format!("{} mm per 1000 km", brief(depth))),
         finite(pressure.friction_power).map(|power| format!("friction {} W", brief(1e-3 * power))),
         finite(pressure.torque).map(|torque| format!("torque {} N m", brief(1e-3 * torque))),
@@ -101,6 +108,15 @@ fn pressure_lines(problem: &Problem, solution: &Solution, pressure: &PressureRes
     }
     lines.extend(pressure.life.as_ref().map(life_line));
     lines
+}
+
+/// Of what a wear depth is the mean.
+fn mean_of(problem: &Problem) -> &'static str {
+    let factors = problem.scene().wear.as_ref().and_then(|wear| wear.k.or(wear.beta));
+    match factors {
+        Some(Pair::Two([_, second])) if second.value > 0.0 => "both bodies, mean",
+        Some(Pair::One(_) | Pair::Two(_)) | None => "mean",
+    }
 }
 
 /// The largest pressures of a reversing motion.

@@ -82,10 +82,10 @@ fn wide(problem: &Problem, solution: &Solution) -> Option<Remark> {
 /// A shape that drowns in the roughness of its surface.
 fn not_worth_machining(solution: &Solution) -> Option<Remark> {
     let machining = solution.machining.as_ref().filter(|machining| machining.worth_machining == Some(false))?;
-    let (gap, roughness) = (machining.gap_max?, machining.roughness?);
+    let (apart, roughness) = (machining.differs?, machining.roughness?);
     let message = format!(
-        "Not worth machining: the shape takes off {} um at most, less than the roughness of {} um; running in does as much.",
-        rounded(gap),
+        "Not worth machining: the shape differs by {} um at most from the surface as it is, less than the roughness of {} um; running in does as much.",
+        rounded(apart),
         short(roughness)
     );
     Some(Remark { code: "not-worth-machining", message })

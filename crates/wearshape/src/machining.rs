@@ -13,6 +13,23 @@ fn share(curve: &Profile) -> f64 {
     all.filter(pressed).map(|row| curve.weight[row]).sum::<f64>() / curve.weight.iter().sum::<f64>()
 }
 
+/// Most that lies between the surface as it is and the one as machined, once they touch (um).
+fn difference(now: &Profile, then: &Profile) -> Option<f64> {
+    let apart = then.s.iter().zip(&then.gap).map(|(s, gap)| gap - at(now, *s));
+    let [least, most] = apart.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], d| [least.min(d), most.max(d)]);
+    Some(most - least).filter(|depth| depth.is_finite())
+}
+
+/// Gap of a profile at an arc length, straight between its points (um).
+fn at(profile: &Profile, s: f64) -> f64 {
+    let after = profile.s.partition_point(|place| *place < s).clamp(1, profile.s.len().max(2) - 1);
+    let (Some([from, to]), Some([low, high])) = (profile.s.get(after - 1..=after), profile.gap.get(after - 1..=after)) else {
+        return f64::NAN;
+    };
+    let t = ((s - from) / (to - from)).clamp(0.0, 1.0);
+    low + t * (high - low)
+}
+
 /// Takes down what a step says of the surface as it is now and as machined.
 pub(crate) fn compare(problem: &Problem, step: Step, solution: &mut Solution) {
     let both = problem.plan.runs(Step::Contact) && problem.plan.runs(Step::Shape);
@@ -31,7 +48,8 @@ pub(crate) fn compare(problem: &Problem, step: Step, solution: &mut Solution) {
             machining.p_max_then = both_senses.or(solution.pressure.as_ref().and_then(|pressure| pressure.p_max));
             machining.contact_share_then = Some(share);
             machining.gap_max = solution.shape.as_ref().and_then(|shape| shape.gap_max);
-            machining.worth_machining = machining.gap_max.zip(machining.roughness).map(|(gap, roughness)| gap > roughness);
+            machining.differs = solution.unmachined.as_ref().and_then(|now| difference(now, curve));
+            machining.worth_machining = machining.differs.zip(machining.roughness).map(|(depth, roughness)| depth > roughness);
         }
         (Step::Evolution, Some(machining)) => {
             let settled = solution.wear.as_ref().and_then(|wear| wear.to_1_percent.as_ref());

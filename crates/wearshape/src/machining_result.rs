@@ -18,10 +18,13 @@ pub struct MachiningResult {
     /// Most taken off.
     #[serde(rename = "gap_max_um")]
     pub gap_max: Option<f64>,
+    /// Most that lies between the surface as it is and the one as machined, once they touch.
+    #[serde(rename = "differs_um")]
+    pub differs: Option<f64>,
     /// Roughness given.
     #[serde(rename = "roughness_um")]
     pub roughness: Option<f64>,
-    /// Whether more is taken off than the roughness; none where no roughness is given.
+    /// Whether the surface as it is and the one as machined differ by more than the roughness; none where no roughness is given.
     pub worth_machining: Option<bool>,
     /// Sliding distance until the pressure of the surface as it is now is within 1 % of the steady one; none unless a run in time has told it.
     #[serde(rename = "run_in_distance_saved_mm")]

@@ -46,3 +46,15 @@ fn a_revolving_counterface_needs_a_closed_track() {
         assert!(call.err.contains("closed track") && call.err.contains("congruent"), "{}", call.err);
     }
 }
+
+/// Without a track there is no mean of body 2's wear along it, for the pressure as for a run in time.
+#[test]
+fn a_revolving_counter_face_needs_a_track_for_the_pressure_too() {
+    let bench = Bench::new();
+    let set = ["--set", "wear={k=[1e-9,1e-9],a=1,b=1}", "--set", "wear.counterface=revolving"];
+    let call = bench.call_with(&[&["run", "translating-punch"][..], &set].concat());
+    assert_eq!(call.code, 2, "{}", call.out);
+    assert!(call.err.contains("closed track") && call.err.contains("remedy: write \"fresh\""), "{}", call.err);
+    let call = bench.call_with(&[&["run", "disc-pad", "-q"][..], &set].concat());
+    assert_eq!(call.code, 0, "{}", call.err);
+}

@@ -126,3 +126,11 @@ fn what_has_no_meaning_is_refused_with_what_to_do() {
         assert!(call.code == 0 && call.out.contains("wear.wearable"), "{sets}: {}{}", call.out, call.err);
     }
 }
+
+#[test]
+fn no_more_may_wear_off_than_there_is() {
+    let bench = Bench::new();
+    let call = bench.call("run lining-on-back --set wear.wearable=400");
+    assert_eq!(call.code, 2, "{}", call.out);
+    assert!(call.err.contains("10 mm thick at the contact") && call.err.contains("wear.wearable"), "{}", call.err);
+}

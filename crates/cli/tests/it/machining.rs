@@ -46,6 +46,13 @@ fn a_shape_that_drowns_in_the_roughness_is_said_not_to_be_worth_machining() {
     assert!(rough == false && words_of(&said).contains("Not worth machining"), "{said}");
     let (fine, said) = worth("0.1_um");
     assert!(fine == true && !said.contains("Not worth machining"), "{said}");
+    // A surface that is a crown of 30 um has these to lose, whatever the shape takes off the nominal one.
+    let crowned = ["--set", "contact.gap={crown='30 um'}", "--set", "contact.roughness=2 um"];
+    let args: Vec<&str> = ["run", "drum-brake-block", "--set"].into_iter().chain(BOTH.split(' ')).chain(crowned).collect();
+    let call = bench.call_with(&args);
+    let machining = &bench.summary("drum-brake-block")["machining"];
+    assert!(machining["worth_machining"] == true && !call.out.contains("Not worth machining"), "{}", call.out);
+    assert!(machining["differs_um"].as_f64().is_some_and(|apart| (28.0..32.0).contains(&apart)), "{machining}");
     let call = bench.call("run drum-brake-block --set tasks=[contact,shape] --set contact.roughness=-1");
     assert!(call.code == 2 && call.err.contains("contact.roughness") && call.err.contains("remedy:"), "{}", call.err);
     let plan = bench.call("check drum-brake-block --json --set contact.roughness=0.001").out;

@@ -2,10 +2,24 @@
 
 use std::f64::consts::TAU;
 
-use scene::{Fault, Functional, Pair, Scene, Task, Time, Until, positive};
+use meshing::{Body, outline};
+use scene::{Fault, Functional, Pair, Scene, Task, Time, Until, positive, short};
 
 use crate::problem::Wearable;
 use crate::surface::Patch;
+
+/// Refuses a thickness that may wear off where body 1 is not so thick.
+pub(super) fn thick_enough(scene: &Scene, body: &Body) -> Result<(), Fault> {
+    let Some(wearable) = scene.wear.as_ref().and_then(|wear| wear.wearable) else { return Ok(()) };
+    let thickness = outline(body).thickness;
+    // Without a thickness nothing can be said.
+    if !thickness.is_finite() || thickness <= 0.0 || wearable.0 <= thickness {
+        return Ok(());
+    }
+    let message =
+        format!("{} mm are to wear off body 1, which is {} mm thick at the contact", short(wearable.0), short(thickness));
+    Err(Fault::at("wear.wearable", "wrong-value", message, "give what of it may wear off, as in wear.wearable = \"4 mm\""))
+}
 
 /// Relative difference of speeds up to which a surface slides as one.
 const SAME: f64 = 1e-9;

@@ -53,7 +53,7 @@ fn idle(scene: &Scene, tasks: &[Task]) -> Vec<&'static str> {
     when(!tasks.contains(&Task::Shape), &["check"]);
     when(pressure_only, &["mesh.degree", "mesh.layers"]);
     let flat = matches!(scene.contact.as_ref().and_then(|contact| contact.gap.as_ref()), None | Some(scene::Gap::Constant(_)));
-    when(pressure_only && !flat, &["contact.gap"]);
+    when(!tasks.contains(&Task::Contact) && !wears && !flat, &["contact.gap"]);
     when(!tasks.contains(&Task::Contact) && !wears, &["contact.clearance"]);
     when(pressure_only, &["output.fields", "load.approach_time"]);
     let timed = scene.wear.as_ref().and_then(|wear| wear.until).is_some_and(|until| until != scene::Until::Steady);
