@@ -5,6 +5,9 @@ use crate::products::{add, times, transposed_times};
 use faer::Mat;
 use std::borrow::Cow;
 
+/// Largest relative imbalance of a solution.
+pub(crate) const BALANCED: f64 = 1e-8;
+
 /// Penalty times the compliance of a point.
 pub(crate) const PENALTY: f64 = 16384.0;
 
@@ -117,6 +120,13 @@ impl Complementarity<'_> {
 }
 
 impl Answer {
+    /// Takes a point of which every sign is right.
+    pub(crate) fn take(&mut self, point: Point, opening: Vec<f64>, active: &[bool]) {
+        self.point = point;
+        self.point.force.iter_mut().for_each(|f| *f = f.max(0.0));
+        (self.opening, self.active, self.settled) = (opening, active.to_vec(), true);
+    }
+
     /// Nothing in contact.
     pub(crate) fn open(problem: &Complementarity<'_>) -> Answer {
         let n = problem.points();

@@ -1,7 +1,7 @@
 //! What an answer of the complementarity problem means.
 
 use crate::coulomb::{ContactState, Coulomb, Outcome};
-use crate::lcp::{Answer, Complementarity};
+use crate::lcp::{Answer, BALANCED, Complementarity};
 use crate::linear::Scaling;
 use crate::products::{add, times, transposed_times};
 use crate::status::Status;
@@ -10,7 +10,7 @@ use std::borrow::Cow;
 
 /// Status of an answer.
 pub(crate) fn status(problem: &Complementarity<'_>, normal: &Mat<f64>, answer: &Answer) -> Status {
-    if answer.settled && problem.relative_imbalance(&answer.point) < 1e-8 {
+    if answer.settled && problem.relative_imbalance(&answer.point) <= BALANCED {
         let closed = answer.active.iter().filter(|a| **a).count();
         return match closed {
             0 => Status::NoContact,
@@ -39,7 +39,7 @@ pub(crate) fn status(problem: &Complementarity<'_>, normal: &Mat<f64>, answer: &
 
 /// Status of a load step with stick and slip.
 pub(crate) fn sheared_status(problem: &Coulomb<'_>, outcome: &Outcome) -> Status {
-    let balanced = outcome.at.as_ref().is_some_and(|at| problem.relative_imbalance(at) < 1e-8);
+    let balanced = outcome.at.as_ref().is_some_and(|at| problem.relative_imbalance(at) <= BALANCED);
     if outcome.settled && balanced {
         let closed = outcome.states.iter().filter(|s| **s != ContactState::Open).count();
         return match closed {

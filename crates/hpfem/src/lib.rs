@@ -71,6 +71,7 @@ mod sparse;
 mod spline;
 mod split;
 mod stress;
+mod thermal;
 mod trace;
 mod triangle;
 mod triangle_matrix;

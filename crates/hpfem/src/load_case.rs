@@ -1,9 +1,6 @@
 //! Loads and named load cases.
 
 use crate::boundary::BoundaryPoint;
-use crate::error::Error;
-use crate::field::Field;
-use crate::kinematics::Kinematics;
 use std::fmt;
 use std::sync::Arc;
 
@@ -192,30 +189,6 @@ impl Eigenstrain {
             [e, e, 0.0, e]
         });
         Eigenstrain { of_normals: true, ..thermal }
-    }
-
-    /// Thermal strain by the field of a potential on the same mesh, a temperature: `expansion` has one coefficient a material, 1/K, and at
-    /// the temperature `reference` there is no strain.
-    ///
-    /// The degrees of the two problems may differ; cells are told by their index.
-    ///
-    /// # Errors
-    /// [`Error::NoMeaning`] for a field that is no potential. A body with another number of cells refuses the load.
-    pub fn of_temperature(expansion: &[f64], temperature: Field, reference: f64) -> Result<Eigenstrain, Error> {
-        let kinematics = temperature.kinematics();
-        match kinematics {
-            Kinematics::Potential { .. } | Kinematics::AxisymmetricPotential => {}
-            Kinematics::PlaneStress { .. } | Kinematics::PlaneStrain { .. } | Kinematics::Axisymmetric | Kinematics::Torsion => {
-                return Err(Error::NoMeaning { what: "a temperature".to_string(), kinematics: kinematics.words() });
-            }
-        }
-        let cells = Some(temperature.cells());
-        let thermal = Eigenstrain::thermal(expansion, move |place| {
-            let [xi, eta] = place.reference;
-            // Every cell is there: the body that takes the load has as many.
-            temperature.at(place.cell, xi, eta).map_or(f64::NAN, |state| state.displacement[0] - reference)
-        });
-        Ok(Eigenstrain { cells, ..thermal })
     }
 }
 

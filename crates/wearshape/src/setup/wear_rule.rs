@@ -52,23 +52,28 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) 
         None => Counterface::Fresh,
     };
     let counterface = *wear.counterface.get_or_insert(default);
-    let closed = patch.is_none_or(|patch| patch.surface.track_area().is_some());
-    // The tracks on a sector are circles about its centre.
-    let tracked = closed || patch.is_some_and(|patch| matches!(patch.surface.shape(), wear::Shape::Sector { .. }));
     let steady = scene.optimum.as_ref().and_then(|optimum| optimum.functional).is_none_or(|wanted| wanted == Functional::Steady);
     let optimal = steady && two_wear && tasks.iter().any(|task| matches!(task, Task::Pressure | Task::Shape));
-    if tasks.contains(&Task::Wear) || optimal {
-        let known = if tasks.contains(&Task::Wear) { closed } else { tracked };
-        if counterface == Counterface::Revolving && !known {
-            let message = "a revolving counter-face carries the contact along a closed track, and this surface has none";
-            let remedy = "write \"fresh\" for a long plate, \"congruent\" where the same points always meet (ring on disc)";
-            return Err(Fault::at("wear.counterface", "wrong-value", message, remedy));
-        }
+    if counterface == Counterface::Revolving {
+        revolves(tasks.contains(&Task::Wear), optimal, patch)?;
     }
     if tasks.contains(&Task::Wear) {
         duty::end(scene, patch)?;
     }
     Ok(())
+}
+
+/// Refuses a counter-face that revolves without a track, where a run in time or a steady pressure asks for its mean wear.
+fn revolves(wears: bool, optimal: bool, patch: Option<&Patch>) -> Result<(), Fault> {
+    let closed = patch.is_none_or(|patch| patch.surface.track_area().is_some());
+    // The tracks on a sector are circles about its centre.
+    let tracked = closed || patch.is_some_and(|patch| matches!(patch.surface.shape(), wear::Shape::Sector { .. }));
+    if (!wears || closed) && (!optimal || tracked) {
+        return Ok(());
+    }
+    let message = "a revolving counter-face carries the contact along a closed track, and this surface has none";
+    let remedy = "write \"fresh\" for a long plate, \"congruent\" where the same points always meet (ring on disc)";
+    Err(Fault::at("wear.counterface", "wrong-value", message, remedy))
 }
 
 fn exponents(wear: &mut Wear) -> Result<(f64, f64), Fault> {
