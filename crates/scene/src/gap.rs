@@ -7,7 +7,7 @@ use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 
 use crate::gap_sum::GapSum;
-use crate::units::{Length, Time};
+use crate::units::{Length, Time, Volume};
 
 /// Keys of a table of the gap.
 const KEYS: [&str; 7] = ["s_mm", "gap_um", "crown", "tilt", "cosine", "profile", "smooth"];
@@ -115,9 +115,13 @@ pub enum Until {
     Distance(Length),
     /// After so many turns of body 2.
     Revolutions(f64),
+    /// When so much is worn off body 1 where it is worn most.
+    Depth(Length),
+    /// When both bodies together have lost so much.
+    Volume(Volume),
 }
 
-const ENDS: [&str; 3] = ["time", "distance", "revolutions"];
+const ENDS: [&str; 5] = ["time", "distance", "revolutions", "depth", "volume"];
 
 impl<'de> Deserialize<'de> for Until {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
@@ -126,7 +130,7 @@ impl<'de> Deserialize<'de> for Until {
             type Value = Until;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("\"steady\", a time such as \"10 s\", { distance = \"2 km\" }, or { revolutions = 1e5 }")
+                f.write_str("\"steady\", a time such as \"10 s\", { distance = \"2 km\" }, { revolutions = 1e5 }, { depth = \"50 um\" } or { volume = \"2 mm^3\" }")
             }
 
             fn visit_i64<E: de::Error>(self, number: i64) -> Result<Until, E> {
@@ -151,13 +155,15 @@ impl<'de> Deserialize<'de> for Until {
                         "time" => Until::Time(map.next_value()?),
                         "distance" => Until::Distance(map.next_value()?),
                         "revolutions" => Until::Revolutions(map.next_value()?),
+                        "depth" => Until::Depth(map.next_value()?),
+                        "volume" => Until::Volume(map.next_value()?),
                         other => return Err(de::Error::unknown_field(other, &ENDS)),
                     };
                     if until.replace(next).is_some() {
-                        return Err(de::Error::custom("a run in time has one end\nkeep one of: time, distance, revolutions"));
+                        return Err(de::Error::custom("a run in time has one end\nkeep one of: time, distance, revolutions, depth, volume"));
                     }
                 }
-                until.ok_or_else(|| de::Error::custom("an empty table\nwrite one of: time, distance, revolutions"))
+                until.ok_or_else(|| de::Error::custom("an empty table\nwrite one of: time, distance, revolutions, depth, volume"))
             }
         }
         deserializer.deserialize_any(UntilVisitor)
@@ -177,6 +183,16 @@ impl Serialize for Until {
             Until::Revolutions(count) => {
                 let mut table = serializer.serialize_struct("Until", 1)?;
                 table.serialize_field("revolutions", count)?;
+                table.end()
+            }
+            Until::Depth(depth) => {
+                let mut table = serializer.serialize_struct("Until", 1)?;
+                table.serialize_field("depth", depth)?;
+                table.end()
+            }
+            Until::Volume(volume) => {
+                let mut table = serializer.serialize_struct("Until", 1)?;
+                table.serialize_field("volume", volume)?;
                 table.end()
             }
         }

@@ -39,13 +39,15 @@ pub use known::{KnownMaterial, known_materials};
 pub use material::Material;
 pub use numbers::{number_text, short, with_short_numbers};
 pub use point_shape::{PointShape, PolarPoint};
-pub use reversing::Reversing;
+pub use reversing::{Cycle, Reversing};
 pub use scene::{
     Balance, Body, Contact, Counterface, Functional, Kinematics, Load, LoadKind, Mesh, Modes, Optimum, Output, Scene, Schedule,
     Sliding, Task, Units, Wear,
 };
 pub use support::{Component, Support};
-pub use units::{Angle, AngularSpeed, Force, Length, Moment, Pair, Pressure, Scale, Speed, Steps, Time, WearFactor};
+pub use units::{
+    Angle, AngularSpeed, Force, Frequency, Length, Moment, Pair, Pressure, Scale, Speed, Steps, Time, Volume, WearFactor,
+};
 pub use value::{missing, positive};
 pub use visible::{acts, bounded, visible};
 pub use write::scene_text;

@@ -183,6 +183,9 @@ pub struct Sliding {
     /// Motion that reverses, in cycles short against wear.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reversing: Option<crate::reversing::Reversing>,
+    /// Stroke and frequency of a motion to and fro, instead of `speed`; friction makes it a reversing one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cycle: Option<crate::reversing::Cycle>,
 }
 
 /// How the load is applied.
@@ -277,7 +280,8 @@ pub struct Wear {
     /// How the counter-face meets body 1. Default by kind of scene.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub counterface: Option<Counterface>,
-    /// Where the run in time ends: "steady", a time, `{ distance = "2 km" }` or `{ revolutions = 1e5 }`. Default "steady".
+    /// Where the run in time ends: "steady", a time, `{ distance = "2 km" }`, `{ revolutions = 1e5 }`, or what is worn off:
+    /// `{ depth = "50 um" }` of body 1, `{ volume = "2 mm^3" }` of both. Default "steady".
     #[serde(skip_serializing_if = "Option::is_none")]
     pub until: Option<crate::gap::Until>,
     /// Thickness of body 1 that may wear off (mm): its life follows from the steady wear.
@@ -289,8 +293,8 @@ pub struct Wear {
     pub spread: Option<f64>,
 }
 
-/// A run in time in pieces: each begins at its time and lasts until the next one, the last until the run ends. The lists hold one
-/// number a piece, a factor on what `load` and `sliding` give; a list that is left out is 1 throughout.
+/// A run in time in pieces: each begins at its time and lasts until the next one, the last until the run ends, or until `period` where they
+/// `repeat`. The lists hold one number a piece, a factor on what `load` and `sliding` give; a list that is left out is 1 throughout.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -307,6 +311,14 @@ pub struct Schedule {
     /// Factors on sliding.speed or sliding.omega, other than 0; negative ones slide the other way.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub speed: Option<Vec<f64>>,
+    /// Number of times that all pieces are run through, one cycle after the other; the run ends with the last. With sliding.reversing a cycle is once
+    /// forward and once backward, and needs no other list.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "schema", schemars(extend("minimum" = 1)))]
+    pub repeat: Option<f64>,
+    /// How long a cycle lasts (s): the end of its last piece.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub period: Option<Time>,
 }
 
 /// How the counter-face meets body 1.

@@ -10,8 +10,8 @@ use crate::known::known_materials;
 use crate::material::{Material, Numbers};
 use crate::point_shape::{PointShape, PolarPoint};
 use crate::support::{Component, Support};
-use crate::units::dimension::{ANGLE, ANGULAR_SPEED, Dimension, FORCE, LENGTH, MOMENT, PRESSURE, SPEED, TIME, WEAR_FACTOR};
-use crate::units::{Angle, AngularSpeed, Force, Length, Moment, Pair, Pressure, Scale, Speed, Steps, Time, WearFactor};
+use crate::units::dimension::{ANGLE, ANGULAR_SPEED, Dimension, FORCE, FREQUENCY, LENGTH, MOMENT, PRESSURE, SPEED, TIME, VOLUME, WEAR_FACTOR};
+use crate::units::{Angle, AngularSpeed, Force, Frequency, Length, Moment, Pair, Pressure, Scale, Speed, Steps, Time, Volume, WearFactor};
 
 fn schema_of(dimension: &Dimension) -> Schema {
     json_schema!({
@@ -54,6 +54,8 @@ quantity!(
     Speed of SPEED,
     AngularSpeed of ANGULAR_SPEED,
     Time of TIME,
+    Volume of VOLUME,
+    Frequency of FREQUENCY,
     Moment of MOMENT,
     WearFactor of WEAR_FACTOR,
 );
@@ -125,7 +127,9 @@ impl JsonSchema for Until {
             "properties": {
                 "time": schema_of(&TIME),
                 "distance": schema_of(&LENGTH),
-                "revolutions": { "type": "number", "exclusiveMinimum": 0 }
+                "revolutions": { "type": "number", "exclusiveMinimum": 0 },
+                "depth": schema_of(&LENGTH),
+                "volume": schema_of(&VOLUME)
             },
             "minProperties": 1,
             "maxProperties": 1,

@@ -10,7 +10,7 @@ use std::fmt;
 use serde::de::{self, Deserialize, Deserializer, Visitor};
 use serde::{Serialize, Serializer};
 
-use dimension::{ANGLE, ANGULAR_SPEED, Dimension, FORCE, LENGTH, MOMENT, PRESSURE, SPEED, TIME, WEAR_FACTOR};
+use dimension::{ANGLE, ANGULAR_SPEED, Dimension, FORCE, FREQUENCY, LENGTH, MOMENT, PRESSURE, SPEED, TIME, VOLUME, WEAR_FACTOR};
 pub use pair::Pair;
 pub use scale::Scale;
 pub use steps::Steps;
@@ -109,6 +109,14 @@ quantity!(
 quantity!(
     /// A moment in N mm.
     Moment, MOMENT
+);
+quantity!(
+    /// A volume in mm^3.
+    Volume, VOLUME
+);
+quantity!(
+    /// A frequency in cycles a second.
+    Frequency, FREQUENCY
 );
 
 /// A wear factor. A bare number has the unit that the exponents a and b give it; a unit fixes a = b = 1.

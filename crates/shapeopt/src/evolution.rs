@@ -4,15 +4,16 @@
 //! and wear together; the gap alone is the state. Source of the model: Paczelt and Mroz (2007), section 2, with optimality theory, section 6,
 //! of this project's documents.
 
+mod ends;
 mod intervals;
 
 use crate::error::Error;
 use crate::evolution_status::EvolutionStatus;
-use crate::gap_rate::GapRate;
 use crate::implicit_stage::{Contact, Load};
 use crate::rigid_wear::RigidWear;
 use crate::run_in::{RunIn, run_in};
 use crate::tableau::Tableau;
+use crate::turns::loads;
 use crate::wear_problem::{Scheme, Stepping, Until, WearProblem};
 use crate::wear_state::WearState;
 use crate::wear_step::{Trial, gap_scale, try_step};
@@ -57,10 +58,10 @@ impl<'a> Evolution<'a> {
     /// [`Error::WearInput`] if the numbers do not fit each other, [`Error::NoContactAtStart`] if the start has no contact pressure.
     pub fn new(problem: &'a WearProblem) -> Result<Evolution<'a>, Error> {
         let mut evolution = Evolution::prepare(problem)?;
-        let n = problem.points.len();
+        let (n, points) = (problem.points.len(), problem.values());
         let load = &evolution.loads[problem.schedule[0].stage];
         // Every point just in contact, unless more is known.
-        let [pressure, opening] = problem.start.clone().unwrap_or_else(|| [vec![0.0; n], vec![-f64::MIN_POSITIVE; n]]);
+        let [pressure, opening] = problem.start.clone().unwrap_or_else(|| [vec![0.0; points], vec![-f64::MIN_POSITIVE; points]]);
         let start = Contact { pressure, opening, coordinates: vec![0.0; load.system.load.len()] };
         let solved = load.solve(&problem.gap, 0.0, &start).ok_or(Error::NoContactAtStart)?;
         if !solved.contact.pressure.iter().any(|p| *p > 0.0) {
@@ -86,7 +87,8 @@ impl<'a> Evolution<'a> {
     pub fn resume(problem: &'a WearProblem, state: WearState) -> Result<Evolution<'a>, Error> {
         let mut evolution = Evolution::prepare(problem)?;
         let n = problem.points.len();
-        let fits = [&state.gap, &state.pressure, &state.opening, &state.worn, &state.gap_rate].iter().all(|v| v.len() == n);
+        let fits = [&state.gap, &state.worn, &state.gap_rate].iter().all(|v| v.len() == n)
+            && [&state.pressure, &state.opening].iter().all(|v| v.len() == problem.values());
         if !fits || state.interval >= problem.schedule.len() {
             return Err(Error::WearInput { what: format!("the state to go on from does not belong to the {n} contact points") });
         }
@@ -98,15 +100,7 @@ impl<'a> Evolution<'a> {
 
     fn prepare(problem: &'a WearProblem) -> Result<Evolution<'a>, Error> {
         problem.check()?;
-        let weights: Vec<f64> = problem.points.iter().map(|p| p.weight).collect();
-        let loads: Vec<Load<'a>> = problem
-            .stages
-            .iter()
-            .map(|stage| {
-                let rate = GapRate::new(&problem.wear, problem.counterface, &stage.speeds, &weights, problem.track_area);
-                Load::new(&stage.system, rate.passing(problem.passing.clone()), weights.clone())
-            })
-            .collect();
+        let loads = loads(problem);
         let rigid = problem.stages.iter().map(|stage| RigidWear::new(&stage.system)).collect();
         Ok(Evolution { problem, loads, rigid, state: WearState::default(), status: EvolutionStatus::Running, fresh: true })
     }
@@ -127,9 +121,15 @@ impl<'a> Evolution<'a> {
         run_in(load, &self.rigid[self.stage(&self.state)], &self.state.pressure, self.mean_speed(&self.state))
     }
 
-    /// Areas of the contact points.
+    /// Rates of the gap (mm/s) under each of the loads that act by turns, at the last state; under one load its rate alone.
+    pub fn rates_by_turns(&self) -> Vec<Vec<f64>> {
+        self.load(&self.state).rate.by_turns(&self.state.pressure)
+    }
+
+    /// Areas of the contact points by the part of the time that acts there.
     pub(crate) fn weights(&self) -> impl Iterator<Item = f64> {
-        self.problem.points.iter().map(|point| point.weight)
+        let load = self.load(&self.state);
+        load.weights.iter().enumerate().map(|(i, weight)| load.rate.part(i) * weight)
     }
 
     /// Whether a load pushes along a rigid motion; without one the contact wears itself free.
@@ -147,7 +147,7 @@ impl<'a> Evolution<'a> {
         let load = self.load(&state);
         let free = load.system.load.len();
         let start =
-            Contact { pressure: state.pressure.clone(), opening: vec![0.0; state.gap.len()], coordinates: vec![0.0; free] };
+            Contact { pressure: state.pressure.clone(), opening: vec![0.0; state.pressure.len()], coordinates: vec![0.0; free] };
         let solved = load.solve_anyhow(&state.gap, &start)?;
         state.approach = vec![0.0; free];
         self.take_contact(&mut state, solved.contact);
@@ -194,9 +194,15 @@ impl<'a> Evolution<'a> {
     }
 
     fn mean_speed(&self, state: &WearState) -> f64 {
-        let speeds = &self.problem.stages[self.stage(state)].speeds;
         let area: f64 = self.problem.points.iter().map(|p| p.weight).sum();
-        speeds.iter().zip(&self.problem.points).map(|(v, p)| v * p.weight).sum::<f64>() / area
+        let of = |stage: usize| -> f64 {
+            let speeds = &self.problem.stages[stage].speeds;
+            speeds.iter().zip(&self.problem.points).map(|(v, p)| v * p.weight).sum::<f64>() / area
+        };
+        match &self.problem.shares {
+            Some(shares) => shares.iter().enumerate().map(|(stage, share)| share * of(stage)).sum(),
+            None => of(self.stage(state)),
+        }
     }
 
     /// Fills in what follows from the contact.
@@ -207,7 +213,8 @@ impl<'a> Evolution<'a> {
         let elastic = load.elastic(&contact.pressure).iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         let opened = state.gap.iter().zip(&self.problem.gap).map(|(now, start)| now - start).fold(0.0, f64::max);
         let rigid = &self.rigid[self.stage(state)];
-        state.steady_residual = rigid.residual(&load.weights, &state.gap_rate, &contact.pressure, [elastic, opened]);
+        let mean = load.rate.in_mean(&contact.pressure);
+        state.steady_residual = rigid.residual(&load.weights[..mean.len()], &state.gap_rate, &mean, [elastic, opened]);
         state.pressure = contact.pressure;
         state.opening = contact.opening;
         state.coordinates = contact.coordinates;
@@ -231,33 +238,11 @@ impl<'a> Evolution<'a> {
         modes.map_or(f64::MAX, |modes| EXPLICIT_PART * modes.explicit_limit)
     }
 
-    /// Status of a state just reached.
-    fn ended(&self, state: &WearState) -> EvolutionStatus {
-        let last = state.interval + 1 == self.problem.schedule.len();
-        match self.problem.until {
-            Until::Steady { residual, not_before } if last && state.steady_residual <= residual && state.time >= not_before => {
-                EvolutionStatus::Steady
-            }
-            Until::Time(end) if state.time >= end => EvolutionStatus::TimeReached,
-            Until::Steady { .. } | Until::Time(_) => EvolutionStatus::Running,
-        }
-    }
-
-    /// Time at which the interval or the run ends.
-    fn limit(&self, state: &WearState) -> f64 {
-        let last = state.interval + 1 == self.problem.schedule.len();
-        let interval = if last { f64::INFINITY } else { state.interval_start + self.problem.schedule[state.interval].duration };
-        match self.problem.until {
-            Until::Time(end) => interval.min(end),
-            Until::Steady { not_before, .. } if state.time < not_before => interval.min(not_before),
-            Until::Steady { .. } => interval,
-        }
-    }
-
     /// Takes one step into a new state, shorter until it is accurate enough.
     fn advance(&mut self) -> Result<WearState, EvolutionStatus> {
         let mut state = self.state.clone();
         self.enter_interval(&mut state);
+        let from = self.left(&state).map(|_| state.clone());
         let limit = self.limit(&state);
         if !self.driven(&state) && state.steady_residual <= FREE && limit.is_finite() {
             return Ok(self.idle(state, limit));
@@ -303,7 +288,10 @@ impl<'a> Evolution<'a> {
                         step * factor
                     };
                     self.accept(&mut state, trial, Taken { step, next, end: last.then_some(limit) });
-                    return Ok(state);
+                    return Ok(match from {
+                        Some(from) => self.not_beyond(&from, state),
+                        None => state,
+                    });
                 }
                 trial => {
                     state.newton_iterations += trial.map_or(0, |t| t.iterations);

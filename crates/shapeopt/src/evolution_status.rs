@@ -11,6 +11,8 @@ pub enum EvolutionStatus {
     Steady,
     /// The end time is reached.
     TimeReached,
+    /// The depth or volume wanted is worn off.
+    WornOff,
     /// No step, however short, could be solved.
     Stuck {
         /// Time at which the run stopped.
@@ -26,6 +28,7 @@ impl fmt::Display for EvolutionStatus {
             EvolutionStatus::Running => f.write_str("the run goes on"),
             EvolutionStatus::Steady => f.write_str("steady: the worn surfaces recede as rigid bodies and keep their shape"),
             EvolutionStatus::TimeReached => f.write_str("the end time is reached"),
+            EvolutionStatus::WornOff => f.write_str("what was to be worn off is worn off"),
             EvolutionStatus::Stuck { time, step } => {
                 write!(
                     f,

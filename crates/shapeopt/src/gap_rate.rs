@@ -3,11 +3,16 @@
 use faer::Mat;
 use wear::{Counterface, LocalRule, WearPair, resisted_pressure};
 
-/// `w_1'` of body 1 plus what body 2 adds to the gap, at every point.
+/// `w_1'` of body 1 plus what body 2 adds to the gap, at every point. Where several loads act by turns, in cycles short against wear, each point stands
+/// once for every load, one load after the other, and a place wears by the mean of their rates.
 pub(crate) struct GapRate {
     /// Rule of each body at the points.
     rules: [Vec<LocalRule>; 2],
     counterface: Counterface,
+    /// Part of the time that acts at each point.
+    part: Vec<f64>,
+    /// Number of places: of the points of one load.
+    places: usize,
     /// Weight over track area.
     share: Vec<f64>,
     /// Rate at which a groove opens the gap at a point (row) by body 2's wear rate at each point (column).
@@ -21,7 +26,67 @@ impl GapRate {
             speeds.iter().map(|v| if wear.wears(body) { rule.at(*v) } else { LocalRule::NONE }).collect()
         });
         let track = track.unwrap_or(f64::INFINITY);
-        GapRate { rules, counterface, share: weights.iter().map(|w| w / track).collect(), passing: None }
+        let share = weights.iter().map(|w| w / track).collect();
+        GapRate { rules, counterface, part: vec![1.0; weights.len()], places: weights.len(), share, passing: None }
+    }
+
+    /// The mean of rates at the same places, each acting a part of the time.
+    pub(crate) fn mean(rates: Vec<(GapRate, f64)>) -> Option<GapRate> {
+        let mut rates = rates.into_iter().map(|(rate, part)| GapRate { part: vec![part; rate.places], ..rate });
+        let mut mean = rates.next()?;
+        for rate in rates {
+            let [first, second] = rate.rules;
+            mean.rules[0].extend(first);
+            mean.rules[1].extend(second);
+            mean.part.extend(rate.part);
+            mean.share.extend(rate.share);
+        }
+        Some(mean)
+    }
+
+    /// Number of places.
+    pub(crate) fn places(&self) -> usize {
+        self.places
+    }
+
+    /// Part of the time that acts at a point.
+    pub(crate) fn part(&self, i: usize) -> f64 {
+        self.part[i]
+    }
+
+    /// The points of a place.
+    pub(crate) fn at_place(&self, place: usize) -> impl Iterator<Item = usize> + '_ {
+        (place..self.part.len()).step_by(self.places.max(1))
+    }
+
+    /// Mean over the time of one value a point, at the places.
+    pub(crate) fn in_mean(&self, values: &[f64]) -> Vec<f64> {
+        (0..self.places).map(|place| self.at_place(place).map(|i| self.part[i] * values[i]).sum()).collect()
+    }
+
+    /// Whether several loads act by turns.
+    pub(crate) fn turns(&self) -> bool {
+        self.part.len() > self.places
+    }
+
+    /// Rates of the other loads at the place of each point; none under one load.
+    fn others(&self, pressure: &[f64]) -> Option<Vec<f64>> {
+        if !self.turns() {
+            return None;
+        }
+        let own: Vec<f64> = pressure.iter().enumerate().map(|(i, p)| self.local(i, *p)).collect();
+        let place = |i: usize| self.at_place(i % self.places).filter(|j| *j != i).map(|j| own[j]).sum();
+        Some((0..own.len()).map(place).collect())
+    }
+
+    /// What pressures at other points of the bodies wear off at each point, per second; none where that is nothing.
+    pub(crate) fn elsewhere(&self, pressure: &[f64]) -> Option<Vec<f64>> {
+        self.others(pressure).or_else(|| self.groove(pressure))
+    }
+
+    /// Wear rate of a body at the places.
+    pub(crate) fn worn(&self, body: usize, place: usize, pressure: &[f64]) -> f64 {
+        self.at_place(place).map(|i| self.wear(body, i, pressure[i])).sum()
     }
 
     /// The same with the groove that body 2 wears as it passes.
@@ -30,7 +95,7 @@ impl GapRate {
     }
 
     /// Rate of the groove at all points; none without one.
-    pub(crate) fn groove(&self, pressure: &[f64]) -> Option<Vec<f64>> {
+    fn groove(&self, pressure: &[f64]) -> Option<Vec<f64>> {
         let passing = self.passing.as_ref()?;
         let mut rate = vec![0.0; pressure.len()];
         for (j, p) in pressure.iter().enumerate().filter(|(_, p)| **p > 0.0) {
@@ -47,13 +112,13 @@ impl GapRate {
         Some(move |i: usize| slope * passing[(i, j)])
     }
 
-    /// Wear rate of a body at a point.
+    /// Mean wear rate of a body at a point.
     pub(crate) fn wear(&self, body: usize, i: usize, pressure: f64) -> f64 {
-        self.rules[body][i].rate(pressure)
+        self.part[i] * self.rules[body][i].rate(pressure)
     }
 
     fn wear_slope(&self, body: usize, i: usize, pressure: f64) -> f64 {
-        self.rules[body][i].slope(pressure)
+        self.part[i] * self.rules[body][i].slope(pressure)
     }
 
     /// Whether body 2's wear at a point opens the gap there.
@@ -89,17 +154,35 @@ impl GapRate {
         if self.recedes() { self.share[i] * self.wear_slope(1, i, pressure) } else { 0.0 }
     }
 
-    /// Gap rate at all points.
+    /// Gap rate at all places.
     pub(crate) fn total(&self, pressure: &[f64]) -> Vec<f64> {
         let recession = self.recession(pressure);
-        let mut total: Vec<f64> = pressure.iter().enumerate().map(|(i, p)| self.local(i, *p) + recession).collect();
+        let local = |place: usize| -> f64 { self.at_place(place).map(|i| self.local(i, pressure[i])).sum() };
+        let mut total: Vec<f64> = (0..self.places).map(|place| local(place) + recession).collect();
         self.groove(pressure).iter().for_each(|groove| total.iter_mut().zip(groove).for_each(|(rate, g)| *rate += g));
         total
     }
 
+    /// Gap rate at all places while each load acts.
+    pub(crate) fn by_turns(&self, pressure: &[f64]) -> Vec<Vec<f64>> {
+        if !self.turns() {
+            return vec![self.total(pressure)];
+        }
+        let alone = |i: usize| if self.part[i] > 0.0 { self.local(i, pressure[i]) / self.part[i] } else { 0.0 };
+        let recession = |i: usize| if self.part[i] > 0.0 { self.share[i] * self.wear(1, i, pressure[i]) / self.part[i] } else { 0.0 };
+        (0..self.part.len())
+            .step_by(self.places.max(1))
+            .map(|first| {
+                let points = first..first + self.places;
+                let fed: f64 = if self.recedes() { points.clone().map(recession).sum() } else { 0.0 };
+                points.map(|i| alone(i) + fed).collect()
+            })
+            .collect()
+    }
+
     /// Density of `Phi` at a point.
     pub(crate) fn potential(&self, i: usize, pressure: f64) -> f64 {
-        let of = |body: usize| self.rules[body][i].potential(pressure);
+        let of = |body: usize| self.part[i] * self.rules[body][i].potential(pressure);
         let [first, second] = [of(0), if self.counterface == Counterface::Fresh { 0.0 } else { of(1) }];
         first + second
     }
@@ -112,6 +195,6 @@ impl GapRate {
     /// The pressure `p` with `stiffness p + step local(p) = u > 0`, and `dp/du`.
     pub(crate) fn inverse(&self, i: usize, stiffness: f64, step: f64, u: f64) -> (f64, f64) {
         let both = [&self.rules[0][i], &self.rules[1][i]];
-        resisted_pressure(stiffness, step, &both[..if self.adds() { 2 } else { 1 }], u)
+        resisted_pressure(stiffness, step * self.part[i], &both[..if self.adds() { 2 } else { 1 }], u)
     }
 }

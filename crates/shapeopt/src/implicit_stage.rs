@@ -11,14 +11,16 @@ use crate::wear_state::WearState;
 use contact::ContactSystem;
 use faer::Mat;
 use faer::linalg::solvers::{PartialPivLu, Solve};
+use std::borrow::Cow;
 
 const NEWTON_LIMIT: usize = 60;
 /// Newton steps after which active points change one at a time.
 const PATIENCE: usize = 25;
 
-/// A load stage prepared for implicit steps.
+/// A load stage prepared for implicit steps: one load, or several that act by turns and are averaged. Of these each has contact points of its own, one load
+/// after the other, on the gap at the same places; gaps and errors of gaps have one value a place, the rest one a point.
 pub(crate) struct Load<'a> {
-    pub(crate) system: &'a ContactSystem,
+    pub(crate) system: Cow<'a, ContactSystem>,
     pub(crate) rate: GapRate,
     pub(crate) weights: Vec<f64>,
     /// `A_ii W_i`.
@@ -92,7 +94,7 @@ struct Update {
 }
 
 impl<'a> Load<'a> {
-    pub(crate) fn new(system: &'a ContactSystem, rate: GapRate, weights: Vec<f64>) -> Load<'a> {
+    pub(crate) fn new(system: Cow<'a, ContactSystem>, rate: GapRate, weights: Vec<f64>) -> Load<'a> {
         let n = weights.len();
         let diagonal: Vec<f64> = (0..n).map(|i| system.compliance[(i, i)].abs()).collect();
         let largest = diagonal.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
@@ -116,7 +118,7 @@ impl<'a> Load<'a> {
 
     /// `load + B^T f - K y`.
     fn imbalance(&self, contact: &Contact) -> Vec<f64> {
-        let system = self.system;
+        let system = &self.system;
         (0..system.load.len())
             .map(|j| {
                 let contacts: f64 =
@@ -208,7 +210,7 @@ impl<'a> Load<'a> {
         let elastic = if open.is_empty() { Vec::new() } else { self.spread(step, &pressure) };
         for i in open {
             let rigid = self.rigid(i, &contact.coordinates);
-            next[i] = -(stage.known[i] + self.system.opening[i] + elastic[i] + rigid + at.recession);
+            next[i] = -(stage.known[i % self.rate.places()] + self.system.opening[i] + elastic[i] + rigid + at.recession);
         }
         if !next.iter().all(|v| v.is_finite()) {
             return None;
@@ -238,7 +240,7 @@ impl<'a> Load<'a> {
         let (now, recession) = (&at.contact, at.recession);
         let elastic = self.spread(stage.step, &now.pressure);
         let residual = |i: usize| {
-            stage.known[i] + self.system.opening[i] + elastic[i] + self.rigid(i, &now.coordinates) + recession
+            stage.known[i % self.rate.places()] + self.system.opening[i] + elastic[i] + self.rigid(i, &now.coordinates) + recession
                 - self.sigma[i] * now.pressure[i]
         };
         let mut right: Vec<f64> = active.iter().map(|i| -at.u[*i] - residual(*i)).collect();
@@ -249,11 +251,11 @@ impl<'a> Load<'a> {
         right
     }
 
-    /// What pressures open at other points too: the elastic opening, and the groove of a step.
+    /// What pressures open at other points too: the elastic opening, and in a step the groove or the wear under the other loads.
     fn spread(&self, step: f64, pressure: &[f64]) -> Vec<f64> {
         let mut opening = self.elastic(pressure);
-        let groove = self.rate.groove(pressure).filter(|_| step > 0.0);
-        groove.iter().for_each(|groove| opening.iter_mut().zip(groove).for_each(|(o, g)| *o += step * g));
+        let elsewhere = if step > 0.0 { self.rate.elsewhere(pressure) } else { None };
+        elsewhere.iter().for_each(|elsewhere| opening.iter_mut().zip(elsewhere).for_each(|(o, g)| *o += step * g));
         opening
     }
 
@@ -282,7 +284,13 @@ impl<'a> Load<'a> {
             if let Some(groove) = self.rate.groove_slope(*j, pressure[*j]).filter(|_| step > 0.0) {
                 active.iter().enumerate().for_each(|(r, i)| matrix[(r, c)] += step * groove(*i) * slope[*j]);
             }
-            matrix[(c, c)] += 1.0 - self.sigma[*j] * slope[*j];
+            let worn = 1.0 - self.sigma[*j] * slope[*j];
+            matrix[(c, c)] += worn;
+            if step > 0.0 && self.rate.turns() {
+                let place = |i: usize| i % self.rate.places();
+                let same = active.iter().enumerate().filter(|(r, i)| *r != c && place(**i) == place(*j));
+                same.for_each(|(r, _)| matrix[(r, c)] += worn);
+            }
             (0..m).for_each(|r| matrix[(a + r, c)] = self.system.balance[(*j, r)] * scale);
             (0..m).for_each(|r| matrix[(c, a + r)] = self.system.influence[(*j, r)] * self.unit[r]);
             if recedes {
@@ -314,14 +322,15 @@ impl<'a> Load<'a> {
     pub(crate) fn filter(&self, linear: &Linear, error: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
         let size = linear.factor.U().nrows();
         let mut right = vec![0.0; size];
-        linear.active.iter().enumerate().for_each(|(k, i)| right[k] = -error[*i]);
+        let places = error.len();
+        linear.active.iter().enumerate().for_each(|(k, i)| right[k] = -error[*i % places]);
         let change = linear.solve_scaled(&right)?;
         let recession = if size > linear.active.len() + self.unit.len() { change[size - 1] } else { 0.0 };
         let mut gap: Vec<f64> = error.iter().map(|e| e + recession).collect();
-        let mut pressure = vec![0.0; error.len()];
+        let mut pressure = vec![0.0; self.weights.len()];
         for (k, i) in linear.active.iter().enumerate() {
             pressure[*i] = linear.slope[k] * change[k];
-            gap[*i] += (1.0 - self.sigma[*i] * linear.slope[k]) * change[k];
+            gap[*i % places] += (1.0 - self.sigma[*i] * linear.slope[k]) * change[k];
         }
         Some((gap, pressure))
     }

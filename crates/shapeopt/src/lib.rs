@@ -23,6 +23,7 @@ mod shape;
 mod spline;
 mod tableau;
 mod tolerance;
+mod turns;
 mod wear_problem;
 mod wear_state;
 mod wear_step;

@@ -22,6 +22,9 @@ pub struct RunIn {
 
 /// Modes at a pressure; `None` if nothing wears or the eigenvalues cannot be found.
 pub(crate) fn run_in(load: &Load<'_>, rigid: &RigidWear, pressure: &[f64], mean_speed: f64) -> Option<RunIn> {
+    if load.rate.turns() {
+        return run_in_mean(load, pressure, mean_speed);
+    }
     let wearing = |i: &usize| pressure[*i] > 0.0 && load.rate.local_slope(*i, pressure[*i]) > 0.0;
     let active: Vec<usize> = (0..pressure.len()).filter(wearing).collect();
     let n = active.len();
@@ -52,6 +55,53 @@ pub(crate) fn run_in(load: &Load<'_>, rigid: &RigidWear, pressure: &[f64], mean_
         distances: decay.iter().map(|t| t * mean_speed).collect(),
         times: decay,
         explicit_limit: bounds.fold(f64::INFINITY, f64::min).max(0.0),
+    })
+}
+
+/// Modes under loads that act by turns: the gap obeys `dg/dt = -sum_k share_k R_k S_k g` with the forces `S_k g` by which the bodies answer a gap under
+/// load `k`, all of them at the same places.
+fn run_in_mean(load: &Load<'_>, pressure: &[f64], mean_speed: f64) -> Option<RunIn> {
+    let places = load.rate.places();
+    let slope = |i: usize| load.rate.local_slope(i, pressure[i]) / load.weights[i];
+    let wearing: Vec<usize> = (0..pressure.len()).filter(|i| pressure[*i] > 0.0 && slope(*i) > 0.0 && slope(*i).is_finite()).collect();
+    let pressed: Vec<usize> = (0..pressure.len()).filter(|i| pressure[*i] > 0.0).collect();
+    let (a, m) = (pressed.len(), load.system.load.len());
+    if wearing.is_empty() || a <= m {
+        return None;
+    }
+    let system = &load.system;
+    let matrix = Mat::from_fn(a + m, a + m, |i, j| match (i < a, j < a) {
+        (true, true) => system.compliance[(pressed[i], pressed[j])],
+        (true, false) => system.influence[(pressed[i], j - a)],
+        (false, true) => system.balance[(pressed[j], i - a)],
+        (false, false) => -system.stiffness[(i - a, j - a)],
+    });
+    let unit = Mat::from_fn(a + m, places, |i, place| f64::from(u8::from(i < a && pressed[i] % places == place)));
+    let forces = matrix.partial_piv_lu().solve(&unit);
+    let mut decline = Mat::<f64>::zeros(places, places);
+    for (i, point) in pressed.iter().enumerate().filter(|(_, point)| wearing.binary_search(point).is_ok()) {
+        let slope = slope(*point);
+        (0..places).for_each(|j| decline[(point % places, j)] += slope * forces[(i, j)]);
+    }
+    if load.rate.recedes() {
+        let all: Vec<f64> = (0..places)
+            .map(|j| {
+                let of = |(i, point): (usize, &usize)| load.rate.recession_slope(*point, pressure[*point]) / load.weights[*point] * forces[(i, j)];
+                pressed.iter().enumerate().map(of).sum()
+            })
+            .collect();
+        (0..places).for_each(|i| (0..places).for_each(|j| decline[(i, j)] += all[j]));
+    }
+    let rates = eigenvalues(&decline, false)?;
+    let square = |[re, im]: &[f64; 2]| re * re + im * im;
+    let fastest = rates.iter().map(square).fold(0.0, f64::max);
+    let lasting: Vec<&[f64; 2]> = rates.iter().filter(|rate| square(rate) > ROUND_OFF * fastest && rate[0] != 0.0).collect();
+    let mut times: Vec<f64> = lasting.iter().map(|rate| 1.0 / rate[0]).collect();
+    times.sort_by(|a, b| b.total_cmp(a));
+    Some(RunIn {
+        distances: times.iter().map(|t| t * mean_speed).collect(),
+        times,
+        explicit_limit: lasting.iter().map(|rate| 2.0 * rate[0] / square(rate)).fold(f64::INFINITY, f64::min).max(0.0),
     })
 }
 

@@ -25,6 +25,9 @@ pub struct WearProblem {
     pub start: Option<[Vec<f64>; 2]>,
     /// The loads that occur.
     pub stages: Vec<LoadStage>,
+    /// Shares of the time of loads that act by turns, in cycles short against wear: the run averages over them, and pressures and openings of its states hold
+    /// the values under every load, one load after the other. The schedule is one interval then. None where one load acts after the other.
+    pub shares: Option<Vec<f64>>,
     /// Which stage acts when, one after another; the last one goes on until the run ends.
     pub schedule: Vec<Interval>,
     /// When the run ends.
@@ -68,6 +71,10 @@ pub enum Until {
     },
     /// A time, s.
     Time(f64),
+    /// The largest depth worn off body 1, mm.
+    Depth(f64),
+    /// The volume worn off both bodies, mm^3.
+    Volume(f64),
 }
 
 /// Integrators. The implicit ones are L-stable and end on their last stage.
@@ -125,6 +132,7 @@ impl WearProblem {
             gap,
             start: None,
             stages: vec![LoadStage { system, speeds }],
+            shares: None,
             schedule: vec![Interval { stage: 0, duration: f64::INFINITY }],
             until: Until::Steady { residual: 1e-9, not_before: 0.0 },
             scheme: Scheme::Sdirk4,
@@ -145,8 +153,8 @@ impl WearProblem {
         if let Some(point) = self.points.iter().find(|p| !(p.weight > 0.0 && p.weight.is_finite())) {
             return wrong(format!("a contact point has the area {}; it must be positive", point.weight));
         }
-        if self.start.iter().flatten().any(|values| values.len() != n) {
-            return wrong(format!("the pressure and opening at the start need {n} values each"));
+        if self.start.iter().flatten().any(|values| values.len() != self.values()) {
+            return wrong(format!("the pressure and opening at the start need {} values each", self.values()));
         }
         for rule in &self.wear.rules {
             if let Err(error) = rule.check() {
@@ -168,6 +176,9 @@ impl WearProblem {
         }
         if let Some(interval) = self.schedule.iter().find(|i| i.duration.is_nan() || i.duration <= 0.0) {
             return wrong(format!("an interval of the schedule lasts {} s; it must last longer than 0", interval.duration));
+        }
+        if let Some(what) = self.wrong_shares() {
+            return wrong(what);
         }
         if self.counterface == Counterface::Revolving && !self.track_area.is_some_and(|a| a > 0.0) {
             return wrong("a revolving counter-face needs the area of its closed track".into());

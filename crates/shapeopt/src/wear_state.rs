@@ -1,6 +1,7 @@
 //! The state of a wear run: plain numbers, all that is needed to go on.
 
-/// State after a step. Arrays hold one value a contact point unless said otherwise.
+/// State after a step. Arrays hold one value a contact point unless said otherwise; pressure and opening of a run that averages over loads hold them under
+/// every load, one load after the other ([`WearProblem::shares`](crate::WearProblem::shares)).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct WearState {
     /// Steps taken.

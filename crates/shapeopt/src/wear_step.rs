@@ -54,9 +54,9 @@ fn implicit_step(load: &Load<'_>, state: &WearState, step: f64, tableau: &Tablea
     let sum = |values: &dyn Fn(&Contact) -> f64| -> f64 { weights.iter().zip(&stages).map(|(b, s)| step * b * values(s)).sum() };
     let gap: Vec<f64> =
         (0..n).map(|i| state.gap[i] + (0..stages.len()).map(|s| step * weights[s] * rates[s][i]).sum::<f64>()).collect();
-    let worn: Vec<f64> = (0..n).map(|i| state.worn[i] + sum(&|s| load.rate.wear(0, i, s.pressure[i]))).collect();
+    let worn: Vec<f64> = (0..n).map(|i| state.worn[i] + sum(&|s| load.rate.worn(0, i, &s.pressure))).collect();
     let volume = std::array::from_fn(|body| {
-        let rate = |s: &Contact| (0..n).map(|i| load.weights[i] * load.rate.wear(body, i, s.pressure[i])).sum();
+        let rate = |s: &Contact| (0..load.weights.len()).map(|i| load.weights[i] * load.rate.wear(body, i, s.pressure[i])).sum();
         state.volume[body] + sum(&rate)
     });
     let recession = state.recession + sum(&|s| load.rate.recession(&s.pressure));
@@ -79,9 +79,11 @@ fn explicit_step(load: &Load<'_>, state: &WearState, step: f64) -> Option<Trial>
     let n = state.gap.len();
     let gap: Vec<f64> = state.gap.iter().zip(&state.gap_rate).map(|(g, r)| g + step * r).collect();
     let wear = |body: usize, i: usize| load.rate.wear(body, i, state.pressure[i]);
-    let worn = (0..n).map(|i| state.worn[i] + step * wear(0, i)).collect();
-    let volume =
-        std::array::from_fn(|body| state.volume[body] + step * (0..n).map(|i| load.weights[i] * wear(body, i)).sum::<f64>());
+    let worn = (0..n).map(|i| state.worn[i] + step * load.rate.worn(0, i, &state.pressure)).collect();
+    let points = 0..load.weights.len();
+    let volume = std::array::from_fn(|body| {
+        state.volume[body] + step * points.clone().map(|i| load.weights[i] * wear(body, i)).sum::<f64>()
+    });
     let recession = state.recession + step * load.rate.recession(&state.pressure);
     let solved = load.solve(&gap, 0.0, &Contact::of(state))?;
     Some(Trial {

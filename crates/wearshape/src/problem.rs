@@ -45,6 +45,8 @@ pub struct Problem {
     pub(crate) wear: Wear,
     /// Pieces of a run in time; none where load and sliding stay.
     pub(crate) pieces: Vec<Piece>,
+    /// How often the pieces are run through; none where they are once.
+    pub(crate) cycles: Option<Cycles>,
     /// Which pressure is wanted.
     pub(crate) optimum: Optimum,
     /// Stages and reasons.
@@ -91,14 +93,34 @@ pub(crate) struct Wear {
     pub exponents: Vec<f64>,
     /// How the counter-face meets body 1.
     pub counterface: wear::Counterface,
-    /// Time at which a run in time ends (s); none for the steady state.
-    pub until: Option<f64>,
+    /// Where a run in time ends; none for the steady state.
+    pub until: Option<End>,
     /// What of body 1 may wear off; none where its life is not asked for.
     pub wearable: Option<Wearable>,
     /// Whether the factors stand in front of the friction stress.
     pub of_friction: bool,
     /// Whether body 1 wears by a rule of the caller's own in place of the scene's, and body 2 not at all.
     pub own_rule: bool,
+}
+
+/// Where a run in time ends before it is steady.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum End {
+    /// At a time (s).
+    Time(f64),
+    /// At the largest depth worn off body 1 (mm).
+    Depth(f64),
+    /// At the volume worn off both bodies (mm^3).
+    Volume(f64),
+}
+
+/// Cycles of a schedule, one after the other.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Cycles {
+    /// Their number.
+    pub count: f64,
+    /// How long each takes (s).
+    pub period: f64,
 }
 
 /// A layer of body 1 that may wear off.

@@ -317,6 +317,9 @@ pub struct WearResult {
     /// Groove in a revolving disc.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub groove: Option<GrooveResult>,
+    /// Reversals that repeat.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub turns: Option<TurnsResult>,
     /// Largest stable explicit step.
     #[serde(rename = "explicit_step_limit_s")]
     pub explicit_step_limit: Option<f64>,
@@ -330,6 +333,27 @@ pub struct WearResult {
     pub run_in_error: Option<f64>,
     /// What it took until the pressure stayed within 1 % of the steady one (relative L2).
     pub to_1_percent: Option<Settled>,
+}
+
+/// `summary.wear.turns`: reversals that repeat, resolved one by one or averaged.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub struct TurnsResult {
+    /// Whether the run averages over the cycles.
+    pub averaged: bool,
+    /// Why, or why not.
+    pub because: String,
+    /// Number of cycles.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cycles: Option<f64>,
+    /// How long a cycle lasts.
+    #[serde(rename = "period_s", skip_serializing_if = "Option::is_none")]
+    pub period: Option<f64>,
+    /// How far the gap strays from its mean within a cycle, over the largest gap, without its rigid part.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ripple: Option<f64>,
+    /// Shares of the time of the loads that act by turns, of an averaged run.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub shares: Vec<f64>,
 }
 
 /// `summary.wear.groove`: what a ball wears into a revolving disc; its profile stands in groove.csv.

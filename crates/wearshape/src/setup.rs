@@ -9,6 +9,7 @@ mod one_way;
 mod optimum;
 mod own_rule;
 mod remarks;
+mod repeat;
 mod reversing;
 mod schedule;
 mod stages;
@@ -53,9 +54,9 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     load::resolve(&mut scene, &tasks, patch.as_ref(), bodies.as_ref().map(|(_, [first, _])| first))?;
     duty::resolve(&scene, &tasks)?;
     twist::resolve(&scene, &tasks)?;
-    schedule::resolve(&mut scene)?;
     optimum::resolve(&mut scene, &tasks)?;
     reversing::resolve(&mut scene, &tasks, patch.as_ref())?;
+    schedule::resolve(&mut scene)?;
     if let Some(roughness) = scene.contact.as_ref().and_then(|contact| contact.roughness) {
         scene::positive("contact.roughness", roughness.0, "roughness", " mm")?;
     }
@@ -84,6 +85,7 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
         reversing: reversing::share(&scene, &tasks),
         wear: wear_rule::numbers(&scene),
         pieces: schedule::pieces(&scene),
+        cycles: repeat::cycles(&scene),
         optimum: optimum::choice(&scene),
         plan: Plan::default(),
         remarks: Vec::new(),

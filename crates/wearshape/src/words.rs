@@ -151,6 +151,8 @@ pub enum WearStatus {
     Steady,
     /// The time asked for is over.
     TimeReached,
+    /// The depth or volume asked for is worn off.
+    WornOff,
     /// After the most steps that are made.
     StepLimit,
     /// No step succeeds any more.
@@ -162,6 +164,7 @@ impl From<&shapeopt::EvolutionStatus> for WearStatus {
         match status {
             shapeopt::EvolutionStatus::Steady => WearStatus::Steady,
             shapeopt::EvolutionStatus::TimeReached => WearStatus::TimeReached,
+            shapeopt::EvolutionStatus::WornOff => WearStatus::WornOff,
             shapeopt::EvolutionStatus::Running => WearStatus::StepLimit,
             shapeopt::EvolutionStatus::Stuck { .. } => WearStatus::Stuck,
         }

@@ -60,6 +60,13 @@ pub(crate) const MOMENT: Dimension = Dimension {
     base: "N mm",
     units: &[("N mm", 1.0, 1.0), ("N m", 1e3, 1.0), ("kN mm", 1e3, 1.0), ("kN m", 1e6, 1.0), ("Nmm", 1.0, 1.0), ("Nm", 1e3, 1.0)],
 };
+pub(crate) const VOLUME: Dimension =
+    Dimension { word: "volume", base: "mm^3", units: &[("mm^3", 1.0, 1.0), ("cm^3", 1e3, 1.0), ("um^3", 1.0, 1e9)] };
+pub(crate) const FREQUENCY: Dimension = Dimension {
+    word: "frequency",
+    base: "cycles a second",
+    units: &[("Hz", 1.0, 1.0), ("kHz", 1e3, 1.0), ("1/s", 1.0, 1.0), ("1/min", 1.0, 60.0), ("1/h", 1.0, 3600.0)],
+};
 pub(crate) const WEAR_FACTOR: Dimension = Dimension {
     word: "wear factor",
     base: "mm^2/N (for a = b = 1)",

@@ -17,4 +17,5 @@ mod schedule;
 mod stability;
 mod steady;
 mod supports;
+mod turns;
 mod two_bodies;

@@ -5,7 +5,8 @@ use std::f64::consts::TAU;
 use meshing::{Body, outline};
 use scene::{Fault, Functional, Pair, Scene, Task, Time, Until, positive, short};
 
-use crate::problem::Wearable;
+use crate::problem::{End, Wearable};
+use crate::setup::repeat;
 use crate::surface::Patch;
 
 /// Refuses a thickness that may wear off where body 1 is not so thick.
@@ -26,9 +27,20 @@ const SAME: f64 = 1e-9;
 
 /// Turns the end of a run in time into a time; none means the steady state.
 pub(super) fn end(scene: &mut Scene, patch: Option<&Patch>) -> Result<(), Fault> {
+    if scene.wear.as_ref().is_some_and(|wear| wear.until.is_none()) && scene.schedule.as_ref().is_some_and(|s| s.repeat.is_some()) {
+        return Ok(());
+    }
     let until = scene.wear.as_ref().and_then(|wear| wear.until).unwrap_or(Until::Steady);
     let time = match until {
         Until::Steady => None,
+        Until::Depth(depth) => {
+            positive("wear.until.depth", depth.0, "depth", " mm")?;
+            return worn(scene, "wear.until.depth");
+        }
+        Until::Volume(volume) => {
+            positive("wear.until.volume", volume.0, "volume", " mm^3")?;
+            return worn(scene, "wear.until.volume");
+        }
         Until::Time(time) => {
             positive("wear.until", time.0, "time", " s")?;
             Some(time.0)
@@ -46,6 +58,28 @@ pub(super) fn end(scene: &mut Scene, patch: Option<&Patch>) -> Result<(), Fault>
         wear.until = Some(time.map_or(Until::Steady, |time| Until::Time(Time(time))));
     }
     Ok(())
+}
+
+/// Refuses an end by wear that may never come.
+fn worn(scene: &Scene, key: &str) -> Result<(), Fault> {
+    if scene.load.as_ref().is_none_or(|load| load.approach.is_none()) {
+        return Ok(());
+    }
+    let message = "under a prescribed approach body 1 wears itself free, and may never have worn so much";
+    Err(Fault::at(key, "two-alternatives", message, "press by load.force, or end the run by a time"))
+}
+
+/// Where a run in time ends, of a checked scene; none where it goes on until it is steady.
+pub(super) fn until(scene: &Scene) -> Option<End> {
+    if let Some(cycles) = repeat::cycles(scene) {
+        return Some(End::Time(cycles.count * cycles.period));
+    }
+    match scene.wear.as_ref()?.until? {
+        Until::Time(time) => Some(End::Time(time.0)),
+        Until::Depth(depth) => Some(End::Depth(depth.0)),
+        Until::Volume(volume) => Some(End::Volume(volume.0)),
+        Until::Steady | Until::Distance(_) | Until::Revolutions(_) => None,
+    }
 }
 
 /// One speed that does not change in time.

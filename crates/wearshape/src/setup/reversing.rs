@@ -10,7 +10,7 @@ const SHARE: f64 = 0.5;
 /// Share of the time that goes forward, of a resolved scene whose tasks ask for the mean wear of both senses.
 pub(super) fn share(scene: &Scene, tasks: &[Task]) -> Option<f64> {
     let reversing = scene.sliding.as_ref()?.reversing.as_ref()?;
-    tasks.contains(&Task::Shape).then(|| reversing.share.unwrap_or(SHARE))
+    (tasks.contains(&Task::Shape) || tasks.contains(&Task::Wear)).then(|| reversing.share.unwrap_or(SHARE))
 }
 
 /// Checks a reversing motion and fills in its share.
@@ -31,12 +31,7 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) 
         let message = "a surface without bodies does not tell how reversed friction moves its pressure";
         return refuse("sliding.reversing", message, "give body1 and body2, or leave `reversing` out");
     }
-    if tasks.contains(&Task::Wear) {
-        let message = "a run in time resolves its reversals, and does not average over them";
-        let remedy = "give the reversals by schedule = { time = [0, \"1 s\"], speed = [1, -1] }, or ask for tasks = [\"pressure\", \"shape\"]";
-        return refuse("sliding.reversing", message, remedy);
-    }
-    if !tasks.contains(&Task::Shape) {
+    if !tasks.contains(&Task::Shape) && !tasks.contains(&Task::Wear) {
         return Ok(());
     }
     if patch.is_some_and(|patch| patch.kind == PatchKind::Ring) {
@@ -44,7 +39,9 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) 
         return refuse("sliding.reversing", message, "leave `reversing` out: the steady shape is that of one sense");
     }
     loaded(scene)?;
-    wanted(scene)?;
+    if tasks.contains(&Task::Shape) {
+        wanted(scene)?;
+    }
     wears(scene)
 }
 

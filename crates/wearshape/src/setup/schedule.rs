@@ -3,11 +3,14 @@
 use scene::{Fault, Scene, Schedule, Time, missing};
 
 use crate::problem::Piece;
+use crate::setup::repeat;
 
 /// Checks the schedule and fills in the lists that the scene's load and sliding have.
 pub(super) fn resolve(scene: &mut Scene) -> Result<(), Fault> {
     let load = scene.load.clone().unwrap_or_default();
-    let Some(schedule) = scene.schedule.as_mut() else { return Ok(()) };
+    repeat::resolve(scene)?;
+    let reverses = scene.sliding.as_ref().is_some_and(|sliding| sliding.reversing.is_some());
+    let Some(schedule) = scene.schedule.as_mut().filter(|_| !reverses) else { return Ok(()) };
     let pieces = times(schedule)?;
     if schedule.force.is_none() && schedule.moment.is_none() && schedule.speed.is_none() {
         let why = "nothing changes from piece to piece";
@@ -67,6 +70,9 @@ fn times(schedule: &Schedule) -> Result<usize, Fault> {
 
 /// The pieces of a resolved schedule; none without one.
 pub(super) fn pieces(scene: &Scene) -> Vec<Piece> {
+    if let Some(pieces) = repeat::both_ways(scene) {
+        return pieces;
+    }
     let Some(schedule) = &scene.schedule else { return Vec::new() };
     let factor = |list: &Option<Vec<f64>>, piece: usize| list.as_ref().and_then(|list| list.get(piece)).copied().unwrap_or(1.0);
     let piece = |(number, time): (usize, &Time)| Piece {

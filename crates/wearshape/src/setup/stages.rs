@@ -114,7 +114,7 @@ impl Facts {
             revolved: couple.is_some_and(|couple| couple.is_revolved()),
             slides: problem.sliding.is_some(),
             turned: !problem.load.turns.is_empty(),
-            reverses: problem.reversing.is_some(),
+            reverses: problem.reversing.is_some() && has(Task::Shape),
             held: couple.is_some_and(|couple| couple.bodies.iter().any(|body| body.holds(Component::Phi))),
             fields: output.fields.unwrap_or(false),
             page: output.report.unwrap_or(true),

@@ -87,7 +87,7 @@ fn idle(scene: &Scene, tasks: &[Task]) -> Vec<&'static str> {
     let slides = scene.contact.as_ref().and_then(|contact| contact.friction).unwrap_or(0.0) > 0.0;
     when(contact_only && !slides && !rates, &["sliding.omega", "sliding.speed"]);
     when(contact_only && !slides, &["contact.shear"]);
-    when(!optimal, &["sliding.reversing"]);
+    when(!optimal && !wears, &["sliding.reversing"]);
     let compared = tasks.contains(&Task::Contact) && tasks.contains(&Task::Shape);
     when(!compared, &["contact.roughness"]);
     when(!turned, &["load.twist", "load.torque"]);

@@ -1,6 +1,6 @@
 //! The wear rule: factors, exponents, counter-face.
 
-use scene::{Counterface, Fault, Functional, Pair, Scene, Task, Until, Wear, WearFactor, missing};
+use scene::{Counterface, Fault, Functional, Pair, Scene, Task, Wear, WearFactor, missing};
 use wear::{WearError, WearPair};
 
 use crate::problem;
@@ -154,10 +154,7 @@ pub(super) fn numbers(scene: &Scene) -> problem::Wear {
             Some(Counterface::Revolving) => wear::Counterface::Revolving,
             Some(Counterface::Fresh) | None => wear::Counterface::Fresh,
         },
-        until: match scene.wear.as_ref().and_then(|wear| wear.until) {
-            Some(Until::Time(time)) => Some(time.0),
-            _ => None,
-        },
+        until: duty::until(scene),
         of_friction: scene.wear.as_ref().is_some_and(|wear| wear.beta.is_some()),
         wearable: duty::wearable(scene),
         own_rule: false,

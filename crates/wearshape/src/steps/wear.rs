@@ -1,5 +1,6 @@
 //! The wear stage: the gap in time, from the start gap until it is steady or a time is over.
 
+mod columns;
 mod earlier;
 mod final_ends;
 mod history;
@@ -14,6 +15,7 @@ mod round_mesh;
 mod round_result;
 mod scar;
 mod track;
+mod turns;
 
 use std::ops::ControlFlow;
 
@@ -28,6 +30,7 @@ use shapeopt::{EvolutionStatus, Measure, WearState, difference_of_gaps};
 use crate::effort::Effort;
 use crate::ladder::{Climbed, Ladder, Refusal, best, climb, missed, rungs};
 use crate::level::Level;
+use crate::problem::End;
 use crate::results::WearResult;
 use crate::solution::Status;
 use crate::stage::Stage;
@@ -45,14 +48,16 @@ pub(crate) use self::round::RoundWear;
 
 /// Runs the wear in time.
 pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
-    let ends = final_ends::final_ends(stage, &Pieces::of(stage.problem))?;
-    solve_at(stage, &ends, watch)
+    let (pieces, work) = turns::pieces(stage)?;
+    let ends = final_ends::final_ends(stage, &pieces)?;
+    let (outcome, mut effort) = solve_at(stage, &pieces, &ends, watch)?;
+    effort += work;
+    Ok((outcome, effort))
 }
 
 /// The same on meshes with nodes at given places, from -1 to 1 along the surface.
-fn solve_at(stage: Stage<'_>, ends: &[f64], watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
+fn solve_at(stage: Stage<'_>, pieces: &Pieces, ends: &[f64], watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
     let ladder = Ladder::of(stage.problem, stage.options, Step::Evolution);
-    let pieces = Pieces::of(stage.problem);
     let resume = stage.options.resume.cloned().unwrap_or_default();
     check_degrees(&resume, &ladder)?;
     let mut states = resume.states;
@@ -60,7 +65,7 @@ fn solve_at(stage: Stage<'_>, ends: &[f64], watch: &mut Watch<'_>) -> Result<(Ou
     let (mut cut, mut given_up, mut effort) = (None, None, Effort::default());
     let run = |level: Level, before: &[Solved], states: Vec<WearState>, watch: &mut Watch<'_>| {
         let finished = lefts(before);
-        run(stage, &pieces, Mesh { level, ends }, Known { finished: &finished, states }, watch)
+        run(stage, pieces, Mesh { level, ends }, Known { finished: &finished, states }, watch)
     };
     let solve = |level: Level, before: &[Solved], watch: &mut Watch<'_>| {
         let (left, ran) = match run(level, before, std::mem::take(&mut states), watch)? {
@@ -133,7 +138,13 @@ fn distance(a: &Solved, b: &Solved) -> [f64; 2] {
 /// in no order: their differences count so many times.
 fn apart(stage: Stage<'_>) -> impl Fn(&Solved, &Solved) -> [f64; 2] + Copy {
     let times = if stage.facing() { 3.0 } else { 1.0 };
-    move |a, b| distance(a, b).map(|d| times * d)
+    let by_wear = matches!(stage.problem.wear.until, Some(End::Depth(_) | End::Volume(_)));
+    move |a, b| {
+        let [gap, time] = distance(a, b);
+        // Where the wear ends a run, its time is an answer.
+        let ends = if by_wear { ((a.left.time - b.left.time) / b.left.time).abs() } else { 0.0 };
+        [times * gap, times * time.max(ends / (1.0 - STEPS))]
+    }
 }
 
 /// Estimated relative error of the time to the steady pressure: of the steps, and the rest of the series of the levels. Of a run without such a
@@ -173,19 +184,24 @@ fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>, levels: Le
     let failure = last.failure();
     let run_in_error = run_in_error.filter(|_| failure.is_none());
     outcome.wear = Some(WearResult { run_in_error, ..last.wear });
+    let left_out = outcome.wear.as_ref().and_then(|wear| wear.turns.as_ref()).filter(|turns| turns.averaged);
+    let left_out = left_out.and_then(|turns| turns.ripple).unwrap_or(0.0);
     outcome.history = last.history;
     outcome.groove = last.groove;
     outcome.running_in = Some(last.running_in);
     outcome.told = Some(last.told);
     outcome.reported = last.reported;
     outcome.ended = failure.map(|why| (Status::NotConverged, why));
-    let Some(error) = error.filter(|_| outcome.ended.is_none()) else { return outcome };
+    let Some(error) = error.filter(|_| outcome.ended.is_none()).map(|error| error + left_out) else { return outcome };
     outcome.error.gap_relative = Some(error);
     outcome.error.how = if stage.facing() {
         format!("depth worn off along the surface at the end: rest of the series of {} degrees, and of the steps", levels.count)
     } else {
         format!("gap at the end: rest of the series of {} degrees", levels.count)
     };
+    if left_out > 0.0 {
+        outcome.error.how += ", and what the mean over the cycles leaves out";
+    }
     if reported < levels.count || levels.given_up.is_some() {
         outcome.error.how += &format!("; the best of them is reported, of degree {}", degrees[reported - 1]);
     }

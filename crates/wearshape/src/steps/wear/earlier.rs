@@ -49,15 +49,17 @@ pub(super) fn check_levels(finished: &[FinishedLevel], samples: usize, modes: us
 /// `another-recording` with the step.
 pub(super) fn check_states(states: &[WearState], problem: &WearProblem) -> Result<(), Fault> {
     let points = problem.points.len();
-    let right = |list: &Vec<f64>| list.len() == points && list.iter().all(|v| v.is_finite());
+    let long = |list: &Vec<f64>, length: usize| list.len() == length && list.iter().all(|v| v.is_finite());
+    let right = |list: &Vec<f64>| long(list, points);
+    let loaded = |list: &Vec<f64>| long(list, problem.values());
     let part = |state: &WearState| {
         let times = [state.time, state.interval_start].iter().all(|t| t.is_finite());
-        times && state.interval < problem.schedule.len() && [&state.gap, &state.pressure, &state.worn].into_iter().all(right)
+        times && state.interval < problem.schedule.len() && [&state.gap, &state.worn].into_iter().all(right) && loaded(&state.pressure)
     };
     let whole = |state: &WearState| {
-        let free = problem.stages[problem.schedule[state.interval].stage].system.load.len();
+        let free = problem.coordinates(state.interval);
         let moved = [&state.coordinates, &state.approach].iter().all(|list| list.len() == free);
-        moved && [&state.opening, &state.gap_rate].into_iter().all(right)
+        moved && loaded(&state.opening) && right(&state.gap_rate)
     };
     let wrong = states.iter().find(|state| !part(state)).or_else(|| states.last().filter(|last| !whole(last)));
     wrong.map_or(Ok(()), |state| Err(unfit(&format!("its step {} is not one of {points} contact points", state.step))))

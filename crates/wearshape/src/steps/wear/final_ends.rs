@@ -10,7 +10,7 @@ use crate::steps::wear::pieces::Pieces;
 /// Ends inside the surface, from -1 to 1, of the steady pressure under the load that acts last: the gap gets its kinks there. None for a run
 /// to a given time, or where no steady pressure is known.
 pub(super) fn final_ends(stage: Stage<'_>, pieces: &Pieces) -> Result<Vec<f64>, Fault> {
-    if stage.problem.wear.until.is_some() {
+    if stage.problem.wear.until.is_some() || pieces.shares.is_some() {
         return Ok(Vec::new());
     }
     let Some(last) = pieces.intervals.last().map(|interval| &pieces.problems[interval.stage]) else { return Ok(Vec::new()) };

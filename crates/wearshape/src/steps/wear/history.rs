@@ -42,12 +42,12 @@ impl History {
         self.states.push(state);
     }
 
-    /// Pressure and gap of every step, at places along the surface (mm).
-    pub(super) fn running_in(&self, s: Vec<f64>) -> RunningIn {
+    /// Pressure, in the mean where loads act by turns, and gap of every step, at places along the surface (mm).
+    pub(super) fn running_in(&self, s: Vec<f64>, mean: &dyn Fn(&[f64]) -> Vec<f64>) -> RunningIn {
         let step = |state: &WearState| RunningInStep {
             step: state.step,
             time: state.time,
-            pressure: state.pressure.clone(),
+            pressure: mean(&state.pressure),
             gap: state.gap.iter().map(|g| 1e3 * g).collect(),
         };
         RunningIn { s, steps: self.states.iter().map(step).collect() }

@@ -17,6 +17,7 @@ use crate::step::Step;
 use crate::steps::answer::{Answer, Own, Told};
 use crate::steps::reported::{Moment, Reported};
 use crate::steps::torsion;
+use crate::steps::wear::columns::{Turn, fill};
 use crate::steps::wear::earlier::{check_levels, check_states};
 use crate::steps::wear::history::History;
 use crate::steps::wear::mesh_lines::mesh_lines;
@@ -83,7 +84,7 @@ pub(super) fn run(
     let loads: Vec<ContactLoad> = stages.iter().map(|stage| stage.contact_load(operator.points())).collect();
     // Gaps of levels are compared at one time: where part of the surface is open, the worn part goes on receding from it.
     let not_before = finished.iter().map(|level| level.time).fold(0.0, f64::max);
-    let problem = wear_problem(&stages, &loads, &pieces.intervals, &operator, not_before)?;
+    let problem = wear_problem(&stages, &loads, pieces, &operator, not_before)?;
     // What is worn off a round body is measured from what is not: no rigid part is taken out.
     let modes = if stage.facing() { 0 } else { pair.shaped.rigid_modes.ncols() };
     if let Err(fault) = check_levels(finished, SAMPLES, modes).and_then(|()| check_states(&states, &problem)) {
@@ -120,8 +121,9 @@ impl Scenes<'_> {
         effort.counters.contact_solves += 2;
         effort.counters.wear_steps += state.step;
         let samples = stage.sample(self.pair, Sampling::Even(SAMPLES));
-        let told = self.told(stage, state, &normalised, &found);
+        let told = self.told((stage, problem), state, &normalised, &found);
         let mut wear = result(&run, stage);
+        wear.turns.clone_from(&self.pieces.turns);
         let mut moments: Vec<Moment> = self.moment("", state.time, found, last).into_iter().collect();
         if stage.problem.plan.runs(Step::Fields) {
             let first = self.pieces.intervals[0].stage;
@@ -147,7 +149,7 @@ impl Scenes<'_> {
         let reported = Some(Reported { level, ends: mesh.ends.to_vec(), moments });
         let start = stage.start(self.pair);
         let places: Vec<f64> = self.operator.points().iter().map(|p| start + p.arc).collect();
-        let running_in = run.history.running_in(places.clone());
+        let running_in = run.history.running_in(places.clone(), &|pressure| problem.mean_pressure(pressure));
         let Run { ended, history, .. } = run;
         let (mut columns, mut groove) = (history.columns(), Vec::new());
         if round {
@@ -166,17 +168,30 @@ impl Scenes<'_> {
             .map_err(|error| Fault::at("contact", "no-contact", error.to_string(), "check the contact and its load"))
     }
 
-    /// Energies, reactions and columns of a state.
-    fn told(&self, stage: Stage<'_>, state: &WearState, gap: &[f64], found: &ContactSolution) -> Told {
+    /// Energies, reactions and columns of a state; of loads that act by turns while the first of them does.
+    fn told(&self, (stage, problem): (Stage<'_>, &WearProblem), state: &WearState, gap: &[f64], found: &ContactSolution) -> Told {
         let (pair, operator) = (self.pair, self.operator);
+        let points = operator.points();
+        let [pressure, opening] = [&state.pressure, &state.opening].map(|values| &values[..points.len()]);
         let between = |point: &ContactPoint| {
             let at = |values: &[f64]| operator.value_at(values, point.arc);
-            [operator.pressure_at(&state.pressure, point.arc), at(gap), at(&state.opening)]
+            [operator.pressure_at(pressure, point.arc), at(gap), at(opening)]
         };
-        let points = operator.points();
-        let own = Own { points, pressure: &state.pressure, gap, opening: &state.opening, closed: None };
+        let own = Own { points, pressure, gap, opening, closed: None };
         let states = [Some(&found.shaped), found.counter.as_ref()];
-        Answer { stage, reduced: self.reduced, pair, states, own, between: &between }.told()
+        let mut told = Answer { stage, reduced: self.reduced, pair, states, own, between: &between }.told();
+        let (start, length) = (stage.start(pair), pair.trace().length());
+        for profile in [&mut told.profile, &mut told.curve] {
+            let arcs: Vec<f64> = profile.s.iter().map(|s| (s - start).clamp(0.0, length)).collect();
+            fill(profile, &self.turns(problem, state, |pressure| arcs.iter().map(|arc| operator.pressure_at(pressure, *arc)).collect()));
+        }
+        told
+    }
+
+    /// The loads that act by turns in a state, their pressures read at other places.
+    fn turns(&self, problem: &WearProblem, state: &WearState, at: impl Fn(&[f64]) -> Vec<f64>) -> Vec<Turn<'_>> {
+        let turns = self.stages.iter().zip(problem.pressures(&state.pressure));
+        turns.map(|(stage, (pressure, share))| Turn { stage: *stage, share, pressure: at(pressure) }).collect()
     }
 
     /// The bodies at a moment; each is twisted by the sliding of its own piece of the schedule.
@@ -213,6 +228,7 @@ fn result(run: &Run, stage: Stage<'_>) -> WearResult {
         run_in_distance: run_in.iter().flat_map(|r| r.distances.iter().copied().take(RUN_IN)).collect(),
         lyapunov_increase: (stage.friction() == 0.0).then_some(state.lyapunov_increase),
         scar: None,
+        turns: None,
         volumes: None,
         groove: None,
         run_in_error: None,
@@ -227,7 +243,7 @@ const COARSER: f64 = 16.0;
 /// its relative difference from a run with coarser steps, whose error is that many times as large.
 fn integration_error(problem: &WearProblem, run: &Run) -> Option<f64> {
     let Stepping::Adaptive { accuracy } = problem.stepping else { return None };
-    if !matches!(run.ended, EvolutionStatus::Steady | EvolutionStatus::TimeReached) {
+    if !matches!(run.ended, EvolutionStatus::Steady | EvolutionStatus::TimeReached | EvolutionStatus::WornOff) {
         return None;
     }
     let stepping = Stepping::Adaptive { accuracy: COARSER * accuracy };
@@ -241,7 +257,11 @@ fn integration_error(problem: &WearProblem, run: &Run) -> Option<f64> {
     let settled = problem.times.and_then(|_| history.settled(&evolution));
     let difference = match (&run.settled, settled) {
         (Some(fine), Some(coarse)) => relative(fine.time, coarse.time).max(relative(fine.depth, coarse.depth)),
-        (None, None) if run.ended == *evolution.status() => relative(run.state.depth, evolution.state().depth),
+        // An end by time has one time, an end by depth one depth.
+        (None, None) if run.ended == *evolution.status() => {
+            let (fine, coarse) = (&run.state, evolution.state());
+            relative(fine.depth, coarse.depth).max(relative(fine.time, coarse.time))
+        }
         _ => return None,
     };
     Some(difference / (COARSER - 1.0))
@@ -294,7 +314,9 @@ fn evolve(
             share: share(&state, problem),
             profile: &|| {
                 let stage = scenes.stages[problem.schedule[state.interval].stage];
-                let mut profile = stage.profile(scenes.pair, scenes.operator.points(), &state.pressure, [None, None]);
+                let now = &state.pressure[..problem.points.len()];
+                let mut profile = stage.profile(scenes.pair, scenes.operator.points(), now, [None, None]);
+                fill(&mut profile, &scenes.turns(problem, &state, |pressure| pressure.to_vec()));
                 profile.gap = state.gap.iter().map(|g| 1e3 * g).collect();
                 profile.opening = state.opening.iter().map(|g| 1e3 * g).collect();
                 profile
@@ -314,6 +336,8 @@ fn evolve(
 fn share(state: &WearState, problem: &WearProblem) -> f64 {
     match problem.until {
         Until::Time(end) => state.time / end,
+        Until::Depth(depth) => state.depth / depth,
+        Until::Volume(volume) => (state.volume[0] + state.volume[1]) / volume,
         Until::Steady { .. } if state.interval + 1 < problem.schedule.len() => 0.0,
         Until::Steady { residual, .. } => state.steady_residual.max(f64::MIN_POSITIVE).ln() / residual.ln(),
     }

@@ -3,6 +3,7 @@
 use shapeopt::Interval;
 
 use crate::problem::Problem;
+use crate::results::TurnsResult;
 
 /// The loads that occur, and which acts when.
 pub(super) struct Pieces {
@@ -10,26 +11,56 @@ pub(super) struct Pieces {
     pub problems: Vec<Problem>,
     /// The pieces in their order.
     pub intervals: Vec<Interval>,
+    /// Shares of the time of loads that act by turns, over which the run averages; none where one acts after the other.
+    pub shares: Option<Vec<f64>>,
+    /// What is said of reversals that repeat; none without them.
+    pub turns: Option<TurnsResult>,
 }
 
 impl Pieces {
-    /// The pieces of a problem; without a schedule the problem itself for ever.
+    /// The pieces of a problem, each once; without a schedule the problem itself for ever.
     pub(super) fn of(problem: &Problem) -> Pieces {
+        let mut pieces = Pieces { problems: Vec::new(), intervals: Vec::new(), shares: None, turns: None };
         if problem.pieces.is_empty() {
-            let intervals = vec![Interval { stage: 0, duration: f64::INFINITY }];
-            return Pieces { problems: vec![problem.clone()], intervals };
+            pieces.problems.push(problem.clone());
+            pieces.intervals.push(Interval { stage: 0, duration: f64::INFINITY });
+            return pieces;
         }
         let mut known: Vec<[f64; 3]> = Vec::new();
-        let mut pieces = Pieces { problems: Vec::new(), intervals: Vec::new() };
+        let end = problem.cycles.map_or(f64::INFINITY, |cycles| cycles.period);
         for (number, piece) in problem.pieces.iter().enumerate() {
             let stage = known.iter().position(|other| *other == piece.factors).unwrap_or_else(|| {
                 known.push(piece.factors);
                 pieces.problems.push(problem.under(piece.factors));
                 known.len() - 1
             });
-            let end = problem.pieces.get(number + 1).map_or(f64::INFINITY, |next| next.time);
+            let end = problem.pieces.get(number + 1).map_or(end, |next| next.time);
             pieces.intervals.push(Interval { stage, duration: end - piece.time });
         }
         pieces
+    }
+
+    /// A motion that goes forward and backward by turns, in cycles short against wear.
+    pub(super) fn both_ways(problem: &Problem, share: f64) -> Pieces {
+        let problems = vec![problem.clone(), problem.under([1.0, 1.0, -1.0])];
+        let intervals = vec![Interval { stage: 0, duration: f64::INFINITY }];
+        Pieces { problems, intervals, shares: Some(vec![share, 1.0 - share]), turns: None }
+    }
+
+    /// The mean over a cycle of these pieces.
+    pub(super) fn averaged(&self) -> Pieces {
+        let whole: f64 = self.intervals.iter().map(|piece| piece.duration).sum();
+        let part = |stage: usize| self.intervals.iter().filter(|piece| piece.stage == stage).map(|piece| piece.duration / whole).sum();
+        Pieces {
+            problems: self.problems.clone(),
+            intervals: vec![Interval { stage: 0, duration: f64::INFINITY }],
+            shares: Some((0..self.problems.len()).map(part).collect()),
+            turns: None,
+        }
+    }
+
+    /// These pieces so many times, one cycle after the other.
+    pub(super) fn repeated(self, count: usize) -> Pieces {
+        Pieces { intervals: self.intervals.repeat(count), ..self }
     }
 }

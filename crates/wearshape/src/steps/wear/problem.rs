@@ -2,13 +2,15 @@
 
 use contact::{ContactLoad, ContactOperator, Status as ContactStatus};
 use shapeopt::faer::Mat;
-use shapeopt::{Interval, LoadStage, Stepping, Times, Until, WearProblem};
+use shapeopt::{LoadStage, Stepping, Times, Until, WearProblem};
 use wear::{Counterface, Groove};
 
 use crate::ladder::Refusal;
+use crate::problem::End;
 use crate::stage::Stage;
 use crate::steps::start_gap::start_gaps;
 use crate::steps::wear::history::DEVIATION;
+use crate::steps::wear::pieces::Pieces;
 
 /// Certificate of the steady state.
 const STEADY: f64 = 1e-9;
@@ -27,24 +29,35 @@ pub(super) fn steady_residual(stage: Stage<'_>) -> f64 {
     if stage.problem.load.approach.is_some() { STEADY.max(REST * stage.accuracy()) } else { STEADY }
 }
 
-/// The wear problem on an operator; `stages` and `loads` are the different ones that occur, `intervals` which acts when. A run until the steady state goes on to the time `not_before` at least.
+/// The wear problem on an operator; `stages` and `loads` are the different ones that occur, `pieces` tell which acts when. A run until the steady state goes on to the time `not_before` at least.
 pub(super) fn wear_problem(
     stages: &[Stage<'_>],
     loads: &[ContactLoad],
-    intervals: &[Interval],
+    pieces: &Pieces,
     operator: &ContactOperator<'_>,
     not_before: f64,
 ) -> Result<WearProblem, Refusal> {
     let reason = |error: contact::Error| Refusal::Reason(error.to_string());
+    let intervals = &pieces.intervals;
     let stage = stages[intervals[0].stage];
     let surface = |stage: &Stage<'_>| -> Vec<wear::SurfacePoint> {
         operator.points().iter().map(|p| stage.surface_point(p.position, p.normal, p.weight)).collect()
     };
     let (laws, counterface) = stage.rules()?;
     let gap = start_gaps(stage, operator);
-    let start = operator.solve(&gap, &loads[intervals[0].stage], None).map_err(reason)?;
-    if !start.status.is_solved() || start.status == ContactStatus::NoContact {
-        return Err(Refusal::Reason(start.status.to_string()));
+    // Loads that act by turns begin each on the same gap.
+    let first = match pieces.shares {
+        Some(_) => 0..loads.len(),
+        None => intervals[0].stage..intervals[0].stage + 1,
+    };
+    let mut begun = [Vec::new(), Vec::new()];
+    for load in &loads[first] {
+        let start = operator.solve(&gap, load, None).map_err(reason)?;
+        if !start.status.is_solved() || start.status == ContactStatus::NoContact {
+            return Err(Refusal::Reason(start.status.to_string()));
+        }
+        begun[0].extend(start.pressure);
+        begun[1].extend(start.opening);
     }
     let mut load_stages = Vec::new();
     for (stage, load) in stages.iter().zip(loads) {
@@ -54,13 +67,18 @@ pub(super) fn wear_problem(
     let first = load_stages[intervals[0].stage].system.clone();
     let mut problem = WearProblem::new(surface(&stage), laws, counterface, gap, first);
     problem.stages = load_stages;
-    problem.schedule = intervals.to_vec();
-    problem.start = Some([start.pressure, start.opening]);
+    problem.schedule.clone_from(intervals);
+    problem.shares.clone_from(&pieces.shares);
+    problem.start = Some(begun);
     problem.track_area = stage.patch.surface.track_area();
     problem.until = Until::Steady { residual: steady_residual(stage), not_before };
     problem.times = Some(Times { deviation: DEVIATION, accuracy: STEPS * stage.accuracy() });
-    if let Some(time) = stage.problem.wear.until {
-        problem.until = Until::Time(time);
+    if let Some(end) = stage.problem.wear.until {
+        problem.until = match end {
+            End::Time(time) => Until::Time(time),
+            End::Depth(depth) => Until::Depth(depth),
+            End::Volume(volume) => Until::Volume(volume),
+        };
         problem.stepping = Stepping::Adaptive { accuracy: stage.accuracy() };
     }
     if stage.facing() {

@@ -32,7 +32,7 @@ impl Ran {
         match self.ended {
             EvolutionStatus::Stuck { .. } => Some(self.ended.to_string()),
             EvolutionStatus::Running => Some(format!("the run was not steady after {MOST_STEPS} steps")),
-            EvolutionStatus::Steady | EvolutionStatus::TimeReached => None,
+            EvolutionStatus::Steady | EvolutionStatus::TimeReached | EvolutionStatus::WornOff => None,
         }
     }
 }

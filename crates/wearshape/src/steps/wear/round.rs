@@ -15,7 +15,7 @@ use crate::ladder::Refusal;
 use crate::level::Level;
 use crate::options::Options;
 use crate::parts::Parts;
-use crate::problem::Problem;
+use crate::problem::{End, Problem};
 use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::answer::Outcome;
@@ -60,6 +60,10 @@ impl<'a> RoundWear<'a> {
         if problem.wear.until.is_none() {
             let message = "a ball or cylinder is worn for ever: its scar grows, and no pressure is steady";
             return refuse("wear.until", message, "give a time, as in wear.until = \"10 h\"");
+        }
+        if problem.reversing.is_some() {
+            let message = "the reversals of a round contact are not averaged: its friction bends the pressure to one side";
+            return refuse("sliding.reversing", message, "write contact.shear = false, and leave `reversing` out");
         }
         if !problem.pieces.is_empty() {
             return refuse("schedule", "a round contact wears under one load and speed so far", "leave out `schedule`");
@@ -145,7 +149,7 @@ impl<'a> RoundWear<'a> {
             laws,
             counterface: wear.counterface,
         };
-        Ok(rigid.after(wear.until.unwrap_or(0.0), self.start()))
+        Ok(rigid.at(wear.until.unwrap_or(End::Time(0.0)), self.start()))
     }
 
     fn nodes(&self, end: f64) -> Vec<f64> {
@@ -187,7 +191,7 @@ impl<'a> RoundWear<'a> {
     pub(crate) fn solve(&self, watch: &mut Watch<'_>) -> Result<(Outcome, Effort, Vec<FieldFrame>), Refusal> {
         let (end, mut effort) = self.end()?;
         self.on(&self.nodes(end), |stage, ends| {
-            let (mut outcome, work) = solve_at(stage, ends, watch)?;
+            let (mut outcome, work) = solve_at(stage, &Pieces::of(stage.problem), ends, watch)?;
             effort += work;
             let reported = outcome.reported.take().filter(|_| stage.problem.plan.runs(Step::Fields) && !outcome.stopped);
             let Some(reported) = reported else { return Ok((outcome, effort, Vec::new())) };
@@ -222,11 +226,11 @@ fn trial(stage: Stage<'_>, ends: &[f64], effort: &mut Effort) -> Result<f64, Ref
     let operator = effort.timed(Step::Interface, stage.clock(), |_| reduced.operator(&pair, stage.friction() > 0.0))?;
     let began = stage.clock()();
     let load: ContactLoad = stage.contact_load(operator.points());
-    let mut problem = wear_problem(&[stage], &[load], &Pieces::of(stage.problem).intervals, &operator, 0.0)?;
+    let mut problem = wear_problem(&[stage], &[load], &Pieces::of(stage.problem), &operator, 0.0)?;
     problem.stepping = Stepping::Adaptive { accuracy: stage.accuracy().max(ROUGH) };
     let mut evolution = Evolution::new(&problem).map_err(|error| Refusal::Reason(error.to_string()))?;
     evolution.by_ref().take(MOST_STEPS).for_each(drop);
-    if *evolution.status() != EvolutionStatus::TimeReached {
+    if !matches!(evolution.status(), EvolutionStatus::TimeReached | EvolutionStatus::WornOff) {
         return Err(Refusal::Reason(evolution.status().to_string()));
     }
     let state = evolution.state();
@@ -265,7 +269,7 @@ mod tests {
             let pair = reduced.pair()?;
             let operator = reduced.operator(&pair, false)?;
             let load = stage.contact_load(operator.points());
-            let implicit = wear_problem(&[stage], &[load], &Pieces::of(&problem).intervals, &operator, 0.0)?;
+            let implicit = wear_problem(&[stage], &[load], &Pieces::of(&problem), &operator, 0.0)?;
             let explicit = WearProblem { scheme: Scheme::Explicit, ..implicit.clone() };
             let [implicit, explicit] = [&implicit, &explicit].map(|problem| {
                 let mut evolution = Evolution::new(problem).unwrap();
