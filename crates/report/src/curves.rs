@@ -53,8 +53,10 @@ fn along_the_surface(problem: &Problem, solution: &Solution, points: &Profile) -
         let cut = solution.map.is_some();
         let mut what = (if cut { "contact pressure on the middle line" } else { "contact pressure" }, "pressure (MPa)");
         let touched = solution.contact.is_some() && solution.shape.is_none() && solution.wear.is_none();
-        if let Some(reversing) = solution.reversing.as_ref().filter(|_| !profile.pressure_back.is_empty()) {
-            curves = both_senses(profile, reversing.share, &series);
+        let by_turns = || solution.wear.as_ref()?.turns.as_ref()?.shares.first().copied();
+        let share = by_turns().or(solution.reversing.as_ref().map(|reversing| reversing.share));
+        if let Some(share) = share.filter(|_| !profile.pressure_back.is_empty()) {
+            curves = both_senses(profile, share, &series);
             what.0 = "contact pressure forward and backward";
         } else if known(&profile.pressure_solved) {
             curves[0].name = "wanted".into();

@@ -213,10 +213,14 @@ fn sliding(sheet: &mut Sheet, scene: &Scene, body: &BodyOutline) {
         ([low[0].min(p[0]), low[1].min(p[1])], [high[0].max(p[0]), high[1].max(p[1])])
     });
     let centre = [0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])];
-    if let Some(speed) = sliding.speed {
+    let both_ways = sliding.reversing.is_some() || sliding.cycle.is_some();
+    if sliding.speed.is_some() || sliding.cycle.is_some() {
         let [x, y] = sheet.at(centre);
-        let half = 42.0 * speed.0.signum();
+        let half = 42.0 * sliding.speed.map_or(1.0, |speed| speed.0.signum());
         sheet.arrow([x - half, y], [x + half, y], SLIDES);
+        if both_ways {
+            sheet.arrow([x + half, y], [x - half, y], SLIDES);
+        }
     } else if let Some(omega) = sliding.omega {
         let sense = omega.0.signum();
         if scene.kinematics == Some(Kinematics::Axisymmetric) {
@@ -232,6 +236,9 @@ fn sliding(sheet: &mut Sheet, scene: &Scene, body: &BodyOutline) {
                 y + 14.0
             ));
             sheet.arrow([x + 0.8 * to, y + 20.0], [x + to, y + 12.0], SLIDES);
+            if both_ways {
+                sheet.arrow([x + 0.8 * from, y + 20.0], [x + from, y + 12.0], SLIDES);
+            }
             return;
         }
         let inner = points().map(|p| (p[0] - centre[0]).hypot(p[1] - centre[1])).fold(f64::MAX, f64::min);

@@ -103,7 +103,16 @@ fn sliding_words(scene: &Scene) -> Option<String> {
     let by_speed = sliding.speed.map(|speed| format!("body 2 slides at {} mm/s", brief(speed.0.abs())));
     let sense = |omega: f64| if omega > 0.0 { "anti-clockwise" } else { "clockwise" };
     let turning = sliding.omega.map(|omega| format!("body 2 turns {} at {} rad/s", sense(omega.0), brief(omega.0.abs())));
-    by_speed.or(turning)
+    let cycle = sliding.cycle.as_ref().and_then(|cycle| Some((cycle.stroke?.0, cycle.frequency?.0)));
+    let to_and_fro = cycle.map(|(stroke, frequency)| {
+        let speed = 2.0 * stroke * frequency;
+        format!("body 2 slides {} mm to and fro at {} Hz, {} mm/s in the mean", brief(stroke), brief(frequency), brief(speed))
+    });
+    let words = to_and_fro.or(by_speed).or(turning)?;
+    Some(match (&sliding.reversing, &sliding.cycle) {
+        (Some(reversing), None) => format!("{words}, and back, {} of the time forward", brief(reversing.share.unwrap_or(0.5))),
+        _ => words,
+    })
 }
 
 fn plane_words(scene: &Scene) -> Option<String> {

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use scene::Pair;
 use wearshape::{
-    Character, LifeResult, MachiningResult, PressureResult, Problem, Regime, ReversingResult, SenseResult, Solution, Status,
-    WearResult, functional_row,
+    Character, LifeResult, MachiningResult, PressureResult, Problem, Regime, ReversingResult, RunLifeResult, SenseResult, Solution,
+    Status, TurnsResult, WearResult, functional_row,
 };
 
 use crate::brake_line::brake_line;
@@ -35,6 +35,7 @@ pub fn first_screen(problem: &Problem, solution: &Solution, folder: &Path) -> St
     );
     lines.extend(solution.machining.as_ref().map(machining_line));
     lines.extend(solution.wear.as_ref().map(wear_line));
+    lines.extend(solution.wear.as_ref().and_then(|wear| wear.life.as_ref()).map(run_life_line));
     if let Some(trip) = solution.shape.as_ref().and_then(|shape| shape.roundtrip_independent.or(shape.roundtrip_same)) {
         lines.push(match solution.reversing.is_some() {
             true => {
@@ -133,9 +134,22 @@ fn life_line(life: &LifeResult) -> String {
     );
     words.push(format!("{} km", brief(life.distance)));
     words.extend(life.revolutions.map(|turns| format!("{} turns", brief(turns))));
+    words.extend(life.cycles.map(|cycles| format!("{} cycles", brief(cycles))));
     if life.friction_work > 0.0 {
         words.push(format!("{} MJ of friction", brief(life.friction_work)));
     }
+    format!("life      {}", words.join(", "))
+}
+
+/// How long the thickness that may wear off lasts from the start of a run in time.
+fn run_life_line(life: &RunLifeResult) -> String {
+    let mut words = vec![format!("{} h with its running in", brief(life.hours))];
+    words.extend(
+        life.hours_between.map(|[low, high]| format!("between {} h and {} h by the wear factor", brief(low), brief(high))),
+    );
+    words.push(format!("{} km", brief(life.distance)));
+    words.extend(life.revolutions.map(|turns| format!("{} turns", brief(turns))));
+    words.extend(life.cycles.map(|cycles| format!("{} cycles", brief(cycles))));
     format!("life      {}", words.join(", "))
 }
 
@@ -169,11 +183,18 @@ fn wear_line(wear: &WearResult) -> String {
         words.push(format!("{} um/h", brief(3600.0 * depth / time)));
         words.push(format!("{} mm per 1000 km", brief(1e6 * depth / distance)));
     }
+    words.extend(wear.turns.as_ref().and_then(cycles));
     let near = wear.to_1_percent.as_ref();
     // Of a run without that time it is the error of its depth.
     let off = |value: f64| wear.run_in_error.map(|error| format!(" +- {:.0e}", error * value)).unwrap_or_default();
     words.extend(near.map(|near| format!("within 1 % of the steady pressure after {}{} s", brief(near.time), off(near.time))));
     format!("wear      {}", words.join(", "))
+}
+
+/// How the cycles of a run in time were taken.
+fn cycles(turns: &TurnsResult) -> Option<String> {
+    let count = brief(turns.cycles?);
+    Some(if turns.averaged { format!("mean over {count} cycles") } else { format!("{count} cycles one by one") })
 }
 
 /// The surface as it is now against as machined.

@@ -126,6 +126,14 @@ impl<'a> Evolution<'a> {
         self.load(&self.state).rate.by_turns(&self.state.pressure)
     }
 
+    /// How long the rates of a state take until a depth is worn off body 1, and the mean sliding speed; `None` if body 1 does not wear.
+    pub(crate) fn lasting(&self, state: &WearState, depth: f64) -> Option<[f64; 2]> {
+        let rate = &self.load(state).rate;
+        let time = |i: usize| (depth - state.worn[i]) / rate.worn(0, i, &state.pressure);
+        let shortest = (0..state.worn.len()).map(time).fold(f64::INFINITY, f64::min);
+        shortest.is_finite().then(|| [shortest, self.mean_speed(state)])
+    }
+
     /// Areas of the contact points by the part of the time that acts there.
     pub(crate) fn weights(&self) -> impl Iterator<Item = f64> {
         let load = self.load(&self.state);

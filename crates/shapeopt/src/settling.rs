@@ -1,6 +1,7 @@
 //! When a run has come within a given part of its steady state, and what it has cost until then.
 
 use crate::evolution::Evolution;
+use crate::evolution_status::EvolutionStatus;
 use crate::wear_state::WearState;
 
 /// Tries of the root finder, and the part of the time passed at which the moment is found.
@@ -47,6 +48,22 @@ impl Evolution<'_> {
         let after = &states[before + 1];
         let found = self.crossing(&from, (after.time - from.time, away(&after.pressure)), &|state| away(&state.pressure))?;
         Some(settled(&found, deviation))
+    }
+
+    /// Time (s) and sliding distance (mm) at which a depth (mm) is worn off body 1 where most is, from all states of this run: within it, by a step of the
+    /// integrator, or after its steady end by the rates that stay. `None` if the run ends before both.
+    pub fn worn_off(&self, states: &[WearState], depth: f64) -> Option<[f64; 2]> {
+        let last = states.last()?;
+        if let Some(after) = states.iter().position(|state| state.depth >= depth) {
+            let left = |state: &WearState| 1.0 - state.depth / depth;
+            let from = self.restored(&states[after.checked_sub(1)?])?;
+            let to = &states[after];
+            let found = self.crossing(&from, (to.time - from.time, left(to)), &left)?;
+            return Some([found.time, found.distance]);
+        }
+        let steady = *self.status() == EvolutionStatus::Steady && self.driven(last);
+        let [time, speed] = if steady { self.lasting(last, depth)? } else { return None };
+        Some([last.time + time, last.distance + time * speed])
     }
 
     /// The state at which a value falls to zero within a step from a state where it is positive; `long` is a step at whose end it is not, with the

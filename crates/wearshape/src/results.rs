@@ -134,9 +134,32 @@ pub struct LifeResult {
     /// Turns of body 2, where it turns.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub revolutions: Option<f64>,
+    /// Cycles of a motion to and fro.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cycles: Option<f64>,
     /// Work of friction.
     #[serde(rename = "friction_work_MJ")]
     pub friction_work: f64,
+    /// Shortest and longest time, by the spread of the wear factor.
+    #[serde(rename = "time_between_h", skip_serializing_if = "Option::is_none")]
+    pub hours_between: Option<[f64; 2]>,
+}
+
+/// `summary.wear.life`: until the thickness that may wear off body 1 is gone at its thinnest, from the start of the run, its running-in counted.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub struct RunLifeResult {
+    /// Time of sliding.
+    #[serde(rename = "time_h")]
+    pub hours: f64,
+    /// Mean sliding distance.
+    #[serde(rename = "distance_km")]
+    pub distance: f64,
+    /// Turns of body 2, where it turns.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub revolutions: Option<f64>,
+    /// Cycles of a motion to and fro.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cycles: Option<f64>,
     /// Shortest and longest time, by the spread of the wear factor.
     #[serde(rename = "time_between_h", skip_serializing_if = "Option::is_none")]
     pub hours_between: Option<[f64; 2]>,
@@ -317,6 +340,9 @@ pub struct WearResult {
     /// Groove in a revolving disc.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub groove: Option<GrooveResult>,
+    /// How long what may wear off lasts from this start.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub life: Option<RunLifeResult>,
     /// Reversals that repeat.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub turns: Option<TurnsResult>,

@@ -2,6 +2,7 @@
 
 mod bodies;
 mod carried;
+mod cycle;
 mod duty;
 mod load;
 mod metres;
@@ -40,12 +41,13 @@ impl Problem {
 
 fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     let mut scene = document.scene.clone();
+    cycle::resolve(&mut scene)?;
     let tasks = tasks::resolve(&mut scene)?;
     let bodies = bodies::resolve(&mut scene, files)?;
     let patch = match (&scene.surface, &bodies) {
-        (Some(surface), _) => Some(Patch::bare(surface, scene.sliding.as_ref())?),
+        (Some(surface), _) => Some(Patch::bare(surface, scene.sliding.as_ref()).map_err(|fault| cycle::named(&scene, fault))?),
         (None, Some((kinematics, [first, second]))) => Patch::between(*kinematics, [first, second], scene.sliding.as_ref())
-            .map_err(|fault| metres::hinted(fault, [first, second]))?,
+            .map_err(|fault| cycle::named(&scene, metres::hinted(fault, [first, second])))?,
         _ => None,
     };
     let gap = start_gap::on_surface(&scene, patch.as_ref())?;
@@ -96,6 +98,7 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     problem.freedoms = problem.own_freedoms();
     problem.remarks = remarks::remarks(&problem, &tasks);
     unused::leave_out(document, &mut problem.scene, &tasks);
+    cycle::leave_out(&mut problem.scene);
     Ok(problem)
 }
 

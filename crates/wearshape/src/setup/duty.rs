@@ -121,8 +121,7 @@ fn speed(scene: &Scene, patch: Option<&Patch>) -> Result<f64, Fault> {
 /// Whether the steady wear that a life follows from is computed.
 pub(super) fn has_life(scene: &Scene, tasks: &[Task]) -> bool {
     let steady = scene.optimum.as_ref().and_then(|optimum| optimum.functional).is_none_or(|f| f == Functional::Steady);
-    let reverses = scene.sliding.as_ref().is_some_and(|sliding| sliding.reversing.is_some());
-    steady && !reverses && (tasks.contains(&Task::Pressure) || tasks.contains(&Task::Shape))
+    (steady && (tasks.contains(&Task::Pressure) || tasks.contains(&Task::Shape))) || tasks.contains(&Task::Wear)
 }
 
 /// Checks the thickness that may wear off.

@@ -6,6 +6,7 @@ use wear::SurfacePoint;
 
 use crate::results::PressureResult;
 use crate::reversing_result::{ReversingResult, SenseResult};
+use crate::steps::life::{Steady, lasting};
 use crate::steps::pressure::by_role;
 use crate::steps::reversing::level::{Senses, Solved};
 
@@ -47,6 +48,7 @@ impl Senses<'_> {
         let place = surface[most].position;
         let volume = sum(&rate);
         let mean_speed = sum(&speed) / area;
+        let friction_power = sum(&|i| friction * mean[i] * speed(i));
         let worn = volume > 0.0 && mean_speed > 0.0;
         PressureResult {
             functional: problem.optimum.functional,
@@ -63,10 +65,18 @@ impl Senses<'_> {
             wear_volume_rate: Some(volume),
             wear_depth_per_hour: worn.then(|| 1e3 * 3600.0 * volume / area),
             wear_depth_per_1000_km: worn.then(|| 1e9 * volume / area / mean_speed),
-            friction_power: Some(sum(&|i| friction * mean[i] * speed(i))),
+            friction_power: Some(friction_power),
             wear_power: Some(sum(&wear_power)),
+            life: lasting(problem, Steady { fastest: self.fastest(solved, &surface), speed: mean_speed, friction_power }),
             ..PressureResult::default()
         }
+    }
+
+    /// Largest mean recession of body 1 (mm/s).
+    fn fastest(&self, solved: &Solved, surface: &[SurfacePoint]) -> f64 {
+        let Ok(laws) = &self.stages[0].problem.wear.laws else { return 0.0 };
+        let rate = |side: usize, i: usize| laws.rules[0].rate(solved.found.pressure[side][i], surface[i].sliding_speed);
+        (0..surface.len()).map(|i| self.mean([rate(0, i), rate(1, i)])).fold(0.0, f64::max)
     }
 
     /// Velocities of the freedoms that feed the points as they are fed.

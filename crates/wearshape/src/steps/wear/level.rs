@@ -11,12 +11,12 @@ use crate::effort::Effort;
 use crate::ladder::Refusal;
 use crate::level::Level;
 use crate::options::Sampling;
-use crate::results::{Settled, WearResult};
+use crate::results::{RunLifeResult, Settled, WearResult};
 use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::answer::{Answer, Own, Told};
 use crate::steps::reported::{Moment, Reported};
-use crate::steps::torsion;
+use crate::steps::{life, torsion};
 use crate::steps::wear::columns::{Turn, fill};
 use crate::steps::wear::earlier::{check_levels, check_states};
 use crate::steps::wear::history::History;
@@ -203,7 +203,7 @@ impl Scenes<'_> {
 }
 
 /// A gap with its lowest rigid part that keeps it open, unless the rigid part is prescribed.
-fn with_lowest_rigid_part(stage: Stage<'_>, pair: &Pair<'_>, operator: &ContactOperator<'_>, gap: &[f64]) -> Vec<f64> {
+pub(super) fn with_lowest_rigid_part(stage: Stage<'_>, pair: &Pair<'_>, operator: &ContactOperator<'_>, gap: &[f64]) -> Vec<f64> {
     let curve = NodalCurve { pair, operator, gap };
     let rigid = if stage.rigid_prescribed() || stage.turned() != 0.0 { None } else { lowest_nonnegative(&curve) };
     let rigid = rigid.unwrap_or_else(|| vec![0.0; pair.shaped.rigid_modes.ncols()]);
@@ -229,6 +229,7 @@ fn result(run: &Run, stage: Stage<'_>) -> WearResult {
         lyapunov_increase: (stage.friction() == 0.0).then_some(state.lyapunov_increase),
         scar: None,
         turns: None,
+        life: run.life.clone(),
         volumes: None,
         groove: None,
         run_in_error: None,
@@ -280,6 +281,8 @@ struct Run {
     history: History,
     /// What it took until the pressure was nearly the last one.
     settled: Option<Settled>,
+    /// How long what may wear off lasts.
+    life: Option<RunLifeResult>,
     run_in: Option<shapeopt::RunIn>,
 }
 
@@ -329,7 +332,8 @@ fn evolve(
     }
     let (state, ended, run_in) = (evolution.state().clone(), evolution.status().clone(), evolution.run_in());
     let settled = if stopped || problem.times.is_none() { None } else { history.settled(&evolution) };
-    Ok(Run { state, ended, stopped, history, settled, run_in })
+    let life = if stopped { None } else { life::of_run(scenes.stages[0].problem, &evolution, &history.states) };
+    Ok(Run { state, ended, stopped, history, settled, life, run_in })
 }
 
 /// How far a run is, from 0 to 1, about; the steady state counts in the last piece of a schedule alone.

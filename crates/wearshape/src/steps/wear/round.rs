@@ -61,9 +61,11 @@ impl<'a> RoundWear<'a> {
             let message = "a ball or cylinder is worn for ever: its scar grows, and no pressure is steady";
             return refuse("wear.until", message, "give a time, as in wear.until = \"10 h\"");
         }
-        if problem.reversing.is_some() {
+        let cycle = problem.sliding.as_ref().is_some_and(|sliding| sliding.cycle.is_some());
+        if problem.reversing.is_some() || (cycle && problem.friction.shear() > 0.0) {
             let message = "the reversals of a round contact are not averaged: its friction bends the pressure to one side";
-            return refuse("sliding.reversing", message, "write contact.shear = false, and leave `reversing` out");
+            let key = if cycle { "sliding.cycle" } else { "sliding.reversing" };
+            return refuse(key, message, "write contact.shear = false, which takes the friction off the bodies, and leave `reversing` out");
         }
         if !problem.pieces.is_empty() {
             return refuse("schedule", "a round contact wears under one load and speed so far", "leave out `schedule`");

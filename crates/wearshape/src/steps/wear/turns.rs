@@ -14,6 +14,7 @@ use crate::problem::{Cycles, Problem};
 use crate::results::TurnsResult;
 use crate::stage::Stage;
 use crate::step::Step;
+use crate::steps::wear::level::with_lowest_rigid_part;
 use crate::steps::wear::pieces::Pieces;
 use crate::steps::wear::problem::wear_problem;
 use crate::steps::wear::ran::MOST_STEPS;
@@ -24,7 +25,7 @@ const PART: f64 = 0.3;
 const FIRST: usize = 4;
 const ROUGH: f64 = 1e-3;
 /// Steps that a piece takes at least, about, where it is resolved.
-const STEPS: f64 = 4.0;
+const STEPS: f64 = 2.0;
 
 /// The pieces of a run: as they are, repeated, or their mean.
 pub(super) fn pieces(stage: Stage<'_>) -> Result<(Pieces, Effort), Refusal> {
@@ -89,12 +90,13 @@ fn ripple(stage: Stage<'_>, once: &Pieces, mean: &Pieces) -> Result<(f64, Effort
     effort.add_seconds(Step::Evolution, stage.clock()() - began);
     let rows: Vec<f64> = operator.points().iter().flat_map(|point| closing(&pair, point)).collect();
     let modes = DMatrix::from_row_slice(state.gap.len(), rows.len() / state.gap.len().max(1), &rows);
-    let mut strayed = state.gap.clone();
+    let gap = with_lowest_rigid_part(stage, &pair, &operator, &state.gap);
+    let mut strayed = gap.clone();
     let mut most = 0.0_f64;
     for piece in &once.intervals {
         let apart = rates[piece.stage].iter().zip(&state.gap_rate).map(|(rate, mean)| piece.duration * (rate - mean));
         strayed.iter_mut().zip(apart).for_each(|(gap, d)| *gap += d);
-        most = most.max(difference_of_gaps(&strayed, &state.gap, &modes, Measure::Largest));
+        most = most.max(difference_of_gaps(&strayed, &gap, &modes, Measure::Largest));
     }
     Ok((most, effort))
 }
