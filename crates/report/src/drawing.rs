@@ -243,7 +243,9 @@ fn sliding(sheet: &mut Sheet, scene: &Scene, body: &BodyOutline) {
         }
         let inner = points().map(|p| (p[0] - centre[0]).hypot(p[1] - centre[1])).fold(f64::MAX, f64::min);
         let outer = 0.5 * (high[0] - low[0]);
-        sheet.turning(centre, if inner < 0.9 * outer { 0.5 * (inner + outer) } else { 0.5 * outer }, sense * 0.6 * PI, SLIDES);
+        let radius = if inner < 0.9 * outer { 0.5 * (inner + outer) } else { 0.5 * outer };
+        let senses: &[f64] = if both_ways { &[sense, -sense] } else { &[sense] };
+        senses.iter().for_each(|sense| sheet.turning(centre, radius, sense * 0.6 * PI, SLIDES));
     }
 }
 

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use scene::Pair;
 use wearshape::{
-    Character, LifeResult, MachiningResult, PressureResult, Problem, Regime, ReversingResult, RunLifeResult, SenseResult, Solution,
-    Status, TurnsResult, WearResult, functional_row,
+    Character, LifeResult, MachiningResult, PressureResult, Problem, Regime, ReversingResult, RunLifeResult, SenseResult,
+    Solution, Status, TurnsResult, WearResult, functional_row,
 };
 
 use crate::brake_line::brake_line;

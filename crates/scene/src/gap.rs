@@ -160,7 +160,9 @@ impl<'de> Deserialize<'de> for Until {
                         other => return Err(de::Error::unknown_field(other, &ENDS)),
                     };
                     if until.replace(next).is_some() {
-                        return Err(de::Error::custom("a run in time has one end\nkeep one of: time, distance, revolutions, depth, volume"));
+                        return Err(de::Error::custom(
+                            "a run in time has one end\nkeep one of: time, distance, revolutions, depth, volume",
+                        ));
                     }
                 }
                 until.ok_or_else(|| de::Error::custom("an empty table\nwrite one of: time, distance, revolutions, depth, volume"))

@@ -10,8 +10,12 @@ use crate::known::known_materials;
 use crate::material::{Material, Numbers};
 use crate::point_shape::{PointShape, PolarPoint};
 use crate::support::{Component, Support};
-use crate::units::dimension::{ANGLE, ANGULAR_SPEED, Dimension, FORCE, FREQUENCY, LENGTH, MOMENT, PRESSURE, SPEED, TIME, VOLUME, WEAR_FACTOR};
-use crate::units::{Angle, AngularSpeed, Force, Frequency, Length, Moment, Pair, Pressure, Scale, Speed, Steps, Time, Volume, WearFactor};
+use crate::units::dimension::{
+    ANGLE, ANGULAR_SPEED, Dimension, FORCE, FREQUENCY, LENGTH, MOMENT, PRESSURE, SPEED, TIME, VOLUME, WEAR_FACTOR,
+};
+use crate::units::{
+    Angle, AngularSpeed, Force, Frequency, Length, Moment, Pair, Pressure, Scale, Speed, Steps, Time, Volume, WearFactor,
+};
 
 fn schema_of(dimension: &Dimension) -> Schema {
     json_schema!({

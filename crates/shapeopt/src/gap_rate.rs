@@ -169,7 +169,8 @@ impl GapRate {
             return vec![self.total(pressure)];
         }
         let alone = |i: usize| if self.part[i] > 0.0 { self.local(i, pressure[i]) / self.part[i] } else { 0.0 };
-        let recession = |i: usize| if self.part[i] > 0.0 { self.share[i] * self.wear(1, i, pressure[i]) / self.part[i] } else { 0.0 };
+        let recession =
+            |i: usize| if self.part[i] > 0.0 { self.share[i] * self.wear(1, i, pressure[i]) / self.part[i] } else { 0.0 };
         (0..self.part.len())
             .step_by(self.places.max(1))
             .map(|first| {

@@ -240,7 +240,11 @@ impl<'a> Load<'a> {
         let (now, recession) = (&at.contact, at.recession);
         let elastic = self.spread(stage.step, &now.pressure);
         let residual = |i: usize| {
-            stage.known[i % self.rate.places()] + self.system.opening[i] + elastic[i] + self.rigid(i, &now.coordinates) + recession
+            stage.known[i % self.rate.places()]
+                + self.system.opening[i]
+                + elastic[i]
+                + self.rigid(i, &now.coordinates)
+                + recession
                 - self.sigma[i] * now.pressure[i]
         };
         let mut right: Vec<f64> = active.iter().map(|i| -at.u[*i] - residual(*i)).collect();

@@ -63,7 +63,8 @@ pub(crate) fn run_in(load: &Load<'_>, rigid: &RigidWear, pressure: &[f64], mean_
 fn run_in_mean(load: &Load<'_>, pressure: &[f64], mean_speed: f64) -> Option<RunIn> {
     let places = load.rate.places();
     let slope = |i: usize| load.rate.local_slope(i, pressure[i]) / load.weights[i];
-    let wearing: Vec<usize> = (0..pressure.len()).filter(|i| pressure[*i] > 0.0 && slope(*i) > 0.0 && slope(*i).is_finite()).collect();
+    let wearing: Vec<usize> =
+        (0..pressure.len()).filter(|i| pressure[*i] > 0.0 && slope(*i) > 0.0 && slope(*i).is_finite()).collect();
     let pressed: Vec<usize> = (0..pressure.len()).filter(|i| pressure[*i] > 0.0).collect();
     let (a, m) = (pressed.len(), load.system.load.len());
     if wearing.is_empty() || a <= m {
@@ -86,7 +87,9 @@ fn run_in_mean(load: &Load<'_>, pressure: &[f64], mean_speed: f64) -> Option<Run
     if load.rate.recedes() {
         let all: Vec<f64> = (0..places)
             .map(|j| {
-                let of = |(i, point): (usize, &usize)| load.rate.recession_slope(*point, pressure[*point]) / load.weights[*point] * forces[(i, j)];
+                let of = |(i, point): (usize, &usize)| {
+                    load.rate.recession_slope(*point, pressure[*point]) / load.weights[*point] * forces[(i, j)]
+                };
                 pressed.iter().enumerate().map(of).sum()
             })
             .collect();

@@ -68,7 +68,12 @@ impl Evolution<'_> {
 
     /// The state at which a value falls to zero within a step from a state where it is positive; `long` is a step at whose end it is not, with the
     /// value there. Regula falsi with halved ends (Illinois).
-    pub(crate) fn crossing(&self, from: &WearState, mut long: (f64, f64), value_of: &dyn Fn(&WearState) -> f64) -> Option<WearState> {
+    pub(crate) fn crossing(
+        &self,
+        from: &WearState,
+        mut long: (f64, f64),
+        value_of: &dyn Fn(&WearState) -> f64,
+    ) -> Option<WearState> {
         let mut short = (0.0, value_of(from));
         let mut kept = 0.0;
         let mut found = None;

@@ -66,7 +66,8 @@ pub use profile::Profile;
 pub use remark::Remark;
 pub use results::{
     ByRole, ContactResult, EnergyResult, ErrorResult, InterfaceResult, LifeResult, PointForce, PressureResult, Reaction,
-    RunLifeResult, SensitivityResult, Settled, ShapeResult, ToleranceResult, TurnsResult, TwistResult, UniquenessResult, WearResult,
+    RunLifeResult, SensitivityResult, Settled, ShapeResult, ToleranceResult, TurnsResult, TwistResult, UniquenessResult,
+    WearResult,
 };
 pub use reversing_result::{ReversingResult, SenseResult};
 pub use solution::{PressureMap, Rung, RunningIn, RunningInStep, Solution, Status};

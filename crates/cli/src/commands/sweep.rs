@@ -36,6 +36,8 @@ struct Sweep<'a> {
     /// Values of axes in base units, by key and what was typed.
     base: BTreeMap<(String, String), f64>,
     options: Options<'static>,
+    /// Whether motions reverse, and have a pressure backward.
+    both_ways: bool,
     bodies: Bodies,
 }
 
@@ -65,7 +67,8 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
         return Ok(Exit::Done);
     }
     let base = base_units(&source, &grid, &common.set);
-    let sweep = Sweep { args, source, grid, base, options, bodies: Bodies::default() };
+    let both_ways = reverses(&first, &grid);
+    let sweep = Sweep { args, source, grid, base, options, both_ways, bodies: Bodies::default() };
     interrupt::listen();
     let (folder, mark) = sweep.begin(&target, &first)?;
     let mut rows = sweep.finished(&folder)?;
@@ -88,6 +91,12 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
         print_out(&screen(&figures, &rows, &target));
     }
     Ok(if rows.failed == 0 { Exit::Done } else { Exit::GoalMissed })
+}
+
+/// Whether some motion of a sweep may reverse.
+fn reverses(first: &Document, grid: &Grid) -> bool {
+    let given = first.scene.sliding.as_ref().is_some_and(|sliding| sliding.reversing.is_some() || sliding.cycle.is_some());
+    given || grid.keys().iter().any(|key| key.starts_with("sliding.reversing") || key.starts_with("sliding.cycle"))
 }
 
 impl Sweep<'_> {
@@ -119,7 +128,7 @@ impl Sweep<'_> {
         let kept = curves::length_of(&folder.path().join(CURVES), rows.count);
         folder.cut(CURVES, kept)?;
         if kept == 0 {
-            folder.append(CURVES, &curves::header(&self.grid))?;
+            folder.append(CURVES, &curves::header(&self.grid, self.both_ways))?;
         }
         Ok(rows)
     }
@@ -187,7 +196,9 @@ impl Sweep<'_> {
         let sampled = self.options.sample.is_some();
         let fine = solution.curve.as_ref().filter(|_| !sampled);
         match fine.or(solution.profile.as_ref()) {
-            Some(profile) if sampled || curves::is_drawn(point, self.grid.count) => curves::curve(&self.grid, point, profile),
+            Some(profile) if sampled || curves::is_drawn(point, self.grid.count) => {
+                curves::curve(&self.grid, point, profile, self.both_ways)
+            }
             _ => String::new(),
         }
     }

@@ -38,24 +38,30 @@ pub(crate) fn is_drawn(point: usize, count: usize) -> bool {
     count <= MOST_DRAWN || (0..MOST_DRAWN).any(|number| point == number * (count - 1) / (MOST_DRAWN - 1))
 }
 
-/// The first line of the file.
-pub(crate) fn header(grid: &Grid) -> String {
-    report::table(&names(grid), Vec::<Vec<String>>::new())
+/// The last column of a sweep over motions that reverse.
+const BACK: &str = "pressure_back_MPa";
+
+/// The first line of the file; `both_ways` where motions reverse.
+pub(crate) fn header(grid: &Grid, both_ways: bool) -> String {
+    report::table(&names(grid, both_ways), Vec::<Vec<String>>::new())
 }
 
-fn names(grid: &Grid) -> Vec<&str> {
-    std::iter::once("point").chain(columns().map(|(name, _)| *name)).chain(grid.keys()).collect()
+fn names(grid: &Grid, both_ways: bool) -> Vec<&str> {
+    let named = std::iter::once("point").chain(columns().map(|(name, _)| *name)).chain(grid.keys());
+    named.chain(both_ways.then_some(BACK)).collect()
 }
 
 /// The rows of a point.
-pub(crate) fn curve(grid: &Grid, point: usize, profile: &Profile) -> String {
+pub(crate) fn curve(grid: &Grid, point: usize, profile: &Profile, both_ways: bool) -> String {
     let axes = grid.at(point);
     let row = |place: usize| {
         let numbers = columns().map(move |(_, value)| scene::number_text(value(profile, place)));
         let axes = axes.iter().map(|(_, value)| value.to_string());
-        std::iter::once(point.to_string()).chain(numbers).chain(axes).collect::<Vec<_>>()
+        // A motion that keeps its sense has no pressure backward.
+        let back = || scene::number_text(profile.pressure_back.get(place).copied().unwrap_or(f64::NAN));
+        std::iter::once(point.to_string()).chain(numbers).chain(axes).chain(both_ways.then(back)).collect::<Vec<_>>()
     };
-    let text = report::table(&names(grid), (0..profile.s.len()).map(row));
+    let text = report::table(&names(grid, both_ways), (0..profile.s.len()).map(row));
     text.split_once('\n').map_or("", |(_, rows)| rows).to_string()
 }
 
@@ -74,12 +80,18 @@ fn of_point(line: &str) -> Option<usize> {
 /// The curves of the points that are drawn, overlaid: pressure and gap, as far as they are known.
 pub(crate) fn plots(file: &Path, grid: &Grid, title: &str) -> Vec<LinePlot> {
     let mut curves: BTreeMap<usize, Vec<Vec<f64>>> = BTreeMap::new();
+    let both_ways = lines(file).next().is_some_and(|header| header.trim_end().ends_with(BACK));
     for line in lines(file).skip(1) {
         let Some(point) = of_point(&line).filter(|point| is_drawn(*point, grid.count)) else { continue };
-        let numbers = line.split(',').skip(1).take(COLUMNS.len()).map(|number| number.parse().unwrap_or(f64::NAN));
+        let cells: Vec<&str> = line.trim_end().split(',').skip(1).collect();
+        let back = cells.last().copied().filter(|_| both_ways);
+        let numbers = cells.iter().copied().take(COLUMNS.len()).chain(back).map(|number| number.parse().unwrap_or(f64::NAN));
         curves.entry(point).or_default().push(numbers.collect());
     }
-    let column = |name: &str| COLUMNS.iter().position(|known| *known == name).unwrap_or(0);
+    let column = |name: &str| match name {
+        BACK => COLUMNS.len(),
+        _ => COLUMNS.iter().position(|known| *known == name).unwrap_or(0),
+    };
     let by = figures::labels(grid).join(", ");
     let plot = |what: &str, y_label: &str, name: &str| {
         let y = column(name);
@@ -100,7 +112,10 @@ pub(crate) fn plots(file: &Path, grid: &Grid, title: &str) -> Vec<LinePlot> {
             series: series.filter(|series| series.points.iter().any(|point| point.1.is_finite())).collect(),
         }
     };
-    let plots = [plot("contact pressure", "pressure (MPa)", "pressure_MPa"), plot("gap", "gap (\u{b5}m)", "gap_um")];
+    let forward = if both_ways { "contact pressure forward" } else { "contact pressure" };
+    let mut plots = vec![plot(forward, "pressure (MPa)", "pressure_MPa")];
+    plots.extend(both_ways.then(|| plot("contact pressure backward", "pressure (MPa)", BACK)));
+    plots.push(plot("gap", "gap (\u{b5}m)", "gap_um"));
     let flat = |plot: &LinePlot| {
         plot.series.iter().flat_map(|series| &series.points).all(|point| !(point.1 != 0.0 && point.1.is_finite()))
     };

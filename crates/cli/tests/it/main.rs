@@ -45,5 +45,6 @@ mod study;
 mod sweep;
 mod templates;
 mod terminal;
+mod turns;
 mod twist;
 mod wear_round;

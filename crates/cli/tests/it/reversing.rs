@@ -91,7 +91,6 @@ fn a_reversing_motion_that_cannot_be_is_refused_with_a_remedy_by_check_and_run_a
         ("sliding.reversing.share=1.5", "not between 0 and 1"),
         ("sliding.reversing.share=-0.1", "not between 0 and 1"),
         ("sliding={reversing={share=0.5}}", "`sliding.speed` is missing"),
-        ("tasks=[wear]", "a run in time resolves its reversals"),
         ("load={edge=top,as=rigid,approach=1e-3}", "under a prescribed approach"),
         ("load.shear_force=100", "a shear force with stick and slip"),
         ("optimum.functional=uniform", "and no others"),
@@ -122,4 +121,26 @@ fn both_pressures_stand_on_the_first_screen_and_the_page() {
     for words in ["mean over the time", "backward: largest pressure", "contact pressure forward and backward"] {
         assert!(page.contains(words), "{words}");
     }
+}
+
+#[test]
+fn the_curves_of_a_sweep_hold_both_pressures_of_reversing_contacts_alone() {
+    let bench = Bench::new();
+    let sweep = |scene: &str, over: &str, out: &str| {
+        let call = bench.call(&format!("sweep {scene} -q --over {over} --sample 11 --set accuracy=1e-2 -o {out}"));
+        assert_eq!(call.code, 0, "{}", call.err);
+        bench.read(&format!("{out}/curves.csv"))
+    };
+    let table = sweep(SCENE, "contact.friction=0.1,0.2", "both");
+    assert!(table.lines().next().unwrap().ends_with(",contact.friction,pressure_back_MPa"), "{table}");
+    let cells = |row: &str| row.split(',').map(|cell| cell.parse::<f64>().unwrap()).collect::<Vec<f64>>();
+    let rows: Vec<Vec<f64>> = table.lines().skip(1).map(cells).collect();
+    assert_eq!(rows.len(), 22);
+    // Forward is backward in the mirror.
+    for (row, mirrored) in rows[1..10].iter().zip(rows[1..10].iter().rev()) {
+        approx::assert_relative_eq!(row[5], mirrored[row.len() - 1], max_relative = 5e-2);
+    }
+    assert!(bench.read("both/report.html").contains("contact pressure backward"));
+    let plain = sweep("reciprocating-pad --set sliding={speed=50}", "contact.friction=0.1,0.2", "one");
+    assert!(!plain.contains("back"), "{plain}");
 }

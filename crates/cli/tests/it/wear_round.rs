@@ -59,3 +59,27 @@ fn what_is_no_round_contact_that_wears_is_refused_with_a_remedy() {
         assert!(call.err.contains("track_radius"), "{scene}: {}", call.err);
     }
 }
+
+/// A round run that was killed goes on to the same bytes.
+#[test]
+fn a_killed_run_of_a_ball_is_continued_to_the_same_bytes() {
+    let bench = Bench::new();
+    let scene =
+        "hertz-sphere -q --set tasks=[wear] --set sliding.speed=10 --set wear.k=1e-7 --set wear.until=5 --set accuracy=1e-3";
+    assert_eq!(bench.call(&format!("run {scene} -o whole")).code, 0);
+    let recording = bench.path("x.partial/run.mcap");
+    let mut child = bench.start(&format!("run {scene} -o x"));
+    let begin = std::time::Instant::now();
+    while std::fs::metadata(&recording).map_or(0, |data| data.len()) < 300_000 {
+        assert!(child.try_wait().unwrap().is_none(), "the run was over before it could be killed");
+        assert!(begin.elapsed().as_secs() < 120, "the recording does not grow");
+        std::thread::sleep(std::time::Duration::from_micros(200));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let call = bench.call(&format!("run {scene} -o x --resume"));
+    assert_eq!(call.code, 0, "{}", call.err);
+    for name in crate::call::files(&bench.path("whole")).iter().filter(|name| *name != "timing.json") {
+        assert!(bench.bytes(&format!("whole/{name}")) == bench.bytes(&format!("x/{name}")), "{name}");
+    }
+}

@@ -52,9 +52,12 @@ fn the_end_of_an_averaged_run_is_the_shape_solved_for_directly() {
         let off = apart(&points, &end.gap, &direct.gap);
         println!("share {share} b {b}: {} steps, {off:.1e} apart", end.step);
         assert!(off < 1e-6, "share {share} b {b}: {off:e}");
-        for ((pressure, part), (found, wanted)) in run.pressures(&end.pressure).zip(direct.pressure.iter().zip([share, 1.0 - share])) {
+        for ((pressure, part), (found, wanted)) in
+            run.pressures(&end.pressure).zip(direct.pressure.iter().zip([share, 1.0 - share]))
+        {
             assert_relative_eq!(part, wanted);
-            let square = |f: &dyn Fn(usize) -> f64| (0..points.len()).map(|i| points[i].weight * f(i).powi(2)).sum::<f64>().sqrt();
+            let square =
+                |f: &dyn Fn(usize) -> f64| (0..points.len()).map(|i| points[i].weight * f(i).powi(2)).sum::<f64>().sqrt();
             assert!(square(&|i| pressure[i] - found[i]) < 1e-6 * square(&|i| found[i]), "share {share} b {b}");
         }
     }

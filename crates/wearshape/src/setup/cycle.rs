@@ -13,12 +13,19 @@ pub(super) fn resolve(scene: &mut Scene) -> Result<(), Fault> {
     let Some(sliding) = &mut scene.sliding else { return Ok(()) };
     let Some(cycle) = &sliding.cycle else { return Ok(()) };
     let stroke = cycle.stroke.ok_or_else(|| missing("sliding.cycle.stroke", "a cycle needs the way from end to end", EXAMPLE))?;
-    let frequency = cycle.frequency.ok_or_else(|| missing("sliding.cycle.frequency", "a cycle needs its number a second", EXAMPLE))?;
+    let frequency =
+        cycle.frequency.ok_or_else(|| missing("sliding.cycle.frequency", "a cycle needs its number a second", EXAMPLE))?;
     scene::positive("sliding.cycle.stroke", stroke.0, "stroke", " mm")?;
     scene::positive("sliding.cycle.frequency", frequency.0, "frequency", " Hz")?;
-    let given = [("speed", sliding.speed.is_some()), ("omega", sliding.omega.is_some()), ("track_radius", sliding.track_radius.is_some())];
+    let given = [
+        ("speed", sliding.speed.is_some()),
+        ("omega", sliding.omega.is_some()),
+        ("track_radius", sliding.track_radius.is_some()),
+    ];
     if let Some((key, _)) = given.iter().find(|(_, given)| *given) {
-        let message = format!("both sliding.cycle and sliding.{key} are given: the speed of a cycle is twice its stroke times its frequency");
+        let message = format!(
+            "both sliding.cycle and sliding.{key} are given: the speed of a cycle is twice its stroke times its frequency"
+        );
         return Err(Fault::at(format!("sliding.{key}"), "two-alternatives", message, "keep one of them"));
     }
     if sliding.reversing.as_ref().and_then(|reversing| reversing.share).is_some_and(|share| share != SHARE) {
@@ -36,7 +43,8 @@ pub(super) fn resolve(scene: &mut Scene) -> Result<(), Fault> {
 /// Whether friction acts on bodies that meet on a whole surface.
 fn turns_friction(scene: &Scene) -> bool {
     let contact = scene.contact.as_ref();
-    let shear = contact.and_then(|contact| contact.friction).unwrap_or(0.0) > 0.0 && contact.is_some_and(|c| c.shear != Some(false));
+    let shear =
+        contact.and_then(|contact| contact.friction).unwrap_or(0.0) > 0.0 && contact.is_some_and(|c| c.shear != Some(false));
     let bodies = [&scene.body1, &scene.body2];
     let round = bodies.iter().any(|body| matches!(body.as_ref().map(|body| &body.geometry), Some(Geometry::HalfDisc(_))));
     shear && !round && bodies.iter().all(|body| body.is_some())

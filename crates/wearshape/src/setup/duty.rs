@@ -27,7 +27,8 @@ const SAME: f64 = 1e-9;
 
 /// Turns the end of a run in time into a time; none means the steady state.
 pub(super) fn end(scene: &mut Scene, patch: Option<&Patch>) -> Result<(), Fault> {
-    if scene.wear.as_ref().is_some_and(|wear| wear.until.is_none()) && scene.schedule.as_ref().is_some_and(|s| s.repeat.is_some()) {
+    if scene.wear.as_ref().is_some_and(|wear| wear.until.is_none()) && scene.schedule.as_ref().is_some_and(|s| s.repeat.is_some())
+    {
         return Ok(());
     }
     let until = scene.wear.as_ref().and_then(|wear| wear.until).unwrap_or(Until::Steady);

@@ -20,13 +20,16 @@ pub(super) fn resolve(scene: &mut Scene) -> Result<(), Fault> {
     let lists = schedule.time.is_some() || schedule.force.is_some() || schedule.moment.is_some() || schedule.speed.is_some();
     if share.is_some() && lists {
         let message = "the motion reverses by itself, and the schedule has pieces of its own";
-        let remedy = "keep sliding.reversing with schedule = { repeat = 1000, period = \"2 s\" }, or the pieces without sliding.reversing";
+        let remedy =
+            "keep sliding.reversing with schedule = { repeat = 1000, period = \"2 s\" }, or the pieces without sliding.reversing";
         return Err(Fault::at("schedule", "two-alternatives", message, remedy));
     }
     let Some(repeat) = schedule.repeat else {
         return match schedule.period {
             Some(_) => Err(missing("schedule.repeat", "a cycle has a period, and no number of times", "repeat = 1000")),
-            None if share.is_some() => Err(missing("schedule.repeat", "the schedule of a reversing motion repeats", "repeat = 1000")),
+            None if share.is_some() => {
+                Err(missing("schedule.repeat", "the schedule of a reversing motion repeats", "repeat = 1000"))
+            }
             None => Ok(()),
         };
     };
@@ -78,7 +81,12 @@ fn reverses(schedule: &Schedule) -> Result<(), Fault> {
         return Ok(());
     }
     let message = "the pieces that repeat slide at one speed: there is no reversal, nor another change of it";
-    Err(Fault::at("schedule.repeat", "wrong-value", message, "give the speeds of a cycle, as in speed = [1, -1], or leave `repeat` out"))
+    Err(Fault::at(
+        "schedule.repeat",
+        "wrong-value",
+        message,
+        "give the speeds of a cycle, as in speed = [1, -1], or leave `repeat` out",
+    ))
 }
 
 /// The cycles of a resolved schedule that repeats.

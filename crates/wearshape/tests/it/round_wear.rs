@@ -41,13 +41,13 @@ fn root(most: f64, f: impl Fn(f64) -> f64) -> f64 {
 /// A rigid ball wears flat: the cap of height h has the volume pi h^2 (R - h/3) = k F s, for small h that of h = sqrt(k F s/(pi R)).
 #[test]
 fn a_rigid_ball_loses_the_cap_of_its_volume() {
-    let solution = solved(&worn("hertz-sphere", 1e3, &["wear.until=1000", "accuracy=1e-4"]));
+    let solution = solved(&worn("hertz-sphere", 1e3, &["wear.until=100", "accuracy=3e-4"]));
     assert_eq!(solution.status, Status::Ok, "{:?}", solution.reason);
-    let volume = 1e-7 * 21.0 * 1e4;
+    let volume = 1e-7 * 21.0 * 1e3;
     let exact = root(5.0, |h| std::f64::consts::PI * h * h * (5.0 - h / 3.0) - volume);
     let wear = solution.wear.as_ref().unwrap();
     assert_relative_eq!(wear.volume.unwrap(), volume, max_relative = 1e-10);
-    assert_relative_eq!(depth(&solution), exact, max_relative = 5e-5);
+    assert_relative_eq!(depth(&solution), exact, max_relative = 3e-4);
     assert_relative_eq!(depth(&solution), (volume / (std::f64::consts::PI * 5.0)).sqrt(), max_relative = 2e-3);
     assert_relative_eq!(wear.scar.unwrap(), 2.0 * (exact * (10.0 - exact)).sqrt(), max_relative = 1e-3);
     // The volume is k F s at every step.
@@ -86,15 +86,43 @@ fn a_run_begins_with_the_contact_of_hertz() {
 #[test]
 fn errors_are_within_their_estimates() {
     for rule in [["wear.b=1", "wear.k=1e-7"], ["wear.b=2", "wear.k=1e-9"], ["wear.b=0.5", "wear.k=1e-6"]] {
-        let of = |accuracy: &str| solved(&worn("hertz-sphere", 1.0, &["wear.until=50", accuracy, rule[0], rule[1]]));
-        let fine = of("accuracy=1e-5");
-        for accuracy in ["accuracy=1e-2", "accuracy=1e-4"] {
+        let of = |accuracy: &str| solved(&worn("hertz-sphere", 1.0, &["wear.until=5", accuracy, rule[0], rule[1]]));
+        let fine = of("accuracy=1e-4");
+        assert_eq!(fine.status, Status::Ok, "{rule:?}: {:?}", fine.reason);
+        for accuracy in ["accuracy=1e-2", "accuracy=1e-3"] {
             let rough = of(accuracy);
             let error = (depth(&rough) / depth(&fine) - 1.0).abs();
             println!("{rule:?} {accuracy}: true {error:.1e}, estimated {:.1e} ({:?})", estimate(&rough), rough.status);
             assert!(error < estimate(&rough) + estimate(&fine), "{rule:?} {accuracy}: {error:.1e}, {:.1e}", estimate(&rough));
         }
     }
+}
+
+/// Where a cylinder has worn next to nothing yet, and where the contact is wider than a tenth of the radius, meshes are sound, and what is worn is k F s.
+#[test]
+fn short_runs_and_large_contacts_are_meshed() {
+    for (until, force) in [(1e-6, 3500.0), (1e-3, 3500.0), (1e-3, 350.0), (1.0, 35e3), (30.0, 35e3)] {
+        let set = [format!("wear.until={until}"), format!("load.force={force}"), "accuracy=1e-2".into()];
+        let run = solved(&worn("hertz-cylinder", 1.0, &set.each_ref().map(String::as_str)));
+        assert_eq!(run.status, Status::Ok, "{until} s, {force} N: {:?}", run.reason);
+        assert_relative_eq!(run.wear.as_ref().unwrap().volume.unwrap(), 1e-7 * force * 10.0 * until, max_relative = 1e-9);
+    }
+}
+
+/// As the scar grows ever more slowly, its pressure becomes that of a flat punch that wears steadily: uniform, F/A.
+#[test]
+fn a_scar_that_hardly_grows_has_the_pressure_of_a_flat_punch() {
+    let deviation = |until: &str| {
+        let run = solved(&worn("hertz-sphere", 1.0, &[until, "accuracy=1e-2"]));
+        let profile = run.profile.as_ref().unwrap();
+        let end = 0.5 * run.wear.as_ref().unwrap().scar.unwrap();
+        let mean = 21.0 / (std::f64::consts::PI * end * end);
+        let inner = profile.s.iter().zip(&profile.pressure).filter(|(s, _)| **s < 0.8 * end);
+        inner.map(|(_, p)| (p / mean - 1.0).abs()).fold(0.0, f64::max)
+    };
+    let [early, late, last] = ["wear.until=0.5", "wear.until=20", "wear.until=800"].map(deviation);
+    println!("off by {early:.2e}, {late:.2e}, {last:.2e}");
+    assert!(late < 0.5 * early && last < 0.5 * late && last < 0.02, "{early:e} {late:e} {last:e}");
 }
 
 /// Friction on the bodies drags the scar of a cylinder to one side; the mirror image of the run slides the other way.

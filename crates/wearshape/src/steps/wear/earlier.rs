@@ -54,7 +54,10 @@ pub(super) fn check_states(states: &[WearState], problem: &WearProblem) -> Resul
     let loaded = |list: &Vec<f64>| long(list, problem.values());
     let part = |state: &WearState| {
         let times = [state.time, state.interval_start].iter().all(|t| t.is_finite());
-        times && state.interval < problem.schedule.len() && [&state.gap, &state.worn].into_iter().all(right) && loaded(&state.pressure)
+        times
+            && state.interval < problem.schedule.len()
+            && [&state.gap, &state.worn].into_iter().all(right)
+            && loaded(&state.pressure)
     };
     let whole = |state: &WearState| {
         let free = problem.coordinates(state.interval);

@@ -16,7 +16,6 @@ use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::answer::{Answer, Own, Told};
 use crate::steps::reported::{Moment, Reported};
-use crate::steps::{life, torsion};
 use crate::steps::wear::columns::{Turn, fill};
 use crate::steps::wear::earlier::{check_levels, check_states};
 use crate::steps::wear::history::History;
@@ -25,6 +24,7 @@ use crate::steps::wear::pieces::Pieces;
 use crate::steps::wear::problem::{steady_residual, wear_problem};
 use crate::steps::wear::ran::{MOST_STEPS, Ran};
 use crate::steps::wear::round_result::RoundContact;
+use crate::steps::{life, torsion};
 use crate::watch::{Event, FinishedLevel, RunLevel, Watch, WearStep};
 
 /// Samples of the gap for the comparison of levels.
@@ -183,7 +183,10 @@ impl Scenes<'_> {
         let (start, length) = (stage.start(pair), pair.trace().length());
         for profile in [&mut told.profile, &mut told.curve] {
             let arcs: Vec<f64> = profile.s.iter().map(|s| (s - start).clamp(0.0, length)).collect();
-            fill(profile, &self.turns(problem, state, |pressure| arcs.iter().map(|arc| operator.pressure_at(pressure, *arc)).collect()));
+            fill(
+                profile,
+                &self.turns(problem, state, |pressure| arcs.iter().map(|arc| operator.pressure_at(pressure, *arc)).collect()),
+            );
         }
         told
     }

@@ -50,7 +50,8 @@ impl Pieces {
     /// The mean over a cycle of these pieces.
     pub(super) fn averaged(&self) -> Pieces {
         let whole: f64 = self.intervals.iter().map(|piece| piece.duration).sum();
-        let part = |stage: usize| self.intervals.iter().filter(|piece| piece.stage == stage).map(|piece| piece.duration / whole).sum();
+        let part =
+            |stage: usize| self.intervals.iter().filter(|piece| piece.stage == stage).map(|piece| piece.duration / whole).sum();
         Pieces {
             problems: self.problems.clone(),
             intervals: vec![Interval { stage: 0, duration: f64::INFINITY }],

@@ -35,10 +35,7 @@ impl RigidScar<'_> {
             }
             (
                 End::Volume(volume),
-                Kinematics::Axisymmetric
-                | Kinematics::Torsion
-                | Kinematics::Potential { .. }
-                | Kinematics::AxisymmetricPotential,
+                Kinematics::Axisymmetric | Kinematics::Torsion | Kinematics::Potential { .. } | Kinematics::AxisymmetricPotential,
             ) => power(4, std::f64::consts::PI / (4.0 * self.radius), volume),
         }
     }

@@ -65,7 +65,11 @@ impl<'a> RoundWear<'a> {
         if problem.reversing.is_some() || (cycle && problem.friction.shear() > 0.0) {
             let message = "the reversals of a round contact are not averaged: its friction bends the pressure to one side";
             let key = if cycle { "sliding.cycle" } else { "sliding.reversing" };
-            return refuse(key, message, "write contact.shear = false, which takes the friction off the bodies, and leave `reversing` out");
+            return refuse(
+                key,
+                message,
+                "write contact.shear = false, which takes the friction off the bodies, and leave `reversing` out",
+            );
         }
         if !problem.pieces.is_empty() {
             return refuse("schedule", "a round contact wears under one load and speed so far", "leave out `schedule`");
@@ -155,7 +159,8 @@ impl<'a> RoundWear<'a> {
     }
 
     fn nodes(&self, end: f64) -> Vec<f64> {
-        breaks(self.start(), end)
+        let wear = &self.problem.wear;
+        breaks(self.start(), end, wear.exponents == [1.0] && !wear.own_rule)
     }
 
     /// Does something with the stage of a surface cut at these distances (mm) from the middle, and with its cuts from -1 to 1.
