@@ -39,7 +39,7 @@ fn a_run_that_averages_ends_on_the_shape_solved_for() {
     for (share, b) in [(0.5, 1.0), (0.3, 2.0)] {
         let settings = format!("--set sliding.reversing.share={share} --set wear.b={b}");
         run(&bench, "direct", &settings);
-        let wear = run(&bench, "run", &format!("{settings} --set tasks=[wear]"))["wear"].clone();
+        let wear = run(&bench, "run", &format!("{settings} --set tasks=[wear] --set accuracy=1e-3"))["wear"].clone();
         assert_eq!((&wear["status"], &wear["turns"]["averaged"]), (&"steady".into(), &true.into()));
         for name in ["gap_um", "pressure_MPa", "pressure_back_MPa", "wear_rate_um_per_s"] {
             // Pressures at the corners of the pad follow their meshes.
@@ -50,7 +50,7 @@ fn a_run_that_averages_ends_on_the_shape_solved_for() {
                 apart(&inner("run"), &inner("direct"))
             };
             println!("share {share} b {b} {name}: {off:.1e}");
-            assert!(off < 1e-4, "share {share} b {b} {name}: {off:e}");
+            assert!(off < 1e-3, "share {share} b {b} {name}: {off:e}");
         }
     }
 }

@@ -20,16 +20,6 @@ use crate::steps::answer::Outcome;
 use crate::watch::Watch;
 use level::{Senses, Solved};
 
-/// Degrees on which the ends of a sense are found.
-const ENDS: [usize; 2] = [4, 8];
-
-/// Where a sense of the steady shape begins to open, from -1 to 1 along the surface.
-pub(crate) fn ends(stage: Stage<'_>) -> Result<Vec<f64>, Refusal> {
-    let backward = stage.problem.under([1.0, 1.0, -1.0]);
-    let senses = Senses { stages: [stage, stage.with(&backward)?], share: stage.problem.reversing.unwrap_or(1.0) };
-    ENDS.iter().try_fold(Vec::new(), |ends, degree| Ok(senses.level(stage.problem.level(*degree), &ends)?.ends))
-}
-
 /// Solves for the shape and both pressures.
 pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
     let backward = stage.problem.under([1.0, 1.0, -1.0]);

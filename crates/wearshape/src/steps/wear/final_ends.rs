@@ -3,19 +3,15 @@
 use scene::{Fault, Functional};
 
 use crate::stage::Stage;
+use crate::steps::pressure;
 use crate::steps::pressure_ends::pressure_ends;
 use crate::steps::wear::pieces::Pieces;
-use crate::steps::{pressure, reversing};
 
 /// Ends inside the surface, from -1 to 1, of the steady pressure under the load that acts last: the gap gets its kinks there. None for a run
-/// to a given time, or where no steady pressure is known.
+/// to a given time, or where no one steady pressure is known.
 pub(super) fn final_ends(stage: Stage<'_>, pieces: &Pieces) -> Result<Vec<f64>, Fault> {
-    if stage.problem.wear.until.is_some() {
+    if stage.problem.wear.until.is_some() || pieces.shares.is_some() {
         return Ok(Vec::new());
-    }
-    if pieces.shares.is_some() {
-        // Where no shape is found without them, there are none.
-        return Ok(reversing::ends(stage).unwrap_or_default());
     }
     let Some(last) = pieces.intervals.last().map(|interval| &pieces.problems[interval.stage]) else { return Ok(Vec::new()) };
     let mut steady = last.clone();
