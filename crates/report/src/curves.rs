@@ -53,9 +53,7 @@ fn along_the_surface(problem: &Problem, solution: &Solution, points: &Profile) -
         let cut = solution.map.is_some();
         let mut what = (if cut { "contact pressure on the middle line" } else { "contact pressure" }, "pressure (MPa)");
         let touched = solution.contact.is_some() && solution.shape.is_none() && solution.wear.is_none();
-        let by_turns = || solution.wear.as_ref()?.turns.as_ref()?.shares.first().copied();
-        let share = by_turns().or(solution.reversing.as_ref().map(|reversing| reversing.share));
-        if let Some(share) = share.filter(|_| !profile.pressure_back.is_empty()) {
+        if let Some(share) = share_forward(solution).filter(|_| !profile.pressure_back.is_empty()) {
             curves = both_senses(profile, share, &series);
             what.0 = "contact pressure forward and backward";
         } else if known(&profile.pressure_solved) {
@@ -88,6 +86,12 @@ fn along_the_surface(problem: &Problem, solution: &Solution, points: &Profile) -
         plain("gap", plot(what, "gap (\u{b5}m)", vec![series("", &profile.gap, false)]));
     }
     plots
+}
+
+/// Share of the time that a reversing motion goes forward.
+fn share_forward(solution: &Solution) -> Option<f64> {
+    let by_turns = || solution.wear.as_ref()?.turns.as_ref()?.shares.first().copied();
+    by_turns().or(solution.reversing.as_ref().map(|reversing| reversing.share))
 }
 
 /// The pressures of a reversing motion, what a contact solve forward gives back, and the mean over the time.

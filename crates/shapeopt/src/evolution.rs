@@ -246,11 +246,19 @@ impl<'a> Evolution<'a> {
         modes.map_or(f64::MAX, |modes| EXPLICIT_PART * modes.explicit_limit)
     }
 
-    /// Takes one step into a new state, shorter until it is accurate enough.
-    fn advance(&mut self) -> Result<WearState, EvolutionStatus> {
+    /// Takes one step into a new state, no farther than the wear wanted.
+    fn advance(&self) -> Result<WearState, EvolutionStatus> {
         let mut state = self.state.clone();
         self.enter_interval(&mut state);
-        let from = self.left(&state).map(|_| state.clone());
+        if self.left(&state).is_none() {
+            return self.step_from(state);
+        }
+        let to = self.step_from(state.clone())?;
+        Ok(self.not_beyond(&state, to))
+    }
+
+    /// Takes one step from a state into a new one, shorter until it is accurate enough.
+    fn step_from(&self, mut state: WearState) -> Result<WearState, EvolutionStatus> {
         let limit = self.limit(&state);
         if !self.driven(&state) && state.steady_residual <= FREE && limit.is_finite() {
             return Ok(self.idle(state, limit));
@@ -296,10 +304,7 @@ impl<'a> Evolution<'a> {
                         step * factor
                     };
                     self.accept(&mut state, trial, Taken { step, next, end: last.then_some(limit) });
-                    return Ok(match from {
-                        Some(from) => self.not_beyond(&from, state),
-                        None => state,
-                    });
+                    return Ok(state);
                 }
                 trial => {
                     state.newton_iterations += trial.map_or(0, |t| t.iterations);

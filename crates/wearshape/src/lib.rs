@@ -17,6 +17,7 @@ mod hindsight;
 mod holding;
 mod ladder;
 mod level;
+mod life_result;
 mod load;
 mod machined;
 mod machining;
@@ -41,6 +42,7 @@ mod step;
 mod steps;
 mod study;
 mod surface;
+mod turns_result;
 mod watch;
 mod words;
 
@@ -56,6 +58,7 @@ pub use effort::{Clock, Counters, Effort};
 pub use forecast::Forecast;
 pub use functional::functional_row;
 pub use holding::{HeldBy, Holding};
+pub use life_result::{LifeResult, RunLifeResult};
 pub use machined::{Machined, SurfacePoint};
 pub use machining_result::MachiningResult;
 pub use options::{CURVE, Options, Sampling};
@@ -65,15 +68,15 @@ pub use problem::Problem;
 pub use profile::Profile;
 pub use remark::Remark;
 pub use results::{
-    ByRole, ContactResult, EnergyResult, ErrorResult, InterfaceResult, LifeResult, PointForce, PressureResult, Reaction,
-    RunLifeResult, SensitivityResult, Settled, ShapeResult, ToleranceResult, TurnsResult, TwistResult, UniquenessResult,
-    WearResult,
+    ByRole, ContactResult, EnergyResult, ErrorResult, InterfaceResult, PointForce, PressureResult, Reaction, SensitivityResult,
+    Settled, ShapeResult, ToleranceResult, TwistResult, UniquenessResult, WearResult,
 };
 pub use reversing_result::{ReversingResult, SenseResult};
 pub use solution::{PressureMap, Rung, RunningIn, RunningInStep, Solution, Status};
 pub use solve::solve;
 pub use step::Step;
 pub use study::{DEGREES, Level as StudyLevel, Quantity, Truth, outermost, study};
+pub use turns_result::TurnsResult;
 pub use watch::{Event, FinishedLevel, Resume, RunLevel, Watch, WearStep};
 pub use wear::{OwnRule, Shape};
 pub use words::{Character, ContactStatus, PointStatus, Regime, TwistStatus, Uniqueness, WearStatus, word};

@@ -5,6 +5,8 @@ use serde::Serialize;
 
 pub use crate::error_result::ErrorResult;
 
+use crate::life_result::{LifeResult, RunLifeResult};
+use crate::turns_result::TurnsResult;
 use crate::words::{Character, ContactStatus, Regime, TwistStatus, Uniqueness, WearStatus};
 
 /// One number for each role of a rigid mode.
@@ -120,49 +122,6 @@ pub struct PressureResult {
     /// What 1 % more of each given number does; empty where the pressure has no derivative, or carries the force of a prescribed approach.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub sensitivity: Vec<SensitivityResult>,
-}
-
-/// `summary.pressure.life`: until the thickness that may wear off body 1 is gone at its thinnest, by the steady wear.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub struct LifeResult {
-    /// Time of sliding.
-    #[serde(rename = "time_h")]
-    pub hours: f64,
-    /// Mean sliding distance.
-    #[serde(rename = "distance_km")]
-    pub distance: f64,
-    /// Turns of body 2, where it turns.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub revolutions: Option<f64>,
-    /// Cycles of a motion to and fro.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub cycles: Option<f64>,
-    /// Work of friction.
-    #[serde(rename = "friction_work_MJ")]
-    pub friction_work: f64,
-    /// Shortest and longest time, by the spread of the wear factor.
-    #[serde(rename = "time_between_h", skip_serializing_if = "Option::is_none")]
-    pub hours_between: Option<[f64; 2]>,
-}
-
-/// `summary.wear.life`: until the thickness that may wear off body 1 is gone at its thinnest, from the start of the run, its running-in counted.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub struct RunLifeResult {
-    /// Time of sliding.
-    #[serde(rename = "time_h")]
-    pub hours: f64,
-    /// Mean sliding distance.
-    #[serde(rename = "distance_km")]
-    pub distance: f64,
-    /// Turns of body 2, where it turns.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub revolutions: Option<f64>,
-    /// Cycles of a motion to and fro.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub cycles: Option<f64>,
-    /// Shortest and longest time, by the spread of the wear factor.
-    #[serde(rename = "time_between_h", skip_serializing_if = "Option::is_none")]
-    pub hours_between: Option<[f64; 2]>,
 }
 
 /// One entry of `summary.pressure.sensitivity`: what 1 % more of a given number does to first order, in per cent.
@@ -359,27 +318,6 @@ pub struct WearResult {
     pub run_in_error: Option<f64>,
     /// What it took until the pressure stayed within 1 % of the steady one (relative L2).
     pub to_1_percent: Option<Settled>,
-}
-
-/// `summary.wear.turns`: reversals that repeat, resolved one by one or averaged.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub struct TurnsResult {
-    /// Whether the run averages over the cycles.
-    pub averaged: bool,
-    /// Why, or why not.
-    pub because: String,
-    /// Number of cycles.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub cycles: Option<f64>,
-    /// How long a cycle lasts.
-    #[serde(rename = "period_s", skip_serializing_if = "Option::is_none")]
-    pub period: Option<f64>,
-    /// How far the gap strays from its mean within a cycle, over the largest gap, without its rigid part.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub ripple: Option<f64>,
-    /// Shares of the time of the loads that act by turns, of an averaged run.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub shares: Vec<f64>,
 }
 
 /// `summary.wear.groove`: what a ball wears into a revolving disc; its profile stands in groove.csv.

@@ -59,9 +59,7 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     optimum::resolve(&mut scene, &tasks)?;
     reversing::resolve(&mut scene, &tasks, patch.as_ref())?;
     schedule::resolve(&mut scene)?;
-    if let Some(roughness) = scene.contact.as_ref().and_then(|contact| contact.roughness) {
-        scene::positive("contact.roughness", roughness.0, "roughness", " mm")?;
-    }
+    roughness(&scene)?;
     let load = load::numbers(&scene);
     let first = bodies.as_ref().map(|(_, [first, _])| first);
     let edge = scene.load.as_ref().and_then(|load| load::edge(load, first));
@@ -100,6 +98,12 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     unused::leave_out(document, &mut problem.scene, &tasks);
     cycle::leave_out(&mut problem.scene);
     Ok(problem)
+}
+
+/// Checks the roughness that a shape is compared with.
+fn roughness(scene: &Scene) -> Result<(), Fault> {
+    let given = scene.contact.as_ref().and_then(|contact| contact.roughness);
+    given.map_or(Ok(()), |roughness| scene::positive("contact.roughness", roughness.0, "roughness", " mm"))
 }
 
 /// What friction does to body 1 along the contact surface.

@@ -11,8 +11,8 @@ use scene::Functional;
 use shapeopt::{Evolution, WearState};
 use wear::{Regime, SurfacePoint};
 
+use crate::life_result::{LifeResult, RunLifeResult};
 use crate::problem::{Problem, Wearable};
-use crate::results::{LifeResult, RunLifeResult};
 
 /// Seconds of an hour.
 const HOUR: f64 = 3600.0;

@@ -3,7 +3,7 @@
 use shapeopt::Interval;
 
 use crate::problem::Problem;
-use crate::results::TurnsResult;
+use crate::turns_result::TurnsResult;
 
 /// The loads that occur, and which acts when.
 pub(super) struct Pieces {

@@ -29,6 +29,22 @@ pub(super) fn steady_residual(stage: Stage<'_>) -> f64 {
     if stage.problem.load.approach.is_some() { STEADY.max(REST * stage.accuracy()) } else { STEADY }
 }
 
+/// Pressure (MPa) and opening (mm) at the start, on the start gap (mm); of loads that act by turns one load after the other.
+fn begun(operator: &ContactOperator<'_>, pieces: &Pieces, loads: &[ContactLoad], gap: &[f64]) -> Result<[Vec<f64>; 2], Refusal> {
+    let first = pieces.intervals[0].stage;
+    let acting = if pieces.shares.is_some() { loads } else { &loads[first..=first] };
+    let mut begun = [Vec::new(), Vec::new()];
+    for load in acting {
+        let start = operator.solve(gap, load, None).map_err(|error| Refusal::Reason(error.to_string()))?;
+        if !start.status.is_solved() || start.status == ContactStatus::NoContact {
+            return Err(Refusal::Reason(start.status.to_string()));
+        }
+        begun[0].extend(start.pressure);
+        begun[1].extend(start.opening);
+    }
+    Ok(begun)
+}
+
 /// The wear problem on an operator; `stages` and `loads` are the different ones that occur, `pieces` tell which acts when. A run until the steady state goes on to the time `not_before` at least.
 pub(super) fn wear_problem(
     stages: &[Stage<'_>],
@@ -45,20 +61,7 @@ pub(super) fn wear_problem(
     };
     let (laws, counterface) = stage.rules()?;
     let gap = start_gaps(stage, operator);
-    // Loads that act by turns begin each on the same gap.
-    let first = match pieces.shares {
-        Some(_) => 0..loads.len(),
-        None => intervals[0].stage..intervals[0].stage + 1,
-    };
-    let mut begun = [Vec::new(), Vec::new()];
-    for load in &loads[first] {
-        let start = operator.solve(&gap, load, None).map_err(reason)?;
-        if !start.status.is_solved() || start.status == ContactStatus::NoContact {
-            return Err(Refusal::Reason(start.status.to_string()));
-        }
-        begun[0].extend(start.pressure);
-        begun[1].extend(start.opening);
-    }
+    let begun = begun(operator, pieces, loads, &gap)?;
     let mut load_stages = Vec::new();
     for (stage, load) in stages.iter().zip(loads) {
         let speeds = surface(stage).iter().map(|p| p.sliding_speed).collect();

@@ -11,13 +11,13 @@ use shapeopt::{Evolution, EvolutionStatus, Measure, Stepping, closing, differenc
 use crate::effort::Effort;
 use crate::ladder::Refusal;
 use crate::problem::{Cycles, Problem};
-use crate::results::TurnsResult;
 use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::wear::level::with_lowest_rigid_part;
 use crate::steps::wear::pieces::Pieces;
 use crate::steps::wear::problem::wear_problem;
 use crate::steps::wear::ran::MOST_STEPS;
+use crate::turns_result::TurnsResult;
 
 /// Part of the accuracy asked for that an average over cycles may leave out.
 const PART: f64 = 0.3;
