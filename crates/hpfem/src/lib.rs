@@ -66,6 +66,7 @@ mod rigid;
 mod singular;
 mod sizes;
 mod sliding_edge;
+mod small_determinant;
 mod space;
 mod sparse;
 mod spline;

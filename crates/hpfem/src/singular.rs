@@ -19,7 +19,8 @@ use crate::freedom::Support;
 use crate::kinematics::Kinematics;
 use crate::material::Material;
 use crate::mesh::Mesh;
-use nalgebra::{Complex, DMatrix};
+use crate::small_determinant::SmallMatrix;
+use nalgebra::Complex;
 use std::f64::consts::{PI, TAU};
 
 pub(crate) type C = Complex<f64>;
@@ -286,7 +287,8 @@ fn ray(mesh: &Mesh, edge: usize, vertex: usize) -> [f64; 2] {
 /// Real part of the smallest exponent of a corner, `u ~ r^lambda`, at most 1: the sectors anti-clockwise from the first face; no
 /// faces for sectors that close around a point.
 pub fn corner_exponent(sectors: &[Sector], faces: Option<[Face; 2]>, kinematics: Kinematics) -> f64 {
-    let f = |l: C| determinant(l, sectors, faces, kinematics);
+    let mut matrix = SmallMatrix::default();
+    let mut f = |l: C| determinant(l, sectors, faces, kinematics, &mut matrix);
     let mut best = 1.0_f64;
     for i in 1..=24 {
         for j in 0..5 {
@@ -313,12 +315,15 @@ pub fn corner_exponent(sectors: &[Sector], faces: Option<[Face; 2]>, kinematics:
     best
 }
 
-/// Determinant of the conditions of a corner at the exponent `l`.
-fn determinant(l: C, sectors: &[Sector], faces: Option<[Face; 2]>, kinematics: Kinematics) -> C {
+/// Rows of displacement (first half) and traction (second half) of a sector by its coefficients; two of each of a scalar problem.
+pub(crate) type State = [[C; 4]; 4];
+
+/// Determinant of the conditions of a corner at the exponent `l`, made in `m`.
+fn determinant(l: C, sectors: &[Sector], faces: Option<[Face; 2]>, kinematics: Kinematics, m: &mut SmallMatrix) -> C {
     let scalar = kinematics.components() == 1;
     let (unknowns, rows) = if scalar { (2, 1) } else { (4, 2) };
     let n = sectors.len();
-    let mut m = DMatrix::<C>::zeros(unknowns * n, unknowns * n);
+    m.clear(unknowns * n);
     let mut row = 0;
     let state = |s: &Sector, t: f64| {
         if scalar { antiplane(l, s, t) } else { plane(l, s, t, kinematics) }
@@ -327,8 +332,8 @@ fn determinant(l: C, sectors: &[Sector], faces: Option<[Face; 2]>, kinematics: K
         for (side, face) in faces.iter().enumerate() {
             let (number, t) = if side == 0 { (0, 0.0) } else { (n - 1, sectors[n - 1].angle) };
             let condition = condition(*face, &state(&sectors[number], t), rows);
-            for values in condition {
-                values.iter().enumerate().for_each(|(k, v)| m[(row, unknowns * number + k)] = *v);
+            for values in &condition[..rows] {
+                values[..unknowns].iter().enumerate().for_each(|(k, v)| *m.at(row, unknowns * number + k) = *v);
                 row += 1;
             }
         }
@@ -337,10 +342,10 @@ fn determinant(l: C, sectors: &[Sector], faces: Option<[Face; 2]>, kinematics: K
     for i in 0..joints {
         let next = (i + 1) % n;
         let (a, b) = (state(&sectors[i], sectors[i].angle), state(&sectors[next], 0.0));
-        for (x, y) in a.iter().zip(&b) {
+        for (x, y) in a.iter().zip(&b).take(2 * rows) {
             for k in 0..unknowns {
-                m[(row, unknowns * i + k)] += x[k];
-                m[(row, unknowns * next + k)] -= y[k];
+                *m.at(row, unknowns * i + k) += x[k];
+                *m.at(row, unknowns * next + k) -= y[k];
             }
             row += 1;
         }
@@ -349,42 +354,47 @@ fn determinant(l: C, sectors: &[Sector], faces: Option<[Face; 2]>, kinematics: K
 }
 
 /// Rows of displacement (first half) and traction (second half) of a sector at angle `t`, by its coefficients.
-pub(crate) fn plane(l: C, sector: &Sector, t: f64, kinematics: Kinematics) -> Vec<Vec<C>> {
+pub(crate) fn plane(l: C, sector: &Sector, t: f64, kinematics: Kinematics) -> State {
     let Constants { young, poisson: nu } = sector.constants;
     let plane_stress = matches!(kinematics, Kinematics::PlaneStress { .. });
     let kappa = if plane_stress { (3.0 - nu) / (1.0 + nu) } else { 3.0 - 4.0 * nu };
     // Coefficients in units that keep displacements and tractions near one for any modulus.
     let shear = young / (1.0 + nu);
     let unit = shear / (shear + 1.0);
-    let (minus, plus) = ((l - 1.0) * t, (l + 1.0) * t);
-    let (cm, sm, cp, sp) = (minus.cos(), minus.sin(), plus.cos(), plus.sin());
+    let ([cm, sm], [cp, sp]) = (cosine_and_sine((l - 1.0) * t), cosine_and_sine((l + 1.0) * t));
     let ratio = unit / shear;
-    vec![
-        [(-l + kappa) * cm, (-l + kappa) * sm, cp, sp].map(|v| v * ratio).to_vec(),
-        [(l + kappa) * sm, -(l + kappa) * cm, -sp, cp].map(|v| v * ratio).to_vec(),
-        [(l + 1.0) * cm, (l + 1.0) * sm, -cp, -sp].map(|v| v * l * unit).to_vec(),
-        [(l - 1.0) * sm, -(l - 1.0) * cm, -sp, cp].map(|v| v * l * unit).to_vec(),
+    [
+        [(-l + kappa) * cm, (-l + kappa) * sm, cp, sp].map(|v| v * ratio),
+        [(l + kappa) * sm, -(l + kappa) * cm, -sp, cp].map(|v| v * ratio),
+        [(l + 1.0) * cm, (l + 1.0) * sm, -cp, -sp].map(|v| v * l * unit),
+        [(l - 1.0) * sm, -(l - 1.0) * cm, -sp, cp].map(|v| v * l * unit),
     ]
 }
 
-/// `w = r^l (a cos(l t) + b sin(l t))`, `tau_tz = mu w_,t / r`.
-fn antiplane(l: C, sector: &Sector, t: f64) -> Vec<Vec<C>> {
-    let shear = 0.5 * sector.constants.young / (1.0 + sector.constants.poisson);
-    let (c, s) = ((l * t).cos(), (l * t).sin());
-    vec![vec![c, s], vec![-s * l * shear, c * l * shear]]
+/// Cosine and sine of a complex number from one of each of its parts: `cos(x + iy) = cos x cosh y - i sin x sinh y`.
+fn cosine_and_sine(z: C) -> [C; 2] {
+    let ((sine, cosine), (hyperbolic_sine, hyperbolic_cosine)) = (z.re.sin_cos(), (z.im.sinh(), z.im.cosh()));
+    [C::new(cosine * hyperbolic_cosine, -sine * hyperbolic_sine), C::new(sine * hyperbolic_cosine, cosine * hyperbolic_sine)]
 }
 
-/// Conditions of a face on `[u.., traction..]`.
-pub(crate) fn condition(face: Face, state: &[Vec<C>], rows: usize) -> Vec<Vec<C>> {
-    let mix = |a: &[C], x: f64, b: &[C], y: f64| a.iter().zip(b).map(|(a, b)| a * x + b * y).collect::<Vec<_>>();
+/// `w = r^l (a cos(l t) + b sin(l t))`, `tau_tz = mu w_,t / r`.
+fn antiplane(l: C, sector: &Sector, t: f64) -> State {
+    let shear = 0.5 * sector.constants.young / (1.0 + sector.constants.poisson);
+    let (zero, [c, s]) = (C::new(0.0, 0.0), cosine_and_sine(l * t));
+    [[c, s, zero, zero], [-s * l * shear, c * l * shear, zero, zero], [zero; 4], [zero; 4]]
+}
+
+/// Conditions of a face on `[u.., traction..]`, as many as `rows`.
+pub(crate) fn condition(face: Face, state: &State, rows: usize) -> [[C; 4]; 2] {
+    let mix = |a: &[C; 4], x: f64, b: &[C; 4], y: f64| std::array::from_fn(|k| a[k] * x + b[k] * y);
     match face {
-        Face::Fixed => state[..rows].to_vec(),
-        Face::Free => state[rows..].to_vec(),
-        Face::Held(_) if rows == 1 => state[..1].to_vec(),
+        Face::Fixed => [state[0], state[1]],
+        Face::Free => [state[rows], state[(rows + 1) % 4]],
+        Face::Held(_) if rows == 1 => [state[0], state[1]],
         Face::Held(angle) => {
             let (s, c) = angle.sin_cos();
             // Tractions are (s_tt along t, s_rt along r).
-            vec![mix(&state[0], c, &state[1], s), mix(&state[3], -s, &state[2], c)]
+            [mix(&state[0], c, &state[1], s), mix(&state[3], -s, &state[2], c)]
         }
     }
 }
