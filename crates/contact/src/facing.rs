@@ -26,6 +26,15 @@ pub(crate) fn unlike_normal(a: &Trace, b: &Trace) -> Option<(usize, f64)> {
     places.into_iter().find(|(_, off)| off.is_nan() || *off > 1e-9).map(|(edge, off)| (edge, off * a.length()))
 }
 
+/// Where edges of two boundaries with the same number are not of the same length: the edge, and the difference.
+pub(crate) fn unlike_length(a: &Trace, b: &Trace) -> Option<(usize, f64)> {
+    if a.edges.len() != b.edges.len() {
+        return Some((a.edges.len().min(b.edges.len()), a.length()));
+    }
+    let off = |edge: usize| (a.edges[edge].curve.length() - b.edges[edge].curve.length()).abs();
+    (0..a.edges.len()).map(|edge| (edge, off(edge))).find(|(_, off)| off.is_nan() || *off > 1e-9 * a.length())
+}
+
 /// The place of a boundary on the normal line through a point, the nearest if there are several, and its distance along the normal.
 pub(crate) fn crossing(trace: &Trace, point: &ContactPoint) -> Option<((usize, f64), f64)> {
     let slack = 1e-9 * trace.length();

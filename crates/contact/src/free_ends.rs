@@ -51,6 +51,11 @@ impl FreeEnds {
         }
     }
 
+    /// Trial ends from -1 to 1 on the surface, ascending, of a contact that leaves both ends of the surface open.
+    pub fn near(places: Vec<f64>) -> FreeEnds {
+        FreeEnds { refined: places.clone(), places, before: None, jacobian: None, starts_closed: false }
+    }
+
     /// All ends of contact as arc lengths on a surface of the given length, its own ends included where they are in contact.
     pub fn arcs(&self, length: f64) -> Vec<f64> {
         let mut arcs: Vec<f64> = self.refined.iter().map(|t| 0.5 * (1.0 + t) * length).collect();

@@ -1,7 +1,7 @@
 //! Two boundaries facing each other: common places, normal, drag direction.
 
 use crate::error::Error;
-use crate::facing::{coincide, crossing, nearest_break, unlike_normal};
+use crate::facing::{coincide, crossing, nearest_break, unlike_length, unlike_normal};
 use crate::point::{ContactPoint, along, difference};
 use crate::side::Side;
 use hpfem::{BoundaryPoint, InterfaceOperator, Trace};
@@ -73,6 +73,20 @@ impl<'a> Pair<'a> {
     pub fn by_angle(shaped: &'a InterfaceOperator, counter: &'a InterfaceOperator) -> Result<Pair<'a>, Error> {
         let pair = Pair { shaped, counter: Some(counter), surface: Surface::Common(Side::Counter), matched: true };
         match unlike_normal(&shaped.trace, &counter.trace) {
+            None => Ok(pair),
+            Some((edge, distance)) => Err(Error::Unmatched { edge, distance }),
+        }
+    }
+
+    /// Pairs the arcs of two round bodies that touch from outside, as a cam and its roller: points face each other by the arc length from there, normals
+    /// and weights are those of the counter-face, the gap between them is the caller's. Lengths that the contact takes up of the radii count by
+    /// their square, as in Hertz's theory.
+    ///
+    /// # Errors
+    /// [`Error::Unmatched`] when the edges of both are not of the same lengths.
+    pub fn by_arc(shaped: &'a InterfaceOperator, counter: &'a InterfaceOperator) -> Result<Pair<'a>, Error> {
+        let pair = Pair { shaped, counter: Some(counter), surface: Surface::Common(Side::Counter), matched: true };
+        match unlike_length(&shaped.trace, &counter.trace) {
             None => Ok(pair),
             Some((edge, distance)) => Err(Error::Unmatched { edge, distance }),
         }

@@ -320,7 +320,7 @@ fn singular(couple: &Couple, number: usize, mesh: &Mesh, extent: Extent) -> Resu
     let support = Support::hold;
     let mut supports: Vec<Support> = body.supports.iter().flat_map(|(edge, held)| held_along(edge, held)).collect();
     // A round body has left the other where the surface that may touch ends.
-    let mut loaded = if matches!(extent, Extent::Round { .. }) { vec![] } else { vec![CONTACT] };
+    let mut loaded = if matches!(extent, Extent::Round { .. } | Extent::Convex { .. }) { vec![] } else { vec![CONTACT] };
     if number == 0 && couple.has_rigid_edge() {
         supports.extend([support(LOAD, Direction::First), support(LOAD, Direction::Second)]);
     } else if number == 0 {

@@ -8,7 +8,7 @@ use scene::{Fault, Geometry, short};
 use crate::couple::Body;
 use crate::gmsh_file::circle;
 use crate::line::ContactLine;
-use crate::outline::outline;
+use crate::outline::{outline, reach_of_whole};
 
 /// The line of a body's contact edge; `shaped` is body 1, which lies above the line, around the circle or inside it.
 ///
@@ -73,6 +73,9 @@ fn of_mesh(mesh: &Mesh, edge: &str, shaped: bool) -> Result<ContactLine, String>
             let off = (middle - about + PI).rem_euclid(TAU) - PI;
             let off = if off.abs() < 1e-14 { 0.0 } else { off };
             let half = 0.5 * turned.abs();
+            if shaped && half > PI * (1.0 - 1e-9) {
+                return Ok(ContactLine::Circle { centre, radius, angles: reach_of_whole(internal), internal });
+            }
             // Half a disc may touch a flat.
             let most = if internal { FRAC_PI_2 * (1.0 + 1e-9) } else { FRAC_PI_2 };
             if shaped && off.abs() + half >= most {

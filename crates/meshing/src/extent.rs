@@ -14,6 +14,13 @@ pub enum Extent {
         /// Centre [x, z] and radius (mm) of the arc of body 1 and of body 2.
         circles: [([f64; 2], f64); 2],
     },
+    /// On two round bodies that touch from outside, body 1 above body 2: points face each other by the arc length from there.
+    Convex {
+        /// From and to as angles on body 2 (rad), as of [`Extent::Angles`].
+        angles: [f64; 2],
+        /// Centre [x, z] and radius (mm) of the arc of body 1 and of body 2.
+        circles: [([f64; 2], f64); 2],
+    },
     /// On a horizontal line, from and to (mm).
     X([f64; 2]),
     /// On a horizontal line that a round body touches at one place and faces across a gap.
@@ -31,16 +38,35 @@ impl Extent {
     /// First and last coordinate (rad or mm).
     pub fn ends(&self) -> [f64; 2] {
         match self {
-            Extent::Angles(angles) | Extent::Circles { angles, .. } => *angles,
+            Extent::Angles(angles) | Extent::Circles { angles, .. } | Extent::Convex { angles, .. } => *angles,
             Extent::X(x) | Extent::Round { x, .. } => *x,
         }
     }
 
-    /// What a point of the contact surface of a body (0 or 1) faces on the other one: on arcs of two radii the point at its angle, else itself.
+    /// What a point of the contact surface of a body (0 or 1) faces on the other one: on arcs of two radii the point at its angle or arc length, else
+    /// itself.
     pub(crate) fn facing(&self, body: usize, x: [f64; 2]) -> [f64; 2] {
-        let Extent::Circles { circles, .. } = self else { return x };
-        let ((own, radius), (other, wanted)) = (circles[body], circles[1 - body]);
-        [0, 1].map(|k| other[k] + (x[k] - own[k]) * wanted / radius)
+        match self {
+            Extent::Circles { circles, .. } => {
+                let ((own, radius), (other, wanted)) = (circles[body], circles[1 - body]);
+                [0, 1].map(|k| other[k] + (x[k] - own[k]) * wanted / radius)
+            }
+            Extent::Convex { circles, .. } => {
+                let ((own, radius), (other, wanted)) = (circles[body], circles[1 - body]);
+                let side = if body == 0 { -1.0 } else { 1.0 };
+                let angle = (x[0] - own[0]).atan2(side * (x[1] - own[1])) * radius / wanted;
+                [other[0] + wanted * angle.sin(), other[1] - side * wanted * angle.cos()]
+            }
+            Extent::Angles(_) | Extent::X(_) | Extent::Round { .. } => x,
+        }
+    }
+
+    /// A coordinate as a body (0 or 1) counts it on its own arc: the angle there.
+    pub(crate) fn own(&self, body: usize, place: f64) -> f64 {
+        match self {
+            Extent::Convex { circles, .. } if body == 0 => std::f64::consts::PI - place * circles[1].1 / circles[0].1,
+            _ => place,
+        }
     }
 
     /// Coordinates of the ends of a line or arc of the contact edge, the one at `t = -1` first; angles next to those of the contact.
@@ -52,6 +78,13 @@ impl Extent {
                 let own = FRAC_PI_2 - 0.5 * (from + to);
                 let own = (own - middle + PI).rem_euclid(TAU) - PI + middle;
                 [own - 0.5 * (from - to), own + 0.5 * (from - to)]
+            }
+            (Extent::Convex { circles, .. }, Curve::Arc { centre, from, to, .. }) => {
+                let [first, second] = circles.map(|(c, _)| (c[0] - centre[0]).hypot(c[1] - centre[1]));
+                // From the bottom of body 1, or the top of body 2.
+                let (about, factor) = if first < second { (PI, -circles[0].1 / circles[1].1) } else { (0.0, 1.0) };
+                let own = (FRAC_PI_2 - 0.5 * (from + to) - about + PI).rem_euclid(TAU) - PI;
+                [factor * (own - 0.5 * (from - to)), factor * (own + 0.5 * (from - to))]
             }
             _ => [curve.point(-1.0)[0], curve.point(1.0)[0]],
         }
@@ -170,6 +203,23 @@ mod tests {
                 assert!((x[0] - y[0]).hypot(x[1] - y[1]) < 1e-13 * 26.0, "{x:?} {y:?}");
             }
         }
+    }
+
+    #[test]
+    fn points_of_two_round_bodies_face_each_other_by_the_arc_length() {
+        let circles = [([1.0, 30.0], 10.0), ([1.0, 0.0], 20.0)];
+        let extent = Extent::Convex { angles: [-0.2, 0.2], circles };
+        let second = arc(circles[1].0, 20.0, [-0.2, 0.15]);
+        let first = arc(circles[0].0, 10.0, [0.5 * TURN + 0.4, 0.5 * TURN - 0.3]);
+        for t in [-1.0, -0.3, 0.8] {
+            let (x, y) = (first.point(t), second.point(t));
+            assert!((extent.facing(0, x)[0] - y[0]).abs() < 1e-13 * 26.0 && (extent.facing(1, y)[1] - x[1]).abs() < 1e-12);
+        }
+        for curve in [first, second] {
+            let [a, b] = extent.range(&curve);
+            assert!((a + 0.2).abs() < 1e-14 && (b - 0.15).abs() < 1e-14, "{a} {b}");
+        }
+        assert!((extent.own(0, 0.1) - (0.5 * TURN - 0.2)).abs() < 1e-14);
     }
 
     #[test]

@@ -34,7 +34,7 @@ pub use half_disc::{CANDIDATE, HalfDiscOnFlat};
 pub use line::ContactLine;
 pub use meshes::{CoarseMeshes, coarse_meshes, meshes};
 pub use names::{AXIS, CONTACT, LOAD};
-pub use outline::{Edge, Outline, outline, outside};
+pub use outline::{Edge, Outline, outline, outside, touches_all_around};
 pub use read::read_cells;
 pub use resultant::UnitLoad;
 pub use sound::{sound, sound_material};

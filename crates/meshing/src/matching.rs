@@ -12,9 +12,17 @@ use crate::template::{coarse, contact_cuts};
 /// Most rounds until the break points settle: a cut may come back to the contact elsewhere and ask for another.
 const ROUNDS: usize = 20;
 
-/// The coarse meshes of both bodies: cut at the break points of both on the contact surface, graded towards the same points there.
-pub(crate) fn matched(couple: &Couple, given: [Option<Mesh>; 2], extent: Extent, cut: Cut<'_>) -> Result<[Coarse; 2], Fault> {
+/// The coarse meshes of both bodies: cut at the break points of both on the contact surface and at further `breaks`, graded towards the same points
+/// there.
+pub(crate) fn matched(
+    couple: &Couple,
+    given: [Option<Mesh>; 2],
+    extent: Extent,
+    cut: Cut<'_>,
+    breaks: &[f64],
+) -> Result<[Coarse; 2], Fault> {
     let mut matching = Matching::new(couple, given, extent, cut)?;
+    matching.apart.extend(breaks);
     for _ in 0..ROUNDS {
         let cuts = contact_cuts(couple, extent, cut, &matching.breaks());
         if !matching.cut_at(&cuts)? {
@@ -82,7 +90,7 @@ impl<'a> Matching<'a> {
                 let free = self.ends.iter().filter_map(|end| cells.point_at(*end)).collect();
                 Ok(Coarse { mesh: cells.mesh.clone(), singular: cells.singular.clone(), ledges: [0.0; 2], free })
             }
-            None => coarse(self.couple, number, cuts, self.cut),
+            None => coarse(self.couple, number, self.extent, cuts, self.cut),
         };
         Ok([one(0)?, one(1)?])
     }

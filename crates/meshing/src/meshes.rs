@@ -9,7 +9,7 @@ use crate::extent::{Cut, Extent};
 use crate::half_disc::HalfDiscOnFlat;
 use crate::ledge;
 use crate::matching::matched;
-use crate::near_ends::{self, cut_near};
+use crate::near_ends::{self, Split, cut_near, cut_small};
 use crate::round_cells::as_cells;
 use crate::template::{coarse, contact_cuts};
 
@@ -37,6 +37,8 @@ pub struct CoarseMeshes {
     extent: Extent,
     /// Ends of contact next to those of the surface, from -1 to 1.
     near: Vec<f64>,
+    /// Pairs of ends next to each other, from -1 to 1.
+    small: Vec<[f64; 2]>,
 }
 
 /// The meshes of [`meshes`] before their layers.
@@ -44,18 +46,21 @@ pub struct CoarseMeshes {
 /// # Errors
 /// Those of [`meshes`].
 pub fn coarse_meshes(couple: &Couple, extent: Extent, cut: Cut<'_>) -> Result<CoarseMeshes, Fault> {
-    let [far, near] = near_ends::split(cut);
-    let cut = if near.is_empty() { cut } else { Cut::Ends(&far) };
+    let Split { far, near, small } = near_ends::split(cut);
+    let cut = if near.is_empty() && small.is_empty() { cut } else { Cut::Ends(&far) };
+    let [from, to] = extent.ends();
+    let middles: Vec<f64> = small.iter().map(|[a, b]| from + 0.5 * (1.0 + 0.5 * (a + b)) * (to - from)).collect();
     let cells = couple.bodies.each_ref().map(|body| body.cells.as_deref().cloned());
+    let round = matches!(extent, Extent::Round { .. } | Extent::Convex { .. });
+    let [first, second] = couple.bodies.each_ref().map(|body| if round { as_cells(couple, body) } else { None });
+    let [own, other] = cells;
+    let cells = [own.or(first), other.or(second)];
     let [first, second] = if cells.iter().all(Option::is_none) {
-        templates(couple, extent, cut)?
+        templates(couple, extent, cut, &middles)?
     } else {
-        let round = matches!(extent, Extent::Round { .. });
-        let [first, second] = couple.bodies.each_ref().map(|body| if round { as_cells(couple, body) } else { None });
-        let [own, other] = cells;
-        matched(couple, [own.or(first), other.or(second)], extent, cut)?
+        matched(couple, cells, extent, cut, &middles)?
     };
-    Ok(CoarseMeshes { bodies: [first, second], extent, near })
+    Ok(CoarseMeshes { bodies: [first, second], extent, near, small })
 }
 
 impl CoarseMeshes {
@@ -71,13 +76,14 @@ impl CoarseMeshes {
     fn graded_body(&self, coarse: &Coarse, layers: usize, key: &str) -> Result<Mesh, Fault> {
         let vertices = |mesh: &Mesh, points: &[[f64; 2]]| points.iter().map(|x| mesh.nearest_vertex(*x)).collect::<Vec<usize>>();
         let (mesh, near) = cut_near(coarse.mesh.clone(), self.extent, &self.near).map_err(|error| degenerate(key, &error))?;
+        let (mesh, small) = cut_small(mesh, self.extent, &self.small).map_err(|error| degenerate(key, &error))?;
         // Cells that are sound with one layer are too small with many.
         let grade = |layers| ledge::graded(&mesh, &coarse.singular, coarse.ledges, layers);
         let mesh = grade(layers).map_err(|error| match grade(1) {
             Ok(_) => too_many(key, layers, &error),
             Err(_) => degenerate(key, &error),
         })?;
-        let free = vertices(&mesh, &[coarse.free.as_slice(), &near].concat());
+        let free = vertices(&mesh, &[coarse.free.as_slice(), &near, &small].concat());
         if free.is_empty() {
             return Ok(mesh);
         }
@@ -91,11 +97,11 @@ fn too_many(key: &str, layers: usize, error: &hpfem::Error) -> Fault {
     Fault::at("mesh.layers", "degenerate", message, "give fewer layers, as in mesh.layers = 8")
 }
 
-/// The coarse meshes of two templates.
-fn templates(couple: &Couple, extent: Extent, cut: Cut<'_>) -> Result<[Coarse; 2], Fault> {
-    let cuts = contact_cuts(couple, extent, cut, &[]);
-    let first = coarse(couple, 0, &cuts, cut)?;
-    let mut second = coarse(couple, 1, &cuts, cut)?;
+/// The coarse meshes of two templates, with further `breaks` on the contact surface.
+fn templates(couple: &Couple, extent: Extent, cut: Cut<'_>, breaks: &[f64]) -> Result<[Coarse; 2], Fault> {
+    let cuts = contact_cuts(couple, extent, cut, breaks);
+    let first = coarse(couple, 0, extent, &cuts, cut)?;
+    let mut second = coarse(couple, 1, extent, &cuts, cut)?;
     // Points of the contact surface that need layers in the shaped body need them in both, for common break points.
     second.free = first.free.iter().map(|x| extent.facing(0, *x)).collect();
     for x in first.singular.iter().map(|x| extent.facing(0, *x)) {

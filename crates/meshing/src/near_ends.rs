@@ -9,10 +9,71 @@ use crate::names::CONTACT;
 /// Share of half the surface within which an end of contact is next to its end.
 const NEAR: f64 = 0.05;
 
-/// The places (from -1 to 1) far from the ends of the surface, and those next to them.
-pub(crate) fn split(cut: Cut<'_>) -> [Vec<f64>; 2] {
-    let (near, far) = cut.ends().iter().partition(|t| 1.0 - t.abs() < NEAR);
-    [far, near]
+/// Share of half the surface within which two ends of contact are one place of the mesh, whose cells are to be of the size of their distance: the
+/// stresses under a short contact fade within its length, and cells as high as the body know nothing of that.
+const SMALL: f64 = 0.12;
+/// Largest cells beside the middle of two ends over their distance, and ratio of the layers that make them so.
+const BESIDE: f64 = 1.2;
+const HALVES: f64 = 0.35;
+
+/// Ends of contact (from -1 to 1 on the surface) by what they ask of a mesh.
+pub(crate) struct Split {
+    /// Far from the ends of the surface and from each other.
+    pub far: Vec<f64>,
+    /// Next to the ends of the surface.
+    pub near: Vec<f64>,
+    /// Next to each other.
+    pub small: Vec<[f64; 2]>,
+}
+
+/// Sorts the ends of contact.
+pub(crate) fn split(cut: Cut<'_>) -> Split {
+    let (near, inner): (Vec<f64>, Vec<f64>) = cut.ends().iter().partition(|t| 1.0 - t.abs() < NEAR);
+    let mut split = Split { far: Vec::new(), near, small: Vec::new() };
+    let mut rest = inner.as_slice();
+    while let [first, others @ ..] = rest {
+        rest = match others {
+            [second, beyond @ ..] if second - first < SMALL => {
+                split.small.push([*first, *second]);
+                beyond
+            }
+            _ => {
+                split.far.push(*first);
+                others
+            }
+        };
+    }
+    split
+}
+
+/// The mesh cut at pairs of places next to each other, and where its vertices on them are. The cells at the middle between the two, which is a vertex,
+/// are first made about as small as the distance.
+pub(crate) fn cut_small(mut mesh: Mesh, extent: Extent, pairs: &[[f64; 2]]) -> Result<(Mesh, Vec<[f64; 2]>), Error> {
+    let [from, to] = extent.ends();
+    let mut points = Vec::new();
+    for pair in pairs {
+        let [a, b] = pair.map(|t| from + 0.5 * (1.0 + t) * (to - from));
+        let middle = 0.5 * (a + b);
+        let Some((edge, side)) = at_end(&mesh, extent, middle) else { continue };
+        let corner = mesh.edges[edge].vertices[side];
+        let around = mesh.boundary(CONTACT)?.into_iter().filter(|e| mesh.edges[*e].vertices.contains(&corner));
+        let ranges = around.map(|e| extent.range(&mesh.edges[e].curve)).map(|[from, to]| (to - from).abs());
+        let layers = (ranges.fold(0.0, f64::max) / (BESIDE * (b - a))).ln() / (1.0 / HALVES).ln();
+        if layers > 0.0 {
+            mesh = mesh.refined_towards(&[corner], HALVES, layers.ceil() as usize)?;
+            mesh.cells.iter_mut().for_each(|cell| cell.layer = 0);
+        }
+        for place in [a, b] {
+            let edges = mesh.boundary(CONTACT)?;
+            let hit =
+                edges.into_iter().map(|e| (e, extent.parameter(&mesh.edges[e].curve, place))).find(|(_, t)| t.abs() < 1.0 - 1e-9);
+            if let Some((edge, t)) = hit {
+                points.push(mesh.edges[edge].curve.point(t));
+                mesh = mesh.cut_through(edge, t)?;
+            }
+        }
+    }
+    Ok((mesh, points))
 }
 
 /// The mesh cut at places next to the ends of the surface, and where its vertices on them are. The cells at the end of the surface are first

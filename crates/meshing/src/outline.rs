@@ -87,13 +87,37 @@ fn ring(ring: &Ring) -> Outline {
     let centre = ring.centre.map_or([0.0; 2], |centre| centre.map(|x| x.0));
     let circle = |name: &str, radius: f64, internal: bool| {
         let [x, z] = centre;
-        let touch = ContactLine::Circle { centre, radius, angles: [-PI, PI], internal };
+        let touch = |angles, internal| Some(ContactLine::Circle { centre, radius, angles, internal });
         let points = vec![[x - radius, z], [x, z + radius], [x + radius, z]];
-        Edge { touches: [None, Some(touch)], ..edge(name, points) }
+        // As body 1 the ring lies on the other side of the circle.
+        Edge { touches: [touch(reach_of_whole(!internal), !internal), touch([-PI, PI], internal)], ..edge(name, points) }
     };
     Outline {
         edges: vec![circle("inner", ring.inner.0, true), circle("outer", ring.outer.0, false)],
         thickness: ring.outer.0 - ring.inner.0,
+    }
+}
+
+/// How far from the top or bottom of a whole circle two bodies can touch that are pressed on each other along z (rad): a quarter of a turn less a degree.
+/// Where there is clearance, contact ends before that.
+const REACH: f64 = 89.0 / 180.0 * PI;
+
+/// The part of a whole circle of body 1 that can touch: about its bottom if body 1 lies inside, else about its top.
+pub(crate) fn reach_of_whole(internal: bool) -> [f64; 2] {
+    let about = if internal { PI } else { 0.0 };
+    [about - REACH, about + REACH]
+}
+
+/// Whether the contact edge of a body is a whole circle.
+pub fn touches_all_around(body: &Body) -> bool {
+    match (&body.geometry, &body.cells) {
+        (Geometry::Ring(_), _) => true,
+        (_, Some(mesh)) => {
+            let curves = edge_curves(mesh, &body.contact);
+            let arc = |curve: &Curve| if let Curve::Arc { from, to, .. } = curve { (to - from).abs() } else { 0.0 };
+            curves.iter().map(arc).sum::<f64>() > 2.0 * PI * (1.0 - 1e-9)
+        }
+        (_, None) => false,
     }
 }
 

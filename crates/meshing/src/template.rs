@@ -8,6 +8,7 @@ use crate::couple::Couple;
 use crate::cuts::{SAME, growing, halved, merged, parameters, subdivide, widest};
 use crate::extent::{Cut, Extent};
 use crate::names::{AXIS, CONTACT, LOAD};
+use crate::outline::touches_all_around;
 
 /// Share of the contact up to which what body 2 is longer is added to its graded mesh.
 const LEDGE: f64 = 0.01;
@@ -37,7 +38,10 @@ pub(crate) fn contact_cuts(couple: &Couple, extent: Extent, cut: Cut<'_>, breaks
             let own: Vec<f64> = segment_breaks(couple, segment, cut).breaks.iter().map(|t| ends[0] + half * (1.0 + t)).collect();
             if breaks.is_empty() { own } else { with(&own) }
         }
-        (Extent::Angles([from, to]) | Extent::Circles { angles: [from, to], .. }, _) => {
+        (
+            Extent::Angles([from, to]) | Extent::Circles { angles: [from, to], .. } | Extent::Convex { angles: [from, to], .. },
+            _,
+        ) => {
             let pieces = ((to - from) / std::f64::consts::FRAC_PI_6 * (1.0 - 1e-9)).ceil().max(2.0) + more;
             subdivide(&with(&with_ends([from, to], cut)), (to - from) / pieces)
         }
@@ -60,7 +64,7 @@ fn with_ends([from, to]: [f64; 2], cut: Cut<'_>) -> Vec<f64> {
 }
 
 /// The coarse mesh of a template, cut at the given places of the contact surface.
-pub(crate) fn coarse(couple: &Couple, number: usize, cuts: &[f64], cut: Cut<'_>) -> Result<Coarse, Fault> {
+pub(crate) fn coarse(couple: &Couple, number: usize, extent: Extent, cuts: &[f64], cut: Cut<'_>) -> Result<Coarse, Fault> {
     let (shaped, body) = (number == 0, &couple.bodies[number]);
     let key = if shaped { "body1.geometry" } else { "body2.geometry" };
     if let Geometry::Rectangle(rectangle) = &body.geometry {
@@ -69,10 +73,9 @@ pub(crate) fn coarse(couple: &Couple, number: usize, cuts: &[f64], cut: Cut<'_>)
     let result = match &body.geometry {
         Geometry::ShoeBlock(shoe) if shaped => shoe_block(couple, shoe, cuts, cut),
         Geometry::RingSegment(segment) if shaped => ring_segment(couple, segment, cuts, cut),
-        Geometry::Ring(ring) if !shaped => full_ring(ring, cuts, &body.contact),
+        Geometry::Ring(ring) => full_ring(couple, number, ring, &OnRing::new(couple, number, extent, cuts, cut)),
         Geometry::Rectangle(rectangle) => block(couple, rectangle, cuts, shaped, cut),
         other @ (Geometry::ShoeBlock(_)
-        | Geometry::Ring(_)
         | Geometry::RingSegment(_)
         | Geometry::HalfDisc(_)
         | Geometry::Blocks(_)
@@ -212,13 +215,40 @@ fn ring_segment(couple: &Couple, segment: &RingSegment, cuts: &[f64], cut: Cut<'
     Ok(Coarse { mesh, singular, ledges: [0.0; 2], free })
 }
 
-fn full_ring(ring: &Ring, cuts: &[f64], contact_edge: &str) -> Result<Coarse, hpfem::Error> {
+/// What happens on a full ring, by angles of its own.
+struct OnRing {
+    /// Break points of the contact surface.
+    cuts: Vec<f64>,
+    /// Ends of contact.
+    ends: Vec<f64>,
+    /// Whether the surface that may touch ends at corners of the other body.
+    graded: bool,
+}
+
+impl OnRing {
+    fn new(couple: &Couple, number: usize, extent: Extent, cuts: &[f64], cut: Cut<'_>) -> OnRing {
+        let own = |places: &mut dyn Iterator<Item = f64>| {
+            let mut angles: Vec<f64> = places.map(|place| extent.own(number, place)).collect();
+            angles.sort_by(f64::total_cmp);
+            angles
+        };
+        let [from, to] = extent.ends();
+        let cuts = own(&mut cuts.iter().copied());
+        let ends = own(&mut cut.ends().iter().map(|t| from + 0.5 * (1.0 + t) * (to - from)));
+        let graded = !touches_all_around(&couple.bodies[0]) && !matches!(extent, Extent::Convex { .. });
+        OnRing { cuts, ends: if number == 0 { ends } else { Vec::new() }, graded }
+    }
+}
+
+fn full_ring(couple: &Couple, number: usize, ring: &Ring, on: &OnRing) -> Result<Coarse, hpfem::Error> {
+    let OnRing { cuts, ends, graded } = on;
     let (inner, outer) = (ring.inner.0, ring.outer.0);
     let centre = ring.centre.map_or([0.0; 2], |c| c.map(|c| c.0));
     let (from, to) = (cuts[0], cuts[cuts.len() - 1]);
     let turn = std::f64::consts::TAU;
     // Outside the contact: cells as wide as inside next to it, then wider.
     let widest = widest(cuts);
+    let contact_edge = couple.bodies[number].contact.as_str();
     let step = (cuts[1] - cuts[0]).min(0.25 * (turn - (to - from)));
     let rest = growing(to, from + turn, step, std::f64::consts::FRAC_PI_3);
     let angles: Vec<f64> = cuts.iter().copied().chain(rest[1..].iter().copied()).collect();
@@ -228,12 +258,16 @@ fn full_ring(ring: &Ring, cuts: &[f64], contact_edge: &str) -> Result<Coarse, hp
     let (bottom, top) = (arc(centre, inner, range), arc(centre, outer, range));
     // A drum around its shoe is touched on its bore.
     let (side, touched) = if contact_edge == "inner" { (Side::Bottom, bottom) } else { (Side::Top, top) };
-    let names = [
+    let mut names = vec![
         named(Side::Bottom, "inner"),
         named(Side::Top, "outer"),
         Named { side, range: Some([contact[0], contact[1]]), name: CONTACT },
     ];
-    let singular = vec![touched.point(contact[0]), touched.point(contact[1])];
+    let loaded =
+        [(Side::Bottom, "inner"), (Side::Top, "outer")].into_iter().filter(|(_, edge)| number == 0 && couple.load.is(edge));
+    names.extend(loaded.map(|(side, _)| named(side, LOAD)));
+    let singular = if *graded { vec![touched.point(contact[0]), touched.point(contact[1])] } else { Vec::new() };
+    let free = parameters(ends, range).into_iter().map(|t| touched.point(t)).collect();
     let mesh = Mesh::ruled(&Ruled {
         bottom,
         top,
@@ -243,7 +277,7 @@ fn full_ring(ring: &Ring, cuts: &[f64], contact_edge: &str) -> Result<Coarse, hp
         material: 0,
         names: &names,
     })?;
-    Ok(Coarse { mesh, singular, ledges: [0.0; 2], free: Vec::new() })
+    Ok(Coarse { mesh, singular, ledges: [0.0; 2], free })
 }
 
 /// Levels of a ring from its inner arc; about a hole much smaller than the cells next to it their radii grow fourfold at most, as the fields do.

@@ -193,6 +193,7 @@ pub(crate) fn paired<'b>([first, second]: [&'b InterfaceOperator; 2], meeting: M
         Meeting::Together => Pair::new(first, Some(second)),
         Meeting::Across => Pair::facing(first, second),
         Meeting::ByAngle => Pair::by_angle(first, second),
+        Meeting::ByArc => Pair::by_arc(first, second),
     };
     pair.map_err(|error| {
         let remedy = "give both bodies the same contact surface";

@@ -84,6 +84,11 @@ impl StartGap {
         self.terms.iter().map(|term| term.at(s)).sum()
     }
 
+    /// Where circles alone make the gap: the place where they touch (mm), and the radius (mm) of the cylinder on a plane with the same gap there.
+    pub(crate) fn touch(&self) -> Option<(f64, f64)> {
+        if let [Term::Circles(circles)] = self.terms.as_slice() { Some(circles.touch()) } else { None }
+    }
+
     /// Largest less smallest gap (mm) of the rows of a profile, and of all terms but circles at the ends and the middle of a surface.
     pub(crate) fn spread(&self, surface: Option<[f64; 2]>) -> Option<f64> {
         let terms = || self.terms.iter().filter(|term| !matches!(term, Term::Circles(_)));

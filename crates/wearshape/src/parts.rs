@@ -156,6 +156,8 @@ pub(crate) enum Meeting {
     Across,
     /// As arcs of two radii, by the angle.
     ByAngle,
+    /// As two round bodies that touch from outside, by the arc length.
+    ByArc,
 }
 
 /// The two bodies of a level before their reduction.

@@ -1,5 +1,6 @@
 //! What a scene means: defaults filled in, every user error found, the plan made.
 
+mod all_around;
 mod bodies;
 mod carried;
 mod cycle;
@@ -50,6 +51,7 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
             .map_err(|fault| cycle::named(&scene, metres::hinted(fault, [first, second])))?,
         _ => None,
     };
+    all_around::check(&scene, &tasks, bodies.as_ref().map(|(_, [first, _])| first), patch.as_ref())?;
     let gap = start_gap::on_surface(&scene, patch.as_ref())?;
     track::resolve(&scene, &tasks)?;
     wear_rule::resolve(&mut scene, &tasks, patch.as_ref())?;

@@ -121,6 +121,7 @@ impl<'a> Stage<'a> {
         match self.extent {
             Extent::Round { .. } => Meeting::Across,
             Extent::Circles { .. } => Meeting::ByAngle,
+            Extent::Convex { .. } => Meeting::ByArc,
             Extent::Angles(_) | Extent::X(_) => Meeting::Together,
         }
     }

@@ -15,7 +15,7 @@ use wear::{Shape, SlidingMotion, Surface, SurfacePoint};
 pub(crate) use self::found::PatchKind;
 use crate::gap::Circles;
 use crate::surface::edges::{EDGES, along, thickness};
-use crate::surface::found::{Found, Round};
+use crate::surface::found::{Found, Other};
 
 /// A contact surface known without a mesh.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,7 +27,7 @@ pub(crate) struct Patch {
     /// Whether the surface's own angle falls towards +x: a shoe at the bottom inside its drum.
     pub backwards: bool,
     /// The circle of body 1, where it is another than that of the surface, which is body 2's.
-    other: Option<Round>,
+    other: Option<Other>,
 }
 
 impl Patch {
@@ -60,7 +60,10 @@ impl Patch {
     pub(crate) fn extent(&self) -> Option<Extent> {
         match self.surface.shape() {
             Shape::Arc { angles, centre, radius, .. } => Some(match self.other {
-                Some(first) => Extent::Circles { angles: *angles, circles: [first, ([centre.x, centre.z], *radius)] },
+                Some(Other { circle, convex }) => {
+                    let (angles, circles) = (*angles, [circle, ([centre.x, centre.z], *radius)]);
+                    if convex { Extent::Convex { angles, circles } } else { Extent::Circles { angles, circles } }
+                }
                 None => Extent::Angles(*angles),
             }),
             Shape::Strip { x, .. } => Some(Extent::X(*x)),
@@ -95,7 +98,14 @@ impl Patch {
 
     /// The circles of two arcs that are drawn with different radii.
     pub(crate) fn circles(&self) -> Option<Circles> {
-        self.other.and_then(|(_, radius)| self.circles_of(radius))
+        let Other { circle: (_, first), convex } = self.other?;
+        let Shape::Arc { radius, angles, .. } = self.surface.shape() else { return None };
+        if convex { Some(Circles::outside([first, *radius], 0.5 * (angles[0] + angles[1]))) } else { self.circles_of(first) }
+    }
+
+    /// Whether two round bodies touch from outside.
+    pub(crate) fn is_convex(&self) -> bool {
+        self.other.is_some_and(|other| other.convex)
     }
 
     /// The circles of an arc and of a body 1 with a radius of its own.

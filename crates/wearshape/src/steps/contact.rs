@@ -13,13 +13,15 @@ use crate::effort::Effort;
 use crate::faults::unsolved;
 use crate::ladder::{Ladder, Refusal};
 use crate::level::Level;
+use crate::solution::Status;
 use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::answer::{Answer, Outcome, Own, Told};
 use crate::steps::contact_levels::{Solved, imbalance, levels};
 use crate::steps::contact_result::result;
 use crate::steps::diagnosis::Diagnosis;
-use crate::steps::free_ends::position;
+use crate::steps::free_ends::{Positioned, position};
+use crate::steps::hertz_trial::hertz_end;
 use crate::steps::reported::{Moment, Reported};
 use crate::steps::start_gap::{start_gap, start_gaps};
 use crate::steps::twist::Twist;
@@ -54,6 +56,11 @@ pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome,
             (contact.p_max, contact.q_max) = (None, None);
         }
         outcome.remarks.extend(note);
+        let all_around = meshing::touches_all_around(&stage.couple.bodies[0]) || stage.patch.is_convex();
+        if all_around && (closed[0] || closed[1]) {
+            let message = "the contact reaches the end of the part of the circle that can touch: there is no end of it to find";
+            outcome.ended = Some((Status::Refused, message.into()));
+        }
     }
     Ok((outcome, effort))
 }
@@ -171,10 +178,63 @@ fn told(stage: Stage<'_>, reduced: &Reduced, operator: &ContactOperator<'_>, gap
     Answer { stage, reduced, pair, states, own, between: &between }.told()
 }
 
+/// Share of half the surface up to which a contact by the formula of Hertz is too short to be found on a mesh that knows nothing of it.
+const SHORT: f64 = 0.1;
+
+/// Trial ends of a short contact of two circles that touch; none of other contacts.
+fn short_ends(stage: Stage<'_>) -> FreeEnds {
+    let (Some((touch, radius)), Some([from, to])) = (stage.problem.gap.touch(), stage.patch.places()) else {
+        return FreeEnds::default();
+    };
+    let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+    let end = hertz_end(radius, stage.couple, &stage.problem.load) / half;
+    let at = (touch - middle) / half;
+    let inside = end > 0.0 && end < SHORT && at.abs() + 2.0 * end < 1.0;
+    if inside { FreeEnds::near(vec![at - end, at + end]) } else { FreeEnds::default() }
+}
+
+/// The contact on bodies with nodes on its ends.
+fn held_on(stage: Stage<'_>, positioned: Positioned, effort: &mut Effort) -> Result<Found, Fault> {
+    let Positioned { reduced, held } = positioned;
+    *effort += reduced.sizes();
+    let found = signed(stage, &reduced, Some(held), effort)?;
+    Ok(Found { reduced, found, unsettled: false })
+}
+
+/// The contact on bodies; a solution with its points held in contact is that if its signs are right but for round-off at the ends, else a start.
+fn signed(
+    stage: Stage<'_>,
+    reduced: &Reduced,
+    held: Option<ContactSolution>,
+    effort: &mut Effort,
+) -> Result<ContactSolution, Fault> {
+    let pair = reduced.pair()?;
+    (stage.options.begun)(Step::Contact);
+    let operator = effort.timed(Step::Interface, stage.clock(), |_| reduced.operator(&pair, stage.friction() > 0.0))?;
+    effort.timed(Step::Contact, stage.clock(), |effort| match held {
+        Some(mut held) if held.complementarity < SIGNS_HOLD => {
+            held.pressure.iter_mut().for_each(|p| *p = p.max(0.0));
+            Ok(held)
+        }
+        held => {
+            effort.counters.contact_solves += 1;
+            let near = held.as_ref().filter(|held| held.complementarity < NEAR);
+            let gap = start_gaps(stage, &operator);
+            operator.solve(&gap, &stage.contact_load(operator.points()), near).map_err(unsolved)
+        }
+    })
+}
+
 /// Positions nodes on the ends of contact, if there are any inside the surface, and solves.
 fn find(stage: Stage<'_>, level: Level, search: &mut Search, effort: &mut Effort) -> Result<Found, Fault> {
     let Search { ends, lost } = search;
     let mut trial = None;
+    let short = if ends.places.is_empty() { short_ends(stage) } else { FreeEnds::default() };
+    let guessed = if short.places.is_empty() { None } else { position(stage, level, &short, effort)? };
+    if let Some((found, positioned)) = guessed {
+        *ends = found;
+        return held_on(stage, positioned, effort);
+    }
     if ends.places.is_empty() {
         let (found, length, work) = on_standing_mesh(stage, level)?;
         *effort += work;
@@ -200,24 +260,10 @@ fn find(stage: Stage<'_>, level: Level, search: &mut Search, effort: &mut Effort
             (reduced, None)
         }
     };
-    let pair = reduced.pair()?;
-    (stage.options.begun)(Step::Contact);
-    let operator = effort.timed(Step::Interface, stage.clock(), |_| reduced.operator(&pair, stage.friction() > 0.0))?;
-    let found = effort.timed(Step::Contact, stage.clock(), |effort| match (trial, held) {
-        (Some(found), None) => Ok(found),
-        // Every sign is right but for round-off at the ends.
-        (_, Some(mut held)) if held.complementarity < SIGNS_HOLD => {
-            held.pressure.iter_mut().for_each(|p| *p = p.max(0.0));
-            Ok(held)
-        }
-        (_, held) => {
-            effort.counters.contact_solves += 1;
-            let near = held.as_ref().filter(|held| held.complementarity < NEAR);
-            let gap = start_gaps(stage, &operator);
-            operator.solve(&gap, &stage.contact_load(operator.points()), near).map_err(unsolved)
-        }
-    })?;
-    drop(operator);
+    let found = match (trial, held) {
+        (Some(found), None) => found,
+        (_, held) => signed(stage, &reduced, held, effort)?,
+    };
     Ok(Found { reduced, found, unsettled })
 }
 

@@ -8,7 +8,7 @@ use nalgebra::Vector3;
 use scene::Fault;
 use wear::Shape;
 
-use crate::surface::found::{Found, PatchKind, Round};
+use crate::surface::found::{Found, Other, PatchKind, Round};
 
 /// The key to blame for edges that do not touch.
 pub(super) const EDGES: &str = "contact.edges";
@@ -92,6 +92,9 @@ struct Circle {
 fn on_circle(thickness: f64, first: Circle, second: Circle) -> Result<Found, Fault> {
     let Circle { centre, radius, angles, internal } = first;
     let Circle { centre: c, radius: r, angles: under, internal: within } = second;
+    if internal && !within {
+        return on_round(thickness, first, second);
+    }
     if internal != within {
         let [first, second] = [internal, !within].map(|inside| if inside { "inside" } else { "outside" });
         let message = format!("body 1 lies {first} its circle, and body 2 {second} its own");
@@ -115,7 +118,7 @@ fn on_circle(thickness: f64, first: Circle, second: Circle) -> Result<Found, Fau
 }
 
 /// The circle of body 1, where it is another than that of body 2: a shaft and its hole, one drawn in the other with their centres on one line along z.
-fn other_circle([first, second]: [Round; 2], internal: bool) -> Result<Option<Round>, Fault> {
+fn other_circle([first, second]: [Round; 2], internal: bool) -> Result<Option<Other>, Fault> {
     let ((centre, radius), (c, r)) = (first, second);
     let level = same(centre[0], c[0], radius);
     if same(radius, r, radius) {
@@ -135,7 +138,42 @@ fn other_circle([first, second]: [Round; 2], internal: bool) -> Result<Option<Ro
         let remedy = "draw the shaft inside the hole, with the same centre or touching it at the top or bottom";
         return apart(message, remedy);
     }
-    Ok(Some(first))
+    Ok(Some(Other { circle: first, convex: false }))
+}
+
+/// Share of the smaller radius to which two round bodies may touch.
+const ROUND: f64 = 0.5;
+
+/// Two round bodies that touch from outside, body 1 above body 2. The contact surface is the part of body 2 around that place that may touch.
+fn on_round(thickness: f64, first: Circle, second: Circle) -> Result<Found, Fault> {
+    let Circle { centre, radius, angles, .. } = first;
+    let Circle { centre: c, radius: r, angles: under, .. } = second;
+    if !same(centre[0], c[0], radius + r) {
+        let message =
+            format!("the round bodies touch beside the z axis: their centres are at x = {} and x = {}", centre[0], c[0]);
+        return apart(message, "put the centre of body 1 straight above that of body 2");
+    }
+    let distance = centre[1] - c[1];
+    if !same(distance, radius + r, radius + r) {
+        let how = if distance < radius + r { "cross" } else { "do not touch" };
+        let message = format!("the round bodies {how}: radii {radius} and {r}, centres at z = {} and z = {}", centre[1], c[1]);
+        return apart(message, "put the centre of body 1 above that of body 2 by the sum of both radii");
+    }
+    // How far each arc reaches to both sides of where they touch.
+    let around = |[from, to]: [f64; 2], about: f64| {
+        let off = 0.5 * (from + to) - about;
+        let off = (off + PI).rem_euclid(TAU) - PI;
+        0.5 * (to - from) - off.abs()
+    };
+    let reach = (radius * around(angles, PI)).min(r * around(under, 0.0)).min(ROUND * radius.min(r));
+    if reach <= 0.0 {
+        let message = "an arc does not contain the place where the round bodies touch";
+        return apart(message.into(), "let the lowest point of body 1 lie on the highest of body 2");
+    }
+    let angles = [-reach / r, reach / r];
+    let shape = Shape::Arc { radius: r, centre: Vector3::new(c[0], 0.0, c[1]), angles, thickness, internal: false };
+    let other = Some(Other { circle: (centre, radius), convex: true });
+    Ok(Found { shape, kind: PatchKind::Turning, centre: c, key: EDGES, other })
 }
 
 /// A round body 1 that touches a line of body 2 with its lowest point.

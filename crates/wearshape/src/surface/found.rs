@@ -23,8 +23,8 @@ pub(super) struct Found {
     pub centre: [f64; 2],
     /// The key to blame for it.
     pub key: &'static str,
-    /// Centre and radius of body 1's circle, where it is another than body 2's.
-    pub other: Option<Round>,
+    /// Body 1's circle, where it is another than body 2's.
+    pub other: Option<Other>,
 }
 
 impl Found {
@@ -32,6 +32,14 @@ impl Found {
     pub(super) fn bare(shape: Shape, kind: PatchKind, key: &'static str) -> Found {
         Found { shape, kind, centre: [0.0, 0.0], key, other: None }
     }
+}
+
+/// The circle of body 1, where it is another than body 2's.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Other {
+    pub circle: Round,
+    /// Whether both bodies are round and touch from outside, instead of one inside the other.
+    pub convex: bool,
 }
 
 /// A circle: centre [x, z] and radius (mm).
