@@ -75,6 +75,10 @@ class Surface:
         elif first[0] == "ring-segment":
             self.radius = min(first[1]["inner"], first[1]["outer"])
             self.range = tuple(math.asin(x / self.radius) for x in first[1]["x"])
+        elif first[0] == "ring":
+            # A housing around its shaft: less than a quarter of a turn to both sides of the top can touch.
+            self.radius = first[1]["inner"]
+            self.range = (-math.radians(80.0), math.radians(80.0))
         elif first[0] == "rectangle":
             self.height = second[1]["z"][1]
             self.range = (max(first[1]["x"][0], second[1]["x"][0]), min(first[1]["x"][1], second[1]["x"][1]))

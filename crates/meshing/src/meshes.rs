@@ -48,8 +48,7 @@ pub struct CoarseMeshes {
 pub fn coarse_meshes(couple: &Couple, extent: Extent, cut: Cut<'_>) -> Result<CoarseMeshes, Fault> {
     let Split { far, near, small } = near_ends::split(cut);
     let cut = if near.is_empty() && small.is_empty() { cut } else { Cut::Ends(&far) };
-    let [from, to] = extent.ends();
-    let middles: Vec<f64> = small.iter().map(|[a, b]| from + 0.5 * (1.0 + 0.5 * (a + b)) * (to - from)).collect();
+    let middles: Vec<f64> = small.iter().map(|pair| near_ends::between(extent, *pair)).collect();
     let cells = couple.bodies.each_ref().map(|body| body.cells.as_deref().cloned());
     let round = matches!(extent, Extent::Round { .. } | Extent::Convex { .. });
     let [first, second] = couple.bodies.each_ref().map(|body| if round { as_cells(couple, body) } else { None });

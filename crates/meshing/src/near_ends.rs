@@ -11,10 +11,10 @@ const NEAR: f64 = 0.05;
 
 /// Share of half the surface within which two ends of contact are one place of the mesh, whose cells are to be of the size of their distance: the
 /// stresses under a short contact fade within its length, and cells as high as the body know nothing of that.
-const SMALL: f64 = 0.12;
-/// Largest cells beside the middle of two ends over their distance, and ratio of the layers that make them so.
-const BESIDE: f64 = 1.2;
-const HALVES: f64 = 0.35;
+const SMALL: f64 = 0.25;
+/// Where the cells beside the middle of two ends end, over the distance of the farther one, and the steepest ratio of the layers that make them so.
+const BEYOND: f64 = 1.8;
+const STEEPEST: f64 = 0.35;
 
 /// Ends of contact (from -1 to 1 on the surface) by what they ask of a mesh.
 pub(crate) struct Split {
@@ -24,6 +24,16 @@ pub(crate) struct Split {
     pub near: Vec<f64>,
     /// Next to each other.
     pub small: Vec<[f64; 2]>,
+}
+
+/// The place of a vertex between two ends next to each other: near their middle, the same for all ends but little apart, so that the mesh stays the
+/// same in kind while they are looked for.
+pub(crate) fn between(extent: Extent, pair: [f64; 2]) -> f64 {
+    let [from, to] = extent.ends();
+    // Steps of a quarter to an eighth of the distance.
+    let steps = (8.0 / (pair[1] - pair[0])).log2().ceil().exp2();
+    let middle = (0.5 * (pair[0] + pair[1]) * steps).round() / steps;
+    from + 0.5 * (1.0 + middle) * (to - from)
 }
 
 /// Sorts the ends of contact.
@@ -53,14 +63,16 @@ pub(crate) fn cut_small(mut mesh: Mesh, extent: Extent, pairs: &[[f64; 2]]) -> R
     let mut points = Vec::new();
     for pair in pairs {
         let [a, b] = pair.map(|t| from + 0.5 * (1.0 + t) * (to - from));
-        let middle = 0.5 * (a + b);
+        let middle = between(extent, *pair);
         let Some((edge, side)) = at_end(&mesh, extent, middle) else { continue };
         let corner = mesh.edges[edge].vertices[side];
         let around = mesh.boundary(CONTACT)?.into_iter().filter(|e| mesh.edges[*e].vertices.contains(&corner));
         let ranges = around.map(|e| extent.range(&mesh.edges[e].curve)).map(|[from, to]| (to - from).abs());
-        let layers = (ranges.fold(0.0, f64::max) / (BESIDE * (b - a))).ln() / (1.0 / HALVES).ln();
-        if layers > 0.0 {
-            mesh = mesh.refined_towards(&[corner], HALVES, layers.ceil() as usize)?;
+        // The innermost cells end beyond the ends of contact, neither next to them nor far from them.
+        let share = BEYOND * (b - middle).max(middle - a) / ranges.fold(f64::INFINITY, f64::min);
+        if share < 1.0 {
+            let layers = (share.ln() / STEEPEST.ln()).ceil().max(1.0);
+            mesh = mesh.refined_towards(&[corner], share.powf(1.0 / layers), layers as usize)?;
             mesh.cells.iter_mut().for_each(|cell| cell.layer = 0);
         }
         for place in [a, b] {

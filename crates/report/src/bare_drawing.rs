@@ -42,6 +42,10 @@ pub(crate) fn bare_drawing(problem: &Problem) -> String {
             let arc = ring(shoe.radius.0, FRAC_PI_2 - shoe.from.0, FRAC_PI_2 - shoe.to.0);
             let mut sheet = round(shoe.radius.0, &arc, omega);
             dot(&mut sheet, [0.0, shoe.pin_distance.0], "pin");
+            // The actuator pushes at its arm from the pin, on the side of the lining, towards the drum.
+            let side = (0.5 * (shoe.from.0 + shoe.to.0)).sin().signum();
+            let [x, y] = sheet.at([0.0, shoe.pin_distance.0 - shoe.arm.0]);
+            sheet.arrow([x - 22.0 * side, y], [x + 22.0 * side, y], LOADED);
             sheet
         }
         Some(SurfaceShape::PivotedShoe(shoe)) => {

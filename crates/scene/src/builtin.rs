@@ -28,7 +28,7 @@ macro_rules! scenes {
 }
 
 /// All built-in scenes.
-pub const SCENES: [Builtin; 21] = scenes![
+pub const SCENES: [Builtin; 23] = scenes![
     "drum-brake-block",
     "drum-brake-ring",
     "lining-on-back",
@@ -43,6 +43,8 @@ pub const SCENES: [Builtin; 21] = scenes![
     "cattaneo-mindlin",
     "bushing",
     "knee",
+    "journal",
+    "cam",
     "pin-on-disc",
     "disc-pad",
     "pinned-shoe",

@@ -4,7 +4,7 @@ use crate::fault::{Fault, Place};
 use crate::tree::{self, Entry, Node, Origin, Value};
 
 /// Keys that exclude each other: setting one removes the others of its row. `*` stands for any one key.
-const ALTERNATIVES: [&[&str]; 11] = [
+const ALTERNATIVES: [&[&str]; 13] = [
     &["accuracy", "mesh"],
     &["load.force", "load.approach"],
     &["load.moment", "load.tilt"],
@@ -13,6 +13,8 @@ const ALTERNATIVES: [&[&str]; 11] = [
     &["sliding.omega", "sliding.speed"],
     &["body1.geometry.*"],
     &["body2.geometry.*"],
+    &["body1.support.*.pin", "body1.support.*.roller"],
+    &["body2.support.*.pin", "body2.support.*.roller"],
     &["surface.*"],
     &["body1", "surface"],
     &["body2", "surface"],
@@ -187,7 +189,9 @@ fn displace(tree: &mut Node, path: &[&str]) {
                 retain(tree, &path[..parts.len() - 1], |key| key == keep);
             }
             for other in row.iter().filter(|other| *other != pattern) {
-                let other: Vec<&str> = other.split('.').collect();
+                // A `*` of the other key is what stands there in the path.
+                let other = other.split('.').enumerate();
+                let other: Vec<&str> = other.map(|(depth, key)| if key == "*" { path[depth] } else { key }).collect();
                 let (last, parents) = other.split_last().unwrap_or((&"", &[]));
                 retain(tree, parents, |key| key != *last);
             }

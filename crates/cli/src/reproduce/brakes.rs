@@ -5,13 +5,14 @@ use scene::Fault;
 use crate::reproduce::closed_form::{RADII, integral};
 use crate::reproduce::made::{Made, plot, series};
 use crate::reproduce::row::Row;
-use crate::reproduce::run::{column, run, set};
+use crate::reproduce::run::{column, highest, run, set};
 
 /// Clutch, pinned long shoe, pivoted long shoe.
 pub(super) fn brakes() -> Result<Made, Fault> {
     let mut made = Made::default();
     clutch(&mut made)?;
     let pinned = pinned(&mut made)?;
+    elastic(&mut made)?;
     let pivoted = pivoted(&mut made)?;
     made.draw("curves", &plot("Long shoes: steady pressure, a = b = 1", "angle (deg)", "pressure (MPa)", vec![pinned, pivoted]));
     Ok(made)
@@ -78,6 +79,37 @@ fn pinned(made: &mut Made) -> Result<report::Series, Fault> {
         1e-3 * torque * (1.0 + other)
     ));
     Ok(series("pinned, from the pin", curve))
+}
+
+/// The elastic shoe on its pin: lining from 15 to 125 deg from the pin, tip opposite to it. Elastic bodies do not change its steady pressure, and a
+/// contact solve on the shape gives that back.
+fn elastic(made: &mut Made) -> Result<(), Fault> {
+    let (r, width, mu, pin, force) = (110.0, 40.0, 0.38, 88.331_f64.hypot(32.150), 2500.0);
+    // The tip lies at 110 deg, the pin at 250 deg; the force is across the tip.
+    let arm = 2.0 * pin * 70.0_f64.to_radians().sin() * 70.0_f64.to_radians().sin();
+    let [from, to] = [15.0_f64, 125.0].map(f64::to_radians);
+    let friction = mu * width * r * integral(|t: f64| t.sin() * (r - pin * t.cos()), from, to);
+    let normal = width * r * pin * integral(|t: f64| t.sin().powi(2), from, to);
+    let torque = mu * width * r * r * (from.cos() - to.cos());
+    for (name, omega, sense) in [("leading", "-80", -1.0), ("trailing", "80", 1.0)] {
+        let solved = run("pinned-shoe-elastic", &set(&[&format!("sliding.omega={omega}")]))?;
+        made.ran(&solved);
+        let largest = force * arm / (normal + sense * friction);
+        for (what, unit, reference, ours) in [
+            ("largest pressure, from a contact solve on the shape", "MPa", largest, highest(&solved.curve(column::solved)).1),
+            ("friction torque", "N m", 1e-3 * largest * torque, 1e-3 * solved.pressure().torque.map_or(f64::NAN, f64::abs)),
+        ] {
+            made.rows.push(Row {
+                quantity: format!("elastic shoe on its pin, {name}: {what}"),
+                unit,
+                reference: Some(reference),
+                ours,
+                note: "the same integrals of p = p_a sin(theta)".into(),
+                ..Row::default()
+            });
+        }
+    }
+    Ok(())
 }
 
 fn pivoted(made: &mut Made) -> Result<report::Series, Fault> {

@@ -119,6 +119,11 @@ pub(super) mod column {
         &profile.pressure
     }
 
+    /// Pressure that a contact solve on the shape gives back (MPa).
+    pub(crate) fn solved(profile: &Profile) -> &Vec<f64> {
+        &profile.pressure_solved
+    }
+
     /// Wear rate (um/s).
     pub(crate) fn wear_rate(profile: &Profile) -> &Vec<f64> {
         &profile.wear_rate

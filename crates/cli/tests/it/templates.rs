@@ -2,7 +2,7 @@
 
 use crate::call::Bench;
 
-const NAMES: [&str; 21] = [
+const NAMES: [&str; 23] = [
     "drum-brake-block",
     "drum-brake-ring",
     "lining-on-back",
@@ -16,6 +16,8 @@ const NAMES: [&str; 21] = [
     "hertz-sphere",
     "cattaneo-mindlin",
     "bushing",
+    "cam",
+    "journal",
     "knee",
     "pin-on-disc",
     "disc-pad",
