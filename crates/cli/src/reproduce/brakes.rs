@@ -5,7 +5,7 @@ use scene::Fault;
 use crate::reproduce::closed_form::{RADII, integral};
 use crate::reproduce::made::{Made, plot, series};
 use crate::reproduce::row::Row;
-use crate::reproduce::run::{column, highest, run, set};
+use crate::reproduce::run::{column, run, set};
 
 /// Clutch, pinned long shoe, pivoted long shoe.
 pub(super) fn brakes() -> Result<Made, Fault> {
@@ -81,6 +81,9 @@ fn pinned(made: &mut Made) -> Result<report::Series, Fault> {
     Ok(series("pinned, from the pin", curve))
 }
 
+/// Where the elastic shoe presses most: 90 deg from its pin.
+const FULLEST: f64 = 160.0;
+
 /// The elastic shoe on its pin: lining from 15 to 125 deg from the pin, tip opposite to it. Elastic bodies do not change its steady pressure, and a
 /// contact solve on the shape gives that back.
 fn elastic(made: &mut Made) -> Result<(), Fault> {
@@ -96,7 +99,12 @@ fn elastic(made: &mut Made) -> Result<(), Fault> {
         made.ran(&solved);
         let largest = force * arm / (normal + sense * friction);
         for (what, unit, reference, ours) in [
-            ("largest pressure, from a contact solve on the shape", "MPa", largest, highest(&solved.curve(column::solved)).1),
+            (
+                "pressure at 90 deg from the pin, from a contact solve on the shape",
+                "MPa",
+                largest,
+                solved.at(column::solved, FULLEST),
+            ),
             ("friction torque", "N m", 1e-3 * largest * torque, 1e-3 * solved.pressure().torque.map_or(f64::NAN, f64::abs)),
         ] {
             made.rows.push(Row {

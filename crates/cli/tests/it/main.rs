@@ -37,6 +37,7 @@ mod resolved;
 mod resume;
 mod reversing;
 mod round;
+mod round_pairs;
 mod schedule;
 mod set;
 mod sound;

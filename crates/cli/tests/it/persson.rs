@@ -18,14 +18,14 @@ use serde_json::Value;
 use crate::call::Bench;
 
 /// `E' dR / Q` of a half angle of contact.
-fn clearance_over_load(eps: f64) -> f64 {
+pub(crate) fn clearance_over_load(eps: f64) -> f64 {
     let b = (0.5 * eps).tan();
     let square = b * b;
     (2.0 - 2.0 * square * square - square.ln_1p()) / (PI * square * (1.0 + square))
 }
 
 /// `R p / Q` at an angle.
-fn pressure(eps: f64, phi: f64) -> f64 {
+pub(crate) fn pressure(eps: f64, phi: f64) -> f64 {
     let (b, y) = ((0.5 * eps).tan(), (0.5 * phi).tan());
     let (root, side) = ((b * b - y * y).max(0.0).sqrt(), (1.0 + b * b).sqrt());
     let logarithm = ((side + root) / (side - root)).ln();
@@ -63,9 +63,9 @@ fn the_closed_form_solves_the_series_of_disc_and_hole() {
     }
 }
 
-const RADIUS: f64 = 10.0;
-const YOUNG: f64 = 210e3;
-const POISSON: f64 = 0.3;
+pub(crate) const RADIUS: f64 = 10.0;
+pub(crate) const YOUNG: f64 = 210e3;
+pub(crate) const POISSON: f64 = 0.3;
 
 /// A plate between the hole and a circle of radius `size`, on a pin held in its middle; the load pushes on the upper half of the rim and pulls on the
 /// lower one, as in a plate without end, so that what the rim changes falls with the square of the size.

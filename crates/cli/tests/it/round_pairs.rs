@@ -1,0 +1,201 @@
+//! Shafts all around in their housings, and round bodies that touch from outside: against Persson and Hertz.
+//!
+//! The formulas of Persson stand in [`persson`](super::persson), with their source.
+//!
+//! ```text
+//!       . - - - .              ( roller )   R1
+//!      / . - - . \                 |
+//!     | ( shaft ) |           .- - - - -.
+//!      \ ' - - ' /           (    cam    )  R2       1/R = 1/R1 + 1/R2
+//!       ' - - - ' housing     ' - - - - '
+//! ```
+
+use std::f64::consts::PI;
+
+use serde_json::Value;
+
+use crate::call::Bench;
+use crate::persson::{POISSON, RADIUS, YOUNG, clearance_over_load, pressure};
+
+/// A contact as the summary tells it: its ends (mm), and the largest pressure (MPa).
+struct Touched {
+    ends: [f64; 2],
+    largest: f64,
+}
+
+impl Touched {
+    fn half(&self) -> f64 {
+        0.5 * (self.ends[1] - self.ends[0])
+    }
+
+    /// How far it is from symmetric, over its half length.
+    fn skew(&self) -> f64 {
+        ((self.ends[0] + self.ends[1]) / self.half()).abs()
+    }
+}
+
+fn touched(bench: &Bench, arguments: &str) -> Touched {
+    let call = bench.call(&format!("run {arguments} -q -o out"));
+    assert_eq!(call.code, 0, "{arguments}: {}{}", call.out, call.err);
+    let summary: Value = serde_json::from_str(&bench.read("out/summary.json")).unwrap();
+    let contact = &summary["contact"];
+    let ends = [0, 1].map(|i| contact["ends_mm"][i].as_f64().unwrap());
+    Touched { ends, largest: contact["p_max_MPa"].as_f64().unwrap() }
+}
+
+/// A shaft in a housing whose outside, a circle of radius `size`, is rigid, as a plate without end is but for the square of its size; either may be body 1.
+fn journal(size: f64, clearance: f64, force: f64, housing_first: bool) -> String {
+    let housing = format!("geometry.ring = {{ inner = {RADIUS}, outer = {size} }}");
+    let shaft = format!("geometry.ring = {{ inner = 0.1, outer = {RADIUS} }}");
+    let bodies = if housing_first {
+        [(housing, "inner", "outer"), (shaft, "outer", "inner")]
+    } else {
+        [(shaft, "outer", "inner"), (housing, "inner", "outer")]
+    };
+    let [(one, touches, held), (other, meets, fixed)] = bodies;
+    format!(
+        r#"units = "N-mm"
+kinematics = "plane-strain"
+thickness = 1
+tasks = ["contact"]
+accuracy = 1e-4
+contact = {{ edges = ["{touches}", "{meets}"], clearance = {clearance} }}
+load = {{ edge = "{held}", as = "rigid", force = {force}, tilt = 0 }}
+[body1]
+material = {{ young = {YOUNG}, poisson = {POISSON} }}
+{one}
+support = {{ {held} = ["x"] }}
+[body2]
+material = {{ young = {YOUNG}, poisson = {POISSON} }}
+{other}
+support = {{ {fixed} = ["x", "z"] }}
+"#
+    )
+}
+
+/// Half angles of contact from 10 to 78 degrees and the largest pressures, with the housing or the shaft as body 1, in the limit of a large housing from two
+/// sizes; the rest is the clearance of 1e-4 of the radius, of which the closed form knows nothing.
+#[test]
+fn a_shaft_all_around_in_its_housing_touches_as_persson_has_it() {
+    let bench = Bench::new();
+    let clearance = 1e-4 * RADIUS;
+    for (degrees, housing_first) in [(10.0_f64, true), (45.0, false), (60.0, true), (78.0, false)] {
+        let eps = degrees.to_radians();
+        let force = YOUNG / (1.0 - POISSON * POISSON) * clearance / clearance_over_load(eps);
+        let errors = [200.0, 400.0].map(|size| {
+            bench.file("journal.toml", &journal(size, clearance, force, housing_first));
+            let found = touched(&bench, "journal.toml");
+            assert!(found.skew() < 1e-6, "{degrees}: {:?}", found.ends);
+            [found.half() / RADIUS / eps - 1.0, found.largest * RADIUS / force / pressure(eps, 0.0) - 1.0]
+        });
+        for (coarse, fine) in errors[0].iter().zip(&errors[1]) {
+            let limit = (4.0 * fine - coarse) / 3.0;
+            assert!(fine.abs() < 4e-4 && limit.abs() < 2e-4, "{degrees} deg: {coarse:e} {fine:e} {limit:e}");
+        }
+    }
+}
+
+/// Housing and shaft of the scene written the other way around: the shaft pressed down into its housing touches at the bottom by the same arc.
+#[test]
+fn shaft_and_housing_may_change_places() {
+    let bench = Bench::new();
+    let one = touched(&bench, "journal --set contact.friction=0");
+    let turned = "journal --set contact.friction=0 --set contact.edges=[outer,inner] --set load.edge=inner \
+                  --set body1.material.young=210_GPa --set body1.material.poisson=0.3 --set body1.geometry.ring.inner=5 \
+                  --set body1.geometry.ring.outer=25 --set body1.support={inner=[x]} --set body2.material.young=100_GPa \
+                  --set body2.material.poisson=0.34 --set body2.geometry.ring.inner=25 --set body2.geometry.ring.outer=40 \
+                  --set body2.support={outer=[x,z]}";
+    let other = touched(&bench, turned);
+    assert!(one.skew() < 1e-6 && other.skew() < 1e-6);
+    // But for the clearance over the radius, 2e-3.
+    assert!((one.half() / other.half() - 1.0).abs() < 2e-3 && (one.largest / other.largest - 1.0).abs() < 2e-3);
+}
+
+/// A contact a hundredth of the surface: the limit of Hertz, on a bush with ends and on a whole circle, by accuracy and by a fixed degree.
+#[test]
+fn a_short_contact_has_cells_of_its_size() {
+    let bench = Bench::new();
+    let modulus = 1.0 / ((1.0 - 0.34_f64.powi(2)) / 100e3 + (1.0 - 0.09) / 210e3);
+    let radius = 25.0 * 25.05 / 0.05;
+    let (per_length, close) = (5.0 / 30.0, |x: f64, y: f64, by: f64| (x / y - 1.0).abs() < by);
+    let half = (4.0 * per_length * radius / (PI * modulus)).sqrt();
+    for scene in ["journal", "bushing"] {
+        let fine = touched(&bench, &format!("{scene} --set load.force=5 --set contact.friction=0 --set accuracy=1e-5"));
+        assert!(
+            close(fine.half(), half, 3e-3) && close(fine.largest, 2.0 * per_length / (PI * half), 3e-3),
+            "{scene} {} {half}",
+            fine.half()
+        );
+        let fixed = touched(&bench, &format!("{scene} --set load.force=5 --set contact.friction=0 --set mesh.degree=8"));
+        assert!(
+            close(fixed.half(), fine.half(), 2e-4) && close(fixed.largest, fine.largest, 2e-3),
+            "{scene} {} {}",
+            fixed.half(),
+            fine.half()
+        );
+    }
+}
+
+/// Half lengths and largest pressures of Hertz, from which ours differ in proportion to the load: by the square of the contact over the radii.
+#[test]
+fn round_bodies_touch_from_outside_as_hertz_has_it_the_closer_the_lighter_the_load() {
+    let bench = Bench::new();
+    let modulus = 0.5 * 210e3 / (1.0 - 0.09);
+    let radius = 1.0 / (1.0 / 10.0 + 1.0 / 25.0);
+    let errors = [160e3, 40e3, 10e3, 1e3].map(|force| {
+        let found = touched(&bench, &format!("cam --set load.force={force}"));
+        let half = (4.0 * force / 12.0 * radius / (PI * modulus)).sqrt();
+        assert!(found.skew() < 1e-6, "{:?}", found.ends);
+        [found.half() / half - 1.0, found.largest / (2.0 * force / 12.0 / (PI * half)) - 1.0]
+    });
+    for error in [0, 1] {
+        let of = |k: usize| errors[k][error];
+        assert!(of(0).abs() < 1.5e-2 && of(3).abs() < 3e-4, "{errors:?}");
+        assert!((of(0) / of(1) - 4.0).abs() < 0.4 && (of(1) / of(2) - 4.0).abs() < 0.6, "{errors:?}");
+    }
+}
+
+/// A half-disc, given by cells, on the same cam.
+#[test]
+fn a_half_disc_may_touch_a_cam() {
+    let bench = Bench::new();
+    let disc = "cam --set contact.edges=[arc,outer] --set body1.geometry.half-disc={radius=10,centre=[0,35]} --set load.edge=top --set body1.support={top=[x]}";
+    let (one, other) = (touched(&bench, disc), touched(&bench, "cam"));
+    assert!((one.half() / other.half() - 1.0).abs() < 3e-4 && (one.largest / other.largest - 1.0).abs() < 1e-3);
+}
+
+#[test]
+fn round_pairs_that_cannot_be_are_refused_by_name() {
+    let bench = Bench::new();
+    for (set, code, words) in [
+        ("journal --set contact.clearance=-0.01", "contact.clearance", "negative clearance"),
+        ("journal --set body1.geometry.ring.inner=24", "contact", "the arcs cross"),
+        ("journal --set load.as=pressure", "load.as", "no force along z"),
+        ("journal --set tasks=[pressure,shape]", "tasks", "the task contact alone"),
+        ("cam --set body1.geometry.ring.centre=[0,34]", "contact", "the round bodies cross"),
+        ("cam --set body1.geometry.ring.centre=[0,36]", "contact", "do not touch"),
+        ("cam --set body1.geometry.ring.centre=[1,35]", "contact", "beside the z axis"),
+        ("cam --set contact.clearance=0.1", "contact.clearance", "drawn with two radii"),
+        ("cam --set tasks=[wear]", "tasks", "the task contact alone"),
+    ] {
+        let call = bench.check_and_run(set);
+        assert!(call.code == 2 && call.err.contains(words) && call.err.contains(code), "{set}: {}", call.err);
+    }
+    // Contact beyond the part of the circle that can touch is found while solving.
+    let call = bench.call("run cam --set load.force=3e7 -q -o far");
+    assert!(
+        call.code == 1 && bench.read("far/summary.json").contains("reaches the end of the part of the circle"),
+        "{}",
+        call.err
+    );
+}
+
+/// A roller set on an edge with a pin takes its place, and the other way around.
+#[test]
+fn a_support_that_is_set_takes_the_place_of_the_one_in_the_scene() {
+    let bench = Bench::new();
+    let call = bench.call("run pinned-shoe-elastic --set body1.support.seat.roller=20_deg --set tasks=[pressure] -q -o roller");
+    assert!(call.code < 2, "{}", call.err);
+    let resolved = bench.read("roller/scene.resolved.toml");
+    assert!(resolved.contains("roller") && !resolved.contains("pin ="), "{resolved}");
+}
