@@ -142,7 +142,7 @@ fn other_circle([first, second]: [Round; 2], internal: bool) -> Result<Option<Ot
 }
 
 /// Share of the smaller radius to which two round bodies may touch.
-const ROUND: f64 = 0.5;
+const ROUND: f64 = 0.25;
 
 /// Two round bodies that touch from outside, body 1 above body 2. The contact surface is the part of body 2 around that place that may touch.
 fn on_round(thickness: f64, first: Circle, second: Circle) -> Result<Found, Fault> {
