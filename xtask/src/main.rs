@@ -10,6 +10,7 @@ mod fuzz;
 mod outputs;
 mod package;
 mod packages;
+mod python;
 mod stability;
 mod supply;
 mod tidy;
@@ -42,6 +43,9 @@ usage: cargo xtask <chore>
             names that docs/api lists [--write]
   builds    the libraries by the oldest Rust promised, without features, and for a browser, with a
             module run by node
+  python    the package for Python in an environment of its own below target: built, its tests, types
+            and notebooks [--install]
+  wheel     the package for Python as a file that others install, into target/wheels [--install]
   supply    every package of others comes from the registry, under a licence that deny.toml allows
   package   the static program, manual pages, completions, notices of third parties, the list of
             components and the Debian package
@@ -64,6 +68,8 @@ fn main() -> ExitCode {
         Some("crates") => crates::run(&root, &words[1..]),
         Some("builds") => builds::run(&root),
         Some("supply") => supply::run(&root),
+        Some("python") => python::run(&root, &words[1..]),
+        Some("wheel") => python::wheel(&root, &words[1..]),
         Some("package") => package::run(&root),
         Some("help" | "-h" | "--help") => {
             print!("{USAGE}");

@@ -13,9 +13,11 @@ pub(crate) struct Library {
     pub(crate) package: String,
     /// Whether there are features to leave out.
     pub(crate) has_features: bool,
+    /// Whether it is a module for another language.
+    for_others: bool,
 }
 
-/// Folders below `crates` with a library and no program.
+/// Folders below `crates` with a library for Rust and no program; the module for Python is none.
 pub(crate) fn libraries(root: &Path) -> Result<Vec<Library>, String> {
     let folder = root.join("crates");
     let entries = fs::read_dir(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
@@ -28,13 +30,16 @@ pub(crate) fn libraries(root: &Path) -> Result<Vec<Library>, String> {
     if folders.is_empty() {
         return Err(format!("no library in {}", folder.display()));
     }
-    folders.into_iter().map(|folder| library(root, folder)).collect()
+    let libraries = folders.into_iter().map(|folder| library(root, folder));
+    libraries.filter(|library| !library.as_ref().is_ok_and(|library| library.for_others)).collect()
 }
 
 fn library(root: &Path, folder: String) -> Result<Library, String> {
     let manifest = manifest(&root.join("crates").join(&folder).join("Cargo.toml"))?;
     let package = name(&manifest).ok_or_else(|| format!("crates/{folder}/Cargo.toml names no package"))?;
-    Ok(Library { package, has_features: manifest.contains_key("features"), folder })
+    let kinds = manifest.get("lib").and_then(|lib| lib.get("crate-type")).and_then(toml::Value::as_array);
+    let for_others = kinds.is_some_and(|kinds| kinds.iter().all(|kind| kind.as_str() == Some("cdylib")));
+    Ok(Library { package, has_features: manifest.contains_key("features"), for_others, folder })
 }
 
 /// Name of the package in a folder below `crates`.

@@ -36,7 +36,6 @@ mod progress;
 mod record;
 mod reproduce;
 mod sweep;
-mod track;
 mod write;
 
 pub use exit::Exit;

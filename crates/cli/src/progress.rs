@@ -5,13 +5,11 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use scene::short;
-use shapeopt::WearState;
+use report::{Track, step_words};
 use wearshape::{Event, Problem, Step};
 
 use crate::args::Common;
 use crate::print::no_colour;
-use crate::track::{Level, Track, words};
 
 /// Work shorter than this shows no bar.
 const MOMENT: Duration = Duration::from_millis(500);
@@ -70,13 +68,7 @@ impl Progress {
 
     /// Something happened in a run.
     pub(crate) fn see(&self, event: &Event<'_>) {
-        match event {
-            Event::Level { step, degree, left, .. } => {
-                self.track().level(Level { step: *step, degree: *degree, left: *left });
-            }
-            Event::Run(_) => {}
-            Event::WearStep(step) => self.track().wear(step.share, at(step.state)),
-        }
+        self.track().see(event);
         self.draw();
     }
 
@@ -88,7 +80,7 @@ impl Progress {
 
     /// A part of work of unknown length begins.
     pub(crate) fn busy(&self, step: Step) {
-        self.say(words(step));
+        self.say(step_words(step));
     }
 
     /// Prints beside the bar.
@@ -133,12 +125,6 @@ impl Drop for Progress {
     fn drop(&mut self) {
         self.end();
     }
-}
-
-/// A state of a run in time.
-fn at(state: &WearState) -> String {
-    let time: f64 = format!("{:.2e}", state.time).parse().unwrap_or(state.time);
-    format!("step {}, t = {} s", state.step, short(time))
 }
 
 /// Seconds in the unit that fits.

@@ -79,6 +79,12 @@ const TABLE: &[Row] = &[
         because: "cli is the top of the workspace",
     },
     Row {
+        package: "crates/python",
+        ours: &["wearshape", "report", "scene", "hpfem", "wear"],
+        others: Some(&["pyo3", "rayon", "serde_json"]),
+        because: "python hands on what the library computes, and computes nothing of its own",
+    },
+    Row {
         package: "tests/wasm",
         ours: &["hpfem"],
         others: Some(&[]),

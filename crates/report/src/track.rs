@@ -1,6 +1,7 @@
 //! How far a run is, from what happens in it: a share that never falls, and the words beside it.
 
-use wearshape::{Problem, Step};
+use scene::short;
+use wearshape::{Event, Problem, Step, WearState};
 
 /// What climbs levels, in the order of a run, and how long it takes beside the others, about.
 const LADDERS: [(Step, f64); 4] = [(Step::Force, 2.0), (Step::Contact, 1.0), (Step::Shape, 1.0), (Step::Evolution, 10.0)];
@@ -16,18 +17,18 @@ const NEXT: usize = 2;
 
 /// A level that begins.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Level {
+struct Level {
     /// What climbs.
-    pub(crate) step: Step,
+    step: Step,
     /// Degree of the cells.
-    pub(crate) degree: usize,
+    degree: usize,
     /// Levels expected after it.
-    pub(crate) left: usize,
+    left: usize,
 }
 
-/// Where a run is.
+/// Where a run is: told of its events and of the parts of its work, it knows the share that is done, in words too.
 #[derive(Debug, Default)]
-pub(crate) struct Track {
+pub struct Track {
     ladders: Vec<(Step, f64)>,
     /// Share of the run that its levels take.
     levels: f64,
@@ -44,7 +45,7 @@ pub(crate) struct Track {
 
 impl Track {
     /// A run at its start.
-    pub(crate) fn of(problem: &Problem) -> Track {
+    pub fn of(problem: &Problem) -> Track {
         let proof = problem.plan().runs(Step::RoundTrip) && !problem.plan().runs(Step::Evolution);
         let levels = if proof { LEVELS_BEFORE_PROOF } else { LEVELS };
         Track::along(LADDERS.into_iter().filter(|(step, _)| problem.plan().runs(*step)).collect(), levels)
@@ -54,8 +55,17 @@ impl Track {
         Track { ladders, levels, level: [0.0, levels], ..Track::default() }
     }
 
+    /// Something happened in the run.
+    pub fn see(&mut self, event: &Event<'_>) {
+        match event {
+            Event::Level { step, degree, left, .. } => self.level(Level { step: *step, degree: *degree, left: *left }),
+            Event::Run(_) => {}
+            Event::WearStep(step) => self.wear(step.share, at(step.state)),
+        }
+    }
+
     /// A level begins.
-    pub(crate) fn level(&mut self, Level { step, degree, left }: Level) {
+    fn level(&mut self, Level { step, degree, left }: Level) {
         let done = match self.climbing {
             Some((same, done)) if same == step => done + self.work,
             _ => 0.0,
@@ -69,25 +79,25 @@ impl Track {
         self.reach(at(done));
         self.level = [self.share, at(done + self.work).max(self.share)];
         self.climbing = Some((step, done));
-        self.heading = format!("{}, degree {degree}", words(step));
+        self.heading = format!("{}, degree {degree}", step_words(step));
         self.doing.clear();
     }
 
     /// A part of the work begins.
-    pub(crate) fn part(&mut self, step: Step) {
+    pub fn part(&mut self, step: Step) {
         let more = matches!(step, Step::RoundTrip) && self.ladders.iter().any(|(known, _)| *known == Step::Evolution);
         if matches!(step, Step::RoundTrip | Step::Fields) && !more {
             // The levels are over.
             self.reach(self.levels);
             self.level = [self.share, 1.0];
-            self.heading = words(step).into();
+            self.heading = step_words(step).into();
         }
         self.reach(self.share + PART * (self.level[1] - self.share));
-        self.doing = words(step).into();
+        self.doing = step_words(step).into();
     }
 
     /// A run in time has come to this share of its way on its level.
-    pub(crate) fn wear(&mut self, share: f64, state: String) {
+    fn wear(&mut self, share: f64, state: String) {
         let [from, to] = self.level;
         if share.is_finite() {
             self.reach(from + (to - from) * share.clamp(0.0, 1.0));
@@ -96,12 +106,12 @@ impl Track {
     }
 
     /// How far the run is, from 0 to 1, about.
-    pub(crate) fn share(&self) -> f64 {
+    pub fn share(&self) -> f64 {
         self.share
     }
 
     /// What is being done.
-    pub(crate) fn words(&self) -> String {
+    pub fn words(&self) -> String {
         match (self.heading.as_str(), self.doing.as_str()) {
             ("", one) | (one, "") => one.to_string(),
             (heading, doing) if heading == doing => heading.to_string(),
@@ -110,7 +120,7 @@ impl Track {
     }
 
     /// Seconds to go after so many of a run in time, about; none before there is much to go by. How many levels another run takes is hardly known.
-    pub(crate) fn left(&self, seconds: f64) -> Option<f64> {
+    pub fn left(&self, seconds: f64) -> Option<f64> {
         let in_time = self.climbing.is_some_and(|(step, _)| step == Step::Evolution);
         (in_time && seconds > 1.0 && self.share > 0.02).then(|| seconds * (1.0 - self.share) / self.share)
     }
@@ -135,8 +145,14 @@ impl Track {
     }
 }
 
+/// A state of a run in time.
+fn at(state: &WearState) -> String {
+    let time: f64 = format!("{:.2e}", state.time).parse().unwrap_or(state.time);
+    format!("step {}, t = {} s", state.step, short(time))
+}
+
 /// What is done in a step.
-pub(crate) fn words(step: Step) -> &'static str {
+pub fn step_words(step: Step) -> &'static str {
     match step {
         Step::Force => "force of the approach",
         Step::Pressure => "pressure",

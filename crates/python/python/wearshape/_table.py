@@ -1,0 +1,38 @@
+"""Tables: numpy's records, which pandas takes too."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from wearshape import _core
+
+if TYPE_CHECKING:
+    import pandas
+
+
+class Table(np.ndarray[tuple[int], np.dtype[np.void]]):
+    """Records with named fields, one row each: ``table["pressure_MPa"]`` is a column, ``table[0]`` a row. Units stand in the names."""
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """The same as a ``pandas.DataFrame``."""
+        import pandas
+
+        return pandas.DataFrame({name: np.asarray(self[name]) for name in self.dtype.names or ()})
+
+    def _repr_html_(self) -> str:
+        try:
+            return str(self.to_pandas()._repr_html_())  # type: ignore[operator]
+        except ImportError:
+            return f"<pre>{self!r}</pre>"
+
+
+def table(records: _core.Array) -> Table:
+    """Records of Rust, not copied."""
+    return np.asarray(records).view(Table)
+
+
+def numbers(array: _core.Array) -> np.ndarray[Any, np.dtype[np.float64]]:
+    """Numbers of Rust, not copied."""
+    return np.asarray(array)

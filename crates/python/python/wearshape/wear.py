@@ -1,0 +1,174 @@
+"""Optimal and steady pressures on points of your own, without bodies.
+
+A surface is a list of points with position, normal, area weight, sliding speed and drag direction. Body 1 wears by
+``w' = factor p^b v^a`` (mm/s, p in MPa, v in mm/s). Formulas and limits: the README of the crate ``wear``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from wearshape import _core
+from wearshape._error import Error
+from wearshape._table import numbers
+
+__all__ = ["Law", "Optimum", "Press", "Surface", "Tilt", "optimal_pressure"]
+
+
+@dataclass(frozen=True)
+class Surface:
+    """Points of a contact surface, n of them; body 2 slides over body 1."""
+
+    #: Position, shape (n, 3), mm; y is out of the plane of plane scenes.
+    position: ArrayLike
+    #: Unit normal out of body 2 into body 1, shape (n, 3).
+    normal: ArrayLike
+    #: Area weight, shape (n,), mm^2: ``(weight * f).sum()`` is the integral of f.
+    weight: ArrayLike
+    #: Sliding speed of body 2 relative to body 1, shape (n,), mm/s, 0 or more.
+    sliding_speed: ArrayLike
+    #: Unit tangent along which body 2 drags body 1, shape (n, 3); zero where the speed is zero.
+    drag: ArrayLike
+
+
+@dataclass(frozen=True)
+class Law:
+    """Wear rule of body 1, ``w' = factor p^b v^a``."""
+
+    #: Archard's k, or beta mu^b; (mm/s) / (MPa^b (mm/s)^a).
+    factor: float
+    #: Exponent a of the sliding speed.
+    a: float = 1.0
+    #: Exponent b > 0 of the pressure.
+    b: float = 1.0
+
+
+@dataclass(frozen=True)
+class Press:
+    """A free translation with the force that the load has along it."""
+
+    #: Force (N).
+    force: float
+    #: Unit direction of the force on body 1; pressing down is -z.
+    direction: Sequence[float] = (0.0, 0.0, -1.0)
+
+
+@dataclass(frozen=True)
+class Tilt:
+    """A free rotation with the moment that the contact pressure has about it."""
+
+    #: Moment (N mm).
+    moment: float
+    #: A point of the axis (mm).
+    about: Sequence[float] = (0.0, 0.0, 0.0)
+    #: Unit axis; +y closes the +x side of a plane surface.
+    axis: Sequence[float] = (0.0, 1.0, 0.0)
+
+
+@dataclass(frozen=True)
+class Optimum:
+    """An optimal pressure and what follows from it."""
+
+    #: Pressure at the points, shape (n,), MPa, a view for reading alone; zero where there is no contact.
+    pressure: NDArray[np.float64]
+    #: regular, near-singular, singular, partial-contact or several.
+    regime: str
+    #: minimum, maximum, indifferent or stationary, said only where it is proved.
+    character: str
+    #: Multiplier of each motion; the feed itself (mm/s, rad/s) for the steady state.
+    multipliers: tuple[float, ...]
+    #: Rigid velocity of wear in each motion, mm/s or rad/s, where the state is steady.
+    feed: tuple[float, ...] | None
+    #: Resultants that the motions carry, friction included (N, N mm).
+    resultants: tuple[float, ...]
+    #: Smallest pressure (MPa).
+    p_min: float
+    #: Largest pressure (MPa).
+    p_max: float
+    #: Mean pressure (MPa).
+    p_mean: float
+    #: Integral of the pressure (N).
+    normal_force: float
+    #: Wear volume a second (mm^3/s).
+    wear_volume_rate: float
+    #: Integral of mu p v (mW).
+    friction_power: float
+    #: Integral of p w' (mW).
+    wear_power: float
+    #: Part of the wear rate that is not a rigid motion, relative; 0 in the steady state.
+    steadiness_residual: float | None
+
+
+def optimal_pressure(
+    surface: Surface,
+    law: Law,
+    motions: Sequence[Press | Tilt],
+    *,
+    friction: float = 0.0,
+    functional: str = "steady",
+    q: float = 1.0,
+) -> Optimum:
+    """The pressure that makes a functional stationary under a load.
+
+    ``functional`` is ``steady`` (default), ``wear-volume``, ``friction-power``, ``wear-power`` or ``uniform``; ``q`` is used by the three in
+    the middle. ``motions`` are the rigid motions that body 1 is free in, six at most. ``friction`` is the coefficient mu.
+
+    Raises :class:`wearshape.Error` for a load that no pressure carries, and for shapes that do not fit.
+    """
+    position = _shaped("position", surface.position, 3)
+    count = len(position)
+    columns = {
+        "normal": _shaped("normal", surface.normal, 3, count),
+        "drag": _shaped("drag", surface.drag, 3, count),
+        "weight": _shaped("weight", surface.weight, None, count),
+        "sliding_speed": _shaped("sliding_speed", surface.sliding_speed, None, count),
+    }
+    found = _core.optimal_pressure(
+        {
+            "position": position.tolist(),
+            "normal": columns["normal"].tolist(),
+            "drag": columns["drag"].tolist(),
+            "weight": columns["weight"].tolist(),
+            "sliding_speed": columns["sliding_speed"].tolist(),
+            "law": [law.factor, law.a, law.b],
+            "friction": friction,
+            "functional": functional,
+            "q": q,
+            "modes": [_mode(motion) for motion in motions],
+        }
+    )
+    regime, character = found.words
+    known = dict(found.numbers)
+    return Optimum(
+        pressure=numbers(found.pressure),
+        regime=regime,
+        character=character,
+        multipliers=tuple(found.multipliers),
+        feed=None if found.feed is None else tuple(found.feed),
+        resultants=tuple(found.resultants),
+        steadiness_residual=known.pop("steadiness_residual"),
+        **{name: known[name] or 0.0 for name in _SURE},
+    )
+
+
+_SURE = ("p_min", "p_max", "p_mean", "normal_force", "wear_volume_rate", "friction_power", "wear_power")
+
+
+def _mode(motion: Press | Tilt) -> _core.Mode:
+    if isinstance(motion, Press):
+        return {"direction": list(motion.direction), "about": None, "resultant": motion.force}
+    return {"direction": list(motion.axis), "about": list(motion.about), "resultant": motion.moment}
+
+
+def _shaped(name: str, values: ArrayLike, columns: int | None, count: int | None = None) -> NDArray[np.float64]:
+    array = np.asarray(values, dtype=np.float64)
+    rows = array.shape[0] if array.ndim else 0
+    wanted = (rows if count is None else count,) + (() if columns is None else (columns,))
+    if array.shape != wanted:
+        shown = ("n" if count is None else count,) + wanted[1:]
+        raise Error(f"{name} has the shape {array.shape}", "shape", name, f"give an array of the shape {shown}")
+    return array

@@ -1,0 +1,156 @@
+"""Results: arrays without copies, files, pictures."""
+
+import csv
+import gc
+import io
+import json
+import threading
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+import wearshape
+
+
+@pytest.fixture(scope="module")
+def drum() -> wearshape.Result:
+    return wearshape.Scene("drum-brake-block").run()
+
+
+def test_five_lines_give_a_shape() -> None:
+    scene = wearshape.Scene("drum-brake-block")
+    result = scene.set(**{"contact.friction": 0.1}, accuracy=1e-4).run()
+    assert result.ok
+    assert 0.1 < result.gap.max() < 10
+    assert result.pressure @ result.weight == pytest.approx(result.summary["pressure"]["normal_force_N"], rel=1e-6)
+
+
+def test_arrays_are_views_of_the_solvers_memory(drum: wearshape.Result) -> None:
+    for name in ("s", "pressure", "gap", "weight", "wear_rate", "position"):
+        array, again = getattr(drum, name), getattr(drum, name)
+        assert not array.flags.owndata
+        assert not array.flags.writeable
+        assert array.__array_interface__["data"] == again.__array_interface__["data"]
+    assert drum.position.shape == (len(drum.s), 3)
+    assert np.shares_memory(drum.profile["gap_um"], drum.profile)
+
+
+def test_arrays_outlive_their_result() -> None:
+    result = wearshape.Scene("drum-brake-block").set(tasks=["pressure"]).run()
+    pressure, profile = result.pressure, result.profile
+    copy, gaps = pressure.copy(), profile["pressure_MPa"].copy()
+    del result
+    gc.collect()
+    for _ in range(5):
+        wearshape.Scene("drum-brake-block").set(tasks=["pressure"]).run()
+    assert (pressure == copy).all()
+    assert (profile["pressure_MPa"] == gaps).all()
+
+
+def test_the_profile_is_contact_csv_bit_for_bit(drum: wearshape.Result) -> None:
+    rows = list(csv.DictReader(io.StringIO(drum.files()["contact.csv"].decode())))
+    names = drum.profile.dtype.names
+    assert names is not None
+    assert tuple(rows[0]) == names
+    assert len(rows) == len(drum.profile)
+    for name in names[:-1]:
+        assert np.array_equal(drum.profile[name], [float(row[name]) for row in rows], equal_nan=True), name
+    assert drum.profile["status"].tolist() == [row["status"] for row in rows]
+    assert (drum.profile["gap_um"] == drum.gap).all()
+    frame = drum.profile.to_pandas()
+    assert list(frame.columns) == list(names)
+    assert frame["gap_um"].max() == drum.gap.max()
+
+
+def test_files_are_those_of_a_folder_and_are_saved(drum: wearshape.Result, tmp_path: Path) -> None:
+    files = drum.files()
+    assert {"report.html", "contact.csv", "summary.json", "scene.resolved.toml", "profile.dxf", "plots/gap.svg"} <= set(files)
+    assert json.loads(files["summary.json"]) == drum.summary
+    paths = drum.save(tmp_path / "out")
+    assert {path.relative_to(tmp_path / "out").as_posix(): path.read_bytes() for path in paths} == files
+
+
+def test_the_summary_says_what_came_of_it(drum: wearshape.Result) -> None:
+    assert drum.status == "ok"
+    assert drum.verdict == drum.summary["verdict"]
+    assert drum.error["gap_relative"] < 1e-6
+    assert drum.seconds["factor"] > 0
+    assert len(drum.history) == 0
+
+
+def test_a_run_in_time_has_a_history() -> None:
+    result = wearshape.Scene("punch-wear").set(accuracy=1e-2).run()
+    time_s = result.history["time_s"]
+    assert len(time_s) > 3
+    assert (np.diff(time_s) > 0).all()
+    assert result.history.to_pandas()["time_s"].iloc[-1] == result.summary["wear"]["time_s"]
+
+
+def test_a_run_without_an_answer_says_why() -> None:
+    moment = wearshape.Scene("translating-punch").set({"load.moment": 1e6})
+    result = moment.run()
+    assert result.status == "refused"
+    assert not result.ok
+    with pytest.raises(wearshape.Error, match="no profile") as raised:
+        _ = result.pressure
+    assert raised.value.code == "no-profile"
+    assert result.verdict in str(raised.value)
+
+
+def test_points_of_the_table_are_chosen() -> None:
+    scene = wearshape.Scene("drum-brake-block").set(tasks=["pressure"])
+    assert len(scene.run(sample=11).s) == 11
+    with pytest.raises(ValueError, match="2 to 1000000"):
+        scene.run(sample=1)
+
+
+def test_any_number_of_threads_gives_the_same_bits(drum: wearshape.Result) -> None:
+    one = wearshape.Scene("drum-brake-block").run(threads=1)
+    assert (one.gap == drum.gap).all()
+    assert one.files() == drum.files()
+
+
+def test_shared_bodies_are_factorised_once(drum: wearshape.Result) -> None:
+    bodies = wearshape.Bodies()
+    scene = wearshape.Scene("drum-brake-block")
+    scene.set({"contact.friction": 0.2}).run(bodies=bodies)
+    made = bodies.factorisations
+    result = scene.run(bodies=bodies)
+    assert bodies.factorisations == made
+    assert bodies.reused > 0
+    assert (result.gap == drum.gap).all()
+
+
+def test_the_lock_is_released_while_it_computes() -> None:
+    count = 0
+    done = threading.Event()
+
+    def run() -> None:
+        wearshape.Scene("drum-brake-block").set(accuracy=1e-8).run()
+        done.set()
+
+    thread = threading.Thread(target=run)
+    start = time.perf_counter()
+    thread.start()
+    while not done.is_set():
+        count += 1
+        time.sleep(0.001)
+    # A lock that was held would have let this thread on a few times at most.
+    assert count > 50 * (time.perf_counter() - start)
+
+
+def test_pictures_for_a_notebook(drum: wearshape.Result) -> None:
+    page = drum._repr_html_()
+    assert drum.verdict in page
+    assert page.count("<svg") == 2
+    assert (drum._repr_svg_() or "").startswith("<svg")
+    assert "<table" in drum.profile._repr_html_()
+
+
+def test_plot_draws_pressure_and_gap(drum: wearshape.Result) -> None:
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    figure = drum.plot()
+    assert [axes.get_ylabel() for axes in figure.axes] == ["pressure (MPa)", "gap (um)"]
+    assert figure.axes[1].get_xlabel() == "angle (deg)"
