@@ -44,9 +44,16 @@ fn tested(root: &Path, words: &[String]) -> Result<(), String> {
     })?;
     timed("pytest", || done(environment.python().args(["-m", "pytest", "-q", "--durations=5", FOLDER])))?;
     timed("mypy", || {
-        done(environment.python().args(["-m", "mypy", "--strict", "python/wearshape", "tests"]).current_dir(root.join(FOLDER)))?;
+        done(
+            environment
+                .python()
+                .args(["-m", "mypy", "--strict", "python/wearshape", "tests", "benches"])
+                .current_dir(root.join(FOLDER)),
+        )?;
         // The installed package, whose stubs must say what its module has.
-        done(environment.python().args(["-m", "mypy.stubtest", "wearshape._core"]))
+        done(environment.python().args(["-m", "mypy.stubtest", "wearshape._core"]))?;
+        let notebooks = format!("{FOLDER}/examples");
+        done(environment.python().args(["-m", "nbqa", "mypy", "--strict", &notebooks]))
     })?;
     println!("python: built, its tests and types pass");
     Ok(())

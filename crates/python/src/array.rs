@@ -6,7 +6,7 @@ use std::sync::Arc;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList, PyTuple};
 
-use crate::record::Records;
+use crate::record::{F64, Records};
 
 /// A read-only view of numbers that belong to something else.
 #[pyclass(frozen, module = "wearshape._core")]
@@ -22,9 +22,6 @@ pub(crate) struct Array {
     /// Bytes of one item.
     size: usize,
 }
-
-/// The type of an `f64` in numpy's words.
-pub(crate) const F64: &str = if cfg!(target_endian = "little") { "<f8" } else { ">f8" };
 
 impl Array {
     /// A part of `owner` as an array of one dimension.

@@ -7,7 +7,7 @@ use serde_json::json;
 use wearshape::Options;
 
 use crate::fault::raised;
-use crate::solution::Solution;
+use crate::solution::{Solution, Solved};
 use crate::solve::{Run, seconds, solve};
 
 /// Everything that is computed from, with every default filled in.
@@ -55,6 +55,7 @@ impl Problem {
 
     /// Solves it, watched by `run`.
     fn solve(&self, py: Python<'_>, run: Run) -> PyResult<Solution> {
-        solve(py, self, run)
+        let solution = solve(py, &self.posed, run)?.map_err(|fault| raised(py, self.document.locate(fault)))?;
+        Ok(Solution::new(Solved { problem: Arc::clone(&self.posed), solution }))
     }
 }

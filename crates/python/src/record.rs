@@ -3,8 +3,8 @@
 use report::CONTACT_COLUMNS;
 use wearshape::Profile;
 
-use crate::array::F64;
-
+/// The type of an `f64` in numpy's words.
+pub(crate) const F64: &str = if cfg!(target_endian = "little") { "<f8" } else { ">f8" };
 /// Characters of the longest status; a text of numpy holds four bytes a character.
 const STATUS: usize = 8;
 

@@ -13,8 +13,6 @@ use scene::Fault;
 use wearshape::{Options, Sampling};
 
 use crate::bodies::Bodies;
-use crate::fault::raised;
-use crate::problem::Problem;
 use crate::solution::{Solution, Solved};
 
 /// Time between two looks at signals.
@@ -50,11 +48,14 @@ enum Said {
     /// How far it is.
     Progress(f64, String),
     /// It is done.
-    Done(Box<Result<wearshape::Solution, Fault>>),
+    Done(Box<Outcome>),
 }
 
+/// What came of a solve, or what the user has to mend.
+type Outcome = Result<wearshape::Solution, Fault>;
+
 /// Solves a problem. On a signal of which Python makes an exception the solver is told to stop, and the exception goes up at once.
-pub(crate) fn solve(py: Python<'_>, problem: &Problem, run: Run) -> PyResult<Solution> {
+pub(crate) fn solve(py: Python<'_>, problem: &Arc<wearshape::Problem>, run: Run) -> PyResult<Outcome> {
     if run.sample.is_some_and(|count| !(2..=1_000_000).contains(&count)) {
         return Err(PyValueError::new_err("sample: ask for 2 to 1000000 points"));
     }
@@ -64,7 +65,7 @@ pub(crate) fn solve(py: Python<'_>, problem: &Problem, run: Run) -> PyResult<Sol
     let (said, heard) = channel();
     let stop = Arc::new(AtomicBool::new(false));
     let work = Work {
-        problem: Arc::clone(&problem.posed),
+        problem: Arc::clone(problem),
         bodies: run.bodies.as_ref().map(|bodies| Arc::clone(&bodies.get().shared)).unwrap_or_default(),
         resume: run.resume.as_ref().map(|solution| Arc::clone(&solution.get().solved)),
         sample: run.sample,
@@ -75,24 +76,14 @@ pub(crate) fn solve(py: Python<'_>, problem: &Problem, run: Run) -> PyResult<Sol
     };
     let thread = std::thread::Builder::new().name("wearshape".into()).stack_size(STACK);
     thread.spawn(move || work.done()).map_err(|error| PyRuntimeError::new_err(format!("no thread: {error}")))?;
-    match wait(py, heard, run.progress.as_ref(), &stop) {
-        Ok(Ok(solution)) => Ok(Solution::new(Solved { problem: Arc::clone(&problem.posed), solution })),
-        Ok(Err(fault)) => Err(raised(py, problem.document.locate(fault))),
-        Err(error) => {
-            // It ends by itself between two parts of its work.
-            stop.store(true, Ordering::Relaxed);
-            Err(error)
-        }
-    }
+    wait(py, heard, run.progress.as_ref(), &stop).inspect_err(|_| {
+        // It ends by itself between two parts of its work.
+        stop.store(true, Ordering::Relaxed);
+    })
 }
 
 /// Waits for the solver.
-fn wait(
-    py: Python<'_>,
-    heard: Receiver<Said>,
-    progress: Option<&Py<PyAny>>,
-    stop: &AtomicBool,
-) -> PyResult<Result<wearshape::Solution, Fault>> {
+fn wait(py: Python<'_>, heard: Receiver<Said>, progress: Option<&Py<PyAny>>, stop: &AtomicBool) -> PyResult<Outcome> {
     let heard = Mutex::new(heard);
     loop {
         // A receiver is for one thread at a time, which a lock proves.
@@ -136,7 +127,7 @@ impl Work {
         let _ = self.said.send(Said::Done(Box::new(solved)));
     }
 
-    fn solved(&self) -> Result<wearshape::Solution, Fault> {
+    fn solved(&self) -> Outcome {
         let track = Mutex::new(Track::of(&self.problem));
         let tell = |change: &dyn Fn(&mut Track)| {
             if self.told {

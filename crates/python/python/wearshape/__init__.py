@@ -12,6 +12,32 @@ from wearshape import hpfem, wear
 from wearshape._error import Error, Place
 from wearshape._result import Result
 from wearshape._scene import Bodies, Check, Level, Lint, Scene, Stage, scenes
+from wearshape._fit import Combination, Fit, History, Measurement, Number, Profile, fit
+from wearshape._sweep import sweep
 from wearshape._table import Table
+from wearshape._umbridge import umbridge
 
-__all__ = ["Bodies", "Check", "Error", "Level", "Lint", "Place", "Result", "Scene", "Stage", "Table", "hpfem", "scenes", "wear"]
+__all__ = [
+    "Bodies",
+    "Check",
+    "Combination",
+    "Error",
+    "Fit",
+    "History",
+    "Level",
+    "Lint",
+    "Measurement",
+    "Number",
+    "Place",
+    "Profile",
+    "Result",
+    "Scene",
+    "Stage",
+    "Table",
+    "fit",
+    "hpfem",
+    "scenes",
+    "sweep",
+    "umbridge",
+    "wear",
+]

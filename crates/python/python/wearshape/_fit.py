@@ -1,0 +1,216 @@
+"""Parameters of a scene from measurements: least squares by scipy."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from wearshape import _core
+from wearshape._error import Error
+from wearshape._result import Result
+from wearshape._scene import Scene
+
+#: Relative step of the differences: numbers are known to the accuracy of the scene, which has to be finer by some digits.
+_STEP = 1e-4
+
+
+class Measurement(ABC):
+    """Something measured in an experiment."""
+
+    #: What was set in the experiment, beside the scene.
+    changes: Mapping[str, Any]
+
+    @abstractmethod
+    def residuals(self, result: Result) -> NDArray[np.float64]:
+        """(computed - measured) / sigma. Shape (m,)."""
+
+
+@dataclass(frozen=True)
+class Number(Measurement):
+    """A measured number of the summary."""
+
+    #: Dotted key, as ``"pressure.torque_Nmm"``.
+    key: str
+    #: Measured value, in the unit of the key.
+    value: float
+    #: Its standard deviation, in the same unit.
+    sigma: float
+    #: What was set in this experiment, beside the scene.
+    changes: Mapping[str, Any] = field(default_factory=dict)
+
+    def residuals(self, result: Result) -> NDArray[np.float64]:
+        """(computed - measured) / sigma. Shape (1,)."""
+        value: Any = result.summary
+        for part in self.key.split("."):
+            if not isinstance(value, dict) or part not in value:
+                raise Error(f"the summary has no {self.key}: {result.verdict}", "no-number", self.key, "see `result.summary`")
+            value = value[part]
+        return np.array([(float(value) - self.value) / self.sigma])
+
+
+@dataclass(frozen=True)
+class _Column(Measurement):
+    #: Name of the column, its unit at its end.
+    column: str
+    #: Places of the measurements: s (mm) of a profile, time (s) of a history. Shape (m,).
+    at: ArrayLike
+    #: Measured values. Shape (m,).
+    values: ArrayLike
+    #: Their standard deviation, one for all or one each.
+    sigma: ArrayLike
+    #: What was set in this experiment, beside the scene.
+    changes: Mapping[str, Any] = field(default_factory=dict)
+
+    def _against(self, known: NDArray[np.float64], computed: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Between the points of the solver by a cubic that keeps the ups and downs of its numbers."""
+        from scipy.interpolate import PchipInterpolator
+
+        at = np.asarray(self.at, dtype=np.float64)
+        if at.min() < known[0] or at.max() > known[-1]:
+            reach = f"from {known[0]:.6g} to {known[-1]:.6g}"
+            raise Error(f"{self.column} is measured beyond what is computed, {reach}", "beyond", None, "leave those out, or run longer")
+        there = PchipInterpolator(known, computed)(at)
+        return np.asarray((there - np.asarray(self.values, dtype=np.float64)) / np.asarray(self.sigma), dtype=np.float64)
+
+
+@dataclass(frozen=True)
+class Profile(_Column):
+    """A measured profile: a column of ``result.profile``, as ``"gap_um"``, at places s (mm)."""
+
+    def residuals(self, result: Result) -> NDArray[np.float64]:
+        """(computed - measured) / sigma. Shape (m,)."""
+        return self._against(result.s, result.profile[self.column])
+
+
+@dataclass(frozen=True)
+class History(_Column):
+    """Measurements over time (s): a column of ``result.history``, as ``"volume_mm3"``."""
+
+    def residuals(self, result: Result) -> NDArray[np.float64]:
+        """(computed - measured) / sigma. Shape (m,)."""
+        return self._against(result.history["time_s"], result.history[self.column])
+
+
+@dataclass(frozen=True)
+class Combination:
+    """A direction in the space of the parameters, and how well the data tell the place along it."""
+
+    #: Share of each parameter's relative change, a unit vector.
+    direction: dict[str, float]
+    #: Standard deviation of the relative change along it; 1 is 100 %.
+    deviation: float
+
+    @property
+    def known(self) -> bool:
+        """Whether the data tell it: to better than its own size."""
+        return self.deviation < 1
+
+
+@dataclass(frozen=True)
+class Fit:
+    """Estimated parameters."""
+
+    #: Estimates by key.
+    estimates: dict[str, float]
+    #: Covariance of the estimates, in the order of ``estimates``; inf in it where a combination is not told at all. Shape (p, p).
+    covariance: NDArray[np.float64]
+    #: Singular directions of the relative sensitivities, best known first.
+    combinations: list[Combination]
+    #: Half the sum of squared residuals.
+    cost: float
+    #: Residuals at the estimates, each by its standard deviation. Shape (m,).
+    residuals: NDArray[np.float64]
+    #: Runs of the scene.
+    runs: int
+
+    @property
+    def deviations(self) -> dict[str, float]:
+        """Standard deviation of each estimate."""
+        return dict(zip(self.estimates, np.sqrt(np.diag(self.covariance)).tolist(), strict=True))
+
+    @property
+    def unknown(self) -> list[Combination]:
+        """Combinations of parameters that the data cannot tell apart."""
+        return [each for each in self.combinations if not each.known]
+
+    def interval(self, key: str, level: float = 0.95) -> tuple[float, float]:
+        """Confidence interval of an estimate, for noise as the given sigma say."""
+        from scipy.stats import norm
+
+        reach = float(norm.ppf(0.5 + level / 2)) * self.deviations[key]
+        return self.estimates[key] - reach, self.estimates[key] + reach
+
+
+def fit(
+    scene: Scene,
+    data: Sequence[Measurement],
+    parameters: Mapping[str, float | tuple[float, float, float]],
+) -> Fit:
+    """Finds parameters of a scene from measurements by ``scipy.optimize.least_squares``.
+
+    :param data: :class:`Number`, :class:`Profile` and :class:`History`, each with its standard deviation and with what was set in its
+        experiment; equal settings are run once.
+    :param parameters: keys with a start value other than 0, or with a start value and the smallest and largest one. Keys are those of
+        :meth:`Scene.set`; ``wear.beta.0`` is the first of a list.
+
+    The covariance is (J^T J)^-1 of the residuals, whose sigma are taken as they are given.
+
+    Raises :class:`Error` for data that the scene does not compute.
+    """
+    from scipy.optimize import least_squares
+
+    names = list(parameters)
+    if not names or not data:
+        raise Error("there is nothing to fit", "nothing-to-fit", None, "give one parameter and one measurement at least")
+    bounds = np.array([value[1:] if isinstance(value, tuple) else (-np.inf, np.inf) for value in parameters.values()], dtype=float)
+    start = np.array([value[0] if isinstance(value, tuple) else value for value in parameters.values()], dtype=float)
+    if (start == 0).any():
+        name = names[int(np.argmin(np.abs(start)))]
+        raise Error(f"{name} starts at 0", "zero-start", name, "start where it might be: its size is the scale of the steps")
+    experiments: dict[str, list[Measurement]] = {}
+    for each in data:
+        experiments.setdefault(repr(sorted(each.changes.items())), []).append(each)
+    bodies = _core.Bodies()
+    runs = 0
+
+    def residuals(relative: NDArray[np.float64]) -> NDArray[np.float64]:
+        nonlocal runs
+        values = dict(zip(names, (relative * start).tolist(), strict=True))
+        parts: list[NDArray[np.float64]] = []
+        for group in experiments.values():
+            result = _changed(scene, values, group[0].changes).run(bodies=bodies)
+            runs += 1
+            parts.extend(each.residuals(result) for each in group)
+        return np.concatenate(parts)
+
+    limits = np.sort(bounds / start[:, None], axis=1).T
+    solved = least_squares(residuals, np.ones(len(names)), bounds=(limits[0], limits[1]), diff_step=np.full(len(names), _STEP), x_scale=1.0)
+    _, singular, rows = np.linalg.svd(np.asarray(solved.jac, dtype=np.float64) * solved.x, full_matrices=False)
+    combinations = [
+        Combination(dict(zip(names, row.tolist(), strict=True)), float(1 / value) if value > 0 else np.inf)
+        for row, value in zip(rows, singular, strict=True)
+    ]
+    told = singular > singular[0] * 1e-7
+    estimates = solved.x * start
+    relative = (rows[told].T / singular[told] ** 2) @ rows[told]
+    covariance = relative * np.outer(estimates, estimates)
+    lost = (np.abs(rows[~told]) > 1e-6).any(axis=0)
+    covariance[lost] = covariance[:, lost] = np.inf
+    return Fit(
+        estimates=dict(zip(names, estimates.tolist(), strict=True)),
+        covariance=covariance,
+        combinations=combinations,
+        cost=float(solved.cost),
+        residuals=solved.fun,
+        runs=runs,
+    )
+
+
+def _changed(scene: Scene, values: Mapping[str, float], changes: Mapping[str, Any]) -> Scene:
+    """The scene with parameters, then with what the experiment sets."""
+    return scene.set({**values, **changes})

@@ -1,0 +1,78 @@
+"""Fits: what was put in comes back, within what is said of it."""
+
+import numpy as np
+import pytest
+import wearshape
+
+pytest.importorskip("scipy")
+
+RATE = "pressure.wear_volume_rate_mm3_per_s"
+TRUE = {"wear.beta.0": 2e-4, "wear.a": 1.1, "wear.b": 0.8}
+DRUM = wearshape.Scene("drum-brake-ring").set(tasks=["pressure"])
+#: Force (N) and speed (rad/s) of six wear tests.
+TESTS = [{"load.force": force, "sliding.omega": omega} for force in (4e3, 1e4, 2.5e4) for omega in (1.0, 6.0)]
+
+
+def rates() -> list[float]:
+    return [float(DRUM.set({**TRUE, **test}).run().summary["pressure"]["wear_volume_rate_mm3_per_s"]) for test in TESTS]
+
+
+def test_intervals_hold_the_truth_as_often_as_they_say() -> None:
+    """200 draws of noise of 2 %: the truth lies in the interval of 95 % in 190 of them, give or take 3 standard deviations of the count."""
+    random = np.random.default_rng(18)
+    exact = rates()
+    draws, held = 200, dict.fromkeys(TRUE, 0)
+    for _ in range(draws):
+        noise = 1 + 0.02 * random.standard_normal(len(exact))
+        data = [wearshape.Number(RATE, rate * n, 0.02 * rate, test) for rate, n, test in zip(exact, noise, TESTS, strict=True)]
+        found = wearshape.fit(DRUM, data, {"wear.beta.0": 2.5e-4, "wear.a": 1.0, "wear.b": 1.0})
+        assert not found.unknown
+        for key, value in TRUE.items():
+            low, high = found.interval(key)
+            held[key] += low <= value <= high
+    print(f"intervals of 95 % that hold the truth, of {draws}: {held}")
+    spread = 3 * np.sqrt(draws * 0.95 * 0.05)
+    assert all(abs(count - 0.95 * draws) <= spread for count in held.values()), held
+
+
+def test_a_steady_pressure_tells_a_over_b_alone() -> None:
+    """p ~ r^(-a/b) on a ring: a and b by the same factor change nothing."""
+    ring = wearshape.Scene("annular-punch").set({"tasks": ["pressure"], "wear.a": 1.2, "wear.b": 0.9})
+    truth = ring.run()
+    radii = np.linspace(30, 110, 25)
+    pressure = np.interp(radii, truth.s, truth.pressure)
+    data = [wearshape.Profile("pressure_MPa", truth.s, truth.pressure, 0.5)]
+    found = wearshape.fit(ring, data, {"wear.a": 1.0, "wear.b": 1.0})
+    assert found.estimates["wear.a"] / found.estimates["wear.b"] == pytest.approx(1.2 / 0.9, rel=1e-6)
+    assert [each.known for each in found.combinations] == [True, False]
+    [lost] = found.unknown
+    assert abs(lost.direction["wear.a"]) == pytest.approx(np.sqrt(0.5), rel=1e-3)
+    assert lost.direction["wear.a"] == pytest.approx(lost.direction["wear.b"], rel=1e-3)
+    assert min(found.deviations.values()) > 1
+    # Measured between the points of the solver, it is the same.
+    between = wearshape.fit(ring, [wearshape.Profile("pressure_MPa", radii, pressure, 0.5)], {"wear.a": (1.0, 0.1, 3.0)})
+    assert between.estimates["wear.a"] == pytest.approx(1.2, rel=2e-2)
+
+
+def test_a_run_in_time_gives_back_its_wear_factor() -> None:
+    punch = wearshape.Scene("punch-wear").set({"accuracy": 1e-3, "wear.until": "60 s"})
+    truth = punch.set({"wear.beta.0": 3e-4}).run()
+    time_s, volume = truth.history["time_s"], truth.history["volume1_mm3"]
+    places = np.linspace(-25, 25, 11)
+    data = [
+        wearshape.History("volume1_mm3", time_s[5::6], volume[5::6], 0.01 * volume[-1]),
+        wearshape.Profile("gap_um", places, np.interp(places, truth.s, truth.gap), 0.1),
+    ]
+    found = wearshape.fit(punch, data, {"wear.beta.0": (2e-4, 5e-5, 1e-3)})
+    low, high = found.interval("wear.beta.0")
+    assert low < 3e-4 < high
+    assert found.estimates["wear.beta.0"] == pytest.approx(3e-4, rel=1e-2)
+
+
+def test_data_that_are_not_computed_are_refused() -> None:
+    with pytest.raises(wearshape.Error, match=r"no shape\.crown_um"):
+        wearshape.fit(DRUM, [wearshape.Number("shape.crown_um", 1, 1)], {"wear.a": 1.0})
+    with pytest.raises(wearshape.Error, match="starts at 0"):
+        wearshape.fit(DRUM, [wearshape.Number(RATE, 1, 1)], {"wear.a": 0.0})
+    with pytest.raises(wearshape.Error, match="beyond"):
+        wearshape.fit(DRUM, [wearshape.Profile("pressure_MPa", [0, 500], [1, 1], 1)], {"wear.a": 1.0})

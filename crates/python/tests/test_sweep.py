@@ -1,0 +1,92 @@
+"""Sweeps: on threads, and on a cluster of two processes."""
+
+import os
+import signal
+import time
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+import wearshape
+
+xarray = pytest.importorskip("xarray")
+distributed = pytest.importorskip("distributed")
+
+DRUM = wearshape.Scene("drum-brake-block").set(accuracy=1e-3)
+GRID = {"contact.friction": np.linspace(0.05, 0.4, 8), "wear.b": [0.5, 1.0, 2.0]}
+
+
+@pytest.fixture(scope="module")
+def client() -> Iterator[Any]:
+    with (
+        distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        yield client
+
+
+@pytest.fixture(scope="module")
+def bare() -> Any:
+    return wearshape.sweep(DRUM, GRID)
+
+
+def test_a_sweep_is_a_dataset_over_its_keys(bare: Any) -> None:
+    assert bare["pressure.torque_Nmm"].dims == ("contact.friction", "wear.b")
+    assert bare.gap_um.shape == (8, 3, 101)
+    assert (bare.status == "ok").all()
+    one = DRUM.set({"contact.friction": bare["contact.friction"].values[3], "wear.b": 1.0}).run(sample=101)
+    point = bare.isel({"contact.friction": 3}).sel({"wear.b": 1.0})
+    assert (point.gap_um == one.gap).all()
+    assert float(point["pressure.torque_Nmm"]) == one.summary["pressure"]["torque_Nmm"]
+
+
+def test_points_without_an_answer_say_why() -> None:
+    scene = wearshape.Scene("translating-punch").set(tasks=["pressure"])
+    found = wearshape.sweep(scene, {"load.moment": [0.0, 1e6], "contact.friction": [0.25, -1.0]})
+    assert found.status.values.tolist() == [["ok", "invalid"], ["refused", "invalid"]]
+    assert found.reason.values[0, 0] == ""
+    assert "edge" in found.reason.values[1, 0] or "moment" in found.reason.values[1, 0]
+    assert "contact.friction" in found.reason.values[0, 1]
+    assert np.isnan(found["pressure.p_max_MPa"].values).tolist() == [[False, True], [True, True]]
+
+
+def test_nothing_to_sweep_over_is_an_error() -> None:
+    with pytest.raises(wearshape.Error, match="nothing to sweep"):
+        wearshape.sweep(DRUM, {})
+
+
+def test_a_sweep_that_was_stopped_says_what_is_missing() -> None:
+    found = wearshape.sweep(DRUM, GRID, progress=lambda share, words: share < 0.5)
+    assert (found.status == "ok").sum() == 12
+    assert (found.status == "interrupted").sum() == 12
+
+
+def test_a_cluster_gives_the_same_numbers(client: Any, bare: Any) -> None:
+    found = wearshape.sweep(DRUM, GRID, client=client)
+    xarray.testing.assert_identical(found.drop_vars("seconds"), bare.drop_vars("seconds"))
+
+
+def test_a_killed_worker_loses_no_point(client: Any, bare: Any) -> None:
+    killed: list[int] = []
+
+    def kill_one(share: float, words: str) -> None:
+        if share > 0.2 and not killed:
+            killed.append(next(iter(client.run(os.getpid).values())))
+            os.kill(killed[0], signal.SIGKILL)
+
+    found = wearshape.sweep(DRUM, GRID, client=client, progress=kill_one)
+    assert killed
+    xarray.testing.assert_identical(found.drop_vars("seconds"), bare.drop_vars("seconds"))
+    client.wait_for_workers(2, timeout=30)
+    assert killed[0] not in client.run(os.getpid).values()
+
+
+def test_a_cancelled_sweep_leaves_the_cluster_idle(client: Any) -> None:
+    many = {"contact.friction": np.linspace(0.01, 0.4, 400)}
+    start = time.perf_counter()
+    found = wearshape.sweep(DRUM, many, client=client, progress=lambda share, words: False)
+    assert (found.status == "interrupted").sum() > 300
+    while any(client.processing().values()):
+        assert time.perf_counter() - start < 30
+        time.sleep(0.05)
