@@ -29,11 +29,6 @@ impl Document {
         &self.read.name
     }
 
-    /// The scene as it is written, with its changes, as TOML.
-    fn text(&self) -> String {
-        scene::scene_text(&self.read.scene)
-    }
-
     /// The problem that the scene poses; `beside` gives the bytes of a file that it names.
     fn pose(&self, py: Python<'_>, beside: &Bound<'_, PyAny>) -> PyResult<Problem> {
         let files = |path: &str| -> Result<Vec<u8>, String> {

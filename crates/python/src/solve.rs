@@ -6,7 +6,7 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use report::Track;
 use scene::Fault;
@@ -56,11 +56,13 @@ type Outcome = Result<wearshape::Solution, Fault>;
 
 /// Solves a problem. On a signal of which Python makes an exception the solver is told to stop, and the exception goes up at once.
 pub(crate) fn solve(py: Python<'_>, problem: &Arc<wearshape::Problem>, run: Run) -> PyResult<Outcome> {
-    if run.sample.is_some_and(|count| !(2..=1_000_000).contains(&count)) {
-        return Err(PyValueError::new_err("sample: ask for 2 to 1000000 points"));
+    if let Some(count) = run.sample.filter(|count| !(2..=1_000_000).contains(count)) {
+        let remedy = "ask for 2 to 1000000 points";
+        return Ok(Err(Fault::at("sample", "wrong-argument", format!("sample = {count} is out of range"), remedy)));
     }
-    if run.threads.is_some_and(|threads| !(1..=1024).contains(&threads)) {
-        return Err(PyValueError::new_err("threads: give a number from 1 to 1024"));
+    if let Some(threads) = run.threads.filter(|threads| !(1..=1024).contains(threads)) {
+        let remedy = "give a number of threads from 1 to 1024";
+        return Ok(Err(Fault::at("threads", "wrong-argument", format!("threads = {threads} is out of range"), remedy)));
     }
     let (said, heard) = channel();
     let stop = Arc::new(AtomicBool::new(false));

@@ -101,8 +101,11 @@ def test_a_run_without_an_answer_says_why() -> None:
 def test_points_of_the_table_are_chosen() -> None:
     scene = wearshape.Scene("drum-brake-block").set(tasks=["pressure"])
     assert len(scene.run(sample=11).s) == 11
-    with pytest.raises(ValueError, match="2 to 1000000"):
-        scene.run(sample=1)
+    for wrong in ({"sample": 1}, {"threads": 0}):
+        with pytest.raises(wearshape.Error, match="out of range") as raised:
+            scene.run(**wrong)
+        assert raised.value.code == "wrong-argument"
+        assert raised.value.place is None
 
 
 def test_any_number_of_threads_gives_the_same_bits(drum: wearshape.Result) -> None:

@@ -3,7 +3,19 @@
 from collections.abc import Callable
 from typing import Any, Self, TypedDict, final, type_check_only
 
-__all__: list[str]
+__all__ = [
+    "Array",
+    "Bodies",
+    "Document",
+    "Interface",
+    "Mesh",
+    "Optimum",
+    "Problem",
+    "Solution",
+    "builtin",
+    "optimal_pressure",
+    "scenes",
+]
 
 @type_check_only
 class Run(TypedDict):
@@ -65,7 +77,6 @@ class Document:
     def __new__(cls, file: str, text: str, settings: list[str]) -> Self: ...
     @property
     def name(self) -> str: ...
-    def text(self) -> str: ...
     def pose(self, beside: Callable[[str], bytes]) -> Problem: ...
 
 @final
