@@ -101,9 +101,9 @@ def test_a_run_without_an_answer_says_why() -> None:
 def test_points_of_the_table_are_chosen() -> None:
     scene = wearshape.Scene("drum-brake-block").set(tasks=["pressure"])
     assert len(scene.run(sample=11).s) == 11
-    for wrong in ({"sample": 1}, {"threads": 0}):
+    for sample, threads in ((1, None), (None, 0)):
         with pytest.raises(wearshape.Error, match="out of range") as raised:
-            scene.run(**wrong)
+            scene.run(sample=sample, threads=threads)
         assert raised.value.code == "wrong-argument"
         assert raised.value.place is None
 
