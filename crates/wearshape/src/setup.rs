@@ -67,9 +67,9 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     let edge = scene.load.as_ref().and_then(|load| load::edge(load, first));
     let couple = bodies.zip(edge).map(|((kinematics, bodies), load)| Couple { kinematics, bodies, load });
     one_way::wanted(&scene, couple.as_ref(), patch.as_ref())?;
+    duty::thick_enough(&scene, couple.as_ref())?;
     carried::check(&scene, &tasks, couple.as_ref(), patch.as_ref())?;
     if let Some(couple) = &couple {
-        duty::thick_enough(&scene, &couple.bodies[0])?;
         freedom::check(couple, &load, patch.as_ref(), grip(&scene))?;
     }
     let unused_keys = unused::keys(document, &scene, &tasks);

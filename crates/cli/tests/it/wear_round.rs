@@ -83,3 +83,15 @@ fn a_killed_run_of_a_ball_is_continued_to_the_same_bytes() {
         assert!(bench.bytes(&format!("whole/{name}")) == bench.bytes(&format!("x/{name}")), "{name}");
     }
 }
+
+/// What the model of a ball on a disc does not hold for is no answer: a track as short as the scar, a groove deeper than the wear of the ball.
+#[test]
+fn a_ball_on_a_disc_beyond_its_model_is_told() {
+    let bench = Bench::new();
+    let call = bench.call_with(&["run", "pin-on-disc", "--set", "sliding.track_radius=0.3", "--set", "accuracy=1e-2"]);
+    assert_eq!(call.code, 2, "{}", call.out);
+    assert!(call.err.contains("sliding.track_radius") && call.err.contains("the track is a circle of 0.3"), "{}", call.err);
+    let call = bench.call("run pin-on-disc --set wear.k=[1e-8,1e-5] --set accuracy=1e-2 --set wear.until=10");
+    assert_eq!(call.code, 1, "{} {}", call.out, call.err);
+    assert!(call.out.contains("this answer is none"), "{}", call.out);
+}

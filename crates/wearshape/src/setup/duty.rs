@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use meshing::{Body, outline};
+use meshing::{Couple, outline};
 use scene::{Fault, Functional, Pair, Scene, Task, Time, Until, positive, short};
 
 use crate::problem::{End, Wearable};
@@ -10,9 +10,10 @@ use crate::setup::repeat;
 use crate::surface::Patch;
 
 /// Refuses a thickness that may wear off where body 1 is not so thick.
-pub(super) fn thick_enough(scene: &Scene, body: &Body) -> Result<(), Fault> {
-    let Some(wearable) = scene.wear.as_ref().and_then(|wear| wear.wearable) else { return Ok(()) };
-    let thickness = outline(body).thickness;
+pub(super) fn thick_enough(scene: &Scene, couple: Option<&Couple>) -> Result<(), Fault> {
+    let wearable = scene.wear.as_ref().and_then(|wear| wear.wearable);
+    let Some((wearable, couple)) = wearable.zip(couple) else { return Ok(()) };
+    let thickness = outline(&couple.bodies[0]).thickness;
     // Without a thickness nothing can be said.
     if !thickness.is_finite() || thickness <= 0.0 || wearable.0 <= thickness {
         return Ok(());

@@ -168,6 +168,19 @@ struct Levels {
     errors: Option<[f64; 2]>,
 }
 
+/// A groove too deep for a contact that knows it by its mean around the axis of the ball: the square of this ratio is left out.
+const DEEP: f64 = 0.3;
+
+/// The end of a run whose groove is too deep.
+fn too_deep(wear: Option<&WearResult>) -> Option<(Status, String)> {
+    let ratio = wear?.groove.as_ref()?.depth_ratio;
+    let why = format!(
+        "the groove in body 2 is {} of the depth worn off body 1, so that the contact has no symmetry about the axis of the ball: this answer is none",
+        scene::short(ratio)
+    );
+    (ratio > DEEP).then_some((Status::AccuracyMissed, why))
+}
+
 fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>, levels: Levels) -> Outcome {
     let distance = apart(stage);
     let degrees: Vec<usize> = solved.iter().map(|level| level.left.degree).collect();
@@ -191,7 +204,7 @@ fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>, levels: Le
     outcome.running_in = Some(last.running_in);
     outcome.told = Some(last.told);
     outcome.reported = last.reported;
-    outcome.ended = failure.map(|why| (Status::NotConverged, why));
+    outcome.ended = failure.map(|why| (Status::NotConverged, why)).or(too_deep(outcome.wear.as_ref()));
     let Some(error) = error.filter(|_| outcome.ended.is_none()).map(|error| error + left_out) else { return outcome };
     outcome.error.gap_relative = Some(error);
     outcome.error.how = if stage.facing() {

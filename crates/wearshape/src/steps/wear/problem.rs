@@ -21,6 +21,11 @@ const REST: f64 = 0.01;
 const ROUND: f64 = 10.0;
 const ROUGHEST: f64 = 2e-3;
 
+/// Accuracies below which steps in time become no finer, of flat and of round contacts: a hundred thousand steps would gain no digit that the
+/// levels have. What is missed then is told.
+const FINEST: f64 = 1e-9;
+const FINEST_ROUND: f64 = 1e-7;
+
 /// Part of the accuracy asked for that steps in time may take from the times reported; the rest is left to the levels.
 pub(super) const STEPS: f64 = 0.3;
 
@@ -75,18 +80,19 @@ pub(super) fn wear_problem(
     problem.start = Some(begun);
     problem.track_area = stage.patch.surface.track_area();
     problem.until = Until::Steady { residual: steady_residual(stage), not_before };
-    problem.times = Some(Times { deviation: DEVIATION, accuracy: STEPS * stage.accuracy() });
+    let accuracy = stage.accuracy().max(FINEST);
+    problem.times = Some(Times { deviation: DEVIATION, accuracy: STEPS * accuracy });
     if let Some(end) = stage.problem.wear.until {
         problem.until = match end {
             End::Time(time) => Until::Time(time),
             End::Depth(depth) => Until::Depth(depth),
             End::Volume(volume) => Until::Volume(volume),
         };
-        problem.stepping = Stepping::Adaptive { accuracy: stage.accuracy() };
+        problem.stepping = Stepping::Adaptive { accuracy };
     }
     if stage.facing() {
         // Points that come into contact bend the rates, and the error of their steps falls with the wear after them.
-        problem.stepping = Stepping::Adaptive { accuracy: (ROUND * stage.accuracy()).min(ROUGHEST) };
+        problem.stepping = Stepping::Adaptive { accuracy: (ROUND * stage.accuracy().max(FINEST_ROUND)).min(ROUGHEST) };
         problem.times = None;
         let start = stage.start(operator.pair());
         let places: Vec<f64> = operator.points().iter().map(|p| start + p.arc).collect();

@@ -33,6 +33,8 @@ use crate::watch::Watch;
 /// Degree and accuracy of the runs that find the end of contact.
 const FIRST: usize = 4;
 const ROUGH: f64 = 1e-2;
+/// Half a scar over the radius of its track beyond which the speed is no longer one.
+const NEAR: f64 = 0.2;
 /// Relative change of the end of contact at which it is found, and most runs for it.
 const FOUND: f64 = 1e-3;
 const TRIALS: usize = 8;
@@ -98,6 +100,12 @@ impl<'a> RoundWear<'a> {
         track::available(problem, self.couple, &refuse)?;
         let end = self.guess()?;
         self.fits(end)?;
+        if let Some(track) = problem.track().filter(|track| end > NEAR * track) {
+            let message = format!(
+                "the scar would reach {end:.4} mm from the middle, and the track is a circle of {track:.4} mm about the axis"
+            );
+            return refuse("sliding.track_radius", &message, "give a track much longer than the scar, or end the run earlier");
+        }
         self.on(&self.nodes(end), |stage, ends| stage.meshes(1, Cut::Ends(ends)).map(|_| ()))
     }
 
