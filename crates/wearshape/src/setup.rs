@@ -56,7 +56,6 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     track::resolve(&scene, &tasks)?;
     wear_rule::resolve(&mut scene, &tasks, patch.as_ref())?;
     load::resolve(&mut scene, &tasks, patch.as_ref(), bodies.as_ref().map(|(_, [first, _])| first))?;
-    duty::resolve(&scene, &tasks)?;
     twist::resolve(&scene, &tasks)?;
     optimum::resolve(&mut scene, &tasks)?;
     reversing::resolve(&mut scene, &tasks, patch.as_ref())?;
@@ -67,7 +66,7 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     let edge = scene.load.as_ref().and_then(|load| load::edge(load, first));
     let couple = bodies.zip(edge).map(|((kinematics, bodies), load)| Couple { kinematics, bodies, load });
     one_way::wanted(&scene, couple.as_ref(), patch.as_ref())?;
-    duty::thick_enough(&scene, couple.as_ref())?;
+    duty::resolve(&scene, &tasks, couple.as_ref())?;
     carried::check(&scene, &tasks, couple.as_ref(), patch.as_ref())?;
     if let Some(couple) = &couple {
         freedom::check(couple, &load, patch.as_ref(), grip(&scene))?;

@@ -3,16 +3,14 @@
 use std::f64::consts::TAU;
 
 use meshing::{Couple, outline};
-use scene::{Fault, Functional, Pair, Scene, Task, Time, Until, positive, short};
+use scene::{Fault, Functional, Length, Pair, Scene, Task, Time, Until, positive, short};
 
 use crate::problem::{End, Wearable};
 use crate::setup::repeat;
 use crate::surface::Patch;
 
 /// Refuses a thickness that may wear off where body 1 is not so thick.
-pub(super) fn thick_enough(scene: &Scene, couple: Option<&Couple>) -> Result<(), Fault> {
-    let wearable = scene.wear.as_ref().and_then(|wear| wear.wearable);
-    let Some((wearable, couple)) = wearable.zip(couple) else { return Ok(()) };
+fn thick_enough(wearable: Length, couple: &Couple) -> Result<(), Fault> {
     let thickness = outline(&couple.bodies[0]).thickness;
     // Without a thickness nothing can be said.
     if !thickness.is_finite() || thickness <= 0.0 || wearable.0 <= thickness {
@@ -127,7 +125,7 @@ pub(super) fn has_life(scene: &Scene, tasks: &[Task]) -> bool {
 }
 
 /// Checks the thickness that may wear off.
-pub(super) fn resolve(scene: &Scene, tasks: &[Task]) -> Result<(), Fault> {
+pub(super) fn resolve(scene: &Scene, tasks: &[Task], couple: Option<&Couple>) -> Result<(), Fault> {
     let Some(wear) = &scene.wear else { return Ok(()) };
     if let Some(spread) = wear.spread {
         if !(0.0..1.0).contains(&spread) {
@@ -146,6 +144,7 @@ pub(super) fn resolve(scene: &Scene, tasks: &[Task]) -> Result<(), Fault> {
     }
     let Some(thickness) = wear.wearable else { return Ok(()) };
     positive("wear.wearable", thickness.0, "thickness", " mm")?;
+    couple.map_or(Ok(()), |couple| thick_enough(thickness, couple))?;
     if !has_life(scene, tasks) {
         return Ok(());
     }
