@@ -109,14 +109,28 @@ pub(crate) fn check(couple: &Couple, load: &Load, patch: Option<&Patch>) -> Resu
             }
             OneWay::Along(_) => "the load has no force along the roller, so that nothing presses body 1 on body 2".to_string(),
         };
-        return Err(Fault::at(key, "no-balance", message, "load another edge, or give load.moment about the pin"));
+        let remedy = match way {
+            OneWay::About(_) => "load another edge, or give load.moment about the pin",
+            OneWay::Along(_) => "load another edge, or turn the roller",
+        };
+        return Err(Fault::at(key, "no-balance", message, remedy));
     }
     let mode = way.mode(work);
-    let closing = patch.surface.sample(201).iter().map(|point| mode.motion.closing(point)).fold(f64::MIN, f64::max);
-    let speed = |point: &wear::SurfacePoint| mode.motion.displacement(&point.position).norm();
-    let fastest = patch.surface.sample(201).iter().map(speed).fold(0.0, f64::max);
+    let [opening, closing, fastest] = moved(mode.motion, patch);
     if closing > 1e-9 * fastest {
         return Ok(());
+    }
+    if opening <= 1e-9 * fastest {
+        let (message, remedy) = match way {
+            OneWay::About([x, z]) => (
+                format!("a turn about ({x}, {z}) brings no point of body 1 nearer to body 2: it is the middle of the contact"),
+                "place the pin off the middle of the contact",
+            ),
+            OneWay::Along(_) => {
+                ("body 1 moves along the contact, no point of it nearer to body 2".to_string(), "turn the roller")
+            }
+        };
+        return Err(Fault::at("body1.support", "wrong-value", message, remedy));
     }
     let sense = if work > 0.0 { "anti-clockwise" } else { "clockwise" };
     let (message, remedy) = match (way, load.moment != 0.0) {
@@ -139,10 +153,19 @@ pub(crate) fn check(couple: &Couple, load: &Load, patch: Option<&Patch>) -> Resu
 /// Whether the motion closes part of the contact surface and opens another, whichever way it goes.
 pub(crate) fn opens_a_part(couple: &Couple, patch: &Patch) -> bool {
     let Ok(Some(way)) = OneWay::of(couple) else { return false };
-    let motion = way.mode(1.0).motion;
-    let closing: Vec<f64> = patch.surface.sample(201).iter().map(|point| motion.closing(point)).collect();
-    let [least, most] = closing.iter().fold([f64::MAX, f64::MIN], |[least, most], x| [least.min(*x), most.max(*x)]);
-    most.min(-least) > 1e-9 * most.max(-least)
+    let [opening, closing, fastest] = moved(way.mode(1.0).motion, patch);
+    closing.min(opening) > 1e-9 * fastest
+}
+
+/// Most that a motion opens and closes the contact surface, and the fastest that it moves a point of it.
+fn moved(motion: RigidMotion, patch: &Patch) -> [f64; 3] {
+    let points = patch.surface.sample(201);
+    let most = |of: &dyn Fn(&wear::SurfacePoint) -> f64| points.iter().map(of).fold(0.0, f64::max);
+    [
+        most(&|point| -motion.closing(point)),
+        most(&|point| motion.closing(point)),
+        most(&|point| motion.displacement(&point.position).norm()),
+    ]
 }
 
 /// What an edge takes away of the rigid motions, in words: of a pin both translations, of a roller that across it, and the turn.

@@ -95,3 +95,25 @@ fn a_ball_on_a_disc_beyond_its_model_is_told() {
     assert_eq!(call.code, 1, "{} {}", call.out, call.err);
     assert!(call.out.contains("this answer is none"), "{}", call.out);
 }
+
+/// On a disc speed, turns and track tell one another.
+#[test]
+fn a_track_ties_speed_and_turns() {
+    let bench = Bench::new();
+    let run = |sliding: &str, until: &str, name: &str| {
+        let (sliding, until) = (format!("sliding={sliding}"), format!("wear.until={until}"));
+        let set = ["--set", &sliding, "--set", &until, "--set", "accuracy=1e-2"];
+        let call = bench.call_with(&[&["run", "pin-on-disc", "-q", "-o", name][..], &set].concat());
+        assert_eq!(call.code, 0, "{sliding} {until}: {}", call.err);
+        let summary: serde_json::Value = serde_json::from_str(&bench.read(&format!("{name}/summary.json"))).unwrap();
+        summary["wear"]["volume_mm3"].as_f64().unwrap()
+    };
+    let turns = 1e3 / (2.0 * std::f64::consts::PI * 20.0);
+    let straight = run("{speed=100,track_radius=20}", "10", "a");
+    for (number, sliding) in ["{speed=100,track_radius=20}", "{omega=5,track_radius=20}"].into_iter().enumerate() {
+        for (way, until) in ["{distance=1000}".to_string(), format!("{{revolutions={turns:e}}}")].iter().enumerate() {
+            let volume = run(sliding, until, &format!("b{number}{way}"));
+            assert!((volume / straight - 1.0).abs() < 1e-6, "{sliding} {until}: {volume} {straight}");
+        }
+    }
+}

@@ -95,8 +95,11 @@ fn steady(scene: &Scene, key: &str) -> Result<(), Fault> {
 fn turning(scene: &Scene) -> Result<f64, Fault> {
     let key = "wear.until.revolutions";
     steady(scene, key)?;
-    let omega = scene.sliding.as_ref().and_then(|sliding| sliding.omega).map(|omega| omega.0.abs());
-    omega.filter(|omega| *omega > 0.0).ok_or_else(|| {
+    let sliding = scene.sliding.as_ref();
+    let given = sliding.and_then(|sliding| sliding.omega).map(|omega| omega.0.abs());
+    // A ball on a disc: its speed is that of its track.
+    let by_track = || sliding.and_then(|sliding| Some(sliding.speed?.0.abs() / sliding.track_radius?.0));
+    given.or_else(by_track).filter(|omega| *omega > 0.0).ok_or_else(|| {
         let remedy = "give sliding.omega, or the end as { distance = \"2 km\" }";
         Fault::at(key, "wrong-value", "body 2 does not turn, and has no revolutions", remedy)
     })
@@ -106,7 +109,9 @@ fn turning(scene: &Scene) -> Result<f64, Fault> {
 fn speed(scene: &Scene, patch: Option<&Patch>) -> Result<f64, Fault> {
     let key = "wear.until.distance";
     steady(scene, key)?;
-    let given = scene.sliding.as_ref().and_then(|sliding| sliding.speed).map(|speed| speed.0.abs());
+    let sliding = scene.sliding.as_ref();
+    let by_track = || sliding.and_then(|sliding| Some(sliding.omega?.0.abs() * sliding.track_radius?.0));
+    let given = sliding.and_then(|sliding| sliding.speed).map(|speed| speed.0.abs()).or_else(by_track);
     let sampled = || {
         let speeds: Vec<f64> = patch?.sample(3).iter().map(|point| point.sliding_speed).collect();
         let [low, high] = speeds.iter().fold([f64::MAX, 0.0], |[low, high], v| [v.min(low), v.max(high)]);

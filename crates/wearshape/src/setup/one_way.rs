@@ -173,8 +173,17 @@ pub(super) fn wanted(scene: &Scene, couple: Option<&Couple>, patch: Option<&Patc
     let shaped = scene.tasks.iter().flatten().any(|task| *task == Task::Shape);
     if shaped && patch.is_some_and(|patch| opens_a_part(couple, patch)) {
         let message = "the motion that is left to body 1 closes part of the contact and opens another, which carries nothing once worn in: no shape touches everywhere";
-        let remedy = "place the pin beyond the ends of the contact, or ask for tasks = [\"pressure\"] or [\"contact\"]";
+        let remedy = match couple.bodies[0].pin() {
+            Some(_) => "place the pin beyond the ends of the contact, or ask for tasks = [\"pressure\"] or [\"contact\"]",
+            None => "turn the roller until all of the contact closes, or ask for tasks = [\"pressure\"] or [\"contact\"]",
+        };
         return Err(Fault::at("body1.support", "not-available", message, remedy));
+    }
+    if shaped && couple.bodies[0].pin().is_some() && patch.is_some_and(|patch| patch.circles().is_some()) {
+        let message =
+            "body 1 on its pin and body 2 are drawn with two radii: the lever of the pressure about the pin has two values then";
+        let remedy = "draw the contact of body 1 with the radius of body 2; the shape says what to take off from that";
+        return Err(Fault::at("contact.edges", "not-available", message, remedy));
     }
     Ok(())
 }

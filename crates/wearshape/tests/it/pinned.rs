@@ -276,6 +276,8 @@ fn what_a_pin_does_not_go_with_is_refused_by_name() {
         ("drum-brake-block", &["body1.support={left={pin=[-100,300]}}", load], "body1.support.left", "meets the contact edge"),
         ("drum-brake-block", &["body1.support={top={roller=\"90 deg\"}}"], "body1.support", "more than one motion"),
         (SHOE, &["body1.support={seat={pin=[-60,-60]}}"], "body1.support", "opens another"),
+        (SHOE, &["body1.support={seat={pin=[0,0]}}"], "body1.support", "the middle of the contact"),
+        (SHOE, &["body2.geometry.ring={inner=110.1,outer=122}"], "contact.edges", "two radii"),
         ("annular-punch", &["body1.support={top={pin=[0,0]}}"], "body1.support.top", "of revolution"),
         ("hertz-cylinder", &["body1.support={centre={roller=\"90 deg\"}}"], "body1.support", "known before it is meshed"),
     ];
