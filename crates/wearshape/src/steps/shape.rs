@@ -28,6 +28,8 @@ use crate::watch::Watch;
 
 /// Samples of the gap for the comparison of levels.
 const SAMPLES: usize = 201;
+/// The same on a fixed discretisation, whose few layers may leave an error that stands up only near the ends.
+const CLOSER: usize = 801;
 
 /// One solved level.
 struct Solved {
@@ -106,15 +108,22 @@ fn balanced(problem: &Problem, optimum: &wear::Optimum) -> Option<Problem> {
 }
 
 impl Shaper<'_> {
+    /// Arc lengths at which levels are compared.
+    fn samples(&self, pair: &Pair<'_>) -> Vec<f64> {
+        let count = if self.stage.problem.wanted.fixed.is_some() { CLOSER } else { SAMPLES };
+        let length = pair.trace().length();
+        (0..count).map(|i| length * i as f64 / (count - 1) as f64).collect()
+    }
+
     /// Solves one level.
     fn level(&self, level: Level) -> Result<Solved, Fault> {
         let (reduced, mut effort) = self.stage.reduced_at(level, &self.ends)?;
         let pair = reduced.pair()?;
         (self.stage.options.begun)(Step::Shape);
         let shape = effort.timed(Step::Shape, self.stage.clock(), |_| self.shape(&pair))?;
-        let arcs = samples(&pair);
+        let arcs = self.samples(&pair);
         let gaps: Vec<f64> = arcs.iter().map(|arc| shape.gap(&pair, &pair.at_arc(*arc))).collect();
-        let mut modes = DMatrix::zeros(SAMPLES, pair.shaped.rigid_modes.ncols());
+        let mut modes = DMatrix::zeros(arcs.len(), pair.shaped.rigid_modes.ncols());
         for (row, arc) in arcs.iter().enumerate() {
             for (k, phi) in closing(&pair, &pair.at_arc(*arc)).into_iter().enumerate() {
                 modes[(row, k)] = phi;
@@ -135,7 +144,7 @@ impl Shaper<'_> {
         let mut result = ShapeResult {
             iterations: passes + 1,
             gap_max: Some(1e3 * gaps[most]),
-            gap_where: Some(stage.start(&pair) + samples(&pair)[most]),
+            gap_where: Some(stage.start(&pair) + self.samples(&pair)[most]),
             crown: Some(1e3 * (gaps[most] - lowest)),
             rigid: shape.rigid.first().copied().filter(|_| stage.couple.bodies[0].pin().is_none()),
             roundtrip_same: None,
@@ -227,12 +236,6 @@ fn disproved([same, independent]: [f64; 2], gap: Option<f64>, partial: bool) -> 
     let reason =
         format!("the proof fails: a contact solve on this shape gives the pressure back within {} {on}", scene::short(miss));
     Some((Status::AccuracyMissed, reason))
-}
-
-/// Arc lengths at which levels are compared.
-fn samples(pair: &Pair<'_>) -> Vec<f64> {
-    let length = pair.trace().length();
-    (0..SAMPLES).map(|i| length * i as f64 / (SAMPLES - 1) as f64).collect()
 }
 
 fn states(shape: &Shape) -> [Option<&InterfaceState>; 2] {
