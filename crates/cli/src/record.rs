@@ -9,6 +9,7 @@ mod replay;
 mod scene_update;
 mod state;
 mod tape;
+mod texts;
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;

@@ -8,6 +8,7 @@ use wearshape::{FinishedLevel, RunningIn, RunningInStep};
 
 use crate::record::messages::{Point, Points};
 use crate::record::state::State;
+use crate::record::texts::texts_fit;
 use crate::record::{CHANNELS, LEVELS_ATTACHED, LIBRARY, PROFILE, Recorder, SCENE_ATTACHED, STATE};
 
 /// No step of ours is nearly as large (bytes): a longer record or chunk is damage.
@@ -153,7 +154,11 @@ impl<'a> Records<'a> {
                 }
                 Ok(LinearReadEvent::Record { data, opcode }) => {
                     self.room = self.room.checked_sub(data.len() + RECORD)?;
-                    return parse_record(opcode, data).ok().map(Record::into_owned);
+                    match texts_fit(opcode, data) {
+                        Some(true) => return parse_record(opcode, data).ok().map(Record::into_owned),
+                        Some(false) => return None,
+                        None => {}
+                    }
                 }
                 Err(_) => return None,
             }
