@@ -24,7 +24,7 @@ const ROUGHEST: f64 = 2e-3;
 /// Accuracies below which steps in time become no finer, of flat and of round contacts: a hundred thousand steps would gain no digit that the
 /// levels have. What is missed then is told.
 const FINEST: f64 = 1e-9;
-const FINEST_ROUND: f64 = 1e-7;
+const FINEST_ROUND: f64 = 1e-6;
 
 /// Part of the accuracy asked for that steps in time may take from the times reported; the rest is left to the levels.
 pub(super) const STEPS: f64 = 0.3;
