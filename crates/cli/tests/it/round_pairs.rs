@@ -143,7 +143,7 @@ fn round_bodies_touch_from_outside_as_hertz_has_it_the_closer_the_lighter_the_lo
     let modulus = 0.5 * 210e3 / (1.0 - 0.09);
     let radius = 1.0 / (1.0 / 10.0 + 1.0 / 25.0);
     let errors = [160e3, 40e3, 10e3, 1e3].map(|force| {
-        let found = touched(&bench, &format!("cam --set load.force={force}"));
+        let found = touched(&bench, &format!("cam --set accuracy=2e-4 --set load.force={force}"));
         let half = (4.0 * force / 12.0 * radius / (PI * modulus)).sqrt();
         assert!(found.skew() < 1e-6, "{:?}", found.ends);
         [found.half() / half - 1.0, found.largest / (2.0 * force / 12.0 / (PI * half)) - 1.0]
