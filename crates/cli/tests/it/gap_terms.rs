@@ -121,3 +121,22 @@ fn gaps_without_sense_are_refused_with_a_remedy() {
     let round = bench.check_and_run("hertz-cylinder --set contact.gap={crown=0.01}");
     assert!(round.code == 2 && round.err.contains("counted from the ends"), "{}", round.err);
 }
+
+/// On the first levels such a punch touches in one point, which holds no tilt: that is a contact all the same. Between half-planes a crown of 20 um over 60 mm
+/// has the radius 22.5 m, and Hertz the largest pressure 12.19 MPa.
+#[test]
+fn a_crowned_punch_that_may_tilt_has_an_answer_at_every_degree() {
+    let bench = Bench::new();
+    for degree in [4, 5, 6, 8, 10] {
+        let mesh = format!("mesh.degree={degree}");
+        let set =
+            ["--set", "tasks=[contact]", "--set", "contact.gap={crown='20 um'}", "--set", &mesh, "--set", "contact.friction=0"];
+        let call = bench.call_with(&[&["run", "translating-punch", "-q", "-o", "x"][..], &set].concat());
+        assert_eq!(call.code, 0, "{degree}: {} {}", call.out, call.err);
+        let summary: serde_json::Value = serde_json::from_str(&bench.read("x/summary.json")).unwrap();
+        let peak = summary["contact"]["p_max_MPa"].as_f64().unwrap();
+        // The coarsest mesh has cells longer than the contact.
+        let within = if degree < 8 { 0.25 } else { 0.03 };
+        assert!((peak / 12.19 - 1.0).abs() < within, "{degree}: {peak}");
+    }
+}
