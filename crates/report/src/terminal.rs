@@ -4,8 +4,8 @@ use std::path::Path;
 
 use scene::Pair;
 use wearshape::{
-    Character, LifeResult, MachiningResult, PressureResult, Problem, Regime, ReversingResult, RunLifeResult, SenseResult,
-    Solution, Status, TurnsResult, WearResult, functional_row,
+    Character, LifeResult, MachiningResult, PressureResult, Problem, Regime, ReversingResult, SenseResult, Solution, Status,
+    TurnsResult, WearResult, functional_row,
 };
 
 use crate::brake_line::brake_line;
@@ -35,7 +35,7 @@ pub fn first_screen(problem: &Problem, solution: &Solution, folder: &Path) -> St
     );
     lines.extend(solution.machining.as_ref().map(machining_line));
     lines.extend(solution.wear.as_ref().map(wear_line));
-    lines.extend(solution.wear.as_ref().and_then(|wear| wear.life.as_ref()).map(run_life_line));
+    lines.extend(solution.wear.as_ref().and_then(|wear| wear.life.as_ref()).map(|life| life_line(life, " with its running in")));
     if let Some(trip) = solution.shape.as_ref().and_then(|shape| shape.roundtrip_independent.or(shape.roundtrip_same)) {
         lines.push(match solution.reversing.is_some() {
             true => {
@@ -107,7 +107,7 @@ fn pressure_lines(problem: &Problem, solution: &Solution, pressure: &PressureRes
     if !wear.is_empty() {
         lines.push(format!("wear      {}", wear.join(", ")));
     }
-    lines.extend(pressure.life.as_ref().map(life_line));
+    lines.extend(pressure.life.as_ref().map(|life| life_line(life, "")));
     lines
 }
 
@@ -126,30 +126,16 @@ fn both_senses(problem: &Problem, reversing: &ReversingResult) -> String {
     format!("forward at most {}, backward at most {}", most(&reversing.forward), most(&reversing.back))
 }
 
-/// How long the thickness that may wear off lasts.
-fn life_line(life: &LifeResult) -> String {
-    let mut words = vec![format!("{} h", brief(life.hours))];
+/// How long the thickness that may wear off lasts; `counted` says what beside the steady wear.
+fn life_line(life: &LifeResult, counted: &str) -> String {
+    let mut words = vec![format!("{} h{counted}", brief(life.hours))];
     words.extend(
         life.hours_between.map(|[low, high]| format!("between {} h and {} h by the wear factor", brief(low), brief(high))),
     );
     words.push(format!("{} km", brief(life.distance)));
     words.extend(life.revolutions.map(|turns| format!("{} turns", brief(turns))));
     words.extend(life.cycles.map(|cycles| format!("{} cycles", brief(cycles))));
-    if life.friction_work > 0.0 {
-        words.push(format!("{} MJ of friction", brief(life.friction_work)));
-    }
-    format!("life      {}", words.join(", "))
-}
-
-/// How long the thickness that may wear off lasts from the start of a run in time.
-fn run_life_line(life: &RunLifeResult) -> String {
-    let mut words = vec![format!("{} h with its running in", brief(life.hours))];
-    words.extend(
-        life.hours_between.map(|[low, high]| format!("between {} h and {} h by the wear factor", brief(low), brief(high))),
-    );
-    words.push(format!("{} km", brief(life.distance)));
-    words.extend(life.revolutions.map(|turns| format!("{} turns", brief(turns))));
-    words.extend(life.cycles.map(|cycles| format!("{} cycles", brief(cycles))));
+    words.extend(life.friction_work.filter(|work| *work > 0.0).map(|work| format!("{} MJ of friction", brief(work))));
     format!("life      {}", words.join(", "))
 }
 

@@ -58,7 +58,7 @@ pub use effort::{Clock, Counters, Effort};
 pub use forecast::Forecast;
 pub use functional::functional_row;
 pub use holding::{HeldBy, Holding};
-pub use life_result::{LifeResult, RunLifeResult};
+pub use life_result::LifeResult;
 pub use machined::{Machined, SurfacePoint};
 pub use machining_result::MachiningResult;
 pub use options::{CURVE, Options, Sampling};

@@ -5,7 +5,7 @@ use serde::Serialize;
 
 pub use crate::error_result::ErrorResult;
 
-use crate::life_result::{LifeResult, RunLifeResult};
+use crate::life_result::LifeResult;
 use crate::turns_result::TurnsResult;
 use crate::words::{Character, ContactStatus, Regime, TwistStatus, Uniqueness, WearStatus};
 
@@ -301,7 +301,7 @@ pub struct WearResult {
     pub groove: Option<GrooveResult>,
     /// How long what may wear off lasts from this start.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub life: Option<RunLifeResult>,
+    pub life: Option<LifeResult>,
     /// Reversals that repeat.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub turns: Option<TurnsResult>,

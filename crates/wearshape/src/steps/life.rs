@@ -11,7 +11,7 @@ use scene::Functional;
 use shapeopt::{Evolution, WearState};
 use wear::{Regime, SurfacePoint};
 
-use crate::life_result::{LifeResult, RunLifeResult};
+use crate::life_result::LifeResult;
 use crate::problem::{Problem, Wearable};
 
 /// Seconds of an hour.
@@ -49,19 +49,20 @@ pub(super) fn lasting(problem: &Problem, Steady { fastest, speed, friction_power
         distance: 1e-6 * speed * seconds,
         revolutions,
         cycles,
-        friction_work: 1e-9 * friction_power * seconds,
+        friction_work: Some(1e-9 * friction_power * seconds),
         hours_between: between(wearable, hours),
     })
 }
 
 /// The life of what may wear off in a run in time, its running-in counted; none where it is not asked for, or the run ends before either its layer is gone or
 /// its wear is steady.
-pub(super) fn of_run(problem: &Problem, evolution: &Evolution<'_>, states: &[WearState]) -> Option<RunLifeResult> {
+pub(super) fn of_run(problem: &Problem, evolution: &Evolution<'_>, states: &[WearState]) -> Option<LifeResult> {
     let wearable = problem.wear.wearable?;
     let [seconds, distance] = evolution.worn_off(states, wearable.thickness)?;
     let [revolutions, cycles] = turns(problem, seconds);
     let hours = seconds / HOUR;
-    Some(RunLifeResult { hours, distance: 1e-6 * distance, revolutions, cycles, hours_between: between(wearable, hours) })
+    let (distance, hours_between) = (1e-6 * distance, between(wearable, hours));
+    Some(LifeResult { hours, distance, revolutions, cycles, friction_work: None, hours_between })
 }
 
 /// Turns of body 2, and cycles of a motion to and fro.

@@ -10,7 +10,7 @@ use crate::bodies::Reduced;
 use crate::effort::Effort;
 use crate::ladder::Refusal;
 use crate::level::Level;
-use crate::life_result::RunLifeResult;
+use crate::life_result::LifeResult;
 use crate::options::Sampling;
 use crate::results::{Settled, WearResult};
 use crate::stage::Stage;
@@ -286,7 +286,7 @@ struct Run {
     /// What it took until the pressure was nearly the last one.
     settled: Option<Settled>,
     /// How long what may wear off lasts.
-    life: Option<RunLifeResult>,
+    life: Option<LifeResult>,
     run_in: Option<shapeopt::RunIn>,
 }
 
