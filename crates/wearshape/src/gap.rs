@@ -1,6 +1,5 @@
 //! The unloaded gap at the start, as a function of the place along the contact surface.
 
-mod circles;
 mod rows;
 mod smoothing;
 
@@ -8,9 +7,9 @@ use scene::{Cosine, Gap, GapSum, Rows};
 
 use self::rows::RowCurve;
 use self::smoothing::smoothed;
+use crate::circles::Circles;
 use crate::surface::Patch;
 
-pub(crate) use self::circles::Circles;
 pub(crate) use self::smoothing::Residual;
 
 /// Share of the contact surface within which a ring begins on the axis.

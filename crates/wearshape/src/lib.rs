@@ -3,6 +3,7 @@
 mod bodies;
 mod body_field;
 mod brake;
+mod circles;
 mod effort;
 mod error_result;
 mod faults;

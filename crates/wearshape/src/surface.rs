@@ -13,7 +13,7 @@ use scene::{Fault, Sliding, SurfaceShape, missing};
 use wear::{Shape, SlidingMotion, Surface, SurfacePoint};
 
 pub(crate) use self::found::PatchKind;
-use crate::gap::Circles;
+use crate::circles::Circles;
 use crate::surface::edges::{EDGES, along, thickness};
 use crate::surface::found::{Found, Other};
 

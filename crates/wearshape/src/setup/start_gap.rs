@@ -3,7 +3,8 @@
 use meshing::Files;
 use scene::{Contact, Fault, Gap, GapSum, Rows, Scene, SurfaceShape, positive};
 
-use crate::gap::{Circles, StartGap};
+use crate::circles::Circles;
+use crate::gap::StartGap;
 use crate::gap_profile;
 use crate::surface::Patch;
 
