@@ -61,9 +61,14 @@ fn tested(root: &Path, words: &[String]) -> Result<(), String> {
 
 fn made(root: &Path, words: &[String]) -> Result<(), String> {
     let environment = Environment::of(root, words)?;
-    environment.pip(&["maturin>=1.9,<2"])?;
+    environment.pip(&["maturin[zig]>=1.9,<2"])?;
     let mut maturin = environment.python();
-    maturin.args(["-m", "maturin", "build", "--release", "--locked", "--out", "target/wheels", "--manifest-path"]);
+    maturin.args(["-m", "maturin", "build", "--release", "--locked", "--out", "target/wheels"]);
+    if cfg!(target_os = "linux") {
+        // Linked by zig against the symbols of an old glibc, so that it can be installed on every Linux of the last ten years.
+        maturin.args(["--zig", "--compatibility", "manylinux2014"]);
+    }
+    maturin.arg("--manifest-path");
     done(maturin.arg(format!("{FOLDER}/Cargo.toml")))
 }
 
@@ -108,6 +113,8 @@ impl Environment<'_> {
         let before = std::env::var_os("PATH").unwrap_or_default();
         let paths = std::iter::once(self.folder.join("bin")).chain(std::env::split_paths(&before));
         command.env("PATH", std::env::join_paths(paths).unwrap_or(before)).env("VIRTUAL_ENV", &self.folder);
+        // One memory of mypy's for all that it looks at: numpy, scipy and pandas are read once.
+        command.env("MYPY_CACHE_DIR", self.root.join("target/python/mypy"));
         command.env_remove("PYTHONPATH").env_remove("PYTHONHOME").current_dir(self.root).stdin(std::process::Stdio::null());
         command
     }

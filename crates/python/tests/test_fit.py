@@ -69,6 +69,25 @@ def test_a_run_in_time_gives_back_its_wear_factor() -> None:
     assert found.estimates["wear.beta.0"] == pytest.approx(3e-4, rel=1e-2)
 
 
+def test_a_torque_over_time_gives_friction_by_its_size_and_wear_by_its_pace() -> None:
+    """A flat ring wears in from the edge-loaded pressure to p ~ 1/r: its torque falls by 15 % on the way."""
+    ring = wearshape.Scene("annular-punch").set({"tasks": ["wear"], "accuracy": 1e-3, "wear.until": "1 s"})
+    true = {"contact.friction": 0.3, "wear.beta.0": 1.5e-4}
+    truth = ring.set(true).run()
+    time_s, torque = truth.history["time_s"], truth.history["torque_Nmm"]
+    assert torque[-1] < 0.95 * torque[0]
+    random = np.random.default_rng(7)
+    at = np.linspace(0.01, 0.95, 40)
+    sigma = 0.002 * torque[0]
+    measured = np.interp(at, time_s, torque) + sigma * random.standard_normal(at.size)
+    start = {"contact.friction": (0.2, 0.05, 0.9), "wear.beta.0": (4e-4, 2e-5, 2e-3)}
+    found = wearshape.fit(ring, [wearshape.History("torque_Nmm", at, measured, sigma)], start)
+    assert not found.unknown
+    for key, value in true.items():
+        assert abs(found.estimates[key] - value) < 3 * found.deviations[key], found
+        assert found.deviations[key] < 0.1 * value
+
+
 def test_data_that_are_not_computed_are_refused() -> None:
     with pytest.raises(wearshape.Error, match=r"no shape\.crown_um"):
         wearshape.fit(DRUM, [wearshape.Number("shape.crown_um", 1, 1)], {"wear.a": 1.0})

@@ -14,6 +14,7 @@ mod round;
 mod round_mesh;
 mod round_result;
 mod scar;
+mod torque;
 mod track;
 mod turns;
 

@@ -25,6 +25,7 @@ use crate::steps::wear::pieces::Pieces;
 use crate::steps::wear::problem::{steady_residual, wear_problem};
 use crate::steps::wear::ran::{MOST_STEPS, Ran};
 use crate::steps::wear::round_result::RoundContact;
+use crate::steps::wear::torque::Turning;
 use crate::steps::{life, torsion};
 use crate::watch::{Event, FinishedLevel, RunLevel, Watch, WearStep};
 
@@ -153,6 +154,8 @@ impl Scenes<'_> {
         let running_in = run.history.running_in(places.clone(), &|pressure| problem.mean_pressure(pressure));
         let Run { ended, history, .. } = run;
         let (mut columns, mut groove) = (history.columns(), Vec::new());
+        let turning = Turning { stages: &self.stages, pieces: self.pieces, problem };
+        columns.extend(turning.torques(&history.states).map(|torques| ("torque_Nmm".into(), torques)));
         if round {
             let contact = RoundContact { stage, places };
             let scars = contact.scars(&history);
