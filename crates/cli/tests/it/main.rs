@@ -46,6 +46,7 @@ mod study;
 mod sweep;
 mod templates;
 mod terminal;
+mod torque;
 mod turns;
 mod twist;
 mod wear_round;
