@@ -66,7 +66,7 @@ impl Document {
 }
 
 /// What the TOML reader did not understand.
-fn syntax(file: &str, text: &str, message: &str, span: Range<usize>) -> Fault {
+pub(crate) fn syntax(file: &str, text: &str, message: &str, span: Range<usize>) -> Fault {
     let (message, remedy) = match comma_number(text, span.start) {
         Some((written, meant)) => {
             (format!("a decimal comma in `{written}`"), format!("write a decimal point, not a comma: {meant}"))

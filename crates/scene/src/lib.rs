@@ -24,6 +24,7 @@ mod units;
 mod value;
 mod visible;
 mod write;
+mod written;
 
 pub use builtin::{Builtin, SCENES, builtin};
 pub use document::Document;
@@ -51,3 +52,4 @@ pub use units::{
 pub use value::{missing, positive};
 pub use visible::{acts, bounded, visible};
 pub use write::scene_text;
+pub use written::{Written, rewritten, written};
