@@ -207,6 +207,11 @@ fn error_plot(title: &str, ladder: &[Rung]) -> Option<LinePlot> {
     .filter(|plot| plot.series.iter().map(|series| series.points.len()).sum::<usize>() > 1)
 }
 
+/// The plots of a run as numbers: what plots/curves.json holds, a list of `{ file, chart }`.
+pub fn curves(problem: &Problem, solution: &Solution) -> Value {
+    curves_json(&line_plots(problem, solution))
+}
+
 /// The plots as numbers, for the page and for other programs: plots/curves.json.
 pub(crate) fn curves_json(plots: &[Picture]) -> Value {
     let number = |value: f64| {

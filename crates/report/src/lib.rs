@@ -41,13 +41,15 @@ mod verdict;
 mod vtu;
 mod wrapped;
 
-pub use curves::abscissa;
+pub use curves::{abscissa, curves};
 pub use drawing::drawing;
 pub use files::files;
 pub use isobands::{Isobands, Placed};
 pub use json::{SCHEMA_VERSION, inert, pretty};
 pub use line_plot::{Axis, LinePlot, Series, line_plot};
 pub use page::page;
+pub use page_tables::{glance, tables};
+pub use run_in::run_in;
 pub use section_plot::Section;
 pub use summary::{numbers, summary};
 pub use sweep_page::{SweepPage, sweep_page};

@@ -7,7 +7,7 @@ use wearshape::RunningIn;
 use crate::escape::escaped;
 use crate::harmless::is_harmless;
 use crate::page_frame::{begin, end};
-use crate::page_tables::{glance, stages, tables};
+use crate::page_tables::{glance_html, stages, tables};
 use crate::run_in::run_in;
 
 /// The drawing of the scene, the stress on the deformed bodies, and the pressure over a surface of two dimensions.
@@ -67,7 +67,7 @@ fn html(parts: &Parts<'_>) -> String {
     if let Some(picture) = &parts.scene {
         out += &format!("<figure class=\"drawn scene\">\n{picture}</figure>\n");
     }
-    out += &glance(summary);
+    out += &glance_html(summary);
     if let Some(picture) = &parts.map {
         out += &format!("<figure class=\"drawn map\"><figcaption>pressure over the surface</figcaption>\n{picture}</figure>\n");
     }

@@ -27,8 +27,8 @@ const HEADINGS: [(&str, &str); 11] = [
     ("counters", "What it took"),
 ];
 
-/// A table for each part of the summary.
-pub(crate) fn tables(summary: &Value) -> String {
+/// A table for each part of the summary, as HTML in which every text is escaped.
+pub fn tables(summary: &Value) -> String {
     let mut out = String::new();
     for part in
         ["machining", "shape", "pressure", "reversing", "contact", "wear", "brake", "energy", "reactions", "error", "counters"]
@@ -58,12 +58,12 @@ pub(crate) fn stages(summary: &Value) -> String {
     out + "</table></div>\n"
 }
 
-/// The first numbers, in four digits, with the units of an engineer.
-pub(crate) fn glance(summary: &Value) -> String {
+/// The first numbers of a summary in the units of an engineer: words, number, unit.
+pub fn glance(summary: &Value) -> Vec<(&'static str, f64, &'static str)> {
     let number = |part: &str, key: &str| summary[part][key].as_f64().filter(|value| value.is_finite());
-    let mut rows: Vec<(&str, String)> = Vec::new();
-    let mut put = |words: &'static str, value: Option<f64>, factor: f64, unit: &str| {
-        rows.extend(value.map(|value| (words, format!("{} {unit}", brief(factor * value)))));
+    let mut rows = Vec::new();
+    let mut put = |words: &'static str, value: Option<f64>, factor: f64, unit: &'static str| {
+        rows.extend(value.map(|value| (words, factor * value, unit)));
     };
     let pressures = if summary["pressure"]["p_max_MPa"].is_null() { "contact" } else { "pressure" };
     let sense = |sense: &str| summary["reversing"][sense]["p_max_MPa"].as_f64();
@@ -93,11 +93,19 @@ pub(crate) fn glance(summary: &Value) -> String {
         |of: &str| number("wear", "depth_um").zip(number("wear", of)).filter(|(_, by)| *by > 0.0).map(|(depth, by)| depth / by);
     put("wear on average", per("time_s"), 3600.0, "\u{b5}m an hour");
     put("the same by distance", per("distance_mm"), 1e6, "mm in 1000 km");
+    rows
+}
+
+/// The first numbers, in four digits.
+pub(crate) fn glance_html(summary: &Value) -> String {
+    let rows = glance(summary);
     if rows.is_empty() {
         return String::new();
     }
-    let rows: String =
-        rows.iter().map(|(words, value)| format!("<div><dt>{words}</dt><dd>{}</dd></div>\n", escaped(value))).collect();
+    let row = |(words, value, unit): &(&str, f64, &str)| {
+        format!("<div><dt>{words}</dt><dd>{}</dd></div>\n", escaped(&format!("{} {unit}", brief(*value))))
+    };
+    let rows: String = rows.iter().map(row).collect();
     format!("<dl class=\"glance\">\n{rows}</dl>\n")
 }
 

@@ -9,8 +9,8 @@ use crate::reach::reach;
 const STEPS: usize = 80;
 const POINTS: usize = 161;
 
-/// Steps of a run, thinned out; none of one with fewer than two.
-pub(crate) fn run_in(run: &RunningIn) -> Option<Value> {
+/// Pressure and gap at the steps of a run, thinned out and in six digits, as the page draws them; none of a run with fewer than two steps.
+pub fn run_in(run: &RunningIn) -> Option<Value> {
     let RunningIn { s, steps } = run;
     let last = steps.len().checked_sub(1).filter(|last| *last > 0)?;
     let count = last.min(STEPS - 1);
