@@ -85,6 +85,12 @@ const TABLE: &[Row] = &[
         because: "python hands on what the library computes, and computes nothing of its own",
     },
     Row {
+        package: "crates/web",
+        ours: &["wearshape", "report", "scene"],
+        others: Some(&["serde_json"]),
+        because: "web hands on what the library computes to a page, and computes nothing of its own",
+    },
+    Row {
         package: "tests/wasm",
         ours: &["hpfem"],
         others: Some(&[]),
@@ -114,8 +120,10 @@ const TABLE: &[Row] = &[
 const FOR_TESTS: &[&str] = &["approx", "proptest", "insta", "temp-dir", "serde_json", "toml", "divan"];
 
 /// Packages with lints of their own, and why.
-const OWN_LINTS: &[(&str, &str)] =
-    &[("tests/wasm", "a function that others call by name counts as unsafe code, which the workspace's table forbids")];
+const OWN_LINTS: &[(&str, &str)] = &[
+    ("tests/wasm", "a function that others call by name counts as unsafe code, which the workspace's table forbids"),
+    ("crates/web", "a function that others call by name counts as unsafe code, which the workspace's table forbids"),
+];
 
 const OURS: &[&str] = &["hpfem", "contact", "wear", "shapeopt", "scene", "meshing", "wearshape", "report", "cli", "xtask"];
 

@@ -1,0 +1,323 @@
+"""The page in headless Chromium: python browser.py FOLDER PROGRAM OUT.
+
+Uses it as a reader would, and compares its numbers with those of the program. Whatever stands on the console, and every request beyond the files of
+the page, is a fault.
+"""
+
+import csv
+import functools
+import http.server
+import json
+import math
+import re
+import subprocess
+import sys
+import threading
+import tomllib
+from pathlib import Path
+
+from playwright.sync_api import Page, expect, sync_playwright
+
+FOLDER, PROGRAM, OUT = (Path(word).resolve() for word in sys.argv[1:4])
+# Below a folder of the server, as it may stand anywhere.
+PLACE = "/some/where"
+# Relative to the largest number of a column: the program rounds products and sums at once where the processor can, a browser does not.
+SAME = 1e-12
+LONG = 60_000
+
+
+class Files(http.server.SimpleHTTPRequestHandler):
+    """The files of the page, below PLACE."""
+
+    def translate_path(self, path: str) -> str:
+        return super().translate_path(path.removeprefix(PLACE))
+
+    def log_message(self, *_: object) -> None:
+        """Says nothing."""
+
+
+def served() -> str:
+    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Files, directory=str(FOLDER)))
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    return f"http://127.0.0.1:{server.server_address[1]}{PLACE}/"
+
+
+def settled(page: Page) -> None:
+    """Waits until the answer to the last change is whole."""
+    expect(page.locator("#status")).to_have_attribute("data-state", "done", timeout=LONG)
+
+
+def text(page: Page) -> str:
+    return page.locator("#text").input_value()
+
+
+def download(page: Page, name: str) -> str:
+    menu = page.locator("#downloads")
+    if menu.get_attribute("open") is None:
+        menu.locator("summary").click()
+    with page.expect_download() as waited:
+        menu.get_by_role("button", name=name, exact=True).click()
+    return Path(waited.value.path()).read_text(encoding="utf-8")
+
+
+def by_the_program(scene: str, folder: Path) -> Path:
+    """The folder that the program writes for the same text."""
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "scene.toml").write_text(scene, encoding="utf-8")
+    done = subprocess.run([PROGRAM, "run", folder / "scene.toml", "-q", "-o", folder / "out"], stdin=subprocess.DEVNULL, check=False)
+    assert done.returncode == 0, f"the program ended with {done.returncode}"
+    return folder / "out"
+
+
+def columns(table: str) -> dict[str, list[float]]:
+    rows = list(csv.DictReader(table.splitlines()))
+    found = {name: [float(row[name] or "nan") for row in rows] for name in rows[0] if name != "status"}
+    # A contact solve finds forces; in the finest layers their points have next to no area, by which the last digit of a force becomes the eighth of a
+    # pressure.
+    if "pressure_solved_MPa" in found:
+        found["force_solved_N"] = [p * w for p, w in zip(found.pop("pressure_solved_MPa"), found["weight_mm2"], strict=True)]
+    return found
+
+
+def farthest(ours: str, theirs: str) -> tuple[float, str]:
+    """The largest difference of two tables, relative to the largest number of each column, and its column."""
+    a, b = columns(ours), columns(theirs)
+    assert list(a) == list(b), "other columns"
+    worst = (0.0, "")
+    for name in a:
+        size = max((abs(x) for x in b[name] if math.isfinite(x)), default=0.0) or 1.0
+        assert len(a[name]) == len(b[name]), name
+        for x, y in zip(a[name], b[name], strict=True):
+            if math.isfinite(x) or math.isfinite(y):
+                worst = max(worst, (abs(x - y) / size, name))
+    return worst
+
+
+def numbers(page: Page, timed: bool = True) -> None:
+    """A slider is moved: the numbers are those of the program for the text that stands there then."""
+    page.locator("#field-accuracy").select_option("1e-4")
+    settled(page)
+    for key, presses in [("load.force", 3), ("contact.friction", 5), ("body1.geometry.shoe-block.half_angle", 2)]:
+        before = text(page)
+        slider = page.locator(f"[id='field-{key}']").locator("xpath=../../input[@type='range']")
+        slider.focus()
+        for _ in range(presses):
+            page.keyboard.press("ArrowLeft")
+        assert text(page) != before, f"the slider of {key} changes nothing"
+        settled(page)
+        moments = {phase: page.locator("#status").get_attribute(f"data-{phase}") for phase in ("check", "pressure", "coarse", "fine")}
+        if timed:
+            print(f"  {key}: " + ", ".join(f"{phase} after {value} ms" for phase, value in moments.items() if value))
+    scene = text(page)
+    assert tomllib.loads(scene)["accuracy"] == 1e-4
+    assert "# A block shoe on a turning drum" in scene, "comments stay"
+    assert tomllib.loads(scene)["body1"]["geometry"]["shoe-block"]["half_angle"] != "30 deg", "the angle moved"
+    theirs = by_the_program(scene, OUT / "drum")
+    for table in ("contact.csv", "profile.csv"):
+        difference, name = farthest(download(page, table), (theirs / table).read_text(encoding="utf-8"))
+        print(f"  {table}: as the program's within {difference:.1e} ({name})")
+        assert difference <= SAME, table
+    ours, summary = json.loads(download(page, "summary.json")), json.loads((theirs / "summary.json").read_text(encoding="utf-8"))
+    assert ours["verdict"] == summary["verdict"] == page.locator("#verdict").inner_text(), "another verdict"
+    shown = float(page.locator("#glance div", has_text="largest pressure").locator("data").first.get_attribute("value"))
+    assert abs(shown - summary["pressure"]["p_max_MPa"]) <= SAME * shown
+    page.keyboard.press("Escape")
+
+
+def downloads(page: Page) -> None:
+    """Each file is what its name says."""
+    assert download(page, "drum-brake-block.toml") == text(page)
+    drawn = download(page, "profile.dxf").split()
+    assert "SPLINE" in drawn and drawn[-1] == "EOF"
+    assert download(page, "plots/scene.svg").startswith("<svg")
+    assert "<!doctype html>" in download(page, "report.html").lower()
+    page.keyboard.press("Escape")
+    expect(page.locator("#downloads")).not_to_have_attribute("open", "")
+
+
+def mistakes(page: Page) -> None:
+    """A slip is told at its line, what stood before stays, and goes on when it is mended."""
+    good = text(page)
+    page.locator("#text").fill(good.replace("friction =", "frction ="))
+    expect(page.locator("#fault")).to_contain_text("did you mean `friction`", timeout=LONG)
+    line = next(number for number, words in enumerate(good.splitlines(), 1) if "friction =" in words and not words.startswith("#"))
+    expect(page.locator("#fault")).to_contain_text(f"line {line}, column")
+    expect(page.locator("#mark")).to_be_attached()
+    page.locator("#fault button").click()
+    assert page.evaluate("document.getSelection().toString()") == "frction", "the place is not where the slip is"
+    assert page.locator("#mark").is_visible()
+    page.screenshot(path=OUT / "mistake.png")
+    page.locator("#text").fill(good.replace("tasks = [", "tasks = [["))
+    expect(page.locator("#fault")).to_contain_text("this is not TOML", timeout=LONG)
+    page.locator("#text").fill(good)
+    expect(page.locator("#fault")).to_be_hidden(timeout=LONG)
+    settled(page)
+
+
+def units(page: Page) -> None:
+    """What is typed stays as it was typed; another unit is the same load."""
+    force = page.locator("[id='field-load.force']")
+    force.fill("8 kN")
+    force.press("Enter")
+    settled(page)
+    assert tomllib.loads(text(page))["load"]["force"] == "8 kN"
+    page.get_by_label("unit of force").select_option("N")
+    settled(page)
+    assert tomllib.loads(text(page))["load"]["force"] == "8000 N"
+    force.fill("8 kg")
+    force.press("Enter")
+    expect(page.locator("#fault")).to_contain_text("wrong unit", timeout=LONG)
+    force.fill("9")
+    force.press("Enter")
+    page.get_by_label("unit of force").select_option("kN")
+    expect(page.locator("#fault")).to_be_hidden(timeout=LONG)
+    settled(page)
+    page.locator("[id='field-body1.material']").select_option("bronze" if page.locator("[id='field-body1.material'] option[value=bronze]").count() else "steel")
+    settled(page)
+    assert isinstance(tomllib.loads(text(page))["body1"]["material"], str)
+    page.locator("[id='field-optimum.functional']").select_option("uniform")
+    settled(page)
+    expect(page.locator("#verdict")).to_contain_text("Machine this shape")
+
+
+def together(page: Page) -> None:
+    """The radius of shoe and drum is one number."""
+    page.locator("#scene").select_option("drum-brake-block")
+    settled(page)
+    radius = page.locator("[id='field-body1.geometry.shoe-block.radius']")
+    radius.fill("210")
+    radius.press("Enter")
+    settled(page)
+    scene = tomllib.loads(text(page))
+    assert scene["body1"]["geometry"]["shoe-block"]["radius"] == scene["body2"]["geometry"]["ring"]["outer"] == 210
+
+
+def compare(page: Page) -> None:
+    """A pinned answer stays beside the next one."""
+    page.locator("#pin").click()
+    page.locator("[id='field-wear.b.0'], [id='field-wear.b']").first.fill("1")
+    page.keyboard.press("Enter")
+    settled(page)
+    expect(page.locator("#pinned")).to_contain_text("wear.b 0.5 \u2192 1")
+    expect(page.locator("#glance .change").first).to_contain_text("%")
+    expect(page.locator("figure[data-chart=pressure] .u-legend")).to_contain_text("pinned")
+    page.screenshot(path=OUT / "pinned.png", full_page=True)
+    page.locator("#pin").click()
+    expect(page.locator("#pinned")).to_be_hidden()
+
+
+def address(page: Page) -> None:
+    """The address of a page opens the same scene elsewhere."""
+    expect(page).to_have_url(re.compile("toml="))
+    other = page.context.new_page()
+    other.goto(page.url)
+    settled(other)
+    assert text(other) == text(page)
+    other.close()
+
+
+def in_time(page: Page) -> None:
+    """A run in time plays."""
+    page.locator("#scene").select_option("punch-wear")
+    page.locator("#field-accuracy").select_option("1e-2")
+    settled(page)
+    expect(page.locator("#run-part")).to_be_visible()
+    before = page.locator("#moment").inner_text()
+    page.locator("#play").click()
+    expect(page.locator("#play")).to_have_text("Pause")
+    expect(page.locator("#moment")).not_to_have_text(before)
+    page.screenshot(path=OUT / "in-time.png", full_page=True)
+    page.locator("#play").click()
+    page.locator("#step").focus()
+    page.keyboard.press("End")
+    assert page.locator("#moment").inner_text() == before
+
+
+NAMELESS = """() => [...document.querySelectorAll("input, select, textarea, button, summary, [role=img]")].filter(node => {
+  const words = node.getAttribute("aria-label") || [...(node.labels ?? [])].map(label => label.textContent).join("") ||
+    (["BUTTON", "SUMMARY"].includes(node.tagName) ? node.textContent : "");
+  return !words.trim();
+}).map(node => node.outerHTML.slice(0, 120))"""
+
+# Contrast of text with what is behind it, by the rule of WCAG 2: at least 4.5.
+PALE = """() => {
+  const numbers = words => words.match(/[\\d.]+/g).map(Number);
+  const light = ([r, g, b]) => [r, g, b].map(c => c / 255).map(c => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4)).reduce((sum, c, i) => sum + c * [0.2126, 0.7152, 0.0722][i], 0);
+  const behind = node => { for (; node; node = node.parentElement) { const c = numbers(getComputedStyle(node).backgroundColor); if (c.length < 4 || c[3] > 0.99) return c; } return [255, 255, 255]; };
+  const pale = [];
+  for (const node of document.querySelectorAll("body *")) {
+    const own = [...node.childNodes].some(child => child.nodeType === 3 && child.textContent.trim());
+    if (!own || node.closest("svg, noscript, :disabled, .skip, [inert], option, optgroup") || !node.getClientRects().length) continue;
+    const [a, b] = [light(numbers(getComputedStyle(node).color)), light(behind(node))];
+    const contrast = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+    if (contrast < 4.5) pale.push(`${contrast.toFixed(2)}: ${node.outerHTML.slice(0, 100)}`);
+  }
+  return pale;
+}"""
+
+
+def looks(page: Page) -> None:
+    """Names for screen readers, contrast, and pictures, light and dark, wide and narrow."""
+    page.locator("#scene").select_option("drum-brake-block")
+    settled(page)
+    assert page.evaluate(NAMELESS) == [], page.evaluate(NAMELESS)
+    for scheme in ("light", "dark"):
+        page.emulate_media(color_scheme=scheme)
+        for width, height in ((1280, 900), (390, 844), (1800, 1000)):
+            page.set_viewport_size({"width": width, "height": height})
+            page.evaluate("scrollTo(0, 0); document.querySelector('.side').scrollTo(0, 0)")
+            page.wait_for_timeout(200)
+            page.screenshot(path=OUT / f"{width}-{scheme}.png", full_page=True)
+            wide = page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth")
+            assert wide <= 0, f"{wide} pixels too wide at {width}"
+        assert page.evaluate(PALE) == [], page.evaluate(PALE)
+    page.emulate_media(color_scheme="light")
+    page.set_viewport_size({"width": 1280, "height": 900})
+
+
+def by_keyboard(page: Page) -> None:
+    """The first keys of a page: over the link to the result to the choice of scenes."""
+    page.reload()
+    settled(page)
+    page.keyboard.press("Tab")
+    assert page.evaluate("document.activeElement.className") == "skip"
+    page.keyboard.press("Tab")
+    assert page.evaluate("document.activeElement.id") == "scene"
+    page.keyboard.press("ArrowDown")
+    settled(page)
+    assert "drum-brake-ring" in page.evaluate("document.getElementById('scene').value")
+
+
+def every_scene(page: Page) -> None:
+    """Every scene that comes with the program is read and shown."""
+    for name in page.evaluate("[...document.querySelectorAll('#scene option')].map(option => option.value)"):
+        page.locator("#scene").select_option(name)
+        page.wait_for_selector("#drawing svg", timeout=LONG)
+        expect(page.locator("#status")).to_have_attribute("data-check", re.compile("."), timeout=LONG)
+        assert page.locator("#fault").is_hidden(), name
+
+
+def main() -> None:
+    base = served()
+    console: list[str] = []
+    requests: list[str] = []
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path="/usr/bin/chromium", args=["--no-sandbox"])
+        context = browser.new_context(viewport={"width": 1280, "height": 900}, accept_downloads=True)
+        context.on("request", lambda request: requests.append(request.url))
+        context.on("console", lambda message: console.append(message.text))
+        context.on("weberror", lambda error: console.append(str(error.error)))
+        page = context.new_page()
+        page.goto(base)
+        settled(page)
+        for part in (numbers, downloads, mistakes, units, together, compare, address, in_time, looks, by_keyboard, every_scene):
+            print(part.__name__, flush=True)
+            part(page)
+        browser.close()
+    strange = [url for url in requests if not (url.startswith(base) or re.match(r"blob:http://127\.0\.0\.1", url))]
+    assert not strange, f"requests beyond the page: {strange}"
+    assert not console, f"on the console: {console}"
+    print(f"{len(set(requests))} files asked for, nothing on the console")
+
+
+main()
