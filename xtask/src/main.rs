@@ -16,6 +16,7 @@ mod supply;
 mod tidy;
 mod validation;
 mod verify;
+mod web;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -46,6 +47,8 @@ usage: cargo xtask <chore>
   python    the package for Python in an environment of its own below target: built, its tests, types
             and notebooks [--install]
   wheel     the package for Python as a file that others install, into target/wheels [--install]
+  web       the page that computes in a browser, into target/web; --test uses it in headless Chromium
+            [--test] [--install]
   supply    every package of others comes from the registry, under a licence that deny.toml allows
   package   the static program, manual pages, completions, notices of third parties, the list of
             components and the Debian package
@@ -70,6 +73,7 @@ fn main() -> ExitCode {
         Some("supply") => supply::run(&root),
         Some("python") => python::run(&root, &words[1..]),
         Some("wheel") => python::wheel(&root, &words[1..]),
+        Some("web") => web::run(&root, &words[1..]),
         Some("package") => package::run(&root),
         Some("help" | "-h" | "--help") => {
             print!("{USAGE}");

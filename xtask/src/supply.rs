@@ -10,7 +10,7 @@ use std::process::ExitCode;
 
 use packages::{Package, packages};
 
-pub(crate) use notices::write;
+pub(crate) use notices::{notices_of, write};
 
 /// The registry of all packages, as the lock file names it.
 const REGISTRY: &str = "registry+https://github.com/rust-lang/crates.io-index";

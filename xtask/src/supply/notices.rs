@@ -13,12 +13,17 @@ const NAMES: [&str; 5] = ["LICENSE", "LICENCE", "COPYING", "NOTICE", "UNLICENSE"
 
 /// Writes both files into a folder and returns how many packages of others the program has in it on that system.
 pub(crate) fn write(root: &Path, target: &str, folder: &Path) -> Result<usize, String> {
-    let packages = packages(root, Some(target))?;
+    let packages = packages(root, Some(("cli", target)))?;
     let components = serde_json::to_string_pretty(&components(&packages)).map_err(|error| error.to_string())?;
     for (name, text) in [("THIRD-PARTY.txt", notices(&packages)), ("wearshape.cdx.json", components + "\n")] {
         fs::write(folder.join(name), text).map_err(|error| format!("cannot write {name}: {error}"))?;
     }
     Ok(packages.len())
+}
+
+/// The licences of the packages of others that are in one of ours on a system.
+pub(crate) fn notices_of(root: &Path, package: &str, target: &str) -> Result<String, String> {
+    packages(root, Some((package, target))).map(|packages| notices(&packages))
 }
 
 /// The packages with their licences, then each text once, with the packages that it stands in.

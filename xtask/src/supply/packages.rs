@@ -21,15 +21,15 @@ pub(super) struct Package {
     pub(super) folder: PathBuf,
 }
 
-/// All packages of others, by name and version; or those alone that the program `cli` has in it on one system.
-pub(super) fn packages(root: &Path, shipped_on: Option<&str>) -> Result<Vec<Package>, String> {
+/// All packages of others, by name and version; or those alone that one of ours has in it on one system.
+pub(super) fn packages(root: &Path, shipped: Option<(&str, &str)>) -> Result<Vec<Package>, String> {
     let mut command = cargo(root);
     command.args(["metadata", "--format-version", "1", "--locked"]);
-    if let Some(target) = shipped_on {
+    if let Some((_, target)) = shipped {
         command.args(["--filter-platform", target]);
     }
     let metadata: Value = serde_json::from_str(&printed(&mut command)?).map_err(|error| format!("cargo metadata: {error}"))?;
-    let shipped = shipped_on.is_some().then(|| within(&metadata, "cli"));
+    let shipped = shipped.map(|(package, _)| within(&metadata, package));
     let wanted = |package: &&Value| {
         let id = package["id"].as_str().unwrap_or("");
         package["source"].is_string() && shipped.as_ref().is_none_or(|shipped| shipped.contains(id))
