@@ -50,7 +50,7 @@ fn built(root: &Path, install: bool) -> Result<(), String> {
     let start = Instant::now();
     let flags = format!("CARGO_TARGET_{}_RUSTFLAGS", WASM.to_uppercase().replace('-', "_"));
     let mut build = cargo(root);
-    build.args(["build", "--quiet", "--locked", "--profile", "web", "--target", WASM, "--package", "wearshape-web"]);
+    build.args(["build", "--quiet", "--locked", "--profile", "browser", "--target", WASM, "--package", "wearshape-web"]);
     done(build.env(flags, FLAGS))?;
     let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from);
     let out = root.join("target/web");
@@ -58,7 +58,7 @@ fn built(root: &Path, install: bool) -> Result<(), String> {
         fs::remove_dir_all(&out).map_err(|error| format!("{}: {error}", out.display()))?;
     }
     fs::create_dir_all(&out).map_err(|error| format!("{}: {error}", out.display()))?;
-    copy(&target.join(WASM).join("web/wearshape_web.wasm"), &out.join("wearshape.wasm"))?;
+    copy(&target.join(WASM).join("browser/wearshape_web.wasm"), &out.join("wearshape.wasm"))?;
     let page = root.join(FOLDER).join("page");
     for entry in fs::read_dir(&page).map_err(|error| format!("{}: {error}", page.display()))? {
         let path = entry.map_err(|error| format!("{}: {error}", page.display()))?.path();

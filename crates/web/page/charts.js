@@ -5,6 +5,8 @@ import { make } from "./dom.js";
 import { shown } from "./quantity.js";
 
 const HEIGHT = 240;
+/** More points than this are a line. */
+const MARKED = 60;
 const COLOURS = ["--curve-1", "--curve-2", "--curve-3", "--curve-4"];
 
 const colour = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
@@ -97,7 +99,7 @@ export class Chart {
       stroke: one.pinned ? colour("--soft") : colour(COLOURS[number % COLOURS.length]),
       width: one.pinned ? 1.5 : 2,
       dash: one.dashed || one.pinned ? [6, 5] : undefined,
-      points: { show: Boolean(one.marks), size: 6 },
+      points: { show: one.marks && one.x.length <= MARKED, size: 6 },
       spanGaps: true,
       value: read,
     }));

@@ -122,7 +122,8 @@ function partners(value, parsed, all) {
 
 /** What may be one and the same number: radii, heights, widths, angles. */
 function family(key, name) {
-  if (RADII.includes(name)) return "radius";
+  // The middle of a half-disc stands its radius above its lowest point.
+  if (RADII.includes(name) || /\.half-disc\.centre\.1$/.test(key)) return "radius";
   const index = /\.(\d)$/.exec(key)?.[1];
   if (name === "z" || (["about", "point", "centre"].includes(name) && index === "1")) return "z";
   if (name === "x" || (["point", "centre"].includes(name) && index === "0")) return "x";
