@@ -16,6 +16,22 @@ export class Solver {
     this.worker.onmessage = ({ data }) => this.hear(data);
     this.worker.onerror = event => { event.preventDefault(); this.heard({ id: this.id, broken: event.message || "the solver could not be loaded" }); };
     this.worker.postMessage({ module: this.module });
+    [...this.wishes.keys()].forEach(wish => this.worker.postMessage({ files: wish }));
+  }
+
+  /** Ends a thread that is at an older scene still, after a while. */
+  wait() {
+    this.timer ??= setTimeout(() => {
+      this.timer = null;
+      this.begin();
+      this.worker.postMessage(this.job);
+    }, PATIENCE);
+  }
+
+  /** The thread shows that it hears. */
+  heeds() {
+    clearTimeout(this.timer);
+    this.timer = null;
   }
 
   hear(data) {
@@ -24,9 +40,11 @@ export class Solver {
       this.wishes.delete(data.wish);
       return;
     }
-    // Whatever it says of the newest scene: it is at it.
-    if (data.id !== this.id) return;
-    clearTimeout(this.timer);
+    if (data.phase === "check" || data.id === this.id) this.heeds();
+    if (data.id !== this.id) {
+      if (data.phase === "check") this.wait();
+      return;
+    }
     if (data.broken) this.begin();
     if (data.phase === "fine" || data.fault || data.broken) this.idle = true;
     this.heard(data);
@@ -35,12 +53,9 @@ export class Solver {
   /** Solves a scene in place of all before. */
   solve(name, text) {
     this.id += 1;
-    const job = { id: this.id, name, text };
-    this.worker.postMessage(job);
-    clearTimeout(this.timer);
-    if (!this.idle) {
-      this.timer = setTimeout(() => { this.begin(); this.worker.postMessage(job); }, PATIENCE);
-    }
+    this.job = { id: this.id, name, text };
+    this.worker.postMessage(this.job);
+    if (!this.idle) this.wait();
     this.idle = false;
   }
 
