@@ -2,6 +2,7 @@
 
 mod api;
 mod bench;
+mod book;
 mod builds;
 mod crates;
 mod editor;
@@ -50,6 +51,8 @@ usage: cargo xtask <chore>
   web       the page that computes in a browser, into target/web; --test uses it in headless Chromium
             [--test] [--install]
   supply    every package of others comes from the registry, under a licence that deny.toml allows
+  book      the book, into target/book: pages with the output of their commands, keys by the schema, links
+            [--test]: the examples of the keys too  [--all]: commands of minutes too  [--program PATH]
   package   the static program, manual pages, completions, notices of third parties, the list of
             components and the Debian package
   bench     run the benches of our crates and print their ratios [crate ..]
@@ -61,6 +64,7 @@ fn main() -> ExitCode {
     match words.first().map(String::as_str) {
         Some("tidy") => tidy::run(&root, &words[1..]),
         Some("bench") => bench::run(&root, &words[1..]),
+        Some("book") => book::run(&root, &words[1..]),
         Some("stability") => stability::run(&root, &words[1..]),
         Some("estimates") => estimates::run(&root, &words[1..]),
         Some("verify") => verify::run(&root, &words[1..]),

@@ -1,0 +1,108 @@
+//! Examples of keys: from the built-in scenes, and where none has the key from `book/examples.toml`.
+
+use std::collections::BTreeMap;
+use std::fs;
+use toml::{Table, Value};
+
+use super::files::read;
+use super::gallery;
+use super::play::Player;
+
+/// Where the keys stand that no built-in scene has.
+const MORE: &str = "book/examples.toml";
+
+/// Letters of a line.
+const LINE: usize = 70;
+
+/// An example of a key.
+pub(super) struct Example {
+    /// Key and value, as they are written.
+    pub line: String,
+    /// Where it is from.
+    pub scene: String,
+}
+
+/// An example of each key that has one.
+pub(super) struct Examples {
+    found: Vec<(Vec<String>, Example)>,
+}
+
+impl Examples {
+    /// Reads the built-in scenes and the other examples.
+    pub(super) fn read(player: &Player<'_>) -> Result<Examples, String> {
+        let mut found = Vec::new();
+        for scene in gallery::scenes(player)? {
+            let table: Table = scene.text.parse().map_err(|error| format!("{}: {error}", scene.name))?;
+            collect(&mut Vec::new(), &Value::Table(table), &mut |path, value| {
+                let line = format!("{} = {value}", path.join("."));
+                found.push((path.to_vec(), Example { line, scene: scene.name.clone() }));
+            });
+        }
+        for more in more(player)? {
+            let path = more.key.split('.').map(String::from).collect();
+            found.push((path, Example { line: format!("{} = {}", more.key, more.value), scene: String::new() }));
+        }
+        Ok(Examples { found })
+    }
+
+    /// The example of a key of the schema, whose names of the user's are words in capitals: the first that fits into a line, or the shortest.
+    pub(super) fn of(&self, key: &str) -> Option<&Example> {
+        let parts: Vec<&str> = key.split('.').collect();
+        let fits = |path: &[String]| {
+            path.len() == parts.len() && path.iter().zip(&parts).all(|(have, want)| *want == "NAME" || have == want)
+        };
+        let found: Vec<&Example> = self.found.iter().filter(|(path, _)| fits(path)).map(|(_, example)| example).collect();
+        let short = found.iter().find(|example| example.line.len() <= LINE);
+        short.or_else(|| found.iter().min_by_key(|example| example.line.len())).copied()
+    }
+}
+
+/// Every key of a table, tables too, in its dotted form.
+fn collect(path: &mut Vec<String>, value: &Value, tell: &mut impl FnMut(&[String], &Value)) {
+    if !path.is_empty() {
+        tell(path, value);
+    }
+    for (name, inner) in value.as_table().into_iter().flatten() {
+        path.push(name.clone());
+        collect(path, inner, tell);
+        path.pop();
+    }
+}
+
+/// A key and a value with a scene that takes it.
+struct More {
+    key: String,
+    value: String,
+    scene: String,
+    set: Vec<String>,
+}
+
+fn more(player: &Player<'_>) -> Result<Vec<More>, String> {
+    let tables: BTreeMap<String, Value> =
+        toml::from_str(&read(&player.root.join(MORE))?).map_err(|error| format!("{MORE}: {error}"))?;
+    let one = |(key, table): (String, Value)| {
+        let text = |word: &str| table.get(word).and_then(Value::as_str).map(String::from);
+        let set = table.get("with").and_then(Value::as_array).into_iter().flatten();
+        let set = set.filter_map(Value::as_str).map(String::from).collect();
+        let missing = || format!("{MORE}: `{key}` needs `value` and `scene`");
+        Ok(More { value: text("value").ok_or_else(missing)?, scene: text("scene").ok_or_else(missing)?, set, key })
+    };
+    tables.into_iter().map(one).collect()
+}
+
+/// Holds the examples that no built-in scene has against the program; how many they are.
+pub(super) fn checked(player: &Player<'_>) -> Result<usize, String> {
+    let folder = player.runs.join("examples");
+    fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    fs::write(folder.join("profile.csv"), "s_mm,gap_um\n-60,0\n0,1\n60,0\n").map_err(|error| format!("profile.csv: {error}"))?;
+    let examples = more(player)?;
+    for More { key, value, scene, set } in &examples {
+        let setting = |set: &String| format!(" --set '{set}'");
+        let sets: String = set.iter().chain([&format!("{key}={value}")]).map(setting).collect();
+        let (code, words) = player.line(&folder, &format!("wearshape check {scene}{sets}"))?;
+        if code != 0 {
+            return Err(format!("{MORE}: `{key} = {value}` is refused with {code}:\n{words}"));
+        }
+    }
+    Ok(examples.len())
+}
