@@ -27,15 +27,10 @@ pub(super) fn scenes(player: &Player<'_>) -> Result<Vec<Scene>, String> {
     list.lines().filter_map(one).collect()
 }
 
-/// The scenes with the drawing of each, as a list of links.
+/// The drawings of the scenes, each a link to its page.
 pub(super) fn list(player: &Player<'_>) -> Result<String, String> {
-    let one = |scene: &Scene| {
-        format!(
-            "[![{title}](scenes/{name}/out/plots/scene.svg)](scenes/{name}.md)\n\n[{title}](scenes/{name}.md)\n\n",
-            title = scene.title,
-            name = scene.name
-        )
-    };
+    let one =
+        |Scene { name, title, .. }: &Scene| format!("[![{title}](scenes/{name}/out/plots/scene.svg)](scenes/{name}.md)\n\n");
     Ok(format!("<div class=\"gallery\">\n\n{}</div>\n", scenes(player)?.iter().map(one).collect::<String>()))
 }
 
