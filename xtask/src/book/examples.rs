@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use toml::{Table, Value};
+use toml::Value;
+use toml::de::DeTable;
 
 use super::files::read;
 use super::gallery;
@@ -32,8 +33,8 @@ impl Examples {
     pub(super) fn read(player: &Player<'_>) -> Result<Examples, String> {
         let mut found = Vec::new();
         for scene in gallery::scenes(player)? {
-            let table: Table = scene.text.parse().map_err(|error| format!("{}: {error}", scene.name))?;
-            collect(&mut Vec::new(), &Value::Table(table), &mut |path, value| {
+            let table = DeTable::parse(&scene.text).map_err(|error| format!("{}: {error}", scene.name))?;
+            collect(&mut Vec::new(), table.get_ref(), &scene.text, &mut |path, value| {
                 let line = format!("{} = {value}", path.join("."));
                 found.push((path.to_vec(), Example { line, scene: scene.name.clone() }));
             });
@@ -57,14 +58,18 @@ impl Examples {
     }
 }
 
-/// Every key of a table, tables too, in its dotted form.
-fn collect(path: &mut Vec<String>, value: &Value, tell: &mut impl FnMut(&[String], &Value)) {
-    if !path.is_empty() {
-        tell(path, value);
-    }
-    for (name, inner) in value.as_table().into_iter().flatten() {
-        path.push(name.clone());
-        collect(path, inner, tell);
+/// Every key of a table with its value as it is written, tables in braces too.
+fn collect(path: &mut Vec<String>, table: &DeTable<'_>, text: &str, tell: &mut impl FnMut(&[String], &str)) {
+    for (name, value) in table.iter() {
+        path.push(name.get_ref().to_string());
+        let inner = value.get_ref().as_table();
+        let written = text.get(value.span()).unwrap_or_default();
+        if inner.is_none() || written.starts_with('{') {
+            tell(path, &written.split_whitespace().collect::<Vec<_>>().join(" "));
+        }
+        if let Some(inner) = inner {
+            collect(path, inner, text, tell);
+        }
         path.pop();
     }
 }

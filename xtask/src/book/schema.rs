@@ -49,7 +49,8 @@ impl Schema {
         let options = self.options(schema);
         let (meaning, default) = parted(self.meaning(schema));
         let tables: Vec<&Value> = options.iter().copied().filter(|option| is_table(option)).collect();
-        let words = options.iter().flat_map(|option| words(option)).collect();
+        let items = options.iter().filter(|option| option["items"].is_object()).flat_map(|list| self.options(&list["items"]));
+        let words = options.iter().copied().chain(items).flat_map(words).collect();
         let kinds: Vec<String> = options.iter().filter_map(|option| self.kind(option, schema)).collect();
         let kind = joined(kinds) + &range(schema);
         keys.push(Key { path: path.into(), kind, default, required, meaning, words, is_table: !tables.is_empty() });
