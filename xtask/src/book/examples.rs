@@ -111,3 +111,32 @@ pub(super) fn checked(player: &Player<'_>) -> Result<usize, String> {
     }
     Ok(examples.len())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_are_shown_as_they_are_written() {
+        let text = "accuracy = 1e-6\n[body1]\nsupport = { left = [\"x\"] }\ngeometry.ring.inner = \"2 cm\"\n";
+        let mut lines = Vec::new();
+        let table = DeTable::parse(text).expect("TOML");
+        collect(&mut Vec::new(), table.get_ref(), text, &mut |path, value| lines.push(format!("{} = {value}", path.join("."))));
+        lines.sort();
+        let support = "body1.support = { left = [\"x\"] }";
+        assert_eq!(lines, ["accuracy = 1e-6", "body1.geometry.ring.inner = \"2 cm\"", support, "body1.support.left = [\"x\"]"]);
+    }
+
+    #[test]
+    fn a_name_of_the_users_stands_for_any() {
+        let example = |path: &str, line: &str| {
+            (path.split('.').map(String::from).collect(), Example { line: line.into(), scene: "a".into() })
+        };
+        let long = "x".repeat(LINE + 1);
+        let found =
+            vec![example("body1.support.left", &long), example("body1.support.top", "top"), example("body1.support", "all")];
+        let examples = Examples { found };
+        assert_eq!(examples.of("body1.support.NAME").map(|example| example.line.as_str()), Some("top"));
+        assert!(examples.of("body1.support.NAME.pin").is_none());
+    }
+}

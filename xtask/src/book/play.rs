@@ -122,15 +122,11 @@ impl Player<'_> {
 mod tests {
     use super::*;
 
-    fn played(text: &str) -> Result<(String, usize), String> {
-        let root = std::env::temp_dir().join(format!("wearshape-book-{}-{}", std::process::id(), text.len()));
+    /// Plays a page with the shell under the name of the program, in a folder of the test's own.
+    fn played(name: &str, text: &str) -> Result<(String, usize), String> {
+        let root = std::env::temp_dir().join(format!("wearshape-book-{}-{name}", std::process::id()));
         fs::create_dir_all(root.join("data")).expect("a folder");
-        // A program that prints its first file and ends with what its second says.
-        let program = root.join("program");
-        fs::write(&program, "#!/bin/sh\ncat \"$1\"\nexit ${2:-0}\n").expect("a file");
-        let run = Command::new("chmod").arg("+x").arg(&program).status().expect("chmod");
-        assert!(run.success());
-        let player = Player { root: &root, program: &program, runs: &root.join("runs"), all: false };
+        let player = Player { root: &root, program: Path::new("/bin/sh"), runs: &root.join("runs"), all: false };
         let played = player.played("a/b.md", text);
         fs::remove_dir_all(&root).expect("the folder");
         played
@@ -138,16 +134,18 @@ mod tests {
 
     #[test]
     fn files_are_written_commands_run_and_outputs_shown() {
-        let page = "<!-- file: a.toml -->\n```toml\nx = 1\n```\n```sh\nls nowhere\nwearshape a.toml\n```\n<!-- output -->\n";
-        let (text, commands) = played(page).expect("a page");
+        let page =
+            "<!-- file: a.toml -->\n```toml\nx = 1\n```\n```sh\nls nowhere\nwearshape -c 'cat a.toml'\n```\n<!-- output -->\n";
+        let (text, commands) = played("shown", page).expect("a page");
         assert!(commands == 1 && text.ends_with("```\n```text\nx = 1\n```\n"), "{text}");
     }
 
     #[test]
     fn an_end_that_the_page_does_not_tell_is_an_error() {
-        assert!(played("```sh\nwearshape /dev/null 2\n```\n").is_err());
-        assert!(played("```sh\nwearshape /dev/null 2  # exit 2\n```\n").is_ok_and(|(_, commands)| commands == 1));
-        assert!(played("```sh\nwearshape /dev/null 0  # exit 2\n```\n").is_err());
-        assert!(played("```sh\nwearshape /dev/null 2  # some minutes\n```\n").is_ok_and(|(_, commands)| commands == 0));
+        let page = |line: &str| played("ends", &format!("```sh\n{line}\n```\n"));
+        assert!(page("wearshape -c 'exit 2'").is_err());
+        assert!(page("wearshape -c 'exit 2'  # exit 2").is_ok_and(|(_, commands)| commands == 1));
+        assert!(page("wearshape -c true  # exit 2").is_err());
+        assert!(page("wearshape -c false  # some minutes").is_ok_and(|(_, commands)| commands == 0));
     }
 }
