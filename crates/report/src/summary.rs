@@ -35,6 +35,7 @@ pub fn summary(problem: &Problem, solution: &Solution) -> Value {
             solution.reactions.iter().map(|(edge, reaction)| (edge.clone(), value(reaction))).collect();
         put("reactions", Value::Object(reactions));
     }
+    put("heat", value(&solution.heat));
     put("brake", value(&solution.brake));
     put("error", value(&solution.error));
     put("interface", value(&solution.interface));

@@ -60,10 +60,21 @@ pub const CONTACT_COLUMNS: [ContactColumn; 20] = [
 /// The pressure backward, of a reversing motion alone.
 const PRESSURE_BACK: ContactColumn = ("pressure_back_MPa", |p, k| p.pressure_back[k]);
 
+/// Temperature, heat and thermal displacement, of scenes with heat alone.
+const HEAT: [ContactColumn; 6] = [
+    ("temperature1_degC", |p, k| p.temperature[0][k]),
+    ("temperature2_degC", |p, k| p.temperature[1][k]),
+    ("heat1_mW_mm2", |p, k| p.heat[0][k]),
+    ("heat2_mW_mm2", |p, k| p.heat[1][k]),
+    ("unth1_um", |p, k| p.thermal_displacement[0][k]),
+    ("unth2_um", |p, k| p.thermal_displacement[1][k]),
+];
+
 /// contact.csv: one row a contact point.
 pub(crate) fn profile_csv(profile: &Profile) -> String {
     let back = (!profile.pressure_back.is_empty()).then_some(PRESSURE_BACK);
-    let columns = || CONTACT_COLUMNS.iter().copied().chain(back);
+    let hot: &[ContactColumn] = if profile.temperature[0].is_empty() { &[] } else { &HEAT };
+    let columns = || CONTACT_COLUMNS.iter().copied().chain(back).chain(hot.iter().copied());
     let names: Vec<&str> = columns().map(|(name, _)| name).chain(["status"]).collect();
     let numbers = |row| columns().map(move |(_, value)| number_text(value(profile, row)));
     let status = |row: usize| profile.status[row].word().to_string();

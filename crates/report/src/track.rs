@@ -164,6 +164,7 @@ pub fn step_words(step: Step) -> &'static str {
         Step::RoundTrip => "proof",
         Step::Evolution => "wear",
         Step::Torsion => "twist",
+        Step::Heat => "heat",
         Step::Fields => "stresses inside",
         Step::Table | Step::Machined | Step::Plots | Step::Page | Step::Recording => "writing files",
     }

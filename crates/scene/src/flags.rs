@@ -4,12 +4,13 @@ use crate::fault::{Fault, Place};
 use crate::tree::{self, Entry, Node, Origin, Value};
 
 /// Keys that exclude each other: setting one removes the others of its row. `*` stands for any one key.
-const ALTERNATIVES: [&[&str]; 13] = [
+const ALTERNATIVES: [&[&str]; 14] = [
     &["accuracy", "mesh"],
     &["load.force", "load.approach"],
     &["load.moment", "load.tilt"],
     &["load.twist", "load.torque"],
     &["wear.beta", "wear.k"],
+    &["heat.share", "heat.conductance"],
     &["sliding.omega", "sliding.speed"],
     &["body1.geometry.*"],
     &["body2.geometry.*"],

@@ -8,6 +8,7 @@ mod gap;
 mod gap_sum;
 mod geometry;
 mod hash;
+mod heat;
 mod known;
 mod material;
 mod numbers;
@@ -36,6 +37,7 @@ pub use geometry::{
     PivotedShoe, Rectangle, RectangularPunch, Ring, RingSegment, ShoeBlock, SplineShape, SurfaceShape,
 };
 pub use hash::sha256;
+pub use heat::{EdgeHeat, Heat};
 pub use known::{KnownMaterial, known_materials};
 pub use material::Material;
 pub use numbers::{number_text, short, with_short_numbers};
@@ -47,7 +49,8 @@ pub use scene::{
 };
 pub use support::{Component, Support};
 pub use units::{
-    Angle, AngularSpeed, Force, Frequency, Length, Moment, Pair, Pressure, Scale, Speed, Steps, Time, Volume, WearFactor,
+    Angle, AngularSpeed, Conductance, Conductivity, Expansion, Force, Frequency, HeatFlux, HeatTransfer, Length, Moment, Pair,
+    Pressure, Scale, Speed, Steps, Temperature, Time, Volume, WearFactor,
 };
 pub use value::{missing, positive};
 pub use visible::{acts, bounded, visible};

@@ -7,7 +7,7 @@ use serde::de::{self, Deserializer, MapAccess, Visitor};
 use serde::{Deserialize, Serialize};
 
 use crate::known::known_material;
-use crate::units::Pressure;
+use crate::units::{Conductivity, Expansion, Pressure, Temperature};
 
 /// Linear isotropic elasticity. A scene may name a known material instead ([`known_materials`](crate::known_materials)).
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -16,6 +16,22 @@ pub struct Material {
     pub young: Pressure,
     /// Poisson's ratio.
     pub poisson: f64,
+    /// Conductivity of heat (mW/(mm K)).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub conductivity: Option<Conductivity>,
+    /// Linear thermal expansion (1/K).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub expansion: Option<Expansion>,
+    /// The highest temperature that the material bears (degC).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub temperature_limit: Option<Temperature>,
+}
+
+impl Material {
+    /// An elastic material of which nothing thermal is known.
+    pub fn elastic(young: Pressure, poisson: f64) -> Material {
+        Material { young, poisson, conductivity: None, expansion: None, temperature_limit: None }
+    }
 }
 
 /// A material by its numbers.
@@ -30,6 +46,17 @@ pub(crate) struct Numbers {
     /// Poisson's ratio.
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = -1, "exclusiveMaximum" = 0.5)))]
     poisson: f64,
+    /// Conductivity of heat (mW/(mm K), that is W/(m K)).
+    #[serde(default)]
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
+    conductivity: Option<Conductivity>,
+    /// Linear thermal expansion (1/K).
+    #[serde(default)]
+    #[cfg_attr(feature = "schema", schemars(extend("minimum" = 0)))]
+    expansion: Option<Expansion>,
+    /// The highest temperature that the material bears (degC).
+    #[serde(default)]
+    temperature_limit: Option<Temperature>,
 }
 
 impl<'de> Deserialize<'de> for Material {
@@ -44,12 +71,18 @@ impl<'de> Deserialize<'de> for Material {
 
             fn visit_str<E: de::Error>(self, name: &str) -> Result<Material, E> {
                 let known = known_material(name).map_err(E::custom)?;
-                Ok(Material { young: Pressure(1e3 * known.young), poisson: known.poisson })
+                Ok(Material {
+                    conductivity: known.conductivity.map(Conductivity),
+                    // The table is in 1e-6/K: a division rounds once.
+                    expansion: known.expansion.map(|expansion| Expansion(expansion / 1e6)),
+                    ..Material::elastic(Pressure(1e3 * known.young), known.poisson)
+                })
             }
 
             fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Material, A::Error> {
-                let Numbers { young, poisson } = Numbers::deserialize(MapAccessDeserializer::new(map))?;
-                Ok(Material { young, poisson })
+                let Numbers { young, poisson, conductivity, expansion, temperature_limit } =
+                    Numbers::deserialize(MapAccessDeserializer::new(map))?;
+                Ok(Material { young, poisson, conductivity, expansion, temperature_limit })
             }
         }
         deserializer.deserialize_any(MaterialVisitor)

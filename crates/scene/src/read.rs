@@ -69,6 +69,8 @@ fn table_like(table: &str) -> &'static str {
         "Sliding" => "{ speed = \"5 mm/s\" }",
         "Wear" => "{ beta = [2e-4, 0], a = 1, b = 1 }",
         "Schedule" => "{ time = [0, 10], force = [1, 2] }",
+        "Heat" => "{ share = 0.1, reference = \"20 degC\" }",
+        "EdgeHeat" => "{ convection = \"100 W/(m2 K)\", ambient = \"20 degC\" }",
         "Optimum" => "{ functional = \"steady\" }",
         "Mesh" => "{ degree = 8, layers = 8 }",
         "Output" => "{ fields = true }",

@@ -65,6 +65,9 @@ pub struct Scene {
     /// Load and speed that change in a run in time; without it they stay as given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub schedule: Option<Schedule>,
+    /// Frictional heat and the thermal distortion of the bodies; without it nothing of this is computed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub heat: Option<crate::heat::Heat>,
     /// Which pressure is wanted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub optimum: Option<Optimum>,
@@ -137,6 +140,9 @@ pub struct Body {
     /// What holds named edges: a list of components, { pin = [x, z] }, or { roller = angle }.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub support: BTreeMap<String, Support>,
+    /// What carries heat through named edges, in a scene with `heat`; all others are insulated.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub heat: BTreeMap<String, crate::heat::EdgeHeat>,
 }
 
 /// The contact.

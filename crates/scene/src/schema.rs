@@ -11,10 +11,12 @@ use crate::material::{Material, Numbers};
 use crate::point_shape::{PointShape, PolarPoint};
 use crate::support::{Component, Support};
 use crate::units::dimension::{
-    ANGLE, ANGULAR_SPEED, Dimension, FORCE, FREQUENCY, LENGTH, MOMENT, PRESSURE, SPEED, TIME, VOLUME, WEAR_FACTOR,
+    ANGLE, ANGULAR_SPEED, CONDUCTIVITY, Dimension, EXPANSION, FORCE, FREQUENCY, HEAT_FLUX, HEAT_TRANSFER, LENGTH, MOMENT,
+    PRESSURE, SPEED, TEMPERATURE, TIME, VOLUME, WEAR_FACTOR,
 };
 use crate::units::{
-    Angle, AngularSpeed, Force, Frequency, Length, Moment, Pair, Pressure, Scale, Speed, Steps, Time, Volume, WearFactor,
+    Angle, AngularSpeed, Conductance, Conductivity, Expansion, Force, Frequency, HeatFlux, HeatTransfer, Length, Moment, Pair,
+    Pressure, Scale, Speed, Steps, Temperature, Time, Volume, WearFactor,
 };
 
 fn schema_of(dimension: &Dimension) -> Schema {
@@ -62,7 +64,25 @@ quantity!(
     Frequency of FREQUENCY,
     Moment of MOMENT,
     WearFactor of WEAR_FACTOR,
+    Temperature of TEMPERATURE,
+    Conductivity of CONDUCTIVITY,
+    Expansion of EXPANSION,
+    HeatTransfer of HEAT_TRANSFER,
+    HeatFlux of HEAT_FLUX,
 );
+
+impl JsonSchema for Conductance {
+    fn schema_name() -> Cow<'static, str> {
+        "Conductance".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "description": format!("\"inf\", or {}", HEAT_TRANSFER.expected()),
+            "anyOf": [{ "const": "inf" }, { "type": "number" }, { "type": "string", "pattern": pattern(&HEAT_TRANSFER) }]
+        })
+    }
+}
 
 impl JsonSchema for Scale {
     fn inline_schema() -> bool {

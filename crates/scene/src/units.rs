@@ -1,5 +1,6 @@
 //! Quantities of a scene: a bare number in N, mm, MPa, s, rad, or a string with a unit. Kept in base units.
 
+mod conductance;
 pub(crate) mod dimension;
 mod pair;
 mod scale;
@@ -10,7 +11,11 @@ use std::fmt;
 use serde::de::{self, Deserialize, Deserializer, Visitor};
 use serde::{Serialize, Serializer};
 
-use dimension::{ANGLE, ANGULAR_SPEED, Dimension, FORCE, FREQUENCY, LENGTH, MOMENT, PRESSURE, SPEED, TIME, VOLUME, WEAR_FACTOR};
+pub use conductance::Conductance;
+use dimension::{
+    ANGLE, ANGULAR_SPEED, CONDUCTIVITY, Dimension, EXPANSION, FORCE, FREQUENCY, HEAT_FLUX, HEAT_TRANSFER, LENGTH, MOMENT,
+    PRESSURE, SPEED, TEMPERATURE, TIME, VOLUME, WEAR_FACTOR,
+};
 pub use pair::Pair;
 pub use scale::Scale;
 pub use steps::Steps;
@@ -117,6 +122,26 @@ quantity!(
 quantity!(
     /// A frequency in cycles a second.
     Frequency, FREQUENCY
+);
+quantity!(
+    /// A temperature in degC.
+    Temperature, TEMPERATURE
+);
+quantity!(
+    /// A conductivity of heat in mW/(mm K), that is W/(m K).
+    Conductivity, CONDUCTIVITY
+);
+quantity!(
+    /// A linear thermal expansion in 1/K.
+    Expansion, EXPANSION
+);
+quantity!(
+    /// A coefficient of heat transfer in mW/(mm^2 K), that is 1000 W/(m^2 K).
+    HeatTransfer, HEAT_TRANSFER
+);
+quantity!(
+    /// A heat flux in mW/mm^2.
+    HeatFlux, HEAT_FLUX
 );
 
 /// A wear factor. A bare number has the unit that the exponents a and b give it; a unit fixes a = b = 1.

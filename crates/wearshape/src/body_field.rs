@@ -37,6 +37,8 @@ pub struct CellField {
     pub displacement: Vec<[f64; 3]>,
     /// Stresses, MPa.
     pub stress: Vec<Stress>,
+    /// Temperatures, degC; empty without heat.
+    pub temperature: Vec<f64>,
     /// Index of the material.
     pub material: usize,
     /// Whether a point lies on the contact surface.
@@ -69,6 +71,7 @@ impl CellField {
                 .iter()
                 .map(|k| Stress { xy: -self.stress[*k].xy, xz: -self.stress[*k].xz, ..self.stress[*k] })
                 .collect(),
+            temperature: order.iter().filter_map(|k| self.temperature.get(*k).copied()).collect(),
         }
     }
 }

@@ -7,6 +7,7 @@ use wear::{WearError, WearPair};
 
 use crate::freedom::Freedom;
 use crate::gap::StartGap;
+use crate::heat::Heat;
 use crate::level::Level;
 use crate::load::Load;
 use crate::outlines::BodyOutline;
@@ -33,6 +34,8 @@ pub struct Problem {
     pub(crate) freedoms: Vec<Freedom>,
     /// Friction between the bodies.
     pub(crate) friction: Friction,
+    /// Frictional heat; none of scenes without it.
+    pub(crate) heat: Option<Heat>,
     /// Unloaded gap at the start.
     pub(crate) gap: StartGap,
     /// What presses, shifts and turns body 1.

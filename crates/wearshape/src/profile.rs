@@ -35,6 +35,12 @@ pub struct Profile {
     pub tangential_displacement: [Vec<f64>; 2],
     /// Displacement around the axis of body 1 and 2, positive anti-clockwise (um).
     pub hoop_displacement: [Vec<f64>; 2],
+    /// Temperature of body 1 and 2 (degC); empty without heat, and then no column. So are the next two.
+    pub temperature: [Vec<f64>; 2],
+    /// Frictional heat into body 1 and 2 (mW/mm^2).
+    pub heat: [Vec<f64>; 2],
+    /// Thermal part of the normal displacement of body 1 and 2 (um).
+    pub thermal_displacement: [Vec<f64>; 2],
     /// contact, open, stick or slip.
     pub status: Vec<PointStatus>,
 }
@@ -59,6 +65,9 @@ impl Profile {
             normal_displacement: pair(),
             tangential_displacement: pair(),
             hoop_displacement: pair(),
+            temperature: Default::default(),
+            heat: Default::default(),
+            thermal_displacement: Default::default(),
             status: vec![PointStatus::Contact; points.len()],
         }
     }

@@ -5,6 +5,7 @@ mod bodies;
 mod carried;
 mod cycle;
 mod duty;
+mod heat;
 mod load;
 mod metres;
 mod one_way;
@@ -44,6 +45,11 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     let mut scene = document.scene.clone();
     cycle::resolve(&mut scene)?;
     let tasks = tasks::resolve(&mut scene)?;
+    let heat_keys = heat::keys(&scene);
+    let heated = heat::is_used(&scene, &tasks);
+    if !heated {
+        heat::leave_out(&mut scene)?;
+    }
     let bodies = bodies::resolve(&mut scene, files)?;
     let patch = match (&scene.surface, &bodies) {
         (Some(surface), _) => Some(Patch::bare(surface, scene.sliding.as_ref()).map_err(|fault| cycle::named(&scene, fault))?),
@@ -71,7 +77,9 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     if let Some(couple) = &couple {
         freedom::check(couple, &load, patch.as_ref(), grip(&scene))?;
     }
-    let unused_keys = unused::keys(document, &scene, &tasks);
+    let heat = heat::resolve(&mut scene, &tasks, couple.as_ref(), patch.as_ref())?;
+    let without_heat = if heated { Vec::new() } else { heat_keys };
+    let unused_keys = unused::keys(document, &scene, &tasks, without_heat);
     let mut problem = Problem {
         name: document.name.clone(),
         wanted: tasks::wanted(&scene, &tasks),
@@ -80,6 +88,7 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
         patch,
         freedoms: Vec::new(),
         friction: friction(&scene),
+        heat,
         gap,
         load,
         sliding: scene.sliding.clone(),

@@ -6,6 +6,7 @@ use serde::Serialize;
 use crate::body_field::FieldFrame;
 use crate::brake::BrakeResult;
 use crate::effort::Effort;
+use crate::heat_result::HeatResult;
 use crate::machined::Machined;
 use crate::machining_result::MachiningResult;
 use crate::profile::Profile;
@@ -60,6 +61,8 @@ pub struct Solution {
     pub reactions: Vec<(String, Reaction)>,
     /// Body 1 as a brake under the pressure of the last task, where a pin or a roller guides it.
     pub brake: Option<BrakeResult>,
+    /// Frictional heat of the last task that has it.
+    pub heat: Option<HeatResult>,
     /// Estimated errors.
     pub error: Option<ErrorResult>,
     /// Condition of the system on the contact surface.

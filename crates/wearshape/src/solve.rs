@@ -142,6 +142,7 @@ impl Solution {
             groove,
             machined,
             told,
+            heat,
             error,
             running_in,
             ladder,
@@ -161,6 +162,7 @@ impl Solution {
         self.interface = interface.or(self.interface.take());
         self.shape = shape.or(self.shape.take());
         self.wear = wear.or(self.wear.take());
+        self.heat = heat.or(self.heat.take());
         self.machined = machined.or(self.machined.take());
         self.running_in = running_in.or(self.running_in.take());
         self.resume = resume;

@@ -40,6 +40,9 @@ pub enum Step {
     /// The scalar problem of twisting.
     #[serde(rename = "torsion")]
     Torsion,
+    /// Temperatures of the bodies, and what they do to the contact surface.
+    #[serde(rename = "heat")]
+    Heat,
     /// Columns of the friction shear.
     #[serde(rename = "tangential columns")]
     Tangential,

@@ -86,7 +86,7 @@ pub(crate) fn body(key: &'static str, geometry: &str, contact: &str, support: &s
     sound(key, &mut body.geometry, false).unwrap();
     let given = read_cells(key, &mut body, &|_| Err("no files".to_string())).unwrap();
     let cells = given.map(|given| Arc::new(given.mesh));
-    let materials = vec![Material { young: Pressure(1e5), poisson: 0.3 }];
+    let materials = vec![Material::elastic(Pressure(1e5), 0.3)];
     Body { key, geometry: body.geometry, cells, materials, supports: body.support, contact: contact.to_string() }
 }
 

@@ -67,6 +67,48 @@ pub(crate) const FREQUENCY: Dimension = Dimension {
     base: "cycles a second",
     units: &[("Hz", 1.0, 1.0), ("kHz", 1e3, 1.0), ("1/s", 1.0, 1.0), ("1/min", 1.0, 60.0), ("1/h", 1.0, 3600.0)],
 };
+pub(crate) const TEMPERATURE: Dimension =
+    Dimension { word: "temperature", base: "degC", units: &[("degC", 1.0, 1.0), ("°C", 1.0, 1.0)] };
+pub(crate) const CONDUCTIVITY: Dimension = Dimension {
+    word: "conductivity",
+    base: "mW/(mm K)",
+    units: &[("W/(m K)", 1.0, 1.0), ("mW/(mm K)", 1.0, 1.0), ("W/(mm K)", 1e3, 1.0), ("W/m/K", 1.0, 1.0)],
+};
+pub(crate) const EXPANSION: Dimension = Dimension {
+    word: "thermal expansion",
+    base: "1/K",
+    units: &[("1/K", 1.0, 1.0), ("/K", 1.0, 1.0), ("um/(m K)", 1.0, 1e6), ("ppm/K", 1.0, 1e6), ("1/degC", 1.0, 1.0)],
+};
+pub(crate) const HEAT_TRANSFER: Dimension = Dimension {
+    word: "coefficient of heat transfer",
+    base: "mW/(mm^2 K)",
+    units: &[
+        ("W/(m2 K)", 1.0, 1e3),
+        ("W/(m^2 K)", 1.0, 1e3),
+        ("kW/(m2 K)", 1.0, 1.0),
+        ("kW/(m^2 K)", 1.0, 1.0),
+        ("mW/(mm2 K)", 1.0, 1.0),
+        ("mW/(mm^2 K)", 1.0, 1.0),
+        ("W/(mm2 K)", 1e3, 1.0),
+        ("W/(mm^2 K)", 1e3, 1.0),
+    ],
+};
+pub(crate) const HEAT_FLUX: Dimension = Dimension {
+    word: "heat flux",
+    base: "mW/mm^2",
+    units: &[
+        ("W/m2", 1.0, 1e3),
+        ("W/m^2", 1.0, 1e3),
+        ("kW/m2", 1.0, 1.0),
+        ("kW/m^2", 1.0, 1.0),
+        ("mW/mm2", 1.0, 1.0),
+        ("mW/mm^2", 1.0, 1.0),
+        ("W/mm2", 1e3, 1.0),
+        ("W/mm^2", 1e3, 1.0),
+        ("W/cm2", 10.0, 1.0),
+        ("W/cm^2", 10.0, 1.0),
+    ],
+};
 pub(crate) const WEAR_FACTOR: Dimension = Dimension {
     word: "wear factor",
     base: "mm^2/N (for a = b = 1)",

@@ -25,6 +25,8 @@ struct Facts {
     /// Whether a body is held against turning about the axis.
     held: bool,
     fields: bool,
+    /// Whether frictional heat bends the bodies.
+    heat: bool,
     page: bool,
     recording: bool,
 }
@@ -33,7 +35,7 @@ struct Facts {
 type Rule = fn(&Facts) -> Option<(bool, &'static str)>;
 
 /// Every stage with when and why it is run.
-const TABLE: [(Step, Rule); 18] = [
+const TABLE: [(Step, Rule); 19] = [
     (Step::Force, |f| {
         let wanted = f.has(Task::Pressure) || f.has(Task::Shape);
         let why = if wanted { "the pressure carries the force that this approach takes" } else { NO_TASK };
@@ -66,6 +68,7 @@ const TABLE: [(Step, Rule); 18] = [
         (true, true, false) => Some((false, "no body is held against turning")),
         _ => Some((false, "no axisymmetric body is computed")),
     }),
+    (Step::Heat, |f| f.heat.then_some((true, "frictional heat bends the bodies"))),
     (Step::Tangential, |f| match (f.bodies, f.shear) {
         (true, true) => Some((true, "friction shear acts on the bodies")),
         (true, false) => Some((false, "no friction shear acts on the bodies")),
@@ -117,6 +120,7 @@ impl Facts {
             reverses: problem.reversing.is_some() && has(Task::Shape),
             held: couple.is_some_and(|couple| couple.bodies.iter().any(|body| body.holds(Component::Phi))),
             fields: output.fields.unwrap_or(false),
+            heat: problem.heat.is_some(),
             page: output.report.unwrap_or(true),
             recording: output.recording.unwrap_or(false),
         }

@@ -6,9 +6,10 @@ use scene::{Document, Geometry, Kinematics, LoadKind, Scene, Support, Task};
 use crate::functional::functional_row;
 use crate::setup::twist::turns;
 
-/// The unused keys of a scene, sorted.
-pub(super) fn keys(document: &Document, scene: &Scene, tasks: &[Task]) -> Vec<String> {
-    let mut unused: Vec<String> = idle(scene, tasks).into_iter().filter(|key| document.has(key)).map(String::from).collect();
+/// The unused keys of a scene, sorted; `more` are further keys that it does not use, written or not.
+pub(super) fn keys(document: &Document, scene: &Scene, tasks: &[Task], more: Vec<String>) -> Vec<String> {
+    let idle = idle(scene, tasks).into_iter().map(String::from).chain(more);
+    let mut unused: Vec<String> = idle.filter(|key| document.has(key)).collect();
     for (name, body) in [("body1", &scene.body1), ("body2", &scene.body2)] {
         if let Some(Geometry::Blocks(blocks)) = body.as_ref().map(|body| &body.geometry) {
             unused.extend(unused_in_blocks(blocks).iter().map(|key| format!("{name}.geometry.blocks.{key}")));

@@ -5,6 +5,7 @@ use hpfem::InterfaceState;
 
 use crate::bodies::Reduced;
 use crate::brake::{BrakeResult, brake};
+use crate::heat_result::HeatResult;
 use crate::machined::Machined;
 use crate::options::{CURVE, Sampling};
 use crate::profile::Profile;
@@ -122,6 +123,8 @@ pub(crate) struct Outcome {
     pub running_in: Option<RunningIn>,
     pub machined: Option<Machined>,
     pub told: Option<Told>,
+    /// Frictional heat of the reported level.
+    pub heat: Option<HeatResult>,
     /// Estimated errors; `how` is empty where there are none.
     pub error: ErrorResult,
     pub ladder: Vec<Rung>,

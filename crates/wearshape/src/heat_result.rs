@@ -1,0 +1,65 @@
+//! Frictional heat in the words of the summary.
+
+use serde::{Serialize, Serializer};
+
+/// `summary.heat`.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub struct HeatResult {
+    /// Power of friction.
+    #[serde(rename = "friction_power_mW")]
+    pub friction_power: f64,
+    /// What of it goes into body 1.
+    #[serde(rename = "into_body1_mW")]
+    pub into_body1: f64,
+    /// What of it goes into body 2.
+    #[serde(rename = "into_body2_mW")]
+    pub into_body2: f64,
+    /// Heat that leaves through each edge (mW), by "body1.top".
+    #[serde(serialize_with = "by_edge")]
+    pub out: Vec<(String, f64)>,
+    /// What of friction and prescribed fluxes does not leave through the edges, relative to it.
+    pub balance: Option<f64>,
+    /// Highest temperature of body 1, inside and on its surface.
+    #[serde(rename = "T_max1_degC", skip_serializing_if = "Option::is_none")]
+    pub highest1: Option<f64>,
+    /// Place (x, z) of it.
+    #[serde(rename = "T_max1_at_mm", skip_serializing_if = "Option::is_none")]
+    pub highest1_at: Option<[f64; 2]>,
+    /// Highest temperature of body 2; none of one that arrives fresh.
+    #[serde(rename = "T_max2_degC", skip_serializing_if = "Option::is_none")]
+    pub highest2: Option<f64>,
+    /// Place (x, z) of it.
+    #[serde(rename = "T_max2_at_mm", skip_serializing_if = "Option::is_none")]
+    pub highest2_at: Option<[f64; 2]>,
+    /// Factor on the sliding speed up to which a calculation that finds pressure and temperature by turns arrives.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub staggered_limit_speed_factor: Option<SpeedFactor>,
+    /// Factor on the sliding speed at which surfaces without a gap separate somewhere.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub separation_speed_factor: Option<SpeedFactor>,
+    /// Factor on the sliding speed at which the contact is no longer unique.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub critical_speed_factor: Option<SpeedFactor>,
+}
+
+/// A factor on the sliding speed, or "none" where there is no such speed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum SpeedFactor {
+    /// The factor.
+    At(f64),
+    /// There is none.
+    None,
+}
+
+impl Serialize for SpeedFactor {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            SpeedFactor::At(factor) => serializer.serialize_f64(*factor),
+            SpeedFactor::None => serializer.serialize_str("none"),
+        }
+    }
+}
+
+fn by_edge<S: Serializer>(edges: &[(String, f64)], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(edges.iter().map(|(edge, heat)| (edge, heat)))
+}
