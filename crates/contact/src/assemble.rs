@@ -58,13 +58,13 @@ impl ContactOperator<'_> {
         let mut slip = vec![0.0; if self.unit.matrices.tangential.is_some() { n } else { 0 }];
         for (b, response) in self.unit.responses.iter().enumerate() {
             let [lambda, sigma] = forces.map(|v| v.iter().map(|v| SIGNS[b] * v).collect::<Vec<f64>>());
-            let (all, columns) = &stage.factors[b];
-            let unknowns = response.unknowns(columns, &lambda, &sigma, &coordinates[b]);
+            let (all, columns) = stage.factors_under(b, forces[0]);
+            let unknowns = response.unknowns(&columns, &lambda, &sigma, &coordinates[b]);
             if let Some(tangential) = &response.tangential {
                 let moved = times(tangential, &unknowns);
                 (0..n).for_each(|i| slip[i] += SIGNS[b] * (moved[i] + response.constant[1][i]));
             }
-            states.push(self.state(b, unknowns, [&lambda, &sigma], all));
+            states.push(self.state(b, unknowns, [&lambda, &sigma], &all));
         }
         let counter = if states.len() > 1 { states.pop() } else { None };
         let Some(shaped) = states.pop() else { unreachable!("the shaped body always has a response") };

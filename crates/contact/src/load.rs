@@ -1,5 +1,7 @@
 //! What acts in a contact solve: load factors, motions of the rigid edge, friction.
 
+use faer::Mat;
+
 /// One motion (`t_x`, `t_z` or `theta`) of the shaped body's rigid edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Motion {
@@ -70,6 +72,9 @@ pub struct ContactLoad {
     pub friction: Friction,
     /// Meaning of the moment on the rigid edge.
     pub moment: MomentBalance,
+    /// Load-case factors of the shaped body and of the counter-face that follow the pressure, as those of its frictional heat do: for every load
+    /// case (row) what a unit normal force at each contact point (column) adds to its factor, `cases x points`; none where nothing does.
+    pub following: [Option<Mat<f64>>; 2],
 }
 
 impl ContactLoad {
@@ -80,6 +85,7 @@ impl ContactLoad {
             motions: [Motion::FREE; 3],
             friction: Friction::None,
             moment: MomentBalance::Traction,
+            following: [None, None],
         }
     }
 

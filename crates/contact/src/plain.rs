@@ -3,6 +3,7 @@
 use crate::coulomb::{ContactState, Coulomb, Outcome, Sheared};
 use crate::ending::{Ending, Warm};
 use crate::error::Error;
+use crate::following::Followed;
 use crate::growth::{Family, grown};
 use crate::lcp::{Answer, Complementarity, Point};
 use crate::load::Friction;
@@ -67,6 +68,17 @@ impl<'m> Plain<'m> {
             symmetric: !active,
         };
         Ok(Plain { matrices, problem, slide, slip: unloaded.slip, sliding })
+    }
+
+    /// Adds what load cases do that follow the nodal normal forces; the problem is no longer symmetric.
+    pub(crate) fn follow(&mut self, followed: &Followed, free: &[usize]) {
+        *self.problem.compliance.to_mut() += &followed.opening;
+        for (j, coordinate) in free.iter().enumerate() {
+            for i in 0..self.matrices.points() {
+                self.problem.balance[(i, j)] += followed.forces[(i, *coordinate)];
+            }
+        }
+        self.problem.symmetric = false;
     }
 
     /// The problem without shear; motions that only shear resists are held by a spring.

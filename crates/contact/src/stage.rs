@@ -20,6 +20,8 @@ pub(crate) struct Stage<'m> {
     pub(crate) factors: Vec<Factors>,
     pub(crate) prescribed: Vec<Option<f64>>,
     pub(crate) free: Vec<usize>,
+    /// Factors that follow the nodal normal forces, of each body.
+    pub(crate) following: [Option<Mat<f64>>; 2],
 }
 
 /// What a gap and a load do without contact, in all coordinates.
@@ -31,6 +33,18 @@ pub(crate) struct Acting {
 }
 
 impl Stage<'_> {
+    /// Load factors of a body under nodal normal forces: all of them, and those of load cases and prescribed displacements.
+    pub(crate) fn factors_under(&self, body: usize, force: &[f64]) -> Factors {
+        let (mut all, mut columns) = self.factors[body].clone();
+        if let Some(following) = &self.following[body] {
+            for (k, more) in times(following, force).into_iter().enumerate() {
+                all[k] += more;
+                columns[k] += more;
+            }
+        }
+        (all, columns)
+    }
+
     /// Start from an earlier solution.
     pub(crate) fn warm<'s>(&self, solution: &'s ContactSolution) -> Warm<'s> {
         let all: Vec<f64> = solution.coordinates.iter().flatten().copied().collect();
@@ -48,8 +62,11 @@ impl ContactOperator<'_> {
     /// The plain problem of a gap and a load.
     pub(crate) fn stage(&self, gap: &[f64], load: &ContactLoad) -> Result<Stage<'_>, Error> {
         let Acting { unloaded, held, factors, prescribed } = self.acting(gap, load)?;
-        let plain = Plain::new(&self.unit.matrices, &load.friction, unloaded, &held)?;
-        Ok(Stage { plain, factors, prescribed, free: held.free })
+        let mut plain = Plain::new(&self.unit.matrices, &load.friction, unloaded, &held)?;
+        if let Some(followed) = self.followed(load)? {
+            plain.follow(&followed, &held.free);
+        }
+        Ok(Stage { plain, factors, prescribed, free: held.free, following: load.following.clone() })
     }
 
     /// What a gap and a load do without contact.

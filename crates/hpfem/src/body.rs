@@ -1,6 +1,7 @@
 //! A body: mesh, material, supports and loads, reduced to its kept boundary.
 
 use crate::assembly::Assembly;
+use crate::basis::LocalModes;
 use crate::cell_matrix::map_cells;
 use crate::edge_load::Loads;
 use crate::effort::{Clock, Effort, still};
@@ -13,7 +14,7 @@ use crate::mesh::Mesh;
 use crate::problem::BodyProblem;
 use crate::reduce::{Reduction, reduce};
 use crate::rigid::motion_words;
-use crate::space::Space;
+use crate::space::{Space, Target};
 use crate::trace::TraceLoad;
 use std::sync::Arc;
 
@@ -134,6 +135,55 @@ impl Body {
     /// As for [`Body::new`]; cells are assembled again. [`Error::OtherLoads`] for a state from before a load was added, [`Error::Count`] for one of
     /// another body.
     pub fn field(&self, state: &InterfaceState) -> Result<Field, Error> {
+        let mut fields = self.fields(std::slice::from_ref(state))?;
+        Ok(fields.remove(0))
+    }
+
+    /// The same for several states; each cell is assembled once for all of them. Prescribed displacements count by their factor, so that a state
+    /// with the factor 0 is what its loads alone add to another one.
+    ///
+    /// # Errors
+    /// As for [`Body::field`].
+    pub fn fields(&self, states: &[InterfaceState]) -> Result<Vec<Field>, Error> {
+        let values = states.iter().map(|state| self.group_values(state)).collect::<Result<Vec<_>, Error>>()?;
+        let space = &self.factored.space;
+        let prescribed = self.interface.prescribed_column();
+        let mesh = &*self.problem.mesh;
+        let loads = Loads::new(mesh, &self.problem.load_cases)?;
+        let assembly = Assembly::new(&self.problem, space, loads);
+        let coefficients = map_cells(mesh.cells.len(), |work, c| {
+            let targets = assembly.targets(c, &space.boundary_modes(mesh, c));
+            let boundary = |(values, state): (&Vec<Vec<f64>>, &InterfaceState)| -> Vec<f64> {
+                let of = |t: &Target| {
+                    let active: f64 = t.active.iter().map(|(g, i, c)| c * values[*g][*i]).sum();
+                    active + state.factors[prescribed] * t.fixed.iter().map(|f| f.share * f.value).sum::<f64>()
+                };
+                targets.iter().map(of).collect()
+            };
+            let boundaries: Vec<Vec<f64>> = values.iter().zip(states).map(boundary).collect();
+            let mut all = assembly.recover(c, &boundaries, work)?;
+            if assembly.loads.inside(c) {
+                let interior = assembly.inner_load(c, work)?.interior;
+                for (u, state) in all.iter_mut().zip(states) {
+                    for (i, u) in u.iter_mut().take(interior.nrows()).enumerate() {
+                        *u += (0..interior.ncols()).map(|k| state.factors[k] * interior[(i, k)]).sum::<f64>();
+                    }
+                }
+            }
+            Ok(all)
+        });
+        let mut fields: Vec<Vec<(LocalModes, Vec<f64>)>> = vec![Vec::with_capacity(mesh.cells.len()); states.len()];
+        for (cell, all) in coefficients.into_iter().collect::<Result<Vec<_>, Error>>()?.into_iter().enumerate() {
+            fields.iter_mut().zip(all).for_each(|(field, u)| field.push((space.local_modes(mesh, cell), u)));
+        }
+        let field = |(cells, state): (Vec<_>, &InterfaceState)| {
+            Field::new(FieldParts { problem: &self.problem, space, factors: &state.factors, cells })
+        };
+        Ok(fields.into_iter().zip(states).map(field).collect())
+    }
+
+    /// The unknowns of every group in a state of the kept ones, by back substitution.
+    fn group_values(&self, state: &InterfaceState) -> Result<Vec<Vec<f64>>, Error> {
         let columns = self.interface.columns.ncols();
         if state.factors.len() != columns {
             return Err(Error::OtherLoads { given: state.factors.len(), expected: columns });
@@ -157,29 +207,6 @@ impl Body {
         values.push(first);
         let added: Vec<(f64, &Forward)> = state.factors[later].iter().copied().zip(self.added.iter().map(|f| &**f)).collect();
         condensed.back_substitute(&mut values, &size, &added);
-        let mesh = &*self.problem.mesh;
-        let loads = Loads::new(mesh, &self.problem.load_cases)?;
-        let assembly = Assembly::new(&self.problem, space, loads);
-        let coefficients = map_cells(mesh.cells.len(), |work, c| {
-            let local = space.local_modes(mesh, c);
-            let boundary: Vec<f64> = assembly
-                .targets(c, &space.boundary_modes(mesh, c))
-                .iter()
-                .map(|t| {
-                    let active: f64 = t.active.iter().map(|(g, i, c)| c * values[*g][*i]).sum();
-                    active + t.fixed.iter().map(|f| f.share * f.value).sum::<f64>()
-                })
-                .collect();
-            let mut u = assembly.recover(c, &boundary, work)?;
-            if assembly.loads.inside(c) {
-                let interior = assembly.inner_load(c, work)?.interior;
-                for (i, u) in u.iter_mut().take(interior.nrows()).enumerate() {
-                    *u += (0..interior.ncols()).map(|k| state.factors[k] * interior[(i, k)]).sum::<f64>();
-                }
-            }
-            Ok((local, u))
-        });
-        let cells = coefficients.into_iter().collect::<Result<Vec<_>, Error>>()?;
-        Ok(Field::new(FieldParts { problem: &self.problem, space, factors: &state.factors, cells }))
+        Ok(values)
     }
 }

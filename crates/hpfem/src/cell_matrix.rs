@@ -129,21 +129,27 @@ impl Assembly<'_> {
     }
 
     /// Interior unknowns of a cell from its boundary unknowns: `u_i = -K_ii^-1 K_ib u_b`, followed by the boundary unknowns.
-    pub(crate) fn recover(&self, cell: usize, boundary: &[f64], work: &mut Workspace) -> Result<Vec<f64>, Error> {
+    pub(crate) fn recover(&self, cell: usize, boundaries: &[Vec<f64>], work: &mut Workspace) -> Result<Vec<Vec<f64>>, Error> {
         let local = self.space.local_modes(self.mesh, cell);
         let components = self.space.components;
         let (k, ni) = self.condensed(cell, &local, work)?;
         // From the order of unknowns to that of the matrix: unsigned, one component after the other.
-        let modes = boundary.len() / components;
+        let rows = boundaries.first().map_or(0, Vec::len);
+        let modes = rows / components;
         let sign = local.signs();
-        let unsigned = |row: usize| sign[local.interior + row % modes] * boundary[components * (row % modes) + row / modes];
-        let mut x = Mat::zeros(ni, 1);
-        let known = Mat::from_fn(boundary.len(), 1, |row, _| unsigned(row));
+        let unsigned =
+            |row: usize, j: usize| sign[local.interior + row % modes] * boundaries[j][components * (row % modes) + row / modes];
+        let mut x = Mat::zeros(ni, boundaries.len());
+        let known = Mat::from_fn(rows, boundaries.len(), unsigned);
         let (l11, l21) = k.as_ref().subcols(0, ni).split_at_row(ni);
         matmul(x.as_mut(), Accum::Replace, l21.transpose(), known.as_ref(), -1.0, Par::Seq);
         solve_upper_triangular_in_place(l11.transpose(), x.as_mut(), Par::Seq);
-        let interior = (0..ni).map(|i| x[((i % components) * local.interior + i / components, 0)]);
-        Ok(interior.chain(boundary.iter().copied()).collect())
+        let row = |i: usize| (i % components) * local.interior + i / components;
+        let mut cells = Vec::with_capacity(boundaries.len());
+        for (j, boundary) in boundaries.iter().enumerate() {
+            cells.push((0..ni).map(|i| x[(row(i), j)]).chain(boundary.iter().copied()).collect());
+        }
+        Ok(cells)
     }
 
     /// Boundary modes of a cell in the order of its groups; groups that are no corner or edge of it are left out.

@@ -122,6 +122,15 @@ impl Field {
         Ok(PointState { displacement: value, gradient, stress })
     }
 
+    /// First component at a point of a cell whose modes are known; none where they are those of another degree.
+    pub(crate) fn value_at_modes(&self, cell: usize, point: &CellPoint) -> Option<f64> {
+        let (local, u) = self.cells.get(cell)?;
+        let same = point.modes.len() == local.position.len();
+        let modes =
+            point.modes.iter().zip(&local.position).zip(&local.sign).filter(|((_, position), _)| **position != usize::MAX);
+        same.then(|| modes.map(|((mode, position), sign)| sign * u[self.components * position] * mode[0]).sum())
+    }
+
     /// Displacement and its gradient at a point of a cell, given with its modes and coefficients.
     fn state(&self, (local, u): &(LocalModes, Vec<f64>), point: &CellPoint) -> ([f64; 2], [[f64; 2]; 2]) {
         let [[xx, xe], [zx, ze]] = point.derivative;

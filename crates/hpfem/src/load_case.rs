@@ -1,6 +1,7 @@
 //! Loads and named load cases.
 
 use crate::boundary::BoundaryPoint;
+use crate::cell_point::CellPoint;
 use std::fmt;
 use std::sync::Arc;
 
@@ -154,7 +155,12 @@ pub struct Eigenstrain {
     pub(crate) of_normals: bool,
     /// Number of cells of the mesh it belongs to, if it belongs to one.
     pub(crate) cells: Option<usize>,
+    /// The same strain where the modes of a cell are known at a point, which a field of as high a degree shares.
+    pub(crate) at_modes: Option<StrainAtModes>,
 }
+
+/// Strains as a function of the cell and a point of it; none where the modes there are not those of the field.
+pub(crate) type StrainAtModes = Arc<dyn Fn(usize, usize, &CellPoint) -> Option<[f64; 4]> + Send + Sync>;
 
 /// Strains as a function of the place.
 pub type StrainAt = Arc<dyn Fn(&BodyPoint) -> [f64; 4] + Send + Sync>;
@@ -175,7 +181,7 @@ pub struct BodyPoint {
 impl Eigenstrain {
     /// A strain by a function of the place.
     pub fn new(strain: impl Fn(&BodyPoint) -> [f64; 4] + Send + Sync + 'static) -> Eigenstrain {
-        Eigenstrain { strain: Arc::new(strain), of_normals: false, cells: None }
+        Eigenstrain { strain: Arc::new(strain), of_normals: false, cells: None, at_modes: None }
     }
 
     /// Thermal strain `alpha (T - T_0)` alike in all directions: `expansion` has one coefficient a material, 1/K, and `rise` is the

@@ -3,7 +3,8 @@
 use crate::error::Error;
 use crate::field::Field;
 use crate::kinematics::Kinematics;
-use crate::load_case::Eigenstrain;
+use crate::load_case::{Eigenstrain, StrainAtModes};
+use std::sync::Arc;
 
 impl Eigenstrain {
     /// Thermal strain by the field of a potential on the same mesh, a temperature: `expansion` has one coefficient a material, 1/K, and at
@@ -21,12 +22,18 @@ impl Eigenstrain {
                 return Err(Error::NoMeaning { what: "a temperature".to_string(), kinematics: kinematics.words() });
             }
         }
-        let cells = Some(temperature.cells());
+        let (cells, temperature) = (Some(temperature.cells()), Arc::new(temperature));
+        let (own, of_material) = (Arc::clone(&temperature), expansion.to_vec());
+        let at_modes: StrainAtModes = Arc::new(move |cell, material, point| {
+            let rise = own.value_at_modes(cell, point)? - reference;
+            let e = of_material.get(material).copied().unwrap_or(0.0) * rise;
+            Some([e, e, 0.0, e])
+        });
         let thermal = Eigenstrain::thermal(expansion, move |place| {
             let [xi, eta] = place.reference;
             // Every cell is there: the body that takes the load has as many.
             temperature.at(place.cell, xi, eta).map_or(f64::NAN, |state| state.displacement[0] - reference)
         });
-        Ok(Eigenstrain { cells, ..thermal })
+        Ok(Eigenstrain { cells, at_modes: Some(at_modes), ..thermal })
     }
 }

@@ -93,7 +93,9 @@ impl Assembly<'_> {
         match load {
             Load::BodyForce(body) => (body.force)(point.position).map(|f| [f / self.unit, 0.0, 0.0]),
             Load::Eigenstrain(eigen) => {
-                let strain = (eigen.strain)(&BodyPoint { cell, reference, position: point.position, material });
+                let near = eigen.at_modes.as_ref().and_then(|at| at(cell, material, point));
+                let at = || (eigen.strain)(&BodyPoint { cell, reference, position: point.position, material });
+                let strain = near.unwrap_or_else(at);
                 let s = self.moduli[material].stress(strain, self.kinematics);
                 let hoop = if self.kinematics.has_hoop_strain() { 1.0 / point.position[0] } else { 0.0 };
                 match self.kinematics.components() {

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::scene::Counterface;
+use crate::counterface::Counterface;
 use crate::units::{Conductance, HeatFlux, HeatTransfer, Temperature};
 
 /// Frictional heat: how the two bodies share it, and from which temperature they expand.

@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod builtin;
+mod counterface;
 mod document;
 mod fault;
 mod flags;

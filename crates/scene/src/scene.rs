@@ -5,10 +5,12 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use crate::geometry::{Geometry, SurfaceShape};
+use crate::heat::{EdgeHeat, Heat};
 use crate::material::Material;
 use crate::support::Support;
 use crate::units::{AngularSpeed, Force, Length, Moment, Pair, Pressure, Speed, Time, WearFactor};
 
+pub use crate::counterface::Counterface;
 pub use crate::output::Output;
 
 /// A wear scene: two bodies (or a surface alone), their load and sliding, the wear rule, and what is wanted.
@@ -67,7 +69,7 @@ pub struct Scene {
     pub schedule: Option<Schedule>,
     /// Frictional heat and the thermal distortion of the bodies; without it nothing of this is computed.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub heat: Option<crate::heat::Heat>,
+    pub heat: Option<Heat>,
     /// Which pressure is wanted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub optimum: Option<Optimum>,
@@ -142,7 +144,7 @@ pub struct Body {
     pub support: BTreeMap<String, Support>,
     /// What carries heat through named edges, in a scene with `heat`; all others are insulated.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
-    pub heat: BTreeMap<String, crate::heat::EdgeHeat>,
+    pub heat: BTreeMap<String, EdgeHeat>,
 }
 
 /// The contact.
@@ -325,19 +327,6 @@ pub struct Schedule {
     /// How long a cycle lasts (s): the end of its last piece.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub period: Option<Time>,
-}
-
-/// How the counter-face meets body 1.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "kebab-case")]
-pub enum Counterface {
-    /// Always unworn: body 2 drops out of the gap rate.
-    Fresh,
-    /// Always the same points meet: the rates add.
-    Congruent,
-    /// Body 2 turns under body 1: its wear is averaged along the closed track.
-    Revolving,
 }
 
 /// Which pressure is wanted.

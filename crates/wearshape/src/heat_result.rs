@@ -1,6 +1,9 @@
 //! Frictional heat in the words of the summary.
 
+use contact::SpeedFactors;
 use serde::{Serialize, Serializer};
+
+use crate::solution::Status;
 
 /// `summary.heat`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
@@ -57,6 +60,34 @@ impl Serialize for SpeedFactor {
             SpeedFactor::At(factor) => serializer.serialize_f64(*factor),
             SpeedFactor::None => serializer.serialize_str("none"),
         }
+    }
+}
+
+/// Largest relative difference of a factor on two meshes.
+const ALIKE: f64 = 0.01;
+
+impl HeatResult {
+    /// Takes in the factors on the sliding speed found on two meshes: of those at which the contact is singular the least that both have.
+    pub(crate) fn take_speeds(&mut self, one: Option<&SpeedFactors>, other: Option<&SpeedFactors>) {
+        let Some((one, other)) = one.zip(other) else { return };
+        let factor = |found: Option<f64>| Some(found.map_or(SpeedFactor::None, SpeedFactor::At));
+        self.staggered_limit_speed_factor = factor(other.staggered);
+        self.separation_speed_factor = factor(other.separation);
+        let alike = |s: &&f64| one.singular.iter().any(|t| (*s - t).abs() <= ALIKE * t.abs());
+        self.critical_speed_factor = factor(other.singular.iter().find(alike).copied());
+    }
+
+    /// The end of a solve beyond the critical speed.
+    pub(crate) fn beyond_critical(&self) -> Option<(Status, String)> {
+        let Some(SpeedFactor::At(factor)) = self.critical_speed_factor.filter(|f| matches!(f, SpeedFactor::At(f) if *f < 1.0))
+        else {
+            return None;
+        };
+        let reason = format!(
+            "the sliding speed is beyond the critical one of its frictional heat, {} times it: pressure and temperature are no longer unique",
+            scene::short(factor)
+        );
+        Some((Status::Refused, reason))
     }
 }
 

@@ -191,6 +191,12 @@ impl Parts {
         Ok(Parts { parts, meeting })
     }
 
+    /// The same with further load cases of body 1 and body 2, after those they have.
+    pub(crate) fn with_loads(mut self, loads: [Vec<LoadCase>; 2]) -> Parts {
+        self.parts.iter_mut().zip(loads).for_each(|(part, loads)| part.problem.load_cases.extend(loads));
+        self
+    }
+
     /// What the reduction of both bodies takes.
     pub(crate) fn sizes(&self) -> Result<[Sizes; 2], Fault> {
         Ok([self.parts[0].sizes()?, self.parts[1].sizes()?])

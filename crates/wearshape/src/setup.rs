@@ -24,7 +24,7 @@ mod unused;
 mod wear_rule;
 
 use meshing::{Couple, Files};
-use scene::{Document, Fault, Scene};
+use scene::{Document, Fault, Scene, Task};
 
 use crate::freedom::{self, Grip};
 use crate::plan::Plan;
@@ -45,11 +45,7 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     let mut scene = document.scene.clone();
     cycle::resolve(&mut scene)?;
     let tasks = tasks::resolve(&mut scene)?;
-    let heat_keys = heat::keys(&scene);
-    let heated = heat::is_used(&scene, &tasks);
-    if !heated {
-        heat::leave_out(&mut scene)?;
-    }
+    let without_heat = heat::begin(&mut scene, &tasks)?;
     let bodies = bodies::resolve(&mut scene, files)?;
     let patch = match (&scene.surface, &bodies) {
         (Some(surface), _) => Some(Patch::bare(surface, scene.sliding.as_ref()).map_err(|fault| cycle::named(&scene, fault))?),
@@ -63,10 +59,7 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     wear_rule::resolve(&mut scene, &tasks, patch.as_ref())?;
     load::resolve(&mut scene, &tasks, patch.as_ref(), bodies.as_ref().map(|(_, [first, _])| first))?;
     twist::resolve(&scene, &tasks)?;
-    optimum::resolve(&mut scene, &tasks)?;
-    reversing::resolve(&mut scene, &tasks, patch.as_ref())?;
-    schedule::resolve(&mut scene)?;
-    roughness(&scene)?;
+    wanted(&mut scene, &tasks, patch.as_ref())?;
     let load = load::numbers(&scene);
     let first = bodies.as_ref().map(|(_, [first, _])| first);
     let edge = scene.load.as_ref().and_then(|load| load::edge(load, first));
@@ -78,7 +71,6 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
         freedom::check(couple, &load, patch.as_ref(), grip(&scene))?;
     }
     let heat = heat::resolve(&mut scene, &tasks, couple.as_ref(), patch.as_ref())?;
-    let without_heat = if heated { Vec::new() } else { heat_keys };
     let unused_keys = unused::keys(document, &scene, &tasks, without_heat);
     let mut problem = Problem {
         name: document.name.clone(),
@@ -108,6 +100,14 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     unused::leave_out(document, &mut problem.scene, &tasks);
     cycle::leave_out(&mut problem.scene);
     Ok(problem)
+}
+
+/// What is wanted of the pressure, how motion and load go on, and what a shape is compared with.
+fn wanted(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) -> Result<(), Fault> {
+    optimum::resolve(scene, tasks)?;
+    reversing::resolve(scene, tasks, patch)?;
+    schedule::resolve(scene)?;
+    roughness(scene)
 }
 
 /// Checks the roughness that a shape is compared with.

@@ -11,6 +11,7 @@ pub(crate) mod ends_profile;
 pub(crate) mod ends_scope;
 pub(crate) mod ends_setting;
 pub(crate) mod free_ends;
+pub(crate) mod heat;
 pub(crate) mod hertz_trial;
 pub(crate) mod life;
 pub(crate) mod pressure;

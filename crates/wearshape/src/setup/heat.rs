@@ -15,13 +15,18 @@ use crate::surface::{Patch, PatchKind};
 /// Temperature of the cold shape where the scene gives none (degC).
 const REFERENCE: f64 = 20.0;
 
-/// Whether a task computes the bodies of a scene with heat.
-pub(super) fn is_used(scene: &Scene, tasks: &[Task]) -> bool {
-    scene.heat.is_some() && scene.surface.is_none() && tasks != [Task::Pressure]
+/// Takes heat out of a scene that does not use it; returns the keys that are not used then, whether they were written or not.
+pub(super) fn begin(scene: &mut Scene, tasks: &[Task]) -> Result<Vec<String>, Fault> {
+    if scene.heat.is_some() && scene.surface.is_none() && tasks != [Task::Pressure] {
+        return Ok(Vec::new());
+    }
+    let keys = keys(scene);
+    leave_out(scene)?;
+    Ok(keys)
 }
 
 /// Takes out what a scene without heat does not use, so that its bodies are those of any other; edges that carry heat are refused.
-pub(super) fn leave_out(scene: &mut Scene) -> Result<(), Fault> {
+fn leave_out(scene: &mut Scene) -> Result<(), Fault> {
     let heated = scene.heat.is_some();
     for (name, body) in [("body1", &mut scene.body1), ("body2", &mut scene.body2)] {
         let Some(body) = body else { continue };
@@ -38,7 +43,7 @@ pub(super) fn leave_out(scene: &mut Scene) -> Result<(), Fault> {
 }
 
 /// The keys of heat in a scene, whether they were written or not.
-pub(super) fn keys(scene: &Scene) -> Vec<String> {
+fn keys(scene: &Scene) -> Vec<String> {
     let mut keys = vec!["heat".to_string()];
     for (name, body) in [("body1", scene.body1.clone()), ("body2", scene.body2.clone())] {
         let Some(mut body) = body else { continue };

@@ -1,6 +1,6 @@
 //! The proof of a shape: a full Signorini-Coulomb solve on it must give the wanted pressure back.
 
-use contact::{ContactLoad, ContactOperator, ContactSolution};
+use contact::{ContactLoad, ContactOperator, ContactSolution, SpeedFactors};
 use meshing::Cut;
 use scene::Fault;
 use shapeopt::{GapCurve, Shape, SurfacePlace};
@@ -12,6 +12,7 @@ use crate::level::Level;
 use crate::results::InterfaceResult;
 use crate::steps::answer::Told;
 use crate::steps::diagnosis;
+use crate::steps::heat::following::Following;
 use crate::steps::shaper::Shaper;
 
 /// Relative area-weighted L2 difference of two pressures.
@@ -27,32 +28,64 @@ fn wanted(shaper: &Shaper<'_>, operator: &ContactOperator<'_>) -> (Vec<f64>, Vec
 }
 
 /// Round trip on the very operators the shape was found on: a test of the contact solver. With it the condition of its system.
-pub(crate) fn same(shaper: &Shaper<'_>, reduced: &Reduced, shape: &Shape) -> Result<(f64, Option<InterfaceResult>), Fault> {
+pub(crate) fn same(shaper: &Shaper<'_>, level: Level, reduced: &Reduced, shape: &Shape) -> Result<Same, Fault> {
+    let cold = reduced.pair()?;
+    let cut = if shaper.ends.is_empty() { Cut::Plain } else { Cut::Ends(&shaper.ends) };
+    let hot = Following::new(shaper.stage, level, cut)?;
+    let (following, effort) = hot.unzip();
+    let reduced = following.as_ref().map_or(reduced, |following| &following.reduced);
     let pair = reduced.pair()?;
     let operator = reduced.operator(&pair, shaper.stage.friction() > 0.0)?;
-    let gap: Vec<f64> = operator.points().iter().map(|p| shape.gap(&pair, p)).collect();
-    let found = solve(shaper, &operator, &gap)?;
-    let interface = diagnosis::interface(&operator, &gap, &loaded(shaper, &operator), &found)?;
+    let gap: Vec<f64> = operator.points().iter().map(|p| shape.gap(&cold, p)).collect();
+    let Found { found, load, speeds } = solve(shaper, &operator, &gap, following.as_ref())?;
+    let interface = diagnosis::interface(&operator, &gap, &load, &found)?;
     let (weights, wanted) = wanted(shaper, &operator);
-    Ok((difference(&weights, &found.pressure, &wanted), interface))
+    Ok(Same { miss: difference(&weights, &found.pressure, &wanted), interface, speeds, effort: effort.unwrap_or_default() })
+}
+
+/// What a round trip on the same operators tells.
+pub(crate) struct Same {
+    /// Relative difference of the pressure found from the wanted one.
+    pub miss: f64,
+    pub interface: Option<InterfaceResult>,
+    /// Factors on the sliding speed, with heat alone.
+    pub speeds: Option<SpeedFactors>,
+    pub effort: Effort,
+}
+
+/// What a round trip on an independent discretisation tells.
+pub(crate) struct Independent {
+    /// Relative difference of the pressure found from the wanted one.
+    pub miss: f64,
+    /// Factors on the sliding speed, with heat alone.
+    pub speeds: Option<SpeedFactors>,
+    pub effort: Effort,
 }
 
 /// Round trip on an independent discretisation: two degrees more, other break points, the gap as a function of the arc length.
 /// Also writes the pressure found into the columns that are told, interpolated between the new points.
-pub(crate) fn independent(shaper: &Shaper<'_>, level: Level, shape: &GapCurve, told: &mut Told) -> Result<(f64, Effort), Fault> {
+pub(crate) fn independent(shaper: &Shaper<'_>, level: Level, shape: &GapCurve, told: &mut Told) -> Result<Independent, Fault> {
     let finer = Level { degree: (level.degree + 2).min(hpfem::MAX_DEGREE), ..level };
-    let (reduced, effort) = shaper.stage.reduced(finer, Cut::Shifted)?;
+    let (following, reduced, effort) = match Following::new(shaper.stage, finer, Cut::Shifted)? {
+        Some((following, effort)) => (Some(following), None, effort),
+        None => {
+            let (reduced, effort) = shaper.stage.reduced(finer, Cut::Shifted)?;
+            (None, Some(reduced), effort)
+        }
+    };
+    let hot = following.as_ref().map(|following| &following.reduced);
+    let Some(reduced) = hot.or(reduced.as_deref()) else { unreachable!("bodies are hot or cold") };
     let pair = reduced.pair()?;
     let operator = reduced.operator(&pair, shaper.stage.friction() > 0.0)?;
     let gap: Vec<f64> = operator.points().iter().map(|p| shape.at(p.arc)).collect();
-    let found = solve(shaper, &operator, &gap)?.pressure;
+    let Found { found, speeds, .. } = solve(shaper, &operator, &gap, following.as_ref())?;
     let (weights, wanted) = wanted(shaper, &operator);
     let (start, length) = (shaper.stage.start(&pair), pair.trace().length());
     for profile in [&mut told.profile, &mut told.curve] {
         profile.pressure_solved =
-            profile.s.iter().map(|s| operator.pressure_at(&found, (s - start).clamp(0.0, length))).collect();
+            profile.s.iter().map(|s| operator.pressure_at(&found.pressure, (s - start).clamp(0.0, length))).collect();
     }
-    Ok((difference(&weights, &found, &wanted), effort))
+    Ok(Independent { miss: difference(&weights, &found.pressure, &wanted), speeds, effort })
 }
 
 fn loaded(shaper: &Shaper<'_>, operator: &ContactOperator<'_>) -> ContactLoad {
@@ -61,6 +94,25 @@ fn loaded(shaper: &Shaper<'_>, operator: &ContactOperator<'_>) -> ContactLoad {
     load
 }
 
-fn solve(shaper: &Shaper<'_>, operator: &ContactOperator<'_>, gap: &[f64]) -> Result<ContactSolution, Fault> {
-    operator.solve(gap, &loaded(shaper, operator), None).map_err(unsolved)
+/// A contact found on a shape.
+struct Found {
+    found: ContactSolution,
+    load: ContactLoad,
+    speeds: Option<SpeedFactors>,
+}
+
+fn solve(
+    shaper: &Shaper<'_>,
+    operator: &ContactOperator<'_>,
+    gap: &[f64],
+    following: Option<&Following<'_>>,
+) -> Result<Found, Fault> {
+    let load = loaded(shaper, operator);
+    let Some(following) = following else {
+        let found = operator.solve(gap, &load, None).map_err(unsolved)?;
+        return Ok(Found { found, load, speeds: None });
+    };
+    let hot = following.solve(operator, gap, &load)?;
+    let speeds = following.speeds(operator, &load, &hot.found.closed)?;
+    Ok(Found { found: hot.found, load: hot.load, speeds: Some(speeds) })
 }

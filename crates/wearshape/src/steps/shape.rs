@@ -12,6 +12,7 @@ use shapeopt::{GapCurve, Measure, Shape, SurfacePlace, closing, difference_of_ga
 use crate::bodies::Reduced;
 use crate::effort::Effort;
 use crate::freedom::Role;
+use crate::heat_result::HeatResult;
 use crate::ladder::{Climbed, Ladder, Refusal, climb, missed, rungs};
 use crate::level::Level;
 use crate::machined::{Machined, SurfacePoint};
@@ -21,6 +22,8 @@ use crate::solution::Status;
 use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::answer::{Answer, Outcome, Own, Told};
+use crate::steps::heat::known::{PointHeat, by_pressure, with_heat};
+use crate::steps::heat::report::{Thermal, tell_at};
 use crate::steps::reported::{Moment, Reported};
 use crate::steps::shaper::{Shaper, unanswered};
 use crate::steps::{pressure, round_trip, tolerance, torsion};
@@ -40,6 +43,8 @@ struct Solved {
     /// Closing velocities of the rigid modes at the samples.
     closing: DMatrix<f64>,
     effort: Effort,
+    /// Heat of the wanted pressure at the contact points.
+    heat: Option<PointHeat>,
 }
 
 /// What stages before the shape leave to it.
@@ -117,7 +122,14 @@ impl Shaper<'_> {
 
     /// Solves one level.
     fn level(&self, level: Level) -> Result<Solved, Fault> {
-        let (reduced, mut effort) = self.stage.reduced_at(level, &self.ends)?;
+        let hot = by_pressure(self.stage, level, &self.ends, &|place| self.pressure(place))?;
+        let (reduced, heat, mut effort) = match hot {
+            Some((known, effort)) => (Arc::new(known.reduced), Some(known.heat), effort),
+            None => {
+                let (reduced, effort) = self.stage.reduced_at(level, &self.ends)?;
+                (reduced, None, effort)
+            }
+        };
         let pair = reduced.pair()?;
         (self.stage.options.begun)(Step::Shape);
         let shape = effort.timed(Step::Shape, self.stage.clock(), |_| self.shape(&pair))?;
@@ -129,7 +141,7 @@ impl Shaper<'_> {
                 modes[(row, k)] = phi;
             }
         }
-        Ok(Solved { level, reduced, shape, gaps, closing: modes, effort })
+        Ok(Solved { level, reduced, shape, gaps, closing: modes, effort, heat })
     }
 
     /// Everything that is reported of a level, with its proof.
@@ -154,22 +166,27 @@ impl Shaper<'_> {
         };
         outcome.machined = stage.options.machining.then(|| self.machined(&pair, shape));
         let mut told = self.told(reduced, &pair, shape);
+        outcome.heat = self.heated(solved, &pair, &mut told)?;
         let mut effort = Effort::default();
         if stage.problem.plan.runs(Step::RoundTrip) && !outcome.stopped {
             let start = stage.clock()();
             (stage.options.begun)(Step::RoundTrip);
             let curve = GapCurve::of(shape, &pair);
-            let (same, interface) = round_trip::same(self, reduced, shape)?;
-            result.roundtrip_same = Some(same);
-            outcome.interface = interface;
-            let (independent, work) = round_trip::independent(self, solved.level, &curve, &mut told)?;
-            result.roundtrip_independent = Some(independent);
+            let same = round_trip::same(self, solved.level, reduced, shape)?;
+            result.roundtrip_same = Some(same.miss);
+            outcome.interface = same.interface;
+            let independent = round_trip::independent(self, solved.level, &curve, &mut told)?;
+            result.roundtrip_independent = Some(independent.miss);
+            if let Some(heat) = &mut outcome.heat {
+                heat.take_speeds(same.speeds.as_ref(), independent.speeds.as_ref());
+                outcome.ended = heat.beyond_critical().or(outcome.ended.take());
+            }
             // A proof that fails says more than an estimate that is missed: the estimate is then not to be believed either.
-            let disproof = disproved([same, independent], outcome.error.gap_relative, !self.ends.is_empty());
+            let disproof = disproved([same.miss, independent.miss], outcome.error.gap_relative, !self.ends.is_empty());
             result.proof_failed = disproof.is_some();
             outcome.ended = disproof.or(outcome.ended.take());
             // Its meshes and factorisations are counted, its seconds are those of the proof.
-            effort.counters.factorisations = work.counters.factorisations;
+            effort.counters.factorisations = independent.effort.counters.factorisations + same.effort.counters.factorisations;
             effort.counters.check_solves = 2;
             effort.add_seconds(Step::RoundTrip, stage.clock()() - start);
         }
@@ -177,6 +194,16 @@ impl Shaper<'_> {
         outcome.told = Some(told);
         outcome.reported = self.reported(solved, &pair);
         Ok(effort)
+    }
+
+    /// Temperatures and powers of a shape with heat, into its columns and as numbers.
+    fn heated(&self, solved: &Solved, pair: &Pair<'_>, told: &mut Told) -> Result<Option<HeatResult>, Fault> {
+        let Some(heat) = &solved.heat else { return Ok(None) };
+        let cold = self.stage.cases().len();
+        let mut factors = with_heat(pair, self.stage.cases());
+        factors[0][..cold].fill(0.0);
+        let thermal = Thermal { stage: self.stage, pair, factors };
+        tell_at(self.stage, (solved.level, &self.ends), heat, told, &thermal).map(Some)
     }
 
     /// Energies, reactions and columns of the shape.

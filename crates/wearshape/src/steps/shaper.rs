@@ -7,6 +7,7 @@ use shapeopt::{Integration, RigidPart, Shape, ShapeProblem, SurfacePlace, solve_
 
 use crate::ladder::Refusal;
 use crate::stage::Stage;
+use crate::steps::heat::known::with_heat;
 use crate::steps::pressure_ends::pressure_ends;
 use crate::steps::rigid_coordinates::{coordinates, motion};
 
@@ -105,11 +106,12 @@ impl<'a> Shaper<'a> {
     }
 
     fn with_rigid_part(&self, pair: &Pair<'_>, rigid: RigidPart) -> Result<Shape, Fault> {
+        let [shaped, counter] = with_heat(pair, self.stage.cases());
         solve_shape(&ShapeProblem {
             pair: *pair,
             traction: &|place| self.traction(place),
-            cases_shaped: &self.stage.cases(),
-            cases_counter: &[],
+            cases_shaped: &shaped,
+            cases_counter: &counter,
             gauge: self.stage.gauge(pair),
             rigid,
             integration: Integration::Lobatto,

@@ -1,0 +1,8 @@
+//! Frictional heat of two bodies that touch: temperatures by the heat of the contact, and the bodies that they bend.
+
+pub(crate) mod conduction;
+pub(crate) mod drum;
+pub(crate) mod following;
+pub(crate) mod known;
+pub(crate) mod report;
+pub(crate) mod warmed;

@@ -1,0 +1,178 @@
+//! Bodies bent by the heat of a pressure that is yet to be found: one thermal load for each contact point, whose factor follows the force there.
+
+use contact::faer::Mat;
+use contact::{ContactLoad, ContactOperator, ContactPoint, ContactSolution, SharedHeat, SpeedFactors};
+use hpfem::{Eigenstrain, InterfaceState, LoadCase};
+use meshing::Cut;
+use scene::Fault;
+
+use crate::bodies::Reduced;
+use crate::effort::Effort;
+use crate::faults::unsolved;
+use crate::level::Level;
+use crate::stage::Stage;
+use crate::step::Step;
+use crate::steps::heat::known::{HEAT, PointHeat, same_points};
+use crate::steps::heat::warmed::{Second, Surfaces, Warmed, into_bodies, no_field};
+
+/// Contact solves until the points that conduct are those in contact.
+const ROUNDS: usize = 30;
+
+/// What of a body's temperature follows the pressure.
+enum Follows {
+    /// The heat at each point by itself.
+    Each,
+    /// All of it alike.
+    Sum,
+    /// Nothing: it is not distorted.
+    Nothing,
+}
+
+/// Bodies bent by heat that follows the pressure.
+pub(crate) struct Following<'a> {
+    pub reduced: Reduced,
+    stage: Stage<'a>,
+    surfaces: Surfaces,
+    follows: [Follows; 2],
+}
+
+/// A contact with its heat.
+pub(crate) struct Hot {
+    pub found: ContactSolution,
+    pub heat: PointHeat,
+    /// The load of the last solve.
+    pub load: ContactLoad,
+}
+
+impl<'a> Following<'a> {
+    /// Bodies of a level; none of a scene without heat.
+    pub(crate) fn new(stage: Stage<'a>, level: Level, cut: Cut<'_>) -> Result<Option<(Following<'a>, Effort)>, Fault> {
+        if stage.problem.heat.is_none() {
+            return Ok(None);
+        }
+        let (parts, mut effort) = stage.parts(level, cut)?;
+        (stage.options.begun)(Step::Heat);
+        let start = stage.clock()();
+        let Some(warmed) = Warmed::new(stage, &parts, level)? else { return Ok(None) };
+        let surfaces = warmed.surfaces(&warmed.pair()?)?;
+        let loads = [loads(&warmed, &surfaces, 0)?, loads(&warmed, &surfaces, 1)?];
+        let follows = [
+            Follows::Each,
+            match warmed.second {
+                Second::Body(_) => Follows::Each,
+                Second::Drum(_) => Follows::Sum,
+                Second::Fresh(_) => Follows::Nothing,
+            },
+        ];
+        effort.add_seconds(Step::Heat, stage.clock()() - start);
+        (stage.options.begun)(Step::Factor);
+        let (reduced, work) = Reduced::new(&parts.with_loads(loads), stage.clock())?;
+        effort += work;
+        same_points(&reduced, &surfaces.points)?;
+        Ok(Some((Following { reduced, stage, surfaces, follows }, effort)))
+    }
+
+    /// The contact of the bodies, pressure and temperature at once: `base` holds the load without heat.
+    pub(crate) fn solve(&self, operator: &ContactOperator<'_>, gap: &[f64], base: &ContactLoad) -> Result<Hot, Fault> {
+        let mut closed = vec![true; gap.len()];
+        let mut last: Option<ContactSolution> = None;
+        for _ in 0..ROUNDS {
+            let shared = self.shared(&closed)?;
+            let load = self.load(base, &shared);
+            let found = operator.solve(gap, &load, last.as_ref()).map_err(unsolved)?;
+            let settled = found.closed == closed || !self.conducts() || !found.status.is_solved();
+            closed.clone_from(&found.closed);
+            if settled {
+                let friction = self.surfaces.friction(&found.nodal_force);
+                let into = into_bodies(&shared, &friction);
+                return Ok(Hot { heat: PointHeat { friction, into }, found, load });
+            }
+            last = Some(found);
+        }
+        let message = "the points that conduct heat and those in contact do not settle on each other";
+        Err(Fault::at("heat.conductance", "not-converged", message, "give heat.share, or another gap"))
+    }
+
+    /// Factors on the sliding speed for points in contact.
+    pub(crate) fn speeds(
+        &self,
+        operator: &ContactOperator<'_>,
+        base: &ContactLoad,
+        closed: &[bool],
+    ) -> Result<SpeedFactors, Fault> {
+        let mut load = self.load(base, &self.shared(closed)?);
+        // Surfaces that fit are those of bodies without any heat.
+        load.factors.iter_mut().zip(&base.factors).for_each(|(factors, base)| factors[base.len()..].fill(0.0));
+        operator.speed_factors(&load, closed).map_err(unsolved)
+    }
+
+    /// Whether what points are in contact decides how the heat is shared.
+    fn conducts(&self) -> bool {
+        matches!(self.stage.problem.heat.as_ref().map(|heat| heat.split), Some(crate::heat::Split::Conductance(_)))
+    }
+
+    fn shared(&self, closed: &[bool]) -> Result<SharedHeat, Fault> {
+        let Some(heat) = &self.stage.problem.heat else { return Err(unsolved(contact::Error::Singular)) };
+        self.surfaces.shared(heat, closed)
+    }
+
+    /// A load with that of the heat.
+    fn load(&self, base: &ContactLoad, shared: &SharedHeat) -> ContactLoad {
+        let mut load = base.clone();
+        let n = self.surfaces.points.len();
+        for (body, follows) in self.follows.iter().enumerate() {
+            let cases = load.factors[body].len();
+            let rates = &self.surfaces.rates;
+            let by_force = |i: usize, j: usize| shared.into[body][(i, j)] * rates[j];
+            let still = &shared.still[body];
+            let (factors, rows) = match follows {
+                Follows::Each => (still.clone(), Mat::from_fn(n, n, by_force)),
+                Follows::Sum => {
+                    (vec![still.iter().sum()], Mat::from_fn(1, n, |_, j| (0..n).map(|i| by_force(i, j)).sum::<f64>()))
+                }
+                Follows::Nothing => continue,
+            };
+            load.factors[body].push(1.0);
+            load.factors[body].extend(factors);
+            let following =
+                Mat::from_fn(cases + 1 + rows.nrows(), n, |i, j| if i > cases { rows[(i - cases - 1, j)] } else { 0.0 });
+            load.following[body] = Some(following);
+        }
+        load
+    }
+
+    /// The contact points.
+    pub(crate) fn points(&self) -> &[ContactPoint] {
+        &self.surfaces.points
+    }
+}
+
+/// Thermal loads of a body: of what flows without friction, then of each unit of heat.
+fn loads(warmed: &Warmed<'_>, surfaces: &Surfaces, number: usize) -> Result<Vec<LoadCase>, Fault> {
+    let reference = warmed.heat.reference;
+    let named = |k: usize, strain: Eigenstrain| LoadCase::new(&format!("{HEAT} {k}")).with(strain);
+    let (conduction, units) = match (warmed.conduction(number).zip(surfaces.units[number].as_ref()), &warmed.second) {
+        (Some(found), _) => found,
+        (None, Second::Drum(drum)) => {
+            return Ok(vec![LoadCase::new(HEAT).with(drum.strain(0.0, reference)), named(0, drum.unit_strain())]);
+        }
+        (None, Second::Body(_) | Second::Fresh(_)) => return Ok(Vec::new()),
+    };
+    let body = &conduction.body;
+    let still = warmed.states(&warmed.pair()?, &[vec![0.0; surfaces.points.len()], vec![0.0; surfaces.points.len()]]);
+    let columns = body.interface.columns.ncols();
+    let mut states: Vec<InterfaceState> = still[number].iter().cloned().collect();
+    states.extend((0..units.ncols()).map(|j| InterfaceState {
+        unknowns: units.col(j).iter().copied().collect(),
+        factors: vec![0.0; columns],
+        load: hpfem::TraceLoad::default(),
+    }));
+    let expansion = warmed.expansion(number);
+    let fields = body.fields(&states).map_err(no_field)?;
+    let strain = |(k, field): (usize, hpfem::Field)| -> Result<LoadCase, Fault> {
+        let above = if k == 0 { reference } else { 0.0 };
+        let strain = Eigenstrain::of_temperature(&expansion, field, above).map_err(no_field)?;
+        Ok(if k == 0 { LoadCase::new(HEAT).with(strain) } else { named(k - 1, strain) })
+    };
+    fields.into_iter().enumerate().map(strain).collect()
+}

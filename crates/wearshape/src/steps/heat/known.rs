@@ -1,0 +1,99 @@
+//! Bodies bent by the heat of a known pressure: one thermal load a body, with the factor 1.
+
+use contact::Pair;
+use hpfem::{Eigenstrain, LoadCase};
+use meshing::Cut;
+use scene::Fault;
+use shapeopt::SurfacePlace;
+
+use crate::bodies::Reduced;
+use crate::effort::Effort;
+use crate::level::Level;
+use crate::parts::Parts;
+use crate::stage::Stage;
+use crate::step::Step;
+use crate::steps::heat::warmed::{Second, Warmed, into_bodies, no_field};
+
+/// The load case of the temperature, or of the part of it that flows without friction.
+pub(crate) const HEAT: &str = "heat";
+
+/// Heat at the contact points.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct PointHeat {
+    /// Of friction (mW).
+    pub friction: Vec<f64>,
+    /// Into each body (mW).
+    pub into: [Vec<f64>; 2],
+}
+
+/// Bodies bent by a known heat.
+pub(crate) struct Known {
+    pub reduced: Reduced,
+    pub heat: PointHeat,
+}
+
+/// Bodies of a level under the heat of a pressure that is known at every place; none of a scene without heat.
+pub(crate) fn by_pressure(
+    stage: Stage<'_>,
+    level: Level,
+    ends: &[f64],
+    pressure: &dyn Fn(&SurfacePlace) -> f64,
+) -> Result<Option<(Known, Effort)>, Fault> {
+    if stage.problem.heat.is_none() {
+        return Ok(None);
+    }
+    let (parts, mut effort) = stage.parts(level, if ends.is_empty() { Cut::Plain } else { Cut::Ends(ends) })?;
+    (stage.options.begun)(Step::Heat);
+    let start = stage.clock()();
+    let Some(warmed) = Warmed::new(stage, &parts, level)? else { return Ok(None) };
+    let pair = warmed.pair()?;
+    let surfaces = warmed.surfaces(&pair)?;
+    let forces: Vec<f64> = surfaces.points.iter().map(|p| p.weight * pressure(&SurfacePlace::from(p))).collect();
+    let closed: Vec<bool> = forces.iter().map(|force| *force > 0.0).collect();
+    let friction = surfaces.friction(&forces);
+    let into = into_bodies(&surfaces.shared(warmed.heat, &closed)?, &friction);
+    let heat = PointHeat { friction, into };
+    let parts = under(&warmed, parts, &heat)?;
+    effort.add_seconds(Step::Heat, stage.clock()() - start);
+    (stage.options.begun)(Step::Factor);
+    let (reduced, work) = Reduced::new(&parts, stage.clock())?;
+    effort += work;
+    same_points(&reduced, &surfaces.points)?;
+    Ok(Some((Known { reduced, heat }, effort)))
+}
+
+/// Factors of the load cases of both bodies: those of body 1 that are no heat's, and 1 for the temperature of bodies that have one.
+pub(crate) fn with_heat(pair: &Pair<'_>, mut shaped: Vec<f64>) -> [Vec<f64>; 2] {
+    let hot = |body: &hpfem::InterfaceOperator| body.load_cases.iter().any(|case| case == HEAT);
+    shaped.extend(hot(pair.shaped).then_some(1.0));
+    [shaped, pair.counter.filter(|body| hot(body)).map(|_| vec![1.0]).unwrap_or_default()]
+}
+
+/// The bodies with the load of their temperature under heat at the contact points.
+pub(crate) fn under(warmed: &Warmed<'_>, parts: Parts, heat: &PointHeat) -> Result<Parts, Fault> {
+    let states = warmed.states(&warmed.pair()?, &heat.into);
+    let reference = warmed.heat.reference;
+    let mut loads = [Vec::new(), Vec::new()];
+    for (number, field) in warmed.fields(&states)?.into_iter().enumerate() {
+        let strain = match (field, &warmed.second) {
+            (Some(field), _) => Some(Eigenstrain::of_temperature(&warmed.expansion(number), field, reference).map_err(no_field)?),
+            (None, Second::Drum(drum)) => Some(drum.strain(heat.into[1].iter().sum(), reference)),
+            (None, Second::Body(_) | Second::Fresh(_)) => None,
+        };
+        loads[number].extend(strain.map(|strain| LoadCase::new(HEAT).with(strain)));
+    }
+    Ok(parts.with_loads(loads))
+}
+
+/// Refuses bodies whose contact points are not those of their temperature.
+pub(crate) fn same_points(reduced: &Reduced, points: &[contact::ContactPoint]) -> Result<(), Fault> {
+    let pair = reduced.pair()?;
+    let own = pair.points();
+    let length = pair.trace().length();
+    let same = own.len() == points.len() && own.iter().zip(points).all(|(a, b)| (a.arc - b.arc).abs() <= 1e-9 * length);
+    if same {
+        return Ok(());
+    }
+    let message = "frictional heat of bodies with contact points of unlike degrees is not available";
+    Err(Fault::at("heat", "not-available", message, "give both bodies alike cells at the contact, or remove `heat`"))
+}

@@ -1,0 +1,152 @@
+//! What is told of frictional heat: temperatures, heat and thermal displacement along the contact, and the balance of the powers.
+
+use contact::{ContactPoint, Pair, Side, piecewise_linear};
+use hpfem::{CellGrid, Field};
+use meshing::Cut;
+use scene::Fault;
+use shapeopt::{Gauge, Integration, RigidPart, Shape, ShapeProblem, solve_shape};
+
+use crate::heat_result::HeatResult;
+use crate::level::Level;
+use crate::profile::Profile;
+use crate::stage::Stage;
+use crate::steps::answer::Told;
+use crate::steps::heat::known::PointHeat;
+use crate::steps::heat::warmed::{Second, Warmed, no_field};
+
+/// Fills in the columns of heat and gives its numbers, at a level with nodes at the ends of a pressure.
+pub(crate) fn tell_at(
+    stage: Stage<'_>,
+    (level, ends): (Level, &[f64]),
+    heat: &PointHeat,
+    told: &mut Told,
+    thermal: &Thermal<'_>,
+) -> Result<HeatResult, Fault> {
+    let (parts, _) = stage.parts(level, if ends.is_empty() { Cut::Plain } else { Cut::Ends(ends) })?;
+    match Warmed::new(stage, &parts, level)? {
+        Some(warmed) => tell(&warmed, heat, told, thermal),
+        None => Ok(HeatResult::default()),
+    }
+}
+
+/// The same on bodies that are there.
+fn tell(warmed: &Warmed<'_>, heat: &PointHeat, told: &mut Told, thermal: &Thermal<'_>) -> Result<HeatResult, Fault> {
+    let warm_pair = warmed.pair()?;
+    let states = warmed.states(&warm_pair, &heat.into);
+    let expanded = thermal.state()?;
+    let points = warm_pair.points();
+    let arcs: Vec<f64> = points.iter().map(|point| point.arc).collect();
+    let total: f64 = heat.into[1].iter().sum();
+    let start = warmed.stage.start(&warm_pair);
+    for profile in [&mut told.profile, &mut told.curve] {
+        let rows: Vec<ContactPoint> =
+            profile.s.iter().map(|s| warm_pair.at_arc((s - start).clamp(0.0, warm_pair.trace().length()))).collect();
+        for (number, side) in [Side::Shaped, Side::Counter].into_iter().enumerate() {
+            let flux: Vec<f64> = heat.into[number].iter().zip(&points).map(|(heat, point)| heat / point.weight).collect();
+            profile.heat[number] = rows.iter().map(|row| piecewise_linear(&arcs, &flux, row.arc)).collect();
+            let temperature = |row: &ContactPoint| match (&states[number], &warmed.second) {
+                (Some(state), _) => warm_pair.potential(side, state, row),
+                (None, Second::Drum(drum)) => drum.at(total, row.position),
+                (None, Second::Fresh(temperature)) => *temperature,
+                (None, Second::Body(_)) => f64::NAN,
+            };
+            profile.temperature[number] = rows.iter().map(temperature).collect();
+            profile.thermal_displacement[number] = thermal.displacement(&expanded, side, profile, start);
+        }
+    }
+    let mut result = powers(warmed, heat, &states);
+    let fields = warmed.fields(&states)?;
+    let [first, second] = fields.map(|field| field.map(|field| highest(&field)).transpose());
+    let (first, second) = (first?, second?);
+    let second = match &warmed.second {
+        Second::Drum(drum) => Some(drum.highest(total)),
+        Second::Body(_) | Second::Fresh(_) => second,
+    };
+    (result.highest1, result.highest1_at) = first.unzip();
+    (result.highest2, result.highest2_at) = second.unzip();
+    // The energy of the reduced bodies knows no thermal strain.
+    told.energy = crate::results::EnergyResult::default();
+    Ok(result)
+}
+
+/// Friction power, where it goes, and what of it is left over.
+fn powers(warmed: &Warmed<'_>, heat: &PointHeat, states: &[Option<hpfem::InterfaceState>; 2]) -> HeatResult {
+    let sum = |values: &[f64]| values.iter().sum::<f64>();
+    let (friction_power, into) = (sum(&heat.friction), heat.into.each_ref().map(|into| sum(into)));
+    let mut out = Vec::new();
+    for number in [0, 1] {
+        match (warmed.conduction(number).zip(states[number].as_ref()), &warmed.second) {
+            (Some((body, state)), _) => out.extend(body.out(state)),
+            (None, Second::Drum(drum)) => out.extend(drum.out(into[1])),
+            (None, Second::Fresh(_)) => out.push(("body2".to_string(), into[1])),
+            (None, Second::Body(_)) => {}
+        }
+    }
+    let left = friction_power - out.iter().map(|(_, heat)| heat).sum::<f64>();
+    let size = out.iter().map(|(_, heat)| heat.abs()).fold(friction_power.abs(), f64::max);
+    HeatResult {
+        friction_power,
+        into_body1: into[0],
+        into_body2: into[1],
+        out,
+        balance: (size > 0.0).then(|| left.abs() / size),
+        ..HeatResult::default()
+    }
+}
+
+/// The highest temperature of a body at the points of its cells, and its place.
+fn highest(field: &Field) -> Result<(f64, [f64; 2]), Fault> {
+    let mut found = (f64::NEG_INFINITY, [0.0; 2]);
+    let mesh = field.mesh();
+    for (number, cell) in mesh.cells.iter().enumerate() {
+        let grid = CellGrid { degree: field.degree(number), triangle: cell.is_triangle() };
+        for [xi, eta] in grid.reference() {
+            let temperature = field.at(number, xi, eta).map_err(no_field)?.displacement[0];
+            if temperature > found.0 {
+                found = (temperature, field.position(number, xi, eta));
+            }
+        }
+    }
+    Ok(found)
+}
+
+/// The bodies under their thermal loads alone.
+pub(crate) struct Thermal<'a> {
+    pub stage: Stage<'a>,
+    pub pair: &'a Pair<'a>,
+    /// Factors of the load cases of body 1 and 2, those of heat alone.
+    pub factors: [Vec<f64>; 2],
+}
+
+impl Thermal<'_> {
+    /// Both bodies free of all other loads, rigid coordinates of body 1 at zero as where it is loaded.
+    fn state(&self) -> Result<Shape, Fault> {
+        let gauge = match self.stage.gauge(self.pair) {
+            Gauge::LoadedEdge(mut edge) => {
+                edge.motions = edge.motions.map(|motion| match motion {
+                    contact::Motion::Prescribed { .. } => contact::Motion::Prescribed { value: 0.0 },
+                    contact::Motion::Free { .. } | contact::Motion::Sprung { .. } => contact::Motion::FREE,
+                });
+                Gauge::LoadedEdge(edge)
+            }
+            other => other,
+        };
+        solve_shape(&ShapeProblem {
+            pair: *self.pair,
+            traction: &|_| [0.0; 2],
+            cases_shaped: &self.factors[0],
+            cases_counter: &self.factors[1],
+            gauge,
+            rigid: RigidPart::Prescribed(Vec::new()),
+            integration: Integration::Lobatto,
+        })
+        .map_err(|error| Fault::at("heat", "no-shape", error.to_string(), "check the bodies"))
+    }
+
+    /// Normal displacement of a side at the rows of a profile (um).
+    fn displacement(&self, state: &Shape, side: Side, profile: &Profile, start: f64) -> Vec<f64> {
+        let length = self.pair.trace().length();
+        let at = |s: &f64| state.displacement(self.pair, side, &self.pair.at_arc((s - start).clamp(0.0, length)))[0];
+        profile.s.iter().map(|s| 1e3 * at(s)).collect()
+    }
+}

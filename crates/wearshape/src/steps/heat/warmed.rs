@@ -1,0 +1,168 @@
+//! Both bodies of a level as problems of temperature, and what heat at the contact points does to them.
+
+use contact::faer::Mat;
+use contact::{ContactPoint, HeatSplit, HeatedSurface, Pair, SharedHeat, Side, share_heat};
+use hpfem::{Field, InterfaceState};
+use scene::Fault;
+
+use crate::faults::unsolved;
+use crate::heat::{Heat, Meets, Split};
+use crate::level::Level;
+use crate::parts::Parts;
+use crate::stage::Stage;
+use crate::steps::heat::conduction::Conduction;
+use crate::steps::heat::drum::WarmDrum;
+
+/// Body 2 as far as heat knows it.
+pub(crate) enum Second {
+    /// By its own temperature.
+    Body(Box<Conduction>),
+    /// A ring that turns.
+    Drum(Box<WarmDrum>),
+    /// At one temperature.
+    Fresh(f64),
+}
+
+/// Both bodies of a level as problems of temperature.
+pub(crate) struct Warmed<'a> {
+    pub stage: Stage<'a>,
+    pub heat: &'a Heat,
+    /// Body 1.
+    pub first: Box<Conduction>,
+    /// Body 2.
+    pub second: Second,
+}
+
+/// What heat at the contact points does.
+pub(crate) struct Surfaces {
+    /// The contact points.
+    pub points: Vec<ContactPoint>,
+    /// Kept unknowns of body 1 and 2 by a unit of heat at each point; none of a ring or a fresh body.
+    pub units: [Option<Mat<f64>>; 2],
+    /// Temperatures of both surfaces.
+    pub surfaces: [HeatedSurface; 2],
+    /// Friction power by the normal force at each point, `mu v` (mm/s).
+    pub rates: Vec<f64>,
+}
+
+impl<'a> Warmed<'a> {
+    /// Both bodies on the meshes of their displacement; none of a scene without heat.
+    pub(crate) fn new(stage: Stage<'a>, parts: &Parts, level: Level) -> Result<Option<Warmed<'a>>, Fault> {
+        let Some(heat) = &stage.problem.heat else { return Ok(None) };
+        let body = |number: usize| Conduction::new(stage, heat, number, parts.parts[number].mesh(), level).map(Box::new);
+        let first = body(0)?;
+        let second = match heat.meets {
+            Meets::Congruent => Second::Body(body(1)?),
+            Meets::Revolving(drum) => {
+                let arc = first.body.interface.trace.length();
+                Second::Drum(Box::new(WarmDrum::new(stage, heat, drum, arc)?))
+            }
+            Meets::Fresh(temperature) => Second::Fresh(temperature),
+        };
+        Ok(Some(Warmed { stage, heat, first, second }))
+    }
+
+    /// The surfaces of both bodies, where body 2 has a temperature field of its own; else that of body 1.
+    pub(crate) fn pair(&self) -> Result<Pair<'_>, Fault> {
+        let second = match &self.second {
+            Second::Body(body) => Some(&body.body.interface),
+            Second::Drum(_) | Second::Fresh(_) => None,
+        };
+        let pair = Pair::new(&self.first.body.interface, second).map_err(unsolved)?;
+        if pair.is_nodal() {
+            return Ok(pair);
+        }
+        let message = "frictional heat of bodies whose break points on the contact surface differ is not available";
+        Err(Fault::at("heat", "not-available", message, "give both bodies the same break points there, or remove `heat`"))
+    }
+
+    /// The temperature problem of a body, where it has one.
+    pub(crate) fn conduction(&self, number: usize) -> Option<&Conduction> {
+        match (number, &self.second) {
+            (0, _) => Some(&self.first),
+            (_, Second::Body(body)) => Some(body),
+            (_, Second::Drum(_) | Second::Fresh(_)) => None,
+        }
+    }
+
+    /// What heat at the contact points does.
+    pub(crate) fn surfaces(&self, pair: &Pair<'_>) -> Result<Surfaces, Fault> {
+        let points = pair.points();
+        let (mut units, mut surfaces) = ([None, None], Vec::new());
+        for (number, side) in [Side::Shaped, Side::Counter].into_iter().enumerate() {
+            match (self.conduction(number), &self.second) {
+                (Some(_), _) => {
+                    let unit = pair.unit_heats(side).map_err(unsolved)?;
+                    let still = pair.heated(side, &vec![0.0; points.len()], &[1.0]);
+                    surfaces.extend(still.map(|still| pair.heated_surface(side, &unit, &still)));
+                    units[number] = Some(unit);
+                }
+                (None, Second::Drum(drum)) => {
+                    let [still, slope] = drum.surface();
+                    surfaces.push(HeatedSurface::even(points.len(), still, slope));
+                }
+                (None, Second::Fresh(temperature)) => surfaces.push(HeatedSurface::even(points.len(), *temperature, 0.0)),
+                (None, Second::Body(_)) => {}
+            }
+        }
+        let surfaces = <[HeatedSurface; 2]>::try_from(surfaces).map_err(|_| unsolved(contact::Error::Singular))?;
+        let rate = |point: &ContactPoint| {
+            self.stage.problem.friction.coefficient * self.stage.surface_point(point.position, point.normal, 0.0).sliding_speed
+        };
+        let rates = points.iter().map(rate).collect();
+        Ok(Surfaces { points, units, surfaces, rates })
+    }
+
+    /// States of the bodies with a temperature field under heat into each body at the contact points (mW).
+    pub(crate) fn states(&self, pair: &Pair<'_>, heats: &[Vec<f64>; 2]) -> [Option<InterfaceState>; 2] {
+        [Side::Shaped, Side::Counter].map(|side| pair.heated(side, &heats[side as usize], &[1.0]))
+    }
+
+    /// Temperature fields of bodies that have one.
+    pub(crate) fn fields(&self, states: &[Option<InterfaceState>; 2]) -> Result<[Option<Field>; 2], Fault> {
+        let field = |number: usize| -> Result<Option<Field>, Fault> {
+            let Some((body, state)) = self.conduction(number).zip(states[number].as_ref()) else { return Ok(None) };
+            body.body.field(state).map(Some).map_err(no_field)
+        };
+        Ok([field(0)?, field(1)?])
+    }
+
+    /// Thermal expansion of the materials of a body (1/K).
+    pub(crate) fn expansion(&self, number: usize) -> Vec<f64> {
+        self.stage.couple.bodies[number].materials.iter().map(|m| m.expansion.map_or(0.0, |alpha| alpha.0)).collect()
+    }
+}
+
+/// A temperature that cannot be recovered.
+pub(crate) fn no_field(error: hpfem::Error) -> Fault {
+    Fault::at("heat", "no-temperature", error.to_string(), "check the bodies and what carries their heat")
+}
+
+impl Surfaces {
+    /// How frictional heat at the points goes into the bodies, of which the closed ones conduct.
+    pub(crate) fn shared(&self, heat: &Heat, closed: &[bool]) -> Result<SharedHeat, Fault> {
+        let weights: Vec<f64> = self.points.iter().map(|point| point.weight).collect();
+        let split = match heat.split {
+            Split::Share(share) => HeatSplit::Share(share),
+            Split::Conductance(conductance) => HeatSplit::Conductance(conductance),
+        };
+        let [first, second] = &self.surfaces;
+        share_heat([first, second], &weights, closed, split).map_err(|_| {
+            let message = "both surfaces are held at a temperature where they touch without resistance";
+            Fault::at("heat.conductance", "no-temperature", message, "give a finite conductance, or hold other edges")
+        })
+    }
+
+    /// Frictional heat at the points (mW) by the normal forces there.
+    pub(crate) fn friction(&self, forces: &[f64]) -> Vec<f64> {
+        self.rates.iter().zip(forces).map(|(rate, force)| rate * force.max(0.0)).collect()
+    }
+}
+
+/// Heat into each body at the points (mW) by the frictional heat there.
+pub(crate) fn into_bodies(shared: &SharedHeat, friction: &[f64]) -> [Vec<f64>; 2] {
+    [0, 1].map(|body| {
+        let by_friction = |i: usize| (0..friction.len()).map(|j| shared.into[body][(i, j)] * friction[j]).sum::<f64>();
+        (0..friction.len()).map(|i| shared.still[body][i] + by_friction(i)).collect()
+    })
+}
