@@ -59,14 +59,23 @@ impl Assembly<'_> {
         let (ni, nb) = (local.interior, local.modes - local.interior);
         let row = |mode: usize, c: usize| if mode < ni { c * ni + mode } else { components * ni + c * nb + mode - ni };
         let mut load = Mat::<f64>::zeros(components * local.modes, self.loads.cases);
-        let mut add = |case: usize, point: &CellPoint, factors: &PointLoad| {
+        // Values and derivatives in the plane of every mode at a point, once for all load cases.
+        let jets = |point: &CellPoint| -> Vec<(usize, [f64; 3])> {
             let [[xx, xe], [zx, ze]] = point.derivative;
             let jacobian = point.jacobian();
-            for (jet, mode) in point.modes.iter().zip(&local.position).filter(|(_, m)| **m != usize::MAX) {
+            let modes = point.modes.iter().zip(&local.position).filter(|(_, m)| **m != usize::MAX);
+            let plane = |jet: &[f64; 3]| {
                 let dx = (jet[1] * ze - jet[2] * zx) / jacobian;
                 let dz = (jet[2] * xx - jet[1] * xe) / jacobian;
+                [jet[0], dx, dz]
+            };
+            modes.map(|(jet, mode)| (*mode, plane(jet))).collect()
+        };
+        let mut add = |case: usize, jets: &[(usize, [f64; 3])], factors: &PointLoad| {
+            let column = load.col_as_slice_mut(case);
+            for (mode, [value, dx, dz]) in jets {
                 for (c, f) in factors.iter().enumerate().take(components) {
-                    load[(row(*mode, c), case)] += f[0] * jet[0] + f[1] * dx + f[2] * dz;
+                    column[row(*mode, c)] += f[0] * value + f[1] * dx + f[2] * dz;
                 }
             }
         };
@@ -75,14 +84,15 @@ impl Assembly<'_> {
             for ([xi, eta], weight) in cell_rule(self.mesh.cells[cell].is_triangle(), degree + 6) {
                 let point = CellPoint::new(self.mesh, cell, degree, xi, eta);
                 let volume = weight * point.jacobian() * self.kinematics.measure(point.position[0]);
+                let jets = jets(&point);
                 for (case, load) in &self.loads.volume {
-                    add(*case, &point, &self.point_load(cell, [xi, eta], &point, load).map(|f| f.map(|f| f * volume)));
+                    add(*case, &jets, &self.point_load(cell, [xi, eta], &point, load).map(|f| f.map(|f| f * volume)));
                 }
             }
         }
         for force in self.loads.points.get(&cell).into_iter().flatten() {
             let point = CellPoint::new(self.mesh, cell, degree, force.reference[0], force.reference[1]);
-            add(force.case, &point, &force.force.map(|f| [f / self.unit, 0.0, 0.0]));
+            add(force.case, &jets(&point), &force.force.map(|f| [f / self.unit, 0.0, 0.0]));
         }
         load
     }

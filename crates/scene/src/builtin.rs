@@ -28,15 +28,17 @@ macro_rules! scenes {
 }
 
 /// All built-in scenes.
-pub const SCENES: [Builtin; 23] = scenes![
+pub const SCENES: [Builtin; 25] = scenes![
     "drum-brake-block",
     "drum-brake-ring",
     "lining-on-back",
+    "drum-brake-hot",
     "internal-shoe",
     "pinned-shoe-elastic",
     "translating-punch",
     "punch-wear",
     "annular-punch",
+    "clutch-hot",
     "reciprocating-pad",
     "hertz-cylinder",
     "hertz-sphere",

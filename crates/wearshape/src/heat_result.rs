@@ -67,14 +67,15 @@ impl Serialize for SpeedFactor {
 const ALIKE: f64 = 0.01;
 
 impl HeatResult {
-    /// Takes in the factors on the sliding speed found on two meshes: of those at which the contact is singular the least that both have.
-    pub(crate) fn take_speeds(&mut self, one: Option<&SpeedFactors>, other: Option<&SpeedFactors>) {
-        let Some((one, other)) = one.zip(other) else { return };
+    /// Takes in the factors on the sliding speed. Of those at which the contact is singular it is the least that another mesh has as well; without one
+    /// nothing is said.
+    pub(crate) fn take_speeds(&mut self, found: &SpeedFactors, other: Option<&SpeedFactors>) {
         let factor = |found: Option<f64>| Some(found.map_or(SpeedFactor::None, SpeedFactor::At));
-        self.staggered_limit_speed_factor = factor(other.staggered);
-        self.separation_speed_factor = factor(other.separation);
-        let alike = |s: &&f64| one.singular.iter().any(|t| (*s - t).abs() <= ALIKE * t.abs());
-        self.critical_speed_factor = factor(other.singular.iter().find(alike).copied());
+        self.staggered_limit_speed_factor = factor(found.staggered);
+        self.separation_speed_factor = factor(found.separation);
+        let Some(other) = other else { return };
+        let alike = |s: &&f64| other.singular.iter().any(|t| (*s - t).abs() <= ALIKE * t.abs());
+        self.critical_speed_factor = factor(found.singular.iter().find(alike).copied());
     }
 
     /// The end of a solve beyond the critical speed.

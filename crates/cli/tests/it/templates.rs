@@ -2,15 +2,17 @@
 
 use crate::call::Bench;
 
-const NAMES: [&str; 23] = [
+const NAMES: [&str; 25] = [
     "drum-brake-block",
     "drum-brake-ring",
     "lining-on-back",
+    "drum-brake-hot",
     "internal-shoe",
     "pinned-shoe-elastic",
     "translating-punch",
     "punch-wear",
     "annular-punch",
+    "clutch-hot",
     "reciprocating-pad",
     "hertz-cylinder",
     "hertz-sphere",

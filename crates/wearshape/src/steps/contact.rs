@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use contact::{
-    ContactOperator, ContactSolution, FreeEnds, Status as ContactStatus, inner_places, piecewise_linear, without_slivers,
+    ContactOperator, ContactSolution, FreeEnds, SpeedFactors, Status as ContactStatus, inner_places, piecewise_linear,
+    without_slivers,
 };
 use meshing::Cut;
 use scene::Fault;
@@ -21,6 +22,7 @@ use crate::steps::contact_levels::{Solved, imbalance, levels};
 use crate::steps::contact_result::result;
 use crate::steps::diagnosis::Diagnosis;
 use crate::steps::free_ends::{Positioned, position};
+use crate::steps::heat::contact::HotContact;
 use crate::steps::hertz_trial::hertz_end;
 use crate::steps::reported::{Moment, Reported};
 use crate::steps::start_gap::{start_gap, start_gaps};
@@ -71,6 +73,8 @@ pub(crate) struct Search {
     ends: FreeEnds,
     /// Whether nodes did not settle on more ends than usual.
     lost: bool,
+    /// Factors on the sliding speed of the last level, with heat alone.
+    speeds: Option<SpeedFactors>,
 }
 
 /// What is needed of a level beside its result if it is the reported one.
@@ -81,19 +85,21 @@ pub(crate) struct Last {
 }
 
 /// Bodies of a level, the contact found on them, and its start gap.
-struct Found {
+struct Found<'a> {
     reduced: Arc<Reduced>,
     found: ContactSolution,
     /// Whether nodes did not settle on the ends of contact.
     unsettled: bool,
+    /// The bodies as problems of temperature, and the contact with its heat.
+    hot: Option<HotContact<'a>>,
 }
 
 /// Solves a level; where contact ends inside the surface, with element nodes on its ends, from those of the last level, which `search` leaves
 /// from one level to the next.
 pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -> Result<(Solved, Last), Refusal> {
     let mut effort = Effort::default();
-    let Found { reduced, found, unsettled } = find(stage, level, search, &mut effort)?;
-    let ends = &search.ends;
+    let Found { reduced, found, unsettled, hot } = find(stage, level, search, &mut effort)?;
+    let ends = search.ends.clone();
     let pair = reduced.pair()?;
     let operator = reduced.operator(&pair, stage.friction() > 0.0)?;
     let gap = start_gaps(stage, &operator);
@@ -111,16 +117,24 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
     }
     twist.iter().for_each(|twist| twist.report(&mut contact, start));
     let embedded = match stage.problem.wanted.fixed {
-        Some(_) => operator.embedded_difference(&gap, &stage.contact_load(operator.points()), &found).map_err(unsolved)?,
+        Some(_) => {
+            let load = hot.as_ref().map_or_else(|| stage.contact_load(operator.points()), HotContact::load);
+            operator.embedded_difference(&gap, &load, &found).map_err(unsolved)?
+        }
         None => None,
     };
     let zones = if ends.places.is_empty() { without_slivers(&found.zones, length) } else { ends.zones(length) };
     let pressure = inner_places(&zones, length, SAMPLES).iter().map(|arc| operator.pressure_at(&found.pressure, *arc)).collect();
     let mut told = told(stage, &reduced, &operator, &gap, &found);
+    let heat = match &hot {
+        Some(hot) => Some(hot.tell(&operator, &mut told, &mut search.speeds)?),
+        None => None,
+    };
     if let Some(twist) = &twist {
         [&mut told.profile, &mut told.curve].into_iter().for_each(|profile| twist.fill(&operator, profile, start));
     }
     let refused = (!found.status.is_solved() || found.status == ContactStatus::NoContact).then(|| found.status.to_string());
+    let refused = refused.or_else(|| heat.as_ref()?.beyond_critical().map(|(_, reason)| reason));
     let refused = refused.or_else(|| twist.as_ref().and_then(|twist| twist.refused.clone()));
     let around = || match &twist {
         Some(twist) => twist.last.shear.clone(),
@@ -128,11 +142,16 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
     };
     let reported = found.counter.clone().map(|counter| {
         let states = [stage.held(&pair, &found.shaped), counter];
-        Reported { level, ends: ends.places.clone(), moments: vec![Moment { time: 0.0, name: "", states, around: around() }] }
+        Reported {
+            level,
+            ends: search.ends.places.clone(),
+            heat: hot.as_ref().map(HotContact::heat),
+            moments: vec![Moment { time: 0.0, name: "", states, around: around() }],
+        }
     });
     let twist = twist.map(|twist| twist.answer);
     let imbalance = imbalance_of(stage, &told, &found, length);
-    let crowded = crowded(ends, level, &effort);
+    let crowded = crowded(&ends, level, &effort);
     let solved = Solved {
         contact,
         interface: None,
@@ -143,11 +162,15 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
         unsettled,
         crowded,
         imbalance,
+        heat,
         refused,
         reported,
         effort,
     };
-    Ok((solved, Last { level, diagnosis: Diagnosis { reduced: Arc::clone(&reduced), found } }))
+    Ok((
+        solved,
+        Last { level, diagnosis: Diagnosis { reduced: Arc::clone(&reduced), found, hot: hot.as_ref().map(HotContact::load) } },
+    ))
 }
 
 /// Number of ends of contact, where they are so many that the next level would have too many unknowns.
@@ -194,11 +217,11 @@ fn short_ends(stage: Stage<'_>) -> FreeEnds {
 }
 
 /// The contact on bodies with nodes on its ends.
-fn held_on(stage: Stage<'_>, positioned: Positioned, effort: &mut Effort) -> Result<Found, Fault> {
+fn held_on<'a>(stage: Stage<'a>, positioned: Positioned, effort: &mut Effort) -> Result<Found<'a>, Fault> {
     let Positioned { reduced, held } = positioned;
     *effort += reduced.sizes();
     let found = signed(stage, &reduced, Some(held), effort)?;
-    Ok(Found { reduced, found, unsettled: false })
+    Ok(Found { reduced, found, unsettled: false, hot: None })
 }
 
 /// The contact on bodies; a solution with its points held in contact is that if its signs are right but for round-off at the ends, else a start.
@@ -226,8 +249,13 @@ fn signed(
 }
 
 /// Positions nodes on the ends of contact, if there are any inside the surface, and solves.
-fn find(stage: Stage<'_>, level: Level, search: &mut Search, effort: &mut Effort) -> Result<Found, Fault> {
-    let Search { ends, lost } = search;
+fn find<'a>(stage: Stage<'a>, level: Level, search: &mut Search, effort: &mut Effort) -> Result<Found<'a>, Fault> {
+    if let Some(hot) = HotContact::new(stage, level, effort)? {
+        let (reduced, found) = (hot.reduced(), hot.found());
+        let unsettled = !FreeEnds::of(&found, reduced.pair()?.trace().length()).places.is_empty();
+        return Ok(Found { reduced, found, unsettled, hot: Some(hot) });
+    }
+    let Search { ends, lost, .. } = search;
     let mut trial = None;
     let short = if ends.places.is_empty() { short_ends(stage) } else { FreeEnds::default() };
     let guessed = if short.places.is_empty() { None } else { position(stage, level, &short, effort)? };
@@ -264,7 +292,7 @@ fn find(stage: Stage<'_>, level: Level, search: &mut Search, effort: &mut Effort
         (Some(found), None) => found,
         (_, held) => signed(stage, &reduced, held, effort)?,
     };
-    Ok(Found { reduced, found, unsettled })
+    Ok(Found { reduced, found, unsettled, hot: None })
 }
 
 /// The contact on the standing mesh of a level, and the length of its surface.

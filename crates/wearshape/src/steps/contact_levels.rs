@@ -4,9 +4,10 @@ use std::ops::ControlFlow;
 
 use crate::effort::Effort;
 use crate::fixed;
+use crate::heat_result::HeatResult;
 use crate::ladder::{Climbed, Ladder, Refusal, best, climb, largest, missed, rungs};
 use crate::level::Level;
-use crate::results::{ContactResult, ErrorResult, InterfaceResult, Reaction};
+use crate::results::{ContactResult, EnergyResult, ErrorResult, InterfaceResult, Reaction};
 use crate::solution::{Rung, Status};
 use crate::steps::answer::{Outcome, Told};
 use crate::steps::reported::Reported;
@@ -33,6 +34,8 @@ pub(crate) struct Solved {
     pub crowded: Option<usize>,
     /// How far the forces on body 2 are from balance, relative: what round-off has made of its equations.
     pub imbalance: f64,
+    /// Frictional heat.
+    pub heat: Option<HeatResult>,
     /// Why there is no answer.
     pub refused: Option<String>,
     /// For the fields.
@@ -122,12 +125,18 @@ fn finish(ladder: &Ladder, mut solved: Vec<Solved>, beside: Option<Solved>) -> (
 }
 
 /// What is reported of a level with these estimated errors.
-fn report(ladder: &Ladder, last: Solved, found: Option<[f64; 3]>, rungs: Vec<Rung>) -> Outcome {
+fn report(ladder: &Ladder, mut last: Solved, found: Option<[f64; 3]>, rungs: Vec<Rung>) -> Outcome {
     let levels = rungs.len();
+    let hot = last.heat.is_some();
+    if hot {
+        // The work of the loads tells levels apart, but with thermal strains it is no strain energy.
+        last.told.energy = EnergyResult::default();
+    }
     let mut outcome = Outcome {
         contact: Some(last.contact),
         interface: last.interface,
         told: Some(last.told),
+        heat: last.heat,
         ladder: rungs,
         ..Outcome::default()
     };
@@ -139,10 +148,10 @@ fn report(ladder: &Ladder, last: Solved, found: Option<[f64; 3]>, rungs: Vec<Run
     outcome.error = match found {
         None => embedded(last.embedded.filter(|_| ladder.is_fixed())),
         Some([energy, pressure, twist]) => ErrorResult {
-            energy_relative: Some(energy),
+            energy_relative: Some(energy).filter(|_| !hot),
             pressure_relative: Some(pressure),
             twist_relative: last.twist.map(|_| twist),
-            how: format!("energy and pressure of the contact: {}", ladder.told_by(levels)),
+            how: format!("{}pressure of the contact: {}", if hot { "" } else { "energy and " }, ladder.told_by(levels)),
             ..ErrorResult::default()
         },
     };

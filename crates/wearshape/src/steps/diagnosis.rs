@@ -20,6 +20,8 @@ const APART: f64 = 1e-6;
 pub(crate) struct Diagnosis {
     pub reduced: Arc<Reduced>,
     pub found: ContactSolution,
+    /// The load of a contact with frictional heat.
+    pub hot: Option<ContactLoad>,
 }
 
 impl Diagnosis {
@@ -36,6 +38,10 @@ impl Diagnosis {
         let pair = self.reduced.pair()?;
         let operator = self.reduced.operator(&pair, stage.friction() > 0.0)?;
         let gap = start_gaps(stage, &operator);
+        if let Some(load) = &self.hot {
+            // What heat does to uniqueness is told by its critical speed.
+            return Ok((None, interface(&operator, &gap, load, &self.found)?));
+        }
         let load = stage.contact_load(operator.points());
         let uniqueness = uniqueness(&operator, &gap, &load, &self.found)?;
         Ok((uniqueness, interface(&operator, &gap, &load, &self.found)?))

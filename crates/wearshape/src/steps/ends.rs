@@ -219,7 +219,12 @@ impl Setting<'_> {
         let touches = found.status.is_solved() && found.status != ContactStatus::NoContact;
         let reported = found.counter.clone().map(|counter| {
             let states = [found.shaped.clone(), counter];
-            Reported { level, ends: Vec::new(), moments: vec![Moment { time: 0.0, name: "", states, around: Vec::new() }] }
+            Reported {
+                level,
+                ends: Vec::new(),
+                heat: None,
+                moments: vec![Moment { time: 0.0, name: "", states, around: Vec::new() }],
+            }
         });
         let mut solved = Solved {
             contact: rows.contact_result(),
@@ -231,6 +236,7 @@ impl Setting<'_> {
             unsettled: false,
             crowded: None,
             imbalance,
+            heat: None,
             refused: (!touches).then(|| found.status.to_string()),
             reported,
             effort,

@@ -1,7 +1,9 @@
 //! Frictional heat of two bodies that touch: temperatures by the heat of the contact, and the bodies that they bend.
 
 pub(crate) mod conduction;
+pub(crate) mod contact;
 pub(crate) mod drum;
+pub(crate) mod fields;
 pub(crate) mod following;
 pub(crate) mod known;
 pub(crate) mod report;

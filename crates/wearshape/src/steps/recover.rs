@@ -13,20 +13,25 @@ use crate::parts::BodyParts;
 use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::ends_setting::Setting;
+use crate::steps::heat::fields::{Warm, with_known_heat};
 use crate::steps::reported::{Moment, Reported};
 
 /// Recovers the moments of a stage on its bodies, made again at the reported level.
 pub(crate) fn recover(stage: Stage<'_>, reported: &Reported) -> Result<(Vec<FieldFrame>, Effort), Fault> {
     let (parts, _) = stage.parts(reported.level, Cut::Ends(&reported.ends))?;
+    let (parts, warm) = Warm::of(stage, reported, parts)?;
     let (bodies, reduction) = parts.reduce(stage.clock())?;
     let mut effort = counts(&reduction);
     let pair = paired([&bodies[0].interface, &bodies[1].interface], stage.meeting())?;
     let mut frames = Vec::new();
     for (number, moment) in reported.moments.iter().enumerate() {
-        let mut frame = frame(moment, &bodies, [0, 1].map(|number| &**parts.parts[number].mesh()), &mut effort)?;
+        let known = warm.as_ref().map(|_| with_known_heat(stage, &pair, moment));
+        let mut frame =
+            frame(known.as_ref().unwrap_or(moment), &bodies, [0, 1].map(|number| &**parts.parts[number].mesh()), &mut effort)?;
         if stage.problem.plan.runs(Step::Torsion) {
             effort += twist(stage, reported, number, &pair, &mut frame)?;
         }
+        warm.as_ref().map_or(Ok(()), |warm| warm.fill(&mut frame))?;
         frames.push(frame);
     }
     Ok((frames, effort))

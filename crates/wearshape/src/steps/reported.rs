@@ -3,6 +3,7 @@
 use hpfem::InterfaceState;
 
 use crate::level::Level;
+use crate::steps::heat::known::PointHeat;
 
 /// What a stage leaves behind for the fields: the discretisation it reports, and the states of its bodies there.
 pub(crate) struct Reported {
@@ -10,6 +11,8 @@ pub(crate) struct Reported {
     pub level: Level,
     /// Ends of contact that the meshes are cut at, from -1 to 1 on the surface.
     pub ends: Vec<f64>,
+    /// Frictional heat at the contact points, of a scene with heat.
+    pub heat: Option<PointHeat>,
     /// The moments, the reported one first.
     pub moments: Vec<Moment>,
 }

@@ -33,7 +33,7 @@ pub(crate) fn same(shaper: &Shaper<'_>, level: Level, reduced: &Reduced, shape: 
     let cut = if shaper.ends.is_empty() { Cut::Plain } else { Cut::Ends(&shaper.ends) };
     let hot = Following::new(shaper.stage, level, cut)?;
     let (following, effort) = hot.unzip();
-    let reduced = following.as_ref().map_or(reduced, |following| &following.reduced);
+    let reduced = following.as_ref().map_or(reduced, |following| &*following.reduced);
     let pair = reduced.pair()?;
     let operator = reduced.operator(&pair, shaper.stage.friction() > 0.0)?;
     let gap: Vec<f64> = operator.points().iter().map(|p| shape.gap(&cold, p)).collect();
@@ -73,7 +73,7 @@ pub(crate) fn independent(shaper: &Shaper<'_>, level: Level, shape: &GapCurve, t
             (None, Some(reduced), effort)
         }
     };
-    let hot = following.as_ref().map(|following| &following.reduced);
+    let hot = following.as_ref().map(|following| &*following.reduced);
     let Some(reduced) = hot.or(reduced.as_deref()) else { unreachable!("bodies are hot or cold") };
     let pair = reduced.pair()?;
     let operator = reduced.operator(&pair, shaper.stage.friction() > 0.0)?;

@@ -17,7 +17,7 @@ use crate::ladder::{Climbed, Ladder, Refusal, climb, missed, rungs};
 use crate::level::Level;
 use crate::machined::{Machined, SurfacePoint};
 use crate::problem::Problem;
-use crate::results::{ErrorResult, ShapeResult};
+use crate::results::{EnergyResult, ErrorResult, ShapeResult};
 use crate::solution::Status;
 use crate::stage::Stage;
 use crate::step::Step;
@@ -177,8 +177,8 @@ impl Shaper<'_> {
             outcome.interface = same.interface;
             let independent = round_trip::independent(self, solved.level, &curve, &mut told)?;
             result.roundtrip_independent = Some(independent.miss);
-            if let Some(heat) = &mut outcome.heat {
-                heat.take_speeds(same.speeds.as_ref(), independent.speeds.as_ref());
+            if let Some((heat, speeds)) = outcome.heat.as_mut().zip(independent.speeds.as_ref()) {
+                heat.take_speeds(speeds, same.speeds.as_ref());
                 outcome.ended = heat.beyond_critical().or(outcome.ended.take());
             }
             // A proof that fails says more than an estimate that is missed: the estimate is then not to be believed either.
@@ -203,6 +203,8 @@ impl Shaper<'_> {
         let mut factors = with_heat(pair, self.stage.cases());
         factors[0][..cold].fill(0.0);
         let thermal = Thermal { stage: self.stage, pair, factors };
+        // The work of the loads is no strain energy where there are thermal strains.
+        told.energy = EnergyResult::default();
         tell_at(self.stage, (solved.level, &self.ends), heat, told, &thermal).map(Some)
     }
 
@@ -235,7 +237,7 @@ impl Shaper<'_> {
         let around = torsion::around(self.stage, &points, &pressure);
         let counter = last.shape.counter.clone()?;
         let moments = vec![Moment { time: 0.0, name: "", states: [last.shape.shaped.clone(), counter], around }];
-        Some(Reported { level: last.level, ends: self.ends.clone(), moments })
+        Some(Reported { level: last.level, ends: self.ends.clone(), heat: last.heat.clone(), moments })
     }
 }
 

@@ -8,6 +8,7 @@ mod estimates;
 mod examples;
 mod files;
 mod guided;
+mod heat;
 mod load;
 mod own_rule;
 mod pinned;

@@ -1,7 +1,9 @@
 //! Bodies bent by the heat of a pressure that is yet to be found: one thermal load for each contact point, whose factor follows the force there.
 
+use std::sync::Arc;
+
 use contact::faer::Mat;
-use contact::{ContactLoad, ContactOperator, ContactPoint, ContactSolution, SharedHeat, SpeedFactors};
+use contact::{ContactLoad, ContactOperator, ContactSolution, SharedHeat, SpeedFactors};
 use hpfem::{Eigenstrain, InterfaceState, LoadCase};
 use meshing::Cut;
 use scene::Fault;
@@ -9,6 +11,7 @@ use scene::Fault;
 use crate::bodies::Reduced;
 use crate::effort::Effort;
 use crate::faults::unsolved;
+use crate::heat::Split;
 use crate::level::Level;
 use crate::stage::Stage;
 use crate::step::Step;
@@ -30,8 +33,9 @@ enum Follows {
 
 /// Bodies bent by heat that follows the pressure.
 pub(crate) struct Following<'a> {
-    pub reduced: Reduced,
-    stage: Stage<'a>,
+    pub reduced: Arc<Reduced>,
+    /// The bodies as problems of temperature.
+    pub warmed: Warmed<'a>,
     surfaces: Surfaces,
     follows: [Follows; 2],
 }
@@ -69,7 +73,7 @@ impl<'a> Following<'a> {
         let (reduced, work) = Reduced::new(&parts.with_loads(loads), stage.clock())?;
         effort += work;
         same_points(&reduced, &surfaces.points)?;
-        Ok(Some((Following { reduced, stage, surfaces, follows }, effort)))
+        Ok(Some((Following { reduced: Arc::new(reduced), warmed, surfaces, follows }, effort)))
     }
 
     /// The contact of the bodies, pressure and temperature at once: `base` holds the load without heat.
@@ -93,27 +97,33 @@ impl<'a> Following<'a> {
         Err(Fault::at("heat.conductance", "not-converged", message, "give heat.share, or another gap"))
     }
 
-    /// Factors on the sliding speed for points in contact.
+    /// Factors on the sliding speed for points in contact; that of separation is for surfaces without a gap, whose points all are.
     pub(crate) fn speeds(
         &self,
         operator: &ContactOperator<'_>,
         base: &ContactLoad,
         closed: &[bool],
     ) -> Result<SpeedFactors, Fault> {
-        let mut load = self.load(base, &self.shared(closed)?);
-        // Surfaces that fit are those of bodies without any heat.
-        load.factors.iter_mut().zip(&base.factors).for_each(|(factors, base)| factors[base.len()..].fill(0.0));
-        operator.speed_factors(&load, closed).map_err(unsolved)
+        let factors = |closed: &[bool]| {
+            let mut load = self.load(base, &self.shared(closed)?);
+            // Bodies without any heat fit.
+            load.factors.iter_mut().zip(&base.factors).for_each(|(factors, base)| factors[base.len()..].fill(0.0));
+            operator.speed_factors(&load, closed).map_err(unsolved)
+        };
+        let all = factors(&vec![true; closed.len()])?;
+        if closed.iter().all(|closed| *closed) {
+            return Ok(all);
+        }
+        Ok(SpeedFactors { separation: all.separation, ..factors(closed)? })
     }
 
     /// Whether what points are in contact decides how the heat is shared.
     fn conducts(&self) -> bool {
-        matches!(self.stage.problem.heat.as_ref().map(|heat| heat.split), Some(crate::heat::Split::Conductance(_)))
+        matches!(self.warmed.heat.split, Split::Conductance(_))
     }
 
     fn shared(&self, closed: &[bool]) -> Result<SharedHeat, Fault> {
-        let Some(heat) = &self.stage.problem.heat else { return Err(unsolved(contact::Error::Singular)) };
-        self.surfaces.shared(heat, closed)
+        self.surfaces.shared(self.warmed.heat, closed)
     }
 
     /// A load with that of the heat.
@@ -140,17 +150,12 @@ impl<'a> Following<'a> {
         }
         load
     }
-
-    /// The contact points.
-    pub(crate) fn points(&self) -> &[ContactPoint] {
-        &self.surfaces.points
-    }
 }
 
 /// Thermal loads of a body: of what flows without friction, then of each unit of heat.
 fn loads(warmed: &Warmed<'_>, surfaces: &Surfaces, number: usize) -> Result<Vec<LoadCase>, Fault> {
     let reference = warmed.heat.reference;
-    let named = |k: usize, strain: Eigenstrain| LoadCase::new(&format!("{HEAT} {k}")).with(strain);
+    let named = |k: usize, strain: Eigenstrain| LoadCase::new(format!("{HEAT} {k}")).with(strain);
     let (conduction, units) = match (warmed.conduction(number).zip(surfaces.units[number].as_ref()), &warmed.second) {
         (Some(found), _) => found,
         (None, Second::Drum(drum)) => {

@@ -1,7 +1,7 @@
 //! What is told of frictional heat: temperatures, heat and thermal displacement along the contact, and the balance of the powers.
 
 use contact::{ContactPoint, Pair, Side, piecewise_linear};
-use hpfem::{CellGrid, Field};
+use hpfem::{CellGrid, Field, InterfaceState};
 use meshing::Cut;
 use scene::Fault;
 use shapeopt::{Gauge, Integration, RigidPart, Shape, ShapeProblem, solve_shape};
@@ -30,7 +30,7 @@ pub(crate) fn tell_at(
 }
 
 /// The same on bodies that are there.
-fn tell(warmed: &Warmed<'_>, heat: &PointHeat, told: &mut Told, thermal: &Thermal<'_>) -> Result<HeatResult, Fault> {
+pub(crate) fn tell(warmed: &Warmed<'_>, heat: &PointHeat, told: &mut Told, thermal: &Thermal<'_>) -> Result<HeatResult, Fault> {
     let warm_pair = warmed.pair()?;
     let states = warmed.states(&warm_pair, &heat.into);
     let expanded = thermal.state()?;
@@ -54,8 +54,8 @@ fn tell(warmed: &Warmed<'_>, heat: &PointHeat, told: &mut Told, thermal: &Therma
             profile.thermal_displacement[number] = thermal.displacement(&expanded, side, profile, start);
         }
     }
-    let mut result = powers(warmed, heat, &states);
     let fields = warmed.fields(&states)?;
+    let mut result = powers(warmed, heat, &states, &fields)?;
     let [first, second] = fields.map(|field| field.map(|field| highest(&field)).transpose());
     let (first, second) = (first?, second?);
     let second = match &warmed.second {
@@ -64,19 +64,23 @@ fn tell(warmed: &Warmed<'_>, heat: &PointHeat, told: &mut Told, thermal: &Therma
     };
     (result.highest1, result.highest1_at) = first.unzip();
     (result.highest2, result.highest2_at) = second.unzip();
-    // The energy of the reduced bodies knows no thermal strain.
-    told.energy = crate::results::EnergyResult::default();
     Ok(result)
 }
 
 /// Friction power, where it goes, and what of it is left over.
-fn powers(warmed: &Warmed<'_>, heat: &PointHeat, states: &[Option<hpfem::InterfaceState>; 2]) -> HeatResult {
+fn powers(
+    warmed: &Warmed<'_>,
+    heat: &PointHeat,
+    states: &[Option<InterfaceState>; 2],
+    fields: &[Option<Field>; 2],
+) -> Result<HeatResult, Fault> {
     let sum = |values: &[f64]| values.iter().sum::<f64>();
     let (friction_power, into) = (sum(&heat.friction), heat.into.each_ref().map(|into| sum(into)));
     let mut out = Vec::new();
     for number in [0, 1] {
-        match (warmed.conduction(number).zip(states[number].as_ref()), &warmed.second) {
-            (Some((body, state)), _) => out.extend(body.out(state)),
+        let known = warmed.conduction(number).zip(states[number].as_ref()).zip(fields[number].as_ref());
+        match (known, &warmed.second) {
+            (Some(((body, state), field)), _) => out.extend(body.out(state, field).map_err(no_field)?),
             (None, Second::Drum(drum)) => out.extend(drum.out(into[1])),
             (None, Second::Fresh(_)) => out.push(("body2".to_string(), into[1])),
             (None, Second::Body(_)) => {}
@@ -84,14 +88,14 @@ fn powers(warmed: &Warmed<'_>, heat: &PointHeat, states: &[Option<hpfem::Interfa
     }
     let left = friction_power - out.iter().map(|(_, heat)| heat).sum::<f64>();
     let size = out.iter().map(|(_, heat)| heat.abs()).fold(friction_power.abs(), f64::max);
-    HeatResult {
+    Ok(HeatResult {
         friction_power,
         into_body1: into[0],
         into_body2: into[1],
         out,
         balance: (size > 0.0).then(|| left.abs() / size),
         ..HeatResult::default()
-    }
+    })
 }
 
 /// The highest temperature of a body at the points of its cells, and its place.

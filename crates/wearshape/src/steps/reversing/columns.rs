@@ -59,7 +59,7 @@ impl Senses<'_> {
             around: vec![0.0; operator.points().len()],
         });
         outcome.reported =
-            moment.map(|moment| Reported { level: solved.level, ends: solved.nodes.clone(), moments: vec![moment] });
+            moment.map(|moment| Reported { level: solved.level, ends: solved.nodes.clone(), heat: None, moments: vec![moment] });
         (outcome.shape, outcome.told) = (Some(shape), Some(told));
         Ok(effort)
     }

@@ -148,7 +148,7 @@ impl Scenes<'_> {
             factorisations: effort.counters.factorisations,
             contact_solves: effort.counters.contact_solves,
         };
-        let reported = Some(Reported { level, ends: mesh.ends.to_vec(), moments });
+        let reported = Some(Reported { level, ends: mesh.ends.to_vec(), heat: None, moments });
         let start = stage.start(self.pair);
         let places: Vec<f64> = self.operator.points().iter().map(|p| start + p.arc).collect();
         let running_in = run.history.running_in(places.clone(), &|pressure| problem.mean_pressure(pressure));

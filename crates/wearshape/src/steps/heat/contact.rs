@@ -1,0 +1,88 @@
+//! The contact of the bodies as given with frictional heat, on the standing mesh of a level.
+
+use std::sync::Arc;
+
+use contact::{ContactLoad, ContactOperator, ContactSolution, SpeedFactors};
+use meshing::Cut;
+use scene::Fault;
+
+use crate::bodies::Reduced;
+use crate::effort::Effort;
+use crate::heat_result::HeatResult;
+use crate::level::Level;
+use crate::stage::Stage;
+use crate::step::Step;
+use crate::steps::answer::Told;
+use crate::steps::heat::following::{Following, Hot};
+use crate::steps::heat::known::PointHeat;
+use crate::steps::heat::report::{Thermal, tell};
+use crate::steps::start_gap::start_gaps;
+
+/// A contact with its heat.
+pub(crate) struct HotContact<'a> {
+    stage: Stage<'a>,
+    following: Following<'a>,
+    hot: Hot,
+}
+
+impl<'a> HotContact<'a> {
+    /// Solves a level; none of a scene without heat.
+    pub(crate) fn new(stage: Stage<'a>, level: Level, effort: &mut Effort) -> Result<Option<HotContact<'a>>, Fault> {
+        let Some((following, work)) = Following::new(stage, level, Cut::Plain)? else { return Ok(None) };
+        *effort += work;
+        let pair = following.reduced.pair()?;
+        (stage.options.begun)(Step::Contact);
+        let operator =
+            effort.timed(Step::Interface, stage.clock(), |_| following.reduced.operator(&pair, stage.friction() > 0.0))?;
+        let gap = start_gaps(stage, &operator);
+        effort.counters.contact_solves += 1;
+        let hot = effort
+            .timed(Step::Contact, stage.clock(), |_| following.solve(&operator, &gap, &stage.contact_load(operator.points())))?;
+        Ok(Some(HotContact { stage, following, hot }))
+    }
+
+    /// The bodies.
+    pub(crate) fn reduced(&self) -> Arc<Reduced> {
+        Arc::clone(&self.following.reduced)
+    }
+
+    /// The contact found.
+    pub(crate) fn found(&self) -> ContactSolution {
+        self.hot.found.clone()
+    }
+
+    /// The load of the contact, that of its heat among it.
+    pub(crate) fn load(&self) -> ContactLoad {
+        self.hot.load.clone()
+    }
+
+    /// Heat at the contact points.
+    pub(crate) fn heat(&self) -> PointHeat {
+        self.hot.heat.clone()
+    }
+
+    /// Fills in the columns of heat and gives its numbers; `before` holds the factors on the speed of the level before.
+    pub(crate) fn tell(
+        &self,
+        operator: &ContactOperator<'_>,
+        told: &mut Told,
+        before: &mut Option<SpeedFactors>,
+    ) -> Result<HeatResult, Fault> {
+        let (stage, found) = (self.stage, &self.hot.found);
+        let pair = operator.pair();
+        let cold = stage.cases().len();
+        let of_cases =
+            |state: &hpfem::InterfaceState, body: &hpfem::InterfaceOperator| state.factors[..body.load_cases.len()].to_vec();
+        let mut shaped = of_cases(&found.shaped, pair.shaped);
+        shaped[..cold].fill(0.0);
+        let counter = found.counter.as_ref().zip(pair.counter).map(|(state, body)| of_cases(state, body)).unwrap_or_default();
+        let thermal = Thermal { stage, pair, factors: [shaped, counter] };
+        let mut result = tell(&self.following.warmed, &self.hot.heat, told, &thermal)?;
+        if found.status.is_solved() {
+            let speeds = self.following.speeds(operator, &stage.contact_load(operator.points()), &found.closed)?;
+            result.take_speeds(&speeds, before.as_ref());
+            *before = Some(speeds);
+        }
+        Ok(result)
+    }
+}

@@ -1,0 +1,221 @@
+//! Frictional heat: temperatures, powers and distortions against closed forms.
+
+use wearshape::{Bodies, Document, Fault, Options, Problem, Profile, Solution, SpeedFactor, Status, solve};
+
+use crate::common::{read, scene, solved};
+
+/// A slab on a plate of its own width, under a uniform pressure: temperatures are linear through the heights.
+///
+/// ```text
+///   z = 40  +--------+  held at 20 degC
+///           | body 1 |  k1
+///   z = 0   +--------+  q = mu p v, uniform
+///           | body 2 |  k2
+///   z = -30 +--------+  held at 20 degC
+/// ```
+const SLABS: &str = r#"
+units = "N-mm"
+kinematics = "plane-stress"
+thickness = 10
+tasks = ["shape"]
+check = false
+mesh = { degree = 4, layers = 0 }
+body1.material = { young = "200 GPa", poisson = 0.3, conductivity = "40 W/(m K)", expansion = "12e-6 1/K" }
+body1.geometry.rectangle = { x = [0, 60], z = [0, 40] }
+body1.support = { left = ["x"] }
+body1.heat = { top = { temperature = 20 } }
+body2.material = { young = "100 GPa", poisson = 0.25, conductivity = "8 W/(m K)", expansion = "20e-6 1/K" }
+body2.geometry.rectangle = { x = [0, 60], z = [-30, 0] }
+body2.support = { bottom = ["z"], left = ["x"] }
+body2.heat = { bottom = { temperature = 20 } }
+contact = { edges = ["bottom", "top"], friction = 0.25 }
+sliding = { speed = "100 mm/s" }
+load = { edge = "top", as = "pressure", force = "600 N" }
+wear = { k = 1e-8, counterface = "congruent" }
+optimum = { functional = "uniform" }
+heat = { share = 0.7 }
+"#;
+
+/// Heat per area: mu p v with 600 N on 60 mm x 10 mm.
+const Q: f64 = 0.25 * 1.0 * 100.0;
+
+fn profile(solution: &Solution) -> &Profile {
+    assert!(matches!(solution.status, Status::Ok | Status::AccuracyMissed), "{:?}", solution.reason);
+    solution.profile.as_ref().unwrap()
+}
+
+fn near(found: f64, wanted: f64, tolerance: f64) {
+    assert!((found - wanted).abs() <= tolerance * wanted.abs().max(1e-12), "{found:e} for {wanted:e}");
+}
+
+fn fault(text: &str, settings: &[&str]) -> Fault {
+    let settings: Vec<String> = settings.iter().map(|setting| setting.to_string()).collect();
+    let document = Document::read("scene.toml", text, &settings).unwrap();
+    Problem::new(&document, &|file| Err(format!("there is no {file}"))).unwrap_err()
+}
+
+/// What flows into each body over the area of the contact, as it should be between these temperatures.
+fn balanced(solution: &Solution) {
+    let heat = solution.heat.as_ref().unwrap();
+    assert!(heat.balance.unwrap() < 1e-11, "{heat:?}");
+    near(heat.into_body1 + heat.into_body2, heat.friction_power, 1e-12);
+}
+
+#[test]
+fn a_slab_warmed_from_below_bends_by_expansion_times_the_slope_of_its_temperature() {
+    for (kinematics, factor) in [("plane-stress", 1.0), ("plane-strain", 1.3)] {
+        let solution = solved(&read(SLABS, &[&format!("kinematics={kinematics}")]));
+        let profile = profile(&solution);
+        let slope = 0.7 * Q / 40.0;
+        for (k, s) in profile.s.iter().enumerate() {
+            near(profile.heat[0][k], 0.7 * Q, 1e-10);
+            near(profile.temperature[0][k], 20.0 + 40.0 * slope, 1e-10);
+            // u_z of a free slab: half the curvature times the square of the distance from the edge that is held along x.
+            let x = s - profile.s[0];
+            let bent = profile.thermal_displacement[0][k] - profile.thermal_displacement[0][0];
+            let wanted = 1e3 * 0.5 * factor * 12e-6 * slope * x * x;
+            assert!((bent - wanted).abs() < 1e-9 * 1e3 * 12e-6 * slope * 3600.0, "{kinematics}: {bent} for {wanted}");
+        }
+        balanced(&solution);
+    }
+}
+
+#[test]
+fn two_layers_share_the_heat_by_their_resistances() {
+    let resistance = [40.0 / 40.0, 30.0 / 8.0];
+    for (written, conductance) in [("1e-12", 1e-12), ("0.05", 0.05), ("\"2e4 W/(m2 K)\"", 20.0), ("inf", f64::INFINITY)] {
+        let solution = solved(&read(SLABS, &["heat.share=0.7", &format!("heat.conductance={written}")]));
+        // 1/h + R1 + R2 against the difference of the halves of the source.
+        let flow = 0.5 * Q * (resistance[1] - resistance[0]) / (1.0 / conductance + resistance[0] + resistance[1]);
+        let into = [0.5 * Q + flow, 0.5 * Q - flow];
+        let profile = profile(&solution);
+        for k in 0..profile.s.len() {
+            for body in [0, 1] {
+                near(profile.heat[body][k], into[body], 1e-9);
+                near(profile.temperature[body][k], 20.0 + resistance[body] * into[body], 1e-9);
+            }
+        }
+        balanced(&solution);
+    }
+}
+
+#[test]
+fn conductivities_a_million_times_apart_and_films_of_nothing_and_of_everything() {
+    let solution = solved(&read(SLABS, &["heat.conductance=inf", "body2.material.conductivity=4e-5"]));
+    let resistance = [1.0, 30.0 / 4e-5];
+    let share = resistance[1] / (resistance[0] + resistance[1]);
+    near(solution.heat.as_ref().unwrap().into_body1, share * Q * 600.0, 1e-9);
+    for film in [1e-6, 1e-3, 1e6] {
+        let edge = format!("body1.heat={{ top = {{ convection = {film}, ambient = 20 }} }}");
+        let solution = solved(&read(SLABS, &[&edge]));
+        near(profile(&solution).temperature[0][3], 20.0 + 0.7 * Q * (1.0 + 1.0 / film), 1e-9);
+        balanced(&solution);
+    }
+}
+
+#[test]
+fn a_drum_that_turns_is_as_warm_as_its_logarithm_says() {
+    let settings = ["accuracy=1e-4", "check=false", "body2.heat={ inner = { temperature = 30 } }", "heat.share=0.1"];
+    let solution = solved(&scene("drum-brake-hot", &settings));
+    let heat = solution.heat.as_ref().unwrap();
+    near(heat.into_body2, 0.9 * heat.friction_power, 1e-12);
+    let wanted = 30.0 + heat.into_body2 * 2_f64.ln() / (std::f64::consts::TAU * 48.5 * 40.0);
+    for found in &profile(&solution).temperature[1] {
+        near(*found, wanted, 1e-12);
+    }
+    balanced(&solution);
+}
+
+#[test]
+fn distortion_is_proportional_to_the_speed_and_without_expansion_the_shape_is_the_cold_one() {
+    let unth = |settings: &[&str]| {
+        let solution = solved(&read(SLABS, settings));
+        profile(&solution).thermal_displacement[0].clone()
+    };
+    let (once, twice) = (unth(&[]), unth(&["sliding.speed=200"]));
+    let size = once.iter().fold(0.0_f64, |size, u| size.max(u.abs()));
+    assert!(size > 0.1 && once.iter().zip(&twice).all(|(a, b)| (2.0 * a - b).abs() < 1e-9 * size));
+    let cold = SLABS.replace("heat = { share = 0.7 }\n", "");
+    let cold: String = cold.lines().filter(|line| !line.contains(".heat =")).map(|line| format!("{line}\n")).collect();
+    let cold = solved(&read(&cold, &[]));
+    let still = solved(&read(SLABS, &["body1.material.expansion=0", "body2.material.expansion=0"]));
+    let size = cold.shape.as_ref().unwrap().gap_max.unwrap();
+    assert!(profile(&cold).gap.iter().zip(&profile(&still).gap).all(|(a, b)| (a - b).abs() < 1e-9 * size));
+}
+
+#[test]
+fn the_cold_shape_gives_the_wanted_pressure_back_when_the_bodies_are_hot() {
+    for name in ["drum-brake-hot", "clutch-hot"] {
+        let solution = solved(&scene(name, &["accuracy=1e-3"]));
+        let shape = solution.shape.as_ref().unwrap();
+        assert!(shape.roundtrip_same.unwrap() < 1e-6 && shape.roundtrip_independent.unwrap() < 1e-2, "{name}: {shape:?}");
+        let profile = profile(&solution);
+        // The surface lies where the elastic and the thermal part take it.
+        assert!(profile.thermal_displacement[0].iter().any(|u| u.abs() > 1.0), "{name}");
+        balanced(&solution);
+    }
+}
+
+#[test]
+fn a_contact_and_its_heat_are_found_together_and_a_slow_one_is_the_cold_one() {
+    let plain = scene("drum-brake-block", &["tasks=[contact]", "accuracy=1e-3"]);
+    let hot = |omega: &str| {
+        let heat = ["heat={ share = 0.5 }", "body1.material=steel", "body2.material=steel", "tasks=[contact]", "accuracy=1e-3"];
+        let edges = ["body1.heat={ top = { convection = 0.1, ambient = 20 } }", "body2.heat={ inner = { temperature = 20 } }"];
+        let omega = format!("sliding.omega={omega}");
+        solved(&scene("drum-brake-block", &[heat.as_slice(), edges.as_slice(), &[&omega]].concat()))
+    };
+    let (cold, slow, warm) = (solved(&plain), hot("1e-9"), hot("2e-3"));
+    let pressure = |solution: &Solution| profile(solution).pressure[profile(solution).pressure.len() / 2];
+    near(pressure(&slow), pressure(&cold), 1e-3);
+    // Heat bulges the middle of the contact.
+    assert!(pressure(&warm) > 1.01 * pressure(&cold));
+    balanced(&warm);
+    let heat = warm.heat.unwrap();
+    assert!(matches!(heat.staggered_limit_speed_factor, Some(SpeedFactor::At(factor)) if factor > 1.0), "{heat:?}");
+}
+
+#[test]
+fn beyond_the_critical_speed_there_is_no_answer() {
+    let settings = ["accuracy=1e-3", "sliding.omega=25"];
+    let problem = scene("drum-brake-hot", &settings);
+    let solution =
+        solve(&problem, &Options::default(), &Bodies::default(), &mut |_| std::ops::ControlFlow::Continue(())).unwrap();
+    assert_eq!(solution.status, Status::Refused);
+    assert!(solution.reason.unwrap().contains("beyond the critical one"));
+}
+
+#[test]
+fn what_heat_needs_and_what_it_does_not_know_is_said_by_name() {
+    for (setting, key, words) in [
+        ("heat.share=1.5", "heat.share", "not between 0 and 1"),
+        ("heat.conductance=-1", "heat.conductance", "negative conductance"),
+        ("heat={ reference = 20 }", "heat.share", "how the bodies share"),
+        ("heat={ share = 0.5, conductance = 1 }", "heat.conductance", "both"),
+        ("contact.friction=0", "contact.friction", "none"),
+        ("body1.heat={}", "body1.heat", "nothing cools"),
+        ("body2.heat={ bottom = { flux = 1 } }", "body2.heat", "nothing cools"),
+        ("body1.heat={ roof = { temperature = 20 } }", "body1.heat.roof", "no edge"),
+        ("body1.heat={ top = { convection = 1 } }", "body1.heat.top.ambient", "surroundings"),
+        ("body1.heat={ top = { convection = -1, ambient = 20 } }", "body1.heat.top.convection", "negative"),
+        ("body1.heat={ bottom = { temperature = 20 } }", "body1.heat.bottom", "touches"),
+        ("body1.material={ young = 1e5, poisson = 0.3, expansion = 1e-5 }", "body1.material.conductivity", "flows"),
+        ("body1.material={ young = 1e5, poisson = 0.3, conductivity = 40 }", "body1.material.expansion", "expand"),
+        ("body1.material.expansion=-1e-5", "body1.material.expansion", "negative"),
+        ("heat.counterface=revolving", "heat.counterface", "geometry.ring"),
+        ("tasks=[wear]", "tasks", "wear in time"),
+    ] {
+        let fault = fault(SLABS, &[setting]);
+        assert!(fault.key.as_deref() == Some(key) && fault.message.contains(words), "{setting}: {fault:?}");
+    }
+    let fault = fault(&SLABS.replace("heat = { share = 0.7 }\n", ""), &[]);
+    assert!(fault.message.contains("no table `heat`"), "{fault:?}");
+}
+
+#[test]
+fn a_scene_without_heat_names_no_thermal_numbers() {
+    let problem = scene("drum-brake-block", &["body1.material=steel", "tasks=[pressure]"]);
+    assert!(!problem.resolved().contains("conductivity") && problem.unused_keys().is_empty());
+    let problem = scene("drum-brake-hot", &[]);
+    assert!(problem.resolved().contains("conductivity = 48.5") && problem.resolved().contains("expansion"));
+}
