@@ -15,6 +15,8 @@ mod exact;
 mod examples;
 mod extremes;
 mod gmsh;
+mod heat;
+mod heat_flow;
 mod input;
 mod join;
 mod kept;
@@ -37,6 +39,8 @@ mod sharing;
 mod singular;
 mod sliding_edge;
 mod supports;
+mod thermal_corners;
+mod thermoelastic;
 mod triangles;
 #[cfg(feature = "vtu")]
 mod vtu;
