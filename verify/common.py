@@ -24,7 +24,7 @@ except ImportError as error:
 
 import scene as scenes
 
-FAULTS = ("friction-sign", "young")
+FAULTS = ("friction-sign", "young", "conductivity")
 
 
 def arguments(doc):
@@ -37,10 +37,13 @@ def arguments(doc):
 
 def disturb(scene, fault):
     """The scene, or a wrong one: friction reversed on the bodies (not in the wanted pressure), or
-    body 2 stiffer by 2 %. A comparison that passes with it proves nothing."""
+    body 2 stiffer by 2 %, or body 1 conducting 2 % better. A comparison that passes with it proves nothing."""
     if fault == "young":
         values = scene["body2"]["material"]
         values["young"] = 1.02 * scenes.quantity(values["young"])
+    if fault == "conductivity":
+        values = scene["body1"]["material"]
+        values["conductivity"] = 1.02 * scenes.quantity(values["conductivity"])
     return -1.0 if fault == "friction-sign" else 1.0
 
 

@@ -17,6 +17,7 @@ UNITS = {
     "N": 1.0, "kN": 1e3, "MN": 1e6, "MPa": 1.0, "GPa": 1e3, "kPa": 1e-3, "Pa": 1e-6,
     "N mm": 1.0, "N m": 1e3, "kN mm": 1e3, "kN m": 1e6, "s": 1.0, "min": 60.0, "h": 3600.0,
     "mm/s": 1.0, "m/s": 1e3, "rad/s": 1.0, "rpm": math.pi / 30.0, "deg/s": math.pi / 180.0,
+    "degC": 1.0, "1/K": 1.0, "W/(m K)": 1.0, "W/(m2 K)": 1e-3, "mW/mm^2": 1.0,
 }
 
 
@@ -24,6 +25,8 @@ def quantity(value):
     """A number in base units from a number or from a string with a unit."""
     if isinstance(value, (int, float)):
         return float(value)
+    if value.strip() == "inf":
+        return math.inf
     number, _, unit = value.strip().partition(" ")
     if unit.strip() not in UNITS:
         raise ValueError(f"unit of {value!r} is not known here")

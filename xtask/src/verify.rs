@@ -38,7 +38,7 @@ struct Wish {
     program: Option<PathBuf>,
 }
 
-const FAULTS: [&str; 2] = ["friction-sign", "young"];
+const FAULTS: [&str; 3] = ["friction-sign", "young", "conductivity"];
 
 /// Runs what `words` ask for; fails when one quantity of one case does.
 pub(crate) fn run(root: &Path, words: &[String]) -> ExitCode {
