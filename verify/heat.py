@@ -20,8 +20,9 @@ from conduction import Conductor, matching_body, temperatures
 from gap import respond
 from interface import division
 
-# Cells along the contact, smallest cell as a share of it, largest cell in the bodies likewise.
-LEVELS = [(24, 1e-6, 0.12), (34, 1e-6, 0.085)]
+# Cells along the contact, smallest cell as a share of it, largest cell in the bodies likewise. Curved edges need smaller
+# cells: their cubic geometry is the coarser part.
+LEVELS = {"curved": [(24, 1e-6, 0.06), (34, 1e-6, 0.045)], "straight": [(24, 1e-6, 0.12), (34, 1e-6, 0.085)]}
 SLOPE = 0.4
 DEGREE = 4
 
@@ -30,7 +31,7 @@ def solve(scene, points, sign):
     surface = scenes.Surface(scene)
     pressure = scenes.Pressure(scene, surface)
     c = surface.coordinate(points["x_mm"], points["z_mm"])
-    levels = [hot(scene, surface, pressure, c, sign, *level) for level in LEVELS]
+    levels = [hot(scene, surface, pressure, c, sign, *level) for level in LEVELS["straight" if surface.radius is None else "curved"]]
     rigid = [phi(c) for phi, _ in pressure.modes]
     names = [("temperature1_degC", "degC", ()), ("temperature2_degC", "degC", ()), ("heat1_mW_mm2", "mW/mm^2", ()),
              ("heat2_mW_mm2", "mW/mm^2", ()), ("unth1_um", "um", rigid), ("unth2_um", "um", ()), ("gap_um", "um", rigid),

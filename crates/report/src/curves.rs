@@ -4,6 +4,7 @@ use serde_json::{Value, json};
 use wearshape::{PointStatus, Problem, Profile, Rung, Shape, Solution};
 
 use crate::brief::brief;
+use crate::heat_curves::{HeatCurves, heat_curves, warm};
 use crate::line_plot::{Axis, LinePlot, Series, Zone, cut};
 
 /// A plot with the name of its file and the named parts of its x axis.
@@ -21,6 +22,7 @@ pub(crate) fn line_plots(problem: &Problem, solution: &Solution) -> Vec<Picture>
     };
     let plain = |(file, plot): (&'static str, LinePlot)| Picture { file, plot, zones: Vec::new() };
     let mut plots = along_the_surface(problem, solution, points);
+    plots.extend(warm(solution, points).into_iter().flat_map(|profile| heat_pictures(problem, solution, profile)));
     plots.extend(histories(title, &solution.history).into_iter().map(plain));
     plots.extend(groove(title, &solution.groove).map(plain));
     plots.extend(error_plot(title, &solution.ladder).map(|plot| ("error", plot)).map(plain));
@@ -86,6 +88,29 @@ fn along_the_surface(problem: &Problem, solution: &Solution, points: &Profile) -
         plain("gap", plot(what, "gap (\u{b5}m)", vec![series("", &profile.gap, false)]));
     }
     plots
+}
+
+/// Temperature, heat and thermal gap along the contact surface.
+fn heat_pictures(problem: &Problem, solution: &Solution, profile: &Profile) -> Vec<Picture> {
+    let (places, x_label) = abscissa(problem, profile);
+    let series = |name: &str, values: &[f64], dashed: bool| Series {
+        name: name.to_string(),
+        points: places.iter().copied().zip(values.iter().copied()).collect(),
+        marks: false,
+        dashed,
+    };
+    let picture = |curves: HeatCurves| {
+        let plot = LinePlot {
+            title: format!("{}: {}", problem.title(), curves.what),
+            x_label: x_label.to_string(),
+            y_label: curves.label.to_string(),
+            axes: [Axis::Linear, Axis::Linear],
+            from_zero: curves.file != "temperature",
+            series: curves.series,
+        };
+        Picture { file: curves.file, plot, zones: Vec::new() }
+    };
+    heat_curves(solution, profile, &series).into_iter().map(picture).collect()
 }
 
 /// Share of the time that a reversing motion goes forward.

@@ -7,6 +7,8 @@ use wearshape::{BodyOutline, Problem};
 
 use crate::bare_drawing::bare_drawing;
 use crate::drawing_words::{FILLS, LOADED, SLIDES, TOUCHES, legend};
+use crate::edge_places::along;
+use crate::heat_drawing::heated;
 use crate::sheet::Sheet;
 use crate::support_drawing::{is_near, pin, roller};
 
@@ -67,6 +69,7 @@ pub fn drawing(problem: &Problem) -> String {
         loaded(&mut sheet, &bodies[0], load);
     }
     sliding(&mut sheet, scene, &bodies[1]);
+    heated(&mut sheet, scene, &bodies);
     sheet.picture(problem.title(), &legend(problem))
 }
 
@@ -76,45 +79,6 @@ fn axis(sheet: &mut Sheet, bodies: &[BodyOutline; 2]) {
     let (low, high) = (heights().fold(f64::MAX, f64::min), heights().fold(f64::MIN, f64::max));
     let beyond = 0.06 * (high - low);
     sheet.line(&[[0.0, low - beyond], [0.0, high + beyond]], "#777", 1.2, "14 4 3 4");
-}
-
-/// Whether a place lies in a body.
-fn within(body: &BodyOutline, [x, z]: [f64; 2]) -> bool {
-    body.areas.iter().any(|area| {
-        let crossings = |line: &Vec<[f64; 2]>| {
-            let ends = line.iter().zip(line.iter().cycle().skip(1));
-            ends.filter(|(a, b)| (a[1] > z) != (b[1] > z) && x < a[0] + (z - a[1]) / (b[1] - a[1]) * (b[0] - a[0])).count()
-        };
-        area.loops.iter().map(crossings).sum::<usize>() % 2 == 1
-    })
-}
-
-/// Points along lines about every so many pixels, with the unit normal out of the body, in pixels; none for the normal within it.
-fn along(sheet: &Sheet, body: &BodyOutline, lines: &[Vec<[f64; 2]>], every: f64) -> Vec<([f64; 2], Option<[f64; 2]>)> {
-    let mut out = Vec::new();
-    for pair in lines.iter().flat_map(|line| line.windows(2)) {
-        let [a, b] = [sheet.at(pair[0]), sheet.at(pair[1])];
-        let length = (b[0] - a[0]).hypot(b[1] - a[1]);
-        let count = ((length / every).round() as usize).max(1);
-        if length < 1e-9 {
-            continue;
-        }
-        let normal = [(b[1] - a[1]) / length, -(b[0] - a[0]) / length];
-        let middle = [0.5 * (pair[0][0] + pair[1][0]), 0.5 * (pair[0][1] + pair[1][1])];
-        let off = 1e-3 * (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]);
-        // In mm the z axis points up.
-        let inside = |side: f64| within(body, [middle[0] + side * off * normal[0], middle[1] - side * off * normal[1]]);
-        let outwards = match (inside(1.0), inside(-1.0)) {
-            (false, true) => Some(normal),
-            (true, false) => Some(normal.map(|x| -x)),
-            _ => None,
-        };
-        out.extend((0..count).map(|k| {
-            let t = (k as f64 + 0.5) / count as f64;
-            ([a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])], outwards)
-        }));
-    }
-    out
 }
 
 /// A held edge: hatched, with the held directions beside it, at its end where the load stands on its middle.

@@ -4,6 +4,7 @@ use scene::{Kinematics, Load, LoadKind, Material, Scene, Support, SurfaceShape};
 use wearshape::Problem;
 
 use crate::brief::brief;
+use crate::heat_drawing::heat_legend;
 use crate::sheet::Mark;
 
 /// Fills of body 1 and of body 2, one material after the other.
@@ -47,6 +48,7 @@ pub(crate) fn legend(problem: &Problem) -> Vec<(Mark, String)> {
     let arrow = if plan { Mark::Into(LOADED) } else { Mark::Arrow(LOADED) };
     rows.extend(scene.load.as_ref().map(|load| (arrow, load_words(load))));
     rows.extend(sliding_words(scene).map(|text| (Mark::Arrow(SLIDES), text)));
+    rows.extend(heat_legend(scene));
     rows.extend(plane_words(scene).map(|text| (Mark::None, text)));
     rows
 }

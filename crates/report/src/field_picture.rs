@@ -8,11 +8,11 @@ use crate::section_plot::Section;
 use crate::touch::Touch;
 
 /// Size of a piece that is cut at the colours, in pixels.
-const PIECE: f64 = 12.0;
+pub(crate) const PIECE: f64 = 12.0;
 /// Smallest cell whose edge is drawn, in pixels.
 const SEEN: f64 = 18.0;
 /// Room for the legend, in pixels.
-const LEGEND: f64 = 90.0;
+pub(crate) const LEGEND: f64 = 90.0;
 
 /// Draws a moment: the reported one with the bodies as they touch.
 pub(crate) fn field_picture(frame: &FieldFrame, touch: Option<&Touch<'_>>, title: &str) -> String {
@@ -58,7 +58,8 @@ pub(crate) fn field_picture(frame: &FieldFrame, touch: Option<&Touch<'_>>, title
     section.remarked(title, &remark, &body)
 }
 
-fn bounds(points: impl Iterator<Item = [f64; 2]>) -> [[f64; 2]; 2] {
+/// Least and greatest coordinates.
+pub(crate) fn bounds(points: impl Iterator<Item = [f64; 2]>) -> [[f64; 2]; 2] {
     points.fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |[low, high], x| {
         [[low[0].min(x[0]), low[1].min(x[1])], [high[0].max(x[0]), high[1].max(x[1])]]
     })
@@ -71,7 +72,7 @@ fn round_number(value: f64) -> f64 {
 }
 
 /// The edge of a cell, if it is large enough to be seen.
-fn outline(grid: CellGrid, at: &[[f64; 2]]) -> String {
+pub(crate) fn outline(grid: CellGrid, at: &[[f64; 2]]) -> String {
     let [low, high] = bounds(at.iter().copied());
     if (high[0] - low[0]).max(high[1] - low[1]) < SEEN {
         return String::new();

@@ -9,7 +9,7 @@ use crate::json::pretty;
 use crate::line_plot::zoned_plot;
 use crate::table::{columns_csv, profile_csv};
 use crate::touch::Touch;
-use crate::{curves, field_picture, machined, map_picture, page, summary, vtu};
+use crate::{curves, field_picture, heat_picture, machined, map_picture, page, summary, vtu};
 
 /// The files of a folder, by name and bytes; the same problem gives the same bytes. What takes a clock or goes on while a problem is solved
 /// (timing.json, run.mcap) is not among them.
@@ -54,6 +54,8 @@ fn pictures(problem: &Problem, solution: &Solution, put: &mut dyn FnMut(&str, St
         let touch = solution.profile.as_ref().and_then(|profile| Touch::new(problem, profile));
         let title = format!("{title}: von Mises stress");
         put(page::FIELD_PICTURE, field_picture::field_picture(frame, touch.as_ref(), &title));
+        let warm = heat_picture::heat_picture(frame, &format!("{}: temperature", problem.title()));
+        warm.into_iter().for_each(|picture| put(page::HEAT_PICTURE, picture));
     }
     if let (Some(map), Some(pressure)) = (&solution.map, &solution.pressure) {
         put(page::MAP_PICTURE, map_picture::map_picture(map, pressure, &format!("{title}: contact pressure")));

@@ -103,6 +103,17 @@ const WORDS: &[(&str, &str)] = &[
     ("wear.to_1_percent.distance_mm", "sliding distance until then"),
     ("wear.to_1_percent.depth_um", "depth worn off until then"),
     ("wear.to_1_percent.volume_mm3", "volume worn off until then"),
+    ("heat.friction_power_mW", "power of friction"),
+    ("heat.into_body1_mW", "of it into body 1"),
+    ("heat.into_body2_mW", "of it into body 2"),
+    ("heat.balance", "heat that is missing from the balance, relative"),
+    ("heat.T_max1_degC", "highest temperature of body 1"),
+    ("heat.T_max1_at_mm", "there (x, z)"),
+    ("heat.T_max2_degC", "highest temperature of body 2"),
+    ("heat.T_max2_at_mm", "there (x, z)"),
+    ("heat.staggered_limit_speed_factor", "factor on the speed up to which pressure and temperature by turns would settle"),
+    ("heat.separation_speed_factor", "factor on the speed at which surfaces without a gap begin to part"),
+    ("heat.critical_speed_factor", "factor on the speed at which the contact is no longer unique"),
     ("energy.body1_Nmm", "strain energy of body 1"),
     ("energy.body2_Nmm", "strain energy of body 2"),
     ("brake.actuator_N", "force of the actuator"),
@@ -135,6 +146,7 @@ const UNITS: &[(&str, &str)] = &[
     ("_mm2", "mm\u{b2}"),
     ("_Nmm", "N mm"),
     ("_MPa", "MPa"),
+    ("_degC", "\u{b0}C"),
     ("_rad", "rad"),
     ("_mW", "mW"),
     ("_MJ", "MJ"),
@@ -152,6 +164,9 @@ pub(crate) fn label(key: &str) -> (String, &'static str) {
     let known = WORDS.iter().find(|(known, _)| key == *known || key.strip_suffix(known).is_some_and(|head| head.ends_with('.')));
     if let Some((_, words)) = known {
         return (words.to_string(), unit);
+    }
+    if let Some(edge) = key.strip_prefix("heat.out.") {
+        return (format!("leaves through {edge}"), "mW");
     }
     let own = stem.split_once('.').map_or(stem, |(_, rest)| rest);
     (own.replace('_', " ").replace('.', ", "), unit)
@@ -186,6 +201,8 @@ mod tests {
     fn keys_become_words_with_units() {
         assert_eq!(label("contact.p_max_MPa"), ("largest pressure".into(), "MPa"));
         assert_eq!(label("reactions.body1.left.x_N"), ("body1, left, x".into(), "N"));
+        assert_eq!(label("heat.out.body1.top"), ("leaves through body1.top".into(), "mW"));
+        assert_eq!(label("heat.T_max1_degC"), ("highest temperature of body 1".into(), "\u{b0}C"));
         assert_eq!(label("wear.rejected_steps"), ("rejected steps".into(), ""));
         assert_eq!(label("pressure.wear_volume_rate_mm3_per_s"), ("wear volume rate".into(), "mm\u{b3}/s"));
     }

@@ -10,9 +10,10 @@ use crate::page_frame::{begin, end};
 use crate::page_tables::{glance_html, stages, tables};
 use crate::run_in::run_in;
 
-/// The drawing of the scene, the stress on the deformed bodies, and the pressure over a surface of two dimensions.
+/// The drawing of the scene, the stress on the deformed bodies, the temperature in them, and the pressure over a surface of two dimensions.
 pub(crate) const SCENE_PICTURE: &str = "plots/scene.svg";
 pub(crate) const FIELD_PICTURE: &str = "plots/field.svg";
+pub(crate) const HEAT_PICTURE: &str = "plots/temperature-field.svg";
 pub(crate) const MAP_PICTURE: &str = "plots/map.svg";
 
 /// Files that a folder may hold, with what is in them.
@@ -40,9 +41,10 @@ struct Parts<'a> {
     curves: Value,
     /// The static picture of each chart.
     pictures: Vec<String>,
-    /// The drawing of the scene, the stress, the map.
+    /// The drawing of the scene, the stress, the temperature, the map.
     scene: Option<String>,
     field: Option<String>,
+    heat: Option<String>,
     map: Option<String>,
     /// Steps of a run in time.
     running_in: Option<&'a RunningIn>,
@@ -73,7 +75,7 @@ fn html(parts: &Parts<'_>) -> String {
     }
     out += &figures(&charts, &parts.pictures);
     out += run_in.as_ref().map_or("", |_| RUN_IN);
-    out += &parts.field.as_deref().map(inside).unwrap_or_default();
+    out += &parts.field.as_deref().map(|picture| inside(picture, parts.heat.as_deref())).unwrap_or_default();
     out += &links(parts);
     out += &tables(summary);
     out += &stages(summary);
@@ -139,20 +141,29 @@ const RUN_IN: &str = "<h2>Running in</h2>\n<p class=\"soft\">Pressure and gap at
         <figure id=\"run-in-pressure\"><figcaption>contact pressure</figcaption></figure>\n\
         <figure id=\"run-in-gap\"><figcaption>gap above its lowest point</figcaption></figure>\n";
 
-/// The stress on the deformed bodies.
-fn inside(picture: &str) -> String {
+/// The stress on the deformed bodies, and their temperature.
+fn inside(picture: &str, heat: Option<&str>) -> String {
+    let warm = heat
+        .map(|picture| format!("<figure class=\"drawn field\"><figcaption>temperature</figcaption>\n{picture}</figure>\n"))
+        .unwrap_or_default();
     format!(
-        "<h2>Inside the bodies</h2>\n<figure class=\"drawn field\"><figcaption>von Mises stress</figcaption>\n{picture}</figure>\n\
+        "<h2>Inside the bodies</h2>\n{warm}<figure class=\"drawn field\"><figcaption>von Mises stress</figcaption>\n{picture}</figure>\n\
          <p class=\"soft\">Colours are clipped to 2 to 98 % of the area: at sharp corners and at sharp ends of contact the \
         stress of linear elasticity grows without bound, and the largest number there says more about the mesh than about the body. \
         All numbers are in fields/*.vtu. Body 1 is drawn where it stands on body 2.</p>\n"
     )
 }
 
+/// What is taken of heat, before what is not there.
+const HEAT: &str = "Heat is steady: the temperature is that of the present pressure, for heat spreads fast against wear; \
+                    conductivity, expansion and stiffness do not depend on it. The shape is that of the cold bodies. No";
+
 fn limits(summary: &Value) -> String {
-    let mut out = "<h2>Limits</h2>\n<p>Linear elastic bodies, small displacements. No heat, no lubricant, no 3-D edge effects: \
+    let heat = if summary["heat"].is_null() { "No heat, no" } else { HEAT };
+    let mut out = format!(
+        "<h2>Limits</h2>\n<p>Linear elastic bodies, small displacements. {heat} lubricant, no 3-D edge effects: \
             a plane or axisymmetric section stands for the whole. The wear rule and its factors are taken as given.</p>\n"
-        .to_string();
+    );
     let unused: Vec<&str> = summary["unused_keys"].as_array().into_iter().flatten().filter_map(Value::as_str).collect();
     if !unused.is_empty() {
         out += &format!("<p>Keys of the scene that were not used: {}</p>\n", escaped(&unused.join(", ")));
@@ -197,7 +208,7 @@ pub(crate) fn built(text: &dyn Fn(&str) -> Option<String>, running_in: Option<&R
         let picture = if is_plain(name) { read(&file)? } else { String::new() };
         pictures.push(checked(&file, picture, &mut left_out).unwrap_or_default());
     }
-    let [scene, field, map] = [SCENE_PICTURE, FIELD_PICTURE, MAP_PICTURE]
+    let [scene, field, heat, map] = [SCENE_PICTURE, FIELD_PICTURE, HEAT_PICTURE, MAP_PICTURE]
         .map(|name| text(name).and_then(|picture| checked(name, picture, &mut left_out)));
     Ok(html(&Parts {
         summary: parse("summary.json")?,
@@ -205,6 +216,7 @@ pub(crate) fn built(text: &dyn Fn(&str) -> Option<String>, running_in: Option<&R
         pictures,
         scene,
         field,
+        heat,
         map,
         left_out,
         running_in,

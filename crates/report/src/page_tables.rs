@@ -13,13 +13,14 @@ use crate::tolerance::tolerance;
 const OWN_TABLES: [&str; 2] = ["tolerance", "sensitivity"];
 
 /// Headings of the parts.
-const HEADINGS: [(&str, &str); 11] = [
+const HEADINGS: [(&str, &str); 12] = [
     ("machining", "As it is now against as machined"),
     ("reversing", "Forward and backward"),
     ("shape", "Shape"),
     ("pressure", "Wanted pressure"),
     ("contact", "Contact"),
     ("wear", "Wear in time"),
+    ("heat", "Heat of friction"),
     ("brake", "As a brake"),
     ("energy", "Energy"),
     ("reactions", "Forces on the supports"),
@@ -30,9 +31,20 @@ const HEADINGS: [(&str, &str); 11] = [
 /// A table for each part of the summary, as HTML in which every text is escaped.
 pub fn tables(summary: &Value) -> String {
     let mut out = String::new();
-    for part in
-        ["machining", "shape", "pressure", "reversing", "contact", "wear", "brake", "energy", "reactions", "error", "counters"]
-    {
+    for part in [
+        "machining",
+        "shape",
+        "pressure",
+        "reversing",
+        "contact",
+        "wear",
+        "heat",
+        "brake",
+        "energy",
+        "reactions",
+        "error",
+        "counters",
+    ] {
         out += &table(part, &summary[part]);
         match part {
             "shape" => out += &tolerance(&summary["shape"]["tolerance"]),
@@ -84,6 +96,8 @@ pub fn glance(summary: &Value) -> Vec<(&'static str, f64, &'static str)> {
     put("wear volume", number("pressure", "wear_volume_rate_mm3_per_s"), 1.0, "mm\u{b3}/s");
     put("friction power", number("pressure", "friction_power_mW"), 1e-3, "W");
     put("friction torque", number("pressure", "torque_Nmm"), 1e-3, "N m");
+    put("highest temperature of body 1", number("heat", "T_max1_degC"), 1.0, "\u{b0}C");
+    put("highest temperature of body 2", number("heat", "T_max2_degC"), 1.0, "\u{b0}C");
     put("depth worn off", number("wear", "depth_um"), 1.0, "\u{b5}m");
     put("volume worn off", number("wear", "volume_mm3"), 1.0, "mm\u{b3}");
     put("scar", number("wear", "scar_mm"), 1.0, "mm");

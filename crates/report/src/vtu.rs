@@ -1,4 +1,4 @@
-//! Displacement and stress inside the bodies for VTK and ParaView: fields/*.vtu and fields/fields.pvd.
+//! Displacement, stress and temperature inside the bodies for VTK and ParaView: fields/*.vtu and fields/fields.pvd.
 //!
 //! Points belong to one cell each, so that nothing is averaged over cells. `bodyN.vtu` cuts every cell into flat pieces between its points;
 //! `bodyN.lagrange.vtu` keeps it whole as a Lagrange quadrilateral or triangle (VTK types 70 and 69), on which the displacement is exact,
@@ -100,7 +100,7 @@ fn contact_pressure(body: &BodyField, line: &ContactLine<'_>) -> Vec<f64> {
     body.cells.iter().flat_map(|cell| (0..cell.position.len()).map(move |row| at(cell, row))).collect()
 }
 
-/// Displacement and stresses at all points.
+/// Displacement, stresses and, with heat, the temperature at all points.
 fn point_arrays(body: &BodyField) -> Vec<VtuArray> {
     let all = |name: &str, value: &dyn Fn(&CellField, usize) -> f64| -> VtuArray {
         let of = |cell: &CellField| (0..cell.position.len()).map(|row| value(cell, row)).collect::<Vec<f64>>();
@@ -118,6 +118,9 @@ fn point_arrays(body: &BodyField) -> Vec<VtuArray> {
     if body.twisted {
         arrays.push(all("tau_rphi_MPa", &|cell, row| cell.stress[row].xy));
         arrays.push(all("tau_phiz_MPa", &|cell, row| cell.stress[row].yz));
+    }
+    if body.cells.iter().all(|cell| cell.temperature.len() == cell.position.len()) && !body.cells.is_empty() {
+        arrays.push(all("temperature_degC", &|cell, row| cell.temperature[row]));
     }
     arrays.push(all("von_mises_MPa", &|cell, row| cell.stress[row].von_mises()));
     arrays.extend((0..3).map(|k| all(&format!("principal_{}_MPa", k + 1), &|cell, row| cell.stress[row].principal()[k])));
