@@ -28,9 +28,10 @@ fn tool(root: &Path, [name, version]: [&str; 2], options: &[&str]) -> Result<Pat
     let program = folder.join("bin").join(name);
     if !is_there(&program, version) {
         println!("installing {name} {version} into target/tools");
-        // Unoptimised: it takes longer to compile them well than they run.
+        // Neither optimised nor to be debugged: it takes longer to compile them well than they run.
         let install = ["install", "--quiet", "--locked", "--debug", "--force", "--version", version, name, "--root"];
-        done(cargo(root).args(install).arg(&folder).args(options).env("CARGO_INCREMENTAL", "0"))?;
+        let plain = [("CARGO_INCREMENTAL", "0"), ("CARGO_PROFILE_DEV_DEBUG", "0")];
+        done(cargo(root).args(install).arg(&folder).args(options).envs(plain))?;
     }
     Ok(program)
 }
