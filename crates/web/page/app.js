@@ -36,7 +36,7 @@ class Page {
   }
 
   choose() {
-    const groups = KINDS.map(([kind, names]) => make("optgroup", { label: kind }, ...names.map(name => make("option", { value: name }, this.builtin(name).title))));
+    const groups = KINDS.map(([kind, names]) => make("optgroup", { label: kind }, ...names.filter(name => this.builtin(name)).map(name => make("option", { value: name }, this.builtin(name).title))));
     const others = this.known.scenes.filter(({ name }) => !KINDS.some(([, names]) => names.includes(name)));
     find("scene").replaceChildren(...groups, ...others.map(({ name, title }) => make("option", { value: name }, title)));
     find("scene").addEventListener("change", event => this.begin(event.target.value));

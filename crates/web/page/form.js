@@ -158,7 +158,7 @@ function numberField(form, members, parsed, range) {
     if (!typed) return form.edit([[key, JSON.stringify(input.value)]]);
     const known = typed.unit === "" || factor(dimension, typed.unit) !== undefined;
     if (!known) return form.edit([[key, JSON.stringify(input.value)]]);
-    put(typed.number.replace(/^\+/, "").replace(/^(-?)\./, "$10."), typed.unit || (factor(dimension, field.unit) === undefined ? "" : field.unit));
+    put(typed.number.replace(/^\+/, "").replace(/^(-?)\./, "$10."), typed.unit || (dimension && factor(dimension, field.unit) === undefined ? "" : field.unit));
   });
   unit?.addEventListener("change", () => {
     const from = base(parse(JSON.stringify(`${input.value} ${field.unit}`)), dimension);

@@ -17,7 +17,8 @@ const LEAVES = {
   degree: ["degree"], layers: ["layers"], pin: ["pin", "length"], roller: ["roller", "angle"], half_axes: ["half axis", "length"], x: ["x", "length"],
   y: ["y", "length"], z: ["z", "length"], period: ["period", "time"], repeat: ["cycles"], time: ["begins at", "time"], crown: ["crown", "length"],
   amplitude: ["amplitude", "length"], wavelength: ["wavelength", "length"], depth: ["depth", "length"], distance: ["distance", "length"], volume: ["volume", "volume"],
-  revolutions: ["revolutions"], density: ["density"], fields: ["stress inside"], report: ["report page"], recording: ["recording"],
+  revolutions: ["revolutions"], density: ["density"], fields: ["stress inside"], report: ["report page"], recording: ["recording"], convection: ["convection"], ambient: ["ambient temperature"], temperature: ["temperature"], conductance: ["conductance of the contact"],
+  reference: ["temperature without stress"], conductivity: ["conductivity of heat"], expansion: ["thermal expansion"], heat_capacity: ["heat capacity"],
 };
 
 const AXES = ["x", "z"];
@@ -74,12 +75,13 @@ export const GROUPS = [
   ["Wear", /^wear\./],
   ["Body 1, which gets its shape", /^(body1|surface)\./],
   ["Body 2, its counter-face", /^body2\./],
+  ["More", /^(?!(tasks|optimum|accuracy|mesh|kinematics|thickness|load|schedule|contact|sliding|wear|body1|surface|body2|title|units|output|check)(\.|$))/],
 ];
 
-/** Scenes by the kind of machine element. */
+/** Scenes by the kind of machine element; those that a module has not are left out. */
 export const KINDS = [
-  ["Brakes", ["drum-brake-block", "drum-brake-ring", "internal-shoe", "lining-on-back", "pinned-shoe-elastic", "pinned-shoe", "pivoted-shoe", "disc-pad"]],
-  ["Punches, pads and clutches", ["translating-punch", "punch-wear", "annular-punch", "reciprocating-pad", "rectangular-punch", "elliptic-punch"]],
+  ["Brakes", ["drum-brake-block", "drum-brake-ring", "drum-brake-hot", "internal-shoe", "lining-on-back", "pinned-shoe-elastic", "pinned-shoe", "pivoted-shoe", "disc-pad"]],
+  ["Punches, pads and clutches", ["translating-punch", "punch-wear", "annular-punch", "clutch-hot", "reciprocating-pad", "rectangular-punch", "elliptic-punch"]],
   ["Bearings and joints", ["bushing", "journal", "journal-arc", "knee", "cam"]],
   ["Balls and cylinders", ["hertz-sphere", "hertz-cylinder", "cattaneo-mindlin", "pin-on-disc"]],
 ];
