@@ -3,8 +3,6 @@
 use contact::SpeedFactors;
 use serde::{Serialize, Serializer};
 
-use crate::solution::Status;
-
 /// `summary.heat`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct HeatResult {
@@ -78,17 +76,15 @@ impl HeatResult {
         self.critical_speed_factor = factor(found.singular.iter().find(alike).copied());
     }
 
-    /// The end of a solve beyond the critical speed.
-    pub(crate) fn beyond_critical(&self) -> Option<(Status, String)> {
+    /// Why there is no answer beyond the critical speed.
+    pub(crate) fn beyond_critical(&self) -> Option<String> {
         let Some(SpeedFactor::At(factor)) = self.critical_speed_factor.filter(|f| matches!(f, SpeedFactor::At(f) if *f < 1.0))
         else {
             return None;
         };
-        let reason = format!(
-            "the sliding speed is beyond the critical one of its frictional heat, {} times it: pressure and temperature are no longer unique",
-            scene::short(factor)
-        );
-        Some((Status::Refused, reason))
+        let factor = scene::short(factor);
+        let what = "the sliding speed is beyond the critical one of its frictional heat";
+        Some(format!("{what}, {factor} times it: pressure and temperature are no longer unique"))
     }
 }
 

@@ -12,6 +12,7 @@ use scene::Fault;
 use crate::bodies::Reduced;
 use crate::effort::Effort;
 use crate::faults::unsolved;
+use crate::heat_result::HeatResult;
 use crate::ladder::{Ladder, Refusal};
 use crate::level::Level;
 use crate::solution::Status;
@@ -116,13 +117,8 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
         contact.ends = ends.arcs(length).iter().map(|arc| start + arc).collect();
     }
     twist.iter().for_each(|twist| twist.report(&mut contact, start));
-    let embedded = match stage.problem.wanted.fixed {
-        Some(_) => {
-            let load = hot.as_ref().map_or_else(|| stage.contact_load(operator.points()), HotContact::load);
-            operator.embedded_difference(&gap, &load, &found).map_err(unsolved)?
-        }
-        None => None,
-    };
+    let at = At { stage, operator: &operator, found: &found, hot: hot.as_ref() };
+    let embedded = at.embedded(&gap)?;
     let zones = if ends.places.is_empty() { without_slivers(&found.zones, length) } else { ends.zones(length) };
     let pressure = inner_places(&zones, length, SAMPLES).iter().map(|arc| operator.pressure_at(&found.pressure, *arc)).collect();
     let mut told = told(stage, &reduced, &operator, &gap, &found);
@@ -133,22 +129,8 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
     if let Some(twist) = &twist {
         [&mut told.profile, &mut told.curve].into_iter().for_each(|profile| twist.fill(&operator, profile, start));
     }
-    let refused = (!found.status.is_solved() || found.status == ContactStatus::NoContact).then(|| found.status.to_string());
-    let refused = refused.or_else(|| heat.as_ref()?.beyond_critical().map(|(_, reason)| reason));
-    let refused = refused.or_else(|| twist.as_ref().and_then(|twist| twist.refused.clone()));
-    let around = || match &twist {
-        Some(twist) => twist.last.shear.clone(),
-        None => torsion::around(stage, operator.points(), &found.pressure),
-    };
-    let reported = found.counter.clone().map(|counter| {
-        let states = [stage.held(&pair, &found.shaped), counter];
-        Reported {
-            level,
-            ends: search.ends.places.clone(),
-            heat: hot.as_ref().map(HotContact::heat),
-            moments: vec![Moment { time: 0.0, name: "", states, around: around() }],
-        }
-    });
+    let refused = at.refused(heat.as_ref(), twist.as_ref());
+    let reported = at.reported(level, &ends, twist.as_ref());
     let twist = twist.map(|twist| twist.answer);
     let imbalance = imbalance_of(stage, &told, &found, length);
     let crowded = crowded(&ends, level, &effort);
@@ -167,10 +149,45 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
         reported,
         effort,
     };
-    Ok((
-        solved,
-        Last { level, diagnosis: Diagnosis { reduced: Arc::clone(&reduced), found, hot: hot.as_ref().map(HotContact::load) } },
-    ))
+    let hot = hot.as_ref().map(HotContact::load);
+    Ok((solved, Last { level, diagnosis: Diagnosis { reduced: Arc::clone(&reduced), found, hot } }))
+}
+
+/// A contact found on its bodies.
+struct At<'a> {
+    stage: Stage<'a>,
+    operator: &'a ContactOperator<'a>,
+    found: &'a ContactSolution,
+    hot: Option<&'a HotContact<'a>>,
+}
+
+impl At<'_> {
+    /// Error of the pressure as the embedded degree tells it, on a fixed discretisation.
+    fn embedded(&self, gap: &[f64]) -> Result<Option<f64>, Fault> {
+        if self.stage.problem.wanted.fixed.is_none() {
+            return Ok(None);
+        }
+        let load = self.hot.map_or_else(|| self.stage.contact_load(self.operator.points()), HotContact::load);
+        self.operator.embedded_difference(gap, &load, self.found).map_err(unsolved)
+    }
+
+    /// Why there is no answer.
+    fn refused(&self, heat: Option<&HeatResult>, twist: Option<&Twist>) -> Option<String> {
+        let status = &self.found.status;
+        let refused = (!status.is_solved() || *status == ContactStatus::NoContact).then(|| status.to_string());
+        refused.or_else(|| heat?.beyond_critical()).or_else(|| twist?.refused.clone())
+    }
+
+    /// What the fields need.
+    fn reported(&self, level: Level, ends: &FreeEnds, twist: Option<&Twist>) -> Option<Reported> {
+        let around = match twist {
+            Some(twist) => twist.last.shear.clone(),
+            None => torsion::around(self.stage, self.operator.points(), &self.found.pressure),
+        };
+        let states = [self.stage.held(self.operator.pair(), &self.found.shaped), self.found.counter.clone()?];
+        let heat = self.hot.map(HotContact::heat);
+        Some(Reported { level, ends: ends.places.clone(), heat, moments: vec![Moment { time: 0.0, name: "", states, around }] })
+    }
 }
 
 /// Number of ends of contact, where they are so many that the next level would have too many unknowns.

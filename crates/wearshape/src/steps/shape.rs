@@ -179,12 +179,13 @@ impl Shaper<'_> {
             result.roundtrip_independent = Some(independent.miss);
             if let Some((heat, speeds)) = outcome.heat.as_mut().zip(independent.speeds.as_ref()) {
                 heat.take_speeds(speeds, same.speeds.as_ref());
-                outcome.ended = heat.beyond_critical().or(outcome.ended.take());
             }
             // A proof that fails says more than an estimate that is missed: the estimate is then not to be believed either.
             let disproof = disproved([same.miss, independent.miss], outcome.error.gap_relative, !self.ends.is_empty());
             result.proof_failed = disproof.is_some();
-            outcome.ended = disproof.or(outcome.ended.take());
+            // Beyond the critical speed no proof can succeed.
+            let lost = outcome.heat.as_ref().and_then(HeatResult::beyond_critical).map(|reason| (Status::Refused, reason));
+            outcome.ended = lost.or(disproof).or(outcome.ended.take());
             // Its meshes and factorisations are counted, its seconds are those of the proof.
             effort.counters.factorisations = independent.effort.counters.factorisations + same.effort.counters.factorisations;
             effort.counters.check_solves = 2;
