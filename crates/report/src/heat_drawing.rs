@@ -25,9 +25,14 @@ pub(crate) fn heated(sheet: &mut Sheet, scene: &Scene, bodies: &[BodyOutline; 2]
             if heat.temperature.is_some() {
                 lines.iter().for_each(|line| sheet.line(line, HEATS, 3.2, "7 4"));
             }
-            let clear = |[x, y]: [f64; 2]| touching.iter().all(|t| (x - t[0]).hypot(y - t[1]) > CLEAR);
-            for (place, out) in along(sheet, outline, &lines, EVERY).into_iter().filter(|(place, _)| clear(*place)) {
-                carried(sheet, heat, place, out.unwrap_or([0.0, -1.0]));
+            let apart = |a: [f64; 2], b: [f64; 2], least: f64| (a[0] - b[0]).hypot(a[1] - b[1]) > least;
+            let mut signs: Vec<[f64; 2]> = Vec::new();
+            for (place, out) in along(sheet, outline, &lines, EVERY) {
+                // A curved edge is many short lines, each with a place.
+                if touching.iter().all(|t| apart(place, *t, CLEAR)) && signs.iter().all(|sign| apart(place, *sign, 0.9 * EVERY)) {
+                    carried(sheet, heat, place, out.unwrap_or([0.0, -1.0]));
+                    signs.push(place);
+                }
             }
         }
     }
