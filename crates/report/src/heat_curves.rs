@@ -33,25 +33,26 @@ pub(crate) fn heat_curves(
         HeatCurves { file: "temperature", what: "temperature", label: "temperature (\u{b0}C)", series: temperatures },
         HeatCurves { file: "heat", what: "heat of friction", label: "heat (mW/mm\u{b2})", series: heat },
     ];
-    let [first, second] = &profile.thermal_displacement;
-    let thermal: Vec<f64> = first.iter().zip(second).map(|(u1, u2)| u2 - u1).collect();
-    if solution.shape.is_some() && profile.gap.len() == thermal.len() {
-        let elastic: Vec<f64> = profile.gap.iter().zip(&thermal).map(|(gap, thermal)| gap - thermal).collect();
-        let [total, thermal, elastic] = [&profile.gap, &thermal, &elastic].map(|values| above_lowest(values));
-        let curves = vec![series("both", &total, false), series("thermal", &thermal, false), series("elastic", &elastic, true)];
-        let what = "parts of the shape, each above its lowest point";
+    let jump = |[first, second]: &[Vec<f64>; 2]| -> Vec<f64> { first.iter().zip(second).map(|(u1, u2)| u2 - u1).collect() };
+    let thermal = jump(&profile.thermal_displacement);
+    if solution.shape.is_some() {
+        let elastic: Vec<f64> = jump(&profile.normal_displacement).iter().zip(&thermal).map(|(both, hot)| both - hot).collect();
+        let parts = [("both", &profile.gap, false), ("thermal", &thermal, false), ("elastic", &elastic, true)];
+        let curves = parts.map(|(name, part, dashed)| series(name, &lowered(profile, part), dashed)).to_vec();
+        let what = "parts of the shape, each with body 1 let down on body 2";
         found.push(HeatCurves { file: "heat-gap", what, label: "gap (\u{b5}m)", series: curves });
     } else if thermal.iter().any(|value| value.is_finite()) {
-        let curves = vec![series("", &above_lowest(&thermal), false)];
-        let what = "thermal part of the gap, above its lowest point";
+        let curves = vec![series("", &lowered(profile, &thermal), false)];
+        let what = "thermal part of the gap, body 1 let down on body 2";
         found.push(HeatCurves { file: "heat-gap", what, label: "gap (\u{b5}m)", series: curves });
     }
     found.retain(|plot| !plot.series.is_empty());
     found
 }
 
-/// Values less the smallest of them.
-fn above_lowest(values: &[f64]) -> Vec<f64> {
-    let lowest = values.iter().copied().fold(f64::INFINITY, f64::min);
-    values.iter().map(|value| value - lowest).collect()
+/// A gap with body 1 let down along z until it touches: `g + c n_z`, c the least that keeps it open.
+fn lowered(profile: &Profile, gap: &[f64]) -> Vec<f64> {
+    let vertical = || profile.normal.iter().map(|normal| normal[2]);
+    let down = gap.iter().zip(vertical()).map(|(gap, n)| -gap / n).fold(f64::NEG_INFINITY, f64::max);
+    gap.iter().zip(vertical()).map(|(gap, n)| gap + down * n).collect()
 }
