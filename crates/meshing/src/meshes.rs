@@ -46,9 +46,14 @@ pub struct CoarseMeshes {
 /// # Errors
 /// Those of [`meshes`].
 pub fn coarse_meshes(couple: &Couple, extent: Extent, cut: Cut<'_>) -> Result<CoarseMeshes, Fault> {
+    let (ends, passed) = passed(cut);
+    let cut = if matches!(cut, Cut::Passed(_)) { Cut::Ends(&ends) } else { cut };
     let Split { far, near, small } = near_ends::split(cut);
     let cut = if near.is_empty() && small.is_empty() { cut } else { Cut::Ends(&far) };
-    let middles: Vec<f64> = small.iter().map(|pair| near_ends::between(extent, *pair)).collect();
+    let mut middles: Vec<f64> = small.iter().map(|pair| near_ends::between(extent, *pair)).collect();
+    if small.is_empty() {
+        middles.extend(apart(extent, passed, &contact_cuts(couple, extent, cut, &[])));
+    }
     let cells = couple.bodies.each_ref().map(|body| body.cells.as_deref().cloned());
     let round = matches!(extent, Extent::Round { .. } | Extent::Convex { .. });
     let [first, second] = couple.bodies.each_ref().map(|body| if round { as_cells(couple, body) } else { None });
@@ -60,6 +65,30 @@ pub fn coarse_meshes(couple: &Couple, extent: Extent, cut: Cut<'_>) -> Result<Co
         matched(couple, cells, extent, cut, &middles)?
     };
     Ok(CoarseMeshes { bodies: [first, second], extent, near, small })
+}
+
+/// Least distance of a place that ends of contact pass from another break point, over that from the next such place.
+const APART: f64 = 0.4;
+
+/// The outermost of the places that ends of contact pass, and those between them; none of the other cuts.
+fn passed(cut: Cut<'_>) -> (Vec<f64>, &[f64]) {
+    match cut {
+        Cut::Passed([first, passed @ .., last]) => (vec![*first, *last], passed),
+        Cut::Passed(ends) => (ends.to_vec(), &[]),
+        Cut::Plain | Cut::Shifted | Cut::Ends(_) => (Vec::new(), &[]),
+    }
+}
+
+/// Those of the places (from -1 to 1) that make no splinters with other break points, as coordinates.
+fn apart(extent: Extent, passed: &[f64], others: &[f64]) -> Vec<f64> {
+    let [from, to] = extent.ends();
+    let places: Vec<f64> = passed.iter().map(|t| from + 0.5 * (1.0 + t) * (to - from)).collect();
+    let least = |i: usize| {
+        let beside = [i.checked_sub(1), Some(i + 1)].into_iter().flatten().filter_map(|j| places.get(j));
+        beside.map(|place| (place - places[i]).abs()).fold(to - from, f64::min)
+    };
+    let far = |i: &usize| others.iter().all(|other| (other - places[*i]).abs() > APART * least(*i));
+    (0..places.len()).filter(far).map(|i| places[i]).collect()
 }
 
 impl CoarseMeshes {

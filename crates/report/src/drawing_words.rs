@@ -78,7 +78,7 @@ fn load_words(load: &Load) -> String {
     words.extend(load.kind.map(|kind| match kind {
         LoadKind::Pressure => format!("as a pressure on {edge}"),
         LoadKind::Vertical => format!("vertically on {edge}"),
-        LoadKind::Rigid => format!("on {edge}, which stays straight"),
+        LoadKind::Rigid => format!("on {edge}, which moves without bending"),
         LoadKind::Traction => {
             let direction = load.direction.map_or(0.0, |angle| angle.0.to_degrees());
             format!("as a traction at {} deg on {edge}", brief(direction))

@@ -78,6 +78,7 @@ const WORDS: &[(&str, &str)] = &[
     ("wear.distance_mm", "sliding distance"),
     ("wear.depth_um", "largest depth worn off body 1"),
     ("wear.scar_mm", "width of the scar, of a ball its diameter"),
+    ("wear.ends_mm", "ends of the contact along the surface"),
     ("wear.volumes_mm3", "volumes worn off body 1 and body 2"),
     ("wear.groove.depth_um", "depth of the groove in body 2"),
     ("wear.groove.width_mm", "width of the groove"),

@@ -35,6 +35,7 @@ pub fn first_screen(problem: &Problem, solution: &Solution, folder: &Path) -> St
     );
     lines.extend(solution.machining.as_ref().map(machining_line));
     lines.extend(solution.wear.as_ref().map(wear_line));
+    lines.extend(ends_line(solution));
     lines.extend(solution.wear.as_ref().and_then(|wear| wear.life.as_ref()).map(|life| life_line(life, " with its running in")));
     if let Some(trip) = solution.shape.as_ref().and_then(|shape| shape.roundtrip_independent.or(shape.roundtrip_same)) {
         lines.push(match solution.reversing.is_some() {
@@ -120,10 +121,12 @@ fn mean_of(problem: &Problem) -> &'static str {
     }
 }
 
-/// The largest pressures of a reversing motion.
+/// The largest pressures of a reversing motion, of the senses that it goes in.
 fn both_senses(problem: &Problem, reversing: &ReversingResult) -> String {
     let most = |sense: &SenseResult| format!("{} MPa at {}", brief(sense.p_max), place(problem, sense.p_max_where));
-    format!("forward at most {}, backward at most {}", most(&reversing.forward), most(&reversing.back))
+    let forward = (reversing.share > 0.0).then(|| format!("forward at most {}", most(&reversing.forward)));
+    let back = (reversing.share < 1.0).then(|| format!("backward at most {}", most(&reversing.back)));
+    [forward, back].into_iter().flatten().collect::<Vec<String>>().join(", ")
 }
 
 /// How long the thickness that may wear off lasts; `counted` says what beside the steady wear.
@@ -157,6 +160,23 @@ fn kind(pressure: &PressureResult) -> Option<String> {
     };
     let words: Vec<String> = [q, character, regime.map(String::from)].into_iter().flatten().collect();
     if words.is_empty() { None } else { Some(words.join(", ")) }
+}
+
+/// Where a contact ends that does not fill its surface; of a ball its radius, and of a scar that is told by its width alone nothing.
+fn ends_line(solution: &Solution) -> Option<String> {
+    let ends = match (&solution.wear, &solution.contact) {
+        (Some(wear), _) => wear.ends?,
+        (None, Some(contact)) => <[f64; 2]>::try_from(contact.ends.as_slice()).ok()?,
+        (None, None) => return None,
+    };
+    let [from, to] = ends;
+    let profile = solution.curve.as_ref().or(solution.profile.as_ref())?;
+    let [first, last] = [*profile.s.first()?, *profile.s.last()?];
+    let near = 1e-6 * (last - first);
+    if solution.status == Status::Refused || (from <= first + near && to >= last - near) {
+        return None;
+    }
+    Some(format!("contact   from {} to {} mm, {} mm wide", brief(from), brief(to), brief(to - from)))
 }
 
 fn wear_line(wear: &WearResult) -> String {

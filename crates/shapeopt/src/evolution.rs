@@ -185,7 +185,7 @@ impl<'a> Evolution<'a> {
                 let closer = (accuracy / (TIMES * times.accuracy)).max(1.0);
                 [closer, closer / state.steady_residual.clamp(times.deviation, 1.0)]
             }
-            _ => [1.0, 1.0],
+            _ => [self.problem.early(state); 2],
         }
     }
 

@@ -1,6 +1,7 @@
 //! What a wear run is made of: plain numbers at the contact points.
 
 use crate::error::Error;
+use crate::wear_state::WearState;
 use contact::ContactSystem;
 use faer::Mat;
 use wear::{Counterface, SurfacePoint, WearPair};
@@ -38,6 +39,8 @@ pub struct WearProblem {
     pub stepping: Stepping,
     /// What the times of a run until the steady state are wanted for, if they are.
     pub times: Option<Times>,
+    /// Whether the contact grows as it wears, and its depth at the end is what is wanted: steps before it are as accurate as that asks for.
+    pub growing: bool,
 }
 
 /// A load with its sliding speeds. A reversal is a stage of its own, since the shear turns with the sense of sliding.
@@ -138,11 +141,28 @@ impl WearProblem {
             scheme: Scheme::Sdirk4,
             stepping: Stepping::Adaptive { accuracy: 1e-4 },
             times: None,
+            growing: false,
         }
     }
 }
 
+/// Part of the errors of a step that counts at the very start of a contact that grows.
+const EARLIEST: f64 = 0.01;
+
 impl WearProblem {
+    /// Part of the errors of a step from a state that counts at the end. Where the contact grows, what a step gets wrong of the depth stays what it is,
+    /// and the depth grows as the root of the wear passed at least.
+    pub(crate) fn early(&self, state: &WearState) -> f64 {
+        let passed = match self.until {
+            _ if !self.growing => 1.0,
+            Until::Time(end) => state.time / end,
+            Until::Volume(end) => (state.volume[0] + state.volume[1]) / end,
+            Until::Depth(end) => (state.depth / end).powi(2),
+            Until::Steady { .. } => 1.0,
+        };
+        passed.sqrt().clamp(EARLIEST, 1.0)
+    }
+
     /// Checks sizes and ranges.
     pub(crate) fn check(&self) -> Result<(), Error> {
         let n = self.points.len();

@@ -293,6 +293,9 @@ pub struct WearResult {
     /// Width of the scar of a round contact; of a ball its diameter.
     #[serde(rename = "scar_mm", skip_serializing_if = "Option::is_none")]
     pub scar: Option<f64>,
+    /// Ends of the contact of two circles or of a cylinder on a flat, along the surface.
+    #[serde(rename = "ends_mm", skip_serializing_if = "Option::is_none")]
+    pub ends: Option<[f64; 2]>,
     /// Volumes of a round contact, body by body.
     #[serde(rename = "volumes_mm3", skip_serializing_if = "Option::is_none")]
     pub volumes: Option<[f64; 2]>,

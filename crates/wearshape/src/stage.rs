@@ -63,7 +63,7 @@ impl<'a> Stage<'a> {
 
     /// Both bodies of a level with nodes at the ends of a pressure that does not fill the surface; without such ends as [`Stage::reduced`].
     pub(crate) fn reduced_at(&self, level: Level, ends: &[f64]) -> Result<(Arc<Reduced>, Effort), Fault> {
-        if ends.is_empty() { self.reduced(level, Cut::Plain) } else { self.made(level, Cut::Ends(ends)) }
+        if ends.is_empty() { self.reduced(level, Cut::Plain) } else { self.made(level, self.cut(ends)) }
     }
 
     /// Both bodies of a level, meshed and reduced unless that was done before.
@@ -116,6 +116,22 @@ impl<'a> Stage<'a> {
         matches!(self.extent, Extent::Round { .. })
     }
 
+    /// Whether two circles of different radii wear until a given end: their contact grows.
+    pub(crate) fn grows(&self) -> bool {
+        let Problem { plan, wear, gap, .. } = self.problem;
+        plan.runs(Step::Evolution) && wear.until.is_some() && gap.touch().is_some()
+    }
+
+    /// Whether ends of contact move as it wears, so that the depth worn off is the result, and no rigid part of it is left open.
+    pub(crate) fn ends_move(&self) -> bool {
+        self.facing() || self.grows()
+    }
+
+    /// The cut of meshes at nodes along the surface, from -1 to 1.
+    pub(crate) fn cut<'n>(&self, nodes: &'n [f64]) -> Cut<'n> {
+        if self.grows() && !nodes.is_empty() { Cut::Passed(nodes) } else { Cut::Ends(nodes) }
+    }
+
     /// How the surfaces lie to each other.
     pub(crate) fn meeting(&self) -> Meeting {
         match self.extent {
@@ -130,11 +146,11 @@ impl<'a> Stage<'a> {
     pub(crate) fn meshes(&self, layers: usize, cut: Cut<'_>) -> Result<[hpfem::Mesh; 2], Fault> {
         // The coordinate of a surface may fall along its path.
         let turned: Vec<f64> = if self.patch.backwards { cut.ends().iter().rev().map(|t| -t).collect() } else { Vec::new() };
-        let cut = if turned.is_empty() { cut } else { Cut::Ends(&turned) };
+        let cut = if turned.is_empty() { cut } else { cut.at(&turned) };
         let kept = match cut {
             Cut::Plain => Some(Cut::Plain),
             Cut::Shifted => Some(Cut::Shifted),
-            Cut::Ends(_) => None,
+            Cut::Ends(_) | Cut::Passed(_) => None,
         };
         match kept.filter(|_| self.couple.bodies.iter().any(Body::is_given)) {
             Some(cut) => self.bodies.coarse(self.couple, self.extent, cut)?.graded(layers),

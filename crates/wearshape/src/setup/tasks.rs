@@ -19,6 +19,10 @@ pub(super) fn resolve(scene: &mut Scene) -> Result<Vec<Task>, Fault> {
         None => vec![Task::Pressure, Task::Shape],
     };
     let mut tasks = scene.tasks.clone().unwrap_or(default);
+    if let Some(twice) = (1..tasks.len()).find(|i| tasks[..*i].contains(&tasks[*i])).map(|i| tasks[i]) {
+        let message = format!("the task {} stands in the list twice", word(twice));
+        return Err(Fault::at("tasks", "two-alternatives", message, "name each task once"));
+    }
     // The pressures of a reversing motion come with the shape that has them.
     let reverses = scene.sliding.as_ref().is_some_and(|sliding| sliding.reversing.is_some());
     if reverses && scene.surface.is_none() && tasks.contains(&Task::Pressure) {

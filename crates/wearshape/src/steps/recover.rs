@@ -2,7 +2,7 @@
 
 use contact::{Pair, Side};
 use hpfem::{Body, Cell, CellGrid, Field, InterfaceState, Kinematics, Mesh, Stress};
-use meshing::{CONTACT, Cut};
+use meshing::CONTACT;
 use scene::Fault;
 
 use crate::bodies::paired;
@@ -18,7 +18,7 @@ use crate::steps::reported::{Moment, Reported};
 
 /// Recovers the moments of a stage on its bodies, made again at the reported level.
 pub(crate) fn recover(stage: Stage<'_>, reported: &Reported) -> Result<(Vec<FieldFrame>, Effort), Fault> {
-    let (parts, _) = stage.parts(reported.level, Cut::Ends(&reported.ends))?;
+    let (parts, _) = stage.parts(reported.level, stage.cut(&reported.ends))?;
     let (parts, warm) = Warm::of(stage, reported, parts)?;
     let (bodies, reduction) = parts.reduce(stage.clock())?;
     let mut effort = counts(&reduction);
@@ -120,7 +120,7 @@ fn on_grid(field: &Field, cell: usize, triangle: bool) -> Result<CellField, Faul
 fn twist(stage: Stage<'_>, reported: &Reported, moment: usize, pair: &Pair<'_>, frame: &mut FieldFrame) -> Result<Effort, Fault> {
     let (level, around) = (reported.level, &reported.moments[moment].around);
     let mut effort = Effort::default();
-    let meshes = stage.meshes(level.layers, Cut::Ends(&reported.ends))?;
+    let meshes = stage.meshes(level.layers, stage.cut(&reported.ends))?;
     for ((number, mesh), side) in meshes.into_iter().enumerate().zip([Side::Shaped, Side::Counter]) {
         let parts = BodyParts::new(stage.couple, number == 0, mesh, level, Kinematics::Torsion)?;
         let body = parts.reduce(stage.clock())?;

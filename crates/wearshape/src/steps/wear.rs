@@ -3,6 +3,7 @@
 mod columns;
 mod earlier;
 mod final_ends;
+mod grown;
 mod history;
 mod level;
 mod mesh_lines;
@@ -10,6 +11,7 @@ mod pieces;
 mod problem;
 mod ran;
 mod rigid_scar;
+mod rough;
 mod round;
 mod round_mesh;
 mod round_result;
@@ -50,9 +52,11 @@ pub(crate) use self::round::RoundWear;
 /// Runs the wear in time.
 pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
     let (pieces, work) = turns::pieces(stage)?;
-    let ends = final_ends::final_ends(stage, &pieces)?;
+    let (ends, search) =
+        if stage.grows() { grown::nodes(stage, &pieces)? } else { (final_ends::final_ends(stage, &pieces)?, Effort::default()) };
     let (outcome, mut effort) = solve_at(stage, &pieces, &ends, watch)?;
     effort += work;
+    effort += search;
     Ok((outcome, effort))
 }
 
@@ -138,7 +142,7 @@ fn distance(a: &Solved, b: &Solved) -> [f64; 2] {
 /// How far two levels of a stage are apart. Where the end of contact moves over the elements, levels fall with a power of the degree only, and
 /// in no order: their differences count so many times.
 fn apart(stage: Stage<'_>) -> impl Fn(&Solved, &Solved) -> [f64; 2] + Copy {
-    let times = if stage.facing() { 3.0 } else { 1.0 };
+    let times = if stage.ends_move() { 3.0 } else { 1.0 };
     let by_wear = matches!(stage.problem.wear.until, Some(End::Depth(_) | End::Volume(_)));
     move |a, b| {
         let [gap, time] = distance(a, b);
@@ -189,7 +193,7 @@ fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>, levels: Le
     let of = |k: usize| ladder.error_in_time(&solved, &|a, b| distance(a, b)[k]);
     let errors = if ladder.is_fixed() { of(0).zip(of(1)).map(|(gap, time)| [gap, time]) } else { levels.errors };
     // The depth of a round contact is the worn gap itself, with what the steps leave in it.
-    let steps = solved.last().filter(|_| stage.facing()).and_then(|level| level.left.integration_error).unwrap_or(0.0);
+    let steps = solved.last().filter(|_| stage.ends_move()).and_then(|level| level.left.integration_error).unwrap_or(0.0);
     let error = errors.map(|[gap, _]| gap + steps);
     outcome.tell(error.filter(|_| ladder.is_fixed()));
     let run_in_error = run_in_error(&solved, errors);
@@ -208,7 +212,7 @@ fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>, levels: Le
     outcome.ended = failure.map(|why| (Status::NotConverged, why)).or(too_deep(outcome.wear.as_ref()));
     let Some(error) = error.filter(|_| outcome.ended.is_none()).map(|error| error + left_out) else { return outcome };
     outcome.error.gap_relative = Some(error);
-    outcome.error.how = if stage.facing() {
+    outcome.error.how = if stage.ends_move() {
         format!("depth worn off along the surface at the end: rest of the series of {} degrees, and of the steps", levels.count)
     } else {
         format!("gap at the end: rest of the series of {} degrees", levels.count)

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod bodies;
+mod bush_wear;
 mod common;
 mod effort;
 mod estimates;

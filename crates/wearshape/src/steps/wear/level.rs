@@ -88,7 +88,7 @@ pub(super) fn run(
     let not_before = finished.iter().map(|level| level.time).fold(0.0, f64::max);
     let problem = wear_problem(&stages, &loads, pieces, &operator, not_before)?;
     // What is worn off a round body is measured from what is not: no rigid part is taken out.
-    let modes = if stage.facing() { 0 } else { pair.shaped.rigid_modes.ncols() };
+    let modes = if stage.ends_move() { 0 } else { pair.shaped.rigid_modes.ncols() };
     if let Err(fault) = check_levels(finished, SAMPLES, modes).and_then(|()| check_states(&states, &problem)) {
         return Ok(Err(Unfinished::Unfit(fault)));
     }
@@ -133,7 +133,7 @@ impl Scenes<'_> {
             effort.counters.contact_solves += 1;
             moments.extend(self.moment("start", 0.0, started, first));
         }
-        let round = stage.facing();
+        let round = stage.ends_move();
         let worn: Vec<f64> = state.gap.iter().zip(&problem.gap).map(|(now, start)| now - start).collect();
         let compared = if round { &worn } else { &normalised };
         let left = FinishedLevel {
@@ -157,10 +157,10 @@ impl Scenes<'_> {
         let turning = Turning { stages: &self.stages, pieces: self.pieces, problem };
         columns.extend(turning.torques(&history.states).map(|torques| ("torque_Nmm".into(), torques)));
         if round {
-            let contact = RoundContact { stage, places };
-            let scars = contact.scars(&history);
-            groove = contact.fill(&mut wear, &history, &scars);
-            columns.push(("scar_mm".into(), scars));
+            let contact = RoundContact { stage, problem, places };
+            let ends = contact.ends(&history);
+            groove = contact.fill(&mut wear, &history, ends.last());
+            columns.extend(contact.columns(&ends));
         }
         Ok((left, Ran { ended, history: columns, groove, running_in, wear, told, reported, effort }))
     }
@@ -235,6 +235,7 @@ fn result(run: &Run, stage: Stage<'_>) -> WearResult {
         run_in_distance: run_in.iter().flat_map(|r| r.distances.iter().copied().take(RUN_IN)).collect(),
         lyapunov_increase: (stage.friction() == 0.0).then_some(state.lyapunov_increase),
         scar: None,
+        ends: None,
         turns: None,
         life: run.life.clone(),
         volumes: None,

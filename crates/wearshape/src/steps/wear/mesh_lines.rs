@@ -1,7 +1,6 @@
 //! The meshes of both bodies as lines, for a viewer.
 
 use hpfem::Mesh;
-use meshing::Cut;
 use scene::Fault;
 
 use crate::level::Level;
@@ -12,7 +11,7 @@ const PIECES: usize = 8;
 
 /// The edges of both meshes of a level, cut at `ends`; two points (x, z) in mm a line.
 pub(super) fn mesh_lines(stage: Stage<'_>, level: Level, ends: &[f64]) -> Result<[Vec<[f64; 2]>; 2], Fault> {
-    Ok(stage.meshes(level.layers, Cut::Ends(ends))?.map(|mesh| lines(&mesh)))
+    Ok(stage.meshes(level.layers, stage.cut(ends))?.map(|mesh| lines(&mesh)))
 }
 
 /// Two points a line.

@@ -90,10 +90,13 @@ pub(super) fn wear_problem(
         };
         problem.stepping = Stepping::Adaptive { accuracy };
     }
-    if stage.facing() {
+    if stage.ends_move() {
         // Points that come into contact bend the rates, and the error of their steps falls with the wear after them.
         problem.stepping = Stepping::Adaptive { accuracy: (ROUND * stage.accuracy().max(FINEST_ROUND)).min(ROUGHEST) };
         problem.times = None;
+        problem.growing = true;
+    }
+    if stage.facing() {
         let start = stage.start(operator.pair());
         let places: Vec<f64> = operator.points().iter().map(|p| start + p.arc).collect();
         problem.passing = stage.problem.track().map(|track| {

@@ -1,10 +1,8 @@
 //! A ball or cylinder on a flat that wears in time: the end of contact moves outwards, over a surface that may touch as far as it will come.
 
-use contact::ContactLoad;
 use hpfem::Kinematics;
 use meshing::{CANDIDATE as LONGEST, Couple, Cut, Extent, HalfDiscOnFlat};
 use scene::Fault;
-use shapeopt::{Evolution, EvolutionStatus, Stepping};
 use wear::Shape;
 
 use crate::bodies::Bodies;
@@ -22,22 +20,15 @@ use crate::steps::answer::Outcome;
 use crate::steps::hertz_trial::hertz_end;
 use crate::steps::recover;
 use crate::steps::wear::pieces::Pieces;
-use crate::steps::wear::problem::wear_problem;
-use crate::steps::wear::ran::MOST_STEPS;
 use crate::steps::wear::rigid_scar::RigidScar;
+use crate::steps::wear::rough::{self, FOUND, TRIALS};
 use crate::steps::wear::round_mesh::{CANDIDATE, along, breaks};
-use crate::steps::wear::{scar, solve_at, track};
+use crate::steps::wear::{solve_at, track};
 use crate::surface::Patch;
 use crate::watch::Watch;
 
-/// Degree and accuracy of the runs that find the end of contact.
-const FIRST: usize = 4;
-const ROUGH: f64 = 1e-2;
 /// Half a scar over the radius of its track beyond which the speed is no longer one.
 const NEAR: f64 = 0.2;
-/// Relative change of the end of contact at which it is found, and most runs for it.
-const FOUND: f64 = 1e-3;
-const TRIALS: usize = 8;
 
 /// A ball or cylinder on a flat, and how long it wears.
 #[derive(Clone)]
@@ -66,12 +57,14 @@ impl<'a> RoundWear<'a> {
         let cycle = problem.sliding.as_ref().is_some_and(|sliding| sliding.cycle.is_some());
         if problem.reversing.is_some() || (cycle && problem.friction.shear() > 0.0) {
             let message = "the reversals of a round contact are not averaged: its friction bends the pressure to one side";
+            if problem.friction.shear() == 0.0 {
+                let message = "without shear on the bodies a round contact wears alike in both senses";
+                return refuse("sliding.reversing", message, "leave `sliding.reversing` out");
+            }
             let key = if cycle { "sliding.cycle" } else { "sliding.reversing" };
-            return refuse(
-                key,
-                message,
-                "write contact.shear = false, which takes the friction off the bodies, and leave `reversing` out",
-            );
+            let remedy =
+                "write contact.shear = false, which takes the friction off the bodies, and leave `sliding.reversing` out";
+            return refuse(key, message, remedy);
         }
         if !problem.pieces.is_empty() {
             return refuse("schedule", "a round contact wears under one load and speed so far", "leave out `schedule`");
@@ -233,29 +226,9 @@ impl<'a> RoundWear<'a> {
     }
 }
 
-/// Where the contact of a rough run ends.
+/// Half the width of the contact at the end of a rough run.
 fn trial(stage: Stage<'_>, ends: &[f64], effort: &mut Effort) -> Result<f64, Refusal> {
-    let (reduced, work) = stage.made(stage.problem.level(FIRST), Cut::Ends(ends))?;
-    *effort += work;
-    let pair = reduced.pair()?;
-    let operator = effort.timed(Step::Interface, stage.clock(), |_| reduced.operator(&pair, stage.friction() > 0.0))?;
-    let began = stage.clock()();
-    let load: ContactLoad = stage.contact_load(operator.points());
-    let mut problem = wear_problem(&[stage], &[load], &Pieces::of(stage.problem), &operator, 0.0)?;
-    problem.stepping = Stepping::Adaptive { accuracy: stage.accuracy().max(ROUGH) };
-    let mut evolution = Evolution::new(&problem).map_err(|error| Refusal::Reason(error.to_string()))?;
-    evolution.by_ref().take(MOST_STEPS).for_each(drop);
-    if !matches!(evolution.status(), EvolutionStatus::TimeReached | EvolutionStatus::WornOff) {
-        return Err(Refusal::Reason(evolution.status().to_string()));
-    }
-    let state = evolution.state();
-    effort.counters.contact_solves += 1;
-    effort.counters.wear_steps += state.step;
-    effort.add_seconds(Step::Evolution, stage.clock()() - began);
-    let start = stage.start(&pair);
-    let places: Vec<f64> = operator.points().iter().map(|point| start + point.arc).collect();
-    let ends = scar::ends(&places, &state.pressure, &state.worn);
-    let [from, to] = ends.ok_or_else(|| Refusal::Reason("no point presses at the end of the run".into()))?;
+    let [from, to] = rough::run(stage, &Pieces::of(stage.problem), ends, effort)?.end;
     Ok(if stage.couple.is_revolved() { to } else { 0.5 * (to - from) })
 }
 
@@ -263,9 +236,12 @@ fn trial(stage: Stage<'_>, ends: &[f64], effort: &mut Effort) -> Result<f64, Ref
 #[allow(clippy::unwrap_used)]
 mod tests {
     use scene::{Document, builtin};
-    use shapeopt::{Scheme, WearProblem};
+    use shapeopt::{Evolution, EvolutionStatus, Scheme, WearProblem};
 
     use super::*;
+    use crate::steps::wear::problem::wear_problem;
+    use crate::steps::wear::ran::MOST_STEPS;
+    use crate::steps::wear::rough::FIRST;
 
     /// On the same operators explicit steps below their stability bound come to the same gap as implicit ones.
     #[test]

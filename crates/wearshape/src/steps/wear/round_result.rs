@@ -1,5 +1,7 @@
 //! What is told of a round contact that wears: its scar step by step, the volumes, and the groove in a revolving disc.
 
+use contact::{ContactOperator, Pair};
+use shapeopt::{WearProblem, WearState};
 use wear::Groove;
 
 use crate::results::{GrooveResult, WearResult};
@@ -13,24 +15,54 @@ const ACROSS: usize = 201;
 /// Columns of a table: name and values.
 type Columns = Vec<(String, Vec<f64>)>;
 
-/// A round contact at the places (mm, from the middle) of its contact points.
+/// A round contact at the places (mm, along the surface) of its contact points.
 pub(super) struct RoundContact<'a> {
     pub stage: Stage<'a>,
+    pub problem: &'a WearProblem,
     pub places: Vec<f64>,
 }
 
+/// Where round bodies touch first (mm along the surface): a ball or cylinder on a flat in the middle.
+fn touch(stage: Stage<'_>) -> f64 {
+    stage.problem.gap.touch().map_or(0.0, |(touch, _)| touch)
+}
+
+/// Distances (mm) of the contact points from the place where round bodies touch first.
+pub(super) fn from_touch(stage: Stage<'_>, pair: &Pair<'_>, operator: &ContactOperator<'_>) -> Vec<f64> {
+    let start = stage.start(pair) - touch(stage);
+    operator.points().iter().map(|point| start + point.arc).collect()
+}
+
 impl RoundContact<'_> {
-    /// Width of the scar (mm) after each step; of a ball its diameter.
-    pub(super) fn scars(&self, history: &History) -> Vec<f64> {
-        let revolved = self.stage.couple.is_revolved();
-        let width = |[from, to]: [f64; 2]| if revolved { 2.0 * to } else { to - from };
-        history.states.iter().map(|s| scar::ends(&self.places, &s.pressure, &s.worn).map_or(0.0, width)).collect()
+    /// Ends of the contact (mm along the surface) after each step; on the axis of revolution the first is 0.
+    pub(super) fn ends(&self, history: &History) -> Vec<[f64; 2]> {
+        let touch = touch(self.stage);
+        let places: Vec<f64> = self.places.iter().map(|place| place - touch).collect();
+        let of = |state: &WearState| scar::ends(&places, &self.problem.mean_pressure(&state.pressure), &state.worn);
+        history.states.iter().map(|state| of(state).map_or([touch; 2], |ends| ends.map(|end| touch + end))).collect()
+    }
+
+    /// Width of the scar (mm) between ends; of a ball its diameter.
+    fn width(&self, [from, to]: [f64; 2]) -> f64 {
+        if self.stage.couple.is_revolved() { 2.0 * to } else { to - from }
+    }
+
+    /// Columns of history.csv: the width of the scar, and unless it is round about an axis its ends.
+    pub(super) fn columns(&self, ends: &[[f64; 2]]) -> Columns {
+        let mut columns = vec![("scar_mm".to_string(), ends.iter().map(|ends| self.width(*ends)).collect())];
+        if !self.stage.couple.is_revolved() {
+            let side = |k: usize| ends.iter().map(|ends| ends[k]).collect();
+            columns.extend([("from_mm".to_string(), side(0)), ("to_mm".to_string(), side(1))]);
+        }
+        columns
     }
 
     /// Fills in scar and groove, and returns the columns of groove.csv.
-    pub(super) fn fill(&self, wear: &mut WearResult, history: &History, scars: &[f64]) -> Columns {
-        let Some((last, scar)) = history.states.last().zip(scars.last().copied()) else { return Columns::new() };
+    pub(super) fn fill(&self, wear: &mut WearResult, history: &History, ends: Option<&[f64; 2]>) -> Columns {
+        let Some((last, ends)) = history.states.last().zip(ends.copied()) else { return Columns::new() };
+        let scar = self.width(ends);
         wear.scar = Some(scar);
+        wear.ends = (!self.stage.couple.is_revolved()).then_some(ends);
         wear.volumes = Some(last.volume);
         let Some((track, ratio)) = self.stage.problem.track().zip(self.ratio()) else { return Columns::new() };
         let groove = Groove::new(track, &self.places);

@@ -1,0 +1,56 @@
+//! Where the surface of two circles that wear is cut: their contact grows from the place where they touch, to both sides.
+
+use crate::effort::Effort;
+use crate::ladder::Refusal;
+use crate::stage::Stage;
+use crate::steps::wear::pieces::Pieces;
+use crate::steps::wear::rough::{self, FOUND, Rough, TRIALS};
+use crate::steps::wear::round_mesh::breaks;
+
+/// Part of the way from the touch to the end of the surface beyond which the contact has come to it.
+const FULL: f64 = 0.98;
+/// The shortest contact at the start that the mesh knows of, over that at the end: what was worn in a shorter one is worn off by then.
+const SHORTEST: f64 = 1.0 / 16.0;
+
+/// Nodes from -1 to 1 along the surface that the ends of contact pass, to where they are at the end; none where no rough run tells them.
+pub(super) fn nodes(stage: Stage<'_>, pieces: &Pieces) -> Result<(Vec<f64>, Effort), Refusal> {
+    let mut effort = Effort::default();
+    let mut nodes = Vec::new();
+    let mut before: Option<[f64; 2]> = None;
+    for _ in 0..TRIALS {
+        let found = match rough::run(stage, pieces, &nodes, &mut effort) {
+            Ok(found) => found,
+            // A contact that wears itself free has no end, and cells that cannot be cut there serve as they are.
+            Err(_) => return Ok((Vec::new(), effort)),
+        };
+        nodes = cut(stage, &found);
+        let [from, to] = found.end;
+        let change = before.map_or(f64::INFINITY, |[a, b]| (from - a).abs().max((to - b).abs()) / (to - from));
+        before = Some(found.end);
+        if change <= FOUND {
+            break;
+        }
+    }
+    if stage.meshes(1, stage.cut(&nodes)).is_err() {
+        nodes.clear();
+    }
+    Ok((nodes, effort))
+}
+
+/// The nodes of ends that move as a rough run tells.
+fn cut(stage: Stage<'_>, found: &Rough) -> Vec<f64> {
+    let (Some([from, to]), Some((touch, _))) = (stage.patch.places(), stage.problem.gap.touch()) else { return Vec::new() };
+    let wear = &stage.problem.wear;
+    let linear = wear.exponents == [1.0] && !wear.own_rule;
+    let mut places = Vec::new();
+    for (sense, start, end, longest) in
+        [(-1.0, -found.start[0], -found.end[0], touch - from), (1.0, found.start[1], found.end[1], to - touch)]
+    {
+        if end > 0.0 && longest > 0.0 {
+            let within = breaks(start.max(SHORTEST * end), end.min(longest), linear).into_iter().filter(|x| *x < FULL * longest);
+            places.extend(within.map(|x| touch + sense * x));
+        }
+    }
+    places.sort_by(f64::total_cmp);
+    places.iter().map(|place| (2.0 * place - from - to) / (to - from)).collect()
+}

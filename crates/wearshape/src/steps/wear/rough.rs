@@ -1,0 +1,55 @@
+//! Rough runs that find where the contact of round bodies ends after its wear, before the mesh is made that has nodes there.
+
+use contact::ContactLoad;
+use scene::Fault;
+use shapeopt::{Evolution, EvolutionStatus, Stepping};
+
+use crate::effort::Effort;
+use crate::ladder::Refusal;
+use crate::stage::Stage;
+use crate::step::Step;
+use crate::steps::wear::pieces::Pieces;
+use crate::steps::wear::problem::wear_problem;
+use crate::steps::wear::ran::MOST_STEPS;
+use crate::steps::wear::round_result::from_touch;
+use crate::steps::wear::scar;
+
+/// Degree and accuracy of these runs.
+pub(super) const FIRST: usize = 4;
+const ROUGH: f64 = 1e-2;
+/// Relative change of the ends of contact at which they are found, and most runs for them.
+pub(super) const FOUND: f64 = 1e-3;
+pub(super) const TRIALS: usize = 8;
+
+/// Ends of the contact at the start and the end of a rough run, from the place of the first touch (mm), or from the axis of revolution.
+pub(super) struct Rough {
+    pub start: [f64; 2],
+    pub end: [f64; 2],
+}
+
+/// Runs the wear roughly on meshes cut at the given nodes.
+pub(super) fn run(stage: Stage<'_>, pieces: &Pieces, nodes: &[f64], effort: &mut Effort) -> Result<Rough, Refusal> {
+    let (reduced, work) = stage.reduced_at(stage.problem.level(FIRST), nodes)?;
+    *effort += work;
+    let pair = reduced.pair()?;
+    let operator = effort.timed(Step::Interface, stage.clock(), |_| reduced.operator(&pair, stage.friction() > 0.0))?;
+    let began = stage.clock()();
+    let stages = pieces.problems.iter().map(|problem| stage.with(problem)).collect::<Result<Vec<Stage<'_>>, Fault>>()?;
+    let loads: Vec<ContactLoad> = stages.iter().map(|stage| stage.contact_load(operator.points())).collect();
+    let mut problem = wear_problem(&stages, &loads, pieces, &operator, 0.0)?;
+    problem.stepping = Stepping::Adaptive { accuracy: stage.accuracy().max(ROUGH) };
+    let mut evolution = Evolution::new(&problem).map_err(|error| Refusal::Reason(error.to_string()))?;
+    let first = evolution.state().clone();
+    evolution.by_ref().take(MOST_STEPS).for_each(drop);
+    if !matches!(evolution.status(), EvolutionStatus::TimeReached | EvolutionStatus::WornOff) {
+        return Err(Refusal::Reason(evolution.status().to_string()));
+    }
+    let state = evolution.state();
+    effort.counters.contact_solves += 1;
+    effort.counters.wear_steps += state.step;
+    effort.add_seconds(Step::Evolution, stage.clock()() - began);
+    let places = from_touch(stage, &pair, &operator);
+    let [start, end] = [&first, state].map(|state| scar::ends(&places, &problem.mean_pressure(&state.pressure), &state.worn));
+    let none = || Refusal::Reason("no point presses at the end of the run".into());
+    Ok(Rough { start: start.ok_or_else(none)?, end: end.ok_or_else(none)? })
+}

@@ -1,0 +1,163 @@
+//! A shaft in a bush with clearance that wears in time: the contact grows from the place where they touch to both sides.
+//!
+//! A rigid shaft of radius R, the clearance c and what is worn off the middle h: where the shaft stands over the circle of the bush, the bush is worn,
+//!
+//! ```text
+//!        .-- - --.           w(phi) = (c + h) cos phi - c,      cos alpha = c / (c + h)
+//!      /  \  |  /  \          p(phi) = p_0 cos phi,             F = p_0 R t (alpha + sin alpha cos alpha)
+//!     |    \ alpha |         dh/ds = k p_0, so that            k F s / (R t c) = alpha / cos alpha - sin alpha
+//!      \     '     /
+//! ```
+//! with t the length of the bush and s the distance slid, to the first order in c / R.
+
+use std::ops::ControlFlow;
+
+use approx::assert_relative_eq;
+use wearshape::{Bodies, Event, Options, Problem, Solution, Status, solve};
+
+use crate::common::{digits, scene, solved};
+
+const RADIUS: f64 = 25.0;
+const LENGTH: f64 = 30.0;
+const CLEARANCE: f64 = 0.05;
+const FORCE: f64 = 3000.0;
+/// 1e-6 mm^3/(N m).
+const FACTOR: f64 = 1e-9;
+
+fn worn(settings: &[&str]) -> Problem {
+    let all: Vec<&str> = ["tasks=[wear]"].iter().chain(settings).copied().collect();
+    scene("bushing", &all)
+}
+
+fn depth(solution: &Solution) -> f64 {
+    1e-3 * solution.wear.as_ref().unwrap().depth.unwrap()
+}
+
+fn ends(solution: &Solution) -> [f64; 2] {
+    solution.wear.as_ref().unwrap().ends.unwrap()
+}
+
+fn estimate(solution: &Solution) -> f64 {
+    solution.error.as_ref().unwrap().gap_relative.unwrap()
+}
+
+/// Half the angle of contact of rigid bodies after a distance.
+fn half_angle(distance: f64) -> f64 {
+    let worn = FACTOR * FORCE * distance / (RADIUS * LENGTH * CLEARANCE);
+    let mut range = [0.0, 1.57];
+    for _ in 0..200 {
+        let middle: f64 = 0.5 * (range[0] + range[1]);
+        range[usize::from(middle / middle.cos() - middle.sin() > worn)] = middle;
+    }
+    range[0]
+}
+
+#[test]
+fn a_rigid_shaft_wears_the_bush_to_its_own_circle() {
+    let stiff = ["contact.shear=false", "body1.material.young=1e8", "body2.material.young=2.1e8", "accuracy=1e-3"];
+    for until in ["wear.until=600", "wear.until=1 h"] {
+        let all: Vec<&str> = stiff.iter().copied().chain([until]).collect();
+        let solution = solved(&worn(&all));
+        assert_eq!(solution.status, Status::Ok, "{until}: {:?}", solution.reason);
+        let wear = solution.wear.as_ref().unwrap();
+        let alpha = half_angle(wear.distance.unwrap());
+        let [from, to] = ends(&solution);
+        let exact = CLEARANCE * (1.0 / alpha.cos() - 1.0);
+        println!("{until}: half angle {} of {alpha}, depth {} of {exact}", to / RADIUS, depth(&solution));
+        assert_relative_eq!(depth(&solution), exact, max_relative = 2e-3);
+        assert_relative_eq!(to / RADIUS, alpha, max_relative = 2e-3);
+        assert!((from + to).abs() < 1e-4 * to, "{from} {to}");
+        let volume = 2.0 * RADIUS * LENGTH * ((CLEARANCE + exact) * alpha.sin() - CLEARANCE * alpha);
+        assert_relative_eq!(wear.volumes.unwrap()[0], volume, max_relative = 5e-3);
+        // The pressure is that of the rule: it goes with the cosine, and carries the force.
+        let most = FORCE / (RADIUS * LENGTH * (alpha + alpha.sin() * alpha.cos()));
+        let profile = solution.profile.as_ref().unwrap();
+        let inner = profile.s.iter().zip(&profile.pressure).filter(|(s, _)| s.abs() < 0.8 * to);
+        let off = inner.map(|(s, p)| (p / (most * (s / RADIUS).cos()) - 1.0).abs()).fold(0.0, f64::max);
+        println!("{until}: pressure off by {off:.1e}");
+        assert!(off < 3e-2, "{until}: {off:e}");
+    }
+}
+
+/// What is missing along the profile is the volume counted, and the wear of b = 1 is k times the integral of pressure and distance.
+#[test]
+fn what_is_worn_off_along_the_surface_is_the_volume() {
+    let solution = solved(&worn(&["wear.until=1 h", "accuracy=1e-3"]));
+    let running = solution.running_in.as_ref().unwrap();
+    let (first, last) = (&running.steps[0], &running.steps[running.steps.len() - 1]);
+    let worn: Vec<f64> = last.gap.iter().zip(&first.gap).map(|(b, a)| 1e-3 * (b - a)).collect();
+    let strip = |i: usize| 0.5 * (running.s[i + 1] - running.s[i]) * (worn[i] + worn[i + 1]);
+    let volume = LENGTH * (0..worn.len() - 1).map(strip).sum::<f64>();
+    assert_relative_eq!(solution.wear.as_ref().unwrap().volumes.unwrap()[0], volume, max_relative = 3e-3);
+}
+
+/// Friction moves the contact to one side; the mirror image of the run turns the other way.
+#[test]
+fn the_other_sense_of_turning_is_the_mirror_image() {
+    let of = |omega: &str| solved(&worn(&["wear.until=600", "accuracy=1e-3", omega]));
+    let [there, back] = ["sliding.omega=300 rpm", "sliding.omega=-300 rpm"].map(of);
+    let ([a, b], [c, d]) = (ends(&there), ends(&back));
+    assert!((a + d).abs() < 2e-3 * (b - a) && (b + c).abs() < 2e-3 * (b - a), "{a} {b}, {c} {d}");
+    assert!((a + b).abs() > 2e-2 * (b - a), "friction moves the contact: {a} {b}");
+    assert_relative_eq!(depth(&there), depth(&back), max_relative = 1e-3);
+}
+
+#[test]
+fn errors_are_within_their_estimates() {
+    let of = |until: &str, accuracy: &str| solved(&worn(&["contact.shear=false", until, accuracy]));
+    for until in ["wear.until=1", "wear.until=30", "wear.until=600", "wear.until=5 h"] {
+        let fine = of(until, "accuracy=1e-4");
+        let rough = of(until, "accuracy=1e-2");
+        assert_eq!([fine.status, rough.status], [Status::Ok; 2], "{until}: {:?} {:?}", fine.reason, rough.reason);
+        let error = (depth(&rough) / depth(&fine) - 1.0).abs();
+        println!("{until}: true {error:.1e}, estimated {:.1e}, finer {:.1e}", estimate(&rough), estimate(&fine));
+        assert!(error < estimate(&rough) + estimate(&fine), "{until}: {error:.1e}");
+    }
+}
+
+/// When the bush touches along all of its arc, its pressure is on the way to the steady one of that arc: by the force misplaced.
+#[test]
+fn a_bush_worn_to_its_ends_comes_to_the_steady_pressure() {
+    let set = ["tasks=[pressure, wear]", "contact.shear=false", "accuracy=1e-3"];
+    let off = |until: &str| {
+        let all: Vec<&str> = set.iter().copied().chain([until]).collect();
+        let solution = solved(&scene("bushing", &all));
+        let most = solution.pressure.as_ref().unwrap().p_max.unwrap();
+        let profile = solution.profile.as_ref().unwrap();
+        let force = |i: usize| profile.weight[i] * (profile.pressure[i] - most * (profile.s[i] / RADIUS).cos()).abs();
+        (0..profile.s.len()).map(force).sum::<f64>() / FORCE
+    };
+    let [early, late] = ["wear.until=1 h", "wear.until=100 h"].map(off);
+    println!("off by {early:.1e}, {late:.1e}");
+    assert!(early > 0.1 && late < 1e-2, "{early:e} {late:e}");
+}
+
+#[test]
+fn a_run_goes_on_from_where_it_was_stopped() {
+    let problem = worn(&["wear.until=600", "mesh.degree=6"]);
+    let whole = solved(&problem);
+    for step in [1, 5] {
+        let mut steps = 0;
+        let stopped = solve(&problem, &Options::default(), &Bodies::default(), &mut |event| {
+            steps += usize::from(matches!(event, Event::WearStep(_)));
+            if steps > step { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        });
+        let stopped = stopped.unwrap();
+        assert_eq!(stopped.status, Status::Interrupted);
+        let options = Options { resume: stopped.resume.as_ref(), ..Options::default() };
+        let resumed = solve(&problem, &options, &Bodies::default(), &mut |_| ControlFlow::Continue(())).unwrap();
+        assert!(digits(&resumed) == digits(&whole), "step {step}");
+    }
+}
+
+/// A condyle in its insert wears by a power of the pressure, and under a load that changes.
+#[test]
+fn a_knee_wears_by_other_rules_too() {
+    for rule in [["wear.b=2", "wear.k=1e-9"], ["wear.b=0.5", "wear.k=1e-6"]] {
+        let set = ["tasks=[wear]", "sliding.omega=1", "wear.until=20", "accuracy=1e-2", rule[0], rule[1]];
+        let solution = solved(&scene("knee", &set));
+        assert_eq!(solution.status, Status::Ok, "{rule:?}: {:?}", solution.reason);
+        let [from, to] = ends(&solution);
+        assert!(to > 1.0 && (from + to).abs() < 1e-6 * to, "{rule:?}: {from} {to}");
+    }
+}
