@@ -113,6 +113,8 @@ fn solve(
         return Ok(Found { found, load, speeds: None });
     };
     let hot = following.solve(operator, gap, &load)?;
-    let speeds = following.speeds(operator, &load, &hot.found.closed)?;
+    // Beyond the critical speed the contact found may be any other: what is closed is where pressure is wanted.
+    let closed: Vec<bool> = operator.points().iter().map(|p| shaper.pressure(&SurfacePlace::from(p)) > 0.0).collect();
+    let speeds = following.speeds(operator, &load, &closed)?;
     Ok(Found { found: hot.found, load: hot.load, speeds: Some(speeds) })
 }

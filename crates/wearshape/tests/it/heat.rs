@@ -180,8 +180,11 @@ fn a_contact_and_its_heat_are_found_together_and_a_slow_one_is_the_cold_one() {
 
 #[test]
 fn beyond_the_critical_speed_there_is_no_answer() {
-    let settings = ["accuracy=1e-3", "sliding.omega=25"];
-    let problem = scene("drum-brake-hot", &settings);
+    let edges = "body1.heat={ top = { convection = 0.1, ambient = 20 }, left = { temperature = 20 } }";
+    let drum = "body2.heat={ inner = { convection = 0.2, ambient = 20 }, outer = { convection = 0.05, ambient = 20 } }";
+    let steel = ["body1.material=steel", "body2.material=steel", "heat={ share = 0.5 }"];
+    let settings = [steel.as_slice(), &[edges, drum, "accuracy=1e-3", "sliding.omega=0.07"]].concat();
+    let problem = scene("drum-brake-block", &settings);
     let solution =
         solve(&problem, &Options::default(), &Bodies::default(), &mut |_| std::ops::ControlFlow::Continue(())).unwrap();
     assert_eq!(solution.status, Status::Refused);
