@@ -122,13 +122,13 @@ impl Field {
         Ok(PointState { displacement: value, gradient, stress })
     }
 
-    /// First component at a point of a cell whose modes are known; none where they are those of another degree.
-    pub(crate) fn value_at_modes(&self, cell: usize, point: &CellPoint) -> Option<f64> {
+    /// Coefficients of the first component in a cell with so many modes, in the numbering of [`CellPoint::modes`]; none where the field has
+    /// others.
+    pub(crate) fn coefficients(&self, cell: usize, modes: usize) -> Option<Vec<f64>> {
         let (local, u) = self.cells.get(cell)?;
-        let same = point.modes.len() == local.position.len();
-        let modes =
-            point.modes.iter().zip(&local.position).zip(&local.sign).filter(|((_, position), _)| **position != usize::MAX);
-        same.then(|| modes.map(|((mode, position), sign)| sign * u[self.components * position] * mode[0]).sum())
+        let of =
+            |(position, sign): (&usize, &f64)| if *position == usize::MAX { 0.0 } else { sign * u[self.components * position] };
+        (local.position.len() == modes).then(|| local.position.iter().zip(&local.sign).map(of).collect())
     }
 
     /// Displacement and its gradient at a point of a cell, given with its modes and coefficients.

@@ -1,7 +1,6 @@
 //! Loads and named load cases.
 
 use crate::boundary::BoundaryPoint;
-use crate::cell_point::CellPoint;
 use std::fmt;
 use std::sync::Arc;
 
@@ -155,12 +154,13 @@ pub struct Eigenstrain {
     pub(crate) of_normals: bool,
     /// Number of cells of the mesh it belongs to, if it belongs to one.
     pub(crate) cells: Option<usize>,
-    /// The same strain where the modes of a cell are known at a point, which a field of as high a degree shares.
-    pub(crate) at_modes: Option<StrainAtModes>,
+    /// The same strain by the modes of a cell, where it is a polynomial in them.
+    pub(crate) in_modes: Option<StrainInModes>,
 }
 
-/// Strains as a function of the cell and a point of it; none where the modes there are not those of the field.
-pub(crate) type StrainAtModes = Arc<dyn Fn(usize, usize, &CellPoint) -> Option<[f64; 4]> + Send + Sync>;
+/// Strain alike in all directions in a cell of a material with so many modes: the coefficient of each mode in the numbering of
+/// [`CellPoint::modes`](crate::cell_point::CellPoint::modes), and a constant; none where the modes are others.
+pub(crate) type StrainInModes = Arc<dyn Fn(usize, usize, usize) -> Option<(Vec<f64>, f64)> + Send + Sync>;
 
 /// Strains as a function of the place.
 pub type StrainAt = Arc<dyn Fn(&BodyPoint) -> [f64; 4] + Send + Sync>;
@@ -181,7 +181,7 @@ pub struct BodyPoint {
 impl Eigenstrain {
     /// A strain by a function of the place.
     pub fn new(strain: impl Fn(&BodyPoint) -> [f64; 4] + Send + Sync + 'static) -> Eigenstrain {
-        Eigenstrain { strain: Arc::new(strain), of_normals: false, cells: None, at_modes: None }
+        Eigenstrain { strain: Arc::new(strain), of_normals: false, cells: None, in_modes: None }
     }
 
     /// Thermal strain `alpha (T - T_0)` alike in all directions: `expansion` has one coefficient a material, 1/K, and `rise` is the

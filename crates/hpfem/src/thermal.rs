@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::field::Field;
 use crate::kinematics::Kinematics;
-use crate::load_case::{Eigenstrain, StrainAtModes};
+use crate::load_case::{Eigenstrain, StrainInModes};
 use std::sync::Arc;
 
 impl Eigenstrain {
@@ -24,16 +24,17 @@ impl Eigenstrain {
         }
         let (cells, temperature) = (Some(temperature.cells()), Arc::new(temperature));
         let (own, of_material) = (Arc::clone(&temperature), expansion.to_vec());
-        let at_modes: StrainAtModes = Arc::new(move |cell, material, point| {
-            let rise = own.value_at_modes(cell, point)? - reference;
-            let e = of_material.get(material).copied().unwrap_or(0.0) * rise;
-            Some([e, e, 0.0, e])
+        let in_modes: StrainInModes = Arc::new(move |cell, material, modes| {
+            let expansion = of_material.get(material).copied().unwrap_or(0.0);
+            let mut strains = own.coefficients(cell, modes)?;
+            strains.iter_mut().for_each(|strain| *strain *= expansion);
+            Some((strains, -expansion * reference))
         });
         let thermal = Eigenstrain::thermal(expansion, move |place| {
             let [xi, eta] = place.reference;
             // Every cell is there: the body that takes the load has as many.
             temperature.at(place.cell, xi, eta).map_or(f64::NAN, |state| state.displacement[0] - reference)
         });
-        Ok(Eigenstrain { cells, at_modes: Some(at_modes), ..thermal })
+        Ok(Eigenstrain { cells, in_modes: Some(in_modes), ..thermal })
     }
 }
