@@ -174,7 +174,8 @@ impl At<'_> {
     /// Why there is no answer.
     fn refused(&self, heat: Option<&HeatResult>, twist: Option<&Twist>) -> Option<String> {
         let status = &self.found.status;
-        let refused = (!status.is_solved() || *status == ContactStatus::NoContact).then(|| status.to_string());
+        let refused = (!status.is_solved() || *status == ContactStatus::NoContact)
+            .then(|| self.hot.and_then(HotContact::lost).unwrap_or_else(|| status.to_string()));
         refused.or_else(|| heat?.beyond_critical()).or_else(|| twist?.refused.clone())
     }
 

@@ -226,3 +226,17 @@ fn a_scene_without_heat_names_no_thermal_numbers() {
     let problem = scene("drum-brake-hot", &[]);
     assert!(problem.resolved().contains("conductivity = 48.5") && problem.resolved().contains("expansion"));
 }
+
+/// Unsteady at once: at the ends of contact points that conduct open, and close where they do not. Followed from the cold contact on it is found.
+#[test]
+fn a_hot_contact_that_presses_at_its_ends_is_found_from_the_cold_one_on() {
+    for speed in ["1", "2.5"] {
+        let settings = ["tasks=[contact]", "mesh.degree=6", "mesh.layers=5", &format!("sliding.omega={speed}")];
+        let solution = solved(&scene("drum-brake-hot", &settings));
+        balanced(&solution);
+        let profile = profile(&solution);
+        let force: f64 = (0..profile.s.len()).map(|k| profile.weight[k] * profile.pressure[k] * profile.normal[k][2]).sum();
+        assert!(profile.pressure.iter().all(|p| *p >= 0.0) && force > 1500.0, "{force}");
+        assert!(profile.pressure.contains(&0.0), "the warm drum is too large for the lining's middle");
+    }
+}

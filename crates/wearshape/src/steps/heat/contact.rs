@@ -56,6 +56,13 @@ impl<'a> HotContact<'a> {
         self.hot.load.clone()
     }
 
+    /// Why there is no contact, where that of the cold bodies does not last to the sliding speed.
+    pub(crate) fn lost(&self) -> Option<String> {
+        let part = scene::short(self.hot.lost_at?);
+        let what = "frictional heat narrows the contact until no pressure carries the load";
+        Some(format!("{what}: the contact of the cold bodies does not last to {part} of the sliding speed; slide more slowly"))
+    }
+
     /// Heat at the contact points.
     pub(crate) fn heat(&self) -> PointHeat {
         self.hot.heat.clone()

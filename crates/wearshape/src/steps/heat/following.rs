@@ -18,8 +18,12 @@ use crate::step::Step;
 use crate::steps::heat::known::{HEAT, PointHeat, same_points};
 use crate::steps::heat::warmed::{Second, Surfaces, Warmed, into_bodies, no_field};
 
-/// Contact solves until the points that conduct are those in contact.
-const ROUNDS: usize = 30;
+/// Contact solves until the points that conduct are those in contact, and how many of them in which points may begin to conduct.
+const ROUNDS: usize = 60;
+const FREE: usize = 10;
+
+/// Steps of the sliding speed from the cold bodies to the hot ones.
+const STEPS: u32 = 16;
 
 /// What of a body's temperature follows the pressure.
 enum Follows {
@@ -46,6 +50,8 @@ pub(crate) struct Hot {
     pub heat: PointHeat,
     /// The load of the last solve.
     pub load: ContactLoad,
+    /// The part of the sliding speed up to which the contact of the cold bodies does not last; none where there is an answer.
+    pub lost_at: Option<f64>,
 }
 
 impl<'a> Following<'a> {
@@ -76,21 +82,53 @@ impl<'a> Following<'a> {
         Ok(Some((Following { reduced: Arc::new(reduced), warmed, surfaces, follows }, effort)))
     }
 
-    /// The contact of the bodies, pressure and temperature at once: `base` holds the load without heat.
+    /// The contact of the bodies, pressure and temperature at once: `base` holds the load without heat. What is not found so is followed from the
+    /// contact of the cold bodies on, the sliding speed growing.
     pub(crate) fn solve(&self, operator: &ContactOperator<'_>, gap: &[f64], base: &ContactLoad) -> Result<Hot, Fault> {
-        let mut closed = vec![true; gap.len()];
-        let mut last: Option<ContactSolution> = None;
-        for _ in 0..ROUNDS {
-            let shared = self.shared(&closed)?;
-            let load = self.load(base, &shared);
-            let found = operator.solve(gap, &load, last.as_ref()).map_err(unsolved)?;
-            let settled = found.closed == closed || !self.conducts() || !found.status.is_solved();
-            closed.clone_from(&found.closed);
-            if settled {
-                let friction = self.surfaces.friction(&found.nodal_force);
-                let into = into_bodies(&shared, &friction);
-                return Ok(Hot { heat: PointHeat { friction, into }, found, load });
+        let at_once = self.settled(operator, gap, base, 1.0, None)?;
+        if at_once.found.status.is_solved() {
+            return Ok(at_once);
+        }
+        let mut found: Option<ContactSolution> = None;
+        for step in 1..=STEPS {
+            let speed = f64::from(step) / f64::from(STEPS);
+            let hot = self.settled(operator, gap, base, speed, found.as_ref())?;
+            if !hot.found.status.is_solved() {
+                return Ok(Hot { lost_at: Some(speed), ..at_once });
             }
+            if step == STEPS {
+                return Ok(hot);
+            }
+            found = Some(hot.found);
+        }
+        Ok(at_once)
+    }
+
+    /// The contact at a factor on the sliding speed, from a contact that is near.
+    fn settled(
+        &self,
+        operator: &ContactOperator<'_>,
+        gap: &[f64],
+        base: &ContactLoad,
+        speed: f64,
+        near: Option<&ContactSolution>,
+    ) -> Result<Hot, Fault> {
+        let mut closed = near.map_or_else(|| vec![true; gap.len()], |near| near.closed.clone());
+        let mut last: Option<ContactSolution> = near.cloned();
+        for round in 0..ROUNDS {
+            let shared = self.shared(&closed)?;
+            let load = self.load(base, &shared, speed);
+            let found = operator.solve(gap, &load, last.as_ref()).map_err(unsolved)?;
+            // A point at an end of contact may open because it conducts and close because it does not: such points do not conduct.
+            let late = round >= FREE && closed.iter().zip(&found.closed).all(|(conducts, closed)| *closed || !conducts);
+            if late || found.closed == closed || !self.conducts() || !found.status.is_solved() {
+                let friction = self.surfaces.friction(&found.nodal_force);
+                let friction: Vec<f64> = friction.iter().map(|power| speed * power).collect();
+                let into = into_bodies(&shared, &friction);
+                return Ok(Hot { heat: PointHeat { friction, into }, found, load, lost_at: None });
+            }
+            let kept = |(conducts, closed): (&bool, &bool)| *closed && (round < FREE || *conducts);
+            closed = closed.iter().zip(&found.closed).map(kept).collect();
             last = Some(found);
         }
         let message = "the points that conduct heat and those in contact do not settle on each other";
@@ -105,7 +143,7 @@ impl<'a> Following<'a> {
         closed: &[bool],
     ) -> Result<SpeedFactors, Fault> {
         let factors = |closed: &[bool]| {
-            let mut load = self.load(base, &self.shared(closed)?);
+            let mut load = self.load(base, &self.shared(closed)?, 1.0);
             // Bodies without any heat fit.
             load.factors.iter_mut().zip(&base.factors).for_each(|(factors, base)| factors[base.len()..].fill(0.0));
             operator.speed_factors(&load, closed).map_err(unsolved)
@@ -126,14 +164,14 @@ impl<'a> Following<'a> {
         self.surfaces.shared(self.warmed.heat, closed)
     }
 
-    /// A load with that of the heat.
-    fn load(&self, base: &ContactLoad, shared: &SharedHeat) -> ContactLoad {
+    /// A load with that of the heat at a factor on the sliding speed.
+    fn load(&self, base: &ContactLoad, shared: &SharedHeat, speed: f64) -> ContactLoad {
         let mut load = base.clone();
         let n = self.surfaces.points.len();
         for (body, follows) in self.follows.iter().enumerate() {
             let cases = load.factors[body].len();
             let rates = &self.surfaces.rates;
-            let by_force = |i: usize, j: usize| shared.into[body][(i, j)] * rates[j];
+            let by_force = |i: usize, j: usize| shared.into[body][(i, j)] * speed * rates[j];
             let still = &shared.still[body];
             let (factors, rows) = match follows {
                 Follows::Each => (still.clone(), Mat::from_fn(n, n, by_force)),
