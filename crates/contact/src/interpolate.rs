@@ -1,38 +1,57 @@
 //! Quantities between the contact points: on every edge the polynomial through its points.
 
 use crate::operator::ContactOperator;
+use crate::pair::Pair;
+use crate::point::ContactPoint;
 use hpfem::{barycentric_weights, lagrange};
 use std::ops::RangeInclusive;
 
-impl ContactOperator<'_> {
-    /// The contact points on an edge of [`Pair::trace`](crate::Pair::trace), both ends included.
+impl Pair<'_> {
+    /// The contact points on an edge of [`Pair::trace`], both ends included.
     pub fn edge_points(&self, edge: usize) -> RangeInclusive<usize> {
-        let edges = &self.pair.trace().edges;
+        let edges = &self.trace().edges;
         let first: usize = edges[..edge].iter().map(|e| e.degree).sum();
         first..=first + edges[edge].degree
+    }
+
+    /// Value at arc length `arc` of a quantity given at the points [`Pair::points`]: a polynomial of each edge's parameter.
+    pub fn value_at(&self, points: &[ContactPoint], values: &[f64], arc: f64) -> f64 {
+        let (edge, t) = self.trace().locate(arc);
+        let range = self.edge_points(edge);
+        let start = *range.start();
+        let nodes: Vec<f64> = range.clone().map(|i| if i == start { -1.0 } else { points[i].place.1 }).collect();
+        let shapes = lagrange(&nodes, &barycentric_weights(&nodes), t.clamp(-1.0, 1.0));
+        shapes.iter().zip(&values[range]).map(|(l, v)| l * v).sum()
+    }
+
+    /// Value at arc length `arc` of a quantity that vanishes where the surfaces are apart: [`Pair::value_at`], or [`piecewise_linear`] on an edge with
+    /// a point of no value, where the polynomial would change its sign beside the end of contact.
+    pub fn closed_value_at(&self, points: &[ContactPoint], values: &[f64], arc: f64) -> f64 {
+        let (edge, _) = self.trace().locate(arc);
+        let range = self.edge_points(edge);
+        if values[range.clone()].contains(&0.0) {
+            let arcs: Vec<f64> = points[range.clone()].iter().map(|p| p.arc).collect();
+            return piecewise_linear(&arcs, &values[range], arc);
+        }
+        self.value_at(points, values, arc)
+    }
+}
+
+impl ContactOperator<'_> {
+    /// The contact points on an edge of [`Pair::trace`], both ends included.
+    pub fn edge_points(&self, edge: usize) -> RangeInclusive<usize> {
+        self.pair.edge_points(edge)
     }
 
     /// Value at arc length `arc` of a quantity given at the contact points: pressure and shear are these polynomials of the arc length's edge
     /// parameter, everything else is interpolated by them.
     pub fn value_at(&self, values: &[f64], arc: f64) -> f64 {
-        let (edge, t) = self.pair.trace().locate(arc);
-        let range = self.edge_points(edge);
-        let start = *range.start();
-        let nodes: Vec<f64> = range.clone().map(|i| if i == start { -1.0 } else { self.unit.points[i].place.1 }).collect();
-        let shapes = lagrange(&nodes, &barycentric_weights(&nodes), t.clamp(-1.0, 1.0));
-        shapes.iter().zip(&values[range]).map(|(l, v)| l * v).sum()
+        self.pair.value_at(&self.unit.points, values, arc)
     }
 
-    /// Pressure at arc length `arc` of one given at the contact points: [`ContactOperator::value_at`], or [`piecewise_linear`] on an edge with a
-    /// point of no pressure, where the polynomial would be negative beside the end of contact.
+    /// Pressure at arc length `arc` of one given at the contact points, see [`Pair::closed_value_at`].
     pub fn pressure_at(&self, pressure: &[f64], arc: f64) -> f64 {
-        let (edge, _) = self.pair.trace().locate(arc);
-        let range = self.edge_points(edge);
-        if pressure[range.clone()].contains(&0.0) {
-            let arcs: Vec<f64> = self.unit.points[range.clone()].iter().map(|p| p.arc).collect();
-            return piecewise_linear(&arcs, &pressure[range], arc);
-        }
-        self.value_at(pressure, arc)
+        self.pair.closed_value_at(&self.unit.points, pressure, arc)
     }
 }
 

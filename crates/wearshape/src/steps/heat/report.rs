@@ -1,6 +1,6 @@
 //! What is told of frictional heat: temperatures, heat and thermal displacement along the contact, and the balance of the powers.
 
-use contact::{ContactPoint, Pair, Side, piecewise_linear};
+use contact::{ContactPoint, Pair, Side};
 use hpfem::{CellGrid, Field, InterfaceState};
 use meshing::Cut;
 use scene::Fault;
@@ -35,7 +35,6 @@ pub(crate) fn tell(warmed: &Warmed<'_>, heat: &PointHeat, told: &mut Told, therm
     let states = warmed.states(&warm_pair, &heat.into);
     let expanded = thermal.state()?;
     let points = warm_pair.points();
-    let arcs: Vec<f64> = points.iter().map(|point| point.arc).collect();
     let total: f64 = heat.into[1].iter().sum();
     let start = warmed.stage.start(&warm_pair);
     for profile in [&mut told.profile, &mut told.curve] {
@@ -43,7 +42,7 @@ pub(crate) fn tell(warmed: &Warmed<'_>, heat: &PointHeat, told: &mut Told, therm
             profile.s.iter().map(|s| warm_pair.at_arc((s - start).clamp(0.0, warm_pair.trace().length()))).collect();
         for (number, side) in [Side::Shaped, Side::Counter].into_iter().enumerate() {
             let flux: Vec<f64> = heat.into[number].iter().zip(&points).map(|(heat, point)| heat / point.weight).collect();
-            profile.heat[number] = rows.iter().map(|row| piecewise_linear(&arcs, &flux, row.arc)).collect();
+            profile.heat[number] = rows.iter().map(|row| warm_pair.closed_value_at(&points, &flux, row.arc)).collect();
             let temperature = |row: &ContactPoint| match (&states[number], &warmed.second) {
                 (Some(state), _) => warm_pair.potential(side, state, row),
                 (None, Second::Drum(drum)) => drum.at(total, row.position),
