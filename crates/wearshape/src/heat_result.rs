@@ -41,6 +41,20 @@ pub struct HeatResult {
     /// Factor on the sliding speed at which the contact is no longer unique.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub critical_speed_factor: Option<SpeedFactor>,
+    /// Materials that are hotter than they bear.
+    #[serde(skip)]
+    pub too_hot: Vec<TooHot>,
+}
+
+/// A material that is hotter than it bears.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TooHot {
+    /// Number of its body, 1 or 2.
+    pub body: usize,
+    /// Its highest temperature (degC).
+    pub temperature: f64,
+    /// The one that it bears (degC).
+    pub limit: f64,
 }
 
 /// A factor on the sliding speed, or "none" where there is no such speed.

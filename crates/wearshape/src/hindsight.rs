@@ -3,6 +3,7 @@
 use meshing::outline;
 use scene::short;
 
+use crate::hot_hindsight;
 use crate::problem::Problem;
 use crate::remark::Remark;
 use crate::solution::Solution;
@@ -29,7 +30,7 @@ pub(crate) fn remarks(problem: &Problem, solution: &Solution) -> Vec<Remark> {
         late(problem, solution),
         grooved(solution),
     ];
-    notes.into_iter().flatten().collect()
+    notes.into_iter().flatten().chain(hot_hindsight::remarks(problem, solution)).collect()
 }
 
 /// What friction does to the one solution of a contact.

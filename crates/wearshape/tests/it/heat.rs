@@ -240,3 +240,22 @@ fn a_hot_contact_that_presses_at_its_ends_is_found_from_the_cold_one_on() {
         assert!(profile.pressure.contains(&0.0), "the warm drum is too large for the lining's middle");
     }
 }
+
+#[test]
+fn what_is_hotter_than_it_bears_and_what_heat_moves_far_is_noted() {
+    let lining = "body1.geometry.blocks.materials.lining.temperature_limit";
+    let codes = |settings: &[&str]| -> Vec<&'static str> {
+        let fixed = ["check=false", "mesh.degree=4", "mesh.layers=4"];
+        let solution = solved(&scene("drum-brake-hot", &[&fixed, settings].concat()));
+        solution.remarks.iter().map(|remark| remark.code).collect()
+    };
+    let highest =
+        solved(&scene("drum-brake-hot", &["check=false", "mesh.degree=4", "mesh.layers=4"])).heat.unwrap().highest1.unwrap();
+    let [below, above] = [highest - 1.0, highest + 1.0].map(|limit| format!("{lining}={limit}"));
+    assert!(!codes(&[]).contains(&"too-hot") && !codes(&[&above]).contains(&"too-hot"));
+    assert!(codes(&[&below]).contains(&"too-hot"));
+    assert!(!codes(&[]).contains(&"thermal-part-not-small"));
+    let hot =
+        ["body1.geometry.blocks.materials.lining.expansion=12e-5", "body1.heat.top={temperature=800}", "sliding.omega=0.01"];
+    assert!(codes(&hot).contains(&"thermal-part-not-small"));
+}

@@ -6,7 +6,7 @@ use meshing::Cut;
 use scene::Fault;
 use shapeopt::{Gauge, Integration, RigidPart, Shape, ShapeProblem, solve_shape};
 
-use crate::heat_result::HeatResult;
+use crate::heat_result::{HeatResult, TooHot};
 use crate::level::Level;
 use crate::profile::Profile;
 use crate::stage::Stage;
@@ -55,7 +55,8 @@ pub(crate) fn tell(warmed: &Warmed<'_>, heat: &PointHeat, told: &mut Told, therm
     }
     let fields = warmed.fields(&states)?;
     let mut result = powers(warmed, heat, &states, &fields)?;
-    let [first, second] = fields.map(|field| field.map(|field| highest(&field)).transpose());
+    result.too_hot = too_hot(warmed, &fields, total)?;
+    let [first, second] = fields.map(|field| field.map(|field| highest(&field, &|_| true)).transpose());
     let (first, second) = (first?, second?);
     let second = match &warmed.second {
         Second::Drum(drum) => Some(drum.highest(total)),
@@ -97,11 +98,30 @@ fn powers(
     })
 }
 
-/// The highest temperature of a body at the points of its cells, and its place.
-fn highest(field: &Field) -> Result<(f64, [f64; 2]), Fault> {
+/// Materials that are hotter than they bear.
+fn too_hot(warmed: &Warmed<'_>, fields: &[Option<Field>; 2], into_drum: f64) -> Result<Vec<TooHot>, Fault> {
+    let mut found = Vec::new();
+    for (number, field) in fields.iter().enumerate() {
+        for (index, material) in warmed.stage.couple.bodies[number].materials.iter().enumerate() {
+            let Some(limit) = material.temperature_limit else { continue };
+            let temperature = match (field, &warmed.second) {
+                (Some(field), _) => highest(field, &|own| own == index)?.0,
+                (None, Second::Drum(drum)) => drum.highest(into_drum).0,
+                (None, Second::Fresh(_) | Second::Body(_)) => continue,
+            };
+            if temperature > limit.0 {
+                found.push(TooHot { body: number + 1, temperature, limit: limit.0 });
+            }
+        }
+    }
+    Ok(found)
+}
+
+/// The highest temperature of the materials asked for at the points of their cells, and its place.
+fn highest(field: &Field, of: &dyn Fn(usize) -> bool) -> Result<(f64, [f64; 2]), Fault> {
     let mut found = (f64::NEG_INFINITY, [0.0; 2]);
     let mesh = field.mesh();
-    for (number, cell) in mesh.cells.iter().enumerate() {
+    for (number, cell) in mesh.cells.iter().enumerate().filter(|(_, cell)| of(cell.material)) {
         let grid = CellGrid { degree: field.degree(number), triangle: cell.is_triangle() };
         for [xi, eta] in grid.reference() {
             let temperature = field.at(number, xi, eta).map_err(no_field)?.displacement[0];

@@ -1,0 +1,55 @@
+//! Remarks on the heat of a run, made after it is solved.
+
+use meshing::outline;
+use scene::short;
+
+use crate::problem::Problem;
+use crate::remark::Remark;
+use crate::solution::Solution;
+
+/// Part of a body's thickness beyond which a thermal displacement is no small one any more.
+const WIDE: f64 = 0.01;
+
+/// Remarks on the heat of a run; none of a scene without it.
+pub(crate) fn remarks(problem: &Problem, solution: &Solution) -> Vec<Remark> {
+    too_hot(solution).into_iter().chain(far(problem, solution)).collect()
+}
+
+/// A material beyond the temperature that it bears.
+fn too_hot(solution: &Solution) -> Option<Remark> {
+    let told = |text: String, hot: &crate::heat_result::TooHot| {
+        let (temperature, limit) = (rounded(hot.temperature), short(hot.limit));
+        format!(
+            "{text}{}body {} reaches {temperature} degC in a material that bears {limit} degC",
+            if text.is_empty() { "" } else { ", " },
+            hot.body
+        )
+    };
+    let hot = &solution.heat.as_ref()?.too_hot;
+    let message = format!("Too hot: {}.", hot.iter().fold(String::new(), told));
+    (!hot.is_empty()).then_some(Remark { code: "too-hot", message })
+}
+
+/// A thermal displacement beyond small ones.
+fn far(problem: &Problem, solution: &Solution) -> Option<Remark> {
+    solution.heat.as_ref()?;
+    let (profile, couple) = (solution.profile.as_ref()?, problem.couple.as_ref()?);
+    let share = |number: usize| {
+        let moved = 1e-3 * profile.thermal_displacement[number].iter().fold(0.0_f64, |max, u| max.max(u.abs()));
+        (number, moved, moved / outline(&couple.bodies[number]).thickness)
+    };
+    let (number, moved, share) = [0, 1].map(share).into_iter().max_by(|a, b| a.2.total_cmp(&b.2))?;
+    let message = format!(
+        "Heat moves the surface of body {} by {} mm, {} % of the body's thickness: results are those of small displacements, and these are not small.",
+        number + 1,
+        rounded(moved),
+        rounded(100.0 * share)
+    );
+    (share > WIDE && share.is_finite()).then_some(Remark { code: "thermal-part-not-small", message })
+}
+
+/// Three digits.
+fn rounded(number: f64) -> String {
+    let text = format!("{number:.2e}");
+    short(text.parse().unwrap_or(number))
+}
