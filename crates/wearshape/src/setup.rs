@@ -97,9 +97,17 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     problem.plan = stages::plan(&problem, &tasks, problem.scene.check.unwrap_or(true));
     problem.freedoms = problem.own_freedoms();
     problem.remarks = remarks::remarks(&problem, &tasks);
-    unused::leave_out(document, &mut problem.scene, &tasks);
-    cycle::leave_out(&mut problem.scene);
+    to_be_read_again(document, &mut problem, &tasks);
     Ok(problem)
+}
+
+/// Makes of the scene one that has, read again, the same meaning and the same unused keys.
+fn to_be_read_again(document: &Document, problem: &mut Problem, tasks: &[Task]) {
+    unused::leave_out(document, &mut problem.scene, tasks);
+    cycle::leave_out(&mut problem.scene);
+    if problem.heat.is_none() {
+        heat::put_back(document, &mut problem.scene);
+    }
 }
 
 /// What is wanted of the pressure, how motion and load go on, and what a shape is compared with.

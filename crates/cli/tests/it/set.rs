@@ -20,8 +20,10 @@ fn numbers_may_begin_with_a_point_and_units_need_no_quotes() {
 
 #[test]
 fn bare_words_in_lists_are_strings() {
-    let scene = resolved("drum-brake-block --set tasks=[pressure,pressure]");
-    assert_eq!(scene["tasks"].as_array().map(Vec::len), Some(1));
+    let scene = resolved("drum-brake-block --set tasks=[pressure,shape]");
+    assert_eq!(scene["tasks"].as_array().map(Vec::len), Some(2));
+    let twice = Bench::new().call("run drum-brake-block --set tasks=[shape,shape]");
+    assert!(twice.code == 2 && twice.err.contains("twice"), "{}", twice.err);
     let scene = resolved("drum-brake-ring --set tasks=[pressure] --set body1.support={left=[x]}");
     let support = scene["body1"]["support"].as_table().unwrap();
     assert_eq!(support.keys().collect::<Vec<_>>(), ["left"]);

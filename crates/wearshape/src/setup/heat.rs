@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use meshing::{Couple, outline};
 use scene::{
-    Conductance, Counterface, EdgeHeat, Fault, Geometry, Kinematics, Material, Scene, Task, Temperature, missing, positive,
+    Conductance, Counterface, Document, EdgeHeat, Fault, Geometry, Kinematics, Material, Scene, Task, Temperature, missing,
+    positive,
 };
 
 use crate::heat::{Carried, Drum, Heat, Meets, Split};
@@ -40,6 +41,28 @@ fn leave_out(scene: &mut Scene) -> Result<(), Fault> {
     }
     scene.heat = None;
     Ok(())
+}
+
+/// Puts back what was written and taken out, so that the resolved scene has the same unused keys.
+pub(super) fn put_back(document: &Document, scene: &mut Scene) {
+    let written = &document.scene;
+    scene.heat.clone_from(&written.heat);
+    let bodies = [("body1", &mut scene.body1, &written.body1), ("body2", &mut scene.body2, &written.body2)];
+    for (name, body, written) in bodies {
+        let (Some(body), Some(mut written)) = (body, written.clone()) else { continue };
+        body.heat.clone_from(&written.heat);
+        let mut materials = BTreeMap::new();
+        for_each_material(&mut written, &mut |place, material| {
+            materials.insert(place.to_string(), *material);
+        });
+        for_each_material(body, &mut |place, material| {
+            let Some(own) = materials.get(place) else { return };
+            let has = |key: &str| document.has(&format!("{name}.{place}.{key}"));
+            material.conductivity = own.conductivity.filter(|_| has("conductivity"));
+            material.expansion = own.expansion.filter(|_| has("expansion"));
+            material.temperature_limit = own.temperature_limit.filter(|_| has("temperature_limit"));
+        });
+    }
 }
 
 /// The keys of heat in a scene, whether they were written or not.
