@@ -94,6 +94,7 @@ mod tests {
         let files = [
             include_str!("../../../wearshape/src/setup/remarks.rs"),
             include_str!("../../../wearshape/src/hindsight.rs"),
+            include_str!("../../../wearshape/src/hot_hindsight.rs"),
             include_str!("../../../wearshape/src/steps/sharp_edges.rs"),
         ];
         let source: String = files.iter().filter_map(|file| file.split("#[cfg(test)]").next()).collect();
