@@ -4,7 +4,7 @@
 const ELEMENTS: [&str; 8] = ["circle", "g", "path", "rect", "svg", "text", "title", "tspan"];
 
 /// Their attributes but for `aria-label` and `xmlns`.
-const ATTRIBUTES: [&str; 30] = [
+const ATTRIBUTES: [&str; 31] = [
     "class",
     "cx",
     "cy",
@@ -28,6 +28,7 @@ const ATTRIBUTES: [&str; 30] = [
     "stroke-dasharray",
     "stroke-linecap",
     "stroke-linejoin",
+    "stroke-opacity",
     "stroke-width",
     "text-anchor",
     "transform",

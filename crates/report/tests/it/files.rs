@@ -63,6 +63,7 @@ fn the_same_solution_gives_the_same_bytes() {
 #[test]
 fn the_page_asks_nothing_of_the_network() {
     let page = text("report.html");
+    assert!(!page.contains("Left out"), "a picture of its own is left out");
     // The name of a language is no address that is asked.
     let addresses: Vec<&str> = page
         .match_indices("http")
