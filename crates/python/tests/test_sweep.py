@@ -1,7 +1,10 @@
 """Sweeps: on threads, and on a cluster of two processes."""
 
 import os
+import platform
 import signal
+import subprocess
+import sys
 import time
 from collections.abc import Iterator
 from typing import Any
@@ -90,3 +93,27 @@ def test_a_cancelled_sweep_leaves_the_cluster_idle(client: Any) -> None:
     while any(client.processing().values()):
         assert time.perf_counter() - start < 30
         time.sleep(0.05)
+
+
+FAULTS = """
+import contextlib, resource, wearshape
+from wearshape import _sweep
+scene = wearshape.Scene("drum-brake-block").set(accuracy=1e-6)
+points = [{"contact.friction": mu} for mu in (.1, .15, .2, .25, .3)]
+def faults():
+    start = resource.getrusage(resource.RUSAGE_SELF).ru_minflt
+    assert len(_sweep._batch("one", scene, points, 101)) == len(points)
+    return resource.getrusage(resource.RUSAGE_SELF).ru_minflt - start
+faults()
+kept = faults()
+_sweep._memory_kept = contextlib.nullcontext
+print(kept, faults())
+"""
+
+
+@pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="a setting of glibc")
+def test_workers_keep_their_memory_between_points() -> None:
+    environment = os.environ | {"MALLOC_TRIM_THRESHOLD_": "65536"}
+    done = subprocess.run([sys.executable, "-c", FAULTS], env=environment, capture_output=True, text=True, check=True)
+    kept, given_back = (int(word) for word in done.stdout.split())
+    assert kept < given_back / 3

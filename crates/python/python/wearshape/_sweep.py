@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import ctypes
 import itertools
 import math
 import os
 import time
 from collections.abc import Generator, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 from uuid import uuid4
@@ -145,7 +147,36 @@ def _bodies_of(sweep: str) -> _core.Bodies:
 def _batch(sweep: str, scene: Scene, points: list[dict[str, Any]], sample: int) -> list[Point]:
     """The points of a batch on a worker."""
     bodies = _bodies_of(sweep)
-    return [compute(scene, point, sample, bodies) for point in points]
+    with _memory_kept():
+        return [compute(scene, point, sample, bodies) for point in points]
+
+
+#: Parameters of glibc's ``mallopt``, and its own value of the second.
+_TRIM_THRESHOLD, _MMAP_THRESHOLD, _MMAP_DEFAULT = -1, -3, 128 * 1024
+#: Bytes up to which memory is kept between the points of a batch.
+_KEPT = 1 << 30
+
+
+@contextmanager
+def _memory_kept() -> Generator[None, None, None]:
+    """Keeps freed memory for the next point, and gives it back afterwards.
+
+    Dask starts its workers with ``MALLOC_TRIM_THRESHOLD_=65536``: what is freed goes back to the system at once, and the pages of each
+    matrix are made anew for the next point, which takes a fifth of its time.
+    """
+    threshold = os.environ.get("MALLOC_TRIM_THRESHOLD_", "")
+    library = ctypes.CDLL(None) if os.name == "posix" and threshold.isdigit() else None
+    if library is None or not hasattr(library, "mallopt"):
+        yield
+        return
+    library.mallopt(_TRIM_THRESHOLD, _KEPT)
+    library.mallopt(_MMAP_THRESHOLD, _KEPT)
+    try:
+        yield
+    finally:
+        library.mallopt(_TRIM_THRESHOLD, int(threshold))
+        library.mallopt(_MMAP_THRESHOLD, _MMAP_DEFAULT)
+        library.malloc_trim(0)
 
 
 def _by_dask(scene: Scene, points: list[dict[str, Any]], sample: int, client: Any) -> Generator[tuple[int, Point], None, None]:
