@@ -55,7 +55,8 @@ impl History {
 
     /// Names and values of the columns of history.csv.
     pub(super) fn columns(&self) -> Vec<(String, Vec<f64>)> {
-        let rows: Vec<[f64; COLUMNS.len()]> = self.states.iter().map(row).collect();
+        let rows: Vec<[f64; COLUMNS.len()]> =
+            self.states.iter().enumerate().map(|(k, state)| row(state, k.checked_sub(1).map(|k| &self.states[k]))).collect();
         let column = |k: usize| rows.iter().map(|row| row[k]).collect();
         COLUMNS.iter().enumerate().map(|(k, name)| (name.to_string(), column(k))).collect()
     }
@@ -71,14 +72,14 @@ impl History {
     }
 }
 
-fn row(state: &WearState) -> [f64; COLUMNS.len()] {
+fn row(state: &WearState, before: Option<&WearState>) -> [f64; COLUMNS.len()] {
     let extreme = |start: f64, f: fn(f64, f64) -> f64| state.pressure.iter().copied().fold(start, f);
     [
         state.step as f64,
         state.time,
         state.distance,
         state.step_size,
-        extreme(0.0, f64::max),
+        largest(state, before),
         extreme(f64::INFINITY, f64::min),
         1e3 * state.depth,
         state.volume[0],
@@ -88,4 +89,31 @@ fn row(state: &WearState) -> [f64; COLUMNS.len()] {
         state.rejected as f64,
         state.interval as f64,
     ]
+}
+
+/// The largest pressure (MPa) of the points that pressed in the state before, too: where a point closes within a step, the last stage of the
+/// step makes up for those in which it was open, and its pressure is none of the surface. All points count where none is left.
+fn largest(state: &WearState, before: Option<&WearState>) -> f64 {
+    let most = |pressed: &dyn Fn(usize) -> bool| {
+        state.pressure.iter().enumerate().filter(|(k, _)| pressed(*k)).map(|(_, p)| *p).fold(0.0, f64::max)
+    };
+    let lasting = before.map_or(0.0, |before| most(&|k| before.pressure.get(k).is_some_and(|p| *p > 0.0)));
+    if lasting > 0.0 { lasting } else { most(&|_| true) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn state(pressure: [f64; 4]) -> WearState {
+        WearState { pressure: pressure.to_vec(), ..WearState::default() }
+    }
+
+    /// A point that has just closed does not count as the largest pressure, unless it stands alone.
+    #[test]
+    fn largest_pressure_is_that_of_points_that_stay_in_contact() {
+        let history =
+            History { states: vec![state([5.0, 4.0, 0.0, 0.0]), state([3.0, 4.0, 9.0, 0.0]), state([0.0, 0.0, 0.0, 7.0])] };
+        assert_eq!(history.columns()[4].1, [5.0, 4.0, 7.0]);
+    }
 }
