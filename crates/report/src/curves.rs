@@ -34,12 +34,7 @@ fn along_the_surface(problem: &Problem, solution: &Solution, points: &Profile) -
     // Evenly spaced points draw smoother than the contact points.
     let profile = solution.curve.as_ref().unwrap_or(points);
     let (places, x_label) = abscissa(problem, profile);
-    let series = |name: &str, values: &[f64], dashed: bool| Series {
-        name: name.to_string(),
-        points: places.iter().copied().zip(values.iter().copied()).collect(),
-        marks: false,
-        dashed,
-    };
+    let series = |name: &str, values: &[f64], dashed: bool| series_over(&places, name, values, dashed);
     let known = |values: &[f64]| values.iter().any(|value| value.is_finite());
     let plot = |what: &str, y_label: &str, series: Vec<Series>| LinePlot {
         title: format!("{}: {what}", problem.title()),
@@ -90,15 +85,16 @@ fn along_the_surface(problem: &Problem, solution: &Solution, points: &Profile) -
     plots
 }
 
+/// A curve without marks over these places.
+fn series_over(places: &[f64], name: &str, values: &[f64], dashed: bool) -> Series {
+    let points = places.iter().copied().zip(values.iter().copied()).collect();
+    Series { name: name.to_string(), points, marks: false, dashed }
+}
+
 /// Temperature, heat and thermal gap along the contact surface.
 fn heat_pictures(problem: &Problem, solution: &Solution, profile: &Profile) -> Vec<Picture> {
     let (places, x_label) = abscissa(problem, profile);
-    let series = |name: &str, values: &[f64], dashed: bool| Series {
-        name: name.to_string(),
-        points: places.iter().copied().zip(values.iter().copied()).collect(),
-        marks: false,
-        dashed,
-    };
+    let series = |name: &str, values: &[f64], dashed: bool| series_over(&places, name, values, dashed);
     let picture = |curves: HeatCurves| {
         let plot = LinePlot {
             title: format!("{}: {}", problem.title(), curves.what),
@@ -174,8 +170,11 @@ fn histories(title: &str, history: &[(String, Vec<f64>)]) -> Vec<(&'static str, 
     if let (Some(most), Some(least)) = (column("p_max_MPa"), column("p_min_MPa")) {
         let wide = most.iter().copied().fold(0.0, f64::max) > 20.0 * most.iter().copied().fold(f64::INFINITY, f64::min);
         let y_axis = if wide { Axis::Logarithmic } else { Axis::Linear };
-        let curves = vec![series("largest", most), series("smallest", least)];
-        plots.push(("history-pressure", plot("pressure over time", "pressure (MPa)", [x_axis, y_axis], curves)));
+        // Where points are open all the time the smallest is zero, which a logarithmic axis cannot show.
+        let shown = y_axis == Axis::Linear || least.iter().any(|p| *p > 0.0);
+        let curves = if shown { vec![series("largest", most), series("smallest", least)] } else { vec![series("", most)] };
+        let what = if shown { "pressure over time" } else { "largest pressure over time" };
+        plots.push(("history-pressure", plot(what, "pressure (MPa)", [x_axis, y_axis], curves)));
     }
     let linear = [Axis::Linear; 2];
     if let Some(depth) = column("depth_um") {
