@@ -4,7 +4,7 @@ use crate::fault::{Fault, Place};
 use crate::tree::{self, Entry, Node, Origin, Value};
 
 /// Keys that exclude each other: setting one removes the others of its row. `*` stands for any one key.
-const ALTERNATIVES: [&[&str]; 14] = [
+const ALTERNATIVES: [&[&str]; 15] = [
     &["accuracy", "mesh"],
     &["load.force", "load.approach"],
     &["load.moment", "load.tilt"],
@@ -17,6 +17,7 @@ const ALTERNATIVES: [&[&str]; 14] = [
     &["body1.support.*.pin", "body1.support.*.roller"],
     &["body2.support.*.pin", "body2.support.*.roller"],
     &["surface.*"],
+    &["wear.until.*"],
     &["body1", "surface"],
     &["body2", "surface"],
 ];
@@ -51,6 +52,7 @@ pub(crate) fn apply(tree: &mut Node, settings: &[String]) -> Result<(), Fault> {
         let mut value = value_of(text.trim());
         mark(&mut value, number);
         displace(tree, &path);
+        open(tree, &path, number);
         put(tree, &path, Node { value, origin: Origin::Flag(number) }, number).map_err(|parent| {
             wrong(
                 format!("--set {setting}: `{parent}` is a value, not a table"),
@@ -200,17 +202,27 @@ fn displace(tree: &mut Node, path: &[&str]) {
     }
 }
 
+/// Makes a table of a value whose short form stands where the path goes deeper: a number as gap or a time as end gives way, the file of a gap
+/// becomes its term `profile`.
+fn open(tree: &mut Node, path: &[&str], number: usize) {
+    let (["contact", "gap", _, ..] | ["wear", "until", _, ..]) = path else { return };
+    let Some(node) = tree.at_mut(&path[..2]) else { return };
+    let entries = match std::mem::replace(&mut node.value, Value::Table(Vec::new())) {
+        Value::Table(entries) => entries,
+        file @ Value::Text(_) if path[1] == "gap" => {
+            let origin = node.origin.clone();
+            vec![Entry { key: "profile".to_string(), origin: origin.clone(), node: Node { value: file, origin } }]
+        }
+        _ => {
+            node.origin = Origin::Flag(number);
+            Vec::new()
+        }
+    };
+    node.value = Value::Table(entries);
+}
+
 fn retain(tree: &mut Node, parents: &[&str], keep: impl Fn(&str) -> bool) {
-    let mut node = tree;
-    for key in parents {
-        let Value::Table(entries) = &mut node.value else {
-            return;
-        };
-        let Some(entry) = entries.iter_mut().find(|entry| entry.key == *key) else {
-            return;
-        };
-        node = &mut entry.node;
-    }
+    let Some(node) = tree.at_mut(parents) else { return };
     if let Value::Table(entries) = &mut node.value {
         entries.retain(|entry| keep(&entry.key));
     }

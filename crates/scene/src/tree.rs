@@ -60,6 +60,14 @@ impl Node {
         }
     }
 
+    /// The node under a path of tables.
+    pub(crate) fn at_mut(&mut self, path: &[&str]) -> Option<&mut Node> {
+        path.iter().try_fold(self, |node, key| match &mut node.value {
+            Value::Table(entries) => entries.iter_mut().find(|entry| entry.key == *key).map(|entry| &mut entry.node),
+            _ => None,
+        })
+    }
+
     /// The node under a dotted key.
     pub(crate) fn find(&self, dotted: &str) -> Option<&Node> {
         dotted.split('.').try_fold(self, |node, key| node.child(key))

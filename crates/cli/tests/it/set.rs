@@ -108,6 +108,28 @@ fn an_error_in_a_setting_names_the_flag() {
     }
 }
 
+/// Where the short form of a key stands in the scene, a key below it makes a table of it.
+#[test]
+fn a_key_below_a_short_form_makes_a_table_of_it() {
+    let bench = Bench::new();
+    std::fs::write(bench.path("worn.csv"), "s_mm,gap_um\n-50,1\n0,0\n50,1\n").unwrap();
+    let resolved = |settings: &[&str]| -> toml::Table {
+        let settings = settings.iter().flat_map(|setting| ["--set", setting]);
+        let call = bench.call_with(
+            &[&["run", "punch-wear", "-o", "out", "--set", "accuracy=1e-2"], &settings.collect::<Vec<_>>()[..]].concat(),
+        );
+        assert!(call.code <= 1, "{}", call.err);
+        bench.read("out/scene.resolved.toml").parse().unwrap()
+    };
+    let scene = resolved(&["contact.gap.crown=10 um", "wear.until=1 h", "wear.until.depth=1 um"]);
+    assert_eq!(scene["contact"]["gap"].as_table().unwrap().keys().collect::<Vec<_>>(), ["crown"]);
+    assert_eq!(scene["wear"]["until"].as_table().unwrap().keys().collect::<Vec<_>>(), ["depth"]);
+    let scene = resolved(&["contact.gap=worn.csv", "contact.gap.crown=10 um", "wear.until.time=1 s", "wear.until.distance=1 m"]);
+    assert_eq!(scene["contact"]["gap"].as_table().unwrap().keys().collect::<Vec<_>>(), ["crown", "profile"]);
+    assert_eq!(scene["contact"]["gap"]["profile"]["gap_um"].as_array().unwrap().len(), 3);
+    assert_eq!(scene["wear"]["until"].as_table().unwrap().keys().collect::<Vec<_>>(), ["distance"]);
+}
+
 #[test]
 fn infinite_q_is_a_number() {
     let bench = Bench::new();
