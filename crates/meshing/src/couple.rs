@@ -84,9 +84,10 @@ impl Couple {
         self.bodies[0].moves_one_way()
     }
 
-    /// Young's modulus (MPa) of the softest material of both bodies.
+    /// Young's modulus (MPa) of the softest material of both bodies, along its softest axis.
     pub fn softest(&self) -> f64 {
-        self.bodies.iter().flat_map(|body| &body.materials).map(|material| material.young.0).fold(f64::INFINITY, f64::min)
+        let materials = self.bodies.iter().flat_map(|body| &body.materials);
+        materials.flat_map(|material| material.young.each()).map(|young| young.0).fold(f64::INFINITY, f64::min)
     }
 }
 
@@ -101,7 +102,7 @@ impl Body {
     /// # Errors
     /// A modulus or a ratio out of range.
     pub fn elastic(&self) -> Result<Vec<hpfem::Material>, hpfem::Error> {
-        self.materials.iter().map(|m| hpfem::Material::isotropic(m.young.0, m.poisson)).collect()
+        self.materials.iter().map(elastic).collect()
     }
 
     /// Whether an edge holds a component.
@@ -121,6 +122,16 @@ impl Body {
             Support::Components(_) | Support::Roller(_) => None,
         })
     }
+}
+
+/// A material in the words of the finite elements.
+pub(crate) fn elastic(material: &Material) -> Result<hpfem::Material, hpfem::Error> {
+    let (young, poisson) = (material.young.each().map(|young| young.0), material.poisson.each());
+    let Some(shear) = material.shear.filter(|_| material.is_orthotropic()) else {
+        return hpfem::Material::isotropic(young[0], poisson[0]);
+    };
+    let constants = hpfem::Orthotropic { young, poisson, shear: shear.each().map(|shear| shear.0) };
+    hpfem::Material::orthotropic(constants, material.angle.map_or(0.0, |angle| angle.0))
 }
 
 impl LoadedEdge {

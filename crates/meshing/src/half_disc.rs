@@ -10,7 +10,7 @@
 //! Both are cut at x = 0, the plane of symmetry or the axis, and mirrored where the load has no symmetry.
 
 use hpfem::{Curve, Edge, Error, Mesh, Quad};
-use scene::{Component, Fault, Geometry, HalfDisc, Rectangle};
+use scene::{Component, Fault, Geometry, HalfDisc, Material, Rectangle};
 
 use crate::couple::Couple;
 use crate::names::{AXIS, CONTACT, LOAD};
@@ -67,6 +67,12 @@ impl HalfDiscOnFlat {
         if let Some((edge, _)) = bad {
             let message = format!("body 1 is held on its edge {edge}, so that the load cannot press it on body 2");
             return Err(Fault::at("body1.support", "held", message, "hold body 1 along x only, on its line centre or its top"));
+        }
+        if !revolved && let Some(body) = couple.bodies.iter().find(|body| body.materials.iter().any(is_askew)) {
+            let message =
+                "the axes of an orthotropic material that are turned are not symmetric about the line through the centre";
+            let remedy = "turn them by a multiple of 90 deg, or give the disc by cells (geometry.blocks)";
+            return Err(Fault::at(format!("{}.material.angle", body.key), "not-available", message, remedy));
         }
         let rigid = couple.has_rigid_edge();
         Ok(Some(HalfDiscOnFlat {
@@ -328,6 +334,12 @@ fn mirrored(half: &Mesh) -> Result<Mesh, Error> {
         }
     }
     Mesh::new(vertices, &all, &curves, &names)
+}
+
+/// Whether a material has other moduli after a reflection left to right.
+fn is_askew(material: &Material) -> bool {
+    let quarters = material.angle.map_or(0.0, |angle| angle.0 / std::f64::consts::FRAC_PI_2);
+    material.is_orthotropic() && (quarters - quarters.round()).abs() > 1e-12
 }
 
 /// Moves a mesh of lines and arcs as a whole.

@@ -22,6 +22,7 @@ mod read;
 mod resultant;
 mod round_cells;
 mod sound;
+mod sound_material;
 mod template;
 
 pub use blocks::unused as unused_in_blocks;
@@ -37,4 +38,5 @@ pub use names::{AXIS, CONTACT, LOAD};
 pub use outline::{Edge, Outline, outline, outside, touches_all_around};
 pub use read::read_cells;
 pub use resultant::UnitLoad;
-pub use sound::{sound, sound_material};
+pub use sound::sound;
+pub use sound_material::sound_material;

@@ -4,20 +4,7 @@ use std::collections::BTreeMap;
 
 use scene::{Fault, Geometry, HalfDisc, Length, Material, Rectangle, RingSegment, ShoeBlock, positive};
 
-/// Checks a linear elastic material at a dotted key: `E > 0` and `-1 < nu < 0.5`.
-///
-/// # Errors
-/// The fault of the number out of range.
-pub fn sound_material(key: &str, material: Material) -> Result<(), Fault> {
-    positive(&format!("{key}.young"), material.young.0, "Young's modulus", " MPa")?;
-    let nu = material.poisson;
-    if !(nu > -1.0 && nu < 0.5) {
-        let message = format!("Poisson's ratio {nu} is not between -1 and 0.5");
-        let remedy = "give a ratio from 0 to 0.49999, as in poisson = 0.3";
-        return Err(Fault::at(format!("{key}.poisson"), "wrong-value", message, remedy));
-    }
-    Ok(())
-}
+use crate::sound_material::sound_material;
 
 fn interval(key: &str, range: [Length; 2]) -> Result<(), Fault> {
     if range[0].0 < range[1].0 && range[0].0.is_finite() && range[1].0.is_finite() {

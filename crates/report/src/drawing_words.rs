@@ -1,6 +1,6 @@
 //! The words below the drawing of a scene.
 
-use scene::{Kinematics, Load, LoadKind, Material, Scene, Support, SurfaceShape};
+use scene::{Axes, Kinematics, Load, LoadKind, Material, Pressure, Scene, Support, SurfaceShape};
 use wearshape::Problem;
 
 use crate::brief::brief;
@@ -66,7 +66,20 @@ fn guided_words((edge, support): (&String, &Support)) -> Option<String> {
 }
 
 fn elastic(material: &Material) -> String {
-    format!("E = {} GPa, \u{3bd} = {}", brief(1e-3 * material.young.0), material.poisson)
+    let list = |values: &[f64]| values.iter().map(|value| brief(*value)).collect::<Vec<_>>().join(", ");
+    let along = |moduli: [Pressure; 3]| list(&moduli.map(|modulus| 1e-3 * modulus.0));
+    match (material.young, material.poisson) {
+        (Axes::One(young), Axes::One(poisson)) => format!("E = {} GPa, \u{3bd} = {poisson}", brief(1e-3 * young.0)),
+        (young, poisson) => {
+            let shear = material.shear.map_or(String::new(), |shear| match shear {
+                Axes::One(shear) => format!(", G = {} GPa", brief(1e-3 * shear.0)),
+                Axes::Three(shear) => format!(", G = {} GPa", along(shear)),
+            });
+            let angle = material.angle.map_or(0.0, |angle| angle.0.to_degrees());
+            let turned = if angle == 0.0 { String::new() } else { format!(", axis 1 at {} deg", brief(angle)) };
+            format!("E = {} GPa, \u{3bd} = {}{shear}{turned}", along(young.each()), list(&poisson.each()))
+        }
+    }
 }
 
 /// What presses, turns and shifts body 1.

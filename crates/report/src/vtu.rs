@@ -75,8 +75,8 @@ fn vtu(body: &BodyField, line: Option<&ContactLine<'_>>, cut: Cut) -> String {
     let cell_arrays = vec![
         VtuArray::new("degree", 1, degrees),
         VtuArray::new("material", 1, materials.iter().map(|index| *index as f64).collect()),
-        VtuArray::new("young_MPa", 1, of_material(|material| material.young.0)),
-        VtuArray::new("poisson", 1, of_material(|material| material.poisson)),
+        VtuArray::new("young_MPa", 1, of_material(|material| material.in_plane()[0])),
+        VtuArray::new("poisson", 1, of_material(|material| material.in_plane()[1])),
     ];
     let mut point_arrays = point_arrays(body);
     point_arrays.extend(line.map(|line| VtuArray::new("contact_pressure_MPa", 1, contact_pressure(body, line))));

@@ -50,8 +50,8 @@ pub use scene::{
 };
 pub use support::{Component, Support};
 pub use units::{
-    Angle, AngularSpeed, Conductance, Conductivity, Expansion, Force, Frequency, HeatFlux, HeatTransfer, Length, Moment, Pair,
-    Pressure, Scale, Speed, Steps, Temperature, Time, Volume, WearFactor,
+    Angle, AngularSpeed, Axes, Conductance, Conductivity, Expansion, Force, Frequency, HeatFlux, HeatTransfer, Length, Moment,
+    Pair, Pressure, Scale, Speed, Steps, Temperature, Time, Volume, WearFactor,
 };
 pub use value::{missing, positive};
 pub use visible::{acts, bounded, visible};

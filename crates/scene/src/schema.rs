@@ -15,8 +15,8 @@ use crate::units::dimension::{
     PRESSURE, SPEED, TEMPERATURE, TIME, VOLUME, WEAR_FACTOR,
 };
 use crate::units::{
-    Angle, AngularSpeed, Conductance, Conductivity, Expansion, Force, Frequency, HeatFlux, HeatTransfer, Length, Moment, Pair,
-    Pressure, Scale, Speed, Steps, Temperature, Time, Volume, WearFactor,
+    Angle, AngularSpeed, Axes, Conductance, Conductivity, Expansion, Force, Frequency, HeatFlux, HeatTransfer, Length, Moment,
+    Pair, Pressure, Scale, Speed, Steps, Temperature, Time, Volume, WearFactor,
 };
 
 fn schema_of(dimension: &Dimension) -> Schema {
@@ -215,6 +215,21 @@ impl<T: JsonSchema> JsonSchema for Pair<T> {
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
         let one = generator.subschema_for::<T>();
         json_schema!({ "anyOf": [one, { "type": "array", "items": one, "minItems": 2, "maxItems": 2 }] })
+    }
+}
+
+impl<T: JsonSchema> JsonSchema for Axes<T> {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        format!("AxesOf{}", T::schema_name()).into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let one = generator.subschema_for::<T>();
+        json_schema!({ "anyOf": [one, { "type": "array", "items": one, "minItems": 3, "maxItems": 3 }] })
     }
 }
 

@@ -1,5 +1,6 @@
 //! Quantities of a scene: a bare number in N, mm, MPa, s, rad, or a string with a unit. Kept in base units.
 
+mod axes;
 mod conductance;
 pub(crate) mod dimension;
 mod pair;
@@ -11,6 +12,7 @@ use std::fmt;
 use serde::de::{self, Deserialize, Deserializer, Visitor};
 use serde::{Serialize, Serializer};
 
+pub use axes::Axes;
 pub use conductance::Conductance;
 use dimension::{
     ANGLE, ANGULAR_SPEED, CONDUCTIVITY, Dimension, EXPANSION, FORCE, FREQUENCY, HEAT_FLUX, HEAT_TRANSFER, LENGTH, MOMENT,

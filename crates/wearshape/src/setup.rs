@@ -19,6 +19,7 @@ mod stages;
 mod start_gap;
 mod tasks;
 mod track;
+mod turning_axes;
 mod twist;
 mod unused;
 mod wear_rule;
@@ -69,6 +70,7 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     carried::check(&scene, &tasks, couple.as_ref(), patch.as_ref())?;
     if let Some(couple) = &couple {
         freedom::check(couple, &load, patch.as_ref(), grip(&scene))?;
+        turning_axes::check(&scene, couple, patch.as_ref())?;
     }
     let heat = heat::resolve(&mut scene, &tasks, couple.as_ref(), patch.as_ref())?;
     let unused_keys = unused::keys(document, &scene, &tasks, without_heat);

@@ -1,4 +1,4 @@
-//! Orthotropic materials: patches at four angles, Lekhnitskii's hole, the isotropic limit.
+//! Orthotropic materials: patches at four angles, exact solutions without symmetry, Lekhnitskii's hole, the isotropic limit, turned bodies.
 
 use crate::common::*;
 use hpfem::*;
@@ -74,11 +74,38 @@ fn stiffness_turns_with_the_fibres() {
 }
 
 /// Compliances `[a11, a12, a22, a16, a26, a66]` in the plane.
-fn compliance(material: &Material) -> [f64; 6] {
-    let Moduli::General { stiffness: c } = material.moduli(PLANE_STRESS) else { panic!("not orthotropic") };
+fn compliance(material: &Material, kinematics: Kinematics) -> [f64; 6] {
+    let Moduli::General { stiffness: c } = material.moduli(kinematics) else { panic!("not orthotropic") };
     let places = [0, 1, 3];
     let a = nalgebra::Matrix3::from_fn(|i, j| c[places[i]][places[j]]).try_inverse().unwrap();
     [a[(0, 0)], a[(0, 1)], a[(1, 1)], a[(0, 2)], a[(1, 2)], a[(2, 2)]]
+}
+
+/// Roots above the real axis of the characteristic equation of a material.
+fn roots([a11, a12, a22, a16, a26, a66]: [f64; 6]) -> [C; 2] {
+    // a11 m^4 - 2 a16 m^3 + (2 a12 + a66) m^2 - 2 a26 m + a22 = 0, by Newton's method with deflation.
+    let f = |m: C| (((m * a11 - 2.0 * a16) * m + 2.0 * a12 + a66) * m - 2.0 * a26) * m + a22;
+    let slope = |m: C| ((m * 4.0 * a11 - 6.0 * a16) * m + 2.0 * (2.0 * a12 + a66)) * m - 2.0 * a26;
+    let mut roots: Vec<C> = Vec::new();
+    let mut start = 0.4;
+    while roots.len() < 2 {
+        let mut m = C::new(0.1 * start, start);
+        for _ in 0..200 {
+            let others: C = roots.iter().flat_map(|r| [*r, r.conj()]).map(|r| 1.0 / (m - r)).sum();
+            m -= 1.0 / (slope(m) / f(m) - others);
+            if f(m).norm() < 1e-18 * a22 {
+                break;
+            }
+        }
+        if m.im < 0.0 {
+            m = m.conj();
+        }
+        if f(m).norm() < 1e-12 * a22 && roots.iter().all(|r| (r - m).norm() > 1e-6) {
+            roots.push(m);
+        }
+        start += 0.37;
+    }
+    [roots[0], roots[1]]
 }
 
 /// Lekhnitskii's solution of an infinite plate with a hole of radius 1 pulled along x by 1 (Anisotropic plates, 1968).
@@ -89,30 +116,7 @@ struct Hole {
 
 impl Hole {
     fn new(material: &Material) -> Hole {
-        let [a11, a12, a22, a16, a26, a66] = compliance(material);
-        // a11 m^4 - 2 a16 m^3 + (2 a12 + a66) m^2 - 2 a26 m + a22 = 0, by Newton's method with deflation.
-        let f = |m: C| (((m * a11 - 2.0 * a16) * m + 2.0 * a12 + a66) * m - 2.0 * a26) * m + a22;
-        let slope = |m: C| ((m * 4.0 * a11 - 6.0 * a16) * m + 2.0 * (2.0 * a12 + a66)) * m - 2.0 * a26;
-        let mut roots: Vec<C> = Vec::new();
-        let mut start = 0.4;
-        while roots.len() < 2 {
-            let mut m = C::new(0.1 * start, start);
-            for _ in 0..200 {
-                let others: C = roots.iter().flat_map(|r| [*r, r.conj()]).map(|r| 1.0 / (m - r)).sum();
-                m -= 1.0 / (slope(m) / f(m) - others);
-                if f(m).norm() < 1e-18 * a22 {
-                    break;
-                }
-            }
-            if m.im < 0.0 {
-                m = m.conj();
-            }
-            if f(m).norm() < 1e-12 * a22 && roots.iter().all(|r| (r - m).norm() > 1e-6) {
-                roots.push(m);
-            }
-            start += 0.37;
-        }
-        Hole { mu: [roots[0], roots[1]] }
+        Hole { mu: roots(compliance(material, PLANE_STRESS)) }
     }
 
     fn stress(&self, x: [f64; 2]) -> [f64; 4] {
@@ -175,6 +179,115 @@ fn lekhnitskiis_hole_is_met_at_every_angle_of_the_fibres() {
             })
             .collect();
         assert!(errors[2] < 1e-6 && errors[2] < 1e-3 * errors[0], "{angle}: {errors:?}");
+    }
+}
+
+/// A solution without body force and without any symmetry by Lekhnitskii's potentials: `s_xx = 2 Re sum mu_k^2 f_k`, `s_zz = 2 Re sum f_k`,
+/// `s_xz = -2 Re sum mu_k f_k` with `f_k = a_k exp(b_k (x + mu_k z))`.
+#[derive(Clone, Copy)]
+struct Exponential {
+    material: Material,
+    kinematics: Kinematics,
+    mu: [C; 2],
+}
+
+impl Exponential {
+    fn new(material: Material, kinematics: Kinematics) -> Exponential {
+        Exponential { material, kinematics, mu: roots(compliance(&material, kinematics)) }
+    }
+
+    fn stress(&self, x: [f64; 2]) -> [f64; 4] {
+        let (factors, rates) = ([C::new(0.8, 0.5), C::new(-0.3, 0.7)], [C::new(0.3, -0.2), C::new(-0.2, 0.25)]);
+        let [p, q] = std::array::from_fn(|k| factors[k] * (rates[k] * (x[0] - 2.0 + self.mu[k] * (x[1] - 0.7))).exp());
+        let [m, n] = self.mu;
+        let [xx, zz, xz] = [2.0 * (m * m * p + n * n * q).re, 2.0 * (p + q).re, -2.0 * (m * p + n * q).re];
+        let [a11, a12, a22, a16, a26, a66] = compliance(&self.material, self.kinematics);
+        let strains = [a11 * xx + a12 * zz + a16 * xz, a12 * xx + a22 * zz + a26 * xz, a16 * xx + a26 * zz + a66 * xz, 0.0];
+        let yy = self.material.moduli(self.kinematics).stress(strains, self.kinematics)[3];
+        [xx, zz, xz, yy]
+    }
+}
+
+#[test]
+fn a_solution_without_symmetry_converges_exponentially_on_turned_curved_cells() {
+    for (angle, kinematics) in [(0.0, PLANE_STRESS), (0.9, PLANE_STRESS), (0.3, PLANE_STRAIN), (2.2, PLANE_STRAIN)] {
+        let material = Material::orthotropic(LAMINATE, angle).unwrap();
+        let exact = Exponential::new(material, kinematics);
+        for (turns, shape) in [(TURNS[4], Shape::Arcs), (TURNS[6], Shape::Polynomial(3))] {
+            for mesh in [patch(turns, shape, 0.0), mixed(turns, shape, 0.0)] {
+                let errors: Vec<f64> = [3, 6, 9, 12]
+                    .iter()
+                    .map(|degree| {
+                        let body = under(&mesh, *degree, material, kinematics, move |x| exact.stress(x));
+                        stress_error(&body.field(&solved(&body, &[1.0])).unwrap(), &mesh, |x| exact.stress(x))
+                    })
+                    .collect();
+                println!("{angle} {kinematics:?} {turns:?}: {errors:?}");
+                // At least a factor of 2.5 a degree.
+                assert!(errors[3] < 1e-6 && errors[3] < errors[0] * 2.5_f64.powi(-9), "{angle} {turns:?}: {errors:?}");
+            }
+        }
+    }
+}
+
+/// A mesh of lines and arcs turned about the origin.
+fn turned(mesh: &Mesh, angle: f64) -> Mesh {
+    let (s, c) = angle.sin_cos();
+    let point = |[x, z]: [f64; 2]| [c * x - s * z, s * x + c * z];
+    let mut mesh = mesh.clone();
+    mesh.vertices.iter_mut().for_each(|x| *x = point(*x));
+    for edge in &mut mesh.edges {
+        edge.curve = match &edge.curve {
+            Curve::Line { start, end } => Curve::Line { start: point(*start), end: point(*end) },
+            Curve::Arc { centre, radius, from, to } => {
+                Curve::Arc { centre: point(*centre), radius: *radius, from: from + angle, to: to + angle }
+            }
+            other => panic!("{other:?}"),
+        };
+    }
+    mesh
+}
+
+#[test]
+fn a_body_turned_with_its_fibres_and_its_load_has_the_same_energy_and_the_turned_stress() {
+    let (fibres, angle) = (0.4, 1.1);
+    let (s, c) = f64::sin_cos(angle);
+    let back = move |[x, z]: [f64; 2]| [c * x + s * z, c * z - s * x];
+    let turned_stress = move |[x, z, t, y]: [f64; 4]| {
+        [
+            c * c * x + s * s * z - 2.0 * s * c * t,
+            s * s * x + c * c * z + 2.0 * s * c * t,
+            s * c * (x - z) + (c * c - s * s) * t,
+            y,
+        ]
+    };
+    for kinematics in KINEMATICS {
+        let [still, moved] = [fibres, fibres + angle].map(|at| Material::orthotropic(LAMINATE, at).unwrap());
+        let exact = Exponential::new(still, kinematics);
+        let mesh = patch(TURNS[5], Shape::Arcs, 0.0);
+        let other = turned(&mesh, angle);
+        let field = |mesh: &Mesh, material, stress: Box<dyn Fn([f64; 2]) -> [f64; 4] + Send + Sync>| {
+            let body = under(mesh, 12, material, kinematics, stress);
+            let state = solved(&body, &[1.0]);
+            let field = body.field(&state).unwrap();
+            // Twice the energy is the work of the load, which the reduced body tells.
+            let energy = field.strain_energy();
+            let work = body.interface.strain_energy(&state);
+            assert!((work / energy - 1.0).abs() < 1e-10, "{work} {energy}");
+            (field, energy)
+        };
+        let (first, energy) = field(&mesh, still, Box::new(move |x| exact.stress(x)));
+        let (second, same) = field(&other, moved, Box::new(move |x| turned_stress(exact.stress(back(x)))));
+        assert!((same / energy - 1.0).abs() < 1e-11, "{same} {energy}");
+        for cell in 0..4 {
+            for (xi, eta) in sample_points() {
+                let wanted = turned_stress(first.at(cell, xi, eta).unwrap().stress);
+                let size = wanted.iter().fold(0.0_f64, |size, s| size.max(s.abs()));
+                for (a, b) in second.at(cell, xi, eta).unwrap().stress.iter().zip(wanted) {
+                    assert!((a - b).abs() < 1e-9 * size, "{a} {b}");
+                }
+            }
+        }
     }
 }
 

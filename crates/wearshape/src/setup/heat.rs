@@ -37,7 +37,7 @@ fn leave_out(scene: &mut Scene) -> Result<(), Fault> {
             return Err(Fault::at(key, "not-carried", message, "add `heat = { share = 0.1 }` (or conductance), or remove it"));
         }
         body.heat.clear();
-        for_each_material(body, &mut |_, material| *material = Material::elastic(material.young, material.poisson));
+        for_each_material(body, &mut |_, material| *material = material.without_heat());
     }
     scene.heat = None;
     Ok(())

@@ -40,7 +40,7 @@ fn materials(problem: &Problem, say: &mut impl FnMut(&'static str, String)) {
     let own = [&problem.scene.body1, &problem.scene.body2];
     for (body, own) in problem.couple.iter().flat_map(|couple| &couple.bodies).zip(own) {
         let mut said: Vec<f64> = Vec::new();
-        for young in body.materials.iter().map(|material| material.young.0) {
+        for young in body.materials.iter().flat_map(|material| material.young.each()).map(|young| young.0) {
             if (1.0..=1.3e6).contains(&young) || said.contains(&young) {
                 continue;
             }
@@ -69,7 +69,11 @@ fn name_of(body: &scene::Body, young: f64) -> Option<String> {
         | Geometry::RingSegment(_)
         | Geometry::HalfDisc(_) => return None,
     };
-    let names: Vec<&str> = materials.iter().filter(|(_, own)| own.young.0 == young).map(|(name, _)| name.as_str()).collect();
+    let names: Vec<&str> = materials
+        .iter()
+        .filter(|(_, own)| own.young.each().iter().any(|own| own.0 == young))
+        .map(|(name, _)| name.as_str())
+        .collect();
     (!names.is_empty()).then(|| names.join(", "))
 }
 

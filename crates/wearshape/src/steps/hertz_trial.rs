@@ -9,7 +9,10 @@ use crate::load::Load;
 /// Half the width of contact, or its radius (Johnson 1985, sec. 4.2 and 7.2), of the softest materials of both bodies.
 pub(crate) fn hertz_end(radius: f64, couple: &Couple, load: &Load) -> f64 {
     let plane_stress = matches!(couple.kinematics, Kinematics::PlaneStress { .. });
-    let softness = |m: &Material| (if plane_stress { 1.0 } else { 1.0 - m.poisson * m.poisson }) / m.young.0;
+    let softness = |m: &Material| {
+        let [young, poisson] = m.in_plane();
+        (if plane_stress { 1.0 } else { 1.0 - poisson * poisson }) / young
+    };
     let softest = |body: &Body| body.materials.iter().map(softness).fold(0.0, f64::max);
     let modulus = 1.0 / (softest(&couple.bodies[0]) + softest(&couple.bodies[1]));
     let force = load.force.unwrap_or(0.0);

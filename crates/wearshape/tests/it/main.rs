@@ -11,6 +11,7 @@ mod files;
 mod guided;
 mod heat;
 mod load;
+mod orthotropic;
 mod own_rule;
 mod pinned;
 mod plain;
