@@ -108,12 +108,28 @@ impl EdgeTraction {
 pub struct BodyForce {
     /// The force, N/mm^3, at a position, mm.
     pub force: Arc<dyn Fn([f64; 2]) -> [f64; 2] + Send + Sync>,
+    /// Factor of each material, by its index; none where it is the same in all.
+    pub(crate) of_materials: Option<Vec<f64>>,
 }
 
 impl BodyForce {
     /// A force per volume by a function of the position.
     pub fn new(force: impl Fn([f64; 2]) -> [f64; 2] + Send + Sync + 'static) -> BodyForce {
-        BodyForce { force: Arc::new(force) }
+        BodyForce { force: Arc::new(force), of_materials: None }
+    }
+
+    /// The same with a factor for each material of the mesh, as the density where the function is a force per mass. A place whose material has no
+    /// factor has no force.
+    #[must_use]
+    pub fn by_material(self, factors: &[f64]) -> BodyForce {
+        BodyForce { of_materials: Some(factors.to_vec()), ..self }
+    }
+
+    /// The force per volume at a position in a material.
+    pub(crate) fn at(&self, position: [f64; 2], material: usize) -> [f64; 2] {
+        let factor = self.of_materials.as_ref().map(|factors| factors.get(material).copied().unwrap_or(0.0));
+        let force = (self.force)(position);
+        factor.map_or(force, |factor| force.map(|f| factor * f))
     }
 
     /// The weight of a body of this density under the acceleration `[g_x, g_z]`.

@@ -189,7 +189,7 @@ impl Assembly<'_> {
     fn point_load(&self, cell: usize, reference: [f64; 2], point: &CellPoint, load: &Load) -> PointLoad {
         let material = self.mesh.cells[cell].material;
         match load {
-            Load::BodyForce(body) => (body.force)(point.position).map(|f| [f / self.unit, 0.0, 0.0]),
+            Load::BodyForce(body) => body.at(point.position, material).map(|f| [f / self.unit, 0.0, 0.0]),
             Load::Eigenstrain(eigen) => {
                 let strain = (eigen.strain)(&BodyPoint { cell, reference, position: point.position, material });
                 self.strain_load(material, point.position[0], strain)

@@ -33,6 +33,8 @@ pub struct Body {
     pub supports: BTreeMap<String, Support>,
     /// Name of the edge that touches the other body.
     pub contact: String,
+    /// The point [x, z] about which it spins (mm), its centre of mass; any one of a body of revolution. None of a body that does not spin.
+    pub spin: Option<[f64; 2]>,
 }
 
 /// Where and how body 1 is loaded.

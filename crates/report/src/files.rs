@@ -9,7 +9,7 @@ use crate::json::pretty;
 use crate::line_plot::zoned_plot;
 use crate::table::{columns_csv, profile_csv};
 use crate::touch::Touch;
-use crate::{curves, field_picture, heat_picture, machined, map_picture, page, summary, vtu};
+use crate::{curves, field_picture, heat_picture, machined, map_picture, page, path_csv, summary, vtu};
 
 /// The files of a folder, by name and bytes; the same problem gives the same bytes. What takes a clock or goes on while a problem is solved
 /// (timing.json, run.mcap) is not among them.
@@ -30,6 +30,7 @@ pub fn files(problem: &Problem, solution: &Solution) -> Vec<(String, Vec<u8>)> {
     if let Some(surface) = &solution.machined {
         machined::machined_files(surface, problem.title()).into_iter().for_each(|(name, text)| put(name, text));
     }
+    path_csv::path_files(solution).into_iter().for_each(|(name, text)| put(&name, text));
     vtu::field_files(solution).into_iter().for_each(|(name, text)| put(&name, text));
     pictures(problem, solution, &mut put);
     put("summary.json", pretty(&summary));

@@ -27,6 +27,7 @@ mod one_percent;
 mod page;
 mod page_frame;
 mod page_tables;
+mod path_csv;
 mod place;
 mod reach;
 mod run_in;

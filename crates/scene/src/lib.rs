@@ -20,6 +20,7 @@ mod reversing;
 mod scene;
 #[cfg(feature = "schema")]
 mod schema;
+mod spin;
 mod support;
 mod tree;
 mod units;
@@ -45,13 +46,14 @@ pub use numbers::{number_text, short, with_short_numbers};
 pub use point_shape::{PointShape, PolarPoint};
 pub use reversing::{Cycle, Reversing};
 pub use scene::{
-    Balance, Body, Contact, Counterface, Functional, Kinematics, Load, LoadKind, Mesh, Modes, Optimum, Output, Scene, Schedule,
-    Sliding, Task, Units, Wear,
+    Balance, Body, Contact, Counterface, FieldPath, Functional, Kinematics, Load, LoadKind, Mesh, Modes, Optimum, Output, Scene,
+    Schedule, Sliding, Task, Units, Wear,
 };
+pub use spin::Spin;
 pub use support::{Component, Support};
 pub use units::{
-    Angle, AngularSpeed, Axes, Conductance, Conductivity, Expansion, Force, Frequency, HeatFlux, HeatTransfer, Length, Moment,
-    Pair, Pressure, Scale, Speed, Steps, Temperature, Time, Volume, WearFactor,
+    Angle, AngularSpeed, Axes, Conductance, Conductivity, Density, Expansion, Force, Frequency, HeatFlux, HeatTransfer, Length,
+    Moment, Pair, Pressure, Scale, Speed, Steps, Temperature, Time, Volume, WearFactor,
 };
 pub use value::{missing, positive};
 pub use visible::{acts, bounded, visible};

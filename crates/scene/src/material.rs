@@ -7,7 +7,7 @@ use serde::de::{self, Deserializer, MapAccess, Visitor};
 use serde::{Deserialize, Serialize};
 
 use crate::known::known_material;
-use crate::units::{Angle, Axes, Conductivity, Expansion, Pressure, Temperature};
+use crate::units::{Angle, Axes, Conductivity, Density, Expansion, Pressure, Temperature};
 
 /// Linear elasticity, isotropic or orthotropic. A scene may name a known material instead ([`known_materials`](crate::known_materials)).
 ///
@@ -25,6 +25,9 @@ pub struct Material {
     /// Angle (rad) of axis 1 to +x, anti-clockwise.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub angle: Option<Angle>,
+    /// Density (t/mm^3).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub density: Option<Density>,
     /// Conductivity of heat (mW/(mm K)).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub conductivity: Option<Conductivity>,
@@ -37,10 +40,11 @@ pub struct Material {
 }
 
 impl Material {
-    /// An elastic material of which nothing thermal is known.
+    /// An elastic material of which nothing else is known.
     pub fn elastic(young: Pressure, poisson: f64) -> Material {
         let (young, poisson) = (Axes::One(young), Axes::One(poisson));
-        Material { young, poisson, shear: None, angle: None, conductivity: None, expansion: None, temperature_limit: None }
+        let (shear, angle, density, conductivity, expansion) = (None, None, None, None, None);
+        Material { young, poisson, shear, angle, density, conductivity, expansion, temperature_limit: None }
     }
 
     /// The same of which nothing thermal is known.
@@ -87,6 +91,10 @@ pub(crate) struct Numbers {
     /// Angle of axis 1 of an orthotropic material to +x, anti-clockwise (rad). Default 0.
     #[serde(default)]
     angle: Option<Angle>,
+    /// Density (t/mm^3), of a body that spins.
+    #[serde(default)]
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
+    density: Option<Density>,
     /// Conductivity of heat (mW/(mm K), that is W/(m K)).
     #[serde(default)]
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
@@ -113,6 +121,8 @@ impl<'de> Deserialize<'de> for Material {
             fn visit_str<E: de::Error>(self, name: &str) -> Result<Material, E> {
                 let known = known_material(name).map_err(E::custom)?;
                 Ok(Material {
+                    // kg/m^3.
+                    density: known.density.map(|density| Density(density / 1e12)),
                     conductivity: known.conductivity.map(Conductivity),
                     // The table is in 1e-6/K: a division rounds once.
                     expansion: known.expansion.map(|expansion| Expansion(expansion / 1e6)),
@@ -121,9 +131,9 @@ impl<'de> Deserialize<'de> for Material {
             }
 
             fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Material, A::Error> {
-                let Numbers { young, poisson, shear, angle, conductivity, expansion, temperature_limit } =
+                let Numbers { young, poisson, shear, angle, density, conductivity, expansion, temperature_limit } =
                     Numbers::deserialize(MapAccessDeserializer::new(map))?;
-                Ok(Material { young, poisson, shear, angle, conductivity, expansion, temperature_limit })
+                Ok(Material { young, poisson, shear, angle, density, conductivity, expansion, temperature_limit })
             }
         }
         deserializer.deserialize_any(MaterialVisitor)

@@ -69,6 +69,8 @@ fn table_like(table: &str) -> &'static str {
         "Sliding" => "{ speed = \"5 mm/s\" }",
         "Wear" => "{ beta = [2e-4, 0], a = 1, b = 1 }",
         "Schedule" => "{ time = [0, 10], force = [1, 2] }",
+        "Spin" => "{ omega = \"3000 rpm\" }",
+        "FieldPath" => "{ name = \"bore\", body = 2, from = [100, 0], to = [200, 0] }",
         "Heat" => "{ share = 0.1, reference = \"20 degC\" }",
         "EdgeHeat" => "{ convection = \"100 W/(m2 K)\", ambient = \"20 degC\" }",
         "Optimum" => "{ functional = \"steady\" }",

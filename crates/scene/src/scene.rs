@@ -7,11 +7,12 @@ use serde::{Deserialize, Serialize};
 use crate::geometry::{Geometry, SurfaceShape};
 use crate::heat::{EdgeHeat, Heat};
 use crate::material::Material;
+use crate::spin::Spin;
 use crate::support::Support;
 use crate::units::{AngularSpeed, Force, Length, Moment, Pair, Pressure, Speed, Time, WearFactor};
 
 pub use crate::counterface::Counterface;
-pub use crate::output::Output;
+pub use crate::output::{FieldPath, Output};
 
 /// A wear scene: two bodies (or a surface alone), their load and sliding, the wear rule, and what is wanted.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
@@ -142,6 +143,9 @@ pub struct Body {
     /// What holds named edges: a list of components, { pin = [x, z] }, or { roller = angle }.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub support: BTreeMap<String, Support>,
+    /// How fast the body spins; without it it does not.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub spin: Option<Spin>,
     /// What carries heat through named edges, in a scene with `heat`; all others are insulated.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub heat: BTreeMap<String, EdgeHeat>,

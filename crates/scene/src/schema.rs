@@ -11,12 +11,12 @@ use crate::material::{Material, Numbers};
 use crate::point_shape::{PointShape, PolarPoint};
 use crate::support::{Component, Support};
 use crate::units::dimension::{
-    ANGLE, ANGULAR_SPEED, CONDUCTIVITY, Dimension, EXPANSION, FORCE, FREQUENCY, HEAT_FLUX, HEAT_TRANSFER, LENGTH, MOMENT,
-    PRESSURE, SPEED, TEMPERATURE, TIME, VOLUME, WEAR_FACTOR,
+    ANGLE, ANGULAR_SPEED, CONDUCTIVITY, DENSITY, Dimension, EXPANSION, FORCE, FREQUENCY, HEAT_FLUX, HEAT_TRANSFER, LENGTH,
+    MOMENT, PRESSURE, SPEED, TEMPERATURE, TIME, VOLUME, WEAR_FACTOR,
 };
 use crate::units::{
-    Angle, AngularSpeed, Axes, Conductance, Conductivity, Expansion, Force, Frequency, HeatFlux, HeatTransfer, Length, Moment,
-    Pair, Pressure, Scale, Speed, Steps, Temperature, Time, Volume, WearFactor,
+    Angle, AngularSpeed, Axes, Conductance, Conductivity, Density, Expansion, Force, Frequency, HeatFlux, HeatTransfer, Length,
+    Moment, Pair, Pressure, Scale, Speed, Steps, Temperature, Time, Volume, WearFactor,
 };
 
 fn schema_of(dimension: &Dimension) -> Schema {
@@ -66,6 +66,7 @@ quantity!(
     WearFactor of WEAR_FACTOR,
     Temperature of TEMPERATURE,
     Conductivity of CONDUCTIVITY,
+    Density of DENSITY,
     Expansion of EXPANSION,
     HeatTransfer of HEAT_TRANSFER,
     HeatFlux of HEAT_FLUX,

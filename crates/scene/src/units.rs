@@ -15,8 +15,8 @@ use serde::{Serialize, Serializer};
 pub use axes::Axes;
 pub use conductance::Conductance;
 use dimension::{
-    ANGLE, ANGULAR_SPEED, CONDUCTIVITY, Dimension, EXPANSION, FORCE, FREQUENCY, HEAT_FLUX, HEAT_TRANSFER, LENGTH, MOMENT,
-    PRESSURE, SPEED, TEMPERATURE, TIME, VOLUME, WEAR_FACTOR,
+    ANGLE, ANGULAR_SPEED, CONDUCTIVITY, DENSITY, Dimension, EXPANSION, FORCE, FREQUENCY, HEAT_FLUX, HEAT_TRANSFER, LENGTH,
+    MOMENT, PRESSURE, SPEED, TEMPERATURE, TIME, VOLUME, WEAR_FACTOR,
 };
 pub use pair::Pair;
 pub use scale::Scale;
@@ -116,6 +116,10 @@ quantity!(
 quantity!(
     /// A moment in N mm.
     Moment, MOMENT
+);
+quantity!(
+    /// A density in t/mm^3, that is N s^2/mm^4.
+    Density, DENSITY
 );
 quantity!(
     /// A volume in mm^3.

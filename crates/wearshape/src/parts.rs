@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use hpfem::{
-    Body, BodyProblem, Direction, EdgeTraction, InterfaceOperator, Kinematics, LoadCase, Mesh, RigidEdge, Sizes, Support,
+    Body, BodyForce, BodyProblem, Direction, EdgeTraction, InterfaceOperator, Kinematics, LoadCase, Mesh, RigidEdge, Sizes,
+    Support,
 };
 use meshing::{self, AXIS, CONTACT, Couple, LOAD, LoadedEdge};
 use scene::{Component, Fault, LoadKind};
@@ -53,10 +54,11 @@ impl BodyParts {
         support_names.extend(pin.map(|(edge, _)| format!("{key}.{edge}")));
         let rigid_edge =
             rigid.filter(|_| kinematics != Kinematics::Torsion).map(|load| rigid_edge(body, load, &mesh, kinematics));
-        let load_cases = match (shaped, kinematics) {
+        let mut load_cases = match (shaped, kinematics) {
             (true, Kinematics::Torsion) | (false, _) => Vec::new(),
             (true, _) => load_cases(couple, &mesh, kinematics),
         };
+        load_cases.extend(body.spin.filter(|_| kinematics != Kinematics::Torsion).map(|about| spin(body, about, kinematics)));
         let problem = BodyProblem {
             degrees,
             materials,
@@ -118,6 +120,14 @@ fn held_edges(body: &meshing::Body, rigid: Option<&LoadedEdge>, kinematics: Kine
         }
     }
     supports
+}
+
+/// The centrifugal force of a body that spins at 1 rad/s.
+fn spin(body: &meshing::Body, about: [f64; 2], kinematics: Kinematics) -> LoadCase {
+    let densities: Vec<f64> = body.materials.iter().map(|material| material.density.map_or(0.0, |density| density.0)).collect();
+    let plane = if kinematics.is_revolved() { 0.0 } else { 1.0 };
+    let force = BodyForce::new(move |[x, z]| [x - plane * about[0], plane * (z - about[1])]);
+    LoadCase::new("spin").with(force.by_material(&densities))
 }
 
 /// An edge that turns about a pin.

@@ -58,6 +58,38 @@ pub struct Problem {
     pub(crate) remarks: Vec<Remark>,
     /// Keys that were written but are not used.
     pub(crate) unused_keys: Vec<String>,
+    /// Angular speeds (rad/s) of both bodies about their centres of mass.
+    pub(crate) spin: [f64; 2],
+    /// Lines along which displacement and stress are written.
+    pub(crate) paths: Vec<Path>,
+}
+
+/// A straight line through a body.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Path {
+    /// Its key in the scene.
+    pub key: String,
+    /// Goes into the name of the file.
+    pub name: String,
+    /// 0 for body 1, 1 for body 2.
+    pub body: usize,
+    /// Its two ends (mm).
+    pub ends: [[f64; 2]; 2],
+    /// Number of points.
+    pub points: usize,
+}
+
+impl Path {
+    /// Distances from the first end, and the points (mm).
+    pub(crate) fn places(&self) -> impl Iterator<Item = (f64, [f64; 2])> {
+        let [from, to] = self.ends;
+        let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+        let last = (self.points - 1) as f64;
+        (0..self.points).map(move |k| {
+            let t = k as f64 / last;
+            (t * length, [0, 1].map(|i| if t == 1.0 { to[i] } else { from[i] + t * (to[i] - from[i]) }))
+        })
+    }
 }
 
 /// How accurate the answer is to be.

@@ -5,13 +5,13 @@ use meshing::{Cut, HalfDiscOnFlat};
 use scene::Fault;
 
 use crate::bodies::Bodies;
-use crate::body_field::FieldFrame;
 use crate::effort::Effort;
 use crate::faults::in_names_of;
 use crate::ladder::{LEAST, Refusal, levels};
 use crate::level::Level;
 use crate::options::Options;
 use crate::parts::Parts;
+use crate::path_profile::Inside;
 use crate::problem::Problem;
 use crate::stage::Stage;
 use crate::step::Step;
@@ -19,7 +19,7 @@ use crate::steps::answer::Outcome;
 use crate::steps::ends_setting::Setting;
 use crate::steps::round::{Round, RoundContact};
 use crate::steps::wear::RoundWear;
-use crate::steps::{ends, ends_scope, recover};
+use crate::steps::{ends, ends_scope, paths, recover};
 use crate::watch::Watch;
 
 /// A contact, ready to be solved.
@@ -62,19 +62,24 @@ impl<'a> Scope<'a> {
 
     /// Refuses bodies that cannot be meshed, held or loaded on the levels that every solve of a problem climbs.
     fn sound(&self, problem: &Problem, options: &Options<'_>) -> Result<(), Fault> {
+        let mirror = match self {
+            Scope::HalfDisc(setting) => setting.mirror(),
+            Scope::Round(_) | Scope::RoundWear(_) | Scope::Known(_) => None,
+        };
+        let sized = |parts: &Parts| parts.sizes().and_then(|_| paths::check(problem, parts, mirror));
         let step = if problem.plan.runs(Step::Contact) { Step::Contact } else { Step::Shape };
         let levels = levels(problem, options, step);
         let Some(level) = levels.iter().take(LEAST).next_back().copied() else { return Ok(()) };
         match self {
             // A contact too long for the bodies is an answer.
             Scope::HalfDisc(setting) => match setting.trial().and_then(|trial| setting.parts(level, &trial)) {
-                Ok((parts, _)) => parts.sizes().map(|_| ()),
+                Ok((parts, _)) => sized(&parts),
                 Err(Refusal::Fault(fault)) => Err(fault),
                 Err(Refusal::Reason(_)) => Ok(()),
             },
-            Scope::Round(_) | Scope::RoundWear(_) => self.parts(level)?.sizes().map(|_| ()),
+            Scope::Round(_) | Scope::RoundWear(_) => sized(&self.parts(level)?),
             Scope::Known(stage) => {
-                self.parts(level)?.sizes()?;
+                sized(&self.parts(level)?)?;
                 if problem.plan.runs(Step::RoundTrip) { stage.meshes(level.layers, Cut::Shifted).map(|_| ()) } else { Ok(()) }
             }
         }
@@ -97,7 +102,7 @@ impl<'a> Scope<'a> {
     }
 
     /// Solves a contact that is not on a known surface, with the fields if they are asked for; `None` for one that is.
-    pub(crate) fn solve(&self, watch: &mut Watch<'_>) -> Result<Option<(Outcome, Effort, Vec<FieldFrame>)>, Refusal> {
+    pub(crate) fn solve(&self, watch: &mut Watch<'_>) -> Result<Option<(Outcome, Effort, Inside)>, Refusal> {
         let setting = match self {
             Scope::Known(_) => return Ok(None),
             Scope::Round(round) => return round.solve(watch).map(Some),
@@ -106,7 +111,7 @@ impl<'a> Scope<'a> {
         };
         let (outcome, mut effort, nodes) = ends::solve(setting, watch)?;
         let reported = outcome.reported.as_ref().filter(|_| setting.problem.plan.runs(Step::Fields));
-        let Some(reported) = reported else { return Ok(Some((outcome, effort, Vec::new()))) };
+        let Some(reported) = reported else { return Ok(Some((outcome, effort, Inside::default()))) };
         let clock = setting.options.clock;
         (setting.options.begun)(Step::Fields);
         let (fields, work) = effort.timed(Step::Fields, clock, |_| recover::recover_ends(setting, reported, &nodes))?;

@@ -7,14 +7,17 @@ mod cycle;
 mod duty;
 mod heat;
 mod load;
+mod materials;
 mod metres;
 mod one_way;
 mod optimum;
 mod own_rule;
+mod paths;
 mod remarks;
 mod repeat;
 mod reversing;
 mod schedule;
+mod spin;
 mod stages;
 mod start_gap;
 mod tasks;
@@ -28,6 +31,7 @@ use meshing::{Couple, Files};
 use scene::{Document, Fault, Scene, Task};
 
 use crate::freedom::{self, Grip};
+use crate::load::Load;
 use crate::plan::Plan;
 use crate::problem::{Friction, Problem};
 use crate::surface::Patch;
@@ -46,7 +50,7 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     let mut scene = document.scene.clone();
     cycle::resolve(&mut scene)?;
     let tasks = tasks::resolve(&mut scene)?;
-    let without_heat = heat::begin(&mut scene, &tasks)?;
+    let left_out = begin(document, &mut scene, &tasks)?;
     let bodies = bodies::resolve(&mut scene, files)?;
     let patch = match (&scene.surface, &bodies) {
         (Some(surface), _) => Some(Patch::bare(surface, scene.sliding.as_ref()).map_err(|fault| cycle::named(&scene, fault))?),
@@ -68,12 +72,10 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     one_way::wanted(&scene, couple.as_ref(), patch.as_ref())?;
     duty::resolve(&scene, &tasks, couple.as_ref())?;
     carried::check(&scene, &tasks, couple.as_ref(), patch.as_ref())?;
-    if let Some(couple) = &couple {
-        freedom::check(couple, &load, patch.as_ref(), grip(&scene))?;
-        turning_axes::check(&scene, couple, patch.as_ref())?;
-    }
+    couple.as_ref().map_or(Ok(()), |couple| may_move(&scene, couple, &load, patch.as_ref()))?;
     let heat = heat::resolve(&mut scene, &tasks, couple.as_ref(), patch.as_ref())?;
-    let unused_keys = unused::keys(document, &scene, &tasks, without_heat);
+    let paths = paths::resolve(&mut scene, &tasks)?;
+    let unused_keys = unused::keys(document, &scene, &tasks, left_out);
     let mut problem = Problem {
         name: document.name.clone(),
         wanted: tasks::wanted(&scene, &tasks),
@@ -90,6 +92,8 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
         wear: wear_rule::numbers(&scene),
         pieces: schedule::pieces(&scene),
         cycles: repeat::cycles(&scene),
+        spin: spin::speeds(&scene),
+        paths,
         optimum: optimum::choice(&scene),
         plan: Plan::default(),
         remarks: Vec::new(),
@@ -101,6 +105,18 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     problem.remarks = remarks::remarks(&problem, &tasks);
     to_be_read_again(document, &mut problem, &tasks);
     Ok(problem)
+}
+
+/// Refuses bodies that are free to move otherwise than their load and sliding say, and axes that turn with body 2.
+fn may_move(scene: &Scene, couple: &Couple, load: &Load, patch: Option<&Patch>) -> Result<(), Fault> {
+    freedom::check(couple, load, patch, grip(scene))?;
+    turning_axes::check(scene, couple, patch)
+}
+
+/// Takes out what bodies without heat and bodies that do not spin have no use for; gives the keys of it.
+fn begin(document: &Document, scene: &mut Scene, tasks: &[Task]) -> Result<Vec<String>, Fault> {
+    let cold = heat::begin(scene, tasks)?;
+    Ok([cold, spin::begin(document, scene)].concat())
 }
 
 /// Makes of the scene one that has, read again, the same meaning and the same unused keys.

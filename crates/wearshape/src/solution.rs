@@ -9,6 +9,7 @@ use crate::effort::Effort;
 use crate::heat_result::HeatResult;
 use crate::machined::Machined;
 use crate::machining_result::MachiningResult;
+use crate::path_profile::PathProfile;
 use crate::profile::Profile;
 use crate::remark::Remark;
 use crate::results::{
@@ -85,6 +86,8 @@ pub struct Solution {
     pub machined: Option<Machined>,
     /// Displacement and stress inside the bodies, the reported moment first; empty unless an output asks for them.
     pub fields: Vec<FieldFrame>,
+    /// The same along lines, at the reported moment.
+    pub paths: Vec<PathProfile>,
     /// Remarks that only the result could tell.
     pub remarks: Vec<Remark>,
     /// What it took.

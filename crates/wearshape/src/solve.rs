@@ -9,6 +9,7 @@ use crate::hindsight;
 use crate::ladder::Refusal;
 use crate::machining;
 use crate::options::Options;
+use crate::path_profile::Inside;
 use crate::problem::Problem;
 use crate::results::ErrorResult;
 use crate::scope::Scope;
@@ -89,7 +90,7 @@ fn elastic(given: Given<'_>, passes: usize, watch: &mut Watch<'_>, solution: &mu
     if let Some((outcome, effort, fields)) = scope.solve(watch)? {
         solution.effort += effort;
         solution.take(outcome);
-        solution.fields = fields;
+        solution.take_inside(fields);
         return Ok(());
     }
     let stage = Stage::new(problem, options, bodies)?;
@@ -121,7 +122,7 @@ fn elastic(given: Given<'_>, passes: usize, watch: &mut Watch<'_>, solution: &mu
         let (fields, work) = effort.timed(Step::Fields, options.clock, |_| recover::recover(stage, &reported))?;
         effort += work;
         solution.effort += effort;
-        solution.fields = fields;
+        solution.take_inside(fields);
     }
     Ok(())
 }
@@ -185,6 +186,11 @@ impl Solution {
             self.error.get_or_insert_default().take(error);
         }
         reported
+    }
+
+    /// Takes in what was recovered inside the bodies.
+    fn take_inside(&mut self, Inside { frames, paths }: Inside) {
+        (self.fields, self.paths) = (frames, paths);
     }
 
     /// Takes in the optimal pressure.

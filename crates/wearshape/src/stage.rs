@@ -216,15 +216,20 @@ impl<'a> Stage<'a> {
         self.problem.load.about[0]
     }
 
-    /// Load-case factors of body 1: the force alone.
-    pub(crate) fn cases(&self) -> Vec<f64> {
+    /// Load-case factors of both bodies: the force on body 1, and the square of the angular speed of a body that spins.
+    pub(crate) fn cases(&self) -> [Vec<f64>; 2] {
         let force = self.problem.load.force.unwrap_or(0.0);
-        if self.couple.has_rigid_edge() { vec![] } else { vec![force, 0.0, 0.0, 0.0] }
+        let mut cases = [if self.couple.has_rigid_edge() { vec![] } else { vec![force, 0.0, 0.0, 0.0] }, vec![]];
+        for ((cases, body), speed) in cases.iter_mut().zip(&self.couple.bodies).zip(self.problem.spin) {
+            cases.extend(body.spin.map(|_| speed * speed));
+        }
+        cases
     }
 
     /// Load, motions of the rigid edge and friction of a contact solve.
     pub(crate) fn contact_load(&self, points: &[ContactPoint]) -> ContactLoad {
-        let mut contact = ContactLoad::factors(&self.cases(), &[]);
+        let [shaped, counter] = self.cases();
+        let mut contact = ContactLoad::factors(&shaped, &counter);
         contact.moment = MomentBalance::Pressure;
         let load = &self.problem.load;
         if self.couple.moves_one_way() {

@@ -14,6 +14,7 @@ pub(crate) mod free_ends;
 pub(crate) mod heat;
 pub(crate) mod hertz_trial;
 pub(crate) mod life;
+pub(crate) mod paths;
 pub(crate) mod pressure;
 pub(crate) mod pressure_ends;
 pub(crate) mod recover;

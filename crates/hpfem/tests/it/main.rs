@@ -38,6 +38,7 @@ mod search;
 mod sharing;
 mod singular;
 mod sliding_edge;
+mod spin;
 mod supports;
 mod thermal_corners;
 mod thermoelastic;

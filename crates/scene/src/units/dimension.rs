@@ -60,6 +60,19 @@ pub(crate) const MOMENT: Dimension = Dimension {
     base: "N mm",
     units: &[("N mm", 1.0, 1.0), ("N m", 1e3, 1.0), ("kN mm", 1e3, 1.0), ("kN m", 1e6, 1.0), ("Nmm", 1.0, 1.0), ("Nm", 1e3, 1.0)],
 };
+pub(crate) const DENSITY: Dimension = Dimension {
+    word: "density",
+    base: "t/mm^3",
+    units: &[
+        ("kg/m^3", 1.0, 1e12),
+        ("kg/m3", 1.0, 1e12),
+        ("g/cm^3", 1.0, 1e9),
+        ("g/cm3", 1.0, 1e9),
+        ("t/m^3", 1.0, 1e9),
+        ("t/m3", 1.0, 1e9),
+        ("t/mm^3", 1.0, 1.0),
+    ],
+};
 pub(crate) const VOLUME: Dimension =
     Dimension { word: "volume", base: "mm^3", units: &[("mm^3", 1.0, 1.0), ("cm^3", 1e3, 1.0), ("um^3", 1.0, 1e9)] };
 pub(crate) const FREQUENCY: Dimension = Dimension {

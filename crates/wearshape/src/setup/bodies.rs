@@ -5,7 +5,7 @@ use std::sync::Arc;
 use meshing::{Body, Files, outline, outside, read_cells, sound, sound_material};
 use scene::{Component, Fault, Kinematics, Scene, Support, did_you_mean, missing, positive};
 
-use crate::setup::{one_way, start_gap};
+use crate::setup::{one_way, spin, start_gap};
 
 /// Checks both bodies and the contact, and fills in their defaults. None of a surface alone.
 pub(super) fn resolve(scene: &mut Scene, files: Files<'_>) -> Result<Option<(hpfem::Kinematics, [Body; 2])>, Fault> {
@@ -87,8 +87,9 @@ fn one_body(name: &'static str, body: &mut scene::Body, axisymmetric: bool, file
         None => (None, body.material.into_iter().collect()),
     };
     let (geometry, supports) = (body.geometry.clone(), body.support.clone());
-    let typed = Body { key: name, geometry, cells, materials, supports, contact: String::new() };
+    let mut typed = Body { key: name, geometry, cells, materials, supports, contact: String::new(), spin: None };
     held_edges(name, body, &typed, axisymmetric)?;
+    typed.spin = spin::resolve(body, &typed, axisymmetric)?;
     Ok(typed)
 }
 

@@ -10,6 +10,7 @@ use scene::{
 
 use crate::heat::{Carried, Drum, Heat, Meets, Split};
 use crate::setup::bodies::{known_edge, off_axis};
+use crate::setup::materials::for_each_material;
 use crate::setup::twist::turns;
 use crate::surface::{Patch, PatchKind};
 
@@ -76,25 +77,6 @@ fn keys(scene: &Scene) -> Vec<String> {
         });
     }
     keys
-}
-
-/// Every material of a body with its key below the body's.
-fn for_each_material(body: &mut scene::Body, act: &mut dyn FnMut(&str, &mut Material)) {
-    if let Some(material) = &mut body.material {
-        act("material", material);
-    }
-    let (place, named) = match &mut body.geometry {
-        Geometry::Blocks(blocks) => ("geometry.blocks.materials", &mut blocks.materials),
-        Geometry::Mesh(file) => ("geometry.mesh.materials", &mut file.materials),
-        Geometry::ShoeBlock(_)
-        | Geometry::Ring(_)
-        | Geometry::Rectangle(_)
-        | Geometry::RingSegment(_)
-        | Geometry::HalfDisc(_) => return,
-    };
-    for (name, material) in named {
-        act(&format!("{place}.{name}"), material);
-    }
 }
 
 /// Checks the heat of a scene that uses it and fills in its defaults; none of other scenes.

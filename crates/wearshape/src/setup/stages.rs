@@ -25,6 +25,8 @@ struct Facts {
     /// Whether a body is held against turning about the axis.
     held: bool,
     fields: bool,
+    /// Whether they are asked for along lines.
+    paths: bool,
     /// Whether frictional heat bends the bodies.
     heat: bool,
     page: bool,
@@ -75,6 +77,7 @@ const TABLE: [(Step, Rule); 19] = [
         _ => Some((false, NO_BODY)),
     }),
     (Step::Fields, |f| match (f.bodies, f.fields) {
+        (true, false) if f.paths => Some((true, "output.paths asks for displacement and stress inside the bodies")),
         (true, true) => Some((true, "output.fields asks for displacement and stress inside the bodies")),
         (true, false) => Some((false, "no output asks for displacement and stress inside the bodies")),
         _ => Some((false, NO_BODY)),
@@ -120,6 +123,7 @@ impl Facts {
             reverses: problem.reversing.is_some() && has(Task::Shape),
             held: couple.is_some_and(|couple| couple.bodies.iter().any(|body| body.holds(Component::Phi))),
             fields: output.fields.unwrap_or(false),
+            paths: !problem.paths.is_empty(),
             heat: problem.heat.is_some(),
             page: output.report.unwrap_or(true),
             recording: output.recording.unwrap_or(false),

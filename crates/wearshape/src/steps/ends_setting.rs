@@ -43,6 +43,11 @@ impl<'a> Setting<'a> {
         if self.disc.whole || self.revolved() { 1.0 } else { 2.0 }
     }
 
+    /// The plane of symmetry x = middle (mm), where the half beyond it alone is meshed.
+    pub(crate) fn mirror(&self) -> Option<f64> {
+        (self.copies() > 1.0).then_some(self.disc.middle)
+    }
+
     /// Force on the whole scene (N).
     pub(crate) fn force(&self) -> f64 {
         self.problem.load.force.unwrap_or(0.0)

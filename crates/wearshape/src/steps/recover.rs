@@ -1,7 +1,7 @@
 //! Displacement and stress inside the bodies, by back substitution at the reported level; done only if an output asks for it.
 
 use contact::{Pair, Side};
-use hpfem::{Body, Cell, CellGrid, Field, InterfaceState, Kinematics, Mesh, Stress};
+use hpfem::{Body, Cell, CellGrid, Field, InterfaceState, Kinematics, Stress};
 use meshing::CONTACT;
 use scene::Fault;
 
@@ -10,51 +10,74 @@ use crate::body_field::{BodyField, CellField, FieldFrame};
 use crate::effort::Effort;
 use crate::ladder::Refusal;
 use crate::parts::BodyParts;
+use crate::path_profile::Inside;
+use crate::problem::Problem;
 use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::ends_setting::Setting;
 use crate::steps::heat::fields::{Warm, with_known_heat};
+use crate::steps::paths::{Sources, along};
 use crate::steps::reported::{Moment, Reported};
 
 /// Recovers the moments of a stage on its bodies, made again at the reported level.
-pub(crate) fn recover(stage: Stage<'_>, reported: &Reported) -> Result<(Vec<FieldFrame>, Effort), Fault> {
+pub(crate) fn recover(stage: Stage<'_>, reported: &Reported) -> Result<(Inside, Effort), Fault> {
     let (parts, _) = stage.parts(reported.level, stage.cut(&reported.ends))?;
     let (parts, warm) = Warm::of(stage, reported, parts)?;
     let (bodies, reduction) = parts.reduce(stage.clock())?;
     let mut effort = counts(&reduction);
     let pair = paired([&bodies[0].interface, &bodies[1].interface], stage.meeting())?;
-    let mut frames = Vec::new();
-    for (number, moment) in reported.moments.iter().enumerate() {
+    let mut inside = Inside::default();
+    // Lines are told of the reported moment alone, which is the first.
+    let all = if on_cells(stage.problem) { reported.moments.len() } else { 1 };
+    for (number, moment) in reported.moments.iter().enumerate().take(all) {
         let known = warm.as_ref().map(|_| with_known_heat(stage, &pair, moment));
-        let mut frame =
-            frame(known.as_ref().unwrap_or(moment), &bodies, [0, 1].map(|number| &**parts.parts[number].mesh()), &mut effort)?;
+        let fields = fields(known.as_ref().unwrap_or(moment), &bodies, &mut effort)?;
+        let mut twists = None;
         if stage.problem.plan.runs(Step::Torsion) {
-            effort += twist(stage, reported, number, &pair, &mut frame)?;
+            let (found, work) = twist(stage, reported, number, &pair)?;
+            effort += work;
+            twists = Some(found);
         }
-        warm.as_ref().map_or(Ok(()), |warm| warm.fill(&mut frame))?;
-        frames.push(frame);
+        if number == 0 {
+            let sources = Sources { fields: &fields, twists: twists.as_ref(), warm: warm.as_ref(), mirror: None };
+            inside.paths = along(&stage.problem.paths, &sources)?;
+        }
+        if on_cells(stage.problem) {
+            let mut frame = frame(moment, &bodies, &fields)?;
+            twists.as_ref().map_or(Ok(()), |twists| fill(&mut frame, twists))?;
+            warm.as_ref().map_or(Ok(()), |warm| warm.fill(&mut frame))?;
+            inside.frames.push(frame);
+        }
     }
-    Ok((frames, effort))
+    Ok((inside, effort))
+}
+
+/// Whether displacement and stress are asked for on all cells.
+fn on_cells(problem: &Problem) -> bool {
+    problem.scene.output.as_ref().and_then(|output| output.fields).unwrap_or(false)
 }
 
 /// The same of a half-disc on its flat side, with element nodes on the ends of contact; the whole scene, when half of it was computed.
-pub(crate) fn recover_ends(
-    setting: &Setting<'_>,
-    reported: &Reported,
-    nodes: &[f64],
-) -> Result<(Vec<FieldFrame>, Effort), Refusal> {
+pub(crate) fn recover_ends(setting: &Setting<'_>, reported: &Reported, nodes: &[f64]) -> Result<(Inside, Effort), Refusal> {
     let (parts, _) = setting.parts(reported.level, nodes)?;
     let (bodies, reduction) = parts.reduce(setting.options.clock)?;
     let mut effort = counts(&reduction);
-    let mut frames = Vec::new();
-    for moment in &reported.moments {
-        let mut frame = frame(moment, &bodies, [0, 1].map(|number| &**parts.parts[number].mesh()), &mut effort)?;
-        if setting.copies() > 1.0 {
-            frame.bodies = frame.bodies.map(|body| body.mirrored(setting.disc.middle));
+    let mut inside = Inside::default();
+    for (number, moment) in reported.moments.iter().enumerate() {
+        let fields = fields(moment, &bodies, &mut effort)?;
+        if number == 0 {
+            let sources = Sources { fields: &fields, twists: None, warm: None, mirror: setting.mirror() };
+            inside.paths = along(&setting.problem.paths, &sources)?;
         }
-        frames.push(frame);
+        if on_cells(setting.problem) {
+            let mut frame = frame(moment, &bodies, &fields)?;
+            if let Some(middle) = setting.mirror() {
+                frame.bodies = frame.bodies.map(|body| body.mirrored(middle));
+            }
+            inside.frames.push(frame);
+        }
     }
-    Ok((frames, effort))
+    Ok((inside, effort))
 }
 
 /// What of a reduction counts for the fields: their seconds are counted as a whole.
@@ -64,16 +87,21 @@ fn counts(reduction: &Effort) -> Effort {
     effort
 }
 
-/// Both bodies at a moment, without twist.
-fn frame(moment: &Moment, bodies: &[Body; 2], meshes: [&Mesh; 2], effort: &mut Effort) -> Result<FieldFrame, Fault> {
+/// Displacement and stress of both bodies at a moment.
+fn fields(moment: &Moment, bodies: &[Body; 2], effort: &mut Effort) -> Result<[Field; 2], Fault> {
     effort.counters.back_substitutions += bodies.len();
+    Ok([field(&bodies[0], &moment.states[0])?, field(&bodies[1], &moment.states[1])?])
+}
+
+/// Both bodies at a moment, without twist.
+fn frame(moment: &Moment, bodies: &[Body; 2], fields: &[Field; 2]) -> Result<FieldFrame, Fault> {
     let body = |number: usize| -> Result<BodyField, Fault> {
-        let field = field(&bodies[number], &moment.states[number])?;
+        let field = &fields[number];
         let revolved = bodies[number].interface.kinematics.is_revolved();
-        let mesh = meshes[number];
+        let mesh = bodies[number].mesh();
         let contact = mesh.boundary(CONTACT).unwrap_or_default();
         let cells = mesh.cells.iter().enumerate().map(|(cell, of)| {
-            let values = on_grid(&field, cell, of.is_triangle())?;
+            let values = on_grid(field, cell, of.is_triangle())?;
             let touching = touching(values.grid, of, &contact);
             Ok(CellField { material: of.material, touching, ..values })
         });
@@ -116,18 +144,25 @@ fn on_grid(field: &Field, cell: usize, triangle: bool) -> Result<CellField, Faul
     Ok(values)
 }
 
-/// Adds the twist about the axis under the friction at one of the moments: a scalar problem of its own on the same meshes.
-fn twist(stage: Stage<'_>, reported: &Reported, moment: usize, pair: &Pair<'_>, frame: &mut FieldFrame) -> Result<Effort, Fault> {
+/// The twist about the axis under the friction at one of the moments: a scalar problem of its own on the same meshes.
+fn twist(stage: Stage<'_>, reported: &Reported, moment: usize, pair: &Pair<'_>) -> Result<([Field; 2], Effort), Fault> {
     let (level, around) = (reported.level, &reported.moments[moment].around);
     let mut effort = Effort::default();
-    let meshes = stage.meshes(level.layers, stage.cut(&reported.ends))?;
-    for ((number, mesh), side) in meshes.into_iter().enumerate().zip([Side::Shaped, Side::Counter]) {
-        let parts = BodyParts::new(stage.couple, number == 0, mesh, level, Kinematics::Torsion)?;
-        let body = parts.reduce(stage.clock())?;
-        let field = field(&body, &pair.twisted(side, &body.interface, around))?;
+    let [first, second] = stage.meshes(level.layers, stage.cut(&reported.ends))?;
+    let mut twisted = |shaped: bool, mesh, side| -> Result<Field, Fault> {
+        let body = BodyParts::new(stage.couple, shaped, mesh, level, Kinematics::Torsion)?.reduce(stage.clock())?;
         effort.counters.factorisations += 1;
         effort.counters.back_substitutions += 1;
-        for (cell, values) in frame.bodies[number].cells.iter_mut().enumerate() {
+        field(&body, &pair.twisted(side, &body.interface, around))
+    };
+    let fields = [twisted(true, first, Side::Shaped)?, twisted(false, second, Side::Counter)?];
+    Ok((fields, effort))
+}
+
+/// Adds a twist to the displacement and stress of both bodies.
+fn fill(frame: &mut FieldFrame, twists: &[Field; 2]) -> Result<(), Fault> {
+    for (body, field) in frame.bodies.iter_mut().zip(twists) {
+        for (cell, values) in body.cells.iter_mut().enumerate() {
             for (row, [xi, eta]) in values.grid.reference().enumerate() {
                 let state = field.at(cell, xi, eta).map_err(no_field)?;
                 values.displacement[row][1] = state.displacement[0];
@@ -135,7 +170,7 @@ fn twist(stage: Stage<'_>, reported: &Reported, moment: usize, pair: &Pair<'_>, 
                 values.stress[row].yz = state.stress[1];
             }
         }
-        frame.bodies[number].twisted = true;
+        body.twisted = true;
     }
-    Ok(effort)
+    Ok(())
 }

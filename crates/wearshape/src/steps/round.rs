@@ -6,7 +6,6 @@ use meshing::{ContactLine, Couple, Cut, Extent, contact_line};
 use scene::Fault;
 
 use crate::bodies::Bodies;
-use crate::body_field::FieldFrame;
 use crate::effort::Effort;
 use crate::gap_profile;
 use crate::ladder::{Ladder, Refusal};
@@ -14,6 +13,7 @@ use crate::level::Level;
 use crate::load::Load;
 use crate::options::Options;
 use crate::parts::Parts;
+use crate::path_profile::Inside;
 use crate::problem::Problem;
 use crate::stage::Stage;
 use crate::step::Step;
@@ -122,7 +122,7 @@ impl RoundContact<'_> {
     }
 
     /// Solves the contact, with the fields if they are asked for.
-    pub(crate) fn solve(&self, watch: &mut Watch<'_>) -> Result<(Outcome, Effort, Vec<FieldFrame>), Refusal> {
+    pub(crate) fn solve(&self, watch: &mut Watch<'_>) -> Result<(Outcome, Effort, Inside), Refusal> {
         let (reach, mut effort) = self.reach()?;
         self.on(reach, |stage| {
             if let Some(surface) = stage.patch.places() {
@@ -135,7 +135,7 @@ impl RoundContact<'_> {
             effort += work;
             last.iter().try_for_each(|last| last.diagnosis.report(stage, &mut outcome))?;
             let reported = outcome.reported.take().filter(|_| stage.problem.plan.runs(Step::Fields));
-            let Some(reported) = reported else { return Ok((outcome, effort, Vec::new())) };
+            let Some(reported) = reported else { return Ok((outcome, effort, Inside::default())) };
             (stage.options.begun)(Step::Fields);
             let (fields, work) = effort.timed(Step::Fields, stage.clock(), |_| recover::recover(stage, &reported))?;
             effort += work;

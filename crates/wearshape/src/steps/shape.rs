@@ -200,9 +200,9 @@ impl Shaper<'_> {
     /// Temperatures and powers of a shape with heat, into its columns and as numbers.
     fn heated(&self, solved: &Solved, pair: &Pair<'_>, told: &mut Told) -> Result<Option<HeatResult>, Fault> {
         let Some(heat) = &solved.heat else { return Ok(None) };
-        let cold = self.stage.cases().len();
+        let cold = self.stage.cases().map(|cases| cases.len());
         let mut factors = with_heat(pair, self.stage.cases());
-        factors[0][..cold].fill(0.0);
+        factors.iter_mut().zip(cold).for_each(|(factors, cold)| factors[..cold].fill(0.0));
         let thermal = Thermal { stage: self.stage, pair, factors };
         // The work of the loads is no strain energy where there are thermal strains.
         told.energy = EnergyResult::default();

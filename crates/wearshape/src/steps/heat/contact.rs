@@ -77,12 +77,14 @@ impl<'a> HotContact<'a> {
     ) -> Result<HeatResult, Fault> {
         let (stage, found) = (self.stage, &self.hot.found);
         let pair = operator.pair();
-        let cold = stage.cases().len();
+        let [cold, cold_counter] = stage.cases().map(|cases| cases.len());
         let of_cases =
             |state: &hpfem::InterfaceState, body: &hpfem::InterfaceOperator| state.factors[..body.load_cases.len()].to_vec();
         let mut shaped = of_cases(&found.shaped, pair.shaped);
         shaped[..cold].fill(0.0);
-        let counter = found.counter.as_ref().zip(pair.counter).map(|(state, body)| of_cases(state, body)).unwrap_or_default();
+        let mut counter: Vec<f64> =
+            found.counter.as_ref().zip(pair.counter).map(|(state, body)| of_cases(state, body)).unwrap_or_default();
+        counter.iter_mut().take(cold_counter).for_each(|factor| *factor = 0.0);
         let thermal = Thermal { stage, pair, factors: [shaped, counter] };
         let mut result = tell(&self.following.warmed, &self.hot.heat, told, &thermal)?;
         if found.status.is_solved() {

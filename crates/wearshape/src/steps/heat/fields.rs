@@ -41,6 +41,15 @@ impl Warm {
         Ok((parts, Some(Warm([Inside::Field(Box::new(first)), second]))))
     }
 
+    /// Temperature of a body at a place of a cell.
+    pub(crate) fn at(&self, body: usize, (cell, xi, eta): (usize, f64, f64), x: [f64; 2]) -> Result<f64, Fault> {
+        match &self.0[body] {
+            Inside::Field(field) => Ok(field.at(cell, xi, eta).map_err(no_field)?.displacement[0]),
+            Inside::Drum(drum, heat) => Ok(drum.at(*heat, x)),
+            Inside::Even(temperature) => Ok(*temperature),
+        }
+    }
+
     /// Fills in the temperatures at the points of the cells.
     pub(crate) fn fill(&self, frame: &mut FieldFrame) -> Result<(), Fault> {
         for (body, inside) in frame.bodies.iter_mut().zip(&self.0) {

@@ -62,11 +62,12 @@ pub(crate) fn by_pressure(
     Ok(Some((Known { reduced, heat }, effort)))
 }
 
-/// Factors of the load cases of both bodies: those of body 1 that are no heat's, and 1 for the temperature of bodies that have one.
-pub(crate) fn with_heat(pair: &Pair<'_>, mut shaped: Vec<f64>) -> [Vec<f64>; 2] {
+/// Factors of the load cases of both bodies: those that are no heat's, and 1 for the temperature of bodies that have one.
+pub(crate) fn with_heat(pair: &Pair<'_>, [mut shaped, mut counter]: [Vec<f64>; 2]) -> [Vec<f64>; 2] {
     let hot = |body: &hpfem::InterfaceOperator| body.load_cases.iter().any(|case| case == HEAT);
     shaped.extend(hot(pair.shaped).then_some(1.0));
-    [shaped, pair.counter.filter(|body| hot(body)).map(|_| vec![1.0]).unwrap_or_default()]
+    counter.extend(pair.counter.filter(|body| hot(body)).map(|_| 1.0));
+    [shaped, counter]
 }
 
 /// The bodies with the load of their temperature under heat at the contact points.

@@ -6,13 +6,13 @@ use scene::Fault;
 use wear::Shape;
 
 use crate::bodies::Bodies;
-use crate::body_field::FieldFrame;
 use crate::effort::Effort;
 use crate::faults::wrong_wear;
 use crate::ladder::Refusal;
 use crate::level::Level;
 use crate::options::Options;
 use crate::parts::Parts;
+use crate::path_profile::Inside;
 use crate::problem::{End, Problem};
 use crate::stage::Stage;
 use crate::step::Step;
@@ -196,13 +196,13 @@ impl<'a> RoundWear<'a> {
     }
 
     /// Runs the wear in time, with the fields if they are asked for.
-    pub(crate) fn solve(&self, watch: &mut Watch<'_>) -> Result<(Outcome, Effort, Vec<FieldFrame>), Refusal> {
+    pub(crate) fn solve(&self, watch: &mut Watch<'_>) -> Result<(Outcome, Effort, Inside), Refusal> {
         let (end, mut effort) = self.end()?;
         self.on(&self.nodes(end), |stage, ends| {
             let (mut outcome, work) = solve_at(stage, &Pieces::of(stage.problem), ends, watch)?;
             effort += work;
             let reported = outcome.reported.take().filter(|_| stage.problem.plan.runs(Step::Fields) && !outcome.stopped);
-            let Some(reported) = reported else { return Ok((outcome, effort, Vec::new())) };
+            let Some(reported) = reported else { return Ok((outcome, effort, Inside::default())) };
             (stage.options.begun)(Step::Fields);
             let (fields, work) = effort.timed(Step::Fields, stage.clock(), |_| recover::recover(stage, &reported))?;
             effort += work;

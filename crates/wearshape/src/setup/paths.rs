@@ -1,0 +1,41 @@
+//! Lines along which displacement and stress are written.
+
+use scene::{Fault, Scene, Task};
+
+use crate::problem::Path;
+
+/// Points of a line that gives no number, and the most.
+const POINTS: usize = 101;
+const MOST: usize = 100_000;
+
+/// Checks the lines and fills in their numbers of points; none of a scene without elastic bodies.
+pub(super) fn resolve(scene: &mut Scene, tasks: &[Task]) -> Result<Vec<Path>, Fault> {
+    let elastic = scene.surface.is_none() && tasks != [Task::Pressure];
+    let Some(output) = scene.output.as_mut() else { return Ok(Vec::new()) };
+    let mut paths: Vec<Path> = Vec::new();
+    for (number, path) in output.paths.iter_mut().enumerate() {
+        let key = format!("output.paths.{number}");
+        let refused =
+            |of: &str, message: String, remedy: &str| Err(Fault::at(format!("{key}.{of}"), "wrong-value", message, remedy));
+        let name = &path.name;
+        if name.is_empty() || !name.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'-') {
+            return refused("name", format!("`{name}` cannot go into the name of a file"), "use letters, digits and hyphens");
+        }
+        if paths.iter().any(|other| other.name.eq_ignore_ascii_case(name)) {
+            return refused("name", format!("two paths are called `{name}`"), "give each a name of its own");
+        }
+        if !(1..=2).contains(&path.body) {
+            return refused("body", format!("there is no body {}", path.body), "write body = 1 or body = 2");
+        }
+        let points = *path.points.get_or_insert(POINTS);
+        if !(2..=MOST).contains(&points) {
+            return refused("points", format!("a path of {points} points"), "give from 2 to 100000 points");
+        }
+        let ends = [path.from, path.to].map(|end| end.map(|x| x.0));
+        if ends[0] == ends[1] {
+            return refused("to", format!("the path `{name}` ends where it begins"), "give another end");
+        }
+        paths.push(Path { key, name: name.clone(), body: path.body - 1, ends, points });
+    }
+    Ok(if elastic { paths } else { Vec::new() })
+}
