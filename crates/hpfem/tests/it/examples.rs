@@ -15,6 +15,8 @@ mod gravity_and_spin;
 mod hot_rim;
 #[path = "../../examples/l_shape.rs"]
 mod l_shape;
+#[path = "../../examples/long_rotor.rs"]
+mod long_rotor;
 #[path = "../../examples/modes.rs"]
 mod modes;
 #[path = "../../examples/nearly_incompressible.rs"]
@@ -152,5 +154,13 @@ fn a_fin_takes_in_the_heat_of_its_series() {
 fn a_disc_with_a_hot_rim_has_the_stress_of_its_closed_form() {
     for (value, exact) in hot_rim::hoop_stress(18).unwrap().into_iter().zip(hot_rim::exact()) {
         assert_relative_eq!(value, exact, max_relative = 1e-9);
+    }
+}
+
+#[test]
+fn a_long_rotor_that_is_free_to_shorten_has_its_closed_form() {
+    let (found, exact) = (long_rotor::rotor(10).unwrap(), long_rotor::exact());
+    for (found, exact) in found.iter().zip(exact) {
+        assert_relative_eq!(*found, exact, max_relative = 1e-10);
     }
 }
