@@ -289,6 +289,10 @@ pub struct Wear {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub b: Option<Pair<f64>>,
+    /// Threshold pressure p0: nothing wears up to it, and above it the excess p - p0 stands in place of the pressure. Default 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "schema", schemars(extend("minimum" = 0)))]
+    pub threshold: Option<Pair<Pressure>>,
     /// How the counter-face meets body 1. Default by kind of scene.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub counterface: Option<Counterface>,

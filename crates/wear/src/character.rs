@@ -24,6 +24,10 @@ pub(crate) fn character(stage: &Stage<'_>, nodes: &[Node], s: f64) -> Character 
         }
         Functional::Steady | Functional::WearVolume | Functional::FrictionPower | Functional::WearPower => {}
     }
+    // A convex functional under a threshold, the steady state on a full ring.
+    if matches!(stage.law.density, Density::Given(_)) {
+        return Character::Minimum;
+    }
     if matches!(stage.law.density, Density::Exponential) {
         return Character::Indifferent;
     }

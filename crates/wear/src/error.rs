@@ -58,8 +58,8 @@ pub enum WearError {
         /// What to do.
         remedy: &'static str,
     },
-    /// A rule of one's own says too little for this functional or counter-face.
-    #[error("{functional} is not answered for a wear rule given as a function; {remedy}")]
+    /// A rule that is no power of the pressure says too little for this functional or counter-face.
+    #[error("{functional} is not answered for a wear rule that is no power of the pressure; {remedy}")]
     OwnRule {
         /// Field word of the functional.
         functional: &'static str,

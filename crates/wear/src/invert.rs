@@ -8,9 +8,18 @@ const PANELS: usize = 8;
 /// log p with x(p) = exp(log_value), and d log p / d log x, of a function `[x, dx/dp]` that grows with p: bracketing, then Newton kept inside
 /// the bracket.
 pub(crate) fn invert(function: &dyn Fn(f64) -> [f64; 2], log_value: f64) -> (f64, f64) {
+    let logs = |p: f64| {
+        let [value, slope] = function(p);
+        (value.ln(), slope * p / value)
+    };
+    invert_log(&logs, log_value)
+}
+
+/// The same of a function of p that gives `log x` and `d log x / d log p`.
+pub(crate) fn invert_log(function: &dyn Fn(f64) -> (f64, f64), log_value: f64) -> (f64, f64) {
     let defect = |u: f64| {
-        let [value, slope] = function(u.exp());
-        (value.ln() - log_value, slope * u.exp() / value)
+        let (log, growth) = function(u.exp());
+        (log - log_value, growth)
     };
     let [mut low, mut high] = bracket(&|u| defect(u).0);
     let mut u = 0.5 * (low + high);

@@ -25,6 +25,11 @@ impl WearLaw {
     /// A body that does not wear.
     pub const NONE: Self = Self { factor: 0.0, speed_exponent: 1.0, pressure_exponent: 1.0 };
 
+    /// beta~ v^a.
+    pub(crate) fn local_factor(&self, sliding_speed: f64) -> f64 {
+        if self.factor == 0.0 { 0.0 } else { self.factor * sliding_speed.powf(self.speed_exponent) }
+    }
+
     pub(crate) fn check(&self) -> Result<(), WearError> {
         if !(self.factor >= 0.0 && self.factor.is_finite()) {
             return Err(WearError::OutOfRange { name: "wear factor", value: self.factor, wanted: ">= 0 and finite" });

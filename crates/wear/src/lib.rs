@@ -46,6 +46,7 @@ mod stationarity;
 mod steady;
 mod sums;
 mod surface;
+mod threshold;
 mod tracks;
 mod turn;
 
@@ -72,3 +73,4 @@ pub use rule::{LocalRule, Rule};
 pub use sensitivity::{Sensitivity, one_percent};
 pub use singular::{LimitSide, singular_limit};
 pub use surface::{Shape, Surface};
+pub use threshold::ThresholdLaw;

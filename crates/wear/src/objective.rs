@@ -73,6 +73,11 @@ pub(crate) fn multiplier_factor(
     if steady && matches!(stage.law.density, Density::Sum { .. } | Density::Receding { .. } | Density::Given(_)) {
         return Some(if problem.wear.active { stage.law.log_scale.exp() } else { 0.0 });
     }
+    if matches!(stage.law.density, Density::Given(_)) {
+        // dX/dp = f, and J = (int X dS)^(1/q).
+        let of = |[first, second]: [f64; 2]| ((1.0 - problem.q) * (first + second).ln() + stage.law.log_scale).exp() / problem.q;
+        return terms.map(of);
+    }
     let free = || nodes.iter().zip(log_pressure).enumerate().filter(|(_, (node, _))| node.excess < 0.0);
     let force = |node: &Node| stage.law.force_function(&node.point, &node.modes).0.max(0.0);
     let work: f64 = free().map(|(_, (node, log))| node.point.weight * force(node) * log.exp()).sum();

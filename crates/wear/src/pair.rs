@@ -1,6 +1,7 @@
 //! The wear rules of the two bodies in contact.
 
 use crate::rule::Rule;
+use crate::threshold::ThresholdLaw;
 use crate::{WearError, WearLaw};
 
 /// The rules of the two bodies in contact: body 1 is shaped (shoe, punch), body 2 the counter-face.
@@ -54,18 +55,32 @@ impl WearPair {
         Ok(Self { active: false, friction_driven: true, ..Self::archard(beta, speed_exponent, pressure_exponent) })
     }
 
+    /// The same with threshold pressures (MPa) in the power laws of body 1 and body 2; one of 0 leaves the power law as it is.
+    #[must_use]
+    pub fn above(mut self, thresholds: [f64; 2]) -> Self {
+        for (rule, threshold) in self.rules.iter_mut().zip(thresholds) {
+            if let Rule::Power(law) = *rule
+                && threshold > 0.0
+                && law.factor > 0.0
+            {
+                *rule = Rule::Threshold(ThresholdLaw { law, threshold });
+            }
+        }
+        self
+    }
+
     /// True when the rule of body `i` takes away material.
     pub fn wears(&self, i: usize) -> bool {
         self.active && self.rules[i].wears()
     }
 
-    /// The power laws; a rule of one's own counts as one that does not wear.
+    /// The power laws; another rule counts as one that does not wear.
     pub(crate) fn powers(&self) -> [WearLaw; 2] {
         [0, 1].map(|i| self.rules[i].power().copied().unwrap_or(WearLaw::NONE))
     }
 
-    /// Whether some rule is a function of one's own.
-    pub(crate) fn has_own(&self) -> bool {
+    /// Whether some rule is no power of the pressure.
+    pub(crate) fn has_other(&self) -> bool {
         self.rules.iter().any(|rule| rule.power().is_none())
     }
 }

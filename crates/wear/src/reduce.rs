@@ -2,6 +2,7 @@
 
 use crate::condition::Condition;
 use crate::density::Density;
+use crate::threshold::ThresholdLaw;
 use crate::{Counterface, Functional, Problem, Rule, Shape, WearError, WearLaw};
 
 /// Closest to 1 that s is told apart from 1: below it s - 1 is the rounding of decimal input such as b = 0.1, q = 10.
@@ -66,7 +67,7 @@ pub(crate) fn reduce(problem: &Problem) -> Result<Task, WearError> {
         Functional::Steady | Functional::WearVolume | Functional::WearPower => {}
     }
     if wearing(problem).any(|(_, rule)| rule.power().is_none()) {
-        return of_own_rule(problem);
+        return of_no_power(problem);
     }
     let given = problem.wear.powers();
     let (first, last) = match (wearing_powers(problem).next(), wearing_powers(problem).last()) {
@@ -93,24 +94,44 @@ fn recedes(problem: &Problem, last: usize) -> bool {
     problem.counterface == Counterface::Revolving && last == 1 && !tracks_covered
 }
 
-/// The condition of a function of one's own.
+/// The condition of a rule or functional that is no power of the pressure.
 fn given(condition: Condition) -> Task {
     Task::Density { density: Density::Given(condition), s: f64::NAN }
 }
 
-/// The steady state where some body wears by a rule of one's own: the sum of the rates is the rigid wear.
-fn of_own_rule(problem: &Problem) -> Result<Task, WearError> {
+/// Where some body wears by a rule that is no power of the pressure: in the steady state the sum of the rates is the rigid wear; a convex functional
+/// of one body's rate has its own condition.
+fn of_no_power(problem: &Problem) -> Result<Task, WearError> {
     let functional = problem.functional.word();
-    if problem.functional != Functional::Steady {
-        let remedy = "ask for the steady state, or give a functional of your own with its derivatives";
-        return Err(WearError::OwnRule { functional, remedy });
-    }
     let wearing: Vec<(usize, &Rule)> = wearing(problem).collect();
+    if problem.functional != Functional::Steady {
+        return match wearing[..] {
+            [(_, Rule::Threshold(law))] => above_threshold(problem, law),
+            _ => {
+                let remedy = "ask for the steady state, or give a functional of your own with its derivatives";
+                Err(WearError::OwnRule { functional, remedy })
+            }
+        };
+    }
     if wearing.last().is_some_and(|(last, _)| recedes(problem, *last)) {
-        let remedy = "on a revolving counter-face that wears both rules must be power laws";
+        let remedy = "on a revolving counter-face that wears both rules must be powers of the pressure";
         return Err(WearError::OwnRule { functional, remedy });
     }
     Ok(given(Condition::Wear(wearing.into_iter().map(|(_, rule)| rule.clone()).collect())))
+}
+
+/// A functional (p^d w')^q of the one body that wears, by a rule with a threshold: convex for q b >= 1, with a condition that can be solved for the
+/// pressure ("Under a threshold" in README).
+fn above_threshold(problem: &Problem, law: &ThresholdLaw) -> Result<Task, WearError> {
+    let (functional, q) = (problem.functional.word(), problem.q);
+    let [_, d] = problem.functional.row().exponents;
+    let least = q * law.law.pressure_exponent;
+    // Without the factor p the functional of q b = 1 is linear above the threshold.
+    if q.is_finite() && (least > 1.0 || (least == 1.0 && d > 0.0)) {
+        return Ok(given(Condition::Threshold(*law, [d, q])));
+    }
+    let remedy = "take a finite q with q b > 1, where it is convex, or the steady state";
+    Err(WearError::OwnRule { functional, remedy })
 }
 
 /// The steady state: sum_i c_i v^(a_i) p^(b_i) = f.

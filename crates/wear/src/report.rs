@@ -138,6 +138,7 @@ fn feed_share(problem: &Problem) -> Option<f64> {
     let first = wearing_powers(problem).next().map_or(problem.wear.powers()[0], |(_, law)| law);
     let b = first.pressure_exponent;
     let same = wearing_powers(problem).all(|(_, law)| law.pressure_exponent == b);
-    let velocity = problem.functional == Functional::WearPower && problem.q == 1.0 && same && problem.p_max.is_none();
+    let powers = !problem.wear.has_other();
+    let velocity = problem.functional == Functional::WearPower && problem.q == 1.0 && same && powers && problem.p_max.is_none();
     velocity.then(|| 1.0 / (b + 1.0))
 }

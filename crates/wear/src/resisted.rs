@@ -9,13 +9,13 @@ const MOST: usize = 2;
 /// The pressure `p` with `stiffness p + step sum_i w_i'(p) = target > 0`, and `dp/d target`; `stiffness > 0` in mm/MPa, `step` in s,
 /// `target` in mm. At most two rules.
 ///
-/// Sums of powers are solved by Newton's method on logarithms, convex and increasing, from above; functions of one's own in a bracket.
+/// Sums of powers are solved by Newton's method on logarithms, convex and increasing, from above; other rules in a bracket.
 pub fn resisted_pressure(stiffness: f64, step: f64, rules: &[&LocalRule], target: f64) -> (f64, f64) {
     let mut terms = [(stiffness, 1.0), (0.0, 1.0), (0.0, 1.0)];
     for (term, rule) in terms[1..].iter_mut().zip(rules) {
         match rule {
             LocalRule::Power { factor, exponent } => *term = (step * factor, *exponent),
-            LocalRule::Own { .. } => return by_bracket(stiffness, step, rules, target),
+            LocalRule::Threshold { .. } | LocalRule::Own { .. } => return by_bracket(stiffness, step, rules, target),
         }
     }
     debug_assert!(rules.len() <= MOST, "two bodies meet at a place");

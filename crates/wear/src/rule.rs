@@ -1,8 +1,9 @@
-//! The wear rule of a body: a power law, or a function of one's own. Rate, slope, inverse and potential of both stand here, and the
+//! The wear rule of a body: a power law, one with a threshold, or a function of one's own. Rate, slope, inverse and potential of all stand here, and the
 //! optimum, the wear in time and the tolerance of a shape take them from here alone.
 
 use crate::invert::{integral, invert};
 use crate::own_rule::OwnRule;
+use crate::threshold::ThresholdLaw;
 use crate::{WearError, WearLaw};
 
 use crate::law::{log_wear_rate, wear_rate};
@@ -12,6 +13,8 @@ use crate::law::{log_wear_rate, wear_rate};
 pub enum Rule {
     /// w' = beta~ p^b v^a, equation (4).
     Power(WearLaw),
+    /// w' = beta~ (p - p0)^b v^a above the threshold p0, else 0.
+    Threshold(ThresholdLaw),
     /// A function of one's own.
     Own(OwnRule),
 }
@@ -19,6 +22,12 @@ pub enum Rule {
 impl From<WearLaw> for Rule {
     fn from(law: WearLaw) -> Rule {
         Rule::Power(law)
+    }
+}
+
+impl From<ThresholdLaw> for Rule {
+    fn from(law: ThresholdLaw) -> Rule {
+        Rule::Threshold(law)
     }
 }
 
@@ -36,6 +45,7 @@ impl Rule {
     pub fn rate(&self, pressure: f64, sliding_speed: f64) -> f64 {
         match self {
             Rule::Power(law) => wear_rate(law, pressure, sliding_speed),
+            Rule::Threshold(law) => wear_rate(&law.law, pressure - law.threshold, sliding_speed),
             Rule::Own(rule) => rule.rate(pressure, sliding_speed),
         }
     }
@@ -59,9 +69,11 @@ impl Rule {
     /// The rule at a place, where the sliding speed (mm/s) is known.
     pub fn at(&self, sliding_speed: f64) -> LocalRule {
         match self {
-            Rule::Power(law) => LocalRule::Power {
-                factor: if law.factor == 0.0 { 0.0 } else { law.factor * sliding_speed.powf(law.speed_exponent) },
+            Rule::Power(law) => LocalRule::Power { factor: law.local_factor(sliding_speed), exponent: law.pressure_exponent },
+            Rule::Threshold(ThresholdLaw { law, threshold }) => LocalRule::Threshold {
+                factor: law.local_factor(sliding_speed),
                 exponent: law.pressure_exponent,
+                threshold: *threshold,
             },
             Rule::Own(rule) => LocalRule::Own { rule: rule.clone(), sliding_speed },
         }
@@ -71,25 +83,27 @@ impl Rule {
     pub fn wears(&self) -> bool {
         match self {
             Rule::Power(law) => law.factor > 0.0,
+            Rule::Threshold(law) => law.law.factor > 0.0,
             Rule::Own(_) => true,
         }
     }
 
-    /// The power law; `None` for a function of one's own.
+    /// The power law; `None` for a rule that is none.
     pub fn power(&self) -> Option<&WearLaw> {
         match self {
             Rule::Power(law) => Some(law),
-            Rule::Own(_) => None,
+            Rule::Threshold(_) | Rule::Own(_) => None,
         }
     }
 
     /// Checks the numbers of the rule; a function of one's own has none.
     ///
     /// # Errors
-    /// [`WearError::OutOfRange`] for a factor below 0, an exponent b that is not greater than 0, and numbers that are not finite.
+    /// [`WearError::OutOfRange`] for a factor below 0, an exponent b or a threshold that is not greater than 0, and numbers that are not finite.
     pub fn check(&self) -> Result<(), WearError> {
         match self {
             Rule::Power(law) => law.check(),
+            Rule::Threshold(law) => law.check(),
             Rule::Own(_) => Ok(()),
         }
     }
@@ -98,7 +112,7 @@ impl Rule {
     pub(crate) fn log_rate(&self, log_pressure: f64, sliding_speed: f64) -> f64 {
         match self {
             Rule::Power(law) => log_wear_rate(law, log_pressure, sliding_speed.ln()),
-            Rule::Own(rule) => rule.rate(log_pressure.exp(), sliding_speed).ln(),
+            Rule::Threshold(_) | Rule::Own(_) => self.rate(log_pressure.exp(), sliding_speed).ln(),
         }
     }
 }
@@ -113,6 +127,15 @@ pub enum LocalRule {
         factor: f64,
         /// b.
         exponent: f64,
+    },
+    /// w' = factor (p - threshold)^exponent above the threshold, else 0.
+    Threshold {
+        /// beta~ v^a.
+        factor: f64,
+        /// b.
+        exponent: f64,
+        /// p0, MPa.
+        threshold: f64,
     },
     /// A function of one's own.
     Own {
@@ -137,11 +160,12 @@ impl LocalRule {
                     factor * pressure.powf(*exponent)
                 }
             }
+            LocalRule::Threshold { factor, exponent, threshold } => power(factor, exponent).rate(pressure - threshold),
             LocalRule::Own { rule, sliding_speed } => rule.rate(pressure, *sliding_speed),
         }
     }
 
-    /// Slope dw'/dp in mm/(s MPa).
+    /// Slope dw'/dp in mm/(s MPa); at a threshold from above.
     pub fn slope(&self, pressure: f64) -> f64 {
         match self {
             LocalRule::Power { factor, exponent } => {
@@ -151,6 +175,8 @@ impl LocalRule {
                     factor * exponent * pressure.max(0.0).powf(exponent - 1.0)
                 }
             }
+            LocalRule::Threshold { threshold, .. } if pressure < *threshold => 0.0,
+            LocalRule::Threshold { factor, exponent, threshold } => power(factor, exponent).slope(pressure - threshold),
             LocalRule::Own { rule, sliding_speed } => rule.slope(pressure, *sliding_speed),
         }
     }
@@ -162,6 +188,7 @@ impl LocalRule {
         }
         match self {
             LocalRule::Power { factor, exponent } => (rate / factor).powf(1.0 / exponent),
+            LocalRule::Threshold { factor, exponent, threshold } => threshold + power(factor, exponent).inverse(rate),
             LocalRule::Own { rule, sliding_speed } => invert(&|p| rule.at(p, *sliding_speed), rate.ln()).0.exp(),
         }
     }
@@ -170,6 +197,9 @@ impl LocalRule {
     pub fn potential(&self, pressure: f64) -> f64 {
         match self {
             LocalRule::Power { exponent, .. } => self.rate(pressure) * pressure / (exponent + 1.0),
+            LocalRule::Threshold { factor, exponent, threshold } => {
+                power(factor, exponent).potential((pressure - threshold).max(0.0))
+            }
             LocalRule::Own { rule, sliding_speed } => integral(&|p| rule.rate(p, *sliding_speed), pressure),
         }
     }
@@ -177,7 +207,7 @@ impl LocalRule {
     /// Whether anything wears here.
     pub fn wears(&self) -> bool {
         match self {
-            LocalRule::Power { factor, .. } => *factor > 0.0,
+            LocalRule::Power { factor, .. } | LocalRule::Threshold { factor, .. } => *factor > 0.0,
             LocalRule::Own { .. } => true,
         }
     }
@@ -186,7 +216,13 @@ impl LocalRule {
     pub fn is_linear(&self) -> bool {
         match self {
             LocalRule::Power { factor, exponent } => *exponent == 1.0 || *factor == 0.0,
+            LocalRule::Threshold { factor, .. } => *factor == 0.0,
             LocalRule::Own { .. } => false,
         }
     }
+}
+
+/// The power law of the excess over a threshold.
+fn power(factor: &f64, exponent: &f64) -> LocalRule {
+    LocalRule::Power { factor: *factor, exponent: *exponent }
 }

@@ -78,7 +78,7 @@ struct System<'a> {
 
 impl<'a> System<'a> {
     fn new(problem: &'a Problem, optimum: &'a Optimum) -> Option<System<'a>> {
-        if problem.wear.has_own() {
+        if problem.wear.has_other() {
             return None;
         }
         let uniform = matches!(optimum.law.density, Density::Power { k: 0.0, .. });

@@ -16,6 +16,8 @@ const WORN: f64 = 0.1;
 /// form on all surfaces that could touch, those that never do included.
 const BARELY: f64 = 0.01;
 
+/// Part of a threshold pressure up to which a pressure beyond it is the round-off of a run in time.
+const AT_THRESHOLD: f64 = 1e-6;
 /// Part of body 1's thickness beyond which a gap is no small displacement any more.
 const WIDE: f64 = 0.01;
 
@@ -27,6 +29,7 @@ pub(crate) fn remarks(problem: &Problem, solution: &Solution) -> Vec<Remark> {
         not_worth_machining(solution),
         worn_through(problem, solution),
         worn_free(problem, solution),
+        stopped(problem, solution),
         late(problem, solution),
         grooved(solution),
     ];
@@ -118,7 +121,18 @@ fn worn_through(problem: &Problem, solution: &Solution) -> Option<Remark> {
 /// How the pressure under a prescribed approach ends: the wear takes away the closing that makes it, so that `p' = -C p^b`.
 fn worn_free(problem: &Problem, solution: &Solution) -> Option<Remark> {
     solution.wear.as_ref().filter(|_| problem.load.approach.is_some() && !problem.wear.own_rule)?;
-    let [exponent] = problem.wear.exponents[..] else { return None };
+    let law = if problem.wear.threshold {
+        "its pressure falls to the threshold of the wear rule, and what is left of it no longer wears".into()
+    } else {
+        powers_free(problem.wear.exponents.as_slice())?
+    };
+    let message = format!("Under a prescribed approach the contact wears itself free: {law}.");
+    Some(Remark { code: "wears-itself-free", message })
+}
+
+/// The same of powers of the pressure; none of two different ones.
+fn powers_free(exponents: &[f64]) -> Option<String> {
+    let [exponent] = *exponents else { return None };
     let law = if exponent > 1.0 {
         format!(
             "with b = {} the pressure falls in the long run like t^(-1/(b - 1)) = t^-{}",
@@ -130,8 +144,19 @@ fn worn_free(problem: &Problem, solution: &Solution) -> Option<Remark> {
     } else {
         format!("with b = {} the pressure is gone after a finite time", short(exponent))
     };
-    let message = format!("Under a prescribed approach the contact wears itself free: {law}.");
-    Some(Remark { code: "wears-itself-free", message })
+    Some(law)
+}
+
+/// Wear that has come to an end because the pressure is nowhere above the threshold any more.
+fn stopped(problem: &Problem, solution: &Solution) -> Option<Remark> {
+    let ended = solution.wear.as_ref().is_some_and(|wear| wear.steady);
+    let threshold = problem.wear.lowest_threshold().filter(|_| ended)?;
+    let largest = solution.profile.as_ref()?.pressure.iter().copied().fold(0.0, f64::max);
+    let message = format!(
+        "Wear has stopped: the pressure is nowhere above the threshold of {} MPa any more. No feed goes on, and the shape at the end depends on that at the start.",
+        short(threshold)
+    );
+    (largest <= threshold * (1.0 + AT_THRESHOLD)).then_some(Remark { code: "wear-stopped", message })
 }
 
 /// A groove that the contact knows by its mean.

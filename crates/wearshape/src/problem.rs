@@ -3,7 +3,7 @@
 use meshing::Couple;
 use scene::{Geometry, Scene, SurfaceShape};
 use shapeopt::Measure;
-use wear::{WearError, WearPair};
+use wear::{Rule, WearError, WearPair};
 
 use crate::freedom::Freedom;
 use crate::gap::StartGap;
@@ -124,7 +124,7 @@ impl Friction {
 pub(crate) struct Wear {
     /// Rules of body 1 and 2; an error where the scene's factors leave them open.
     pub laws: Result<WearPair, WearError>,
-    /// Exponents b of the bodies with a wear factor, each once.
+    /// Exponents b of the bodies with a wear factor, each once; none where a rule is no power of the pressure.
     pub exponents: Vec<f64>,
     /// How the counter-face meets body 1.
     pub counterface: wear::Counterface,
@@ -134,6 +134,8 @@ pub(crate) struct Wear {
     pub wearable: Option<Wearable>,
     /// Whether the factors stand in front of the friction stress.
     pub of_friction: bool,
+    /// Whether a body that wears has a threshold pressure.
+    pub threshold: bool,
     /// Whether body 1 wears by a rule of the caller's own in place of the scene's, and body 2 not at all.
     pub own_rule: bool,
 }
@@ -173,6 +175,13 @@ impl Wear {
         let pair = self.laws.as_ref().ok()?;
         let worn = (0..2).filter(|body| pair.wears(*body));
         Some(worn.map(|body| pair.rules[body].rate(pressure, sliding_speed)).sum())
+    }
+
+    /// Lowest threshold pressure (MPa) of the bodies that wear, if all of them have one.
+    pub(crate) fn lowest_threshold(&self) -> Option<f64> {
+        let wearing = self.laws.as_ref().ok()?.rules.iter().filter(|rule| rule.wears());
+        let thresholds = wearing.map(|rule| if let Rule::Threshold(law) = rule { Some(law.threshold) } else { None });
+        thresholds.collect::<Option<Vec<f64>>>()?.into_iter().reduce(f64::min)
     }
 }
 

@@ -62,7 +62,7 @@ pub struct PressureResult {
     pub character: Option<Character>,
     /// regular, near-singular, singular, partial-contact, infeasible, several.
     pub regime: Option<Regime>,
-    /// Says so where body 1 wears by a rule given as a function, in place of the scene's powers of the pressure.
+    /// Says so where the wear rule is no power of the pressure: with a threshold, or given as a function in place of the scene's.
     pub wear_rule: Option<&'static str>,
     /// Forces of a singular pressure.
     pub limit_measure: Vec<PointForce>,

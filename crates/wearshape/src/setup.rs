@@ -21,6 +21,7 @@ mod spin;
 mod stages;
 mod start_gap;
 mod tasks;
+mod threshold;
 mod track;
 mod turning_axes;
 mod twist;
@@ -62,6 +63,7 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     let gap = start_gap::on_surface(&scene, patch.as_ref())?;
     track::resolve(&scene, &tasks)?;
     wear_rule::resolve(&mut scene, &tasks, patch.as_ref())?;
+    threshold::resolve(&mut scene, &tasks, patch.as_ref())?;
     load::resolve(&mut scene, &tasks, patch.as_ref(), bodies.as_ref().map(|(_, [first, _])| first))?;
     twist::resolve(&scene, &tasks)?;
     wanted(&mut scene, &tasks, patch.as_ref())?;

@@ -11,7 +11,7 @@ const LEAVES = {
   approach: ["approach", "length"], moment: ["moment", "moment"], moment_y: ["moment about x", "moment"], tilt: ["tilt", "angle"],
   approach_time: ["worn approach of time", "time"], centre: ["centre", "length"], shear_force: ["shear force", "force"], twist: ["twist", "angle"],
   torque: ["torque", "moment"], about: ["moment about", "length"], edge: ["edge"], as: ["load as"], beta: ["wear factor \u03b2", "wear factor"],
-  k: ["wear factor k", "wear factor"], a: ["exponent of the speed a"], b: ["exponent of the pressure b"], counterface: ["counter-face"], until: ["until", "time"],
+  k: ["wear factor k", "wear factor"], threshold: ["threshold pressure", "pressure"], a: ["exponent of the speed a"], b: ["exponent of the pressure b"], counterface: ["counter-face"], until: ["until", "time"],
   wearable: ["wearable thickness", "length"], spread: ["spread of the wear factor"], functional: ["functional"], q: ["exponent q"], balance: ["balance"],
   modes: ["modes"], p_max: ["cap of the pressure", "pressure"], young: ["Young\u2019s modulus", "pressure"], poisson: ["Poisson\u2019s ratio"],
   degree: ["degree"], layers: ["layers"], pin: ["pin", "length"], roller: ["roller", "angle"], half_axes: ["half axis", "length"], x: ["x", "length"],
@@ -23,7 +23,7 @@ const LEAVES = {
 
 const AXES = ["x", "z"];
 const PAIRS = { x: ["x from", "x to"], y: ["y from", "y to"], z: ["z from", "z to"], half_axes: ["half axis along x", "half axis along y"] };
-const BODIES = ["beta", "k", "a", "b"];
+const BODIES = ["beta", "k", "a", "b", "threshold"];
 const POINTS = ["centre", "about", "pin", "move"];
 
 /** Name of a key without places of lists, and what it measures. */

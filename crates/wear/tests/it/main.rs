@@ -13,3 +13,4 @@ mod reference_bodies;
 mod sensitivity;
 mod shell;
 mod surfaces;
+mod threshold;

@@ -184,14 +184,14 @@ fn worn_approach(scene: &Scene, time: f64) -> Result<(), Fault> {
     let equal = !matches!(b, Some(scene::Pair::Two([b1, b2])) if b1 != b2);
     let velocity = match optimum.functional.unwrap_or(Functional::Steady) {
         Functional::Steady => true,
-        Functional::WearPower => optimum.q.unwrap_or(1.0) == 1.0 && equal,
+        Functional::WearPower => optimum.q.unwrap_or(1.0) == 1.0 && equal && !super::threshold::acts(scene),
         Functional::WearVolume | Functional::FrictionPower | Functional::Uniform => false,
     };
     if velocity {
         return Ok(());
     }
     let message = "load.approach_time needs the feed of the wear, and this optimum's multiplier is not a velocity";
-    let remedy = "use optimum.functional = \"steady\", or wear-power with q = 1 and b1 = b2";
+    let remedy = "use optimum.functional = \"steady\", or wear-power with q = 1, b1 = b2 and no threshold";
     Err(Fault::at("load.approach_time", "wrong-value", message, remedy))
 }
 

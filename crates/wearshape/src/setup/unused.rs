@@ -84,7 +84,7 @@ fn idle(scene: &Scene, tasks: &[Task]) -> Vec<&'static str> {
     // The wear rate of a contact that slides is a column of contact.csv.
     let rates = scene.sliding.is_some() && !turned && scene.wear.as_ref().is_some_and(|wear| wear.beta.or(wear.k).is_some());
     when(contact_only, &["wear.counterface"]);
-    when(contact_only && !rates, &["wear.beta", "wear.k", "wear.a", "wear.b"]);
+    when(contact_only && !rates, &["wear.beta", "wear.k", "wear.a", "wear.b", "wear.threshold"]);
     let slides = scene.contact.as_ref().and_then(|contact| contact.friction).unwrap_or(0.0) > 0.0;
     when(contact_only && !slides && !rates, &["sliding.omega", "sliding.speed"]);
     when(contact_only && !slides, &["contact.shear"]);

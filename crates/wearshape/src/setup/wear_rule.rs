@@ -4,7 +4,7 @@ use scene::{Counterface, Fault, Functional, Pair, Scene, Task, Wear, WearFactor,
 use wear::{WearError, WearPair};
 
 use crate::problem;
-use crate::setup::duty;
+use crate::setup::{duty, threshold};
 use crate::surface::{Patch, PatchKind};
 
 /// Checks the wear rule and the sliding, and fills in their defaults.
@@ -146,9 +146,11 @@ fn factors(wear: &mut Wear) -> Result<(&'static str, [WearFactor; 2]), Fault> {
 /// The rules of a resolved scene.
 pub(super) fn numbers(scene: &Scene) -> problem::Wear {
     let friction = scene.contact.as_ref().and_then(|contact| contact.friction).unwrap_or(0.0);
+    let above = threshold::acts(scene);
     problem::Wear {
-        laws: laws(scene.wear.as_ref(), friction),
-        exponents: super::optimum::exponents(scene),
+        laws: laws(scene.wear.as_ref(), friction).map(|pair| pair.above(threshold::numbers(scene))),
+        exponents: super::optimum::exponents(scene).into_iter().filter(|_| !above).collect(),
+        threshold: above,
         counterface: match scene.wear.as_ref().and_then(|wear| wear.counterface) {
             Some(Counterface::Congruent) => wear::Counterface::Congruent,
             Some(Counterface::Revolving) => wear::Counterface::Revolving,

@@ -20,4 +20,5 @@ mod refused;
 mod round_wear;
 mod sensitivity;
 mod spin;
+mod threshold;
 mod watch;

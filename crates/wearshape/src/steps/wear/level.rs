@@ -280,6 +280,10 @@ fn integration_error(problem: &WearProblem, run: &Run) -> Option<f64> {
 const NO_RATE: &str = "the wear rates beta (mu p)^b v^a are below the smallest number, so that nothing wears in a finite time; give a larger \
                        factor or friction, or a smaller exponent";
 
+/// Why a run under a threshold does not begin.
+const NOWHERE_ABOVE: &str = "the pressure is nowhere above wear.threshold, so that nothing wears and the shape stays as it is; press harder, or \
+                             give a lower threshold";
+
 /// What a run in time has come to.
 struct Run {
     state: WearState,
@@ -315,7 +319,8 @@ fn evolve(
     while *evolution.status() == EvolutionStatus::Running && evolution.state().step < MOST_STEPS && !stopped {
         let Some(state) = evolution.next() else { break };
         if state.step == 0 && state.gap_rate.iter().all(|rate| *rate == 0.0) {
-            return Err(Refusal::Reason(NO_RATE.into()));
+            let above = scenes.stages[0].problem.wear.threshold;
+            return Err(Refusal::Reason(if above { NOWHERE_ABOVE } else { NO_RATE }.into()));
         }
         let (rejected, solves) = last.unwrap_or((0, 0));
         let step = WearStep {
