@@ -28,7 +28,7 @@ macro_rules! scenes {
 }
 
 /// All built-in scenes.
-pub const SCENES: [Builtin; 25] = scenes![
+pub const SCENES: [Builtin; 26] = scenes![
     "drum-brake-block",
     "drum-brake-ring",
     "lining-on-back",
@@ -37,6 +37,7 @@ pub const SCENES: [Builtin; 25] = scenes![
     "pinned-shoe-elastic",
     "translating-punch",
     "punch-wear",
+    "trapezoidal-punch",
     "annular-punch",
     "clutch-hot",
     "reciprocating-pad",

@@ -81,7 +81,7 @@ export const GROUPS = [
 /** Scenes by the kind of machine element; those that a module has not are left out. */
 export const KINDS = [
   ["Brakes", ["drum-brake-block", "drum-brake-ring", "drum-brake-hot", "internal-shoe", "lining-on-back", "pinned-shoe-elastic", "pinned-shoe", "pivoted-shoe", "disc-pad"]],
-  ["Punches, pads and clutches", ["translating-punch", "punch-wear", "annular-punch", "clutch-hot", "reciprocating-pad", "rectangular-punch", "elliptic-punch"]],
+  ["Punches, pads and clutches", ["translating-punch", "punch-wear", "trapezoidal-punch", "annular-punch", "clutch-hot", "reciprocating-pad", "rectangular-punch", "elliptic-punch"]],
   ["Bearings and joints", ["bushing", "journal", "journal-arc", "knee", "cam"]],
   ["Balls and cylinders", ["hertz-sphere", "hertz-cylinder", "cattaneo-mindlin", "pin-on-disc"]],
 ];

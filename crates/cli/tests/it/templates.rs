@@ -2,39 +2,11 @@
 
 use crate::call::Bench;
 
-const NAMES: [&str; 25] = [
-    "drum-brake-block",
-    "drum-brake-ring",
-    "lining-on-back",
-    "drum-brake-hot",
-    "internal-shoe",
-    "pinned-shoe-elastic",
-    "translating-punch",
-    "punch-wear",
-    "annular-punch",
-    "clutch-hot",
-    "reciprocating-pad",
-    "hertz-cylinder",
-    "hertz-sphere",
-    "cattaneo-mindlin",
-    "bushing",
-    "cam",
-    "journal",
-    "knee",
-    "pin-on-disc",
-    "disc-pad",
-    "pinned-shoe",
-    "pivoted-shoe",
-    "rectangular-punch",
-    "elliptic-punch",
-    "journal-arc",
-];
-
 #[test]
 fn every_template_is_listed_written_and_sound() {
     let bench = Bench::new();
     let list = bench.call("new --list").out;
-    for name in NAMES {
+    for name in scene::SCENES.iter().map(|scene| scene.name) {
         assert!(list.lines().any(|line| line.starts_with(name) && line.len() > 22), "{name} in {list}");
         let call = bench.call(&format!("new {name} {name}.toml"));
         assert_eq!(call.code, 0, "{}", call.err);
@@ -47,7 +19,7 @@ fn every_template_is_listed_written_and_sound() {
         let plan: serde_json::Value = serde_json::from_str(&bench.call(&format!("check {name} --json")).out).unwrap();
         assert_eq!(plan["unused_keys"], serde_json::json!([]), "{name}");
     }
-    assert_eq!(list.lines().count(), NAMES.len());
+    assert_eq!(list.lines().count(), scene::SCENES.len());
 }
 
 /// What a check says but for the times it expects, which differ from call to call.
