@@ -204,6 +204,8 @@ class Pressure:
     def _one_rule(scene):
         """(a, b) of the one wear rule that shapes the pressure; two different rules are refused."""
         rule = scene.get("wear", {})
+        if "threshold" in rule and scene.get("optimum", {}).get("functional") not in ("uniform", "friction-power"):
+            raise ValueError("a wear rule with a threshold: the pressure is not known here")
         a, b = pair(rule.get("a", 1.0)), pair(rule.get("b", 1.0))
         factor = rule.get("beta", rule.get("k", 1.0))
         wears = pair(factor) if isinstance(factor, list) else [quantity(factor), 0.0]

@@ -22,7 +22,7 @@ STEADY = 1e-6
 
 
 class Rule:
-    """Sum of the wear rates of both bodies in the gap, mm/s: sum_i factor_i (mu p)^b_i v^a_i."""
+    """Sum of the wear rates of both bodies in the gap, mm/s: sum_i factor_i (mu (p - p0_i))^b_i v^a_i above p0_i."""
 
     def __init__(self, scene, surface):
         wear = scene["wear"]
@@ -34,15 +34,22 @@ class Rule:
         elif wear.get("counterface") == "revolving" and self.factor[1] != 0.0:
             raise ValueError("a revolving counter-face that wears is not known here")
         self.a, self.b = scenes.pair(wear.get("a", 1.0)), scenes.pair(wear.get("b", 1.0))
+        self.threshold = scenes.pair(wear.get("threshold", 0.0))
         if name == "beta":
             self.factor = [f * surface.friction**b for f, b in zip(self.factor, self.b)]
 
     def rate(self, p, v):
-        return sum(f * p**b * v**a for f, a, b in zip(self.factor, self.a, self.b))
+        return sum(f * np.maximum(p - p0, 0.0) ** b * v**a for f, a, b, p0 in self.terms())
 
     def slope(self, p, v):
-        safe = np.where(p > 0.0, p, 1.0)
-        return np.where(p > 0.0, sum(f * b * safe ** (b - 1.0) * v**a for f, a, b in zip(self.factor, self.a, self.b)), 0.0)
+        def one(f, a, b, p0):
+            over = np.where(p > p0, p - p0, 1.0)
+            return np.where(p > p0, f * b * over ** (b - 1.0) * v**a, 0.0)
+
+        return sum(one(*term) for term in self.terms())
+
+    def terms(self):
+        return zip(self.factor, self.a, self.b, self.threshold)
 
 
 def solve(scene, points, sign):

@@ -35,9 +35,5 @@ impl Condition {
 
 /// Sum of wear rates and of their slopes at a pressure above 0.
 fn total(rules: &[Rule], pressure: f64, speed: f64) -> [f64; 2] {
-    let of = |rule: &Rule| match rule {
-        Rule::Power(_) | Rule::Threshold(_) => [rule.rate(pressure, speed), rule.slope(pressure, speed)],
-        Rule::Own(own) => own.at(pressure, speed),
-    };
-    rules.iter().map(of).reduce(|a, b| [a[0] + b[0], a[1] + b[1]]).unwrap_or([0.0; 2])
+    rules.iter().map(|rule| rule.rate_and_slope(pressure, speed)).reduce(|a, b| [a[0] + b[0], a[1] + b[1]]).unwrap_or([0.0; 2])
 }

@@ -13,10 +13,8 @@ const MOST: usize = 2;
 pub fn resisted_pressure(stiffness: f64, step: f64, rules: &[&LocalRule], target: f64) -> (f64, f64) {
     let mut terms = [(stiffness, 1.0), (0.0, 1.0), (0.0, 1.0)];
     for (term, rule) in terms[1..].iter_mut().zip(rules) {
-        match rule {
-            LocalRule::Power { factor, exponent } => *term = (step * factor, *exponent),
-            LocalRule::Threshold { .. } | LocalRule::Own { .. } => return by_bracket(stiffness, step, rules, target),
-        }
+        let Some((factor, exponent)) = rule.power() else { return by_bracket(stiffness, step, rules, target) };
+        *term = (step * factor, exponent);
     }
     debug_assert!(rules.len() <= MOST, "two bodies meet at a place");
     let terms = || terms.iter().filter(|t| t.0 > 0.0);

@@ -96,6 +96,23 @@ impl Rule {
         }
     }
 
+    /// What the rule is, in words, where it is no power of the pressure.
+    pub fn word(&self) -> Option<&'static str> {
+        match self {
+            Rule::Power(_) => None,
+            Rule::Threshold(_) => Some("with a threshold"),
+            Rule::Own(_) => Some("given as a function"),
+        }
+    }
+
+    /// Wear rate and slope at a pressure above 0; of a function of one's own by one call.
+    pub(crate) fn rate_and_slope(&self, pressure: f64, sliding_speed: f64) -> [f64; 2] {
+        match self {
+            Rule::Power(_) | Rule::Threshold(_) => [self.rate(pressure, sliding_speed), self.slope(pressure, sliding_speed)],
+            Rule::Own(rule) => rule.at(pressure, sliding_speed),
+        }
+    }
+
     /// Checks the numbers of the rule; a function of one's own has none.
     ///
     /// # Errors
@@ -209,6 +226,14 @@ impl LocalRule {
         match self {
             LocalRule::Power { factor, .. } | LocalRule::Threshold { factor, .. } => *factor > 0.0,
             LocalRule::Own { .. } => true,
+        }
+    }
+
+    /// Factor and exponent of a power of the pressure; `None` for a rule that is none.
+    pub(crate) fn power(&self) -> Option<(f64, f64)> {
+        match self {
+            LocalRule::Power { factor, exponent } => Some((*factor, *exponent)),
+            LocalRule::Threshold { .. } | LocalRule::Own { .. } => None,
         }
     }
 

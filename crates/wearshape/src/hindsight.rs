@@ -121,7 +121,7 @@ fn worn_through(problem: &Problem, solution: &Solution) -> Option<Remark> {
 /// How the pressure under a prescribed approach ends: the wear takes away the closing that makes it, so that `p' = -C p^b`.
 fn worn_free(problem: &Problem, solution: &Solution) -> Option<Remark> {
     solution.wear.as_ref().filter(|_| problem.load.approach.is_some() && !problem.wear.own_rule)?;
-    let law = if problem.wear.threshold {
+    let law = if problem.wear.lowest_threshold().is_some() {
         "its pressure falls to the threshold of the wear rule, and what is left of it no longer wears".into()
     } else {
         powers_free(problem.wear.exponents.as_slice())?

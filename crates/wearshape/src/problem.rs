@@ -134,8 +134,6 @@ pub(crate) struct Wear {
     pub wearable: Option<Wearable>,
     /// Whether the factors stand in front of the friction stress.
     pub of_friction: bool,
-    /// Whether a body that wears has a threshold pressure.
-    pub threshold: bool,
     /// Whether body 1 wears by a rule of the caller's own in place of the scene's, and body 2 not at all.
     pub own_rule: bool,
 }

@@ -36,7 +36,6 @@ impl Problem {
         problem.wear.own_rule = true;
         problem.wear.laws = Ok(WearPair::alone(rule));
         problem.wear.exponents = Vec::new();
-        problem.wear.threshold = false;
         problem.wear.counterface = Counterface::Fresh;
         problem.wear.of_friction = false;
         problem.remarks = remarks::remarks(&problem, &tasks);

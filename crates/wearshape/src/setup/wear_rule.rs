@@ -146,11 +146,11 @@ fn factors(wear: &mut Wear) -> Result<(&'static str, [WearFactor; 2]), Fault> {
 /// The rules of a resolved scene.
 pub(super) fn numbers(scene: &Scene) -> problem::Wear {
     let friction = scene.contact.as_ref().and_then(|contact| contact.friction).unwrap_or(0.0);
-    let above = threshold::acts(scene);
+    let laws = laws(scene.wear.as_ref(), friction).map(|pair| pair.above(threshold::numbers(scene)));
+    let powers = laws.as_ref().ok().is_none_or(|pair| pair.rules.iter().all(|rule| rule.power().is_some()));
     problem::Wear {
-        laws: laws(scene.wear.as_ref(), friction).map(|pair| pair.above(threshold::numbers(scene))),
-        exponents: super::optimum::exponents(scene).into_iter().filter(|_| !above).collect(),
-        threshold: above,
+        exponents: super::optimum::exponents(scene).into_iter().filter(|_| powers).collect(),
+        laws,
         counterface: match scene.wear.as_ref().and_then(|wear| wear.counterface) {
             Some(Counterface::Congruent) => wear::Counterface::Congruent,
             Some(Counterface::Revolving) => wear::Counterface::Revolving,

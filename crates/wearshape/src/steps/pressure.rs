@@ -5,14 +5,14 @@ use std::f64::consts::TAU;
 use hpfem::CellGrid;
 use nalgebra::Vector3;
 use scene::{Balance, Fault, Modes};
-use wear::{Regime, Shape, SurfacePoint, WearError};
+use wear::{Regime, Rule, Shape, SurfacePoint, WearError};
 
 use crate::brake::{BrakeResult, brake};
 use crate::faults::wrong_wear;
 use crate::freedom::{Freedom, Role};
 use crate::functional::kind;
 use crate::options::{Options, Sampling};
-use crate::problem::{Optimum, Problem, Wear};
+use crate::problem::{Optimum, Problem};
 use crate::profile::Profile;
 use crate::results::{ByRole, ErrorResult, PointForce, PressureResult};
 use crate::solution::{PressureMap, Status};
@@ -49,7 +49,7 @@ pub(crate) fn solve(problem: &Problem, options: &Options<'_>) -> Result<Found, F
     match wear::optimal_pressure(&wear) {
         Ok(optimum) => {
             describe(&mut found.result, &optimum, &problem.freedoms, wear.wear.active);
-            found.result.wear_rule = rule_word(problem);
+            found.result.wear_rule = wear.wear.rules.iter().find_map(Rule::word);
             depths(&mut found.result, &optimum, patch);
             let at_points: Vec<f64> = optimum.points.iter().map(|point| optimum.pressure_at(point)).collect();
             found.brake = brake(problem, &optimum.points, &at_points);
@@ -82,15 +82,6 @@ pub(crate) fn solve(problem: &Problem, options: &Options<'_>) -> Result<Found, F
         }
     }
     Ok(found)
-}
-
-/// What the wear rule is where it is no power of the pressure.
-fn rule_word(problem: &Problem) -> Option<&'static str> {
-    match problem.wear {
-        Wear { own_rule: true, .. } => Some("given as a function"),
-        Wear { threshold: true, .. } => Some("with a threshold"),
-        Wear { .. } => None,
-    }
 }
 
 fn not_known() -> Fault {

@@ -319,7 +319,7 @@ fn evolve(
     while *evolution.status() == EvolutionStatus::Running && evolution.state().step < MOST_STEPS && !stopped {
         let Some(state) = evolution.next() else { break };
         if state.step == 0 && state.gap_rate.iter().all(|rate| *rate == 0.0) {
-            let above = scenes.stages[0].problem.wear.threshold;
+            let above = scenes.stages[0].problem.wear.lowest_threshold().is_some();
             return Err(Refusal::Reason(if above { NOWHERE_ABOVE } else { NO_RATE }.into()));
         }
         let (rejected, solves) = last.unwrap_or((0, 0));
