@@ -1,6 +1,8 @@
 //! Meshes of bodies given by their cells: cut where contact and load end, where the other body has its break points, and where cells
 //! are slender.
 
+use std::collections::BTreeSet;
+
 use hpfem::{Direction, Mesh, Support, bisect};
 use scene::{Component, Fault};
 
@@ -326,7 +328,11 @@ fn singular(couple: &Couple, number: usize, mesh: &Mesh, extent: Extent) -> Resu
     } else if number == 0 {
         loaded.push(LOAD);
     }
-    let materials = body.elastic()?;
-    let found = hpfem::singular_vertices(mesh, couple.kinematics, &materials, &supports, &loaded)?;
-    Ok(found.into_iter().map(|v| mesh.vertices[v.vertex]).collect())
+    let mut found = BTreeSet::new();
+    for materials in body.stand_ins() {
+        let materials = materials.collect::<Result<Vec<_>, _>>()?;
+        let singular = hpfem::singular_vertices(mesh, couple.kinematics, &materials, &supports, &loaded)?;
+        found.extend(singular.into_iter().map(|v| v.vertex));
+    }
+    Ok(found.into_iter().map(|vertex| mesh.vertices[vertex]).collect())
 }

@@ -107,6 +107,23 @@ impl Body {
         self.materials.iter().map(elastic).collect()
     }
 
+    /// Isotropic materials that tell where cells have to be small: exponents of corners are known for them alone. Where some are orthotropic, first
+    /// with the means in the plane, then with the first modulus and the second one by turns, so that one material in two directions is two.
+    pub(crate) fn stand_ins(&self) -> Vec<impl Iterator<Item = Result<hpfem::Material, hpfem::Error>>> {
+        let passes = if self.materials.iter().any(Material::is_orthotropic) { 2 } else { 1 };
+        let stand_in = move |pass: usize, number: usize, material: &Material| {
+            if !material.is_orthotropic() {
+                return elastic(material);
+            }
+            let [mean, poisson] = material.in_plane();
+            let young = if pass == 0 { mean } else { material.young.each()[number % 2].0 };
+            hpfem::Material::isotropic(young, poisson.clamp(-0.9, 0.49))
+        };
+        let of_pass =
+            move |pass| self.materials.iter().enumerate().map(move |(number, material)| stand_in(pass, number, material));
+        (0..passes).map(of_pass).collect()
+    }
+
     /// Whether an edge holds a component.
     pub fn holds(&self, component: Component) -> bool {
         self.supports.values().any(|held| held.holds(component))

@@ -143,6 +143,22 @@ fn the_proof_of_a_lining_gives_its_pressure_back() {
 }
 
 #[test]
+fn a_lining_of_cells_on_its_steel_back_is_graded_where_both_end() {
+    let own = format!("body1.geometry.blocks.materials.lining={LINING}, angle = '25 deg' }}");
+    let solution = solved(&scene("lining-on-back", &["accuracy=1e-3", &own]));
+    let shape = solution.shape.unwrap();
+    assert!(shape.roundtrip_same.unwrap() < 1e-6 && shape.roundtrip_independent.unwrap() < 3e-2, "{shape:?}");
+    // An isotropic lining written by its axes: the same digits.
+    let lining = |material: &str| {
+        let own = format!("body1.geometry.blocks.materials.lining={material}");
+        digits(&solved(&scene("lining-on-back", &["tasks=[pressure,shape]", "mesh.degree=4", "check=false", &own])))
+    };
+    let shear = 0.5 * 8e3 / (1.0 + 0.25);
+    let by_axes = lining(&format!("{{ young = [8000, 8000, 8000], poisson = [0.25, 0.25, 0.25], shear = {shear:?} }}"));
+    assert_eq!(lining("{ young = 8000, poisson = 0.25 }"), by_axes);
+}
+
+#[test]
 fn the_resolved_scene_has_the_axes() {
     let problem = scene("drum-brake-block", &[&format!("body1.material={LINING}, angle = '90 deg' }}")]);
     let text = problem.resolved();
