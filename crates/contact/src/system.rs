@@ -2,9 +2,11 @@
 
 use crate::error::Error;
 use crate::lcp::Complementarity;
+use crate::linear::{Factor, Scaling};
 use crate::load::ContactLoad;
 use crate::operator::ContactOperator;
 use faer::Mat;
+use std::borrow::Cow;
 
 /// Openings and balance as functions of nodal normal forces `f >= 0` and free rigid coordinates `y`:
 /// `opening = gap + opening_0 + A f + Psi y >= 0` with `f . opening = 0`, and `load + B^T f = K y`.
@@ -42,6 +44,23 @@ impl ContactSystem {
             load: problem.load,
             symmetric: problem.symmetric,
         }
+    }
+
+    /// Whether the system of the closed points has the sign of determinant that it has without shear and heat. Where these have turned it, the
+    /// contact is beyond the point at which it branches: a deviation of the pressure feeds on itself.
+    pub fn is_regular(&self, closed: &[bool]) -> bool {
+        let problem = Complementarity {
+            compliance: Cow::Borrowed(&self.compliance),
+            influence: self.influence.clone(),
+            balance: self.balance.clone(),
+            stiffness: self.stiffness.clone(),
+            opening: self.opening.clone(),
+            load: self.load.clone(),
+            symmetric: self.symmetric,
+        };
+        let index: Vec<usize> = (0..problem.points()).filter(|i| closed[*i]).collect();
+        let sign = Factor::new(&problem, &Scaling::new(&problem), &index, 0.0).sign();
+        sign == if self.load.len().is_multiple_of(2) { 1.0 } else { -1.0 }
     }
 }
 

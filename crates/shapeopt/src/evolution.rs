@@ -5,6 +5,7 @@
 //! of this project's documents.
 
 mod ends;
+mod heat;
 mod intervals;
 
 use crate::error::Error;
@@ -17,6 +18,9 @@ use crate::turns::loads;
 use crate::wear_problem::{Scheme, Stepping, Until, WearProblem};
 use crate::wear_state::WearState;
 use crate::wear_step::{Trial, gap_scale, try_step};
+use heat::Conducting;
+use std::cell::RefCell;
+use std::sync::Arc;
 
 /// Largest growth of the step from one to the next.
 const GROWTH: f64 = 8.0;
@@ -41,11 +45,19 @@ struct Taken {
     end: Option<f64>,
 }
 
+/// A load with the rigid motions of its contact.
+pub(crate) struct Acting<'a> {
+    pub(crate) load: Load<'a>,
+    pub(crate) rigid: RigidWear,
+}
+
 /// Steps of a wear run, one state at a time; the first is the start.
 pub struct Evolution<'a> {
     problem: &'a WearProblem,
-    loads: Vec<Load<'a>>,
-    rigid: Vec<RigidWear>,
+    /// Each load by itself, or all of them in one where they act by turns.
+    acting: Vec<Arc<Acting<'a>>>,
+    /// Loads whose points conduct heat otherwise, the last ones met.
+    kept: RefCell<Vec<Conducting<'a>>>,
     state: WearState,
     status: EvolutionStatus,
     fresh: bool,
@@ -59,11 +71,11 @@ impl<'a> Evolution<'a> {
     pub fn new(problem: &'a WearProblem) -> Result<Evolution<'a>, Error> {
         let mut evolution = Evolution::prepare(problem)?;
         let (n, points) = (problem.points.len(), problem.values());
-        let load = &evolution.loads[problem.schedule[0].stage];
+        let acting = &evolution.acting[problem.schedule[0].stage];
         // Every point just in contact, unless more is known.
         let [pressure, opening] = problem.start.clone().unwrap_or_else(|| [vec![0.0; points], vec![-f64::MIN_POSITIVE; points]]);
-        let start = Contact { pressure, opening, coordinates: vec![0.0; load.system.load.len()] };
-        let solved = load.solve(&problem.gap, 0.0, &start).ok_or(Error::NoContactAtStart)?;
+        let start = Contact { pressure, opening, coordinates: vec![0.0; acting.load.system.load.len()] };
+        let solved = acting.load.solve(&problem.gap, 0.0, &start).map_err(|_| Error::NoContactAtStart)?;
         if !solved.contact.pressure.iter().any(|p| *p > 0.0) {
             return Err(Error::NoContactAtStart);
         }
@@ -75,6 +87,7 @@ impl<'a> Evolution<'a> {
             ..WearState::default()
         };
         evolution.take_contact(&mut state, solved.contact);
+        evolution.conduct_at_first(&mut state);
         state.next_step = evolution.first_step(&state);
         evolution.state = state;
         Ok(evolution)
@@ -100,9 +113,11 @@ impl<'a> Evolution<'a> {
 
     fn prepare(problem: &'a WearProblem) -> Result<Evolution<'a>, Error> {
         problem.check()?;
-        let loads = loads(problem);
-        let rigid = problem.stages.iter().map(|stage| RigidWear::new(&stage.system)).collect();
-        Ok(Evolution { problem, loads, rigid, state: WearState::default(), status: EvolutionStatus::Running, fresh: true })
+        // Loads that act by turns are one load with the rigid motions of the first of them.
+        let rigid = problem.stages.iter().map(|stage| RigidWear::new(&stage.system));
+        let acting = loads(problem).into_iter().zip(rigid).map(|(load, rigid)| Arc::new(Acting { load, rigid })).collect();
+        let (state, status) = (WearState::default(), EvolutionStatus::Running);
+        Ok(Evolution { problem, acting, kept: RefCell::default(), state, status, fresh: true })
     }
 
     /// How the run stands.
@@ -117,32 +132,32 @@ impl<'a> Evolution<'a> {
 
     /// Modes of the linearised wear at the last state.
     pub fn run_in(&self) -> Option<RunIn> {
-        let load = self.load(&self.state);
-        run_in(load, &self.rigid[self.stage(&self.state)], &self.state.pressure, self.mean_speed(&self.state))
+        let acting = self.load(&self.state);
+        run_in(&acting.load, &acting.rigid, &self.state.pressure, self.mean_speed(&self.state))
     }
 
     /// Rates of the gap (mm/s) under each of the loads that act by turns, at the last state; under one load its rate alone.
     pub fn rates_by_turns(&self) -> Vec<Vec<f64>> {
-        self.load(&self.state).rate.by_turns(&self.state.pressure)
+        self.load(&self.state).load.rate.by_turns(&self.state.pressure)
     }
 
     /// How long the rates of a state take until a depth is worn off body 1, and the mean sliding speed; `None` if body 1 does not wear.
     pub(crate) fn lasting(&self, state: &WearState, depth: f64) -> Option<[f64; 2]> {
-        let rate = &self.load(state).rate;
-        let time = |i: usize| (depth - state.worn[i]) / rate.worn(0, i, &state.pressure);
+        let acting = self.load(state);
+        let time = |i: usize| (depth - state.worn[i]) / acting.load.rate.worn(0, i, &state.pressure);
         let shortest = (0..state.worn.len()).map(time).fold(f64::INFINITY, f64::min);
         shortest.is_finite().then(|| [shortest, self.mean_speed(state)])
     }
 
     /// Areas of the contact points by the part of the time that acts there.
     pub(crate) fn weights(&self) -> impl Iterator<Item = f64> {
-        let load = self.load(&self.state);
+        let load = &self.acting[self.stage(&self.state)].load;
         load.weights.iter().enumerate().map(|(i, weight)| load.rate.part(i) * weight)
     }
 
     /// Whether a load pushes along a rigid motion; without one the contact wears itself free.
     pub(crate) fn driven(&self, state: &WearState) -> bool {
-        self.rigid[self.stage(state)].driven
+        self.acting[self.stage(state)].rigid.driven
     }
 
     /// A state of this run with its contact solved again on its gap, so that it need not be whole; at the end of an interval under the load of
@@ -152,11 +167,11 @@ impl<'a> Evolution<'a> {
         while let Some(next) = self.next_interval(&state) {
             (state.interval, state.interval_start) = next;
         }
-        let load = self.load(&state);
-        let free = load.system.load.len();
+        let acting = self.load(&state);
+        let free = acting.load.system.load.len();
         let start =
             Contact { pressure: state.pressure.clone(), opening: vec![0.0; state.pressure.len()], coordinates: vec![0.0; free] };
-        let solved = load.solve_anyhow(&state.gap, &start)?;
+        let solved = acting.load.solve_anyhow(&state.gap, &start)?;
         state.approach = vec![0.0; free];
         self.take_contact(&mut state, solved.contact);
         Some(state)
@@ -164,9 +179,9 @@ impl<'a> Evolution<'a> {
 
     /// The state a step after a whole one.
     pub(crate) fn after(&self, state: &WearState, step: f64) -> Option<WearState> {
-        let trial = self.trial(state, step)?;
+        let tried = self.trial(state, step)?;
         let mut state = state.clone();
-        self.accept(&mut state, trial, Taken { step, next: step, end: None });
+        self.accept(&mut state, tried, Taken { step, next: step, end: None });
         Some(state)
     }
 
@@ -189,16 +204,30 @@ impl<'a> Evolution<'a> {
         }
     }
 
-    fn trial(&self, state: &WearState, step: f64) -> Option<Trial> {
-        try_step(self.load(state), self.problem.scheme, state, step, self.severity(state))
+    /// A step from a state while the points conduct that touch in it, and which these are.
+    fn trial(&self, state: &WearState, step: f64) -> Option<(Trial, Vec<bool>)> {
+        let mut points = state.conducting.clone();
+        loop {
+            let acting = self.conducting(self.stage(state), &points)?;
+            let tried = try_step(&acting.load, self.problem.scheme, state, step, self.severity(state));
+            let touched = match &tried {
+                Ok(trial) => (0..points.len()).filter(|i| trial.contact.pressure[*i] > 0.0).collect(),
+                Err(unsettled) => unsettled.points.clone(),
+            };
+            if !heat::more(&mut points, &touched) {
+                return tried.ok().map(|trial| (trial, points));
+            }
+        }
     }
 
     fn stage(&self, state: &WearState) -> usize {
         self.problem.schedule[state.interval].stage
     }
 
-    fn load(&self, state: &WearState) -> &Load<'a> {
-        &self.loads[self.stage(state)]
+    /// What acts in a state.
+    fn load(&self, state: &WearState) -> Arc<Acting<'a>> {
+        let stage = self.stage(state);
+        self.conducting(stage, &state.conducting).unwrap_or_else(|| Arc::clone(&self.acting[stage]))
     }
 
     fn mean_speed(&self, state: &WearState) -> f64 {
@@ -215,12 +244,12 @@ impl<'a> Evolution<'a> {
 
     /// Fills in what follows from the contact.
     fn take_contact(&self, state: &mut WearState, contact: Contact) {
-        let load = self.load(state);
+        let acting = self.load(state);
+        let Acting { load, rigid } = &*acting;
         state.gap_rate = load.rate.total(&contact.pressure);
         state.lyapunov = load.weights.iter().enumerate().map(|(i, w)| w * load.rate.potential(i, contact.pressure[i])).sum();
         let elastic = load.elastic(&contact.pressure).iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         let opened = state.gap.iter().zip(&self.problem.gap).map(|(now, start)| now - start).fold(0.0, f64::max);
-        let rigid = &self.rigid[self.stage(state)];
         let mean = load.rate.in_mean(&contact.pressure);
         state.steady_residual = rigid.residual(&load.weights[..mean.len()], &state.gap_rate, &mean, [elastic, opened]);
         state.pressure = contact.pressure;
@@ -234,15 +263,15 @@ impl<'a> Evolution<'a> {
             Stepping::Adaptive { .. } if self.problem.scheme == Scheme::Explicit => self.explicit_step_length(state),
             Stepping::Adaptive { accuracy } => {
                 let fastest = state.gap_rate.iter().copied().fold(0.0, f64::max);
-                if fastest > 0.0 { accuracy * gap_scale(self.load(state), state) / fastest } else { f64::MAX }
+                if fastest > 0.0 { accuracy * gap_scale(&self.load(state).load, state) / fastest } else { f64::MAX }
             }
         }
     }
 
     /// A safe part of the stability bound at a state.
     fn explicit_step_length(&self, state: &WearState) -> f64 {
-        let load = self.load(state);
-        let modes = run_in(load, &self.rigid[self.stage(state)], &state.pressure, self.mean_speed(state));
+        let acting = self.load(state);
+        let modes = run_in(&acting.load, &acting.rigid, &state.pressure, self.mean_speed(state));
         modes.map_or(f64::MAX, |modes| EXPLICIT_PART * modes.explicit_limit)
     }
 
@@ -285,7 +314,7 @@ impl<'a> Evolution<'a> {
                 (None, _) => 0.2,
                 (Some(_), Stepping::Fixed(_)) => 1.0,
                 (Some(_), _) if self.problem.scheme == Scheme::Explicit => 1.0,
-                (Some(trial), Stepping::Adaptive { accuracy }) => {
+                (Some((trial, _)), Stepping::Adaptive { accuracy }) => {
                     let (power, tolerance) =
                         Tableau::of(self.problem.scheme).map_or((1.0, accuracy), |t| (t.power, t.tolerance(accuracy)));
                     // Where points enter or leave, rates have kinks and the order is lost.
@@ -295,7 +324,7 @@ impl<'a> Evolution<'a> {
                 }
             };
             match trial {
-                Some(trial) if fixed || factor >= 0.9 => {
+                Some(tried) if fixed || factor >= 0.9 => {
                     let next = if cut && !fixed {
                         (step * factor).max(wanted)
                     } else if fixed {
@@ -303,11 +332,11 @@ impl<'a> Evolution<'a> {
                     } else {
                         step * factor
                     };
-                    self.accept(&mut state, trial, Taken { step, next, end: last.then_some(limit) });
+                    self.accept(&mut state, tried, Taken { step, next, end: last.then_some(limit) });
                     return Ok(state);
                 }
                 trial => {
-                    state.newton_iterations += trial.map_or(0, |t| t.iterations);
+                    state.newton_iterations += trial.map_or(0, |(t, _)| t.iterations);
                     state.rejected += 1;
                     failures += 1;
                     wanted = step * factor;
@@ -327,7 +356,8 @@ impl<'a> Evolution<'a> {
     }
 
     /// Moves a state on by a step that is accurate enough.
-    fn accept(&self, state: &mut WearState, trial: Trial, Taken { step, next, end }: Taken) {
+    fn accept(&self, state: &mut WearState, (trial, conducting): (Trial, Vec<bool>), Taken { step, next, end }: Taken) {
+        state.conducting = conducting;
         let (before, step_before) = (state.lyapunov, state.next_step);
         state.step += 1;
         state.time = end.unwrap_or(state.time + step);
@@ -366,15 +396,16 @@ impl Iterator for Evolution<'_> {
     fn next(&mut self) -> Option<WearState> {
         if self.fresh {
             self.fresh = false;
-            self.status = self.ended(&self.state);
+            self.status = self.unstable(None, &self.state).unwrap_or_else(|| self.ended(&self.state));
             return Some(self.state.clone());
         }
         if self.status != EvolutionStatus::Running {
             return None;
         }
         match self.advance() {
-            Ok(state) => {
-                self.status = self.ended(&state);
+            Ok(mut state) => {
+                self.conduct(&mut state);
+                self.status = self.unstable(Some(&self.state), &state).unwrap_or_else(|| self.ended(&state));
                 self.state = state.clone();
                 Some(state)
             }

@@ -13,6 +13,11 @@ pub enum EvolutionStatus {
     TimeReached,
     /// The depth or volume wanted is worn off.
     WornOff,
+    /// Frictional heat lets deviations of the pressure grow faster than wear takes them off: the contact is beyond its critical sliding speed.
+    Unstable {
+        /// Time at which the contact came to it.
+        time: f64,
+    },
     /// No step, however short, could be solved.
     Stuck {
         /// Time at which the run stopped.
@@ -29,6 +34,13 @@ impl fmt::Display for EvolutionStatus {
             EvolutionStatus::Steady => f.write_str("steady: the worn surfaces recede as rigid bodies and keep their shape"),
             EvolutionStatus::TimeReached => f.write_str("the end time is reached"),
             EvolutionStatus::WornOff => f.write_str("what was to be worn off is worn off"),
+            EvolutionStatus::Unstable { time } => {
+                write!(
+                    f,
+                    "thermoelastic instability: from {time:.6e} s on the sliding speed is beyond the critical one of the frictional heat on \
+                     the contact at that time, so that deviations of the pressure grow instead of wearing off; slide more slowly"
+                )
+            }
             EvolutionStatus::Stuck { time, step } => {
                 write!(
                     f,

@@ -51,6 +51,13 @@ pub(crate) struct Solved {
     pub(crate) iterations: usize,
 }
 
+/// An iteration that does not settle.
+#[derive(Debug, Default)]
+pub(crate) struct Unsettled {
+    /// Points that still enter and leave the contact.
+    pub(crate) points: Vec<usize>,
+}
+
 /// The linearised problem on the points in contact.
 pub(crate) struct Linear {
     active: Vec<usize>,
@@ -89,8 +96,8 @@ struct Update {
     relative: f64,
     absolute: f64,
     size: f64,
-    /// Whether points have entered or left the contact.
-    changed: bool,
+    /// Points that have entered or left the contact.
+    changed: Vec<usize>,
 }
 
 impl<'a> Load<'a> {
@@ -136,16 +143,16 @@ impl<'a> Load<'a> {
         let all = || Contact { pressure: vec![0.0; n], opening: vec![-f64::MIN_POSITIVE; n], coordinates: vec![0.0; free] };
         // One point at a time changes sides in the end, and each may have to.
         let patient = NEWTON_LIMIT + 4 * n;
-        self.solve(gap, 0.0, start).or_else(|| self.solve_within(gap, 0.0, &all(), patient))
+        self.solve(gap, 0.0, start).or_else(|_| self.solve_within(gap, 0.0, &all(), patient)).ok()
     }
 
-    /// Solves a stage. `known` is the gap without the wear of this stage; `None` if the iteration does not settle.
-    pub(crate) fn solve(&self, known: &[f64], step: f64, start: &Contact) -> Option<Solved> {
+    /// Solves a stage. `known` is the gap without the wear of this stage.
+    pub(crate) fn solve(&self, known: &[f64], step: f64, start: &Contact) -> Result<Solved, Unsettled> {
         self.solve_within(known, step, start, NEWTON_LIMIT)
     }
 
     /// The same in at most so many Newton steps.
-    fn solve_within(&self, known: &[f64], step: f64, start: &Contact, limit: usize) -> Option<Solved> {
+    fn solve_within(&self, known: &[f64], step: f64, start: &Contact, limit: usize) -> Result<Solved, Unsettled> {
         let n = self.weights.len();
         let stage = Stage { known, step };
         let linear_rate = step == 0.0 || (self.rate.is_linear());
@@ -156,6 +163,7 @@ impl<'a> Load<'a> {
             .collect();
         let mut at = Iterate { contact, recession, u, known: vec![None; n], steps: 0 };
         let mut relative_before = f64::INFINITY;
+        let mut unsettled = Unsettled::default();
         for iteration in 1..=limit {
             let (pressure, slope): (Vec<f64>, Vec<f64>) = (0..n)
                 .map(|i| match at.known[i] {
@@ -166,21 +174,22 @@ impl<'a> Load<'a> {
                 .unzip();
             (at.contact.pressure, at.steps) = (pressure, iteration);
             let active: Vec<usize> = (0..n).filter(|i| at.u[*i] > 0.0).collect();
-            let linear = self.linearise(step, &at.contact.pressure, active, &slope)?;
-            let change = linear.solve(self.right(&stage, &at, &linear.active))?;
-            let update = self.update(&stage, &mut at, &linear.active, &change)?;
+            let linear = self.linearise(step, &at.contact.pressure, active, &slope).ok_or_else(Unsettled::default)?;
+            let change = linear.solve(self.right(&stage, &at, &linear.active)).ok_or_else(Unsettled::default)?;
+            let update = self.update(&stage, &mut at, &linear.active, &change).ok_or_else(Unsettled::default)?;
             // The error after this step is the square of the change before it, down to round-off.
             let round_off = update.absolute <= 1e-11 * update.size && update.relative > 0.5 * relative_before;
-            let settled = !update.changed && (linear_rate || update.relative < 1e-7 || round_off);
+            let settled = update.changed.is_empty() && (linear_rate || update.relative < 1e-7 || round_off);
             relative_before = update.relative;
             if settled {
                 let mut contact = at.contact;
                 contact.pressure = update.pressure;
                 contact.opening = at.u.iter().map(|v| (-v).max(0.0)).collect();
-                return Some(Solved { contact, linear, iterations: iteration });
+                return Ok(Solved { contact, linear, iterations: iteration });
             }
+            unsettled.points = update.changed;
         }
-        None
+        Err(unsettled)
     }
 
     /// Takes a Newton step; after long patience only one point enters or leaves the contact. `None` if the step leads out of all numbers.
@@ -232,7 +241,7 @@ impl<'a> Load<'a> {
             }
         }
         at.u = next;
-        Some(Update { pressure, relative, absolute, size, changed: !changed.is_empty() })
+        Some(Update { pressure, relative, absolute, size, changed })
     }
 
     /// Right-hand side of a Newton step: openings of the active points, balance of the coordinates, and recession of the counter-face.

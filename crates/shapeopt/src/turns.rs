@@ -17,20 +17,30 @@ use crate::wear_problem::{LoadStage, WearProblem};
 
 /// The loads of a problem: each by itself, or all of them in one where they act by turns.
 pub(crate) fn loads(problem: &WearProblem) -> Vec<Load<'_>> {
-    let weights: Vec<f64> = problem.points.iter().map(|p| p.weight).collect();
-    let rate = |stage: &LoadStage| {
-        GapRate::new(&problem.wear, problem.counterface, &stage.speeds, &weights, problem.track_area)
-            .passing(problem.passing.clone())
-    };
     let together = problem.shares.as_ref().and_then(|shares| {
-        let mean = GapRate::mean(problem.stages.iter().map(rate).zip(shares.iter().copied()).collect())?;
+        let rates = problem.stages.iter().map(|stage| rate(problem, stage));
+        let mean = GapRate::mean(rates.zip(shares.iter().copied()).collect())?;
         let systems: Vec<&ContactSystem> = problem.stages.iter().map(|stage| &stage.system).collect();
-        Some(Load::new(Cow::Owned(stacked(&systems)), mean, weights.repeat(systems.len())))
+        Some(Load::new(Cow::Owned(stacked(&systems)), mean, weights(problem).repeat(systems.len())))
     });
     if let Some(load) = together {
         return vec![load];
     }
-    problem.stages.iter().map(|stage| Load::new(Cow::Borrowed(&stage.system), rate(stage), weights.clone())).collect()
+    problem.stages.iter().map(|stage| load(problem, stage, Cow::Borrowed(&stage.system))).collect()
+}
+
+/// The load of a stage with the contact that acts.
+pub(crate) fn load<'a>(problem: &'a WearProblem, stage: &LoadStage, system: Cow<'a, ContactSystem>) -> Load<'a> {
+    Load::new(system, rate(problem, stage), weights(problem))
+}
+
+fn rate(problem: &WearProblem, stage: &LoadStage) -> GapRate {
+    let rate = GapRate::new(&problem.wear, problem.counterface, &stage.speeds, &weights(problem), problem.track_area);
+    rate.passing(problem.passing.clone())
+}
+
+fn weights(problem: &WearProblem) -> Vec<f64> {
+    problem.points.iter().map(|p| p.weight).collect()
 }
 
 /// Systems one after the other, without a tie.

@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::wear_state::WearState;
-use contact::ContactSystem;
+use contact::{ContactSystem, HeatedSystem};
 use faer::Mat;
 use wear::{Counterface, SurfacePoint, WearPair};
 
@@ -50,6 +50,9 @@ pub struct LoadStage {
     pub system: ContactSystem,
     /// Sliding speed at each point, mm/s, at least 0.
     pub speeds: Vec<f64>,
+    /// The same contact for any set of points that conduct heat, where frictional heat bends the bodies; `system` is then that of one such set. None
+    /// without heat.
+    pub heated: Option<HeatedSystem>,
 }
 
 /// A piece of the schedule.
@@ -134,7 +137,7 @@ impl WearProblem {
             passing: None,
             gap,
             start: None,
-            stages: vec![LoadStage { system, speeds }],
+            stages: vec![LoadStage { system, speeds, heated: None }],
             shares: None,
             schedule: vec![Interval { stage: 0, duration: f64::INFINITY }],
             until: Until::Steady { residual: 1e-9, not_before: 0.0 },
@@ -196,6 +199,9 @@ impl WearProblem {
         }
         if let Some(interval) = self.schedule.iter().find(|i| i.duration.is_nan() || i.duration <= 0.0) {
             return wrong(format!("an interval of the schedule lasts {} s; it must last longer than 0", interval.duration));
+        }
+        if self.shares.is_some() && self.stages.iter().any(|stage| stage.heated.is_some()) {
+            return wrong("loads that act by turns in short cycles know no heat".into());
         }
         if let Some(what) = self.wrong_shares() {
             return wrong(what);

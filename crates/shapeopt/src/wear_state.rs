@@ -47,6 +47,8 @@ pub struct WearState {
     pub rejected: usize,
     /// Linear systems solved so far.
     pub newton_iterations: usize,
+    /// Which points conduct frictional heat: those in contact that stay so as they do; empty where that changes nothing.
+    pub conducting: Vec<bool>,
     /// Number of the interval of the schedule that acts.
     pub interval: usize,
     /// Time at which that interval began, s.

@@ -1,6 +1,6 @@
 //! One step of the wear in time: implicit Runge-Kutta stages, or an explicit one.
 
-use crate::implicit_stage::{Contact, Linear, Load};
+use crate::implicit_stage::{Contact, Linear, Load, Unsettled};
 use crate::tableau::Tableau;
 use crate::wear_problem::Scheme;
 use crate::wear_state::WearState;
@@ -18,20 +18,26 @@ pub(crate) struct Trial {
     pub(crate) iterations: usize,
 }
 
-/// Tries a step; `None` if a stage cannot be solved. `severity` are factors on the estimated errors of gap and pressure.
-pub(crate) fn try_step(load: &Load<'_>, scheme: Scheme, state: &WearState, step: f64, severity: [f64; 2]) -> Option<Trial> {
+/// Tries a step; an error if a stage cannot be solved. `severity` are factors on the estimated errors of gap and pressure.
+pub(crate) fn try_step(
+    load: &Load<'_>,
+    scheme: Scheme,
+    state: &WearState,
+    step: f64,
+    severity: [f64; 2],
+) -> Result<Trial, Unsettled> {
     match Tableau::of(scheme) {
         Some(tableau) => {
             let mut trial = implicit_step(load, state, step, tableau)?;
             let [gap, pressure] = trial.errors;
             trial.error = (severity[0] * gap).max(severity[1] * pressure);
-            Some(trial)
+            Ok(trial)
         }
         None => explicit_step(load, state, step),
     }
 }
 
-fn implicit_step(load: &Load<'_>, state: &WearState, step: f64, tableau: &Tableau) -> Option<Trial> {
+fn implicit_step(load: &Load<'_>, state: &WearState, step: f64, tableau: &Tableau) -> Result<Trial, Unsettled> {
     let n = state.gap.len();
     let mut contact = Contact::of(state);
     let mut stages: Vec<Contact> = Vec::new();
@@ -66,16 +72,16 @@ fn implicit_step(load: &Load<'_>, state: &WearState, step: f64, tableau: &Tablea
             step * (tableau.error[0] * state.gap_rate[i] + stages)
         })
         .collect();
-    let (gap_error, pressure_error) = load.filter(&linear?, &error)?;
+    let (gap_error, pressure_error) = linear.and_then(|linear| load.filter(&linear, &error)).ok_or_else(Unsettled::default)?;
     let force = |p: &[f64]| -> f64 { p.iter().zip(&load.weights).map(|(p, w)| p.abs() * w).sum() };
     let depth = worn.iter().copied().fold(0.0, f64::max);
     let scale = gap_scale(load, state).max(depth);
     let error = gap_error.iter().fold(0.0_f64, |m, e| m.max(e.abs() / scale));
     let errors = [error, force(&pressure_error) / force(&contact.pressure)];
-    Some(Trial { contact, gap, worn, recession, volume, error, errors, iterations })
+    Ok(Trial { contact, gap, worn, recession, volume, error, errors, iterations })
 }
 
-fn explicit_step(load: &Load<'_>, state: &WearState, step: f64) -> Option<Trial> {
+fn explicit_step(load: &Load<'_>, state: &WearState, step: f64) -> Result<Trial, Unsettled> {
     let n = state.gap.len();
     let gap: Vec<f64> = state.gap.iter().zip(&state.gap_rate).map(|(g, r)| g + step * r).collect();
     let wear = |body: usize, i: usize| load.rate.wear(body, i, state.pressure[i]);
@@ -86,7 +92,7 @@ fn explicit_step(load: &Load<'_>, state: &WearState, step: f64) -> Option<Trial>
     });
     let recession = state.recession + step * load.rate.recession(&state.pressure);
     let solved = load.solve(&gap, 0.0, &Contact::of(state))?;
-    Some(Trial {
+    Ok(Trial {
         contact: solved.contact,
         gap,
         worn,

@@ -79,6 +79,9 @@ pub struct FinishedLevel {
     /// What the steps in time leave wrong in that time and the depth then, or in the depth at the end: relative. Found on the first level.
     #[serde(default)]
     pub integration_error: Option<f64>,
+    /// Factors on the sliding speed at which the contact at its end is singular, with frictional heat alone.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub singular: Vec<f64>,
     /// Steps taken.
     pub wear_steps: usize,
     /// Factorisations.

@@ -157,6 +157,8 @@ pub enum WearStatus {
     StepLimit,
     /// No step succeeds any more.
     Stuck,
+    /// Frictional heat lets deviations of the pressure grow.
+    Unstable,
 }
 
 impl From<&shapeopt::EvolutionStatus> for WearStatus {
@@ -167,6 +169,7 @@ impl From<&shapeopt::EvolutionStatus> for WearStatus {
             shapeopt::EvolutionStatus::WornOff => WearStatus::WornOff,
             shapeopt::EvolutionStatus::Running => WearStatus::StepLimit,
             shapeopt::EvolutionStatus::Stuck { .. } => WearStatus::Stuck,
+            shapeopt::EvolutionStatus::Unstable { .. } => WearStatus::Unstable,
         }
     }
 }

@@ -66,6 +66,9 @@ pub(crate) struct State {
     /// Depth worn off body 1.
     #[serde(rename = "worn_mm")]
     pub(crate) worn: Vec<f64>,
+    /// Which points conduct frictional heat; left out where that changes nothing.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(crate) conducting: Vec<bool>,
 }
 
 impl From<&WearState> for State {
@@ -94,6 +97,7 @@ impl From<&WearState> for State {
             opening: state.opening.clone(),
             gap_rate: state.gap_rate.clone(),
             worn: state.worn.clone(),
+            conducting: state.conducting.clone(),
         }
     }
 }
@@ -111,6 +115,7 @@ impl From<State> for WearState {
             approach: state.approach,
             gap_rate: state.gap_rate,
             worn: state.worn,
+            conducting: state.conducting,
             depth: state.depth,
             recession: state.recession,
             volume: state.volume,

@@ -25,6 +25,7 @@ fn state(step: usize) -> WearState {
         approach: vec![-odd(5)],
         gap_rate: vec![odd(6), f64::EPSILON, 1e23],
         worn: vec![odd(7); 3],
+        conducting: vec![true, false, step.is_multiple_of(2)],
         depth: odd(8),
         recession: odd(9),
         volume: [odd(10), odd(11)],

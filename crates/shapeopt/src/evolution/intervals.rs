@@ -22,12 +22,13 @@ impl Evolution<'_> {
         if !entered {
             return;
         }
-        let load = self.load(state);
+        let acting = self.load(state);
         let start = Contact::of(state);
-        if let Some(solved) = load.solve_anyhow(&state.gap, &start) {
+        if let Some(solved) = acting.load.solve_anyhow(&state.gap, &start) {
             state.newton_iterations += solved.iterations;
             change_approach(state, &solved.contact.coordinates);
             self.take_contact(state, solved.contact);
+            self.conduct(state);
         }
         state.next_step = state.next_step.min(self.first_step(state));
     }

@@ -208,7 +208,7 @@ fn short_resolved_cycles_arrive_at_the_gap_of_the_mean_wear() {
     let (points, systems) = punch_stages(4, 2, [1.0, -1.0]);
     let direct = solved("direct", &problem(&points, &systems, 0.5, rule(1.0)));
     let mut run = WearProblem::new(points.clone(), rule(1.0), Counterface::Fresh, direct.gap.clone(), systems[0].clone());
-    run.stages = systems.clone().map(|system| LoadStage { system, speeds: vec![5.0; points.len()] }).to_vec();
+    run.stages = systems.clone().map(|system| LoadStage { system, speeds: vec![5.0; points.len()], heated: None }).to_vec();
     let slowest = Evolution::new(&run).unwrap().run_in().unwrap().times[0];
     // After the last backward half: the ripple of a cycle, first order in its length. Averaged with the last forward half: second order.
     let ends = [0.2, 0.1].map(|part| {

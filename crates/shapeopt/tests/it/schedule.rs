@@ -15,7 +15,7 @@ fn pressure_follows_a_schedule_of_forces_and_speeds() {
     let stage = |force: f64, speed: f64| {
         let mut system = winkler(&points, None, foundation);
         system.load[0] = force * FORCE;
-        LoadStage { system, speeds: vec![speed; points.len()] }
+        LoadStage { system, speeds: vec![speed; points.len()], heated: None }
     };
     run.stages = vec![stage(1.0, 5.0), stage(3.0, 20.0)];
     let interval = |stage, duration| Interval { stage, duration };
@@ -51,7 +51,7 @@ fn shape(run: &WearProblem, state: &WearState) -> Vec<f64> {
 #[test]
 fn reversed_sliding_wears_the_mirror_image() {
     let (points, [forwards, backwards]) = punch_stages(6, 6, [1.0, -1.0]);
-    let stage = |system| LoadStage { system, speeds: vec![5.0; points.len()] };
+    let stage = |system| LoadStage { system, speeds: vec![5.0; points.len()], heated: None };
     let gap = vec![0.0; points.len()];
     let mut run = WearProblem::new(points.clone(), pair(), Counterface::Fresh, gap, forwards.clone());
     run.until = Until::Steady { residual: 1e-11, not_before: 0.0 };
@@ -74,7 +74,7 @@ fn reversed_sliding_wears_the_mirror_image() {
 #[test]
 fn a_resumed_run_takes_the_same_steps_bit_for_bit() {
     let (points, [system, other]) = punch_stages(6, 6, [1.0, -1.0]);
-    let stage = |system| LoadStage { system, speeds: vec![5.0; points.len()] };
+    let stage = |system| LoadStage { system, speeds: vec![5.0; points.len()], heated: None };
     let gap = vec![0.0; points.len()];
     let mut run = WearProblem::new(points.clone(), pair(), Counterface::Fresh, gap, system.clone());
     run.stages = vec![stage(system), stage(other)];

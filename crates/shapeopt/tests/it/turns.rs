@@ -13,7 +13,7 @@ use wear::{Counterface, SurfacePoint};
 fn averaged(points: &[SurfacePoint], systems: &[ContactSystem; 2], share: f64, b: f64) -> WearProblem {
     let flat = vec![0.0; points.len()];
     let mut run = WearProblem::new(points.to_vec(), rule(b), Counterface::Fresh, flat, systems[0].clone());
-    run.stages = systems.clone().map(|system| LoadStage { system, speeds: vec![5.0; points.len()] }).to_vec();
+    run.stages = systems.clone().map(|system| LoadStage { system, speeds: vec![5.0; points.len()], heated: None }).to_vec();
     run.shares = Some(vec![share, 1.0 - share]);
     run
 }

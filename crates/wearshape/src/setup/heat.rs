@@ -135,8 +135,10 @@ fn available(scene: &Scene, tasks: &[Task], patch: Option<&Patch>) -> Result<(),
     let refused = |key: &str, what: &str, remedy: &str| {
         Err(Fault::at(key, "not-available", format!("{what} with frictional heat is not available"), remedy))
     };
-    if tasks.contains(&Task::Wear) {
-        return refused("tasks", "wear in time", "leave out the task wear, or remove `heat`");
+    let repeats = scene.schedule.as_ref().is_some_and(|schedule| schedule.repeat.is_some());
+    if tasks.contains(&Task::Wear) && repeats {
+        let remedy = "heat takes longer than short cycles: write the pieces of the schedule without repeat, or remove `heat`";
+        return refused("schedule.repeat", "a schedule that repeats", remedy);
     }
     if !turns(scene).is_empty() {
         return refused("load", "body 1 turned about the axis by load.twist or load.torque", "remove the turning, or `heat`");

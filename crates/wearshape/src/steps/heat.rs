@@ -1,5 +1,6 @@
 //! Frictional heat of two bodies that touch: temperatures by the heat of the contact, and the bodies that they bend.
 
+pub(crate) mod boundary;
 pub(crate) mod conduction;
 pub(crate) mod contact;
 pub(crate) mod drum;
@@ -7,4 +8,5 @@ pub(crate) mod fields;
 pub(crate) mod following;
 pub(crate) mod known;
 pub(crate) mod report;
+pub(crate) mod running;
 pub(crate) mod warmed;

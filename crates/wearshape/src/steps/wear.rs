@@ -5,6 +5,7 @@ mod earlier;
 mod final_ends;
 mod grown;
 mod history;
+mod hot;
 mod level;
 mod mesh_lines;
 mod pieces;
@@ -85,7 +86,7 @@ fn solve_at(stage: Stage<'_>, pieces: &Pieces, ends: &[f64], watch: &mut Watch<'
             given_up = Some(format!("the level of degree {} has no end ({why})", level.degree));
             return Err(Refusal::Reason(why));
         }
-        let stuck = matches!(ran.ended, EvolutionStatus::Stuck { .. });
+        let stuck = matches!(ran.ended, EvolutionStatus::Stuck { .. } | EvolutionStatus::Unstable { .. });
         let solved = Solved { left, run: Some(ran) };
         Ok(if stuck { ControlFlow::Break(Some(solved)) } else { ControlFlow::Continue(solved) })
     };
@@ -209,6 +210,7 @@ fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>, levels: Le
     outcome.running_in = Some(last.running_in);
     outcome.told = Some(last.told);
     outcome.reported = last.reported;
+    outcome.heat = last.heat;
     outcome.ended = failure.map(|why| (Status::NotConverged, why)).or(too_deep(outcome.wear.as_ref()));
     let Some(error) = error.filter(|_| outcome.ended.is_none()).map(|error| error + left_out) else { return outcome };
     outcome.error.gap_relative = Some(error);

@@ -13,9 +13,10 @@ use crate::level::Level;
 use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::answer::Told;
-use crate::steps::heat::following::{Following, Hot};
+use crate::steps::heat::following::{Following, Hot, lost};
 use crate::steps::heat::known::PointHeat;
 use crate::steps::heat::report::{Thermal, tell};
+use crate::steps::heat::running::thermal_factors;
 use crate::steps::start_gap::start_gaps;
 
 /// A contact with its heat.
@@ -58,9 +59,7 @@ impl<'a> HotContact<'a> {
 
     /// Why there is no contact, where that of the cold bodies does not last to the sliding speed.
     pub(crate) fn lost(&self) -> Option<String> {
-        let part = scene::short(self.hot.lost_at?);
-        let what = "frictional heat narrows the contact until no pressure carries the load";
-        Some(format!("{what}: the contact of the cold bodies does not last to {part} of the sliding speed; slide more slowly"))
+        self.hot.lost_at.map(lost)
     }
 
     /// Heat at the contact points.
@@ -76,16 +75,7 @@ impl<'a> HotContact<'a> {
         before: &mut Option<SpeedFactors>,
     ) -> Result<HeatResult, Fault> {
         let (stage, found) = (self.stage, &self.hot.found);
-        let pair = operator.pair();
-        let [cold, cold_counter] = stage.cases().map(|cases| cases.len());
-        let of_cases =
-            |state: &hpfem::InterfaceState, body: &hpfem::InterfaceOperator| state.factors[..body.load_cases.len()].to_vec();
-        let mut shaped = of_cases(&found.shaped, pair.shaped);
-        shaped[..cold].fill(0.0);
-        let mut counter: Vec<f64> =
-            found.counter.as_ref().zip(pair.counter).map(|(state, body)| of_cases(state, body)).unwrap_or_default();
-        counter.iter_mut().take(cold_counter).for_each(|factor| *factor = 0.0);
-        let thermal = Thermal { stage, pair, factors: [shaped, counter] };
+        let thermal = Thermal { stage, pair: operator.pair(), factors: thermal_factors(stage, operator, found) };
         let mut result = tell(&self.following.warmed, &self.hot.heat, told, &thermal)?;
         if found.status.is_solved() {
             let speeds = self.following.speeds(operator, &stage.contact_load(operator.points()), &found.closed)?;

@@ -26,7 +26,7 @@ const FREE: usize = 10;
 const STEPS: u32 = 16;
 
 /// What of a body's temperature follows the pressure.
-enum Follows {
+pub(crate) enum Follows {
     /// The heat at each point by itself.
     Each,
     /// All of it alike.
@@ -40,8 +40,8 @@ pub(crate) struct Following<'a> {
     pub reduced: Arc<Reduced>,
     /// The bodies as problems of temperature.
     pub warmed: Warmed<'a>,
-    surfaces: Surfaces,
-    follows: [Follows; 2],
+    pub(super) surfaces: Surfaces,
+    pub(super) follows: [Follows; 2],
 }
 
 /// A contact with its heat.
@@ -117,13 +117,13 @@ impl<'a> Following<'a> {
         let mut last: Option<ContactSolution> = near.cloned();
         for round in 0..ROUNDS {
             let shared = self.shared(&closed)?;
-            let load = self.load(base, &shared, speed);
+            let rates: Vec<f64> = self.surfaces.rates.iter().map(|rate| speed * rate).collect();
+            let load = self.load(base, &shared, &rates);
             let found = operator.solve(gap, &load, last.as_ref()).map_err(unsolved)?;
             // A point at an end of contact may open because it conducts and close because it does not: such points do not conduct.
             let late = round >= FREE && closed.iter().zip(&found.closed).all(|(conducts, closed)| *closed || !conducts);
             if late || found.closed == closed || !self.conducts() || !found.status.is_solved() {
-                let friction = self.surfaces.friction(&found.nodal_force);
-                let friction: Vec<f64> = friction.iter().map(|power| speed * power).collect();
+                let friction: Vec<f64> = rates.iter().zip(&found.nodal_force).map(|(rate, force)| rate * force.max(0.0)).collect();
                 let into = into_bodies(&shared, &friction);
                 return Ok(Hot { heat: PointHeat { friction, into }, found, load, lost_at: None });
             }
@@ -142,8 +142,19 @@ impl<'a> Following<'a> {
         base: &ContactLoad,
         closed: &[bool],
     ) -> Result<SpeedFactors, Fault> {
+        self.speeds_at(operator, base, &self.surfaces.rates, closed)
+    }
+
+    /// The same where normal forces make heat at other rates (mm/s).
+    pub(super) fn speeds_at(
+        &self,
+        operator: &ContactOperator<'_>,
+        base: &ContactLoad,
+        rates: &[f64],
+        closed: &[bool],
+    ) -> Result<SpeedFactors, Fault> {
         let factors = |closed: &[bool]| {
-            let mut load = self.load(base, &self.shared(closed)?, 1.0);
+            let mut load = self.load(base, &self.shared(closed)?, rates);
             // Bodies without any heat fit.
             load.factors.iter_mut().zip(&base.factors).for_each(|(factors, base)| factors[base.len()..].fill(0.0));
             operator.speed_factors(&load, closed).map_err(unsolved)
@@ -160,18 +171,17 @@ impl<'a> Following<'a> {
         matches!(self.warmed.heat.split, Split::Conductance(_))
     }
 
-    fn shared(&self, closed: &[bool]) -> Result<SharedHeat, Fault> {
+    pub(super) fn shared(&self, closed: &[bool]) -> Result<SharedHeat, Fault> {
         self.surfaces.shared(self.warmed.heat, closed)
     }
 
-    /// A load with that of the heat at a factor on the sliding speed.
-    fn load(&self, base: &ContactLoad, shared: &SharedHeat, speed: f64) -> ContactLoad {
+    /// A load with that of the heat that normal forces make at these rates (mm/s).
+    pub(super) fn load(&self, base: &ContactLoad, shared: &SharedHeat, rates: &[f64]) -> ContactLoad {
         let mut load = base.clone();
         let n = self.surfaces.points.len();
         for (body, follows) in self.follows.iter().enumerate() {
             let cases = load.factors[body].len();
-            let rates = &self.surfaces.rates;
-            let by_force = |i: usize, j: usize| shared.into[body][(i, j)] * speed * rates[j];
+            let by_force = |i: usize, j: usize| shared.into[body][(i, j)] * rates[j];
             let still = &shared.still[body];
             let (factors, rows) = match follows {
                 Follows::Each => (still.clone(), Mat::from_fn(n, n, by_force)),
@@ -188,6 +198,13 @@ impl<'a> Following<'a> {
         }
         load
     }
+}
+
+/// Why there is no contact, where that of the cold bodies lasts up to a part of the sliding speed alone.
+pub(super) fn lost(speed: f64) -> String {
+    let part = scene::short(speed);
+    let what = "frictional heat narrows the contact until no pressure carries the load";
+    format!("{what}: the contact of the cold bodies does not last to {part} of the sliding speed; slide more slowly")
 }
 
 /// Thermal loads of a body: of what flows without friction, then of each unit of heat.

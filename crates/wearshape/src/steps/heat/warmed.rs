@@ -106,10 +106,7 @@ impl<'a> Warmed<'a> {
             }
         }
         let surfaces = <[HeatedSurface; 2]>::try_from(surfaces).map_err(|_| unsolved(contact::Error::Singular))?;
-        let rate = |point: &ContactPoint| {
-            self.stage.problem.friction.coefficient * self.stage.surface_point(point.position, point.normal, 0.0).sliding_speed
-        };
-        let rates = points.iter().map(rate).collect();
+        let rates = rates(self.stage, &points);
         Ok(Surfaces { points, units, surfaces, rates })
     }
 
@@ -138,7 +135,18 @@ pub(crate) fn no_field(error: hpfem::Error) -> Fault {
     Fault::at("heat", "no-temperature", error.to_string(), "check the bodies and what carries their heat")
 }
 
+/// Friction power by the normal force at each point, `mu v` (mm/s).
+fn rates(stage: Stage<'_>, points: &[ContactPoint]) -> Vec<f64> {
+    let speed = |point: &ContactPoint| stage.surface_point(point.position, point.normal, 0.0).sliding_speed;
+    points.iter().map(|point| stage.problem.friction.coefficient * speed(point)).collect()
+}
+
 impl Surfaces {
+    /// Friction power by the normal force at each point under another load and speed (mm/s).
+    pub(crate) fn rates_of(&self, stage: Stage<'_>) -> Vec<f64> {
+        rates(stage, &self.points)
+    }
+
     /// How frictional heat at the points goes into the bodies, of which the closed ones conduct.
     pub(crate) fn shared(&self, heat: &Heat, closed: &[bool]) -> Result<SharedHeat, Fault> {
         let weights: Vec<f64> = self.points.iter().map(|point| point.weight).collect();

@@ -58,6 +58,7 @@ pub(super) fn check_states(states: &[WearState], problem: &WearProblem) -> Resul
             && state.interval < problem.schedule.len()
             && [&state.gap, &state.worn].into_iter().all(right)
             && loaded(&state.pressure)
+            && (state.conducting.is_empty() || state.conducting.len() == points)
     };
     let whole = |state: &WearState| {
         let free = problem.coordinates(state.interval);

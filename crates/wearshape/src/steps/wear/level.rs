@@ -16,13 +16,15 @@ use crate::results::{Settled, WearResult};
 use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::answer::{Answer, Own, Told};
+use crate::steps::heat::running::Running;
 use crate::steps::reported::{Moment, Reported};
 use crate::steps::wear::columns::{Turn, fill};
 use crate::steps::wear::earlier::{check_levels, check_states};
 use crate::steps::wear::history::History;
+use crate::steps::wear::hot::Hot;
 use crate::steps::wear::mesh_lines::mesh_lines;
 use crate::steps::wear::pieces::Pieces;
-use crate::steps::wear::problem::{steady_residual, wear_problem};
+use crate::steps::wear::problem::{Loads, steady_residual, wear_problem};
 use crate::steps::wear::ran::{MOST_STEPS, Ran};
 use crate::steps::wear::round_result::RoundContact;
 use crate::steps::wear::torque::Turning;
@@ -51,12 +53,15 @@ pub(super) struct Known<'a> {
 
 /// The contact of a level under each load of the schedule.
 struct Scenes<'a> {
-    stages: Vec<Stage<'a>>,
+    stages: &'a [Stage<'a>],
     loads: Vec<ContactLoad>,
     pieces: &'a Pieces,
     reduced: &'a Reduced,
     pair: &'a Pair<'a>,
     operator: &'a ContactOperator<'a>,
+    finished: &'a [FinishedLevel],
+    /// Frictional heat; none of a scene without it.
+    hot: Option<Hot<'a>>,
 }
 
 /// Why a level has no end.
@@ -77,23 +82,35 @@ pub(super) fn run(
 ) -> Result<Result<(FinishedLevel, Ran), Unfinished>, Refusal> {
     let Mesh { level, ends } = mesh;
     let Known { finished, states } = known;
-    let (reduced, mut effort) = stage.reduced_at(level, ends)?;
+    let stages = pieces.problems.iter().map(|problem| stage.with(problem)).collect::<Result<Vec<Stage<'_>>, Fault>>()?;
+    let running = Running::new(stages[pieces.intervals[0].stage], level, ends)?;
+    let (running, (reduced, mut effort)) = match running {
+        Some((running, effort)) => {
+            let reduced = running.reduced();
+            (Some(running), (reduced, effort))
+        }
+        None => (None, stage.reduced_at(level, ends)?),
+    };
     let pair = reduced.pair()?;
     (stage.options.begun)(Step::Interface);
     let operator = effort.timed(Step::Interface, stage.clock(), |_| reduced.operator(&pair, stage.friction() > 0.0))?;
     let start = stage.clock()();
-    let stages = pieces.problems.iter().map(|problem| stage.with(problem)).collect::<Result<Vec<Stage<'_>>, Fault>>()?;
-    let loads: Vec<ContactLoad> = stages.iter().map(|stage| stage.contact_load(operator.points())).collect();
+    let base: Vec<ContactLoad> = stages.iter().map(|stage| stage.contact_load(operator.points())).collect();
+    let hot = running.map(|running| Hot { running, base: base.clone(), stages: &stages, pieces });
+    let begun = hot.as_ref().map(|hot| hot.begin(&operator)).transpose()?;
+    let loads = begun.as_ref().map_or(base, |begun| begun.loads.clone());
     // Gaps of levels are compared at one time: where part of the surface is open, the worn part goes on receding from it.
     let not_before = finished.iter().map(|level| level.time).fold(0.0, f64::max);
-    let problem = wear_problem(&stages, &loads, pieces, &operator, not_before)?;
+    let begun = begun.as_ref().map(|begun| &begun.contact);
+    let mut problem = wear_problem(Loads { stages: &stages, loads: &loads, begun }, pieces, &operator, not_before)?;
+    hot.iter().try_for_each(|hot| hot.join(&mut problem, &operator))?;
     // What is worn off a round body is measured from what is not: no rigid part is taken out.
     let modes = if stage.ends_move() { 0 } else { pair.shaped.rigid_modes.ncols() };
     if let Err(fault) = check_levels(finished, SAMPLES, modes).and_then(|()| check_states(&states, &problem)) {
         return Ok(Err(Unfinished::Unfit(fault)));
     }
     let known_error = finished.first().map(|level| level.integration_error);
-    let scenes = Scenes { stages, loads, pieces, reduced: &reduced, pair: &pair, operator: &operator };
+    let scenes = Scenes { stages: &stages, loads, pieces, reduced: &reduced, pair: &pair, operator: &operator, finished, hot };
     let run_level = RunLevel {
         finished,
         known_steps: states.len(),
@@ -119,17 +136,18 @@ impl Scenes<'_> {
         let last = self.pieces.intervals[state.interval].stage;
         let stage = self.stages[last];
         let normalised = with_lowest_rigid_part(stage, self.pair, self.operator, &state.gap);
-        let found = self.solve(&normalised, last)?;
+        let found = self.solve(&normalised, last, state)?;
         effort.counters.contact_solves += 2;
         effort.counters.wear_steps += state.step;
         let samples = stage.sample(self.pair, Sampling::Even(SAMPLES));
-        let told = self.told((stage, problem), state, &normalised, &found);
+        let mut told = self.told((stage, problem), state, &normalised, &found);
+        let heat = self.hot.as_ref().map(|hot| hot.tell(self.operator, state, (&found, &mut told), self.finished)).transpose()?;
         let mut wear = result(&run, stage);
         wear.turns.clone_from(&self.pieces.turns);
         let mut moments: Vec<Moment> = self.moment("", state.time, found, last).into_iter().collect();
-        if stage.problem.plan.runs(Step::Fields) {
+        if stage.problem.plan.runs(Step::Fields) && heat.is_none() {
             let first = self.pieces.intervals[0].stage;
-            let started = self.solve(&problem.gap, first)?;
+            let started = self.solve(&problem.gap, first, state)?;
             effort.counters.contact_solves += 1;
             moments.extend(self.moment("start", 0.0, started, first));
         }
@@ -143,32 +161,38 @@ impl Scenes<'_> {
             time: state.time,
             to_1_percent: wear.to_1_percent.as_ref().map(|settled| settled.time),
             integration_error: None,
+            singular: heat.as_ref().map(|told| told.singular.clone()).unwrap_or_default(),
             closing: if round { Vec::new() } else { samples.iter().flat_map(|point| closing(self.pair, point)).collect() },
             wear_steps: state.step,
             factorisations: effort.counters.factorisations,
             contact_solves: effort.counters.contact_solves,
         };
-        let reported = Some(Reported { level, ends: mesh.ends.to_vec(), heat: None, moments });
+        let (heat, at_points) = heat.map(|told| (told.result, told.heat)).unzip();
+        let reported = Some(Reported { level, ends: mesh.ends.to_vec(), heat: at_points, moments });
         let start = stage.start(self.pair);
         let places: Vec<f64> = self.operator.points().iter().map(|p| start + p.arc).collect();
         let running_in = run.history.running_in(places.clone(), &|pressure| problem.mean_pressure(pressure));
         let Run { ended, history, .. } = run;
         let (mut columns, mut groove) = (history.columns(), Vec::new());
-        let turning = Turning { stages: &self.stages, pieces: self.pieces, problem };
+        let turning = Turning { stages: self.stages, pieces: self.pieces, problem };
         columns.extend(turning.torques(&history.states).map(|torques| ("torque_Nmm".into(), torques)));
+        if let Some(hot) = &self.hot {
+            columns.extend(hot.columns(&history.states)?);
+        }
         if round {
             let contact = RoundContact { stage, problem, places };
             let ends = contact.ends(&history);
             groove = contact.fill(&mut wear, &history, ends.last());
             columns.extend(contact.columns(&ends));
         }
-        Ok((left, Ran { ended, history: columns, groove, running_in, wear, told, reported, effort }))
+        Ok((left, Ran { ended, history: columns, groove, running_in, wear, told, heat, reported, effort }))
     }
 
-    /// The contact on a gap under one of the loads.
-    fn solve(&self, gap: &[f64], load: usize) -> Result<ContactSolution, Fault> {
+    /// The contact on a gap under one of the loads, with the heat of a state.
+    fn solve(&self, gap: &[f64], load: usize, state: &WearState) -> Result<ContactSolution, Fault> {
+        let hot = self.hot.as_ref().map(|hot| hot.load(load, &state.conducting)).transpose()?;
         self.operator
-            .solve(gap, &self.loads[load], None)
+            .solve(gap, hot.as_ref().unwrap_or(&self.loads[load]), None)
             .map_err(|error| Fault::at("contact", "no-contact", error.to_string(), "check the contact and its load"))
     }
 

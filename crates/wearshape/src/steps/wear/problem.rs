@@ -50,10 +50,18 @@ fn begun(operator: &ContactOperator<'_>, pieces: &Pieces, loads: &[ContactLoad],
     Ok(begun)
 }
 
-/// The wear problem on an operator; `stages` and `loads` are the different ones that occur, `pieces` tell which acts when. A run until the steady state goes on to the time `not_before` at least.
+/// The different loads that occur: their stages and what acts in each.
+#[derive(Clone, Copy)]
+pub(super) struct Loads<'a> {
+    pub stages: &'a [Stage<'a>],
+    pub loads: &'a [ContactLoad],
+    /// Pressure (MPa) and opening (mm) at the start, where they are known.
+    pub begun: Option<&'a [Vec<f64>; 2]>,
+}
+
+/// The wear problem on an operator; `pieces` tell which load acts when. A run until the steady state goes on to the time `not_before` at least.
 pub(super) fn wear_problem(
-    stages: &[Stage<'_>],
-    loads: &[ContactLoad],
+    Loads { stages, loads, begun: known }: Loads<'_>,
     pieces: &Pieces,
     operator: &ContactOperator<'_>,
     not_before: f64,
@@ -66,11 +74,11 @@ pub(super) fn wear_problem(
     };
     let (laws, counterface) = stage.rules()?;
     let gap = start_gaps(stage, operator);
-    let begun = begun(operator, pieces, loads, &gap)?;
+    let begun = known.cloned().map_or_else(|| begun(operator, pieces, loads, &gap), Ok)?;
     let mut load_stages = Vec::new();
     for (stage, load) in stages.iter().zip(loads) {
         let speeds = surface(stage).iter().map(|p| p.sliding_speed).collect();
-        load_stages.push(LoadStage { system: operator.system(load).map_err(reason)?, speeds });
+        load_stages.push(LoadStage { system: operator.system(load).map_err(reason)?, speeds, heated: None });
     }
     let first = load_stages[intervals[0].stage].system.clone();
     let mut problem = WearProblem::new(surface(&stage), laws, counterface, gap, first);

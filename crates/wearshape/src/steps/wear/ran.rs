@@ -3,6 +3,7 @@
 use shapeopt::EvolutionStatus;
 
 use crate::effort::Effort;
+use crate::heat_result::HeatResult;
 use crate::results::WearResult;
 use crate::solution::RunningIn;
 use crate::steps::answer::Told;
@@ -21,6 +22,8 @@ pub(super) struct Ran {
     pub running_in: RunningIn,
     pub wear: WearResult,
     pub told: Told,
+    /// Frictional heat at the end.
+    pub heat: Option<HeatResult>,
     /// For the fields: the end, then the start.
     pub reported: Option<Reported>,
     pub effort: Effort,
@@ -30,7 +33,7 @@ impl Ran {
     /// Why the run has not come to its end, if it has not.
     pub(super) fn failure(&self) -> Option<String> {
         match self.ended {
-            EvolutionStatus::Stuck { .. } => Some(self.ended.to_string()),
+            EvolutionStatus::Stuck { .. } | EvolutionStatus::Unstable { .. } => Some(self.ended.to_string()),
             EvolutionStatus::Running => Some(format!("the run was not steady after {MOST_STEPS} steps")),
             EvolutionStatus::Steady | EvolutionStatus::TimeReached | EvolutionStatus::WornOff => None,
         }

@@ -9,7 +9,7 @@ use crate::ladder::Refusal;
 use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::wear::pieces::Pieces;
-use crate::steps::wear::problem::wear_problem;
+use crate::steps::wear::problem::{Loads, wear_problem};
 use crate::steps::wear::ran::MOST_STEPS;
 use crate::steps::wear::round_result::from_touch;
 use crate::steps::wear::scar;
@@ -36,7 +36,7 @@ pub(super) fn run(stage: Stage<'_>, pieces: &Pieces, nodes: &[f64], effort: &mut
     let began = stage.clock()();
     let stages = pieces.problems.iter().map(|problem| stage.with(problem)).collect::<Result<Vec<Stage<'_>>, Fault>>()?;
     let loads: Vec<ContactLoad> = stages.iter().map(|stage| stage.contact_load(operator.points())).collect();
-    let mut problem = wear_problem(&stages, &loads, pieces, &operator, 0.0)?;
+    let mut problem = wear_problem(Loads { stages: &stages, loads: &loads, begun: None }, pieces, &operator, 0.0)?;
     problem.stepping = Stepping::Adaptive { accuracy: stage.accuracy().max(ROUGH) };
     let mut evolution = Evolution::new(&problem).map_err(|error| Refusal::Reason(error.to_string()))?;
     let first = evolution.state().clone();

@@ -15,7 +15,7 @@ use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::wear::level::with_lowest_rigid_part;
 use crate::steps::wear::pieces::Pieces;
-use crate::steps::wear::problem::wear_problem;
+use crate::steps::wear::problem::{Loads, wear_problem};
 use crate::steps::wear::ran::MOST_STEPS;
 use crate::turns_result::TurnsResult;
 
@@ -77,7 +77,7 @@ fn ripple(stage: Stage<'_>, once: &Pieces, mean: &Pieces) -> Result<(f64, Effort
     let began = stage.clock()();
     let stages = mean.problems.iter().map(|problem| stage.with(problem)).collect::<Result<Vec<Stage<'_>>, scene::Fault>>()?;
     let loads: Vec<contact::ContactLoad> = stages.iter().map(|stage| stage.contact_load(operator.points())).collect();
-    let mut problem = wear_problem(&stages, &loads, mean, &operator, 0.0)?;
+    let mut problem = wear_problem(Loads { stages: &stages, loads: &loads, begun: None }, mean, &operator, 0.0)?;
     problem.stepping = Stepping::Adaptive { accuracy: ROUGH };
     let mut evolution = Evolution::new(&problem).map_err(|error| Refusal::Reason(error.to_string()))?;
     evolution.by_ref().take(MOST_STEPS).for_each(drop);
