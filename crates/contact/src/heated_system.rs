@@ -29,10 +29,18 @@ pub struct HeatExchange {
 pub struct HeatedSystem {
     /// With what flows where no point conducts and nothing rubs.
     cold: ContactSystem,
-    /// Opening (`points x points`) and force along the free coordinates (`points x coordinates`) by a unit of heat into each body at each point; none
-    /// of a body that heat does not distort.
-    by_heat: [Option<(Mat<f64>, Mat<f64>)>; 2],
+    /// What a unit of heat into each body at each point does; none of a body that heat does not distort.
+    by_heat: [Option<ByHeat>; 2],
     exchange: HeatExchange,
+}
+
+/// What a unit of heat into a body at each point does.
+#[derive(Clone, Debug)]
+struct ByHeat {
+    /// Opening, `points x points`.
+    opening: Mat<f64>,
+    /// Force along the free coordinates, `points x coordinates`.
+    forces: Mat<f64>,
 }
 
 impl HeatExchange {
@@ -72,7 +80,7 @@ impl HeatedSystem {
         system.symmetric = false;
         let rates = &self.exchange.rates;
         for (body, by_heat) in self.by_heat.iter().enumerate() {
-            let Some((opening, forces)) = by_heat else { continue };
+            let Some(ByHeat { opening, forces }) = by_heat else { continue };
             let into = &shared.into[body];
             let by_force = Mat::from_fn(into.nrows(), into.ncols(), |i, j| into[(i, j)] * rates[j]);
             system.compliance += opening * &by_force;
@@ -102,10 +110,10 @@ impl ContactOperator<'_> {
         let free = stage.free.clone();
         let cold = ContactSystem::of(stage.plain.problem);
         let [first, second] = by_heat;
-        let of = |following: [Option<Mat<f64>>; 2]| -> Result<Option<(Mat<f64>, Mat<f64>)>, Error> {
+        let of = |following: [Option<Mat<f64>>; 2]| -> Result<Option<ByHeat>, Error> {
             let followed = self.followed(&ContactLoad { following, ..without.clone() })?;
             let forces = |all: &Mat<f64>| Mat::from_fn(all.nrows(), free.len(), |i, j| all[(i, free[j])]);
-            Ok(followed.map(|followed| (followed.opening, forces(&followed.forces))))
+            Ok(followed.map(|followed| ByHeat { forces: forces(&followed.forces), opening: followed.opening }))
         };
         Ok(HeatedSystem { cold, by_heat: [of([first, None])?, of([None, second])?], exchange })
     }

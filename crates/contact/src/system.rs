@@ -73,3 +73,29 @@ impl ContactOperator<'_> {
         Ok(ContactSystem::of(self.stage(&vec![0.0; self.points().len()], load)?.plain.problem))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two points, each pushed off by the other's force times `coupling` of its own, as heat does that bends both.
+    fn two_points(coupling: f64) -> ContactSystem {
+        ContactSystem {
+            compliance: Mat::from_fn(2, 2, |i, j| if i == j { 1.0 } else { coupling }),
+            influence: Mat::from_fn(2, 1, |_, _| 1.0),
+            balance: Mat::from_fn(2, 1, |_, _| 1.0),
+            stiffness: Mat::zeros(1, 1),
+            opening: vec![0.0; 2],
+            load: vec![-1.0],
+            symmetric: false,
+        }
+    }
+
+    /// Under a given force in all the pair is singular where each point does as much to the other as to itself.
+    #[test]
+    fn a_contact_is_irregular_beyond_the_coupling_at_which_it_branches() {
+        assert!(two_points(0.99).is_regular(&[true, true]));
+        assert!(!two_points(1.01).is_regular(&[true, true]));
+        assert!(two_points(1.01).is_regular(&[true, false]), "one point alone has no other");
+    }
+}

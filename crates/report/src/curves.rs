@@ -180,6 +180,12 @@ fn histories(title: &str, history: &[(String, Vec<f64>)]) -> Vec<(&'static str, 
     if let Some(depth) = column("depth_um") {
         plots.push(("history-depth", plot("depth worn off body 1", "depth (\u{b5}m)", linear, vec![series("", depth)])));
     }
+    let hottest = |name: &str, key: &str| column(key).map(|values| series(name, values));
+    let warm: Vec<Series> = [hottest("body 1", "T1_max_degC"), hottest("body 2", "T2_max_degC")].into_iter().flatten().collect();
+    if !warm.is_empty() {
+        let plot = plot("highest temperatures over time", "temperature (\u{b0}C)", [x_axis, Axis::Linear], warm);
+        plots.push(("history-temperature", LinePlot { from_zero: false, ..plot }));
+    }
     if let Some(scar) = column("scar_mm") {
         plots.push(("history-scar", plot("width of the scar", "width (mm)", linear, vec![series("", scar)])));
     }

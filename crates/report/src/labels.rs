@@ -115,6 +115,8 @@ const WORDS: &[(&str, &str)] = &[
     ("heat.staggered_limit_speed_factor", "factor on the speed up to which pressure and temperature by turns would settle"),
     ("heat.separation_speed_factor", "factor on the speed at which surfaces without a gap begin to part"),
     ("heat.critical_speed_factor", "factor on the speed at which the contact is no longer unique"),
+    ("heat.in_time", "temperature in time"),
+    ("heat.jumps", "jumps of the contact by its heat"),
     ("energy.body1_Nmm", "strain energy of body 1"),
     ("energy.body2_Nmm", "strain energy of body 2"),
     ("brake.actuator_N", "force of the actuator"),

@@ -8,17 +8,17 @@ mod ends;
 mod heat;
 mod intervals;
 
+use crate::acting::{Acting, Conducting};
 use crate::error::Error;
 use crate::evolution_status::EvolutionStatus;
-use crate::implicit_stage::{Contact, Load};
+use crate::implicit_stage::Contact;
 use crate::rigid_wear::RigidWear;
 use crate::run_in::{RunIn, run_in};
 use crate::tableau::Tableau;
 use crate::turns::loads;
 use crate::wear_problem::{Scheme, Stepping, Until, WearProblem};
 use crate::wear_state::WearState;
-use crate::wear_step::{Trial, gap_scale, try_step};
-use heat::Conducting;
+use crate::wear_step::{Trial, gap_scale};
 use std::cell::RefCell;
 use std::sync::Arc;
 
@@ -43,12 +43,6 @@ struct Taken {
     step: f64,
     next: f64,
     end: Option<f64>,
-}
-
-/// A load with the rigid motions of its contact.
-pub(crate) struct Acting<'a> {
-    pub(crate) load: Load<'a>,
-    pub(crate) rigid: RigidWear,
 }
 
 /// Steps of a wear run, one state at a time; the first is the start.
@@ -102,7 +96,8 @@ impl<'a> Evolution<'a> {
         let n = problem.points.len();
         let fits = [&state.gap, &state.worn, &state.gap_rate].iter().all(|v| v.len() == n)
             && [&state.pressure, &state.opening].iter().all(|v| v.len() == problem.values());
-        if !fits || state.interval >= problem.schedule.len() {
+        let conducts = state.conducting.is_empty() || state.conducting.len() == n;
+        if !(fits && conducts) || state.interval >= problem.schedule.len() {
             return Err(Error::WearInput { what: format!("the state to go on from does not belong to the {n} contact points") });
         }
         evolution.status = evolution.ended(&state);
@@ -204,30 +199,8 @@ impl<'a> Evolution<'a> {
         }
     }
 
-    /// A step from a state while the points conduct that touch in it, and which these are.
-    fn trial(&self, state: &WearState, step: f64) -> Option<(Trial, Vec<bool>)> {
-        let mut points = state.conducting.clone();
-        loop {
-            let acting = self.conducting(self.stage(state), &points)?;
-            let tried = try_step(&acting.load, self.problem.scheme, state, step, self.severity(state));
-            let touched = match &tried {
-                Ok(trial) => (0..points.len()).filter(|i| trial.contact.pressure[*i] > 0.0).collect(),
-                Err(unsettled) => unsettled.points.clone(),
-            };
-            if !heat::more(&mut points, &touched) {
-                return tried.ok().map(|trial| (trial, points));
-            }
-        }
-    }
-
     fn stage(&self, state: &WearState) -> usize {
         self.problem.schedule[state.interval].stage
-    }
-
-    /// What acts in a state.
-    fn load(&self, state: &WearState) -> Arc<Acting<'a>> {
-        let stage = self.stage(state);
-        self.conducting(stage, &state.conducting).unwrap_or_else(|| Arc::clone(&self.acting[stage]))
     }
 
     fn mean_speed(&self, state: &WearState) -> f64 {
@@ -304,7 +277,7 @@ impl<'a> Evolution<'a> {
                 (false, false) if 2.0 * wanted > left => (0.5 * left, true),
                 _ => (wanted, false),
             };
-            let stuck = EvolutionStatus::Stuck { time: state.time, step };
+            let stuck = self.stuck(&state, step);
             if !step.is_finite() || step <= SHORTEST[0] * state.time || wanted < SHORTEST[1] * state.next_step {
                 return Err(stuck);
             }
@@ -396,7 +369,8 @@ impl Iterator for Evolution<'_> {
     fn next(&mut self) -> Option<WearState> {
         if self.fresh {
             self.fresh = false;
-            self.status = self.unstable(None, &self.state).unwrap_or_else(|| self.ended(&self.state));
+            let mut state = self.state.clone();
+            self.status = self.unstable(None, &mut state).unwrap_or_else(|| self.ended(&state));
             return Some(self.state.clone());
         }
         if self.status != EvolutionStatus::Running {
@@ -405,7 +379,7 @@ impl Iterator for Evolution<'_> {
         match self.advance() {
             Ok(mut state) => {
                 self.conduct(&mut state);
-                self.status = self.unstable(Some(&self.state), &state).unwrap_or_else(|| self.ended(&state));
+                self.status = self.unstable(Some(&self.state), &mut state).unwrap_or_else(|| self.ended(&state));
                 self.state = state.clone();
                 Some(state)
             }

@@ -13,7 +13,7 @@ pub enum EvolutionStatus {
     TimeReached,
     /// The depth or volume wanted is worn off.
     WornOff,
-    /// Frictional heat lets deviations of the pressure grow faster than wear takes them off: the contact is beyond its critical sliding speed.
+    /// Frictional heat lets a deviation of the pressure grow faster than wear takes it off, or the contact jumps again and again.
     Unstable {
         /// Time at which the contact came to it.
         time: f64,
@@ -37,8 +37,8 @@ impl fmt::Display for EvolutionStatus {
             EvolutionStatus::Unstable { time } => {
                 write!(
                     f,
-                    "thermoelastic instability: from {time:.6e} s on the sliding speed is beyond the critical one of the frictional heat on \
-                     the contact at that time, so that deviations of the pressure grow instead of wearing off; slide more slowly"
+                    "thermoelastic instability: at {time:.6e} s frictional heat lets a deviation of the pressure grow instead of wearing off, \
+                     so that the contact jumps from one place to another; slide more slowly, or begin with a gap nearer to the steady shape"
                 )
             }
             EvolutionStatus::Stuck { time, step } => {

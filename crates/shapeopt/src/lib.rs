@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 #![warn(clippy::missing_errors_doc, clippy::wildcard_enum_match_arm)]
 
+mod acting;
 mod approach;
 mod edge;
 mod error;

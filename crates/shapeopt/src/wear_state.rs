@@ -49,6 +49,8 @@ pub struct WearState {
     pub newton_iterations: usize,
     /// Which points conduct frictional heat: those in contact that stay so as they do; empty where that changes nothing.
     pub conducting: Vec<bool>,
+    /// Times that the contact has jumped to another pressure by its frictional heat so far.
+    pub jumps: usize,
     /// Number of the interval of the schedule that acts.
     pub interval: usize,
     /// Time at which that interval began, s.

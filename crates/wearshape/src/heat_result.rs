@@ -41,9 +41,23 @@ pub struct HeatResult {
     /// Factor on the sliding speed at which the contact is no longer unique.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub critical_speed_factor: Option<SpeedFactor>,
+    /// How the temperature follows a run in time; none of what has no time.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub in_time: Option<HeatInTime>,
+    /// Times that the contact of a run in time jumped to another pressure by its heat; left out where it never did.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub jumps: Option<usize>,
     /// Materials that are hotter than they bear.
     #[serde(skip)]
     pub too_hot: Vec<TooHot>,
+}
+
+/// How the temperature follows a run in time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum HeatInTime {
+    /// Heat passes through the bodies fast against wear: at each moment the temperature is the steady one of the pressure at that moment.
+    QuasiSteady,
 }
 
 /// A material that is hotter than it bears.

@@ -69,6 +69,15 @@ pub(crate) struct State {
     /// Which points conduct frictional heat; left out where that changes nothing.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(crate) conducting: Vec<bool>,
+    /// Jumps of the contact by its frictional heat so far; left out where there is none.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub(crate) jumps: u64,
+}
+
+/// Whether a count is left out.
+#[allow(clippy::trivially_copy_pass_by_ref)]
+fn is_zero(count: &u64) -> bool {
+    *count == 0
 }
 
 impl From<&WearState> for State {
@@ -98,6 +107,7 @@ impl From<&WearState> for State {
             gap_rate: state.gap_rate.clone(),
             worn: state.worn.clone(),
             conducting: state.conducting.clone(),
+            jumps: state.jumps as u64,
         }
     }
 }
@@ -116,6 +126,7 @@ impl From<State> for WearState {
             gap_rate: state.gap_rate,
             worn: state.worn,
             conducting: state.conducting,
+            jumps: state.jumps as usize,
             depth: state.depth,
             recession: state.recession,
             volume: state.volume,

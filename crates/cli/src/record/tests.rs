@@ -37,6 +37,7 @@ fn state(step: usize) -> WearState {
         error: odd(17),
         rejected: step / 3,
         newton_iterations: 7 * step,
+        jumps: step % 3,
         interval: step % 2,
         interval_start: odd(18),
     }

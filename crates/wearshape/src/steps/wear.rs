@@ -32,7 +32,7 @@ use ran::Ran;
 use shapeopt::{EvolutionStatus, Measure, WearState, difference_of_gaps};
 
 use crate::effort::Effort;
-use crate::ladder::{Climbed, Ladder, Refusal, best, climb, missed, rungs};
+use crate::ladder::{Climbed, Ladder, Refusal, best, climb, errors, missed, rungs};
 use crate::level::Level;
 use crate::problem::End;
 use crate::results::WearResult;
@@ -90,12 +90,13 @@ fn solve_at(stage: Stage<'_>, pieces: &Pieces, ends: &[f64], watch: &mut Watch<'
         let solved = Solved { left, run: Some(ran) };
         Ok(if stuck { ControlFlow::Break(Some(solved)) } else { ControlFlow::Continue(solved) })
     };
-    let distance = apart(stage);
-    let Climbed { mut solved, mut stopped } = climb(&ladder, known, solve, distance, watch)?;
+    let decisive = decisive(stage);
+    let Climbed { mut solved, mut stopped } = climb(&ladder, known, solve, decisive, watch)?;
     for level in &solved {
         effort += level.run.as_ref().map_or_else(|| before(&level.left), |ran| ran.effort.clone());
     }
-    let found = if stopped { None } else { best(&ladder, &solved, &distance) };
+    let found = if stopped { None } else { best(&ladder, &solved, &decisive) };
+    let found = found.map(|(count, known)| (count, with_times(stage, &solved[..count], known)));
     let levels = solved.len();
     if let Some((count, _)) = found.filter(|(count, _)| *count < levels || given_up.is_some()) {
         // Run again, so that the recording holds the level that is reported, also where this run has gone on with another.
@@ -151,6 +152,23 @@ fn apart(stage: Stage<'_>) -> impl Fn(&Solved, &Solved) -> [f64; 2] + Copy {
         let ends = if by_wear { ((a.left.time - b.left.time) / b.left.time).abs() } else { 0.0 };
         [times * gap, times * time.max(ends / (1.0 - STEPS))]
     }
+}
+
+/// How far two levels are apart in what decides whether they are enough. Heat opens a contact that is not worn in: its ends move over the elements
+/// meanwhile, and times fall with a power of the degree only. There the gap decides, and the error of the times is told.
+fn decisive(stage: Stage<'_>) -> impl Fn(&Solved, &Solved) -> [f64; 2] + Copy {
+    let apart = apart(stage);
+    let hot = stage.problem.heat.is_some();
+    move |a, b| {
+        let [gap, time] = apart(a, b);
+        [gap, if hot { 0.0 } else { time }]
+    }
+}
+
+/// Estimated errors of gap and times of the last of some levels, whose gap alone decided that they are enough where the run is hot.
+fn with_times(stage: Stage<'_>, solved: &[Solved], known: [f64; 2]) -> [f64; 2] {
+    let hot = errors(solved, &apart(stage)).filter(|_| stage.problem.heat.is_some());
+    hot.map_or(known, |[_, time]| [known[0], time])
 }
 
 /// Estimated relative error of the time to the steady pressure: of the steps, and the rest of the series of the levels. Of a run without such a

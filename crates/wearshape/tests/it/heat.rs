@@ -210,7 +210,6 @@ fn what_heat_needs_and_what_it_does_not_know_is_said_by_name() {
         ("body1.material={ young = 1e5, poisson = 0.3, conductivity = 40 }", "body1.material.expansion", "expand"),
         ("body1.material.expansion=-1e-5", "body1.material.expansion", "negative"),
         ("heat.counterface=revolving", "heat.counterface", "geometry.ring"),
-        ("tasks=[wear]", "tasks", "wear in time"),
     ] {
         let fault = fault(SLABS, &[setting]);
         assert!(fault.key.as_deref() == Some(key) && fault.message.contains(words), "{setting}: {fault:?}");

@@ -10,6 +10,7 @@ mod examples;
 mod files;
 mod guided;
 mod heat;
+mod heat_wear;
 mod load;
 mod orthotropic;
 mod own_rule;

@@ -16,7 +16,8 @@ pub(crate) fn highest_of_each(warmed: &Warmed<'_>, number: usize, heats: &[Point
     let mut found = Vec::new();
     let mut places = Vec::new();
     for heats in heats.chunks(AT_ONCE) {
-        let states: Vec<InterfaceState> = heats.iter().filter_map(|heat| warmed.states(&pair, &heat.into)[number].clone()).collect();
+        let states: Vec<InterfaceState> =
+            heats.iter().filter_map(|heat| warmed.states(&pair, &heat.into)[number].clone()).collect();
         for field in conduction.body.fields(&states).map_err(no_field)? {
             if places.is_empty() {
                 places = on_edges(&field);
@@ -48,7 +49,11 @@ fn on_edges(field: &Field) -> Vec<(usize, [f64; 2])> {
                 2 if !triangle => j == p,
                 _ => i == 0,
             };
-            grid.steps().zip(grid.reference()).filter(move |(step, _)| on(*step)).map(move |(_, at)| (cell, at)).collect::<Vec<_>>()
+            grid.steps()
+                .zip(grid.reference())
+                .filter(move |(step, _)| on(*step))
+                .map(move |(_, at)| (cell, at))
+                .collect::<Vec<_>>()
         })
         .collect()
 }

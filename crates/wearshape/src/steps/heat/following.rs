@@ -123,7 +123,8 @@ impl<'a> Following<'a> {
             // A point at an end of contact may open because it conducts and close because it does not: such points do not conduct.
             let late = round >= FREE && closed.iter().zip(&found.closed).all(|(conducts, closed)| *closed || !conducts);
             if late || found.closed == closed || !self.conducts() || !found.status.is_solved() {
-                let friction: Vec<f64> = rates.iter().zip(&found.nodal_force).map(|(rate, force)| rate * force.max(0.0)).collect();
+                let friction: Vec<f64> =
+                    rates.iter().zip(&found.nodal_force).map(|(rate, force)| rate * force.max(0.0)).collect();
                 let into = into_bodies(&shared, &friction);
                 return Ok(Hot { heat: PointHeat { friction, into }, found, load, lost_at: None });
             }

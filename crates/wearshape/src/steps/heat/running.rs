@@ -3,9 +3,7 @@
 use std::sync::Arc;
 
 use contact::faer::Mat;
-use contact::{
-    ContactLoad, ContactOperator, ContactSolution, HeatExchange, HeatSplit, HeatedSystem, SpeedFactors,
-};
+use contact::{ContactLoad, ContactOperator, ContactSolution, HeatExchange, HeatSplit, HeatedSystem, SpeedFactors};
 use scene::Fault;
 
 use crate::bodies::Reduced;
@@ -63,7 +61,12 @@ impl<'a> Running<'a> {
     }
 
     /// The contact under a load for any points that conduct.
-    pub(crate) fn heated(&self, operator: &ContactOperator<'_>, stage: Stage<'_>, base: &ContactLoad) -> Result<HeatedSystem, Fault> {
+    pub(crate) fn heated(
+        &self,
+        operator: &ContactOperator<'_>,
+        stage: Stage<'_>,
+        base: &ContactLoad,
+    ) -> Result<HeatedSystem, Fault> {
         let n = operator.points().len();
         let mut load = base.clone();
         let mut by_heat = [None, None];

@@ -4,14 +4,14 @@ use contact::{ContactLoad, ContactOperator, ContactSolution, SpeedFactors};
 use scene::Fault;
 use shapeopt::{WearProblem, WearState};
 
-use crate::heat_result::HeatResult;
+use crate::heat_result::{HeatInTime, HeatResult};
 use crate::ladder::Refusal;
+use crate::results::EnergyResult;
 use crate::stage::Stage;
 use crate::steps::answer::Told;
 use crate::steps::heat::known::PointHeat;
 use crate::steps::heat::running::{Instant, Running};
 use crate::steps::start_gap::start_gaps;
-use crate::results::EnergyResult;
 use crate::steps::wear::pieces::Pieces;
 use crate::watch::FinishedLevel;
 
@@ -85,6 +85,8 @@ impl Hot<'_> {
         let at = self.at(self.acting(state), &state.conducting);
         let heat = self.running.heat(at, &state.pressure)?;
         let mut result = self.running.tell(operator, found, &heat, told)?;
+        result.in_time = Some(HeatInTime::QuasiSteady);
+        result.jumps = Some(state.jumps).filter(|jumps| *jumps > 0);
         let closed: Vec<bool> = state.pressure.iter().map(|p| *p > 0.0).collect();
         let speeds = self.running.speeds(operator, at, &closed)?;
         let other = before.last().map(|level| SpeedFactors { singular: level.singular.clone(), ..SpeedFactors::default() });

@@ -260,7 +260,8 @@ mod tests {
             let pair = reduced.pair()?;
             let operator = reduced.operator(&pair, false)?;
             let load = stage.contact_load(operator.points());
-            let implicit = wear_problem(Loads { stages: &[stage], loads: &[load], begun: None }, &Pieces::of(&problem), &operator, 0.0)?;
+            let implicit =
+                wear_problem(Loads { stages: &[stage], loads: &[load], begun: None }, &Pieces::of(&problem), &operator, 0.0)?;
             let explicit = WearProblem { scheme: Scheme::Explicit, ..implicit.clone() };
             let [implicit, explicit] = [&implicit, &explicit].map(|problem| {
                 let mut evolution = Evolution::new(problem).unwrap();
