@@ -2,6 +2,7 @@
 
 punch.msh   the punch of translating-punch, unstructured quadrilaterals of order 1, MSH 4.1 text
 shoe.msh    the shoe of drum-brake-block, quadrilaterals of order 2, MSH 4.1 binary: its arc is recognised as one
+fine-shoe.msh  the same with 323 cells, as meshes for other programs have, for measurements of speed
 cylinder.msh, block.msh  the bodies of hertz-cylinder, quadrilaterals of order 2 and 1, MSH 4.1 text
 lining.msh  the shoe of lining-on-back, two physical surfaces, quadrilaterals and triangles of order 3, MSH 2.2 text
 """
@@ -60,8 +61,8 @@ def punch():
     end("punch.msh", 1)
 
 
-def shoe():
-    begin(120)
+def shoe(name="shoe.msh", size=120):
+    begin(size)
     x, z = 200 * sin(pi / 6), 200 * cos(pi / 6)
     lines = polygon([(-x, z), (x, z), (x, 300), (-x, 300)], (0, 0))
     body = surface(lines)
@@ -69,7 +70,7 @@ def shoe():
     for name, line in zip(["inner", "right", "top", "left"], lines):
         group(1, name, [line])
     group(2, "steel", [body])
-    end("shoe.msh", 2, binary=1)
+    end(name, 2, binary=1)
 
 
 def lining():
@@ -122,6 +123,7 @@ def block():
 
 punch()
 shoe()
+shoe("fine-shoe.msh", 10)
 lining()
 cylinder()
 block()

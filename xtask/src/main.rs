@@ -8,10 +8,12 @@ mod crates;
 mod editor;
 mod estimates;
 mod fuzz;
+mod machine;
 mod outputs;
 mod package;
 mod packages;
 mod python;
+mod speed;
 mod stability;
 mod supply;
 mod tidy;
@@ -56,6 +58,9 @@ usage: cargo xtask <chore>
   package   the static program, manual pages, completions, notices of third parties, the list of
             components and the Debian package
   bench     run the benches of our crates and print their ratios [crate ..]
+            --against REV: processor seconds and peak memory of the program over those of a revision, or of
+            --program PATH, on the built-in scenes and verify/speed.toml [--case NAME] [--repeat N] [--docs]
+  profile   where the time of every built-in scene and of bodies from gmsh goes [--case NAME] [--docs]
 ";
 
 fn main() -> ExitCode {
@@ -63,7 +68,9 @@ fn main() -> ExitCode {
     let root = workspace_root();
     match words.first().map(String::as_str) {
         Some("tidy") => tidy::run(&root, &words[1..]),
+        Some("bench") if words[1..].iter().any(|word| word.starts_with("--")) => speed::against(&root, &words[1..]),
         Some("bench") => bench::run(&root, &words[1..]),
+        Some("profile") => speed::profile(&root, &words[1..]),
         Some("book") => book::run(&root, &words[1..]),
         Some("stability") => stability::run(&root, &words[1..]),
         Some("estimates") => estimates::run(&root, &words[1..]),

@@ -3,9 +3,9 @@
 use super::super::picture::escape;
 use super::outcome::{Factor, Outcome};
 use super::plot;
+use crate::machine::machine;
 use std::fs;
 use std::path::Path;
-use std::process::Command;
 
 const PAGE: &str = "docs/error-against-time.md";
 const BEGIN: &str = "<!-- study: begin; written by `cargo xtask verify --study --docs` -->";
@@ -19,31 +19,19 @@ pub(crate) struct Machine {
 impl Machine {
     /// This machine, now.
     pub(crate) fn here(outcomes: &[Outcome], repeat: usize) -> Self {
-        let cpu = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-        let cpu =
-            cpu.lines().find(|line| line.starts_with("model name")).and_then(|line| line.split(": ").nth(1)).map(String::from);
-        let cores = std::thread::available_parallelism().map_or(0, usize::from);
-        let date = first_line("date", &["-u", "+%Y-%m-%d"]);
-        let rustc = first_line("rustc", &["--version"]);
         let versions = outcomes.first().map(|outcome| &outcome.versions);
         let version = |name: &str| versions.and_then(|v| v[name].as_str()).unwrap_or("?").to_string();
         let waited = outcomes.iter().map(|outcome| outcome.waited).fold(1.0, f64::max);
         let words = format!(
-            "{date}; {}, {cores} cores; {rustc}; dolfinx {}, gmsh {}, PETSc {} with MUMPS, from Debian; one thread each, \
+            "{}; dolfinx {}, gmsh {}, PETSc {} with MUMPS, from Debian; one thread each, \
              least of {repeat} runs in turn, wall clock at most {waited:.2} times the processor's",
-            cpu.unwrap_or("processor unknown".into()),
+            machine(),
             version("dolfinx"),
             version("gmsh"),
             version("petsc"),
         );
         Self { words }
     }
-}
-
-fn first_line(program: &str, arguments: &[&str]) -> String {
-    let output = Command::new(program).args(arguments).output();
-    let text = output.map(|output| String::from_utf8_lossy(&output.stdout).into_owned()).unwrap_or_default();
-    text.lines().next().unwrap_or("?").to_string()
 }
 
 /// One comparison in words.
