@@ -56,6 +56,11 @@ impl FreeEnds {
         FreeEnds { refined: places.clone(), places, before: None, jacobian: None, starts_closed: false }
     }
 
+    /// The ends by the same measure as [`FreeEnds::places`]: these and the step that their pressures still ask for.
+    pub fn refined(&self) -> &[f64] {
+        &self.refined
+    }
+
     /// All ends of contact as arc lengths on a surface of the given length, its own ends included where they are in contact.
     pub fn arcs(&self, length: f64) -> Vec<f64> {
         let mut arcs: Vec<f64> = self.refined.iter().map(|t| 0.5 * (1.0 + t) * length).collect();

@@ -3,9 +3,11 @@
 //! Conditions stand on the flat side: normal along z, gap `R - sqrt(R^2 - x^2)`. First the normal load is applied without friction, then
 //! the shear force with Coulomb friction (Cattaneo 1938, Mindlin 1949). The formulas of Hertz give the trial ends only.
 
+use std::sync::Arc;
+
 use contact::{
-    ContactLoad, ContactOperator, ContactPoint, ContactSolution, ContactState, Friction, Motion, Pair, Start,
-    Status as ContactStatus, position_nodes,
+    ContactLoad, ContactOperator, ContactPoint, ContactSolution, ContactState, FreeEnds, Friction, Motion, Pair,
+    Status as ContactStatus, UnitResponses,
 };
 use hpfem::{Body, InterfaceState};
 use scene::Fault;
@@ -23,6 +25,7 @@ use crate::steps::answer::{Outcome, Told};
 use crate::steps::contact_levels::{Solved, imbalance, levels};
 use crate::steps::ends_profile::Rows;
 use crate::steps::ends_setting::Setting;
+use crate::steps::free_ends::TOLERANCE;
 use crate::steps::reported::{Moment, Reported};
 use crate::steps::twist::Twist;
 use crate::steps::{diagnosis, torsion};
@@ -30,43 +33,74 @@ use crate::watch::Watch;
 
 /// Samples of the pressure for the comparison of levels, over the inner 95 % of the contact.
 const SAMPLES: usize = 191;
-/// Accuracy of the ends relative to the length of contact, of contact alone and with the ends of stick, whose residual is less smooth.
-const TOLERANCES: [f64; 2] = [1e-10, 1e-8];
+/// Share of the longest contact over which places are counted, so that no place that can be meshed is near 1.
+const ROOM: f64 = 0.1;
 
 /// Solves the contact; the nodes on the ends of the reported level are left for the fields.
 pub(crate) fn solve(setting: &Setting<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort, Vec<f64>), Refusal> {
-    let mut nodes = setting.trial()?;
-    let (mut stick, mut sought) = (None, setting.shear != 0.0);
+    let mut trial = Trial::new(setting, setting.trial()?, setting.shear != 0.0);
     let ladder = Ladder::of(setting.problem, setting.options, Step::Contact).and_beyond(setting.problem);
     let (outcome, effort, reported) = levels(&ladder, watch, |level| {
         let mut work = Effort::default();
-        let mut found = setting.position(level, Trial { nodes: &nodes, stick, sought }, &mut work)?;
+        let mut found = setting.position(level, &trial, &mut work)?;
         // Where stick does not end alike on both sides no one place is its end: only the contact's own end is sought from then on.
-        if found.is_none() && sought {
-            sought = false;
-            found = setting.position(level, Trial { nodes: &nodes, stick, sought }, &mut work)?;
+        if found.is_none() && trial.sought {
+            let nodes = std::mem::take(&mut trial.nodes);
+            trial = Trial { stick: trial.stick, ..Trial::new(setting, nodes, false) };
+            found = setting.position(level, &trial, &mut work)?;
         }
-        nodes = found.ok_or_else(|| unsettled(&nodes))?;
-        let solved = setting.result(level, &nodes, sought, work)?;
-        stick = Twist::node(&solved.contact);
-        Ok((solved, nodes.clone()))
+        let (ends, positioned) = found.ok_or_else(|| unsettled(&trial.nodes))?;
+        (trial.nodes, trial.ends) = (positioned.nodes.clone(), ends);
+        let solved = setting.result(level, &trial, positioned, work)?;
+        trial.stick = Twist::node(&solved.contact);
+        Ok((solved, trial.nodes.clone()))
     })?;
     Ok((outcome, effort, reported.unwrap_or_default()))
 }
 
 /// Where the ends are looked for.
-#[derive(Clone, Copy)]
-struct Trial<'t> {
-    /// Trial ends from the middle: of stick where there is a shear force, then of contact.
-    nodes: &'t [f64],
+struct Trial {
+    /// The nodes of the last mesh, from the middle: of stick where there is a shear force, then of contact.
+    nodes: Vec<f64>,
+    /// Those that are moved, as shares of the surface.
+    ends: FreeEnds,
     /// Where the stick of a twist ended at the last level.
     stick: Option<f64>,
     /// Whether the end of stick is looked for too.
     sought: bool,
+    /// End of stick over that of contact, where only the latter is moved.
+    part: Option<f64>,
+}
+
+impl Trial {
+    /// A search that starts from trial nodes.
+    fn new(setting: &Setting<'_>, nodes: Vec<f64>, sought: bool) -> Trial {
+        let end = nodes[nodes.len() - 1];
+        let moving = if sought { &nodes[..] } else { &nodes[nodes.len() - 1..] };
+        let ends = FreeEnds::near(moving.iter().map(|x| x / setting.room()).collect());
+        let part = (setting.shear != 0.0 && !sought).then(|| nodes[0] / end);
+        Trial { nodes, ends, stick: None, sought, part }
+    }
+
+    /// All nodes, given the places of those that are moved: a node where the stick of a twist ended at the last level stays there; one of a stick that
+    /// is not sought keeps its part of the contact.
+    fn nodes_at(&self, moving: &[f64]) -> Vec<f64> {
+        let kept = self.part.map(|part| part * moving[0]);
+        self.stick.into_iter().chain(kept).chain(moving.iter().copied()).collect()
+    }
+}
+
+/// Bodies with nodes on the ends, and the load steps on them with the points between the ends held in contact.
+struct Positioned {
+    nodes: Vec<f64>,
+    parts: Parts,
+    bodies: [Body; 2],
+    held: Steps,
 }
 
 /// Both load steps on the bodies of one mesh.
 struct Steps {
+    unit: Arc<UnitResponses>,
     points: Vec<ContactPoint>,
     pressed: ContactSolution,
     sheared: Option<ContactSolution>,
@@ -119,43 +153,43 @@ impl Setting<'_> {
         (0..points.len()).min_by(|i, j| far(i).total_cmp(&far(j))).unwrap_or(0)
     }
 
-    /// Moves element nodes onto the ends: there the pressure vanishes, and where stick is `sought`, the shear that sticking takes is just its
-    /// limit. A node where the stick of a twist ended at the last level stays there; one of a stick that is not sought keeps its part of the
-    /// contact. `None` where that does not settle.
-    fn position(&self, level: Level, trial: Trial<'_>, work: &mut Effort) -> Result<Option<Vec<f64>>, Refusal> {
-        let Trial { nodes: start, stick, sought } = trial;
-        let end = start[start.len() - 1];
-        let moving = if sought { start } else { &start[start.len() - 1..] };
-        let part = (self.shear != 0.0 && !sought).then(|| start[0] / end);
-        let tolerance = TOLERANCES[usize::from(sought)];
-        let start = Start { places: moving, jacobian: None, tolerance, share: 0.0 };
-        let with_stick = |moving: &[f64]| {
-            let kept = part.map(|part| part * moving[0]);
-            stick.into_iter().chain(kept).chain(moving.iter().copied()).collect::<Vec<f64>>()
-        };
-        let nodes = position_nodes(start, |moving| -> Result<_, Refusal> {
-            let nodes = &with_stick(moving);
-            let (parts, effort) = self.parts(level, nodes)?;
+    /// The length of which places are shares.
+    fn room(&self) -> f64 {
+        self.disc.longest() / ROOM
+    }
+
+    /// Moves element nodes onto the ends: there the pressure vanishes, and where stick is sought, the shear that sticking takes is just its
+    /// limit. `None` where that does not settle.
+    fn position(&self, level: Level, trial: &Trial, work: &mut Effort) -> Result<Option<(FreeEnds, Positioned)>, Refusal> {
+        trial.ends.position(TOLERANCE * self.problem.wanted.accuracy, |places| -> Result<_, Refusal> {
+            let moving: Vec<f64> = places.iter().map(|t| t * self.room()).collect();
+            let nodes = trial.nodes_at(&moving);
+            let (parts, effort) = self.parts(level, &nodes)?;
             (self.options.begun)(Step::Factor);
             let (bodies, reduced) = parts.reduce(self.options.clock)?;
             *work += effort;
             *work += reduced;
-            let steps = self.held_steps(&bodies, nodes, sought, work)?;
-            let at = |x: f64| self.nearest(&steps.points, x);
-            let end = steps.pressed.pressure[at(nodes[nodes.len() - 1])];
-            Ok((
-                match &steps.sheared {
-                    Some(sheared) => {
-                        // Finite bodies shift the stick zone as a whole a little: its half length is that of both sides' mean.
-                        let excess = |i: usize| sheared.shear[i].abs() - self.friction * sheared.pressure[i];
-                        vec![0.5 * (excess(at(nodes[0])) + excess(at(-nodes[0]))), end]
-                    }
-                    None => vec![end],
-                },
-                (),
-            ))
-        })?;
-        Ok(nodes.found.then(|| with_stick(&nodes.refined)))
+            let held = self.held_steps(&bodies, &nodes, trial.sought, work)?;
+            let residuals = self.residuals(&held, &nodes);
+            Ok(Some((residuals, Positioned { nodes, parts, bodies, held })))
+        })
+    }
+
+    /// What the nodes on the ends are off by: the shear beyond its limit where stick ends, if that is sought, and the pressure where contact ends. The
+    /// root of a node's share of the surface takes away how they grow with the level.
+    fn residuals(&self, held: &Steps, nodes: &[f64]) -> Vec<f64> {
+        let at = |x: f64| self.nearest(&held.points, x);
+        let root = |i: usize| held.points[i].weight.sqrt();
+        let end = at(nodes[nodes.len() - 1]);
+        let end = held.pressed.pressure[end] * root(end);
+        match &held.sheared {
+            Some(sheared) => {
+                // Finite bodies shift the stick zone as a whole a little: its half length is that of both sides' mean.
+                let excess = |i: usize| (sheared.shear[i].abs() - self.friction * sheared.pressure[i]) * root(i);
+                vec![0.5 * (excess(at(nodes[0])) + excess(at(-nodes[0]))), end]
+            }
+            None => vec![end],
+        }
     }
 
     /// Both load steps, or the first alone, with the states of all points given by the ends.
@@ -177,7 +211,7 @@ impl Setting<'_> {
         };
         work.counters.contact_solves += 1 + usize::from(sheared.is_some());
         work.add_seconds(Step::Contact, clock() - start);
-        Ok(Steps { points, pressed, sheared })
+        Ok(Steps { unit: operator.unit_responses(), points, pressed, sheared })
     }
 
     fn operator<'p>(&self, pair: &Pair<'p>) -> Result<ContactOperator<'p>, Fault> {
@@ -186,15 +220,10 @@ impl Setting<'_> {
     }
 
     /// The contact with its conditions of sign on the positioned mesh, and everything that is reported.
-    fn result(&self, level: Level, nodes: &[f64], sought: bool, mut effort: Effort) -> Result<Solved, Refusal> {
-        let (parts, work) = self.parts(level, nodes)?;
-        (self.options.begun)(Step::Factor);
-        let (bodies, reduced) = parts.reduce(self.options.clock)?;
-        effort += work;
-        effort += reduced;
-        let held = self.held_steps(&bodies, nodes, sought, &mut effort)?;
+    fn result(&self, level: Level, trial: &Trial, positioned: Positioned, mut effort: Effort) -> Result<Solved, Refusal> {
+        let Positioned { nodes, parts, bodies, held } = positioned;
         let pair = facing(&bodies)?;
-        let operator = self.operator(&pair)?;
+        let operator = ContactOperator::with(&pair, Arc::clone(&held.unit));
         let gap: Vec<f64> = held.points.iter().map(|p| self.disc.gap(p.position[0])).collect();
         (self.options.begun)(Step::Contact);
         let start = (self.options.clock)();
@@ -203,14 +232,17 @@ impl Setting<'_> {
         let interface = diagnosis::interface(&operator, &gap, &load, &found)?;
         effort.counters.contact_solves += 1 + usize::from(self.shear != 0.0);
         effort.add_seconds(Step::Contact, (self.options.clock)() - start);
-        let rows = Rows { setting: self, pair: &pair, operator: &operator, found: &found, gap: &gap, nodes, stick_node: sought };
-        let end = nodes[nodes.len() - 1];
+        let refined: Vec<f64> = trial.ends.refined().iter().map(|t| t * self.room()).collect();
+        let refined = trial.nodes_at(&refined);
+        let (setting, pair, operator, found, gap) = (self, &pair, &operator, &found, &gap[..]);
+        let rows = Rows { setting, pair, operator, found, gap, nodes: &nodes, ends: &refined, stick_node: trial.sought };
+        let end = refined[refined.len() - 1];
         let pressure = (0..SAMPLES).map(|i| rows.pressure_at(0.95 * end * i as f64 / (SAMPLES - 1) as f64)).collect();
         let profile = self.options.sample.map_or_else(|| rows.own(), |sampling| rows.sampled(sampling));
         let states = [Some(&found.shaped), found.counter.as_ref()];
         let told = Told {
             brake: None,
-            energy: self.energy(&pair, states),
+            energy: self.energy(pair, states),
             reactions: self.reactions(&parts, &bodies, states),
             profile,
             curve: rows.sampled(CURVE),

@@ -18,7 +18,10 @@ pub(crate) struct Rows<'r> {
     pub operator: &'r ContactOperator<'r>,
     pub found: &'r ContactSolution,
     pub gap: &'r [f64],
+    /// The nodes on the ends.
     pub nodes: &'r [f64],
+    /// The ends themselves, closer by the step that the nodes still ask for.
+    pub ends: &'r [f64],
     /// Whether a node stands on both ends of stick.
     pub stick_node: bool,
 }
@@ -177,7 +180,7 @@ impl Rows<'_> {
     /// Ends of stick from the middle: the nodes on them, or the outermost points that stick.
     fn stick_ends(&self) -> Vec<f64> {
         if self.stick_node {
-            return vec![-self.nodes[0], self.nodes[0]];
+            return vec![-self.ends[0], self.ends[0]];
         }
         let sticking = self.operator.points().iter().zip(&self.found.states).filter(|(_, s)| **s == ContactState::Stick);
         let places: Vec<f64> = sticking.map(|(point, _)| point.position[0] - self.setting.disc.middle).collect();
@@ -207,7 +210,7 @@ impl Rows<'_> {
             moment: Some(moment).filter(|_| !setting.revolved()),
             approach: Some(-self.rigid_motion()[1]),
             tilt: load.tilt.map(|_| 0.0),
-            ends: both(self.nodes[self.nodes.len() - 1]),
+            ends: both(self.ends[self.ends.len() - 1]),
             p_max: Some(largest(&found.pressure)),
             edge_exponents: Vec::new(),
             stick_ends: if sheared { self.stick_ends() } else { Vec::new() },

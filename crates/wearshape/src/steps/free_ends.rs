@@ -16,7 +16,7 @@ use crate::steps::start_gap::start_gaps;
 
 /// Accuracy of the nodes by the accuracy asked for: a misplaced end changes the pressure by about its distance over the length of the contact.
 /// The ends themselves are reported closer, with the step that their pressures still ask for.
-const TOLERANCE: f64 = 0.03;
+pub(crate) const TOLERANCE: f64 = 0.03;
 
 /// Bodies with element nodes on the ends of contact, and the solution with the points between the ends held in contact.
 pub(crate) struct Positioned {
@@ -41,7 +41,7 @@ pub(crate) fn position(
         *work += reduction;
         work.counters.contact_solves += 1;
         let pair = reduced.pair()?;
-        let operator = reduced.operator(&pair, stage.friction() > 0.0)?;
+        let operator = work.timed(Step::Interface, stage.clock(), |_| reduced.operator(&pair, stage.friction() > 0.0))?;
         let length = pair.trace().length();
         let gap = start_gaps(stage, &operator);
         let arcs: Vec<f64> = places.iter().map(|t| 0.5 * (1.0 + t) * length).collect();
