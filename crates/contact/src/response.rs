@@ -57,12 +57,13 @@ impl Response {
         let frame: Vec<usize> = body.frame.iter().flatten().copied().collect();
         let kept: Vec<usize> = (0..unknowns).filter(|i| !frame.contains(i)).collect();
         let columns = body.load_cases.len() + 1;
-        let mut right = Mat::zeros(unknowns, 0);
-        let blocks = [Some(normal.transpose()), tangential.as_ref().map(|t| t.transpose())];
-        for block in blocks.into_iter().flatten() {
-            right = beside(&right, &block.to_owned());
+        let first = if shear { 2 * n } else { n };
+        let mut right = Mat::zeros(unknowns, first + columns);
+        right.subcols_mut(0, n).copy_from(normal.transpose());
+        if let Some(tangential) = &tangential {
+            right.subcols_mut(n, n).copy_from(tangential.transpose());
         }
-        right = beside(&right, &body.columns.submatrix(0, 0, unknowns, columns).to_owned());
+        right.subcols_mut(first, columns).copy_from(body.columns.submatrix(0, 0, unknowns, columns));
         let (solved, motions, stiffness) = if frame.is_empty() {
             let solved = body.solve(&right, &body.rigid_modes);
             let modes = body.rigid_modes.ncols();
@@ -83,7 +84,6 @@ impl Response {
                 (0..n).filter(|i| m[(*i, j)].abs() <= 1e-12 * largest).collect::<Vec<_>>().iter().for_each(|i| m[(*i, j)] = 0.0);
             }
         }
-        let first = if shear { 2 * n } else { n };
         Ok(Response {
             to_normal: solved.submatrix(0, 0, unknowns, n).to_owned(),
             to_tangential: shear.then(|| solved.submatrix(0, n, unknowns, n).to_owned()),
@@ -167,10 +167,4 @@ fn component_rows(
         }
     }
     (matrix, constant)
-}
-
-/// `[a b]`.
-fn beside(a: &Mat<f64>, b: &Mat<f64>) -> Mat<f64> {
-    let n = a.ncols();
-    Mat::from_fn(b.nrows(), n + b.ncols(), |i, j| if j < n { a[(i, j)] } else { b[(i, j - n)] })
 }

@@ -267,7 +267,9 @@ impl InterfaceOperator {
         if r == 0
             && let Ok(llt) = (Scale(unit) * &self.stiffness).llt(Side::Lower)
         {
-            return llt.solve(Scale(unit) * right);
+            let mut x = Scale(unit) * right;
+            llt.solve_in_place(&mut x);
+            return x;
         }
         // Scale the border like the stiffness so that pivoting sees comparable rows.
         let scale = (0..n).map(|i| self.stiffness[(i, i)]).fold(0.0, f64::max);
@@ -278,9 +280,11 @@ impl InterfaceOperator {
             (false, true) => gauge[(j, i - n)] / size * scale,
             (false, false) => 0.0,
         });
-        let full = Mat::from_fn(n + r, right.ncols(), |i, j| if i < n { right[(i, j)] } else { 0.0 });
-        let x = border.partial_piv_lu().solve(&full);
-        x.submatrix(0, 0, n, right.ncols()).to_owned()
+        let mut x = Mat::zeros(n + r, right.ncols());
+        x.subrows_mut(0, n).copy_from(right);
+        border.partial_piv_lu().solve_in_place(&mut x);
+        x.truncate(n, right.ncols());
+        x
     }
 
     /// [`InterfaceOperator::solve`] for one right-hand side, the answer orthogonal to the rigid modes.
