@@ -127,12 +127,20 @@ impl Problem {
     /// # Errors
     /// What is to be mended, with what to write instead.
     pub fn available(&self) -> Result<(), Fault> {
+        self.available_on(&Bodies::default())
+    }
+
+    /// [`Problem::available`] that leaves the meshes it made to a solve on the same `bodies`: cells that are given take long to match.
+    ///
+    /// # Errors
+    /// Those of [`Problem::available`].
+    pub fn available_on(&self, bodies: &Bodies) -> Result<(), Fault> {
         if !self.plan.runs(Step::Mesh) {
             return Ok(());
         }
-        let (options, bodies) = (Options::default(), Bodies::default());
+        let options = Options::default();
         let sound = || {
-            let scope = Scope::of(self, &options, &bodies)?;
+            let scope = Scope::of(self, &options, bodies)?;
             scope.available()?;
             scope.sound(self, &options)
         };

@@ -30,7 +30,8 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
     let options = options(common)?;
     let target = common.output.clone().unwrap_or_else(|| PathBuf::from("out").join(problem.name()));
     progress.say("meshing");
-    problem.available().map_err(|fault| document.locate(fault))?;
+    let bodies = Bodies::default();
+    problem.available_on(&bodies).map_err(|fault| document.locate(fault))?;
     if common.dry_run {
         dry_run(common, &problem, &target, &progress);
         return Ok(Exit::Done);
@@ -49,7 +50,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
     let mut live = Live::new(tape, progress);
     let resume = live.tape.as_ref().and_then(Tape::resume);
     let options = Options { resume: resume.as_ref(), ..options };
-    let solved = with_threads(common, || live.solve(&problem, &options, &Bodies::default()))?;
+    let solved = with_threads(common, || live.solve(&problem, &options, &bodies))?;
     let solution = match solved {
         Ok(solution) => solution,
         Err(fault) => {
