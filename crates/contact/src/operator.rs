@@ -6,6 +6,7 @@ use crate::load::{ContactLoad, Friction};
 use crate::matrices::Matrices;
 use crate::pair::Pair;
 use crate::point::ContactPoint;
+use crate::products::narrow_product;
 use crate::response::Response;
 use crate::segment::Station;
 use crate::side::Side;
@@ -55,12 +56,12 @@ impl<'a> ContactOperator<'a> {
         let (mut normal, mut normal_by_shear) = (Mat::zeros(n, n), shear.then(|| Mat::zeros(n, n)));
         let mut tangential = shear.then(|| Mat::zeros(n, n));
         for r in &responses {
-            normal += &r.normal * &r.to_normal;
+            normal += narrow_product(&r.normal, &r.to_normal);
             if let (Some(sum), Some(x)) = (&mut normal_by_shear, &r.to_tangential) {
-                *sum += &r.normal * x;
+                *sum += narrow_product(&r.normal, x);
             }
             if let (Some(sum), Some(t), Some(x)) = (&mut tangential, &r.tangential, &r.to_tangential) {
-                *sum += t * x;
+                *sum += narrow_product(t, x);
             }
         }
         // Exactly symmetric, so that the answer does not depend on which half is read.
