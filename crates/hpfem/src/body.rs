@@ -16,6 +16,7 @@ use crate::reduce::{Reduction, reduce};
 use crate::rigid::motion_words;
 use crate::space::{Space, Target};
 use crate::trace::TraceLoad;
+use faer::Mat;
 use std::sync::Arc;
 
 /// A body whose interior is eliminated. It owns its problem, can be sent to a thread, and is cheap to clone but for its interface
@@ -184,28 +185,38 @@ impl Body {
 
     /// The unknowns of every group in a state of the kept ones, by back substitution.
     fn group_values(&self, state: &InterfaceState) -> Result<Vec<Vec<f64>>, Error> {
+        let values = self.values_of_groups(std::slice::from_ref(state))?;
+        Ok(values.into_iter().map(|values| values.col_as_slice(0).to_vec()).collect())
+    }
+
+    /// The same in several states, a column each.
+    pub(crate) fn values_of_groups(&self, states: &[InterfaceState]) -> Result<Vec<Mat<f64>>, Error> {
         let columns = self.interface.columns.ncols();
-        if state.factors.len() != columns {
-            return Err(Error::OtherLoads { given: state.factors.len(), expected: columns });
-        }
         let Factored { space, condensed, kept, cases } = &*self.factored;
-        if state.unknowns.len() != kept.unknowns {
-            let what = "kept unknowns of the state".into();
-            return Err(Error::Count { what, given: state.unknowns.len(), expected: kept.unknowns });
+        for state in states {
+            if state.factors.len() != columns {
+                return Err(Error::OtherLoads { given: state.factors.len(), expected: columns });
+            }
+            if state.unknowns.len() != kept.unknowns {
+                let what = "kept unknowns of the state".into();
+                return Err(Error::Count { what, given: state.unknowns.len(), expected: kept.unknowns });
+            }
         }
-        let mut values: Vec<Vec<f64>> = vec![Vec::new(); space.size.len()];
+        let many = states.len();
+        let mut values: Vec<Mat<f64>> = space.size.iter().map(|size| Mat::zeros(*size, many)).collect();
         let mut at = 0;
         for g in &kept.groups {
-            values[*g] = state.unknowns[at..at + space.size[*g]].to_vec();
+            values[*g] = Mat::from_fn(space.size[*g], many, |i, j| states[j].unknowns[at + i]);
             at += space.size[*g];
         }
         // The factorisation knows the load cases of its time, then all other columns.
         let later = *cases..*cases + self.added.len();
-        let first: Vec<f64> = state.factors.iter().enumerate().filter(|(k, _)| !later.contains(k)).map(|(_, f)| -f).collect();
+        let first: Vec<usize> = (0..columns).filter(|k| !later.contains(k)).collect();
         let mut size = space.size.clone();
         size.push(first.len());
-        values.push(first);
-        let added: Vec<(f64, &Forward)> = state.factors[later].iter().copied().zip(self.added.iter().map(|f| &**f)).collect();
+        values.push(Mat::from_fn(first.len(), many, |k, j| -states[j].factors[first[k]]));
+        let factors = |k: usize| states.iter().map(|state| state.factors[k]).collect();
+        let added: Vec<(Vec<f64>, &Forward)> = later.map(factors).zip(self.added.iter().map(|f| &**f)).collect();
         condensed.back_substitute(&mut values, &size, &added);
         Ok(values)
     }

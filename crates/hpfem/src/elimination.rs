@@ -96,50 +96,59 @@ impl Plan {
     }
 }
 
-/// A right-hand side eliminated after the factorisation.
+/// Right-hand sides eliminated after the factorisation.
 #[derive(Clone)]
 pub(crate) struct Forward {
-    /// `y = L11^-1 f` of every front; empty where the load has not come.
-    parts: Vec<Vec<f64>>,
-    /// `y . y_k` with the right-hand sides of the factorisation.
-    pub(crate) work: Vec<f64>,
+    /// `y = L11^-1 f` of every front, a column a right-hand side; empty where the loads have not come.
+    parts: Vec<Mat<f64>>,
+    /// `y . y_k` with the right-hand sides of the factorisation, `those x these`.
+    pub(crate) work: Mat<f64>,
 }
 
 impl Forward {
-    /// `y . y` with another one.
-    pub(crate) fn dot(&self, other: &Forward) -> f64 {
-        let pairs = self.parts.iter().zip(&other.parts);
-        pairs.map(|(a, b)| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>()).sum()
+    /// `y . y` of the right-hand side number `k` with another one.
+    pub(crate) fn dot(&self, k: usize, other: &Forward) -> f64 {
+        let pairs = self.parts.iter().zip(&other.parts).filter(|(a, b)| a.ncols() > 0 && b.ncols() > 0);
+        pairs.map(|(a, b)| a.col(k).iter().zip(b.col(0).iter()).map(|(a, b)| a * b).sum::<f64>()).sum()
     }
 }
 
 impl Condensed {
-    /// Eliminates one more right-hand side. `values` holds one vector a group, empty for zero; on return those of the kept groups are
-    /// condensed. Only fronts on the way from the load to the kept groups are visited.
-    pub(crate) fn forward(&self, values: &mut [Vec<f64>], size: &[usize], columns: usize) -> Forward {
-        let mut forward = Forward { parts: Vec::with_capacity(self.panels.len()), work: vec![0.0; columns] };
+    /// Eliminates more right-hand sides, as many as `many`. `values` holds one matrix a group, a column a right-hand side, empty for zero; on return
+    /// those of the kept groups are condensed. Only fronts on the way from the loads to the kept groups are visited.
+    pub(crate) fn forward(&self, values: &mut [Mat<f64>], size: &[usize], [columns, many]: [usize; 2]) -> Forward {
+        let mut forward = Forward { parts: Vec::with_capacity(self.panels.len()), work: Mat::zeros(columns, many) };
         for (front, panel) in self.plan.fronts.iter().zip(&self.panels) {
             let (gone, left) = front.groups.split_at(front.eliminated);
-            if gone.iter().all(|g| values[*g].is_empty()) {
-                forward.parts.push(Vec::new());
+            if gone.iter().all(|g| values[*g].ncols() == 0) {
+                forward.parts.push(Mat::new());
                 continue;
             }
-            let mut y = Vec::new();
+            let ne = gone.iter().map(|g| size[*g]).sum();
+            let mut y = Mat::<f64>::zeros(ne, many);
+            let mut at = 0;
             for g in gone {
-                let end = y.len() + size[*g];
-                y.extend(std::mem::take(&mut values[*g]));
-                y.resize(end, 0.0);
+                let value = std::mem::replace(&mut values[*g], Mat::new());
+                if value.ncols() > 0 {
+                    y.as_mut().subrows_mut(at, size[*g]).copy_from(&value);
+                }
+                at += size[*g];
             }
-            let (ne, rest) = (y.len(), left.iter().map(|g| size[*g]).sum::<usize>());
+            let rest = left.iter().map(|g| size[*g]).sum::<usize>();
             let (l11, l21) = MatRef::from_column_major_slice(panel, ne + rest, ne).split_at_row(ne);
-            let mut part = MatMut::from_column_major_slice_mut(&mut y, ne, 1);
-            solve_lower_triangular_in_place(l11, part.as_mut(), Par::Seq);
-            let shed = l21 * part.as_ref();
+            solve_lower_triangular_in_place(l11, y.as_mut(), Par::Seq);
+            let shed = l21 * y.as_ref();
             let mut at = 0;
             for g in left {
-                let (target, sign) = if *g + 1 == size.len() { (&mut forward.work, 1.0) } else { (&mut values[*g], -1.0) };
-                target.resize(size[*g], 0.0);
-                target.iter_mut().enumerate().for_each(|(i, v)| *v += sign * shed[(at + i, 0)]);
+                let part = shed.as_ref().subrows(at, size[*g]);
+                if *g + 1 == size.len() {
+                    forward.work += part;
+                } else {
+                    if values[*g].ncols() == 0 {
+                        values[*g] = Mat::zeros(size[*g], many);
+                    }
+                    values[*g] -= part;
+                }
                 at += size[*g];
             }
             forward.parts.push(y);
@@ -147,24 +156,32 @@ impl Condensed {
         forward
     }
 
-    /// Recovers the eliminated unknowns: `values` holds one vector a group, those of the kept groups filled in; that of the right-hand
-    /// sides holds the factors they are combined with, negative. Right-hand sides eliminated later come with their factors in `added`.
-    pub(crate) fn back_substitute(&self, values: &mut [Vec<f64>], size: &[usize], added: &[(f64, &Forward)]) {
+    /// Recovers the eliminated unknowns: `values` holds one matrix a group, a column a state, those of the kept groups filled in; that of the
+    /// right-hand sides holds the factors they are combined with, negative. Right-hand sides eliminated later come with their factors in `added`.
+    pub(crate) fn back_substitute(&self, values: &mut [Mat<f64>], size: &[usize], added: &[(Vec<f64>, &Forward)]) {
+        let states = values.last().map_or(0, Mat::ncols);
         for (number, (front, panel)) in self.plan.fronts.iter().zip(&self.panels).enumerate().rev() {
             let (gone, left) = front.groups.split_at(front.eliminated);
-            let known: Vec<f64> = left.iter().flat_map(|g| values[*g].iter().copied()).collect();
+            let mut known = Mat::<f64>::zeros(left.iter().map(|g| size[*g]).sum(), states);
+            let mut at = 0;
+            for g in left {
+                known.as_mut().subrows_mut(at, size[*g]).copy_from(&values[*g]);
+                at += size[*g];
+            }
             let ne = gone.iter().map(|g| size[*g]).sum();
-            let mut x = Mat::zeros(ne, 1);
-            let (l11, l21) = MatRef::from_column_major_slice(panel, ne + known.len(), ne).split_at_row(ne);
-            let known = MatRef::from_column_major_slice(&known, known.len(), 1);
-            matmul(x.as_mut(), Accum::Replace, l21.transpose(), known, -1.0, Par::Seq);
-            for (factor, forward) in added {
-                forward.parts[number].iter().enumerate().for_each(|(i, y)| x[(i, 0)] += factor * y);
+            let mut x = Mat::zeros(ne, states);
+            let (l11, l21) = MatRef::from_column_major_slice(panel, ne + known.nrows(), ne).split_at_row(ne);
+            matmul(x.as_mut(), Accum::Replace, l21.transpose(), known.as_ref(), -1.0, Par::Seq);
+            for (factors, forward) in added.iter().filter(|(_, forward)| forward.parts[number].ncols() > 0) {
+                for (j, factor) in factors.iter().enumerate() {
+                    let part = forward.parts[number].col(0);
+                    x.col_as_slice_mut(j).iter_mut().zip(part.iter()).for_each(|(x, y)| *x += factor * y);
+                }
             }
             solve_upper_triangular_in_place(l11.transpose(), x.as_mut(), Par::Seq);
             let mut at = 0;
             for g in gone {
-                values[*g] = (at..at + size[*g]).map(|i| x[(i, 0)]).collect();
+                values[*g] = x.as_ref().subrows(at, size[*g]).to_owned();
                 at += size[*g];
             }
         }

@@ -85,15 +85,17 @@ impl Body {
         let assembly = Assembly::new(&self.problem, space, Loads::new(mesh, &self.problem.load_cases)?);
         let touched: Vec<usize> = (0..mesh.cells.len()).filter(|c| assembly.loads.of_case(mesh, *c, new)).collect();
         let loads = map_cells(touched.len(), |work, k| assembly.new_load(touched[k], new, work));
-        let mut values: Vec<Vec<f64>> = vec![Vec::new(); space.size.len()];
+        let mut values: Vec<Mat<f64>> = vec![Mat::new(); space.size.len()];
         let reactions = self.interface.reaction_constant.nrows();
         // Work with the cases before, then with itself.
         let (mut constant, mut inner) = (vec![0.0; reactions], vec![0.0; new + 1]);
         for load in loads {
             let load = load?;
             for (group, index, value) in load.active {
-                values[group].resize(space.size[group], 0.0);
-                values[group][index] += value;
+                if values[group].ncols() == 0 {
+                    values[group] = Mat::zeros(space.size[group], 1);
+                }
+                values[group][(index, 0)] += value;
             }
             load.constant.iter().for_each(|(r, value)| constant[*r] += value);
             inner.iter_mut().zip(&load.work).for_each(|(sum, w)| *sum += w);
@@ -101,18 +103,18 @@ impl Body {
         let first = self.interface.columns.ncols() - self.added.len();
         let mut size = space.size.clone();
         size.push(first);
-        values.push(Vec::new());
-        let forward = factored.condensed.forward(&mut values, &size, first);
+        values.push(Mat::new());
+        let forward = factored.condensed.forward(&mut values, &size, [first, 1]);
         let mut column = vec![0.0; factored.kept.unknowns];
         for g in &factored.kept.groups {
             let start = factored.kept.start[*g].unwrap_or(0);
-            values[*g].iter().enumerate().for_each(|(i, v)| column[start + i] = *v);
+            values[*g].col_iter().flat_map(|v| v.iter()).enumerate().for_each(|(i, v)| column[start + i] = *v);
         }
         // Work with all columns in their order: the cases of the factorisation, those added, this one, all others.
-        let mut work = forward.work.clone();
+        let mut work = forward.work.col_as_slice(0).to_vec();
         work.splice(
             factored.cases..factored.cases,
-            self.added.iter().map(|other| forward.dot(other)).chain([forward.dot(&forward)]),
+            self.added.iter().map(|other| forward.dot(0, other)).chain([forward.dot(0, &forward)]),
         );
         work.iter_mut().zip(&inner).for_each(|(sum, w)| *sum += w);
         let unit = assembly.unit;

@@ -5,11 +5,13 @@
 //! and the work of the loads on the interior is `y . y`. An eigenstrain `eps*` is the load `int sigma* : eps(v) dV`, `sigma* = C eps*`.
 
 use crate::assembly::Assembly;
-use crate::basis::LocalModes;
+use crate::basis::{LocalModes, points_for};
 use crate::cell_point::{CellPoint, cell_rule};
 use crate::element::Workspace;
 use crate::error::Error;
 use crate::load_case::{BodyPoint, Load};
+use crate::point_load::{PlaneJet, PointLoad, Rows};
+use crate::tensor_load::Grid;
 use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
 use faer::{Accum, Mat, Par};
@@ -24,13 +26,10 @@ pub(crate) struct InnerLoad {
     pub(crate) interior: Mat<f64>,
 }
 
-/// What a load at a point contributes to the rows of each component: factors of the value of a mode and of its two derivatives.
-type PointLoad = [[f64; 3]; 2];
+/// A strain alike in all directions by the modes of a cell, in the numbering of [`CellPoint::modes`], and a constant part.
+pub(crate) type ModeStrain = (Vec<f64>, f64);
 
-/// Value and derivatives in the plane of a mode at a point, with its place in the local order.
-type PlaneJet = (usize, [f64; 3]);
-
-/// A point of integration in a cell.
+/// A point of integration in a triangle.
 struct Weighted {
     reference: [f64; 2],
     /// The part of the volume that it stands for.
@@ -39,41 +38,8 @@ struct Weighted {
     point: CellPoint,
 }
 
-/// Rows of a load on the modes of a cell.
-#[derive(Clone, Copy)]
-struct Rows<'a> {
-    components: usize,
-    local: &'a LocalModes,
-}
-
-impl Rows<'_> {
-    fn row(self, mode: usize, c: usize) -> usize {
-        let (ni, nb) = (self.local.interior, self.local.modes - self.local.interior);
-        if mode < ni { c * ni + mode } else { self.components * ni + c * nb + mode - ni }
-    }
-
-    /// Values and derivatives in the plane of every mode at a point, once for all load cases.
-    fn jets(self, point: &CellPoint) -> Vec<PlaneJet> {
-        let [[xx, xe], [zx, ze]] = point.derivative;
-        let jacobian = point.jacobian();
-        let modes = point.modes.iter().zip(&self.local.position).filter(|(_, m)| **m != usize::MAX);
-        let plane = |jet: &[f64; 3]| {
-            let dx = (jet[1] * ze - jet[2] * zx) / jacobian;
-            let dz = (jet[2] * xx - jet[1] * xe) / jacobian;
-            [jet[0], dx, dz]
-        };
-        modes.map(|(jet, mode)| (*mode, plane(jet))).collect()
-    }
-
-    /// Adds a load at a point to a column.
-    fn add(self, column: &mut [f64], jets: &[PlaneJet], factors: &PointLoad) {
-        for (mode, [value, dx, dz]) in jets {
-            for (c, f) in factors.iter().enumerate().take(self.components) {
-                column[self.row(*mode, c)] += f[0] * value + f[1] * dx + f[2] * dz;
-            }
-        }
-    }
-}
+/// Points of a direction beyond the degree of a cell: values are needed beyond the element's own rule, loads are no polynomials.
+const MORE_POINTS: usize = 6;
 
 impl Assembly<'_> {
     /// The load inside a cell; the cell is condensed for it once more.
@@ -108,25 +74,15 @@ impl Assembly<'_> {
         let rows = Rows { components, local };
         let mut load = Mat::<f64>::zeros(components * local.modes, self.loads.cases);
         if !self.loads.volume.is_empty() {
-            // Values are needed beyond the element's own rule: loads are no polynomials.
-            let points: Vec<Weighted> = cell_rule(self.mesh.cells[cell].is_triangle(), degree + 6)
-                .into_iter()
-                .map(|(reference, weight)| {
-                    let point = CellPoint::new(self.mesh, cell, degree, reference[0], reference[1]);
-                    let volume = weight * point.jacobian() * self.kinematics.measure(point.position[0]);
-                    Weighted { reference, volume, jets: rows.jets(&point), point }
-                })
-                .collect();
-            let known = self.strains_in_modes(cell, &points);
-            self.add_strains(cell, rows, &points, &known, &mut load);
-            for Weighted { reference, volume, jets, point } in &points {
-                for (at, (case, volume_load)) in self.loads.volume.iter().enumerate() {
-                    if known[at].is_none() {
-                        let factors = self.point_load(cell, *reference, point, volume_load).map(|f| f.map(|f| f * volume));
-                        rows.add(load.col_as_slice_mut(*case), jets, &factors);
-                    }
-                }
+            let known = self.strains_in_modes(cell, local.position.len());
+            let strains: Vec<&ModeStrain> = known.iter().flatten().collect();
+            let by_strains = self.strain_columns(cell, local, &strains);
+            let of_strains = self.loads.volume.iter().zip(&known).filter(|(_, known)| known.is_some());
+            for (k, ((case, _), _)) in of_strains.enumerate() {
+                let column = load.col_as_slice_mut(*case).iter_mut().zip(by_strains.col_as_slice(k));
+                column.for_each(|(sum, one)| *sum += one);
             }
+            self.add_volume_loads(cell, rows, &known, &mut load);
         }
         for force in self.loads.points.get(&cell).into_iter().flatten() {
             let point = CellPoint::new(self.mesh, cell, degree, force.reference[0], force.reference[1]);
@@ -136,9 +92,44 @@ impl Assembly<'_> {
         load
     }
 
-    /// Of each load inside cells the strain by the modes of a cell, where it is known so.
-    fn strains_in_modes(&self, cell: usize, points: &[Weighted]) -> Vec<Option<(Vec<f64>, f64)>> {
-        let modes = points.first().map_or(0, |at| at.point.modes.len());
+    /// Adds the loads per volume that are no strains known by the modes of the cell.
+    fn add_volume_loads(&self, cell: usize, rows: Rows<'_>, known: &[Option<ModeStrain>], load: &mut Mat<f64>) {
+        let others: Vec<&(usize, &Load)> =
+            self.loads.volume.iter().zip(known).filter(|(_, known)| known.is_none()).map(|(load, _)| load).collect();
+        if others.is_empty() {
+            return;
+        }
+        if self.mesh.cells[cell].is_triangle() {
+            for Weighted { reference, volume, jets, point } in self.triangle_points(cell, rows) {
+                for (case, volume_load) in &others {
+                    let factors = self.point_load(cell, reference, point.position, volume_load).map(|f| f.map(|f| f * volume));
+                    rows.add(load.col_as_slice_mut(*case), &jets, &factors);
+                }
+            }
+            return;
+        }
+        let degree = self.space.cell_degree[cell];
+        let grid = Grid::new(self, cell, degree, degree + MORE_POINTS);
+        let ones = vec![1.0; grid.len()];
+        for (case, volume_load) in others {
+            let at = |q: usize| self.point_load(cell, grid.reference(q), grid.position(q), volume_load);
+            let loads: Vec<PointLoad> = (0..grid.len()).map(at).collect();
+            grid.add(rows, &grid.densities(rows.components, &loads), &ones, load.col_as_slice_mut(*case));
+        }
+    }
+
+    fn triangle_points(&self, cell: usize, rows: Rows<'_>) -> Vec<Weighted> {
+        let degree = self.space.cell_degree[cell];
+        let weighted = |(reference, weight): ([f64; 2], f64)| {
+            let point = CellPoint::new(self.mesh, cell, degree, reference[0], reference[1]);
+            let volume = weight * point.jacobian() * self.kinematics.measure(point.position[0]);
+            Weighted { reference, volume, jets: rows.jets(&point), point }
+        };
+        cell_rule(true, degree + MORE_POINTS).into_iter().map(weighted).collect()
+    }
+
+    /// Of each load inside cells the strain by so many modes of a cell, where it is known so.
+    fn strains_in_modes(&self, cell: usize, modes: usize) -> Vec<Option<ModeStrain>> {
         let material = self.mesh.cells[cell].material;
         let known = |load: &Load| match load {
             Load::Eigenstrain(eigen) => eigen.in_modes.as_ref().and_then(|strain| strain(cell, material, modes)),
@@ -147,32 +138,40 @@ impl Assembly<'_> {
         self.loads.volume.iter().map(|(_, load)| known(load)).collect()
     }
 
-    /// Adds the loads of strains alike in all directions that are known by the modes of the cell: three products of matrices for all of them.
-    fn add_strains(
-        &self,
-        cell: usize,
-        rows: Rows<'_>,
-        points: &[Weighted],
-        known: &[Option<(Vec<f64>, f64)>],
-        load: &mut Mat<f64>,
-    ) {
-        let found: Vec<(usize, &(Vec<f64>, f64))> =
-            self.loads.volume.iter().zip(known).filter_map(|((case, _), strain)| Some((*case, strain.as_ref()?))).collect();
-        let Some((_, (modes, _))) = found.first() else { return };
-        let values = Mat::from_fn(points.len(), modes.len(), |q, m| points[q].point.modes[m][0]);
-        let coefficients = Mat::from_fn(modes.len(), found.len(), |m, k| found[k].1.0[m]);
-        let mut strains = Mat::from_fn(points.len(), found.len(), |_, k| found[k].1.1);
-        matmul(strains.as_mut(), Accum::Add, values.as_ref(), coefficients.as_ref(), 1.0, Par::Seq);
+    /// Loads of strains alike in all directions that are known by the modes of a cell, on its unsigned modes, a column each.
+    pub(crate) fn strain_columns(&self, cell: usize, local: &LocalModes, strains: &[&ModeStrain]) -> Mat<f64> {
+        let rows = Rows { components: self.space.components, local };
+        let mut load = Mat::<f64>::zeros(rows.components * local.modes, strains.len());
+        if strains.is_empty() {
+            return load;
+        }
+        let unit = |x: f64| self.strain_load(self.mesh.cells[cell].material, x, [1.0, 1.0, 0.0, 1.0]);
+        if !self.mesh.cells[cell].is_triangle() {
+            // They are polynomials: the rule of the element, by which an even strain of a free body causes no stress.
+            let degree = self.space.cell_degree[cell];
+            let grid = Grid::new(self, cell, degree, points_for(degree));
+            let loads: Vec<PointLoad> = (0..grid.len()).map(|q| unit(grid.position(q)[0])).collect();
+            let densities = grid.densities(rows.components, &loads);
+            for (k, (modes, constant)) in strains.iter().enumerate() {
+                let mut values = grid.values(modes);
+                values.iter_mut().for_each(|value| *value += constant);
+                grid.add(rows, &densities, &values, load.col_as_slice_mut(k));
+            }
+            return load;
+        }
+        // Three products of matrices for all of them.
+        let points = self.triangle_points(cell, rows);
+        let values = Mat::from_fn(points.len(), local.position.len(), |q, m| points[q].point.modes[m][0]);
+        let coefficients = Mat::from_fn(local.position.len(), strains.len(), |m, k| strains[k].0[m]);
+        let mut at_points = Mat::from_fn(points.len(), strains.len(), |_, k| strains[k].1);
+        matmul(at_points.as_mut(), Accum::Add, values.as_ref(), coefficients.as_ref(), 1.0, Par::Seq);
         let mut by_strain = Mat::<f64>::zeros(load.nrows(), points.len());
         for (q, Weighted { volume, jets, point, .. }) in points.iter().enumerate() {
-            let factors = self.strain_load(self.mesh.cells[cell].material, point.position[0], [1.0, 1.0, 0.0, 1.0]);
-            rows.add(by_strain.col_as_slice_mut(q), jets, &factors.map(|f| f.map(|f| f * volume)));
+            let factors = unit(point.position[0]).map(|f| f.map(|f| f * volume));
+            rows.add(by_strain.col_as_slice_mut(q), jets, &factors);
         }
-        let mut loads = Mat::<f64>::zeros(load.nrows(), found.len());
-        matmul(loads.as_mut(), Accum::Replace, by_strain.as_ref(), strains.as_ref(), 1.0, Par::Seq);
-        for (k, (case, _)) in found.iter().enumerate() {
-            load.col_as_slice_mut(*case).iter_mut().zip(loads.col_as_slice(k)).for_each(|(sum, one)| *sum += one);
-        }
+        matmul(load.as_mut(), Accum::Replace, by_strain.as_ref(), at_points.as_ref(), 1.0, Par::Seq);
+        load
     }
 
     /// The load of an eigenstrain at a point with this x or r.
@@ -186,13 +185,13 @@ impl Assembly<'_> {
     }
 
     /// A load per volume at a point of a cell.
-    fn point_load(&self, cell: usize, reference: [f64; 2], point: &CellPoint, load: &Load) -> PointLoad {
+    fn point_load(&self, cell: usize, reference: [f64; 2], position: [f64; 2], load: &Load) -> PointLoad {
         let material = self.mesh.cells[cell].material;
         match load {
-            Load::BodyForce(body) => body.at(point.position, material).map(|f| [f / self.unit, 0.0, 0.0]),
+            Load::BodyForce(body) => body.at(position, material).map(|f| [f / self.unit, 0.0, 0.0]),
             Load::Eigenstrain(eigen) => {
-                let strain = (eigen.strain)(&BodyPoint { cell, reference, position: point.position, material });
-                self.strain_load(material, point.position[0], strain)
+                let strain = (eigen.strain)(&BodyPoint { cell, reference, position, material });
+                self.strain_load(material, position[0], strain)
             }
             Load::Traction(_) | Load::PointForce(_) => [[0.0; 3]; 2],
         }

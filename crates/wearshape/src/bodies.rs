@@ -143,18 +143,13 @@ impl Reduced {
     /// Assembles and reduces both bodies.
     pub(crate) fn new(parts: &Parts, clock: Clock) -> Result<(Reduced, Effort), Fault> {
         let (interfaces, effort) = parts.interfaces(clock)?;
+        Ok((Reduced::of(parts, interfaces, effort.counters.clone()), effort))
+    }
+
+    /// Bodies of these parts that are reduced already.
+    pub(crate) fn of(parts: &Parts, interfaces: [InterfaceOperator; 2], counters: Counters) -> Reduced {
         let names = |body: usize| parts.parts[body].support_names.clone();
-        let counters = effort.counters.clone();
-        Ok((
-            Reduced {
-                interfaces,
-                support_names: [names(0), names(1)],
-                meeting: parts.meeting,
-                counters,
-                unit: Default::default(),
-            },
-            effort,
-        ))
+        Reduced { interfaces, support_names: [names(0), names(1)], meeting: parts.meeting, counters, unit: Default::default() }
     }
 
     /// Cells and unknowns of the discretisation.

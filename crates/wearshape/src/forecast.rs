@@ -21,6 +21,10 @@ const TIMES: usize = 3;
 const LONG: f64 = 0.1;
 /// Meshes that find the ends of contact on one level, about.
 const ENDS: f64 = 6.0;
+/// What temperatures take besides displacements on a level with heat, and what the influence of the heat at all its points takes, in multiples of the
+/// level without heat, about: of the built-in scenes with heat.
+const WARM: f64 = 1.0;
+const INFLUENCE: f64 = 1.5;
 
 /// One level of the ladder before it is computed.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -62,6 +66,7 @@ fn forecast(problem: &Problem, options: &Options<'_>) -> Result<Vec<Forecast>, F
     let passes = if matches!(scope, Scope::HalfDisc(..)) { ENDS } else { 1.0 };
     let proof = problem.plan.runs(Step::RoundTrip);
     let contact = problem.plan.runs(Step::Contact) || problem.plan.runs(Step::Evolution);
+    let [warm, influence] = if problem.heat.is_some() { [WARM, INFLUENCE] } else { [0.0; 2] };
     let mut before = 0.0;
     let mut found = Vec::new();
     let in_time = problem.plan.runs(Step::Evolution) && !problem.plan.runs(Step::Contact) && !problem.plan.runs(Step::Shape);
@@ -71,15 +76,18 @@ fn forecast(problem: &Problem, options: &Options<'_>) -> Result<Vec<Forecast>, F
         let (start, level_parts) = (clock(), scope.parts(level)?);
         let meshing = clock() - start;
         let bodies = level_parts.sizes()?;
-        let operations = total(&bodies, contact);
+        let operations = (1.0 + warm) * total(&bodies, contact);
         before += passes * (meshing + operations / rate);
         // The proof is one more level of two degrees more, with a contact solve on each.
         let proved = if proof {
             let finer = Level { degree: (level.degree + 2).min(hpfem::MAX_DEGREE), ..level };
-            meshing + (total(&scope.parts(finer)?.sizes()?, true) + total(&bodies, true) - total(&bodies, false)) / rate
+            let finer = total(&scope.parts(finer)?.sizes()?, true);
+            meshing + ((1.0 + warm + influence) * finer + total(&bodies, true) - total(&bodies, false)) / rate
         } else {
             0.0
         };
+        // The factors on the speed of the reported level.
+        let limits = influence * total(&bodies, true) / rate;
         let sum = |of: fn(&Sizes) -> usize| bodies.iter().map(of).sum();
         found.push(Forecast {
             degree: level.degree,
@@ -89,7 +97,7 @@ fn forecast(problem: &Problem, options: &Options<'_>) -> Result<Vec<Forecast>, F
             trace_dofs: sum(|size| size.kept_unknowns),
             contact_points: bodies.iter().map(|size| size.points).max().unwrap_or(0),
             memory_bytes: bodies.iter().map(|size| size.bytes).sum(),
-            about_seconds: before + proved,
+            about_seconds: before + limits + proved,
         });
     }
     // Other levels of a fixed discretisation serve its error estimate; the last one is the run.

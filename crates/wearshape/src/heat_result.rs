@@ -93,14 +93,17 @@ impl Serialize for SpeedFactor {
 const ALIKE: f64 = 0.01;
 
 impl HeatResult {
-    /// Takes in the factors on the sliding speed. Of those at which the contact is singular it is the least that another mesh has as well; without one
-    /// nothing is said.
+    /// Takes in the factors on the sliding speed. Of those at which the contact is singular it is the least that another mesh has as well; without
+    /// another mesh nothing is said of them.
     pub(crate) fn take_speeds(&mut self, found: &SpeedFactors, other: Option<&SpeedFactors>) {
         let factor = |found: Option<f64>| Some(found.map_or(SpeedFactor::None, SpeedFactor::At));
         self.staggered_limit_speed_factor = factor(found.staggered);
         self.separation_speed_factor = factor(found.separation);
-        let Some(other) = other else { return };
-        let alike = |s: &&f64| other.singular.iter().any(|t| (*s - t).abs() <= ALIKE * t.abs());
+        if other.is_none() && !found.singular.is_empty() {
+            return;
+        }
+        let others = other.map_or(&[][..], |other| &other.singular);
+        let alike = |s: &&f64| others.iter().any(|t| (*s - t).abs() <= ALIKE * t.abs());
         self.critical_speed_factor = factor(found.singular.iter().find(alike).copied());
     }
 

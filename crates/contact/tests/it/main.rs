@@ -8,6 +8,7 @@ mod embedded;
 mod examples;
 mod full_contact;
 mod hertz;
+mod hot;
 mod matrices;
 mod patch;
 mod penalty;

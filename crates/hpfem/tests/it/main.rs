@@ -17,6 +17,7 @@ mod extremes;
 mod gmsh;
 mod heat;
 mod heat_flow;
+mod heated;
 mod input;
 mod join;
 mod kept;

@@ -73,12 +73,12 @@ pub(crate) fn levels<X>(
     Ok((Outcome { stopped, ..outcome }, effort, others.into_iter().nth(reported)))
 }
 
-/// How far two levels are apart: relative differences of the energy, of the pressure (L2 over the inner 95 % of the contact), and of a twist
-/// (0 without one).
+/// How far two levels are apart: relative differences of the energy (0 with heat, whose strains the work of the loads does not know), of the pressure
+/// (L2 over the inner 95 % of the contact), and of a twist (0 without one).
 fn distance(x: &Solved, y: &Solved) -> [f64; 3] {
     let relative = |x: f64, y: f64| if x == y { 0.0 } else { ((x - y) / y).abs() };
     let [first, second] = [x, y].map(|level| level.told.energy.total());
-    let energy = ((first - second) / second).abs();
+    let energy = if y.heat.is_some() { 0.0 } else { ((first - second) / second).abs() };
     [energy, relative_difference(&x.pressure, &y.pressure), x.twist.zip(y.twist).map_or(0.0, |(x, y)| relative(x, y))]
 }
 
@@ -129,7 +129,7 @@ fn report(ladder: &Ladder, mut last: Solved, found: Option<[f64; 3]>, rungs: Vec
     let levels = rungs.len();
     let hot = last.heat.is_some();
     if hot {
-        // The work of the loads tells levels apart, but with thermal strains it is no strain energy.
+        // The work of the loads is no strain energy where there are thermal strains.
         last.told.energy = EnergyResult::default();
     }
     let mut outcome = Outcome {

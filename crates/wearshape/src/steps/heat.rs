@@ -1,5 +1,6 @@
 //! Frictional heat of two bodies that touch: temperatures by the heat of the contact, and the bodies that they bend.
 
+pub(crate) mod bodies;
 pub(crate) mod boundary;
 pub(crate) mod conduction;
 pub(crate) mod contact;

@@ -1,6 +1,6 @@
 //! The proof of a shape: a full Signorini-Coulomb solve on it must give the wanted pressure back.
 
-use contact::{ContactLoad, ContactOperator, ContactSolution, SpeedFactors};
+use contact::{ContactLoad, ContactOperator, ContactSolution};
 use meshing::Cut;
 use scene::Fault;
 use shapeopt::{GapCurve, Shape, SurfacePlace};
@@ -13,6 +13,7 @@ use crate::results::InterfaceResult;
 use crate::steps::answer::Told;
 use crate::steps::diagnosis;
 use crate::steps::heat::following::Following;
+use crate::steps::hot_shape::contact_load;
 use crate::steps::shaper::Shaper;
 
 /// Relative area-weighted L2 difference of two pressures.
@@ -28,19 +29,21 @@ fn wanted(shaper: &Shaper<'_>, operator: &ContactOperator<'_>) -> (Vec<f64>, Vec
 }
 
 /// Round trip on the very operators the shape was found on: a test of the contact solver. With it the condition of its system.
-pub(crate) fn same(shaper: &Shaper<'_>, level: Level, reduced: &Reduced, shape: &Shape) -> Result<Same, Fault> {
+pub(crate) fn same(
+    shaper: &Shaper<'_>,
+    following: Option<&Following<'_>>,
+    reduced: &Reduced,
+    shape: &Shape,
+) -> Result<Same, Fault> {
     let cold = reduced.pair()?;
-    let cut = if shaper.ends.is_empty() { Cut::Plain } else { Cut::Ends(&shaper.ends) };
-    let hot = Following::new(shaper.stage, level, cut)?;
-    let (following, effort) = hot.unzip();
-    let reduced = following.as_ref().map_or(reduced, |following| &*following.reduced);
+    let reduced = following.map_or(reduced, |following| &*following.reduced);
     let pair = reduced.pair()?;
     let operator = reduced.operator(&pair, shaper.stage.friction() > 0.0)?;
     let gap: Vec<f64> = operator.points().iter().map(|p| shape.gap(&cold, p)).collect();
-    let Found { found, load, speeds } = solve(shaper, &operator, &gap, following.as_ref())?;
+    let Found { found, load } = solve(shaper, &operator, &gap, following)?;
     let interface = diagnosis::interface(&operator, &gap, &load, &found)?;
     let (weights, wanted) = wanted(shaper, &operator);
-    Ok(Same { miss: difference(&weights, &found.pressure, &wanted), interface, speeds, effort: effort.unwrap_or_default() })
+    Ok(Same { miss: difference(&weights, &found.pressure, &wanted), interface })
 }
 
 /// What a round trip on the same operators tells.
@@ -48,17 +51,12 @@ pub(crate) struct Same {
     /// Relative difference of the pressure found from the wanted one.
     pub miss: f64,
     pub interface: Option<InterfaceResult>,
-    /// Factors on the sliding speed, with heat alone.
-    pub speeds: Option<SpeedFactors>,
-    pub effort: Effort,
 }
 
 /// What a round trip on an independent discretisation tells.
 pub(crate) struct Independent {
     /// Relative difference of the pressure found from the wanted one.
     pub miss: f64,
-    /// Factors on the sliding speed, with heat alone.
-    pub speeds: Option<SpeedFactors>,
     pub effort: Effort,
 }
 
@@ -78,27 +76,20 @@ pub(crate) fn independent(shaper: &Shaper<'_>, level: Level, shape: &GapCurve, t
     let pair = reduced.pair()?;
     let operator = reduced.operator(&pair, shaper.stage.friction() > 0.0)?;
     let gap: Vec<f64> = operator.points().iter().map(|p| shape.at(p.arc)).collect();
-    let Found { found, speeds, .. } = solve(shaper, &operator, &gap, following.as_ref())?;
+    let Found { found, .. } = solve(shaper, &operator, &gap, following.as_ref())?;
     let (weights, wanted) = wanted(shaper, &operator);
     let (start, length) = (shaper.stage.start(&pair), pair.trace().length());
     for profile in [&mut told.profile, &mut told.curve] {
         profile.pressure_solved =
             profile.s.iter().map(|s| operator.pressure_at(&found.pressure, (s - start).clamp(0.0, length))).collect();
     }
-    Ok(Independent { miss: difference(&weights, &found.pressure, &wanted), speeds, effort })
-}
-
-fn loaded(shaper: &Shaper<'_>, operator: &ContactOperator<'_>) -> ContactLoad {
-    let mut load = shaper.stage.contact_load(operator.points());
-    shaper.add_feed(&mut load);
-    load
+    Ok(Independent { miss: difference(&weights, &found.pressure, &wanted), effort })
 }
 
 /// A contact found on a shape.
 struct Found {
     found: ContactSolution,
     load: ContactLoad,
-    speeds: Option<SpeedFactors>,
 }
 
 fn solve(
@@ -107,14 +98,11 @@ fn solve(
     gap: &[f64],
     following: Option<&Following<'_>>,
 ) -> Result<Found, Fault> {
-    let load = loaded(shaper, operator);
+    let load = contact_load(shaper, operator.points());
     let Some(following) = following else {
         let found = operator.solve(gap, &load, None).map_err(unsolved)?;
-        return Ok(Found { found, load, speeds: None });
+        return Ok(Found { found, load });
     };
     let hot = following.solve(operator, gap, &load)?;
-    // Beyond the critical speed the contact found may be any other: what is closed is where pressure is wanted.
-    let closed: Vec<bool> = operator.points().iter().map(|p| shaper.pressure(&SurfacePlace::from(p)) > 0.0).collect();
-    let speeds = following.speeds(operator, &load, &closed)?;
-    Ok(Found { found: hot.found, load: hot.load, speeds: Some(speeds) })
+    Ok(Found { found: hot.found, load: hot.load })
 }

@@ -17,13 +17,13 @@ use crate::ladder::{Climbed, Ladder, Refusal, climb, missed, rungs};
 use crate::level::Level;
 use crate::machined::{Machined, SurfacePoint};
 use crate::problem::Problem;
-use crate::results::{EnergyResult, ErrorResult, ShapeResult};
+use crate::results::{ErrorResult, ShapeResult};
 use crate::solution::Status;
 use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::answer::{Answer, Outcome, Own, Told};
-use crate::steps::heat::known::{PointHeat, by_pressure, with_heat};
-use crate::steps::heat::report::{Thermal, tell_at};
+use crate::steps::heat::following::Following;
+use crate::steps::hot_shape::{self, HotShape};
 use crate::steps::reported::{Moment, Reported};
 use crate::steps::shaper::{Shaper, unanswered};
 use crate::steps::{pressure, round_trip, tolerance, torsion};
@@ -34,8 +34,11 @@ const SAMPLES: usize = 201;
 /// The same on a fixed discretisation, whose few layers may leave an error that stands up only near the ends.
 const CLOSER: usize = 801;
 
+/// Degrees that the level has less, if there is one, that tells what of the heat of a shape is no property of the mesh.
+const OTHER: usize = 4;
+
 /// One solved level.
-struct Solved {
+struct Solved<'a> {
     level: Level,
     reduced: Arc<Reduced>,
     shape: Shape,
@@ -43,8 +46,8 @@ struct Solved {
     /// Closing velocities of the rigid modes at the samples.
     closing: DMatrix<f64>,
     effort: Effort,
-    /// Heat of the wanted pressure at the contact points.
-    heat: Option<PointHeat>,
+    /// The bodies and the heat of the wanted pressure, of a scene with heat.
+    hot: Option<HotShape<'a>>,
 }
 
 /// What stages before the shape leave to it.
@@ -67,8 +70,9 @@ pub(crate) fn solve(stage: Stage<'_>, before: &Before<'_>, watch: &mut Watch<'_>
     let shaper = Shaper::new(stage, &optimum);
     let ladder = Ladder::of(stage.problem, stage.options, Step::Shape);
     let measure = stage.problem.measure();
-    let distance = |a: &Solved, b: &Solved| [difference_of_gaps(&a.gaps, &b.gaps, &b.closing, measure)];
-    let solve = |level, _: &[Solved], _: &mut Watch<'_>| shaper.level(level).map(ControlFlow::Continue).map_err(Refusal::Fault);
+    let distance = |a: &Solved<'_>, b: &Solved<'_>| [difference_of_gaps(&a.gaps, &b.gaps, &b.closing, measure)];
+    let solve =
+        |level, _: &[Solved<'_>], _: &mut Watch<'_>| shaper.level(level).map(ControlFlow::Continue).map_err(Refusal::Fault);
     let Climbed { solved, mut stopped } = climb(&ladder, Vec::new(), solve, distance, watch)?;
     // A level beside that cannot be meshed or solved tells nothing.
     let beside = ladder.beside(&mut stopped, watch).and_then(|level| shaper.level(level).ok());
@@ -83,7 +87,9 @@ pub(crate) fn solve(stage: Stage<'_>, before: &Before<'_>, watch: &mut Watch<'_>
         if let Some((error, accuracy)) = error.and_then(|error| Some((error, ladder.missed(error)?))) {
             outcome.ended = Some((Status::AccuracyMissed, missed("gap", error, accuracy)));
         }
-        let work = shaper.report(last, before.passes, &mut outcome)?;
+        let coarser = |by: usize| solved.iter().rfind(move |other| other.level.degree + by <= last.level.degree);
+        let other = beside.as_ref().or_else(|| coarser(OTHER)).or_else(|| coarser(1));
+        let work = shaper.report((last, other), before.passes, &mut outcome)?;
         effort += work;
     }
     Ok((outcome, effort))
@@ -112,7 +118,7 @@ fn balanced(problem: &Problem, optimum: &wear::Optimum) -> Option<Problem> {
     Some(problem.with_force(optimum.resultants[push]))
 }
 
-impl Shaper<'_> {
+impl<'a> Shaper<'a> {
     /// Arc lengths at which levels are compared.
     fn samples(&self, pair: &Pair<'_>) -> Vec<f64> {
         let count = if self.stage.problem.wanted.fixed.is_some() { CLOSER } else { SAMPLES };
@@ -121,10 +127,9 @@ impl Shaper<'_> {
     }
 
     /// Solves one level.
-    fn level(&self, level: Level) -> Result<Solved, Fault> {
-        let hot = by_pressure(self.stage, level, &self.ends, &|place| self.pressure(place))?;
-        let (reduced, heat, mut effort) = match hot {
-            Some((known, effort)) => (Arc::new(known.reduced), Some(known.heat), effort),
+    fn level(&self, level: Level) -> Result<Solved<'a>, Fault> {
+        let (reduced, hot, mut effort) = match HotShape::new(self, level)? {
+            Some((hot, reduced, effort)) => (Arc::new(reduced), Some(hot), effort),
             None => {
                 let (reduced, effort) = self.stage.reduced_at(level, &self.ends)?;
                 (reduced, None, effort)
@@ -141,11 +146,16 @@ impl Shaper<'_> {
                 modes[(row, k)] = phi;
             }
         }
-        Ok(Solved { level, reduced, shape, gaps, closing: modes, effort, heat })
+        Ok(Solved { level, reduced, shape, gaps, closing: modes, effort, hot })
     }
 
-    /// Everything that is reported of a level, with its proof.
-    fn report(&self, solved: &Solved, passes: usize, outcome: &mut Outcome) -> Result<Effort, Fault> {
+    /// Everything that is reported of a level, with its proof; another level tells what of its heat is no property of the mesh.
+    fn report(
+        &self,
+        (solved, other): (&Solved<'a>, Option<&Solved<'a>>),
+        passes: usize,
+        outcome: &mut Outcome,
+    ) -> Result<Effort, Fault> {
         let Solved { reduced, shape, gaps, .. } = solved;
         let (stage, pair) = (self.stage, reduced.pair()?);
         let most = (0..gaps.len()).max_by(|a, b| gaps[*a].total_cmp(&gaps[*b])).unwrap_or(0);
@@ -166,47 +176,60 @@ impl Shaper<'_> {
         };
         outcome.machined = stage.options.machining.then(|| self.machined(&pair, shape));
         let mut told = self.told(reduced, &pair, shape);
-        outcome.heat = self.heated(solved, &pair, &mut told)?;
         let mut effort = Effort::default();
-        if stage.problem.plan.runs(Step::RoundTrip) && !outcome.stopped {
+        let following = self.heated((solved, other), (&mut told, &mut effort), outcome)?;
+        // Beyond the critical speed no proof can succeed.
+        let lost = outcome.heat.as_ref().and_then(HeatResult::beyond_critical);
+        if stage.problem.plan.runs(Step::RoundTrip) && !outcome.stopped && lost.is_none() {
             let start = stage.clock()();
             (stage.options.begun)(Step::RoundTrip);
             let curve = GapCurve::of(shape, &pair);
-            let same = round_trip::same(self, solved.level, reduced, shape)?;
+            let same = round_trip::same(self, following.as_ref(), reduced, shape)?;
             result.roundtrip_same = Some(same.miss);
             outcome.interface = same.interface;
             let independent = round_trip::independent(self, solved.level, &curve, &mut told)?;
             result.roundtrip_independent = Some(independent.miss);
-            if let Some((heat, speeds)) = outcome.heat.as_mut().zip(independent.speeds.as_ref()) {
-                heat.take_speeds(speeds, same.speeds.as_ref());
-            }
             // A proof that fails says more than an estimate that is missed: the estimate is then not to be believed either.
             let disproof = disproved([same.miss, independent.miss], outcome.error.gap_relative, !self.ends.is_empty());
             result.proof_failed = disproof.is_some();
-            // Beyond the critical speed no proof can succeed.
-            let lost = outcome.heat.as_ref().and_then(HeatResult::beyond_critical).map(|reason| (Status::Refused, reason));
-            outcome.ended = lost.or(disproof).or(outcome.ended.take());
+            outcome.ended = disproof.or(outcome.ended.take());
             // Its meshes and factorisations are counted, its seconds are those of the proof.
-            effort.counters.factorisations = independent.effort.counters.factorisations + same.effort.counters.factorisations;
+            effort.counters.factorisations = independent.effort.counters.factorisations;
             effort.counters.check_solves = 2;
             effort.add_seconds(Step::RoundTrip, stage.clock()() - start);
         }
+        outcome.ended = lost.map(|reason| (Status::Refused, reason)).or(outcome.ended.take());
         outcome.shape = Some(result);
         outcome.told = Some(told);
         outcome.reported = self.reported(solved, &pair);
         Ok(effort)
     }
 
-    /// Temperatures and powers of a shape with heat, into its columns and as numbers.
-    fn heated(&self, solved: &Solved, pair: &Pair<'_>, told: &mut Told) -> Result<Option<HeatResult>, Fault> {
-        let Some(heat) = &solved.heat else { return Ok(None) };
-        let cold = self.stage.cases().map(|cases| cases.len());
-        let mut factors = with_heat(pair, self.stage.cases());
-        factors.iter_mut().zip(cold).for_each(|(factors, cold)| factors[..cold].fill(0.0));
-        let thermal = Thermal { stage: self.stage, pair, factors };
-        // The work of the loads is no strain energy where there are thermal strains.
-        told.energy = EnergyResult::default();
-        tell_at(self.stage, (solved.level, &self.ends), heat, told, &thermal).map(Some)
+    /// Temperatures and powers of a shape with heat, into its columns and as numbers, with the factors on its speed; returns the bodies bent by heat
+    /// that follows the pressure.
+    fn heated(
+        &self,
+        (solved, other): (&Solved<'a>, Option<&Solved<'a>>),
+        (told, effort): (&mut Told, &mut Effort),
+        outcome: &mut Outcome,
+    ) -> Result<Option<Following<'a>>, Fault> {
+        let Some(hot) = &solved.hot else { return Ok(None) };
+        let start = self.stage.clock()();
+        let pair = solved.reduced.pair()?;
+        let mut result = hot.tell(self, &pair, told)?;
+        let mut following = None;
+        if !outcome.stopped {
+            let own = hot.following()?;
+            let found = hot_shape::speeds(self, &own)?;
+            // Without a speed at which the contact is singular there is nothing to compare.
+            let other = other.and_then(|other| other.hot.as_ref()).filter(|_| !found.singular.is_empty());
+            let other = other.map(|other| hot_shape::speeds(self, &other.following()?)).transpose()?;
+            result.take_speeds(&found, other.as_ref());
+            following = Some(own);
+        }
+        outcome.heat = Some(result);
+        effort.add_seconds(Step::Heat, self.stage.clock()() - start);
+        Ok(following)
     }
 
     /// Energies, reactions and columns of the shape.
@@ -232,13 +255,18 @@ impl Shaper<'_> {
     }
 
     /// What fields and twist need of the last level.
-    fn reported(&self, last: &Solved, pair: &Pair<'_>) -> Option<Reported> {
+    fn reported(&self, last: &Solved<'a>, pair: &Pair<'_>) -> Option<Reported> {
         let points = pair.points();
         let pressure: Vec<f64> = points.iter().map(|p| self.pressure(&SurfacePlace::from(p))).collect();
         let around = torsion::around(self.stage, &points, &pressure);
         let counter = last.shape.counter.clone()?;
         let moments = vec![Moment { time: 0.0, name: "", states: [last.shape.shaped.clone(), counter], around }];
-        Some(Reported { level: last.level, ends: self.ends.clone(), heat: last.heat.clone(), moments })
+        Some(Reported {
+            level: last.level,
+            ends: self.ends.clone(),
+            heat: last.hot.as_ref().map(|hot| hot.heat.clone()),
+            moments,
+        })
     }
 }
 

@@ -13,7 +13,7 @@ use crate::common::{read, scene, solved};
 ///           | body 2 |  k2
 ///   z = -30 +--------+  held at 20 degC
 /// ```
-const SLABS: &str = r#"
+pub(crate) const SLABS: &str = r#"
 units = "N-mm"
 kinematics = "plane-stress"
 thickness = 10
@@ -29,7 +29,7 @@ body2.geometry.rectangle = { x = [0, 60], z = [-30, 0] }
 body2.support = { bottom = ["z"], left = ["x"] }
 body2.heat = { bottom = { temperature = 20 } }
 contact = { edges = ["bottom", "top"], friction = 0.25 }
-sliding = { speed = "100 mm/s" }
+sliding = { speed = "1 mm/s" }
 load = { edge = "top", as = "pressure", force = "600 N" }
 wear = { k = 1e-8, counterface = "congruent" }
 optimum = { functional = "uniform" }
@@ -37,14 +37,14 @@ heat = { share = 0.7 }
 "#;
 
 /// Heat per area: mu p v with 600 N on 60 mm x 10 mm.
-const Q: f64 = 0.25 * 1.0 * 100.0;
+pub(crate) const Q: f64 = 0.25 * 1.0 * 1.0;
 
-fn profile(solution: &Solution) -> &Profile {
+pub(crate) fn profile(solution: &Solution) -> &Profile {
     assert!(matches!(solution.status, Status::Ok | Status::AccuracyMissed), "{:?}", solution.reason);
     solution.profile.as_ref().unwrap()
 }
 
-fn near(found: f64, wanted: f64, tolerance: f64) {
+pub(crate) fn near(found: f64, wanted: f64, tolerance: f64) {
     assert!((found - wanted).abs() <= tolerance * wanted.abs().max(1e-12), "{found:e} for {wanted:e}");
 }
 
@@ -119,7 +119,8 @@ fn conductivities_a_million_times_apart_and_films_of_nothing_and_of_everything()
 
 #[test]
 fn a_drum_that_turns_is_as_warm_as_its_logarithm_says() {
-    let settings = ["accuracy=1e-4", "check=false", "body2.heat={ inner = { temperature = 30 } }", "heat.share=0.1"];
+    let slow = "sliding.omega=0.1";
+    let settings = ["accuracy=1e-4", "check=false", "body2.heat={ inner = { temperature = 30 } }", "heat.share=0.1", slow];
     let solution = solved(&scene("drum-brake-hot", &settings));
     let heat = solution.heat.as_ref().unwrap();
     near(heat.into_body2, 0.9 * heat.friction_power, 1e-12);
@@ -136,9 +137,9 @@ fn distortion_is_proportional_to_the_speed_and_without_expansion_the_shape_is_th
         let solution = solved(&read(SLABS, settings));
         profile(&solution).thermal_displacement[0].clone()
     };
-    let (once, twice) = (unth(&[]), unth(&["sliding.speed=200"]));
+    let (once, twice) = (unth(&[]), unth(&["sliding.speed=2"]));
     let size = once.iter().fold(0.0_f64, |size, u| size.max(u.abs()));
-    assert!(size > 0.1 && once.iter().zip(&twice).all(|(a, b)| (2.0 * a - b).abs() < 1e-9 * size));
+    assert!(size > 0.05 && once.iter().zip(&twice).all(|(a, b)| (2.0 * a - b).abs() < 1e-9 * size));
     let cold = SLABS.replace("heat = { share = 0.7 }\n", "");
     let cold: String = cold.lines().filter(|line| !line.contains(".heat =")).map(|line| format!("{line}\n")).collect();
     let cold = solved(&read(&cold, &[]));

@@ -11,6 +11,7 @@ mod files;
 mod guided;
 mod heat;
 mod heat_wear;
+mod hot_shape;
 mod load;
 mod orthotropic;
 mod own_rule;

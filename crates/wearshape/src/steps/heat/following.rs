@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use contact::faer::Mat;
 use contact::{ContactLoad, ContactOperator, ContactSolution, SharedHeat, SpeedFactors};
-use hpfem::{Eigenstrain, InterfaceState, LoadCase};
 use meshing::Cut;
 use scene::Fault;
 
@@ -15,8 +14,9 @@ use crate::heat::Split;
 use crate::level::Level;
 use crate::stage::Stage;
 use crate::step::Step;
-use crate::steps::heat::known::{HEAT, PointHeat, same_points};
-use crate::steps::heat::warmed::{Second, Surfaces, Warmed, into_bodies, no_field};
+use crate::steps::heat::bodies::HotBodies;
+use crate::steps::heat::known::PointHeat;
+use crate::steps::heat::warmed::{Second, Surfaces, Warmed, into_bodies};
 
 /// Contact solves until the points that conduct are those in contact, and how many of them in which points may begin to conduct.
 const ROUNDS: usize = 60;
@@ -39,8 +39,8 @@ pub(crate) enum Follows {
 pub(crate) struct Following<'a> {
     pub reduced: Arc<Reduced>,
     /// The bodies as problems of temperature.
-    pub warmed: Warmed<'a>,
-    pub(super) surfaces: Surfaces,
+    pub warmed: Arc<Warmed<'a>>,
+    pub(super) surfaces: Arc<Surfaces>,
     pub(super) follows: [Follows; 2],
 }
 
@@ -57,29 +57,23 @@ pub(crate) struct Hot {
 impl<'a> Following<'a> {
     /// Bodies of a level; none of a scene without heat.
     pub(crate) fn new(stage: Stage<'a>, level: Level, cut: Cut<'_>) -> Result<Option<(Following<'a>, Effort)>, Fault> {
-        if stage.problem.heat.is_none() {
-            return Ok(None);
-        }
-        let (parts, mut effort) = stage.parts(level, cut)?;
-        (stage.options.begun)(Step::Heat);
-        let start = stage.clock()();
-        let Some(warmed) = Warmed::new(stage, &parts, level)? else { return Ok(None) };
-        let surfaces = warmed.surfaces(&warmed.pair()?)?;
-        let loads = [loads(&warmed, &surfaces, 0)?, loads(&warmed, &surfaces, 1)?];
+        let Some((bodies, mut effort)) = HotBodies::new(stage, level, cut)? else { return Ok(None) };
+        let following = effort.timed(Step::Heat, stage.clock(), |_| Following::of(&bodies))?;
+        Ok(Some((following, effort)))
+    }
+
+    /// Bodies that are there.
+    pub(crate) fn of(bodies: &HotBodies<'a>) -> Result<Following<'a>, Fault> {
         let follows = [
             Follows::Each,
-            match warmed.second {
+            match bodies.warmed.second {
                 Second::Body(_) => Follows::Each,
                 Second::Drum(_) => Follows::Sum,
                 Second::Fresh(_) => Follows::Nothing,
             },
         ];
-        effort.add_seconds(Step::Heat, stage.clock()() - start);
-        (stage.options.begun)(Step::Factor);
-        let (reduced, work) = Reduced::new(&parts.with_loads(loads), stage.clock())?;
-        effort += work;
-        same_points(&reduced, &surfaces.points)?;
-        Ok(Some((Following { reduced: Arc::new(reduced), warmed, surfaces, follows }, effort)))
+        let (warmed, surfaces) = (Arc::clone(&bodies.warmed), Arc::clone(&bodies.surfaces));
+        Ok(Following { reduced: Arc::new(bodies.by_units()?), warmed, surfaces, follows })
     }
 
     /// The contact of the bodies, pressure and temperature at once: `base` holds the load without heat. What is not found so is followed from the
@@ -206,34 +200,4 @@ pub(super) fn lost(speed: f64) -> String {
     let part = scene::short(speed);
     let what = "frictional heat narrows the contact until no pressure carries the load";
     format!("{what}: the contact of the cold bodies does not last to {part} of the sliding speed; slide more slowly")
-}
-
-/// Thermal loads of a body: of what flows without friction, then of each unit of heat.
-fn loads(warmed: &Warmed<'_>, surfaces: &Surfaces, number: usize) -> Result<Vec<LoadCase>, Fault> {
-    let reference = warmed.heat.reference;
-    let named = |k: usize, strain: Eigenstrain| LoadCase::new(format!("{HEAT} {k}")).with(strain);
-    let (conduction, units) = match (warmed.conduction(number).zip(surfaces.units[number].as_ref()), &warmed.second) {
-        (Some(found), _) => found,
-        (None, Second::Drum(drum)) => {
-            return Ok(vec![LoadCase::new(HEAT).with(drum.strain(0.0, reference)), named(0, drum.unit_strain())]);
-        }
-        (None, Second::Body(_) | Second::Fresh(_)) => return Ok(Vec::new()),
-    };
-    let body = &conduction.body;
-    let still = warmed.states(&warmed.pair()?, &[vec![0.0; surfaces.points.len()], vec![0.0; surfaces.points.len()]]);
-    let columns = body.interface.columns.ncols();
-    let mut states: Vec<InterfaceState> = still[number].iter().cloned().collect();
-    states.extend((0..units.ncols()).map(|j| InterfaceState {
-        unknowns: units.col(j).iter().copied().collect(),
-        factors: vec![0.0; columns],
-        load: hpfem::TraceLoad::default(),
-    }));
-    let expansion = warmed.expansion(number);
-    let fields = body.fields(&states).map_err(no_field)?;
-    let strain = |(k, field): (usize, hpfem::Field)| -> Result<LoadCase, Fault> {
-        let above = if k == 0 { reference } else { 0.0 };
-        let strain = Eigenstrain::of_temperature(&expansion, field, above).map_err(no_field)?;
-        Ok(if k == 0 { LoadCase::new(HEAT).with(strain) } else { named(k - 1, strain) })
-    };
-    fields.into_iter().enumerate().map(strain).collect()
 }

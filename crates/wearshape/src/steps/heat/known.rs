@@ -1,18 +1,12 @@
-//! Bodies bent by the heat of a known pressure: one thermal load a body, with the factor 1.
+//! Bodies bent by a known heat: one thermal load a body, with the factor 1.
 
 use contact::Pair;
 use hpfem::{Eigenstrain, LoadCase};
-use meshing::Cut;
 use scene::Fault;
-use shapeopt::SurfacePlace;
 
 use crate::bodies::Reduced;
-use crate::effort::Effort;
-use crate::level::Level;
 use crate::parts::Parts;
-use crate::stage::Stage;
-use crate::step::Step;
-use crate::steps::heat::warmed::{Second, Warmed, into_bodies, no_field};
+use crate::steps::heat::warmed::{Second, Warmed, no_field};
 
 /// The load case of the temperature, or of the part of it that flows without friction.
 pub(crate) const HEAT: &str = "heat";
@@ -24,42 +18,6 @@ pub(crate) struct PointHeat {
     pub friction: Vec<f64>,
     /// Into each body (mW).
     pub into: [Vec<f64>; 2],
-}
-
-/// Bodies bent by a known heat.
-pub(crate) struct Known {
-    pub reduced: Reduced,
-    pub heat: PointHeat,
-}
-
-/// Bodies of a level under the heat of a pressure that is known at every place; none of a scene without heat.
-pub(crate) fn by_pressure(
-    stage: Stage<'_>,
-    level: Level,
-    ends: &[f64],
-    pressure: &dyn Fn(&SurfacePlace) -> f64,
-) -> Result<Option<(Known, Effort)>, Fault> {
-    if stage.problem.heat.is_none() {
-        return Ok(None);
-    }
-    let (parts, mut effort) = stage.parts(level, if ends.is_empty() { Cut::Plain } else { Cut::Ends(ends) })?;
-    (stage.options.begun)(Step::Heat);
-    let start = stage.clock()();
-    let Some(warmed) = Warmed::new(stage, &parts, level)? else { return Ok(None) };
-    let pair = warmed.pair()?;
-    let surfaces = warmed.surfaces(&pair)?;
-    let forces: Vec<f64> = surfaces.points.iter().map(|p| p.weight * pressure(&SurfacePlace::from(p))).collect();
-    let closed: Vec<bool> = forces.iter().map(|force| *force > 0.0).collect();
-    let friction = surfaces.friction(&forces);
-    let into = into_bodies(&surfaces.shared(warmed.heat, &closed)?, &friction);
-    let heat = PointHeat { friction, into };
-    let parts = under(&warmed, parts, &heat)?;
-    effort.add_seconds(Step::Heat, stage.clock()() - start);
-    (stage.options.begun)(Step::Factor);
-    let (reduced, work) = Reduced::new(&parts, stage.clock())?;
-    effort += work;
-    same_points(&reduced, &surfaces.points)?;
-    Ok(Some((Known { reduced, heat }, effort)))
 }
 
 /// Factors of the load cases of both bodies: those that are no heat's, and 1 for the temperature of bodies that have one.

@@ -2,34 +2,17 @@
 
 use contact::{ContactPoint, Pair, Side};
 use hpfem::{CellGrid, Field, InterfaceState};
-use meshing::Cut;
 use scene::Fault;
 use shapeopt::{Gauge, Integration, RigidPart, Shape, ShapeProblem, solve_shape};
 
 use crate::heat_result::{HeatResult, TooHot};
-use crate::level::Level;
 use crate::profile::Profile;
 use crate::stage::Stage;
 use crate::steps::answer::Told;
 use crate::steps::heat::known::PointHeat;
 use crate::steps::heat::warmed::{Second, Warmed, no_field};
 
-/// Fills in the columns of heat and gives its numbers, at a level with nodes at the ends of a pressure.
-pub(crate) fn tell_at(
-    stage: Stage<'_>,
-    (level, ends): (Level, &[f64]),
-    heat: &PointHeat,
-    told: &mut Told,
-    thermal: &Thermal<'_>,
-) -> Result<HeatResult, Fault> {
-    let (parts, _) = stage.parts(level, if ends.is_empty() { Cut::Plain } else { Cut::Ends(ends) })?;
-    match Warmed::new(stage, &parts, level)? {
-        Some(warmed) => tell(&warmed, heat, told, thermal),
-        None => Ok(HeatResult::default()),
-    }
-}
-
-/// The same on bodies that are there.
+/// Fills in the columns of heat and gives its numbers.
 pub(crate) fn tell(warmed: &Warmed<'_>, heat: &PointHeat, told: &mut Told, thermal: &Thermal<'_>) -> Result<HeatResult, Fault> {
     let warm_pair = warmed.pair()?;
     let states = warmed.states(&warm_pair, &heat.into);

@@ -1,0 +1,119 @@
+//! Loads per volume on the modes of a quadrilateral: sums over the modes of one direction after the other.
+//!
+//! With the shape functions `N_i` and their slopes at the points of each direction, a load `f . [phi, phi_x, phi_z]` per volume on the mode
+//! `phi = N_i(xi) N_j(eta)` is `N_i G_0 N_j + N_i' G_1 N_j + N_i G_2 N_j'`, where `G_k` hold `f` on the grid of points, brought to the coordinates of the
+//! cell.
+
+use crate::assembly::Assembly;
+use crate::element::{CellGeometry, cell_geometry};
+use crate::legendre::shape_functions;
+use crate::point_load::{PointLoad, Rows};
+use crate::quadrature::gauss;
+use faer::linalg::matmul::matmul;
+use faer::{Accum, Mat, Par};
+
+/// The points of integration of a quadrilateral, a grid.
+pub(crate) struct Grid {
+    /// Reference coordinates along each direction.
+    pub(crate) points: Vec<f64>,
+    /// Shape functions and their slopes at the points of a direction, `points x functions`.
+    shapes: [Mat<f64>; 2],
+    geometry: CellGeometry,
+    /// The part of the volume that each point stands for.
+    pub(crate) volume: Vec<f64>,
+}
+
+impl Grid {
+    /// The grid of a cell of a degree, with so many points along each direction.
+    pub(crate) fn new(assembly: &Assembly<'_>, cell: usize, degree: usize, points: usize) -> Grid {
+        let rule = gauss(points);
+        let geometry = cell_geometry(assembly.mesh, cell, &rule.points, &rule.points);
+        let functions: Vec<_> = rule.points.iter().map(|x| shape_functions(degree, *x)).collect();
+        let values = Mat::from_fn(points, degree + 1, |q, i| functions[q].0[i]);
+        let slopes = Mat::from_fn(points, degree + 1, |q, i| functions[q].1[i]);
+        let measured = |q: usize| {
+            let [[xx, xe], [zx, ze]] = geometry.derivative[q];
+            let weight = rule.weights[q % points] * rule.weights[q / points];
+            weight * (xx * ze - xe * zx) * assembly.kinematics.measure(geometry.position[q][0])
+        };
+        let volume = (0..points * points).map(measured).collect();
+        Grid { points: rule.points, shapes: [values, slopes], geometry, volume }
+    }
+
+    /// Number of points.
+    pub(crate) fn len(&self) -> usize {
+        self.volume.len()
+    }
+
+    /// Reference coordinates of a point.
+    pub(crate) fn reference(&self, q: usize) -> [f64; 2] {
+        [self.points[q % self.points.len()], self.points[q / self.points.len()]]
+    }
+
+    /// Position of a point.
+    pub(crate) fn position(&self, q: usize) -> [f64; 2] {
+        self.geometry.position[q]
+    }
+
+    /// Values at the points of a sum of modes, by their coefficients in the numbering of
+    /// [`LocalModes::position`](crate::basis::LocalModes::position).
+    pub(crate) fn values(&self, coefficients: &[f64]) -> Vec<f64> {
+        let [shapes, _] = &self.shapes;
+        let (nq, n) = (shapes.nrows(), shapes.ncols());
+        let by_modes = faer::MatRef::from_column_major_slice(coefficients, n, n);
+        let mut along = Mat::<f64>::zeros(nq, n);
+        matmul(along.as_mut(), Accum::Replace, shapes.as_ref(), by_modes, 1.0, Par::Seq);
+        let mut values = vec![0.0; nq * nq];
+        let out = faer::MatMut::from_column_major_slice_mut(&mut values, nq, nq);
+        matmul(out, Accum::Replace, along.as_ref(), shapes.transpose(), 1.0, Par::Seq);
+        values
+    }
+
+    /// Loads at the points, each times its volume, in the coordinates of the cell: for each component `G_0, G_1, G_2`.
+    pub(crate) fn densities(&self, components: usize, loads: &[PointLoad]) -> Vec<[Mat<f64>; 3]> {
+        let nq = self.points.len();
+        let of = |component: usize| {
+            let mut densities = [(); 3].map(|()| Mat::<f64>::zeros(nq, nq));
+            for (q, load) in loads.iter().enumerate() {
+                let [[xx, xe], [zx, ze]] = self.geometry.derivative[q];
+                let (volume, jacobian) = (self.volume[q], xx * ze - xe * zx);
+                let [f, fx, fz] = load[component];
+                let along = [f, (fx * ze - fz * xe) / jacobian, (fz * xx - fx * zx) / jacobian];
+                densities.iter_mut().zip(along).for_each(|(g, value)| g.col_as_slice_mut(q / nq)[q % nq] = volume * value);
+            }
+            densities
+        };
+        (0..components).map(of).collect()
+    }
+
+    /// Adds loads with these densities, times a factor at each point, to a column.
+    pub(crate) fn add(&self, rows: Rows<'_>, densities: &[[Mat<f64>; 3]], factors: &[f64], column: &mut [f64]) {
+        let [values, slopes] = &self.shapes;
+        let (nq, n) = (values.nrows(), values.ncols());
+        let mut scaled = Mat::<f64>::zeros(nq, nq);
+        // Rows: modes along xi. Columns: points, then modes, along eta.
+        let mut along = Mat::<f64>::zeros(n, nq);
+        let mut sum = Mat::<f64>::zeros(n, n);
+        for (component, [value, by_xi, by_eta]) in densities.iter().enumerate() {
+            let mut scale = |density: &Mat<f64>, shapes: &Mat<f64>, accumulate: Accum, along: &mut Mat<f64>| {
+                for (j, factors) in factors.chunks_exact(nq).enumerate() {
+                    let both = density.col_as_slice(j).iter().zip(factors);
+                    scaled.col_as_slice_mut(j).iter_mut().zip(both).for_each(|(out, (g, factor))| *out = g * factor);
+                }
+                matmul(along.as_mut(), accumulate, shapes.transpose(), scaled.as_ref(), 1.0, Par::Seq);
+            };
+            scale(by_xi, slopes, Accum::Replace, &mut along);
+            // In the plane a strain has no part along the value.
+            if value.col_iter().any(|column| column.iter().any(|v| *v != 0.0)) {
+                scale(value, values, Accum::Add, &mut along);
+            }
+            matmul(sum.as_mut(), Accum::Replace, along.as_ref(), values.as_ref(), 1.0, Par::Seq);
+            scale(by_eta, values, Accum::Replace, &mut along);
+            matmul(sum.as_mut(), Accum::Add, along.as_ref(), slopes.as_ref(), 1.0, Par::Seq);
+            let modes = sum.col_iter().flat_map(|column| column.iter().copied());
+            for (value, mode) in modes.zip(&rows.local.position).filter(|(_, mode)| **mode != usize::MAX) {
+                column[rows.row(*mode, component)] += value;
+            }
+        }
+    }
+}

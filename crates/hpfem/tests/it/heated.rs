@@ -1,0 +1,97 @@
+//! Temperatures as load cases of a body that is reduced already: the body made with each of them.
+
+use crate::common::*;
+use crate::heat::conduction;
+use faer::Mat;
+use hpfem::*;
+
+const REFERENCE: f64 = 20.0;
+const EXPANSION: [f64; 1] = [1.2e-5];
+
+/// An elastic body with prescribed displacements and loads of its own, one of them inside and one that came later.
+fn cold(mesh: &Mesh, kinematics: Kinematics) -> BodyProblem {
+    let supports = [Support::hold("left", Direction::First), Support::moved("left", Direction::Second, 1e-4)];
+    problem(mesh, 5, kinematics, &steel(), &supports, &[], Some("right"))
+        .load("shear", traction("top", |p| [p.position[0], 0.0]))
+        .load("shear", BodyForce::new(|x| [0.0, x[0]]))
+}
+
+fn later() -> LoadCase {
+    LoadCase::new("weight").with(BodyForce::new(|x| [x[1] * x[0], -2.0]))
+}
+
+/// The body of temperature, held at 35 degC below and warmed above.
+fn temperature(mesh: &Mesh, kinematics: Kinematics) -> Body {
+    let problem = conduction(mesh, 5, kinematics).material(Material::conductor(1.4).unwrap());
+    let problem = problem.support(Support::moved("bottom", Direction::First, 35.0)).keep("right");
+    Body::new(problem.load("0", traction("top", |p| [p.position[0], 0.0]))).unwrap()
+}
+
+/// As many states under heat into the kept boundary; the first is that without any.
+fn cases(body: &Body, many: usize) -> Vec<TemperatureCase> {
+    let operator = &body.interface;
+    let n = operator.stiffness.nrows();
+    let state = |k: usize| {
+        let value = |i: usize| if k == 0 { 0.0 } else { ((3 * i + 7 * k) as f64).sin() };
+        let load = TraceLoad { unknowns: (0..n).map(value).collect(), ..TraceLoad::default() };
+        let mut factors = operator.factors_in_order(&[if k == 0 { 1.0 } else { 0.0 }]);
+        factors[operator.prescribed_column()] = if k == 0 { 1.0 } else { 0.0 };
+        InterfaceState { unknowns: operator.solve_one(&operator.right_hand_side(&load, &factors)), factors, load }
+    };
+    let reference = |k: usize| if k == 0 { REFERENCE } else { 0.0 };
+    (0..many).map(|k| TemperatureCase { name: format!("heat {k}"), state: state(k), reference: reference(k) }).collect()
+}
+
+fn same(a: &Mat<f64>, b: &Mat<f64>, what: &str) {
+    let difference = (a - b).norm_max();
+    assert!(difference <= 1e-10 * b.norm_max(), "{what}: {difference:.1e} of {:.1e}", b.norm_max());
+}
+
+#[test]
+fn temperatures_as_load_cases_give_what_a_body_made_with_them_gives() {
+    for (kinematics, left) in [(PLANE_STRESS, 0.0), (PLANE_STRAIN, 0.0), (Kinematics::Axisymmetric, 0.0)] {
+        for mesh in [patch([3, 2, 0, 1], Shape::Arcs, left), mixed([1, 3, 2, 0], Shape::Polynomial(3), left)] {
+            // Fewer temperatures than a cell has unknowns on its boundary, and more.
+            for many in [1, 3, 26] {
+                let warm = temperature(&mesh, kinematics);
+                let cases = cases(&warm, many);
+                let mut body = Body::new(cold(&mesh, kinematics)).unwrap();
+                body.add_load(later()).unwrap();
+                let found = body.heated(&warm, &cases, &EXPANSION).unwrap();
+                let mut problem = cold(&mesh, kinematics);
+                problem.load_cases.push(later());
+                for case in &cases {
+                    let field = warm.field(&case.state).unwrap();
+                    let strain = Eigenstrain::of_temperature(&EXPANSION, field, case.reference).unwrap();
+                    problem.load_cases.push(LoadCase::new(case.name.clone()).with(strain));
+                }
+                let whole = Body::new(problem).unwrap().interface;
+                assert_eq!(found.load_cases, whole.load_cases);
+                let hot = |m: &Mat<f64>, rows: usize| m.submatrix(0, 2, rows, many).to_owned();
+                let rows = whole.columns.nrows();
+                same(&hot(&found.columns, rows), &hot(&whole.columns, rows), "columns");
+                same(&hot(&found.work, 2), &hot(&whole.work, 2), "work");
+                let (mut parts, wanted) = (found.into_parts(), whole.into_parts());
+                same(&hot(&parts.reaction_constant, 6), &hot(&wanted.reaction_constant, 6), "reactions");
+                // The work of reactions and prescribed displacements with heat is known, that of heat with heat is not.
+                let between = parts.work.as_mut().submatrix_mut(2, 2, many, many);
+                assert!(between.col_iter().flat_map(|column| column.iter()).all(|work| work.is_nan()));
+                let [rest, expected] = [&parts.work, &wanted.work].map(|m| m.submatrix(2 + many, 2, 7, many).to_owned());
+                same(&rest, &expected, "work of prescribed displacements and reactions");
+            }
+        }
+    }
+}
+
+#[test]
+fn temperatures_of_another_mesh_or_with_sources_are_refused() {
+    let (mesh, other) = (patch([0; 4], Shape::Straight, 0.0), mixed([0; 4], Shape::Straight, 0.0));
+    let body = Body::new(cold(&mesh, PLANE_STRESS)).unwrap();
+    let warm = temperature(&other, PLANE_STRESS);
+    assert!(matches!(body.heated(&warm, &cases(&warm, 2), &EXPANSION), Err(Error::Count { .. })));
+    let problem = conduction(&mesh, 5, PLANE_STRESS).material(Material::conductor(1.4).unwrap());
+    let problem = problem.support(Support::moved("bottom", Direction::First, 35.0)).keep("right");
+    let source = Body::new(problem.load("0", BodyForce::new(|x| [x[0], 0.0]))).unwrap();
+    assert!(matches!(body.heated(&source, &cases(&source, 2), &EXPANSION), Err(Error::NoMeaning { .. })));
+    assert!(matches!(body.heated(&body, &[], &EXPANSION), Err(Error::NoMeaning { .. })));
+}

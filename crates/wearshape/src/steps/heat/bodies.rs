@@ -1,0 +1,134 @@
+//! Both bodies of a level, factorised once as problems of temperature and of displacement: what temperatures do to them comes as load cases.
+
+use std::sync::Arc;
+
+use hpfem::{Body, Eigenstrain, InterfaceOperator, InterfaceState, LoadCase, TemperatureCase, TraceLoad};
+use meshing::Cut;
+use scene::Fault;
+
+use crate::bodies::Reduced;
+use crate::effort::{Counters, Effort};
+use crate::level::Level;
+use crate::parts::Parts;
+use crate::stage::Stage;
+use crate::step::Step;
+use crate::steps::heat::known::{HEAT, PointHeat, same_points};
+use crate::steps::heat::warmed::{Second, Surfaces, Warmed, no_field};
+
+/// Both bodies of a level.
+pub(crate) struct HotBodies<'a> {
+    /// As problems of temperature.
+    pub warmed: Arc<Warmed<'a>>,
+    /// What heat at the contact points does.
+    pub surfaces: Arc<Surfaces>,
+    parts: Parts,
+    /// Without heat.
+    cold: [Body; 2],
+    counters: Counters,
+}
+
+/// Temperatures of a body as load cases.
+enum Temperatures {
+    /// Of its own temperature field.
+    Fields(Vec<TemperatureCase>),
+    /// Known at every place.
+    Strains(Vec<Eigenstrain>),
+}
+
+impl<'a> HotBodies<'a> {
+    /// Bodies of a level; none of a scene without heat.
+    pub(crate) fn new(stage: Stage<'a>, level: Level, cut: Cut<'_>) -> Result<Option<(HotBodies<'a>, Effort)>, Fault> {
+        if stage.problem.heat.is_none() {
+            return Ok(None);
+        }
+        let (parts, mut effort) = stage.parts(level, cut)?;
+        (stage.options.begun)(Step::Heat);
+        let start = stage.clock()();
+        let Some(warmed) = Warmed::new(stage, &parts, level)? else { return Ok(None) };
+        let surfaces = warmed.surfaces(&warmed.pair()?)?;
+        effort.add_seconds(Step::Heat, stage.clock()() - start);
+        (stage.options.begun)(Step::Factor);
+        let (cold, work) = parts.reduce(stage.clock())?;
+        let counters = work.counters.clone();
+        effort += work;
+        Ok(Some((HotBodies { warmed: Arc::new(warmed), surfaces: Arc::new(surfaces), parts, cold, counters }, effort)))
+    }
+
+    /// The bodies with one load each, of their temperature under heat at the contact points.
+    pub(crate) fn under(&self, heat: &PointHeat) -> Result<Reduced, Fault> {
+        let (warmed, reference) = (&self.warmed, self.warmed.heat.reference);
+        let of = |number: usize, state: Option<InterfaceState>| match (state, &warmed.second) {
+            (Some(state), _) => Temperatures::Fields(vec![TemperatureCase { name: HEAT.to_string(), state, reference }]),
+            (None, Second::Drum(drum)) if number == 1 => {
+                Temperatures::Strains(vec![drum.strain(heat.into[1].iter().sum(), reference)])
+            }
+            (None, _) => Temperatures::Strains(Vec::new()),
+        };
+        let [first, second] = warmed.states(&warmed.pair()?, &heat.into);
+        self.with([of(0, first), of(1, second)])
+    }
+
+    /// The bodies with a load of what flows without friction, then one of each unit of heat at the contact points, or of all heat alike.
+    pub(crate) fn by_units(&self) -> Result<Reduced, Fault> {
+        let (warmed, reference) = (&self.warmed, self.warmed.heat.reference);
+        let of = |number: usize, still: Option<InterfaceState>| match (still, &warmed.second) {
+            (Some(still), _) => {
+                let units = self.unit_cases(number, still.factors.len());
+                let still = TemperatureCase { name: HEAT.to_string(), state: still, reference };
+                Temperatures::Fields(std::iter::once(still).chain(units).collect())
+            }
+            (None, Second::Drum(drum)) if number == 1 => {
+                Temperatures::Strains(vec![drum.strain(0.0, reference), drum.unit_strain()])
+            }
+            (None, _) => Temperatures::Strains(Vec::new()),
+        };
+        let none = vec![0.0; self.surfaces.points.len()];
+        let [first, second] = warmed.states(&warmed.pair()?, &[none.clone(), none]);
+        self.with([of(0, first), of(1, second)])
+    }
+
+    /// The temperatures by a unit of heat at each contact point, of a body of temperature with so many columns.
+    fn unit_cases(&self, number: usize, columns: usize) -> impl Iterator<Item = TemperatureCase> {
+        let units = self.surfaces.units[number].iter().flat_map(|units| units.col_iter());
+        units.enumerate().map(move |(k, column)| TemperatureCase {
+            name: unit_name(k),
+            state: InterfaceState {
+                unknowns: column.iter().copied().collect(),
+                factors: vec![0.0; columns],
+                load: TraceLoad::default(),
+            },
+            reference: 0.0,
+        })
+    }
+
+    /// The reduced bodies with the loads of temperatures.
+    fn with(&self, [first, second]: [Temperatures; 2]) -> Result<Reduced, Fault> {
+        let interfaces = [self.interface(0, first)?, self.interface(1, second)?];
+        let reduced = Reduced::of(&self.parts, interfaces, self.counters.clone());
+        same_points(&reduced, &self.surfaces.points)?;
+        Ok(reduced)
+    }
+
+    fn interface(&self, number: usize, temperatures: Temperatures) -> Result<InterfaceOperator, Fault> {
+        let cold = &self.cold[number];
+        match (temperatures, self.warmed.conduction(number)) {
+            (Temperatures::Fields(cases), Some(conduction)) => {
+                cold.heated(&conduction.body, &cases, &self.warmed.expansion(number)).map_err(no_field)
+            }
+            (Temperatures::Strains(strains), _) if !strains.is_empty() => {
+                let mut hot = cold.clone();
+                for (k, strain) in strains.into_iter().enumerate() {
+                    let name = k.checked_sub(1).map_or(HEAT.to_string(), unit_name);
+                    hot.add_load(LoadCase::new(name).with(strain)).map_err(no_field)?;
+                }
+                Ok(hot.interface)
+            }
+            (Temperatures::Fields(_) | Temperatures::Strains(_), _) => Ok(cold.interface.clone()),
+        }
+    }
+}
+
+/// Name of the load case of a unit of heat.
+fn unit_name(k: usize) -> String {
+    format!("{HEAT} {k}")
+}

@@ -1,0 +1,78 @@
+//! What frictional heat is to a shape: bodies bent by the heat of the wanted pressure, and the factors on the sliding speed that the shape bears.
+
+use contact::{ContactLoad, Pair, SpeedFactors};
+use meshing::Cut;
+use scene::Fault;
+use shapeopt::SurfacePlace;
+
+use crate::bodies::Reduced;
+use crate::effort::Effort;
+use crate::heat_result::HeatResult;
+use crate::level::Level;
+use crate::results::EnergyResult;
+use crate::step::Step;
+use crate::steps::answer::Told;
+use crate::steps::heat::bodies::HotBodies;
+use crate::steps::heat::following::Following;
+use crate::steps::heat::known::{PointHeat, with_heat};
+use crate::steps::heat::report::{Thermal, tell};
+use crate::steps::heat::warmed::into_bodies;
+use crate::steps::shaper::Shaper;
+
+/// Bodies of a level and the heat of the wanted pressure.
+pub(crate) struct HotShape<'a> {
+    bodies: HotBodies<'a>,
+    /// Heat at the contact points.
+    pub heat: PointHeat,
+}
+
+impl<'a> HotShape<'a> {
+    /// The bodies of a level as they are, and bent by the heat of the wanted pressure; none of a scene without heat.
+    pub(crate) fn new(shaper: &Shaper<'a>, level: Level) -> Result<Option<(HotShape<'a>, Reduced, Effort)>, Fault> {
+        let (stage, ends) = (shaper.stage, &shaper.ends);
+        let made = HotBodies::new(stage, level, if ends.is_empty() { Cut::Plain } else { Cut::Ends(ends) })?;
+        let Some((bodies, mut effort)) = made else { return Ok(None) };
+        let (heat, reduced) = effort.timed(Step::Heat, stage.clock(), |_| {
+            let surfaces = &bodies.surfaces;
+            let forces: Vec<f64> = surfaces.points.iter().map(|p| p.weight * shaper.pressure(&SurfacePlace::from(p))).collect();
+            let closed: Vec<bool> = forces.iter().map(|force| *force > 0.0).collect();
+            let friction = surfaces.friction(&forces);
+            let into = into_bodies(&surfaces.shared(bodies.warmed.heat, &closed)?, &friction);
+            let heat = PointHeat { friction, into };
+            let reduced = bodies.under(&heat)?;
+            Ok::<_, Fault>((heat, reduced))
+        })?;
+        Ok(Some((HotShape { bodies, heat }, reduced, effort)))
+    }
+
+    /// The bodies bent by heat that follows the pressure.
+    pub(crate) fn following(&self) -> Result<Following<'a>, Fault> {
+        Following::of(&self.bodies)
+    }
+
+    /// Temperatures and powers of the shape on its pair, into its columns and as numbers.
+    pub(crate) fn tell(&self, shaper: &Shaper<'_>, pair: &Pair<'_>, told: &mut Told) -> Result<HeatResult, Fault> {
+        let cold = shaper.stage.cases().map(|cases| cases.len());
+        let mut factors = with_heat(pair, shaper.stage.cases());
+        factors.iter_mut().zip(cold).for_each(|(factors, cold)| factors[..cold].fill(0.0));
+        let thermal = Thermal { stage: shaper.stage, pair, factors };
+        // The work of the loads is no strain energy where there are thermal strains.
+        told.energy = EnergyResult::default();
+        tell(&self.bodies.warmed, &self.heat, told, &thermal)
+    }
+}
+
+/// Factors on the sliding speed of a shape, whose closed points are those where pressure is wanted.
+pub(crate) fn speeds(shaper: &Shaper<'_>, following: &Following<'_>) -> Result<SpeedFactors, Fault> {
+    let pair = following.reduced.pair()?;
+    let operator = following.reduced.operator(&pair, shaper.stage.friction() > 0.0)?;
+    let closed: Vec<bool> = operator.points().iter().map(|p| shaper.pressure(&SurfacePlace::from(p)) > 0.0).collect();
+    following.speeds(&operator, &contact_load(shaper, operator.points()), &closed)
+}
+
+/// Load of a contact on the shape, with the worn motions of its wear.
+pub(crate) fn contact_load(shaper: &Shaper<'_>, points: &[contact::ContactPoint]) -> ContactLoad {
+    let mut load = shaper.stage.contact_load(points);
+    shaper.add_feed(&mut load);
+    load
+}

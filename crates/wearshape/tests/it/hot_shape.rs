@@ -1,0 +1,138 @@
+//! Hot shapes: where there is none, bodies of revolution and a counter-face that always arrives fresh, against closed forms.
+
+use std::ops::ControlFlow;
+
+use wearshape::{Bodies, Options, Problem, Solution, SpeedFactor, Status, solve};
+
+use crate::common::{read, scene, solved};
+use crate::heat::{Q, SLABS, near, profile};
+
+/// Two bodies of revolution on each other that hardly slide, each at a temperature of its own.
+const DISCS: &str = r#"
+units = "N-mm"
+kinematics = "axisymmetric"
+tasks = ["shape"]
+check = false
+mesh = { degree = 6, layers = 0 }
+body1.material = { young = "200 GPa", poisson = 0.3, conductivity = "40 W/(m K)", expansion = "12e-6 1/K" }
+body1.geometry.rectangle = { x = [20, 60], z = [0, 10] }
+body1.heat = { top = { temperature = 120 } }
+body2.material = { young = "100 GPa", poisson = 0.25, conductivity = "8 W/(m K)", expansion = "20e-6 1/K" }
+body2.geometry.rectangle = { x = [20, 60], z = [-15, 0] }
+body2.support = { bottom = ["z"] }
+body2.heat = { bottom = { temperature = 70 } }
+contact = { edges = ["bottom", "top"], friction = 0.25 }
+sliding = { omega = 1e-12 }
+load = { edge = "top", as = "pressure", force = "600 N" }
+wear = { k = 1e-8, counterface = "congruent" }
+optimum = { functional = "uniform" }
+heat = { share = 0.5 }
+"#;
+
+fn ended(problem: &Problem) -> Solution {
+    solve(problem, &Options::default(), &Bodies::default(), &mut |_| ControlFlow::Continue(())).unwrap()
+}
+
+fn refused(solution: &Solution, words: &str) {
+    assert_eq!(solution.status, Status::Refused, "{:?}", solution.reason);
+    assert!(solution.reason.as_deref().is_some_and(|reason| reason.contains(words)), "{:?}", solution.reason);
+}
+
+#[test]
+fn a_shape_beyond_the_critical_speed_is_refused_with_and_without_its_proof() {
+    for mesh in [&["accuracy=1e-3"][..], &["mesh.degree=6", "mesh.layers=5"]] {
+        for (speed, check) in [("5", "check=false"), ("5000", "check=false"), ("5", "check=true")] {
+            let speed = format!("sliding.omega={speed}");
+            let solution = ended(&scene("drum-brake-hot", &[mesh, &[&speed, check]].concat()));
+            refused(&solution, "beyond the critical one");
+        }
+    }
+}
+
+#[test]
+fn a_shape_has_its_critical_speed_with_and_without_its_proof() {
+    let factors = |check: &str| {
+        let heat = solved(&scene("drum-brake-hot", &["accuracy=1e-3", check])).heat.unwrap();
+        (heat.staggered_limit_speed_factor, heat.separation_speed_factor, heat.critical_speed_factor)
+    };
+    let found = factors("check=false");
+    assert_eq!(found, factors("check=true"));
+    assert!(matches!(found.2, Some(SpeedFactor::At(factor)) if (factor / 1.751 - 1.0).abs() < 1e-2), "{found:?}");
+}
+
+#[test]
+fn a_thousand_times_the_speed_at_which_surfaces_separate_there_is_no_answer() {
+    let solution = solved(&scene("clutch-hot", &["accuracy=1e-3", "check=false"]));
+    let Some(SpeedFactor::At(factor)) = solution.heat.unwrap().separation_speed_factor else { panic!("no speed") };
+    let speed = format!("sliding.omega={}", 2e3 * factor);
+    refused(&ended(&scene("clutch-hot", &["tasks=[contact]", "accuracy=1e-3", &speed])), "slide more slowly");
+    refused(&ended(&scene("clutch-hot", &["tasks=[shape]", "accuracy=1e-3", &speed])), "beyond the critical one");
+}
+
+#[test]
+fn a_counter_face_that_arrives_fresh_takes_its_share_away_and_is_not_distorted() {
+    let settings = ["heat.counterface=fresh", "body2.heat={ bottom = { temperature = 50 } }"];
+    for (split, into) in [
+        ("heat.share=0.7", 0.7 * Q),
+        ("heat={ conductance = 0.05, counterface = \"fresh\" }", (0.5 * Q + 0.05 * 30.0) / 1.05),
+        ("heat={ conductance = \"inf\", counterface = \"fresh\" }", 30.0),
+    ] {
+        // Body 2 needs no conductivity: its temperature is that at which it arrives.
+        let material = "body2.material={ young = \"100 GPa\", poisson = 0.25 }";
+        let solution = solved(&read(SLABS, &[&settings[..], &[material, split]].concat()));
+        let (heat, profile) = (solution.heat.as_ref().unwrap(), profile(&solution));
+        // Heat flows through body 1 between its source and its top at 20 degC: 1 K for each mW/mm^2.
+        for k in 0..profile.s.len() {
+            near(profile.heat[0][k], into, 1e-9);
+            near(profile.heat[1][k], Q - into, 1e-9);
+            near(profile.temperature[0][k], 20.0 + into, 1e-9);
+            near(profile.temperature[1][k], 50.0, 1e-12);
+            assert_eq!(profile.thermal_displacement[1][k], 0.0);
+        }
+        near(heat.into_body2, (Q - into) * 600.0, 1e-9);
+        assert!(heat.balance.unwrap() < 1e-11, "{heat:?}");
+    }
+}
+
+#[test]
+fn an_even_temperature_of_a_free_disc_or_annulus_moves_its_surface_evenly() {
+    for inner in [20.0, 0.0] {
+        let bodies = [("body1", "[0, 10]"), ("body2", "[-15, 0]")]
+            .map(|(body, z)| format!("{body}.geometry.rectangle={{ x = [{inner}, 60], z = {z} }}"));
+        let solution = solved(&read(DISCS, &[&bodies[0], &bodies[1]]));
+        let profile = profile(&solution);
+        for k in 0..profile.s.len() {
+            near(profile.temperature[0][k], 120.0, 1e-9);
+            near(profile.temperature[1][k], 70.0, 1e-9);
+            // Body 1 grows downwards from where it is loaded, body 2 upwards from where it stands.
+            near(profile.thermal_displacement[0][k], -1e3 * 12e-6 * 100.0 * 10.0, 1e-8);
+            near(profile.thermal_displacement[1][k], 1e3 * 20e-6 * 50.0 * 15.0, 1e-8);
+        }
+    }
+}
+
+/// A thin ring, warm inside: `T = A + B ln r`, and it is thicker by `h alpha ((1 + nu) T - nu T_mean)`, as in plane stress (Timoshenko and Goodier,
+/// art. 150), but for its rims.
+#[test]
+fn a_thin_ring_that_is_warm_inside_is_as_warm_as_its_logarithm_says_and_grows_so() {
+    let settings = [
+        "body1.geometry.rectangle={ x = [20, 60], z = [0, 1] }",
+        "body1.heat={ left = { temperature = 100 }, right = { temperature = 20 } }",
+        "mesh={ degree = 14, layers = 2 }",
+    ];
+    let solution = solved(&read(DISCS, &settings));
+    let profile = profile(&solution);
+    let rise = |r: f64| 80.0 * (60.0 / r).ln() / 3_f64.ln();
+    // Mean of the area: 2 / (b^2 - a^2) times the integral of (T - T_0) r.
+    let mean = 80.0 / 3_f64.ln() * (0.5 - 400.0 * 3_f64.ln() / (3600.0 - 400.0));
+    let thicker = |r: f64| 1e3 * 12e-6 * (1.3 * rise(r) - 0.3 * mean);
+    for (k, r) in profile.s.iter().enumerate() {
+        near(profile.temperature[0][k], 20.0 + rise(*r), 1e-7);
+        if (26.0..54.0).contains(r) {
+            // Half of it below, and the mean of the other half above, where the ring is loaded.
+            let wanted = -0.5 * thicker(*r) - 0.5 * 1e3 * 12e-6 * mean;
+            let found = profile.thermal_displacement[0][k];
+            assert!((found - wanted).abs() < 2e-3 * wanted.abs(), "{r}: {found} for {wanted}");
+        }
+    }
+}
