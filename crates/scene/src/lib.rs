@@ -13,6 +13,7 @@ mod heat;
 mod known;
 mod material;
 mod numbers;
+mod optimum;
 mod output;
 mod point_shape;
 mod read;

@@ -62,8 +62,7 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     all_around::check(&scene, &tasks, bodies.as_ref().map(|(_, [first, _])| first), patch.as_ref())?;
     let gap = start_gap::on_surface(&scene, patch.as_ref())?;
     track::resolve(&scene, &tasks)?;
-    wear_rule::resolve(&mut scene, &tasks, patch.as_ref())?;
-    threshold::resolve(&mut scene, &tasks, patch.as_ref())?;
+    wear(&mut scene, &tasks, patch.as_ref())?;
     load::resolve(&mut scene, &tasks, patch.as_ref(), bodies.as_ref().map(|(_, [first, _])| first))?;
     twist::resolve(&scene, &tasks)?;
     wanted(&mut scene, &tasks, patch.as_ref())?;
@@ -107,6 +106,12 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     problem.remarks = remarks::remarks(&problem, &tasks);
     to_be_read_again(document, &mut problem, &tasks);
     Ok(problem)
+}
+
+/// The wear rule, and the threshold below which it wears nothing.
+fn wear(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) -> Result<(), Fault> {
+    wear_rule::resolve(scene, tasks, patch)?;
+    threshold::resolve(scene, tasks, patch)
 }
 
 /// Refuses bodies that are free to move otherwise than their load and sliding say, and axes that turn with body 2.
