@@ -4,6 +4,7 @@ mod api;
 mod bench;
 mod book;
 mod builds;
+mod campaign;
 mod crates;
 mod editor;
 mod estimates;
@@ -39,6 +40,8 @@ usage: cargo xtask <chore>
             [--case NAME] [--scenes] [--program PATH] [--docs]
   estimates true errors over estimated ones on random scenes of fixed discretisation
             [--seed N] [--count N] [--minutes N] [--program PATH] [--docs]
+  campaign  random scenes beside mirrored, scaled, swapped, renamed and finer twins, in other units and
+            with other threads: what must not change the answer does not [--scenes N] [--seed N]
   fuzz      mutated scenes, meshes, profiles and recordings in 1 GB of memory and 5 s each
             [scene|gmsh|profile|recording ..] [--seconds N] [--seed N]
   outputs   open the files of runs with VTK, ezdxf, the reader of MCAP and Chromium [--install]
@@ -75,6 +78,7 @@ fn main() -> ExitCode {
         Some("stability") => stability::run(&root, &words[1..]),
         Some("estimates") => estimates::run(&root, &words[1..]),
         Some("verify") => verify::run(&root, &words[1..]),
+        Some("campaign") => campaign::run(&root, &words[1..]),
         Some("fuzz") => fuzz::run(&root, &words[1..]),
         Some("validation") => validation::run(&root),
         Some("editor") => editor::run(&root),

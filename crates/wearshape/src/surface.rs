@@ -129,10 +129,14 @@ impl Patch {
         self.towards_x(self.surface.sample(count))
     }
 
-    /// Points of the surface in the order of its own coordinate, turned towards +x.
+    /// Points of the surface in the order of its own coordinate, turned towards +x. Those of a pressure that ends inside a line come from both sides
+    /// of the end.
     pub(crate) fn towards_x(&self, mut points: Vec<SurfacePoint>) -> Vec<SurfacePoint> {
         if self.backwards {
             points.reverse();
+        }
+        if let Shape::Arc { .. } | Shape::Strip { .. } | Shape::Annulus { .. } = self.surface.shape() {
+            points.sort_by(|a, b| self.place(a).total_cmp(&self.place(b)));
         }
         points
     }

@@ -3,6 +3,7 @@
 
 mod bodies;
 mod bush_wear;
+mod campaign;
 mod common;
 mod effort;
 mod estimates;

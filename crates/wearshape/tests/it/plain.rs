@@ -2,7 +2,7 @@
 
 use wearshape::{Bodies, Document, Options, Problem, Resume, SCENES, Solution, WearState, builtin};
 
-use crate::common::{computed_from, read, scene};
+use crate::common::{computed_from, read, scene, solved};
 
 const fn data<T: Clone + std::fmt::Debug + Send + Sync>() {}
 const fn compared<T: PartialEq>() {}
@@ -55,4 +55,13 @@ fn a_built_in_scene_has_its_name_and_title() {
     let problem = Problem::new(&document, &|_| Err(String::new())).unwrap();
     assert_eq!((problem.name(), problem.title()), (drum.name, drum.title()));
     assert!(builtin("no-such-scene").is_none());
+}
+
+/// Found by the campaign: the points next to the end of the pressure came last, and backwards.
+#[test]
+fn points_of_a_pressure_that_ends_inside_the_surface_are_in_order() {
+    for moment in ["load.moment=-8e3", "load.moment=8e3"] {
+        let profile = solved(&scene("translating-punch", &["tasks=[\"pressure\"]", moment])).profile.unwrap();
+        assert!(profile.s.windows(2).all(|pair| pair[0] < pair[1]), "{moment}: {:?}", profile.s);
+    }
 }

@@ -1,0 +1,69 @@
+//! The text of a scene.
+
+use super::blocks;
+use super::case::{Body, Case, Shape};
+use super::numbers::Writing;
+
+impl Case {
+    /// As a scene file.
+    pub(super) fn text(&self, writing: Writing) -> String {
+        let Case { kinematics, task, degree, layers, edges, friction, functional, .. } = self;
+        let [a, b] = self.exponents;
+        let (key, value) = self.sliding;
+        let value = if key == "speed" { writing.speed(value) } else { format!("{value:?}") };
+        let mut text = format!(
+            "units = \"N-mm\"\nkinematics = \"{kinematics}\"\ntasks = [\"{task}\"]\nmesh = {{ degree = {degree}, layers = {layers} }}\ncheck = false\n"
+        );
+        if *kinematics != "axisymmetric" {
+            text += &format!("thickness = {}\n", writing.length(self.thickness));
+        }
+        text += &format!("contact = {{ edges = {edges:?}, friction = {friction:?}, gap = {} }}\n", self.gap_text(writing));
+        text += &format!("sliding = {{ {key} = {value} }}\n{}", self.load_text(writing));
+        let until = if *task == "wear" { format!(", until = {}", writing.time(self.until)) } else { String::new() };
+        text += &format!("wear = {{ beta = {:?}, a = {a:?}, b = {b:?}{until} }}\n", self.factors);
+        text += &format!("optimum = {{ functional = \"{functional}\" }}\n");
+        for (number, body) in self.bodies.iter().enumerate() {
+            text += &body_text(number + 1, body, writing);
+        }
+        text
+    }
+
+    fn gap_text(&self, writing: Writing) -> String {
+        let Some([crown, tilt]) = self.gap else { return "0".into() };
+        format!("{{ crown = {}, tilt = {tilt:?} }}", writing.length(crown))
+    }
+
+    fn load_text(&self, writing: Writing) -> String {
+        let load = &self.load;
+        let mut text = format!("load = {{ edge = \"top\", as = \"{}\", force = {}", load.kind, writing.force(load.force));
+        if let Some((moment, about)) = load.moment {
+            text += &format!(", moment = {}, about = {}", writing.moment(moment), writing.lengths(about));
+        }
+        if let Some(tilt) = load.tilt {
+            text += &format!(", tilt = {tilt:?}");
+        }
+        text + " }\n"
+    }
+}
+
+fn body_text(number: usize, body: &Body, writing: Writing) -> String {
+    let mut text =
+        format!("[body{number}]\nmaterial = {{ young = {}, poisson = {:?} }}\n", writing.young(body.young), body.poisson);
+    for (edge, held) in &body.support {
+        text += &format!("support.{edge} = {held}\n");
+    }
+    text + &match &body.shape {
+        Shape::Rectangle { x, z } => {
+            format!("geometry.rectangle = {{ x = {}, z = {} }}\n", writing.lengths(*x), writing.lengths(*z))
+        }
+        Shape::Cells { x, z, naming } => blocks::tables(number, [x, z], *naming, writing),
+        Shape::Shoe { radius, half_angle, top } => format!(
+            "geometry.shoe-block = {{ radius = {}, half_angle = {half_angle:?}, top = {} }}\n",
+            writing.length(*radius),
+            writing.length(*top)
+        ),
+        Shape::Ring { inner, outer } => {
+            format!("geometry.ring = {{ inner = {}, outer = {} }}\n", writing.length(*inner), writing.length(*outer))
+        }
+    }
+}
