@@ -116,8 +116,8 @@ const TABLE: &[Row] = &[
     },
 ];
 
-/// Allowed in `[dev-dependencies]` of every package.
-const FOR_TESTS: &[&str] = &["approx", "proptest", "insta", "temp-dir", "serde_json", "toml", "divan"];
+/// Allowed in `[dev-dependencies]` of every package; `rayon` for tests that choose the number of threads.
+const FOR_TESTS: &[&str] = &["approx", "proptest", "insta", "temp-dir", "serde_json", "toml", "divan", "rayon"];
 
 /// Packages with lints of their own, and why.
 const OWN_LINTS: &[(&str, &str)] = &[
