@@ -37,8 +37,9 @@ impl fmt::Display for EvolutionStatus {
             EvolutionStatus::Unstable { time } => {
                 write!(
                     f,
-                    "thermoelastic instability: at {time:.6e} s frictional heat lets a deviation of the pressure grow instead of wearing off, \
-                     so that the contact jumps from one place to another; slide more slowly, or begin with a gap nearer to the steady shape"
+                    "thermoelastic instability: at {} s frictional heat lets a deviation of the pressure grow instead of wearing off, \
+                     so that the contact jumps from one place to another; slide more slowly, or begin with a gap nearer to the steady shape",
+                    readable(*time)
                 )
             }
             EvolutionStatus::Stuck { time, step } => {
@@ -49,4 +50,9 @@ impl fmt::Display for EvolutionStatus {
             }
         }
     }
+}
+
+/// The number of four digits next to another one, which is read as it is written.
+fn readable(value: f64) -> f64 {
+    format!("{value:.3e}").parse().unwrap_or(value)
 }
