@@ -153,8 +153,11 @@ impl Cells {
         Ok(())
     }
 
-    /// Moves the next vertex of the contact surface onto a place, if it is near and nothing but the mesh depends on it.
+    /// Moves the next vertex of the contact surface onto a place, if it is near and nothing but the mesh depends on it: no border of materials,
+    /// no end of the contact.
     pub(crate) fn draw(&mut self, place: f64) {
+        let [from, to] = self.extent.ends();
+        let ends_contact = |at: f64| [from, to].iter().any(|end| (at - end).abs() <= SAME * (to - from));
         let edges = self.mesh.boundary(&self.contact).unwrap_or_default();
         let near = edges.into_iter().find_map(|e| {
             let own = &self.mesh.edges[e];
@@ -162,7 +165,8 @@ impl Cells {
             let end = usize::from(t > 0.0);
             let share = 0.5 * (t - [-1.0, 1.0][end]);
             let [a, b] = self.extent.range(&own.curve);
-            (t.abs() <= 1.0 && share.abs() < NEAR).then(|| (own.vertices[end], share * own.curve.length() * (b - a).signum()))
+            (t.abs() <= 1.0 && share.abs() < NEAR && !ends_contact([a, b][end]))
+                .then(|| (own.vertices[end], share * own.curve.length() * (b - a).signum()))
         });
         let Some((vertex, shift)) = near else { return };
         let cells = || self.mesh.cells.iter().filter(|cell| cell.vertices().contains(&vertex));

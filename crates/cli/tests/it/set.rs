@@ -127,7 +127,8 @@ fn a_key_below_a_short_form_makes_a_table_of_it() {
     let scene = resolved(&["contact.gap=worn.csv", "contact.gap.crown=10 um", "wear.until.time=1 s", "wear.until.distance=1 m"]);
     assert_eq!(scene["contact"]["gap"].as_table().unwrap().keys().collect::<Vec<_>>(), ["crown", "profile"]);
     assert_eq!(scene["contact"]["gap"]["profile"]["gap_um"].as_array().unwrap().len(), 3);
-    assert_eq!(scene["wear"]["until"].as_table().unwrap().keys().collect::<Vec<_>>(), ["distance"]);
+    // 1 m at 5 mm/s.
+    assert_eq!(scene["wear"]["until"].as_float(), Some(200.0));
 }
 
 #[test]
