@@ -45,7 +45,8 @@ impl fmt::Display for EvolutionStatus {
             EvolutionStatus::Stuck { time, step } => {
                 write!(
                     f,
-                    "not converged: at {time:.6e} s even a step of {step:.3e} s has no solution; the load may have lost its contact"
+                    "not converged: at {} s even a step of {step:.3e} s has no solution; the load may have lost its contact",
+                    readable(*time)
                 )
             }
         }
