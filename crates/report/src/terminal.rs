@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use scene::Pair;
 use wearshape::{
     Character, LifeResult, MachiningResult, PressureResult, Problem, Regime, ReversingResult, SenseResult, Solution, Status,
     TurnsResult, WearResult, functional_row,
@@ -114,11 +113,8 @@ fn pressure_lines(problem: &Problem, solution: &Solution, pressure: &PressureRes
 
 /// Of what a wear depth is the mean.
 fn mean_of(problem: &Problem) -> &'static str {
-    let factors = problem.scene().wear.as_ref().and_then(|wear| wear.k.or(wear.beta));
-    match factors {
-        Some(Pair::Two([_, second])) if second.value > 0.0 => "both bodies, mean",
-        Some(Pair::One(_) | Pair::Two(_)) | None => "mean",
-    }
+    let [_, second] = problem.scene().wear.as_ref().map_or([false; 2], scene::Wear::wearing);
+    if second { "both bodies, mean" } else { "mean" }
 }
 
 /// The largest pressures of a reversing motion, of the senses that it goes in.

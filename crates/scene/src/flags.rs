@@ -4,12 +4,15 @@ use crate::fault::{Fault, Place};
 use crate::tree::{self, Entry, Node, Origin, Value};
 
 /// Keys that exclude each other: setting one removes the others of its row. `*` stands for any one key.
-const ALTERNATIVES: [&[&str]; 15] = [
+const ALTERNATIVES: [&[&str]; 18] = [
     &["accuracy", "mesh"],
     &["load.force", "load.approach"],
     &["load.moment", "load.tilt"],
     &["load.twist", "load.torque"],
-    &["wear.beta", "wear.k"],
+    &["wear.beta", "wear.k", "wear.table"],
+    &["wear.a", "wear.table"],
+    &["wear.b", "wear.table"],
+    &["wear.threshold", "wear.table"],
     &["heat.share", "heat.conductance"],
     &["sliding.omega", "sliding.speed"],
     &["body1.geometry.*"],

@@ -294,6 +294,10 @@ pub struct Wear {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(feature = "schema", schemars(extend("minimum" = 0)))]
     pub threshold: Option<Pair<Pressure>>,
+    /// Measured wear factors k of body 1 instead of beta and k: pairs of a pressure and the factor at it, w' = k(p) p v. Between them k p follows
+    /// the monotone cubic, beyond the last its straight line; body 2 does not wear.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub table: Option<Vec<(Pressure, WearFactor)>>,
     /// How the counter-face meets body 1. Default by kind of scene.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub counterface: Option<Counterface>,
@@ -308,6 +312,25 @@ pub struct Wear {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(feature = "schema", schemars(extend("minimum" = 0, "exclusiveMaximum" = 1)))]
     pub spread: Option<f64>,
+}
+
+impl Wear {
+    /// Which bodies wear: those with a table or a factor above 0.
+    pub fn wearing(&self) -> [bool; 2] {
+        if self.table.is_some() {
+            return [true, false];
+        }
+        match self.beta.or(self.k) {
+            Some(Pair::Two(factors)) => factors.map(|factor| factor.value > 0.0),
+            Some(Pair::One(factor)) => [factor.value > 0.0, false],
+            None => [false; 2],
+        }
+    }
+
+    /// Whether something says how the bodies wear: a table, or a factor, be it 0.
+    pub fn has_rule(&self) -> bool {
+        self.table.is_some() || self.beta.or(self.k).is_some()
+    }
 }
 
 /// A run in time in pieces: each begins at its time and lasts until the next one, the last until the run ends, or until `period` where they

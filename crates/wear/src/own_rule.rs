@@ -9,17 +9,33 @@ type RateAndSlope = dyn Fn(f64, f64) -> [f64; 2] + Send + Sync;
 /// A wear rule that is no power of the pressure: with a threshold, with a change from mild to severe wear, with a rate that saturates.
 ///
 /// The rate must be zero up to some pressure p0 >= 0, continuous, and grow from there; where it comes near a bound the pressure of the steady
-/// state grows without one. Two rules are equal if one is a clone of the other.
+/// state grows without one. Two rules are equal if one is a clone of the other, or if they have the same name and the same numbers.
 #[derive(Clone)]
 pub struct OwnRule {
     law: Arc<RateAndSlope>,
+    word: &'static str,
+    numbers: Vec<f64>,
 }
 
 impl OwnRule {
     /// The rule of a function `law(pressure, sliding_speed)` that gives `[w', dw'/dp]` in mm/s and mm/(s MPa) from MPa and mm/s. It is called
     /// at pressures above 0 only.
     pub fn new(law: impl Fn(f64, f64) -> [f64; 2] + Send + Sync + 'static) -> OwnRule {
-        OwnRule { law: Arc::new(law) }
+        OwnRule { law: Arc::new(law), word: "given as a function", numbers: Vec::new() }
+    }
+
+    /// The same of a function that a name ("from a table") and numbers say wholly.
+    pub(crate) fn named(
+        word: &'static str,
+        numbers: Vec<f64>,
+        law: impl Fn(f64, f64) -> [f64; 2] + Send + Sync + 'static,
+    ) -> OwnRule {
+        OwnRule { law: Arc::new(law), word, numbers }
+    }
+
+    /// What the rule is, in words.
+    pub(crate) fn word(&self) -> &'static str {
+        self.word
     }
 
     /// `[w', dw'/dp]` at a pressure above 0.
@@ -38,12 +54,13 @@ impl OwnRule {
 
 impl fmt::Debug for OwnRule {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("OwnRule(..)")
+        write!(f, "OwnRule({})", self.word)
     }
 }
 
 impl PartialEq for OwnRule {
     fn eq(&self, other: &OwnRule) -> bool {
-        std::ptr::addr_eq(Arc::as_ptr(&self.law), Arc::as_ptr(&other.law))
+        let said = !self.numbers.is_empty() && (self.word, &self.numbers) == (other.word, &other.numbers);
+        said || std::ptr::addr_eq(Arc::as_ptr(&self.law), Arc::as_ptr(&other.law))
     }
 }

@@ -101,7 +101,7 @@ impl Rule {
         match self {
             Rule::Power(_) => None,
             Rule::Threshold(_) => Some("with a threshold"),
-            Rule::Own(_) => Some("given as a function"),
+            Rule::Own(rule) => Some(rule.word()),
         }
     }
 

@@ -30,6 +30,7 @@ pub(crate) fn remarks(problem: &Problem, solution: &Solution) -> Vec<Remark> {
         worn_through(problem, solution),
         worn_free(problem, solution),
         stopped(problem, solution),
+        beyond_table(problem, solution),
         late(problem, solution),
         grooved(solution),
     ];
@@ -157,6 +158,20 @@ fn stopped(problem: &Problem, solution: &Solution) -> Option<Remark> {
         short(threshold)
     );
     (largest <= threshold * (1.0 + AT_THRESHOLD)).then_some(Remark { code: "wear-stopped", message })
+}
+
+/// Pressures beyond the last one of a table of wear factors.
+fn beyond_table(problem: &Problem, solution: &Solution) -> Option<Remark> {
+    let (last, _) = problem.scene.wear.as_ref()?.table.as_ref()?.last()?;
+    let optimal = solution.pressure.as_ref().and_then(|pressure| pressure.p_max);
+    let worn = solution.profile.iter().flat_map(|profile| &profile.pressure).copied();
+    let largest = optimal.into_iter().chain(worn).fold(0.0, f64::max);
+    let message = format!(
+        "The pressure reaches {} MPa and the wear table ends at {} MPa: beyond it wear is taken to go on as the straight line that the table ends with.",
+        short(largest),
+        short(last.0)
+    );
+    (largest > last.0).then_some(Remark { code: "beyond-wear-table", message })
 }
 
 /// A groove that the contact knows by its mean.

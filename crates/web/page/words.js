@@ -11,7 +11,7 @@ const LEAVES = {
   approach: ["approach", "length"], moment: ["moment", "moment"], moment_y: ["moment about x", "moment"], tilt: ["tilt", "angle"],
   approach_time: ["worn approach of time", "time"], centre: ["centre", "length"], shear_force: ["shear force", "force"], twist: ["twist", "angle"],
   torque: ["torque", "moment"], about: ["moment about", "length"], edge: ["edge"], as: ["load as"], beta: ["wear factor \u03b2", "wear factor"],
-  k: ["wear factor k", "wear factor"], threshold: ["threshold pressure", "pressure"], a: ["exponent of the speed a"], b: ["exponent of the pressure b"], counterface: ["counter-face"], until: ["until", "time"],
+  k: ["wear factor k", "wear factor"], threshold: ["threshold pressure", "pressure"], table: ["table of pressures and wear factors k"], a: ["exponent of the speed a"], b: ["exponent of the pressure b"], counterface: ["counter-face"], until: ["until", "time"],
   wearable: ["wearable thickness", "length"], spread: ["spread of the wear factor"], functional: ["functional"], q: ["exponent q"], balance: ["balance"],
   modes: ["modes"], p_max: ["cap of the pressure", "pressure"], young: ["Young\u2019s modulus", "pressure"], poisson: ["Poisson\u2019s ratio"],
   degree: ["degree"], layers: ["layers"], pin: ["pin", "length"], roller: ["roller", "angle"], half_axes: ["half axis", "length"], x: ["x", "length"],

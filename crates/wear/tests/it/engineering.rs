@@ -34,10 +34,10 @@ mod largest_wear_rate;
 
 #[test]
 fn example_table_wear_law() {
-    use table_wear_law::{Table, clutch};
+    use table_wear_law::{clutch, measured};
     table_wear_law::main().unwrap();
     // Of a straight line the cubics are the line, within the table and beyond: Archard's hyperbola p = F/(2 pi (re - ri) r).
-    let optimum = clutch(Table::new(&[[0.3, 0.06], [1.0, 0.2], [2.0, 0.4]]).unwrap()).unwrap();
+    let optimum = clutch(measured(&[[0.3, 0.06], [1.0, 0.2], [2.0, 0.4]]).unwrap()).unwrap();
     for (point, p) in optimum.points.iter().zip(&optimum.pressure) {
         let wanted = 5e4 / (std::f64::consts::TAU * 100.0 * point.position.x);
         assert!((p / wanted - 1.0).abs() < 1e-9, "{p} {wanted}");
@@ -45,7 +45,7 @@ fn example_table_wear_law() {
     // Of p^2 they come near with the third power of the distance, and their slope is that of differences.
     let error = |n: u32| {
         let pairs: Vec<[f64; 2]> = (1..=n).map(|i| 4.0 * f64::from(i) / f64::from(n)).map(|p| [p, p * p]).collect();
-        let table = Table::new(&pairs).unwrap();
+        let table = wear::TableLaw::new(&pairs).unwrap();
         let places = (1..400).map(|i| 0.01 * f64::from(i));
         places
             .map(|p| {
@@ -57,7 +57,7 @@ fn example_table_wear_law() {
     };
     assert!(error(40) < 0.3 * error(20) && error(20) < 0.01, "{} {}", error(20), error(40));
     // A threshold is pairs without wear; what does not grow is refused.
-    assert_eq!(Table::new(&[[0.4, 0.0], [1.0, 0.3]]).unwrap().at(0.3), [0.0; 2]);
+    assert_eq!(wear::TableLaw::new(&[[0.4, 0.0], [1.0, 0.3]]).unwrap().at(0.3), [0.0; 2]);
     for pairs in [
         &[][..],
         &[[0.0, 1.0], [1.0, 2.0]],
@@ -66,7 +66,7 @@ fn example_table_wear_law() {
         &[[2.0, 0.2], [1.0, 0.4]],
         &[[1.0, f64::NAN]],
     ] {
-        assert!(Table::new(pairs).is_err(), "{pairs:?}");
+        assert!(wear::TableLaw::new(pairs).is_err(), "{pairs:?}");
     }
 }
 

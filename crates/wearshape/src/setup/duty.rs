@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use meshing::{Couple, outline};
-use scene::{Fault, Functional, Length, Pair, Scene, Task, Time, Until, positive, short};
+use scene::{Fault, Functional, Length, Scene, Task, Time, Until, positive, short};
 
 use crate::problem::{End, Wearable};
 use crate::setup::repeat;
@@ -153,13 +153,10 @@ pub(super) fn resolve(scene: &Scene, tasks: &[Task], couple: Option<&Couple>) ->
     if !has_life(scene, tasks) {
         return Ok(());
     }
-    let first = match wear.k.or(wear.beta) {
-        Some(Pair::Two([first, _]) | Pair::One(first)) => first.value,
-        None => 0.0,
-    };
+    let [first, _] = wear.wearing();
     let friction = scene.contact.as_ref().and_then(|contact| contact.friction).unwrap_or(0.0);
-    if first == 0.0 || (wear.k.is_none() && friction == 0.0) {
-        let why = if first == 0.0 { "its wear factor is 0" } else { "contact.friction = 0 with wear.beta means no wear" };
+    if !first || (wear.beta.is_some() && friction == 0.0) {
+        let why = if !first { "its wear factor is 0" } else { "contact.friction = 0 with wear.beta means no wear" };
         let message = format!("body 1 does not wear, so that no thickness of it has a life: {why}");
         let remedy = "give body 1 a wear factor, as in wear.k = [1e-7, 0], or leave wear.wearable out";
         return Err(Fault::at("wear.wearable", "no-wear", message, remedy));

@@ -56,12 +56,8 @@ pub(super) fn exponents(scene: &Scene) -> Vec<f64> {
         Some(Pair::One(b)) => [b, b],
         None => [1.0, 1.0],
     };
-    let factors = match wear.beta.or(wear.k) {
-        Some(Pair::Two(factors)) => factors.map(|factor| factor.value),
-        Some(Pair::One(factor)) => [factor.value, 0.0],
-        None => [1.0, 0.0],
-    };
-    let mut kept: Vec<f64> = (0..2).filter(|i| factors[*i] > 0.0).map(|i| b[i]).collect();
+    let wearing = if wear.has_rule() { wear.wearing() } else { [true, false] };
+    let mut kept: Vec<f64> = (0..2).filter(|i| wearing[*i]).map(|i| b[i]).collect();
     kept.dedup();
     kept
 }

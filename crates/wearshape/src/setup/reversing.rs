@@ -1,6 +1,6 @@
 //! Reversing motion: what it needs, and what it does not go with.
 
-use scene::{Balance, Fault, Functional, Modes, Pair, Scene, Task};
+use scene::{Balance, Fault, Functional, Modes, Scene, Task};
 
 use crate::surface::{Patch, PatchKind};
 
@@ -89,13 +89,9 @@ fn wanted(scene: &Scene) -> Result<(), Fault> {
 /// Refuses a contact surface that nothing shapes.
 fn wears(scene: &Scene) -> Result<(), Fault> {
     let Some(wear) = &scene.wear else { return Ok(()) };
-    let first = match wear.beta.or(wear.k) {
-        Some(Pair::Two(factors)) => factors[0].value,
-        Some(Pair::One(factor)) => factor.value,
-        None => 0.0,
-    };
+    let [first, _] = wear.wearing();
     let congruent = wear.counterface == Some(scene::Counterface::Congruent);
-    if first > 0.0 || congruent {
+    if first || congruent {
         return Ok(());
     }
     let key = if wear.beta.is_some() { "wear.beta" } else { "wear.k" };

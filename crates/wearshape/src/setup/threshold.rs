@@ -1,6 +1,6 @@
 //! The threshold pressure of the wear rule: its range, and what it does not go with.
 
-use scene::{Counterface, Fault, Functional, Geometry, Pair, Pressure, Scene, Task, WearFactor};
+use scene::{Counterface, Fault, Functional, Geometry, Pair, Pressure, Scene, Task};
 
 use crate::functional::functional_row;
 use crate::surface::{Patch, PatchKind};
@@ -40,17 +40,12 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) 
     if tasks.iter().any(|task| matches!(task, Task::Pressure | Task::Shape)) {
         optimal(scene, patch)?;
     }
-    motion(scene, tasks)
+    motion(scene, tasks, "wear.threshold")
 }
 
 /// Which bodies have a wear factor.
 fn wearing(scene: &Scene) -> [bool; 2] {
-    let wears = |factor: WearFactor| factor.value > 0.0;
-    match scene.wear.as_ref().and_then(|wear| wear.beta.or(wear.k)) {
-        Some(Pair::Two(factors)) => factors.map(wears),
-        Some(Pair::One(factor)) => [wears(factor), false],
-        None => [false; 2],
-    }
+    scene.wear.as_ref().map_or([false; 2], scene::Wear::wearing)
 }
 
 /// Refuses factors that vanish with the friction: what does not wear has no threshold.
@@ -99,23 +94,21 @@ fn optimal(scene: &Scene, patch: Option<&Patch>) -> Result<(), Fault> {
     refuse("optimum.q", message, "give a larger finite q, or ask for optimum.functional = \"steady\"")
 }
 
-/// Refuses motions and contacts whose wear is known for powers of the pressure alone.
-fn motion(scene: &Scene, tasks: &[Task]) -> Result<(), Fault> {
-    let refuse = |key: &str, message: &str, remedy: &str| Err(Fault::at(key, "not-available", message, remedy));
-    let remedy = "leave out `wear.threshold`";
+/// Refuses motions and contacts whose wear is known for powers of the pressure alone, and not for the rule that a key gives.
+pub(super) fn motion(scene: &Scene, tasks: &[Task], rule: &str) -> Result<(), Fault> {
+    let remedy = format!("leave out `{rule}`");
+    let refuse = |key: &str, message: &str| Err(Fault::at(key, "not-available", message, remedy.as_str()));
     let elastic = tasks.iter().any(|task| matches!(task, Task::Shape | Task::Wear));
     if elastic && scene.sliding.as_ref().is_some_and(|sliding| sliding.reversing.is_some()) {
-        let message = "the mean wear of a reversing motion is found for powers of the pressure, without a threshold";
-        return refuse("sliding.reversing", message, remedy);
+        return refuse("sliding.reversing", "the mean wear of a reversing motion is found for powers of the pressure alone");
     }
     let round = scene.body1.as_ref().is_some_and(|body| matches!(body.geometry, Geometry::HalfDisc(_)));
     if tasks.contains(&Task::Wear) && round {
-        let message = "the scar of a round contact grows by a power of the pressure: with a threshold it would end where its pressure has fallen to it";
-        return refuse("wear.threshold", message, remedy);
+        return refuse(rule, "the scar of a round contact grows by a power of the pressure alone");
     }
     let clearance = scene.contact.as_ref().is_some_and(|contact| contact.clearance.is_some());
     if tasks.contains(&Task::Wear) && clearance {
-        return refuse("wear.threshold", "a contact with clearance grows by a power of the pressure", remedy);
+        return refuse(rule, "a contact with clearance grows by a power of the pressure alone");
     }
     Ok(())
 }

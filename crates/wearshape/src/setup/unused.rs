@@ -82,9 +82,9 @@ fn idle(scene: &Scene, tasks: &[Task]) -> Vec<&'static str> {
     let contact_only = tasks == [Task::Contact];
     let turned = !turns(scene).is_empty();
     // The wear rate of a contact that slides is a column of contact.csv.
-    let rates = scene.sliding.is_some() && !turned && scene.wear.as_ref().is_some_and(|wear| wear.beta.or(wear.k).is_some());
+    let rates = scene.sliding.is_some() && !turned && scene.wear.as_ref().is_some_and(scene::Wear::has_rule);
     when(contact_only, &["wear.counterface"]);
-    when(contact_only && !rates, &["wear.beta", "wear.k", "wear.a", "wear.b", "wear.threshold"]);
+    when(contact_only && !rates, &["wear.beta", "wear.k", "wear.a", "wear.b", "wear.threshold", "wear.table"]);
     let slides = scene.contact.as_ref().and_then(|contact| contact.friction).unwrap_or(0.0) > 0.0;
     when(contact_only && !slides && !rates, &["sliding.omega", "sliding.speed"]);
     when(contact_only && !slides, &["contact.shear"]);

@@ -1,5 +1,7 @@
 //! The wear rule: factors, exponents, counter-face.
 
+mod table;
+
 use scene::{Counterface, Fault, Functional, Pair, Scene, Task, Wear, WearFactor, missing};
 use wear::{WearError, WearPair};
 
@@ -24,22 +26,17 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) 
         }
         return Ok(());
     };
-    let (b1, b2) = exponents(wear)?;
-    if !wants_wear && wear.beta.is_none() && wear.k.is_none() {
+    exponents(wear)?;
+    if !wants_wear && !wear.has_rule() {
         return Ok(());
     }
-    let (name, factors) = factors(wear)?;
-    let two_wear = factors.iter().all(|factor| factor.value > 0.0);
-    if name == "beta" && friction == 0.0 && !contact_only && (tasks == [Task::Wear] || (two_wear && b1 != b2)) {
-        let message = if tasks == [Task::Wear] {
-            "contact.friction = 0 with wear.beta means no wear, and wear is all that is asked for".to_string()
-        } else {
-            format!("contact.friction = 0 with wear.beta leaves open which body wears more (b = [{b1}, {b2}])")
-        };
-        let remedy = "give Archard's factors without friction in them, as in wear.k = 1e-7, or contact.friction > 0";
-        let key = if tasks == [Task::Wear] { "contact.friction" } else { "wear.beta" };
-        return Err(Fault::at(key, "no-wear", message, remedy));
+    if wear.table.is_none() {
+        let name = factors(wear)?;
+        if name == "beta" && friction == 0.0 && !contact_only {
+            without_friction(wear, tasks)?;
+        }
     }
+    let two_wear = wear.wearing() == [true; 2];
     let sliding = scene.sliding.as_ref();
     let default = match patch.map(|patch| patch.kind) {
         // A ball.
@@ -60,7 +57,23 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) 
     if tasks.contains(&Task::Wear) {
         duty::end(scene, patch)?;
     }
-    Ok(())
+    table::resolve(scene, tasks)
+}
+
+/// Refuses factors that vanish with the friction where nothing else is asked for, or where they leave open which body wears more.
+fn without_friction(wear: &Wear, tasks: &[Task]) -> Result<(), Fault> {
+    let remedy = "give Archard's factors without friction in them, as in wear.k = 1e-7, or contact.friction > 0";
+    if tasks == [Task::Wear] {
+        let message = "contact.friction = 0 with wear.beta means no wear, and wear is all that is asked for";
+        return Err(Fault::at("contact.friction", "no-wear", message, remedy));
+    }
+    match wear.b {
+        Some(Pair::Two([b1, b2])) if b1 != b2 && wear.wearing() == [true; 2] => {
+            let message = format!("contact.friction = 0 with wear.beta leaves open which body wears more (b = [{b1}, {b2}])");
+            Err(Fault::at("wear.beta", "no-wear", message, remedy))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Refuses a counter-face that revolves without a track, where a run in time or a steady pressure asks for its mean wear.
@@ -76,7 +89,8 @@ fn revolves(wears: bool, optimal: bool, patch: Option<&Patch>) -> Result<(), Fau
     Err(Fault::at("wear.counterface", "wrong-value", message, remedy))
 }
 
-fn exponents(wear: &mut Wear) -> Result<(f64, f64), Fault> {
+/// Checks the exponents and fills in their defaults.
+fn exponents(wear: &mut Wear) -> Result<(), Fault> {
     let pair = |key: &str, given: Option<Pair<f64>>, lowest: f64, remedy: &str| {
         let (values, keys) = match given {
             None => ([1.0, 1.0], [key.to_string(), key.to_string()]),
@@ -94,10 +108,11 @@ fn exponents(wear: &mut Wear) -> Result<(f64, f64), Fault> {
     let b = pair("wear.b", wear.b, 1e-3, "give an exponent of the pressure greater than 0, as in b = 1")?;
     wear.a = Some(Pair::Two(a));
     wear.b = Some(Pair::Two(b));
-    Ok((b[0], b[1]))
+    Ok(())
 }
 
-fn factors(wear: &mut Wear) -> Result<(&'static str, [WearFactor; 2]), Fault> {
+/// Checks the factors and fills in their default; gives their key.
+fn factors(wear: &mut Wear) -> Result<&'static str, Fault> {
     let (name, given) = match (wear.beta, wear.k) {
         (Some(_), Some(_)) => {
             let message = "both `wear.beta` and `wear.k` are given";
@@ -115,10 +130,10 @@ fn factors(wear: &mut Wear) -> Result<(&'static str, [WearFactor; 2]), Fault> {
         Pair::Two(factors) => factors,
     };
     let Some(Pair::Two([a1, a2])) = wear.a else {
-        return Ok((name, factors));
+        return Ok(name);
     };
     let Some(Pair::Two([b1, b2])) = wear.b else {
-        return Ok((name, factors));
+        return Ok(name);
     };
     for (place, (factor, (a, b))) in factors.iter().zip([(a1, b1), (a2, b2)]).enumerate() {
         let key = if matches!(given, Pair::One(_)) { format!("wear.{name}") } else { format!("wear.{name}.{place}") };
@@ -140,7 +155,7 @@ fn factors(wear: &mut Wear) -> Result<(&'static str, [WearFactor; 2]), Fault> {
         "beta" => wear.beta = Some(Pair::Two(plain)),
         _ => wear.k = Some(Pair::Two(plain)),
     }
-    Ok((name, plain))
+    Ok(name)
 }
 
 /// The rules of a resolved scene.
@@ -177,6 +192,9 @@ fn laws(rule: Option<&Wear>, friction: f64) -> Result<WearPair, WearError> {
         Pair::Two(values) => values.map(|factor| factor.value),
         Pair::One(factor) => [factor.value, 0.0],
     };
+    if let Some(by_table) = rule.table.as_deref().and_then(table::pair) {
+        return Ok(by_table);
+    }
     let (a, b) = (pair(rule.a), pair(rule.b));
     match (rule.k, rule.beta) {
         (Some(k), _) => Ok(WearPair::archard(factors(k), a, b)),

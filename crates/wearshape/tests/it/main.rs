@@ -26,3 +26,4 @@ mod sensitivity;
 mod spin;
 mod threshold;
 mod watch;
+mod wear_table;
