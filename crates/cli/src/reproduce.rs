@@ -9,6 +9,7 @@ use scene::Fault;
 mod annulus;
 mod brakes;
 mod closed_form;
+mod conformal;
 mod drum;
 mod errata;
 mod made;
@@ -70,5 +71,6 @@ pub(crate) const ITEMS: &[Item] = items![
     "fig26": "Annular punch: stresses for q = 1" => stress::ring,
     "fig27": "Annular punch: shape of uniform wear" => annulus::steady_shape,
     "brakes": "Textbook brakes: clutch, pinned and pivoted long shoe" => brakes::brakes,
+    "conformal": "Shaft in a housing: arc of contact and largest pressure, after Persson" => conformal::conformal,
     "errata": "What of the paper does not hold: maxima, the drum's steady state, the force that is missed" => errata::errata,
 ];

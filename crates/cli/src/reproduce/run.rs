@@ -75,12 +75,15 @@ impl Run {
         self.solution.pressure.clone().unwrap_or_default()
     }
 
-    /// A curve over the picture's coordinate: angle (deg), radius or x (mm).
+    /// A curve over the picture's coordinate, from small to large: angle (deg), radius or x (mm).
     pub(super) fn curve(&self, column: fn(&Profile) -> &Vec<f64>) -> Vec<(f64, f64)> {
         let Some(profile) = self.solution.curve.as_ref().or(self.solution.profile.as_ref()) else { return Vec::new() };
         let (places, _) = report::abscissa(&self.problem, profile);
         let step = (places.len().saturating_sub(1) / (POINTS - 1)).max(1);
-        places.into_iter().zip(column(profile).iter().copied()).step_by(step).collect()
+        let mut curve: Vec<_> = places.into_iter().zip(column(profile).iter().copied()).step_by(step).collect();
+        // The angle falls along a surface that faces away from its centre.
+        curve.sort_by(|one, other| one.0.total_cmp(&other.0));
+        curve
     }
 
     /// Value of a curve at a place, between the points by straight lines.
@@ -89,7 +92,7 @@ impl Run {
     }
 }
 
-/// Value of a curve at a place, by straight lines; the ends beyond them.
+/// Value of a curve over growing places at one of them, by straight lines; the ends beyond them.
 pub(super) fn value_at(curve: &[(f64, f64)], place: f64) -> f64 {
     if curve.len() < 2 {
         return f64::NAN;

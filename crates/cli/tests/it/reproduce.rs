@@ -54,6 +54,19 @@ fn multipliers_of_the_punch_follow_the_closed_form_and_mirror_with_the_moment() 
     assert!(table.starts_with("moment M0 (kN mm),"), "{}", table.lines().next().unwrap());
 }
 
+/// Closed forms of textbooks and of Persson, row by row; of the latter with a housing that ends and a clearance that is no point.
+#[test]
+fn textbook_brakes_and_the_conformal_contact_are_those_of_their_closed_forms() {
+    let bench = Bench::new();
+    for (item, count, limit) in [("brakes", 12, 2e-5), ("conformal", 14, 5e-4)] {
+        let rows = rows(&bench, item);
+        assert_eq!(rows.len(), count);
+        for (quantity, ours, reference) in rows {
+            assert!((ours / reference - 1.0).abs() < limit, "{quantity}: {ours} instead of {reference}");
+        }
+    }
+}
+
 #[test]
 fn an_item_may_be_computed_twice_into_its_folder_and_its_commands_repeat_it() {
     let bench = Bench::new();
