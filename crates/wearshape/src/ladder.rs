@@ -8,7 +8,7 @@ use crate::fixed;
 use crate::level::Level;
 use crate::options::Options;
 use crate::problem::Problem;
-use crate::series::rest;
+use crate::series::{SLOWEST, rest};
 use crate::solution::Rung;
 use crate::step::Step;
 use crate::watch::{Event, Watch};
@@ -219,7 +219,14 @@ fn changes<T, const N: usize>(solved: &[T], distance: &impl Fn(&T, &T) -> [f64; 
 fn idle(changes: &[f64]) -> bool {
     let (before, last) = changes.split_at(changes.len().saturating_sub(IDLE));
     let least = before.iter().copied().fold(f64::INFINITY, f64::min);
-    before.len() > 2 && last.iter().all(|change| *change >= least)
+    before.len() > 2 && last.iter().all(|change| *change >= least) || broken_off(changes)
+}
+
+/// Whether a series of differences that fell fast has come to its end: the last one falls hardly at all, and is more than all that the ones before it
+/// had left to come. What is there then is no error of the discretisation that finer levels take away.
+fn broken_off(changes: &[f64]) -> bool {
+    let [.., a, b, c, last] = *changes else { return false };
+    a > b && b > c && last >= SLOWEST * c && last > rest(b, c)
 }
 
 /// The levels of a ladder up to the one to report, with its estimated errors: the last one, or where finer ones came out worse the one with the
@@ -278,7 +285,7 @@ fn falls<T, const N: usize>(solved: &[T], distance: &impl Fn(&T, &T) -> [f64; N]
     let [older, newer] = [distance(a, b), distance(b, c)].map(|distances| largest(&distances));
     let error = largest(&errors(solved, distance)?);
     // Differences of nothing, or that grow, tell no ratio.
-    let ratio = if older > 0.0 { (newer / older).clamp(1e-3, 0.85) } else { 0.85 };
+    let ratio = if older > 0.0 { (newer / older).clamp(1e-3, SLOWEST) } else { SLOWEST };
     Some([error, ratio])
 }
 
@@ -341,5 +348,28 @@ mod tests {
         assert!(!idle(&[1e-2, 1e-3, 1e-4]));
         assert!(!idle(&[1e-2, 1e-3, 2e-3, 1e-4, 3e-4]));
         assert!(idle(&[1e-2, 1e-3, 1e-4, 2e-4, 3e-4]));
+        // A fall that slows down goes on; one that was fast and ends does not.
+        assert!(!idle(&[1e-2, 1e-3, 1e-4, 5e-5]));
+        assert!(!idle(&[1e-2, 6e-3, 4e-3, 3.5e-3]));
+        assert!(idle(&[8e-6, 6.2e-7, 6e-8, 5.3e-8]));
+    }
+
+    /// Levels of a run in time, whose steps leave 2e-8 whatever the degree: four levels find that, the fifth shows it, and no more are solved.
+    #[test]
+    fn climbing_ends_at_the_first_level_that_shows_that_finer_ones_gain_nothing() {
+        let levels: Vec<Level> = (4..=20).step_by(2).map(|degree| Level::of(degree, false)).collect();
+        let ladder = Ladder { usual: levels.len(), levels, ..ladder(1.6e-10) };
+        let left_by_steps = |degree: usize| 2e-8 * (degree as f64).cos();
+        let mut count = 0;
+        let solve = |level: Level, _: &[f64], _: &mut Watch<'_>| {
+            count += 1;
+            Ok(ControlFlow::Continue(1e-1 * 10.0_f64.powi(-(level.degree as i32)) + left_by_steps(level.degree)))
+        };
+        let climbed = climb(&ladder, Vec::new(), solve, distance, &mut |_| ControlFlow::Continue(()));
+        let solved = climbed.unwrap_or_else(|_| Climbed { solved: Vec::new(), stopped: true }).solved;
+        let (reported, [error]) = best(&ladder, &solved, &distance).expect("levels enough");
+        let truth = solved[reported - 1].abs();
+        assert_eq!(count, 5, "{solved:?}");
+        assert!(truth < 2.0 * error && error < 1e-7, "{truth:e} {error:e}");
     }
 }
