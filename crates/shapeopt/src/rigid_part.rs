@@ -16,8 +16,24 @@ pub trait Curve {
     fn mean_modes(&self) -> Vec<f64>;
 }
 
+/// The lowest rigid part.
+pub(crate) struct Lowest {
+    /// Coordinates of the modes.
+    pub coordinates: Vec<f64>,
+    /// Largest change of `g` on the curve by changes of `m` of 1 at the touching points: `max_s sum_i |(phi(s) M^-1)_i|`, where row `i` of `M` holds
+    /// `phi(s_i)`. Touching points that run into one another leave a rotation to their tangent: it is then large.
+    pub amplification: f64,
+    /// Largest `|m|`.
+    pub scale: f64,
+}
+
 /// Solves the programme; `None` if it is infeasible or unbounded.
 pub fn lowest_nonnegative(curve: &impl Curve) -> Option<Vec<f64>> {
+    lowest(curve).map(|lowest| lowest.coordinates)
+}
+
+/// Solves the programme, and tells how its solution rests on the touching points.
+pub(crate) fn lowest(curve: &impl Curve) -> Option<Lowest> {
     let objective = curve.mean_modes();
     let modes = objective.len();
     let samples = curve.samples();
@@ -34,18 +50,21 @@ pub fn lowest_nonnegative(curve: &impl Curve) -> Option<Vec<f64>> {
         let between = [samples[lowest.saturating_sub(1)], samples[(lowest + 1).min(samples.len() - 1)]];
         let entering = curve.value(minimise(|s| gap(&curve.value(s)), between, samples[lowest]));
         let violation = gap(&entering);
-        best = Some(a);
+        let transposed = matrix.transpose().lu();
+        best = Some((a, transposed.clone()));
         if violation >= -1e-15 * scale {
-            return best;
+            break;
         }
         // Ratio test: phi(entering) = sum z_i phi(touching_i), weights y_i.
-        let transposed = matrix.transpose().lu();
         let z = transposed.solve(&nalgebra::DVector::from_row_slice(&entering.1))?;
         let y = transposed.solve(&nalgebra::DVector::from_row_slice(&objective))?;
         let leaving = (0..modes).filter(|i| z[*i] > 1e-14).min_by(|i, j| (y[*i] / z[*i]).total_cmp(&(y[*j] / z[*j])))?;
         touching[leaving] = entering;
     }
-    best
+    let (coordinates, transposed) = best?;
+    let spread = |phi: &[f64]| transposed.solve(&nalgebra::DVector::from_row_slice(phi)).map_or(f64::INFINITY, |z| z.lp_norm(1));
+    let amplification = values.iter().map(|v| spread(&v.1)).fold(0.0, f64::max);
+    Some(Lowest { coordinates, amplification, scale })
 }
 
 /// Touching points with non-negative weights, searched among a coarse subset of the samples.

@@ -3,7 +3,7 @@
 use crate::edge::{EdgeLoad, held_edge, solve_edge, solve_held};
 use crate::error::Error;
 use crate::place::SurfacePlace;
-use crate::rigid_part::{Curve, lowest_nonnegative};
+use crate::rigid_part::{Curve, Lowest, lowest};
 use contact::{ContactPoint, Pair, Side, contact_traction, normal};
 use hpfem::{BoundaryPoint, InterfaceOperator, InterfaceState, TraceLoad};
 use nalgebra::{DMatrix, DVector};
@@ -77,6 +77,9 @@ pub struct Shape {
     pub rigid: Vec<f64>,
     /// Sum of the contact load on body 1, integrated by the edges' own quadrature: `[x, z]`.
     pub contact_force: [f64; 2],
+    /// What round-off of the displacements where the gap touches leaves in the gap by its rigid part (mm): the spacing of numbers times the largest
+    /// jump, times the largest change of the gap by changes of 1 there. 0 where the rigid part is prescribed.
+    pub round_off: f64,
 }
 
 /// Solves for the shape: loads the separated bodies by the wanted tractions, takes the jump `m = (u2 - u1) . n` and adds the
@@ -91,19 +94,21 @@ pub fn solve_shape(problem: &ShapeProblem<'_>) -> Result<Shape, Error> {
     let shaped = side_state(problem, Side::Shaped, problem.pair.shaped, problem.cases_shaped);
     let counter = problem.pair.counter.map(|c| side_state(problem, Side::Counter, c, problem.cases_counter));
     let [x, z, _] = shaped.load.resultant;
-    let mut shape = Shape { shaped, counter, rigid: Vec::new(), contact_force: [x, z] };
+    let mut shape = Shape { shaped, counter, rigid: Vec::new(), contact_force: [x, z], round_off: 0.0 };
     let modes = problem.pair.shaped.rigid_modes.ncols();
-    shape.rigid = match &problem.rigid {
-        RigidPart::Prescribed(values) => values.clone(),
-        RigidPart::Smallest if modes == 0 => Vec::new(),
+    let round_off = |found: &Lowest| f64::EPSILON * found.scale * found.amplification;
+    (shape.rigid, shape.round_off) = match &problem.rigid {
+        RigidPart::Prescribed(values) => (values.clone(), 0.0),
+        RigidPart::Smallest if modes == 0 => (Vec::new(), 0.0),
         RigidPart::Smallest => {
             let curve = SurfaceCurve { pair: problem.pair, shape: &shape, along: None };
-            lowest_nonnegative(&curve).ok_or(Error::NoLowestGap { modes })?
+            let found = lowest(&curve).ok_or(Error::NoLowestGap { modes })?;
+            (found.coordinates.clone(), round_off(&found))
         }
         RigidPart::SmallestAlong { start, direction } => {
             let curve = SurfaceCurve { pair: problem.pair, shape: &shape, along: Some([start, direction]) };
-            let lowest = lowest_nonnegative(&curve).ok_or(Error::NoLowestGap { modes: 1 })?;
-            start.iter().zip(direction).map(|(s, d)| s + lowest[0] * d).collect()
+            let found = lowest(&curve).ok_or(Error::NoLowestGap { modes: 1 })?;
+            (start.iter().zip(direction).map(|(s, d)| s + found.coordinates[0] * d).collect(), round_off(&found))
         }
     };
     Ok(shape)

@@ -25,6 +25,7 @@ use crate::steps::answer::{Answer, Outcome, Own, Told};
 use crate::steps::heat::following::Following;
 use crate::steps::hot_shape::{self, HotShape};
 use crate::steps::reported::{Moment, Reported};
+use crate::steps::round_off::least_error;
 use crate::steps::shaper::{Shaper, unanswered};
 use crate::steps::{pressure, round_trip, tolerance, torsion};
 use crate::watch::Watch;
@@ -84,13 +85,17 @@ pub(crate) fn solve(stage: Stage<'_>, before: &Before<'_>, watch: &mut Watch<'_>
     outcome.tell(error.filter(|_| ladder.is_fixed()));
     if let Some(last) = last {
         outcome.error = error_of_gap(error, measure, &ladder.told_by(solved.len()), before.how);
-        if let Some((error, accuracy)) = error.and_then(|error| Some((error, ladder.missed(error)?))) {
-            outcome.ended = Some((Status::AccuracyMissed, missed("gap", error, accuracy)));
-        }
         let coarser = |by: usize| solved.iter().rfind(move |other| other.level.degree + by <= last.level.degree);
         let other = beside.as_ref().or_else(|| coarser(OTHER)).or_else(|| coarser(1));
         let work = shaper.report((last, other), before.passes, &mut outcome)?;
         effort += work;
+        let least = least_error(&last.shape, measure, &outcome);
+        if error.is_some_and(|error| error < least) {
+            outcome.error = error_of_gap(Some(least), measure, "round-off through the condition", before.how);
+        }
+        let missed_by = error.and_then(|error| Some((error.max(least), ladder.missed(error.max(least))?)));
+        let miss = missed_by.map(|(error, accuracy)| (Status::AccuracyMissed, missed("gap", error, accuracy)));
+        outcome.ended = outcome.ended.take().or(miss);
     }
     Ok((outcome, effort))
 }

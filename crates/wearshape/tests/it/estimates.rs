@@ -59,6 +59,29 @@ fn an_estimate_at_a_fixed_discretisation_sees_its_layers() {
     }
 }
 
+/// The smallest gap of a punch touches in one point, where its tangent fixes the rotation: that round-off turns, as moduli and force times one factor
+/// show, which leave the gap as it is.
+#[test]
+fn an_estimate_covers_what_round_off_leaves_in_a_shape() {
+    let at = |factor: f64| {
+        let [young, force] = [210e3 * factor, 1e3 * factor];
+        let material = [1, 2].map(|body| format!("body{body}.material={{young={young},poisson=0.3}}"));
+        let force = format!("load.force={force}");
+        let mesh = ["mesh.degree=20", "mesh.layers=16", "check=false"];
+        solved(
+            scene("translating-punch"),
+            &[&mesh[..], &["tasks=[\"shape\"]", &material[0], &material[1], &force]].concat(),
+            false,
+        )
+    };
+    let [one, other] = [at(1.0), at(3.33)];
+    let gaps = [&one, &other].map(|solution| &solution.profile.as_ref().expect("a table").gap);
+    let most = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0_f64, f64::max);
+    let apart = most(&mut gaps[0].iter().zip(gaps[1]).map(|(a, b)| (a - b).abs())) / most(&mut gaps[0].iter().copied());
+    let estimate: f64 = [&one, &other].iter().filter_map(|found| found.error.as_ref()?.gap_relative).sum();
+    assert!(apart < 2.0 * estimate && estimate < 1e-6, "{apart:e} {estimate:e}");
+}
+
 #[test]
 fn a_cylinder_of_many_layers_ends_where_one_of_few_does() {
     // The first point outside contact lies closer to its end than a billionth of the contact.
