@@ -4,6 +4,8 @@
 //! least `int g dS`. With one mode of one sign this is `a = -min_s m / phi`. In general a dual simplex method exchanges touching
 //! points: as many as modes, with non-negative weights `y` such that `int phi_k dS = sum_i y_i phi_k(s_i)`.
 
+use nalgebra::{DMatrix, DVector};
+
 /// A jump and closing velocities on a curve with a parameter in `[0, length]`.
 pub trait Curve {
     /// End of the parameter range.
@@ -32,54 +34,169 @@ pub fn lowest_nonnegative(curve: &impl Curve) -> Option<Vec<f64>> {
     lowest(curve).map(|lowest| lowest.coordinates)
 }
 
+/// A parameter, and the curve's value there.
+#[derive(Clone)]
+struct Place {
+    s: f64,
+    jump: f64,
+    modes: Vec<f64>,
+}
+
+impl Place {
+    fn on(curve: &impl Curve, s: f64) -> Place {
+        let (jump, modes) = curve.value(s);
+        Place { s, jump, modes }
+    }
+
+    fn gap(&self, coordinates: &[f64]) -> f64 {
+        self.jump + coordinates.iter().zip(&self.modes).map(|(a, p)| a * p).sum::<f64>()
+    }
+}
+
 /// Solves the programme, and tells how its solution rests on the touching points.
 pub(crate) fn lowest(curve: &impl Curve) -> Option<Lowest> {
     let objective = curve.mean_modes();
-    let modes = objective.len();
-    let samples = curve.samples();
-    let values: Vec<(f64, Vec<f64>)> = samples.iter().map(|s| curve.value(*s)).collect();
-    let mut touching = initial_basis(&values, &objective)?;
-    let scale = values.iter().map(|v| v.0.abs()).fold(0.0, f64::max).max(f64::MIN_POSITIVE);
-    let mut best = None;
+    let places: Vec<Place> = curve.samples().into_iter().map(|s| Place::on(curve, s)).collect();
+    let scale = places.iter().map(|v| v.jump.abs()).fold(0.0, f64::max).max(f64::MIN_POSITIVE);
+    let touching = touching(curve, &places, &objective, scale)?;
+    let coordinates = coordinates(&touching)?;
+    let amplification = amplification(&touching, &places);
+    let found = Lowest { coordinates, amplification, scale };
+    let apart = touching.len() != 2 || (touching[0].s - touching[1].s).abs() > spacing(&places, touching[0].s);
+    Some(if apart { found } else { at_tangent(curve, &places, &objective, scale).unwrap_or(found) })
+}
+
+/// Coordinates by which a gap vanishes at as many places as there are modes.
+fn coordinates(touching: &[Place]) -> Option<Vec<f64>> {
+    let right = DVector::from_iterator(touching.len(), touching.iter().map(|place| -place.jump));
+    Some(matrix(touching).lu().solve(&right)?.iter().copied().collect())
+}
+
+/// `phi_k(s_i)` of touching points i and modes k.
+fn matrix(touching: &[Place]) -> DMatrix<f64> {
+    DMatrix::from_fn(touching.len(), touching.len(), |i, k| touching[i].modes[k])
+}
+
+/// Largest change of a gap by changes of 1 at its touching points.
+fn amplification(touching: &[Place], places: &[Place]) -> f64 {
+    let transposed = matrix(touching).transpose().lu();
+    let spread = |phi: &[f64]| transposed.solve(&DVector::from_row_slice(phi)).map_or(f64::INFINITY, |z| z.lp_norm(1));
+    places.iter().map(|place| spread(&place.modes)).fold(0.0, f64::max)
+}
+
+/// The points where the lowest gap touches.
+fn touching(curve: &impl Curve, places: &[Place], objective: &[f64], scale: f64) -> Option<Vec<Place>> {
+    let mut touching = initial_basis(places, objective)?;
     for _ in 0..1000 {
-        let matrix = nalgebra::DMatrix::from_fn(modes, modes, |i, k| touching[i].1[k]);
-        let right = nalgebra::DVector::from_fn(modes, |i, _| -touching[i].0);
-        let a: Vec<f64> = matrix.clone().lu().solve(&right)?.iter().copied().collect();
-        let gap = |v: &(f64, Vec<f64>)| v.0 + a.iter().zip(&v.1).map(|(a, p)| a * p).sum::<f64>();
-        let lowest = (0..values.len()).min_by(|i, j| gap(&values[*i]).total_cmp(&gap(&values[*j])))?;
-        let between = [samples[lowest.saturating_sub(1)], samples[(lowest + 1).min(samples.len() - 1)]];
-        let entering = curve.value(minimise(|s| gap(&curve.value(s)), between, samples[lowest]));
-        let violation = gap(&entering);
-        let transposed = matrix.transpose().lu();
-        best = Some((a, transposed.clone()));
-        if violation >= -1e-15 * scale {
+        let a = coordinates(&touching)?;
+        let entering = lowest_place(curve, places, &a, SLACK * scale)?;
+        if entering.gap(&a) >= -SLACK * scale {
             break;
         }
         // Ratio test: phi(entering) = sum z_i phi(touching_i), weights y_i.
-        let z = transposed.solve(&nalgebra::DVector::from_row_slice(&entering.1))?;
-        let y = transposed.solve(&nalgebra::DVector::from_row_slice(&objective))?;
-        let leaving = (0..modes).filter(|i| z[*i] > 1e-14).min_by(|i, j| (y[*i] / z[*i]).total_cmp(&(y[*j] / z[*j])))?;
+        let transposed = matrix(&touching).transpose().lu();
+        let z = transposed.solve(&DVector::from_row_slice(&entering.modes))?;
+        let y = transposed.solve(&DVector::from_row_slice(objective))?;
+        let leaving = (0..touching.len()).filter(|i| z[*i] > 1e-14).min_by(|i, j| (y[*i] / z[*i]).total_cmp(&(y[*j] / z[*j])))?;
         touching[leaving] = entering;
     }
-    let (coordinates, transposed) = best?;
-    let spread = |phi: &[f64]| transposed.solve(&nalgebra::DVector::from_row_slice(phi)).map_or(f64::INFINITY, |z| z.lp_norm(1));
-    let amplification = values.iter().map(|v| spread(&v.1)).fold(0.0, f64::max);
-    Some(Lowest { coordinates, amplification, scale })
+    Some(touching)
+}
+
+/// Where a gap with the rigid part `a` is lowest: about its lowest sample, or where it dips lower between samples that are no lower.
+fn lowest_place(curve: &impl Curve, places: &[Place], a: &[f64], slack: f64) -> Option<Place> {
+    let gap = |s: f64| Place::on(curve, s).gap(a);
+    let gaps: Vec<f64> = places.iter().map(|place| place.gap(a)).collect();
+    let lowest = (0..gaps.len()).min_by(|i, j| gaps[*i].total_cmp(&gaps[*j]))?;
+    let found = lowest_about(gap, places, lowest, slack);
+    let to_beat = gap(found) - slack;
+    let inner = (1..gaps.len().saturating_sub(1)).filter(|i| *i != lowest && gaps[*i] <= gaps[i - 1].min(gaps[i + 1]));
+    // No dip is deeper than twice what a parabola tells.
+    let deepest = |i: usize| 2.0 * vertex([i - 1, i, i + 1].map(|k| [places[k].s, gaps[k]])) - gaps[i];
+    let dips = inner.filter(|i| deepest(*i) < to_beat);
+    let others = dips.map(|i| lowest_about(gap, places, i, slack)).filter(|s| gap(*s) < to_beat);
+    let lower = others.min_by(|s, t| gap(*s).total_cmp(&gap(*t)));
+    Some(Place::on(curve, lower.unwrap_or(found)))
+}
+
+/// Lowest value of the parabola through three points of which the middle one is lowest.
+fn vertex([[x, f], [y, g], [z, h]]: [[f64; 2]; 3]) -> f64 {
+    let [left, right] = [(g - f) / (y - x), (h - g) / (z - y)];
+    let bend = (right - left) / (z - x);
+    let slope = left + bend * (y - x);
+    if bend > 0.0 { g - slope * slope / (4.0 * bend) } else { g }
+}
+
+/// The lowest place between the samples beside one. Ends of cells are samples: there slopes may jump by the error of the discretisation, so that either
+/// side may have a minimum of its own, lower by more than `slack` than what a search over both has found.
+fn lowest_about(gap: impl Fn(f64) -> f64, places: &[Place], sample: usize, slack: f64) -> f64 {
+    let [before, at, after] = [sample.saturating_sub(1), sample, (sample + 1).min(places.len() - 1)].map(|i| places[i].s);
+    let over_both = minimise(&gap, [before, after], at);
+    let sides = [[before, at], [at, after]].map(|side| minimise(&gap, side, at));
+    let lower = sides.into_iter().filter(|s| gap(*s) < gap(over_both) - slack);
+    lower.min_by(|a, b| gap(*a).total_cmp(&gap(*b))).unwrap_or(over_both)
+}
+
+/// Distance of the samples about a parameter, the smaller one.
+fn spacing(places: &[Place], s: f64) -> f64 {
+    let next = places.partition_point(|place| place.s <= s).clamp(1, places.len() - 1);
+    let about = next.saturating_sub(1).max(1)..(next + 2).min(places.len());
+    about.map(|i| places[i].s - places[i - 1].s).fold(f64::INFINITY, f64::min)
+}
+
+/// Violation of `g >= 0`, over the largest jump, that is round-off.
+const SLACK: f64 = 1e-15;
+/// Violation of `g >= 0`, over the largest jump, that a tangent may have.
+const DIP: f64 = 1e-12;
+
+/// Where two touching points run into one another, the gap touches in one point, which the objective alone tells: `int phi dS = y phi(s)`. There it
+/// has a horizontal tangent; the mean of both sides where they differ by the error of the discretisation. Two points a rounding error apart
+/// would tell no slope. `None` where that is no solution.
+fn at_tangent(curve: &impl Curve, places: &[Place], objective: &[f64], scale: f64) -> Option<Lowest> {
+    let side = |modes: &[f64]| modes[0] * objective[1] - modes[1] * objective[0];
+    let crossing = places.windows(2).find(|pair| side(&pair[0].modes) * side(&pair[1].modes) <= 0.0)?;
+    let s = root(|s| side(&curve.value(s).1), [crossing[0].s, crossing[1].s]);
+    let step = spacing(places, s) / 16.0;
+    let [far_below, below, above, far_above] = [-2.0, -1.0, 1.0, 2.0].map(|k| Place::on(curve, s + k * step));
+    let at = Place::on(curve, s);
+    // Slopes of fourth order.
+    let slope =
+        |of: &dyn Fn(&Place) -> f64| (8.0 * (of(&above) - of(&below)) - (of(&far_above) - of(&far_below))) / (12.0 * step);
+    let modes = (0..2).map(|k| slope(&|place| place.modes[k])).collect();
+    let tangent = [at, Place { s, jump: slope(&|place| place.jump), modes }];
+    let coordinates = coordinates(&tangent)?;
+    let lowest = places.iter().map(|place| place.gap(&coordinates)).fold(f64::INFINITY, f64::min);
+    let amplification = amplification(&[below, above], places);
+    (lowest >= -DIP * scale).then_some(Lowest { coordinates, amplification, scale })
+}
+
+/// A root between two parameters at which a function has not the same sign, by bisection.
+fn root(f: impl Fn(f64) -> f64, [mut lower, mut upper]: [f64; 2]) -> f64 {
+    let rising = f(upper) > f(lower);
+    for _ in 0..80 {
+        let middle = 0.5 * (lower + upper);
+        match f(middle) {
+            0.0 => return middle,
+            value if (value > 0.0) == rising => upper = middle,
+            _ => lower = middle,
+        }
+    }
+    0.5 * (lower + upper)
 }
 
 /// Touching points with non-negative weights, searched among a coarse subset of the samples.
-fn initial_basis(values: &[(f64, Vec<f64>)], objective: &[f64]) -> Option<Vec<(f64, Vec<f64>)>> {
+fn initial_basis(places: &[Place], objective: &[f64]) -> Option<Vec<Place>> {
     let modes = objective.len();
-    let step = (values.len() / 24).max(1);
-    let coarse: Vec<usize> = (0..values.len()).step_by(step).chain([values.len() - 1]).collect();
+    let step = (places.len() / 24).max(1);
+    let coarse: Vec<usize> = (0..places.len()).step_by(step).chain([places.len() - 1]).collect();
     let mut combination: Vec<usize> = (0..modes).collect();
     loop {
         let chosen: Vec<usize> = combination.iter().map(|i| coarse[*i]).collect();
-        let matrix = nalgebra::DMatrix::from_fn(modes, modes, |k, i| values[chosen[i]].1[k]);
-        if let Some(y) = matrix.lu().solve(&nalgebra::DVector::from_row_slice(objective))
+        let matrix = DMatrix::from_fn(modes, modes, |k, i| places[chosen[i]].modes[k]);
+        if let Some(y) = matrix.lu().solve(&DVector::from_row_slice(objective))
             && y.iter().all(|v| v.is_finite() && *v >= 0.0)
         {
-            return Some(chosen.iter().map(|i| values[*i].clone()).collect());
+            return Some(chosen.iter().map(|i| places[*i].clone()).collect());
         }
         // Next combination in lexicographic order.
         let position = (0..modes).rev().find(|p| combination[*p] < coarse.len() - modes + p)?;
@@ -100,4 +217,70 @@ fn minimise(f: impl Fn(f64) -> f64, [mut lower, mut upper]: [f64; 2], centre: f6
     }
     let middle = 0.5 * (lower + upper);
     ends.into_iter().chain([middle]).min_by(|a, b| f(*a).total_cmp(&f(*b))).unwrap_or(middle)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A jump over a straight surface of length 2 that may shift and turn.
+    struct Line<F: Fn(f64) -> f64>(F);
+
+    impl<F: Fn(f64) -> f64> Curve for Line<F> {
+        fn length(&self) -> f64 {
+            2.0
+        }
+
+        fn samples(&self) -> Vec<f64> {
+            (0..=100).map(|i| 0.02 * f64::from(i)).collect()
+        }
+
+        fn value(&self, s: f64) -> (f64, Vec<f64>) {
+            ((self.0)(s), vec![1.0, s])
+        }
+
+        fn mean_modes(&self) -> Vec<f64> {
+            vec![2.0, 2.0]
+        }
+    }
+
+    /// A convex gap touches in the middle, where the moment of its lift vanishes, along its tangent.
+    #[test]
+    fn a_gap_that_touches_in_one_point_has_its_tangent_there() {
+        for factor in [1.0, 3.33, -1.0] {
+            let found = lowest(&Line(|s| (factor * 0.7 * s).exp())).expect("a solution");
+            let [value, slope] = [(0.7 * factor).exp(), 0.7 * factor * (0.7 * factor).exp()];
+            let [shift, turn] = [found.coordinates[0], found.coordinates[1]];
+            assert!((turn + slope).abs() < 1e-10 * slope.abs(), "{turn} {slope}");
+            assert!((shift + turn + value).abs() < 1e-13 * value, "{shift} {turn}");
+            assert!(found.amplification < 1e3, "{}", found.amplification);
+        }
+    }
+
+    /// With a small kink there every slope between those of both sides is a solution: the mean one has no side of its own.
+    #[test]
+    fn a_kink_where_it_touches_takes_no_side() {
+        let found = lowest(&Line(|s| (s - 1.0).powi(2) + 1e-3 * (s - 1.0).abs())).expect("a solution");
+        assert!(found.coordinates[1].abs() < 1e-12, "{:?}", found.coordinates);
+    }
+
+    /// A dip between samples is seen, also where another touching point is the lowest sample.
+    #[test]
+    fn no_gap_dips_below_zero_between_samples() {
+        let gap = |s: f64| (s - 0.513).powi(2) * (2.0 - s);
+        let found = lowest(&Line(gap)).expect("a solution");
+        let [shift, turn] = [found.coordinates[0], found.coordinates[1]];
+        assert!(shift.abs() < 1e-14 && turn.abs() < 1e-14, "{shift:e} {turn:e}");
+    }
+
+    /// Apart from each other they are touching points as they are.
+    #[test]
+    fn a_gap_that_touches_in_two_points_rests_on_them() {
+        let found = lowest(&Line(|s| ((s - 0.5) * (s - 1.5)).powi(2) + 0.3 - 0.1 * s)).expect("a solution");
+        assert!(
+            (found.coordinates[0] + 0.3).abs() < 1e-12 && (found.coordinates[1] - 0.1).abs() < 1e-12,
+            "{:?}",
+            found.coordinates
+        );
+    }
 }
