@@ -4,6 +4,7 @@
 //! (relaxed supernodes, Ashcraft and Grimes 1989).
 
 use crate::front::{FrontPlan, Order, Plan, partial_factor};
+use crate::places::postorder;
 
 /// Multiplications that take as long as clearing a number of a merged element, adding to it and reading it again.
 const HANDLING: f64 = 8.0;
@@ -51,7 +52,17 @@ fn amalgamated(mut fronts: Vec<FrontPlan>, roots: Vec<usize>, elements: usize, s
     let anew = |element: usize| element.checked_sub(elements).map_or(element, |f| elements + number[f]);
     let mut left: Vec<FrontPlan> = fronts.into_iter().zip(&alive).filter(|(_, alive)| **alive).map(|(front, _)| front).collect();
     left.iter_mut().flat_map(|front| &mut front.children).for_each(|child| *child = anew(*child));
-    (left, roots.into_iter().map(anew).collect())
+    in_postorder(left, roots.into_iter().map(anew).collect(), elements)
+}
+
+/// The fronts in postorder, which elements with places on stacks ask for; each computes what it computes in any other order.
+fn in_postorder(mut fronts: Vec<FrontPlan>, roots: Vec<usize>, elements: usize) -> (Vec<FrontPlan>, Vec<usize>) {
+    let number = postorder(&fronts, &roots, elements);
+    let anew = |element: usize| element.checked_sub(elements).map_or(element, |f| elements + number[f]);
+    fronts.iter_mut().flat_map(|front| &mut front.children).for_each(|child| *child = anew(*child));
+    let mut sorted: Vec<FrontPlan> = (0..fronts.len()).map(|_| FrontPlan::default()).collect();
+    number.iter().zip(fronts).for_each(|(number, front)| sorted[*number] = front);
+    (sorted, roots.into_iter().map(anew).collect())
 }
 
 /// Multiplications of a front that eliminates `gone` of `all` unknowns, the handling of what it leaves counted as such.

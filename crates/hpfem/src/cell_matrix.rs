@@ -230,12 +230,17 @@ fn turned(matrix: &[f64], sources: &[(usize, f64)], turn: &Turn, components: usi
     }
     let [[a, b], [c, d]] = turn.matrix;
     let n = rows / 2;
+    let turned = turn.matrix != Turn::NONE.matrix;
     for (j, (from, sign)) in sources.iter().enumerate() {
         let ((xx, zx), (xz, zz)) = (column(*from).split_at(n), column(n + from).split_at(n));
         let (first, second) = out[2 * j * size..2 * (j + 1) * size].split_at_mut(size);
         let pairs = first[2 * j..].chunks_exact_mut(2).zip(second[2 * j..].chunks_exact_mut(2));
         for ((first, second), (i, other)) in pairs.zip(&sources[j..]) {
             let f = sign * other;
+            if !turned {
+                [first[0], first[1], second[0], second[1]] = [xx[*i], zx[*i], xz[*i], zz[*i]].map(|k| f * k);
+                continue;
+            }
             // T B T^T with the 2 x 2 block B of a pair of modes.
             let (t00, t01) = (a * xx[*i] + b * zx[*i], a * xz[*i] + b * zz[*i]);
             let (t10, t11) = (c * xx[*i] + d * zx[*i], c * xz[*i] + d * zz[*i]);

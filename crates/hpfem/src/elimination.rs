@@ -11,15 +11,11 @@
 //! `F_c - K_ci K_ii^-1 F_i`, and in the corner `-F_i^T K_ii^-1 F_i`. Elements without loads do not have the group.
 
 use crate::cell_matrix::Elements;
-use crate::dense::{factor_panel, subtract_square};
 use crate::front::{FrontPlan, Plan};
+use crate::front_matrix::{Front, FrontMap};
 use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
-use faer::{Accum, Mat, MatMut, MatRef, Par};
-
-/// Number of buffers of merged elements kept for the next ones, and their largest length: a store that only grows costs more than it saves.
-const SPARE: usize = 4;
-const SPARE_LENGTH: usize = 1 << 17;
+use faer::{Accum, Mat, MatRef, Par};
 
 /// The factorised interior and the condensed kept part.
 pub(crate) struct Condensed {
@@ -50,40 +46,41 @@ impl Plan {
         let cells = elements.groups.len();
         let unknowns = |groups: &[usize]| groups.iter().map(|g| size[*g]).sum::<usize>();
         let panel_size = |plan: &FrontPlan| unknowns(&plan.groups) * unknowns(&plan.groups[..plan.eliminated]);
-        let (mut panels, mut panel) = (Vec::new(), Vec::new());
-        if !factors {
-            panel = vec![0.0; self.fronts.iter().map(panel_size).max().unwrap_or(0)];
-        }
-        let mut front = Front { size, offset: vec![0; size.len()], n: 0, panel, rest: Vec::new() };
-        let mut merged: Vec<Vec<f64>> = Vec::with_capacity(self.fronts.len());
-        let (mut spare, mut buffer) = (Vec::new(), Vec::new());
-        for plan in &self.fronts {
-            front.open(&plan.groups, plan.eliminated, &mut spare);
+        let mut panel = vec![0.0; self.fronts.iter().map(panel_size).max().unwrap_or(0)];
+        let mut panels = Vec::new();
+        let places = self.places(size, cells);
+        let mut merged = vec![0.0; places.length];
+        let mut map = FrontMap::new(size);
+        let mut buffer = Vec::new();
+        for (number, plan) in self.fronts.iter().enumerate() {
+            let panel = &mut panel[..panel_size(plan)];
+            let [before, own, after] = places.split(number, &mut merged);
+            let mut front = Front::open(&mut map, plan, panel, own);
             for child in &plan.children {
                 if let Some(child) = child.checked_sub(cells) {
-                    let matrix = std::mem::take(&mut merged[child]);
-                    front.add(&matrix, self.fronts[child].left());
-                    if matrix.len() <= SPARE_LENGTH {
-                        spare.push(matrix);
-                    }
+                    front.add(places.child(child, number, [before, after]), self.fronts[child].left());
                 } else {
                     front.add(elements.matrix(*child, &mut buffer), &elements.groups[*child]);
                     elements.release(*child);
                 }
             }
-            merged.push(front.factor().map_err(|index| owner(&plan.groups, size, index))?);
+            front.factor().map_err(|index| owner(&plan.groups, size, index))?;
             if factors {
-                panels.push(std::mem::take(&mut front.panel));
+                panels.push(panel.to_vec());
             }
         }
-        front.open(kept, 0, &mut Vec::new());
-        for root in &self.roots {
-            match root.checked_sub(cells) {
-                Some(child) => front.add(&merged[child], self.fronts[child].left()),
-                None => front.add(elements.matrix(*root, &mut buffer), &elements.groups[*root]),
+        let root = FrontPlan { children: Vec::new(), groups: kept.to_vec(), eliminated: 0 };
+        let n = unknowns(kept);
+        let mut square = vec![0.0; n * n];
+        let mut front = Front::open(&mut map, &root, &mut [], &mut square);
+        for element in &self.roots {
+            match element.checked_sub(cells) {
+                Some(child) => front.add(&merged[places.parts[child].clone()], self.fronts[child].left()),
+                None => front.add(elements.matrix(*element, &mut buffer), &elements.groups[*element]),
             }
         }
-        let (n, square) = (front.n, front.rest);
+        front.complete();
+        drop(merged);
         let own = n - kept.last().map_or(0, |g| size[*g]);
         let (columns, at) = (n - own, |i: usize, j: usize| square[i.min(j) * n + i.max(j)]);
         Ok(Condensed {
@@ -117,7 +114,7 @@ impl Condensed {
     /// Eliminates more right-hand sides, as many as `many`. `values` holds one matrix a group, a column a right-hand side, empty for zero; on return
     /// those of the kept groups are condensed. Only fronts on the way from the loads to the kept groups are visited.
     pub(crate) fn forward(&self, values: &mut [Mat<f64>], size: &[usize], [columns, many]: [usize; 2]) -> Forward {
-        let mut forward = Forward { parts: Vec::with_capacity(self.panels.len()), work: Mat::zeros(columns, many) };
+        let mut forward = Forward { parts: Vec::with_capacity(self.plan.fronts.len()), work: Mat::zeros(columns, many) };
         for (front, panel) in self.plan.fronts.iter().zip(&self.panels) {
             let (gone, left) = front.groups.split_at(front.eliminated);
             if gone.iter().all(|g| values[*g].ncols() == 0) {
@@ -186,100 +183,6 @@ impl Condensed {
             }
         }
     }
-}
-
-/// The front at work, a symmetric matrix of which the lower triangle counts.
-struct Front<'s> {
-    /// Number of unknowns of each group.
-    size: &'s [usize],
-    /// First unknown of each group of the front.
-    offset: Vec<usize>,
-    /// Number of unknowns.
-    n: usize,
-    /// The leading columns, those of the groups that disappear, one after the other.
-    panel: Vec<f64>,
-    /// The trailing square, columns one after the other.
-    rest: Vec<f64>,
-}
-
-impl Front<'_> {
-    /// An empty front on the groups, the first `eliminated` of which disappear.
-    fn open(&mut self, groups: &[usize], eliminated: usize, spare: &mut Vec<Vec<f64>>) {
-        self.n = 0;
-        for g in groups {
-            self.offset[*g] = self.n;
-            self.n += self.size[*g];
-        }
-        let gone = groups[..eliminated].iter().map(|g| self.size[*g]).sum();
-        clear(&mut self.panel, self.n, gone);
-        self.rest = zeros(spare, self.n - gone);
-    }
-
-    /// Adds an element. Front and element sort their groups by rank, so lower stays lower and rows come in runs.
-    fn add(&mut self, matrix: &[f64], groups: &[usize]) {
-        let (size, offset, n) = (self.size, &self.offset[..], self.n);
-        let (panel, rest) = (&mut self.panel[..], &mut self.rest[..]);
-        let ne = panel.len().checked_div(n).unwrap_or(0);
-        // Runs of rows: first row in the element, first row in the front, length. Groups that follow each other in both make one run.
-        let mut runs: Vec<(usize, usize, usize)> = Vec::with_capacity(groups.len());
-        let mut rows = 0;
-        for g in groups {
-            match runs.last_mut() {
-                Some((_, to, length)) if *to + *length == offset[*g] => *length += size[*g],
-                _ => runs.push((rows, offset[*g], size[*g])),
-            }
-            rows += size[*g];
-        }
-        for (number, (from, to, length)) in runs.iter().enumerate() {
-            for c in 0..*length {
-                let column = &matrix[(from + c) * rows..(from + c + 1) * rows];
-                let target = to + c;
-                let (out, shift) = match target.checked_sub(ne) {
-                    None => (&mut panel[target * n..(target + 1) * n], 0),
-                    Some(k) => (&mut rest[k * (n - ne)..(k + 1) * (n - ne)], ne),
-                };
-                let mut add = |from: usize, to: usize, length: usize| {
-                    let target = &mut out[to - shift..to - shift + length];
-                    target.iter_mut().zip(&column[from..from + length]).for_each(|(o, s)| *o += s);
-                };
-                add(from + c, target, length - c);
-                runs[number + 1..].iter().for_each(|(from, to, length)| add(*from, *to, *length));
-            }
-        }
-    }
-
-    /// Factorises the panel and returns the Schur complement of the rest.
-    ///
-    /// # Errors
-    /// The unknown whose pivot lost all stiffness.
-    fn factor(&mut self) -> Result<Vec<f64>, usize> {
-        let n = self.n;
-        factor_panel(&mut self.panel, n)?;
-        let ne = self.panel.len().checked_div(n).unwrap_or(0);
-        let l21 = MatRef::from_column_major_slice(&self.panel, n, ne).subrows(ne, n - ne);
-        subtract_square(l21, MatMut::from_column_major_slice_mut(&mut self.rest, n - ne, n - ne));
-        Ok(std::mem::take(&mut self.rest))
-    }
-}
-
-/// A square whose lower triangle is zero, in the smallest spare buffer that is large enough or a new one.
-fn zeros(spare: &mut Vec<Vec<f64>>, n: usize) -> Vec<f64> {
-    spare.sort_by_key(|b| std::cmp::Reverse(b.capacity()));
-    spare.truncate(SPARE);
-    let fit = spare.iter().rposition(|b| b.capacity() >= n * n);
-    let mut buffer = fit.map_or_else(Vec::new, |fit| spare.remove(fit));
-    clear(&mut buffer, n, n);
-    buffer
-}
-
-/// Makes a buffer `columns` columns of `rows` numbers that are zero from the diagonal on.
-fn clear(buffer: &mut Vec<f64>, rows: usize, columns: usize) {
-    if buffer.capacity() < rows * columns {
-        *buffer = vec![0.0; rows * columns];
-        return;
-    }
-    buffer.resize(rows * columns, 0.0);
-    (0..columns).for_each(|j| buffer[j * rows + j..(j + 1) * rows].fill(0.0));
 }
 
 /// The group that owns unknown `index` of a front.

@@ -58,18 +58,26 @@ impl Plan {
         let unknowns = |groups: &[usize]| groups.iter().map(|g| size[*g] as u64).sum::<u64>();
         let square = |groups: &[usize]| 8 * unknowns(groups).pow(2);
         let own = |(e, groups): (usize, &Vec<usize>)| if owns(e) { square(groups) } else { 0 };
-        let mut elements: Vec<u64> = element_groups.iter().enumerate().map(own).collect();
+        let elements: Vec<u64> = element_groups.iter().enumerate().map(own).collect();
         let mut held: u64 = elements.iter().sum();
         let mut largest = held;
+        // Merged elements share one buffer, whose pages stay.
+        let (mut waiting, mut buffer) = (0, 0);
         for front in &self.fronts {
             let (gone, left) = front.groups.split_at(front.eliminated);
-            elements.push(square(left));
-            held += 8 * unknowns(&front.groups) * unknowns(gone) + square(left);
-            largest = largest.max(held);
-            held -= front.children.iter().map(|child| elements[*child]).sum::<u64>();
+            held += 8 * unknowns(&front.groups) * unknowns(gone);
+            waiting += square(left);
+            buffer = waiting.max(buffer);
+            largest = largest.max(held + buffer);
+            for child in &front.children {
+                match child.checked_sub(elements.len()) {
+                    Some(merged) => waiting -= square(self.fronts[merged].left()),
+                    None => held -= elements[*child],
+                }
+            }
         }
         // What is left is copied into the operator and brought to its units.
-        largest = largest.max(held + 3 * square(kept));
+        largest = largest.max(held + buffer + square(kept)).max(held + 3 * square(kept));
         largest + CELL_BYTES * element_groups.len() as u64 + BASE_BYTES
     }
 }
