@@ -3,7 +3,7 @@
 //! What a front eliminates stands in its panel, the square of what it leaves in the place of its merged element. Neither is cleared before:
 //! the first element that has a column writes it whole, the others are added.
 
-use crate::dense::{factor_panel, subtract_square};
+use crate::dense::{factor_panel, subtract_product};
 use crate::front::FrontPlan;
 use faer::{MatMut, MatRef};
 use pulp::{Arch, Simd, WithSimd};
@@ -103,7 +103,7 @@ impl<'f, 's> Front<'f, 's> {
         let (n, ne) = (self.n, self.ne);
         factor_panel(self.panel, n)?;
         let l21 = MatRef::from_column_major_slice(self.panel, n, ne).subrows(ne, n - ne);
-        subtract_square(l21, MatMut::from_column_major_slice_mut(self.rest, n - ne, n - ne));
+        subtract_product(l21, MatMut::from_column_major_slice_mut(self.rest, n - ne, n - ne));
         Ok(())
     }
 }
