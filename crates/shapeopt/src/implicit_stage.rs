@@ -14,8 +14,8 @@ use faer::linalg::solvers::{PartialPivLu, Solve};
 use std::borrow::Cow;
 
 const NEWTON_LIMIT: usize = 60;
-/// Newton steps after which active points change one at a time.
-const PATIENCE: usize = 25;
+/// Newton steps without fewer points that change sides after which they change one at a time.
+const PATIENCE: usize = 5;
 
 /// A load stage prepared for implicit steps: one load, or several that act by turns and are averaged. Of these each has contact points of its own, one load
 /// after the other, on the gap at the same places; gaps and errors of gaps have one value a place, the rest one a point.
@@ -60,6 +60,8 @@ pub(crate) struct Unsettled {
 
 /// The linearised problem on the points in contact.
 pub(crate) struct Linear {
+    /// Length of the implicit step.
+    step: f64,
     active: Vec<usize>,
     /// `dp/du` on the active points.
     slope: Vec<f64>,
@@ -84,8 +86,27 @@ struct Iterate {
     u: Vec<f64>,
     /// Pressure and slope at points where they are known already for this normal map.
     known: Vec<Option<(f64, f64)>>,
-    /// Newton steps so far, this one counted.
-    steps: usize,
+    patience: Patience,
+}
+
+/// How many points may change sides at once: all of them as long as they become fewer, or have not for a few steps only; else one, until they are
+/// fewer than ever before (block pivoting: Judice and Pires 1994).
+struct Patience {
+    fewest: usize,
+    left: usize,
+}
+
+impl Patience {
+    /// Whether all points may change, of which there are so many.
+    fn all(&mut self, changed: usize) -> bool {
+        if changed < self.fewest {
+            (self.fewest, self.left) = (changed, PATIENCE);
+            return true;
+        }
+        let all = self.left > 0;
+        self.left = self.left.saturating_sub(1);
+        all
+    }
 }
 
 /// What a Newton step has changed.
@@ -143,25 +164,43 @@ impl<'a> Load<'a> {
         let all = || Contact { pressure: vec![0.0; n], opening: vec![-f64::MIN_POSITIVE; n], coordinates: vec![0.0; free] };
         // One point at a time changes sides in the end, and each may have to.
         let patient = NEWTON_LIMIT + 4 * n;
-        self.solve(gap, 0.0, start).or_else(|_| self.solve_within(gap, 0.0, &all(), patient)).ok()
+        let from = |start: &Contact, limit: usize| self.solve_within(&Stage { known: gap, step: 0.0 }, start, None, limit);
+        from(start, NEWTON_LIMIT).or_else(|_| from(&all(), patient)).ok()
     }
 
     /// Solves a stage. `known` is the gap without the wear of this stage.
     pub(crate) fn solve(&self, known: &[f64], step: f64, start: &Contact) -> Result<Solved, Unsettled> {
-        self.solve_within(known, step, start, NEWTON_LIMIT)
+        self.solve_after(known, step, start, None)
+    }
+
+    /// The same after another stage, whose factors serve as long as they are the same.
+    pub(crate) fn solve_after(
+        &self,
+        known: &[f64],
+        step: f64,
+        start: &Contact,
+        before: Option<Linear>,
+    ) -> Result<Solved, Unsettled> {
+        self.solve_within(&Stage { known, step }, start, before, NEWTON_LIMIT)
     }
 
     /// The same in at most so many Newton steps.
-    fn solve_within(&self, known: &[f64], step: f64, start: &Contact, limit: usize) -> Result<Solved, Unsettled> {
-        let n = self.weights.len();
-        let stage = Stage { known, step };
+    fn solve_within(
+        &self,
+        stage: &Stage<'_>,
+        start: &Contact,
+        mut before: Option<Linear>,
+        limit: usize,
+    ) -> Result<Solved, Unsettled> {
+        let (n, step) = (self.weights.len(), stage.step);
         let linear_rate = step == 0.0 || (self.rate.is_linear());
         let contact = start.clone();
         let recession = step * self.rate.recession(&contact.pressure);
         let u: Vec<f64> = (0..n)
             .map(|i| self.sigma[i] * contact.pressure[i] + step * self.rate.local(i, contact.pressure[i]) - contact.opening[i])
             .collect();
-        let mut at = Iterate { contact, recession, u, known: vec![None; n], steps: 0 };
+        let mut at =
+            Iterate { contact, recession, u, known: vec![None; n], patience: Patience { fewest: n + 1, left: PATIENCE } };
         let mut relative_before = f64::INFINITY;
         let mut unsettled = Unsettled::default();
         for iteration in 1..=limit {
@@ -172,11 +211,13 @@ impl<'a> Load<'a> {
                     None => self.rate.inverse(i, self.sigma[i], step, at.u[i]),
                 })
                 .unzip();
-            (at.contact.pressure, at.steps) = (pressure, iteration);
+            at.contact.pressure = pressure;
             let active: Vec<usize> = (0..n).filter(|i| at.u[*i] > 0.0).collect();
-            let linear = self.linearise(step, &at.contact.pressure, active, &slope).ok_or_else(Unsettled::default)?;
-            let change = linear.solve(self.right(&stage, &at, &linear.active)).ok_or_else(Unsettled::default)?;
-            let update = self.update(&stage, &mut at, &linear.active, &change).ok_or_else(Unsettled::default)?;
+            let same = before.take().filter(|linear| linear_rate && linear.fits(step, &active, &slope));
+            let linear =
+                same.or_else(|| self.linearise(step, &at.contact.pressure, active, &slope)).ok_or_else(Unsettled::default)?;
+            let change = linear.solve(self.right(stage, &at, &linear.active)).ok_or_else(Unsettled::default)?;
+            let update = self.update(stage, &mut at, &linear.active, &change).ok_or_else(Unsettled::default)?;
             // The error after this step is the square of the change before it, down to round-off.
             let round_off = update.absolute <= 1e-11 * update.size && update.relative > 0.5 * relative_before;
             let settled = update.changed.is_empty() && (linear_rate || update.relative < 1e-7 || round_off);
@@ -192,7 +233,7 @@ impl<'a> Load<'a> {
         Err(unsettled)
     }
 
-    /// Takes a Newton step; after long patience only one point enters or leaves the contact. `None` if the step leads out of all numbers.
+    /// Takes a Newton step; after some patience only one point enters or leaves the contact. `None` if the step leads out of all numbers.
     fn update(&self, stage: &Stage<'_>, at: &mut Iterate, active: &[usize], change: &[f64]) -> Option<Update> {
         let (n, step) = (self.weights.len(), stage.step);
         let a = active.len();
@@ -234,7 +275,7 @@ impl<'a> Load<'a> {
             }
         }
         let changed: Vec<usize> = (0..n).filter(|i| (next[*i] > 0.0) != (u[*i] > 0.0)).collect();
-        if let (true, Some(only)) = (at.steps > PATIENCE, changed.last()) {
+        if let (false, Some(only)) = (at.patience.all(changed.len()), changed.last()) {
             for i in changed.iter().copied().filter(|i| i != only) {
                 next[i] = if u[i] > 0.0 { f64::MIN_POSITIVE.max(1e-12 * u[i]) } else { 0.0 };
                 at.known[i] = None;
@@ -327,7 +368,7 @@ impl<'a> Load<'a> {
             row.push(largest);
         }
         let slope = active.iter().map(|i| slope[*i]).collect();
-        Some(Linear { active, slope, row, factor: matrix.partial_piv_lu() })
+        Some(Linear { step, active, slope, row, factor: matrix.partial_piv_lu() })
     }
 
     /// Filters an error of the gap through the stage: what is left of it after an implicit step, and the error of the pressure that
@@ -350,6 +391,12 @@ impl<'a> Load<'a> {
 }
 
 impl Linear {
+    /// Whether a step of linear rates has this matrix.
+    fn fits(&self, step: f64, active: &[usize], slope: &[f64]) -> bool {
+        let same = |(i, own): (&usize, &f64)| *own == slope[*i];
+        self.step == step && self.active == active && self.active.iter().zip(&self.slope).all(same)
+    }
+
     fn solve(&self, mut right: Vec<f64>) -> Option<Vec<f64>> {
         let a = self.active.len();
         self.row.iter().enumerate().for_each(|(r, s)| right[a + r] /= s);

@@ -49,7 +49,7 @@ fn implicit_step(load: &Load<'_>, state: &WearState, step: f64, tableau: &Tablea
         for (factor, rate) in row.iter().zip(&rates) {
             known.iter_mut().zip(rate).for_each(|(g, r)| *g += step * factor * r);
         }
-        let solved = load.solve(&known, step * tableau.diagonal(), &contact)?;
+        let solved = load.solve_after(&known, step * tableau.diagonal(), &contact, linear)?;
         iterations += solved.iterations;
         contact = solved.contact;
         rates.push(load.rate.total(&contact.pressure));

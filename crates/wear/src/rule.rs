@@ -174,7 +174,7 @@ impl LocalRule {
                 if *factor == 0.0 || pressure <= 0.0 {
                     0.0
                 } else {
-                    factor * pressure.powf(*exponent)
+                    factor * raised(pressure, *exponent)
                 }
             }
             LocalRule::Threshold { factor, exponent, threshold } => power(factor, exponent).rate(pressure - threshold),
@@ -189,7 +189,7 @@ impl LocalRule {
                 if *factor == 0.0 {
                     0.0
                 } else {
-                    factor * exponent * pressure.max(0.0).powf(exponent - 1.0)
+                    factor * exponent * raised(pressure.max(0.0), exponent - 1.0)
                 }
             }
             LocalRule::Threshold { threshold, .. } if pressure < *threshold => 0.0,
@@ -250,4 +250,15 @@ impl LocalRule {
 /// The power law of the excess over a threshold.
 fn power(factor: &f64, exponent: &f64) -> LocalRule {
     LocalRule::Power { factor: *factor, exponent: *exponent }
+}
+
+/// A power, without a call where it is the first or the zeroth; the same bits.
+fn raised(value: f64, exponent: f64) -> f64 {
+    if exponent == 1.0 {
+        value
+    } else if exponent == 0.0 {
+        1.0
+    } else {
+        value.powf(exponent)
+    }
 }
