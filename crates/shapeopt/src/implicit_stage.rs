@@ -14,8 +14,8 @@ use faer::linalg::solvers::{PartialPivLu, Solve};
 use std::borrow::Cow;
 
 const NEWTON_LIMIT: usize = 60;
-/// Newton steps without fewer points that change sides after which they change one at a time.
-const PATIENCE: usize = 5;
+/// Newton steps after which active points change one at a time.
+const PATIENCE: usize = 25;
 
 /// A load stage prepared for implicit steps: one load, or several that act by turns and are averaged. Of these each has contact points of its own, one load
 /// after the other, on the gap at the same places; gaps and errors of gaps have one value a place, the rest one a point.
@@ -86,27 +86,8 @@ struct Iterate {
     u: Vec<f64>,
     /// Pressure and slope at points where they are known already for this normal map.
     known: Vec<Option<(f64, f64)>>,
-    patience: Patience,
-}
-
-/// How many points may change sides at once: all of them as long as they become fewer, or have not for a few steps only; else one, until they are
-/// fewer than ever before (block pivoting: Judice and Pires 1994).
-struct Patience {
-    fewest: usize,
-    left: usize,
-}
-
-impl Patience {
-    /// Whether all points may change, of which there are so many.
-    fn all(&mut self, changed: usize) -> bool {
-        if changed < self.fewest {
-            (self.fewest, self.left) = (changed, PATIENCE);
-            return true;
-        }
-        let all = self.left > 0;
-        self.left = self.left.saturating_sub(1);
-        all
-    }
+    /// Newton steps so far, this one counted.
+    steps: usize,
 }
 
 /// What a Newton step has changed.
@@ -199,8 +180,7 @@ impl<'a> Load<'a> {
         let u: Vec<f64> = (0..n)
             .map(|i| self.sigma[i] * contact.pressure[i] + step * self.rate.local(i, contact.pressure[i]) - contact.opening[i])
             .collect();
-        let mut at =
-            Iterate { contact, recession, u, known: vec![None; n], patience: Patience { fewest: n + 1, left: PATIENCE } };
+        let mut at = Iterate { contact, recession, u, known: vec![None; n], steps: 0 };
         let mut relative_before = f64::INFINITY;
         let mut unsettled = Unsettled::default();
         for iteration in 1..=limit {
@@ -211,7 +191,7 @@ impl<'a> Load<'a> {
                     None => self.rate.inverse(i, self.sigma[i], step, at.u[i]),
                 })
                 .unzip();
-            at.contact.pressure = pressure;
+            (at.contact.pressure, at.steps) = (pressure, iteration);
             let active: Vec<usize> = (0..n).filter(|i| at.u[*i] > 0.0).collect();
             let same = before.take().filter(|linear| linear_rate && linear.fits(step, &active, &slope));
             let linear =
@@ -233,7 +213,7 @@ impl<'a> Load<'a> {
         Err(unsettled)
     }
 
-    /// Takes a Newton step; after some patience only one point enters or leaves the contact. `None` if the step leads out of all numbers.
+    /// Takes a Newton step; after long patience only one point enters or leaves the contact. `None` if the step leads out of all numbers.
     fn update(&self, stage: &Stage<'_>, at: &mut Iterate, active: &[usize], change: &[f64]) -> Option<Update> {
         let (n, step) = (self.weights.len(), stage.step);
         let a = active.len();
@@ -275,7 +255,7 @@ impl<'a> Load<'a> {
             }
         }
         let changed: Vec<usize> = (0..n).filter(|i| (next[*i] > 0.0) != (u[*i] > 0.0)).collect();
-        if let (false, Some(only)) = (at.patience.all(changed.len()), changed.last()) {
+        if let (true, Some(only)) = (at.steps > PATIENCE, changed.last()) {
             for i in changed.iter().copied().filter(|i| i != only) {
                 next[i] = if u[i] > 0.0 { f64::MIN_POSITIVE.max(1e-12 * u[i]) } else { 0.0 };
                 at.known[i] = None;
