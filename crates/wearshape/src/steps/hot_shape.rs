@@ -33,12 +33,7 @@ impl<'a> HotShape<'a> {
         let made = HotBodies::new(stage, level, if ends.is_empty() { Cut::Plain } else { Cut::Ends(ends) })?;
         let Some((bodies, mut effort)) = made else { return Ok(None) };
         let (heat, reduced) = effort.timed(Step::Heat, stage.clock(), |_| {
-            let surfaces = &bodies.surfaces;
-            let forces: Vec<f64> = surfaces.points.iter().map(|p| p.weight * shaper.pressure(&SurfacePlace::from(p))).collect();
-            let closed: Vec<bool> = forces.iter().map(|force| *force > 0.0).collect();
-            let friction = surfaces.friction(&forces);
-            let into = into_bodies(&surfaces.shared(bodies.warmed.heat, &closed)?, &friction);
-            let heat = PointHeat { friction, into };
+            let heat = wanted_heat(shaper, &bodies)?;
             let reduced = bodies.under(&heat)?;
             Ok::<_, Fault>((heat, reduced))
         })?;
@@ -60,6 +55,16 @@ impl<'a> HotShape<'a> {
         told.energy = EnergyResult::default();
         tell(&self.bodies.warmed, &self.heat, told, &thermal)
     }
+}
+
+/// Heat at the contact points of bodies under the wanted pressure.
+pub(crate) fn wanted_heat(shaper: &Shaper<'_>, bodies: &HotBodies<'_>) -> Result<PointHeat, Fault> {
+    let surfaces = &bodies.surfaces;
+    let forces: Vec<f64> = surfaces.points.iter().map(|p| p.weight * shaper.pressure(&SurfacePlace::from(p))).collect();
+    let closed: Vec<bool> = forces.iter().map(|force| *force > 0.0).collect();
+    let friction = surfaces.friction(&forces);
+    let into = into_bodies(&surfaces.shared(bodies.warmed.heat, &closed)?, &friction);
+    Ok(PointHeat { friction, into })
 }
 
 /// Factors on the sliding speed of a shape, whose closed points are those where pressure is wanted.

@@ -10,10 +10,12 @@ use crate::effort::Effort;
 use crate::faults::unsolved;
 use crate::level::Level;
 use crate::results::InterfaceResult;
+use crate::step::Step;
 use crate::steps::answer::Told;
 use crate::steps::diagnosis;
+use crate::steps::heat::bodies::HotBodies;
 use crate::steps::heat::following::Following;
-use crate::steps::hot_shape::contact_load;
+use crate::steps::hot_shape::{contact_load, wanted_heat};
 use crate::steps::shaper::Shaper;
 
 /// Relative area-weighted L2 difference of two pressures.
@@ -64,8 +66,12 @@ pub(crate) struct Independent {
 /// Also writes the pressure found into the columns that are told, interpolated between the new points.
 pub(crate) fn independent(shaper: &Shaper<'_>, level: Level, shape: &GapCurve, told: &mut Told) -> Result<Independent, Fault> {
     let finer = Level { degree: (level.degree + 2).min(hpfem::MAX_DEGREE), ..level };
-    let (following, reduced, effort) = match Following::new(shaper.stage, finer, Cut::Shifted)? {
-        Some((following, effort)) => (Some(following), None, effort),
+    let (following, reduced, effort) = match HotBodies::new(shaper.stage, finer, Cut::Shifted)? {
+        Some((bodies, mut effort)) => {
+            // The pressure is known before, but for what the proof is to find.
+            let near = |_: &mut Effort| Following::near(&bodies, &wanted_heat(shaper, &bodies)?);
+            (Some(effort.timed(Step::Heat, shaper.stage.clock(), near)?), None, effort)
+        }
         None => {
             let (reduced, effort) = shaper.stage.reduced(finer, Cut::Shifted)?;
             (None, Some(reduced), effort)

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use contact::faer::Mat;
 use hpfem::{Body, Eigenstrain, InterfaceOperator, InterfaceState, LoadCase, TemperatureCase, TraceLoad};
 use meshing::Cut;
 use scene::Fault;
@@ -70,35 +71,35 @@ impl<'a> HotBodies<'a> {
 
     /// The bodies with a load of what flows without friction, then one of each unit of heat at the contact points, or of all heat alike.
     pub(crate) fn by_units(&self) -> Result<Reduced, Fault> {
+        let none = vec![0.0; self.surfaces.points.len()];
+        self.about(&[none.clone(), none], Mat::clone)
+    }
+
+    /// The bodies with a load of their temperature under heat at the contact points, then one of each of the fluxes (a column each, at the contact points),
+    /// or of all heat alike.
+    pub(crate) fn near(&self, heat: &PointHeat, fluxes: &Mat<f64>) -> Result<Reduced, Fault> {
+        let points = &self.surfaces.points;
+        let heats = Mat::from_fn(points.len(), fluxes.ncols(), |i, k| points[i].weight * fluxes[(i, k)]);
+        self.about(&heat.into, |units| units * &heats)
+    }
+
+    /// The bodies with a load of their temperature under heat into each at the contact points, then those of temperatures made of the ones by unit heats.
+    fn about(&self, into: &[Vec<f64>; 2], made_of: impl Fn(&Mat<f64>) -> Mat<f64>) -> Result<Reduced, Fault> {
         let (warmed, reference) = (&self.warmed, self.warmed.heat.reference);
-        let of = |number: usize, still: Option<InterfaceState>| match (still, &warmed.second) {
-            (Some(still), _) => {
-                let units = self.unit_cases(number, still.factors.len());
-                let still = TemperatureCase { name: HEAT.to_string(), state: still, reference };
-                Temperatures::Fields(std::iter::once(still).chain(units).collect())
+        let of = |number: usize, state: Option<InterfaceState>| match (state, &warmed.second) {
+            (Some(state), _) => {
+                let further = self.surfaces.units[number].iter().flat_map(|units| cases(&made_of(units), state.factors.len()));
+                let further: Vec<TemperatureCase> = further.collect();
+                let first = TemperatureCase { name: HEAT.to_string(), state, reference };
+                Temperatures::Fields(std::iter::once(first).chain(further).collect())
             }
             (None, Second::Drum(drum)) if number == 1 => {
-                Temperatures::Strains(vec![drum.strain(0.0, reference), drum.unit_strain()])
+                Temperatures::Strains(vec![drum.strain(into[1].iter().sum(), reference), drum.unit_strain()])
             }
             (None, _) => Temperatures::Strains(Vec::new()),
         };
-        let none = vec![0.0; self.surfaces.points.len()];
-        let [first, second] = warmed.states(&warmed.pair()?, &[none.clone(), none]);
+        let [first, second] = warmed.states(&warmed.pair()?, into);
         self.with([of(0, first), of(1, second)])
-    }
-
-    /// The temperatures by a unit of heat at each contact point, of a body of temperature with so many columns.
-    fn unit_cases(&self, number: usize, columns: usize) -> impl Iterator<Item = TemperatureCase> {
-        let units = self.surfaces.units[number].iter().flat_map(|units| units.col_iter());
-        units.enumerate().map(move |(k, column)| TemperatureCase {
-            name: unit_name(k),
-            state: InterfaceState {
-                unknowns: column.iter().copied().collect(),
-                factors: vec![0.0; columns],
-                load: TraceLoad::default(),
-            },
-            reference: 0.0,
-        })
     }
 
     /// The reduced bodies with the loads of temperatures.
@@ -126,6 +127,20 @@ impl<'a> HotBodies<'a> {
             (Temperatures::Fields(_) | Temperatures::Strains(_), _) => Ok(cold.interface.clone()),
         }
     }
+}
+
+/// Temperatures with these kept unknowns, a column each, of a body of temperature with so many columns of loads.
+fn cases(unknowns: &Mat<f64>, loads: usize) -> Vec<TemperatureCase> {
+    let case = |k: usize| TemperatureCase {
+        name: unit_name(k),
+        state: InterfaceState {
+            unknowns: unknowns.col_as_slice(k).to_vec(),
+            factors: vec![0.0; loads],
+            load: TraceLoad::default(),
+        },
+        reference: 0.0,
+    };
+    (0..unknowns.ncols()).map(case).collect()
 }
 
 /// Name of the load case of a unit of heat.

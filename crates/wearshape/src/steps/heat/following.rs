@@ -16,6 +16,7 @@ use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::heat::bodies::HotBodies;
 use crate::steps::heat::known::PointHeat;
+use crate::steps::heat::smooth::smooth;
 use crate::steps::heat::warmed::{Second, Surfaces, Warmed, into_bodies};
 
 /// Contact solves until the points that conduct are those in contact, and how many of them in which points may begin to conduct.
@@ -29,8 +30,8 @@ const STEPS: u32 = 16;
 pub(crate) enum Follows {
     /// The heat at each point by itself.
     Each,
-    /// All of it alike.
-    Sum,
+    /// Sums of the heat at the points, one a row.
+    Sums(Mat<f64>),
     /// Nothing: it is not distorted.
     Nothing,
 }
@@ -42,6 +43,8 @@ pub(crate) struct Following<'a> {
     pub warmed: Arc<Warmed<'a>>,
     pub(super) surfaces: Arc<Surfaces>,
     pub(super) follows: [Follows; 2],
+    /// Heat into each body (mW) whose temperature is the load case of the heat; what follows the pressure is what is beyond it.
+    about: [Vec<f64>; 2],
 }
 
 /// A contact with its heat.
@@ -64,16 +67,27 @@ impl<'a> Following<'a> {
 
     /// Bodies that are there.
     pub(crate) fn of(bodies: &HotBodies<'a>) -> Result<Following<'a>, Fault> {
-        let follows = [
-            Follows::Each,
-            match bodies.warmed.second {
-                Second::Body(_) => Follows::Each,
-                Second::Drum(_) => Follows::Sum,
-                Second::Fresh(_) => Follows::Nothing,
-            },
-        ];
+        let n = bodies.surfaces.points.len();
+        Ok(Following::made(bodies, bodies.by_units()?, || Follows::Each, [vec![0.0; n], vec![0.0; n]]))
+    }
+
+    /// Bodies whose heat is near a known one: exact at that heat, and beyond it for what is smooth along the surface. It takes as many temperatures as
+    /// [`smooth`] has, whatever the number of points.
+    pub(crate) fn near(bodies: &HotBodies<'a>, heat: &PointHeat) -> Result<Following<'a>, Fault> {
+        let points: Vec<(f64, f64)> = bodies.surfaces.points.iter().map(|point| (point.arc, point.weight)).collect();
+        let smooth = smooth(&points);
+        let reduced = bodies.near(heat, &smooth)?;
+        Ok(Following::made(bodies, reduced, || Follows::Sums(smooth.transpose().to_owned()), heat.into.clone()))
+    }
+
+    fn made(bodies: &HotBodies<'a>, reduced: Reduced, body: impl Fn() -> Follows, about: [Vec<f64>; 2]) -> Following<'a> {
+        let second = match bodies.warmed.second {
+            Second::Body(_) => body(),
+            Second::Drum(_) => Follows::Sums(Mat::full(1, bodies.surfaces.points.len(), 1.0)),
+            Second::Fresh(_) => Follows::Nothing,
+        };
         let (warmed, surfaces) = (Arc::clone(&bodies.warmed), Arc::clone(&bodies.surfaces));
-        Ok(Following { reduced: Arc::new(bodies.by_units()?), warmed, surfaces, follows })
+        Following { reduced: Arc::new(reduced), warmed, surfaces, follows: [body(), second], about }
     }
 
     /// The contact of the bodies, pressure and temperature at once: `base` holds the load without heat. What is not found so is followed from the
@@ -176,13 +190,11 @@ impl<'a> Following<'a> {
         let n = self.surfaces.points.len();
         for (body, follows) in self.follows.iter().enumerate() {
             let cases = load.factors[body].len();
-            let by_force = |i: usize, j: usize| shared.into[body][(i, j)] * rates[j];
-            let still = &shared.still[body];
+            let by_force = Mat::from_fn(n, n, |i, j| shared.into[body][(i, j)] * rates[j]);
+            let beyond: Vec<f64> = shared.still[body].iter().zip(&self.about[body]).map(|(still, about)| still - about).collect();
             let (factors, rows) = match follows {
-                Follows::Each => (still.clone(), Mat::from_fn(n, n, by_force)),
-                Follows::Sum => {
-                    (vec![still.iter().sum()], Mat::from_fn(1, n, |_, j| (0..n).map(|i| by_force(i, j)).sum::<f64>()))
-                }
+                Follows::Each => (beyond, by_force),
+                Follows::Sums(sums) => (product(sums, &beyond), sums * by_force),
                 Follows::Nothing => continue,
             };
             load.factors[body].push(1.0);
@@ -193,6 +205,10 @@ impl<'a> Following<'a> {
         }
         load
     }
+}
+
+fn product(matrix: &Mat<f64>, x: &[f64]) -> Vec<f64> {
+    (0..matrix.nrows()).map(|i| x.iter().enumerate().map(|(j, x)| matrix[(i, j)] * x).sum()).collect()
 }
 
 /// Why there is no contact, where that of the cold bodies lasts up to a part of the sliding speed alone.

@@ -72,14 +72,15 @@ impl<'a> Running<'a> {
         let mut by_heat = [None, None];
         for (body, follows) in self.following.follows.iter().enumerate() {
             let cases = load.factors[body].len();
-            let rows = match follows {
-                Follows::Each => n,
-                Follows::Sum => 1,
+            let units = match follows {
+                Follows::Each => Mat::identity(n, n),
+                Follows::Sums(sums) => sums.clone(),
                 Follows::Nothing => continue,
             };
+            let rows = units.nrows();
             load.factors[body].push(1.0);
             load.factors[body].extend(vec![0.0; rows]);
-            let unit = |i: usize, j: usize| f64::from(u8::from(i > cases && (rows == 1 || i - cases - 1 == j)));
+            let unit = |i: usize, j: usize| if i > cases { units[(i - cases - 1, j)] } else { 0.0 };
             by_heat[body] = Some(Mat::from_fn(cases + 1 + rows, n, unit));
         }
         let split = match self.following.warmed.heat.split {
