@@ -26,13 +26,6 @@ fn a_load_that_the_scene_cannot_carry_is_refused_by_its_key() {
         ("disc-pad --set load.moment=10", "load.moment"),
         ("journal-arc --set load.tilt=1e-3", "load.tilt"),
         ("pivoted-shoe --set load.moment_y=1", "load.moment_y"),
-        // The pressure alone carries no less than the other tasks.
-        ("translating-punch --set tasks=[pressure] --set load.approach_time=5", "load.approach_time"),
-        ("translating-punch --set tasks=[pressure] --set load.width=10", "load.width"),
-        ("translating-punch --set tasks=[pressure] --set load.centre=3", "load.centre"),
-        ("drum-brake-block --set tasks=[pressure] --set load.width=10 --set load.centre=3", "load.width"),
-        ("disc-pad --set load.width=10", "load.width"),
-        ("journal-arc --set load.centre=3", "load.centre"),
     ] {
         let call = bench.check_and_run(scene);
         assert_eq!(call.code, 2, "{scene}: {}", call.out);

@@ -20,7 +20,8 @@ pub(super) fn check(scene: &Scene, tasks: &[Task], couple: Option<&Couple>, patc
             return Err(Fault::at(key, "not-carried", message, remedy));
         }
     }
-    match couple.filter(|_| load.kind != Some(LoadKind::Vertical)) {
+    let elastic = tasks != [Task::Pressure];
+    match couple.filter(|_| elastic && load.kind != Some(LoadKind::Vertical)) {
         Some(couple) => strip(load, couple),
         None => Ok(()),
     }
@@ -60,7 +61,7 @@ fn moments(scene: &Scene, load: &Load, couple: Option<&Couple>) -> Vec<Row> {
 /// What shifts and turns body 1, and where it acts.
 fn forces(scene: &Scene, load: &Load, tasks: &[Task], patch: Option<&Patch>) -> Vec<Row> {
     let rigid = load.kind == Some(LoadKind::Rigid) && scene.surface.is_none();
-    let shaped = tasks.contains(&Task::Shape);
+    let shaped = tasks.contains(&Task::Shape) || tasks == [Task::Pressure];
     let time_needs = "the worn approach is that of a shape, under a rigid edge";
     let shear_needs = "stick and slip is known under the level rigid edge of a half-disc on a flat top";
     let turned = !turns(scene).is_empty();
@@ -69,16 +70,14 @@ fn forces(scene: &Scene, load: &Load, tasks: &[Task], patch: Option<&Patch>) -> 
     let torque = load.torque.iter().flat_map(|steps| &steps.0).map(|torque| torque.0).find(not_zero);
     let time = load.approach_time.map(|time| time.0).filter(not_zero);
     let shear = load.shear_force.map(|force| force.0).filter(not_zero);
-    let [width, centre] = [load.width, load.centre].map(|given| given.map(|given| given.0).filter(not_zero));
-    let of_edge = "this surface is loaded as a whole, not on a strip of an edge";
+    let centre = load.centre.map(|centre| centre.0).filter(not_zero);
     let of_strip = "it is the middle of a strip, and load.width gives none";
     let time_remedy = "write load.as = \"rigid\" and the task shape, or leave it out";
     let turn_remedy = "write kinematics = \"axisymmetric\" and tasks = [\"contact\"], or leave it out";
     vec![
         ("load.approach_time", time, rigid && shaped, time_needs, time_remedy),
         ("load.shear_force", shear, rigid && patch.is_none(), shear_needs, "leave it out"),
-        ("load.width", width, scene.surface.is_none(), of_edge, "leave it out"),
-        ("load.centre", centre, load.width.is_some(), of_strip, "give load.width, or leave it out"),
+        ("load.centre", centre, load.width.is_some() || tasks == [Task::Pressure], of_strip, "give load.width, or leave it out"),
         ("load.twist", twist, turned, turn_needs, turn_remedy),
         ("load.torque", torque, turned, turn_needs, turn_remedy),
     ]

@@ -73,7 +73,7 @@ fn a_vertical_load_on_a_whole_edge_passes_through_its_middle() {
     }
 }
 
-/// A pressure acts on the whole edge: a strip of it is refused, unless it is the whole edge.
+/// A pressure acts on the whole edge: a strip of it is refused, unless it is the whole edge, or the pressure alone is asked for.
 #[test]
 fn the_width_of_a_pressure_is_refused_where_it_would_be_left_out() {
     let read = |settings: &[&str]| {
@@ -82,13 +82,15 @@ fn the_width_of_a_pressure_is_refused_where_it_would_be_left_out() {
         let document = wearshape::Document::read("drum-brake-ring", text, &settings).unwrap();
         wearshape::Problem::new(&document, &|_| Err("no file".into()))
     };
-    for task in ["pressure", "shape"] {
-        let fault = read(&["load.as=pressure", "load.width=40", &format!("tasks=[{task}]")]).unwrap_err();
-        assert_eq!((fault.code, fault.key.as_deref()), ("not-carried", Some("load.width")));
-        assert!(fault.message.contains("load.width = 40") && fault.remedy.contains("vertical"), "{fault:?}");
-    }
+    let fault = read(&["load.as=pressure", "load.width=40"]).unwrap_err();
+    assert_eq!((fault.code, fault.key.as_deref()), ("not-carried", Some("load.width")));
+    assert!(fault.message.contains("load.width = 40") && fault.remedy.contains("vertical"), "{fault:?}");
     let whole = read(&["load.as=pressure", "load.width=200", "load.centre=0"]).unwrap();
     assert_eq!(whole.unused_keys(), ["load.centre", "load.width"]);
+    assert_eq!(
+        read(&["load.as=pressure", "load.width=40", "tasks=[pressure]"]).unwrap().unused_keys(),
+        ["load.centre", "load.width"]
+    );
     // As a strip it cuts the mesh.
     let [whole, strip] = [whole, scene("drum-brake-ring", &["mesh.degree=4"])];
     assert!(strip.meshes().unwrap()[0].cells.len() > whole.meshes().unwrap()[0].cells.len());
