@@ -90,6 +90,11 @@ pub fn glance(summary: &Value) -> Vec<(&'static str, f64, &'static str)> {
     put(smallest, number(pressures, "p_min_MPa"), 1.0, "MPa");
     put("mean pressure", number(pressures, "p_mean_MPa"), 1.0, "MPa");
     put("largest shear", number("contact", "q_max_MPa"), 1.0, "MPa");
+    // Of a scene that asks for its contact alone; a contact of several parts has more ends than a glance.
+    let ends = summary["contact"]["ends_mm"].as_array().filter(|ends| pressures == "contact" && ends.len() == 2);
+    put("contact begins at", ends.and_then(|ends| ends[0].as_f64()), 1.0, "mm");
+    put("contact ends at", ends.and_then(|ends| ends[1].as_f64()), 1.0, "mm");
+    put("closing of body 1", number("contact", "approach_mm").filter(|_| pressures == "contact"), 1e3, "\u{b5}m");
     put("most taken off", number("shape", "gap_max_um"), 1.0, "\u{b5}m");
     put("mean wear of both bodies", number("pressure", "wear_depth_um_per_h"), 1.0, "\u{b5}m an hour");
     put("the same by distance", number("pressure", "wear_depth_mm_per_1000_km"), 1.0, "mm in 1000 km");

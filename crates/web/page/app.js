@@ -5,6 +5,7 @@ import { find, make } from "./dom.js";
 import { downloads } from "./downloads.js";
 import { Editor } from "./editor.js";
 import { compile, start } from "./engine.js";
+import { Files } from "./files.js";
 import { Form } from "./form.js";
 import * as link from "./link.js";
 import { Play } from "./play.js";
@@ -25,6 +26,7 @@ class Page {
     this.editor = new Editor(text => this.change(text));
     this.form = new Form(find("form"), this.known.materials, edits => this.edit(edits));
     this.solver = new Solver(module, answer => this.hear(answer));
+    this.files = new Files(kept => this.keep(kept), text => this.change(text));
     this.choose();
     this.buttons();
     downloads(() => this.solver.files(), () => ({ name: this.name, text: this.text }));
@@ -85,12 +87,18 @@ class Page {
       this.form.show(written, fresh);
       this.solver.solve(this.name, text);
       const { dataset } = find("status");
-      ["check", "pressure", "coarse", "fine"].forEach(phase => delete dataset[phase]);
+      ["check", "pressure", "coarse", "curves", "fine"].forEach(phase => delete dataset[phase]);
       dataset.state = "busy";
       document.body.classList.add("busy");
     }
     clearTimeout(this.timer);
     this.timer = setTimeout(() => this.address(), REST);
+  }
+
+  /** Other files beside the scene. */
+  keep(kept) {
+    this.solver.keep(kept);
+    if (this.text !== undefined) this.change(this.text, true);
   }
 
   async address() {

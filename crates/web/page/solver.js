@@ -1,12 +1,13 @@
-// The page's side of the solver's thread: the last scene counts. A thread that is busy with an older one for too long is ended, and a new one begun.
+// The page's side of the solver's two threads: the last scene counts. The quick thread shows what a change does, however long the other is at an older
+// scene; the whole one gives the answer with its proof. A thread that is busy with an older scene for too long is ended, and a new one begun.
 
 /** How long a thread may finish what it is at (ms), once there is a newer scene. */
 const PATIENCE = 250;
 
-export class Solver {
-  /** `heard` gets every message about the scene given last. */
-  constructor(module, heard) {
-    Object.assign(this, { module, heard, id: 0, idle: true, timer: null, wishes: new Map() });
+/** One thread; `said` gets every message about the job given last. */
+class Thread {
+  constructor(module, said) {
+    Object.assign(this, { module, said, job: { id: 0 }, idle: true, timer: null, kept: null, wishes: new Map() });
     this.begin();
   }
 
@@ -14,8 +15,9 @@ export class Solver {
     this.worker?.terminate();
     this.worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
     this.worker.onmessage = ({ data }) => this.hear(data);
-    this.worker.onerror = event => { event.preventDefault(); this.heard({ id: this.id, broken: event.message || "the solver could not be loaded" }); };
+    this.worker.onerror = event => { event.preventDefault(); this.said({ id: this.job.id, broken: event.message || "the solver could not be loaded" }); };
     this.worker.postMessage({ module: this.module });
+    if (this.kept) this.worker.postMessage({ kept: this.kept });
     [...this.wishes.keys()].forEach(wish => this.worker.postMessage({ files: wish }));
   }
 
@@ -40,31 +42,65 @@ export class Solver {
       this.wishes.delete(data.wish);
       return;
     }
-    if (data.phase === "check" || data.id === this.id) this.heeds();
-    if (data.id !== this.id) {
-      if (data.phase === "check") this.wait();
+    const begins = data.phase === "check" || data.phase === "whole";
+    if (begins || data.id === this.job.id) this.heeds();
+    if (data.id !== this.job.id) {
+      if (begins) this.wait();
       return;
     }
     if (data.broken) this.begin();
-    if (data.phase === "fine" || data.fault || data.broken) this.idle = true;
-    this.heard(data);
+    if (data.phase === "quick" || data.phase === "fine" || data.fault || data.broken) this.idle = true;
+    this.said(data);
   }
 
-  /** Solves a scene in place of all before. */
-  solve(name, text) {
-    this.id += 1;
-    this.job = { id: this.id, name, text };
-    this.worker.postMessage(this.job);
+  /** Takes up a job in place of all before. */
+  take(job) {
+    this.job = job;
+    this.worker.postMessage(job);
     if (!this.idle) this.wait();
     this.idle = false;
   }
 
+  /** Files beside the scene. */
+  keep(kept) {
+    this.kept = kept;
+    this.worker.postMessage({ kept });
+  }
+
+  wish(name) {
+    return new Promise(done => {
+      this.wishes.set(name, done);
+      this.worker.postMessage({ files: name });
+    });
+  }
+}
+
+export class Solver {
+  /** `heard` gets every message about the scene given last. */
+  constructor(module, heard) {
+    this.job = { id: 0 };
+    const told = data => { if (data.id === this.job.id) heard(data); };
+    this.whole = new Thread(module, data => { if (data.phase !== "whole") told(data); });
+    this.quick = new Thread(module, data => {
+      if (data.phase !== "quick") return told(data);
+      if (data.id === this.job.id) this.whole.take({ ...this.job, whole: true });
+    });
+  }
+
+  /** Solves a scene in place of all before. */
+  solve(name, text) {
+    this.job = { id: this.job.id + 1, name, text };
+    this.quick.take(this.job);
+  }
+
+  /** The files that scenes may name: `[[name, letters]]`, one letter a byte. */
+  keep(kept) {
+    this.quick.keep(kept);
+    this.whole.keep(kept);
+  }
+
   /** The files of the answer, once it is there. */
   files() {
-    const wish = `${this.id}-${this.wishes.size}-${Math.round(performance.now())}`;
-    return new Promise(done => {
-      this.wishes.set(wish, done);
-      this.worker.postMessage({ files: wish });
-    });
+    return this.whole.wish(`${this.job.id}-${Math.round(performance.now())}`);
   }
 }

@@ -4,9 +4,11 @@ use scene::{Document, Fault};
 use serde_json::{Value, json};
 use wearshape::Problem;
 
+use crate::engine::Engine;
+
 /// The drawing, the stages and notes.
-pub(crate) fn check(name: &str, text: &str) -> Result<Value, Fault> {
-    let (document, problem) = posed(name, text, &[])?;
+pub(crate) fn check(engine: &Engine, name: &str, text: &str) -> Result<Value, Fault> {
+    let (document, problem) = posed(engine, name, text, &[])?;
     Ok(json!({
         "title": problem.title(),
         "drawing": report::drawing(&problem),
@@ -26,10 +28,9 @@ pub(crate) fn written(name: &str, text: &str) -> Result<Value, Fault> {
 }
 
 /// The problem that a text poses, with changes as of `--set`.
-pub(crate) fn posed(name: &str, text: &str, settings: &[String]) -> Result<(Document, Problem), Fault> {
+pub(crate) fn posed(engine: &Engine, name: &str, text: &str, settings: &[String]) -> Result<(Document, Problem), Fault> {
     let document = Document::read(&file(name), text, settings)?;
-    let none = |_: &str| Err("there are no files beside a page: write the numbers into the scene".to_string());
-    let problem = Problem::new(&document, &none).map_err(|fault| document.locate(fault))?;
+    let problem = Problem::new(&document, &|path| engine.file(path)).map_err(|fault| document.locate(fault))?;
     Ok((document, problem))
 }
 

@@ -19,9 +19,10 @@ pub(crate) fn answered(engine: &mut Engine, question: &[u8]) -> Value {
     let answer = match text("ask") {
         "known" => Ok(known()),
         "written" => written(text("name"), text("text")),
-        "check" => check(text("name"), text("text")),
+        "check" => check(engine, text("name"), text("text")),
+        "keep" => Ok(kept(engine, &question["files"])),
         "edit" => edited(text("text"), &question["edits"]),
-        "solve" => posed(text("name"), text("text"), &settings).and_then(|(document, problem)| {
+        "solve" => posed(engine, text("name"), text("text"), &settings).and_then(|(document, problem)| {
             solve(engine, problem, question["coarse"] == true).map_err(|fault| document.locate(fault))
         }),
         "files" => Ok(files(engine)),
@@ -57,6 +58,14 @@ fn edited(text: &str, edits: &Value) -> Result<Value, scene::Fault> {
     let mut pairs = pairs.filter_map(|pair| Some((pair[0].as_str()?, pair[1].as_str()?)));
     let changed = pairs.try_fold(text.to_string(), |text, (key, value)| scene::rewritten(&text, key, value))?;
     Ok(json!({ "text": changed }))
+}
+
+/// Files that scenes may name from now on: `[[name, text], ..]`, one character a byte.
+fn kept(engine: &mut Engine, files: &Value) -> Value {
+    let bytes = |text: &str| text.chars().map(|letter| u8::try_from(letter).ok()).collect::<Option<Vec<u8>>>();
+    let read = |file: &Value| Some((file[0].as_str()?.to_string(), bytes(file[1].as_str()?)?));
+    engine.files = files.as_array().into_iter().flatten().filter_map(read).collect();
+    json!({ "kept": engine.files.keys().collect::<Vec<_>>() })
 }
 
 /// The files of the last solve: name and content.

@@ -87,7 +87,7 @@ const TABLE: &[Row] = &[
     Row {
         package: "crates/web",
         ours: &["wearshape", "report", "scene"],
-        others: Some(&["serde_json"]),
+        others: Some(&["gemm", "serde_json"]),
         because: "web hands on what the library computes to a page, and computes nothing of its own",
     },
     Row {
