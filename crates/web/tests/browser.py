@@ -4,11 +4,9 @@ Uses it as a reader would, and compares its numbers with those of the program. W
 the page, is a fault.
 """
 
-import csv
 import functools
 import http.server
 import json
-import math
 import re
 import subprocess
 import sys
@@ -17,6 +15,8 @@ import tomllib
 from pathlib import Path
 
 from playwright.sync_api import Page, expect, sync_playwright
+
+from tables import farthest
 
 FOLDER, PROGRAM, OUT = (Path(word).resolve() for word in sys.argv[1:4])
 # Below a folder of the server, as it may stand anywhere.
@@ -74,30 +74,6 @@ def by_the_program(scene: str, folder: Path, files: dict[str, bytes] | None = No
     done = subprocess.run([PROGRAM, "run", folder / "scene.toml", "-q", "-o", folder / "out"], stdin=subprocess.DEVNULL, check=False)
     assert done.returncode == 0, f"the program ended with {done.returncode}"
     return folder / "out"
-
-
-def columns(table: str) -> dict[str, list[float]]:
-    rows = list(csv.DictReader(table.splitlines()))
-    found = {name: [float(row[name] or "nan") for row in rows] for name in rows[0] if name != "status"}
-    # A contact solve finds forces; in the finest layers their points have next to no area, by which the last digit of a force becomes the eighth of a
-    # pressure.
-    if "pressure_solved_MPa" in found:
-        found["force_solved_N"] = [p * w for p, w in zip(found.pop("pressure_solved_MPa"), found["weight_mm2"], strict=True)]
-    return found
-
-
-def farthest(ours: str, theirs: str) -> tuple[float, str]:
-    """The largest difference of two tables, relative to the largest number of each column, and its column."""
-    a, b = columns(ours), columns(theirs)
-    assert list(a) == list(b), "other columns"
-    worst = (0.0, "")
-    for name in a:
-        size = max((abs(x) for x in b[name] if math.isfinite(x)), default=0.0) or 1.0
-        assert len(a[name]) == len(b[name]), name
-        for x, y in zip(a[name], b[name], strict=True):
-            if math.isfinite(x) or math.isfinite(y):
-                worst = max(worst, (abs(x - y) / size, name))
-    return worst
 
 
 def numbers(page: Page, timed: bool = True) -> None:
