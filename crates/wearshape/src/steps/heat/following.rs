@@ -217,3 +217,54 @@ pub(super) fn lost(speed: f64) -> String {
     let what = "frictional heat narrows the contact until no pressure carries the load";
     format!("{what}: the contact of the cold bodies does not last to {part} of the sliding speed; slide more slowly")
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::bodies::Bodies;
+    use crate::options::Options;
+    use crate::steps::start_gap::start_gaps;
+
+    /// Largest difference of pressures over the largest pressure, of bodies whose heat is near a known one from those whose heat is of each point: near the
+    /// heat of the contact itself, near half of it, and near half of it where what is beyond may only be even.
+    fn misses(name: &str, settings: &[&str]) -> [f64; 3] {
+        let all: Vec<String> = ["tasks=[contact]"].iter().chain(settings).map(|text| text.to_string()).collect();
+        let document = scene::Document::read("scene.toml", scene::builtin(name).unwrap().text, &all).unwrap();
+        let problem = crate::problem::Problem::new(&document, &|file| Err(file.to_string())).unwrap();
+        let (options, kept) = (Options::default(), Bodies::default());
+        let stage = Stage::new(&problem, &options, &kept).unwrap();
+        let level = Level { degree: 6, layers: 2, slow: false };
+        let (bodies, _) = HotBodies::new(stage, level, Cut::Plain).unwrap().unwrap();
+        let solved = |following: &Following<'_>| {
+            let pair = following.reduced.pair().unwrap();
+            let operator = following.reduced.operator(&pair, stage.friction() > 0.0).unwrap();
+            let gap = start_gaps(stage, &operator);
+            let hot = following.solve(&operator, &gap, &stage.contact_load(operator.points())).unwrap();
+            assert!(hot.found.status.is_solved(), "{:?}", hot.found.status);
+            hot
+        };
+        let whole = solved(&Following::of(&bodies).unwrap());
+        let largest = whole.found.pressure.iter().fold(0.0, |most: f64, p| most.max(*p));
+        let apart = |hot: &Hot| {
+            let differences = whole.found.pressure.iter().zip(&hot.found.pressure).map(|(a, b)| (a - b).abs());
+            differences.fold(0.0, f64::max) / largest
+        };
+        let n = bodies.surfaces.points.len();
+        let halves = |of: &[f64]| of.iter().map(|heat| 0.5 * heat).collect::<Vec<f64>>();
+        let half = PointHeat { friction: halves(&whole.heat.friction), into: [0, 1].map(|body| halves(&whole.heat.into[body])) };
+        let area: f64 = bodies.surfaces.points.iter().map(|point| point.weight).sum();
+        let even = bodies.near(&half, &Mat::full(n, 1, 1.0)).unwrap();
+        let even = Following::made(&bodies, even, || Follows::Sums(Mat::full(1, n, 1.0 / area)), half.into.clone());
+        let smooth = [&whole.heat, &half].map(|heat| apart(&solved(&Following::near(&bodies, heat).unwrap())));
+        [smooth[0], smooth[1], apart(&solved(&even))]
+    }
+
+    #[test]
+    fn heat_near_a_known_one_gives_the_contact_of_all_heat() {
+        for (name, settings) in [("clutch-hot", &[][..]), ("drum-brake-hot", &["sliding.omega=0.5"])] {
+            let misses = misses(name, settings);
+            assert!(misses[0] < 1e-9 && misses[1] < 1e-2 && misses[2] > 2.0 * misses[1], "{name} {misses:?}");
+        }
+    }
+}
