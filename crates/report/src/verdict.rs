@@ -18,7 +18,7 @@ pub(crate) fn verdict(problem: &Problem, solution: &Solution) -> String {
         return machine(problem, solution);
     }
     if let Some(wear) = &solution.wear {
-        return worn(problem, wear);
+        return worn(problem, solution, wear);
     }
     if let Some(contact) = &solution.contact {
         return touching(contact);
@@ -47,13 +47,16 @@ fn machine(problem: &Problem, solution: &Solution) -> String {
     format!("Machine this shape: {}; {end}.", words.unwrap_or_default())
 }
 
-fn worn(problem: &Problem, wear: &WearResult) -> String {
+fn worn(problem: &Problem, solution: &Solution, wear: &WearResult) -> String {
     let time = wear.time.map(brief).unwrap_or_default();
     if let Some(scar) = wear.scar {
         return format!("Worn for {time} s: the scar is {} mm wide.", brief(scar));
     }
     if !wear.steady {
         return format!("Worn for {time} s; not yet steady.");
+    }
+    if solution.remarks.iter().any(|remark| remark.code == "wear-stopped") {
+        return format!("Wear has stopped after {time} s: the pressure is nowhere above the threshold any more.");
     }
     let by_approach = problem.scene().load.as_ref().is_some_and(|load| load.approach.is_some());
     // A run that goes on until a time does not look for the first steady step.

@@ -205,6 +205,21 @@ fn a_surface_of_two_dimensions_says_its_largest_pressure_and_has_a_map() {
 }
 
 #[test]
+fn a_run_whose_wear_stops_at_the_threshold_is_not_called_worn_in() {
+    let said = |threshold: &str| {
+        let settings = ["mesh.degree=4", "wear.b=1", "wear.until=steady", "contact.shear=false", threshold].map(String::from);
+        let document = Document::read("punch-wear.toml", builtin("punch-wear").unwrap().text, &settings).unwrap();
+        let problem = Problem::new(&document, &|file| Err(format!("there is no {file}"))).unwrap();
+        let going_on = &mut |_: Event<'_>| ControlFlow::Continue(());
+        let solution = wearshape::solve(&problem, &Options::default(), &Bodies::default(), going_on).unwrap();
+        report::summary(&problem, &solution)["verdict"].to_string()
+    };
+    let (stops, goes_on) = (said("wear.threshold=1.8"), said("wear.threshold=1.2"));
+    assert!(stops.contains("Wear has stopped after") && !stops.contains("steady"), "{stops}");
+    assert!(goes_on.contains("Worn in to 1 %"), "{goes_on}");
+}
+
+#[test]
 fn every_built_in_scene_can_be_drawn_before_it_is_computed() {
     for scene in wearshape::SCENES {
         let document = Document::read(&format!("{}.toml", scene.name), scene.text, &[]).unwrap();
