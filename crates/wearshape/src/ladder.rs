@@ -7,6 +7,7 @@ use scene::Fault;
 use crate::fixed;
 use crate::level::Level;
 use crate::options::Options;
+use crate::parts::NO_STIFFNESS;
 use crate::problem::Problem;
 use crate::series::{SLOWEST, rest};
 use crate::solution::Rung;
@@ -38,7 +39,12 @@ pub(crate) enum Refusal {
 
 impl From<Fault> for Refusal {
     fn from(fault: Fault) -> Refusal {
-        Refusal::Fault(fault)
+        // Nothing in the scene is wrong, and the digits do not suffice: that only elimination tells.
+        let body = fault.key.as_deref().filter(|_| fault.code == NO_STIFFNESS).and_then(|key| key.split_once('.'));
+        match body {
+            Some((body, _)) => Refusal::Reason(format!("{body}: {}; {}", fault.message, fault.remedy)),
+            None => Refusal::Fault(fault),
+        }
     }
 }
 

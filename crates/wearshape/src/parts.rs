@@ -13,6 +13,9 @@ use crate::effort::{Clock, Effort};
 use crate::level::Level;
 use crate::step::Step;
 
+/// Kind of error of a body that is held, and too slender or too unlike in its parts for the digits there are.
+pub(crate) const NO_STIFFNESS: &str = "no-stiffness";
+
 /// Everything a body of one level is made of.
 pub(crate) struct BodyParts {
     key: &'static str,
@@ -97,6 +100,10 @@ impl BodyParts {
     }
 
     fn not_held(&self, error: &hpfem::Error) -> Fault {
+        if matches!(error, hpfem::Error::NoStiffness { .. }) {
+            let remedy = "bring lengths and moduli of the body closer to each other";
+            return Fault::at(format!("{}.geometry", self.key), NO_STIFFNESS, error.to_string(), remedy);
+        }
         let remedy = "hold it by supports so that only the load's own motions stay free";
         Fault::at(format!("{}.support", self.key), "not-held", error.to_string(), remedy)
     }

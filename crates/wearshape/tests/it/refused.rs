@@ -18,6 +18,8 @@ fn a_load_without_an_answer_is_a_solution_with_a_reason() {
             &["wear.beta=1e-100", "wear.b=600", "mesh.degree=4", "tasks=[wear]"],
             "nothing wears in a finite time",
         ),
+        // Held, and a hundred thousand times as high as wide.
+        ("punch-wear", &["body1.geometry.rectangle.z.1=3.5e6", "mesh.degree=6"], "too far apart for the digits"),
         ("annular-punch", &["optimum.p_max=1", "tasks=[pressure]"], "under p_max"),
     ] {
         let solution = solved(&scene(name, settings));
