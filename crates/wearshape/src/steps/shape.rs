@@ -177,12 +177,17 @@ impl<'a> Shaper<'a> {
             roundtrip_same: None,
             roundtrip_independent: None,
             proof_failed: false,
-            tolerance: if stage.options.machining { tolerance::of(self, reduced)? } else { Vec::new() },
+            tolerance: Vec::new(),
         };
         outcome.machined = stage.options.machining.then(|| self.machined(&pair, shape));
         let mut told = self.told(reduced, &pair, shape);
         let mut effort = Effort::default();
         let following = self.heated((solved, other), (&mut told, &mut effort), outcome)?;
+        // Heat that is not there, as that of a run that was stopped, tells no tolerance.
+        if stage.options.machining && following.is_some() == solved.hot.is_some() {
+            let bodies = following.as_ref().map_or(reduced, |following| &following.reduced);
+            result.tolerance = tolerance::of(self, bodies, following.as_ref())?;
+        }
         // Beyond the critical speed no proof can succeed.
         let lost = outcome.heat.as_ref().and_then(HeatResult::beyond_critical);
         if stage.problem.plan.runs(Step::RoundTrip) && !outcome.stopped && lost.is_none() {

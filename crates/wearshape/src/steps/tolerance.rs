@@ -6,6 +6,7 @@ use shapeopt::{SurfacePlace, WearProblem, tolerances};
 
 use crate::bodies::Reduced;
 use crate::results::ToleranceResult;
+use crate::steps::heat::following::Following;
 use crate::steps::shaper::Shaper;
 
 /// Amplitude of the errors, mm.
@@ -15,8 +16,9 @@ const ALLOWED: f64 = 0.1;
 /// Change below which an error counts as one of the free rigid motions, relative to the largest of all.
 const RIGID: f64 = 1e-6;
 
-/// Effects of the errors on the shape of a level, those that free rigid motions take up left out. Empty if a part of the surface is open.
-pub(crate) fn of(shaper: &Shaper<'_>, reduced: &Reduced) -> Result<Vec<ToleranceResult>, Fault> {
+/// Effects of the errors on the shape of a level, those that free rigid motions take up left out. Empty if a part of the surface is open. Where there is
+/// heat that follows the pressure, `reduced` are the bodies bent by it, and a change of the pressure changes it too.
+pub(crate) fn of(shaper: &Shaper<'_>, reduced: &Reduced, heat: Option<&Following<'_>>) -> Result<Vec<ToleranceResult>, Fault> {
     let stage = shaper.stage;
     let pair = reduced.pair()?;
     let operator = reduced.operator(&pair, stage.friction() > 0.0)?;
@@ -25,7 +27,11 @@ pub(crate) fn of(shaper: &Shaper<'_>, reduced: &Reduced) -> Result<Vec<Tolerance
     if pressure.iter().any(|p| *p <= 0.0) {
         return Ok(Vec::new());
     }
-    let Ok(system) = operator.system(&stage.contact_load(points)) else { return Ok(Vec::new()) };
+    let load = match heat {
+        Some(following) => following.all_closed(&stage.contact_load(points))?,
+        None => stage.contact_load(points),
+    };
+    let Ok(system) = operator.system(&load) else { return Ok(Vec::new()) };
     let (laws, counterface) = stage.rules()?;
     let surface: Vec<wear::SurfacePoint> = points.iter().map(|p| stage.surface_point(p.position, p.normal, p.weight)).collect();
     let gap = vec![0.0; points.len()];

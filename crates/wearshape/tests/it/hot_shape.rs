@@ -136,3 +136,35 @@ fn a_thin_ring_that_is_warm_inside_is_as_warm_as_its_logarithm_says_and_grows_so
         }
     }
 }
+
+/// The tolerance of a hot shape is what a contact with its heat makes of an error: the heat follows the pressure too.
+#[test]
+fn a_crown_on_a_hot_shape_changes_the_pressure_by_what_its_tolerance_says() {
+    let mesh = "mesh={ degree = 6, layers = 3 }";
+    let shape = |speed: &str| {
+        let options = Options { machining: true, ..Options::default() };
+        let problem = scene("clutch-hot", &[mesh, "check=false", speed]);
+        solve(&problem, &options, &Bodies::default(), &mut |_| ControlFlow::Continue(())).unwrap()
+    };
+    let of_a_crown = |solution: &Solution| {
+        let all = &solution.shape.as_ref().unwrap().tolerance;
+        all.iter().find(|entry| entry.error == "crown").unwrap().pressure_change_relative
+    };
+    let hot = shape("sliding.omega=2");
+    let made = profile(&hot);
+    let pressures = |crown: f64| {
+        let gap =
+            format!("contact.gap={{ profile = {{ s_mm = {:?}, gap_um = {:?} }}, crown = {:?} }}", made.s, made.gap, 1e-3 * crown);
+        let solution = solved(&scene("clutch-hot", &["tasks=[contact]", mesh, &gap]));
+        let profile = profile(&solution);
+        profile.s.iter().copied().zip(profile.pressure.iter().copied()).collect::<Vec<(f64, f64)>>()
+    };
+    let crown = 0.02;
+    let mean = 4000.0 / (std::f64::consts::PI * (110.0 * 110.0 - 70.0 * 70.0));
+    let inner = |s: f64| (71.0..=109.0).contains(&s);
+    let changes = pressures(0.001).into_iter().zip(pressures(0.001 + crown)).filter(|((s, _), _)| inner(*s));
+    let most = changes.map(|((_, before), (_, after))| (after - before).abs() / (mean * crown)).fold(0.0, f64::max);
+    near(most, of_a_crown(&hot), 1e-6);
+    // Without heat it is another one.
+    assert!(most > 1.05 * of_a_crown(&shape("sliding.omega=1e-9")));
+}

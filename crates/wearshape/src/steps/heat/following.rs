@@ -184,6 +184,12 @@ impl<'a> Following<'a> {
         self.surfaces.shared(self.warmed.heat, closed)
     }
 
+    /// A load with that of the heat of points that are all in contact.
+    pub(crate) fn all_closed(&self, base: &ContactLoad) -> Result<ContactLoad, Fault> {
+        let shared = self.shared(&vec![true; self.surfaces.points.len()])?;
+        Ok(self.load(base, &shared, &self.surfaces.rates))
+    }
+
     /// A load with that of the heat that normal forces make at these rates (mm/s).
     pub(super) fn load(&self, base: &ContactLoad, shared: &SharedHeat, rates: &[f64]) -> ContactLoad {
         let mut load = base.clone();
