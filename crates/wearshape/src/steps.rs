@@ -1,5 +1,6 @@
 //! The steps that are computed, each on what stands below it.
 
+mod all_around;
 pub(crate) mod answer;
 pub(crate) mod approach;
 pub(crate) mod contact;

@@ -175,7 +175,9 @@ fn round_pairs_that_cannot_be_are_refused_by_name() {
         ("journal --set contact.clearance=-0.01", "contact.clearance", "negative clearance"),
         ("journal --set body1.geometry.ring.inner=24", "contact", "the arcs cross"),
         ("journal --set load.as=pressure", "load.as", "no force along z"),
-        ("journal --set tasks=[pressure,shape]", "tasks", "the task contact alone"),
+        ("journal --set tasks=[pressure,shape]", "tasks", "the tasks contact and wear alone"),
+        ("journal --set tasks=[wear,shape] --set wear.until=10", "tasks", "the tasks contact and wear alone"),
+        ("journal --set tasks=[wear]", "wear.until", "worn for ever"),
         ("cam --set body1.geometry.ring.centre=[0,34]", "contact", "the round bodies cross"),
         ("cam --set body1.geometry.ring.centre=[0,36]", "contact", "do not touch"),
         ("cam --set body1.geometry.ring.centre=[1,35]", "contact", "beside the z axis"),
@@ -185,13 +187,43 @@ fn round_pairs_that_cannot_be_are_refused_by_name() {
         let call = bench.check_and_run(set);
         assert!(call.code == 2 && call.err.contains(words) && call.err.contains(code), "{set}: {}", call.err);
     }
-    // Contact beyond the part of the circle that can touch is found while solving.
-    let call = bench.call("run cam --set load.force=3e7 -q -o far");
-    assert!(
-        call.code == 1 && bench.read("far/summary.json").contains("reaches the end of the part of the circle"),
-        "{}",
-        call.err
+    // Contact beyond the part of the circle that can touch is found while solving, also where it has grown so far, or is closed from the start.
+    for set in [
+        "cam --set load.force=3e7",
+        "journal --set tasks=[wear] --set wear.until=3e6 --set accuracy=1e-3",
+        "journal --set tasks=[wear] --set wear.until=1 --set contact.clearance=0 --set accuracy=1e-3",
+    ] {
+        let call = bench.call(&format!("run {set} -q -o far"));
+        let why = "reaches the end of the part of the circle";
+        assert!(call.code == 1 && bench.read("far/summary.json").contains(why), "{set}: {}", call.err);
+    }
+}
+
+/// A rigid shaft of radius R wears its housing of clearance c to its own circle: half the angle of contact a and the depth h in the middle follow from
+/// `k F s / (R t c) = a / cos a - sin a`, `cos a = c / (c + h)` (docs/round-wear.md), whichever of both is body 1.
+#[test]
+fn a_rigid_shaft_all_around_wears_its_housing_to_its_own_circle() {
+    let bench = Bench::new();
+    // The scene's, in N, mm and s: k F v, R, t, c.
+    let (rate, radius, length, clearance) = (1e-9 * 10e3 * (10.0 * PI * 25.0), 25.0, 30.0, 0.05);
+    let angle = 1.0_f64;
+    let depth = clearance / angle.cos() - clearance;
+    let time = radius * length * clearance * (angle / angle.cos() - angle.sin()) / rate;
+    let stiff = format!(
+        "--set tasks=[wear] --set wear.until={time} --set contact.shear=false --set accuracy=1e-4 \
+                 --set body1.material.young=1e8 --set body2.material.young=1e8"
     );
+    let swapped = "--set contact.edges=[outer,inner] --set body1.geometry.ring={inner=5,outer=25} --set load.edge=inner \
+                   --set body2.geometry.ring={inner=25,outer=40} --set body1.support={inner=[x]} --set body2.support={outer=[x,z]}";
+    for set in [stiff.clone(), format!("{stiff} {swapped}")] {
+        let call = bench.call(&format!("run journal -q {set} -o out"));
+        assert_eq!(call.code, 0, "{}", call.err);
+        let summary: Value = serde_json::from_str(&bench.read("out/summary.json")).unwrap();
+        let number = |key: &str| summary["wear"][key].as_f64().unwrap();
+        let apart = |found: f64, wanted: f64| (found / wanted - 1.0).abs();
+        let [scar, deep] = [apart(number("scar_mm"), 2.0 * angle * radius), apart(number("depth_um"), 1e3 * depth)];
+        assert!(scar < 2e-3 && deep < 2e-3, "{scar:e} {deep:e}");
+    }
 }
 
 /// A roller set on an edge with a pin takes its place, and the other way around.

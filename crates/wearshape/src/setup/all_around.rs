@@ -5,17 +5,28 @@ use scene::{Fault, Geometry, LoadKind, Scene, Task};
 
 use crate::surface::Patch;
 
-/// Refuses tasks other than the contact where only a part of a circle touches, and a load that presses a circle from all sides.
+/// Refuses tasks of a surface that touches all along where only a part of a circle touches, and a load that presses a circle from all sides.
 pub(super) fn check(scene: &Scene, tasks: &[Task], first: Option<&Body>, patch: Option<&Patch>) -> Result<(), Fault> {
     let Some(body) = first else { return Ok(()) };
-    let what = match (touches_all_around(body), patch.is_some_and(Patch::is_convex)) {
-        (_, true) => "two round bodies that touch from outside have",
-        (true, false) if patch.is_some() => "a whole circle that touches along a part of it has",
-        _ => return Ok(()),
-    };
-    if tasks != [Task::Contact] {
-        let message = format!("{what} the task contact alone: where it touches follows from the load");
-        return Err(Fault::at("tasks", "not-available", message, "write tasks = [\"contact\"]"));
+    let refuse = |key: &str, message: String, remedy: &str| Err(Fault::at(key, "not-available", message, remedy));
+    match (touches_all_around(body), patch.is_some_and(Patch::is_convex)) {
+        (_, true) if tasks != [Task::Contact] => {
+            let message =
+                "two round bodies that touch from outside have the task contact alone: where it touches follows from the load";
+            return refuse("tasks", message.to_string(), "write tasks = [\"contact\"]");
+        }
+        (true, false) if patch.is_some() && tasks.iter().any(|task| !matches!(task, Task::Contact | Task::Wear)) => {
+            let message = "a whole circle that touches along a part of it has the tasks contact and wear alone: where it touches follows from the load";
+            return refuse("tasks", message.to_string(), "write tasks = [\"contact\"], or [\"wear\"]");
+        }
+        (true, false)
+            if patch.is_some() && tasks.contains(&Task::Wear) && scene.wear.as_ref().is_none_or(|wear| wear.until.is_none()) =>
+        {
+            let message = "a whole circle is worn for ever: its contact grows, and no pressure is steady".to_string();
+            return refuse("wear.until", message, "give a time, as in wear.until = \"10 h\"");
+        }
+        (_, true) | (true, false) => {}
+        (false, false) => return Ok(()),
     }
     let pressed = scene.load.as_ref().is_some_and(|load| load.kind == Some(LoadKind::Pressure));
     if pressed && matches!(body.geometry, Geometry::Ring(_)) {

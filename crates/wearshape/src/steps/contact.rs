@@ -15,7 +15,6 @@ use crate::faults::unsolved;
 use crate::heat_result::HeatResult;
 use crate::ladder::{Ladder, Refusal};
 use crate::level::Level;
-use crate::solution::Status;
 use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::answer::{Answer, Outcome, Own, Told};
@@ -28,7 +27,7 @@ use crate::steps::hertz_trial::hertz_end;
 use crate::steps::reported::{Moment, Reported};
 use crate::steps::start_gap::{start_gap, start_gaps};
 use crate::steps::twist::Twist;
-use crate::steps::{sharp_edges, torsion};
+use crate::steps::{all_around, sharp_edges, torsion};
 use crate::watch::Watch;
 use crate::words::PointStatus;
 
@@ -59,11 +58,7 @@ pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome,
             (contact.p_max, contact.q_max) = (None, None);
         }
         outcome.remarks.extend(note);
-        let all_around = meshing::touches_all_around(&stage.couple.bodies[0]) || stage.patch.is_convex();
-        if all_around && (closed[0] || closed[1]) {
-            let message = "the contact reaches the end of the part of the circle that can touch: there is no end of it to find";
-            outcome.ended = Some((Status::Refused, message.into()));
-        }
+        all_around::refuse_full(stage, &mut outcome);
     }
     Ok((outcome, effort))
 }

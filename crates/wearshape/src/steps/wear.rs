@@ -39,6 +39,7 @@ use crate::results::WearResult;
 use crate::solution::Status;
 use crate::stage::Stage;
 use crate::step::Step;
+use crate::steps::all_around;
 use crate::steps::answer::Outcome;
 use crate::watch::{FinishedLevel, Resume, Watch};
 
@@ -55,7 +56,8 @@ pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome,
     let (pieces, work) = turns::pieces(stage)?;
     let (ends, search) =
         if stage.grows() { grown::nodes(stage, &pieces)? } else { (final_ends::final_ends(stage, &pieces)?, Effort::default()) };
-    let (outcome, mut effort) = solve_at(stage, &pieces, &ends, watch)?;
+    let (mut outcome, mut effort) = solve_at(stage, &pieces, &ends, watch)?;
+    all_around::refuse_full(stage, &mut outcome);
     effort += work;
     effort += search;
     Ok((outcome, effort))
