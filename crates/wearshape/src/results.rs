@@ -85,7 +85,7 @@ pub struct PressureResult {
     /// Carried pressing force.
     #[serde(rename = "force_N")]
     pub force: Option<f64>,
-    /// Carried moment.
+    /// Carried moment of the pressure, with the sign of [`ContactResult::moment`].
     #[serde(rename = "moment_Nmm")]
     pub moment: Option<f64>,
     /// int p dS.
@@ -148,7 +148,8 @@ pub struct ContactResult {
     /// Contact force.
     #[serde(rename = "force_N")]
     pub force: Option<f64>,
-    /// Contact moment.
+    /// Moment of the contact pressure on body 1, `int (x - about_x) p n_z dS` about `load.about`: positive where it presses harder at the side of greater
+    /// x.
     #[serde(rename = "moment_Nmm")]
     pub moment: Option<f64>,
     /// Closing of body 1.
@@ -384,7 +385,7 @@ pub struct Reaction {
     /// Along z.
     #[serde(rename = "z_N")]
     pub z: Option<f64>,
-    /// Moment.
+    /// Moment about the origin, `x F_z - z F_x`: positive from +x to +z, anti-clockwise in the drawing.
     #[serde(rename = "moment_Nmm")]
     pub moment: Option<f64>,
 }
