@@ -78,6 +78,11 @@ impl FreeEnds {
         self.arcs(length).chunks_exact(2).map(|zone| [zone[0], zone[1]]).collect()
     }
 
+    /// Whether there are ends, no more of them than a search has meshes for: differences take a mesh an end, and a mesh more before them and after.
+    pub fn can_be_searched(&self) -> bool {
+        !self.places.is_empty() && (self.jacobian.is_some() || self.places.len() + 2 <= MOST)
+    }
+
     /// Moves nodes onto the ends until the pressure at all of them vanishes, to a tolerance relative to the extent of the places. `held` makes bodies
     /// with nodes at the given places, solves with the points between them held in contact, and returns the pressures at the nodes (each
     /// in a scale of its own) with whatever is wanted of the last ones; `None` where no bodies can be made.
@@ -95,11 +100,10 @@ impl FreeEnds {
             Some(before) => self.refined.iter().zip(before).map(|(now, before)| now + GOES_ON * (now - before)).collect(),
             None => self.refined.clone(),
         };
-        // Differences take a mesh an end, and a mesh more before them and after.
-        if self.jacobian.is_none() && places.len() + 2 > MOST {
+        if !self.can_be_searched() {
             return Ok(None);
         }
-        let start = Start { places: &places, jacobian: self.jacobian.as_ref(), tolerance, share: SHARE };
+        let start = Start { places: &places, jacobian: self.jacobian.as_ref(), tolerance, share: SHARE, within: [-1.0, 1.0] };
         let mut meshes = 0;
         let found = position_nodes(start, |places| -> Result<_, Option<E>> {
             let ascending = places.windows(2).all(|pair| pair[0] < pair[1]);

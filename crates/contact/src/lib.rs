@@ -66,7 +66,7 @@ pub use operator::{ContactOperator, UnitResponses};
 pub use pair::{Pair, contact_traction, normal};
 pub use plain::Unloaded;
 pub use point::ContactPoint;
-pub use positioning::{Nodes, Positioned, Positioning, Rebuilt, Start, held_between, position_ends, position_nodes};
+pub use positioning::{Nodes, Positioned, Positioning, Rebuilt, Start, UNBOUNDED, held_between, position_ends, position_nodes};
 pub use problem::{ContactProblem, solve};
 pub use side::Side;
 pub use solution::ContactSolution;

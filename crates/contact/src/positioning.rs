@@ -91,6 +91,9 @@ pub struct Nodes<T> {
     pub jacobian: nalgebra::DMatrix<f64>,
 }
 
+/// Places that may be anywhere.
+pub const UNBOUNDED: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
+
 /// Where [`position_nodes`] starts and how far it goes.
 #[derive(Clone, Copy, Debug)]
 pub struct Start<'a> {
@@ -102,6 +105,21 @@ pub struct Start<'a> {
     pub tolerance: f64,
     /// A step that is this share of the first one will do as well: the places need be no better than the mesh. 0 asks for the tolerance.
     pub share: f64,
+    /// Bounds that no place may pass, say the ends of the surface; infinite without any.
+    pub within: [f64; 2],
+}
+
+impl Start<'_> {
+    /// Distance of a place from the nearer bound.
+    fn room(&self, place: f64) -> f64 {
+        (place - self.within[0]).min(self.within[1] - place)
+    }
+
+    /// No place moves by more than a quarter of this in a step: the least distance of two places (of a single one from zero), or of one from a bound.
+    fn narrowest(&self, places: &[f64]) -> f64 {
+        let apart = if places.len() == 1 { size(places) } else { narrowest(places) };
+        places.iter().map(|place| self.room(*place)).fold(apart, f64::min)
+    }
 }
 
 /// Finds the places of nodes at which as many residuals vanish (pressure at an end of contact, shear less its limit at an end of stick), by
@@ -120,7 +138,7 @@ pub fn position_nodes<T, E>(
         Some(known) => known.clone(),
         None => {
             evaluations += places.len();
-            by_differences(&places, &value, &mut evaluate)?
+            by_differences(&start, &value, &mut evaluate)?
         }
     };
     let first = jacobian.clone();
@@ -150,8 +168,7 @@ pub fn position_nodes<T, E>(
             let found = missed <= ROUND_OFF * size(&places);
             return Ok(Nodes { refined: places.clone(), places, found, last, evaluations, history, jacobian });
         };
-        // No place moves by more than a quarter of the distance to its neighbours (or to zero, for a single one).
-        let room = if places.len() == 1 { size(&places) } else { narrowest(&places) };
+        let room = start.narrowest(&places);
         if largest > 0.25 * room {
             step *= 0.25 * room / largest;
         }
@@ -182,16 +199,17 @@ struct Tried<T> {
     number: usize,
 }
 
-/// Derivatives of the residuals by the places, from differences over a thousandth of their extent.
+/// Derivatives of the residuals by the places, from differences over a thousandth of their extent, or a quarter of the way to a bound that is nearer.
 fn by_differences<T, E>(
-    places: &[f64],
+    start: &Start<'_>,
     value: &[f64],
     evaluate: &mut impl FnMut(&[f64]) -> Result<(Vec<f64>, T), E>,
 ) -> Result<nalgebra::DMatrix<f64>, E> {
+    let places = start.places;
     let mut jacobian = nalgebra::DMatrix::zeros(places.len(), places.len());
-    let step = 1e-3 * size(places);
     for j in 0..places.len() {
         let mut moved = places.to_vec();
+        let step = (1e-3 * size(places)).min(0.25 * start.room(places[j]));
         moved[j] += step;
         let (next, _) = evaluate(&moved)?;
         (0..places.len()).for_each(|i| jacobian[(i, j)] = (next[i] - value[i]) / step);
@@ -222,7 +240,7 @@ pub fn position_ends<E: From<Error>>(
     ends: &[f64],
     mut rebuild: impl FnMut(&[f64]) -> Result<Rebuilt, E>,
 ) -> Result<Positioned, E> {
-    let start = Start { places: ends, jacobian: None, tolerance: problem.tolerance, share: 0.0 };
+    let start = Start { places: ends, jacobian: None, tolerance: problem.tolerance, share: 0.0, within: UNBOUNDED };
     let nodes = position_nodes(start, |ends| -> Result<_, E> {
         let bodies = rebuild(ends)?;
         let (pressure, solution, points) = end_pressures(problem, &bodies, ends)?;
@@ -281,7 +299,7 @@ mod tests {
             state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
             2.0 * (state >> 11) as f64 / (1_u64 << 53) as f64 - 1.0
         };
-        let start = Start { places: &[0.71], jacobian: None, tolerance: 1e-10, share: 0.0 };
+        let start = Start { places: &[0.71], jacobian: None, tolerance: 1e-10, share: 0.0, within: UNBOUNDED };
         let found = position_nodes(start, |places| -> Result<_, ()> {
             calls += 1;
             Ok((vec![-1e7 * (places[0] - 0.7) + 0.5 * noise()], places.to_vec()))

@@ -16,6 +16,9 @@ pub struct Couple {
     pub bodies: [Body; 2],
     /// Where and how body 1 is loaded.
     pub load: LoadedEdge,
+    /// Longest piece of the contact surface, as a part of it, that templates leave uncut: 1 where the geometry alone decides, less for a gap of short
+    /// waves.
+    pub longest: f64,
 }
 
 /// One body.

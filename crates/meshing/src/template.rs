@@ -4,7 +4,7 @@ use hpfem::{Curve, Mesh, Named, Ruled, Side};
 use scene::{Fault, Geometry, Rectangle, Ring, RingSegment, ShoeBlock, short};
 
 use crate::coarse::{Coarse, degenerate};
-use crate::couple::Couple;
+use crate::couple::{Body, Couple};
 use crate::cuts::{SAME, growing, halved, merged, parameters, subdivide, widest};
 use crate::extent::{Cut, Extent};
 use crate::names::{AXIS, CONTACT, LOAD};
@@ -32,7 +32,7 @@ pub(crate) fn contact_cuts(couple: &Couple, extent: Extent, cut: Cut<'_>, breaks
         merged(points.iter().copied().chain(others).collect())
     };
     let more = if cut == Cut::Shifted { 1.0 } else { 0.0 };
-    match (extent, &couple.bodies[0].geometry) {
+    let cuts = match (extent, &couple.bodies[0].geometry) {
         (Extent::Angles(ends) | Extent::Circles { angles: ends, .. }, Geometry::RingSegment(segment)) => {
             let half = 0.5 * (ends[1] - ends[0]);
             let own: Vec<f64> = segment_breaks(couple, segment, cut).breaks.iter().map(|t| ends[0] + half * (1.0 + t)).collect();
@@ -51,7 +51,10 @@ pub(crate) fn contact_cuts(couple: &Couple, extent: Extent, cut: Cut<'_>, breaks
         }
         // Three pieces: the tilt of a gap is its tangent in the middle, which must lie inside a cell.
         (Extent::X([from, to]), _) => subdivide(&with(&with_ends([from, to], cut)), (to - from) / (3.0 + more)),
-    }
+    };
+    // Short waves are for templates, which have no cells of their own.
+    let longest = couple.longest * (last - first);
+    if couple.longest < 1.0 && !couple.bodies.iter().any(Body::is_given) { subdivide(&cuts, longest) } else { cuts }
 }
 
 /// The ends of the surface, the ends of contact, and the middles between them: no cell may lie between two points that both need layers.

@@ -69,7 +69,8 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     let load = load::numbers(&scene);
     let first = bodies.as_ref().map(|(_, [first, _])| first);
     let edge = scene.load.as_ref().and_then(|load| load::edge(load, first));
-    let couple = bodies.zip(edge).map(|((kinematics, bodies), load)| Couple { kinematics, bodies, load });
+    let longest = start_gap::longest_piece(&scene, &tasks, patch.as_ref());
+    let couple = bodies.zip(edge).map(|((kinematics, bodies), load)| Couple { kinematics, bodies, load, longest });
     one_way::wanted(&scene, couple.as_ref(), patch.as_ref())?;
     duty::resolve(&scene, &tasks, couple.as_ref())?;
     carried::check(&scene, &tasks, couple.as_ref(), patch.as_ref())?;

@@ -93,7 +93,7 @@ pub(crate) fn body(key: &'static str, geometry: &str, contact: &str, support: &s
 /// Two bodies in plane stress, the first pressed through `edge`.
 pub(crate) fn couple(first: Body, second: Body, edge: &str, kind: LoadKind) -> Couple {
     let load = LoadedEdge { edge: edge.to_string(), kind, strip: None, about: [0.0; 2], direction: 0.0, level: false };
-    Couple { kinematics: Kinematics::PlaneStress { thickness: 1.0 }, bodies: [first, second], load }
+    Couple { kinematics: Kinematics::PlaneStress { thickness: 1.0 }, bodies: [first, second], load, longest: 1.0 }
 }
 
 /// The extent that the contact edge of body 1 has.

@@ -1,7 +1,7 @@
 //! The gap at the start: its values, its files, its clearance.
 
 use meshing::Files;
-use scene::{Contact, Fault, Gap, GapSum, Rows, Scene, SurfaceShape, positive};
+use scene::{Contact, Fault, Gap, GapSum, Rows, Scene, SurfaceShape, Task, positive};
 
 use crate::circles::Circles;
 use crate::gap::StartGap;
@@ -26,6 +26,18 @@ pub(super) fn resolve(contact: &mut Contact, files: Files<'_>) -> Result<(), Fau
         Gap::Sum(sum) => terms(sum, files)?,
     }
     Ok(())
+}
+
+/// Most pieces that a contact surface is cut into for the waves of its gap: of shorter ones no degree makes an answer.
+const MOST_PIECES: f64 = 40.0;
+
+/// Longest piece of the contact surface, as a part of it, for the waves of the gap that the bodies have to follow: one wave.
+pub(super) fn longest_piece(scene: &Scene, tasks: &[Task], patch: Option<&Patch>) -> f64 {
+    let gap = scene.contact.as_ref().and_then(|contact| contact.gap.as_ref());
+    let followed = tasks.iter().any(|task| matches!(task, Task::Contact | Task::Wear));
+    let (Some(Gap::Sum(sum)), true, Some([from, to])) = (gap, followed, patch.and_then(Patch::places)) else { return 1.0 };
+    let waves = sum.cosine.filter(|cosine| cosine.amplitude.0 > 0.0).map(|cosine| (to - from) / cosine.wavelength.0);
+    1.0 / waves.unwrap_or(1.0).clamp(1.0, MOST_PIECES)
 }
 
 /// The terms of a sum.

@@ -21,7 +21,7 @@ use crate::steps::answer::{Answer, Outcome, Own, Told};
 use crate::steps::contact_levels::{Solved, imbalance, levels};
 use crate::steps::contact_result::result;
 use crate::steps::diagnosis::Diagnosis;
-use crate::steps::free_ends::{Positioned, position};
+use crate::steps::free_ends::{Positioned, nearer, position};
 use crate::steps::heat::contact::HotContact;
 use crate::steps::hertz_trial::hertz_end;
 use crate::steps::reported::{Moment, Reported};
@@ -38,10 +38,12 @@ const NEAR: f64 = 1e-3;
 /// Samples of the pressure for the comparison of levels, over the inner 95 % of the contact.
 const SAMPLES: usize = 191;
 
-/// Ends of contact inside the surface of a usual contact. Where there are more, a search that has failed is not tried on finer levels, and levels
-/// are left out for which both surfaces together would have more unknowns than this: their eliminations take the cube of it.
+/// Ends of contact inside the surface of a usual contact. Where there are more, a search that has failed on so many levels is not tried on finer ones
+/// (the coarsest may not know them), and levels are left out for which both surfaces together would have more unknowns than this: their eliminations
+/// take the cube of it.
 const USUAL_ENDS: usize = 4;
-const MOST_UNKNOWNS: usize = 4000;
+const MOST_LOST: usize = 2;
+const MOST_UNKNOWNS: usize = 7000;
 
 /// Solves the contact.
 pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
@@ -67,8 +69,8 @@ pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome,
 #[derive(Default)]
 pub(crate) struct Search {
     ends: FreeEnds,
-    /// Whether nodes did not settle on more ends than usual.
-    lost: bool,
+    /// Number of levels whose nodes did not settle on more ends than usual.
+    lost: usize,
     /// Factors on the sliding speed of the last level, with heat alone.
     speeds: Option<SpeedFactors>,
 }
@@ -283,9 +285,13 @@ fn find<'a>(stage: Stage<'a>, level: Level, search: &mut Search, effort: &mut Ef
         trial = Some(found);
     }
     let many = ends.places.len() > USUAL_ENDS;
-    let given_up = ends.places.is_empty() || many && *lost;
-    let positioned = if given_up { None } else { position(stage, level, ends, effort)? };
-    *lost |= many && positioned.is_none();
+    let given_up = !ends.can_be_searched() || many && *lost >= MOST_LOST;
+    let mut positioned = if given_up { None } else { position(stage, level, ends, effort)? };
+    if positioned.is_none() && !given_up {
+        let near = nearer(stage, level, ends, effort)?;
+        positioned = near.map_or(Ok(None), |near| position(stage, level, &near, effort))?;
+    }
+    *lost += usize::from(many && positioned.is_none());
     let mut unsettled = false;
     let (reduced, held) = match positioned {
         Some((found, positioned)) => {

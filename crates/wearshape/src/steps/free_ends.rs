@@ -53,3 +53,36 @@ pub(crate) fn position(
         Ok(Some((nodes.iter().map(scaled).collect(), Positioned { reduced: Arc::clone(&reduced), held })))
     })
 }
+
+/// Meshes on which ends come nearer before a search for them, and the step (of half the surface) at which they are near enough.
+const ROUNDS: usize = 5;
+const NEAR: f64 = 1e-3;
+
+/// Ends nearer to those of the contact, each round those of the contact on a mesh with nodes at the ones before; `None` where their number goes on
+/// changing, or no mesh can be made.
+pub(crate) fn nearer(stage: Stage<'_>, level: Level, ends: &FreeEnds, work: &mut Effort) -> Result<Option<FreeEnds>, Fault> {
+    let mut ends = ends.clone();
+    for _ in 0..ROUNDS {
+        let Ok((parts, effort)) = stage.parts(level, Cut::Ends(&ends.places)) else { return Ok(None) };
+        (stage.options.begun)(Step::Factor);
+        let (reduced, reduction) = Reduced::new(&parts, stage.clock())?;
+        *work += effort;
+        *work += reduction;
+        work.counters.contact_solves += 1;
+        let pair = reduced.pair()?;
+        let operator = work.timed(Step::Interface, stage.clock(), |_| reduced.operator(&pair, stage.friction() > 0.0))?;
+        let (gap, load) = (start_gaps(stage, &operator), stage.contact_load(operator.points()));
+        let found = operator.solve(&gap, &load, None).map_err(unsolved)?;
+        let next = FreeEnds::of(&found, pair.trace().length());
+        if next.places.is_empty() {
+            return Ok(None);
+        }
+        let same = next.places.len() == ends.places.len() && next.starts_closed == ends.starts_closed;
+        let moved = next.places.iter().zip(&ends.places).fold(0.0_f64, |most, (now, before)| most.max((now - before).abs()));
+        ends = next;
+        if same && moved < NEAR {
+            return Ok(Some(ends));
+        }
+    }
+    Ok(None)
+}
