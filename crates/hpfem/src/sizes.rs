@@ -1,5 +1,6 @@
 //! What a reduction will take, known from the mesh and the degrees before anything is computed.
 
+use crate::basis::LocalModes;
 use crate::body::Body;
 use crate::error::Error;
 use crate::front::partial_factor;
@@ -23,6 +24,20 @@ pub struct Sizes {
     pub bytes: u64,
     /// Multiplications of the element matrices, of condensing them and of the elimination, right-hand sides not counted.
     pub operations: f64,
+    /// Unknowns on the boundaries of all cells, of which each counts its own.
+    pub(crate) outer_unknowns: usize,
+}
+
+impl Sizes {
+    /// Memory that [`Body::heated`] will hold at once for so many temperatures, bytes, besides both bodies: the loads on the boundary of each cell,
+    /// the temperatures on all edges, displacements forwards along the fronts, and the columns of the reduced body.
+    pub fn heated_bytes(&self, temperatures: usize) -> u64 {
+        let (many, kept) = (temperatures as u64, self.kept_unknowns as u64);
+        // An edge belongs to two cells, and a temperature has one component.
+        let on_edges = self.outer_unknowns as u64 / 2;
+        let cells = self.outer_unknowns as u64 + on_edges / 2 + on_edges;
+        8 * (many * (cells + 2 * kept) + many * many)
+    }
 }
 
 impl Body {
@@ -45,6 +60,7 @@ impl Body {
         });
         let size = |groups: &[usize]| groups.iter().map(|g| ordered.size[*g]).sum::<usize>() as f64;
         let fronts = ordered.plan.fronts.iter().map(|f| partial_factor(size(&f.groups[..f.eliminated]), size(&f.groups)));
+        let outer = |modes: &LocalModes| space.components * (modes.modes - modes.interior);
         let points = |walk: &Vec<(usize, bool)>| walk.iter().map(|(edge, _)| space.edge_degree[*edge]).sum::<usize>() + 1;
         Ok(Sizes {
             cells: mesh.cells.len(),
@@ -53,6 +69,7 @@ impl Body {
             points: ordered.kept.walks.iter().map(points).sum(),
             bytes: ordered.bytes,
             operations: matrices.sum::<f64>() + fronts.sum::<f64>(),
+            outer_unknowns: (0..mesh.cells.len()).map(|cell| outer(&space.local_modes(mesh, cell))).sum(),
         })
     }
 }

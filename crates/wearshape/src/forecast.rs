@@ -7,6 +7,7 @@ use serde::Serialize;
 use crate::bodies::Bodies;
 use crate::faults::in_names_of;
 use crate::fixed;
+use crate::heat::{Heat, Meets};
 use crate::ladder::levels;
 use crate::level::Level;
 use crate::options::Options;
@@ -41,7 +42,7 @@ pub struct Forecast {
     pub trace_dofs: usize,
     /// Points of the contact surface.
     pub contact_points: usize,
-    /// Memory of both eliminations.
+    /// Memory of both eliminations; with frictional heat that of the temperatures and of the responses to the heat of each contact point too.
     pub memory_bytes: u64,
     /// Seconds until this level is done, those before it and the proof included, about.
     pub about_seconds: f64,
@@ -96,7 +97,7 @@ fn forecast(problem: &Problem, options: &Options<'_>) -> Result<Vec<Forecast>, F
             dofs: sum(|size| size.unknowns),
             trace_dofs: sum(|size| size.kept_unknowns),
             contact_points: bodies.iter().map(|size| size.points).max().unwrap_or(0),
-            memory_bytes: bodies.iter().map(|size| size.bytes).sum(),
+            memory_bytes: memory(problem.heat.as_ref(), &bodies),
             about_seconds: before + limits + proved,
         });
     }
@@ -126,6 +127,19 @@ fn rate(problem: &Problem, scope: &Scope<'_>, options: &Options<'_>) -> Result<f
         }
     }
     Ok(rate)
+}
+
+/// Memory of both eliminations, and of the temperatures of bodies that have a field of them.
+fn memory(heat: Option<&Heat>, bodies: &[Sizes; 2]) -> u64 {
+    let warm = match heat.map(|heat| heat.meets) {
+        None => &bodies[..0],
+        Some(Meets::Congruent) => &bodies[..],
+        Some(Meets::Revolving(_) | Meets::Fresh(_)) => &bodies[..1],
+    };
+    // A temperature has one component: a quarter of the matrices.
+    let temperatures: u64 = warm.iter().map(|size| size.bytes / 4).sum();
+    let responses = warm.iter().map(|size| size.heated_bytes(size.points)).max();
+    bodies.iter().map(|size| size.bytes).sum::<u64>() + temperatures + responses.unwrap_or(0)
 }
 
 /// Multiplications of a level: both bodies, both traces solved with, and for a contact the responses at its points and a solve on them.

@@ -14,6 +14,8 @@ fn the_sizes_that_check_expects_are_the_counters_of_the_run() {
         ("annular-punch", "--set mesh.degree=6"),
         ("translating-punch", "--set mesh={degree=5,layers=3} --set tasks=[contact]"),
         ("hertz-cylinder", "--set mesh.degree=6"),
+        ("drum-brake-hot", ""),
+        ("clutch-hot", "--set mesh.degree=6"),
     ] {
         let plan = document(&bench.call(&format!("check {scene} {sets} --json")).out);
         assert_eq!(document(&bench.call(&format!("run {scene} {sets} --dry-run --json")).out)["stages"], plan["stages"]);

@@ -63,7 +63,7 @@ class Level(NamedTuple):
     trace_dofs: int
     #: Points of the contact surface.
     contact_points: int
-    #: Memory of both eliminations (bytes).
+    #: Memory of both eliminations; with frictional heat that of the temperatures and of the responses to the heat of each contact point too (bytes).
     memory_bytes: int
     #: Seconds until this level is done, about.
     about_seconds: float

@@ -10,6 +10,7 @@ mod effort;
 mod estimates;
 mod examples;
 mod files;
+mod forecast;
 mod guided;
 mod heat;
 mod heat_wear;
