@@ -2,7 +2,8 @@
 
 div(k grad T) = 0; edges are held, cooled by convection or insulated. Friction makes q = mu p v. By a
 share, q_1 = s q and q_2 = (1 - s) q; by a conductance h, q_1 = q/2 + h (T_2 - T_1) and q_2 the rest, at
-the contact; by an infinite one both bodies have one temperature there. Heat is per unit thickness or radian.
+the contact; by an infinite one both bodies have one temperature there. A ring that revolves has one temperature
+along its circle, fed by all that goes into it, evenly. Heat is per unit thickness or radian.
 """
 
 import math
@@ -141,3 +142,26 @@ def temperatures(pair, nodes, sources, conductance):
     held = dict(first.held) | {n + d: v for d, v in second.held.items()}
     found = fixed(whole, np.concatenate(right), held)
     return [found[:n], found[n:]]
+
+
+def beside_ring(pair, sources, conductance, circle):
+    """Nodal temperatures of body 1 and of a ring that revolves under it, and the heat into the ring. `sources`: nodal heat of each half of
+    the friction; `circle`: the segments of the ring's touching circle."""
+    first, ring = pair
+    if math.isinf(conductance):
+        raise ValueError("a revolving ring is known here with a finite conductance alone")
+    along = ring.heat(1.0, circle)
+    length = float(np.sum(along))
+    # The ring without heat from the contact and with a unit of it spread along the circle: its mean temperature there is a + b Q.
+    still = fixed(ring.matrix, ring.own, ring.held)
+    unit = fixed(ring.matrix, along / length, dict.fromkeys(ring.held, 0.0))
+    a, b = along @ still / length, along @ unit / length
+    # Body 1 beside a ring at 0, and what a degree more of the ring adds.
+    touching = conductance * first.heat(1.0, first.contact)
+    matrix = (first.matrix + conductance * first.surface).tocsr()
+    cool = fixed(matrix, first.own + sources[0], first.held)
+    degree = fixed(matrix, touching, dict.fromkeys(first.held, 0.0))
+    # Q = F + h int (T_1 - T), T = a + b Q.
+    half, crossing = float(np.sum(sources[1])), float(touching @ degree - np.sum(touching))
+    heat = (half + touching @ cool + a * crossing) / (1.0 - b * crossing)
+    return [cool + (a + b * heat) * degree, still + heat * unit], float(heat)

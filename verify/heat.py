@@ -1,7 +1,7 @@
 """Temperatures of a contact under the wanted pressure, the displacements they make, and the cold gap.
 
-Congruent bodies with a share or a conductance; a ring that revolves under body 1 with a share: its
-temperature is even along its circle, fed by the mean of its heat along the whole of it; fresh body 2.
+Congruent bodies with a share or a conductance; a ring that revolves under body 1 with a share or a finite conductance:
+its temperature is even along its circle, fed by the mean of its heat along the whole of it; fresh body 2.
 """
 
 import math
@@ -16,7 +16,7 @@ import numpy as np
 import scene as scenes
 import ufl
 from body import form
-from conduction import Conductor, matching_body, temperatures
+from conduction import Conductor, beside_ring, matching_body, temperatures
 from gap import respond
 from interface import division
 
@@ -76,13 +76,14 @@ def conduct(scene, surface, pressure, bodies, contacts, meeting):
     shares = (split, 1.0 - split) if conductance is None else (0.5, 0.5)
     sources = [one.heat(share * friction_heat(surface, pressure, one.body), one.contact) for one, share in zip(pair, shares)]
     power = sum(float(np.sum(source)) for source in sources)
-    if meeting == "revolving":
-        if conductance is not None:
-            raise ValueError("a revolving ring is known here with a share alone")
+    if meeting == "revolving" and conductance is None:
         circle = 2.0 * math.pi * surface.radius
         sources[1] = pair[1].heat(float(np.sum(sources[1])) / circle, bodies[1].tags(edges[1]))
     nodes = [one.in_order(surface) for one in pair]
-    if meeting == "fresh":
+    into_ring = None
+    if meeting == "revolving" and conductance is not None:
+        values, into_ring = beside_ring(pair, sources, conductance, bodies[1].tags(edges[1]))
+    elif meeting == "fresh":
         if conductance is not None:
             raise ValueError("a fresh body 2 is known here with a share alone")
         values = temperatures(pair[:1], nodes, sources[:1], None) + [None]
@@ -95,6 +96,7 @@ def conduct(scene, surface, pressure, bodies, contacts, meeting):
     else:
         rest = [one.matrix @ v - one.own for one, v in zip(pair, values)]
         into = [float(np.sum(r[node])) for r, node in zip(rest, nodes)]
+        into[1] = into[1] if into_ring is None else into_ring
     for number, heat in enumerate(into):
         found[f"into_body{number + 1}_mW"] = depth * heat
     return pair, fields, found
