@@ -114,12 +114,6 @@ impl Start<'_> {
     fn room(&self, place: f64) -> f64 {
         (place - self.within[0]).min(self.within[1] - place)
     }
-
-    /// No place moves by more than a quarter of this in a step: the least distance of two places (of a single one from zero), or of one from a bound.
-    fn narrowest(&self, places: &[f64]) -> f64 {
-        let apart = if places.len() == 1 { size(places) } else { narrowest(places) };
-        places.iter().map(|place| self.room(*place)).fold(apart, f64::min)
-    }
 }
 
 /// Finds the places of nodes at which as many residuals vanish (pressure at an end of contact, shear less its limit at an end of stick), by
@@ -168,11 +162,16 @@ pub fn position_nodes<T, E>(
             let found = missed <= ROUND_OFF * size(&places);
             return Ok(Nodes { refined: places.clone(), places, found, last, evaluations, history, jacobian });
         };
-        let room = start.narrowest(&places);
+        // No place moves by more than a quarter of the distance to its neighbours (or to zero, for a single one), nor of that to a bound.
+        let room = if places.len() == 1 { size(&places) } else { narrowest(&places) };
         if largest > 0.25 * room {
             step *= 0.25 * room / largest;
         }
-        places.iter_mut().zip(step.iter()).for_each(|(a, s)| *a += s);
+        for (place, step) in places.iter_mut().zip(step.iter_mut()) {
+            let [least, most] = start.within.map(|bound| 0.25 * (bound - *place));
+            *step = step.clamp(least, most);
+            *place += *step;
+        }
         let (next, outcome) = evaluate(&places)?;
         evaluations += 1;
         let change = nalgebra::DVector::from_fn(places.len(), |i, _| next[i] - value[i]);
@@ -308,5 +307,17 @@ mod tests {
         assert!(nodes.found && (nodes.refined[0] - 0.7).abs() < 1e-6, "{:?} after {calls}", nodes.refined);
         assert!(calls <= 20, "{calls} meshes");
         assert_eq!(nodes.places, nodes.last);
+    }
+
+    /// Between a free end and one next to the end of the surface, beyond which there is no mesh.
+    #[test]
+    fn a_place_next_to_a_bound_is_found_without_passing_it() {
+        let start = Start { places: &[-0.2, 0.9995], jacobian: None, tolerance: 1e-9, share: 0.0, within: [-1.0, 1.0] };
+        let found = position_nodes(start, |places| {
+            let inside = places.iter().all(|place| place.abs() < 1.0);
+            if inside { Ok((vec![places[0] + 0.25, (1.0 - places[1]).ln() - 1e-4_f64.ln()], ())) } else { Err(places.to_vec()) }
+        });
+        let nodes = found.expect("no place passes the bound");
+        assert!(nodes.found && (nodes.refined[1] - 0.9999).abs() < 1e-8, "{:?}", nodes.refined);
     }
 }

@@ -76,6 +76,28 @@ fn rows_of_a_parabola_give_the_contact_of_the_crown_and_smoothing_says_what_it_l
     assert!((p_max(&smooth) / p_max(&crown) - 1.0).abs() < 0.1);
 }
 
+/// The waves of a gap are followed where they are shorter than the cells of the bodies alone, and where bodies touch on their tops alone.
+#[test]
+fn a_wavy_surface_touches_in_zones_that_are_found_to_the_accuracy_asked_for() {
+    let bench = Bench::new();
+    let touched = |scene: &str, amplitude: &str, accuracy: &str| {
+        let set = format!(
+            "--set tasks=[contact] --set accuracy={accuracy} --set contact.gap.cosine={{amplitude={amplitude},wavelength=20}}"
+        );
+        let call = bench.call(&format!("run {scene} {set} -q -o wavy"));
+        assert_eq!(call.code, 0, "{scene} {amplitude}: {}{}", call.out, call.err);
+        let summary: Value = serde_json::from_str(&bench.read("wavy/summary.json")).unwrap();
+        let ends = summary["contact"]["ends_mm"].as_array().unwrap();
+        ends.iter().map(|end| end.as_f64().unwrap()).collect::<Vec<f64>>()
+    };
+    assert_eq!(touched("drum-brake-block", "1e-4", "1e-4").len(), 2);
+    let [rough, fine] = ["1e-3", "1e-4"].map(|accuracy| touched("reciprocating-pad", "5e-3", accuracy));
+    assert_eq!(fine.len(), 6);
+    for (rough, fine) in rough.iter().zip(&fine) {
+        assert!((rough - fine).abs() < 1e-3 * 40.0, "{rough} {fine}");
+    }
+}
+
 #[test]
 fn gaps_without_sense_are_refused_with_a_remedy() {
     let bench = Bench::new();

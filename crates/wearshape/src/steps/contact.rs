@@ -263,6 +263,28 @@ fn signed(
     })
 }
 
+/// Nodes on the ends of contact, from trial ends; where these lead nowhere, or to others than those of the contact (there is tension between them), from
+/// ends that are nearer.
+fn searched(
+    stage: Stage<'_>,
+    level: Level,
+    ends: &FreeEnds,
+    effort: &mut Effort,
+) -> Result<Option<(FreeEnds, Positioned)>, Fault> {
+    let first = position(stage, level, ends, effort)?;
+    let trial = match &first {
+        Some((_, positioned)) if positioned.held.complementarity < NEAR => return Ok(first),
+        Some((_, Positioned { reduced, .. })) => {
+            let found = signed(stage, reduced, None, effort)?;
+            FreeEnds::of(&found, reduced.pair()?.trace().length())
+        }
+        None => ends.clone(),
+    };
+    let near = if trial.can_be_searched() { nearer(stage, level, &trial, effort)? } else { None };
+    let second = near.map_or(Ok(None), |near| position(stage, level, &near, effort))?;
+    Ok(second.or(first))
+}
+
 /// Positions nodes on the ends of contact, if there are any inside the surface, and solves.
 fn find<'a>(stage: Stage<'a>, level: Level, search: &mut Search, effort: &mut Effort) -> Result<Found<'a>, Fault> {
     if let Some(hot) = HotContact::new(stage, level, effort)? {
@@ -286,11 +308,7 @@ fn find<'a>(stage: Stage<'a>, level: Level, search: &mut Search, effort: &mut Ef
     }
     let many = ends.places.len() > USUAL_ENDS;
     let given_up = !ends.can_be_searched() || many && *lost >= MOST_LOST;
-    let mut positioned = if given_up { None } else { position(stage, level, ends, effort)? };
-    if positioned.is_none() && !given_up {
-        let near = nearer(stage, level, ends, effort)?;
-        positioned = near.map_or(Ok(None), |near| position(stage, level, &near, effort))?;
-    }
+    let positioned = if given_up { None } else { searched(stage, level, ends, effort)? };
     *lost += usize::from(many && positioned.is_none());
     let mut unsettled = false;
     let (reduced, held) = match positioned {
