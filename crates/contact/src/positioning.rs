@@ -114,6 +114,20 @@ impl Start<'_> {
     fn room(&self, place: f64) -> f64 {
         (place - self.within[0]).min(self.within[1] - place)
     }
+
+    /// Moves the places by a step whose largest part is known; no place moves by more than a quarter of the distance to its neighbours (or to zero, for a
+    /// single one), nor of that to a bound. The step becomes the one taken.
+    fn step(&self, places: &mut [f64], step: &mut nalgebra::DVector<f64>, largest: f64) {
+        let room = if places.len() == 1 { size(places) } else { narrowest(places) };
+        if largest > 0.25 * room {
+            *step *= 0.25 * room / largest;
+        }
+        for (place, step) in places.iter_mut().zip(step.iter_mut()) {
+            let [least, most] = self.within.map(|bound| 0.25 * (bound - *place));
+            *step = step.clamp(least, most);
+            *place += *step;
+        }
+    }
 }
 
 /// Finds the places of nodes at which as many residuals vanish (pressure at an end of contact, shear less its limit at an end of stick), by
@@ -162,16 +176,7 @@ pub fn position_nodes<T, E>(
             let found = missed <= ROUND_OFF * size(&places);
             return Ok(Nodes { refined: places.clone(), places, found, last, evaluations, history, jacobian });
         };
-        // No place moves by more than a quarter of the distance to its neighbours (or to zero, for a single one), nor of that to a bound.
-        let room = if places.len() == 1 { size(&places) } else { narrowest(&places) };
-        if largest > 0.25 * room {
-            step *= 0.25 * room / largest;
-        }
-        for (place, step) in places.iter_mut().zip(step.iter_mut()) {
-            let [least, most] = start.within.map(|bound| 0.25 * (bound - *place));
-            *step = step.clamp(least, most);
-            *place += *step;
-        }
+        start.step(&mut places, &mut step, largest);
         let (next, outcome) = evaluate(&places)?;
         evaluations += 1;
         let change = nalgebra::DVector::from_fn(places.len(), |i, _| next[i] - value[i]);

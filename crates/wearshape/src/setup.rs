@@ -28,7 +28,8 @@ mod twist;
 mod unused;
 mod wear_rule;
 
-use meshing::{Couple, Files};
+use hpfem::Kinematics;
+use meshing::{Body, Couple, Files};
 use scene::{Document, Fault, Scene, Task};
 
 use crate::freedom::{self, Grip};
@@ -67,10 +68,7 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     twist::resolve(&scene, &tasks)?;
     wanted(&mut scene, &tasks, patch.as_ref())?;
     let load = load::numbers(&scene);
-    let first = bodies.as_ref().map(|(_, [first, _])| first);
-    let edge = scene.load.as_ref().and_then(|load| load::edge(load, first));
-    let longest = start_gap::longest_piece(&scene, &tasks, patch.as_ref());
-    let couple = bodies.zip(edge).map(|((kinematics, bodies), load)| Couple { kinematics, bodies, load, longest });
+    let couple = bodies.and_then(|bodies| couple(&scene, &tasks, bodies, patch.as_ref()));
     one_way::wanted(&scene, couple.as_ref(), patch.as_ref())?;
     duty::resolve(&scene, &tasks, couple.as_ref())?;
     carried::check(&scene, &tasks, couple.as_ref(), patch.as_ref())?;
@@ -107,6 +105,12 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     problem.remarks = remarks::remarks(&problem, &tasks);
     to_be_read_again(document, &mut problem, &tasks);
     Ok(problem)
+}
+
+/// Two bodies and where the first is loaded, if it is.
+fn couple(scene: &Scene, tasks: &[Task], (kinematics, bodies): (Kinematics, [Body; 2]), patch: Option<&Patch>) -> Option<Couple> {
+    let load = load::edge(scene.load.as_ref()?, Some(&bodies[0]))?;
+    Some(Couple { kinematics, bodies, load, longest: start_gap::longest_piece(scene, tasks, patch) })
 }
 
 /// The wear rule, and the threshold below which it wears nothing.
