@@ -116,14 +116,14 @@ impl Start<'_> {
     }
 
     /// Moves the places by a step whose largest part is known; no place moves by more than a quarter of the distance to its neighbours (or to zero, for a
-    /// single one), nor of that to a bound. The step becomes the one taken.
+    /// single one), nor comes to a bound. The step becomes the one taken.
     fn step(&self, places: &mut [f64], step: &mut nalgebra::DVector<f64>, largest: f64) {
         let room = if places.len() == 1 { size(places) } else { narrowest(places) };
         if largest > 0.25 * room {
             *step *= 0.25 * room / largest;
         }
         for (place, step) in places.iter_mut().zip(step.iter_mut()) {
-            let [least, most] = self.within.map(|bound| 0.25 * (bound - *place));
+            let [least, most] = self.within.map(|bound| 0.75 * (bound - *place));
             *step = step.clamp(least, most);
             *place += *step;
         }

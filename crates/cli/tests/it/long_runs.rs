@@ -103,8 +103,8 @@ fn a_rough_gap_with_many_ends_of_contact_takes_few_meshes_and_says_what_it_misse
     let call = bench.call("run rough.toml -q");
     let summary = bench.summary("rough");
     let solves = summary["counters"]["contact_solves"].as_u64().unwrap();
-    // Some ten on each of three levels, each on a mesh of its own; it was thousands on meshes that grew without end.
-    assert!(solves <= 40, "{solves} contact solves");
+    // Some ten on each of five levels, each on a mesh of its own; it was thousands on meshes that grew without end.
+    assert!(solves <= 60, "{solves} contact solves");
     assert_eq!(call.code, 1, "{}", call.err);
     assert_eq!(summary["status"], "accuracy-missed", "{summary}");
     assert!(summary["error"]["how"].as_str().unwrap().contains("ends of contact"), "{}", summary["error"]);
