@@ -35,10 +35,13 @@ pub(crate) fn unlike_length(a: &Trace, b: &Trace) -> Option<(usize, f64)> {
     (0..a.edges.len()).map(|edge| (edge, off(edge))).find(|(_, off)| off.is_nan() || *off > 1e-9 * a.length())
 }
 
-/// The place of a boundary on the normal line through a point, the nearest if there are several, and its distance along the normal.
+/// The place of a boundary on the normal line through a point, the nearest if there are several, and its distance along the normal. Where the line
+/// passes by all edges, as by round-off at a break point or where the boundary ends a little early, it is the end that it passes closest by: there are
+/// edges shorter than that little.
 pub(crate) fn crossing(trace: &Trace, point: &ContactPoint) -> Option<((usize, f64), f64)> {
     let slack = 1e-9 * trace.length();
     let mut nearest: Option<((usize, f64), f64)> = None;
+    let (mut closest, mut least) = (None, f64::INFINITY);
     for (number, edge) in trace.edges.iter().enumerate() {
         let across = |t: f64| along(point.tangent, difference(edge.curve.point(t), point.position));
         let (from, to) = (across(-1.0), across(1.0));
@@ -54,11 +57,19 @@ pub(crate) fn crossing(trace: &Trace, point: &ContactPoint) -> Option<((usize, f
             }
         }
         let distance = along(point.normal, difference(edge.curve.point(t), point.position));
-        if across(t).abs() <= slack && nearest.is_none_or(|(_, d)| distance.abs() < d.abs()) {
+        let off = across(t).abs();
+        if off.is_nan() || off > slack {
+            continue;
+        }
+        let meets = from.min(to) <= 0.0 && from.max(to) >= 0.0;
+        if meets && nearest.is_none_or(|(_, d)| distance.abs() < d.abs()) {
             nearest = Some(((number, t), distance));
         }
+        if off < least {
+            (closest, least) = (Some(((number, t), distance)), off);
+        }
     }
-    nearest
+    nearest.or(closest)
 }
 
 /// Parameters on an edge at whose normals the break points of another boundary lie, in ascending order between -1 and 1.

@@ -93,8 +93,20 @@ fn a_cylinder_of_many_layers_ends_where_one_of_few_does() {
 }
 
 #[test]
+fn an_end_of_contact_stays_where_it_is_under_more_layers() {
+    // In the smallest cells points are closer to each other than a billionth of the contact.
+    for layers in [18, 20] {
+        let found = solved(SOFT_CYLINDER, &["mesh.degree=20", &format!("mesh.layers={layers}")], true);
+        let end = found.contact.as_ref().expect("a contact").ends[1];
+        assert!((end / 3.952551008 - 1.0).abs() < 1e-9, "{layers} layers: {end}");
+    }
+}
+
+#[test]
 fn more_accuracy_does_not_lose_the_answer() {
-    for (accuracy, status) in [("accuracy=1e-8", Status::Ok), ("accuracy=1e-12", Status::AccuracyMissed)] {
+    for (accuracy, status) in
+        [("accuracy=1e-8", Status::Ok), ("accuracy=2e-9", Status::Ok), ("accuracy=1e-12", Status::AccuracyMissed)]
+    {
         let found = solved(SOFT_CYLINDER, &[accuracy], false);
         assert_eq!(found.status, status, "{accuracy}: {:?}", found.reason);
         let end = found.contact.as_ref().expect("a contact").ends[1];
