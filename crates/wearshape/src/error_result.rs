@@ -9,7 +9,7 @@ pub struct ErrorResult {
     pub gap_relative: Option<f64>,
     /// Of the pressure.
     pub pressure_relative: Option<f64>,
-    /// Of the energy.
+    /// Of the energies of both bodies: the sum of their errors over the sum of the energies.
     pub energy_relative: Option<f64>,
     /// Of the torque of a twist, or of its angle where the torque is given.
     pub twist_relative: Option<f64>,

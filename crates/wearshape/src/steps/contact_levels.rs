@@ -73,13 +73,19 @@ pub(crate) fn levels<X>(
     Ok((Outcome { stopped, ..outcome }, effort, others.into_iter().nth(reported)))
 }
 
-/// How far two levels are apart: relative differences of the energy (0 with heat, whose strains the work of the loads does not know), of the pressure
+/// How far two levels are apart: relative differences of the energies (0 with heat, whose strains the work of the loads does not know), of the pressure
 /// (L2 over the inner 95 % of the contact), and of a twist (0 without one).
 fn distance(x: &Solved, y: &Solved) -> [f64; 3] {
     let relative = |x: f64, y: f64| if x == y { 0.0 } else { ((x - y) / y).abs() };
-    let [first, second] = [x, y].map(|level| level.told.energy.total());
-    let energy = if y.heat.is_some() { 0.0 } else { ((first - second) / second).abs() };
+    let energy = if y.heat.is_some() { 0.0 } else { apart(&x.told.energy, &y.told.energy) };
     [energy, relative_difference(&x.pressure, &y.pressure), x.twist.zip(y.twist).map_or(0.0, |(x, y)| relative(x, y))]
+}
+
+/// Differences of the energies of both bodies over the sum of these: the energy that an end of contact a little off gives to one body it takes from the
+/// other, so that a level may have the sum right by chance.
+fn apart(x: &EnergyResult, y: &EnergyResult) -> f64 {
+    let body = |x: Option<f64>, y: Option<f64>| (x.unwrap_or(0.0) - y.unwrap_or(0.0)).abs();
+    (body(x.body1, y.body1) + body(x.body2, y.body2)) / y.total().abs()
 }
 
 /// `|x - y| / |y|` in the Euclidean norm.

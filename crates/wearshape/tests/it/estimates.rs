@@ -83,6 +83,23 @@ fn an_estimate_covers_what_round_off_leaves_in_a_shape() {
 }
 
 #[test]
+fn an_estimate_of_the_energies_does_not_take_one_bodys_error_for_the_others() {
+    // At this level body 1 has as much too much as body 2 has too little, but for a sixteenth of it, and so its sum is as good as that of the next one.
+    let bodies = [
+        "body1.material={young=238.00002673511094,poisson=0.16996447291123212}",
+        "body2.material={young=11826.47286683466,poisson=0.3882465866201942}",
+        "load.force=0.0019534654675680435",
+    ];
+    let at = |mesh: [&str; 2], alone| solved(scene("hertz-cylinder"), &[&bodies[..], &mesh].concat(), alone);
+    let (found, truth) = (at(["mesh.degree=10", "mesh.layers=3"], false), at(["mesh.degree=14", "mesh.layers=14"], true));
+    let [a, b] = [&found, &truth].map(|solution| solution.energy.as_ref().expect("energies"));
+    let off = |a: Option<f64>, b: Option<f64>| (a.expect("an energy") - b.expect("an energy")).abs();
+    let apart = (off(a.body1, b.body1) + off(a.body2, b.body2)) / b.total();
+    let estimate = found.error.as_ref().and_then(|error| error.energy_relative).expect("an estimate");
+    assert!((0.1..2.0).contains(&(apart / estimate)), "{apart:e} {estimate:e}");
+}
+
+#[test]
 fn a_cylinder_of_many_layers_ends_where_one_of_few_does() {
     // The first point outside contact lies closer to its end than a billionth of the contact.
     let found = solved(scene("hertz-cylinder"), &["mesh.degree=17", "mesh.layers=17"], false);
