@@ -16,7 +16,7 @@ use crate::watch::{Event, Watch};
 
 /// First and last degree of the ladder, and its step.
 const DEGREES: [usize; 3] = [4, 16, 2];
-/// Degrees after those, and how far above the accuracy asked for the estimated error may be to climb on to them.
+/// Degrees after those, and how far above the accuracy asked for the estimated error may be to climb on to them, unless they reach it as errors fall.
 const BEYOND: [usize; 2] = [18, 20];
 const NEARLY: f64 = 10.0;
 /// Digits that a level gains, about, before errors tell.
@@ -105,6 +105,12 @@ impl Ladder {
         more.min(last - number)
     }
 
+    /// Whether the levels from this one on are worth climbing, by the last error and the ratio at which errors fall.
+    fn goes_beyond(&self, number: usize, [error, ratio]: [f64; 2]) -> bool {
+        let there = error * ratio.powi((self.levels.len() - number) as i32);
+        self.accuracy.is_some_and(|accuracy| error <= NEARLY * accuracy || there <= accuracy)
+    }
+
     /// The accuracy that a ladder with these estimated errors has missed, if it has.
     pub(crate) fn missed(&self, error: f64) -> Option<f64> {
         self.accuracy.filter(|accuracy| error > *accuracy)
@@ -188,11 +194,11 @@ pub(crate) fn climb<T, const N: usize>(
 ) -> Result<Climbed<T>, Refusal> {
     let mut solved = known;
     for (number, level) in ladder.levels.iter().copied().enumerate().skip(solved.len()) {
-        let error = errors(&solved, &distance).map(|errors| largest(&errors));
-        if number >= ladder.usual && !ladder.accuracy.zip(error).is_some_and(|(accuracy, error)| error <= NEARLY * accuracy) {
+        let fall = falls(&solved, &distance);
+        if number >= ladder.usual && !fall.is_some_and(|fall| ladder.goes_beyond(number, fall)) {
             break;
         }
-        let left = ladder.left(number, falls(&solved, &distance));
+        let left = ladder.left(number, fall);
         if watch(Event::Level { step: ladder.step, degree: level.degree, layers: level.layers, left }).is_break() {
             return Ok(Climbed { solved, stopped: true });
         }
@@ -358,6 +364,14 @@ mod tests {
         assert!(!idle(&[1e-2, 1e-3, 1e-4, 5e-5]));
         assert!(!idle(&[1e-2, 6e-3, 4e-3, 3.5e-3]));
         assert!(idle(&[8e-6, 6.2e-7, 6e-8, 5.3e-8]));
+    }
+
+    #[test]
+    fn further_degrees_are_climbed_where_they_are_nearly_there_or_as_errors_fall() {
+        let levels: Vec<Level> = (4..=20).step_by(2).map(|degree| Level::of(degree, false)).collect();
+        let ladder = Ladder { usual: 7, levels, ..ladder(1e-9) };
+        assert!(ladder.goes_beyond(7, [9e-9, 0.8]) && ladder.goes_beyond(7, [2e-8, 0.2]));
+        assert!(!ladder.goes_beyond(7, [2e-8, 0.3]) && !ladder.goes_beyond(8, [2e-8, 0.2]));
     }
 
     /// Levels of a run in time, whose steps leave 2e-8 whatever the degree: four levels find that, the fifth shows it, and no more are solved.
