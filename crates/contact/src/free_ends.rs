@@ -78,11 +78,6 @@ impl FreeEnds {
         self.arcs(length).chunks_exact(2).map(|zone| [zone[0], zone[1]]).collect()
     }
 
-    /// Whether there are ends, no more of them than a search has meshes for: differences take a mesh an end, and a mesh more before them and after.
-    pub fn can_be_searched(&self) -> bool {
-        !self.places.is_empty() && (self.jacobian.is_some() || self.places.len() + 2 <= MOST)
-    }
-
     /// Moves nodes onto the ends until the pressure at all of them vanishes, to a tolerance relative to the extent of the places. `held` makes bodies
     /// with nodes at the given places, solves with the points between them held in contact, and returns the pressures at the nodes (each
     /// in a scale of its own) with whatever is wanted of the last ones; `None` where no bodies can be made.
@@ -100,10 +95,11 @@ impl FreeEnds {
             Some(before) => self.refined.iter().zip(before).map(|(now, before)| now + GOES_ON * (now - before)).collect(),
             None => self.refined.clone(),
         };
-        if !self.can_be_searched() {
+        if places.is_empty() {
             return Ok(None);
         }
-        let start = Start { places: &places, jacobian: self.jacobian.as_ref(), tolerance, share: SHARE, within: [-1.0, 1.0] };
+        let jacobian = self.jacobian.as_ref();
+        let start = Start { places: &places, jacobian, apart: true, tolerance, share: SHARE, within: [-1.0, 1.0] };
         let mut meshes = 0;
         let found = position_nodes(start, |places| -> Result<_, Option<E>> {
             let ascending = places.windows(2).all(|pair| pair[0] < pair[1]);
@@ -163,18 +159,6 @@ mod tests {
         let (second, _) = search(&first);
         assert!((second.arcs(2.0)[0] - 1.3).abs() < 1e-6 && (second.arcs(2.0)[1] - 1.7).abs() < 1e-6);
         assert!(meshes < 16);
-    }
-
-    #[test]
-    fn no_mesh_is_made_for_more_ends_than_a_search_has_meshes_for() {
-        let places: Vec<f64> = (0..20).map(|i| 0.09 * f64::from(i) - 0.9).collect();
-        let mut meshes = 0;
-        let found = at(&places, false).position(1e-8, |places| -> Result<_, ()> {
-            meshes += 1;
-            Ok(Some((places.to_vec(), ())))
-        });
-        assert!(matches!(found, Ok(None)));
-        assert_eq!(meshes, 0);
     }
 
     #[test]

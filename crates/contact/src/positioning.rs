@@ -101,6 +101,10 @@ pub struct Start<'a> {
     pub places: &'a [f64],
     /// Derivatives from an earlier search, say on a coarser mesh; without them they are found by differences, one evaluation a place.
     pub jacobian: Option<&'a nalgebra::DMatrix<f64>>,
+    /// Whether a residual changes at its root with its own place alone, so that one evaluation gives all derivatives. Pressures at ends of contact do:
+    /// what the place of one end changes elsewhere is its own pressure times a field, and that pressure vanishes (Rice, Int. J. Solids Struct. 8,
+    /// 1972, 751-758, for cracks).
+    pub apart: bool,
     /// Wanted accuracy, relative to the largest distance of a place from the others or from zero.
     pub tolerance: f64,
     /// A step that is this share of the first one will do as well: the places need be no better than the mesh. 0 asks for the tolerance.
@@ -145,7 +149,7 @@ pub fn position_nodes<T, E>(
     let mut jacobian = match start.jacobian {
         Some(known) => known.clone(),
         None => {
-            evaluations += places.len();
+            evaluations += if start.apart { 1 } else { places.len() };
             by_differences(&start, &value, &mut evaluate)?
         }
     };
@@ -203,17 +207,25 @@ struct Tried<T> {
     number: usize,
 }
 
-/// Derivatives of the residuals by the places, from differences over a thousandth of their extent, or a quarter of the way to a bound that is nearer.
+/// Derivatives of the residuals by the places, from differences over a thousandth of their extent, or a quarter of the way to a bound that is nearer:
+/// each place by itself, or all at once where residuals are apart.
 fn by_differences<T, E>(
     start: &Start<'_>,
     value: &[f64],
     evaluate: &mut impl FnMut(&[f64]) -> Result<(Vec<f64>, T), E>,
 ) -> Result<nalgebra::DMatrix<f64>, E> {
     let places = start.places;
+    let step = |place: f64| (1e-3 * size(places)).min(0.25 * start.room(place));
+    if start.apart {
+        let moved: Vec<f64> = places.iter().map(|place| place + step(*place)).collect();
+        let (next, _) = evaluate(&moved)?;
+        let slope = |i: usize| (next[i] - value[i]) / step(places[i]);
+        return Ok(nalgebra::DMatrix::from_diagonal(&nalgebra::DVector::from_fn(places.len(), |i, _| slope(i))));
+    }
     let mut jacobian = nalgebra::DMatrix::zeros(places.len(), places.len());
     for j in 0..places.len() {
         let mut moved = places.to_vec();
-        let step = (1e-3 * size(places)).min(0.25 * start.room(places[j]));
+        let step = step(places[j]);
         moved[j] += step;
         let (next, _) = evaluate(&moved)?;
         (0..places.len()).for_each(|i| jacobian[(i, j)] = (next[i] - value[i]) / step);
@@ -244,7 +256,7 @@ pub fn position_ends<E: From<Error>>(
     ends: &[f64],
     mut rebuild: impl FnMut(&[f64]) -> Result<Rebuilt, E>,
 ) -> Result<Positioned, E> {
-    let start = Start { places: ends, jacobian: None, tolerance: problem.tolerance, share: 0.0, within: UNBOUNDED };
+    let start = Start { places: ends, jacobian: None, apart: true, tolerance: problem.tolerance, share: 0.0, within: UNBOUNDED };
     let nodes = position_nodes(start, |ends| -> Result<_, E> {
         let bodies = rebuild(ends)?;
         let (pressure, solution, points) = end_pressures(problem, &bodies, ends)?;
@@ -303,7 +315,7 @@ mod tests {
             state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
             2.0 * (state >> 11) as f64 / (1_u64 << 53) as f64 - 1.0
         };
-        let start = Start { places: &[0.71], jacobian: None, tolerance: 1e-10, share: 0.0, within: UNBOUNDED };
+        let start = Start { places: &[0.71], jacobian: None, apart: false, tolerance: 1e-10, share: 0.0, within: UNBOUNDED };
         let found = position_nodes(start, |places| -> Result<_, ()> {
             calls += 1;
             Ok((vec![-1e7 * (places[0] - 0.7) + 0.5 * noise()], places.to_vec()))
@@ -317,12 +329,30 @@ mod tests {
     /// Between a free end and one next to the end of the surface, beyond which there is no mesh.
     #[test]
     fn a_place_next_to_a_bound_is_found_without_passing_it() {
-        let start = Start { places: &[-0.2, 0.9995], jacobian: None, tolerance: 1e-9, share: 0.0, within: [-1.0, 1.0] };
+        let start =
+            Start { places: &[-0.2, 0.9995], jacobian: None, apart: true, tolerance: 1e-9, share: 0.0, within: [-1.0, 1.0] };
         let found = position_nodes(start, |places| {
             let inside = places.iter().all(|place| place.abs() < 1.0);
             if inside { Ok((vec![places[0] + 0.25, (1.0 - places[1]).ln() - 1e-4_f64.ln()], ())) } else { Err(places.to_vec()) }
         });
         let nodes = found.expect("no place passes the bound");
         assert!(nodes.found && (nodes.refined[1] - 0.9999).abs() < 1e-8, "{:?}", nodes.refined);
+    }
+
+    /// Like the pressures at many ends of contact: each changes with the places of the others by its share of what is left.
+    #[test]
+    fn one_evaluation_gives_the_derivatives_of_many_places_whose_residuals_are_apart() {
+        let roots: Vec<f64> = (0..24).map(|i| 0.08 * f64::from(i) - 0.9).collect();
+        let places: Vec<f64> = roots.iter().map(|root| root + 1e-3 * (40.0 * root).sin()).collect();
+        let pressures = |places: &[f64]| -> Vec<f64> {
+            let off: Vec<f64> = places.iter().zip(&roots).map(|(place, root)| place - root).collect();
+            let others: f64 = off.iter().map(|off| off * off).sum();
+            (0..off.len()).map(|i| (2.0 + f64::from(i as u32)) * off[i] + off[i].powi(2) + 5.0 * others).collect()
+        };
+        let start = Start { places: &places, jacobian: None, apart: true, tolerance: 1e-8, share: 0.0, within: [-1.0, 1.0] };
+        let nodes = position_nodes(start, |places| -> Result<_, ()> { Ok((pressures(places), ())) }).expect("nothing fails");
+        let off = nodes.refined.iter().zip(&roots).fold(0.0, |most: f64, (place, root)| most.max((place - root).abs()));
+        assert!(nodes.found && off < 1e-8, "{off}");
+        assert!(nodes.evaluations < 8, "{}", nodes.evaluations);
     }
 }

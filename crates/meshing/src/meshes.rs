@@ -9,7 +9,7 @@ use crate::extent::{Cut, Extent};
 use crate::half_disc::HalfDiscOnFlat;
 use crate::ledge;
 use crate::matching::matched;
-use crate::near_ends::{self, Split, cut_near, cut_small};
+use crate::near_ends::{self, Split, cut_between, cut_near, cut_small};
 use crate::round_cells::as_cells;
 use crate::template::{coarse, contact_cuts};
 
@@ -105,13 +105,16 @@ impl CoarseMeshes {
         let vertices = |mesh: &Mesh, points: &[[f64; 2]]| points.iter().map(|x| mesh.nearest_vertex(*x)).collect::<Vec<usize>>();
         let (mesh, near) = cut_near(coarse.mesh.clone(), self.extent, &self.near).map_err(|error| degenerate(key, &error))?;
         let (mesh, small) = cut_small(mesh, self.extent, &self.small).map_err(|error| degenerate(key, &error))?;
+        let free = [coarse.free.as_slice(), &near, &small].concat();
+        let points = [coarse.singular.as_slice(), &free].concat();
+        let mesh = cut_between(mesh, |mesh| vertices(mesh, &points)).map_err(|error| degenerate(key, &error))?;
         // Cells that are sound with one layer are too small with many.
         let grade = |layers| ledge::graded(&mesh, &coarse.singular, coarse.ledges, layers);
         let mesh = grade(layers).map_err(|error| match grade(1) {
             Ok(_) => too_many(key, layers, &error),
             Err(_) => degenerate(key, &error),
         })?;
-        let free = vertices(&mesh, &[coarse.free.as_slice(), &near, &small].concat());
+        let free = vertices(&mesh, &free);
         if free.is_empty() {
             return Ok(mesh);
         }

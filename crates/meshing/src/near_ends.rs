@@ -122,6 +122,17 @@ pub(crate) fn cut_near(mut mesh: Mesh, extent: Extent, places: &[f64]) -> Result
     Ok((mesh, points))
 }
 
+/// The mesh with the cells on the contact cut in their middle that touch two of the vertices towards which it is to be graded. Both bodies have the same
+/// break points and such vertices there, and so the same cuts.
+pub(crate) fn cut_between(mut mesh: Mesh, graded: impl Fn(&Mesh) -> Vec<usize>) -> Result<Mesh, Error> {
+    loop {
+        let vertices = graded(&mesh);
+        let touches_two = |edge: &usize| mesh.edges[*edge].vertices.iter().all(|vertex| vertices.contains(vertex));
+        let Some(edge) = mesh.boundary(CONTACT)?.into_iter().find(touches_two) else { return Ok(mesh) };
+        mesh = mesh.cut_through(edge, 0.0)?;
+    }
+}
+
 /// The contact edge at an end of the surface, and which of its ends that is.
 fn at_end(mesh: &Mesh, extent: Extent, end: f64) -> Option<(usize, usize)> {
     let [from, to] = extent.ends();

@@ -91,6 +91,8 @@ fn a_wavy_surface_touches_in_zones_that_are_found_to_the_accuracy_asked_for() {
         ends.iter().map(|end| end.as_f64().unwrap()).collect::<Vec<f64>>()
     };
     assert_eq!(touched("drum-brake-block", "1e-4", "1e-4").len(), 2);
+    // Two ends next to an end of the surface, two next to each other.
+    assert_eq!(touched("drum-brake-ring", "1e-3", "1e-2").len(), 6);
     let [rough, fine] = ["1e-3", "1e-4"].map(|accuracy| touched("reciprocating-pad", "5e-3", accuracy));
     assert_eq!(fine.len(), 6);
     for (rough, fine) in rough.iter().zip(&fine) {

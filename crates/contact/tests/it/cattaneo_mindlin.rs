@@ -47,7 +47,14 @@ pub(crate) fn hertz(normal: f64) -> (f64, f64) {
 fn positioned(scale: f64, degree: usize, layers: usize) -> (f64, f64, f64) {
     let (normal, shear) = (NORMAL * scale, SHEAR * scale);
     let a = hertz(normal).0;
-    let start = Start { places: &[0.23 * a, 1.02 * a], jacobian: None, tolerance: 1e-9, share: 0.0, within: contact::UNBOUNDED };
+    let start = Start {
+        places: &[0.23 * a, 1.02 * a],
+        jacobian: None,
+        apart: false,
+        tolerance: 1e-9,
+        share: 0.0,
+        within: contact::UNBOUNDED,
+    };
     let nodes = position_nodes(start, |nodes| -> Result<_, Error> {
         let bodies = bodies(nodes, 1.5, degree, layers);
         let pair = bodies.pair()?;

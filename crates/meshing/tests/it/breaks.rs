@@ -40,7 +40,8 @@ fn is_graded(places: &[f64], place: f64) -> bool {
     left && right
 }
 
-/// Plain, shifted, and cut at ends of contact: far from the ends of the surface, and one next to it.
+/// Plain, shifted, and cut at ends of contact: far from the ends of the surface, one next to it, and as many as a wavy surface has, with no other break point
+/// between some of them.
 fn agree(couple: &Couple) {
     let extent = extent(couple);
     let [from, to] = extent.ends();
@@ -57,7 +58,7 @@ fn agree(couple: &Couple) {
     let close = of(0, Cut::Ends(&[0.99]));
     let [.., before, place, _, _] = close[..] else { unreachable!() };
     assert!((to - place - 0.005 * (to - from)).abs() <= near(extent) && place - before < 6.0 * (to - place), "{close:?}");
-    for ends in [[-0.3, 0.55].as_slice(), &[0.2], &[-0.4, 0.99]] {
+    for ends in [[-0.3, 0.55].as_slice(), &[0.2], &[-0.4, 0.99], &[-0.978, -0.928, -0.216, 0.221, 0.349, 0.387]] {
         let cut = of(4, Cut::Ends(ends));
         for t in ends {
             let place = from + 0.5 * (1.0 + t) * (to - from);

@@ -280,7 +280,7 @@ fn searched(
         }
         None => ends.clone(),
     };
-    let near = if trial.can_be_searched() { nearer(stage, level, &trial, effort)? } else { None };
+    let near = if trial.places.is_empty() { None } else { nearer(stage, level, &trial, effort)? };
     let second = near.map_or(Ok(None), |near| position(stage, level, &near, effort))?;
     Ok(second.or(first))
 }
@@ -307,7 +307,7 @@ fn find<'a>(stage: Stage<'a>, level: Level, search: &mut Search, effort: &mut Ef
         trial = Some(found);
     }
     let many = ends.places.len() > USUAL_ENDS;
-    let given_up = !ends.can_be_searched() || many && *lost >= MOST_LOST;
+    let given_up = ends.places.is_empty() || many && *lost >= MOST_LOST;
     let positioned = if given_up { None } else { searched(stage, level, ends, effort)? };
     *lost += usize::from(many && positioned.is_none());
     let mut unsettled = false;
