@@ -2,6 +2,7 @@
 
 use crate::assembly::Assembly;
 use crate::basis::LocalModes;
+use crate::cell_heat::CellHeats;
 use crate::cell_matrix::map_cells;
 use crate::edge_load::Loads;
 use crate::effort::{Clock, Effort, still};
@@ -41,6 +42,8 @@ pub(crate) struct Factored {
     pub(crate) kept: Kept,
     /// Number of load cases at the time.
     pub(crate) cases: usize,
+    /// What the temperatures that it was made for do to its cells.
+    pub(crate) heats: Option<CellHeats>,
 }
 
 impl Body {
@@ -57,10 +60,25 @@ impl Body {
     /// # Errors
     /// As for [`Body::new`].
     pub fn timed(problem: BodyProblem, clock: Clock) -> Result<Body, Error> {
-        let Reduction { interface, effort, space, condensed, kept } = reduce(&problem, true, clock)?;
+        let reduction = reduce(&problem, true, clock, None)?;
+        Ok(Body::of(problem, reduction))
+    }
+
+    /// As [`Body::timed`], for a body that temperatures of another one are to load, by the thermal expansion of each material (1/K): [`Body::heated`] then
+    /// takes what it finds here, and gives the same numbers without it.
+    ///
+    /// # Errors
+    /// As for [`Body::new`], and those of a temperature as for [`Body::heated`].
+    pub fn for_heat(problem: BodyProblem, temperature: &Body, expansion: &[f64], clock: Clock) -> Result<Body, Error> {
+        let reduction = reduce(&problem, true, clock, Some((temperature, expansion)))?;
+        Ok(Body::of(problem, reduction))
+    }
+
+    fn of(problem: BodyProblem, reduction: Reduction) -> Body {
+        let Reduction { interface, effort, space, condensed, kept, heats } = reduction;
         let cases = problem.load_cases.len();
-        let factored = Arc::new(Factored { space, condensed, kept, cases });
-        Ok(Body { interface, effort, problem, factored, added: Vec::new() })
+        let factored = Arc::new(Factored { space, condensed, kept, cases, heats });
+        Body { interface, effort, problem, factored, added: Vec::new() }
     }
 
     /// The interface operator alone, without what it takes to recover displacements inside: the factors of the fronts are dropped as the
@@ -77,7 +95,7 @@ impl Body {
     /// # Errors
     /// As for [`Body::new`].
     pub fn interface_timed(problem: &BodyProblem, clock: Clock) -> Result<(InterfaceOperator, Effort), Error> {
-        let reduction = reduce(problem, false, clock)?;
+        let reduction = reduce(problem, false, clock, None)?;
         Ok((reduction.interface, reduction.effort))
     }
 
@@ -192,7 +210,7 @@ impl Body {
     /// The same in several states, a column each.
     pub(crate) fn values_of_groups(&self, states: &[InterfaceState]) -> Result<Vec<Mat<f64>>, Error> {
         let columns = self.interface.columns.ncols();
-        let Factored { space, condensed, kept, cases } = &*self.factored;
+        let Factored { space, condensed, kept, cases, .. } = &*self.factored;
         for state in states {
             if state.factors.len() != columns {
                 return Err(Error::OtherLoads { given: state.factors.len(), expected: columns });

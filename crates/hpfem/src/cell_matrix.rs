@@ -2,6 +2,7 @@
 
 use crate::assembly::Assembly;
 use crate::basis::{BoundaryModes, LocalModes, Table};
+use crate::cell_heat::{CellHeats, Warming, eliminate};
 use crate::congruence::{Class, Congruence, Turn};
 use crate::dense::factor_leading;
 use crate::element::{CellForm, Workspace, matrix_in, stiffness};
@@ -83,18 +84,32 @@ pub(crate) fn map_cells<T: Send>(count: usize, task: impl Fn(&mut Workspace, usi
 }
 
 impl Assembly<'_> {
-    /// Condensed matrices of all classes.
-    pub(crate) fn shared_matrices(&self, congruence: Congruence) -> Result<SharedMatrices, Error> {
-        let matrices = map_cells(congruence.classes.len(), |work, k| {
+    /// Condensed matrices of all classes, and what temperatures load their cells with where there are any.
+    pub(crate) fn shared_matrices(
+        &self,
+        congruence: Congruence,
+        warming: Option<&Warming<'_>>,
+    ) -> Result<(SharedMatrices, Option<CellHeats>), Error> {
+        let edges = warming.map(|warming| warming.edges(&congruence)).unwrap_or_default();
+        let made = map_cells(congruence.classes.len(), |work, k| {
             let class = &congruence.classes[k];
-            let (k, ni) = self.condensed(class.first, &self.class_modes(class), work)?;
-            Ok(boundary_block(k, ni))
+            let local = self.class_modes(class);
+            let strains = warming.map(|warming| warming.strains(self, (class.first, edges[k]), &local, work)).transpose()?;
+            let (matrix, ni) = self.condensed(class.first, &local, work)?;
+            let heat = strains.map(|strains| eliminate(matrix.as_ref(), ni, strains).get(ni.., ..).to_owned());
+            Ok((boundary_block(matrix, ni), heat))
         });
-        let matrices = matrices.into_iter().collect::<Result<_, _>>()?;
-        Ok(SharedMatrices { congruence, matrices })
+        let (mut matrices, mut heats) = (Vec::new(), Vec::new());
+        for class in made {
+            let (matrix, heat) = class?;
+            matrices.push(matrix);
+            heats.extend(heat);
+        }
+        let heats = warming.map(|warming| warming.kept(&congruence, edges, heats));
+        Ok((SharedMatrices { congruence, matrices }, heats))
     }
 
-    fn class_modes(&self, class: &Class) -> LocalModes {
+    pub(crate) fn class_modes(&self, class: &Class) -> LocalModes {
         self.space.modes_of(self.mesh, class.first, class.edges, [false; 4])
     }
 
@@ -196,7 +211,7 @@ fn boundary_block(k: MatMut<'_, f64>, ni: usize) -> Vec<f64> {
 }
 
 /// For each boundary mode of a cell, corners first, the place of its mode in the matrix of the class, and its sign.
-fn sources(boundary: &BoundaryModes, against: [bool; 4], edges: [usize; 4], turn: &Turn) -> Vec<(usize, f64)> {
+pub(crate) fn sources(boundary: &BoundaryModes, against: [bool; 4], edges: [usize; 4], turn: &Turn) -> Vec<(usize, f64)> {
     let mut sources = vec![(0, 1.0); boundary.len()];
     let mut start = boundary.corners;
     for i in 0..4 {

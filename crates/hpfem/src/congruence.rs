@@ -9,10 +9,12 @@ use crate::curve::Curve;
 use crate::kinematics::Kinematics;
 use crate::material::Material;
 use crate::mesh::{CELL_EDGES, Mesh};
+use crate::problem::BodyProblem;
 use crate::space::Space;
 use std::collections::HashMap;
 
 /// Cells that share one condensed matrix, and how each lies in the plane compared with the first of them.
+#[derive(Clone)]
 pub(crate) struct Congruence {
     pub(crate) classes: Vec<Class>,
     /// Class of each cell.
@@ -22,6 +24,7 @@ pub(crate) struct Congruence {
 }
 
 /// The cells of one shape, material and degree.
+#[derive(Clone)]
 pub(crate) struct Class {
     /// The first of them.
     pub(crate) first: usize,
@@ -40,12 +43,18 @@ pub(crate) struct Turn {
     pub(crate) edge: [(usize, bool); 4],
     /// Takes displacements of the first cell to displacements of the member.
     pub(crate) matrix: [[f64; 2]; 2],
+    /// Lengths of the member over those of the first cell.
+    pub(crate) scale: f64,
 }
 
 impl Turn {
     /// The member is the first cell itself.
-    pub(crate) const NONE: Turn =
-        Turn { corner: [0, 1, 2, 3], edge: [(0, false), (1, false), (2, false), (3, false)], matrix: [[1.0, 0.0], [0.0, 1.0]] };
+    pub(crate) const NONE: Turn = Turn {
+        corner: [0, 1, 2, 3],
+        edge: [(0, false), (1, false), (2, false), (3, false)],
+        matrix: [[1.0, 0.0], [0.0, 1.0]],
+        scale: 1.0,
+    };
 
     /// The symmetry of the square that takes corner 0 to `start` and keeps or reverses the sense of walking.
     fn of_square(start: usize, mirrored: bool) -> Turn {
@@ -89,6 +98,15 @@ struct Outline {
 }
 
 impl Congruence {
+    /// The classes of the cells of a problem.
+    pub(crate) fn of(problem: &BodyProblem, space: &Space) -> Congruence {
+        if problem.kinematics.is_revolved() {
+            // The radius tells cells apart.
+            return Congruence::none(&problem.mesh, space);
+        }
+        Congruence::of_plane_cells(&problem.mesh, space, &problem.materials, problem.kinematics)
+    }
+
     /// Every cell in a class of its own.
     pub(crate) fn none(mesh: &Mesh, space: &Space) -> Congruence {
         let class = |c| Class { first: c, members: 1, edges: edge_degrees(mesh, space, c) };
@@ -208,6 +226,7 @@ fn similarity(first: &Outline, member: &Outline, sees: impl Fn(&Turn) -> bool) -
             let length = factor[0].hypot(factor[1]);
             let (cos, sin) = (factor[0] / length, factor[1] / length);
             turn.matrix = [[cos, -side * sin], [sin, side * cos]];
+            turn.scale = length;
             if !sees(&turn) {
                 return Some(turn);
             }

@@ -1,24 +1,20 @@
 //! Temperatures of a body on the same mesh as load cases: what each does to the kept boundary, without going inside for each.
 //!
-//! Inside a cell a temperature without sources there follows from its boundary, `T_i = E T_b`, `E = -K_ii^-1 K_ib`. The load of its thermal strain on the
-//! boundary of the cell, the interior condensed, is therefore one matrix `B` times `T_b`, and what a cell takes is its size on the boundary, however many
-//! temperatures there are.
+//! The load of a thermal strain on the boundary of a cell, the interior condensed, is one matrix times the temperature there (`cell_heat.rs`), and what a cell
+//! takes is its size on the boundary, however many temperatures there are.
 
 use crate::assembly::Assembly;
-use crate::basis::LocalModes;
 use crate::body::Body;
-use crate::cell_matrix::map_cells;
+use crate::cell_heat::{CellHeats, Warming, eliminate};
+use crate::cell_matrix::{map_cells, sources};
+use crate::congruence::Turn;
 use crate::edge_load::Loads;
 use crate::element::Workspace;
 use crate::elimination::Forward;
 use crate::error::Error;
 use crate::interface::{InterfaceOperator, InterfaceState};
-use crate::kinematics::Kinematics;
 use crate::space::Target;
-use crate::volume_load::ModeStrain;
-use faer::linalg::matmul::matmul;
-use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
-use faer::{Accum, Mat, Par};
+use faer::Mat;
 
 /// A temperature as a load case.
 #[derive(Clone, Debug)]
@@ -45,10 +41,10 @@ struct CellHeat {
 /// Both problems of one mesh, and the temperatures on the groups of theirs.
 struct Heating<'a> {
     elastic: Assembly<'a>,
-    thermal: Assembly<'a>,
+    warming: Warming<'a>,
+    heats: &'a CellHeats,
     values: Vec<Mat<f64>>,
     cases: &'a [TemperatureCase],
-    expansion: &'a [f64],
 }
 
 impl Body {
@@ -62,16 +58,13 @@ impl Body {
     /// [`Error::OtherLoads`] for states of another body.
     pub fn heated(&self, temperature: &Body, cases: &[TemperatureCase], expansion: &[f64]) -> Result<InterfaceOperator, Error> {
         let (mesh, space) = (&*self.problem.mesh, &self.factored.space);
-        let thermal = Loads::new(temperature.mesh(), &temperature.problem.load_cases)?;
-        check(self, temperature, &thermal)?;
+        let warming = Warming::new((&self.problem, space), temperature, expansion)?;
+        let elastic = Assembly::new(&self.problem, space, Loads::new(mesh, &self.problem.load_cases)?);
         let states: Vec<InterfaceState> = cases.iter().map(|case| case.state.clone()).collect();
-        let heating = Heating {
-            elastic: Assembly::new(&self.problem, space, Loads::new(mesh, &self.problem.load_cases)?),
-            thermal: Assembly::new(&temperature.problem, &temperature.factored.space, thermal),
-            values: temperature.values_of_groups(&states)?,
-            cases,
-            expansion,
-        };
+        let known = self.factored.heats.as_ref().filter(|heats| heats.are_for(temperature, expansion));
+        let made = if known.is_none() { CellHeats::new(&elastic, &self.problem, &warming)? } else { None };
+        let Some(heats) = known.or(made.as_ref()) else { unreachable!("known or made") };
+        let heating = Heating { elastic, warming, heats, values: temperature.values_of_groups(&states)?, cases };
         let heats = map_cells(mesh.cells.len(), |work, cell| heating.cell(cell, work));
         let many = cases.len();
         let mut values: Vec<Mat<f64>> = vec![Mat::new(); space.size.len()];
@@ -127,57 +120,24 @@ impl Body {
     }
 }
 
-/// Refuses temperatures of another mesh, or with sources inside.
-fn check(body: &Body, temperature: &Body, loads: &Loads<'_>) -> Result<(), Error> {
-    let kinematics = temperature.problem.kinematics;
-    let refuse = |what: &str| Err(Error::NoMeaning { what: what.to_string(), kinematics: kinematics.words() });
-    if !matches!(kinematics, Kinematics::Potential { .. } | Kinematics::AxisymmetricPotential) {
-        return refuse("a temperature");
-    }
-    if body.problem.kinematics.components() != 2 {
-        return Err(Error::NoMeaning { what: "a thermal strain".to_string(), kinematics: body.problem.kinematics.words() });
-    }
-    let [cells, given] = [body, temperature].map(|body| body.mesh().cells.len());
-    if cells != given {
-        return Err(Error::Count { what: "cells of the temperature".into(), given, expected: cells });
-    }
-    let [own, other] = [body, temperature].map(|body| &body.factored.space.cell_degree);
-    if let Some(cell) = (0..cells).find(|cell| own[*cell] != other[*cell]) {
-        let what = format!("degree of the temperature in cell {cell}");
-        return Err(Error::Count { what, given: other[cell], expected: own[cell] });
-    }
-    if (0..cells).any(|cell| loads.inside(cell)) {
-        return refuse("a temperature with sources inside as load cases");
-    }
-    Ok(())
-}
-
 impl Heating<'_> {
     /// What a cell takes of the temperatures.
     fn cell(&self, cell: usize, work: &mut Workspace) -> Result<CellHeat, Error> {
-        let Heating { elastic, thermal, .. } = self;
-        let local = thermal.space.local_modes(thermal.mesh, cell);
-        let boundary = self.boundary_values(cell, &local);
-        // Where there are fewer temperatures than unknowns on the boundary each is a column, else each unknown.
-        let by_unknowns = boundary.nrows() < boundary.ncols();
-        let given = if by_unknowns { Mat::identity(boundary.nrows(), boundary.nrows()) } else { boundary.clone() };
-        let inside = inside(thermal, cell, &local, &given, work)?;
-        let expansion = self.expansion.get(elastic.mesh.cells[cell].material).copied().unwrap_or(0.0);
-        let strain = |k: usize| -> ModeStrain {
-            let at = |mode: usize| match mode {
-                usize::MAX => 0.0,
-                mode if mode < local.interior => inside[(mode, k)],
-                mode => given[(mode - local.interior, k)],
-            };
-            (local.position.iter().map(|mode| expansion * at(*mode)).collect(), 0.0)
+        let Heating { elastic, heats, .. } = self;
+        let class = heats.congruence.class[cell];
+        let turn = &heats.congruence.turn[cell];
+        let given = self.temperatures(cell, (heats.edges[class], turn), heats.loads[class].ncols());
+        let of_class = &heats.loads[class] * &given;
+        let (modes, against) = (elastic.space.boundary_modes(elastic.mesh, cell), elastic.mesh.cells[cell].against);
+        let from = sources(&modes, against, heats.congruence.classes[class].edges, turn);
+        let below = of_class.nrows() / 2;
+        // Components fastest.
+        let turned = |i: usize, k: usize| {
+            let ([a, b], (mode, sign)) = (turn.matrix[i % 2], from[i / 2]);
+            turn.scale * sign * (a * of_class[(mode, k)] + b * of_class[(below + mode, k)])
         };
-        let strains: Vec<ModeStrain> = (0..given.ncols()).map(strain).collect();
-        let (mut load, mut inner) = condensed_load(elastic, cell, &strains.iter().collect::<Vec<_>>(), work)?;
-        if by_unknowns {
-            load = load * &boundary;
-            inner = inner.map(|inner| inner * &boundary);
-        }
-        let targets = elastic.targets(cell, &elastic.space.boundary_modes(elastic.mesh, cell));
+        let load = Mat::from_fn(2 * modes.len(), given.ncols(), turned);
+        let targets = elastic.targets(cell, &modes);
         let motions = elastic.virtual_motion(&targets, elastic.columns - elastic.loads.cases - 1);
         let reaction = |motion: &[f64]| -> Vec<f64> {
             let force = |k: usize| -motion.iter().enumerate().map(|(row, m)| m * load[(row, k)]).sum::<f64>();
@@ -185,70 +145,41 @@ impl Heating<'_> {
         };
         let moved = motions.iter().enumerate().filter(|(_, motion)| !motion.is_empty());
         let constant = moved.map(|(r, motion)| (r, reaction(motion))).collect();
+        let inner = elastic.loads.inside(cell).then(|| self.inner(cell, work)).transpose()?;
         Ok(CellHeat { targets, load, constant, work: inner })
     }
 
-    /// Temperatures above those without strain on the unsigned boundary modes of a cell, a column each.
-    fn boundary_values(&self, cell: usize, local: &LocalModes) -> Mat<f64> {
-        let thermal = &self.thermal;
-        let modes = thermal.space.boundary_modes(thermal.mesh, cell);
-        let (sign, prescribed) = (local.signs(), thermal.loads.cases);
-        let targets = thermal.targets(cell, &modes);
-        Mat::from_fn(targets.len(), self.cases.len(), |row, k| {
-            let TemperatureCase { state, reference, .. } = &self.cases[k];
-            let target = &targets[row];
-            let active: f64 = target.active.iter().map(|(group, index, c)| c * self.values[*group][(*index, k)]).sum();
-            let fixed: f64 = target.fixed.iter().map(|fixed| fixed.share * fixed.value).sum();
-            // The corners alone make up a constant.
-            let above = if row < modes.corners { *reference } else { 0.0 };
-            sign[local.interior + row] * (active + state.factors[prescribed] * fixed) - above
-        })
+    /// Work of the temperatures on what other load cases displace inside a cell.
+    fn inner(&self, cell: usize, work: &mut Workspace) -> Result<Mat<f64>, Error> {
+        let Heating { elastic, warming, .. } = self;
+        let local = elastic.space.local_modes(elastic.mesh, cell);
+        let edges = warming.thermal.space.edge_degrees(warming.thermal.mesh, cell);
+        let strains = warming.strains(elastic, (cell, edges), &local, work)?;
+        let given = self.temperatures(cell, (edges, &Turn::NONE), strains.ncols());
+        let others = elastic.load_on_modes(cell, &local);
+        let (k, ni) = elastic.condensed(cell, &local, work)?;
+        let [strains, others] = [strains, others].map(|load| eliminate(k.as_ref(), ni, load).get(..ni, ..).to_owned());
+        Ok(others.transpose() * (strains * given))
     }
-}
 
-/// Unknowns inside a cell by those on its boundary, unsigned, a column each.
-fn inside(
-    assembly: &Assembly<'_>,
-    cell: usize,
-    local: &LocalModes,
-    boundary: &Mat<f64>,
-    work: &mut Workspace,
-) -> Result<Mat<f64>, Error> {
-    let (k, ni) = assembly.condensed(cell, local, work)?;
-    let (l11, l21) = k.as_ref().subcols(0, ni).split_at_row(ni);
-    let mut x = Mat::zeros(ni, boundary.ncols());
-    matmul(x.as_mut(), Accum::Replace, l21.transpose(), boundary.as_ref(), -1.0, Par::Seq);
-    solve_upper_triangular_in_place(l11.transpose(), x.as_mut(), Par::Seq);
-    Ok(x)
-}
-
-/// The load of strains on the boundary unknowns of a cell, its interior condensed, a column each; and the work on what other load cases displace inside.
-fn condensed_load(
-    assembly: &Assembly<'_>,
-    cell: usize,
-    strains: &[&ModeStrain],
-    work: &mut Workspace,
-) -> Result<(Mat<f64>, Option<Mat<f64>>), Error> {
-    let local = assembly.space.local_modes(assembly.mesh, cell);
-    let components = assembly.space.components;
-    let mut load = assembly.strain_columns(cell, &local, strains);
-    let others = assembly.loads.inside(cell).then(|| assembly.load_on_modes(cell, &local));
-    let (k, ni) = assembly.condensed(cell, &local, work)?;
-    let (l11, l21) = k.as_ref().subcols(0, ni).split_at_row(ni);
-    let (mut y, mut boundary) = load.as_mut().split_at_row_mut(ni);
-    solve_lower_triangular_in_place(l11, y.as_mut(), Par::Seq);
-    let nb = boundary.nrows();
-    matmul(boundary.as_mut(), Accum::Add, l21.get(..nb, ..), y.as_ref(), -1.0, Par::Seq);
-    let inner = others.map(|mut others| {
-        let mut other = others.as_mut().subrows_mut(0, ni);
-        solve_lower_triangular_in_place(l11, other.as_mut(), Par::Seq);
-        other.transpose() * y.as_ref()
-    });
-    // From the order of the matrix to that of unknowns: signed, components fastest.
-    let (sign, modes) = (local.signs(), nb / components);
-    let row = |i: usize| (i % components) * modes + i / components;
-    let signed = |i: usize, k: usize| sign[local.interior + i / components] * boundary[(row(i), k)];
-    Ok((Mat::from_fn(nb, strains.len(), signed), inner))
+    /// Temperatures above those without strain, a column each, on the unsigned boundary modes of the class of a cell, which has so many.
+    fn temperatures(&self, cell: usize, (edges, turn): ([usize; 4], &Turn), many: usize) -> Mat<f64> {
+        let (thermal, prescribed) = (&self.warming.thermal, self.warming.thermal.loads.cases);
+        let modes = thermal.space.boundary_modes(thermal.mesh, cell);
+        let targets = thermal.targets(cell, &modes);
+        let to = sources(&modes, thermal.mesh.cells[cell].against, edges, turn);
+        let mut values = Mat::zeros(many, self.cases.len());
+        for (k, TemperatureCase { state, reference, .. }) in self.cases.iter().enumerate() {
+            for (row, (target, (mode, sign))) in targets.iter().zip(&to).enumerate() {
+                let active: f64 = target.active.iter().map(|(group, index, c)| c * self.values[*group][(*index, k)]).sum();
+                let fixed: f64 = target.fixed.iter().map(|fixed| fixed.share * fixed.value).sum();
+                // The corners alone make up a constant.
+                let above = if row < modes.corners { *reference } else { 0.0 };
+                values[(*mode, k)] = sign * (active + state.factors[prescribed] * fixed) - above;
+            }
+        }
+        values
+    }
 }
 
 impl InterfaceOperator {

@@ -11,6 +11,7 @@ mod body;
 mod boundary;
 mod box_tree;
 mod cell_grid;
+mod cell_heat;
 mod cell_matrix;
 mod cell_point;
 mod check;

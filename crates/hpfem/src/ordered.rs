@@ -42,12 +42,7 @@ impl<'a> Ordered<'a> {
         let loads = Loads::new(mesh, &problem.load_cases)?;
         let foundations = problem.foundation_edges()?;
         check_held(problem, &space, &kept)?;
-        let congruence = if problem.kinematics.is_revolved() {
-            // The radius tells cells apart.
-            Congruence::none(mesh, &space)
-        } else {
-            Congruence::of_plane_cells(mesh, &space, &problem.materials, problem.kinematics)
-        };
+        let congruence = Congruence::of(problem, &space);
         let mut groups: Vec<Vec<usize>> = (0..mesh.cells.len()).map(|c| space.cell_groups(mesh, c)).collect();
         groups.extend(foundations.iter().map(|(e, _)| edge_groups(mesh, &space, *e)));
         let columns = space.size.len();

@@ -1,6 +1,8 @@
 //! From a problem to its reduced body.
 
 use crate::assembly::Assembly;
+use crate::body::Body;
+use crate::cell_heat::{CellHeats, Warming};
 use crate::cell_matrix::{Elements, SharedMatrices, map_cells};
 use crate::effort::{Clock, Effort};
 use crate::elimination::Condensed;
@@ -24,10 +26,18 @@ pub(crate) struct Reduction {
     pub(crate) space: Space,
     pub(crate) condensed: Condensed,
     pub(crate) kept: Kept,
+    /// What temperatures do to its cells, where they were asked for.
+    pub(crate) heats: Option<CellHeats>,
 }
 
-/// Reduces a body; `factors` tells whether the factorised fronts are kept.
-pub(crate) fn reduce(problem: &BodyProblem, factors: bool, clock: Clock) -> Result<Reduction, Error> {
+/// Reduces a body; `factors` tells whether the factorised fronts are kept, `warm` with whose temperatures, by the thermal expansion of each material,
+/// its cells are to be loaded.
+pub(crate) fn reduce(
+    problem: &BodyProblem,
+    factors: bool,
+    clock: Clock,
+    warm: Option<(&Body, &[f64])>,
+) -> Result<Reduction, Error> {
     let start = clock();
     let ordered = Ordered::new(problem)?;
     let mesh = &*problem.mesh;
@@ -38,7 +48,9 @@ pub(crate) fn reduce(problem: &BodyProblem, factors: bool, clock: Clock) -> Resu
     let after_order = clock() - start;
     let Ordered { space, kept, loads, foundations, congruence, groups, size, last, plan, bytes } = ordered;
     let assembly = Assembly::new(problem, &space, loads);
-    let shared = assembly.shared_matrices(congruence)?;
+    let warming = warm.map(|(body, expansion)| Warming::new((problem, &space), body, expansion)).transpose()?;
+    let warming = warming.filter(|warming| warming.is_alike(&congruence));
+    let (shared, heats) = assembly.shared_matrices(congruence, warming.as_ref())?;
     let Own { matrices, reaction_constant, interior_work } = own_elements(&assembly, &groups, &foundations, &shared)?;
     let assembled = clock() - start;
     let mut elements = Elements::new(&assembly, &groups, shared, matrices);
@@ -59,7 +71,7 @@ pub(crate) fn reduce(problem: &BodyProblem, factors: bool, clock: Clock) -> Resu
         assemble: assembled - after_order,
         factor: after_order + factored - assembled,
     };
-    Ok(Reduction { interface, effort, space, condensed, kept })
+    Ok(Reduction { interface, effort, space, condensed, kept, heats })
 }
 
 /// What the elements that are no shared ones make up.

@@ -10,7 +10,7 @@ use crate::legendre::shape_functions;
 use crate::point_load::{PointLoad, Rows};
 use crate::quadrature::gauss;
 use faer::linalg::matmul::matmul;
-use faer::{Accum, Mat, Par};
+use faer::{Accum, Mat, MatMut, MatRef, Par};
 
 /// The points of integration of a quadrilateral, a grid.
 pub(crate) struct Grid {
@@ -86,6 +86,46 @@ impl Grid {
         (0..components).map(of).collect()
     }
 
+    /// Loads with these densities times sums of modes, a column each, by their coefficients as in [`Grid::values`]: all columns go through each product
+    /// at once.
+    pub(crate) fn by_modes(&self, rows: Rows<'_>, densities: &[[Mat<f64>; 3]], coefficients: MatRef<'_, f64>) -> Mat<f64> {
+        let [values, slopes] = self.shapes.each_ref().map(Mat::as_ref);
+        let (nq, n, many) = (values.nrows(), values.ncols(), coefficients.ncols());
+        let mut load = Mat::<f64>::zeros(rows.components * rows.local.modes, many);
+        let given: Vec<f64> = coefficients.col_iter().flat_map(|column| column.iter().copied()).collect();
+        let (mut along, mut at_points) = (vec![0.0; nq * n * many], vec![0.0; nq * nq * many]);
+        apply(values, &given, Accum::Replace, &mut along);
+        // Rows: points along eta. Columns: points along xi, then columns.
+        apply(values, &transposed_blocks(&along, nq, n), Accum::Replace, &mut at_points);
+        let (mut scaled, mut by_eta) = (at_points.clone(), vec![0.0; n * nq * many]);
+        let mut sum = vec![0.0; n * n * many];
+        for (component, [value, along_xi, along_eta]) in densities.iter().enumerate() {
+            let mut scale = |density: &Mat<f64>, shapes: MatRef<'_, f64>, accumulate: Accum, out: &mut [f64]| {
+                let turned = density.transpose().to_owned();
+                for (j, (to, from)) in scaled.chunks_exact_mut(nq).zip(at_points.chunks_exact(nq)).enumerate() {
+                    let both = from.iter().zip(turned.col_as_slice(j % nq));
+                    to.iter_mut().zip(both).for_each(|(to, (from, g))| *to = from * g);
+                }
+                apply(shapes.transpose(), &scaled, accumulate, out);
+            };
+            scale(along_xi, values, Accum::Replace, &mut by_eta);
+            apply(slopes.transpose(), &transposed_blocks(&by_eta, n, nq), Accum::Replace, &mut sum);
+            scale(along_eta, slopes, Accum::Replace, &mut by_eta);
+            // In the plane a strain has no part along the value.
+            if value.col_iter().any(|column| column.iter().any(|v| *v != 0.0)) {
+                scale(value, values, Accum::Add, &mut by_eta);
+            }
+            apply(values.transpose(), &transposed_blocks(&by_eta, n, nq), Accum::Add, &mut sum);
+            for (k, modes) in sum.chunks_exact(n * n).enumerate() {
+                let column = load.col_as_slice_mut(k);
+                for (value, mode) in modes.iter().zip(&rows.local.position).filter(|(_, mode)| **mode != usize::MAX) {
+                    column[rows.row(*mode, component)] = *value;
+                }
+            }
+        }
+        load
+    }
+
     /// Adds loads with these densities, times a factor at each point, to a column.
     pub(crate) fn add(&self, rows: Rows<'_>, densities: &[[Mat<f64>; 3]], factors: &[f64], column: &mut [f64]) {
         let [values, slopes] = &self.shapes;
@@ -116,4 +156,22 @@ impl Grid {
             }
         }
     }
+}
+
+/// A matrix times one whose columns stand one after the other.
+fn apply(matrix: MatRef<'_, f64>, columns: &[f64], accumulate: Accum, out: &mut [f64]) {
+    let many = columns.len() / matrix.ncols();
+    let columns = MatRef::from_column_major_slice(columns, matrix.ncols(), many);
+    matmul(MatMut::from_column_major_slice_mut(out, matrix.nrows(), many), accumulate, matrix, columns, 1.0, Par::Seq);
+}
+
+/// Blocks of `rows x columns`, one after the other, each transposed.
+fn transposed_blocks(blocks: &[f64], rows: usize, columns: usize) -> Vec<f64> {
+    let mut turned = vec![0.0; blocks.len()];
+    for (to, from) in turned.chunks_exact_mut(rows * columns).zip(blocks.chunks_exact(rows * columns)) {
+        for (i, to) in to.chunks_exact_mut(columns).enumerate() {
+            to.iter_mut().zip(from[i..].iter().step_by(rows)).for_each(|(to, from)| *to = *from);
+        }
+    }
+    turned
 }

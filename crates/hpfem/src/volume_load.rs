@@ -14,7 +14,7 @@ use crate::point_load::{PlaneJet, PointLoad, Rows};
 use crate::tensor_load::Grid;
 use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
-use faer::{Accum, Mat, Par};
+use faer::{Accum, Mat, MatRef, Par};
 
 /// Load inside one cell.
 pub(crate) struct InnerLoad {
@@ -40,6 +40,9 @@ struct Weighted {
 
 /// Points of a direction beyond the degree of a cell: values are needed beyond the element's own rule, loads are no polynomials.
 const MORE_POINTS: usize = 6;
+
+/// A unit strain alike in all directions.
+const ALIKE: [f64; 4] = [1.0, 1.0, 0.0, 1.0];
 
 impl Assembly<'_> {
     /// The load inside a cell; the cell is condensed for it once more.
@@ -145,12 +148,12 @@ impl Assembly<'_> {
         if strains.is_empty() {
             return load;
         }
-        let unit = |x: f64| self.strain_load(self.mesh.cells[cell].material, x, [1.0, 1.0, 0.0, 1.0]);
         if !self.mesh.cells[cell].is_triangle() {
             // They are polynomials: the rule of the element, by which an even strain of a free body causes no stress.
             let degree = self.space.cell_degree[cell];
             let grid = Grid::new(self, cell, degree, points_for(degree));
-            let loads: Vec<PointLoad> = (0..grid.len()).map(|q| unit(grid.position(q)[0])).collect();
+            let unit = |q: usize| self.strain_load(self.mesh.cells[cell].material, grid.position(q)[0], ALIKE);
+            let loads: Vec<PointLoad> = (0..grid.len()).map(unit).collect();
             let densities = grid.densities(rows.components, &loads);
             for (k, (modes, constant)) in strains.iter().enumerate() {
                 let mut values = grid.values(modes);
@@ -159,17 +162,36 @@ impl Assembly<'_> {
             }
             return load;
         }
-        // Three products of matrices for all of them.
-        let points = self.triangle_points(cell, rows);
-        let values = Mat::from_fn(points.len(), local.position.len(), |q, m| points[q].point.modes[m][0]);
         let coefficients = Mat::from_fn(local.position.len(), strains.len(), |m, k| strains[k].0[m]);
-        let mut at_points = Mat::from_fn(points.len(), strains.len(), |_, k| strains[k].1);
-        matmul(at_points.as_mut(), Accum::Add, values.as_ref(), coefficients.as_ref(), 1.0, Par::Seq);
-        let mut by_strain = Mat::<f64>::zeros(load.nrows(), points.len());
-        for (q, Weighted { volume, jets, point, .. }) in points.iter().enumerate() {
-            let factors = unit(point.position[0]).map(|f| f.map(|f| f * volume));
-            rows.add(by_strain.col_as_slice_mut(q), jets, &factors);
+        let constants: Vec<f64> = strains.iter().map(|(_, constant)| *constant).collect();
+        self.triangle_strains(cell, rows, coefficients.as_ref(), &constants)
+    }
+
+    /// The same of many strains without constant parts, by their coefficients a column each.
+    pub(crate) fn strain_matrix(&self, cell: usize, local: &LocalModes, coefficients: MatRef<'_, f64>) -> Mat<f64> {
+        let rows = Rows { components: self.space.components, local };
+        if self.mesh.cells[cell].is_triangle() {
+            return self.triangle_strains(cell, rows, coefficients, &vec![0.0; coefficients.ncols()]);
         }
+        let degree = self.space.cell_degree[cell];
+        let grid = Grid::new(self, cell, degree, points_for(degree));
+        let unit = |q: usize| self.strain_load(self.mesh.cells[cell].material, grid.position(q)[0], ALIKE);
+        let loads: Vec<PointLoad> = (0..grid.len()).map(unit).collect();
+        grid.by_modes(rows, &grid.densities(rows.components, &loads), coefficients)
+    }
+
+    /// Loads of strains alike in all directions on a triangle: three products of matrices for all of them.
+    fn triangle_strains(&self, cell: usize, rows: Rows<'_>, coefficients: MatRef<'_, f64>, constants: &[f64]) -> Mat<f64> {
+        let points = self.triangle_points(cell, rows);
+        let values = Mat::from_fn(points.len(), coefficients.nrows(), |q, m| points[q].point.modes[m][0]);
+        let mut at_points = Mat::from_fn(points.len(), constants.len(), |_, k| constants[k]);
+        matmul(at_points.as_mut(), Accum::Add, values.as_ref(), coefficients, 1.0, Par::Seq);
+        let mut by_strain = Mat::<f64>::zeros(rows.components * rows.local.modes, points.len());
+        for (q, Weighted { volume, jets, point, .. }) in points.iter().enumerate() {
+            let factors = self.strain_load(self.mesh.cells[cell].material, point.position[0], ALIKE);
+            rows.add(by_strain.col_as_slice_mut(q), jets, &factors.map(|f| f.map(|f| f * volume)));
+        }
+        let mut load = Mat::<f64>::zeros(by_strain.nrows(), constants.len());
         matmul(load.as_mut(), Accum::Replace, by_strain.as_ref(), at_points.as_ref(), 1.0, Par::Seq);
         load
     }

@@ -89,6 +89,12 @@ impl BodyParts {
         Body::timed(self.problem.clone(), clock).map_err(|error| self.not_held(&error))
     }
 
+    /// Assembles and reduces the body for temperatures that are to load it, by the thermal expansion of its materials (1/K).
+    fn reduce_for(&self, heat: Option<(&Body, Vec<f64>)>, clock: Clock) -> Result<Body, Fault> {
+        let Some((temperature, expansion)) = heat else { return self.reduce(clock) };
+        Body::for_heat(self.problem.clone(), temperature, &expansion, clock).map_err(|error| self.not_held(&error))
+    }
+
     /// Reduces the body to its contact edge, keeping nothing of its inside.
     pub(crate) fn interface(&self, clock: Clock) -> Result<(InterfaceOperator, hpfem::Effort), Fault> {
         Body::interface_timed(&self.problem, clock).map_err(|error| self.not_held(&error))
@@ -222,6 +228,17 @@ impl Parts {
     /// Assembles and reduces both bodies.
     pub(crate) fn reduce(&self, clock: Clock) -> Result<([Body; 2], Effort), Fault> {
         let bodies = [self.parts[0].reduce(clock)?, self.parts[1].reduce(clock)?];
+        let effort = counted([0, 1].map(|k| (&bodies[k].interface, bodies[k].effort)));
+        Ok((bodies, effort))
+    }
+
+    /// The same for temperatures that are to load them, with the thermal expansion of their materials (1/K).
+    pub(crate) fn reduce_for(
+        &self,
+        [first, second]: [Option<(&Body, Vec<f64>)>; 2],
+        clock: Clock,
+    ) -> Result<([Body; 2], Effort), Fault> {
+        let bodies = [self.parts[0].reduce_for(first, clock)?, self.parts[1].reduce_for(second, clock)?];
         let effort = counted([0, 1].map(|k| (&bodies[k].interface, bodies[k].effort)));
         Ok((bodies, effort))
     }

@@ -49,7 +49,8 @@ impl<'a> HotBodies<'a> {
         let surfaces = warmed.surfaces(&warmed.pair()?)?;
         effort.add_seconds(Step::Heat, stage.clock()() - start);
         (stage.options.begun)(Step::Factor);
-        let (cold, work) = parts.reduce(stage.clock())?;
+        let fields = [0, 1].map(|number| warmed.conduction(number).map(|own| (&own.body, warmed.expansion(number))));
+        let (cold, work) = parts.reduce_for(fields, stage.clock())?;
         let counters = work.counters.clone();
         effort += work;
         Ok(Some((HotBodies { warmed: Arc::new(warmed), surfaces: Arc::new(surfaces), parts, cold, counters }, effort)))
