@@ -2,7 +2,7 @@
 
 use crate::assembly::Assembly;
 use crate::basis::LocalModes;
-use crate::cell_heat::CellHeats;
+use crate::cell_heat::{CellHeats, Warm};
 use crate::cell_matrix::map_cells;
 use crate::edge_load::Loads;
 use crate::effort::{Clock, Effort, still};
@@ -70,8 +70,13 @@ impl Body {
     /// # Errors
     /// As for [`Body::new`], and those of a temperature as for [`Body::heated`].
     pub fn for_heat(problem: BodyProblem, temperature: &Body, expansion: &[f64], clock: Clock) -> Result<Body, Error> {
-        let reduction = reduce(&problem, true, clock, Some((temperature, expansion)))?;
+        let reduction = reduce(&problem, true, clock, Some(temperature.warm(expansion)))?;
         Ok(Body::of(problem, reduction))
+    }
+
+    /// The body as one of temperature.
+    pub(crate) fn warm<'a>(&'a self, expansion: &'a [f64]) -> Warm<'a> {
+        Warm { problem: &self.problem, space: &self.factored.space, expansion }
     }
 
     fn of(problem: BodyProblem, reduction: Reduction) -> Body {

@@ -5,27 +5,34 @@
 //! large and turned by `R` has `c R B`.
 
 use crate::assembly::Assembly;
-use crate::basis::LocalModes;
-use crate::body::{Body, Factored};
+use crate::basis::{LocalModes, SpaceKind};
 use crate::congruence::Congruence;
 use crate::edge_load::Loads;
 use crate::element::Workspace;
 use crate::error::Error;
 use crate::kinematics::Kinematics;
+use crate::material::Material;
+use crate::mesh::Mesh;
 use crate::problem::BodyProblem;
 use crate::space::Space;
 use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
 use faer::{Accum, Mat, MatRef, Par};
-use std::sync::{Arc, Weak};
+use std::sync::Arc;
+
+/// A body of temperature on the same mesh, and by how much each material expands, 1/K.
+#[derive(Clone, Copy)]
+pub(crate) struct Warm<'a> {
+    pub(crate) problem: &'a BodyProblem,
+    pub(crate) space: &'a Space,
+    pub(crate) expansion: &'a [f64],
+}
 
 /// What the temperatures of another body on the same mesh do to the cells of one.
 pub(crate) struct Warming<'a> {
     /// The problem of temperature.
     pub(crate) thermal: Assembly<'a>,
-    temperature: &'a Body,
-    /// Thermal expansion of each material, 1/K.
-    expansion: &'a [f64],
+    warm: Warm<'a>,
 }
 
 /// The loads of unit temperatures on the boundary modes of the cells of each class.
@@ -35,8 +42,11 @@ pub(crate) struct CellHeats {
     pub(crate) edges: Vec<[usize; 4]>,
     /// `B` of each class, rows as in its condensed matrix, a column for each unsigned boundary mode of temperature.
     pub(crate) loads: Vec<Mat<f64>>,
-    /// The body of temperature and the expansion they were made for.
-    temperature: Weak<Factored>,
+    /// What they were made for.
+    mesh: Arc<Mesh>,
+    conductors: Vec<Material>,
+    kinematics: Kinematics,
+    space: SpaceKind,
     expansion: Vec<f64>,
 }
 
@@ -51,22 +61,23 @@ impl CellHeats {
     }
 
     /// Whether they were made for these temperatures.
-    pub(crate) fn are_for(&self, temperature: &Body, expansion: &[f64]) -> bool {
-        std::ptr::eq(self.temperature.as_ptr(), Arc::as_ptr(&temperature.factored)) && self.expansion == expansion
+    pub(crate) fn are_for(&self, warming: &Warming<'_>) -> bool {
+        let Warm { problem, expansion, .. } = warming.warm;
+        Arc::ptr_eq(&self.mesh, &problem.mesh)
+            && self.conductors == problem.materials
+            && self.kinematics == problem.kinematics
+            && self.space == problem.space
+            && self.expansion == expansion
+            && self.edges == warming.edges(&self.congruence)
     }
 }
 
 impl<'a> Warming<'a> {
     /// Refuses temperatures of another mesh, or with sources inside.
-    pub(crate) fn new(
-        (problem, space): (&BodyProblem, &Space),
-        temperature: &'a Body,
-        expansion: &'a [f64],
-    ) -> Result<Warming<'a>, Error> {
-        let loads = Loads::new(temperature.mesh(), &temperature.problem.load_cases)?;
-        check((problem, space), temperature, &loads)?;
-        let thermal = Assembly::new(&temperature.problem, &temperature.factored.space, loads);
-        Ok(Warming { thermal, temperature, expansion })
+    pub(crate) fn new((problem, space): (&BodyProblem, &Space), warm: Warm<'a>) -> Result<Warming<'a>, Error> {
+        let loads = Loads::new(&warm.problem.mesh, &warm.problem.load_cases)?;
+        check((problem, space), warm, &loads)?;
+        Ok(Warming { thermal: Assembly::new(warm.problem, warm.space, loads), warm })
     }
 
     /// Whether cells that are alike as elastic ones are so as conductors of heat.
@@ -74,7 +85,7 @@ impl<'a> Warming<'a> {
         let Assembly { mesh, kinematics, .. } = self.thermal;
         congruence.class.iter().zip(&congruence.turn).enumerate().all(|(cell, (class, turn))| {
             let material = mesh.cells[cell].material;
-            let conductor = &self.temperature.problem.materials[material];
+            let conductor = &self.warm.problem.materials[material];
             let first = congruence.classes[*class].first;
             cell == first
                 || material == mesh.cells[first].material
@@ -96,8 +107,17 @@ impl<'a> Warming<'a> {
 
     /// The loads of the classes, kept for these temperatures.
     pub(crate) fn kept(&self, congruence: &Congruence, edges: Vec<[usize; 4]>, loads: Vec<Mat<f64>>) -> CellHeats {
-        let (temperature, expansion) = (Arc::downgrade(&self.temperature.factored), self.expansion.to_vec());
-        CellHeats { congruence: congruence.clone(), edges, loads, temperature, expansion }
+        let Warm { problem, expansion, .. } = self.warm;
+        CellHeats {
+            congruence: congruence.clone(),
+            edges,
+            loads,
+            mesh: Arc::clone(&problem.mesh),
+            conductors: problem.materials.clone(),
+            kinematics: problem.kinematics,
+            space: problem.space,
+            expansion: expansion.to_vec(),
+        }
     }
 
     /// Loads of the thermal strains on the modes `local` of a cell, a column for each unit temperature on its boundary modes, which are those of
@@ -115,7 +135,7 @@ impl<'a> Warming<'a> {
         let (l11, l21) = k.as_ref().subcols(0, ni).split_at_row(ni);
         let mut inside = l21.transpose().to_owned();
         solve_upper_triangular_in_place(l11.transpose(), inside.as_mut(), Par::Seq);
-        let expansion = self.expansion.get(elastic.mesh.cells[cell].material).copied().unwrap_or(0.0);
+        let expansion = self.warm.expansion.get(elastic.mesh.cells[cell].material).copied().unwrap_or(0.0);
         let coefficient = |m: usize, k: usize| match modes.position[m] {
             usize::MAX => 0.0,
             mode if mode < ni => -expansion * inside[(mode, k)],
@@ -138,8 +158,8 @@ pub(crate) fn eliminate(k: MatRef<'_, f64>, ni: usize, mut load: Mat<f64>) -> Ma
 }
 
 /// Refuses temperatures of another mesh, or with sources inside.
-fn check((problem, space): (&BodyProblem, &Space), temperature: &Body, loads: &Loads<'_>) -> Result<(), Error> {
-    let kinematics = temperature.problem.kinematics;
+fn check((problem, space): (&BodyProblem, &Space), warm: Warm<'_>, loads: &Loads<'_>) -> Result<(), Error> {
+    let kinematics = warm.problem.kinematics;
     let refuse = |what: &str| Err(Error::NoMeaning { what: what.to_string(), kinematics: kinematics.words() });
     if !matches!(kinematics, Kinematics::Potential { .. } | Kinematics::AxisymmetricPotential) {
         return refuse("a temperature");
@@ -147,11 +167,11 @@ fn check((problem, space): (&BodyProblem, &Space), temperature: &Body, loads: &L
     if problem.kinematics.components() != 2 {
         return Err(Error::NoMeaning { what: "a thermal strain".to_string(), kinematics: problem.kinematics.words() });
     }
-    let [cells, given] = [&problem.mesh, temperature.mesh()].map(|mesh| mesh.cells.len());
+    let [cells, given] = [&problem.mesh, &warm.problem.mesh].map(|mesh| mesh.cells.len());
     if cells != given {
         return Err(Error::Count { what: "cells of the temperature".into(), given, expected: cells });
     }
-    let [own, other] = [&space.cell_degree, &temperature.factored.space.cell_degree];
+    let [own, other] = [&space.cell_degree, &warm.space.cell_degree];
     if let Some(cell) = (0..cells).find(|cell| own[*cell] != other[*cell]) {
         let what = format!("degree of the temperature in cell {cell}");
         return Err(Error::Count { what, given: other[cell], expected: own[cell] });

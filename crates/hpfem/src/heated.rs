@@ -58,10 +58,10 @@ impl Body {
     /// [`Error::OtherLoads`] for states of another body.
     pub fn heated(&self, temperature: &Body, cases: &[TemperatureCase], expansion: &[f64]) -> Result<InterfaceOperator, Error> {
         let (mesh, space) = (&*self.problem.mesh, &self.factored.space);
-        let warming = Warming::new((&self.problem, space), temperature, expansion)?;
+        let warming = Warming::new((&self.problem, space), temperature.warm(expansion))?;
         let elastic = Assembly::new(&self.problem, space, Loads::new(mesh, &self.problem.load_cases)?);
         let states: Vec<InterfaceState> = cases.iter().map(|case| case.state.clone()).collect();
-        let known = self.factored.heats.as_ref().filter(|heats| heats.are_for(temperature, expansion));
+        let known = self.factored.heats.as_ref().filter(|heats| heats.are_for(&warming));
         let made = if known.is_none() { CellHeats::new(&elastic, &self.problem, &warming)? } else { None };
         let Some(heats) = known.or(made.as_ref()) else { unreachable!("known or made") };
         let heating = Heating { elastic, warming, heats, values: temperature.values_of_groups(&states)?, cases };

@@ -1,8 +1,7 @@
 //! From a problem to its reduced body.
 
 use crate::assembly::Assembly;
-use crate::body::Body;
-use crate::cell_heat::{CellHeats, Warming};
+use crate::cell_heat::{CellHeats, Warm, Warming};
 use crate::cell_matrix::{Elements, SharedMatrices, map_cells};
 use crate::effort::{Clock, Effort};
 use crate::elimination::Condensed;
@@ -32,12 +31,7 @@ pub(crate) struct Reduction {
 
 /// Reduces a body; `factors` tells whether the factorised fronts are kept, `warm` with whose temperatures, by the thermal expansion of each material,
 /// its cells are to be loaded.
-pub(crate) fn reduce(
-    problem: &BodyProblem,
-    factors: bool,
-    clock: Clock,
-    warm: Option<(&Body, &[f64])>,
-) -> Result<Reduction, Error> {
+pub(crate) fn reduce(problem: &BodyProblem, factors: bool, clock: Clock, warm: Option<Warm<'_>>) -> Result<Reduction, Error> {
     let start = clock();
     let ordered = Ordered::new(problem)?;
     let mesh = &*problem.mesh;
@@ -48,7 +42,7 @@ pub(crate) fn reduce(
     let after_order = clock() - start;
     let Ordered { space, kept, loads, foundations, congruence, groups, size, last, plan, bytes } = ordered;
     let assembly = Assembly::new(problem, &space, loads);
-    let warming = warm.map(|(body, expansion)| Warming::new((problem, &space), body, expansion)).transpose()?;
+    let warming = warm.map(|warm| Warming::new((problem, &space), warm)).transpose()?;
     let warming = warming.filter(|warming| warming.is_alike(&congruence));
     let (shared, heats) = assembly.shared_matrices(congruence, warming.as_ref())?;
     let Own { matrices, reaction_constant, interior_work } = own_elements(&assembly, &groups, &foundations, &shared)?;

@@ -26,9 +26,17 @@ pub struct Sizes {
     pub operations: f64,
     /// Unknowns on the boundaries of all cells, of which each counts its own.
     pub(crate) outer_unknowns: usize,
+    /// Numbers of what temperatures do to cells, of similar ones once.
+    pub(crate) cell_heats: usize,
 }
 
 impl Sizes {
+    /// Memory that [`Body::for_heat`] holds more than [`Body::new`], bytes: what temperatures on the boundary of a cell do to it. A body that was made
+    /// without takes it in [`Body::heated`].
+    pub fn for_heat_bytes(&self) -> u64 {
+        8 * self.cell_heats as u64
+    }
+
     /// Memory that [`Body::heated`] will hold at once for so many temperatures, bytes, besides both bodies: the loads on the boundary of each cell,
     /// the temperatures on all edges, displacements forwards along the fronts, and the columns of the reduced body.
     pub fn heated_bytes(&self, temperatures: usize) -> u64 {
@@ -62,6 +70,11 @@ impl Body {
         let fronts = ordered.plan.fronts.iter().map(|f| partial_factor(size(&f.groups[..f.eliminated]), size(&f.groups)));
         let outer = |modes: &LocalModes| space.components * (modes.modes - modes.interior);
         let points = |walk: &Vec<(usize, bool)>| walk.iter().map(|(edge, _)| space.edge_degree[*edge]).sum::<usize>() + 1;
+        // A column for each temperature, which has one component.
+        let heats = ordered.congruence.classes.iter().map(|class| {
+            let modes = space.modes_of(mesh, class.first, class.edges, [false; 4]);
+            outer(&modes) * (modes.modes - modes.interior)
+        });
         Ok(Sizes {
             cells: mesh.cells.len(),
             unknowns: whole_size(mesh, space),
@@ -69,6 +82,7 @@ impl Body {
             points: ordered.kept.walks.iter().map(points).sum(),
             bytes: ordered.bytes,
             operations: matrices.sum::<f64>() + fronts.sum::<f64>(),
+            cell_heats: heats.sum(),
             outer_unknowns: (0..mesh.cells.len()).map(|cell| outer(&space.local_modes(mesh, cell))).sum(),
         })
     }

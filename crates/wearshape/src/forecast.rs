@@ -138,8 +138,9 @@ fn memory(heat: Option<&Heat>, bodies: &[Sizes; 2]) -> u64 {
     };
     // A temperature has one component: a quarter of the matrices.
     let temperatures: u64 = warm.iter().map(|size| size.bytes / 4).sum();
+    let cells: u64 = warm.iter().map(Sizes::for_heat_bytes).sum();
     let responses = warm.iter().map(|size| size.heated_bytes(size.points)).max();
-    bodies.iter().map(|size| size.bytes).sum::<u64>() + temperatures + responses.unwrap_or(0)
+    bodies.iter().map(|size| size.bytes).sum::<u64>() + temperatures + cells + responses.unwrap_or(0)
 }
 
 /// Multiplications of a level: both bodies, both traces solved with, and for a contact the responses at its points and a solve on them.
