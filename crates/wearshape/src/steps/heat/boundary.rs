@@ -20,7 +20,7 @@ pub(crate) fn highest_of_each(warmed: &Warmed<'_>, number: usize, heats: &[Point
             heats.iter().filter_map(|heat| warmed.states(&pair, &heat.into)[number].clone()).collect();
         for field in conduction.body.fields(&states).map_err(no_field)? {
             if places.is_empty() {
-                places = on_edges(&field);
+                places = on_edges(&field, &|_| true);
             }
             let mut highest = f64::NEG_INFINITY;
             for (cell, [xi, eta]) in &places {
@@ -32,28 +32,30 @@ pub(crate) fn highest_of_each(warmed: &Warmed<'_>, number: usize, heats: &[Point
     Ok(found)
 }
 
-/// Points of the cells' grids on the edges of a body: cell and reference coordinates.
-fn on_edges(field: &Field) -> Vec<(usize, [f64; 2])> {
+/// Points of the cells' grids on the edges of the part of a body that is made of the materials asked for: cell and reference coordinates.
+pub(super) fn on_edges(field: &Field, of: &dyn Fn(usize) -> bool) -> Vec<(usize, [f64; 2])> {
     let mesh: &Mesh = field.mesh();
-    let alone = mesh.edge_cells().into_iter().filter(|cells| cells.len() == 1);
-    alone
-        .flat_map(|cells| {
-            let (cell, side) = cells[0];
-            let triangle = mesh.cells[cell].is_triangle();
-            let grid = CellGrid { degree: field.degree(cell), triangle };
-            let p = grid.degree;
-            let on = move |(i, j): (usize, usize)| match side {
-                0 => j == 0,
-                1 if triangle => i + j == p,
-                1 => i == p,
-                2 if !triangle => j == p,
-                _ => i == 0,
-            };
-            grid.steps()
-                .zip(grid.reference())
-                .filter(move |(step, _)| on(*step))
-                .map(move |(_, at)| (cell, at))
-                .collect::<Vec<_>>()
-        })
-        .collect()
+    let mut sides = vec![Vec::new(); mesh.cells.len()];
+    for mut cells in mesh.edge_cells() {
+        cells.retain(|(cell, _)| of(mesh.cells[*cell].material));
+        if let [(cell, side)] = cells[..] {
+            sides[cell].push(side);
+        }
+    }
+    let mut points = Vec::new();
+    for (cell, sides) in sides.into_iter().enumerate().filter(|(_, sides)| !sides.is_empty()) {
+        let triangle = mesh.cells[cell].is_triangle();
+        let grid = CellGrid { degree: field.degree(cell), triangle };
+        let p = grid.degree;
+        let on = |(i, j): (usize, usize), side: usize| match side {
+            0 => j == 0,
+            1 if triangle => i + j == p,
+            1 => i == p,
+            2 if !triangle => j == p,
+            _ => i == 0,
+        };
+        let own = grid.steps().zip(grid.reference()).filter(|(step, _)| sides.iter().any(|side| on(*step, *side)));
+        points.extend(own.map(|(_, at)| (cell, at)));
+    }
+    points
 }

@@ -1,7 +1,7 @@
 //! What is told of frictional heat: temperatures, heat and thermal displacement along the contact, and the balance of the powers.
 
 use contact::{ContactPoint, Pair, Side};
-use hpfem::{CellGrid, Field, InterfaceState};
+use hpfem::{Field, InterfaceState};
 use scene::Fault;
 use shapeopt::{Gauge, Integration, RigidPart, Shape, ShapeProblem, solve_shape};
 
@@ -9,6 +9,7 @@ use crate::heat_result::{HeatResult, TooHot};
 use crate::profile::Profile;
 use crate::stage::Stage;
 use crate::steps::answer::Told;
+use crate::steps::heat::boundary::on_edges;
 use crate::steps::heat::known::PointHeat;
 use crate::steps::heat::warmed::{Second, Warmed, no_field};
 
@@ -100,17 +101,14 @@ fn too_hot(warmed: &Warmed<'_>, fields: &[Option<Field>; 2], into_drum: f64) -> 
     Ok(found)
 }
 
-/// The highest temperature of the materials asked for at the points of their cells, and its place.
+/// The highest temperature of the materials asked for at the points of their cells, and its place: heat comes in through edges alone, so that they are
+/// hottest at one of their own.
 fn highest(field: &Field, of: &dyn Fn(usize) -> bool) -> Result<(f64, [f64; 2]), Fault> {
     let mut found = (f64::NEG_INFINITY, [0.0; 2]);
-    let mesh = field.mesh();
-    for (number, cell) in mesh.cells.iter().enumerate().filter(|(_, cell)| of(cell.material)) {
-        let grid = CellGrid { degree: field.degree(number), triangle: cell.is_triangle() };
-        for [xi, eta] in grid.reference() {
-            let temperature = field.at(number, xi, eta).map_err(no_field)?.displacement[0];
-            if temperature > found.0 {
-                found = (temperature, field.position(number, xi, eta));
-            }
+    for (cell, [xi, eta]) in on_edges(field, of) {
+        let temperature = field.at(cell, xi, eta).map_err(no_field)?.displacement[0];
+        if temperature > found.0 {
+            found = (temperature, field.position(cell, xi, eta));
         }
     }
     Ok(found)
