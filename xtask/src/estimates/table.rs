@@ -58,7 +58,8 @@ pub(super) fn page(text: &str) -> String {
     format!(
         "# How honest the estimated errors are\n\nWritten by `cargo xtask estimates --docs`. Each scene is a built-in one with random bodies, \
          materials and friction, at a fixed degree from 5 to 11 and any number of layers up to two more; the truth is the same four degrees higher, \
-         where its own estimate is at most a tenth of the error. An estimate that is too large costs time, one that is too small is wrong: \
-         none may be passed by more than 5 times.\n\n{text}"
+         where its own estimate is at most a tenth of the error. Pressures are compared away from ends of contact inside the surface, by more than the \
+         distance of two samples: there they go like a square root, and a sample stands for what it is not. Energies are those \
+         of each body. An estimate that is too large costs time, one that is too small is wrong: none may be passed by more than 5 times.\n\n{text}"
     )
 }

@@ -168,3 +168,62 @@ fn a_crown_on_a_hot_shape_changes_the_pressure_by_what_its_tolerance_says() {
     // Without heat it is another one.
     assert!(most > 1.05 * of_a_crown(&shape("sliding.omega=1e-9")));
 }
+
+/// A block of three by two cells, warm along the line between the two in its middle, which ends inside it.
+const WIRE: &str = r#"
+units = "N-mm"
+kinematics = "plane-strain"
+thickness = 10
+tasks = ["contact"]
+mesh = { degree = 4, layers = 2 }
+body1.material = { young = "200 GPa", poisson = 0.3, conductivity = "40 W/(m K)", expansion = "1e-9 1/K" }
+body1.heat = { head = { temperature = 20 }, wire = { temperature = 200 } }
+body1.support = { head = ["x"] }
+body2.material = { young = "200 GPa", poisson = 0.3, conductivity = "40 W/(m K)", expansion = "1e-9 1/K" }
+body2.geometry.rectangle = { x = [-40, 40], z = [-30, 0] }
+body2.support = { bottom = ["x", "z"] }
+body2.heat = { bottom = { temperature = 20 } }
+contact = { edges = ["foot", "top"], friction = 0.1 }
+sliding = { speed = 1 }
+load = { edge = "head", as = "pressure", force = "1 kN" }
+heat = { share = 0.5, reference = 20 }
+[body1.geometry.blocks]
+points = { a0 = [-15, 0], a1 = [-5, 0], a2 = [5, 0], a3 = [15, 0], b0 = [-15, 10], b1 = [-5, 10], b2 = [5, 10], b3 = [15, 10], c0 = [-15, 20], c1 = [-5, 20], c2 = [5, 20], c3 = [15, 20] }
+[body1.geometry.blocks.curves]
+f0.line = ["a0", "a1"]
+f1.line = ["a1", "a2"]
+f2.line = ["a2", "a3"]
+m0.line = ["b0", "b1"]
+m1.line = ["b1", "b2"]
+m2.line = ["b2", "b3"]
+h0.line = ["c0", "c1"]
+h1.line = ["c1", "c2"]
+h2.line = ["c2", "c3"]
+l0.line = ["a0", "b0"]
+l1.line = ["a1", "b1"]
+l2.line = ["a2", "b2"]
+l3.line = ["a3", "b3"]
+u0.line = ["b0", "c0"]
+u1.line = ["b1", "c1"]
+u2.line = ["b2", "c2"]
+u3.line = ["b3", "c3"]
+[body1.geometry.blocks.cells]
+p0 = { curves = ["f0", "l1", "m0", "l0"] }
+p1 = { curves = ["f1", "l2", "m1", "l1"] }
+p2 = { curves = ["f2", "l3", "m2", "l2"] }
+q0 = { curves = ["m0", "u1", "h0", "u0"] }
+q1 = { curves = ["m1", "u2", "h1", "u1"] }
+q2 = { curves = ["m2", "u3", "h2", "u2"] }
+[body1.geometry.blocks.edges]
+foot = ["f0", "f1", "f2"]
+head = ["h0", "h1", "h2"]
+wire = ["m1"]
+"#;
+
+#[test]
+fn a_body_is_hottest_on_a_warm_line_inside_it() {
+    let heat = ended(&read(WIRE, &[])).heat.unwrap();
+    near(heat.highest1.unwrap(), 200.0, 1e-9);
+    let [x, z] = heat.highest1_at.unwrap();
+    assert!(x.abs() <= 5.0 && (z - 10.0).abs() < 1e-9, "{x} {z}");
+}

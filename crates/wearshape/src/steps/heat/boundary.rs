@@ -32,14 +32,15 @@ pub(crate) fn highest_of_each(warmed: &Warmed<'_>, number: usize, heats: &[Point
     Ok(found)
 }
 
-/// Points of the cells' grids on the edges of the part of a body that is made of the materials asked for: cell and reference coordinates.
+/// Points of the cells' grids on the edges of the part of a body that is made of the materials asked for, and on named lines inside it, which may be held
+/// at a temperature: cell and reference coordinates.
 pub(super) fn on_edges(field: &Field, of: &dyn Fn(usize) -> bool) -> Vec<(usize, [f64; 2])> {
     let mesh: &Mesh = field.mesh();
     let mut sides = vec![Vec::new(); mesh.cells.len()];
-    for mut cells in mesh.edge_cells() {
+    for (edge, mut cells) in mesh.edges.iter().zip(mesh.edge_cells()) {
         cells.retain(|(cell, _)| of(mesh.cells[*cell].material));
-        if let [(cell, side)] = cells[..] {
-            sides[cell].push(side);
+        if let Some((cell, side)) = cells.first().filter(|_| cells.len() == 1 || !edge.tags.is_empty()) {
+            sides[*cell].push(*side);
         }
     }
     let mut points = Vec::new();
