@@ -15,8 +15,6 @@ use faer::linalg::solvers::Solve;
 pub struct SpeedFactors {
     /// Up to which a calculation of pressure and temperature by turns arrives; none where heat opens nothing.
     pub staggered: Option<f64>,
-    /// At which the pressure of surfaces without a gap first vanishes somewhere; 0 where it does without heat.
-    pub separation: Option<f64>,
     /// At which the system is singular, growing: those of eigenvectors as fine as the points are no properties of the contact, they move with the
     /// points.
     pub singular: Vec<f64>,
@@ -27,6 +25,16 @@ const REAL: f64 = 1e-9;
 /// Factors among which a vanishing pressure is looked for, relative to the staggered one, and the ratio of one to the next.
 const RANGE: [f64; 2] = [1e-3, 1e3];
 const STEP: f64 = 1.1;
+
+/// Up to this part of the staggered factor pressures are told by their power series, of so many terms, relative to the first of which the last counts
+/// as nothing.
+const SERIES: f64 = 0.8;
+const TERMS: usize = 400;
+const NOTHING: f64 = 1e-13;
+
+/// Steps of a search between two factors, the first of which are those of a false position.
+const HALVINGS: usize = 48;
+const SLOPES: usize = 24;
 
 /// The system of the closed points in all unknowns: forces, then coordinates.
 struct Pencil {
@@ -43,9 +51,7 @@ impl ContactOperator<'_> {
     /// As [`ContactOperator::solve`]; [`Error::Singular`] where the closed points cannot hold the bodies.
     pub fn speed_factors(&self, load: &ContactLoad, closed: &[bool]) -> Result<SpeedFactors, Error> {
         let Some(pencil) = self.pencil(load, closed)? else { return Ok(SpeedFactors::default()) };
-        let solved = pencil.cold.partial_piv_lu().solve(&pencil.hot);
-        let n = pencil.points;
-        let undone = Mat::from_fn(n, n, |i, j| -solved[(i, j)]);
+        let undone = pencil.undone();
         let eigenvalues = undone.eigenvalues().map_err(|_| Error::Singular)?;
         let radius = eigenvalues.iter().map(|m| m.re.hypot(m.im)).fold(0.0, f64::max);
         if !(radius > 0.0 && radius.is_finite()) {
@@ -54,7 +60,18 @@ impl ContactOperator<'_> {
         let real = eigenvalues.iter().filter(|m| m.re > 0.0 && m.im.abs() <= REAL * radius);
         let mut singular: Vec<f64> = real.map(|m| 1.0 / m.re).filter(|s| *s < RANGE[1] / radius).collect();
         singular.sort_by(f64::total_cmp);
-        Ok(SpeedFactors { staggered: Some(1.0 / radius), separation: pencil.separation(1.0 / radius), singular })
+        Ok(SpeedFactors { staggered: Some(1.0 / radius), singular })
+    }
+
+    /// The factor on the sliding speed of a load whose heat follows the pressure at which the pressure of surfaces without a gap, all of whose points are
+    /// closed, first vanishes somewhere: 0 where it does without heat, none where it does not up to a thousand times the staggered factor of these
+    /// points.
+    ///
+    /// # Errors
+    /// As [`ContactOperator::speed_factors`].
+    pub fn separation_factor(&self, load: &ContactLoad, staggered: f64) -> Result<Option<f64>, Error> {
+        let pencil = self.pencil(load, &vec![true; self.points().len()])?;
+        Ok(pencil.and_then(|pencil| pencil.separation(staggered)))
     }
 
     /// The system of the closed points; none where nothing follows the pressure.
@@ -88,31 +105,119 @@ impl ContactOperator<'_> {
 }
 
 impl Pencil {
-    /// Whether the pressure is positive everywhere at a factor.
-    fn presses(&self, factor: f64) -> bool {
+    /// `M`: pressures that undo the opening by the heat of pressures.
+    fn undone(&self) -> Mat<f64> {
+        let solved = self.cold.partial_piv_lu().solve(&self.hot);
+        Mat::from_fn(self.points, self.points, |i, j| -solved[(i, j)])
+    }
+
+    /// The least pressure at a factor.
+    fn least(&self, factor: f64) -> f64 {
         let matrix = &self.cold + faer::Scale(factor) * &self.hot;
         let x = matrix.partial_piv_lu().solve(&self.right);
-        (0..self.points).all(|i| x[(i, 0)] > 0.0)
+        (0..self.points).map(|i| x[(i, 0)]).fold(f64::INFINITY, f64::min)
     }
 
     /// The factor at which a pressure vanishes first.
     fn separation(&self, unit: f64) -> Option<f64> {
-        if !self.presses(0.0) {
+        if !(self.least(0.0) > 0.0) {
             return Some(0.0);
         }
-        let (mut below, mut factor) = (0.0, RANGE[0] * unit);
-        while self.presses(factor) {
-            below = factor;
+        let pressed = |factor: f64| Some([factor, self.least(factor)]).filter(|[_, least]| *least > 0.0);
+        let mut below = self.before(unit).and_then(pressed).unwrap_or([0.0; 2]);
+        let mut factor = if below[0] > 0.0 { STEP * below[0] } else { RANGE[0] * unit };
+        while let Some(pressed) = pressed(factor) {
+            below = pressed;
             factor *= STEP;
             if factor > RANGE[1] * unit {
                 return None;
             }
         }
-        let mut above = factor;
-        for _ in 0..48 {
-            let middle = 0.5 * (below + above);
-            if self.presses(middle) { below = middle } else { above = middle }
+        Some(self.between(below, [factor, self.least(factor)]))
+    }
+
+    /// The last factor of the search before the first at which a pressure vanishes, or before the end of the power series, `p(s) = sum s^k M^k p(0)`,
+    /// which takes no factorisation; none where it does not converge, or no factor is before.
+    fn before(&self, unit: f64) -> Option<f64> {
+        let (undone, solved) = (self.undone(), self.cold.partial_piv_lu().solve(&self.right));
+        let size = |term: &Mat<f64>| term.norm_max();
+        let mut terms = vec![solved.get(..self.points, ..).to_owned()];
+        let highest = SERIES * unit;
+        while !(size(terms.last()?) <= NOTHING * size(&terms[0])) {
+            if terms.len() > TERMS {
+                return None;
+            }
+            terms.push(faer::Scale(highest) * (&undone * terms.last()?));
         }
-        Some(0.5 * (below + above))
+        let factors = std::iter::successors(Some(RANGE[0] * unit), |factor| Some(factor * STEP));
+        let factors: Vec<f64> = factors.take_while(|factor| *factor <= highest).collect();
+        let by_power = Mat::from_fn(self.points, terms.len(), |i, k| terms[k][(i, 0)]);
+        let powers = Mat::from_fn(terms.len(), factors.len(), |k, j| (factors[j] / highest).powi(k as i32));
+        let pressures = by_power * powers;
+        let presses = |j: &usize| pressures.col(*j).iter().all(|p| *p > 0.0);
+        (0..factors.len()).take_while(presses).last().map(|j| factors[j])
+    }
+
+    /// Where the least pressure vanishes, between a factor with its least pressure, which is positive, and one where it is not: by false position, of
+    /// which an end that stays counts half (Illinois), and in the end by halves.
+    fn between(&self, [mut below, mut most]: [f64; 2], [mut above, mut least]: [f64; 2]) -> f64 {
+        let mut last = 0.0;
+        for step in 0..HALVINGS + SLOPES {
+            let weight = if step < SLOPES && (most - least).is_finite() { most / (most - least) } else { 0.5 };
+            let middle = below + weight * (above - below);
+            if !(middle > below && middle < above) {
+                return middle.clamp(below, above);
+            }
+            let found = self.least(middle);
+            if found > 0.0 {
+                (below, most) = (middle, found);
+                least *= if last > 0.0 { 0.5 } else { 1.0 };
+            } else {
+                (above, least) = (middle, found);
+                most *= if last < 0.0 { 0.5 } else { 1.0 };
+            }
+            last = found;
+        }
+        0.5 * (below + above)
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    /// A system of two points with the pressures `p_1 = (1 - s / 4 p_2) / (1 - s / 4)` and `p_2 = 1 - s / at p_1`.
+    fn system(at: f64) -> Pencil {
+        let hot = [[-0.25, 0.25], [1.0 / at, 0.0]];
+        Pencil { points: 2, cold: Mat::identity(2, 2), hot: Mat::from_fn(2, 2, |i, j| hot[i][j]), right: Mat::full(2, 1, 1.0) }
+    }
+
+    /// The factor by halves alone, from a fine search.
+    fn by_halves(pencil: &Pencil) -> f64 {
+        let (mut below, mut above) = (0.0, 1e-3);
+        while pencil.least(above) > 0.0 {
+            (below, above) = (above, above + 1e-3);
+        }
+        for _ in 0..60 {
+            let middle = 0.5 * (below + above);
+            if pencil.least(middle) > 0.0 { below = middle } else { above = middle }
+        }
+        below
+    }
+
+    #[test]
+    fn the_search_for_separation_finds_what_halving_finds_with_the_power_series_and_beyond_it() {
+        for at in [0.05, 0.7, 3.0] {
+            let pencil = system(at);
+            let wanted = by_halves(&pencil);
+            let undone = pencil.undone().eigenvalues().unwrap();
+            let radius = undone.iter().map(|m| m.re.hypot(m.im)).fold(0.0, f64::max);
+            // The series lasts to a part of the staggered factor.
+            for unit in [1.0 / radius, 100.0 / radius] {
+                let found = pencil.separation(unit).unwrap();
+                assert!((found / wanted - 1.0).abs() < 1e-12, "{at} {unit}: {found} for {wanted}");
+            }
+        }
     }
 }

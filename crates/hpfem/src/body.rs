@@ -2,7 +2,7 @@
 
 use crate::assembly::Assembly;
 use crate::basis::LocalModes;
-use crate::cell_heat::{CellHeats, Warm};
+use crate::cell_heat::{CellHeats, TemperatureCase, Warm};
 use crate::cell_matrix::map_cells;
 use crate::edge_load::Loads;
 use crate::effort::{Clock, Effort, still};
@@ -65,18 +65,19 @@ impl Body {
     }
 
     /// As [`Body::timed`], for a body that temperatures of another one are to load, by the thermal expansion of each material (1/K): [`Body::heated`] then
-    /// takes what it finds here, and gives the same numbers without it.
+    /// takes what it finds here, and gives the same numbers without it. Temperatures that are `known` already take less, but serve for themselves alone.
     ///
     /// # Errors
     /// As for [`Body::new`], and those of a temperature as for [`Body::heated`].
-    pub fn for_heat(problem: BodyProblem, temperature: &Body, expansion: &[f64], clock: Clock) -> Result<Body, Error> {
-        let reduction = reduce(&problem, true, clock, Some(temperature.warm(expansion)))?;
+    pub fn for_heat(
+        problem: BodyProblem,
+        temperature: &Body,
+        known: Option<&[TemperatureCase]>,
+        expansion: &[f64],
+        clock: Clock,
+    ) -> Result<Body, Error> {
+        let reduction = reduce(&problem, true, clock, Some(Warm { body: temperature, expansion, cases: known }))?;
         Ok(Body::of(problem, reduction))
-    }
-
-    /// The body as one of temperature.
-    pub(crate) fn warm<'a>(&'a self, expansion: &'a [f64]) -> Warm<'a> {
-        Warm { problem: &self.problem, space: &self.factored.space, expansion }
     }
 
     fn of(problem: BodyProblem, reduction: Reduction) -> Body {

@@ -2,14 +2,17 @@
 //!
 //! Inside a cell a temperature without sources there follows from its boundary, `T_i = E T_b`, `E = -K_ii^-1 K_ib`. With `G` the load of thermal strains on
 //! all modes of the cell, that on its boundary is `B T_b`, `B = [-L_21 L_11^-1, 1] G [E; 1]` with the factor of the elastic stiffness. A cell `c` times as
-//! large and turned by `R` has `c R B`.
+//! large and turned by `R` has `c R B`. Where the temperatures are known before, and fewer than modes on the boundary, `B T_b` is made at once.
 
 use crate::assembly::Assembly;
 use crate::basis::{LocalModes, SpaceKind};
-use crate::congruence::Congruence;
+use crate::body::Body;
+use crate::cell_matrix::sources;
+use crate::congruence::{Congruence, Turn};
 use crate::edge_load::Loads;
 use crate::element::Workspace;
 use crate::error::Error;
+use crate::interface::InterfaceState;
 use crate::kinematics::Kinematics;
 use crate::material::Material;
 use crate::mesh::Mesh;
@@ -20,12 +23,23 @@ use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_uppe
 use faer::{Accum, Mat, MatRef, Par};
 use std::sync::Arc;
 
-/// A body of temperature on the same mesh, and by how much each material expands, 1/K.
+/// A temperature as a load case.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TemperatureCase {
+    /// Name of the load case.
+    pub name: String,
+    /// State of the body of temperature.
+    pub state: InterfaceState,
+    /// The temperature without strain.
+    pub reference: f64,
+}
+
+/// A body of temperature on the same mesh, by how much each material expands, 1/K, and temperatures where they are known.
 #[derive(Clone, Copy)]
 pub(crate) struct Warm<'a> {
-    pub(crate) problem: &'a BodyProblem,
-    pub(crate) space: &'a Space,
+    pub(crate) body: &'a Body,
     pub(crate) expansion: &'a [f64],
+    pub(crate) cases: Option<&'a [TemperatureCase]>,
 }
 
 /// What the temperatures of another body on the same mesh do to the cells of one.
@@ -33,51 +47,120 @@ pub(crate) struct Warming<'a> {
     /// The problem of temperature.
     pub(crate) thermal: Assembly<'a>,
     warm: Warm<'a>,
+    /// The temperatures that are known, on the groups of theirs.
+    values: Vec<Mat<f64>>,
 }
 
-/// The loads of unit temperatures on the boundary modes of the cells of each class.
+/// The loads of temperatures on the boundary modes of the cells of each class.
 pub(crate) struct CellHeats {
     pub(crate) congruence: Congruence,
     /// Largest degree of temperature that any member of a class has on each edge, in the numbering of the first cell.
     pub(crate) edges: Vec<[usize; 4]>,
-    /// `B` of each class, rows as in its condensed matrix, a column for each unsigned boundary mode of temperature.
-    pub(crate) loads: Vec<Mat<f64>>,
+    /// Of each class, rows as in its condensed matrix: `B`, a column for each unsigned boundary mode of temperature, or `B T_b` of the temperatures that
+    /// are known, of one member after the other.
+    loads: Vec<Mat<f64>>,
+    /// Number of each cell among the members of its class, where that holds `B T_b`.
+    member: Vec<Option<usize>>,
     /// What they were made for.
     mesh: Arc<Mesh>,
     conductors: Vec<Material>,
     kinematics: Kinematics,
     space: SpaceKind,
     expansion: Vec<f64>,
+    cases: Option<Vec<TemperatureCase>>,
 }
 
 impl CellHeats {
     /// Those of a body that was made without.
-    pub(crate) fn new(elastic: &Assembly<'_>, problem: &BodyProblem, warming: &Warming<'_>) -> Result<Option<CellHeats>, Error> {
+    pub(crate) fn new(elastic: &Assembly<'_>, problem: &BodyProblem, warming: &Warming<'_>) -> Result<CellHeats, Error> {
         let mut congruence = Congruence::of(problem, elastic.space);
         if !warming.is_alike(&congruence) {
             congruence = Congruence::none(elastic.mesh, elastic.space);
         }
-        elastic.shared_matrices(congruence, Some(warming)).map(|(_, heats)| heats)
+        elastic.heated_matrices(congruence, warming).map(|(_, heats)| heats)
     }
 
     /// Whether they were made for these temperatures.
     pub(crate) fn are_for(&self, warming: &Warming<'_>) -> bool {
-        let Warm { problem, expansion, .. } = warming.warm;
+        let Warm { body, expansion, cases } = warming.warm;
+        let problem = &body.problem;
         Arc::ptr_eq(&self.mesh, &problem.mesh)
             && self.conductors == problem.materials
             && self.kinematics == problem.kinematics
             && self.space == problem.space
             && self.expansion == expansion
             && self.edges == warming.edges(&self.congruence)
+            && (self.cases.is_none() || self.cases.as_deref() == cases)
+    }
+
+    /// Loads of the temperatures of `warming` on the boundary modes of the class of a cell, a column each.
+    pub(crate) fn of_cell(&self, warming: &Warming<'_>, cell: usize) -> Mat<f64> {
+        let class = self.congruence.class[cell];
+        let (loads, many) = (&self.loads[class], warming.many());
+        match self.member[cell] {
+            Some(member) => loads.get(.., member * many..(member + 1) * many).to_owned(),
+            None => loads * warming.temperatures(cell, (self.edges[class], &self.congruence.turn[cell]), loads.ncols()),
+        }
     }
 }
 
 impl<'a> Warming<'a> {
     /// Refuses temperatures of another mesh, or with sources inside.
     pub(crate) fn new((problem, space): (&BodyProblem, &Space), warm: Warm<'a>) -> Result<Warming<'a>, Error> {
-        let loads = Loads::new(&warm.problem.mesh, &warm.problem.load_cases)?;
-        check((problem, space), warm, &loads)?;
-        Ok(Warming { thermal: Assembly::new(warm.problem, warm.space, loads), warm })
+        let thermal = &warm.body.problem;
+        let loads = Loads::new(&thermal.mesh, &thermal.load_cases)?;
+        check((problem, space), warm.body, &loads)?;
+        let states: Vec<InterfaceState> = warm.cases.into_iter().flatten().map(|case| case.state.clone()).collect();
+        let values = if states.is_empty() { Vec::new() } else { warm.body.values_of_groups(&states)? };
+        Ok(Warming { thermal: Assembly::new(thermal, &warm.body.factored.space, loads), warm, values })
+    }
+
+    /// Number of temperatures that are known.
+    fn many(&self) -> usize {
+        self.warm.cases.map_or(0, <[TemperatureCase]>::len)
+    }
+
+    /// Known temperatures of the members of each class on its boundary modes, a column each, of one member after the other, where they are fewer than
+    /// such modes.
+    pub(crate) fn known(&self, congruence: &Congruence, edges: &[[usize; 4]]) -> Vec<Option<Mat<f64>>> {
+        let Some(cases) = self.warm.cases else { return vec![None; edges.len()] };
+        let mut members = vec![Vec::new(); edges.len()];
+        congruence.class.iter().enumerate().for_each(|(cell, class)| members[*class].push(cell));
+        let class = |(members, edges): (Vec<usize>, &[usize; 4])| {
+            let first = *members.first()?;
+            let modes = self.thermal.space.modes_of(self.thermal.mesh, first, *edges, [false; 4]);
+            let on_boundary = modes.modes - modes.interior;
+            if members.len() * cases.len() >= on_boundary {
+                return None;
+            }
+            let mut known = Mat::zeros(on_boundary, members.len() * cases.len());
+            for (number, cell) in members.iter().enumerate() {
+                let values = self.temperatures(*cell, (*edges, &congruence.turn[*cell]), on_boundary);
+                known.get_mut(.., number * cases.len()..(number + 1) * cases.len()).copy_from(values);
+            }
+            Some(known)
+        };
+        members.into_iter().zip(edges).map(class).collect()
+    }
+
+    /// Temperatures that are known, above those without strain, a column each, on the unsigned boundary modes of the class of a cell, which has so many.
+    pub(crate) fn temperatures(&self, cell: usize, (edges, turn): ([usize; 4], &Turn), many: usize) -> Mat<f64> {
+        let (thermal, prescribed) = (&self.thermal, self.thermal.loads.cases);
+        let cases = self.warm.cases.unwrap_or_default();
+        let modes = thermal.space.boundary_modes(thermal.mesh, cell);
+        let targets = thermal.targets(cell, &modes);
+        let to = sources(&modes, thermal.mesh.cells[cell].against, edges, turn);
+        let mut values = Mat::zeros(many, cases.len());
+        for (k, TemperatureCase { state, reference, .. }) in cases.iter().enumerate() {
+            for (row, (target, (mode, sign))) in targets.iter().zip(&to).enumerate() {
+                let active: f64 = target.active.iter().map(|(group, index, c)| c * self.values[*group][(*index, k)]).sum();
+                let fixed: f64 = target.fixed.iter().map(|fixed| fixed.share * fixed.value).sum();
+                // The corners alone make up a constant.
+                let above = if row < modes.corners { *reference } else { 0.0 };
+                values[(*mode, k)] = sign * (active + state.factors[prescribed] * fixed) - above;
+            }
+        }
+        values
     }
 
     /// Whether cells that are alike as elastic ones are so as conductors of heat.
@@ -85,7 +168,7 @@ impl<'a> Warming<'a> {
         let Assembly { mesh, kinematics, .. } = self.thermal;
         congruence.class.iter().zip(&congruence.turn).enumerate().all(|(cell, (class, turn))| {
             let material = mesh.cells[cell].material;
-            let conductor = &self.warm.problem.materials[material];
+            let conductor = &self.warm.body.problem.materials[material];
             let first = congruence.classes[*class].first;
             cell == first
                 || material == mesh.cells[first].material
@@ -105,11 +188,23 @@ impl<'a> Warming<'a> {
         edges
     }
 
-    /// The loads of the classes, kept for these temperatures.
-    pub(crate) fn kept(&self, congruence: &Congruence, edges: Vec<[usize; 4]>, loads: Vec<Mat<f64>>) -> CellHeats {
-        let Warm { problem, expansion, .. } = self.warm;
+    /// The loads of the classes, of which some hold those of known temperatures, kept for these.
+    pub(crate) fn kept(
+        &self,
+        congruence: &Congruence,
+        edges: Vec<[usize; 4]>,
+        (loads, known): (Vec<Mat<f64>>, &[Option<Mat<f64>>]),
+    ) -> CellHeats {
+        let Warm { body, expansion, cases } = self.warm;
+        let problem = &body.problem;
+        let mut members = vec![0; edges.len()];
+        let member = congruence.class.iter().map(|class| {
+            members[*class] += 1;
+            known[*class].is_some().then_some(members[*class] - 1)
+        });
         CellHeats {
             congruence: congruence.clone(),
+            member: member.collect(),
             edges,
             loads,
             mesh: Arc::clone(&problem.mesh),
@@ -117,30 +212,37 @@ impl<'a> Warming<'a> {
             kinematics: problem.kinematics,
             space: problem.space,
             expansion: expansion.to_vec(),
+            cases: cases.filter(|_| known.iter().any(Option::is_some)).map(<[TemperatureCase]>::to_vec),
         }
     }
 
-    /// Loads of the thermal strains on the modes `local` of a cell, a column for each unit temperature on its boundary modes, which are those of
-    /// edges of these degrees.
+    /// Loads of the thermal strains on the modes `local` of a cell, a column for each temperature on its boundary modes, which are those of edges of
+    /// these degrees: the `known` ones, or a unit on each.
     pub(crate) fn strains(
         &self,
         elastic: &Assembly<'_>,
         (cell, edges): (usize, [usize; 4]),
-        local: &LocalModes,
+        (local, known): (&LocalModes, Option<&Mat<f64>>),
         work: &mut Workspace,
     ) -> Result<Mat<f64>, Error> {
         let thermal = &self.thermal;
         let modes = thermal.space.modes_of(thermal.mesh, cell, edges, [false; 4]);
         let (k, ni) = thermal.condensed(cell, &modes, work)?;
         let (l11, l21) = k.as_ref().subcols(0, ni).split_at_row(ni);
-        let mut inside = l21.transpose().to_owned();
+        let mut inside = match known {
+            Some(known) => l21.transpose() * known,
+            None => l21.transpose().to_owned(),
+        };
         solve_upper_triangular_in_place(l11.transpose(), inside.as_mut(), Par::Seq);
         let expansion = self.warm.expansion.get(elastic.mesh.cells[cell].material).copied().unwrap_or(0.0);
+        let on_boundary = |mode: usize, k: usize| match known {
+            Some(known) => known[(mode, k)],
+            None => f64::from(u8::from(mode == k)),
+        };
         let coefficient = |m: usize, k: usize| match modes.position[m] {
             usize::MAX => 0.0,
             mode if mode < ni => -expansion * inside[(mode, k)],
-            mode if mode - ni == k => expansion,
-            _ => 0.0,
+            mode => expansion * on_boundary(mode - ni, k),
         };
         let coefficients = Mat::from_fn(modes.position.len(), inside.ncols(), coefficient);
         Ok(elastic.strain_matrix(cell, local, coefficients.as_ref()))
@@ -158,7 +260,7 @@ pub(crate) fn eliminate(k: MatRef<'_, f64>, ni: usize, mut load: Mat<f64>) -> Ma
 }
 
 /// Refuses temperatures of another mesh, or with sources inside.
-fn check((problem, space): (&BodyProblem, &Space), warm: Warm<'_>, loads: &Loads<'_>) -> Result<(), Error> {
+fn check((problem, space): (&BodyProblem, &Space), warm: &Body, loads: &Loads<'_>) -> Result<(), Error> {
     let kinematics = warm.problem.kinematics;
     let refuse = |what: &str| Err(Error::NoMeaning { what: what.to_string(), kinematics: kinematics.words() });
     if !matches!(kinematics, Kinematics::Potential { .. } | Kinematics::AxisymmetricPotential) {
@@ -171,7 +273,7 @@ fn check((problem, space): (&BodyProblem, &Space), warm: Warm<'_>, loads: &Loads
     if cells != given {
         return Err(Error::Count { what: "cells of the temperature".into(), given, expected: cells });
     }
-    let [own, other] = [&space.cell_degree, &warm.space.cell_degree];
+    let [own, other] = [&space.cell_degree, &warm.factored.space.cell_degree];
     if let Some(cell) = (0..cells).find(|cell| own[*cell] != other[*cell]) {
         let what = format!("degree of the temperature in cell {cell}");
         return Err(Error::Count { what, given: other[cell], expected: own[cell] });

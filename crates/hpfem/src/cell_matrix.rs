@@ -84,28 +84,36 @@ pub(crate) fn map_cells<T: Send>(count: usize, task: impl Fn(&mut Workspace, usi
 }
 
 impl Assembly<'_> {
-    /// Condensed matrices of all classes, and what temperatures load their cells with where there are any.
-    pub(crate) fn shared_matrices(
+    /// Condensed matrices of all classes.
+    pub(crate) fn shared_matrices(&self, congruence: Congruence) -> Result<SharedMatrices, Error> {
+        let made = map_cells(congruence.classes.len(), |work, k| {
+            let class = &congruence.classes[k];
+            let (matrix, ni) = self.condensed(class.first, &self.class_modes(class), work)?;
+            Ok(boundary_block(matrix, ni))
+        });
+        let matrices = made.into_iter().collect::<Result<_, Error>>()?;
+        Ok(SharedMatrices { congruence, matrices })
+    }
+
+    /// The same, and what temperatures load their cells with.
+    pub(crate) fn heated_matrices(
         &self,
         congruence: Congruence,
-        warming: Option<&Warming<'_>>,
-    ) -> Result<(SharedMatrices, Option<CellHeats>), Error> {
-        let edges = warming.map(|warming| warming.edges(&congruence)).unwrap_or_default();
+        warming: &Warming<'_>,
+    ) -> Result<(SharedMatrices, CellHeats), Error> {
+        let edges = warming.edges(&congruence);
+        let known = warming.known(&congruence, &edges);
         let made = map_cells(congruence.classes.len(), |work, k| {
             let class = &congruence.classes[k];
             let local = self.class_modes(class);
-            let strains = warming.map(|warming| warming.strains(self, (class.first, edges[k]), &local, work)).transpose()?;
+            let strains = warming.strains(self, (class.first, edges[k]), (&local, known[k].as_ref()), work)?;
             let (matrix, ni) = self.condensed(class.first, &local, work)?;
-            let heat = strains.map(|strains| eliminate(matrix.as_ref(), ni, strains).get(ni.., ..).to_owned());
+            let heat = eliminate(matrix.as_ref(), ni, strains).get(ni.., ..).to_owned();
             Ok((boundary_block(matrix, ni), heat))
         });
-        let (mut matrices, mut heats) = (Vec::new(), Vec::new());
-        for class in made {
-            let (matrix, heat) = class?;
-            matrices.push(matrix);
-            heats.extend(heat);
-        }
-        let heats = warming.map(|warming| warming.kept(&congruence, edges, heats));
+        let made = made.into_iter().collect::<Result<Vec<_>, Error>>()?;
+        let (matrices, heats) = made.into_iter().unzip();
+        let heats = warming.kept(&congruence, edges, (heats, &known));
         Ok((SharedMatrices { congruence, matrices }, heats))
     }
 

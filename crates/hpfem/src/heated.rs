@@ -5,27 +5,16 @@
 
 use crate::assembly::Assembly;
 use crate::body::Body;
-use crate::cell_heat::{CellHeats, Warming, eliminate};
+use crate::cell_heat::{CellHeats, TemperatureCase, Warm, Warming, eliminate};
 use crate::cell_matrix::{map_cells, sources};
 use crate::congruence::Turn;
 use crate::edge_load::Loads;
 use crate::element::Workspace;
 use crate::elimination::Forward;
 use crate::error::Error;
-use crate::interface::{InterfaceOperator, InterfaceState};
+use crate::interface::InterfaceOperator;
 use crate::space::Target;
 use faer::Mat;
-
-/// A temperature as a load case.
-#[derive(Clone, Debug)]
-pub struct TemperatureCase {
-    /// Name of the load case.
-    pub name: String,
-    /// State of the body of temperature.
-    pub state: InterfaceState,
-    /// The temperature without strain.
-    pub reference: f64,
-}
 
 /// What one cell takes of the temperatures, a column each.
 struct CellHeat {
@@ -43,8 +32,6 @@ struct Heating<'a> {
     elastic: Assembly<'a>,
     warming: Warming<'a>,
     heats: &'a CellHeats,
-    values: Vec<Mat<f64>>,
-    cases: &'a [TemperatureCase],
 }
 
 impl Body {
@@ -58,13 +45,17 @@ impl Body {
     /// [`Error::OtherLoads`] for states of another body.
     pub fn heated(&self, temperature: &Body, cases: &[TemperatureCase], expansion: &[f64]) -> Result<InterfaceOperator, Error> {
         let (mesh, space) = (&*self.problem.mesh, &self.factored.space);
-        let warming = Warming::new((&self.problem, space), temperature.warm(expansion))?;
+        let warming = Warming::new((&self.problem, space), Warm { body: temperature, expansion, cases: Some(cases) })?;
         let elastic = Assembly::new(&self.problem, space, Loads::new(mesh, &self.problem.load_cases)?);
-        let states: Vec<InterfaceState> = cases.iter().map(|case| case.state.clone()).collect();
-        let known = self.factored.heats.as_ref().filter(|heats| heats.are_for(&warming));
-        let made = if known.is_none() { CellHeats::new(&elastic, &self.problem, &warming)? } else { None };
-        let Some(heats) = known.or(made.as_ref()) else { unreachable!("known or made") };
-        let heating = Heating { elastic, warming, heats, values: temperature.values_of_groups(&states)?, cases };
+        let made;
+        let heats = match self.factored.heats.as_ref().filter(|heats| heats.are_for(&warming)) {
+            Some(known) => known,
+            None => {
+                made = CellHeats::new(&elastic, &self.problem, &warming)?;
+                &made
+            }
+        };
+        let heating = Heating { elastic, warming, heats };
         let heats = map_cells(mesh.cells.len(), |work, cell| heating.cell(cell, work));
         let many = cases.len();
         let mut values: Vec<Mat<f64>> = vec![Mat::new(); space.size.len()];
@@ -126,8 +117,7 @@ impl Heating<'_> {
         let Heating { elastic, heats, .. } = self;
         let class = heats.congruence.class[cell];
         let turn = &heats.congruence.turn[cell];
-        let given = self.temperatures(cell, (heats.edges[class], turn), heats.loads[class].ncols());
-        let of_class = &heats.loads[class] * &given;
+        let of_class = heats.of_cell(&self.warming, cell);
         let (modes, against) = (elastic.space.boundary_modes(elastic.mesh, cell), elastic.mesh.cells[cell].against);
         let from = sources(&modes, against, heats.congruence.classes[class].edges, turn);
         let below = of_class.nrows() / 2;
@@ -136,7 +126,7 @@ impl Heating<'_> {
             let ([a, b], (mode, sign)) = (turn.matrix[i % 2], from[i / 2]);
             turn.scale * sign * (a * of_class[(mode, k)] + b * of_class[(below + mode, k)])
         };
-        let load = Mat::from_fn(2 * modes.len(), given.ncols(), turned);
+        let load = Mat::from_fn(2 * modes.len(), of_class.ncols(), turned);
         let targets = elastic.targets(cell, &modes);
         let motions = elastic.virtual_motion(&targets, elastic.columns - elastic.loads.cases - 1);
         let reaction = |motion: &[f64]| -> Vec<f64> {
@@ -154,31 +144,12 @@ impl Heating<'_> {
         let Heating { elastic, warming, .. } = self;
         let local = elastic.space.local_modes(elastic.mesh, cell);
         let edges = warming.thermal.space.edge_degrees(warming.thermal.mesh, cell);
-        let strains = warming.strains(elastic, (cell, edges), &local, work)?;
-        let given = self.temperatures(cell, (edges, &Turn::NONE), strains.ncols());
+        let strains = warming.strains(elastic, (cell, edges), (&local, None), work)?;
+        let given = warming.temperatures(cell, (edges, &Turn::NONE), strains.ncols());
         let others = elastic.load_on_modes(cell, &local);
         let (k, ni) = elastic.condensed(cell, &local, work)?;
         let [strains, others] = [strains, others].map(|load| eliminate(k.as_ref(), ni, load).get(..ni, ..).to_owned());
         Ok(others.transpose() * (strains * given))
-    }
-
-    /// Temperatures above those without strain, a column each, on the unsigned boundary modes of the class of a cell, which has so many.
-    fn temperatures(&self, cell: usize, (edges, turn): ([usize; 4], &Turn), many: usize) -> Mat<f64> {
-        let (thermal, prescribed) = (&self.warming.thermal, self.warming.thermal.loads.cases);
-        let modes = thermal.space.boundary_modes(thermal.mesh, cell);
-        let targets = thermal.targets(cell, &modes);
-        let to = sources(&modes, thermal.mesh.cells[cell].against, edges, turn);
-        let mut values = Mat::zeros(many, self.cases.len());
-        for (k, TemperatureCase { state, reference, .. }) in self.cases.iter().enumerate() {
-            for (row, (target, (mode, sign))) in targets.iter().zip(&to).enumerate() {
-                let active: f64 = target.active.iter().map(|(group, index, c)| c * self.values[*group][(*index, k)]).sum();
-                let fixed: f64 = target.fixed.iter().map(|fixed| fixed.share * fixed.value).sum();
-                // The corners alone make up a constant.
-                let above = if row < modes.corners { *reference } else { 0.0 };
-                values[(*mode, k)] = sign * (active + state.factors[prescribed] * fixed) - above;
-            }
-        }
-        values
     }
 }
 

@@ -150,7 +150,7 @@ impl From<InterfaceOperator> for InterfaceParts {
 }
 
 /// The state of the kept unknowns under given contact loads and load-case factors.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct InterfaceState {
     /// Kept unknowns, mm (rad for a rotation).
     pub unknowns: Vec<f64>,

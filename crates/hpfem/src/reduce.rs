@@ -44,7 +44,10 @@ pub(crate) fn reduce(problem: &BodyProblem, factors: bool, clock: Clock, warm: O
     let assembly = Assembly::new(problem, &space, loads);
     let warming = warm.map(|warm| Warming::new((problem, &space), warm)).transpose()?;
     let warming = warming.filter(|warming| warming.is_alike(&congruence));
-    let (shared, heats) = assembly.shared_matrices(congruence, warming.as_ref())?;
+    let (shared, heats) = match &warming {
+        Some(warming) => assembly.heated_matrices(congruence, warming).map(|(shared, heats)| (shared, Some(heats)))?,
+        None => (assembly.shared_matrices(congruence)?, None),
+    };
     let Own { matrices, reaction_constant, interior_work } = own_elements(&assembly, &groups, &foundations, &shared)?;
     let assembled = clock() - start;
     let mut elements = Elements::new(&assembly, &groups, shared, matrices);

@@ -1,5 +1,6 @@
 //! Frictional heat in the words of the summary.
 
+use crate::steps::heat::following::Speeds;
 use contact::SpeedFactors;
 use serde::{Serialize, Serializer};
 
@@ -95,10 +96,10 @@ const ALIKE: f64 = 0.01;
 impl HeatResult {
     /// Takes in the factors on the sliding speed. Of those at which the contact is singular it is the least that another mesh has as well; without
     /// another mesh nothing is said of them.
-    pub(crate) fn take_speeds(&mut self, found: &SpeedFactors, other: Option<&SpeedFactors>) {
+    pub(crate) fn take_speeds(&mut self, Speeds { factors: found, separation }: &Speeds, other: Option<&SpeedFactors>) {
         let factor = |found: Option<f64>| Some(found.map_or(SpeedFactor::None, SpeedFactor::At));
         self.staggered_limit_speed_factor = factor(found.staggered);
-        self.separation_speed_factor = factor(found.separation);
+        self.separation_speed_factor = factor(*separation);
         if other.is_none() && !found.singular.is_empty() {
             return;
         }

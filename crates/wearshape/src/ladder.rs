@@ -105,6 +105,15 @@ impl Ladder {
         more.min(last - number)
     }
 
+    /// Whether the level that follows those `solved` is hardly the last one.
+    pub(crate) fn expects_more<T, const N: usize>(&self, solved: &[T], distance: &impl Fn(&T, &T) -> [f64; N]) -> bool {
+        let Some(accuracy) = self.accuracy.filter(|_| solved.len() + 1 < self.levels.len()) else { return false };
+        match falls(solved, distance) {
+            Some([error, ratio]) => error * ratio > NEARLY * accuracy,
+            None => solved.len() + 1 < LEAST,
+        }
+    }
+
     /// Whether the levels from this one on are worth climbing, by the last error and the ratio at which errors fall.
     fn goes_beyond(&self, number: usize, [error, ratio]: [f64; 2]) -> bool {
         let there = error * ratio.powi((self.levels.len() - number) as i32);

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use hpfem::{
     Body, BodyForce, BodyProblem, Direction, EdgeTraction, InterfaceOperator, Kinematics, LoadCase, Mesh, RigidEdge, Sizes,
-    Support,
+    Support, TemperatureCase,
 };
 use meshing::{self, AXIS, CONTACT, Couple, LOAD, LoadedEdge};
 use scene::{Component, Fault, LoadKind};
@@ -29,6 +29,13 @@ pub(crate) const CASES: [&str; 4] = ["load", "mean x", "mean z", "mean turn"];
 
 /// Columns of the mean displacement functionals.
 pub(crate) const MEAN_COLUMNS: [usize; 3] = [1, 2, 3];
+
+/// A body as a problem of temperature, what of its temperatures is known already, and the thermal expansion of its materials (1/K).
+pub(crate) struct BodyHeat<'a> {
+    pub temperature: &'a Body,
+    pub known: Option<&'a [TemperatureCase]>,
+    pub expansion: Vec<f64>,
+}
 
 impl BodyParts {
     /// Body 1 (`shaped`) or body 2 on its mesh.
@@ -89,10 +96,11 @@ impl BodyParts {
         Body::timed(self.problem.clone(), clock).map_err(|error| self.not_held(&error))
     }
 
-    /// Assembles and reduces the body for temperatures that are to load it, by the thermal expansion of its materials (1/K).
-    fn reduce_for(&self, heat: Option<(&Body, Vec<f64>)>, clock: Clock) -> Result<Body, Fault> {
-        let Some((temperature, expansion)) = heat else { return self.reduce(clock) };
-        Body::for_heat(self.problem.clone(), temperature, &expansion, clock).map_err(|error| self.not_held(&error))
+    /// Assembles and reduces the body for temperatures that are to load it.
+    fn reduce_for(&self, heat: Option<BodyHeat<'_>>, clock: Clock) -> Result<Body, Fault> {
+        let Some(BodyHeat { temperature, known, expansion }) = heat else { return self.reduce(clock) };
+        let reduced = Body::for_heat(self.problem.clone(), temperature, known, &expansion, clock);
+        reduced.map_err(|error| self.not_held(&error))
     }
 
     /// Reduces the body to its contact edge, keeping nothing of its inside.
@@ -232,10 +240,10 @@ impl Parts {
         Ok((bodies, effort))
     }
 
-    /// The same for temperatures that are to load them, with the thermal expansion of their materials (1/K).
+    /// The same for temperatures that are to load them.
     pub(crate) fn reduce_for(
         &self,
-        [first, second]: [Option<(&Body, Vec<f64>)>; 2],
+        [first, second]: [Option<BodyHeat<'_>>; 2],
         clock: Clock,
     ) -> Result<([Body; 2], Effort), Fault> {
         let bodies = [self.parts[0].reduce_for(first, clock)?, self.parts[1].reduce_for(second, clock)?];

@@ -49,8 +49,8 @@ fn sharing_matrices_between_similar_cells_leaves_the_operator_as_it_is() {
     }
 }
 
-/// Columns of a temperature as a load case, on a body reduced for it and on one that was not.
-fn heated((mesh, materials): (Mesh, Vec<Material>), kept: &str, conductivity: [[f64; 2]; 2]) -> [faer::Mat<f64>; 2] {
+/// Columns of a temperature as a load case, on a body reduced for any, on one reduced for it alone, and on one that was reduced for none.
+fn heated((mesh, materials): (Mesh, Vec<Material>), kept: &str, conductivity: [[f64; 2]; 2]) -> [faer::Mat<f64>; 3] {
     let degrees: Vec<usize> = mesh.cells.iter().enumerate().map(|(i, c)| 7 - c.layer - i % 2).collect();
     let conductor = Material::conductor(1.0).unwrap().conducting(conductivity).unwrap();
     let load = [vec![traction(kept, |p| [p.position[1], 0.0])]];
@@ -61,7 +61,8 @@ fn heated((mesh, materials): (Mesh, Vec<Material>), kept: &str, conductivity: [[
     let state = warm.solve(&[("0", 1.0)]).unwrap();
     let case = TemperatureCase { name: "heat".into(), state, reference: 0.4 };
     let expansion = vec![1.2e-5; materials.len()];
-    let bodies = [Body::for_heat(cold.clone(), &warm, &expansion, || 0.0).unwrap(), Body::new(cold).unwrap()];
+    let made = |known| Body::for_heat(cold.clone(), &warm, known, &expansion, || 0.0).unwrap();
+    let bodies = [made(None), made(Some(std::slice::from_ref(&case))), Body::new(cold.clone()).unwrap()];
     bodies.map(|body| body.heated(&warm, std::slice::from_ref(&case), &expansion).unwrap().columns)
 }
 
@@ -69,10 +70,14 @@ fn heated((mesh, materials): (Mesh, Vec<Material>), kept: &str, conductivity: [[
 fn similar_cells_share_what_temperatures_do_to_them_unless_they_conduct_otherwise() {
     for conductivity in [[[1.0, 0.0], [0.0, 1.0]], [[1.0, 0.4], [0.4, 2.0]]] {
         for (shared, alone, kept) in [(ring(false), ring(true), "contact"), (triangles(false), triangles(true), "top")] {
-            let [[known, made], [other, _]] = [shared, alone].map(|bodies| heated(bodies, kept, conductivity));
+            let [[any, known, made], [other, alone, _]] = [shared, alone].map(|bodies| heated(bodies, kept, conductivity));
             assert_eq!((&known - &made).norm_max(), 0.0);
-            let difference = (&known - &other).norm_max();
-            assert!(difference < 1e-11 * other.norm_max(), "{kept} {conductivity:?}: {difference:.1e}");
+            for found in [&any, &known, &alone] {
+                let difference = (found - &other).norm_max();
+                assert!(difference < 1e-11 * other.norm_max(), "{kept} {conductivity:?}: {difference:.1e}");
+            }
+            // A cell by itself is loaded by the temperature at once.
+            assert!((&alone - &other).norm_max() > 0.0);
         }
     }
 }

@@ -1,22 +1,23 @@
 //! What frictional heat is to a shape: bodies bent by the heat of the wanted pressure, and the factors on the sliding speed that the shape bears.
 
-use contact::{ContactLoad, Pair, SpeedFactors};
+use contact::{ContactLoad, ContactOperator, Pair, SpeedFactors};
 use meshing::Cut;
 use scene::Fault;
 use shapeopt::SurfacePlace;
 
 use crate::bodies::Reduced;
 use crate::effort::Effort;
+use crate::heat::Heat;
 use crate::heat_result::HeatResult;
 use crate::level::Level;
 use crate::results::EnergyResult;
 use crate::step::Step;
 use crate::steps::answer::Told;
-use crate::steps::heat::bodies::HotBodies;
-use crate::steps::heat::following::Following;
+use crate::steps::heat::bodies::{Asked, HotBodies};
+use crate::steps::heat::following::{Following, Speeds};
 use crate::steps::heat::known::{PointHeat, with_heat};
 use crate::steps::heat::report::{Thermal, tell};
-use crate::steps::heat::warmed::into_bodies;
+use crate::steps::heat::warmed::{Surfaces, into_bodies};
 use crate::steps::shaper::Shaper;
 
 /// Bodies of a level and the heat of the wanted pressure.
@@ -27,13 +28,16 @@ pub(crate) struct HotShape<'a> {
 }
 
 impl<'a> HotShape<'a> {
-    /// The bodies of a level as they are, and bent by the heat of the wanted pressure; none of a scene without heat.
-    pub(crate) fn new(shaper: &Shaper<'a>, level: Level) -> Result<Option<(HotShape<'a>, Reduced, Effort)>, Fault> {
+    /// The bodies of a level as they are, and bent by the heat of the wanted pressure; none of a scene without heat. Where more levels are `left`, heat that
+    /// follows the pressure is not expected to be asked for.
+    pub(crate) fn new(shaper: &Shaper<'a>, level: Level, left: bool) -> Result<Option<(HotShape<'a>, Reduced, Effort)>, Fault> {
         let (stage, ends) = (shaper.stage, &shaper.ends);
-        let made = HotBodies::new(stage, level, if ends.is_empty() { Cut::Plain } else { Cut::Ends(ends) })?;
+        let cut = if ends.is_empty() { Cut::Plain } else { Cut::Ends(ends) };
+        let wanted = |surfaces: &Surfaces, heat: &Heat| wanted_heat(shaper, surfaces, heat);
+        let made = HotBodies::new(stage, level, (cut, if left { Asked::Under(&wanted) } else { Asked::Anything }))?;
         let Some((bodies, mut effort)) = made else { return Ok(None) };
         let (heat, reduced) = effort.timed(Step::Heat, stage.clock(), |_| {
-            let heat = wanted_heat(shaper, &bodies)?;
+            let heat = wanted(&bodies.surfaces, bodies.warmed.heat)?;
             let reduced = bodies.under(&heat)?;
             Ok::<_, Fault>((heat, reduced))
         })?;
@@ -43,6 +47,11 @@ impl<'a> HotShape<'a> {
     /// The bodies bent by heat that follows the pressure.
     pub(crate) fn following(&self) -> Result<Following<'a>, Fault> {
         Following::of(&self.bodies)
+    }
+
+    /// The bodies bent by heat that is near that of the wanted pressure, as far as it is smooth.
+    pub(crate) fn following_smoothly(&self) -> Result<Following<'a>, Fault> {
+        Following::near(&self.bodies, &self.heat)
     }
 
     /// Temperatures and powers of the shape on its pair, into its columns and as numbers.
@@ -58,21 +67,34 @@ impl<'a> HotShape<'a> {
 }
 
 /// Heat at the contact points of bodies under the wanted pressure.
-pub(crate) fn wanted_heat(shaper: &Shaper<'_>, bodies: &HotBodies<'_>) -> Result<PointHeat, Fault> {
-    let surfaces = &bodies.surfaces;
+pub(crate) fn wanted_heat(shaper: &Shaper<'_>, surfaces: &Surfaces, heat: &Heat) -> Result<PointHeat, Fault> {
     let forces: Vec<f64> = surfaces.points.iter().map(|p| p.weight * shaper.pressure(&SurfacePlace::from(p))).collect();
     let closed: Vec<bool> = forces.iter().map(|force| *force > 0.0).collect();
     let friction = surfaces.friction(&forces);
-    let into = into_bodies(&surfaces.shared(bodies.warmed.heat, &closed)?, &friction);
+    let into = into_bodies(&surfaces.shared(heat, &closed)?, &friction);
     Ok(PointHeat { friction, into })
 }
 
 /// Factors on the sliding speed of a shape, whose closed points are those where pressure is wanted.
-pub(crate) fn speeds(shaper: &Shaper<'_>, following: &Following<'_>) -> Result<SpeedFactors, Fault> {
+pub(crate) fn speeds(shaper: &Shaper<'_>, following: &Following<'_>) -> Result<Speeds, Fault> {
+    at_wanted(shaper, following, |operator, at| following.speeds(operator, at, &following.surfaces.rates))
+}
+
+/// Those of another level, at which the contact of the shape is singular, for comparison.
+pub(crate) fn other_factors(shaper: &Shaper<'_>, following: &Following<'_>) -> Result<SpeedFactors, Fault> {
+    at_wanted(shaper, following, |operator, at| following.factors(operator, at))
+}
+
+/// Of the contact of a shape, with its load and the points where pressure is wanted.
+fn at_wanted<T>(
+    shaper: &Shaper<'_>,
+    following: &Following<'_>,
+    of: impl Fn(&ContactOperator<'_>, (&ContactLoad, &[bool])) -> Result<T, Fault>,
+) -> Result<T, Fault> {
     let pair = following.reduced.pair()?;
     let operator = following.reduced.operator(&pair, shaper.stage.friction() > 0.0)?;
     let closed: Vec<bool> = operator.points().iter().map(|p| shaper.pressure(&SurfacePlace::from(p)) > 0.0).collect();
-    following.speeds(&operator, &contact_load(shaper, operator.points()), &closed)
+    of(&operator, (&contact_load(shaper, operator.points()), &closed))
 }
 
 /// Load of a contact on the shape, with the worn motions of its wear.

@@ -8,13 +8,15 @@ use shapeopt::{GapCurve, Shape, SurfacePlace};
 use crate::bodies::Reduced;
 use crate::effort::Effort;
 use crate::faults::unsolved;
+use crate::heat::Heat;
 use crate::level::Level;
 use crate::results::InterfaceResult;
 use crate::step::Step;
 use crate::steps::answer::Told;
 use crate::steps::diagnosis;
-use crate::steps::heat::bodies::HotBodies;
+use crate::steps::heat::bodies::{Asked, HotBodies};
 use crate::steps::heat::following::Following;
+use crate::steps::heat::warmed::Surfaces;
 use crate::steps::hot_shape::{contact_load, wanted_heat};
 use crate::steps::shaper::Shaper;
 
@@ -66,10 +68,11 @@ pub(crate) struct Independent {
 /// Also writes the pressure found into the columns that are told, interpolated between the new points.
 pub(crate) fn independent(shaper: &Shaper<'_>, level: Level, shape: &GapCurve, told: &mut Told) -> Result<Independent, Fault> {
     let finer = Level { degree: (level.degree + 2).min(hpfem::MAX_DEGREE), ..level };
-    let (following, reduced, effort) = match HotBodies::new(shaper.stage, finer, Cut::Shifted)? {
+    // The pressure is known before, but for what the proof is to find.
+    let wanted_heat = |surfaces: &Surfaces, heat: &Heat| wanted_heat(shaper, surfaces, heat);
+    let (following, reduced, effort) = match HotBodies::new(shaper.stage, finer, (Cut::Shifted, Asked::Near(&wanted_heat)))? {
         Some((bodies, mut effort)) => {
-            // The pressure is known before, but for what the proof is to find.
-            let near = |_: &mut Effort| Following::near(&bodies, &wanted_heat(shaper, &bodies)?);
+            let near = |_: &mut Effort| Following::near(&bodies, &wanted_heat(&bodies.surfaces, bodies.warmed.heat)?);
             (Some(effort.timed(Step::Heat, shaper.stage.clock(), near)?), None, effort)
         }
         None => {

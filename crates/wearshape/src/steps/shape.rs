@@ -72,11 +72,13 @@ pub(crate) fn solve(stage: Stage<'_>, before: &Before<'_>, watch: &mut Watch<'_>
     let ladder = Ladder::of(stage.problem, stage.options, Step::Shape);
     let measure = stage.problem.measure();
     let distance = |a: &Solved<'_>, b: &Solved<'_>| [difference_of_gaps(&a.gaps, &b.gaps, &b.closing, measure)];
-    let solve =
-        |level, _: &[Solved<'_>], _: &mut Watch<'_>| shaper.level(level).map(ControlFlow::Continue).map_err(Refusal::Fault);
+    let solve = |level, before: &[Solved<'_>], _: &mut Watch<'_>| {
+        let left = ladder.expects_more(before, &distance);
+        shaper.level(level, left).map(ControlFlow::Continue).map_err(Refusal::Fault)
+    };
     let Climbed { solved, mut stopped } = climb(&ladder, Vec::new(), solve, distance, watch)?;
     // A level beside that cannot be meshed or solved tells nothing.
-    let beside = ladder.beside(&mut stopped, watch).and_then(|level| shaper.level(level).ok());
+    let beside = ladder.beside(&mut stopped, watch).and_then(|level| shaper.level(level, true).ok());
     let mut effort = Effort::default();
     beside.iter().chain(&solved).for_each(|level| effort += level.effort.clone());
     let degrees: Vec<usize> = ladder.levels.iter().map(|level| level.degree).collect();
@@ -131,9 +133,9 @@ impl<'a> Shaper<'a> {
         (0..count).map(|i| length * i as f64 / (count - 1) as f64).collect()
     }
 
-    /// Solves one level.
-    fn level(&self, level: Level) -> Result<Solved<'a>, Fault> {
-        let (reduced, hot, mut effort) = match HotShape::new(self, level)? {
+    /// Solves one level, after which others are expected to be `left` or not.
+    fn level(&self, level: Level, left: bool) -> Result<Solved<'a>, Fault> {
+        let (reduced, hot, mut effort) = match HotShape::new(self, level, left)? {
             Some((hot, reduced, effort)) => (Arc::new(reduced), Some(hot), effort),
             None => {
                 let (reduced, effort) = self.stage.reduced_at(level, &self.ends)?;
@@ -232,8 +234,8 @@ impl<'a> Shaper<'a> {
             let own = hot.following()?;
             let found = hot_shape::speeds(self, &own)?;
             // Without a speed at which the contact is singular there is nothing to compare.
-            let other = other.and_then(|other| other.hot.as_ref()).filter(|_| !found.singular.is_empty());
-            let other = other.map(|other| hot_shape::speeds(self, &other.following()?)).transpose()?;
+            let other = other.and_then(|other| other.hot.as_ref()).filter(|_| !found.factors.singular.is_empty());
+            let other = other.map(|other| hot_shape::other_factors(self, &other.following_smoothly()?)).transpose()?;
             result.take_speeds(&found, other.as_ref());
             following = Some(own);
         }

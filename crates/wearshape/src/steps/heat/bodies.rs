@@ -9,8 +9,9 @@ use scene::Fault;
 
 use crate::bodies::Reduced;
 use crate::effort::{Counters, Effort};
+use crate::heat::Heat;
 use crate::level::Level;
-use crate::parts::Parts;
+use crate::parts::{BodyHeat, Parts};
 use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::heat::known::{HEAT, PointHeat, same_points};
@@ -36,9 +37,27 @@ enum Temperatures {
     Strains(Vec<Eigenstrain>),
 }
 
+/// The heat at the contact points of both surfaces.
+pub(crate) type HeatOf<'k> = &'k dyn Fn(&Surfaces, &Heat) -> Result<PointHeat, Fault>;
+
+/// What is to be asked of the bodies: less of it takes less.
+#[derive(Clone, Copy)]
+pub(crate) enum Asked<'k> {
+    /// Anything.
+    Anything,
+    /// [`HotBodies::under`] this heat.
+    Under(HeatOf<'k>),
+    /// [`HotBodies::near`] this heat, for fluxes that are smooth along the surface.
+    Near(HeatOf<'k>),
+}
+
 impl<'a> HotBodies<'a> {
     /// Bodies of a level; none of a scene without heat.
-    pub(crate) fn new(stage: Stage<'a>, level: Level, cut: Cut<'_>) -> Result<Option<(HotBodies<'a>, Effort)>, Fault> {
+    pub(crate) fn new(
+        stage: Stage<'a>,
+        level: Level,
+        (cut, asked): (Cut<'_>, Asked<'_>),
+    ) -> Result<Option<(HotBodies<'a>, Effort)>, Fault> {
         if stage.problem.heat.is_none() {
             return Ok(None);
         }
@@ -47,10 +66,20 @@ impl<'a> HotBodies<'a> {
         let start = stage.clock()();
         let Some(warmed) = Warmed::new(stage, &parts, level)? else { return Ok(None) };
         let surfaces = warmed.surfaces(&warmed.pair()?)?;
+        let of = |heat: HeatOf<'_>| heat(&surfaces, warmed.heat);
+        let known = match asked {
+            Asked::Anything => [None, None],
+            Asked::Under(heat) => under(&warmed, &of(heat)?)?.map(Some),
+            Asked::Near(heat) => near(&warmed, &surfaces, &of(heat)?, &surfaces.smooth())?.map(Some),
+        };
         effort.add_seconds(Step::Heat, stage.clock()() - start);
         (stage.options.begun)(Step::Factor);
-        let fields = [0, 1].map(|number| warmed.conduction(number).map(|own| (&own.body, warmed.expansion(number))));
-        let (cold, work) = parts.reduce_for(fields, stage.clock())?;
+        let heats = [0, 1].map(|number| {
+            let known = known[number].as_ref().and_then(Temperatures::fields);
+            let own = warmed.conduction(number)?;
+            Some(BodyHeat { temperature: &own.body, known, expansion: warmed.expansion(number) })
+        });
+        let (cold, work) = parts.reduce_for(heats, stage.clock())?;
         let counters = work.counters.clone();
         effort += work;
         Ok(Some((HotBodies { warmed: Arc::new(warmed), surfaces: Arc::new(surfaces), parts, cold, counters }, effort)))
@@ -58,49 +87,19 @@ impl<'a> HotBodies<'a> {
 
     /// The bodies with one load each, of their temperature under heat at the contact points.
     pub(crate) fn under(&self, heat: &PointHeat) -> Result<Reduced, Fault> {
-        let (warmed, reference) = (&self.warmed, self.warmed.heat.reference);
-        let of = |number: usize, state: Option<InterfaceState>| match (state, &warmed.second) {
-            (Some(state), _) => Temperatures::Fields(vec![TemperatureCase { name: HEAT.to_string(), state, reference }]),
-            (None, Second::Drum(drum)) if number == 1 => {
-                Temperatures::Strains(vec![drum.strain(heat.into[1].iter().sum(), reference)])
-            }
-            (None, _) => Temperatures::Strains(Vec::new()),
-        };
-        let [first, second] = warmed.states(&warmed.pair()?, &heat.into);
-        self.with([of(0, first), of(1, second)])
+        self.with(under(&self.warmed, heat)?)
     }
 
     /// The bodies with a load of what flows without friction, then one of each unit of heat at the contact points, or of all heat alike.
     pub(crate) fn by_units(&self) -> Result<Reduced, Fault> {
         let none = vec![0.0; self.surfaces.points.len()];
-        self.about(&[none.clone(), none], Mat::clone)
+        self.with(about(&self.warmed, &self.surfaces, &[none.clone(), none], Mat::clone)?)
     }
 
     /// The bodies with a load of their temperature under heat at the contact points, then one of each of the fluxes (a column each, at the contact points),
     /// or of all heat alike.
     pub(crate) fn near(&self, heat: &PointHeat, fluxes: &Mat<f64>) -> Result<Reduced, Fault> {
-        let points = &self.surfaces.points;
-        let heats = Mat::from_fn(points.len(), fluxes.ncols(), |i, k| points[i].weight * fluxes[(i, k)]);
-        self.about(&heat.into, |units| units * &heats)
-    }
-
-    /// The bodies with a load of their temperature under heat into each at the contact points, then those of temperatures made of the ones by unit heats.
-    fn about(&self, into: &[Vec<f64>; 2], made_of: impl Fn(&Mat<f64>) -> Mat<f64>) -> Result<Reduced, Fault> {
-        let (warmed, reference) = (&self.warmed, self.warmed.heat.reference);
-        let of = |number: usize, state: Option<InterfaceState>| match (state, &warmed.second) {
-            (Some(state), _) => {
-                let further = self.surfaces.units[number].iter().flat_map(|units| cases(&made_of(units), state.factors.len()));
-                let further: Vec<TemperatureCase> = further.collect();
-                let first = TemperatureCase { name: HEAT.to_string(), state, reference };
-                Temperatures::Fields(std::iter::once(first).chain(further).collect())
-            }
-            (None, Second::Drum(drum)) if number == 1 => {
-                Temperatures::Strains(vec![drum.strain(into[1].iter().sum(), reference), drum.unit_strain()])
-            }
-            (None, _) => Temperatures::Strains(Vec::new()),
-        };
-        let [first, second] = warmed.states(&warmed.pair()?, into);
-        self.with([of(0, first), of(1, second)])
+        self.with(near(&self.warmed, &self.surfaces, heat, fluxes)?)
     }
 
     /// The reduced bodies with the loads of temperatures.
@@ -128,6 +127,61 @@ impl<'a> HotBodies<'a> {
             (Temperatures::Fields(_) | Temperatures::Strains(_), _) => Ok(cold.interface.clone()),
         }
     }
+}
+
+impl Temperatures {
+    /// Those of a temperature field.
+    fn fields(&self) -> Option<&[TemperatureCase]> {
+        match self {
+            Temperatures::Fields(cases) => Some(cases),
+            Temperatures::Strains(_) => None,
+        }
+    }
+}
+
+/// Of each body its temperature under heat at the contact points.
+fn under(warmed: &Warmed<'_>, heat: &PointHeat) -> Result<[Temperatures; 2], Fault> {
+    let reference = warmed.heat.reference;
+    let of = |number: usize, state: Option<InterfaceState>| match (state, &warmed.second) {
+        (Some(state), _) => Temperatures::Fields(vec![TemperatureCase { name: HEAT.to_string(), state, reference }]),
+        (None, Second::Drum(drum)) if number == 1 => {
+            Temperatures::Strains(vec![drum.strain(heat.into[1].iter().sum(), reference)])
+        }
+        (None, _) => Temperatures::Strains(Vec::new()),
+    };
+    let [first, second] = warmed.states(&warmed.pair()?, &heat.into);
+    Ok([of(0, first), of(1, second)])
+}
+
+/// The same, then temperatures by each of the fluxes.
+fn near(warmed: &Warmed<'_>, surfaces: &Surfaces, heat: &PointHeat, fluxes: &Mat<f64>) -> Result<[Temperatures; 2], Fault> {
+    let points = &surfaces.points;
+    let heats = Mat::from_fn(points.len(), fluxes.ncols(), |i, k| points[i].weight * fluxes[(i, k)]);
+    about(warmed, surfaces, &heat.into, |units| units * &heats)
+}
+
+/// Of each body its temperature under heat into it at the contact points, then temperatures made of the ones by unit heats.
+fn about(
+    warmed: &Warmed<'_>,
+    surfaces: &Surfaces,
+    into: &[Vec<f64>; 2],
+    made_of: impl Fn(&Mat<f64>) -> Mat<f64>,
+) -> Result<[Temperatures; 2], Fault> {
+    let reference = warmed.heat.reference;
+    let of = |number: usize, state: Option<InterfaceState>| match (state, &warmed.second) {
+        (Some(state), _) => {
+            let further = surfaces.units[number].iter().flat_map(|units| cases(&made_of(units), state.factors.len()));
+            let further: Vec<TemperatureCase> = further.collect();
+            let first = TemperatureCase { name: HEAT.to_string(), state, reference };
+            Temperatures::Fields(std::iter::once(first).chain(further).collect())
+        }
+        (None, Second::Drum(drum)) if number == 1 => {
+            Temperatures::Strains(vec![drum.strain(into[1].iter().sum(), reference), drum.unit_strain()])
+        }
+        (None, _) => Temperatures::Strains(Vec::new()),
+    };
+    let [first, second] = warmed.states(&warmed.pair()?, into);
+    Ok([of(0, first), of(1, second)])
 }
 
 /// Temperatures with these kept unknowns, a column each, of a body of temperature with so many columns of loads.

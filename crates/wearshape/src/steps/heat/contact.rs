@@ -78,9 +78,11 @@ impl<'a> HotContact<'a> {
         let thermal = Thermal { stage, pair: operator.pair(), factors: thermal_factors(stage, operator, found) };
         let mut result = tell(&self.following.warmed, &self.hot.heat, told, &thermal)?;
         if found.status.is_solved() {
-            let speeds = self.following.speeds(operator, &stage.contact_load(operator.points()), &found.closed)?;
+            let following = &self.following;
+            let at = (&stage.contact_load(operator.points()), &found.closed[..]);
+            let speeds = following.speeds(operator, at, &following.surfaces.rates)?;
             result.take_speeds(&speeds, before.as_ref());
-            *before = Some(speeds);
+            *before = Some(speeds.factors);
         }
         Ok(result)
     }

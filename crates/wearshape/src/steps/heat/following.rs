@@ -14,9 +14,8 @@ use crate::heat::Split;
 use crate::level::Level;
 use crate::stage::Stage;
 use crate::step::Step;
-use crate::steps::heat::bodies::HotBodies;
+use crate::steps::heat::bodies::{Asked, HotBodies};
 use crate::steps::heat::known::PointHeat;
-use crate::steps::heat::smooth::smooth;
 use crate::steps::heat::warmed::{Second, Surfaces, Warmed, into_bodies};
 
 /// Contact solves until the points that conduct are those in contact, and how many of them in which points may begin to conduct.
@@ -41,7 +40,7 @@ pub(crate) struct Following<'a> {
     pub reduced: Arc<Reduced>,
     /// The bodies as problems of temperature.
     pub warmed: Arc<Warmed<'a>>,
-    pub(super) surfaces: Arc<Surfaces>,
+    pub(crate) surfaces: Arc<Surfaces>,
     pub(super) follows: [Follows; 2],
     /// Heat into each body (mW) whose temperature is the load case of the heat; what follows the pressure is what is beyond it.
     about: [Vec<f64>; 2],
@@ -57,10 +56,18 @@ pub(crate) struct Hot {
     pub lost_at: Option<f64>,
 }
 
+/// Factors on the sliding speed.
+pub(crate) struct Speeds {
+    /// Those of the points in contact.
+    pub factors: SpeedFactors,
+    /// That of separation, of surfaces without a gap, whose points all are.
+    pub separation: Option<f64>,
+}
+
 impl<'a> Following<'a> {
     /// Bodies of a level; none of a scene without heat.
     pub(crate) fn new(stage: Stage<'a>, level: Level, cut: Cut<'_>) -> Result<Option<(Following<'a>, Effort)>, Fault> {
-        let Some((bodies, mut effort)) = HotBodies::new(stage, level, cut)? else { return Ok(None) };
+        let Some((bodies, mut effort)) = HotBodies::new(stage, level, (cut, Asked::Anything))? else { return Ok(None) };
         let following = effort.timed(Step::Heat, stage.clock(), |_| Following::of(&bodies))?;
         Ok(Some((following, effort)))
     }
@@ -72,10 +79,9 @@ impl<'a> Following<'a> {
     }
 
     /// Bodies whose heat is near a known one: exact at that heat, and beyond it for what is smooth along the surface. It takes as many temperatures as
-    /// [`smooth`] has, whatever the number of points.
+    /// [`Surfaces::smooth`] has, whatever the number of points.
     pub(crate) fn near(bodies: &HotBodies<'a>, heat: &PointHeat) -> Result<Following<'a>, Fault> {
-        let points: Vec<(f64, f64)> = bodies.surfaces.points.iter().map(|point| (point.arc, point.weight)).collect();
-        let smooth = smooth(&points);
+        let smooth = bodies.surfaces.smooth();
         let reduced = bodies.near(heat, &smooth)?;
         Ok(Following::made(bodies, reduced, || Follows::Sums(smooth.transpose().to_owned()), heat.into.clone()))
     }
@@ -144,35 +150,40 @@ impl<'a> Following<'a> {
         Err(Fault::at("heat.conductance", "not-converged", message, "give heat.share, or another gap"))
     }
 
-    /// Factors on the sliding speed for points in contact; that of separation is for surfaces without a gap, whose points all are.
+    /// Factors on the sliding speed for points in contact.
+    pub(crate) fn factors(
+        &self,
+        operator: &ContactOperator<'_>,
+        (base, closed): (&ContactLoad, &[bool]),
+    ) -> Result<SpeedFactors, Fault> {
+        operator.speed_factors(&self.fitting(base, &self.surfaces.rates, closed)?, closed).map_err(unsolved)
+    }
+
+    /// The same, and the factor of separation, where normal forces make heat at other rates (mm/s).
     pub(crate) fn speeds(
         &self,
         operator: &ContactOperator<'_>,
-        base: &ContactLoad,
-        closed: &[bool],
-    ) -> Result<SpeedFactors, Fault> {
-        self.speeds_at(operator, base, &self.surfaces.rates, closed)
+        (base, closed): (&ContactLoad, &[bool]),
+        rates: &[f64],
+    ) -> Result<Speeds, Fault> {
+        let factors = |closed: &[bool]| {
+            let load = self.fitting(base, rates, closed)?;
+            let factors = operator.speed_factors(&load, closed).map_err(unsolved)?;
+            Ok::<_, Fault>((load, factors))
+        };
+        let all = vec![true; closed.len()];
+        let (load, whole) = factors(&all)?;
+        let separation = whole.staggered.map(|staggered| operator.separation_factor(&load, staggered).map_err(unsolved));
+        let separation = separation.transpose()?.flatten();
+        let factors = if closed == all { whole } else { factors(closed)?.1 };
+        Ok(Speeds { factors, separation })
     }
 
-    /// The same where normal forces make heat at other rates (mm/s).
-    pub(super) fn speeds_at(
-        &self,
-        operator: &ContactOperator<'_>,
-        base: &ContactLoad,
-        rates: &[f64],
-        closed: &[bool],
-    ) -> Result<SpeedFactors, Fault> {
-        let factors = |closed: &[bool]| {
-            let mut load = self.load(base, &self.shared(closed)?, rates);
-            // Bodies without any heat fit.
-            load.factors.iter_mut().zip(&base.factors).for_each(|(factors, base)| factors[base.len()..].fill(0.0));
-            operator.speed_factors(&load, closed).map_err(unsolved)
-        };
-        let all = factors(&vec![true; closed.len()])?;
-        if closed.iter().all(|closed| *closed) {
-            return Ok(all);
-        }
-        Ok(SpeedFactors { separation: all.separation, ..factors(closed)? })
+    /// The load of bodies that fit where nothing heats them.
+    fn fitting(&self, base: &ContactLoad, rates: &[f64], closed: &[bool]) -> Result<ContactLoad, Fault> {
+        let mut load = self.load(base, &self.shared(closed)?, rates);
+        load.factors.iter_mut().zip(&base.factors).for_each(|(factors, base)| factors[base.len()..].fill(0.0));
+        Ok(load)
     }
 
     /// Whether what points are in contact decides how the heat is shared.
@@ -241,7 +252,7 @@ mod tests {
         let (options, kept) = (Options::default(), Bodies::default());
         let stage = Stage::new(&problem, &options, &kept).unwrap();
         let level = Level { degree: 6, layers: 2, slow: false };
-        let (bodies, _) = HotBodies::new(stage, level, Cut::Plain).unwrap().unwrap();
+        let (bodies, _) = HotBodies::new(stage, level, (Cut::Plain, Asked::Anything)).unwrap().unwrap();
         let solved = |following: &Following<'_>| {
             let pair = following.reduced.pair().unwrap();
             let operator = following.reduced.operator(&pair, stage.friction() > 0.0).unwrap();

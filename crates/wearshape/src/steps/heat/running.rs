@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use contact::faer::Mat;
-use contact::{ContactLoad, ContactOperator, ContactSolution, HeatExchange, HeatSplit, HeatedSystem, SpeedFactors};
+use contact::{ContactLoad, ContactOperator, ContactSolution, HeatExchange, HeatSplit, HeatedSystem};
 use scene::Fault;
 
 use crate::bodies::Reduced;
@@ -15,7 +15,7 @@ use crate::level::Level;
 use crate::stage::Stage;
 use crate::steps::answer::Told;
 use crate::steps::heat::boundary::highest_of_each;
-use crate::steps::heat::following::{Following, Follows, Hot, lost};
+use crate::steps::heat::following::{Following, Follows, Hot, Speeds, lost};
 use crate::steps::heat::known::PointHeat;
 use crate::steps::heat::report::{Thermal, tell};
 use crate::steps::heat::warmed::{Second, into_bodies};
@@ -142,8 +142,8 @@ impl<'a> Running<'a> {
     }
 
     /// Factors on the sliding speed of a contact.
-    pub(crate) fn speeds(&self, operator: &ContactOperator<'_>, at: Instant<'_>, closed: &[bool]) -> Result<SpeedFactors, Fault> {
-        self.following.speeds_at(operator, at.base, &self.following.surfaces.rates_of(at.stage), closed)
+    pub(crate) fn speeds(&self, operator: &ContactOperator<'_>, at: Instant<'_>, closed: &[bool]) -> Result<Speeds, Fault> {
+        self.following.speeds(operator, (at.base, closed), &self.following.surfaces.rates_of(at.stage))
     }
 }
 

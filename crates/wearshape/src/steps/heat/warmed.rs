@@ -12,6 +12,7 @@ use crate::parts::Parts;
 use crate::stage::Stage;
 use crate::steps::heat::conduction::Conduction;
 use crate::steps::heat::drum::WarmDrum;
+use crate::steps::heat::smooth::smooth;
 
 /// Body 2 as far as heat knows it.
 pub(crate) enum Second {
@@ -159,6 +160,12 @@ impl Surfaces {
             let message = "both surfaces are held at a temperature where they touch without resistance";
             Fault::at("heat.conductance", "no-temperature", message, "give a finite conductance, or hold other edges")
         })
+    }
+
+    /// Fluxes that are smooth along the surface, a column each.
+    pub(crate) fn smooth(&self) -> Mat<f64> {
+        let points: Vec<(f64, f64)> = self.points.iter().map(|point| (point.arc, point.weight)).collect();
+        smooth(&points)
     }
 
     /// Frictional heat at the points (mW) by the normal forces there.

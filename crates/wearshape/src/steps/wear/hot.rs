@@ -91,7 +91,7 @@ impl Hot<'_> {
         let speeds = self.running.speeds(operator, at, &closed)?;
         let other = before.last().map(|level| SpeedFactors { singular: level.singular.clone(), ..SpeedFactors::default() });
         result.take_speeds(&speeds, other.as_ref());
-        Ok(ToldHeat { result, heat, singular: speeds.singular })
+        Ok(ToldHeat { result, heat, singular: speeds.factors.singular })
     }
 
     /// Columns of history.csv: the highest temperature of each body in every state.
