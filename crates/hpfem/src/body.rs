@@ -2,7 +2,7 @@
 
 use crate::assembly::Assembly;
 use crate::basis::LocalModes;
-use crate::cell_heat::{CellHeats, TemperatureCase, Warm};
+use crate::cell_heat::{CellHeats, TemperatureCase};
 use crate::cell_matrix::map_cells;
 use crate::edge_load::Loads;
 use crate::effort::{Clock, Effort, still};
@@ -76,7 +76,7 @@ impl Body {
         expansion: &[f64],
         clock: Clock,
     ) -> Result<Body, Error> {
-        let reduction = reduce(&problem, true, clock, Some(Warm { body: temperature, expansion, cases: known }))?;
+        let reduction = reduce(&problem, true, clock, Some(temperature.warm(known, expansion)?))?;
         Ok(Body::of(problem, reduction))
     }
 

@@ -6,8 +6,7 @@
 
 use crate::assembly::Assembly;
 use crate::basis::{LocalModes, SpaceKind};
-use crate::body::Body;
-use crate::cell_matrix::sources;
+use crate::cell_matrix::{SharedMatrices, boundary_block, map_cells};
 use crate::congruence::{Congruence, Turn};
 use crate::edge_load::Loads;
 use crate::element::Workspace;
@@ -35,11 +34,13 @@ pub struct TemperatureCase {
 }
 
 /// A body of temperature on the same mesh, by how much each material expands, 1/K, and temperatures where they are known.
-#[derive(Clone, Copy)]
 pub(crate) struct Warm<'a> {
-    pub(crate) body: &'a Body,
+    pub(crate) problem: &'a BodyProblem,
+    pub(crate) space: &'a Space,
     pub(crate) expansion: &'a [f64],
     pub(crate) cases: Option<&'a [TemperatureCase]>,
+    /// These on the groups of its unknowns; none without.
+    pub(crate) values: Vec<Mat<f64>>,
 }
 
 /// What the temperatures of another body on the same mesh do to the cells of one.
@@ -47,8 +48,6 @@ pub(crate) struct Warming<'a> {
     /// The problem of temperature.
     pub(crate) thermal: Assembly<'a>,
     warm: Warm<'a>,
-    /// The temperatures that are known, on the groups of theirs.
-    values: Vec<Mat<f64>>,
 }
 
 /// The loads of temperatures on the boundary modes of the cells of each class.
@@ -82,15 +81,14 @@ impl CellHeats {
 
     /// Whether they were made for these temperatures.
     pub(crate) fn are_for(&self, warming: &Warming<'_>) -> bool {
-        let Warm { body, expansion, cases } = warming.warm;
-        let problem = &body.problem;
+        let Warm { problem, expansion, cases, .. } = &warming.warm;
         Arc::ptr_eq(&self.mesh, &problem.mesh)
             && self.conductors == problem.materials
             && self.kinematics == problem.kinematics
             && self.space == problem.space
-            && self.expansion == expansion
+            && self.expansion == *expansion
             && self.edges == warming.edges(&self.congruence)
-            && (self.cases.is_none() || self.cases.as_deref() == cases)
+            && (self.cases.is_none() || self.cases.as_deref() == *cases)
     }
 
     /// Loads of the temperatures of `warming` on the boundary modes of the class of a cell, a column each.
@@ -107,12 +105,9 @@ impl CellHeats {
 impl<'a> Warming<'a> {
     /// Refuses temperatures of another mesh, or with sources inside.
     pub(crate) fn new((problem, space): (&BodyProblem, &Space), warm: Warm<'a>) -> Result<Warming<'a>, Error> {
-        let thermal = &warm.body.problem;
-        let loads = Loads::new(&thermal.mesh, &thermal.load_cases)?;
-        check((problem, space), warm.body, &loads)?;
-        let states: Vec<InterfaceState> = warm.cases.into_iter().flatten().map(|case| case.state.clone()).collect();
-        let values = if states.is_empty() { Vec::new() } else { warm.body.values_of_groups(&states)? };
-        Ok(Warming { thermal: Assembly::new(thermal, &warm.body.factored.space, loads), warm, values })
+        let loads = Loads::new(&warm.problem.mesh, &warm.problem.load_cases)?;
+        check((problem, space), &warm, &loads)?;
+        Ok(Warming { thermal: Assembly::new(warm.problem, warm.space, loads), warm })
     }
 
     /// Number of temperatures that are known.
@@ -149,11 +144,11 @@ impl<'a> Warming<'a> {
         let cases = self.warm.cases.unwrap_or_default();
         let modes = thermal.space.boundary_modes(thermal.mesh, cell);
         let targets = thermal.targets(cell, &modes);
-        let to = sources(&modes, thermal.mesh.cells[cell].against, edges, turn);
+        let to = turn.sources(&modes, thermal.mesh.cells[cell].against, edges);
         let mut values = Mat::zeros(many, cases.len());
         for (k, TemperatureCase { state, reference, .. }) in cases.iter().enumerate() {
             for (row, (target, (mode, sign))) in targets.iter().zip(&to).enumerate() {
-                let active: f64 = target.active.iter().map(|(group, index, c)| c * self.values[*group][(*index, k)]).sum();
+                let active: f64 = target.active.iter().map(|(group, index, c)| c * self.warm.values[*group][(*index, k)]).sum();
                 let fixed: f64 = target.fixed.iter().map(|fixed| fixed.share * fixed.value).sum();
                 // The corners alone make up a constant.
                 let above = if row < modes.corners { *reference } else { 0.0 };
@@ -168,7 +163,7 @@ impl<'a> Warming<'a> {
         let Assembly { mesh, kinematics, .. } = self.thermal;
         congruence.class.iter().zip(&congruence.turn).enumerate().all(|(cell, (class, turn))| {
             let material = mesh.cells[cell].material;
-            let conductor = &self.warm.body.problem.materials[material];
+            let conductor = &self.warm.problem.materials[material];
             let first = congruence.classes[*class].first;
             cell == first
                 || material == mesh.cells[first].material
@@ -195,8 +190,7 @@ impl<'a> Warming<'a> {
         edges: Vec<[usize; 4]>,
         (loads, known): (Vec<Mat<f64>>, &[Option<Mat<f64>>]),
     ) -> CellHeats {
-        let Warm { body, expansion, cases } = self.warm;
-        let problem = &body.problem;
+        let Warm { problem, expansion, cases, .. } = &self.warm;
         let mut members = vec![0; edges.len()];
         let member = congruence.class.iter().map(|class| {
             members[*class] += 1;
@@ -249,6 +243,30 @@ impl<'a> Warming<'a> {
     }
 }
 
+impl Assembly<'_> {
+    /// Condensed matrices of all classes, and what temperatures load their cells with.
+    pub(crate) fn heated_matrices(
+        &self,
+        congruence: Congruence,
+        warming: &Warming<'_>,
+    ) -> Result<(SharedMatrices, CellHeats), Error> {
+        let edges = warming.edges(&congruence);
+        let known = warming.known(&congruence, &edges);
+        let made = map_cells(congruence.classes.len(), |work, k| {
+            let class = &congruence.classes[k];
+            let local = self.class_modes(class);
+            let strains = warming.strains(self, (class.first, edges[k]), (&local, known[k].as_ref()), work)?;
+            let (matrix, ni) = self.condensed(class.first, &local, work)?;
+            let heat = eliminate(matrix.as_ref(), ni, strains).get(ni.., ..).to_owned();
+            Ok((boundary_block(matrix, ni), heat))
+        });
+        let made = made.into_iter().collect::<Result<Vec<_>, Error>>()?;
+        let (matrices, heats) = made.into_iter().unzip();
+        let heats = warming.kept(&congruence, edges, (heats, &known));
+        Ok((SharedMatrices { congruence, matrices }, heats))
+    }
+}
+
 /// Loads on all modes of a cell, a column each, from its stiffness with the first `ni` columns factorised: `y = L_11^-1 f_i`, then the loads on
 /// the boundary with the interior condensed.
 pub(crate) fn eliminate(k: MatRef<'_, f64>, ni: usize, mut load: Mat<f64>) -> Mat<f64> {
@@ -260,7 +278,7 @@ pub(crate) fn eliminate(k: MatRef<'_, f64>, ni: usize, mut load: Mat<f64>) -> Ma
 }
 
 /// Refuses temperatures of another mesh, or with sources inside.
-fn check((problem, space): (&BodyProblem, &Space), warm: &Body, loads: &Loads<'_>) -> Result<(), Error> {
+fn check((problem, space): (&BodyProblem, &Space), warm: &Warm<'_>, loads: &Loads<'_>) -> Result<(), Error> {
     let kinematics = warm.problem.kinematics;
     let refuse = |what: &str| Err(Error::NoMeaning { what: what.to_string(), kinematics: kinematics.words() });
     if !matches!(kinematics, Kinematics::Potential { .. } | Kinematics::AxisymmetricPotential) {
@@ -273,7 +291,7 @@ fn check((problem, space): (&BodyProblem, &Space), warm: &Body, loads: &Loads<'_
     if cells != given {
         return Err(Error::Count { what: "cells of the temperature".into(), given, expected: cells });
     }
-    let [own, other] = [&space.cell_degree, &warm.factored.space.cell_degree];
+    let [own, other] = [&space.cell_degree, &warm.space.cell_degree];
     if let Some(cell) = (0..cells).find(|cell| own[*cell] != other[*cell]) {
         let what = format!("degree of the temperature in cell {cell}");
         return Err(Error::Count { what, given: other[cell], expected: own[cell] });

@@ -1,8 +1,7 @@
 //! The stiffness of a cell on its boundary modes, the interior being condensed; similar cells share it.
 
 use crate::assembly::Assembly;
-use crate::basis::{BoundaryModes, LocalModes, Table};
-use crate::cell_heat::{CellHeats, Warming, eliminate};
+use crate::basis::{LocalModes, Table};
 use crate::congruence::{Class, Congruence, Turn};
 use crate::dense::factor_leading;
 use crate::element::{CellForm, Workspace, matrix_in, stiffness};
@@ -14,9 +13,9 @@ use faer::{Accum, Mat, MatMut, Par};
 
 /// Condensed matrices of the classes of similar cells.
 pub(crate) struct SharedMatrices {
-    congruence: Congruence,
+    pub(crate) congruence: Congruence,
     /// Both triangles, columns one after the other, boundary modes of one component after those of the other; empty once no cell needs it.
-    matrices: Vec<Vec<f64>>,
+    pub(crate) matrices: Vec<Vec<f64>>,
 }
 
 /// The elements of the elimination: those of cells and foundations with loads or supports, and for all other cells the matrix of their
@@ -93,28 +92,6 @@ impl Assembly<'_> {
         });
         let matrices = made.into_iter().collect::<Result<_, Error>>()?;
         Ok(SharedMatrices { congruence, matrices })
-    }
-
-    /// The same, and what temperatures load their cells with.
-    pub(crate) fn heated_matrices(
-        &self,
-        congruence: Congruence,
-        warming: &Warming<'_>,
-    ) -> Result<(SharedMatrices, CellHeats), Error> {
-        let edges = warming.edges(&congruence);
-        let known = warming.known(&congruence, &edges);
-        let made = map_cells(congruence.classes.len(), |work, k| {
-            let class = &congruence.classes[k];
-            let local = self.class_modes(class);
-            let strains = warming.strains(self, (class.first, edges[k]), (&local, known[k].as_ref()), work)?;
-            let (matrix, ni) = self.condensed(class.first, &local, work)?;
-            let heat = eliminate(matrix.as_ref(), ni, strains).get(ni.., ..).to_owned();
-            Ok((boundary_block(matrix, ni), heat))
-        });
-        let made = made.into_iter().collect::<Result<Vec<_>, Error>>()?;
-        let (matrices, heats) = made.into_iter().unzip();
-        let heats = warming.kept(&congruence, edges, (heats, &known));
-        Ok((SharedMatrices { congruence, matrices }, heats))
     }
 
     pub(crate) fn class_modes(&self, class: &Class) -> LocalModes {
@@ -198,14 +175,14 @@ impl Assembly<'_> {
         let number = shared.congruence.class[cell];
         let (class, turn) = (&shared.congruence.classes[number], &shared.congruence.turn[cell]);
         let boundary = self.space.boundary_modes(self.mesh, cell);
-        let sources = sources(&boundary, self.mesh.cells[cell].against, class.edges, turn);
+        let sources = turn.sources(&boundary, self.mesh.cells[cell].against, class.edges);
         let sources: Vec<(usize, f64)> = order.iter().map(|mode| sources[*mode]).collect();
         turned(&shared.matrices[number], &sources, turn, self.space.components, out);
     }
 }
 
 /// The trailing block of a condensed matrix, its upper triangle filled from the lower one.
-fn boundary_block(k: MatMut<'_, f64>, ni: usize) -> Vec<f64> {
+pub(crate) fn boundary_block(k: MatMut<'_, f64>, ni: usize) -> Vec<f64> {
     let n = k.nrows() - ni;
     let mut block = vec![0.0; n * n];
     for j in 0..n {
@@ -216,24 +193,6 @@ fn boundary_block(k: MatMut<'_, f64>, ni: usize) -> Vec<f64> {
         }
     }
     block
-}
-
-/// For each boundary mode of a cell, corners first, the place of its mode in the matrix of the class, and its sign.
-pub(crate) fn sources(boundary: &BoundaryModes, against: [bool; 4], edges: [usize; 4], turn: &Turn) -> Vec<(usize, f64)> {
-    let mut sources = vec![(0, 1.0); boundary.len()];
-    let mut start = boundary.corners;
-    for i in 0..4 {
-        if i < boundary.corners {
-            sources[turn.corner[i]].0 = i;
-        }
-        let (e, reversed) = turn.edge[i];
-        for (m, source) in sources[boundary.edge(e)].iter_mut().enumerate() {
-            let odd = m % 2 == 1;
-            *source = (start + m, if odd && reversed != against[e] { -1.0 } else { 1.0 });
-        }
-        start += edges[i] - 1;
-    }
-    sources
 }
 
 /// The lower triangle of the matrix on the unknowns of a cell, displacement components running fastest.

@@ -5,6 +5,7 @@
 //! arcs with their parameter, must go over into each other by a similarity of the plane. Triangles share if they are straight: their
 //! points of quadrature prefer one corner, which makes no difference then.
 
+use crate::basis::BoundaryModes;
 use crate::curve::Curve;
 use crate::kinematics::Kinematics;
 use crate::material::Material;
@@ -55,6 +56,24 @@ impl Turn {
         matrix: [[1.0, 0.0], [0.0, 1.0]],
         scale: 1.0,
     };
+
+    /// For each boundary mode of a cell, corners first, the place of its mode in the matrix of its class, and its sign.
+    pub(crate) fn sources(&self, boundary: &BoundaryModes, against: [bool; 4], edges: [usize; 4]) -> Vec<(usize, f64)> {
+        let mut sources = vec![(0, 1.0); boundary.len()];
+        let mut start = boundary.corners;
+        for i in 0..4 {
+            if i < boundary.corners {
+                sources[self.corner[i]].0 = i;
+            }
+            let (e, reversed) = self.edge[i];
+            for (m, source) in sources[boundary.edge(e)].iter_mut().enumerate() {
+                let odd = m % 2 == 1;
+                *source = (start + m, if odd && reversed != against[e] { -1.0 } else { 1.0 });
+            }
+            start += edges[i] - 1;
+        }
+        sources
+    }
 
     /// The symmetry of the square that takes corner 0 to `start` and keeps or reverses the sense of walking.
     fn of_square(start: usize, mirrored: bool) -> Turn {

@@ -6,13 +6,13 @@
 use crate::assembly::Assembly;
 use crate::body::Body;
 use crate::cell_heat::{CellHeats, TemperatureCase, Warm, Warming, eliminate};
-use crate::cell_matrix::{map_cells, sources};
+use crate::cell_matrix::map_cells;
 use crate::congruence::Turn;
 use crate::edge_load::Loads;
 use crate::element::Workspace;
 use crate::elimination::Forward;
 use crate::error::Error;
-use crate::interface::InterfaceOperator;
+use crate::interface::{InterfaceOperator, InterfaceState};
 use crate::space::Target;
 use faer::Mat;
 
@@ -45,7 +45,7 @@ impl Body {
     /// [`Error::OtherLoads`] for states of another body.
     pub fn heated(&self, temperature: &Body, cases: &[TemperatureCase], expansion: &[f64]) -> Result<InterfaceOperator, Error> {
         let (mesh, space) = (&*self.problem.mesh, &self.factored.space);
-        let warming = Warming::new((&self.problem, space), Warm { body: temperature, expansion, cases: Some(cases) })?;
+        let warming = Warming::new((&self.problem, space), temperature.warm(Some(cases), expansion)?)?;
         let elastic = Assembly::new(&self.problem, space, Loads::new(mesh, &self.problem.load_cases)?);
         let made;
         let heats = match self.factored.heats.as_ref().filter(|heats| heats.are_for(&warming)) {
@@ -97,6 +97,13 @@ impl Body {
         Ok(self.interface.with_cases(names, [unit * columns, unit * work, unit * constant]))
     }
 
+    /// This body of temperature as what heats another one.
+    pub(crate) fn warm<'a>(&'a self, cases: Option<&'a [TemperatureCase]>, expansion: &'a [f64]) -> Result<Warm<'a>, Error> {
+        let states: Vec<InterfaceState> = cases.into_iter().flatten().map(|case| case.state.clone()).collect();
+        let values = if states.is_empty() { Vec::new() } else { self.values_of_groups(&states)? };
+        Ok(Warm { problem: &self.problem, space: &self.factored.space, expansion, cases, values })
+    }
+
     /// Work of all columns with further right-hand sides, of which `inner` is that of the load cases inside cells.
     fn work_with(&self, forward: &Forward, inner: &Mat<f64>) -> Mat<f64> {
         let (known, added) = (self.factored.cases, self.added.len());
@@ -119,7 +126,7 @@ impl Heating<'_> {
         let turn = &heats.congruence.turn[cell];
         let of_class = heats.of_cell(&self.warming, cell);
         let (modes, against) = (elastic.space.boundary_modes(elastic.mesh, cell), elastic.mesh.cells[cell].against);
-        let from = sources(&modes, against, heats.congruence.classes[class].edges, turn);
+        let from = turn.sources(&modes, against, heats.congruence.classes[class].edges);
         let below = of_class.nrows() / 2;
         // Components fastest.
         let turned = |i: usize, k: usize| {
