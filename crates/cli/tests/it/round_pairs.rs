@@ -182,7 +182,8 @@ fn round_pairs_that_cannot_be_are_refused_by_name() {
         ("cam --set body1.geometry.ring.centre=[0,36]", "contact", "do not touch"),
         ("cam --set body1.geometry.ring.centre=[1,35]", "contact", "beside the z axis"),
         ("cam --set contact.clearance=0.1", "contact.clearance", "drawn with two radii"),
-        ("cam --set tasks=[wear]", "tasks", "the task contact alone"),
+        ("cam --set tasks=[shape] --set optimum.functional=steady", "tasks", "the tasks contact and wear alone"),
+        ("cam --set tasks=[wear] --set wear.k=1e-7 --set sliding.omega=40", "wear.until", "two round bodies are worn for ever"),
     ] {
         let call = bench.check_and_run(set);
         assert!(call.code == 2 && call.err.contains(words) && call.err.contains(code), "{set}: {}", call.err);
@@ -224,6 +225,42 @@ fn a_rigid_shaft_all_around_wears_its_housing_to_its_own_circle() {
         let [scar, deep] = [apart(number("scar_mm"), 2.0 * angle * radius), apart(number("depth_um"), 1e3 * depth)];
         assert!(scar < 2e-3 && deep < 2e-3, "{scar:e} {deep:e}");
     }
+}
+
+/// Rigid rollers wear to a flat that ends at `a`, seen from the curvature `1/R = 1/R1 + 1/R2` of both: the depth in the middle is `h = a^2 / 2R`, and
+/// the volume `k F s = 2 a^3 t / 3R` (docs/round-wear.md), whichever of both wears; elastic ones begin with the contact of Hertz.
+#[test]
+fn a_rigid_roller_wears_on_its_cam_to_a_flat_and_an_elastic_one_begins_with_hertz() {
+    let bench = Bench::new();
+    let worn = |set: &str, wanted: i32| -> Value {
+        let cam = "run cam -q --set tasks=[wear] --set wear.k=1e-7 --set contact.friction=0.1 --set sliding.omega=40";
+        let call = bench.call(&format!("{cam} {set} -o out"));
+        assert_eq!(call.code, wanted, "{}", call.err);
+        serde_json::from_str(&bench.read("out/summary.json")).unwrap()
+    };
+    let (length, curved) = (12.0, 10.0 * 25.0 / 35.0);
+    let apart = |found: &Value, wanted: f64| (found.as_f64().unwrap() / wanted - 1.0).abs();
+    for (force, end) in [(1e3, 0.12_f64), (10.0, 0.3)] {
+        let depth = end * end / (2.0 * curved);
+        let distance = 2.0 * end.powi(3) * length / (3.0 * curved) / (1e-7 * force);
+        let stiff = format!(
+            "--set load.force={force} --set wear.until.depth={depth} --set body1.material.young=1e9 --set body2.material.young=1e9"
+        );
+        let wear = &worn(&stiff, 0)["wear"];
+        let [scar, deep, far] = [("scar_mm", 2.0 * end), ("depth_um", 1e3 * depth), ("distance_mm", distance)]
+            .map(|(key, wanted)| apart(&wear[key], wanted));
+        assert!(scar < 2e-3 && deep < 1e-9 && far < 1e-3, "{scar:e} {deep:e} {far:e}");
+    }
+    // What wears off is k F s at any time, up to the cosine of the end; the width at the start is that of Hertz, as far as points tell it that the ends only pass.
+    let wear = &worn("--set wear.until.depth=1e-3", 0)["wear"];
+    let volume = 1e-7 * 1e3 * wear["distance_mm"].as_f64().unwrap();
+    assert!(apart(&wear["volume_mm3"], volume) < 1e-5, "{wear}");
+    let history = bench.read("out/history.csv");
+    let start: Vec<f64> = history.lines().nth(1).unwrap().split(',').map(|word| word.parse().unwrap_or(f64::NAN)).collect();
+    let at = history.lines().next().unwrap().split(',').position(|name| name == "scar_mm").unwrap();
+    let softness = 2.0 * (1.0 - 0.3 * 0.3) / 210e3;
+    let hertz = 2.0 * (4.0 * 1e3 * curved * softness / (PI * length)).sqrt();
+    assert!((start[at] / hertz - 1.0).abs() < 2e-2, "{} {hertz}", start[at]);
 }
 
 /// A roller set on an edge with a pin takes its place, and the other way around.

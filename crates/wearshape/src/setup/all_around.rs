@@ -10,19 +10,21 @@ pub(super) fn check(scene: &Scene, tasks: &[Task], first: Option<&Body>, patch: 
     let Some(body) = first else { return Ok(()) };
     let refuse = |key: &str, message: String, remedy: &str| Err(Fault::at(key, "not-available", message, remedy));
     match (touches_all_around(body), patch.is_some_and(Patch::is_convex)) {
-        (_, true) if tasks != [Task::Contact] => {
-            let message =
-                "two round bodies that touch from outside have the task contact alone: where it touches follows from the load";
-            return refuse("tasks", message.to_string(), "write tasks = [\"contact\"]");
+        (_, true) if tasks.iter().any(|task| !matches!(task, Task::Contact | Task::Wear)) => {
+            let message = "two round bodies that touch from outside have the tasks contact and wear alone: where they touch follows from the load";
+            return refuse("tasks", message.to_string(), "write tasks = [\"contact\"], or [\"wear\"]");
         }
         (true, false) if patch.is_some() && tasks.iter().any(|task| !matches!(task, Task::Contact | Task::Wear)) => {
             let message = "a whole circle that touches along a part of it has the tasks contact and wear alone: where it touches follows from the load";
             return refuse("tasks", message.to_string(), "write tasks = [\"contact\"], or [\"wear\"]");
         }
-        (true, false)
-            if patch.is_some() && tasks.contains(&Task::Wear) && scene.wear.as_ref().is_none_or(|wear| wear.until.is_none()) =>
+        (around, convex)
+            if (around && patch.is_some() || convex)
+                && tasks.contains(&Task::Wear)
+                && scene.wear.as_ref().is_none_or(|wear| wear.until.is_none()) =>
         {
-            let message = "a whole circle is worn for ever: its contact grows, and no pressure is steady".to_string();
+            let what = if convex { "two round bodies are" } else { "a whole circle is" };
+            let message = format!("{what} worn for ever: the contact grows, and no pressure is steady");
             return refuse("wear.until", message, "give a time, as in wear.until = \"10 h\"");
         }
         (_, true) | (true, false) => {}

@@ -23,7 +23,7 @@ use crate::steps::contact_result::result;
 use crate::steps::diagnosis::Diagnosis;
 use crate::steps::free_ends::{Positioned, nearer, position};
 use crate::steps::heat::contact::HotContact;
-use crate::steps::hertz_trial::hertz_end;
+use crate::steps::hertz_trial::short_contact;
 use crate::steps::reported::{Moment, Reported};
 use crate::steps::start_gap::{start_gap, start_gaps};
 use crate::steps::twist::Twist;
@@ -221,14 +221,11 @@ const SHORT: f64 = 0.1;
 
 /// Trial ends of a short contact of two circles that touch; none of other contacts.
 fn short_ends(stage: Stage<'_>) -> FreeEnds {
-    let (Some((touch, radius)), Some([from, to])) = (stage.problem.gap.touch(), stage.patch.places()) else {
+    let (Some((end, touch)), Some([from, to])) = (short_contact(stage, SHORT), stage.patch.places()) else {
         return FreeEnds::default();
     };
-    let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-    let end = hertz_end(radius, stage.couple, &stage.problem.load) / half;
-    let at = (touch - middle) / half;
-    let inside = end > 0.0 && end < SHORT && at.abs() + 2.0 * end < 1.0;
-    if inside { FreeEnds::near(vec![at - end, at + end]) } else { FreeEnds::default() }
+    let half = 0.5 * (to - from);
+    FreeEnds::near([touch - end, touch + end].map(|place| (place - 0.5 * (from + to)) / half).to_vec())
 }
 
 /// The contact on bodies with nodes on its ends.

@@ -5,6 +5,16 @@ use meshing::{Body, Couple};
 use scene::Material;
 
 use crate::load::Load;
+use crate::stage::Stage;
+
+/// Half the width (mm) of a contact of two circles that is shorter than a share of half the surface, and where they touch first; none of other contacts.
+pub(crate) fn short_contact(stage: Stage<'_>, share: f64) -> Option<(f64, f64)> {
+    let ((touch, radius), [from, to]) = (stage.problem.gap.touch()?, stage.patch.places()?);
+    let half = 0.5 * (to - from);
+    let end = hertz_end(radius, stage.couple, &stage.problem.load);
+    let inside = end > 0.0 && end < share * half && (touch - 0.5 * (from + to)).abs() + 2.0 * end < half;
+    inside.then_some((end, touch))
+}
 
 /// Half the width of contact, or its radius (Johnson 1985, sec. 4.2 and 7.2), of the softest materials of both bodies.
 pub(crate) fn hertz_end(radius: f64, couple: &Couple, load: &Load) -> f64 {

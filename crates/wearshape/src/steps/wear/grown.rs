@@ -3,6 +3,7 @@
 use crate::effort::Effort;
 use crate::ladder::Refusal;
 use crate::stage::Stage;
+use crate::steps::hertz_trial::short_contact;
 use crate::steps::wear::pieces::Pieces;
 use crate::steps::wear::rough::{self, FOUND, Rough, TRIALS};
 use crate::steps::wear::round_mesh::breaks;
@@ -12,10 +13,13 @@ const FULL: f64 = 0.98;
 /// The shortest contact at the start that the mesh knows of, over that at the end: what was worn in a shorter one is worn off by then.
 const SHORTEST: f64 = 1.0 / 16.0;
 
+/// Share of half the surface that the contact is shorter than at the start where its ends are guessed for the first rough run.
+const SHORT: f64 = 0.5;
+
 /// Nodes from -1 to 1 along the surface that the ends of contact pass, to where they are at the end; none where no rough run tells them.
 pub(super) fn nodes(stage: Stage<'_>, pieces: &Pieces) -> Result<(Vec<f64>, Effort), Refusal> {
     let mut effort = Effort::default();
-    let mut nodes = Vec::new();
+    let mut nodes = short(stage).map_or_else(Vec::new, |guess| cut(stage, &guess));
     let mut before: Option<[f64; 2]> = None;
     for _ in 0..TRIALS {
         let found = match rough::run(stage, pieces, &nodes, &mut effort) {
@@ -35,6 +39,12 @@ pub(super) fn nodes(stage: Stage<'_>, pieces: &Pieces) -> Result<(Vec<f64>, Effo
         nodes.clear();
     }
     Ok((nodes, effort))
+}
+
+/// Where the ends of a contact may move that begins too short for a mesh that knows nothing of it.
+fn short(stage: Stage<'_>) -> Option<Rough> {
+    let (end, _) = short_contact(stage, SHORT)?;
+    Some(Rough { start: [-end, end], end: [-end / SHORTEST, end / SHORTEST] })
 }
 
 /// The nodes of ends that move as a rough run tells.
