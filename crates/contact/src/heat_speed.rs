@@ -120,10 +120,10 @@ impl Pencil {
 
     /// The factor at which a pressure vanishes first.
     fn separation(&self, unit: f64) -> Option<f64> {
-        if !(self.least(0.0) > 0.0) {
+        let pressed = |factor: f64| Some([factor, self.least(factor)]).filter(|[_, least]| *least > 0.0);
+        if pressed(0.0).is_none() {
             return Some(0.0);
         }
-        let pressed = |factor: f64| Some([factor, self.least(factor)]).filter(|[_, least]| *least > 0.0);
         let mut below = self.before(unit).and_then(pressed).unwrap_or([0.0; 2]);
         let mut factor = if below[0] > 0.0 { STEP * below[0] } else { RANGE[0] * unit };
         while let Some(pressed) = pressed(factor) {
@@ -143,7 +143,12 @@ impl Pencil {
         let size = |term: &Mat<f64>| term.norm_max();
         let mut terms = vec![solved.get(..self.points, ..).to_owned()];
         let highest = SERIES * unit;
-        while !(size(terms.last()?) <= NOTHING * size(&terms[0])) {
+        loop {
+            let last = size(terms.last()?);
+            if last <= NOTHING * size(&terms[0]) {
+                break;
+            }
+            // Nor does it where terms are no numbers.
             if terms.len() > TERMS {
                 return None;
             }
