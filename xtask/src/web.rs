@@ -17,6 +17,18 @@ const PACKAGES: [&str; 2] = ["chromium", "python3-venv"];
 const DRIVER: &str = "playwright>=1.50,<2";
 /// What all processors of browsers since 2023 have, and a stack as large as that of a program.
 const FLAGS: &str = "-C target-feature=+simd128 -C link-arg=-zstack-size=8388608";
+/// What takes 2 % off the module, of the steps after the compiler's (`wasm-opt` of Binaryen): the first level, as the others
+/// make it larger by brotli; and what the module is built for.
+const SMALLER: [&str; 8] = [
+    "-O1",
+    "--enable-simd",
+    "--enable-bulk-memory",
+    "--enable-sign-ext",
+    "--enable-nontrapping-float-to-int",
+    "--enable-mutable-globals",
+    "--enable-reference-types",
+    "--enable-multivalue",
+];
 /// Prints name, bytes, and bytes by gzip and brotli of each file of a folder.
 const COMPRESS: &str = r#"
 import { readFileSync, readdirSync } from "node:fs";
@@ -58,13 +70,17 @@ fn built(root: &Path, install: bool) -> Result<(), String> {
         fs::remove_dir_all(&out).map_err(|error| format!("{}: {error}", out.display()))?;
     }
     fs::create_dir_all(&out).map_err(|error| format!("{}: {error}", out.display()))?;
-    copy(&target.join(WASM).join("browser/wearshape_web.wasm"), &out.join("wearshape.wasm"))?;
+    let packages = packages(root, install)?;
+    let mut smaller = Command::new("node");
+    smaller.arg(packages.join("binaryen/bin/wasm-opt")).args(SMALLER);
+    smaller.arg(target.join(WASM).join("browser/wearshape_web.wasm")).arg("--output").arg(out.join("wearshape.wasm"));
+    done(&mut smaller)?;
     let page = root.join(FOLDER).join("page");
     for entry in fs::read_dir(&page).map_err(|error| format!("{}: {error}", page.display()))? {
         let path = entry.map_err(|error| format!("{}: {error}", page.display()))?.path();
         copy(&path, &out.join(path.file_name().unwrap_or_default()))?;
     }
-    charts(root, &out, install)?;
+    charts(root, &packages.join("uplot"), &out)?;
     sizes(&out)?;
     println!("{:4.0} s  built into target/web", start.elapsed().as_secs_f64());
     Ok(())
@@ -82,17 +98,17 @@ fn write(path: &Path, text: &str) -> Result<(), String> {
     fs::write(path, text).map_err(|error| format!("{}: {error}", path.display()))
 }
 
-/// The library that draws, in the version that the lock file holds with its hash, as a module; and the licences of the page.
-fn charts(root: &Path, out: &Path, install: bool) -> Result<(), String> {
+/// The folder of the packages from npm, in the versions that the lock file holds with their hashes.
+fn packages(root: &Path, install: bool) -> Result<PathBuf, String> {
     let packages = root.join("target/web-packages");
     fs::create_dir_all(&packages).map_err(|error| format!("{}: {error}", packages.display()))?;
     for file in ["package.json", "package-lock.json"] {
         copy(&root.join(FOLDER).join(file), &packages.join(file))?;
     }
-    let library = packages.join("node_modules/uplot");
+    let modules = packages.join("node_modules");
     let locked = text(&packages.join("package-lock.json"))?;
-    let there = text(&packages.join("node_modules/.package-lock.json")).unwrap_or_default();
-    if !(library.exists() && integrity(&there).is_some() && integrity(&there) == integrity(&locked)) {
+    let there = text(&modules.join(".package-lock.json")).unwrap_or_default();
+    if hashes(&there) != hashes(&locked) {
         if install && Command::new("npm").arg("--version").output().is_err() {
             verify::debian::install_packages(&["npm"])?;
         }
@@ -100,6 +116,11 @@ fn charts(root: &Path, out: &Path, install: bool) -> Result<(), String> {
         npm.args(["ci", "--ignore-scripts", "--no-audit", "--no-fund", "--loglevel=error"]);
         done(npm.current_dir(&packages).stdin(std::process::Stdio::null()))?;
     }
+    Ok(modules)
+}
+
+/// The library that draws, as a module; and the licences of the page.
+fn charts(root: &Path, library: &Path, out: &Path) -> Result<(), String> {
     let script = text(&library.join("dist/uPlot.iife.min.js"))?;
     write(&out.join("uplot.js"), &format!("{script}\nexport default uPlot;\n"))?;
     copy(&library.join("dist/uPlot.min.css"), &out.join("uplot.css"))?;
@@ -109,9 +130,9 @@ fn charts(root: &Path, out: &Path, install: bool) -> Result<(), String> {
     write(&out.join("licences.txt"), &licences)
 }
 
-/// The hash of the one package in a lock file.
-fn integrity(lock: &str) -> Option<&str> {
-    lock.split("\"integrity\": \"").nth(1)?.split('"').next()
+/// The hashes of the packages in a lock file.
+fn hashes(lock: &str) -> Vec<&str> {
+    lock.split("\"integrity\": \"").skip(1).filter_map(|rest| rest.split('"').next()).collect()
 }
 
 /// Prints the size of each file, as it is and as servers send it, compressed by gzip or brotli.
@@ -164,13 +185,13 @@ fn tested(root: &Path, install: bool) -> Result<(), String> {
 
 #[cfg(test)]
 mod tests {
-    use super::integrity;
+    use super::hashes;
 
     #[test]
-    fn the_hash_of_a_lock_file_is_found() {
-        let lock =
-            r#"{ "packages": { "node_modules/uplot": { "version": "1.6.32", "integrity": "sha512-abc==", "license": "MIT" } } }"#;
-        assert_eq!(integrity(lock), Some("sha512-abc=="));
-        assert_eq!(integrity("{}"), None);
+    fn the_hashes_of_a_lock_file_are_found() {
+        let lock = r#"{ "packages": { "node_modules/uplot": { "version": "1.6.32", "integrity": "sha512-abc==", "dev": true },
+            "node_modules/other": { "integrity": "sha512-d==" } } }"#;
+        assert_eq!(hashes(lock), ["sha512-abc==", "sha512-d=="]);
+        assert!(hashes("{}").is_empty());
     }
 }
