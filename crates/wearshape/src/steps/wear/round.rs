@@ -163,12 +163,15 @@ impl<'a> RoundWear<'a> {
     }
 
     /// Places (mm) from the middle for a contact that ends at these distances from it, to the left and to the right: the left end where it is another, and
-    /// on the right what the ends pass.
+    /// on the right what the ends pass. A ball has its axis on the left, and a scar that lies on one side of the middle alone is cut as far as its farther end.
     fn nodes(&self, [left, right]: [f64; 2]) -> Vec<f64> {
         let wear = &self.problem.wear;
         let linear = wear.exponents == [1.0] && !wear.own_rule;
         if (left - right).abs() <= ONE * right {
             return breaks(self.start(), 0.5 * (left + right), linear);
+        }
+        if left.min(right) <= 0.0 {
+            return breaks(self.start(), left.max(right), linear);
         }
         let mut nodes = breaks(self.start(), left.min(right), linear);
         nodes.pop();
