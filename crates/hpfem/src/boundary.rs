@@ -28,8 +28,19 @@ pub(crate) fn boundary_point(curve: &Curve, t: f64, clockwise: bool) -> (Boundar
     (BoundaryPoint { position: curve.point(t), outward: [tangent[1], -tangent[0]], tangent }, length)
 }
 
-/// Orders the edges of a boundary into a path of `(edge, against)`: an open one from the end with the smaller coordinates (first coordinate
-/// first), a closed one from its vertex with the smallest, with the body on its left (an inner line that closes: the cell of the lower number).
+impl Mesh {
+    /// The edges of a boundary as a path of `(edge, against)`, `against` where it is walked against the edge's own direction: an open one from the end
+    /// with the smaller coordinates (first coordinate first), a closed one from its vertex with the smallest, with the body on its left (an inner line
+    /// that closes: the cell of the lower number).
+    ///
+    /// # Errors
+    /// [`Error::NoSuchBoundary`]; [`Error::NotAPath`] where the edges are not one path.
+    pub fn path(&self, name: &str) -> Result<Vec<(usize, bool)>, Error> {
+        path(self, name)
+    }
+}
+
+/// [`Mesh::path`].
 pub(crate) fn path(mesh: &Mesh, name: &str) -> Result<Vec<(usize, bool)>, Error> {
     let edges = mesh.boundary(name)?;
     let broken = || Error::NotAPath { name: name.to_string() };

@@ -106,7 +106,7 @@ pub fn singular_vertices(
     for (c, cell) in mesh.cells.iter().enumerate() {
         cell.vertices().iter().enumerate().for_each(|(k, v)| around[*v].push((c, k)));
     }
-    let mut found = Vec::new();
+    let (mut found, mut known) = (Vec::new(), Vec::new());
     for (vertex, cells) in around.iter().enumerate() {
         let on_axis = kinematics.is_revolved() && mesh.vertices[vertex][0].abs() < 1e-12;
         if cells.is_empty() || on_axis {
@@ -120,7 +120,7 @@ pub fn singular_vertices(
         let uniform = sectors.windows(2).all(|s| s[0].constants == s[1].constants);
         // A straight interface between two materials.
         let straight = faces.is_none() && sectors.len() == 2 && (sectors[0].angle - PI).abs() < 1e-6;
-        let exponent = if (smooth && uniform) || straight { 1.0 } else { corner_exponent(&sectors, faces, kinematics) };
+        let exponent = if (smooth && uniform) || straight { 1.0 } else { exponent_of(&mut known, sectors, faces, kinematics) };
         if exponent < 0.99 {
             found.push(SingularVertex { vertex, exponent });
         } else if edges.is_some_and(|[a, b]| load[a] != load[b]) {
@@ -128,6 +128,32 @@ pub fn singular_vertices(
         }
     }
     Ok(found)
+}
+
+/// A corner as it was met before, and its exponent.
+type Met = (Vec<Sector>, Option<[Face; 2]>, f64);
+
+/// [`corner_exponent`], looked up where the same corner was met before: meshes have many alike, above all where materials meet on their outline.
+fn exponent_of(known: &mut Vec<Met>, sectors: Vec<Sector>, faces: Option<[Face; 2]>, kinematics: Kinematics) -> f64 {
+    let near = |a: f64, b: f64| (a - b).abs() <= 1e-12;
+    let alike = |(other, at, _): &&Met| {
+        let mut pairs = other.iter().zip(&sectors);
+        let same_face = |(a, b): (&Face, &Face)| match (a, b) {
+            (Face::Held(a), Face::Held(b)) => near(*a, *b),
+            (a, b) => a == b,
+        };
+        let same_faces = match (at, &faces) {
+            (Some(a), Some(b)) => a.iter().zip(b).all(same_face),
+            (a, b) => a.is_none() && b.is_none(),
+        };
+        same_faces && other.len() == sectors.len() && pairs.all(|(a, b)| a.constants == b.constants && near(a.angle, b.angle))
+    };
+    if let Some((_, _, exponent)) = known.iter().find(alike) {
+        return *exponent;
+    }
+    let exponent = corner_exponent(&sectors, faces, kinematics);
+    known.push((sectors, faces, exponent));
+    exponent
 }
 
 /// Refuses cells of a material that is not given.

@@ -4,6 +4,7 @@ mod bodies;
 mod body_field;
 mod brake;
 mod circles;
+mod degrees;
 mod effort;
 mod error_result;
 mod faults;

@@ -9,6 +9,7 @@ use hpfem::{
 use meshing::{self, AXIS, CONTACT, Couple, LOAD, LoadedEdge};
 use scene::{Component, Fault, LoadKind};
 
+use crate::degrees::degrees;
 use crate::effort::{Clock, Effort};
 use crate::level::Level;
 use crate::step::Step;
@@ -38,20 +39,13 @@ pub(crate) struct BodyHeat<'a> {
 }
 
 impl BodyParts {
-    /// Body 1 (`shaped`) or body 2 on its mesh.
-    pub(crate) fn new(
-        couple: &Couple,
-        shaped: bool,
-        mesh: Mesh,
-        level: Level,
-        kinematics: Kinematics,
-    ) -> Result<BodyParts, Fault> {
+    /// Body 1 (`shaped`) or body 2 on its mesh, with the degrees of its cells.
+    fn new(couple: &Couple, shaped: bool, mesh: Mesh, degrees: Vec<usize>, kinematics: Kinematics) -> Result<BodyParts, Fault> {
         let body = &couple.bodies[usize::from(!shaped)];
         let key = body.key;
         let materials = body.elastic().map_err(|error| {
             Fault::at(format!("{key}.material"), "wrong-value", error.to_string(), "give young > 0 and poisson below 0.5")
         })?;
-        let degrees = mesh.cells.iter().map(|c| level.degree_in(c.layer)).collect();
         let pin = body.pin().filter(|_| shaped && kinematics != Kinematics::Torsion);
         let rigid = Some(&couple.load).filter(|_| shaped && couple.has_rigid_edge() && !couple.moves_one_way());
         let (mut supports, mut support_names) = (held_edges(body, rigid, kinematics), Vec::new());
@@ -84,6 +78,11 @@ impl BodyParts {
     /// The mesh.
     pub(crate) fn mesh(&self) -> &Arc<Mesh> {
         &self.problem.mesh
+    }
+
+    /// The degrees of its cells.
+    pub(crate) fn degrees(&self) -> &[usize] {
+        &self.problem.degrees
     }
 
     /// The wedge of the body at a vertex of its boundary.
@@ -217,8 +216,11 @@ impl Parts {
         kinematics: Kinematics,
         meeting: Meeting,
     ) -> Result<Parts, Fault> {
-        let parts =
-            [BodyParts::new(couple, true, first, level, kinematics)?, BodyParts::new(couple, false, second, level, kinematics)?];
+        let [of_first, of_second] = degrees([&first, &second], level);
+        let parts = [
+            BodyParts::new(couple, true, first, of_first, kinematics)?,
+            BodyParts::new(couple, false, second, of_second, kinematics)?,
+        ];
         Ok(Parts { parts, meeting })
     }
 

@@ -1,7 +1,7 @@
 //! Displacement and stress inside the bodies, by back substitution at the reported level; done only if an output asks for it.
 
 use contact::{Pair, Side};
-use hpfem::{Body, Cell, CellGrid, Field, InterfaceState, Kinematics, Stress};
+use hpfem::{Body, Cell, CellGrid, Field, InterfaceState, Stress};
 use meshing::CONTACT;
 use scene::Fault;
 
@@ -9,7 +9,7 @@ use crate::bodies::paired;
 use crate::body_field::{BodyField, CellField, FieldFrame};
 use crate::effort::Effort;
 use crate::ladder::Refusal;
-use crate::parts::BodyParts;
+use crate::parts::{BodyParts, Parts};
 use crate::path_profile::Inside;
 use crate::problem::Problem;
 use crate::stage::Stage;
@@ -148,14 +148,15 @@ fn on_grid(field: &Field, cell: usize, triangle: bool) -> Result<CellField, Faul
 fn twist(stage: Stage<'_>, reported: &Reported, moment: usize, pair: &Pair<'_>) -> Result<([Field; 2], Effort), Fault> {
     let (level, around) = (reported.level, &reported.moments[moment].around);
     let mut effort = Effort::default();
-    let [first, second] = stage.meshes(level.layers, stage.cut(&reported.ends))?;
-    let mut twisted = |shaped: bool, mesh, side| -> Result<Field, Fault> {
-        let body = BodyParts::new(stage.couple, shaped, mesh, level, Kinematics::Torsion)?.reduce(stage.clock())?;
+    let meshes = stage.meshes(level.layers, stage.cut(&reported.ends))?;
+    let [first, second] = Parts::torsion(stage.couple, meshes, level, stage.meeting())?.parts;
+    let mut twisted = |parts: &BodyParts, side| -> Result<Field, Fault> {
+        let body = parts.reduce(stage.clock())?;
         effort.counters.factorisations += 1;
         effort.counters.back_substitutions += 1;
         field(&body, &pair.twisted(side, &body.interface, around))
     };
-    let fields = [twisted(true, first, Side::Shaped)?, twisted(false, second, Side::Counter)?];
+    let fields = [twisted(&first, Side::Shaped)?, twisted(&second, Side::Counter)?];
     Ok((fields, effort))
 }
 

@@ -64,7 +64,7 @@ impl<'a> HotBodies<'a> {
         let (parts, mut effort) = stage.parts(level, cut)?;
         (stage.options.begun)(Step::Heat);
         let start = stage.clock()();
-        let Some(warmed) = Warmed::new(stage, &parts, level)? else { return Ok(None) };
+        let Some(warmed) = Warmed::new(stage, &parts)? else { return Ok(None) };
         let surfaces = warmed.surfaces(&warmed.pair()?)?;
         let of = |heat: HeatOf<'_>| heat(&surfaces, warmed.heat);
         let known = match asked {

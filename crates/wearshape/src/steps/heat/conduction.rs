@@ -7,7 +7,7 @@ use meshing::CONTACT;
 use scene::Fault;
 
 use crate::heat::{Carried, Heat};
-use crate::level::Level;
+use crate::parts::BodyParts;
 use crate::stage::Stage;
 
 /// Gauss points of an integral over an edge: exact for the highest degree on straight edges and arcs.
@@ -38,8 +38,8 @@ struct Film {
 }
 
 impl Conduction {
-    /// Body 1 (0) or body 2 (1) of a stage on a mesh.
-    pub(crate) fn new(stage: Stage<'_>, heat: &Heat, number: usize, mesh: &Mesh, level: Level) -> Result<Conduction, Fault> {
+    /// Body 1 (0) or body 2 (1) of a stage on the cells of its displacement.
+    pub(crate) fn new(stage: Stage<'_>, heat: &Heat, number: usize, parts: &BodyParts) -> Result<Conduction, Fault> {
         let body = &stage.couple.bodies[number];
         let kinematics = kinematics(stage.couple.kinematics);
         let failed = |error: hpfem::Error| {
@@ -50,8 +50,7 @@ impl Conduction {
                 "check the materials and edges of the body",
             )
         };
-        let mut mesh = mesh.clone();
-        let degrees = mesh.cells.iter().map(|cell| level.degree_in(cell.layer)).collect();
+        let (mut mesh, degrees) = (Mesh::clone(parts.mesh()), parts.degrees().to_vec());
         let conductor = |material: &scene::Material| Material::conductor(material.conductivity.map_or(0.0, |k| k.0));
         let materials = body.materials.iter().map(conductor).collect::<Result<_, _>>().map_err(failed)?;
         let (mut supports, mut foundations) = (Vec::new(), Vec::new());

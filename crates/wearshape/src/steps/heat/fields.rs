@@ -27,7 +27,7 @@ impl Warm {
     /// Temperatures of what is reported, and the bodies with their load; none of a scene without heat, whose bodies stay as they are.
     pub(crate) fn of(stage: Stage<'_>, reported: &Reported, parts: Parts) -> Result<(Parts, Option<Warm>), Fault> {
         let Some(heat) = &reported.heat else { return Ok((parts, None)) };
-        let Some(warmed) = Warmed::new(stage, &parts, reported.level)? else { return Ok((parts, None)) };
+        let Some(warmed) = Warmed::new(stage, &parts)? else { return Ok((parts, None)) };
         let parts = under(&warmed, parts, heat)?;
         let states = warmed.states(&warmed.pair()?, &heat.into);
         let [first, second] = warmed.fields(&states)?;

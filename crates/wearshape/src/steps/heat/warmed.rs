@@ -7,7 +7,6 @@ use scene::Fault;
 
 use crate::faults::unsolved;
 use crate::heat::{Heat, Meets, Split};
-use crate::level::Level;
 use crate::parts::Parts;
 use crate::stage::Stage;
 use crate::steps::heat::conduction::Conduction;
@@ -48,9 +47,9 @@ pub(crate) struct Surfaces {
 
 impl<'a> Warmed<'a> {
     /// Both bodies on the meshes of their displacement; none of a scene without heat.
-    pub(crate) fn new(stage: Stage<'a>, parts: &Parts, level: Level) -> Result<Option<Warmed<'a>>, Fault> {
+    pub(crate) fn new(stage: Stage<'a>, parts: &Parts) -> Result<Option<Warmed<'a>>, Fault> {
         let Some(heat) = &stage.problem.heat else { return Ok(None) };
-        let body = |number: usize| Conduction::new(stage, heat, number, parts.parts[number].mesh(), level).map(Box::new);
+        let body = |number: usize| Conduction::new(stage, heat, number, &parts.parts[number]).map(Box::new);
         let first = body(0)?;
         let second = match heat.meets {
             Meets::Congruent => Second::Body(body(1)?),

@@ -1,0 +1,147 @@
+//! Degrees of the cells of a level: as many as the nearest place asks for where the fields are not smooth.
+//!
+//! A function that is analytic but for a place at the distance d from a cell of the size h is approximated on it like rho^-p, with
+//! `rho = z + sqrt(z^2 - 1)`, `z = 1 + 2 d / h` (the ellipse of Bernstein through that place; Trefethen, Approximation Theory and Approximation
+//! Practice, theorem 8.2). Cells beside the layers have d / h about [`RATIO`] and the degree of the level, p_0; elsewhere the same error takes
+//! `p = p_0 ln rho_0 / ln rho`.
+
+use hpfem::{Cell, Mesh};
+use meshing::{CONTACT, RATIO};
+
+use crate::level::Level;
+
+/// Least degree that follows from a distance, for the bending of slender cells.
+const LEAST: usize = 4;
+/// Degrees beyond the rule, for the constants it leaves out: with one the errors of a level are those of the same degree in all its cells.
+const SPARE: usize = 1;
+/// Places on each edge of a cell from which distances are measured, from -1 to 1.
+const PLACES: [f64; 4] = [-1.0, -0.5, 0.0, 0.5];
+/// Sine of the angle between two edges of one line, at most.
+const STRAIGHT: f64 = 1e-6;
+
+/// The degrees of the cells of body 1 and body 2. Cells that face each other on the contact surface have the same one, the higher of both, so that contact
+/// stays nodal.
+pub(crate) fn degrees(meshes: [&Mesh; 2], level: Level) -> [Vec<usize>; 2] {
+    let mut degrees = meshes.map(|mesh| by_distance(mesh, level));
+    let [first, second] = meshes.map(contact_cells);
+    let facing = first.len() == second.len();
+    if facing {
+        for (a, b) in first.into_iter().zip(second) {
+            let higher = degrees[0][a].max(degrees[1][b]);
+            (degrees[0][a], degrees[1][b]) = (higher, higher);
+        }
+    } else {
+        for (body, cells) in [first, second].into_iter().enumerate() {
+            cells.into_iter().for_each(|c| degrees[body][c] = level.degree_in(meshes[body].cells[c].layer));
+        }
+    }
+    degrees
+}
+
+/// The degrees that the cells of one body need.
+fn by_distance(mesh: &Mesh, level: Level) -> Vec<usize> {
+    let rough = rough_vertices(mesh);
+    let places: Vec<[f64; 2]> = mesh.vertices.iter().zip(&rough).filter(|(_, rough)| **rough).map(|(x, _)| *x).collect();
+    let degree = |cell: &Cell| {
+        let highest = level.degree_in(cell.layer);
+        if highest <= LEAST || cell.vertices().iter().any(|v| rough[*v]) {
+            return highest;
+        }
+        let needed = level.degree as f64 * rate(RATIO) / rate(distance(mesh, cell, &places));
+        highest.min((needed.ceil() as usize + SPARE).max(LEAST))
+    };
+    mesh.cells.iter().map(degree).collect()
+}
+
+/// `ln rho` for a distance over the size of a cell.
+fn rate(distance: f64) -> f64 {
+    let z = 1.0 + 2.0 * distance;
+    (z + (z * z - 1.0).sqrt()).ln()
+}
+
+/// How far a cell is from the nearest of some places, or from the centre of an edge of its own, over its size.
+fn distance(mesh: &Mesh, cell: &Cell, places: &[[f64; 2]]) -> f64 {
+    let squared = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).powi(2) + (a[1] - b[1]).powi(2);
+    let corners = cell.vertices();
+    let pairs = corners.iter().flat_map(|a| corners.iter().map(|b| squared(mesh.vertices[*a], mesh.vertices[*b])));
+    let size = pairs.fold(0.0, f64::max).sqrt();
+    let outline = cell.sides().flat_map(|(_, e)| PLACES.map(|t| mesh.edges[e].curve.point(t)));
+    let nearest = outline.flat_map(|x| places.iter().map(move |y| squared(x, *y))).fold(f64::INFINITY, f64::min).sqrt();
+    cell.sides().map(|(_, e)| radius(mesh, e)).fold(nearest, f64::min) / size
+}
+
+/// Mean radius of curvature of an edge, mm; infinite for a straight one.
+fn radius(mesh: &Mesh, edge: usize) -> f64 {
+    let curve = &mesh.edges[edge].curve;
+    if curve.is_straight() {
+        return f64::INFINITY;
+    }
+    let [from, to] = [-1.0, 1.0].map(|t| curve.derivative(t));
+    let turn = (from[0] * to[1] - from[1] * to[0]).atan2(from[0] * to[0] + from[1] * to[1]).abs();
+    curve.length() / turn
+}
+
+/// The cells on the contact surface, in the order of the edges of body 1 along it, closed or not.
+fn contact_cells(mesh: &Mesh) -> Vec<usize> {
+    let Ok(path) = mesh.path(CONTACT) else { return Vec::new() };
+    let beside = mesh.edge_cells();
+    let ends = |(e, against): &(usize, bool)| mesh.edges[*e].vertices[usize::from(*against)];
+    let closed = path
+        .first()
+        .zip(path.last())
+        .is_some_and(|(first, (e, against))| path.len() > 1 && ends(first) == mesh.edges[*e].vertices[usize::from(!*against)]);
+    let mut cells: Vec<usize> = path.iter().filter_map(|(e, _)| Some(beside[*e].first()?.0)).collect();
+    // Both bodies lie on the left of a path that closes, and walk it in opposite directions.
+    if closed && walks_clockwise(mesh, &path) {
+        cells.reverse();
+    }
+    cells
+}
+
+/// Whether a closed path goes around its inside clockwise.
+fn walks_clockwise(mesh: &Mesh, path: &[(usize, bool)]) -> bool {
+    let area = |(e, against): &(usize, bool)| {
+        let [a, b] = mesh.edges[*e].vertices.map(|v| mesh.vertices[v]);
+        let twice = a[0] * b[1] - a[1] * b[0];
+        if *against { -twice } else { twice }
+    };
+    path.iter().map(area).sum::<f64>() < 0.0
+}
+
+/// Whether the fields may not be smooth at each vertex: layers surround it, or the outline has a corner there or another name or material.
+fn rough_vertices(mesh: &Mesh) -> Vec<bool> {
+    let mut layers: Vec<Option<[usize; 2]>> = vec![None; mesh.vertices.len()];
+    for cell in &mesh.cells {
+        for v in cell.vertices() {
+            let [least, most] = layers[*v].unwrap_or([cell.layer; 2]);
+            layers[*v] = Some([least.min(cell.layer), most.max(cell.layer)]);
+        }
+    }
+    let mut outline: Vec<Vec<(usize, usize)>> = vec![Vec::new(); mesh.vertices.len()];
+    for (e, cells) in mesh.edge_cells().iter().enumerate() {
+        if let [(cell, _)] = cells[..] {
+            mesh.edges[e].vertices.iter().for_each(|v| outline[*v].push((e, cell)));
+        }
+    }
+    let surrounded = |v: usize| layers[v].is_some_and(|[least, most]| least == most && most > 0);
+    (0..mesh.vertices.len()).map(|v| surrounded(v) || breaks(mesh, v, &outline[v])).collect()
+}
+
+/// Whether an outline is not smooth at a vertex, from its edges there, each with its cell.
+fn breaks(mesh: &Mesh, vertex: usize, outline: &[(usize, usize)]) -> bool {
+    let leaves = |e: usize| {
+        let edge = &mesh.edges[e];
+        let forward = edge.vertices[0] == vertex;
+        let d = if forward { edge.curve.derivative(-1.0) } else { edge.curve.derivative(1.0).map(|d| -d) };
+        d.map(|v| v / d[0].hypot(d[1]))
+    };
+    match *outline {
+        [] => false,
+        [(a, first), (b, second)] => {
+            let ([x, y], [u, w]) = (leaves(a), leaves(b));
+            let bent = x * u + y * w > 0.0 || (x * w - y * u).abs() > STRAIGHT;
+            bent || mesh.edges[a].tags != mesh.edges[b].tags || mesh.cells[first].material != mesh.cells[second].material
+        }
+        _ => true,
+    }
+}
