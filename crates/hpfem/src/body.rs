@@ -10,10 +10,11 @@ use crate::elimination::{Condensed, Forward};
 use crate::error::Error;
 use crate::field::{Field, FieldParts};
 use crate::interface::{InterfaceOperator, InterfaceState};
+use crate::interiors::Interiors;
 use crate::kept::Kept;
 use crate::mesh::Mesh;
 use crate::problem::BodyProblem;
-use crate::reduce::{Reduction, reduce};
+use crate::reduce::{Keep, Reduction, reduce};
 use crate::rigid::motion_words;
 use crate::space::{Space, Target};
 use crate::trace::TraceLoad;
@@ -44,6 +45,8 @@ pub(crate) struct Factored {
     pub(crate) cases: usize,
     /// What the temperatures that it was made for do to its cells.
     pub(crate) heats: Option<CellHeats>,
+    /// How the interiors of its cells follow from their boundaries, where that was kept.
+    pub(crate) interiors: Option<Interiors>,
 }
 
 impl Body {
@@ -60,7 +63,7 @@ impl Body {
     /// # Errors
     /// As for [`Body::new`].
     pub fn timed(problem: BodyProblem, clock: Clock) -> Result<Body, Error> {
-        let reduction = reduce(&problem, true, clock, None)?;
+        let reduction = reduce(&problem, Keep::Fronts, clock, None)?;
         Ok(Body::of(problem, reduction))
     }
 
@@ -76,14 +79,24 @@ impl Body {
         expansion: &[f64],
         clock: Clock,
     ) -> Result<Body, Error> {
-        let reduction = reduce(&problem, true, clock, Some(temperature.warm(known, expansion)?))?;
+        let reduction = reduce(&problem, Keep::Fronts, clock, Some(temperature.warm(known, expansion)?))?;
+        Ok(Body::of(problem, reduction))
+    }
+
+    /// As [`Body::timed`], for a body of temperature that is to load another one: how the inside of each cell follows from its boundary is kept, which takes
+    /// memory, and [`Body::for_heat`], [`Body::heated`] and [`Body::field`] take less time with it.
+    ///
+    /// # Errors
+    /// As for [`Body::new`].
+    pub fn of_temperature(problem: BodyProblem, clock: Clock) -> Result<Body, Error> {
+        let reduction = reduce(&problem, Keep::Interiors, clock, None)?;
         Ok(Body::of(problem, reduction))
     }
 
     fn of(problem: BodyProblem, reduction: Reduction) -> Body {
-        let Reduction { interface, effort, space, condensed, kept, heats } = reduction;
+        let Reduction { interface, effort, space, condensed, kept, heats, interiors } = reduction;
         let cases = problem.load_cases.len();
-        let factored = Arc::new(Factored { space, condensed, kept, cases, heats });
+        let factored = Arc::new(Factored { space, condensed, kept, cases, heats, interiors });
         Body { interface, effort, problem, factored, added: Vec::new() }
     }
 
@@ -101,7 +114,7 @@ impl Body {
     /// # Errors
     /// As for [`Body::new`].
     pub fn interface_timed(problem: &BodyProblem, clock: Clock) -> Result<(InterfaceOperator, Effort), Error> {
-        let reduction = reduce(problem, false, clock, None)?;
+        let reduction = reduce(problem, Keep::Interface, clock, None)?;
         Ok((reduction.interface, reduction.effort))
     }
 
@@ -186,7 +199,7 @@ impl Body {
                 targets.iter().map(of).collect()
             };
             let boundaries: Vec<Vec<f64>> = values.iter().zip(states).map(boundary).collect();
-            let mut all = assembly.recover(c, &boundaries, work)?;
+            let mut all = assembly.recover((c, self.factored.interiors.as_ref()), &boundaries, work)?;
             if assembly.loads.inside(c) {
                 let interior = assembly.inner_load(c, work)?.interior;
                 for (u, state) in all.iter_mut().zip(states) {

@@ -12,13 +12,14 @@ use crate::edge_load::Loads;
 use crate::element::Workspace;
 use crate::error::Error;
 use crate::interface::InterfaceState;
+use crate::interiors::{Interiors, from_boundary};
 use crate::kinematics::Kinematics;
 use crate::material::Material;
 use crate::mesh::Mesh;
 use crate::problem::BodyProblem;
 use crate::space::Space;
 use faer::linalg::matmul::matmul;
-use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
+use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
 use faer::{Accum, Mat, MatRef, Par};
 use std::sync::Arc;
 
@@ -37,9 +38,11 @@ pub struct TemperatureCase {
 pub(crate) struct Warm<'a> {
     pub(crate) problem: &'a BodyProblem,
     pub(crate) space: &'a Space,
+    /// How the interiors of its cells follow from their boundaries, where that was kept.
+    pub(crate) interiors: Option<&'a Interiors>,
     pub(crate) expansion: &'a [f64],
     pub(crate) cases: Option<&'a [TemperatureCase]>,
-    /// These on the groups of its unknowns; none without.
+    /// These on the groups of its unknowns, `temperatures x unknowns`; none without.
     pub(crate) values: Vec<Mat<f64>>,
 }
 
@@ -91,13 +94,15 @@ impl CellHeats {
             && (self.cases.is_none() || self.cases.as_deref() == *cases)
     }
 
-    /// Loads of the temperatures of `warming` on the boundary modes of the class of a cell, a column each.
+    /// Loads of the temperatures of `warming` on the boundary modes of the class of a cell, `temperatures x rows of the class`.
     pub(crate) fn of_cell(&self, warming: &Warming<'_>, cell: usize) -> Mat<f64> {
         let class = self.congruence.class[cell];
         let (loads, many) = (&self.loads[class], warming.many());
         match self.member[cell] {
-            Some(member) => loads.get(.., member * many..(member + 1) * many).to_owned(),
-            None => loads * warming.temperatures(cell, (self.edges[class], &self.congruence.turn[cell]), loads.ncols()),
+            Some(member) => loads.get(.., member * many..(member + 1) * many).transpose().to_owned(),
+            None => {
+                warming.temperatures(cell, (self.edges[class], &self.congruence.turn[cell]), loads.ncols()) * loads.transpose()
+            }
         }
     }
 }
@@ -131,28 +136,31 @@ impl<'a> Warming<'a> {
             let mut known = Mat::zeros(on_boundary, members.len() * cases.len());
             for (number, cell) in members.iter().enumerate() {
                 let values = self.temperatures(*cell, (*edges, &congruence.turn[*cell]), on_boundary);
-                known.get_mut(.., number * cases.len()..(number + 1) * cases.len()).copy_from(values);
+                known.get_mut(.., number * cases.len()..(number + 1) * cases.len()).copy_from(values.transpose());
             }
             Some(known)
         };
         members.into_iter().zip(edges).map(class).collect()
     }
 
-    /// Temperatures that are known, above those without strain, a column each, on the unsigned boundary modes of the class of a cell, which has so many.
+    /// Temperatures that are known, above those without strain, a row each, on the unsigned boundary modes of the class of a cell, which has so many.
     pub(crate) fn temperatures(&self, cell: usize, (edges, turn): ([usize; 4], &Turn), many: usize) -> Mat<f64> {
         let (thermal, prescribed) = (&self.thermal, self.thermal.loads.cases);
         let cases = self.warm.cases.unwrap_or_default();
         let modes = thermal.space.boundary_modes(thermal.mesh, cell);
         let targets = thermal.targets(cell, &modes);
         let to = turn.sources(&modes, thermal.mesh.cells[cell].against, edges);
-        let mut values = Mat::zeros(many, cases.len());
-        for (k, TemperatureCase { state, reference, .. }) in cases.iter().enumerate() {
-            for (row, (target, (mode, sign))) in targets.iter().zip(&to).enumerate() {
-                let active: f64 = target.active.iter().map(|(group, index, c)| c * self.warm.values[*group][(*index, k)]).sum();
-                let fixed: f64 = target.fixed.iter().map(|fixed| fixed.share * fixed.value).sum();
+        let mut values = Mat::zeros(cases.len(), many);
+        for (row, (target, (mode, sign))) in targets.iter().zip(&to).enumerate() {
+            let column = values.col_as_slice_mut(*mode);
+            for (group, index, c) in &target.active {
+                add(column, sign * c, self.warm.values[*group].col_as_slice(*index));
+            }
+            let fixed: f64 = target.fixed.iter().map(|fixed| fixed.share * fixed.value).sum();
+            for (value, TemperatureCase { state, reference, .. }) in column.iter_mut().zip(cases) {
                 // The corners alone make up a constant.
                 let above = if row < modes.corners { *reference } else { 0.0 };
-                values[(*mode, k)] = sign * (active + state.factors[prescribed] * fixed) - above;
+                *value += sign * state.factors[prescribed] * fixed - above;
             }
         }
         values
@@ -221,24 +229,29 @@ impl<'a> Warming<'a> {
     ) -> Result<Mat<f64>, Error> {
         let thermal = &self.thermal;
         let modes = thermal.space.modes_of(thermal.mesh, cell, edges, [false; 4]);
-        let (k, ni) = thermal.condensed(cell, &modes, work)?;
-        let (l11, l21) = k.as_ref().subcols(0, ni).split_at_row(ni);
-        let mut inside = match known {
-            Some(known) => l21.transpose() * known,
-            None => l21.transpose().to_owned(),
+        let made;
+        let inside = match self.warm.interiors.and_then(|interiors| interiors.of(cell, edges)) {
+            Some(inside) => inside,
+            None => {
+                let (k, ni) = thermal.condensed(cell, &modes, work)?;
+                made = from_boundary(k.as_ref(), ni);
+                &made
+            }
         };
-        solve_upper_triangular_in_place(l11.transpose(), inside.as_mut(), Par::Seq);
+        let by_known = known.map(|known| inside * known);
+        let inside = by_known.as_ref().unwrap_or(inside);
         let expansion = self.warm.expansion.get(elastic.mesh.cells[cell].material).copied().unwrap_or(0.0);
-        let on_boundary = |mode: usize, k: usize| match known {
-            Some(known) => known[(mode, k)],
-            None => f64::from(u8::from(mode == k)),
-        };
-        let coefficient = |m: usize, k: usize| match modes.position[m] {
-            usize::MAX => 0.0,
-            mode if mode < ni => -expansion * inside[(mode, k)],
-            mode => expansion * on_boundary(mode - ni, k),
-        };
-        let coefficients = Mat::from_fn(modes.position.len(), inside.ncols(), coefficient);
+        let mut coefficients = Mat::<f64>::zeros(modes.position.len(), inside.ncols());
+        for (k, inside) in inside.col_iter().enumerate() {
+            let on_boundary = |mode: usize| match known {
+                Some(known) => known[(mode, k)],
+                None => f64::from(u8::from(mode == k)),
+            };
+            let ni = modes.interior;
+            for (to, mode) in coefficients.col_as_slice_mut(k).iter_mut().zip(&modes.position).filter(|(_, m)| **m != usize::MAX) {
+                *to = expansion * if *mode < ni { inside[*mode] } else { on_boundary(*mode - ni) };
+            }
+        }
         Ok(elastic.strain_matrix(cell, local, coefficients.as_ref()))
     }
 }
@@ -275,6 +288,11 @@ pub(crate) fn eliminate(k: MatRef<'_, f64>, ni: usize, mut load: Mat<f64>) -> Ma
     solve_lower_triangular_in_place(l11, y.as_mut(), Par::Seq);
     matmul(boundary.as_mut(), Accum::Add, l21, y.as_ref(), -1.0, Par::Seq);
     load
+}
+
+/// Adds a multiple of numbers to others.
+pub(crate) fn add(to: &mut [f64], factor: f64, from: &[f64]) {
+    to.iter_mut().zip(from).for_each(|(to, from)| *to += factor * from);
 }
 
 /// Refuses temperatures of another mesh, or with sources inside.

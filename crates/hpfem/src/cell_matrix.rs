@@ -6,6 +6,7 @@ use crate::congruence::{Class, Congruence, Turn};
 use crate::dense::factor_leading;
 use crate::element::{CellForm, Workspace, matrix_in, stiffness};
 use crate::error::Error;
+use crate::interiors::{Interiors, from_boundary};
 use crate::triangle_matrix::triangle_stiffness;
 use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::solve_upper_triangular_in_place;
@@ -83,15 +84,18 @@ pub(crate) fn map_cells<T: Send>(count: usize, task: impl Fn(&mut Workspace, usi
 }
 
 impl Assembly<'_> {
-    /// Condensed matrices of all classes.
-    pub(crate) fn shared_matrices(&self, congruence: Congruence) -> Result<SharedMatrices, Error> {
+    /// Condensed matrices of all classes, and how their interiors follow from their boundaries where that is to be kept.
+    pub(crate) fn shared_matrices(&self, congruence: Congruence, keep: bool) -> Result<(SharedMatrices, Option<Interiors>), Error> {
         let made = map_cells(congruence.classes.len(), |work, k| {
             let class = &congruence.classes[k];
             let (matrix, ni) = self.condensed(class.first, &self.class_modes(class), work)?;
-            Ok(boundary_block(matrix, ni))
+            let inside = keep.then(|| from_boundary(matrix.as_ref(), ni));
+            Ok((boundary_block(matrix, ni), inside))
         });
-        let matrices = made.into_iter().collect::<Result<_, Error>>()?;
-        Ok(SharedMatrices { congruence, matrices })
+        let made = made.into_iter().collect::<Result<Vec<_>, Error>>()?;
+        let (matrices, inside): (_, Vec<Option<Mat<f64>>>) = made.into_iter().unzip();
+        let interiors = keep.then(|| Interiors::new(&congruence, inside.into_iter().flatten().collect()));
+        Ok((SharedMatrices { congruence, matrices }, interiors))
     }
 
     pub(crate) fn class_modes(&self, class: &Class) -> LocalModes {
@@ -129,10 +133,17 @@ impl Assembly<'_> {
     }
 
     /// Interior unknowns of a cell from its boundary unknowns: `u_i = -K_ii^-1 K_ib u_b`, followed by the boundary unknowns.
-    pub(crate) fn recover(&self, cell: usize, boundaries: &[Vec<f64>], work: &mut Workspace) -> Result<Vec<Vec<f64>>, Error> {
+    /// `kept` has how those of some cells follow.
+    pub(crate) fn recover(
+        &self,
+        (cell, kept): (usize, Option<&Interiors>),
+        boundaries: &[Vec<f64>],
+        work: &mut Workspace,
+    ) -> Result<Vec<Vec<f64>>, Error> {
         let local = self.space.local_modes(self.mesh, cell);
         let components = self.space.components;
-        let (k, ni) = self.condensed(cell, &local, work)?;
+        let ni = components * local.interior;
+        let edges = self.space.edge_degrees(self.mesh, cell);
         // From the order of unknowns to that of the matrix: unsigned, one component after the other.
         let rows = boundaries.first().map_or(0, Vec::len);
         let modes = rows / components;
@@ -141,9 +152,14 @@ impl Assembly<'_> {
             |row: usize, j: usize| sign[local.interior + row % modes] * boundaries[j][components * (row % modes) + row / modes];
         let mut x = Mat::zeros(ni, boundaries.len());
         let known = Mat::from_fn(rows, boundaries.len(), unsigned);
-        let (l11, l21) = k.as_ref().subcols(0, ni).split_at_row(ni);
-        matmul(x.as_mut(), Accum::Replace, l21.transpose(), known.as_ref(), -1.0, Par::Seq);
-        solve_upper_triangular_in_place(l11.transpose(), x.as_mut(), Par::Seq);
+        if let Some(inside) = kept.and_then(|kept| kept.of(cell, edges)) {
+            matmul(x.as_mut(), Accum::Replace, inside.as_ref(), known.as_ref(), 1.0, Par::Seq);
+        } else {
+            let (k, ni) = self.condensed(cell, &local, work)?;
+            let (l11, l21) = k.as_ref().subcols(0, ni).split_at_row(ni);
+            matmul(x.as_mut(), Accum::Replace, l21.transpose(), known.as_ref(), -1.0, Par::Seq);
+            solve_upper_triangular_in_place(l11.transpose(), x.as_mut(), Par::Seq);
+        }
         let row = |i: usize| (i % components) * local.interior + i / components;
         let mut cells = Vec::with_capacity(boundaries.len());
         for (j, boundary) in boundaries.iter().enumerate() {

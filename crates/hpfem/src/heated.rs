@@ -4,8 +4,8 @@
 //! takes is its size on the boundary, however many temperatures there are.
 
 use crate::assembly::Assembly;
-use crate::body::Body;
-use crate::cell_heat::{CellHeats, TemperatureCase, Warm, Warming, eliminate};
+use crate::body::{Body, Factored};
+use crate::cell_heat::{CellHeats, TemperatureCase, Warm, Warming, add, eliminate};
 use crate::cell_matrix::map_cells;
 use crate::congruence::Turn;
 use crate::edge_load::Loads;
@@ -16,15 +16,28 @@ use crate::interface::{InterfaceOperator, InterfaceState};
 use crate::space::Target;
 use faer::Mat;
 
-/// What one cell takes of the temperatures, a column each.
+/// Cells whose loads are there at once: those of many temperatures are large.
+const AT_ONCE: usize = 16;
+
+/// What one cell takes of the temperatures.
 struct CellHeat {
     targets: Vec<Target>,
-    /// Loads on its boundary unknowns.
+    /// Loads on its boundary unknowns, `temperatures x unknowns`: the temperatures stand next to each other wherever they are summed up.
     load: Mat<f64>,
     /// Constant parts of the reactions.
     constant: Vec<(usize, Vec<f64>)>,
     /// Work on the interior that other load cases displace; none without loads inside.
     work: Option<Mat<f64>>,
+}
+
+/// What all cells of a body take of the temperatures.
+struct Summed {
+    /// Loads on the unknowns of each group, a column a temperature; empty for zero.
+    values: Vec<Mat<f64>>,
+    /// Constant parts of the reactions, `reactions x temperatures`.
+    constant: Mat<f64>,
+    /// Work on the interior that other load cases displace, `cases x temperatures`.
+    inner: Mat<f64>,
 }
 
 /// Both problems of one mesh, and the temperatures on the groups of theirs.
@@ -56,27 +69,9 @@ impl Body {
             }
         };
         let heating = Heating { elastic, warming, heats };
-        let heats = map_cells(mesh.cells.len(), |work, cell| heating.cell(cell, work));
         let many = cases.len();
-        let mut values: Vec<Mat<f64>> = vec![Mat::new(); space.size.len()];
-        let mut constant = Mat::<f64>::zeros(self.interface.reaction_constant.nrows(), many);
         let first = self.interface.columns.ncols() - self.added.len();
-        let mut inner = Mat::<f64>::zeros(self.problem.load_cases.len(), many);
-        for heat in heats {
-            let heat = heat?;
-            for (row, target) in heat.targets.iter().enumerate() {
-                for (group, index, c) in &target.active {
-                    if values[*group].ncols() == 0 {
-                        values[*group] = Mat::zeros(space.size[*group], many);
-                    }
-                    (0..many).for_each(|k| values[*group][(*index, k)] += c * heat.load[(row, k)]);
-                }
-            }
-            for (r, parts) in heat.constant {
-                parts.iter().enumerate().for_each(|(k, part)| constant[(r, k)] += part);
-            }
-            heat.work.iter().for_each(|work| inner += work);
-        }
+        let Summed { mut values, constant, inner } = self.summed(&heating, many)?;
         let mut size = space.size.clone();
         size.push(first);
         values.push(Mat::new());
@@ -97,11 +92,40 @@ impl Body {
         Ok(self.interface.with_cases(names, [unit * columns, unit * work, unit * constant]))
     }
 
+    /// What all cells take of so many temperatures.
+    fn summed(&self, heating: &Heating<'_>, many: usize) -> Result<Summed, Error> {
+        let space = &self.factored.space;
+        let mut sums: Vec<Mat<f64>> = vec![Mat::new(); space.size.len()];
+        let mut constant = Mat::<f64>::zeros(self.interface.reaction_constant.nrows(), many);
+        let mut inner = Mat::<f64>::zeros(self.problem.load_cases.len(), many);
+        let cells = self.problem.mesh.cells.len();
+        for start in (0..cells).step_by(AT_ONCE) {
+            for heat in map_cells(AT_ONCE.min(cells - start), |work, cell| heating.cell(start + cell, work)) {
+                let heat = heat?;
+                for (row, target) in heat.targets.iter().enumerate() {
+                    for (group, index, c) in &target.active {
+                        if sums[*group].ncols() == 0 {
+                            sums[*group] = Mat::zeros(many, space.size[*group]);
+                        }
+                        add(sums[*group].col_as_slice_mut(*index), *c, heat.load.col_as_slice(row));
+                    }
+                }
+                for (r, parts) in heat.constant {
+                    parts.iter().enumerate().for_each(|(k, part)| constant[(r, k)] += part);
+                }
+                heat.work.iter().for_each(|work| inner += work);
+            }
+        }
+        Ok(Summed { values: sums.iter().map(|sum| sum.transpose().to_owned()).collect(), constant, inner })
+    }
+
     /// This body of temperature as what heats another one.
     pub(crate) fn warm<'a>(&'a self, cases: Option<&'a [TemperatureCase]>, expansion: &'a [f64]) -> Result<Warm<'a>, Error> {
         let states: Vec<InterfaceState> = cases.into_iter().flatten().map(|case| case.state.clone()).collect();
         let values = if states.is_empty() { Vec::new() } else { self.values_of_groups(&states)? };
-        Ok(Warm { problem: &self.problem, space: &self.factored.space, expansion, cases, values })
+        let values = values.iter().map(|values| values.transpose().to_owned()).collect();
+        let Factored { space, interiors, .. } = &*self.factored;
+        Ok(Warm { problem: &self.problem, space, interiors: interiors.as_ref(), expansion, cases, values })
     }
 
     /// Work of all columns with further right-hand sides, of which `inner` is that of the load cases inside cells.
@@ -127,18 +151,22 @@ impl Heating<'_> {
         let of_class = heats.of_cell(&self.warming, cell);
         let (modes, against) = (elastic.space.boundary_modes(elastic.mesh, cell), elastic.mesh.cells[cell].against);
         let from = turn.sources(&modes, against, heats.congruence.classes[class].edges);
-        let below = of_class.nrows() / 2;
+        let below = of_class.ncols() / 2;
+        let mut load = Mat::<f64>::zeros(of_class.nrows(), 2 * modes.len());
         // Components fastest.
-        let turned = |i: usize, k: usize| {
-            let ([a, b], (mode, sign)) = (turn.matrix[i % 2], from[i / 2]);
-            turn.scale * sign * (a * of_class[(mode, k)] + b * of_class[(below + mode, k)])
-        };
-        let load = Mat::from_fn(2 * modes.len(), of_class.ncols(), turned);
+        for (mode, (source, sign)) in from.iter().enumerate() {
+            for (component, [a, b]) in turn.matrix.iter().enumerate() {
+                let column = load.col_as_slice_mut(2 * mode + component);
+                add(column, turn.scale * sign * a, of_class.col_as_slice(*source));
+                add(column, turn.scale * sign * b, of_class.col_as_slice(below + source));
+            }
+        }
         let targets = elastic.targets(cell, &modes);
         let motions = elastic.virtual_motion(&targets, elastic.columns - elastic.loads.cases - 1);
         let reaction = |motion: &[f64]| -> Vec<f64> {
-            let force = |k: usize| -motion.iter().enumerate().map(|(row, m)| m * load[(row, k)]).sum::<f64>();
-            (0..load.ncols()).map(force).collect()
+            let mut forces = vec![0.0; load.nrows()];
+            motion.iter().zip(load.col_iter()).for_each(|(m, load)| forces.iter_mut().zip(load.iter()).for_each(|(force, load)| *force -= m * load));
+            forces
         };
         let moved = motions.iter().enumerate().filter(|(_, motion)| !motion.is_empty());
         let constant = moved.map(|(r, motion)| (r, reaction(motion))).collect();
@@ -153,6 +181,7 @@ impl Heating<'_> {
         let edges = warming.thermal.space.edge_degrees(warming.thermal.mesh, cell);
         let strains = warming.strains(elastic, (cell, edges), (&local, None), work)?;
         let given = warming.temperatures(cell, (edges, &Turn::NONE), strains.ncols());
+        let given = given.transpose();
         let others = elastic.load_on_modes(cell, &local);
         let (k, ni) = elastic.condensed(cell, &local, work)?;
         let [strains, others] = [strains, others].map(|load| eliminate(k.as_ref(), ni, load).get(..ni, ..).to_owned());

@@ -39,6 +39,7 @@ mod gmsh_read;
 mod heated;
 mod holding;
 mod interface;
+mod interiors;
 mod join;
 mod kept;
 mod kinematics;

@@ -9,6 +9,7 @@ use crate::error::Error;
 use crate::freedom::Foundation;
 use crate::front::MEMORY_LIMIT;
 use crate::interface::InterfaceOperator;
+use crate::interiors::Interiors;
 use crate::kept::Kept;
 use crate::mesh::Mesh;
 use crate::ordered::{Ordered, whole_size};
@@ -27,11 +28,24 @@ pub(crate) struct Reduction {
     pub(crate) kept: Kept,
     /// What temperatures do to its cells, where they were asked for.
     pub(crate) heats: Option<CellHeats>,
+    /// How the interiors of its cells follow from their boundaries, where that was to be kept.
+    pub(crate) interiors: Option<Interiors>,
 }
 
-/// Reduces a body; `factors` tells whether the factorised fronts are kept, `warm` with whose temperatures, by the thermal expansion of each material,
+/// What is kept of a reduction.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Keep {
+    /// The interface alone.
+    Interface,
+    /// The factorised fronts as well.
+    Fronts,
+    /// These, and how the interiors of the cells follow from their boundaries.
+    Interiors,
+}
+
+/// Reduces a body and keeps what is asked for; `warm` tells with whose temperatures, by the thermal expansion of each material,
 /// its cells are to be loaded.
-pub(crate) fn reduce(problem: &BodyProblem, factors: bool, clock: Clock, warm: Option<Warm<'_>>) -> Result<Reduction, Error> {
+pub(crate) fn reduce(problem: &BodyProblem, keep: Keep, clock: Clock, warm: Option<Warm<'_>>) -> Result<Reduction, Error> {
     let start = clock();
     let ordered = Ordered::new(problem)?;
     let mesh = &*problem.mesh;
@@ -44,15 +58,18 @@ pub(crate) fn reduce(problem: &BodyProblem, factors: bool, clock: Clock, warm: O
     let assembly = Assembly::new(problem, &space, loads);
     let warming = warm.map(|warm| Warming::new((problem, &space), warm)).transpose()?;
     let warming = warming.filter(|warming| warming.is_alike(&congruence));
-    let (shared, heats) = match &warming {
-        Some(warming) => assembly.heated_matrices(congruence, warming).map(|(shared, heats)| (shared, Some(heats)))?,
-        None => (assembly.shared_matrices(congruence)?, None),
+    let (shared, heats, interiors) = match &warming {
+        Some(warming) => assembly.heated_matrices(congruence, warming).map(|(shared, heats)| (shared, Some(heats), None))?,
+        None => {
+            let (shared, interiors) = assembly.shared_matrices(congruence, keep == Keep::Interiors)?;
+            (shared, None, interiors)
+        }
     };
     let Own { matrices, reaction_constant, interior_work } = own_elements(&assembly, &groups, &foundations, &shared)?;
     let assembled = clock() - start;
     let mut elements = Elements::new(&assembly, &groups, shared, matrices);
     let mut condensed =
-        plan.run(&mut elements, &size, &last, factors).map_err(|g| Error::NoStiffness { place: place(mesh, g) })?;
+        plan.run(&mut elements, &size, &last, keep != Keep::Interface).map_err(|g| Error::NoStiffness { place: place(mesh, g) })?;
     condensed.work += &interior_work;
     let finite = |m: &Mat<f64>| m.col_iter().all(|c| c.iter().all(|v| v.is_finite()));
     if !(finite(&condensed.rhs) && finite(&condensed.work) && finite(&reaction_constant)) {
@@ -68,7 +85,7 @@ pub(crate) fn reduce(problem: &BodyProblem, factors: bool, clock: Clock, warm: O
         assemble: assembled - after_order,
         factor: after_order + factored - assembled,
     };
-    Ok(Reduction { interface, effort, space, condensed, kept, heats })
+    Ok(Reduction { interface, effort, space, condensed, kept, heats, interiors })
 }
 
 /// What the elements that are no shared ones make up.

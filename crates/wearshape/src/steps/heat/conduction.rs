@@ -83,7 +83,7 @@ impl Conduction {
             load_cases: vec![still],
             ..BodyProblem::new(mesh, 1, kinematics).keep(CONTACT)
         };
-        let body = Body::timed(problem, stage.clock()).map_err(failed)?;
+        let body = Body::of_temperature(problem, stage.clock()).map_err(failed)?;
         Ok(Conduction { body, held, films, fluxes })
     }
 
