@@ -51,27 +51,21 @@ impl ContactOperator<'_> {
     /// As [`ContactOperator::solve`]; [`Error::Singular`] where the closed points cannot hold the bodies.
     pub fn speed_factors(&self, load: &ContactLoad, closed: &[bool]) -> Result<SpeedFactors, Error> {
         let Some(pencil) = self.pencil(load, closed)? else { return Ok(SpeedFactors::default()) };
-        let undone = pencil.undone();
-        let eigenvalues = undone.eigenvalues().map_err(|_| Error::Singular)?;
-        let radius = eigenvalues.iter().map(|m| m.re.hypot(m.im)).fold(0.0, f64::max);
-        if !(radius > 0.0 && radius.is_finite()) {
-            return Ok(SpeedFactors::default());
-        }
-        let real = eigenvalues.iter().filter(|m| m.re > 0.0 && m.im.abs() <= REAL * radius);
-        let mut singular: Vec<f64> = real.map(|m| 1.0 / m.re).filter(|s| *s < RANGE[1] / radius).collect();
-        singular.sort_by(f64::total_cmp);
-        Ok(SpeedFactors { staggered: Some(1.0 / radius), singular })
+        factors(&pencil.cold().undone)
     }
 
-    /// The factor on the sliding speed of a load whose heat follows the pressure at which the pressure of surfaces without a gap, all of whose points are
-    /// closed, first vanishes somewhere: 0 where it does without heat, none where it does not up to a thousand times the staggered factor of these
-    /// points.
+    /// The same of surfaces all of whose points are closed, and the factor on the sliding speed at which their pressure, without a gap, first vanishes
+    /// somewhere: 0 where it does without heat, none where it does not up to a thousand times the staggered factor.
     ///
     /// # Errors
     /// As [`ContactOperator::speed_factors`].
-    pub fn separation_factor(&self, load: &ContactLoad, staggered: f64) -> Result<Option<f64>, Error> {
-        let pencil = self.pencil(load, &vec![true; self.points().len()])?;
-        Ok(pencil.and_then(|pencil| pencil.separation(staggered)))
+    pub fn closed_factors(&self, load: &ContactLoad) -> Result<(SpeedFactors, Option<f64>), Error> {
+        let closed = vec![true; self.points().len()];
+        let Some(pencil) = self.pencil(load, &closed)? else { return Ok((SpeedFactors::default(), None)) };
+        let cold = pencil.cold();
+        let factors = factors(&cold.undone)?;
+        let separation = factors.staggered.and_then(|staggered| pencil.separation(&cold, staggered));
+        Ok((factors, separation))
     }
 
     /// The system of the closed points; none where nothing follows the pressure.
@@ -104,11 +98,33 @@ impl ContactOperator<'_> {
     }
 }
 
-impl Pencil {
+/// What the system without heat tells, of one factorisation.
+struct Cold {
     /// `M`: pressures that undo the opening by the heat of pressures.
-    fn undone(&self) -> Mat<f64> {
-        let solved = self.cold.partial_piv_lu().solve(&self.hot);
-        Mat::from_fn(self.points, self.points, |i, j| -solved[(i, j)])
+    undone: Mat<f64>,
+    /// The pressures, a column.
+    pressures: Mat<f64>,
+}
+
+/// The factors that the eigenvalues of `M` tell.
+fn factors(undone: &Mat<f64>) -> Result<SpeedFactors, Error> {
+    let eigenvalues = undone.eigenvalues().map_err(|_| Error::Singular)?;
+    let radius = eigenvalues.iter().map(|m| m.re.hypot(m.im)).fold(0.0, f64::max);
+    if !(radius > 0.0 && radius.is_finite()) {
+        return Ok(SpeedFactors::default());
+    }
+    let real = eigenvalues.iter().filter(|m| m.re > 0.0 && m.im.abs() <= REAL * radius);
+    let mut singular: Vec<f64> = real.map(|m| 1.0 / m.re).filter(|s| *s < RANGE[1] / radius).collect();
+    singular.sort_by(f64::total_cmp);
+    Ok(SpeedFactors { staggered: Some(1.0 / radius), singular })
+}
+
+impl Pencil {
+    fn cold(&self) -> Cold {
+        let factors = self.cold.partial_piv_lu();
+        let solved = factors.solve(&self.hot);
+        let undone = Mat::from_fn(self.points, self.points, |i, j| -solved[(i, j)]);
+        Cold { undone, pressures: factors.solve(&self.right).get(..self.points, ..).to_owned() }
     }
 
     /// The least pressure at a factor.
@@ -119,12 +135,12 @@ impl Pencil {
     }
 
     /// The factor at which a pressure vanishes first.
-    fn separation(&self, unit: f64) -> Option<f64> {
+    fn separation(&self, cold: &Cold, unit: f64) -> Option<f64> {
         let pressed = |factor: f64| Some([factor, self.least(factor)]).filter(|[_, least]| *least > 0.0);
-        if pressed(0.0).is_none() {
+        if !cold.pressures.col(0).iter().all(|pressure| *pressure > 0.0) {
             return Some(0.0);
         }
-        let mut below = self.before(unit).and_then(pressed).unwrap_or([0.0; 2]);
+        let mut below = self.before(cold, unit).and_then(pressed).unwrap_or([0.0; 2]);
         let mut factor = if below[0] > 0.0 { STEP * below[0] } else { RANGE[0] * unit };
         while let Some(pressed) = pressed(factor) {
             below = pressed;
@@ -138,10 +154,9 @@ impl Pencil {
 
     /// The last factor of the search before the first at which a pressure vanishes, or before the end of the power series, `p(s) = sum s^k M^k p(0)`,
     /// which takes no factorisation; none where it does not converge, or no factor is before.
-    fn before(&self, unit: f64) -> Option<f64> {
-        let (undone, solved) = (self.undone(), self.cold.partial_piv_lu().solve(&self.right));
+    fn before(&self, cold: &Cold, unit: f64) -> Option<f64> {
         let size = |term: &Mat<f64>| term.norm_max();
-        let mut terms = vec![solved.get(..self.points, ..).to_owned()];
+        let mut terms = vec![cold.pressures.clone()];
         let highest = SERIES * unit;
         loop {
             let last = size(terms.last()?);
@@ -152,7 +167,7 @@ impl Pencil {
             if terms.len() > TERMS {
                 return None;
             }
-            terms.push(faer::Scale(highest) * (&undone * terms.last()?));
+            terms.push(faer::Scale(highest) * (&cold.undone * terms.last()?));
         }
         let factors = std::iter::successors(Some(RANGE[0] * unit), |factor| Some(factor * STEP));
         let factors: Vec<f64> = factors.take_while(|factor| *factor <= highest).collect();
@@ -216,11 +231,11 @@ mod tests {
         for at in [0.05, 0.7, 3.0] {
             let pencil = system(at);
             let wanted = by_halves(&pencil);
-            let undone = pencil.undone().eigenvalues().unwrap();
-            let radius = undone.iter().map(|m| m.re.hypot(m.im)).fold(0.0, f64::max);
+            let cold = pencil.cold();
+            let radius = 1.0 / factors(&cold.undone).unwrap().staggered.unwrap();
             // The series lasts to a part of the staggered factor.
             for unit in [1.0 / radius, 100.0 / radius] {
-                let found = pencil.separation(unit).unwrap();
+                let found = pencil.separation(&cold, unit).unwrap();
                 assert!((found / wanted - 1.0).abs() < 1e-12, "{at} {unit}: {found} for {wanted}");
             }
         }

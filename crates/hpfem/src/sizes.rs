@@ -31,8 +31,8 @@ pub struct Sizes {
 }
 
 impl Sizes {
-    /// Memory that [`Body::for_heat`] holds more than [`Body::new`], bytes: what temperatures on the boundary of a cell do to it. A body that was made
-    /// without takes it in [`Body::heated`].
+    /// Memory that [`Body::for_heat`] and [`Body::of_temperature`] hold more than [`Body::new`], bytes: what temperatures on the boundary of a cell do to
+    /// it, and how they go on inside. A body that was made without takes it in [`Body::heated`].
     pub fn for_heat_bytes(&self) -> u64 {
         8 * self.cell_heats as u64
     }
@@ -73,7 +73,7 @@ impl Body {
         // A column for each temperature, which has one component.
         let heats = ordered.congruence.classes.iter().map(|class| {
             let modes = space.modes_of(mesh, class.first, class.edges, [false; 4]);
-            outer(&modes) * (modes.modes - modes.interior)
+            (outer(&modes) + modes.interior) * (modes.modes - modes.interior)
         });
         Ok(Sizes {
             cells: mesh.cells.len(),

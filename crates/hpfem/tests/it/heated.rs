@@ -22,9 +22,13 @@ fn later() -> LoadCase {
 
 /// The body of temperature, held at 35 degC below and warmed above.
 fn temperature(mesh: &Mesh, kinematics: Kinematics) -> Body {
+    Body::new(warming(mesh, kinematics)).unwrap()
+}
+
+fn warming(mesh: &Mesh, kinematics: Kinematics) -> BodyProblem {
     let problem = conduction(mesh, 5, kinematics).material(Material::conductor(1.4).unwrap());
     let problem = problem.support(Support::moved("bottom", Direction::First, 35.0)).keep("right");
-    Body::new(problem.load("0", traction("top", |p| [p.position[0], 0.0]))).unwrap()
+    problem.load("0", traction("top", |p| [p.position[0], 0.0]))
 }
 
 /// As many states under heat into the kept boundary; the first is that without any.
@@ -78,6 +82,36 @@ fn temperatures_as_load_cases_give_what_a_body_made_with_them_gives() {
                 assert!(between.col_iter().flat_map(|column| column.iter()).all(|work| work.is_nan()));
                 let [rest, expected] = [&parts.work, &wanted.work].map(|m| m.submatrix(2 + many, 2, 7, many).to_owned());
                 same(&rest, &expected, "work of prescribed displacements and reactions");
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_kept_of_the_cells_of_a_temperature_changes_nothing_it_is_asked_for() {
+    let still: Clock = || 0.0;
+    for kinematics in [PLANE_STRAIN, Kinematics::Axisymmetric] {
+        for mesh in [patch([3, 2, 0, 1], Shape::Arcs, 0.5), mixed([1, 3, 2, 0], Shape::Polynomial(3), 0.5)] {
+            let warm = temperature(&mesh, kinematics);
+            let keeping = Body::of_temperature(warming(&mesh, kinematics), still).unwrap();
+            same(&keeping.interface.stiffness, &warm.interface.stiffness, "stiffness");
+            for many in [1, 26] {
+                let cases = cases(&warm, many);
+                let states: Vec<InterfaceState> = cases.iter().map(|case| case.state.clone()).collect();
+                let [own, other] = [&keeping, &warm].map(|body| body.fields(&states).unwrap());
+                for (a, b) in own.iter().zip(&other) {
+                    for cell in 0..mesh.cells.len() {
+                        let [a, b] = [a, b].map(|field| field.at(cell, 0.2, 0.1).unwrap().displacement[0]);
+                        assert!((a - b).abs() <= 1e-11 * b.abs().max(1.0), "{a} {b}");
+                    }
+                }
+                for known in [None, Some(&cases[..])] {
+                    let hot = |body: &Body| {
+                        let cold = Body::for_heat(cold(&mesh, kinematics), body, known, &EXPANSION, still).unwrap();
+                        cold.heated(body, &cases, &EXPANSION).unwrap().columns
+                    };
+                    same(&hot(&keeping), &hot(&warm), "columns");
+                }
             }
         }
     }

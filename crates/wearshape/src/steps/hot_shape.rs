@@ -37,7 +37,7 @@ impl<'a> HotShape<'a> {
         let made = HotBodies::new(stage, level, (cut, if left { Asked::Under(&wanted) } else { Asked::Anything }))?;
         let Some((bodies, mut effort)) = made else { return Ok(None) };
         let (heat, reduced) = effort.timed(Step::Heat, stage.clock(), |_| {
-            let heat = wanted(&bodies.surfaces, bodies.warmed.heat)?;
+            let heat = bodies.asked(&wanted)?;
             let reduced = bodies.under(&heat)?;
             Ok::<_, Fault>((heat, reduced))
         })?;

@@ -25,6 +25,7 @@ pub(crate) fn recover(stage: Stage<'_>, reported: &Reported) -> Result<(Inside, 
     let (parts, warm) = Warm::of(stage, reported, parts)?;
     let (bodies, reduction) = parts.reduce(stage.clock())?;
     let mut effort = counts(&reduction);
+    effort.counters.factorisations += warm.as_ref().map_or(0, Warm::factorisations);
     let pair = paired([&bodies[0].interface, &bodies[1].interface], stage.meeting())?;
     let mut inside = Inside::default();
     // Lines are told of the reported moment alone, which is the first.

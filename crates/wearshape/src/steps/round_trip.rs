@@ -72,7 +72,7 @@ pub(crate) fn independent(shaper: &Shaper<'_>, level: Level, shape: &GapCurve, t
     let wanted_heat = |surfaces: &Surfaces, heat: &Heat| wanted_heat(shaper, surfaces, heat);
     let (following, reduced, effort) = match HotBodies::new(shaper.stage, finer, (Cut::Shifted, Asked::Near(&wanted_heat)))? {
         Some((bodies, mut effort)) => {
-            let near = |_: &mut Effort| Following::near(&bodies, &wanted_heat(&bodies.surfaces, bodies.warmed.heat)?);
+            let near = |_: &mut Effort| Following::near(&bodies, &bodies.asked(&wanted_heat)?);
             (Some(effort.timed(Step::Heat, shaper.stage.clock(), near)?), None, effort)
         }
         None => {

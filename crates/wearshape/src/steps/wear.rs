@@ -88,9 +88,14 @@ fn solve_at(stage: Stage<'_>, pieces: &Pieces, ends: &[f64], watch: &mut Watch<'
             given_up = Some(format!("the level of degree {} has no end ({why})", level.degree));
             return Err(Refusal::Reason(why));
         }
-        let stuck = matches!(ran.ended, EvolutionStatus::Stuck { .. } | EvolutionStatus::Unstable { .. });
+        // Of a fixed discretisation coarser levels tell the error alone: one that is too coarse for the heat ends nothing.
+        let coarser = ladder.is_fixed() && ladder.levels.last() != Some(&level);
+        let ends = match ran.ended {
+            EvolutionStatus::Unstable { .. } => !coarser,
+            ref ended => matches!(ended, EvolutionStatus::Stuck { .. }),
+        };
         let solved = Solved { left, run: Some(ran) };
-        Ok(if stuck { ControlFlow::Break(Some(solved)) } else { ControlFlow::Continue(solved) })
+        Ok(if ends { ControlFlow::Break(Some(solved)) } else { ControlFlow::Continue(solved) })
     };
     let decisive = decisive(stage);
     let Climbed { mut solved, mut stopped } = climb(&ladder, known, solve, decisive, watch)?;
@@ -207,12 +212,24 @@ fn too_deep(wear: Option<&WearResult>) -> Option<(Status, String)> {
     (ratio > DEEP).then_some((Status::AccuracyMissed, why))
 }
 
+/// Whether all levels of a run with heat came to a steady pressure, or none did: one that the heat ended before tells no error.
+fn alike(stage: Stage<'_>, solved: &[Solved]) -> bool {
+    let steady = |level: &Solved| level.left.to_1_percent.is_some();
+    stage.problem.heat.is_none() || solved.iter().all(|level| Some(steady(level)) == solved.last().map(steady))
+}
+
 fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>, levels: Levels) -> Outcome {
     let distance = apart(stage);
     let degrees: Vec<usize> = solved.iter().map(|level| level.left.degree).collect();
     let mut outcome = Outcome { ladder: rungs(&degrees, &solved, "gap", 0, distance), ..Outcome::default() };
     let of = |k: usize| ladder.error_in_time(&solved, &|a, b| distance(a, b)[k]);
-    let errors = if ladder.is_fixed() { of(0).zip(of(1)).map(|(gap, time)| [gap, time]) } else { levels.errors };
+    let errors = if ladder.is_fixed() && !alike(stage, &solved) {
+        None
+    } else if ladder.is_fixed() {
+        of(0).zip(of(1)).map(|(gap, time)| [gap, time])
+    } else {
+        levels.errors
+    };
     // The depth of a round contact is the worn gap itself, with what the steps leave in it.
     let steps = solved.last().filter(|_| stage.ends_move()).and_then(|level| level.left.integration_error).unwrap_or(0.0);
     let error = errors.map(|[gap, _]| gap + steps);

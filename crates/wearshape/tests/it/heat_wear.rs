@@ -120,6 +120,17 @@ fn beyond_the_critical_speed_the_instability_is_said_by_name() {
     assert!(solution.status == Status::Refused && solution.reason.unwrap().contains("frictional heat"));
 }
 
+/// At 4.3 rad/s cells of degree 2 lose the contact, those of degree 6 wear in.
+#[test]
+fn a_coarser_level_that_heat_ends_tells_no_error_and_ends_nothing() {
+    let run = |degree: &str| solved(&scene("drum-brake-hot", &[TASK, "sliding.omega=4.3", degree]));
+    assert_eq!(run("mesh.degree=2").wear.unwrap().status, WearStatus::Unstable);
+    let fine = run("mesh.degree=6");
+    assert_eq!(fine.status, Status::Ok, "{:?}", fine.reason);
+    assert_eq!(fine.wear.unwrap().status, WearStatus::Steady);
+    assert_eq!(fine.error.gap_relative, None);
+}
+
 #[test]
 fn below_it_a_contact_that_jumps_settles_and_tells_its_jumps() {
     let solution = worn("drum-brake-hot", &["sliding.omega=4"]);

@@ -227,3 +227,13 @@ fn a_body_is_hottest_on_a_warm_line_inside_it() {
     let [x, z] = heat.highest1_at.unwrap();
     assert!(x.abs() <= 5.0 && (z - 10.0).abs() < 1e-9, "{x} {z}");
 }
+
+/// Three discretisations of two bodies, that of the level, a finer one beside it and the proof's; a drum has its temperature in closed form.
+#[test]
+fn factorised_temperatures_count_as_factorisations() {
+    for (name, fields, count) in [("clutch-hot", false, 12), ("drum-brake-hot", false, 9), ("drum-brake-hot", true, 12)] {
+        let fields = format!("output.fields={fields}");
+        let solution = solved(&scene(name, &["tasks=[shape]", "mesh.degree=4", &fields]));
+        assert_eq!(solution.counters.factorisations, count, "{name} {fields}");
+    }
+}

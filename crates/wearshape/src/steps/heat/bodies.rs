@@ -26,6 +26,8 @@ pub(crate) struct HotBodies<'a> {
     parts: Parts,
     /// Without heat.
     cold: [Body; 2],
+    /// The heat that was asked for.
+    asked: Option<PointHeat>,
     counters: Counters,
 }
 
@@ -51,6 +53,26 @@ pub(crate) enum Asked<'k> {
     Near(HeatOf<'k>),
 }
 
+impl Asked<'_> {
+    /// The heat, and the temperatures of both bodies that it takes.
+    fn known(self, warmed: &Warmed<'_>, surfaces: &Surfaces) -> Result<(Option<PointHeat>, [Option<Temperatures>; 2]), Fault> {
+        let (heat, known) = match self {
+            Asked::Anything => return Ok((None, [None, None])),
+            Asked::Under(heat) => {
+                let heat = heat(surfaces, warmed.heat)?;
+                let known = under(warmed, &heat)?;
+                (heat, known)
+            }
+            Asked::Near(heat) => {
+                let heat = heat(surfaces, warmed.heat)?;
+                let known = near(warmed, surfaces, &heat, &surfaces.smooth())?;
+                (heat, known)
+            }
+        };
+        Ok((Some(heat), known.map(Some)))
+    }
+}
+
 impl<'a> HotBodies<'a> {
     /// Bodies of a level; none of a scene without heat.
     pub(crate) fn new(
@@ -66,12 +88,7 @@ impl<'a> HotBodies<'a> {
         let start = stage.clock()();
         let Some(warmed) = Warmed::new(stage, &parts)? else { return Ok(None) };
         let surfaces = warmed.surfaces(&warmed.pair()?)?;
-        let of = |heat: HeatOf<'_>| heat(&surfaces, warmed.heat);
-        let known = match asked {
-            Asked::Anything => [None, None],
-            Asked::Under(heat) => under(&warmed, &of(heat)?)?.map(Some),
-            Asked::Near(heat) => near(&warmed, &surfaces, &of(heat)?, &surfaces.smooth())?.map(Some),
-        };
+        let (heat, known) = asked.known(&warmed, &surfaces)?;
         effort.add_seconds(Step::Heat, stage.clock()() - start);
         (stage.options.begun)(Step::Factor);
         let heats = [0, 1].map(|number| {
@@ -82,7 +99,14 @@ impl<'a> HotBodies<'a> {
         let (cold, work) = parts.reduce_for(heats, stage.clock())?;
         let counters = work.counters.clone();
         effort += work;
-        Ok(Some((HotBodies { warmed: Arc::new(warmed), surfaces: Arc::new(surfaces), parts, cold, counters }, effort)))
+        effort.counters.factorisations += warmed.factorisations();
+        let (warmed, surfaces) = (Arc::new(warmed), Arc::new(surfaces));
+        Ok(Some((HotBodies { warmed, surfaces, parts, cold, asked: heat, counters }, effort)))
+    }
+
+    /// The heat that was asked for; what `heat` gives where anything was.
+    pub(crate) fn asked(&self, heat: HeatOf<'_>) -> Result<PointHeat, Fault> {
+        self.asked.clone().map_or_else(|| heat(&self.surfaces, self.warmed.heat), Ok)
     }
 
     /// The bodies with one load each, of their temperature under heat at the contact points.

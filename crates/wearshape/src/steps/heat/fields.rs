@@ -41,6 +41,11 @@ impl Warm {
         Ok((parts, Some(Warm([Inside::Field(Box::new(first)), second]))))
     }
 
+    /// Problems of temperature that were factorised.
+    pub(crate) fn factorisations(&self) -> usize {
+        self.0.iter().filter(|inside| matches!(inside, Inside::Field(_))).count()
+    }
+
     /// Temperature of a body at a place of a cell.
     pub(crate) fn at(&self, body: usize, (cell, xi, eta): (usize, f64, f64), x: [f64; 2]) -> Result<f64, Fault> {
         match &self.0[body] {

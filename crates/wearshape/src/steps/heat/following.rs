@@ -166,16 +166,12 @@ impl<'a> Following<'a> {
         (base, closed): (&ContactLoad, &[bool]),
         rates: &[f64],
     ) -> Result<Speeds, Fault> {
-        let factors = |closed: &[bool]| {
-            let load = self.fitting(base, rates, closed)?;
-            let factors = operator.speed_factors(&load, closed).map_err(unsolved)?;
-            Ok::<_, Fault>((load, factors))
-        };
         let all = vec![true; closed.len()];
-        let (load, whole) = factors(&all)?;
-        let separation = whole.staggered.map(|staggered| operator.separation_factor(&load, staggered).map_err(unsolved));
-        let separation = separation.transpose()?.flatten();
-        let factors = if closed == all { whole } else { factors(closed)?.1 };
+        let (whole, separation) = operator.closed_factors(&self.fitting(base, rates, &all)?).map_err(unsolved)?;
+        let factors = match closed == all {
+            true => whole,
+            false => operator.speed_factors(&self.fitting(base, rates, closed)?, closed).map_err(unsolved)?,
+        };
         Ok(Speeds { factors, separation })
     }
 

@@ -85,6 +85,11 @@ impl<'a> Warmed<'a> {
         }
     }
 
+    /// Problems of temperature that were factorised.
+    pub(crate) fn factorisations(&self) -> usize {
+        [0, 1].into_iter().filter(|number| self.conduction(*number).is_some()).count()
+    }
+
     /// What heat at the contact points does.
     pub(crate) fn surfaces(&self, pair: &Pair<'_>) -> Result<Surfaces, Fault> {
         let points = pair.points();
