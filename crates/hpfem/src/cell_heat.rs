@@ -248,7 +248,8 @@ impl<'a> Warming<'a> {
                 None => f64::from(u8::from(mode == k)),
             };
             let ni = modes.interior;
-            for (to, mode) in coefficients.col_as_slice_mut(k).iter_mut().zip(&modes.position).filter(|(_, m)| **m != usize::MAX) {
+            for (to, mode) in coefficients.col_as_slice_mut(k).iter_mut().zip(&modes.position).filter(|(_, m)| **m != usize::MAX)
+            {
                 *to = expansion * if *mode < ni { inside[*mode] } else { on_boundary(*mode - ni) };
             }
         }

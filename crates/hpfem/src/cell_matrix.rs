@@ -85,7 +85,11 @@ pub(crate) fn map_cells<T: Send>(count: usize, task: impl Fn(&mut Workspace, usi
 
 impl Assembly<'_> {
     /// Condensed matrices of all classes, and how their interiors follow from their boundaries where that is to be kept.
-    pub(crate) fn shared_matrices(&self, congruence: Congruence, keep: bool) -> Result<(SharedMatrices, Option<Interiors>), Error> {
+    pub(crate) fn shared_matrices(
+        &self,
+        congruence: Congruence,
+        keep: bool,
+    ) -> Result<(SharedMatrices, Option<Interiors>), Error> {
         let made = map_cells(congruence.classes.len(), |work, k| {
             let class = &congruence.classes[k];
             let (matrix, ni) = self.condensed(class.first, &self.class_modes(class), work)?;

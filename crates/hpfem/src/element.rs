@@ -101,7 +101,10 @@ pub(crate) fn stiffness<'w>(form: &CellForm<'_>, table: &Table, work: &'w mut Wo
             Moduli::Isotropic { c11, c12, shear } => {
                 points.fill(coefficients.as_mut(), |r, v, u| at(r).isotropic([c11, c12, shear], v, u))?;
             }
-            Moduli::General { .. } | Moduli::Scalar { .. } => {
+            Moduli::Scalar { matrix } => {
+                points.fill(coefficients.as_mut(), |r, v, u| at(r).scalar(matrix, v, u))?;
+            }
+            Moduli::General { .. } => {
                 points.fill(coefficients.as_mut(), |r, v, u| at(r).value(v, u))?;
             }
         }
@@ -277,11 +280,7 @@ impl PointForm<'_> {
                 let stress = |i: usize| (0..4).map(|j| stiffness[i][j] * f[j]).sum::<f64>();
                 (0..4).map(|i| e[i] * stress(i)).sum()
             }
-            Moduli::Scalar { matrix: [[a, b], [c, d]] } => {
-                let hoop = if self.kinematics.has_hoop_strain() { self.inverse_radius } else { 0.0 };
-                let [e, f] = [v, u].map(|w| [if hoop == 0.0 { w[1] } else { w[1] - hoop * w[0] }, w[2]]);
-                e[0] * (a * f[0] + b * f[1]) + e[1] * (c * f[0] + d * f[1])
-            }
+            Moduli::Scalar { matrix } => self.scalar(*matrix, v, u),
         }
     }
 
@@ -292,6 +291,13 @@ impl PointForm<'_> {
             (0, false) => [w[1], 0.0, 0.0, w[2]],
             _ => [0.0, w[2], 0.0, w[1]],
         }
+    }
+
+    #[inline]
+    fn scalar(&self, [[a, b], [c, d]]: [[f64; 2]; 2], v: [f64; 3], u: [f64; 3]) -> f64 {
+        let hoop = if self.kinematics.has_hoop_strain() { self.inverse_radius } else { 0.0 };
+        let [e, f] = [v, u].map(|w| [if hoop == 0.0 { w[1] } else { w[1] - hoop * w[0] }, w[2]]);
+        e[0] * (a * f[0] + b * f[1]) + e[1] * (c * f[0] + d * f[1])
     }
 
     #[inline]

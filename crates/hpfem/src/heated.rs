@@ -165,7 +165,10 @@ impl Heating<'_> {
         let motions = elastic.virtual_motion(&targets, elastic.columns - elastic.loads.cases - 1);
         let reaction = |motion: &[f64]| -> Vec<f64> {
             let mut forces = vec![0.0; load.nrows()];
-            motion.iter().zip(load.col_iter()).for_each(|(m, load)| forces.iter_mut().zip(load.iter()).for_each(|(force, load)| *force -= m * load));
+            motion
+                .iter()
+                .zip(load.col_iter())
+                .for_each(|(m, load)| forces.iter_mut().zip(load.iter()).for_each(|(force, load)| *force -= m * load));
             forces
         };
         let moved = motions.iter().enumerate().filter(|(_, motion)| !motion.is_empty());

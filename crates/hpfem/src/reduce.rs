@@ -68,8 +68,9 @@ pub(crate) fn reduce(problem: &BodyProblem, keep: Keep, clock: Clock, warm: Opti
     let Own { matrices, reaction_constant, interior_work } = own_elements(&assembly, &groups, &foundations, &shared)?;
     let assembled = clock() - start;
     let mut elements = Elements::new(&assembly, &groups, shared, matrices);
-    let mut condensed =
-        plan.run(&mut elements, &size, &last, keep != Keep::Interface).map_err(|g| Error::NoStiffness { place: place(mesh, g) })?;
+    let mut condensed = plan
+        .run(&mut elements, &size, &last, keep != Keep::Interface)
+        .map_err(|g| Error::NoStiffness { place: place(mesh, g) })?;
     condensed.work += &interior_work;
     let finite = |m: &Mat<f64>| m.col_iter().all(|c| c.iter().all(|v| v.is_finite()));
     if !(finite(&condensed.rhs) && finite(&condensed.work) && finite(&reaction_constant)) {

@@ -5,7 +5,6 @@
 //! cell.
 
 use crate::assembly::Assembly;
-use crate::basis::Table;
 use crate::element::{CellGeometry, cell_geometry};
 use crate::legendre::shape_functions;
 use crate::point_load::{PointLoad, Rows};
@@ -121,43 +120,6 @@ impl Grid {
                 let column = load.col_as_slice_mut(k);
                 for (value, mode) in modes.iter().zip(&rows.local.position).filter(|(_, mode)| **mode != usize::MAX) {
                     column[rows.row(*mode, component)] = *value;
-                }
-            }
-        }
-        load
-    }
-
-    /// Loads with these densities times each mode, a column each in the numbering of [`Grid::values`], at the points of the element's own rule. It takes
-    /// more operations than [`Grid::by_modes`] for as many columns, in few and large products.
-    pub(crate) fn by_each_mode(&self, rows: Rows<'_>, densities: &[[Mat<f64>; 3]], table: &Table) -> Mat<f64> {
-        let (n, nq) = (table.functions, self.points.len());
-        let mut load = Mat::<f64>::zeros(rows.components * rows.local.modes, n * n);
-        for (component, [value, along_xi, along_eta]) in densities.iter().enumerate() {
-            // With the orders of differentiation along xi and eta. In the plane a strain has no part along the value.
-            let mut terms = vec![(along_xi, [1, 0]), (along_eta, [0, 1])];
-            if value.col_iter().any(|column| column.iter().any(|v| *v != 0.0)) {
-                terms.push((value, [0, 0]));
-            }
-            let (mut eta_side, mut xi_side) = (Mat::zeros(n * n, nq * terms.len()), Mat::zeros(n * n, nq * terms.len()));
-            for (k, (density, [xi, eta])) in terms.into_iter().enumerate() {
-                let block = eta_side.as_mut().subcols_mut(k * nq, nq);
-                matmul(block, Accum::Replace, table.all[2 * eta].as_ref(), density.transpose(), 1.0, Par::Seq);
-                xi_side.as_mut().subcols_mut(k * nq, nq).copy_from(&table.all[2 * xi]);
-            }
-            let out = eta_side * xi_side.transpose();
-            let place = |i: usize, j: usize| table.order[i] + n * table.order[j];
-            let row = |k: usize| match rows.local.position[place(k / n, k % n)] {
-                usize::MAX => usize::MAX,
-                mode => rows.row(mode, component),
-            };
-            let row: Vec<usize> = (0..n * n).map(row).collect();
-            // Columns and rows of `out`: pairs of a mode of the load and one of the strain, along xi and along eta.
-            for (pair, column) in out.col_iter().enumerate() {
-                let (i1, j1) = (pair % n, pair / n);
-                let row = &row[n * i1..n * (i1 + 1)];
-                let along_eta = (0..n).flat_map(|j2| row.iter().map(move |row| (j2, *row)));
-                for (value, (j2, row)) in column.iter().zip(along_eta).filter(|(_, (_, row))| *row != usize::MAX) {
-                    load[(row, place(j1, j2))] = *value;
                 }
             }
         }

@@ -5,7 +5,7 @@
 //! and the work of the loads on the interior is `y . y`. An eigenstrain `eps*` is the load `int sigma* : eps(v) dV`, `sigma* = C eps*`.
 
 use crate::assembly::Assembly;
-use crate::basis::{LocalModes, Table, points_for};
+use crate::basis::{LocalModes, points_for};
 use crate::cell_point::{CellPoint, cell_rule};
 use crate::element::Workspace;
 use crate::error::Error;
@@ -40,9 +40,6 @@ struct Weighted {
 
 /// Points of a direction beyond the degree of a cell: values are needed beyond the element's own rule, loads are no polynomials.
 const MORE_POINTS: usize = 6;
-
-/// Strains from which on all modes of a cell take less time than the strains themselves.
-const MANY_COLUMNS: usize = 8;
 
 /// A unit strain alike in all directions.
 const ALIKE: [f64; 4] = [1.0, 1.0, 0.0, 1.0];
@@ -180,11 +177,7 @@ impl Assembly<'_> {
         let grid = Grid::new(self, cell, degree, points_for(degree));
         let unit = |q: usize| self.strain_load(self.mesh.cells[cell].material, grid.position(q)[0], ALIKE);
         let loads: Vec<PointLoad> = (0..grid.len()).map(unit).collect();
-        let densities = grid.densities(rows.components, &loads);
-        if coefficients.ncols() < MANY_COLUMNS {
-            return grid.by_modes(rows, &densities, coefficients);
-        }
-        grid.by_each_mode(rows, &densities, Table::of(degree)) * coefficients
+        grid.by_modes(rows, &grid.densities(rows.components, &loads), coefficients)
     }
 
     /// Loads of strains alike in all directions on a triangle: three products of matrices for all of them.

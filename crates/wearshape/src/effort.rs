@@ -18,7 +18,7 @@ pub struct Counters {
     pub dofs: usize,
     /// Unknowns of the contact traces.
     pub trace_dofs: usize,
-    /// Factorisations.
+    /// Factorisations, those of problems of temperature and of twist among them.
     pub factorisations: usize,
     /// Contact solves.
     pub contact_solves: usize,
