@@ -29,13 +29,36 @@ impl Mesh {
         if edge >= self.edges.len() {
             return Err(Error::Count { what: "edge to cut, edges".into(), given: edge + 1, expected: self.edges.len() });
         }
-        let row = self.row(edge, t);
+        self.cut_all_of(&self.row(edge, t))
+    }
+
+    /// Cuts every row of cells that holds one of the edges in the middle, as [`Mesh::cut_through`] does one row, and returns how many there are. The
+    /// cells that come of it do not hang on the order of the edges.
+    ///
+    /// # Errors
+    /// Those of [`Mesh::cut_through`].
+    pub fn cut_rows(&self, edges: &[usize]) -> Result<(Mesh, usize), Error> {
+        let (mut all, mut rows) = (BTreeMap::new(), 0);
+        for edge in edges {
+            if *edge >= self.edges.len() {
+                return Err(Error::Count { what: "edge to cut, edges".into(), given: edge + 1, expected: self.edges.len() });
+            }
+            if !all.contains_key(edge) {
+                all.extend(self.row(*edge, 0.0));
+                rows += 1;
+            }
+        }
+        Ok((self.cut_all_of(&all)?, rows))
+    }
+
+    /// Cuts the edges at their parameters, and the cells that they belong to.
+    fn cut_all_of(&self, row: &BTreeMap<usize, f64>) -> Result<Mesh, Error> {
         let mut split = self.split_edges(|e| row.get(&e).copied());
         for (c, cell) in self.cells.iter().enumerate() {
             if cell.is_triangle() {
-                self.cut_triangle(c, &row, &mut split);
+                self.cut_triangle(c, row, &mut split);
             } else {
-                self.cut_quad(c, &row, &mut split);
+                self.cut_quad(c, row, &mut split);
             }
         }
         let mesh = split.joined()?;

@@ -10,13 +10,10 @@ use crate::couple::{Couple, Strip};
 use crate::cuts::SAME;
 use crate::extent::Extent;
 use crate::names::{AXIS, CONTACT, LOAD};
+use crate::rows;
 
-/// Longest side of a cell over its shortest before it is cut.
-const SLENDER: f64 = 3.0;
 /// Share of an edge within which its end is moved onto an end of contact instead of cutting the edge there.
 const NEAR: f64 = 0.25;
-/// Most cuts of slender cells in one body.
-const MOST_CUTS: usize = 24;
 
 /// A body given by its cells, its surfaces named, and the points towards which it is to be graded.
 #[derive(Clone)]
@@ -63,7 +60,7 @@ impl Cells {
             tag(&mut cells.mesh, &axis, AXIS);
         }
         cells.singular = singular(couple, number, &cells.mesh, extent).map_err(|error| degenerate(key, &error))?;
-        cells.cut_slender().map_err(|error| degenerate(key, &error))?;
+        cells.mesh = rows::cut_slender(cells.mesh).map_err(|error| degenerate(key, &error))?;
         Ok(cells)
     }
 
@@ -201,14 +198,9 @@ impl Cells {
         self.cut(&middles)
     }
 
-    /// Cuts a cell between two of its corners.
-    pub(crate) fn part(&mut self, cell: usize, [a, b]: [usize; 2]) -> Result<(), Fault> {
-        // Corners next to each other are the ends of a side; opposite ones are parted by a cut in any direction.
-        let cell = &self.mesh.cells[cell];
-        let ends = [a, b].map(|k| cell.corners[k]);
-        let between = |side: &(usize, usize)| ends.iter().all(|v| self.mesh.edges[side.1].vertices.contains(v));
-        let Some((_, edge)) = cell.sides().find(between).or_else(|| cell.sides().next()) else { return Ok(()) };
-        self.mesh = self.mesh.cut_through(edge, 0.0).map_err(|error| {
+    /// Cuts rows of cells in the middle, those that hold one of the edges.
+    pub(crate) fn part(&mut self, edges: &[usize]) -> Result<(), Fault> {
+        (self.mesh, _) = self.mesh.cut_rows(edges).map_err(|error| {
             Fault::at(
                 "contact.edges",
                 "not-available",
@@ -257,25 +249,6 @@ impl Cells {
         }
         Ok(())
     }
-
-    /// Cuts the most slender cells across, again and again, until none is slender.
-    fn cut_slender(&mut self) -> Result<(), hpfem::Error> {
-        for _ in 0..MOST_CUTS {
-            let size = |c: usize, local: usize| {
-                let length = |local: usize| self.mesh.local_curve(c, local).length();
-                0.5 * (length(local) + length(local + 2))
-            };
-            let quads = (0..self.mesh.cells.len()).filter(|c| !self.mesh.cells[*c].is_triangle());
-            let ratios = quads.flat_map(|c| {
-                let ratio = size(c, 0) / size(c, 1);
-                [(ratio, c, 0), (1.0 / ratio, c, 1)]
-            });
-            let Some((ratio, cell, local)) = ratios.max_by(|a, b| a.0.total_cmp(&b.0)) else { return Ok(()) };
-            let Some(edge) = self.mesh.cells[cell].edges[local].filter(|_| ratio > SLENDER) else { return Ok(()) };
-            self.mesh = self.mesh.cut_through(edge, 0.0)?;
-        }
-        Ok(())
-    }
 }
 
 /// Adds a point to grade towards, if it is a vertex and not yet among them.
@@ -285,15 +258,6 @@ pub(crate) fn add_singular(mesh: &Mesh, singular: &mut Vec<[f64; 2]>, x: [f64; 2
     if near(&mesh.vertices[mesh.nearest_vertex(x)]) && !singular.iter().any(near) {
         singular.push(x);
     }
-}
-
-/// A cell that touches two of the points, and the two corners.
-pub(crate) fn crowded(mesh: &Mesh, singular: &[[f64; 2]]) -> Option<(usize, [usize; 2])> {
-    let graded: Vec<usize> = singular.iter().map(|x| mesh.nearest_vertex(*x)).collect();
-    mesh.cells.iter().enumerate().find_map(|(c, cell)| {
-        let mut touched = (0..cell.vertices().len()).filter(|k| graded.contains(&cell.corners[*k]));
-        Some((c, [touched.next()?, touched.next()?]))
-    })
 }
 
 fn tag(mesh: &mut Mesh, edges: &[usize], name: &str) {

@@ -22,6 +22,7 @@ mod placing;
 mod read;
 mod resultant;
 mod round_cells;
+mod rows;
 mod sound;
 mod sound_material;
 mod template;

@@ -3,10 +3,11 @@
 use hpfem::Mesh;
 use scene::Fault;
 
-use crate::cells::{Cells, add_singular, crowded};
+use crate::cells::{Cells, add_singular};
 use crate::coarse::Coarse;
 use crate::couple::Couple;
 use crate::extent::{Cut, Extent};
+use crate::rows::{crowded, crowded_edges};
 use crate::template::{coarse, contact_cuts};
 
 /// Most rounds until the break points settle: a cut may come back to the contact elsewhere and ask for another.
@@ -122,18 +123,22 @@ impl<'a> Matching<'a> {
         if body == 0 { [x, faced] } else { [faced, x] }
     }
 
-    /// Asks for a cut in each body with a cell that touches two points to grade towards; false if there is none.
+    /// Asks for cuts in each body with cells that touch two points to grade towards; false if there is none.
     fn part_crowded(&mut self, meshes: &[Coarse; 2]) -> Result<bool, Fault> {
         let mut again = false;
         for (number, coarse) in meshes.iter().enumerate() {
             let graded: Vec<[f64; 2]> = coarse.singular.iter().chain(&coarse.free).copied().collect();
-            let Some((cell, corners)) = crowded(&coarse.mesh, &graded) else { continue };
-            again = true;
             if let Some(cells) = &mut self.cells[number] {
-                coarse.singular.iter().for_each(|x| cells.grade_towards(*x));
-                cells.part(cell, corners)?;
+                let edges = crowded_edges(&coarse.mesh, &graded);
+                if !edges.is_empty() {
+                    again = true;
+                    coarse.singular.iter().for_each(|x| cells.grade_towards(*x));
+                    cells.part(&edges)?;
+                }
                 continue;
             }
+            let Some((cell, corners)) = crowded(&coarse.mesh, &graded) else { continue };
+            again = true;
             let corner = |k: usize| coarse.mesh.vertices[coarse.mesh.cells[cell].corners[k]];
             let place = |k: usize| self.cells[1 - number].as_ref()?.coordinate(self.extent.facing(number, corner(k)));
             let [Some(a), Some(b)] = corners.map(place) else { return Err(unmatched()) };

@@ -15,6 +15,7 @@ pub(crate) mod free_ends;
 pub(crate) mod heat;
 pub(crate) mod hertz_trial;
 pub(crate) mod hot_shape;
+pub(crate) mod jumps;
 pub(crate) mod life;
 pub(crate) mod paths;
 pub(crate) mod pressure;

@@ -137,3 +137,20 @@ fn a_cut_outside_the_edge_is_refused() {
     }
     assert!(matches!(mesh.cut_through(99, 0.0), Err(Error::Count { .. })));
 }
+
+/// Two rows that cross each other, whichever edge is named first; an edge of a row that is cut already adds nothing.
+#[test]
+fn rows_are_cut_at_once_and_in_no_order() {
+    let mesh = patch([1, 3, 2, 0], Shape::Arcs, 0.0);
+    let [bottom, top, left] = ["bottom", "top", "left"].map(|name| mesh.boundary(name).unwrap()[0]);
+    let (cut, rows) = mesh.cut_rows(&[bottom, left]).unwrap();
+    assert_eq!((cut.cells.len(), rows), (9, 2));
+    assert!((area(&cut) - area(&mesh)).abs() < 1e-9);
+    let (other, _) = mesh.cut_rows(&[left, bottom]).unwrap();
+    assert_eq!(other, cut);
+    let both: Vec<usize> = [bottom, top, left].into_iter().chain(mesh.boundary("bottom").unwrap()).collect();
+    assert!(mesh.cut_rows(&both).unwrap().1 <= 3, "of {both:?}");
+    let (same, none) = mesh.cut_rows(&[]).unwrap();
+    assert_eq!((same.cells.len(), none), (4, 0));
+    assert!(matches!(mesh.cut_rows(&[mesh.edges.len()]), Err(Error::Count { .. })));
+}

@@ -68,7 +68,7 @@ impl<'a> HotShape<'a> {
 
 /// Heat at the contact points of bodies under the wanted pressure.
 pub(crate) fn wanted_heat(shaper: &Shaper<'_>, surfaces: &Surfaces, heat: &Heat) -> Result<PointHeat, Fault> {
-    let forces: Vec<f64> = surfaces.points.iter().map(|p| p.weight * shaper.pressure(&SurfacePlace::from(p))).collect();
+    let forces: Vec<f64> = surfaces.points.iter().map(|p| p.weight * shaper.pressure(&SurfacePlace::from(p), None)).collect();
     let closed: Vec<bool> = forces.iter().map(|force| *force > 0.0).collect();
     let friction = surfaces.friction(&forces);
     let into = into_bodies(&surfaces.shared(heat, &closed)?, &friction);
@@ -93,7 +93,7 @@ fn at_wanted<T>(
 ) -> Result<T, Fault> {
     let pair = following.reduced.pair()?;
     let operator = following.reduced.operator(&pair, shaper.stage.friction() > 0.0)?;
-    let closed: Vec<bool> = operator.points().iter().map(|p| shaper.pressure(&SurfacePlace::from(p)) > 0.0).collect();
+    let closed: Vec<bool> = operator.points().iter().map(|p| shaper.pressure(&SurfacePlace::from(p), Some(&pair)) > 0.0).collect();
     of(&operator, (&contact_load(shaper, operator.points()), &closed))
 }
 

@@ -29,7 +29,7 @@ fn difference(weights: &[f64], found: &[f64], wanted: &[f64]) -> f64 {
 /// Wanted pressure at the points of an operator, and its points' weights.
 fn wanted(shaper: &Shaper<'_>, operator: &ContactOperator<'_>) -> (Vec<f64>, Vec<f64>) {
     let points = operator.points();
-    points.iter().map(|p| (p.weight, shaper.pressure(&SurfacePlace::from(p)))).unzip()
+    points.iter().map(|p| (p.weight, shaper.pressure(&SurfacePlace::from(p), Some(operator.pair())))).unzip()
 }
 
 /// Round trip on the very operators the shape was found on: a test of the contact solver. With it the condition of its system.

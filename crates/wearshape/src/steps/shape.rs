@@ -246,9 +246,9 @@ impl<'a> Shaper<'a> {
 
     /// Energies, reactions and columns of the shape.
     fn told(&self, reduced: &Reduced, pair: &Pair<'_>, shape: &Shape) -> Told {
-        let between = |point: &ContactPoint| [self.pressure(&SurfacePlace::from(point)), shape.gap(pair, point), 0.0];
+        let between = |point: &ContactPoint| [self.pressure(&SurfacePlace::from(point), Some(pair)), shape.gap(pair, point), 0.0];
         let points = pair.points();
-        let pressure: Vec<f64> = points.iter().map(|p| self.pressure(&SurfacePlace::from(p))).collect();
+        let pressure: Vec<f64> = points.iter().map(|p| self.pressure(&SurfacePlace::from(p), Some(pair))).collect();
         let gap: Vec<f64> = points.iter().map(|p| shape.gap(pair, p)).collect();
         let opening = vec![0.0; points.len()];
         let own = Own { points: &points, pressure: &pressure, gap: &gap, opening: &opening, closed: None };
@@ -269,7 +269,7 @@ impl<'a> Shaper<'a> {
     /// What fields and twist need of the last level.
     fn reported(&self, last: &Solved<'a>, pair: &Pair<'_>) -> Option<Reported> {
         let points = pair.points();
-        let pressure: Vec<f64> = points.iter().map(|p| self.pressure(&SurfacePlace::from(p))).collect();
+        let pressure: Vec<f64> = points.iter().map(|p| self.pressure(&SurfacePlace::from(p), Some(pair))).collect();
         let around = torsion::around(self.stage, &points, &pressure);
         let counter = last.shape.counter.clone()?;
         let moments = vec![Moment { time: 0.0, name: "", states: [last.shape.shaped.clone(), counter], around }];

@@ -8,6 +8,7 @@ use shapeopt::{Integration, RigidPart, Shape, ShapeProblem, SurfacePlace, solve_
 use crate::ladder::Refusal;
 use crate::stage::Stage;
 use crate::steps::heat::known::with_heat;
+use crate::steps::jumps::Jumps;
 use crate::steps::pressure_ends::pressure_ends;
 use crate::steps::rigid_coordinates::{coordinates, motion};
 
@@ -32,6 +33,8 @@ pub(crate) struct Shaper<'a> {
     pub optimum: &'a wear::Optimum,
     /// Ends of the wanted pressure inside the surface.
     pub ends: Vec<f64>,
+    /// Those of them at which it jumps.
+    jumps: Jumps,
     /// Rigid velocities of wear (mm/s, rad/s), one a freedom; empty where there are none.
     feed: Vec<f64>,
 }
@@ -39,18 +42,21 @@ pub(crate) struct Shaper<'a> {
 impl<'a> Shaper<'a> {
     /// For the optimal pressure of a stage.
     pub(crate) fn new(stage: Stage<'a>, optimum: &'a wear::Optimum) -> Shaper<'a> {
-        Shaper { stage, optimum, ends: pressure_ends(stage, optimum), feed: optimum.feed.clone().unwrap_or_default() }
+        let ends = pressure_ends(stage, optimum);
+        let jumps = Jumps::among(&ends, stage, optimum);
+        Shaper { stage, optimum, ends, jumps, feed: optimum.feed.clone().unwrap_or_default() }
     }
 
-    /// Wanted pressure at a place.
-    pub(crate) fn pressure(&self, place: &SurfacePlace) -> f64 {
-        self.optimum.pressure_at(&self.stage.surface_point(place.position, place.normal, 0.0))
+    /// Wanted pressure at a place; where it jumps, what a node of the pair there carries.
+    pub(crate) fn pressure(&self, place: &SurfacePlace, pair: Option<&Pair<'_>>) -> f64 {
+        let jump = self.jumps.pressure(place.position, pair);
+        jump.unwrap_or_else(|| self.optimum.pressure_at(&self.stage.surface_point(place.position, place.normal, 0.0)))
     }
 
     /// Pressure and shear along the tangent at a place.
-    fn traction(&self, place: &SurfacePlace) -> [f64; 2] {
+    fn traction(&self, place: &SurfacePlace, pair: &Pair<'_>) -> [f64; 2] {
         let point = self.stage.surface_point(place.position, place.normal, 0.0);
-        let pressure = self.optimum.pressure_at(&point);
+        let pressure = self.pressure(place, Some(pair));
         let tangent = Vector3::new(place.normal[1], 0.0, -place.normal[0]);
         [pressure, self.stage.friction() * pressure * point.drag.dot(&tangent)]
     }
@@ -109,7 +115,7 @@ impl<'a> Shaper<'a> {
         let [shaped, counter] = with_heat(pair, self.stage.cases());
         solve_shape(&ShapeProblem {
             pair: *pair,
-            traction: &|place| self.traction(place),
+            traction: &|place| self.traction(place, pair),
             cases_shaped: &shaped,
             cases_counter: &counter,
             gauge: self.stage.gauge(pair),

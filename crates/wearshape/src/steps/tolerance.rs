@@ -23,7 +23,7 @@ pub(crate) fn of(shaper: &Shaper<'_>, reduced: &Reduced, heat: Option<&Following
     let pair = reduced.pair()?;
     let operator = reduced.operator(&pair, stage.friction() > 0.0)?;
     let points = operator.points();
-    let pressure: Vec<f64> = points.iter().map(|p| shaper.pressure(&SurfacePlace::from(p))).collect();
+    let pressure: Vec<f64> = points.iter().map(|p| shaper.pressure(&SurfacePlace::from(p), Some(&pair))).collect();
     if pressure.iter().any(|p| *p <= 0.0) {
         return Ok(Vec::new());
     }

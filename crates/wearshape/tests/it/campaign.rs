@@ -6,6 +6,7 @@ mod blocks;
 mod case;
 mod compare;
 mod draw;
+mod gmsh;
 mod numbers;
 mod tally;
 mod text;
@@ -26,11 +27,12 @@ fn random_scenes_have_the_answer_of_their_twins() {
     let (scenes, seed) = (asked("WEARSHAPE_CAMPAIGN_SCENES", 200), asked("WEARSHAPE_CAMPAIGN_SEED", 1));
     let mut tally = Tally::default();
     for number in 0..scenes {
-        // A scene has a seed of its own, so that it can be drawn again without those before it.
-        let mut random = Random::new(seed.wrapping_add(number));
-        let property = Property::TURNS[(number % Property::TURNS.len() as u64) as usize];
+        // A scene has a seed of its own, which tells its property too, so that it can be drawn again without those before it.
+        let seed = seed.wrapping_add(number);
+        let mut random = Random::new(seed);
+        let property = Property::TURNS[(seed % Property::TURNS.len() as u64) as usize];
         let case = draw::case(&mut random, property);
-        tally.add(property, seed.wrapping_add(number), twin::tried(&case, property, &mut random));
+        tally.add(property, seed, twin::tried(&case, property, &mut random));
     }
     println!("seed {seed}, {scenes} scenes\n\n{}", tally.table());
     let texts: Vec<&str> = tally.failures.iter().map(|(_, text)| text.as_str()).collect();

@@ -4,10 +4,10 @@ use super::draw::Random;
 use super::numbers::Writing;
 
 /// Names in an order of their own: whatever is sorted by name is sorted differently by each seed. Seed 0 keeps the order of the grid.
-struct Names(Vec<usize>);
+pub(super) struct Names(pub Vec<usize>);
 
 impl Names {
-    fn new(count: usize, random: Option<&mut Random>) -> Names {
+    pub(super) fn new(count: usize, random: Option<&mut Random>) -> Names {
         let mut order: Vec<usize> = (0..count).collect();
         if let Some(random) = random {
             for last in (1..count).rev() {

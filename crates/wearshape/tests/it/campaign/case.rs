@@ -9,6 +9,13 @@ pub(super) enum Shape {
     Cells { x: Vec<f64>, z: Vec<f64>, naming: u64 },
     /// A block above a drum.
     Shoe { radius: f64, half_angle: f64, top: f64 },
+    /// The same as a gmsh file, in which nodes and elements have the numbers and the order of the seed.
+    Gmsh { x: Vec<f64>, z: Vec<f64>, numbering: u64 },
+    /// A shoe on a pin beside it, around a drum: cells between two radii and angles from the z axis; the middle one parts what the pin holds from what is
+    /// loaded.
+    Pinned { radii: [f64; 2], angles: [f64; 3], pin: f64 },
+    /// The lower half of a disc or ball that stands on z = 0.
+    Disc { radius: f64, x: f64 },
     /// The drum.
     Ring { inner: f64, outer: f64 },
 }
@@ -71,6 +78,7 @@ impl Shape {
         match self.clone() {
             Shape::Rectangle { x, z } => Shape::Rectangle { x: turned(x), z },
             Shape::Cells { x, z, naming } => Shape::Cells { x: mirrored_places(&x), z, naming },
+            Shape::Disc { radius, x } => Shape::Disc { radius, x: -x },
             other => other,
         }
     }
@@ -89,6 +97,9 @@ impl Shape {
         match self {
             Shape::Rectangle { x, z } => Shape::Rectangle { x: pair(*x), z: pair(*z) },
             Shape::Cells { x, z, naming } => Shape::Cells { x: list(x), z: list(z), naming: *naming },
+            Shape::Gmsh { x, z, numbering } => Shape::Gmsh { x: list(x), z: list(z), numbering: *numbering },
+            Shape::Pinned { radii, angles, pin } => Shape::Pinned { radii: pair(*radii), angles: *angles, pin: *pin },
+            Shape::Disc { radius, x } => Shape::Disc { radius: by * radius, x: by * x },
             Shape::Shoe { radius, half_angle, top } => {
                 Shape::Shoe { radius: by * radius, half_angle: *half_angle, top: by * top }
             }
@@ -101,7 +112,7 @@ impl Case {
     /// Whether ends of contact inside the surface are searched: to the accuracy of the scene, and from a start that round-off may move to the next
     /// point. Their answers are compared by their estimated errors.
     pub(super) fn has_free_ends(&self) -> bool {
-        self.gap.is_some()
+        self.gap.is_some() || matches!(self.bodies[0].shape, Shape::Disc { .. })
     }
 
     /// As seen in a mirror at x = 0; an axisymmetric scene turns the other way.
@@ -164,6 +175,29 @@ impl Case {
         for body in &mut twin.bodies {
             if let Shape::Cells { naming, .. } = &mut body.shape {
                 *naming = seed;
+            }
+        }
+        twin
+    }
+
+    /// Its cells as gmsh files, numbered by a seed.
+    pub(super) fn numbered(&self, seed: u64) -> Case {
+        let mut twin = self.clone();
+        for body in &mut twin.bodies {
+            if let Shape::Cells { x, z, .. } = body.shape.clone() {
+                body.shape = Shape::Gmsh { x, z, numbering: seed };
+            }
+        }
+        twin
+    }
+
+    /// Turned about the origin, clockwise.
+    pub(super) fn turned(&self, by: f64) -> Case {
+        let mut twin = self.clone();
+        for body in &mut twin.bodies {
+            if let Shape::Pinned { angles, pin, .. } = &mut body.shape {
+                angles.iter_mut().for_each(|angle| *angle += by);
+                *pin += by;
             }
         }
         twin

@@ -42,10 +42,20 @@ impl Outcome {
     }
 }
 
-/// Solves a text; alone, or with the discretisations that an estimate needs and a table at even places.
-pub(super) fn outcome(text: &str, alone: bool) -> Outcome {
-    let found = Document::read("scene.toml", text, &[])
-        .and_then(|document| Problem::new(&document, &|file| Err(format!("there is no {file}"))))
+/// A scene and the files that it names.
+pub(super) struct Written {
+    pub text: String,
+    pub files: Vec<(String, Vec<u8>)>,
+}
+
+/// Solves a scene; alone, or with the discretisations that an estimate needs and a table at even places.
+pub(super) fn outcome(scene: &Written, alone: bool) -> Outcome {
+    let bytes = |file: &str| {
+        let found = scene.files.iter().find(|(name, _)| name == file);
+        found.map(|(_, bytes)| bytes.clone()).ok_or(format!("there is no {file}"))
+    };
+    let found = Document::read("scene.toml", &scene.text, &[])
+        .and_then(|document| Problem::new(&document, &bytes))
         .and_then(|problem| {
             let options = Options { alone, sample: (!alone).then_some(Sampling::Even(41)), ..Options::default() };
             solve(&problem, &options, &Bodies::default(), &mut |_| ControlFlow::Continue(()))

@@ -19,7 +19,7 @@ impl Random {
     }
 
     /// Evenly between two numbers, to four digits as people write them.
-    fn within(&mut self, from: f64, to: f64) -> f64 {
+    pub(super) fn within(&mut self, from: f64, to: f64) -> f64 {
         let value = from + (to - from) * (self.next() >> 11) as f64 / (1_u64 << 53) as f64;
         format!("{value:.3e}").parse().unwrap()
     }
@@ -52,13 +52,15 @@ impl Random {
 
 /// The next scene that a property can be tried on.
 pub(super) fn case(random: &mut Random, property: Property) -> Case {
-    let of_cells = matches!(property, Property::Naming | Property::Splitting);
+    let of_cells = matches!(property, Property::Naming | Property::Numbering | Property::Splitting);
     let mut case = match random.below(4) {
+        _ if property == Property::Turning => pinned(random),
+        _ if property == Property::Round => round(random),
         0 if !of_cells && property != Property::Swap => drum(random),
         1 if property != Property::Swap => annulus(random),
         _ => punch(random),
     };
-    if of_cells || (property != Property::Swap && random.below(5) == 0) {
+    if of_cells || (!matches!(property, Property::Swap | Property::Turning | Property::Round) && random.below(5) == 0) {
         cut(&mut case, random);
     }
     if property == Property::Swap {
@@ -71,11 +73,11 @@ pub(super) fn case(random: &mut Random, property: Property) -> Case {
             *wide = *x;
         }
     }
-    if property == Property::Naming {
+    if matches!(property, Property::Naming | Property::Numbering) {
         // Ends of contact that are searched are not found to round-off.
         case.gap = None;
     }
-    if matches!(property, Property::Splitting | Property::Naming) {
+    if of_cells {
         // What is estimated: the gap of a shape, the pressure of a contact.
         case.task = if case.task == "contact" { "contact" } else { "shape" };
     }
@@ -214,5 +216,52 @@ fn drum(random: &mut Random) -> Case {
     let area = width * case.thickness;
     start_gap(&mut case, [width, area], random);
     case.until = until(&case, area, random);
+    case
+}
+
+/// A shoe around a drum, on a pin beside it.
+fn pinned(random: &mut Random) -> Case {
+    let radius = random.scale(20.0, 300.0);
+    let start = random.within(-0.7, -0.1);
+    let end = start + random.within(0.3, 0.8);
+    let radii = [radius, radius * random.within(1.05, 1.4)];
+    let middle = start + (end - start) * random.within(0.2, 0.5);
+    let shoe = Shape::Pinned { radii, angles: [start, middle, end], pin: start - random.within(0.05, 0.3) };
+    let ring = Shape::Ring { inner: radius * random.within(0.3, 0.8), outer: radius };
+    let bodies = [body(random, shoe, Vec::new()), body(random, ring, vec![("inner", "[\"x\", \"z\"]")])];
+    let width = radius * (end - start);
+    let mut case = common(random, bodies, width);
+    case.kinematics = random.one(&["plane-stress", "plane-strain"]);
+    case.edges = ["inner", "outer"];
+    case.load.force *= case.thickness;
+    case.sliding = ("omega", random.scale(0.01, 100.0) * random.one(&[-1.0, 1.0]));
+    case.functional = "steady";
+    case.until = until(&case, width * case.thickness, random);
+    case
+}
+
+/// A half disc or ball on a block; the contact is short and its ends are searched.
+fn round(random: &mut Random) -> Case {
+    let ball = random.below(3) == 0;
+    let radius = random.scale(2.0, 100.0);
+    let x = if ball { 0.0 } else { random.within(-50.0, 50.0) };
+    let beyond = [x - radius * random.within(1.2, 3.0), x + radius * random.within(1.2, 3.0)];
+    let block = Shape::Rectangle { x: [if ball { 0.0 } else { beyond[0] }, beyond[1]], z: [-radius * random.within(1.0, 4.0), 0.0] };
+    let disc = Shape::Disc { radius, x };
+    let held = if ball { Vec::new() } else { vec![("centre", "[\"x\"]")] };
+    let bodies = [body(random, disc, held), body(random, block, vec![("bottom", "[\"x\", \"z\"]")])];
+    // Forces of contacts whose width is some hundredths of the radius.
+    let mut case = common(random, bodies, radius);
+    case.task = "contact";
+    case.edges = ["arc", "top"];
+    case.friction = 0.0;
+    case.load.force *= case.thickness;
+    if ball {
+        case.kinematics = "axisymmetric";
+        case.load.force *= radius / case.thickness;
+        case.sliding = ("omega", random.scale(0.01, 100.0));
+    } else {
+        case.kinematics = random.one(&["plane-stress", "plane-strain"]);
+    }
     case
 }

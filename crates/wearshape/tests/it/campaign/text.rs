@@ -2,9 +2,19 @@
 
 use super::blocks;
 use super::case::{Body, Case, Shape};
+use super::gmsh;
 use super::numbers::Writing;
 
 impl Case {
+    /// Names and bytes of the files that the scene names.
+    pub(super) fn files(&self) -> Vec<(String, Vec<u8>)> {
+        let file = |(number, body): (usize, &Body)| match &body.shape {
+            Shape::Gmsh { x, z, numbering } => Some((format!("body{number}.msh"), gmsh::file([x, z], *numbering).into_bytes())),
+            _ => None,
+        };
+        (1..).zip(&self.bodies).filter_map(file).collect()
+    }
+
     /// As a scene file.
     pub(super) fn text(&self, writing: Writing) -> String {
         let Case { kinematics, task, degree, layers, edges, friction, functional, .. } = self;
@@ -57,6 +67,13 @@ fn body_text(number: usize, body: &Body, writing: Writing) -> String {
             format!("geometry.rectangle = {{ x = {}, z = {} }}\n", writing.lengths(*x), writing.lengths(*z))
         }
         Shape::Cells { x, z, naming } => blocks::tables(number, [x, z], *naming, writing),
+        Shape::Gmsh { .. } => format!("geometry.mesh.file = \"body{number}.msh\"\n"),
+        Shape::Pinned { radii, angles, pin } => pinned([radii[0], radii[1]], *angles, *pin),
+        Shape::Disc { radius, x } => format!(
+            "geometry.half-disc = {{ radius = {}, centre = {} }}\n",
+            writing.length(*radius),
+            writing.lengths([*x, *radius])
+        ),
         Shape::Shoe { radius, half_angle, top } => format!(
             "geometry.shoe-block = {{ radius = {}, half_angle = {half_angle:?}, top = {} }}\n",
             writing.length(*radius),
@@ -66,4 +83,21 @@ fn body_text(number: usize, body: &Body, writing: Writing) -> String {
             format!("geometry.ring = {{ inner = {}, outer = {} }}\n", writing.length(*inner), writing.length(*outer))
         }
     }
+}
+
+/// The cells of a shoe on a pin, and the pin.
+fn pinned([inner, outer]: [f64; 2], angles: [f64; 3], pin: f64) -> String {
+    let at = |radius: f64, angle: f64| [radius * angle.sin(), radius * angle.cos()];
+    let mut text = format!("support.seat = {{ pin = {:?} }}\n[body1.geometry.blocks.points]\n", at(1.1 * outer, pin));
+    for (i, angle) in angles.into_iter().enumerate() {
+        text += &format!("i{i} = {:?}\no{i} = {:?}\n", at(inner, angle), at(outer, angle));
+    }
+    text += "[body1.geometry.blocks.curves]\n";
+    text += &(0..3).map(|i| format!("r{i}.line = [\"i{i}\", \"o{i}\"]\n")).collect::<String>();
+    for (i, j) in [(0, 1), (1, 2)] {
+        text += &format!("inner{i}.arc.ends = [\"i{i}\", \"i{j}\"]\nouter{i}.arc.ends = [\"o{i}\", \"o{j}\"]\n");
+    }
+    text += "[body1.geometry.blocks.cells]\n";
+    text += "a.curves = [\"inner0\", \"r1\", \"outer0\", \"r0\"]\nb.curves = [\"inner1\", \"r2\", \"outer1\", \"r1\"]\n";
+    text + "[body1.geometry.blocks.edges]\ninner = [\"inner0\", \"inner1\"]\nseat = [\"outer0\"]\ntop = [\"outer1\"]\n"
 }

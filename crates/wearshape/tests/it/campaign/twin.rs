@@ -1,7 +1,7 @@
 //! What must not change an answer, and the twin of a scene under it.
 
 use super::case::Case;
-use super::compare::{ACCURACY, Change, Outcome, deviations, outcome, over_estimates};
+use super::compare::{ACCURACY, Change, Outcome, Written, deviations, outcome, over_estimates};
 use super::draw::Random;
 use super::numbers::Writing;
 
@@ -13,13 +13,16 @@ pub(super) enum Property {
     Units,
     Threads,
     Naming,
+    Numbering,
+    Turning,
+    Round,
     Swap,
     Splitting,
 }
 
 impl Property {
     /// One after the other; those that need estimates cost most and come once.
-    pub(super) const TURNS: [Property; 10] = [
+    pub(super) const TURNS: [Property; 13] = [
         Property::Mirror,
         Property::Scaling,
         Property::Units,
@@ -30,25 +33,21 @@ impl Property {
         Property::Swap,
         Property::Units,
         Property::Splitting,
+        Property::Numbering,
+        Property::Turning,
+        Property::Round,
     ];
 
     /// How twins of a scene are compared.
     pub(super) fn rule(self, case: &Case) -> Rule {
         match self {
             Property::Threads => Rule::Bits,
-            // Both bodies are not cut alike, and cells of other names may be cut otherwise.
-            Property::Splitting | Property::Swap | Property::Naming => Rule::Estimates,
+            // Both bodies are not cut alike.
+            Property::Splitting | Property::Swap => Rule::Estimates,
             _ if case.has_free_ends() => Rule::Estimates,
             _ if case.task == "wear" => Rule::Steps,
             _ => Rule::RoundOff,
         }
-    }
-}
-
-impl Property {
-    /// The rule where both have as many cells: other names alone leave round-off.
-    fn rule_of_equal_cells(self, rule: Rule) -> Rule {
-        if self == Property::Naming { Rule::RoundOff } else { rule }
     }
 }
 
@@ -87,25 +86,46 @@ pub(super) enum Tried {
     Differ { rule: Rule, words: [String; 2], texts: [String; 2] },
 }
 
-/// Solves a scene and its twin.
-pub(super) fn tried(case: &Case, property: Property, random: &mut Random) -> Tried {
+/// A scene as written, its twin, and what the twin's numbers are to be divided by.
+fn pair(case: &Case, property: Property, random: &mut Random) -> ([Written; 2], Change) {
     let mut change = Change::NONE;
-    let base = case.text(Writing::Base);
+    let mut base = case.clone();
+    let mut writing = Writing::Base;
     let twin = match property {
         Property::Mirror => {
             change.reversed = case.kinematics != "axisymmetric";
-            case.mirrored().text(Writing::Base)
+            case.mirrored()
         }
         Property::Scaling => {
             (change.length, change.stress) = (random.scale(1e-4, 1e4), random.scale(1e-4, 1e4));
-            case.scaled(change.length, change.stress).text(Writing::Base)
+            case.scaled(change.length, change.stress)
         }
-        Property::Units => case.text(Writing::Other),
-        Property::Threads => base.clone(),
-        Property::Naming => case.renamed(random.next() | 1).text(Writing::Base),
-        Property::Swap => case.swapped().text(Writing::Base),
-        Property::Splitting => case.split().text(Writing::Base),
+        Property::Round => {
+            change.reversed = case.kinematics != "axisymmetric";
+            (change.length, change.stress) = (random.scale(1e-4, 1e4), random.scale(1e-4, 1e4));
+            case.mirrored().scaled(change.length, change.stress)
+        }
+        Property::Units => {
+            writing = Writing::Other;
+            case.clone()
+        }
+        Property::Threads => case.clone(),
+        Property::Naming => case.renamed(random.next() | 1),
+        Property::Numbering => {
+            base = case.numbered(0);
+            case.numbered(random.next() | 1)
+        }
+        Property::Turning => case.turned(random.within(-0.5, 0.5)),
+        Property::Swap => case.swapped(),
+        Property::Splitting => case.split(),
     };
+    let written = |case: &Case, writing: Writing| Written { text: case.text(writing), files: case.files() };
+    ([written(&base, Writing::Base), written(&twin, writing)], change)
+}
+
+/// Solves a scene and its twin.
+pub(super) fn tried(case: &Case, property: Property, random: &mut Random) -> Tried {
+    let ([base, twin], change) = pair(case, property, random);
     let rule = property.rule(case);
     let alone = rule != Rule::Estimates;
     let outcomes = if property == Property::Threads {
@@ -118,12 +138,12 @@ pub(super) fn tried(case: &Case, property: Property, random: &mut Random) -> Tri
     };
     if rule != Rule::Bits && alone && outcomes.iter().any(Outcome::opens) {
         let outcomes = [outcome(&base, false), outcome(&twin, false)];
-        return compared([Rule::Estimates; 2], (outcomes, change), [base, twin]);
+        return compared(Rule::Estimates, (outcomes, change), [base.text, twin.text]);
     }
-    compared([rule, property.rule_of_equal_cells(rule)], (outcomes, change), [base, twin])
+    compared(rule, (outcomes, change), [base.text, twin.text])
 }
 
-fn compared([rule, of_equal_cells]: [Rule; 2], (outcomes, change): ([Outcome; 2], Change), texts: [String; 2]) -> Tried {
+fn compared(rule: Rule, (outcomes, change): ([Outcome; 2], Change), texts: [String; 2]) -> Tried {
     let words = outcomes.each_ref().map(Outcome::word);
     if words[0] != words[1] {
         return Tried::Differ { rule, words, texts };
@@ -132,7 +152,6 @@ fn compared([rule, of_equal_cells]: [Rule; 2], (outcomes, change): ([Outcome; 2]
         let [word, _] = words;
         return Tried::Refused(rule, word);
     };
-    let rule = if one.effort.counters.cells == twin.effort.counters.cells { of_equal_cells } else { rule };
     let worst = match (rule, &one.wear) {
         (Rule::Estimates, Some(_)) => ("depth", over_estimates(one, twin, change).unwrap_or(f64::INFINITY)),
         (Rule::Estimates, None) => ("gap or energy", over_estimates(one, twin, change).unwrap_or(f64::INFINITY)),
