@@ -27,7 +27,7 @@ pub(crate) fn cut_slender(mut mesh: Mesh) -> Result<Mesh, hpfem::Error> {
     }
 }
 
-/// Mean length of two opposite sides of a cell over that of the others, and an edge of the longer ones.
+/// Mean length of the longer two opposite sides of a quadrilateral over that of the others, and one of the longer; of a square one of either pair.
 fn slenderness(mesh: &Mesh, cell: usize) -> Option<(f64, [Option<usize>; 2])> {
     let size = |local: usize| {
         let length = |local: usize| mesh.local_curve(cell, local).length();

@@ -6,7 +6,7 @@
 pub enum Error {
     /// No rigid part of the gap is the lowest.
     #[error(
-        "no rigid motion of the shaped body ({modes} free) can bring the surfaces together; load it towards the counter-face"
+        "no rigid motion of the shaped body ({modes} free) brings the surfaces together with no overlap; load it towards the counter-face, and keep the surface off the radius through a pin"
     )]
     NoLowestGap {
         /// Number of free rigid modes.

@@ -63,7 +63,15 @@ pub(crate) fn lowest(curve: &impl Curve) -> Option<Lowest> {
     let amplification = amplification(&touching, &places);
     let found = Lowest { coordinates, amplification, scale };
     let apart = touching.len() != 2 || (touching[0].s - touching[1].s).abs() > spacing(&places, touching[0].s);
-    Some(if apart { found } else { at_tangent(curve, &places, &objective, scale).unwrap_or(found) })
+    let found = if apart { found } else { at_tangent(curve, &places, &objective, scale).unwrap_or(found) };
+    // A gap that is negative where no mode moves the body, as on the radius through a pin, is opened by none: what seems to open it is round-off.
+    touching.iter().all(|place| is_moved(place, &places)).then_some(found)
+}
+
+/// Whether some mode moves the body at a place, over what it moves elsewhere.
+fn is_moved(place: &Place, places: &[Place]) -> bool {
+    let most = |k: usize| places.iter().map(|other| other.modes[k].abs()).fold(0.0, f64::max);
+    (0..place.modes.len()).any(|k| place.modes[k].abs() > STILL * most(k))
 }
 
 /// Coordinates by which a gap vanishes at as many places as there are modes.
@@ -144,6 +152,8 @@ fn spacing(places: &[Place], s: f64) -> f64 {
     about.map(|i| places[i].s - places[i - 1].s).fold(f64::INFINITY, f64::min)
 }
 
+/// Motion of a place, over the largest of the surface, that is round-off.
+const STILL: f64 = 1e-13;
 /// Violation of `g >= 0`, over the largest jump, that is round-off.
 const SLACK: f64 = 1e-15;
 /// Violation of `g >= 0`, over the largest jump, that a tangent may have.
@@ -262,6 +272,28 @@ mod tests {
     fn a_kink_where_it_touches_takes_no_side() {
         let found = lowest(&Line(|s| (s - 1.0).powi(2) + 1e-3 * (s - 1.0).abs())).expect("a solution");
         assert!(found.coordinates[1].abs() < 1e-12, "{:?}", found.coordinates);
+    }
+
+    /// Turning about the start of the surface opens no gap that is negative there, whatever round-off says of the distance.
+    #[test]
+    fn a_gap_that_no_mode_opens_has_no_lowest_rigid_part() {
+        struct Pinned(f64);
+        impl Curve for Pinned {
+            fn length(&self) -> f64 {
+                2.0
+            }
+            fn samples(&self) -> Vec<f64> {
+                (0..=100).map(|i| 0.02 * f64::from(i)).collect()
+            }
+            fn value(&self, s: f64) -> (f64, Vec<f64>) {
+                (s - self.0, vec![s + 1e-17])
+            }
+            fn mean_modes(&self) -> Vec<f64> {
+                vec![2.0]
+            }
+        }
+        assert!(lowest(&Pinned(1e-3)).is_none());
+        assert!(lowest(&Pinned(-1e-3)).is_some());
     }
 
     /// A dip between samples is seen, also where another touching point is the lowest sample.

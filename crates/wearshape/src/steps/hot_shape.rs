@@ -93,7 +93,8 @@ fn at_wanted<T>(
 ) -> Result<T, Fault> {
     let pair = following.reduced.pair()?;
     let operator = following.reduced.operator(&pair, shaper.stage.friction() > 0.0)?;
-    let closed: Vec<bool> = operator.points().iter().map(|p| shaper.pressure(&SurfacePlace::from(p), Some(&pair)) > 0.0).collect();
+    let closed: Vec<bool> =
+        operator.points().iter().map(|p| shaper.pressure(&SurfacePlace::from(p), Some(&pair)) > 0.0).collect();
     of(&operator, (&contact_load(shaper, operator.points()), &closed))
 }
 

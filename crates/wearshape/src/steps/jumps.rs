@@ -8,7 +8,7 @@ use hpfem::TraceEdge;
 
 use crate::stage::Stage;
 
-/// Distances from an end (of half the surface) at which the pressure is compared: that of a root that goes like `x^k` differs there by the factor `1e4^k`.
+/// Distances from an end (of half the surface) at which a pressure is compared with itself: one that goes like `x^k` differs there by the factor `1e4^k`.
 const BESIDE: [f64; 2] = [1e-6, 1e-10];
 /// Largest difference of the logarithms of both pressures of a jump.
 const FLAT: f64 = 1e-3;

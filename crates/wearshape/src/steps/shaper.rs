@@ -122,6 +122,8 @@ impl<'a> Shaper<'a> {
             rigid,
             integration: Integration::Lobatto,
         })
-        .map_err(|error| Fault::at("load", "no-closing", error.to_string(), "press body 1 on body 2"))
+        .map_err(|error| {
+            Fault::at("load", "no-closing", error.to_string(), "press body 1 on body 2, with a pin beside the contact")
+        })
     }
 }

@@ -57,7 +57,10 @@ fn answer(by: f64, task: &str, cells: [[&str; 4]; 2]) -> Solution {
         cells[0],
         cells[1]
     );
-    solved(&read(&text.replace("[body1.geometry.blocks]\n", &format!("[body1.geometry.blocks]\npoints = {{ {} }}\n", points(&PUNCH))), &[]))
+    solved(&read(
+        &text.replace("[body1.geometry.blocks]\n", &format!("[body1.geometry.blocks]\npoints = {{ {} }}\n", points(&PUNCH))),
+        &[],
+    ))
 }
 
 /// Largest difference of two columns, each over its own largest value.

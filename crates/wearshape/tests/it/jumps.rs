@@ -48,7 +48,9 @@ const MOMENT: f64 = -8.0;
 #[test]
 fn the_forces_of_a_pressure_that_jumps_are_those_of_the_load() {
     let found = answer(1.0);
-    let sum = |value: &dyn Fn(usize) -> f64| (0..found.pressure.len()).map(|i| found.weight[i] * found.pressure[i] * value(i)).sum::<f64>();
+    let sum = |value: &dyn Fn(usize) -> f64| {
+        (0..found.pressure.len()).map(|i| found.weight[i] * found.pressure[i] * value(i)).sum::<f64>()
+    };
     let (force, largest) = (sum(&|_| 1.0), found.pressure.iter().fold(0.0_f64, |most, p| most.max(*p)));
     assert!((force - FORCE).abs() < 1e-9 * FORCE, "{force} N of {FORCE}");
     // Turning about the y axis, from z to x; friction acts at z = 0.
@@ -67,8 +69,8 @@ fn a_jump_is_at_the_same_place_at_every_scale() {
         let pairs = || own.gap.iter().zip(&twin.gap).zip(own.pressure.iter().zip(&twin.pressure));
         assert_eq!(own.gap.len(), twin.gap.len());
         for ((gap, scaled), (p, q)) in pairs() {
-            assert!((gap - scaled / by).abs() < 1e-9 * most, "lengths times {by}: gaps {gap} and {}", scaled / by);
-            assert!((p - q).abs() < 1e-9 * (p + q), "lengths times {by}: pressures {p} and {q}");
+            assert!((gap - scaled / by).abs() <= 1e-9 * most, "lengths times {by}: gaps {gap} and {}", scaled / by);
+            assert!((p - q).abs() <= 1e-9 * (p + q), "lengths times {by}: pressures {p} and {q}");
         }
     }
 }

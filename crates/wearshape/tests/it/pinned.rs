@@ -295,3 +295,51 @@ fn what_a_pin_does_not_go_with_is_refused_by_name() {
         assert!(fault.key.as_deref().is_none_or(|found| found.starts_with(key)), "{settings:?}: {fault:?}");
     }
 }
+
+/// Turning about a pin does not move the surface on the radius through it: where that radius meets the end of the surface no turning opens the gap
+/// there. The answer was a gap of 4e13 mm.
+#[test]
+fn a_surface_that_ends_on_the_radius_through_its_pin_has_no_shape() {
+    let shape = |pin: f64| {
+        let points = [("i", 100.0), ("o", 115.0)].map(|(name, radius)| {
+            let at = |k: usize| [-28.0, -3.0, 23.0].map(|angle| polar(radius, angle))[k];
+            (0..3).map(|k| format!("{name}{k} = {:?}\n", at(k))).collect::<String>()
+        });
+        let text = format!(
+            r#"
+units = "N-mm"
+kinematics = "plane-stress"
+thickness = 10
+tasks = ["shape"]
+check = false
+mesh = {{ degree = 5, layers = 2 }}
+contact = {{ edges = ["inner", "outer"], friction = 0.3, gap = 0 }}
+sliding = {{ omega = 1.0 }}
+load = {{ edge = "top", as = "pressure", force = 1000 }}
+wear = {{ k = [1e-6, 0], b = 1 }}
+[body1]
+material = {{ young = 1e4, poisson = 0.3 }}
+support.seat = {{ pin = {:?} }}
+[body1.geometry.blocks.points]
+{}[body1.geometry.blocks]
+curves = {{ i01.arc.ends = ["i0", "i1"], i12.arc.ends = ["i1", "i2"], o01.arc.ends = ["o0", "o1"], o12.arc.ends = ["o1", "o2"], r0.line = ["i0", "o0"], r1.line = ["i1", "o1"], r2.line = ["i2", "o2"] }}
+cells = {{ a.curves = ["i01", "r1", "o01", "r0"], b.curves = ["i12", "r2", "o12", "r1"] }}
+edges = {{ inner = ["i01", "i12"], seat = ["o01"], top = ["o12"] }}
+[body2]
+material = {{ young = 1e5, poisson = 0.3 }}
+support.inner = ["x", "z"]
+geometry.ring = {{ inner = 60, outer = 100 }}
+"#,
+            polar(121.0, pin),
+            points.concat()
+        );
+        let problem = read(&text, &[]);
+        wearshape::solve(&problem, &Default::default(), &Default::default(), &mut |_| std::ops::ControlFlow::Continue(()))
+    };
+    let fault = shape(-28.0).unwrap_err();
+    assert_eq!(fault.code, "no-closing", "{fault:?}");
+    let beside = shape(-38.0).unwrap();
+    assert_eq!(beside.status, Status::Ok, "{:?}", beside.reason);
+    let gap = beside.shape.unwrap().gap_max.unwrap();
+    assert!(gap > 0.0 && gap < 1e3, "{gap} um");
+}

@@ -54,9 +54,8 @@ pub(super) fn outcome(scene: &Written, alone: bool) -> Outcome {
         let found = scene.files.iter().find(|(name, _)| name == file);
         found.map(|(_, bytes)| bytes.clone()).ok_or(format!("there is no {file}"))
     };
-    let found = Document::read("scene.toml", &scene.text, &[])
-        .and_then(|document| Problem::new(&document, &bytes))
-        .and_then(|problem| {
+    let found =
+        Document::read("scene.toml", &scene.text, &[]).and_then(|document| Problem::new(&document, &bytes)).and_then(|problem| {
             let options = Options { alone, sample: (!alone).then_some(Sampling::Even(41)), ..Options::default() };
             solve(&problem, &options, &Bodies::default(), &mut |_| ControlFlow::Continue(()))
         });

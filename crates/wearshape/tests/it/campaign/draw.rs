@@ -245,8 +245,10 @@ fn round(random: &mut Random) -> Case {
     let ball = random.below(3) == 0;
     let radius = random.scale(2.0, 100.0);
     let x = if ball { 0.0 } else { random.within(-50.0, 50.0) };
-    let beyond = [x - radius * random.within(1.2, 3.0), x + radius * random.within(1.2, 3.0)];
-    let block = Shape::Rectangle { x: [if ball { 0.0 } else { beyond[0] }, beyond[1]], z: [-radius * random.within(1.0, 4.0), 0.0] };
+    // As far on both sides of the disc.
+    let beyond = radius * random.within(1.2, 3.0);
+    let from = if ball { 0.0 } else { x - beyond };
+    let block = Shape::Rectangle { x: [from, x + beyond], z: [-radius * random.within(1.0, 4.0), 0.0] };
     let disc = Shape::Disc { radius, x };
     let held = if ball { Vec::new() } else { vec![("centre", "[\"x\"]")] };
     let bodies = [body(random, disc, held), body(random, block, vec![("bottom", "[\"x\", \"z\"]")])];

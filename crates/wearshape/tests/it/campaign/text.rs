@@ -28,7 +28,11 @@ impl Case {
             text += &format!("thickness = {}\n", writing.length(self.thickness));
         }
         text += &format!("contact = {{ edges = {edges:?}, friction = {friction:?}, gap = {} }}\n", self.gap_text(writing));
-        text += &format!("sliding = {{ {key} = {value} }}\n{}", self.load_text(writing));
+        text += &self.load_text(writing);
+        if !matches!(self.bodies[0].shape, Shape::Disc { .. }) {
+            // Under a load alone it does not slide.
+            text += &format!("sliding = {{ {key} = {value} }}\n");
+        }
         let until = if *task == "wear" { format!(", until = {}", writing.time(self.until)) } else { String::new() };
         text += &format!("wear = {{ beta = {:?}, a = {a:?}, b = {b:?}{until} }}\n", self.factors);
         text += &format!("optimum = {{ functional = \"{functional}\" }}\n");
