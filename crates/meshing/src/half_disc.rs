@@ -166,7 +166,7 @@ impl HalfDiscOnFlat {
                 names.push("centre");
                 names.extend(self.on_axis());
             }
-            if p[1] == r && q[1] == r {
+            if at_end(p[1], r) && at_end(q[1], r) {
                 names.extend(["top", LOAD]);
             }
             names
@@ -208,16 +208,21 @@ impl HalfDiscOnFlat {
             if p[0] == 0.0 && q[0] == 0.0 {
                 names.extend(self.on_axis());
             }
-            if p[0] == w && q[0] == w {
+            if at_end(p[0], w) && at_end(q[0], w) {
                 names.push("right");
             }
-            if p[1] == h && q[1] == h {
+            if at_end(p[1], h) && at_end(q[1], h) {
                 names.push("bottom");
             }
             names
         };
         moved(&straight, true, below, |_, _| None, names)
     }
+}
+
+/// Whether a coordinate is that of an edge: its pieces end on it but for round-off.
+fn at_end(x: f64, edge: f64) -> bool {
+    (x - edge).abs() <= 1e-12 * edge
 }
 
 /// Where half of each body is cut on the contact surface (mm from the middle, ascending).

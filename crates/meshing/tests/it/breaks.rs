@@ -157,3 +157,23 @@ fn half_disc_on_rectangle() {
         assert!(places.iter().any(|place| (place - x).abs() < 1e-12), "{x} is not in {places:?}");
     }
 }
+
+/// Pieces of the edges of a block under a ball keep their names at every size: round-off in their ends took the support of some or of all of them away.
+#[test]
+fn a_block_under_a_ball_has_all_of_its_edges_at_every_size() {
+    for step in 0..200 {
+        let by = 1.0 + 0.0173 * f64::from(step);
+        let [radius, width, depth] = [11.2 * by, 17.92 * by, 42.7952 * by];
+        let disc =
+            body("body1", &format!("half-disc = {{ radius = {radius:?}, centre = [0, {radius:?}] }}"), "arc", "centre = ['x']");
+        let flat = format!("rectangle = {{ x = [{:?}, {width:?}], z = [{:?}, 0] }}", -width, -depth);
+        let couple = couple(disc, body("body2", &flat, "top", "bottom = ['x', 'z']"), "top", LoadKind::Pressure);
+        let [_, block] = meshes(&couple, extent(&couple), 2, Cut::Ends(&[-0.2, 0.2])).unwrap();
+        let length = |name: &str| {
+            let edges = block.boundary(name).unwrap_or_default();
+            edges.iter().map(|e| block.edges[*e].curve.length()).sum::<f64>()
+        };
+        assert!((length("bottom") - 2.0 * width).abs() < 1e-9 * width, "times {by}: {} of {}", length("bottom"), 2.0 * width);
+        assert!((length("right") - depth).abs() < 1e-9 * depth, "times {by}: {} of {depth}", length("right"));
+    }
+}
