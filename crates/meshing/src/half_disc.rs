@@ -150,7 +150,7 @@ impl HalfDiscOnFlat {
         let sag = |x: f64| x * x / (r + (r * r - x * x).max(0.0).sqrt());
         let place = |v: [f64; 2]| if v[0] >= r { v } else { [v[0], v[1] + sag(v[0]) * (1.0 - v[1] / r)] };
         let angle = |v: [f64; 2]| if v[0] >= r { 0.0 } else { (v[0] / r).asin() - std::f64::consts::FRAC_PI_2 };
-        let on_arc = |v: [f64; 2]| v[1] == 0.0 || v[0] >= r;
+        let on_arc = |v: [f64; 2]| v[1] == 0.0 || at_end(v[0], r);
         let curve = |p: [f64; 2], q: [f64; 2]| {
             (on_arc(p) && on_arc(q)).then(|| Curve::Arc { centre: [0.0, r], radius: r, from: angle(p), to: angle(q) })
         };
