@@ -7,6 +7,8 @@ use std::sync::Arc;
 use hpfem::{Kinematics, Mesh};
 use scene::{Component, Geometry, LoadKind, Material, Support};
 
+use crate::body_load::BodyLoad;
+
 /// Two bodies that touch, and where the first is loaded.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Couple {
@@ -36,8 +38,8 @@ pub struct Body {
     pub supports: BTreeMap<String, Support>,
     /// Name of the edge that touches the other body.
     pub contact: String,
-    /// The point [x, z] about which it spins (mm), its centre of mass; any one of a body of revolution. None of a body that does not spin.
-    pub spin: Option<[f64; 2]>,
+    /// What acts on it by its mass, for a unit each.
+    pub loads: Vec<BodyLoad>,
 }
 
 /// Where and how body 1 is loaded.
@@ -130,6 +132,11 @@ impl Body {
     /// Whether an edge holds a component.
     pub fn holds(&self, component: Component) -> bool {
         self.supports.values().any(|held| held.holds(component))
+    }
+
+    /// Densities of its materials (t/mm^3), 0 where there is none.
+    pub fn densities(&self) -> Vec<f64> {
+        self.materials.iter().map(|material| material.density.map_or(0.0, |density| density.0)).collect()
     }
 
     /// Whether it has a pin or a roller.

@@ -74,10 +74,11 @@ impl HalfDiscOnFlat {
             let remedy = "turn them by a multiple of 90 deg, or give the disc by cells (geometry.blocks)";
             return Err(Fault::at(format!("{}.material.angle", body.key), "not-available", message, remedy));
         }
-        if let Some(body) = couple.bodies.iter().find(|body| body.spin.is_some()) {
-            let message = "the contact of a half-disc with a flat does not know bodies that spin";
-            let remedy = "give the disc by cells (geometry.blocks), or let it stand still";
-            return Err(Fault::at(format!("{}.spin", body.key), "not-available", message, remedy));
+        if let Some(body) = couple.bodies.iter().find(|body| !body.loads.is_empty()) {
+            let load = body.loads[0];
+            let message = format!("the contact of a half-disc with a flat does not know {}", load.word());
+            let remedy = "give the disc by cells (geometry.blocks), or leave it out";
+            return Err(Fault::at(format!("{}.{}", body.key, load.key()), "not-available", message, remedy));
         }
         let rigid = couple.has_rigid_edge();
         Ok(Some(HalfDiscOnFlat {

@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 mod blocks;
+mod body_load;
 mod cells;
 mod coarse;
 mod contact_line;
@@ -24,10 +25,12 @@ mod resultant;
 mod round_cells;
 mod rows;
 mod sound;
+mod sound_body_load;
 mod sound_material;
 mod template;
 
 pub use blocks::unused as unused_in_blocks;
+pub use body_load::{BODY_LOAD_KEYS, BodyLoad};
 pub use coarse::RATIO;
 pub use contact_line::contact_line;
 pub use couple::{Body, Couple, LoadedEdge, Strip};
@@ -35,11 +38,12 @@ pub use extent::{Cut, Extent};
 pub use given::{Files, Given};
 pub use half_disc::{CANDIDATE, HalfDiscOnFlat};
 pub use line::ContactLine;
-pub use mass::mass_centre;
+pub use mass::resultant;
 pub use meshes::{CoarseMeshes, coarse_meshes, meshes};
 pub use names::{AXIS, CONTACT, LOAD};
 pub use outline::{Edge, Outline, outline, outside, touches_all_around};
 pub use read::read_cells;
 pub use resultant::UnitLoad;
 pub use sound::sound;
+pub use sound_body_load::sound_body_loads;
 pub use sound_material::sound_material;

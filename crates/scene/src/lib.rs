@@ -53,7 +53,7 @@ pub use scene::{
 pub use spin::Spin;
 pub use support::{Component, Support};
 pub use units::{
-    Angle, AngularSpeed, Axes, Conductance, Conductivity, Density, Expansion, Force, Frequency, HeatFlux, HeatTransfer, Length,
+    Acceleration, Angle, AngularSpeed, Axes, Conductance, Conductivity, Density, Expansion, Force, Frequency, HeatFlux, HeatTransfer, Length,
     Moment, Pair, Pressure, Scale, Speed, Steps, Temperature, Time, Volume, WearFactor,
 };
 pub use value::{missing, positive};

@@ -91,7 +91,7 @@ pub(crate) struct Numbers {
     /// Angle of axis 1 of an orthotropic material to +x, anti-clockwise (rad). Default 0.
     #[serde(default)]
     angle: Option<Angle>,
-    /// Density (t/mm^3), of a body that spins.
+    /// Density (t/mm^3), of a body that spins or has `gravity`.
     #[serde(default)]
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     density: Option<Density>,

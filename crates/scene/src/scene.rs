@@ -9,7 +9,7 @@ use crate::heat::{EdgeHeat, Heat};
 use crate::material::Material;
 use crate::spin::Spin;
 use crate::support::Support;
-use crate::units::{AngularSpeed, Force, Length, Moment, Pair, Pressure, Speed, Time, WearFactor};
+use crate::units::{Acceleration, AngularSpeed, Force, Length, Moment, Pair, Pressure, Speed, Time, WearFactor};
 
 pub use crate::counterface::Counterface;
 pub use crate::optimum::{Balance, Functional, Modes, Optimum};
@@ -147,6 +147,10 @@ pub struct Body {
     /// How fast the body spins; without it it does not.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub spin: Option<Spin>,
+    /// Force by mass on the body, [g_x, g_z] (mm/s^2): gravity, or the opposite of its acceleration. Its materials need a density. The weight of body 2 is
+    /// carried by its supports, that of body 1 by the loaded edge, evenly beside the load, so that `load.force` stays what presses the surfaces.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gravity: Option<[Acceleration; 2]>,
     /// What carries heat through named edges, in a scene with `heat`; all others are insulated.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub heat: BTreeMap<String, EdgeHeat>,

@@ -10,67 +10,9 @@ use crate::known::known_materials;
 use crate::material::{Material, Numbers};
 use crate::point_shape::{PointShape, PolarPoint};
 use crate::support::{Component, Support};
-use crate::units::dimension::{
-    ANGLE, ANGULAR_SPEED, CONDUCTIVITY, DENSITY, Dimension, EXPANSION, FORCE, FREQUENCY, HEAT_FLUX, HEAT_TRANSFER, LENGTH,
-    MOMENT, PRESSURE, SPEED, TEMPERATURE, TIME, VOLUME, WEAR_FACTOR,
-};
-use crate::units::{
-    Angle, AngularSpeed, Axes, Conductance, Conductivity, Density, Expansion, Force, Frequency, HeatFlux, HeatTransfer, Length,
-    Moment, Pair, Pressure, Scale, Speed, Steps, Temperature, Time, Volume, WearFactor,
-};
-
-fn schema_of(dimension: &Dimension) -> Schema {
-    json_schema!({
-        "description": dimension.expected(),
-        "anyOf": [{ "type": "number" }, { "type": "string", "pattern": pattern(dimension) }]
-    })
-}
-
-/// The regular expression of a number with one of the units, or with none.
-fn pattern(dimension: &Dimension) -> String {
-    let units: Vec<String> = dimension.units.iter().map(|unit| unit_pattern(unit.0)).collect();
-    format!("^\\s*[-+]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][-+]?[0-9]+)?\\s*({})?\\s*$", units.join("|"))
-}
-
-/// A unit, with blanks, dots or asterisks between its factors and raised digits, as they are read.
-fn unit_pattern(unit: &str) -> String {
-    let unit = unit.replace('/', "\\s*/\\s*").replace(' ', "[\\s*·]*").replace('(', "\\(").replace(')', "\\)");
-    unit.replace("^2", "(\\^2|²)").replace("^3", "(\\^3|³)")
-}
-
-macro_rules! quantity {
-    ($($name:ident of $dimension:ident),* $(,)?) => {$(
-        impl JsonSchema for $name {
-            fn schema_name() -> Cow<'static, str> {
-                stringify!($name).into()
-            }
-
-            fn json_schema(_: &mut SchemaGenerator) -> Schema {
-                schema_of(&$dimension)
-            }
-        }
-    )*};
-}
-
-quantity!(
-    Length of LENGTH,
-    Force of FORCE,
-    Pressure of PRESSURE,
-    Angle of ANGLE,
-    Speed of SPEED,
-    AngularSpeed of ANGULAR_SPEED,
-    Time of TIME,
-    Volume of VOLUME,
-    Frequency of FREQUENCY,
-    Moment of MOMENT,
-    WearFactor of WEAR_FACTOR,
-    Temperature of TEMPERATURE,
-    Conductivity of CONDUCTIVITY,
-    Density of DENSITY,
-    Expansion of EXPANSION,
-    HeatTransfer of HEAT_TRANSFER,
-    HeatFlux of HEAT_FLUX,
-);
+use crate::units::dimension::{pattern, schema_of};
+use crate::units::quantities::{HEAT_TRANSFER, LENGTH, TIME, VOLUME};
+use crate::units::{Angle, Axes, Conductance, Length, Pair, Scale, Steps};
 
 impl JsonSchema for Conductance {
     fn schema_name() -> Cow<'static, str> {

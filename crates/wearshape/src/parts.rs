@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use hpfem::{
-    Body, BodyForce, BodyProblem, Direction, EdgeTraction, InterfaceOperator, Kinematics, LoadCase, Mesh, RigidEdge, Sizes,
+    Body, BodyProblem, Direction, EdgeTraction, InterfaceOperator, Kinematics, LoadCase, Mesh, RigidEdge, Sizes,
     Support, TemperatureCase,
 };
-use meshing::{self, AXIS, CONTACT, Couple, LOAD, LoadedEdge};
+use meshing::{self, AXIS, BodyLoad, CONTACT, Couple, LOAD, LoadedEdge};
 use scene::{Component, Fault, LoadKind};
 
 use crate::degrees::degrees;
@@ -62,7 +62,8 @@ impl BodyParts {
             (true, Kinematics::Torsion) | (false, _) => Vec::new(),
             (true, _) => load_cases(couple, &mesh, kinematics),
         };
-        load_cases.extend(body.spin.filter(|_| kinematics != Kinematics::Torsion).map(|about| spin(body, about, kinematics)));
+        let loads = body.loads.iter().filter(|_| kinematics != Kinematics::Torsion);
+        load_cases.extend(loads.map(|load| by_mass(body, *load, shaped, (&mesh, kinematics))));
         let problem = BodyProblem {
             degrees,
             materials,
@@ -142,12 +143,22 @@ fn held_edges(body: &meshing::Body, rigid: Option<&LoadedEdge>, kinematics: Kine
     supports
 }
 
-/// The centrifugal force of a body that spins at 1 rad/s.
-fn spin(body: &meshing::Body, about: [f64; 2], kinematics: Kinematics) -> LoadCase {
-    let densities: Vec<f64> = body.materials.iter().map(|material| material.density.map_or(0.0, |density| density.0)).collect();
-    let plane = if kinematics.is_revolved() { 0.0 } else { 1.0 };
-    let force = BodyForce::new(move |[x, z]| [x - plane * about[0], plane * (z - about[1])]);
-    LoadCase::new("spin").with(force.by_material(&densities))
+/// A load of a body by its mass. What it has as a resultant on body 1 the loaded edge carries.
+fn by_mass(body: &meshing::Body, load: BodyLoad, shaped: bool, (mesh, kinematics): (&Mesh, Kinematics)) -> LoadCase {
+    let densities = body.densities();
+    let case = load.case(&densities, kinematics.is_revolved());
+    if !(shaped && load.has_resultant()) {
+        return case;
+    }
+    let edge = LoadedEdges::of(mesh, kinematics);
+    let [x, z, moment] = meshing::resultant(load, (mesh, &densities), kinematics, edge.middle);
+    let (area, inertia, middle) = (edge.area, edge.inertia, edge.middle);
+    let turning = if kinematics.is_revolved() { 0.0 } else { moment / inertia };
+    let carried = move |p: &hpfem::BoundaryPoint| {
+        let [dx, dz] = [p.position[0] - middle[0], p.position[1] - middle[1]];
+        [-x / area + turning * dz, -z / area - turning * dx]
+    };
+    case.with(EdgeTraction::new(LOAD, carried))
 }
 
 /// An edge that turns about a pin.
@@ -281,21 +292,7 @@ fn load_cases(couple: &Couple, mesh: &Mesh, kinematics: Kinematics) -> Vec<LoadC
     }
     let load = &couple.load;
     let vertical = load.kind == LoadKind::Vertical;
-    // Area, projected area, and middle of the loaded edges.
-    let (mut area, mut projected, mut middle) = (0.0, 0.0, [0.0; 2]);
-    for edge in mesh.boundary(LOAD).unwrap_or_default() {
-        let curve = &mesh.edges[edge].curve;
-        let rule = hpfem::gauss(12);
-        for (t, w) in rule.points.iter().zip(&rule.weights) {
-            let (x, d) = (curve.point(*t), curve.derivative(*t));
-            let da = w * kinematics.measure(x[0]);
-            area += da * d[0].hypot(d[1]);
-            projected += da * d[0].abs();
-            middle[0] += da * d[0].hypot(d[1]) * x[0];
-            middle[1] += da * d[0].hypot(d[1]) * x[1];
-        }
-    }
-    let middle = middle.map(|m| m / area);
+    let LoadedEdges { area, projected, middle, .. } = LoadedEdges::of(mesh, kinematics);
     // The force of an actuator is that of its resultant, whichever way it acts.
     let actuator = couple.unit_load().filter(|_| couple.moves_one_way() && !vertical);
     let intensity = actuator.map_or(1.0 / projected, |unit| unit.intensity / kinematics.measure(1.0));
@@ -315,4 +312,36 @@ fn load_cases(couple: &Couple, mesh: &Mesh, kinematics: Kinematics) -> Vec<LoadC
         EdgeTraction::new(LOAD, move |p| [(middle[1] - p.position[1]) / area, (p.position[0] - middle[0]) / area]),
     ];
     CASES.into_iter().zip(tractions).map(|(name, traction)| LoadCase::new(name).with(traction)).collect()
+}
+
+/// Sums over the loaded edges.
+struct LoadedEdges {
+    /// Area and projected area (mm^2).
+    area: f64,
+    projected: f64,
+    /// Middle [x, z] (mm).
+    middle: [f64; 2],
+    /// Second moment of the area about the middle (mm^4).
+    inertia: f64,
+}
+
+impl LoadedEdges {
+    fn of(mesh: &Mesh, kinematics: Kinematics) -> LoadedEdges {
+        let (mut area, mut projected, mut middle, mut second) = (0.0, 0.0, [0.0; 2], 0.0);
+        for edge in mesh.boundary(LOAD).unwrap_or_default() {
+            let curve = &mesh.edges[edge].curve;
+            let rule = hpfem::gauss(12);
+            for (t, w) in rule.points.iter().zip(&rule.weights) {
+                let (x, d) = (curve.point(*t), curve.derivative(*t));
+                let da = w * kinematics.measure(x[0]);
+                area += da * d[0].hypot(d[1]);
+                projected += da * d[0].abs();
+                middle[0] += da * d[0].hypot(d[1]) * x[0];
+                middle[1] += da * d[0].hypot(d[1]) * x[1];
+                second += da * d[0].hypot(d[1]) * (x[0] * x[0] + x[1] * x[1]);
+            }
+        }
+        let middle = middle.map(|m| m / area);
+        LoadedEdges { area, projected, middle, inertia: second - area * (middle[0] * middle[0] + middle[1] * middle[1]) }
+    }
 }

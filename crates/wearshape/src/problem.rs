@@ -58,8 +58,6 @@ pub struct Problem {
     pub(crate) remarks: Vec<Remark>,
     /// Keys that were written but are not used.
     pub(crate) unused_keys: Vec<String>,
-    /// Angular speeds (rad/s) of both bodies about their centres of mass.
-    pub(crate) spin: [f64; 2],
     /// Lines along which displacement and stress are written.
     pub(crate) paths: Vec<Path>,
 }

@@ -4,6 +4,7 @@ mod all_around;
 mod bodies;
 mod carried;
 mod cycle;
+mod densities;
 mod duty;
 mod heat;
 mod load;
@@ -17,7 +18,6 @@ mod remarks;
 mod repeat;
 mod reversing;
 mod schedule;
-mod spin;
 mod stages;
 mod start_gap;
 mod tasks;
@@ -92,7 +92,6 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
         wear: wear_rule::numbers(&scene),
         pieces: schedule::pieces(&scene),
         cycles: repeat::cycles(&scene),
-        spin: spin::speeds(&scene),
         paths,
         optimum: optimum::choice(&scene),
         plan: Plan::default(),
@@ -125,10 +124,10 @@ fn may_move(scene: &Scene, couple: &Couple, load: &Load, patch: Option<&Patch>) 
     turning_axes::check(scene, couple, patch)
 }
 
-/// Takes out what bodies without heat and bodies that do not spin have no use for; gives the keys of it.
+/// Takes out what bodies without heat and bodies without loads by their mass have no use for; gives the keys of it.
 fn begin(document: &Document, scene: &mut Scene, tasks: &[Task]) -> Result<Vec<String>, Fault> {
     let cold = heat::begin(scene, tasks)?;
-    Ok([cold, spin::begin(document, scene)].concat())
+    Ok([cold, densities::begin(document, scene)].concat())
 }
 
 /// Makes of the scene one that has, read again, the same meaning and the same unused keys.

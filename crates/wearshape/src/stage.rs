@@ -216,12 +216,12 @@ impl<'a> Stage<'a> {
         self.problem.load.about[0]
     }
 
-    /// Load-case factors of both bodies: the force on body 1, and the square of the angular speed of a body that spins.
+    /// Load-case factors of both bodies: the force on body 1, and those of loads by the mass.
     pub(crate) fn cases(&self) -> [Vec<f64>; 2] {
         let force = self.problem.load.force.unwrap_or(0.0);
         let mut cases = [if self.couple.has_rigid_edge() { vec![] } else { vec![force, 0.0, 0.0, 0.0] }, vec![]];
-        for ((cases, body), speed) in cases.iter_mut().zip(&self.couple.bodies).zip(self.problem.spin) {
-            cases.extend(body.spin.map(|_| speed * speed));
+        for (cases, body) in cases.iter_mut().zip([&self.problem.scene.body1, &self.problem.scene.body2]) {
+            cases.extend(body.iter().flat_map(meshing::BodyLoad::of).map(|(_, factor)| factor));
         }
         cases
     }

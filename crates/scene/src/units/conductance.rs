@@ -6,7 +6,7 @@ use serde::de::{self, Deserialize, Deserializer, Visitor};
 use serde::{Serialize, Serializer};
 
 use super::QuantityVisitor;
-use super::dimension::HEAT_TRANSFER;
+use super::quantities::HEAT_TRANSFER;
 
 /// A conductance in mW/(mm^2 K), that is 1000 W/(m^2 K); infinite where both surfaces have one temperature.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]

@@ -12,131 +12,6 @@ pub(crate) struct Dimension {
     pub(crate) units: &'static [Unit],
 }
 
-pub(crate) const LENGTH: Dimension = Dimension {
-    word: "length",
-    base: "mm",
-    units: &[
-        ("mm", 1.0, 1.0),
-        ("m", 1e3, 1.0),
-        ("cm", 10.0, 1.0),
-        ("um", 1.0, 1e3),
-        ("µm", 1.0, 1e3),
-        ("nm", 1.0, 1e6),
-        ("in", 25.4, 1.0),
-        ("km", 1e6, 1.0),
-    ],
-};
-pub(crate) const FORCE: Dimension =
-    Dimension { word: "force", base: "N", units: &[("N", 1.0, 1.0), ("kN", 1e3, 1.0), ("MN", 1e6, 1.0), ("mN", 1.0, 1e3)] };
-pub(crate) const PRESSURE: Dimension = Dimension {
-    word: "pressure or modulus",
-    base: "MPa",
-    units: &[("MPa", 1.0, 1.0), ("GPa", 1e3, 1.0), ("kPa", 1.0, 1e3), ("Pa", 1.0, 1e6), ("bar", 1.0, 10.0), ("N/mm^2", 1.0, 1.0)],
-};
-pub(crate) const ANGLE: Dimension = Dimension {
-    word: "angle",
-    base: "rad",
-    units: &[("rad", 1.0, 1.0), ("deg", std::f64::consts::PI, 180.0), ("mrad", 1.0, 1e3)],
-};
-pub(crate) const SPEED: Dimension = Dimension {
-    word: "speed",
-    base: "mm/s",
-    units: &[("mm/s", 1.0, 1.0), ("m/s", 1e3, 1.0), ("um/s", 1.0, 1e3), ("m/min", 1e3, 60.0), ("km/h", 1e6, 3600.0)],
-};
-pub(crate) const ANGULAR_SPEED: Dimension = Dimension {
-    word: "angular speed",
-    base: "rad/s",
-    units: &[
-        ("rad/s", 1.0, 1.0),
-        ("rpm", std::f64::consts::PI, 30.0),
-        ("1/min", std::f64::consts::PI, 30.0),
-        ("deg/s", std::f64::consts::PI, 180.0),
-    ],
-};
-pub(crate) const TIME: Dimension =
-    Dimension { word: "time", base: "s", units: &[("s", 1.0, 1.0), ("ms", 1.0, 1e3), ("min", 60.0, 1.0), ("h", 3600.0, 1.0)] };
-pub(crate) const MOMENT: Dimension = Dimension {
-    word: "moment",
-    base: "N mm",
-    units: &[("N mm", 1.0, 1.0), ("N m", 1e3, 1.0), ("kN mm", 1e3, 1.0), ("kN m", 1e6, 1.0), ("Nmm", 1.0, 1.0), ("Nm", 1e3, 1.0)],
-};
-pub(crate) const DENSITY: Dimension = Dimension {
-    word: "density",
-    base: "t/mm^3",
-    units: &[
-        ("kg/m^3", 1.0, 1e12),
-        ("kg/m3", 1.0, 1e12),
-        ("g/cm^3", 1.0, 1e9),
-        ("g/cm3", 1.0, 1e9),
-        ("t/m^3", 1.0, 1e9),
-        ("t/m3", 1.0, 1e9),
-        ("t/mm^3", 1.0, 1.0),
-    ],
-};
-pub(crate) const VOLUME: Dimension =
-    Dimension { word: "volume", base: "mm^3", units: &[("mm^3", 1.0, 1.0), ("cm^3", 1e3, 1.0), ("um^3", 1.0, 1e9)] };
-pub(crate) const FREQUENCY: Dimension = Dimension {
-    word: "frequency",
-    base: "cycles a second",
-    units: &[("Hz", 1.0, 1.0), ("kHz", 1e3, 1.0), ("1/s", 1.0, 1.0), ("1/min", 1.0, 60.0), ("1/h", 1.0, 3600.0)],
-};
-pub(crate) const TEMPERATURE: Dimension =
-    Dimension { word: "temperature", base: "degC", units: &[("degC", 1.0, 1.0), ("°C", 1.0, 1.0)] };
-pub(crate) const CONDUCTIVITY: Dimension = Dimension {
-    word: "conductivity",
-    base: "mW/(mm K)",
-    units: &[("W/(m K)", 1.0, 1.0), ("mW/(mm K)", 1.0, 1.0), ("W/(mm K)", 1e3, 1.0), ("W/m/K", 1.0, 1.0)],
-};
-pub(crate) const EXPANSION: Dimension = Dimension {
-    word: "thermal expansion",
-    base: "1/K",
-    units: &[("1/K", 1.0, 1.0), ("/K", 1.0, 1.0), ("um/(m K)", 1.0, 1e6), ("ppm/K", 1.0, 1e6), ("1/degC", 1.0, 1.0)],
-};
-pub(crate) const HEAT_TRANSFER: Dimension = Dimension {
-    word: "coefficient of heat transfer",
-    base: "mW/(mm^2 K)",
-    units: &[
-        ("W/(m2 K)", 1.0, 1e3),
-        ("W/(m^2 K)", 1.0, 1e3),
-        ("kW/(m2 K)", 1.0, 1.0),
-        ("kW/(m^2 K)", 1.0, 1.0),
-        ("mW/(mm2 K)", 1.0, 1.0),
-        ("mW/(mm^2 K)", 1.0, 1.0),
-        ("W/(mm2 K)", 1e3, 1.0),
-        ("W/(mm^2 K)", 1e3, 1.0),
-    ],
-};
-pub(crate) const HEAT_FLUX: Dimension = Dimension {
-    word: "heat flux",
-    base: "mW/mm^2",
-    units: &[
-        ("W/m2", 1.0, 1e3),
-        ("W/m^2", 1.0, 1e3),
-        ("kW/m2", 1.0, 1.0),
-        ("kW/m^2", 1.0, 1.0),
-        ("mW/mm2", 1.0, 1.0),
-        ("mW/mm^2", 1.0, 1.0),
-        ("W/mm2", 1e3, 1.0),
-        ("W/mm^2", 1e3, 1.0),
-        ("W/cm2", 10.0, 1.0),
-        ("W/cm^2", 10.0, 1.0),
-    ],
-};
-pub(crate) const WEAR_FACTOR: Dimension = Dimension {
-    word: "wear factor",
-    base: "mm^2/N (for a = b = 1)",
-    units: &[
-        ("mm^3/(N mm)", 1.0, 1.0),
-        ("mm^3/(N m)", 1.0, 1e3),
-        ("mm^3/N/m", 1.0, 1e3),
-        ("m^3/(N m)", 1e6, 1.0),
-        ("mm^2/N", 1.0, 1.0),
-        ("m^2/N", 1e6, 1.0),
-        ("1/MPa", 1.0, 1.0),
-        ("1/Pa", 1e6, 1.0),
-    ],
-};
-
 impl Dimension {
     fn with_article(&self) -> String {
         format!("{} {}", if self.word.starts_with('a') { "an" } else { "a" }, self.word)
@@ -202,9 +77,32 @@ fn number_end(text: &str) -> usize {
     at
 }
 
+/// The schema of a quantity.
+#[cfg(feature = "schema")]
+pub(crate) fn schema_of(dimension: &Dimension) -> schemars::Schema {
+    schemars::json_schema!({
+        "description": dimension.expected(),
+        "anyOf": [{ "type": "number" }, { "type": "string", "pattern": pattern(dimension) }]
+    })
+}
+
+/// The regular expression of a number with one of the units, or with none.
+#[cfg(feature = "schema")]
+pub(crate) fn pattern(dimension: &Dimension) -> String {
+    let units: Vec<String> = dimension.units.iter().map(|unit| unit_pattern(unit.0)).collect();
+    format!("^\\s*[-+]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][-+]?[0-9]+)?\\s*({})?\\s*$", units.join("|"))
+}
+
+/// A unit, with blanks, dots or asterisks between its factors and raised digits, as they are read.
+#[cfg(feature = "schema")]
+fn unit_pattern(unit: &str) -> String {
+    let unit = unit.replace('/', "\\s*/\\s*").replace(' ', "[\\s*·]*").replace('(', "\\(").replace(')', "\\)");
+    unit.replace("^2", "(\\^2|²)").replace("^3", "(\\^3|³)")
+}
+
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use super::super::quantities::{ANGLE, FORCE, LENGTH, MOMENT, PRESSURE, WEAR_FACTOR};
 
     #[test]
     fn units_convert_with_one_rounding() {

@@ -5,7 +5,7 @@ use std::fmt;
 use serde::de::{self, Deserialize, Deserializer, Visitor};
 use serde::{Serialize, Serializer};
 
-use super::dimension::LENGTH;
+use super::quantities::LENGTH;
 
 /// A factor that turns lengths of a file into mm; written as a number, or as the unit of the file: "m" is 1000.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]

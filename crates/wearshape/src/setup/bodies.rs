@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use meshing::{Body, Files, outline, outside, read_cells, sound, sound_material};
+use meshing::{Body, BodyLoad, Files, outline, outside, read_cells, sound, sound_body_loads, sound_material};
 use scene::{Component, Fault, Kinematics, Scene, Support, did_you_mean, missing, positive};
 
-use crate::setup::{one_way, spin, start_gap};
+use crate::setup::{one_way, start_gap};
 
 /// Checks both bodies and the contact, and fills in their defaults. None of a surface alone.
 pub(super) fn resolve(scene: &mut Scene, files: Files<'_>) -> Result<Option<(hpfem::Kinematics, [Body; 2])>, Fault> {
@@ -87,9 +87,10 @@ fn one_body(name: &'static str, body: &mut scene::Body, axisymmetric: bool, file
         None => (None, body.material.into_iter().collect()),
     };
     let (geometry, supports) = (body.geometry.clone(), body.support.clone());
-    let mut typed = Body { key: name, geometry, cells, materials, supports, contact: String::new(), spin: None };
+    let mut typed = Body { key: name, geometry, cells, materials, supports, contact: String::new(), loads: Vec::new() };
     held_edges(name, body, &typed, axisymmetric)?;
-    typed.spin = spin::resolve(body, &typed, axisymmetric)?;
+    sound_body_loads(body, &typed, axisymmetric)?;
+    typed.loads = BodyLoad::of(body).into_iter().map(|(load, _)| load).collect();
     Ok(typed)
 }
 

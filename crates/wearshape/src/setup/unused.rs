@@ -1,6 +1,6 @@
 //! Keys that were written but that the scene's choices do not use.
 
-use meshing::unused_in_blocks;
+use meshing::{BODY_LOAD_KEYS, unused_in_blocks};
 use scene::{Document, Geometry, Kinematics, LoadKind, Scene, Support, Task};
 
 use crate::functional::functional_row;
@@ -56,7 +56,8 @@ fn idle(scene: &Scene, tasks: &[Task]) -> Vec<&'static str> {
     let flat = matches!(scene.contact.as_ref().and_then(|contact| contact.gap.as_ref()), None | Some(scene::Gap::Constant(_)));
     when(!tasks.contains(&Task::Contact) && !wears && !flat, &["contact.gap"]);
     when(!tasks.contains(&Task::Contact) && !wears, &["contact.clearance"]);
-    when(pressure_only, &["output.fields", "output.paths", "load.approach_time", "body1.spin", "body2.spin"]);
+    when(pressure_only, &["output.fields", "output.paths", "load.approach_time"]);
+    when(pressure_only, &BODY_LOAD_KEYS);
     let timed = scene.wear.as_ref().and_then(|wear| wear.until).is_some_and(|until| until != scene::Until::Steady);
     when(!wears && timed, &["wear.until"]);
     when(!wears, &["schedule"]);
