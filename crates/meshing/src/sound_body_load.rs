@@ -36,7 +36,8 @@ fn gravity(body: &scene::Body, typed: &Body, axisymmetric: bool) -> Result<(), F
         return Err(Fault::at(format!("{key}.0"), "wrong-value", message, format!("write gravity = [0, {z}]")));
     }
     if typed.key == "body1" && typed.moves_one_way() {
-        let message = "the weight of a body 1 that turns about a pin or runs on a roller would be part of what presses it on body 2";
+        let message =
+            "the weight of a body 1 that turns about a pin or runs on a roller would be part of what presses it on body 2";
         return Err(Fault::at(key, "not-available", message, "add its moment to that of the load, and leave body1.gravity out"));
     }
     Ok(())

@@ -4,15 +4,19 @@ use crate::fault::{Fault, Place};
 use crate::tree::{self, Entry, Node, Origin, Value};
 
 /// Keys that exclude each other: setting one removes the others of its row. `*` stands for any one key.
-const ALTERNATIVES: [&[&str]; 18] = [
+const ALTERNATIVES: [&[&str]; 22] = [
     &["accuracy", "mesh"],
     &["load.force", "load.approach"],
     &["load.moment", "load.tilt"],
     &["load.twist", "load.torque"],
-    &["wear.beta", "wear.k", "wear.table"],
+    &["wear.beta", "wear.k", "wear.table", "wear.law"],
     &["wear.a", "wear.table"],
     &["wear.b", "wear.table"],
     &["wear.threshold", "wear.table"],
+    &["wear.a", "wear.law"],
+    &["wear.b", "wear.law"],
+    &["wear.threshold", "wear.law"],
+    &["wear.law.*"],
     &["heat.share", "heat.conductance"],
     &["sliding.omega", "sliding.speed"],
     &["body1.geometry.*"],

@@ -27,6 +27,7 @@ mod tree;
 mod units;
 mod value;
 mod visible;
+mod wear_function;
 mod write;
 mod written;
 
@@ -53,10 +54,11 @@ pub use scene::{
 pub use spin::Spin;
 pub use support::{Component, Support};
 pub use units::{
-    Acceleration, Angle, AngularSpeed, Axes, Conductance, Conductivity, Density, Expansion, Force, Frequency, HeatFlux, HeatTransfer, Length,
-    Moment, Pair, Pressure, Scale, Speed, Steps, Temperature, Time, Volume, WearFactor,
+    Acceleration, Angle, AngularSpeed, Axes, Conductance, Conductivity, Density, Expansion, Force, Frequency, HeatFlux,
+    HeatTransfer, Length, Moment, Pair, Pressure, Scale, Speed, Steps, Temperature, Time, Volume, WearFactor,
 };
 pub use value::{missing, positive};
 pub use visible::{acts, bounded, visible};
+pub use wear_function::WearFunction;
 pub use write::scene_text;
 pub use written::{Written, rewritten, written};

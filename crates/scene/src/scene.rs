@@ -10,6 +10,7 @@ use crate::material::Material;
 use crate::spin::Spin;
 use crate::support::Support;
 use crate::units::{Acceleration, AngularSpeed, Force, Length, Moment, Pair, Pressure, Speed, Time, WearFactor};
+use crate::wear_function::WearFunction;
 
 pub use crate::counterface::Counterface;
 pub use crate::optimum::{Balance, Functional, Modes, Optimum};
@@ -302,6 +303,9 @@ pub struct Wear {
     /// the monotone cubic, beyond the last its straight line; body 2 does not wear.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub table: Option<Vec<(Pressure, WearFactor)>>,
+    /// Wear of body 1 by a function of the pressure instead of beta and k, w' = W(p) v: `severe`. Body 2 does not wear.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub law: Option<WearFunction>,
     /// How the counter-face meets body 1. Default by kind of scene.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub counterface: Option<Counterface>,
@@ -319,9 +323,14 @@ pub struct Wear {
 }
 
 impl Wear {
-    /// Which bodies wear: those with a table or a factor above 0.
+    /// Whether body 1 wears by a function of the pressure, a table or a law, and body 2 does not.
+    pub fn is_function(&self) -> bool {
+        self.table.is_some() || self.law.is_some()
+    }
+
+    /// Which bodies wear: those with a function of the pressure or a factor above 0.
     pub fn wearing(&self) -> [bool; 2] {
-        if self.table.is_some() {
+        if self.is_function() {
             return [true, false];
         }
         match self.beta.or(self.k) {
@@ -331,9 +340,9 @@ impl Wear {
         }
     }
 
-    /// Whether something says how the bodies wear: a table, or a factor, be it 0.
+    /// Whether something says how the bodies wear: a function of the pressure, or a factor, be it 0.
     pub fn has_rule(&self) -> bool {
-        self.table.is_some() || self.beta.or(self.k).is_some()
+        self.is_function() || self.beta.or(self.k).is_some()
     }
 }
 

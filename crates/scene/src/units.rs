@@ -17,8 +17,8 @@ pub use conductance::Conductance;
 use dimension::Dimension;
 pub use pair::Pair;
 pub use quantities::{
-    Acceleration, Angle, AngularSpeed, Conductivity, Density, Expansion, Force, Frequency, HeatFlux, HeatTransfer, Length, Moment, Pressure,
-    Speed, Temperature, Time, Volume, WearFactor,
+    Acceleration, Angle, AngularSpeed, Conductivity, Density, Expansion, Force, Frequency, HeatFlux, HeatTransfer, Length,
+    Moment, Pressure, Speed, Temperature, Time, Volume, WearFactor,
 };
 pub use scale::Scale;
 pub use steps::Steps;

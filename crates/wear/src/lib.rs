@@ -12,6 +12,7 @@ mod continuation;
 mod density;
 mod error;
 mod extremes;
+mod function_law;
 mod functional;
 mod given;
 mod groove;
@@ -56,6 +57,7 @@ pub use nalgebra;
 
 pub use answer::{Character, Optimum, PointForce, Regime};
 pub use error::WearError;
+pub use function_law::FunctionLaw;
 pub use functional::{Functional, FunctionalRow, Needs};
 pub use given::Given;
 pub use groove::Groove;

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use hpfem::{
-    Body, BodyProblem, Direction, EdgeTraction, InterfaceOperator, Kinematics, LoadCase, Mesh, RigidEdge, Sizes,
-    Support, TemperatureCase,
+    Body, BodyProblem, Direction, EdgeTraction, InterfaceOperator, Kinematics, LoadCase, Mesh, RigidEdge, Sizes, Support,
+    TemperatureCase,
 };
 use meshing::{self, AXIS, BodyLoad, CONTACT, Couple, LOAD, LoadedEdge};
 use scene::{Component, Fault, LoadKind};

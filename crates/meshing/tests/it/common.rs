@@ -87,7 +87,15 @@ pub(crate) fn body(key: &'static str, geometry: &str, contact: &str, support: &s
     let given = read_cells(key, &mut body, &|_| Err("no files".to_string())).unwrap();
     let cells = given.map(|given| Arc::new(given.mesh));
     let materials = vec![Material::elastic(Pressure(1e5), 0.3)];
-    Body { key, geometry: body.geometry, cells, materials, supports: body.support, contact: contact.to_string(), loads: Vec::new() }
+    Body {
+        key,
+        geometry: body.geometry,
+        cells,
+        materials,
+        supports: body.support,
+        contact: contact.to_string(),
+        loads: Vec::new(),
+    }
 }
 
 /// Two bodies in plane stress, the first pressed through `edge`.

@@ -199,7 +199,15 @@ fn built_in(name: &str) -> Body {
     let mut body = document.scene.body1.unwrap();
     let given = meshing::read_cells("body1", &mut body, &|_| Err("no files".to_string())).unwrap().unwrap();
     let cells = Some(std::sync::Arc::new(given.mesh));
-    Body { key: "body1", geometry: body.geometry, cells, materials: given.materials, supports: body.support, contact, loads: Vec::new() }
+    Body {
+        key: "body1",
+        geometry: body.geometry,
+        cells,
+        materials: given.materials,
+        supports: body.support,
+        contact,
+        loads: Vec::new(),
+    }
 }
 
 /// Of a body of several materials the one at the contact counts, outside a drum as inside: no back plate, and nothing negative.

@@ -85,7 +85,7 @@ fn idle(scene: &Scene, tasks: &[Task]) -> Vec<&'static str> {
     // The wear rate of a contact that slides is a column of contact.csv.
     let rates = scene.sliding.is_some() && !turned && scene.wear.as_ref().is_some_and(scene::Wear::has_rule);
     when(contact_only, &["wear.counterface"]);
-    when(contact_only && !rates, &["wear.beta", "wear.k", "wear.a", "wear.b", "wear.threshold", "wear.table"]);
+    when(contact_only && !rates, &["wear.beta", "wear.k", "wear.a", "wear.b", "wear.threshold", "wear.table", "wear.law"]);
     let slides = scene.contact.as_ref().and_then(|contact| contact.friction).unwrap_or(0.0) > 0.0;
     when(contact_only && !slides && !rates, &["sliding.omega", "sliding.speed"]);
     when(contact_only && !slides, &["contact.shear"]);

@@ -1,5 +1,6 @@
 //! The wear rule: factors, exponents, counter-face.
 
+mod function;
 mod table;
 
 use scene::{Counterface, Fault, Functional, Pair, Scene, Task, Wear, WearFactor, missing};
@@ -30,7 +31,7 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) 
     if !wants_wear && !wear.has_rule() {
         return Ok(());
     }
-    if wear.table.is_none() {
+    if !wear.is_function() {
         let name = factors(wear)?;
         if name == "beta" && friction == 0.0 && !contact_only {
             without_friction(wear, tasks)?;
@@ -57,7 +58,7 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) 
     if tasks.contains(&Task::Wear) {
         duty::end(scene, patch)?;
     }
-    table::resolve(scene, tasks)
+    function::resolve(scene, tasks)
 }
 
 /// Refuses factors that vanish with the friction where nothing else is asked for, or where they leave open which body wears more.
@@ -192,8 +193,8 @@ fn laws(rule: Option<&Wear>, friction: f64) -> Result<WearPair, WearError> {
         Pair::Two(values) => values.map(|factor| factor.value),
         Pair::One(factor) => [factor.value, 0.0],
     };
-    if let Some(by_table) = rule.table.as_deref().and_then(table::pair) {
-        return Ok(by_table);
+    if let Some(by_function) = function::pair(rule) {
+        return Ok(by_function);
     }
     let (a, b) = (pair(rule.a), pair(rule.b));
     match (rule.k, rule.beta) {
