@@ -62,7 +62,7 @@ pub struct Problem {
     pub(crate) paths: Vec<Path>,
 }
 
-/// A straight line through a body.
+/// Places inside a body, in order along a line.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Path {
     /// Its key in the scene.
@@ -71,23 +71,8 @@ pub(crate) struct Path {
     pub name: String,
     /// 0 for body 1, 1 for body 2.
     pub body: usize,
-    /// Its two ends (mm).
-    pub ends: [[f64; 2]; 2],
-    /// Number of points.
-    pub points: usize,
-}
-
-impl Path {
-    /// Distances from the first end, and the points (mm).
-    pub(crate) fn places(&self) -> impl Iterator<Item = (f64, [f64; 2])> {
-        let [from, to] = self.ends;
-        let length = (to[0] - from[0]).hypot(to[1] - from[1]);
-        let last = (self.points - 1) as f64;
-        (0..self.points).map(move |k| {
-            let t = k as f64 / last;
-            (t * length, [0, 1].map(|i| if t == 1.0 { to[i] } else { from[i] + t * (to[i] - from[i]) }))
-        })
-    }
+    /// Distances from the beginning along the line, and the points (mm).
+    pub places: Vec<(f64, [f64; 2])>,
 }
 
 /// How accurate the answer is to be.

@@ -35,7 +35,18 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task]) -> Result<Vec<Path>, Fa
         if ends[0] == ends[1] {
             return refused("to", format!("the path `{name}` ends where it begins"), "give another end");
         }
-        paths.push(Path { key, name: name.clone(), body: path.body - 1, ends, points });
+        paths.push(Path { key, name: name.clone(), body: path.body - 1, places: straight(ends, points) });
     }
     Ok(if elastic { paths } else { Vec::new() })
+}
+
+/// So many points on the straight line between two ends, and their distances from the first.
+fn straight([from, to]: [[f64; 2]; 2], points: usize) -> Vec<(f64, [f64; 2])> {
+    let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+    let last = (points - 1) as f64;
+    let place = |k: usize| {
+        let t = k as f64 / last;
+        (t * length, [0, 1].map(|i| if t == 1.0 { to[i] } else { from[i] + t * (to[i] - from[i]) }))
+    };
+    (0..points).map(place).collect()
 }

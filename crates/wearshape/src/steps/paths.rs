@@ -1,4 +1,4 @@
-//! Displacement, stress and temperature along straight lines through the bodies.
+//! Displacement, stress and temperature along lines through the bodies.
 
 use hpfem::{Field, PointSearch, Stress};
 use scene::Fault;
@@ -25,7 +25,7 @@ pub(crate) fn check(problem: &Problem, parts: &Parts, mirror: Option<f64>) -> Re
     for path in &problem.paths {
         let mesh = parts.parts[path.body].mesh();
         let search = PointSearch::new(mesh);
-        for (s, x) in path.places() {
+        for &(s, x) in &path.places {
             search.locate(seen(x, mirror).0).map_err(|_| left(path, s, x))?;
         }
     }
@@ -47,7 +47,7 @@ impl Sources<'_> {
             twisted: self.twists.is_some(),
             ..PathProfile::default()
         };
-        for (s, x) in path.places() {
+        for &(s, x) in &path.places {
             let (place, sign) = seen(x, self.mirror);
             let failed = |_| left(path, s, x);
             let (cell, xi, eta) = field.locate(place).map_err(failed)?;

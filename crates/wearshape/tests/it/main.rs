@@ -13,6 +13,7 @@ mod examples;
 mod files;
 mod forecast;
 mod guided;
+mod gravity;
 mod heat;
 mod heat_wear;
 mod hot_shape;
