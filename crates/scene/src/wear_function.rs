@@ -21,4 +21,13 @@ pub enum WearFunction {
         #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
         severe: WearFactor,
     },
+    /// A factor that falls with the pressure: W = k p / (1 + p / half).
+    Saturating {
+        /// Wear factor k of small pressures (mm^2/N).
+        #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
+        k: WearFactor,
+        /// Pressure at which the factor is half of that (MPa).
+        #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
+        half: Pressure,
+    },
 }

@@ -15,6 +15,13 @@ pub enum FunctionLaw {
         /// Factor k1 of the pressure beyond it, mm^2/N.
         severe: f64,
     },
+    /// `k p / (1 + p / ps)`: asperities that are pressed flat wear ever less for each further pressure. Rates stay below `k ps`.
+    Saturating {
+        /// Factor k of small pressures, mm^2/N.
+        k: f64,
+        /// Pressure ps at which the factor is half of that, MPa.
+        half: f64,
+    },
 }
 
 impl FunctionLaw {
@@ -22,6 +29,7 @@ impl FunctionLaw {
     fn word(self) -> &'static str {
         match self {
             FunctionLaw::Severe { .. } => "mild and severe",
+            FunctionLaw::Saturating { .. } => "saturating",
         }
     }
 
@@ -30,6 +38,7 @@ impl FunctionLaw {
         match self {
             FunctionLaw::Severe { mild, above, .. } if p < above => [mild * p, mild],
             FunctionLaw::Severe { mild, above, severe } => [mild * above + severe * (p - above), severe],
+            FunctionLaw::Saturating { k, half } => [k * p / (1.0 + p / half), k / ((1.0 + p / half) * (1.0 + p / half))],
         }
     }
 
@@ -37,6 +46,7 @@ impl FunctionLaw {
     pub fn numbers(self) -> Vec<(&'static str, f64)> {
         match self {
             FunctionLaw::Severe { mild, above, severe } => vec![("mild", mild), ("above", above), ("severe", severe)],
+            FunctionLaw::Saturating { k, half } => vec![("k", k), ("half", half)],
         }
     }
 

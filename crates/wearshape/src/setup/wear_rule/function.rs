@@ -13,6 +13,7 @@ fn law(named: WearFunction) -> FunctionLaw {
         WearFunction::Severe { mild, above, severe } => {
             FunctionLaw::Severe { mild: mild.value, above: above.0, severe: severe.value }
         }
+        WearFunction::Saturating { k, half } => FunctionLaw::Saturating { k: k.value, half: half.0 },
     }
 }
 
