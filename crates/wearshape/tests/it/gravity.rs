@@ -51,7 +51,8 @@ fn a_block_that_hangs_from_its_loaded_edge_is_strained_by_the_closed_form() {
     let path = "output.paths=[{ name = 'middle', body = 1, from = [7, 100], to = [7, 200], points = 5 }]";
     let of = |more: &[&str]| solved(&scene("translating-punch", &[&SMOOTH[..], &pressed, &[path], more].concat()));
     let (still, heavy) = (of(&[]), of(&[&dense, &gravity]));
-    for (a, b) in still.paths[0].stress.iter().zip(&heavy.paths[0].stress).zip(&still.paths[0].s).map(|((a, b), s)| ((a, *s), b)) {
+    for (a, b) in still.paths[0].stress.iter().zip(&heavy.paths[0].stress).zip(&still.paths[0].s).map(|((a, b), s)| ((a, *s), b))
+    {
         let ((a, s), whole) = (a, DENSITY * G * HEIGHT);
         assert!((b.zz - a.zz - DENSITY * G * s).abs() < 1e-9 * whole, "{s}: {}", b.zz - a.zz);
         assert!((b.xx - a.xx).abs() < 1e-9 * whole && (b.xz - a.xz).abs() < 1e-9 * whole, "{s}");
