@@ -21,11 +21,11 @@ pub fn sound_body_loads(body: &mut scene::Body, typed: &Body, axisymmetric: bool
         let message = "an axisymmetric body spins about its axis";
         return Err(Fault::at(format!("{}.spin.centre", typed.key), "wrong-key", message, "leave spin.centre out"));
     }
+    gravity(body, typed, axisymmetric)?;
     if let Some((load, _)) = BodyLoad::of(body).first() {
         dense(typed, load)?;
     }
-    spin(body, typed, axisymmetric)?;
-    gravity(body, typed, axisymmetric)
+    spin(body, typed, axisymmetric)
 }
 
 fn gravity(body: &scene::Body, typed: &Body, axisymmetric: bool) -> Result<(), Fault> {

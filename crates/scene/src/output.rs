@@ -18,13 +18,13 @@ pub struct Output {
     /// The page report.html. Default true.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub report: Option<bool>,
-    /// Displacement and stress along straight lines through the bodies, a file path-NAME.csv each: tables with `name`, `body` (1 or 2), the two ends
-    /// `from` and `to` as [x, z], and the number of `points` (101 unless given).
+    /// Displacement and stress along lines through the bodies, a file path-NAME.csv each: tables with `name`, `body` (1 or 2), the two ends
+    /// `from` and `to` as [x, z], the `centre` of an arc, and the number of `points` (101 unless given).
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub paths: Vec<FieldPath>,
 }
 
-/// A straight line through a body, along which displacement and stress are written.
+/// A straight line or an arc through a body, along which displacement and stress are written.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -38,6 +38,10 @@ pub struct FieldPath {
     pub from: [Length; 2],
     /// Where it ends: [x, z] (mm).
     pub to: [Length; 2],
+    /// Centre [x, z] (mm) of an arc that the path follows anti-clockwise from `from` to `to`, all around where they are one point. Default none: a
+    /// straight line.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub centre: Option<[Length; 2]>,
     /// Number of points, both ends counted. Default 101.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[cfg_attr(feature = "schema", schemars(extend("minimum" = 2, "maximum" = 100000)))]

@@ -303,7 +303,7 @@ pub struct Wear {
     /// the monotone cubic, beyond the last its straight line; body 2 does not wear.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub table: Option<Vec<(Pressure, WearFactor)>>,
-    /// Wear of body 1 by a function of the pressure instead of beta and k, w' = W(p) v: `severe` or `saturating`. Body 2 does not wear.
+    /// Wear of body 1 by a function of the pressure instead of beta and k, w' = W(p) v. Body 2 does not wear.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub law: Option<WearFunction>,
     /// How the counter-face meets body 1. Default by kind of scene.

@@ -11,13 +11,13 @@ const LEAVES = {
   approach: ["approach", "length"], moment: ["moment", "moment"], moment_y: ["moment about x", "moment"], tilt: ["tilt", "angle"],
   approach_time: ["worn approach of time", "time"], centre: ["centre", "length"], shear_force: ["shear force", "force"], twist: ["twist", "angle"],
   torque: ["torque", "moment"], about: ["moment about", "length"], edge: ["edge"], as: ["load as"], beta: ["wear factor \u03b2", "wear factor"],
-  k: ["wear factor k", "wear factor"], threshold: ["threshold pressure", "pressure"], table: ["table of pressures and wear factors k"], a: ["exponent of the speed a"], b: ["exponent of the pressure b"], counterface: ["counter-face"], until: ["until", "time"],
+  k: ["wear factor k", "wear factor"], threshold: ["threshold pressure", "pressure"], table: ["table of pressures and wear factors k"], mild: ["mild wear factor", "wear factor"], above: ["severe above", "pressure"], severe: ["severe wear factor", "wear factor"], half: ["pressure of half the factor", "pressure"], a: ["exponent of the speed a"], b: ["exponent of the pressure b"], counterface: ["counter-face"], until: ["until", "time"],
   wearable: ["wearable thickness", "length"], spread: ["spread of the wear factor"], functional: ["functional"], q: ["exponent q"], balance: ["balance"],
   modes: ["modes"], p_max: ["cap of the pressure", "pressure"], young: ["Young\u2019s modulus", "pressure"], poisson: ["Poisson\u2019s ratio"],
   degree: ["degree"], layers: ["layers"], pin: ["pin", "length"], roller: ["roller", "angle"], half_axes: ["half axis", "length"], x: ["x", "length"],
   y: ["y", "length"], z: ["z", "length"], period: ["period", "time"], repeat: ["cycles"], time: ["begins at", "time"], crown: ["crown", "length"],
   amplitude: ["amplitude", "length"], wavelength: ["wavelength", "length"], depth: ["depth", "length"], distance: ["distance", "length"], volume: ["volume", "volume"],
-  revolutions: ["revolutions"], density: ["density"], fields: ["stress inside"], report: ["report page"], recording: ["recording"], convection: ["convection"], ambient: ["ambient temperature"], temperature: ["temperature"], conductance: ["conductance of the contact"],
+  revolutions: ["revolutions"], density: ["density"], gravity: ["gravity"], fields: ["stress inside"], report: ["report page"], recording: ["recording"], convection: ["convection"], ambient: ["ambient temperature"], temperature: ["temperature"], conductance: ["conductance of the contact"],
   reference: ["temperature without stress"], conductivity: ["conductivity of heat"], expansion: ["thermal expansion"], heat_capacity: ["heat capacity"],
 };
 

@@ -116,6 +116,11 @@ fn lines_that_cannot_be_are_refused_before_anything_is_solved() {
         ("{ name = 'a', body = 1, from = [0, 250], to = [0, 260], points = 1 }", "output.paths.0.points", "1 points"),
         ("{ name = 'a', body = 1, from = [0, 250], to = [0, 250] }", "output.paths.0.to", "ends where it begins"),
         (
+            "{ name = 'a', body = 2, from = [0, 150], to = [0, 160], centre = [0, 0] }",
+            "output.paths.0.centre",
+            "begins 150 mm from its centre and ends 160 mm",
+        ),
+        (
             "{ name = 'a', body = 1, from = [0, 250], to = [0, 260] }, { name = 'A', body = 1, from = [0, 250], to = [0, 260] }",
             "output.paths.1.name",
             "two paths",

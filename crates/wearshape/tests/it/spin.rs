@@ -79,6 +79,34 @@ fn stresses_of_the_spin_along_a_radius_have_their_closed_form() {
     }
 }
 
+/// All around the bore and half around the middle of the drum, anti-clockwise: one radial and one hoop stress each.
+#[test]
+fn stresses_of_the_spin_on_circles_have_their_closed_form() {
+    let paths = "output.paths=[{ name = 'bore', body = 2, from = [60, 80], to = [60, 80], centre = [0, 0], points = 9 }, \
+                 { name = 'half', body = 2, from = [150, 0], to = [-150, 0], centre = [0, 0], points = 7 }]";
+    let found = |more: &[&str]| solved(&scene("drum-brake-block", &[&SMOOTH[..], &[paths], more].concat())).paths;
+    let (still, spins) = (found(&[]), found(&SPINS));
+    for (number, (r, turn)) in [(100.0, 2.0 * std::f64::consts::PI), (150.0, std::f64::consts::PI)].into_iter().enumerate() {
+        let (still, spins) = (&still[number], &spins[number]);
+        let ([_, radial, hoop], size) = (drum(r), drum(100.0)[1]);
+        assert!((spins.s[spins.s.len() - 1] - r * turn).abs() < 1e-9, "{}", spins.s[spins.s.len() - 1]);
+        for k in 0..spins.s.len() {
+            let [x, z] = spins.position[k];
+            let begins = if number == 0 { f64::atan2(80.0, 60.0) } else { 0.0 };
+            let angle = begins + spins.s[k] / r;
+            assert!((x - r * angle.cos()).abs() < 1e-9 && (z - r * angle.sin()).abs() < 1e-9, "{x} {z}");
+            let (c, s) = (x / r, z / r);
+            let more = |of: fn(&wearshape::Stress) -> f64| of(&spins.stress[k]) - of(&still.stress[k]);
+            let [xx, zz, xz] = [more(|s| s.xx), more(|s| s.zz), more(|s| s.xz)];
+            let [r_found, t_found] = [c * c * xx + s * s * zz + 2.0 * s * c * xz, s * s * xx + c * c * zz - 2.0 * s * c * xz];
+            assert!(
+                (r_found - radial).abs() < 1e-6 * size && (t_found - hoop).abs() < 1e-6 * size,
+                "{x} {z}: {r_found} {t_found}"
+            );
+        }
+    }
+}
+
 #[test]
 fn the_proof_of_a_shape_under_spin_and_the_run_in_time_agree_with_it() {
     let settings = [&["accuracy=1e-4"][..], &SPINS].concat();
