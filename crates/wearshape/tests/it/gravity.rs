@@ -79,6 +79,9 @@ fn the_proof_of_a_shape_under_gravity_agrees_with_it_and_the_force_stays() {
         let shape = heavy.shape.unwrap();
         assert!(shape.roundtrip_same.unwrap() < 1e-5 && shape.roundtrip_independent.unwrap() < 5e-2, "{scene_of}: {shape:?}");
     }
+    let revolved = ["accuracy=1e-4", &first, &second, "body1.gravity=[0, -5e6]", "body2.gravity=[0, -5e6]"];
+    let shape = solved(&scene("annular-punch", &revolved)).shape.unwrap();
+    assert!(shape.roundtrip_same.unwrap() < 1e-5 && shape.roundtrip_independent.unwrap() < 5e-2, "{shape:?}");
     let contact = ["tasks=[contact]", "mesh.degree=6", "contact.friction=0", &first, "body1.gravity=[3e6, -5e6]"];
     let result = solved(&scene("translating-punch", &contact)).contact.unwrap();
     assert!((result.force.unwrap() / 1e3 - 1.0).abs() < 1e-9, "{:?}", result.force);
