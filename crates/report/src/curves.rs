@@ -6,10 +6,11 @@ use wearshape::{PointStatus, Problem, Profile, Rung, Shape, Solution};
 use crate::brief::brief;
 use crate::heat_curves::{HeatCurves, heat_curves, warm};
 use crate::line_plot::{Axis, LinePlot, Series, Zone, cut};
+use crate::path_curves::path_plots;
 
 /// A plot with the name of its file and the named parts of its x axis.
 pub(crate) struct Picture {
-    pub(crate) file: &'static str,
+    pub(crate) file: String,
     pub(crate) plot: LinePlot,
     pub(crate) zones: Vec<Zone>,
 }
@@ -20,9 +21,10 @@ pub(crate) fn line_plots(problem: &Problem, solution: &Solution) -> Vec<Picture>
     let Some(points) = &solution.profile else {
         return Vec::new();
     };
-    let plain = |(file, plot): (&'static str, LinePlot)| Picture { file, plot, zones: Vec::new() };
+    let plain = |(file, plot): (&'static str, LinePlot)| Picture { file: file.to_string(), plot, zones: Vec::new() };
     let mut plots = along_the_surface(problem, solution, points);
     plots.extend(warm(solution, points).into_iter().flat_map(|profile| heat_pictures(problem, solution, profile)));
+    plots.extend(path_plots(title, &solution.paths).into_iter().map(|(file, plot)| Picture { file, plot, zones: Vec::new() }));
     plots.extend(histories(title, &solution.history).into_iter().map(plain));
     plots.extend(groove(title, &solution.groove).map(plain));
     plots.extend(error_plot(title, &solution.ladder).map(|plot| ("error", plot)).map(plain));
@@ -68,9 +70,9 @@ fn along_the_surface(problem: &Problem, solution: &Solution, points: &Profile) -
         }
         // From point to point of the contact: their status changes exactly there.
         let zones = sticking(&abscissa(problem, points).0, points);
-        plots.push(Picture { file: "pressure", plot: plot(what.0, what.1, curves), zones });
+        plots.push(Picture { file: "pressure".to_string(), plot: plot(what.0, what.1, curves), zones });
     }
-    let mut plain = |file: &'static str, plot: LinePlot| plots.push(Picture { file, plot, zones: Vec::new() });
+    let mut plain = |file: &'static str, plot: LinePlot| plots.push(Picture { file: file.to_string(), plot, zones: Vec::new() });
     if profile.wear_rate.iter().any(|rate| *rate > 0.0) {
         plain("wear-rate", plot("wear rate", "wear rate (\u{b5}m/s)", vec![series("", &profile.wear_rate, false)]));
     }
@@ -104,7 +106,7 @@ fn heat_pictures(problem: &Problem, solution: &Solution, profile: &Profile) -> V
             from_zero: curves.file != "temperature",
             series: curves.series,
         };
-        Picture { file: curves.file, plot, zones: Vec::new() }
+        Picture { file: curves.file.to_string(), plot, zones: Vec::new() }
     };
     heat_curves(solution, profile, &series).into_iter().map(picture).collect()
 }

@@ -28,6 +28,7 @@ mod page;
 mod page_frame;
 mod page_tables;
 mod path_csv;
+mod path_curves;
 mod place;
 mod reach;
 mod run_in;

@@ -233,3 +233,25 @@ fn every_built_in_scene_can_be_drawn_before_it_is_computed() {
         assert!(drawing.contains("load: "), "{}", scene.name);
     }
 }
+
+#[test]
+fn a_path_is_drawn_in_the_page() {
+    let path = "output.paths=[{ name = 'rim', body = 2, from = [0, 100], to = [0, 200], points = 5 }]";
+    let settings = ["mesh.degree=4", "check=false", path].map(String::from);
+    let document = Document::read("drum-brake-block.toml", builtin("drum-brake-block").unwrap().text, &settings).unwrap();
+    let problem = Problem::new(&document, &|file| Err(format!("there is no file {file}"))).unwrap();
+    let going_on = &mut |_: Event<'_>| ControlFlow::Continue(());
+    let solution = wearshape::solve(&problem, &Options::default(), &Bodies::default(), going_on).unwrap();
+    let files = report::files(&problem, &solution);
+    let text = |name: &str| {
+        let (_, bytes) = files.iter().find(|(known, _)| known == name).unwrap();
+        String::from_utf8(bytes.clone()).unwrap()
+    };
+    assert!(text("plots/path-rim.svg").contains("stress along rim, body 2"));
+    assert!(text("report.html").contains("stress along rim, body 2"));
+    // The numbers of the curve are those of the table.
+    let curves: serde_json::Value = serde_json::from_str(&text("plots/curves.json")).unwrap();
+    let drawn = curves.as_array().unwrap().iter().find(|entry| entry["file"] == "path-rim").unwrap();
+    let pulls: Vec<f64> = drawn["chart"]["series"][1]["y"].as_array().unwrap().iter().map(|y| y.as_f64().unwrap()).collect();
+    assert_eq!(pulls, solution.paths[0].stress.iter().map(|stress| stress.zz).collect::<Vec<_>>());
+}
