@@ -28,7 +28,7 @@ pub struct SweepPage<'a> {
 /// The page of a sweep, self-contained; the same parts give the same bytes.
 pub fn sweep_page(page: &SweepPage<'_>) -> String {
     let text = |key: &str| escaped(page.summary[key].as_str().unwrap_or(""));
-    let plain = |plot: &LinePlot| Picture { file: "", plot: plot.clone(), zones: Vec::new() };
+    let plain = |plot: &LinePlot| Picture { file: String::new(), plot: plot.clone(), zones: Vec::new() };
     let charts = curves_json(&page.plots.iter().map(plain).collect::<Vec<Picture>>());
     let charts: Vec<&Value> = charts.as_array().into_iter().flatten().map(|entry| &entry["chart"]).collect();
     let pictures: Vec<String> = page.plots.iter().map(line_plot).collect();
