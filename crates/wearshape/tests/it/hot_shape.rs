@@ -234,6 +234,6 @@ fn factorised_temperatures_count_as_factorisations() {
     for (name, fields, count) in [("clutch-hot", false, 12), ("drum-brake-hot", false, 9), ("drum-brake-hot", true, 12)] {
         let fields = format!("output.fields={fields}");
         let solution = solved(&scene(name, &["tasks=[shape]", "mesh.degree=4", &fields]));
-        assert_eq!(solution.counters.factorisations, count, "{name} {fields}");
+        assert_eq!(solution.effort.counters.factorisations, count, "{name} {fields}");
     }
 }
