@@ -14,8 +14,8 @@ use crate::level::Level;
 const LEAST: usize = 4;
 /// Degrees beyond the rule, for the constants it leaves out: with one the errors of a level are those of the same degree in all its cells.
 const SPARE: usize = 1;
-/// Places on each edge of a cell from which distances are measured, from -1 to 1.
-const PLACES: [f64; 4] = [-1.0, -0.5, 0.0, 0.5];
+/// Places on each edge of a cell from which distances are measured beside its corners, from -1 to 1.
+const PLACES: [f64; 3] = [-0.5, 0.0, 0.5];
 /// Sine of the angle between two edges of one line, at most.
 const STRAIGHT: f64 = 1e-6;
 
@@ -65,7 +65,8 @@ fn distance(mesh: &Mesh, cell: &Cell, places: &[[f64; 2]]) -> f64 {
     let corners = cell.vertices();
     let pairs = corners.iter().flat_map(|a| corners.iter().map(|b| squared(mesh.vertices[*a], mesh.vertices[*b])));
     let size = pairs.fold(0.0, f64::max).sqrt();
-    let outline = cell.sides().flat_map(|(_, e)| PLACES.map(|t| mesh.edges[e].curve.point(t)));
+    let inner = cell.sides().flat_map(|(_, e)| PLACES.map(|t| mesh.edges[e].curve.point(t)));
+    let outline = corners.iter().map(|v| mesh.vertices[*v]).chain(inner);
     let nearest = outline.flat_map(|x| places.iter().map(move |y| squared(x, *y))).fold(f64::INFINITY, f64::min).sqrt();
     cell.sides().map(|(_, e)| radius(mesh, e)).fold(nearest, f64::min) / size
 }
