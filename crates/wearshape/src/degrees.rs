@@ -12,6 +12,8 @@ use crate::level::Level;
 
 /// Least degree that follows from a distance, for the bending of slender cells.
 const LEAST: usize = 4;
+/// The same on the contact surface, where forces at points stand for pressures of one degree less than the cell has.
+const LEAST_IN_CONTACT: usize = 6;
 /// Degrees beyond the rule, for the constants it leaves out: with one the errors of a level are those of the same degree in all its cells.
 const SPARE: usize = 1;
 /// Places on each edge of a cell from which distances are measured beside its corners, from -1 to 1.
@@ -27,7 +29,8 @@ pub(crate) fn degrees(meshes: [&Mesh; 2], level: Level) -> [Vec<usize>; 2] {
     let facing = first.len() == second.len();
     if facing {
         for (a, b) in first.into_iter().zip(second) {
-            let higher = degrees[0][a].max(degrees[1][b]);
+            let least = LEAST_IN_CONTACT.min(level.degree_in(meshes[0].cells[a].layer));
+            let higher = degrees[0][a].max(degrees[1][b]).max(least);
             (degrees[0][a], degrees[1][b]) = (higher, higher);
         }
     } else {
