@@ -1,8 +1,6 @@
 //! Products of matrices and vectors.
 
-use faer::linalg::matmul::matmul;
-use faer::{Accum, Mat, Par};
-use std::ops::Range;
+use faer::Mat;
 
 /// Rows that are multiplied at once by [`narrow_product`].
 const ROWS: usize = 16;
@@ -12,7 +10,8 @@ pub(crate) fn narrow_product(a: &Mat<f64>, b: &Mat<f64>) -> Mat<f64> {
     let mut product = Mat::zeros(a.nrows(), b.ncols());
     for first in (0..a.nrows()).step_by(ROWS) {
         let block = a.subrows(first, ROWS.min(a.nrows() - first));
-        let columns = columns_of(a, first..first + block.nrows());
+        let last = first + block.nrows();
+        let columns: Vec<usize> = (0..a.ncols()).filter(|k| a.col_as_slice(*k)[first..last].iter().any(|v| *v != 0.0)).collect();
         let few = Mat::from_fn(block.nrows(), columns.len(), |i, k| block[(i, columns[k])]);
         let mut rows = Mat::zeros(columns.len(), b.ncols());
         for j in 0..b.ncols() {
@@ -22,25 +21,6 @@ pub(crate) fn narrow_product(a: &Mat<f64>, b: &Mat<f64>) -> Mat<f64> {
         product.as_mut().subrows_mut(first, block.nrows()).copy_from(few * rows);
     }
     product
-}
-
-/// `s a^T` with a symmetric `s`, and `a` as for [`narrow_product`].
-pub(crate) fn symmetric_times(s: &Mat<f64>, a: &Mat<f64>) -> Mat<f64> {
-    let mut product = Mat::zeros(s.nrows(), a.nrows());
-    for first in (0..a.nrows()).step_by(ROWS) {
-        let block = a.subrows(first, ROWS.min(a.nrows() - first));
-        let columns = columns_of(a, first..first + block.nrows());
-        let mut of_s = Mat::zeros(s.nrows(), columns.len());
-        columns.iter().enumerate().for_each(|(k, from)| of_s.col_as_slice_mut(k).copy_from_slice(s.col_as_slice(*from)));
-        let few = Mat::from_fn(columns.len(), block.nrows(), |k, i| block[(i, columns[k])]);
-        matmul(product.as_mut().subcols_mut(first, block.nrows()), Accum::Replace, &of_s, &few, 1.0, Par::Seq);
-    }
-    product
-}
-
-/// The columns in which some rows have entries beside zeros.
-fn columns_of(a: &Mat<f64>, rows: Range<usize>) -> Vec<usize> {
-    (0..a.ncols()).filter(|k| a.col_as_slice(*k)[rows.clone()].iter().any(|v| *v != 0.0)).collect()
 }
 
 /// Matrix times vector.
@@ -73,8 +53,5 @@ mod tests {
         let (a, b) = (Mat::from_fn(37, 80, band), Mat::from_fn(80, 9, |i, j| (i as f64 * 0.37 + j as f64).sin()));
         let difference = narrow_product(&a, &b) - &a * &b;
         assert!(difference.norm_max() < 1e-15 * (&a * &b).norm_max());
-        let s = Mat::from_fn(80, 80, |i, j| ((i + 1) as f64 * (j + 1) as f64).sin() + (i + j) as f64);
-        let difference = symmetric_times(&s, &a) - &s * a.transpose();
-        assert!(difference.norm_max() < 1e-15 * (&s * a.transpose()).norm_max());
     }
 }

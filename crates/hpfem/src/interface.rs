@@ -4,7 +4,7 @@ use crate::check::power_of_two_below;
 use crate::error::Error;
 use crate::kinematics::Kinematics;
 use crate::trace::{Trace, TraceLoad};
-use faer::linalg::solvers::{DenseSolveCore, Solve};
+use faer::linalg::solvers::Solve;
 use faer::{Mat, Scale, Side};
 
 /// A body reduced to its kept boundary: `S u_c = f_c + sum_k a_k F_k`, with `S = K_cc - K_ci K_ii^-1 K_ic`.
@@ -261,13 +261,15 @@ impl InterfaceOperator {
     pub fn solve(&self, right: &Mat<f64>, gauge: &Mat<f64>) -> Mat<f64> {
         let n = self.stiffness.nrows();
         let r = self.rigid_modes.ncols();
-        if r == 0 {
-            let (unit, scaled) = self.scaled();
-            if let Ok(llt) = scaled.llt(Side::Lower) {
-                let mut x = Scale(unit) * right;
-                llt.solve_in_place(&mut x);
-                return x;
-            }
+        // In units of a power of two, so that equal problems in other units go through the same square roots.
+        let scale = (0..n).map(|i| self.stiffness[(i, i)]).fold(0.0, f64::max);
+        let unit = 1.0 / power_of_two_below(scale);
+        if r == 0
+            && let Ok(llt) = (Scale(unit) * &self.stiffness).llt(Side::Lower)
+        {
+            let mut x = Scale(unit) * right;
+            llt.solve_in_place(&mut x);
+            return x;
         }
         // Scale the border like the stiffness so that pivoting sees comparable rows.
         let scale = (0..n).map(|i| self.stiffness[(i, i)]).fold(0.0, f64::max);
@@ -283,23 +285,6 @@ impl InterfaceOperator {
         border.partial_piv_lu().solve_in_place(&mut x);
         x.truncate(n, right.ncols());
         x
-    }
-
-    /// `S^-1`, mm/N, symmetric: displacements of the kept unknowns under unit forces on each, load cases at zero. None of a body with a motion that its
-    /// supports leave free, or where the digits do not suffice for Cholesky's method.
-    pub fn flexibility(&self) -> Option<Mat<f64>> {
-        let (unit, scaled) = self.scaled();
-        let factor = scaled.llt(Side::Lower).ok().filter(|_| self.rigid_modes.ncols() == 0)?;
-        let mut inverse = factor.inverse();
-        inverse *= Scale(unit);
-        Some(inverse)
-    }
-
-    /// A power of two and the stiffness times it, so that equal problems in other units go through the same square roots.
-    fn scaled(&self) -> (f64, Mat<f64>) {
-        let largest = (0..self.stiffness.nrows()).map(|i| self.stiffness[(i, i)]).fold(0.0, f64::max);
-        let unit = 1.0 / power_of_two_below(largest);
-        (unit, Scale(unit) * &self.stiffness)
     }
 
     /// [`InterfaceOperator::solve`] for one right-hand side, the answer orthogonal to the rigid modes.
