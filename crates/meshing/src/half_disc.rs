@@ -113,12 +113,13 @@ impl HalfDiscOnFlat {
         self.cut(&Breaks { nodes, candidate, graded: nodes }, layers)
     }
 
-    /// Both bodies of a contact whose ends move: with element nodes at the given distances (mm) from the middle (ascending), a candidate surface
-    /// that reaches as far as `reach`, and so many layers around those of the nodes where the contact ends.
+    /// Both bodies of a contact whose end moves: with element nodes at the given distances (mm) from the middle (ascending), a candidate surface
+    /// that reaches as far as `reach`, and so many layers around the last of the nodes.
     ///
     /// # Errors
     /// Those of [`HalfDiscOnFlat::meshes`].
-    pub fn meshes_reaching(&self, nodes: &[f64], reach: f64, (graded, layers): (&[f64], usize)) -> Result<[Mesh; 2], Fault> {
+    pub fn meshes_reaching(&self, nodes: &[f64], reach: f64, layers: usize) -> Result<[Mesh; 2], Fault> {
+        let graded = &nodes[nodes.len().saturating_sub(1)..];
         self.cut(&Breaks { nodes, candidate: reach, graded }, layers)
     }
 

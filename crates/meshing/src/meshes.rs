@@ -22,13 +22,10 @@ pub fn meshes(couple: &Couple, extent: Extent, layers: usize, cut: Cut<'_>) -> R
     if let Extent::Round { x: [from, to], touch, .. } = extent
         && let Some(mut disc) = HalfDiscOnFlat::of(couple)?
     {
-        let places: Vec<f64> = cut.ends().iter().map(|t| from + 0.5 * (1.0 + t) * (to - from) - touch).collect();
-        let ends = places.iter().filter(|x| **x < 0.0).chain(places.last());
-        let mut nodes: Vec<f64> = places.iter().map(|x| x.abs()).filter(|x| *x > 0.0).collect();
-        nodes.sort_by(f64::total_cmp);
+        let places = cut.ends().iter().map(|t| from + 0.5 * (1.0 + t) * (to - from) - touch);
+        let nodes: Vec<f64> = places.filter(|x| *x > 0.0).collect();
         disc.whole = !couple.is_revolved();
-        let graded: Vec<f64> = ends.map(|x| x.abs()).collect();
-        return disc.meshes_reaching(&nodes, to - touch, (&graded, layers.div_ceil(2)));
+        return disc.meshes_reaching(&nodes, to - touch, layers.div_ceil(2));
     }
     coarse_meshes(couple, extent, cut)?.graded(layers)
 }

@@ -117,24 +117,3 @@ fn a_track_ties_speed_and_turns() {
         }
     }
 }
-
-/// Shear moves the scar of a cylinder against the sense of sliding; nodes stand on either end, and the accuracy asked for is reached.
-#[test]
-fn the_scar_of_a_cylinder_lies_to_one_side_by_its_shear() {
-    let bench = Bench::new();
-    let ends = |speed: f64, shear: bool| {
-        let set = format!(
-            "--set tasks=[wear] --set contact.friction=0.3 --set contact.shear={shear} --set sliding.speed={speed} --set wear.k=1e-7"
-        );
-        let call = bench.call(&format!("run hertz-cylinder -q {set} --set wear.until=5 --set accuracy=1e-4 -o out"));
-        assert_eq!(call.code, 0, "{}", call.out);
-        let summary: serde_json::Value = serde_json::from_str(&bench.read("out/summary.json")).unwrap();
-        [0, 1].map(|end| summary["wear"]["ends_mm"][end].as_f64().unwrap())
-    };
-    let ([from, to], [back, forth]) = (ends(1e3, true), ends(-1e3, true));
-    let length = to - from;
-    assert!((from + to).abs() > 0.01 * length, "{from} {to}");
-    assert!((from + forth).abs().max((to + back).abs()) < 1e-4 * length, "{from} {to} {back} {forth}");
-    let [left, right] = ends(1e3, false);
-    assert!((left + right).abs() < 1e-9 * length && ((right - left) / length - 1.0).abs() < 1e-2, "{left} {right}");
-}

@@ -30,9 +30,6 @@ use crate::watch::Watch;
 /// Half a scar over the radius of its track beyond which the speed is no longer one.
 const NEAR: f64 = 0.2;
 
-/// Part of the distance of an end of contact from the middle by which the other may differ and still is the same: cells between them would be splinters.
-const ONE: f64 = 2e-3;
-
 /// A ball or cylinder on a flat, and how long it wears.
 #[derive(Clone)]
 pub(crate) struct RoundWear<'a> {
@@ -102,7 +99,7 @@ impl<'a> RoundWear<'a> {
             );
             return refuse("sliding.track_radius", &message, "give a track much longer than the scar, or end the run earlier");
         }
-        self.on(&self.nodes([end; 2]), |stage, ends| stage.meshes(1, Cut::Ends(ends)).map(|_| ()))
+        self.on(&self.nodes(end), |stage, ends| stage.meshes(1, Cut::Ends(ends)).map(|_| ()))
     }
 
     /// Refuses a scar longer than the bodies.
@@ -162,26 +159,15 @@ impl<'a> RoundWear<'a> {
         Ok(rigid.at(wear.until.unwrap_or(End::Time(0.0)), self.start()))
     }
 
-    /// Places (mm) from the middle for a contact that ends at these distances from it, to the left and to the right: the left end where it is another, and
-    /// on the right what the ends pass. A ball has its axis on the left, and a scar that lies on one side of the middle alone is cut as far as its farther end.
-    fn nodes(&self, [left, right]: [f64; 2]) -> Vec<f64> {
+    fn nodes(&self, end: f64) -> Vec<f64> {
         let wear = &self.problem.wear;
-        let linear = wear.exponents == [1.0] && !wear.own_rule;
-        if (left - right).abs() <= ONE * right {
-            return breaks(self.start(), 0.5 * (left + right), linear);
-        }
-        if left.min(right) <= 0.0 {
-            return breaks(self.start(), left.max(right), linear);
-        }
-        let mut nodes = breaks(self.start(), left.min(right), linear);
-        nodes.pop();
-        [&[-left], nodes.as_slice(), &[right]].concat()
+        breaks(self.start(), end, wear.exponents == [1.0] && !wear.own_rule)
     }
 
     /// Does something with the stage of a surface cut at these distances (mm) from the middle, and with its cuts from -1 to 1.
     fn on<T, E: From<Fault>>(&self, nodes: &[f64], act: impl FnOnce(Stage<'_>, &[f64]) -> Result<T, E>) -> Result<T, E> {
         let RoundWear { problem, couple, disc, options, bodies } = self;
-        let end = nodes.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        let end = nodes[nodes.len() - 1];
         self.fits(end)?;
         let reach = CANDIDATE * end;
         let from = if couple.is_revolved() { disc.middle } else { disc.middle - reach };
@@ -206,13 +192,13 @@ impl<'a> RoundWear<'a> {
 
     /// Parts of a level on the first guess, for a forecast.
     pub(crate) fn first_parts(&self, level: Level) -> Result<Parts, Fault> {
-        self.on(&self.nodes([self.guess()?; 2]), |stage, ends| Ok(stage.parts(level, Cut::Ends(ends))?.0))
+        self.on(&self.nodes(self.guess()?), |stage, ends| Ok(stage.parts(level, Cut::Ends(ends))?.0))
     }
 
     /// Runs the wear in time, with the fields if they are asked for.
     pub(crate) fn solve(&self, watch: &mut Watch<'_>) -> Result<(Outcome, Effort, Inside), Refusal> {
-        let (ends, mut effort) = self.ends()?;
-        self.on(&self.nodes(ends), |stage, ends| {
+        let (end, mut effort) = self.end()?;
+        self.on(&self.nodes(end), |stage, ends| {
             let (mut outcome, work) = solve_at(stage, &Pieces::of(stage.problem), ends, watch)?;
             effort += work;
             let reported = outcome.reported.take().filter(|_| stage.problem.plan.runs(Step::Fields) && !outcome.stopped);
@@ -224,31 +210,26 @@ impl<'a> RoundWear<'a> {
         })
     }
 
-    /// Where the contact ends after the run, to the left and to the right of the middle, from the first guess by running on it.
-    fn ends(&self) -> Result<([f64; 2], Effort), Refusal> {
+    /// Where the contact ends after the run, from the first guess by running on it.
+    fn end(&self) -> Result<(f64, Effort), Refusal> {
         let mut effort = Effort::default();
-        let mut ends = [self.guess()?; 2];
+        let mut end = self.guess()?;
         for _ in 0..TRIALS {
-            let found = self.on(&self.nodes(ends), |stage, nodes| trial(stage, nodes, &mut effort))?;
-            let change = (0..2).map(|side| (found[side] / ends[side] - 1.0).abs()).fold(0.0, f64::max);
-            ends = found;
+            let found = self.on(&self.nodes(end), |stage, ends| trial(stage, ends, &mut effort))?;
+            let change = (found / end - 1.0).abs();
+            end = found;
             if change <= FOUND {
                 break;
             }
         }
-        Ok((ends, effort))
+        Ok((end, effort))
     }
 }
 
-/// How far the contact reaches to both sides of the middle at the end of a rough run.
-fn trial(stage: Stage<'_>, nodes: &[f64], effort: &mut Effort) -> Result<[f64; 2], Refusal> {
-    let [from, to] = rough::run(stage, &Pieces::of(stage.problem), nodes, effort)?.end;
-    Ok(match stage.friction() > 0.0 && !stage.couple.is_revolved() {
-        true => [-from, to],
-        // Alike on both sides but for round-off.
-        false if stage.couple.is_revolved() => [to; 2],
-        false => [0.5 * (to - from); 2],
-    })
+/// Half the width of the contact at the end of a rough run.
+fn trial(stage: Stage<'_>, ends: &[f64], effort: &mut Effort) -> Result<f64, Refusal> {
+    let [from, to] = rough::run(stage, &Pieces::of(stage.problem), ends, effort)?.end;
+    Ok(if stage.couple.is_revolved() { to } else { 0.5 * (to - from) })
 }
 
 #[cfg(test)]
@@ -274,7 +255,7 @@ mod tests {
         let round = RoundWear { problem: &problem, couple, disc, options: &options, bodies: &bodies };
         let end = round.guess().unwrap();
         assert!(end > 1.1 * round.start(), "the end of contact moves: {end}");
-        let found = round.on(&round.nodes([end; 2]), |stage, ends| -> Result<(), Refusal> {
+        let found = round.on(&round.nodes(end), |stage, ends| -> Result<(), Refusal> {
             let (reduced, _) = stage.made(problem.level(FIRST), Cut::Ends(ends))?;
             let pair = reduced.pair()?;
             let operator = reduced.operator(&pair, false)?;
