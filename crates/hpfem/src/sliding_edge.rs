@@ -9,7 +9,8 @@ use nalgebra::DMatrix;
 
 use crate::bisect::bisect;
 use crate::kinematics::Kinematics;
-use crate::singular::{C, Corner, Sector, condition, plane};
+use crate::sector::{C, Sector, condition, plane};
+use crate::singular::Corner;
 
 /// What the pressure does at a sharp sliding edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
