@@ -4,6 +4,9 @@
 //! `rho = z + sqrt(z^2 - 1)`, `z = 1 + 2 d / h` (the ellipse of Bernstein through that place; Trefethen, Approximation Theory and Approximation
 //! Practice, theorem 8.2). Cells beside the layers have d / h about [`RATIO`] and the degree of the level, p_0; elsewhere the same error takes
 //! `p = p_0 ln rho_0 / ln rho`.
+//!
+//! A curved cell has a rotation as a rigid body among its functions only as far as these reach its curve: on an arc of the half angle a, the part of cosine and sine
+//! beyond the degree p is `a^(p + 1) / (2^p (p + 1)!)` (the remainder of Chebyshev's interpolation).
 
 use hpfem::{Cell, Mesh};
 use meshing::{CONTACT, RATIO};
@@ -14,6 +17,8 @@ use crate::level::Level;
 const LEAST: usize = 4;
 /// The same on the contact surface, where forces at points stand for pressures of one degree less than the cell has.
 const LEAST_IN_CONTACT: usize = 6;
+/// Part of a rotation that may not be among the functions of a curved cell: a shoe that turns about a pin does so thousands of times as far as it deforms.
+const RIGID: f64 = 1e-12;
 /// Degrees beyond the rule, for the constants it leaves out: with one the errors of a level are those of the same degree in all its cells.
 const SPARE: usize = 1;
 /// Places on each edge of a cell from which distances are measured beside its corners, from -1 to 1.
@@ -51,7 +56,8 @@ fn by_distance(mesh: &Mesh, level: Level) -> Vec<usize> {
             return highest;
         }
         let needed = level.degree as f64 * rate(RATIO) / rate(distance(mesh, cell, &places));
-        highest.min((needed.ceil() as usize + SPARE).max(LEAST))
+        let curved = cell.sides().map(|(_, e)| for_rotation(mesh, e)).fold(LEAST, usize::max);
+        highest.min((needed.ceil() as usize + SPARE).max(curved))
     };
     mesh.cells.iter().map(degree).collect()
 }
@@ -62,7 +68,7 @@ fn rate(distance: f64) -> f64 {
     (z + (z * z - 1.0).sqrt()).ln()
 }
 
-/// How far a cell is from the nearest of some places, or from the centre of an edge of its own, over its size.
+/// How far a cell is from the nearest of some places, over its size.
 fn distance(mesh: &Mesh, cell: &Cell, places: &[[f64; 2]]) -> f64 {
     let squared = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).powi(2) + (a[1] - b[1]).powi(2);
     let corners = cell.vertices();
@@ -70,19 +76,23 @@ fn distance(mesh: &Mesh, cell: &Cell, places: &[[f64; 2]]) -> f64 {
     let size = pairs.fold(0.0, f64::max).sqrt();
     let inner = cell.sides().flat_map(|(_, e)| PLACES.map(|t| mesh.edges[e].curve.point(t)));
     let outline = corners.iter().map(|v| mesh.vertices[*v]).chain(inner);
-    let nearest = outline.flat_map(|x| places.iter().map(move |y| squared(x, *y))).fold(f64::INFINITY, f64::min).sqrt();
-    cell.sides().map(|(_, e)| radius(mesh, e)).fold(nearest, f64::min) / size
+    outline.flat_map(|x| places.iter().map(move |y| squared(x, *y))).fold(f64::INFINITY, f64::min).sqrt() / size
 }
 
-/// Mean radius of curvature of an edge, mm; infinite for a straight one.
-fn radius(mesh: &Mesh, edge: usize) -> f64 {
+/// The degree that rotations of a curved edge need.
+fn for_rotation(mesh: &Mesh, edge: usize) -> usize {
     let curve = &mesh.edges[edge].curve;
     if curve.is_straight() {
-        return f64::INFINITY;
+        return 1;
     }
     let [from, to] = [-1.0, 1.0].map(|t| curve.derivative(t));
-    let turn = (from[0] * to[1] - from[1] * to[0]).atan2(from[0] * to[0] + from[1] * to[1]).abs();
-    curve.length() / turn
+    let half = 0.5 * (from[0] * to[1] - from[1] * to[0]).atan2(from[0] * to[0] + from[1] * to[1]).abs();
+    let (mut degree, mut left) = (1, 0.25 * half * half);
+    while left > RIGID && degree < hpfem::MAX_DEGREE {
+        degree += 1;
+        left *= 0.5 * half / (degree + 1) as f64;
+    }
+    degree
 }
 
 /// The cells on the contact surface, in the order of the edges of body 1 along it, closed or not.
@@ -147,5 +157,67 @@ fn breaks(mesh: &Mesh, vertex: usize, outline: &[(usize, usize)]) -> bool {
             bent || mesh.edges[a].tags != mesh.edges[b].tags || mesh.cells[first].material != mesh.cells[second].material
         }
         _ => true,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use hpfem::Quad;
+
+    /// A square of `N` by `N` cells of the size 1 from a corner, its cells numbered along x, or backwards from the other end; its lower side is the contact surface.
+    fn square(from: [f64; 2], backwards: bool) -> Mesh {
+        const N: usize = 7;
+        let flip = |i: usize, last: usize| if backwards { last - i } else { i };
+        let number = |i: usize, j: usize| flip(i + (N + 1) * j, (N + 1) * (N + 1) - 1);
+        let mut vertices = vec![[0.0; 2]; (N + 1) * (N + 1)];
+        (0..=N).for_each(|j| (0..=N).for_each(|i| vertices[number(i, j)] = [from[0] + i as f64, from[1] + j as f64]));
+        let corners = |i: usize, j: usize| [number(i, j), number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)];
+        let mut quads = vec![Quad { corners: [0; 4], material: 0, layer: 0 }; N * N];
+        (0..N).for_each(|j| (0..N).for_each(|i| quads[flip(i + N * j, N * N - 1)].corners = corners(i, j)));
+        let contact: Vec<([usize; 2], &str)> = (0..N).map(|i| ([number(i, 0), number(i + 1, 0)], CONTACT)).collect();
+        Mesh::new(vertices, &quads, &[], &contact).unwrap()
+    }
+
+    #[test]
+    fn cells_at_corners_keep_the_degree_of_the_level_and_those_far_from_all_need_fewer() {
+        let level = Level { degree: 14, layers: 0, slow: false };
+        let found = by_distance(&square([0.0; 2], false), level);
+        let (corner, beside, middle) = (found[0], found[1], found[24]);
+        assert_eq!(corner, 14);
+        // A corner at d = h / sqrt 2, and at 3 h.
+        assert!(beside < corner && middle < beside && middle >= LEAST, "{found:?}");
+        let wanted = 14.0 * rate(0.25) / rate(3.0);
+        assert!(middle as f64 >= wanted && (middle as f64) < wanted + 2.0, "{middle}, not {wanted}");
+    }
+
+    #[test]
+    fn a_rotation_of_an_arc_is_among_the_functions_of_its_degree() {
+        let [a, b] = [-0.26_f64, 0.26].map(|angle| [angle.sin(), angle.cos()]);
+        let quads = [Quad { corners: [0, 1, 2, 3], material: 0, layer: 0 }];
+        let arc = hpfem::Curve::interpolated(16, |t| [(0.26 * t).sin(), (0.26 * t).cos()]);
+        let mesh = Mesh::new(vec![[-0.3, 0.0], [0.3, 0.0], b, a], &quads, &[([3, 2], arc)], &[]).unwrap();
+        let found: Vec<usize> = (0..4).map(|e| for_rotation(&mesh, e)).collect();
+        // 0.26^9 / (2^8 9!) = 5.9e-14, and 4.0e-12 with one degree less.
+        assert_eq!(found.iter().max(), Some(&8), "{found:?}");
+        assert_eq!(found.iter().filter(|degree| **degree == 1).count(), 3);
+    }
+
+    #[test]
+    fn degrees_do_not_depend_on_the_numbers_of_cells_and_vertices() {
+        let level = Level { degree: 12, layers: 0, slow: false };
+        let [there, mut back] = [false, true].map(|backwards| by_distance(&square([0.0; 2], backwards), level));
+        back.reverse();
+        assert_eq!(there, back);
+    }
+
+    #[test]
+    fn cells_that_face_each_other_have_one_degree_on_the_contact_surface() {
+        let level = Level { degree: 12, layers: 0, slow: false };
+        let (first, second) = (square([0.0; 2], false), square([0.0, -7.0], true));
+        let degrees = degrees([&first, &second], level);
+        let [a, b] = [&first, &second].map(contact_cells);
+        assert_eq!(a.len(), 7);
+        assert!(a.iter().zip(&b).all(|(a, b)| degrees[0][*a] == degrees[1][*b] && degrees[0][*a] >= LEAST_IN_CONTACT));
     }
 }

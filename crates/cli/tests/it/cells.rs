@@ -191,6 +191,16 @@ fn curved_cells_of_second_order_from_gmsh_lie_on_the_exact_arc() {
     assert!(error < 2e-6, "{error}");
 }
 
+/// Its 323 cells have different degrees, by how far they are from the ends of contact, load and supports.
+#[test]
+fn a_shoe_of_many_cells_has_the_gap_of_the_template_within_both_accuracies() {
+    let bench = Bench::new();
+    ["fine-shoe.msh", "fine-shoe.toml"].into_iter().for_each(|file| mesh(&bench, file));
+    let wanted = column(&bench, "drum-brake-block", "--set check=false", "gap_um");
+    let error = difference(&column(&bench, "fine-shoe.toml", "--set check=false", "gap_um"), &wanted);
+    assert!(error < 2e-6, "{error}");
+}
+
 #[test]
 fn a_lining_from_gmsh_with_triangles_has_the_gap_of_the_blocks_and_its_resolved_scene_runs() {
     let bench = Bench::new();
