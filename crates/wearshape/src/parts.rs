@@ -227,7 +227,7 @@ impl Parts {
         kinematics: Kinematics,
         meeting: Meeting,
     ) -> Result<Parts, Fault> {
-        let [of_first, of_second] = degrees([&first, &second], level);
+        let [of_first, of_second] = degrees([&first, &second], level, meeting == Meeting::Together);
         let parts = [
             BodyParts::new(couple, true, first, of_first, kinematics)?,
             BodyParts::new(couple, false, second, of_second, kinematics)?,
