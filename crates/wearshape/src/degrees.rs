@@ -176,7 +176,7 @@ mod tests {
         let mut quads = vec![Quad { corners: [0; 4], material: 0, layer: 0 }; N * N];
         (0..N).for_each(|j| (0..N).for_each(|i| quads[flip(i + N * j, N * N - 1)].corners = corners(i, j)));
         let contact: Vec<([usize; 2], &str)> = (0..N).map(|i| ([number(i, 0), number(i + 1, 0)], CONTACT)).collect();
-        Mesh::new(vertices, &quads, &[], &contact).unwrap()
+        Mesh::new(vertices, &quads, &[], &contact).expect("a mesh")
     }
 
     #[test]
@@ -196,7 +196,7 @@ mod tests {
         let [a, b] = [-0.26_f64, 0.26].map(|angle| [angle.sin(), angle.cos()]);
         let quads = [Quad { corners: [0, 1, 2, 3], material: 0, layer: 0 }];
         let arc = hpfem::Curve::interpolated(16, |t| [(0.26 * t).sin(), (0.26 * t).cos()]);
-        let mesh = Mesh::new(vec![[-0.3, 0.0], [0.3, 0.0], b, a], &quads, &[([3, 2], arc)], &[]).unwrap();
+        let mesh = Mesh::new(vec![[-0.3, 0.0], [0.3, 0.0], b, a], &quads, &[([3, 2], arc)], &[]).expect("a mesh");
         let found: Vec<usize> = (0..4).map(|e| for_rotation(&mesh, e)).collect();
         // 0.26^9 / (2^8 9!) = 5.9e-14, and 4.0e-12 with one degree less.
         assert_eq!(found.iter().max(), Some(&8), "{found:?}");
