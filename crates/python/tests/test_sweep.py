@@ -96,7 +96,7 @@ def test_a_cancelled_sweep_leaves_the_cluster_idle(client: Any) -> None:
 
 
 FAULTS = """
-import contextlib, resource, wearshape
+import contextlib, resource, statistics, wearshape
 from wearshape import _sweep
 scene = wearshape.Scene("drum-brake-block").set(accuracy=1e-6)
 points = [{"contact.friction": mu} for mu in (.1, .15, .2, .25, .3)]
@@ -105,9 +105,9 @@ def faults():
     assert len(_sweep._batch("one", scene, points, 101)) == len(points)
     return resource.getrusage(resource.RUSAGE_SELF).ru_minflt - start
 faults()
-kept = faults()
+kept = statistics.median(faults() for _ in range(5))
 _sweep._memory_kept = contextlib.nullcontext
-print(kept, faults())
+print(kept, statistics.median(faults() for _ in range(5)))
 """
 
 
