@@ -29,9 +29,12 @@ const STRAIGHT: f64 = 1e-6;
 /// The degrees of the cells of body 1 and body 2. Cells that face each other on the contact surface have the same one, the higher of both, so that contact
 /// stays nodal; that of the level where surfaces meet whose ends of contact move over the cells.
 pub(crate) fn degrees(meshes: [&Mesh; 2], level: Level, together: bool) -> [Vec<usize>; 2] {
+    if !together {
+        return meshes.map(|mesh| mesh.cells.iter().map(|cell| level.degree_in(cell.layer)).collect());
+    }
     let mut degrees = meshes.map(|mesh| by_distance(mesh, level));
     let [first, second] = meshes.map(contact_cells);
-    let facing = together && first.len() == second.len();
+    let facing = first.len() == second.len();
     if facing {
         for (a, b) in first.into_iter().zip(second) {
             let least = LEAST_IN_CONTACT.min(level.degree_in(meshes[0].cells[a].layer));
