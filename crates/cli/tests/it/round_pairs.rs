@@ -229,6 +229,7 @@ fn a_rigid_shaft_all_around_wears_its_housing_to_its_own_circle() {
 
 /// Rigid rollers wear to a flat that ends at `a`, seen from the curvature `1/R = 1/R1 + 1/R2` of both: the depth in the middle is `h = a^2 / 2R`, and
 /// the volume `k F s = 2 a^3 t / 3R` (docs/round-wear.md), whichever of both wears; elastic ones begin with the contact of Hertz.
+/// Rigid is 500 times as stiff as steel: ten times more, and at 10 N estimates hang on the round-off of the gap (4e-9 to 3e-4).
 #[test]
 fn a_rigid_roller_wears_on_its_cam_to_a_flat_and_an_elastic_one_begins_with_hertz() {
     let bench = Bench::new();
@@ -244,7 +245,7 @@ fn a_rigid_roller_wears_on_its_cam_to_a_flat_and_an_elastic_one_begins_with_hert
         let depth = end * end / (2.0 * curved);
         let distance = 2.0 * end.powi(3) * length / (3.0 * curved) / (1e-7 * force);
         let stiff = format!(
-            "--set load.force={force} --set wear.until.depth={depth} --set body1.material.young=1e9 --set body2.material.young=1e9"
+            "--set load.force={force} --set wear.until.depth={depth} --set body1.material.young=1e8 --set body2.material.young=1e8"
         );
         let wear = &worn(&stiff, 0)["wear"];
         let [scar, deep, far] = [("scar_mm", 2.0 * end), ("depth_um", 1e3 * depth), ("distance_mm", distance)]
