@@ -71,7 +71,7 @@ fn rate(distance: f64) -> f64 {
     (z + (z * z - 1.0).sqrt()).ln()
 }
 
-/// How far a cell is from the nearest of some places, over its size.
+/// How far a cell is from the nearest of some places, or from the centre of an edge of its own, over its size.
 fn distance(mesh: &Mesh, cell: &Cell, places: &[[f64; 2]]) -> f64 {
     let squared = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).powi(2) + (a[1] - b[1]).powi(2);
     let corners = cell.vertices();
@@ -79,17 +79,24 @@ fn distance(mesh: &Mesh, cell: &Cell, places: &[[f64; 2]]) -> f64 {
     let size = pairs.fold(0.0, f64::max).sqrt();
     let inner = cell.sides().flat_map(|(_, e)| PLACES.map(|t| mesh.edges[e].curve.point(t)));
     let outline = corners.iter().map(|v| mesh.vertices[*v]).chain(inner);
-    outline.flat_map(|x| places.iter().map(move |y| squared(x, *y))).fold(f64::INFINITY, f64::min).sqrt() / size
+    let nearest = outline.flat_map(|x| places.iter().map(move |y| squared(x, *y))).fold(f64::INFINITY, f64::min).sqrt();
+    let radius = |e: usize| mesh.edges[e].curve.length() / turn(mesh, e);
+    cell.sides().map(|(_, e)| radius(e)).fold(nearest, f64::min) / size
 }
 
-/// The degree that rotations of a curved edge need.
-fn for_rotation(mesh: &Mesh, edge: usize) -> usize {
+/// The angle (rad) by which an edge turns from its start to its end; zero of a straight one.
+fn turn(mesh: &Mesh, edge: usize) -> f64 {
     let curve = &mesh.edges[edge].curve;
     if curve.is_straight() {
-        return 1;
+        return 0.0;
     }
     let [from, to] = [-1.0, 1.0].map(|t| curve.derivative(t));
-    let half = 0.5 * (from[0] * to[1] - from[1] * to[0]).atan2(from[0] * to[0] + from[1] * to[1]).abs();
+    (from[0] * to[1] - from[1] * to[0]).atan2(from[0] * to[0] + from[1] * to[1]).abs()
+}
+
+/// The degree that rotations of an edge need.
+fn for_rotation(mesh: &Mesh, edge: usize) -> usize {
+    let half = 0.5 * turn(mesh, edge);
     let (mut degree, mut left) = (1, 0.25 * half * half);
     while left > RIGID && degree < hpfem::MAX_DEGREE {
         degree += 1;
