@@ -16,6 +16,9 @@ use std::borrow::Cow;
 const NEWTON_LIMIT: usize = 60;
 /// Newton steps after which active points change one at a time.
 const PATIENCE: usize = 25;
+/// A contact whose points change this many times as many as before, and this part of all of them, runs away.
+const AWAY: usize = 4;
+const AWAY_PART: usize = 8;
 
 /// A load stage prepared for implicit steps: one load, or several that act by turns and are averaged. Of these each has contact points of its own, one load
 /// after the other, on the gap at the same places; gaps and errors of gaps have one value a place, the rest one a point.
@@ -70,6 +73,18 @@ pub(crate) struct Linear {
     factor: PartialPivLu<f64>,
 }
 
+/// How points enter and leave the contact from one Newton step to the next.
+#[derive(Clone, Copy, PartialEq)]
+enum Pace {
+    /// All at once; one at a time after long patience. Given up where the contact runs away.
+    Bold,
+    /// The same in more steps, wherever it leads.
+    Patient,
+    /// All at once as long as fewer have to than ever before, one at a time else (block pivoting of Judice and Pires 1994, which ends where the
+    /// matrix has positive principal minors).
+    Careful,
+}
+
 /// A stage to be solved.
 struct Stage<'k> {
     /// Gap without the wear of this stage.
@@ -88,6 +103,9 @@ struct Iterate {
     known: Vec<Option<(f64, f64)>>,
     /// Newton steps so far, this one counted.
     steps: usize,
+    pace: Pace,
+    /// The fewest points that a step has moved into the contact or out of it.
+    fewest: usize,
 }
 
 /// What a Newton step has changed.
@@ -143,10 +161,8 @@ impl<'a> Load<'a> {
         let n = self.weights.len();
         let free = self.system.load.len();
         let all = || Contact { pressure: vec![0.0; n], opening: vec![-f64::MIN_POSITIVE; n], coordinates: vec![0.0; free] };
-        // One point at a time changes sides in the end, and each may have to.
-        let patient = NEWTON_LIMIT + 4 * n;
-        let from = |start: &Contact, limit: usize| self.solve_within(&Stage { known: gap, step: 0.0 }, start, None, limit);
-        from(start, NEWTON_LIMIT).or_else(|_| from(&all(), patient)).ok()
+        let from = |start: &Contact, pace: Pace| self.solve_within(&Stage { known: gap, step: 0.0 }, start, None, pace);
+        from(start, Pace::Bold).or_else(|_| from(&all(), Pace::Patient)).ok()
     }
 
     /// Solves a stage. `known` is the gap without the wear of this stage.
@@ -162,25 +178,36 @@ impl<'a> Load<'a> {
         start: &Contact,
         before: Option<Linear>,
     ) -> Result<Solved, Unsettled> {
-        self.solve_within(&Stage { known, step }, start, before, NEWTON_LIMIT)
+        let stage = Stage { known, step };
+        match self.solve_within(&stage, start, before, Pace::Bold) {
+            Err(unsettled) if !unsettled.points.is_empty() => self.solve_within(&stage, start, None, Pace::Careful),
+            done => done,
+        }
     }
 
-    /// The same in at most so many Newton steps.
+    /// The same at one pace.
     fn solve_within(
         &self,
         stage: &Stage<'_>,
         start: &Contact,
         mut before: Option<Linear>,
-        limit: usize,
+        pace: Pace,
     ) -> Result<Solved, Unsettled> {
         let (n, step) = (self.weights.len(), stage.step);
+        // One point at a time changes sides in the end, and each may have to.
+        let limit = NEWTON_LIMIT
+            + match pace {
+                Pace::Bold => 0,
+                Pace::Careful => n,
+                Pace::Patient => 4 * n,
+            };
         let linear_rate = step == 0.0 || (self.rate.is_linear());
         let contact = start.clone();
         let recession = step * self.rate.recession(&contact.pressure);
         let u: Vec<f64> = (0..n)
             .map(|i| self.sigma[i] * contact.pressure[i] + step * self.rate.local(i, contact.pressure[i]) - contact.opening[i])
             .collect();
-        let mut at = Iterate { contact, recession, u, known: vec![None; n], steps: 0 };
+        let mut at = Iterate { contact, recession, u, known: vec![None; n], steps: 0, pace, fewest: usize::MAX };
         let mut relative_before = f64::INFINITY;
         let mut unsettled = Unsettled::default();
         for iteration in 1..=limit {
@@ -197,7 +224,7 @@ impl<'a> Load<'a> {
             let linear =
                 same.or_else(|| self.linearise(step, &at.contact.pressure, active, &slope)).ok_or_else(Unsettled::default)?;
             let change = linear.solve(self.right(stage, &at, &linear.active)).ok_or_else(Unsettled::default)?;
-            let update = self.update(stage, &mut at, &linear.active, &change).ok_or_else(Unsettled::default)?;
+            let update = self.update(stage, &mut at, &linear, &change).ok_or_else(Unsettled::default)?;
             // The error after this step is the square of the change before it, down to round-off.
             let round_off = update.absolute <= 1e-11 * update.size && update.relative > 0.5 * relative_before;
             let settled = update.changed.is_empty() && (linear_rate || update.relative < 1e-7 || round_off);
@@ -208,15 +235,19 @@ impl<'a> Load<'a> {
                 contact.opening = at.u.iter().map(|v| (-v).max(0.0)).collect();
                 return Ok(Solved { contact, linear, iterations: iteration });
             }
+            let away = pace == Pace::Bold && update.changed.len() > (AWAY * at.fewest).max(n / AWAY_PART);
             unsettled.points = update.changed;
+            if away {
+                break;
+            }
         }
         Err(unsettled)
     }
 
-    /// Takes a Newton step; after long patience only one point enters or leaves the contact. `None` if the step leads out of all numbers.
-    fn update(&self, stage: &Stage<'_>, at: &mut Iterate, active: &[usize], change: &[f64]) -> Option<Update> {
+    /// Takes a Newton step, in which one point alone enters or leaves the contact where the pace asks for it. `None` if the step leads out of all numbers.
+    fn update(&self, stage: &Stage<'_>, at: &mut Iterate, linear: &Linear, change: &[f64]) -> Option<Update> {
         let (n, step) = (self.weights.len(), stage.step);
-        let a = active.len();
+        let (active, a) = (&linear.active, linear.active.len());
         let (u, contact) = (&at.u, &mut at.contact);
         let mut next = u.clone();
         let (mut relative, mut absolute) = (0.0_f64, 0.0_f64);
@@ -237,7 +268,12 @@ impl<'a> Load<'a> {
         at.known = (0..n).map(|i| pressed(i).then(|| self.rate.inverse(i, self.sigma[i], step, next[i]))).collect();
         let pressure: Vec<f64> = at.known.iter().map(|known| known.map_or(0.0, |(pressure, _)| pressure)).collect();
         let open: Vec<usize> = (0..n).filter(|i| u[*i] <= 0.0).collect();
-        let elastic = if open.is_empty() { Vec::new() } else { self.spread(step, &pressure) };
+        let mut spreading = pressure.clone();
+        if at.pace == Pace::Careful {
+            // Those that pull too, so that each step solves the contact on its points exactly.
+            active.iter().enumerate().for_each(|(k, i)| spreading[*i] = contact.pressure[*i] + linear.slope[k] * change[k]);
+        }
+        let elastic = if open.is_empty() { Vec::new() } else { self.spread(step, &spreading) };
         for i in open {
             let rigid = self.rigid(i, &contact.coordinates);
             next[i] = -(stage.known[i % self.rate.places()] + self.system.opening[i] + elastic[i] + rigid + at.recession);
@@ -247,7 +283,7 @@ impl<'a> Load<'a> {
         }
         // A step that opens the whole contact goes too far: the half of it that it opens least stays.
         if next.iter().filter(|v| **v > 0.0).count() < self.unit.len().max(1) {
-            let mut least = active.to_vec();
+            let mut least = active.clone();
             least.sort_by(|i, j| next[*j].total_cmp(&next[*i]));
             for i in least.into_iter().take(active.len() / 2) {
                 next[i] = next[i].max(f64::MIN_POSITIVE.max(1e-12 * u[i]));
@@ -255,7 +291,9 @@ impl<'a> Load<'a> {
             }
         }
         let changed: Vec<usize> = (0..n).filter(|i| (next[*i] > 0.0) != (u[*i] > 0.0)).collect();
-        if let (true, Some(only)) = (at.steps > PATIENCE, changed.last()) {
+        let single = if at.pace == Pace::Careful { changed.len() >= at.fewest } else { at.steps > PATIENCE };
+        at.fewest = at.fewest.min(changed.len());
+        if let (true, Some(only)) = (single, changed.last()) {
             for i in changed.iter().copied().filter(|i| i != only) {
                 next[i] = if u[i] > 0.0 { f64::MIN_POSITIVE.max(1e-12 * u[i]) } else { 0.0 };
                 at.known[i] = None;

@@ -115,6 +115,18 @@ fn errors_are_within_their_estimates() {
     }
 }
 
+/// Many points come into contact in a step whose wear is small against the approach: the step is solved by block pivoting, and its error counts by the depth.
+#[test]
+fn a_short_run_takes_few_steps_and_is_as_accurate_as_asked_for() {
+    for (set, steps) in [(["wear.until=1", "contact.shear=true"], 40), (["wear.until=30", "contact.shear=false"], 80)] {
+        let solution = solved(&worn(&set));
+        let taken = solution.effort.counters.wear_steps;
+        println!("{set:?}: {taken} steps on all levels, {:?}", solution.error);
+        assert_eq!(solution.status, Status::Ok, "{set:?}: {:?}", solution.reason);
+        assert!(taken < steps, "{set:?}: {taken} steps");
+    }
+}
+
 /// When the bush touches along all of its arc, its pressure is on the way to the steady one of that arc: by the force misplaced.
 #[test]
 fn a_bush_worn_to_its_ends_comes_to_the_steady_pressure() {
