@@ -195,20 +195,8 @@ impl<'a> Evolution<'a> {
                 let closer = (accuracy / (TIMES * times.accuracy)).max(1.0);
                 [closer, closer / state.steady_residual.clamp(times.deviation, 1.0)]
             }
-            _ => {
-                let early = self.problem.early(state);
-                [early * self.shallow(state), early]
-            }
+            _ => [self.problem.early(state); 2],
         }
-    }
-
-    /// What errors of the gap are measured by, over the depth at the end where that is less: the depth is the answer of a contact that grows, however far
-    /// the bodies are pressed together.
-    fn shallow(&self, state: &WearState) -> f64 {
-        let Until::Time(end) = self.problem.until else { return 1.0 };
-        let fastest = state.gap_rate.iter().copied().fold(0.0, f64::max);
-        let depth = state.depth + fastest * (end - state.time);
-        if self.problem.growing && depth > 0.0 { (gap_scale(&self.load(state).load, state) / depth).max(1.0) } else { 1.0 }
     }
 
     fn stage(&self, state: &WearState) -> usize {

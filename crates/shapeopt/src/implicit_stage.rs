@@ -7,18 +7,12 @@
 //! (`step = 0`, where Newton's method is the primal-dual active set method) to wear alone.
 
 use crate::gap_rate::GapRate;
-use crate::wear_state::WearState;
+use crate::pace::Pace;
+pub(crate) use crate::stage_contact::Contact;
 use contact::ContactSystem;
 use faer::Mat;
 use faer::linalg::solvers::{PartialPivLu, Solve};
 use std::borrow::Cow;
-
-const NEWTON_LIMIT: usize = 60;
-/// Newton steps after which active points change one at a time.
-const PATIENCE: usize = 25;
-/// A contact whose points change this many times as many as before, and this part of all of them, runs away.
-const AWAY: usize = 4;
-const AWAY_PART: usize = 8;
 
 /// A load stage prepared for implicit steps: one load, or several that act by turns and are averaged. Of these each has contact points of its own, one load
 /// after the other, on the gap at the same places; gaps and errors of gaps have one value a place, the rest one a point.
@@ -30,21 +24,6 @@ pub(crate) struct Load<'a> {
     sigma: Vec<f64>,
     /// Coordinates that move some point by 1.
     unit: Vec<f64>,
-}
-
-/// Pressure, opening and coordinates.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Contact {
-    pub(crate) pressure: Vec<f64>,
-    pub(crate) opening: Vec<f64>,
-    pub(crate) coordinates: Vec<f64>,
-}
-
-impl Contact {
-    /// The contact of a state.
-    pub(crate) fn of(state: &WearState) -> Contact {
-        Contact { pressure: state.pressure.clone(), opening: state.opening.clone(), coordinates: state.coordinates.clone() }
-    }
 }
 
 /// A solved stage with its last linearisation.
@@ -71,18 +50,6 @@ pub(crate) struct Linear {
     /// Factors by which the balance rows are divided.
     row: Vec<f64>,
     factor: PartialPivLu<f64>,
-}
-
-/// How points enter and leave the contact from one Newton step to the next.
-#[derive(Clone, Copy, PartialEq)]
-enum Pace {
-    /// All at once; one at a time after long patience. Given up where the contact runs away.
-    Bold,
-    /// The same in more steps, wherever it leads.
-    Patient,
-    /// All at once as long as fewer have to than ever before, one at a time else (block pivoting of Judice and Pires 1994, which ends where the
-    /// matrix has positive principal minors).
-    Careful,
 }
 
 /// A stage to be solved.
@@ -194,13 +161,6 @@ impl<'a> Load<'a> {
         pace: Pace,
     ) -> Result<Solved, Unsettled> {
         let (n, step) = (self.weights.len(), stage.step);
-        // One point at a time changes sides in the end, and each may have to.
-        let limit = NEWTON_LIMIT
-            + match pace {
-                Pace::Bold => 0,
-                Pace::Careful => n,
-                Pace::Patient => 4 * n,
-            };
         let linear_rate = step == 0.0 || (self.rate.is_linear());
         let contact = start.clone();
         let recession = step * self.rate.recession(&contact.pressure);
@@ -210,7 +170,7 @@ impl<'a> Load<'a> {
         let mut at = Iterate { contact, recession, u, known: vec![None; n], steps: 0, pace, fewest: usize::MAX };
         let mut relative_before = f64::INFINITY;
         let mut unsettled = Unsettled::default();
-        for iteration in 1..=limit {
+        for iteration in 1..=pace.limit(n) {
             let (pressure, slope): (Vec<f64>, Vec<f64>) = (0..n)
                 .map(|i| match at.known[i] {
                     _ if at.u[i] <= 0.0 => (0.0, 0.0),
@@ -235,7 +195,7 @@ impl<'a> Load<'a> {
                 contact.opening = at.u.iter().map(|v| (-v).max(0.0)).collect();
                 return Ok(Solved { contact, linear, iterations: iteration });
             }
-            let away = pace == Pace::Bold && update.changed.len() > (AWAY * at.fewest).max(n / AWAY_PART);
+            let away = pace.gives_up(update.changed.len(), at.fewest, n);
             unsettled.points = update.changed;
             if away {
                 break;
@@ -291,7 +251,7 @@ impl<'a> Load<'a> {
             }
         }
         let changed: Vec<usize> = (0..n).filter(|i| (next[*i] > 0.0) != (u[*i] > 0.0)).collect();
-        let single = if at.pace == Pace::Careful { changed.len() >= at.fewest } else { at.steps > PATIENCE };
+        let single = at.pace.is_single(at.steps, changed.len(), at.fewest);
         at.fewest = at.fewest.min(changed.len());
         if let (true, Some(only)) = (single, changed.last()) {
             for i in changed.iter().copied().filter(|i| i != only) {
