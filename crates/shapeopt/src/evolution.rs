@@ -18,7 +18,7 @@ use crate::tableau::Tableau;
 use crate::turns::loads;
 use crate::wear_problem::{Scheme, Stepping, Until, WearProblem};
 use crate::wear_state::WearState;
-use crate::wear_step::{Trial, gap_scale};
+use crate::wear_step::{Trial, gap_scale, shallow};
 use std::cell::RefCell;
 use std::sync::Arc;
 
@@ -195,7 +195,10 @@ impl<'a> Evolution<'a> {
                 let closer = (accuracy / (TIMES * times.accuracy)).max(1.0);
                 [closer, closer / state.steady_residual.clamp(times.deviation, 1.0)]
             }
-            _ => [self.problem.early(state); 2],
+            _ => {
+                let early = self.problem.early(state);
+                [early * shallow(self.problem, &self.load(state).load, state).powi(2), early]
+            }
         }
     }
 

@@ -24,6 +24,8 @@ pub(crate) struct Load<'a> {
     sigma: Vec<f64>,
     /// Coordinates that move some point by 1.
     unit: Vec<f64>,
+    /// Whether the contact grows, so that points come into it in numbers.
+    growing: bool,
 }
 
 /// A solved stage with its last linearisation.
@@ -97,7 +99,12 @@ impl<'a> Load<'a> {
             .map(|j| (0..n).map(|i| system.influence[(i, j)].abs()).fold(0.0, f64::max))
             .map(|size| if size > 0.0 { 1.0 / size } else { 1.0 })
             .collect();
-        Load { system, rate, weights, sigma, unit }
+        Load { system, rate, weights, sigma, unit, growing: false }
+    }
+
+    /// The same of a contact that may grow.
+    pub(crate) fn growing(self, growing: bool) -> Load<'a> {
+        Load { growing, ..self }
     }
 
     /// `A f` with `f = W p`.
@@ -147,7 +154,9 @@ impl<'a> Load<'a> {
     ) -> Result<Solved, Unsettled> {
         let stage = Stage { known, step };
         match self.solve_within(&stage, start, before, Pace::Bold) {
-            Err(unsettled) if !unsettled.points.is_empty() => self.solve_within(&stage, start, None, Pace::Careful),
+            Err(unsettled) if self.growing && !unsettled.points.is_empty() => {
+                self.solve_within(&stage, start, None, Pace::Careful)
+            }
             done => done,
         }
     }
@@ -195,7 +204,7 @@ impl<'a> Load<'a> {
                 contact.opening = at.u.iter().map(|v| (-v).max(0.0)).collect();
                 return Ok(Solved { contact, linear, iterations: iteration });
             }
-            let away = pace.gives_up(update.changed.len(), at.fewest, n);
+            let away = self.growing && pace.gives_up(update.changed.len(), at.fewest, n);
             unsettled.points = update.changed;
             if away {
                 break;

@@ -21,7 +21,7 @@ pub(crate) fn loads(problem: &WearProblem) -> Vec<Load<'_>> {
         let rates = problem.stages.iter().map(|stage| rate(problem, stage));
         let mean = GapRate::mean(rates.zip(shares.iter().copied()).collect())?;
         let systems: Vec<&ContactSystem> = problem.stages.iter().map(|stage| &stage.system).collect();
-        Some(Load::new(Cow::Owned(stacked(&systems)), mean, weights(problem).repeat(systems.len())))
+        Some(Load::new(Cow::Owned(stacked(&systems)), mean, weights(problem).repeat(systems.len())).growing(problem.growing))
     });
     if let Some(load) = together {
         return vec![load];
@@ -31,7 +31,7 @@ pub(crate) fn loads(problem: &WearProblem) -> Vec<Load<'_>> {
 
 /// The load of a stage with the contact that acts.
 pub(crate) fn load<'a>(problem: &'a WearProblem, stage: &LoadStage, system: Cow<'a, ContactSystem>) -> Load<'a> {
-    Load::new(system, rate(problem, stage), weights(problem))
+    Load::new(system, rate(problem, stage), weights(problem)).growing(problem.growing)
 }
 
 fn rate(problem: &WearProblem, stage: &LoadStage) -> GapRate {

@@ -2,7 +2,7 @@
 
 use crate::implicit_stage::{Contact, Linear, Load, Unsettled};
 use crate::tableau::Tableau;
-use crate::wear_problem::Scheme;
+use crate::wear_problem::{Scheme, Until, WearProblem};
 use crate::wear_state::WearState;
 
 /// A step tried.
@@ -108,4 +108,16 @@ fn explicit_step(load: &Load<'_>, state: &WearState, step: f64) -> Result<Trial,
 pub(crate) fn gap_scale(load: &Load<'_>, state: &WearState) -> f64 {
     let elastic = load.elastic(&state.pressure);
     elastic.iter().fold(state.depth, |m, v| m.max(v.abs())).max(f64::MIN_POSITIVE)
+}
+
+/// Length that gap errors are measured by, over the depth at the end where that is less. The depth is the answer of a contact that grows, however far
+/// the bodies are pressed together; and what a step gets wrong is worn off by the wear after it only as far as that is as deep as they are pressed
+/// together, so that errors count by the square of this.
+pub(crate) fn shallow(problem: &WearProblem, load: &Load<'_>, state: &WearState) -> f64 {
+    let depth = match problem.until {
+        Until::Time(end) => state.depth + state.gap_rate.iter().copied().fold(0.0, f64::max) * (end - state.time),
+        Until::Depth(depth) => depth,
+        Until::Volume(_) | Until::Steady { .. } => return 1.0,
+    };
+    if problem.growing && depth > 0.0 { (gap_scale(load, state) / depth).max(1.0) } else { 1.0 }
 }

@@ -115,15 +115,17 @@ fn errors_are_within_their_estimates() {
     }
 }
 
-/// Many points come into contact in a step whose wear is small against the approach: the step is solved by block pivoting, and its error counts by the depth.
+/// The wear is small against the approach, and errors count by the wear: without that, the levels of the second were 2e-4 apart by their steps alone.
 #[test]
-fn a_short_run_takes_few_steps_and_is_as_accurate_as_asked_for() {
-    for (set, steps) in [(["wear.until=1", "contact.shear=true"], 40), (["wear.until=30", "contact.shear=false"], 80)] {
+fn a_short_run_is_as_accurate_as_asked_for() {
+    for set in [
+        ["wear.until=1", "contact.shear=true"],
+        ["wear.until=30", "contact.shear=false"],
+        ["wear.until=30", "contact.shear=true"],
+    ] {
         let solution = solved(&worn(&set));
-        let taken = solution.effort.counters.wear_steps;
-        println!("{set:?}: {taken} steps on all levels, {:?}", solution.error);
         assert_eq!(solution.status, Status::Ok, "{set:?}: {:?}", solution.reason);
-        assert!(taken < steps, "{set:?}: {taken} steps");
+        assert!(estimate(&solution) < 1e-4, "{set:?}: {:?}", solution.error);
     }
 }
 
