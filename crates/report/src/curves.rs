@@ -63,11 +63,7 @@ fn along_the_surface(problem: &Problem, solution: &Solution, points: &Profile) -
             curves.push(series("shear on body 1", &profile.shear, false));
             what = ("contact pressure and shear", "pressure, shear (MPa)");
         }
-        if let Some(now) = &solution.unmachined {
-            let first = if curves[0].name.is_empty() { "as machined".into() } else { format!("as machined: {}", curves[0].name) };
-            curves[0].name = first;
-            curves.push(series("as it is now", &now.pressure, false));
-        }
+        compared_with(solution, &mut curves, &series);
         // From point to point of the contact: their status changes exactly there.
         let zones = sticking(&abscissa(problem, points).0, points);
         plots.push(Picture { file: "pressure".to_string(), plot: plot(what.0, what.1, curves), zones });
@@ -85,6 +81,19 @@ fn along_the_surface(problem: &Problem, solution: &Solution, points: &Profile) -
         plain("gap", plot(what, "gap (\u{b5}m)", vec![series("", &profile.gap, false)]));
     }
     plots
+}
+
+/// Names pressures of the last task, and adds those of the surface as machined before wear in time and as it is now.
+fn compared_with(solution: &Solution, curves: &mut Vec<Series>, series: &dyn Fn(&str, &[f64], bool) -> Series) {
+    let machined = solution.as_machined.as_ref();
+    if machined.is_none() && solution.unmachined.is_none() {
+        return;
+    }
+    let last = if machined.is_some() { "worn" } else { "as machined" };
+    let first = &mut curves[0].name;
+    *first = if first.is_empty() { last.into() } else { format!("{last}: {first}") };
+    curves.extend(machined.map(|machined| series("as machined", &machined.curve.pressure, true)));
+    curves.extend(solution.unmachined.as_ref().map(|now| series("as it is now", &now.pressure, false)));
 }
 
 /// A curve without marks over these places.

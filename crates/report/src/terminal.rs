@@ -25,15 +25,14 @@ pub fn first_screen(problem: &Problem, solution: &Solution, folder: &Path) -> St
     if let Some(pressure) = solution.pressure.as_ref().filter(|_| solution.status != Status::Refused) {
         lines.extend(pressure_lines(problem, solution, pressure));
     }
-    lines.extend(
-        solution
-            .brake
-            .as_ref()
-            .filter(|_| solution.status != Status::Refused)
-            .map(|brake| brake_line(brake, solution.pressure.is_some())),
-    );
+    let brake = match &solution.as_machined {
+        Some(machined) => machined.brake.as_ref(),
+        None => solution.brake.as_ref(),
+    };
+    let brake = brake.filter(|_| solution.status != Status::Refused);
+    lines.extend(brake.map(|brake| brake_line(brake, solution.pressure.is_some())));
     lines.extend(solution.machining.as_ref().map(machining_line));
-    lines.extend(solution.wear.as_ref().map(wear_line));
+    lines.extend(solution.wear.as_ref().map(|wear| wear_line(wear, solution.pressure.is_some())));
     lines.extend(ends_line(solution));
     lines.extend(solution.wear.as_ref().and_then(|wear| wear.life.as_ref()).map(|life| life_line(life, " with its running in")));
     if let Some(trip) = solution.shape.as_ref().and_then(|shape| shape.roundtrip_independent.or(shape.roundtrip_same)) {
@@ -84,7 +83,8 @@ fn folded(line: &str, indent: usize) -> Vec<String> {
 }
 
 fn pressure_lines(problem: &Problem, solution: &Solution, pressure: &PressureResult) -> Vec<String> {
-    let curve = solution.curve.as_ref().or(solution.profile.as_ref());
+    let machined = solution.as_machined.as_ref().map(|machined| &machined.curve);
+    let curve = machined.or(solution.curve.as_ref()).or(solution.profile.as_ref());
     let spread = solution.shape.as_ref().and(curve).and_then(|curve| pressures(problem, curve));
     let spread = solution.reversing.as_ref().map(|reversing| both_senses(problem, reversing)).or(spread);
     let mean = pressure.p_mean.map(|mean| format!("mean {} MPa", brief(mean))).unwrap_or_default();
@@ -175,7 +175,8 @@ fn ends_line(solution: &Solution) -> Option<String> {
     Some(format!("contact   from {} to {} mm, {} mm wide", brief(from), brief(to), brief(to - from)))
 }
 
-fn wear_line(wear: &WearResult) -> String {
+/// Wear in time; its name is another where that of a pressure has been told.
+fn wear_line(wear: &WearResult, second: bool) -> String {
     let mut words = vec![format!("depth {} um", brief(wear.depth.unwrap_or(0.0)))];
     words.extend(wear.volume.map(|volume| format!("volume {} mm^3", brief(volume))));
     if let (Some(depth), Some(time), Some(distance)) = (wear.depth, wear.time, wear.distance)
@@ -190,7 +191,7 @@ fn wear_line(wear: &WearResult) -> String {
     // Of a run without that time it is the error of its depth.
     let off = |value: f64| wear.run_in_error.map(|error| format!(" +- {:.0e}", error * value)).unwrap_or_default();
     words.extend(near.map(|near| format!("within 1 % of the steady pressure after {}{} s", brief(near.time), off(near.time))));
-    format!("wear      {}", words.join(", "))
+    format!("{}{}", if second { "in time   " } else { "wear      " }, words.join(", "))
 }
 
 /// How the cycles of a run in time were taken.

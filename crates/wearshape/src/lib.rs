@@ -80,7 +80,7 @@ pub use results::{
     Settled, ShapeResult, ToleranceResult, TwistResult, UniquenessResult, WearResult,
 };
 pub use reversing_result::{ReversingResult, SenseResult};
-pub use solution::{PressureMap, Rung, RunningIn, RunningInStep, Solution, Status};
+pub use solution::{AsMachined, PressureMap, Rung, RunningIn, RunningInStep, Solution, Status};
 pub use solve::solve;
 pub use step::Step;
 pub use study::{DEGREES, Level as StudyLevel, Quantity, Truth, outermost, study};

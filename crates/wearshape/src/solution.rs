@@ -50,6 +50,8 @@ pub struct Solution {
     pub machining: Option<MachiningResult>,
     /// Columns of the surface as it is now, for the picture beside those as machined.
     pub unmachined: Option<Profile>,
+    /// The surface as machined, where wear in time goes on from another.
+    pub as_machined: Option<AsMachined>,
     /// The contact of the bodies as given.
     pub contact: Option<ContactResult>,
     /// The shape.
@@ -94,6 +96,15 @@ pub struct Solution {
     pub effort: Effort,
     /// An unfinished run in time that was stopped, to go on with.
     pub resume: Option<Resume>,
+}
+
+/// What a shape gives the bodies, beside what a run in time ends with.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AsMachined {
+    /// Columns at evenly spaced points of the surface.
+    pub curve: Profile,
+    /// Body 1 as a brake.
+    pub brake: Option<BrakeResult>,
 }
 
 /// The pressure over a surface of two dimensions, on a grid of points that covers it.

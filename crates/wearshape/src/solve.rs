@@ -13,7 +13,7 @@ use crate::path_profile::Inside;
 use crate::problem::Problem;
 use crate::results::ErrorResult;
 use crate::scope::Scope;
-use crate::solution::{Solution, Status};
+use crate::solution::{AsMachined, Solution, Status};
 use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::answer::Outcome;
@@ -106,7 +106,10 @@ fn elastic(given: Given<'_>, passes: usize, watch: &mut Watch<'_>, solution: &mu
                 let how = solution.error.as_ref().map(|error| error.how.clone()).unwrap_or_default();
                 shape::solve(stage, &Before { passes, how: &how }, watch)?
             }
-            _ => wear::solve(stage, watch)?,
+            _ => {
+                solution.keep_as_machined();
+                wear::solve(stage, watch)?
+            }
         };
         solution.effort += effort;
         reported = solution.take(outcome);
@@ -186,6 +189,12 @@ impl Solution {
             self.error.get_or_insert_default().take(error);
         }
         reported
+    }
+
+    /// Keeps what a shape gives the bodies, before a run in time says what it ends with.
+    fn keep_as_machined(&mut self) {
+        let curve = self.curve.clone().filter(|_| self.shape.is_some());
+        self.as_machined = curve.map(|curve| AsMachined { curve, brake: self.brake.clone() });
     }
 
     /// Takes in what was recovered inside the bodies.

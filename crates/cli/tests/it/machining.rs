@@ -66,3 +66,22 @@ fn scenes_that_do_not_ask_for_both_say_nothing_of_it() {
     assert_eq!(bench.call("run drum-brake-block --set mesh.degree=4").code, 0);
     assert!(bench.summary("drum-brake-block")["machining"].is_null());
 }
+
+#[test]
+fn a_screen_that_says_what_to_machine_has_the_pressure_and_the_brake_of_that() {
+    let bench = Bench::new();
+    let said = |folder: &str, tasks: &str, more: &str| {
+        let call = bench.call(&format!("run pinned-shoe-elastic --set {tasks} --set accuracy=1e-3 {more} -o {folder}"));
+        assert_eq!(call.code, 0, "{}", call.err);
+        call.out.lines().map(String::from).collect::<Vec<String>>()
+    };
+    let shape = said("shape", "tasks=[pressure,shape]", "");
+    let worn = said("worn", "tasks=[pressure,shape,wear]", "--set wear.until=10h");
+    for name in ["pressure", "wear", "brake"] {
+        let line = |lines: &[String]| lines.iter().filter(|line| line.starts_with(name)).cloned().collect::<Vec<String>>();
+        assert!(line(&shape).len() == 1 && line(&shape) == line(&worn), "{shape:?} {worn:?}");
+    }
+    assert!(worn.iter().any(|line| line.starts_with("in time   depth ")), "{worn:?}");
+    let page = bench.read("worn/report.html");
+    assert!(page.contains(">worn<") && page.contains(">as machined<"));
+}

@@ -124,6 +124,10 @@ fn clearance(contact: &Contact, bare: Option<&SurfaceShape>, patch: Option<&Patc
     if drawn.is_some() && clearance == 0.0 {
         return Ok(drawn);
     }
+    if patch.is_some_and(Patch::is_convex) {
+        let message = "bodies that touch from outside have no clearance: their radii are the drawn ones".to_string();
+        return refuse("wrong-key", message, "leave out contact.clearance; contact.gap gives a gap beside that of the circles");
+    }
     if drawn.is_some() {
         let message = "the arcs are drawn with two radii, whose difference is their clearance".to_string();
         return refuse("wrong-key", message, "leave out contact.clearance, or draw both arcs with one radius");
