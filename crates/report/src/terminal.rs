@@ -36,7 +36,8 @@ pub fn first_screen(problem: &Problem, solution: &Solution, folder: &Path) -> St
     lines.extend(ends_line(solution));
     lines.extend(solution.wear.as_ref().and_then(|wear| wear.life.as_ref()).map(|life| life_line(life, " with its running in")));
     if let Some(trip) = solution.shape.as_ref().and_then(|shape| shape.roundtrip_independent.or(shape.roundtrip_same)) {
-        lines.push(match solution.reversing.is_some() {
+        let both = solution.reversing.as_ref().is_some_and(|reversing| reversing.share > 0.0 && reversing.share < 1.0);
+        lines.push(match both {
             true => {
                 format!("proof     contact solves forward and backward on this shape return both pressures within {trip:.1e}")
             }

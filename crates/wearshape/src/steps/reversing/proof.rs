@@ -1,4 +1,5 @@
-//! The proof of the shape of a reversing motion: contact solves on it, forward and backward, must give both pressures back.
+//! The proof of the shape of a reversing motion: contact solves on it, forward and backward, must give both pressures back. A
+//! sense that the motion never goes in proves nothing: its pressure is that on a shape worn by the other.
 
 use contact::{ContactOperator, ContactSolution};
 use meshing::Cut;
@@ -23,6 +24,17 @@ fn difference(weights: &[f64], found: &[f64], wanted: &[f64]) -> f64 {
     (sum(&|i| (found[i] - wanted[i]).powi(2)) / sum(&|i| wanted[i].powi(2))).sqrt()
 }
 
+impl Senses<'_> {
+    /// The larger of two misses, of the senses that the motion goes in.
+    fn largest(&self, [forward, backward]: [f64; 2]) -> f64 {
+        match self.share {
+            1.0 => forward,
+            0.0 => backward,
+            _ => forward.max(backward),
+        }
+    }
+}
+
 fn weights(operator: &ContactOperator<'_>) -> Vec<f64> {
     operator.points().iter().map(|p| p.weight).collect()
 }
@@ -38,7 +50,8 @@ pub(super) fn same(
     let back = operator.solve(&solved.gap, &backward, Some(&there)).map_err(unsolved)?;
     let weights = weights(operator);
     let miss = |found: &ContactSolution, side: usize| difference(&weights, &found.pressure, &solved.found.pressure[side]);
-    Ok((miss(&there, 0).max(miss(&back, 1)), there))
+    let misses = [miss(&there, 0), miss(&back, 1)];
+    Ok((senses.largest(misses), there))
 }
 
 /// The larger miss of both senses on an independent discretisation: two degrees more, other break points, the gap as a function of the arc length. Also
@@ -60,10 +73,10 @@ pub(super) fn independent(
     };
     let gap = at(&solved.gap, true);
     let weights = weights(&operator);
-    let mut most = 0.0_f64;
+    let mut misses = [0.0; 2];
     for (side, load) in senses.loads(operator.points()).into_iter().enumerate() {
         let found = operator.solve(&gap, &load, None).map_err(unsolved)?.pressure;
-        most = most.max(difference(&weights, &found, &at(&solved.found.pressure[side], false)));
+        misses[side] = difference(&weights, &found, &at(&solved.found.pressure[side], false));
         if side == 0 {
             let (start, length) = (stage.start(&pair), pair.trace().length());
             for profile in [&mut told.profile, &mut told.curve] {
@@ -72,7 +85,7 @@ pub(super) fn independent(
             }
         }
     }
-    Ok((most, effort))
+    Ok((senses.largest(misses), effort))
 }
 
 /// The end of a shape whose proof fails.
