@@ -3,6 +3,7 @@
 use hpfem::Stress;
 
 use crate::body_field::FieldFrame;
+use crate::results::EnergyResult;
 
 /// Numbers at the points of a line, in order along it.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -34,4 +35,6 @@ pub(crate) struct Inside {
     pub frames: Vec<FieldFrame>,
     /// Along lines, at the reported moment.
     pub paths: Vec<PathProfile>,
+    /// Strain energies of bodies with thermal strains at the reported moment: the work of their loads does not tell these.
+    pub energy: Option<EnergyResult>,
 }

@@ -198,8 +198,9 @@ impl Solution {
     }
 
     /// Takes in what was recovered inside the bodies.
-    fn take_inside(&mut self, Inside { frames, paths }: Inside) {
+    fn take_inside(&mut self, Inside { frames, paths, energy }: Inside) {
         (self.fields, self.paths) = (frames, paths);
+        self.energy = energy.or(self.energy.take());
     }
 
     /// Takes in the optimal pressure.

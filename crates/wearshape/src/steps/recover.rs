@@ -12,6 +12,7 @@ use crate::ladder::Refusal;
 use crate::parts::{BodyParts, Parts};
 use crate::path_profile::Inside;
 use crate::problem::Problem;
+use crate::results::EnergyResult;
 use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::ends_setting::Setting;
@@ -42,6 +43,7 @@ pub(crate) fn recover(stage: Stage<'_>, reported: &Reported) -> Result<(Inside, 
         if number == 0 {
             let sources = Sources { fields: &fields, twists: twists.as_ref(), warm: warm.as_ref(), mirror: None };
             inside.paths = along(&stage.problem.paths, &sources)?;
+            inside.energy = warm.as_ref().map(|_| strain_energy(&fields));
         }
         if on_cells(stage.problem) {
             let mut frame = frame(moment, &bodies, &fields)?;
@@ -92,6 +94,12 @@ fn counts(reduction: &Effort) -> Effort {
 fn fields(moment: &Moment, bodies: &[Body; 2], effort: &mut Effort) -> Result<[Field; 2], Fault> {
     effort.counters.back_substitutions += bodies.len();
     Ok([field(&bodies[0], &moment.states[0])?, field(&bodies[1], &moment.states[1])?])
+}
+
+/// Strain energies of both bodies, `1/2 int sigma : (eps - eps_th) dV`.
+fn strain_energy(fields: &[Field; 2]) -> EnergyResult {
+    let [body1, body2] = fields.each_ref().map(|field| Some(field.strain_energy()));
+    EnergyResult { body1, body2 }
 }
 
 /// Both bodies at a moment, without twist.

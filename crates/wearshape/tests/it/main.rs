@@ -16,6 +16,7 @@ mod gravity;
 mod guided;
 mod heat;
 mod heat_wear;
+mod hot_energy;
 mod hot_shape;
 mod jumps;
 mod load;
