@@ -32,6 +32,10 @@ const SERIES: f64 = 0.8;
 const TERMS: usize = 400;
 const NOTHING: f64 = 1e-13;
 
+/// Least part of the area that a point has whose pressure is told from nothing: forces have round-off of some 1e-11 of the load, which on the smallest
+/// elements at the ends of a surface is more than the pressure itself.
+const LEAST_AREA: f64 = 1e-6;
+
 /// Steps of a search between two factors, the first of which are those of a false position.
 const HALVINGS: usize = 48;
 const SLOPES: usize = 24;
@@ -39,6 +43,8 @@ const SLOPES: usize = 24;
 /// The system of the closed points in all unknowns: forces, then coordinates.
 struct Pencil {
     points: usize,
+    /// Points whose pressure can be told from nothing.
+    told: Vec<usize>,
     cold: Mat<f64>,
     hot: Mat<f64>,
     right: Mat<f64>,
@@ -55,7 +61,8 @@ impl ContactOperator<'_> {
     }
 
     /// The same of surfaces all of whose points are closed, and the factor on the sliding speed at which their pressure, without a gap, first vanishes
-    /// somewhere: 0 where it does without heat, none where it does not up to a thousand times the staggered factor.
+    /// somewhere: 0 where it does without heat, none where it does not up to a thousand times the staggered factor. Points with less than 1e-6 of the area
+    /// do not count, whose pressure is round-off.
     ///
     /// # Errors
     /// As [`ContactOperator::speed_factors`].
@@ -94,7 +101,10 @@ impl ContactOperator<'_> {
             Some(a) => -problem.opening[*a],
             None => unit * problem.load[i - n],
         });
-        Ok(Some(Pencil { points: n, cold, hot, right }))
+        let weight = |point: usize| self.points()[points[point]].weight;
+        let area: f64 = (0..n).map(weight).sum();
+        let told = (0..n).filter(|point| weight(*point) >= LEAST_AREA * area).collect();
+        Ok(Some(Pencil { points: n, told, cold, hot, right }))
     }
 }
 
@@ -131,13 +141,13 @@ impl Pencil {
     fn least(&self, factor: f64) -> f64 {
         let matrix = &self.cold + faer::Scale(factor) * &self.hot;
         let x = matrix.partial_piv_lu().solve(&self.right);
-        (0..self.points).map(|i| x[(i, 0)]).fold(f64::INFINITY, f64::min)
+        self.told.iter().map(|i| x[(*i, 0)]).fold(f64::INFINITY, f64::min)
     }
 
     /// The factor at which a pressure vanishes first.
     fn separation(&self, cold: &Cold, unit: f64) -> Option<f64> {
         let pressed = |factor: f64| Some([factor, self.least(factor)]).filter(|[_, least]| *least > 0.0);
-        if !cold.pressures.col(0).iter().all(|pressure| *pressure > 0.0) {
+        if !self.told.iter().all(|i| cold.pressures[(*i, 0)] > 0.0) {
             return Some(0.0);
         }
         let mut below = self.before(cold, unit).and_then(pressed).unwrap_or([0.0; 2]);
@@ -174,7 +184,7 @@ impl Pencil {
         let by_power = Mat::from_fn(self.points, terms.len(), |i, k| terms[k][(i, 0)]);
         let powers = Mat::from_fn(terms.len(), factors.len(), |k, j| (factors[j] / highest).powi(k as i32));
         let pressures = by_power * powers;
-        let presses = |j: &usize| pressures.col(*j).iter().all(|p| *p > 0.0);
+        let presses = |j: &usize| self.told.iter().all(|i| pressures[(*i, *j)] > 0.0);
         (0..factors.len()).take_while(presses).last().map(|j| factors[j])
     }
 
@@ -210,7 +220,8 @@ mod tests {
     /// A system of two points with the pressures `p_1 = (1 - s / 4 p_2) / (1 - s / 4)` and `p_2 = 1 - s / at p_1`.
     fn system(at: f64) -> Pencil {
         let hot = [[-0.25, 0.25], [1.0 / at, 0.0]];
-        Pencil { points: 2, cold: Mat::identity(2, 2), hot: Mat::from_fn(2, 2, |i, j| hot[i][j]), right: Mat::full(2, 1, 1.0) }
+        let hot = Mat::from_fn(2, 2, |i, j| hot[i][j]);
+        Pencil { points: 2, told: vec![0, 1], cold: Mat::identity(2, 2), hot, right: Mat::full(2, 1, 1.0) }
     }
 
     /// The factor by halves alone, from a fine search.
