@@ -55,7 +55,7 @@ impl ContactOperator<'_> {
     ) -> (InterfaceState, Option<InterfaceState>, Vec<f64>) {
         let n = self.unit.points.len();
         let mut states = Vec::new();
-        let mut slip = vec![0.0; if self.unit.matrices.tangential.is_some() { n } else { 0 }];
+        let mut slip = vec![0.0; if self.unit.shear_influence.is_some() { n } else { 0 }];
         for (b, response) in self.unit.responses.iter().enumerate() {
             let [lambda, sigma] = forces.map(|v| v.iter().map(|v| SIGNS[b] * v).collect::<Vec<f64>>());
             let (all, columns) = stage.factors_under(b, forces[0]);

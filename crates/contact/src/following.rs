@@ -3,6 +3,7 @@
 use crate::error::Error;
 use crate::load::ContactLoad;
 use crate::operator::{ContactOperator, SIGNS};
+use crate::products::rows_of;
 use faer::Mat;
 
 /// What load cases do that follow nodal normal forces.
@@ -11,6 +12,16 @@ pub(crate) struct Followed {
     pub(crate) opening: Mat<f64>,
     /// Force along each coordinate by nodal normal forces, `points x coordinates`.
     pub(crate) forces: Mat<f64>,
+}
+
+impl Followed {
+    /// The same at some of the points.
+    pub(crate) fn at(&self, at: &[usize]) -> Followed {
+        Followed {
+            opening: Mat::from_fn(at.len(), at.len(), |i, j| self.opening[(at[i], at[j])]),
+            forces: rows_of(&self.forces, at),
+        }
+    }
 }
 
 const FOLLOWING: &str = "matrix of the load cases that follow the pressure";

@@ -105,18 +105,22 @@ impl Complementarity<'_> {
 
     /// Largest relative violation of the signs and of `lambda w = 0`.
     pub(crate) fn complementarity(&self, at: &Point, opening: &[f64]) -> f64 {
-        let force = at.force.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-        let elastic = times(&self.compliance, &at.force).iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-        if force == 0.0 || elastic == 0.0 {
-            return 0.0;
-        }
-        (0..self.points())
-            .map(|i| {
-                let (f, w) = (at.force[i] / force, opening[i] / elastic);
-                (-f).max(-w).max((f * w).abs())
-            })
-            .fold(0.0, f64::max)
+        worst_sign(&at.force, opening, &times(&self.compliance, &at.force))
     }
+}
+
+/// Largest relative violation of the signs and of `lambda w = 0`, openings against the largest elastic one.
+pub(crate) fn worst_sign(force: &[f64], opening: &[f64], elastic: &[f64]) -> f64 {
+    let largest = |values: &[f64]| values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    let (most, elastic) = (largest(force), largest(elastic));
+    if most == 0.0 || elastic == 0.0 {
+        return 0.0;
+    }
+    let violation = |(f, w): (&f64, &f64)| {
+        let (f, w) = (f / most, w / elastic);
+        (-f).max(-w).max((f * w).abs())
+    };
+    force.iter().zip(opening).map(violation).fold(0.0, f64::max)
 }
 
 impl Answer {

@@ -17,6 +17,7 @@ mod growth;
 mod heat;
 mod heat_speed;
 mod heated_system;
+mod held;
 mod interpolate;
 mod lcp;
 mod line_search;

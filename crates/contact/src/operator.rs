@@ -6,16 +6,15 @@ use crate::load::{ContactLoad, Friction};
 use crate::matrices::Matrices;
 use crate::pair::Pair;
 use crate::point::ContactPoint;
-use crate::products::narrow_product;
+use crate::products::{narrow_product, rows_of};
 use crate::response::Response;
 use crate::segment::Station;
 use crate::side::Side;
 use crate::solution::ContactSolution;
-use crate::status::Status;
 use crate::verdict;
 use faer::Mat;
 use hpfem::InterfaceOperator;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// Compliance of a pair at its contact points; every gap, load, coefficient of friction or prescribed motion reuses it.
 ///
@@ -27,20 +26,23 @@ pub struct ContactOperator<'a> {
 }
 
 /// What a pair does under unit forces at its contact points: plain numbers that outlive the references of a [`ContactOperator`], for whoever
-/// keeps the bodies elsewhere.
+/// keeps the bodies elsewhere. The bodies are factorised at once; the compliance of all points is worked out when it is asked for first.
 pub struct UnitResponses {
     pub(crate) points: Vec<ContactPoint>,
     pub(crate) stations: Vec<Station>,
     pub(crate) responses: Vec<Response>,
-    /// The coordinates of both bodies side by side.
-    pub(crate) matrices: Matrices,
+    /// Opening and slip by the coordinates of both bodies side by side, `points x coordinates`; no slip if shear was not asked for.
+    pub(crate) influence: Mat<f64>,
+    pub(crate) shear_influence: Option<Mat<f64>>,
+    /// Those of all points, without and with the slip by shear that stick takes.
+    whole: [OnceLock<Matrices>; 2],
 }
 
 /// `[1, -1]`: sign of a body's displacement in the opening and of the contact force on it.
 pub(crate) const SIGNS: [f64; 2] = [1.0, -1.0];
 
 impl<'a> ContactOperator<'a> {
-    /// Solves both bodies for unit forces at all contact points: normal ones, and tangential ones if `shear` is asked for.
+    /// Factorises both bodies for unit forces at the contact points: normal ones, and tangential ones if `shear` is asked for.
     ///
     /// # Errors
     /// [`Error::NotHeld`] if a body with its rigid edge held could still move.
@@ -52,33 +54,17 @@ impl<'a> ContactOperator<'a> {
                 responses.push(Response::new(body, side, points.len(), &stations, shear)?);
             }
         }
-        let n = points.len();
-        let (mut normal, mut normal_by_shear) = (Mat::zeros(n, n), shear.then(|| Mat::zeros(n, n)));
-        let mut tangential = shear.then(|| Mat::zeros(n, n));
-        for r in &responses {
-            normal += narrow_product(&r.normal, &r.to_normal);
-            if let (Some(sum), Some(x)) = (&mut normal_by_shear, &r.to_tangential) {
-                *sum += narrow_product(&r.normal, x);
-            }
-            if let (Some(sum), Some(t), Some(x)) = (&mut tangential, &r.tangential, &r.to_tangential) {
-                *sum += narrow_product(t, x);
-            }
-        }
-        // Exactly symmetric, so that the answer does not depend on which half is read.
-        let symmetric = |m: Mat<f64>| Mat::from_fn(n, n, |i, j| 0.5 * (m[(i, j)] + m[(j, i)]));
-        let (normal, tangential) = (symmetric(normal), tangential.map(symmetric));
         let side_by_side = |component: usize| {
             let columns: Vec<(usize, usize)> =
                 responses.iter().enumerate().flat_map(|(b, r)| (0..r.motions.ncols()).map(move |j| (b, j))).collect();
-            Mat::from_fn(n, columns.len(), |i, j| {
+            Mat::from_fn(points.len(), columns.len(), |i, j| {
                 let (b, k) = columns[j];
                 SIGNS[b] * responses[b].motion[component][(i, k)]
             })
         };
         let influence = side_by_side(0);
         let shear_influence = shear.then(|| side_by_side(1));
-        let matrices = Matrices { normal, normal_by_shear, tangential, influence, shear_influence };
-        let unit = UnitResponses { points, stations, responses, matrices };
+        let unit = UnitResponses { points, stations, responses, influence, shear_influence, whole: Default::default() };
         Ok(ContactOperator { pair: *pair, unit: Arc::new(unit) })
     }
 
@@ -104,7 +90,7 @@ impl<'a> ContactOperator<'a> {
 
     /// Normal compliance `C` at the points, `points x points`: opening by nodal normal forces with the rigid coordinates at zero.
     pub fn compliance(&self) -> &Mat<f64> {
-        &self.unit.matrices.normal
+        &self.unit.matrices(false).normal
     }
 
     /// Solves for a gap (one value a point, positive open) under a load, from an earlier solution if there is one.
@@ -128,16 +114,6 @@ impl<'a> ContactOperator<'a> {
         let answer = plain.problem.solve_by_pivoting();
         let status = verdict::status(&plain.problem, &plain.matrices.normal, &answer);
         Ok(self.assemble(&stage, plain.ending(answer, status)))
-    }
-
-    /// Solves with a given set of points in contact and no conditions on signs: pressures may come out negative. Node positioning uses it.
-    ///
-    /// # Errors
-    /// As [`ContactOperator::solve`].
-    pub fn solve_on(&self, gap: &[f64], load: &ContactLoad, closed: &[bool]) -> Result<Option<ContactSolution>, Error> {
-        let stage = self.stage(gap, load)?;
-        let answer = stage.plain.problem.solve_on(closed);
-        Ok(answer.map(|a| self.assemble(&stage, stage.plain.ending(a, Status::Converged))))
     }
 
     /// Gives the problem of another coefficient of friction to `read`; sizes and numbers of the load were found right before.
@@ -166,4 +142,51 @@ impl<'a> ContactOperator<'a> {
     pub(crate) fn edge_motion(&self, j: usize) -> Option<usize> {
         self.unit.responses[0].edge_motion.get(j).copied().flatten()
     }
+}
+
+impl UnitResponses {
+    /// The matrices of all points; with the slip by shear (`C_tt`), which stick alone needs, or without.
+    pub(crate) fn matrices(&self, stick: bool) -> &Matrices {
+        self.whole[usize::from(stick)].get_or_init(|| {
+            if stick {
+                return Matrices { tangential: self.tangential(), ..self.matrices(false).clone() };
+            }
+            self.matrices_at(&(0..self.points.len()).collect::<Vec<usize>>())
+        })
+    }
+
+    /// The matrices of some of the points, the slip by shear left out.
+    pub(crate) fn matrices_at(&self, at: &[usize]) -> Matrices {
+        let n = at.len();
+        let mut normal = Mat::zeros(n, n);
+        let mut normal_by_shear = self.shear_influence.as_ref().map(|_| Mat::zeros(n, n));
+        for r in &self.responses {
+            let rows = rows_of(&r.normal, at);
+            let under = r.under(&rows);
+            normal += narrow_product(&rows, &under);
+            // What shear opens is what normal forces slide: work is reciprocal (Betti).
+            if let (Some(sum), Some(tangential)) = (&mut normal_by_shear, &r.tangential) {
+                *sum += narrow_product(&rows_of(tangential, at), &under).transpose();
+            }
+        }
+        let influence = rows_of(&self.influence, at);
+        let shear_influence = self.shear_influence.as_ref().map(|all| rows_of(all, at));
+        Matrices { normal: symmetric(&normal), normal_by_shear, tangential: None, influence, shear_influence }
+    }
+
+    /// Slip by shear forces; none if shear was not asked for.
+    fn tangential(&self) -> Option<Mat<f64>> {
+        let n = self.points.len();
+        let mut sum = Mat::zeros(n, n);
+        for r in &self.responses {
+            let rows = r.tangential.as_ref()?;
+            sum += narrow_product(rows, &r.under(rows));
+        }
+        Some(symmetric(&sum))
+    }
+}
+
+/// Exactly symmetric, so that the answer does not depend on which half is read.
+fn symmetric(m: &Mat<f64>) -> Mat<f64> {
+    Mat::from_fn(m.nrows(), m.ncols(), |i, j| 0.5 * (m[(i, j)] + m[(j, i)]))
 }

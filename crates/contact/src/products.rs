@@ -23,6 +23,11 @@ pub(crate) fn narrow_product(a: &Mat<f64>, b: &Mat<f64>) -> Mat<f64> {
     product
 }
 
+/// Some rows of a matrix.
+pub(crate) fn rows_of(matrix: &Mat<f64>, at: &[usize]) -> Mat<f64> {
+    Mat::from_fn(at.len(), matrix.ncols(), |i, j| matrix[(at[i], j)])
+}
+
 /// Matrix times vector.
 pub(crate) fn times(matrix: &Mat<f64>, x: &[f64]) -> Vec<f64> {
     let mut y = vec![0.0; matrix.nrows()];

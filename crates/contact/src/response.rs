@@ -1,12 +1,13 @@
-//! What one body does under forces at the contact points: its interface operator, solved once for every column a contact solve needs.
+//! What one body does under forces at the contact points: its interface operator, factorised, and solved for the columns that every contact solve
+//! needs.
 
 use crate::error::Error;
-use crate::products::{add, times};
+use crate::products::{add, times, transposed_times};
 use crate::segment::Station;
 use crate::side::Side;
-use faer::linalg::solvers::Solve;
+use faer::linalg::solvers::{Llt, Solve};
 use faer::{Mat, Side as Triangle};
-use hpfem::InterfaceOperator;
+use hpfem::{InterfaceFactor, InterfaceOperator};
 
 /// Kept displacements of one body as a linear function of nodal contact forces, load factors and rigid coordinates:
 /// `u = U_f a + X_n lambda + X_t sigma + Y y`, with the balance `K y = Y^T (f + N^T lambda + T^T sigma) + resultant`.
@@ -21,10 +22,8 @@ pub(crate) struct Response {
     pub(crate) tangential: Option<Mat<f64>>,
     /// Prescribed parts of the normal and tangential displacement.
     pub(crate) constant: [Vec<f64>; 2],
-    /// `X_n`, `unknowns x points`.
-    pub(crate) to_normal: Mat<f64>,
-    /// `X_t`.
-    pub(crate) to_tangential: Option<Mat<f64>>,
+    /// What gives `X_n` and `X_t`.
+    factor: Factor,
     /// `U_f`, `unknowns x (load cases + 1)`.
     pub(crate) to_columns: Mat<f64>,
     /// `Y`, `unknowns x coordinates`.
@@ -56,22 +55,14 @@ impl Response {
         let unknowns = body.stiffness.nrows();
         let frame: Vec<usize> = body.frame.iter().flatten().copied().collect();
         let kept: Vec<usize> = (0..unknowns).filter(|i| !frame.contains(i)).collect();
-        let columns = body.load_cases.len() + 1;
-        let first = if shear { 2 * n } else { n };
-        let mut right = Mat::zeros(unknowns, first + columns);
-        right.subcols_mut(0, n).copy_from(normal.transpose());
-        if let Some(tangential) = &tangential {
-            right.subcols_mut(n, n).copy_from(tangential.transpose());
-        }
-        right.subcols_mut(first, columns).copy_from(body.columns.submatrix(0, 0, unknowns, columns));
-        let (solved, motions, stiffness) = if frame.is_empty() {
-            let solved = body.solve(&right, &body.rigid_modes);
+        let columns = body.columns.submatrix(0, 0, unknowns, body.load_cases.len() + 1).to_owned();
+        let (factor, motions, stiffness) = if frame.is_empty() {
             let modes = body.rigid_modes.ncols();
-            (solved, body.rigid_modes.clone(), Mat::zeros(modes, modes))
+            (Factor::Whole(body.factor(&body.rigid_modes)), body.rigid_modes.clone(), Mat::zeros(modes, modes))
         } else {
-            with_edge_held(body, &right, &kept, &frame).ok_or(Error::NotHeld { side })?
+            with_edge_held(body, kept, &frame).ok_or(Error::NotHeld { side })?
         };
-        let motion_columns = motions.transpose() * body.columns.submatrix(0, 0, unknowns, columns);
+        let motion_columns = motions.transpose() * &columns;
         let edge_motion = if frame.is_empty() {
             vec![None; motions.ncols()]
         } else {
@@ -85,9 +76,8 @@ impl Response {
             }
         }
         Ok(Response {
-            to_normal: solved.submatrix(0, 0, unknowns, n).to_owned(),
-            to_tangential: shear.then(|| solved.submatrix(0, n, unknowns, n).to_owned()),
-            to_columns: solved.submatrix(0, first, unknowns, columns).to_owned(),
+            to_columns: factor.solve(&columns),
+            factor,
             normal,
             tangential,
             constant: [normal_constant, tangential_constant],
@@ -99,50 +89,69 @@ impl Response {
         })
     }
 
+    /// Columns of `X_n` (or `X_t`) by rows of the normal (or tangential) displacement, `unknowns x rows`.
+    pub(crate) fn under(&self, rows: &Mat<f64>) -> Mat<f64> {
+        self.factor.solve(&rows.transpose().to_owned())
+    }
+
     /// Kept unknowns under factors, nodal forces on this body (normal and tangential) and coordinates.
     pub(crate) fn unknowns(&self, factors: &[f64], normal: &[f64], tangential: &[f64], coordinates: &[f64]) -> Vec<f64> {
-        let mut u = times(&self.to_columns, factors);
-        add(&mut u, &times(&self.to_normal, normal));
-        if let Some(matrix) = &self.to_tangential {
-            add(&mut u, &times(matrix, tangential));
+        let mut forces = transposed_times(&self.normal, normal);
+        if let Some(matrix) = &self.tangential {
+            add(&mut forces, &transposed_times(matrix, tangential));
         }
+        let mut u = self.factor.solve(&Mat::from_fn(forces.len(), 1, |i, _| forces[i])).col_as_slice(0).to_vec();
+        add(&mut u, &times(&self.to_columns, factors));
         add(&mut u, &times(&self.motions, coordinates));
         u
     }
 }
 
-/// Solves with the rigid edge held, and gives the motions of the edge as columns with their stiffness.
-fn with_edge_held(
-    body: &InterfaceOperator,
-    right: &Mat<f64>,
-    kept: &[usize],
-    frame: &[usize],
-) -> Option<(Mat<f64>, Mat<f64>, Mat<f64>)> {
+/// The stiffness of a body, factorised.
+#[derive(Clone, Debug)]
+enum Factor {
+    /// Of all unknowns.
+    Whole(InterfaceFactor),
+    /// Of those kept while the rigid edge is held, of so many.
+    EdgeHeld { factor: Llt<f64>, kept: Vec<usize>, unknowns: usize },
+}
+
+impl Factor {
+    /// Kept unknowns under loads on them, one a column.
+    fn solve(&self, right: &Mat<f64>) -> Mat<f64> {
+        match self {
+            Factor::Whole(factor) => factor.solve(right),
+            Factor::EdgeHeld { factor, kept, unknowns } => {
+                let inner = factor.solve(&Mat::from_fn(kept.len(), right.ncols(), |i, j| right[(kept[i], j)]));
+                let mut full = Mat::zeros(*unknowns, right.ncols());
+                kept.iter().enumerate().for_each(|(i, k)| (0..right.ncols()).for_each(|j| full[(*k, j)] = inner[(i, j)]));
+                full
+            }
+        }
+    }
+}
+
+/// Factorises with the rigid edge held, and gives the motions of the edge as columns with their stiffness.
+fn with_edge_held(body: &InterfaceOperator, kept: Vec<usize>, frame: &[usize]) -> Option<(Factor, Mat<f64>, Mat<f64>)> {
     let s = &body.stiffness;
     let unknowns = s.nrows();
     let inner = Mat::from_fn(kept.len(), kept.len(), |i, j| s[(kept[i], kept[j])]);
-    let factor = inner.llt(Triangle::Lower).ok()?;
-    let spread = |x: &Mat<f64>| {
-        let mut full = Mat::zeros(unknowns, x.ncols());
-        kept.iter().enumerate().for_each(|(i, k)| (0..x.ncols()).for_each(|j| full[(*k, j)] = x[(i, j)]));
-        full
-    };
-    let solved = spread(&factor.solve(&Mat::from_fn(kept.len(), right.ncols(), |i, j| right[(kept[i], j)])));
-    let mut motions = spread(&factor.solve(&Mat::from_fn(kept.len(), frame.len(), |i, j| -s[(kept[i], frame[j])])));
+    let factor = Factor::EdgeHeld { factor: inner.llt(Triangle::Lower).ok()?, kept, unknowns };
+    let mut motions = factor.solve(&Mat::from_fn(unknowns, frame.len(), |i, j| -s[(i, frame[j])]));
     frame.iter().enumerate().for_each(|(j, q)| motions[(*q, j)] = 1.0);
     let q = frame.len();
     let stiffness = Mat::from_fn(q, q, |i, j| (0..unknowns).map(|k| s[(frame[i], k)] * motions[(k, j)]).sum());
     // Rigid modes have no stiffness at all: P^T K P with P = I - Z (Z^T W Z)^-1 Z^T W.
     let z = Mat::from_fn(q, body.rigid_modes.ncols(), |i, j| body.rigid_modes[(frame[i], j)]);
     if z.ncols() == 0 {
-        return Some((solved, motions, stiffness));
+        return Some((factor, motions, stiffness));
     }
     if z.ncols() == q {
-        return Some((solved, motions, Mat::zeros(q, q)));
+        return Some((factor, motions, Mat::zeros(q, q)));
     }
     let weighted = Mat::from_fn(q, z.ncols(), |i, j| s[(frame[i], frame[i])] * z[(i, j)]);
     let projector = Mat::<f64>::identity(q, q) - &z * (z.transpose() * &weighted).partial_piv_lu().solve(weighted.transpose());
-    Some((solved, motions, projector.transpose() * stiffness * &projector))
+    Some((factor, motions, projector.transpose() * stiffness * &projector))
 }
 
 /// Normal (or tangential) displacement at the points, the mean over their stations, as rows on the kept unknowns; and the prescribed part.

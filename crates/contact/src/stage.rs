@@ -3,7 +3,7 @@
 use crate::ending::Warm;
 use crate::error::Error;
 use crate::lcp::Point;
-use crate::load::{ContactLoad, MomentBalance, Motion};
+use crate::load::{ContactLoad, Friction, MomentBalance, Motion};
 use crate::operator::{ContactOperator, SIGNS};
 use crate::plain::{Held, Plain, Unloaded};
 use crate::products::times;
@@ -28,8 +28,8 @@ pub(crate) struct Stage<'m> {
 pub(crate) struct Acting {
     pub(crate) unloaded: Unloaded,
     pub(crate) held: Held,
-    factors: Vec<Factors>,
-    prescribed: Vec<Option<f64>>,
+    pub(crate) factors: Vec<Factors>,
+    pub(crate) prescribed: Vec<Option<f64>>,
 }
 
 impl Stage<'_> {
@@ -62,7 +62,8 @@ impl ContactOperator<'_> {
     /// The plain problem of a gap and a load.
     pub(crate) fn stage(&self, gap: &[f64], load: &ContactLoad) -> Result<Stage<'_>, Error> {
         let Acting { unloaded, held, factors, prescribed } = self.acting(gap, load)?;
-        let mut plain = Plain::new(&self.unit.matrices, &load.friction, unloaded, &held)?;
+        let stick = matches!(load.friction, Friction::Coulomb { .. });
+        let mut plain = Plain::new(self.unit.matrices(stick), &load.friction, unloaded, &held)?;
         if let Some(followed) = self.followed(load)? {
             plain.follow(&followed, &held.free);
         }
@@ -137,8 +138,8 @@ impl ContactOperator<'_> {
     fn move_prescribed(&self, unloaded: &mut Unloaded, stiffness: &Mat<f64>, prescribed: &[Option<f64>], free: &[usize]) {
         let n = self.unit.points.len();
         for (j, value) in prescribed.iter().enumerate().filter_map(|(j, v)| v.map(|v| (j, v))) {
-            (0..n).for_each(|i| unloaded.opening[i] += self.unit.matrices.influence[(i, j)] * value);
-            if let Some(shear) = &self.unit.matrices.shear_influence {
+            (0..n).for_each(|i| unloaded.opening[i] += self.unit.influence[(i, j)] * value);
+            if let Some(shear) = &self.unit.shear_influence {
                 (0..n).for_each(|i| unloaded.slip[i] += shear[(i, j)] * value);
             }
             free.iter().for_each(|i| unloaded.forces[*i] -= stiffness[(*i, j)] * value);

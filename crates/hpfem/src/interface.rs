@@ -1,11 +1,9 @@
 //! What is left of a body when everything but its kept boundary is eliminated.
 
-use crate::check::power_of_two_below;
 use crate::error::Error;
 use crate::kinematics::Kinematics;
 use crate::trace::{Trace, TraceLoad};
-use faer::linalg::solvers::Solve;
-use faer::{Mat, Scale, Side};
+use faer::Mat;
 
 /// A body reduced to its kept boundary: `S u_c = f_c + sum_k a_k F_k`, with `S = K_cc - K_ci K_ii^-1 K_ic`.
 ///
@@ -257,34 +255,9 @@ impl InterfaceOperator {
     /// rigid mode is made orthogonal to `gauge` (`unknowns x modes`, `gauge^T rigid_modes` regular), and the load's resultant along the
     /// rigid modes is balanced through `gauge` as well. Without rigid modes this is plain `S^-1 f`.
     ///
-    /// Solved as the bordered system `[S G; G^T 0]`, factorised by pivoted LU.
+    /// For loads that come one after the other, [`InterfaceOperator::factor`] once.
     pub fn solve(&self, right: &Mat<f64>, gauge: &Mat<f64>) -> Mat<f64> {
-        let n = self.stiffness.nrows();
-        let r = self.rigid_modes.ncols();
-        // In units of a power of two, so that equal problems in other units go through the same square roots.
-        let scale = (0..n).map(|i| self.stiffness[(i, i)]).fold(0.0, f64::max);
-        let unit = 1.0 / power_of_two_below(scale);
-        if r == 0
-            && let Ok(llt) = (Scale(unit) * &self.stiffness).llt(Side::Lower)
-        {
-            let mut x = Scale(unit) * right;
-            llt.solve_in_place(&mut x);
-            return x;
-        }
-        // Scale the border like the stiffness so that pivoting sees comparable rows.
-        let scale = (0..n).map(|i| self.stiffness[(i, i)]).fold(0.0, f64::max);
-        let size = gauge.as_ref().norm_max().max(f64::MIN_POSITIVE);
-        let border = Mat::from_fn(n + r, n + r, |i, j| match (i < n, j < n) {
-            (true, true) => self.stiffness[(i, j)],
-            (true, false) => gauge[(i, j - n)] / size * scale,
-            (false, true) => gauge[(j, i - n)] / size * scale,
-            (false, false) => 0.0,
-        });
-        let mut x = Mat::zeros(n + r, right.ncols());
-        x.subrows_mut(0, n).copy_from(right);
-        border.partial_piv_lu().solve_in_place(&mut x);
-        x.truncate(n, right.ncols());
-        x
+        self.factor(gauge).solve(right)
     }
 
     /// [`InterfaceOperator::solve`] for one right-hand side, the answer orthogonal to the rigid modes.

@@ -163,8 +163,15 @@ impl Reduced {
         paired([&self.interfaces[0], &self.interfaces[1]], self.meeting)
     }
 
-    /// The contact of the pair, its unit responses kept.
+    /// The contact of the pair with the compliance of all its points, its unit responses kept.
     pub(crate) fn operator<'b>(&'b self, pair: &Pair<'b>, shear: bool) -> Result<ContactOperator<'b>, Fault> {
+        let operator = self.factorised(pair, shear)?;
+        operator.compliance();
+        Ok(operator)
+    }
+
+    /// The same for what may do without that compliance, as contact on known points.
+    pub(crate) fn factorised<'b>(&'b self, pair: &Pair<'b>, shear: bool) -> Result<ContactOperator<'b>, Fault> {
         let place = &self.unit[usize::from(shear)];
         let known = lock(place).clone();
         if let Some(unit) = known {

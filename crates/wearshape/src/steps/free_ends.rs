@@ -41,13 +41,14 @@ pub(crate) fn position(
         *work += reduction;
         work.counters.contact_solves += 1;
         let pair = reduced.pair()?;
-        let operator = work.timed(Step::Interface, stage.clock(), |_| reduced.operator(&pair, stage.friction() > 0.0))?;
+        let operator = work.timed(Step::Interface, stage.clock(), |_| reduced.factorised(&pair, stage.friction() > 0.0))?;
         let length = pair.trace().length();
         let gap = start_gaps(stage, &operator);
         let arcs: Vec<f64> = places.iter().map(|t| 0.5 * (1.0 + t) * length).collect();
         let (nodes, closed) = held_between(operator.points(), &arcs, ends.starts_closed);
         let load = stage.contact_load(operator.points());
-        let Some(held) = operator.solve_on(&gap, &load, &closed).map_err(unsolved)? else { return Ok(None) };
+        let held = work.timed(Step::Interface, stage.clock(), |_| operator.solve_on(&gap, &load, &closed));
+        let Some(held) = held.map_err(unsolved)? else { return Ok(None) };
         // The root of the node's share of the surface takes away how the pressure of a sharp end grows with the level.
         let scaled = |n: &usize| held.pressure[*n] * operator.points()[*n].weight.sqrt();
         Ok(Some((nodes.iter().map(scaled).collect(), Positioned { reduced: Arc::clone(&reduced), held })))
