@@ -3,7 +3,6 @@
 use crate::coulomb::ContactState;
 use crate::ending::Ending;
 use crate::operator::{ContactOperator, SIGNS};
-use crate::products::times;
 use crate::solution::ContactSolution;
 use crate::stage::Stage;
 use crate::zones::zones;
@@ -61,7 +60,7 @@ impl ContactOperator<'_> {
             let (all, columns) = stage.factors_under(b, forces[0]);
             let unknowns = response.unknowns(&columns, &lambda, &sigma, &coordinates[b]);
             if let Some(tangential) = &response.tangential {
-                let moved = times(tangential, &unknowns);
+                let moved = tangential.times(&unknowns);
                 (0..n).for_each(|i| slip[i] += SIGNS[b] * (moved[i] + response.constant[1][i]));
             }
             states.push(self.state(b, unknowns, [&lambda, &sigma], &all));

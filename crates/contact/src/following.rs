@@ -62,7 +62,7 @@ impl ContactOperator<'_> {
                 }
             }
             let unknowns = response.to_columns.nrows();
-            let moved = &response.normal * (response.to_columns.submatrix(0, 0, unknowns, cases) * following);
+            let moved = response.normal.product(&(response.to_columns.submatrix(0, 0, unknowns, cases) * following));
             opening += faer::Scale(SIGNS[b]) * moved;
             forces.push(response.motion_columns.submatrix(0, 0, coordinates, cases) * following);
         }

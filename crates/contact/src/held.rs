@@ -41,7 +41,8 @@ impl ContactOperator<'_> {
         solution.opening = self.openings(gap, &solution);
         let mut stiff = unloaded.opening;
         let coordinates: Vec<f64> = solution.coordinates.iter().flatten().copied().collect();
-        let moving: Vec<f64> = (0..coordinates.len()).map(|j| if stage.free.contains(&j) { coordinates[j] } else { 0.0 }).collect();
+        let moving: Vec<f64> =
+            (0..coordinates.len()).map(|j| if stage.free.contains(&j) { coordinates[j] } else { 0.0 }).collect();
         add(&mut stiff, &times(&self.unit.influence, &moving));
         let elastic: Vec<f64> = solution.opening.iter().zip(&stiff).map(|(all, stiff)| all - stiff).collect();
         solution.complementarity = worst_sign(&solution.nodal_force, &solution.opening, &elastic);
@@ -53,7 +54,7 @@ impl ContactOperator<'_> {
         let mut opening = gap.to_vec();
         let states = [Some(&solution.shaped), solution.counter.as_ref()];
         for (b, (response, state)) in self.unit.responses.iter().zip(states.into_iter().flatten()).enumerate() {
-            let displaced = times(&response.normal, &state.unknowns);
+            let displaced = response.normal.times(&state.unknowns);
             (0..gap.len()).for_each(|i| opening[i] += SIGNS[b] * (displaced[i] + response.constant[0][i]));
         }
         opening

@@ -34,6 +34,7 @@ mod positioning;
 mod problem;
 mod products;
 mod response;
+mod rows;
 mod segment;
 mod side;
 mod solution;

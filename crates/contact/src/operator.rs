@@ -6,7 +6,7 @@ use crate::load::{ContactLoad, Friction};
 use crate::matrices::Matrices;
 use crate::pair::Pair;
 use crate::point::ContactPoint;
-use crate::products::{narrow_product, rows_of};
+use crate::products::rows_of;
 use crate::response::Response;
 use crate::segment::Station;
 use crate::side::Side;
@@ -47,11 +47,28 @@ impl<'a> ContactOperator<'a> {
     /// # Errors
     /// [`Error::NotHeld`] if a body with its rigid edge held could still move.
     pub fn new(pair: &Pair<'a>, shear: bool) -> Result<ContactOperator<'a>, Error> {
+        ContactOperator::made(pair, shear, None)
+    }
+
+    /// The same, the points expected in contact ([`Pair::points`]) being known: what stands at these alone, as in [`ContactOperator::solve_on`], costs
+    /// least.
+    ///
+    /// # Errors
+    /// As [`ContactOperator::new`]; [`Error::Gap`] for another number of points.
+    pub fn near(pair: &Pair<'a>, shear: bool, near: &[bool]) -> Result<ContactOperator<'a>, Error> {
+        ContactOperator::made(pair, shear, Some(near))
+    }
+
+    fn made(pair: &Pair<'a>, shear: bool, near: Option<&[bool]>) -> Result<ContactOperator<'a>, Error> {
         let (points, stations) = pair.stations();
+        let near = near.map_or_else(|| vec![true; points.len()], <[bool]>::to_vec);
+        if near.len() != points.len() {
+            return Err(Error::Gap { given: near.len(), points: points.len() });
+        }
         let mut responses = Vec::new();
         for side in [Side::Shaped, Side::Counter] {
             if let Some(body) = pair.side(side) {
-                responses.push(Response::new(body, side, points.len(), &stations, shear)?);
+                responses.push(Response::new(body, side, &near, &stations, shear)?);
             }
         }
         let side_by_side = |component: usize| {
@@ -161,12 +178,12 @@ impl UnitResponses {
         let mut normal = Mat::zeros(n, n);
         let mut normal_by_shear = self.shear_influence.as_ref().map(|_| Mat::zeros(n, n));
         for r in &self.responses {
-            let rows = rows_of(&r.normal, at);
-            let under = r.under(&rows);
-            normal += narrow_product(&rows, &under);
+            let rows = r.normal.at(at);
+            let under = r.under(&rows, at);
+            normal += rows.product(&under);
             // What shear opens is what normal forces slide: work is reciprocal (Betti).
             if let (Some(sum), Some(tangential)) = (&mut normal_by_shear, &r.tangential) {
-                *sum += narrow_product(&rows_of(tangential, at), &under).transpose();
+                *sum += tangential.at(at).product(&under).transpose();
             }
         }
         let influence = rows_of(&self.influence, at);
@@ -180,7 +197,7 @@ impl UnitResponses {
         let mut sum = Mat::zeros(n, n);
         for r in &self.responses {
             let rows = r.tangential.as_ref()?;
-            sum += narrow_product(rows, &r.under(rows));
+            sum += rows.product(&r.under(rows, &(0..n).collect::<Vec<usize>>()));
         }
         Some(symmetric(&sum))
     }

@@ -2,12 +2,14 @@
 //! needs.
 
 use crate::error::Error;
-use crate::products::{add, times, transposed_times};
+use crate::products::{add, times};
+use crate::rows::Rows;
 use crate::segment::Station;
 use crate::side::Side;
-use faer::linalg::solvers::{Llt, Solve};
-use faer::{Mat, Side as Triangle};
+use faer::Mat;
+use faer::linalg::solvers::Solve;
 use hpfem::{InterfaceFactor, InterfaceOperator};
+use std::collections::BTreeMap;
 
 /// Kept displacements of one body as a linear function of nodal contact forces, load factors and rigid coordinates:
 /// `u = U_f a + X_n lambda + X_t sigma + Y y`, with the balance `K y = Y^T (f + N^T lambda + T^T sigma) + resultant`.
@@ -17,13 +19,16 @@ use hpfem::{InterfaceFactor, InterfaceOperator};
 #[derive(Clone, Debug)]
 pub(crate) struct Response {
     /// Normal displacement at the points, `points x unknowns`.
-    pub(crate) normal: Mat<f64>,
+    pub(crate) normal: Rows,
     /// Tangential displacement at the points, `points x unknowns`; no columns if shear was not asked for.
-    pub(crate) tangential: Option<Mat<f64>>,
+    pub(crate) tangential: Option<Rows>,
     /// Prescribed parts of the normal and tangential displacement.
     pub(crate) constant: [Vec<f64>; 2],
-    /// What gives `X_n` and `X_t`.
-    factor: Factor,
+    /// What gives `X_n` and `X_t`; the unknowns that move the points expected in contact are its last ones.
+    factor: InterfaceFactor,
+    /// Where these begin in the order of the factor, and which points these are.
+    first: usize,
+    near: Vec<bool>,
     /// `U_f`, `unknowns x (load cases + 1)`.
     pub(crate) to_columns: Mat<f64>,
     /// `Y`, `unknowns x coordinates`.
@@ -39,28 +44,33 @@ pub(crate) struct Response {
 }
 
 impl Response {
+    /// Of a body at contact points, of which those `near` are expected in contact.
     pub(crate) fn new(
         body: &InterfaceOperator,
         side: Side,
-        points: usize,
+        near: &[bool],
         stations: &[Station],
         shear: bool,
     ) -> Result<Response, Error> {
-        let n = points;
+        let n = near.len();
         let rows = |tangential: bool| component_rows(body, side, n, stations, tangential);
         let (normal, normal_constant) = rows(false);
         let (tangential, tangential_constant) = rows(true);
-        let whole = tangential.clone();
-        let tangential = shear.then_some(tangential);
         let unknowns = body.stiffness.nrows();
         let frame: Vec<usize> = body.frame.iter().flatten().copied().collect();
-        let kept: Vec<usize> = (0..unknowns).filter(|i| !frame.contains(i)).collect();
+        let mut moves = normal.reach(near);
+        if shear {
+            moves.iter_mut().zip(tangential.reach(near)).for_each(|(all, more)| *all |= more);
+        }
+        let (last, mut order): (Vec<usize>, Vec<usize>) = (0..unknowns).filter(|k| !frame.contains(k)).partition(|k| moves[*k]);
+        let first = order.len();
+        order.extend(last);
         let columns = body.columns.submatrix(0, 0, unknowns, body.load_cases.len() + 1).to_owned();
         let (factor, motions, stiffness) = if frame.is_empty() {
             let modes = body.rigid_modes.ncols();
-            (Factor::Whole(body.factor(&body.rigid_modes)), body.rigid_modes.clone(), Mat::zeros(modes, modes))
+            (body.factor(&body.rigid_modes, order), body.rigid_modes.clone(), Mat::zeros(modes, modes))
         } else {
-            with_edge_held(body, kept, &frame).ok_or(Error::NotHeld { side })?
+            with_edge_held(body, order, &frame).ok_or(Error::NotHeld { side })?
         };
         let motion_columns = motions.transpose() * &columns;
         let edge_motion = if frame.is_empty() {
@@ -68,7 +78,7 @@ impl Response {
         } else {
             (0..3).filter(|k| body.frame[*k].is_some()).map(Some).collect()
         };
-        let mut motion = [&normal * &motions, &whole * &motions];
+        let mut motion = [normal.product(&motions), tangential.product(&motions)];
         for j in 0..motions.ncols() {
             let largest = motion.iter().flat_map(|m| m.col(j).iter()).fold(0.0_f64, |m, v| m.max(v.abs()));
             for m in &mut motion {
@@ -78,8 +88,10 @@ impl Response {
         Ok(Response {
             to_columns: factor.solve(&columns),
             factor,
+            first,
+            near: near.to_vec(),
             normal,
-            tangential,
+            tangential: shear.then_some(tangential),
             constant: [normal_constant, tangential_constant],
             motions,
             motion,
@@ -89,16 +101,17 @@ impl Response {
         })
     }
 
-    /// Columns of `X_n` (or `X_t`) by rows of the normal (or tangential) displacement, `unknowns x rows`.
-    pub(crate) fn under(&self, rows: &Mat<f64>) -> Mat<f64> {
-        self.factor.solve(&rows.transpose().to_owned())
+    /// Columns of `X_n` (or `X_t`) by rows of the normal (or tangential) displacement of some points, `unknowns x rows`, as far as they move these points.
+    pub(crate) fn under(&self, rows: &Rows, at: &[usize]) -> Mat<f64> {
+        let first = if at.iter().all(|i| self.near[*i]) { self.first } else { 0 };
+        self.factor.solve_from(&rows.transposed(), first)
     }
 
     /// Kept unknowns under factors, nodal forces on this body (normal and tangential) and coordinates.
     pub(crate) fn unknowns(&self, factors: &[f64], normal: &[f64], tangential: &[f64], coordinates: &[f64]) -> Vec<f64> {
-        let mut forces = transposed_times(&self.normal, normal);
+        let mut forces = self.normal.transposed_times(normal);
         if let Some(matrix) = &self.tangential {
-            add(&mut forces, &transposed_times(matrix, tangential));
+            add(&mut forces, &matrix.transposed_times(tangential));
         }
         let mut u = self.factor.solve(&Mat::from_fn(forces.len(), 1, |i, _| forces[i])).col_as_slice(0).to_vec();
         add(&mut u, &times(&self.to_columns, factors));
@@ -107,36 +120,11 @@ impl Response {
     }
 }
 
-/// The stiffness of a body, factorised.
-#[derive(Clone, Debug)]
-enum Factor {
-    /// Of all unknowns.
-    Whole(InterfaceFactor),
-    /// Of those kept while the rigid edge is held, of so many.
-    EdgeHeld { factor: Llt<f64>, kept: Vec<usize>, unknowns: usize },
-}
-
-impl Factor {
-    /// Kept unknowns under loads on them, one a column.
-    fn solve(&self, right: &Mat<f64>) -> Mat<f64> {
-        match self {
-            Factor::Whole(factor) => factor.solve(right),
-            Factor::EdgeHeld { factor, kept, unknowns } => {
-                let inner = factor.solve(&Mat::from_fn(kept.len(), right.ncols(), |i, j| right[(kept[i], j)]));
-                let mut full = Mat::zeros(*unknowns, right.ncols());
-                kept.iter().enumerate().for_each(|(i, k)| (0..right.ncols()).for_each(|j| full[(*k, j)] = inner[(i, j)]));
-                full
-            }
-        }
-    }
-}
-
 /// Factorises with the rigid edge held, and gives the motions of the edge as columns with their stiffness.
-fn with_edge_held(body: &InterfaceOperator, kept: Vec<usize>, frame: &[usize]) -> Option<(Factor, Mat<f64>, Mat<f64>)> {
+fn with_edge_held(body: &InterfaceOperator, order: Vec<usize>, frame: &[usize]) -> Option<(InterfaceFactor, Mat<f64>, Mat<f64>)> {
     let s = &body.stiffness;
     let unknowns = s.nrows();
-    let inner = Mat::from_fn(kept.len(), kept.len(), |i, j| s[(kept[i], kept[j])]);
-    let factor = Factor::EdgeHeld { factor: inner.llt(Triangle::Lower).ok()?, kept, unknowns };
+    let factor = Some(body.factor(&Mat::zeros(unknowns, 0), order)).filter(InterfaceFactor::is_definite)?;
     let mut motions = factor.solve(&Mat::from_fn(unknowns, frame.len(), |i, j| -s[(i, frame[j])]));
     frame.iter().enumerate().for_each(|(j, q)| motions[(*q, j)] = 1.0);
     let q = frame.len();
@@ -161,8 +149,8 @@ fn component_rows(
     points: usize,
     stations: &[Station],
     tangential: bool,
-) -> (Mat<f64>, Vec<f64>) {
-    let mut matrix = Mat::zeros(points, body.stiffness.nrows());
+) -> (Rows, Vec<f64>) {
+    let mut matrix = vec![BTreeMap::new(); points];
     let mut constant = vec![0.0; points];
     for station in stations {
         let direction = if tangential { station.point.tangent } else { station.point.normal };
@@ -170,10 +158,10 @@ fn component_rows(
         let (rows, fixed) = body.trace.displacement_row(edge, t);
         for (component, d) in direction.into_iter().enumerate() {
             for (i, share) in &station.shares {
-                rows[component].iter().for_each(|(u, c)| matrix[(*i, *u)] += share * d * c);
+                rows[component].iter().for_each(|(u, c)| *matrix[*i].entry(*u).or_insert(0.0) += share * d * c);
                 constant[*i] += share * d * fixed[component];
             }
         }
     }
-    (matrix, constant)
+    (Rows::new(matrix, body.stiffness.nrows()), constant)
 }

@@ -97,10 +97,10 @@ impl ContactOperator<'_> {
             let all = operator.factors_in_order(&load.factors[b]);
             let columns = all[..=operator.prescribed_column()].to_vec();
             let u = times(&response.to_columns, &columns);
-            let displaced = times(&response.normal, &u);
+            let displaced = response.normal.times(&u);
             (0..n).for_each(|i| opening[i] += SIGNS[b] * (displaced[i] + response.constant[0][i]));
             if let Some(tangential) = &response.tangential {
-                let displaced = times(tangential, &u);
+                let displaced = tangential.times(&u);
                 (0..n).for_each(|i| slip[i] += SIGNS[b] * (displaced[i] + response.constant[1][i]));
             }
             forces.extend(times(&response.motion_columns, &columns));

@@ -257,7 +257,7 @@ impl InterfaceOperator {
     ///
     /// For loads that come one after the other, [`InterfaceOperator::factor`] once.
     pub fn solve(&self, right: &Mat<f64>, gauge: &Mat<f64>) -> Mat<f64> {
-        self.factor(gauge).solve(right)
+        self.factor(gauge, (0..self.stiffness.nrows()).collect()).solve(right)
     }
 
     /// [`InterfaceOperator::solve`] for one right-hand side, the answer orthogonal to the rigid modes.

@@ -165,19 +165,25 @@ impl Reduced {
 
     /// The contact of the pair with the compliance of all its points, its unit responses kept.
     pub(crate) fn operator<'b>(&'b self, pair: &Pair<'b>, shear: bool) -> Result<ContactOperator<'b>, Fault> {
-        let operator = self.factorised(pair, shear)?;
+        let operator = self.factorised(pair, shear, None)?;
         operator.compliance();
         Ok(operator)
     }
 
-    /// The same for what may do without that compliance, as contact on known points.
-    pub(crate) fn factorised<'b>(&'b self, pair: &Pair<'b>, shear: bool) -> Result<ContactOperator<'b>, Fault> {
+    /// The same without that compliance, as contact on known points does without it; `near` are the points expected in contact, where these are known.
+    pub(crate) fn factorised<'b>(
+        &'b self,
+        pair: &Pair<'b>,
+        shear: bool,
+        near: Option<&[bool]>,
+    ) -> Result<ContactOperator<'b>, Fault> {
         let place = &self.unit[usize::from(shear)];
         let known = lock(place).clone();
         if let Some(unit) = known {
             return Ok(ContactOperator::with(pair, unit));
         }
-        let operator = ContactOperator::new(pair, shear)
+        let operator = near
+            .map_or_else(|| ContactOperator::new(pair, shear), |near| ContactOperator::near(pair, shear, near))
             .map_err(|error| Fault::at("body1.support", "not-held", error.to_string(), "support the bodies"))?;
         *lock(place) = Some(operator.unit_responses());
         Ok(operator)

@@ -99,7 +99,7 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
     let Found { reduced, found, unsettled, hot } = find(stage, level, search, &mut effort)?;
     let ends = search.ends.clone();
     let pair = reduced.pair()?;
-    let operator = reduced.factorised(&pair, stage.friction() > 0.0)?;
+    let operator = reduced.factorised(&pair, stage.friction() > 0.0, None)?;
     let gap = start_gaps(stage, &operator);
     let (start, length) = (stage.start(&pair), pair.trace().length());
     let twist = match stage.turned_pair(level, &ends.places)? {
@@ -243,10 +243,13 @@ fn signed(
     held: Option<ContactSolution>,
     effort: &mut Effort,
 ) -> Result<ContactSolution, Fault> {
-    if let Some(mut held) = held.clone().filter(|held| held.complementarity < SIGNS_HOLD) {
-        held.pressure.iter_mut().for_each(|p| *p = p.max(0.0));
-        return Ok(held);
-    }
+    let held = match held {
+        Some(mut held) if held.complementarity < SIGNS_HOLD => {
+            held.pressure.iter_mut().for_each(|p| *p = p.max(0.0));
+            return Ok(held);
+        }
+        held => held,
+    };
     let pair = reduced.pair()?;
     (stage.options.begun)(Step::Contact);
     let operator = effort.timed(Step::Interface, stage.clock(), |_| reduced.operator(&pair, stage.friction() > 0.0))?;

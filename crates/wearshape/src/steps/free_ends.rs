@@ -41,11 +41,12 @@ pub(crate) fn position(
         *work += reduction;
         work.counters.contact_solves += 1;
         let pair = reduced.pair()?;
-        let operator = work.timed(Step::Interface, stage.clock(), |_| reduced.factorised(&pair, stage.friction() > 0.0))?;
         let length = pair.trace().length();
-        let gap = start_gaps(stage, &operator);
         let arcs: Vec<f64> = places.iter().map(|t| 0.5 * (1.0 + t) * length).collect();
-        let (nodes, closed) = held_between(operator.points(), &arcs, ends.starts_closed);
+        let (nodes, closed) = held_between(&pair.points(), &arcs, ends.starts_closed);
+        let shear = stage.friction() > 0.0;
+        let operator = work.timed(Step::Interface, stage.clock(), |_| reduced.factorised(&pair, shear, Some(&closed)))?;
+        let gap = start_gaps(stage, &operator);
         let load = stage.contact_load(operator.points());
         let held = work.timed(Step::Interface, stage.clock(), |_| operator.solve_on(&gap, &load, &closed));
         let Some(held) = held.map_err(unsolved)? else { return Ok(None) };

@@ -120,10 +120,10 @@ fn beyond_the_critical_speed_the_instability_is_said_by_name() {
     assert!(solution.status == Status::Refused && solution.reason.unwrap().contains("frictional heat"));
 }
 
-/// At 4.3 rad/s cells of degree 2 lose the contact, those of degree 6 wear in.
+/// At 4.33 rad/s cells of degree 2 lose the contact, those of degree 6 wear in. At 4.3 rad/s round-off decides what the former do.
 #[test]
 fn a_coarser_level_that_heat_ends_tells_no_error_and_ends_nothing() {
-    let run = |degree: &str| solved(&scene("drum-brake-hot", &[TASK, "sliding.omega=4.3", degree]));
+    let run = |degree: &str| solved(&scene("drum-brake-hot", &[TASK, "sliding.omega=4.33", degree]));
     assert_eq!(run("mesh.degree=2").wear.unwrap().status, WearStatus::Unstable);
     let fine = run("mesh.degree=6");
     assert_eq!(fine.status, Status::Ok, "{:?}", fine.reason);
