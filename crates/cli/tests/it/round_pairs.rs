@@ -181,7 +181,7 @@ fn round_pairs_that_cannot_be_are_refused_by_name() {
         ("cam --set body1.geometry.ring.centre=[0,34]", "contact", "the round bodies cross"),
         ("cam --set body1.geometry.ring.centre=[0,36]", "contact", "do not touch"),
         ("cam --set body1.geometry.ring.centre=[1,35]", "contact", "beside the z axis"),
-        ("cam --set contact.clearance=0.1", "contact.clearance", "drawn with two radii"),
+        ("cam --set contact.clearance=0.1", "contact.clearance", "touch from outside"),
         ("cam --set tasks=[shape] --set optimum.functional=steady", "tasks", "the tasks contact and wear alone"),
         ("cam --set tasks=[wear] --set wear.k=1e-7 --set sliding.omega=40", "wear.until", "two round bodies are worn for ever"),
     ] {
