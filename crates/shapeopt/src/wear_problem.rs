@@ -39,8 +39,6 @@ pub struct WearProblem {
     pub stepping: Stepping,
     /// What the times of a run until the steady state are wanted for, if they are.
     pub times: Option<Times>,
-    /// Places between the points where the largest depth is looked for too, each by the points and weights that interpolate there.
-    pub between: Vec<Vec<(usize, f64)>>,
     /// Whether the contact grows as it wears, and its depth at the end is what is wanted: steps before it are as accurate as that asks for.
     pub growing: bool,
 }
@@ -146,7 +144,6 @@ impl WearProblem {
             scheme: Scheme::Sdirk4,
             stepping: Stepping::Adaptive { accuracy: 1e-4 },
             times: None,
-            between: Vec::new(),
             growing: false,
         }
     }
@@ -167,12 +164,6 @@ impl WearProblem {
             Until::Steady { .. } => 1.0,
         };
         passed.sqrt().clamp(EARLIEST, 1.0)
-    }
-
-    /// The largest of depths at the points, and between them.
-    pub(crate) fn deepest(&self, worn: &[f64]) -> f64 {
-        let between = self.between.iter().map(|place| place.iter().map(|(i, weight)| weight * worn[*i]).sum());
-        worn.iter().copied().chain(between).fold(0.0, f64::max)
     }
 
     /// Checks sizes and ranges.
@@ -202,9 +193,6 @@ impl WearProblem {
         }
         if self.passing.as_ref().is_some_and(|passing| passing.nrows() != n || passing.ncols() != n) {
             return wrong(format!("the groove does not fit the {n} contact points"));
-        }
-        if self.between.iter().flatten().any(|(i, weight)| *i >= n || !weight.is_finite()) {
-            return wrong(format!("a place between the points does not fit the {n} contact points"));
         }
         if self.schedule.is_empty() || self.schedule.iter().any(|i| i.stage >= self.stages.len()) {
             return wrong(format!("the schedule has to name stages 0..{}", self.stages.len()));

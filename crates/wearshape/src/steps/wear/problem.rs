@@ -26,9 +26,6 @@ const ROUGHEST: f64 = 2e-3;
 const FINEST: f64 = 1e-9;
 const FINEST_ROUND: f64 = 1e-6;
 
-/// How many times as close as its points a round contact is looked at for its largest depth, which else is off by the square of their distances.
-const CLOSER: usize = 16;
-
 /// Part of the accuracy asked for that steps in time may take from the times reported; the rest is left to the levels.
 pub(super) const STEPS: f64 = 0.3;
 
@@ -51,20 +48,6 @@ fn begun(operator: &ContactOperator<'_>, pieces: &Pieces, loads: &[ContactLoad],
         begun[1].extend(start.opening);
     }
     Ok(begun)
-}
-
-/// Places between the contact points, by what interpolates there.
-fn between(operator: &ContactOperator<'_>) -> Vec<Vec<(usize, f64)>> {
-    let (pair, points) = (operator.pair(), operator.points());
-    let parts = points
-        .windows(2)
-        .flat_map(|pair| (1..CLOSER).map(|k| pair[0].arc + (pair[1].arc - pair[0].arc) * k as f64 / CLOSER as f64));
-    parts
-        .map(|arc| {
-            let (range, shapes) = pair.shapes_at(points, arc);
-            range.zip(shapes).collect()
-        })
-        .collect()
 }
 
 /// The different loads that occur: their stages and what acts in each.
@@ -120,7 +103,6 @@ pub(super) fn wear_problem(
         problem.stepping = Stepping::Adaptive { accuracy: (ROUND * stage.accuracy().max(FINEST_ROUND)).min(ROUGHEST) };
         problem.times = None;
         problem.growing = true;
-        problem.between = between(operator);
     }
     if stage.facing() {
         let start = stage.start(operator.pair());
