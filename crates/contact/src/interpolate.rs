@@ -16,12 +16,18 @@ impl Pair<'_> {
 
     /// Value at arc length `arc` of a quantity given at the points [`Pair::points`]: a polynomial of each edge's parameter.
     pub fn value_at(&self, points: &[ContactPoint], values: &[f64], arc: f64) -> f64 {
+        let (range, shapes) = self.shapes_at(points, arc);
+        shapes.iter().zip(&values[range]).map(|(l, v)| l * v).sum()
+    }
+
+    /// The points that have a say in [`Pair::value_at`], and the weight of each.
+    pub fn shapes_at(&self, points: &[ContactPoint], arc: f64) -> (RangeInclusive<usize>, Vec<f64>) {
         let (edge, t) = self.trace().locate(arc);
         let range = self.edge_points(edge);
         let start = *range.start();
         let nodes: Vec<f64> = range.clone().map(|i| if i == start { -1.0 } else { points[i].place.1 }).collect();
         let shapes = lagrange(&nodes, &barycentric_weights(&nodes), t.clamp(-1.0, 1.0));
-        shapes.iter().zip(&values[range]).map(|(l, v)| l * v).sum()
+        (range, shapes)
     }
 
     /// Value at arc length `arc` of a quantity that vanishes where the surfaces are apart: [`Pair::value_at`], or [`piecewise_linear`] on an edge with

@@ -340,7 +340,7 @@ impl<'a> Evolution<'a> {
         state.distance += step * self.mean_speed(state);
         state.gap = trial.gap;
         state.worn = trial.worn;
-        state.depth = state.worn.iter().copied().fold(0.0, f64::max);
+        state.depth = self.problem.deepest(&state.worn);
         state.recession = trial.recession;
         state.volume = trial.volume;
         state.error = trial.error;

@@ -39,6 +39,9 @@ pub struct WearProblem {
     pub stepping: Stepping,
     /// What the times of a run until the steady state are wanted for, if they are.
     pub times: Option<Times>,
+    /// Places where the largest depth is looked for too, as many between any two neighbours among the points: each by the first of the points that
+    /// interpolate there, and the weights of these. Empty where the depths at the points will do.
+    pub between: Vec<(usize, Vec<f64>)>,
     /// Whether the contact grows as it wears, and its depth at the end is what is wanted: steps before it are as accurate as that asks for.
     pub growing: bool,
 }
@@ -144,6 +147,7 @@ impl WearProblem {
             scheme: Scheme::Sdirk4,
             stepping: Stepping::Adaptive { accuracy: 1e-4 },
             times: None,
+            between: Vec::new(),
             growing: false,
         }
     }
@@ -160,10 +164,19 @@ impl WearProblem {
             _ if !self.growing => 1.0,
             Until::Time(end) => state.time / end,
             Until::Volume(end) => (state.volume[0] + state.volume[1]) / end,
-            Until::Depth(end) => (state.depth / end).powi(2),
+            Until::Depth(end) => (state.deepest_point() / end).powi(2),
             Until::Steady { .. } => 1.0,
         };
         passed.sqrt().clamp(EARLIEST, 1.0)
+    }
+
+    /// The largest depth of a profile: that of its deepest point, or beside it.
+    pub(crate) fn deepest(&self, worn: &[f64]) -> f64 {
+        let Some(deepest) = (0..worn.len()).max_by(|i, j| worn[*i].total_cmp(&worn[*j])) else { return 0.0 };
+        let each = self.between.len() / (worn.len() - 1).max(1);
+        let beside = deepest.saturating_sub(1) * each..((deepest + 1) * each).min(self.between.len());
+        let depth = |(first, weights): &(usize, Vec<f64>)| weights.iter().zip(&worn[*first..]).map(|(l, w)| l * w).sum();
+        self.between[beside].iter().map(depth).fold(worn[deepest], f64::max)
     }
 
     /// Checks sizes and ranges.
@@ -193,6 +206,10 @@ impl WearProblem {
         }
         if self.passing.as_ref().is_some_and(|passing| passing.nrows() != n || passing.ncols() != n) {
             return wrong(format!("the groove does not fit the {n} contact points"));
+        }
+        let fits = |(first, weights): &(usize, Vec<f64>)| first + weights.len() <= n && weights.iter().all(|l| l.is_finite());
+        if self.between.len() % (n - 1).max(1) > 0 || !self.between.iter().all(fits) {
+            return wrong(format!("the places between the points do not fit the {n} contact points"));
         }
         if self.schedule.is_empty() || self.schedule.iter().any(|i| i.stage >= self.stages.len()) {
             return wrong(format!("the schedule has to name stages 0..{}", self.stages.len()));

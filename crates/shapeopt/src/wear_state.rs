@@ -24,7 +24,7 @@ pub struct WearState {
     pub gap_rate: Vec<f64>,
     /// Depth worn off body 1, mm.
     pub worn: Vec<f64>,
-    /// Largest depth worn off body 1, mm.
+    /// Largest depth worn off body 1, at the points and at [`WearProblem::between`](crate::WearProblem::between), mm.
     pub depth: f64,
     /// Depth by which a revolving counter-face has receded, mm.
     pub recession: f64,
@@ -55,4 +55,12 @@ pub struct WearState {
     pub interval: usize,
     /// Time at which that interval began, s.
     pub interval_start: f64,
+}
+
+impl WearState {
+    /// The largest depth worn off body 1 at the contact points alone, mm: what steps are measured by, since a profile of the first few points that
+    /// touch says little of what is between them.
+    pub(crate) fn deepest_point(&self) -> f64 {
+        self.worn.iter().copied().fold(0.0, f64::max)
+    }
 }

@@ -107,7 +107,7 @@ fn explicit_step(load: &Load<'_>, state: &WearState, step: f64) -> Result<Trial,
 /// Length that gap errors are measured by: elastic closing or wear depth.
 pub(crate) fn gap_scale(load: &Load<'_>, state: &WearState) -> f64 {
     let elastic = load.elastic(&state.pressure);
-    elastic.iter().fold(state.depth, |m, v| m.max(v.abs())).max(f64::MIN_POSITIVE)
+    elastic.iter().fold(state.deepest_point(), |m, v| m.max(v.abs())).max(f64::MIN_POSITIVE)
 }
 
 /// Length that gap errors are measured by, over the depth at the end where that is less. The depth is the answer of a contact that grows, however far
@@ -115,7 +115,7 @@ pub(crate) fn gap_scale(load: &Load<'_>, state: &WearState) -> f64 {
 /// together, so that errors count by the square of this.
 pub(crate) fn shallow(problem: &WearProblem, load: &Load<'_>, state: &WearState) -> f64 {
     let depth = match problem.until {
-        Until::Time(end) => state.depth + state.gap_rate.iter().copied().fold(0.0, f64::max) * (end - state.time),
+        Until::Time(end) => state.deepest_point() + state.gap_rate.iter().copied().fold(0.0, f64::max) * (end - state.time),
         Until::Depth(depth) => depth,
         Until::Volume(_) | Until::Steady { .. } => return 1.0,
     };

@@ -129,6 +129,20 @@ fn a_short_run_is_as_accurate_as_asked_for() {
     }
 }
 
+/// The pressure is largest between two points of the contact: the largest depth at the points alone was 6e-4 short of it.
+#[test]
+fn the_depth_is_the_largest_of_the_profile_wherever_the_points_are() {
+    let of = |until: &str, accuracy: &str| solved(&worn(&["contact.shear=true", until, accuracy]));
+    let [rough, fine] = ["accuracy=1e-4", "accuracy=1e-5"].map(|accuracy| of("wear.until=36.24", accuracy));
+    let error = (depth(&rough) / depth(&fine) - 1.0).abs();
+    assert!(error < estimate(&rough) + estimate(&fine) && error < 1e-5, "{error:.1e}");
+    // Until that depth it takes that time.
+    let until = of(&format!("wear.until={{depth={:e}}}", depth(&rough)), "accuracy=1e-4");
+    assert_eq!(until.status, Status::Ok, "{:?}", until.reason);
+    let time = until.wear.as_ref().unwrap().time.unwrap();
+    assert!((time / 36.24 - 1.0).abs() < 1e-4, "{time}");
+}
+
 /// When the bush touches along all of its arc, its pressure is on the way to the steady one of that arc: by the force misplaced.
 #[test]
 fn a_bush_worn_to_its_ends_comes_to_the_steady_pressure() {

@@ -7,6 +7,7 @@ mod campaign;
 mod coarse_cells;
 mod common;
 mod cut_alike;
+mod depth;
 mod effort;
 mod estimates;
 mod examples;

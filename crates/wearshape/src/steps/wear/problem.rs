@@ -26,6 +26,9 @@ const ROUGHEST: f64 = 2e-3;
 const FINEST: f64 = 1e-9;
 const FINEST_ROUND: f64 = 1e-6;
 
+/// How many times as close as its points a profile is looked at for its largest depth, which else is off by the square of their distances.
+const CLOSER: usize = 16;
+
 /// Part of the accuracy asked for that steps in time may take from the times reported; the rest is left to the levels.
 pub(super) const STEPS: f64 = 0.3;
 
@@ -48,6 +51,15 @@ fn begun(operator: &ContactOperator<'_>, pieces: &Pieces, loads: &[ContactLoad],
         begun[1].extend(start.opening);
     }
     Ok(begun)
+}
+
+/// Places between the contact points, by what interpolates there.
+fn between(operator: &ContactOperator<'_>) -> Vec<(usize, Vec<f64>)> {
+    let (pair, points) = (operator.pair(), operator.points());
+    let parts = points
+        .windows(2)
+        .flat_map(|ends| (1..CLOSER).map(|k| ends[0].arc + (ends[1].arc - ends[0].arc) * k as f64 / CLOSER as f64));
+    parts.map(|arc| pair.shapes_at(points, arc)).map(|(range, shapes)| (*range.start(), shapes)).collect()
 }
 
 /// The different loads that occur: their stages and what acts in each.
@@ -86,6 +98,7 @@ pub(super) fn wear_problem(
     problem.schedule.clone_from(intervals);
     problem.shares.clone_from(&pieces.shares);
     problem.start = Some(begun);
+    problem.between = between(operator);
     problem.track_area = stage.patch.surface.track_area();
     problem.until = Until::Steady { residual: steady_residual(stage), not_before };
     let accuracy = stage.accuracy().max(FINEST);
