@@ -208,7 +208,7 @@ impl WearProblem {
             return wrong(format!("the groove does not fit the {n} contact points"));
         }
         let fits = |(first, weights): &(usize, Vec<f64>)| first + weights.len() <= n && weights.iter().all(|l| l.is_finite());
-        if self.between.len() % (n - 1).max(1) > 0 || !self.between.iter().all(fits) {
+        if !self.between.len().is_multiple_of(n.max(2) - 1) || !self.between.iter().all(fits) {
             return wrong(format!("the places between the points do not fit the {n} contact points"));
         }
         if self.schedule.is_empty() || self.schedule.iter().any(|i| i.stage >= self.stages.len()) {

@@ -149,7 +149,7 @@ fn distance(a: &Solved, b: &Solved) -> [f64; 2] {
 }
 
 /// How far two levels of a stage are apart. Where the end of contact moves over the elements, levels fall with a power of the degree only, and
-/// in no order: their differences count so many times.
+/// in no order: their differences count so many times, and the steps have their part of the accuracy ([`part_of_levels`]).
 fn apart(stage: Stage<'_>) -> impl Fn(&Solved, &Solved) -> [f64; 2] + Copy {
     let times = if stage.ends_move() { 3.0 } else { 1.0 };
     let by_wear = matches!(stage.problem.wear.until, Some(End::Depth(_) | End::Volume(_)));
@@ -157,8 +157,14 @@ fn apart(stage: Stage<'_>) -> impl Fn(&Solved, &Solved) -> [f64; 2] + Copy {
         let [gap, time] = distance(a, b);
         // Where the wear ends a run, its time is an answer.
         let ends = if by_wear { ((a.left.time - b.left.time) / b.left.time).abs() } else { 0.0 };
-        [times * gap, times * time.max(ends / (1.0 - STEPS))]
+        [times * gap / part_of_levels(stage, b), times * time.max(ends / (1.0 - STEPS))]
     }
+}
+
+/// Part of the accuracy that the steps leave to the levels, where the depth that is wanted has the errors of both.
+fn part_of_levels(stage: Stage<'_>, level: &Solved) -> f64 {
+    let steps = level.left.integration_error.filter(|_| stage.ends_move()).unwrap_or(0.0);
+    1.0 - (steps / stage.accuracy()).min(STEPS)
 }
 
 /// How far two levels are apart in what decides whether they are enough. Heat opens a contact that is not worn in: its ends move over the elements
@@ -231,6 +237,8 @@ fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>, levels: Le
         levels.errors
     };
     // The depth of a round contact is the worn gap itself, with what the steps leave in it.
+    let part = solved.last().map_or(1.0, |level| part_of_levels(stage, level));
+    let errors = errors.map(|[gap, time]| [part * gap, time]);
     let steps = solved.last().filter(|_| stage.ends_move()).and_then(|level| level.left.integration_error).unwrap_or(0.0);
     let error = errors.map(|[gap, _]| gap + steps);
     outcome.tell(error.filter(|_| ladder.is_fixed()));

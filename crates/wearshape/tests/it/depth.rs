@@ -1,5 +1,7 @@
 //! The depth told is the largest of the profile, not that of the deepest contact point.
 
+use wearshape::Status;
+
 use crate::common::{scene, solved};
 
 /// Worn for a time; a lining is deepest somewhere between its points, which fall elsewhere on every degree: 1.5e-5 short at the points of degree 8.
@@ -12,4 +14,15 @@ fn the_depth_of_a_lining_is_not_that_of_a_point() {
         });
         assert!((coarse / fine - 1.0).abs() < 1e-6, "{name}: {coarse} {fine}");
     }
+}
+
+/// A housing worn as deep as its shaft is pressed into it: steps that are as coarse as elsewhere set the levels apart by more than the accuracy.
+#[test]
+fn a_journal_worn_little_is_as_accurate_as_asked_for() {
+    let of = |accuracy: &str| solved(&scene("journal", &["tasks=[\"wear\"]", "wear.until={depth=2e-3}", accuracy]));
+    let [rough, fine] = ["accuracy=1e-4", "accuracy=1e-5"].map(of);
+    assert_eq!(rough.status, Status::Ok, "{:?}", rough.reason);
+    let [time, true_time] = [&rough, &fine].map(|solution| solution.wear.as_ref().unwrap().time.unwrap());
+    let error = (time / true_time - 1.0).abs();
+    assert!(error < rough.error.unwrap().gap_relative.unwrap(), "{error:.1e}");
 }

@@ -109,7 +109,15 @@ pub(super) fn run(
     if let Err(fault) = check_levels(finished, SAMPLES, modes).and_then(|()| check_states(&states, &problem)) {
         return Ok(Err(Unfinished::Unfit(fault)));
     }
-    let known_error = finished.first().map(|level| level.integration_error);
+    // Steps of contacts that grow are as fine as the first level says that they have to be, and what they leave wrong is measured anew then,
+    // but told as no less than is expected of steps that much finer.
+    let first_error = finished.first().and_then(|level| level.integration_error);
+    let finer = first_error.filter(|_| problem.growing).map_or(1.0, |error| (GROWING * stage.accuracy() / error).min(1.0));
+    if let Stepping::Adaptive { accuracy } = &mut problem.stepping {
+        *accuracy *= finer;
+    }
+    let alike = if finer < 1.0 { finished.get(1) } else { finished.first() };
+    let known_error = alike.map(|level| level.integration_error);
     let scenes = Scenes { stages: &stages, loads, pieces, reduced: &reduced, pair: &pair, operator: &operator, finished, hot };
     let run_level = RunLevel {
         finished,
@@ -122,7 +130,8 @@ pub(super) fn run(
     if run.stopped {
         return Ok(Err(Unfinished::Stopped(run.history)));
     }
-    let integration_error = known_error.unwrap_or_else(|| integration_error(&problem, &run));
+    let measured = || integration_error(&problem, &run).map(|error| error.max(first_error.map_or(0.0, |first| finer * first)));
+    let integration_error = known_error.unwrap_or_else(measured);
     effort.add_seconds(Step::Evolution, stage.clock()() - start);
     let (left, ran) = scenes.ran(mesh, &problem, run, effort)?;
     Ok(Ok((FinishedLevel { integration_error, ..left }, ran)))
@@ -268,6 +277,9 @@ fn result(run: &Run, stage: Stage<'_>) -> WearResult {
         to_1_percent: run.settled.clone().filter(|_| steady),
     }
 }
+
+/// Part of the accuracy that the steps may take where the contact grows: levels are apart by what it is on each of them.
+const GROWING: f64 = 0.1;
 
 /// How much coarser the steps of the run are that a run is compared with, by the error that each may make.
 const COARSER: f64 = 16.0;
