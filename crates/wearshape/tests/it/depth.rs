@@ -1,8 +1,10 @@
 //! The depth told is the largest of the profile, not that of the deepest contact point.
 
-use wearshape::Status;
+use std::ops::ControlFlow;
 
-use crate::common::{scene, solved};
+use wearshape::{Bodies, Event, Options, Status, solve};
+
+use crate::common::{digits, scene, solved};
 
 /// Worn for a time; a lining is deepest somewhere between its points, which fall elsewhere on every degree: 1.5e-5 short at the points of degree 8.
 #[test]
@@ -25,4 +27,23 @@ fn a_journal_worn_little_is_as_accurate_as_asked_for() {
     let [time, true_time] = [&rough, &fine].map(|solution| solution.wear.as_ref().unwrap().time.unwrap());
     let error = (time / true_time - 1.0).abs();
     assert!(error < rough.error.unwrap().gap_relative.unwrap(), "{error:.1e}");
+}
+
+/// Stopped on the first level, on the second with its finer steps, and on the third.
+#[test]
+fn a_run_with_finer_steps_goes_on_from_where_it_was_stopped() {
+    let problem = scene("journal", &["tasks=[\"wear\"]", "wear.until={depth=5e-3}"]);
+    let whole = solved(&problem);
+    for step in [10, 60, 120] {
+        let mut steps = 0;
+        let stopped = solve(&problem, &Options::default(), &Bodies::default(), &mut |event| {
+            steps += usize::from(matches!(event, Event::WearStep(_)));
+            if steps > step { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        });
+        let stopped = stopped.unwrap();
+        assert_eq!(stopped.status, Status::Interrupted);
+        let options = Options { resume: stopped.resume.as_ref(), ..Options::default() };
+        let resumed = solve(&problem, &options, &Bodies::default(), &mut |_| ControlFlow::Continue(())).unwrap();
+        assert!(digits(&resumed) == digits(&whole), "step {step}");
+    }
 }
