@@ -138,7 +138,12 @@ fn of_cells(mesh: &Mesh, body: &Body) -> BodyOutline {
 }
 
 fn drawn(curve: &Curve) -> Vec<[f64; 2]> {
-    let pieces = if curve.is_straight() { 1 } else { PIECES / 4 };
+    let pieces = match curve {
+        // As many for a turn as of a template's arc.
+        Curve::Arc { from, to, .. } => ((to - from).abs() / std::f64::consts::TAU * (2 * PIECES) as f64).ceil().max(1.0) as usize,
+        curve if curve.is_straight() => 1,
+        _ => PIECES / 4,
+    };
     (0..=pieces).map(|i| curve.point(2.0 * i as f64 / pieces as f64 - 1.0)).collect()
 }
 
