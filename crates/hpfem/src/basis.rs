@@ -38,6 +38,15 @@ pub(crate) struct Table {
     pub(crate) all: [Mat<f64>; 4],
     /// The rows of `all` with `i >= j`, in the same order.
     pub(crate) lower: [Mat<f64>; 4],
+    /// The shape functions in their own order, and their slopes, at the points of the rule.
+    pub(crate) shapes: [Mat<f64>; 2],
+}
+
+/// Shape functions of a degree and their slopes at points, `points x functions`.
+pub(crate) fn shapes_at(degree: usize, points: &[f64]) -> [Mat<f64>; 2] {
+    let functions: Vec<_> = points.iter().map(|x| shape_functions(degree, *x)).collect();
+    let values = Mat::from_fn(points.len(), degree + 1, |q, i| functions[q].0[i]);
+    [values, Mat::from_fn(points.len(), degree + 1, |q, i| functions[q].1[i])]
 }
 
 /// Tables by degree, made when first asked for.
@@ -72,7 +81,8 @@ impl Table {
                 }
             }
         }
-        Table { functions: n, rule, order, all, lower }
+        let shapes = shapes_at(degree, &rule.points);
+        Table { functions: n, rule, order, all, lower, shapes }
     }
 }
 

@@ -157,6 +157,9 @@ impl<'a> Warming<'a> {
                 add(column, sign * c, self.warm.values[*group].col_as_slice(*index));
             }
             let fixed: f64 = target.fixed.iter().map(|fixed| fixed.share * fixed.value).sum();
+            if fixed == 0.0 && row >= modes.corners {
+                continue;
+            }
             for (value, TemperatureCase { state, reference, .. }) in column.iter_mut().zip(cases) {
                 // The corners alone make up a constant.
                 let above = if row < modes.corners { *reference } else { 0.0 };
@@ -253,7 +256,7 @@ impl<'a> Warming<'a> {
                 *to = expansion * if *mode < ni { inside[*mode] } else { on_boundary(*mode - ni) };
             }
         }
-        Ok(elastic.strain_matrix(cell, local, coefficients.as_ref()))
+        Ok(elastic.strain_matrix(cell, local, coefficients.as_ref(), work))
     }
 }
 
@@ -293,7 +296,9 @@ pub(crate) fn eliminate(k: MatRef<'_, f64>, ni: usize, mut load: Mat<f64>) -> Ma
 
 /// Adds a multiple of numbers to others.
 pub(crate) fn add(to: &mut [f64], factor: f64, from: &[f64]) {
-    to.iter_mut().zip(from).for_each(|(to, from)| *to += factor * from);
+    if factor != 0.0 {
+        to.iter_mut().zip(from).for_each(|(to, from)| *to += factor * from);
+    }
 }
 
 /// Refuses temperatures of another mesh, or with sources inside.

@@ -27,7 +27,8 @@ pub(crate) fn cell_geometry(mesh: &Mesh, cell: usize, xi: &[f64], eta: &[f64]) -
     let curves: [_; 4] = std::array::from_fn(|e| mesh.local_curve(cell, e));
     let along = |e: usize, t: &[f64]| -> Vec<_> { t.iter().map(|t| (curves[e].point(*t), curves[e].derivative(*t))).collect() };
     let (e0, e1, e2, e3) = (along(0, xi), along(1, eta), along(2, xi), along(3, eta));
-    let mut geometry = CellGeometry { position: Vec::new(), derivative: Vec::new() };
+    let points = xi.len() * eta.len();
+    let mut geometry = CellGeometry { position: Vec::with_capacity(points), derivative: Vec::with_capacity(points) };
     for (b, y) in eta.iter().enumerate() {
         for (a, x) in xi.iter().enumerate() {
             let (point, derivative) = blend(&corners, [e0[a], e1[b], e2[a], e3[b]], *x, *y);
@@ -64,6 +65,8 @@ pub(crate) struct Workspace {
     eta_side: Vec<f64>,
     xi_side: Vec<f64>,
     out: Vec<f64>,
+    /// Of the sums of modes of a cell at its points.
+    pub(crate) sums: [Vec<f64>; 5],
 }
 
 /// A matrix on the first `rows * columns` numbers of a buffer, which grows if need be; the contents are what was there before.

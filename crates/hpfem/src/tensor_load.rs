@@ -5,8 +5,8 @@
 //! cell.
 
 use crate::assembly::Assembly;
+use crate::basis::{Table, points_for, shapes_at};
 use crate::element::{CellGeometry, cell_geometry};
-use crate::legendre::shape_functions;
 use crate::point_load::{PointLoad, Rows};
 use crate::quadrature::gauss;
 use faer::linalg::matmul::matmul;
@@ -28,16 +28,15 @@ impl Grid {
     pub(crate) fn new(assembly: &Assembly<'_>, cell: usize, degree: usize, points: usize) -> Grid {
         let rule = gauss(points);
         let geometry = cell_geometry(assembly.mesh, cell, &rule.points, &rule.points);
-        let functions: Vec<_> = rule.points.iter().map(|x| shape_functions(degree, *x)).collect();
-        let values = Mat::from_fn(points, degree + 1, |q, i| functions[q].0[i]);
-        let slopes = Mat::from_fn(points, degree + 1, |q, i| functions[q].1[i]);
+        let known = (points == points_for(degree)).then(|| Table::of(degree).shapes.clone());
+        let shapes = known.unwrap_or_else(|| shapes_at(degree, &rule.points));
         let measured = |q: usize| {
             let [[xx, xe], [zx, ze]] = geometry.derivative[q];
             let weight = rule.weights[q % points] * rule.weights[q / points];
             weight * (xx * ze - xe * zx) * assembly.kinematics.measure(geometry.position[q][0])
         };
         let volume = (0..points * points).map(measured).collect();
-        Grid { points: rule.points, shapes: [values, slopes], geometry, volume }
+        Grid { points: rule.points, shapes, geometry, volume }
     }
 
     /// Number of points.
@@ -88,35 +87,46 @@ impl Grid {
 
     /// Loads with these densities times sums of modes, a column each, by their coefficients as in [`Grid::values`]: all columns go through each product
     /// at once.
-    pub(crate) fn by_modes(&self, rows: Rows<'_>, densities: &[[Mat<f64>; 3]], coefficients: MatRef<'_, f64>) -> Mat<f64> {
+    pub(crate) fn by_modes(
+        &self,
+        rows: Rows<'_>,
+        densities: &[[Mat<f64>; 3]],
+        coefficients: MatRef<'_, f64>,
+        memory: &mut [Vec<f64>; 5],
+    ) -> Mat<f64> {
         let [values, slopes] = self.shapes.each_ref().map(Mat::as_ref);
         let (nq, n, many) = (values.nrows(), values.ncols(), coefficients.ncols());
-        let mut load = Mat::<f64>::zeros(rows.components * rows.local.modes, many);
-        let given: Vec<f64> = coefficients.col_iter().flat_map(|column| column.iter().copied()).collect();
-        let (mut along, mut at_points) = (vec![0.0; nq * n * many], vec![0.0; nq * nq * many]);
-        apply(values, &given, Accum::Replace, &mut along);
+        let sizes = [n * n, nq * n, nq * n, nq * nq, nq * nq];
+        memory.iter_mut().zip(sizes).for_each(|(numbers, size)| numbers.resize(size * many, 0.0));
+        let [by_modes, along, turned, at_points, scaled] = memory;
+        for (to, column) in by_modes.chunks_exact_mut(n * n).zip(coefficients.col_iter()) {
+            to.iter_mut().zip(column.iter()).for_each(|(to, coefficient)| *to = *coefficient);
+        }
+        apply(values, by_modes, Accum::Replace, along);
         // Rows: points along eta. Columns: points along xi, then columns.
-        apply(values, &transposed_blocks(&along, nq, n), Accum::Replace, &mut at_points);
-        let (mut scaled, mut by_eta) = (at_points.clone(), vec![0.0; n * nq * many]);
-        let mut sum = vec![0.0; n * n * many];
+        transpose_blocks(along, nq, n, turned);
+        apply(values, turned, Accum::Replace, at_points);
+        let mut load = Mat::<f64>::zeros(rows.components * rows.local.modes, many);
         for (component, [value, along_xi, along_eta]) in densities.iter().enumerate() {
-            let mut scale = |density: &Mat<f64>, shapes: MatRef<'_, f64>, accumulate: Accum, out: &mut [f64]| {
-                let turned = density.transpose().to_owned();
-                for (j, (to, from)) in scaled.chunks_exact_mut(nq).zip(at_points.chunks_exact(nq)).enumerate() {
-                    let both = from.iter().zip(turned.col_as_slice(j % nq));
-                    to.iter_mut().zip(both).for_each(|(to, (from, g))| *to = from * g);
+            by_modes.fill(0.0);
+            // In the plane a strain has no part along the value, in a rectangle each component one along its own direction alone.
+            for (by_xi, parts) in [(slopes, &[(along_xi, values)][..]), (values, &[(along_eta, slopes), (value, values)])] {
+                let mut accumulate = Accum::Replace;
+                for (density, shapes) in parts.iter().filter(|(density, _)| !is_zero(density)) {
+                    let density = density.transpose().to_owned();
+                    for (j, (to, from)) in scaled.chunks_exact_mut(nq).zip(at_points.chunks_exact(nq)).enumerate() {
+                        let both = from.iter().zip(density.col_as_slice(j % nq));
+                        to.iter_mut().zip(both).for_each(|(to, (from, g))| *to = from * g);
+                    }
+                    apply(shapes.transpose(), scaled, accumulate, along);
+                    accumulate = Accum::Add;
                 }
-                apply(shapes.transpose(), &scaled, accumulate, out);
-            };
-            scale(along_xi, values, Accum::Replace, &mut by_eta);
-            apply(slopes.transpose(), &transposed_blocks(&by_eta, n, nq), Accum::Replace, &mut sum);
-            scale(along_eta, slopes, Accum::Replace, &mut by_eta);
-            // In the plane a strain has no part along the value.
-            if value.col_iter().any(|column| column.iter().any(|v| *v != 0.0)) {
-                scale(value, values, Accum::Add, &mut by_eta);
+                if matches!(accumulate, Accum::Add) {
+                    transpose_blocks(along, n, nq, turned);
+                    apply(by_xi.transpose(), turned, Accum::Add, by_modes);
+                }
             }
-            apply(values.transpose(), &transposed_blocks(&by_eta, n, nq), Accum::Add, &mut sum);
-            for (k, modes) in sum.chunks_exact(n * n).enumerate() {
+            for (k, modes) in by_modes.chunks_exact(n * n).enumerate() {
                 let column = load.col_as_slice_mut(k);
                 for (value, mode) in modes.iter().zip(&rows.local.position).filter(|(_, mode)| **mode != usize::MAX) {
                     column[rows.row(*mode, component)] = *value;
@@ -144,7 +154,7 @@ impl Grid {
             };
             scale(by_xi, slopes, Accum::Replace, &mut along);
             // In the plane a strain has no part along the value.
-            if value.col_iter().any(|column| column.iter().any(|v| *v != 0.0)) {
+            if !is_zero(value) {
                 scale(value, values, Accum::Add, &mut along);
             }
             matmul(sum.as_mut(), Accum::Replace, along.as_ref(), values.as_ref(), 1.0, Par::Seq);
@@ -158,6 +168,11 @@ impl Grid {
     }
 }
 
+/// Whether a load is nowhere.
+fn is_zero(density: &Mat<f64>) -> bool {
+    density.col_iter().all(|column| column.iter().all(|v| *v == 0.0))
+}
+
 /// A matrix times one whose columns stand one after the other.
 fn apply(matrix: MatRef<'_, f64>, columns: &[f64], accumulate: Accum, out: &mut [f64]) {
     let many = columns.len() / matrix.ncols();
@@ -166,12 +181,10 @@ fn apply(matrix: MatRef<'_, f64>, columns: &[f64], accumulate: Accum, out: &mut 
 }
 
 /// Blocks of `rows x columns`, one after the other, each transposed.
-fn transposed_blocks(blocks: &[f64], rows: usize, columns: usize) -> Vec<f64> {
-    let mut turned = vec![0.0; blocks.len()];
+fn transpose_blocks(blocks: &[f64], rows: usize, columns: usize, turned: &mut [f64]) {
     for (to, from) in turned.chunks_exact_mut(rows * columns).zip(blocks.chunks_exact(rows * columns)) {
         for (i, to) in to.chunks_exact_mut(columns).enumerate() {
             to.iter_mut().zip(from[i..].iter().step_by(rows)).for_each(|(to, from)| *to = *from);
         }
     }
-    turned
 }

@@ -168,7 +168,13 @@ impl Assembly<'_> {
     }
 
     /// The same of many strains without constant parts, by their coefficients a column each.
-    pub(crate) fn strain_matrix(&self, cell: usize, local: &LocalModes, coefficients: MatRef<'_, f64>) -> Mat<f64> {
+    pub(crate) fn strain_matrix(
+        &self,
+        cell: usize,
+        local: &LocalModes,
+        coefficients: MatRef<'_, f64>,
+        work: &mut Workspace,
+    ) -> Mat<f64> {
         let rows = Rows { components: self.space.components, local };
         if self.mesh.cells[cell].is_triangle() {
             return self.triangle_strains(cell, rows, coefficients, &vec![0.0; coefficients.ncols()]);
@@ -177,7 +183,7 @@ impl Assembly<'_> {
         let grid = Grid::new(self, cell, degree, points_for(degree));
         let unit = |q: usize| self.strain_load(self.mesh.cells[cell].material, grid.position(q)[0], ALIKE);
         let loads: Vec<PointLoad> = (0..grid.len()).map(unit).collect();
-        grid.by_modes(rows, &grid.densities(rows.components, &loads), coefficients)
+        grid.by_modes(rows, &grid.densities(rows.components, &loads), coefficients, &mut work.sums)
     }
 
     /// Loads of strains alike in all directions on a triangle: three products of matrices for all of them.
