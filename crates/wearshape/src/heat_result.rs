@@ -90,12 +90,12 @@ impl Serialize for SpeedFactor {
     }
 }
 
-/// Largest relative difference of a factor on two meshes.
+/// Largest relative difference of a factor on two meshes, or by all heat and by what of it is smooth.
 const ALIKE: f64 = 0.01;
 
 impl HeatResult {
-    /// Takes in the factors on the sliding speed. Of those at which the contact is singular it is the least that another mesh has as well; without
-    /// another mesh nothing is said of them.
+    /// Takes in the factors on the sliding speed. Of those at which the contact is singular it is the least that another mesh has as well, or heat that is
+    /// smooth along the surface; without either nothing is said of them.
     pub(crate) fn take_speeds(&mut self, Speeds { factors: found, separation }: &Speeds, other: Option<&SpeedFactors>) {
         let factor = |found: Option<f64>| Some(found.map_or(SpeedFactor::None, SpeedFactor::At));
         self.staggered_limit_speed_factor = factor(found.staggered);

@@ -1,6 +1,6 @@
 //! What frictional heat is to a shape: bodies bent by the heat of the wanted pressure, and the factors on the sliding speed that the shape bears.
 
-use contact::{ContactLoad, ContactOperator, Pair, SpeedFactors};
+use contact::{ContactLoad, Pair, SpeedFactors};
 use meshing::Cut;
 use scene::Fault;
 use shapeopt::SurfacePlace;
@@ -49,11 +49,6 @@ impl<'a> HotShape<'a> {
         Following::of(&self.bodies)
     }
 
-    /// The bodies bent by heat that is near that of the wanted pressure, as far as it is smooth.
-    pub(crate) fn following_smoothly(&self) -> Result<Following<'a>, Fault> {
-        Following::near(&self.bodies, &self.heat)
-    }
-
     /// Temperatures and powers of the shape on its pair, into its columns and as numbers.
     pub(crate) fn tell(&self, shaper: &Shaper<'_>, pair: &Pair<'_>, told: &mut Told) -> Result<HeatResult, Fault> {
         let cold = shaper.stage.cases().map(|cases| cases.len());
@@ -75,27 +70,18 @@ pub(crate) fn wanted_heat(shaper: &Shaper<'_>, surfaces: &Surfaces, heat: &Heat)
     Ok(PointHeat { friction, into })
 }
 
-/// Factors on the sliding speed of a shape, whose closed points are those where pressure is wanted.
-pub(crate) fn speeds(shaper: &Shaper<'_>, following: &Following<'_>) -> Result<Speeds, Fault> {
-    at_wanted(shaper, following, |operator, at| following.speeds(operator, at, &following.surfaces.rates))
-}
-
-/// Those of another level, at which the contact of the shape is singular, for comparison.
-pub(crate) fn other_factors(shaper: &Shaper<'_>, following: &Following<'_>) -> Result<SpeedFactors, Fault> {
-    at_wanted(shaper, following, |operator, at| following.factors(operator, at))
-}
-
-/// Of the contact of a shape, with its load and the points where pressure is wanted.
-fn at_wanted<T>(
-    shaper: &Shaper<'_>,
-    following: &Following<'_>,
-    of: impl Fn(&ContactOperator<'_>, (&ContactLoad, &[bool])) -> Result<T, Fault>,
-) -> Result<T, Fault> {
+/// Factors on the sliding speed of a shape, whose closed points are those where pressure is wanted; where its contact is singular at any, also those of
+/// smooth heat, for comparison.
+pub(crate) fn speeds(shaper: &Shaper<'_>, following: &Following<'_>) -> Result<(Speeds, Option<SpeedFactors>), Fault> {
     let pair = following.reduced.pair()?;
     let operator = following.reduced.operator(&pair, shaper.stage.friction() > 0.0)?;
     let closed: Vec<bool> =
         operator.points().iter().map(|p| shaper.pressure(&SurfacePlace::from(p), Some(&pair)) > 0.0).collect();
-    of(&operator, (&contact_load(shaper, operator.points()), &closed))
+    let load = contact_load(shaper, operator.points());
+    let found = following.speeds(&operator, (&load, &closed), &following.surfaces.rates)?;
+    let singular = !found.factors.singular.is_empty();
+    let smooth = singular.then(|| following.smooth_factors(&operator, (&load, &closed))).transpose()?;
+    Ok((found, smooth))
 }
 
 /// Load of a contact on the shape, with the worn motions of its wear.

@@ -35,9 +35,6 @@ const SAMPLES: usize = 201;
 /// The same on a fixed discretisation, whose few layers may leave an error that stands up only near the ends.
 const CLOSER: usize = 801;
 
-/// Degrees that the level has less, if there is one, that tells what of the heat of a shape is no property of the mesh.
-const OTHER: usize = 4;
-
 /// One solved level.
 struct Solved<'a> {
     level: Level,
@@ -47,7 +44,7 @@ struct Solved<'a> {
     /// Closing velocities of the rigid modes at the samples.
     closing: DMatrix<f64>,
     effort: Effort,
-    /// The bodies and the heat of the wanted pressure, of a scene with heat.
+    /// The bodies and the heat of the wanted pressure, of a scene with heat, unless more levels were expected.
     hot: Option<HotShape<'a>>,
 }
 
@@ -84,12 +81,15 @@ pub(crate) fn solve(stage: Stage<'_>, before: &Before<'_>, watch: &mut Watch<'_>
     let degrees: Vec<usize> = ladder.levels.iter().map(|level| level.degree).collect();
     let mut outcome = Outcome { stopped, ladder: rungs(&degrees, &solved, "gap", 0, distance), ..Outcome::default() };
     let (last, error) = ladder.to_report(&solved, beside.as_ref(), &distance);
+    // A level that was hardly to be the last one has not kept its heat.
+    let cold = last.filter(|last| last.hot.is_none() && stage.problem.heat.is_some());
+    let again = cold.map(|last| shaper.level(last.level, false)).transpose()?;
+    again.iter().for_each(|level| effort += level.effort.clone());
+    let last = again.as_ref().or(last);
     outcome.tell(error.filter(|_| ladder.is_fixed()));
     if let Some(last) = last {
         outcome.error = error_of_gap(error, measure, &ladder.told_by(solved.len()), before.how);
-        let coarser = |by: usize| solved.iter().rfind(move |other| other.level.degree + by <= last.level.degree);
-        let other = beside.as_ref().or_else(|| coarser(OTHER)).or_else(|| coarser(1));
-        let work = shaper.report((last, other), before.passes, &mut outcome)?;
+        let work = shaper.report(last, before.passes, &mut outcome)?;
         effort += work;
         let least = least_error(&last.shape, measure, &outcome);
         if error.is_some_and(|error| error < least) {
@@ -153,16 +153,12 @@ impl<'a> Shaper<'a> {
                 modes[(row, k)] = phi;
             }
         }
+        let hot = hot.filter(|_| !left);
         Ok(Solved { level, reduced, shape, gaps, closing: modes, effort, hot })
     }
 
-    /// Everything that is reported of a level, with its proof; another level tells what of its heat is no property of the mesh.
-    fn report(
-        &self,
-        (solved, other): (&Solved<'a>, Option<&Solved<'a>>),
-        passes: usize,
-        outcome: &mut Outcome,
-    ) -> Result<Effort, Fault> {
+    /// Everything that is reported of a level, with its proof.
+    fn report(&self, solved: &Solved<'a>, passes: usize, outcome: &mut Outcome) -> Result<Effort, Fault> {
         let Solved { reduced, shape, gaps, .. } = solved;
         let (stage, pair) = (self.stage, reduced.pair()?);
         let most = (0..gaps.len()).max_by(|a, b| gaps[*a].total_cmp(&gaps[*b])).unwrap_or(0);
@@ -184,7 +180,7 @@ impl<'a> Shaper<'a> {
         outcome.machined = stage.options.machining.then(|| self.machined(&pair, shape));
         let mut told = self.told(reduced, &pair, shape);
         let mut effort = Effort::default();
-        let following = self.heated((solved, other), (&mut told, &mut effort), outcome)?;
+        let following = self.heated(solved, (&mut told, &mut effort), outcome)?;
         // Heat that is not there, as that of a run that was stopped, tells no tolerance.
         if stage.options.machining && following.is_some() == solved.hot.is_some() {
             let bodies = following.as_ref().map_or(reduced, |following| &following.reduced);
@@ -221,7 +217,7 @@ impl<'a> Shaper<'a> {
     /// that follows the pressure.
     fn heated(
         &self,
-        (solved, other): (&Solved<'a>, Option<&Solved<'a>>),
+        solved: &Solved<'a>,
         (told, effort): (&mut Told, &mut Effort),
         outcome: &mut Outcome,
     ) -> Result<Option<Following<'a>>, Fault> {
@@ -232,11 +228,8 @@ impl<'a> Shaper<'a> {
         let mut following = None;
         if !outcome.stopped {
             let own = hot.following()?;
-            let found = hot_shape::speeds(self, &own)?;
-            // Without a speed at which the contact is singular there is nothing to compare.
-            let other = other.and_then(|other| other.hot.as_ref()).filter(|_| !found.factors.singular.is_empty());
-            let other = other.map(|other| hot_shape::other_factors(self, &other.following_smoothly()?)).transpose()?;
-            result.take_speeds(&found, other.as_ref());
+            let (found, smooth) = hot_shape::speeds(self, &own)?;
+            result.take_speeds(&found, smooth.as_ref());
             following = Some(own);
         }
         outcome.heat = Some(result);

@@ -150,16 +150,20 @@ impl<'a> Following<'a> {
         Err(Fault::at("heat.conductance", "not-converged", message, "give heat.share, or another gap"))
     }
 
-    /// Factors on the sliding speed for points in contact.
-    pub(crate) fn factors(
+    /// Factors on the sliding speed for points in contact whose heat acts as far as it is smooth along the surface: without what is as fine as the points.
+    pub(crate) fn smooth_factors(
         &self,
         operator: &ContactOperator<'_>,
         (base, closed): (&ContactLoad, &[bool]),
     ) -> Result<SpeedFactors, Fault> {
-        operator.speed_factors(&self.fitting(base, &self.surfaces.rates, closed)?, closed).map_err(unsolved)
+        let (points, smooth) = (&self.surfaces.points, self.surfaces.smooth());
+        let kept = Mat::from_fn(points.len(), smooth.ncols(), |i, k| points[i].weight * smooth[(i, k)]) * smooth.transpose();
+        let mut shared = self.shared(closed)?;
+        shared.into = shared.into.map(|into| &kept * into);
+        operator.speed_factors(&self.fitting(base, &self.surfaces.rates, &shared), closed).map_err(unsolved)
     }
 
-    /// The same, and the factor of separation, where normal forces make heat at other rates (mm/s).
+    /// Factors on the sliding speed for points in contact, and that of separation, where normal forces make heat at these rates (mm/s).
     pub(crate) fn speeds(
         &self,
         operator: &ContactOperator<'_>,
@@ -167,19 +171,19 @@ impl<'a> Following<'a> {
         rates: &[f64],
     ) -> Result<Speeds, Fault> {
         let all = vec![true; closed.len()];
-        let (whole, separation) = operator.closed_factors(&self.fitting(base, rates, &all)?).map_err(unsolved)?;
+        let (whole, separation) = operator.closed_factors(&self.fitting(base, rates, &self.shared(&all)?)).map_err(unsolved)?;
         let factors = match closed == all {
             true => whole,
-            false => operator.speed_factors(&self.fitting(base, rates, closed)?, closed).map_err(unsolved)?,
+            false => operator.speed_factors(&self.fitting(base, rates, &self.shared(closed)?), closed).map_err(unsolved)?,
         };
         Ok(Speeds { factors, separation })
     }
 
     /// The load of bodies that fit where nothing heats them.
-    fn fitting(&self, base: &ContactLoad, rates: &[f64], closed: &[bool]) -> Result<ContactLoad, Fault> {
-        let mut load = self.load(base, &self.shared(closed)?, rates);
+    fn fitting(&self, base: &ContactLoad, rates: &[f64], shared: &SharedHeat) -> ContactLoad {
+        let mut load = self.load(base, shared, rates);
         load.factors.iter_mut().zip(&base.factors).for_each(|(factors, base)| factors[base.len()..].fill(0.0));
-        Ok(load)
+        load
     }
 
     /// Whether what points are in contact decides how the heat is shared.
@@ -239,9 +243,8 @@ mod tests {
     use crate::options::Options;
     use crate::steps::start_gap::start_gaps;
 
-    /// Largest difference of pressures over the largest pressure, of bodies whose heat is near a known one from those whose heat is of each point: near the
-    /// heat of the contact itself, near half of it, and near half of it where what is beyond may only be even.
-    fn misses(name: &str, settings: &[&str]) -> [f64; 3] {
+    /// What is asked of the hot bodies of a scene.
+    fn on_bodies<T>(name: &str, settings: &[&str], asked: impl Fn(Stage<'_>, &HotBodies<'_>) -> T) -> T {
         let all: Vec<String> = ["tasks=[contact]"].iter().chain(settings).map(|text| text.to_string()).collect();
         let document = scene::Document::read("scene.toml", scene::builtin(name).unwrap().text, &all).unwrap();
         let problem = crate::problem::Problem::new(&document, &|file| Err(file.to_string())).unwrap();
@@ -249,6 +252,12 @@ mod tests {
         let stage = Stage::new(&problem, &options, &kept).unwrap();
         let level = Level { degree: 6, layers: 2, slow: false };
         let (bodies, _) = HotBodies::new(stage, level, (Cut::Plain, Asked::Anything)).unwrap().unwrap();
+        asked(stage, &bodies)
+    }
+
+    /// Largest difference of pressures over the largest pressure, of bodies whose heat is near a known one from those whose heat is of each point: near the
+    /// heat of the contact itself, near half of it, and near half of it where what is beyond may only be even.
+    fn misses(stage: Stage<'_>, bodies: &HotBodies<'_>) -> [f64; 3] {
         let solved = |following: &Following<'_>| {
             let pair = following.reduced.pair().unwrap();
             let operator = following.reduced.operator(&pair, stage.friction() > 0.0).unwrap();
@@ -257,7 +266,7 @@ mod tests {
             assert!(hot.found.status.is_solved(), "{:?}", hot.found.status);
             hot
         };
-        let whole = solved(&Following::of(&bodies).unwrap());
+        let whole = solved(&Following::of(bodies).unwrap());
         let largest = whole.found.pressure.iter().fold(0.0, |most: f64, p| most.max(*p));
         let apart = |hot: &Hot| {
             let differences = whole.found.pressure.iter().zip(&hot.found.pressure).map(|(a, b)| (a - b).abs());
@@ -268,16 +277,29 @@ mod tests {
         let half = PointHeat { friction: halves(&whole.heat.friction), into: [0, 1].map(|body| halves(&whole.heat.into[body])) };
         let area: f64 = bodies.surfaces.points.iter().map(|point| point.weight).sum();
         let even = bodies.near(&half, &Mat::full(n, 1, 1.0)).unwrap();
-        let even = Following::made(&bodies, even, || Follows::Sums(Mat::full(1, n, 1.0 / area)), half.into.clone());
-        let smooth = [&whole.heat, &half].map(|heat| apart(&solved(&Following::near(&bodies, heat).unwrap())));
+        let even = Following::made(bodies, even, || Follows::Sums(Mat::full(1, n, 1.0 / area)), half.into.clone());
+        let smooth = [&whole.heat, &half].map(|heat| apart(&solved(&Following::near(bodies, heat).unwrap())));
         [smooth[0], smooth[1], apart(&solved(&even))]
     }
 
     #[test]
     fn heat_near_a_known_one_gives_the_contact_of_all_heat() {
         for (name, settings) in [("clutch-hot", &[][..]), ("drum-brake-hot", &["sliding.omega=0.5"])] {
-            let misses = misses(name, settings);
+            let misses = on_bodies(name, settings, misses);
             assert!(misses[0] < 1e-9 && misses[1] < 1e-2 && misses[2] > 2.0 * misses[1], "{name} {misses:?}");
         }
+    }
+
+    #[test]
+    fn smooth_heat_has_the_first_speed_at_which_a_contact_is_singular_and_not_those_of_the_mesh() {
+        let [all, smooth] = on_bodies("clutch-hot", &[], |stage, bodies| {
+            let following = Following::of(bodies).unwrap();
+            let pair = following.reduced.pair().unwrap();
+            let operator = following.reduced.operator(&pair, stage.friction() > 0.0).unwrap();
+            let at = (&stage.contact_load(operator.points()), &vec![true; operator.points().len()][..]);
+            let all = following.speeds(&operator, at, &following.surfaces.rates).unwrap().factors;
+            [all.singular, following.smooth_factors(&operator, at).unwrap().singular]
+        });
+        assert!((smooth[0] / all[0] - 1.0).abs() < 1e-6 && smooth.len() < all.len(), "{smooth:?} {all:?}");
     }
 }
