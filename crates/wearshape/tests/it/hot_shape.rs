@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use wearshape::{Bodies, Options, Problem, Solution, SpeedFactor, Status, solve};
+use wearshape::{Bodies, Event, Options, Problem, Solution, SpeedFactor, Status, solve};
 
 use crate::common::{read, scene, solved};
 use crate::heat::{Q, SLABS, near, profile};
@@ -57,7 +57,13 @@ fn a_shape_has_its_critical_speed_with_and_without_its_proof() {
     };
     let found = factors("check=false");
     assert_eq!(found, factors("check=true"));
-    assert!(matches!(found.2, Some(SpeedFactor::At(factor)) if (factor / 1.751 - 1.0).abs() < 1e-2), "{found:?}");
+    // One level alone tells it too.
+    let fixed = scene("drum-brake-hot", &["mesh={ degree = 6, layers = 5 }", "check=false"]);
+    let options = Options { alone: true, ..Options::default() };
+    let alone = solve(&fixed, &options, &Bodies::default(), &mut |_| ControlFlow::Continue(())).unwrap().heat.unwrap();
+    for critical in [found.2, alone.critical_speed_factor] {
+        assert!(matches!(critical, Some(SpeedFactor::At(factor)) if (factor / 1.751 - 1.0).abs() < 1e-2), "{critical:?}");
+    }
 }
 
 #[test]
@@ -67,6 +73,43 @@ fn a_thousand_times_the_speed_at_which_surfaces_separate_there_is_no_answer() {
     let speed = format!("sliding.omega={}", 2e3 * factor);
     refused(&ended(&scene("clutch-hot", &["tasks=[contact]", "accuracy=1e-3", &speed])), "slide more slowly");
     refused(&ended(&scene("clutch-hot", &["tasks=[shape]", "accuracy=1e-3", &speed])), "beyond the critical one");
+}
+
+#[test]
+fn a_hot_shape_that_is_stopped_tells_the_heat_of_the_level_it_came_to() {
+    let problem = scene("clutch-hot", &["accuracy=1e-6", "check=false"]);
+    let whole = solved(&problem).heat.unwrap();
+    let mut levels = 0;
+    let stopped = solve(&problem, &Options::default(), &Bodies::default(), &mut |event| {
+        levels += usize::from(matches!(event, Event::Level { .. }));
+        if levels > 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    });
+    let stopped = stopped.unwrap();
+    assert_eq!((stopped.status, levels), (Status::Interrupted, 3));
+    let heat = stopped.heat.unwrap();
+    assert!(heat.balance.unwrap() < 1e-10 && (heat.into_body1 / whole.into_body1 - 1.0).abs() < 1e-4, "{heat:?}");
+    assert!(heat.critical_speed_factor.is_none() && whole.critical_speed_factor.is_some());
+}
+
+/// Friction drags the end of the lining off the drum, or does not: then heat has to part them.
+#[test]
+fn surfaces_separate_at_no_speed_where_they_do_without_heat() {
+    let found = |friction: f64| {
+        let settings = ["mesh={ degree = 8, layers = 6 }", "check=false", &format!("contact.friction={friction}")];
+        let shape = solved(&scene("drum-brake-hot", &settings));
+        let slow = [&settings[..], &["tasks=[contact]", "sliding.omega=1e-9"]].concat();
+        let cold = solved(&scene("drum-brake-hot", &slow)).contact.unwrap();
+        let arc = 200.0 * std::f64::consts::PI / 6.0;
+        assert_eq!(cold.ends.len(), 2);
+        (shape.heat.unwrap().separation_speed_factor, cold.ends.iter().map(|end| arc - end.abs()).fold(0.0, f64::max))
+    };
+    let (factor, open) = found(0.35);
+    assert!(factor == Some(SpeedFactor::At(0.0)) && (0.15..0.25).contains(&open), "{factor:?} {open}");
+    let (factor, open) = found(0.1);
+    assert!(
+        matches!(factor, Some(SpeedFactor::At(factor)) if (factor / 0.2437 - 1.0).abs() < 1e-2) && open < 1e-9,
+        "{factor:?} {open}"
+    );
 }
 
 #[test]
