@@ -229,8 +229,8 @@ fn short_ends(stage: Stage<'_>) -> FreeEnds {
 }
 
 /// The contact on bodies with nodes on its ends.
-fn held_on<'a>(stage: Stage<'a>, positioned: Positioned, effort: &mut Effort) -> Result<Found<'a>, Fault> {
-    let Positioned { reduced, held } = positioned;
+fn held_on<'a>(stage: Stage<'a>, positioned: Positioned<'a>, effort: &mut Effort) -> Result<Found<'a>, Fault> {
+    let Positioned { reduced, held, .. } = positioned;
     *effort += reduced.sizes();
     let found = signed(stage, &reduced, Some(held), effort)?;
     Ok(Found { reduced, found, unsettled: false, hot: None })
@@ -263,12 +263,12 @@ fn signed(
 
 /// Nodes on the ends of contact, from trial ends; where these lead nowhere, or to others than those of the contact (there is tension between them), from
 /// ends that are nearer.
-fn searched(
-    stage: Stage<'_>,
+fn searched<'a>(
+    stage: Stage<'a>,
     level: Level,
     ends: &FreeEnds,
     effort: &mut Effort,
-) -> Result<Option<(FreeEnds, Positioned)>, Fault> {
+) -> Result<Option<(FreeEnds, Positioned<'a>)>, Fault> {
     let first = position(stage, level, ends, effort)?;
     let trial = match &first {
         Some((_, positioned)) if positioned.held.complementarity < NEAR => return Ok(first),
@@ -285,10 +285,10 @@ fn searched(
 
 /// Positions nodes on the ends of contact, if there are any inside the surface, and solves.
 fn find<'a>(stage: Stage<'a>, level: Level, search: &mut Search, effort: &mut Effort) -> Result<Found<'a>, Fault> {
-    if let Some(hot) = HotContact::new(stage, level, effort)? {
-        let (reduced, found) = (hot.reduced(), hot.found());
-        let unsettled = !FreeEnds::of(&found, reduced.pair()?.trace().length()).places.is_empty();
-        return Ok(Found { reduced, found, unsettled, hot: Some(hot) });
+    if stage.problem.heat.is_some()
+        && let Some(found) = find_hot(stage, level, search, effort)?
+    {
+        return Ok(found);
     }
     let Search { ends, lost, .. } = search;
     let mut trial = None;
@@ -328,6 +328,28 @@ fn find<'a>(stage: Stage<'a>, level: Level, search: &mut Search, effort: &mut Ef
         (_, held) => signed(stage, &reduced, held, effort)?,
     };
     Ok(Found { reduced, found, unsettled, hot: None })
+}
+
+/// The same with frictional heat; on the standing mesh where nodes do not settle on the ends of contact, or lead to others.
+fn find_hot<'a>(stage: Stage<'a>, level: Level, search: &mut Search, effort: &mut Effort) -> Result<Option<Found<'a>>, Fault> {
+    let mut standing = None;
+    if search.ends.places.is_empty() {
+        standing = HotContact::new(stage, level, effort)?;
+        if let Some(hot) = &standing {
+            search.ends = FreeEnds::of(&hot.found(), hot.reduced().pair()?.trace().length());
+        }
+    }
+    let positioned = position(stage, level, &search.ends, effort)?.filter(|(_, found)| found.held.complementarity < NEAR);
+    if let Some((ends, Positioned { held, hot: Some(hot), .. })) = positioned {
+        search.ends = ends;
+        let hot = if held.complementarity < SIGNS_HOLD { hot } else { HotContact::on(stage, hot.following, effort)? };
+        let mut found = hot.found();
+        found.pressure.iter_mut().for_each(|p| *p = p.max(0.0));
+        return Ok(Some(Found { reduced: hot.reduced(), found, unsettled: false, hot: Some(hot) }));
+    }
+    let unsettled = !std::mem::take(&mut search.ends).places.is_empty();
+    let hot = standing.map_or_else(|| HotContact::new(stage, level, effort), |hot| Ok(Some(hot)))?;
+    Ok(hot.map(|hot| Found { reduced: hot.reduced(), found: hot.found(), unsettled, hot: Some(hot) }))
 }
 
 /// The contact on the standing mesh of a level, and the length of its surface.

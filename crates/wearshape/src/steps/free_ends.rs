@@ -12,6 +12,8 @@ use crate::faults::unsolved;
 use crate::level::Level;
 use crate::stage::Stage;
 use crate::step::Step;
+use crate::steps::heat::contact::HotContact;
+use crate::steps::heat::following::Following;
 use crate::steps::start_gap::start_gaps;
 
 /// Accuracy of the nodes by the accuracy asked for: a misplaced end changes the pressure by about its distance over the length of the contact.
@@ -19,26 +21,22 @@ use crate::steps::start_gap::start_gaps;
 pub(crate) const TOLERANCE: f64 = 0.03;
 
 /// Bodies with element nodes on the ends of contact, and the solution with the points between the ends held in contact.
-pub(crate) struct Positioned {
+pub(crate) struct Positioned<'a> {
     pub reduced: Arc<Reduced>,
     pub held: ContactSolution,
+    /// The same contact with its heat, of a scene with heat.
+    pub hot: Option<HotContact<'a>>,
 }
 
 /// Moves nodes onto the ends, level by level from those of the last one; `None` where that does not settle.
-pub(crate) fn position(
-    stage: Stage<'_>,
+pub(crate) fn position<'a>(
+    stage: Stage<'a>,
     level: Level,
     ends: &FreeEnds,
     work: &mut Effort,
-) -> Result<Option<(FreeEnds, Positioned)>, Fault> {
+) -> Result<Option<(FreeEnds, Positioned<'a>)>, Fault> {
     ends.position(TOLERANCE * stage.accuracy(), |places| {
-        // Cells that cannot be cut there are no fault of the user's: they serve on the standing mesh.
-        let Ok((parts, effort)) = stage.parts(level, Cut::Ends(places)) else { return Ok(None) };
-        (stage.options.begun)(Step::Factor);
-        let (reduced, reduction) = Reduced::new(&parts, stage.clock())?;
-        let reduced = Arc::new(reduced);
-        *work += effort;
-        *work += reduction;
+        let Some((reduced, following)) = bodies(stage, level, places, work)? else { return Ok(None) };
         work.counters.contact_solves += 1;
         let pair = reduced.pair()?;
         let length = pair.trace().length();
@@ -48,12 +46,36 @@ pub(crate) fn position(
         let operator = work.timed(Step::Interface, stage.clock(), |_| reduced.factorised(&pair, shear, Some(&closed)))?;
         let gap = start_gaps(stage, &operator);
         let load = stage.contact_load(operator.points());
-        let held = work.timed(Step::Interface, stage.clock(), |_| operator.solve_on(&gap, &load, &closed));
-        let Some(held) = held.map_err(unsolved)? else { return Ok(None) };
+        let found = work.timed(Step::Interface, stage.clock(), |_| match &following {
+            Some(following) => Ok(following.held(&operator, &gap, &load, &closed)?.map(|hot| (hot.found.clone(), Some(hot)))),
+            None => Ok(operator.solve_on(&gap, &load, &closed).map_err(unsolved)?.map(|held| (held, None))),
+        })?;
+        let Some((held, hot)) = found else { return Ok(None) };
         // The root of the node's share of the surface takes away how the pressure of a sharp end grows with the level.
         let scaled = |n: &usize| held.pressure[*n] * operator.points()[*n].weight.sqrt();
-        Ok(Some((nodes.iter().map(scaled).collect(), Positioned { reduced: Arc::clone(&reduced), held })))
+        let residuals = nodes.iter().map(scaled).collect();
+        let hot = following.zip(hot).map(|(following, hot)| HotContact { stage, following, hot });
+        Ok(Some((residuals, Positioned { reduced: Arc::clone(&reduced), held, hot })))
     })
+}
+
+/// Bodies, and what of them follows the pressure where there is heat.
+type Followed<'a> = (Arc<Reduced>, Option<Following<'a>>);
+
+/// Bodies with nodes at places on the surface. Cells that cannot be cut there are no fault of the user's: they serve on the standing mesh.
+fn bodies<'a>(stage: Stage<'a>, level: Level, places: &[f64], work: &mut Effort) -> Result<Option<Followed<'a>>, Fault> {
+    let cut = Cut::Ends(places);
+    if stage.problem.heat.is_some() {
+        let Ok(Some((following, effort))) = Following::new(stage, level, cut) else { return Ok(None) };
+        *work += effort;
+        return Ok(Some((Arc::clone(&following.reduced), Some(following))));
+    }
+    let Ok((parts, effort)) = stage.parts(level, cut) else { return Ok(None) };
+    (stage.options.begun)(Step::Factor);
+    let (reduced, reduction) = Reduced::new(&parts, stage.clock())?;
+    *work += effort;
+    *work += reduction;
+    Ok(Some((Arc::new(reduced), None)))
 }
 
 /// Meshes on which ends come nearer before a search for them, and the step (of half the surface) at which they are near enough.

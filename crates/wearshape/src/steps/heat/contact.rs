@@ -1,4 +1,4 @@
-//! The contact of the bodies as given with frictional heat, on the standing mesh of a level.
+//! The contact of the bodies as given with frictional heat, on a mesh of a level.
 
 use std::sync::Arc;
 
@@ -21,16 +21,21 @@ use crate::steps::start_gap::start_gaps;
 
 /// A contact with its heat.
 pub(crate) struct HotContact<'a> {
-    stage: Stage<'a>,
-    following: Following<'a>,
-    hot: Hot,
+    pub stage: Stage<'a>,
+    pub following: Following<'a>,
+    pub hot: Hot,
 }
 
 impl<'a> HotContact<'a> {
-    /// Solves a level; none of a scene without heat.
+    /// Solves a level on its standing mesh; none of a scene without heat.
     pub(crate) fn new(stage: Stage<'a>, level: Level, effort: &mut Effort) -> Result<Option<HotContact<'a>>, Fault> {
         let Some((following, work)) = Following::new(stage, level, Cut::Plain)? else { return Ok(None) };
         *effort += work;
+        HotContact::on(stage, following, effort).map(Some)
+    }
+
+    /// Solves on bodies that are there.
+    pub(crate) fn on(stage: Stage<'a>, following: Following<'a>, effort: &mut Effort) -> Result<HotContact<'a>, Fault> {
         let pair = following.reduced.pair()?;
         (stage.options.begun)(Step::Contact);
         let operator =
@@ -39,7 +44,7 @@ impl<'a> HotContact<'a> {
         effort.counters.contact_solves += 1;
         let hot = effort
             .timed(Step::Contact, stage.clock(), |_| following.solve(&operator, &gap, &stage.contact_load(operator.points())))?;
-        Ok(Some(HotContact { stage, following, hot }))
+        Ok(HotContact { stage, following, hot })
     }
 
     /// The bodies.

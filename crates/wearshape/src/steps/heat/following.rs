@@ -64,6 +64,15 @@ pub(crate) struct Speeds {
     pub separation: Option<f64>,
 }
 
+impl Hot {
+    /// A contact with the heat that its forces make at these rates (mm/s).
+    fn new(found: ContactSolution, load: ContactLoad, (shared, rates): (&SharedHeat, &[f64])) -> Hot {
+        let friction: Vec<f64> = rates.iter().zip(&found.nodal_force).map(|(rate, force)| rate * force.max(0.0)).collect();
+        let into = into_bodies(shared, &friction);
+        Hot { heat: PointHeat { friction, into }, found, load, lost_at: None }
+    }
+}
+
 impl<'a> Following<'a> {
     /// Bodies of a level; none of a scene without heat.
     pub(crate) fn new(stage: Stage<'a>, level: Level, cut: Cut<'_>) -> Result<Option<(Following<'a>, Effort)>, Fault> {
@@ -137,10 +146,7 @@ impl<'a> Following<'a> {
             // A point at an end of contact may open because it conducts and close because it does not: such points do not conduct.
             let late = round >= FREE && closed.iter().zip(&found.closed).all(|(conducts, closed)| *closed || !conducts);
             if late || found.closed == closed || !self.conducts() || !found.status.is_solved() {
-                let friction: Vec<f64> =
-                    rates.iter().zip(&found.nodal_force).map(|(rate, force)| rate * force.max(0.0)).collect();
-                let into = into_bodies(&shared, &friction);
-                return Ok(Hot { heat: PointHeat { friction, into }, found, load, lost_at: None });
+                return Ok(Hot::new(found, load, (&shared, &rates)));
             }
             let kept = |(conducts, closed): (&bool, &bool)| *closed && (round < FREE || *conducts);
             closed = closed.iter().zip(&found.closed).map(kept).collect();
@@ -148,6 +154,20 @@ impl<'a> Following<'a> {
         }
         let message = "the points that conduct heat and those in contact do not settle on each other";
         Err(Fault::at("heat.conductance", "not-converged", message, "give heat.share, or another gap"))
+    }
+
+    /// The contact with these points held in contact, pressure and temperature at once, whatever the signs; none where they cannot hold the bodies.
+    pub(crate) fn held(
+        &self,
+        operator: &ContactOperator<'_>,
+        gap: &[f64],
+        base: &ContactLoad,
+        closed: &[bool],
+    ) -> Result<Option<Hot>, Fault> {
+        let (shared, rates) = (self.shared(closed)?, &self.surfaces.rates);
+        let load = self.load(base, &shared, rates);
+        let found = operator.solve_on(gap, &load, closed).map_err(unsolved)?;
+        Ok(found.map(|found| Hot::new(found, load, (&shared, rates))))
     }
 
     /// Factors on the sliding speed for points in contact whose heat acts as far as it is smooth along the surface: without what is as fine as the points.
