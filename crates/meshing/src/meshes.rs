@@ -48,7 +48,7 @@ pub struct CoarseMeshes {
 pub fn coarse_meshes(couple: &Couple, extent: Extent, cut: Cut<'_>) -> Result<CoarseMeshes, Fault> {
     let (ends, passed) = passed(cut);
     let cut = if matches!(cut, Cut::Passed(_)) { Cut::Ends(&ends) } else { cut };
-    let Split { far, near, small } = near_ends::split(cut);
+    let Split { far, near, small } = near_ends::split(cut, grown(&ends, passed));
     let cut = if near.is_empty() && small.is_empty() { cut } else { Cut::Ends(&far) };
     let mut middles: Vec<f64> = small.iter().map(|pair| near_ends::between(extent, *pair)).collect();
     if small.is_empty() {
@@ -76,6 +76,18 @@ fn passed(cut: Cut<'_>) -> (Vec<f64>, &[f64]) {
         Cut::Passed([first, passed @ .., last]) => (vec![*first, *last], passed),
         Cut::Passed(ends) => (ends.to_vec(), &[]),
         Cut::Plain | Cut::Shifted | Cut::Ends(_) => (Vec::new(), &[]),
+    }
+}
+
+/// How many times as long as its innermost place a contact is that has grown much: the ends begin at twice that.
+const MUCH: f64 = 4.0;
+
+/// Whether the ends of contact come from a much shorter one, by the two innermost of the places that they pass to both sides.
+fn grown(ends: &[f64], passed: &[f64]) -> bool {
+    let middle = passed.len() / 2;
+    match (ends, &passed[middle.saturating_sub(1)..], passed.len() % 2) {
+        ([from, to], [a, b, ..], 0) => to - from > MUCH * (b - a),
+        _ => false,
     }
 }
 

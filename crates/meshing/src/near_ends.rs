@@ -12,6 +12,8 @@ const NEAR: f64 = 0.05;
 /// Share of half the surface within which two ends of contact are one place of the mesh, whose cells are to be of the size of their distance: the
 /// stresses under a short contact fade within its length, and cells as high as the body know nothing of that.
 const SMALL: f64 = 0.25;
+/// The same of ends that have grown apart from a much shorter contact, which the cells under it have to know of.
+const GROWN: f64 = 1.2;
 /// Where the cells beside the middle of two ends end, over the distance of the farther one, and the steepest ratio of the layers that make them so.
 const BEYOND: f64 = 1.8;
 const STEEPEST: f64 = 0.35;
@@ -36,14 +38,15 @@ pub(crate) fn between(extent: Extent, pair: [f64; 2]) -> f64 {
     from + 0.5 * (1.0 + middle) * (to - from)
 }
 
-/// Sorts the ends of contact.
-pub(crate) fn split(cut: Cut<'_>) -> Split {
+/// Sorts the ends of contact, which have grown apart from a much shorter one or not.
+pub(crate) fn split(cut: Cut<'_>, grown: bool) -> Split {
+    let small = if grown { GROWN } else { SMALL };
     let (near, inner): (Vec<f64>, Vec<f64>) = cut.ends().iter().partition(|t| 1.0 - t.abs() < NEAR);
     let mut split = Split { far: Vec::new(), near, small: Vec::new() };
     let mut rest = inner.as_slice();
     while let [first, others @ ..] = rest {
         rest = match others {
-            [second, beyond @ ..] if second - first < SMALL => {
+            [second, beyond @ ..] if second - first < small => {
                 split.small.push([*first, *second]);
                 beyond
             }
