@@ -18,9 +18,12 @@ const DRIVER: &str = "playwright>=1.50,<2";
 /// What all processors of browsers since 2023 have, and a stack as large as that of a program.
 const FLAGS: &str = "-C target-feature=+simd128 -C link-arg=-zstack-size=8388608";
 /// What takes 2 % off the module, of the steps after the compiler's (`wasm-opt` of Binaryen): the first level, as the others
-/// make it larger by brotli; and what the module is built for.
-const SMALLER: [&str; 8] = [
+/// make it larger by brotli, without sets of what is there already, again until it gets no smaller; and what the module is built for.
+const SMALLER: [&str; 11] = [
     "-O1",
+    "--rse",
+    "--vacuum",
+    "--converge",
     "--enable-simd",
     "--enable-bulk-memory",
     "--enable-sign-ext",

@@ -79,14 +79,14 @@ fn passed(cut: Cut<'_>) -> (Vec<f64>, &[f64]) {
     }
 }
 
-/// How many times as long as its innermost place a contact is that has grown much: the ends begin at twice that.
-const MUCH: f64 = 4.0;
+/// How many times as long as at its start a contact is that has grown much, and the most: a shorter start is within one cell of the size of the end.
+const MUCH: [f64; 2] = [2.0, 12.0];
 
-/// Whether the ends of contact come from a much shorter one, by the two innermost of the places that they pass to both sides.
+/// Whether the ends of contact come from a much shorter one, which is twice as long as the two innermost of the places that they pass are apart.
 fn grown(ends: &[f64], passed: &[f64]) -> bool {
     let middle = passed.len() / 2;
     match (ends, &passed[middle.saturating_sub(1)..], passed.len() % 2) {
-        ([from, to], [a, b, ..], 0) => to - from > MUCH * (b - a),
+        ([from, to], [a, b, ..], 0) => (MUCH[0]..MUCH[1]).contains(&(0.5 * (to - from) / (b - a))),
         _ => false,
     }
 }

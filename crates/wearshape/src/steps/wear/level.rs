@@ -109,15 +109,7 @@ pub(super) fn run(
     if let Err(fault) = check_levels(finished, SAMPLES, modes).and_then(|()| check_states(&states, &problem)) {
         return Ok(Err(Unfinished::Unfit(fault)));
     }
-    // Steps of contacts that grow are as fine as the first level says that they have to be, and what they leave wrong is measured anew then,
-    // but told as no less than is expected of steps that much finer.
-    let first_error = finished.first().and_then(|level| level.integration_error);
-    let finer = first_error.filter(|_| problem.growing).map_or(1.0, |error| (GROWING * stage.accuracy() / error).min(1.0));
-    if let Stepping::Adaptive { accuracy } = &mut problem.stepping {
-        *accuracy *= finer;
-    }
-    let alike = if finer < 1.0 { finished.get(1) } else { finished.first() };
-    let known_error = alike.map(|level| level.integration_error);
+    let (least_error, known_error) = refine(stage, &mut problem, finished);
     let scenes = Scenes { stages: &stages, loads, pieces, reduced: &reduced, pair: &pair, operator: &operator, finished, hot };
     let run_level = RunLevel {
         finished,
@@ -130,7 +122,7 @@ pub(super) fn run(
     if run.stopped {
         return Ok(Err(Unfinished::Stopped(run.history)));
     }
-    let measured = || integration_error(&problem, &run).map(|error| error.max(first_error.map_or(0.0, |first| finer * first)));
+    let measured = || integration_error(&problem, &run).map(|error| error.max(least_error));
     let integration_error = known_error.unwrap_or_else(measured);
     effort.add_seconds(Step::Evolution, stage.clock()() - start);
     let (left, ran) = scenes.ran(mesh, &problem, run, effort)?;
@@ -280,6 +272,19 @@ fn result(run: &Run, stage: Stage<'_>) -> WearResult {
 
 /// Part of the accuracy that the steps may take where the contact grows: levels are apart by what it is on each of them.
 const GROWING: f64 = 0.1;
+
+/// Makes the steps of a contact that grows as fine as the first level says that they have to be. What they leave wrong is then at least what is
+/// expected of steps that much finer, and the second level measures it; without finer steps it is what the first level knows.
+fn refine(stage: Stage<'_>, problem: &mut WearProblem, finished: &[FinishedLevel]) -> (f64, Option<Option<f64>>) {
+    let known = |level: Option<&FinishedLevel>| level.map(|level| level.integration_error);
+    let wanted = GROWING * stage.accuracy();
+    let first = known(finished.first()).flatten().filter(|error| problem.growing && *error > wanted);
+    let Some(first) = first else { return (0.0, known(finished.first())) };
+    if let Stepping::Adaptive { accuracy } = &mut problem.stepping {
+        *accuracy *= wanted / first;
+    }
+    (wanted, known(finished.get(1)))
+}
 
 /// How much coarser the steps of the run are that a run is compared with, by the error that each may make.
 const COARSER: f64 = 16.0;
