@@ -122,8 +122,7 @@ pub(super) fn run(
     if run.stopped {
         return Ok(Err(Unfinished::Stopped(run.history)));
     }
-    let measured = || integration_error(&problem, &run).map(|error| error.max(least_error));
-    let integration_error = known_error.unwrap_or_else(measured);
+    let integration_error = known_error.unwrap_or_else(|| Some(integration_error(&problem, &run)?.max(least_error)));
     effort.add_seconds(Step::Evolution, stage.clock()() - start);
     let (left, ran) = scenes.ran(mesh, &problem, run, effort)?;
     Ok(Ok((FinishedLevel { integration_error, ..left }, ran)))
@@ -276,14 +275,13 @@ const GROWING: f64 = 0.1;
 /// Makes the steps of a contact that grows as fine as the first level says that they have to be. What they leave wrong is then at least what is
 /// expected of steps that much finer, and the second level measures it; without finer steps it is what the first level knows.
 fn refine(stage: Stage<'_>, problem: &mut WearProblem, finished: &[FinishedLevel]) -> (f64, Option<Option<f64>>) {
-    let known = |level: Option<&FinishedLevel>| level.map(|level| level.integration_error);
+    let known = |level: usize| finished.get(level).map(|level| level.integration_error);
     let wanted = GROWING * stage.accuracy();
-    let first = known(finished.first()).flatten().filter(|error| problem.growing && *error > wanted);
-    let Some(first) = first else { return (0.0, known(finished.first())) };
+    let Some(first) = known(0).flatten().filter(|error| problem.growing && *error > wanted) else { return (0.0, known(0)) };
     if let Stepping::Adaptive { accuracy } = &mut problem.stepping {
         *accuracy *= wanted / first;
     }
-    (wanted, known(finished.get(1)))
+    (wanted, known(1))
 }
 
 /// How much coarser the steps of the run are that a run is compared with, by the error that each may make.
