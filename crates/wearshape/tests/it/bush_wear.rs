@@ -10,12 +10,10 @@
 //! ```
 //! with t the length of the bush and s the distance slid, to the first order in c / R.
 
-use std::ops::ControlFlow;
-
 use approx::assert_relative_eq;
-use wearshape::{Bodies, Event, Options, Problem, Solution, Status, solve};
+use wearshape::{Problem, Solution, Status};
 
-use crate::common::{digits, scene, solved};
+use crate::common::{goes_on, scene, solved};
 
 const RADIUS: f64 = 25.0;
 const LENGTH: f64 = 30.0;
@@ -163,19 +161,7 @@ fn a_bush_worn_to_its_ends_comes_to_the_steady_pressure() {
 #[test]
 fn a_run_goes_on_from_where_it_was_stopped() {
     let problem = worn(&["wear.until=600", "mesh.degree=6"]);
-    let whole = solved(&problem);
-    for step in [1, 5] {
-        let mut steps = 0;
-        let stopped = solve(&problem, &Options::default(), &Bodies::default(), &mut |event| {
-            steps += usize::from(matches!(event, Event::WearStep(_)));
-            if steps > step { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-        });
-        let stopped = stopped.unwrap();
-        assert_eq!(stopped.status, Status::Interrupted);
-        let options = Options { resume: stopped.resume.as_ref(), ..Options::default() };
-        let resumed = solve(&problem, &options, &Bodies::default(), &mut |_| ControlFlow::Continue(())).unwrap();
-        assert!(digits(&resumed) == digits(&whole), "step {step}");
-    }
+    goes_on(&problem, &[1, 5]);
 }
 
 /// A condyle in its insert wears by a power of the pressure, and under a load that changes.

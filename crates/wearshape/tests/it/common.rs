@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use wearshape::{Bodies, Document, Effort, Options, Problem, Solution, builtin, solve};
+use wearshape::{Bodies, Document, Effort, Event, Options, Problem, Solution, Status, builtin, solve};
 
 /// The problem of a text without files beside it.
 pub(crate) fn read(text: &str, settings: &[&str]) -> Problem {
@@ -34,4 +34,21 @@ pub(crate) fn digits(solution: &Solution) -> String {
 /// Everything a problem is computed from: all of it but the keys that its text had in vain.
 pub(crate) fn computed_from(problem: &Problem) -> String {
     format!("{problem:?}").replace(&format!("unused_keys: {:?}", problem.unused_keys()), "")
+}
+
+/// A run in time that is stopped after so many steps goes on to the digits of one that is not.
+pub(crate) fn goes_on(problem: &Problem, stops: &[usize]) {
+    let whole = solved(problem);
+    for step in stops {
+        let mut steps = 0;
+        let stopped = solve(problem, &Options::default(), &Bodies::default(), &mut |event| {
+            steps += usize::from(matches!(event, Event::WearStep(_)));
+            if steps > *step { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        });
+        let stopped = stopped.unwrap();
+        assert_eq!(stopped.status, Status::Interrupted);
+        let options = Options { resume: stopped.resume.as_ref(), ..Options::default() };
+        let resumed = solve(problem, &options, &Bodies::default(), &mut |_| ControlFlow::Continue(())).unwrap();
+        assert!(digits(&resumed) == digits(&whole), "step {step}");
+    }
 }

@@ -1,10 +1,8 @@
 //! The depth told is the largest of the profile, not that of the deepest contact point.
 
-use std::ops::ControlFlow;
+use wearshape::Status;
 
-use wearshape::{Bodies, Event, Options, Status, solve};
-
-use crate::common::{digits, scene, solved};
+use crate::common::{goes_on, scene, solved};
 
 /// Worn for a time; a lining is deepest somewhere between its points, which fall elsewhere on every degree: 1.5e-5 short at the points of degree 8.
 #[test]
@@ -33,22 +31,10 @@ fn a_journal_worn_little_is_as_accurate_as_asked_for() {
 #[test]
 fn a_run_with_finer_steps_goes_on_from_where_it_was_stopped() {
     let problem = scene("journal", &["tasks=[\"wear\"]", "wear.until={depth=5e-3}"]);
-    let whole = solved(&problem);
-    for step in [10, 60, 120] {
-        let mut steps = 0;
-        let stopped = solve(&problem, &Options::default(), &Bodies::default(), &mut |event| {
-            steps += usize::from(matches!(event, Event::WearStep(_)));
-            if steps > step { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-        });
-        let stopped = stopped.unwrap();
-        assert_eq!(stopped.status, Status::Interrupted);
-        let options = Options { resume: stopped.resume.as_ref(), ..Options::default() };
-        let resumed = solve(&problem, &options, &Bodies::default(), &mut |_| ControlFlow::Continue(())).unwrap();
-        assert!(digits(&resumed) == digits(&whole), "step {step}");
-    }
+    goes_on(&problem, &[10, 60, 120]);
 }
 
-/// A roller whose contact grows to five times its length: the cells under it have to know of the first one, or its stresses do not fade within them.
+/// A roller whose contact grows to more than four times its length: the cells under it have to know of the first one, or its stresses do not fade within them.
 #[test]
 fn a_roller_worn_far_is_as_accurate_as_asked_for() {
     let of = |accuracy: &str| {
