@@ -15,15 +15,18 @@ const SHORTEST: f64 = 1.0 / 16.0;
 
 /// Share of half the surface that the contact is shorter than at the start where its ends are guessed for the first rough run.
 const SHORT: f64 = 0.5;
+/// Length of the first contact over that of Hertz below which the cells of a rough run do not know it.
+const LOST: f64 = 0.5;
 
 /// Nodes from -1 to 1 along the surface that the ends of contact pass, to where they are at the end; none where no rough run tells them.
 pub(super) fn nodes(stage: Stage<'_>, pieces: &Pieces) -> Result<(Vec<f64>, Effort), Refusal> {
     let mut effort = Effort::default();
-    let mut nodes = short(stage).map_or_else(Vec::new, |guess| cut(stage, &guess));
+    let hertz = short_contact(stage, SHORT).map(|(end, _)| end);
+    let mut nodes = hertz.map_or_else(Vec::new, |end| cut(stage, &guess(end)));
     let mut before: Option<[f64; 2]> = None;
     for _ in 0..TRIALS {
         let found = match rough::run(stage, pieces, &nodes, &mut effort) {
-            Ok(found) => found,
+            Ok(found) => with_start(found, hertz),
             // A contact that wears itself free has no end, and cells that cannot be cut there serve as they are.
             Err(_) => return Ok((Vec::new(), effort)),
         };
@@ -41,10 +44,17 @@ pub(super) fn nodes(stage: Stage<'_>, pieces: &Pieces) -> Result<(Vec<f64>, Effo
     Ok((nodes, effort))
 }
 
-/// Where the ends of a contact may move that begins too short for a mesh that knows nothing of it.
-fn short(stage: Stage<'_>) -> Option<Rough> {
-    let (end, _) = short_contact(stage, SHORT)?;
-    Some(Rough { start: [-end, end], end: [-end / SHORTEST, end / SHORTEST] })
+/// Where the ends of contact may move that begins as short as Hertz has it, too short for a mesh that knows nothing of it.
+fn guess(hertz: f64) -> Rough {
+    Rough { start: [-hertz, hertz], end: [-hertz / SHORTEST, hertz / SHORTEST] }
+}
+
+/// What a rough run found, with the first contact of Hertz where its cells were too long for that.
+fn with_start(found: Rough, hertz: Option<f64>) -> Rough {
+    let [from, to] = found.start;
+    let lost = |hertz: &f64| to - from < 2.0 * LOST * hertz;
+    let start = hertz.filter(lost).map_or(found.start, |hertz| [-hertz, hertz]);
+    Rough { start, ..found }
 }
 
 /// The nodes of ends that move as a rough run tells.
