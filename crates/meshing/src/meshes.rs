@@ -80,7 +80,7 @@ fn passed(cut: Cut<'_>) -> (Vec<f64>, &[f64]) {
 }
 
 /// How many times as long as at its start a contact is that has grown much, and the most: a shorter start is within one cell of the size of the end.
-const MUCH: [f64; 2] = [2.0, 12.0];
+const MUCH: [f64; 2] = [2.0, 15.0];
 
 /// Whether the ends of contact come from a much shorter one, which is twice as long as the two innermost of the places that they pass are apart.
 fn grown(ends: &[f64], passed: &[f64]) -> bool {
