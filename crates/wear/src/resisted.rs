@@ -9,7 +9,8 @@ const MOST: usize = 2;
 /// The pressure `p` with `stiffness p + step sum_i w_i'(p) = target > 0`, and `dp/d target`; `stiffness > 0` in mm/MPa, `step` in s,
 /// `target` in mm. At most two rules.
 ///
-/// Sums of powers are solved by Newton's method on logarithms, convex and increasing, from above; other rules in a bracket.
+/// Sums of first and second powers have a closed form, sums of others are solved by Newton's method on logarithms, convex and increasing, from above;
+/// other rules in a bracket.
 pub fn resisted_pressure(stiffness: f64, step: f64, rules: &[&LocalRule], target: f64) -> (f64, f64) {
     let mut terms = [(stiffness, 1.0), (0.0, 1.0), (0.0, 1.0)];
     for (term, rule) in terms[1..].iter_mut().zip(rules) {
@@ -21,6 +22,11 @@ pub fn resisted_pressure(stiffness: f64, step: f64, rules: &[&LocalRule], target
     if terms().all(|t| t.1 == 1.0) {
         let sum: f64 = terms().map(|t| t.0).sum();
         return (target / sum, 1.0 / sum);
+    }
+    if terms().all(|t| t.1 == 1.0 || t.1 == 2.0) {
+        let [linear, square] = [1.0, 2.0].map(|exponent| terms().filter(|t| t.1 == exponent).map(|t| t.0).sum::<f64>());
+        let root = linear.hypot(2.0 * square.sqrt() * target.sqrt());
+        return (2.0 * target / (linear + root), 1.0 / root);
     }
     let log_target = target.ln();
     let mut x = terms().map(|(c, e)| (log_target - c.ln()) / e).fold(f64::INFINITY, f64::min);
