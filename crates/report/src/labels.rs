@@ -175,6 +175,26 @@ pub(crate) fn label(key: &str) -> (String, &'static str) {
     (own.replace('_', " ").replace('.', ", "), unit)
 }
 
+/// A sentence of the summary, which is plain ASCII, with the signs of its units.
+pub(crate) fn with_signs(sentence: &str) -> String {
+    let mut out = String::new();
+    for word in sentence.split_inclusive(' ') {
+        let (unit, rest) = word.split_at(word.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(word.len()));
+        let sign = match unit {
+            "um" => "\u{b5}m",
+            "degC" => "\u{b0}C",
+            "deg" => {
+                out.truncate(out.trim_end().len());
+                "\u{b0}"
+            }
+            _ => unit,
+        };
+        out += sign;
+        out += rest;
+    }
+    out.replace("mm^3", "mm\u{b3}").replace("mm^2", "mm\u{b2}")
+}
+
 /// A word of the summary, with what it means to whom the theory is new.
 pub(crate) fn word_explained(word: &str) -> Option<&'static str> {
     Some(match word {
@@ -198,7 +218,14 @@ pub(crate) fn word_explained(word: &str) -> Option<&'static str> {
 
 #[cfg(test)]
 mod tests {
-    use super::label;
+    use super::{label, with_signs};
+
+    #[test]
+    fn sentences_of_the_page_have_the_signs_of_units() {
+        let plain = "Leave on most, 3 um, at 30 deg; hottest at 40 degC, 2 um.";
+        assert_eq!(with_signs(plain), "Leave on most, 3 \u{b5}m, at 30\u{b0}; hottest at 40 \u{b0}C, 2 \u{b5}m.");
+        assert_eq!(with_signs("2 mm^3 of a sum to a degree"), "2 mm\u{b3} of a sum to a degree");
+    }
 
     #[test]
     fn keys_become_words_with_units() {

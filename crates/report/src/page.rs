@@ -6,6 +6,7 @@ use wearshape::RunningIn;
 
 use crate::escape::escaped;
 use crate::harmless::is_harmless;
+use crate::labels::with_signs;
 use crate::page_frame::{begin, end};
 use crate::page_tables::{glance_html, stages, tables};
 use crate::run_in::run_in;
@@ -109,13 +110,13 @@ fn head(summary: &Value, resolved: &str) -> String {
     let mut out = begin(&title);
     out += &format!(
         "<h1>{title}</h1>\n<p class=\"verdict\">{}</p>\n<p class=\"soft\">{} &middot; wearshape {} &middot; status: {}</p>\n",
-        text("verdict"),
+        with_signs(&text("verdict")),
         text("scene"),
         text("version"),
         text("status")
     );
     for lint in summary["lints"].as_array().into_iter().flatten() {
-        let message = escaped(lint["message"].as_str().unwrap_or(""));
+        let message = with_signs(&escaped(lint["message"].as_str().unwrap_or("")));
         out += &format!("<p class=\"note\"><b>{}</b>: {message}</p>\n", escaped(lint["code"].as_str().unwrap_or("")));
     }
     out

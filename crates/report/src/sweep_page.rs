@@ -4,6 +4,7 @@ use serde_json::{Value, json};
 
 use crate::curves::{Picture, curves_json};
 use crate::escape::escaped;
+use crate::labels::with_signs;
 use crate::line_plot::{LinePlot, line_plot};
 use crate::page::figures;
 use crate::page_frame::{begin, end};
@@ -39,7 +40,7 @@ pub fn sweep_page(page: &SweepPage<'_>) -> String {
         text("scene"),
         text("version"),
         text("status"),
-        text("verdict")
+        with_signs(&text("verdict"))
     );
     out += &legend(page.plots);
     out += &figures(&charts, &pictures);

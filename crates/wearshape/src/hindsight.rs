@@ -191,7 +191,7 @@ fn late(problem: &Problem, solution: &Solution) -> Option<Remark> {
     let accuracy = problem.wanted.accuracy;
     let error = wear.run_in_error.filter(|error| *error > accuracy && problem.wanted.fixed.is_none())?;
     let what = if wear.to_1_percent.is_some() { "time to 1 % of the steady pressure" } else { "depth worn off" };
-    let message = format!("The {what} is accurate to {}, not to {} like the shape.", rounded(error), short(accuracy));
+    let message = format!("The {what} is accurate to {}, not to the {} asked for.", rounded(error), short(accuracy));
     Some(Remark { code: "time-less-accurate", message })
 }
 
