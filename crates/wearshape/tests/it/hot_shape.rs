@@ -75,20 +75,25 @@ fn a_thousand_times_the_speed_at_which_surfaces_separate_there_is_no_answer() {
     refused(&ended(&scene("clutch-hot", &["tasks=[shape]", "accuracy=1e-3", &speed])), "beyond the critical one");
 }
 
+/// The first levels give back their temperatures, for they are hardly the last: one that is reported all the same is solved again.
 #[test]
 fn a_hot_shape_that_is_stopped_tells_the_heat_of_the_level_it_came_to() {
     let problem = scene("clutch-hot", &["accuracy=1e-6", "check=false"]);
     let whole = solved(&problem).heat.unwrap();
-    let mut levels = 0;
-    let stopped = solve(&problem, &Options::default(), &Bodies::default(), &mut |event| {
-        levels += usize::from(matches!(event, Event::Level { .. }));
-        if levels > 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    });
-    let stopped = stopped.unwrap();
-    assert_eq!((stopped.status, levels), (Status::Interrupted, 3));
-    let heat = stopped.heat.unwrap();
-    assert!(heat.balance.unwrap() < 1e-10 && (heat.into_body1 / whole.into_body1 - 1.0).abs() < 1e-4, "{heat:?}");
-    assert!(heat.critical_speed_factor.is_none() && whole.critical_speed_factor.is_some());
+    assert!(whole.critical_speed_factor.is_some());
+    for (finished, off) in [(1, 1e-2), (2, 1e-4)] {
+        let mut levels = 0;
+        let stopped = solve(&problem, &Options::default(), &Bodies::default(), &mut |event| {
+            levels += usize::from(matches!(event, Event::Level { .. }));
+            if levels > finished { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        });
+        let stopped = stopped.unwrap();
+        assert_eq!((stopped.status, levels), (Status::Interrupted, finished + 1));
+        let heat = stopped.heat.unwrap();
+        let apart = (heat.into_body1 / whole.into_body1 - 1.0).abs();
+        assert!(heat.balance.unwrap() < 1e-10 && apart < off, "{finished}: {apart:.1e} {heat:?}");
+        assert!(heat.critical_speed_factor.is_none());
+    }
 }
 
 /// Friction drags the end of the lining off the drum, or does not: then heat has to part them.
