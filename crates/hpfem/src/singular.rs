@@ -11,8 +11,8 @@
 //! ```
 //!
 //! Boundary conditions on the two faces and continuity between sectors make a homogeneous system; the exponents are the roots of its
-//! determinant, complex in general, found here by Newton's method from many starts. A body of revolution behaves like plane strain
-//! next to a corner off the axis; torsion like antiplane shear.
+//! determinant, complex in general, found here by Newton's method from many starts, with the multiple root 0 of every corner divided out. A body of
+//! revolution behaves like plane strain next to a corner off the axis; torsion like antiplane shear.
 
 use crate::error::Error;
 use crate::freedom::Support;
@@ -265,6 +265,7 @@ fn ray(mesh: &Mesh, edge: usize, vertex: usize) -> [f64; 2] {
 pub fn corner_exponent(sectors: &[Sector], faces: Option<[Face; 2]>, kinematics: Kinematics) -> f64 {
     let mut matrix = SmallMatrix::default();
     let mut f = |l: C| determinant(l, sectors, faces, kinematics, &mut matrix);
+    let at_zero = roots_at_zero(sectors, faces, kinematics);
     let mut best = 1.0_f64;
     for i in 1..=24 {
         for j in 0..5 {
@@ -273,8 +274,10 @@ pub fn corner_exponent(sectors: &[Sector], faces: Option<[Face; 2]>, kinematics:
             for _ in 0..60 {
                 let h = 1e-6;
                 let slope = (f(l + h) - f(l - h)) / (2.0 * h);
-                step = f(l) / slope;
-                if !step.re.is_finite() || l.norm() > 4.0 {
+                // Newton's method on f / l^m.
+                let value = f(l);
+                step = value / (slope - value / l * at_zero);
+                if !step.re.is_finite() || l.norm() > 4.0 || l.norm() < 1e-4 {
                     break;
                 }
                 l -= step;
@@ -289,6 +292,25 @@ pub fn corner_exponent(sectors: &[Sector], faces: Option<[Face; 2]>, kinematics:
         }
     }
     best
+}
+
+/// Multiplicity of the root `l = 0` of the determinant, to which starts from near and far would go, slowly: one for each condition on a traction, which
+/// has the factor `l`, one for each translation that nothing holds, and one for each component of a force at a point inside the body. Two special
+/// corners have one more, which is simple then and quickly reached.
+fn roots_at_zero(sectors: &[Sector], faces: Option<[Face; 2]>, kinematics: Kinematics) -> f64 {
+    let components = kinematics.components();
+    let Some(faces) = faces else { return (components * (sectors.len() + 2)) as f64 };
+    let held = |face: &Face| match face {
+        Face::Free => 0,
+        Face::Held(_) => 1,
+        Face::Fixed => components,
+    };
+    let held = faces.each_ref().map(held);
+    let around = sectors.iter().map(|sector| sector.angle).sum::<f64>();
+    // Rollers that hold the same direction leave a translation.
+    let alike = matches!(faces, [Face::Held(a), Face::Held(b)] if (around + b - a).sin().abs() < 1e-9);
+    let holding = if alike { 1 } else { components.min(held[0] + held[1]) };
+    (components * (sectors.len() + 1) - held[0] - held[1] + components - holding) as f64
 }
 
 /// Determinant of the conditions of a corner at the exponent `l`, made in `m`.
