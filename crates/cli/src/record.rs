@@ -47,11 +47,12 @@ const CHANNELS: [&str; 5] = [PROFILE, STATE, ITERATION, LOG, MESH];
 /// Messages after which the chunk is closed and flushed: the opening of a run in time, and each finished step.
 const ENDS_OF_CHUNKS: [&str; 2] = [MESH, STATE];
 
+/// Level of Zstandard: recordings of runs in time are no larger by it than by the usual one, 3.
+const QUICKEST: u32 = 1;
+
 /// Name of the attached scene, of the attached levels before, and of the attached summary.
 const SCENE_ATTACHED: &str = "scene.resolved.toml";
 const LEVELS_ATTACHED: &str = "levels.json";
-/// Level of Zstandard: its usual one takes twice the time for a file little smaller.
-const QUICKEST: u32 = 1;
 const SUMMARY_ATTACHED: &str = "summary.json";
 
 /// Who wrote a recording.

@@ -295,8 +295,8 @@ pub fn corner_exponent(sectors: &[Sector], faces: Option<[Face; 2]>, kinematics:
 }
 
 /// Multiplicity of the root `l = 0` of the determinant, to which starts from near and far would go, slowly: one for each condition on a traction, which
-/// has the factor `l`, one for each translation that nothing holds, and one for each component of a force at a point inside the body. Two special
-/// corners have one more, which is simple then and quickly reached.
+/// has the factor `l`, one for each translation that nothing holds, and one for each component of a force at a point inside the body. Rollers
+/// in line, and a roller beside a fixed face, leave one more, which is simple then and quickly reached.
 fn roots_at_zero(sectors: &[Sector], faces: Option<[Face; 2]>, kinematics: Kinematics) -> f64 {
     let components = kinematics.components();
     let Some(faces) = faces else { return (components * (sectors.len() + 2)) as f64 };

@@ -146,6 +146,25 @@ fn rate_slope_inverse_and_potential_belong_together() {
     assert_relative_eq!(Rule::from(OwnRule::new(threshold)).inverse(1e-20, v), 0.4, max_relative = 1e-12);
 }
 
+/// Exponents 1 and 2 have a closed form, of any size of its terms.
+#[test]
+fn a_step_of_linear_and_quadratic_wear_has_its_pressure_to_round_off() {
+    let law =
+        |factor: f64, pressure_exponent: f64| Rule::from(WearLaw { factor, speed_exponent: 1.0, pressure_exponent }).at(1.0);
+    for (stiffness, step) in [(1e-5, 3.0), (1e-5, 1e12), (1e3, 1e-9), (1e-150, 1.0)] {
+        for [first, second] in
+            [[law(1e-6, 2.0), law(3e-7, 1.0)], [law(1e-6, 2.0), law(1e-120, 2.0)], [law(0.0, 1.0), law(1e-6, 2.0)]]
+        {
+            for p in [1e-60, 1e-3, 0.7, 1e5, 1e60] {
+                let target = stiffness * p + step * (first.rate(p) + second.rate(p));
+                let (found, slope) = resisted_pressure(stiffness, step, &[&first, &second], target);
+                assert_relative_eq!(found, p, max_relative = 1e-14);
+                assert_relative_eq!(slope, 1.0 / (stiffness + step * (first.slope(p) + second.slope(p))), max_relative = 1e-14);
+            }
+        }
+    }
+}
+
 #[test]
 fn two_bodies_that_wear_by_functions_share_the_rigid_wear() {
     let other = WearLaw { factor: 3e-7, speed_exponent: 1.0, pressure_exponent: 0.6 };

@@ -81,7 +81,7 @@ fn a_hot_shape_that_is_stopped_tells_the_heat_of_the_level_it_came_to() {
     let problem = scene("clutch-hot", &["accuracy=1e-6", "check=false"]);
     let whole = solved(&problem).heat.unwrap();
     assert!(whole.critical_speed_factor.is_some());
-    for (finished, off) in [(1, 1e-2), (2, 1e-4)] {
+    for (finished, off) in [(1, 1e-6), (2, 1e-7)] {
         let mut levels = 0;
         let stopped = solve(&problem, &Options::default(), &Bodies::default(), &mut |event| {
             levels += usize::from(matches!(event, Event::Level { .. }));
