@@ -3,7 +3,8 @@
 //! Every supported kinematics has the bilinear form `sum_kl int A^cd_kl (D_k v_c) (D_l u_d)` over the reference square, where
 //! `D_0` is the value, `D_1 = d/dxi`, `D_2 = d/deta`, and `A` holds material, map and measure. With tensor shape functions the
 //! integral over the square is a product of one-dimensional ones: first contract the eta points, `H = T_eta A`, then the xi
-//! points, `K = H T_xi^T`. Both are plain matrix products.
+//! points, `K = H T_xi^T`. Both are plain matrix products. Whether `D_k` and `D_l` differentiate in xi chooses `T_xi`, so that the terms of one
+//! such choice share their part of `H`.
 
 use crate::basis::{LocalModes, Table};
 use crate::error::Error;
@@ -43,10 +44,25 @@ pub(crate) fn cell_geometry(mesh: &Mesh, cell: usize, xi: &[f64], eta: &[f64]) -
 /// 1 (d/dxi) or 2 (d/deta).
 type Term = [usize; 2];
 
-/// Terms with derivatives only.
+/// Terms with derivatives only; here and below those with one [`xi_product`] stand together, in the order of [`XI_PRODUCTS`].
 const GRADIENT: [Term; 4] = [[1, 1], [1, 2], [2, 1], [2, 2]];
-/// Terms of a form that also has the value of the test or trial function.
-const FULL: [Term; 9] = [[1, 1], [1, 2], [2, 1], [2, 2], [0, 1], [0, 2], [1, 0], [2, 0], [0, 0]];
+/// Terms of a form that has the value of the trial function too.
+const TRIAL_VALUE: [Term; 6] = [[1, 1], [1, 2], [1, 0], [2, 1], [2, 2], [2, 0]];
+/// Terms of a form that has the values of both.
+const FULL: [Term; 9] = [[1, 1], [1, 2], [1, 0], [2, 1], [0, 1], [2, 2], [2, 0], [0, 2], [0, 0]];
+
+/// The products of one-dimensional functions in xi: derivatives of test and trial function, of the test function, of the trial function, of neither.
+const XI_PRODUCTS: [usize; 4] = [3, 2, 1, 0];
+
+/// The product of the functions in xi that a term takes, as an index of the tables.
+fn xi_product(term: Term) -> usize {
+    product(term, 1)
+}
+
+/// The product that a term takes in the direction whose derivatives have this order.
+fn product(term: Term, order: usize) -> usize {
+    2 * usize::from(term[0] == order) + usize::from(term[1] == order)
+}
 
 /// The bilinear form of a cell on its modes.
 pub(crate) struct CellForm<'a> {
@@ -94,7 +110,12 @@ pub(crate) fn stiffness<'w>(form: &CellForm<'_>, table: &Table, work: &'w mut Wo
     matrix_in(&mut work.matrix, size, size);
     let pairs: &[(usize, usize)] = if components == 2 { &[(0, 0), (1, 1), (1, 0)] } else { &[(0, 0)] };
     for &(c, d) in pairs {
-        let terms: &[Term] = if kinematics.has_hoop_strain() && (c, d) != (1, 1) { &FULL } else { &GRADIENT };
+        // The hoop strain is the value of component 0.
+        let terms: &[Term] = match (kinematics.has_hoop_strain(), (c, d)) {
+            (true, (0, 0)) => &FULL,
+            (true, (1, 0)) => &TRIAL_VALUE,
+            _ => &GRADIENT,
+        };
         // Coefficients A_kl at the points: one block of columns a term, rows eta, columns xi.
         let mut coefficients = matrix_in(&mut work.coefficients, nq, nq * terms.len());
         let points = PointCoefficients { form, table, geometry: &geometry, terms };
@@ -115,14 +136,18 @@ pub(crate) fn stiffness<'w>(form: &CellForm<'_>, table: &Table, work: &'w mut Wo
         let xi_tables = if c == d { &table.lower } else { &table.all };
         let rows = table.all[0].nrows();
         let columns = xi_tables[0].nrows();
-        let mut eta_side = matrix_in(&mut work.eta_side, rows, nq * terms.len());
-        let mut xi_side = matrix_in(&mut work.xi_side, columns, nq * terms.len());
-        for (i, t) in terms.iter().enumerate() {
-            let product = |order: usize| 2 * usize::from(t[0] == order) + usize::from(t[1] == order);
-            let block = eta_side.as_mut().subcols_mut(i * nq, nq);
-            let coefficient = coefficients.as_ref().subcols(i * nq, nq);
-            matmul(block, Accum::Replace, table.all[product(2)].as_ref(), coefficient, 1.0, Par::Seq);
-            xi_side.as_mut().subcols_mut(i * nq, nq).copy_from(&xi_tables[product(1)]);
+        let mut eta_side = matrix_in(&mut work.eta_side, rows, nq * XI_PRODUCTS.len());
+        let mut xi_side = matrix_in(&mut work.xi_side, columns, nq * XI_PRODUCTS.len());
+        for (block, number) in XI_PRODUCTS.into_iter().enumerate() {
+            let at = block * nq;
+            let mut first = Accum::Replace;
+            for (i, t) in terms.iter().enumerate().filter(|(_, t)| xi_product(**t) == number) {
+                let coefficient = coefficients.as_ref().subcols(i * nq, nq);
+                let eta_table = table.all[product(*t, 2)].as_ref();
+                matmul(eta_side.as_mut().subcols_mut(at, nq), first, eta_table, coefficient, 1.0, Par::Seq);
+                first = Accum::Add;
+            }
+            xi_side.as_mut().subcols_mut(at, nq).copy_from(&xi_tables[number]);
         }
         let mut out = matrix_in(&mut work.out, rows, columns);
         matmul(out.as_mut(), Accum::Replace, eta_side.as_ref(), xi_side.as_ref().transpose(), 1.0, Par::Seq);

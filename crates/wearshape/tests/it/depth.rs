@@ -50,3 +50,17 @@ fn a_roller_worn_far_is_as_accurate_as_asked_for() {
         assert!(error < 1e-4, "{until}: {error:.1e}");
     }
 }
+
+/// The worn depth has a kink where the contact ends, and a node is there: half a thousandth beside it levels were apart by 4e-4 on any degree.
+#[test]
+fn a_contact_that_grows_ends_at_a_node() {
+    let cam = ["wear.k=1e-7", "contact.friction=0.1", "sliding.omega=40", "wear.until=1", "tasks=[\"wear\"]", "accuracy=1e-3"];
+    let journal = ["tasks=[\"wear\"]", "wear.until={depth=1e-3}"];
+    let bushing = ["tasks=[\"wear\"]", "wear.until={depth=5e-2}"];
+    for (name, settings) in [("cam", &cam[..]), ("journal", &journal[..]), ("bushing", &bushing[..])] {
+        let solution = solved(&scene(name, settings));
+        assert_eq!(solution.status, Status::Ok, "{name}: {:?}", solution.reason);
+        let degree = solution.ladder.last().unwrap().degree;
+        assert!(degree <= 14, "{name}: degree {degree}");
+    }
+}

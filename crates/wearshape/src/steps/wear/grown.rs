@@ -34,7 +34,7 @@ pub(super) fn nodes(stage: Stage<'_>, pieces: &Pieces) -> Result<(Vec<f64>, Effo
         let [from, to] = found.end;
         let change = before.map_or(f64::INFINITY, |[a, b]| (from - a).abs().max((to - b).abs()) / (to - from));
         before = Some(found.end);
-        if change <= FOUND {
+        if change <= FOUND * stage.accuracy() {
             break;
         }
     }

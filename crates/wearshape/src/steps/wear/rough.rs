@@ -1,8 +1,8 @@
-//! Rough runs that find where the contact of round bodies ends after its wear, before the mesh is made that has nodes there.
+//! Runs on coarse cells that find where the contact of round bodies ends after its wear, before the mesh is made that has nodes there.
 
 use contact::ContactLoad;
 use scene::Fault;
-use shapeopt::{Evolution, EvolutionStatus, Stepping};
+use shapeopt::{Evolution, EvolutionStatus};
 
 use crate::effort::Effort;
 use crate::ladder::Refusal;
@@ -14,11 +14,11 @@ use crate::steps::wear::ran::MOST_STEPS;
 use crate::steps::wear::round_result::from_touch;
 use crate::steps::wear::scar;
 
-/// Degree and accuracy of these runs.
+/// Degree of these runs.
 pub(super) const FIRST: usize = 4;
-const ROUGH: f64 = 1e-2;
-/// Relative change of the ends of contact at which they are found, and most runs for them.
-pub(super) const FOUND: f64 = 1e-3;
+/// Change of the ends of contact over their distance at which they are found, by the accuracy wanted, and most runs for them. The worn depth has a kink there:
+/// with a node at the wrong place it stands inside a cell, and is wrong by twice that distance over that of the ends on every degree.
+pub(super) const FOUND: f64 = 0.1;
 pub(super) const TRIALS: usize = 8;
 
 /// Ends of the contact at the start and the end of a rough run, from the place of the first touch (mm), or from the axis of revolution.
@@ -36,8 +36,7 @@ pub(super) fn run(stage: Stage<'_>, pieces: &Pieces, nodes: &[f64], effort: &mut
     let began = stage.clock()();
     let stages = pieces.problems.iter().map(|problem| stage.with(problem)).collect::<Result<Vec<Stage<'_>>, Fault>>()?;
     let loads: Vec<ContactLoad> = stages.iter().map(|stage| stage.contact_load(operator.points())).collect();
-    let mut problem = wear_problem(Loads { stages: &stages, loads: &loads, begun: None }, pieces, &operator, 0.0)?;
-    problem.stepping = Stepping::Adaptive { accuracy: stage.accuracy().max(ROUGH) };
+    let problem = wear_problem(Loads { stages: &stages, loads: &loads, begun: None }, pieces, &operator, 0.0)?;
     let mut evolution = Evolution::new(&problem).map_err(|error| Refusal::Reason(error.to_string()))?;
     let first = evolution.state().clone();
     evolution.by_ref().take(MOST_STEPS).for_each(drop);

@@ -218,7 +218,7 @@ impl<'a> RoundWear<'a> {
             let found = self.on(&self.nodes(end), |stage, ends| trial(stage, ends, &mut effort))?;
             let change = (found / end - 1.0).abs();
             end = found;
-            if change <= FOUND {
+            if change <= FOUND * self.problem.wanted.accuracy {
                 break;
             }
         }
