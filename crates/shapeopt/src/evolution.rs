@@ -5,6 +5,7 @@
 //! of this project's documents.
 
 mod ends;
+mod entering;
 mod heat;
 mod intervals;
 
@@ -312,10 +313,11 @@ impl<'a> Evolution<'a> {
                     return Ok(state);
                 }
                 trial => {
-                    state.newton_iterations += trial.map_or(0, |(t, _)| t.iterations);
+                    let trial = trial.map(|(trial, _)| trial);
+                    wanted = step * self.part_to_try(&state, trial.as_ref(), (failures, factor));
+                    state.newton_iterations += trial.map_or(0, |trial| trial.iterations);
                     state.rejected += 1;
                     failures += 1;
-                    wanted = step * factor;
                 }
             }
         }

@@ -6,6 +6,7 @@ use crate::wear_problem::{Scheme, Until, WearProblem};
 use crate::wear_state::WearState;
 
 /// A step tried.
+#[derive(Default)]
 pub(crate) struct Trial {
     pub(crate) contact: Contact,
     pub(crate) gap: Vec<f64>,
@@ -13,8 +14,10 @@ pub(crate) struct Trial {
     pub(crate) recession: f64,
     pub(crate) volume: [f64; 2],
     pub(crate) error: f64,
+    /// Points that press in one of the stages, or at the end.
+    pub(crate) touched: Vec<bool>,
     /// Of the gap, and of the pressure by the force that acts.
-    errors: [f64; 2],
+    pub(crate) errors: [f64; 2],
     pub(crate) iterations: usize,
 }
 
@@ -78,7 +81,8 @@ fn implicit_step(load: &Load<'_>, state: &WearState, step: f64, tableau: &Tablea
     let scale = gap_scale(load, state).max(depth);
     let error = gap_error.iter().fold(0.0_f64, |m, e| m.max(e.abs() / scale));
     let errors = [error, force(&pressure_error) / force(&contact.pressure)];
-    Ok(Trial { contact, gap, worn, recession, volume, error, errors, iterations })
+    let touched = (0..load.weights.len()).map(|i| stages.iter().any(|s| s.pressure[i] > 0.0)).collect();
+    Ok(Trial { contact, gap, worn, recession, volume, error, touched, errors, iterations })
 }
 
 fn explicit_step(load: &Load<'_>, state: &WearState, step: f64) -> Result<Trial, Unsettled> {
@@ -93,6 +97,7 @@ fn explicit_step(load: &Load<'_>, state: &WearState, step: f64) -> Result<Trial,
     let recession = state.recession + step * load.rate.recession(&state.pressure);
     let solved = load.solve(&gap, 0.0, &Contact::of(state))?;
     Ok(Trial {
+        touched: solved.contact.pressure.iter().map(|p| *p > 0.0).collect(),
         contact: solved.contact,
         gap,
         worn,

@@ -2,7 +2,7 @@
 
 use contact::{ContactLoad, ContactOperator, Status as ContactStatus};
 use shapeopt::faer::Mat;
-use shapeopt::{LoadStage, Stepping, Times, Until, WearProblem};
+use shapeopt::{LoadStage, Scheme, Stepping, Times, Until, WearProblem};
 use wear::{Counterface, Groove};
 
 use crate::ladder::Refusal;
@@ -17,9 +17,11 @@ const STEADY: f64 = 1e-9;
 /// Part of the accuracy asked for that the wear still to come may make where the contact wears itself free.
 const REST: f64 = 0.01;
 
-/// Error of the steps of a round contact over the accuracy asked for at the end, and the largest.
+/// Error of the steps of a contact that grows over the accuracy asked for at the end, and the roughest accuracy by which they go.
 const ROUND: f64 = 10.0;
-const ROUGHEST: f64 = 2e-3;
+/// The same of a ball or cylinder on a flat, which goes by the method of order two.
+const ROUND_ON_FLAT: f64 = 60.0;
+const ROUGHEST: f64 = 2e-4;
 
 /// Accuracies below which steps in time become no finer, of flat and of round contacts: a hundred thousand steps would gain no digit that the
 /// levels have. What is missed then is told.
@@ -113,7 +115,12 @@ pub(super) fn wear_problem(
     }
     if stage.ends_move() {
         // Points that come into contact bend the rates, and the error of their steps falls with the wear after them.
-        problem.stepping = Stepping::Adaptive { accuracy: (ROUND * stage.accuracy().max(FINEST_ROUND)).min(ROUGHEST) };
+        // A flat worn on a ball is deep against all that the bodies give way by: for a step its points come into contact at once, which the weights of the method
+        // of order four, up to 8 and of both signs, throw about.
+        let on_flat = stage.facing();
+        let share = if on_flat { ROUND_ON_FLAT } else { ROUND };
+        problem.scheme = if on_flat { Scheme::Sdirk2 } else { problem.scheme };
+        problem.stepping = Stepping::Adaptive { accuracy: share * stage.accuracy().clamp(FINEST_ROUND, ROUGHEST) };
         problem.times = None;
         problem.growing = true;
     }
