@@ -114,13 +114,7 @@ pub(super) fn wear_problem(
         problem.stepping = Stepping::Adaptive { accuracy };
     }
     if stage.ends_move() {
-        // Points that come into contact bend the rates, and the error of their steps falls with the wear after them.
-        // A flat worn on a ball is deep against all that the bodies give way by: for a step its points come into contact at once, which the weights of the method
-        // of order four, up to 8 and of both signs, throw about.
-        let on_flat = stage.facing();
-        let share = if on_flat { ROUND_ON_FLAT } else { ROUND };
-        problem.scheme = if on_flat { Scheme::Sdirk2 } else { problem.scheme };
-        problem.stepping = Stepping::Adaptive { accuracy: share * stage.accuracy().clamp(FINEST_ROUND, ROUGHEST) };
+        (problem.scheme, problem.stepping) = growing(stage);
         problem.times = None;
         problem.growing = true;
     }
@@ -134,4 +128,12 @@ pub(super) fn wear_problem(
         problem.counterface = if problem.passing.is_some() { Counterface::Fresh } else { counterface };
     }
     Ok(problem)
+}
+
+/// How a contact that grows is integrated. Points that come into contact bend the rates, and the error of their steps falls with the wear after them. A flat
+/// worn on a ball is deep against all that the bodies give way by: for a step its points come into contact at once, which the weights of the method of order
+/// four, up to 8 and of both signs, throw about.
+fn growing(stage: Stage<'_>) -> (Scheme, Stepping) {
+    let (scheme, share) = if stage.facing() { (Scheme::Sdirk2, ROUND_ON_FLAT) } else { (Scheme::Sdirk4, ROUND) };
+    (scheme, Stepping::Adaptive { accuracy: share * stage.accuracy().clamp(FINEST_ROUND, ROUGHEST) })
 }
