@@ -197,8 +197,8 @@ impl<'a> Evolution<'a> {
                 [closer, closer / state.steady_residual.clamp(times.deviation, 1.0)]
             }
             _ => {
-                let early = self.problem.early(state);
-                [early * shallow(self.problem, &self.load(state).load, state).powi(2), early]
+                let [gap, pressure] = self.problem.early(state);
+                [gap * shallow(self.problem, &self.load(state).load, state).powi(2), pressure]
             }
         }
     }

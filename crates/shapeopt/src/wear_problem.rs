@@ -155,19 +155,24 @@ impl WearProblem {
 
 /// Part of the errors of a step that counts at the very start of a contact that grows.
 const EARLIEST: f64 = 0.01;
+/// Part of the wear of a contact that grows in which steps see to the pressure of the end, and how many times as much its errors count there.
+const LAST: f64 = 0.01;
+const AT_THE_END: f64 = 100.0;
 
 impl WearProblem {
-    /// Part of the errors of a step from a state that counts at the end. Where the contact grows, what a step gets wrong of the depth stays what it is,
-    /// and the depth grows as the root of the wear passed at least.
-    pub(crate) fn early(&self, state: &WearState) -> f64 {
+    /// Parts of the errors of a step from a state, in gap and pressure, that count at the end. Where the contact grows, what a step gets wrong of the depth
+    /// stays what it is, and the depth grows as the root of the wear passed at least. The pressure at points that have just come into contact is that of the
+    /// wear in the step, and no more than that until the steps before the end.
+    pub(crate) fn early(&self, state: &WearState) -> [f64; 2] {
         let passed = match self.until {
-            _ if !self.growing => 1.0,
+            _ if !self.growing => return [1.0; 2],
             Until::Time(end) => state.time / end,
             Until::Volume(end) => (state.volume[0] + state.volume[1]) / end,
             Until::Depth(end) => (state.deepest_point() / end).powi(2),
-            Until::Steady { .. } => 1.0,
+            Until::Steady { .. } => return [1.0; 2],
         };
-        passed.sqrt().clamp(EARLIEST, 1.0)
+        let part = passed.sqrt().clamp(EARLIEST, 1.0);
+        [part, if passed < 1.0 - LAST { part } else { AT_THE_END }]
     }
 
     /// The largest depth of a profile: that of its deepest point, or beside it.
