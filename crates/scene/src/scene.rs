@@ -152,6 +152,9 @@ pub struct Body {
     /// carried by its supports, that of body 1 by the loaded edge, evenly beside the load, so that `load.force` stays what presses the surfaces.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gravity: Option<[Acceleration; 2]>,
+    /// Thickness of body 1 that may wear off (mm), as `wear.wearable`, which a surface without bodies has. Body 2 has none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub wearable: Option<Length>,
     /// What carries heat through named edges, in a scene with `heat`; all others are insulated.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub heat: BTreeMap<String, EdgeHeat>,
@@ -313,7 +316,7 @@ pub struct Wear {
     /// `{ depth = "50 um" }` of body 1, `{ volume = "2 mm^3" }` of both. Default "steady".
     #[serde(skip_serializing_if = "Option::is_none")]
     pub until: Option<crate::gap::Until>,
-    /// Thickness of body 1 that may wear off (mm): its life follows from the steady wear.
+    /// Thickness of body 1 that may wear off (mm): its life follows from the steady wear. `body1.wearable` says the same.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub wearable: Option<Length>,
     /// Relative spread of the wear factor, from 0 to less than 1: that of the life follows.

@@ -115,6 +115,11 @@ fn what_has_no_meaning_is_refused_with_what_to_do() {
         ("disc-pad --set wear.wearable=4 --set contact.friction=0", "contact.friction = 0 with wear.beta means no wear"),
         ("disc-pad --set wear.wearable=4 --set wear.beta=[0,1e-8]", "its wear factor is 0"),
         ("translating-punch --set wear.wearable=4 --set load.approach=1e-3", "does not follow the wear"),
+        ("translating-punch --set body1.wearable=4 --set load.approach=1e-3", "leave body1.wearable out"),
+        ("translating-punch --set body1.wearable=4 --set wear.wearable=4", "given twice"),
+        ("translating-punch --set body2.wearable=4", "a life is that of body 1"),
+        ("translating-punch --set body1.wearable=-1", "body1.wearable"),
+        ("hertz-cylinder --set body1.wearable=1", "no wear rule"),
     ] {
         let call = bench.check_and_run(scene);
         assert_eq!(call.code, 2, "{scene}: {}", call.out);
@@ -133,4 +138,14 @@ fn no_more_may_wear_off_than_there_is() {
     let call = bench.call("run lining-on-back --set wear.wearable=400");
     assert_eq!(call.code, 2, "{}", call.out);
     assert!(call.err.contains("10 mm thick at the contact") && call.err.contains("wear.wearable"), "{}", call.err);
+}
+
+/// A pad says of itself what of it may wear off, in its block of the scene.
+#[test]
+fn the_thickness_of_a_body_is_that_of_the_wear_rule() {
+    let bench = Bench::new();
+    let [body, rule] = ["body1", "wear"].map(|place| {
+        life(&bench, &format!("drum-brake-block --set tasks=[pressure] --set {place}.wearable=4_mm --set wear.spread=.5"))
+    });
+    assert_eq!(body, rule);
 }

@@ -9,8 +9,32 @@ use crate::problem::{End, Wearable};
 use crate::setup::repeat;
 use crate::surface::Patch;
 
+/// The thickness that may wear off, and its key: of body 1, or in the wear rule of a surface without bodies.
+fn given(scene: &Scene) -> Result<Option<(Length, &'static str)>, Fault> {
+    let of = |body: &Option<scene::Body>| body.as_ref().and_then(|body| body.wearable);
+    let [first, second] = [&scene.body1, &scene.body2].map(of);
+    if second.is_some() {
+        let message = "a life is that of body 1, whose wear is followed";
+        return Err(Fault::at("body2.wearable", "wrong-key", message, "give body1.wearable, or make this body the first"));
+    }
+    let in_wear = scene.wear.as_ref().and_then(|wear| wear.wearable);
+    match (first, in_wear) {
+        (Some(_), Some(_)) => {
+            let message = "the thickness that may wear off is given twice, as `body1.wearable` and `wear.wearable`";
+            Err(Fault::at("body1.wearable", "two-alternatives", message, "keep one of them"))
+        }
+        (Some(_), None) if scene.wear.is_none() => {
+            let message = "body 1 has a thickness that may wear off, and the scene has no wear rule";
+            Err(Fault::at("body1.wearable", "missing-key", message, "add wear = { k = 1e-8 }, or leave the thickness out"))
+        }
+        (first, in_wear) => {
+            Ok(first.map(|first| (first, "body1.wearable")).or(in_wear.map(|thickness| (thickness, "wear.wearable"))))
+        }
+    }
+}
+
 /// Refuses a thickness that may wear off where body 1 is not so thick.
-fn thick_enough(wearable: Length, couple: &Couple) -> Result<(), Fault> {
+fn thick_enough((wearable, key): (Length, &str), couple: &Couple) -> Result<(), Fault> {
     let thickness = outline(&couple.bodies[0]).thickness;
     // Without a thickness nothing can be said.
     if !thickness.is_finite() || thickness <= 0.0 || wearable.0 <= thickness {
@@ -18,7 +42,7 @@ fn thick_enough(wearable: Length, couple: &Couple) -> Result<(), Fault> {
     }
     let message =
         format!("{} mm are to wear off body 1, which is {} mm thick at the contact", short(wearable.0), short(thickness));
-    Err(Fault::at("wear.wearable", "wrong-value", message, "give what of it may wear off, as in wear.wearable = \"4 mm\""))
+    Err(Fault::at(key, "wrong-value", message, format!("give what of it may wear off, as in {key} = \"4 mm\"")))
 }
 
 /// Relative difference of speeds up to which a surface slides as one.
@@ -131,13 +155,14 @@ pub(super) fn has_life(scene: &Scene, tasks: &[Task]) -> bool {
 
 /// Checks the thickness that may wear off.
 pub(super) fn resolve(scene: &Scene, tasks: &[Task], couple: Option<&Couple>) -> Result<(), Fault> {
+    let given = given(scene)?;
     let Some(wear) = &scene.wear else { return Ok(()) };
     if let Some(spread) = wear.spread {
         if !(0.0..1.0).contains(&spread) {
             let message = format!("the spread {spread} of the wear factor is out of range");
             return Err(Fault::at("wear.spread", "wrong-value", message, "give 0 or more and less than 1, as in spread = 0.5"));
         }
-        if wear.wearable.is_none() {
+        if given.is_none() {
             let message = "the spread of the wear factor is for a life, and no thickness that may wear off is given";
             return Err(Fault::at(
                 "wear.spread",
@@ -147,9 +172,9 @@ pub(super) fn resolve(scene: &Scene, tasks: &[Task], couple: Option<&Couple>) ->
             ));
         }
     }
-    let Some(thickness) = wear.wearable else { return Ok(()) };
-    positive("wear.wearable", thickness.0, "thickness", " mm")?;
-    couple.map_or(Ok(()), |couple| thick_enough(thickness, couple))?;
+    let Some((thickness, key)) = given else { return Ok(()) };
+    positive(key, thickness.0, "thickness", " mm")?;
+    couple.map_or(Ok(()), |couple| thick_enough((thickness, key), couple))?;
     if !has_life(scene, tasks) {
         return Ok(());
     }
@@ -158,23 +183,19 @@ pub(super) fn resolve(scene: &Scene, tasks: &[Task], couple: Option<&Couple>) ->
     if !first || (wear.beta.is_some() && friction == 0.0) {
         let why = if !first { "its wear factor is 0" } else { "contact.friction = 0 with wear.beta means no wear" };
         let message = format!("body 1 does not wear, so that no thickness of it has a life: {why}");
-        let remedy = "give body 1 a wear factor, as in wear.k = [1e-7, 0], or leave wear.wearable out";
-        return Err(Fault::at("wear.wearable", "no-wear", message, remedy));
+        let remedy = format!("give body 1 a wear factor, as in wear.k = [1e-7, 0], or leave {key} out");
+        return Err(Fault::at(key, "no-wear", message, remedy));
     }
     if scene.load.as_ref().is_some_and(|load| load.approach.is_some()) {
         let message = "load.approach holds body 1 where it is: it does not follow the wear, and the steady wear is none";
-        return Err(Fault::at(
-            "wear.wearable",
-            "two-alternatives",
-            message,
-            "give load.force instead, or leave wear.wearable out",
-        ));
+        let remedy = format!("give load.force instead, or leave {key} out");
+        return Err(Fault::at(key, "two-alternatives", message, remedy));
     }
     Ok(())
 }
 
 /// The thickness that may wear off, of a checked scene.
 pub(super) fn wearable(scene: &Scene) -> Option<Wearable> {
-    let wear = scene.wear.as_ref()?;
-    Some(Wearable { thickness: wear.wearable?.0, spread: wear.spread })
+    let (thickness, _) = given(scene).ok().flatten()?;
+    Some(Wearable { thickness: thickness.0, spread: scene.wear.as_ref()?.spread })
 }

@@ -61,7 +61,7 @@ fn idle(scene: &Scene, tasks: &[Task]) -> Vec<&'static str> {
     let timed = scene.wear.as_ref().and_then(|wear| wear.until).is_some_and(|until| until != scene::Until::Steady);
     when(!wears && timed, &["wear.until"]);
     when(!wears, &["schedule"]);
-    when(!super::duty::has_life(scene, tasks), &["wear.wearable", "wear.spread"]);
+    when(!super::duty::has_life(scene, tasks), &["wear.wearable", "body1.wearable", "wear.spread"]);
     let kind = scene.load.as_ref().and_then(|load| load.kind);
     let rigid = kind == Some(LoadKind::Rigid);
     when(!rigid, &["load.approach", "load.tilt", "load.approach_time", "load.shear_force"]);
