@@ -328,9 +328,8 @@ impl<'a> Load<'a> {
             let worn = 1.0 - self.sigma[*j] * slope[*j];
             matrix[(c, c)] += worn;
             if step > 0.0 && self.rate.turns() {
-                let place = |i: usize| i % self.rate.places();
-                let same = active.iter().enumerate().filter(|(r, i)| *r != c && place(**i) == place(*j));
-                same.for_each(|(r, _)| matrix[(r, c)] += worn);
+                let same = self.rate.at_place(j % self.rate.places()).filter(|i| i != j);
+                same.filter_map(|i| active.binary_search(&i).ok()).for_each(|r| matrix[(r, c)] += worn);
             }
             (0..m).for_each(|r| matrix[(a + r, c)] = self.system.balance[(*j, r)] * scale);
             (0..m).for_each(|r| matrix[(c, a + r)] = self.system.influence[(*j, r)] * self.unit[r]);

@@ -20,6 +20,17 @@ use crate::steps::answer::Outcome;
 use crate::watch::Watch;
 use level::{Senses, Solved};
 
+/// Degree of the level that tells where the senses open.
+const ENDS: usize = 8;
+
+/// Where a sense of sliding opens once the shape is steady: places from -1 to 1 along the surface.
+pub(crate) fn ends(stage: Stage<'_>) -> Result<(Vec<f64>, Effort), Refusal> {
+    let backward = stage.problem.under([1.0, 1.0, -1.0]);
+    let senses = Senses { stages: [stage, stage.with(&backward)?], share: stage.problem.reversing.unwrap_or(1.0) };
+    let Solved { ends, effort, .. } = senses.level(stage.problem.level(ENDS), &[])?;
+    Ok((ends, effort))
+}
+
 /// Solves for the shape and both pressures.
 pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
     let backward = stage.problem.under([1.0, 1.0, -1.0]);

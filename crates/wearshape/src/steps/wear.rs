@@ -54,8 +54,7 @@ pub(crate) use self::round::RoundWear;
 /// Runs the wear in time.
 pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
     let (pieces, work) = turns::pieces(stage)?;
-    let (ends, search) =
-        if stage.grows() { grown::nodes(stage, &pieces)? } else { (final_ends::final_ends(stage, &pieces)?, Effort::default()) };
+    let (ends, search) = if stage.grows() { grown::nodes(stage, &pieces)? } else { final_ends::final_ends(stage, &pieces)? };
     let (mut outcome, mut effort) = solve_at(stage, &pieces, &ends, watch)?;
     all_around::refuse_full(stage, &mut outcome);
     effort += work;

@@ -2,17 +2,28 @@
 
 use scene::{Fault, Functional};
 
+use crate::effort::Effort;
 use crate::stage::Stage;
-use crate::steps::pressure;
 use crate::steps::pressure_ends::pressure_ends;
 use crate::steps::wear::pieces::Pieces;
+use crate::steps::{pressure, reversing};
 
-/// Ends inside the surface, from -1 to 1, of the steady pressure under the load that acts last: the gap gets its kinks there. None for a run
-/// to a given time, or where no one steady pressure is known.
-pub(super) fn final_ends(stage: Stage<'_>, pieces: &Pieces) -> Result<Vec<f64>, Fault> {
-    if stage.problem.wear.until.is_some() || pieces.shares.is_some() {
-        return Ok(Vec::new());
+/// Ends inside the surface, from -1 to 1, of the steady pressures: the gap gets its kinks there. None for a run to a given time, or where no steady
+/// pressures are known.
+pub(super) fn final_ends(stage: Stage<'_>, pieces: &Pieces) -> Result<(Vec<f64>, Effort), Fault> {
+    if stage.problem.wear.until.is_some() {
+        return Ok(Default::default());
     }
+    if pieces.shares.is_none() {
+        return Ok((of_one_pressure(stage, pieces)?, Effort::default()));
+    }
+    // Those of a schedule that repeats are not computed by themselves.
+    let known = stage.problem.reversing.is_some() && stage.problem.cycles.is_none();
+    Ok(if known { reversing::ends(stage).unwrap_or_default() } else { Default::default() })
+}
+
+/// Those of the steady pressure under the load that acts last.
+fn of_one_pressure(stage: Stage<'_>, pieces: &Pieces) -> Result<Vec<f64>, Fault> {
     let Some(last) = pieces.intervals.last().map(|interval| &pieces.problems[interval.stage]) else { return Ok(Vec::new()) };
     let mut steady = last.clone();
     steady.optimum.functional = Functional::Steady;
