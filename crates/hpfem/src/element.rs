@@ -44,7 +44,7 @@ pub(crate) fn cell_geometry(mesh: &Mesh, cell: usize, xi: &[f64], eta: &[f64]) -
 /// 1 (d/dxi) or 2 (d/deta).
 type Term = [usize; 2];
 
-/// Terms with derivatives only; here and below those with one [`xi_product`] stand together, in the order of [`XI_PRODUCTS`].
+/// Terms with derivatives only; here and below those with one [`product`] in xi stand together, in the order of [`XI_PRODUCTS`].
 const GRADIENT: [Term; 4] = [[1, 1], [1, 2], [2, 1], [2, 2]];
 /// Terms of a form that has the value of the trial function too.
 const TRIAL_VALUE: [Term; 6] = [[1, 1], [1, 2], [1, 0], [2, 1], [2, 2], [2, 0]];
@@ -54,14 +54,13 @@ const FULL: [Term; 9] = [[1, 1], [1, 2], [1, 0], [2, 1], [0, 1], [2, 2], [2, 0],
 /// The products of one-dimensional functions in xi: derivatives of test and trial function, of the test function, of the trial function, of neither.
 const XI_PRODUCTS: [usize; 4] = [3, 2, 1, 0];
 
-/// The product of the functions in xi that a term takes, as an index of the tables.
-fn xi_product(term: Term) -> usize {
-    product(term, 1)
-}
+/// Orders of the derivatives in xi and in eta.
+const XI: usize = 1;
+const ETA: usize = 2;
 
-/// The product that a term takes in the direction whose derivatives have this order.
-fn product(term: Term, order: usize) -> usize {
-    2 * usize::from(term[0] == order) + usize::from(term[1] == order)
+/// The product of one-dimensional functions that a term takes in a direction, as an index of the tables.
+fn product(term: Term, direction: usize) -> usize {
+    2 * usize::from(term[0] == direction) + usize::from(term[1] == direction)
 }
 
 /// The bilinear form of a cell on its modes.
@@ -141,9 +140,9 @@ pub(crate) fn stiffness<'w>(form: &CellForm<'_>, table: &Table, work: &'w mut Wo
         for (block, number) in XI_PRODUCTS.into_iter().enumerate() {
             let at = block * nq;
             let mut first = Accum::Replace;
-            for (i, t) in terms.iter().enumerate().filter(|(_, t)| xi_product(**t) == number) {
+            for (i, t) in terms.iter().enumerate().filter(|(_, t)| product(**t, XI) == number) {
                 let coefficient = coefficients.as_ref().subcols(i * nq, nq);
-                let eta_table = table.all[product(*t, 2)].as_ref();
+                let eta_table = table.all[product(*t, ETA)].as_ref();
                 matmul(eta_side.as_mut().subcols_mut(at, nq), first, eta_table, coefficient, 1.0, Par::Seq);
                 first = Accum::Add;
             }

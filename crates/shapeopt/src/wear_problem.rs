@@ -161,8 +161,8 @@ const AT_THE_END: f64 = 100.0;
 
 impl WearProblem {
     /// Parts of the errors of a step from a state, in gap and pressure, that count at the end. Where the contact grows, what a step gets wrong of the depth
-    /// stays what it is, and the depth grows as the root of the wear passed at least. The pressure at points that have just come into contact is that of the
-    /// wear in the step, and no more than that until the steps before the end.
+    /// stays what it is, and the depth grows as the root of the wear passed at least. What it gets wrong of the pressure is worn off soon after, so that the
+    /// last steps decide about the pressure of the end.
     pub(crate) fn early(&self, state: &WearState) -> [f64; 2] {
         let passed = match self.until {
             _ if !self.growing => return [1.0; 2],

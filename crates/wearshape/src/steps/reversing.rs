@@ -12,6 +12,7 @@ use shapeopt::difference_of_gaps;
 
 use crate::effort::Effort;
 use crate::ladder::{Climbed, Ladder, Refusal, climb, missed, rungs};
+use crate::problem::Problem;
 use crate::results::ErrorResult;
 use crate::solution::Status;
 use crate::stage::Stage;
@@ -25,16 +26,24 @@ const ENDS: usize = 8;
 
 /// Where a sense of sliding opens once the shape is steady: places from -1 to 1 along the surface.
 pub(crate) fn ends(stage: Stage<'_>) -> Result<(Vec<f64>, Effort), Refusal> {
-    let backward = stage.problem.under([1.0, 1.0, -1.0]);
-    let senses = Senses { stages: [stage, stage.with(&backward)?], share: stage.problem.reversing.unwrap_or(1.0) };
-    let Solved { ends, effort, .. } = senses.level(stage.problem.level(ENDS), &[])?;
+    let backward = backward(stage);
+    let Solved { ends, effort, .. } = senses(stage, &backward)?.level(stage.problem.level(ENDS), &[])?;
     Ok((ends, effort))
+}
+
+/// The same problem, sliding backward.
+fn backward(stage: Stage<'_>) -> Problem {
+    stage.problem.under([1.0, 1.0, -1.0])
+}
+
+fn senses<'a>(stage: Stage<'a>, backward: &'a Problem) -> Result<Senses<'a>, Refusal> {
+    Ok(Senses { stages: [stage, stage.with(backward)?], share: stage.problem.reversing.unwrap_or(1.0) })
 }
 
 /// Solves for the shape and both pressures.
 pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
-    let backward = stage.problem.under([1.0, 1.0, -1.0]);
-    let senses = Senses { stages: [stage, stage.with(&backward)?], share: stage.problem.reversing.unwrap_or(1.0) };
+    let backward = backward(stage);
+    let senses = senses(stage, &backward)?;
     let ladder = Ladder::of(stage.problem, stage.options, Step::Shape);
     let measure = stage.problem.measure();
     let distance = |a: &Solved, b: &Solved| [difference_of_gaps(&a.gaps, &b.gaps, &b.closing, measure)];

@@ -61,7 +61,7 @@ fn a_contact_that_grows_ends_at_a_node() {
         let solution = solved(&scene(name, settings));
         assert_eq!(solution.status, Status::Ok, "{name}: {:?}", solution.reason);
         let degree = solution.ladder.last().unwrap().degree;
-        assert!(degree <= 14, "{name}: degree {degree}");
+        assert!(degree <= 10, "{name}: degree {degree}");
     }
 }
 
@@ -75,7 +75,7 @@ fn the_pressure_at_the_end_of_a_contact_that_grows_is_told_as_closely_as_its_dep
             solved(&scene(name, &settings)).profile.unwrap().pressure.into_iter().fold(0.0, f64::max)
         };
         let [rough, fine] = ["accuracy=1e-4", "accuracy=1e-5"].map(largest);
-        assert!((rough / fine - 1.0).abs() < 1e-3, "{name}: {rough} {fine} MPa");
+        assert!((rough / fine - 1.0).abs() < 3e-5, "{name}: {rough} {fine} MPa");
     }
 }
 
@@ -92,6 +92,6 @@ fn a_reversing_run_comes_to_its_shape_with_nodes_where_the_senses_open() {
     };
     for share in ["sliding.reversing.share=0.3", "sliding.reversing.share=0.5", "sliding.reversing.share=0.7"] {
         let [worn, shape] = ["tasks=[\"wear\"]", "tasks=[\"pressure\",\"shape\"]"].map(|task| gap(share, task));
-        assert!((worn / shape - 1.0).abs() < 1e-5, "{share}: {worn} {shape} um");
+        assert!((worn / shape - 1.0).abs() < 1e-8, "{share}: {worn} {shape} um");
     }
 }

@@ -17,7 +17,7 @@ use crate::steps::wear::scar;
 /// Degree of these runs.
 pub(super) const FIRST: usize = 4;
 /// Change of the ends of contact over their distance at which they are found, by the accuracy wanted, and most runs for them. The worn depth has a kink there:
-/// with a node at the wrong place it stands inside a cell, and is wrong by twice that distance over that of the ends on every degree.
+/// inside a cell, a thousandth beside its node, it keeps levels 1e-4 apart.
 pub(super) const FOUND: f64 = 0.1;
 pub(super) const TRIALS: usize = 8;
 
