@@ -93,6 +93,7 @@ const WORDS: &[(&str, &str)] = &[
     ("wear.turns.averaged", "averaged over the cycles"),
     ("wear.turns.because", "why"),
     ("wear.turns.cycles", "number of cycles"),
+    ("wear.turns.resolved", "of them resolved, all others alike"),
     ("wear.turns.period_s", "length of a cycle"),
     ("wear.turns.ripple", "how far the gap strays within a cycle, over the gap"),
     ("wear.turns.shares", "shares of the time"),

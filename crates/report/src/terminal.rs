@@ -198,7 +198,11 @@ fn wear_line(wear: &WearResult, second: bool) -> String {
 /// How the cycles of a run in time were taken.
 fn cycles(turns: &TurnsResult) -> Option<String> {
     let count = brief(turns.cycles?);
-    Some(if turns.averaged { format!("mean over {count} cycles") } else { format!("{count} cycles one by one") })
+    Some(match turns.resolved {
+        _ if turns.averaged => format!("mean over {count} cycles"),
+        Some(resolved) => format!("{count} cycles, {} of them one by one, the others alike", brief(resolved)),
+        None => format!("{count} cycles one by one"),
+    })
 }
 
 /// The surface as it is now against as machined.

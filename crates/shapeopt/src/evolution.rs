@@ -4,6 +4,7 @@
 //! and wear together; the gap alone is the state. Source of the model: Paczelt and Mroz (2007), section 2, with optimality theory, section 6,
 //! of this project's documents.
 
+mod cycles;
 mod ends;
 mod entering;
 mod heat;

@@ -70,9 +70,8 @@ impl RigidWear {
         // Rates may be so small that their squares are no numbers.
         let unit = unit(rate);
         let rate: Vec<f64> = rate.iter().map(|r| r * unit).collect();
-        let inside: Vec<f64> = weights.iter().zip(pressure).map(|(w, p)| if *p > 0.0 { *w } else { 0.0 }).collect();
-        let product = |a: &[f64], b: &[f64]| -> f64 { inside.iter().zip(a).zip(b).map(|((w, a), b)| w * a * b).sum() };
-        let whole = product(&rate, &rate).sqrt();
+        let inside = inside(weights, pressure);
+        let whole = product(&inside, &rate, &rate).sqrt();
         if whole == 0.0 {
             return 0.0;
         }
@@ -80,6 +79,18 @@ impl RigidWear {
             let [elastic, opened] = left;
             return elastic / (elastic + opened);
         }
+        let rest = self.rest(&inside, &rate);
+        let square: f64 = (0..rate.len())
+            .map(|i| if pressure[i] > 0.0 { rest[i] } else { rest[i].min(0.0) })
+            .zip(weights)
+            .map(|(r, w)| w * r * r)
+            .sum();
+        square.sqrt() / whole
+    }
+
+    /// `r - Proj r`: rates less their rigid part, in the area norm with weights that are 0 outside the contact ([`inside`]).
+    pub(crate) fn rest(&self, inside: &[f64], rate: &[f64]) -> Vec<f64> {
+        let product = |a: &[f64], b: &[f64]| product(inside, a, b);
         let remove = |vector: &mut Vec<f64>, unit: &Vec<f64>| {
             let part = product(vector, unit);
             vector.iter_mut().zip(unit).for_each(|(v, u)| *v -= part * u);
@@ -95,15 +106,20 @@ impl RigidWear {
                 basis.push(column);
             }
         }
-        let mut rest = rate.clone();
+        let mut rest = rate.to_vec();
         (0..2).for_each(|_| basis.iter().for_each(|b| remove(&mut rest, b)));
-        let square: f64 = (0..rate.len())
-            .map(|i| if pressure[i] > 0.0 { rest[i] } else { rest[i].min(0.0) })
-            .zip(weights)
-            .map(|(r, w)| w * r * r)
-            .sum();
-        square.sqrt() / whole
+        rest
     }
+}
+
+/// Areas of the points in contact, 0 of the others.
+pub(crate) fn inside(weights: &[f64], pressure: &[f64]) -> Vec<f64> {
+    weights.iter().zip(pressure).map(|(w, p)| if *p > 0.0 { *w } else { 0.0 }).collect()
+}
+
+/// The product of two profiles in the area norm.
+fn product(weights: &[f64], a: &[f64], b: &[f64]) -> f64 {
+    weights.iter().zip(a).zip(b).map(|((w, a), b)| w * a * b).sum()
 }
 
 /// A power of two that brings the largest of the values near 1; 1 where they are near enough that squares are safe.

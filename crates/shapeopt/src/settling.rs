@@ -56,8 +56,11 @@ impl Evolution<'_> {
         let last = states.last()?;
         if let Some(after) = states.iter().position(|state| state.depth >= depth) {
             let left = |state: &WearState| 1.0 - state.depth / depth;
-            let from = self.restored(&states[after.checked_sub(1)?])?;
-            let to = &states[after];
+            let (from, to) = (&states[after.checked_sub(1)?], &states[after]);
+            if to.interval > from.interval + 1 {
+                return self.worn_off_alike([from, to], &states[after..], depth);
+            }
+            let from = self.restored(from)?;
             let found = self.crossing(&from, (to.time - from.time, left(to)), &left)?;
             return Some([found.time, found.distance]);
         }

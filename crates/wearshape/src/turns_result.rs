@@ -12,6 +12,9 @@ pub struct TurnsResult {
     /// Number of cycles.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cycles: Option<f64>,
+    /// How many of them were resolved, where all others are like one of these.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub resolved: Option<f64>,
     /// How long a cycle lasts.
     #[serde(rename = "period_s", skip_serializing_if = "Option::is_none")]
     pub period: Option<f64>,

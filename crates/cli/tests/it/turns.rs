@@ -111,6 +111,55 @@ fn too_many_long_cycles_miss_the_accuracy_and_say_so() {
     );
 }
 
+/// Once cycles are alike all but the last are taken at once: the end, and when a layer is worn off on the way, are those of the same reversals as pieces of a
+/// schedule, which are stepped through.
+#[test]
+fn cycles_that_are_alike_are_taken_at_once() {
+    let bench = Bench::new();
+    let (count, half) = (30, 5e4);
+    let wears = "--set tasks=[wear] --set accuracy=1e-5 --set body1.wearable=0.2mm";
+    let leapt = run(&bench, "leapt", &format!("{wears} --set schedule={{repeat={count},period={}}}", 2.0 * half))["wear"].clone();
+    let times: Vec<String> = (0..2 * count).map(|k| format!("{}", half * f64::from(k))).collect();
+    let speeds = vec!["1,-1"; count as usize].join(",");
+    let pieces = format!("--set sliding={{speed=50}} --set schedule={{time=[{}],speed=[{speeds}]}}", times.join(","));
+    let stepped =
+        run(&bench, "stepped", &format!("{wears} {pieces} --set wear.until={}", 2.0 * half * f64::from(count)))["wear"].clone();
+    assert!(leapt["turns"]["resolved"].as_f64() < Some(15.0), "{leapt}");
+    assert!(leapt["steps"].as_u64() < stepped["steps"].as_u64().map(|steps| steps / 2), "{leapt}");
+    for name in ["gap_um", "pressure_MPa"] {
+        let off = apart(&column(&bench, "leapt", name), &column(&bench, "stepped", name));
+        println!("{name}: {off:.1e}");
+        assert!(off < 1e-5, "{name}: {off:e}");
+    }
+    for name in ["time_s", "distance_mm", "depth_um", "volume_mm3"] {
+        assert_relative_eq!(leapt[name].as_f64().unwrap(), stepped[name].as_f64().unwrap(), max_relative = 1e-8);
+    }
+    for name in ["time_h", "distance_km"] {
+        let life = [&leapt, &stepped].map(|wear| wear["life"][name].as_f64().unwrap());
+        println!("{name}: {life:?}");
+        assert_relative_eq!(life[0], life[1], max_relative = 1e-7);
+    }
+}
+
+/// A thousand long cycles, some dozens of them stepped through; each of the others wears as much as the next.
+#[test]
+fn a_thousand_long_cycles_come_to_their_end() {
+    let bench = Bench::new();
+    let scene = "run drum-brake-block -q --sample 41 --set tasks=[wear] --set accuracy=1e-4";
+    let depth = |count: f64| -> f64 {
+        let call =
+            bench.call(&format!("{scene} -o x{count} --set schedule={{repeat={count},period=0.02,time=[0,0.01],speed=[1,-1]}}"));
+        assert_eq!(call.code, 0, "{}", call.err);
+        let wear = summary(&bench, &format!("x{count}"))["wear"].clone();
+        assert!(wear["turns"]["resolved"].as_f64() < Some(50.0), "{wear}");
+        assert_relative_eq!(wear["time_s"].as_f64().unwrap(), 0.02 * count, max_relative = 1e-12);
+        wear["depth_um"].as_f64().unwrap()
+    };
+    let [some, more, many] = [60.0, 80.0, 1000.0].map(depth);
+    assert_relative_eq!((many - more) / 920.0, (more - some) / 20.0, max_relative = 1e-6);
+    assert!(apart(&column(&bench, "x1000", "gap_um"), &column(&bench, "x60", "gap_um")) < 1e-4);
+}
+
 #[test]
 fn a_run_to_a_depth_or_a_volume_ends_there() {
     let bench = Bench::new();
@@ -175,7 +224,12 @@ fn a_stroke_and_a_frequency_are_a_speed_with_cycles_in_the_life() {
 #[test]
 fn reversals_that_break_off_are_continued_to_the_same_bytes() {
     let bench = Bench::new();
-    for (schedule, bytes) in [("", 100_000), (" --set schedule={repeat=20,period=4e3}", 200_000)] {
+    for (schedule, bytes) in [
+        ("", 100_000),
+        (" --set schedule={repeat=20,period=4e3}", 200_000),
+        // Some are taken at once.
+        (" --set schedule={repeat=100,period=1e5}", 400_000),
+    ] {
         let scene = format!("{PAD} --set tasks=[wear] --set accuracy=1e-5{schedule}");
         assert!(bench.call(&format!("run {scene} -o whole")).code < 2);
         let recording = bench.path("x.partial/run.mcap");

@@ -1,11 +1,13 @@
 //! The wear stage: the gap in time, from the start gap until it is steady or a time is over.
 
 mod columns;
+mod cycles;
 mod earlier;
 mod final_ends;
 mod grown;
 mod history;
 mod hot;
+mod integration_error;
 mod level;
 mod mesh_lines;
 mod pieces;
@@ -16,6 +18,7 @@ mod rough;
 mod round;
 mod round_mesh;
 mod round_result;
+mod run;
 mod scar;
 mod torque;
 mod track;

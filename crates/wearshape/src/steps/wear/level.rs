@@ -2,33 +2,34 @@
 
 use contact::{ContactLoad, ContactOperator, ContactPoint, ContactSolution, Pair};
 use scene::Fault;
-use shapeopt::{
-    Evolution, EvolutionStatus, NodalCurve, Stepping, Times, Until, WearProblem, WearState, closing, lowest_nonnegative,
-};
+use shapeopt::{Evolution, EvolutionStatus, NodalCurve, Until, WearProblem, WearState, closing, lowest_nonnegative};
 
 use crate::bodies::Reduced;
 use crate::effort::Effort;
 use crate::ladder::Refusal;
 use crate::level::Level;
-use crate::life_result::LifeResult;
 use crate::options::Sampling;
-use crate::results::{Settled, WearResult};
+use crate::results::WearResult;
 use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::answer::{Answer, Own, Told};
 use crate::steps::heat::running::Running;
 use crate::steps::reported::{Moment, Reported};
 use crate::steps::wear::columns::{Turn, fill};
+use crate::steps::wear::cycles;
 use crate::steps::wear::earlier::{check_levels, check_states};
 use crate::steps::wear::history::History;
 use crate::steps::wear::hot::Hot;
+use crate::steps::wear::integration_error::{integration_error, refine};
 use crate::steps::wear::mesh_lines::mesh_lines;
 use crate::steps::wear::pieces::Pieces;
 use crate::steps::wear::problem::{Loads, steady_residual, wear_problem};
 use crate::steps::wear::ran::{MOST_STEPS, Ran};
 use crate::steps::wear::round_result::RoundContact;
+use crate::steps::wear::run::Run;
 use crate::steps::wear::torque::Turning;
 use crate::steps::{life, torsion};
+use crate::turns_result::TurnsResult;
 use crate::watch::{Event, FinishedLevel, RunLevel, Watch, WearStep};
 
 /// Samples of the gap for the comparison of levels.
@@ -122,7 +123,7 @@ pub(super) fn run(
     if run.stopped {
         return Ok(Err(Unfinished::Stopped(run.history)));
     }
-    let integration_error = known_error.unwrap_or_else(|| Some(integration_error(&problem, &run)?.max(least_error)));
+    let integration_error = known_error.unwrap_or_else(|| Some(integration_error(&problem, pieces, &run)?.max(least_error)));
     effort.add_seconds(Step::Evolution, stage.clock()() - start);
     let (left, ran) = scenes.ran(mesh, &problem, run, effort)?;
     Ok(Ok((FinishedLevel { integration_error, ..left }, ran)))
@@ -143,7 +144,8 @@ impl Scenes<'_> {
         let mut told = self.told((stage, problem), state, &normalised, &found);
         let heat = self.hot.as_ref().map(|hot| hot.tell(self.operator, state, (&found, &mut told), self.finished)).transpose()?;
         let mut wear = result(&run, stage);
-        wear.turns.clone_from(&self.pieces.turns);
+        let resolved = cycles::resolved(self.pieces, &run.history.states);
+        wear.turns = self.pieces.turns.clone().map(|turns| TurnsResult { resolved, ..turns });
         let mut moments: Vec<Moment> = self.moment("", state.time, found, last).into_iter().collect();
         if stage.problem.plan.runs(Step::Fields) && heat.is_none() {
             let first = self.pieces.intervals[0].stage;
@@ -269,52 +271,6 @@ fn result(run: &Run, stage: Stage<'_>) -> WearResult {
     }
 }
 
-/// Part of the accuracy that the steps may take where the contact grows: levels are apart by what it is on each of them.
-const GROWING: f64 = 0.1;
-
-/// Makes the steps of a contact that grows as fine as the first level says that they have to be. What they leave wrong is then at least what is
-/// expected of steps that much finer, and the second level measures it; without finer steps it is what the first level knows.
-fn refine(stage: Stage<'_>, problem: &mut WearProblem, finished: &[FinishedLevel]) -> (f64, Option<Option<f64>>) {
-    let known = |level: usize| finished.get(level).map(|level| level.integration_error);
-    let wanted = GROWING * stage.accuracy();
-    let Some(first) = known(0).flatten().filter(|error| problem.growing && *error > wanted) else { return (0.0, known(0)) };
-    if let Stepping::Adaptive { accuracy } = &mut problem.stepping {
-        *accuracy *= wanted / first;
-    }
-    (wanted, known(1))
-}
-
-/// How much coarser the steps of the run are that a run is compared with, by the error that each may make.
-const COARSER: f64 = 16.0;
-
-/// What the steps of a run leave wrong in its time to the steady pressure and the depth then, or in its depth at the end where it has no such time:
-/// its relative difference from a run with coarser steps, whose error is that many times as large.
-fn integration_error(problem: &WearProblem, run: &Run) -> Option<f64> {
-    let Stepping::Adaptive { accuracy } = problem.stepping else { return None };
-    if !matches!(run.ended, EvolutionStatus::Steady | EvolutionStatus::TimeReached | EvolutionStatus::WornOff) {
-        return None;
-    }
-    let stepping = Stepping::Adaptive { accuracy: COARSER * accuracy };
-    let times = problem.times.map(|times| Times { accuracy: COARSER * times.accuracy, ..times });
-    let coarse = WearProblem { stepping, times, ..problem.clone() };
-    let mut evolution = Evolution::new(&coarse).ok()?;
-    let mut history = History::default();
-    evolution.by_ref().take(MOST_STEPS).for_each(|state| history.push(state));
-    let relative = |fine: f64, coarse: f64| if fine == coarse { 0.0 } else { (fine - coarse).abs() / fine.abs() };
-    // A round contact comes near no steady pressure.
-    let settled = problem.times.and_then(|_| history.settled(&evolution));
-    let difference = match (&run.settled, settled) {
-        (Some(fine), Some(coarse)) => relative(fine.time, coarse.time).max(relative(fine.depth, coarse.depth)),
-        // An end by time has one time, an end by depth one depth.
-        (None, None) if run.ended == *evolution.status() => {
-            let (fine, coarse) = (&run.state, evolution.state());
-            relative(fine.depth, coarse.depth).max(relative(fine.time, coarse.time))
-        }
-        _ => return None,
-    };
-    Some(difference / (COARSER - 1.0))
-}
-
 /// Why a run whose every rate is 0 has no end.
 const NO_RATE: &str = "the wear rates beta (mu p)^b v^a are below the smallest number, so that nothing wears in a finite time; give a larger \
                        factor or friction, or a smaller exponent";
@@ -322,20 +278,6 @@ const NO_RATE: &str = "the wear rates beta (mu p)^b v^a are below the smallest n
 /// Why a run under a threshold does not begin.
 const NOWHERE_ABOVE: &str = "the pressure is nowhere above wear.threshold, so that nothing wears and the shape stays as it is; press harder, or \
                              give a lower threshold";
-
-/// What a run in time has come to.
-struct Run {
-    state: WearState,
-    ended: EvolutionStatus,
-    /// Whether the watcher ended it.
-    stopped: bool,
-    history: History,
-    /// What it took until the pressure was nearly the last one.
-    settled: Option<Settled>,
-    /// How long what may wear off lasts.
-    life: Option<LifeResult>,
-    run_in: Option<shapeopt::RunIn>,
-}
 
 /// Steps until the end, from the start or from the last of the known states; each new step is told. Nothing is done where the watcher has not let it
 /// begin.
@@ -356,7 +298,7 @@ fn evolve(
     let mut evolution = start.map_err(|error| Refusal::Reason(error.to_string()))?;
     let mut stopped = !begun;
     while *evolution.status() == EvolutionStatus::Running && evolution.state().step < MOST_STEPS && !stopped {
-        let Some(state) = evolution.next() else { break };
+        let Some(state) = cycles::next(&mut evolution, problem, scenes.pieces, &history.states) else { break };
         if state.step == 0 && state.gap_rate.iter().all(|rate| *rate == 0.0) {
             let above = scenes.stages[0].problem.wear.lowest_threshold().is_some();
             return Err(Refusal::Reason(if above { NOWHERE_ABOVE } else { NO_RATE }.into()));

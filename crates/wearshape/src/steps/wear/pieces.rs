@@ -13,6 +13,8 @@ pub(super) struct Pieces {
     pub intervals: Vec<Interval>,
     /// Shares of the time of loads that act by turns, over which the run averages; none where one acts after the other.
     pub shares: Option<Vec<f64>>,
+    /// How many pieces make a cycle, where cycles are resolved one by one.
+    pub cycle: Option<usize>,
     /// What is said of reversals that repeat; none without them.
     pub turns: Option<TurnsResult>,
 }
@@ -20,7 +22,7 @@ pub(super) struct Pieces {
 impl Pieces {
     /// The pieces of a problem, each once; without a schedule the problem itself for ever.
     pub(super) fn of(problem: &Problem) -> Pieces {
-        let mut pieces = Pieces { problems: Vec::new(), intervals: Vec::new(), shares: None, turns: None };
+        let mut pieces = Pieces { problems: Vec::new(), intervals: Vec::new(), shares: None, cycle: None, turns: None };
         if problem.pieces.is_empty() {
             pieces.problems.push(problem.clone());
             pieces.intervals.push(Interval { stage: 0, duration: f64::INFINITY });
@@ -44,7 +46,7 @@ impl Pieces {
     pub(super) fn both_ways(problem: &Problem, share: f64) -> Pieces {
         let problems = vec![problem.clone(), problem.under([1.0, 1.0, -1.0])];
         let intervals = vec![Interval { stage: 0, duration: f64::INFINITY }];
-        Pieces { problems, intervals, shares: Some(vec![share, 1.0 - share]), turns: None }
+        Pieces { problems, intervals, shares: Some(vec![share, 1.0 - share]), cycle: None, turns: None }
     }
 
     /// The mean over a cycle of these pieces.
@@ -56,12 +58,13 @@ impl Pieces {
             problems: self.problems.clone(),
             intervals: vec![Interval { stage: 0, duration: f64::INFINITY }],
             shares: Some((0..self.problems.len()).map(part).collect()),
+            cycle: None,
             turns: None,
         }
     }
 
     /// These pieces so many times, one cycle after the other.
     pub(super) fn repeated(self, count: usize) -> Pieces {
-        Pieces { intervals: self.intervals.repeat(count), ..self }
+        Pieces { intervals: self.intervals.repeat(count), cycle: Some(self.intervals.len()), ..self }
     }
 }

@@ -1,0 +1,61 @@
+//! What the steps of a run in time leave wrong, and how fine they have to be.
+
+use shapeopt::{Evolution, EvolutionStatus, Stepping, Times, WearProblem};
+
+use crate::stage::Stage;
+use crate::steps::wear::cycles;
+use crate::steps::wear::history::History;
+use crate::steps::wear::pieces::Pieces;
+use crate::steps::wear::ran::MOST_STEPS;
+use crate::steps::wear::run::Run;
+use crate::watch::FinishedLevel;
+
+/// Part of the accuracy that the steps may take where the contact grows: levels are apart by what it is on each of them.
+const GROWING: f64 = 0.1;
+
+/// Makes the steps of a contact that grows as fine as the first level says that they have to be. What they leave wrong is then at least what is
+/// expected of steps that much finer, and the second level measures it; without finer steps it is what the first level knows.
+pub(super) fn refine(stage: Stage<'_>, problem: &mut WearProblem, finished: &[FinishedLevel]) -> (f64, Option<Option<f64>>) {
+    let known = |level: usize| finished.get(level).map(|level| level.integration_error);
+    let wanted = GROWING * stage.accuracy();
+    let Some(first) = known(0).flatten().filter(|error| problem.growing && *error > wanted) else { return (0.0, known(0)) };
+    if let Stepping::Adaptive { accuracy } = &mut problem.stepping {
+        *accuracy *= wanted / first;
+    }
+    (wanted, known(1))
+}
+
+/// How much coarser the steps of the run are that a run is compared with, by the error that each may make.
+const COARSER: f64 = 16.0;
+
+/// What the steps of a run leave wrong in its time to the steady pressure and the depth then, or in its depth at the end where it has no such time:
+/// its relative difference from a run with coarser steps, whose error is that many times as large.
+pub(super) fn integration_error(problem: &WearProblem, pieces: &Pieces, run: &Run) -> Option<f64> {
+    let Stepping::Adaptive { accuracy } = problem.stepping else { return None };
+    if !matches!(run.ended, EvolutionStatus::Steady | EvolutionStatus::TimeReached | EvolutionStatus::WornOff) {
+        return None;
+    }
+    let stepping = Stepping::Adaptive { accuracy: COARSER * accuracy };
+    let times = problem.times.map(|times| Times { accuracy: COARSER * times.accuracy, ..times });
+    let coarse = WearProblem { stepping, times, ..problem.clone() };
+    let mut evolution = Evolution::new(&coarse).ok()?;
+    let mut history = History::default();
+    while evolution.state().step < MOST_STEPS
+        && let Some(state) = cycles::next(&mut evolution, &coarse, pieces, &history.states)
+    {
+        history.push(state);
+    }
+    let relative = |fine: f64, coarse: f64| if fine == coarse { 0.0 } else { (fine - coarse).abs() / fine.abs() };
+    // A round contact comes near no steady pressure.
+    let settled = problem.times.and_then(|_| history.settled(&evolution));
+    let difference = match (&run.settled, settled) {
+        (Some(fine), Some(coarse)) => relative(fine.time, coarse.time).max(relative(fine.depth, coarse.depth)),
+        // An end by time has one time, an end by depth one depth.
+        (None, None) if run.ended == *evolution.status() => {
+            let (fine, coarse) = (&run.state, evolution.state());
+            relative(fine.depth, coarse.depth).max(relative(fine.time, coarse.time))
+        }
+        _ => return None,
+    };
+    Some(difference / (COARSER - 1.0))
+}
