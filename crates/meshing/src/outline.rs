@@ -190,34 +190,69 @@ fn thickness_of_cells(mesh: &Mesh, contact: &str) -> f64 {
     let off = |e: &usize| (middle(e)[0] - 0.5 * (ends[0] + ends[1])).abs();
     let Some(start) = touching.iter().min_by(|a, b| off(a).total_cmp(&off(b))) else { return f64::NAN };
     let cells = mesh.edge_cells();
-    let Some((owner, local)) = cells[*start].first().copied() else { return f64::NAN };
-    let material = mesh.cells[owner].material;
-    let along = mesh.local_curve(owner, local).derivative(0.0);
-    // Local edges 0 and 1 have the cell on their left.
-    let length = if local < 2 { along[0].hypot(along[1]) } else { -along[0].hypot(along[1]) };
-    let (foot, normal) = (middle(start), [-along[1] / length, along[0] / length]);
+    let Some(foot) = Foot::on(mesh, &cells, *start, 0.0) else { return f64::NAN };
     // Sides of the material: edges with one cell of it.
     let sides = cells.iter().enumerate().filter(|(e, around)| {
-        around.iter().filter(|(cell, _)| mesh.cells[*cell].material == material).count() == 1 && !touching.contains(e)
+        around.iter().filter(|(cell, _)| mesh.cells[*cell].material == foot.material).count() == 1 && !touching.contains(e)
     });
-    sides.filter_map(|(e, _)| crossing(&mesh.edges[e].curve, foot, normal)).fold(f64::INFINITY, f64::min)
+    sides.filter_map(|(e, _)| foot.distance(&mesh.edges[e].curve)).fold(f64::INFINITY, f64::min)
 }
 
-/// Distance from a point along a ray to a curve, taken as a line of few pieces; none where they do not cross.
-fn crossing(curve: &Curve, foot: [f64; 2], ray: [f64; 2]) -> Option<f64> {
-    const PIECES: u32 = 64;
-    // Along the ray and across it.
-    let place = |i: u32| {
-        let x = curve.point(2.0 * f64::from(i) / f64::from(PIECES) - 1.0);
-        let [dx, dz] = [x[0] - foot[0], x[1] - foot[1]];
-        [dx * ray[0] + dz * ray[1], dx * ray[1] - dz * ray[0]]
-    };
-    let crossed = (0..PIECES).filter_map(|i| {
-        let [a, b] = [place(i), place(i + 1)];
-        let share = a[1] / (a[1] - b[1]);
-        (a[1] * b[1] <= 0.0 && share.is_finite()).then(|| a[0] + share * (b[0] - a[0]))
-    });
-    crossed.filter(|distance| *distance > 0.0).reduce(f64::min)
+/// Lines that a curve is taken for to find out where a ray crosses it, and tries to find the place on it.
+const PIECES: u32 = 64;
+const TRIES: usize = 60;
+
+/// A place of the contact edge, from which a normal runs into the body.
+pub(crate) struct Foot {
+    at: [f64; 2],
+    normal: [f64; 2],
+    /// Of the cell there.
+    pub(crate) material: usize,
+}
+
+impl Foot {
+    /// A place on an edge of a mesh at its parameter in [-1, 1]; none where no cell has the edge.
+    pub(crate) fn on(mesh: &Mesh, cells: &[Vec<(usize, usize)>], edge: usize, parameter: f64) -> Option<Foot> {
+        let (owner, local) = cells[edge].first().copied()?;
+        let curve = &mesh.edges[edge].curve;
+        let along = curve.derivative(parameter);
+        // The curve of the cell runs with that of the edge, or against it; local edges 0 and 1 have the cell on their left.
+        let [ahead, own] = [curve.derivative(0.0), mesh.local_curve(owner, local).derivative(0.0)];
+        let with = ahead[0] * own[0] + ahead[1] * own[1] > 0.0;
+        let length = if (local < 2) == with { along[0].hypot(along[1]) } else { -along[0].hypot(along[1]) };
+        Some(Foot {
+            at: curve.point(parameter),
+            normal: [-along[1] / length, along[0] / length],
+            material: mesh.cells[owner].material,
+        })
+    }
+
+    /// Distance along the normal to a curve; none where they do not cross.
+    pub(crate) fn distance(&self, curve: &Curve) -> Option<f64> {
+        // Along the normal and across it.
+        let place = |t: f64| {
+            let x = curve.point(t);
+            let [dx, dz] = [x[0] - self.at[0], x[1] - self.at[1]];
+            [dx * self.normal[0] + dz * self.normal[1], dx * self.normal[1] - dz * self.normal[0]]
+        };
+        let start = |i: u32| 2.0 * f64::from(i) / f64::from(PIECES) - 1.0;
+        let crossed = (0..PIECES).filter_map(|i| {
+            let [mut low, mut high] = [start(i), start(i + 1)];
+            let [before, after] = [place(low)[1], place(high)[1]];
+            if before * after > 0.0 || before == after {
+                return None;
+            }
+            for _ in 0..TRIES {
+                let mid = 0.5 * (low + high);
+                if place(mid)[1] * before > 0.0 { low = mid } else { high = mid }
+            }
+            let ends = [place(low), place(high)];
+            let share = ends[0][1] / (ends[0][1] - ends[1][1]);
+            let share = if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 };
+            Some(ends[0][0] + share * (ends[1][0] - ends[0][0]))
+        });
+        crossed.filter(|distance| *distance > 0.0).reduce(f64::min)
+    }
 }
 
 /// The curves of a named edge.

@@ -11,6 +11,7 @@ mod geometry;
 mod hash;
 mod heat;
 mod known;
+mod layer;
 mod material;
 mod numbers;
 mod optimum;
@@ -43,6 +44,7 @@ pub use geometry::{
 pub use hash::sha256;
 pub use heat::{EdgeHeat, Heat};
 pub use known::{KnownMaterial, known_materials};
+pub use layer::Layer;
 pub use material::Material;
 pub use numbers::{number_text, short, with_short_numbers};
 pub use point_shape::{PointShape, PolarPoint};

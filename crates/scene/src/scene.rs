@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::geometry::{Geometry, SurfaceShape};
 use crate::heat::{EdgeHeat, Heat};
+use crate::layer::Layer;
 use crate::material::Material;
 use crate::spin::Spin;
 use crate::support::Support;
@@ -152,9 +153,10 @@ pub struct Body {
     /// carried by its supports, that of body 1 by the loaded edge, evenly beside the load, so that `load.force` stays what presses the surfaces.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gravity: Option<[Acceleration; 2]>,
-    /// Thickness of body 1 that may wear off (mm), as `wear.wearable`, which a surface without bodies has. Body 2 has none.
+    /// What of body 1 may wear off: a thickness (mm), as `wear.wearable`, which a surface without bodies has, or the layer of its material at the contact, by
+    /// name, as far as it goes where it is thinnest. Body 2 has none.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub wearable: Option<Length>,
+    pub wearable: Option<Layer>,
     /// What carries heat through named edges, in a scene with `heat`; all others are insulated.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub heat: BTreeMap<String, EdgeHeat>,

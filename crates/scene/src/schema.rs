@@ -7,6 +7,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use crate::gap::{Gap, Until};
 use crate::gap_sum::{Columns, GapSum, Rows};
 use crate::known::known_materials;
+use crate::layer::Layer;
 use crate::material::{Material, Numbers};
 use crate::point_shape::{PointShape, PolarPoint};
 use crate::support::{Component, Support};
@@ -104,6 +105,16 @@ impl JsonSchema for Until {
         });
         let time = json_schema!({ "type": "string", "pattern": pattern(&TIME) });
         json_schema!({ "anyOf": [{ "const": "steady" }, { "type": "number" }, time, table] })
+    }
+}
+
+impl JsonSchema for Layer {
+    fn schema_name() -> Cow<'static, str> {
+        "Layer".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "anyOf": [schema_of(&LENGTH), { "type": "string", "pattern": "^[A-Za-z]" }] })
     }
 }
 

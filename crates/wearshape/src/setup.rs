@@ -54,6 +54,7 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     let tasks = tasks::resolve(&mut scene)?;
     let left_out = begin(document, &mut scene, &tasks)?;
     let bodies = bodies::resolve(&mut scene, files)?;
+    duty::layer(&mut scene, bodies.as_ref().map(|(_, [first, _])| first))?;
     let patch = match (&scene.surface, &bodies) {
         (Some(surface), _) => Some(Patch::bare(surface, scene.sliding.as_ref()).map_err(|fault| cycle::named(&scene, fault))?),
         (None, Some((kinematics, [first, second]))) => Patch::between(*kinematics, [first, second], scene.sliding.as_ref())

@@ -120,6 +120,11 @@ fn what_has_no_meaning_is_refused_with_what_to_do() {
         ("translating-punch --set body2.wearable=4", "a life is that of body 1"),
         ("translating-punch --set body1.wearable=-1", "body1.wearable"),
         ("hertz-cylinder --set body1.wearable=1", "no wear rule"),
+        ("drum-brake-block --set body1.wearable=lining", "neither a thickness nor a material"),
+        ("lining-on-back --set body1.wearable=felt", "a material at the contact: lining, steel"),
+        ("lining-on-back --set body1.wearable=steel", "not a layer of `steel` on another material"),
+        ("lining-on-back --set body2.wearable=lining", "a life is that of body 1"),
+        ("lining-on-back --set body1.wearable=4_foo", "wrong unit"),
     ] {
         let call = bench.check_and_run(scene);
         assert_eq!(call.code, 2, "{scene}: {}", call.out);
@@ -148,4 +153,56 @@ fn the_thickness_of_a_body_is_that_of_the_wear_rule() {
         life(&bench, &format!("drum-brake-block --set tasks=[pressure] --set {place}.wearable=4_mm --set wear.spread=.5"))
     });
     assert_eq!(body, rule);
+}
+
+/// The lining of a shoe is 10 mm thick everywhere; it lasts as long as 10 mm do.
+#[test]
+fn a_layer_is_as_thick_as_its_cells() {
+    let bench = Bench::new();
+    let [layer, thickness] =
+        ["lining", "10"].map(|what| life(&bench, &format!("lining-on-back --set tasks=[pressure] --set body1.wearable={what}")));
+    for key in ["time_h", "distance_km", "revolutions", "friction_work_MJ"] {
+        let [a, b] = [&layer, &thickness].map(|pressure| pressure["life"][key].as_f64().unwrap());
+        assert_relative_eq!(a, b, max_relative = 1e-12);
+    }
+}
+
+/// A pad whose lining is glued on askew lasts as far as that goes where it is thinnest: at its left end along the normal, not at the bond's nearest point.
+#[test]
+fn a_layer_glued_on_askew_lasts_as_its_thinnest_place() {
+    let bench = Bench::new();
+    let blocks = "
+[body1.geometry.blocks.points]
+a = [-30, 100]
+b = [30, 100]
+c = [40, 106]
+d = [-30, 104]
+e = [30, 150]
+f = [-30, 150]
+[body1.geometry.blocks.curves]
+face.line = ['a', 'b']
+bond.line = ['d', 'c']
+right.line = ['b', 'c']
+left.line = ['a', 'd']
+behind-right.line = ['c', 'e']
+behind-left.line = ['d', 'f']
+top.line = ['f', 'e']
+[body1.geometry.blocks.cells]
+lining = { curves = ['face', 'right', 'bond', 'left'], material = 'lining' }
+back = { curves = ['bond', 'behind-right', 'top', 'behind-left'], material = 'steel' }
+[body1.geometry.blocks.edges]
+bottom = ['face']
+top = ['top']
+[body1.geometry.blocks.materials]
+lining = { young = '1 GPa', poisson = 0.25 }
+steel = 'steel'
+";
+    let punch = bench.call("new translating-punch").out;
+    let without: Vec<&str> =
+        punch.lines().filter(|line| !line.starts_with("body1.material") && !line.starts_with("body1.geometry")).collect();
+    bench.file("askew.toml", &format!("{}{}", without.join("\n"), blocks));
+    let [layer, thickness] =
+        ["lining", "4"].map(|what| life(&bench, &format!("askew.toml --set tasks=[pressure] --set body1.wearable={what}")));
+    let [a, b] = [&layer, &thickness].map(|pressure| pressure["life"]["time_h"].as_f64().unwrap());
+    assert_relative_eq!(a, b, max_relative = 1e-8);
 }

@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use meshing::{Couple, outline};
-use scene::{Fault, Functional, Length, Scene, Task, Time, Until, positive, short};
+use meshing::{Couple, layer_thickness, outline};
+use scene::{Fault, Functional, Geometry, Layer, Length, Scene, Task, Time, Until, positive, short};
 
 use crate::problem::{End, Wearable};
 use crate::setup::repeat;
@@ -11,9 +11,11 @@ use crate::surface::Patch;
 
 /// The thickness that may wear off, and its key: of body 1, or in the wear rule of a surface without bodies.
 fn given(scene: &Scene) -> Result<Option<(Length, &'static str)>, Fault> {
-    let of = |body: &Option<scene::Body>| body.as_ref().and_then(|body| body.wearable);
-    let [first, second] = [&scene.body1, &scene.body2].map(of);
-    if second.is_some() {
+    let first = match scene.body1.as_ref().and_then(|body| body.wearable.as_ref()) {
+        Some(Layer::Thickness(thickness)) => Some(*thickness),
+        Some(Layer::Material(_)) | None => None,
+    };
+    if scene.body2.as_ref().is_some_and(|body| body.wearable.is_some()) {
         let message = "a life is that of body 1, whose wear is followed";
         return Err(Fault::at("body2.wearable", "wrong-key", message, "give body1.wearable, or make this body the first"));
     }
@@ -31,6 +33,43 @@ fn given(scene: &Scene) -> Result<Option<(Length, &'static str)>, Fault> {
             Ok(first.map(|first| (first, "body1.wearable")).or(in_wear.map(|thickness| (thickness, "wear.wearable"))))
         }
     }
+}
+
+/// Turns the name of the material whose layer may wear off into the thickness of that.
+pub(super) fn layer(scene: &mut Scene, first: Option<&meshing::Body>) -> Result<(), Fault> {
+    let key = "body1.wearable";
+    let (Some(typed), Some(body)) = (first, &mut scene.body1) else { return Ok(()) };
+    let Some(Layer::Material(name)) = &body.wearable else { return Ok(()) };
+    let none = Default::default();
+    let materials = match &body.geometry {
+        Geometry::Blocks(blocks) => &blocks.materials,
+        Geometry::Mesh(file) => &file.materials,
+        Geometry::ShoeBlock(_)
+        | Geometry::Ring(_)
+        | Geometry::Rectangle(_)
+        | Geometry::RingSegment(_)
+        | Geometry::HalfDisc(_) => &none,
+    };
+    let Some(material) = materials.get(name) else {
+        let known: Vec<&str> = materials.keys().map(String::as_str).collect();
+        let message = format!("`{name}` is neither a thickness nor a material of the cells of body 1");
+        let thickness = format!("{key} = \"4 mm\"");
+        let remedy = if known.is_empty() {
+            format!("give what of it may wear off, as in {thickness}")
+        } else {
+            format!("write a thickness, as in {thickness}, or a material at the contact: {}", known.join(", "))
+        };
+        return Err(Fault::at(key, "unknown-material", message, remedy));
+    };
+    let Some(thickness) = layer_thickness(typed, material) else {
+        let message = format!(
+            "the contact edge of body 1 is not a layer of `{name}` on another material, so that none of it has a thickness"
+        );
+        return Err(Fault::at(key, "wrong-value", message, format!("give what of it may wear off, as in {key} = \"4 mm\"")));
+    };
+    // No more than the middle has, by round-off.
+    body.wearable = Some(Layer::Thickness(Length(thickness.min(outline(typed).thickness))));
+    Ok(())
 }
 
 /// Refuses a thickness that may wear off where body 1 is not so thick.
