@@ -119,8 +119,11 @@ fn lowest_place(curve: &impl Curve, places: &[Place], a: &[f64], slack: f64) -> 
     let found = lowest_about(gap, places, lowest, slack);
     let to_beat = gap(found) - slack;
     let inner = (1..gaps.len().saturating_sub(1)).filter(|i| *i != lowest && gaps[*i] <= gaps[i - 1].min(gaps[i + 1]));
-    // No dip is deeper than twice what a parabola tells.
-    let deepest = |i: usize| 2.0 * vertex([i - 1, i, i + 1].map(|k| [places[k].s, gaps[k]])) - gaps[i];
+    // No dip is deeper than twice what a parabola tells, and what the parabola does not know is less than a part of what its ends tell.
+    let deepest = |i: usize| {
+        let parabola = vertex([i - 1, i, i + 1].map(|k| [places[k].s, gaps[k]]));
+        2.0 * parabola - gaps[i] - BEYOND_PARABOLA * (gaps[i - 1].max(gaps[i + 1]) - gaps[i])
+    };
     let dips = inner.filter(|i| deepest(*i) < to_beat);
     let others = dips.map(|i| lowest_about(gap, places, i, slack)).filter(|s| gap(*s) < to_beat);
     let lower = others.min_by(|s, t| gap(*s).total_cmp(&gap(*t)));
@@ -156,6 +159,8 @@ fn spacing(places: &[Place], s: f64) -> f64 {
 const STILL: f64 = 1e-13;
 /// Violation of `g >= 0`, over the largest jump, that is round-off.
 const SLACK: f64 = 1e-15;
+/// What a dip may be deeper than a parabola tells, over the rise from its lowest sample to the higher of those beside it.
+const BEYOND_PARABOLA: f64 = 0.25;
 /// Violation of `g >= 0`, over the largest jump, that a tangent may have.
 const DIP: f64 = 1e-12;
 
@@ -303,6 +308,17 @@ mod tests {
         let found = lowest(&Line(gap)).expect("a solution");
         let [shift, turn] = [found.coordinates[0], found.coordinates[1]];
         assert!(shift.abs() < 1e-14 && turn.abs() < 1e-14, "{shift:e} {turn:e}");
+    }
+
+    /// A dip is seen, too, right beside a sample that stands no higher than the parabola through it and its neighbours tells.
+    #[test]
+    fn no_gap_dips_below_zero_beside_a_sample() {
+        for k in 0..200 {
+            let low = 0.5 + 1e-4 * f64::from(k);
+            let found = lowest(&Line(|s| (s - low).powi(2) * (2.0 - s) * (1.0 + 8.0 * s * s))).expect("a solution");
+            let [shift, turn] = [found.coordinates[0], found.coordinates[1]];
+            assert!(shift.abs() < 1e-13 && turn.abs() < 1e-13, "{low}: {shift:e} {turn:e}");
+        }
     }
 
     /// Apart from each other they are touching points as they are.

@@ -108,7 +108,13 @@ impl Optimum {
         if self.regime == Regime::Singular {
             return f64::NEG_INFINITY;
         }
-        self.law.log_pressure(&self.law.node(*point))
+        let node = self.law.node(*point);
+        if self.law.is_round_off(&node) { f64::NEG_INFINITY } else { self.law.log_pressure(&node) }
+    }
+
+    /// Whether the closed form has a pressure at a point, however little it is: its ends are where this changes.
+    pub fn presses_at(&self, point: &SurfacePoint) -> bool {
+        self.regime != Regime::Singular && self.law.node(*point).log_h > f64::NEG_INFINITY
     }
 
     /// Pressure in MPa at any point of the same surface.

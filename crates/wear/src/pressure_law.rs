@@ -5,6 +5,10 @@ use crate::mode::MAX_MODES;
 use crate::recession::Recession;
 use crate::{Balance, Modes, RigidMode, RigidMotion, SurfacePoint};
 
+/// What is left of a sum that vanishes, over the size of its terms: an element node on the end of a pressure is there up to the round-off of its
+/// coordinates.
+const ROUND_OFF: f64 = 1e-12;
+
 /// Values of the modes at a point, each divided by its scale.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ModeValues {
@@ -165,6 +169,14 @@ impl PressureLaw {
     /// log p at a node made by this law.
     pub(crate) fn log_pressure(&self, node: &Node) -> f64 {
         if self.absolute { node.log_h } else { self.log_scale + node.log_h }
+    }
+
+    /// Whether f is nothing but round-off at a node: at an end of the pressure, of which a power would make much more.
+    pub(crate) fn is_round_off(&self, node: &Node) -> bool {
+        let term =
+            |j: usize| if j == self.pivot { self.side * node.modes.phi[j] } else { self.y[j] * self.reduced(&node.modes.phi, j) };
+        let jumps = matches!(self.density, Density::BangBang { .. });
+        !jumps && node.f <= ROUND_OFF * (0..self.count).map(|j| term(j).abs()).sum::<f64>()
     }
 
     /// Multipliers in the unscaled modes, in the gauge of this law: f = sum_k lambda_k phi_k.

@@ -332,3 +332,31 @@ fn rectangle_pressed_beyond_its_kern_in_two_directions_carries_its_load() {
     let length = (0.5 + 2.0) * (20.0 - 12.0);
     assert_relative_eq!(optimum.p_max, 1000.0 * 1.5 / (20.0 * length), max_relative = 1e-8);
 }
+
+/// At the place where a pressure ends, as near as numbers come to it, there is none: with p ~ sqrt(distance) round-off would be 1e-8 of the largest.
+#[test]
+fn a_pressure_is_zero_at_its_end() {
+    let law = WearLaw { factor: 1e-7, speed_exponent: 1.0, pressure_exponent: 2.0 };
+    for middle in [0.0, -50.0, 37.3] {
+        let shape = Shape::Rectangle { x: [middle - 20.0, middle + 20.0], y: [-10.0, 10.0] };
+        let surface = Surface::new(shape, SlidingMotion::along_x(5.0)).unwrap();
+        let about = Vector3::new(middle, 0.0, 0.0);
+        let modes = vec![RigidMode::press_down(1000.0), RigidMode::tilt(12_000.0, about)];
+        let optimum = optimal_pressure(&Problem::new(surface.clone(), law, modes)).unwrap();
+        let at = |x: f64| surface.point(Vector3::new(x, 0.0, 0.0), Vector3::z(), 5.0);
+        let (mut open, mut pressed) = (middle - 20.0, middle + 20.0);
+        for _ in 0..200 {
+            let half = 0.5 * (open + pressed);
+            if optimum.presses_at(&at(half)) { pressed = half } else { open = half }
+        }
+        assert_relative_eq!(pressed, middle, epsilon = 1e-9);
+        for x in [open, pressed, pressed + 4e-14, pressed.next_up().next_up()] {
+            assert_eq!(optimum.pressure_at(&at(x)), 0.0, "{middle}: {x}");
+        }
+        // p = p_max sqrt(distance / 20).
+        for distance in [1e-9, 1e-6, 5.0] {
+            let wanted = optimum.p_max * (distance / 20.0_f64).sqrt();
+            assert_relative_eq!(optimum.pressure_at(&at(pressed + distance)), wanted, max_relative = 1e-4);
+        }
+    }
+}

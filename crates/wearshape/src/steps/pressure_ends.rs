@@ -12,8 +12,7 @@ pub(crate) fn pressure_ends(stage: Stage<'_>, optimum: &wear::Optimum) -> Vec<f6
     let surface = &stage.patch.surface;
     let (lo, hi) = surface.range();
     let at = |t: f64| 0.5 * (lo * (1.0 - t) + hi * (1.0 + t));
-    // In logarithms: a steep pressure underflows long before it ends.
-    let presses = |t: f64| optimum.log_pressure_at(&surface.along(at(t))) > f64::NEG_INFINITY;
+    let presses = |t: f64| optimum.presses_at(&surface.along(at(t)));
     let place = |i: usize| 2.0 * i as f64 / PIECES as f64 - 1.0;
     let mut ends = Vec::new();
     for i in 0..PIECES {
