@@ -18,11 +18,13 @@ const DRIVER: &str = "playwright>=1.50,<2";
 /// What all processors of browsers since 2023 have, and a stack as large as that of a program.
 const FLAGS: &str = "-C target-feature=+simd128 -C link-arg=-zstack-size=8388608";
 /// What takes 2 % off the module, of the steps after the compiler's (`wasm-opt` of Binaryen): the first level, as the others
-/// make it larger by brotli, without sets of what is there already, again until it gets no smaller; and what the module is built for.
-const SMALLER: [&str; 11] = [
+/// make it larger by brotli, without sets of what is there already and arguments that nothing reads, again until it gets no smaller; and what the
+/// module is built for.
+const SMALLER: [&str; 12] = [
     "-O1",
     "--rse",
     "--vacuum",
+    "--dae-optimizing",
     "--converge",
     "--enable-simd",
     "--enable-bulk-memory",
@@ -66,7 +68,7 @@ fn built(root: &Path, install: bool) -> Result<(), String> {
     let flags = format!("CARGO_TARGET_{}_RUSTFLAGS", WASM.to_uppercase().replace('-', "_"));
     let mut build = cargo(root);
     build.args(["build", "--quiet", "--locked", "--profile", "browser", "--target", WASM, "--package", "wearshape-web"]);
-    done(build.env(flags, FLAGS))?;
+    done(build.env(flags, format!("{FLAGS}{}", without_registry())))?;
     let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from);
     let out = root.join("target/web");
     if out.exists() {
@@ -87,6 +89,18 @@ fn built(root: &Path, install: bool) -> Result<(), String> {
     sizes(&out)?;
     println!("{:4.0} s  built into target/web", start.elapsed().as_secs_f64());
     Ok(())
+}
+
+/// Flags that leave the folder of the registry out of the names of files that the module holds: it is this machine's, and takes place.
+fn without_registry() -> String {
+    let home = std::env::home_dir().unwrap_or_default();
+    let cargo = std::env::var_os("CARGO_HOME").map_or_else(|| home.join(".cargo"), PathBuf::from);
+    let folders = fs::read_dir(cargo.join("registry/src")).into_iter().flatten().flatten();
+    let mut folders: Vec<String> = folders.map(|folder| folder.path().display().to_string()).collect();
+    folders.sort();
+    // Flags end at spaces.
+    folders.retain(|folder| !folder.contains(' '));
+    folders.iter().map(|folder| format!(" --remap-path-prefix={folder}/=")).collect()
 }
 
 fn copy(from: &Path, to: &Path) -> Result<(), String> {
