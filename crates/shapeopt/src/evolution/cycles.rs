@@ -5,9 +5,9 @@ use crate::rigid_wear::inside;
 use crate::wear_state::WearState;
 
 impl Evolution<'_> {
-    /// How far the wear of a cycle, from a state at the end of one to that at the end of the next, is from a rigid feed: the largest rest over the
-    /// largest gap, both without their rigid parts. Nothing but the rigid part is left in the limit, where each cycle begins with the pressure of the one before. Points that are
-    /// open all the time count where the feed closes them.
+    /// How far the wear `d = g_after - g_before` of a cycle, from a state at the end of one to that at the end of the next, is from a rigid feed:
+    /// `max |d - Proj d| / max |g - Proj g|`, a number. Nothing but the rigid part is left in the limit, where each cycle begins with the pressure of the
+    /// one before. Points that are open all the time count where the feed closes them.
     pub fn strayed(&self, before: &WearState, after: &WearState) -> f64 {
         let (worn, rest) = self.parts(before, after);
         let most = worn.iter().zip(&rest).map(|(w, r)| if *w > 0.0 { r.abs() } else { (-r).max(0.0) }).fold(0.0, f64::max);
@@ -55,7 +55,8 @@ impl Evolution<'_> {
         let each = |value: fn(&WearState) -> f64| (value(to) - value(from)) / count;
         let earlier = ((to.depth - depth) / each(|state| state.depth)).ceil();
         let deeper = depth + earlier * each(|state| state.depth);
-        let [time, distance] = self.worn_off(on, deeper.min(on.last()?.depth)).unwrap_or([to.time, to.distance]);
+        let [time, distance] =
+            if deeper <= to.depth { [to.time, to.distance] } else { self.worn_off(on, deeper.min(on.last()?.depth))? };
         Some([time - earlier * each(|state| state.time), distance - earlier * each(|state| state.distance)])
     }
 

@@ -3,9 +3,10 @@
 use std::f64::consts::TAU;
 
 use meshing::{Couple, layer_thickness, outline};
-use scene::{Fault, Functional, Geometry, Layer, Length, Scene, Task, Time, Until, positive, short};
+use scene::{Fault, Functional, Layer, Length, Scene, Task, Time, Until, positive, short};
 
 use crate::problem::{End, Wearable};
+use crate::setup::materials::named;
 use crate::setup::repeat;
 use crate::surface::Patch;
 
@@ -40,18 +41,9 @@ pub(super) fn layer(scene: &mut Scene, first: Option<&meshing::Body>) -> Result<
     let key = "body1.wearable";
     let (Some(typed), Some(body)) = (first, &mut scene.body1) else { return Ok(()) };
     let Some(Layer::Material(name)) = &body.wearable else { return Ok(()) };
-    let none = Default::default();
-    let materials = match &body.geometry {
-        Geometry::Blocks(blocks) => &blocks.materials,
-        Geometry::Mesh(file) => &file.materials,
-        Geometry::ShoeBlock(_)
-        | Geometry::Ring(_)
-        | Geometry::Rectangle(_)
-        | Geometry::RingSegment(_)
-        | Geometry::HalfDisc(_) => &none,
-    };
-    let Some(material) = materials.get(name) else {
-        let known: Vec<&str> = materials.keys().map(String::as_str).collect();
+    let materials = named(&body.geometry);
+    let Some(material) = materials.and_then(|materials| materials.get(name)) else {
+        let known: Vec<&str> = materials.into_iter().flatten().map(|(name, _)| name.as_str()).collect();
         let message = format!("`{name}` is neither a thickness nor a material of the cells of body 1");
         let thickness = format!("{key} = \"4 mm\"");
         let remedy = if known.is_empty() {

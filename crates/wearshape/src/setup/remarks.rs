@@ -1,12 +1,13 @@
 //! What the theory has to say about a scene before it is solved.
 
-use scene::{Balance, Functional, Geometry, Task, with_short_numbers};
+use scene::{Balance, Functional, Task, with_short_numbers};
 use wear::Shape;
 
 use crate::freedom::{Role, guided_moment};
 use crate::functional::{functional_row, s_minus_1};
 use crate::problem::{Optimum, Problem};
 use crate::remark::Remark;
+use crate::setup::materials::named;
 
 /// All remarks, in a fixed order.
 pub(super) fn remarks(problem: &Problem, tasks: &[Task]) -> Vec<Remark> {
@@ -60,16 +61,7 @@ fn materials(problem: &Problem, say: &mut impl FnMut(&'static str, String)) {
 
 /// Names of the materials of cells with a modulus.
 fn name_of(body: &scene::Body, young: f64) -> Option<String> {
-    let materials = match &body.geometry {
-        Geometry::Blocks(blocks) => &blocks.materials,
-        Geometry::Mesh(file) => &file.materials,
-        Geometry::ShoeBlock(_)
-        | Geometry::Ring(_)
-        | Geometry::Rectangle(_)
-        | Geometry::RingSegment(_)
-        | Geometry::HalfDisc(_) => return None,
-    };
-    let names: Vec<&str> = materials
+    let names: Vec<&str> = named(&body.geometry)?
         .iter()
         .filter(|(_, own)| own.young.each().iter().any(|own| own.0 == young))
         .map(|(name, _)| name.as_str())
