@@ -100,11 +100,13 @@ impl FreeEnds {
         }
         let jacobian = self.jacobian.as_ref();
         let start = Start { places: &places, jacobian, apart: true, tolerance, share: SHARE, within: [-1.0, 1.0] };
-        let mut meshes = 0;
+        let mut tried: Vec<Vec<f64>> = Vec::new();
         let found = position_nodes(start, |places| -> Result<_, Option<E>> {
             let ascending = places.windows(2).all(|pair| pair[0] < pair[1]);
-            meshes += 1;
-            if !(meshes <= MOST && ascending && places.iter().all(|t| t.abs() < 1.0 - 1e-6)) {
+            if !tried.iter().any(|before| before == places) {
+                tried.push(places.to_vec());
+            }
+            if !(tried.len() <= MOST && ascending && places.iter().all(|t| t.abs() < 1.0 - 1e-6)) {
                 return Err(None);
             }
             held(places)?.ok_or(None)

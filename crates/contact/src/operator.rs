@@ -165,15 +165,16 @@ impl UnitResponses {
     /// The matrices of all points; with the slip by shear (`C_tt`), which stick alone needs, or without.
     pub(crate) fn matrices(&self, stick: bool) -> &Matrices {
         self.whole[usize::from(stick)].get_or_init(|| {
+            let all: Vec<usize> = (0..self.points.len()).collect();
             if stick {
-                return Matrices { tangential: self.tangential(), ..self.matrices(false).clone() };
+                return Matrices { tangential: self.tangential(&all), ..self.matrices(false).clone() };
             }
-            self.matrices_at(&(0..self.points.len()).collect::<Vec<usize>>())
+            self.matrices_at(&all, false)
         })
     }
 
-    /// The matrices of some of the points, the slip by shear left out.
-    pub(crate) fn matrices_at(&self, at: &[usize]) -> Matrices {
+    /// The matrices of some of the points; with the slip by shear, or without.
+    pub(crate) fn matrices_at(&self, at: &[usize], stick: bool) -> Matrices {
         let n = at.len();
         let mut normal = Mat::zeros(n, n);
         let mut normal_by_shear = self.shear_influence.as_ref().map(|_| Mat::zeros(n, n));
@@ -188,16 +189,16 @@ impl UnitResponses {
         }
         let influence = rows_of(&self.influence, at);
         let shear_influence = self.shear_influence.as_ref().map(|all| rows_of(all, at));
-        Matrices { normal: symmetric(&normal), normal_by_shear, tangential: None, influence, shear_influence }
+        let tangential = if stick { self.tangential(at) } else { None };
+        Matrices { normal: symmetric(&normal), normal_by_shear, tangential, influence, shear_influence }
     }
 
-    /// Slip by shear forces; none if shear was not asked for.
-    fn tangential(&self) -> Option<Mat<f64>> {
-        let n = self.points.len();
-        let mut sum = Mat::zeros(n, n);
+    /// Slip by shear forces at some of the points; none if shear was not asked for.
+    fn tangential(&self, at: &[usize]) -> Option<Mat<f64>> {
+        let mut sum = Mat::zeros(at.len(), at.len());
         for r in &self.responses {
-            let rows = r.tangential.as_ref()?;
-            sum += rows.product(&r.under(rows, &(0..n).collect::<Vec<usize>>()));
+            let rows = r.tangential.as_ref()?.at(at);
+            sum += rows.product(&r.under(&rows, at));
         }
         Some(symmetric(&sum))
     }

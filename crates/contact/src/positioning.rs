@@ -144,7 +144,9 @@ pub fn position_nodes<T, E>(
     mut evaluate: impl FnMut(&[f64]) -> Result<(Vec<f64>, T), E>,
 ) -> Result<Nodes<T>, E> {
     let mut places = start.places.to_vec();
-    let (mut value, mut last) = evaluate(&places)?;
+    let (mut value, last) = evaluate(&places)?;
+    // What came with residuals may be large: there is one at a time.
+    let mut last = Some(last);
     let mut evaluations = 1;
     let mut jacobian = match start.jacobian {
         Some(known) => known.clone(),
@@ -155,7 +157,7 @@ pub fn position_nodes<T, E>(
     };
     let first = jacobian.clone();
     let mut history: Vec<f64> = Vec::new();
-    let mut best: Option<Tried<T>> = None;
+    let mut best: Option<Tried> = None;
     loop {
         let residual = nalgebra::DVector::from_row_slice(&value);
         let step = jacobian.clone().lu().solve(&(-&residual));
@@ -166,21 +168,30 @@ pub fn position_nodes<T, E>(
         let enough = (start.tolerance * size(&places) * if idle { 100.0 } else { 1.0 }).max(start.share * history[0]);
         if let Some(step) = step.as_ref().filter(|_| largest <= enough) {
             let refined = places.iter().zip(step.iter()).map(|(place, step)| place + step).collect();
+            let Some(last) = last else { unreachable!("every evaluation leaves what came with it") };
             return Ok(Nodes { places, refined, found: true, last, evaluations, history, jacobian });
         }
         // Differences of residuals at places that are close together are round-off, and so are the steps they give: the first derivatives judge.
         let missed = first.clone().lu().solve(&residual).as_ref().map_or(f64::INFINITY, largest_of);
         if best.as_ref().is_none_or(|best| missed < best.missed) {
-            best = Some(Tried { places: places.clone(), last, missed, number: history.len() });
+            best = Some(Tried { places: places.clone(), missed, number: history.len() });
         }
         let tried = best.as_ref().map_or(0, |best| best.number);
         let goes_on = history.len() <= LIMIT && history.len() < tried + IDLE && largest.is_finite();
         let (Some(mut step), true) = (step, goes_on) else {
-            let Some(Tried { places, last, missed, .. }) = best else { unreachable!("the first places are the best until then") };
+            let Some(Tried { places, missed, .. }) = best else { unreachable!("the first places are the best until then") };
             let found = missed <= ROUND_OFF * size(&places);
+            let last = match last.filter(|_| tried == history.len()) {
+                Some(last) => last,
+                None => {
+                    evaluations += 1;
+                    evaluate(&places)?.1
+                }
+            };
             return Ok(Nodes { refined: places.clone(), places, found, last, evaluations, history, jacobian });
         };
         start.step(&mut places, &mut step, largest);
+        drop(last.take());
         let (next, outcome) = evaluate(&places)?;
         evaluations += 1;
         let change = nalgebra::DVector::from_fn(places.len(), |i, _| next[i] - value[i]);
@@ -188,7 +199,7 @@ pub fn position_nodes<T, E>(
         if square > 0.0 {
             jacobian += (change - &jacobian * &step) * step.transpose() / square;
         }
-        (value, last) = (next, outcome);
+        (value, last) = (next, Some(outcome));
     }
 }
 
@@ -198,9 +209,8 @@ fn largest_of(step: &nalgebra::DVector<f64>) -> f64 {
 }
 
 /// Places that were tried.
-struct Tried<T> {
+struct Tried {
     places: Vec<f64>,
-    last: T,
     /// Step that their residuals ask for by the first derivatives.
     missed: f64,
     /// Evaluations at trials until then.

@@ -196,26 +196,27 @@ impl Setting<'_> {
     fn held_steps(&self, bodies: &[Body; 2], nodes: &[f64], both: bool, work: &mut Effort) -> Result<Steps, Fault> {
         let clock = self.options.clock;
         let pair = facing(bodies)?;
-        let operator = work.timed(Step::Interface, clock, |_| self.operator(&pair))?;
-        let start = clock();
-        let points = operator.points().to_vec();
-        let gap: Vec<f64> = points.iter().map(|p| self.disc.gap(p.position[0])).collect();
+        let points = pair.points();
         let states = self.states(&points, nodes);
         let closed: Vec<bool> = states.iter().map(|s| *s != ContactState::Open).collect();
-        let pressed = operator.solve_on(&gap, &self.press(), &closed).and_then(solvable).map_err(unsolved)?;
+        let operator = work.timed(Step::Interface, clock, |_| self.operator(&pair, &closed))?;
+        let start = clock();
+        let gap: Vec<f64> = points.iter().map(|p| self.disc.gap(p.position[0])).collect();
+        let held = operator.held_on(&closed, both);
+        let pressed = held.solve(&gap, &self.press()).and_then(solvable).map_err(unsolved)?;
         let sheared = if !both {
             None
         } else {
             let load = self.push(&pressed.slip);
-            Some(operator.solve_states(&gap, &load, &states).and_then(solvable).map_err(unsolved)?)
+            Some(held.solve_states(&gap, &load, &states).and_then(solvable).map_err(unsolved)?)
         };
         work.counters.contact_solves += 1 + usize::from(sheared.is_some());
         work.add_seconds(Step::Contact, clock() - start);
         Ok(Steps { unit: operator.unit_responses(), points, pressed, sheared })
     }
 
-    fn operator<'p>(&self, pair: &Pair<'p>) -> Result<ContactOperator<'p>, Fault> {
-        ContactOperator::new(pair, self.shear != 0.0)
+    fn operator<'p>(&self, pair: &Pair<'p>, closed: &[bool]) -> Result<ContactOperator<'p>, Fault> {
+        ContactOperator::near(pair, self.shear != 0.0, closed)
             .map_err(|error| Fault::at("body1.support", "not-held", error.to_string(), "support the bodies"))
     }
 
