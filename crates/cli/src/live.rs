@@ -37,6 +37,10 @@ impl Live {
         let begun = |step| progress.part(step);
         let options = Options { begun: &begun, ..*options };
         let solved = wearshape::solve(problem, &options, bodies, &mut |event| self.see(event));
+        // However it ended, its steps are worth going on from.
+        if let Some(tape) = &mut self.tape {
+            tape.recorder()?;
+        }
         self.fault.take().map_or(solved, Err)
     }
 
@@ -66,7 +70,7 @@ impl Live {
 
     fn step(&mut self, step: &WearStep<'_>) -> Result<(), Fault> {
         let state = step.state;
-        let Some(recorder) = self.tape.as_mut().and_then(Tape::recorder) else { return Ok(()) };
+        let Some(tape) = &mut self.tape else { return Ok(()) };
         let iteration = Iteration {
             step: state.step as u64,
             tries: step.tries as u64,
@@ -76,6 +80,6 @@ impl Live {
             steady_residual: state.steady_residual,
         };
         let points = Points::new(state.step as u64, state.time, &(step.profile)());
-        recorder.step(&iteration, &points, &State::from(state))
+        tape.step(iteration, points, State::from(state))
     }
 }

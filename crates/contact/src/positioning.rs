@@ -181,13 +181,9 @@ pub fn position_nodes<T, E>(
         let (Some(mut step), true) = (step, goes_on) else {
             let Some(Tried { places, missed, .. }) = best else { unreachable!("the first places are the best until then") };
             let found = missed <= ROUND_OFF * size(&places);
-            let last = match last.filter(|_| tried == history.len()) {
-                Some(last) => last,
-                None => {
-                    evaluations += 1;
-                    evaluate(&places)?.1
-                }
-            };
+            let known = last.filter(|_| tried == history.len());
+            evaluations += usize::from(known.is_none());
+            let last = known.map_or_else(|| evaluate(&places).map(|(_, given)| given), Ok)?;
             return Ok(Nodes { refined: places.clone(), places, found, last, evaluations, history, jacobian });
         };
         start.step(&mut places, &mut step, largest);

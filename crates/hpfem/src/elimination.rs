@@ -17,12 +17,15 @@ use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
 use faer::{Accum, Mat, MatRef, Par};
 
+/// Rows and columns of a tile when a matrix is mirrored.
+const TILE: usize = 32;
+
 /// The factorised interior and the condensed kept part.
 pub(crate) struct Condensed {
     plan: Plan,
     /// `[L11; L21]` of every front, columns one after the other; empty if they were not to be kept.
     panels: Vec<Vec<f64>>,
-    /// Schur complement on the kept unknowns, both triangles filled.
+    /// Schur complement on the kept unknowns, both triangles filled, in the unit asked for; empty once it is taken.
     pub(crate) stiffness: Mat<f64>,
     /// Condensed right-hand sides.
     pub(crate) rhs: Mat<f64>,
@@ -32,7 +35,7 @@ pub(crate) struct Condensed {
 
 impl Plan {
     /// Runs the elimination on elements whose groups are sorted by [`Plan::rank`]. The last of the `kept` groups is that of the right-hand
-    /// sides; `factors` tells whether the fronts are kept for [`Condensed::back_substitute`].
+    /// sides; `factors` tells whether the fronts are kept for [`Condensed::back_substitute`]. The stiffness comes times `unit`.
     ///
     /// # Errors
     /// The group whose pivot lost all stiffness.
@@ -41,7 +44,7 @@ impl Plan {
         elements: &mut Elements<'_>,
         size: &[usize],
         kept: &[usize],
-        factors: bool,
+        (factors, unit): (bool, f64),
     ) -> Result<Condensed, usize> {
         let cells = elements.groups.len();
         let unknowns = |groups: &[usize]| groups.iter().map(|g| size[*g]).sum::<usize>();
@@ -69,8 +72,8 @@ impl Plan {
                 panels.push(panel.to_vec());
             }
         }
-        let root = FrontPlan { children: Vec::new(), groups: kept.to_vec(), eliminated: 0 };
         let n = unknowns(kept);
+        let root = FrontPlan { children: Vec::new(), groups: kept.to_vec(), eliminated: 0 };
         let mut square = vec![0.0; n * n];
         let mut front = Front::open(&mut map, &root, &mut [], &mut square);
         for element in &self.roots {
@@ -85,12 +88,31 @@ impl Plan {
         let (columns, at) = (n - own, |i: usize, j: usize| square[i.min(j) * n + i.max(j)]);
         Ok(Condensed {
             panels,
-            stiffness: Mat::from_fn(own, own, at),
+            stiffness: mirrored(&square, [n, own], unit),
             rhs: Mat::from_fn(own, columns, |i, j| at(i, own + j)),
             work: Mat::from_fn(columns, columns, |i, j| -at(own + i, own + j)),
             plan: self,
         })
     }
+}
+
+/// The leading `own` rows and columns of a symmetric matrix with `n` of them, of which the lower triangle counts, times a number.
+fn mirrored(lower: &[f64], [n, own]: [usize; 2], unit: f64) -> Mat<f64> {
+    let mut whole = Mat::zeros(own, own);
+    for j in 0..own {
+        let from = &lower[j * n + j..j * n + own];
+        whole.col_as_slice_mut(j)[j..].iter_mut().zip(from).for_each(|(to, from)| *to = unit * from);
+    }
+    // Tile by tile: rows of the one are columns of the other.
+    for rows in (0..own).step_by(TILE) {
+        for columns in (rows..own).step_by(TILE) {
+            for j in columns..own.min(columns + TILE) {
+                let to = &mut whole.col_as_slice_mut(j)[rows..j.min(rows + TILE)];
+                to.iter_mut().enumerate().for_each(|(i, to)| *to = unit * lower[(rows + i) * n + j]);
+            }
+        }
+    }
+    whole
 }
 
 /// Right-hand sides eliminated after the factorisation.

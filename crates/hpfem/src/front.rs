@@ -76,8 +76,8 @@ impl Plan {
                 }
             }
         }
-        // What is left is copied into the operator and brought to its units.
-        largest = largest.max(held + buffer + square(kept)).max(held + 3 * square(kept));
+        // What is left is copied into the operator.
+        largest = largest.max(held + buffer + square(kept)).max(held + 2 * square(kept));
         largest + CELL_BYTES * element_groups.len() as u64 + BASE_BYTES
     }
 }

@@ -2,9 +2,11 @@
 
 use crate::check::power_of_two_below;
 use crate::interface::InterfaceOperator;
-use faer::linalg::solvers::{Llt, PartialPivLu, Solve};
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::cholesky::llt::factor::{cholesky_in_place, cholesky_in_place_scratch};
+use faer::linalg::solvers::{PartialPivLu, Solve};
 use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
-use faer::{Mat, MatMut, Par, Scale, Side};
+use faer::{Mat, MatMut, MatRef, Par, get_global_parallelism};
 
 /// The stiffness `S` of an [`InterfaceOperator`], factorised by Cholesky; of a body that its supports leave free the bordered system `[S G; G^T 0]`,
 /// whose solutions are those of `[S + a G G^T, G; G^T, 0]`, with `S + a G G^T` factorised and the border eliminated.
@@ -20,8 +22,8 @@ pub struct InterfaceFactor {
 /// What is factorised, its unknowns in order.
 #[derive(Clone, Debug)]
 enum Form {
-    /// `unit (S + a G G^T)`, and the border.
-    Definite { factor: Llt<f64>, unit: f64, border: Option<Border> },
+    /// The factor of `unit (S + a G G^T)` on and below the diagonal, and the border.
+    Definite { factor: Mat<f64>, unit: f64, border: Option<Border> },
     /// `S` bordered by so many modes, where round-off has left `S` indefinite.
     Bordered { factor: PartialPivLu<f64>, modes: usize },
 }
@@ -54,19 +56,23 @@ impl InterfaceOperator {
     fn definite(&self, order: &[usize], gauge: &Mat<f64>, unit: f64) -> Option<Form> {
         let (n, modes) = (order.len(), gauge.ncols());
         let squares: Vec<f64> = (0..modes).map(|k| gauge.col(k).squared_norm_l2()).collect();
-        let mut matrix = Mat::zeros(n, n);
         // Only what lies below the diagonal counts.
+        let mut factor = Mat::zeros(n, n);
         for j in 0..n {
-            let (from, to) = (self.stiffness.col_as_slice(order[j]), &mut matrix.col_as_slice_mut(j)[j..]);
+            let (from, to) = (self.stiffness.col_as_slice(order[j]), &mut factor.col_as_slice_mut(j)[j..]);
             to.iter_mut().zip(&order[j..]).for_each(|(to, i)| *to = unit * from[*i]);
             for k in 0..modes {
                 let share = n as f64 * gauge[(j, k)] / squares[k];
                 to.iter_mut().zip(&gauge.col_as_slice(k)[j..]).for_each(|(to, g)| *to += share * g);
             }
         }
-        let factor = matrix.llt(Side::Lower).ok()?;
+        let par = get_global_parallelism();
+        let mut memory = MemBuffer::new(cholesky_in_place_scratch::<f64>(n, par, Default::default()));
+        let stack = MemStack::new(&mut memory);
+        cholesky_in_place(factor.as_mut(), Default::default(), par, stack, Default::default()).ok()?;
         let border = (modes > 0).then(|| {
-            let solved = factor.solve(gauge);
+            let mut solved = gauge.clone();
+            solve_last(factor.as_ref(), solved.as_mut());
             let moved = (gauge.transpose() * &solved).partial_piv_lu().solve(solved.transpose()).transpose().to_owned();
             Border { solved, moved }
         });
@@ -100,21 +106,18 @@ impl InterfaceFactor {
     /// The same for loads on the unknowns from place `first` of the order on, and only these unknowns; the others are left at zero.
     pub fn solve_from(&self, right: &Mat<f64>, first: usize) -> Mat<f64> {
         let (n, columns) = (self.order.len(), right.ncols());
-        let among = |first: usize| Mat::from_fn(n - first, columns, |i, j| right[(self.order[first + i], j)]);
         let (first, solved) = match &self.form {
             Form::Definite { factor, unit, border } => {
-                let load = Scale(*unit) * among(first);
-                let mut x = load.clone();
-                solve_last(factor, x.as_mut());
-                if let Some(Border { solved, moved }) = border {
-                    let along = solved.subrows(first, n - first).transpose() * &load;
+                let mut x = Mat::from_fn(n - first, columns, |i, j| unit * right[(self.order[first + i], j)]);
+                let along = border.as_ref().map(|border| border.solved.subrows(first, n - first).transpose() * &x);
+                solve_last(factor.as_ref(), x.as_mut());
+                if let Some((Border { moved, .. }, along)) = border.as_ref().zip(along) {
                     x -= moved.subrows(first, n - first) * along;
                 }
                 (first, x)
             }
             Form::Bordered { factor, modes } => {
-                let mut x = Mat::zeros(n + modes, columns);
-                x.subrows_mut(0, n).copy_from(among(0));
+                let mut x = Mat::from_fn(n + modes, columns, |i, j| if i < n { right[(self.order[i], j)] } else { 0.0 });
                 factor.solve_in_place(&mut x);
                 (0, x)
             }
@@ -129,9 +132,9 @@ impl InterfaceFactor {
 }
 
 /// Solves for the last unknowns under loads on these alone: the first ones add nothing on the way down, and are not asked for on the way up.
-fn solve_last(factor: &Llt<f64>, mut x: MatMut<'_, f64>) {
-    let first = factor.L().nrows() - x.nrows();
-    let last = factor.L().submatrix(first, first, x.nrows(), x.nrows());
+fn solve_last(factor: MatRef<'_, f64>, mut x: MatMut<'_, f64>) {
+    let first = factor.nrows() - x.nrows();
+    let last = factor.submatrix(first, first, x.nrows(), x.nrows());
     solve_lower_triangular_in_place(last, x.as_mut(), Par::Seq);
     solve_upper_triangular_in_place(last.transpose(), x.as_mut(), Par::Seq);
 }

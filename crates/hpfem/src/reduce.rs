@@ -69,7 +69,7 @@ pub(crate) fn reduce(problem: &BodyProblem, keep: Keep, clock: Clock, warm: Opti
     let assembled = clock() - start;
     let mut elements = Elements::new(&assembly, &groups, shared, matrices);
     let mut condensed = plan
-        .run(&mut elements, &size, &last, keep != Keep::Interface)
+        .run(&mut elements, &size, &last, (keep != Keep::Interface, assembly.unit))
         .map_err(|g| Error::NoStiffness { place: place(mesh, g) })?;
     condensed.work += &interior_work;
     let finite = |m: &Mat<f64>| m.col_iter().all(|c| c.iter().all(|v| v.is_finite()));
@@ -78,7 +78,7 @@ pub(crate) fn reduce(problem: &BodyProblem, keep: Keep, clock: Clock, warm: Opti
         return Err(Error::OutOfRange { quantity, value: f64::NAN, range: "finite" });
     }
     let factored = clock() - start;
-    let interface = interface(&assembly, problem, &kept, &condensed, &reaction_constant)?;
+    let interface = interface(&assembly, problem, &kept, &mut condensed, &reaction_constant)?;
     let effort = Effort {
         cells: mesh.cells.len(),
         unknowns: whole_size(mesh, &space),
@@ -135,7 +135,7 @@ fn interface(
     assembly: &Assembly<'_>,
     problem: &BodyProblem,
     kept: &Kept,
-    condensed: &Condensed,
+    condensed: &mut Condensed,
     reaction_constant: &Mat<f64>,
 ) -> Result<InterfaceOperator, Error> {
     let Assembly { mesh, space, kinematics, .. } = *assembly;
@@ -147,7 +147,7 @@ fn interface(
         kinematics,
         trace,
         more_traces: traces.collect(),
-        stiffness: unit * &condensed.stiffness,
+        stiffness: std::mem::replace(&mut condensed.stiffness, Mat::new()),
         columns: unit * &condensed.rhs,
         work: unit * &condensed.work,
         rigid_modes: rigid_columns(mesh, space, kinematics, kept, &rigid_motions),

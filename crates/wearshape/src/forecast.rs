@@ -15,9 +15,9 @@ use crate::problem::Problem;
 use crate::scope::Scope;
 use crate::step::Step;
 
-/// Degrees that are computed to see how fast the machine is, and how often: the fastest counts.
-const TIMED: [usize; 2] = [6, 8];
-const TIMES: usize = 3;
+/// Degree that is computed to see how fast the machine is, and how often: the fastest counts.
+const TIMED: usize = 8;
+const TIMES: usize = 2;
 /// Seconds of a computation that need no second look.
 const LONG: f64 = 0.1;
 /// Meshes that find the ends of contact on one level, about.
@@ -48,6 +48,9 @@ pub struct Forecast {
     pub about_seconds: f64,
 }
 
+/// A level, the seconds that its meshes took, and the sizes of its bodies.
+type Sized = (Level, f64, [Sizes; 2]);
+
 impl Problem {
     /// All levels that a solve may climb to, by meshing them; about how long by timing the first ones with the clock of the options, which are also
     /// told of every mesh and elimination.
@@ -68,27 +71,29 @@ fn forecast(problem: &Problem, options: &Options<'_>) -> Result<Vec<Forecast>, F
     let proof = problem.plan.runs(Step::RoundTrip);
     let contact = problem.plan.runs(Step::Contact) || problem.plan.runs(Step::Evolution);
     let [warm, influence] = if problem.heat.is_some() { [WARM, INFLUENCE] } else { [0.0; 2] };
-    let mut before = 0.0;
-    let mut found = Vec::new();
     let in_time = problem.plan.runs(Step::Evolution) && !problem.plan.runs(Step::Contact) && !problem.plan.runs(Step::Shape);
     let step = if in_time { Step::Evolution } else { Step::Shape };
     let beside = problem.wanted.fixed.filter(|_| !in_time && !options.alone).map(fixed::beside);
+    let mut sized: Vec<Sized> = Vec::new();
     for level in beside.into_iter().chain(levels(problem, options, step)) {
-        let (start, level_parts) = (clock(), scope.parts(level)?);
+        let (start, parts) = (clock(), scope.parts(level)?);
         let meshing = clock() - start;
-        let bodies = level_parts.sizes()?;
-        let operations = (1.0 + warm) * total(&bodies, contact);
+        sized.push((level, meshing, parts.sizes()?));
+    }
+    let mut before = 0.0;
+    let mut found = Vec::new();
+    for (number, (level, meshing, bodies)) in sized.iter().enumerate() {
+        let operations = (1.0 + warm) * total(bodies, contact);
         before += passes * (meshing + operations / rate);
-        // The proof is one more level of two degrees more, with a contact solve on each.
+        // The proof is one more level of two degrees more, like the next one, with a contact solve on each.
         let proved = if proof {
-            let finer = Level { degree: (level.degree + 2).min(hpfem::MAX_DEGREE), ..level };
-            let finer = total(&scope.parts(finer)?.sizes()?, true);
-            meshing + ((1.0 + warm + influence) * finer + total(&bodies, true) - total(&bodies, false)) / rate
+            let finer = finer(&scope, &sized, number)?;
+            meshing + ((1.0 + warm + influence) * finer + total(bodies, true) - total(bodies, false)) / rate
         } else {
             0.0
         };
         // The factors on the speed of the reported level.
-        let limits = influence * total(&bodies, true) / rate;
+        let limits = influence * total(bodies, true) / rate;
         let sum = |of: fn(&Sizes) -> usize| bodies.iter().map(of).sum();
         found.push(Forecast {
             degree: level.degree,
@@ -97,7 +102,7 @@ fn forecast(problem: &Problem, options: &Options<'_>) -> Result<Vec<Forecast>, F
             dofs: sum(|size| size.unknowns),
             trace_dofs: sum(|size| size.kept_unknowns),
             contact_points: bodies.iter().map(|size| size.points).max().unwrap_or(0),
-            memory_bytes: memory(problem.heat.as_ref(), &bodies),
+            memory_bytes: memory(problem.heat.as_ref(), bodies),
             about_seconds: before + limits + proved,
         });
     }
@@ -108,22 +113,37 @@ fn forecast(problem: &Problem, options: &Options<'_>) -> Result<Vec<Forecast>, F
     Ok(found)
 }
 
+/// Multiplications of the level of the proof, two degrees above a level: those of the next one, of the last level about.
+fn finer(scope: &Scope<'_>, sized: &[Sized], number: usize) -> Result<f64, Fault> {
+    let (level, _, bodies) = &sized[number];
+    let [coarser, next] = [number.checked_sub(1), Some(number + 1)].map(|k| sized.get(k?));
+    match (coarser, next) {
+        (_, Some((next, _, bodies))) if next.degree == level.degree + 2 => Ok(total(bodies, true)),
+        // They grow from level to level about alike.
+        (Some((coarser, _, before)), None) if coarser.degree + 2 == level.degree => {
+            Ok(total(bodies, true).powi(2) / total(before, true))
+        }
+        _ => {
+            let degree = (level.degree + 2).min(hpfem::MAX_DEGREE);
+            Ok(total(&scope.parts(Level { degree, ..*level })?.sizes()?, true))
+        }
+    }
+}
+
 /// Multiplications a second of this machine; infinite by a clock that stands.
 fn rate(problem: &Problem, scope: &Scope<'_>, options: &Options<'_>) -> Result<f64, Fault> {
     let clock = options.clock;
     let mut rate = 0.0_f64;
-    for degree in TIMED {
-        let level = scope.parts(problem.level(degree))?;
-        let operations: f64 = level.sizes()?.iter().map(|size| size.operations).sum();
-        (options.begun)(Step::Factor);
-        for _ in 0..TIMES {
-            let start = clock();
-            level.interfaces(clock)?;
-            let seconds = clock() - start;
-            rate = rate.max(operations / seconds);
-            if seconds > LONG {
-                break;
-            }
+    let level = scope.parts(problem.level(TIMED))?;
+    let operations: f64 = level.sizes()?.iter().map(|size| size.operations).sum();
+    (options.begun)(Step::Factor);
+    for _ in 0..TIMES {
+        let start = clock();
+        level.interfaces(clock)?;
+        let seconds = clock() - start;
+        rate = rate.max(operations / seconds);
+        if seconds > LONG {
+            break;
         }
     }
     Ok(rate)

@@ -1,15 +1,22 @@
 //! The recording of a run in time while it goes: one file, begun anew for each level, continued after an interruption.
+//!
+//! Steps wait for a moment before they are written, so that rough levels, which are over in less, cost no file. Written or not, every step is a chunk of its
+//! own: when it was written does not show in the bytes.
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
 use scene::{Fault, Place};
 use shapeopt::WearState;
-use wearshape::{Resume, RunLevel};
+use wearshape::{FinishedLevel, Resume, RunLevel};
 
 use crate::bounded;
 use crate::record::replay::Replay;
-use crate::record::{Recorder, SceneUpdate, unwritable};
+use crate::record::{Iteration, Points, Recorder, SceneUpdate, State, unwritable};
+
+/// What a killed run may lose, the step it was in aside.
+const WAIT: Duration = Duration::from_millis(200);
 
 /// The bytes of a recording.
 fn recorded(path: &Path) -> Result<Vec<u8>, Fault> {
@@ -24,8 +31,27 @@ fn recorded(path: &Path) -> Result<Vec<u8>, Fault> {
 pub(crate) struct Tape {
     path: PathBuf,
     resolved: String,
-    recorder: Option<Recorder>,
     replay: Option<Replay>,
+    /// The opening of the level that runs, until it is written.
+    opening: Option<Opening>,
+    recorder: Option<Recorder>,
+    /// Steps that are not written yet, and since when.
+    waiting: Vec<(Iteration, Points, State)>,
+    since: Instant,
+}
+
+/// How the recording of a level begins.
+struct Opening {
+    finished: Vec<FinishedLevel>,
+    first: First,
+}
+
+/// What comes first in it.
+enum First {
+    /// What was recorded before an interruption.
+    Replay(Replay),
+    /// The level in a sentence, and its meshes.
+    Mesh(String, SceneUpdate),
 }
 
 impl Tape {
@@ -53,7 +79,16 @@ impl Tape {
             word = Some(said);
             replay = found.filter(|found| found.unfit(resolved).is_none());
         }
-        Ok((Tape { path, resolved: resolved.into(), recorder: None, replay }, word))
+        let tape = Tape {
+            path,
+            resolved: resolved.into(),
+            replay,
+            opening: None,
+            recorder: None,
+            waiting: Vec::new(),
+            since: Instant::now(),
+        };
+        Ok((tape, word))
     }
 
     /// Where an interrupted run goes on.
@@ -69,31 +104,59 @@ impl Tape {
         level: &RunLevel<'_>,
         mesh: impl FnOnce() -> Result<SceneUpdate, Fault>,
     ) -> Result<(), Fault> {
-        let replay = self.replay.take().filter(|_| level.known_steps > 0);
+        let first = match self.replay.take().filter(|_| level.known_steps > 0) {
+            Some(replay) => First::Replay(replay),
+            None => First::Mesh(level.message.clone(), mesh()?),
+        };
+        self.opening = Some(Opening { finished: level.finished.to_vec(), first });
+        self.recorder = None;
+        self.waiting.clear();
+        self.since = Instant::now();
+        Ok(())
+    }
+
+    /// Takes an accepted step: its work, its profile, and its state, from which a run can go on.
+    pub(crate) fn step(&mut self, iteration: Iteration, profile: Points, state: State) -> Result<(), Fault> {
+        self.waiting.push((iteration, profile, state));
+        if self.since.elapsed() >= WAIT {
+            self.recorder()?;
+        }
+        Ok(())
+    }
+
+    /// The recording of the level that runs, with all steps up to now, if any level was begun.
+    pub(crate) fn recorder(&mut self) -> Result<Option<&mut Recorder>, Fault> {
+        if let Some(opening) = self.opening.take() {
+            self.recorder = Some(self.open(opening)?);
+        }
+        let Some(recorder) = &mut self.recorder else { return Ok(None) };
+        for (iteration, profile, state) in self.waiting.drain(..) {
+            recorder.step(&iteration, &profile, &state)?;
+        }
+        self.since = Instant::now();
+        Ok(Some(recorder))
+    }
+
+    /// Begins the file of a level.
+    fn open(&self, Opening { finished, first }: Opening) -> Result<Recorder, Fault> {
         // The file that is there stays until the new one holds as much.
         let new = self.path.with_extension("mcap.new");
-        self.recorder = None;
-        let mut recorder = Recorder::create(&new, &self.resolved, Some(level.finished))?;
-        match &replay {
-            Some(replay) => replay.copy_to(&mut recorder)?,
-            None => {
-                recorder.log(&level.message)?;
-                recorder.mesh(&mesh()?)?;
+        let mut recorder = Recorder::create(&new, &self.resolved, Some(&finished))?;
+        match first {
+            First::Replay(replay) => replay.copy_to(&mut recorder)?,
+            First::Mesh(message, mesh) => {
+                recorder.log(&message)?;
+                recorder.mesh(&mesh)?;
             }
         }
         fs::rename(&new, &self.path).map_err(|error| unwritable(&self.path, &error))?;
         recorder.path.clone_from(&self.path);
-        self.recorder = Some(recorder);
-        Ok(())
-    }
-
-    /// The recording of the level that runs.
-    pub(crate) fn recorder(&mut self) -> Option<&mut Recorder> {
-        self.recorder.as_mut()
+        Ok(recorder)
     }
 
     /// Ends the recording with a sentence and the summary, if any level was begun.
-    pub(crate) fn finish(self, verdict: &str, summary: &str) -> Result<(), Fault> {
+    pub(crate) fn finish(mut self, verdict: &str, summary: &str) -> Result<(), Fault> {
+        self.recorder()?;
         let Some(mut recorder) = self.recorder else { return Ok(()) };
         recorder.log(verdict)?;
         recorder.finish(summary)

@@ -76,7 +76,7 @@ fn recorded(folder: &Path, steps: usize) -> PathBuf {
     let mesh = SceneUpdate::new(&[vec![[0.0, 0.0], [1.0, 0.0]], vec![[0.0, 0.0], [0.0, -1.0]]]);
     assert_eq!(tape.resume(), None);
     begin(&mut tape, mesh, 0);
-    (0..steps).for_each(|step| add(tape.recorder().unwrap(), step));
+    (0..steps).for_each(|step| add(tape.recorder().unwrap().unwrap(), step));
     tape.finish("done", "{}\n").unwrap();
     folder.join(RUN_MCAP)
 }
@@ -112,7 +112,7 @@ fn a_recording_cut_anywhere_gives_back_every_step_that_was_flushed() {
     begin(&mut tape, SceneUpdate::default(), 0);
     let mut lengths = Vec::new();
     for step in 0..8 {
-        add(tape.recorder().unwrap(), step);
+        add(tape.recorder().unwrap().unwrap(), step);
         // What another process sees if this one is killed now.
         lengths.push(std::fs::metadata(folder.path().join(RUN_MCAP)).unwrap().len() as usize);
     }
@@ -136,7 +136,7 @@ fn a_torn_recording_goes_on_to_the_same_bytes() {
         let mesh = SceneUpdate::new(&[vec![[0.0, 0.0], [1.0, 0.0]], vec![[0.0, 0.0], [0.0, -1.0]]]);
         let known = tape.resume().map_or(0, |resume| resume.states.len());
         begin(&mut tape, mesh, known);
-        (known..12).for_each(|step| add(tape.recorder().unwrap(), step));
+        (known..12).for_each(|step| add(tape.recorder().unwrap().unwrap(), step));
         tape.finish("done", "{}\n").unwrap();
         assert!(std::fs::read(torn.path().join(RUN_MCAP)).unwrap() == bytes, "cut at {cut}, {} steps known", known);
     }
@@ -168,8 +168,8 @@ fn a_recording_that_unpacks_beyond_measure_is_read_in_part() {
     begin(&mut tape, SceneUpdate::default(), 0);
     let blank = vec![b' '; 1 << 20];
     for step in 0..200 {
-        tape.recorder().unwrap().put_bytes(LOG, 0, &blank).unwrap();
-        add(tape.recorder().unwrap(), step);
+        tape.recorder().unwrap().unwrap().put_bytes(LOG, 0, &blank).unwrap();
+        add(tape.recorder().unwrap().unwrap(), step);
     }
     tape.finish("done", "{}\n").unwrap();
     let bytes = std::fs::read(folder.path().join(RUN_MCAP)).unwrap();
