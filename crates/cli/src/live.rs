@@ -35,7 +35,7 @@ impl Live {
     pub(crate) fn solve(&mut self, problem: &Problem, options: &Options<'_>, bodies: &Bodies) -> Result<Solution, Fault> {
         let progress = Arc::clone(&self.progress);
         let begun = |step| progress.part(step);
-        let options = Options { begun: &begun, ..*options };
+        let options = Options { begun: &begun, ending: &interrupt::asked, ..*options };
         let solved = wearshape::solve(problem, &options, bodies, &mut |event| self.see(event));
         // However it ended, its steps are worth going on from.
         if let Some(tape) = &mut self.tape {

@@ -31,3 +31,9 @@ pub(crate) fn brake_line(brake: &BrakeResult, steady: bool) -> String {
     }));
     format!("brake     {}", words.join(", "))
 }
+
+/// The same of both senses of a reversing motion.
+pub(crate) fn both_ways([forward, back]: [&BrakeResult; 2]) -> String {
+    let told = |brake: &BrakeResult| brake_line(brake, false).trim_start_matches("brake").trim_start().to_string();
+    format!("brake     forward {}; backward {}", told(forward), told(back))
+}

@@ -167,7 +167,9 @@ pub(crate) fn label(key: &str) -> (String, &'static str) {
     let (stem, unit) = UNITS.iter().find_map(|(end, unit)| Some((key.strip_suffix(end)?, *unit))).unwrap_or((key, ""));
     let known = WORDS.iter().find(|(known, _)| key == *known || key.strip_suffix(known).is_some_and(|head| head.ends_with('.')));
     if let Some((_, words)) = known {
-        return (words.to_string(), unit);
+        let senses = [("reversing.forward.brake.", "forward"), ("reversing.back.brake.", "backward")];
+        let sense = senses.iter().find(|(head, _)| key.starts_with(head)).map(|(_, sense)| format!("{sense}: "));
+        return (sense.unwrap_or_default() + words, unit);
     }
     if let Some(edge) = key.strip_prefix("heat.out.") {
         return (format!("leaves through {edge}"), "mW");

@@ -7,7 +7,7 @@ use wearshape::{
     TurnsResult, WearResult, functional_row,
 };
 
-use crate::brake_line::brake_line;
+use crate::brake_line::{both_ways, brake_line};
 use crate::brief::brief;
 use crate::missed;
 use crate::place::place;
@@ -30,7 +30,9 @@ pub fn first_screen(problem: &Problem, solution: &Solution, folder: &Path) -> St
         None => solution.brake.as_ref(),
     };
     let brake = brake.filter(|_| solution.status != Status::Refused);
-    lines.extend(brake.map(|brake| brake_line(brake, solution.pressure.is_some())));
+    let senses = solution.reversing.as_ref().filter(|reversing| reversing.share > 0.0 && reversing.share < 1.0);
+    let senses = senses.and_then(|reversing| Some([reversing.forward.brake.as_ref()?, reversing.back.brake.as_ref()?]));
+    lines.extend(brake.map(|brake| senses.map_or_else(|| brake_line(brake, solution.pressure.is_some()), both_ways)));
     lines.extend(solution.machining.as_ref().map(machining_line));
     lines.extend(solution.wear.as_ref().map(|wear| wear_line(wear, solution.pressure.is_some())));
     lines.extend(ends_line(solution));

@@ -11,6 +11,6 @@ pub enum Counterface {
     Fresh,
     /// Always the same points meet: the rates add.
     Congruent,
-    /// Body 2 turns under body 1: its wear is averaged along the closed track.
+    /// Body 2 turns under body 1: its wear is averaged along the closed track, or along the stroke of a ball that goes to and fro.
     Revolving,
 }

@@ -184,7 +184,7 @@ pub struct Contact {
     /// Radial clearance of a shaft in its housing whose arcs are drawn with one radius: that of the hole less that of the shaft.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub clearance: Option<Length>,
-    /// Roughness of the machined surface (mm): a shape whose largest gap is smaller is not worth machining.
+    /// Roughness of the machined surface (mm): a shape that differs by less from the surface as it is is not worth machining.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub roughness: Option<Length>,
 }

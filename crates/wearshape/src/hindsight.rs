@@ -28,6 +28,7 @@ pub(crate) fn remarks(problem: &Problem, solution: &Solution) -> Vec<Remark> {
         wide(problem, solution),
         not_worth_machining(solution),
         worn_through(problem, solution),
+        no_life(problem, solution),
         worn_free(problem, solution),
         stopped(problem, solution),
         beyond_table(problem, solution),
@@ -117,6 +118,17 @@ fn worn_through(problem: &Problem, solution: &Solution) -> Option<Remark> {
         short(thickness)
     );
     Some(Remark { code: "wear-beyond-body", message })
+}
+
+/// A life that is asked for, and that the run in time ends too early to tell.
+fn no_life(problem: &Problem, solution: &Solution) -> Option<Remark> {
+    let (wearable, wear) = (problem.wear.wearable.as_ref()?, solution.wear.as_ref()?);
+    let told = wear.life.is_some() || solution.pressure.as_ref().is_some_and(|pressure| pressure.life.is_some());
+    let message = format!(
+        "No life is told: the run ends before the {} mm of body 1 that may wear off are gone, and before its wear is steady; end it later, or write until = \"steady\".",
+        short(wearable.thickness)
+    );
+    (!told).then_some(Remark { code: "no-life", message })
 }
 
 /// How the pressure under a prescribed approach ends: the wear takes away the closing that makes it, so that `p' = -C p^b`.

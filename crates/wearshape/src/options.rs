@@ -22,6 +22,8 @@ pub struct Options<'a> {
     /// Told of every part of the work as it begins, for a line of progress: [`Step::Mesh`], [`Step::Factor`], [`Step::Contact`] and so on, each as
     /// often as it comes. It cannot end anything; that is for the [`Watch`](crate::Watch).
     pub begun: &'a (dyn Fn(Step) + Sync),
+    /// Asked between the meshes of a level that takes many: whether the watcher is going to end the run, so that no more of them are worth making.
+    pub ending: &'a (dyn Fn() -> bool + Sync),
 }
 
 impl fmt::Debug for Options<'_> {
@@ -36,7 +38,7 @@ impl fmt::Debug for Options<'_> {
 impl Default for Options<'_> {
     /// The contact points, nothing for the workshop, a clock that stands.
     fn default() -> Self {
-        Options { sample: None, alone: false, machining: false, clock: || 0.0, resume: None, begun: &|_| {} }
+        Options { sample: None, alone: false, machining: false, clock: || 0.0, resume: None, begun: &|_| {}, ending: &|| false }
     }
 }
 

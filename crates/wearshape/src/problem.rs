@@ -3,7 +3,8 @@
 use meshing::Couple;
 use scene::{Geometry, Scene, SurfaceShape};
 use shapeopt::Measure;
-use wear::{Rule, WearError, WearPair};
+use std::f64::consts::TAU;
+use wear::{Counterface, Rule, WearError, WearPair};
 
 use crate::freedom::Freedom;
 use crate::gap::StartGap;
@@ -253,9 +254,17 @@ impl Problem {
         self.patch.as_ref().map(|patch| patch.surface.area())
     }
 
-    /// Radius (mm) of the track of a ball on a revolving disc; none of other scenes.
+    /// Radius (mm) of the track of a ball on a revolving disc; none of other scenes. A stroke to and fro is as long as the full turn of that: each point of
+    /// the counter-face is passed once in the way from end to end.
     pub(crate) fn track(&self) -> Option<f64> {
-        self.sliding.as_ref()?.track_radius.map(|radius| radius.0)
+        let radius = self.sliding.as_ref()?.track_radius.map(|radius| radius.0);
+        radius.or(self.stroke().map(|stroke| stroke / TAU))
+    }
+
+    /// Way from end to end (mm) of a ball that goes to and fro in the groove it makes; none of other scenes.
+    pub(crate) fn stroke(&self) -> Option<f64> {
+        let stroke = self.sliding.as_ref()?.cycle.as_ref()?.stroke?;
+        (self.wear.counterface == Counterface::Revolving).then_some(stroke.0)
     }
 
     /// Number of free rigid modes of body 1.

@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use crate::brake::BrakeResult;
+
 /// Both senses of a reversing motion on its steady shape; `summary.pressure` is that of their mean over the time.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct ReversingResult {
@@ -38,4 +40,7 @@ pub struct SenseResult {
     pub friction_power: f64,
     /// Part of the area that carries no pressure.
     pub open_share: f64,
+    /// Body 1 as a brake while it slides so, where a pin or a roller guides it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub brake: Option<BrakeResult>,
 }

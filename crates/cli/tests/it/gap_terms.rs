@@ -40,6 +40,27 @@ fn gaps(bench: &Bench, contact: &str) -> (Vec<[f64; 2]>, Value) {
     (table.lines().skip(1).map(row).collect(), serde_json::from_str(&bench.read("punch/summary.json")).unwrap())
 }
 
+/// Waves as short as roughness are no shape that cells could follow.
+#[test]
+fn waves_that_no_cells_follow_are_refused() {
+    let bench = Bench::new();
+    bench.file("punch.toml", &scene(r#"gap = { cosine = { amplitude = "1 um", wavelength = "0.9 mm" } }"#));
+    let call = bench.check_and_run("punch.toml");
+    assert_eq!(call.code, 2, "{}", call.out);
+    assert!(call.err.contains("44 waves on a surface of 40 mm") && call.err.contains("contact.roughness"), "{}", call.err);
+}
+
+/// So many ends of contact that one level is all there is leave no error to tell, and the accuracy is missed.
+#[test]
+fn a_contact_of_too_many_ends_says_that_its_error_is_not_known() {
+    let bench = Bench::new();
+    bench.file("punch.toml", &scene(r#"gap = { cosine = { amplitude = "1 um", wavelength = "2.5 mm" } }"#));
+    let call = bench.call("run punch.toml -o punch");
+    assert_eq!(call.code, 1, "{}{}", call.out, call.err);
+    let said = call.out.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(said.contains("ends of contact inside the surface finer levels are left out"), "{said}");
+}
+
 #[test]
 fn a_sum_of_formulas_is_the_gap_of_the_contact_and_its_resolved_scene_gives_it_again() {
     let bench = Bench::new();

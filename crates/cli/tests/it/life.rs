@@ -143,6 +143,22 @@ fn no_more_may_wear_off_than_there_is() {
     let call = bench.call("run lining-on-back --set wear.wearable=400");
     assert_eq!(call.code, 2, "{}", call.out);
     assert!(call.err.contains("10 mm thick at the contact") && call.err.contains("wear.wearable"), "{}", call.err);
+    let call = bench.call("run lining-on-back --set tasks=[wear] --set wear.until={depth=11}");
+    assert_eq!(call.code, 2, "{}", call.out);
+    assert!(call.err.contains("10 mm thick at the contact") && call.err.contains("wear.until"), "{}", call.err);
+}
+
+/// A run that is over before its layer is gone says that it tells no life.
+#[test]
+fn a_life_that_a_run_is_too_short_for_is_said_to_be_missing() {
+    let bench = Bench::new();
+    let scene = "punch-wear --set mesh={degree=4,layers=2} --set wear.wearable=1_mm --set wear.until";
+    for (until, told) in [("1", false), ("steady", true)] {
+        assert_eq!(bench.call(&format!("run {scene}={until} -q -o {until}")).code, 0);
+        let summary: serde_json::Value = serde_json::from_str(&bench.read(&format!("{until}/summary.json"))).unwrap();
+        assert_eq!(summary["wear"]["life"].is_object(), told, "{until}: {}", summary["wear"]);
+        assert_eq!(summary["lints"].to_string().contains("no-life"), !told, "{until}: {}", summary["lints"]);
+    }
 }
 
 /// A pad says of itself what of it may wear off, in its block of the scene.

@@ -96,6 +96,34 @@ fn a_ball_on_a_disc_beyond_its_model_is_told() {
     assert!(call.out.contains("this answer is none"), "{}", call.out);
 }
 
+/// To and fro over a stroke each point of the plate is passed as often as on a disc whose track is as long.
+#[test]
+fn a_stroke_wears_the_groove_of_a_track_of_its_length() {
+    let bench = Bench::new();
+    let run = |sliding: &str, name: &str| {
+        let sliding = format!("sliding={sliding}");
+        let set = ["--set", &sliding, "--set", "wear.until=100", "--set", "accuracy=1e-2"];
+        let call = bench.call_with(&[&["run", "pin-on-disc", "-q", "-o", name][..], &set].concat());
+        assert_eq!(call.code, 0, "{sliding}: {}", call.err);
+        let summary: serde_json::Value = serde_json::from_str(&bench.read(&format!("{name}/summary.json"))).unwrap();
+        ["/depth_um", "/groove/depth_um", "/groove/volume_mm3"].map(|key| summary["wear"].pointer(key).unwrap().as_f64().unwrap())
+    };
+    let (stroke, frequency) = (12.0, 2.5);
+    let found = run(&format!("{{cycle={{stroke={stroke},frequency={frequency}}}}}"), "stroke");
+    let track = stroke / (2.0 * std::f64::consts::PI);
+    let disc = run(&format!("{{speed={},track_radius={track:?}}}", 2.0 * stroke * frequency), "disc");
+    for (found, disc) in found.iter().zip(disc) {
+        assert!((found / disc - 1.0).abs() < 1e-9, "{found} {disc}");
+    }
+    // k F s of the plate.
+    assert!((found[2] / (5e-9 * 5.0 * 2.0 * stroke * frequency * 100.0) - 1.0).abs() < 1e-9, "{}", found[2]);
+    let call = bench.call("run pin-on-disc --set sliding={cycle={stroke=1,frequency=1}} --set accuracy=1e-2");
+    assert!(call.code == 2 && call.err.contains("the stroke is 1 mm"), "{}", call.err);
+    let call =
+        bench.call("run pin-on-disc --set sliding={cycle={stroke=10,frequency=1}} --set wear.k=[0,1e-8] --set accuracy=1e-2");
+    assert!(call.code == 2 && call.err.contains("body 1 does not wear"), "{}", call.err);
+}
+
 /// On a disc speed, turns and track tell one another.
 #[test]
 fn a_track_ties_speed_and_turns() {

@@ -65,7 +65,7 @@ pub(super) fn layer(scene: &mut Scene, first: Option<&meshing::Body>) -> Result<
 }
 
 /// Refuses a thickness that may wear off where body 1 is not so thick.
-fn thick_enough((wearable, key): (Length, &str), couple: &Couple) -> Result<(), Fault> {
+fn thick_enough((wearable, key, remedy): (Length, &str, &str), couple: &Couple) -> Result<(), Fault> {
     let thickness = outline(&couple.bodies[0]).thickness;
     // Without a thickness nothing can be said.
     if !thickness.is_finite() || thickness <= 0.0 || wearable.0 <= thickness {
@@ -73,7 +73,7 @@ fn thick_enough((wearable, key): (Length, &str), couple: &Couple) -> Result<(), 
     }
     let message =
         format!("{} mm are to wear off body 1, which is {} mm thick at the contact", short(wearable.0), short(thickness));
-    Err(Fault::at(key, "wrong-value", message, format!("give what of it may wear off, as in {key} = \"4 mm\"")))
+    Err(Fault::at(key, "wrong-value", message, remedy))
 }
 
 /// Relative difference of speeds up to which a surface slides as one.
@@ -188,6 +188,12 @@ pub(super) fn has_life(scene: &Scene, tasks: &[Task]) -> bool {
 pub(super) fn resolve(scene: &Scene, tasks: &[Task], couple: Option<&Couple>) -> Result<(), Fault> {
     let given = given(scene)?;
     let Some(wear) = &scene.wear else { return Ok(()) };
+    if let (true, Some(Until::Depth(depth)), Some(couple)) = (tasks.contains(&Task::Wear), wear.until, couple) {
+        thick_enough(
+            (depth, "wear.until.depth", "end the run at a depth that is there, as in until = { depth = \"1 mm\" }"),
+            couple,
+        )?;
+    }
     if let Some(spread) = wear.spread {
         if !(0.0..1.0).contains(&spread) {
             let message = format!("the spread {spread} of the wear factor is out of range");
@@ -205,7 +211,8 @@ pub(super) fn resolve(scene: &Scene, tasks: &[Task], couple: Option<&Couple>) ->
     }
     let Some((thickness, key)) = given else { return Ok(()) };
     positive(key, thickness.0, "thickness", " mm")?;
-    couple.map_or(Ok(()), |couple| thick_enough((thickness, key), couple))?;
+    let remedy = format!("give what of it may wear off, as in {key} = \"4 mm\"");
+    couple.map_or(Ok(()), |couple| thick_enough((thickness, key, &remedy), couple))?;
     if !has_life(scene, tasks) {
         return Ok(());
     }

@@ -1,5 +1,7 @@
 //! Pins and rollers of body 1 and what presses it then: what may stand beside what.
 
+use std::f64::consts::FRAC_PI_2;
+
 use meshing::{Body, Couple, outline};
 use scene::{Balance, Fault, Geometry, Load, LoadKind, Scene, Support, Task, missing};
 use wear::Shape;
@@ -67,7 +69,8 @@ pub(super) fn off_contact(body: &Body) -> Result<(), Fault> {
             let message = format!("the edge `{edge}` touches body 2: a {word} cannot hold it too");
             return Err(Fault::at(key, "wrong-value", message, remedy));
         }
-        if word == "roller" {
+        if let Support::Roller(angle) = support {
+            inclined(angle.0, &key)?;
             continue;
         }
         let [own, touching] = [edge, &body.contact].map(|name| ends(body, &outline.points(name), name));
@@ -81,6 +84,15 @@ pub(super) fn off_contact(body: &Body) -> Result<(), Fault> {
         }
     }
     Ok(())
+}
+
+/// Refuses a roller on a plane that is inclined by more than a right angle.
+fn inclined(angle: f64, key: &str) -> Result<(), Fault> {
+    if angle.abs() <= FRAC_PI_2 {
+        return Ok(());
+    }
+    let message = format!("roller = {angle} rad is no inclination: a plane is inclined by a right angle at most");
+    Err(Fault::at(key, "wrong-value", message, "a bare number is in rad: write degrees as in roller = \"30 deg\""))
 }
 
 /// Corners of an edge: vertices of the mesh, or the ends of a template's edge.

@@ -28,16 +28,29 @@ pub(super) fn resolve(contact: &mut Contact, files: Files<'_>) -> Result<(), Fau
     Ok(())
 }
 
-/// Most pieces that a contact surface is cut into for the waves of its gap: of shorter ones no degree makes an answer.
-const MOST_PIECES: f64 = 40.0;
+/// Most waves of the gap on a contact surface, which is cut into as many pieces for them.
+const MOST_WAVES: f64 = 40.0;
 
 /// Longest piece of the contact surface, as a part of it, for the waves of the gap that the bodies have to follow: one wave.
 pub(super) fn longest_piece(scene: &Scene, tasks: &[Task], patch: Option<&Patch>) -> f64 {
     let gap = scene.contact.as_ref().and_then(|contact| contact.gap.as_ref());
     let followed = tasks.iter().any(|task| matches!(task, Task::Contact | Task::Wear));
-    let (Some(Gap::Sum(sum)), true, Some([from, to])) = (gap, followed, patch.and_then(Patch::places)) else { return 1.0 };
-    let waves = sum.cosine.filter(|cosine| cosine.amplitude.0 > 0.0).map(|cosine| (to - from) / cosine.wavelength.0);
-    1.0 / waves.unwrap_or(1.0).clamp(1.0, MOST_PIECES)
+    let (Some(Gap::Sum(sum)), true, Some(surface)) = (gap, followed, patch.and_then(Patch::places)) else { return 1.0 };
+    1.0 / waves(sum, surface).unwrap_or(1.0).clamp(1.0, MOST_WAVES)
+}
+
+/// Number of waves of a gap on a surface, if it has waves.
+fn waves(sum: &GapSum, [from, to]: [f64; 2]) -> Option<f64> {
+    sum.cosine.filter(|cosine| cosine.amplitude.0 > 0.0).map(|cosine| (to - from) / cosine.wavelength.0)
+}
+
+/// Refuses waves that are too short to be followed: they are roughness, and no shape.
+fn not_too_short(sum: &GapSum, surface: [f64; 2]) -> Result<(), Fault> {
+    let Some(waves) = waves(sum, surface).filter(|waves| *waves > MOST_WAVES) else { return Ok(()) };
+    let [most, length] = [MOST_WAVES, surface[1] - surface[0]].map(scene::short);
+    let message = format!("{:.0} waves on a surface of {length} mm: no more than {most} can be followed", waves);
+    let remedy = "give a longer wave; what is as short as this is roughness (contact.roughness)";
+    Err(Fault::at("contact.gap.cosine.wavelength", "wrong-value", message, remedy))
 }
 
 /// The terms of a sum.
@@ -92,7 +105,12 @@ pub(super) fn on_surface(scene: &Scene, patch: Option<&Patch>) -> Result<StartGa
     let Some(contact) = &scene.contact else { return Ok(StartGap::default()) };
     let circles = clearance(contact, scene.surface.as_ref(), patch)?;
     match (&contact.gap, patch.and_then(Patch::places)) {
-        (Some(gap), Some(surface)) => gap_profile::covers(gap, surface)?,
+        (Some(gap), Some(surface)) => {
+            gap_profile::covers(gap, surface)?;
+            if let Gap::Sum(sum) = gap {
+                not_too_short(sum, surface)?;
+            }
+        }
         (Some(Gap::Sum(sum)), None) if scene.surface.is_none() => known_ends(sum)?,
         _ => {}
     }

@@ -39,14 +39,18 @@ pub(super) fn resolve(scene: &mut Scene, tasks: &[Task], patch: Option<&Patch>) 
     }
     let two_wear = wear.wearing() == [true; 2];
     let sliding = scene.sliding.as_ref();
+    let axisymmetric = scene.kinematics == Some(scene::Kinematics::Axisymmetric);
+    let to_and_fro = axisymmetric && sliding.is_some_and(|sliding| sliding.cycle.is_some());
     let default = match patch.map(|patch| patch.kind) {
         // A ball.
         None if sliding.is_some_and(|sliding| sliding.track_radius.is_some()) => Counterface::Revolving,
+        // A ball to and fro over a plate, in which it wears a groove.
+        None if two_wear && to_and_fro => Counterface::Revolving,
         None if sliding.is_some_and(|sliding| sliding.speed.is_some()) => Counterface::Fresh,
         Some(PatchKind::Plane) => Counterface::Fresh,
         Some(PatchKind::Ring) => Counterface::Congruent,
         Some(PatchKind::Turning) => Counterface::Revolving,
-        None if scene.kinematics == Some(scene::Kinematics::Axisymmetric) => Counterface::Congruent,
+        None if axisymmetric => Counterface::Congruent,
         None => Counterface::Fresh,
     };
     let counterface = *wear.counterface.get_or_insert(default);

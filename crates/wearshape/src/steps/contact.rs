@@ -42,7 +42,10 @@ const SAMPLES: usize = 191;
 /// (the coarsest may not know them), and levels are left out for which both surfaces together would have more unknowns than this: their eliminations
 /// take the cube of it.
 const USUAL_ENDS: usize = 4;
-const MOST_LOST: usize = 2;
+/// Ends of contact beyond which no mesh with nodes on all of them is looked for.
+const MOST_ENDS: usize = 48;
+/// Levels whose nodes do not settle on the ends after which these are not looked for any more: of few ends, and of more than usual.
+const MOST_LOST: [usize; 2] = [4, 2];
 const MOST_UNKNOWNS: usize = 7000;
 
 /// Solves the contact.
@@ -69,7 +72,7 @@ pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome,
 #[derive(Default)]
 pub(crate) struct Search {
     ends: FreeEnds,
-    /// Number of levels whose nodes did not settle on more ends than usual.
+    /// Number of levels whose nodes did not settle on the ends.
     lost: usize,
     /// Factors on the sliding speed of the last level, with heat alone.
     speeds: Option<SpeedFactors>,
@@ -130,7 +133,7 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
     let reported = at.reported(level, &ends, twist.as_ref());
     let twist = twist.map(|twist| twist.answer);
     let imbalance = imbalance_of(stage, &told, &found, length);
-    let crowded = crowded(&ends, level, &effort);
+    let crowded = crowded(if unsettled { FreeEnds::of(&found, length) } else { ends }.places.len(), level, &effort);
     let solved = Solved {
         contact,
         interface: None,
@@ -189,9 +192,9 @@ impl At<'_> {
 }
 
 /// Number of ends of contact, where they are so many that the next level would have too many unknowns.
-fn crowded(ends: &FreeEnds, level: Level, effort: &Effort) -> Option<usize> {
+fn crowded(ends: usize, level: Level, effort: &Effort) -> Option<usize> {
     let grown = effort.counters.trace_dofs * (level.degree + 2).pow(2) / level.degree.pow(2);
-    (ends.places.len() > USUAL_ENDS && grown > MOST_UNKNOWNS).then_some(ends.places.len())
+    (ends > USUAL_ENDS && grown > MOST_UNKNOWNS).then_some(ends)
 }
 
 /// How far the supports of body 2 are from carrying a contact on a surface of this length.
@@ -305,9 +308,9 @@ fn find<'a>(stage: Stage<'a>, level: Level, search: &mut Search, effort: &mut Ef
         trial = Some(found);
     }
     let many = ends.places.len() > USUAL_ENDS;
-    let given_up = ends.places.is_empty() || many && *lost >= MOST_LOST;
+    let given_up = ends.places.is_empty() || *lost >= MOST_LOST[usize::from(many)] || ends.places.len() > MOST_ENDS;
     let positioned = if given_up { None } else { searched(stage, level, ends, effort)? };
-    *lost += usize::from(many && positioned.is_none());
+    *lost += usize::from(!given_up && positioned.is_none());
     let mut unsettled = false;
     let (reduced, held) = match positioned {
         Some((found, positioned)) => {

@@ -161,7 +161,15 @@ fn report(ladder: &Ladder, mut last: Solved, found: Option<[f64; 3]>, rungs: Vec
             ..ErrorResult::default()
         },
     };
-    let Some(found) = found else { return outcome };
+    let Some(found) = found else {
+        if let Some(ends) = last.crowded.filter(|_| !ladder.is_fixed()) {
+            let reason = format!(
+                "with {ends} ends of contact inside the surface finer levels are left out, so that the error of the contact is not known; a smoother gap has fewer"
+            );
+            outcome.ended = Some((Status::AccuracyMissed, reason));
+        }
+        return outcome;
+    };
     if last.unsettled {
         outcome.error.how += "; nodes did not settle on the ends of contact, which lie inside elements";
     }

@@ -36,6 +36,9 @@ pub(crate) fn position<'a>(
     work: &mut Effort,
 ) -> Result<Option<(FreeEnds, Positioned<'a>)>, Fault> {
     ends.position(TOLERANCE * stage.accuracy(), |places| {
+        if (stage.options.ending)() {
+            return Ok(None);
+        }
         let Some((reduced, following)) = bodies(stage, level, places, work)? else { return Ok(None) };
         work.counters.contact_solves += 1;
         let pair = reduced.pair()?;
@@ -87,6 +90,9 @@ const NEAR: f64 = 1e-3;
 pub(crate) fn nearer(stage: Stage<'_>, level: Level, ends: &FreeEnds, work: &mut Effort) -> Result<Option<FreeEnds>, Fault> {
     let mut ends = ends.clone();
     for _ in 0..ROUNDS {
+        if (stage.options.ending)() {
+            break;
+        }
         let Ok((parts, effort)) = stage.parts(level, Cut::Ends(&ends.places)) else { return Ok(None) };
         (stage.options.begun)(Step::Factor);
         let (reduced, reduction) = Reduced::new(&parts, stage.clock())?;

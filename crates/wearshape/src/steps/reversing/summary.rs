@@ -4,6 +4,7 @@ use contact::ContactPoint;
 use nalgebra::{DMatrix, DVector};
 use wear::SurfacePoint;
 
+use crate::brake::brake;
 use crate::results::PressureResult;
 use crate::reversing_result::{ReversingResult, SenseResult};
 use crate::steps::life::{Steady, lasting};
@@ -95,15 +96,17 @@ impl Senses<'_> {
         let sense = |side: usize| {
             let pressure = &solved.found.pressure[side];
             let most = highest(pressure);
-            let speed = |p: &ContactPoint| self.stages[side].surface_point(p.position, p.normal, p.weight).sliding_speed;
+            let stage = &self.stages[side];
+            let surface: Vec<SurfacePoint> = points.iter().map(|p| stage.surface_point(p.position, p.normal, p.weight)).collect();
             let sum = |value: &dyn Fn(usize) -> f64| (0..points.len()).map(|i| points[i].weight * value(i)).sum::<f64>();
             SenseResult {
                 p_max: pressure[most],
                 p_max_where: start + points[most].arc,
                 p_min: pressure.iter().copied().fold(f64::INFINITY, f64::min),
                 normal_force: sum(&|i| pressure[i]),
-                friction_power: sum(&|i| friction * pressure[i] * speed(&points[i])),
+                friction_power: sum(&|i| friction * pressure[i] * surface[i].sliding_speed),
                 open_share: sum(&|i| f64::from(u8::from(pressure[i] == 0.0))) / area,
+                brake: brake(stage.problem, &surface, pressure),
             }
         };
         ReversingResult {

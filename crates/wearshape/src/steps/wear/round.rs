@@ -27,7 +27,7 @@ use crate::steps::wear::{solve_at, track};
 use crate::surface::Patch;
 use crate::watch::Watch;
 
-/// Half a scar over the radius of its track beyond which the speed is no longer one.
+/// Half a scar over the radius of its track, and the whole one over its stroke, beyond which the speed is no longer one.
 const NEAR: f64 = 0.2;
 
 /// A ball or cylinder on a flat, and how long it wears.
@@ -39,6 +39,9 @@ pub(crate) struct RoundWear<'a> {
     pub options: &'a Options<'a>,
     pub bodies: &'a Bodies,
 }
+
+/// Makes a refusal of a key, a message and a remedy.
+type Refuse<'a> = dyn Fn(&str, &str, &str) -> Result<(), Fault> + 'a;
 
 impl<'a> RoundWear<'a> {
     /// Refuses what is not built, before anything is written.
@@ -93,13 +96,29 @@ impl<'a> RoundWear<'a> {
         track::available(problem, self.couple, &refuse)?;
         let end = self.guess()?;
         self.fits(end)?;
-        if let Some(track) = problem.track().filter(|track| end > NEAR * track) {
+        self.fits_track(end, &refuse)?;
+        self.on(&self.nodes(end), |stage, ends| stage.meshes(1, Cut::Ends(ends)).map(|_| ()))
+    }
+
+    /// Refuses a scar that is not short against its track or its stroke.
+    fn fits_track(&self, end: f64, refuse: &Refuse<'_>) -> Result<(), Fault> {
+        if let Some(stroke) = self.problem.stroke() {
+            if end > 0.5 * NEAR * stroke {
+                let message =
+                    format!("the scar would reach {end:.4} mm from the middle, and the stroke is {stroke} mm from end to end");
+                return refuse(
+                    "sliding.cycle.stroke",
+                    &message,
+                    "give a stroke much longer than the scar, or end the run earlier",
+                );
+            }
+        } else if let Some(track) = self.problem.track().filter(|track| end > NEAR * track) {
             let message = format!(
                 "the scar would reach {end:.4} mm from the middle, and the track is a circle of {track:.4} mm about the axis"
             );
             return refuse("sliding.track_radius", &message, "give a track much longer than the scar, or end the run earlier");
         }
-        self.on(&self.nodes(end), |stage, ends| stage.meshes(1, Cut::Ends(ends)).map(|_| ()))
+        Ok(())
     }
 
     /// Refuses a scar longer than the bodies.

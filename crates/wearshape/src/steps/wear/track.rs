@@ -13,12 +13,21 @@ pub(super) fn available(
     refuse: &dyn Fn(&str, &str, &str) -> Result<(), Fault>,
 ) -> Result<(), Fault> {
     let revolving = problem.wear.counterface == Counterface::Revolving;
+    let first_wears = problem.wear.own_rule || problem.wear.laws.as_ref().is_ok_and(|laws| laws.wears(0));
+    if !first_wears && problem.wear.counterface == Counterface::Fresh {
+        let message = "body 1 does not wear, and a plate that is always new leaves the contact as it is";
+        return refuse(
+            "wear.k",
+            message,
+            "give body 1 a wear factor, as in wear.k = [1e-8, 1e-8], or write tasks = [\"contact\"]",
+        );
+    }
     if problem.track().is_none() {
         if !revolving {
             return Ok(());
         }
-        let message = "body 2 has no closed track under this contact";
-        let remedy = "give sliding.track_radius of a ball on a disc, or write \"fresh\" for a long plate";
+        let message = "body 2 has no closed track under this contact, nor a stroke to and fro";
+        let remedy = "give sliding.track_radius of a ball on a disc, or sliding.cycle, or write \"fresh\" for a long plate";
         return refuse("wear.counterface", message, remedy);
     }
     if !couple.is_revolved() {
