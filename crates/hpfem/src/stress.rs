@@ -1,6 +1,6 @@
 //! The stress at a point: the whole symmetric tensor, its principal values, the equivalent stress.
 
-use nalgebra::Matrix3;
+use nalgebra::DMatrix;
 
 /// Symmetric stress tensor, every component in MPa. y points out of the section; in axisymmetric bodies (x, y, z) is (r, phi, z).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -42,7 +42,7 @@ impl Stress {
             [middle + radius, middle - radius, self.yy]
         } else {
             let rows = [[self.xx, self.xy, self.xz], [self.xy, self.yy, self.yz], [self.xz, self.yz, self.zz]];
-            let values = Matrix3::from_fn(|i, j| rows[i][j]).symmetric_eigenvalues();
+            let values = DMatrix::from_fn(3, 3, |i, j| rows[i][j]).symmetric_eigenvalues();
             [values[0], values[1], values[2]]
         };
         values.sort_by(|a, b| b.total_cmp(a));

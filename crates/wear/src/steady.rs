@@ -1,6 +1,6 @@
 //! Certificates of the steady state: is the wear a rigid motion, and do the two bodies keep their shapes?
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{DMatrix, DVector};
 
 use crate::mode::MAX_MODES;
 use crate::pressure_law::Node;
@@ -29,8 +29,8 @@ pub(crate) fn steadiness(stage: &Stage<'_>, nodes: &[Node], gap: &[f64]) -> Opti
     }
     let closing = |node: &Node, k: usize| stage.law.modes[k].motion.closing(&node.point) / stage.law.scale[k];
     // Unused modes keep a unit diagonal.
-    let mut gram = SMatrix::<f64, MAX_MODES, MAX_MODES>::identity();
-    let mut side = SVector::<f64, MAX_MODES>::zeros();
+    let mut gram = DMatrix::<f64>::identity(MAX_MODES, MAX_MODES);
+    let mut side = DVector::<f64>::zeros(MAX_MODES);
     gram.view_mut((0, 0), (count, count)).fill(0.0);
     let mut square = 0.0;
     // Outside the contact the gap opens: only the worn part has to be rigid.
