@@ -76,6 +76,8 @@ pub(crate) struct Search {
     lost: usize,
     /// Factors on the sliding speed of the last level, with heat alone.
     speeds: Option<SpeedFactors>,
+    /// Bodies of the last levels, the latest first: one of them is reported, but for a level that comes out worse. Those of all levels are large.
+    latest: [Option<Arc<Reduced>>; 2],
 }
 
 /// What is needed of a level beside its result if it is the reported one.
@@ -99,6 +101,7 @@ struct Found<'a> {
 /// from one level to the next.
 pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -> Result<(Solved, Last), Refusal> {
     let mut effort = Effort::default();
+    search.latest[1] = search.latest[0].take();
     let Found { reduced, found, unsettled, hot } = find(stage, level, search, &mut effort)?;
     let ends = search.ends.clone();
     let pair = reduced.pair()?;
@@ -133,7 +136,7 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
     let reported = at.reported(level, &ends, twist.as_ref());
     let twist = twist.map(|twist| twist.answer);
     let imbalance = imbalance_of(stage, &told, &found, length);
-    let crowded = crowded(if unsettled { FreeEnds::of(&found, length) } else { ends }.places.len(), level, &effort);
+    let crowded = crowded(if unsettled { FreeEnds::of(&found, length) } else { ends.clone() }.places.len(), level, &effort);
     let solved = Solved {
         contact,
         interface: None,
@@ -149,8 +152,10 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
         reported,
         effort,
     };
-    let hot = hot.as_ref().map(HotContact::load);
-    Ok((solved, Last { level, diagnosis: Diagnosis { reduced: Arc::clone(&reduced), found, hot } }))
+    let hot = hot.as_ref().map(|hot| (Arc::clone(&reduced), hot.load()));
+    let diagnosis = Diagnosis { level, ends: ends.places, reduced: Arc::downgrade(&reduced), found, hot };
+    search.latest[0] = Some(reduced);
+    Ok((solved, Last { level, diagnosis }))
 }
 
 /// A contact found on its bodies.

@@ -1,12 +1,13 @@
 //! What a contact solve rests on: the condition of its system, and whether friction lets it have other solutions.
 
-use std::sync::Arc;
+use std::sync::{Arc, Weak};
 
 use contact::{ContactLoad, ContactOperator, ContactSolution};
 use scene::Fault;
 
 use crate::bodies::Reduced;
 use crate::faults::unsolved;
+use crate::level::Level;
 use crate::results::{InterfaceResult, UniquenessResult};
 use crate::stage::Stage;
 use crate::steps::answer::Outcome;
@@ -18,10 +19,14 @@ const APART: f64 = 1e-6;
 
 /// A solved contact on its bodies; what it rests on is worked out for the reported level alone.
 pub(crate) struct Diagnosis {
-    pub reduced: Arc<Reduced>,
+    /// The level, and where its element nodes stand on ends of contact.
+    pub level: Level,
+    pub ends: Vec<f64>,
+    /// The bodies, while they are there; they are made again where another level than the last ones is reported.
+    pub reduced: Weak<Reduced>,
     pub found: ContactSolution,
-    /// The load of a contact with frictional heat.
-    pub hot: Option<ContactLoad>,
+    /// The bodies and the load of a contact with frictional heat.
+    pub hot: Option<(Arc<Reduced>, ContactLoad)>,
 }
 
 impl Diagnosis {
@@ -35,10 +40,15 @@ impl Diagnosis {
 
     /// Uniqueness, and the condition of the system.
     fn made(&self, stage: Stage<'_>) -> Result<(Option<UniquenessResult>, Option<InterfaceResult>), Fault> {
-        let pair = self.reduced.pair()?;
-        let operator = self.reduced.operator(&pair, stage.friction() > 0.0)?;
+        let known = self.hot.as_ref().map(|(reduced, _)| Arc::clone(reduced)).or_else(|| self.reduced.upgrade());
+        let reduced = match known {
+            Some(reduced) => reduced,
+            None => stage.reduced_at(self.level, &self.ends)?.0,
+        };
+        let pair = reduced.pair()?;
+        let operator = reduced.operator(&pair, stage.friction() > 0.0)?;
         let gap = start_gaps(stage, &operator);
-        if let Some(load) = &self.hot {
+        if let Some((_, load)) = &self.hot {
             // What heat does to uniqueness is told by its critical speed.
             return Ok((None, interface(&operator, &gap, load, &self.found)?));
         }
