@@ -1,8 +1,8 @@
 //! The recording run.mcap: what happened, step by step, for a viewer and for going on after an interruption.
 //!
 //! JSON messages with JSON schemas; `log_time` is simulated time in ns. Every step is a chunk of its own, flushed when it is complete,
-//! so that a killed run loses at most the step it was in and a fifth of a second before it (`tape.rs`). A run in time solves several levels of discretisation one after another:
-//! the recording holds the level that runs, and what the finished ones left behind is attached to it.
+//! so that a killed run loses at most the step it was in and a fifth of a second before it (`tape.rs`). A run in time solves several levels of
+//! discretisation one after another: the recording holds the level that runs, and what the finished ones left behind is attached to it.
 
 mod messages;
 mod replay;

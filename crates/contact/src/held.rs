@@ -45,10 +45,11 @@ impl<'a> ContactOperator<'a> {
         self.held_on(&closed, true).solve_states(gap, load, states)
     }
 
-    /// Points held in contact, for [`HeldContact::solve`], and with the slip by shear for [`HeldContact::solve_states`] too.
+    /// Points held in contact, those `closed` (one a point, open where it says nothing), for [`HeldContact::solve`], and with the slip by shear (`stick`)
+    /// for [`HeldContact::solve_states`] too. Makes the compliance at them, `points held x points held`, mm/N.
     pub fn held_on<'o>(&'o self, closed: &[bool], stick: bool) -> HeldContact<'o, 'a> {
         let n = self.unit.points.len();
-        let at: Vec<usize> = (0..n).filter(|i| closed[*i]).collect();
+        let at: Vec<usize> = (0..n).filter(|i| closed.get(*i) == Some(&true)).collect();
         let matrices = match at.len() {
             all if all == n => Cow::Borrowed(self.unit.matrices(stick)),
             _ => Cow::Owned(self.unit.matrices_at(&at, stick)),
@@ -72,13 +73,16 @@ impl HeldContact<'_, '_> {
     /// Solves as [`ContactOperator::solve_states`], these points being the ones that are not open.
     ///
     /// # Errors
-    /// As [`ContactOperator::solve_states`].
+    /// As [`ContactOperator::solve_states`]; [`Error::Gap`] for states of another number of points, [`Error::ShearNotPrepared`] without `stick`.
     pub fn solve_states(
         &self,
         gap: &[f64],
         load: &ContactLoad,
         states: &[ContactState],
     ) -> Result<Option<ContactSolution>, Error> {
+        if states.len() != gap.len() {
+            return Err(Error::Gap { given: states.len(), points: gap.len() });
+        }
         let (stage, opening) = self.stage(gap, load)?;
         let Friction::Coulomb { coefficient, slip_before } = &load.friction else { return Err(Error::ShearNotPrepared) };
         let pick = |values: &[f64]| self.at.iter().map(|i| values[*i]).collect::<Vec<f64>>();

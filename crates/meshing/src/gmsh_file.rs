@@ -156,11 +156,10 @@ fn nodes(curve: &Curve) -> Option<Vec<[f64; 2]>> {
 pub(crate) fn circle(points: &[[f64; 2]]) -> Option<([f64; 2], f64)> {
     let count = points.len() as f64;
     let mean: [f64; 2] = std::array::from_fn(|i| points.iter().map(|x| x[i]).sum::<f64>() / count);
-    let rows = points.iter().map(|x| nalgebra::Vector3::new(x[0] - mean[0], x[1] - mean[1], 1.0));
     let (mut normal, mut right) = (nalgebra::DMatrix::zeros(3, 3), nalgebra::DVector::zeros(3));
     let size = points.iter().map(|x| (x[0] - mean[0]).hypot(x[1] - mean[1])).fold(0.0, f64::max);
-    for row in rows {
-        let row = nalgebra::DVector::from_row_slice(&[row[0] / size, row[1] / size, 1.0]);
+    for x in points {
+        let row = nalgebra::DVector::from_row_slice(&[(x[0] - mean[0]) / size, (x[1] - mean[1]) / size, 1.0]);
         normal += &row * row.transpose();
         let square = row[0] * row[0] + row[1] * row[1];
         right += row * square;

@@ -38,14 +38,14 @@ const NEAR: f64 = 1e-3;
 /// Samples of the pressure for the comparison of levels, over the inner 95 % of the contact.
 const SAMPLES: usize = 191;
 
-/// Ends of contact inside the surface of a usual contact. Where there are more, a search that has failed on so many levels is not tried on finer ones
-/// (the coarsest may not know them), and levels are left out for which both surfaces together would have more unknowns than this: their eliminations
-/// take the cube of it.
+/// Ends of contact inside the surface of a usual contact.
 const USUAL_ENDS: usize = 4;
 /// Ends of contact beyond which no mesh with nodes on all of them is looked for.
 const MOST_ENDS: usize = 48;
-/// Levels whose nodes do not settle on the ends after which these are not looked for any more: of few ends, and of more than usual.
+/// Levels whose nodes do not settle on the ends after which these are not looked for any more (the coarsest may not know them): of few ends, and of more
+/// than usual.
 const MOST_LOST: [usize; 2] = [4, 2];
+/// Unknowns of both surfaces together beyond which finer levels of a contact with more ends than usual are left out: eliminations take the cube of them.
 const MOST_UNKNOWNS: usize = 7000;
 
 /// Solves the contact.
@@ -136,7 +136,8 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
     let reported = at.reported(level, &ends, twist.as_ref());
     let twist = twist.map(|twist| twist.answer);
     let imbalance = imbalance_of(stage, &told, &found, length);
-    let crowded = crowded(if unsettled { FreeEnds::of(&found, length) } else { ends.clone() }.places.len(), level, &effort);
+    let number = if unsettled { FreeEnds::of(&found, length).places.len() } else { ends.places.len() };
+    let crowded = crowded(number, level, &effort);
     let solved = Solved {
         contact,
         interface: None,
