@@ -51,6 +51,12 @@ impl FreeEnds {
         }
     }
 
+    /// Whether there are as many of them as of a solution's contact zones, inside a surface of the given length.
+    pub fn bound_as_many(&self, solution: &ContactSolution, length: f64) -> bool {
+        let of = FreeEnds::of(solution, length);
+        of.places.len() == self.places.len() && of.starts_closed == self.starts_closed
+    }
+
     /// Trial ends from -1 to 1 on the surface, ascending, of a contact that leaves both ends of the surface open.
     pub fn near(places: Vec<f64>) -> FreeEnds {
         FreeEnds { refined: places.clone(), places, before: None, jacobian: None, starts_closed: false }

@@ -1,5 +1,6 @@
 //! The unloaded gap at the start, as a function of the place along the contact surface.
 
+mod roughness;
 mod rows;
 mod smoothing;
 
@@ -10,6 +11,7 @@ use self::smoothing::smoothed;
 use crate::circles::Circles;
 use crate::surface::Patch;
 
+pub(crate) use self::roughness::Noise;
 pub(crate) use self::smoothing::Residual;
 
 /// Share of the contact surface within which a ring begins on the axis.
@@ -30,8 +32,8 @@ enum Term {
     Crown { middle: f64, half: f64, height: f64 },
     /// `slope (s - from)`.
     Wedge { from: f64, slope: f64 },
-    /// `amplitude (1 - cos(number s))`.
-    Wave { amplitude: f64, number: f64 },
+    /// `amplitude (1 - cos(2 pi s / length))`.
+    Wave { amplitude: f64, length: f64 },
     /// A curve through or near measured rows.
     Rows(RowCurve),
     /// Two circles that touch.
@@ -60,8 +62,7 @@ impl StartGap {
             let wedge = |slope: f64| Term::Wedge { from: if slope < 0.0 { to } else { from }, slope };
             self.terms.extend(sum.tilt.map(|angle| wedge(angle.0.tan())));
         }
-        let number = |wavelength: f64| std::f64::consts::TAU / wavelength;
-        let wave = |Cosine { amplitude, wavelength }| Term::Wave { amplitude: amplitude.0, number: number(wavelength.0) };
+        let wave = |Cosine { amplitude, wavelength }| Term::Wave { amplitude: amplitude.0, length: wavelength.0 };
         self.terms.extend(sum.cosine.map(wave));
         let Some(Rows::Columns { s, gap }) = &sum.profile else { return };
         let Some(most) = sum.smooth else {
@@ -71,6 +72,21 @@ impl StartGap {
         let (curve, residual) = smoothed(s, gap, 1e3 * most.0);
         self.terms.push(Term::Rows(curve));
         self.residual = Some(residual);
+    }
+
+    /// Length (mm) of the waves that the gap has on a surface, the shorter ones where there are two kinds; none of a gap without waves.
+    pub(crate) fn wavelength(&self, surface: [f64; 2]) -> Option<f64> {
+        let of = |term: &Term| match term {
+            Term::Wave { amplitude, length } => Some(*length).filter(|_| *amplitude > 0.0),
+            Term::Rows(curve) => curve.turns(surface).wavelength(),
+            _ => None,
+        };
+        self.terms.iter().filter_map(of).reduce(f64::min)
+    }
+
+    /// What the rows of a profile have of noise on a surface, if it is rough.
+    pub(crate) fn noise(&self, surface: [f64; 2]) -> Option<Noise> {
+        self.terms.iter().find_map(|term| if let Term::Rows(curve) = term { curve.noise(surface) } else { None })
     }
 
     /// Whether both surfaces are one.
@@ -105,7 +121,10 @@ impl Term {
             Term::Crown { middle, half, height } => height * ((s - middle) / half).powi(2),
             Term::Wedge { from, slope } => slope * (s - from),
             // 1 - cos x = 2 sin^2(x/2), without cancellation.
-            Term::Wave { amplitude, number } => 2.0 * amplitude * (0.5 * number * s).sin().powi(2),
+            Term::Wave { amplitude, length } => {
+                let number = std::f64::consts::TAU / length;
+                2.0 * amplitude * (0.5 * number * s).sin().powi(2)
+            }
             Term::Rows(curve) => 1e-3 * curve.at(s),
             Term::Circles(circles) => circles.gap(s),
         }

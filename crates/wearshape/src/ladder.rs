@@ -14,8 +14,10 @@ use crate::solution::Rung;
 use crate::step::Step;
 use crate::watch::{Event, Watch};
 
+/// First degree of the ladder.
+pub(crate) const FIRST: usize = 4;
 /// First and last degree of the ladder, and its step.
-const DEGREES: [usize; 3] = [4, 16, 2];
+const DEGREES: [usize; 3] = [FIRST, 16, 2];
 /// Degrees after those, and how far above the accuracy asked for the estimated error may be to climb on to them, unless they reach it as errors fall.
 const BEYOND: [usize; 2] = [18, 20];
 const NEARLY: f64 = 10.0;
@@ -123,6 +125,13 @@ impl Ladder {
     /// The accuracy that a ladder with these estimated errors has missed, if it has.
     pub(crate) fn missed(&self, error: f64) -> Option<f64> {
         self.accuracy.filter(|accuracy| error > *accuracy)
+    }
+
+    /// Whether finer levels are still to reach the accuracy, as the differences of those solved fall.
+    pub(crate) fn promises<T, const N: usize>(&self, solved: &[T], distance: &impl Fn(&T, &T) -> [f64; N]) -> bool {
+        let Some(([error, ratio], accuracy)) = falls(solved, distance).zip(self.accuracy) else { return true };
+        let left = self.levels.len().saturating_sub(solved.len());
+        error * ratio.powi(left as i32) <= accuracy
     }
 
     /// Whether the discretisation is fixed.

@@ -86,6 +86,13 @@ impl BodyParts {
         &self.problem.degrees
     }
 
+    /// The degrees of the cells at its contact surface, added up.
+    fn contact_degrees(&self) -> usize {
+        let mesh = self.mesh();
+        let (cells, edges) = (mesh.edge_cells(), mesh.boundary(CONTACT).unwrap_or_default());
+        edges.iter().filter_map(|edge| cells[*edge].first()).map(|(cell, _)| self.problem.degrees[*cell]).sum()
+    }
+
     /// The wedge of the body at a vertex of its boundary.
     pub(crate) fn corner(&self, vertex: usize, kinematics: Kinematics) -> Option<hpfem::Corner> {
         hpfem::Corner::at(self.mesh(), vertex, kinematics, &self.problem.materials, &self.problem.supports).ok().flatten()
@@ -244,6 +251,11 @@ impl Parts {
     /// What the reduction of both bodies takes.
     pub(crate) fn sizes(&self) -> Result<[Sizes; 2], Fault> {
         Ok([self.parts[0].sizes()?, self.parts[1].sizes()?])
+    }
+
+    /// Unknowns on both contact surfaces, but for the last point of each.
+    pub(crate) fn contact_unknowns(&self) -> usize {
+        self.parts.iter().map(|part| 2 * part.contact_degrees()).sum()
     }
 
     /// Assembles and reduces both bodies.

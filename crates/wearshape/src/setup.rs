@@ -69,7 +69,7 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     twist::resolve(&scene, &tasks)?;
     wanted(&mut scene, &tasks, patch.as_ref())?;
     let load = load::numbers(&scene);
-    let couple = bodies.and_then(|bodies| couple(&scene, &tasks, bodies, patch.as_ref()));
+    let couple = bodies.and_then(|bodies| couple(&scene, start_gap::longest_piece(&gap, &tasks, patch.as_ref()), bodies));
     one_way::wanted(&scene, couple.as_ref(), patch.as_ref())?;
     duty::resolve(&scene, &tasks, couple.as_ref())?;
     carried::check(&scene, &tasks, couple.as_ref(), patch.as_ref())?;
@@ -108,9 +108,9 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
 }
 
 /// Two bodies and where the first is loaded, if it is.
-fn couple(scene: &Scene, tasks: &[Task], (kinematics, bodies): (Kinematics, [Body; 2]), patch: Option<&Patch>) -> Option<Couple> {
+fn couple(scene: &Scene, longest: f64, (kinematics, bodies): (Kinematics, [Body; 2])) -> Option<Couple> {
     let load = load::edge(scene.load.as_ref()?, Some(&bodies[0]))?;
-    Some(Couple { kinematics, bodies, load, longest: start_gap::longest_piece(scene, tasks, patch) })
+    Some(Couple { kinematics, bodies, load, longest })
 }
 
 /// The wear rule, and the threshold below which it wears nothing.

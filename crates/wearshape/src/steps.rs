@@ -17,6 +17,7 @@ pub(crate) mod hertz_trial;
 pub(crate) mod hot_shape;
 pub(crate) mod jumps;
 pub(crate) mod life;
+pub(crate) mod many_ends;
 pub(crate) mod paths;
 pub(crate) mod pressure;
 pub(crate) mod pressure_ends;

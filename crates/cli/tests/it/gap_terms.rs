@@ -50,15 +50,17 @@ fn waves_that_no_cells_follow_are_refused() {
     assert!(call.err.contains("44 waves on a surface of 40 mm") && call.err.contains("contact.roughness"), "{}", call.err);
 }
 
-/// So many ends of contact that one level is all there is leave no error to tell, and the accuracy is missed.
+/// So many ends of contact that nodes on all of them leave no room for finer levels: cells as long as the waves serve, and the error is told.
 #[test]
-fn a_contact_of_too_many_ends_says_that_its_error_is_not_known() {
+fn a_contact_of_too_many_ends_says_its_error_and_why_it_is_large() {
     let bench = Bench::new();
     bench.file("punch.toml", &scene(r#"gap = { cosine = { amplitude = "1 um", wavelength = "2.5 mm" } }"#));
     let call = bench.call("run punch.toml -o punch");
     assert_eq!(call.code, 1, "{}{}", call.out, call.err);
     let said = call.out.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(said.contains("ends of contact inside the surface finer levels are left out"), "{said}");
+    assert!(said.contains("accurate to") && said.contains("it has 32 ends of contact inside the surface"), "{said}");
+    let summary: Value = serde_json::from_str(&bench.read("punch/summary.json")).unwrap();
+    assert!(summary["error"]["pressure_relative"].as_f64().unwrap() > 1e-3);
 }
 
 #[test]
@@ -95,6 +97,35 @@ fn rows_of_a_parabola_give_the_contact_of_the_crown_and_smoothing_says_what_it_l
     let note = smooth["lints"].as_array().unwrap().iter().find(|note| note["code"] == "smoothed-gap").unwrap();
     assert!(note["message"].as_str().unwrap().contains("0.5 um from them"), "{note}");
     assert!((p_max(&smooth) / p_max(&crown) - 1.0).abs() < 0.1);
+}
+
+/// Sixty-one rows with the noise of a gauge, taken as they are: contact on single rows, which is found in cells of their own, in a time that is bounded. The
+/// note gives the deviation to smooth them by, and smoothed by that they are the crown they were measured on.
+#[test]
+fn noise_of_measured_rows_is_told_and_its_contact_comes_to_an_end() {
+    let bench = Bench::new();
+    let (_, crown) = gaps(&bench, r#"gap = { crown = "10 um" }"#);
+    let mut state = 12345_u64;
+    let mut noise = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as f64 / (1u64 << 31) as f64 - 0.5
+    };
+    let row = |s: f64, noise: f64| format!("{s},{}\n", 0.3 + 0.025 * s * s + 0.6 * noise);
+    let rows: String = (0..=60).map(|i| f64::from(i - 30) / 1.5).map(|s| row(s, noise())).collect();
+    bench.file("noisy.csv", &format!("s_mm,gap_um\n{rows}"));
+    bench.file("noisy.toml", &scene(r#"gap = "noisy.csv""#));
+    let call = bench.call("run noisy.toml -q -o noisy");
+    assert_eq!(call.code, 1, "{}", call.err);
+    let summary: Value = serde_json::from_str(&bench.read("noisy/summary.json")).unwrap();
+    assert_eq!(summary["status"], "accuracy-missed", "{summary}");
+    assert!(summary["error"]["pressure_relative"].is_number() && summary["counters"]["contact_solves"].as_u64() < Some(60));
+    let message =
+        summary["lints"].as_array().unwrap().iter().find(|note| note["code"] == "noisy-gap").unwrap()["message"].clone();
+    // The deviation of .6 times an even distribution is .6/sqrt(12) = .17.
+    assert!(message.as_str().unwrap().contains("smooth = \"0.2 um\""), "{message}");
+    let (_, smooth) = gaps(&bench, r#"gap = { profile = "noisy.csv", smooth = "0.2 um" }"#);
+    let p_max = |summary: &Value| summary["contact"]["p_max_MPa"].as_f64().unwrap();
+    assert!((p_max(&smooth) / p_max(&crown) - 1.0).abs() < 0.1, "{} {}", p_max(&smooth), p_max(&crown));
 }
 
 /// The waves of a gap are followed where they are shorter than the cells of the bodies alone, and where bodies touch on their tops alone.

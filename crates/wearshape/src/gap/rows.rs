@@ -47,6 +47,13 @@ impl RowCurve {
         self.pieces[number].at(s)[0]
     }
 
+    /// The rows on a surface: places and values.
+    pub(super) fn rows(&self, [from, to]: [f64; 2]) -> (Vec<f64>, Vec<f64>) {
+        let mut knots = self.knots();
+        knots.dedup();
+        knots.into_iter().filter(|s| (from..=to).contains(s)).map(|s| (s, self.at(s))).unzip()
+    }
+
     /// The places of the rows.
     pub(crate) fn knots(&self) -> Vec<f64> {
         self.pieces.iter().flat_map(|piece| piece.knots.iter().copied()).collect()

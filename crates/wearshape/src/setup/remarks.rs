@@ -5,6 +5,7 @@ use wear::Shape;
 
 use crate::freedom::{Role, guided_moment};
 use crate::functional::{functional_row, s_minus_1};
+use crate::gap::Noise;
 use crate::problem::{Optimum, Problem};
 use crate::remark::Remark;
 use crate::setup::materials::named;
@@ -24,6 +25,7 @@ pub(super) fn remarks(problem: &Problem, tasks: &[Task]) -> Vec<Remark> {
             ),
         );
     }
+    noise(problem, tasks, &mut say);
     if problem.wear.of_friction && problem.friction.coefficient == 0.0 && tasks != [Task::Contact] {
         let message = "Friction is 0 and wear.beta stands in front of the friction stress: nothing wears, and rates, powers, multipliers and feed are 0. Pressure and shape are as for vanishing friction; wear.k wears without friction.";
         say("no-wear", message.to_string());
@@ -34,6 +36,19 @@ pub(super) fn remarks(problem: &Problem, tasks: &[Task]) -> Vec<Remark> {
         jamming(problem, &mut say);
     }
     found
+}
+
+/// Rows of a profile that are those of noise.
+fn noise(problem: &Problem, tasks: &[Task], say: &mut impl FnMut(&'static str, String)) {
+    let followed = tasks.iter().any(|task| matches!(task, Task::Contact | Task::Wear));
+    let surface = problem.patch.as_ref().and_then(|patch| patch.places()).filter(|_| followed);
+    let Some(Noise { bends: [bends, rows], deviation }) = surface.and_then(|surface| problem.gap.noise(surface)) else { return };
+    say(
+        "noisy-gap",
+        format!(
+            "The gap goes through every row of its profile and bends back and forth at {bends} of {rows}, as noise of {deviation:.2} um would: it may touch in spots. Of a measured profile, contact.gap = {{ profile = ..., smooth = \"{deviation:.1} um\" }} takes the smooth curve."
+        ),
+    );
 }
 
 /// Moduli that no material has, each said once a body, by the name of the material where cells bring their own.

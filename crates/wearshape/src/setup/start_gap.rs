@@ -32,21 +32,18 @@ pub(super) fn resolve(contact: &mut Contact, files: Files<'_>) -> Result<(), Fau
 const MOST_WAVES: f64 = 40.0;
 
 /// Longest piece of the contact surface, as a part of it, for the waves of the gap that the bodies have to follow: one wave.
-pub(super) fn longest_piece(scene: &Scene, tasks: &[Task], patch: Option<&Patch>) -> f64 {
-    let gap = scene.contact.as_ref().and_then(|contact| contact.gap.as_ref());
+pub(super) fn longest_piece(gap: &StartGap, tasks: &[Task], patch: Option<&Patch>) -> f64 {
     let followed = tasks.iter().any(|task| matches!(task, Task::Contact | Task::Wear));
-    let (Some(Gap::Sum(sum)), true, Some(surface)) = (gap, followed, patch.and_then(Patch::places)) else { return 1.0 };
-    1.0 / waves(sum, surface).unwrap_or(1.0).clamp(1.0, MOST_WAVES)
-}
-
-/// Number of waves of a gap on a surface, if it has waves.
-fn waves(sum: &GapSum, [from, to]: [f64; 2]) -> Option<f64> {
-    sum.cosine.filter(|cosine| cosine.amplitude.0 > 0.0).map(|cosine| (to - from) / cosine.wavelength.0)
+    let (Some(surface), true) = (patch.and_then(Patch::places), followed) else { return 1.0 };
+    let waves = gap.wavelength(surface).map_or(1.0, |length| (surface[1] - surface[0]) / length);
+    1.0 / waves.clamp(1.0, MOST_WAVES)
 }
 
 /// Refuses waves that are too short to be followed: they are roughness, and no shape.
 fn not_too_short(sum: &GapSum, surface: [f64; 2]) -> Result<(), Fault> {
-    let Some(waves) = waves(sum, surface).filter(|waves| *waves > MOST_WAVES) else { return Ok(()) };
+    let cosine = sum.cosine.filter(|cosine| cosine.amplitude.0 > 0.0);
+    let waves = cosine.map(|cosine| (surface[1] - surface[0]) / cosine.wavelength.0);
+    let Some(waves) = waves.filter(|waves| *waves > MOST_WAVES) else { return Ok(()) };
     let [most, length] = [MOST_WAVES, surface[1] - surface[0]].map(scene::short);
     let message = format!("{:.0} waves on a surface of {length} mm: no more than {most} can be followed", waves);
     let remedy = "give a longer wave; what is as short as this is roughness (contact.roughness)";

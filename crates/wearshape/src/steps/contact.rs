@@ -24,6 +24,7 @@ use crate::steps::diagnosis::Diagnosis;
 use crate::steps::free_ends::{Positioned, nearer, position};
 use crate::steps::heat::contact::HotContact;
 use crate::steps::hertz_trial::short_contact;
+use crate::steps::many_ends::{ManyEnds, are_looked_for};
 use crate::steps::reported::{Moment, Reported};
 use crate::steps::start_gap::{start_gap, start_gaps};
 use crate::steps::twist::Twist;
@@ -37,16 +38,6 @@ const SIGNS_HOLD: f64 = 1e-9;
 const NEAR: f64 = 1e-3;
 /// Samples of the pressure for the comparison of levels, over the inner 95 % of the contact.
 const SAMPLES: usize = 191;
-
-/// Ends of contact inside the surface of a usual contact.
-const USUAL_ENDS: usize = 4;
-/// Ends of contact beyond which no mesh with nodes on all of them is looked for.
-const MOST_ENDS: usize = 48;
-/// Levels whose nodes do not settle on the ends after which these are not looked for any more (the coarsest may not know them): of few ends, and of more
-/// than usual.
-const MOST_LOST: [usize; 2] = [4, 2];
-/// Unknowns of both surfaces together beyond which finer levels of a contact with more ends than usual are left out: eliminations take the cube of them.
-const MOST_UNKNOWNS: usize = 7000;
 
 /// Solves the contact.
 pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
@@ -103,7 +94,9 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
     let mut effort = Effort::default();
     search.latest[1] = search.latest[0].take();
     let Found { reduced, found, unsettled, hot } = find(stage, level, search, &mut effort)?;
-    let ends = search.ends.clone();
+    // The next level does not start from ends that are not the contact's.
+    let ends = if unsettled { std::mem::take(&mut search.ends) } else { search.ends.clone() };
+    let settled = !unsettled && !ends.places.is_empty();
     let pair = reduced.pair()?;
     let operator = reduced.factorised(&pair, stage.friction() > 0.0, None)?;
     let gap = start_gaps(stage, &operator);
@@ -116,13 +109,13 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
         None => None,
     };
     let mut contact = result(stage, &pair, &operator, &found);
-    if !ends.places.is_empty() {
+    if settled {
         contact.ends = ends.arcs(length).iter().map(|arc| start + arc).collect();
     }
     twist.iter().for_each(|twist| twist.report(&mut contact, start));
     let at = At { stage, operator: &operator, found: &found, hot: hot.as_ref() };
     let embedded = at.embedded(&gap)?;
-    let zones = if ends.places.is_empty() { without_slivers(&found.zones, length) } else { ends.zones(length) };
+    let zones = if settled { ends.zones(length) } else { without_slivers(&found.zones, length) };
     let pressure = inner_places(&zones, length, SAMPLES).iter().map(|arc| operator.pressure_at(&found.pressure, *arc)).collect();
     let mut told = told(stage, &reduced, &operator, &gap, &found);
     let heat = match &hot {
@@ -137,7 +130,7 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
     let twist = twist.map(|twist| twist.answer);
     let imbalance = imbalance_of(stage, &told, &found, length);
     let number = if unsettled { FreeEnds::of(&found, length).places.len() } else { ends.places.len() };
-    let crowded = crowded(number, level, &effort);
+    let many = ManyEnds::of(number, level, &effort);
     let solved = Solved {
         contact,
         interface: None,
@@ -146,7 +139,7 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
         twist,
         embedded,
         unsettled,
-        crowded,
+        many,
         imbalance,
         heat,
         refused,
@@ -195,12 +188,6 @@ impl At<'_> {
         let heat = self.hot.map(HotContact::heat);
         Some(Reported { level, ends: ends.places.clone(), heat, moments: vec![Moment { time: 0.0, name: "", states, around }] })
     }
-}
-
-/// Number of ends of contact, where they are so many that the next level would have too many unknowns.
-fn crowded(ends: usize, level: Level, effort: &Effort) -> Option<usize> {
-    let grown = effort.counters.trace_dofs * (level.degree + 2).pow(2) / level.degree.pow(2);
-    (ends > USUAL_ENDS && grown > MOST_UNKNOWNS).then_some(ends)
 }
 
 /// How far the supports of body 2 are from carrying a contact on a surface of this length.
@@ -313,10 +300,8 @@ fn find<'a>(stage: Stage<'a>, level: Level, search: &mut Search, effort: &mut Ef
         *ends = FreeEnds::of(&found, length);
         trial = Some(found);
     }
-    let many = ends.places.len() > USUAL_ENDS;
-    let given_up = ends.places.is_empty() || *lost >= MOST_LOST[usize::from(many)] || ends.places.len() > MOST_ENDS;
-    let positioned = if given_up { None } else { searched(stage, level, ends, effort)? };
-    *lost += usize::from(!given_up && positioned.is_none());
+    let looked_for = are_looked_for(ends.places.len(), *lost);
+    let positioned = if looked_for { searched(stage, level, ends, effort)? } else { None };
     let mut unsettled = false;
     let (reduced, held) = match positioned {
         Some((found, positioned)) => {
@@ -334,8 +319,15 @@ fn find<'a>(stage: Stage<'a>, level: Level, search: &mut Search, effort: &mut Ef
     };
     let found = match (trial, held) {
         (Some(found), None) => found,
-        (_, held) => signed(stage, &reduced, held, effort)?,
+        (_, held) => {
+            let tension = held.as_ref().is_some_and(|held| held.complementarity >= NEAR);
+            let found = signed(stage, &reduced, held, effort)?;
+            // Where other points are in contact than those between the nodes, these are not on its ends.
+            unsettled |= tension && !ends.bound_as_many(&found, reduced.pair()?.trace().length());
+            found
+        }
     };
+    *lost += usize::from(looked_for && unsettled);
     Ok(Found { reduced, found, unsettled, hot: None })
 }
 

@@ -10,6 +10,7 @@ use crate::level::Level;
 use crate::results::{ContactResult, EnergyResult, ErrorResult, InterfaceResult, Reaction};
 use crate::solution::{Rung, Status};
 use crate::steps::answer::{Outcome, Told};
+use crate::steps::many_ends::ManyEnds;
 use crate::steps::reported::Reported;
 use crate::watch::Watch;
 
@@ -30,8 +31,8 @@ pub(crate) struct Solved {
     pub embedded: Option<f64>,
     /// Whether ends of contact lie inside elements because nodes did not settle on them.
     pub unsettled: bool,
-    /// Number of ends of contact inside the surface, where they are so many that the next level would have too many unknowns on it.
-    pub crowded: Option<usize>,
+    /// Of a contact with more ends inside its surface than usual.
+    pub many: Option<ManyEnds>,
     /// How far the forces on body 2 are from balance, relative: what round-off has made of its equations.
     pub imbalance: f64,
     /// Frictional heat.
@@ -55,7 +56,7 @@ pub(crate) fn levels<X>(
         let solved = solve_level(level)?;
         Ok(match &solved.0.refused {
             Some(reason) if ladder.can_do_without(before) => return Err(Refusal::Reason(reason.clone())),
-            None if solved.0.crowded.is_none() => ControlFlow::Continue(solved),
+            None if !ended(ladder, before, &solved) => ControlFlow::Continue(solved),
             _ => ControlFlow::Break(Some(solved)),
         })
     };
@@ -71,6 +72,13 @@ pub(crate) fn levels<X>(
     solved.iter().for_each(|level| effort += level.effort.clone());
     let (outcome, reported) = finish(ladder, solved, beside);
     Ok((Outcome { stopped, ..outcome }, effort, others.into_iter().nth(reported)))
+}
+
+/// Whether a contact with more ends than usual ends its levels with this one.
+fn ended<X>(ladder: &Ladder, before: &[(Solved, X)], solved: &(Solved, X)) -> bool {
+    let Some(many) = solved.0.many else { return false };
+    let all: Vec<&Solved> = before.iter().chain([solved]).map(|(level, _)| level).collect();
+    many.end(ladder, solved.0.unsettled, &all, &|x, y| distance(x, y))
 }
 
 /// How far two levels are apart: relative differences of the energies (0 with heat, whose strains the work of the loads does not know), of the pressure
@@ -162,10 +170,8 @@ fn report(ladder: &Ladder, mut last: Solved, found: Option<[f64; 3]>, rungs: Vec
         },
     };
     let Some(found) = found else {
-        if let Some(ends) = last.crowded.filter(|_| !ladder.is_fixed()) {
-            let reason = format!(
-                "with {ends} ends of contact inside the surface finer levels are left out, so that the error of the contact is not known; a smoother gap has fewer"
-            );
+        if let Some(many) = last.many.filter(|_| !ladder.is_fixed()) {
+            let reason = format!("the error of the contact is not known: {}", many.words());
             outcome.ended = Some((Status::AccuracyMissed, reason));
         }
         return outcome;
@@ -173,13 +179,11 @@ fn report(ladder: &Ladder, mut last: Solved, found: Option<[f64; 3]>, rungs: Vec
     if last.unsettled {
         outcome.error.how += "; nodes did not settle on the ends of contact, which lie inside elements";
     }
-    if let Some(ends) = last.crowded {
-        outcome.error.how +=
-            &format!("; with {ends} ends of contact inside the surface finer levels are left out: a smoother gap has fewer");
-    }
     let worst = largest(&found[..if last.twist.is_some() { 3 } else { 2 }]);
     if let Some(accuracy) = ladder.missed(worst) {
-        outcome.ended = Some((Status::AccuracyMissed, missed("contact", worst, accuracy)));
+        let why = last.many.map(|many| format!("; {}", many.words())).unwrap_or_default();
+        outcome.error.how += &why;
+        outcome.ended = Some((Status::AccuracyMissed, missed("contact", worst, accuracy) + &why));
     }
     outcome
 }

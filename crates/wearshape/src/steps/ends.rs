@@ -267,7 +267,7 @@ impl Setting<'_> {
             twist: None,
             embedded,
             unsettled: false,
-            crowded: None,
+            many: None,
             imbalance,
             heat: None,
             refused: (!touches).then(|| found.status.to_string()),

@@ -10,10 +10,12 @@ use crate::bodies::Reduced;
 use crate::effort::Effort;
 use crate::faults::unsolved;
 use crate::level::Level;
+use crate::parts::Parts;
 use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::heat::contact::HotContact;
 use crate::steps::heat::following::Following;
+use crate::steps::many_ends::leaves_room;
 use crate::steps::start_gap::start_gaps;
 
 /// Accuracy of the nodes by the accuracy asked for: a misplaced end changes the pressure by about its distance over the length of the contact.
@@ -73,12 +75,17 @@ fn bodies<'a>(stage: Stage<'a>, level: Level, places: &[f64], work: &mut Effort)
         *work += effort;
         return Ok(Some((Arc::clone(&following.reduced), Some(following))));
     }
-    let Ok((parts, effort)) = stage.parts(level, cut) else { return Ok(None) };
+    let Some((parts, effort)) = parts(stage, level, cut) else { return Ok(None) };
     (stage.options.begun)(Step::Factor);
     let (reduced, reduction) = Reduced::new(&parts, stage.clock())?;
     *work += effort;
     *work += reduction;
     Ok(Some((Arc::new(reduced), None)))
+}
+
+/// Bodies before their reduction, if cells can be cut as wanted and are not too many.
+fn parts(stage: Stage<'_>, level: Level, cut: Cut<'_>) -> Option<(Parts, Effort)> {
+    stage.parts(level, cut).ok().filter(|(parts, _)| leaves_room(parts.contact_unknowns(), level))
 }
 
 /// Meshes on which ends come nearer before a search for them, and the step (of half the surface) at which they are near enough.
@@ -93,7 +100,7 @@ pub(crate) fn nearer(stage: Stage<'_>, level: Level, ends: &FreeEnds, work: &mut
         if (stage.options.ending)() {
             break;
         }
-        let Ok((parts, effort)) = stage.parts(level, Cut::Ends(&ends.places)) else { return Ok(None) };
+        let Some((parts, effort)) = parts(stage, level, Cut::Ends(&ends.places)) else { return Ok(None) };
         (stage.options.begun)(Step::Factor);
         let (reduced, reduction) = Reduced::new(&parts, stage.clock())?;
         *work += effort;
