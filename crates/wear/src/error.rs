@@ -2,6 +2,8 @@
 
 use thiserror::Error;
 
+use crate::mode::{RigidMode, RigidMotion};
+
 /// Wrong input, or a problem that has no answer. Every message carries the numbers that led to it.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
@@ -33,10 +35,10 @@ pub enum WearError {
         why: &'static str,
     },
     /// No pressure p >= 0 on the surface carries the prescribed resultants.
-    #[error("no pressure p >= 0 balances the load {resultants:?}: {why}")]
+    #[error("no pressure p >= 0 balances the load of {}: {why}", resultants(modes))]
     Infeasible {
-        /// Prescribed resultant of each mode (N, N mm).
-        resultants: Vec<f64>,
+        /// The modes with their prescribed resultants.
+        modes: Vec<RigidMode>,
         /// The reason: moment beyond the edge, self-locking, no pressing force.
         why: &'static str,
     },
@@ -92,4 +94,13 @@ pub enum WearError {
         /// Relative residual of the balance.
         residual: f64,
     },
+}
+
+/// The prescribed resultants with their units.
+fn resultants(modes: &[RigidMode]) -> String {
+    let one = |mode: &RigidMode| match mode.motion {
+        RigidMotion::Translation { .. } | RigidMotion::Expansion => format!("{} N", mode.resultant),
+        RigidMotion::Rotation { .. } => format!("{} N mm", mode.resultant),
+    };
+    modes.iter().map(one).collect::<Vec<_>>().join(" and ")
 }

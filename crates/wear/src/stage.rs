@@ -96,7 +96,7 @@ impl<'a> Stage<'a> {
 
     /// The load is not carried, and why.
     pub(crate) fn infeasible(&self, why: &'static str) -> WearError {
-        WearError::Infeasible { resultants: self.problem.modes.iter().map(|mode| mode.resultant).collect(), why }
+        WearError::Infeasible { modes: self.problem.modes.as_slice().to_vec(), why }
     }
 
     /// True when psi = phi at every node: the stationary pressure is a true extremum (or the modes are associated).
@@ -116,8 +116,10 @@ fn pivot(problem: &Problem, law: &PressureLaw) -> Result<usize, WearError> {
     let chosen = (0..law.count).find(pressing).unwrap_or(by_size);
     let translates = problem.modes.iter().any(|mode| matches!(mode.motion, RigidMotion::Translation { .. }));
     if problem.modes[chosen].resultant == 0.0 || (translates && !pressing(&chosen)) {
-        let resultants = problem.modes.iter().map(|mode| mode.resultant).collect();
-        return Err(WearError::Infeasible { resultants, why: "no force presses the bodies together" });
+        return Err(WearError::Infeasible {
+            modes: problem.modes.as_slice().to_vec(),
+            why: "no force presses the bodies together",
+        });
     }
     Ok(chosen)
 }

@@ -56,6 +56,18 @@ fn the_pinned_shoe_is_shigleys() {
 }
 
 #[test]
+fn a_pin_on_the_lining_is_refused_and_a_shoe_that_locks_is_told_its_moment() {
+    let bench = Bench::new();
+    let call = bench.check_and_run("pinned-shoe --set surface.pinned-shoe.pin_distance=150");
+    assert_eq!(call.code, 2, "{}", call.out);
+    assert!(call.err.contains("the pin lies on the contact") && call.err.contains("less than its radius"), "{}", call.err);
+    let call = bench.call("run pinned-shoe --set contact.friction=2 -o locked");
+    assert_eq!(call.code, 1, "{}", call.err);
+    let said = call.out.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(said.contains(" N mm: the friction carries the load"), "{said}");
+}
+
+#[test]
 fn the_pivoted_shoe_is_a_cosine() {
     // F0 = p_max R t (a0 + sin a0 cos a0) with a0 = 45 deg, R = 200, t = 50.
     let p = pressure("pivoted-shoe");

@@ -71,6 +71,15 @@ pub(crate) struct Search {
     latest: [Option<Arc<Reduced>>; 2],
 }
 
+impl Search {
+    /// The places of nodes for ends of contact, and whether contact ends at them. Where they are not its ends the next level does not start from them.
+    fn nodes(&mut self, unsettled: bool) -> (FreeEnds, bool) {
+        let ends = if unsettled { std::mem::take(&mut self.ends) } else { self.ends.clone() };
+        let settled = !unsettled && !ends.places.is_empty();
+        (ends, settled)
+    }
+}
+
 /// What is needed of a level beside its result if it is the reported one.
 pub(crate) struct Last {
     pub level: Level,
@@ -94,9 +103,7 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
     let mut effort = Effort::default();
     search.latest[1] = search.latest[0].take();
     let Found { reduced, found, unsettled, hot } = find(stage, level, search, &mut effort)?;
-    // The next level does not start from ends that are not the contact's.
-    let ends = if unsettled { std::mem::take(&mut search.ends) } else { search.ends.clone() };
-    let settled = !unsettled && !ends.places.is_empty();
+    let (ends, settled) = search.nodes(unsettled);
     let pair = reduced.pair()?;
     let operator = reduced.factorised(&pair, stage.friction() > 0.0, None)?;
     let gap = start_gaps(stage, &operator);

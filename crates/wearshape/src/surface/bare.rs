@@ -28,22 +28,7 @@ pub(super) fn bare(surface: &SurfaceShape) -> Result<Found, Fault> {
             }
             found(Shape::Sector { radii, angles: [-half, half] }, PatchKind::Turning, key)
         }
-        SurfaceShape::PinnedShoe(shoe) => {
-            let key = "surface.pinned-shoe";
-            positive(&format!("{key}.radius"), shoe.radius.0, "radius", " mm")?;
-            positive(&format!("{key}.width"), shoe.width.0, "width", " mm")?;
-            positive(&format!("{key}.pin_distance"), shoe.pin_distance.0, "distance of the pin", " mm")?;
-            positive(&format!("{key}.arm"), shoe.arm.0, "lever arm", " mm")?;
-            let angles = [shoe.from.0, shoe.to.0];
-            if !(angles[0] >= 0.0 && angles[1] > angles[0] && angles[1] < std::f64::consts::PI) {
-                let (from, to) = (angles[0].to_degrees(), angles[1].to_degrees());
-                let message = format!("the lining reaches from {from} to {to} deg, where it cannot close everywhere");
-                return Err(Fault::at(format!("{key}.to"), "degenerate", message, "give 0 <= from < to < 180 deg"));
-            }
-            let shape =
-                Shape::Arc { radius: shoe.radius.0, centre: Vector3::zeros(), angles, thickness: shoe.width.0, internal: true };
-            found(shape, PatchKind::Turning, key)
-        }
+        SurfaceShape::PinnedShoe(shoe) => found(pinned(shoe)?, PatchKind::Turning, "surface.pinned-shoe"),
         SurfaceShape::PivotedShoe(shoe) => {
             let key = "surface.pivoted-shoe";
             found(symmetric_arc(key, shoe.radius, shoe.half_angle.0, shoe.width.0)?, PatchKind::Turning, key)
@@ -82,4 +67,25 @@ fn half_turn_at_most(key: &str, angle: f64) -> Result<(), Fault> {
     }
     let message = format!("half angle {} deg is out of range", angle.to_degrees());
     Err(Fault::at(key, "degenerate", message, "give a half angle greater than 0 and at most 180 deg"))
+}
+
+/// The arc of a shoe on a pin that is not on its lining.
+fn pinned(shoe: &scene::PinnedShoe) -> Result<Shape, Fault> {
+    let key = "surface.pinned-shoe";
+    positive(&format!("{key}.radius"), shoe.radius.0, "radius", " mm")?;
+    positive(&format!("{key}.width"), shoe.width.0, "width", " mm")?;
+    positive(&format!("{key}.pin_distance"), shoe.pin_distance.0, "distance of the pin", " mm")?;
+    positive(&format!("{key}.arm"), shoe.arm.0, "lever arm", " mm")?;
+    let angles = [shoe.from.0, shoe.to.0];
+    if !(angles[0] >= 0.0 && angles[1] > angles[0] && angles[1] < std::f64::consts::PI) {
+        let (from, to) = (angles[0].to_degrees(), angles[1].to_degrees());
+        let message = format!("the lining reaches from {from} to {to} deg, where it cannot close everywhere");
+        return Err(Fault::at(format!("{key}.to"), "degenerate", message, "give 0 <= from < to < 180 deg"));
+    }
+    if angles[0] == 0.0 && (shoe.pin_distance.0 / shoe.radius.0 - 1.0).abs() < 1e-9 {
+        let message = "the pin lies on the contact: the lining begins at its angle, and its distance is the drum's radius";
+        let remedy = "give the distance of the pin from the middle of the drum, less than its radius";
+        return Err(Fault::at(format!("{key}.pin_distance"), "degenerate", message, remedy));
+    }
+    Ok(Shape::Arc { radius: shoe.radius.0, centre: Vector3::zeros(), angles, thickness: shoe.width.0, internal: true })
 }
