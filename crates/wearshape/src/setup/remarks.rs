@@ -43,10 +43,13 @@ fn noise(problem: &Problem, tasks: &[Task], say: &mut impl FnMut(&'static str, S
     let followed = tasks.iter().any(|task| matches!(task, Task::Contact | Task::Wear));
     let surface = problem.patch.as_ref().and_then(|patch| patch.places()).filter(|_| followed);
     let Some(Noise { bends: [bends, rows], deviation }) = surface.and_then(|surface| problem.gap.noise(surface)) else { return };
+    // Two digits.
+    let unit = 10f64.powf(deviation.log10().floor() - 1.0);
+    let deviation = scene::short((deviation / unit).round() * unit);
     say(
         "noisy-gap",
         format!(
-            "The gap goes through every row of its profile and bends back and forth at {bends} of {rows}, as noise of {deviation:.2} um would: it may touch in spots. Of a measured profile, contact.gap = {{ profile = ..., smooth = \"{deviation:.1} um\" }} takes the smooth curve."
+            "The gap goes through every row of its profile and bends back and forth at {bends} of {rows}, as noise of {deviation} um would: it may touch in spots. Of a measured profile, contact.gap = {{ profile = ..., smooth = \"{deviation} um\" }} takes the smooth curve."
         ),
     );
 }

@@ -170,7 +170,7 @@ fn report(ladder: &Ladder, mut last: Solved, found: Option<[f64; 3]>, rungs: Vec
         },
     };
     let Some(found) = found else {
-        if let Some(many) = last.many.filter(|_| !ladder.is_fixed()) {
+        if let Some(many) = last.many.filter(|many| many.crowded && !ladder.is_fixed()) {
             let reason = format!("the error of the contact is not known: {}", many.words());
             outcome.ended = Some((Status::AccuracyMissed, reason));
         }

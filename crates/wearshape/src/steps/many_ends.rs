@@ -32,7 +32,7 @@ pub(crate) fn leaves_room(unknowns: usize, level: Level) -> bool {
 pub(crate) struct ManyEnds {
     number: usize,
     /// Whether the next level would have too many unknowns.
-    crowded: bool,
+    pub crowded: bool,
 }
 
 impl ManyEnds {
