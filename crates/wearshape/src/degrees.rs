@@ -27,9 +27,9 @@ const PLACES: [f64; 3] = [-0.5, 0.0, 0.5];
 const STRAIGHT: f64 = 1e-6;
 
 /// The degrees of the cells of body 1 and body 2. Cells that face each other on the contact surface have the same one, the higher of both, so that contact
-/// stays nodal; that of the level where surfaces meet whose ends of contact move over the cells.
+/// stays nodal; that of the level where surfaces meet whose ends of contact move over the cells, and on a level that is even.
 pub(crate) fn degrees(meshes: [&Mesh; 2], level: Level, together: bool) -> [Vec<usize>; 2] {
-    if !together {
+    if level.even || !together {
         return meshes.map(|mesh| mesh.cells.iter().map(|cell| level.degree_in(cell.layer)).collect());
     }
     let mut degrees = meshes.map(|mesh| by_distance(mesh, level));
@@ -191,7 +191,7 @@ mod tests {
 
     #[test]
     fn cells_at_corners_keep_the_degree_of_the_level_and_those_far_from_all_need_fewer() {
-        let level = Level { degree: 14, layers: 0, slow: false };
+        let level = Level { degree: 14, layers: 0, slow: false, even: false };
         let found = by_distance(&square([0.0; 2], false), level);
         let (corner, beside, middle) = (found[0], found[1], found[24]);
         assert_eq!(corner, 14);
@@ -215,7 +215,7 @@ mod tests {
 
     #[test]
     fn degrees_do_not_depend_on_the_numbers_of_cells_and_vertices() {
-        let level = Level { degree: 12, layers: 0, slow: false };
+        let level = Level { degree: 12, layers: 0, slow: false, even: false };
         let [there, mut back] = [false, true].map(|backwards| by_distance(&square([0.0; 2], backwards), level));
         back.reverse();
         assert_eq!(there, back);
@@ -223,7 +223,7 @@ mod tests {
 
     #[test]
     fn cells_that_face_each_other_have_one_degree_on_the_contact_surface() {
-        let level = Level { degree: 12, layers: 0, slow: false };
+        let level = Level { degree: 12, layers: 0, slow: false, even: false };
         let (first, second) = (square([0.0; 2], false), square([0.0, -7.0], true));
         let degrees = degrees([&first, &second], level, true);
         let [a, b] = [&first, &second].map(contact_cells);

@@ -234,6 +234,8 @@ impl Parts {
         kinematics: Kinematics,
         meeting: Meeting,
     ) -> Result<Parts, Fault> {
+        // What the waves of a gap do is smooth in no cell that is as long as they are.
+        let level = if couple.longest < 1.0 { level.evenly() } else { level };
         let [of_first, of_second] = degrees([&first, &second], level, meeting == Meeting::Together);
         let parts = [
             BodyParts::new(couple, true, first, of_first, kinematics)?,

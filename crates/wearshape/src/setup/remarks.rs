@@ -43,13 +43,16 @@ fn noise(problem: &Problem, tasks: &[Task], say: &mut impl FnMut(&'static str, S
     let followed = tasks.iter().any(|task| matches!(task, Task::Contact | Task::Wear));
     let surface = problem.patch.as_ref().and_then(|patch| patch.places()).filter(|_| followed);
     let Some(Noise { bends: [bends, rows], deviation }) = surface.and_then(|surface| problem.gap.noise(surface)) else { return };
-    // Two digits.
-    let unit = 10f64.powf(deviation.log10().floor() - 1.0);
-    let deviation = scene::short((deviation / unit).round() * unit);
+    // Two digits; a little more than the noise leaves the curve room to be smooth.
+    let two_digits = |value: f64| {
+        let unit = 10f64.powf(value.log10().floor() - 1.0);
+        scene::short((value / unit).round() * unit)
+    };
+    let [deviation, smooth] = [deviation, 1.1 * deviation].map(two_digits);
     say(
         "noisy-gap",
         format!(
-            "The gap goes through every row of its profile and bends back and forth at {bends} of {rows}, as noise of {deviation} um would: it may touch in spots. Of a measured profile, contact.gap = {{ profile = ..., smooth = \"{deviation} um\" }} takes the smooth curve."
+            "The gap goes through every row of its profile and bends back and forth at {bends} of {rows}, as noise of {deviation} um would: it may touch in spots. Of a measured profile, contact.gap = {{ profile = ..., smooth = \"{smooth} um\" }} takes the smooth curve."
         ),
     );
 }

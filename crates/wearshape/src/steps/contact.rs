@@ -71,15 +71,6 @@ pub(crate) struct Search {
     latest: [Option<Arc<Reduced>>; 2],
 }
 
-impl Search {
-    /// The places of nodes for ends of contact, and whether contact ends at them. Where they are not its ends the next level does not start from them.
-    fn nodes(&mut self, unsettled: bool) -> (FreeEnds, bool) {
-        let ends = if unsettled { std::mem::take(&mut self.ends) } else { self.ends.clone() };
-        let settled = !unsettled && !ends.places.is_empty();
-        (ends, settled)
-    }
-}
-
 /// What is needed of a level beside its result if it is the reported one.
 pub(crate) struct Last {
     pub level: Level,
@@ -91,6 +82,8 @@ pub(crate) struct Last {
 struct Found<'a> {
     reduced: Arc<Reduced>,
     found: ContactSolution,
+    /// The level that they are of.
+    level: Level,
     /// Whether nodes did not settle on the ends of contact.
     unsettled: bool,
     /// The bodies as problems of temperature, and the contact with its heat.
@@ -102,8 +95,8 @@ struct Found<'a> {
 pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -> Result<(Solved, Last), Refusal> {
     let mut effort = Effort::default();
     search.latest[1] = search.latest[0].take();
-    let Found { reduced, found, unsettled, hot } = find(stage, level, search, &mut effort)?;
-    let (ends, settled) = search.nodes(unsettled);
+    let Found { reduced, found, level, unsettled, hot } = find(stage, level, search, &mut effort)?;
+    let ends = search.ends.clone();
     let pair = reduced.pair()?;
     let operator = reduced.factorised(&pair, stage.friction() > 0.0, None)?;
     let gap = start_gaps(stage, &operator);
@@ -116,13 +109,13 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
         None => None,
     };
     let mut contact = result(stage, &pair, &operator, &found);
-    if settled {
+    if !ends.places.is_empty() {
         contact.ends = ends.arcs(length).iter().map(|arc| start + arc).collect();
     }
     twist.iter().for_each(|twist| twist.report(&mut contact, start));
     let at = At { stage, operator: &operator, found: &found, hot: hot.as_ref() };
     let embedded = at.embedded(&gap)?;
-    let zones = if settled { ends.zones(length) } else { without_slivers(&found.zones, length) };
+    let zones = if ends.places.is_empty() { without_slivers(&found.zones, length) } else { ends.zones(length) };
     let pressure = inner_places(&zones, length, SAMPLES).iter().map(|arc| operator.pressure_at(&found.pressure, *arc)).collect();
     let mut told = told(stage, &reduced, &operator, &gap, &found);
     let heat = match &hot {
@@ -232,11 +225,11 @@ fn short_ends(stage: Stage<'_>) -> FreeEnds {
 }
 
 /// The contact on bodies with nodes on its ends.
-fn held_on<'a>(stage: Stage<'a>, positioned: Positioned<'a>, effort: &mut Effort) -> Result<Found<'a>, Fault> {
+fn held_on<'a>(stage: Stage<'a>, level: Level, positioned: Positioned<'a>, effort: &mut Effort) -> Result<Found<'a>, Fault> {
     let Positioned { reduced, held, .. } = positioned;
     *effort += reduced.sizes();
     let found = signed(stage, &reduced, Some(held), effort)?;
-    Ok(Found { reduced, found, unsettled: false, hot: None })
+    Ok(Found { reduced, found, level, unsettled: false, hot: None })
 }
 
 /// The contact on bodies; a solution with its points held in contact is that if its signs are right but for round-off at the ends, else a start.
@@ -299,7 +292,7 @@ fn find<'a>(stage: Stage<'a>, level: Level, search: &mut Search, effort: &mut Ef
     let guessed = if short.places.is_empty() { None } else { position(stage, level, &short, effort)? };
     if let Some((found, positioned)) = guessed {
         *ends = found;
-        return held_on(stage, positioned, effort);
+        return held_on(stage, level, positioned, effort);
     }
     if ends.places.is_empty() {
         let (found, length, work) = on_standing_mesh(stage, level)?;
@@ -309,33 +302,26 @@ fn find<'a>(stage: Stage<'a>, level: Level, search: &mut Search, effort: &mut Ef
     }
     let looked_for = are_looked_for(ends.places.len(), *lost);
     let positioned = if looked_for { searched(stage, level, ends, effort)? } else { None };
-    let mut unsettled = false;
-    let (reduced, held) = match positioned {
-        Some((found, positioned)) => {
-            *ends = found;
-            *effort += positioned.reduced.sizes();
-            (positioned.reduced, Some(positioned.held))
+    if let Some((at, Positioned { reduced, held, .. })) = positioned {
+        *effort += reduced.sizes();
+        let tension = held.complementarity >= NEAR;
+        let found = signed(stage, &reduced, Some(held), effort)?;
+        // Where other points are in contact than those between the nodes, these are not on its ends.
+        if !tension || at.bound_as_many(&found, reduced.pair()?.trace().length()) {
+            *ends = at;
+            return Ok(Found { reduced, found, level, unsettled: false, hot: None });
         }
-        None => {
-            unsettled = !ends.places.is_empty();
-            *ends = FreeEnds::default();
-            let (reduced, work) = stage.reduced(level, Cut::Plain)?;
-            *effort += work;
-            (reduced, None)
-        }
+    }
+    *lost += usize::from(looked_for);
+    let unsettled = !std::mem::take(ends).places.is_empty();
+    let level = if unsettled { level.evenly() } else { level };
+    let (reduced, work) = stage.reduced(level, Cut::Plain)?;
+    *effort += work;
+    let found = match trial.filter(|_| !unsettled) {
+        Some(found) => found,
+        None => signed(stage, &reduced, None, effort)?,
     };
-    let found = match (trial, held) {
-        (Some(found), None) => found,
-        (_, held) => {
-            let tension = held.as_ref().is_some_and(|held| held.complementarity >= NEAR);
-            let found = signed(stage, &reduced, held, effort)?;
-            // Where other points are in contact than those between the nodes, these are not on its ends.
-            unsettled |= tension && !ends.bound_as_many(&found, reduced.pair()?.trace().length());
-            found
-        }
-    };
-    *lost += usize::from(looked_for && unsettled);
-    Ok(Found { reduced, found, unsettled, hot: None })
+    Ok(Found { reduced, found, level, unsettled, hot: None })
 }
 
 /// The same with frictional heat; on the standing mesh where nodes do not settle on the ends of contact, or lead to others.
@@ -353,11 +339,15 @@ fn find_hot<'a>(stage: Stage<'a>, level: Level, search: &mut Search, effort: &mu
         let hot = if held.complementarity < SIGNS_HOLD { hot } else { HotContact::on(stage, hot.following, effort)? };
         let mut found = hot.found();
         found.pressure.iter_mut().for_each(|p| *p = p.max(0.0));
-        return Ok(Some(Found { reduced: hot.reduced(), found, unsettled: false, hot: Some(hot) }));
+        return Ok(Some(Found { reduced: hot.reduced(), found, level, unsettled: false, hot: Some(hot) }));
     }
     let unsettled = !std::mem::take(&mut search.ends).places.is_empty();
-    let hot = standing.map_or_else(|| HotContact::new(stage, level, effort), |hot| Ok(Some(hot)))?;
-    Ok(hot.map(|hot| Found { reduced: hot.reduced(), found: hot.found(), unsettled, hot: Some(hot) }))
+    let level = if unsettled { level.evenly() } else { level };
+    let hot = match standing.filter(|_| !unsettled) {
+        Some(hot) => Some(hot),
+        None => HotContact::new(stage, level, effort)?,
+    };
+    Ok(hot.map(|hot| Found { reduced: hot.reduced(), found: hot.found(), level, unsettled, hot: Some(hot) }))
 }
 
 /// The contact on the standing mesh of a level, and the length of its surface.

@@ -14,6 +14,9 @@ use crate::steps::many_ends::ManyEnds;
 use crate::steps::reported::Reported;
 use crate::watch::Watch;
 
+/// Levels whose differences are believed when they say that the accuracy is out of reach; with nodes on more ends than usual further ones are dear.
+const BELIEVED: usize = 5;
+const OUT_OF_REACH: &str = "finer levels do not reach the accuracy";
 /// Error of a contact over the imbalance of its forces.
 const ROUND_OFF: f64 = 2.0;
 
@@ -52,15 +55,19 @@ pub(crate) fn levels<X>(
     mut solve_level: impl FnMut(Level) -> Result<(Solved, X), Refusal>,
 ) -> Result<(Outcome, Effort, Option<X>), Refusal> {
     let mut effort = Effort::default();
+    let apart = |(x, _): &(Solved, X), (y, _): &(Solved, X)| distance(x, y);
     let solve = |level: Level, before: &[(Solved, X)], _: &mut Watch<'_>| {
+        let last = before.last().map(|(last, _)| last).filter(|last| last.many.is_some() && !last.unsettled);
+        if last.is_some() && before.len() >= BELIEVED && !ladder.promises(before, &apart) {
+            return Err(Refusal::Reason(OUT_OF_REACH.into()));
+        }
         let solved = solve_level(level)?;
         Ok(match &solved.0.refused {
             Some(reason) if ladder.can_do_without(before) => return Err(Refusal::Reason(reason.clone())),
-            None if !ended(ladder, before, &solved) => ControlFlow::Continue(solved),
+            None if !solved.0.many.is_some_and(|many| many.crowded) => ControlFlow::Continue(solved),
             _ => ControlFlow::Break(Some(solved)),
         })
     };
-    let apart = |(x, _): &(Solved, X), (y, _): &(Solved, X)| distance(x, y);
     let Climbed { solved, mut stopped } = climb(ladder, Vec::new(), solve, apart, watch)?;
     // A level beside that cannot be meshed or solved tells nothing.
     let refused = solved.iter().any(|(level, _)| level.refused.is_some());
@@ -72,13 +79,6 @@ pub(crate) fn levels<X>(
     solved.iter().for_each(|level| effort += level.effort.clone());
     let (outcome, reported) = finish(ladder, solved, beside);
     Ok((Outcome { stopped, ..outcome }, effort, others.into_iter().nth(reported)))
-}
-
-/// Whether a contact with more ends than usual ends its levels with this one.
-fn ended<X>(ladder: &Ladder, before: &[(Solved, X)], solved: &(Solved, X)) -> bool {
-    let Some(many) = solved.0.many else { return false };
-    let all: Vec<&Solved> = before.iter().chain([solved]).map(|(level, _)| level).collect();
-    many.end(ladder, solved.0.unsettled, &all, &|x, y| distance(x, y))
 }
 
 /// How far two levels are apart: relative differences of the energies (0 with heat, whose strains the work of the loads does not know), of the pressure

@@ -1,7 +1,7 @@
 //! Contacts with more ends than usual, as a rough gap has them: how far their levels are worth climbing.
 
 use crate::effort::Effort;
-use crate::ladder::{FIRST, LEAST, Ladder};
+use crate::ladder::{FIRST, LEAST};
 use crate::level::Level;
 
 /// Ends of contact inside the surface of a usual contact.
@@ -13,8 +13,6 @@ const MOST_ENDS: usize = 48;
 const MOST_LOST: [usize; 2] = [4, 2];
 /// Unknowns of both surfaces together beyond which finer levels of a contact with more ends than usual are left out: eliminations take the cube of them.
 const MOST_UNKNOWNS: usize = 7000;
-/// Levels whose differences are believed when they say that the accuracy is out of reach.
-const BELIEVED: usize = 5;
 
 /// Whether nodes on so many ends are looked for, after levels on which they did not settle.
 pub(crate) fn are_looked_for(ends: usize, lost: usize) -> bool {
@@ -40,17 +38,6 @@ impl ManyEnds {
     pub(crate) fn of(number: usize, level: Level, effort: &Effort) -> Option<ManyEnds> {
         let grown = effort.counters.trace_dofs * (level.degree + 2).pow(2) / level.degree.pow(2);
         (number > USUAL_ENDS).then_some(ManyEnds { number, crowded: grown > MOST_UNKNOWNS })
-    }
-
-    /// Whether no finer level than those solved, this one included, is worth solving; those without nodes on the ends are cheap.
-    pub(crate) fn end<T, const N: usize>(
-        &self,
-        ladder: &Ladder,
-        unsettled: bool,
-        solved: &[T],
-        distance: &impl Fn(&T, &T) -> [f64; N],
-    ) -> bool {
-        self.crowded || !unsettled && solved.len() >= BELIEVED && !ladder.promises(solved, distance)
     }
 
     /// What to say where the accuracy is missed or not known.

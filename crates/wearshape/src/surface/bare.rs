@@ -84,7 +84,7 @@ fn pinned(shoe: &scene::PinnedShoe) -> Result<Shape, Fault> {
     }
     if angles[0] == 0.0 && (shoe.pin_distance.0 / shoe.radius.0 - 1.0).abs() < 1e-9 {
         let message = "the pin lies on the contact: the lining begins at its angle, and its distance is the drum's radius";
-        let remedy = "give the distance of the pin from the middle of the drum, less than its radius";
+        let remedy = "give the distance of the pin from the middle of the drum; it cannot lie on the lining";
         return Err(Fault::at(format!("{key}.pin_distance"), "degenerate", message, remedy));
     }
     Ok(Shape::Arc { radius: shoe.radius.0, centre: Vector3::zeros(), angles, thickness: shoe.width.0, internal: true })

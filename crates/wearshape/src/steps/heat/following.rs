@@ -270,7 +270,7 @@ mod tests {
         let problem = crate::problem::Problem::new(&document, &|file| Err(file.to_string())).unwrap();
         let (options, kept) = (Options::default(), Bodies::default());
         let stage = Stage::new(&problem, &options, &kept).unwrap();
-        let level = Level { degree: 6, layers: 2, slow: false };
+        let level = Level { degree: 6, layers: 2, slow: false, even: false };
         let (bodies, _) = HotBodies::new(stage, level, (Cut::Plain, Asked::Anything)).unwrap().unwrap();
         asked(stage, &bodies)
     }
