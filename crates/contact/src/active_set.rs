@@ -1,6 +1,6 @@
 //! The complementarity problem with its points in contact given: `w = 0` on these, `lambda = 0` on the others.
 
-use crate::lcp::{Answer, BALANCED, Complementarity, Point, Proximal};
+use crate::lcp::{Answer, Complementarity, Point, Proximal};
 use crate::linear::{Factor, Scaling};
 
 impl Complementarity<'_> {
@@ -21,7 +21,7 @@ impl Complementarity<'_> {
         let opening = self.openings(&point);
         let wrong = self.wrong(&point, &opening, active);
         // Pivots of round-off: a coordinate is held by no point, although the factorisation went through.
-        if wrong.is_empty() && self.relative_imbalance(&point) > BALANCED {
+        if wrong.is_empty() && !self.is_balanced(&point) {
             return None;
         }
         answer.history.push(wrong.len());

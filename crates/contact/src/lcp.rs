@@ -103,6 +103,17 @@ impl Complementarity<'_> {
             .fold(0.0, f64::max)
     }
 
+    /// Whether the balances hold but for [`BALANCED`] of what all forces would do where they do the most: one that goes through the point that carries it
+    /// has a moment of round-off alone.
+    pub(crate) fn is_balanced(&self, at: &Point) -> bool {
+        let spring = times(&self.stiffness, &at.coordinates);
+        let force: f64 = at.force.iter().map(|f| f.abs()).sum();
+        self.imbalance(at).iter().enumerate().all(|(j, r)| {
+            let most = (0..self.points()).map(|i| self.balance[(i, j)].abs()).fold(0.0, f64::max);
+            r.abs() <= BALANCED * (most * force + self.load[j].abs() + spring[j].abs())
+        })
+    }
+
     /// Largest relative violation of the signs and of `lambda w = 0`.
     pub(crate) fn complementarity(&self, at: &Point, opening: &[f64]) -> f64 {
         worst_sign(&at.force, opening, &times(&self.compliance, &at.force))

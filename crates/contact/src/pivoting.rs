@@ -3,7 +3,7 @@
 //! All points with a wrong sign change sides together as long as their number falls; after ten steps without progress only the last one
 //! does (Murty 1974), which ends on every P-matrix (Kostreva 1978; Judice and Pires 1994).
 
-use crate::lcp::{Answer, BALANCED, Complementarity, Point, Proximal};
+use crate::lcp::{Answer, Complementarity, Point, Proximal};
 use crate::linear::Scaling;
 
 /// Steps without progress before single changes begin.
@@ -22,11 +22,14 @@ pub(crate) fn solve(problem: &Complementarity<'_>, scaling: &Scaling, answer: &m
         let wrong = match problem.finish(scaling, &active, answer) {
             Some(wrong) => wrong,
             None => {
+                let Some((near, _)) = problem.on_active(scaling, &active, &weak) else { return };
+                // From there the spring pulls no more on the coordinates that contact holds.
+                let weak = Proximal { centre: &near, ..weak };
                 let Some((point, _)) = problem.on_active(scaling, &active, &weak) else { return };
                 let opening = problem.openings(&point);
                 let wrong = problem.wrong(&point, &opening, &active);
                 // So few points touch that a free coordinate is held by none, and no load moves it: a round body on one point of a coarse mesh.
-                if wrong.is_empty() && problem.relative_imbalance(&point) <= BALANCED {
+                if wrong.is_empty() && problem.is_balanced(&point) {
                     answer.take(point, opening, &active);
                     return;
                 }

@@ -10,7 +10,7 @@ use std::borrow::Cow;
 
 /// Status of an answer.
 pub(crate) fn status(problem: &Complementarity<'_>, normal: &Mat<f64>, answer: &Answer) -> Status {
-    if answer.settled && problem.relative_imbalance(&answer.point) <= BALANCED {
+    if answer.settled && problem.is_balanced(&answer.point) {
         let closed = answer.active.iter().filter(|a| **a).count();
         return match closed {
             0 => Status::NoContact,

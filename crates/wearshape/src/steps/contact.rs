@@ -18,7 +18,7 @@ use crate::level::Level;
 use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::answer::{Answer, Outcome, Own, Told};
-use crate::steps::contact_levels::{Solved, imbalance, levels};
+use crate::steps::contact_levels::{Aside, Solved, imbalance, levels};
 use crate::steps::contact_result::result;
 use crate::steps::diagnosis::Diagnosis;
 use crate::steps::free_ends::{Positioned, nearer, position};
@@ -43,9 +43,10 @@ const SAMPLES: usize = 191;
 pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
     let mut search = Search::default();
     let ladder = Ladder::of(stage.problem, stage.options, Step::Contact).and_beyond(stage.problem);
-    let (mut outcome, effort, last) = levels(&ladder, watch, |level| solve_level(stage, level, &mut search))?;
-    last.iter().try_for_each(|last| last.diagnosis.report(stage, &mut outcome))?;
-    if let Some((Last { level, .. }, profile)) = last.zip(outcome.told.as_ref().map(|told| &told.profile)) {
+    let (mut outcome, effort, last) = levels(&ladder, watch, &mut |level| solve_level(stage, level, &mut search))?;
+    let diagnosis = last.and_then(|last| last.diagnosis);
+    diagnosis.iter().try_for_each(|diagnosis| diagnosis.report(stage, &mut outcome))?;
+    if let Some((Diagnosis { level, .. }, profile)) = diagnosis.zip(outcome.told.as_ref().map(|told| &told.profile)) {
         let is_closed = |status: Option<&PointStatus>| status == Some(&PointStatus::Contact);
         let closed = [is_closed(profile.status.first()), is_closed(profile.status.last())];
         let note = sharp_edges::note(stage, level.layers, closed)?;
@@ -71,13 +72,6 @@ pub(crate) struct Search {
     latest: [Option<Arc<Reduced>>; 2],
 }
 
-/// What is needed of a level beside its result if it is the reported one.
-pub(crate) struct Last {
-    pub level: Level,
-    /// The diagnosis to be made of it.
-    pub diagnosis: Diagnosis,
-}
-
 /// Bodies of a level, the contact found on them, and its start gap.
 struct Found<'a> {
     reduced: Arc<Reduced>,
@@ -92,7 +86,7 @@ struct Found<'a> {
 
 /// Solves a level; where contact ends inside the surface, with element nodes on its ends, from those of the last level, which `search` leaves
 /// from one level to the next.
-pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -> Result<(Solved, Last), Refusal> {
+pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -> Result<(Solved, Aside), Refusal> {
     let mut effort = Effort::default();
     search.latest[1] = search.latest[0].take();
     let Found { reduced, found, level, unsettled, hot } = find(stage, level, search, &mut effort)?;
@@ -149,7 +143,7 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
     let hot = hot.as_ref().map(|hot| (Arc::clone(&reduced), hot.load()));
     let diagnosis = Diagnosis { level, ends: ends.places, reduced: Arc::downgrade(&reduced), found, hot };
     search.latest[0] = Some(reduced);
-    Ok((solved, Last { level, diagnosis }))
+    Ok((solved, Aside { diagnosis: Some(diagnosis), ..Aside::default() }))
 }
 
 /// A contact found on its bodies.

@@ -10,6 +10,7 @@ use crate::level::Level;
 use crate::results::{ContactResult, EnergyResult, ErrorResult, InterfaceResult, Reaction};
 use crate::solution::{Rung, Status};
 use crate::steps::answer::{Outcome, Told};
+use crate::steps::diagnosis::Diagnosis;
 use crate::steps::many_ends::ManyEnds;
 use crate::steps::reported::Reported;
 use crate::watch::Watch;
@@ -47,16 +48,25 @@ pub(crate) struct Solved {
     pub effort: Effort,
 }
 
+/// What is needed of a level beside its result if it is the reported one.
+#[derive(Default)]
+pub(crate) struct Aside {
+    /// Where its element nodes stand on ends of contact.
+    pub nodes: Vec<f64>,
+    /// The diagnosis to be made of it.
+    pub diagnosis: Option<Diagnosis>,
+}
+
 /// Solves level after level until the estimated errors are below the accuracy asked for; reports the last one, or the best where finer ones come out
 /// worse, with what `solve_level` gave beside it.
-pub(crate) fn levels<X>(
+pub(crate) fn levels(
     ladder: &Ladder,
     watch: &mut Watch<'_>,
-    mut solve_level: impl FnMut(Level) -> Result<(Solved, X), Refusal>,
-) -> Result<(Outcome, Effort, Option<X>), Refusal> {
+    solve_level: &mut dyn FnMut(Level) -> Result<(Solved, Aside), Refusal>,
+) -> Result<(Outcome, Effort, Option<Aside>), Refusal> {
     let mut effort = Effort::default();
-    let apart = |(x, _): &(Solved, X), (y, _): &(Solved, X)| distance(x, y);
-    let solve = |level: Level, before: &[(Solved, X)], _: &mut Watch<'_>| {
+    let apart = |(x, _): &(Solved, Aside), (y, _): &(Solved, Aside)| distance(x, y);
+    let solve = |level: Level, before: &[(Solved, Aside)], _: &mut Watch<'_>| {
         let last = before.last().map(|(last, _)| last).filter(|last| last.many.is_some() && !last.unsettled);
         if last.is_some() && before.len() >= BELIEVED && !ladder.promises(before, &apart) {
             return Err(Refusal::Reason(OUT_OF_REACH.into()));
@@ -75,7 +85,7 @@ pub(crate) fn levels<X>(
     let beside = beside.and_then(|level| solve_level(level).ok());
     let beside = beside.map(|(level, _)| level).filter(|level| level.refused.is_none());
     beside.iter().for_each(|level| effort += level.effort.clone());
-    let (solved, others): (Vec<Solved>, Vec<X>) = solved.into_iter().unzip();
+    let (solved, others): (Vec<Solved>, Vec<Aside>) = solved.into_iter().unzip();
     solved.iter().for_each(|level| effort += level.effort.clone());
     let (outcome, reported) = finish(ladder, solved, beside);
     Ok((Outcome { stopped, ..outcome }, effort, others.into_iter().nth(reported)))

@@ -22,7 +22,7 @@ use crate::parts::Parts;
 use crate::results::{EnergyResult, Reaction};
 use crate::step::Step;
 use crate::steps::answer::{Outcome, Told};
-use crate::steps::contact_levels::{Solved, imbalance, levels};
+use crate::steps::contact_levels::{Aside, Solved, imbalance, levels};
 use crate::steps::ends_profile::Rows;
 use crate::steps::ends_setting::Setting;
 use crate::steps::free_ends::TOLERANCE;
@@ -40,7 +40,7 @@ const ROOM: f64 = 0.1;
 pub(crate) fn solve(setting: &Setting<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort, Vec<f64>), Refusal> {
     let mut trial = Trial::new(setting, setting.trial()?, setting.shear != 0.0);
     let ladder = Ladder::of(setting.problem, setting.options, Step::Contact).and_beyond(setting.problem);
-    let (outcome, effort, reported) = levels(&ladder, watch, |level| {
+    let (outcome, effort, reported) = levels(&ladder, watch, &mut |level| {
         let mut work = Effort::default();
         let mut found = setting.position(level, &trial, &mut work)?;
         // Where stick does not end alike on both sides no one place is its end: only the contact's own end is sought from then on.
@@ -53,9 +53,9 @@ pub(crate) fn solve(setting: &Setting<'_>, watch: &mut Watch<'_>) -> Result<(Out
         (trial.nodes, trial.ends) = (positioned.nodes.clone(), ends);
         let solved = setting.result(level, &trial, positioned, work)?;
         trial.stick = Twist::node(&solved.contact);
-        Ok((solved, trial.nodes.clone()))
+        Ok((solved, Aside { nodes: trial.nodes.clone(), diagnosis: None }))
     })?;
-    Ok((outcome, effort, reported.unwrap_or_default()))
+    Ok((outcome, effort, reported.unwrap_or_default().nodes))
 }
 
 /// Where the ends are looked for.

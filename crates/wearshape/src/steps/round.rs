@@ -131,9 +131,10 @@ impl RoundContact<'_> {
             }
             let mut search = Search::default();
             let ladder = Ladder::of(stage.problem, stage.options, Step::Contact).and_beyond(stage.problem);
-            let (mut outcome, work, last) = levels(&ladder, watch, |level| solve_level(stage, level, &mut search))?;
+            let (mut outcome, work, last) = levels(&ladder, watch, &mut |level| solve_level(stage, level, &mut search))?;
             effort += work;
-            last.iter().try_for_each(|last| last.diagnosis.report(stage, &mut outcome))?;
+            let diagnosis = last.and_then(|last| last.diagnosis);
+            diagnosis.iter().try_for_each(|diagnosis| diagnosis.report(stage, &mut outcome))?;
             let reported = outcome.reported.take().filter(|_| stage.problem.plan.runs(Step::Fields));
             let Some(reported) = reported else { return Ok((outcome, effort, Inside::default())) };
             (stage.options.begun)(Step::Fields);
