@@ -15,8 +15,8 @@ const FOLDER: &str = "crates/web";
 const PACKAGES: [&str; 2] = ["chromium", "python3-venv"];
 /// What drives Chromium.
 const DRIVER: &str = "playwright>=1.50,<2";
-/// What all processors of browsers since 2023 have, and a stack as large as that of a program.
-const FLAGS: &str = "-C target-feature=+simd128 -C link-arg=-zstack-size=8388608";
+/// What all processors of browsers since 2023 have, a stack as large as that of a program, and names of files without the folder of all crates.
+const FLAGS: &str = "-C target-feature=+simd128 -C link-arg=-zstack-size=8388608 --remap-path-prefix=crates/=";
 /// What takes 2 % off the module, of the steps after the compiler's (`wasm-opt` of Binaryen): the first level, as the others
 /// make it larger by brotli, without sets of what is there already and arguments that nothing reads, again until it gets no smaller; and what the
 /// module is built for.
