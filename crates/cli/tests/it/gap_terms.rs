@@ -130,6 +130,45 @@ fn noise_of_measured_rows_is_told_and_its_contact_comes_to_an_end() {
     assert!((p_max(&smooth) / p_max(&crown) - 1.0).abs() < 0.1, "{} {}", p_max(&smooth), p_max(&crown));
 }
 
+/// A punch that is free to tilt turns until its gap leans no more: it touches as without the lean, on few points of a coarse mesh or on one, whose moment
+/// is round-off.
+#[test]
+fn a_lean_that_a_free_tilt_takes_back_changes_nothing_of_the_contact() {
+    let bench = Bench::new();
+    let p_max = |gap: &str, force: &str| {
+        let args =
+            ["run", "translating-punch", "-q", "--force", "-o", "out", "--set", "tasks=[contact]", "--set", "accuracy=1e-4"];
+        let set = [format!("contact.gap={gap}"), format!("load.force={force}")];
+        let call = bench.call_with(&args.into_iter().chain(["--set", &set[0], "--set", &set[1]]).collect::<Vec<_>>());
+        assert_eq!(call.code, 0, "{gap}: {}{}", call.out, call.err);
+        let summary: Value = serde_json::from_str(&bench.read("out/summary.json")).unwrap();
+        summary["contact"]["p_max_MPa"].as_f64().unwrap()
+    };
+    for (crown, tilt, force) in [("50 um", "0.03 mrad", "1 kN"), ("10 um", "0.05 mrad", "200 N")] {
+        let level = p_max(&format!("{{crown=\"{crown}\"}}"), force);
+        let leaning = p_max(&format!("{{crown=\"{crown}\",tilt=\"{tilt}\"}}"), force);
+        assert!((leaning / level - 1.0).abs() < 1e-4, "{crown} {tilt}: {leaning} {level}");
+    }
+    p_max(r#"{crown="10 um",tilt="0.1 mrad",cosine={amplitude="1 um",wavelength="20 mm"}}"#, "1 kN");
+}
+
+/// Waves inside the bush, whose cells are small and far from all corners: levels with few degrees there would agree with each other and not with the gap.
+#[test]
+fn the_error_told_of_a_wavy_bush_is_no_smaller_than_what_another_degree_finds() {
+    let bench = Bench::new();
+    let found = |more: &[&str]| {
+        let gap = "contact.gap={cosine={amplitude=\"0.3 um\",wavelength=\"2 mm\"}}";
+        let args = ["run", "bushing", "-q", "--force", "-o", "out", "--set", "accuracy=1e-2", "--set", gap];
+        bench.call_with(&[&args[..], more].concat());
+        let summary: Value = serde_json::from_str(&bench.read("out/summary.json")).unwrap();
+        let number = |value: &Value| value.as_f64().unwrap();
+        [number(&summary["contact"]["p_max_MPa"]), number(&summary["error"]["pressure_relative"])]
+    };
+    let [p, error] = found(&[]);
+    let [finer, _] = found(&["--set", "mesh.degree=14"]);
+    assert!((p / finer - 1.0).abs() < error, "{p} {finer} {error}");
+}
+
 /// The waves of a gap are followed where they are shorter than the cells of the bodies alone, and where bodies touch on their tops alone.
 #[test]
 fn a_wavy_surface_touches_in_zones_that_are_found_to_the_accuracy_asked_for() {
