@@ -14,6 +14,14 @@ pub(crate) struct Followed {
     pub(crate) forces: Mat<f64>,
 }
 
+/// Load cases that follow nodal normal forces, as what each does and what it follows; where they are as many as the points, forces stand for them.
+pub(crate) struct Followers {
+    /// What a unit of each does; its points are the cases.
+    pub(crate) by_case: Followed,
+    /// Their factors by nodal normal forces, `cases x points`.
+    pub(crate) factors: Mat<f64>,
+}
+
 impl Followed {
     /// The same at some of the points.
     pub(crate) fn at(&self, at: &[usize]) -> Followed {
@@ -42,15 +50,63 @@ impl ContactOperator<'_> {
         if load.following.iter().all(Option::is_none) {
             return Ok(None);
         }
+        self.check_following(load)?;
+        Ok(Some(self.done_by(&load.following, self.unit.points.len())))
+    }
+
+    /// The same one by one; none where nothing follows.
+    pub(crate) fn followers(&self, load: &ContactLoad) -> Result<Option<Followers>, Error> {
         let n = self.unit.points.len();
-        let mut opening = Mat::zeros(n, n);
+        // Of each body the cases that follow any force.
+        let follows = |following: &Mat<f64>| (0..following.nrows()).filter(|k| following.row(*k).norm_max() > 0.0).collect();
+        let rows: [Vec<usize>; 2] = load.following.each_ref().map(|following| following.as_ref().map_or_else(Vec::new, follows));
+        let many = rows[0].len() + rows[1].len();
+        if many >= n {
+            return Ok(self.followed(load)?.map(|by_case| Followers { by_case, factors: Mat::identity(n, n) }));
+        }
+        self.check_following(load)?;
+        let mut factors = Mat::zeros(many, n);
+        let mut units = [None, None];
+        let mut at = 0;
+        for ((rows, following), unit) in rows.iter().zip(&load.following).zip(&mut units) {
+            let Some(following) = following else { continue };
+            let mut chosen = Mat::zeros(following.nrows(), many);
+            for row in rows {
+                chosen[(*row, at)] = 1.0;
+                factors.row_mut(at).copy_from(following.row(*row));
+                at += 1;
+            }
+            *unit = Some(chosen);
+        }
+        Ok((many > 0).then(|| Followers { by_case: self.done_by(&units, many), factors }))
+    }
+
+    /// What the load cases of both bodies do, given their factors by each of so many quantities.
+    fn done_by(&self, following: &[Option<Mat<f64>>; 2], many: usize) -> Followed {
+        let mut opening = Mat::zeros(self.unit.points.len(), many);
         let mut forces = Vec::new();
-        for (b, response) in self.unit.responses.iter().enumerate() {
+        for ((b, response), following) in self.unit.responses.iter().enumerate().zip(following) {
             let coordinates = response.motions.ncols();
-            let Some(following) = &load.following[b] else {
-                forces.push(Mat::zeros(coordinates, n));
+            let Some(following) = following else {
+                forces.push(Mat::zeros(coordinates, many));
                 continue;
             };
+            let (unknowns, cases) = (response.to_columns.nrows(), following.nrows());
+            let moved = response.normal.product(&(response.to_columns.submatrix(0, 0, unknowns, cases) * following));
+            opening += faer::Scale(SIGNS[b]) * moved;
+            forces.push(response.motion_columns.submatrix(0, 0, coordinates, cases) * following);
+        }
+        let rows: Vec<(usize, usize)> =
+            forces.iter().enumerate().flat_map(|(b, m)| (0..m.nrows()).map(move |row| (b, row))).collect();
+        let forces = Mat::from_fn(many, rows.len(), |i, j| forces[rows[j].0][(rows[j].1, i)]);
+        Followed { opening, forces }
+    }
+
+    /// Refuses matrices of other shapes, and with entries that are no numbers.
+    fn check_following(&self, load: &ContactLoad) -> Result<(), Error> {
+        let n = self.unit.points.len();
+        for (b, following) in load.following.iter().enumerate().take(self.unit.responses.len()) {
+            let Some(following) = following else { continue };
             let cases = self.operator(b).load_cases.len();
             if following.nrows() != cases || following.ncols() != n {
                 let given = [following.nrows(), following.ncols()];
@@ -61,14 +117,7 @@ impl ContactOperator<'_> {
                     return Err(Error::NotFinite { name: FOLLOWING, row, column });
                 }
             }
-            let unknowns = response.to_columns.nrows();
-            let moved = response.normal.product(&(response.to_columns.submatrix(0, 0, unknowns, cases) * following));
-            opening += faer::Scale(SIGNS[b]) * moved;
-            forces.push(response.motion_columns.submatrix(0, 0, coordinates, cases) * following);
         }
-        let rows: Vec<(usize, usize)> =
-            forces.iter().enumerate().flat_map(|(b, m)| (0..m.nrows()).map(move |row| (b, row))).collect();
-        let forces = Mat::from_fn(n, rows.len(), |i, j| forces[rows[j].0][(rows[j].1, i)]);
-        Ok(Some(Followed { opening, forces }))
+        Ok(())
     }
 }

@@ -5,6 +5,7 @@
 //! Pressure and temperature found by turns arrive while `s rho(M) < 1`; at `s = 1 / m`, `m` a real positive eigenvalue of `M`, the system is singular.
 
 use crate::error::Error;
+use crate::following::Followers;
 use crate::load::ContactLoad;
 use crate::operator::ContactOperator;
 use faer::Mat;
@@ -40,13 +41,15 @@ const LEAST_AREA: f64 = 1e-6;
 const HALVINGS: usize = 48;
 const SLOPES: usize = 24;
 
-/// The system of the closed points in all unknowns: forces, then coordinates.
+/// The system of the closed points in all unknowns: forces, then coordinates. The hot part is `by_case follows`, of few columns where the heat is that of few
+/// fluxes.
 struct Pencil {
     points: usize,
     /// Points whose pressure can be told from nothing.
     told: Vec<usize>,
     cold: Mat<f64>,
-    hot: Mat<f64>,
+    by_case: Mat<f64>,
+    follows: Mat<f64>,
     right: Mat<f64>,
 }
 
@@ -57,7 +60,7 @@ impl ContactOperator<'_> {
     /// As [`ContactOperator::solve`]; [`Error::Singular`] where the closed points cannot hold the bodies.
     pub fn speed_factors(&self, load: &ContactLoad, closed: &[bool]) -> Result<SpeedFactors, Error> {
         let Some(pencil) = self.pencil(load, closed)? else { return Ok(SpeedFactors::default()) };
-        factors(&pencil.cold().undone)
+        factors(&pencil.solved().passed)
     }
 
     /// The same of surfaces all of whose points are closed, and the factor on the sliding speed at which their pressure, without a gap, first vanishes
@@ -69,21 +72,21 @@ impl ContactOperator<'_> {
     pub fn closed_factors(&self, load: &ContactLoad) -> Result<(SpeedFactors, Option<f64>), Error> {
         let closed = vec![true; self.points().len()];
         let Some(pencil) = self.pencil(load, &closed)? else { return Ok((SpeedFactors::default(), None)) };
-        let cold = pencil.cold();
-        let factors = factors(&cold.undone)?;
-        let separation = factors.staggered.and_then(|staggered| pencil.separation(&cold, staggered));
+        let solved = pencil.solved();
+        let factors = factors(&solved.passed)?;
+        let separation = factors.staggered.and_then(|staggered| solved.separation(staggered));
         Ok((factors, separation))
     }
 
     /// The system of the closed points; none where nothing follows the pressure.
     fn pencil(&self, load: &ContactLoad, closed: &[bool]) -> Result<Option<Pencil>, Error> {
         let gap = vec![0.0; self.points().len()];
-        let Some(followed) = self.followed(load)? else { return Ok(None) };
+        let Some(Followers { by_case, factors }) = self.followers(load)? else { return Ok(None) };
         let without = ContactLoad { following: [None, None], ..load.clone() };
         let stage = self.stage(&gap, &without)?;
         let problem = &stage.plain.problem;
         let points: Vec<usize> = (0..gap.len()).filter(|i| closed[*i]).collect();
-        let (n, m) = (points.len(), problem.load.len());
+        let (n, m, many) = (points.len(), problem.load.len(), factors.nrows());
         // Coordinates in units in which both blocks are of one size.
         let unit = points.iter().map(|i| problem.compliance[(*i, *i)]).fold(f64::MIN_POSITIVE, f64::max);
         let cold = Mat::from_fn(n + m, n + m, |i, j| match (points.get(i), points.get(j)) {
@@ -92,10 +95,9 @@ impl ContactOperator<'_> {
             (None, Some(b)) => -unit * problem.balance[(*b, i - n)],
             (None, None) => unit * unit * problem.stiffness[(i - n, j - n)],
         });
-        let hot = Mat::from_fn(n + m, n + m, |i, j| match (points.get(i), points.get(j)) {
-            (Some(a), Some(b)) => followed.opening[(*a, *b)],
-            (None, Some(b)) => -unit * followed.forces[(*b, stage.free[i - n])],
-            (_, None) => 0.0,
+        let by_case = Mat::from_fn(n + m, many, |i, k| match points.get(i) {
+            Some(a) => by_case.opening[(*a, k)],
+            None => -unit * by_case.forces[(k, stage.free[i - n])],
         });
         let right = Mat::from_fn(n + m, 1, |i, _| match points.get(i) {
             Some(a) => -problem.opening[*a],
@@ -104,14 +106,22 @@ impl ContactOperator<'_> {
         let weight = |point: usize| self.points()[points[point]].weight;
         let area: f64 = (0..n).map(weight).sum();
         let told = (0..n).filter(|point| weight(*point) >= LEAST_AREA * area).collect();
-        Ok(Some(Pencil { points: n, told, cold, hot, right }))
+        let follows = Mat::from_fn(many, n, |k, j| factors[(k, points[j])]);
+        Ok(Some(Pencil { points: n, told, cold, by_case, follows, right }))
     }
 }
 
-/// What the system without heat tells, of one factorisation.
-struct Cold {
-    /// `M`: pressures that undo the opening by the heat of pressures.
+/// What one factorisation of the system without heat tells: `p(s) = p(0) + s U (1 - s F U)^-1 F p(0)`, and `M = U F` has the eigenvalues of `F U`, but for
+/// zeros.
+struct Solved {
+    /// Points whose pressure can be told from nothing.
+    told: Vec<usize>,
+    /// `U`: pressures that undo the opening by a unit of each case.
     undone: Mat<f64>,
+    /// `F`: what the cases follow.
+    follows: Mat<f64>,
+    /// `F U`.
+    passed: Mat<f64>,
     /// The pressures, a column.
     pressures: Mat<f64>,
 }
@@ -130,27 +140,31 @@ fn factors(undone: &Mat<f64>) -> Result<SpeedFactors, Error> {
 }
 
 impl Pencil {
-    fn cold(&self) -> Cold {
+    fn solved(self) -> Solved {
         let factors = self.cold.partial_piv_lu();
-        let solved = factors.solve(&self.hot);
-        let undone = Mat::from_fn(self.points, self.points, |i, j| -solved[(i, j)]);
-        Cold { undone, pressures: factors.solve(&self.right).get(..self.points, ..).to_owned() }
+        let undone = -factors.solve(&self.by_case).get(..self.points, ..);
+        let pressures = factors.solve(&self.right).get(..self.points, ..).to_owned();
+        Solved { told: self.told, passed: &self.follows * &undone, follows: self.follows, undone, pressures }
     }
+}
 
+impl Solved {
     /// The least pressure at a factor.
     fn least(&self, factor: f64) -> f64 {
-        let matrix = &self.cold + faer::Scale(factor) * &self.hot;
-        let x = matrix.partial_piv_lu().solve(&self.right);
-        self.told.iter().map(|i| x[(*i, 0)]).fold(f64::INFINITY, f64::min)
+        let s = faer::Scale(factor);
+        let many = self.passed.nrows();
+        let cases = (Mat::<f64>::identity(many, many) - s * &self.passed).partial_piv_lu().solve(&self.follows * &self.pressures);
+        let pressures = &self.pressures + s * (&self.undone * cases);
+        self.told.iter().map(|i| pressures[(*i, 0)]).fold(f64::INFINITY, f64::min)
     }
 
     /// The factor at which a pressure vanishes first.
-    fn separation(&self, cold: &Cold, unit: f64) -> Option<f64> {
+    fn separation(&self, unit: f64) -> Option<f64> {
         let pressed = |factor: f64| Some([factor, self.least(factor)]).filter(|[_, least]| *least > 0.0);
-        if !self.told.iter().all(|i| cold.pressures[(*i, 0)] > 0.0) {
+        if !self.told.iter().all(|i| self.pressures[(*i, 0)] > 0.0) {
             return Some(0.0);
         }
-        let mut below = self.before(cold, unit).and_then(pressed).unwrap_or([0.0; 2]);
+        let mut below = self.before(unit).and_then(pressed).unwrap_or([0.0; 2]);
         let mut factor = if below[0] > 0.0 { STEP * below[0] } else { RANGE[0] * unit };
         while let Some(pressed) = pressed(factor) {
             below = pressed;
@@ -164,9 +178,9 @@ impl Pencil {
 
     /// The last factor of the search before the first at which a pressure vanishes, or before the end of the power series, `p(s) = sum s^k M^k p(0)`,
     /// which takes no factorisation; none where it does not converge, or no factor is before.
-    fn before(&self, cold: &Cold, unit: f64) -> Option<f64> {
+    fn before(&self, unit: f64) -> Option<f64> {
         let size = |term: &Mat<f64>| term.norm_max();
-        let mut terms = vec![cold.pressures.clone()];
+        let mut terms = vec![self.pressures.clone()];
         let highest = SERIES * unit;
         loop {
             let last = size(terms.last()?);
@@ -177,11 +191,11 @@ impl Pencil {
             if terms.len() > TERMS {
                 return None;
             }
-            terms.push(faer::Scale(highest) * (&cold.undone * terms.last()?));
+            terms.push(faer::Scale(highest) * (&self.undone * (&self.follows * terms.last()?)));
         }
         let factors = std::iter::successors(Some(RANGE[0] * unit), |factor| Some(factor * STEP));
         let factors: Vec<f64> = factors.take_while(|factor| *factor <= highest).collect();
-        let by_power = Mat::from_fn(self.points, terms.len(), |i, k| terms[k][(i, 0)]);
+        let by_power = Mat::from_fn(self.pressures.nrows(), terms.len(), |i, k| terms[k][(i, 0)]);
         let powers = Mat::from_fn(terms.len(), factors.len(), |k, j| (factors[j] / highest).powi(k as i32));
         let pressures = by_power * powers;
         let presses = |j: &usize| self.told.iter().all(|i| pressures[(*i, *j)] > 0.0);
@@ -218,21 +232,22 @@ mod tests {
     use super::*;
 
     /// A system of two points with the pressures `p_1 = (1 - s / 4 p_2) / (1 - s / 4)` and `p_2 = 1 - s / at p_1`.
-    fn system(at: f64) -> Pencil {
+    fn system(at: f64) -> Solved {
         let hot = [[-0.25, 0.25], [1.0 / at, 0.0]];
-        let hot = Mat::from_fn(2, 2, |i, j| hot[i][j]);
-        Pencil { points: 2, told: vec![0, 1], cold: Mat::identity(2, 2), hot, right: Mat::full(2, 1, 1.0) }
+        let by_case = Mat::from_fn(2, 2, |i, j| hot[i][j]);
+        let (cold, follows) = (Mat::identity(2, 2), Mat::identity(2, 2));
+        Pencil { points: 2, told: vec![0, 1], cold, by_case, follows, right: Mat::full(2, 1, 1.0) }.solved()
     }
 
     /// The factor by halves alone, from a fine search.
-    fn by_halves(pencil: &Pencil) -> f64 {
+    fn by_halves(system: &Solved) -> f64 {
         let (mut below, mut above) = (0.0, 1e-3);
-        while pencil.least(above) > 0.0 {
+        while system.least(above) > 0.0 {
             (below, above) = (above, above + 1e-3);
         }
         for _ in 0..60 {
             let middle = 0.5 * (below + above);
-            if pencil.least(middle) > 0.0 { below = middle } else { above = middle }
+            if system.least(middle) > 0.0 { below = middle } else { above = middle }
         }
         below
     }
@@ -240,13 +255,12 @@ mod tests {
     #[test]
     fn the_search_for_separation_finds_what_halving_finds_with_the_power_series_and_beyond_it() {
         for at in [0.05, 0.7, 3.0] {
-            let pencil = system(at);
-            let wanted = by_halves(&pencil);
-            let cold = pencil.cold();
-            let radius = 1.0 / factors(&cold.undone).unwrap().staggered.unwrap();
+            let solved = system(at);
+            let wanted = by_halves(&solved);
+            let radius = 1.0 / factors(&solved.passed).unwrap().staggered.unwrap();
             // The series lasts to a part of the staggered factor.
             for unit in [1.0 / radius, 100.0 / radius] {
-                let found = pencil.separation(&cold, unit).unwrap();
+                let found = solved.separation(unit).unwrap();
                 assert!((found / wanted - 1.0).abs() < 1e-12, "{at} {unit}: {found} for {wanted}");
             }
         }

@@ -4,13 +4,15 @@
 //! `D_0` is the value, `D_1 = d/dxi`, `D_2 = d/deta`, and `A` holds material, map and measure. With tensor shape functions the
 //! integral over the square is a product of one-dimensional ones: first contract the eta points, `H = T_eta A`, then the xi
 //! points, `K = H T_xi^T`. Both are plain matrix products. Whether `D_k` and `D_l` differentiate in xi chooses `T_xi`, so that the terms of one
-//! such choice share their part of `H`.
+//! such choice share their part of `H`. Where `A` is a sum of few products of functions of eta and of xi, as one is in rectangles, the sums over the points
+//! are those of the factors, and the last product has a column for each.
 
 use crate::basis::{LocalModes, Table};
 use crate::error::Error;
 use crate::kinematics::Kinematics;
 use crate::mesh::{Mesh, blend};
 use crate::moduli::Moduli;
+use crate::separated::Separated;
 use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, Par};
 
@@ -80,6 +82,7 @@ pub(crate) struct Workspace {
     eta_side: Vec<f64>,
     xi_side: Vec<f64>,
     out: Vec<f64>,
+    separated: Separated,
     /// Of the sums of modes of a cell at its points.
     pub(crate) sums: [Vec<f64>; 5],
 }
@@ -131,28 +134,48 @@ pub(crate) fn stiffness<'w>(form: &CellForm<'_>, table: &Table, work: &'w mut Wo
                 points.fill(coefficients.as_mut(), |r, v, u| at(r).value(v, u))?;
             }
         }
-        // A block of one component is symmetric: half of its columns will do.
-        let xi_tables = if c == d { &table.lower } else { &table.all };
-        let rows = table.all[0].nrows();
-        let columns = xi_tables[0].nrows();
-        let mut eta_side = matrix_in(&mut work.eta_side, rows, nq * XI_PRODUCTS.len());
-        let mut xi_side = matrix_in(&mut work.xi_side, columns, nq * XI_PRODUCTS.len());
-        for (block, number) in XI_PRODUCTS.into_iter().enumerate() {
-            let at = block * nq;
-            let mut first = Accum::Replace;
-            for (i, t) in terms.iter().enumerate().filter(|(_, t)| product(**t, XI) == number) {
-                let coefficient = coefficients.as_ref().subcols(i * nq, nq);
-                let eta_table = table.all[product(*t, ETA)].as_ref();
-                matmul(eta_side.as_mut().subcols_mut(at, nq), first, eta_table, coefficient, 1.0, Par::Seq);
-                first = Accum::Add;
-            }
-            xi_side.as_mut().subcols_mut(at, nq).copy_from(&xi_tables[number]);
-        }
-        let mut out = matrix_in(&mut work.out, rows, columns);
-        matmul(out.as_mut(), Accum::Replace, eta_side.as_ref(), xi_side.as_ref().transpose(), 1.0, Par::Seq);
+        contract(table, terms, c == d, work);
         layout.scatter(&work.out, (c, d), &mut work.matrix[..size * size]);
     }
     Ok(matrix_in(&mut work.matrix, size, size))
+}
+
+/// Sums the coefficients `A_kl` of a component pair over the points: rows of the result are the products in eta, columns those in xi, of one component half
+/// of them, as its block is symmetric.
+fn contract(table: &Table, terms: &[Term], one_component: bool, work: &mut Workspace) {
+    let nq = table.rule.points.len();
+    let xi_tables = if one_component { &table.lower } else { &table.all };
+    let (rows, columns) = (table.all[0].nrows(), xi_tables[0].nrows());
+    let coefficients = matrix_in(&mut work.coefficients, nq, nq * terms.len());
+    let mut eta_side = matrix_in(&mut work.eta_side, rows, nq * XI_PRODUCTS.len());
+    let mut xi_side = matrix_in(&mut work.xi_side, columns, nq * XI_PRODUCTS.len());
+    let mut width = 0;
+    for number in XI_PRODUCTS {
+        let of_product = || terms.iter().enumerate().filter(|(_, t)| product(**t, XI) == number);
+        let coefficient = |i: usize| coefficients.as_ref().subcols(i * nq, nq);
+        let eta_table = |t: &Term| table.all[product(*t, ETA)].as_ref();
+        let xi_table = xi_tables[number].as_ref();
+        work.separated.clear();
+        // Elimination takes its time too: beyond a third of the points nothing is gained.
+        if of_product().all(|(i, _)| work.separated.add(coefficient(i), nq / 3)) {
+            for ((_, t), [along_eta, along_xi]) in of_product().zip(work.separated.terms()) {
+                let rank = along_eta.ncols();
+                matmul(eta_side.as_mut().subcols_mut(width, rank), Accum::Replace, eta_table(t), along_eta, 1.0, Par::Seq);
+                matmul(xi_side.as_mut().subcols_mut(width, rank), Accum::Replace, xi_table, along_xi, 1.0, Par::Seq);
+                width += rank;
+            }
+            continue;
+        }
+        let mut first = Accum::Replace;
+        for (i, t) in of_product() {
+            matmul(eta_side.as_mut().subcols_mut(width, nq), first, eta_table(t), coefficient(i), 1.0, Par::Seq);
+            first = Accum::Add;
+        }
+        xi_side.as_mut().subcols_mut(width, nq).copy_from(&xi_table);
+        width += nq;
+    }
+    let (eta_side, xi_side) = (eta_side.as_ref().subcols(0, width), xi_side.as_ref().subcols(0, width));
+    matmul(matrix_in(&mut work.out, rows, columns), Accum::Replace, eta_side, xi_side.transpose(), 1.0, Par::Seq);
 }
 
 /// What makes the coefficients `A_kl` of a component pair at the points of a cell.

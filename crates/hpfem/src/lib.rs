@@ -71,6 +71,7 @@ mod refine_edges;
 mod remesh;
 mod rigid;
 mod sector;
+mod separated;
 mod singular;
 mod sizes;
 mod sliding_edge;

@@ -19,6 +19,8 @@ pub struct Tolerance {
 const GAMMA: f64 = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
 /// First step over the shortest mean time of the errors, growth of the steps, most steps.
 const STEPS: (f64, f64, usize) = (0.02, 1.3, 120);
+/// Area norm of an error's pressure, relative to the largest, below which a free rigid motion takes the error up: what is left is round-off.
+const RIGID: f64 = 1e-6;
 
 /// Effects of errors `dg` (one a list of values at the contact points, mm, positive open) of the shape that has the given pressure under
 /// the first load of the problem.
@@ -102,35 +104,40 @@ impl<'a> Closed<'a> {
         (0..self.points.len()).map(|i| forces[(i, k)].powi(2) / self.weights[self.points[i]]).sum::<f64>().sqrt()
     }
 
-    /// Shortest mean time of the errors: work of an error's forces over what wear takes of it in a second.
-    fn shortest_time(&self, forces: &Mat<f64>, errors: &[Vec<f64>]) -> f64 {
+    /// Shortest mean time of those errors that press: work of an error's forces over what wear takes of it in a second.
+    fn shortest_time(&self, presses: &[usize], forces: &Mat<f64>, errors: &[Vec<f64>]) -> f64 {
         let taken = &self.worn * forces;
         let mean_time = |k: usize| {
             let sum = |g: &dyn Fn(usize) -> f64| (0..self.points.len()).map(|i| forces[(i, k)] * g(i)).sum::<f64>();
             (sum(&|i| errors[k][self.points[i]]) / sum(&|i| taken[(i, k)])).abs()
         };
-        (0..errors.len()).map(mean_time).filter(|t| t.is_finite() && *t > 0.0).fold(f64::INFINITY, f64::min)
+        presses.iter().copied().map(mean_time).filter(|t| t.is_finite() && *t > 0.0).fold(f64::INFINITY, f64::min)
     }
 
     /// Times at which the norms of the forces have fallen to `1/e`, in growing steps of the two-stage method.
     fn fallen(&self, forces: &Mat<f64>, errors: &[Vec<f64>]) -> Vec<Option<f64>> {
         let mut fallen: Vec<Option<f64>> = vec![None; errors.len()];
         let start: Vec<f64> = (0..errors.len()).map(|k| self.norm(forces, k)).collect();
-        let shortest = self.shortest_time(forces, errors);
+        let largest = start.iter().copied().fold(0.0, f64::max);
+        let presses: Vec<usize> = (0..errors.len()).filter(|k| start[*k] > RIGID * largest).collect();
+        let shortest = self.shortest_time(&presses, forces, errors);
         if !shortest.is_finite() {
             return fallen;
         }
         let (mut time, mut step, mut f) = (0.0, STEPS.0 * shortest, forces.clone());
         for _ in 0..STEPS.2 {
             let next = self.worn_off(&f, step);
-            for (k, fallen) in fallen.iter_mut().enumerate().filter(|(_, fallen)| fallen.is_none()) {
+            for k in presses.iter().copied() {
+                if fallen[k].is_some() {
+                    continue;
+                }
                 let [before, after] = [self.norm(&f, k) / start[k], self.norm(&next, k) / start[k]];
                 if after <= (-1.0_f64).exp() {
                     // Exponential between two times.
-                    *fallen = Some(time + step * (1.0 + before.ln()) / (before / after).ln());
+                    fallen[k] = Some(time + step * (1.0 + before.ln()) / (before / after).ln());
                 }
             }
-            if fallen.iter().all(Option::is_some) {
+            if presses.iter().all(|k| fallen[*k].is_some()) {
                 break;
             }
             (time, step, f) = (time + step, step * STEPS.1, next);

@@ -25,6 +25,11 @@ fn temperature(mesh: &Mesh, kinematics: Kinematics) -> Body {
     Body::new(warming(mesh, kinematics)).unwrap()
 }
 
+/// The same with half the functions inside its cells: their space need not be that of the displacement.
+fn temperature_in_trunk(mesh: &Mesh, kinematics: Kinematics) -> Body {
+    Body::new(BodyProblem { space: SpaceKind::Trunk, ..warming(mesh, kinematics) }).unwrap()
+}
+
 fn warming(mesh: &Mesh, kinematics: Kinematics) -> BodyProblem {
     let problem = conduction(mesh, 5, kinematics).material(Material::conductor(1.4).unwrap());
     let problem = problem.support(Support::moved("bottom", Direction::First, 35.0)).keep("right");
@@ -56,8 +61,13 @@ fn temperatures_as_load_cases_give_what_a_body_made_with_them_gives() {
     for (kinematics, left) in [(PLANE_STRESS, 0.0), (PLANE_STRAIN, 0.0), (Kinematics::Axisymmetric, 0.0)] {
         for mesh in [patch([3, 2, 0, 1], Shape::Arcs, left), mixed([1, 3, 2, 0], Shape::Polynomial(3), left)] {
             // Fewer temperatures than a cell has unknowns on its boundary, and more.
-            for many in [1, 3, 26] {
-                let warm = temperature(&mesh, kinematics);
+            for (many, warm) in [
+                (1, temperature as fn(&Mesh, Kinematics) -> Body),
+                (3, temperature_in_trunk),
+                (26, temperature),
+                (26, temperature_in_trunk),
+            ] {
+                let warm = warm(&mesh, kinematics);
                 let cases = cases(&warm, many);
                 let mut body = Body::new(cold(&mesh, kinematics)).unwrap();
                 body.add_load(later()).unwrap();

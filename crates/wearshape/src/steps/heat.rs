@@ -10,5 +10,5 @@ pub(crate) mod following;
 pub(crate) mod known;
 pub(crate) mod report;
 pub(crate) mod running;
-mod smooth;
+pub(crate) mod smooth;
 pub(crate) mod warmed;

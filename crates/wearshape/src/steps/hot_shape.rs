@@ -1,5 +1,7 @@
 //! What frictional heat is to a shape: bodies bent by the heat of the wanted pressure, and the factors on the sliding speed that the shape bears.
 
+use std::sync::Arc;
+
 use contact::{ContactLoad, Pair, SpeedFactors};
 use meshing::Cut;
 use scene::Fault;
@@ -17,6 +19,7 @@ use crate::steps::heat::bodies::{Asked, HotBodies};
 use crate::steps::heat::following::{Following, Speeds};
 use crate::steps::heat::known::{PointHeat, with_heat};
 use crate::steps::heat::report::{Thermal, tell};
+use crate::steps::heat::smooth::Smooth;
 use crate::steps::heat::warmed::{Surfaces, into_bodies};
 use crate::steps::shaper::Shaper;
 
@@ -34,19 +37,20 @@ impl<'a> HotShape<'a> {
         let (stage, ends) = (shaper.stage, &shaper.ends);
         let cut = if ends.is_empty() { Cut::Plain } else { Cut::Ends(ends) };
         let wanted = |surfaces: &Surfaces, heat: &Heat| wanted_heat(shaper, surfaces, heat);
-        let made = HotBodies::new(stage, level, (cut, if left { Asked::Under(&wanted) } else { Asked::Anything }))?;
+        let made =
+            HotBodies::new(stage, level, (cut, if left { Asked::Under(&wanted) } else { Asked::Near(&wanted, Smooth::Waves) }))?;
         let Some((bodies, mut effort)) = made else { return Ok(None) };
         let (heat, reduced) = effort.timed(Step::Heat, stage.clock(), |_| {
             let heat = bodies.asked(&wanted)?;
-            let reduced = bodies.under(&heat)?;
+            let reduced = if left { bodies.under(&heat)? } else { bodies.near(&heat, Smooth::Waves)? };
             Ok::<_, Fault>((heat, reduced))
         })?;
         Ok(Some((HotShape { bodies, heat }, reduced, effort)))
     }
 
-    /// The bodies bent by heat that follows the pressure.
-    pub(crate) fn following(&self) -> Result<Following<'a>, Fault> {
-        Following::of(&self.bodies)
+    /// The bodies, of a level that is the last one, bent by heat that follows the pressure.
+    pub(crate) fn following(&self, reduced: &Arc<Reduced>) -> Following<'a> {
+        Following::on(&self.bodies, Arc::clone(reduced), (&self.heat, Smooth::Waves))
     }
 
     /// Temperatures and powers of the shape on its pair, into its columns and as numbers.

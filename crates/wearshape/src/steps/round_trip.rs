@@ -16,6 +16,7 @@ use crate::steps::answer::Told;
 use crate::steps::diagnosis;
 use crate::steps::heat::bodies::{Asked, HotBodies};
 use crate::steps::heat::following::Following;
+use crate::steps::heat::smooth::Smooth;
 use crate::steps::heat::warmed::Surfaces;
 use crate::steps::hot_shape::{contact_load, wanted_heat};
 use crate::steps::shaper::Shaper;
@@ -70,16 +71,17 @@ pub(crate) fn independent(shaper: &Shaper<'_>, level: Level, shape: &GapCurve, t
     let finer = Level { degree: (level.degree + 2).min(hpfem::MAX_DEGREE), ..level };
     // The pressure is known before, but for what the proof is to find.
     let wanted_heat = |surfaces: &Surfaces, heat: &Heat| wanted_heat(shaper, surfaces, heat);
-    let (following, reduced, effort) = match HotBodies::new(shaper.stage, finer, (Cut::Shifted, Asked::Near(&wanted_heat)))? {
-        Some((bodies, mut effort)) => {
-            let near = |_: &mut Effort| Following::near(&bodies, &bodies.asked(&wanted_heat)?);
-            (Some(effort.timed(Step::Heat, shaper.stage.clock(), near)?), None, effort)
-        }
-        None => {
-            let (reduced, effort) = shaper.stage.reduced(finer, Cut::Shifted)?;
-            (None, Some(reduced), effort)
-        }
-    };
+    let (following, reduced, effort) =
+        match HotBodies::new(shaper.stage, finer, (Cut::Shifted, Asked::Near(&wanted_heat, Smooth::Little)))? {
+            Some((bodies, mut effort)) => {
+                let near = |_: &mut Effort| Following::near(&bodies, &bodies.asked(&wanted_heat)?, Smooth::Little);
+                (Some(effort.timed(Step::Heat, shaper.stage.clock(), near)?), None, effort)
+            }
+            None => {
+                let (reduced, effort) = shaper.stage.reduced(finer, Cut::Shifted)?;
+                (None, Some(reduced), effort)
+            }
+        };
     let hot = following.as_ref().map(|following| &*following.reduced);
     let Some(reduced) = hot.or(reduced.as_deref()) else { unreachable!("bodies are hot or cold") };
     let pair = reduced.pair()?;

@@ -227,7 +227,7 @@ impl<'a> Shaper<'a> {
         let mut result = hot.tell(self, &pair, told)?;
         let mut following = None;
         if !outcome.stopped {
-            let own = hot.following()?;
+            let own = hot.following(&solved.reduced);
             let (found, smooth) = hot_shape::speeds(self, &own)?;
             result.take_speeds(&found, smooth.as_ref());
             following = Some(own);

@@ -15,6 +15,7 @@ use crate::parts::{BodyHeat, Parts};
 use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::heat::known::{HEAT, PointHeat, same_points};
+use crate::steps::heat::smooth::Smooth;
 use crate::steps::heat::warmed::{Second, Surfaces, Warmed, no_field};
 
 /// Both bodies of a level.
@@ -50,7 +51,7 @@ pub(crate) enum Asked<'k> {
     /// [`HotBodies::under`] this heat.
     Under(HeatOf<'k>),
     /// [`HotBodies::near`] this heat, for fluxes that are smooth along the surface.
-    Near(HeatOf<'k>),
+    Near(HeatOf<'k>, Smooth),
 }
 
 impl Asked<'_> {
@@ -63,9 +64,9 @@ impl Asked<'_> {
                 let known = under(warmed, &heat)?;
                 (heat, known)
             }
-            Asked::Near(heat) => {
+            Asked::Near(heat, wanted) => {
                 let heat = heat(surfaces, warmed.heat)?;
-                let known = near(warmed, surfaces, &heat, &surfaces.smooth())?;
+                let known = near(warmed, surfaces, &heat, &surfaces.smooth(wanted))?;
                 (heat, known)
             }
         };
@@ -120,9 +121,14 @@ impl<'a> HotBodies<'a> {
         self.with(about(&self.warmed, &self.surfaces, &[none.clone(), none], Mat::clone)?)
     }
 
-    /// The bodies with a load of their temperature under heat at the contact points, then one of each of the fluxes (a column each, at the contact points),
-    /// or of all heat alike.
-    pub(crate) fn near(&self, heat: &PointHeat, fluxes: &Mat<f64>) -> Result<Reduced, Fault> {
+    /// The bodies with a load of their temperature under heat at the contact points, then one of each flux that is smooth along the surface, or of all heat
+    /// alike.
+    pub(crate) fn near(&self, heat: &PointHeat, wanted: Smooth) -> Result<Reduced, Fault> {
+        self.about(heat, &self.surfaces.smooth(wanted))
+    }
+
+    /// The same with other fluxes, a column each at the contact points.
+    pub(crate) fn about(&self, heat: &PointHeat, fluxes: &Mat<f64>) -> Result<Reduced, Fault> {
         self.with(near(&self.warmed, &self.surfaces, heat, fluxes)?)
     }
 

@@ -16,6 +16,7 @@ use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::heat::bodies::{Asked, HotBodies};
 use crate::steps::heat::known::PointHeat;
+use crate::steps::heat::smooth::Smooth;
 use crate::steps::heat::warmed::{Second, Surfaces, Warmed, into_bodies};
 
 /// Contact solves until the points that conduct are those in contact, and how many of them in which points may begin to conduct.
@@ -84,25 +85,29 @@ impl<'a> Following<'a> {
     /// Bodies that are there.
     pub(crate) fn of(bodies: &HotBodies<'a>) -> Result<Following<'a>, Fault> {
         let n = bodies.surfaces.points.len();
-        Ok(Following::made(bodies, bodies.by_units()?, || Follows::Each, [vec![0.0; n], vec![0.0; n]]))
+        Ok(Following::made(bodies, Arc::new(bodies.by_units()?), || Follows::Each, [vec![0.0; n], vec![0.0; n]]))
     }
 
     /// Bodies whose heat is near a known one: exact at that heat, and beyond it for what is smooth along the surface. It takes as many temperatures as
     /// [`Surfaces::smooth`] has, whatever the number of points.
-    pub(crate) fn near(bodies: &HotBodies<'a>, heat: &PointHeat) -> Result<Following<'a>, Fault> {
-        let smooth = bodies.surfaces.smooth();
-        let reduced = bodies.near(heat, &smooth)?;
-        Ok(Following::made(bodies, reduced, || Follows::Sums(smooth.transpose().to_owned()), heat.into.clone()))
+    pub(crate) fn near(bodies: &HotBodies<'a>, heat: &PointHeat, wanted: Smooth) -> Result<Following<'a>, Fault> {
+        Ok(Following::on(bodies, Arc::new(bodies.near(heat, wanted)?), (heat, wanted)))
     }
 
-    fn made(bodies: &HotBodies<'a>, reduced: Reduced, body: impl Fn() -> Follows, about: [Vec<f64>; 2]) -> Following<'a> {
+    /// The same of bodies that are [`HotBodies::near`] this heat already.
+    pub(crate) fn on(bodies: &HotBodies<'a>, reduced: Arc<Reduced>, (heat, wanted): (&PointHeat, Smooth)) -> Following<'a> {
+        let sums = || Follows::Sums(bodies.surfaces.smooth(wanted).transpose().to_owned());
+        Following::made(bodies, reduced, sums, heat.into.clone())
+    }
+
+    fn made(bodies: &HotBodies<'a>, reduced: Arc<Reduced>, body: impl Fn() -> Follows, about: [Vec<f64>; 2]) -> Following<'a> {
         let second = match bodies.warmed.second {
             Second::Body(_) => body(),
             Second::Drum(_) => Follows::Sums(Mat::full(1, bodies.surfaces.points.len(), 1.0)),
             Second::Fresh(_) => Follows::Nothing,
         };
         let (warmed, surfaces) = (Arc::clone(&bodies.warmed), Arc::clone(&bodies.surfaces));
-        Following { reduced: Arc::new(reduced), warmed, surfaces, follows: [body(), second], about }
+        Following { reduced, warmed, surfaces, follows: [body(), second], about }
     }
 
     /// The contact of the bodies, pressure and temperature at once: `base` holds the load without heat. What is not found so is followed from the
@@ -176,7 +181,7 @@ impl<'a> Following<'a> {
         operator: &ContactOperator<'_>,
         (base, closed): (&ContactLoad, &[bool]),
     ) -> Result<SpeedFactors, Fault> {
-        let (points, smooth) = (&self.surfaces.points, self.surfaces.smooth());
+        let (points, smooth) = (&self.surfaces.points, self.surfaces.smooth(Smooth::Little));
         let kept = Mat::from_fn(points.len(), smooth.ncols(), |i, k| points[i].weight * smooth[(i, k)]) * smooth.transpose();
         let mut shared = self.shared(closed)?;
         shared.into = shared.into.map(|into| &kept * into);
@@ -296,9 +301,9 @@ mod tests {
         let halves = |of: &[f64]| of.iter().map(|heat| 0.5 * heat).collect::<Vec<f64>>();
         let half = PointHeat { friction: halves(&whole.heat.friction), into: [0, 1].map(|body| halves(&whole.heat.into[body])) };
         let area: f64 = bodies.surfaces.points.iter().map(|point| point.weight).sum();
-        let even = bodies.near(&half, &Mat::full(n, 1, 1.0)).unwrap();
-        let even = Following::made(bodies, even, || Follows::Sums(Mat::full(1, n, 1.0 / area)), half.into.clone());
-        let smooth = [&whole.heat, &half].map(|heat| apart(&solved(&Following::near(bodies, heat).unwrap())));
+        let even = bodies.about(&half, &Mat::full(n, 1, 1.0)).unwrap();
+        let even = Following::made(bodies, Arc::new(even), || Follows::Sums(Mat::full(1, n, 1.0 / area)), half.into.clone());
+        let smooth = [&whole.heat, &half].map(|heat| apart(&solved(&Following::near(bodies, heat, Smooth::Little).unwrap())));
         [smooth[0], smooth[1], apart(&solved(&even))]
     }
 

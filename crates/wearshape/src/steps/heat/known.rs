@@ -20,11 +20,18 @@ pub(crate) struct PointHeat {
     pub into: [Vec<f64>; 2],
 }
 
-/// Factors of the load cases of both bodies: those that are no heat's, and 1 for the temperature of bodies that have one.
+/// Factors of the load cases of both bodies: those that are no heat's, 1 for the temperature of bodies that have one, and 0 for what may be beyond it.
 pub(crate) fn with_heat(pair: &Pair<'_>, [mut shaped, mut counter]: [Vec<f64>; 2]) -> [Vec<f64>; 2] {
-    let hot = |body: &hpfem::InterfaceOperator| body.load_cases.iter().any(|case| case == HEAT);
-    shaped.extend(hot(pair.shaped).then_some(1.0));
-    counter.extend(pair.counter.filter(|body| hot(body)).map(|_| 1.0));
+    let add = |factors: &mut Vec<f64>, body: &hpfem::InterfaceOperator| {
+        if body.load_cases.iter().any(|case| case == HEAT) {
+            factors.push(1.0);
+            factors.resize(body.load_cases.len(), 0.0);
+        }
+    };
+    add(&mut shaped, pair.shaped);
+    if let Some(body) = pair.counter {
+        add(&mut counter, body);
+    }
     [shaped, counter]
 }
 

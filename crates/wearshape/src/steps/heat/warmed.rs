@@ -11,7 +11,7 @@ use crate::parts::Parts;
 use crate::stage::Stage;
 use crate::steps::heat::conduction::Conduction;
 use crate::steps::heat::drum::WarmDrum;
-use crate::steps::heat::smooth::smooth;
+use crate::steps::heat::smooth::{Smooth, smooth};
 
 /// Body 2 as far as heat knows it.
 pub(crate) enum Second {
@@ -167,9 +167,9 @@ impl Surfaces {
     }
 
     /// Fluxes that are smooth along the surface, a column each.
-    pub(crate) fn smooth(&self) -> Mat<f64> {
+    pub(crate) fn smooth(&self, wanted: Smooth) -> Mat<f64> {
         let points: Vec<(f64, f64)> = self.points.iter().map(|point| (point.arc, point.weight)).collect();
-        smooth(&points)
+        smooth(&points, wanted)
     }
 
     /// Frictional heat at the points (mW) by the normal forces there.
