@@ -56,28 +56,24 @@ impl ContactOperator<'_> {
 
     /// The same one by one; none where nothing follows.
     pub(crate) fn followers(&self, load: &ContactLoad) -> Result<Option<Followers>, Error> {
+        self.check_following(load)?;
         let n = self.unit.points.len();
-        // Of each body the cases that follow any force.
-        let follows = |following: &Mat<f64>| (0..following.nrows()).filter(|k| following.row(*k).norm_max() > 0.0).collect();
-        let rows: [Vec<usize>; 2] = load.following.each_ref().map(|following| following.as_ref().map_or_else(Vec::new, follows));
-        let many = rows[0].len() + rows[1].len();
+        let mut cases = Vec::new();
+        for (b, following) in load.following.iter().enumerate() {
+            let Some(following) = following else { continue };
+            let follows = |row: &usize| (0..n).any(|j| following[(*row, j)] != 0.0);
+            cases.extend((0..following.nrows()).filter(follows).map(|row| (b, row)));
+        }
+        let many = cases.len();
         if many >= n {
             return Ok(self.followed(load)?.map(|by_case| Followers { by_case, factors: Mat::identity(n, n) }));
         }
-        self.check_following(load)?;
-        let mut factors = Mat::zeros(many, n);
-        let mut units = [None, None];
-        let mut at = 0;
-        for ((rows, following), unit) in rows.iter().zip(&load.following).zip(&mut units) {
-            let Some(following) = following else { continue };
-            let mut chosen = Mat::zeros(following.nrows(), many);
-            for row in rows {
-                chosen[(*row, at)] = 1.0;
-                factors.row_mut(at).copy_from(following.row(*row));
-                at += 1;
-            }
-            *unit = Some(chosen);
-        }
+        let unit = |b: usize, following: &Mat<f64>| {
+            Mat::from_fn(following.nrows(), many, |row, k| f64::from(u8::from(cases[k] == (b, row))))
+        };
+        let of = |b: usize| load.following[b].as_ref();
+        let factors = Mat::from_fn(many, n, |k, j| of(cases[k].0).map_or(0.0, |following| following[(cases[k].1, j)]));
+        let units = [0, 1].map(|b| of(b).map(|following| unit(b, following)));
         Ok((many > 0).then(|| Followers { by_case: self.done_by(&units, many), factors }))
     }
 

@@ -4,6 +4,7 @@
 //! `(C + s H) f + Psi y = -d`, `K y - (B + s B_h)^T f = load`. Let `M` take pressures to those that undo the opening by their heat, rigid coordinates free.
 //! Pressure and temperature found by turns arrive while `s rho(M) < 1`; at `s = 1 / m`, `m` a real positive eigenvalue of `M`, the system is singular.
 
+use crate::eigenvalues::eigenvalues;
 use crate::error::Error;
 use crate::following::Followers;
 use crate::load::ContactLoad;
@@ -128,13 +129,13 @@ struct Solved {
 
 /// The factors that the eigenvalues of `M` tell.
 fn factors(undone: &Mat<f64>) -> Result<SpeedFactors, Error> {
-    let eigenvalues = undone.eigenvalues().map_err(|_| Error::Singular)?;
-    let radius = eigenvalues.iter().map(|m| m.re.hypot(m.im)).fold(0.0, f64::max);
+    let eigenvalues = eigenvalues(undone)?;
+    let radius = eigenvalues.iter().map(|[re, im]| re.hypot(*im)).fold(0.0, f64::max);
     if !(radius > 0.0 && radius.is_finite()) {
         return Ok(SpeedFactors::default());
     }
-    let real = eigenvalues.iter().filter(|m| m.re > 0.0 && m.im.abs() <= REAL * radius);
-    let mut singular: Vec<f64> = real.map(|m| 1.0 / m.re).filter(|s| *s < RANGE[1] / radius).collect();
+    let real = eigenvalues.iter().filter(|[re, im]| *re > 0.0 && im.abs() <= REAL * radius);
+    let mut singular: Vec<f64> = real.map(|[re, _]| 1.0 / re).filter(|s| *s < RANGE[1] / radius).collect();
     singular.sort_by(f64::total_cmp);
     Ok(SpeedFactors { staggered: Some(1.0 / radius), singular })
 }
@@ -142,7 +143,8 @@ fn factors(undone: &Mat<f64>) -> Result<SpeedFactors, Error> {
 impl Pencil {
     fn solved(self) -> Solved {
         let factors = self.cold.partial_piv_lu();
-        let undone = -factors.solve(&self.by_case).get(..self.points, ..);
+        let solved = factors.solve(&self.by_case);
+        let undone = Mat::from_fn(self.points, self.by_case.ncols(), |i, k| -solved[(i, k)]);
         let pressures = factors.solve(&self.right).get(..self.points, ..).to_owned();
         Solved { told: self.told, passed: &self.follows * &undone, follows: self.follows, undone, pressures }
     }
@@ -151,11 +153,10 @@ impl Pencil {
 impl Solved {
     /// The least pressure at a factor.
     fn least(&self, factor: f64) -> f64 {
-        let s = faer::Scale(factor);
         let many = self.passed.nrows();
-        let cases = (Mat::<f64>::identity(many, many) - s * &self.passed).partial_piv_lu().solve(&self.follows * &self.pressures);
-        let pressures = &self.pressures + s * (&self.undone * cases);
-        self.told.iter().map(|i| pressures[(*i, 0)]).fold(f64::INFINITY, f64::min)
+        let matrix = Mat::from_fn(many, many, |i, j| f64::from(u8::from(i == j)) - factor * self.passed[(i, j)]);
+        let beyond = &self.undone * matrix.partial_piv_lu().solve(&self.follows * &self.pressures);
+        self.told.iter().map(|i| self.pressures[(*i, 0)] + factor * beyond[(*i, 0)]).fold(f64::INFINITY, f64::min)
     }
 
     /// The factor at which a pressure vanishes first.

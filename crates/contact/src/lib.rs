@@ -7,6 +7,7 @@ mod checked;
 mod complementarity;
 mod coulomb;
 mod displacement;
+mod eigenvalues;
 mod embedded;
 mod ending;
 mod error;
@@ -55,6 +56,7 @@ pub use hpfem;
 pub use nalgebra;
 
 pub use coulomb::ContactState;
+pub use eigenvalues::eigenvalues;
 pub use error::Error;
 pub use free_ends::FreeEnds;
 pub use heat::{HeatSplit, HeatedSurface, SharedHeat, share_heat};

@@ -140,7 +140,7 @@ fn eigenvalues(matrix: &Mat<f64>, symmetric: bool) -> Option<Vec<[f64; 2]>> {
         let even = Mat::from_fn(n, n, |i, j| 0.5 * (matrix[(i, j)] + matrix[(j, i)]));
         return Some(even.self_adjoint_eigenvalues(Side::Lower).ok()?.iter().map(|t| [*t, 0.0]).collect());
     }
-    Some(matrix.eigenvalues().ok()?.iter().map(|t| [t.re, t.im]).collect())
+    contact::eigenvalues(matrix).ok()
 }
 
 /// Orthonormal basis of what is orthogonal to the columns.
