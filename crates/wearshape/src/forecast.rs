@@ -18,8 +18,8 @@ use crate::step::Step;
 /// Degree that is computed to see how fast the machine is, and how often: the fastest counts.
 const TIMED: usize = 8;
 const TIMES: usize = 2;
-/// Seconds of a computation that need no second look.
-const LONG: f64 = 0.1;
+/// Seconds of a computation that need no second look: what it takes once, such as tables and memory, is a small part of them.
+const LONG: f64 = 0.005;
 /// Meshes that find the ends of contact on one level, about.
 const ENDS: f64 = 6.0;
 /// What temperatures take besides displacements on a level with heat, and what the influence of the heat at all its points takes, in multiples of the
