@@ -1,4 +1,4 @@
-//! Waves of measured rows, and their noise.
+//! Waves of measured rows, their noise, and what their digits make of smooth ones.
 
 use super::rows::RowCurve;
 
@@ -7,6 +7,12 @@ const TURN: f64 = 1e-3;
 /// Share of the rows that lie on the other side of the line through their neighbours than the row before does, from which they are noise: of independent
 /// ones it is `acos(-2/3) / pi` = 0.73, of a wave with six rows a third, of a smooth curve none.
 const NOISY: f64 = 0.5;
+/// Part of the deviation up to which a row is on the line through its neighbours.
+const BESIDE: f64 = 1e-3;
+/// Share of the rows beside that line from which not a few corners but few digits make the rows bend.
+const STEPPING: f64 = 0.2;
+/// Most digits (um) behind the point that are few.
+const FEW: i32 = 5;
 /// Rows that say something about noise.
 const ENOUGH: usize = 12;
 
@@ -25,9 +31,11 @@ impl Turns {
 /// Noise of measured rows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Noise {
-    /// Rows that bend to the other side than the one before, of how many.
+    /// Rows that bend to the other side than the one before, of how many that bend, both ends among them.
     pub bends: [usize; 2],
-    /// Standard deviation (um) of independent rows with the same distances from the lines through their neighbours.
+    /// The last digit (um) of rows that are rounded to more than they bend.
+    pub digit: Option<f64>,
+    /// Standard deviation (um) of independent rows with the same distances from the lines through their neighbours; of rounded ones that of their digit.
     pub deviation: f64,
 }
 
@@ -65,11 +73,26 @@ impl RowCurve {
             (values[i] - between) / (1.0 + share * share + (1.0 - share).powi(2)).sqrt()
         };
         let off: Vec<f64> = (1..=inner).map(off).collect();
-        let bends = off.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count();
         let deviation = (off.iter().map(|off| off * off).sum::<f64>() / inner.max(1) as f64).sqrt();
-        let noisy = s.len() >= ENOUGH && bends as f64 >= NOISY * inner as f64 && deviation > TURN * rise(&values);
-        noisy.then_some(Noise { bends: [bends, s.len()], deviation })
+        // Rows of few digits stand on the line through their neighbours, and beside it where they step to the next digit.
+        let beside: Vec<f64> = off.into_iter().filter(|off| off.abs() > BESIDE * deviation).collect();
+        let bends = beside.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count();
+        if beside.len() + 2 < ENOUGH {
+            return None;
+        }
+        let (many, bends) = (beside.len(), [bends, beside.len() + 2]);
+        if bends[0] as f64 >= NOISY * many as f64 && deviation > TURN * rise(&values) {
+            return Some(Noise { bends, digit: None, deviation });
+        }
+        let digit = digit(&values).filter(|digit| many as f64 >= STEPPING * inner as f64 && deviation < *digit)?;
+        Some(Noise { bends, digit: Some(digit), deviation: digit / 12f64.sqrt() })
     }
+}
+
+/// The last digit of values that have few.
+fn digit(values: &[f64]) -> Option<f64> {
+    let whole = |value: f64, digit: f64| (value / digit - (value / digit).round()).abs() < 1e-6;
+    (0..=FEW).map(|digits| 0.1f64.powi(digits)).find(|digit| values.iter().all(|value| whole(*value, *digit)))
 }
 
 /// Largest less smallest value.
@@ -79,6 +102,7 @@ fn rise(values: &[f64]) -> f64 {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)]
 mod tests {
     use crate::gap::rows::RowCurve;
 
@@ -115,6 +139,19 @@ mod tests {
         let digits = rows(121, |s, _| (1e4 * (0.01 * s * s)).round() * 1e-4);
         assert_eq!((digits.turns(SURFACE).wavelength(), digits.noise(SURFACE)), (None, None));
         assert_eq!(wave.turns([-4.0, 4.0]).wavelength(), None);
+    }
+
+    /// Rows that bend less than their last digit step; those that bend more, and corners on whole numbers, are as they are.
+    #[test]
+    fn rows_of_a_smooth_curve_are_rounded_where_they_bend_less_than_their_digit() {
+        let rounded = |most: f64, digit: f64| rows(61, |s, _| (most * (s / 30.0).powi(2) / digit).round() * digit).noise(SURFACE);
+        for (most, digit) in [(10.0, 0.1), (3.0, 0.1), (10.0, 0.01), (3.0, 0.01)] {
+            let noise = rounded(most, digit).unwrap();
+            let found = noise.digit.unwrap_or(0.1);
+            assert!((found / digit - 1.0).abs() < 1e-9 && noise.deviation < digit, "{most} {digit}: {noise:?}");
+        }
+        assert_eq!(rounded(10.0, 1e-4), None);
+        assert_eq!(rows(61, |s, _| (s.abs() - 20.0).max(0.0)).noise(SURFACE), None);
     }
 
     #[test]

@@ -42,19 +42,26 @@ pub(super) fn remarks(problem: &Problem, tasks: &[Task]) -> Vec<Remark> {
 fn noise(problem: &Problem, tasks: &[Task], say: &mut impl FnMut(&'static str, String)) {
     let followed = tasks.iter().any(|task| matches!(task, Task::Contact | Task::Wear));
     let surface = problem.patch.as_ref().and_then(|patch| patch.places()).filter(|_| followed);
-    let Some(Noise { bends: [bends, rows], deviation }) = surface.and_then(|surface| problem.gap.noise(surface)) else { return };
+    let Some(Noise { bends: [bends, rows], digit, deviation }) = surface.and_then(|surface| problem.gap.noise(surface)) else {
+        return;
+    };
     // Two digits; a little more than the noise leaves the curve room to be smooth.
     let two_digits = |value: f64| {
         let unit = 10f64.powf(value.log10().floor() - 1.0);
         scene::short((value / unit).round() * unit)
     };
     let [deviation, smooth] = [deviation, 1.1 * deviation].map(two_digits);
-    say(
-        "noisy-gap",
-        format!(
-            "The gap goes through every row of its profile and bends back and forth at {bends} of {rows}, as noise of {deviation} um would: it may touch in spots. Of a measured profile, contact.gap = {{ profile = ..., smooth = \"{smooth} um\" }} takes the smooth curve."
+    let how = match digit {
+        Some(digit) => format!(
+            "The rows of the gap's profile are rounded to {} um, more than they bend from one to the next, and the gap goes through each of them",
+            scene::short(digit)
         ),
-    );
+        None => format!(
+            "The gap goes through every row of its profile and bends back and forth at {bends} of {rows}, as noise of {deviation} um would"
+        ),
+    };
+    let remedy = format!("contact.gap = {{ profile = ..., smooth = \"{smooth} um\" }} takes the smooth curve");
+    say("noisy-gap", format!("{how}: it may touch in spots. Of a measured profile, {remedy}."));
 }
 
 /// Moduli that no material has, each said once a body, by the name of the material where cells bring their own.
