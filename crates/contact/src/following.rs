@@ -66,7 +66,7 @@ impl ContactOperator<'_> {
         }
         let many = cases.len();
         if many >= n {
-            return Ok(self.followed(load)?.map(|by_case| Followers { by_case, factors: Mat::identity(n, n) }));
+            return Ok(Some(Followers { by_case: self.done_by(&load.following, n), factors: Mat::identity(n, n) }));
         }
         let unit = |b: usize, following: &Mat<f64>| {
             Mat::from_fn(following.nrows(), many, |row, k| f64::from(u8::from(cases[k] == (b, row))))

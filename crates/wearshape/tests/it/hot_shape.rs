@@ -217,6 +217,35 @@ fn a_crown_on_a_hot_shape_changes_the_pressure_by_what_its_tolerance_says() {
     assert!(most > 1.05 * of_a_crown(&shape("sliding.omega=1e-9")));
 }
 
+/// A lining on a plate, without heat: its closing is free.
+const CLUTCH: &str = r#"
+units = "N-mm"
+kinematics = "axisymmetric"
+tasks = ["shape"]
+check = false
+mesh = { degree = 6, layers = 3 }
+body1.material = { young = "300 MPa", poisson = 0.25 }
+body1.geometry.rectangle = { x = [70, 110], z = [12, 16] }
+body2.material = { young = "110 GPa", poisson = 0.26 }
+body2.geometry.rectangle = { x = [65, 115], z = [0, 12] }
+body2.support = { bottom = ["z"] }
+contact = { edges = ["bottom", "top"], friction = 0.3, gap = 0 }
+sliding = { omega = "2 rad/s" }
+load = { edge = "top", as = "rigid", force = "4 kN" }
+wear = { k = [1e-8, 0], counterface = "congruent" }
+optimum = { functional = "steady" }
+"#;
+
+/// An error that a free motion takes up presses by round-off alone, and says nothing about how soon the others wear away.
+#[test]
+fn errors_that_press_are_worn_away_beside_one_that_a_free_motion_takes_up() {
+    let options = Options { machining: true, ..Options::default() };
+    let solution = solve(&read(CLUTCH, &[]), &options, &Bodies::default(), &mut |_| ControlFlow::Continue(())).unwrap();
+    let tolerance = &solution.shape.as_ref().unwrap().tolerance;
+    assert!(tolerance.len() > 5 && tolerance.iter().all(|entry| entry.error != "offset"), "{tolerance:?}");
+    assert!(tolerance.iter().all(|entry| entry.run_in_distance.is_some()), "{tolerance:?}");
+}
+
 /// A block of three by two cells, warm along the line between the two in its middle, which ends inside it.
 const WIRE: &str = r#"
 units = "N-mm"

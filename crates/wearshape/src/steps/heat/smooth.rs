@@ -16,7 +16,7 @@ impl Smooth {
     fn terms(self) -> (usize, &'static [f64]) {
         match self {
             Smooth::Little => (12, &[]),
-            Smooth::Waves => (24, &[-0.5, -0.25, 0.25, 0.5]),
+            Smooth::Waves => (40, &[-0.5, -0.25, 0.25, 0.5]),
         }
     }
 }
