@@ -11,7 +11,8 @@ use faer::linalg::solvers::{PartialPivLu, Solve};
 pub struct Tolerance {
     /// Change of the pressure at the contact points, MPa.
     pub change: Vec<f64>,
-    /// Sliding distance, mm, in which the area norm of the change falls to `1/e` by wear; `None` if nothing wears it away.
+    /// Sliding distance, mm, in which the area norm of the change falls to `1/e` by wear; `None` if nothing wears it away, or if that norm is less than 1e-6
+    /// of the largest of all errors, as it is of one that a free rigid motion takes up.
     pub run_in_distance: Option<f64>,
 }
 

@@ -236,7 +236,7 @@ wear = { k = [1e-8, 0], counterface = "congruent" }
 optimum = { functional = "steady" }
 "#;
 
-/// An error that a free motion takes up presses by round-off alone, and says nothing about how soon the others wear away.
+/// An error that a free motion takes up presses by round-off alone, and is to say nothing about how soon the others wear away.
 #[test]
 fn errors_that_press_are_worn_away_beside_one_that_a_free_motion_takes_up() {
     let options = Options { machining: true, ..Options::default() };
