@@ -110,7 +110,6 @@ pub(crate) fn stiffness<'w>(form: &CellForm<'_>, table: &Table, work: &'w mut Wo
     let size = components * local.modes;
     let layout = Layout::new(table, local, components);
     matrix_in(&mut work.matrix, size, size);
-    work.separated.begin();
     let pairs: &[(usize, usize)] = if components == 2 { &[(0, 0), (1, 1), (1, 0)] } else { &[(0, 0)] };
     for &(c, d) in pairs {
         // The hoop strain is the value of component 0.

@@ -12,19 +12,12 @@ pub(crate) struct Separated {
     rows: usize,
     /// Of each grid, its number of products.
     ranks: Vec<usize>,
-    /// Whether a grid of this cell has more products than were asked for: then its others are not tried.
-    given_up: bool,
     /// `u_k` and `v_k` of all grids.
     factors: [Vec<f64>; 2],
     rest: Vec<f64>,
 }
 
 impl Separated {
-    /// Begins with the grids of another cell.
-    pub(crate) fn begin(&mut self) {
-        self.given_up = false;
-    }
-
     /// Forgets all grids.
     pub(crate) fn clear(&mut self) {
         self.ranks.clear();
@@ -34,11 +27,6 @@ impl Separated {
     /// Adds a square grid of as many points a direction as those before, so that all have `most` products at most; says whether they do, which those that are
     /// not finite never do. By elimination with complete pivoting.
     pub(crate) fn add(&mut self, grid: MatRef<'_, f64>, most: usize) -> bool {
-        self.given_up = self.given_up || !self.separates(grid, most);
-        !self.given_up
-    }
-
-    fn separates(&mut self, grid: MatRef<'_, f64>, most: usize) -> bool {
         let n = grid.nrows();
         self.rows = n;
         self.rest.clear();
