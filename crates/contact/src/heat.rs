@@ -124,27 +124,16 @@ pub fn share_heat(
         }
         HeatSplit::Conductance(conductance) => conductance,
     };
-    let points: Vec<usize> = (0..n).filter(|i| closed[*i] && conductance * weights[*i] > 0.0).collect();
+    let (mut into, mut still) = ([even(0.5), even(0.5)], [vec![0.0; n], vec![0.0; n]]);
+    let points = conducting(weights, closed, conductance);
     let m = points.len();
     let [first, second] = surfaces;
-    let (mut into, mut still) = ([even(0.5), even(0.5)], [vec![0.0; n], vec![0.0; n]]);
-    if m == 0 {
-        return Ok(SharedHeat { into, still });
-    }
-    let matrix = Mat::from_fn(m, m, |i, j| {
-        let (a, b) = (points[i], points[j]);
-        let own = if i == j { 1.0 / (conductance * weights[a]) } else { 0.0 };
-        own + first.by_heat[(a, b)] + second.by_heat[(a, b)]
-    });
     // The flow by frictional heat at the closed points, and without any.
     let right = Mat::from_fn(m, m + 1, |i, j| match points.get(j) {
         Some(b) => 0.5 * (second.by_heat[(points[i], *b)] - first.by_heat[(points[i], *b)]),
         None => second.still[points[i]] - first.still[points[i]],
     });
-    let flow = matrix.partial_piv_lu().solve(&right);
-    if flow.col_iter().any(|column| column.iter().any(|v| !v.is_finite())) {
-        return Err(Error::Singular);
-    }
+    let flow = flows(surfaces, weights, (&points, conductance), &right)?;
     for (i, a) in points.iter().enumerate() {
         for (j, b) in points.iter().enumerate() {
             into[0][(*a, *b)] += flow[(i, j)];
@@ -154,4 +143,61 @@ pub fn share_heat(
         still[1][*a] = -flow[(i, m)];
     }
     Ok(SharedHeat { into, still })
+}
+
+/// Heat into each body (mW) by a frictional heat that is known at the points: what [`share_heat`] makes of it, for one right-hand side.
+///
+/// # Errors
+/// As for [`share_heat`].
+pub fn share_known_heat(
+    surfaces: [&HeatedSurface; 2],
+    weights: &[f64],
+    closed: &[bool],
+    (split, friction): (HeatSplit, &[f64]),
+) -> Result<[Vec<f64>; 2], Error> {
+    let conductance = match split {
+        HeatSplit::Share(share) => return Ok([share, 1.0 - share].map(|share| friction.iter().map(|g| share * g).collect())),
+        HeatSplit::Conductance(conductance) => conductance,
+    };
+    let half: Vec<f64> = friction.iter().map(|g| 0.5 * g).collect();
+    let points = conducting(weights, closed, conductance);
+    // What flows at points that are open goes half into each body, and warms none of the closed ones.
+    let at_closed: Vec<f64> = (0..half.len()).map(|i| if points.binary_search(&i).is_ok() { half[i] } else { 0.0 }).collect();
+    let [first, second] = surfaces.map(|surface| surface.temperatures(&at_closed));
+    let right = Mat::from_fn(points.len(), 1, |i, _| second[points[i]] - first[points[i]]);
+    let flow = flows(surfaces, weights, (&points, conductance), &right)?;
+    let mut into = [half.clone(), half];
+    for (i, a) in points.iter().enumerate() {
+        into[0][*a] += flow[(i, 0)];
+        into[1][*a] -= flow[(i, 0)];
+    }
+    Ok(into)
+}
+
+/// Points at which heat passes from one body to the other.
+fn conducting(weights: &[f64], closed: &[bool], conductance: f64) -> Vec<usize> {
+    (0..weights.len()).filter(|i| closed[*i] && conductance * weights[*i] > 0.0).collect()
+}
+
+/// The flows `d` from body 2 to body 1 at points that conduct, by differences of temperature, a column each.
+fn flows(
+    [first, second]: [&HeatedSurface; 2],
+    weights: &[f64],
+    (points, conductance): (&[usize], f64),
+    right: &Mat<f64>,
+) -> Result<Mat<f64>, Error> {
+    let m = points.len();
+    if m == 0 {
+        return Ok(right.clone());
+    }
+    let matrix = Mat::from_fn(m, m, |i, j| {
+        let (a, b) = (points[i], points[j]);
+        let own = if i == j { 1.0 / (conductance * weights[a]) } else { 0.0 };
+        own + first.by_heat[(a, b)] + second.by_heat[(a, b)]
+    });
+    let flow = matrix.partial_piv_lu().solve(right);
+    if flow.col_iter().any(|column| column.iter().any(|v| !v.is_finite())) {
+        return Err(Error::Singular);
+    }
+    Ok(flow)
 }

@@ -59,7 +59,7 @@ pub use coulomb::ContactState;
 pub use eigenvalues::eigenvalues;
 pub use error::Error;
 pub use free_ends::FreeEnds;
-pub use heat::{HeatSplit, HeatedSurface, SharedHeat, share_heat};
+pub use heat::{HeatSplit, HeatedSurface, SharedHeat, share_heat, share_known_heat};
 pub use heat_speed::SpeedFactors;
 pub use heated_system::{HeatExchange, HeatedSystem};
 pub use held::HeldContact;

@@ -79,7 +79,7 @@ impl Body {
         expansion: &[f64],
         clock: Clock,
     ) -> Result<Body, Error> {
-        let reduction = reduce(&problem, Keep::Fronts, clock, Some(temperature.warm(known, expansion)?))?;
+        let reduction = reduce(&problem, Keep::Fronts, clock, Some(temperature.warm(known, expansion)))?;
         Ok(Body::of(problem, reduction))
     }
 
@@ -222,23 +222,28 @@ impl Body {
 
     /// The unknowns of every group in a state of the kept ones, by back substitution.
     fn group_values(&self, state: &InterfaceState) -> Result<Vec<Vec<f64>>, Error> {
-        let values = self.values_of_groups(std::slice::from_ref(state))?;
+        self.check_state(state)?;
+        let values = self.values_of_groups(&[state]);
         Ok(values.into_iter().map(|values| values.col_as_slice(0).to_vec()).collect())
     }
 
-    /// The same in several states, a column each.
-    pub(crate) fn values_of_groups(&self, states: &[InterfaceState]) -> Result<Vec<Mat<f64>>, Error> {
+    /// Refuses a state of other loads or of another body.
+    pub(crate) fn check_state(&self, state: &InterfaceState) -> Result<(), Error> {
+        let (columns, unknowns) = (self.interface.columns.ncols(), self.factored.kept.unknowns);
+        if state.factors.len() != columns {
+            return Err(Error::OtherLoads { given: state.factors.len(), expected: columns });
+        }
+        if state.unknowns.len() != unknowns {
+            let what = "kept unknowns of the state".into();
+            return Err(Error::Count { what, given: state.unknowns.len(), expected: unknowns });
+        }
+        Ok(())
+    }
+
+    /// The same in several states, which are this body's, a column each.
+    pub(crate) fn values_of_groups(&self, states: &[&InterfaceState]) -> Vec<Mat<f64>> {
         let columns = self.interface.columns.ncols();
         let Factored { space, condensed, kept, cases, .. } = &*self.factored;
-        for state in states {
-            if state.factors.len() != columns {
-                return Err(Error::OtherLoads { given: state.factors.len(), expected: columns });
-            }
-            if state.unknowns.len() != kept.unknowns {
-                let what = "kept unknowns of the state".into();
-                return Err(Error::Count { what, given: state.unknowns.len(), expected: kept.unknowns });
-            }
-        }
         let many = states.len();
         let mut values: Vec<Mat<f64>> = space.size.iter().map(|size| Mat::zeros(*size, many)).collect();
         let mut at = 0;
@@ -255,6 +260,6 @@ impl Body {
         let factors = |k: usize| states.iter().map(|state| state.factors[k]).collect();
         let added: Vec<(Vec<f64>, &Forward)> = later.map(factors).zip(self.added.iter().map(|f| &**f)).collect();
         condensed.back_substitute(&mut values, &size, &added);
-        Ok(values)
+        values
     }
 }

@@ -2,18 +2,20 @@
 //!
 //! Inside a cell a temperature without sources there follows from its boundary, `T_i = E T_b`, `E = -K_ii^-1 K_ib`. With `G` the load of thermal strains on
 //! all modes of the cell, that on its boundary is `B T_b`, `B = [-L_21 L_11^-1, 1] G [E; 1]` with the factor of the elastic stiffness. A cell `c` times as
-//! large and turned by `R` has `c R B`. Where the temperatures are known before, and fewer than modes on the boundary, `B T_b` is made at once.
+//! large and turned by `R` has `c R B`. Where the temperatures are known before, and fewer than modes on the boundary, `B T_b` is made at once (`known_heat.rs`).
 
 use crate::assembly::Assembly;
 use crate::basis::{LocalModes, SpaceKind};
+use crate::body::Body;
 use crate::cell_matrix::{SharedMatrices, boundary_block, map_cells};
 use crate::congruence::{Congruence, Turn};
 use crate::edge_load::Loads;
 use crate::element::Workspace;
 use crate::error::Error;
 use crate::interface::InterfaceState;
-use crate::interiors::{Interiors, from_boundary};
+use crate::interiors::from_boundary;
 use crate::kinematics::Kinematics;
+use crate::known_heat::{KnownCases, KnownHeat};
 use crate::material::Material;
 use crate::mesh::Mesh;
 use crate::problem::BodyProblem;
@@ -21,7 +23,7 @@ use crate::space::Space;
 use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
 use faer::{Accum, Mat, MatRef, Par};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// A temperature as a load case.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,14 +38,11 @@ pub struct TemperatureCase {
 
 /// A body of temperature on the same mesh, by how much each material expands, 1/K, and temperatures where they are known.
 pub(crate) struct Warm<'a> {
-    pub(crate) problem: &'a BodyProblem,
-    pub(crate) space: &'a Space,
-    /// How the interiors of its cells follow from their boundaries, where that was kept.
-    pub(crate) interiors: Option<&'a Interiors>,
+    pub(crate) body: &'a Body,
     pub(crate) expansion: &'a [f64],
     pub(crate) cases: Option<&'a [TemperatureCase]>,
-    /// These on the groups of its unknowns, `temperatures x unknowns`; none without.
-    pub(crate) values: Vec<Mat<f64>>,
+    /// These on the groups of its unknowns, `temperatures x unknowns`, once they are asked for.
+    pub(crate) values: OnceLock<Vec<Mat<f64>>>,
 }
 
 /// What the temperatures of another body on the same mesh do to the cells of one.
@@ -58,18 +57,18 @@ pub(crate) struct CellHeats {
     pub(crate) congruence: Congruence,
     /// Largest degree of temperature that any member of a class has on each edge, in the numbering of the first cell.
     pub(crate) edges: Vec<[usize; 4]>,
-    /// Of each class, rows as in its condensed matrix: `B`, a column for each unsigned boundary mode of temperature, or `B T_b` of the temperatures that
-    /// are known, of one member after the other.
+    /// Of each class, rows as in its condensed matrix: `B`, a column for each unsigned boundary mode of temperature, or `B T_b` of few temperatures that
+    /// are known.
     loads: Vec<Mat<f64>>,
-    /// Number of each cell among the members of its class, where that holds `B T_b`.
-    member: Vec<Option<usize>>,
+    /// Known temperatures of each class, and the number of each cell among its members.
+    known: Option<(Vec<KnownHeat>, Vec<usize>)>,
     /// What they were made for.
     mesh: Arc<Mesh>,
     conductors: Vec<Material>,
     kinematics: Kinematics,
     space: SpaceKind,
     expansion: Vec<f64>,
-    cases: Option<Vec<TemperatureCase>>,
+    cases: Option<KnownCases>,
 }
 
 impl CellHeats {
@@ -84,22 +83,23 @@ impl CellHeats {
 
     /// Whether they were made for these temperatures.
     pub(crate) fn are_for(&self, warming: &Warming<'_>) -> bool {
-        let Warm { problem, expansion, cases, .. } = &warming.warm;
+        let Warm { body, expansion, cases, .. } = &warming.warm;
+        let (problem, cases) = (&body.problem, cases.unwrap_or_default());
         Arc::ptr_eq(&self.mesh, &problem.mesh)
             && self.conductors == problem.materials
             && self.kinematics == problem.kinematics
             && self.space == problem.space
             && self.expansion == *expansion
             && self.edges == warming.edges(&self.congruence)
-            && (self.cases.is_none() || self.cases.as_deref() == *cases)
+            && self.cases.as_ref().is_none_or(|known| known.are(body, cases))
     }
 
     /// Loads of the temperatures of `warming` on the boundary modes of the class of a cell, `temperatures x rows of the class`.
     pub(crate) fn of_cell(&self, warming: &Warming<'_>, cell: usize) -> Mat<f64> {
         let class = self.congruence.class[cell];
-        let (loads, many) = (&self.loads[class], warming.many());
-        match self.member[cell] {
-            Some(member) => loads.get(.., member * many..(member + 1) * many).transpose().to_owned(),
+        let loads = &self.loads[class];
+        match &self.known {
+            Some((known, member)) => known[class].of_member(member[cell], warming.many().unwrap_or(0), loads),
             None => {
                 warming.temperatures(cell, (self.edges[class], &self.congruence.turn[cell]), loads.ncols()) * loads.transpose()
             }
@@ -110,37 +110,33 @@ impl CellHeats {
 impl<'a> Warming<'a> {
     /// Refuses temperatures of another mesh, or with sources inside.
     pub(crate) fn new((problem, space): (&BodyProblem, &Space), warm: Warm<'a>) -> Result<Warming<'a>, Error> {
-        let loads = Loads::new(&warm.problem.mesh, &warm.problem.load_cases)?;
-        check((problem, space), &warm, &loads)?;
-        Ok(Warming { thermal: Assembly::new(warm.problem, warm.space, loads), warm })
+        let body = warm.body;
+        let loads = Loads::new(&body.problem.mesh, &body.problem.load_cases)?;
+        check((problem, space), body, &loads)?;
+        for case in warm.cases.into_iter().flatten() {
+            body.check_state(&case.state)?;
+        }
+        Ok(Warming { thermal: Assembly::new(&body.problem, &body.factored.space, loads), warm })
     }
 
-    /// Number of temperatures that are known.
-    fn many(&self) -> usize {
-        self.warm.cases.map_or(0, <[TemperatureCase]>::len)
+    /// Number of modes on the boundary of a cell with edges of these degrees.
+    pub(crate) fn boundary_modes(&self, cell: Option<usize>, edges: [usize; 4]) -> usize {
+        let modes = cell.map(|cell| self.thermal.space.modes_of(self.thermal.mesh, cell, edges, [false; 4]));
+        modes.map_or(0, |modes| modes.modes - modes.interior)
     }
 
-    /// Known temperatures of the members of each class on its boundary modes, a column each, of one member after the other, where they are fewer than
-    /// such modes.
-    pub(crate) fn known(&self, congruence: &Congruence, edges: &[[usize; 4]]) -> Vec<Option<Mat<f64>>> {
-        let Some(cases) = self.warm.cases else { return vec![None; edges.len()] };
-        let mut members = vec![Vec::new(); edges.len()];
-        congruence.class.iter().enumerate().for_each(|(cell, class)| members[*class].push(cell));
-        let class = |(members, edges): (Vec<usize>, &[usize; 4])| {
-            let first = *members.first()?;
-            let modes = self.thermal.space.modes_of(self.thermal.mesh, first, *edges, [false; 4]);
-            let on_boundary = modes.modes - modes.interior;
-            if members.len() * cases.len() >= on_boundary {
-                return None;
-            }
-            let mut known = Mat::zeros(on_boundary, members.len() * cases.len());
-            for (number, cell) in members.iter().enumerate() {
-                let values = self.temperatures(*cell, (*edges, &congruence.turn[*cell]), on_boundary);
-                known.get_mut(.., number * cases.len()..(number + 1) * cases.len()).copy_from(values.transpose());
-            }
-            Some(known)
-        };
-        members.into_iter().zip(edges).map(class).collect()
+    /// The known temperatures on the groups of unknowns, `temperatures x unknowns`.
+    fn values(&self) -> &[Mat<f64>] {
+        let Warm { body, cases, values, .. } = &self.warm;
+        values.get_or_init(|| {
+            let states: Vec<&InterfaceState> = cases.iter().flat_map(|cases| cases.iter()).map(|case| &case.state).collect();
+            body.values_of_groups(&states).iter().map(|values| values.transpose().to_owned()).collect()
+        })
+    }
+
+    /// Number of temperatures that are known, where some are.
+    pub(crate) fn many(&self) -> Option<usize> {
+        self.warm.cases.map(<[TemperatureCase]>::len)
     }
 
     /// Temperatures that are known, above those without strain, a row each, on the unsigned boundary modes of the class of a cell, which has so many.
@@ -150,11 +146,12 @@ impl<'a> Warming<'a> {
         let modes = thermal.space.boundary_modes(thermal.mesh, cell);
         let targets = thermal.targets(cell, &modes);
         let to = turn.sources(&modes, thermal.mesh.cells[cell].against, edges);
+        let known = self.values();
         let mut values = Mat::zeros(cases.len(), many);
         for (row, (target, (mode, sign))) in targets.iter().zip(&to).enumerate() {
             let column = values.col_as_slice_mut(*mode);
             for (group, index, c) in &target.active {
-                add(column, sign * c, self.warm.values[*group].col_as_slice(*index));
+                add(column, sign * c, known[*group].col_as_slice(*index));
             }
             let fixed: f64 = target.fixed.iter().map(|fixed| fixed.share * fixed.value).sum();
             if fixed == 0.0 && row >= modes.corners {
@@ -174,7 +171,7 @@ impl<'a> Warming<'a> {
         let Assembly { mesh, kinematics, .. } = self.thermal;
         congruence.class.iter().zip(&congruence.turn).enumerate().all(|(cell, (class, turn))| {
             let material = mesh.cells[cell].material;
-            let conductor = &self.warm.problem.materials[material];
+            let conductor = &self.warm.body.problem.materials[material];
             let first = congruence.classes[*class].first;
             cell == first
                 || material == mesh.cells[first].material
@@ -194,30 +191,30 @@ impl<'a> Warming<'a> {
         edges
     }
 
-    /// The loads of the classes, of which some hold those of known temperatures, kept for these.
+    /// The loads of the classes, kept for these temperatures where they are known.
     pub(crate) fn kept(
         &self,
         congruence: &Congruence,
         edges: Vec<[usize; 4]>,
-        (loads, known): (Vec<Mat<f64>>, &[Option<Mat<f64>>]),
+        (loads, known): (Vec<Mat<f64>>, Option<Vec<KnownHeat>>),
     ) -> CellHeats {
-        let Warm { problem, expansion, cases, .. } = &self.warm;
+        let Warm { body, expansion, cases, .. } = &self.warm;
         let mut members = vec![0; edges.len()];
-        let member = congruence.class.iter().map(|class| {
+        let number = |class: &usize| {
             members[*class] += 1;
-            known[*class].is_some().then_some(members[*class] - 1)
-        });
+            members[*class] - 1
+        };
         CellHeats {
+            known: known.map(|known| (known, congruence.class.iter().map(number).collect())),
             congruence: congruence.clone(),
-            member: member.collect(),
             edges,
             loads,
-            mesh: Arc::clone(&problem.mesh),
-            conductors: problem.materials.clone(),
-            kinematics: problem.kinematics,
-            space: problem.space,
+            mesh: Arc::clone(&body.problem.mesh),
+            conductors: body.problem.materials.clone(),
+            kinematics: body.problem.kinematics,
+            space: body.problem.space,
             expansion: expansion.to_vec(),
-            cases: cases.filter(|_| known.iter().any(Option::is_some)).map(<[TemperatureCase]>::to_vec),
+            cases: cases.map(|cases| KnownCases::new(body, cases)),
         }
     }
 
@@ -233,7 +230,7 @@ impl<'a> Warming<'a> {
         let thermal = &self.thermal;
         let modes = thermal.space.modes_of(thermal.mesh, cell, edges, [false; 4]);
         let made;
-        let inside = match self.warm.interiors.and_then(|interiors| interiors.of(cell, edges)) {
+        let inside = match self.warm.body.factored.interiors.as_ref().and_then(|interiors| interiors.of(cell, edges)) {
             Some(inside) => inside,
             None => {
                 let (k, ni) = thermal.condensed(cell, &modes, work)?;
@@ -269,17 +266,18 @@ impl Assembly<'_> {
     ) -> Result<(SharedMatrices, CellHeats), Error> {
         let edges = warming.edges(&congruence);
         let known = warming.known(&congruence, &edges);
+        let few = |class: usize| known.as_ref().and_then(|known| known[class].few());
         let made = map_cells(congruence.classes.len(), |work, k| {
             let class = &congruence.classes[k];
             let local = self.class_modes(class);
-            let strains = warming.strains(self, (class.first, edges[k]), (&local, known[k].as_ref()), work)?;
+            let strains = warming.strains(self, (class.first, edges[k]), (&local, few(k)), work)?;
             let (matrix, ni) = self.condensed(class.first, &local, work)?;
             let heat = eliminate(matrix.as_ref(), ni, strains).get(ni.., ..).to_owned();
             Ok((boundary_block(matrix, ni), heat))
         });
         let made = made.into_iter().collect::<Result<Vec<_>, Error>>()?;
         let (matrices, heats) = made.into_iter().unzip();
-        let heats = warming.kept(&congruence, edges, (heats, &known));
+        let heats = warming.kept(&congruence, edges, (heats, known));
         Ok((SharedMatrices { congruence, matrices }, heats))
     }
 }
@@ -302,7 +300,7 @@ pub(crate) fn add(to: &mut [f64], factor: f64, from: &[f64]) {
 }
 
 /// Refuses temperatures of another mesh, or with sources inside.
-fn check((problem, space): (&BodyProblem, &Space), warm: &Warm<'_>, loads: &Loads<'_>) -> Result<(), Error> {
+fn check((problem, space): (&BodyProblem, &Space), warm: &Body, loads: &Loads<'_>) -> Result<(), Error> {
     let kinematics = warm.problem.kinematics;
     let refuse = |what: &str| Err(Error::NoMeaning { what: what.to_string(), kinematics: kinematics.words() });
     if !matches!(kinematics, Kinematics::Potential { .. } | Kinematics::AxisymmetricPotential) {
@@ -315,7 +313,7 @@ fn check((problem, space): (&BodyProblem, &Space), warm: &Warm<'_>, loads: &Load
     if cells != given {
         return Err(Error::Count { what: "cells of the temperature".into(), given, expected: cells });
     }
-    let [own, other] = [&space.cell_degree, &warm.space.cell_degree];
+    let [own, other] = [&space.cell_degree, &warm.factored.space.cell_degree];
     if let Some(cell) = (0..cells).find(|cell| own[*cell] != other[*cell]) {
         let what = format!("degree of the temperature in cell {cell}");
         return Err(Error::Count { what, given: other[cell], expected: own[cell] });

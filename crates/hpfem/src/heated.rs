@@ -4,7 +4,7 @@
 //! takes is its size on the boundary, however many temperatures there are.
 
 use crate::assembly::Assembly;
-use crate::body::{Body, Factored};
+use crate::body::Body;
 use crate::cell_heat::{CellHeats, TemperatureCase, Warm, Warming, add, eliminate};
 use crate::cell_matrix::map_cells;
 use crate::congruence::Turn;
@@ -12,9 +12,10 @@ use crate::edge_load::Loads;
 use crate::element::Workspace;
 use crate::elimination::Forward;
 use crate::error::Error;
-use crate::interface::{InterfaceOperator, InterfaceState};
+use crate::interface::InterfaceOperator;
 use crate::space::Target;
 use faer::Mat;
+use std::sync::OnceLock;
 
 /// Cells whose loads are there at once: those of many temperatures are large.
 const AT_ONCE: usize = 16;
@@ -22,8 +23,10 @@ const AT_ONCE: usize = 16;
 /// What one cell takes of the temperatures.
 struct CellHeat {
     targets: Vec<Target>,
-    /// Loads on its boundary unknowns, `temperatures x unknowns`: the temperatures stand next to each other wherever they are summed up.
-    load: Mat<f64>,
+    /// Loads on the rows of its class, `temperatures x rows`: the temperatures stand next to each other wherever they are summed up.
+    of_class: Mat<f64>,
+    /// Of each of its boundary unknowns the rows of the class that its load is made of, with their factors.
+    made_of: Vec<[(usize, f64); 2]>,
     /// Constant parts of the reactions.
     constant: Vec<(usize, Vec<f64>)>,
     /// Work on the interior that other load cases displace; none without loads inside.
@@ -58,7 +61,7 @@ impl Body {
     /// [`Error::OtherLoads`] for states of another body.
     pub fn heated(&self, temperature: &Body, cases: &[TemperatureCase], expansion: &[f64]) -> Result<InterfaceOperator, Error> {
         let (mesh, space) = (&*self.problem.mesh, &self.factored.space);
-        let warming = Warming::new((&self.problem, space), temperature.warm(Some(cases), expansion)?)?;
+        let warming = Warming::new((&self.problem, space), temperature.warm(Some(cases), expansion))?;
         let elastic = Assembly::new(&self.problem, space, Loads::new(mesh, &self.problem.load_cases)?);
         let made;
         let heats = match self.factored.heats.as_ref().filter(|heats| heats.are_for(&warming)) {
@@ -107,7 +110,9 @@ impl Body {
                         if sums[*group].ncols() == 0 {
                             sums[*group] = Mat::zeros(many, space.size[*group]);
                         }
-                        add(sums[*group].col_as_slice_mut(*index), *c, heat.load.col_as_slice(row));
+                        for (from, factor) in heat.made_of[row] {
+                            add(sums[*group].col_as_slice_mut(*index), c * factor, heat.of_class.col_as_slice(from));
+                        }
                     }
                 }
                 for (r, parts) in heat.constant {
@@ -120,12 +125,8 @@ impl Body {
     }
 
     /// This body of temperature as what heats another one.
-    pub(crate) fn warm<'a>(&'a self, cases: Option<&'a [TemperatureCase]>, expansion: &'a [f64]) -> Result<Warm<'a>, Error> {
-        let states: Vec<InterfaceState> = cases.into_iter().flatten().map(|case| case.state.clone()).collect();
-        let values = if states.is_empty() { Vec::new() } else { self.values_of_groups(&states)? };
-        let values = values.iter().map(|values| values.transpose().to_owned()).collect();
-        let Factored { space, interiors, .. } = &*self.factored;
-        Ok(Warm { problem: &self.problem, space, interiors: interiors.as_ref(), expansion, cases, values })
+    pub(crate) fn warm<'a>(&'a self, cases: Option<&'a [TemperatureCase]>, expansion: &'a [f64]) -> Warm<'a> {
+        Warm { body: self, expansion, cases, values: OnceLock::new() }
     }
 
     /// Work of all columns with further right-hand sides, of which `inner` is that of the load cases inside cells.
@@ -152,29 +153,25 @@ impl Heating<'_> {
         let (modes, against) = (elastic.space.boundary_modes(elastic.mesh, cell), elastic.mesh.cells[cell].against);
         let from = turn.sources(&modes, against, heats.congruence.classes[class].edges);
         let below = of_class.ncols() / 2;
-        let mut load = Mat::<f64>::zeros(of_class.nrows(), 2 * modes.len());
+        let (matrix, scale) = (turn.matrix, turn.scale);
         // Components fastest.
-        for (mode, (source, sign)) in from.iter().enumerate() {
-            for (component, [a, b]) in turn.matrix.iter().enumerate() {
-                let column = load.col_as_slice_mut(2 * mode + component);
-                add(column, turn.scale * sign * a, of_class.col_as_slice(*source));
-                add(column, turn.scale * sign * b, of_class.col_as_slice(below + source));
-            }
-        }
+        let of_mode = |(source, sign): &(usize, f64)| {
+            matrix.map(|[a, b]| [(*source, scale * sign * a), (below + source, scale * sign * b)])
+        };
+        let made_of: Vec<[(usize, f64); 2]> = from.iter().flat_map(of_mode).collect();
         let targets = elastic.targets(cell, &modes);
         let motions = elastic.virtual_motion(&targets, elastic.columns - elastic.loads.cases - 1);
         let reaction = |motion: &[f64]| -> Vec<f64> {
-            let mut forces = vec![0.0; load.nrows()];
-            motion
-                .iter()
-                .zip(load.col_iter())
-                .for_each(|(m, load)| forces.iter_mut().zip(load.iter()).for_each(|(force, load)| *force -= m * load));
+            let mut forces = vec![0.0; of_class.nrows()];
+            for (m, made_of) in motion.iter().zip(&made_of) {
+                made_of.iter().for_each(|(from, factor)| add(&mut forces, -m * factor, of_class.col_as_slice(*from)));
+            }
             forces
         };
         let moved = motions.iter().enumerate().filter(|(_, motion)| !motion.is_empty());
         let constant = moved.map(|(r, motion)| (r, reaction(motion))).collect();
         let inner = elastic.loads.inside(cell).then(|| self.inner(cell, work)).transpose()?;
-        Ok(CellHeat { targets, load, constant, work: inner })
+        Ok(CellHeat { targets, of_class, made_of, constant, work: inner })
     }
 
     /// Work of the temperatures on what other load cases displace inside a cell.

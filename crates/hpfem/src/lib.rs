@@ -44,6 +44,7 @@ mod interiors;
 mod join;
 mod kept;
 mod kinematics;
+mod known_heat;
 mod later_load;
 mod legendre;
 mod load_case;

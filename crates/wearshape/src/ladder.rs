@@ -23,6 +23,8 @@ const BEYOND: [usize; 2] = [18, 20];
 const NEARLY: f64 = 10.0;
 /// Digits that a level gains, about, before errors tell.
 const DIGITS: f64 = 1.5;
+/// The same as a ratio of errors.
+const GAIN: f64 = 0.03;
 /// Successive levels without a smaller difference after which finer ones are of no use: round-off, or something that degrees do not mend.
 const IDLE: usize = 2;
 /// A level that is so many times farther away than the one before it was, after a steady fall, is the wrong one of both.
@@ -112,7 +114,11 @@ impl Ladder {
         let Some(accuracy) = self.accuracy.filter(|_| solved.len() + 1 < self.levels.len()) else { return false };
         match falls(solved, distance) {
             Some([error, ratio]) => error * ratio > NEARLY * accuracy,
-            None => solved.len() + 1 < LEAST,
+            // The third level, whose error is two gains below the difference of those before it.
+            None => match solved {
+                [first, second] => largest(&distance(first, second)) * GAIN * GAIN > accuracy,
+                _ => solved.len() + 1 < LEAST,
+            },
         }
     }
 

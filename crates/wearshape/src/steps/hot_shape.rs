@@ -20,7 +20,7 @@ use crate::steps::heat::following::{Following, Speeds};
 use crate::steps::heat::known::{PointHeat, with_heat};
 use crate::steps::heat::report::{Thermal, tell};
 use crate::steps::heat::smooth::Smooth;
-use crate::steps::heat::warmed::{Surfaces, into_bodies};
+use crate::steps::heat::warmed::Surfaces;
 use crate::steps::shaper::Shaper;
 
 /// Bodies of a level and the heat of the wanted pressure.
@@ -40,11 +40,10 @@ impl<'a> HotShape<'a> {
         let made =
             HotBodies::new(stage, level, (cut, if left { Asked::Under(&wanted) } else { Asked::Near(&wanted, Smooth::Waves) }))?;
         let Some((bodies, mut effort)) = made else { return Ok(None) };
-        let (heat, reduced) = effort.timed(Step::Heat, stage.clock(), |_| {
-            let heat = bodies.asked(&wanted)?;
-            let reduced = if left { bodies.under(&heat)? } else { bodies.near(&heat, Smooth::Waves)? };
-            Ok::<_, Fault>((heat, reduced))
+        let found = effort.timed(Step::Heat, stage.clock(), |_| {
+            Ok::<_, Fault>(bodies.asked()?.map(|(heat, reduced)| (heat.clone(), reduced)))
         })?;
+        let Some((heat, reduced)) = found else { return Ok(None) };
         Ok(Some((HotShape { bodies, heat }, reduced, effort)))
     }
 
@@ -70,7 +69,7 @@ pub(crate) fn wanted_heat(shaper: &Shaper<'_>, surfaces: &Surfaces, heat: &Heat)
     let forces: Vec<f64> = surfaces.points.iter().map(|p| p.weight * shaper.pressure(&SurfacePlace::from(p), None)).collect();
     let closed: Vec<bool> = forces.iter().map(|force| *force > 0.0).collect();
     let friction = surfaces.friction(&forces);
-    let into = into_bodies(&surfaces.shared(heat, &closed)?, &friction);
+    let into = surfaces.share(heat, &closed, &friction)?;
     Ok(PointHeat { friction, into })
 }
 

@@ -74,8 +74,8 @@ pub(crate) fn independent(shaper: &Shaper<'_>, level: Level, shape: &GapCurve, t
     let (following, reduced, effort) =
         match HotBodies::new(shaper.stage, finer, (Cut::Shifted, Asked::Near(&wanted_heat, Smooth::Little)))? {
             Some((bodies, mut effort)) => {
-                let near = |_: &mut Effort| Following::near(&bodies, &bodies.asked(&wanted_heat)?, Smooth::Little);
-                (Some(effort.timed(Step::Heat, shaper.stage.clock(), near)?), None, effort)
+                let near = |_: &mut Effort| Following::as_asked(&bodies, Smooth::Little);
+                (effort.timed(Step::Heat, shaper.stage.clock(), near)?, None, effort)
             }
             None => {
                 let (reduced, effort) = shaper.stage.reduced(finer, Cut::Shifted)?;

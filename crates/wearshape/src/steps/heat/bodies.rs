@@ -27,8 +27,8 @@ pub(crate) struct HotBodies<'a> {
     parts: Parts,
     /// Without heat.
     cold: [Body; 2],
-    /// The heat that was asked for.
-    asked: Option<PointHeat>,
+    /// The heat that was asked for, and the temperatures of both bodies that it takes.
+    asked: Option<(PointHeat, [Temperatures; 2])>,
     counters: Counters,
 }
 
@@ -48,29 +48,28 @@ pub(crate) type HeatOf<'k> = &'k dyn Fn(&Surfaces, &Heat) -> Result<PointHeat, F
 pub(crate) enum Asked<'k> {
     /// Anything.
     Anything,
-    /// [`HotBodies::under`] this heat.
+    /// One load each, of their temperature under this heat at the contact points.
     Under(HeatOf<'k>),
-    /// [`HotBodies::near`] this heat, for fluxes that are smooth along the surface.
+    /// That load, then one of each flux that is smooth along the surface, or of all heat alike: for heat that is near this one.
     Near(HeatOf<'k>, Smooth),
 }
 
 impl Asked<'_> {
     /// The heat, and the temperatures of both bodies that it takes.
-    fn known(self, warmed: &Warmed<'_>, surfaces: &Surfaces) -> Result<(Option<PointHeat>, [Option<Temperatures>; 2]), Fault> {
-        let (heat, known) = match self {
-            Asked::Anything => return Ok((None, [None, None])),
+    fn known(self, warmed: &Warmed<'_>, surfaces: &Surfaces) -> Result<Option<(PointHeat, [Temperatures; 2])>, Fault> {
+        Ok(match self {
+            Asked::Anything => None,
             Asked::Under(heat) => {
                 let heat = heat(surfaces, warmed.heat)?;
                 let known = under(warmed, &heat)?;
-                (heat, known)
+                Some((heat, known))
             }
             Asked::Near(heat, wanted) => {
                 let heat = heat(surfaces, warmed.heat)?;
                 let known = near(warmed, surfaces, &heat, &surfaces.smooth(wanted))?;
-                (heat, known)
+                Some((heat, known))
             }
-        };
-        Ok((Some(heat), known.map(Some)))
+        })
     }
 }
 
@@ -89,11 +88,11 @@ impl<'a> HotBodies<'a> {
         let start = stage.clock()();
         let Some(warmed) = Warmed::new(stage, &parts)? else { return Ok(None) };
         let surfaces = warmed.surfaces(&warmed.pair()?)?;
-        let (heat, known) = asked.known(&warmed, &surfaces)?;
+        let asked = asked.known(&warmed, &surfaces)?;
         effort.add_seconds(Step::Heat, stage.clock()() - start);
         (stage.options.begun)(Step::Factor);
         let heats = [0, 1].map(|number| {
-            let known = known[number].as_ref().and_then(Temperatures::fields);
+            let known = asked.as_ref().and_then(|(_, known)| known[number].fields());
             let own = warmed.conduction(number)?;
             Some(BodyHeat { temperature: &own.body, known, expansion: warmed.expansion(number) })
         });
@@ -102,55 +101,46 @@ impl<'a> HotBodies<'a> {
         effort += work;
         effort.counters.factorisations += warmed.factorisations();
         let (warmed, surfaces) = (Arc::new(warmed), Arc::new(surfaces));
-        Ok(Some((HotBodies { warmed, surfaces, parts, cold, asked: heat, counters }, effort)))
+        Ok(Some((HotBodies { warmed, surfaces, parts, cold, asked, counters }, effort)))
     }
 
-    /// The heat that was asked for; what `heat` gives where anything was.
-    pub(crate) fn asked(&self, heat: HeatOf<'_>) -> Result<PointHeat, Fault> {
-        self.asked.clone().map_or_else(|| heat(&self.surfaces, self.warmed.heat), Ok)
-    }
-
-    /// The bodies with one load each, of their temperature under heat at the contact points.
-    pub(crate) fn under(&self, heat: &PointHeat) -> Result<Reduced, Fault> {
-        self.with(under(&self.warmed, heat)?)
+    /// The heat that was asked for, and the bodies with the loads of what was; none where anything was.
+    pub(crate) fn asked(&self) -> Result<Option<(&PointHeat, Reduced)>, Fault> {
+        let Some((heat, known)) = &self.asked else { return Ok(None) };
+        Ok(Some((heat, self.with(known)?)))
     }
 
     /// The bodies with a load of what flows without friction, then one of each unit of heat at the contact points, or of all heat alike.
     pub(crate) fn by_units(&self) -> Result<Reduced, Fault> {
         let none = vec![0.0; self.surfaces.points.len()];
-        self.with(about(&self.warmed, &self.surfaces, &[none.clone(), none], Mat::clone)?)
+        self.with(&about(&self.warmed, &self.surfaces, &[none.clone(), none], Mat::clone)?)
     }
 
-    /// The bodies with a load of their temperature under heat at the contact points, then one of each flux that is smooth along the surface, or of all heat
-    /// alike.
-    pub(crate) fn near(&self, heat: &PointHeat, wanted: Smooth) -> Result<Reduced, Fault> {
-        self.about(heat, &self.surfaces.smooth(wanted))
-    }
-
-    /// The same with other fluxes, a column each at the contact points.
+    /// The bodies with a load of their temperature under heat at the contact points, then one of each of these fluxes, a column each at the points.
+    #[cfg(test)]
     pub(crate) fn about(&self, heat: &PointHeat, fluxes: &Mat<f64>) -> Result<Reduced, Fault> {
-        self.with(near(&self.warmed, &self.surfaces, heat, fluxes)?)
+        self.with(&near(&self.warmed, &self.surfaces, heat, fluxes)?)
     }
 
     /// The reduced bodies with the loads of temperatures.
-    fn with(&self, [first, second]: [Temperatures; 2]) -> Result<Reduced, Fault> {
+    fn with(&self, [first, second]: &[Temperatures; 2]) -> Result<Reduced, Fault> {
         let interfaces = [self.interface(0, first)?, self.interface(1, second)?];
         let reduced = Reduced::of(&self.parts, interfaces, self.counters.clone());
         same_points(&reduced, &self.surfaces.points)?;
         Ok(reduced)
     }
 
-    fn interface(&self, number: usize, temperatures: Temperatures) -> Result<InterfaceOperator, Fault> {
+    fn interface(&self, number: usize, temperatures: &Temperatures) -> Result<InterfaceOperator, Fault> {
         let cold = &self.cold[number];
         match (temperatures, self.warmed.conduction(number)) {
             (Temperatures::Fields(cases), Some(conduction)) => {
-                cold.heated(&conduction.body, &cases, &self.warmed.expansion(number)).map_err(no_field)
+                cold.heated(&conduction.body, cases, &self.warmed.expansion(number)).map_err(no_field)
             }
             (Temperatures::Strains(strains), _) if !strains.is_empty() => {
                 let mut hot = cold.clone();
-                for (k, strain) in strains.into_iter().enumerate() {
+                for (k, strain) in strains.iter().enumerate() {
                     let name = k.checked_sub(1).map_or(HEAT.to_string(), unit_name);
-                    hot.add_load(LoadCase::new(name).with(strain)).map_err(no_field)?;
+                    hot.add_load(LoadCase::new(name).with(strain.clone())).map_err(no_field)?;
                 }
                 Ok(hot.interface)
             }

@@ -88,13 +88,14 @@ impl<'a> Following<'a> {
         Ok(Following::made(bodies, Arc::new(bodies.by_units()?), || Follows::Each, [vec![0.0; n], vec![0.0; n]]))
     }
 
-    /// Bodies whose heat is near a known one: exact at that heat, and beyond it for what is smooth along the surface. It takes as many temperatures as
-    /// [`Surfaces::smooth`] has, whatever the number of points.
-    pub(crate) fn near(bodies: &HotBodies<'a>, heat: &PointHeat, wanted: Smooth) -> Result<Following<'a>, Fault> {
-        Ok(Following::on(bodies, Arc::new(bodies.near(heat, wanted)?), (heat, wanted)))
+    /// Bodies that were made for heat near a known one; none of others.
+    pub(crate) fn as_asked(bodies: &HotBodies<'a>, wanted: Smooth) -> Result<Option<Following<'a>>, Fault> {
+        let asked = bodies.asked()?;
+        Ok(asked.map(|(heat, reduced)| Following::on(bodies, Arc::new(reduced), (heat, wanted))))
     }
 
-    /// The same of bodies that are [`HotBodies::near`] this heat already.
+    /// Bodies with the loads of heat near a known one: exact at that heat, and beyond it for what is smooth along the surface. It takes as many temperatures
+    /// as [`Surfaces::smooth`] has, whatever the number of points.
     pub(crate) fn on(bodies: &HotBodies<'a>, reduced: Arc<Reduced>, (heat, wanted): (&PointHeat, Smooth)) -> Following<'a> {
         let sums = || Follows::Sums(bodies.surfaces.smooth(wanted).transpose().to_owned());
         Following::made(bodies, reduced, sums, heat.into.clone())
@@ -303,7 +304,8 @@ mod tests {
         let area: f64 = bodies.surfaces.points.iter().map(|point| point.weight).sum();
         let even = bodies.about(&half, &Mat::full(n, 1, 1.0)).unwrap();
         let even = Following::made(bodies, Arc::new(even), || Follows::Sums(Mat::full(1, n, 1.0 / area)), half.into.clone());
-        let smooth = [&whole.heat, &half].map(|heat| apart(&solved(&Following::near(bodies, heat, Smooth::Little).unwrap())));
+        let near = |heat: &PointHeat| Arc::new(bodies.about(heat, &bodies.surfaces.smooth(Smooth::Little)).unwrap());
+        let smooth = [&whole.heat, &half].map(|heat| apart(&solved(&Following::on(bodies, near(heat), (heat, Smooth::Little)))));
         [smooth[0], smooth[1], apart(&solved(&even))]
     }
 

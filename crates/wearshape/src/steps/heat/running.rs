@@ -18,7 +18,7 @@ use crate::steps::heat::boundary::highest_of_each;
 use crate::steps::heat::following::{Following, Follows, Hot, Speeds, lost};
 use crate::steps::heat::known::PointHeat;
 use crate::steps::heat::report::{Thermal, tell};
-use crate::steps::heat::warmed::{Second, into_bodies};
+use crate::steps::heat::warmed::Second;
 
 /// Bodies of a level that wear while their frictional heat bends them.
 pub(crate) struct Running<'a> {
@@ -109,7 +109,7 @@ impl<'a> Running<'a> {
         let rates = surfaces.rates_of(at.stage);
         let friction: Vec<f64> =
             surfaces.points.iter().zip(pressure).zip(rates).map(|((point, p), rate)| rate * p * point.weight).collect();
-        let into = into_bodies(&self.following.shared(&self.closed(at))?, &friction);
+        let into = surfaces.share(self.following.warmed.heat, &self.closed(at), &friction)?;
         Ok(PointHeat { friction, into })
     }
 

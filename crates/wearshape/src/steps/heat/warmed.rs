@@ -1,7 +1,7 @@
 //! Both bodies of a level as problems of temperature, and what heat at the contact points does to them.
 
 use contact::faer::Mat;
-use contact::{ContactPoint, HeatSplit, HeatedSurface, Pair, SharedHeat, Side, share_heat};
+use contact::{ContactPoint, HeatSplit, HeatedSurface, Pair, SharedHeat, Side, share_heat, share_known_heat};
 use hpfem::{Field, InterfaceState};
 use scene::Fault;
 
@@ -154,16 +154,17 @@ impl Surfaces {
 
     /// How frictional heat at the points goes into the bodies, of which the closed ones conduct.
     pub(crate) fn shared(&self, heat: &Heat, closed: &[bool]) -> Result<SharedHeat, Fault> {
-        let weights: Vec<f64> = self.points.iter().map(|point| point.weight).collect();
-        let split = match heat.split {
-            Split::Share(share) => HeatSplit::Share(share),
-            Split::Conductance(conductance) => HeatSplit::Conductance(conductance),
-        };
-        let [first, second] = &self.surfaces;
-        share_heat([first, second], &weights, closed, split).map_err(|_| {
-            let message = "both surfaces are held at a temperature where they touch without resistance";
-            Fault::at("heat.conductance", "no-temperature", message, "give a finite conductance, or hold other edges")
-        })
+        share_heat(self.surfaces.each_ref(), &self.weights(), closed, split_of(heat)).map_err(no_resistance)
+    }
+
+    /// Heat into each body at the points (mW) by a frictional heat that is known there.
+    pub(crate) fn share(&self, heat: &Heat, closed: &[bool], friction: &[f64]) -> Result<[Vec<f64>; 2], Fault> {
+        let asked = (split_of(heat), friction);
+        share_known_heat(self.surfaces.each_ref(), &self.weights(), closed, asked).map_err(no_resistance)
+    }
+
+    fn weights(&self) -> Vec<f64> {
+        self.points.iter().map(|point| point.weight).collect()
     }
 
     /// Fluxes that are smooth along the surface, a column each.
@@ -176,6 +177,18 @@ impl Surfaces {
     pub(crate) fn friction(&self, forces: &[f64]) -> Vec<f64> {
         self.rates.iter().zip(forces).map(|(rate, force)| rate * force.max(0.0)).collect()
     }
+}
+
+fn split_of(heat: &Heat) -> HeatSplit {
+    match heat.split {
+        Split::Share(share) => HeatSplit::Share(share),
+        Split::Conductance(conductance) => HeatSplit::Conductance(conductance),
+    }
+}
+
+fn no_resistance(_: contact::Error) -> Fault {
+    let message = "both surfaces are held at a temperature where they touch without resistance";
+    Fault::at("heat.conductance", "no-temperature", message, "give a finite conductance, or hold other edges")
 }
 
 /// Heat into each body at the points (mW) by the frictional heat there.
