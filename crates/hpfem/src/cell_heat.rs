@@ -22,7 +22,7 @@ use crate::problem::BodyProblem;
 use crate::space::Space;
 use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
-use faer::{Accum, Mat, MatRef, Par};
+use faer::{Accum, Mat, MatMut, MatRef, Par};
 use std::sync::{Arc, OnceLock};
 
 /// A temperature as a load case.
@@ -218,15 +218,15 @@ impl<'a> Warming<'a> {
         }
     }
 
-    /// Loads of the thermal strains on the modes `local` of a cell, a column for each temperature on its boundary modes, which are those of edges of
-    /// these degrees: the `known` ones, or a unit on each.
+    /// Loads of the thermal strains on the modes `local` of a cell, into the workspace, a column for each temperature on its boundary modes, which are those
+    /// of edges of these degrees: the `known` ones, or a unit on each.
     pub(crate) fn strains(
         &self,
         elastic: &Assembly<'_>,
         (cell, edges): (usize, [usize; 4]),
         (local, known): (&LocalModes, Option<&Mat<f64>>),
         work: &mut Workspace,
-    ) -> Result<Mat<f64>, Error> {
+    ) -> Result<(), Error> {
         let thermal = &self.thermal;
         let modes = thermal.space.modes_of(thermal.mesh, cell, edges, [false; 4]);
         let made;
@@ -241,19 +241,21 @@ impl<'a> Warming<'a> {
         let by_known = known.map(|known| inside * known);
         let inside = by_known.as_ref().unwrap_or(inside);
         let expansion = self.warm.expansion.get(elastic.mesh.cells[cell].material).copied().unwrap_or(0.0);
-        let mut coefficients = Mat::<f64>::zeros(modes.position.len(), inside.ncols());
-        for (k, inside) in inside.col_iter().enumerate() {
+        let Workspace { coefficients_of_sums: coefficients, sums, load, .. } = work;
+        coefficients.clear();
+        coefficients.resize(modes.position.len() * inside.ncols(), 0.0);
+        for ((k, inside), column) in inside.col_iter().enumerate().zip(coefficients.chunks_exact_mut(modes.position.len())) {
             let on_boundary = |mode: usize| match known {
                 Some(known) => known[(mode, k)],
                 None => f64::from(u8::from(mode == k)),
             };
             let ni = modes.interior;
-            for (to, mode) in coefficients.col_as_slice_mut(k).iter_mut().zip(&modes.position).filter(|(_, m)| **m != usize::MAX)
-            {
+            for (to, mode) in column.iter_mut().zip(&modes.position).filter(|(_, m)| **m != usize::MAX) {
                 *to = expansion * if *mode < ni { inside[*mode] } else { on_boundary(*mode - ni) };
             }
         }
-        Ok(elastic.strain_matrix(cell, local, coefficients.as_ref(), work))
+        elastic.strain_matrix((cell, local), coefficients, sums, load);
+        Ok(())
     }
 }
 
@@ -270,10 +272,13 @@ impl Assembly<'_> {
         let made = map_cells(congruence.classes.len(), |work, k| {
             let class = &congruence.classes[k];
             let local = self.class_modes(class);
-            let strains = warming.strains(self, (class.first, edges[k]), (&local, few(k)), work)?;
+            warming.strains(self, (class.first, edges[k]), (&local, few(k)), work)?;
+            let mut load = std::mem::take(&mut work.load);
             let (matrix, ni) = self.condensed(class.first, &local, work)?;
-            let heat = eliminate(matrix.as_ref(), ni, strains).get(ni.., ..).to_owned();
-            Ok((boundary_block(matrix, ni), heat))
+            let heat = eliminate(matrix.as_ref(), ni, &mut load).get(ni.., ..).to_owned();
+            let made = (boundary_block(matrix, ni), heat);
+            work.load = load;
+            Ok(made)
         });
         let made = made.into_iter().collect::<Result<Vec<_>, Error>>()?;
         let (matrices, heats) = made.into_iter().unzip();
@@ -284,12 +289,13 @@ impl Assembly<'_> {
 
 /// Loads on all modes of a cell, a column each, from its stiffness with the first `ni` columns factorised: `y = L_11^-1 f_i`, then the loads on
 /// the boundary with the interior condensed.
-pub(crate) fn eliminate(k: MatRef<'_, f64>, ni: usize, mut load: Mat<f64>) -> Mat<f64> {
+pub(crate) fn eliminate<'l>(k: MatRef<'_, f64>, ni: usize, load: &'l mut [f64]) -> MatRef<'l, f64> {
     let (l11, l21) = k.subcols(0, ni).split_at_row(ni);
-    let (mut y, mut boundary) = load.as_mut().split_at_row_mut(ni);
+    let many = load.len() / k.nrows();
+    let (mut y, mut boundary) = MatMut::from_column_major_slice_mut(load, k.nrows(), many).split_at_row_mut(ni);
     solve_lower_triangular_in_place(l11, y.as_mut(), Par::Seq);
     matmul(boundary.as_mut(), Accum::Add, l21, y.as_ref(), -1.0, Par::Seq);
-    load
+    MatRef::from_column_major_slice(load, k.nrows(), many)
 }
 
 /// Adds a multiple of numbers to others.

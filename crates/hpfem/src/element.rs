@@ -83,8 +83,11 @@ pub(crate) struct Workspace {
     xi_side: Vec<f64>,
     out: Vec<f64>,
     separated: Separated,
-    /// Of the sums of modes of a cell at its points.
+    /// Coefficients of sums of modes of a cell, and what they take at its points.
+    pub(crate) coefficients_of_sums: Vec<f64>,
     pub(crate) sums: [Vec<f64>; 5],
+    /// Loads on the modes of a cell, a column each.
+    pub(crate) load: Vec<f64>,
 }
 
 /// A matrix on the first `rows * columns` numbers of a buffer, which grows if need be; the contents are what was there before.

@@ -179,13 +179,15 @@ impl Heating<'_> {
         let Heating { elastic, warming, .. } = self;
         let local = elastic.space.local_modes(elastic.mesh, cell);
         let edges = warming.thermal.space.edge_degrees(warming.thermal.mesh, cell);
-        let strains = warming.strains(elastic, (cell, edges), (&local, None), work)?;
-        let given = warming.temperatures(cell, (edges, &Turn::NONE), strains.ncols());
-        let given = given.transpose();
-        let others = elastic.load_on_modes(cell, &local);
+        warming.strains(elastic, (cell, edges), (&local, None), work)?;
+        let mut strains = std::mem::take(&mut work.load);
+        let mut others: Vec<f64> = elastic.load_on_modes(cell, &local).col_iter().flat_map(|c| c.iter()).copied().collect();
         let (k, ni) = elastic.condensed(cell, &local, work)?;
-        let [strains, others] = [strains, others].map(|load| eliminate(k.as_ref(), ni, load).get(..ni, ..).to_owned());
-        Ok(others.transpose() * (strains * given))
+        let [by_strain, others] = [&mut strains, &mut others].map(|load| eliminate(k.as_ref(), ni, load).get(..ni, ..));
+        let given = warming.temperatures(cell, (edges, &Turn::NONE), by_strain.ncols());
+        let inner = others.transpose() * (by_strain * given.transpose());
+        work.load = strains;
+        Ok(inner)
     }
 }
 

@@ -12,6 +12,9 @@ use crate::quadrature::gauss;
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, MatMut, MatRef, Par};
 
+/// Sums of modes that go through the points at once: as many as stay near the processor.
+const AT_ONCE: usize = 8;
+
 /// The points of integration of a quadrilateral, a grid.
 pub(crate) struct Grid {
     /// Reference coordinates along each direction.
@@ -85,28 +88,38 @@ impl Grid {
         (0..components).map(of).collect()
     }
 
-    /// Loads with these densities times sums of modes, a column each, by their coefficients as in [`Grid::values`]: all columns go through each product
-    /// at once.
+    /// Writes loads with these densities times sums of modes, one after the other, by their coefficients as in [`Grid::values`]: those of several sums go
+    /// through each product at once. Rows are those of the modes, a column a sum.
     pub(crate) fn by_modes(
         &self,
         rows: Rows<'_>,
         densities: &[[Mat<f64>; 3]],
-        coefficients: MatRef<'_, f64>,
+        (coefficients, load): (&[f64], &mut [f64]),
         memory: &mut [Vec<f64>; 5],
-    ) -> Mat<f64> {
+    ) {
+        let (n, height) = (self.shapes[0].ncols(), rows.components * rows.local.modes);
+        for (sums, loads) in coefficients.chunks(AT_ONCE * n * n).zip(load.chunks_mut(AT_ONCE * height)) {
+            self.few_by_modes(rows, densities, (sums, loads), memory);
+        }
+    }
+
+    fn few_by_modes(
+        &self,
+        rows: Rows<'_>,
+        densities: &[[Mat<f64>; 3]],
+        (coefficients, load): (&[f64], &mut [f64]),
+        memory: &mut [Vec<f64>; 5],
+    ) {
         let [values, slopes] = self.shapes.each_ref().map(Mat::as_ref);
-        let (nq, n, many) = (values.nrows(), values.ncols(), coefficients.ncols());
+        let (nq, n) = (values.nrows(), values.ncols());
+        let (many, height) = (coefficients.len() / (n * n), rows.components * rows.local.modes);
         let sizes = [n * n, nq * n, nq * n, nq * nq, nq * nq];
         memory.iter_mut().zip(sizes).for_each(|(numbers, size)| numbers.resize(size * many, 0.0));
         let [by_modes, along, turned, at_points, scaled] = memory;
-        for (to, column) in by_modes.chunks_exact_mut(n * n).zip(coefficients.col_iter()) {
-            to.iter_mut().zip(column.iter()).for_each(|(to, coefficient)| *to = *coefficient);
-        }
-        apply(values, by_modes, Accum::Replace, along);
+        apply(values, coefficients, Accum::Replace, along);
         // Rows: points along eta. Columns: points along xi, then columns.
         transpose_blocks(along, nq, n, turned);
         apply(values, turned, Accum::Replace, at_points);
-        let mut load = Mat::<f64>::zeros(rows.components * rows.local.modes, many);
         for (component, [value, along_xi, along_eta]) in densities.iter().enumerate() {
             by_modes.fill(0.0);
             // In the plane a strain has no part along the value, in a rectangle each component one along its own direction alone.
@@ -126,14 +139,12 @@ impl Grid {
                     apply(by_xi.transpose(), turned, Accum::Add, by_modes);
                 }
             }
-            for (k, modes) in by_modes.chunks_exact(n * n).enumerate() {
-                let column = load.col_as_slice_mut(k);
+            for (modes, column) in by_modes.chunks_exact(n * n).zip(load.chunks_exact_mut(height)) {
                 for (value, mode) in modes.iter().zip(&rows.local.position).filter(|(_, mode)| **mode != usize::MAX) {
                     column[rows.row(*mode, component)] = *value;
                 }
             }
         }
-        load
     }
 
     /// Adds loads with these densities, times a factor at each point, to a column.

@@ -14,7 +14,7 @@ use crate::point_load::{PlaneJet, PointLoad, Rows};
 use crate::tensor_load::Grid;
 use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
-use faer::{Accum, Mat, MatRef, Par};
+use faer::{Accum, Mat, MatMut, MatRef, Par};
 
 /// Load inside one cell.
 pub(crate) struct InnerLoad {
@@ -167,23 +167,28 @@ impl Assembly<'_> {
         self.triangle_strains(cell, rows, coefficients.as_ref(), &constants)
     }
 
-    /// The same of many strains without constant parts, by their coefficients a column each.
+    /// Writes those of many strains without constant parts, by their coefficients one after the other, to `load`.
     pub(crate) fn strain_matrix(
         &self,
-        cell: usize,
-        local: &LocalModes,
-        coefficients: MatRef<'_, f64>,
-        work: &mut Workspace,
-    ) -> Mat<f64> {
+        (cell, local): (usize, &LocalModes),
+        coefficients: &[f64],
+        sums: &mut [Vec<f64>; 5],
+        load: &mut Vec<f64>,
+    ) {
         let rows = Rows { components: self.space.components, local };
+        let (height, many) = (rows.components * local.modes, coefficients.len() / local.position.len());
+        load.resize(height * many, 0.0);
         if self.mesh.cells[cell].is_triangle() {
-            return self.triangle_strains(cell, rows, coefficients, &vec![0.0; coefficients.ncols()]);
+            let coefficients = MatRef::from_column_major_slice(coefficients, local.position.len(), many);
+            let strains = self.triangle_strains(cell, rows, coefficients, &vec![0.0; many]);
+            MatMut::from_column_major_slice_mut(load, height, many).copy_from(&strains);
+            return;
         }
         let degree = self.space.cell_degree[cell];
         let grid = Grid::new(self, cell, degree, points_for(degree));
         let unit = |q: usize| self.strain_load(self.mesh.cells[cell].material, grid.position(q)[0], ALIKE);
         let loads: Vec<PointLoad> = (0..grid.len()).map(unit).collect();
-        grid.by_modes(rows, &grid.densities(rows.components, &loads), coefficients, &mut work.sums)
+        grid.by_modes(rows, &grid.densities(rows.components, &loads), (coefficients, load), sums);
     }
 
     /// Loads of strains alike in all directions on a triangle: three products of matrices for all of them.
