@@ -28,6 +28,7 @@ mod folder;
 mod grid;
 mod interrupt;
 mod live;
+mod memory;
 mod open;
 mod options;
 mod panics;
@@ -43,5 +44,6 @@ pub use panics::tell_panics;
 
 /// Runs the program with the given arguments, the first of which is the program's name; prints to stdout and stderr.
 pub fn run(args: impl IntoIterator<Item = impl Into<std::ffi::OsString> + Clone>) -> Exit {
+    memory::keep_what_is_freed();
     commands::run(args)
 }

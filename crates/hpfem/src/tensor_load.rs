@@ -98,15 +98,19 @@ impl Grid {
         memory: &mut [Vec<f64>; 5],
     ) {
         let (n, height) = (self.shapes[0].ncols(), rows.components * rows.local.modes);
+        // In the plane a strain has no part along the value, in a rectangle each component one along its own direction alone.
+        let acting = |density: &Mat<f64>| (!is_zero(density)).then(|| density.transpose().to_owned());
+        let densities: Vec<[Option<Mat<f64>>; 3]> = densities.iter().map(|all| all.each_ref().map(acting)).collect();
         for (sums, loads) in coefficients.chunks(AT_ONCE * n * n).zip(load.chunks_mut(AT_ONCE * height)) {
-            self.few_by_modes(rows, densities, (sums, loads), memory);
+            self.few_by_modes(rows, &densities, (sums, loads), memory);
         }
     }
 
+    /// The same, densities with a row for each point along eta and none where nothing acts.
     fn few_by_modes(
         &self,
         rows: Rows<'_>,
-        densities: &[[Mat<f64>; 3]],
+        densities: &[[Option<Mat<f64>>; 3]],
         (coefficients, load): (&[f64], &mut [f64]),
         memory: &mut [Vec<f64>; 5],
     ) {
@@ -122,11 +126,9 @@ impl Grid {
         apply(values, turned, Accum::Replace, at_points);
         for (component, [value, along_xi, along_eta]) in densities.iter().enumerate() {
             by_modes.fill(0.0);
-            // In the plane a strain has no part along the value, in a rectangle each component one along its own direction alone.
             for (by_xi, parts) in [(slopes, &[(along_xi, values)][..]), (values, &[(along_eta, slopes), (value, values)])] {
                 let mut accumulate = Accum::Replace;
-                for (density, shapes) in parts.iter().filter(|(density, _)| !is_zero(density)) {
-                    let density = density.transpose().to_owned();
+                for (density, shapes) in parts.iter().filter_map(|(density, shapes)| Some((density.as_ref()?, shapes))) {
                     for (j, (to, from)) in scaled.chunks_exact_mut(nq).zip(at_points.chunks_exact(nq)).enumerate() {
                         let both = from.iter().zip(density.col_as_slice(j % nq));
                         to.iter_mut().zip(both).for_each(|(to, (from, g))| *to = from * g);

@@ -15,7 +15,7 @@ use crate::level::Level;
 use crate::results::EnergyResult;
 use crate::step::Step;
 use crate::steps::answer::Told;
-use crate::steps::heat::bodies::{Asked, HotBodies};
+use crate::steps::heat::bodies::{Asked, HotBodies, Warm};
 use crate::steps::heat::following::{Following, Speeds};
 use crate::steps::heat::known::{PointHeat, with_heat};
 use crate::steps::heat::report::{Thermal, tell};
@@ -23,9 +23,9 @@ use crate::steps::heat::smooth::Smooth;
 use crate::steps::heat::warmed::Surfaces;
 use crate::steps::shaper::Shaper;
 
-/// Bodies of a level and the heat of the wanted pressure.
+/// Bodies of a level as problems of temperature and the heat of the wanted pressure.
 pub(crate) struct HotShape<'a> {
-    bodies: HotBodies<'a>,
+    warm: Warm<'a>,
     /// Heat at the contact points.
     pub heat: PointHeat,
 }
@@ -44,12 +44,13 @@ impl<'a> HotShape<'a> {
             Ok::<_, Fault>(bodies.asked()?.map(|(heat, reduced)| (heat.clone(), reduced)))
         })?;
         let Some((heat, reduced)) = found else { return Ok(None) };
-        Ok(Some((HotShape { bodies, heat }, reduced, effort)))
+        // What the elastic bodies are factorised for is there, and they take memory that the proof needs.
+        Ok(Some((HotShape { warm: bodies.warm, heat }, reduced, effort)))
     }
 
     /// The bodies, of a level that is the last one, bent by heat that follows the pressure.
     pub(crate) fn following(&self, reduced: &Arc<Reduced>) -> Following<'a> {
-        Following::on(&self.bodies, Arc::clone(reduced), (&self.heat, Smooth::Waves))
+        Following::on(&self.warm, Arc::clone(reduced), (&self.heat, Smooth::Waves))
     }
 
     /// Temperatures and powers of the shape on its pair, into its columns and as numbers.
@@ -60,7 +61,7 @@ impl<'a> HotShape<'a> {
         let thermal = Thermal { stage: shaper.stage, pair, factors };
         // The work of the loads is no strain energy where there are thermal strains.
         told.energy = EnergyResult::default();
-        tell(&self.bodies.warmed, &self.heat, told, &thermal)
+        tell(&self.warm.bodies, &self.heat, told, &thermal)
     }
 }
 

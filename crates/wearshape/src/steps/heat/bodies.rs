@@ -18,12 +18,17 @@ use crate::steps::heat::known::{HEAT, PointHeat, same_points};
 use crate::steps::heat::smooth::Smooth;
 use crate::steps::heat::warmed::{Second, Surfaces, Warmed, no_field};
 
+/// Both bodies of a level as problems of temperature.
+pub(crate) struct Warm<'a> {
+    pub bodies: Arc<Warmed<'a>>,
+    /// What heat at the contact points does.
+    pub surfaces: Arc<Surfaces>,
+}
+
 /// Both bodies of a level.
 pub(crate) struct HotBodies<'a> {
     /// As problems of temperature.
-    pub warmed: Arc<Warmed<'a>>,
-    /// What heat at the contact points does.
-    pub surfaces: Arc<Surfaces>,
+    pub warm: Warm<'a>,
     parts: Parts,
     /// Without heat.
     cold: [Body; 2],
@@ -100,8 +105,8 @@ impl<'a> HotBodies<'a> {
         let counters = work.counters.clone();
         effort += work;
         effort.counters.factorisations += warmed.factorisations();
-        let (warmed, surfaces) = (Arc::new(warmed), Arc::new(surfaces));
-        Ok(Some((HotBodies { warmed, surfaces, parts, cold, asked, counters }, effort)))
+        let warm = Warm { bodies: Arc::new(warmed), surfaces: Arc::new(surfaces) };
+        Ok(Some((HotBodies { warm, parts, cold, asked, counters }, effort)))
     }
 
     /// The heat that was asked for, and the bodies with the loads of what was; none where anything was.
@@ -112,29 +117,29 @@ impl<'a> HotBodies<'a> {
 
     /// The bodies with a load of what flows without friction, then one of each unit of heat at the contact points, or of all heat alike.
     pub(crate) fn by_units(&self) -> Result<Reduced, Fault> {
-        let none = vec![0.0; self.surfaces.points.len()];
-        self.with(&about(&self.warmed, &self.surfaces, &[none.clone(), none], Mat::clone)?)
+        let none = vec![0.0; self.warm.surfaces.points.len()];
+        self.with(&about(&self.warm.bodies, &self.warm.surfaces, &[none.clone(), none], Mat::clone)?)
     }
 
     /// The bodies with a load of their temperature under heat at the contact points, then one of each of these fluxes, a column each at the points.
     #[cfg(test)]
     pub(crate) fn about(&self, heat: &PointHeat, fluxes: &Mat<f64>) -> Result<Reduced, Fault> {
-        self.with(&near(&self.warmed, &self.surfaces, heat, fluxes)?)
+        self.with(&near(&self.warm.bodies, &self.warm.surfaces, heat, fluxes)?)
     }
 
     /// The reduced bodies with the loads of temperatures.
     fn with(&self, [first, second]: &[Temperatures; 2]) -> Result<Reduced, Fault> {
         let interfaces = [self.interface(0, first)?, self.interface(1, second)?];
         let reduced = Reduced::of(&self.parts, interfaces, self.counters.clone());
-        same_points(&reduced, &self.surfaces.points)?;
+        same_points(&reduced, &self.warm.surfaces.points)?;
         Ok(reduced)
     }
 
     fn interface(&self, number: usize, temperatures: &Temperatures) -> Result<InterfaceOperator, Fault> {
         let cold = &self.cold[number];
-        match (temperatures, self.warmed.conduction(number)) {
+        match (temperatures, self.warm.bodies.conduction(number)) {
             (Temperatures::Fields(cases), Some(conduction)) => {
-                cold.heated(&conduction.body, cases, &self.warmed.expansion(number)).map_err(no_field)
+                cold.heated(&conduction.body, cases, &self.warm.bodies.expansion(number)).map_err(no_field)
             }
             (Temperatures::Strains(strains), _) if !strains.is_empty() => {
                 let mut hot = cold.clone();

@@ -14,7 +14,7 @@ use crate::heat::Split;
 use crate::level::Level;
 use crate::stage::Stage;
 use crate::step::Step;
-use crate::steps::heat::bodies::{Asked, HotBodies};
+use crate::steps::heat::bodies::{Asked, HotBodies, Warm};
 use crate::steps::heat::known::PointHeat;
 use crate::steps::heat::smooth::Smooth;
 use crate::steps::heat::warmed::{Second, Surfaces, Warmed, into_bodies};
@@ -84,30 +84,30 @@ impl<'a> Following<'a> {
 
     /// Bodies that are there.
     pub(crate) fn of(bodies: &HotBodies<'a>) -> Result<Following<'a>, Fault> {
-        let n = bodies.surfaces.points.len();
-        Ok(Following::made(bodies, Arc::new(bodies.by_units()?), || Follows::Each, [vec![0.0; n], vec![0.0; n]]))
+        let n = bodies.warm.surfaces.points.len();
+        Ok(Following::made(&bodies.warm, Arc::new(bodies.by_units()?), || Follows::Each, [vec![0.0; n], vec![0.0; n]]))
     }
 
     /// Bodies that were made for heat near a known one; none of others.
     pub(crate) fn as_asked(bodies: &HotBodies<'a>, wanted: Smooth) -> Result<Option<Following<'a>>, Fault> {
         let asked = bodies.asked()?;
-        Ok(asked.map(|(heat, reduced)| Following::on(bodies, Arc::new(reduced), (heat, wanted))))
+        Ok(asked.map(|(heat, reduced)| Following::on(&bodies.warm, Arc::new(reduced), (heat, wanted))))
     }
 
     /// Bodies with the loads of heat near a known one: exact at that heat, and beyond it for what is smooth along the surface. It takes as many temperatures
     /// as [`Surfaces::smooth`] has, whatever the number of points.
-    pub(crate) fn on(bodies: &HotBodies<'a>, reduced: Arc<Reduced>, (heat, wanted): (&PointHeat, Smooth)) -> Following<'a> {
-        let sums = || Follows::Sums(bodies.surfaces.smooth(wanted).transpose().to_owned());
-        Following::made(bodies, reduced, sums, heat.into.clone())
+    pub(crate) fn on(warm: &Warm<'a>, reduced: Arc<Reduced>, (heat, wanted): (&PointHeat, Smooth)) -> Following<'a> {
+        let sums = || Follows::Sums(warm.surfaces.smooth(wanted).transpose().to_owned());
+        Following::made(warm, reduced, sums, heat.into.clone())
     }
 
-    fn made(bodies: &HotBodies<'a>, reduced: Arc<Reduced>, body: impl Fn() -> Follows, about: [Vec<f64>; 2]) -> Following<'a> {
-        let second = match bodies.warmed.second {
+    fn made(warm: &Warm<'a>, reduced: Arc<Reduced>, body: impl Fn() -> Follows, about: [Vec<f64>; 2]) -> Following<'a> {
+        let second = match warm.bodies.second {
             Second::Body(_) => body(),
-            Second::Drum(_) => Follows::Sums(Mat::full(1, bodies.surfaces.points.len(), 1.0)),
+            Second::Drum(_) => Follows::Sums(Mat::full(1, warm.surfaces.points.len(), 1.0)),
             Second::Fresh(_) => Follows::Nothing,
         };
-        let (warmed, surfaces) = (Arc::clone(&bodies.warmed), Arc::clone(&bodies.surfaces));
+        let (warmed, surfaces) = (Arc::clone(&warm.bodies), Arc::clone(&warm.surfaces));
         Following { reduced, warmed, surfaces, follows: [body(), second], about }
     }
 
@@ -298,14 +298,14 @@ mod tests {
             let differences = whole.found.pressure.iter().zip(&hot.found.pressure).map(|(a, b)| (a - b).abs());
             differences.fold(0.0, f64::max) / largest
         };
-        let n = bodies.surfaces.points.len();
+        let n = bodies.warm.surfaces.points.len();
         let halves = |of: &[f64]| of.iter().map(|heat| 0.5 * heat).collect::<Vec<f64>>();
         let half = PointHeat { friction: halves(&whole.heat.friction), into: [0, 1].map(|body| halves(&whole.heat.into[body])) };
-        let area: f64 = bodies.surfaces.points.iter().map(|point| point.weight).sum();
+        let area: f64 = bodies.warm.surfaces.points.iter().map(|point| point.weight).sum();
         let even = bodies.about(&half, &Mat::full(n, 1, 1.0)).unwrap();
-        let even = Following::made(bodies, Arc::new(even), || Follows::Sums(Mat::full(1, n, 1.0 / area)), half.into.clone());
-        let near = |heat: &PointHeat| Arc::new(bodies.about(heat, &bodies.surfaces.smooth(Smooth::Little)).unwrap());
-        let smooth = [&whole.heat, &half].map(|heat| apart(&solved(&Following::on(bodies, near(heat), (heat, Smooth::Little)))));
+        let even = Following::made(&bodies.warm, Arc::new(even), || Follows::Sums(Mat::full(1, n, 1.0 / area)), half.into.clone());
+        let near = |heat: &PointHeat| Arc::new(bodies.about(heat, &bodies.warm.surfaces.smooth(Smooth::Little)).unwrap());
+        let smooth = [&whole.heat, &half].map(|heat| apart(&solved(&Following::on(&bodies.warm, near(heat), (heat, Smooth::Little)))));
         [smooth[0], smooth[1], apart(&solved(&even))]
     }
 
