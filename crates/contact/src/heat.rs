@@ -201,3 +201,34 @@ fn flows(
     }
     Ok(flow)
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn known_heat_is_shared_as_any_is() {
+        let n = 7;
+        let surface = |size: f64, still: f64| HeatedSurface {
+            by_heat: Mat::from_fn(n, n, |i, j| size / (1.0 + i.abs_diff(j) as f64)),
+            still: (0..n).map(|i| still + (i as f64).sin()).collect(),
+        };
+        let surfaces = [&surface(2e-3, 20.0), &surface(5e-4, 35.0)];
+        let weights: Vec<f64> = (0..n).map(|i| 0.5 + 0.1 * i as f64).collect();
+        let friction: Vec<f64> = (0..n).map(|i| 1e3 * (i + 1) as f64).collect();
+        for closed in [vec![true; n], (0..n).map(|i| i % 3 != 1).collect(), vec![false; n]] {
+            for split in [HeatSplit::Share(0.3), HeatSplit::Conductance(8.0), HeatSplit::Conductance(f64::INFINITY)] {
+                let shared = share_heat(surfaces, &weights, &closed, split).unwrap();
+                let known = share_known_heat(surfaces, &weights, &closed, (split, &friction)).unwrap();
+                for (body, known) in known.iter().enumerate() {
+                    for (i, heat) in known.iter().enumerate() {
+                        let by_friction: f64 = (0..n).map(|j| shared.into[body][(i, j)] * friction[j]).sum();
+                        let wanted = shared.still[body][i] + by_friction;
+                        assert!((heat - wanted).abs() < 1e-12 * 1e4, "{split:?} {closed:?}: {heat} for {wanted}");
+                    }
+                }
+            }
+        }
+    }
+}

@@ -2,7 +2,7 @@
 
 use crate::assembly::Assembly;
 use crate::basis::LocalModes;
-use crate::cell_heat::{CellHeats, TemperatureCase};
+use crate::cell_heat::CellHeats;
 use crate::cell_matrix::map_cells;
 use crate::edge_load::Loads;
 use crate::effort::{Clock, Effort, still};
@@ -12,6 +12,7 @@ use crate::field::{Field, FieldParts};
 use crate::interface::{InterfaceOperator, InterfaceState};
 use crate::interiors::Interiors;
 use crate::kept::Kept;
+use crate::known_heat::TemperatureCase;
 use crate::mesh::Mesh;
 use crate::problem::BodyProblem;
 use crate::reduce::{Keep, Reduction, reduce};
@@ -47,6 +48,8 @@ pub(crate) struct Factored {
     pub(crate) heats: Option<CellHeats>,
     /// How the interiors of its cells follow from their boundaries, where that was kept.
     pub(crate) interiors: Option<Interiors>,
+    /// Tells it from all others.
+    pub(crate) identity: Arc<()>,
 }
 
 impl Body {
@@ -79,7 +82,7 @@ impl Body {
         expansion: &[f64],
         clock: Clock,
     ) -> Result<Body, Error> {
-        let reduction = reduce(&problem, Keep::Fronts, clock, Some(temperature.warm(known, expansion)))?;
+        let reduction = reduce(&problem, Keep::Fronts, clock, Some(temperature.warm(known, expansion)?))?;
         Ok(Body::of(problem, reduction))
     }
 
@@ -96,7 +99,7 @@ impl Body {
     fn of(problem: BodyProblem, reduction: Reduction) -> Body {
         let Reduction { interface, effort, space, condensed, kept, heats, interiors } = reduction;
         let cases = problem.load_cases.len();
-        let factored = Arc::new(Factored { space, condensed, kept, cases, heats, interiors });
+        let factored = Arc::new(Factored { space, condensed, kept, cases, heats, interiors, identity: Arc::default() });
         Body { interface, effort, problem, factored, added: Vec::new() }
     }
 

@@ -6,16 +6,14 @@
 
 use crate::assembly::Assembly;
 use crate::basis::{LocalModes, SpaceKind};
-use crate::body::Body;
 use crate::cell_matrix::{SharedMatrices, boundary_block, map_cells};
 use crate::congruence::{Congruence, Turn};
 use crate::edge_load::Loads;
 use crate::element::Workspace;
 use crate::error::Error;
-use crate::interface::InterfaceState;
-use crate::interiors::from_boundary;
+use crate::interiors::{Interiors, from_boundary};
 use crate::kinematics::Kinematics;
-use crate::known_heat::{KnownCases, KnownHeat};
+use crate::known_heat::{KnownCases, KnownHeat, Own, TemperatureCase};
 use crate::material::Material;
 use crate::mesh::Mesh;
 use crate::problem::BodyProblem;
@@ -25,23 +23,19 @@ use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
 use faer::{Accum, Mat, MatMut, MatRef, Par};
 use std::sync::{Arc, OnceLock};
 
-/// A temperature as a load case.
-#[derive(Clone, Debug, PartialEq)]
-pub struct TemperatureCase {
-    /// Name of the load case.
-    pub name: String,
-    /// State of the body of temperature.
-    pub state: InterfaceState,
-    /// The temperature without strain.
-    pub reference: f64,
-}
-
 /// A body of temperature on the same mesh, by how much each material expands, 1/K, and temperatures where they are known.
 pub(crate) struct Warm<'a> {
-    pub(crate) body: &'a Body,
+    pub(crate) problem: &'a BodyProblem,
+    pub(crate) space: &'a Space,
+    /// How the interiors of its cells follow from their boundaries, where that was kept.
+    pub(crate) interiors: Option<&'a Interiors>,
+    /// Which body it is.
+    pub(crate) own: Own<'a>,
     pub(crate) expansion: &'a [f64],
     pub(crate) cases: Option<&'a [TemperatureCase]>,
-    /// These on the groups of its unknowns, `temperatures x unknowns`, once they are asked for.
+    /// Finds these on the groups of its unknowns, `temperatures x unknowns`.
+    pub(crate) find: Box<dyn Fn() -> Vec<Mat<f64>> + Sync + 'a>,
+    /// What that found, once it is asked for.
     pub(crate) values: OnceLock<Vec<Mat<f64>>>,
 }
 
@@ -83,15 +77,15 @@ impl CellHeats {
 
     /// Whether they were made for these temperatures.
     pub(crate) fn are_for(&self, warming: &Warming<'_>) -> bool {
-        let Warm { body, expansion, cases, .. } = &warming.warm;
-        let (problem, cases) = (&body.problem, cases.unwrap_or_default());
+        let Warm { problem, own, expansion, cases, .. } = &warming.warm;
+        let cases = cases.unwrap_or_default();
         Arc::ptr_eq(&self.mesh, &problem.mesh)
             && self.conductors == problem.materials
             && self.kinematics == problem.kinematics
             && self.space == problem.space
             && self.expansion == *expansion
             && self.edges == warming.edges(&self.congruence)
-            && self.cases.as_ref().is_none_or(|known| known.are(body, cases))
+            && self.cases.as_ref().is_none_or(|known| known.are(*own, cases))
     }
 
     /// Loads of the temperatures of `warming` on the boundary modes of the class of a cell, `temperatures x rows of the class`.
@@ -110,13 +104,9 @@ impl CellHeats {
 impl<'a> Warming<'a> {
     /// Refuses temperatures of another mesh, or with sources inside.
     pub(crate) fn new((problem, space): (&BodyProblem, &Space), warm: Warm<'a>) -> Result<Warming<'a>, Error> {
-        let body = warm.body;
-        let loads = Loads::new(&body.problem.mesh, &body.problem.load_cases)?;
-        check((problem, space), body, &loads)?;
-        for case in warm.cases.into_iter().flatten() {
-            body.check_state(&case.state)?;
-        }
-        Ok(Warming { thermal: Assembly::new(&body.problem, &body.factored.space, loads), warm })
+        let loads = Loads::new(&warm.problem.mesh, &warm.problem.load_cases)?;
+        check((problem, space), &warm, &loads)?;
+        Ok(Warming { thermal: Assembly::new(warm.problem, warm.space, loads), warm })
     }
 
     /// Number of modes on the boundary of a cell with edges of these degrees.
@@ -127,16 +117,29 @@ impl<'a> Warming<'a> {
 
     /// The known temperatures on the groups of unknowns, `temperatures x unknowns`.
     fn values(&self) -> &[Mat<f64>] {
-        let Warm { body, cases, values, .. } = &self.warm;
-        values.get_or_init(|| {
-            let states: Vec<&InterfaceState> = cases.iter().flat_map(|cases| cases.iter()).map(|case| &case.state).collect();
-            body.values_of_groups(&states).iter().map(|values| values.transpose().to_owned()).collect()
-        })
+        self.warm.values.get_or_init(|| (self.warm.find)())
     }
 
     /// Number of temperatures that are known, where some are.
     pub(crate) fn many(&self) -> Option<usize> {
         self.warm.cases.map(<[TemperatureCase]>::len)
+    }
+
+    /// Known temperatures of each class; none where none are known.
+    pub(crate) fn known(&self, congruence: &Congruence, edges: &[[usize; 4]]) -> Option<Vec<KnownHeat>> {
+        let many = self.many()?;
+        let mut members = vec![Vec::new(); edges.len()];
+        congruence.class.iter().enumerate().for_each(|(cell, class)| members[*class].push(cell));
+        let of_class = |(members, edges): (Vec<usize>, &[usize; 4])| {
+            let modes = self.boundary_modes(members.first().copied(), *edges);
+            let mut temperatures = Mat::zeros(modes, members.len() * many);
+            for (number, cell) in members.iter().enumerate() {
+                let values = self.temperatures(*cell, (*edges, &congruence.turn[*cell]), modes);
+                temperatures.get_mut(.., number * many..(number + 1) * many).copy_from(values.transpose());
+            }
+            KnownHeat { temperatures }
+        };
+        Some(members.into_iter().zip(edges).map(of_class).collect())
     }
 
     /// Temperatures that are known, above those without strain, a row each, on the unsigned boundary modes of the class of a cell, which has so many.
@@ -171,7 +174,7 @@ impl<'a> Warming<'a> {
         let Assembly { mesh, kinematics, .. } = self.thermal;
         congruence.class.iter().zip(&congruence.turn).enumerate().all(|(cell, (class, turn))| {
             let material = mesh.cells[cell].material;
-            let conductor = &self.warm.body.problem.materials[material];
+            let conductor = &self.warm.problem.materials[material];
             let first = congruence.classes[*class].first;
             cell == first
                 || material == mesh.cells[first].material
@@ -198,7 +201,7 @@ impl<'a> Warming<'a> {
         edges: Vec<[usize; 4]>,
         (loads, known): (Vec<Mat<f64>>, Option<Vec<KnownHeat>>),
     ) -> CellHeats {
-        let Warm { body, expansion, cases, .. } = &self.warm;
+        let Warm { problem, own, expansion, cases, .. } = &self.warm;
         let mut members = vec![0; edges.len()];
         let number = |class: &usize| {
             members[*class] += 1;
@@ -209,12 +212,12 @@ impl<'a> Warming<'a> {
             congruence: congruence.clone(),
             edges,
             loads,
-            mesh: Arc::clone(&body.problem.mesh),
-            conductors: body.problem.materials.clone(),
-            kinematics: body.problem.kinematics,
-            space: body.problem.space,
+            mesh: Arc::clone(&problem.mesh),
+            conductors: problem.materials.clone(),
+            kinematics: problem.kinematics,
+            space: problem.space,
             expansion: expansion.to_vec(),
-            cases: cases.map(|cases| KnownCases::new(body, cases)),
+            cases: cases.map(|cases| KnownCases::new(*own, cases)),
         }
     }
 
@@ -230,7 +233,7 @@ impl<'a> Warming<'a> {
         let thermal = &self.thermal;
         let modes = thermal.space.modes_of(thermal.mesh, cell, edges, [false; 4]);
         let made;
-        let inside = match self.warm.body.factored.interiors.as_ref().and_then(|interiors| interiors.of(cell, edges)) {
+        let inside = match self.warm.interiors.and_then(|interiors| interiors.of(cell, edges)) {
             Some(inside) => inside,
             None => {
                 let (k, ni) = thermal.condensed(cell, &modes, work)?;
@@ -306,7 +309,7 @@ pub(crate) fn add(to: &mut [f64], factor: f64, from: &[f64]) {
 }
 
 /// Refuses temperatures of another mesh, or with sources inside.
-fn check((problem, space): (&BodyProblem, &Space), warm: &Body, loads: &Loads<'_>) -> Result<(), Error> {
+fn check((problem, space): (&BodyProblem, &Space), warm: &Warm<'_>, loads: &Loads<'_>) -> Result<(), Error> {
     let kinematics = warm.problem.kinematics;
     let refuse = |what: &str| Err(Error::NoMeaning { what: what.to_string(), kinematics: kinematics.words() });
     if !matches!(kinematics, Kinematics::Potential { .. } | Kinematics::AxisymmetricPotential) {
@@ -319,7 +322,7 @@ fn check((problem, space): (&BodyProblem, &Space), warm: &Body, loads: &Loads<'_
     if cells != given {
         return Err(Error::Count { what: "cells of the temperature".into(), given, expected: cells });
     }
-    let [own, other] = [&space.cell_degree, &warm.factored.space.cell_degree];
+    let [own, other] = [&space.cell_degree, &warm.space.cell_degree];
     if let Some(cell) = (0..cells).find(|cell| own[*cell] != other[*cell]) {
         let what = format!("degree of the temperature in cell {cell}");
         return Err(Error::Count { what, given: other[cell], expected: own[cell] });

@@ -4,15 +4,16 @@
 //! takes is its size on the boundary, however many temperatures there are.
 
 use crate::assembly::Assembly;
-use crate::body::Body;
-use crate::cell_heat::{CellHeats, TemperatureCase, Warm, Warming, add, eliminate};
+use crate::body::{Body, Factored};
+use crate::cell_heat::{CellHeats, Warm, Warming, add, eliminate};
 use crate::cell_matrix::map_cells;
 use crate::congruence::Turn;
 use crate::edge_load::Loads;
 use crate::element::Workspace;
 use crate::elimination::Forward;
 use crate::error::Error;
-use crate::interface::InterfaceOperator;
+use crate::interface::{InterfaceOperator, InterfaceState};
+use crate::known_heat::{Own, TemperatureCase};
 use crate::space::Target;
 use faer::Mat;
 use std::sync::OnceLock;
@@ -61,7 +62,7 @@ impl Body {
     /// [`Error::OtherLoads`] for states of another body.
     pub fn heated(&self, temperature: &Body, cases: &[TemperatureCase], expansion: &[f64]) -> Result<InterfaceOperator, Error> {
         let (mesh, space) = (&*self.problem.mesh, &self.factored.space);
-        let warming = Warming::new((&self.problem, space), temperature.warm(Some(cases), expansion))?;
+        let warming = Warming::new((&self.problem, space), temperature.warm(Some(cases), expansion)?)?;
         let elastic = Assembly::new(&self.problem, space, Loads::new(mesh, &self.problem.load_cases)?);
         let made;
         let heats = match self.factored.heats.as_ref().filter(|heats| heats.are_for(&warming)) {
@@ -125,8 +126,21 @@ impl Body {
     }
 
     /// This body of temperature as what heats another one.
-    pub(crate) fn warm<'a>(&'a self, cases: Option<&'a [TemperatureCase]>, expansion: &'a [f64]) -> Warm<'a> {
-        Warm { body: self, expansion, cases, values: OnceLock::new() }
+    pub(crate) fn warm<'a>(&'a self, cases: Option<&'a [TemperatureCase]>, expansion: &'a [f64]) -> Result<Warm<'a>, Error> {
+        let states: Vec<&InterfaceState> = cases.unwrap_or_default().iter().map(|case| &case.state).collect();
+        states.iter().try_for_each(|state| self.check_state(state))?;
+        let find = move || self.values_of_groups(&states).iter().map(|values| values.transpose().to_owned()).collect();
+        let Factored { space, interiors, identity, .. } = &*self.factored;
+        Ok(Warm {
+            problem: &self.problem,
+            space,
+            interiors: interiors.as_ref(),
+            own: Own { factors: identity, added: &self.added },
+            expansion,
+            cases,
+            find: Box::new(find),
+            values: OnceLock::new(),
+        })
     }
 
     /// Work of all columns with further right-hand sides, of which `inner` is that of the load cases inside cells.

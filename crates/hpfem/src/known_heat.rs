@@ -1,39 +1,56 @@
 //! Temperatures that are known before a body is reduced, on the cells of each class: where they are fewer than the modes on the boundary of a cell, what they do
 //! is made at once, else that of each mode.
 
-use crate::body::{Body, Factored};
-use crate::cell_heat::{TemperatureCase, Warming};
-use crate::congruence::Congruence;
 use crate::elimination::Forward;
+use crate::interface::InterfaceState;
 use faer::Mat;
 use std::sync::{Arc, Weak};
+
+/// A temperature as a load case.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TemperatureCase {
+    /// Name of the load case.
+    pub name: String,
+    /// State of the body of temperature.
+    pub state: InterfaceState,
+    /// The temperature without strain.
+    pub reference: f64,
+}
 
 /// Known temperatures on the unsigned boundary modes of the cells of a class, a column each, of one member after the other.
 pub(crate) struct KnownHeat {
     pub(crate) temperatures: Mat<f64>,
 }
 
+/// What tells a factorised body with its later load cases from all others, and from other clones of it.
+#[derive(Clone, Copy)]
+pub(crate) struct Own<'a> {
+    /// Shared by its clones.
+    pub(crate) factors: &'a Arc<()>,
+    pub(crate) added: &'a [Arc<Forward>],
+}
+
 /// The temperatures that something was made for.
 pub(crate) struct KnownCases {
     cases: Vec<TemperatureCase>,
-    factored: Weak<Factored>,
+    factors: Weak<()>,
     added: Vec<Weak<Forward>>,
 }
 
 impl KnownCases {
-    pub(crate) fn new(temperature: &Body, cases: &[TemperatureCase]) -> KnownCases {
+    pub(crate) fn new(own: Own<'_>, cases: &[TemperatureCase]) -> KnownCases {
         KnownCases {
             cases: cases.to_vec(),
-            factored: Arc::downgrade(&temperature.factored),
-            added: temperature.added.iter().map(Arc::downgrade).collect(),
+            factors: Arc::downgrade(own.factors),
+            added: own.added.iter().map(Arc::downgrade).collect(),
         }
     }
 
     /// Whether these are the temperatures of a body.
-    pub(crate) fn are(&self, temperature: &Body, cases: &[TemperatureCase]) -> bool {
-        self.factored.as_ptr() == Arc::as_ptr(&temperature.factored)
-            && self.added.len() == temperature.added.len()
-            && self.added.iter().zip(&temperature.added).all(|(own, other)| own.as_ptr() == Arc::as_ptr(other))
+    pub(crate) fn are(&self, own: Own<'_>, cases: &[TemperatureCase]) -> bool {
+        self.factors.as_ptr() == Arc::as_ptr(own.factors)
+            && self.added.len() == own.added.len()
+            && self.added.iter().zip(own.added).all(|(known, own)| known.as_ptr() == Arc::as_ptr(own))
             && self.cases == cases
     }
 }
@@ -51,24 +68,5 @@ impl KnownHeat {
             Some(_) => loads.get(.., own).transpose().to_owned(),
             None => self.temperatures.get(.., own).transpose() * loads.transpose(),
         }
-    }
-}
-
-impl Warming<'_> {
-    /// Known temperatures of each class; none where none are known.
-    pub(crate) fn known(&self, congruence: &Congruence, edges: &[[usize; 4]]) -> Option<Vec<KnownHeat>> {
-        let many = self.many()?;
-        let mut members = vec![Vec::new(); edges.len()];
-        congruence.class.iter().enumerate().for_each(|(cell, class)| members[*class].push(cell));
-        let of_class = |(members, edges): (Vec<usize>, &[usize; 4])| {
-            let modes = self.boundary_modes(members.first().copied(), *edges);
-            let mut temperatures = Mat::zeros(modes, members.len() * many);
-            for (number, cell) in members.iter().enumerate() {
-                let values = self.temperatures(*cell, (*edges, &congruence.turn[*cell]), modes);
-                temperatures.get_mut(.., number * many..(number + 1) * many).copy_from(values.transpose());
-            }
-            KnownHeat { temperatures }
-        };
-        Some(members.into_iter().zip(edges).map(of_class).collect())
     }
 }

@@ -8,10 +8,10 @@
 
 use crate::gap_rate::GapRate;
 use crate::pace::Pace;
+use crate::packed_lu::PackedLu;
 pub(crate) use crate::stage_contact::Contact;
 use contact::ContactSystem;
 use faer::Mat;
-use faer::linalg::solvers::{PartialPivLu, Solve};
 use std::borrow::Cow;
 
 /// A load stage prepared for implicit steps: one load, or several that act by turns and are averaged. Of these each has contact points of its own, one load
@@ -51,7 +51,7 @@ pub(crate) struct Linear {
     slope: Vec<f64>,
     /// Factors by which the balance rows are divided.
     row: Vec<f64>,
-    factor: PartialPivLu<f64>,
+    factor: PackedLu,
 }
 
 /// A stage to be solved.
@@ -320,8 +320,8 @@ impl<'a> Load<'a> {
         let mut matrix = Mat::zeros(size, size);
         for (c, j) in active.iter().enumerate() {
             let scale = self.weights[*j] * slope[*j];
-            let column = self.system.compliance.col(*j);
-            active.iter().enumerate().for_each(|(r, i)| matrix[(r, c)] = column[*i] * scale);
+            let column = self.system.compliance.col_as_slice(*j);
+            matrix.col_as_slice_mut(c).iter_mut().zip(&active).for_each(|(value, i)| *value = column[*i] * scale);
             if let Some(groove) = self.rate.groove_slope(*j, pressure[*j]).filter(|_| step > 0.0) {
                 active.iter().enumerate().for_each(|(r, i)| matrix[(r, c)] += step * groove(*i) * slope[*j]);
             }
@@ -354,17 +354,17 @@ impl<'a> Load<'a> {
             row.push(largest);
         }
         let slope = active.iter().map(|i| slope[*i]).collect();
-        Some(Linear { step, active, slope, row, factor: matrix.partial_piv_lu() })
+        Some(Linear { step, active, slope, row, factor: PackedLu::new(matrix) })
     }
 
     /// Filters an error of the gap through the stage: what is left of it after an implicit step, and the error of the pressure that
     /// belongs to it.
     pub(crate) fn filter(&self, linear: &Linear, error: &[f64]) -> Option<(Vec<f64>, Vec<f64>)> {
-        let size = linear.factor.U().nrows();
+        let size = linear.factor.size();
         let mut right = vec![0.0; size];
         let places = error.len();
         linear.active.iter().enumerate().for_each(|(k, i)| right[k] = -error[*i % places]);
-        let change = linear.solve_scaled(&right)?;
+        let change = linear.solve_scaled(right)?;
         let recession = if size > linear.active.len() + self.unit.len() { change[size - 1] } else { 0.0 };
         let mut gap: Vec<f64> = error.iter().map(|e| e + recession).collect();
         let mut pressure = vec![0.0; self.weights.len()];
@@ -386,12 +386,11 @@ impl Linear {
     fn solve(&self, mut right: Vec<f64>) -> Option<Vec<f64>> {
         let a = self.active.len();
         self.row.iter().enumerate().for_each(|(r, s)| right[a + r] /= s);
-        self.solve_scaled(&right)
+        self.solve_scaled(right)
     }
 
-    fn solve_scaled(&self, right: &[f64]) -> Option<Vec<f64>> {
-        let right = Mat::from_fn(right.len(), 1, |i, _| right[i]);
-        let x: Vec<f64> = self.factor.solve(&right).col_as_slice(0).to_vec();
-        x.iter().all(|v| v.is_finite()).then_some(x)
+    fn solve_scaled(&self, mut right: Vec<f64>) -> Option<Vec<f64>> {
+        self.factor.solve(&mut right);
+        right.iter().all(|v| v.is_finite()).then_some(right)
     }
 }

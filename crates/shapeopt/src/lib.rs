@@ -13,6 +13,7 @@ mod gap_rate;
 mod implicit_stage;
 mod nodal_curve;
 mod pace;
+mod packed_lu;
 mod place;
 mod reversal_start;
 mod reversed_pressure;

@@ -98,6 +98,21 @@ fn temperatures_as_load_cases_give_what_a_body_made_with_them_gives() {
 }
 
 #[test]
+fn a_body_made_for_temperatures_of_one_body_takes_those_of_another_one_in_the_same_states() {
+    let (mesh, still): (_, Clock) = (patch([3, 2, 0, 1], Shape::Arcs, 0.5), || 0.0);
+    let problem = warming(&mesh, PLANE_STRESS);
+    let cooled = problem.clone().foundation(Foundation::new("left", 3.0, 0.0));
+    let [own, other] = [problem, cooled].map(|problem| Body::of_temperature(problem, still).unwrap());
+    let cases = cases(&own, 2);
+    let body = Body::for_heat(cold(&mesh, PLANE_STRESS), &own, Some(&cases), &EXPANSION, still).unwrap();
+    let hot = |body: &Body, by: &Body| body.heated(by, &cases, &EXPANSION).unwrap().columns;
+    let plain = Body::new(cold(&mesh, PLANE_STRESS)).unwrap();
+    same(&hot(&body, &own), &hot(&plain, &own), "its own");
+    same(&hot(&body, &other), &hot(&plain, &other), "another body's");
+    assert!((hot(&plain, &own) - hot(&plain, &other)).norm_max() > 1e-3 * hot(&plain, &own).norm_max());
+}
+
+#[test]
 fn what_is_kept_of_the_cells_of_a_temperature_changes_nothing_it_is_asked_for() {
     let still: Clock = || 0.0;
     for kinematics in [PLANE_STRAIN, Kinematics::Axisymmetric] {

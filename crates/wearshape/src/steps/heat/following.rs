@@ -303,9 +303,11 @@ mod tests {
         let half = PointHeat { friction: halves(&whole.heat.friction), into: [0, 1].map(|body| halves(&whole.heat.into[body])) };
         let area: f64 = bodies.warm.surfaces.points.iter().map(|point| point.weight).sum();
         let even = bodies.about(&half, &Mat::full(n, 1, 1.0)).unwrap();
-        let even = Following::made(&bodies.warm, Arc::new(even), || Follows::Sums(Mat::full(1, n, 1.0 / area)), half.into.clone());
+        let even =
+            Following::made(&bodies.warm, Arc::new(even), || Follows::Sums(Mat::full(1, n, 1.0 / area)), half.into.clone());
         let near = |heat: &PointHeat| Arc::new(bodies.about(heat, &bodies.warm.surfaces.smooth(Smooth::Little)).unwrap());
-        let smooth = [&whole.heat, &half].map(|heat| apart(&solved(&Following::on(&bodies.warm, near(heat), (heat, Smooth::Little)))));
+        let smooth =
+            [&whole.heat, &half].map(|heat| apart(&solved(&Following::on(&bodies.warm, near(heat), (heat, Smooth::Little)))));
         [smooth[0], smooth[1], apart(&solved(&even))]
     }
 
