@@ -2,7 +2,7 @@
 //!
 //! Inside a cell a temperature without sources there follows from its boundary, `T_i = E T_b`, `E = -K_ii^-1 K_ib`. With `G` the load of thermal strains on
 //! all modes of the cell, that on its boundary is `B T_b`, `B = [-L_21 L_11^-1, 1] G [E; 1]` with the factor of the elastic stiffness. A cell `c` times as
-//! large and turned by `R` has `c R B`. Where the temperatures are known before, and fewer than modes on the boundary, `B T_b` is made at once (`known_heat.rs`).
+//! large and turned by `R` has `c R B`. Where the temperatures are known before, and fewer than modes on the boundary, `B T_b` is made at once.
 
 use crate::assembly::Assembly;
 use crate::basis::{LocalModes, SpaceKind};
@@ -13,7 +13,7 @@ use crate::element::Workspace;
 use crate::error::Error;
 use crate::interiors::{Interiors, from_boundary};
 use crate::kinematics::Kinematics;
-use crate::known_heat::{KnownCases, KnownHeat, Own, TemperatureCase};
+use crate::known_heat::{KnownHeat, OnGroups, Own, TemperatureCase};
 use crate::material::Material;
 use crate::mesh::Mesh;
 use crate::problem::BodyProblem;
@@ -33,10 +33,10 @@ pub(crate) struct Warm<'a> {
     pub(crate) own: Own<'a>,
     pub(crate) expansion: &'a [f64],
     pub(crate) cases: Option<&'a [TemperatureCase]>,
-    /// Finds these on the groups of its unknowns, `temperatures x unknowns`.
-    pub(crate) find: Box<dyn Fn() -> Vec<Mat<f64>> + Sync + 'a>,
+    /// Finds these on the groups of its unknowns.
+    pub(crate) find: Box<dyn Fn() -> OnGroups + Sync + 'a>,
     /// What that found, once it is asked for.
-    pub(crate) values: OnceLock<Vec<Mat<f64>>>,
+    pub(crate) values: OnceLock<OnGroups>,
 }
 
 /// What the temperatures of another body on the same mesh do to the cells of one.
@@ -51,18 +51,18 @@ pub(crate) struct CellHeats {
     pub(crate) congruence: Congruence,
     /// Largest degree of temperature that any member of a class has on each edge, in the numbering of the first cell.
     pub(crate) edges: Vec<[usize; 4]>,
-    /// Of each class, rows as in its condensed matrix: `B`, a column for each unsigned boundary mode of temperature, or `B T_b` of few temperatures that
-    /// are known.
+    /// Of each class, rows as in its condensed matrix: `B`, a column for each unsigned boundary mode of temperature, or `B T_b` of the temperatures that
+    /// are known, of one member after the other.
     loads: Vec<Mat<f64>>,
-    /// Known temperatures of each class, and the number of each cell among its members.
-    known: Option<(Vec<KnownHeat>, Vec<usize>)>,
+    /// Number of each cell among the members of its class, where that holds `B T_b`.
+    member: Vec<Option<usize>>,
     /// What they were made for.
     mesh: Arc<Mesh>,
     conductors: Vec<Material>,
     kinematics: Kinematics,
     space: SpaceKind,
     expansion: Vec<f64>,
-    cases: Option<KnownCases>,
+    cases: Option<KnownHeat>,
 }
 
 impl CellHeats {
@@ -91,9 +91,9 @@ impl CellHeats {
     /// Loads of the temperatures of `warming` on the boundary modes of the class of a cell, `temperatures x rows of the class`.
     pub(crate) fn of_cell(&self, warming: &Warming<'_>, cell: usize) -> Mat<f64> {
         let class = self.congruence.class[cell];
-        let loads = &self.loads[class];
-        match &self.known {
-            Some((known, member)) => known[class].of_member(member[cell], warming.many().unwrap_or(0), loads),
+        let (loads, many) = (&self.loads[class], warming.many());
+        match self.member[cell] {
+            Some(member) => loads.get(.., member * many..(member + 1) * many).transpose().to_owned(),
             None => {
                 warming.temperatures(cell, (self.edges[class], &self.congruence.turn[cell]), loads.ncols()) * loads.transpose()
             }
@@ -109,37 +109,42 @@ impl<'a> Warming<'a> {
         Ok(Warming { thermal: Assembly::new(warm.problem, warm.space, loads), warm })
     }
 
-    /// Number of modes on the boundary of a cell with edges of these degrees.
-    pub(crate) fn boundary_modes(&self, cell: Option<usize>, edges: [usize; 4]) -> usize {
-        let modes = cell.map(|cell| self.thermal.space.modes_of(self.thermal.mesh, cell, edges, [false; 4]));
-        modes.map_or(0, |modes| modes.modes - modes.interior)
-    }
-
-    /// The known temperatures on the groups of unknowns, `temperatures x unknowns`.
-    fn values(&self) -> &[Mat<f64>] {
+    /// The known temperatures on the groups of unknowns.
+    fn values(&self) -> &OnGroups {
         self.warm.values.get_or_init(|| (self.warm.find)())
     }
 
-    /// Number of temperatures that are known, where some are.
-    pub(crate) fn many(&self) -> Option<usize> {
-        self.warm.cases.map(<[TemperatureCase]>::len)
+    /// Takes the known temperatures on the groups of unknowns from what was made for them.
+    pub(crate) fn take_values(&self, heats: &CellHeats) {
+        heats.cases.iter().for_each(|known| drop(self.warm.values.set(Arc::clone(&known.values))));
     }
 
-    /// Known temperatures of each class; none where none are known.
-    pub(crate) fn known(&self, congruence: &Congruence, edges: &[[usize; 4]]) -> Option<Vec<KnownHeat>> {
-        let many = self.many()?;
+    /// Number of temperatures that are known.
+    fn many(&self) -> usize {
+        self.warm.cases.map_or(0, <[TemperatureCase]>::len)
+    }
+
+    /// Known temperatures of the members of each class on its boundary modes, a column each, of one member after the other, where they are fewer than
+    /// such modes.
+    pub(crate) fn known(&self, congruence: &Congruence, edges: &[[usize; 4]]) -> Vec<Option<Mat<f64>>> {
+        let Some(cases) = self.warm.cases else { return vec![None; edges.len()] };
         let mut members = vec![Vec::new(); edges.len()];
         congruence.class.iter().enumerate().for_each(|(cell, class)| members[*class].push(cell));
-        let of_class = |(members, edges): (Vec<usize>, &[usize; 4])| {
-            let modes = self.boundary_modes(members.first().copied(), *edges);
-            let mut temperatures = Mat::zeros(modes, members.len() * many);
-            for (number, cell) in members.iter().enumerate() {
-                let values = self.temperatures(*cell, (*edges, &congruence.turn[*cell]), modes);
-                temperatures.get_mut(.., number * many..(number + 1) * many).copy_from(values.transpose());
+        let class = |(members, edges): (Vec<usize>, &[usize; 4])| {
+            let first = *members.first()?;
+            let modes = self.thermal.space.modes_of(self.thermal.mesh, first, *edges, [false; 4]);
+            let on_boundary = modes.modes - modes.interior;
+            if members.len() * cases.len() >= on_boundary {
+                return None;
             }
-            KnownHeat { temperatures }
+            let mut known = Mat::zeros(on_boundary, members.len() * cases.len());
+            for (number, cell) in members.iter().enumerate() {
+                let values = self.temperatures(*cell, (*edges, &congruence.turn[*cell]), on_boundary);
+                known.get_mut(.., number * cases.len()..(number + 1) * cases.len()).copy_from(values.transpose());
+            }
+            Some(known)
         };
-        Some(members.into_iter().zip(edges).map(of_class).collect())
+        members.into_iter().zip(edges).map(class).collect()
     }
 
     /// Temperatures that are known, above those without strain, a row each, on the unsigned boundary modes of the class of a cell, which has so many.
@@ -194,22 +199,22 @@ impl<'a> Warming<'a> {
         edges
     }
 
-    /// The loads of the classes, kept for these temperatures where they are known.
+    /// The loads of the classes, of which some hold those of known temperatures; where any are known, kept for these alone.
     pub(crate) fn kept(
         &self,
         congruence: &Congruence,
         edges: Vec<[usize; 4]>,
-        (loads, known): (Vec<Mat<f64>>, Option<Vec<KnownHeat>>),
+        (loads, known): (Vec<Mat<f64>>, &[Option<Mat<f64>>]),
     ) -> CellHeats {
         let Warm { problem, own, expansion, cases, .. } = &self.warm;
         let mut members = vec![0; edges.len()];
-        let number = |class: &usize| {
+        let member = congruence.class.iter().map(|class| {
             members[*class] += 1;
-            members[*class] - 1
-        };
+            known[*class].is_some().then_some(members[*class] - 1)
+        });
         CellHeats {
-            known: known.map(|known| (known, congruence.class.iter().map(number).collect())),
             congruence: congruence.clone(),
+            member: member.collect(),
             edges,
             loads,
             mesh: Arc::clone(&problem.mesh),
@@ -217,7 +222,7 @@ impl<'a> Warming<'a> {
             kinematics: problem.kinematics,
             space: problem.space,
             expansion: expansion.to_vec(),
-            cases: cases.map(|cases| KnownCases::new(*own, cases)),
+            cases: cases.map(|cases| KnownHeat::new(*own, cases, Arc::clone(self.values()))),
         }
     }
 
@@ -271,11 +276,10 @@ impl Assembly<'_> {
     ) -> Result<(SharedMatrices, CellHeats), Error> {
         let edges = warming.edges(&congruence);
         let known = warming.known(&congruence, &edges);
-        let few = |class: usize| known.as_ref().and_then(|known| known[class].few());
         let made = map_cells(congruence.classes.len(), |work, k| {
             let class = &congruence.classes[k];
             let local = self.class_modes(class);
-            warming.strains(self, (class.first, edges[k]), (&local, few(k)), work)?;
+            warming.strains(self, (class.first, edges[k]), (&local, known[k].as_ref()), work)?;
             let mut load = std::mem::take(&mut work.load);
             let (matrix, ni) = self.condensed(class.first, &local, work)?;
             let heat = eliminate(matrix.as_ref(), ni, &mut load).get(ni.., ..).to_owned();
@@ -285,7 +289,7 @@ impl Assembly<'_> {
         });
         let made = made.into_iter().collect::<Result<Vec<_>, Error>>()?;
         let (matrices, heats) = made.into_iter().unzip();
-        let heats = warming.kept(&congruence, edges, (heats, known));
+        let heats = warming.kept(&congruence, edges, (heats, &known));
         Ok((SharedMatrices { congruence, matrices }, heats))
     }
 }

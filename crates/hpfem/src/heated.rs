@@ -16,7 +16,7 @@ use crate::interface::{InterfaceOperator, InterfaceState};
 use crate::known_heat::{Own, TemperatureCase};
 use crate::space::Target;
 use faer::Mat;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// Cells whose loads are there at once: those of many temperatures are large.
 const AT_ONCE: usize = 16;
@@ -72,6 +72,7 @@ impl Body {
                 &made
             }
         };
+        warming.take_values(heats);
         let heating = Heating { elastic, warming, heats };
         let many = cases.len();
         let first = self.interface.columns.ncols() - self.added.len();
@@ -129,7 +130,7 @@ impl Body {
     pub(crate) fn warm<'a>(&'a self, cases: Option<&'a [TemperatureCase]>, expansion: &'a [f64]) -> Result<Warm<'a>, Error> {
         let states: Vec<&InterfaceState> = cases.unwrap_or_default().iter().map(|case| &case.state).collect();
         states.iter().try_for_each(|state| self.check_state(state))?;
-        let find = move || self.values_of_groups(&states).iter().map(|values| values.transpose().to_owned()).collect();
+        let find = move || Arc::new(self.values_of_groups(&states).iter().map(|values| values.transpose().to_owned()).collect());
         let Factored { space, interiors, identity, .. } = &*self.factored;
         Ok(Warm {
             problem: &self.problem,

@@ -1,5 +1,4 @@
-//! Temperatures that are known before a body is reduced, on the cells of each class: where they are fewer than the modes on the boundary of a cell, what they do
-//! is made at once, else that of each mode.
+//! Temperatures that are known before a body is reduced, and which body they are of.
 
 use crate::elimination::Forward;
 use crate::interface::InterfaceState;
@@ -17,10 +16,8 @@ pub struct TemperatureCase {
     pub reference: f64,
 }
 
-/// Known temperatures on the unsigned boundary modes of the cells of a class, a column each, of one member after the other.
-pub(crate) struct KnownHeat {
-    pub(crate) temperatures: Mat<f64>,
-}
+/// Temperatures on the groups of unknowns of their body, `temperatures x unknowns`.
+pub(crate) type OnGroups = Arc<Vec<Mat<f64>>>;
 
 /// What tells a factorised body with its later load cases from all others, and from other clones of it.
 #[derive(Clone, Copy)]
@@ -31,18 +28,20 @@ pub(crate) struct Own<'a> {
 }
 
 /// The temperatures that something was made for.
-pub(crate) struct KnownCases {
+pub(crate) struct KnownHeat {
     cases: Vec<TemperatureCase>,
     factors: Weak<()>,
     added: Vec<Weak<Forward>>,
+    pub(crate) values: OnGroups,
 }
 
-impl KnownCases {
-    pub(crate) fn new(own: Own<'_>, cases: &[TemperatureCase]) -> KnownCases {
-        KnownCases {
+impl KnownHeat {
+    pub(crate) fn new(own: Own<'_>, cases: &[TemperatureCase], values: OnGroups) -> KnownHeat {
+        KnownHeat {
             cases: cases.to_vec(),
             factors: Arc::downgrade(own.factors),
             added: own.added.iter().map(Arc::downgrade).collect(),
+            values,
         }
     }
 
@@ -52,21 +51,5 @@ impl KnownCases {
             && self.added.len() == own.added.len()
             && self.added.iter().zip(own.added).all(|(known, own)| known.as_ptr() == Arc::as_ptr(own))
             && self.cases == cases
-    }
-}
-
-impl KnownHeat {
-    /// The temperatures, where they are fewer than the modes.
-    pub(crate) fn few(&self) -> Option<&Mat<f64>> {
-        Some(&self.temperatures).filter(|all| all.ncols() < all.nrows())
-    }
-
-    /// What the temperatures of a member of the class, so many, do, a row each, by the loads of the class: of all its temperatures, or of each mode.
-    pub(crate) fn of_member(&self, member: usize, many: usize, loads: &Mat<f64>) -> Mat<f64> {
-        let own = member * many..(member + 1) * many;
-        match self.few() {
-            Some(_) => loads.get(.., own).transpose().to_owned(),
-            None => self.temperatures.get(.., own).transpose() * loads.transpose(),
-        }
     }
 }

@@ -109,6 +109,8 @@ fn a_body_made_for_temperatures_of_one_body_takes_those_of_another_one_in_the_sa
     let plain = Body::new(cold(&mesh, PLANE_STRESS)).unwrap();
     same(&hot(&body, &own), &hot(&plain, &own), "its own");
     same(&hot(&body, &other), &hot(&plain, &other), "another body's");
+    let none = Body::for_heat(cold(&mesh, PLANE_STRESS), &own, Some(&[]), &EXPANSION, still).unwrap();
+    assert_eq!(none.heated(&own, &[], &EXPANSION).unwrap().columns, plain.interface.columns);
     let apart = (hot(&plain, &own) - hot(&plain, &other)).norm_max() / hot(&plain, &own).norm_max();
     assert!(apart > 1e-4, "{apart:.1e}");
 }
