@@ -1,8 +1,7 @@
 //! Steady conduction in one body, on the mesh and degree of its displacement: what carries heat through its edges, and how much.
 
 use hpfem::{
-    Body, BodyProblem, Direction, EdgeTraction, Field, Foundation, InterfaceState, Kinematics, LoadCase, Material, Mesh,
-    SpaceKind, Support,
+    Body, BodyProblem, Direction, EdgeTraction, Field, Foundation, InterfaceState, Kinematics, LoadCase, Material, Mesh, Support,
 };
 use meshing::CONTACT;
 use scene::Fault;
@@ -78,8 +77,6 @@ impl Conduction {
         }
         let problem = BodyProblem {
             degrees,
-            // Its strain takes the value of a temperature, and the slopes of a displacement: polynomials of the degree alone are an order more already.
-            space: SpaceKind::Trunk,
             materials,
             supports,
             foundations,
