@@ -145,7 +145,9 @@ pub fn share_heat(
     Ok(SharedHeat { into, still })
 }
 
-/// Heat into each body (mW) by a frictional heat that is known at the points: what [`share_heat`] makes of it, for one right-hand side.
+/// Heat into each body (mW) at the points by a frictional heat (mW) that is known there, `into_1 = g / 2 + d`, `into_2 = g / 2 - d` with the flow `d` of the
+/// module, or by the shares: `into * g + still` of [`share_heat`] from one right-hand side in place of one a point. `weights` are the areas of the points (mm^2),
+/// `closed` says which are in contact; all have one value a point.
 ///
 /// # Errors
 /// As for [`share_heat`].

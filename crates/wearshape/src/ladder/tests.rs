@@ -31,6 +31,14 @@ fn a_ladder_that_falls_reports_its_last_level() {
 }
 
 #[test]
+fn the_third_level_expects_others_by_how_far_the_first_two_are_apart() {
+    let levels: Vec<Level> = (4..=16).step_by(2).map(|degree| Level::of(degree, false)).collect();
+    let ladder = Ladder { usual: 7, levels, ..ladder(1e-5) };
+    assert!(ladder.expects_more(&[0.0], &distance) && ladder.expects_more(&[0.0, 0.1], &distance));
+    assert!(!ladder.expects_more(&[0.0, 1e-3], &distance));
+}
+
+#[test]
 fn climbing_ends_where_differences_no_longer_fall() {
     assert!(!idle(&[1e-2, 1e-3, 1e-4]));
     assert!(!idle(&[1e-2, 1e-3, 2e-3, 1e-4, 3e-4]));

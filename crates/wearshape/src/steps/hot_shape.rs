@@ -43,6 +43,7 @@ impl<'a> HotShape<'a> {
         let found = effort.timed(Step::Heat, stage.clock(), |_| {
             Ok::<_, Fault>(bodies.asked()?.map(|(heat, reduced)| (heat.clone(), reduced)))
         })?;
+        // Something was asked for, so that this is there.
         let Some((heat, reduced)) = found else { return Ok(None) };
         // What the elastic bodies are factorised for is there, and they take memory that the proof needs.
         Ok(Some((HotShape { warm: bodies.warm, heat }, reduced, effort)))
