@@ -1,11 +1,11 @@
 //! Loads on a body that is factorised already: a substitution each.
 
+use crate::alike_loads::OnBoundary;
 use crate::assembly::Assembly;
 use crate::body::Body;
-use crate::cell_matrix::map_cells;
 use crate::check::check_case;
+use crate::congruence::Congruence;
 use crate::edge_load::Loads;
-use crate::element::Workspace;
 use crate::error::Error;
 use crate::interface::InterfaceOperator;
 use crate::load_case::LoadCase;
@@ -84,13 +84,16 @@ impl Body {
         let new = self.problem.load_cases.len() - 1;
         let assembly = Assembly::new(&self.problem, space, Loads::new(mesh, &self.problem.load_cases)?);
         let touched: Vec<usize> = (0..mesh.cells.len()).filter(|c| assembly.loads.of_case(mesh, *c, new)).collect();
-        let loads = map_cells(touched.len(), |work, k| assembly.new_load(touched[k], new, work));
+        let inside: Vec<usize> = touched.iter().copied().filter(|cell| assembly.loads.inside(*cell)).collect();
+        let of_shapes = || assembly.inner_loads(&inside, &Congruence::of(&self.problem, space));
+        let mut inner_loads = if inside.is_empty() { Vec::new() } else { of_shapes()? }.into_iter();
         let mut values: Vec<Mat<f64>> = vec![Mat::new(); space.size.len()];
         let reactions = self.interface.reaction_constant.nrows();
         // Work with the cases before, then with itself.
         let (mut constant, mut inner) = (vec![0.0; reactions], vec![0.0; new + 1]);
-        for load in loads {
-            let load = load?;
+        for cell in touched {
+            let inside = if assembly.loads.inside(cell) { inner_loads.next() } else { None };
+            let load = assembly.new_load(cell, new, inside);
             for (group, index, value) in load.active {
                 if values[group].ncols() == 0 {
                     values[group] = Mat::zeros(space.size[group], 1);
@@ -130,15 +133,14 @@ impl Body {
 }
 
 impl Assembly<'_> {
-    /// What a cell takes of load case `new`.
-    fn new_load(&self, cell: usize, new: usize, work: &mut Workspace) -> Result<CellLoad, Error> {
+    /// What a cell takes of load case `new`, of which `inside` is what the loads inside do.
+    fn new_load(&self, cell: usize, new: usize, inside: Option<OnBoundary>) -> CellLoad {
         let modes = self.space.boundary_modes(self.mesh, cell);
         let mut load = self.cell_loads(cell, &modes);
         let mut inner = Vec::new();
-        if self.loads.inside(cell) {
-            let parts = self.inner_load(cell, work)?;
-            load.extend(parts.boundary);
-            inner = (0..=new).map(|k| parts.work[(k, new)]).collect();
+        if let Some(OnBoundary { boundary, work, .. }) = inside {
+            load.extend(boundary);
+            inner = (0..=new).map(|k| work[(k, new)]).collect();
         }
         let targets = self.targets(cell, &modes);
         let motions = self.virtual_motion(&targets, self.columns - self.loads.cases - 1);
@@ -149,7 +151,7 @@ impl Assembly<'_> {
                 constant.push((r, -motion[*row] * value));
             }
         }
-        Ok(CellLoad { active, constant, work: inner })
+        CellLoad { active, constant, work: inner }
     }
 }
 

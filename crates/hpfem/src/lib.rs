@@ -2,6 +2,7 @@
 #![warn(clippy::wildcard_enum_match_arm)]
 
 mod adapt;
+mod alike_loads;
 mod amalgamation;
 mod assembly;
 mod basis;

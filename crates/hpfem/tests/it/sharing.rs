@@ -49,6 +49,48 @@ fn sharing_matrices_between_similar_cells_leaves_the_operator_as_it_is() {
     }
 }
 
+#[test]
+fn loads_added_inside_similar_cells_are_those_of_each_cell_by_itself() {
+    let skew = Eigenstrain::new(|place| {
+        let [x, z] = place.position;
+        [1e-3 * x, 2e-3 * z * z, -1e-3 * x * z, 3e-3]
+    });
+    let cases = [
+        LoadCase::new("heat").with(Eigenstrain::thermal(&[1e-5], |place| (0.3 * place.position[0]).exp())),
+        LoadCase::new("skew").with(skew),
+        LoadCase::new("weight").with(BodyForce::new(|x| [x[1], -2.0 - x[0]])),
+        LoadCase::new("both").with(BodyForce::new(|x| [1.0, x[0]])).with(PointForce::new([4.3, -1.4], [3.0, -1.0])),
+    ];
+    for (space, kinematics) in [
+        (SpaceKind::Tensor, Kinematics::PlaneStrain { thickness: 1.0 }),
+        (SpaceKind::Trunk, Kinematics::PlaneStress { thickness: 2.0 }),
+    ] {
+        let [shared, separate] = [false, true].map(|separate| {
+            let (mesh, materials) = ring(separate);
+            let cases = cases.clone().map(|case| match (case.name.as_str(), separate) {
+                ("heat", true) => {
+                    let expansion = vec![1e-5; materials.len()];
+                    LoadCase::new("heat").with(Eigenstrain::thermal(&expansion, |place| (0.3 * place.position[0]).exp()))
+                }
+                _ => case,
+            });
+            let supports = [Support::hold("hub", Direction::First), Support::moved("hub", Direction::Second, 1e-3)];
+            let degrees = mesh.cells.iter().map(|c| 7 - c.layer).collect();
+            let problem = problem(&mesh, 1, kinematics, &materials, &supports, &[], Some("contact"));
+            let mut body = Body::new(BodyProblem { degrees, space, ..problem }).unwrap();
+            cases.into_iter().for_each(|case| body.add_load(case).unwrap());
+            body.interface
+        });
+        let of = |body: &InterfaceOperator| [body.columns.clone(), body.work.clone()];
+        for (shared, separate) in of(&shared).iter().zip(&of(&separate)) {
+            for k in 0..separate.ncols() {
+                let difference = (shared.col(k) - separate.col(k)).norm_max();
+                assert!(difference <= 1e-11 * separate.col(k).norm_max(), "{kinematics:?} {k}: {difference:.1e}");
+            }
+        }
+    }
+}
+
 /// Columns of a temperature as a load case, on a body reduced for any, on one reduced for it alone, and on one that was reduced for none.
 fn heated((mesh, materials): (Mesh, Vec<Material>), kept: &str, conductivity: [[f64; 2]; 2]) -> [faer::Mat<f64>; 3] {
     let degrees: Vec<usize> = mesh.cells.iter().enumerate().map(|(i, c)| 7 - c.layer - i % 2).collect();

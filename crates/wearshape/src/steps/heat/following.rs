@@ -182,7 +182,7 @@ impl<'a> Following<'a> {
         operator: &ContactOperator<'_>,
         (base, closed): (&ContactLoad, &[bool]),
     ) -> Result<SpeedFactors, Fault> {
-        let (points, smooth) = (&self.surfaces.points, self.surfaces.smooth(Smooth::Little));
+        let (points, smooth) = (&self.surfaces.points, self.surfaces.smooth(Smooth::Coarse));
         let kept = Mat::from_fn(points.len(), smooth.ncols(), |i, k| points[i].weight * smooth[(i, k)]) * smooth.transpose();
         let mut shared = self.shared(closed)?;
         shared.into = shared.into.map(|into| &kept * into);

@@ -7,6 +7,8 @@ use contact::faer::Mat;
 pub(crate) enum Smooth {
     /// What a proof takes, whose pressure is all but known.
     Little,
+    /// What is surely not as fine as the points.
+    Coarse,
     /// What speeds and tolerances take, which ask for waves along the surface and for its ends.
     Waves,
 }
@@ -15,8 +17,9 @@ impl Smooth {
     /// Number of polynomials, the constant among them, and powers of the distance from each end: together they are near any power in between.
     fn terms(self) -> (usize, &'static [f64]) {
         match self {
-            Smooth::Little => (12, &[]),
-            Smooth::Waves => (40, &[-0.5, -0.25, 0.25, 0.5]),
+            Smooth::Little => (6, &[]),
+            Smooth::Coarse => (12, &[]),
+            Smooth::Waves => (30, &[-0.5, 0.5]),
         }
     }
 }
