@@ -84,7 +84,7 @@ pub(crate) enum Command {
 /// Options of run, study and sweep.
 #[derive(Debug, Clone, Default, Args)]
 pub(crate) struct Common {
-    /// Folder to write; default out/<scene>.
+    /// Folder to write; default out/<scene>, of a study out/<scene>-study, of a sweep out/<scene>-sweep.
     #[arg(short, long = "output", value_name = "DIR")]
     pub(crate) output: Option<PathBuf>,
     /// Replace one key of the scene, as in --set contact.friction=.1; repeatable.

@@ -55,8 +55,10 @@ fn usage(error: &clap::Error, json: bool) -> Exit {
     }
     if json {
         let text = error.render().to_string();
-        let first = text.lines().next().unwrap_or("").trim_start_matches("error: ").to_string();
-        return complain(&Fault::new("usage", first, "see `wearshape --help`"), true);
+        // What is missing stands below the first line, before an empty one.
+        let lines = text.lines().map(str::trim).take_while(|line| !line.is_empty());
+        let message = lines.collect::<Vec<_>>().join(" ").trim_start_matches("error: ").to_string();
+        return complain(&Fault::new("usage", message, "see `wearshape --help`"), true);
     }
     let text = error.render();
     print_err(&if colour_on_stderr() { text.ansi().to_string() } else { text.to_string() });

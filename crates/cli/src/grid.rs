@@ -54,10 +54,28 @@ pub(crate) struct Grid {
     pub(crate) count: usize,
 }
 
+/// Two keys of which one is the other, or a part of it.
+fn overlapping(keys: &[Over]) -> Option<(&str, &str)> {
+    let within = |part: &str, whole: &str| part.strip_prefix(whole).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
+    keys.iter().enumerate().find_map(|(i, one)| {
+        let mut before = keys[..i].iter();
+        before
+            .find(|other| within(&one.key, &other.key) || within(&other.key, &one.key))
+            .map(|other| (other.key.as_str(), one.key.as_str()))
+    })
+}
+
 impl Grid {
     /// The grid of some `--over` options; its points are counted before any of them is made.
     pub(crate) fn read(over: &[String]) -> Result<Grid, Fault> {
         let keys = over.iter().map(|over| read_over(over)).collect::<Result<Vec<Over>, Fault>>()?;
+        if let Some((one, other)) = overlapping(&keys) {
+            let message = format!("--over gives `{one}` twice: no point of the grid has both values");
+            let message =
+                if one == other { message } else { format!("--over gives `{one}` and `{other}`, which replace each other") };
+            let place = Some(Place::Flag(format!("--over {}", over.join(" --over "))));
+            return Err(Fault { place, ..Fault::new("wrong-flag", message, "give each key once, with all its values") });
+        }
         let count = keys.iter().map(|over| over.values.count()).try_fold(1usize, |n, m| n.checked_mul(m));
         let Some(count) = count.filter(|count| *count <= MOST) else {
             let place = Some(Place::Flag(format!("--over {}", over.join(" --over "))));

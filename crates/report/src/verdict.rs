@@ -42,7 +42,8 @@ fn stopped(status: Status, reason: &str) -> String {
 
 fn machine(problem: &Problem, solution: &Solution) -> String {
     let words = taken_off(problem, solution);
-    let steady = solution.pressure.as_ref().is_some_and(|pressure| pressure.functional == Functional::Steady);
+    let steady = |pressure: &PressureResult| pressure.functional == Functional::Steady && !is_capped(problem, pressure);
+    let steady = solution.pressure.as_ref().is_some_and(steady);
     let end = if steady { "it starts worn in" } else { "it has the wanted pressure" };
     format!("Machine this shape: {}; {end}.", words.unwrap_or_default())
 }
@@ -95,7 +96,17 @@ fn pressed(problem: &Problem, solution: &Solution, pressure: &PressureResult) ->
     let on_plane = extremes(solution, pressure);
     let numbers = on_plane.or_else(|| curve.and_then(|curve| pressures(problem, curve))).unwrap_or_default();
     let kind = if pressure.character == Some(Character::Maximum) { ", the worst case" } else { "" };
-    format!("{what} is {numbers}{kind}.")
+    let cap = if is_capped(problem, pressure) { ", held down by optimum.p_max," } else { "" };
+    format!("{what}{cap} is {numbers}{kind}.")
+}
+
+/// Largest relative difference of a pressure from the one that holds it down.
+const AT_CAP: f64 = 1e-9;
+
+/// Whether the largest admissible pressure holds down the wanted one, which is then no longer steady where that is asked for.
+fn is_capped(problem: &Problem, pressure: &PressureResult) -> bool {
+    let cap = problem.scene().optimum.as_ref().and_then(|optimum| optimum.p_max);
+    cap.zip(pressure.p_max).is_some_and(|(cap, most)| most >= cap.0 * (1.0 - AT_CAP))
 }
 
 /// The largest and the smallest pressure of a surface of two dimensions, which no cut shows.

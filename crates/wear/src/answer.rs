@@ -117,6 +117,11 @@ impl Optimum {
         self.regime != Regime::Singular && self.law.node(*point).log_h > f64::NEG_INFINITY
     }
 
+    /// Whether the largest admissible pressure holds the closed form down at a point: where this changes the pressure has a kink.
+    pub fn is_capped_at(&self, point: &SurfacePoint) -> bool {
+        self.regime != Regime::Singular && self.law.node(*point).excess > 0.0
+    }
+
     /// Pressure in MPa at any point of the same surface.
     pub fn pressure_at(&self, point: &SurfacePoint) -> f64 {
         self.log_pressure_at(point).exp()

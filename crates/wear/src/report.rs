@@ -34,6 +34,8 @@ pub(crate) fn report(stage: &mut Stage<'_>, nodes: &[Node], balanced: &Balanced,
     let extremes = extremes(stage, nodes, &pressure);
     let terms = terms(problem, &points, &log_pressure);
     let (multipliers, feed) = multipliers(stage, multiplier_factor(stage, nodes, &log_pressure, &gap, terms));
+    // Where the pressure is held down, what wears there is no rigid motion.
+    let feed = feed.filter(|_| nodes.iter().all(|node| node.excess <= 0.0));
     let carried = |motion: RigidMotion| integral(&|i, node| pressure[i] * motion.force_weight(&node.point, stage.law.friction));
     let turning = turning(problem);
     Optimum {

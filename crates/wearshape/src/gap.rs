@@ -89,6 +89,11 @@ impl StartGap {
         self.terms.iter().find_map(|term| if let Term::Rows(curve) = term { curve.noise(surface) } else { None })
     }
 
+    /// Whether circles are among what makes the gap.
+    pub(crate) fn has_circles(&self) -> bool {
+        self.terms.iter().any(|term| matches!(term, Term::Circles(_)))
+    }
+
     /// Whether both surfaces are one.
     pub(crate) fn is_none(&self) -> bool {
         self.terms.is_empty()

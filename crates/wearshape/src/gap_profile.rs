@@ -52,6 +52,13 @@ pub(crate) fn read(files: Files<'_>, name: &str, key: &str) -> Result<Columns, F
     Ok(rows.into_iter().map(|[s, gap]| (s, gap)).unzip())
 }
 
+/// Whether a file that was read is one of a run, which says more of a surface than measuring does: its gap is the whole one.
+pub(crate) fn is_of_run(files: Files<'_>, name: &str) -> bool {
+    let Some(text) = files(name).ok().and_then(|bytes| String::from_utf8(bytes).ok()) else { return false };
+    let header = text.lines().next().unwrap_or_default();
+    ["opening_um", "nominal_x_mm"].iter().any(|name| header.split(',').any(|field| field.trim() == *name))
+}
+
 fn words(message: impl Into<String>, remedy: &str) -> [String; 2] {
     [message.into(), remedy.into()]
 }

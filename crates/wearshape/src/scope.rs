@@ -19,7 +19,7 @@ use crate::steps::answer::Outcome;
 use crate::steps::ends_setting::Setting;
 use crate::steps::round::{Round, RoundContact};
 use crate::steps::wear::RoundWear;
-use crate::steps::{ends, ends_scope, paths, recover};
+use crate::steps::{ends, ends_scope, paths, pressure, recover};
 use crate::watch::Watch;
 
 /// A contact, ready to be solved.
@@ -135,6 +135,9 @@ impl Problem {
     /// # Errors
     /// Those of [`Problem::available`].
     pub fn available_on(&self, bodies: &Bodies) -> Result<(), Fault> {
+        if self.plan.runs(Step::Pressure) {
+            pressure::wear_problem(self)?;
+        }
         if !self.plan.runs(Step::Mesh) {
             return Ok(());
         }

@@ -63,6 +63,7 @@ fn check(document: &Document, files: Files<'_>) -> Result<Problem, Fault> {
     };
     all_around::check(&scene, &tasks, bodies.as_ref().map(|(_, [first, _])| first), patch.as_ref())?;
     let gap = start_gap::on_surface(&scene, patch.as_ref())?;
+    start_gap::not_twice(document, &gap, files)?;
     track::resolve(&scene, &tasks)?;
     wear(&mut scene, &tasks, patch.as_ref())?;
     load::resolve(&mut scene, &tasks, patch.as_ref(), bodies.as_ref().map(|(_, [first, _])| first))?;

@@ -1,6 +1,7 @@
 //! `wearshape check`: what a scene means, before anything is computed.
 
-use std::path::PathBuf;
+use std::io::Read;
+use std::path::{Path, PathBuf};
 
 use scene::{Fault, Place};
 use wearshape::Problem;
@@ -37,12 +38,29 @@ pub(crate) fn run(args: &CheckArgs) -> Result<Exit, Fault> {
 fn draw(args: &CheckArgs, problem: &Problem) -> Result<(), Fault> {
     let own = args.verbose.then(|| PathBuf::from(format!("{}.svg", problem.name())));
     let Some(path) = args.drawing.clone().or(own) else { return Ok(()) };
-    std::fs::write(&path, report::drawing(problem)).map_err(|error| Fault {
-        place: Some(Place::Flag(format!("-o {}", path.display()))),
-        ..Fault::new("unwritable", format!("cannot write {}: {error}", path.display()), "give a file that can be written")
+    let at = |fault| Fault { place: Some(Place::Flag(format!("-o {}", path.display()))), ..fault };
+    if holds_something_else(&path) {
+        let message = format!("{} exists already, is no drawing, and is left as it is", path.display());
+        return Err(at(Fault::new("file-exists", message, "give another name, or remove the file first")));
+    }
+    std::fs::write(&path, report::drawing(problem)).map_err(|error| {
+        at(Fault::new("unwritable", format!("cannot write {}: {error}", path.display()), "give a file that can be written"))
     })?;
     if !args.quiet {
         talk(&format!("drawing written to {}", path.display()));
     }
     Ok(())
+}
+
+/// Bytes by which a drawing is known.
+const START: u64 = 256;
+
+/// Whether a file is there that is no drawing: a drawing of before may be drawn anew.
+fn holds_something_else(path: &Path) -> bool {
+    if !path.is_file() {
+        return false;
+    }
+    let mut start = Vec::new();
+    let read = std::fs::File::open(path).and_then(|file| file.take(START).read_to_end(&mut start));
+    read.is_ok() && !start.is_empty() && !start.windows(4).any(|bytes| bytes == b"<svg")
 }

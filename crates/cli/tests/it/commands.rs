@@ -111,6 +111,13 @@ fn check_draws_the_scene_where_it_is_asked_to() {
     assert!(bench.read("pad.svg").contains("Disc brake pad"));
     let call = bench.call("check disc-pad -o no/such/folder/pad.svg");
     assert!(call.code == 2 && call.err.contains("cannot write"), "{}", call.err);
+    // A drawing may be drawn anew, and nothing else is written over.
+    assert_eq!(bench.call("check drum-brake-block -q -o pad.svg").code, 0);
+    assert!(!bench.read("pad.svg").contains("Disc brake pad"));
+    assert_eq!(bench.call("new disc-pad mine.toml").code, 0);
+    let (before, call) = (bench.read("mine.toml"), bench.call("check mine.toml -o mine.toml"));
+    assert!(call.code == 2 && call.err.contains("mine.toml exists already"), "{}", call.err);
+    assert_eq!(bench.read("mine.toml"), before);
 }
 
 #[test]

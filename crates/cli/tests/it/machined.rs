@@ -66,3 +66,28 @@ fn without_a_shape_there_is_nothing_to_machine() {
         assert!(!bench.path(&format!("out/drum-brake-block/{name}")).exists());
     }
 }
+
+#[test]
+fn the_surface_to_machine_is_as_long_as_the_contact_whatever_radius_body_1_is_drawn_with() {
+    let bench = Bench::new();
+    let name = "drum-brake-block";
+    for radius in [200, 220, 250] {
+        let fixed = "--set mesh.degree=4 --set check=false";
+        let call = bench.call(&format!("run {name} -q --force --set body1.geometry.shoe-block.radius={radius} {fixed}"));
+        assert_eq!(call.code, 0, "{}", call.err);
+        let ends = |file: &str| -> [Vec<f64>; 2] {
+            let text = bench.read(&format!("out/{name}/{file}"));
+            let rows: Vec<&str> = text.lines().skip(1).collect();
+            [rows[0], rows[rows.len() - 1]].map(|row| row.split(',').map(|word| word.parse().unwrap_or(f64::NAN)).collect())
+        };
+        // Arc length, place and gap of both ends.
+        for (machined, touching) in ends("profile.csv").iter().zip(&ends("contact.csv")) {
+            let [machined, touching] = [[0, 4, 5, 3].map(|k| machined[k]), [0, 1, 3, 11].map(|k| touching[k])];
+            machined.iter().zip(touching).for_each(|(m, t)| approx::assert_abs_diff_eq!(*m, t, epsilon = 1e-9));
+        }
+        let summary = bench.summary(name);
+        let largest = summary["shape"]["gap_max_um"].as_f64().unwrap();
+        let verdict = summary["verdict"].as_str().unwrap();
+        assert!(verdict.contains(&format!("take off most, {largest:.3} um")), "{verdict} {largest}");
+    }
+}

@@ -49,7 +49,8 @@ fn friction(scene: &mut Scene) -> Result<(), Fault> {
     let contact = scene.contact.get_or_insert_default();
     let friction = *contact.friction.get_or_insert(0.0);
     if !friction.is_finite() || friction < 0.0 {
-        let message = format!("negative friction: contact.friction = {friction}");
+        let what = if friction < 0.0 { "negative friction" } else { "no coefficient of friction" };
+        let message = format!("{what}: contact.friction = {friction}");
         let remedy = "give a coefficient of friction of 0 or more; the sense of sliding is the sign of `sliding`";
         return Err(Fault::at("contact.friction", "wrong-value", message, remedy));
     }

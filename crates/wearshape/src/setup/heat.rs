@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use meshing::{Couple, outline};
+use meshing::{Body, Couple, outline};
 use scene::{
     Conductance, Counterface, Document, EdgeHeat, Fault, Geometry, Kinematics, Material, Scene, Task, Temperature, missing,
     positive,
@@ -16,6 +16,8 @@ use crate::surface::{Patch, PatchKind};
 
 /// Temperature of the cold shape where the scene gives none (degC).
 const REFERENCE: f64 = 20.0;
+/// There is no colder temperature (degC).
+const ABSOLUTE_ZERO: f64 = -273.15;
 
 /// Takes heat out of a scene that does not use it; returns the keys that are not used then, whether they were written or not.
 pub(super) fn begin(scene: &mut Scene, tasks: &[Task]) -> Result<Vec<String>, Fault> {
@@ -90,14 +92,15 @@ pub(super) fn resolve(
     sources(scene)?;
     available(scene, tasks, patch)?;
     let split = split(&heat)?;
-    let reference = heat.reference.get_or_insert(Temperature(REFERENCE)).0;
+    let reference = *heat.reference.get_or_insert(Temperature(REFERENCE));
+    let reference = warm("heat.reference", reference)?;
     let worn = scene.wear.as_ref().and_then(|wear| wear.counterface);
     let counterface = *heat.counterface.get_or_insert(worn.unwrap_or(usual(patch)));
     let fresh = counterface == Counterface::Fresh;
     conducting(scene, fresh)?;
     let edges = [edges(scene, couple, 0)?, edges(scene, couple, 1)?];
     for (body, edges) in couple.bodies.iter().zip(&edges).take(if fresh { 1 } else { 2 }) {
-        cooled(body.key, edges)?;
+        cooled(body, edges)?;
     }
     let meets = match counterface {
         Counterface::Congruent => Meets::Congruent,
@@ -244,8 +247,10 @@ fn edges(scene: &Scene, couple: &Couple, number: usize) -> Result<BTreeMap<Strin
 fn carried(key: &str, heat: EdgeHeat) -> Result<Carried, Fault> {
     let form = "write { temperature = \"20 degC\" }, { convection = \"100 W/(m2 K)\", ambient = \"20 degC\" } or { flux = 1 }";
     match (heat.temperature, heat.convection, heat.ambient, heat.flux) {
-        (Some(held), None, None, None) => Ok(Carried::Held(held.0)),
-        (None, Some(film), Some(ambient), None) if film.0 >= 0.0 => Ok(Carried::Convection(film.0, ambient.0)),
+        (Some(held), None, None, None) => Ok(Carried::Held(warm(&format!("{key}.temperature"), held)?)),
+        (None, Some(film), Some(ambient), None) if film.0 >= 0.0 => {
+            Ok(Carried::Convection(film.0, warm(&format!("{key}.ambient"), ambient)?))
+        }
         (None, Some(film), Some(_), None) => {
             let message = format!("negative coefficient of heat transfer: {key}.convection = {} mW/(mm^2 K)", film.0);
             Err(Fault::at(format!("{key}.convection"), "wrong-value", message, "give a coefficient of 0 or more"))
@@ -262,14 +267,25 @@ fn carried(key: &str, heat: EdgeHeat) -> Result<Carried, Fault> {
     }
 }
 
+/// A temperature that there is (degC).
+fn warm(key: &str, Temperature(temperature): Temperature) -> Result<f64, Fault> {
+    if temperature >= ABSOLUTE_ZERO {
+        return Ok(temperature);
+    }
+    let message = format!("{key} = {temperature} degC is below absolute zero, {ABSOLUTE_ZERO} degC");
+    Err(Fault::at(key, "wrong-value", message, "give a temperature in degC"))
+}
+
 /// A body that nothing cools has no steady temperature.
-fn cooled(key: &str, edges: &BTreeMap<String, Carried>) -> Result<(), Fault> {
+fn cooled(body: &Body, edges: &BTreeMap<String, Carried>) -> Result<(), Fault> {
     if edges.values().any(|carried| carried.cools()) {
         return Ok(());
     }
     let why = "nothing cools the body, so that it has no steady temperature";
-    let example = format!("{key}.heat.top = {{ convection = \"100 W/(m2 K)\", ambient = \"20 degC\" }}");
-    Err(missing(&format!("{key}.heat"), why, &example))
+    let names = outline(body).names(false);
+    let edge = names.iter().rev().find(|name| **name != body.contact).map_or("top", |name| name);
+    let example = format!("{}.heat.{edge} = {{ convection = \"100 W/(m2 K)\", ambient = \"20 degC\" }}", body.key);
+    Err(missing(&format!("{}.heat", body.key), why, &example))
 }
 
 /// The one temperature at which a fresh body 2 arrives: that of its surroundings, or that of the cold shape.

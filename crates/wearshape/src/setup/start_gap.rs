@@ -1,7 +1,7 @@
 //! The gap at the start: its values, its files, its clearance.
 
 use meshing::Files;
-use scene::{Contact, Fault, Gap, GapSum, Rows, Scene, SurfaceShape, Task, positive};
+use scene::{Contact, Document, Fault, Gap, GapSum, Rows, Scene, SurfaceShape, Task, positive};
 
 use crate::circles::Circles;
 use crate::gap::StartGap;
@@ -112,6 +112,23 @@ pub(super) fn on_surface(scene: &Scene, patch: Option<&Patch>) -> Result<StartGa
         _ => {}
     }
     Ok(StartGap::new(contact.gap.as_ref(), circles, patch))
+}
+
+/// Refuses the gap of a run beside circles: it is the whole one, that of the circles in it.
+pub(super) fn not_twice(document: &Document, gap: &StartGap, files: Files<'_>) -> Result<(), Fault> {
+    let given = document.scene.contact.as_ref().and_then(|contact| contact.gap.as_ref());
+    let (key, name) = match given {
+        Some(Gap::File(name)) => ("contact.gap", name),
+        Some(Gap::Sum(GapSum { profile: Some(Rows::File(name)), .. })) => ("contact.gap.profile", name),
+        _ => return Ok(()),
+    };
+    if !gap.has_circles() || !gap_profile::is_of_run(files, name) {
+        return Ok(());
+    }
+    let message =
+        format!("the gap of {name} is the whole gap of a run, and the circles of this scene would add theirs to it once more");
+    let remedy = "write contact.clearance = 0 (and draw both arcs with one radius), or leave out the gap";
+    Err(Fault::at(key, "counted-twice", message, remedy))
 }
 
 /// A crown and a tilt are counted from the ends of the surface, which round bodies on flat ones do not have.

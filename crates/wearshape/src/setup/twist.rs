@@ -39,7 +39,12 @@ pub(super) fn resolve(scene: &Scene, tasks: &[Task]) -> Result<(), Fault> {
     for (name, body, edge) in [("body1", &scene.body1, "top"), ("body2", &scene.body2, "bottom")] {
         if !held(body) {
             let why = if name == "body1" { "this is the edge that is turned" } else { "it would turn along" };
-            let example = format!("{name}.support.{edge} = [\"phi\"]");
+            // What holds the edge already stays.
+            let support = body.as_ref().and_then(|body| body.support.get(edge));
+            let held = [(Component::X, "\"x\", "), (Component::Z, "\"z\", ")];
+            let kept = held.into_iter().filter(|(component, _)| support.is_some_and(|support| support.holds(*component)));
+            let kept: String = kept.map(|(_, word)| word).collect();
+            let example = format!("{name}.support.{edge} = [{kept}\"phi\"]");
             return Err(missing(&format!("{name}.support"), &format!("no edge is held against turning, and {why}"), &example));
         }
     }

@@ -250,7 +250,7 @@ impl<'a> Shaper<'a> {
 
     /// The surface to machine into body 1.
     fn machined(&self, pair: &Pair<'_>, shape: &Shape) -> Machined {
-        let (start, length) = (self.stage.start(pair), pair.shaped.trace.length());
+        let (start, length) = (self.stage.start(pair), pair.trace().length());
         let gap = GapCurve::of(shape, pair);
         let surface = |s: f64| {
             let point = pair.at_arc((s - start).clamp(0.0, length));

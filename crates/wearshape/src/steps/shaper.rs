@@ -31,7 +31,7 @@ pub(crate) struct Shaper<'a> {
     pub stage: Stage<'a>,
     /// The wanted pressure.
     pub optimum: &'a wear::Optimum,
-    /// Ends of the wanted pressure inside the surface.
+    /// Ends of the wanted pressure, and of its part that is capped, inside the surface.
     pub ends: Vec<f64>,
     /// Those of them at which it jumps.
     jumps: Jumps,

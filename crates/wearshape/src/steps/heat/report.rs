@@ -41,7 +41,8 @@ pub(crate) fn tell(warmed: &Warmed<'_>, heat: &PointHeat, told: &mut Told, therm
     let mut result = powers(warmed, heat, &states, &fields)?;
     result.too_hot = too_hot(warmed, &fields, total)?;
     let [first, second] = fields.map(|field| field.map(|field| highest(&field, &|_| true)).transpose());
-    let (first, second) = (first?, second?);
+    let first = first?.map(|found| at_contact(found, &told.profile, 0));
+    let second = second?.map(|found| at_contact(found, &told.profile, 1));
     let second = match &warmed.second {
         Second::Drum(drum) => Some(drum.highest(total)),
         Second::Body(_) | Second::Fresh(_) => second,
@@ -49,6 +50,12 @@ pub(crate) fn tell(warmed: &Warmed<'_>, heat: &PointHeat, told: &mut Told, therm
     (result.highest1, result.highest1_at) = first.unzip();
     (result.highest2, result.highest2_at) = second.unzip();
     Ok(result)
+}
+
+/// The higher one of a temperature with its place and the highest at the contact points, which stand closer than those of the cells.
+fn at_contact(found: (f64, [f64; 2]), profile: &Profile, number: usize) -> (f64, [f64; 2]) {
+    let temperatures = profile.temperature[number].iter().zip(&profile.position);
+    temperatures.fold(found, |most, (t, [x, _, z])| if *t > most.0 { (*t, [*x, *z]) } else { most })
 }
 
 /// Friction power, where it goes, and what of it is left over.

@@ -1,0 +1,35 @@
+//! A wanted pressure that `optimum.p_max` holds down has kinks, on which nodes stand.
+
+use crate::call::Bench;
+
+#[test]
+fn a_capped_pressure_has_a_shape_that_gives_it_back() {
+    let bench = Bench::new();
+    for (scene, cap) in [("drum-brake-block", 5.3), ("clutch-hot", 0.2)] {
+        let cap_is = format!("optimum.p_max={cap}");
+        let call = bench.call_with(&["run", scene, "-q", "--set", &cap_is, "--set", "accuracy=1e-4"]);
+        assert_eq!(call.code, 0, "{scene}: {}", call.err);
+        let summary = bench.summary(scene);
+        let number = |pointer: &str| summary.pointer(pointer).unwrap().as_f64().unwrap();
+        approx::assert_relative_eq!(number("/pressure/p_max_MPa"), cap, max_relative = 1e-12);
+        assert!(number("/shape/roundtrip_same") < 1e-8, "{scene}: {}", number("/shape/roundtrip_same"));
+        assert!(number("/shape/roundtrip_independent") < 1e-3, "{scene}: {}", number("/shape/roundtrip_independent"));
+        assert!(number("/error/gap_relative") < 1e-4, "{scene}");
+        // Less pressure where it is largest, and the wear is no longer a rigid motion.
+        assert!(number("/pressure/steadiness_residual") > 1e-3, "{scene}");
+        assert!(summary.pointer("/pressure/feed").is_none(), "{scene}: {summary}");
+        let verdict = summary["verdict"].as_str().unwrap();
+        assert!(verdict.contains("it has the wanted pressure"), "{scene}: {verdict}");
+    }
+}
+
+#[test]
+fn a_cap_that_is_not_reached_changes_nothing() {
+    let bench = Bench::new();
+    for (folder, setting) in [("free", "title=free"), ("capped", "optimum.p_max=6")] {
+        let fixed = ["-q", "--set", "mesh.degree=4", "--set", "check=false", "--set", setting, "-o", folder];
+        let call = bench.call_with(&[&["run", "drum-brake-block"][..], &fixed].concat());
+        assert_eq!(call.code, 0, "{folder}: {}", call.err);
+    }
+    assert_eq!(bench.read("free/contact.csv"), bench.read("capped/contact.csv"));
+}
