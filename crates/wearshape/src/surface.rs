@@ -103,6 +103,12 @@ impl Patch {
         if convex { Some(Circles::outside([first, *radius], 0.5 * (angles[0] + angles[1]))) } else { self.circles_of(first) }
     }
 
+    /// Radii (mm) of both arcs, where they are drawn with different ones.
+    pub(crate) fn radii(&self) -> Option<[f64; 2]> {
+        let Other { circle: (_, first), .. } = self.other?;
+        self.circle().map(|(radius, _)| [first, radius])
+    }
+
     /// Whether two round bodies touch from outside.
     pub(crate) fn is_convex(&self) -> bool {
         self.other.is_some_and(|other| other.convex)

@@ -89,5 +89,7 @@ fn the_surface_to_machine_is_as_long_as_the_contact_whatever_radius_body_1_is_dr
         let largest = summary["shape"]["gap_max_um"].as_f64().unwrap();
         let verdict = summary["verdict"].as_str().unwrap();
         assert!(verdict.contains(&format!("take off most, {largest:.3} um")), "{verdict} {largest}");
+        let noted = summary["lints"].to_string().contains("other-radius");
+        assert_eq!(noted, radius != 200, "{}", summary["lints"]);
     }
 }

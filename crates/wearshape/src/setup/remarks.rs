@@ -9,6 +9,7 @@ use crate::gap::Noise;
 use crate::problem::{Optimum, Problem};
 use crate::remark::Remark;
 use crate::setup::materials::named;
+use crate::surface::Patch;
 
 /// All remarks, in a fixed order.
 pub(super) fn remarks(problem: &Problem, tasks: &[Task]) -> Vec<Remark> {
@@ -29,6 +30,12 @@ pub(super) fn remarks(problem: &Problem, tasks: &[Task]) -> Vec<Remark> {
     if problem.wear.of_friction && problem.friction.coefficient == 0.0 && tasks != [Task::Contact] {
         let message = "Friction is 0 and wear.beta stands in front of the friction stress: nothing wears, and rates, powers, multipliers and feed are 0. Pressure and shape are as for vanishing friction; wear.k wears without friction.";
         say("no-wear", message.to_string());
+    }
+    if let Some([first, second]) = problem.patch.as_ref().and_then(Patch::radii).filter(|_| tasks.contains(&Task::Shape)) {
+        let message = format!(
+            "Body 1 is drawn with a radius of {first} mm, the circle that it runs on has {second} mm: the shape is that of this circle with the gap taken off, and what is between both as they are drawn comes on top."
+        );
+        say("other-radius", message);
     }
     if tasks.contains(&Task::Pressure) || tasks.contains(&Task::Shape) {
         optimum(problem, &mut say);
