@@ -9,7 +9,7 @@ use crate::level::Level;
 use crate::options::Options;
 use crate::parts::NO_STIFFNESS;
 use crate::problem::Problem;
-use crate::series::{SLOWEST, rest};
+use crate::series::{SLOWEST, rest, rest_after};
 use crate::solution::Rung;
 use crate::step::Step;
 use crate::watch::{Event, Watch};
@@ -312,7 +312,8 @@ pub(crate) fn largest(errors: &[f64]) -> f64 {
 pub(crate) fn errors<T, const N: usize>(solved: &[T], distance: &impl Fn(&T, &T) -> [f64; N]) -> Option<[f64; N]> {
     let [.., a, b, c] = solved else { return None };
     let (older, newer) = (distance(a, b), distance(b, c));
-    Some(std::array::from_fn(|k| rest(older[k], newer[k])))
+    let before = solved.len().checked_sub(4).map(|first| distance(&solved[first], a));
+    Some(std::array::from_fn(|k| rest_after(before.map(|before| before[k]), older[k], newer[k])))
 }
 
 /// The estimated error of the last of at least three levels, and the ratio at which differences fall.

@@ -66,7 +66,7 @@ pub(crate) fn solve(stage: Stage<'_>, before: &Before<'_>, watch: &mut Watch<'_>
         None => stage,
     };
     let shaper = Shaper::new(stage, &optimum);
-    let ladder = Ladder::of(stage.problem, stage.options, Step::Shape);
+    let ladder = Ladder::of(stage.problem, stage.options, Step::Shape).and_beyond(stage.problem);
     let measure = stage.problem.measure();
     let distance = |a: &Solved<'_>, b: &Solved<'_>| [difference_of_gaps(&a.gaps, &b.gaps, &b.closing, measure)];
     let solve = |level, before: &[Solved<'_>], _: &mut Watch<'_>| {
