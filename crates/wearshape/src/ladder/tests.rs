@@ -23,14 +23,14 @@ fn levels_worse_than_those_before_are_not_reported() {
     assert!((1e-7..2e-6).contains(&error), "{error:e}");
 }
 
-/// The gaps of `clutch-hot` by degree: their differences fall by .16, .19, .06 and .46.
+/// The gaps of `clutch-hot` by degree, whose differences fall by .16, .19, .06 and .46: the estimate is less than a digit above the error, and hardly below.
 #[test]
 fn a_difference_that_is_small_by_chance_is_not_the_error() {
     let changes = [1.262e-2, 2.058e-3, 3.952e-4, 2.196e-5, 1.0e-5, 1.7e-6];
     let levels: Vec<f64> = (0..=changes.len()).map(|from| changes[from..].iter().sum()).collect();
     for (count, truth) in levels.iter().enumerate().skip(3).take(3) {
         let [error] = errors(&levels[..=count], &distance).expect("levels enough");
-        assert!(*truth < 1.5 * error && error < 6.0 * truth, "{count}: {truth:e} {error:e}");
+        assert!(*truth < 1.5 * error && error < 10.0 * truth, "{count}: {truth:e} {error:e}");
     }
     // One that grew before tells no fall.
     let [error] = errors(&[0.0, 1e-4, 3e-4, 3.1e-4], &distance).expect("levels enough");
