@@ -127,7 +127,8 @@ pub(crate) fn reference_point(mesh: &Mesh, cell: usize, x: [f64; 2]) -> Option<(
         }
     }
     // A small cell far from the origin never gets there for round-off.
-    let near = 1e-9 * size + 8.0 * f64::EPSILON * (x[0].abs() + x[1].abs());
+    let round_off = 8.0 * f64::EPSILON * (x[0].abs() + x[1].abs());
+    let near = 1e-9 * size + round_off;
     if !(last < 1e-10 || distance(map(t).0, x) < near) {
         return None;
     }
@@ -136,7 +137,10 @@ pub(crate) fn reference_point(mesh: &Mesh, cell: usize, x: [f64; 2]) -> Option<(
         let (xi, eta) = collapsed(l.map(|v| v.max(0.0)));
         return l.iter().all(|v| *v >= -1e-9).then(|| (xi, eta.clamp(-1.0, 1.0)));
     }
-    t.iter().all(|v| v.abs() <= 1.0 + 1e-9).then(|| (t[0].clamp(-1.0, 1.0), t[1].clamp(-1.0, 1.0)))
+    let within = t.map(|v| v.clamp(-1.0, 1.0));
+    // A corner of a cell as small as the round-off of its place is nowhere inside by its coordinates.
+    let inside = t.iter().all(|v| v.abs() <= 1.0 + 1e-9) || distance(map(within).0, x) < round_off;
+    inside.then_some((within[0], within[1]))
 }
 
 /// The middle of a cell.

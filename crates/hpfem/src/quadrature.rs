@@ -27,7 +27,11 @@ pub struct Quadrature {
 /// Gauss-Legendre rule with `n >= 1` points, exact to degree `2n - 1`.
 ///
 /// Roots of `P_n`; `w_i = 2 / ((1 - x_i^2) P_n'(x_i)^2)`.
+///
+/// # Panics
+/// For none.
 pub fn gauss(n: usize) -> Quadrature {
+    assert!(n >= 1, "a rule has a point at least");
     remembered(&GAUSS, n, gauss_rule)
 }
 
@@ -55,7 +59,11 @@ fn gauss_rule(n: usize) -> Quadrature {
 /// Gauss-Lobatto rule with `n >= 2` points, both ends included, exact to degree `2n - 3`.
 ///
 /// Inner points are the roots of `P_{n-1}'`; `w_i = 2 / (n (n-1) P_{n-1}(x_i)^2)`.
+///
+/// # Panics
+/// For less than two points.
 pub fn gauss_lobatto(n: usize) -> Quadrature {
+    assert!(n >= 2, "a rule with both ends has two points at least, not {n}");
     remembered(&GAUSS_LOBATTO, n, gauss_lobatto_rule)
 }
 
@@ -89,7 +97,11 @@ fn gauss_lobatto_rule(n: usize) -> Quadrature {
 /// Both ends are points; the inner ones are the extrema of the Jacobi polynomials `P^(0,1)_{n-1}`, found as eigenvalues and
 /// polished by Newton's method. The weights make `sum w_i f(x_i) = int f(x) (1 + x) dx` exact for
 /// `f` of degree `2n - 3`. The weight of the point on the axis is positive (unlike `(1 + x_0) w_0 = 0`).
+///
+/// # Panics
+/// For less than two points.
 pub fn gauss_lobatto_jacobi(n: usize) -> Quadrature {
+    assert!(n >= 2, "a rule with both ends has two points at least, not {n}");
     // Inner points: roots of P^(1,2)_{n-2}, the derivative of P^(0,1)_{n-1} up to a factor; they are the eigenvalues of the
     // Jacobi matrix of the weight (1-x)(1+x)^2 (Golub and Welsch 1969).
     let m = n - 2;

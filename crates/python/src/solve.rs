@@ -64,6 +64,11 @@ pub(crate) fn solve(py: Python<'_>, problem: &Arc<wearshape::Problem>, run: Run)
         let remedy = "give a number of threads from 1 to 1024";
         return Ok(Err(Fault::at("threads", "wrong-argument", format!("threads = {threads} is out of range"), remedy)));
     }
+    let earlier = run.resume.as_ref().map(|solution| solution.get().solved.problem.resolved());
+    if earlier.is_some_and(|scene| scene != problem.resolved()) {
+        let remedy = "run the scene that it was begun with, or begin anew without it";
+        return Ok(Err(Fault::at("resume", "another-recording", "the run to go on with is one of another scene", remedy)));
+    }
     let (said, heard) = channel();
     let stop = Arc::new(AtomicBool::new(false));
     let work = Work {

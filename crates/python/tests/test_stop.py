@@ -43,6 +43,13 @@ def test_a_run_that_was_stopped_goes_on_to_the_same_bits() -> None:
     assert end.summary == whole.summary
 
 
+def test_a_run_of_another_scene_is_not_gone_on_with() -> None:
+    stopped = WEAR.run(progress=lambda share, words: "step" not in words)
+    assert stopped.status == "interrupted"
+    with pytest.raises(wearshape.Error, match="one of another scene"):
+        WEAR.set({"load.force": 333.0}).run(resume=stopped)
+
+
 def test_an_error_in_the_callable_ends_the_run_and_goes_up() -> None:
     def fails(share: float, words: str) -> None:
         raise ZeroDivisionError

@@ -74,16 +74,35 @@ fn worn(problem: &Problem, solution: &Solution, wear: &WearResult) -> String {
 
 fn touching(contact: &ContactResult) -> String {
     let force = contact.force.map(brief).unwrap_or_default();
-    let exponents: Vec<String> = contact.edge_exponents.iter().map(|exponent| format!("{exponent:.3}")).collect();
     let peak = match contact.p_max {
         Some(peak) => format!("at most {} MPa", brief(peak)),
-        None => format!("the pressure grows towards the edges like d^({})", exponents.join(") and d^(")),
+        None => towards_edges(&contact.edge_exponents),
     };
     let turned = contact.twist.as_ref().and_then(|twist| twist.angle.last().zip(twist.torque.last()));
     let turned = turned.map_or(String::new(), |(angle, torque)| {
         format!("; turned by {} rad, a torque of {} N mm acts", brief(*angle), brief(*torque))
     });
     format!("The bodies touch with {force} N, {peak}{turned}.")
+}
+
+/// How the pressure goes with the distance from the edges: a negative exponent lets it grow, a positive one takes it away.
+fn towards_edges(exponents: &[f64]) -> String {
+    let powers = |exponents: &[f64]| {
+        let each: Vec<String> = exponents.iter().map(|exponent| format!("d^({exponent:.3})")).collect();
+        each.join(" and ")
+    };
+    let (growing, falling): (Vec<f64>, Vec<f64>) = exponents.iter().partition(|exponent| **exponent < 0.0);
+    match (growing.as_slice(), falling.as_slice()) {
+        (growing, []) => format!("the pressure grows towards the edges like {}", powers(growing)),
+        ([], falling) => format!("the pressure falls towards the edges like {}", powers(falling)),
+        (growing, falling) => {
+            format!(
+                "the pressure grows towards one edge like {} and falls towards the other like {}",
+                powers(growing),
+                powers(falling)
+            )
+        }
+    }
 }
 
 fn pressed(problem: &Problem, solution: &Solution, pressure: &PressureResult) -> String {

@@ -199,7 +199,7 @@ impl<'a> Evolution<'a> {
             }
             _ => {
                 let [gap, pressure] = self.problem.early(state);
-                [gap * shallow(self.problem, &self.load(state).load, state).powi(2), pressure]
+                [gap * shallow(self.problem, &self.load(state).load, state), pressure]
             }
         }
     }

@@ -115,14 +115,15 @@ pub(crate) fn gap_scale(load: &Load<'_>, state: &WearState) -> f64 {
     elastic.iter().fold(state.deepest_point(), |m, v| m.max(v.abs())).max(f64::MIN_POSITIVE)
 }
 
-/// Length that gap errors are measured by, over the depth at the end where that is less. The depth is the answer of a contact that grows, however far
-/// the bodies are pressed together; and what a step gets wrong is worn off by the wear after it only as far as that is as deep as they are pressed
-/// together, so that errors count by the square of this.
+/// By how much errors of the gap count for more than by the length that they are measured by: that over the depth at the end, where that is less, for the depth
+/// is the answer of a short run, however far the bodies are pressed together. What a step gets wrong in a contact that grows is worn off by the wear after it
+/// only as far as that is as deep as they are pressed together, so that there errors count by the square of it.
 pub(crate) fn shallow(problem: &WearProblem, load: &Load<'_>, state: &WearState) -> f64 {
     let depth = match problem.until {
         Until::Time(end) => state.deepest_point() + state.gap_rate.iter().copied().fold(0.0, f64::max) * (end - state.time),
         Until::Depth(depth) => depth,
         Until::Volume(_) | Until::Steady { .. } => return 1.0,
     };
-    if problem.growing && depth > 0.0 { (gap_scale(load, state) / depth).max(1.0) } else { 1.0 }
+    let ratio = if depth > 0.0 { (gap_scale(load, state) / depth).max(1.0) } else { 1.0 };
+    if problem.growing { ratio * ratio } else { ratio }
 }

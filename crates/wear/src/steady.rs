@@ -6,7 +6,7 @@ use crate::mode::MAX_MODES;
 use crate::pressure_law::Node;
 use crate::recession::Recession;
 use crate::stage::Stage;
-use crate::{Counterface, Problem, Shape};
+use crate::{Counterface, Problem, Shape, SurfacePoint};
 
 /// Rate at which the gap grows at a node: body 1 alone on a fresh plate, the sum on a ring, body 1 plus body 2's mean along the track
 /// on a revolving counter-face.
@@ -20,7 +20,11 @@ pub(crate) fn gap_rate(problem: &Problem, recession: &Recession, node: &Node, ra
     }
 }
 
-/// ||w' - projection on the closing velocities|| / ||w'|| in the area norm; `None` when nothing wears. `gap` is the gap rate w'.
+/// Places along a surface that is pressed in part at which it is looked whether the rest opens.
+const PLACES: usize = 201;
+
+/// ||w' - projection on the closing velocities|| / ||w'|| in the area norm, closing where nothing wears counting too; `None` when nothing wears. `gap` is
+/// the gap rate w'.
 pub(crate) fn steadiness(stage: &Stage<'_>, nodes: &[Node], gap: &[f64]) -> Option<f64> {
     let count = stage.law.count;
     let largest = gap.iter().copied().fold(0.0, f64::max);
@@ -33,7 +37,7 @@ pub(crate) fn steadiness(stage: &Stage<'_>, nodes: &[Node], gap: &[f64]) -> Opti
     let mut side = DVector::<f64>::zeros(MAX_MODES);
     gram.view_mut((0, 0), (count, count)).fill(0.0);
     let mut square = 0.0;
-    // Outside the contact the gap opens: only the worn part has to be rigid.
+    // Outside the contact the gap may open: only the worn part has to be rigid.
     let touching = || nodes.iter().zip(gap).filter(|(node, _)| node.f > 0.0);
     for (node, rate) in touching() {
         let (w, weight) = (rate / largest, node.point.weight);
@@ -51,7 +55,18 @@ pub(crate) fn steadiness(stage: &Stage<'_>, nodes: &[Node], gap: &[f64]) -> Opti
         let fit: f64 = (0..count).map(|k| rigid[k] * closing(node, k)).sum();
         rest += node.point.weight * (rate / largest - fit).powi(2);
     }
-    Some((rest / square).sqrt())
+    Some(((rest + closing_beside(stage, &rigid)) / square).sqrt())
+}
+
+/// Square of the rate at which what carries nothing closes as the worn part moves like `rigid`, over its area.
+fn closing_beside(stage: &Stage<'_>, rigid: &DVector<f64>) -> f64 {
+    let points = stage.problem.surface.sample(PLACES);
+    let beside = points.iter().filter(|point| stage.law.node(**point).log_h == f64::NEG_INFINITY);
+    let closing = |point: &SurfacePoint| -> f64 {
+        let mode = |k: usize| rigid[k] * stage.law.modes[k].motion.closing(point) / stage.law.scale[k];
+        (0..stage.law.count).map(mode).sum()
+    };
+    beside.map(|point| point.weight * closing(point).max(0.0).powi(2)).sum()
 }
 
 /// Standard deviation over mean of body 1's share w1'/(w1' + w2') over the surface, equation (7); `None` unless both bodies wear.

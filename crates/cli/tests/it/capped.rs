@@ -33,3 +33,17 @@ fn a_cap_that_is_not_reached_changes_nothing() {
     }
     assert_eq!(bench.read("free/contact.csv"), bench.read("capped/contact.csv"));
 }
+
+/// A moment lets a uniform pressure carry on a third of a punch, where it wears like a rigid motion: the rest, which does not wear, closes with it.
+#[test]
+fn a_pressure_is_not_steady_where_the_rest_of_the_surface_closes() {
+    let bench = Bench::new();
+    for (functional, rest) in [("uniform", 2.0_f64.sqrt()), ("steady", 0.0)] {
+        let call = bench.call(&format!(
+            "run translating-punch -q --force --set tasks=[pressure] --set load.moment=20000 --set optimum.functional={functional}"
+        ));
+        assert_eq!(call.code, 0, "{functional}: {}", call.err);
+        let residual = bench.summary("translating-punch")["pressure"]["steadiness_residual"].as_f64().unwrap();
+        assert!((residual - rest).abs() < 0.01, "{functional}: {residual}");
+    }
+}

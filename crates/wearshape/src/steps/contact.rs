@@ -6,7 +6,7 @@ use contact::{
     ContactOperator, ContactSolution, FreeEnds, SpeedFactors, Status as ContactStatus, inner_places, piecewise_linear,
     without_slivers,
 };
-use meshing::Cut;
+use meshing::{BodyLoad, Cut};
 use scene::Fault;
 
 use crate::bodies::Reduced;
@@ -184,8 +184,11 @@ impl At<'_> {
     }
 }
 
-/// How far the supports of body 2 are from carrying a contact on a surface of this length.
+/// How far the supports of body 2 are from carrying a contact on a surface of this length; 0 where they carry its weight as well.
 fn imbalance_of(stage: Stage<'_>, told: &Told, found: &ContactSolution, length: f64) -> f64 {
+    if stage.couple.bodies[1].loads.iter().any(BodyLoad::has_resultant) {
+        return 0.0;
+    }
     match stage.couple.is_revolved() {
         true => imbalance(&told.reactions, [None, Some(found.force[1])], None),
         false => imbalance(&told.reactions, found.force.map(Some), Some([found.moment, 0.1 * length])),

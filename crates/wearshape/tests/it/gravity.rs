@@ -112,3 +112,15 @@ fn gravity_needs_a_density_and_does_not_go_with_everything() {
     let pressure = scene("translating-punch", &["body2.material=steel", "body2.gravity=[0, -9810]", "tasks=[pressure]"]);
     assert!(pressure.unused_keys().contains(&"body2.gravity".to_string()), "{:?}", pressure.unused_keys());
 }
+
+/// What the supports carry beside the contact is no imbalance of it.
+#[test]
+fn the_weight_of_body_2_is_no_error_of_a_contact() {
+    for gravity in ["body2.gravity=[0, '-1 gn']", "body2.gravity=['1 gn', 0]"] {
+        let settings = ["tasks=[contact]", "accuracy=1e-3", "contact.friction=0", &dense(2), gravity];
+        let solution = solved(&scene("translating-punch", &settings));
+        assert!(solution.reason.is_none(), "{gravity}: {:?}", solution.reason);
+        let error = solution.error.unwrap();
+        assert!(error.pressure_relative.unwrap() < 1e-3 && error.energy_relative.unwrap() < 1e-3, "{gravity}");
+    }
+}

@@ -29,6 +29,7 @@ mod plain;
 mod refused;
 mod round_wear;
 mod sensitivity;
+mod short_wear;
 mod spin;
 mod threshold;
 mod watch;

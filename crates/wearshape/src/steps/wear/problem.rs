@@ -30,6 +30,8 @@ const FINEST_ROUND: f64 = 1e-6;
 
 /// How many times as close as its points a profile is looked at for its largest depth, which else is off by the square of their distances.
 const CLOSER: usize = 16;
+/// Roughest accuracy of the steps of a run until a given end: coarser ones pass over the corners of a punch, whose wear is fast at first, in one step.
+const ROUGHEST_SHORT: f64 = 1e-3;
 
 /// Part of the accuracy asked for that steps in time may take from the times reported; the rest is left to the levels.
 pub(super) const STEPS: f64 = 0.3;
@@ -111,7 +113,7 @@ pub(super) fn wear_problem(
             End::Depth(depth) => Until::Depth(depth),
             End::Volume(volume) => Until::Volume(volume),
         };
-        problem.stepping = Stepping::Adaptive { accuracy };
+        problem.stepping = Stepping::Adaptive { accuracy: accuracy.min(ROUGHEST_SHORT) };
     }
     if stage.ends_move() {
         (problem.scheme, problem.stepping) = growing(stage);
