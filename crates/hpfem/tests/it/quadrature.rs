@@ -115,3 +115,14 @@ fn lagrange_polynomials_interpolate_and_sum_to_one() {
         assert_abs_diff_eq!(value, f(x), epsilon = 1e-13);
     }
 }
+
+#[test]
+fn rules_of_too_few_points_end_with_a_word() {
+    let few: [fn() -> Quadrature; 5] =
+        [|| gauss(0), || gauss_lobatto(0), || gauss_lobatto(1), || gauss_lobatto_jacobi(0), || gauss_lobatto_jacobi(1)];
+    for rule in few {
+        let panic = std::panic::catch_unwind(rule).unwrap_err();
+        let word = panic.downcast_ref::<String>().map(String::as_str).or(panic.downcast_ref::<&str>().copied());
+        assert!(word.is_some_and(|word| word.starts_with("a rule")), "{word:?}");
+    }
+}

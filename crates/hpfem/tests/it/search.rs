@@ -94,3 +94,32 @@ fn points_next_to_a_vertex_are_found_in_deep_layers() {
         assert!(mesh.cells[cell].layer + 1 >= depth as usize, "{depth}: {}", mesh.cells[cell].layer);
     }
 }
+
+/// Fifteen layers around a vertex: its cells are as small as the round-off of its place.
+#[test]
+fn a_vertex_between_cells_of_the_size_of_round_off_is_found() {
+    let at = |x: f64, z: f64| [x + 90.0, z + 100.0];
+    let side = |start: [f64; 2], end: [f64; 2]| Curve::Line { start, end };
+    let names: [Named<'_>; 0] = [];
+    let ruled = Ruled {
+        bottom: side(at(0.0, 0.0), at(2.0, 0.0)),
+        top: side(at(0.0, 1.0), at(2.0, 1.0)),
+        breaks: &[-1.0, 0.1, 1.0],
+        levels: &[0.0, 1.0],
+        closed: false,
+        material: 0,
+        names: &names,
+    };
+    let coarse = Mesh::ruled(&ruled).unwrap();
+    let vertex = coarse.nearest_vertex(at(1.1, 1.0));
+    let place = coarse.vertices[vertex];
+    let mesh = coarse.refined_towards(&[vertex], 0.15, 15).unwrap();
+    let search = PointSearch::new(&mesh);
+    for off in [0.0, 1e-14, -1e-14] {
+        let x = [place[0] + off, place[1] - off.abs()];
+        let (cell, xi, eta) = search.locate(x).unwrap();
+        let (found, _) = mesh.map(cell, xi, eta);
+        assert!((found[0] - x[0]).hypot(found[1] - x[1]) < 1e-12, "{off:e}");
+    }
+    assert!(search.locate([place[0], place[1] + 1e-9]).is_err());
+}
