@@ -1,9 +1,13 @@
 //! The answer where there is no pressure: forces on points or lines.
 
+use crate::pressure_law::Node;
 use crate::report::{pressing, turning};
 use crate::singular::Atoms;
 use crate::stage::Stage;
-use crate::{Character, Optimum, PointForce, Regime};
+use crate::{Character, Modes, Optimum, PointForce, Regime};
+
+/// Places at which the modes are compared with their balance.
+const PLACES: usize = 201;
 
 /// A problem without pressure: forces on points or lines.
 pub(crate) fn singular_report(stage: &Stage<'_>, atoms: &Atoms, s: f64) -> Optimum {
@@ -20,6 +24,9 @@ pub(crate) fn singular_report(stage: &Stage<'_>, atoms: &Atoms, s: f64) -> Optim
             linear(law.pressure_exponent, sum.sum())
         })
         .sum();
+    // Under kinematic modes whose balance is not theirs the limit is that of the conditions, and another one may take less.
+    let places: Vec<Node> = problem.surface.sample(PLACES).into_iter().map(|point| stage.law.node(point)).collect();
+    let least = problem.mode_kind == Modes::Associated || stage.symmetric(&places);
     let turning = turning(problem);
     Optimum {
         points: Vec::new(),
@@ -27,7 +34,7 @@ pub(crate) fn singular_report(stage: &Stage<'_>, atoms: &Atoms, s: f64) -> Optim
         log_pressure: Vec::new(),
         s: Some(s),
         k: None,
-        character: Character::Minimum,
+        character: if least { Character::Minimum } else { Character::Stationary },
         regime: Regime::Singular,
         limit_measure: atoms.iter().map(|(point, force)| PointForce { position: point.position, force: *force }).collect(),
         multipliers: Vec::new(),

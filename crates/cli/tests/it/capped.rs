@@ -47,3 +47,22 @@ fn a_pressure_is_not_steady_where_the_rest_of_the_surface_closes() {
         assert!((residual - rest).abs() < 0.01, "{functional}: {residual}");
     }
 }
+
+/// On a drum with friction the kinematic modes have another balance than their own: their pressure is stationary and an extremum of nothing.
+#[test]
+fn nothing_is_called_a_minimum_or_maximum_that_is_none() {
+    let bench = Bench::new();
+    for (optimum, character, note) in [
+        ("{functional=\"friction-power\",q=1}", "stationary", "no regular optimum"),
+        ("{functional=\"friction-power\",q=1,modes=\"associated\"}", "minimum", "no regular optimum"),
+        ("{functional=\"wear-volume\",q=1}", "stationary", "no minimum of the functional"),
+        ("{functional=\"wear-volume\",q=1,modes=\"associated\"}", "maximum", "the worst one"),
+    ] {
+        let optimum = format!("optimum={optimum}");
+        let call = bench.call(&format!("run drum-brake-block -q --force --set tasks=[pressure] --set {optimum}"));
+        assert_eq!(call.code, 0, "{optimum}: {}", call.err);
+        let summary = bench.summary("drum-brake-block");
+        assert_eq!(summary["pressure"]["character"], character, "{optimum}");
+        assert!(summary["lints"].to_string().contains(note), "{optimum}: {}", summary["lints"]);
+    }
+}

@@ -1,6 +1,6 @@
 //! What the theory has to say about a scene before it is solved.
 
-use scene::{Balance, Functional, Task, with_short_numbers};
+use scene::{Balance, Functional, Modes, Task, with_short_numbers};
 use wear::Shape;
 
 use crate::freedom::{Role, guided_moment};
@@ -120,7 +120,11 @@ fn guide(problem: &Problem, say: &mut impl FnMut(&'static str, String)) {
 
 /// What the theory says of the functional.
 fn optimum(problem: &Problem, say: &mut impl FnMut(&'static str, String)) {
-    let Optimum { functional, q, balance, .. } = problem.optimum;
+    let Optimum { functional, q, balance, modes, .. } = problem.optimum;
+    let curved = problem.patch.as_ref().is_some_and(|patch| matches!(patch.surface.shape(), Shape::Arc { .. }));
+    let bent = problem.friction.on_bodies && problem.friction.coefficient != 0.0 || balance == Balance::Paper;
+    // Kinematic modes whose balance is another one have a stationary pressure and no functional of which it is an extremum.
+    let no_extremum = curved && bent && modes == Modes::Kinematic;
     if functional_row(functional).needs.q {
         for b in &problem.wear.exponents {
             let s_minus_1 = s_minus_1(functional, *b, q);
@@ -128,14 +132,14 @@ fn optimum(problem: &Problem, say: &mut impl FnMut(&'static str, String)) {
             if s_minus_1.abs() < 1e-12 {
                 say("s-one", "s = 1: the functional has no regular optimum; its bound is approached by pressure on points or lines (the limit measure).".into());
             } else if s < 1.0 {
-                say(
-                    "s-below-one",
-                    format!("s = {s:.6} is less than 1: the stationary pressure is the worst one, a maximum of the functional."),
-                );
+                let what = match no_extremum {
+                    true => "the stationary pressure is no minimum of the functional, and others are better",
+                    false => "the stationary pressure is the worst one, a maximum of the functional",
+                };
+                say("s-below-one", format!("s = {s:.6} is less than 1: {what}."));
             }
         }
     }
-    let curved = problem.patch.as_ref().is_some_and(|patch| matches!(patch.surface.shape(), Shape::Arc { .. }));
     if curved && functional == Functional::Uniform {
         say("not-steady", "Uniform pressure on an arc wears uniformly along the normal, which no rigid motion follows: it is not the steady state. optimum.functional = \"steady\" is.".into());
     }
