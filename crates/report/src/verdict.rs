@@ -25,6 +25,7 @@ pub(crate) fn verdict(problem: &Problem, solution: &Solution) -> String {
     }
     match &solution.pressure {
         Some(pressure) => pressed(problem, solution, pressure),
+        None if solution.status == Status::Interrupted => "Interrupted before there was a result.".into(),
         None => "Nothing was asked for.".into(),
     }
 }

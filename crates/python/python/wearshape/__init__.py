@@ -8,6 +8,8 @@
 Units are N, mm, MPa, s and rad; results have theirs in their names.
 """
 
+from importlib.metadata import version as _version
+
 from wearshape import hpfem, wear
 from wearshape._error import Error, Place
 from wearshape._result import Result
@@ -16,6 +18,8 @@ from wearshape._fit import Combination, Fit, History, Measurement, Number, Profi
 from wearshape._sweep import sweep
 from wearshape._table import Table
 from wearshape._umbridge import umbridge
+
+__version__ = _version("wearshape")
 
 __all__ = [
     "Bodies",
@@ -40,4 +44,5 @@ __all__ = [
     "sweep",
     "umbridge",
     "wear",
+    "__version__",
 ]
