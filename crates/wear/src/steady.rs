@@ -23,9 +23,9 @@ pub(crate) fn gap_rate(problem: &Problem, recession: &Recession, node: &Node, ra
 /// Places along a surface that is pressed in part at which it is looked whether the rest opens.
 const PLACES: usize = 201;
 
-/// ||w' - projection on the closing velocities|| / ||w'|| in the area norm, closing where nothing wears counting too; `None` when nothing wears. `gap` is
+/// ||w' - projection on the closing velocities|| / ||w'|| in the area norm, closing where nothing presses counting too; `None` when nothing wears. `gap` is
 /// the gap rate w'.
-pub(crate) fn steadiness(stage: &Stage<'_>, nodes: &[Node], gap: &[f64]) -> Option<f64> {
+pub(crate) fn steadiness(stage: &Stage<'_>, nodes: &[Node], gap: &[f64], recession: &Recession) -> Option<f64> {
     let count = stage.law.count;
     let largest = gap.iter().copied().fold(0.0, f64::max);
     if !(largest > 0.0 && largest.is_finite()) {
@@ -55,18 +55,20 @@ pub(crate) fn steadiness(stage: &Stage<'_>, nodes: &[Node], gap: &[f64]) -> Opti
         let fit: f64 = (0..count).map(|k| rigid[k] * closing(node, k)).sum();
         rest += node.point.weight * (rate / largest - fit).powi(2);
     }
-    Some(((rest + closing_beside(stage, &rigid)) / square).sqrt())
+    // Body 2 recedes beside the contact too where it revolves.
+    let recedes = |point: &SurfacePoint| gap_rate(stage.problem, recession, &stage.law.node(*point), &[0.0; 2]) / largest;
+    Some(((rest + closing_beside(stage, &rigid, &recedes)) / square).sqrt())
 }
 
-/// Square of the rate at which what carries nothing closes as the worn part moves like `rigid`, over its area.
-fn closing_beside(stage: &Stage<'_>, rigid: &DVector<f64>) -> f64 {
+/// Square of the rate at which what carries nothing closes as the worn part moves like `rigid` and body 2 `recedes` there, over its area.
+fn closing_beside(stage: &Stage<'_>, rigid: &DVector<f64>, recedes: &dyn Fn(&SurfacePoint) -> f64) -> f64 {
     let points = stage.problem.surface.sample(PLACES);
     let beside = points.iter().filter(|point| stage.law.node(**point).log_h == f64::NEG_INFINITY);
     let closing = |point: &SurfacePoint| -> f64 {
         let mode = |k: usize| rigid[k] * stage.law.modes[k].motion.closing(point) / stage.law.scale[k];
         (0..stage.law.count).map(mode).sum()
     };
-    beside.map(|point| point.weight * closing(point).max(0.0).powi(2)).sum()
+    beside.map(|point| point.weight * (closing(point) - recedes(point)).max(0.0).powi(2)).sum()
 }
 
 /// Standard deviation over mean of body 1's share w1'/(w1' + w2') over the surface, equation (7); `None` unless both bodies wear.
