@@ -70,9 +70,10 @@ impl Grid {
     pub(crate) fn read(over: &[String]) -> Result<Grid, Fault> {
         let keys = over.iter().map(|over| read_over(over)).collect::<Result<Vec<Over>, Fault>>()?;
         if let Some((one, other)) = overlapping(&keys) {
-            let message = format!("--over gives `{one}` twice: no point of the grid has both values");
-            let message =
-                if one == other { message } else { format!("--over gives `{one}` and `{other}`, which replace each other") };
+            let message = match one == other {
+                true => format!("--over gives `{one}` twice: no point of the grid has both values"),
+                false => format!("--over gives `{one}` and `{other}`, which replace each other"),
+            };
             let place = Some(Place::Flag(format!("--over {}", over.join(" --over "))));
             return Err(Fault { place, ..Fault::new("wrong-flag", message, "give each key once, with all its values") });
         }
