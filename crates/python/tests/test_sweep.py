@@ -96,24 +96,30 @@ def test_a_cancelled_sweep_leaves_the_cluster_idle(client: Any) -> None:
 
 
 FAULTS = """
-import contextlib, resource, statistics, wearshape
+import contextlib, resource, statistics, sys, wearshape
 from wearshape import _sweep
 scene = wearshape.Scene("drum-brake-block").set(accuracy=1e-6)
-points = [{"contact.friction": mu} for mu in (.1, .15, .2, .25, .3)]
-def faults():
+points = [{"contact.friction": mu} for mu in (.05, .08, .1, .12, .15, .18, .2, .22, .25, .3)]
+def faults(batch):
     start = resource.getrusage(resource.RUSAGE_SELF).ru_minflt
-    assert len(_sweep._batch("one", scene, points, 101)) == len(points)
+    assert len(_sweep._batch("one", scene, batch, 101)) == len(batch)
     return resource.getrusage(resource.RUSAGE_SELF).ru_minflt - start
-faults()
-kept = statistics.median(faults() for _ in range(5))
-_sweep._memory_kept = contextlib.nullcontext
-print(kept, statistics.median(faults() for _ in range(5)))
+def of_further_points():
+    return statistics.median(faults(points) - faults(points[:2]) for _ in range(5))
+if sys.argv[1] == "plain":
+    _sweep._memory_kept = contextlib.nullcontext
+faults(points)
+print(of_further_points())
 """
 
 
 @pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="a setting of glibc")
 def test_workers_keep_their_memory_between_points() -> None:
     environment = os.environ | {"MALLOC_TRIM_THRESHOLD_": "65536"}
-    done = subprocess.run([sys.executable, "-c", FAULTS], env=environment, capture_output=True, text=True, check=True)
-    kept, given_back = (int(word) for word in done.stdout.split())
-    assert kept < given_back / 3
+
+    def faults(memory: str) -> float:
+        done = subprocess.run([sys.executable, "-c", FAULTS, memory], env=environment, capture_output=True, text=True, check=True)
+        return float(done.stdout)
+
+    # A process for each: what one that kept its memory gives back later depends on what lies above it. Measured: 300 and 20 000.
+    assert faults("kept") < faults("plain") / 3
