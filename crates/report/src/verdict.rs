@@ -1,6 +1,6 @@
 //! One sentence that says how a run ended.
 
-use scene::{Functional, Until, with_short_numbers};
+use scene::{Functional, with_short_numbers};
 use wearshape::{
     Character, ContactResult, PressureResult, Problem, Profile, Regime, Solution, Status, WearResult, functional_row,
 };
@@ -61,11 +61,9 @@ fn worn(problem: &Problem, solution: &Solution, wear: &WearResult) -> String {
         return format!("Wear has stopped after {time} s: the pressure is nowhere above the threshold any more.");
     }
     let by_approach = problem.scene().load.as_ref().is_some_and(|load| load.approach.is_some());
-    // A run that goes on until a time does not look for the first steady step.
-    let timed = problem.scene().wear.as_ref().is_some_and(|wear| matches!(wear.until, Some(until) if until != Until::Steady));
     match &wear.to_1_percent {
-        Some(near) if timed => format!("Worn in to 1 % after {} s; steady at the end, after {time} s.", brief(near.time)),
-        Some(near) => format!("Worn in to 1 % after {} s, steady after {time} s.", brief(near.time)),
+        // The end is where the last step ended, and the steps before a steady state are long: it is not the time that running in takes.
+        Some(near) => format!("Worn in to 1 % after {} s; steady at the end, after {time} s.", brief(near.time)),
         None if by_approach => {
             format!("The contact has worn itself free after {time} s: under the prescribed approach nothing presses any more.")
         }

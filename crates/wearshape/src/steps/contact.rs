@@ -333,7 +333,7 @@ fn find_hot<'a>(stage: Stage<'a>, level: Level, search: &mut Search, effort: &mu
     let positioned = position(stage, level, &search.ends, effort)?.filter(|(_, found)| found.held.complementarity < NEAR);
     if let Some((ends, Positioned { held, hot: Some(hot), .. })) = positioned {
         search.ends = ends;
-        let hot = if held.complementarity < SIGNS_HOLD { hot } else { HotContact::on(stage, hot.following, effort)? };
+        let hot = if held.complementarity < SIGNS_HOLD { hot } else { hot.released(effort)? };
         let mut found = hot.found();
         found.pressure.iter_mut().for_each(|p| *p = p.max(0.0));
         return Ok(Some(Found { reduced: hot.reduced(), found, level, unsettled: false, hot: Some(hot) }));

@@ -31,19 +31,32 @@ impl<'a> HotContact<'a> {
     pub(crate) fn new(stage: Stage<'a>, level: Level, effort: &mut Effort) -> Result<Option<HotContact<'a>>, Fault> {
         let Some((following, work)) = Following::new(stage, level, Cut::Plain)? else { return Ok(None) };
         *effort += work;
-        HotContact::on(stage, following, effort).map(Some)
+        HotContact::on(stage, following, None, effort).map(Some)
     }
 
-    /// Solves on bodies that are there.
-    pub(crate) fn on(stage: Stage<'a>, following: Following<'a>, effort: &mut Effort) -> Result<HotContact<'a>, Fault> {
+    /// The contact on the same bodies from this one, whose points were held in contact.
+    pub(crate) fn released(self, effort: &mut Effort) -> Result<HotContact<'a>, Fault> {
+        HotContact::on(self.stage, self.following, Some(&self.hot.found), effort)
+    }
+
+    /// Solves on bodies that are there, from a contact that is near.
+    fn on(
+        stage: Stage<'a>,
+        following: Following<'a>,
+        near: Option<&ContactSolution>,
+        effort: &mut Effort,
+    ) -> Result<HotContact<'a>, Fault> {
         let pair = following.reduced.pair()?;
         (stage.options.begun)(Step::Contact);
         let operator =
             effort.timed(Step::Interface, stage.clock(), |_| following.reduced.operator(&pair, stage.friction() > 0.0))?;
         let gap = start_gaps(stage, &operator);
         effort.counters.contact_solves += 1;
-        let hot = effort
-            .timed(Step::Contact, stage.clock(), |_| following.solve(&operator, &gap, &stage.contact_load(operator.points())))?;
+        let load = stage.contact_load(operator.points());
+        let hot = effort.timed(Step::Contact, stage.clock(), |_| match near {
+            Some(near) => following.solve_from(&operator, &gap, &load, near),
+            None => following.solve(&operator, &gap, &load),
+        })?;
         Ok(HotContact { stage, following, hot })
     }
 

@@ -23,6 +23,9 @@ use crate::steps::heat::warmed::{Second, Surfaces, Warmed, into_bodies};
 const ROUNDS: usize = 60;
 const FREE: usize = 10;
 
+/// Sets of points in contact, which conduct, before both are looked for one by one.
+const TOGETHER: usize = 20;
+
 /// Steps of the sliding speed from the cold bodies to the hot ones.
 const STEPS: u32 = 16;
 
@@ -111,6 +114,18 @@ impl<'a> Following<'a> {
         Following { reduced, warmed, surfaces, follows: [body(), second], about }
     }
 
+    /// The contact from one that is near on the same points, or as [`Following::solve`] finds it.
+    pub(crate) fn solve_from(
+        &self,
+        operator: &ContactOperator<'_>,
+        gap: &[f64],
+        base: &ContactLoad,
+        near: &ContactSolution,
+    ) -> Result<Hot, Fault> {
+        let hot = self.settled(operator, gap, base, 1.0, Some(near))?;
+        if hot.found.status.is_solved() { Ok(hot) } else { self.solve(operator, gap, base) }
+    }
+
     /// The contact of the bodies, pressure and temperature at once: `base` holds the load without heat. What is not found so is followed from the
     /// contact of the cold bodies on, the sliding speed growing.
     pub(crate) fn solve(&self, operator: &ContactOperator<'_>, gap: &[f64], base: &ContactLoad) -> Result<Hot, Fault> {
@@ -142,8 +157,9 @@ impl<'a> Following<'a> {
         speed: f64,
         near: Option<&ContactSolution>,
     ) -> Result<Hot, Fault> {
-        let mut closed = near.map_or_else(|| vec![true; gap.len()], |near| near.closed.clone());
-        let mut last: Option<ContactSolution> = near.cloned();
+        let together = self.together(operator, gap, base, speed, near)?;
+        let mut last: Option<ContactSolution> = together.or_else(|| near.cloned());
+        let mut closed = last.as_ref().map_or_else(|| vec![true; gap.len()], |near| near.closed.clone());
         for round in 0..ROUNDS {
             let shared = self.shared(&closed)?;
             let rates: Vec<f64> = self.surfaces.rates.iter().map(|rate| speed * rate).collect();
@@ -160,6 +176,31 @@ impl<'a> Following<'a> {
         }
         let message = "the points that conduct heat and those in contact do not settle on each other";
         Err(Fault::at("heat.conductance", "not-converged", message, "give heat.share, or another gap"))
+    }
+
+    /// The contact whose points in contact are those that conduct: points with tension leave, points that overlap enter, all at once (primal-dual active
+    /// sets). None where that does not settle.
+    fn together(
+        &self,
+        operator: &ContactOperator<'_>,
+        gap: &[f64],
+        base: &ContactLoad,
+        speed: f64,
+        near: Option<&ContactSolution>,
+    ) -> Result<Option<ContactSolution>, Fault> {
+        let rates: Vec<f64> = self.surfaces.rates.iter().map(|rate| speed * rate).collect();
+        let mut closed = near.map_or_else(|| vec![true; gap.len()], |near| near.closed.clone());
+        for _ in 0..TOGETHER {
+            let load = self.load(base, &self.shared(&closed)?, &rates);
+            let Some(held) = operator.solve_on(gap, &load, &closed).map_err(unsolved)? else { return Ok(None) };
+            let pushed = |i: usize| if closed[i] { held.nodal_force[i] >= 0.0 } else { held.opening[i] < 0.0 };
+            let next: Vec<bool> = (0..gap.len()).map(pushed).collect();
+            if next == closed {
+                return Ok(Some(held));
+            }
+            closed = next;
+        }
+        Ok(None)
     }
 
     /// The contact with these points held in contact, pressure and temperature at once, whatever the signs; none where they cannot hold the bodies.
@@ -317,6 +358,26 @@ mod tests {
             let misses = on_bodies(name, settings, misses);
             assert!(misses[0] < 1e-9 && misses[1] < 1e-2 && misses[2] > 2.0 * misses[1], "{name} {misses:?}");
         }
+    }
+
+    #[test]
+    fn points_in_contact_and_those_that_conduct_are_found_together() {
+        on_bodies("drum-brake-hot", &[], |stage, bodies| {
+            let following = Following::of(bodies).unwrap();
+            let pair = following.reduced.pair().unwrap();
+            let operator = following.reduced.operator(&pair, stage.friction() > 0.0).unwrap();
+            let (gap, load) = (start_gaps(stage, &operator), stage.contact_load(operator.points()));
+            let found = following.solve(&operator, &gap, &load).unwrap().found;
+            assert!(found.status.is_solved() && found.iterations <= 2, "{:?} {}", found.status, found.iterations);
+            // The points in contact are those that conduct.
+            let held = following.held(&operator, &gap, &load, &found.closed).unwrap().unwrap().found;
+            let largest = found.pressure.iter().fold(0.0, |most: f64, p| most.max(*p));
+            assert!(held.complementarity < 1e-9 && found.closed.contains(&false) && found.closed.contains(&true));
+            assert!(found.pressure.iter().zip(&held.pressure).all(|(a, b)| (a - b).abs() < 1e-9 * largest));
+            // From a contact that is near it is found again.
+            let again = following.solve_from(&operator, &gap, &load, &found).unwrap().found;
+            assert_eq!(again.closed, found.closed);
+        });
     }
 
     #[test]
