@@ -56,7 +56,8 @@ impl Body {
     /// Assembles the body and eliminates everything but the kept boundary and the rigid edge.
     ///
     /// # Errors
-    /// Unknown boundary names, folded cells, degrees out of range, displacements that contradict each other, a body that nothing holds.
+    /// Unknown boundary names, folded cells, degrees out of range, displacements that contradict each other, a body that nothing holds;
+    /// [`Error::TouchingApart`] or [`Error::Pieces`] for one held in part alone, since its cells share no edge where they touch.
     pub fn new(problem: BodyProblem) -> Result<Body, Error> {
         Body::timed(problem, still)
     }

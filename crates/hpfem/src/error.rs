@@ -277,7 +277,7 @@ pub enum Error {
     },
     /// Two cells of one mesh touch without sharing the vertex or edge there.
     #[error(
-        "cells {cell} and {other} touch at ({x:.6}, {z:.6}) without sharing vertices there: vertex {vertex} lies on an edge of cell {cell} that it is no end of"
+        "cells {cell} and {other} touch at ({x:.6}, {z:.6}) without sharing vertices there: vertex {vertex} hangs on an edge of cell {cell} that it is no end of; cut that edge there, or let both cells have the same vertices"
     )]
     TouchingApart {
         /// The vertex.
@@ -292,7 +292,9 @@ pub enum Error {
         z: f64,
     },
     /// A mesh in pieces that share no edge.
-    #[error("cell {cell} at ({x:.6}, {z:.6}) is in another piece than cell 0: no common edges join them")]
+    #[error(
+        "cell {cell} at ({x:.6}, {z:.6}) is in another piece than cell 0: no common edges join them; join them along edges, or take each as a body of its own"
+    )]
     Pieces {
         /// The first cell of another piece than that of cell 0.
         cell: usize,

@@ -70,7 +70,7 @@ pub(crate) fn reduce(problem: &BodyProblem, keep: Keep, clock: Clock, warm: Opti
     let mut elements = Elements::new(&assembly, &groups, shared, matrices);
     let mut condensed = plan
         .run(&mut elements, &size, &last, (keep != Keep::Interface, assembly.unit))
-        .map_err(|g| Error::NoStiffness { place: place(mesh, g) })?;
+        .map_err(|g| mesh.hinge().unwrap_or_else(|| Error::NoStiffness { place: place(mesh, g) }))?;
     condensed.work += &interior_work;
     let finite = |m: &Mat<f64>| m.col_iter().all(|c| c.iter().all(|v| v.is_finite()));
     if !(finite(&condensed.rhs) && finite(&condensed.work) && finite(&reaction_constant)) {

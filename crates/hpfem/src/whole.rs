@@ -18,13 +18,34 @@ impl Mesh {
     /// [`Error::TouchingApart`] and [`Error::Pieces`], each with its place.
     pub fn check_whole(&self) -> Result<(), Error> {
         let neighbours = self.edge_cells();
-        let outer: Vec<usize> = (0..self.edges.len()).filter(|e| neighbours[*e].len() == 1).collect();
-        self.check_apart(&neighbours, &outer)?;
-        self.check_joined(&neighbours)
+        self.check_apart(&neighbours, |_, _| true)?;
+        let piece = self.pieces(&neighbours);
+        piece.iter().position(|p| *p != 0).map_or(Ok(()), |cell| Err(self.other_piece(cell)))
     }
 
-    /// Refuses vertices on edges that they do not belong to.
-    fn check_apart(&self, neighbours: &[Vec<(usize, usize)>], outer: &[usize]) -> Result<(), Error> {
+    /// What lets a held body move like a hinge: two pieces without a common edge, one of which has a vertex that hangs on an edge of the other, or
+    /// which share a vertex. None if there are no such pieces.
+    pub(crate) fn hinge(&self) -> Option<Error> {
+        let neighbours = self.edge_cells();
+        let piece = self.pieces(&neighbours);
+        if let Err(hanging) = self.check_apart(&neighbours, |cell, other| piece[cell] != piece[other]) {
+            return Some(hanging);
+        }
+        let mut first: Vec<Option<usize>> = vec![None; self.vertices.len()];
+        for (c, cell) in self.cells.iter().enumerate() {
+            for v in cell.vertices() {
+                let known = *first[*v].get_or_insert(c);
+                if piece[known] != piece[c] {
+                    return Some(self.other_piece(if piece[c] == 0 { known } else { c }));
+                }
+            }
+        }
+        None
+    }
+
+    /// Refuses vertices on edges that they do not belong to, where the cell of the edge and one of the vertex `count`.
+    fn check_apart(&self, neighbours: &[Vec<(usize, usize)>], count: impl Fn(usize, usize) -> bool) -> Result<(), Error> {
+        let outer: Vec<usize> = (0..self.edges.len()).filter(|e| neighbours[*e].len() == 1).collect();
         // For each vertex of the boundary its shortest edge there and a cell of it.
         let mut at: Vec<Option<(f64, usize)>> = vec![None; self.vertices.len()];
         let lengths: Vec<f64> = outer.iter().map(|e| self.edges[*e].curve.length()).collect();
@@ -46,7 +67,8 @@ impl Mesh {
             tree.holding(place, &mut near);
             let on = |k: &&usize| {
                 let edge = &self.edges[outer[**k]];
-                !edge.vertices.contains(&vertex) && off(&edge.curve, place) <= NEAR * lengths[**k].min(shortest)
+                let near = || off(&edge.curve, place) <= NEAR * lengths[**k].min(shortest);
+                !edge.vertices.contains(&vertex) && count(neighbours[outer[**k]][0].0, other) && near()
             };
             if let Some(k) = near.iter().find(on) {
                 let [x, z] = place;
@@ -56,18 +78,26 @@ impl Mesh {
         Ok(())
     }
 
-    /// Refuses cells that cannot be reached from the first one across edges.
-    fn check_joined(&self, neighbours: &[Vec<(usize, usize)>]) -> Result<(), Error> {
-        let mut reached = vec![false; self.cells.len()];
-        let mut open = vec![0];
-        while let Some(c) = open.pop() {
-            if c < reached.len() && !std::mem::replace(&mut reached[c], true) {
-                open.extend(self.cells[c].sides().flat_map(|(_, e)| neighbours[e].iter().map(|(cell, _)| *cell)));
+    /// For each cell the first one of its piece, from which it can be reached across edges.
+    fn pieces(&self, neighbours: &[Vec<(usize, usize)>]) -> Vec<usize> {
+        let mut piece = vec![usize::MAX; self.cells.len()];
+        let mut open = Vec::new();
+        for first in 0..self.cells.len() {
+            open.push(first);
+            while let Some(c) = open.pop() {
+                if piece[c] == usize::MAX {
+                    piece[c] = first;
+                    open.extend(self.cells[c].sides().flat_map(|(_, e)| neighbours[e].iter().map(|(cell, _)| *cell)));
+                }
             }
         }
-        let Some(cell) = reached.iter().position(|r| !r) else { return Ok(()) };
+        piece
+    }
+
+    /// Says that a cell is in another piece than the first one.
+    fn other_piece(&self, cell: usize) -> Error {
         let [x, z] = self.vertices[self.cells[cell].corners[0]];
-        Err(Error::Pieces { cell, x, z })
+        Error::Pieces { cell, x, z }
     }
 }
 

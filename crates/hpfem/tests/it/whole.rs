@@ -83,3 +83,24 @@ fn pieces_that_share_a_vertex_or_nothing_are_found_and_cells_around_a_hole_pass(
     assert_eq!(ring.check_whole(), Ok(()));
     assert_eq!(ring.refined_towards(&[ring.nearest_vertex([1.0, 0.0])], 0.15, 12).unwrap().check_whole(), Ok(()));
 }
+
+/// A cell 2 x 1, clamped below, and one 1 x 1 on it that shares its left upper corner alone; its right lower one hangs, or is lifted.
+fn hinged(lifted: f64) -> Result<Body, Error> {
+    let vertices = vec![[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0], [1.0, 1.0 + lifted], [1.0, 2.0], [0.0, 2.0]];
+    let mesh = Mesh::new(vertices, &[quad([0, 1, 2, 3]), quad([3, 4, 5, 6])], &[], &[([0, 1], "below")])?;
+    let problem = BodyProblem::new(mesh, 3, Kinematics::PlaneStress { thickness: 1.0 });
+    Body::new(problem.material(Material::isotropic(100.0, 0.3)?).clamp("below"))
+}
+
+#[test]
+fn a_body_that_moves_like_a_hinge_is_told_where_a_vertex_hangs() {
+    let error = hinged(0.0).err().unwrap();
+    assert!(matches!(error, Error::TouchingApart { vertex: 4, cell: 0, other: 1, .. }), "{error}");
+    let text = error.to_string();
+    assert!(
+        text.contains("(1.000000, 1.000000)") && text.contains("hangs on an edge") && text.contains("cut that edge"),
+        "{text}"
+    );
+    let error = hinged(0.5).err().unwrap();
+    assert!(matches!(error, Error::Pieces { cell: 1, .. }), "{error}");
+}
