@@ -32,6 +32,11 @@ impl Bounds {
         [0, 1].map(|i| self.high[i] - self.low[i])
     }
 
+    /// The point in the middle.
+    pub(crate) fn middle(&self) -> [f64; 2] {
+        [0, 1].map(|i| 0.5 * (self.low[i] + self.high[i]))
+    }
+
     pub(crate) fn holds(&self, x: [f64; 2]) -> bool {
         (0..2).all(|i| self.low[i] <= x[i] && x[i] <= self.high[i])
     }

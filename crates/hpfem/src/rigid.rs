@@ -1,12 +1,13 @@
 //! Rigid motions that supports leave free, and what they are in kept unknowns.
 
 use crate::boundary::edge_modes;
+use crate::box_tree::Bounds;
 use crate::error::Error;
 use crate::foundation::HeldPlace;
 use crate::freedom::rigid_rows;
 use crate::kept::Kept;
 use crate::kinematics::Kinematics;
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, distance};
 use crate::problem::BodyProblem;
 use crate::space::Space;
 use faer::Mat;
@@ -14,7 +15,7 @@ use faer::Mat;
 /// Rigid motions `[t_x, t_z, theta]` about the origin that neither a support nor a foundation hinders, as a reduced basis. Of a potential,
 /// the constant, as `[1, 0, 0]`.
 pub(crate) fn free_motions(problem: &BodyProblem, space: &Space) -> Result<Vec<[f64; 3]>, Error> {
-    let body = Conditions::new(problem, space);
+    let body = Conditions::new(problem, space, &|_| true);
     Ok(body.free(body.rows(&|_| true, &problem.held()?)))
 }
 
@@ -26,10 +27,11 @@ pub(crate) fn check_held(problem: &BodyProblem, space: &Space, kept: &Kept) -> R
     if parts == 1 && !kept.walks.is_empty() {
         return Ok(());
     }
-    let body = Conditions::new(problem, space);
     let held = problem.held()?;
+    let mut loose = Vec::new();
     for number in 0..parts {
         let within = |g: usize| part[g] == number;
+        let body = Conditions::new(problem, space, &within);
         let here: Vec<HeldPlace> = held.iter().filter(|place| within(place.group)).copied().collect();
         let mut rows = body.rows(&within, &here);
         if parts == 1 {
@@ -37,12 +39,21 @@ pub(crate) fn check_held(problem: &BodyProblem, space: &Space, kept: &Kept) -> R
         }
         let free = body.free(rows);
         if !free.is_empty() {
-            let whole = if parts == 1 { String::new() } else { format!("of its {parts} unconnected parts, ") };
-            let motion = format!("{whole}{}", motion_words(problem.kinematics, &free));
-            return Err(Error::NotHeld { motion });
+            loose.push((number, motion_words(problem.kinematics, &free)));
         }
     }
-    Ok(())
+    let Some((number, motion)) = loose.first() else { return Ok(()) };
+    if parts == 1 {
+        return Err(Error::NotHeld { motion: motion.clone() });
+    }
+    let mesh = &problem.mesh;
+    let cell = mesh.cells.iter().position(|cell| part[cell.corners[0]] == *number).unwrap_or(0);
+    let [x, z] = mesh.cells.get(cell).map_or([0.0; 2], |cell| mesh.vertices[cell.corners[0]]);
+    let motion = format!(
+        "{} of its {parts} unconnected parts can move, the first with cell {cell} at ({x:.4}, {z:.4}): {motion}",
+        loose.len()
+    );
+    Err(Error::NotHeld { motion })
 }
 
 /// Free motions in words.
@@ -53,6 +64,7 @@ pub(crate) fn motion_words(kinematics: Kinematics, free: &[[f64; 3]]) -> String 
     if kinematics == Kinematics::Torsion {
         return "it can turn about its axis".to_string();
     }
+    let free = with_one_turn(free);
     let words = |motion: &[f64; 3]| match motion {
         [_, t, theta] if theta.abs() <= 1e-12 && motion[0].abs() <= 1e-12 * t.abs() => "slide along the second axis".to_string(),
         [t, _, theta] if theta.abs() <= 1e-12 && motion[1].abs() <= 1e-12 * t.abs() => "slide along the first axis".to_string(),
@@ -62,6 +74,22 @@ pub(crate) fn motion_words(kinematics: Kinematics, free: &[[f64; 3]]) -> String 
         [x, z, theta] => format!("turn about ({:.4}, {:.4})", 0.0 - z / theta, x / theta),
     };
     format!("it can {}", free.iter().map(words).collect::<Vec<_>>().join(" and "))
+}
+
+/// The same motions with one turn among them at most, the last: turns about two points are a slide and a turn.
+fn with_one_turn(free: &[[f64; 3]]) -> Vec<[f64; 3]> {
+    let Some(last) = (0..free.len()).max_by(|a, b| free[*a][2].abs().total_cmp(&free[*b][2].abs())) else { return Vec::new() };
+    let turn = free[last];
+    let slide = |motion: &[f64; 3]| {
+        if motion[2].abs() <= 1e-12 {
+            return *motion;
+        }
+        let [x, z] = [0, 1].map(|k| motion[k] - motion[2] / turn[2] * turn[k]);
+        let unit = if x.abs() > z.abs() { x } else { z };
+        [x / unit, z / unit, 0.0]
+    };
+    let others = free.iter().enumerate().filter(|(k, _)| *k != last);
+    others.map(|(_, motion)| slide(motion)).chain([turn]).collect()
 }
 
 /// Number of the connected part of every group, the rigid edge's included.
@@ -112,14 +140,32 @@ fn parts(mesh: &Mesh, space: &Space) -> Vec<usize> {
 struct Conditions<'a> {
     problem: &'a BodyProblem,
     space: &'a Space,
+    /// The point about which motions turn, mm: the origin, or the middle of a body that is far from it.
+    middle: [f64; 2],
     /// A length of the size of the body, the unit of rotations, mm.
     size: f64,
+    /// What is left of a row by the round-off of coordinates.
+    round_off: f64,
 }
 
+/// Sizes of a body from the origin beyond which its levers about that are lost in it.
+const FAR: f64 = 1e5;
+
 impl Conditions<'_> {
-    fn new<'a>(problem: &'a BodyProblem, space: &'a Space) -> Conditions<'a> {
-        let size = problem.mesh.vertices.iter().fold(0.0_f64, |m, x| m.max(x[0].abs()).max(x[1].abs()));
-        Conditions { problem, space, size }
+    /// The conditions on what is `within` a part.
+    fn new<'a>(problem: &'a BodyProblem, space: &'a Space, within: &dyn Fn(usize) -> bool) -> Conditions<'a> {
+        let vertices = || problem.mesh.vertices.iter().enumerate().filter(|(v, _)| within(*v)).map(|(_, x)| *x);
+        let reach = vertices().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
+        let around = Bounds::around(vertices());
+        let (middle, size) = match problem.kinematics == Kinematics::Torsion {
+            // Turns about the axis, wherever along it.
+            true => ([0.0; 2], vertices().fold(0.0_f64, |m, x| m.max(x[0].abs()))),
+            false => (around.middle(), around.widths().into_iter().fold(0.0, f64::max)),
+        };
+        if reach > FAR * size {
+            return Conditions { problem, space, middle, size, round_off: 1e-9 + 64.0 * f64::EPSILON * reach / size };
+        }
+        Conditions { problem, space, middle: [0.0; 2], size: reach.max(f64::MIN_POSITIVE), round_off: 1e-9 }
     }
 
     /// The motions without those that `rows` exclude.
@@ -131,16 +177,25 @@ impl Conditions<'_> {
             Kinematics::Potential { .. } | Kinematics::AxisymmetricPotential => &[0],
             Kinematics::PlaneStress { .. } | Kinematics::PlaneStrain { .. } => &[0, 1, 2],
         };
-        let (columns, pivots) = eliminated(rows, candidates);
+        let (columns, pivots) = eliminated(rows, candidates, self.round_off);
         let motion = |free: &usize| {
             let mut motion = [0.0; 3];
             motion[*free] = 1.0;
             pivots.iter().for_each(|(c, r)| motion[*c] = -r[*free]);
             motion[2] /= size;
             let unit = motion.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-            if *free == 2 { motion.map(|v| v * size) } else { motion.map(|v| v / unit) }
+            let motion = if *free == 2 { motion.map(|v| v * size) } else { motion.map(|v| v / unit) };
+            self.about_origin(motion)
         };
         columns.iter().map(motion).collect()
+    }
+
+    /// A motion about the middle as one about the origin.
+    fn about_origin(&self, [x, z, theta]: [f64; 3]) -> [f64; 3] {
+        if self.middle == [0.0; 2] {
+            return [x, z, theta];
+        }
+        [x + theta * self.middle[1], z - theta * self.middle[0], theta]
     }
 
     /// The condition on `(t_x, t_z, theta size)` that a direction is held at a place.
@@ -151,7 +206,7 @@ impl Conditions<'_> {
             Kinematics::Potential { .. } | Kinematics::AxisymmetricPotential => return [1.0, 0.0, 0.0],
             Kinematics::PlaneStress { .. } | Kinematics::PlaneStrain { .. } | Kinematics::Axisymmetric => (x, d),
         };
-        let motions = rigid_rows(x, [0.0, 0.0]);
+        let motions = rigid_rows(x, self.middle);
         [0, 1, 2].map(|k| (motions[k][0] * d[0] + motions[k][1] * d[1]) / if k == 2 { self.size } else { 1.0 })
     }
 
@@ -174,7 +229,7 @@ impl Conditions<'_> {
         }
         if let Some((_, rigid)) = self.space.frame.as_ref().filter(|(group, _)| within(*group)) {
             let free = rigid.free;
-            rows.extend(self.frame_rows().into_iter().zip(free).filter(|(_, free)| !free).map(|(row, _)| row));
+            rows.extend(self.frame_rows(!free[2]).into_iter().zip(free).filter(|(_, free)| !free).map(|(row, _)| row));
         }
         rows
     }
@@ -182,20 +237,23 @@ impl Conditions<'_> {
     /// Conditions that a group does not move at all.
     fn whole_rows(&self, group: usize) -> Vec<[f64; 3]> {
         if self.space.frame.as_ref().is_some_and(|(frame, _)| *frame == group) {
-            return self.frame_rows();
+            return self.frame_rows(true);
         }
         [[1.0, 0.0], [0.0, 1.0]].iter().map(|d| self.row(self.place(group), *d)).collect()
     }
 
-    /// Conditions that the rigid edge does not slide along either axis nor turn.
-    fn frame_rows(&self) -> Vec<[f64; 3]> {
+    /// Conditions that the rigid edge does not slide along either axis nor turn. Without a turn it slides alike at all points, and the levers of one
+    /// far from the body would hide that.
+    fn frame_rows(&self, without_turn: bool) -> Vec<[f64; 3]> {
         let Some((_, rigid)) = &self.space.frame else { return Vec::new() };
-        vec![self.row(rigid.reference, [1.0, 0.0]), self.row(rigid.reference, [0.0, 1.0]), [0.0, 0.0, 1.0]]
+        let is_far = distance(rigid.reference, self.middle) > FAR * self.size;
+        let at = if without_turn && is_far { self.middle } else { rigid.reference };
+        vec![self.row(at, [1.0, 0.0]), self.row(at, [0.0, 1.0]), [0.0, 0.0, 1.0]]
     }
 }
 
-/// Gaussian elimination with pivoting among `candidates`: the free columns, and the pivot rows by their columns.
-fn eliminated(mut rows: Vec<[f64; 3]>, candidates: &[usize]) -> (Vec<usize>, Vec<(usize, [f64; 3])>) {
+/// Gaussian elimination with pivoting among `candidates`: the free columns, and the pivot rows by their columns. Pivots below `round_off` are none.
+fn eliminated(mut rows: Vec<[f64; 3]>, candidates: &[usize], round_off: f64) -> (Vec<usize>, Vec<(usize, [f64; 3])>) {
     let mut pivots: Vec<(usize, [f64; 3])> = Vec::new();
     let mut columns: Vec<usize> = candidates.to_vec();
     for _ in 0..candidates.len() {
@@ -206,7 +264,7 @@ fn eliminated(mut rows: Vec<[f64; 3]>, candidates: &[usize]) -> (Vec<usize>, Vec
         let Some((row, column)) = best.map(|(r, c)| (*r, c)) else {
             break;
         };
-        if row[column].abs() < 1e-9 {
+        if row[column].abs() < round_off {
             break;
         }
         let pivot = row.map(|v| v / row[column]);

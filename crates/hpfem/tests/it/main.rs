@@ -18,6 +18,7 @@ mod gmsh;
 mod heat;
 mod heat_flow;
 mod heated;
+mod held;
 mod input;
 mod join;
 mod kept;
