@@ -2,7 +2,7 @@
 
 use crate::basis::MAX_DEGREE;
 use crate::error::Error;
-use crate::estimate::sequence_estimate;
+use crate::estimate::{check_quantities, sequence_estimate};
 use crate::mesh::Mesh;
 use crate::singular::SingularVertex;
 
@@ -50,8 +50,11 @@ pub struct Adapted {
 /// The number of layers balances the error left in the innermost cell, `RATIO^(layers * exponent)`, with the one of the degree.
 ///
 /// # Errors
-/// [`Error::FoldedCell`] if a cell cannot be cut.
+/// [`Error::FoldedCell`] if a cell cannot be cut; [`Error::OutOfRange`] if `p` is not in `1..=24`.
 pub fn graded_level(coarse: &Mesh, singular: &[SingularVertex], p: usize) -> Result<(Mesh, Vec<usize>), Error> {
+    if !(1..=MAX_DEGREE).contains(&p) {
+        return Err(Error::OutOfRange { quantity: "the degree of a level".into(), value: p as f64, range: "in 1..=24" });
+    }
     let vertices: Vec<usize> = singular.iter().map(|s| s.vertex).collect();
     let mut mesh = coarse.clone();
     // Vertices keep their numbers in every refinement.
@@ -69,7 +72,7 @@ pub fn graded_level(coarse: &Mesh, singular: &[SingularVertex], p: usize) -> Res
     let degrees = mesh
         .cells
         .iter()
-        .map(|c| (p + 1).saturating_sub((c.layer * p).checked_div(deepest).unwrap_or(0)).clamp(2.min(p), p))
+        .map(|c| (p + 1).saturating_sub(c.layer.saturating_mul(p).checked_div(deepest).unwrap_or(0)).clamp(2.min(p), p))
         .collect();
     Ok((mesh, degrees))
 }
@@ -78,7 +81,8 @@ pub fn graded_level(coarse: &Mesh, singular: &[SingularVertex], p: usize) -> Res
 /// anything that converges) is at most `accuracy`, or the degree reaches `highest`.
 ///
 /// # Errors
-/// Those of `quantity` and of the refinement; [`Error::Count`] if the number of quantities changes; [`Error::OutOfRange`] if `accuracy` is not positive or `highest` not in `3..=24`.
+/// Those of `quantity` and of the refinement; [`Error::Count`] if there are no quantities or their number changes; [`Error::OutOfRange`] if one of them is not
+/// finite, `accuracy` is not positive or `highest` not in `3..=24`.
 pub fn adapt(
     coarse: &Mesh,
     singular: &[SingularVertex],
@@ -97,7 +101,9 @@ pub fn adapt(
     loop {
         p += 1;
         let (mesh, degrees) = graded_level(coarse, singular, p)?;
-        quantities.push(quantity(&mesh, &degrees)?);
+        let found = quantity(&mesh, &degrees)?;
+        check_quantities(&found, || format!("the level of degree {p}"))?;
+        quantities.push(found);
         // Three levels at least: an estimate from one difference cannot know the rate.
         let estimate = if quantities.len() < 3 { f64::INFINITY } else { sequence_estimate(&quantities)? };
         let status = if estimate <= accuracy { AdaptStatus::Reached } else { AdaptStatus::DegreeLimit };

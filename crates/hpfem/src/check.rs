@@ -16,7 +16,7 @@ pub(crate) fn check(problem: &BodyProblem) -> Result<(), Error> {
         return count("degrees of cells", problem.degrees.len(), mesh.cells.len());
     }
     if let Some(cell) = mesh.cells.iter().find(|c| c.material >= problem.materials.len()) {
-        return count("materials", problem.materials.len(), cell.material + 1);
+        return count("materials", problem.materials.len(), cell.material.saturating_add(1));
     }
     let out = |quantity: String, value, range| Err(Error::OutOfRange { quantity, value, range });
     if let Some(thickness) = problem.kinematics.thickness().filter(|t| !(*t > 0.0 && t.is_finite())) {
@@ -30,6 +30,7 @@ pub(crate) fn check(problem: &BodyProblem) -> Result<(), Error> {
         }
     }
     check_components(problem)?;
+    check_angles(problem)?;
     check_pins_and_foundations(problem)?;
     for (number, case) in problem.load_cases.iter().enumerate() {
         if problem.load_cases[..number].iter().any(|other| other.name == case.name) {
@@ -60,6 +61,13 @@ fn check_components(problem: &BodyProblem) -> Result<(), Error> {
     }
 }
 
+/// Refuses directions of supports and pins at angles that are not finite.
+fn check_angles(problem: &BodyProblem) -> Result<(), Error> {
+    let supports = problem.supports.iter().map(|s| (s.direction, format!("the support of \"{}\"", s.boundary)));
+    let pins = problem.pins.iter().map(|pin| (pin.direction, format!("the pin at vertex {}", pin.vertex)));
+    supports.chain(pins).try_for_each(|(direction, place)| direction.check(&place))
+}
+
 /// Refuses pins and foundations that cannot be.
 fn check_pins_and_foundations(problem: &BodyProblem) -> Result<(), Error> {
     let vertices = problem.mesh.vertices.len();
@@ -70,7 +78,7 @@ fn check_pins_and_foundations(problem: &BodyProblem) -> Result<(), Error> {
         }
         if pin.vertex >= vertices {
             let what = "pinned vertex, vertices".into();
-            return Err(Error::Count { what, given: pin.vertex + 1, expected: vertices });
+            return Err(Error::Count { what, given: pin.vertex.saturating_add(1), expected: vertices });
         }
         if pin.direction == Direction::Normal {
             return Err(Error::NotStraight { what: "a pin along the normal", boundary: format!("vertex {}", pin.vertex) });

@@ -1,5 +1,6 @@
 //! Curves of cell edges: exact lines and circular arcs, and polynomial curves for splines, graphs and imported meshes.
 
+use crate::error::Error;
 use crate::legendre::legendre;
 use crate::quadrature::{barycentric_weights, gauss, gauss_lobatto, lagrange};
 use std::f64::consts::{PI, TAU};
@@ -81,18 +82,25 @@ impl Curve {
     }
 
     /// The polynomial through points at equally spaced parameters, the first at the start, the last at the end: the edges of
-    /// mesh files of order `points.len() - 1`. At most `CURVE_DEGREE + 1` points; two give a [`Curve::Line`].
-    pub fn through(points: &[[f64; 2]]) -> Curve {
+    /// mesh files of order `points.len() - 1`. Two give a [`Curve::Line`].
+    ///
+    /// # Errors
+    /// [`Error::Count`] for fewer than two points or more than `CURVE_DEGREE + 1`.
+    pub fn through(points: &[[f64; 2]]) -> Result<Curve, Error> {
         let n = points.len();
-        if n == 2 {
-            return Curve::Line { start: points[0], end: points[1] };
+        if let [start, end] = *points {
+            return Ok(Curve::Line { start, end });
+        }
+        if !(2..=CURVE_DEGREE + 1).contains(&n) {
+            let (what, expected) = if n < 2 { ("at least", 2) } else { ("at most", CURVE_DEGREE + 1) };
+            return Err(Error::Count { what: format!("points of a curve, {what} {expected}"), given: n, expected });
         }
         let places: Vec<f64> = (0..n).map(|i| (2 * i) as f64 / (n - 1) as f64 - 1.0).collect();
         let weights = barycentric_weights(&places);
-        Curve::interpolated(n - 1, |t| {
+        Ok(Curve::interpolated(n - 1, |t| {
             let l = lagrange(&places, &weights, t);
             std::array::from_fn(|i| l.iter().zip(points).map(|(l, p)| l * p[i]).sum())
-        })
+        }))
     }
 
     /// The graph `z(x)` from `x = from` to `x = to`, interpolated with degree [`CURVE_DEGREE`]. Cut the graph at its kinks and

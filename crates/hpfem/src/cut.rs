@@ -27,7 +27,11 @@ impl Mesh {
             return Err(Error::OutOfRange { quantity: "the parameter of a cut".into(), value: t, range: "in (-1, 1)" });
         }
         if edge >= self.edges.len() {
-            return Err(Error::Count { what: "edge to cut, edges".into(), given: edge + 1, expected: self.edges.len() });
+            return Err(Error::Count {
+                what: "edge to cut, edges".into(),
+                given: edge.saturating_add(1),
+                expected: self.edges.len(),
+            });
         }
         self.cut_all_of(&self.row(edge, t))
     }
@@ -41,7 +45,11 @@ impl Mesh {
         let (mut all, mut rows) = (BTreeMap::new(), 0);
         for edge in edges {
             if *edge >= self.edges.len() {
-                return Err(Error::Count { what: "edge to cut, edges".into(), given: edge + 1, expected: self.edges.len() });
+                return Err(Error::Count {
+                    what: "edge to cut, edges".into(),
+                    given: edge.saturating_add(1),
+                    expected: self.edges.len(),
+                });
             }
             if !all.contains_key(edge) {
                 all.extend(self.row(*edge, 0.0));

@@ -47,6 +47,17 @@ pub fn energy_estimate(solutions: [(usize, f64); 3]) -> Option<EnergyEstimate> {
     Some(EnergyEstimate { energy, error: ((energy - u3) / energy).abs().sqrt() })
 }
 
+/// Refuses an approximation without quantities, of which nothing converges, and one that is not finite.
+pub(crate) fn check_quantities(values: &[f64], place: impl Fn() -> String) -> Result<(), Error> {
+    if values.is_empty() {
+        return Err(Error::Count { what: format!("quantities of {}, at least one", place()), given: 0, expected: 1 });
+    }
+    match values.iter().position(|v| !v.is_finite()) {
+        Some(i) => Err(Error::OutOfRange { quantity: format!("quantity {i} of {}", place()), value: values[i], range: "finite" }),
+        None => Ok(()),
+    }
+}
+
 /// Relative error of the last of a sequence of approximations of ever higher degree, from their differences in the Euclidean norm:
 /// if the differences `d_k = |q_k - q_{k-1}|` fall by the factor `rho`, what is left is `d rho / (1 - rho)`. With two approximations
 /// only, their difference; `rho` is the geometric mean of the last two ratios and is kept in `[0.05, 0.9]`, so that one lucky small difference does not
@@ -54,7 +65,8 @@ pub fn energy_estimate(solutions: [(usize, f64); 3]) -> Option<EnergyEstimate> {
 /// difference itself, in the unit of the quantities.
 ///
 /// # Errors
-/// [`Error::Count`] for fewer than two approximations, and for two of different lengths.
+/// [`Error::Count`] for fewer than two approximations, for two of different lengths and for empty ones; [`Error::OutOfRange`] for numbers that are
+/// not finite.
 pub fn sequence_estimate(sequence: &[Vec<f64>]) -> Result<f64, Error> {
     let [.., before, end] = sequence else {
         return Err(Error::Count { what: "approximations to compare".into(), given: sequence.len(), expected: 2 });
@@ -63,6 +75,7 @@ pub fn sequence_estimate(sequence: &[Vec<f64>]) -> Result<f64, Error> {
         let what = format!("quantities of approximation {i}, as many as of the last");
         return Err(Error::Count { what, given: other.len(), expected: end.len() });
     }
+    sequence.iter().enumerate().try_for_each(|(i, values)| check_quantities(values, || format!("approximation {i}")))?;
     let norm = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
     let difference = |a: &[f64], b: &[f64]| norm(&a.iter().zip(b).map(|(a, b)| a - b).collect::<Vec<_>>());
     let differences: Vec<f64> = sequence.windows(2).map(|w| difference(&w[0], &w[1])).collect();

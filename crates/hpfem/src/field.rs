@@ -105,8 +105,11 @@ impl Field {
     /// # Errors
     /// [`Error::Count`] for a cell that the mesh does not have.
     pub fn at(&self, cell: usize, xi: f64, eta: f64) -> Result<PointState, Error> {
-        let beyond =
-            || Error::Count { what: format!("cell {cell} of the field, cells"), given: cell + 1, expected: self.cells.len() };
+        let beyond = || Error::Count {
+            what: format!("cell {cell} of the field, cells"),
+            given: cell.saturating_add(1),
+            expected: self.cells.len(),
+        };
         let local = self.cells.get(cell).ok_or_else(beyond)?;
         let point = CellPoint::new(&self.mesh, cell, self.degrees[cell], xi, eta);
         let (value, gradient) = self.state(local, &point);

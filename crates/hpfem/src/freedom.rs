@@ -1,5 +1,6 @@
 //! What supports and rigid edges leave free: their directions, and the freedom of the unknowns of a vertex or an edge.
 
+use crate::error::Error;
 use std::fmt;
 use std::sync::Arc;
 
@@ -34,6 +35,16 @@ pub struct Support {
 pub type Profile = Arc<dyn Fn([f64; 2]) -> f64 + Send + Sync>;
 
 impl Direction {
+    /// Refuses an angle that is not finite, of the support or pin that has the direction.
+    pub(crate) fn check(self, place: &str) -> Result<(), Error> {
+        match self {
+            Direction::Inclined(value) if !value.is_finite() => {
+                Err(Error::OutOfRange { quantity: format!("the angle of {place}"), value, range: "finite" })
+            }
+            Direction::First | Direction::Second | Direction::Normal | Direction::Inclined(_) => Ok(()),
+        }
+    }
+
     /// The unit vector; none of the normal of an edge.
     pub(crate) fn vector(self) -> Option<[f64; 2]> {
         match self {

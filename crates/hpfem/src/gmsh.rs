@@ -5,6 +5,7 @@
 //! with constant y; the first coordinate is x (or r), the second the other one.
 
 use crate::curve::Curve;
+use crate::error::Error;
 use crate::gmsh_error::GmshError;
 use crate::gmsh_read::{Element, Tables, read};
 use crate::mesh::{Mesh, Quad};
@@ -83,7 +84,7 @@ impl Cells {
                     points.push(at(n + k * (order - 1) + i)?);
                 }
                 points.push(at((k + 1) % n)?);
-                self.curves.insert([a, b], edge_curve(&points));
+                self.curves.insert([a, b], edge_curve(&points)?);
             }
         }
         let x = corners.map(|v| self.vertices[v]);
@@ -174,7 +175,7 @@ fn order(kind: i32) -> usize {
 }
 
 /// The curve through the nodes of an edge; a line if they lie on one, equally spaced.
-fn edge_curve(points: &[[f64; 2]]) -> Curve {
+fn edge_curve(points: &[[f64; 2]]) -> Result<Curve, Error> {
     let n = points.len() - 1;
     let (a, b) = (points[0], points[n]);
     let length = (b[0] - a[0]).hypot(b[1] - a[1]);
@@ -182,7 +183,7 @@ fn edge_curve(points: &[[f64; 2]]) -> Curve {
         let s = i as f64 / n as f64;
         (p[0] - (1.0 - s) * a[0] - s * b[0]).hypot(p[1] - (1.0 - s) * a[1] - s * b[1]) <= 1e-13 * length
     });
-    if straight { Curve::Line { start: a, end: b } } else { Curve::through(points) }
+    if straight { Ok(Curve::Line { start: a, end: b }) } else { Curve::through(points) }
 }
 
 /// Tags of the physical surfaces that have cells, ascending.

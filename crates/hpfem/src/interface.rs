@@ -268,13 +268,23 @@ impl InterfaceOperator {
 
     /// Work of column `k` in a state: `F_k . u` of the whole body. For a load case this is the work of its loads, N mm; for a
     /// functional, its value, N or N mm.
+    ///
+    /// # Panics
+    /// For a column that the body does not have, with their number; a state of another body.
     pub fn column_work(&self, k: usize, state: &InterfaceState) -> f64 {
+        let known = self.columns.ncols();
+        assert!(
+            k < known,
+            "column {k} of an interface operator that has {known}, counted from 0: see load_case and prescribed_column"
+        );
         let boundary: f64 = state.unknowns.iter().enumerate().map(|(i, u)| u * self.columns[(i, k)]).sum();
         let interior: f64 = state.factors.iter().enumerate().map(|(l, a)| a * self.work[(k, l)]).sum();
         boundary + interior
     }
 
-    /// Strain energy `1/2 f . u`, N mm, of a state without prescribed displacements and eigenstrains.
+    /// Work of the contact load and the load cases over two, `1/2 f . u`, N mm: the strain energy, that of elastic foundations with it, of a
+    /// state without prescribed displacements and eigenstrains. Work of reactions on prescribed displacements is not counted, so that with these
+    /// it is no energy (0 where nothing else acts); [`Field::strain_energy`](crate::Field::strain_energy) knows both, but no foundations.
     pub fn strain_energy(&self, state: &InterfaceState) -> f64 {
         let contact: f64 = state.load.unknowns.iter().zip(&state.unknowns).map(|(f, u)| f * u).sum();
         let loads: f64 = (0..self.load_cases.len()).map(|k| state.factors[k] * self.column_work(k, state)).sum();

@@ -203,11 +203,11 @@ impl<'m> Meeting<'m> {
             })
         };
         let numbers: Vec<usize> = (0..second.vertices.len()).map(number).collect();
-        let offset = offset.unwrap_or_else(|| first.cells.iter().map(|cell| cell.material + 1).max().unwrap_or(0));
+        let offset = offset.unwrap_or_else(|| first.cells.iter().map(|cell| cell.material.saturating_add(1)).max().unwrap_or(0));
         let ours = first.cells.iter().map(|cell| Quad { corners: cell.corners, material: cell.material, layer: cell.layer });
         let theirs = second.cells.iter().map(|cell| Quad {
             corners: cell.corners.map(|v| numbers[v]),
-            material: cell.material + offset,
+            material: cell.material.saturating_add(offset),
             layer: cell.layer,
         });
         let quads: Vec<Quad> = ours.chain(theirs).collect();

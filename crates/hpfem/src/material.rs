@@ -90,7 +90,7 @@ impl Material {
         let Some(stiffness) = inverted(&compliance) else {
             return refused("the compliance is not positive definite: Poisson's ratios are too large");
         };
-        Material::anisotropic(stiffness, [[g[1], 0.0], [0.0, g[2]]]).map(|material| material.turned(angle))
+        Material::anisotropic(stiffness, [[g[1], 0.0], [0.0, g[2]]]).and_then(|material| material.turned(angle))
     }
 
     /// A material by its moduli, MPa: `stiffness` takes the strains `[xx, zz, yy, gamma_xz]` to the stresses `[xx, zz, yy, xz]` (yy is
@@ -133,10 +133,19 @@ impl Material {
     }
 
     /// The material turned anti-clockwise by an angle, radians.
-    #[must_use]
-    pub fn turned(self, angle: f64) -> Material {
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for an angle that is not finite.
+    pub fn turned(self, angle: f64) -> Result<Material, Error> {
+        if !angle.is_finite() {
+            return Err(Error::OutOfRange {
+                quantity: "the angle that a material is turned by".into(),
+                value: angle,
+                range: "finite",
+            });
+        }
         let (s, c) = angle.sin_cos();
-        self.seen_by([[c, -s], [s, c]])
+        Ok(self.seen_by([[c, -s], [s, c]]))
     }
 
     /// The material after an orthogonal map of the plane.

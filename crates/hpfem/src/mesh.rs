@@ -278,7 +278,7 @@ fn check_vertices(vertices: &[[f64; 2]], quads: &[Quad]) -> Result<(), Error> {
     for (cell, quad) in quads.iter().enumerate() {
         if let Some(corner) = quad.corners.iter().find(|v| **v >= vertices.len()) {
             let what = format!("corner of cell {cell}, vertices");
-            return Err(Error::Count { what, given: *corner + 1, expected: vertices.len() });
+            return Err(Error::Count { what, given: corner.saturating_add(1), expected: vertices.len() });
         }
     }
     Ok(())

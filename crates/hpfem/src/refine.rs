@@ -20,7 +20,7 @@ impl Mesh {
         }
         if let Some(v) = vertices.iter().find(|v| **v >= self.vertices.len()) {
             let what = "vertex to grade towards, vertices".into();
-            return Err(Error::Count { what, given: *v + 1, expected: self.vertices.len() });
+            return Err(Error::Count { what, given: v.saturating_add(1), expected: self.vertices.len() });
         }
         for (cell, c) in self.cells.iter().enumerate() {
             let mut touched = c.vertices().iter().filter(|v| vertices.contains(v));

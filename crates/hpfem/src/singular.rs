@@ -110,7 +110,7 @@ fn exponent_of(known: &mut Vec<Met>, sectors: Vec<Sector>, faces: Option<[Face; 
 fn check_materials(mesh: &Mesh, materials: &[Material]) -> Result<(), Error> {
     match mesh.cells.iter().position(|cell| cell.material >= materials.len()) {
         Some(cell) => {
-            let (what, expected) = (format!("materials for cell {cell}"), mesh.cells[cell].material + 1);
+            let (what, expected) = (format!("materials for cell {cell}"), mesh.cells[cell].material.saturating_add(1));
             Err(Error::Count { what, given: materials.len(), expected })
         }
         None => Ok(()),
@@ -121,6 +121,7 @@ fn check_materials(mesh: &Mesh, materials: &[Material]) -> Result<(), Error> {
 fn held(mesh: &Mesh, supports: &[Support]) -> Result<Vec<Vec<[f64; 2]>>, Error> {
     let mut held: Vec<Vec<[f64; 2]>> = vec![Vec::new(); mesh.edges.len()];
     for support in supports {
+        support.direction.check(&format!("the support of \"{}\"", support.boundary))?;
         for e in mesh.boundary(&support.boundary)? {
             let d = support.direction.vector().unwrap_or_else(|| {
                 let t = mesh.edges[e].curve.derivative(0.0);

@@ -83,7 +83,7 @@ impl SparseBody {
     pub fn element(&self, cell: usize) -> Result<Element, Error> {
         let expected = self.problem.mesh.cells.len();
         if cell >= expected {
-            return Err(Error::Count { what: "cell, cells".into(), given: cell + 1, expected });
+            return Err(Error::Count { what: "cell, cells".into(), given: cell.saturating_add(1), expected });
         }
         self.element_of(&self.assembly()?, cell, &mut Workspace::default())
     }

@@ -136,7 +136,11 @@ impl Vtu {
         self.cell_arrays.iter().try_for_each(|array| array.check(self.cells.len()))?;
         for (number, (kind, nodes)) in self.cells.iter().enumerate() {
             if let Some(node) = nodes.iter().find(|node| **node >= points) {
-                return Err(Error::Count { what: format!("point of cell {number}, points"), given: node + 1, expected: points });
+                return Err(Error::Count {
+                    what: format!("point of cell {number}, points"),
+                    given: node.saturating_add(1),
+                    expected: points,
+                });
             }
             if !kind.takes(nodes.len()) {
                 let expected = if matches!(kind, VtuKind::Triangle | VtuKind::LagrangeTriangle) { 3 } else { 4 };

@@ -87,3 +87,17 @@ fn the_trunk_space_of_curved_mixed_cells_holds_fewer_unknowns_and_still_converge
     // Two quadrilaterals lose (p - 1)^2 - (p - 2)(p - 3) / 2 modes of two components each; triangles lose none.
     assert_eq!(solve(SpaceKind::Tensor, 8).1 - solve(SpaceKind::Trunk, 8).1, 2 * 2 * (49 - 15));
 }
+
+#[test]
+fn a_curve_goes_through_two_points_at_least_and_nine_at_most() {
+    let points: Vec<[f64; 2]> = (0..10).map(|i| [f64::from(i), f64::from(i * i)]).collect();
+    for n in [0, 1, 10] {
+        let error = Curve::through(&points[..n]).unwrap_err();
+        assert!(matches!(error, Error::Count { given, .. } if given == n), "{error}");
+    }
+    assert_eq!(Curve::through(&points[..2]), Ok(Curve::Line { start: points[0], end: points[1] }));
+    for n in 3..=9 {
+        let end = Curve::through(&points[..n]).unwrap().point(1.0);
+        assert_abs_diff_eq!(end[1], points[n - 1][1], epsilon = 1e-12);
+    }
+}

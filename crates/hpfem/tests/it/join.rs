@@ -127,7 +127,7 @@ fn edges_that_run_differently_are_refused() {
     let e = outer.boundary("inner").unwrap()[0];
     // The polynomial of an edge of order 2 through the middle of the arc.
     let curve = outer.edges[e].curve;
-    outer.edges[e].curve = Curve::through(&[-1.0, 0.0, 1.0].map(|t| curve.point(t)));
+    outer.edges[e].curve = Curve::through(&[-1.0, 0.0, 1.0].map(|t| curve.point(t))).unwrap();
     let error = inner.join(&outer, Joint::default()).unwrap_err();
     assert!(matches!(error, Error::CurvesDisagree { distance, .. } if distance > 1e-3), "{error}");
     // Given its circle back, it fits.

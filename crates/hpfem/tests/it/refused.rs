@@ -136,6 +136,80 @@ fn sequences_of_different_lengths_have_no_estimate() {
     assert!(matches!(adapt(&mesh, &[], 1e-3, 8, ever_more), Err(Error::Count { .. })));
 }
 
+#[test]
+fn quantities_that_are_none_or_not_finite_have_no_estimate() {
+    let mesh = rectangle([0.0, 1.0], [0.0, 1.0]);
+    let of = |values: Vec<f64>| adapt(&mesh, &[], 1e-3, 8, |_, _| Ok(values.clone())).unwrap_err();
+    assert!(matches!(of(vec![]), Error::Count { given: 0, expected: 1, .. }), "{}", of(vec![]));
+    for value in [f64::NAN, f64::INFINITY] {
+        let error = of(vec![1.0, value]);
+        assert!(error.to_string().starts_with("quantity 1 of the level of degree 2 is"), "{error}");
+    }
+    assert!(matches!(sequence_estimate(&[vec![], vec![]]), Err(Error::Count { given: 0, .. })));
+    let error = sequence_estimate(&[vec![1.0], vec![f64::NAN]]).unwrap_err();
+    assert!(error.to_string().starts_with("quantity 0 of approximation 1 is NaN"), "{error}");
+    let corner = [SingularVertex { vertex: 0, exponent: 0.5 }];
+    for p in [0, 25] {
+        assert!(matches!(graded_level(&mesh, &corner, p), Err(Error::OutOfRange { .. })));
+    }
+}
+
+#[test]
+fn angles_that_are_not_finite_are_refused() {
+    let material = Material::isotropic(100.0, 0.3).unwrap();
+    let problem = || BodyProblem::new(rectangle([0.0, 1.0], [0.0, 1.0]), 2, PLANE_STRESS).material(material);
+    for angle in [f64::NAN, f64::INFINITY] {
+        let text = material.turned(angle).unwrap_err().to_string();
+        assert!(text.contains("the angle that a material is turned by"), "{text}");
+        let text = Body::new(problem().clamp("left").hold("right", Direction::Inclined(angle))).err().unwrap().to_string();
+        assert!(text.contains("the angle of the support of \"right\"") && text.contains("must be finite"), "{text}");
+        let supports = [Support::sliding("left", angle)];
+        assert!(matches!(Body::new(problem().support(supports[0].clone())), Err(Error::OutOfRange { .. })));
+        let mesh = rectangle([0.0, 1.0], [0.0, 1.0]);
+        assert!(matches!(singular_vertices(&mesh, PLANE_STRAIN, &[material], &supports, &[]), Err(Error::OutOfRange { .. })));
+        let pins = vec![Pin { vertex: 2, direction: Direction::Inclined(angle) }];
+        let text = Body::new(BodyProblem { pins, ..problem().clamp("left") }).err().unwrap().to_string();
+        assert!(text.contains("the angle of the pin at vertex 2"), "{text}");
+    }
+    assert_eq!(material.turned(0.3), Ok(material));
+}
+
+#[test]
+fn the_largest_index_there_is_is_beyond_the_last_one() {
+    let last = usize::MAX;
+    let square = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    let of = |corners, material| Mesh::new(square.clone(), &[Quad { corners, material, layer: 0 }], &[], &[]);
+    let is_beyond =
+        |error: Error, number: usize| matches!(error, Error::Count { given, expected, .. } if given.max(expected) == number);
+    assert!(is_beyond(of([0, 1, 2, last], 0).unwrap_err(), last));
+    let mesh = of([0, 1, 2, 3], 0).unwrap();
+    assert!(is_beyond(mesh.cut_through(last, 0.0).unwrap_err(), last));
+    assert!(is_beyond(mesh.cut_rows(&[last]).unwrap_err(), last));
+    assert!(is_beyond(mesh.refined_towards(&[last], 0.15, 1).unwrap_err(), last));
+    let steel = Material::isotropic(100.0, 0.3).unwrap();
+    let problem = |mesh: &Mesh| BodyProblem::new(mesh.clone(), 2, PLANE_STRESS).material(steel);
+    let pins = vec![Pin { vertex: last, direction: Direction::First }];
+    assert!(is_beyond(Body::new(BodyProblem { pins, ..problem(&mesh) }).err().unwrap(), last));
+    // A material beyond the list, in a mesh that is joined to another one too: it does not come round to the first.
+    let beyond = of([0, 1, 2, 3], last).unwrap();
+    assert!(is_beyond(Body::new(problem(&beyond)).err().unwrap(), last));
+    assert!(is_beyond(singular_vertices(&beyond, PLANE_STRAIN, &[steel], &[], &[]).unwrap_err(), last));
+    let beside = rectangle([1.0, 2.0], [0.0, 1.0]);
+    for joined in [beyond.join(&beside, Joint::default()), beside.join(&beyond, Joint::default())] {
+        let problem = problem(&joined.unwrap()).material(steel).material(steel);
+        assert!(is_beyond(Body::new(problem).err().unwrap(), last));
+    }
+}
+
+#[test]
+#[should_panic(expected = "column 9 of an interface operator that has 1, counted from 0")]
+fn the_work_of_a_column_that_there_is_not_is_told_by_its_number() {
+    let problem = BodyProblem::new(rectangle([0.0, 1.0], [0.0, 1.0]), 2, PLANE_STRESS);
+    let body = Body::new(problem.material(Material::isotropic(100.0, 0.3).unwrap()).keep("top")).unwrap();
+    let state = body.solve(&[]).unwrap();
+    body.interface.column_work(9, &state);
+}
+
 /// A sheet turned by 0.3 far from the origin, `n` cells a side.
 fn turned_sheet(n: usize, far: f64) -> Mesh {
     let (s, c) = 0.3_f64.sin_cos();

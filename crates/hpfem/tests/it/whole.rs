@@ -41,7 +41,7 @@ fn a_hanging_vertex_is_found_on_lines_arcs_and_polynomials() {
         from: 0.75 * std::f64::consts::PI,
         to: 0.25 * std::f64::consts::PI,
     };
-    let polynomial = Curve::through(&[[-1.0, 0.0], [0.1, 0.3], [1.0, 0.0]]);
+    let polynomial = Curve::through(&[[-1.0, 0.0], [0.1, 0.3], [1.0, 0.0]]).unwrap();
     for curve in [Curve::Line { start: [-1.0, 0.0], end: [1.0, 0.0] }, arc, polynomial] {
         let cut = 0.2;
         let vertices =
