@@ -343,6 +343,26 @@ fn an_edge_that_slides_at_an_angle_leaves_that_translation_alone() {
 }
 
 #[test]
+fn the_energy_of_the_interface_leaves_out_the_work_of_prescribed_displacements() {
+    let mesh = rectangle([0.0, 2.0], [0.0, 1.5]);
+    let moved = 1e-3;
+    let problem = BodyProblem::new(mesh, 2, PLANE_STRESS).material(steel()[0]).roller("left").roller("bottom");
+    let problem = problem.support(Support::moved("right", Direction::First, moved));
+    let problem = problem.load("press", EdgeTraction::new("top", |_| [0.0, -30.0]));
+    for kept in [None, Some("top")] {
+        let body = Body::new(kept.map_or(problem.clone(), |name| problem.clone().keep(name))).unwrap();
+        let held = body.solve(&[]).unwrap();
+        let whole = |state: &InterfaceState| body.field(state).unwrap().strain_energy();
+        let volume = 2.0 * 1.5 * 0.7;
+        assert_relative_eq!(whole(&held), 0.5 * 210e3 * (moved / 2.0_f64).powi(2) * volume, max_relative = 1e-11);
+        assert!(body.interface.strain_energy(&held).abs() < 1e-12 * whole(&held));
+        let state = body.solve(&[("press", 1.0)]).unwrap();
+        let reactions = 0.5 * body.interface.reaction(2, &state)[0] * moved;
+        assert_relative_eq!(body.interface.strain_energy(&state) + reactions, whole(&state), max_relative = 1e-11);
+    }
+}
+
+#[test]
 fn strain_energy_is_that_of_a_bar() {
     // U = s^2 V / (2 E).
     let mesh = rectangle([0.0, 2.0], [0.0, 1.5]);
