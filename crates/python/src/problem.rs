@@ -55,12 +55,7 @@ impl Problem {
 
     /// Solves it, watched by `run`.
     fn solve(&self, py: Python<'_>, run: Run) -> PyResult<Solution> {
-        let located = |fault: scene::Fault| match fault.code {
-            // Not of the scene, which has no place for it.
-            "wrong-argument" => raised(py, fault),
-            _ => raised(py, self.document.locate(fault)),
-        };
-        let solution = solve(py, &self.posed, run)?.map_err(located)?;
+        let solution = solve(py, &self.posed, run)?.map_err(|fault| raised(py, self.document.locate(fault)))?;
         Ok(Solution::new(Solved { problem: Arc::clone(&self.posed), solution }))
     }
 }

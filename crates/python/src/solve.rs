@@ -56,14 +56,6 @@ type Outcome = Result<wearshape::Solution, Fault>;
 
 /// Solves a problem. On a signal of which Python makes an exception the solver is told to stop, and the exception goes up at once.
 pub(crate) fn solve(py: Python<'_>, problem: &Arc<wearshape::Problem>, run: Run) -> PyResult<Outcome> {
-    if let Some(count) = run.sample.filter(|count| !(2..=1_000_000).contains(count)) {
-        let remedy = "ask for 2 to 1000000 points";
-        return Ok(Err(Fault::at("sample", "wrong-argument", format!("sample = {count} is out of range"), remedy)));
-    }
-    if let Some(threads) = run.threads.filter(|threads| !(1..=1024).contains(threads)) {
-        let remedy = "give a number of threads from 1 to 1024";
-        return Ok(Err(Fault::at("threads", "wrong-argument", format!("threads = {threads} is out of range"), remedy)));
-    }
     let earlier = run.resume.as_ref().map(|solution| solution.get().solved.problem.resolved());
     if earlier.is_some_and(|scene| scene != problem.resolved()) {
         let remedy = "run the scene that it was begun with, or begin anew without it";

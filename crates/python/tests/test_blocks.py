@@ -1,6 +1,8 @@
 """The building blocks: pressures on points of one's own, bodies as matrices."""
 
+import dataclasses
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -54,6 +56,74 @@ def test_what_no_pressure_carries_is_refused() -> None:
     with pytest.raises(Error, match=r"weight has the shape \(3,\)"):
         flat = arc(4)
         wear.optimal_pressure(wear.Surface(flat.position, flat.normal, [1, 2, 3], flat.sliding_speed, flat.drag), wear.Law(1), [])
+
+
+@pytest.mark.parametrize(
+    ("argument", "value", "message"),
+    [
+        ("position", np.full((20, 3), np.nan), r"position\[0, 0\] = nan is not finite"),
+        ("position", "far", "position is no array of numbers"),
+        ("normal", np.zeros((20, 3)), r"normal\[0\] = \[0.0, 0.0, 0.0\] is no unit vector"),
+        ("normal", 2 * np.asarray(arc(20).normal), r"normal\[0\] = .* is no unit vector"),
+        ("normal", np.zeros((19, 3)), r"normal has the shape \(19, 3\)"),
+        ("drag", np.full((20, 3), np.inf), r"drag\[0, 0\] = inf is not finite"),
+        ("drag", 0.5 * np.asarray(arc(20).drag), r"drag\[0\] = .* is neither a unit vector nor zero"),
+        ("weight", np.linspace(1, -0.25, 20), r"weight\[16\] = .* is negative"),
+        ("weight", None, "weight"),
+        ("sliding_speed", np.linspace(3, -1, 20), r"sliding_speed\[15\] = .* is negative"),
+        ("sliding_speed", [500.0] * 19 + [np.nan], r"sliding_speed\[19\] = nan is not finite"),
+    ],
+)
+def test_points_that_make_no_surface_are_refused_by_their_argument(argument: str, value: Any, message: str) -> None:
+    with pytest.raises(Error, match=message) as raised:
+        wear.optimal_pressure(dataclasses.replace(arc(20), **{argument: value}), wear.Law(1e-6), [wear.Press(5)])
+    assert raised.value.key == argument
+    assert raised.value.remedy.startswith("give ")
+
+
+def test_motions_that_are_none_are_refused_by_their_place() -> None:
+    for motion, message in (
+        (wear.Press(np.nan), r"motions\[1\].force = nan is not finite"),
+        (wear.Press(5, (0, 0, -2)), r"motions\[1\].direction = .* is no unit vector"),
+        (wear.Press(5, (0, -1)), r"motions\[1\].direction has the shape \(2,\)"),
+        (wear.Tilt(5, about=(0, np.inf, 0)), r"motions\[1\].about\[1\] = inf is not finite"),
+    ):
+        with pytest.raises(Error, match=message):
+            wear.optimal_pressure(arc(20), wear.Law(1e-6), [wear.Press(5), motion])
+
+
+def test_arguments_of_a_wrong_type_are_named_as_they_were_given() -> None:
+    def pressed(surface: Any = arc(20), law: Any = wear.Law(1e-6), motions: Any = (wear.Press(5),), **more: Any) -> Any:
+        return lambda: wear.optimal_pressure(surface, law, motions, **more)
+
+    def body(keep: Any = "bottom", materials: Any = {"steel": (1000, 0.25)}, **more: Any) -> Any:
+        return lambda: hpfem.Mesh(MESHES / "punch.msh").interface(keep, materials, **more)
+
+    for call, message in (
+        (pressed(surface=5), "surface must be a wearshape.wear.Surface, not 5"),
+        (pressed(law=1e-6), "law must be a wearshape.wear.Law, not 1e-06"),
+        (pressed(law=wear.Law(1e-6, a="one")), "law.a must be a number, not 'one'"),  # type: ignore[arg-type]
+        (pressed(motions=wear.Press(5)), "motions must be a list of wearshape.wear.Press and Tilt, not "),
+        (pressed(motions=[5]), "motions[0] must be a wearshape.wear.Press or Tilt, not 5"),
+        (pressed(motions=[wear.Press("5")]), "motions[0].force must be a number, not '5'"),  # type: ignore[arg-type]
+        (pressed(friction="low"), "friction must be a number, not 'low'"),
+        (pressed(functional=3), "functional must be a word, not 3"),
+        (pressed(q=None), "q must be a number, not None"),
+        (body(keep=3), "keep must be the name of a boundary, not 3"),
+        (body(materials=[(1000, 0.25)]), "materials must be a mapping of names to moduli, not "),
+        (body(degree="4"), "degree must be a whole number, not '4'"),
+        (body(thickness="thin"), "thickness must be a number, not 'thin'"),
+        (body(supports={"top": 3}), "supports['top'] must be a list of directions, not 3"),
+        (body(loads={"pull": {3: (0, 1)}}), "a boundary in loads['pull'] must be a name, not 3"),
+        (lambda: hpfem.Mesh(5), "source must be a path or the bytes of a file, not 5"),  # type: ignore[arg-type]
+    ):
+        with pytest.raises(TypeError) as raised:
+            call()
+        assert str(raised.value).startswith(message)
+    with pytest.raises(Error, match=r"materials\['steel'\] has the shape \(3,\)"):
+        body(materials={"steel": (1, 2, 3)})()
+    with pytest.raises(Error, match="degree = -4 is out of range"):
+        body(degree=-4)()
 
 
 def test_a_block_under_uniform_tension_stretches_as_it_must() -> None:

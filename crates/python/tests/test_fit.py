@@ -95,3 +95,5 @@ def test_data_that_are_not_computed_are_refused() -> None:
         wearshape.fit(DRUM, [wearshape.Number(RATE, 1, 1)], {"wear.a": 0.0})
     with pytest.raises(wearshape.Error, match="beyond"):
         wearshape.fit(DRUM, [wearshape.Profile("pressure_MPa", [0, 500], [1, 1], 1)], {"wear.a": 1.0})
+    with pytest.raises(TypeError, match=r"^data\[0\] must be a Number, a Profile or a History, not 3$"):
+        wearshape.fit(DRUM, [3], {"wear.a": 1.0})  # type: ignore[list-item]

@@ -7,6 +7,7 @@ import json
 import threading
 import time
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -101,11 +102,28 @@ def test_a_run_without_an_answer_says_why() -> None:
 def test_points_of_the_table_are_chosen() -> None:
     scene = wearshape.Scene("drum-brake-block").set(tasks=["pressure"])
     assert len(scene.run(sample=11).s) == 11
-    for sample, threads in ((1, None), (None, 0)):
+    for sample, threads in ((1, None), (-3, None), (None, 0), (None, 10**30)):
         with pytest.raises(wearshape.Error, match="out of range") as raised:
             scene.run(sample=sample, threads=threads)
         assert raised.value.code == "wrong-argument"
         assert raised.value.place is None
+
+
+def test_arguments_of_a_wrong_type_are_named_as_they_were_given() -> None:
+    scene = wearshape.Scene("drum-brake-block").set(tasks=["pressure"])
+    wrong: list[tuple[Any, str]] = [
+        (lambda: scene.run(sample=1.5), "sample must be a whole number, not 1.5"),  # type: ignore[arg-type]
+        (lambda: scene.run(threads="2"), "threads must be a whole number, not '2'"),  # type: ignore[arg-type]
+        (lambda: scene.run(bodies=3), "bodies must be a wearshape.Bodies, not 3"),  # type: ignore[arg-type]
+        (lambda: scene.run(resume="x"), "resume must be a wearshape.Result, not 'x'"),  # type: ignore[arg-type]
+        (lambda: scene.set(5), "changes must be a mapping of keys to values, not 5"),  # type: ignore[arg-type]
+        (lambda: wearshape.Scene(5), "source must be a name, a path, a text or a mapping, not 5"),  # type: ignore[arg-type]
+        (lambda: wearshape.Scene("punch-wear", folder=5), "folder must be a path, not 5"),  # type: ignore[arg-type]
+    ]
+    for call, message in wrong:
+        with pytest.raises(TypeError) as raised:
+            call()
+        assert str(raised.value) == message
 
 
 def test_any_number_of_threads_gives_the_same_bits(drum: wearshape.Result) -> None:

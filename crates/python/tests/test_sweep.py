@@ -54,6 +54,24 @@ def test_points_without_an_answer_say_why() -> None:
     assert np.isnan(found["pressure.p_max_MPa"].values).tolist() == [[False, True], [True, True]]
 
 
+@pytest.mark.parametrize("sample", [1, 0, -5])
+def test_too_few_places_are_refused_before_any_point(sample: int) -> None:
+    told: list[float] = []
+    with pytest.raises(wearshape.Error, match=f"sample = {sample} is out of range") as raised:
+        wearshape.sweep(DRUM, GRID, sample=sample, progress=lambda share, words: told.append(share))
+    assert raised.value.remedy == "give 2 to 1000000 points"
+    assert not told
+
+
+def test_arguments_of_a_wrong_type_are_named_as_they_were_given() -> None:
+    with pytest.raises(TypeError, match=r"^sample must be a whole number, not 'many'$"):
+        wearshape.sweep(DRUM, GRID, sample="many")  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match=r"^scene must be a wearshape.Scene, not 'drum'$"):
+        wearshape.sweep("drum", GRID)  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match=r"^over must be a mapping of keys to values, not \['wear.b'\]$"):
+        wearshape.sweep(DRUM, ["wear.b"])  # type: ignore[arg-type]
+
+
 def test_nothing_to_sweep_over_is_an_error() -> None:
     with pytest.raises(wearshape.Error, match="nothing to sweep"):
         wearshape.sweep(DRUM, {})

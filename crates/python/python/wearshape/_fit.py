@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from wearshape import _arguments as arguments
 from wearshape import _core
 from wearshape._error import Error
 from wearshape._result import Result
@@ -164,6 +165,10 @@ def fit(
     """
     from scipy.optimize import least_squares
 
+    arguments.instance("scene", scene, Scene, "a wearshape.Scene")
+    arguments.instance("parameters", parameters, Mapping, "a mapping of keys to start values")
+    for number, each in enumerate(data):
+        arguments.instance(f"data[{number}]", each, Measurement, "a Number, a Profile or a History")
     names = list(parameters)
     if not names or not data:
         raise Error("there is nothing to fit", "nothing-to-fit", None, "give one parameter and one measurement at least")

@@ -8,6 +8,7 @@ from os import PathLike, fspath
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from wearshape import _arguments as arguments
 from wearshape import _core
 from wearshape._error import Error
 from wearshape._progress import Progress, watched
@@ -83,6 +84,9 @@ class Scene:
     __slots__ = ("_beside", "_document", "_file", "_folder", "_problem", "_settings", "_text")
 
     def __init__(self, source: str | PathLike[str] | Mapping[str, Any], *, folder: str | PathLike[str] | None = None) -> None:
+        arguments.instance("source", source, (str, PathLike, Mapping), "a name, a path, a text or a mapping")
+        if folder is not None:
+            arguments.instance("folder", folder, (str, PathLike), "a path")
         found = None if folder is None else Path(folder)
         if isinstance(source, Mapping):
             self._made("scene.toml", document(source), (), (found or Path(), {}))
@@ -134,6 +138,8 @@ class Scene:
         Keys are dotted paths: ``scene.set(**{"contact.friction": 0.1})``, ``scene.set({"load.force": "5 kN"}, accuracy=1e-4)``. Values are
         numbers (numpy's too), texts, lists or mappings. Alternatives replace each other: setting ``wear.k`` removes ``wear.beta``.
         """
+        if changes is not None:
+            arguments.instance("changes", changes, Mapping, "a mapping of keys to values")
         keys = {**(changes or {}), **more}
         settings = tuple(f"{key}={toml(value)}" for key, value in keys.items())
         other = object.__new__(Scene)
@@ -168,7 +174,7 @@ class Scene:
         :param progress: ``True`` shows a bar (of tqdm if it is installed) in terminal and notebook; a function is called with the share that
             is done (0 to 1, about) and words, and ends the run between two of its parts by returning ``False``: the result then says
             ``"interrupted"``.
-        :param sample: so many points, evenly spaced along the surface, instead of the contact points.
+        :param sample: so many points, 2 to 1000000, evenly spaced along the surface, instead of the contact points.
         :param threads: threads of the solver; by default as many as the machine has. The numbers do not depend on them.
         :param bodies: keeps what is factorised for other runs with the same bodies, materials and supports.
         :param resume: a result of this scene that was interrupted in a run in time; the end is that of an undisturbed run, bit for bit.
@@ -178,6 +184,13 @@ class Scene:
 
         Raises :class:`Error` for what has to be mended in the scene.
         """
+        arguments.sample(sample)
+        if threads is not None:
+            arguments.whole("threads", threads, 1, 1024, "threads")
+        if bodies is not None:
+            arguments.instance("bodies", bodies, Bodies, "a wearshape.Bodies")
+        if resume is not None:
+            arguments.instance("resume", resume, Result, "a wearshape.Result")
         problem = self._posed()
         with watched(progress, self.name) as told:
             run: _core.Run = {

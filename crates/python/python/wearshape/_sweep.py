@@ -17,6 +17,7 @@ from uuid import uuid4
 import numpy as np
 from numpy.typing import NDArray
 
+from wearshape import _arguments as arguments
 from wearshape import _core
 from wearshape._error import Error
 from wearshape._progress import Progress, watched
@@ -66,7 +67,7 @@ def sweep(
     :param over: a sequence or an array of values for each key, as in ``{"contact.friction": np.linspace(0, 0.4, 9), "wear.b": [0.5, 1, 2]}``.
     :param client: a ``dask.distributed.Client``: the points run on its workers, in batches of about a second; each worker factorises
         bodies once. A worker that is lost takes no point with it. Without one the points run on the threads of this machine.
-    :param sample: places along the surface at which the curves are kept, evenly spaced.
+    :param sample: places along the surface at which the curves are kept, evenly spaced, 2 to 1000000.
     :param progress: as of :meth:`Scene.run`; a function that returns ``False`` ends the sweep, and the points that are missing say
         ``interrupted``. So does Ctrl-C, which raises ``KeyboardInterrupt``; tasks on a cluster are cancelled.
 
@@ -74,6 +75,9 @@ def sweep(
     (``pressure.torque_Nmm``), ``status`` and ``reason`` among them, and the curves of the profile (``gap_um`` ...) over ``place``. A point without
     an answer has a status and a reason, and nan elsewhere; an invalid one has the status ``invalid``.
     """
+    arguments.instance("scene", scene, Scene, "a wearshape.Scene")
+    arguments.instance("over", over, Mapping, "a mapping of keys to values")
+    arguments.sample(sample)
     axes = {key: _listed(values) for key, values in over.items()}
     if not axes or not all(axes.values()):
         raise Error("there is nothing to sweep over", "no-points", None, "give a key with one value at least")

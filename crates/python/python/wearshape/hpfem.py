@@ -6,7 +6,7 @@ body. The method: the README of the crate ``hpfem``.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from os import PathLike
 from pathlib import Path
 
@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wearshape import _core
+from wearshape._arguments import array, instance, number, whole
 from wearshape._error import Error
 from wearshape._table import numbers
 
@@ -29,6 +30,7 @@ class Mesh:
     __slots__ = ("_mesh",)
 
     def __init__(self, source: str | PathLike[str] | bytes) -> None:
+        instance("source", source, (str, PathLike, bytes), "a path or the bytes of a file")
         self._mesh = _core.Mesh(source if isinstance(source, bytes) else Path(source).read_bytes())
 
     @property
@@ -78,21 +80,49 @@ class Mesh:
 
         Raises :class:`wearshape.Error` for names that are not there and for what cannot be meshed, held or loaded.
         """
-        held = [(name, direction) for name, directions in (supports or {}).items() for direction in directions]
-        cases = [(case, edge, list(traction)) for case, edges in (loads or {}).items() for edge, traction in edges.items()]
+        instance("keep", keep, str, "the name of a boundary")
+        instance("materials", materials, Mapping, "a mapping of names to moduli")
+        whole("degree", degree, 1, 24, "as the degree")
+        instance("kinematics", kinematics, str, "a word")
         missing = [name for name in self.materials if name not in materials]
         if missing:
             raise Error(f"the material {missing[0]!r} of the mesh is not given", "no-material", None, "give young and poisson of each material")
         given: _core.BodyGiven = {
             "degree": degree,
             "kinematics": kinematics,
-            "thickness": thickness,
-            "materials": [list(materials[name]) for name in self.materials],
-            "supports": held,
-            "loads": cases,
+            "thickness": number("thickness", thickness),
+            "materials": [array(f"materials[{name!r}]", materials[name], (2,)).tolist() for name in self.materials],
+            "supports": _held(supports or {}),
+            "loads": _cases(loads or {}),
             "keep": keep,
         }
         return Interface(self._mesh.interface(given))
+
+
+def _held(supports: Mapping[str, Sequence[str]]) -> list[tuple[str, str]]:
+    """Boundary and direction of each support."""
+    instance("supports", supports, Mapping, "a mapping of boundaries to directions")
+    held = []
+    for name, directions in supports.items():
+        instance("a boundary in supports", name, str, "a name")
+        instance(f"supports[{name!r}]", directions, Iterable, "a list of directions")
+        for direction in directions:
+            instance(f"a direction in supports[{name!r}]", direction, str, "x or z")
+            held.append((name, direction))
+    return held
+
+
+def _cases(loads: Mapping[str, Mapping[str, tuple[float, float]]]) -> list[tuple[str, str, list[float]]]:
+    """Load case, boundary and traction of each load."""
+    instance("loads", loads, Mapping, "a mapping of load cases to tractions by boundary")
+    cases = []
+    for case, edges in loads.items():
+        instance("a load case in loads", case, str, "a name")
+        instance(f"loads[{case!r}]", edges, Mapping, "a mapping of boundaries to tractions")
+        for edge, traction in edges.items():
+            instance(f"a boundary in loads[{case!r}]", edge, str, "a name")
+            cases.append((case, edge, array(f"loads[{case!r}][{edge!r}]", traction, (2,)).tolist()))
+    return cases
 
 
 class Interface:

@@ -6,14 +6,14 @@ A surface is a list of points with position, normal, area weight, sliding speed 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from wearshape import _core
-from wearshape._error import Error
+from wearshape._arguments import array, finite, instance, number, refused, units
 from wearshape._table import numbers
 
 __all__ = ["Law", "Optimum", "Press", "Surface", "Tilt", "optimal_pressure"]
@@ -117,16 +117,12 @@ def optimal_pressure(
     ``functional`` is ``steady`` (default), ``wear-volume``, ``friction-power``, ``wear-power`` or ``uniform``; ``q`` is used by the three in
     the middle. ``motions`` are the rigid motions that body 1 is free in, six at most. ``friction`` is the coefficient mu.
 
-    Raises :class:`wearshape.Error` for a load that no pressure carries, and for shapes that do not fit.
+    Raises :class:`wearshape.Error` for a load that no pressure carries, for shapes that do not fit, and for numbers that make no surface.
     """
-    position = _shaped("position", surface.position, 3)
-    count = len(position)
-    columns = {
-        "normal": _shaped("normal", surface.normal, 3, count),
-        "drag": _shaped("drag", surface.drag, 3, count),
-        "weight": _shaped("weight", surface.weight, None, count),
-        "sliding_speed": _shaped("sliding_speed", surface.sliding_speed, None, count),
-    }
+    instance("law", law, Law, "a wearshape.wear.Law")
+    instance("motions", motions, Iterable, "a list of wearshape.wear.Press and Tilt")
+    instance("functional", functional, str, "a word")
+    position, columns = _columns(surface)
     found = _core.optimal_pressure(
         {
             "position": position.tolist(),
@@ -134,11 +130,11 @@ def optimal_pressure(
             "drag": columns["drag"].tolist(),
             "weight": columns["weight"].tolist(),
             "sliding_speed": columns["sliding_speed"].tolist(),
-            "law": [law.factor, law.a, law.b],
-            "friction": friction,
+            "law": [number(f"law.{name}", value) for name, value in (("factor", law.factor), ("a", law.a), ("b", law.b))],
+            "friction": number("friction", friction),
             "functional": functional,
-            "q": q,
-            "modes": [_mode(motion) for motion in motions],
+            "q": number("q", q),
+            "modes": [_mode(f"motions[{index}]", motion) for index, motion in enumerate(motions)],
         }
     )
     regime, character = found.words
@@ -158,17 +154,35 @@ def optimal_pressure(
 _SURE = ("p_min", "p_max", "p_mean", "normal_force", "wear_volume_rate", "friction_power", "wear_power")
 
 
-def _mode(motion: Press | Tilt) -> _core.Mode:
+def _columns(surface: Surface) -> tuple[NDArray[np.float64], dict[str, NDArray[np.float64]]]:
+    """Positions, and what goes with them, as far as they make a surface."""
+    instance("surface", surface, Surface, "a wearshape.wear.Surface")
+    position = array("position", surface.position, (None, 3))
+    count = len(position)
+    columns = {
+        "normal": array("normal", surface.normal, (count, 3)),
+        "drag": array("drag", surface.drag, (count, 3)),
+        "weight": array("weight", surface.weight, (count,)),
+        "sliding_speed": array("sliding_speed", surface.sliding_speed, (count,)),
+    }
+    units("normal", columns["normal"])
+    units("drag", columns["drag"], or_zero=True)
+    for name in ("weight", "sliding_speed"):
+        refused(name, columns[name], columns[name] < 0, "is negative", "give 0 or more")
+    return position, columns
+
+
+def _mode(name: str, motion: Press | Tilt) -> _core.Mode:
+    instance(name, motion, (Press, Tilt), "a wearshape.wear.Press or Tilt")
     if isinstance(motion, Press):
-        return {"direction": list(motion.direction), "about": None, "resultant": motion.force}
-    return {"direction": list(motion.axis), "about": list(motion.about), "resultant": motion.moment}
+        force = finite(f"{name}.force", motion.force)
+        return {"direction": _direction(f"{name}.direction", motion.direction), "about": None, "resultant": force}
+    about: list[float] = array(f"{name}.about", motion.about, (3,)).tolist()
+    moment = finite(f"{name}.moment", motion.moment)
+    return {"direction": _direction(f"{name}.axis", motion.axis), "about": about, "resultant": moment}
 
 
-def _shaped(name: str, values: ArrayLike, columns: int | None, count: int | None = None) -> NDArray[np.float64]:
-    array = np.asarray(values, dtype=np.float64)
-    rows = array.shape[0] if array.ndim else 0
-    wanted = (rows if count is None else count,) + (() if columns is None else (columns,))
-    if array.shape != wanted:
-        shown = ("n" if count is None else count,) + wanted[1:]
-        raise Error(f"{name} has the shape {array.shape}", "shape", name, f"give an array of the shape {shown}")
-    return array
+def _direction(name: str, vector: Sequence[float]) -> list[float]:
+    direction = array(name, vector, (3,))
+    units(name, direction)
+    return [float(part) for part in direction]
