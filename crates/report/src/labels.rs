@@ -178,6 +178,13 @@ pub(crate) fn label(key: &str) -> (String, &'static str) {
     (own.replace('_', " ").replace('.', ", "), unit)
 }
 
+/// The same for a part of the summary that is of the mean pressure of both senses of a motion.
+pub(crate) fn label_of_mean(key: &str) -> (String, &'static str) {
+    let (words, unit) = label(key);
+    let of_mean = ["pressure.p_min_MPa", "pressure.p_max_MPa", "pressure.p_max_at_mm"].contains(&key);
+    (if of_mean { format!("{words}, of the mean of both directions") } else { words }, unit)
+}
+
 /// A sentence of the summary, which is plain ASCII, with the signs of its units.
 pub(crate) fn with_signs(sentence: &str) -> String {
     let mut out = String::new();
@@ -221,7 +228,7 @@ pub(crate) fn word_explained(word: &str) -> Option<&'static str> {
 
 #[cfg(test)]
 mod tests {
-    use super::{label, with_signs};
+    use super::{label, label_of_mean, with_signs};
 
     #[test]
     fn sentences_of_the_page_have_the_signs_of_units() {
@@ -236,6 +243,8 @@ mod tests {
         assert_eq!(label("reactions.body1.left.x_N"), ("body1, left, x".into(), "N"));
         assert_eq!(label("heat.out.body1.top"), ("leaves through body1.top".into(), "mW"));
         assert_eq!(label("heat.T_max1_degC"), ("highest temperature of body 1".into(), "\u{b0}C"));
+        assert_eq!(label_of_mean("pressure.p_max_MPa").0, "largest pressure, of the mean of both directions");
+        assert_eq!(label_of_mean("pressure.force_N"), label("pressure.force_N"));
         assert_eq!(label("wear.rejected_steps"), ("rejected steps".into(), ""));
         assert_eq!(label("pressure.wear_volume_rate_mm3_per_s"), ("wear volume rate".into(), "mm\u{b3}/s"));
     }

@@ -4,7 +4,7 @@ use serde_json::Value;
 
 use crate::brief::brief;
 use crate::escape::escaped;
-use crate::labels::{label, word_explained};
+use crate::labels::{label, label_of_mean, word_explained};
 use crate::one_percent::one_percent;
 use crate::summary::numbers;
 use crate::tolerance::tolerance;
@@ -45,7 +45,8 @@ pub fn tables(summary: &Value) -> String {
         "error",
         "counters",
     ] {
-        out += &table(part, &summary[part]);
+        let of_mean = part == "pressure" && !summary["reversing"].is_null();
+        out += &table(part, &summary[part], if of_mean { label_of_mean } else { label });
         match part {
             "shape" => out += &tolerance(&summary["shape"]["tolerance"]),
             "pressure" => out += &one_percent(&summary["pressure"]["sensitivity"]),
@@ -128,7 +129,7 @@ pub(crate) fn glance_html(summary: &Value) -> String {
     format!("<dl class=\"glance\">\n{rows}</dl>\n")
 }
 
-fn table(name: &str, part: &Value) -> String {
+fn table(name: &str, part: &Value, label: fn(&str) -> (String, &'static str)) -> String {
     // What needs no bodies took nothing.
     let nothing = name == "counters" && part.as_object().into_iter().flatten().all(|(_, count)| *count == 0);
     if !part.is_object() || nothing {

@@ -70,10 +70,10 @@ pub struct PressureResult {
     pub multipliers: ByRole,
     /// Rigid velocity of wear.
     pub feed: Option<ByRole>,
-    /// Smallest pressure.
+    /// Smallest pressure; of a reversing motion that of the mean of both senses.
     #[serde(rename = "p_min_MPa")]
     pub p_min: Option<f64>,
-    /// Largest pressure.
+    /// Largest pressure; of a reversing motion that of the mean of both senses, whose own are in [`ReversingResult`](crate::ReversingResult).
     #[serde(rename = "p_max_MPa")]
     pub p_max: Option<f64>,
     /// Place (x, y, z) of the largest pressure.

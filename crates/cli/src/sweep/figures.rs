@@ -11,7 +11,7 @@ const REASONS: usize = 5;
 
 /// The figures in the order of their worth: name, and the keys of a row that have it, the first that is there.
 const FIGURES: [(&str, &[&str]); 13] = [
-    ("p max MPa", &["contact.p_max_MPa", "pressure.p_max_MPa"]),
+    (LARGEST, &["contact.p_max_MPa", "pressure.p_max_MPa"]),
     ("gap max um", &["shape.gap_max_um"]),
     ("depth um", &["wear.depth_um"]),
     ("time s", &["wear.time_s"]),
@@ -25,6 +25,9 @@ const FIGURES: [(&str, &[&str]); 13] = [
     ("force N", &["contact.force_N", "pressure.force_N"]),
     ("moment N mm", &["contact.moment_Nmm", "pressure.moment_Nmm"]),
 ];
+/// The largest pressure, and its name where it is that of the mean of both directions of a motion.
+const LARGEST: &str = "p max MPa";
+const LARGEST_OF_MEAN: &str = "p max of mean MPa";
 /// The figure of which the size alone matters.
 const ERROR: &str = "error";
 const STATUS: &str = "status";
@@ -56,7 +59,9 @@ impl Figures {
         let known: Vec<&(&str, &[&str])> = known.collect();
         let failed = rows.iter().any(|row| row["status"] != "ok");
         let mut names = labels(grid);
-        names.extend(known.iter().map(|(name, _)| name.to_string()));
+        let of_mean = rows.iter().any(|row| row["reversing.share"].is_number() && row["contact.p_max_MPa"].is_null());
+        let named = |name| if of_mean && name == LARGEST { LARGEST_OF_MEAN } else { name };
+        names.extend(known.iter().map(|(name, _)| named(*name).to_string()));
         names.extend(failed.then(|| STATUS.to_string()));
         let word = |row: &Value, key: &str| row[key].as_str().unwrap_or("").to_string();
         let cells = |(point, row): (usize, &Value)| {

@@ -86,6 +86,7 @@ fn scenes_that_keep_their_sense_have_no_second_pressure() {
     let call = bench.call("run reciprocating-pad -q -o out/one --set sliding={speed=50}");
     assert_eq!(call.code, 0, "{}", call.err);
     assert!(!bench.read("out/one/contact.csv").contains("back"));
+    assert!(!bench.read("out/one/report.html").contains("of the mean of both directions"));
     assert!(bench.summary("one")["reversing"].is_null());
 }
 
@@ -123,7 +124,8 @@ fn both_pressures_stand_on_the_first_screen_and_the_page() {
         assert!(said.contains(words), "{words} in {said}");
     }
     let page = bench.read(&format!("out/{SCENE}/report.html"));
-    for words in ["mean over the time", "backward: largest pressure", "contact pressure forward and backward"] {
+    let row = "<tr><td title=\"pressure.p_max_MPa\">largest pressure, of the mean of both directions</td>";
+    for words in [row, "mean over the time", "backward: largest pressure", "contact pressure forward and backward"] {
         assert!(page.contains(words), "{words}");
     }
 }
@@ -132,8 +134,10 @@ fn both_pressures_stand_on_the_first_screen_and_the_page() {
 fn the_curves_of_a_sweep_hold_both_pressures_of_reversing_contacts_alone() {
     let bench = Bench::new();
     let sweep = |scene: &str, over: &str, out: &str| {
-        let call = bench.call(&format!("sweep {scene} -q --over {over} --sample 11 --set accuracy=1e-2 -o {out}"));
+        let call = bench.call(&format!("sweep {scene} --over {over} --sample 11 --set accuracy=1e-2 -o {out}"));
         assert_eq!(call.code, 0, "{}", call.err);
+        assert_eq!(call.out.contains("p max of mean MPa"), out == "both", "{}", call.out);
+        assert_eq!(call.out.contains("p max MPa"), out == "one", "{}", call.out);
         bench.read(&format!("{out}/curves.csv"))
     };
     let table = sweep(SCENE, "contact.friction=0.1,0.2", "both");
