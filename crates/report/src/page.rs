@@ -193,6 +193,12 @@ pub fn page(files: &dyn Fn(&str) -> Option<Vec<u8>>, running_in: Option<&Running
     for name in ["summary.json", "plots/curves.json", "scene.resolved.toml"] {
         text(name).transpose()?.ok_or_else(|| missing(name))?;
     }
+    // The page links to tables without showing them: one that was emptied would pass for a result.
+    for name in ["contact.csv", "history.csv", "groove.csv"] {
+        if text(name).transpose()?.is_some_and(|table| table.trim_end().lines().count() < 2) {
+            return Err(damaged(name, &"it has no rows"));
+        }
+    }
     built(&|name| text(name).and_then(Result::ok), running_in)
 }
 

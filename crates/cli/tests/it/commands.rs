@@ -77,6 +77,17 @@ fn the_page_is_rebuilt_to_the_same_bytes_and_asks_for_nothing_from_outside() {
     assert_eq!(call.code, 0, "{}", call.err);
     assert!(bench.read("out/disc-pad/report.html") == page, "the page differs");
     assert_eq!(bench.call("report nowhere").code, 2);
+    let table = bench.read("out/disc-pad/contact.csv");
+    for emptied in ["", table.split_inclusive('\n').next().unwrap()] {
+        bench.file("out/disc-pad/contact.csv", emptied);
+        let call = bench.call("report out/disc-pad");
+        assert_eq!(call.code, 2, "{emptied:?}: {}", call.err);
+        for words in ["out/disc-pad: contact.csv is damaged: it has no rows", "remedy: run the scene again"] {
+            assert!(call.err.contains(words), "{}", call.err);
+        }
+        assert!(bench.read("out/disc-pad/report.html") == page, "the page of before is gone");
+    }
+    bench.file("out/disc-pad/contact.csv", &table);
     bench.file("out/disc-pad/summary.json", "{");
     assert_eq!(bench.call("report out/disc-pad").code, 2);
 }
