@@ -72,6 +72,7 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
     interrupt::listen();
     let (folder, mark) = sweep.begin(&target, &first)?;
     let mut rows = sweep.finished(&folder)?;
+    let before = rows.count;
     with_threads(common, || sweep.compute(&folder, &mut rows))??;
     if rows.count < count {
         let words = [&["sweep", &args.scene][..], &sweep.over()].concat();
@@ -80,15 +81,18 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
         return Ok(Exit::Interrupted);
     }
     rows.write_table(&folder, &sweep.grid)?;
-    folder.write("timing.json", &report::pretty(&json!({ "seconds_total": start.elapsed().as_secs_f64(), "points": count })))?;
+    folder.write(
+        "timing.json",
+        &report::pretty(&json!({ "seconds_total": start.elapsed().as_secs_f64(), "points": count - before })),
+    )?;
     let figures = Figures::new(&sweep.grid, &rows.first);
-    let summary = sweep.summary(&first.name, &mark, rows.failed);
+    let summary = sweep.summary(&first.name, &mark, rows.failed, before);
     folder.write("report.html", &page(folder.path(), &sweep.grid, &summary, &rows, &mark))?;
     let summary = folder.finish(&summary)?;
     if common.json {
         print_json(&summary);
     } else if !common.quiet {
-        print_out(&screen(&figures, &rows, &target));
+        print_out(&screen(&figures, &rows, before, &target));
     }
     Ok(if rows.failed == 0 { Exit::Done } else { Exit::GoalMissed })
 }
@@ -137,6 +141,7 @@ impl Sweep<'_> {
     fn compute(&self, folder: &Folder, rows: &mut Rows) -> Result<(), Fault> {
         let count = self.grid.count;
         let progress = Progress::counted(&self.args.common, count);
+        progress.done(rows.count);
         // The first point is computed alone: what it factorises serves the others.
         let mut size = 1;
         while rows.count < count && !interrupt::asked() {
@@ -213,9 +218,10 @@ impl Sweep<'_> {
         Ok((solution, summary))
     }
 
-    fn summary(&self, name: &str, mark: &str, failed: usize) -> Value {
+    /// The summary; what was counted is of this call alone, which took over the points `before`.
+    fn summary(&self, name: &str, mark: &str, failed: usize, before: usize) -> Value {
         let count = self.grid.count;
-        json!({
+        let mut summary = json!({
             "schema_version": SCHEMA_VERSION,
             "version": env!("CARGO_PKG_VERSION"),
             "scene": name,
@@ -226,7 +232,11 @@ impl Sweep<'_> {
             "points": count,
             "failed": failed,
             "counters": { "factorisations": self.bodies.factorisations(), "factorisations_saved": self.bodies.reused() },
-        })
+        });
+        if before > 0 {
+            summary["counters"]["points"] = json!(count - before);
+        }
+        summary
     }
 }
 
@@ -275,11 +285,12 @@ fn base_units(source: &Source, grid: &Grid, set: &[String]) -> BTreeMap<(String,
 }
 
 /// The first screen: the points, then what is left to say.
-fn screen(figures: &Figures, rows: &Rows, target: &Path) -> String {
+fn screen(figures: &Figures, rows: &Rows, before: usize, target: &Path) -> String {
     let mut out = figures.screen();
     if rows.count > rows.first.len() {
         out += &format!("and {} more rows in sweep.csv\n", rows.count - rows.first.len());
     }
     let (count, failed, target) = (rows.count, rows.failed, target.display());
-    out + &format!("\n{count} points, {failed} without an answer\nfiles     {target} (sweep.csv, report.html)\n")
+    let kept = if before > 0 { format!(" ({before} of them from before)") } else { String::new() };
+    out + &format!("\n{count} points{kept}, {failed} without an answer\nfiles     {target} (sweep.csv, report.html)\n")
 }

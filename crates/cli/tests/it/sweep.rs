@@ -69,6 +69,27 @@ fn an_interrupted_sweep_is_resumed_to_the_same_bytes() {
 }
 
 #[test]
+fn a_resumed_sweep_says_which_points_it_took_over_and_counts_its_own() {
+    let bench = Bench::new();
+    let args = ["sweep", "drum-brake-block", "--set", "tasks=[pressure]", "--over", "contact.friction=0:1:15", "-o", "x"];
+    let whole = bench.call_with(&args);
+    assert!(whole.code == 0 && whole.out.contains("\n15 points, 0 without an answer"), "{}{}", whole.out, whole.err);
+    let json = |name: &str| serde_json::from_str::<serde_json::Value>(&bench.read(&format!("x/{name}"))).unwrap();
+    assert_eq!((&json("summary.json")["counters"]["points"], &json("timing.json")["points"]), (&().into(), &15.into()));
+    let rows: String = bench.read("x/sweep.jsonl").lines().take(9).map(|line| format!("{line}\n")).collect();
+    bench.file("x.partial/sweep.jsonl", &rows);
+    std::fs::copy(bench.path("x/scene.resolved.toml"), bench.path("x.partial/scene.resolved.toml")).unwrap();
+    let call = bench.call_with(&[&args[..], &["--resume"]].concat());
+    assert!(
+        call.code == 0 && call.out.contains("\n15 points (9 of them from before), 0 without an answer"),
+        "{}{}",
+        call.out,
+        call.err
+    );
+    assert_eq!((&json("summary.json")["counters"]["points"], &json("timing.json")["points"]), (&6.into(), &6.into()));
+}
+
+#[test]
 fn a_resumed_sweep_has_the_same_curves_and_page() {
     let bench = Bench::new();
     let args = "sweep drum-brake-block --set tasks=[pressure] --over contact.friction=0:1:150 -q";
