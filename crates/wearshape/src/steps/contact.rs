@@ -21,7 +21,7 @@ use crate::steps::answer::{Answer, Outcome, Own, Told};
 use crate::steps::contact_levels::{Aside, Solved, imbalance, levels};
 use crate::steps::contact_result::result;
 use crate::steps::diagnosis::Diagnosis;
-use crate::steps::free_ends::{Positioned, nearer, position};
+use crate::steps::free_ends::{Positioned, followed, nearer, position};
 use crate::steps::heat::contact::HotContact;
 use crate::steps::hertz_trial::short_contact;
 use crate::steps::many_ends::{ManyEnds, are_looked_for};
@@ -327,7 +327,11 @@ fn find_hot<'a>(stage: Stage<'a>, level: Level, search: &mut Search, effort: &mu
     if search.ends.places.is_empty() {
         standing = HotContact::new(stage, level, effort)?;
         if let Some(hot) = &standing {
-            search.ends = FreeEnds::of(&hot.found(), hot.reduced().pair()?.trace().length());
+            let length = hot.reduced().pair()?.trace().length();
+            search.ends = match hot.lasted() {
+                Some((speed, found)) => followed(stage, level, (*speed, FreeEnds::of(found, length)), effort)?,
+                None => FreeEnds::of(&hot.found(), length),
+            };
         }
     }
     let positioned = position(stage, level, &search.ends, effort)?.filter(|(_, found)| found.held.complementarity < NEAR);

@@ -37,11 +37,22 @@ pub(crate) fn position<'a>(
     ends: &FreeEnds,
     work: &mut Effort,
 ) -> Result<Option<(FreeEnds, Positioned<'a>)>, Fault> {
+    position_at(stage, level, (ends, 1.0), work)
+}
+
+/// The same at a part of the sliding speed, of a scene with heat.
+fn position_at<'a>(
+    stage: Stage<'a>,
+    level: Level,
+    (ends, speed): (&FreeEnds, f64),
+    work: &mut Effort,
+) -> Result<Option<(FreeEnds, Positioned<'a>)>, Fault> {
     ends.position(TOLERANCE * stage.accuracy(), |places| {
         if (stage.options.ending)() {
             return Ok(None);
         }
-        let Some((reduced, following)) = bodies(stage, level, places, work)? else { return Ok(None) };
+        let Some((reduced, mut following)) = bodies(stage, level, places, work)? else { return Ok(None) };
+        following.iter_mut().for_each(|following| following.speed = speed);
         work.counters.contact_solves += 1;
         let pair = reduced.pair()?;
         let length = pair.trace().length();
@@ -62,6 +73,30 @@ pub(crate) fn position<'a>(
         let hot = following.zip(hot).map(|(following, hot)| HotContact { stage, following, hot });
         Ok(Some((residuals, Positioned { reduced: Arc::clone(&reduced), held, hot })))
     })
+}
+
+/// Steps of the sliding speed along which ends are followed, over it: the first, and the smallest.
+const SPEED_STEP: f64 = 1.0 / 16.0;
+const SMALLEST: f64 = 1.0 / 128.0;
+
+/// Ends of a hot contact that is lost on its standing mesh from a part of the sliding speed on: from the contact there they are followed with nodes on them
+/// as the speed grows. None where that does not settle.
+pub(crate) fn followed(
+    stage: Stage<'_>,
+    level: Level,
+    (mut speed, mut ends): (f64, FreeEnds),
+    work: &mut Effort,
+) -> Result<FreeEnds, Fault> {
+    let mut step = SPEED_STEP;
+    while speed < 1.0 {
+        let next = (speed + step).min(1.0);
+        match position_at(stage, level, (&ends, next), work)? {
+            Some((found, positioned)) if positioned.held.complementarity < NEAR => (ends, speed) = (found, next),
+            _ if step > SMALLEST => step *= 0.5,
+            _ => return Ok(FreeEnds::default()),
+        }
+    }
+    Ok(ends)
 }
 
 /// Bodies, and what of them follows the pressure where there is heat.

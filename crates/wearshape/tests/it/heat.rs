@@ -276,3 +276,16 @@ fn a_hot_contact_has_nodes_on_its_ends_inside_the_surface() {
         assert!((low..high).contains(&end) && (end - other).abs() < 5e-3, "{end} {other}");
     }
 }
+
+/// At ten times its speed the annulus touches on a quarter of its width. The standing mesh of the coarsest level loses such a contact on the way, and has
+/// no answer of its own; a standing mesh of degree 14 with 10 layers has the same as nodes on the ends find.
+#[test]
+fn a_narrow_hot_contact_that_a_coarse_mesh_loses_is_followed_with_nodes_on_its_ends() {
+    let solution = solved(&scene("clutch-hot", &["tasks=[contact]", "accuracy=3e-2", "sliding.omega=20"]));
+    assert_eq!(solution.status, Status::Ok, "{:?}", solution.error);
+    balanced(&solution);
+    let found = solution.contact.unwrap();
+    near(found.p_max.unwrap(), 1.0947, 1e-2);
+    let [from, to] = <[f64; 2]>::try_from(found.ends).unwrap();
+    assert!((from - 71.63).abs() < 0.02 && (to - 80.70).abs() < 0.02, "{from} to {to}");
+}

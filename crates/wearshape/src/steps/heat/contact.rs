@@ -13,7 +13,7 @@ use crate::level::Level;
 use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::answer::Told;
-use crate::steps::heat::following::{Following, Hot, lost};
+use crate::steps::heat::following::{Following, Hot, Lost};
 use crate::steps::heat::known::PointHeat;
 use crate::steps::heat::report::{Thermal, tell};
 use crate::steps::heat::running::thermal_factors;
@@ -75,9 +75,14 @@ impl<'a> HotContact<'a> {
         self.hot.load.clone()
     }
 
+    /// The part of the sliding speed up to which the contact of the cold bodies was followed before it was lost, and that contact.
+    pub(crate) fn lasted(&self) -> Option<&(f64, ContactSolution)> {
+        self.hot.lost.as_ref()?.last.as_ref()
+    }
+
     /// Why there is no contact, where that of the cold bodies does not last to the sliding speed.
     pub(crate) fn lost(&self) -> Option<String> {
-        self.hot.lost_at.map(lost)
+        self.hot.lost.as_ref().map(Lost::words)
     }
 
     /// Heat at the contact points.

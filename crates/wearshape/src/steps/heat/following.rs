@@ -48,6 +48,8 @@ pub(crate) struct Following<'a> {
     pub(super) follows: [Follows; 2],
     /// Heat into each body (mW) whose temperature is the load case of the heat; what follows the pressure is what is beyond it.
     about: [Vec<f64>; 2],
+    /// Part of the sliding speed at which points are held in contact.
+    pub speed: f64,
 }
 
 /// A contact with its heat.
@@ -56,8 +58,16 @@ pub(crate) struct Hot {
     pub heat: PointHeat,
     /// The load of the last solve.
     pub load: ContactLoad,
-    /// The part of the sliding speed up to which the contact of the cold bodies does not last; none where there is an answer.
-    pub lost_at: Option<f64>,
+    /// Where the contact of the cold bodies was lost as the sliding speed grew; none where there is an answer.
+    pub lost: Option<Lost>,
+}
+
+/// A contact that was followed from the cold bodies and lost on its mesh.
+pub(crate) struct Lost {
+    /// Part of the sliding speed.
+    pub at: f64,
+    /// The last part with a contact, and that.
+    pub last: Option<(f64, ContactSolution)>,
 }
 
 /// Factors on the sliding speed.
@@ -73,7 +83,7 @@ impl Hot {
     fn new(found: ContactSolution, load: ContactLoad, (shared, rates): (&SharedHeat, &[f64])) -> Hot {
         let friction: Vec<f64> = rates.iter().zip(&found.nodal_force).map(|(rate, force)| rate * force.max(0.0)).collect();
         let into = into_bodies(shared, &friction);
-        Hot { heat: PointHeat { friction, into }, found, load, lost_at: None }
+        Hot { heat: PointHeat { friction, into }, found, load, lost: None }
     }
 }
 
@@ -111,7 +121,7 @@ impl<'a> Following<'a> {
             Second::Fresh(_) => Follows::Nothing,
         };
         let (warmed, surfaces) = (Arc::clone(&warm.bodies), Arc::clone(&warm.surfaces));
-        Following { reduced, warmed, surfaces, follows: [body(), second], about }
+        Following { reduced, warmed, surfaces, follows: [body(), second], about, speed: 1.0 }
     }
 
     /// The contact from one that is near on the same points, or as [`Following::solve`] finds it.
@@ -138,7 +148,8 @@ impl<'a> Following<'a> {
             let speed = f64::from(step) / f64::from(STEPS);
             let hot = self.settled(operator, gap, base, speed, found.as_ref())?;
             if !hot.found.status.is_solved() {
-                return Ok(Hot { lost_at: Some(speed), ..at_once });
+                let last = found.map(|found| (f64::from(step - 1) / f64::from(STEPS), found));
+                return Ok(Hot { lost: Some(Lost { at: speed, last }), ..at_once });
             }
             if step == STEPS {
                 return Ok(hot);
@@ -162,7 +173,7 @@ impl<'a> Following<'a> {
         let mut closed = last.as_ref().map_or_else(|| vec![true; gap.len()], |near| near.closed.clone());
         for round in 0..ROUNDS {
             let shared = self.shared(&closed)?;
-            let rates: Vec<f64> = self.surfaces.rates.iter().map(|rate| speed * rate).collect();
+            let rates = self.rates(speed);
             let load = self.load(base, &shared, &rates);
             let found = operator.solve(gap, &load, last.as_ref()).map_err(unsolved)?;
             // A point at an end of contact may open because it conducts and close because it does not: such points do not conduct.
@@ -188,7 +199,7 @@ impl<'a> Following<'a> {
         speed: f64,
         near: Option<&ContactSolution>,
     ) -> Result<Option<ContactSolution>, Fault> {
-        let rates: Vec<f64> = self.surfaces.rates.iter().map(|rate| speed * rate).collect();
+        let rates = self.rates(speed);
         let mut closed = near.map_or_else(|| vec![true; gap.len()], |near| near.closed.clone());
         for _ in 0..TOGETHER {
             let load = self.load(base, &self.shared(&closed)?, &rates);
@@ -211,10 +222,10 @@ impl<'a> Following<'a> {
         base: &ContactLoad,
         closed: &[bool],
     ) -> Result<Option<Hot>, Fault> {
-        let (shared, rates) = (self.shared(closed)?, &self.surfaces.rates);
-        let load = self.load(base, &shared, rates);
+        let (shared, rates) = (self.shared(closed)?, self.rates(self.speed));
+        let load = self.load(base, &shared, &rates);
         let found = operator.solve_on(gap, &load, closed).map_err(unsolved)?;
-        Ok(found.map(|found| Hot::new(found, load, (&shared, rates))))
+        Ok(found.map(|found| Hot::new(found, load, (&shared, &rates))))
     }
 
     /// Factors on the sliding speed for points in contact whose heat acts as far as it is smooth along the surface: without what is as fine as the points.
@@ -251,6 +262,11 @@ impl<'a> Following<'a> {
         let mut load = self.load(base, shared, rates);
         load.factors.iter_mut().zip(&base.factors).for_each(|(factors, base)| factors[base.len()..].fill(0.0));
         load
+    }
+
+    /// Heat that normal forces make at a part of the sliding speed (mm/s).
+    fn rates(&self, speed: f64) -> Vec<f64> {
+        self.surfaces.rates.iter().map(|rate| speed * rate).collect()
     }
 
     /// Whether what points are in contact decides how the heat is shared.
@@ -295,11 +311,13 @@ fn product(matrix: &Mat<f64>, x: &[f64]) -> Vec<f64> {
     (0..matrix.nrows()).map(|i| x.iter().enumerate().map(|(j, x)| matrix[(i, j)] * x).sum()).collect()
 }
 
-/// Why there is no contact, where that of the cold bodies lasts up to a part of the sliding speed alone.
-pub(super) fn lost(speed: f64) -> String {
-    let part = scene::short(speed);
-    let what = "frictional heat narrows the contact until no pressure carries the load";
-    format!("{what}: the contact of the cold bodies does not last to {part} of the sliding speed; slide more slowly")
+impl Lost {
+    /// Why there is no contact.
+    pub(super) fn words(&self) -> String {
+        let part = scene::short(self.at);
+        let what = "frictional heat narrows the contact until none is found that carries the load";
+        format!("{what}: that of the cold bodies does not last to {part} of the sliding speed; slide more slowly")
+    }
 }
 
 #[cfg(test)]

@@ -15,7 +15,7 @@ use crate::level::Level;
 use crate::stage::Stage;
 use crate::steps::answer::Told;
 use crate::steps::heat::boundary::highest_of_each;
-use crate::steps::heat::following::{Following, Follows, Hot, Speeds, lost};
+use crate::steps::heat::following::{Following, Follows, Hot, Speeds};
 use crate::steps::heat::known::PointHeat;
 use crate::steps::heat::report::{Thermal, tell};
 use crate::steps::heat::warmed::Second;
@@ -55,8 +55,8 @@ impl<'a> Running<'a> {
         gap: &[f64],
         base: &ContactLoad,
     ) -> Result<Result<ContactSolution, String>, Fault> {
-        let Hot { found, lost_at, .. } = self.following.solve(operator, gap, base)?;
-        let lost = lost_at.map(lost).or_else(|| (!found.status.is_solved()).then(|| found.status.to_string()));
+        let Hot { found, lost, .. } = self.following.solve(operator, gap, base)?;
+        let lost = lost.map(|lost| lost.words()).or_else(|| (!found.status.is_solved()).then(|| found.status.to_string()));
         Ok(lost.map_or(Ok(found), Err))
     }
 
