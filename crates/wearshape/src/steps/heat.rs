@@ -7,6 +7,7 @@ pub(crate) mod contact;
 pub(crate) mod drum;
 pub(crate) mod fields;
 pub(crate) mod following;
+pub(crate) mod hot;
 pub(crate) mod known;
 pub(crate) mod report;
 pub(crate) mod running;

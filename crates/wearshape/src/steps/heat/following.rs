@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use contact::faer::Mat;
-use contact::{ContactLoad, ContactOperator, ContactSolution, SharedHeat, SpeedFactors};
+use contact::{ContactLoad, ContactOperator, SharedHeat, SpeedFactors};
 use meshing::Cut;
 use scene::Fault;
 
@@ -17,17 +17,7 @@ use crate::step::Step;
 use crate::steps::heat::bodies::{Asked, HotBodies, Warm};
 use crate::steps::heat::known::PointHeat;
 use crate::steps::heat::smooth::Smooth;
-use crate::steps::heat::warmed::{Second, Surfaces, Warmed, into_bodies};
-
-/// Contact solves until the points that conduct are those in contact, and how many of them in which points may begin to conduct.
-const ROUNDS: usize = 60;
-const FREE: usize = 10;
-
-/// Sets of points in contact, which conduct, before both are looked for one by one.
-const TOGETHER: usize = 20;
-
-/// Steps of the sliding speed from the cold bodies to the hot ones.
-const STEPS: u32 = 16;
+use crate::steps::heat::warmed::{Second, Surfaces, Warmed};
 
 /// What of a body's temperature follows the pressure.
 pub(crate) enum Follows {
@@ -52,39 +42,12 @@ pub(crate) struct Following<'a> {
     pub speed: f64,
 }
 
-/// A contact with its heat.
-pub(crate) struct Hot {
-    pub found: ContactSolution,
-    pub heat: PointHeat,
-    /// The load of the last solve.
-    pub load: ContactLoad,
-    /// Where the contact of the cold bodies was lost as the sliding speed grew; none where there is an answer.
-    pub lost: Option<Lost>,
-}
-
-/// A contact that was followed from the cold bodies and lost on its mesh.
-pub(crate) struct Lost {
-    /// Part of the sliding speed.
-    pub at: f64,
-    /// The last part with a contact, and that.
-    pub last: Option<(f64, ContactSolution)>,
-}
-
 /// Factors on the sliding speed.
 pub(crate) struct Speeds {
     /// Those of the points in contact.
     pub factors: SpeedFactors,
     /// That of separation, of surfaces without a gap, whose points all are.
     pub separation: Option<f64>,
-}
-
-impl Hot {
-    /// A contact with the heat that its forces make at these rates (mm/s).
-    fn new(found: ContactSolution, load: ContactLoad, (shared, rates): (&SharedHeat, &[f64])) -> Hot {
-        let friction: Vec<f64> = rates.iter().zip(&found.nodal_force).map(|(rate, force)| rate * force.max(0.0)).collect();
-        let into = into_bodies(shared, &friction);
-        Hot { heat: PointHeat { friction, into }, found, load, lost: None }
-    }
 }
 
 impl<'a> Following<'a> {
@@ -124,110 +87,6 @@ impl<'a> Following<'a> {
         Following { reduced, warmed, surfaces, follows: [body(), second], about, speed: 1.0 }
     }
 
-    /// The contact from one that is near on the same points, or as [`Following::solve`] finds it.
-    pub(crate) fn solve_from(
-        &self,
-        operator: &ContactOperator<'_>,
-        gap: &[f64],
-        base: &ContactLoad,
-        near: &ContactSolution,
-    ) -> Result<Hot, Fault> {
-        let hot = self.settled(operator, gap, base, 1.0, Some(near))?;
-        if hot.found.status.is_solved() { Ok(hot) } else { self.solve(operator, gap, base) }
-    }
-
-    /// The contact of the bodies, pressure and temperature at once: `base` holds the load without heat. What is not found so is followed from the
-    /// contact of the cold bodies on, the sliding speed growing.
-    pub(crate) fn solve(&self, operator: &ContactOperator<'_>, gap: &[f64], base: &ContactLoad) -> Result<Hot, Fault> {
-        let at_once = self.settled(operator, gap, base, 1.0, None)?;
-        if at_once.found.status.is_solved() {
-            return Ok(at_once);
-        }
-        let mut found: Option<ContactSolution> = None;
-        for step in 1..=STEPS {
-            let speed = f64::from(step) / f64::from(STEPS);
-            let hot = self.settled(operator, gap, base, speed, found.as_ref())?;
-            if !hot.found.status.is_solved() {
-                let last = found.map(|found| (f64::from(step - 1) / f64::from(STEPS), found));
-                return Ok(Hot { lost: Some(Lost { at: speed, last }), ..at_once });
-            }
-            if step == STEPS {
-                return Ok(hot);
-            }
-            found = Some(hot.found);
-        }
-        Ok(at_once)
-    }
-
-    /// The contact at a factor on the sliding speed, from a contact that is near.
-    fn settled(
-        &self,
-        operator: &ContactOperator<'_>,
-        gap: &[f64],
-        base: &ContactLoad,
-        speed: f64,
-        near: Option<&ContactSolution>,
-    ) -> Result<Hot, Fault> {
-        let together = self.together(operator, gap, base, speed, near)?;
-        let mut last: Option<ContactSolution> = together.or_else(|| near.cloned());
-        let mut closed = last.as_ref().map_or_else(|| vec![true; gap.len()], |near| near.closed.clone());
-        for round in 0..ROUNDS {
-            let shared = self.shared(&closed)?;
-            let rates = self.rates(speed);
-            let load = self.load(base, &shared, &rates);
-            let found = operator.solve(gap, &load, last.as_ref()).map_err(unsolved)?;
-            // A point at an end of contact may open because it conducts and close because it does not: such points do not conduct.
-            let late = round >= FREE && closed.iter().zip(&found.closed).all(|(conducts, closed)| *closed || !conducts);
-            if late || found.closed == closed || !self.conducts() || !found.status.is_solved() {
-                return Ok(Hot::new(found, load, (&shared, &rates)));
-            }
-            let kept = |(conducts, closed): (&bool, &bool)| *closed && (round < FREE || *conducts);
-            closed = closed.iter().zip(&found.closed).map(kept).collect();
-            last = Some(found);
-        }
-        let message = "the points that conduct heat and those in contact do not settle on each other";
-        Err(Fault::at("heat.conductance", "not-converged", message, "give heat.share, or another gap"))
-    }
-
-    /// The contact whose points in contact are those that conduct: points with tension leave, points that overlap enter, all at once (primal-dual active
-    /// sets). None where that does not settle.
-    fn together(
-        &self,
-        operator: &ContactOperator<'_>,
-        gap: &[f64],
-        base: &ContactLoad,
-        speed: f64,
-        near: Option<&ContactSolution>,
-    ) -> Result<Option<ContactSolution>, Fault> {
-        let rates = self.rates(speed);
-        let mut closed = near.map_or_else(|| vec![true; gap.len()], |near| near.closed.clone());
-        for _ in 0..TOGETHER {
-            let load = self.load(base, &self.shared(&closed)?, &rates);
-            let Some(held) = operator.solve_on(gap, &load, &closed).map_err(unsolved)? else { return Ok(None) };
-            let pushed = |i: usize| if closed[i] { held.nodal_force[i] >= 0.0 } else { held.opening[i] < 0.0 };
-            let next: Vec<bool> = (0..gap.len()).map(pushed).collect();
-            if next == closed {
-                return Ok(Some(held));
-            }
-            closed = next;
-        }
-        Ok(None)
-    }
-
-    /// The contact with these points held in contact, pressure and temperature at once, whatever the signs; none where they cannot hold the bodies.
-    pub(crate) fn held(
-        &self,
-        operator: &ContactOperator<'_>,
-        gap: &[f64],
-        base: &ContactLoad,
-        closed: &[bool],
-    ) -> Result<Option<Hot>, Fault> {
-        let (shared, rates) = (self.shared(closed)?, self.rates(self.speed));
-        let load = self.load(base, &shared, &rates);
-        let found = operator.solve_on(gap, &load, closed).map_err(unsolved)?;
-        Ok(found.map(|found| Hot::new(found, load, (&shared, &rates))))
-    }
-
     /// Factors on the sliding speed for points in contact whose heat acts as far as it is smooth along the surface: without what is as fine as the points.
     pub(crate) fn smooth_factors(
         &self,
@@ -265,12 +124,12 @@ impl<'a> Following<'a> {
     }
 
     /// Heat that normal forces make at a part of the sliding speed (mm/s).
-    fn rates(&self, speed: f64) -> Vec<f64> {
+    pub(super) fn rates(&self, speed: f64) -> Vec<f64> {
         self.surfaces.rates.iter().map(|rate| speed * rate).collect()
     }
 
     /// Whether what points are in contact decides how the heat is shared.
-    fn conducts(&self) -> bool {
+    pub(super) fn conducts(&self) -> bool {
         matches!(self.warmed.heat.split, Split::Conductance(_))
     }
 
@@ -311,21 +170,13 @@ fn product(matrix: &Mat<f64>, x: &[f64]) -> Vec<f64> {
     (0..matrix.nrows()).map(|i| x.iter().enumerate().map(|(j, x)| matrix[(i, j)] * x).sum()).collect()
 }
 
-impl Lost {
-    /// Why there is no contact.
-    pub(super) fn words(&self) -> String {
-        let part = scene::short(self.at);
-        let what = "frictional heat narrows the contact until none is found that carries the load";
-        format!("{what}: that of the cold bodies does not last to {part} of the sliding speed; slide more slowly")
-    }
-}
-
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
     use crate::bodies::Bodies;
     use crate::options::Options;
+    use crate::steps::heat::hot::Hot;
     use crate::steps::start_gap::start_gaps;
 
     /// What is asked of the hot bodies of a scene.
