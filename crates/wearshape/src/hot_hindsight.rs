@@ -6,13 +6,23 @@ use scene::short;
 use crate::problem::Problem;
 use crate::remark::Remark;
 use crate::solution::Solution;
+use crate::words::ContactStatus;
 
 /// Part of a body's thickness beyond which a thermal displacement is no small one any more.
 const WIDE: f64 = 0.01;
 
 /// Remarks on the heat of a run; none of a scene without it.
 pub(crate) fn remarks(problem: &Problem, solution: &Solution) -> Vec<Remark> {
-    too_hot(solution).into_iter().chain(far(problem, solution)).collect()
+    [several(solution), too_hot(solution), far(problem, solution)].into_iter().flatten().collect()
+}
+
+/// A contact with an odd number of critical speeds below its own.
+fn several(solution: &Solution) -> Option<Remark> {
+    solution.heat.as_ref()?;
+    let message = "Frictional heat makes this contact one of several that carry the load: it lies beyond a speed at which contacts branch. \
+                   Slide more slowly, or take less of the heat into the bodies.";
+    let branched = solution.contact.as_ref()?.status == ContactStatus::NotUnique;
+    branched.then(|| Remark { code: "several-solutions", message: message.into() })
 }
 
 /// A material beyond the temperature that it bears.

@@ -289,3 +289,14 @@ fn a_narrow_hot_contact_that_a_coarse_mesh_loses_is_followed_with_nodes_on_its_e
     let [from, to] = <[f64; 2]>::try_from(found.ends).unwrap();
     assert!((from - 71.63).abs() < 0.02 && (to - 80.70).abs() < 0.02, "{from} to {to}");
 }
+
+#[test]
+fn a_hot_contact_that_has_branched_is_told_to_be_one_of_several() {
+    let codes = |share: &str| -> Vec<&'static str> {
+        let settings = ["tasks=[contact]", "mesh.degree=4", "mesh.layers=4", "sliding.omega=1.25", "load.force=100", share];
+        let solution = solved(&scene("drum-brake-hot", &settings));
+        solution.remarks.iter().map(|remark| remark.code).collect()
+    };
+    assert!(codes("heat={ share=0.3, counterface=revolving }").contains(&"several-solutions"));
+    assert!(!codes("heat={ share=0.03, counterface=revolving }").contains(&"several-solutions"));
+}
