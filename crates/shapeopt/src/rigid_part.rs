@@ -111,31 +111,34 @@ fn touching(curve: &impl Curve, places: &[Place], objective: &[f64], scale: f64)
     Some(touching)
 }
 
-/// Where a gap with the rigid part `a` is lowest: about its lowest sample, or where it dips lower between samples that are no lower.
+/// Where a gap with the rigid part `a` is lowest: about its lowest sample, or where it dips lower between samples that are no lower. Beside a kink, which
+/// the end of a cell is, a dip has no sample of its own that is lower than both beside it.
 fn lowest_place(curve: &impl Curve, places: &[Place], a: &[f64], slack: f64) -> Option<Place> {
     let gap = |s: f64| Place::on(curve, s).gap(a);
     let gaps: Vec<f64> = places.iter().map(|place| place.gap(a)).collect();
     let lowest = (0..gaps.len()).min_by(|i, j| gaps[*i].total_cmp(&gaps[*j]))?;
     let found = lowest_about(gap, places, lowest, slack);
     let to_beat = gap(found) - slack;
-    let inner = (1..gaps.len().saturating_sub(1)).filter(|i| *i != lowest && gaps[*i] <= gaps[i - 1].min(gaps[i + 1]));
+    let inner = (1..gaps.len().saturating_sub(1)).filter(|i| *i != lowest);
     // No dip is deeper than twice what a parabola tells, and what the parabola does not know is less than a part of what its ends tell.
     let deepest = |i: usize| {
-        let parabola = vertex([i - 1, i, i + 1].map(|k| [places[k].s, gaps[k]]));
-        2.0 * parabola - gaps[i] - BEYOND_PARABOLA * (gaps[i - 1].max(gaps[i + 1]) - gaps[i])
+        let parabola = vertex([i - 1, i, i + 1].map(|k| [places[k].s, gaps[k]]))?;
+        let least = gaps[i].min(gaps[i - 1]).min(gaps[i + 1]);
+        Some(2.0 * parabola - least - BEYOND_PARABOLA * (gaps[i - 1].max(gaps[i + 1]) - least))
     };
-    let dips = inner.filter(|i| deepest(*i) < to_beat);
+    let dips = inner.filter(|i| deepest(*i).is_some_and(|deepest| deepest < to_beat));
     let others = dips.map(|i| lowest_about(gap, places, i, slack)).filter(|s| gap(*s) < to_beat);
     let lower = others.min_by(|s, t| gap(*s).total_cmp(&gap(*t)));
     Some(Place::on(curve, lower.unwrap_or(found)))
 }
 
-/// Lowest value of the parabola through three points of which the middle one is lowest.
-fn vertex([[x, f], [y, g], [z, h]]: [[f64; 2]; 3]) -> f64 {
+/// Lowest value of the parabola through three points, if it has one between them.
+fn vertex([[x, f], [y, g], [z, h]]: [[f64; 2]; 3]) -> Option<f64> {
     let [left, right] = [(g - f) / (y - x), (h - g) / (z - y)];
     let bend = (right - left) / (z - x);
     let slope = left + bend * (y - x);
-    if bend > 0.0 { g - slope * slope / (4.0 * bend) } else { g }
+    let lowest = y - slope / (2.0 * bend);
+    (bend > 0.0 && (x..=z).contains(&lowest)).then(|| g - slope * slope / (4.0 * bend))
 }
 
 /// The lowest place between the samples beside one. Ends of cells are samples: there slopes may jump by the error of the discretisation, so that either
@@ -319,6 +322,16 @@ mod tests {
             let [shift, turn] = [found.coordinates[0], found.coordinates[1]];
             assert!(shift.abs() < 1e-13 && turn.abs() < 1e-13, "{low}: {shift:e} {turn:e}");
         }
+    }
+
+    /// On one side of a kink a dip lies between two samples, on the other side two lower ones, so that none beside the first dip is lower than both beside it.
+    #[test]
+    fn no_gap_dips_below_zero_beside_a_kink() {
+        let gap = |s: f64| if s < 1.0 { (s - 0.992).powi(2) } else { 0.07 * (s - 1.03).powi(2) + 1e-6 };
+        let found = lowest(&Line(gap)).expect("a solution");
+        let above = |k: i32| gap(1e-5 * f64::from(k)) + found.coordinates[0] + found.coordinates[1] * 1e-5 * f64::from(k);
+        let lowest = (0..=200_000).map(above).fold(f64::INFINITY, f64::min);
+        assert!((-1e-14..1e-9).contains(&lowest), "{lowest:e}");
     }
 
     /// Apart from each other they are touching points as they are.

@@ -11,6 +11,7 @@ mod numbers;
 mod tally;
 mod text;
 mod twin;
+mod warm;
 
 use draw::Random;
 use tally::Tally;

@@ -1,5 +1,7 @@
 //! A random scene as data, and what mirrors, scales and swaps it.
 
+use super::warm::Warm;
+
 /// Shape of a body.
 #[derive(Debug, Clone)]
 pub(super) enum Shape {
@@ -63,6 +65,8 @@ pub(super) struct Case {
     /// End of a run in time.
     pub until: f64,
     pub functional: &'static str,
+    /// Frictional heat.
+    pub heat: Option<Warm>,
 }
 
 fn mirrored_places(places: &[f64]) -> Vec<f64> {
@@ -156,6 +160,7 @@ impl Case {
         let [a, b] = self.exponents;
         let factor = length.powf(1.0 - a) * stress.powf(-b);
         twin.factors = self.factors.map(|beta| factor * beta);
+        twin.heat = self.heat.as_ref().map(|heat| heat.scaled(length, stress));
         twin
     }
 

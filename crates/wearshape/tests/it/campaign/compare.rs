@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use wearshape::{Bodies, Document, Options, PointStatus, Problem, Sampling, Solution, Status, solve};
+use wearshape::{Bodies, Document, HeatResult, Options, PointStatus, Problem, Sampling, Solution, Status, solve};
 
 /// Accuracy of a scene that asks for none.
 pub(super) const ACCURACY: f64 = 1e-6;
@@ -119,16 +119,26 @@ pub(super) fn deviations(one: &Solution, twin: &Solution, change: Change) -> Vec
         let (a, b) = (of(one), of(twin) / by);
         found.push((name, apart(&[a], &[b], a.abs())));
     }
+    if let (Some(a), Some(b)) = (&one.heat, &twin.heat) {
+        let hottest = [a.highest1, a.highest2].into_iter().flatten().fold(0.0, f64::max);
+        let of = |heat: &HeatResult| [heat.highest1, heat.highest2].map(|found| found.unwrap_or(f64::NAN));
+        found.push(("temperature", apart(&of(a), &of(b), hottest)));
+    }
     found
 }
 
-/// A number of an answer and its estimated relative error: the largest gap of a shape, the depth of wear in time, the energy of a contact.
+/// A number of an answer and its estimated relative error: the largest gap of a shape, the depth of wear in time, the energy of a contact or how hot that
+/// is.
 fn estimated(solution: &Solution) -> Option<(f64, f64)> {
     if let Some(wear) = &solution.wear {
         // Where nothing is known of the error, the steps hold the accuracy of the scene.
         return Some((wear.depth?, wear.run_in_error.unwrap_or(ACCURACY)));
     }
     let error = solution.error.as_ref()?;
+    if let (Some(heat), None) = (&solution.heat, &solution.shape) {
+        // Energies of hot bodies are not estimated.
+        return Some((heat.highest1?, error.pressure_relative?));
+    }
     match &solution.shape {
         Some(shape) => Some((shape.gap_max?, error.gap_relative?)),
         None => Some((solution.energy.as_ref()?.total(), error.energy_relative?)),
@@ -138,6 +148,10 @@ fn estimated(solution: &Solution) -> Option<(f64, f64)> {
 /// The difference of that number over what the estimates of both allow.
 pub(super) fn over_estimates(one: &Solution, twin: &Solution, change: Change) -> Option<f64> {
     let ((a, first), (b, second)) = (estimated(one)?, estimated(twin)?);
-    let by = if one.shape.is_some() || one.wear.is_some() { change.length } else { change.stress * change.length.powi(3) };
+    let by = match (one.shape.is_some() || one.wear.is_some(), &one.heat) {
+        (true, _) => change.length,
+        (false, Some(_)) => 1.0,
+        (false, None) => change.stress * change.length.powi(3),
+    };
     Some(apart(&[a], &[b / by], a.abs()) / (first + second))
 }

@@ -2,6 +2,7 @@
 
 use super::case::{Body, Case, Load, Shape};
 use super::twin::{Property, Rule};
+use super::warm::Warm;
 
 /// A generator of numbers (Steele, Lea and Flood 2014, splitmix).
 pub(super) struct Random(u64);
@@ -85,6 +86,10 @@ pub(super) fn case(random: &mut Random, property: Property) -> Case {
         // An estimate takes finer discretisations.
         (case.degree, case.layers) = (5, 1 + random.below(2));
     }
+    if matches!(property, Property::Mirror | Property::Scaling | Property::Units | Property::Threads) {
+        // From numbers of its own: what is drawn after it is what it was.
+        case.heat = Warm::drawn(&case, &mut Random(!random.0));
+    }
     case
 }
 
@@ -134,6 +139,7 @@ fn common(random: &mut Random, bodies: [Body; 2], area: f64) -> Case {
         exponents: [random.within(0.5, 1.5), random.within(0.5, 2.0)],
         until: 0.0,
         functional,
+        heat: None,
     }
 }
 

@@ -5,7 +5,7 @@
 pub(super) enum Writing {
     /// N, mm, MPa, s: bare numbers.
     Base,
-    /// Strings in kN, m, GPa, N m, m/s, ms.
+    /// Strings in kN, m, GPa, N m, m/s, ms, W/(m K), W/(m2 K).
     Other,
 }
 
@@ -42,6 +42,15 @@ impl Writing {
 
     pub(super) fn speed(self, value: f64) -> String {
         self.number(value, 3, "m/s")
+    }
+
+    pub(super) fn conductivity(self, value: f64) -> String {
+        self.number(value, 0, "W/(m K)")
+    }
+
+    /// Convection or conductance.
+    pub(super) fn film(self, value: f64) -> String {
+        self.number(value, -3, "W/(m2 K)")
     }
 
     pub(super) fn time(self, value: f64) -> String {

@@ -4,6 +4,7 @@ use super::blocks;
 use super::case::{Body, Case, Shape};
 use super::gmsh;
 use super::numbers::Writing;
+use super::warm::Warm;
 
 impl Case {
     /// Names and bytes of the files that the scene names.
@@ -36,8 +37,9 @@ impl Case {
         let until = if *task == "wear" { format!(", until = {}", writing.time(self.until)) } else { String::new() };
         text += &format!("wear = {{ beta = {:?}, a = {a:?}, b = {b:?}{until} }}\n", self.factors);
         text += &format!("optimum = {{ functional = \"{functional}\" }}\n");
+        text += &self.heat.as_ref().map(|heat| heat.text(writing)).unwrap_or_default();
         for (number, body) in self.bodies.iter().enumerate() {
-            text += &body_text(number + 1, body, writing);
+            text += &body_text(number + 1, (body, self.heat.as_ref()), writing);
         }
         text
     }
@@ -60,9 +62,10 @@ impl Case {
     }
 }
 
-fn body_text(number: usize, body: &Body, writing: Writing) -> String {
-    let mut text =
-        format!("[body{number}]\nmaterial = {{ young = {}, poisson = {:?} }}\n", writing.young(body.young), body.poisson);
+fn body_text(number: usize, (body, heat): (&Body, Option<&Warm>), writing: Writing) -> String {
+    let (young, thermal) = (writing.young(body.young), heat.map(|heat| heat.material(number - 1, writing)).unwrap_or_default());
+    let mut text = format!("[body{number}]\nmaterial = {{ young = {young}, poisson = {:?}{thermal} }}\n", body.poisson);
+    text += &heat.map(|heat| heat.body(number - 1, &body.shape, writing)).unwrap_or_default();
     for (edge, held) in &body.support {
         text += &format!("support.{edge} = {held}\n");
     }
