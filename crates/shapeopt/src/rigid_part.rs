@@ -119,26 +119,28 @@ fn lowest_place(curve: &impl Curve, places: &[Place], a: &[f64], slack: f64) -> 
     let lowest = (0..gaps.len()).min_by(|i, j| gaps[*i].total_cmp(&gaps[*j]))?;
     let found = lowest_about(gap, places, lowest, slack);
     let to_beat = gap(found) - slack;
+    let searched = places[lowest.saturating_sub(1)].s..=places[(lowest + 1).min(gaps.len() - 1)].s;
     let inner = (1..gaps.len().saturating_sub(1)).filter(|i| *i != lowest);
-    // No dip is deeper than twice what a parabola tells, and what the parabola does not know is less than a part of what its ends tell.
-    let deepest = |i: usize| {
-        let parabola = vertex([i - 1, i, i + 1].map(|k| [places[k].s, gaps[k]]))?;
-        let least = gaps[i].min(gaps[i - 1]).min(gaps[i + 1]);
-        Some(2.0 * parabola - least - BEYOND_PARABOLA * (gaps[i - 1].max(gaps[i + 1]) - least))
-    };
-    let dips = inner.filter(|i| deepest(*i).is_some_and(|deepest| deepest < to_beat));
+    let dips = inner.filter(|i| {
+        let about = [i - 1, *i, i + 1];
+        let Some([at, parabola]) = vertex(about.map(|k| [places[k].s, gaps[k]])) else { return false };
+        let [least, most] = [f64::min, f64::max].map(|of| about.map(|k| gaps[k]).into_iter().reduce(of).unwrap_or(0.0));
+        // No dip is deeper than twice what a parabola tells, and what the parabola does not know is less than a part of what its ends tell.
+        2.0 * parabola - least - BEYOND_PARABOLA * (most - least) < to_beat
+            && (gaps[*i] <= least || parabola < least - slack && !searched.contains(&at) && 2.0 * gap(at) - least < to_beat)
+    });
     let others = dips.map(|i| lowest_about(gap, places, i, slack)).filter(|s| gap(*s) < to_beat);
     let lower = others.min_by(|s, t| gap(*s).total_cmp(&gap(*t)));
     Some(Place::on(curve, lower.unwrap_or(found)))
 }
 
-/// Lowest value of the parabola through three points, if it has one between them.
-fn vertex([[x, f], [y, g], [z, h]]: [[f64; 2]; 3]) -> Option<f64> {
+/// The lowest place of the parabola through three points, if it has one between them, and its value there.
+fn vertex([[x, f], [y, g], [z, h]]: [[f64; 2]; 3]) -> Option<[f64; 2]> {
     let [left, right] = [(g - f) / (y - x), (h - g) / (z - y)];
     let bend = (right - left) / (z - x);
     let slope = left + bend * (y - x);
     let lowest = y - slope / (2.0 * bend);
-    (bend > 0.0 && (x..=z).contains(&lowest)).then(|| g - slope * slope / (4.0 * bend))
+    (bend > 0.0 && (x..=z).contains(&lowest)).then(|| [lowest, g - slope * slope / (4.0 * bend)])
 }
 
 /// The lowest place between the samples beside one. Ends of cells are samples: there slopes may jump by the error of the discretisation, so that either
