@@ -99,14 +99,27 @@ impl Following<'_> {
         speed: f64,
         near: Option<&ContactSolution>,
     ) -> Result<Hot, Fault> {
-        let together = self.together(operator, gap, base, speed, near)?;
-        let mut last: Option<ContactSolution> = together.or_else(|| near.cloned());
+        let together = |near| self.together(operator, gap, base, speed, near);
+        let mut last = match near {
+            Some(near) => Some(together(Some(near))?.unwrap_or_else(|| near.clone())),
+            None => None,
+        };
         let mut closed = last.as_ref().map_or_else(|| vec![true; gap.len()], |near| near.closed.clone());
         for round in 0..ROUNDS {
             let shared = self.shared(&closed)?;
             let rates = self.rates(speed);
             let load = self.load(base, &shared, &rates);
             let found = operator.solve(gap, &load, last.as_ref()).map_err(unsolved)?;
+            // Surfaces that touch everywhere need no search.
+            if round == 0
+                && near.is_none()
+                && !(found.closed == closed && found.status.is_solved())
+                && let Some(held) = together(None)?
+            {
+                closed.clone_from(&held.closed);
+                last = Some(held);
+                continue;
+            }
             // A point at an end of contact may open because it conducts and close because it does not: such points do not conduct.
             let late = round >= FREE && closed.iter().zip(&found.closed).all(|(conducts, closed)| *closed || !conducts);
             if late || found.closed == closed || !self.conducts() || !found.status.is_solved() {
