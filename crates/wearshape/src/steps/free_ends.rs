@@ -51,8 +51,7 @@ fn position_at<'a>(
         if (stage.options.ending)() {
             return Ok(None);
         }
-        let Some((reduced, mut following)) = bodies(stage, level, places, work)? else { return Ok(None) };
-        following.iter_mut().for_each(|following| following.speed = speed);
+        let Some((reduced, following)) = bodies(stage, level, places, work)? else { return Ok(None) };
         work.counters.contact_solves += 1;
         let pair = reduced.pair()?;
         let length = pair.trace().length();
@@ -63,7 +62,9 @@ fn position_at<'a>(
         let gap = start_gaps(stage, &operator);
         let load = stage.contact_load(operator.points());
         let found = work.timed(Step::Interface, stage.clock(), |_| match &following {
-            Some(following) => Ok(following.held(&operator, &gap, &load, &closed)?.map(|hot| (hot.found.clone(), Some(hot)))),
+            Some(following) => {
+                Ok(following.held(&operator, &gap, &load, (speed, &closed))?.map(|hot| (hot.found.clone(), Some(hot))))
+            }
             None => Ok(operator.solve_on(&gap, &load, &closed).map_err(unsolved)?.map(|held| (held, None))),
         })?;
         let Some((held, hot)) = found else { return Ok(None) };

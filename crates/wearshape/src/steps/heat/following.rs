@@ -38,8 +38,6 @@ pub(crate) struct Following<'a> {
     pub(super) follows: [Follows; 2],
     /// Heat into each body (mW) whose temperature is the load case of the heat; what follows the pressure is what is beyond it.
     about: [Vec<f64>; 2],
-    /// Part of the sliding speed at which points are held in contact.
-    pub speed: f64,
 }
 
 /// Factors on the sliding speed.
@@ -84,7 +82,7 @@ impl<'a> Following<'a> {
             Second::Fresh(_) => Follows::Nothing,
         };
         let (warmed, surfaces) = (Arc::clone(&warm.bodies), Arc::clone(&warm.surfaces));
-        Following { reduced, warmed, surfaces, follows: [body(), second], about, speed: 1.0 }
+        Following { reduced, warmed, surfaces, follows: [body(), second], about }
     }
 
     /// Factors on the sliding speed for points in contact whose heat acts as far as it is smooth along the surface: without what is as fine as the points.
@@ -239,7 +237,7 @@ mod tests {
             let found = following.solve(&operator, &gap, &load).unwrap().found;
             assert!(found.status.is_solved() && found.iterations <= 2, "{:?} {}", found.status, found.iterations);
             // The points in contact are those that conduct.
-            let held = following.held(&operator, &gap, &load, &found.closed).unwrap().unwrap().found;
+            let held = following.held(&operator, &gap, &load, (1.0, &found.closed)).unwrap().unwrap().found;
             let largest = found.pressure.iter().fold(0.0, |most: f64, p| most.max(*p));
             assert!(held.complementarity < 1e-9 && found.closed.contains(&false) && found.closed.contains(&true));
             assert!(found.pressure.iter().zip(&held.pressure).all(|(a, b)| (a - b).abs() < 1e-9 * largest));

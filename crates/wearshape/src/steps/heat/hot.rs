@@ -99,9 +99,9 @@ impl Following<'_> {
         speed: f64,
         near: Option<&ContactSolution>,
     ) -> Result<Hot, Fault> {
-        let together = |near| self.together(operator, gap, base, speed, near);
+        let together = |from: Vec<bool>| self.together(operator, gap, base, (speed, from));
         let mut last = match near {
-            Some(near) => Some(together(Some(near))?.unwrap_or_else(|| near.clone())),
+            Some(near) => Some(together(near.closed.clone())?.unwrap_or_else(|| near.clone())),
             None => None,
         };
         let mut closed = last.as_ref().map_or_else(|| vec![true; gap.len()], |near| near.closed.clone());
@@ -114,7 +114,7 @@ impl Following<'_> {
             if round == 0
                 && near.is_none()
                 && !(found.closed == closed && found.status.is_solved())
-                && let Some(held) = together(None)?
+                && let Some(held) = together(closed.clone())?
             {
                 closed.clone_from(&held.closed);
                 last = Some(held);
@@ -133,21 +133,17 @@ impl Following<'_> {
         Err(Fault::at("heat.conductance", "not-converged", message, "give heat.share, or another gap"))
     }
 
-    /// The contact whose points in contact are those that conduct: points with tension leave, points that overlap enter, all at once (primal-dual active
-    /// sets). None where that does not settle.
+    /// The contact whose points in contact are those that conduct, from some that are: points with tension leave, points that overlap enter, all at once
+    /// (primal-dual active sets; Hintermueller, Ito and Kunisch, SIAM J. Optim. 13, 2002, 865-888). None where that does not settle.
     fn together(
         &self,
         operator: &ContactOperator<'_>,
         gap: &[f64],
         base: &ContactLoad,
-        speed: f64,
-        near: Option<&ContactSolution>,
+        (speed, mut closed): (f64, Vec<bool>),
     ) -> Result<Option<ContactSolution>, Fault> {
-        let rates = self.rates(speed);
-        let mut closed = near.map_or_else(|| vec![true; gap.len()], |near| near.closed.clone());
         for _ in 0..TOGETHER {
-            let load = self.load(base, &self.shared(&closed)?, &rates);
-            let Some(held) = operator.solve_on(gap, &load, &closed).map_err(unsolved)? else { return Ok(None) };
+            let Some(Hot { found: held, .. }) = self.held(operator, gap, base, (speed, &closed))? else { return Ok(None) };
             let pushed = |i: usize| if closed[i] { held.nodal_force[i] >= 0.0 } else { held.opening[i] < 0.0 };
             let next: Vec<bool> = (0..gap.len()).map(pushed).collect();
             if next == closed {
@@ -158,15 +154,16 @@ impl Following<'_> {
         Ok(None)
     }
 
-    /// The contact with these points held in contact, pressure and temperature at once, whatever the signs; none where they cannot hold the bodies.
+    /// The contact at a factor on the sliding speed with these points held in contact, pressure and temperature at once, whatever the signs; none where
+    /// they cannot hold the bodies.
     pub(crate) fn held(
         &self,
         operator: &ContactOperator<'_>,
         gap: &[f64],
         base: &ContactLoad,
-        closed: &[bool],
+        (speed, closed): (f64, &[bool]),
     ) -> Result<Option<Hot>, Fault> {
-        let (shared, rates) = (self.shared(closed)?, self.rates(self.speed));
+        let (shared, rates) = (self.shared(closed)?, self.rates(speed));
         let load = self.load(base, &shared, &rates);
         let found = operator.solve_on(gap, &load, closed).map_err(unsolved)?;
         Ok(found.map(|found| Hot::new(found, load, (&shared, &rates))))
