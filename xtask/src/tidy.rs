@@ -11,6 +11,7 @@ mod libraries;
 mod list;
 mod modules;
 mod names;
+mod notes;
 mod parsed;
 mod source;
 mod strip;
@@ -60,6 +61,7 @@ pub(crate) fn run(root: &Path, words: &[String]) -> ExitCode {
 fn check(files: &[TextFile]) -> Vec<Finding> {
     let mut findings = imports::check(files);
     findings.extend(source::check(files));
+    findings.extend(notes::check(files));
     let (parsed, broken) = parsed::parse(files);
     findings.extend(broken);
     findings.extend(circles::check(&parsed, today::CIRCLES));

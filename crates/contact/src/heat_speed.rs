@@ -44,13 +44,13 @@ const SLOPES: usize = 24;
 
 /// The system of the closed points in all unknowns: forces, then coordinates. The hot part is `by_case follows`, of few columns where the heat is that of few
 /// fluxes.
-struct Pencil {
+pub(crate) struct Pencil {
     points: usize,
     /// Points whose pressure can be told from nothing.
     told: Vec<usize>,
-    cold: Mat<f64>,
-    by_case: Mat<f64>,
-    follows: Mat<f64>,
+    pub(crate) cold: Mat<f64>,
+    pub(crate) by_case: Mat<f64>,
+    pub(crate) follows: Mat<f64>,
     right: Mat<f64>,
 }
 
@@ -80,7 +80,7 @@ impl ContactOperator<'_> {
     }
 
     /// The system of the closed points; none where nothing follows the pressure.
-    fn pencil(&self, load: &ContactLoad, closed: &[bool]) -> Result<Option<Pencil>, Error> {
+    pub(crate) fn pencil(&self, load: &ContactLoad, closed: &[bool]) -> Result<Option<Pencil>, Error> {
         let gap = vec![0.0; self.points().len()];
         let Some(Followers { by_case, factors }) = self.followers(load)? else { return Ok(None) };
         let without = ContactLoad { following: [None, None], ..load.clone() };

@@ -16,6 +16,7 @@ mod following;
 mod free_ends;
 mod growth;
 mod heat;
+mod heat_growth;
 mod heat_speed;
 mod heated_system;
 mod held;

@@ -15,6 +15,7 @@ mod files;
 mod harmless;
 mod heat_curves;
 mod heat_drawing;
+mod heat_line;
 mod heat_picture;
 mod isobands;
 mod json;

@@ -1,4 +1,4 @@
-//! path-NAME.csv: displacement and stress along a line through a body.
+//! path-NAME.csv: displacement, stress and temperature along a line through a body.
 
 use wearshape::{PathProfile, Solution};
 

@@ -55,6 +55,9 @@ fn read(rows: &[[f64; 2]]) -> Option<Read> {
 /// What to take off where, of a run that has found a shape.
 pub(crate) fn taken_off(problem: &Problem, solution: &Solution) -> Option<String> {
     let shape = solution.shape.as_ref()?;
+    if shape.flat {
+        return Some("nothing is to be taken off".into());
+    }
     shape_words(problem, solution).or_else(|| {
         let at = shape.gap_where.map(|s| format!(" at {}", place(problem, s))).unwrap_or_default();
         shape.gap_max.map(|most| format!("take off most, {} um,{at}", brief(most)))

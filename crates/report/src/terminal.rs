@@ -9,6 +9,7 @@ use wearshape::{
 
 use crate::brake_line::{both_ways, brake_line};
 use crate::brief::brief;
+use crate::heat_line::heat_line;
 use crate::missed;
 use crate::place::place;
 use crate::verdict::{pressures, verdict};
@@ -33,6 +34,7 @@ pub fn first_screen(problem: &Problem, solution: &Solution, folder: &Path) -> St
     let senses = solution.reversing.as_ref().filter(|reversing| reversing.share > 0.0 && reversing.share < 1.0);
     let senses = senses.and_then(|reversing| Some([reversing.forward.brake.as_ref()?, reversing.back.brake.as_ref()?]));
     lines.extend(brake.map(|brake| senses.map_or_else(|| brake_line(brake, solution.pressure.is_some()), both_ways)));
+    lines.extend(solution.heat.as_ref().map(heat_line));
     lines.extend(solution.machining.as_ref().map(machining_line));
     lines.extend(solution.wear.as_ref().map(|wear| wear_line(wear, solution.pressure.is_some())));
     lines.extend(ends_line(solution));

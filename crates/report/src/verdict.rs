@@ -45,7 +45,12 @@ fn machine(problem: &Problem, solution: &Solution) -> String {
     let words = taken_off(problem, solution);
     let steady = |pressure: &PressureResult| pressure.functional == Functional::Steady && !is_capped(problem, pressure);
     let steady = solution.pressure.as_ref().is_some_and(steady);
-    let end = if steady { "it starts worn in" } else { "it has the wanted pressure" };
+    let lasts = !solution.remarks.iter().any(|remark| remark.code == "thermoelastic-instability");
+    let end = match (steady, lasts) {
+        (true, true) => "it starts worn in",
+        (true, false) => "it starts worn in, but frictional heat does not let it stay so",
+        (false, _) => "it has the wanted pressure",
+    };
     format!("Machine this shape: {}; {end}.", words.unwrap_or_default())
 }
 

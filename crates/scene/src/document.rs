@@ -71,6 +71,9 @@ pub(crate) fn syntax(file: &str, text: &str, message: &str, span: Range<usize>) 
         Some((written, meant)) => {
             (format!("a decimal comma in `{written}`"), format!("write a decimal point, not a comma: {meant}"))
         }
+        None if message.contains("mantissa") => {
+            (message.to_string(), "write a digit before and after the decimal point, as in 0.5".to_string())
+        }
         None => (message.to_string(), "write `key = value`; text in double quotes".to_string()),
     };
     Fault { place: Some(Place::file(file, text, span)), ..Fault::new("syntax", format!("this is not TOML: {message}"), remedy) }

@@ -4,7 +4,7 @@ use crate::fault::{Fault, Place};
 use crate::tree::{self, Entry, Node, Origin, Value};
 
 /// Keys that exclude each other: setting one removes the others of its row. `*` stands for any one key.
-const ALTERNATIVES: [&[&str]; 22] = [
+const ALTERNATIVES: [&[&str]; 28] = [
     &["accuracy", "mesh"],
     &["load.force", "load.approach"],
     &["load.moment", "load.tilt"],
@@ -18,6 +18,12 @@ const ALTERNATIVES: [&[&str]; 22] = [
     &["wear.threshold", "wear.law"],
     &["wear.law.*"],
     &["heat.share", "heat.conductance"],
+    &["body1.heat.*.temperature", "body1.heat.*.convection", "body1.heat.*.flux"],
+    &["body2.heat.*.temperature", "body2.heat.*.convection", "body2.heat.*.flux"],
+    &["body1.heat.*.ambient", "body1.heat.*.temperature"],
+    &["body2.heat.*.ambient", "body2.heat.*.temperature"],
+    &["body1.heat.*.ambient", "body1.heat.*.flux"],
+    &["body2.heat.*.ambient", "body2.heat.*.flux"],
     &["sliding.omega", "sliding.speed"],
     &["body1.geometry.*"],
     &["body2.geometry.*"],

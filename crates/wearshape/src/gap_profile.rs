@@ -45,6 +45,7 @@ pub(crate) fn read(files: Files<'_>, name: &str, key: &str) -> Result<Columns, F
     for (at, line) in lines {
         let row = header.row(line, &mut mark).map_err(|why| wrong(at.clone(), why))?;
         let Some([s, gap]) = row else { continue };
+        let gap = if (-ROUND_OFF..0.0).contains(&gap) { 0.0 } else { gap };
         check_row([s, gap], rows.last().map(|[s, _]| *s)).map_err(|why| wrong(at, why))?;
         rows.push([s, gap]);
     }
@@ -181,6 +182,9 @@ fn mark_name(mark: char) -> &'static str {
 fn scaled(value: f64, power: i32) -> f64 {
     if power < 0 { value / 10f64.powi(-power) } else { value * 10f64.powi(power) }
 }
+
+/// A gap (um) below zero by no more is one of 0 that a computer wrote: an atom has a hundred thousand times as much.
+const ROUND_OFF: f64 = 1e-9;
 
 /// What is wrong with a row after the place before it.
 fn check_row([s, gap]: [f64; 2], before: Option<f64>) -> Result<(), [String; 2]> {

@@ -48,6 +48,9 @@ pub struct HeatResult {
     /// Times that the contact of a run in time jumped to another pressure by its heat; left out where it never did.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub jumps: Option<usize>,
+    /// The fastest growth of a deviation from a steady pressure (1/s), 0 where all of them wear off; none where that is not known.
+    #[serde(skip)]
+    pub growth: Option<f64>,
     /// Materials that are hotter than they bear.
     #[serde(skip)]
     pub too_hot: Vec<TooHot>,

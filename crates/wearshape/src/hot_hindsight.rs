@@ -13,7 +13,7 @@ const WIDE: f64 = 0.01;
 
 /// Remarks on the heat of a run; none of a scene without it.
 pub(crate) fn remarks(problem: &Problem, solution: &Solution) -> Vec<Remark> {
-    [several(solution), too_hot(solution), far(problem, solution)].into_iter().flatten().collect()
+    [several(solution), growing(solution), too_hot(solution), far(problem, solution)].into_iter().flatten().collect()
 }
 
 /// A contact with an odd number of critical speeds below its own.
@@ -23,6 +23,17 @@ fn several(solution: &Solution) -> Option<Remark> {
                    Slide more slowly, or take less of the heat into the bodies.";
     let branched = solution.contact.as_ref()?.status == ContactStatus::NotUnique;
     branched.then(|| Remark { code: "several-solutions", message: message.into() })
+}
+
+/// A shape whose steady pressure does not last.
+fn growing(solution: &Solution) -> Option<Remark> {
+    let growth = solution.heat.as_ref()?.growth.filter(|growth| *growth > 0.0)?;
+    let message = format!(
+        "Frictional heat lets deviations from this pressure grow, by e in {} s, instead of wearing off: the shape does not stay worn in. \
+         Slide more slowly, or take less of the heat into the bodies.",
+        rounded(1.0 / growth)
+    );
+    Some(Remark { code: "thermoelastic-instability", message })
 }
 
 /// A material beyond the temperature that it bears.

@@ -1,4 +1,4 @@
-//! Displacement and stress along a straight line through a body.
+//! Displacement, stress and temperature along a line or arc through a body.
 
 use hpfem::Stress;
 

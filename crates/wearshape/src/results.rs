@@ -244,6 +244,9 @@ pub struct ShapeResult {
     /// Whether a round trip misses by more than round-off and the estimated error of the gap allow; the status says so in words.
     #[serde(skip)]
     pub proof_failed: bool,
+    /// Whether its gap is round-off.
+    #[serde(skip)]
+    pub flat: bool,
     /// What errors of the shape do.
     pub tolerance: Vec<ToleranceResult>,
 }

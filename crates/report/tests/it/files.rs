@@ -56,6 +56,14 @@ fn a_shape_has_its_tables_pictures_fields_drawing_and_page_each_once() {
 }
 
 #[test]
+fn the_page_links_to_every_file_that_it_does_not_show() {
+    let page = text("report.html");
+    for (name, _) in files().iter().filter(|(name, _)| name != "report.html" && !name.ends_with(".svg")) {
+        assert!(page.contains(&format!("href=\"{name}\"")), "{name} is not linked: FILES of page.rs has its words");
+    }
+}
+
+#[test]
 fn the_same_solution_gives_the_same_bytes() {
     assert!(files() == files());
 }

@@ -34,7 +34,7 @@ impl<'de> Deserialize<'de> for Conductance {
             }
 
             fn visit_str<E: de::Error>(self, text: &str) -> Result<Conductance, E> {
-                if text.trim() == "inf" {
+                if text.trim().eq_ignore_ascii_case("inf") {
                     return Ok(Conductance(f64::INFINITY));
                 }
                 QuantityVisitor(&HEAT_TRANSFER).visit_str(text).map(|(number, _)| Conductance(number))

@@ -156,7 +156,7 @@ fn available(scene: &Scene, tasks: &[Task], patch: Option<&Patch>) -> Result<(),
     }
     let known = patch.is_some_and(|patch| !patch.is_convex() && patch.extent().is_some_and(is_common));
     if !known {
-        let what = "a contact of surfaces that do not lie on each other (round on flat, a clearance, two round bodies)";
+        let what = "a contact of surfaces that do not lie on each other (round on flat, two round bodies)";
         return refused("contact.edges", what, "give both bodies one contact surface, or remove `heat`");
     }
     Ok(())

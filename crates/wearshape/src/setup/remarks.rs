@@ -16,6 +16,7 @@ pub(super) fn remarks(problem: &Problem, tasks: &[Task]) -> Vec<Remark> {
     let mut found = Vec::new();
     let mut say = |code: &'static str, message: String| found.push(Remark { code, message: with_short_numbers(&message) });
     materials(problem, &mut say);
+    expansions(problem, &mut say);
     guide(problem, &mut say);
     if let Some(residual) = problem.gap.residual {
         let [rms, most] = [residual.rms, residual.most].map(scene::short);
@@ -93,6 +94,23 @@ fn materials(problem: &Problem, say: &mut impl FnMut(&'static str, String)) {
         }
     }
 }
+
+/// Expansions that no solid has.
+fn expansions(problem: &Problem, say: &mut impl FnMut(&'static str, String)) {
+    for body in problem.heat.iter().zip(&problem.couple).flat_map(|(_, couple)| &couple.bodies) {
+        let alphas = body.materials.iter().filter_map(|material| material.expansion).map(|alpha| alpha.0);
+        let largest = alphas.fold(0.0, f64::max);
+        if largest > IMPLAUSIBLE {
+            let of = body.key.replace("body", "body ");
+            let message =
+                format!("{of} expands by {largest} for each kelvin: is the power of ten right? Steel has 12e-6, rubber 2e-4.");
+            say("expansion-implausible", message);
+        }
+    }
+}
+
+/// Thermal expansion (1/K) beyond that of any solid.
+const IMPLAUSIBLE: f64 = 2e-3;
 
 /// Names of the materials of cells with a modulus.
 fn name_of(body: &scene::Body, young: f64) -> Option<String> {

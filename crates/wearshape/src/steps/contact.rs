@@ -113,8 +113,10 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
     let pressure = inner_places(&zones, length, SAMPLES).iter().map(|arc| operator.pressure_at(&found.pressure, *arc)).collect();
     let mut told = told(stage, &reduced, &operator, &gap, &found);
     let heat = match &hot {
-        Some(hot) => Some(hot.tell(&operator, &mut told, &mut search.speeds)?),
+        // Of a contact that there is not, nothing is told.
         None => None,
+        Some(_) if !found.status.is_solved() => None,
+        Some(hot) => Some(hot.tell(&operator, &mut told, &mut search.speeds)?),
     };
     if let Some(twist) = &twist {
         [&mut told.profile, &mut told.curve].into_iter().for_each(|profile| twist.fill(&operator, profile, start));

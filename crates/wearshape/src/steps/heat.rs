@@ -4,6 +4,7 @@ pub(crate) mod bodies;
 pub(crate) mod boundary;
 pub(crate) mod conduction;
 pub(crate) mod contact;
+pub(crate) mod deviations;
 pub(crate) mod drum;
 pub(crate) mod fields;
 pub(crate) mod following;

@@ -75,18 +75,28 @@ pub(crate) fn wanted_heat(shaper: &Shaper<'_>, surfaces: &Surfaces, heat: &Heat)
     Ok(PointHeat { friction, into })
 }
 
-/// Factors on the sliding speed of a shape, whose closed points are those where pressure is wanted; where its contact is singular at any, also those of
-/// smooth heat, for comparison.
-pub(crate) fn speeds(shaper: &Shaper<'_>, following: &Following<'_>) -> Result<(Speeds, Option<SpeedFactors>), Fault> {
+/// What a shape bears of its sliding speed.
+pub(crate) struct Bears {
+    /// Factors on the speed, of the points where pressure is wanted.
+    pub speeds: Speeds,
+    /// The same of heat that is smooth along the surface, where the contact is singular at any factor.
+    pub smooth: Option<SpeedFactors>,
+    /// The fastest growth of a deviation from its steady pressure (1/s).
+    pub growth: Option<f64>,
+}
+
+/// What a shape bears of its sliding speed.
+pub(crate) fn bears(shaper: &Shaper<'_>, following: &Following<'_>) -> Result<Bears, Fault> {
     let pair = following.reduced.pair()?;
     let operator = following.reduced.operator(&pair, shaper.stage.friction() > 0.0)?;
-    let closed: Vec<bool> =
-        operator.points().iter().map(|p| shaper.pressure(&SurfacePlace::from(p), Some(&pair)) > 0.0).collect();
+    let pressure: Vec<f64> = operator.points().iter().map(|p| shaper.pressure(&SurfacePlace::from(p), Some(&pair))).collect();
+    let closed: Vec<bool> = pressure.iter().map(|p| *p > 0.0).collect();
     let load = contact_load(shaper, operator.points());
-    let found = following.speeds(&operator, (&load, &closed), &following.surfaces.rates)?;
-    let singular = !found.factors.singular.is_empty();
+    let speeds = following.speeds(&operator, (&load, &closed), &following.surfaces.rates)?;
+    let singular = !speeds.factors.singular.is_empty();
     let smooth = singular.then(|| following.smooth_factors(&operator, (&load, &closed))).transpose()?;
-    Ok((found, smooth))
+    let growth = following.deviation_growth(shaper.stage, &operator, (&load, &pressure))?;
+    Ok(Bears { speeds, smooth, growth })
 }
 
 /// Load of a contact on the shape, with the worn motions of its wear.

@@ -48,6 +48,19 @@ struct Solved<'a> {
     hot: Option<HotShape<'a>>,
 }
 
+/// Largest gap over the largest displacement that is round-off.
+const FLAT: f64 = 1e-11;
+
+impl Solved<'_> {
+    /// Whether nothing is to be taken off: the gap is round-off.
+    fn is_flat(&self, measure: Measure) -> bool {
+        let largest = |values: &mut dyn Iterator<Item = &f64>| values.fold(0.0_f64, |most, value| most.max(value.abs()));
+        let states = [Some(&self.shape.shaped), self.shape.counter.as_ref()].into_iter().flatten();
+        let moved = largest(&mut states.flat_map(|state| &state.unknowns));
+        measure == Measure::Largest && largest(&mut self.gaps.iter()) <= FLAT * moved
+    }
+}
+
 /// What stages before the shape leave to it.
 pub(crate) struct Before<'a> {
     /// Shapes solved for to find the force of a prescribed approach.
@@ -68,7 +81,12 @@ pub(crate) fn solve(stage: Stage<'_>, before: &Before<'_>, watch: &mut Watch<'_>
     let shaper = Shaper::new(stage, &optimum);
     let ladder = Ladder::of(stage.problem, stage.options, Step::Shape).and_beyond(stage.problem);
     let measure = stage.problem.measure();
-    let distance = |a: &Solved<'_>, b: &Solved<'_>| [difference_of_gaps(&a.gaps, &b.gaps, &b.closing, measure)];
+    // Of gaps that are round-off the difference is as large as they are.
+    let are_flat = |levels: [&Solved<'_>; 2]| levels.into_iter().all(|level| level.is_flat(measure));
+    let distance = |a: &Solved<'_>, b: &Solved<'_>| match are_flat([a, b]) {
+        true => [0.0],
+        false => [difference_of_gaps(&a.gaps, &b.gaps, &b.closing, measure)],
+    };
     let solve = |level, before: &[Solved<'_>], _: &mut Watch<'_>| {
         let left = ladder.expects_more(before, &distance);
         shaper.level(level, left).map(ControlFlow::Continue).map_err(Refusal::Fault)
@@ -91,7 +109,7 @@ pub(crate) fn solve(stage: Stage<'_>, before: &Before<'_>, watch: &mut Watch<'_>
         outcome.error = error_of_gap(error, measure, &ladder.told_by(solved.len()), before.how);
         let work = shaper.report(last, before.passes, &mut outcome)?;
         effort += work;
-        let least = least_error(&last.shape, measure, &outcome);
+        let least = if last.is_flat(measure) { 0.0 } else { least_error(&last.shape, measure, &outcome) };
         if error.is_some_and(|error| error < least) {
             outcome.error = error_of_gap(Some(least), measure, "round-off through the condition", before.how);
         }
@@ -175,6 +193,7 @@ impl<'a> Shaper<'a> {
             roundtrip_same: None,
             roundtrip_independent: None,
             proof_failed: false,
+            flat: solved.is_flat(stage.problem.measure()),
             tolerance: Vec::new(),
         };
         outcome.machined = stage.options.machining.then(|| self.machined(&pair, shape));
@@ -228,8 +247,9 @@ impl<'a> Shaper<'a> {
         let mut following = None;
         if !outcome.stopped {
             let own = hot.following(&solved.reduced);
-            let (found, smooth) = hot_shape::speeds(self, &own)?;
-            result.take_speeds(&found, smooth.as_ref());
+            let bears = hot_shape::bears(self, &own)?;
+            result.take_speeds(&bears.speeds, bears.smooth.as_ref());
+            result.growth = bears.growth;
             following = Some(own);
         }
         outcome.heat = Some(result);

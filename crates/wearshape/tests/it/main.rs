@@ -18,6 +18,7 @@ mod guided;
 mod heat;
 mod heat_wear;
 mod hot_energy;
+mod hot_lasting;
 mod hot_shape;
 mod jumps;
 mod load;

@@ -43,12 +43,14 @@ impl Conduction {
         let body = &stage.couple.bodies[number];
         let kinematics = kinematics(stage.couple.kinematics);
         let failed = |error: hpfem::Error| {
-            Fault::at(
-                format!("{}.heat", body.key),
-                "no-temperature",
-                error.to_string(),
-                "check the materials and edges of the body",
-            )
+            let (message, remedy) = match error {
+                hpfem::Error::HeldTwice { place, value, known, .. } => (
+                    format!("two edges that meet at {place} are held at {known} and at {value} degC"),
+                    "hold one of them, and let the other one be cooled by convection",
+                ),
+                other => (other.to_string(), "check the materials and edges of the body"),
+            };
+            Fault::at(format!("{}.heat", body.key), "no-temperature", message, remedy)
         };
         let (mut mesh, degrees) = (Mesh::clone(parts.mesh()), parts.degrees().to_vec());
         let conductor = |material: &scene::Material| Material::conductor(material.conductivity.map_or(0.0, |k| k.0));

@@ -115,7 +115,7 @@ impl<'a> Following<'a> {
     }
 
     /// The load of bodies that fit where nothing heats them.
-    fn fitting(&self, base: &ContactLoad, rates: &[f64], shared: &SharedHeat) -> ContactLoad {
+    pub(super) fn fitting(&self, base: &ContactLoad, rates: &[f64], shared: &SharedHeat) -> ContactLoad {
         let mut load = self.load(base, shared, rates);
         load.factors.iter_mut().zip(&base.factors).for_each(|(factors, base)| factors[base.len()..].fill(0.0));
         load

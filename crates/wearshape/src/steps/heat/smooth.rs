@@ -9,6 +9,8 @@ pub(crate) enum Smooth {
     Little,
     /// What is surely not as fine as the points.
     Coarse,
+    /// What deviations of the pressure in time take: the longest grow first.
+    Deviations,
     /// What speeds and tolerances take, which ask for waves along the surface and for its ends.
     Waves,
 }
@@ -19,6 +21,7 @@ impl Smooth {
         match self {
             Smooth::Little => (6, &[]),
             Smooth::Coarse => (12, &[]),
+            Smooth::Deviations => (30, &[]),
             Smooth::Waves => (30, &[-0.5, 0.5]),
         }
     }

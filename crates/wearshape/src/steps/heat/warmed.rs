@@ -97,7 +97,7 @@ impl<'a> Warmed<'a> {
         for (number, side) in [Side::Shaped, Side::Counter].into_iter().enumerate() {
             match (self.conduction(number), &self.second) {
                 (Some(_), _) => {
-                    let unit = pair.unit_heats(side).map_err(unsolved)?;
+                    let unit = pair.unit_heats(side).map_err(|error| uncooled(number, error))?;
                     let still = pair.heated(side, &vec![0.0; points.len()], &[1.0]);
                     surfaces.extend(still.map(|still| pair.heated_surface(side, &unit, &still)));
                     units[number] = Some(unit);
@@ -133,6 +133,21 @@ impl<'a> Warmed<'a> {
     pub(crate) fn expansion(&self, number: usize) -> Vec<f64> {
         self.stage.couple.bodies[number].materials.iter().map(|m| m.expansion.map_or(0.0, |alpha| alpha.0)).collect()
     }
+}
+
+/// A body that loses no heat anywhere.
+fn uncooled(number: usize, error: contact::Error) -> Fault {
+    if !matches!(error, contact::Error::NotHeld { .. }) {
+        return unsolved(error);
+    }
+    let body = format!("body{}", number + 1);
+    let message = format!("nothing cools {body} outside of the contact, so that it has no steady temperature");
+    Fault::at(
+        format!("{body}.heat"),
+        "no-temperature",
+        message,
+        "give a temperature or convection on an edge that does not touch",
+    )
 }
 
 /// A temperature that cannot be recovered.
