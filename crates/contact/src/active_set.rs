@@ -4,6 +4,11 @@ use crate::lcp::{Answer, Complementarity, Point, Proximal};
 use crate::linear::{Factor, Scaling};
 
 impl Complementarity<'_> {
+    /// Whether the force at each point closes it further, by its heat, than it opens it as a pressure.
+    pub(crate) fn closes_itself(&self) -> bool {
+        (0..self.points()).all(|i| self.compliance[(i, i)] <= 0.0)
+    }
+
     /// Solves with `w = 0` on the active points and `lambda = 0` on the others; `None` if that is singular.
     pub(crate) fn on_active(&self, scaling: &Scaling, active: &[bool], proximal: &Proximal<'_>) -> Option<(Point, Factor)> {
         let index: Vec<usize> = (0..self.points()).filter(|i| active[*i]).collect();

@@ -41,6 +41,7 @@ impl ContactOperator<'_> {
             balance: ending.balance,
             iterations: ending.iterations,
             took_over: ending.took_over,
+            closes_itself: stage.plain.problem.closes_itself(),
         }
     }
 

@@ -23,7 +23,8 @@ pub struct HeldContact<'o, 'a> {
 
 impl<'a> ContactOperator<'a> {
     /// Solves with a given set of points in contact and no conditions on signs: pressures may come out negative. Node positioning uses it. The bodies
-    /// are solved for unit forces at these points alone.
+    /// are solved for unit forces at these points alone. `None` where these cannot hold the bodies, or some of all points close themselves
+    /// ([`ContactSolution::closes_itself`]): heat then decides which they are.
     ///
     /// # Errors
     /// As [`ContactOperator::solve`].
@@ -65,7 +66,9 @@ impl HeldContact<'_, '_> {
     /// As [`ContactOperator::solve`].
     pub fn solve(&self, gap: &[f64], load: &ContactLoad) -> Result<Option<ContactSolution>, Error> {
         let (stage, opening) = self.stage(gap, load)?;
-        let Some(answer) = stage.plain.problem.solve_on(&vec![true; self.at.len()]) else { return Ok(None) };
+        let (problem, all) = (&stage.plain.problem, self.at.len() == gap.len());
+        let answer = problem.solve_on(&vec![true; self.at.len()]).filter(|_| all || !problem.closes_itself());
+        let Some(answer) = answer else { return Ok(None) };
         let ending = stage.plain.ending(answer, Status::Converged);
         Ok(Some(self.assemble(&stage, ending, (gap, opening))))
     }

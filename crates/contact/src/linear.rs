@@ -19,10 +19,12 @@ pub(crate) struct Scaling {
 impl Scaling {
     pub(crate) fn new(problem: &Complementarity<'_>) -> Scaling {
         let n = problem.points();
-        // A point that its own heat closes further than its pressure opens it has a negative one.
-        let own = |i: usize| problem.compliance[(i, i)].abs();
-        let largest = (0..n).map(own).fold(0.0, f64::max);
-        let point: Vec<f64> = (0..n).map(own).map(|a| if a > 1e-14 * largest { a } else { largest }).collect();
+        let own = (0..n).map(|i| problem.compliance[(i, i)]);
+        let largest = match problem.closes_itself() {
+            true => own.clone().map(f64::abs).fold(0.0, f64::max),
+            false => own.clone().fold(0.0, f64::max),
+        };
+        let point: Vec<f64> = own.map(|a| if a > 1e-14 * largest { a } else { largest }).collect();
         let mut scaling = Scaling { point, unit: Vec::new(), resultant: Vec::new(), stiffness: Vec::new() };
         for j in 0..problem.load.len() {
             let motion = (0..n).map(|i| problem.influence[(i, j)].abs() / scaling.point[i]).fold(0.0, f64::max);

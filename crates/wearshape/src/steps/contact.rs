@@ -112,12 +112,9 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
     let zones = if ends.places.is_empty() { without_slivers(&found.zones, length) } else { ends.zones(length) };
     let pressure = inner_places(&zones, length, SAMPLES).iter().map(|arc| operator.pressure_at(&found.pressure, *arc)).collect();
     let mut told = told(stage, &reduced, &operator, &gap, &found);
-    let heat = match &hot {
-        // Of a contact that there is not, nothing is told.
-        None => None,
-        Some(_) if !found.status.is_solved() => None,
-        Some(hot) => Some(hot.tell(&operator, &mut told, &mut search.speeds)?),
-    };
+    // Of a contact that there is not, nothing is told.
+    let warm = hot.as_ref().filter(|_| found.status.is_solved());
+    let heat = warm.map(|hot| hot.tell(&operator, &mut told, &mut search.speeds)).transpose()?;
     if let Some(twist) = &twist {
         [&mut told.profile, &mut told.curve].into_iter().for_each(|profile| twist.fill(&operator, profile, start));
     }

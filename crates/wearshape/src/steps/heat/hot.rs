@@ -71,14 +71,15 @@ impl Following<'_> {
     /// contact of the cold bodies on, the sliding speed growing.
     pub(crate) fn solve(&self, operator: &ContactOperator<'_>, gap: &[f64], base: &ContactLoad) -> Result<Hot, Fault> {
         let at_once = self.settled(operator, gap, base, 1.0, None)?;
-        if at_once.found.status.is_solved() {
+        if self.is_grown(operator, base, &at_once)? {
             return Ok(at_once);
         }
         let mut found: Option<ContactSolution> = None;
         for step in 1..=STEPS {
             let speed = f64::from(step) / f64::from(STEPS);
             let hot = self.settled(operator, gap, base, speed, found.as_ref())?;
-            if !hot.found.status.is_solved() {
+            // Where signs do not tell a contact, nor do they lead on to the next one.
+            if !hot.found.status.is_solved() || hot.found.closes_itself {
                 let last = found.map(|found| (f64::from(step - 1) / f64::from(STEPS), found));
                 return Ok(Hot { lost: Some(Lost { at: speed, last }), ..at_once });
             }
@@ -88,6 +89,17 @@ impl Following<'_> {
             found = Some(hot.found);
         }
         Ok(at_once)
+    }
+
+    /// Whether there is a contact, and it has grown from the cold bodies: where each point is closed further by its own heat than its pressure opens it, no
+    /// part of the speed may be singular on its points.
+    fn is_grown(&self, operator: &ContactOperator<'_>, base: &ContactLoad, Hot { found, .. }: &Hot) -> Result<bool, Fault> {
+        if !found.status.is_solved() || !found.closes_itself {
+            return Ok(found.status.is_solved());
+        }
+        let load = self.fitting(base, &self.surfaces.rates, &self.shared(&found.closed)?);
+        let singular = operator.speed_factors(&load, &found.closed).map_err(unsolved)?.singular;
+        Ok(singular.first().is_none_or(|first| *first > 1.0))
     }
 
     /// The contact at a factor on the sliding speed, from a contact that is near.
