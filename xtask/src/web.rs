@@ -85,6 +85,8 @@ fn built(root: &Path, install: bool) -> Result<(), String> {
         let path = entry.map_err(|error| format!("{}: {error}", page.display()))?.path();
         copy(&path, &out.join(path.file_name().unwrap_or_default()))?;
     }
+    // What stands behind each note, which the module need not carry.
+    copy(&root.join("docs/lints.md"), &out.join("notes.md"))?;
     charts(root, &packages.join("uplot"), &out)?;
     sizes(&out)?;
     println!("{:4.0} s  built into target/web", start.elapsed().as_secs_f64());

@@ -18,8 +18,9 @@ const FIRST = "drum-brake-block";
 const REST = 300;
 
 class Page {
-  constructor(module, ask) {
+  constructor(module, ask, pages) {
     this.ask = ask;
+    this.pages = pages;
     this.known = ask({ ask: "known" });
     this.charts = new Charts(find("charts"));
     this.play = new Play();
@@ -142,7 +143,7 @@ class Page {
     document.title = `${title} \u2013 wearshape`;
     Object.assign(this, { notes, unused });
     results.drawing(drawing);
-    results.notes(notes, unused, this.known.notes);
+    results.notes(notes, unused, this.pages);
     results.stages(stages);
   }
 
@@ -150,7 +151,7 @@ class Page {
     this.answer = { ...answer, text: this.text, name: this.name, written: this.written };
     this.play.show(answer.running_in);
     results.tables(answer.tables);
-    results.notes(answer.summary.lints ?? this.notes, this.unused, this.known.notes);
+    results.notes(answer.summary.lints ?? this.notes, this.unused, this.pages);
     find("pin").disabled = false;
     const error = answer.summary.error?.gap_relative ?? answer.summary.error?.pressure_relative;
     const accuracy = error === undefined ? "" : `, estimated error ${error.toExponential(0)}`;
@@ -187,8 +188,9 @@ class Page {
 }
 
 async function main() {
+  const notes = fetch(new URL("./notes.md", import.meta.url)).then(answer => (answer.ok ? answer.text() : "")).catch(() => "");
   const module = await compile(new URL("./wearshape.wasm", import.meta.url));
-  const page = new Page(module, await start(module));
+  const page = new Page(module, await start(module), results.sections(await notes));
   await page.open(location.hash);
 }
 

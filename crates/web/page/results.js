@@ -39,6 +39,14 @@ function compared(number, old) {
   return old === 0 ? `pinned ${shown(old)}` : `${percent > 0 ? "+" : ""}${shown(percent, 3)} % (${shown(old)})`;
 }
 
+/** The sections of the page on notes, by code. */
+export function sections(page) {
+  return Object.fromEntries(page.split("\n## ").slice(1).map(section => {
+    const end = section.indexOf("\n");
+    return [section.slice(0, end), section.slice(end).trim()];
+  }));
+}
+
 /** Notes on the scene and its answer, each with what stands behind it. */
 export function notes(all, unused, pages) {
   const open = new Set([...find("notes").querySelectorAll("details[open]")].map(node => node.dataset.code));

@@ -7,9 +7,6 @@ use crate::engine::Engine;
 use crate::fault::fault;
 use crate::solve::solve;
 
-/// The page on notes.
-const NOTES: &str = include_str!("../../../docs/lints.md");
-
 /// Answers a question: `{ "ask": .. }` with what it needs. The answer of a scene with a mistake is `{ "fault": .. }`.
 pub(crate) fn answered(engine: &mut Engine, question: &[u8]) -> Value {
     let question: Value = serde_json::from_slice(question).unwrap_or_default();
@@ -31,24 +28,17 @@ pub(crate) fn answered(engine: &mut Engine, question: &[u8]) -> Value {
     answer.unwrap_or_else(|wrong| json!({ "fault": fault(wrong) }))
 }
 
-/// Scenes, materials, notes.
+/// Scenes and materials.
 fn known() -> Value {
     let scenes = scene::SCENES.iter().map(|scene| json!({ "name": scene.name, "title": scene.title(), "text": scene.text }));
     let materials = scene::known_materials();
     let materials = materials.iter().map(|material| {
         json!({ "name": material.name, "young_GPa": material.young, "poisson": material.poisson, "source": material.source, "about": material.about })
     });
-    let notes: Map<String, Value> = NOTES
-        .split("\n## ")
-        .skip(1)
-        .filter_map(|section| section.split_once('\n'))
-        .map(|(code, text)| (code.to_string(), json!(text.trim())))
-        .collect();
     json!({
         "version": env!("CARGO_PKG_VERSION"),
         "scenes": scenes.collect::<Vec<_>>(),
         "materials": materials.collect::<Vec<_>>(),
-        "notes": notes,
     })
 }
 

@@ -223,6 +223,8 @@ def units(page: Page) -> None:
     page.locator("[id='field-optimum.functional']").select_option("uniform")
     settled(page)
     expect(page.locator("#verdict")).to_contain_text("Machine this shape")
+    # What stands behind its note comes from a file beside the module.
+    expect(page.locator("#notes details[data-code=not-steady]")).to_contain_text("What to do")
 
 
 def together(page: Page) -> None:
