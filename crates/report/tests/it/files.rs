@@ -58,7 +58,9 @@ fn a_shape_has_its_tables_pictures_fields_drawing_and_page_each_once() {
 #[test]
 fn the_page_links_to_every_file_that_it_does_not_show() {
     let page = text("report.html");
-    for (name, _) in files().iter().filter(|(name, _)| name != "report.html" && !name.ends_with(".svg")) {
+    // Pictures are shown, and cells of high order hold the fields that are linked once more.
+    let is_linked = |name: &str| name != "report.html" && !name.ends_with(".svg") && !name.contains(".lagrange.");
+    for (name, _) in files().iter().filter(|(name, _)| is_linked(name)) {
         assert!(page.contains(&format!("href=\"{name}\"")), "{name} is not linked: FILES of page.rs has its words");
     }
 }
