@@ -4,9 +4,9 @@ use crate::lcp::{Answer, Complementarity, Point, Proximal};
 use crate::linear::{Factor, Scaling};
 
 impl Complementarity<'_> {
-    /// Whether the force at each point closes it further, by its heat, than it opens it as a pressure.
+    /// Whether the force at each point closes it further, by its heat, than it opens it as a pressure; not without points.
     pub(crate) fn closes_itself(&self) -> bool {
-        (0..self.points()).all(|i| self.compliance[(i, i)] <= 0.0)
+        self.points() > 0 && (0..self.points()).all(|i| self.compliance[(i, i)] < 0.0)
     }
 
     /// Solves with `w = 0` on the active points and `lambda = 0` on the others; `None` if that is singular.

@@ -18,8 +18,8 @@ const ROUND_OFF: f64 = 1e-9;
 
 impl ContactOperator<'_> {
     /// The fastest growth (1/s) of a deviation of a contact whose heat follows the pressure of its load, on the points that are closed: 0 where all
-    /// wear off but rigid motions, which change no pressure; none where nothing wears or no heat follows. `slopes` are those of the wear rate by the pressure at the points (mm/(s MPa)),
-    /// `functions` those that deviations are made of, `points x functions`, orthonormal by the areas of the points.
+    /// wear off but rigid motions, which change no pressure; none where nothing wears or no heat follows. `slopes` are those of the wear rate by the
+    /// pressure at the points (mm/(s MPa)), `functions` those that deviations are made of, `points x functions`, orthonormal by the areas of the points.
     ///
     /// # Errors
     /// As [`ContactOperator::speed_factors`].
