@@ -271,16 +271,9 @@ pub fn outside(body: &Body, edge: &str) -> Result<(), Fault> {
     let inside = mesh.boundary(edge).unwrap_or_default().into_iter().find(|e| cells[*e].len() > 1);
     let Some(e) = inside else { return Ok(()) };
     let [x, z] = mesh.edges[e].curve.point(0.0);
-    let place = match &body.geometry {
-        Geometry::Blocks(_) => format!("{key}.geometry.blocks.edges.{edge}"),
-        Geometry::ShoeBlock(_)
-        | Geometry::Ring(_)
-        | Geometry::Rectangle(_)
-        | Geometry::RingSegment(_)
-        | Geometry::HalfDisc(_)
-        | Geometry::Mesh(_) => {
-            format!("{key}.geometry.mesh.file")
-        }
+    let place = match body.geometry.blocks() {
+        Some(_) => format!("{key}.geometry.blocks.edges.{edge}"),
+        None => format!("{key}.geometry.mesh.file"),
     };
     let message = format!("the edge `{edge}` lies inside the body at x = {x}, z = {z}, where nothing can touch or load it");
     Err(Fault::at(place, "not-on-boundary", message, "name curves of one cell only; inner lines can be held by supports"))

@@ -12,13 +12,11 @@ use crate::{blocks, gmsh_file};
 /// The fault of the key below `key`.geometry that makes them degenerate, or that cannot be read.
 pub fn read_cells(key: &str, body: &mut scene::Body, files: Files<'_>) -> Result<Option<Given>, Fault> {
     let own = body.material;
-    match &mut body.geometry {
-        Geometry::Blocks(blocks) => blocks::given(&format!("{key}.geometry.blocks"), blocks, own).map(Some),
-        Geometry::Mesh(file) => gmsh_file::read(key, file, files, own).map(Some),
-        Geometry::ShoeBlock(_)
-        | Geometry::Ring(_)
-        | Geometry::Rectangle(_)
-        | Geometry::RingSegment(_)
-        | Geometry::HalfDisc(_) => Ok(None),
+    if let Geometry::Blocks(blocks) = &mut body.geometry {
+        return blocks::given(&format!("{key}.geometry.blocks"), blocks, own).map(Some);
     }
+    if let Geometry::Mesh(file) = &mut body.geometry {
+        return gmsh_file::read(key, file, files, own).map(Some);
+    }
+    Ok(None)
 }

@@ -14,19 +14,14 @@ use crate::couple::{Body, Couple};
 ///      B---O---B
 /// ```
 pub(crate) fn as_cells(couple: &Couple, body: &Body) -> Option<Mesh> {
-    let mesh = match &body.geometry {
-        Geometry::HalfDisc(disc) => half_disc(disc.radius.0, disc.centre.map(|c| c.0), couple.is_revolved()),
-        Geometry::Rectangle(rectangle) => {
-            let (x, z) = (rectangle.x.map(|x| x.0), rectangle.z.map(|z| z.0));
-            let corners = vec![[x[0], z[0]], [x[1], z[0]], [x[1], z[1]], [x[0], z[1]]];
-            let names = [([0, 1], "bottom"), ([1, 2], "right"), ([3, 2], "top"), ([0, 3], "left")];
-            Mesh::new(corners, &[Quad { corners: [0, 1, 2, 3], material: 0, layer: 0 }], &[], &names)
-        }
-        Geometry::ShoeBlock(_) | Geometry::Ring(_) | Geometry::RingSegment(_) | Geometry::Blocks(_) | Geometry::Mesh(_) => {
-            return None;
-        }
-    };
-    mesh.ok()
+    if let Geometry::HalfDisc(disc) = &body.geometry {
+        return half_disc(disc.radius.0, disc.centre.map(|c| c.0), couple.is_revolved()).ok();
+    }
+    let Geometry::Rectangle(rectangle) = &body.geometry else { return None };
+    let (x, z) = (rectangle.x.map(|x| x.0), rectangle.z.map(|z| z.0));
+    let corners = vec![[x[0], z[0]], [x[1], z[0]], [x[1], z[1]], [x[0], z[1]]];
+    let names = [([0, 1], "bottom"), ([1, 2], "right"), ([3, 2], "top"), ([0, 3], "left")];
+    Mesh::new(corners, &[Quad { corners: [0, 1, 2, 3], material: 0, layer: 0 }], &[], &names).ok()
 }
 
 fn half_disc(radius: f64, centre: [f64; 2], right_half: bool) -> Result<Mesh, hpfem::Error> {

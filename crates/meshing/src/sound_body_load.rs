@@ -93,15 +93,12 @@ fn spin(body: &mut scene::Body, typed: &Body, axisymmetric: bool) -> Result<(), 
 
 /// Keys and values of the densities of the materials that cells have.
 fn densities(typed: &Body) -> Vec<(String, Option<f64>)> {
-    let names: Vec<String> = match &typed.geometry {
-        Geometry::Blocks(blocks) => blocks.materials.keys().map(|name| format!("geometry.blocks.materials.{name}")).collect(),
-        Geometry::Mesh(_) => typed.materials.iter().map(|_| "geometry.mesh.materials".to_string()).collect(),
-        Geometry::ShoeBlock(_)
-        | Geometry::Ring(_)
-        | Geometry::Rectangle(_)
-        | Geometry::RingSegment(_)
-        | Geometry::HalfDisc(_) => Vec::new(),
-    };
+    let of_blocks = typed.geometry.blocks().into_iter().flat_map(|blocks| blocks.materials.keys());
+    let of_file = typed.geometry.mesh().into_iter().flat_map(|_| &typed.materials);
+    let names: Vec<String> = of_blocks
+        .map(|name| format!("geometry.blocks.materials.{name}"))
+        .chain(of_file.map(|_| "geometry.mesh.materials".to_string()))
+        .collect();
     let used = |index: usize| typed.cells.as_ref().is_none_or(|mesh| mesh.cells.iter().any(|cell| cell.material == index));
     let materials = typed.materials.iter().enumerate().filter(|(index, _)| used(*index));
     let named = |(index, material): (usize, &Material)| {

@@ -43,6 +43,29 @@ impl Geometry {
             Geometry::Mesh(_) => "mesh",
         }
     }
+
+    /// The quadrilaterals between named curves; none of another geometry.
+    pub fn blocks(&self) -> Option<&Blocks> {
+        if let Geometry::Blocks(blocks) = self { Some(blocks) } else { None }
+    }
+
+    /// The gmsh file; none of another geometry.
+    pub fn mesh(&self) -> Option<&MeshFile> {
+        if let Geometry::Mesh(file) = self { Some(file) } else { None }
+    }
+
+    /// The materials of cells by name; none of a template.
+    pub fn materials(&self) -> Option<&BTreeMap<String, Material>> {
+        self.blocks().map(|blocks| &blocks.materials).or_else(|| self.mesh().map(|file| &file.materials))
+    }
+
+    /// The same, to be changed.
+    pub fn materials_mut(&mut self) -> Option<&mut BTreeMap<String, Material>> {
+        if let Geometry::Blocks(blocks) = self {
+            return Some(&mut blocks.materials);
+        }
+        if let Geometry::Mesh(file) = self { Some(&mut file.materials) } else { None }
+    }
 }
 
 /// Block above a drum.

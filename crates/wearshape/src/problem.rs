@@ -1,7 +1,7 @@
 //! A checked scene: everything that is computed from, typed, with every default filled in.
 
 use meshing::Couple;
-use scene::{Geometry, Scene, SurfaceShape};
+use scene::{Scene, SurfaceShape};
 use shapeopt::Measure;
 use std::f64::consts::TAU;
 use wear::{Counterface, Rule, WearError, WearPair};
@@ -237,16 +237,8 @@ impl Problem {
     /// The files that the resolved scene names, to stand beside it: name and bytes.
     pub fn files(&self) -> Vec<(String, Vec<u8>)> {
         let bodies = [&self.scene.body1, &self.scene.body2].into_iter().flatten();
-        let files = bodies.filter_map(|body| match &body.geometry {
-            Geometry::Mesh(file) => file.content.as_ref().map(|content| (file.file.clone(), content.to_vec())),
-            Geometry::Blocks(_)
-            | Geometry::ShoeBlock(_)
-            | Geometry::Ring(_)
-            | Geometry::Rectangle(_)
-            | Geometry::RingSegment(_)
-            | Geometry::HalfDisc(_) => None,
-        });
-        files.collect()
+        let files = bodies.filter_map(|body| body.geometry.mesh());
+        files.filter_map(|file| Some((file.file.clone(), file.content.as_ref()?.to_vec()))).collect()
     }
 
     /// Area of the contact surface (mm^2), where it is known without a mesh.

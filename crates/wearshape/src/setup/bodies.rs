@@ -63,17 +63,11 @@ fn one_body(name: &'static str, body: &mut scene::Body, axisymmetric: bool, file
     match body.material {
         Some(material) => sound_material(&format!("{name}.material"), material)?,
         None => {
-            let own = match &body.geometry {
-                scene::Geometry::Blocks(blocks) => blocks.cells.values().all(|cell| cell.material.is_some()),
-                // The groups of the file say below whether one is missing.
-                scene::Geometry::Mesh(mesh) => !mesh.materials.is_empty(),
-                scene::Geometry::ShoeBlock(_)
-                | scene::Geometry::Ring(_)
-                | scene::Geometry::Rectangle(_)
-                | scene::Geometry::RingSegment(_)
-                | scene::Geometry::HalfDisc(_) => false,
-            };
-            if !own {
+            let geometry = &body.geometry;
+            let of_blocks = geometry.blocks().is_some_and(|blocks| blocks.cells.values().all(|cell| cell.material.is_some()));
+            // The groups of the file say below whether one is missing.
+            let of_file = geometry.mesh().is_some_and(|file| !file.materials.is_empty());
+            if !of_blocks && !of_file {
                 let example = format!("{name}.material = {{ young = \"210 GPa\", poisson = 0.3 }}");
                 return Err(missing(&format!("{name}.material"), "every body needs one", &example));
             }

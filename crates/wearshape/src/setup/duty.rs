@@ -6,7 +6,6 @@ use meshing::{Couple, layer_thickness, outline};
 use scene::{Fault, Functional, Layer, Length, Scene, Task, Time, Until, positive, short};
 
 use crate::problem::{End, Wearable};
-use crate::setup::materials::named;
 use crate::setup::repeat;
 use crate::surface::Patch;
 
@@ -41,7 +40,7 @@ pub(super) fn layer(scene: &mut Scene, first: Option<&meshing::Body>) -> Result<
     let key = "body1.wearable";
     let (Some(typed), Some(body)) = (first, &mut scene.body1) else { return Ok(()) };
     let Some(Layer::Material(name)) = &body.wearable else { return Ok(()) };
-    let materials = named(&body.geometry);
+    let materials = body.geometry.materials();
     let Some(material) = materials.and_then(|materials| materials.get(name)) else {
         let known: Vec<&str> = materials.into_iter().flatten().map(|(name, _)| name.as_str()).collect();
         let message = format!("`{name}` is neither a thickness nor a material of the cells of body 1");

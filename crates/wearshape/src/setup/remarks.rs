@@ -8,7 +8,6 @@ use crate::functional::{functional_row, s_minus_1};
 use crate::gap::Noise;
 use crate::problem::{Optimum, Problem};
 use crate::remark::Remark;
-use crate::setup::materials::named;
 use crate::surface::Patch;
 
 /// All remarks, in a fixed order.
@@ -114,7 +113,8 @@ const IMPLAUSIBLE: f64 = 2e-3;
 
 /// Names of the materials of cells with a modulus.
 fn name_of(body: &scene::Body, young: f64) -> Option<String> {
-    let names: Vec<&str> = named(&body.geometry)?
+    let materials = body.geometry.materials()?;
+    let names: Vec<&str> = materials
         .iter()
         .filter(|(_, own)| own.young.each().iter().any(|own| own.0 == young))
         .map(|(name, _)| name.as_str())
