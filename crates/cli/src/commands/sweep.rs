@@ -36,8 +36,8 @@ struct Sweep<'a> {
     /// Values of axes in base units, by key and what was typed.
     base: BTreeMap<(String, String), f64>,
     options: Options<'static>,
-    /// Whether motions reverse, and have a pressure backward.
-    both_ways: bool,
+    /// Columns of the curves that not every scene has.
+    extras: Vec<&'static str>,
     bodies: Bodies,
 }
 
@@ -67,8 +67,8 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
         return Ok(Exit::Done);
     }
     let base = base_units(&source, &grid, &common.set);
-    let both_ways = reverses(&first, &grid);
-    let sweep = Sweep { args, source, grid, base, options, both_ways, bodies: Bodies::default() };
+    let extras = curves::extras(&first.scene, &grid);
+    let sweep = Sweep { args, source, grid, base, options, extras, bodies: Bodies::default() };
     interrupt::listen();
     let (folder, mark) = sweep.begin(&target, &first)?;
     let mut rows = sweep.finished(&folder)?;
@@ -95,12 +95,6 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
         print_out(&screen(&figures, &rows, before, &target));
     }
     Ok(if rows.failed == 0 { Exit::Done } else { Exit::GoalMissed })
-}
-
-/// Whether some motion of a sweep may reverse.
-fn reverses(first: &Document, grid: &Grid) -> bool {
-    let given = first.scene.sliding.as_ref().is_some_and(|sliding| sliding.reversing.is_some() || sliding.cycle.is_some());
-    given || grid.keys().iter().any(|key| key.starts_with("sliding.reversing") || key.starts_with("sliding.cycle"))
 }
 
 impl Sweep<'_> {
@@ -132,7 +126,7 @@ impl Sweep<'_> {
         let kept = curves::length_of(&folder.path().join(CURVES), rows.count);
         folder.cut(CURVES, kept)?;
         if kept == 0 {
-            folder.append(CURVES, &curves::header(&self.grid, self.both_ways))?;
+            folder.append(CURVES, &curves::header(&self.grid, &self.extras))?;
         }
         Ok(rows)
     }
@@ -202,7 +196,7 @@ impl Sweep<'_> {
         let fine = solution.curve.as_ref().filter(|_| !sampled);
         match fine.or(solution.profile.as_ref()) {
             Some(profile) if sampled || curves::is_drawn(point, self.grid.count) => {
-                curves::curve(&self.grid, point, profile, self.both_ways)
+                curves::curve(&self.grid, point, profile, &self.extras)
             }
             _ => String::new(),
         }

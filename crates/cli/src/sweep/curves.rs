@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use report::{Axis, LinePlot, Series};
+use scene::Scene;
 use wearshape::Profile;
 
 use crate::grid::Grid;
@@ -38,30 +39,45 @@ pub(crate) fn is_drawn(point: usize, count: usize) -> bool {
     count <= MOST_DRAWN || (0..MOST_DRAWN).any(|number| point == number * (count - 1) / (MOST_DRAWN - 1))
 }
 
-/// The last column of a sweep over motions that reverse.
+/// The column of sweeps over motions that reverse, and those of sweeps over scenes with heat.
 const BACK: &str = "pressure_back_MPa";
+const TEMPERATURES: [&str; 2] = ["temperature1_degC", "temperature2_degC"];
 
-/// The first line of the file; `both_ways` where motions reverse.
-pub(crate) fn header(grid: &Grid, both_ways: bool) -> String {
-    report::table(&names(grid, both_ways), Vec::<Vec<String>>::new())
+/// The last columns of a sweep, which not every scene has.
+pub(crate) fn extras(first: &Scene, grid: &Grid) -> Vec<&'static str> {
+    let over = |key: &str| grid.keys().iter().any(|given| given.starts_with(key));
+    let hot = first.heat.is_some() || over("heat");
+    let given = first.sliding.as_ref().is_some_and(|sliding| sliding.reversing.is_some() || sliding.cycle.is_some());
+    let reverses = given || over("sliding.reversing") || over("sliding.cycle");
+    let temperatures = TEMPERATURES.into_iter().filter(|_| hot);
+    temperatures.chain(reverses.then_some(BACK)).collect()
 }
 
-fn names(grid: &Grid, both_ways: bool) -> Vec<&str> {
+/// The first line of the file.
+pub(crate) fn header(grid: &Grid, extras: &[&'static str]) -> String {
+    report::table(&names(grid, extras), Vec::<Vec<String>>::new())
+}
+
+fn names<'g>(grid: &'g Grid, extras: &[&'static str]) -> Vec<&'g str> {
     let named = std::iter::once("point").chain(columns().map(|(name, _)| *name)).chain(grid.keys());
-    named.chain(both_ways.then_some(BACK)).collect()
+    named.chain(extras.iter().copied()).collect()
 }
 
 /// The rows of a point.
-pub(crate) fn curve(grid: &Grid, point: usize, profile: &Profile, both_ways: bool) -> String {
+pub(crate) fn curve(grid: &Grid, point: usize, profile: &Profile, extras: &[&'static str]) -> String {
     let axes = grid.at(point);
+    // A motion that keeps its sense has no pressure backward, a scene without heat no temperature.
+    let extra = |name: &str| match TEMPERATURES.iter().position(|known| *known == name) {
+        Some(body) => &profile.temperature[body],
+        None => &profile.pressure_back,
+    };
     let row = |place: usize| {
         let numbers = columns().map(move |(_, value)| scene::number_text(value(profile, place)));
         let axes = axes.iter().map(|(_, value)| value.to_string());
-        // A motion that keeps its sense has no pressure backward.
-        let back = || scene::number_text(profile.pressure_back.get(place).copied().unwrap_or(f64::NAN));
-        std::iter::once(point.to_string()).chain(numbers).chain(axes).chain(both_ways.then(back)).collect::<Vec<_>>()
+        let more = extras.iter().map(|name| scene::number_text(extra(name).get(place).copied().unwrap_or(f64::NAN)));
+        std::iter::once(point.to_string()).chain(numbers).chain(axes).chain(more).collect::<Vec<_>>()
     };
-    let text = report::table(&names(grid, both_ways), (0..profile.s.len()).map(row));
+    let text = report::table(&names(grid, extras), (0..profile.s.len()).map(row));
     text.split_once('\n').map_or("", |(_, rows)| rows).to_string()
 }
 
@@ -80,18 +96,16 @@ fn of_point(line: &str) -> Option<usize> {
 /// The curves of the points that are drawn, overlaid: pressure and gap, as far as they are known.
 pub(crate) fn plots(file: &Path, grid: &Grid, title: &str) -> Vec<LinePlot> {
     let mut curves: BTreeMap<usize, Vec<Vec<f64>>> = BTreeMap::new();
-    let both_ways = lines(file).next().is_some_and(|header| header.trim_end().ends_with(BACK));
+    let header = lines(file).next().unwrap_or_default();
+    let extras: Vec<&str> = TEMPERATURES.into_iter().chain([BACK]).filter(|name| has_column(&header, name)).collect();
     for line in lines(file).skip(1) {
         let Some(point) = of_point(&line).filter(|point| is_drawn(*point, grid.count)) else { continue };
         let cells: Vec<&str> = line.trim_end().split(',').skip(1).collect();
-        let back = cells.last().copied().filter(|_| both_ways);
-        let numbers = cells.iter().copied().take(COLUMNS.len()).chain(back).map(|number| number.parse().unwrap_or(f64::NAN));
-        curves.entry(point).or_default().push(numbers.collect());
+        let more = cells.len().saturating_sub(extras.len()).max(COLUMNS.len());
+        let known = cells.iter().take(COLUMNS.len()).chain(&cells[more.min(cells.len())..]);
+        curves.entry(point).or_default().push(known.map(|number| number.parse().unwrap_or(f64::NAN)).collect());
     }
-    let column = |name: &str| match name {
-        BACK => COLUMNS.len(),
-        _ => COLUMNS.iter().position(|known| *known == name).unwrap_or(0),
-    };
+    let column = |name: &str| COLUMNS.iter().chain(&extras).position(|known| *known == name).unwrap_or(0);
     let by = figures::labels(grid).join(", ");
     let plot = |what: &str, y_label: &str, name: &str| {
         let y = column(name);
@@ -112,14 +126,23 @@ pub(crate) fn plots(file: &Path, grid: &Grid, title: &str) -> Vec<LinePlot> {
             series: series.filter(|series| series.points.iter().any(|point| point.1.is_finite())).collect(),
         }
     };
+    let both_ways = extras.contains(&BACK);
     let forward = if both_ways { "contact pressure forward" } else { "contact pressure" };
     let mut plots = vec![plot(forward, "pressure (MPa)", "pressure_MPa")];
     plots.extend(both_ways.then(|| plot("contact pressure backward", "pressure (MPa)", BACK)));
     plots.push(plot("gap", "gap (\u{b5}m)", "gap_um"));
+    for (number, name) in (1..).zip(TEMPERATURES).filter(|(_, name)| extras.contains(name)) {
+        plots.push(plot(&format!("temperature of body {number}"), "temperature (\u{b0}C)", name));
+    }
     let flat = |plot: &LinePlot| {
         plot.series.iter().flat_map(|series| &series.points).all(|point| !(point.1 != 0.0 && point.1.is_finite()))
     };
     plots.into_iter().filter(|plot| !flat(plot)).collect()
+}
+
+/// Whether a header has a column.
+fn has_column(header: &str, name: &str) -> bool {
+    header.trim_end().split(',').any(|column| column == name)
 }
 
 #[cfg(test)]

@@ -348,3 +348,24 @@ fn a_sweep_with_sample_keeps_the_curves_of_every_point() {
     points.dedup();
     assert!(points.len() == 12 && points[0] == "0" && points[11] == "19", "{points:?}");
 }
+
+#[test]
+fn curves_of_a_sweep_with_heat_have_the_temperatures_of_single_runs() {
+    let bench = Bench::new();
+    let mesh = ["--set", "tasks=[shape]", "--set", "mesh.degree=4", "--set", "check=false", "-q"];
+    let over = ["sweep", "drum-brake-hot", "-o", "x", "--over", "sliding.omega=1,2", "--over", "heat.reference=20,30"];
+    let call = bench.call_with(&[&over[..], &mesh].concat());
+    assert_eq!(call.code, 0, "{}", call.err);
+    let table = bench.read("x/curves.csv");
+    let header: Vec<&str> = table.lines().next().unwrap().split(',').collect();
+    assert!(header.ends_with(&["sliding.omega", "heat.reference", "temperature1_degC", "temperature2_degC"]), "{header:?}");
+    let hottest = |point: &str| {
+        let rows = table.lines().skip(1).map(|row| row.split(',').collect::<Vec<_>>());
+        let own = rows.filter(|row| row[0] == point).map(|row| row[row.len() - 2].parse::<f64>().unwrap());
+        own.fold(0.0, f64::max)
+    };
+    // Temperatures above the surroundings of 20 degC go with the speed.
+    approx::assert_relative_eq!((hottest("2") - 20.0) / (hottest("0") - 20.0), 2.0, max_relative = 1e-9);
+    let page = bench.read("x/report.html");
+    assert!(page.contains("temperature of body 1") && page.contains("temperature of body 2"));
+}

@@ -211,7 +211,7 @@ fn conducting(scene: &Scene, fresh: bool) -> Result<(), Fault> {
 fn conducts(key: &str, material: &Material) -> Result<(), Fault> {
     match material.conductivity {
         Some(conductivity) => positive(&format!("{key}.conductivity"), conductivity.0, "conductivity", " mW/(mm K)")?,
-        None => return Err(missing(&format!("{key}.conductivity"), "heat flows through it", "conductivity = \"50 W/(m K)\"")),
+        None => return Err(incomplete(&format!("{key}.conductivity"), "heat flows through it", "conductivity = \"50 W/(m K)\"")),
     }
     match material.expansion {
         Some(expansion) if expansion.0 >= 0.0 => Ok(()),
@@ -219,8 +219,14 @@ fn conducts(key: &str, material: &Material) -> Result<(), Fault> {
             let message = format!("negative thermal expansion: {key}.expansion = {} 1/K", expansion.0);
             Err(Fault::at(format!("{key}.expansion"), "wrong-value", message, "give an expansion of 0 or more"))
         }
-        None => Err(missing(&format!("{key}.expansion"), "heat makes it expand", "expansion = \"12e-6 1/K\"")),
+        None => Err(incomplete(&format!("{key}.expansion"), "heat makes it expand", "expansion = \"12e-6 1/K\"")),
     }
+}
+
+/// A material that lacks what heat asks for: one by name has what its source gives.
+fn incomplete(key: &str, why: &str, example: &str) -> Fault {
+    let fault = missing(key, why, example);
+    Fault { remedy: format!("{}; a material by name that lacks it is written as a table of its numbers", fault.remedy), ..fault }
 }
 
 /// What carries heat through the edges of a body.
