@@ -2,7 +2,7 @@
 
 use wearshape::Status;
 
-use crate::common::{goes_on, scene, solved};
+use crate::common::{goes_on, read, scene, solved};
 
 /// Worn for a time; a lining is deepest somewhere between its points, which fall elsewhere on every degree: 1.5e-5 short at the points of degree 8.
 #[test]
@@ -94,4 +94,40 @@ fn a_reversing_run_comes_to_its_shape_with_nodes_where_the_senses_open() {
         let [worn, shape] = ["tasks=[\"wear\"]", "tasks=[\"pressure\",\"shape\"]"].map(|task| gap(share, task));
         assert!((worn / shape - 1.0).abs() < 1e-8, "{share}: {worn} {shape} um");
     }
+}
+
+#[test]
+fn a_run_that_begins_worn_in_is_no_better_than_its_pressures() {
+    // Seed 61000220 of the campaign: a flat punch under a pressure on its top, in two systems of units.
+    let scene = |thickness: &str, force: &str, young: &str, until: &str| {
+        format!(
+            r#"
+units = "N-mm"
+kinematics = "plane-stress"
+tasks = ["wear"]
+mesh = {{ degree = 5, layers = 1 }}
+check = false
+thickness = {thickness}
+contact = {{ edges = ["bottom", "top"], friction = 0.1822, gap = 0 }}
+load = {{ edge = "top", as = "pressure", force = {force} }}
+sliding = {{ speed = 0.2803 }}
+wear = {{ beta = [1.307e-7, 0.0], a = 0.5124, b = 1.868, until = {until} }}
+optimum = {{ functional = "steady" }}
+body1.material = {{ young = {young}, poisson = 0.3266 }}
+body1.support.top = ["x"]
+body1.geometry.rectangle = {{ x = [-22.61, 4.61], z = [0, 73.9023] }}
+body2.material = {{ young = 50010, poisson = 0.4115 }}
+body2.support.bottom = ["x", "z"]
+body2.geometry.rectangle = {{ x = [-47.647, 20.3132], z = [-8.4573, 0] }}
+"#
+        )
+    };
+    let runs = [
+        scene("1.198", "159.90586889399998", "7692", "620906.5978150816"),
+        scene("\"1.198e-3 m\"", "\"1.5990586889399998e-1 kN\"", "\"7.692 GPa\"", "\"6.209065978150816e8 ms\""),
+    ];
+    let [one, other] = runs.map(|text| solved(&read(&text, &[])).wear.unwrap());
+    let apart = (one.depth.unwrap() / other.depth.unwrap() - 1.0).abs();
+    let told = [&one, &other].map(|wear| wear.run_in_error.unwrap());
+    assert!(apart <= told[0] + told[1] && told[0] < 1e-9, "{apart:.1e} {told:?}");
 }

@@ -28,6 +28,9 @@ pub(super) fn refine(stage: Stage<'_>, problem: &mut WearProblem, finished: &[Fi
 /// How much coarser the steps of the run are that a run is compared with, by the error that each may make.
 const COARSER: f64 = 16.0;
 
+/// Least error that is told: what wears has the round-off of its pressures, through the condition of the contact, however few steps it took.
+const ROUND_OFF: f64 = 1e-10;
+
 /// What the steps of a run leave wrong in its time to the steady pressure and the depth then, or in its depth at the end where it has no such time:
 /// its relative difference from a run with coarser steps, whose error is that many times as large.
 pub(super) fn integration_error(problem: &WearProblem, pieces: &Pieces, run: &Run) -> Option<f64> {
@@ -57,5 +60,5 @@ pub(super) fn integration_error(problem: &WearProblem, pieces: &Pieces, run: &Ru
         }
         _ => return None,
     };
-    Some(difference / (COARSER - 1.0))
+    Some((difference / (COARSER - 1.0)).max(ROUND_OFF))
 }
