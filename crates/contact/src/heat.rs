@@ -143,7 +143,7 @@ pub fn share_heat(
         still[1][*a] = -flow[(i, m)];
         // A surface held at a temperature that it meets without resistance leaves the other one none of the friction's heat.
         for into in &mut into {
-            if points.iter().all(|b| into[(*a, *b)].abs() <= NONE) {
+            if points.iter().all(|b| into[(*a, *b)].abs() <= ROUND_OFF) {
                 points.iter().for_each(|b| into[(*a, *b)] = 0.0);
             }
         }
@@ -152,7 +152,7 @@ pub fn share_heat(
 }
 
 /// Part of the heat that is round-off of two halves.
-const NONE: f64 = 1e-14;
+const ROUND_OFF: f64 = 1e-14;
 
 /// Heat into each body (mW) at the points by a frictional heat (mW) that is known there, `into_1 = g / 2 + d`, `into_2 = g / 2 - d` with the flow `d` of the
 /// module, or by the shares: `into * g + still` of [`share_heat`] from one right-hand side in place of one a point. `weights` are the areas of the points (mm^2),

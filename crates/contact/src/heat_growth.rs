@@ -17,7 +17,11 @@ use faer::linalg::solvers::Solve;
 const ROUND_OFF: f64 = 1e-9;
 
 impl ContactOperator<'_> {
-    /// The fastest growth (1/s) of a deviation of a contact whose heat follows the pressure of its load, on the points that are closed: 0 where all
+    /// The largest real part (1/s) of the growth rates `r` in `r (C + H) f + r Psi y = -k q`, `K y = B^T f`, `f = W q`: with the compliance `C` and the opening `H`
+    /// by heat (mm/N), rigid coordinates `y`, areas `W` and slopes `k` of the wear rate. Wear damps what heat drives (Dow and Burton, J. Lubr. Technol. 95, 1973,
+    /// 71-75); here heat flows at once.
+    ///
+    /// It is the fastest growth of a deviation of a contact whose heat follows the pressure of its load, on the points that are closed: 0 where all
     /// wear off but rigid motions, which change no pressure; none where nothing wears or no heat follows. `slopes` are those of the wear rate by the
     /// pressure at the points (mm/(s MPa)), `functions` those that deviations are made of, `points x functions`, orthonormal by the areas of the points.
     ///

@@ -23,8 +23,8 @@ pub struct HeldContact<'o, 'a> {
 
 impl<'a> ContactOperator<'a> {
     /// Solves with a given set of points in contact and no conditions on signs: pressures may come out negative. Node positioning uses it. The bodies
-    /// are solved for unit forces at these points alone. `None` where these cannot hold the bodies, or some of all points close themselves
-    /// ([`ContactSolution::closes_itself`]): heat then decides which they are.
+    /// are solved for unit forces at these points alone. `None` where these cannot hold the bodies, or where they are not all points and the heat of each
+    /// one's own force closes it further than that opens it ([`ContactSolution::closes_itself`]): what is held there is no start for a contact.
     ///
     /// # Errors
     /// As [`ContactOperator::solve`].

@@ -266,6 +266,13 @@ mod tests {
     }
 
     #[test]
+    fn a_gap_that_a_run_wrote_with_its_round_off_below_zero_is_zero() {
+        let same = Gap::Profile { s: vec![-1.5, 2.0], gap: vec![0.0, 1e-3] };
+        assert_eq!(of("s_mm,gap_um\n-1.5,-1.73e-15\n2,1e-3\n"), Ok(same));
+        assert!(of("s_mm,gap_um\n-1.5,-1e-6\n2,1e-3\n").is_err_and(|fault| fault.message.contains("is negative")));
+    }
+
+    #[test]
     fn a_profile_may_be_parted_by_commas_semicolons_tabs_or_blanks_with_quotes_comments_and_other_columns() {
         let same = Gap::Profile { s: vec![-1.5, 2.0], gap: vec![0.0, 1e-3] };
         for text in [

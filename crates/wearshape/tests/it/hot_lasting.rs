@@ -1,8 +1,10 @@
 //! Whether a hot shape lasts, proofs of hot shapes near their critical speed, and what is flat.
 
-use wearshape::{Solution, SpeedFactor, Status};
+use std::ops::ControlFlow;
 
-use crate::common::{read, solved};
+use wearshape::{Bodies, Options, Solution, SpeedFactor, Status, solve};
+
+use crate::common::{read, scene, solved};
 
 /// An annulus that takes all heat, held at its rims: its leading eigenvalues are complex, so that no speed is critical.
 const ANNULUS: &str = r#"
@@ -118,4 +120,33 @@ fn a_plate_that_arrives_fresh_without_resistance_takes_all_that_friction_changes
     let heat = solved(&read(BLOCKS, &fresh)).heat.unwrap();
     let factors = [heat.staggered_limit_speed_factor, heat.separation_speed_factor, heat.critical_speed_factor];
     assert_eq!(factors, [Some(SpeedFactor::None); 3]);
+}
+
+#[test]
+fn a_body_that_its_contact_alone_cools_and_one_held_at_two_temperatures_are_refused_by_what_is_wrong() {
+    for (heat, words) in [
+        ("body1.heat={ bottom={ convection=0.05, ambient=20 } }", "nothing cools body1 outside of the contact"),
+        ("body1.heat.left.temperature=90", "are held at 90 and at 20 degC"),
+    ] {
+        let problem = read(BLOCKS, &["mesh.degree=4", heat]);
+        let fault = solve(&problem, &Options::default(), &Bodies::default(), &mut |_| ControlFlow::Continue(())).unwrap_err();
+        assert!(fault.message.contains(words) && fault.key.as_deref() == Some("body1.heat"), "{fault:?}");
+    }
+}
+
+#[test]
+fn a_setting_of_what_cools_an_edge_replaces_what_cooled_it() {
+    // The edge has convection.
+    for setting in ["body2.heat.bottom.temperature=30", "body2.heat.bottom.flux=1"] {
+        scene("clutch-hot", &[setting]);
+    }
+}
+
+#[test]
+fn an_expansion_without_its_power_of_ten_is_noted() {
+    let noted = |alpha: &str| {
+        let problem = read(BLOCKS, &[&format!("body1.material.expansion={alpha}")]);
+        problem.remarks().iter().any(|remark| remark.code == "expansion-implausible")
+    };
+    assert!(noted("12") && noted("12e-3") && !noted("2e-4"));
 }
