@@ -9,7 +9,7 @@ use crate::level::Level;
 use crate::options::Options;
 use crate::parts::NO_STIFFNESS;
 use crate::problem::Problem;
-use crate::series::{SLOWEST, rest, rest_after};
+use crate::series::{SLOWEST, is_chance, rest, rest_after};
 use crate::solution::Rung;
 use crate::step::Step;
 use crate::watch::{Event, Watch};
@@ -262,7 +262,7 @@ fn idle(changes: &[f64]) -> bool {
 /// had left to come. What is there then is no error of the discretisation that finer levels take away.
 fn broken_off(changes: &[f64]) -> bool {
     let [.., a, b, c, last] = *changes else { return false };
-    a > b && b > c && last >= SLOWEST * c && last > rest(b, c)
+    a > b && b > c && !is_chance(a, b, c) && last >= SLOWEST * c && last > rest(b, c)
 }
 
 /// The levels of a ladder up to the one to report, with its estimated errors: the last one, or where finer ones came out worse the one with the
