@@ -67,6 +67,11 @@ impl FreeEnds {
         &self.refined
     }
 
+    /// What the pressure at an end, in its scale, changes with its place; none before ends were found.
+    pub fn slope(&self, end: usize) -> Option<f64> {
+        self.jacobian.as_ref().and_then(|jacobian| jacobian.get((end, end))).copied()
+    }
+
     /// All ends of contact as arc lengths on a surface of the given length, its own ends included where they are in contact.
     pub fn arcs(&self, length: f64) -> Vec<f64> {
         let mut arcs: Vec<f64> = self.refined.iter().map(|t| 0.5 * (1.0 + t) * length).collect();

@@ -33,6 +33,8 @@ use crate::watch::Watch;
 
 /// Samples of the pressure for the comparison of levels, over the inner 95 % of the contact.
 const SAMPLES: usize = 191;
+/// The largest shift of the zone of stick as a whole, over the half length of the contact, with which one place is told as its end on both sides.
+const MOST_SHIFT: f64 = 3e-3;
 /// Share of the longest contact over which places are counted, so that no place that can be meshed is near 1.
 const ROOM: f64 = 0.1;
 
@@ -161,7 +163,7 @@ impl Setting<'_> {
     /// Moves element nodes onto the ends: there the pressure vanishes, and where stick is sought, the shear that sticking takes is just its
     /// limit. `None` where that does not settle.
     fn position(&self, level: Level, trial: &Trial, work: &mut Effort) -> Result<Option<(FreeEnds, Positioned)>, Refusal> {
-        trial.ends.position(TOLERANCE * self.problem.wanted.accuracy, |places| -> Result<_, Refusal> {
+        let found = trial.ends.position(TOLERANCE * self.problem.wanted.accuracy, |places| -> Result<_, Refusal> {
             let moving: Vec<f64> = places.iter().map(|t| t * self.room()).collect();
             let nodes = trial.nodes_at(&moving);
             let (parts, effort) = self.parts(level, &nodes)?;
@@ -172,7 +174,16 @@ impl Setting<'_> {
             let held = self.held_steps(&bodies, &nodes, trial.sought, work)?;
             let residuals = self.residuals(&held, &nodes);
             Ok(Some((residuals, Positioned { nodes, parts, bodies, held })))
-        })
+        })?;
+        Ok(found.filter(|(ends, positioned)| !trial.sought || self.shift(ends, positioned) <= MOST_SHIFT))
+    }
+
+    /// How far the zone of stick is shifted as a whole, over the half length of the contact: half the difference of what both its ends are off by, over what
+    /// their mean changes with their place.
+    fn shift(&self, ends: &FreeEnds, at: &Positioned) -> f64 {
+        let [right, left] = self.excess(&at.held, &at.nodes);
+        let slope = ends.slope(0).unwrap_or(f64::INFINITY) / self.room();
+        (0.5 * (right - left) / slope / at.nodes[at.nodes.len() - 1]).abs()
     }
 
     /// What the nodes on the ends are off by: the shear beyond its limit where stick ends, if that is sought, and the pressure where contact ends. The
@@ -182,14 +193,19 @@ impl Setting<'_> {
         let root = |i: usize| held.points[i].weight.sqrt();
         let end = at(nodes[nodes.len() - 1]);
         let end = held.pressed.pressure[end] * root(end);
-        match &held.sheared {
-            Some(sheared) => {
-                // Finite bodies shift the stick zone as a whole a little: its half length is that of both sides' mean.
-                let excess = |i: usize| (sheared.shear[i].abs() - self.friction * sheared.pressure[i]) * root(i);
-                vec![0.5 * (excess(at(nodes[0])) + excess(at(-nodes[0]))), end]
-            }
-            None => vec![end],
-        }
+        // Finite bodies shift the stick zone as a whole a little: its half length is that of both sides' mean.
+        let of_stick = held.sheared.is_some().then(|| 0.5 * self.excess(held, nodes).iter().sum::<f64>());
+        of_stick.into_iter().chain([end]).collect()
+    }
+
+    /// The shear beyond its limit where stick ends, on the right and on the left, in the scale of the residuals.
+    fn excess(&self, held: &Steps, nodes: &[f64]) -> [f64; 2] {
+        let Some(sheared) = &held.sheared else { return [0.0; 2] };
+        let along = held.points.iter().zip(&sheared.shear).map(|(point, q)| point.weight * q).sum::<f64>().signum();
+        [nodes[0], -nodes[0]].map(|x| {
+            let i = self.nearest(&held.points, x);
+            (along * sheared.shear[i] - self.friction * sheared.pressure[i]) * held.points[i].weight.sqrt()
+        })
     }
 
     /// Both load steps, or the first alone, with the states of all points given by the ends.
