@@ -2,13 +2,13 @@
 
 use scene::Fault;
 use serde_json::json;
-use wearshape::{Forecast, Options, Problem, Step};
+use wearshape::{Bodies, Forecast, Options, Problem, Step};
 
 use crate::clock::seconds;
 use crate::progress::Progress;
 
 /// The plan as a document.
-pub(crate) fn plan_json(problem: &Problem, progress: &Progress) -> serde_json::Value {
+pub(crate) fn plan_json(problem: &Problem, bodies: &Bodies, progress: &Progress) -> serde_json::Value {
     let mut plan = json!({
         "scene": problem.name(),
         "stages": problem.plan().stages,
@@ -16,7 +16,7 @@ pub(crate) fn plan_json(problem: &Problem, progress: &Progress) -> serde_json::V
         "lints": problem.remarks(),
         "unused_keys": problem.unused_keys(),
     });
-    match expected(problem, progress) {
+    match expected(problem, bodies, progress) {
         Some(Ok(levels)) => plan["expected"] = json!(levels),
         Some(Err(fault)) => plan["not_expected"] = json!(fault.message),
         None => {}
@@ -25,17 +25,17 @@ pub(crate) fn plan_json(problem: &Problem, progress: &Progress) -> serde_json::V
 }
 
 /// Sizes and times of the levels; `None` for scenes without bodies.
-fn expected(problem: &Problem, progress: &Progress) -> Option<Result<Vec<Forecast>, Fault>> {
+fn expected(problem: &Problem, bodies: &Bodies, progress: &Progress) -> Option<Result<Vec<Forecast>, Fault>> {
     let begun = |step| progress.busy(step);
     progress.busy(Step::Mesh);
     let options = Options { clock: seconds, begun: &begun, ..Options::default() };
-    problem.plan().runs(Step::Mesh).then(|| problem.forecast(&options))
+    problem.plan().runs(Step::Mesh).then(|| problem.forecast_on(&options, bodies))
 }
 
 /// What the plan will take, in words; nothing for scenes without bodies.
-pub(crate) fn sizes(problem: &Problem, progress: &Progress) -> String {
+pub(crate) fn sizes(problem: &Problem, bodies: &Bodies, progress: &Progress) -> String {
     let mut out = String::new();
-    match expected(problem, progress) {
+    match expected(problem, bodies, progress) {
         None => {}
         Some(Err(fault)) => out += &format!("\nno sizes: {}\n", fault.message),
         Some(Ok(levels)) => {

@@ -14,10 +14,30 @@ impl Mesh {
     /// [`Error::TwoGradedCorners`] if a cell touches two of the vertices; [`Error::OutOfRange`] for a ratio outside (0, 1);
     /// [`Error::Count`] for a vertex that does not exist; [`Error::FoldedCell`] if a cell cannot be cut.
     pub fn refined_towards(&self, vertices: &[usize], ratio: f64, layers: usize) -> Result<Mesh, Error> {
-        if !(ratio > 0.0 && ratio < 1.0) {
-            let quantity = "the ratio of graded layers".into();
-            return Err(Error::OutOfRange { quantity, value: ratio, range: "in (0, 1)" });
+        in_range(ratio)?;
+        self.check_graded(vertices)?;
+        let mut mesh = self.clone();
+        for _ in 0..layers {
+            mesh = mesh.cut_at(vertices, |_| ratio)?;
         }
+        mesh.check_cells()?;
+        Ok(mesh)
+    }
+
+    /// One layer of [`Mesh::refined_towards`] in which each edge at one of the vertices is cut at a ratio of its own, which `ratio` tells of its number: so
+    /// the small cells of slender ones may be as long as high.
+    ///
+    /// # Errors
+    /// Those of [`Mesh::refined_towards`].
+    pub fn refined_towards_by(&self, vertices: &[usize], ratio: impl Fn(usize) -> f64) -> Result<Mesh, Error> {
+        self.check_graded(vertices)?;
+        let mesh = self.cut_at(vertices, ratio)?;
+        mesh.check_cells()?;
+        Ok(mesh)
+    }
+
+    /// Whether vertices exist, and no cell touches two of them.
+    fn check_graded(&self, vertices: &[usize]) -> Result<(), Error> {
         if let Some(v) = vertices.iter().find(|v| **v >= self.vertices.len()) {
             let what = "vertex to grade towards, vertices".into();
             return Err(Error::Count { what, given: v.saturating_add(1), expected: self.vertices.len() });
@@ -28,39 +48,33 @@ impl Mesh {
                 return Err(Error::TwoGradedCorners { cell, first: *first, second: *second });
             }
         }
-        let mut mesh = self.clone();
-        for _ in 0..layers {
-            mesh = mesh.cut_at(vertices, ratio)?;
-        }
-        mesh.check_cells()?;
-        Ok(mesh)
+        Ok(())
     }
 
-    /// One cut of [`Mesh::refined_towards`].
-    fn cut_at(&self, singular: &[usize], ratio: f64) -> Result<Mesh, Error> {
+    /// One cut of [`Mesh::refined_towards`], at a ratio for each edge.
+    fn cut_at(&self, singular: &[usize], ratio: impl Fn(usize) -> f64) -> Result<Mesh, Error> {
         let mut vertices = self.vertices.clone();
         let mut quads = Vec::with_capacity(self.cells.len() + 2 * singular.len());
         let mut curves = Vec::new();
         let mut names: Vec<([usize; 2], &str)> = Vec::new();
         // The vertex that cuts an edge next to a singular end, shared by both its cells.
-        let mut cut_vertex: Vec<Option<usize>> = vec![None; self.edges.len()];
+        let mut cut_vertex: Vec<Option<(usize, f64)>> = vec![None; self.edges.len()];
         for (e, edge) in self.edges.iter().enumerate() {
             let tags = edge.tags.iter().map(|t| self.boundaries[*t].as_str());
             let [a, b] = edge.vertices;
-            let at = match (singular.contains(&a), singular.contains(&b)) {
-                (false, false) => {
-                    if !edge.curve.is_straight() {
-                        curves.push(([a, b], edge.curve));
-                    }
-                    names.extend(tags.map(|n| ([a, b], n)));
-                    continue;
+            let first = singular.contains(&a);
+            if !first && !singular.contains(&b) {
+                if !edge.curve.is_straight() {
+                    curves.push(([a, b], edge.curve));
                 }
-                (true, _) => 2.0 * ratio - 1.0,
-                (false, true) => 1.0 - 2.0 * ratio,
-            };
+                names.extend(tags.map(|n| ([a, b], n)));
+                continue;
+            }
+            let ratio = in_range(ratio(e))?;
+            let at = if first { 2.0 * ratio - 1.0 } else { 1.0 - 2.0 * ratio };
             let v = vertices.len();
             vertices.push(edge.curve.point(at));
-            cut_vertex[e] = Some(v);
+            cut_vertex[e] = Some((v, ratio));
             if !edge.curve.is_straight() {
                 curves.push(([a, v], edge.curve.part(-1.0, at)));
                 curves.push(([v, b], edge.curve.part(at, 1.0)));
@@ -75,7 +89,7 @@ impl Mesh {
                 quads.push(quad(cell.corners, cell.layer));
                 continue;
             };
-            let [Some(m1), Some(m3)] = cell.leaving(corner).map(|e| cut_vertex[cell.edges[e]?]) else {
+            let [Some((m1, r1)), Some((m3, r3))] = cell.leaving(corner).map(|e| cut_vertex[cell.edges[e]?]) else {
                 return Err(Error::FoldedCell { cell: c, jacobian: 0.0, x: 0.0, z: 0.0 });
             };
             // Walk the corners from the singular one: k0 (singular), k1, k2, k3 anti-clockwise.
@@ -87,8 +101,9 @@ impl Mesh {
             }
             let k: [usize; 4] = std::array::from_fn(|i| cell.corners[(corner + i) % 4]);
             let reference = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
-            let (near, far) = (reference[corner], reference[(corner + 2) % 4]);
-            let place: [f64; 2] = std::array::from_fn(|i| (1.0 - ratio) * near[i] + ratio * far[i]);
+            let (near, next, far) = (reference[corner], reference[(corner + 1) % 4], reference[(corner + 2) % 4]);
+            let ratio = |i: usize| if next[i] == near[i] { r3 } else { r1 };
+            let place: [f64; 2] = std::array::from_fn(|i| (1.0 - ratio(i)) * near[i] + ratio(i) * far[i]);
             let centre = vertices.len();
             vertices.push(self.map(c, place[0], place[1]).0);
             quads.push(quad([k[0], m1, centre, m3], cell.layer + 1));
@@ -135,4 +150,12 @@ impl Mesh {
         mesh.check_cells()?;
         Ok(mesh)
     }
+}
+
+/// A ratio of graded layers, if it is one.
+fn in_range(ratio: f64) -> Result<f64, Error> {
+    if ratio > 0.0 && ratio < 1.0 {
+        return Ok(ratio);
+    }
+    Err(Error::OutOfRange { quantity: "the ratio of graded layers".into(), value: ratio, range: "in (0, 1)" })
 }

@@ -16,7 +16,7 @@ use crate::rows;
 const NEAR: f64 = 0.25;
 
 /// A body given by its cells, its surfaces named, and the points towards which it is to be graded.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub(crate) struct Cells {
     pub mesh: Mesh,
     pub singular: Vec<[f64; 2]>,

@@ -16,7 +16,10 @@ use crate::couple::Couple;
 use crate::names::{AXIS, CONTACT, LOAD};
 
 /// Ratio of the sizes of successive layers around an end of contact.
-const RATIO: f64 = 0.15;
+const RATIO: f64 = 0.2;
+/// Where the contact between the middle or an end of stick and the next end is cut: on one cell up to the first layer the root at the end converges more
+/// slowly than anything else. Of .5, .55, .65 and .75 with ratios of .15 to .25 these two are the best for cylinder, ball and push at 1e-6.
+const WITHIN: f64 = 0.55;
 /// Length of the candidate surface over that of the trial contact.
 pub const CANDIDATE: f64 = 1.5;
 
@@ -237,9 +240,14 @@ struct Breaks<'a> {
 }
 
 impl Breaks<'_> {
-    /// All nested squares: at the nodes, at the end of the candidate surface, and growing to `last`.
+    /// All nested squares: at the nodes and between those that are graded, at the end of the candidate surface, and growing to `last`.
     fn levels(&self, last: f64) -> Vec<f64> {
-        self.nodes.iter().copied().chain(growing(self.candidate, last)).collect()
+        // Nodes that the end of contact only passes are close together.
+        let before = std::iter::once(&0.0).chain(self.nodes).zip(self.nodes);
+        let within = before.filter(|_| self.graded.len() == self.nodes.len()).map(|(from, to)| from + WITHIN * (to - from));
+        let mut inner: Vec<f64> = within.chain(self.nodes.iter().copied()).collect();
+        inner.sort_by(f64::total_cmp);
+        inner.into_iter().chain(growing(self.candidate, last)).collect()
     }
 }
 

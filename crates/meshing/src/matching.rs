@@ -1,6 +1,5 @@
 //! Common break points of two bodies of which at least one is given by its cells.
 
-use hpfem::Mesh;
 use scene::Fault;
 
 use crate::cells::{Cells, add_singular};
@@ -13,11 +12,11 @@ use crate::template::{coarse, contact_cuts};
 /// Most rounds until the break points settle: a cut may come back to the contact elsewhere and ask for another.
 const ROUNDS: usize = 20;
 
-/// The coarse meshes of both bodies: cut at the break points of both on the contact surface and at further `breaks`, graded towards the same points
+/// The coarse meshes of both bodies, of given cells or a template each: cut at the break points of both on the contact surface and at further `breaks`, graded towards the same points
 /// there.
 pub(crate) fn matched(
     couple: &Couple,
-    given: [Option<Mesh>; 2],
+    given: &[Option<Cells>; 2],
     extent: Extent,
     cut: Cut<'_>,
     breaks: &[f64],
@@ -52,11 +51,9 @@ struct Matching<'a> {
 }
 
 impl<'a> Matching<'a> {
-    /// The given cells, cut where contact and load end, with vertices drawn onto the ends of contact.
-    fn new(couple: &'a Couple, given: [Option<Mesh>; 2], extent: Extent, cut: Cut<'a>) -> Result<Matching<'a>, Fault> {
-        let one = |number: usize, given: Option<Mesh>| given.map(|mesh| Cells::new(couple, number, mesh, extent)).transpose();
-        let [first, second] = given;
-        let mut cells = [one(0, first)?, one(1, second)?];
+    /// The given cells with vertices drawn onto the ends of contact.
+    fn new(couple: &'a Couple, given: &[Option<Cells>; 2], extent: Extent, cut: Cut<'a>) -> Result<Matching<'a>, Fault> {
+        let mut cells = given.clone();
         let [from, to] = extent.ends();
         let ends: Vec<f64> = cut.ends().iter().map(|t| from + 0.5 * (1.0 + t) * (to - from)).collect();
         cells.iter_mut().flatten().for_each(|cells| ends.iter().for_each(|end| cells.draw(*end)));

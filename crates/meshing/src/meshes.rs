@@ -3,6 +3,7 @@
 use hpfem::Mesh;
 use scene::Fault;
 
+use crate::cells::Cells;
 use crate::coarse::{Coarse, RATIO, degenerate};
 use crate::couple::Couple;
 use crate::extent::{Cut, Extent};
@@ -11,6 +12,7 @@ use crate::ledge;
 use crate::matching::matched;
 use crate::near_ends::{self, Split, cut_between, cut_near, cut_small};
 use crate::round_cells::as_cells;
+use crate::slender_ends;
 use crate::template::{coarse, contact_cuts};
 
 /// The meshes of body 1 and body 2, with so many `layers` of cells around each singular point, whose sizes fall by [`RATIO`], and half as
@@ -19,6 +21,19 @@ use crate::template::{coarse, contact_cuts};
 /// # Errors
 /// The fault of a body that is no body 1 or body 2 of this contact, that is too thin, or whose cells cannot be cut where the other's are.
 pub fn meshes(couple: &Couple, extent: Extent, layers: usize, cut: Cut<'_>) -> Result<[Mesh; 2], Fault> {
+    meshes_of(&GivenCells::new(couple, extent)?, couple, (extent, cut), layers)
+}
+
+/// The meshes of [`meshes`] from cells that are made ready.
+///
+/// # Errors
+/// Those of [`meshes`].
+pub fn meshes_of(
+    given: &GivenCells,
+    couple: &Couple,
+    (extent, cut): (Extent, Cut<'_>),
+    layers: usize,
+) -> Result<[Mesh; 2], Fault> {
     if let Extent::Round { x: [from, to], touch, .. } = extent
         && let Some(mut disc) = HalfDiscOnFlat::of(couple)?
     {
@@ -27,7 +42,31 @@ pub fn meshes(couple: &Couple, extent: Extent, layers: usize, cut: Cut<'_>) -> R
         disc.whole = !couple.is_revolved();
         return disc.meshes_reaching(&nodes, to - touch, layers.div_ceil(2));
     }
-    coarse_meshes(couple, extent, cut)?.graded(layers)
+    coarse_meshes(given, couple, extent, cut)?.graded(layers)
+}
+
+/// The bodies of a couple that are given by cells, cut where contact and load end and where these are slender, with the points towards which they are
+/// graded: the same for every mesh of the couple.
+#[derive(Debug)]
+pub struct GivenCells {
+    bodies: [Option<Cells>; 2],
+}
+
+impl GivenCells {
+    /// Makes the cells of the bodies ready; there are none of templates that touch on an arc or line.
+    ///
+    /// # Errors
+    /// The fault of cells that cannot be cut there.
+    pub fn new(couple: &Couple, extent: Extent) -> Result<GivenCells, Fault> {
+        let round = matches!(extent, Extent::Round { .. } | Extent::Convex { .. });
+        let one = |number: usize| {
+            let body = &couple.bodies[number];
+            let own = body.cells.as_deref().cloned();
+            let mesh = own.or_else(|| if round { as_cells(couple, body) } else { None });
+            mesh.map(|mesh| Cells::new(couple, number, mesh, extent)).transpose()
+        };
+        Ok(GivenCells { bodies: [one(0)?, one(1)?] })
+    }
 }
 
 /// Both meshes of a couple before their layers: the same for every number of them.
@@ -41,11 +80,11 @@ pub struct CoarseMeshes {
     small: Vec<[f64; 2]>,
 }
 
-/// The meshes of [`meshes`] before their layers.
+/// The meshes of [`meshes_of`] before their layers.
 ///
 /// # Errors
 /// Those of [`meshes`].
-pub fn coarse_meshes(couple: &Couple, extent: Extent, cut: Cut<'_>) -> Result<CoarseMeshes, Fault> {
+pub fn coarse_meshes(given: &GivenCells, couple: &Couple, extent: Extent, cut: Cut<'_>) -> Result<CoarseMeshes, Fault> {
     let (ends, passed) = passed(cut);
     let cut = if matches!(cut, Cut::Passed(_)) { Cut::Ends(&ends) } else { cut };
     let Split { far, near, small } = near_ends::split(cut, grown(&ends, passed));
@@ -54,17 +93,13 @@ pub fn coarse_meshes(couple: &Couple, extent: Extent, cut: Cut<'_>) -> Result<Co
     if small.is_empty() {
         middles.extend(apart(extent, passed, &contact_cuts(couple, extent, cut, &[])));
     }
-    let cells = couple.bodies.each_ref().map(|body| body.cells.as_deref().cloned());
-    let round = matches!(extent, Extent::Round { .. } | Extent::Convex { .. });
-    let [first, second] = couple.bodies.each_ref().map(|body| if round { as_cells(couple, body) } else { None });
-    let [own, other] = cells;
-    let cells = [own.or(first), other.or(second)];
-    let [first, second] = if cells.iter().all(Option::is_none) {
+    let mut bodies = if given.bodies.iter().all(Option::is_none) {
         templates(couple, extent, cut, &middles)?
     } else {
-        matched(couple, cells, extent, cut, &middles)?
+        matched(couple, &given.bodies, extent, cut, &middles)?
     };
-    Ok(CoarseMeshes { bodies: [first, second], extent, near, small })
+    slender_ends::cut_beside(&mut bodies, extent, cut);
+    Ok(CoarseMeshes { bodies, extent, near, small })
 }
 
 /// Least distance of a place that ends of contact pass from another break point, over that from the next such place.

@@ -17,6 +17,8 @@ const GROWN: f64 = 1.2;
 /// Where the cells beside the middle of two ends end, over the distance of the farther one, and the steepest ratio of the layers that make them so.
 const BEYOND: f64 = 1.8;
 const STEEPEST: f64 = 0.35;
+/// The flattest ratio of those layers inside the body, where it is less high than the contact is wide.
+const FLATTEST: f64 = 0.7;
 
 /// Ends of contact (from -1 to 1 on the surface) by what they ask of a mesh.
 pub(crate) struct Split {
@@ -75,7 +77,7 @@ pub(crate) fn cut_small(mut mesh: Mesh, extent: Extent, pairs: &[[f64; 2]]) -> R
         let share = BEYOND * (b - middle).max(middle - a) / ranges.fold(f64::INFINITY, f64::min);
         if share < 1.0 {
             let layers = (share.ln() / STEEPEST.ln()).ceil().max(1.0);
-            mesh = mesh.refined_towards(&[corner], share.powf(1.0 / layers), layers as usize)?;
+            mesh = square_layers(mesh, corner, share, layers as usize)?;
             mesh.cells.iter_mut().for_each(|cell| cell.layer = 0);
         }
         for place in [a, b] {
@@ -89,6 +91,22 @@ pub(crate) fn cut_small(mut mesh: Mesh, extent: Extent, pairs: &[[f64; 2]]) -> R
         }
     }
     Ok((mesh, points))
+}
+
+/// Layers around a vertex on the contact surface that make the edges of that `share` times as long, and those inside the body about as long as these: cells
+/// as high as the body are no longer than high beside a short contact.
+fn square_layers(mut mesh: Mesh, vertex: usize, share: f64, layers: usize) -> Result<Mesh, Error> {
+    let along = share.powf(1.0 / layers as f64);
+    let contact = mesh.boundary(CONTACT)?;
+    let own = contact.iter().filter(|e| mesh.edges[**e].vertices.contains(&vertex));
+    let size = share * own.map(|e| mesh.edges[*e].curve.length()).fold(f64::INFINITY, f64::min);
+    for left in (1..=layers).rev() {
+        let contact = mesh.boundary(CONTACT)?;
+        let inwards = |length: f64| (size / length).powf(1.0 / left as f64).min(FLATTEST);
+        let ratio = |edge: usize| if contact.contains(&edge) { along } else { inwards(mesh.edges[edge].curve.length()) };
+        mesh = mesh.refined_towards_by(&[vertex], ratio)?;
+    }
+    Ok(mesh)
 }
 
 /// The mesh cut at places next to the ends of the surface, and where its vertices on them are. The cells at the end of the surface are first
@@ -106,7 +124,7 @@ pub(crate) fn cut_near(mut mesh: Mesh, extent: Extent, places: &[f64]) -> Result
         let layers = ((b - a).abs() / (1.5 * distance)).ln() / (1.0 / RATIO).ln();
         if layers >= 1.0 {
             let corner = mesh.edges[edge].vertices[side];
-            mesh = mesh.refined_towards(&[corner], RATIO, layers as usize)?;
+            mesh = square_layers(mesh, corner, RATIO.powi(layers as i32), layers as usize)?;
             mesh.cells.iter_mut().for_each(|cell| cell.layer = 0);
         }
         for x in [place, 0.5 * (place + end)] {
@@ -137,7 +155,7 @@ pub(crate) fn cut_between(mut mesh: Mesh, graded: impl Fn(&Mesh) -> Vec<usize>) 
 }
 
 /// The contact edge at an end of the surface, and which of its ends that is.
-fn at_end(mesh: &Mesh, extent: Extent, end: f64) -> Option<(usize, usize)> {
+pub(crate) fn at_end(mesh: &Mesh, extent: Extent, end: f64) -> Option<(usize, usize)> {
     let [from, to] = extent.ends();
     mesh.boundary(CONTACT).ok()?.into_iter().find_map(|e| {
         let range = extent.range(&mesh.edges[e].curve);

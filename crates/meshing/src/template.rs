@@ -275,7 +275,7 @@ fn full_ring(couple: &Couple, number: usize, ring: &Ring, on: &OnRing) -> Result
         bottom,
         top,
         breaks: &breaks,
-        levels: &ring_levels(inner, outer, outer * widest),
+        levels: &ring_levels(inner, outer, outer * widest, side),
         closed: true,
         material: 0,
         names: &names,
@@ -283,9 +283,12 @@ fn full_ring(couple: &Couple, number: usize, ring: &Ring, on: &OnRing) -> Result
     Ok(Coarse { mesh, singular, ledges: [0.0; 2], free })
 }
 
-/// Levels of a ring from its inner arc; about a hole much smaller than the cells next to it their radii grow fourfold at most, as the fields do.
-fn ring_levels(inner: f64, outer: f64, width: f64) -> Vec<f64> {
+/// Levels of a ring from its inner arc, small at the side of the contact; about a hole much smaller than the cells next to it their radii grow fourfold at most, as the fields do.
+fn ring_levels(inner: f64, outer: f64, width: f64, contact: Side) -> Vec<f64> {
     let mut levels = levels(outer - inner, width, 1);
+    if matches!(contact, Side::Top) {
+        levels = levels.iter().rev().map(|level| 1.0 - level).collect();
+    }
     let growth = 1.0 + levels[1] * (outer - inner) / inner;
     let pieces = (growth.ln() / 4.0_f64.ln() * (1.0 - 1e-9)).ceil().max(1.0) as usize;
     let between = (1..pieces).map(|i| inner * (growth.powf(i as f64 / pieces as f64) - 1.0) / (outer - inner));
@@ -346,7 +349,7 @@ fn block(couple: &Couple, rectangle: &Rectangle, cuts: &[f64], shaped: bool, cut
         bottom: Curve::Line { start: [x[0], z[0]], end: [x[1], z[0]] },
         top: Curve::Line { start: [x[0], z[1]], end: [x[1], z[1]] },
         breaks: &parameters(&points, x),
-        levels: &levels(z[1] - z[0], 1.5 * step, 2),
+        levels: &levels(z[1] - z[0], step, 2),
         closed: false,
         material: 0,
         names: &names,

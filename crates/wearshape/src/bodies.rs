@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use contact::{ContactOperator, Pair, UnitResponses};
 use hpfem::{InterfaceOperator, InterfaceState};
-use meshing::{CoarseMeshes, Couple, Cut, Extent, coarse_meshes};
+use meshing::{CoarseMeshes, Couple, Cut, Extent, GivenCells, coarse_meshes};
 use scene::Fault;
 
 use crate::effort::{Clock, Counters, Effort};
@@ -33,6 +33,7 @@ pub(crate) struct Place {
 #[derive(Debug, Default)]
 pub struct Bodies {
     kinds: Mutex<Vec<(Couple, Kind)>>,
+    given: Mutex<Vec<(Couple, Extent, Arc<GivenCells>)>>,
     coarse: Mutex<Vec<Coarse>>,
     factorisations: AtomicUsize,
     reused: AtomicUsize,
@@ -61,12 +62,19 @@ impl Bodies {
         if let Some(known) = lock(&self.coarse).iter().find(same).map(|known| Arc::clone(&known.3)) {
             return Ok(known);
         }
-        let new = Arc::new(coarse_meshes(couple, extent, cut)?);
-        let mut kept = lock(&self.coarse);
-        if kept.len() >= KINDS {
-            kept.remove(0);
+        let new = Arc::new(coarse_meshes(&*self.given(couple, extent)?, couple, extent, cut)?);
+        keep_last(&self.coarse, (couple.clone(), extent, cut, Arc::clone(&new)));
+        Ok(new)
+    }
+
+    /// The cells that the bodies of a couple are given by, made ready if they are not: looking for their singular points takes longer than a mesh of them.
+    pub(crate) fn given(&self, couple: &Couple, extent: Extent) -> Result<Arc<GivenCells>, Fault> {
+        let same = |known: &&(Couple, Extent, Arc<GivenCells>)| known.0 == *couple && known.1 == extent;
+        if let Some(known) = lock(&self.given).iter().find(same).map(|known| Arc::clone(&known.2)) {
+            return Ok(known);
         }
-        kept.push((couple.clone(), extent, cut, Arc::clone(&new)));
+        let new = Arc::new(GivenCells::new(couple, extent)?);
+        keep_last(&self.given, (couple.clone(), extent, Arc::clone(&new)));
         Ok(new)
     }
 
@@ -120,6 +128,15 @@ impl Bodies {
 /// A panic elsewhere is reported there; the numbers behind the lock are whole.
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Keeps one more, for which the first goes where there are many.
+fn keep_last<T>(kept: &Mutex<Vec<T>>, new: T) {
+    let mut kept = lock(kept);
+    if kept.len() >= KINDS {
+        kept.remove(0);
+    }
+    kept.push(new);
 }
 
 /// Both bodies of one discretisation, reduced to their contact surface.

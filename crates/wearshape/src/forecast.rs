@@ -58,13 +58,21 @@ impl Problem {
     /// # Errors
     /// What is not built, or cannot be meshed or held.
     pub fn forecast(&self, options: &Options<'_>) -> Result<Vec<Forecast>, Fault> {
-        forecast(self, options).map_err(|fault| in_names_of(self.couple.as_ref(), fault))
+        self.forecast_on(options, &Bodies::default())
+    }
+
+    /// [`Problem::forecast`] on meshes that [`Problem::available_on`] left to the same `bodies`.
+    ///
+    /// # Errors
+    /// Those of [`Problem::forecast`].
+    pub fn forecast_on(&self, options: &Options<'_>, bodies: &Bodies) -> Result<Vec<Forecast>, Fault> {
+        forecast(self, options, bodies).map_err(|fault| in_names_of(self.couple.as_ref(), fault))
     }
 }
 
-fn forecast(problem: &Problem, options: &Options<'_>) -> Result<Vec<Forecast>, Fault> {
-    let (bodies, clock) = (Bodies::default(), options.clock);
-    let scope = Scope::of(problem, options, &bodies)?;
+fn forecast(problem: &Problem, options: &Options<'_>, bodies: &Bodies) -> Result<Vec<Forecast>, Fault> {
+    let clock = options.clock;
+    let scope = Scope::of(problem, options, bodies)?;
     scope.available()?;
     let rate = rate(problem, &scope, options)?;
     let passes = if matches!(scope, Scope::HalfDisc(..)) { ENDS } else { 1.0 };

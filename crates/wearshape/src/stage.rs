@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use contact::{ContactLoad, ContactPoint, MomentBalance, Motion, Pair, Side};
 use hpfem::InterfaceState;
-use meshing::{Body, Couple, Cut, Extent, meshes};
+use meshing::{Body, Couple, Cut, Extent, meshes, meshes_of};
 use nalgebra::Vector3;
 use scene::Fault;
 use shapeopt::{EdgeLoad, Gauge};
@@ -152,9 +152,12 @@ impl<'a> Stage<'a> {
             Cut::Shifted => Some(Cut::Shifted),
             Cut::Ends(_) | Cut::Passed(_) => None,
         };
-        match kept.filter(|_| self.couple.bodies.iter().any(Body::is_given)) {
+        if !self.couple.bodies.iter().any(Body::is_given) {
+            return meshes(self.couple, self.extent, layers, cut);
+        }
+        match kept {
             Some(cut) => self.bodies.coarse(self.couple, self.extent, cut)?.graded(layers),
-            None => meshes(self.couple, self.extent, layers, cut),
+            None => meshes_of(&*self.bodies.given(self.couple, self.extent)?, self.couple, (self.extent, cut), layers),
         }
     }
 

@@ -4,7 +4,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use scene::{Fault, Place};
-use wearshape::Problem;
+use wearshape::{Bodies, Problem};
 
 use crate::args::{CheckArgs, Common};
 use crate::describe::{describe, plan_json, sizes};
@@ -21,12 +21,13 @@ pub(crate) fn run(args: &CheckArgs) -> Result<Exit, Fault> {
     let (document, problem) = open::problem(&args.scene, &args.set)?;
     // Whether the scene is sound is decided before a word goes to stdout; what the levels take is measured after it.
     progress.say("meshing");
-    problem.available().map_err(|fault| document.locate(fault))?;
+    let bodies = Bodies::default();
+    problem.available_on(&bodies).map_err(|fault| document.locate(fault))?;
     if args.json {
-        print_json(&plan_json(&problem, &progress));
+        print_json(&plan_json(&problem, &bodies, &progress));
     } else if !args.quiet {
         progress.beside(|| print_out(&describe(&problem)));
-        let sizes = sizes(&problem, &progress);
+        let sizes = sizes(&problem, &bodies, &progress);
         progress.end();
         print_out(&format!("{sizes}\n"));
     }

@@ -33,7 +33,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
     let bodies = Bodies::default();
     problem.available_on(&bodies).map_err(|fault| document.locate(fault))?;
     if common.dry_run {
-        dry_run(common, &problem, &target, &progress);
+        dry_run(common, (&problem, &bodies), &target, &progress);
         return Ok(Exit::Done);
     }
     interrupt::listen();
@@ -103,13 +103,13 @@ impl Finished<'_> {
 }
 
 /// Says what would be done.
-fn dry_run(common: &Common, problem: &Problem, target: &Path, progress: &Progress) {
+fn dry_run(common: &Common, (problem, bodies): (&Problem, &Bodies), target: &Path, progress: &Progress) {
     if common.json {
-        print_json(&plan_json(problem, progress));
+        print_json(&plan_json(problem, bodies, progress));
         return;
     }
     progress.beside(|| print_out(&describe(problem)));
-    let sizes = sizes(problem, progress);
+    let sizes = sizes(problem, bodies, progress);
     progress.end();
     print_out(&format!("{sizes}\nwould write {}\n", target.display()));
 }

@@ -252,7 +252,8 @@ fn a_rigid_roller_wears_on_its_cam_to_a_flat_and_an_elastic_one_begins_with_hert
             .map(|(key, wanted)| apart(&wear[key], wanted));
         assert!(scar < 2e-3 && deep < 1e-9 && far < 1e-3, "{scar:e} {deep:e} {far:e}");
     }
-    // What wears off is k F s at any time, up to the cosine of the end; the width at the start is that of Hertz, as far as points tell it that the ends only pass.
+    // What wears off is k F s at any time, up to the cosine of the end; the width at the start is that of Hertz, as far as points tell it that the ends only pass:
+    // a fifth of half of it apart.
     let wear = &worn("--set wear.until.depth=1e-3", 0)["wear"];
     let volume = 1e-7 * 1e3 * wear["distance_mm"].as_f64().unwrap();
     assert!(apart(&wear["volume_mm3"], volume) < 1e-5, "{wear}");
@@ -261,7 +262,7 @@ fn a_rigid_roller_wears_on_its_cam_to_a_flat_and_an_elastic_one_begins_with_hert
     let at = history.lines().next().unwrap().split(',').position(|name| name == "scar_mm").unwrap();
     let softness = 2.0 * (1.0 - 0.3 * 0.3) / 210e3;
     let hertz = 2.0 * (4.0 * 1e3 * curved * softness / (PI * length)).sqrt();
-    assert!((start[at] / hertz - 1.0).abs() < 2e-2, "{} {hertz}", start[at]);
+    assert!((start[at] / hertz - 1.0).abs() < 3e-2, "{} {hertz}", start[at]);
 }
 
 /// A roller set on an edge with a pin takes its place, and the other way around.

@@ -67,6 +67,9 @@ fn grading_towards_two_corners_of_one_cell_is_refused() {
         assert!(matches!(mesh.refined_towards(&[0], ratio, 1), Err(Error::OutOfRange { .. })));
     }
     assert!(matches!(mesh.refined_towards(&[17], 0.15, 1), Err(Error::Count { .. })));
+    assert!(matches!(mesh.refined_towards_by(&[0, 2], |_| 0.15), Err(Error::TwoGradedCorners { .. })));
+    assert!(matches!(mesh.refined_towards_by(&[0], |_| 1.0), Err(Error::OutOfRange { .. })));
+    assert!(matches!(mesh.refined_towards_by(&[17], |_| 0.15), Err(Error::Count { .. })));
 }
 
 fn fault(change: impl FnOnce(&mut BodyProblem)) -> Error {

@@ -47,6 +47,27 @@ fn a_vertex_moves_along_a_line_towards_larger_coordinates() {
     }
 }
 
+/// Cells of 1 by 4 around the middle of one edge: with ratios by the lengths the small ones are squares, from whatever corner a cell is walked.
+#[test]
+fn small_cells_of_slender_ones_are_as_long_as_high_by_a_ratio_for_each_edge() {
+    let vertices = vec![[-1.0, 0.0], [0.0, 0.0], [1.0, 0.0], [1.0, 4.0], [0.0, 4.0], [-1.0, 4.0]];
+    for turned in 0..4 {
+        let quad =
+            |corners: [usize; 4]| Quad { corners: std::array::from_fn(|k| corners[(k + turned) % 4]), material: 0, layer: 0 };
+        let mesh = Mesh::new(vertices.clone(), &[quad([0, 1, 4, 5]), quad([1, 2, 3, 4])], &[], &[]).unwrap();
+        let graded = mesh.refined_towards_by(&[1], |e| 0.25 / mesh.edges[e].curve.length()).unwrap();
+        assert_eq!(graded.cells.len(), 6);
+        let small: Vec<&Cell> = graded.cells.iter().filter(|cell| cell.layer == 1).collect();
+        assert_eq!(small.len(), 2);
+        for edge in small.iter().flat_map(|cell| cell.sides()).map(|(_, e)| &graded.edges[e]) {
+            assert_abs_diff_eq!(edge.curve.length(), 0.25, epsilon = 1e-15);
+        }
+        // One ratio for all is the layer of `refined_towards`.
+        let [by, alike] = [mesh.refined_towards_by(&[1], |_| 0.3), mesh.refined_towards(&[1], 0.3, 1)].map(Result::unwrap);
+        assert_eq!(by.vertices, alike.vertices);
+    }
+}
+
 #[test]
 fn a_vertex_moves_along_an_arc_and_the_arc_stays() {
     let mesh = ring();

@@ -5,3 +5,4 @@ mod breaks;
 mod common;
 mod faults;
 mod outlines;
+mod shapes;

@@ -189,7 +189,7 @@ mod tests {
         asked(stage, &bodies)
     }
 
-    /// Largest difference of pressures over the largest pressure, of bodies whose heat is near a known one from those whose heat is of each point: near the
+    /// Area norm of the difference of pressures over that of the pressure, of bodies whose heat is near a known one from those whose heat is of each point: near the
     /// heat of the contact itself, near half of it, and near half of it where what is beyond may only be even.
     fn misses(stage: Stage<'_>, bodies: &HotBodies<'_>) -> [f64; 3] {
         let solved = |following: &Following<'_>| {
@@ -201,10 +201,11 @@ mod tests {
             hot
         };
         let whole = solved(&Following::of(bodies).unwrap());
-        let largest = whole.found.pressure.iter().fold(0.0, |most: f64, p| most.max(*p));
+        let points = &bodies.warm.surfaces.points;
+        let norm = |of: &dyn Fn(usize) -> f64| (0..points.len()).map(|i| points[i].weight * of(i).powi(2)).sum::<f64>().sqrt();
         let apart = |hot: &Hot| {
-            let differences = whole.found.pressure.iter().zip(&hot.found.pressure).map(|(a, b)| (a - b).abs());
-            differences.fold(0.0, f64::max) / largest
+            let difference = |i: usize| whole.found.pressure[i] - hot.found.pressure[i];
+            norm(&difference) / norm(&|i| whole.found.pressure[i])
         };
         let n = bodies.warm.surfaces.points.len();
         let halves = |of: &[f64]| of.iter().map(|heat| 0.5 * heat).collect::<Vec<f64>>();

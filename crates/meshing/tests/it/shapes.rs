@@ -1,0 +1,93 @@
+//! The shapes of cells where the fields ask for them: at the ends of the contact surface, under a short contact, at the contact of a ring.
+
+use hpfem::Mesh;
+use meshing::{CONTACT, Couple, Cut, Extent, meshes};
+use scene::LoadKind;
+
+use crate::common::{DRUM, PLATE, PUNCH, SHOE, SHOE_CELLS, body, breaks, couple, extent, two_cells};
+
+/// The couple of two geometries that touch at these edges.
+fn pressed(first: (&str, &str), second: (&str, &str)) -> (Couple, Extent) {
+    let first = body("body1", first.0, first.1, "left = ['x'], right = ['x']");
+    let couple = couple(first, body("body2", second.0, second.1, ""), "top", LoadKind::Pressure);
+    let extent = extent(&couple);
+    (couple, extent)
+}
+
+/// Lengths of the edges at the vertex next to a place: the longest over the shortest.
+fn slenderness(mesh: &Mesh, x: [f64; 2]) -> f64 {
+    let vertex = mesh.nearest_vertex(x);
+    let around = mesh.edges.iter().filter(|edge| edge.vertices.contains(&vertex)).map(|edge| edge.curve.length());
+    let [least, most] = around.fold([f64::INFINITY, 0.0], |[least, most], length| [length.min(least), length.max(most)]);
+    most / least
+}
+
+/// Ends of the contact surface.
+fn ends(mesh: &Mesh) -> [[f64; 2]; 2] {
+    let edges = mesh.boundary(CONTACT).unwrap();
+    let places = || edges.iter().flat_map(|e| mesh.edges[*e].vertices).map(|v| mesh.vertices[v]);
+    let by_x = |a: &[f64; 2], b: &[f64; 2]| a[0].total_cmp(&b[0]);
+    [places().min_by(by_x).unwrap(), places().max_by(by_x).unwrap()]
+}
+
+/// A pad ten times as long as high, alone and as cells, a lining on its back, and a plate thinner than its punch.
+#[test]
+fn cells_at_the_ends_of_a_thin_body_are_cut_until_they_are_no_longer_slender_in_both_bodies_alike() {
+    let pad = "rectangle = { x = [-30, 30], z = [0, 6] }";
+    let sheet = "rectangle = { x = [-70, 80], z = [-6, 0] }";
+    let cells = two_cells([-30.0, 4.0, 30.0], [0.0, 6.0]);
+    let cases = [
+        ((pad, "bottom"), (PLATE, "top")),
+        ((cells.as_str(), "bottom"), (PLATE, "top")),
+        ((PUNCH, "bottom"), (sheet, "top")),
+        ((SHOE_CELLS, "inner"), (DRUM, "outer")),
+    ];
+    for (first, second) in cases {
+        let (couple, extent) = pressed(first, second);
+        for cut in [Cut::Plain, Cut::Shifted] {
+            let [one, other] = meshes(&couple, extent, 0, cut).unwrap();
+            for end in ends(&one) {
+                let most = slenderness(&one, end);
+                assert!(most < 3.5, "{first:?} {second:?} {cut:?}: {most}");
+            }
+            let [own, faced] = [&one, &other].map(|mesh| breaks(&couple, extent, mesh));
+            assert_eq!(own.len(), faced.len());
+            assert!(own.iter().zip(&faced).all(|(a, b)| (a - b).abs() < 1e-9 * (own[own.len() - 1] - own[0])));
+        }
+    }
+}
+
+/// The cells of a thick shoe and of a punch are as they were.
+#[test]
+fn cells_at_the_ends_that_are_not_slender_stay() {
+    for (first, second, pieces) in [((SHOE, "inner"), (DRUM, "outer"), 2), ((PUNCH, "bottom"), (PLATE, "top"), 3)] {
+        let (couple, extent) = pressed(first, second);
+        let [one, _] = meshes(&couple, extent, 0, Cut::Plain).unwrap();
+        assert_eq!(one.boundary(CONTACT).unwrap().len(), pieces);
+    }
+}
+
+/// Under a contact of a hundredth of the surface, on a plate that is high and on one that is not.
+#[test]
+fn cells_under_a_short_contact_are_as_long_as_high() {
+    for plate in [PLATE, "rectangle = { x = [-70, 80], z = [-600, 0] }"] {
+        let (couple, extent) = pressed((PUNCH, "bottom"), (plate, "top"));
+        for mesh in meshes(&couple, extent, 0, Cut::Ends(&[-0.01, 0.01])).unwrap() {
+            let most = slenderness(&mesh, [0.0, 0.0]);
+            assert!(most < 2.0, "{plate}: {most}");
+        }
+    }
+}
+
+/// Cells grow from the contact inwards, on a shaft and on the bore of a hub.
+#[test]
+fn the_lowest_cells_of_a_ring_are_at_its_contact() {
+    let shaft = "ring = { inner = 40, outer = 200 }";
+    let (couple, extent) = pressed((SHOE_CELLS, "inner"), (shaft, "outer"));
+    let [_, mesh] = meshes(&couple, extent, 0, Cut::Plain).unwrap();
+    let mut radii: Vec<f64> = mesh.vertices.iter().map(|x| x[0].hypot(x[1])).collect();
+    radii.sort_by(f64::total_cmp);
+    radii.dedup_by(|b, a| (*b - *a).abs() < 1e-9);
+    let heights: Vec<f64> = radii.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    assert!(heights.len() > 1 && heights.windows(2).all(|pair| pair[1] < pair[0]), "{radii:?}");
+}
