@@ -18,7 +18,7 @@ impl Mesh {
         self.check_graded(vertices)?;
         let mut mesh = self.clone();
         for _ in 0..layers {
-            mesh = mesh.cut_at(vertices, |_| ratio)?;
+            mesh = mesh.cut_at(vertices, &|_| ratio)?;
         }
         mesh.check_cells()?;
         Ok(mesh)
@@ -31,7 +31,7 @@ impl Mesh {
     /// Those of [`Mesh::refined_towards`].
     pub fn refined_towards_by(&self, vertices: &[usize], ratio: impl Fn(usize) -> f64) -> Result<Mesh, Error> {
         self.check_graded(vertices)?;
-        let mesh = self.cut_at(vertices, ratio)?;
+        let mesh = self.cut_at(vertices, &ratio)?;
         mesh.check_cells()?;
         Ok(mesh)
     }
@@ -52,7 +52,7 @@ impl Mesh {
     }
 
     /// One cut of [`Mesh::refined_towards`], at a ratio for each edge.
-    fn cut_at(&self, singular: &[usize], ratio: impl Fn(usize) -> f64) -> Result<Mesh, Error> {
+    fn cut_at(&self, singular: &[usize], ratio: &dyn Fn(usize) -> f64) -> Result<Mesh, Error> {
         let mut vertices = self.vertices.clone();
         let mut quads = Vec::with_capacity(self.cells.len() + 2 * singular.len());
         let mut curves = Vec::new();
