@@ -12,8 +12,8 @@ use crate::template::{coarse, contact_cuts};
 /// Most rounds until the break points settle: a cut may come back to the contact elsewhere and ask for another.
 const ROUNDS: usize = 20;
 
-/// The coarse meshes of both bodies, of given cells or a template each: cut at the break points of both on the contact surface and at further `breaks`, graded towards the same points
-/// there.
+/// The coarse meshes of both bodies, of given cells or a template each: cut at the break points of both on the contact surface and at further
+/// `breaks`, graded towards the same points there.
 pub(crate) fn matched(
     couple: &Couple,
     given: &[Option<Cells>; 2],

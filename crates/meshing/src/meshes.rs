@@ -53,7 +53,7 @@ pub struct GivenCells {
 }
 
 impl GivenCells {
-    /// Makes the cells of the bodies ready; there are none of templates that touch on an arc or line.
+    /// Makes the cells of the bodies ready; templates have none, but where two round bodies or a round and a flat one touch.
     ///
     /// # Errors
     /// The fault of cells that cannot be cut there.

@@ -283,7 +283,8 @@ fn full_ring(couple: &Couple, number: usize, ring: &Ring, on: &OnRing) -> Result
     Ok(Coarse { mesh, singular, ledges: [0.0; 2], free })
 }
 
-/// Levels of a ring from its inner arc, small at the side of the contact; about a hole much smaller than the cells next to it their radii grow fourfold at most, as the fields do.
+/// Levels of a ring from its inner arc, small at the side of the contact; about a hole much smaller than the cells next to it their radii grow
+/// fourfold at most, as the fields do.
 fn ring_levels(inner: f64, outer: f64, width: f64, contact: Side) -> Vec<f64> {
     let mut levels = levels(outer - inner, width, 1);
     if matches!(contact, Side::Top) {
