@@ -35,10 +35,11 @@ fn ends(mesh: &Mesh) -> [[f64; 2]; 2] {
 fn cells_at_the_ends_of_a_thin_body_are_cut_until_they_are_no_longer_slender_in_both_bodies_alike() {
     let pad = "rectangle = { x = [-30, 30], z = [0, 6] }";
     let sheet = "rectangle = { x = [-70, 80], z = [-6, 0] }";
+    let plate = "rectangle = { x = [-70, 80], z = [-30, 0] }";
     let cells = two_cells([-30.0, 4.0, 30.0], [0.0, 6.0]);
     let cases = [
-        ((pad, "bottom"), (PLATE, "top")),
-        ((cells.as_str(), "bottom"), (PLATE, "top")),
+        ((pad, "bottom"), (plate, "top")),
+        ((cells.as_str(), "bottom"), (plate, "top")),
         ((PUNCH, "bottom"), (sheet, "top")),
         ((SHOE_CELLS, "inner"), (DRUM, "outer")),
     ];
@@ -57,10 +58,13 @@ fn cells_at_the_ends_of_a_thin_body_are_cut_until_they_are_no_longer_slender_in_
     }
 }
 
-/// The cells of a thick shoe and of a punch are as they were.
+/// The cells of a thick shoe and of a punch are as they were, and a plate is not cut into slices for the sake of a layer of a ten thousandth of its height.
 #[test]
 fn cells_at_the_ends_that_are_not_slender_stay() {
-    for (first, second, pieces) in [((SHOE, "inner"), (DRUM, "outer"), 2), ((PUNCH, "bottom"), (PLATE, "top"), 3)] {
+    let layer = "rectangle = { x = [-30, 30], z = [0, 0.006] }";
+    let cases =
+        [((SHOE, "inner"), (DRUM, "outer"), 2), ((PUNCH, "bottom"), (PLATE, "top"), 3), ((layer, "bottom"), (PLATE, "top"), 3)];
+    for (first, second, pieces) in cases {
         let (couple, extent) = pressed(first, second);
         let [one, _] = meshes(&couple, extent, 0, Cut::Plain).unwrap();
         assert_eq!(one.boundary(CONTACT).unwrap().len(), pieces);
