@@ -67,7 +67,8 @@ impl FreeEnds {
         &self.refined
     }
 
-    /// What the pressure at an end, in its scale, changes with its place; none before ends were found.
+    /// Derivative of the pressure at a node, in the scale that [`FreeEnds::position`] was given it, by the place of the node (from -1 to 1 on the surface),
+    /// as the last search left it; `None` before ends were found, or for an end that there is not.
     pub fn slope(&self, end: usize) -> Option<f64> {
         self.jacobian.as_ref().and_then(|jacobian| jacobian.get((end, end))).copied()
     }

@@ -18,14 +18,6 @@ pub(crate) struct Coarse {
     pub free: Vec<[f64; 2]>,
 }
 
-impl Coarse {
-    /// Whether it is graded towards a point.
-    pub(crate) fn is_graded_at(&self, x: [f64; 2]) -> bool {
-        let near = |a: &[f64; 2]| (x[0] - a[0]).hypot(x[1] - a[1]) <= 1e-9 * x[0].hypot(x[1]);
-        self.singular.iter().any(near)
-    }
-}
-
 /// The fault of a geometry whose cells are folded or too thin.
 pub(crate) fn degenerate(key: &str, error: &hpfem::Error) -> Fault {
     Fault::at(key, "degenerate", error.to_string(), "make the body less thin or less distorted")

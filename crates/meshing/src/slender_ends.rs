@@ -23,16 +23,20 @@ const SHIFTED: f64 = 0.8;
 pub(crate) fn cut_beside(bodies: &mut [Coarse; 2], extent: Extent, cut: Cut<'_>) {
     let by = if cut == Cut::Shifted { SHIFTED } else { 1.0 };
     for end in extent.ends() {
-        let meshes = [&bodies[0].mesh, &bodies[1].mesh];
-        let Some(corners) = both(meshes.map(|mesh| Corner::at(mesh, extent, end))) else { continue };
-        let graded = bodies.iter().zip(&corners).any(|(body, corner)| body.is_graded_at(corner.point));
-        let heights = [0, 1].map(|body| corners[body].height);
+        let Some(corners) = both(bodies.each_ref().map(|body| Corner::at(body, extent, end))) else { continue };
+        if !corners.iter().any(|corner| corner.graded) {
+            continue;
+        }
+        let heights = corners.each_ref().map(|corner| corner.height);
         let first = by * (LONGEST * heights[0].min(heights[1])).max(SHORTEST * heights[0].max(heights[1])) / corners[0].length;
         let distances = std::iter::successors(Some(first), |distance| Some(GROWTH * distance));
-        let shares: Vec<f64> = distances.take_while(|share| graded && ROOM * share < 1.0).collect();
-        let places: Vec<f64> = shares.iter().map(|share| end + share * (corners[0].other - end)).collect();
-        if let Some([first, second]) = both(meshes.map(|mesh| cut_at(mesh, extent, &places).ok())) {
-            (bodies[0].mesh, bodies[1].mesh) = (first, second);
+        let shares = distances.take_while(|share| ROOM * share < 1.0);
+        let places: Vec<f64> = shares.map(|share| end + share * (corners[0].other - end)).collect();
+        if places.is_empty() {
+            continue;
+        }
+        if let Some(cut) = both(bodies.each_ref().map(|body| cut_at(&body.mesh, extent, &places).ok())) {
+            bodies.iter_mut().zip(cut).for_each(|(body, mesh)| body.mesh = mesh);
         }
     }
 }
@@ -44,8 +48,8 @@ fn both<T>([first, second]: [Option<T>; 2]) -> Option<[T; 2]> {
 
 /// The cell of a body at an end of the contact surface.
 struct Corner {
-    /// The end.
-    point: [f64; 2],
+    /// Whether the body is graded towards it.
+    graded: bool,
     /// Coordinate of the other end of its contact edge, and the length of that (mm).
     other: f64,
     length: f64,
@@ -54,7 +58,7 @@ struct Corner {
 }
 
 impl Corner {
-    fn at(mesh: &Mesh, extent: Extent, end: f64) -> Option<Corner> {
+    fn at(Coarse { mesh, singular, .. }: &Coarse, extent: Extent, end: f64) -> Option<Corner> {
         let (edge, side) = at_end(mesh, extent, end)?;
         let own = &mesh.edges[edge];
         let vertex = own.vertices[side];
@@ -62,7 +66,7 @@ impl Corner {
         let touches = |e: &usize| *e != edge && mesh.edges[*e].vertices.contains(&vertex);
         let height = cell.edges.iter().flatten().copied().find(touches).map(|e| mesh.edges[e].curve.length())?;
         Some(Corner {
-            point: mesh.vertices[vertex],
+            graded: singular.iter().any(|x| mesh.nearest_vertex(*x) == vertex),
             other: extent.range(&own.curve)[1 - side],
             length: own.curve.length(),
             height,
