@@ -99,6 +99,7 @@ pub fn coarse_meshes(given: &GivenCells, couple: &Couple, extent: Extent, cut: C
         matched(couple, &given.bodies, extent, cut, &middles)?
     };
     slender_ends::cut_beside(&mut bodies, extent, cut);
+    bodies.iter_mut().for_each(|body| slender_ends::cut_beyond(body, extent, cut));
     Ok(CoarseMeshes { bodies, extent, near, small })
 }
 

@@ -95,7 +95,7 @@ pub(crate) fn cut_small(mut mesh: Mesh, extent: Extent, pairs: &[[f64; 2]]) -> R
 
 /// Layers around a vertex on the contact surface that make the edges of that `share` times as long, and those inside the body about as long as these: cells
 /// as high as the body are no longer than high beside a short contact.
-fn square_layers(mut mesh: Mesh, vertex: usize, share: f64, layers: usize) -> Result<Mesh, Error> {
+pub(crate) fn square_layers(mut mesh: Mesh, vertex: usize, share: f64, layers: usize) -> Result<Mesh, Error> {
     let along = share.powf(1.0 / layers as f64);
     let contact = mesh.boundary(CONTACT)?;
     let own = contact.iter().filter(|e| mesh.edges[**e].vertices.contains(&vertex));

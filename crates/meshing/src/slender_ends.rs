@@ -1,42 +1,70 @@
 //! Cells at the ends of the contact surface that are longer than high, in a thin body or a lining: cut beside the ends, in both bodies alike. The fields
 //! at a corner change over the distance from it, and layers keep the shape of the cells that they are cut from.
 
-use hpfem::{Error, Mesh};
+use hpfem::Mesh;
 
 use crate::coarse::Coarse;
 use crate::extent::{Cut, Extent};
 use crate::names::CONTACT;
-use crate::near_ends::at_end;
+use crate::near_ends::{at_end, square_layers};
 
 /// Length of the lowest cell at an end over its height: beside a longer one the first cut is at this distance.
 const LONGEST: f64 = 1.5;
-/// The same of the highest one, at least: a body that is not thin is not cut into slices for the sake of a layer on it.
-const SHORTEST: f64 = 0.25;
-/// The distance of a cut over that of the one before it.
+/// The distance of a cut over that of the one before it, about.
 const GROWTH: f64 = 3.0;
-/// Least length of a cell over the distance of a cut in it, that none becomes a splinter.
+/// Least length of a cell on the contact surface and of one beyond it over the distance of a cut in it, that none becomes a splinter, and that the
+/// latter, which the fields reach less, are cut where it helps.
 const ROOM: f64 = 2.0;
+const ROOM_BEYOND: f64 = 4.0;
+/// Height of a cell over the distance of the first cut, beyond which it is cut around the end and not from side to side.
+const HIGH: f64 = 2.0;
 /// The distances of an independent mesh over these.
 const SHIFTED: f64 = 0.8;
 
-/// Cuts the cells of both bodies at the ends of the contact surface that need layers. Bodies whose cells cannot be cut alike there stay as they are.
-pub(crate) fn cut_beside(bodies: &mut [Coarse; 2], extent: Extent, cut: Cut<'_>) {
+/// The cuts of an edge of this `length` (mm) beside a cell of that `height` (mm): the distance of the first over the length, and how many there are.
+fn cuts_beside(height: f64, length: f64, room: f64, cut: Cut<'_>) -> (f64, usize) {
     let by = if cut == Cut::Shifted { SHIFTED } else { 1.0 };
+    let first = by * LONGEST * height / length;
+    (first, (-(room * first).ln() / GROWTH.ln()).ceil().max(0.0) as usize)
+}
+
+/// Cuts the cells of both bodies at the ends of the contact surface that need layers: those of a thin body from side to side, those of a thick one around
+/// the end. Bodies whose cells cannot be cut alike there stay as they are.
+pub(crate) fn cut_beside(bodies: &mut [Coarse; 2], extent: Extent, cut: Cut<'_>) {
     for end in extent.ends() {
         let Some(corners) = both(bodies.each_ref().map(|body| Corner::at(body, extent, end))) else { continue };
         if !corners.iter().any(|corner| corner.graded) {
             continue;
         }
-        let heights = corners.each_ref().map(|corner| corner.height);
-        let first = by * (LONGEST * heights[0].min(heights[1])).max(SHORTEST * heights[0].max(heights[1])) / corners[0].length;
-        let distances = std::iter::successors(Some(first), |distance| Some(GROWTH * distance));
-        let shares = distances.take_while(|share| ROOM * share < 1.0);
-        let places: Vec<f64> = shares.map(|share| end + share * (corners[0].other - end)).collect();
-        if places.is_empty() {
+        let (share, cuts) = cuts_beside(corners[0].height.min(corners[1].height), corners[0].length, ROOM, cut);
+        if cuts == 0 {
             continue;
         }
-        if let Some(cut) = both(bodies.each_ref().map(|body| cut_at(&body.mesh, extent, &places).ok())) {
+        let cut = |body: usize| {
+            let (mesh, corner) = (&bodies[body].mesh, &corners[body]);
+            let is_high = corner.height > HIGH * share * corner.length;
+            if is_high {
+                cut_around(mesh, extent, end, share, cuts)
+            } else {
+                cut_across(mesh, extent, [end, corner.other], share, cuts)
+            }
+        };
+        if let Some(cut) = both([cut(0), cut(1)]).filter(|cut| same_breaks(cut, extent)) {
             bodies.iter_mut().zip(cut).for_each(|(body, mesh)| body.mesh = mesh);
+        }
+    }
+}
+
+/// Cuts the cells of a body that lie beyond the ends of the contact surface and are longer there than its cells at the ends are high.
+pub(crate) fn cut_beyond(body: &mut Coarse, extent: Extent, cut: Cut<'_>) {
+    for end in extent.ends() {
+        let Some(corner) = Corner::at(body, extent, end).filter(|corner| corner.graded) else { continue };
+        let Some(edge) = beyond(&body.mesh, extent, end) else { continue };
+        let (share, cuts) = cuts_beside(corner.height, body.mesh.edges[edge].curve.length(), ROOM_BEYOND, cut);
+        // Each cuts what the one before it has left at the end.
+        for _ in 0..cuts {
+            let Some(mesh) = cut_next_to(&body.mesh, extent, end, share.powf(1.0 / cuts as f64)) else { break };
+            body.mesh = mesh;
         }
     }
 }
@@ -74,16 +102,57 @@ impl Corner {
     }
 }
 
-/// The mesh with rows of cells cut at places of the contact surface, and nowhere else on it.
-fn cut_at(mesh: &Mesh, extent: Extent, places: &[f64]) -> Result<Mesh, Error> {
+/// Layers of cells around an end of the contact surface, the innermost as long and high as a `share` of the contact edge there.
+fn cut_around(mesh: &Mesh, extent: Extent, end: f64, share: f64, cuts: usize) -> Option<Mesh> {
+    let (edge, side) = at_end(mesh, extent, end)?;
+    let mut cut = square_layers(mesh.clone(), mesh.edges[edge].vertices[side], share, cuts).ok()?;
+    cut.cells.iter_mut().for_each(|cell| cell.layer = 0);
+    Some(cut)
+}
+
+/// Rows of cells cut where [`cut_around`] cuts the contact edge from an end of the surface to its `other` one, and nowhere else on the surface.
+fn cut_across(mesh: &Mesh, extent: Extent, [end, other]: [f64; 2], share: f64, cuts: usize) -> Option<Mesh> {
     let mut cut = mesh.clone();
-    for place in places {
-        let edges = cut.boundary(CONTACT)?;
-        let hit = edges.into_iter().map(|e| (e, extent.parameter(&cut.edges[e].curve, *place))).find(|(_, t)| t.abs() < 1.0);
-        if let Some((edge, t)) = hit {
-            cut = cut.cut_through(edge, t)?;
-        }
+    for left in 1..=cuts {
+        let place = end + share.powf(left as f64 / cuts as f64) * (other - end);
+        let parameter = |e: usize| (e, extent.parameter(&cut.edges[e].curve, place));
+        let (edge, t) = cut.boundary(CONTACT).ok()?.into_iter().map(parameter).find(|(_, t)| t.abs() < 1.0)?;
+        cut = cut.cut_through(edge, t).ok()?;
     }
-    let added = cut.boundary(CONTACT)?.len() - mesh.boundary(CONTACT)?.len();
-    if added == places.len() { Ok(cut) } else { Err(Error::NotAPath { name: CONTACT.into() }) }
+    Some(cut)
+}
+
+/// Whether two meshes have the same break points on the contact surface.
+fn same_breaks(meshes: &[Mesh; 2], extent: Extent) -> bool {
+    let [from, to] = extent.ends();
+    let breaks = |mesh: &Mesh| {
+        let edges = mesh.boundary(CONTACT).unwrap_or_default();
+        let mut places: Vec<f64> = edges.iter().flat_map(|e| extent.range(&mesh.edges[*e].curve)).collect();
+        places.sort_by(f64::total_cmp);
+        places
+    };
+    let [first, second] = meshes.each_ref().map(breaks);
+    first.len() == second.len() && first.iter().zip(&second).all(|(a, b)| (a - b).abs() <= 1e-9 * (to - from))
+}
+
+/// The edge of the outline that goes on from an end of the contact surface, in a cell that does not touch.
+fn beyond(mesh: &Mesh, extent: Extent, end: f64) -> Option<usize> {
+    let (contact, side) = at_end(mesh, extent, end)?;
+    let vertex = mesh.edges[contact].vertices[side];
+    let cells_of = |edge: usize| mesh.cells.iter().filter(move |cell| cell.edges.contains(&Some(edge)));
+    let alone = |edge: &usize| {
+        let mut cells = cells_of(*edge);
+        matches!((cells.next(), cells.next()), (Some(cell), None) if !cell.edges.contains(&Some(contact)))
+    };
+    (0..mesh.edges.len()).filter(|e| *e != contact && mesh.edges[*e].vertices.contains(&vertex)).find(alone)
+}
+
+/// The mesh with the cell beyond an end of the contact surface cut at a share of its edge there, if that cuts no contact edge.
+fn cut_next_to(mesh: &Mesh, extent: Extent, end: f64, share: f64) -> Option<Mesh> {
+    let (contact, side) = at_end(mesh, extent, end)?;
+    let edge = beyond(mesh, extent, end)?;
+    let starts = mesh.edges[edge].vertices[0] == mesh.edges[contact].vertices[side];
+    let t = 2.0 * share - 1.0;
+    let cut = mesh.cut_through(edge, if starts { t } else { -t }).ok()?;
+    (cut.boundary(CONTACT).ok()?.len() == mesh.boundary(CONTACT).ok()?.len()).then_some(cut)
 }

@@ -109,12 +109,14 @@ fn arc(centre: [f64; 2], radius: f64, [from, to]: [f64; 2]) -> Curve {
     Curve::Arc { centre, radius, from: quarter - from, to: quarter - to }
 }
 
-/// Levels from 0 to 1, at least `least` of them, whose cells are about as high as wide at 0 and twice as high from one to the next.
-fn levels(height: f64, width: f64, least: usize) -> Vec<f64> {
+/// Levels from bottom to top, at least `least` pieces, whose cells are about as high as wide at the contact and twice as high from one to the
+/// next.
+fn levels(height: f64, width: f64, least: usize, contact: Side) -> Vec<f64> {
     // No two lengths are further apart than 2^1000.
     let n = (height / width + 1.0).log2().round().min(1000.0).max(least as f64) as i32;
     let up_to = |level: i32| 2.0_f64.powi(level) - 1.0;
-    (0..=n).map(|level| if level == n { 1.0 } else { up_to(level) / up_to(n) }).collect()
+    let from_contact = (0..=n).map(|level| if level == n { 1.0 } else { up_to(level) / up_to(n) });
+    if matches!(contact, Side::Top) { from_contact.rev().map(|level| 1.0 - level).collect() } else { from_contact.collect() }
 }
 
 fn shoe_block(couple: &Couple, shoe: &ShoeBlock, cuts: &[f64], cut: Cut<'_>) -> Result<Coarse, hpfem::Error> {
@@ -142,7 +144,7 @@ fn shoe_block(couple: &Couple, shoe: &ShoeBlock, cuts: &[f64], cut: Cut<'_>) -> 
         bottom,
         top: Curve::Line { start: [-x, top], end: [x, top] },
         breaks: &breaks,
-        levels: &levels(top - radius, width, if guided { 2 } else { 1 }),
+        levels: &levels(top - radius, width, if guided { 2 } else { 1 }, Side::Bottom),
         closed: false,
         material: 0,
         names: &names,
@@ -286,10 +288,7 @@ fn full_ring(couple: &Couple, number: usize, ring: &Ring, on: &OnRing) -> Result
 /// Levels of a ring from its inner arc, small at the side of the contact; about a hole much smaller than the cells next to it their radii grow
 /// fourfold at most, as the fields do.
 fn ring_levels(inner: f64, outer: f64, width: f64, contact: Side) -> Vec<f64> {
-    let mut levels = levels(outer - inner, width, 1);
-    if matches!(contact, Side::Top) {
-        levels = levels.iter().rev().map(|level| 1.0 - level).collect();
-    }
+    let mut levels = levels(outer - inner, width, 1, contact);
     let growth = 1.0 + levels[1] * (outer - inner) / inner;
     let pieces = (growth.ln() / 4.0_f64.ln() * (1.0 - 1e-9)).ceil().max(1.0) as usize;
     let between = (1..pieces).map(|i| inner * (growth.powf(i as f64 / pieces as f64) - 1.0) / (outer - inner));
@@ -350,7 +349,7 @@ fn block(couple: &Couple, rectangle: &Rectangle, cuts: &[f64], shaped: bool, cut
         bottom: Curve::Line { start: [x[0], z[0]], end: [x[1], z[0]] },
         top: Curve::Line { start: [x[0], z[1]], end: [x[1], z[1]] },
         breaks: &parameters(&points, x),
-        levels: &levels(z[1] - z[0], step, 2),
+        levels: &levels(z[1] - z[0], step, 2, contact_side),
         closed: false,
         material: 0,
         names: &names,

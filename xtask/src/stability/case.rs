@@ -47,6 +47,8 @@ pub(crate) struct Number {
 /// Columns that must be those of an earlier case times a factor.
 pub(crate) struct Scaled {
     pub(crate) like: String,
+    /// The table of both that has them.
+    pub(crate) table: String,
     pub(crate) columns: Vec<(String, f64)>,
     /// Relative to the largest value; 0: bit for bit.
     pub(crate) within: f64,
@@ -126,7 +128,8 @@ fn scaled(value: &Value) -> Result<Scaled, String> {
     let columns: Option<Vec<_>> = list(value, "columns").iter().map(pair).collect();
     let columns = columns.filter(|columns| !columns.is_empty()).ok_or("scaled needs columns = [[name, factor], ..]")?;
     let within = value.get("within").and_then(float).ok_or("scaled needs within")?;
-    Ok(Scaled { like: word(value, "like")?, columns, within })
+    let table = value.get("table").and_then(Value::as_str).unwrap_or("contact.csv").to_string();
+    Ok(Scaled { like: word(value, "like")?, table, columns, within })
 }
 
 fn list<'a>(value: &'a Value, key: &str) -> &'a [Value] {

@@ -65,7 +65,7 @@ pub(crate) fn scene(case: &Scene, exit: Option<i32>, document: &Value, folder: &
         Ok(table) => {
             finite(&table, &mut result);
             if let Some(scaled) = &case.scaled {
-                check_scaled(scaled, &table, beside, &mut result);
+                check_scaled(scaled, folder, beside, &mut result);
             }
         }
         Err(message) => result.failures.push(message),
@@ -136,10 +136,11 @@ fn finite(table: &Csv, result: &mut Result) {
     result.demand(!pull, "a negative pressure".into());
 }
 
-fn check_scaled(scaled: &Scaled, table: &Csv, beside: &Path, result: &mut Result) {
-    let base = match read_csv(&beside.join(&scaled.like).join("contact.csv")) {
-        Ok(base) => base,
-        Err(message) => return result.failures.push(message),
+fn check_scaled(scaled: &Scaled, folder: &Path, beside: &Path, result: &mut Result) {
+    let read = |folder: &Path| read_csv(&folder.join(&scaled.table));
+    let (table, base) = match (read(folder), read(&beside.join(&scaled.like))) {
+        (Ok(table), Ok(base)) => (table, base),
+        (Err(message), _) | (_, Err(message)) => return result.failures.push(message),
     };
     for (name, factor) in &scaled.columns {
         let (Ok(ours), Ok(theirs)) = (table.column(name), base.column(name)) else {
