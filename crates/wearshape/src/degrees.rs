@@ -26,16 +26,16 @@ const PLACES: [f64; 3] = [-0.5, 0.0, 0.5];
 /// Sine of the angle between two edges of one line, at most.
 const STRAIGHT: f64 = 1e-6;
 
-/// The degrees of the cells of body 1 and body 2. Cells that face each other on the contact surface have the same one, the higher of both, so that contact
-/// stays nodal; that of the level where surfaces meet whose ends of contact move over the cells, and on a level that is even.
+/// The degrees of the cells of body 1 and body 2; that of the level on a level that is even. Cells that face each other on the contact surface have the same
+/// one, the higher of both, so that contact stays nodal. Where the surfaces do not lie `together`, ends of contact may come to lie anywhere on them: the
+/// cells there have that of the level, and the distances of the others are measured from all of the surface.
 pub(crate) fn degrees(meshes: [&Mesh; 2], level: Level, together: bool) -> [Vec<usize>; 2] {
-    if level.even || !together {
+    if level.even {
         return meshes.map(|mesh| mesh.cells.iter().map(|cell| level.degree_in(cell.layer)).collect());
     }
-    let mut degrees = meshes.map(|mesh| by_distance(mesh, level));
+    let mut degrees = meshes.map(|mesh| by_distance(mesh, level, !together));
     let [first, second] = meshes.map(contact_cells);
-    let facing = first.len() == second.len();
-    if facing {
+    if together && first.len() == second.len() {
         for (a, b) in first.into_iter().zip(second) {
             let least = LEAST_IN_CONTACT.min(level.degree_in(meshes[0].cells[a].layer));
             let higher = degrees[0][a].max(degrees[1][b]).max(least);
@@ -49,9 +49,11 @@ pub(crate) fn degrees(meshes: [&Mesh; 2], level: Level, together: bool) -> [Vec<
     degrees
 }
 
-/// The degrees that the cells of one body need.
-fn by_distance(mesh: &Mesh, level: Level) -> Vec<usize> {
-    let rough = rough_vertices(mesh);
+/// The degrees that the cells of one body need, whose ends of contact may lie `anywhere` on the contact surface or not.
+fn by_distance(mesh: &Mesh, level: Level, anywhere: bool) -> Vec<usize> {
+    let mut rough = rough_vertices(mesh);
+    let contact = if anywhere { mesh.boundary(CONTACT).unwrap_or_default() } else { Vec::new() };
+    contact.into_iter().flat_map(|e| mesh.edges[e].vertices).for_each(|v| rough[v] = true);
     let places: Vec<[f64; 2]> = mesh.vertices.iter().zip(&rough).filter(|(_, rough)| **rough).map(|(x, _)| *x).collect();
     let degree = |cell: &Cell| {
         let highest = level.degree_in(cell.layer);
@@ -192,13 +194,24 @@ mod tests {
     #[test]
     fn cells_at_corners_keep_the_degree_of_the_level_and_those_far_from_all_need_fewer() {
         let level = Level { degree: 14, layers: 0, slow: false, even: false };
-        let found = by_distance(&square([0.0; 2], false), level);
+        let found = by_distance(&square([0.0; 2], false), level, false);
         let (corner, beside, middle) = (found[0], found[1], found[24]);
         assert_eq!(corner, 14);
         // A corner at d = h / sqrt 2, and at 3 h.
         assert!(beside < corner && middle < beside && middle >= LEAST, "{found:?}");
         let wanted = 14.0 * rate(0.25) / rate(3.0);
         assert!(middle as f64 >= wanted && (middle as f64) < wanted + 2.0, "{middle}, not {wanted}");
+    }
+
+    #[test]
+    fn cells_at_a_contact_whose_ends_may_lie_anywhere_keep_the_degree_of_the_level() {
+        let level = Level { degree: 14, layers: 0, slow: false, even: false };
+        let (first, second) = (square([0.0; 2], false), square([0.0, -7.0], true));
+        let [above, below] = degrees([&first, &second], level, false);
+        assert!(above[..7].iter().all(|degree| *degree == 14) && below[42..].iter().all(|degree| *degree == 14));
+        // The next row is a cell away from the surface, and the one after it two.
+        let next = (14.0 * rate(0.25) / rate(1.0 / 2.0_f64.sqrt())).ceil() as usize;
+        assert!((next..next + 2).contains(&above[10]) && above[17] < above[10], "{above:?}");
     }
 
     #[test]
@@ -216,7 +229,7 @@ mod tests {
     #[test]
     fn degrees_do_not_depend_on_the_numbers_of_cells_and_vertices() {
         let level = Level { degree: 12, layers: 0, slow: false, even: false };
-        let [there, mut back] = [false, true].map(|backwards| by_distance(&square([0.0; 2], backwards), level));
+        let [there, mut back] = [false, true].map(|backwards| by_distance(&square([0.0; 2], backwards), level, false));
         back.reverse();
         assert_eq!(there, back);
     }
