@@ -151,7 +151,9 @@ impl CoarseMeshes {
         if graded[0].1.is_empty() {
             return Ok(graded.map(|(mesh, _)| mesh));
         }
-        let squared = near_ends::squared(graded).map_err(|error| too_many(keys[0], layers, &error))?;
+        // Ends next to others or to those of the surface are in cells of their size already.
+        let far = self.bodies[0].free.len();
+        let squared = near_ends::squared(graded, far).map_err(|error| too_many(keys[0], layers, &error))?;
         let refined = |body: usize| {
             let (mesh, free) = &squared[body];
             mesh.refined_towards(free, RATIO, layers.div_ceil(2)).map_err(|error| too_many(keys[body], layers, &error))

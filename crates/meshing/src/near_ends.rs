@@ -115,12 +115,12 @@ pub(crate) fn square_layers(mut mesh: Mesh, vertex: usize, share: f64, layers: u
     Ok(mesh)
 }
 
-/// Layers around the ends of contact of both meshes until the cells there are no longer slender: the contact edges are cut alike in both.
-pub(crate) fn squared(mut meshes: [(Mesh, Vec<usize>); 2]) -> Result<[(Mesh, Vec<usize>); 2], Error> {
+/// Layers around the first `count` of the ends of contact of both meshes until the cells there are no longer slender: the contact edges are cut alike in both.
+pub(crate) fn squared(mut meshes: [(Mesh, Vec<usize>); 2], count: usize) -> Result<[(Mesh, Vec<usize>); 2], Error> {
     if meshes[0].1.len() != meshes[1].1.len() {
         return Ok(meshes);
     }
-    for end in 0..meshes[0].1.len() {
+    for end in 0..count {
         for _ in 0..SQUARED {
             let slender = meshes.iter().any(|(mesh, ends)| {
                 let [contact, inner] = edges_at(mesh, ends[end]);

@@ -60,7 +60,8 @@ fn by_distance(mesh: &Mesh, level: Level, anywhere: bool) -> Vec<usize> {
         if highest <= LEAST || cell.vertices().iter().any(|v| rough[*v]) {
             return highest;
         }
-        let needed = level.degree as f64 * rate(RATIO) / rate(distance(mesh, cell, &places));
+        // A distance that is the ratio itself but for round-off takes no degree more.
+        let needed = level.degree as f64 * rate(RATIO) / rate(distance(mesh, cell, &places)) * (1.0 - 1e-9);
         let curved = cell.sides().map(|(_, e)| for_rotation(mesh, e)).fold(LEAST, usize::max);
         highest.min((needed.ceil() as usize + SPARE).max(curved))
     };

@@ -108,7 +108,7 @@ fn a_mesh_is_scaled_turned_and_moved_into_its_place() {
     };
     bench.file("scene.toml", SCENE);
     bench.file("body.msh", &squares("once"));
-    assert_eq!(bench.call("run scene.toml -q -o plain").code, 0);
+    assert_eq!(bench.call("run scene.toml -q -o plain --set accuracy=1e-6").code, 0);
     // In metres, turned by -90 degrees about the origin and off its place.
     let turned = |x: f64, z: f64| [1e-3 * (z - 20.0), -1e-3 * (x + 5.0)];
     let nodes = [[-30.0, 100.0], [30.0, 100.0], [30.0, 150.0], [-30.0, 150.0], [30.0, 200.0], [-30.0, 200.0]];
@@ -119,7 +119,7 @@ fn a_mesh_is_scaled_turned_and_moved_into_its_place() {
     assert!(said.contains("scale = \"m\"") && said.contains("0.1 mm long and the other body 120 mm"), "{said}");
     let placed =
         "--set body1.geometry.mesh.scale=m --set body1.geometry.mesh.rotate=90_deg --set body1.geometry.mesh.move=[-5,20]";
-    let call = bench.call(&format!("run scene.toml -q -o placed {placed}"));
+    let call = bench.call(&format!("run scene.toml -q -o placed --set accuracy=1e-6 {placed}"));
     assert_eq!(call.code, 0, "{}", call.err);
     let (plain, placed) = (column("plain"), column("placed"));
     let largest = plain.iter().fold(0.0_f64, |m, v| m.max(*v));

@@ -115,10 +115,12 @@ fn noise_of_measured_rows_is_told_and_its_contact_comes_to_an_end() {
     bench.file("noisy.csv", &format!("s_mm,gap_um\n{rows}"));
     bench.file("noisy.toml", &scene(r#"gap = "noisy.csv""#));
     let call = bench.call("run noisy.toml -q -o noisy");
-    assert_eq!(call.code, 1, "{}", call.err);
     let summary: Value = serde_json::from_str(&bench.read("noisy/summary.json")).unwrap();
-    assert_eq!(summary["status"], "accuracy-missed", "{summary}");
-    assert!(summary["error"]["pressure_relative"].is_number() && summary["counters"]["contact_solves"].as_u64() < Some(80));
+    assert_eq!(call.code, 0, "{}", call.err);
+    assert_eq!(summary["status"], "ok", "{summary}");
+    assert!(
+        summary["error"]["pressure_relative"].as_f64() < Some(1e-3) && summary["counters"]["contact_solves"].as_u64() < Some(80)
+    );
     let message =
         summary["lints"].as_array().unwrap().iter().find(|note| note["code"] == "noisy-gap").unwrap()["message"].clone();
     // The deviation of .6 times an even distribution is .6/sqrt(12) = .17.

@@ -29,7 +29,7 @@ fn a_run_that_ends_in_partial_contact_is_as_accurate_as_asked() {
 #[test]
 fn a_shape_for_partial_contact_has_nodes_where_its_pressure_begins() {
     let bench = Bench::new();
-    let call = bench.call("run translating-punch --set tasks=[shape] --set load.moment=20000 --set accuracy=1e-4 -q");
+    let call = bench.call("run translating-punch --set tasks=[shape] --set load.moment=20000 --set accuracy=1e-5 -q");
     assert_eq!(call.code, 0, "{}", call.err);
     let shape = &bench.summary("translating-punch")["shape"];
     assert!(shape["roundtrip_same"].as_f64().unwrap() < 1e-7, "{shape}");

@@ -7,7 +7,7 @@ fn what_cannot_be_meshed_is_refused_by_check_as_by_run() {
     let bench = Bench::new();
     for (scene, words) in [
         ("drum-brake-block --set mesh={degree=4,layers=30}", "30 layers"),
-        ("drum-brake-block --set body2.geometry.ring.inner=199", "make the body less thin"),
+        ("drum-brake-block --set body2.geometry.ring.inner=199.9999999", "make the body less thin"),
         ("drum-brake-block --set body1.geometry.shoe-block.half_angle=1.5533", "make the body less thin"),
         ("translating-punch --set body2.geometry.rectangle.x=[-1e12,1e12]", "2e12 mm wide for a contact of 60 mm"),
         ("translating-punch --set load.edge=left", "rigid edge"),

@@ -98,7 +98,7 @@ fn a_reversing_run_comes_to_its_shape_with_nodes_where_the_senses_open() {
 
 #[test]
 fn a_run_that_begins_worn_in_is_no_better_than_its_pressures() {
-    // Seed 61000220 of the campaign: a flat punch in two systems of units, between which round-off sets the depths 5e-11 apart.
+    // Like seed 61000220 of the campaign, in two systems of units, between which round-off sets the depths apart; two columns under an even load are worn in.
     let scene =
         |thickness: &str, force: &str, speed: &str, until: &str, [young1, young2]: [&str; 2], [x1, z1, x2, z2]: [&str; 4]| {
             format!(
@@ -106,29 +106,29 @@ fn a_run_that_begins_worn_in_is_no_better_than_its_pressures() {
 units = "N-mm"
 kinematics = "plane-stress"
 tasks = ["wear"]
-mesh = {{ degree = 5, layers = 1 }}
+mesh = {{ degree = 8, layers = 8 }}
 check = false
 thickness = {thickness}
-contact = {{ edges = ["bottom", "top"], friction = 0.1822, gap = 0 }}
+contact = {{ edges = ["bottom", "top"], friction = 0, gap = 0 }}
 load = {{ edge = "top", as = "pressure", force = {force} }}
 sliding = {{ speed = {speed} }}
-wear = {{ beta = [1.307e-7, 0.0], a = 0.5124, b = 1.868, until = {until} }}
+wear = {{ k = [6e-9, 0.0], a = 0.5124, b = 1.868, until = {until} }}
 optimum = {{ functional = "steady" }}
 body1.material = {{ young = {young1}, poisson = 0.3266 }}
-body1.support.top = ["x"]
+body1.support.left = ["x"]
 body1.geometry.rectangle = {{ x = {x1}, z = {z1} }}
 body2.material = {{ young = {young2}, poisson = 0.4115 }}
-body2.support.bottom = ["x", "z"]
+body2.support = {{ left = ["x"], bottom = ["z"] }}
 body2.geometry.rectangle = {{ x = {x2}, z = {z2} }}
 "#
             )
         };
     let millimetres =
-        ["[-22.61, 4.609999999999999]", "[0.0, 73.9023]", "[-47.646955999999996, 20.313218]", "[-8.457253999999999, 0.0]"];
+        ["[-22.61, 4.609999999999999]", "[0.0, 73.9023]", "[-22.61, 4.609999999999999]", "[-8.457253999999999, 0.0]"];
     let metres = [
         r#"["-2.261e-2 m", "4.609999999999999e-3 m"]"#,
         r#"["0e-3 m", "7.39023e-2 m"]"#,
-        r#"["-4.7646955999999996e-2 m", "2.0313218e-2 m"]"#,
+        r#"["-2.261e-2 m", "4.609999999999999e-3 m"]"#,
         r#"["-8.457253999999999e-3 m", "0e-3 m"]"#,
     ];
     let [force, until] = [r#""1.5990586889399998e-1 kN""#, r#""6.209065978150816e8 ms""#];
@@ -140,5 +140,5 @@ body2.geometry.rectangle = {{ x = {x2}, z = {z2} }}
     let apart = (one.depth.unwrap() / other.depth.unwrap() - 1.0).abs();
     let told = [&one, &other].map(|wear| wear.run_in_error.unwrap());
     println!("{apart:.1e} {told:?}");
-    assert!(apart <= told[0] + told[1] && told[0] < 1e-9, "{apart:.1e} {told:?}");
+    assert!(apart <= told[0] + told[1] && (1e-10..1e-9).contains(&told[0]), "{apart:.1e} {told:?}");
 }
