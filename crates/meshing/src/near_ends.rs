@@ -124,7 +124,7 @@ pub(crate) fn squared(mut meshes: [(Mesh, Vec<usize>); 2], count: usize) -> Resu
         for _ in 0..SQUARED {
             let slender = meshes.iter().any(|(mesh, ends)| {
                 let [contact, inner] = edges_at(mesh, ends[end]);
-                inner > SLENDER * contact
+                inner > (1.0 + 1e-9) * SLENDER * contact
             });
             if !slender {
                 break;

@@ -20,12 +20,14 @@ const ROOM_BEYOND: f64 = 4.0;
 const HIGH: f64 = 2.0;
 /// The distances of an independent mesh over these.
 const SHIFTED: f64 = 0.8;
+/// What round-off may do to a ratio of lengths: scenes that are alike but for that have the same cuts.
+const ROUND_OFF: f64 = 1e-9;
 
 /// The cuts of an edge of this `length` (mm) beside a cell of that `height` (mm): the distance of the first over the length, and how many there are.
 fn cuts_beside(height: f64, length: f64, room: f64, cut: Cut<'_>) -> (f64, usize) {
     let by = if cut == Cut::Shifted { SHIFTED } else { 1.0 };
     let first = by * LONGEST * height / length;
-    (first, (-(room * first).ln() / GROWTH.ln()).ceil().max(0.0) as usize)
+    (first, (-(room * first).ln() / GROWTH.ln() - ROUND_OFF).ceil().max(0.0) as usize)
 }
 
 /// Cuts the cells of both bodies at the ends of the contact surface that need layers: those of a thin body from side to side, those of a thick one around
@@ -42,7 +44,7 @@ pub(crate) fn cut_beside(bodies: &mut [Coarse; 2], extent: Extent, cut: Cut<'_>)
         }
         let cut = |body: usize| {
             let (mesh, corner) = (&bodies[body].mesh, &corners[body]);
-            let is_high = corner.height > HIGH * share * corner.length;
+            let is_high = corner.height > (1.0 + ROUND_OFF) * HIGH * share * corner.length;
             if is_high {
                 cut_around(mesh, extent, end, share, cuts)
             } else {

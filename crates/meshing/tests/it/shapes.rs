@@ -62,6 +62,20 @@ fn cells_at_the_ends_of_a_thin_body_are_cut_until_they_are_no_longer_slender_in_
     }
 }
 
+/// A pad whose lowest cells are 1/27 as high as long, which takes just two cuts (the second at 1/6, of which half is 1/3): round-off of its lengths takes
+/// no third.
+#[test]
+fn cuts_beside_the_ends_do_not_hang_on_round_off() {
+    for k in 1..40 {
+        let [half, height, far, deep] = [27.0, 2.0, 80.0, 60.0].map(|length| length * 0.1 * f64::from(k));
+        let pad = format!("rectangle = {{ x = [-{half}, {half}], z = [0, {height}] }}");
+        let plate = format!("rectangle = {{ x = [-{far}, {far}], z = [-{deep}, 0] }}");
+        let (couple, extent) = pressed((&pad, "bottom"), (&plate, "top"));
+        let [one, _] = meshes(&couple, extent, 0, Cut::Plain).unwrap();
+        assert_eq!(one.boundary(CONTACT).unwrap().len(), 3 + 2 * 2, "{k}");
+    }
+}
+
 /// The cells of a thick shoe and of a punch are as they were.
 #[test]
 fn cells_at_the_ends_that_are_not_slender_stay() {
