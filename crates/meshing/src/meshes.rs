@@ -145,24 +145,11 @@ impl CoarseMeshes {
     /// # Errors
     /// The fault of a body whose cells cannot be cut any further.
     pub fn graded(&self, layers: usize) -> Result<[Mesh; 2], Fault> {
-        let keys = ["body1.geometry", "body2.geometry"];
-        let one = |body: usize| self.graded_body(&self.bodies[body], layers, keys[body]);
-        let graded = [one(0)?, one(1)?];
-        if graded[0].1.is_empty() {
-            return Ok(graded.map(|(mesh, _)| mesh));
-        }
-        // Ends next to others or to those of the surface are in cells of their size already.
-        let far = self.bodies[0].free.len();
-        let squared = near_ends::squared(graded, far).map_err(|error| too_many(keys[0], layers, &error))?;
-        let refined = |body: usize| {
-            let (mesh, free) = &squared[body];
-            mesh.refined_towards(free, RATIO, layers.div_ceil(2)).map_err(|error| too_many(keys[body], layers, &error))
-        };
-        Ok([refined(0)?, refined(1)?])
+        let [first, second] = &self.bodies;
+        Ok([self.graded_body(first, layers, "body1.geometry")?, self.graded_body(second, layers, "body2.geometry")?])
     }
 
-    /// A body graded towards its singular points, and the vertices on its ends of contact.
-    fn graded_body(&self, coarse: &Coarse, layers: usize, key: &str) -> Result<(Mesh, Vec<usize>), Fault> {
+    fn graded_body(&self, coarse: &Coarse, layers: usize, key: &str) -> Result<Mesh, Fault> {
         let vertices = |mesh: &Mesh, points: &[[f64; 2]]| points.iter().map(|x| mesh.nearest_vertex(*x)).collect::<Vec<usize>>();
         let (mesh, near) = cut_near(coarse.mesh.clone(), self.extent, &self.near).map_err(|error| degenerate(key, &error))?;
         let (mesh, small) = cut_small(mesh, self.extent, &self.small).map_err(|error| degenerate(key, &error))?;
@@ -176,7 +163,10 @@ impl CoarseMeshes {
             Err(_) => degenerate(key, &error),
         })?;
         let free = vertices(&mesh, &free);
-        Ok((mesh, free))
+        if free.is_empty() {
+            return Ok(mesh);
+        }
+        mesh.refined_towards(&free, RATIO, layers.div_ceil(2)).map_err(|error| too_many(key, layers, &error))
     }
 }
 

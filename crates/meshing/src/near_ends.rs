@@ -17,12 +17,6 @@ const GROWN: f64 = 1.2;
 /// Where the cells beside the middle of two ends end, over the distance of the farther one, and the steepest ratio of the layers that make them so.
 const BEYOND: f64 = 1.8;
 const STEEPEST: f64 = 0.35;
-/// How many times as long as the contact edges those inside the body are at an end of contact that is slender; the ratios of the layers which
-/// make them less, on the contact and inside the body, and how many there are at most.
-const SLENDER: f64 = 2.5;
-const ALONG: f64 = 0.5;
-const INWARDS: f64 = 0.2;
-const SQUARED: usize = 4;
 /// The flattest ratio of those layers inside the body, where it is less high than the contact is wide.
 const FLATTEST: f64 = 0.7;
 
@@ -84,7 +78,6 @@ pub(crate) fn cut_small(mut mesh: Mesh, extent: Extent, pairs: &[[f64; 2]]) -> R
         if share < 1.0 {
             let layers = (share.ln() / STEEPEST.ln()).ceil().max(1.0);
             mesh = square_layers(mesh, corner, share, layers as usize)?;
-            mesh.cells.iter_mut().for_each(|cell| cell.layer = 0);
         }
         for place in [a, b] {
             let edges = mesh.boundary(CONTACT)?;
@@ -100,7 +93,7 @@ pub(crate) fn cut_small(mut mesh: Mesh, extent: Extent, pairs: &[[f64; 2]]) -> R
 }
 
 /// Layers around a vertex on the contact surface that make the edges of that `share` times as long, and those inside the body about as long as these: cells
-/// as high as the body are no longer than high beside a short contact.
+/// as high as the body are no longer than high beside a short contact. Nothing is singular there: these cells keep their degree.
 pub(crate) fn square_layers(mut mesh: Mesh, vertex: usize, share: f64, layers: usize) -> Result<Mesh, Error> {
     let along = share.powf(1.0 / layers as f64);
     let contact = mesh.boundary(CONTACT)?;
@@ -112,46 +105,8 @@ pub(crate) fn square_layers(mut mesh: Mesh, vertex: usize, share: f64, layers: u
         let ratio = |edge: usize| if contact.contains(&edge) { along } else { inwards(mesh.edges[edge].curve.length()) };
         mesh = mesh.refined_towards_by(&[vertex], ratio)?;
     }
+    mesh.cells.iter_mut().for_each(|cell| cell.layer = 0);
     Ok(mesh)
-}
-
-/// Layers around the first `count` of the ends of contact of both meshes until the cells there are no longer slender: the contact edges are cut alike in both.
-pub(crate) fn squared(mut meshes: [(Mesh, Vec<usize>); 2], count: usize) -> Result<[(Mesh, Vec<usize>); 2], Error> {
-    if meshes[0].1.len() != meshes[1].1.len() {
-        return Ok(meshes);
-    }
-    for end in 0..count {
-        for _ in 0..SQUARED {
-            let slender = meshes.iter().any(|(mesh, ends)| {
-                let [contact, inner] = edges_at(mesh, ends[end]);
-                inner > (1.0 + 1e-9) * SLENDER * contact
-            });
-            if !slender {
-                break;
-            }
-            for (mesh, ends) in &mut meshes {
-                let contact = mesh.boundary(CONTACT)?;
-                let size = ALONG * edges_at(mesh, ends[end])[0];
-                let inwards = |length: f64| (size / length).clamp(INWARDS, FLATTEST);
-                let ratio = |e: usize| if contact.contains(&e) { ALONG } else { inwards(mesh.edges[e].curve.length()) };
-                let mut cut = mesh.refined_towards_by(&[ends[end]], ratio)?;
-                cut.cells.iter_mut().for_each(|cell| cell.layer = 0);
-                *mesh = cut;
-            }
-        }
-    }
-    Ok(meshes)
-}
-
-/// The longest contact edge and the longest other one at a vertex.
-fn edges_at(mesh: &Mesh, vertex: usize) -> [f64; 2] {
-    let contact = mesh.boundary(CONTACT).unwrap_or_default();
-    let own = mesh.edges.iter().enumerate().filter(|(_, edge)| edge.vertices.contains(&vertex));
-    own.fold([0.0_f64; 2], |mut longest, (e, edge)| {
-        let kind = usize::from(!contact.contains(&e));
-        longest[kind] = longest[kind].max(edge.curve.length());
-        longest
-    })
 }
 
 /// The mesh cut at places next to the ends of the surface, and where its vertices on them are. The cells at the end of the surface are first
@@ -170,7 +125,6 @@ pub(crate) fn cut_near(mut mesh: Mesh, extent: Extent, places: &[f64]) -> Result
         if layers >= 1.0 {
             let corner = mesh.edges[edge].vertices[side];
             mesh = square_layers(mesh, corner, RATIO.powi(layers as i32), layers as usize)?;
-            mesh.cells.iter_mut().for_each(|cell| cell.layer = 0);
         }
         for x in [place, 0.5 * (place + end)] {
             let edges = mesh.boundary(CONTACT)?;

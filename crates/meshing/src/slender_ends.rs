@@ -51,7 +51,7 @@ pub(crate) fn cut_beside(bodies: &mut [Coarse; 2], extent: Extent, cut: Cut<'_>)
                 cut_across(mesh, extent, [end, corner.other], share, cuts)
             }
         };
-        if let Some(cut) = both([cut(0), cut(1)]).filter(|cut| same_breaks(cut, extent)) {
+        if let Some(cut) = both([cut(0), cut(1)]).filter(|[a, b]| touching(a) == touching(b)) {
             bodies.iter_mut().zip(cut).for_each(|(body, mesh)| body.mesh = mesh);
         }
     }
@@ -107,9 +107,7 @@ impl Corner {
 /// Layers of cells around an end of the contact surface, the innermost as long and high as a `share` of the contact edge there.
 fn cut_around(mesh: &Mesh, extent: Extent, end: f64, share: f64, cuts: usize) -> Option<Mesh> {
     let (edge, side) = at_end(mesh, extent, end)?;
-    let mut cut = square_layers(mesh.clone(), mesh.edges[edge].vertices[side], share, cuts).ok()?;
-    cut.cells.iter_mut().for_each(|cell| cell.layer = 0);
-    Some(cut)
+    square_layers(mesh.clone(), mesh.edges[edge].vertices[side], share, cuts).ok()
 }
 
 /// Rows of cells cut where [`cut_around`] cuts the contact edge from an end of the surface to its `other` one, and nowhere else on the surface.
@@ -124,29 +122,19 @@ fn cut_across(mesh: &Mesh, extent: Extent, [end, other]: [f64; 2], share: f64, c
     Some(cut)
 }
 
-/// Whether two meshes have the same break points on the contact surface.
-fn same_breaks(meshes: &[Mesh; 2], extent: Extent) -> bool {
-    let [from, to] = extent.ends();
-    let breaks = |mesh: &Mesh| {
-        let edges = mesh.boundary(CONTACT).unwrap_or_default();
-        let mut places: Vec<f64> = edges.iter().flat_map(|e| extent.range(&mesh.edges[*e].curve)).collect();
-        places.sort_by(f64::total_cmp);
-        places
-    };
-    let [first, second] = meshes.each_ref().map(breaks);
-    first.len() == second.len() && first.iter().zip(&second).all(|(a, b)| (a - b).abs() <= 1e-9 * (to - from))
+/// Number of cells on the contact surface.
+fn touching(mesh: &Mesh) -> usize {
+    mesh.boundary(CONTACT).map_or(0, |edges| edges.len())
 }
 
 /// The edge of the outline that goes on from an end of the contact surface, in a cell that does not touch.
 fn beyond(mesh: &Mesh, extent: Extent, end: f64) -> Option<usize> {
     let (contact, side) = at_end(mesh, extent, end)?;
     let vertex = mesh.edges[contact].vertices[side];
-    let cells_of = |edge: usize| mesh.cells.iter().filter(move |cell| cell.edges.contains(&Some(edge)));
-    let alone = |edge: &usize| {
-        let mut cells = cells_of(*edge);
-        matches!((cells.next(), cells.next()), (Some(cell), None) if !cell.edges.contains(&Some(contact)))
-    };
-    (0..mesh.edges.len()).filter(|e| *e != contact && mesh.edges[*e].vertices.contains(&vertex)).find(alone)
+    let beside = mesh.edge_cells();
+    let own = beside[contact][0].0;
+    let goes_on = |e: &usize| mesh.edges[*e].vertices.contains(&vertex) && beside[*e].len() == 1 && beside[*e][0].0 != own;
+    (0..mesh.edges.len()).find(goes_on)
 }
 
 /// The mesh with the cell beyond an end of the contact surface cut at a share of its edge there, if that cuts no contact edge.
@@ -156,5 +144,5 @@ fn cut_next_to(mesh: &Mesh, extent: Extent, end: f64, share: f64) -> Option<Mesh
     let starts = mesh.edges[edge].vertices[0] == mesh.edges[contact].vertices[side];
     let t = 2.0 * share - 1.0;
     let cut = mesh.cut_through(edge, if starts { t } else { -t }).ok()?;
-    (cut.boundary(CONTACT).ok()?.len() == mesh.boundary(CONTACT).ok()?.len()).then_some(cut)
+    (touching(&cut) == touching(mesh)).then_some(cut)
 }

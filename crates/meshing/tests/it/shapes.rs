@@ -87,26 +87,6 @@ fn cells_at_the_ends_that_are_not_slender_stay() {
     }
 }
 
-/// Ends of contact inside the surface of cells as high as the body, and of a template that faces them.
-#[test]
-fn cells_at_ends_of_contact_are_made_square_where_the_user_gave_slender_ones() {
-    let cells = two_cells([-30.0, 4.0, 30.0], [0.0, 200.0]);
-    let (couple, extent) = pressed((&cells, "bottom"), (PLATE, "top"));
-    for cut in [Cut::Plain, Cut::Ends(&[-0.5, 0.3])] {
-        let [one, other] = meshes(&couple, extent, 0, cut).unwrap();
-        for x in cut.ends().iter().map(|t| [30.0 * t, 0.0]) {
-            for mesh in [&one, &other] {
-                let vertex = mesh.vertices[mesh.nearest_vertex(x)];
-                assert!((vertex[0] - x[0]).abs() < 1e-9, "{x:?} {vertex:?}");
-                let most = slenderness(mesh, x);
-                assert!(most < 3.5, "{cut:?}: {most}");
-            }
-        }
-        let [own, faced] = [&one, &other].map(|mesh| breaks(&couple, extent, mesh));
-        assert!(own.len() == faced.len() && own.iter().zip(&faced).all(|(a, b)| (a - b).abs() < 1e-7));
-    }
-}
-
 /// Under a contact of a hundredth of the surface, on a plate that is high and on one that is not.
 #[test]
 fn cells_under_a_short_contact_are_as_long_as_high() {
