@@ -23,7 +23,8 @@ const SHIFTED: f64 = 0.8;
 /// What round-off may do to a ratio of lengths: scenes that are alike but for that have the same cuts.
 const ROUND_OFF: f64 = 1e-9;
 
-/// The cuts of an edge of this `length` (mm) beside a cell of that `height` (mm): the distance of the first over the length, and how many there are.
+/// The cuts of an edge of this `length` (mm) beside a cell of that `height` (mm), which leave `room` for the last: the distance of the first over the
+/// length, and how many there are.
 fn cuts_beside(height: f64, length: f64, room: f64, cut: Cut<'_>) -> (f64, usize) {
     let by = if cut == Cut::Shifted { SHIFTED } else { 1.0 };
     let first = by * LONGEST * height / length;
