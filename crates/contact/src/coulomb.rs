@@ -123,42 +123,37 @@ impl Coulomb<'_> {
     pub(crate) fn matrix(&self, states: &[ContactState]) -> Mat<f64> {
         let m = self.normal.load.len();
         let [contact, stick] = Self::touching(states);
-        let slide = |i: usize| self.slide(states[i]);
         let (c, s) = (contact.len(), stick.len());
         let (unit, resultant) = self.scales();
-        let nn = &self.normal.compliance;
-        // Column of unknown `j` in the opening or slip of point `i`.
-        let entry = |normal: bool, i: usize, j: usize| -> f64 {
-            if j < c {
-                let k = contact[j];
-                let direct = if normal { nn[(i, k)] } else { self.by_shear[(k, i)] };
-                let by_slide = slide(k) * if normal { self.by_shear[(i, k)] } else { self.tangential[(i, k)] };
-                direct + by_slide
-            } else if j < c + s {
-                let k = stick[j - c];
-                if normal { self.by_shear[(i, k)] } else { self.tangential[(i, k)] }
-            } else {
-                let k = j - c - s;
-                unit[k] * if normal { self.normal.influence[(i, k)] } else { self.influence[(i, k)] }
+        let own = |normal: bool, points: &[usize]| -> Vec<f64> { points.iter().map(|i| self.own(normal, *i)).collect() };
+        let [own_normal, own_shear] = [own(true, &contact), own(false, &stick)];
+        let mut matrix = Mat::zeros(c + s + m, c + s + m);
+        // A normal force acts with the shear of its slip, the shear of a sticking point alone.
+        let pressed = contact.iter().map(|k| (*k, 1.0, self.slide(states[*k])));
+        for (j, (k, force, shear)) in pressed.chain(stick.iter().map(|k| (*k, 0.0, 1.0))).enumerate() {
+            let (openings, rest) = matrix.col_as_slice_mut(j).split_at_mut(c);
+            let (slips, resultants) = rest.split_at_mut(s);
+            let (by_force, by_shear) = (self.normal.compliance.col_as_slice(k), self.by_shear.col_as_slice(k));
+            for ((opening, i), own) in openings.iter_mut().zip(&contact).zip(&own_normal) {
+                *opening = (force * by_force[*i] + shear * by_shear[*i]) / own;
             }
-        };
-        Mat::from_fn(c + s + m, c + s + m, |i, j| {
-            if i < c {
-                entry(true, contact[i], j) / self.own(true, contact[i])
-            } else if i < c + s {
-                entry(false, stick[i - c], j) / self.own(false, stick[i - c])
-            } else {
-                let k = i - c - s;
-                let value = if j < c {
-                    self.normal.influence[(contact[j], k)] + slide(contact[j]) * self.influence[(contact[j], k)]
-                } else if j < c + s {
-                    self.influence[(stick[j - c], k)]
-                } else {
-                    -self.normal.stiffness[(k, j - c - s)] * unit[j - c - s]
-                };
-                value / resultant[k]
+            let by_shear = self.tangential.col_as_slice(k);
+            for ((slip, i), own) in slips.iter_mut().zip(&stick).zip(&own_shear) {
+                *slip = (force * self.by_shear[(k, *i)] + shear * by_shear[*i]) / own;
             }
-        })
+            for (i, sum) in resultants.iter_mut().enumerate() {
+                *sum = (force * self.normal.influence[(k, i)] + shear * self.influence[(k, i)]) / resultant[i];
+            }
+        }
+        for (k, unit) in unit.iter().enumerate() {
+            let column = matrix.col_as_slice_mut(c + s + k);
+            let (opened, slid) = (self.normal.influence.col_as_slice(k), self.influence.col_as_slice(k));
+            let openings = contact.iter().zip(&own_normal).map(|(i, own)| unit * opened[*i] / own);
+            let slips = stick.iter().zip(&own_shear).map(|(i, own)| unit * slid[*i] / own);
+            let resultants = (0..m).map(|i| -self.normal.stiffness[(i, k)] * unit / resultant[i]);
+            column.iter_mut().zip(openings.chain(slips).chain(resultants)).for_each(|(to, value)| *to = value);
+        }
+        matrix
     }
 
     /// Solves with given states; `None` if that is singular.

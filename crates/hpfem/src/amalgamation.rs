@@ -9,6 +9,11 @@ use crate::places::postorder;
 /// Multiplications that take as long as clearing a number of a merged element, adding to it and reading it again.
 const HANDLING: f64 = 8.0;
 
+/// Puts groups in the order of their elimination.
+pub(crate) fn sort_by_rank(groups: &mut [usize], rank: &[usize]) {
+    groups.sort_by_key(|g| rank[*g]);
+}
+
 impl Order {
     /// The plan with ranks by the order of elimination, small fronts joined.
     pub(crate) fn plan(self, size: &[usize], kept: &[usize]) -> Plan {
@@ -16,7 +21,7 @@ impl Order {
         let mut rank = vec![usize::MAX; size.len()];
         groups.iter().chain(kept).enumerate().for_each(|(i, g)| rank[*g] = i);
         // A front that joins another was eliminated before it, so that groups stay sorted.
-        fronts.iter_mut().for_each(|front| front.groups.sort_by_key(|g| rank[*g]));
+        fronts.iter_mut().for_each(|front| sort_by_rank(&mut front.groups, &rank));
         let (fronts, roots) = amalgamated(fronts, roots, elements, size);
         Plan { rank, fronts, roots }
     }

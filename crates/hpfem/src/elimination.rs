@@ -125,6 +125,14 @@ pub(crate) struct Forward {
 }
 
 impl Forward {
+    /// Each right-hand side by itself.
+    pub(crate) fn columns(&self) -> Vec<Forward> {
+        let column = |m: &Mat<f64>, k: usize| if m.ncols() > 0 { m.subcols(k, 1).to_owned() } else { Mat::new() };
+        let of =
+            |k: usize| Forward { parts: self.parts.iter().map(|part| column(part, k)).collect(), work: column(&self.work, k) };
+        (0..self.work.ncols()).map(of).collect()
+    }
+
     /// `y . y` of the right-hand side number `k` with another one.
     pub(crate) fn dot(&self, k: usize, other: &Forward) -> f64 {
         let pairs = self.parts.iter().zip(&other.parts).filter(|(a, b)| a.ncols() > 0 && b.ncols() > 0);

@@ -12,14 +12,24 @@ use crate::load_case::LoadCase;
 use faer::{Mat, MatRef};
 use std::sync::Arc;
 
-/// What one cell takes of a new load case.
+/// What one cell takes of new load cases, numbered from 0.
 struct CellLoad {
-    /// `(group, index in group, value)`.
-    active: Vec<(usize, usize, f64)>,
+    /// `(group, index in group, case, value)`.
+    active: Vec<(usize, usize, usize, f64)>,
+    /// Constant parts of the reactions, `(reaction, case, value)`.
+    constant: Vec<(usize, usize, f64)>,
+    /// Work of all load cases on the interior that each displaces; none without loads inside.
+    work: Option<Mat<f64>>,
+}
+
+/// Sums over the cells that new load cases act on, a column each.
+struct Summed {
+    /// Loads on the unknowns of each group; empty for zero.
+    values: Vec<Mat<f64>>,
     /// Constant parts of the reactions.
-    constant: Vec<(usize, f64)>,
-    /// Work of the new load on the interior that each load case displaces; empty without loads inside.
-    work: Vec<f64>,
+    constant: Mat<f64>,
+    /// Work on the interior that each load case displaces, `cases x new ones`.
+    inner: Mat<f64>,
 }
 
 impl Body {
@@ -31,22 +41,42 @@ impl Body {
     /// [`Error::DuplicateLoadCase`] if the body was made with a case of that name; boundaries that do not exist, points outside
     /// the mesh, numbers that are not finite.
     pub fn add_load(&mut self, case: LoadCase) -> Result<(), Error> {
-        let mesh = Arc::clone(&self.problem.mesh);
-        check_case(&case, &mesh, self.problem.kinematics)?;
         if self.problem.load_cases[..self.factored.cases].iter().any(|known| known.name == case.name) {
             return Err(Error::DuplicateLoadCase { name: case.name });
         }
         let before = self.problem.load_cases.iter().position(|known| known.name == case.name);
-        self.problem.load_cases.push(case);
-        if let Err(error) = self.append_column() {
-            self.problem.load_cases.pop();
-            return Err(error);
-        }
+        self.append(vec![case])?;
         if let Some(number) = before {
             self.remove_column(number);
             self.move_last_to(number);
         }
         Ok(())
+    }
+
+    /// Adds load cases of new names at once: what [`Body::add_load`] gives for one after the other, to round-off, but each cell is condensed once for all
+    /// that acts inside it.
+    ///
+    /// # Errors
+    /// As [`Body::add_load`]; [`Error::DuplicateLoadCase`] for every name that the body has, or that comes twice. Nothing is added then.
+    pub fn add_loads(&mut self, cases: Vec<LoadCase>) -> Result<(), Error> {
+        let known = |k: usize| self.problem.load_cases.iter().chain(&cases[..k]).any(|known| known.name == cases[k].name);
+        if let Some(k) = (0..cases.len()).find(|k| known(*k)) {
+            return Err(Error::DuplicateLoadCase { name: cases[k].name.clone() });
+        }
+        self.append(cases)
+    }
+
+    /// Puts load cases after those that are there; nothing is changed on an error.
+    fn append(&mut self, cases: Vec<LoadCase>) -> Result<(), Error> {
+        let (mesh, many) = (Arc::clone(&self.problem.mesh), cases.len());
+        cases.iter().try_for_each(|case| check_case(case, &mesh, self.problem.kinematics))?;
+        let first = self.problem.load_cases.len();
+        self.problem.load_cases.extend(cases);
+        let appended = self.append_columns(many);
+        if appended.is_err() {
+            self.problem.load_cases.truncate(first);
+        }
+        appended
     }
 
     /// Drops a load case that was added later.
@@ -77,78 +107,90 @@ impl Body {
         *reaction_constant = Mat::from_fn(reaction_constant.nrows(), columns.ncols(), |i, j| reaction_constant[(i, from(j))]);
     }
 
-    /// Makes the column of the last load case, for which the interface operator has none yet; nothing is changed on an error.
-    fn append_column(&mut self) -> Result<(), Error> {
+    /// Makes the columns of the last load cases, for which the interface operator has none yet; nothing is changed on an error.
+    fn append_columns(&mut self, many: usize) -> Result<(), Error> {
         let factored = Arc::clone(&self.factored);
-        let (mesh, space) = (&*self.problem.mesh, &factored.space);
-        let new = self.problem.load_cases.len() - 1;
-        let assembly = Assembly::new(&self.problem, space, Loads::new(mesh, &self.problem.load_cases)?);
-        let touched: Vec<usize> = (0..mesh.cells.len()).filter(|c| assembly.loads.of_case(mesh, *c, new)).collect();
-        let inside: Vec<usize> = touched.iter().copied().filter(|cell| assembly.loads.inside(*cell)).collect();
-        let of_shapes = || assembly.inner_loads(&inside, &Congruence::of(&self.problem, space));
-        let mut inner_loads = if inside.is_empty() { Vec::new() } else { of_shapes()? }.into_iter();
-        let mut values: Vec<Mat<f64>> = vec![Mat::new(); space.size.len()];
-        let reactions = self.interface.reaction_constant.nrows();
-        // Work with the cases before, then with itself.
-        let (mut constant, mut inner) = (vec![0.0; reactions], vec![0.0; new + 1]);
-        for cell in touched {
-            let inside = if assembly.loads.inside(cell) { inner_loads.next() } else { None };
-            let load = assembly.new_load(cell, new, inside);
-            for (group, index, value) in load.active {
-                if values[group].ncols() == 0 {
-                    values[group] = Mat::zeros(space.size[group], 1);
-                }
-                values[group][(index, 0)] += value;
-            }
-            load.constant.iter().for_each(|(r, value)| constant[*r] += value);
-            inner.iter_mut().zip(&load.work).for_each(|(sum, w)| *sum += w);
-        }
+        let space = &factored.space;
+        let new = self.problem.load_cases.len() - many;
+        let assembly = Assembly::new(&self.problem, space, Loads::new(&self.problem.mesh, &self.problem.load_cases)?);
+        let Summed { mut values, constant, inner } = self.summed_loads(&assembly, new)?;
         let first = self.interface.columns.ncols() - self.added.len();
         let mut size = space.size.clone();
         size.push(first);
         values.push(Mat::new());
-        let forward = factored.condensed.forward(&mut values, &size, [first, 1]);
-        let mut column = vec![0.0; factored.kept.unknowns];
-        for g in &factored.kept.groups {
+        let forwards = factored.condensed.forward(&mut values, &size, [first, many]).columns();
+        let mut columns = Mat::zeros(factored.kept.unknowns, many);
+        for g in factored.kept.groups.iter().filter(|g| values[**g].ncols() > 0) {
             let start = factored.kept.start[*g].unwrap_or(0);
-            values[*g].col_iter().flat_map(|v| v.iter()).enumerate().for_each(|(i, v)| column[start + i] = *v);
+            columns.as_mut().subrows_mut(start, space.size[*g]).copy_from(&values[*g]);
         }
-        // Work with all columns in their order: the cases of the factorisation, those added, this one, all others.
-        let mut work = forward.work.col_as_slice(0).to_vec();
-        work.splice(
-            factored.cases..factored.cases,
-            self.added.iter().map(|other| forward.dot(0, other)).chain([forward.dot(0, &forward)]),
-        );
-        work.iter_mut().zip(&inner).for_each(|(sum, w)| *sum += w);
         let unit = assembly.unit;
-        let scaled = |v: Vec<f64>| v.into_iter().map(|v| unit * v).collect::<Vec<_>>();
-        if let Some(value) = column.iter().chain(&work).chain(&constant).find(|v| !v.is_finite()) {
-            let quantity = format!("a number of load case \"{}\"", self.problem.load_cases[new].name);
-            return Err(Error::OutOfRange { quantity, value: *value, range: "finite" });
+        let scaled = |v: &[f64]| v.iter().map(|v| unit * v).collect::<Vec<_>>();
+        let mut made = Vec::with_capacity(many);
+        for (k, forward) in forwards.iter().enumerate() {
+            // Work with all columns in their order: the cases of the factorisation, those added, these, all others.
+            let mut work = forward.work.col_as_slice(0).to_vec();
+            let later = self.added.iter().map(Arc::as_ref).chain(&forwards[..=k]).map(|other| forward.dot(0, other));
+            work.splice(factored.cases..factored.cases, later);
+            work.iter_mut().zip(&inner.col_as_slice(k)[..=new + k]).for_each(|(sum, w)| *sum += w);
+            let numbers = [columns.col_as_slice(k), &work, constant.col_as_slice(k)];
+            if let Some(value) = numbers.into_iter().flatten().find(|v| !v.is_finite()) {
+                let quantity = format!("a number of load case \"{}\"", self.problem.load_cases[new + k].name);
+                return Err(Error::OutOfRange { quantity, value: *value, range: "finite" });
+            }
+            made.push(numbers.map(scaled));
         }
-        self.interface.insert_case(new, &self.problem.load_cases[new].name, [scaled(column), scaled(work), scaled(constant)]);
-        self.added.push(Arc::new(forward));
+        for ((k, numbers), forward) in made.into_iter().enumerate().zip(forwards) {
+            self.interface.insert_case(new + k, &self.problem.load_cases[new + k].name, numbers);
+            self.added.push(Arc::new(forward));
+        }
         Ok(())
+    }
+
+    /// Sums over the cells that the load cases from number `new` on act on.
+    fn summed_loads(&self, assembly: &Assembly<'_>, new: usize) -> Result<Summed, Error> {
+        let (mesh, space) = (assembly.mesh, assembly.space);
+        let (all, reactions) = (assembly.loads.cases, self.interface.reaction_constant.nrows());
+        let acts = |cell: &usize| (new..all).any(|case| assembly.loads.of_case(mesh, *cell, case));
+        let touched: Vec<usize> = (0..mesh.cells.len()).filter(acts).collect();
+        let inside: Vec<usize> = touched.iter().copied().filter(|cell| assembly.loads.inside(*cell)).collect();
+        let of_shapes = || assembly.inner_loads(&inside, &Congruence::of(&self.problem, space));
+        let mut inner_loads = if inside.is_empty() { Vec::new() } else { of_shapes()? }.into_iter();
+        let mut values: Vec<Mat<f64>> = vec![Mat::new(); space.size.len()];
+        let (mut constant, mut inner) = (Mat::zeros(reactions, all - new), Mat::zeros(all, all - new));
+        for cell in touched {
+            let inside = if assembly.loads.inside(cell) { inner_loads.next() } else { None };
+            let load = assembly.new_loads(cell, new, inside);
+            for (group, index, k, value) in load.active {
+                if values[group].ncols() == 0 {
+                    values[group] = Mat::zeros(space.size[group], all - new);
+                }
+                values[group][(index, k)] += value;
+            }
+            load.constant.iter().for_each(|(r, k, value)| constant[(*r, *k)] += value);
+            load.work.iter().for_each(|work| inner += work.subcols(new, all - new));
+        }
+        Ok(Summed { values, constant, inner })
     }
 }
 
 impl Assembly<'_> {
-    /// What a cell takes of load case `new`, of which `inside` is what the loads inside do.
-    fn new_load(&self, cell: usize, new: usize, inside: Option<OnBoundary>) -> CellLoad {
+    /// What a cell takes of the load cases from number `new` on, of which `inside` is what the loads inside do.
+    fn new_loads(&self, cell: usize, new: usize, inside: Option<OnBoundary>) -> CellLoad {
         let modes = self.space.boundary_modes(self.mesh, cell);
         let mut load = self.cell_loads(cell, &modes);
-        let mut inner = Vec::new();
+        let mut inner = None;
         if let Some(OnBoundary { boundary, work, .. }) = inside {
             load.extend(boundary);
-            inner = (0..=new).map(|k| work[(k, new)]).collect();
+            inner = Some(work);
         }
         let targets = self.targets(cell, &modes);
         let motions = self.virtual_motion(&targets, self.columns - self.loads.cases - 1);
         let (mut active, mut constant) = (Vec::new(), Vec::new());
-        for ((row, _), value) in load.iter().filter(|((_, case), _)| *case == new) {
-            active.extend(targets[*row].active.iter().map(|(group, index, c)| (*group, *index, c * value)));
+        for ((row, case), value) in load.iter().filter(|((_, case), _)| *case >= new) {
+            active.extend(targets[*row].active.iter().map(|(group, index, c)| (*group, *index, case - new, c * value)));
             for (r, motion) in motions.iter().enumerate().filter(|(_, motion)| !motion.is_empty()) {
-                constant.push((r, -motion[*row] * value));
+                constant.push((r, case - new, -motion[*row] * value));
             }
         }
         CellLoad { active, constant, work: inner }

@@ -1,5 +1,6 @@
 //! Space and order of elimination of a body, before anything is assembled.
 
+use crate::amalgamation::sort_by_rank;
 use crate::check::check;
 use crate::congruence::Congruence;
 use crate::edge_load::Loads;
@@ -55,7 +56,7 @@ impl<'a> Ordered<'a> {
         let last: Vec<usize> = kept.groups.iter().copied().chain([columns]).collect();
         let plan = Plan::new(&groups, &places(mesh, &foundations), &size, &last);
         size[columns] = problem.columns();
-        groups.iter_mut().for_each(|groups| groups.sort_by_key(|g| plan.rank[*g]));
+        groups.iter_mut().for_each(|groups| sort_by_rank(groups, &plan.rank));
         let first = |e: usize| congruence.class.get(e).is_none_or(|class| congruence.classes[*class].first == e);
         let bytes = plan.bytes(&groups, &size, &last, |e| first(e) || groups[e].last() == Some(&columns));
         Ok(Ordered { space, kept, loads, foundations, congruence, groups, size, last, plan, bytes })

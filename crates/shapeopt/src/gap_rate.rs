@@ -100,16 +100,14 @@ impl GapRate {
         let mut rate = vec![0.0; pressure.len()];
         for (j, p) in pressure.iter().enumerate().filter(|(_, p)| **p > 0.0) {
             let own = self.wear(1, j, *p);
-            rate.iter_mut().zip(passing.col(j).iter()).for_each(|(rate, share)| *rate += share * own);
+            rate.iter_mut().zip(passing.col_as_slice(j)).for_each(|(rate, share)| *rate += share * own);
         }
         Some(rate)
     }
 
-    /// `d groove / dp_j` at every point; none without a groove.
-    pub(crate) fn groove_slope(&self, j: usize, pressure: f64) -> Option<impl Fn(usize) -> f64> {
-        let passing = self.passing.as_ref()?;
-        let slope = self.wear_slope(1, j, pressure);
-        Some(move |i: usize| slope * passing[(i, j)])
+    /// `d groove / dp_j` at every point over the slope of body 2's wear rate at point `j`, and that slope; none without a groove.
+    pub(crate) fn groove_slope(&self, j: usize, pressure: f64) -> Option<(&[f64], f64)> {
+        Some((self.passing.as_ref()?.col_as_slice(j), self.wear_slope(1, j, pressure)))
     }
 
     /// Mean wear rate of a body at a point.

@@ -112,7 +112,7 @@ impl<'a> Load<'a> {
         let mut opening = vec![0.0; pressure.len()];
         for (j, p) in pressure.iter().enumerate().filter(|(_, p)| **p != 0.0) {
             let f = p * self.weights[j];
-            self.system.compliance.col(j).iter().zip(&mut opening).for_each(|(a, o)| *o += a * f);
+            self.system.compliance.col_as_slice(j).iter().zip(&mut opening).for_each(|(a, o)| *o += a * f);
         }
         opening
     }
@@ -322,8 +322,9 @@ impl<'a> Load<'a> {
             let scale = self.weights[*j] * slope[*j];
             let column = self.system.compliance.col_as_slice(*j);
             matrix.col_as_slice_mut(c).iter_mut().zip(&active).for_each(|(value, i)| *value = column[*i] * scale);
-            if let Some(groove) = self.rate.groove_slope(*j, pressure[*j]).filter(|_| step > 0.0) {
-                active.iter().enumerate().for_each(|(r, i)| matrix[(r, c)] += step * groove(*i) * slope[*j]);
+            if let Some((groove, rate)) = self.rate.groove_slope(*j, pressure[*j]).filter(|_| step > 0.0) {
+                let rows = matrix.col_as_slice_mut(c).iter_mut().zip(&active);
+                rows.for_each(|(value, i)| *value += step * (rate * groove[*i]) * slope[*j]);
             }
             let worn = 1.0 - self.sigma[*j] * slope[*j];
             matrix[(c, c)] += worn;

@@ -173,7 +173,7 @@ impl<'a> Search<'a> {
     fn elastic(&self, side: usize, pressures: &[Pressures]) -> Vec<f64> {
         let mut opening = self.opening[side].clone();
         for (j, p) in pressures.iter().enumerate().map(|(j, p)| (j, p.value[side])).filter(|(_, p)| *p != 0.0) {
-            self.compliance[side].col(j).iter().zip(&mut opening).for_each(|(a, o)| *o += a * p);
+            self.compliance[side].col_as_slice(j).iter().zip(&mut opening).for_each(|(a, o)| *o += a * p);
         }
         opening
     }

@@ -28,8 +28,8 @@ pub fn optimal_pressure(problem: &Problem) -> Result<Optimum, WearError> {
     let mut all = stationary_pressures(problem)?;
     let several = all.len() > 1;
     let value = |optimum: &Optimum| optimum.objective.unwrap_or(f64::INFINITY);
-    all.sort_by(|a, b| value(a).total_cmp(&value(b)));
-    let mut best = all.swap_remove(0);
+    let least = (0..all.len()).min_by(|a, b| value(&all[*a]).total_cmp(&value(&all[*b])));
+    let mut best = all.swap_remove(least.unwrap_or(0));
     if several {
         best.regime = Regime::Several;
     }

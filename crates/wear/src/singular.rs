@@ -58,6 +58,7 @@ fn one_mode(stage: &Stage<'_>, mut places: Vec<Place>, cost: &dyn Fn(&SurfacePoi
         let phi = law.mode_values(&place.1).phi[0];
         if phi > 0.0 { cost(&place.1) / phi } else { f64::INFINITY }
     };
+    let by_value = |a: &Place, b: &Place| value(a).total_cmp(&value(b));
     let mut reach = 1.0;
     for _ in 0..18 {
         let best = places.iter().map(value).fold(f64::INFINITY, f64::min);
@@ -67,7 +68,7 @@ fn one_mode(stage: &Stage<'_>, mut places: Vec<Place>, cost: &dyn Fn(&SurfacePoi
             break;
         }
         reach *= 0.25;
-        near.sort_by(|a, b| value(a).total_cmp(&value(b)));
+        near.sort_by(by_value);
         near.dedup_by(|a, b| a.0 == b.0);
         let mut next: Vec<Place> = Vec::new();
         for place in near.iter().take(40) {
@@ -77,7 +78,7 @@ fn one_mode(stage: &Stage<'_>, mut places: Vec<Place>, cost: &dyn Fn(&SurfacePoi
         places = next;
     }
     let best = places.iter().map(value).fold(f64::INFINITY, f64::min);
-    places.sort_by(|a, b| value(a).total_cmp(&value(b)));
+    places.sort_by(by_value);
     let mut chosen: Vec<SurfacePoint> = Vec::new();
     let size = extent(stage);
     for place in places.iter().filter(|place| value(place) <= best + 1e-11 * best.abs()) {

@@ -94,6 +94,31 @@ fn a_body_without_loads_takes_them_all_later_and_a_copy_keeps_its_own() {
 }
 
 #[test]
+fn loads_added_at_once_are_those_added_one_after_the_other() {
+    for mesh in [patch(TURNS[6], Shape::Arcs, 0.0), mixed(TURNS[4], Shape::Polynomial(3), 0.0)] {
+        for kept in [None, Some("bottom")] {
+            let mut problem = base(&mesh, PLANE_STRAIN, kept);
+            let mut later = Body::new(problem.clone()).unwrap();
+            let (first, others) = (cases().remove(0), cases().split_off(1));
+            later.add_load(first).unwrap();
+            later.add_loads(others.clone()).unwrap();
+            problem.load_cases.extend(cases());
+            assert_same(&later, &Body::new(problem).unwrap());
+            // All or none: one name is known, or comes twice.
+            let name = others[0].name.clone();
+            let new = || LoadCase::new("new").with(EdgeTraction::pressure("top", |_| 1.0));
+            for refused in [vec![new(), others[0].clone()], vec![new(), others[0].clone(), others[0].clone()]] {
+                assert_eq!(later.add_loads(refused), Err(Error::DuplicateLoadCase { name: name.clone() }));
+            }
+            assert_eq!(later.add_loads(vec![new(), new()]), Err(Error::DuplicateLoadCase { name: "new".into() }));
+            let nowhere = LoadCase::new("roof").with(EdgeTraction::pressure("roof", |_| 1.0));
+            assert!(matches!(later.add_loads(vec![new(), nowhere]), Err(Error::NoSuchBoundary { .. })));
+            assert!(!later.interface.load_cases.contains(&"new".to_string()));
+        }
+    }
+}
+
+#[test]
 fn a_case_of_the_same_name_is_replaced_and_cases_of_the_factorisation_are_not() {
     let mesh = mixed(TURNS[6], Shape::Arcs, 0.0);
     let mut later = Body::new(base(&mesh, PLANE_STRESS, Some("right"))).unwrap();

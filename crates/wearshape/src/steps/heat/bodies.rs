@@ -143,10 +143,9 @@ impl<'a> HotBodies<'a> {
             }
             (Temperatures::Strains(strains), _) if !strains.is_empty() => {
                 let mut hot = cold.clone();
-                for (k, strain) in strains.iter().enumerate() {
-                    let name = k.checked_sub(1).map_or(HEAT.to_string(), unit_name);
-                    hot.add_load(LoadCase::new(name).with(strain.clone())).map_err(no_field)?;
-                }
+                let name = |k: usize| k.checked_sub(1).map_or(HEAT.to_string(), unit_name);
+                let cases = strains.iter().enumerate().map(|(k, strain)| LoadCase::new(name(k)).with(strain.clone()));
+                hot.add_loads(cases.collect()).map_err(no_field)?;
                 Ok(hot.interface)
             }
             (Temperatures::Fields(_) | Temperatures::Strains(_), _) => Ok(cold.interface.clone()),
