@@ -18,7 +18,11 @@ pub(crate) fn graded(mesh: &Mesh, points: &[[f64; 2]], ledges: [f64; 2], layers:
     for side in order {
         let ends = ends(&mesh, side)?;
         let at = |x: &[f64; 2]| ends.iter().any(|end| near(*end, *x, &ends));
-        let widest = points.iter().filter(|x| at(x)).map(|x| longest_edge(&mesh, *x)).fold(0.0, f64::max);
+        // The triangle stands at the end of contact, beside whatever cells are there.
+        let contact = mesh.boundary(CONTACT)?;
+        let touches = |vertex: usize| contact.iter().any(|e| mesh.edges[*e].vertices.contains(&vertex));
+        let touching = points.iter().filter(|x| at(x) && touches(mesh.nearest_vertex(**x)));
+        let widest = touching.map(|x| longest_edge(&mesh, *x)).fold(0.0, f64::max);
         let down = ((widest / ledges[side]).ln() / (1.0 / RATIO).ln()).ceil().max(0.0) as usize;
         mesh = towards(&mesh, &points, down.min(left))?;
         left -= down.min(left);

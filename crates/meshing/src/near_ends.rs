@@ -1,4 +1,4 @@
-//! Ends of contact next to an end of the surface: the cells there are graded to their distance first, then cut.
+//! Ends of contact next to an end of the surface: the cells there are graded to their distance first, by layers that make them square, then cut.
 
 use hpfem::{Error, Mesh};
 

@@ -1,5 +1,6 @@
-//! Cells at the ends of the contact surface that are longer than high, in a thin body or a lining: cut beside the ends, in both bodies alike. The fields
-//! at a corner change over the distance from it, and layers keep the shape of the cells that they are cut from.
+//! Cells at the ends of the contact surface that are longer than high, as in a thin body or a lining: cut beside the ends at the same places of both bodies,
+//! from side to side in a low body and around the ends in a high one, and beyond the ends in each by itself. The fields at a corner change over the distance
+//! from it, and layers keep the shape of the cells that they are cut from.
 
 use hpfem::Mesh;
 
@@ -18,6 +19,8 @@ const ROOM: f64 = 2.0;
 const ROOM_BEYOND: f64 = 4.0;
 /// Height of a cell over the distance of the first cut, beyond which it is cut around the end and not from side to side.
 const HIGH: f64 = 2.0;
+/// Longest edge at a singular point away from the contact over the shortest, beyond which there are rows of cells beside it.
+const SLENDER: f64 = 4.0;
 /// The distances of an independent mesh over these.
 const SHIFTED: f64 = 0.8;
 /// What round-off may do to a ratio of lengths: scenes that are alike but for that have the same cuts.
@@ -52,7 +55,8 @@ pub(crate) fn cut_beside(bodies: &mut [Coarse; 2], extent: Extent, cut: Cut<'_>)
                 cut_across(mesh, extent, [end, corner.other], share, cuts)
             }
         };
-        if let Some(cut) = both([cut(0), cut(1)]).filter(|[a, b]| touching(a) == touching(b)) {
+        let in_rows = |body: usize| cut(body).map(|mesh| in_rows(mesh, &bodies[body]));
+        if let Some(cut) = both([in_rows(0), in_rows(1)]) {
             bodies.iter_mut().zip(cut).for_each(|(body, mesh)| body.mesh = mesh);
         }
     }
@@ -120,7 +124,42 @@ fn cut_across(mesh: &Mesh, extent: Extent, [end, other]: [f64; 2], share: f64, c
         let (edge, t) = cut.boundary(CONTACT).ok()?.into_iter().map(parameter).find(|(_, t)| t.abs() < 1.0)?;
         cut = cut.cut_through(edge, t).ok()?;
     }
-    Some(cut)
+    (touching(&cut) == touching(mesh) + cuts).then_some(cut)
+}
+
+/// The mesh with cells that a cut from side to side has made slender at singular points away from the contact, as where a thin lining ends on its back, cut
+/// in rows beside these.
+fn in_rows(mut mesh: Mesh, before: &Coarse) -> Mesh {
+    for x in &before.singular {
+        let own = edges_at(&mesh, *x);
+        let all = |edges: &[(usize, f64)]| edges.iter().map(|(_, length)| length).sum::<f64>();
+        let short = own.iter().map(|(_, length)| *length).fold(f64::INFINITY, f64::min);
+        let long = own.iter().map(|(_, length)| *length).fold(0.0, f64::max);
+        let is_cut = all(&own) < (1.0 - ROUND_OFF) * all(&edges_at(&before.mesh, *x));
+        let touches = mesh.boundary(CONTACT).is_ok_and(|contact| own.iter().any(|(e, _)| contact.contains(e)));
+        if touches || !is_cut || long <= (1.0 + ROUND_OFF) * SLENDER * short {
+            continue;
+        }
+        let cuts = ((long / (ROOM * short)).ln() / GROWTH.ln() - ROUND_OFF).ceil() as usize;
+        for left in (1..=cuts).rev() {
+            let longest = edges_at(&mesh, *x).into_iter().max_by(|a, b| a.1.total_cmp(&b.1));
+            let Some((edge, length)) = longest else { break };
+            let t = 2.0 * (short / length).powf(1.0 / left as f64) - 1.0;
+            let starts = mesh.edges[edge].vertices[0] == mesh.nearest_vertex(*x);
+            match mesh.cut_through(edge, if starts { t } else { -t }) {
+                Ok(cut) if touching(&cut) == touching(&mesh) => mesh = cut,
+                _ => break,
+            }
+        }
+    }
+    mesh
+}
+
+/// The edges at the vertex at a point, with their lengths (mm).
+fn edges_at(mesh: &Mesh, x: [f64; 2]) -> Vec<(usize, f64)> {
+    let vertex = mesh.nearest_vertex(x);
+    let own = mesh.edges.iter().enumerate().filter(|(_, edge)| edge.vertices.contains(&vertex));
+    own.map(|(e, edge)| (e, edge.curve.length())).collect()
 }
 
 /// Number of cells on the contact surface.

@@ -124,8 +124,8 @@ fn cycles_that_are_alike_are_taken_at_once() {
     let pieces = format!("--set sliding={{speed=50}} --set schedule={{time=[{}],speed=[{speeds}]}}", times.join(","));
     let stepped =
         run(&bench, "stepped", &format!("{wears} {pieces} --set wear.until={}", 2.0 * half * f64::from(count)))["wear"].clone();
-    assert!(leapt["turns"]["resolved"].as_f64() < Some(15.0), "{leapt}");
-    assert!(leapt["steps"].as_u64() < stepped["steps"].as_u64().map(|steps| steps / 2), "{leapt}");
+    assert!(leapt["turns"]["resolved"].as_f64().unwrap() < 15.0, "{leapt}");
+    assert!(leapt["steps"].as_u64().unwrap() < stepped["steps"].as_u64().unwrap() / 2, "{leapt}");
     for name in ["gap_um", "pressure_MPa"] {
         let off = apart(&column(&bench, "leapt", name), &column(&bench, "stepped", name));
         println!("{name}: {off:.1e}");
@@ -151,7 +151,7 @@ fn a_thousand_long_cycles_come_to_their_end() {
             bench.call(&format!("{scene} -o x{count} --set schedule={{repeat={count},period=0.02,time=[0,0.01],speed=[1,-1]}}"));
         assert_eq!(call.code, 0, "{}", call.err);
         let wear = summary(&bench, &format!("x{count}"))["wear"].clone();
-        assert!(wear["turns"]["resolved"].as_f64() < Some(50.0), "{wear}");
+        assert!(wear["turns"]["resolved"].as_f64().unwrap() < 50.0, "{wear}");
         assert_relative_eq!(wear["time_s"].as_f64().unwrap(), 0.02 * count, max_relative = 1e-12);
         wear["depth_um"].as_f64().unwrap()
     };

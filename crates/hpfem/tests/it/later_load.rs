@@ -103,7 +103,8 @@ fn loads_added_at_once_are_those_added_one_after_the_other() {
             later.add_load(first).unwrap();
             later.add_loads(others.clone()).unwrap();
             problem.load_cases.extend(cases());
-            assert_same(&later, &Body::new(problem).unwrap());
+            let same = Body::new(problem).unwrap();
+            assert_same(&later, &same);
             // All or none: one name is known, or comes twice.
             let name = others[0].name.clone();
             let new = || LoadCase::new("new").with(EdgeTraction::pressure("top", |_| 1.0));
@@ -113,7 +114,11 @@ fn loads_added_at_once_are_those_added_one_after_the_other() {
             assert_eq!(later.add_loads(vec![new(), new()]), Err(Error::DuplicateLoadCase { name: "new".into() }));
             let nowhere = LoadCase::new("roof").with(EdgeTraction::pressure("roof", |_| 1.0));
             assert!(matches!(later.add_loads(vec![new(), nowhere]), Err(Error::NoSuchBoundary { .. })));
-            assert!(!later.interface.load_cases.contains(&"new".to_string()));
+            // Found where the loads are made.
+            let outside = LoadCase::new("far").with(PointForce::new([9.0, 9.0], [1.0, 0.0]));
+            assert!(matches!(later.add_loads(vec![new(), outside]), Err(Error::OutsideMesh { .. })));
+            assert_same(&later, &same);
+            assert_eq!(later.problem().load_cases.len(), same.problem().load_cases.len());
         }
     }
 }

@@ -62,6 +62,41 @@ fn cells_at_the_ends_of_a_thin_body_are_cut_until_they_are_no_longer_slender_in_
     }
 }
 
+/// Where a lining ends on its back the fields are singular too, and cuts through the lining go on through the back.
+#[test]
+fn cells_of_the_back_are_no_longer_slender_where_a_thin_lining_ends_on_it() {
+    for bond in [205.0, 201.0, 200.3, 200.03] {
+        let shoe = SHOE_CELLS.replace("radius = 210", &format!("radius = {bond}"));
+        for drum in [DRUM, "ring = { inner = 198, outer = 200 }"] {
+            let (couple, extent) = pressed((&shoe, "inner"), (drum, "outer"));
+            for cut in [Cut::Plain, Cut::Shifted] {
+                let [one, other] = meshes(&couple, extent, 0, cut).unwrap();
+                for degrees in [-30.0_f64, 30.0] {
+                    let [sine, cosine] = [degrees.to_radians().sin(), degrees.to_radians().cos()];
+                    let most = slenderness(&one, [bond * sine, bond * cosine]);
+                    assert!(most < 4.5, "{bond} {drum} {cut:?}: {most}");
+                }
+                assert_eq!(breaks(&couple, extent, &one).len(), breaks(&couple, extent, &other).len());
+            }
+        }
+    }
+}
+
+/// What a plate is longer than its punch by, from less than the cells at the ends to much more, in thick bodies and thin ones.
+#[test]
+fn a_plate_that_stands_out_a_little_is_meshed_however_thin_the_bodies_are() {
+    for [height, depth] in [[100.0, 100.0], [0.06, 100.0], [100.0, 0.06], [0.06, 0.06]] {
+        for out in [0.003, 0.03, 0.1, 0.2, 0.5, 1.0, 10.0] {
+            let punch = format!("rectangle = {{ x = [-30, 30], z = [0, {height}] }}");
+            let plate = format!("rectangle = {{ x = [-{}, 60], z = [-{depth}, 0] }}", 30.0 + out);
+            let (couple, extent) = pressed((&punch, "bottom"), (&plate, "top"));
+            let [one, other] = meshes(&couple, extent, 14, Cut::Plain).unwrap();
+            let [own, faced] = [&one, &other].map(|mesh| breaks(&couple, extent, mesh));
+            assert_eq!(own.len(), faced.len(), "{height} {depth} {out}");
+        }
+    }
+}
+
 /// A pad whose lowest cells are 1/27 as high as long, which takes just two cuts (the second at 1/6, of which half is 1/3): round-off of its lengths takes
 /// no third.
 #[test]
