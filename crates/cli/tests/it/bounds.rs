@@ -208,6 +208,17 @@ fn a_pressure_too_steep_to_be_integrated_is_refused_in_half_a_gigabyte() {
     assert!(bench.read("x/summary.json").contains("the pressure is so steep that its integrals over the surface need more than"));
 }
 
+/// A drum on a hub of a ten thousandth of a millimetre turns about it so far that its gap is round-off, which is not a gap of nothing.
+#[test]
+fn a_gap_that_round_off_hides_is_told_as_one_whose_error_is_not_known() {
+    let bench = Bench::new();
+    let call = bench.call("run drum-brake-block --set body2.geometry.ring.inner=1e-4 -o x");
+    assert_eq!(call.code, 1, "{}", call.err);
+    assert!(call.out.contains("the proof fails") && !call.out.contains("nothing is to be taken off"), "{}", call.out);
+    let summary: serde_json::Value = serde_json::from_str(&bench.read("x/summary.json")).unwrap();
+    assert!(summary["error"]["gap_relative"].is_null(), "{}", summary["error"]);
+}
+
 /// A body a thousand million times as high as wide has cells of sizes without common digits: said, or computed, but no fault of the program.
 #[test]
 fn a_body_of_any_height_has_cells_or_is_refused() {

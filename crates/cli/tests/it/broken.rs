@@ -172,6 +172,15 @@ fn a_ratio_of_one_half_is_refused() {
 }
 
 #[test]
+fn a_ratio_next_to_one_half_is_refused_at_the_material_where_volume_counts() {
+    let bench = Bench::new();
+    let call = bench.call("run drum-brake-block -o x --set kinematics=plane-strain --set body1.material.poisson=0.4999999");
+    assert_eq!(call.code, 2, "{}", call.err);
+    assert!(call.err.contains("--set body1.material.poisson") && call.err.contains("at most 0.49999"), "{}", call.err);
+    assert_eq!(bench.call("check drum-brake-block --set body1.material.poisson=0.4999999").code, 0);
+}
+
+#[test]
 fn arcs_that_do_not_touch_are_refused() {
     let apart = SOUND.replacen("outer = 200", "outer = 201", 1);
     let contact = SOUND[..SOUND.find("contact = ").unwrap()].matches('\n').count() + 1;

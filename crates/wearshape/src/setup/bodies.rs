@@ -5,6 +5,7 @@ use std::sync::Arc;
 use meshing::{Body, BodyLoad, Files, outline, outside, read_cells, sound, sound_body_loads, sound_material};
 use scene::{Component, Fault, Kinematics, Scene, Support, did_you_mean, missing, positive};
 
+use crate::setup::materials::compressible;
 use crate::setup::{one_way, start_gap};
 
 /// Checks both bodies and the contact, and fills in their defaults. None of a surface alone.
@@ -34,6 +35,9 @@ pub(super) fn resolve(scene: &mut Scene, files: Files<'_>) -> Result<Option<(hpf
             return Err(missing(name, why, &format!("{name}.geometry.rectangle = {{ x = [-30, 30], z = [0, 100] }}")));
         };
         bodies.push(one_body(name, body, axisymmetric, files)?);
+        if scene.kinematics != Some(Kinematics::PlaneStress) {
+            compressible(name, body)?;
+        }
     }
     contact_edges(scene, &mut bodies, files)?;
     let thickness = scene.thickness.map_or(1.0, |thickness| thickness.0);

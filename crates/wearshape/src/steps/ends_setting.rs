@@ -68,7 +68,7 @@ impl<'a> Setting<'a> {
         let carried = self.shear.abs() / most;
         if approach.is_none() && carried >= 1.0 {
             return Err(Refusal::Reason(format!(
-                "the shear force {} N is more than friction carries, {most} N",
+                "the shear force {} N is no less than friction carries, {most} N",
                 self.shear.abs()
             )));
         }

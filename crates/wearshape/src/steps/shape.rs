@@ -219,6 +219,12 @@ impl<'a> Shaper<'a> {
             // A proof that fails says more than an estimate that is missed: the estimate is then not to be believed either.
             let disproof = disproved([same.miss, independent.miss], outcome.error.gap_relative, !self.ends.is_empty());
             result.proof_failed = disproof.is_some();
+            if result.proof_failed && result.flat {
+                // No gap is found, and it is not nothing: round-off hides it.
+                result.flat = false;
+                let pressure = outcome.error.how.split_once("; pressure: ").map(|(_, how)| how.to_string());
+                outcome.error = error_of_gap(None, stage.problem.measure(), "", &pressure.unwrap_or_default());
+            }
             outcome.ended = disproof.or(outcome.ended.take());
             // Its meshes and factorisations are counted, its seconds are those of the proof.
             effort.counters.factorisations = independent.effort.counters.factorisations;
