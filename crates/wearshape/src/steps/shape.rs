@@ -135,6 +135,11 @@ fn error_of_gap(error: Option<f64>, measure: Measure, told_by: &str, pressure: &
     ErrorResult { gap_relative: error, how, ..ErrorResult::default() }
 }
 
+/// The error of a gap that is as good as nothing and whose proof fails: round-off hides it, and how far it is off is not known.
+fn hidden(error: &ErrorResult) -> ErrorResult {
+    error_of_gap(None, Measure::Largest, "", error.how.split_once("; pressure: ").map_or("", |(_, how)| how))
+}
+
 /// The problem under the force that the pressure really carries, where that is not the load (`optimum.balance = "paper"` on an arc): bodies out
 /// of balance have no shape.
 fn balanced(problem: &Problem, optimum: &wear::Optimum) -> Option<Problem> {
@@ -220,10 +225,7 @@ impl<'a> Shaper<'a> {
             let disproof = disproved([same.miss, independent.miss], outcome.error.gap_relative, !self.ends.is_empty());
             result.proof_failed = disproof.is_some();
             if result.proof_failed && result.flat {
-                // No gap is found, and it is not nothing: round-off hides it.
-                result.flat = false;
-                let pressure = outcome.error.how.split_once("; pressure: ").map(|(_, how)| how.to_string());
-                outcome.error = error_of_gap(None, stage.problem.measure(), "", &pressure.unwrap_or_default());
+                (result.flat, outcome.error) = (false, hidden(&outcome.error));
             }
             outcome.ended = disproof.or(outcome.ended.take());
             // Its meshes and factorisations are counted, its seconds are those of the proof.
