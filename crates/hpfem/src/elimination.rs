@@ -126,7 +126,10 @@ pub(crate) struct Forward {
 
 impl Forward {
     /// Each right-hand side by itself.
-    pub(crate) fn columns(&self) -> Vec<Forward> {
+    pub(crate) fn columns(self) -> Vec<Forward> {
+        if self.work.ncols() == 1 {
+            return vec![self];
+        }
         let column = |m: &Mat<f64>, k: usize| if m.ncols() > 0 { m.subcols(k, 1).to_owned() } else { Mat::new() };
         let of =
             |k: usize| Forward { parts: self.parts.iter().map(|part| column(part, k)).collect(), work: column(&self.work, k) };

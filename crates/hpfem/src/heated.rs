@@ -15,6 +15,7 @@ use crate::error::Error;
 use crate::interface::{InterfaceOperator, InterfaceState};
 use crate::known_heat::{Own, TemperatureCase};
 use crate::space::Target;
+use crate::summed::Summed;
 use faer::Mat;
 use std::sync::{Arc, OnceLock};
 
@@ -32,16 +33,6 @@ struct CellHeat {
     constant: Vec<(usize, Vec<f64>)>,
     /// Work on the interior that other load cases displace; none without loads inside.
     work: Option<Mat<f64>>,
-}
-
-/// What all cells of a body take of the temperatures.
-struct Summed {
-    /// Loads on the unknowns of each group, a column a temperature; empty for zero.
-    values: Vec<Mat<f64>>,
-    /// Constant parts of the reactions, `reactions x temperatures`.
-    constant: Mat<f64>,
-    /// Work on the interior that other load cases displace, `cases x temperatures`.
-    inner: Mat<f64>,
 }
 
 /// Both problems of one mesh, and the temperatures on the groups of theirs.
@@ -75,19 +66,8 @@ impl Body {
         warming.take_values(heats);
         let heating = Heating { elastic, warming, heats };
         let many = cases.len();
-        let first = self.interface.columns.ncols() - self.added.len();
-        let Summed { mut values, constant, inner } = self.summed(&heating, many)?;
-        let mut size = space.size.clone();
-        size.push(first);
-        values.push(Mat::new());
-        let forward = self.factored.condensed.forward(&mut values, &size, [first, many]);
-        let mut columns = Mat::<f64>::zeros(self.factored.kept.unknowns, many);
-        for g in &self.factored.kept.groups {
-            let start = self.factored.kept.start[*g].unwrap_or(0);
-            if values[*g].ncols() > 0 {
-                columns.as_mut().subrows_mut(start, space.size[*g]).copy_from(&values[*g]);
-            }
-        }
+        let Summed { values, constant, inner } = self.summed(&heating, many)?;
+        let (forward, columns) = self.eliminated(values, many);
         let work = self.work_with(&forward, &inner);
         if let Some(value) = columns.col_iter().chain(constant.col_iter()).flat_map(|c| c.iter()).find(|v| !v.is_finite()) {
             return Err(Error::OutOfRange { quantity: "the load of a temperature".into(), value: *value, range: "finite" });

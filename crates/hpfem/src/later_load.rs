@@ -9,6 +9,7 @@ use crate::edge_load::Loads;
 use crate::error::Error;
 use crate::interface::InterfaceOperator;
 use crate::load_case::LoadCase;
+use crate::summed::Summed;
 use faer::{Mat, MatRef};
 use std::sync::Arc;
 
@@ -20,16 +21,6 @@ struct CellLoad {
     constant: Vec<(usize, usize, f64)>,
     /// Work of all load cases on the interior that each displaces; none without loads inside.
     work: Option<Mat<f64>>,
-}
-
-/// Sums over the cells that new load cases act on, a column each.
-struct Summed {
-    /// Loads on the unknowns of each group; empty for zero.
-    values: Vec<Mat<f64>>,
-    /// Constant parts of the reactions.
-    constant: Mat<f64>,
-    /// Work on the interior that each load case displaces, `cases x new ones`.
-    inner: Mat<f64>,
 }
 
 impl Body {
@@ -110,20 +101,11 @@ impl Body {
     /// Makes the columns of the last load cases, for which the interface operator has none yet; nothing is changed on an error.
     fn append_columns(&mut self, many: usize) -> Result<(), Error> {
         let factored = Arc::clone(&self.factored);
-        let space = &factored.space;
         let new = self.problem.load_cases.len() - many;
-        let assembly = Assembly::new(&self.problem, space, Loads::new(&self.problem.mesh, &self.problem.load_cases)?);
-        let Summed { mut values, constant, inner } = self.summed_loads(&assembly, new)?;
-        let first = self.interface.columns.ncols() - self.added.len();
-        let mut size = space.size.clone();
-        size.push(first);
-        values.push(Mat::new());
-        let forwards = factored.condensed.forward(&mut values, &size, [first, many]).columns();
-        let mut columns = Mat::zeros(factored.kept.unknowns, many);
-        for g in factored.kept.groups.iter().filter(|g| values[**g].ncols() > 0) {
-            let start = factored.kept.start[*g].unwrap_or(0);
-            columns.as_mut().subrows_mut(start, space.size[*g]).copy_from(&values[*g]);
-        }
+        let assembly = Assembly::new(&self.problem, &factored.space, Loads::new(&self.problem.mesh, &self.problem.load_cases)?);
+        let Summed { values, constant, inner } = self.summed_loads(&assembly, new)?;
+        let (forward, columns) = self.eliminated(values, many);
+        let forwards = forward.columns();
         let unit = assembly.unit;
         let scaled = |v: &[f64]| v.iter().map(|v| unit * v).collect::<Vec<_>>();
         let mut made = Vec::with_capacity(many);

@@ -83,6 +83,7 @@ mod sparse;
 mod spline;
 mod split;
 mod stress;
+mod summed;
 mod tensor_load;
 mod thermal;
 mod trace;

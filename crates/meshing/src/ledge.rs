@@ -19,20 +19,14 @@ pub(crate) fn graded(mesh: &Mesh, points: &[[f64; 2]], ledges: [f64; 2], layers:
         let ends = ends(&mesh, side)?;
         let at = |x: &[f64; 2]| ends.iter().any(|end| near(*end, *x, &ends));
         // The triangle stands at the end of contact, beside whatever cells are there.
-        let contact = mesh.boundary(CONTACT)?;
-        let touches = |vertex: usize| contact.iter().any(|e| mesh.edges[*e].vertices.contains(&vertex));
-        let touching = points.iter().filter(|x| at(x) && touches(mesh.nearest_vertex(**x)));
+        let touching = points.iter().filter(|x| at(x) && touches(&mesh, **x));
         let widest = touching.map(|x| longest_edge(&mesh, *x)).fold(0.0, f64::max);
         let down = ((widest / ledges[side]).ln() / (1.0 / RATIO).ln()).ceil().max(0.0) as usize;
         mesh = towards(&mesh, &points, down.min(left))?;
         left -= down.min(left);
         // Corners of the far side go along with the ledge, the end of contact stays where it is.
-        let contact = mesh.boundary(CONTACT)?;
-        for x in points.iter_mut().filter(|x| at(x)) {
-            let vertex = mesh.nearest_vertex(*x);
-            if !contact.iter().any(|e| mesh.edges[*e].vertices.contains(&vertex)) {
-                x[0] += step(side, ledges[side]);
-            }
+        for x in points.iter_mut().filter(|x| at(x) && !touches(&mesh, **x)) {
+            x[0] += step(side, ledges[side]);
         }
         mesh = widened(&mesh, side, ledges[side])?;
         // Over the width of the ledge nothing falls off: its cells keep their degree.
@@ -61,6 +55,12 @@ fn ends(mesh: &Mesh, side: usize) -> Result<[[f64; 2]; 2], Error> {
 /// Whether two points are one, measured by the length of the side.
 fn near(a: [f64; 2], b: [f64; 2], [low, high]: &[[f64; 2]; 2]) -> bool {
     (a[0] - b[0]).hypot(a[1] - b[1]) <= 1e-9 * (high[1] - low[1])
+}
+
+/// Whether the vertex at a point lies on the contact surface.
+fn touches(mesh: &Mesh, x: [f64; 2]) -> bool {
+    let vertex = mesh.nearest_vertex(x);
+    mesh.boundary(CONTACT).is_ok_and(|contact| contact.iter().any(|e| mesh.edges[*e].vertices.contains(&vertex)))
 }
 
 /// Length of the longest edge at the vertex at a point.

@@ -12,7 +12,7 @@ use crate::outline::touches_all_around;
 
 /// Share of the contact up to which what body 2 is longer is added to its graded mesh.
 const LEDGE: f64 = 0.01;
-/// The same over the height of the lowest body, as which the cells there are cut.
+/// The same over the height of body 2: cells beyond the contact of a thin one are cut as its height asks for.
 const LEDGE_BY_HEIGHT: f64 = 2.0;
 /// Share of the contact up to which both bodies end at one place.
 const SAME_END: f64 = 1e-9;
@@ -298,10 +298,10 @@ fn ring_levels(inner: f64, outer: f64, width: f64, contact: Side) -> Vec<f64> {
     levels
 }
 
-/// How far body 2 reaches beyond the contact where that is little of its length and of the `lowest` body's height (mm); its ends are drawn back to those of
+/// How far body 2 reaches beyond the contact where that is little of its length and of its `height` (mm); its ends are drawn back to those of
 /// the contact.
-fn ledges(x: &mut [f64; 2], ends: [f64; 2], (lowest, revolved): (f64, bool)) -> [f64; 2] {
-    let most = (LEDGE * (ends[1] - ends[0])).min(LEDGE_BY_HEIGHT * lowest);
+fn ledges(x: &mut [f64; 2], ends: [f64; 2], (height, revolved): (f64, bool)) -> [f64; 2] {
+    let most = (LEDGE * (ends[1] - ends[0])).min(LEDGE_BY_HEIGHT * height);
     [0, 1].map(|side| {
         let beyond = if side == 0 { ends[0] - x[0] } else { x[1] - ends[1] };
         // A ledge up to the axis has no side there.
@@ -313,19 +313,10 @@ fn ledges(x: &mut [f64; 2], ends: [f64; 2], (lowest, revolved): (f64, bool)) -> 
     })
 }
 
-/// Height of the lowest rectangle of a couple (mm).
-fn lowest(couple: &Couple) -> f64 {
-    let height = |body: &Body| match &body.geometry {
-        Geometry::Rectangle(Rectangle { z: [bottom, top], .. }) => top.0 - bottom.0,
-        _ => f64::INFINITY,
-    };
-    couple.bodies.iter().map(height).fold(f64::INFINITY, f64::min)
-}
-
 fn block(couple: &Couple, rectangle: &Rectangle, cuts: &[f64], shaped: bool, cut: Cut<'_>) -> Result<Coarse, hpfem::Error> {
     let (mut x, z) = (rectangle.x.map(|x| x.0), rectangle.z.map(|z| z.0));
     let ends = [cuts[0], cuts[cuts.len() - 1]];
-    let ledges = if shaped { [0.0; 2] } else { ledges(&mut x, ends, (lowest(couple), couple.is_revolved())) };
+    let ledges = if shaped { [0.0; 2] } else { ledges(&mut x, ends, (z[1] - z[0], couple.is_revolved())) };
     let (contact_side, contact_z) = if shaped { (Side::Bottom, z[0]) } else { (Side::Top, z[1]) };
     let step = widest(cuts);
     let points = merged(cuts.iter().copied().chain(x).collect());

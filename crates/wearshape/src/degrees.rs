@@ -28,7 +28,7 @@ const STRAIGHT: f64 = 1e-6;
 
 /// The degrees of the cells of body 1 and body 2; that of the level on a level that is even. Cells that face each other on the contact surface have the same
 /// one, the higher of both, so that contact stays nodal. Where the surfaces do not lie `together`, ends of contact may come to lie anywhere on them: the
-/// cells there have that of the level, and the distances of the others are measured from all their corners on it.
+/// cells there have that of the level, and the distances of the others are measured from every corner on it.
 pub(crate) fn degrees(meshes: [&Mesh; 2], level: Level, together: bool) -> [Vec<usize>; 2] {
     if level.even {
         return meshes.map(|mesh| mesh.cells.iter().map(|cell| level.degree_in(cell.layer)).collect());
