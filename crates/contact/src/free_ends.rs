@@ -1,6 +1,6 @@
 //! Ends of contact inside the surface, followed from level to level of discretisation: element nodes are moved onto all of them.
 
-use crate::positioning::{Start, position_nodes};
+use crate::positioning::{Start, by_differences, position_nodes};
 use crate::solution::ContactSolution;
 use crate::status::Status;
 use crate::zones::without_slivers;
@@ -73,6 +73,34 @@ impl FreeEnds {
         self.jacobian.as_ref().and_then(|jacobian| jacobian.get((end, end))).copied()
     }
 
+    /// Whether an odd number of branches lies between this contact and one that is unique: there the determinant of the derivatives of the pressures at the
+    /// ends by their places has one sign, that of ends each of which moves its own pressure alone, and it changes where contacts branch. Frictional heat
+    /// that crosses the contact makes them, for the places of the ends change it. `held` is that of [`FreeEnds::position`]; it is asked only where
+    /// the derivatives that the last search left have the other sign.
+    ///
+    /// # Errors
+    /// Those of `held`.
+    pub fn branched<T, E>(&self, mut held: impl FnMut(&[f64]) -> Result<Option<(Vec<f64>, T)>, E>) -> Result<bool, E> {
+        if !self.jacobian.as_ref().is_some_and(|jacobian| self.turned(jacobian)) {
+            return Ok(false);
+        }
+        let mut pressures = |places: &[f64]| held(places).map_err(Some)?.ok_or(None);
+        let start = Start { places: &self.places, jacobian: None, apart: false, tolerance: 0.0, share: 0.0, within: [-1.0, 1.0] };
+        let jacobian = pressures(&self.places).and_then(|(here, _)| by_differences(&start, &here, &mut pressures));
+        match jacobian {
+            Ok(jacobian) => Ok(self.turned(&jacobian)),
+            Err(None) => Ok(false),
+            Err(Some(error)) => Err(error),
+        }
+    }
+
+    /// Whether derivatives have a determinant of the other sign than those of ends for themselves: pressure rises at an end that leaves more open.
+    fn turned(&self, jacobian: &DMatrix<f64>) -> bool {
+        let closes = |end: usize| end.is_multiple_of(2) == self.starts_closed;
+        let alone: f64 = (0..self.places.len()).map(|end| if closes(end) { -1.0 } else { 1.0 }).product();
+        jacobian.clone().lu().determinant() * alone < 0.0
+    }
+
     /// All ends of contact as arc lengths on a surface of the given length, its own ends included where they are in contact.
     pub fn arcs(&self, length: f64) -> Vec<f64> {
         let mut arcs: Vec<f64> = self.refined.iter().map(|t| 0.5 * (1.0 + t) * length).collect();
@@ -138,7 +166,7 @@ impl FreeEnds {
 
 #[cfg(test)]
 mod tests {
-    use super::FreeEnds;
+    use super::{DMatrix, FreeEnds};
 
     fn at(places: &[f64], starts_closed: bool) -> FreeEnds {
         FreeEnds { places: places.to_vec(), refined: places.to_vec(), starts_closed, ..FreeEnds::default() }
@@ -173,6 +201,38 @@ mod tests {
         let (second, _) = search(&first);
         assert!((second.arcs(2.0)[0] - 1.3).abs() < 1e-6 && (second.arcs(2.0)[1] - 1.7).abs() < 1e-6);
         assert!(meshes < 16);
+    }
+
+    /// Two ends, of which each moves the pressure at the other by so much of what it moves its own.
+    #[test]
+    fn a_contact_beyond_a_branch_is_told_by_ends_that_move_each_other_more_than_themselves() {
+        for (coupling, starts_closed) in [(0.5, false), (2.0, false), (0.5, true), (2.0, true)] {
+            let sign = if starts_closed { -1.0 } else { 1.0 };
+            let pressures = |places: &[f64]| {
+                let off = [places[0] - 0.3, places[1] - 0.7];
+                vec![sign * (off[0] - coupling * off[1]), -sign * (off[1] - coupling * off[0])]
+            };
+            let before = FreeEnds { jacobian: Some(derivatives(coupling, sign)), ..at(&[0.3, 0.7], starts_closed) };
+            let mut asked = 0;
+            let branched = before.branched(|places| -> Result<_, ()> {
+                asked += 1;
+                Ok(Some((pressures(places), ())))
+            });
+            assert_eq!(
+                (branched, asked),
+                if coupling > 1.0 { (Ok(true), 3) } else { (Ok(false), 0) },
+                "{coupling} {starts_closed}"
+            );
+            // Derivatives of a search that has gone astray are not believed.
+            let astray = FreeEnds { jacobian: Some(derivatives(3.0, sign)), ..before.clone() };
+            let asked = astray.branched(|places| -> Result<_, ()> { Ok(Some((pressures(places), ()))) });
+            assert_eq!(asked, Ok(coupling > 1.0), "{coupling} {starts_closed}");
+        }
+        assert_eq!(at(&[0.3, 0.7], false).branched(|_| -> Result<Option<(Vec<f64>, ())>, i32> { Err(3) }), Ok(false));
+    }
+
+    fn derivatives(coupling: f64, sign: f64) -> DMatrix<f64> {
+        DMatrix::from_row_slice(2, 2, &[sign, -sign * coupling, sign * coupling, -sign])
     }
 
     #[test]

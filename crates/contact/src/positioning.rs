@@ -215,7 +215,7 @@ struct Tried {
 
 /// Derivatives of the residuals by the places, from differences over a thousandth of their extent, or a quarter of the way to a bound that is nearer:
 /// each place by itself, or all at once where residuals are apart.
-fn by_differences<T, E>(
+pub(crate) fn by_differences<T, E>(
     start: &Start<'_>,
     value: &[f64],
     evaluate: &mut impl FnMut(&[f64]) -> Result<(Vec<f64>, T), E>,

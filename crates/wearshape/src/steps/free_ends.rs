@@ -47,33 +47,47 @@ fn position_at<'a>(
     (ends, speed): (&FreeEnds, f64),
     work: &mut Effort,
 ) -> Result<Option<(FreeEnds, Positioned<'a>)>, Fault> {
-    ends.position(TOLERANCE * stage.accuracy(), |places| {
-        if (stage.options.ending)() {
-            return Ok(None);
+    ends.position(TOLERANCE * stage.accuracy(), |places| held(stage, level, (places, ends.starts_closed, speed), work))
+}
+
+/// Whether an odd number of branches lies between a hot contact with these ends and one that is unique.
+pub(crate) fn branched(stage: Stage<'_>, level: Level, ends: &FreeEnds, work: &mut Effort) -> Result<bool, Fault> {
+    ends.branched(|places| held(stage, level, (places, ends.starts_closed, 1.0), work))
+}
+
+/// Bodies with nodes at places on the surface, the solution with the points between them held in contact, at a part of the sliding speed of a scene with
+/// heat, and the pressures at the nodes; `None` where there are no such bodies.
+fn held<'a>(
+    stage: Stage<'a>,
+    level: Level,
+    (places, starts_closed, speed): (&[f64], bool, f64),
+    work: &mut Effort,
+) -> Result<Option<(Vec<f64>, Positioned<'a>)>, Fault> {
+    if (stage.options.ending)() {
+        return Ok(None);
+    }
+    let Some((reduced, following)) = bodies(stage, level, places, work)? else { return Ok(None) };
+    work.counters.contact_solves += 1;
+    let pair = reduced.pair()?;
+    let length = pair.trace().length();
+    let arcs: Vec<f64> = places.iter().map(|t| 0.5 * (1.0 + t) * length).collect();
+    let (nodes, closed) = held_between(&pair.points(), &arcs, starts_closed);
+    let shear = stage.friction() > 0.0;
+    let operator = work.timed(Step::Interface, stage.clock(), |_| reduced.factorised(&pair, shear, Some(&closed)))?;
+    let gap = start_gaps(stage, &operator);
+    let load = stage.contact_load(operator.points());
+    let found = work.timed(Step::Interface, stage.clock(), |_| match &following {
+        Some(following) => {
+            Ok(following.held(&operator, &gap, &load, (speed, &closed))?.map(|hot| (hot.found.clone(), Some(hot))))
         }
-        let Some((reduced, following)) = bodies(stage, level, places, work)? else { return Ok(None) };
-        work.counters.contact_solves += 1;
-        let pair = reduced.pair()?;
-        let length = pair.trace().length();
-        let arcs: Vec<f64> = places.iter().map(|t| 0.5 * (1.0 + t) * length).collect();
-        let (nodes, closed) = held_between(&pair.points(), &arcs, ends.starts_closed);
-        let shear = stage.friction() > 0.0;
-        let operator = work.timed(Step::Interface, stage.clock(), |_| reduced.factorised(&pair, shear, Some(&closed)))?;
-        let gap = start_gaps(stage, &operator);
-        let load = stage.contact_load(operator.points());
-        let found = work.timed(Step::Interface, stage.clock(), |_| match &following {
-            Some(following) => {
-                Ok(following.held(&operator, &gap, &load, (speed, &closed))?.map(|hot| (hot.found.clone(), Some(hot))))
-            }
-            None => Ok(operator.solve_on(&gap, &load, &closed).map_err(unsolved)?.map(|held| (held, None))),
-        })?;
-        let Some((held, hot)) = found else { return Ok(None) };
-        // The root of the node's share of the surface takes away how the pressure of a sharp end grows with the level.
-        let scaled = |n: &usize| held.pressure[*n] * operator.points()[*n].weight.sqrt();
-        let residuals = nodes.iter().map(scaled).collect();
-        let hot = following.zip(hot).map(|(following, hot)| HotContact { stage, following, hot });
-        Ok(Some((residuals, Positioned { reduced: Arc::clone(&reduced), held, hot })))
-    })
+        None => Ok(operator.solve_on(&gap, &load, &closed).map_err(unsolved)?.map(|held| (held, None))),
+    })?;
+    let Some((held, hot)) = found else { return Ok(None) };
+    // The root of the node's share of the surface takes away how the pressure of a sharp end grows with the level.
+    let scaled = |n: &usize| held.pressure[*n] * operator.points()[*n].weight.sqrt();
+    let residuals = nodes.iter().map(scaled).collect();
+    let hot = following.zip(hot).map(|(following, hot)| HotContact { stage, following, hot });
+    Ok(Some((residuals, Positioned { reduced: Arc::clone(&reduced), held, hot })))
 }
 
 /// Steps of the sliding speed along which ends are followed, over it: the first, and the smallest.

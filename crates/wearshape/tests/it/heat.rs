@@ -1,6 +1,6 @@
 //! Frictional heat: temperatures, powers and distortions against closed forms.
 
-use wearshape::{Bodies, Document, Fault, Options, Problem, Profile, Solution, SpeedFactor, Status, solve};
+use wearshape::{Bodies, ContactStatus, Document, Fault, Options, Problem, Profile, Solution, SpeedFactor, Status, solve};
 
 use crate::common::{read, scene, solved};
 
@@ -288,6 +288,22 @@ fn a_narrow_hot_contact_that_a_coarse_mesh_loses_is_followed_with_nodes_on_its_e
     near(found.p_max.unwrap(), 1.0947, 1e-2);
     let [from, to] = <[f64; 2]>::try_from(found.ends).unwrap();
     assert!((from - 71.63).abs() < 0.02 && (to - 80.70).abs() < 0.02, "{from} to {to}");
+}
+
+/// At four times its speed the annulus touches inside its width, in one place or the other: the heat that crosses the contact depends on where it ends.
+/// Points held in contact have a critical speed far beyond either.
+#[test]
+fn a_hot_contact_whose_ends_have_branched_is_refused_by_name() {
+    let found = |speed: &str, mesh: [&str; 2]| solved(&scene("clutch-hot", &["tasks=[contact]", speed, mesh[0], mesh[1]]));
+    let branched = found("sliding.omega=8.4", ["mesh.degree=6", "mesh.layers=6"]);
+    assert!(
+        matches!(&branched.status, Status::Refused) && branched.remarks.iter().any(|remark| remark.code == "several-solutions")
+    );
+    let contact = branched.contact.unwrap();
+    assert!(contact.status == ContactStatus::NotUnique && (contact.ends[0] - 85.2).abs() < 0.1, "{:?}", contact.ends);
+    let other = found("sliding.omega=8.8", ["mesh.degree=8", "mesh.layers=8"]);
+    assert!(other.status == Status::Ok && other.remarks.is_empty(), "{:?}", other.remarks);
+    assert!((other.contact.unwrap().ends[0] - 90.0).abs() < 0.1);
 }
 
 #[test]
