@@ -1,5 +1,6 @@
 //! Quantities between the contact points: on every edge the polynomial through its points.
 
+use crate::maximum::largest;
 use crate::operator::ContactOperator;
 use crate::pair::Pair;
 use crate::point::ContactPoint;
@@ -58,6 +59,12 @@ impl ContactOperator<'_> {
     /// Pressure at arc length `arc` of one given at the contact points, see [`Pair::closed_value_at`].
     pub fn pressure_at(&self, pressure: &[f64], arc: f64) -> f64 {
         self.pair.closed_value_at(&self.unit.points, pressure, arc)
+    }
+
+    /// Largest pressure, between the contact points as well: that of [`ContactOperator::pressure_at`] next to the point with the largest one.
+    pub fn largest_pressure(&self, pressure: &[f64]) -> f64 {
+        let arcs: Vec<f64> = self.unit.points.iter().map(|point| point.arc).collect();
+        largest(&arcs, pressure, |arc| self.pressure_at(pressure, arc))[1]
     }
 }
 

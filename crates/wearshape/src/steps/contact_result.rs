@@ -21,7 +21,6 @@ pub(crate) fn result(
     let [_, tz, theta] = motions(pair, found);
     let edge_exponents = sharp_edges::exponents(pair, operator, found);
     let singular = !edge_exponents.is_empty();
-    let largest = found.pressure.iter().copied().fold(0.0, f64::max);
     let shear = found.shear.iter().map(|q| q.abs()).fold(0.0, f64::max);
     ContactResult {
         status: (&found.status).into(),
@@ -32,7 +31,7 @@ pub(crate) fn result(
         tilt: theta.map(|t| -t),
         ends: without_slivers(&found.zones, pair.trace().length()).iter().flatten().map(|arc| start + arc).collect(),
         // At a sharp corner the pressure is infinite: its exponent says more than the largest nodal value.
-        p_max: Some(largest).filter(|_| edge_exponents.is_empty()),
+        p_max: Some(operator.largest_pressure(&found.pressure)).filter(|_| !singular),
         edge_exponents,
         stick_ends: Vec::new(),
         q_max: Some(shear).filter(|_| !singular),

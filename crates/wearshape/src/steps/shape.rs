@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use contact::{ContactPoint, Pair};
+use contact::{ContactPoint, Pair, largest};
 use hpfem::InterfaceState;
 use nalgebra::DMatrix;
 use scene::{Balance, Fault};
@@ -184,16 +184,17 @@ impl<'a> Shaper<'a> {
     fn report(&self, solved: &Solved<'a>, passes: usize, outcome: &mut Outcome) -> Result<Effort, Fault> {
         let Solved { reduced, shape, gaps, .. } = solved;
         let (stage, pair) = (self.stage, reduced.pair()?);
-        let most = (0..gaps.len()).max_by(|a, b| gaps[*a].total_cmp(&gaps[*b])).unwrap_or(0);
+        let (arcs, gap) = (self.samples(&pair), |arc: f64| shape.gap(&pair, &pair.at_arc(arc)));
+        let [highest, most] = largest(&arcs, gaps, gap);
         let lowest = match stage.problem.measure() {
             Measure::Largest => 0.0,
-            Measure::Crown => gaps.iter().copied().fold(f64::INFINITY, f64::min),
+            Measure::Crown => -largest(&arcs, &gaps.iter().map(|gap| -gap).collect::<Vec<_>>(), |arc| -gap(arc))[1],
         };
         let mut result = ShapeResult {
             iterations: passes + 1,
-            gap_max: Some(1e3 * gaps[most]),
-            gap_where: Some(stage.start(&pair) + self.samples(&pair)[most]),
-            crown: Some(1e3 * (gaps[most] - lowest)),
+            gap_max: Some(1e3 * most),
+            gap_where: Some(stage.start(&pair) + highest),
+            crown: Some(1e3 * (most - lowest)),
             rigid: shape.rigid.first().copied().filter(|_| stage.couple.bodies[0].pin().is_none()),
             roundtrip_same: None,
             roundtrip_independent: None,

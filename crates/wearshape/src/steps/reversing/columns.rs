@@ -1,6 +1,6 @@
 //! The report of a level: the shape, both pressures, columns and surface to machine.
 
-use contact::{ContactOperator, ContactPoint, ContactSolution, piecewise_linear};
+use contact::{ContactOperator, ContactPoint, ContactSolution, largest, piecewise_linear};
 
 use crate::effort::Effort;
 use crate::ladder::Refusal;
@@ -20,12 +20,14 @@ impl Senses<'_> {
         let pair = solved.reduced.pair()?;
         let operator = solved.reduced.operator(&pair, self.shear())?;
         let (start, length) = (stage.start(&pair), pair.trace().length());
-        let most = (0..solved.gaps.len()).max_by(|a, b| solved.gaps[*a].total_cmp(&solved.gaps[*b])).unwrap_or(0);
+        let between = (solved.gaps.len() - 1) as f64;
+        let arcs: Vec<f64> = (0..solved.gaps.len()).map(|i| length * i as f64 / between).collect();
+        let [highest, most] = largest(&arcs, &solved.gaps, |arc| operator.value_at(&solved.gap, arc));
         let mut shape = ShapeResult {
             iterations: 1,
-            gap_max: Some(1e3 * solved.gaps[most]),
-            gap_where: Some(start + length * most as f64 / (solved.gaps.len() - 1) as f64),
-            crown: Some(1e3 * solved.gaps[most]),
+            gap_max: Some(1e3 * most),
+            gap_where: Some(start + highest),
+            crown: Some(1e3 * most),
             ..ShapeResult::default()
         };
         outcome.pressure = Some(self.pressure(solved, operator.points()));
