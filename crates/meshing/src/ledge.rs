@@ -14,7 +14,9 @@ const SIDES: [&str; 2] = ["left", "right"];
 pub(crate) fn graded(mesh: &Mesh, points: &[[f64; 2]], ledges: [f64; 2], layers: usize) -> Result<Mesh, Error> {
     let (mut mesh, mut points, mut left) = (mesh.clone(), points.to_vec(), layers);
     let mut order: Vec<usize> = (0..2).filter(|side| ledges[*side] > 0.0).collect();
-    order.sort_by(|a, b| ledges[*b].total_cmp(&ledges[*a]));
+    if ledges[1] > ledges[0] {
+        order.reverse();
+    }
     for side in order {
         let ends = ends(&mesh, side)?;
         let at = |x: &[f64; 2]| ends.iter().any(|end| near(*end, *x, &ends));

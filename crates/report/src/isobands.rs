@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use crate::reach::by_value;
 use wearshape::CellGrid;
 
 /// Colours of the bands from low to high: cividis-like steps that colour-blind readers and grey printers tell apart.
@@ -158,7 +159,7 @@ fn quantiles(pieces: &[Vec<Sample>]) -> [f64; 2] {
         (piece.iter().map(|corner| corner.1).sum::<f64>() / piece.len() as f64, area.abs())
     };
     let mut shares: Vec<(f64, f64)> = pieces.iter().map(share).filter(|share| share.0.is_finite()).collect();
-    shares.sort_by(|a, b| a.0.total_cmp(&b.0));
+    by_value(&mut shares);
     let total: f64 = shares.iter().map(|share| share.1).sum();
     let at = |part: f64| {
         let mut sum = 0.0;

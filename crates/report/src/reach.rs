@@ -38,12 +38,17 @@ pub(crate) fn reach<'a>(curves: impl Iterator<Item = &'a [(f64, f64)]>) -> Optio
     (level > 0.0 && peak[1] > SPIKE * level).then_some(Reach { high: ROOM * level, peak })
 }
 
+/// Sorts values, each with its share of the whole.
+pub(crate) fn by_value(rows: &mut [(f64, f64)]) {
+    rows.sort_by(|a, b| a.0.total_cmp(&b.0));
+}
+
 /// The value that a share of the curve's length stays below; where the curve is zero it does not count.
 fn usual(points: &[(f64, f64)], top: f64) -> f64 {
     let last = points.len() - 1;
     let length = |k: usize| 0.5 * (points[(k + 1).min(last)].0 - points[k.saturating_sub(1)].0).abs();
     let mut rows: Vec<(f64, f64)> = (0..=last).map(|k| (points[k].1, length(k))).filter(|row| row.0.abs() > 1e-9 * top).collect();
-    rows.sort_by(|a, b| a.0.total_cmp(&b.0));
+    by_value(&mut rows);
     let whole: f64 = rows.iter().map(|row| row.1).sum();
     let mut below = 0.0;
     let found = rows.iter().find(|row| {
