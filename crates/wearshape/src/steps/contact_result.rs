@@ -21,7 +21,7 @@ pub(crate) fn result(
     let [_, tz, theta] = motions(pair, found);
     let edge_exponents = sharp_edges::exponents(pair, operator, found);
     let singular = !edge_exponents.is_empty();
-    let shear = found.shear.iter().map(|q| q.abs()).fold(0.0, f64::max);
+    let shear: Vec<f64> = found.shear.iter().map(|q| q.abs()).collect();
     ContactResult {
         status: (&found.status).into(),
         force: Some(found.force[1]),
@@ -34,7 +34,7 @@ pub(crate) fn result(
         p_max: Some(operator.largest_pressure(&found.pressure)).filter(|_| !singular),
         edge_exponents,
         stick_ends: Vec::new(),
-        q_max: Some(shear).filter(|_| !singular),
+        q_max: Some(operator.largest_pressure(&shear)).filter(|_| !singular),
         twist: None,
         uniqueness: None,
         complementarity: Some(found.complementarity),

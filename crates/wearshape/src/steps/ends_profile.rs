@@ -190,10 +190,17 @@ impl Rows<'_> {
         }
     }
 
+    /// The largest shear stands at the end of stick, from where on it is `mu p`: its slope is infinite inside, so that values of points are coarse.
+    fn largest_shear(&self) -> f64 {
+        if self.stick_node {
+            return self.setting.friction * self.pressure_at(self.ends[0]);
+        }
+        self.found.shear.iter().fold(0.0, |most, shear| most.max(shear.abs()))
+    }
+
     /// Everything that is reported of the contact.
     pub(crate) fn contact_result(&self) -> ContactResult {
         let (setting, found) = (self.setting, self.found);
-        let largest = |values: &[f64]| values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         let load = &setting.problem.load;
         let about = load.about[0];
         let points = self.operator.points();
@@ -214,7 +221,7 @@ impl Rows<'_> {
             p_max: Some(self.operator.largest_pressure(&found.pressure)),
             edge_exponents: Vec::new(),
             stick_ends: if sheared { self.stick_ends() } else { Vec::new() },
-            q_max: Some(largest(&found.shear)).filter(|_| sheared),
+            q_max: Some(self.largest_shear()).filter(|_| sheared),
             twist: None,
             uniqueness: None,
             complementarity: Some(found.complementarity),

@@ -1,6 +1,6 @@
 //! How exactly a shape has to be made: what small errors of it do to the pressure, and how soon wear removes them.
 
-use contact::ContactPoint;
+use contact::largest;
 use scene::Fault;
 use shapeopt::{SurfacePlace, WearProblem, tolerances};
 
@@ -13,6 +13,8 @@ use crate::steps::shaper::Shaper;
 const AMPLITUDE: f64 = 1e-3;
 /// Part of the mean pressure that a change may reach.
 const ALLOWED: f64 = 0.1;
+/// Part of the surface at either end where no change counts.
+const INNER: f64 = 0.025;
 /// Change below which an error counts as one of the free rigid motions, relative to the largest of all.
 const RIGID: f64 = 1e-6;
 
@@ -47,13 +49,16 @@ pub(crate) fn of(shaper: &Shaper<'_>, reduced: &Reduced, heat: Option<&Following
     let area: f64 = points.iter().map(|p| p.weight).sum();
     let mean = points.iter().zip(&pressure).map(|(p, v)| p.weight * v).sum::<f64>() / area;
     // The ends of contact are sharp: there the change of the pressure may be infinite.
-    let inner = |p: &ContactPoint| (0.025..=0.975).contains(&(p.arc / length));
+    let [from, to] = [INNER, 1.0 - INNER].map(|t| t * length);
+    let inside = points.iter().map(|p| p.arc).filter(|arc| *arc > from && *arc < to);
+    let arcs: Vec<f64> = std::iter::once(from).chain(inside).chain([to]).collect();
     let results: Vec<ToleranceResult> = errors
         .iter()
         .zip(&found)
         .map(|((name, _), effect)| {
             let pairs = || points.iter().zip(&effect.change);
-            let most = pairs().filter(|(p, _)| inner(p)).map(|(_, c)| c.abs()).fold(0.0, f64::max) / mean;
+            let change = |arc: f64| operator.value_at(&effect.change, arc).abs();
+            let most = largest(&arcs, &arcs.iter().map(|arc| change(*arc)).collect::<Vec<_>>(), change)[1] / mean;
             let square = pairs().map(|(p, c)| p.weight * c * c).sum::<f64>() / area;
             ToleranceResult {
                 error: name.clone(),
