@@ -64,7 +64,7 @@ impl ContactOperator<'_> {
     /// Largest pressure, between the contact points as well: that of [`ContactOperator::pressure_at`] next to the point with the largest one.
     pub fn largest_pressure(&self, pressure: &[f64]) -> f64 {
         let arcs: Vec<f64> = self.unit.points.iter().map(|point| point.arc).collect();
-        largest(&arcs, pressure, |arc| self.pressure_at(pressure, arc))[1]
+        largest(&arcs, pressure, &|arc| self.pressure_at(pressure, arc))[1]
     }
 }
 

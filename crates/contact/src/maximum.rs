@@ -5,17 +5,17 @@ const SECTIONS: usize = 60;
 
 /// Place and value of the largest of a function's values at ascending places, or of the function between the neighbours of that place, where it has one
 /// maximum. `[NaN, -inf]` without any.
-pub fn largest(places: &[f64], values: &[f64], value: impl Fn(f64) -> f64) -> [f64; 2] {
+pub fn largest(places: &[f64], values: &[f64], value: &dyn Fn(f64) -> f64) -> [f64; 2] {
     let Some(most) = (0..values.len()).max_by(|a, b| values[*a].total_cmp(&values[*b])) else {
         return [f64::NAN, f64::NEG_INFINITY];
     };
-    let between = highest(&value, [places[most.saturating_sub(1)], places[(most + 1).min(places.len() - 1)]]);
+    let between = highest(value, [places[most.saturating_sub(1)], places[(most + 1).min(places.len() - 1)]]);
     let (here, there) = (values[most], value(between));
     if there > here { [between, there] } else { [places[most], here] }
 }
 
 /// Place between two others at which a function with one maximum there is largest, by golden section.
-pub fn highest(value: impl Fn(f64) -> f64, [mut lower, mut upper]: [f64; 2]) -> f64 {
+pub fn highest(value: &dyn Fn(f64) -> f64, [mut lower, mut upper]: [f64; 2]) -> f64 {
     let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
     for _ in 0..SECTIONS {
         let (x, y) = (upper - ratio * (upper - lower), lower + ratio * (upper - lower));
@@ -37,6 +37,6 @@ mod tests {
             assert!((at - top).abs() < 1e-7 && (most - 2.0).abs() < 1e-15, "{at} {most}");
         }
         assert_eq!((found(&|x| x), found(&|x| -x), found(&|x| -(x - 0.5).abs())), ([1.0, 1.0], [0.0, 0.0], [0.5, 0.0]));
-        assert_eq!(largest(&[], &[], |x| x)[1], f64::NEG_INFINITY);
+        assert_eq!(largest(&[], &[], &|x| x)[1], f64::NEG_INFINITY);
     }
 }

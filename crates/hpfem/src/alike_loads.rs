@@ -54,7 +54,7 @@ impl Assembly<'_> {
         for of_class in made {
             loads.extend(of_class?);
         }
-        loads.sort_by_key(|load: &OnBoundary| load.cell);
+        loads.sort_unstable_by_key(|load: &OnBoundary| load.cell);
         Ok(loads)
     }
 

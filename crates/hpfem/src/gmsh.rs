@@ -43,7 +43,7 @@ impl GmshMesh {
         }
         let named = cells.named_edges(&tables)?;
         let mut curves: Vec<([usize; 2], Curve)> = cells.curves.into_iter().collect();
-        curves.sort_by_key(|(e, _)| *e);
+        curves.sort_unstable_by_key(|(e, _)| *e);
         let names: Vec<([usize; 2], &str)> = named.iter().map(|(e, n)| (*e, n.as_str())).collect();
         Ok(GmshMesh { mesh: Mesh::new(cells.vertices, &cells.quads, &curves, &names)?, materials })
     }

@@ -25,7 +25,7 @@ pub fn written(file: &str, text: &str) -> Result<Vec<Written>, Fault> {
     let tree = tree::parse(text).map_err(|(message, span)| syntax(file, text, &message, span))?;
     let mut found = Vec::new();
     collect(&tree, String::new(), text, &mut found);
-    found.sort_by_key(|(start, _)| *start);
+    found.sort_unstable_by_key(|(start, _)| *start);
     Ok(found.into_iter().map(|(_, value)| value).collect())
 }
 

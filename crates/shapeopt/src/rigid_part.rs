@@ -231,7 +231,7 @@ fn initial_basis(places: &[Place], objective: &[f64]) -> Option<Vec<Place>> {
 
 /// Minimum of a smooth function between two parameters, by golden section from a bracket, compared with its centre and ends.
 fn minimise(f: impl Fn(f64) -> f64, [lower, upper]: [f64; 2], centre: f64) -> f64 {
-    let middle = highest(|x| -f(x), [lower, upper]);
+    let middle = highest(&|x| -f(x), [lower, upper]);
     [lower, upper, centre].into_iter().chain([middle]).min_by(|a, b| f(*a).total_cmp(&f(*b))).unwrap_or(middle)
 }
 

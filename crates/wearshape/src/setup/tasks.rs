@@ -28,8 +28,8 @@ pub(super) fn resolve(scene: &mut Scene) -> Result<Vec<Task>, Fault> {
     if reverses && scene.surface.is_none() && tasks.contains(&Task::Pressure) {
         tasks.push(Task::Shape);
     }
-    tasks.sort();
-    tasks.dedup();
+    let tasks: Vec<Task> =
+        [Task::Pressure, Task::Contact, Task::Shape, Task::Wear].into_iter().filter(|task| tasks.contains(task)).collect();
     if tasks.is_empty() {
         let remedy = "write some of pressure, contact, shape, wear, as in tasks = [\"pressure\"]";
         return Err(Fault::at("tasks", "wrong-value", "the list of tasks is empty", remedy));
