@@ -73,10 +73,11 @@ impl FreeEnds {
         self.jacobian.as_ref().and_then(|jacobian| jacobian.get((end, end))).copied()
     }
 
-    /// Whether an odd number of branches lies between this contact and one that is unique: there the determinant of the derivatives of the pressures at the
-    /// ends by their places has one sign, that of ends each of which moves its own pressure alone, and it changes where contacts branch. Frictional heat
-    /// that crosses the contact makes them, for the places of the ends change it. `held` is that of [`FreeEnds::position`]; it is asked only where
-    /// the derivatives that the last search left have the other sign.
+    /// Whether an odd number of branches lies between this contact and one that is unique: with the pressures `p_i` at the ends and their places `s_j`,
+    /// `det(d p_i / d s_j)` of a unique contact has the sign of the product of all `d p_i / d s_i` of ends for themselves, positive where contact
+    /// begins and negative where it ends, and the sign changes where contacts branch. Frictional heat that crosses the contact makes them branch,
+    /// for the places of the ends change it. `held` is that of [`FreeEnds::position`]; it is asked only where the derivatives that the last search
+    /// left have the other sign. `false` without ends, before a search, or where `held` makes no bodies.
     ///
     /// # Errors
     /// Those of `held`.

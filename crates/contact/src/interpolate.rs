@@ -1,6 +1,6 @@
 //! Quantities between the contact points: on every edge the polynomial through its points.
 
-use crate::maximum::largest;
+use crate::maximum::maximum;
 use crate::operator::ContactOperator;
 use crate::pair::Pair;
 use crate::point::ContactPoint;
@@ -61,10 +61,11 @@ impl ContactOperator<'_> {
         self.pair.closed_value_at(&self.unit.points, pressure, arc)
     }
 
-    /// Largest pressure, between the contact points as well: that of [`ContactOperator::pressure_at`] next to the point with the largest one.
-    pub fn largest_pressure(&self, pressure: &[f64]) -> f64 {
+    /// Largest value of a quantity at the contact points that vanishes where the surfaces are apart, in its unit: the pressure, or the size of the shear. It
+    /// is that of the polynomials of [`ContactOperator::pressure_at`], between the neighbours of the point with the largest value.
+    pub fn maximum(&self, values: &[f64]) -> f64 {
         let arcs: Vec<f64> = self.unit.points.iter().map(|point| point.arc).collect();
-        largest(&arcs, pressure, &|arc| self.pressure_at(pressure, arc))[1]
+        maximum(&arcs, values, &|arc| self.pressure_at(values, arc))[1]
     }
 }
 

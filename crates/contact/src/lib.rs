@@ -68,7 +68,7 @@ pub use held::HeldContact;
 pub use interpolate::piecewise_linear;
 pub use load::{ContactLoad, Friction, MomentBalance, Motion};
 pub use matrix_contact::{MatrixContact, MatrixSolution, Motions};
-pub use maximum::{highest, largest};
+pub use maximum::{maximum, maximum_between};
 pub use operator::{ContactOperator, UnitResponses};
 pub use pair::{Pair, contact_traction, normal};
 pub use plain::Unloaded;

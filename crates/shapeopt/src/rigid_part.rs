@@ -4,7 +4,7 @@
 //! least `int g dS`. With one mode of one sign this is `a = -min_s m / phi`. In general a dual simplex method exchanges touching
 //! points: as many as modes, with non-negative weights `y` such that `int phi_k dS = sum_i y_i phi_k(s_i)`.
 
-use contact::highest;
+use contact::maximum_between;
 use nalgebra::{DMatrix, DVector};
 
 /// A jump and closing velocities on a curve with a parameter in `[0, length]`.
@@ -231,7 +231,7 @@ fn initial_basis(places: &[Place], objective: &[f64]) -> Option<Vec<Place>> {
 
 /// Minimum of a smooth function between two parameters, by golden section from a bracket, compared with its centre and ends.
 fn minimise(f: impl Fn(f64) -> f64, [lower, upper]: [f64; 2], centre: f64) -> f64 {
-    let middle = highest(&|x| -f(x), [lower, upper]);
+    let middle = maximum_between(&|x| -f(x), [lower, upper]);
     [lower, upper, centre].into_iter().chain([middle]).min_by(|a, b| f(*a).total_cmp(&f(*b))).unwrap_or(middle)
 }
 

@@ -28,8 +28,7 @@ pub(super) fn resolve(scene: &mut Scene) -> Result<Vec<Task>, Fault> {
     if reverses && scene.surface.is_none() && tasks.contains(&Task::Pressure) {
         tasks.push(Task::Shape);
     }
-    let tasks: Vec<Task> =
-        [Task::Pressure, Task::Contact, Task::Shape, Task::Wear].into_iter().filter(|task| tasks.contains(task)).collect();
+    let tasks = in_order(tasks);
     if tasks.is_empty() {
         let remedy = "write some of pressure, contact, shape, wear, as in tasks = [\"pressure\"]";
         return Err(Fault::at("tasks", "wrong-value", "the list of tasks is empty", remedy));
@@ -46,6 +45,16 @@ pub(super) fn resolve(scene: &mut Scene) -> Result<Vec<Task>, Fault> {
         scene.check = Some(true);
     }
     Ok(tasks)
+}
+
+/// Each task once, in the order in which they are carried out. There are few: an instance of a sort would take 1 KB of the module for browsers.
+fn in_order(mut tasks: Vec<Task>) -> Vec<Task> {
+    let mut ordered = Vec::new();
+    while let Some(first) = tasks.iter().min().copied() {
+        ordered.push(first);
+        tasks.retain(|task| *task != first);
+    }
+    ordered
 }
 
 /// The name of a task.

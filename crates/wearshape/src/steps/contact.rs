@@ -15,14 +15,14 @@ use crate::faults::unsolved;
 use crate::heat_result::HeatResult;
 use crate::ladder::{Ladder, Refusal};
 use crate::level::Level;
-use crate::solution::Status;
 use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::answer::{Answer, Outcome, Own, Told};
 use crate::steps::contact_levels::{Aside, Solved, imbalance, levels};
 use crate::steps::contact_result::result;
 use crate::steps::diagnosis::Diagnosis;
-use crate::steps::free_ends::{Positioned, branched, followed, nearer, position};
+use crate::steps::free_ends::{Positioned, followed, nearer, position};
+use crate::steps::heat::branched;
 use crate::steps::heat::contact::HotContact;
 use crate::steps::hertz_trial::short_contact;
 use crate::steps::many_ends::{ManyEnds, are_looked_for};
@@ -31,7 +31,7 @@ use crate::steps::start_gap::{start_gap, start_gaps};
 use crate::steps::twist::Twist;
 use crate::steps::{all_around, sharp_edges, torsion};
 use crate::watch::Watch;
-use crate::words::{self, PointStatus};
+use crate::words::PointStatus;
 
 /// Relative violation of signs below which a solution with its points held in contact is the contact's.
 const SIGNS_HOLD: f64 = 1e-9;
@@ -47,11 +47,8 @@ pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome,
     let (mut outcome, mut effort, last) = levels(&ladder, watch, &mut |level| solve_level(stage, level, &mut search))?;
     let diagnosis = last.and_then(|last| last.diagnosis);
     diagnosis.iter().try_for_each(|diagnosis| diagnosis.report(stage, &mut outcome))?;
-    if let Some(Diagnosis { level, hot: Some(_), .. }) = &diagnosis
-        && !outcome.stopped
-        && branched(stage, *level, &search.ends, &mut effort)?
-    {
-        refuse_branched(&mut outcome);
+    if let Some(Diagnosis { level, hot: Some(_), .. }) = &diagnosis {
+        branched::refuse(stage, (*level, &search.ends), &mut outcome, &mut effort)?;
     }
     if let Some((Diagnosis { level, .. }, profile)) = diagnosis.zip(outcome.told.as_ref().map(|told| &told.profile)) {
         let is_closed = |status: Option<&PointStatus>| status == Some(&PointStatus::Contact);
@@ -65,14 +62,6 @@ pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome,
         all_around::refuse_full(stage, &mut outcome);
     }
     Ok((outcome, effort))
-}
-
-/// Refuses a hot contact that is one of several.
-fn refuse_branched(outcome: &mut Outcome) {
-    outcome.contact.iter_mut().for_each(|contact| contact.status = words::ContactStatus::NotUnique);
-    let reason =
-        "contacts with this frictional heat branch below this sliding speed: pressure and temperature are no longer unique";
-    outcome.ended.get_or_insert((Status::Refused, reason.into()));
 }
 
 /// What one level leaves to the next: its ends of contact.

@@ -31,10 +31,10 @@ pub(crate) fn result(
         tilt: theta.map(|t| -t),
         ends: without_slivers(&found.zones, pair.trace().length()).iter().flatten().map(|arc| start + arc).collect(),
         // At a sharp corner the pressure is infinite: its exponent says more than the largest nodal value.
-        p_max: Some(operator.largest_pressure(&found.pressure)).filter(|_| !singular),
+        p_max: Some(operator.maximum(&found.pressure)).filter(|_| !singular),
         edge_exponents,
         stick_ends: Vec::new(),
-        q_max: Some(operator.largest_pressure(&shear)).filter(|_| !singular),
+        q_max: Some(operator.maximum(&shear)).filter(|_| !singular),
         twist: None,
         uniqueness: None,
         complementarity: Some(found.complementarity),

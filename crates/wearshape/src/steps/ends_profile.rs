@@ -218,7 +218,7 @@ impl Rows<'_> {
             approach: Some(-self.rigid_motion()[1]),
             tilt: load.tilt.map(|_| 0.0),
             ends: both(self.ends[self.ends.len() - 1]),
-            p_max: Some(self.operator.largest_pressure(&found.pressure)),
+            p_max: Some(self.operator.maximum(&found.pressure)),
             edge_exponents: Vec::new(),
             stick_ends: if sheared { self.stick_ends() } else { Vec::new() },
             q_max: Some(self.largest_shear()).filter(|_| sheared),

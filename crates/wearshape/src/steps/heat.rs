@@ -2,6 +2,7 @@
 
 pub(crate) mod bodies;
 pub(crate) mod boundary;
+pub(crate) mod branched;
 pub(crate) mod conduction;
 pub(crate) mod contact;
 pub(crate) mod deviations;

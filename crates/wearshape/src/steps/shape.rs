@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use contact::{ContactPoint, Pair, largest};
+use contact::{ContactPoint, Pair, maximum};
 use hpfem::InterfaceState;
 use nalgebra::DMatrix;
 use scene::{Balance, Fault};
@@ -185,10 +185,10 @@ impl<'a> Shaper<'a> {
         let Solved { reduced, shape, gaps, .. } = solved;
         let (stage, pair) = (self.stage, reduced.pair()?);
         let (arcs, gap) = (self.samples(&pair), |arc: f64| shape.gap(&pair, &pair.at_arc(arc)));
-        let [highest, most] = largest(&arcs, gaps, &gap);
+        let [highest, most] = maximum(&arcs, gaps, &gap);
         let lowest = match stage.problem.measure() {
             Measure::Largest => 0.0,
-            Measure::Crown => -largest(&arcs, &gaps.iter().map(|gap| -gap).collect::<Vec<_>>(), &|arc| -gap(arc))[1],
+            Measure::Crown => -maximum(&arcs, &gaps.iter().map(|gap| -gap).collect::<Vec<_>>(), &|arc| -gap(arc))[1],
         };
         let mut result = ShapeResult {
             iterations: passes + 1,

@@ -1,6 +1,6 @@
 //! How exactly a shape has to be made: what small errors of it do to the pressure, and how soon wear removes them.
 
-use contact::largest;
+use contact::maximum;
 use scene::Fault;
 use shapeopt::{SurfacePlace, WearProblem, tolerances};
 
@@ -58,7 +58,7 @@ pub(crate) fn of(shaper: &Shaper<'_>, reduced: &Reduced, heat: Option<&Following
         .map(|((name, _), effect)| {
             let pairs = || points.iter().zip(&effect.change);
             let change = |arc: f64| operator.value_at(&effect.change, arc).abs();
-            let most = largest(&arcs, &arcs.iter().map(|arc| change(*arc)).collect::<Vec<_>>(), &change)[1] / mean;
+            let most = maximum(&arcs, &arcs.iter().map(|arc| change(*arc)).collect::<Vec<_>>(), &change)[1] / mean;
             let square = pairs().map(|(p, c)| p.weight * c * c).sum::<f64>() / area;
             ToleranceResult {
                 error: name.clone(),

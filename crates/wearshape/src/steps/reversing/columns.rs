@@ -1,6 +1,6 @@
 //! The report of a level: the shape, both pressures, columns and surface to machine.
 
-use contact::{ContactOperator, ContactPoint, ContactSolution, largest, piecewise_linear};
+use contact::{ContactOperator, ContactPoint, ContactSolution, maximum, piecewise_linear};
 
 use crate::effort::Effort;
 use crate::ladder::Refusal;
@@ -22,7 +22,7 @@ impl Senses<'_> {
         let (start, length) = (stage.start(&pair), pair.trace().length());
         let between = (solved.gaps.len() - 1) as f64;
         let arcs: Vec<f64> = (0..solved.gaps.len()).map(|i| length * i as f64 / between).collect();
-        let [highest, most] = largest(&arcs, &solved.gaps, &|arc| operator.value_at(&solved.gap, arc));
+        let [highest, most] = maximum(&arcs, &solved.gaps, &|arc| operator.value_at(&solved.gap, arc));
         let mut shape = ShapeResult {
             iterations: 1,
             gap_max: Some(1e3 * most),
