@@ -1,7 +1,7 @@
 //! Contact on a given set of points: unit forces stand at these alone, and what the others open by follows from the bodies.
 
 use crate::coulomb::{ContactState, Outcome};
-use crate::ending::Ending;
+use crate::ending::{Ending, Warm};
 use crate::error::Error;
 use crate::lcp::{Point, worst_sign};
 use crate::load::{ContactLoad, Friction};
@@ -12,13 +12,22 @@ use crate::products::{add, times};
 use crate::solution::ContactSolution;
 use crate::stage::{Acting, Stage};
 use crate::status::Status;
-use std::borrow::Cow;
+use std::sync::{Arc, PoisonError};
+
+/// Relative overlap of points that are not held from which on they come into contact.
+const OVERLAPS: f64 = 1e-9;
 
 /// Points held in contact, on a given operator: the compliance at these alone, for as many solves as are asked for.
 pub struct HeldContact<'o, 'a> {
     operator: &'o ContactOperator<'a>,
+    points: Arc<HeldPoints>,
+}
+
+/// Points, and the compliance at these alone.
+pub(crate) struct HeldPoints {
     at: Vec<usize>,
-    matrices: Cow<'o, Matrices>,
+    stick: bool,
+    matrices: Arc<Matrices>,
 }
 
 impl<'a> ContactOperator<'a> {
@@ -47,15 +56,21 @@ impl<'a> ContactOperator<'a> {
     }
 
     /// Points held in contact, those `closed` (one a point, open where it says nothing), for [`HeldContact::solve`], and with the slip by shear (`stick`)
-    /// for [`HeldContact::solve_states`] too. Makes the compliance at them, `points held x points held`, mm/N.
+    /// for [`HeldContact::solve_states`] too. Makes the compliance at them, `points held x points held`, mm/N; that of the points held last is kept.
     pub fn held_on<'o>(&'o self, closed: &[bool], stick: bool) -> HeldContact<'o, 'a> {
         let n = self.unit.points.len();
         let at: Vec<usize> = (0..n).filter(|i| closed.get(*i) == Some(&true)).collect();
-        let matrices = match at.len() {
-            all if all == n => Cow::Borrowed(self.unit.matrices(stick)),
-            _ => Cow::Owned(self.unit.matrices_at(&at, stick)),
-        };
-        HeldContact { operator: self, at, matrices }
+        let mut kept = self.unit.held.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = kept.iter().find(|known| known.at == at && (known.stick || !stick)).map(Arc::clone);
+        let points = known.unwrap_or_else(|| {
+            let matrices = match at.len() {
+                all if all == n => Arc::clone(self.unit.matrices(stick)),
+                _ => Arc::new(self.unit.matrices_at(&at, stick)),
+            };
+            Arc::new(HeldPoints { at, stick, matrices })
+        });
+        *kept = Some(Arc::clone(&points));
+        HeldContact { operator: self, points }
     }
 }
 
@@ -66,8 +81,8 @@ impl HeldContact<'_, '_> {
     /// As [`ContactOperator::solve`].
     pub fn solve(&self, gap: &[f64], load: &ContactLoad) -> Result<Option<ContactSolution>, Error> {
         let (stage, opening) = self.stage(gap, load)?;
-        let (problem, all) = (&stage.plain.problem, self.at.len() == gap.len());
-        let answer = problem.solve_on(&vec![true; self.at.len()]).filter(|_| all || !problem.closes_itself());
+        let (problem, all) = (&stage.plain.problem, self.points.at.len() == gap.len());
+        let answer = problem.solve_on(&vec![true; self.points.at.len()]).filter(|_| all || !problem.closes_itself());
         let Some(answer) = answer else { return Ok(None) };
         let ending = stage.plain.ending(answer, Status::Converged);
         Ok(Some(self.assemble(&stage, ending, (gap, opening))))
@@ -88,21 +103,46 @@ impl HeldContact<'_, '_> {
         }
         let (stage, opening) = self.stage(gap, load)?;
         let Friction::Coulomb { coefficient, slip_before } = &load.friction else { return Err(Error::ShearNotPrepared) };
-        let pick = |values: &[f64]| self.at.iter().map(|i| values[*i]).collect::<Vec<f64>>();
-        let coulomb = stage.plain.coulomb(*coefficient, &pick(slip_before))?;
-        let states: Vec<ContactState> = self.at.iter().map(|i| states[*i]).collect();
+        let coulomb = stage.plain.coulomb(*coefficient, &self.pick(slip_before))?;
+        let states = self.pick(states);
         let Some(at) = coulomb.on_states(&states) else { return Ok(None) };
         let outcome = Outcome { at: Some(at), states, steps: 1, history: Vec::new(), settled: true };
         let ending = stage.plain.sheared(&coulomb, outcome, Status::Converged);
         Ok(Some(self.assemble(&stage, ending, (gap, opening))))
     }
 
+    /// Solves as [`ContactOperator::solve`] from a solution on these points, whose signs may be wrong: they may open, and slip where they stuck. Costs
+    /// what these points alone do, unless another one comes into contact.
+    ///
+    /// # Errors
+    /// As [`ContactOperator::solve`].
+    pub fn released(&self, gap: &[f64], load: &ContactLoad, start: &ContactSolution) -> Result<ContactSolution, Error> {
+        let (stage, opening) = self.stage(gap, load)?;
+        let friction = load.friction.at(&self.points.at, gap.len())?;
+        let point = Point { force: self.pick(&start.nodal_force), coordinates: stage.warm(start).point.coordinates };
+        let (shear, closed, states) = (self.pick(&start.nodal_shear), self.pick(&start.closed), self.pick(&start.states));
+        let warm = Warm { point, shear: &shear, closed: &closed, states: &states };
+        let mut ending = stage.plain.solve(&friction, Some(warm), &|_, _| {})?;
+        if ending.status == Status::ClosedEverywhere && self.points.at.len() < gap.len() {
+            ending.status = Status::Converged;
+        }
+        let found = ending.status.is_solved().then(|| self.assemble(&stage, ending, (gap, opening)));
+        match found.filter(|found| found.complementarity < OVERLAPS) {
+            Some(found) => Ok(found),
+            None => self.operator.solve(gap, load, Some(start)),
+        }
+    }
+
+    /// The values at these points out of those of all points.
+    pub(crate) fn pick<T: Copy>(&self, values: &[T]) -> Vec<T> {
+        self.points.at.iter().map(|i| values[*i]).collect()
+    }
+
     /// The plain problem at these points, and the opening at all points without contact.
-    fn stage(&self, gap: &[f64], load: &ContactLoad) -> Result<(Stage<'_>, Vec<f64>), Error> {
-        let HeldContact { operator, at, matrices } = self;
+    pub(crate) fn stage(&self, gap: &[f64], load: &ContactLoad) -> Result<(Stage<'_>, Vec<f64>), Error> {
+        let (operator, HeldPoints { at, matrices, .. }) = (self.operator, &*self.points);
         let Acting { unloaded, held, factors, prescribed } = operator.acting(gap, load)?;
-        let pick = |values: &[f64]| at.iter().map(|i| values[*i]).collect::<Vec<f64>>();
-        let there = Unloaded { opening: pick(&unloaded.opening), slip: pick(&unloaded.slip), forces: unloaded.forces };
+        let there = Unloaded { opening: self.pick(&unloaded.opening), slip: self.pick(&unloaded.slip), forces: unloaded.forces };
         let mut plain = Plain::new(matrices, &load.friction.at(at, gap.len())?, there, &held)?;
         if let Some(followed) = operator.followed(load)? {
             plain.follow(&followed.at(at), &held.free);
@@ -113,10 +153,11 @@ impl HeldContact<'_, '_> {
     /// The solution at all points, from the gap and the opening without contact.
     fn assemble(&self, stage: &Stage<'_>, ending: Ending, (gap, unloaded): (&[f64], Vec<f64>)) -> ContactSolution {
         let operator = self.operator;
-        if self.at.len() == gap.len() {
+        let at = &self.points.at;
+        if at.len() == gap.len() {
             return operator.assemble(stage, ending);
         }
-        let mut solution = operator.assemble(stage, spread(ending, &self.at, gap.len()));
+        let mut solution = operator.assemble(stage, spread(ending, at, gap.len()));
         solution.opening = operator.openings(gap, &solution);
         let mut stiff = unloaded;
         let coordinates: Vec<f64> = solution.coordinates.iter().flatten().copied().collect();

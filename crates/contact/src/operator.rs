@@ -1,6 +1,7 @@
 //! The contact of a pair of bodies, prepared once: compliance at the contact points.
 
 use crate::error::Error;
+use crate::held::HeldPoints;
 use crate::lcp::Complementarity;
 use crate::load::{ContactLoad, Friction};
 use crate::matrices::Matrices;
@@ -14,7 +15,7 @@ use crate::solution::ContactSolution;
 use crate::verdict;
 use faer::Mat;
 use hpfem::InterfaceOperator;
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock};
 
 /// Compliance of a pair at its contact points; every gap, load, coefficient of friction or prescribed motion reuses it.
 ///
@@ -35,7 +36,9 @@ pub struct UnitResponses {
     pub(crate) influence: Mat<f64>,
     pub(crate) shear_influence: Option<Mat<f64>>,
     /// Those of all points, without and with the slip by shear that stick takes.
-    whole: [OnceLock<Matrices>; 2],
+    whole: [OnceLock<Arc<Matrices>>; 2],
+    /// The points held last, with their matrices.
+    pub(crate) held: Mutex<Option<Arc<HeldPoints>>>,
 }
 
 /// `[1, -1]`: sign of a body's displacement in the opening and of the contact force on it.
@@ -81,7 +84,8 @@ impl<'a> ContactOperator<'a> {
         };
         let influence = side_by_side(0);
         let shear_influence = shear.then(|| side_by_side(1));
-        let unit = UnitResponses { points, stations, responses, influence, shear_influence, whole: Default::default() };
+        let (whole, held) = Default::default();
+        let unit = UnitResponses { points, stations, responses, influence, shear_influence, whole, held };
         Ok(ContactOperator { pair: *pair, unit: Arc::new(unit) })
     }
 
@@ -163,13 +167,13 @@ impl<'a> ContactOperator<'a> {
 
 impl UnitResponses {
     /// The matrices of all points; with the slip by shear (`C_tt`), which stick alone needs, or without.
-    pub(crate) fn matrices(&self, stick: bool) -> &Matrices {
+    pub(crate) fn matrices(&self, stick: bool) -> &Arc<Matrices> {
         self.whole[usize::from(stick)].get_or_init(|| {
             let all: Vec<usize> = (0..self.points.len()).collect();
-            if stick {
-                return Matrices { tangential: self.tangential(&all), ..self.matrices(false).clone() };
-            }
-            self.matrices_at(&all, false)
+            Arc::new(match stick {
+                true => Matrices { tangential: self.tangential(&all), ..(**self.matrices(false)).clone() },
+                false => self.matrices_at(&all, false),
+            })
         })
     }
 

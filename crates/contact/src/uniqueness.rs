@@ -9,6 +9,7 @@ use faer::{Mat, Side};
 use hpfem::bisect;
 
 use crate::error::Error;
+use crate::held::HeldContact;
 use crate::growth::{Family, STEPS};
 use crate::lcp::{Complementarity, Point};
 use crate::linear::{Scaling, extreme_singular_values, matrix};
@@ -56,14 +57,7 @@ impl ContactOperator<'_> {
         load: &ContactLoad,
         solution: &ContactSolution,
     ) -> Result<Option<[f64; 2]>, Error> {
-        let stage = self.stage(gap, load)?;
-        let system = match &load.friction {
-            Friction::Coulomb { coefficient, slip_before } => {
-                stage.plain.coulomb(*coefficient, slip_before)?.matrix(&solution.states)
-            }
-            Friction::None | Friction::Sliding { .. } => of_active(&stage.plain.problem, &solution.closed),
-        };
-        Ok(extreme_singular_values(&system))
+        self.held_on(&solution.closed, matches!(load.friction, Friction::Coulomb { .. })).singular_values(gap, load, solution)
     }
 
     /// Looks for other solutions of a load with steady sliding; `None` without it.
@@ -77,6 +71,28 @@ impl ContactOperator<'_> {
         }
         let family = |mu: f64, read: &mut dyn FnMut(&Complementarity<'_>)| self.with_friction(gap, load, mu, read);
         Ok(Some(follow(&family, *coefficient, &solution.nodal_force)))
+    }
+}
+
+impl HeldContact<'_, '_> {
+    /// As [`ContactOperator::singular_values`], of a solution that is open at all points but these.
+    ///
+    /// # Errors
+    /// As [`ContactOperator::solve`].
+    pub fn singular_values(
+        &self,
+        gap: &[f64],
+        load: &ContactLoad,
+        solution: &ContactSolution,
+    ) -> Result<Option<[f64; 2]>, Error> {
+        let (stage, _) = self.stage(gap, load)?;
+        let system = match &load.friction {
+            Friction::Coulomb { coefficient, slip_before } => {
+                stage.plain.coulomb(*coefficient, &self.pick(slip_before))?.matrix(&self.pick(&solution.states))
+            }
+            Friction::None | Friction::Sliding { .. } => of_active(&stage.plain.problem, &self.pick(&solution.closed)),
+        };
+        Ok(extreme_singular_values(&system))
     }
 }
 

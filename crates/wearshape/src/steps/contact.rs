@@ -248,12 +248,19 @@ fn signed(
     };
     let pair = reduced.pair()?;
     (stage.options.begun)(Step::Contact);
-    let operator = effort.timed(Step::Interface, stage.clock(), |_| reduced.operator(&pair, stage.friction() > 0.0))?;
+    let near = held.filter(|held| held.complementarity < NEAR);
+    let operator = effort.timed(Step::Interface, stage.clock(), |_| match near {
+        Some(_) => reduced.factorised(&pair, stage.friction() > 0.0, None),
+        None => reduced.operator(&pair, stage.friction() > 0.0),
+    })?;
     effort.timed(Step::Contact, stage.clock(), |effort| {
         effort.counters.contact_solves += 1;
-        let near = held.as_ref().filter(|held| held.complementarity < NEAR);
-        let gap = start_gaps(stage, &operator);
-        operator.solve(&gap, &stage.contact_load(operator.points()), near).map_err(unsolved)
+        let (gap, load) = (start_gaps(stage, &operator), stage.contact_load(operator.points()));
+        let found = match &near {
+            Some(near) => operator.held_on(&near.closed, false).released(&gap, &load, near),
+            None => operator.solve(&gap, &load, None),
+        };
+        found.map_err(unsolved)
     })
 }
 

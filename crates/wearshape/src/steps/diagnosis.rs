@@ -46,7 +46,7 @@ impl Diagnosis {
             None => stage.reduced_at(self.level, &self.ends)?.0,
         };
         let pair = reduced.pair()?;
-        let operator = reduced.operator(&pair, stage.friction() > 0.0)?;
+        let operator = reduced.factorised(&pair, stage.friction() > 0.0, None)?;
         let gap = start_gaps(stage, &operator);
         if let Some((_, load)) = &self.hot {
             // What heat does to uniqueness is told by its critical speed.
@@ -65,8 +65,12 @@ pub(crate) fn interface(
     load: &ContactLoad,
     found: &ContactSolution,
 ) -> Result<Option<InterfaceResult>, Fault> {
-    let values = operator.singular_values(gap, load, found).map_err(unsolved)?;
-    Ok(values.map(|[low, high]| InterfaceResult { condition: high / low, smallest_singular_value: low }))
+    Ok(condition(operator.singular_values(gap, load, found).map_err(unsolved)?))
+}
+
+/// What the smallest and the largest of them say.
+pub(crate) fn condition(values: Option<[f64; 2]>) -> Option<InterfaceResult> {
+    values.map(|[low, high]| InterfaceResult { condition: high / low, smallest_singular_value: low })
 }
 
 /// Other solutions of a contact that slides steadily.

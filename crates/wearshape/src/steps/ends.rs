@@ -6,7 +6,7 @@
 use std::sync::Arc;
 
 use contact::{
-    ContactLoad, ContactOperator, ContactPoint, ContactSolution, ContactState, FreeEnds, Friction, Motion, Pair,
+    ContactLoad, ContactOperator, ContactPoint, ContactSolution, ContactState, FreeEnds, Friction, HeldContact, Motion, Pair,
     Status as ContactStatus, UnitResponses,
 };
 use hpfem::{Body, InterfaceState};
@@ -244,9 +244,10 @@ impl Setting<'_> {
         let gap: Vec<f64> = held.points.iter().map(|p| self.disc.gap(p.position[0])).collect();
         (self.options.begun)(Step::Contact);
         let start = (self.options.clock)();
-        let (found, load) = self.solved(&operator, &gap, &held)?;
-        let embedded = operator.embedded_difference(&gap, &load, &found).map_err(unsolved)?;
-        let interface = diagnosis::interface(&operator, &gap, &load, &found)?;
+        let on = operator.held_on(&held.pressed.closed, self.shear != 0.0);
+        let (found, load) = self.solved(&on, &gap, &held)?;
+        let embedded = self.embedded(&operator, &gap, &load, &found)?;
+        let interface = diagnosis::condition(on.singular_values(&gap, &load, &found).map_err(unsolved)?);
         effort.counters.contact_solves += 1 + usize::from(self.shear != 0.0);
         effort.add_seconds(Step::Contact, (self.options.clock)() - start);
         let refined: Vec<f64> = trial.ends.refined().iter().map(|t| t * self.room()).collect();
@@ -295,13 +296,28 @@ impl Setting<'_> {
     }
 
     /// The last load step with its conditions of sign, and its load.
-    fn solved(&self, operator: &ContactOperator<'_>, gap: &[f64], held: &Steps) -> Result<(ContactSolution, ContactLoad), Fault> {
-        let pressed = operator.solve(gap, &self.press(), Some(&held.pressed)).map_err(unsolved)?;
+    fn solved(&self, on: &HeldContact<'_, '_>, gap: &[f64], held: &Steps) -> Result<(ContactSolution, ContactLoad), Fault> {
+        let pressed = on.released(gap, &self.press(), &held.pressed).map_err(unsolved)?;
         if self.shear == 0.0 {
             return Ok((pressed, self.press()));
         }
         let push = self.push(&pressed.slip);
-        Ok((operator.solve(gap, &push, held.sheared.as_ref()).map_err(unsolved)?, push))
+        let start = held.sheared.as_ref().unwrap_or(&pressed);
+        Ok((on.released(gap, &push, start).map_err(unsolved)?, push))
+    }
+
+    /// Error of the pressure as the embedded degree tells it, on a fixed discretisation.
+    fn embedded(
+        &self,
+        operator: &ContactOperator<'_>,
+        gap: &[f64],
+        load: &ContactLoad,
+        found: &ContactSolution,
+    ) -> Result<Option<f64>, Fault> {
+        if self.problem.wanted.fixed.is_none() {
+            return Ok(None);
+        }
+        operator.embedded_difference(gap, load, found).map_err(unsolved)
     }
 
     /// Strain energies of the whole scene.
