@@ -3,9 +3,9 @@
 use crate::coulomb::{ContactState, Outcome};
 use crate::ending::{Ending, Warm};
 use crate::error::Error;
+use crate::held_points::HeldPoints;
 use crate::lcp::{Point, worst_sign};
 use crate::load::{ContactLoad, Friction};
-use crate::matrices::Matrices;
 use crate::operator::{ContactOperator, SIGNS};
 use crate::plain::{Plain, Unloaded};
 use crate::products::{add, times};
@@ -14,20 +14,14 @@ use crate::stage::{Acting, Stage};
 use crate::status::Status;
 use std::sync::{Arc, PoisonError};
 
-/// Relative overlap of points that are not held from which on they come into contact.
+/// Relative overlap of points that are not held from which on they come into contact, and how often such points are taken in.
 const OVERLAPS: f64 = 1e-9;
+const ROUNDS: usize = 4;
 
 /// Points held in contact, on a given operator: the compliance at these alone, for as many solves as are asked for.
 pub struct HeldContact<'o, 'a> {
     operator: &'o ContactOperator<'a>,
     points: Arc<HeldPoints>,
-}
-
-/// Points, and the compliance at these alone.
-pub(crate) struct HeldPoints {
-    at: Vec<usize>,
-    stick: bool,
-    matrices: Arc<Matrices>,
 }
 
 impl<'a> ContactOperator<'a> {
@@ -58,6 +52,13 @@ impl<'a> ContactOperator<'a> {
     /// Points held in contact, those `closed` (one a point, open where it says nothing), for [`HeldContact::solve`], and with the slip by shear (`stick`)
     /// for [`HeldContact::solve_states`] too. Makes the compliance at them, `points held x points held`, mm/N; that of the points held last is kept.
     pub fn held_on<'o>(&'o self, closed: &[bool], stick: bool) -> HeldContact<'o, 'a> {
+        HeldContact { operator: self, points: self.held_points(closed, stick) }
+    }
+}
+
+impl ContactOperator<'_> {
+    /// The points that are closed, from those held last where these are the same.
+    fn held_points(&self, closed: &[bool], stick: bool) -> Arc<HeldPoints> {
         let n = self.unit.points.len();
         let at: Vec<usize> = (0..n).filter(|i| closed.get(*i) == Some(&true)).collect();
         let mut kept = self.unit.held.lock().unwrap_or_else(PoisonError::into_inner);
@@ -70,7 +71,7 @@ impl<'a> ContactOperator<'a> {
             Arc::new(HeldPoints { at, stick, matrices })
         });
         *kept = Some(Arc::clone(&points));
-        HeldContact { operator: self, points }
+        points
     }
 }
 
@@ -112,11 +113,31 @@ impl HeldContact<'_, '_> {
     }
 
     /// Solves as [`ContactOperator::solve`] from a solution on these points, whose signs may be wrong: they may open, and slip where they stuck. Costs
-    /// what these points alone do, unless another one comes into contact.
+    /// what these points alone do, and the few others that come into contact; they are held from then on too.
     ///
     /// # Errors
     /// As [`ContactOperator::solve`].
-    pub fn released(&self, gap: &[f64], load: &ContactLoad, start: &ContactSolution) -> Result<ContactSolution, Error> {
+    pub fn released(&mut self, gap: &[f64], load: &ContactLoad, start: &ContactSolution) -> Result<ContactSolution, Error> {
+        for _ in 0..ROUNDS {
+            let Some(found) = self.signed(gap, load, start)? else { break };
+            if found.complementarity < OVERLAPS {
+                return Ok(found);
+            }
+            let at = &self.points.at;
+            let more: Vec<usize> = (0..gap.len()).filter(|i| found.opening[*i] < 0.0 && !at.contains(i)).collect();
+            if more.is_empty() || at.len() + more.len() == gap.len() {
+                break;
+            }
+            let unit = &self.operator.unit;
+            let influence = (&unit.influence, unit.shear_influence.as_ref());
+            self.points = Arc::new(self.points.and(&more, &unit.responses, influence));
+        }
+        self.points = self.operator.held_points(&vec![true; gap.len()], matches!(load.friction, Friction::Coulomb { .. }));
+        self.operator.solve(gap, load, Some(start))
+    }
+
+    /// The same whatever the other points do; `None` where that does not settle.
+    fn signed(&self, gap: &[f64], load: &ContactLoad, start: &ContactSolution) -> Result<Option<ContactSolution>, Error> {
         let (stage, opening) = self.stage(gap, load)?;
         let friction = load.friction.at(&self.points.at, gap.len())?;
         let point = Point { force: self.pick(&start.nodal_force), coordinates: stage.warm(start).point.coordinates };
@@ -126,11 +147,7 @@ impl HeldContact<'_, '_> {
         if ending.status == Status::ClosedEverywhere && self.points.at.len() < gap.len() {
             ending.status = Status::Converged;
         }
-        let found = ending.status.is_solved().then(|| self.assemble(&stage, ending, (gap, opening)));
-        match found.filter(|found| found.complementarity < OVERLAPS) {
-            Some(found) => Ok(found),
-            None => self.operator.solve(gap, load, Some(start)),
-        }
+        Ok(ending.status.is_solved().then(|| self.assemble(&stage, ending, (gap, opening))))
     }
 
     /// The values at these points out of those of all points.

@@ -20,6 +20,7 @@ mod heat_growth;
 mod heat_speed;
 mod heated_system;
 mod held;
+mod held_points;
 mod interpolate;
 mod lcp;
 mod line_search;

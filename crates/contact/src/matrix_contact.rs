@@ -251,8 +251,11 @@ impl ContactOperator<'_> {
         let (held, mut unloaded) = (acting.held, acting.unloaded);
         let pick = |m: &Mat<f64>| Mat::from_fn(n, held.free.len(), |i, j| m[(i, held.free[j])]);
         let all = self.unit.matrices(true);
-        let matrices =
-            Matrices { influence: pick(&all.influence), shear_influence: all.shear_influence.as_ref().map(pick), ..(**all).clone() };
+        let matrices = Matrices {
+            influence: pick(&all.influence),
+            shear_influence: all.shear_influence.as_ref().map(pick),
+            ..(**all).clone()
+        };
         unloaded.forces = held.free.iter().map(|j| unloaded.forces[*j]).collect();
         let count = held.free.len();
         let contact = MatrixContact {

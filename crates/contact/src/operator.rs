@@ -1,7 +1,7 @@
 //! The contact of a pair of bodies, prepared once: compliance at the contact points.
 
 use crate::error::Error;
-use crate::held::HeldPoints;
+use crate::held_points::HeldPoints;
 use crate::lcp::Complementarity;
 use crate::load::{ContactLoad, Friction};
 use crate::matrices::Matrices;

@@ -9,8 +9,8 @@ use faer::{Mat, Side};
 use hpfem::bisect;
 
 use crate::error::Error;
-use crate::held::HeldContact;
 use crate::growth::{Family, STEPS};
+use crate::held::HeldContact;
 use crate::lcp::{Complementarity, Point};
 use crate::linear::{Scaling, extreme_singular_values, matrix};
 use crate::load::{ContactLoad, Friction};

@@ -321,9 +321,19 @@ fn falls<T, const N: usize>(solved: &[T], distance: &impl Fn(&T, &T) -> [f64; N]
     let [.., a, b, c] = solved else { return None };
     let [older, newer] = [distance(a, b), distance(b, c)].map(|distances| largest(&distances));
     let error = largest(&errors(solved, distance)?);
-    // Differences of nothing, or that grow, tell no ratio.
-    let ratio = if older > 0.0 { (newer / older).clamp(1e-3, SLOWEST) } else { SLOWEST };
-    Some([error, ratio])
+    Some([error, ratio(older, newer)])
+}
+
+/// Ratio of successive differences; those of nothing, or that grow, tell none.
+fn ratio(older: f64, newer: f64) -> f64 {
+    if older > 0.0 { (newer / older).clamp(1e-3, SLOWEST) } else { SLOWEST }
+}
+
+/// Error of quantity number `which` that is to be expected of the level after those solved, as its errors fall.
+pub(crate) fn expected<T, const N: usize>(solved: &[T], distance: &impl Fn(&T, &T) -> [f64; N], which: usize) -> Option<f64> {
+    let [.., a, b, c] = solved else { return None };
+    let [older, newer] = [distance(a, b), distance(b, c)].map(|distances| distances[which]);
+    errors(solved, distance).map(|errors| errors[which] * ratio(older, newer))
 }
 
 /// What solved levels say about the error of their quantity number `which`, called `quantity`.

@@ -12,6 +12,7 @@ mod hot;
 mod matrices;
 mod patch;
 mod penalty;
+mod released;
 mod sphere;
 mod statuses;
 mod trap;

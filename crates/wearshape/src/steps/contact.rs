@@ -21,7 +21,7 @@ use crate::steps::answer::{Answer, Outcome, Own, Told};
 use crate::steps::contact_levels::{Aside, Solved, imbalance, levels};
 use crate::steps::contact_result::result;
 use crate::steps::diagnosis::Diagnosis;
-use crate::steps::free_ends::{Positioned, followed, nearer, position};
+use crate::steps::free_ends::{Positioned, followed, nearer, node_tolerance, position};
 use crate::steps::heat::branched;
 use crate::steps::heat::contact::HotContact;
 use crate::steps::hertz_trial::short_contact;
@@ -44,7 +44,10 @@ const SAMPLES: usize = 191;
 pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
     let mut search = Search::default();
     let ladder = Ladder::of(stage.problem, stage.options, Step::Contact).and_beyond(stage.problem);
-    let (mut outcome, mut effort, last) = levels(&ladder, watch, &mut |level| solve_level(stage, level, &mut search))?;
+    let (mut outcome, mut effort, last) = levels(&ladder, watch, &mut |level, expected| {
+        search.expected = expected;
+        solve_level(stage, level, &mut search)
+    })?;
     let diagnosis = last.and_then(|last| last.diagnosis);
     diagnosis.iter().try_for_each(|diagnosis| diagnosis.report(stage, &mut outcome))?;
     if let Some(Diagnosis { level, hot: Some(_), .. }) = &diagnosis {
@@ -68,6 +71,8 @@ pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome,
 #[derive(Default)]
 pub(crate) struct Search {
     ends: FreeEnds,
+    /// Error of the pressure that is expected of the level, once that can be told.
+    pub(crate) expected: Option<f64>,
     /// Number of levels whose nodes did not settle on the ends.
     lost: usize,
     /// Factors on the sliding speed of the last level, with heat alone.
@@ -269,10 +274,10 @@ fn signed(
 fn searched<'a>(
     stage: Stage<'a>,
     level: Level,
-    ends: &FreeEnds,
+    (ends, within): (&FreeEnds, f64),
     effort: &mut Effort,
 ) -> Result<Option<(FreeEnds, Positioned<'a>)>, Fault> {
-    let first = position(stage, level, ends, effort)?;
+    let first = position(stage, level, (ends, within), effort)?;
     let trial = match &first {
         Some((_, positioned)) if positioned.held.complementarity < NEAR => return Ok(first),
         Some((_, Positioned { reduced, .. })) => {
@@ -282,7 +287,7 @@ fn searched<'a>(
         None => ends.clone(),
     };
     let near = if trial.places.is_empty() { None } else { nearer(stage, level, &trial, effort)? };
-    let second = near.map_or(Ok(None), |near| position(stage, level, &near, effort))?;
+    let second = near.map_or(Ok(None), |near| position(stage, level, (&near, within), effort))?;
     Ok(second.or(first))
 }
 
@@ -293,10 +298,11 @@ fn find<'a>(stage: Stage<'a>, level: Level, search: &mut Search, effort: &mut Ef
     {
         return Ok(found);
     }
+    let within = node_tolerance(stage.accuracy(), search.expected);
     let Search { ends, lost, .. } = search;
     let mut trial = None;
     let short = if ends.places.is_empty() { short_ends(stage) } else { FreeEnds::default() };
-    let guessed = if short.places.is_empty() { None } else { position(stage, level, &short, effort)? };
+    let guessed = if short.places.is_empty() { None } else { position(stage, level, (&short, within), effort)? };
     if let Some((found, positioned)) = guessed {
         *ends = found;
         return held_on(stage, level, positioned, effort);
@@ -308,7 +314,7 @@ fn find<'a>(stage: Stage<'a>, level: Level, search: &mut Search, effort: &mut Ef
         trial = Some(found);
     }
     let looked_for = are_looked_for(ends.places.len(), *lost);
-    let positioned = if looked_for { searched(stage, level, ends, effort)? } else { None };
+    let positioned = if looked_for { searched(stage, level, (ends, within), effort)? } else { None };
     if let Some((at, Positioned { reduced, held, .. })) = positioned {
         *effort += reduced.sizes();
         let tension = held.complementarity >= NEAR;
@@ -334,6 +340,7 @@ fn find<'a>(stage: Stage<'a>, level: Level, search: &mut Search, effort: &mut Ef
 /// The same with frictional heat; on the standing mesh where nodes do not settle on the ends of contact, or lead to others.
 fn find_hot<'a>(stage: Stage<'a>, level: Level, search: &mut Search, effort: &mut Effort) -> Result<Option<Found<'a>>, Fault> {
     let mut standing = None;
+    let within = node_tolerance(stage.accuracy(), search.expected);
     if search.ends.places.is_empty() {
         standing = HotContact::new(stage, level, effort)?;
         if let Some(hot) = &standing {
@@ -344,7 +351,8 @@ fn find_hot<'a>(stage: Stage<'a>, level: Level, search: &mut Search, effort: &mu
             };
         }
     }
-    let positioned = position(stage, level, &search.ends, effort)?.filter(|(_, found)| found.held.complementarity < NEAR);
+    let positioned =
+        position(stage, level, (&search.ends, within), effort)?.filter(|(_, found)| found.held.complementarity < NEAR);
     if let Some((ends, Positioned { held, hot: Some(hot), .. })) = positioned {
         search.ends = ends;
         let hot = if held.complementarity < SIGNS_HOLD { hot } else { hot.released(effort)? };

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use crate::effort::Effort;
 use crate::fixed;
 use crate::heat_result::HeatResult;
-use crate::ladder::{Climbed, Ladder, Refusal, best, climb, largest, missed, rungs};
+use crate::ladder::{Climbed, Ladder, Refusal, best, climb, expected, largest, missed, rungs};
 use crate::level::Level;
 use crate::results::{ContactResult, EnergyResult, ErrorResult, InterfaceResult, Reaction};
 use crate::solution::{Rung, Status};
@@ -58,11 +58,11 @@ pub(crate) struct Aside {
 }
 
 /// Solves level after level until the estimated errors are below the accuracy asked for; reports the last one, or the best where finer ones come out
-/// worse, with what `solve_level` gave beside it.
+/// worse, with what `solve_level` gave beside it. That is asked for a level and the error of the pressure which is expected of it, once that can be told.
 pub(crate) fn levels(
     ladder: &Ladder,
     watch: &mut Watch<'_>,
-    solve_level: &mut dyn FnMut(Level) -> Result<(Solved, Aside), Refusal>,
+    solve_level: &mut dyn FnMut(Level, Option<f64>) -> Result<(Solved, Aside), Refusal>,
 ) -> Result<(Outcome, Effort, Option<Aside>), Refusal> {
     let mut effort = Effort::default();
     let apart = |(x, _): &(Solved, Aside), (y, _): &(Solved, Aside)| distance(x, y);
@@ -71,7 +71,7 @@ pub(crate) fn levels(
         if last.is_some() && before.len() >= BELIEVED && !ladder.promises(before, &apart) {
             return Err(Refusal::Reason(OUT_OF_REACH.into()));
         }
-        let solved = solve_level(level)?;
+        let solved = solve_level(level, expected(before, &apart, 1).filter(|_| !ladder.is_fixed()))?;
         Ok(match &solved.0.refused {
             Some(reason) if ladder.can_do_without(before) => return Err(Refusal::Reason(reason.clone())),
             None if !solved.0.many.is_some_and(|many| many.crowded) => ControlFlow::Continue(solved),
@@ -82,7 +82,7 @@ pub(crate) fn levels(
     // A level beside that cannot be meshed or solved tells nothing.
     let refused = solved.iter().any(|(level, _)| level.refused.is_some());
     let beside = if refused { None } else { ladder.beside(&mut stopped, watch) };
-    let beside = beside.and_then(|level| solve_level(level).ok());
+    let beside = beside.and_then(|level| solve_level(level, None).ok());
     let beside = beside.map(|(level, _)| level).filter(|level| level.refused.is_none());
     beside.iter().for_each(|level| effort += level.effort.clone());
     let (solved, others): (Vec<Solved>, Vec<Aside>) = solved.into_iter().unzip();

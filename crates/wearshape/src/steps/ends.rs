@@ -25,7 +25,7 @@ use crate::steps::answer::{Outcome, Told};
 use crate::steps::contact_levels::{Aside, Solved, imbalance, levels};
 use crate::steps::ends_profile::Rows;
 use crate::steps::ends_setting::Setting;
-use crate::steps::free_ends::TOLERANCE;
+use crate::steps::free_ends::node_tolerance;
 use crate::steps::reported::{Moment, Reported};
 use crate::steps::twist::Twist;
 use crate::steps::{diagnosis, torsion};
@@ -42,13 +42,14 @@ const ROOM: f64 = 0.1;
 pub(crate) fn solve(setting: &Setting<'_>, watch: &mut Watch<'_>) -> Result<(Outcome, Effort, Vec<f64>), Refusal> {
     let mut trial = Trial::new(setting, setting.trial()?, setting.shear != 0.0);
     let ladder = Ladder::of(setting.problem, setting.options, Step::Contact).and_beyond(setting.problem);
-    let (outcome, effort, reported) = levels(&ladder, watch, &mut |level| {
+    let (outcome, effort, reported) = levels(&ladder, watch, &mut |level, expected| {
         let mut work = Effort::default();
+        trial.within = node_tolerance(setting.problem.wanted.accuracy, expected);
         let mut found = setting.position(level, &trial, &mut work)?;
         // Where stick does not end alike on both sides no one place is its end: only the contact's own end is sought from then on.
         if found.is_none() && trial.sought {
             let nodes = std::mem::take(&mut trial.nodes);
-            trial = Trial { stick: trial.stick, ..Trial::new(setting, nodes, false) };
+            trial = Trial { stick: trial.stick, within: trial.within, ..Trial::new(setting, nodes, false) };
             found = setting.position(level, &trial, &mut work)?;
         }
         let (ends, positioned) = found.ok_or_else(|| unsettled(&trial.nodes))?;
@@ -70,6 +71,8 @@ struct Trial {
     stick: Option<f64>,
     /// Whether the end of stick is looked for too.
     sought: bool,
+    /// Accuracy to which the ends are wanted, over their largest distance.
+    within: f64,
     /// End of stick over that of contact, where only the latter is moved.
     part: Option<f64>,
 }
@@ -81,7 +84,7 @@ impl Trial {
         let moving = if sought { &nodes[..] } else { &nodes[nodes.len() - 1..] };
         let ends = FreeEnds::near(moving.iter().map(|x| x / setting.room()).collect());
         let part = (setting.shear != 0.0 && !sought).then(|| nodes[0] / end);
-        Trial { nodes, ends, stick: None, sought, part }
+        Trial { nodes, ends, stick: None, sought, within: 0.0, part }
     }
 
     /// All nodes, given the places of those that are moved: a node where the stick of a twist ended at the last level stays there; one of a stick that
@@ -163,7 +166,7 @@ impl Setting<'_> {
     /// Moves element nodes onto the ends: there the pressure vanishes, and where stick is sought, the shear that sticking takes is just its
     /// limit. `None` where that does not settle.
     fn position(&self, level: Level, trial: &Trial, work: &mut Effort) -> Result<Option<(FreeEnds, Positioned)>, Refusal> {
-        let found = trial.ends.position(TOLERANCE * self.problem.wanted.accuracy, |places| -> Result<_, Refusal> {
+        let found = trial.ends.position(trial.within, |places| -> Result<_, Refusal> {
             let moving: Vec<f64> = places.iter().map(|t| t * self.room()).collect();
             let nodes = trial.nodes_at(&moving);
             let (parts, effort) = self.parts(level, &nodes)?;
@@ -244,8 +247,8 @@ impl Setting<'_> {
         let gap: Vec<f64> = held.points.iter().map(|p| self.disc.gap(p.position[0])).collect();
         (self.options.begun)(Step::Contact);
         let start = (self.options.clock)();
-        let on = operator.held_on(&held.pressed.closed, self.shear != 0.0);
-        let (found, load) = self.solved(&on, &gap, &held)?;
+        let mut on = operator.held_on(&held.pressed.closed, self.shear != 0.0);
+        let (found, load) = self.solved(&mut on, &gap, &held)?;
         let embedded = self.embedded(&operator, &gap, &load, &found)?;
         let interface = diagnosis::condition(on.singular_values(&gap, &load, &found).map_err(unsolved)?);
         effort.counters.contact_solves += 1 + usize::from(self.shear != 0.0);
@@ -296,7 +299,7 @@ impl Setting<'_> {
     }
 
     /// The last load step with its conditions of sign, and its load.
-    fn solved(&self, on: &HeldContact<'_, '_>, gap: &[f64], held: &Steps) -> Result<(ContactSolution, ContactLoad), Fault> {
+    fn solved(&self, on: &mut HeldContact<'_, '_>, gap: &[f64], held: &Steps) -> Result<(ContactSolution, ContactLoad), Fault> {
         let pressed = on.released(gap, &self.press(), &held.pressed).map_err(unsolved)?;
         if self.shear == 0.0 {
             return Ok((pressed, self.press()));

@@ -20,7 +20,16 @@ use crate::steps::start_gap::start_gaps;
 
 /// Accuracy of the nodes by the accuracy asked for: a misplaced end changes the pressure by about its distance over the length of the contact.
 /// The ends themselves are reported closer, with the step that their pressures still ask for.
-pub(crate) const TOLERANCE: f64 = 0.03;
+const TOLERANCE: f64 = 0.03;
+
+/// The same by the error of the pressure that is expected of a level, where that is still larger: nodes need not be better than the mesh.
+const SHARE: f64 = 0.1;
+
+/// Accuracy of the nodes, by the accuracy asked for and the error of the pressure that is expected of the level.
+pub(crate) fn node_tolerance(accuracy: f64, expected: Option<f64>) -> f64 {
+    let goes_on = expected.filter(|error| *error > accuracy);
+    goes_on.map_or(TOLERANCE * accuracy, |error| SHARE * error)
+}
 
 /// Bodies with element nodes on the ends of contact, and the solution with the points between the ends held in contact.
 pub(crate) struct Positioned<'a> {
@@ -30,24 +39,24 @@ pub(crate) struct Positioned<'a> {
     pub hot: Option<HotContact<'a>>,
 }
 
-/// Moves nodes onto the ends, level by level from those of the last one; `None` where that does not settle.
+/// Moves nodes onto the ends to an accuracy, level by level from those of the last one; `None` where that does not settle.
 pub(crate) fn position<'a>(
     stage: Stage<'a>,
     level: Level,
-    ends: &FreeEnds,
+    (ends, within): (&FreeEnds, f64),
     work: &mut Effort,
 ) -> Result<Option<(FreeEnds, Positioned<'a>)>, Fault> {
-    position_at(stage, level, (ends, 1.0), work)
+    position_at(stage, level, (ends, within, 1.0), work)
 }
 
 /// The same at a part of the sliding speed, of a scene with heat.
 fn position_at<'a>(
     stage: Stage<'a>,
     level: Level,
-    (ends, speed): (&FreeEnds, f64),
+    (ends, within, speed): (&FreeEnds, f64, f64),
     work: &mut Effort,
 ) -> Result<Option<(FreeEnds, Positioned<'a>)>, Fault> {
-    ends.position(TOLERANCE * stage.accuracy(), |places| held(stage, level, (places, ends.starts_closed, speed), work))
+    ends.position(within, |places| held(stage, level, (places, ends.starts_closed, speed), work))
 }
 
 /// Whether an odd number of branches lies between a hot contact with these ends and one that is unique.
@@ -105,7 +114,7 @@ pub(crate) fn followed(
     let mut step = SPEED_STEP;
     while speed < 1.0 {
         let next = (speed + step).min(1.0);
-        match position_at(stage, level, (&ends, next), work)? {
+        match position_at(stage, level, (&ends, node_tolerance(stage.accuracy(), None), next), work)? {
             Some((found, positioned)) if positioned.held.complementarity < NEAR => (ends, speed) = (found, next),
             _ if step > SMALLEST => step *= 0.5,
             _ => return Ok(FreeEnds::default()),

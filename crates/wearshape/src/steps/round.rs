@@ -131,7 +131,10 @@ impl RoundContact<'_> {
             }
             let mut search = Search::default();
             let ladder = Ladder::of(stage.problem, stage.options, Step::Contact).and_beyond(stage.problem);
-            let (mut outcome, work, last) = levels(&ladder, watch, &mut |level| solve_level(stage, level, &mut search))?;
+            let (mut outcome, work, last) = levels(&ladder, watch, &mut |level, expected| {
+                search.expected = expected;
+                solve_level(stage, level, &mut search)
+            })?;
             effort += work;
             let diagnosis = last.and_then(|last| last.diagnosis);
             diagnosis.iter().try_for_each(|diagnosis| diagnosis.report(stage, &mut outcome))?;
