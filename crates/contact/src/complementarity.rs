@@ -24,6 +24,11 @@ impl Complementarity<'_> {
         let mut centre = start.map_or(zero, |s| s.0.clone());
         let mut active = start.map_or_else(|| vec![true; n], |s| s.1.to_vec());
         let mut answer = Answer::open(self);
+        // The points of the start are mostly those of the contact: all of a surface that closes, or those found a little before.
+        answer.factorisations += 1;
+        if self.finish(&scaling, &active, &mut answer).is_some_and(|wrong| wrong.is_empty()) {
+            return answer;
+        }
         let mut current: Option<Point> = None;
         while answer.factorisations < NEWTON_LIMIT {
             let proximal = Proximal { weight: 1.0 / PENALTY, centre: &centre };

@@ -39,7 +39,7 @@ mod tests {
             let matrix = Mat::from_fn(n, n, wave);
             let [one, other] = [eigenvalues, small].map(|found| {
                 let mut found = found(&matrix).unwrap();
-                found.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+                found.sort_unstable_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
                 found
             });
             let largest = one.iter().map(|m| m[0].hypot(m[1])).fold(0.0, f64::max);

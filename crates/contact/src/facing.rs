@@ -92,7 +92,7 @@ pub(crate) fn breaks_on(edge: usize, own: &Trace, other: &Trace) -> Vec<f64> {
         }
         breaks.push(0.5 * (low + high));
     }
-    breaks.sort_by(f64::total_cmp);
+    breaks.sort_unstable_by(f64::total_cmp);
     breaks.dedup_by(|b, a| *b - *a < 1e-10);
     if let Some(last) = breaks.last_mut() {
         *last = 1.0;

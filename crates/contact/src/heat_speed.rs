@@ -136,7 +136,7 @@ fn factors(undone: &Mat<f64>) -> Result<SpeedFactors, Error> {
     }
     let real = eigenvalues.iter().filter(|[re, im]| *re > 0.0 && im.abs() <= REAL * radius);
     let mut singular: Vec<f64> = real.map(|[re, _]| 1.0 / re).filter(|s| *s < RANGE[1] / radius).collect();
-    singular.sort_by(f64::total_cmp);
+    singular.sort_unstable_by(f64::total_cmp);
     Ok(SpeedFactors { staggered: Some(1.0 / radius), singular })
 }
 

@@ -11,7 +11,7 @@ const HANDLING: f64 = 8.0;
 
 /// Puts groups in the order of their elimination.
 pub(crate) fn sort_by_rank(groups: &mut [usize], rank: &[usize]) {
-    groups.sort_by_key(|g| rank[*g]);
+    groups.sort_unstable_by_key(|g| rank[*g]);
 }
 
 impl Order {

@@ -74,7 +74,7 @@ impl<'a> Elements<'a> {
 
 /// Applies `task` to `0..count`, in parallel with the `rayon` feature; results come in order either way.
 pub(crate) fn map_cells<T: Send>(count: usize, task: impl Fn(&mut Workspace, usize) -> T + Sync + Send) -> Vec<T> {
-    #[cfg(feature = "rayon")]
+    #[cfg(all(feature = "rayon", not(target_family = "wasm")))]
     if rayon::current_num_threads() > 1 {
         use rayon::prelude::*;
         return (0..count).into_par_iter().map_init(Workspace::default, task).collect();

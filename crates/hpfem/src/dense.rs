@@ -14,7 +14,7 @@ const PANEL: usize = 128;
 /// Columns of what lies behind that are updated by one product.
 const STRIP: usize = 64;
 /// Multiplications from which the strips are shared among threads.
-#[cfg(feature = "rayon")]
+#[cfg(all(feature = "rayon", not(target_family = "wasm")))]
 const SHARED: usize = 1 << 23;
 
 /// Cholesky factorisation of the leading columns `[A11; A21]` (`n` rows, columns one after the other) of a symmetric matrix, in place:
@@ -128,7 +128,7 @@ pub(crate) fn subtract_product(left: MatRef<'_, f64>, a: MatMut<'_, f64>) {
         behind = rest;
         (start, own)
     });
-    #[cfg(feature = "rayon")]
+    #[cfg(all(feature = "rayon", not(target_family = "wasm")))]
     if rows * columns * left.ncols() > SHARED && rayon::current_num_threads() > 1 {
         use rayon::prelude::*;
         let strips: Vec<_> = strips.collect();
@@ -172,7 +172,7 @@ mod tests {
         };
         let a = Mat::from_fn(n, n, |i, j| entry(i, j) + if i == j { n as f64 } else { 0.0 });
         // Large enough for the strips to be shared.
-        #[cfg(feature = "rayon")]
+        #[cfg(all(feature = "rayon", not(target_family = "wasm")))]
         assert!((n - ne).pow(2) * ne > SHARED);
         let one = factored(&a, ne, 1);
         let lower = |i: usize, j: usize| if i >= j { one[j * n + i] } else { 0.0 };

@@ -129,7 +129,7 @@ pub fn gauss_lobatto_jacobi(n: usize) -> Quadrature {
         }
     }
     points.extend([-1.0, 1.0]);
-    points.sort_by(f64::total_cmp);
+    points.sort_unstable_by(f64::total_cmp);
     // Weights: the integral of each Lagrange polynomial against 1 + x, by an exact Gauss rule.
     let rule = gauss(n);
     let barycentric = barycentric_weights(&points);

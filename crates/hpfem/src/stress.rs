@@ -45,7 +45,7 @@ impl Stress {
             let values = DMatrix::from_fn(3, 3, |i, j| rows[i][j]).symmetric_eigenvalues();
             [values[0], values[1], values[2]]
         };
-        values.sort_by(f64::total_cmp);
+        values.sort_unstable_by(f64::total_cmp);
         values.reverse();
         values
     }

@@ -23,7 +23,7 @@ pub(crate) fn widest(cuts: &[f64]) -> f64 {
 
 /// Ascending points with near duplicates removed.
 pub(crate) fn merged(mut points: Vec<f64>) -> Vec<f64> {
-    points.sort_by(f64::total_cmp);
+    points.sort_unstable_by(f64::total_cmp);
     let scale = points.last().copied().unwrap_or(0.0) - points.first().copied().unwrap_or(0.0);
     points.dedup_by(|b, a| (*b - *a).abs() <= 1e-9 * scale);
     points

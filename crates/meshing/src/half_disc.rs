@@ -246,7 +246,7 @@ impl Breaks<'_> {
         let before = std::iter::once(&0.0).chain(self.nodes).zip(self.nodes);
         let within = before.filter(|_| self.graded.len() == self.nodes.len()).map(|(from, to)| from + WITHIN * (to - from));
         let mut inner: Vec<f64> = within.chain(self.nodes.iter().copied()).collect();
-        inner.sort_by(f64::total_cmp);
+        inner.sort_unstable_by(f64::total_cmp);
         inner.into_iter().chain(growing(self.candidate, last)).collect()
     }
 }

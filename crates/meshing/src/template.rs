@@ -29,7 +29,7 @@ pub(crate) fn contact_cuts(couple: &Couple, extent: Extent, cut: Cut<'_>, breaks
     let near = SAME * (last - first);
     let with = |points: &[f64]| {
         let mut others: Vec<f64> = breaks.iter().copied().filter(|b| points.iter().all(|p| (b - p).abs() > near)).collect();
-        others.sort_by(f64::total_cmp);
+        others.sort_unstable_by(f64::total_cmp);
         others.dedup_by(|b, a| (*b - *a).abs() <= near);
         merged(points.iter().copied().chain(others).collect())
     };
@@ -236,7 +236,7 @@ impl OnRing {
     fn new(couple: &Couple, number: usize, extent: Extent, cuts: &[f64], cut: Cut<'_>) -> OnRing {
         let own = |places: &mut dyn Iterator<Item = f64>| {
             let mut angles: Vec<f64> = places.map(|place| extent.own(number, place)).collect();
-            angles.sort_by(f64::total_cmp);
+            angles.sort_unstable_by(f64::total_cmp);
             angles
         };
         let [from, to] = extent.ends();

@@ -117,7 +117,7 @@ fn table_value(table: &DeTable<'_>) -> Result<Value, (String, Range<usize>)> {
             node: Node { value: plain(value.get_ref(), value.span())?, origin: Origin::File(value.span()) },
         });
     }
-    entries.sort_by_key(|entry| match &entry.origin {
+    entries.sort_unstable_by_key(|entry| match &entry.origin {
         Origin::File(span) => span.start,
         Origin::Flag(_) => usize::MAX,
     });

@@ -44,7 +44,7 @@ pub(crate) fn run_in(load: &Load<'_>, rigid: &RigidWear, pressure: &[f64], mean_
         eigenvalues(&(left.transpose() * &wear * &right).partial_piv_lu().solve(&matrix), false)?
     };
     let mut decay: Vec<f64> = times.iter().map(|[re, im]| (re * re + im * im) / re).collect();
-    decay.sort_by(f64::total_cmp);
+    decay.sort_unstable_by(f64::total_cmp);
     decay.reverse();
     let Reduced { right, left, matrix } = Reduced::new(load, rigid, &active, &vec![1.0; n]);
     let stiffness = &right * matrix.partial_piv_lu().solve(left.transpose());
@@ -101,7 +101,7 @@ fn run_in_mean(load: &Load<'_>, pressure: &[f64], mean_speed: f64) -> Option<Run
     let fastest = rates.iter().map(square).fold(0.0, f64::max);
     let lasting: Vec<&[f64; 2]> = rates.iter().filter(|rate| square(rate) > ROUND_OFF * fastest && rate[0] != 0.0).collect();
     let mut times: Vec<f64> = lasting.iter().map(|rate| 1.0 / rate[0]).collect();
-    times.sort_by(f64::total_cmp);
+    times.sort_unstable_by(f64::total_cmp);
     times.reverse();
     Some(RunIn {
         distances: times.iter().map(|t| t * mean_speed).collect(),

@@ -69,7 +69,7 @@ impl<const N: usize> Spline<N> {
                 })
                 .collect();
             knots.extend(between);
-            knots.sort_by(f64::total_cmp);
+            knots.sort_unstable_by(f64::total_cmp);
         }
     }
 

@@ -15,7 +15,7 @@ pub(super) fn keys(document: &Document, scene: &Scene, tasks: &[Task], more: Vec
             unused.extend(unused_in_blocks(blocks).iter().map(|key| format!("{name}.geometry.blocks.{key}")));
         }
     }
-    unused.sort();
+    unused.sort_unstable();
     unused.dedup();
     unused
 }

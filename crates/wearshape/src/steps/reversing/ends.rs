@@ -33,7 +33,7 @@ pub(super) fn ends_of(pressure: &[Vec<f64>; 2], arcs: &[f64], length: f64) -> Ve
             ends.push(2.0 * arc / length - 1.0);
         }
     }
-    ends.sort_by(f64::total_cmp);
+    ends.sort_unstable_by(f64::total_cmp);
     ends.dedup_by(|a, b| (*a - *b).abs() < APART);
     ends.retain(|end| end.abs() < 1.0 - APART);
     ends

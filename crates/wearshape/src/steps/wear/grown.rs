@@ -71,6 +71,6 @@ fn cut(stage: Stage<'_>, found: &Rough) -> Vec<f64> {
             places.extend(within.map(|x| touch + sense * x));
         }
     }
-    places.sort_by(f64::total_cmp);
+    places.sort_unstable_by(f64::total_cmp);
     places.iter().map(|place| (2.0 * place - from - to) / (to - from)).collect()
 }
