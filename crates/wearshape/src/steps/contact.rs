@@ -21,7 +21,7 @@ use crate::steps::answer::{Answer, Outcome, Own, Told};
 use crate::steps::contact_levels::{Aside, Solved, imbalance, levels};
 use crate::steps::contact_result::result;
 use crate::steps::diagnosis::Diagnosis;
-use crate::steps::free_ends::{Positioned, followed, nearer, node_tolerance, position};
+use crate::steps::free_ends::{Positioned, followed, misplaced, nearer, node_tolerance, position};
 use crate::steps::heat::branched;
 use crate::steps::heat::contact::HotContact;
 use crate::steps::hertz_trial::short_contact;
@@ -142,6 +142,7 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
         embedded,
         unsettled,
         many,
+        misplaced: misplaced(&ends, ends.zones(2.0).iter().map(|[from, to]| to - from).sum()),
         imbalance,
         heat,
         refused,

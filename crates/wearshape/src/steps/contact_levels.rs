@@ -37,6 +37,8 @@ pub(crate) struct Solved {
     pub unsettled: bool,
     /// Of a contact with more ends inside its surface than usual.
     pub many: Option<ManyEnds>,
+    /// How far nodes are from the ends of contact, over the length of the contact; about that much the pressure is off by.
+    pub misplaced: f64,
     /// How far the forces on body 2 are from balance, relative: what round-off has made of its equations.
     pub imbalance: f64,
     /// Frictional heat.
@@ -140,6 +142,8 @@ fn finish(ladder: &Ladder, mut solved: Vec<Solved>, beside: Option<Solved>) -> (
     let Some(last) = solved.pop() else { return Default::default() };
     // Displacements are off by about what equilibrium is off by, and no series of levels tells that.
     let found = found.map(|errors| errors.map(|error| error.max(ROUND_OFF * last.imbalance)));
+    // Levels may have their nodes equally far from the ends, which their differences do not tell either.
+    let found = found.map(|[energy, pressure, twist]| [energy, pressure.max(last.misplaced), twist]);
     let mut outcome = report(ladder, last, found, rungs);
     if count < levels {
         outcome.error.how += &format!("; the best of them is reported, of degree {}", degrees[count - 1]);

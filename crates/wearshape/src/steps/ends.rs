@@ -25,7 +25,7 @@ use crate::steps::answer::{Outcome, Told};
 use crate::steps::contact_levels::{Aside, Solved, imbalance, levels};
 use crate::steps::ends_profile::Rows;
 use crate::steps::ends_setting::Setting;
-use crate::steps::free_ends::node_tolerance;
+use crate::steps::free_ends::{misplaced, node_tolerance};
 use crate::steps::reported::{Moment, Reported};
 use crate::steps::twist::Twist;
 use crate::steps::{diagnosis, torsion};
@@ -288,6 +288,7 @@ impl Setting<'_> {
             embedded,
             unsettled: false,
             many: None,
+            misplaced: misplaced(&trial.ends, trial.ends.places[trial.ends.places.len() - 1]),
             imbalance,
             heat: None,
             refused: (!touches).then(|| found.status.to_string()),

@@ -31,6 +31,13 @@ pub(crate) fn node_tolerance(accuracy: f64, expected: Option<f64>) -> f64 {
     goes_on.map_or(TOLERANCE * accuracy, |error| SHARE * error)
 }
 
+/// How far nodes are from the ends of contact, by the step that the pressures at them still ask for, over the length of the contact in the measure of
+/// the places; 0 without ends.
+pub(crate) fn misplaced(ends: &FreeEnds, contact: f64) -> f64 {
+    let steps = ends.refined().iter().zip(&ends.places).map(|(refined, place)| (refined - place).abs());
+    if ends.places.is_empty() { 0.0 } else { steps.fold(0.0, f64::max) / contact }
+}
+
 /// Bodies with element nodes on the ends of contact, and the solution with the points between the ends held in contact.
 pub(crate) struct Positioned<'a> {
     pub reduced: Arc<Reduced>,
