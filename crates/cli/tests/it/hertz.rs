@@ -148,3 +148,26 @@ fn a_sheared_cylinder_on_an_unlike_block_sticks_further_on_one_side() {
     assert!(stick.len() == 2 && (stick[0] + stick[1]).abs() > 0.01 * ends[1], "{contact}");
     assert!(stick[0] > ends[0] && stick[1] < ends[1], "{contact}");
 }
+
+/// Pressures at the same places, from near the middle to near the end of contact, and the error that is told of them.
+fn inner_pressures(bench: &Bench, args: &str) -> (Vec<f64>, f64) {
+    let summary = run(bench, args);
+    let curves: Value = serde_json::from_str(&bench.read("x/plots/curves.json")).unwrap();
+    let pressure = &curves.as_array().unwrap().iter().find(|curve| curve["file"] == "pressure").unwrap()["chart"]["series"][0];
+    let [x, y] = ["x", "y"].map(|of| pressure[of].as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect::<Vec<_>>());
+    let inside = x.iter().zip(&y).filter(|(x, _)| x.abs() < 0.95 * last(&summary, "ends_mm")).map(|(_, y)| *y);
+    (inside.collect(), summary["error"]["pressure_relative"].as_f64().unwrap())
+}
+
+/// At a rough accuracy levels have their nodes equally far from the ends of contact: the difference of levels is a quarter of the error.
+#[test]
+fn the_error_told_counts_what_nodes_are_off_by_from_the_ends_of_contact() {
+    let bench = Bench::new();
+    let (exact, _) = inner_pressures(&bench, "cattaneo-mindlin --set accuracy=1e-6");
+    let (rough, told) = inner_pressures(&bench, "cattaneo-mindlin --set accuracy=1e-3");
+    assert!(exact.len() == rough.len() && exact.len() > 40, "{} {}", exact.len(), rough.len());
+    let norm = |values: &mut dyn Iterator<Item = f64>| values.map(|v| v * v).sum::<f64>().sqrt();
+    let off = norm(&mut rough.iter().zip(&exact).map(|(a, b)| a - b)) / norm(&mut exact.iter().copied());
+    println!("told {told:.2e}, off by {off:.2e}");
+    assert!(off < 1.5 * told && told < 1e-4, "told {told:.2e}, off by {off:.2e}");
+}
