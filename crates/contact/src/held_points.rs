@@ -27,10 +27,10 @@ impl HeldPoints {
         for r in responses {
             let pick = |all: &Rows| (all.at(&at), all.at(more));
             let (rows, new) = pick(&r.normal);
-            let under = r.under(&new, more);
+            let under = r.under(&new, &at);
             add_symmetric(&mut normal, &rows.product(&under));
             let Some((slides, sliding)) = r.tangential.as_ref().map(pick) else { continue };
-            let under_shear = r.under(&sliding, more);
+            let under_shear = r.under(&sliding, &at);
             if let Some(sum) = &mut normal_by_shear {
                 // What shear opens, and what normal forces slide: work is reciprocal (Betti).
                 add_crossed(sum, &rows.product(&under_shear), &slides.product(&under));
