@@ -341,7 +341,8 @@ fn find<'a>(stage: Stage<'a>, level: Level, search: &mut Search, effort: &mut Ef
 /// The same with frictional heat; on the standing mesh where nodes do not settle on the ends of contact, or lead to others.
 fn find_hot<'a>(stage: Stage<'a>, level: Level, search: &mut Search, effort: &mut Effort) -> Result<Option<Found<'a>>, Fault> {
     let mut standing = None;
-    let within = node_tolerance(stage.accuracy(), search.expected);
+    // Ends of a hot contact move its heat, and so each other: nodes that are off lead to another branch.
+    let within = node_tolerance(stage.accuracy(), None);
     if search.ends.places.is_empty() {
         standing = HotContact::new(stage, level, effort)?;
         if let Some(hot) = &standing {
