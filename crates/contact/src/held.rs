@@ -112,6 +112,11 @@ impl HeldContact<'_, '_> {
         Ok(Some(self.assemble(&stage, ending, (gap, opening))))
     }
 
+    /// The points held, as indices of [`ContactOperator::points`]; those that came in later stand after the others.
+    pub fn points(&self) -> &[usize] {
+        &self.points.at
+    }
+
     /// Solves as [`ContactOperator::solve`] from a solution on these points, whose signs may be wrong: they may open, and slip where they stuck. Costs
     /// what these points alone do, and the few others that come into contact; they are held from then on too.
     ///

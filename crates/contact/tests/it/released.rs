@@ -43,6 +43,7 @@ fn points_held_by_mistake_open_and_points_left_out_come_into_contact() {
             assert!(start.complementarity > 1e-6, "there is nothing to mend");
             assert_eq!((found.status.clone(), &found.states), (exact.status.clone(), &exact.states));
             assert!(apart(&found, &exact) < 1e-11 && found.complementarity < 1e-12);
+            assert!(reach > 1.3 || held.points().len() < n, "all points together were asked after all");
             let values = |of: Result<Option<[f64; 2]>, Error>| of.unwrap().unwrap();
             let (held, all) = (held.singular_values(&gap, &load, &found), operator.singular_values(&gap, &load, &exact));
             assert_relative_eq!(values(held)[0], values(all)[0], max_relative = 0.05);
@@ -68,7 +69,7 @@ fn stick_turns_to_slip_and_the_end_that_shear_shifts_takes_points_in() {
     println!("{} points stick of {}, apart {:.1e}", stick(&found.states), stick(&start.states), apart(&found, &exact));
     assert!(stick(&found.states) < stick(&start.states) && exact.closed != pressed.closed);
     assert_eq!((found.status.clone(), &found.states), (exact.status.clone(), &exact.states));
-    assert!(apart(&found, &exact) < 1e-11);
+    assert!(apart(&found, &exact) < 1e-11 && held.points().len() < gap.len());
 }
 
 #[test]
