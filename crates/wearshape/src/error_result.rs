@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-/// `summary.error`: estimated relative errors.
+/// `summary.error`: estimated errors.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct ErrorResult {
     /// Of the gap.
@@ -13,6 +13,12 @@ pub struct ErrorResult {
     pub energy_relative: Option<f64>,
     /// Of the torque of a twist, or of its angle where the torque is given.
     pub twist_relative: Option<f64>,
+    /// Largest of the ends of contact inside the surface; they may be off by more than the pressure is, where it falls slowly towards them.
+    #[serde(rename = "ends_mm")]
+    pub ends: Option<f64>,
+    /// Largest of the ends of the sticking zone.
+    #[serde(rename = "stick_ends_mm")]
+    pub stick_ends: Option<f64>,
     /// How they were estimated.
     pub how: String,
 }

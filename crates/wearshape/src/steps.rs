@@ -8,6 +8,7 @@ pub(crate) mod contact_levels;
 pub(crate) mod contact_result;
 pub(crate) mod diagnosis;
 pub(crate) mod ends;
+pub(crate) mod ends_error;
 pub(crate) mod ends_profile;
 pub(crate) mod ends_scope;
 pub(crate) mod ends_setting;

@@ -30,6 +30,25 @@ fn the_three_free_ends_of_the_ring_take_at_most_four_times_the_plain_ladder() {
 }
 
 #[test]
+fn ends_of_contact_are_as_far_off_as_they_are_told_to_be() {
+    let bench = Bench::new();
+    let at = |scene: &str, accuracy: &str| {
+        let call = bench.call(&format!("run {scene} -q --set accuracy={accuracy}"));
+        assert_eq!(call.code, 0, "{scene} {accuracy}: {}", call.err);
+        let summary = bench.summary(scene);
+        [&summary["contact"]["ends_mm"], &summary["error"]["ends_mm"]].map(Clone::clone)
+    };
+    for scene in ["bushing", "hertz-sphere", "knee"] {
+        let [[found, told], [fine, told_of_fine]] = ["1e-4", "1e-7"].map(|accuracy| at(scene, accuracy));
+        let [told, told_of_fine] = [told, told_of_fine].map(|told| told.as_f64().unwrap());
+        let far = |i: usize| (found[i].as_f64().unwrap() - fine[i].as_f64().unwrap()).abs();
+        let off = far(0).max(far(1));
+        println!("{scene}: off by {off:e} mm, told {told:e}");
+        assert!(told_of_fine < 0.1 * told && off < told && off > 0.05 * told, "{scene} {off:e} {told:e} {told_of_fine:e}");
+    }
+}
+
+#[test]
 fn a_contact_that_fills_its_surface_is_not_positioned() {
     let (ends, factorisations, levels) = contact("drum-brake-block", "--set mesh.degree=6");
     assert_abs_diff_eq!(ends[1], 104.719_755_119_66, epsilon = 1e-9);

@@ -11,6 +11,7 @@ use crate::results::{ContactResult, EnergyResult, ErrorResult, InterfaceResult, 
 use crate::solution::{Rung, Status};
 use crate::steps::answer::{Outcome, Told};
 use crate::steps::diagnosis::Diagnosis;
+use crate::steps::ends_error;
 use crate::steps::many_ends::ManyEnds;
 use crate::steps::reported::Reported;
 use crate::watch::Watch;
@@ -134,11 +135,17 @@ fn finish(ladder: &Ladder, mut solved: Vec<Solved>, beside: Option<Solved>) -> (
     let degrees: Vec<usize> = ladder.levels.iter().map(|level| level.degree).collect();
     let rungs = rungs(&degrees, &solved, "pressure", 1, distance);
     let levels = solved.len();
-    let (count, found) = match solved.last().zip(beside) {
-        Some((last, beside)) => (levels, Some(distance(last, &beside).map(fixed::error))),
+    let (count, found) = match solved.last().zip(beside.as_ref()) {
+        Some((last, beside)) => (levels, Some(distance(last, beside).map(fixed::error))),
         None => best(ladder, &solved, &distance).map_or((levels, None), |(count, errors)| (count, Some(errors))),
     };
     solved.truncate(count);
+    let ends_off = |of: fn(&ContactResult) -> &[f64]| {
+        let ends: Vec<&[f64]> = solved.iter().map(|level| of(&level.contact)).collect();
+        let misplaced = solved.last().map_or(0.0, |last| last.misplaced);
+        ends_error::of(&ends, beside.as_ref().map(|beside| of(&beside.contact)), misplaced)
+    };
+    let ends_off = [ends_off(|contact| &contact.ends), ends_off(|contact| &contact.stick_ends)];
     let Some(last) = solved.pop() else { return Default::default() };
     // Displacements are off by about what equilibrium is off by, and no series of levels tells that.
     let found = found.map(|errors| errors.map(|error| error.max(ROUND_OFF * last.imbalance)));
@@ -147,6 +154,9 @@ fn finish(ladder: &Ladder, mut solved: Vec<Solved>, beside: Option<Solved>) -> (
     let mut outcome = report(ladder, last, found, rungs);
     if count < levels {
         outcome.error.how += &format!("; the best of them is reported, of degree {}", degrees[count - 1]);
+    }
+    if found.is_some() && outcome.told.is_some() && !matches!(outcome.ended, Some((Status::Refused, _))) {
+        [outcome.error.ends, outcome.error.stick_ends] = ends_off;
     }
     outcome.tell(found.filter(|_| ladder.is_fixed()).map(|[_, pressure, _]| pressure));
     (outcome, count - 1)
