@@ -18,6 +18,7 @@ mod speed;
 mod stability;
 mod supply;
 mod tidy;
+mod tube;
 mod validation;
 mod verify;
 mod web;
@@ -48,13 +49,12 @@ usage: cargo xtask <chore>
   editor    check the scenes by the schema with the checker of an editor plug-in (taplo, from npm)
   crates    whether each library crate packs all that it needs, files and versions, and offers the
             names that docs/api lists [--write]
-  builds    the libraries by the oldest Rust promised, without features, and for a browser, with a
-            module run by node
+  builds    the libraries by the oldest Rust promised, and without features
   python    the package for Python in an environment of its own below target: built, its tests, types
             and notebooks [--install]
   wheel     the package for Python as a file that others install, into target/wheels [--install]
-  web       the page that computes in a browser, into target/web; --test uses it in headless Chromium
-            [--test] [--install]
+  web       the page that computes in a browser, into target/web; --test uses it in headless Chromium, and
+            calls the module of hpfem alone from node [--test] [--install]
   supply    every package of others comes from the registry, under a licence that deny.toml allows
   book      the book, into target/book: pages with the output of their commands, keys by the schema, links
             [--test]: the examples of the keys too  [--all]: commands of minutes too  [--program PATH]

@@ -1,4 +1,5 @@
-//! `cargo xtask web`: the page that computes, into `target/web`: static files for any server. `--test` uses it in headless Chromium.
+//! `cargo xtask web`: the page that computes, into `target/web`: static files for any server. `--test` uses it in headless Chromium, and calls the module of
+//! hpfem alone that is built beside it.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -6,7 +7,7 @@ use std::process::{Command, ExitCode};
 use std::time::Instant;
 
 use super::packages::{cargo, done, printed};
-use super::verify;
+use super::{tube, verify};
 
 const WASM: &str = "wasm32-unknown-unknown";
 /// The folder of the package: the page, what it takes from npm, the test.
@@ -67,9 +68,9 @@ fn built(root: &Path, install: bool) -> Result<(), String> {
     let start = Instant::now();
     let flags = format!("CARGO_TARGET_{}_RUSTFLAGS", WASM.to_uppercase().replace('-', "_"));
     let mut build = cargo(root);
-    build.args(["build", "--quiet", "--locked", "--profile", "browser", "--target", WASM, "--package", "wearshape-web"]);
+    build.args(["build", "--quiet", "--locked", "--profile", "browser", "--target", WASM]);
+    build.args(["--package", "wearshape-web", "--package", tube::PACKAGE]);
     done(build.env(flags, format!("{FLAGS}{}", without_registry())))?;
-    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from);
     let out = root.join("target/web");
     if out.exists() {
         fs::remove_dir_all(&out).map_err(|error| format!("{}: {error}", out.display()))?;
@@ -78,7 +79,7 @@ fn built(root: &Path, install: bool) -> Result<(), String> {
     let packages = packages(root, install)?;
     let mut smaller = Command::new("node");
     smaller.arg(packages.join("binaryen/bin/wasm-opt")).args(SMALLER);
-    smaller.arg(target.join(WASM).join("browser/wearshape_web.wasm")).arg("--output").arg(out.join("wearshape.wasm"));
+    smaller.arg(module(root, "wearshape_web")).arg("--output").arg(out.join("wearshape.wasm"));
     done(&mut smaller)?;
     let page = root.join(FOLDER).join("page");
     for entry in fs::read_dir(&page).map_err(|error| format!("{}: {error}", page.display()))? {
@@ -91,6 +92,12 @@ fn built(root: &Path, install: bool) -> Result<(), String> {
     sizes(&out)?;
     println!("{:4.0} s  built into target/web", start.elapsed().as_secs_f64());
     Ok(())
+}
+
+/// A module as the compiler made it.
+fn module(root: &Path, name: &str) -> PathBuf {
+    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from);
+    target.join(WASM).join("browser").join(name).with_extension("wasm")
 }
 
 /// Flags that leave the folder of the registry out of the names of files that the module holds: it is this machine's, and takes place.
@@ -199,6 +206,7 @@ fn tested(root: &Path, install: bool) -> Result<(), String> {
     test.arg(root.join(FOLDER).join("tests/browser.py")).arg(root.join("target/web")).arg(&program).arg(&folder);
     print!("{}", printed(test.current_dir(root).stdin(std::process::Stdio::null()))?);
     println!("{:4.0} s  used in Chromium; pictures in target/web-test", start.elapsed().as_secs_f64());
+    println!("        {}", tube::compared(root, &module(root, tube::PACKAGE))?);
     Ok(())
 }
 

@@ -37,6 +37,5 @@ impl Pair<'_> {
 
 /// Displacement of a body at a place of its kept boundary, edge of the path and parameter.
 fn displacement(body: &InterfaceOperator, state: &InterfaceState, (edge, t): (usize, f64)) -> [f64; 2] {
-    let (rows, constant) = body.trace.displacement_row(edge, t);
-    std::array::from_fn(|k| rows[k].iter().map(|(i, c)| c * state.unknowns[*i]).sum::<f64>() + constant[k])
+    body.trace.displacement(edge, t, &state.unknowns)
 }

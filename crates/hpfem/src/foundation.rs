@@ -6,7 +6,7 @@ use crate::boundary::boundary_point;
 use crate::error::Error;
 use crate::freedom::Foundation;
 use crate::kinematics::Kinematics;
-use crate::legendre::shape_functions;
+use crate::legendre::shape_values;
 use crate::mesh::Mesh;
 use crate::own_element::{LocalMatrix, OwnElement};
 use crate::problem::BodyProblem;
@@ -78,7 +78,7 @@ impl Assembly<'_> {
         for (t, w) in rule.points.iter().zip(&rule.weights) {
             let (p, length) = boundary_point(&own.curve, *t, false);
             let weight = w * length * self.kinematics.measure(p.position[0]) / self.unit;
-            let shapes = shape_functions(degree, *t).0;
+            let shapes: Vec<f64> = shape_values(degree, *t).collect();
             let stiffness = |c: usize, d: usize| match self.kinematics {
                 Kinematics::Torsion => foundation.tangential,
                 Kinematics::Potential { .. } | Kinematics::AxisymmetricPotential => foundation.normal,

@@ -32,6 +32,22 @@ pub(crate) fn last_legendre(degree: usize, x: f64) -> [f64; 2] {
     [lower, value]
 }
 
+/// The values alone of [`shape_functions`], one after the other.
+pub(crate) fn shape_values(degree: usize, x: f64) -> impl Iterator<Item = f64> {
+    // P_{k-2} and P_{k-1}.
+    let (mut lower, mut value) = (1.0, x);
+    (0..=degree).map(move |k| {
+        if k < 2 {
+            return 0.5 * if k == 0 { 1.0 - x } else { 1.0 + x };
+        }
+        let (n, c) = ((k - 1) as f64, (2 * k - 1) as f64);
+        let next = ((2.0 * n + 1.0) * x * value - n * lower) / (n + 1.0);
+        let shape = (next - lower) / (2.0 * c).sqrt();
+        (lower, value) = (value, next);
+        shape
+    })
+}
+
 /// The hierarchic shape functions `N_0 .. N_degree` at `x` and their derivatives, as `(values, derivatives)`, each of
 /// length `degree + 1`; `degree >= 1`.
 pub fn shape_functions(degree: usize, x: f64) -> (Vec<f64>, Vec<f64>) {

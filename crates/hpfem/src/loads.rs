@@ -3,7 +3,7 @@
 use crate::assembly::Assembly;
 use crate::basis::{BoundaryModes, points_for};
 use crate::boundary::boundary_point;
-use crate::legendre::shape_functions;
+use crate::legendre::shape_values;
 use crate::mesh::CELL_EDGES;
 use crate::quadrature::gauss;
 
@@ -27,7 +27,7 @@ impl Assembly<'_> {
                     let value = (load.traction)(&point);
                     let measure = self.kinematics.measure(point.position[0]) / self.unit;
                     let weight = 0.5 * (to - from) * w * length * measure;
-                    for (sum, shape) in sums.iter_mut().zip(shape_functions(degree, t).0) {
+                    for (sum, shape) in sums.iter_mut().zip(shape_values(degree, t)) {
                         sum[0] += weight * shape * value[0];
                         sum[1] += weight * shape * value[1];
                     }

@@ -238,8 +238,15 @@ impl Mesh {
         let corners = self.cells[cell].corners.map(|v| self.vertices[v]);
         let size = distance(corners[0], corners[2]).max(distance(corners[1], corners[3]));
         let triangle = self.cells[cell].is_triangle();
-        for [xi, eta] in [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0], [0.0, 0.0]] {
-            let (x, d) = if triangle { self.reference_map(cell, barycentric(xi, eta)) } else { self.map(cell, xi, eta) };
+        let places = [-1.0, 1.0, 0.0];
+        let curves: [Curve; 4] = std::array::from_fn(|local| self.local_curve(cell, local));
+        let edges = curves.each_ref().map(|curve| places.map(|t| (curve.point(t), curve.derivative(t))));
+        for [i, j] in [[0, 0], [1, 0], [1, 1], [0, 1], [2, 2]] {
+            let (xi, eta) = (places[i], places[j]);
+            let (x, d) = match triangle {
+                true => self.reference_map(cell, barycentric(xi, eta)),
+                false => blend(&corners, [edges[0][i], edges[1][j], edges[2][i], edges[3][j]], xi, eta),
+            };
             let jacobian = d[0][0] * d[1][1] - d[0][1] * d[1][0];
             if jacobian.is_nan() || jacobian <= 1e-14 * size * size {
                 return Err(Error::FoldedCell { cell, jacobian, x: x[0], z: x[1] });

@@ -176,9 +176,10 @@ pub fn lagrange(points: &[f64], barycentric: &[f64], x: f64) -> Vec<f64> {
     if let Some(hit) = points.iter().position(|y| *y == x) {
         return (0..points.len()).map(|i| f64::from(u8::from(i == hit))).collect();
     }
-    let terms: Vec<f64> = points.iter().zip(barycentric).map(|(y, w)| w / (x - y)).collect();
+    let mut terms: Vec<f64> = points.iter().zip(barycentric).map(|(y, w)| w / (x - y)).collect();
     let total: f64 = terms.iter().sum();
-    terms.iter().map(|t| t / total).collect()
+    terms.iter_mut().for_each(|t| *t /= total);
+    terms
 }
 
 /// Fills a symmetric rule from `positive_half(i)`, the i-th largest point and its weight.

@@ -5,7 +5,7 @@ use crate::curve::Curve;
 use crate::freedom::rigid_rows;
 use crate::kept::Kept;
 use crate::kinematics::Kinematics;
-use crate::legendre::shape_functions;
+use crate::legendre::shape_values;
 use crate::mesh::Mesh;
 use crate::quadrature::{gauss_lobatto, gauss_lobatto_jacobi};
 use crate::space::Space;
@@ -198,13 +198,38 @@ impl Trace {
         let own = if e.against { -t } else { t };
         let mut rows = [Vec::with_capacity(e.degree + 1), Vec::with_capacity(e.degree + 1)];
         let mut constant = [0.0; 2];
-        for (mode, shape) in shape_functions(e.degree, own).0.into_iter().enumerate() {
+        for (mode, shape) in shape_values(e.degree, own).enumerate() {
             for component in 0..self.components {
                 rows[component].extend(e.unknowns[mode][component].iter().map(|(u, c)| (*u, c * shape)));
                 constant[component] += shape * e.prescribed[mode][component];
             }
         }
         (rows, constant)
+    }
+
+    /// The displacement at parameter `t` of an edge for given kept unknowns, mm.
+    pub fn displacement(&self, edge: usize, t: f64, unknowns: &[f64]) -> [f64; 2] {
+        let [by_unknowns, prescribed] = self.displacement_parts(edge, t, unknowns);
+        std::array::from_fn(|k| by_unknowns[k] + prescribed[k])
+    }
+
+    /// The same without what is prescribed, as rigid motions and differences of states have none.
+    pub fn relative_displacement(&self, edge: usize, t: f64, unknowns: &[f64]) -> [f64; 2] {
+        self.displacement_parts(edge, t, unknowns)[0]
+    }
+
+    fn displacement_parts(&self, edge: usize, t: f64, unknowns: &[f64]) -> [[f64; 2]; 2] {
+        let e = &self.edges[edge];
+        let own = if e.against { -t } else { t };
+        let [mut by_unknowns, mut prescribed] = [[0.0; 2]; 2];
+        for (mode, shape) in shape_values(e.degree, own).enumerate() {
+            for component in 0..self.components {
+                let active = &e.unknowns[mode][component];
+                active.iter().for_each(|(u, c)| by_unknowns[component] += c * shape * unknowns[*u]);
+                prescribed[component] += shape * e.prescribed[mode][component];
+            }
+        }
+        [by_unknowns, prescribed]
     }
 
     /// Displacement at a place when a support moves by unit translations along the two axes and by a unit rotation about the origin,
@@ -214,7 +239,7 @@ impl Trace {
         if e.fixed.is_empty() {
             return Vec::new();
         }
-        let shapes = shape_functions(e.degree, if e.against { -t } else { t }).0;
+        let shapes: Vec<f64> = shape_values(e.degree, if e.against { -t } else { t }).collect();
         e.fixed.iter().map(|(mode, support, m)| (*support, m.map(|m| m.map(|v| v * shapes[*mode])))).collect()
     }
 
@@ -254,7 +279,7 @@ impl Trace {
 
     fn add_force_at(&self, load: &mut TraceLoad, (edge, t): (usize, f64), x: [f64; 2], force: [f64; 2]) {
         let e = &self.edges[edge];
-        let shapes = shape_functions(e.degree, if e.against { -t } else { t }).0;
+        let shapes: Vec<f64> = shape_values(e.degree, if e.against { -t } else { t }).collect();
         for (unknowns, shape) in e.unknowns.iter().zip(&shapes) {
             for (row, force) in unknowns.iter().zip(force) {
                 row.iter().for_each(|(u, c)| load.unknowns[*u] += force * (c * shape));

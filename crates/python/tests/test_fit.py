@@ -18,10 +18,10 @@ def rates() -> list[float]:
 
 
 def test_intervals_hold_the_truth_as_often_as_they_say() -> None:
-    """200 draws of noise of 2 %: the truth lies in the interval of 95 % in 190 of them, give or take 3 standard deviations of the count."""
+    """100 draws of noise of 2 %: the truth lies in the interval of 95 % in 95 of them, give or take 3 standard deviations of the count."""
     random = np.random.default_rng(18)
     exact = rates()
-    draws, held = 200, dict.fromkeys(TRUE, 0)
+    draws, held = 100, dict.fromkeys(TRUE, 0)
     for _ in range(draws):
         noise = 1 + 0.02 * random.standard_normal(len(exact))
         data = [wearshape.Number(RATE, rate * n, 0.02 * rate, test) for rate, n, test in zip(exact, noise, TESTS, strict=True)]

@@ -213,13 +213,9 @@ impl Shape {
 pub fn closing(pair: &Pair<'_>, point: &ContactPoint) -> Vec<f64> {
     let body = pair.shaped;
     let (edge, t) = pair.place(Side::Shaped, point);
-    let (rows, _) = body.trace.displacement_row(edge, t);
-    (0..body.rigid_modes.ncols())
-        .map(|m| {
-            let u = |k: usize| rows[k].iter().map(|(i, c)| c * body.rigid_modes[(*i, m)]).sum::<f64>();
-            -(point.normal[0] * u(0) + point.normal[1] * u(1))
-        })
-        .collect()
+    let modes = 0..body.rigid_modes.ncols();
+    let moved = modes.map(|m| body.trace.relative_displacement(edge, t, body.rigid_modes.col_as_slice(m)));
+    moved.map(|u| -(point.normal[0] * u[0] + point.normal[1] * u[1])).collect()
 }
 
 /// The jump over the whole surface, for the choice of the rigid part.

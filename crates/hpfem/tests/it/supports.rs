@@ -127,9 +127,12 @@ fn a_load_on_the_kept_boundary_gives_the_same_field_as_a_load_case() {
     let x = i.trace.boundary_point(edge, t).0.position;
     let (cell, xi, eta) = f.locate(x).unwrap();
     let value = f.at(cell, xi, eta).unwrap().displacement;
+    let whole = i.trace.displacement(edge, t, &state.unknowns);
+    let relative = i.trace.relative_displacement(edge, t, &state.unknowns);
     for k in 0..2 {
-        let u: f64 = rows[k].iter().map(|(n, c)| c * state.unknowns[*n]).sum::<f64>() + constant[k];
-        assert_abs_diff_eq!(u, value[k], epsilon = 1e-12 * size);
+        let u: f64 = rows[k].iter().map(|(n, c)| c * state.unknowns[*n]).sum::<f64>();
+        assert_abs_diff_eq!(u + constant[k], value[k], epsilon = 1e-12 * size);
+        assert_eq!([relative[k], whole[k]], [u, u + constant[k]]);
     }
 }
 
