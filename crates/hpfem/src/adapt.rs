@@ -9,6 +9,9 @@ use crate::singular::SingularVertex;
 /// Ratio of the sizes of neighbouring layers, close to the best one, `(sqrt 2 - 1)^2 = 0.17` (Gui and Babuska 1986).
 const RATIO: f64 = 0.15;
 
+/// Length of the shortest edge at a singular vertex over the coordinates of the vertex below which no layer is cut: round-off of the places would shape its cells.
+const FINEST: f64 = 1e-11;
+
 /// How an adaptive run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AdaptStatus {
@@ -47,13 +50,23 @@ pub struct Adapted {
 /// Mesh and degrees of level `p`: geometric layers towards every singular vertex, degree `p` outside, falling linearly into the layers
 /// (Babuska and Guo 1986). The coarse mesh is refined uniformly first where a cell touches two singular vertices.
 ///
-/// The number of layers balances the error left in the innermost cell, `RATIO^(layers * exponent)`, with the one of the degree.
+/// The number of layers balances the error left in the innermost cell, `RATIO^(layers * exponent)`, with the one of the degree; it ends where round-off of the
+/// coordinates would shape the cells, later at vertices near the origin.
 ///
 /// # Errors
-/// [`Error::FoldedCell`] if a cell cannot be cut; [`Error::OutOfRange`] if `p` is not in `1..=24`.
+/// [`Error::FoldedCell`] if a cell cannot be cut; [`Error::OutOfRange`] if `p` is not in `1..=24` or an exponent not in `(0, 1]`; [`Error::Count`] for a
+/// vertex that does not exist.
 pub fn graded_level(coarse: &Mesh, singular: &[SingularVertex], p: usize) -> Result<(Mesh, Vec<usize>), Error> {
     if !(1..=MAX_DEGREE).contains(&p) {
         return Err(Error::OutOfRange { quantity: "the degree of a level".into(), value: p as f64, range: "in 1..=24" });
+    }
+    if let Some(s) = singular.iter().find(|s| !(s.exponent > 0.0 && s.exponent <= 1.0)) {
+        let quantity = format!("the exponent of the singular vertex {}", s.vertex);
+        return Err(Error::OutOfRange { quantity, value: s.exponent, range: "in (0, 1]" });
+    }
+    if let Some(s) = singular.iter().find(|s| s.vertex >= coarse.vertices.len()) {
+        let what = format!("vertices that are singular, up to number {} counted from 0", s.vertex);
+        return Err(Error::Count { what, given: s.vertex.saturating_add(1), expected: coarse.vertices.len() });
     }
     let vertices: Vec<usize> = singular.iter().map(|s| s.vertex).collect();
     let mut mesh = coarse.clone();
@@ -61,13 +74,16 @@ pub fn graded_level(coarse: &Mesh, singular: &[SingularVertex], p: usize) -> Res
     while mesh.cells.iter().any(|c| c.vertices().iter().filter(|v| vertices.contains(v)).count() > 1) {
         mesh = mesh.refined()?;
     }
-    let mut layers = 0;
+    let mut deepest = 0;
     let depth = |s: &SingularVertex| ((0.75 * p as f64 / s.exponent).ceil() as usize).clamp(1, 4 * p);
-    let deepest = singular.iter().map(depth).max().unwrap_or(0);
-    while layers < deepest {
-        let open: Vec<usize> = singular.iter().filter(|s| depth(s) > layers).map(|s| s.vertex).collect();
+    loop {
+        let open = singular.iter().filter(|s| depth(s) > deepest && has_room(&mesh, s.vertex));
+        let open: Vec<usize> = open.map(|s| s.vertex).collect();
+        if open.is_empty() {
+            break;
+        }
         mesh = mesh.refined_towards(&open, RATIO, 1)?;
-        layers += 1;
+        deepest += 1;
     }
     let degrees = mesh
         .cells
@@ -75,6 +91,14 @@ pub fn graded_level(coarse: &Mesh, singular: &[SingularVertex], p: usize) -> Res
         .map(|c| (p + 1).saturating_sub(c.layer.saturating_mul(p).checked_div(deepest).unwrap_or(0)).clamp(2.min(p), p))
         .collect();
     Ok((mesh, degrees))
+}
+
+/// Whether the digits of the coordinates leave room for one more layer at a vertex.
+fn has_room(mesh: &Mesh, vertex: usize) -> bool {
+    let [x, z] = mesh.vertices[vertex];
+    let own = mesh.edges.iter().filter(|edge| edge.vertices.contains(&vertex));
+    let shortest = own.map(|edge| edge.curve.length()).fold(f64::INFINITY, f64::min);
+    RATIO * shortest > FINEST * x.hypot(z)
 }
 
 /// Raises degree and layers together until the estimated relative error of `quantity(mesh, degrees)` (energies, displacements at points,

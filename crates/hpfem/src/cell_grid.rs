@@ -45,9 +45,12 @@ impl CellGrid {
     }
 
     /// Flat triangles and quadrilaterals between points, anti-clockwise, about `along` times `up` of a quadrilateral; the sides of a
-    /// triangle fall into equal parts, at least as many as asked for.
+    /// triangle fall into equal parts, at least as many as asked for. None of degree 0, a point.
     pub fn pieces(self, along: usize, up: usize) -> Vec<Vec<usize>> {
         let p = self.degree;
+        if p == 0 {
+            return Vec::new();
+        }
         if self.triangle {
             let parts = (along.max(up).clamp(1, p)..=p).find(|parts| p.is_multiple_of(*parts)).unwrap_or(p);
             let step = p / parts;

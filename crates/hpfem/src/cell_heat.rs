@@ -7,6 +7,7 @@
 use crate::assembly::Assembly;
 use crate::basis::{LocalModes, SpaceKind};
 use crate::cell_matrix::{SharedMatrices, boundary_block, map_cells};
+use crate::check::check_temperature;
 use crate::congruence::{Congruence, Turn};
 use crate::edge_load::Loads;
 use crate::element::Workspace;
@@ -319,13 +320,8 @@ fn check((problem, space): (&BodyProblem, &Space), warm: &Warm<'_>, loads: &Load
     if !matches!(kinematics, Kinematics::Potential { .. } | Kinematics::AxisymmetricPotential) {
         return refuse("a temperature");
     }
-    if problem.kinematics.components() != 2 {
-        return Err(Error::NoMeaning { what: "a thermal strain".to_string(), kinematics: problem.kinematics.words() });
-    }
-    let [cells, given] = [&problem.mesh, &warm.problem.mesh].map(|mesh| mesh.cells.len());
-    if cells != given {
-        return Err(Error::Count { what: "cells of the temperature".into(), given, expected: cells });
-    }
+    check_temperature((&problem.mesh, problem.kinematics), (&warm.problem.mesh, kinematics))?;
+    let cells = problem.mesh.cells.len();
     let [own, other] = [&space.cell_degree, &warm.space.cell_degree];
     if let Some(cell) = (0..cells).find(|cell| own[*cell] != other[*cell]) {
         let what = format!("degree of the temperature in cell {cell}");

@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::freedom::Direction;
 use crate::kinematics::Kinematics;
-use crate::load_case::{Load, LoadCase};
+use crate::load_case::{Load, LoadCase, Meant};
 use crate::mesh::Mesh;
 use crate::problem::BodyProblem;
 use std::f64::consts::TAU;
@@ -12,11 +12,24 @@ use std::f64::consts::TAU;
 pub(crate) fn check(problem: &BodyProblem) -> Result<(), Error> {
     let mesh = &*problem.mesh;
     let count = |what: &str, given, expected| Err(Error::Count { what: what.into(), given, expected });
+    if mesh.cells.is_empty() {
+        return Err(Error::NoCells);
+    }
     if problem.degrees.len() != mesh.cells.len() {
         return count("degrees of cells", problem.degrees.len(), mesh.cells.len());
     }
-    if let Some(cell) = mesh.cells.iter().find(|c| c.material >= problem.materials.len()) {
-        return count("materials", problem.materials.len(), cell.material.saturating_add(1));
+    if let Some((cell, c)) = mesh.cells.iter().enumerate().find(|(_, c)| c.material >= problem.materials.len()) {
+        let what = format!("materials, of which cell {cell} has number {} counted from 0", c.material);
+        return count(&what, problem.materials.len(), c.material.saturating_add(1));
+    }
+    if let Some((rigid, value)) =
+        problem.rigid_edge.as_ref().and_then(|rigid| Some((rigid, rigid.reference.into_iter().find(|x| !x.is_finite())?)))
+    {
+        return Err(Error::OutOfRange {
+            quantity: format!("the reference point of the rigid edge \"{}\"", rigid.boundary),
+            value,
+            range: "finite",
+        });
     }
     let out = |quantity: String, value, range| Err(Error::OutOfRange { quantity, value, range });
     if let Some(thickness) = problem.kinematics.thickness().filter(|t| !(*t > 0.0 && t.is_finite())) {
@@ -120,12 +133,40 @@ pub(crate) fn check_case(case: &LoadCase, mesh: &Mesh, kinematics: Kinematics) -
                     return Err(Error::OutOfRange { quantity, value: *value, range: "finite" });
                 }
             }
-            Load::Eigenstrain(eigen) if eigen.cells.is_some_and(|cells| cells != mesh.cells.len()) => {
-                let what = format!("cells of the mesh of the temperature in load case \"{}\", cells", case.name);
-                return Err(Error::Count { what, given: eigen.cells.unwrap_or(0), expected: mesh.cells.len() });
+            Load::Eigenstrain(eigen) => {
+                if let Some((of_mesh, conduction)) = &eigen.temperature {
+                    check_temperature((mesh, kinematics), (of_mesh, *conduction))?;
+                }
             }
-            Load::BodyForce(_) | Load::Eigenstrain(_) => {}
+            Load::BodyForce(body) => match body.meant {
+                Meant::Weight([across, _]) if kinematics.is_revolved() && across != 0.0 => {
+                    return refuse("a weight across the axis");
+                }
+                Meant::Weight(_) if scalar => return refuse("a weight"),
+                Meant::Spin if kinematics != Kinematics::Axisymmetric => {
+                    return refuse("a centrifugal force of a body of revolution");
+                }
+                Meant::Weight(_) | Meant::Spin | Meant::Anything => {}
+            },
         }
+    }
+    Ok(())
+}
+
+/// Refuses temperatures that are not those of a mesh and its kinematics.
+pub(crate) fn check_temperature(
+    (mesh, kinematics): (&Mesh, Kinematics),
+    (of_mesh, conduction): (&Mesh, Kinematics),
+) -> Result<(), Error> {
+    let Some(own) = kinematics.conduction() else {
+        return Err(Error::NoMeaning { what: "a thermal strain".into(), kinematics: kinematics.words() });
+    };
+    if conduction.words() != own {
+        let what = format!("a temperature by {}", conduction.words());
+        return Err(Error::NoMeaning { what, kinematics: kinematics.words() });
+    }
+    if !mesh.has_cells_of(of_mesh) {
+        return Err(Error::OtherMesh);
     }
     Ok(())
 }

@@ -85,9 +85,16 @@ impl Curve {
     /// mesh files of order `points.len() - 1`. Two give a [`Curve::Line`].
     ///
     /// # Errors
-    /// [`Error::Count`] for fewer than two points or more than `CURVE_DEGREE + 1`.
+    /// [`Error::Count`] for fewer than two points or more than `CURVE_DEGREE + 1`; [`Error::OutOfRange`] for a coordinate that is not finite.
     pub fn through(points: &[[f64; 2]]) -> Result<Curve, Error> {
         let n = points.len();
+        if let Some(value) = points.iter().flatten().find(|v| !v.is_finite()) {
+            return Err(Error::OutOfRange {
+                quantity: "a coordinate of a point of a curve".into(),
+                value: *value,
+                range: "finite",
+            });
+        }
         if let [start, end] = *points {
             return Ok(Curve::Line { start, end });
         }

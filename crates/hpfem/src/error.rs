@@ -152,6 +152,9 @@ pub enum Error {
         /// Number of right-hand sides of the body.
         expected: usize,
     },
+    /// A temperature that was computed on other cells than those of the body that it heats.
+    #[error("the temperature is of another mesh: the body must have the same cells, vertex for vertex, in the same order")]
+    OtherMesh,
     /// Moduli that cannot be, or a question that is answered for isotropic materials alone.
     #[error("an anisotropic material: {reason}")]
     Anisotropic {

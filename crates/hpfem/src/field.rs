@@ -239,7 +239,8 @@ impl Field {
 }
 
 impl PointState {
-    /// Von Mises stress of the stored components, MPa (not for torsion).
+    /// Von Mises stress of the stored components, MPa. It has a meaning in the plane and in bodies of revolution alone: for torsion see [`Stress`], and a potential has
+    /// fluxes in their place.
     pub fn von_mises(&self) -> f64 {
         Stress::new(self.stress, [0.0; 2]).von_mises()
     }

@@ -46,12 +46,19 @@ impl Body {
     /// The reduced body with further load cases, the thermal strains `alpha (T - T_0)` of temperatures of another body on the same mesh and degrees:
     /// `expansion` has one coefficient a material, 1/K. What [`Body::new`] gives with
     /// [`Eigenstrain::of_temperature`](crate::Eigenstrain::of_temperature), to round-off, but for the work between two of these cases, which is not
-    /// computed and stands as NaN in [`InterfaceOperator::work`].
+    /// computed and stands as NaN in [`InterfaceOperator::work`]. It is solved like any other: [`InterfaceOperator::factors`] by the names of the cases, then
+    /// [`InterfaceOperator::right_hand_side`] and [`InterfaceOperator::solve_one`]. The operator knows what these temperatures do to the kept boundary; fields and stresses
+    /// inside are those of a body with [`Eigenstrain::of_temperature`](crate::Eigenstrain::of_temperature). A material without a coefficient does not expand.
     ///
     /// # Errors
-    /// [`Error::NoMeaning`] for a field that is no potential, or that has sources inside; [`Error::Count`] where meshes or degrees differ;
-    /// [`Error::OtherLoads`] for states of another body.
+    /// [`Error::NoMeaning`] for a field that is no potential, is of the other kind (plane, of revolution), or that has sources inside; [`Error::OtherMesh`] where meshes
+    /// differ, [`Error::Count`] where degrees do; [`Error::OtherLoads`] for states of another body; [`Error::DuplicateLoadCase`] for a name that is there.
     pub fn heated(&self, temperature: &Body, cases: &[TemperatureCase], expansion: &[f64]) -> Result<InterfaceOperator, Error> {
+        let names = self.interface.load_cases.iter().chain(cases.iter().map(|case| &case.name));
+        let names: Vec<&String> = names.collect();
+        if let Some(k) = (self.interface.load_cases.len()..names.len()).find(|k| names[..*k].contains(&names[*k])) {
+            return Err(Error::DuplicateLoadCase { name: names[k].clone() });
+        }
         let (mesh, space) = (&*self.problem.mesh, &self.factored.space);
         let warming = Warming::new((&self.problem, space), temperature.warm(Some(cases), expansion)?)?;
         let elastic = Assembly::new(&self.problem, space, Loads::new(mesh, &self.problem.load_cases)?);

@@ -57,7 +57,7 @@ pub struct InterfaceParts {
     /// Condensed right-hand sides, `unknowns x columns`.
     #[cfg_attr(feature = "serde", serde(with = "crate::matrix_text"))]
     pub columns: Mat<f64>,
-    /// Work between the columns, `columns x columns`.
+    /// Work between the columns, `columns x columns`; NaN where it was not computed, between temperatures of [`Body::heated`](crate::Body::heated).
     #[cfg_attr(feature = "serde", serde(with = "crate::matrix_text"))]
     pub work: Mat<f64>,
     /// Rigid motions as kept unknowns, `unknowns x modes`.
@@ -118,8 +118,11 @@ impl InterfaceParts {
         if let Some(what) = self.inconsistent(n) {
             return Err(Error::Inconsistent { what });
         }
-        let matrices = [&self.stiffness, &self.columns, &self.work, &self.rigid_modes, &self.reaction_constant];
-        if let Some(value) = matrices.iter().flat_map(|m| m.col_iter()).flat_map(|c| c.iter()).find(|v| !v.is_finite()) {
+        let matrices = [&self.stiffness, &self.columns, &self.rigid_modes, &self.reaction_constant];
+        let mut numbers = matrices.iter().flat_map(|m| m.col_iter()).flat_map(|c| c.iter());
+        // Work that was not computed is no number.
+        let mut work = self.work.col_iter().flat_map(|c| c.iter());
+        if let Some(value) = numbers.find(|v| !v.is_finite()).or(work.find(|v| v.is_infinite())) {
             return Err(Error::OutOfRange { quantity: "a number of the operator".into(), value: *value, range: "finite" });
         }
         let size = self.stiffness.norm_max();
@@ -267,7 +270,7 @@ impl InterfaceOperator {
     }
 
     /// Work of column `k` in a state: `F_k . u` of the whole body. For a load case this is the work of its loads, N mm; for a
-    /// functional, its value, N or N mm.
+    /// functional, its value, N or N mm. NaN between temperatures of [`Body::heated`](crate::Body::heated), whose work is not computed.
     ///
     /// # Panics
     /// For a column that the body does not have, with their number; a state of another body.
@@ -278,8 +281,8 @@ impl InterfaceOperator {
             "column {k} of an interface operator that has {known}, counted from 0: see load_case and prescribed_column"
         );
         let boundary: f64 = state.unknowns.iter().enumerate().map(|(i, u)| u * self.columns[(i, k)]).sum();
-        let interior: f64 = state.factors.iter().enumerate().map(|(l, a)| a * self.work[(k, l)]).sum();
-        boundary + interior
+        let acting = state.factors.iter().enumerate().filter(|(_, a)| **a != 0.0);
+        boundary + acting.map(|(l, a)| a * self.work[(k, l)]).sum::<f64>()
     }
 
     /// Work of the contact load and the load cases over two, `1/2 f . u`, N mm: the strain energy, that of elastic foundations with it, of a
@@ -287,12 +290,13 @@ impl InterfaceOperator {
     /// it is no energy (0 where nothing else acts); [`Field::strain_energy`](crate::Field::strain_energy) knows both, but no foundations.
     pub fn strain_energy(&self, state: &InterfaceState) -> f64 {
         let contact: f64 = state.load.unknowns.iter().zip(&state.unknowns).map(|(f, u)| f * u).sum();
-        let loads: f64 = (0..self.load_cases.len()).map(|k| state.factors[k] * self.column_work(k, state)).sum();
+        let acting = (0..self.load_cases.len()).filter(|k| state.factors[*k] != 0.0);
+        let loads: f64 = acting.map(|k| state.factors[k] * self.column_work(k, state)).sum();
         0.5 * (contact + loads)
     }
 
-    /// Force and moment (about the origin) that support number `support` exerts on the body: `[x, z, moment]`, N and N mm; in torsion and for
-    /// a potential the first alone has a meaning, the sum of the circumferential nodal forces or of the fluxes.
+    /// Force and moment (about the origin) that support number `support` exerts on the body: `[x, z, moment]`, N and N mm. In bodies of revolution the axial force alone
+    /// is one, in torsion and for a potential the first number: the sum of the circumferential nodal forces, which is no torque, or of the fluxes.
     ///
     /// # Panics
     /// For a support that the body does not have, or a state of another body.

@@ -80,6 +80,17 @@ impl Kinematics {
         matches!(self, Kinematics::Potential { .. } | Kinematics::AxisymmetricPotential)
     }
 
+    /// The kinematics of the conduction of heat in bodies of this one; none where there is no thermal strain.
+    pub(crate) fn conduction(self) -> Option<&'static str> {
+        match self {
+            Kinematics::PlaneStress { thickness } | Kinematics::PlaneStrain { thickness } => {
+                Some(Kinematics::Potential { thickness }.words())
+            }
+            Kinematics::Axisymmetric => Some(Kinematics::AxisymmetricPotential.words()),
+            Kinematics::Torsion | Kinematics::Potential { .. } | Kinematics::AxisymmetricPotential => None,
+        }
+    }
+
     /// Whether the first component is itself part of a strain, divided by the radius.
     pub(crate) fn has_hoop_strain(self) -> bool {
         matches!(self, Kinematics::Axisymmetric | Kinematics::Torsion)

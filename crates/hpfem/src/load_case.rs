@@ -1,6 +1,8 @@
 //! Loads and named load cases.
 
 use crate::boundary::BoundaryPoint;
+use crate::kinematics::Kinematics;
+use crate::mesh::Mesh;
 use std::fmt;
 use std::sync::Arc;
 
@@ -110,12 +112,25 @@ pub struct BodyForce {
     pub force: Arc<dyn Fn([f64; 2]) -> [f64; 2] + Send + Sync>,
     /// Factor of each material, by its index; none where it is the same in all.
     pub(crate) of_materials: Option<Vec<f64>>,
+    /// What it was made as.
+    pub(crate) meant: Meant,
+}
+
+/// What a force per volume was made as; not every kinematics has all of them.
+#[derive(Clone, Copy)]
+pub(crate) enum Meant {
+    /// A function.
+    Anything,
+    /// A weight under this acceleration.
+    Weight([f64; 2]),
+    /// The centrifugal force of a body of revolution.
+    Spin,
 }
 
 impl BodyForce {
     /// A force per volume by a function of the position.
     pub fn new(force: impl Fn([f64; 2]) -> [f64; 2] + Send + Sync + 'static) -> BodyForce {
-        BodyForce { force: Arc::new(force), of_materials: None }
+        BodyForce { force: Arc::new(force), of_materials: None, meant: Meant::Anything }
     }
 
     /// The same with a factor for each material of the mesh, as the density where the function is a force per mass. A place whose material has no
@@ -132,14 +147,17 @@ impl BodyForce {
         factor.map_or(force, |factor| force.map(|f| factor * f))
     }
 
-    /// The weight of a body of this density under the acceleration `[g_x, g_z]`.
+    /// The weight of a body of this density under the acceleration `[g_x, g_z]`; refused in problems of one component, and across the axis of a body of
+    /// revolution.
     pub fn weight(density: f64, acceleration: [f64; 2]) -> BodyForce {
-        BodyForce::new(move |_| acceleration.map(|g| density * g))
+        BodyForce { meant: Meant::Weight(acceleration), ..BodyForce::new(move |_| acceleration.map(|g| density * g)) }
     }
 
-    /// The centrifugal force of a body of revolution of this density that spins about its axis, `density omega^2 r`.
+    /// The centrifugal force of a body of revolution of this density that spins about its axis, `density omega^2 r`; refused in other kinematics. A disc in
+    /// the plane that spins about `c` has the [force](BodyForce::new) `density omega^2 (x - c)`.
     pub fn spin(density: f64, angular_velocity: f64) -> BodyForce {
-        BodyForce::new(move |x| [density * angular_velocity * angular_velocity * x[0], 0.0])
+        let force = BodyForce::new(move |x| [density * angular_velocity * angular_velocity * x[0], 0.0]);
+        BodyForce { meant: Meant::Spin, ..force }
     }
 }
 
@@ -168,8 +186,8 @@ pub struct Eigenstrain {
     pub strain: StrainAt,
     /// Made of normal strains, as a thermal one is.
     pub(crate) of_normals: bool,
-    /// Number of cells of the mesh it belongs to, if it belongs to one.
-    pub(crate) cells: Option<usize>,
+    /// Mesh and kinematics of the temperature that it is made of.
+    pub(crate) temperature: Option<(Arc<Mesh>, Kinematics)>,
     /// The same strain by the modes of a cell, where it is a polynomial in them.
     pub(crate) in_modes: Option<StrainInModes>,
 }
@@ -197,7 +215,7 @@ pub struct BodyPoint {
 impl Eigenstrain {
     /// A strain by a function of the place.
     pub fn new(strain: impl Fn(&BodyPoint) -> [f64; 4] + Send + Sync + 'static) -> Eigenstrain {
-        Eigenstrain { strain: Arc::new(strain), of_normals: false, cells: None, in_modes: None }
+        Eigenstrain { strain: Arc::new(strain), of_normals: false, temperature: None, in_modes: None }
     }
 
     /// Thermal strain `alpha (T - T_0)` alike in all directions: `expansion` has one coefficient a material, 1/K, and `rise` is the

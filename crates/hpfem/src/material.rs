@@ -46,7 +46,8 @@ impl Material {
     /// An isotropic material with Young's modulus `young > 0` (MPa) and Poisson's ratio `-1 < poisson < 0.5`.
     ///
     /// In plane strain and in bodies of revolution a body with a ratio above [`MAX_POISSON`] is refused: the stiffness against a change
-    /// of volume is `1/(1 - 2 nu)` times that against shear, and the mean stress loses as many digits. Plane stress takes any.
+    /// of volume is `1/(1 - 2 nu)` times that against shear, and the mean stress loses as many digits. Plane stress takes any. Anisotropic materials are refused
+    /// in the same way, by the change of volume under a mean stress.
     ///
     /// # Errors
     /// [`Error::Material`].
@@ -225,6 +226,13 @@ impl Material {
             Kinematics::PlaneStress { .. } | Kinematics::Torsion => false,
             Kinematics::Potential { .. } | Kinematics::AxisymmetricPotential => false,
         };
+        if let Elastic::General { stiffness, .. } = &self.elastic
+            && volume
+            && let Some(value) = volume_compliance(stiffness).filter(|value| *value < 3.0 * (1.0 - 2.0 * MAX_POISSON))
+        {
+            let quantity = format!("the compliance against a change of volume, over the largest, of material {number}");
+            return Err(Error::OutOfRange { quantity, value, range: "at least 6e-5, as by Poisson's ratio 0.49999" });
+        }
         match self.poisson() {
             Some(value) if volume && value > MAX_POISSON => {
                 let quantity = format!("Poisson's ratio of material {number}");
@@ -295,4 +303,10 @@ fn conjugated(turn: &[[f64; 2]; 2], m: &[[f64; 2]; 2]) -> [[f64; 2]; 2] {
 /// What an orthogonal map of the plane makes of the stresses `[xx, zz, yy, xz]`.
 fn stress_turn([[a, b], [c, d]]: [[f64; 2]; 2]) -> [[f64; 4]; 4] {
     [[a * a, b * b, 0.0, 2.0 * a * b], [c * c, d * d, 0.0, 2.0 * c * d], [0.0, 0.0, 1.0, 0.0], [a * c, b * d, 0.0, a * d + b * c]]
+}
+/// Change of volume under a unit of mean stress, over the largest strain that a stress in one direction makes: `3 (1 - 2 nu)` of an isotropic material.
+fn volume_compliance(stiffness: &[[f64; 4]; 4]) -> Option<f64> {
+    let compliance = inverted(stiffness)?;
+    let volume: f64 = compliance[..3].iter().flat_map(|row| &row[..3]).sum();
+    Some(volume / (0..3).fold(0.0, |most: f64, i| most.max(compliance[i][i])))
 }

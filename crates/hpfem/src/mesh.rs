@@ -161,6 +161,12 @@ impl Mesh {
     /// Gives an edge its curve, which runs in the edge's own direction.
     fn bend(&mut self, edge: usize, curve: Curve) -> Result<(), Error> {
         let [a, b] = self.edges[edge].vertices;
+        if let Curve::Arc { radius, .. } = curve
+            && !(radius > 0.0 && radius.is_finite())
+        {
+            let quantity = format!("the radius of the arc given for the edge {a}-{b}");
+            return Err(Error::OutOfRange { quantity, value: radius, range: "positive and finite" });
+        }
         let miss = distance(curve.point(-1.0), self.vertices[a]).max(distance(curve.point(1.0), self.vertices[b]));
         // Deep layers are so small that the round-off of their coordinates counts.
         let circle = match &curve {
@@ -174,6 +180,15 @@ impl Mesh {
         }
         self.edges[edge].curve = curve;
         Ok(())
+    }
+
+    /// Whether another mesh has the same cells in the same places, whatever their materials and boundaries are.
+    pub(crate) fn has_cells_of(&self, other: &Mesh) -> bool {
+        let alike = |(a, b): (&Edge, &Edge)| a.vertices == b.vertices && a.curve == b.curve;
+        std::ptr::eq(self, other)
+            || self.vertices == other.vertices
+                && self.cells.iter().map(|cell| cell.corners).eq(other.cells.iter().map(|cell| cell.corners))
+                && self.edges.iter().zip(&other.edges).all(alike)
     }
 
     /// Refuses folded cells.
@@ -284,7 +299,7 @@ fn check_vertices(vertices: &[[f64; 2]], quads: &[Quad]) -> Result<(), Error> {
     }
     for (cell, quad) in quads.iter().enumerate() {
         if let Some(corner) = quad.corners.iter().find(|v| **v >= vertices.len()) {
-            let what = format!("corner of cell {cell}, vertices");
+            let what = format!("vertices that cell {cell} names, up to number {corner} counted from 0");
             return Err(Error::Count { what, given: corner.saturating_add(1), expected: vertices.len() });
         }
     }

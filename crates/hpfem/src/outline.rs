@@ -79,6 +79,11 @@ impl Outline {
         let refused = |quantity: &str, value: f64| {
             Err(Error::OutOfRange { quantity: quantity.into(), value, range: "positive and finite, as its coordinates" })
         };
+        if let Outline::Circle { centre, .. } = *self
+            && let Some(value) = centre.into_iter().find(|x| !x.is_finite())
+        {
+            return Err(Error::OutOfRange { quantity: "the centre of an outline".into(), value, range: "finite" });
+        }
         let (quantity, size, numbers) = match *self {
             Outline::Circle { centre, radius } => ("the radius of an outline", radius, [centre, centre]),
             Outline::Line { points } => ("the distance of the points of an outline", distance(points[0], points[1]), points),

@@ -74,7 +74,11 @@ pub(crate) fn reduce(problem: &BodyProblem, keep: Keep, clock: Clock, warm: Opti
     condensed.work += &interior_work;
     let finite = |m: &Mat<f64>| m.col_iter().all(|c| c.iter().all(|v| v.is_finite()));
     if !(finite(&condensed.rhs) && finite(&condensed.work) && finite(&reaction_constant)) {
-        let quantity = "a load, or what is left of it after elimination,".into();
+        let column = condensed.rhs.col_iter().position(|c| c.iter().any(|v| !v.is_finite()));
+        let quantity = match column.and_then(|column| problem.load_cases.get(column)) {
+            Some(case) => format!("a load of load case \"{}\", or what is left of it after elimination,", case.name),
+            None => "a load, or what is left of it after elimination,".into(),
+        };
         return Err(Error::OutOfRange { quantity, value: f64::NAN, range: "finite" });
     }
     let factored = clock() - start;

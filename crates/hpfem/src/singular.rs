@@ -32,11 +32,17 @@ pub struct SingularVertex {
     pub exponent: f64,
 }
 
+/// Distance from the axis of revolution, over the largest, that is none.
+const ON_AXIS: f64 = 1e-12;
+
 /// The singular vertices of a mesh: every boundary vertex and every vertex between materials whose exponent is below 1, and the
-/// vertices where a boundary in `loaded` ends.
+/// vertices where a boundary in `loaded` ends: name there what is loaded, and what stands on a foundation or film, for it ends in a weak singularity too.
+///
+/// Vertices on an axis of revolution are left out: of the tip of a cone the sectors of a plane corner do not know the exponent. Push a [`SingularVertex`] for it.
 ///
 /// # Errors
-/// [`Error::NoSuchBoundary`]; [`Error::Anisotropic`]; [`Error::Count`] for a cell whose material is not among the `materials`.
+/// [`Error::NoSuchBoundary`]; [`Error::Anisotropic`]; [`Error::OutOfRange`] for the angle of a support that is not finite; [`Error::Count`] for a cell whose material
+/// is not among the `materials`.
 pub fn singular_vertices(
     mesh: &Mesh,
     kinematics: Kinematics,
@@ -56,9 +62,10 @@ pub fn singular_vertices(
     for (c, cell) in mesh.cells.iter().enumerate() {
         cell.vertices().iter().enumerate().for_each(|(k, v)| around[*v].push((c, k)));
     }
+    let size = mesh.vertices.iter().fold(0.0_f64, |most, x| most.max(x[0].abs()));
     let (mut found, mut known) = (Vec::new(), Vec::new());
     for (vertex, cells) in around.iter().enumerate() {
-        let on_axis = kinematics.is_revolved() && mesh.vertices[vertex][0].abs() < 1e-12;
+        let on_axis = kinematics.is_revolved() && mesh.vertices[vertex][0].abs() <= ON_AXIS * size;
         if cells.is_empty() || on_axis {
             continue;
         }
@@ -262,8 +269,11 @@ fn ray(mesh: &Mesh, edge: usize, vertex: usize) -> [f64; 2] {
 }
 
 /// Real part of the smallest exponent of a corner, `u ~ r^lambda`, at most 1: the sectors anti-clockwise from the first face; no
-/// faces for sectors that close around a point.
+/// faces for sectors that close around a point. 1 without sectors.
 pub fn corner_exponent(sectors: &[Sector], faces: Option<[Face; 2]>, kinematics: Kinematics) -> f64 {
+    if sectors.is_empty() {
+        return 1.0;
+    }
     let mut matrix = SmallMatrix::default();
     let mut f = |l: C| determinant(l, sectors, faces, kinematics, &mut matrix);
     let at_zero = roots_at_zero(sectors, faces, kinematics);

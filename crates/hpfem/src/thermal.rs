@@ -10,10 +10,11 @@ impl Eigenstrain {
     /// Thermal strain by the field of a potential on the same mesh, a temperature: `expansion` has one coefficient a material, 1/K, and at
     /// the temperature `reference` there is no strain.
     ///
-    /// The degrees of the two problems may differ; cells are told by their index.
+    /// The degrees of the two problems may differ; cells are told by their index. A place whose material has no coefficient does not expand.
     ///
     /// # Errors
-    /// [`Error::NoMeaning`] for a field that is no potential. A body with another number of cells refuses the load.
+    /// [`Error::NoMeaning`] for a field that is no potential. A body of other cells refuses the load ([`Error::OtherMesh`]), and so does one whose heat is not
+    /// conducted so: of revolution by the field of a plane problem, or the other way round ([`Error::NoMeaning`]).
     pub fn of_temperature(expansion: &[f64], temperature: Field, reference: f64) -> Result<Eigenstrain, Error> {
         let kinematics = temperature.kinematics();
         match kinematics {
@@ -22,7 +23,7 @@ impl Eigenstrain {
                 return Err(Error::NoMeaning { what: "a temperature".to_string(), kinematics: kinematics.words() });
             }
         }
-        let (cells, temperature) = (Some(temperature.cells()), Arc::new(temperature));
+        let (of_mesh, temperature) = ((Arc::clone(temperature.mesh()), kinematics), Arc::new(temperature));
         let (own, of_material) = (Arc::clone(&temperature), expansion.to_vec());
         let in_modes: StrainInModes = Arc::new(move |cell, material, modes| {
             let expansion = of_material.get(material).copied().unwrap_or(0.0);
@@ -35,6 +36,6 @@ impl Eigenstrain {
             // Every cell is there: the body that takes the load has as many.
             temperature.at(place.cell, xi, eta).map_or(f64::NAN, |state| state.displacement[0] - reference)
         });
-        Ok(Eigenstrain { cells, in_modes: Some(in_modes), ..thermal })
+        Ok(Eigenstrain { temperature: Some(of_mesh), in_modes: Some(in_modes), ..thermal })
     }
 }

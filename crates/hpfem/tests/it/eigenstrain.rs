@@ -135,7 +135,12 @@ fn a_temperature_belongs_to_its_mesh() {
         BodyProblem::new(mesh.clone(), 2, PLANE_STRAIN).material(steel()[0]).clamp(edge).load("heat", load.clone())
     };
     let error = Body::new(held(&other, "start")).map(|_| ()).unwrap_err();
-    assert!(matches!(error, Error::Count { given: 1, expected: 2, .. }), "{error}");
+    assert_eq!(error, Error::OtherMesh);
+    // As many cells in another place, and the law of conduction of another kinematics.
+    let far = rectangle([50.0, 51.0], [0.0, 9.0]);
+    assert_eq!(Body::new(held(&far, "left")).map(|_| ()).unwrap_err(), Error::OtherMesh);
+    let turned = BodyProblem { kinematics: Kinematics::Axisymmetric, ..held(&one, "left") };
+    assert!(matches!(Body::new(turned), Err(Error::NoMeaning { .. })));
     // Cold by 20 K and held: a stress, and a field of displacements is no temperature.
     let body = Body::new(held(&one, "left")).unwrap();
     let field = body.field(&body.solve(&[("heat", 1.0)]).unwrap()).unwrap();

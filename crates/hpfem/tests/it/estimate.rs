@@ -1,5 +1,6 @@
 //! Estimates against true errors, and the adaptive driver built on them.
 
+use crate::classics::rectangle;
 use crate::common::*;
 use crate::lshape::{ENERGY, energy, l_shape};
 use hpfem::*;
@@ -29,7 +30,57 @@ fn energy_extrapolation_is_exact_for_a_power_law_and_refuses_what_does_not_conve
     assert!((estimate.energy - 3.0).abs() < 1e-9, "{}", estimate.energy);
     assert!(energy_estimate([a, c, b]).is_none());
     assert!(energy_estimate([(10, 1.0), (20, 2.0), (30, 3.5)]).is_none());
-    assert_eq!(energy_estimate([(10, 1.0), (20, 2.0), (30, 2.0)]).unwrap().error, 0.0);
+    // A degree that changes nothing tells nothing; several tell that there is no more to come. Energies that grow like a logarithm have no limit.
+    assert!(energy_estimate([(10, 1.0), (20, 2.0), (30, 2.0)]).is_none());
+    assert_eq!(energy_estimate([(10, 2.0), (20, 2.0), (30, 2.0)]).unwrap().error, 0.0);
+    assert!(energy_estimate([(100, 1.0), (200, 2.0), (400, 3.0)]).is_none());
+}
+
+#[test]
+fn levels_that_change_nothing_are_left_out_of_an_estimate() {
+    let at = |values: &[f64]| sequence_estimate(&values.iter().map(|value| vec![*value]).collect::<Vec<_>>()).unwrap();
+    assert_eq!(at(&[1.0, 1.1, 1.12, 1.12]), at(&[1.0, 1.1, 1.12]));
+    assert_eq!(at(&[1.0, 1.0, 1.1, 1.1, 1.12, 1.12]), at(&[1.0, 1.1, 1.12]));
+    assert_eq!([at(&[1.0, 1.1, 1.12, 1.12, 1.12]), at(&[3.0; 3]), at(&[0.0; 3])], [0.0; 3]);
+}
+
+/// A uniform source in one cell whose boundary is held: every second degree changes nothing.
+#[test]
+fn the_adaptive_driver_is_not_taken_in_by_degrees_that_change_nothing() {
+    let mesh = rectangle([0.0, 3.0], [0.0, 1.0]);
+    let energy = |mesh: &Mesh, degrees: &[usize]| -> Result<Vec<f64>, Error> {
+        let problem = BodyProblem::new(mesh.clone(), 1, Kinematics::Potential { thickness: 1.0 }).degrees(degrees.to_vec());
+        let held = ["left", "right", "bottom", "top"].into_iter().fold(problem, |problem, edge| problem.clamp(edge));
+        let body = Body::new(held.material(Material::conductor(1.0)?).load("source", BodyForce::new(|_| [2.0, 0.0])))?;
+        Ok(vec![body.interface.strain_energy(&body.solve(&[("source", 1.0)])?)])
+    };
+    // Saint-Venant's series of the torsion of a rectangle.
+    let odd = |k: usize| (2 * k + 1) as f64;
+    let rest: f64 = (0..50).map(|k| (odd(k) * std::f64::consts::FRAC_PI_2 * 3.0).tanh() / odd(k).powi(5)).sum();
+    // The integral of the field is J / 2, and the energy half of that times the source 2.
+    let exact = 0.5 * 3.0 * (1.0 - 192.0 / std::f64::consts::PI.powi(5) / 3.0 * rest) / 3.0;
+    for accuracy in [1e-4, 1e-6, 1e-9] {
+        let run = adapt(&mesh, &[], accuracy, 20, energy).unwrap();
+        let truth = (run.quantities.last().unwrap()[0] / exact - 1.0).abs();
+        println!("asked {accuracy:e}, told {:e}, true {truth:e}, degree {}", run.estimate, run.quantities.len() + 1);
+        // The corners are singular, though weakly: errors fall like a power of the degree.
+        assert!((0.5..3.0).contains(&(run.estimate / truth)), "{truth:e} {:e}", run.estimate);
+    }
+}
+
+#[test]
+fn layers_end_where_the_digits_of_a_vertex_do() {
+    let mesh = rectangle([1000.0, 1001.0], [1000.0, 1001.0]);
+    let corner = mesh.nearest_vertex([1000.0, 1000.0]);
+    for exponent in [0.2, 0.5, 1.0] {
+        let (fine, degrees) = graded_level(&mesh, &[SingularVertex { vertex: corner, exponent }], 20).unwrap();
+        assert_eq!(degrees.len(), fine.cells.len());
+    }
+    for exponent in [0.0, -0.5, 1.5, f64::NAN] {
+        let level = graded_level(&mesh, &[SingularVertex { vertex: corner, exponent }], 4);
+        assert!(matches!(level, Err(Error::OutOfRange { .. })), "{exponent}");
+    }
+    assert!(matches!(graded_level(&mesh, &[SingularVertex { vertex: 9, exponent: 0.5 }], 4), Err(Error::Count { .. })));
 }
 
 #[test]

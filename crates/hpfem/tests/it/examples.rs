@@ -55,6 +55,10 @@ fn l_shape_reaches_the_accuracy_it_was_asked_for() {
         assert_relative_eq!(energy, 8.58403065, max_relative = accuracy);
     }
     assert_relative_eq!(l_shape::strain_energy(1e-8).unwrap().0, 8.584030643548, max_relative = 1e-10);
+    // More than there are digits for: the last level is told as it is.
+    let [before, last] = [1e-11, 1e-14].map(|accuracy| l_shape::strain_energy(accuracy).unwrap());
+    assert!(before.1 <= 1e-11 && last.1 < 1e-11, "{before:?} {last:?}");
+    assert_relative_eq!(last.0, before.0, max_relative = 1e-11);
 }
 
 #[test]

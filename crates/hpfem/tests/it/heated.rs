@@ -146,11 +146,44 @@ fn what_is_kept_of_the_cells_of_a_temperature_changes_nothing_it_is_asked_for() 
 }
 
 #[test]
+fn an_operator_with_temperatures_knows_energies_without_them_and_goes_to_files_and_back() {
+    let mesh = patch([0; 4], Shape::Straight, 0.0);
+    let body = Body::new(cold(&mesh, PLANE_STRESS)).unwrap();
+    let warm = temperature(&mesh, PLANE_STRESS);
+    let hot = body.heated(&warm, &cases(&warm, 1), &EXPANSION).unwrap();
+    let pulled = |operator: &InterfaceOperator| {
+        let factors = operator.factors(&[("shear", 1.0)]).unwrap();
+        let load = TraceLoad { unknowns: vec![0.0; operator.stiffness.nrows()], ..TraceLoad::default() };
+        let unknowns = operator.solve_one(&operator.right_hand_side(&load, &factors));
+        operator.strain_energy(&InterfaceState { unknowns, factors, load })
+    };
+    assert_eq!(pulled(&hot), pulled(&body.interface));
+    assert_eq!(pulled(&InterfaceOperator::from_parts(hot.clone().into_parts()).unwrap()), pulled(&hot));
+    #[cfg(feature = "serde")]
+    {
+        let text = serde_json::to_string(&hot).unwrap();
+        let back: InterfaceOperator = serde_json::from_str(&text).unwrap();
+        assert_eq!(pulled(&back), pulled(&hot));
+        assert!(back.work.col_iter().flat_map(|c| c.iter()).any(|v| v.is_nan()));
+    }
+    let twice = [cases(&warm, 1), cases(&warm, 1)].concat();
+    assert_eq!(
+        body.heated(&warm, &twice, &EXPANSION).map(|_| ()).unwrap_err(),
+        Error::DuplicateLoadCase { name: "heat 0".into() }
+    );
+}
+
+#[test]
 fn temperatures_of_another_mesh_or_with_sources_are_refused() {
     let (mesh, other) = (patch([0; 4], Shape::Straight, 0.0), mixed([0; 4], Shape::Straight, 0.0));
     let body = Body::new(cold(&mesh, PLANE_STRESS)).unwrap();
     let warm = temperature(&other, PLANE_STRESS);
-    assert!(matches!(body.heated(&warm, &cases(&warm, 2), &EXPANSION), Err(Error::Count { .. })));
+    assert_eq!(body.heated(&warm, &cases(&warm, 2), &EXPANSION).map(|_| ()).unwrap_err(), Error::OtherMesh);
+    let moved = Mesh { vertices: mesh.vertices.iter().map(|x| [x[0] + 0.5, x[1]]).collect(), ..mesh.clone() };
+    let warm = temperature(&moved, PLANE_STRESS);
+    assert_eq!(body.heated(&warm, &cases(&warm, 2), &EXPANSION).map(|_| ()).unwrap_err(), Error::OtherMesh);
+    let warm = temperature(&mesh, Kinematics::Axisymmetric);
+    assert!(matches!(body.heated(&warm, &cases(&warm, 2), &EXPANSION), Err(Error::NoMeaning { .. })));
     let problem = conduction(&mesh, 5, PLANE_STRESS).material(Material::conductor(1.4).unwrap());
     let problem = problem.support(Support::moved("bottom", Direction::First, 35.0)).keep("right");
     let source = Body::new(problem.load("0", BodyForce::new(|x| [x[0], 0.0]))).unwrap();

@@ -1,5 +1,6 @@
 //! Orthotropic materials: patches at four angles, exact solutions without symmetry, Lekhnitskii's hole, the isotropic limit, turned bodies.
 
+use crate::classics::rectangle;
 use crate::common::*;
 use hpfem::*;
 use nalgebra::Complex;
@@ -351,4 +352,26 @@ fn moduli_that_cannot_be_are_refused() {
     (0..4).for_each(|i| skew[i][i] = 1.0);
     skew[0][1] = 0.5;
     assert!(matches!(Material::anisotropic(skew, [[1.0, 0.0], [0.0, 1.0]]), Err(Error::Anisotropic { .. })));
+}
+
+/// What changes its volume as little as an isotropic material beyond the limit is refused like it; stiff fibres, which hold one direction, are not.
+#[test]
+fn materials_that_hardly_change_their_volume_are_refused_where_that_counts() {
+    let like = |nu: f64| {
+        let g = 0.5 / (1.0 + nu) * (1.0 + 1e-7);
+        Material::orthotropic(Orthotropic { young: [1.0; 3], poisson: [nu; 3], shear: [g; 3] }, 0.3).unwrap()
+    };
+    let fibres = Orthotropic { young: [1e6, 1.0, 1.0], poisson: [0.3, 0.3, 0.4], shear: [0.4; 3] };
+    let fibres = Material::orthotropic(fibres, 0.3).unwrap();
+    let mesh = rectangle([1.0, 2.0], [0.0, 1.0]);
+    let made = |material: Material, kinematics| {
+        Body::new(BodyProblem::new(mesh.clone(), 3, kinematics).material(material).clamp("left"))
+    };
+    for kinematics in [PLANE_STRAIN, Kinematics::Axisymmetric] {
+        for nu in [0.499995, 0.499999999] {
+            assert!(matches!(made(like(nu), kinematics), Err(Error::OutOfRange { .. })), "{nu}");
+        }
+        assert!(made(like(0.4999), kinematics).is_ok() && made(fibres, kinematics).is_ok());
+    }
+    assert!(made(like(0.499999999), PLANE_STRESS).is_ok());
 }

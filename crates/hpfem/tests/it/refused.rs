@@ -274,7 +274,12 @@ fn what_the_kinematics_has_no_meaning_for_is_refused() {
         assert!(meaningless(BodyProblem { rigid_edge: rigid([true, false, false]), ..problem(kinematics).clamp("bottom") }));
         assert!(meaningless(problem(kinematics).clamp("left").load("hot", Eigenstrain::thermal(&[1e-5], |_| 100.0))));
         assert!(meaningless(problem(kinematics).clamp("left").load("press", EdgeTraction::pressure("right", |_| 1.0))));
+        assert!(meaningless(problem(kinematics).clamp("left").load("weight", BodyForce::weight(1.0, [0.0, -1.0]))));
+        assert!(meaningless(problem(kinematics).clamp("left").load("spin", BodyForce::spin(1.0, 1.0))));
     }
+    assert!(meaningless(problem(PLANE_STRESS).clamp("left").load("spin", BodyForce::spin(1.0, 1.0))));
+    let across = BodyForce::weight(1.0, [-1.0, 0.0]);
+    assert!(meaningless(problem(Kinematics::Axisymmetric).clamp("left").load("weight", across)));
     assert!(meaningless(BodyProblem {
         rigid_edge: rigid([false, true, true]),
         ..problem(Kinematics::Axisymmetric).roller("bottom")
