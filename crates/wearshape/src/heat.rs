@@ -15,6 +15,24 @@ pub(crate) struct Heat {
     pub edges: [BTreeMap<String, Carried>; 2],
 }
 
+impl Heat {
+    /// Whether bodies without friction have one temperature everywhere: nothing flows through them then that bends them.
+    pub(crate) fn is_even_without_friction(&self) -> bool {
+        let fresh = if let Meets::Fresh(temperature) = self.meets { Some(temperature) } else { None };
+        let mut temperatures: Vec<f64> = fresh.into_iter().collect();
+        for carried in self.edges.iter().flat_map(BTreeMap::values) {
+            match *carried {
+                Carried::Held(temperature) => temperatures.push(temperature),
+                Carried::Convection(film, ambient) if film > 0.0 => temperatures.push(ambient),
+                Carried::Convection(..) => {}
+                Carried::Flux(flux) if flux != 0.0 => return false,
+                Carried::Flux(_) => {}
+            }
+        }
+        temperatures.windows(2).all(|pair| pair[0] == pair[1])
+    }
+}
+
 /// What decides how much of the heat goes into each body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Split {

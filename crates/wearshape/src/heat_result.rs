@@ -36,7 +36,8 @@ pub struct HeatResult {
     /// Factor on the sliding speed up to which a calculation that finds pressure and temperature by turns arrives.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub staggered_limit_speed_factor: Option<SpeedFactor>,
-    /// Factor on the sliding speed at which surfaces without a gap separate somewhere.
+    /// Factor on the sliding speed at which surfaces without a gap separate somewhere; left out where heat flows without friction, which bends the bodies at
+    /// any speed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub separation_speed_factor: Option<SpeedFactor>,
     /// Factor on the sliding speed at which the contact is no longer unique.
@@ -102,7 +103,7 @@ impl HeatResult {
     pub(crate) fn take_speeds(&mut self, Speeds { factors: found, separation }: &Speeds, other: Option<&SpeedFactors>) {
         let factor = |found: Option<f64>| Some(found.map_or(SpeedFactor::None, SpeedFactor::At));
         self.staggered_limit_speed_factor = factor(found.staggered);
-        self.separation_speed_factor = factor(*separation);
+        self.separation_speed_factor = separation.and_then(factor);
         if other.is_none() && !found.singular.is_empty() {
             return;
         }

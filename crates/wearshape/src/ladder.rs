@@ -65,6 +65,8 @@ pub(crate) struct Ladder {
     accuracy: Option<f64>,
     /// The level beside a fixed one that tells its error.
     beside: Option<Level>,
+    /// Whether differences of levels fall in no order, so that the larger of the last two is the error.
+    unordered: bool,
 }
 
 impl Ladder {
@@ -73,7 +75,22 @@ impl Ladder {
         let levels = levels(problem, options, step);
         let accuracy = problem.wanted.fixed.is_none().then_some(problem.wanted.accuracy);
         let beside = problem.wanted.fixed.filter(|_| step != Step::Evolution && !options.alone).map(fixed::beside);
-        Ladder { step, usual: levels.len(), levels, accuracy, beside }
+        Ladder { step, usual: levels.len(), levels, accuracy, beside, unordered: false }
+    }
+
+    /// The same for levels whose differences fall in no order, if they do.
+    pub(crate) fn unordered(self, unordered: bool) -> Ladder {
+        Ladder { unordered, ..self }
+    }
+
+    /// Estimated errors of the last of at least three levels.
+    pub(crate) fn errors<T, const N: usize>(&self, solved: &[T], distance: &impl Fn(&T, &T) -> [f64; N]) -> Option<[f64; N]> {
+        let [.., a, b, c] = solved else { return None };
+        if !self.unordered {
+            return errors(solved, distance);
+        }
+        let (older, newer) = (distance(a, b), distance(b, c));
+        Some(std::array::from_fn(|k| older[k].max(newer[k])))
     }
 
     /// The same with further degrees for what is nearly there.
@@ -175,6 +192,7 @@ impl Ladder {
     pub(crate) fn told_by(&self, levels: usize) -> String {
         match self.beside {
             Some(Level { degree, layers, .. }) => format!("difference from degree {degree} with {layers} layers"),
+            None if self.unordered => format!("larger difference of the last of {levels} degrees"),
             None => format!("rest of the series of {levels} degrees"),
         }
     }
@@ -182,6 +200,9 @@ impl Ladder {
     /// Estimated error of the gap of the last of three levels of a run in time on a fixed discretisation.
     pub(crate) fn error_in_time<T>(&self, solved: &[T], distance: &impl Fn(&T, &T) -> f64) -> Option<f64> {
         let (fixed, [a, b, c]) = (self.levels.last()?, solved) else { return None };
+        if self.unordered {
+            return Some(distance(a, b).max(distance(b, c)));
+        }
         Some(fixed::error_in_time(*fixed, distance(a, b), distance(b, c)))
     }
 }
@@ -237,7 +258,7 @@ pub(crate) fn climb<T, const N: usize>(
             ControlFlow::Break(None) => return Ok(Climbed { solved, stopped: true }),
         };
         solved.push(level);
-        let error = errors(&solved, &distance).map(|errors| largest(&errors));
+        let error = ladder.errors(&solved, &distance).map(|errors| largest(&errors));
         let enough = ladder.accuracy.zip(error).is_some_and(|(accuracy, error)| error <= accuracy);
         if !more || enough || (ladder.accuracy.is_some() && idle(&changes(&solved, &distance))) {
             break;
@@ -272,13 +293,16 @@ pub(crate) fn best<T, const N: usize>(
     solved: &[T],
     distance: &impl Fn(&T, &T) -> [f64; N],
 ) -> Option<(usize, [f64; N])> {
-    let last = errors(solved, distance)?;
+    let last = ladder.errors(solved, distance)?;
     let ended = (solved.len(), last);
     if ladder.missed(largest(&last)).is_none() {
         return Some(ended);
     }
     let changes = changes(solved, distance);
-    let of = |count: usize| errors(&solved[..count], distance).map(|errors| credible(solved, &changes, count, errors, distance));
+    let of = |count: usize| {
+        let errors = ladder.errors(&solved[..count], distance)?;
+        Some(credible(solved, &changes, count, errors, distance))
+    };
     let all = (3..=solved.len()).filter_map(|count| Some((count, of(count)?)));
     let best = all.min_by(|(_, a), (_, b)| largest(a).total_cmp(&largest(b)));
     best.or(Some(ended))

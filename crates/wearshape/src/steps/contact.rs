@@ -19,7 +19,7 @@ use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::answer::{Answer, Outcome, Own, Told};
 use crate::steps::contact_levels::{Aside, Solved, imbalance, levels};
-use crate::steps::contact_result::result;
+use crate::steps::contact_result::{lost, result};
 use crate::steps::diagnosis::Diagnosis;
 use crate::steps::free_ends::{Positioned, followed, misplaced, nearer, node_tolerance, position};
 use crate::steps::heat::branched;
@@ -111,7 +111,8 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
         }
         None => None,
     };
-    let mut contact = result(stage, &pair, &operator, &found);
+    let is_lost = hot.as_ref().is_some_and(|hot| hot.lost().is_some());
+    let mut contact = if is_lost { lost(&found) } else { result(stage, &pair, &operator, &found) };
     if !ends.places.is_empty() {
         contact.ends = ends.arcs(length).iter().map(|arc| start + arc).collect();
     }
@@ -131,8 +132,8 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
     let reported = at.reported(level, &ends, twist.as_ref());
     let twist = twist.map(|twist| twist.answer);
     let imbalance = imbalance_of(stage, &told, &found, length);
-    let number = if unsettled { FreeEnds::of(&found, length).places.len() } else { ends.places.len() };
-    let many = ManyEnds::of(number, level, &effort);
+    let inside = if unsettled { FreeEnds::of(&found, length).places.len() } else { ends.places.len() };
+    let many = ManyEnds::of(inside, level, &effort);
     let solved = Solved {
         contact,
         interface: None,

@@ -95,11 +95,15 @@ pub(crate) fn levels(
 }
 
 /// How far two levels are apart: relative differences of the energies (0 with heat, whose strains the work of the loads does not know), of the pressure
-/// (L2 over the inner 95 % of the contact), and of a twist (0 without one).
+/// (L2 over the inner 95 % of the contact), and of a twist (0 without one). With heat the ends of contact move the pressure by as much as themselves,
+/// over its length, and levels may agree by chance in one of both.
 fn distance(x: &Solved, y: &Solved) -> [f64; 3] {
     let relative = |x: f64, y: f64| if x == y { 0.0 } else { ((x - y) / y).abs() };
-    let energy = if y.heat.is_some() { 0.0 } else { apart(&x.told.energy, &y.told.energy) };
-    [energy, relative_difference(&x.pressure, &y.pressure), x.twist.zip(y.twist).map_or(0.0, |(x, y)| relative(x, y))]
+    let hot = y.heat.is_some();
+    let energy = if hot { 0.0 } else { apart(&x.told.energy, &y.told.energy) };
+    let ends = if hot { ends_error::apart(&x.contact.ends, &y.contact.ends) } else { 0.0 };
+    let pressure = relative_difference(&x.pressure, &y.pressure).max(ends);
+    [energy, pressure, x.twist.zip(y.twist).map_or(0.0, |(x, y)| relative(x, y))]
 }
 
 /// Differences of the energies of both bodies over the sum of these: the energy that an end of contact a little off gives to one body it takes from the

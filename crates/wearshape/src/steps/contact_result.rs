@@ -42,6 +42,16 @@ pub(crate) fn result(
     }
 }
 
+/// What the summary says of a contact that was lost: its last iterate is none.
+pub(crate) fn lost(found: &ContactSolution) -> ContactResult {
+    ContactResult {
+        status: (&found.status).into(),
+        complementarity: Some(found.complementarity),
+        iterations: Some(found.iterations),
+        ..ContactResult::default()
+    }
+}
+
 /// Motions of the rigid edge: t_x, t_z, theta, as far as it is there.
 fn motions(pair: &Pair<'_>, found: &ContactSolution) -> [Option<f64>; 3] {
     let frame = pair.shaped.frame;

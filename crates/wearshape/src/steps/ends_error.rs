@@ -28,6 +28,13 @@ pub(crate) fn of(levels: &[&[f64]], beside: Option<&[f64]>, misplaced: f64) -> O
     error.map(|error| (error * extent).max(misplaced * contact))
 }
 
+/// Largest distance of the ends of two levels over the length of the contact; 0 where they differ in number.
+pub(crate) fn apart(x: &[f64], y: &[f64]) -> f64 {
+    let contact: f64 = y.chunks_exact(2).map(|zone| zone[1] - zone[0]).sum();
+    let most = x.iter().zip(y).fold(0.0, |most: f64, (x, y)| most.max((x - y).abs()));
+    if x.len() == y.len() && contact > 0.0 { most / contact } else { 0.0 }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

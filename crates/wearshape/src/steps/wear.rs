@@ -67,7 +67,7 @@ pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome,
 
 /// The same on meshes with nodes at given places, from -1 to 1 along the surface.
 fn solve_at(stage: Stage<'_>, pieces: &Pieces, ends: &[f64], watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
-    let ladder = Ladder::of(stage.problem, stage.options, Step::Evolution);
+    let ladder = Ladder::of(stage.problem, stage.options, Step::Evolution).unordered(ends_on_the_way(stage));
     let resume = stage.options.resume.cloned().unwrap_or_default();
     check_degrees(&resume, &ladder)?;
     let mut states = resume.states;
@@ -169,6 +169,11 @@ fn part_of_levels(stage: Stage<'_>, level: &Solved) -> f64 {
     1.0 - (steps / stage.accuracy()).min(STEPS)
 }
 
+/// Whether a run ends while heat still moves the ends of contact: what they pass over once leaves its trace in the gap, which levels have in no order.
+fn ends_on_the_way(stage: Stage<'_>) -> bool {
+    stage.problem.heat.is_some() && stage.problem.wear.until.is_some()
+}
+
 /// How far two levels are apart in what decides whether they are enough. Heat opens a contact that is not worn in: its ends move over the elements
 /// meanwhile, and times fall with a power of the degree only. There the gap decides, and the error of the times is told.
 fn decisive(stage: Stage<'_>) -> impl Fn(&Solved, &Solved) -> [f64; 2] + Copy {
@@ -264,7 +269,7 @@ fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>, levels: Le
     outcome.error.how = if stage.ends_move() {
         format!("depth worn off along the surface at the end: rest of the series of {} degrees, and of the steps", levels.count)
     } else {
-        format!("gap at the end: rest of the series of {} degrees", levels.count)
+        format!("gap at the end: {}", ladder.told_by(levels.count))
     };
     if left_out > 0.0 {
         outcome.error.how += ", and what the mean over the cycles leaves out";

@@ -44,8 +44,9 @@ pub(crate) struct Following<'a> {
 pub(crate) struct Speeds {
     /// Those of the points in contact.
     pub factors: SpeedFactors,
-    /// That of separation, of surfaces without a gap, whose points all are.
-    pub separation: Option<f64>,
+    /// That of separation, of surfaces without a gap, whose points all are; not told where heat bends the bodies without friction, for then it is the load
+    /// that holds them together.
+    pub separation: Option<Option<f64>>,
 }
 
 impl<'a> Following<'a> {
@@ -111,6 +112,7 @@ impl<'a> Following<'a> {
             true => whole,
             false => operator.speed_factors(&self.fitting(base, rates, &self.shared(closed)?), closed).map_err(unsolved)?,
         };
+        let separation = self.warmed.heat.is_even_without_friction().then_some(separation);
         Ok(Speeds { factors, separation })
     }
 

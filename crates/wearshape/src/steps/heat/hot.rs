@@ -49,8 +49,8 @@ impl Lost {
     /// Why there is no contact.
     pub(super) fn words(&self) -> String {
         let part = scene::short(self.at);
-        let what = "frictional heat narrows the contact until none is found that carries the load";
-        format!("{what}: that of the cold bodies does not last to {part} of the sliding speed; slide more slowly")
+        let what = "frictional heat narrows the contact, and none was found that carries the load";
+        format!("{what}: that of the cold bodies could not be followed to {part} of the sliding speed; slide more slowly")
     }
 }
 
