@@ -44,8 +44,8 @@ pub(crate) struct Following<'a> {
 pub(crate) struct Speeds {
     /// Those of the points in contact.
     pub factors: SpeedFactors,
-    /// That of separation, of surfaces without a gap, whose points all are; not told where heat bends the bodies without friction, for then it is the load
-    /// that holds them together.
+    /// That of separation by the heat of friction, of surfaces without a gap, whose points all are; one that there is is not told where heat bends the bodies
+    /// without friction too, for then it is the load that holds them together.
     pub separation: Option<Option<f64>>,
 }
 
@@ -112,7 +112,8 @@ impl<'a> Following<'a> {
             true => whole,
             false => operator.speed_factors(&self.fitting(base, rates, &self.shared(closed)?), closed).map_err(unsolved)?,
         };
-        let separation = self.warmed.heat.is_even_without_friction().then_some(separation);
+        let is_told = separation.is_none() || self.warmed.heat.is_even_without_friction();
+        let separation = is_told.then_some(separation);
         Ok(Speeds { factors, separation })
     }
 
