@@ -224,7 +224,7 @@ impl InterfaceOperator {
         Ok(factors)
     }
 
-    /// The same for factors in the order of the load cases, 0 for those at the end that are left out.
+    /// The same for factors in the order of the load cases, 0 for those at the end that are left out; more than there are cases count for nothing.
     pub fn factors_in_order(&self, cases: &[f64]) -> Vec<f64> {
         let mut factors = vec![0.0; self.columns.ncols()];
         let known = self.load_cases.len();
@@ -247,7 +247,11 @@ impl InterfaceOperator {
         self.load_cases.len()
     }
 
-    /// Whole right-hand side, N, one value a kept unknown: contact load plus condensed columns.
+    /// Whole right-hand side, N, one value a kept unknown: contact load plus condensed columns. A load has one value a kept unknown too: without any it is
+    /// `TraceLoad { unknowns: vec![0.0; trace.unknowns], ..TraceLoad::default() }`.
+    ///
+    /// # Panics
+    /// For a load or factors of another body.
     pub fn right_hand_side(&self, load: &TraceLoad, factors: &[f64]) -> Vec<f64> {
         (0..self.stiffness.nrows())
             .map(|i| load.unknowns[i] + factors.iter().enumerate().map(|(k, a)| a * self.columns[(i, k)]).sum::<f64>())
@@ -259,11 +263,17 @@ impl InterfaceOperator {
     /// rigid modes is balanced through `gauge` as well. Without rigid modes this is plain `S^-1 f`.
     ///
     /// For loads that come one after the other, [`InterfaceOperator::factor`] once.
+    ///
+    /// # Panics
+    /// For loads or a gauge of another body.
     pub fn solve(&self, right: &Mat<f64>, gauge: &Mat<f64>) -> Mat<f64> {
         self.factor(gauge, (0..self.stiffness.nrows()).collect()).solve(right)
     }
 
     /// [`InterfaceOperator::solve`] for one right-hand side, the answer orthogonal to the rigid modes.
+    ///
+    /// # Panics
+    /// For a right-hand side of another body.
     pub fn solve_one(&self, right: &[f64]) -> Vec<f64> {
         let right = Mat::from_fn(right.len(), 1, |i, _| right[i]);
         self.solve(&right, &self.rigid_modes).col_as_slice(0).to_vec()

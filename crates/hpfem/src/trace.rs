@@ -179,12 +179,18 @@ impl Trace {
     }
 
     /// The boundary point at parameter `t` of an edge of the path, and the length factor `|dx/dt|`, mm.
+    ///
+    /// # Panics
+    /// For an edge that the path does not have, as all that takes an edge here.
     pub fn boundary_point(&self, edge: usize, t: f64) -> (BoundaryPoint, f64) {
         let e = &self.edges[edge];
         boundary_point(&e.curve, t, e.body_right)
     }
 
     /// Edge and parameter of the point at arc length `arc` (mm) from the start.
+    ///
+    /// # Panics
+    /// For a body without a kept boundary.
     pub fn locate(&self, arc: f64) -> (usize, f64) {
         let edge = self.edges.partition_point(|e| e.start <= arc).saturating_sub(1);
         let e = &self.edges[edge];
@@ -208,6 +214,9 @@ impl Trace {
     }
 
     /// The displacement at parameter `t` of an edge for given kept unknowns, mm.
+    ///
+    /// # Panics
+    /// For fewer unknowns than the body has.
     pub fn displacement(&self, edge: usize, t: f64, unknowns: &[f64]) -> [f64; 2] {
         let [by_unknowns, prescribed] = self.displacement_parts(edge, t, unknowns);
         std::array::from_fn(|k| by_unknowns[k] + prescribed[k])
