@@ -167,6 +167,16 @@ impl Ladder {
         self.accuracy.is_some() && solved.len() > 2
     }
 
+    /// Rungs whose estimates are those of this ladder.
+    pub(crate) fn estimated(&self, mut rungs: Vec<Rung>) -> Vec<Rung> {
+        let changes: Vec<Option<f64>> = rungs.iter().map(|rung| rung.change).collect();
+        let larger = |pair: &[Option<f64>]| pair[0].zip(pair[1]).map(|(older, newer)| older.max(newer));
+        if self.unordered {
+            rungs.iter_mut().skip(1).zip(changes.windows(2)).for_each(|(rung, pair)| rung.estimate = larger(pair));
+        }
+        rungs
+    }
+
     /// The level beside a fixed one, told to the watcher, unless a solve is `stopped` or this stops it.
     pub(crate) fn beside(&self, stopped: &mut bool, watch: &mut Watch<'_>) -> Option<Level> {
         let level = self.beside.filter(|_| !*stopped)?;

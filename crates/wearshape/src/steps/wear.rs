@@ -234,7 +234,7 @@ fn alike(stage: Stage<'_>, solved: &[Solved]) -> bool {
 fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>, levels: Levels) -> Outcome {
     let distance = apart(stage);
     let degrees: Vec<usize> = solved.iter().map(|level| level.left.degree).collect();
-    let mut outcome = Outcome { ladder: rungs(&degrees, &solved, "gap", 0, distance), ..Outcome::default() };
+    let mut outcome = Outcome { ladder: ladder.estimated(rungs(&degrees, &solved, "gap", 0, distance)), ..Outcome::default() };
     let of = |k: usize| ladder.error_in_time(&solved, &|a, b| distance(a, b)[k]);
     let errors = if ladder.is_fixed() && !alike(stage, &solved) {
         None

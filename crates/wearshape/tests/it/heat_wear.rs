@@ -195,4 +195,6 @@ fn a_hot_run_that_ends_on_the_way_is_told_by_the_larger_of_two_differences() {
     let solution = solved(&scene("drum-brake-hot", &settings));
     let told = solution.error.unwrap().gap_relative.unwrap();
     assert!(told > 1e-3, "{told:e}");
+    let estimates: Vec<Option<f64>> = solution.ladder.iter().map(|rung| rung.estimate).collect();
+    assert!(matches!(estimates[..], [None, None, Some(last)] if last >= 0.99 * told), "{estimates:?} {told:e}");
 }
