@@ -158,11 +158,8 @@ pub(crate) fn check_temperature(
     (mesh, kinematics): (&Mesh, Kinematics),
     (of_mesh, conduction): (&Mesh, Kinematics),
 ) -> Result<(), Error> {
-    let Some(own) = kinematics.conduction() else {
-        return Err(Error::NoMeaning { what: "a thermal strain".into(), kinematics: kinematics.words() });
-    };
-    if conduction.words() != own {
-        let what = format!("a temperature by {}", conduction.words());
+    if !conduction.conducts_in(kinematics) {
+        let what = format!("a thermal strain by {}", conduction.words());
         return Err(Error::NoMeaning { what, kinematics: kinematics.words() });
     }
     if !mesh.has_cells_of(of_mesh) {

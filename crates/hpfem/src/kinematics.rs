@@ -80,14 +80,14 @@ impl Kinematics {
         matches!(self, Kinematics::Potential { .. } | Kinematics::AxisymmetricPotential)
     }
 
-    /// The kinematics of the conduction of heat in bodies of this one; none where there is no thermal strain.
-    pub(crate) fn conduction(self) -> Option<&'static str> {
+    /// Whether this is how heat is conducted in bodies of another kinematics, which thermal strains bend.
+    pub(crate) fn conducts_in(self, body: Kinematics) -> bool {
         match self {
-            Kinematics::PlaneStress { thickness } | Kinematics::PlaneStrain { thickness } => {
-                Some(Kinematics::Potential { thickness }.words())
+            Kinematics::Potential { .. } => matches!(body, Kinematics::PlaneStress { .. } | Kinematics::PlaneStrain { .. }),
+            Kinematics::AxisymmetricPotential => body == Kinematics::Axisymmetric,
+            Kinematics::PlaneStress { .. } | Kinematics::PlaneStrain { .. } | Kinematics::Axisymmetric | Kinematics::Torsion => {
+                false
             }
-            Kinematics::Axisymmetric => Some(Kinematics::AxisymmetricPotential.words()),
-            Kinematics::Torsion | Kinematics::Potential { .. } | Kinematics::AxisymmetricPotential => None,
         }
     }
 

@@ -167,14 +167,20 @@ impl Ladder {
         self.accuracy.is_some() && solved.len() > 2
     }
 
-    /// Rungs whose estimates are those of this ladder.
-    pub(crate) fn estimated(&self, mut rungs: Vec<Rung>) -> Vec<Rung> {
-        let changes: Vec<Option<f64>> = rungs.iter().map(|rung| rung.change).collect();
-        let larger = |pair: &[Option<f64>]| pair[0].zip(pair[1]).map(|(older, newer)| older.max(newer));
-        if self.unordered {
-            rungs.iter_mut().skip(1).zip(changes.windows(2)).for_each(|(rung, pair)| rung.estimate = larger(pair));
-        }
-        rungs
+    /// What solved levels say about the error of their quantity number `which`, called `quantity`.
+    pub(crate) fn rungs<T, const N: usize>(
+        &self,
+        solved: &[T],
+        (quantity, which): (&'static str, usize),
+        distance: impl Fn(&T, &T) -> [f64; N],
+    ) -> Vec<Rung> {
+        let rung = |(i, level): (usize, &Level)| Rung {
+            quantity,
+            degree: level.degree,
+            change: (i > 0).then(|| distance(&solved[i - 1], &solved[i])[which]),
+            estimate: self.errors(&solved[..=i], &distance).map(|errors| errors[which]),
+        };
+        self.levels.iter().take(solved.len()).enumerate().map(rung).collect()
     }
 
     /// The level beside a fixed one, told to the watcher, unless a solve is `stopped` or this stops it.
@@ -368,23 +374,6 @@ pub(crate) fn expected<T, const N: usize>(solved: &[T], distance: &impl Fn(&T, &
     let [.., a, b, c] = solved else { return None };
     let [older, newer] = [distance(a, b), distance(b, c)].map(|distances| distances[which]);
     errors(solved, distance).map(|errors| errors[which] * ratio(older, newer))
-}
-
-/// What solved levels say about the error of their quantity number `which`, called `quantity`.
-pub(crate) fn rungs<T, const N: usize>(
-    degrees: &[usize],
-    solved: &[T],
-    quantity: &'static str,
-    which: usize,
-    distance: impl Fn(&T, &T) -> [f64; N],
-) -> Vec<Rung> {
-    let rung = |(i, degree): (usize, &usize)| Rung {
-        quantity,
-        degree: *degree,
-        change: (i > 0).then(|| distance(&solved[i - 1], &solved[i])[which]),
-        estimate: errors(&solved[..=i], &distance).map(|errors| errors[which]),
-    };
-    degrees.iter().take(solved.len()).enumerate().map(rung).collect()
 }
 
 /// The sentence of an accuracy that was missed.

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use crate::effort::Effort;
 use crate::fixed;
 use crate::heat_result::HeatResult;
-use crate::ladder::{Climbed, Ladder, Refusal, best, climb, expected, largest, missed, rungs};
+use crate::ladder::{Climbed, Ladder, Refusal, best, climb, expected, largest, missed};
 use crate::level::Level;
 use crate::results::{ContactResult, EnergyResult, ErrorResult, InterfaceResult, Reaction};
 use crate::solution::{Rung, Status};
@@ -136,8 +136,7 @@ pub(crate) fn imbalance(reactions: &[(String, Reaction)], force: [Option<f64>; 2
 
 /// What is reported, and of which level.
 fn finish(ladder: &Ladder, mut solved: Vec<Solved>, beside: Option<Solved>) -> (Outcome, usize) {
-    let degrees: Vec<usize> = ladder.levels.iter().map(|level| level.degree).collect();
-    let rungs = rungs(&degrees, &solved, "pressure", 1, distance);
+    let rungs = ladder.rungs(&solved, ("pressure", 1), distance);
     let levels = solved.len();
     let (count, found) = match solved.last().zip(beside.as_ref()) {
         Some((last, beside)) => (levels, Some(distance(last, beside).map(fixed::error))),
@@ -157,7 +156,7 @@ fn finish(ladder: &Ladder, mut solved: Vec<Solved>, beside: Option<Solved>) -> (
     let found = found.map(|[energy, pressure, twist]| [energy, pressure.max(last.misplaced), twist]);
     let mut outcome = report(ladder, last, found, rungs);
     if count < levels {
-        outcome.error.how += &format!("; the best of them is reported, of degree {}", degrees[count - 1]);
+        outcome.error.how += &format!("; the best of them is reported, of degree {}", ladder.levels[count - 1].degree);
     }
     if found.is_some() && outcome.told.is_some() && !matches!(outcome.ended, Some((Status::Refused, _))) {
         [outcome.error.ends, outcome.error.stick_ends] = ends_off;

@@ -11,10 +11,7 @@ pub(crate) fn of(levels: &[&[f64]], beside: Option<&[f64]>, misplaced: f64) -> O
     let last = *levels.last()?;
     // What is near is small beside the shortest part between two ends.
     let extent = last.windows(2).map(|pair| pair[1] - pair[0]).reduce(f64::min)?;
-    let moved = |x: &[f64], y: &[f64]| -> Option<f64> {
-        let most = x.iter().zip(y).fold(0.0, |most: f64, (x, y)| most.max((x - y).abs()));
-        (x.len() == y.len()).then_some(most / extent)
-    };
+    let moved = |x: &[f64], y: &[f64]| most(x, y).map(|most| most / extent);
     let error = match beside {
         Some(beside) => Some(moved(last, beside)?).filter(|off| *off > 0.0).map(fixed::error),
         None => {
@@ -24,15 +21,23 @@ pub(crate) fn of(levels: &[&[f64]], beside: Option<&[f64]>, misplaced: f64) -> O
             (older + newer > 0.0).then(|| rest_after(before, older, newer))
         }
     };
-    let contact: f64 = last.chunks_exact(2).map(|zone| zone[1] - zone[0]).sum();
-    error.map(|error| (error * extent).max(misplaced * contact))
+    error.map(|error| (error * extent).max(misplaced * length(last)))
 }
 
 /// Largest distance of the ends of two levels over the length of the contact; 0 where they differ in number.
 pub(crate) fn apart(x: &[f64], y: &[f64]) -> f64 {
-    let contact: f64 = y.chunks_exact(2).map(|zone| zone[1] - zone[0]).sum();
-    let most = x.iter().zip(y).fold(0.0, |most: f64, (x, y)| most.max((x - y).abs()));
-    if x.len() == y.len() && contact > 0.0 { most / contact } else { 0.0 }
+    most(x, y).map_or(0.0, |most| most / length(y))
+}
+
+/// Largest distance of as many ends, of which there are some (mm).
+fn most(x: &[f64], y: &[f64]) -> Option<f64> {
+    let distances = x.iter().zip(y).map(|(x, y)| (x - y).abs());
+    if x.len() == y.len() { distances.reduce(f64::max) } else { None }
+}
+
+/// Length of the contact between its ends (mm).
+fn length(ends: &[f64]) -> f64 {
+    ends.chunks_exact(2).map(|zone| zone[1] - zone[0]).sum()
 }
 
 #[cfg(test)]

@@ -11,7 +11,7 @@ use std::ops::ControlFlow;
 use shapeopt::difference_of_gaps;
 
 use crate::effort::Effort;
-use crate::ladder::{Climbed, Ladder, Refusal, climb, missed, rungs};
+use crate::ladder::{Climbed, Ladder, Refusal, climb, missed};
 use crate::problem::Problem;
 use crate::results::ErrorResult;
 use crate::solution::Status;
@@ -55,8 +55,7 @@ pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome,
     let beside = ladder.beside(&mut stopped, watch).and_then(|level| senses.level(level, &ends).ok());
     let mut effort = Effort::default();
     beside.iter().chain(&solved).for_each(|level| effort += level.effort.clone());
-    let degrees: Vec<usize> = ladder.levels.iter().map(|level| level.degree).collect();
-    let mut outcome = Outcome { stopped, ladder: rungs(&degrees, &solved, "gap", 0, distance), ..Outcome::default() };
+    let mut outcome = Outcome { stopped, ladder: ladder.rungs(&solved, ("gap", 0), distance), ..Outcome::default() };
     let (last, error) = ladder.to_report(&solved, beside.as_ref(), &distance);
     outcome.tell(error.filter(|_| ladder.is_fixed()));
     let Some(last) = last else { return Ok((outcome, effort)) };

@@ -13,7 +13,7 @@ use crate::bodies::Reduced;
 use crate::effort::Effort;
 use crate::freedom::Role;
 use crate::heat_result::HeatResult;
-use crate::ladder::{Climbed, Ladder, Refusal, climb, missed, rungs};
+use crate::ladder::{Climbed, Ladder, Refusal, climb, missed};
 use crate::level::Level;
 use crate::machined::{Machined, SurfacePoint};
 use crate::problem::Problem;
@@ -96,8 +96,7 @@ pub(crate) fn solve(stage: Stage<'_>, before: &Before<'_>, watch: &mut Watch<'_>
     let beside = ladder.beside(&mut stopped, watch).and_then(|level| shaper.level(level, true).ok());
     let mut effort = Effort::default();
     beside.iter().chain(&solved).for_each(|level| effort += level.effort.clone());
-    let degrees: Vec<usize> = ladder.levels.iter().map(|level| level.degree).collect();
-    let mut outcome = Outcome { stopped, ladder: rungs(&degrees, &solved, "gap", 0, distance), ..Outcome::default() };
+    let mut outcome = Outcome { stopped, ladder: ladder.rungs(&solved, ("gap", 0), distance), ..Outcome::default() };
     let (last, error) = ladder.to_report(&solved, beside.as_ref(), &distance);
     // A level that was hardly to be the last one has not kept its heat.
     let cold = last.filter(|last| last.hot.is_none() && stage.problem.heat.is_some());

@@ -35,7 +35,7 @@ use ran::Ran;
 use shapeopt::{EvolutionStatus, Measure, WearState, difference_of_gaps};
 
 use crate::effort::Effort;
-use crate::ladder::{Climbed, Ladder, Refusal, best, climb, errors, missed, rungs};
+use crate::ladder::{Climbed, Ladder, Refusal, best, climb, errors, missed};
 use crate::level::Level;
 use crate::problem::End;
 use crate::results::WearResult;
@@ -233,8 +233,7 @@ fn alike(stage: Stage<'_>, solved: &[Solved]) -> bool {
 
 fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>, levels: Levels) -> Outcome {
     let distance = apart(stage);
-    let degrees: Vec<usize> = solved.iter().map(|level| level.left.degree).collect();
-    let mut outcome = Outcome { ladder: ladder.estimated(rungs(&degrees, &solved, "gap", 0, distance)), ..Outcome::default() };
+    let mut outcome = Outcome { ladder: ladder.rungs(&solved, ("gap", 0), distance), ..Outcome::default() };
     let of = |k: usize| ladder.error_in_time(&solved, &|a, b| distance(a, b)[k]);
     let errors = if ladder.is_fixed() && !alike(stage, &solved) {
         None
@@ -275,7 +274,7 @@ fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>, levels: Le
         outcome.error.how += ", and what the mean over the cycles leaves out";
     }
     if reported < levels.count || levels.given_up.is_some() {
-        outcome.error.how += &format!("; the best of them is reported, of degree {}", degrees[reported - 1]);
+        outcome.error.how += &format!("; the best of them is reported, of degree {}", ladder.levels[reported - 1].degree);
     }
     outcome.error.how += &levels.given_up.map_or_else(String::new, |why| format!("; {why}"));
     if ladder.missed(error).is_some() {

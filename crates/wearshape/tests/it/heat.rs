@@ -332,7 +332,8 @@ fn the_told_error_of_a_hot_contact_knows_what_its_ends_are_off_by() {
     let off = most(&contact.ends, &fine.ends);
     println!("told {told:e}, ends off by {off:e} mm, told {ends:e}");
     assert!(contact.ends.len() == fine.ends.len() && off > 1e-3 && off < ends, "{off:e} {ends:e}");
-    assert!(told > 0.3 * off / 209.0 && told < 1e-4, "{told:e}");
+    let length: f64 = fine.ends.chunks(2).map(|zone| zone[1] - zone[0]).sum();
+    assert!(told > 0.5 * off / length && told < 1e-4, "{told:e} {:e}", off / length);
 }
 
 #[test]
