@@ -10,7 +10,7 @@ import dolfinx.fem.petsc as fem_petsc
 import numpy as np
 import ufl
 from dolfinx import fem
-from dolfinx.mesh import locate_entities_boundary
+from dolfinx.mesh import locate_entities_boundary, meshtags
 from petsc4py import PETSc
 
 # Seconds spent on forms so far: symbolic work and the look-up of compiled code, or its compilation.
@@ -40,7 +40,7 @@ class Body:
         mesh.topology.create_connectivity(0, 2)
         metadata = {"quadrature_degree": 2 * degree + 4}
         self.dx = ufl.Measure("dx", domain=mesh, metadata=metadata)
-        self.ds = ufl.Measure("ds", domain=mesh, subdomain_data=facets, metadata=metadata)
+        self.metadata = metadata
         self.x = ufl.SpatialCoordinate(mesh)
         self.supports = []
         self.solver = None
@@ -50,12 +50,23 @@ class Body:
         return tuple(i + 1 for i, s in enumerate(self.segments)
                      if s.edge == edge and (contact is None or s.contact == contact))
 
+    def number(self, value):
+        """A number of a form that its code takes as an argument: forms that differ by numbers alone are compiled once."""
+        return fem.Constant(self.mesh, float(value))
+
+    def along(self, tags):
+        """The measure of these segments, of one name in all forms, so that segments with other numbers have the same code."""
+        entities = np.unique(np.concatenate([self.facets.find(tag) for tag in tags])).astype(np.int32)
+        marked = meshtags(self.mesh, 1, entities, np.ones(len(entities), dtype=np.int32))
+        return ufl.Measure("ds", domain=self.mesh, subdomain_data=marked, metadata=self.metadata)(1)
+
     def _energy(self, u, v):
         young, nu = self.young, self.poisson
         shear = young / (2.0 * (1.0 + nu))
         lame = young * nu / ((1.0 + nu) * (1.0 - 2.0 * nu))
         if self.kinematics == "plane-stress":
             lame = 2.0 * lame * shear / (lame + 2.0 * shear)
+        shear, lame = self.number(shear), self.number(lame)
         strain = lambda w: ufl.sym(ufl.grad(w))
         if not self.axisymmetric:
             stress = 2.0 * shear * strain(u) + lame * ufl.tr(strain(u)) * ufl.Identity(2)
@@ -109,7 +120,7 @@ class Body:
     def load(self, traction, tags):
         """Load vector of a traction field on segments."""
         v = ufl.TestFunction(self.space)
-        vector = fem_petsc.assemble_vector(form(ufl.inner(traction, v) * self.weight() * self.ds(tuple(tags))))
+        vector = fem_petsc.assemble_vector(form(ufl.inner(traction, v) * self.weight() * self.along(tags)))
         return vector.array.copy()
 
     def resultant(self, vector, component):
@@ -180,6 +191,7 @@ class Torsion:
         space = fem.FunctionSpace(body.mesh, ("Lagrange", body.degree))
         u, v = ufl.TrialFunction(space), ufl.TestFunction(space)
         shear, r = body.young / (2.0 * (1.0 + body.poisson)), body.x[0]
+        shear = body.number(shear)
         twist = lambda w: ufl.grad(w)[0] - w / r
         energy = shear * (twist(u) * twist(v) + ufl.grad(u)[1] * ufl.grad(v)[1]) * r * body.dx
         entities = np.concatenate([body.facets.find(tag) for tag in body.tags(edge)])
@@ -187,7 +199,7 @@ class Torsion:
         held = fem.dirichletbc(PETSc.ScalarType(0.0), dofs, space)
         matrix = fem_petsc.assemble_matrix(form(energy), bcs=[held])
         matrix.assemble()
-        vector = fem_petsc.assemble_vector(form(traction * v * r * body.ds(tuple(tags))))
+        vector = fem_petsc.assemble_vector(form(traction * v * r * body.along(tags)))
         vector.array[dofs] = 0.0
         self.displacement = fem.Function(space)
         direct(matrix).solve(vector, self.displacement.vector)

@@ -54,7 +54,7 @@ class Conductor:
         self.test = ufl.TestFunction(self.space)
         trial, weight = ufl.TrialFunction(self.space), body.weight()
         conductivity = scenes.quantity(part["material"]["conductivity"])
-        bilinear = conductivity * ufl.inner(ufl.grad(trial), ufl.grad(self.test)) * weight * body.dx
+        self.matrix = sparse_matrix(body.number(conductivity) * ufl.inner(ufl.grad(trial), ufl.grad(self.test)) * weight * body.dx)
         self.own = np.zeros(self.space.dofmap.index_map.size_local)
         self.held = {}
         for name, heat in part.get("heat", {}).items():
@@ -62,7 +62,7 @@ class Conductor:
             share = outside if name == edge else 1.0
             if "convection" in heat:
                 film = share * scenes.quantity(heat["convection"])
-                bilinear += film * trial * self.test * weight * body.ds(tags)
+                self.matrix += sparse_matrix(body.number(film) * trial * self.test * weight * body.along(tags))
                 self.own += self.heat(film * scenes.quantity(heat["ambient"]), tags)
             elif "flux" in heat:
                 self.own += self.heat(scenes.quantity(heat["flux"]), tags)
@@ -70,17 +70,16 @@ class Conductor:
                 found = np.concatenate([body.facets.find(tag) for tag in tags])
                 dofs = fem.locate_dofs_topological(self.space, 1, found)
                 self.held.update(dict.fromkeys(dofs.tolist(), scenes.quantity(heat["temperature"])))
-        self.matrix = sparse_matrix(bilinear)
         # Nodes of the contact in order, and int u v on them.
         found = np.concatenate([body.facets.find(tag) for tag in contact])
         dofs = fem.locate_dofs_topological(self.space, 1, found)
         self.touching = dofs
-        self.surface = sparse_matrix(trial * self.test * weight * body.ds(contact))
+        self.surface = sparse_matrix(trial * self.test * weight * body.along(contact))
 
     def heat(self, flux, tags):
         """Nodal heat of a flux into the body on segments."""
-        flux = fem.Constant(self.body.mesh, float(flux)) if isinstance(flux, (int, float)) else flux
-        return fem_petsc.assemble_vector(form(flux * self.test * self.body.weight() * self.body.ds(tuple(tags)))).array.copy()
+        flux = self.body.number(flux) if isinstance(flux, (int, float)) else flux
+        return fem_petsc.assemble_vector(form(flux * self.test * self.body.weight() * self.body.along(tags))).array.copy()
 
     def in_order(self, surface):
         """Nodes of the contact in the order of the coordinate."""
@@ -126,11 +125,9 @@ def temperatures(pair, nodes, sources, conductance):
     if math.isinf(conductance):
         # One unknown for both: body 2's contact nodes are those of body 1.
         others = np.setdiff1d(np.arange(size[1]), nodes[1])
-        take = sparse.lil_matrix((n + size[1], n + len(others)))
-        take[:n, :n] = sparse.identity(n)
-        take[n + nodes[1], nodes[0]] = 1.0
-        take[n + others, n + np.arange(len(others))] = 1.0
-        take = take.tocsr()
+        rows = np.concatenate([np.arange(n), n + nodes[1], n + others])
+        columns = np.concatenate([np.arange(n), nodes[0], n + np.arange(len(others))])
+        take = sparse.csr_matrix((np.ones(len(rows)), (rows, columns)), shape=(n + size[1], n + len(others)))
         whole = sparse.block_diag([first.matrix, second.matrix]).tocsr()
         position = dict(zip(others.tolist(), range(n, n + len(others)))) | dict(zip(nodes[1].tolist(), nodes[0].tolist()))
         held = dict(first.held) | {position[d]: v for d, v in second.held.items()}

@@ -124,7 +124,7 @@ def respond(scene, surface, pressure, c, sign, number, body, tags):
         return u, None
     side = 1.0 if number == 1 else -1.0
     held = next(edge for edge, k in scene[f"body{number}"]["support"].items() if "phi" in k)
-    turn = Torsion(body, held, side * mu * surface.sense * pressure.field(ufl, body.x), tags)
+    turn = Torsion(body, held, body.number(side * mu * surface.sense) * pressure.field(ufl, body.x, body.number), tags)
     return u, body.points(turn.displacement, at, tags)[:, 0]
 
 
@@ -135,16 +135,15 @@ def friction(surface, sign):
 
 def loads(scene, surface, pressure, sign, number, body, tags):
     """Load vector of the contact tractions and the body's own load."""
-    p = pressure.field(ufl, body.x)
+    p = pressure.field(ufl, body.x, body.number)
     side = 1.0 if number == 1 else -1.0
     if surface.radius is None:
-        n = ufl.as_vector((0.0, 1.0))
-        tau = ufl.as_vector((surface.sense, 0.0))
+        n, along = ufl.as_vector((0.0, 1.0)), ufl.as_vector((1.0, 0.0))
     else:
-        n = ufl.as_vector([(body.x[i] - surface.centre[i]) / surface.radius for i in range(2)])
-        tau = surface.sense * ufl.as_vector((-n[1], n[0]))
-    in_plane = 0.0 if surface.axisymmetric else friction(surface, sign)
-    vector = body.load(side * p * (n + in_plane * tau), tags)
+        n = ufl.as_vector([(body.x[i] - body.number(surface.centre[i])) / body.number(surface.radius) for i in range(2)])
+        along = ufl.as_vector((-n[1], n[0]))
+    in_plane = 0.0 if surface.axisymmetric else friction(surface, sign) * surface.sense
+    vector = body.load(p * (body.number(side) * n + body.number(side * in_plane) * along), tags)
     if number == 1 and scene["load"]["as"] != "rigid":
         own = own_load(scene, body)
         vector += own * (-body.resultant(vector, 1) / body.resultant(own, 1))

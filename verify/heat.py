@@ -104,10 +104,11 @@ def conduct(scene, surface, pressure, bodies, contacts, meeting):
 
 def friction_heat(surface, pressure, body):
     """mu p v, mW/mm^2, as an expression."""
-    speed = abs(surface.omega) * body.x[0] if surface.axisymmetric and surface.omega is not None else None
-    if speed is None:
-        speed = float(surface.sliding_speed(np.zeros(1))[0])
-    return surface.friction * pressure.field(ufl, body.x) * speed
+    if surface.axisymmetric and surface.omega is not None:
+        rubbed = body.number(surface.friction * abs(surface.omega)) * body.x[0]
+    else:
+        rubbed = body.number(surface.friction * float(surface.sliding_speed(np.zeros(1))[0]))
+    return rubbed * pressure.field(ufl, body.x, body.number)
 
 
 def local_heat(scene, surface, pressure, c, found):
@@ -125,7 +126,8 @@ def thermal_load(scene, body, part, temperature):
     """int C : alpha (T - T_r) (1, 1, 1) : strain(v), the third direction being free in plane stress."""
     expansion = scenes.quantity(part["material"]["expansion"])
     hindered = 1.0 - body.poisson if body.kinematics == "plane-stress" else 1.0 - 2.0 * body.poisson
-    stress = body.young * expansion / hindered * (temperature - scenes.quantity(scene["heat"].get("reference", 20.0)))
+    reference = body.number(scenes.quantity(scene["heat"].get("reference", 20.0)))
+    stress = body.number(body.young * expansion / hindered) * (temperature - reference)
     v = ufl.TestFunction(body.space)
     volume = ufl.div(v) + (v[0] / body.x[0] if body.axisymmetric else 0.0)
     return fem_petsc.assemble_vector(form(stress * volume * body.weight() * body.dx)).array.copy()

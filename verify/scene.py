@@ -253,18 +253,18 @@ class Pressure:
     def __call__(self, c):
         return self._shape(self.multipliers, c)
 
-    def field(self, ufl, x):
-        """The same as an expression of the position x in the plane."""
+    def field(self, ufl, x, number):
+        """The same as an expression of the position x in the plane; `number` makes a coefficient of a form of a number."""
         surface = self.surface
         if self.uniform:
-            return ufl.as_ufl(float(self.multipliers[0]))
-        closing = (x[1] - surface.centre[1]) / surface.radius if surface.radius is not None else ufl.as_ufl(1.0)
-        f = float(self.multipliers[0]) * closing
+            return number(self.multipliers[0])
+        closing = (x[1] - number(surface.centre[1])) / number(surface.radius) if surface.radius is not None else 1.0
+        f = number(self.multipliers[0]) * closing
         if len(self.modes) > 1:
             zero = self.modes[1][0](np.zeros(1))[0]
-            f = f + float(self.multipliers[1]) * (x[0] + float(zero))
+            f = f + number(self.multipliers[1]) * (x[0] + number(zero))
         if surface.axisymmetric:
-            f = f / (abs(surface.omega) * x[0]) ** self.power
+            f = f / (number(abs(surface.omega)) * x[0]) ** number(self.power)
         else:
-            f = f / float(surface.sliding_speed(np.zeros(1))[0] ** self.power)
-        return ufl.conditional(ufl.gt(f, 0.0), ufl.max_value(f, 1e-300) ** self.k, 0.0)
+            f = f / number(surface.sliding_speed(np.zeros(1))[0] ** self.power)
+        return ufl.conditional(ufl.gt(f, 0.0), ufl.max_value(f, 1e-300) ** number(self.k), 0.0)

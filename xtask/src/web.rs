@@ -2,6 +2,7 @@
 //! hpfem alone that is built beside it.
 
 use std::fs;
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 use std::time::Instant;
@@ -77,10 +78,7 @@ fn built(root: &Path, install: bool) -> Result<(), String> {
     }
     fs::create_dir_all(&out).map_err(|error| format!("{}: {error}", out.display()))?;
     let packages = packages(root, install)?;
-    let mut smaller = Command::new("node");
-    smaller.arg(packages.join("binaryen/bin/wasm-opt")).args(SMALLER);
-    smaller.arg(module(root, "wearshape_web")).arg("--output").arg(out.join("wearshape.wasm"));
-    done(&mut smaller)?;
+    copy(&smaller(root, &packages)?, &out.join("wearshape.wasm"))?;
     let page = root.join(FOLDER).join("page");
     for entry in fs::read_dir(&page).map_err(|error| format!("{}: {error}", page.display()))? {
         let path = entry.map_err(|error| format!("{}: {error}", page.display()))?.path();
@@ -92,6 +90,29 @@ fn built(root: &Path, install: bool) -> Result<(), String> {
     sizes(&out)?;
     println!("{:4.0} s  built into target/web", start.elapsed().as_secs_f64());
     Ok(())
+}
+
+/// The module of the page made smaller, which takes a minute: once for each module, way of making it smaller and version of the packages.
+fn smaller(root: &Path, packages: &Path) -> Result<PathBuf, String> {
+    let module = module(root, "wearshape_web");
+    let bytes = fs::read(&module).map_err(|error| format!("{}: {error}", module.display()))?;
+    let mut made_of = DefaultHasher::new();
+    (bytes, SMALLER, text(&root.join(FOLDER).join("package-lock.json"))?).hash(&mut made_of);
+    let folder = root.join("target/web-smaller");
+    let path = folder.join(format!("{:016x}.wasm", made_of.finish()));
+    if path.exists() {
+        return Ok(path);
+    }
+    if folder.exists() {
+        fs::remove_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    }
+    fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    let partial = folder.join("partial");
+    let mut tool = Command::new("node");
+    tool.arg(packages.join("binaryen/bin/wasm-opt")).args(SMALLER).arg(module).arg("--output").arg(&partial);
+    done(&mut tool)?;
+    fs::rename(&partial, &path).map_err(|error| format!("{}: {error}", path.display()))?;
+    Ok(path)
 }
 
 /// A module as the compiler made it.

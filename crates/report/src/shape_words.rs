@@ -72,9 +72,12 @@ fn shape_words(problem: &Problem, solution: &Solution) -> Option<String> {
         (None, None) => return None,
     };
     let Read { mut most, mut least, form } = read(&rows)?;
+    let shape = solution.shape.as_ref()?;
+    // Between the points.
     if let Some(machined) = &solution.machined {
-        // Between the evenly spaced points.
         (most, least) = ([machined.deepest.s, 1e3 * machined.deepest.gap], [machined.datum.s, 1e3 * machined.datum.gap]);
+    } else if let (Some(deepest), Some(at), Some(crown)) = (shape.gap_max, shape.gap_where, shape.crown) {
+        (most, least[1]) = ([at, deepest], deepest - crown);
     }
     let size = most[1].abs().max(least[1].abs());
     if size <= 0.0 {

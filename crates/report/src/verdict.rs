@@ -161,10 +161,11 @@ fn extreme(values: &[f64], better: fn(f64, f64) -> bool) -> Option<usize> {
 
 /// "5.45455 MPa at 0 deg, 4.09091 MPa at -30 deg".
 pub(crate) fn pressures(problem: &Problem, profile: &Profile) -> Option<String> {
-    let high = extreme(&profile.pressure, |a, b| a > b * (1.0 + 1e-9))?;
+    let infinite = profile.pressure.iter().position(|pressure| *pressure == f64::INFINITY);
+    let high = infinite.or_else(|| extreme(&profile.pressure, |a, b| a > b * (1.0 + 1e-9)))?;
     let low = extreme(&profile.pressure, |a, b| a < b * (1.0 - 1e-9))?;
     let (top, bottom) = (profile.pressure[high], profile.pressure[low]);
-    if top - bottom <= 1e-9 * top {
+    if top.is_finite() && top - bottom <= 1e-9 * top {
         return Some(format!("{} MPa everywhere", brief(top)));
     }
     let at = |row: usize| {
@@ -175,5 +176,6 @@ pub(crate) fn pressures(problem: &Problem, profile: &Profile) -> Option<String> 
         let word = place(problem, s);
         if even { word.replacen('-', "+-", 1) } else { word }
     };
-    Some(format!("{} MPa at {}, {} MPa at {}", brief(top), at(high), brief(bottom), at(low)))
+    let most = if top.is_finite() { format!("{} MPa", brief(top)) } else { "infinite".to_string() };
+    Some(format!("{most} at {}, {} MPa at {}", at(high), brief(bottom), at(low)))
 }

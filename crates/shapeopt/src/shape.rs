@@ -164,12 +164,13 @@ fn nodal_load(problem: &ShapeProblem<'_>, traction: &Traction<'_>, side: Side, b
 }
 
 impl Gauge {
-    /// Shifts a state of body 1 along its free rigid modes until its rigid coordinates are zero.
-    pub fn zero(&self, body: &InterfaceOperator, state: &mut InterfaceState) {
+    /// Shifts a state of body 1 along its free rigid modes until its rigid coordinates are zero. Gives the coordinates that it had, one a mode of
+    /// [`InterfaceOperator::rigid_modes`]; none where nothing is shifted.
+    pub fn zero(&self, body: &InterfaceOperator, state: &mut InterfaceState) -> Vec<f64> {
         let (n, modes) = (state.unknowns.len(), body.rigid_modes.ncols());
         // Values of the functionals that are to vanish, in the state and in each mode.
         let (values, of_modes): (Vec<f64>, Vec<Vec<f64>>) = match self {
-            Gauge::Orthogonal => return,
+            Gauge::Orthogonal => return Vec::new(),
             Gauge::HeldEdge | Gauge::LoadedEdge(_) => {
                 let held = body.frame.iter().flatten();
                 held.map(|h| (state.unknowns[*h], (0..modes).map(|m| body.rigid_modes[(*h, m)]).collect())).unzip()
@@ -181,10 +182,11 @@ impl Gauge {
         };
         let matrix = DMatrix::from_fn(values.len(), modes, |row, m| of_modes[row][m]);
         // A rigid edge that supports hold in part has more motions than the body has modes: least squares.
-        let Ok(shift) = matrix.svd(true, true).solve(&DVector::from_vec(values), 1e-12) else { return };
+        let Ok(shift) = matrix.svd(true, true).solve(&DVector::from_vec(values), 1e-12) else { return Vec::new() };
         for (i, u) in state.unknowns.iter_mut().enumerate() {
             *u -= (0..modes).map(|m| shift[m] * body.rigid_modes[(i, m)]).sum::<f64>();
         }
+        shift.iter().copied().collect()
     }
 }
 

@@ -6,6 +6,7 @@ mod brake;
 mod circles;
 mod degrees;
 mod effort;
+mod energy_result;
 mod error_result;
 mod faults;
 mod fixed;

@@ -3,6 +3,7 @@
 use scene::{Balance, Functional, Modes};
 use serde::Serialize;
 
+pub use crate::energy_result::EnergyResult;
 pub use crate::error_result::ErrorResult;
 
 use crate::life_result::LifeResult;
@@ -234,9 +235,12 @@ pub struct ShapeResult {
     /// Crown height: the largest gap; above the lowest one where the rigid part is prescribed.
     #[serde(rename = "crown_um")]
     pub crown: Option<f64>,
-    /// Rigid part taken out.
+    /// Rigid part of the gap: motion of body 1 along its normal (where it may turn, at `load.about`), positive opening.
     #[serde(rename = "rigid_mm")]
     pub rigid: Option<f64>,
+    /// Turn of it, of a body that may turn: positive where the side of larger x opens.
+    #[serde(rename = "rigid_rad")]
+    pub turned: Option<f64>,
     /// Round trip on the same operators.
     pub roundtrip_same: Option<f64>,
     /// Round trip on another discretisation.
@@ -359,24 +363,6 @@ pub struct Settled {
     /// Volume worn off both bodies.
     #[serde(rename = "volume_mm3")]
     pub volume: f64,
-}
-
-/// `summary.energy`.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub struct EnergyResult {
-    /// Strain energy of body 1.
-    #[serde(rename = "body1_Nmm")]
-    pub body1: Option<f64>,
-    /// Strain energy of body 2.
-    #[serde(rename = "body2_Nmm")]
-    pub body2: Option<f64>,
-}
-
-impl EnergyResult {
-    /// Of both bodies (N mm).
-    pub fn total(&self) -> f64 {
-        self.body1.unwrap_or(0.0) + self.body2.unwrap_or(0.0)
-    }
 }
 
 /// One entry of `summary.reactions`.

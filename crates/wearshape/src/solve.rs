@@ -11,7 +11,7 @@ use crate::machining;
 use crate::options::Options;
 use crate::path_profile::Inside;
 use crate::problem::Problem;
-use crate::results::ErrorResult;
+use crate::results::{EnergyResult, ErrorResult};
 use crate::scope::Scope;
 use crate::solution::{AsMachined, Solution, Status};
 use crate::stage::Stage;
@@ -117,7 +117,7 @@ fn elastic(given: Given<'_>, passes: usize, watch: &mut Watch<'_>, solution: &mu
     }
     let Some(reported) = reported.filter(|_| solution.status != Status::Interrupted) else { return Ok(()) };
     if let Some(profile) = solution.profile.as_mut().filter(|_| problem.plan.runs(Step::Torsion)) {
-        solution.effort += torsion::fill(stage, &reported, profile)?;
+        solution.effort += torsion::fill(stage, &reported, (profile, solution.energy.get_or_insert_default()))?;
     }
     if problem.plan.runs(Step::Fields) {
         let mut effort = Effort::default();
@@ -200,7 +200,10 @@ impl Solution {
     /// Takes in what was recovered inside the bodies.
     fn take_inside(&mut self, Inside { frames, paths, energy }: Inside) {
         (self.fields, self.paths) = (frames, paths);
-        self.energy = energy.or(self.energy.take());
+        if let Some(EnergyResult { body1, body2, .. }) = energy {
+            let twisted = self.energy.take().unwrap_or_default();
+            self.energy = Some(EnergyResult { body1, body2, ..twisted });
+        }
     }
 
     /// Takes in the optimal pressure.

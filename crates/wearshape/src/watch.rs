@@ -65,7 +65,7 @@ pub struct FinishedLevel {
     pub degree: usize,
     /// Layers around each singular point.
     pub layers: usize,
-    /// Worn gap at evenly spaced points.
+    /// Worn gap at points along the surface, of all levels the same.
     #[serde(rename = "gap_mm")]
     pub gap: Vec<f64>,
     /// Closing of each rigid mode there, point by point.
@@ -79,6 +79,9 @@ pub struct FinishedLevel {
     /// What the steps in time leave wrong in that time and the depth then, or in the depth at the end: relative. Found on the first level.
     #[serde(default)]
     pub integration_error: Option<f64>,
+    /// Whether part of the surface was open at some time.
+    #[serde(default)]
+    pub partial: bool,
     /// Factors on the sliding speed at which the contact at its end is singular, with frictional heat alone.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub singular: Vec<f64>,

@@ -8,7 +8,7 @@ use serde_json::Value;
 const ROUND_OFF: f64 = 1e-9;
 
 /// Parts of keys that tell how a result was found and how well, and not what it is.
-const HOW: [&str; 12] = [
+const HOW: [&str; 17] = [
     "counters.",
     "error.",
     "iterations",
@@ -19,6 +19,11 @@ const HOW: [&str; 12] = [
     "steps",
     "step_limit",
     "where",
+    "_at_mm",
+    "heat.balance",
+    "interface.",
+    "run_in_error",
+    "because",
     "schema_version",
     "scene_sha256",
 ];

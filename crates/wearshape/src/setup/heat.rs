@@ -291,7 +291,12 @@ fn cooled(body: &Body, edges: &BTreeMap<String, Carried>) -> Result<(), Fault> {
     let names = outline(body).names(false);
     let edge = names.iter().rev().find(|name| **name != body.contact).map_or("top", |name| name);
     let example = format!("{}.heat.{edge} = {{ convection = \"100 W/(m2 K)\", ambient = \"20 degC\" }}", body.key);
-    Err(missing(&format!("{}.heat", body.key), why, &example))
+    let key = format!("{}.heat", body.key);
+    if edges.is_empty() {
+        return Err(missing(&key, why, &example));
+    }
+    let message = format!("{key} carries no heat away: {why}");
+    Err(Fault::at(key, "wrong-value", message, format!("write {example}, or hold an edge at a temperature")))
 }
 
 /// The one temperature at which a fresh body 2 arrives: that of its surroundings, or that of the cold shape.

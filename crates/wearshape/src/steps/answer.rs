@@ -79,7 +79,7 @@ impl Answer<'_> {
     fn energy(&self) -> EnergyResult {
         let bodies = [Some(self.pair.shaped), self.pair.counter];
         let [first, second] = [0, 1].map(|k| bodies[k].zip(self.states[k]).map(|(body, state)| body.strain_energy(state)));
-        EnergyResult { body1: first, body2: second }
+        EnergyResult { body1: first, body2: second, ..EnergyResult::default() }
     }
 
     fn at_own_points(&self) -> Profile {

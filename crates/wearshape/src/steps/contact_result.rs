@@ -4,7 +4,9 @@ use contact::{ContactOperator, ContactSolution, Pair, without_slivers};
 
 use crate::results::ContactResult;
 use crate::stage::Stage;
+use crate::steps::rigid_coordinates::motion;
 use crate::steps::sharp_edges;
+use shapeopt::Gauge;
 
 /// What the summary says of a contact; the ends are those of its points.
 pub(crate) fn result(
@@ -18,7 +20,7 @@ pub(crate) fn result(
     let points = operator.points();
     let moment =
         points.iter().zip(&found.nodal_force).map(|(p, force)| (p.position[0] - about) * force * p.normal[1]).sum::<f64>();
-    let [_, tz, theta] = motions(pair, found);
+    let [approach, tilt] = closings(stage, pair, found);
     let edge_exponents = sharp_edges::exponents(pair, operator, found);
     let singular = !edge_exponents.is_empty();
     let shear: Vec<f64> = found.shear.iter().map(|q| q.abs()).collect();
@@ -27,8 +29,8 @@ pub(crate) fn result(
         force: Some(found.force[1]),
         // About a pin it is that of the load.
         moment: Some(moment).filter(|_| !stage.couple.moves_one_way()),
-        approach: tz.map(|z| -z),
-        tilt: theta.map(|t| -t),
+        approach,
+        tilt,
         ends: without_slivers(&found.zones, pair.trace().length()).iter().flatten().map(|arc| start + arc).collect(),
         // At a sharp corner the pressure is infinite: its exponent says more than the largest nodal value.
         p_max: Some(operator.maximum(&found.pressure)).filter(|_| !singular),
@@ -52,8 +54,16 @@ pub(crate) fn lost(found: &ContactSolution) -> ContactResult {
     }
 }
 
-/// Motions of the rigid edge: t_x, t_z, theta, as far as it is there.
-fn motions(pair: &Pair<'_>, found: &ContactSolution) -> [Option<f64>; 3] {
-    let frame = pair.shaped.frame;
-    frame.map(|unknown| unknown.map(|u| found.shaped.unknowns[u]))
+/// How far body 1 closes (mm) and turns (rad): by the motions of its rigid edge, or by those that its load edge has on the average, as far as
+/// they are free.
+fn closings(stage: Stage<'_>, pair: &Pair<'_>, found: &ContactSolution) -> [Option<f64>; 2] {
+    let gauge = stage.gauge(pair);
+    if !matches!(gauge, Gauge::MeanOf(_)) {
+        let [_, tz, theta] = pair.shaped.frame.map(|unknown| unknown.map(|u| found.shaped.unknowns[u]));
+        return [tz, theta].map(|motion| motion.map(|u| -u));
+    }
+    let coordinates = gauge.zero(pair.shaped, &mut found.shaped.clone());
+    let [closing, turning] = motion(pair, &coordinates, stage.about());
+    let free = |row: usize| pair.shaped.rigid_motions.iter().any(|of| of[row] != 0.0) && !coordinates.is_empty();
+    [(1, closing), (2, turning)].map(|(row, value)| Some(value).filter(|_| free(row)))
 }

@@ -330,7 +330,7 @@ impl Setting<'_> {
             let operator = [Some(pair.shaped), pair.counter][body];
             self.copies() * operator.zip(states[body]).map_or(0.0, |(operator, state)| operator.strain_energy(state))
         });
-        EnergyResult { body1: Some(first), body2: Some(second) }
+        EnergyResult { body1: Some(first), body2: Some(second), ..EnergyResult::default() }
     }
 
     /// Forces of the supports of the whole scene.
@@ -363,7 +363,8 @@ impl Setting<'_> {
         for profile in [&mut solved.told.profile, &mut solved.told.curve] {
             twist.fill(rows.operator, profile, 0.0);
             let at: Vec<ContactPoint> = profile.s.iter().map(|s| pair.at_arc(*s)).collect();
-            torsion::write(&pair, &twist.last.shear, &at, profile);
+            let energies = torsion::write(&pair, &twist.last.shear, &at, profile);
+            [solved.told.energy.twist1, solved.told.energy.twist2] = energies;
         }
         solved.twist = Some(twist.answer);
         solved.refused = solved.refused.take().or(twist.refused);

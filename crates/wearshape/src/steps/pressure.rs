@@ -49,6 +49,11 @@ pub(crate) fn solve(problem: &Problem, options: &Options<'_>) -> Result<Found, F
     match wear::optimal_pressure(&wear) {
         Ok(optimum) => {
             describe(&mut found.result, &optimum, &problem.freedoms, wear.wear.active);
+            let infinite = optimum.regime != Regime::Singular && infinite_at(patch, &optimum).is_some();
+            if infinite {
+                // What integration points near that place have is no number of the pressure.
+                (found.result.p_max, found.result.p_max_at) = (None, None);
+            }
             found.result.wear_rule = wear.wear.rules.iter().find_map(Rule::word);
             depths(&mut found.result, &optimum, patch);
             let at_points: Vec<f64> = optimum.points.iter().map(|point| optimum.pressure_at(point)).collect();
@@ -56,6 +61,9 @@ pub(crate) fn solve(problem: &Problem, options: &Options<'_>) -> Result<Found, F
             found.result.life = life::of(problem, &optimum, &patch.sample(401));
             if options.machining {
                 found.result.sensitivity = sensitivity::of(problem, &wear, &optimum);
+                if infinite {
+                    found.result.sensitivity.iter_mut().for_each(|entry| entry.p_max_percent = None);
+                }
                 found.map = map(patch, &optimum);
             }
             let points = match options.sample {
@@ -82,6 +90,14 @@ pub(crate) fn solve(problem: &Problem, options: &Options<'_>) -> Result<Found, F
         }
     }
     Ok(found)
+}
+
+/// Places of the surface at which a pressure is looked at.
+const SAMPLES: usize = 201;
+
+/// A place of the surface, an end or one in its middle, where a pressure is infinite; none of most.
+pub(crate) fn infinite_at(patch: &Patch, optimum: &wear::Optimum) -> Option<SurfacePoint> {
+    patch.surface.sample(SAMPLES).into_iter().find(|point| !optimum.pressure_at(point).is_finite())
 }
 
 fn not_known() -> Fault {

@@ -99,7 +99,7 @@ fn fields(moment: &Moment, bodies: &[Body; 2], effort: &mut Effort) -> Result<[F
 /// Strain energies of both bodies, `1/2 int sigma : (eps - eps_th) dV`.
 fn strain_energy(fields: &[Field; 2]) -> EnergyResult {
     let [body1, body2] = fields.each_ref().map(|field| Some(field.strain_energy()));
-    EnergyResult { body1, body2 }
+    EnergyResult { body1, body2, ..EnergyResult::default() }
 }
 
 /// Both bodies at a moment, without twist.

@@ -27,7 +27,7 @@ use crate::steps::hot_shape::{self, HotShape};
 use crate::steps::reported::{Moment, Reported};
 use crate::steps::round_off::least_error;
 use crate::steps::shaper::{Shaper, unanswered};
-use crate::steps::{pressure, round_trip, tolerance, torsion};
+use crate::steps::{pressure, rigid_coordinates, round_trip, tolerance, torsion};
 use crate::watch::Watch;
 
 /// Samples of the gap for the comparison of levels.
@@ -189,12 +189,15 @@ impl<'a> Shaper<'a> {
             Measure::Largest => 0.0,
             Measure::Crown => -maximum(&arcs, &gaps.iter().map(|gap| -gap).collect::<Vec<_>>(), &|arc| -gap(arc))[1],
         };
+        let [closed, turned] = rigid_coordinates::motion(&pair, &shape.rigid, stage.about());
+        let is_told = stage.couple.bodies[0].pin().is_none() && !shape.rigid.is_empty();
         let mut result = ShapeResult {
             iterations: passes + 1,
             gap_max: Some(1e3 * most),
             gap_where: Some(stage.start(&pair) + highest),
             crown: Some(1e3 * (most - lowest)),
-            rigid: shape.rigid.first().copied().filter(|_| stage.couple.bodies[0].pin().is_none()),
+            rigid: is_told.then_some(-closed),
+            turned: (is_told && pair.shaped.rigid_motions.iter().any(|[.., turn]| *turn != 0.0)).then_some(-turned),
             roundtrip_same: None,
             roundtrip_independent: None,
             proof_failed: false,

@@ -9,16 +9,13 @@ use crate::ladder::Refusal;
 use crate::stage::Stage;
 use crate::steps::heat::known::with_heat;
 use crate::steps::jumps::Jumps;
+use crate::steps::pressure::infinite_at;
 use crate::steps::pressure_ends::pressure_ends;
 use crate::steps::rigid_coordinates::{coordinates, motion};
 
-/// Places of the surface at which the wanted pressure has to be finite.
-const SAMPLES: usize = 201;
-
 /// A wanted pressure that is infinite somewhere has no shape.
 pub(crate) fn unanswered(stage: Stage<'_>, optimum: &wear::Optimum) -> Result<(), Refusal> {
-    let points = stage.patch.surface.sample(SAMPLES);
-    let Some(point) = points.iter().find(|point| !optimum.pressure_at(point).is_finite()) else { return Ok(()) };
+    let Some(point) = infinite_at(stage.patch, optimum) else { return Ok(()) };
     let [x, z] = [point.position.x, point.position.z];
     Err(Refusal::Reason(format!(
         "the wanted pressure is infinite at x = {x}, z = {z}, and no shape has it; leave a hole or a cap there (optimum.p_max)"

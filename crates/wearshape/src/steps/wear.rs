@@ -19,6 +19,7 @@ mod round;
 mod round_mesh;
 mod round_result;
 mod run;
+mod samples;
 mod scar;
 mod torque;
 mod track;
@@ -153,10 +154,11 @@ fn distance(a: &Solved, b: &Solved) -> [f64; 2] {
 /// How far two levels of a stage are apart. Where the end of contact moves over the elements, levels fall with a power of the degree only, and
 /// in no order: their differences count so many times, and the steps have their part of the accuracy ([`part_of_levels`]).
 fn apart(stage: Stage<'_>) -> impl Fn(&Solved, &Solved) -> [f64; 2] + Copy {
-    let times = if stage.ends_move() { 3.0 } else { 1.0 };
+    let on_the_way = stage.problem.wear.until.is_some() && stage.problem.heat.is_none();
     let by_wear = matches!(stage.problem.wear.until, Some(End::Depth(_) | End::Volume(_)));
     move |a, b| {
         let [gap, time] = distance(a, b);
+        let times = if stage.ends_move() || on_the_way && b.left.partial { 3.0 } else { 1.0 };
         // Where the wear ends a run, its time is an answer.
         let ends = if by_wear { ((a.left.time - b.left.time) / b.left.time).abs() } else { 0.0 };
         [times * gap / part_of_levels(stage, b), times * time.max(ends / (1.0 - STEPS))]

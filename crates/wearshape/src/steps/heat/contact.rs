@@ -56,7 +56,7 @@ impl<'a> HotContact<'a> {
         let load = stage.contact_load(operator.points());
         let hot = effort.timed(Step::Contact, stage.clock(), |_| match near {
             Some(near) => following.solve_from(&operator, &gap, &load, near),
-            None => following.solve(&operator, &gap, &load),
+            None => following.grown(&operator, &gap, &load),
         })?;
         Ok(HotContact { stage, following, hot })
     }

@@ -67,6 +67,21 @@ impl Following<'_> {
         if hot.found.status.is_solved() { Ok(hot) } else { self.solve(operator, gap, base) }
     }
 
+    /// The contact of the bodies that grows from that of the cold ones: between surfaces with a gap heat may close more of it, so that there are several, and
+    /// the one that touches everywhere is none to begin with. `base` holds the load without heat.
+    pub(crate) fn grown(&self, operator: &ContactOperator<'_>, gap: &[f64], base: &ContactLoad) -> Result<Hot, Fault> {
+        if gap.iter().any(|gap| *gap != 0.0) {
+            let cold = self.settled(operator, gap, base, 0.0, None)?;
+            if cold.found.status.is_solved() {
+                let hot = self.settled(operator, gap, base, 1.0, Some(&cold.found))?;
+                if self.is_grown(operator, base, &hot)? {
+                    return Ok(hot);
+                }
+            }
+        }
+        self.solve(operator, gap, base)
+    }
+
     /// The contact of the bodies, pressure and temperature at once: `base` holds the load without heat. What is not found so is followed from the
     /// contact of the cold bodies on, the sliding speed growing.
     pub(crate) fn solve(&self, operator: &ContactOperator<'_>, gap: &[f64], base: &ContactLoad) -> Result<Hot, Fault> {

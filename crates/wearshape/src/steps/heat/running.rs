@@ -56,7 +56,7 @@ impl<'a> Running<'a> {
         gap: &[f64],
         base: &ContactLoad,
     ) -> Result<Result<ContactSolution, String>, Fault> {
-        let Hot { found, lost, .. } = self.following.solve(operator, gap, base)?;
+        let Hot { found, lost, .. } = self.following.grown(operator, gap, base)?;
         let lost = lost.map(|lost| lost.words()).or_else(|| (!found.status.is_solved()).then(|| found.status.to_string()));
         Ok(lost.map_or(Ok(found), Err))
     }

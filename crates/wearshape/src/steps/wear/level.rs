@@ -8,7 +8,6 @@ use crate::bodies::Reduced;
 use crate::effort::Effort;
 use crate::ladder::Refusal;
 use crate::level::Level;
-use crate::options::Sampling;
 use crate::results::WearResult;
 use crate::stage::Stage;
 use crate::step::Step;
@@ -27,13 +26,12 @@ use crate::steps::wear::problem::{Loads, steady_residual, wear_problem};
 use crate::steps::wear::ran::{MOST_STEPS, Ran};
 use crate::steps::wear::round_result::RoundContact;
 use crate::steps::wear::run::Run;
+use crate::steps::wear::samples::samples;
 use crate::steps::wear::torque::Turning;
 use crate::steps::{life, torsion};
 use crate::turns_result::TurnsResult;
 use crate::watch::{Event, FinishedLevel, RunLevel, Watch, WearStep};
 
-/// Samples of the gap for the comparison of levels.
-const SAMPLES: usize = 201;
 /// Run-in distances in the summary, slowest first.
 const RUN_IN: usize = 4;
 
@@ -107,7 +105,8 @@ pub(super) fn run(
     hot.iter().try_for_each(|hot| hot.join(&mut problem, &operator))?;
     // What is worn off a round body is measured from what is not: no rigid part is taken out.
     let modes = if stage.ends_move() { 0 } else { pair.shaped.rigid_modes.ncols() };
-    if let Err(fault) = check_levels(finished, SAMPLES, modes).and_then(|()| check_states(&states, &problem)) {
+    let samples = samples(stage, &pair, ends);
+    if let Err(fault) = check_levels(finished, samples.len(), modes).and_then(|()| check_states(&states, &problem)) {
         return Ok(Err(Unfinished::Unfit(fault)));
     }
     let (least_error, known_error) = refine(stage, &mut problem, finished);
@@ -137,10 +136,10 @@ impl Scenes<'_> {
         let last = self.pieces.intervals[state.interval].stage;
         let stage = self.stages[last];
         let normalised = with_lowest_rigid_part(stage, self.pair, self.operator, &state.gap);
-        let found = self.solve(&normalised, last, state)?;
+        let found = self.last(&normalised, last, state)?;
         effort.counters.contact_solves += 2;
         effort.counters.wear_steps += state.step;
-        let samples = stage.sample(self.pair, Sampling::Even(SAMPLES));
+        let samples = samples(stage, self.pair, mesh.ends);
         let mut told = self.told((stage, problem), state, &normalised, &found);
         let heat = self.hot.as_ref().map(|hot| hot.tell(self.operator, state, (&found, &mut told), self.finished)).transpose()?;
         let mut wear = result(&run, stage);
@@ -149,7 +148,7 @@ impl Scenes<'_> {
         let mut moments: Vec<Moment> = self.moment("", state.time, found, last).into_iter().collect();
         if stage.problem.plan.runs(Step::Fields) && heat.is_none() {
             let first = self.pieces.intervals[0].stage;
-            let started = self.solve(&problem.gap, first, state)?;
+            let started = self.solve(&problem.gap, first)?;
             effort.counters.contact_solves += 1;
             moments.extend(self.moment("start", 0.0, started, first));
         }
@@ -163,6 +162,7 @@ impl Scenes<'_> {
             time: state.time,
             to_1_percent: wear.to_1_percent.as_ref().map(|settled| settled.time),
             integration_error: None,
+            partial: run.history.states.iter().any(|state| is_partial(&state.pressure)),
             singular: heat.as_ref().map(|told| told.singular.clone()).unwrap_or_default(),
             closing: if round { Vec::new() } else { samples.iter().flat_map(|point| closing(self.pair, point)).collect() },
             wear_steps: state.step,
@@ -190,12 +190,17 @@ impl Scenes<'_> {
         Ok((left, Ran { ended, history: columns, groove, running_in, wear, told, heat, reported, effort }))
     }
 
-    /// The contact on a gap under one of the loads, with the heat of a state.
-    fn solve(&self, gap: &[f64], load: usize, state: &WearState) -> Result<ContactSolution, Fault> {
-        let hot = self.hot.as_ref().map(|hot| hot.load(load, &state.conducting)).transpose()?;
-        self.operator
-            .solve(gap, hot.as_ref().unwrap_or(&self.loads[load]), None)
-            .map_err(|error| Fault::at("contact", "no-contact", error.to_string(), "check the contact and its load"))
+    /// The contact on the gap of a state under the load that acts last; that of hot bodies, of which there may be several, on the points of the state.
+    fn last(&self, gap: &[f64], load: usize, state: &WearState) -> Result<ContactSolution, Fault> {
+        let Some(hot) = &self.hot else { return self.solve(gap, load) };
+        let (load, pressing) = (hot.load(load, &state.conducting)?, state.pressure.iter().map(|p| *p > 0.0).collect::<Vec<_>>());
+        let held = self.operator.solve_on(gap, &load, &pressing).map_err(no_contact)?;
+        held.map_or_else(|| self.operator.solve(gap, &load, None).map_err(no_contact), Ok)
+    }
+
+    /// The contact on a gap under one of the loads of bodies without heat.
+    fn solve(&self, gap: &[f64], load: usize) -> Result<ContactSolution, Fault> {
+        self.operator.solve(gap, &self.loads[load], None).map_err(no_contact)
     }
 
     /// Energies, reactions and columns of a state; of loads that act by turns while the first of them does.
@@ -233,6 +238,15 @@ impl Scenes<'_> {
         let around = torsion::around(stage, self.operator.points(), &at.pressure);
         at.counter.map(|counter| Moment { time, name, states: [stage.held(self.pair, &at.shaped), counter], around })
     }
+}
+
+/// Whether some of the points press and some do not.
+fn is_partial(pressure: &[f64]) -> bool {
+    pressure.iter().any(|p| *p > 0.0) && pressure.iter().any(|p| *p <= 0.0)
+}
+
+fn no_contact(error: contact::Error) -> Fault {
+    Fault::at("contact", "no-contact", error.to_string(), "check the contact and its load")
 }
 
 /// A gap with its lowest rigid part that keeps it open, unless the rigid part is prescribed.
