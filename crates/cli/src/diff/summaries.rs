@@ -128,6 +128,17 @@ mod tests {
     }
 
     #[test]
+    fn how_a_result_was_found_does_not_count_and_what_was_asked_for_does() {
+        let of = |x: f64| {
+            json!({ "heat": { "balance": x, "T_max1_at_mm": [x, 0.0], "T_max1_degC": x }, "interface": { "condition": x },
+                    "wear": { "run_in_error": x, "turns": { "because": x.to_string() } }, "pressure": { "balance": x.to_string() } })
+        };
+        let found = compare([&of(1.0), &of(2.0)]);
+        let counting: Vec<&str> = found.iter().filter(|entry| entry.counts(1e-3)).map(|entry| entry.key.as_str()).collect();
+        assert_eq!(counting, ["heat.T_max1_degC", "pressure.balance"]);
+    }
+
+    #[test]
     fn words_and_absent_keys_differ_and_count() {
         let found = compare([&json!({ "status": "ok", "shape": { "gap_max_um": 1.0 } }), &json!({ "status": "refused" })]);
         assert!(found.iter().all(|entry| entry.counts(1.0)) && found.len() == 2, "{found:?}");

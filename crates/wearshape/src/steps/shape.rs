@@ -189,20 +189,16 @@ impl<'a> Shaper<'a> {
             Measure::Largest => 0.0,
             Measure::Crown => -maximum(&arcs, &gaps.iter().map(|gap| -gap).collect::<Vec<_>>(), &|arc| -gap(arc))[1],
         };
-        let [closed, turned] = rigid_coordinates::motion(&pair, &shape.rigid, stage.about());
-        let is_told = stage.couple.bodies[0].pin().is_none() && !shape.rigid.is_empty();
+        let [rigid, turned] = rigid_part(stage, &pair, shape);
         let mut result = ShapeResult {
             iterations: passes + 1,
             gap_max: Some(1e3 * most),
             gap_where: Some(stage.start(&pair) + highest),
             crown: Some(1e3 * (most - lowest)),
-            rigid: is_told.then_some(-closed),
-            turned: (is_told && pair.shaped.rigid_motions.iter().any(|[.., turn]| *turn != 0.0)).then_some(-turned),
-            roundtrip_same: None,
-            roundtrip_independent: None,
-            proof_failed: false,
+            rigid,
+            turned,
             flat: solved.is_flat(stage.problem.measure()),
-            tolerance: Vec::new(),
+            ..ShapeResult::default()
         };
         outcome.machined = stage.options.machining.then(|| self.machined(&pair, shape));
         let mut told = self.told(reduced, &pair, shape);
@@ -304,6 +300,17 @@ impl<'a> Shaper<'a> {
             moments,
         })
     }
+}
+
+/// The rigid part of a gap as a motion along its normal (mm) and a turn (rad), positive where they open it, as far as body 1 has these motions; none about
+/// a pin.
+fn rigid_part(stage: Stage<'_>, pair: &Pair<'_>, shape: &Shape) -> [Option<f64>; 2] {
+    if stage.couple.bodies[0].pin().is_some() || shape.rigid.is_empty() {
+        return [None, None];
+    }
+    let [closing, turning] = rigid_coordinates::motion(pair, &shape.rigid, stage.about());
+    let turns = pair.shaped.rigid_motions.iter().any(|[.., turn]| *turn != 0.0);
+    [Some(-closing), Some(-turning).filter(|_| turns)]
 }
 
 /// What a proof may miss at most on the very operators of the shape, relative to the pressure: there it is round-off, unless part of the surface

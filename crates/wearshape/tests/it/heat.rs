@@ -360,3 +360,25 @@ fn of_a_hot_contact_that_was_lost_no_numbers_are_told() {
     let contact = solution.contact.unwrap();
     assert!(contact.force.is_none() && contact.p_max.is_none() && contact.ends.is_empty());
 }
+
+/// A shaft in its housing that heat would seize: beside the contact that grows from the cold one there is one all around.
+#[test]
+fn the_contact_of_a_hot_shaft_changes_smoothly_with_its_speed() {
+    let hot = |speed: &str| {
+        let solution = solved(&scene(
+            "journal",
+            &[
+                "body1.material={ young = 100000, poisson = 0.34, conductivity = 60, expansion = 18e-6 }",
+                "body2.material={ young = 210000, poisson = 0.3, conductivity = 45, expansion = 12e-6 }",
+                "body1.heat.outer={ convection = 0.05, ambient = 20 }",
+                "body2.heat.inner={ convection = 0.1, ambient = 20 }",
+                "heat={ share = 0.3, reference = 20, counterface = \"revolving\" }",
+                &format!("sliding.omega={speed}"),
+            ],
+        ));
+        assert_eq!(solution.status, Status::Ok, "{speed}: {:?}", solution.reason);
+        solution.contact.unwrap().p_max.unwrap()
+    };
+    let most = ["0.09", "0.11", "0.13"].map(hot);
+    assert!((most[0] + most[2] - 2.0 * most[1]).abs() < 1e-3 * most[1] && most[0] > most[2], "{most:?}");
+}

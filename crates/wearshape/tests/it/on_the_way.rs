@@ -1,0 +1,58 @@
+//! Runs in time that end on the way, while part of the surface is open.
+
+use std::ops::ControlFlow;
+
+use wearshape::{Bodies, Options, Sampling, Solution, Status, solve};
+
+use crate::common::{scene, solved};
+
+/// A hot contact has several sets of points in contact on one gap: what is told of the bodies is told of the one that is reported.
+#[test]
+fn supports_of_a_hot_run_carry_the_pressure_that_it_tells() {
+    for settings in [&["wear.until=2"][..], &["wear.until=1", "sliding.omega=2"]] {
+        let all = [&["tasks=[wear]", "accuracy=1e-2"], settings].concat();
+        let solution = solved(&scene("drum-brake-hot", &all));
+        assert_eq!(solution.status, Status::Ok, "{:?}", solution.reason);
+        let profile = solution.profile.as_ref().unwrap();
+        let open = profile.pressure.iter().filter(|p| **p == 0.0).count();
+        assert!(open > 0 && open < profile.s.len(), "{open}");
+        // The supports of body 2 carry p n + mu p tau; the drum turns anti-clockwise, so that tau is n turned so.
+        let mut force = [0.0; 2];
+        for i in 0..profile.s.len() {
+            let [nx, _, nz] = profile.normal[i];
+            let [p, q] = [profile.pressure[i], profile.shear[i]].map(|value| profile.weight[i] * value);
+            let drag = [-nz, nx];
+            (force[0], force[1]) = (force[0] + p * nx + q * drag[0], force[1] + p * nz + q * drag[1]);
+        }
+        let (_, held) = solution.reactions.iter().find(|(edge, _)| edge == "body2.inner").unwrap();
+        let size = force[0].hypot(force[1]);
+        let misses = [held.x.unwrap() - force[0], held.z.unwrap() - force[1]];
+        assert!(misses.iter().all(|miss| miss.abs() < 1e-6 * size), "{settings:?}: {misses:?} of {force:?}");
+    }
+}
+
+/// The end of contact of a lining under high friction moves over .4 mm next to the end of its surface and leaves a trace there, which is narrower than the
+/// distance of evenly spaced places.
+#[test]
+fn the_error_of_a_run_that_ends_on_the_way_counts_the_trace_of_its_ends() {
+    let worn = |settings: &[&str]| -> Solution {
+        let all = [&["tasks=[wear]", "wear.until=0.05", "contact.friction=0.6"], settings].concat();
+        let options = Options { sample: Some(Sampling::Even(4001)), ..Options::default() };
+        solve(&scene("lining-on-back", &all), &options, &Bodies::default(), &mut |_| ControlFlow::Continue(())).unwrap()
+    };
+    let fine = worn(&["mesh={ degree = 12, layers = 12 }"]);
+    let profile = fine.profile.as_ref().unwrap();
+    let size = profile.gap.iter().fold(0.0_f64, |most, gap| most.max(*gap));
+    for accuracy in ["1e-3", "1e-5"] {
+        let run = worn(&[&format!("accuracy={accuracy}")]);
+        let told = run.error.as_ref().unwrap().gap_relative.unwrap();
+        let gap = &run.profile.as_ref().unwrap().gap;
+        let mut apart: Vec<f64> = gap.iter().zip(&profile.gap).map(|(a, b)| a - b).collect();
+        apart.sort_by(f64::total_cmp);
+        // Without the rigid part, most of the surface being as it is.
+        let middle = apart[apart.len() / 2];
+        let off = apart.iter().map(|miss| (miss - middle).abs()).fold(0.0, f64::max) / size;
+        assert!(off > 1e-5 && off < told, "{accuracy}: {off:e} where {told:e} is told");
+        assert_eq!(run.status == Status::AccuracyMissed, told > accuracy.parse::<f64>().unwrap());
+    }
+}
