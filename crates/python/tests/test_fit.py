@@ -1,5 +1,7 @@
 """Fits: what was put in comes back, within what is said of it."""
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 import wearshape
@@ -97,3 +99,40 @@ def test_data_that_are_not_computed_are_refused() -> None:
         wearshape.fit(DRUM, [wearshape.Profile("pressure_MPa", [0, 500], [1, 1], 1)], {"wear.a": 1.0})
     with pytest.raises(TypeError, match=r"^data\[0\] must be a Number, a Profile or a History, not 3$"):
         wearshape.fit(DRUM, [3], {"wear.a": 1.0})  # type: ignore[list-item]
+
+
+def test_experiments_of_long_arrays_are_told_apart() -> None:
+    """numpy shows the ends of a long array alone: two gaps that differ in between are two experiments."""
+    s = np.linspace(-30, 30, 1201)
+    plain = 1e-3 * s**2
+    gaps = [{"contact.gap": {"s_mm": s, "gap_um": gap}} for gap in (plain, plain + 1.5 * np.exp(-((s / 8) ** 2)) * (np.abs(s) < 25))]
+    scene = wearshape.Scene("translating-punch").set(tasks=["contact"], accuracy=1e-2)
+    key = "contact.approach_mm"
+    data = [wearshape.Number(key, scene.set(gap).run().summary["contact"]["approach_mm"], 1e-5, gap) for gap in gaps]
+    found = wearshape.fit(scene, data, {"body1.material.young": 2.1e5})
+    assert np.abs(found.residuals).max() < 1e-6 and found.estimates["body1.material.young"] == pytest.approx(2.1e5, rel=1e-6)
+
+
+def test_a_step_to_where_there_is_no_answer_is_made_shorter() -> None:
+    """One torque tells no exponents: steps along what is not known went to a negative one."""
+    scene = wearshape.Scene("drum-brake-block").set(tasks=["pressure"])
+    data = [wearshape.Number("pressure.torque_Nmm", 521000, 500)]
+    assert wearshape.fit(scene, data, {"wear.beta.0": 2e-4, "wear.a": 1.0, "wear.b": 1.0}).unknown
+
+
+@pytest.mark.parametrize(
+    ("wrong", "words"),
+    [
+        (lambda: wearshape.Number("x", 1.0, 0.0), "sigma"),
+        (lambda: wearshape.Number("x", float("nan"), 1.0), "value"),
+        (lambda: wearshape.Profile("gap_um", [1.0], [1.0, 2.0], 1.0), "values"),
+        (lambda: wearshape.Profile("gap_um", [], [], 1.0), "places"),
+        (lambda: wearshape.Profile("gap_um", [1.0], [1.0], -1.0), "sigma"),
+        (lambda: wearshape.fit(DRUM, [wearshape.Number(RATE, 1.0, 1.0)], {"wear.a": (1.0, 2.0, 3.0)}), "outside"),
+        (lambda: wearshape.fit(DRUM, [wearshape.Profile("gap", [0.0], [1.0], 1.0)], {"wear.a": 1.0}), "gap_um"),
+        (lambda: wearshape.fit(DRUM, [wearshape.History("p_max_MPa", [0.0], [1.0], 1.0)], {"wear.a": 1.0}), "history"),
+    ],
+)
+def test_wrong_measurements_are_refused(wrong: Callable[[], object], words: str) -> None:
+    with pytest.raises(wearshape.Error, match=words):
+        wrong()

@@ -175,3 +175,15 @@ def test_plot_draws_pressure_and_gap(drum: wearshape.Result) -> None:
     figure = drum.plot()
     assert [axes.get_ylabel() for axes in figure.axes] == ["pressure (MPa)", "gap (um)"]
     assert figure.axes[1].get_xlabel() == "angle (deg)"
+
+
+def test_a_column_is_an_array_like_any_other(drum: wearshape.Result) -> None:
+    pressure = drum.profile["pressure_MPa"]
+    assert type(pressure) is np.ndarray and isinstance(float(pressure.max()), float)
+    assert not pressure.flags.writeable and np.shares_memory(pressure, drum.profile)
+    assert type(drum.profile[["s_mm", "gap_um"]]) is type(drum.profile[1:3]) is type(drum.profile)
+
+
+def test_a_pressure_alone_has_no_levels() -> None:
+    assert wearshape.Scene("disc-pad").forecast() == []
+    assert wearshape.Scene("drum-brake-block").set(tasks=["pressure"]).forecast() == []

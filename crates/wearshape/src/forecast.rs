@@ -52,7 +52,7 @@ pub struct Forecast {
 type Sized = (Level, f64, [Sizes; 2]);
 
 impl Problem {
-    /// All levels that a solve may climb to, by meshing them; about how long by timing the first ones with the clock of the options, which are also
+    /// All levels that a solve may climb to, by meshing them, none where the pressure alone is asked for; about how long by timing the first ones with the clock of the options, which are also
     /// told of every mesh and elimination.
     ///
     /// # Errors
@@ -71,6 +71,9 @@ impl Problem {
 }
 
 fn forecast(problem: &Problem, options: &Options<'_>, bodies: &Bodies) -> Result<Vec<Forecast>, Fault> {
+    if !problem.plan.runs(Step::Mesh) {
+        return Ok(Vec::new());
+    }
     let clock = options.clock;
     let scope = Scope::of(problem, options, bodies)?;
     scope.available()?;

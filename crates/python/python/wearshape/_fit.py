@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -15,6 +15,9 @@ from wearshape import _core
 from wearshape._error import Error
 from wearshape._result import Result
 from wearshape._scene import Scene
+from wearshape._table import Table
+
+_DEVIATIONS = "give one standard deviation for all values, or one each"
 
 #: Relative step of the differences: numbers are known to the accuracy of the scene, which has to be finer by some digits.
 _STEP = 1e-4
@@ -44,6 +47,11 @@ class Number(Measurement):
     #: What was set in this experiment, beside the scene.
     changes: Mapping[str, Any] = field(default_factory=dict)
 
+    def __post_init__(self) -> None:
+        arguments.finite("value", self.value)
+        if arguments.finite("sigma", self.sigma) <= 0:
+            raise Error(f"sigma = {self.sigma} is not positive", "wrong-argument", "sigma", _DEVIATIONS)
+
     def residuals(self, result: Result) -> NDArray[np.float64]:
         """(computed - measured) / sigma. Shape (1,)."""
         value: Any = result.summary
@@ -51,6 +59,8 @@ class Number(Measurement):
             if not isinstance(value, dict) or part not in value:
                 raise Error(f"the summary has no {self.key}: {result.verdict}", "no-number", self.key, "see `result.summary`")
             value = value[part]
+        if isinstance(value, bool) or not isinstance(value, (int, float)):
+            raise Error(f"{self.key} of the summary is no number", "no-number", self.key, "see `result.summary`")
         return np.array([(float(value) - self.value) / self.sigma])
 
 
@@ -66,6 +76,21 @@ class _Column(Measurement):
     sigma: ArrayLike
     #: What was set in this experiment, beside the scene.
     changes: Mapping[str, Any] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        at = arguments.array("at", self.at, (None,))
+        arguments.array("values", self.values, at.shape)
+        sigma = arguments.array("sigma", np.atleast_1d(np.asarray(self.sigma)), (None,))
+        arguments.refused("sigma", sigma, sigma <= 0, "is not positive", _DEVIATIONS)
+        if at.size == 0 or sigma.size not in (1, at.size):
+            raise Error(f"{self.column} has {at.size} places and {sigma.size} deviations", "shape", "at", _DEVIATIONS)
+
+    def _computed(self, kind: str, table: Table | None) -> NDArray[np.float64]:
+        names = () if table is None else table.dtype.names or ()
+        if table is None or self.column not in names or table.dtype[self.column].kind != "f":
+            remedy = f"one of {', '.join(names)}" if names else f"a scene whose result has a {kind}"
+            raise Error(f"the {kind} has no numbers {self.column}", "no-column", self.column, remedy)
+        return np.asarray(table[self.column])
 
     def _against(self, known: NDArray[np.float64], computed: NDArray[np.float64]) -> NDArray[np.float64]:
         """Between the points of the solver by a cubic that keeps the ups and downs of its numbers."""
@@ -85,16 +110,17 @@ class Profile(_Column):
 
     def residuals(self, result: Result) -> NDArray[np.float64]:
         """(computed - measured) / sigma. Shape (m,)."""
-        return self._against(result.s, result.profile[self.column])
+        return self._against(result.s, self._computed("profile", result.profile))
 
 
 @dataclass(frozen=True)
 class History(_Column):
-    """Measurements over time (s): a column of ``result.history``, as ``"volume_mm3"``."""
+    """Measurements over time (s): a column of ``result.history``, as ``"volume1_mm3"``."""
 
     def residuals(self, result: Result) -> NDArray[np.float64]:
         """(computed - measured) / sigma. Shape (m,)."""
-        return self._against(result.history["time_s"], result.history[self.column])
+        found = self._computed("history", result.history)
+        return self._against(result.history["time_s"], found)
 
 
 @dataclass(frozen=True)
@@ -177,25 +203,41 @@ def fit(
     if (start == 0).any():
         name = names[int(np.argmin(np.abs(start)))]
         raise Error(f"{name} starts at 0", "zero-start", name, "start where it might be: its size is the scale of the steps")
-    experiments: dict[str, list[Measurement]] = {}
+    outside = ~((bounds[:, 0] <= start) & (start <= bounds[:, 1]))
+    if outside.any():
+        name = names[int(np.argmax(outside))]
+        raise Error(f"{name} starts outside of its bounds", "wrong-start", name, "give a start, then the smallest and the largest value")
+    experiments: dict[Hashable, list[Measurement]] = {}
     for each in data:
-        experiments.setdefault(repr(sorted(each.changes.items())), []).append(each)
+        experiments.setdefault(_told(each.changes), []).append(each)
     bodies = _core.Bodies()
     runs = 0
+    length: int | None = None
 
     def residuals(relative: NDArray[np.float64]) -> NDArray[np.float64]:
-        nonlocal runs
+        nonlocal runs, length
         values = dict(zip(names, (relative * start).tolist(), strict=True))
         parts: list[NDArray[np.float64]] = []
         for group in experiments.values():
-            result = _changed(scene, values, group[0].changes).run(bodies=bodies)
             runs += 1
-            parts.extend(each.residuals(result) for each in group)
-        return np.concatenate(parts)
+            try:
+                result = _changed(scene, values, group[0].changes).run(bodies=bodies)
+                parts.extend(each.residuals(result) for each in group)
+            except Error:
+                # A step that went too far, to where there is no answer, is made shorter.
+                if length is None:
+                    raise
+                return np.full(length, np.inf)
+        found = np.concatenate(parts)
+        length = len(found)
+        return found
 
     limits = np.sort(bounds / start[:, None], axis=1).T
     solved = least_squares(residuals, np.ones(len(names)), bounds=(limits[0], limits[1]), diff_step=np.full(len(names), _STEP), x_scale=1.0)
-    _, singular, rows = np.linalg.svd(np.asarray(solved.jac, dtype=np.float64) * solved.x, full_matrices=False)
+    slopes = np.asarray(solved.jac, dtype=np.float64) * solved.x
+    # Fewer measurements than parameters leave directions that none of them tells.
+    slopes = np.vstack([slopes, np.zeros((max(0, len(names) - len(slopes)), len(names)))])
+    _, singular, rows = np.linalg.svd(slopes, full_matrices=False)
     combinations = [
         Combination(dict(zip(names, row.tolist(), strict=True)), float(1 / value) if value > 0 else np.inf)
         for row, value in zip(rows, singular, strict=True)
@@ -214,6 +256,17 @@ def fit(
         residuals=solved.fun,
         runs=runs,
     )
+
+
+def _told(value: Any) -> Hashable:
+    """What two settings have in common that are equal: every digit of their arrays."""
+    if isinstance(value, Mapping):
+        return tuple(sorted((str(key), _told(each)) for key, each in value.items()))
+    if isinstance(value, (list, tuple)):
+        return tuple(_told(each) for each in value)
+    if hasattr(value, "__array__"):
+        return tuple(map(str, getattr(value, "columns", ()))), repr(np.asarray(value).tolist())
+    return repr(value)
 
 
 def _changed(scene: Scene, values: Mapping[str, float], changes: Mapping[str, Any]) -> Scene:

@@ -141,7 +141,7 @@ class Result:
 
     def files(self) -> dict[str, bytes]:
         """The files of an output folder by name: report.html, contact.csv, summary.json, plots/*.svg, ...; the same bytes as the command writes but
-        for the list of files in summary.json."""
+        for the list of files in summary.json; without timing.json and the recording of a run in time (run.mcap, run.layout.json), which the command makes."""
         if self._files is None:
             self._files = self._solution.files()
         return dict(self._files)

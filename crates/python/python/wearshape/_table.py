@@ -15,6 +15,11 @@ if TYPE_CHECKING:
 class Table(np.ndarray[tuple[int], np.dtype[np.void]]):
     """Records with named fields, one row each: ``table["pressure_MPa"]`` is a column, ``table[0]`` a row. Units stand in the names."""
 
+    def __getitem__(self, key: Any) -> Any:
+        found = super().__getitem__(key)
+        # A column is an array like any other.
+        return np.asarray(found) if isinstance(found, Table) and found.dtype.names is None else found
+
     def to_pandas(self) -> pandas.DataFrame:
         """The same as a ``pandas.DataFrame``."""
         import pandas

@@ -327,7 +327,7 @@ fn the_told_error_of_a_hot_contact_knows_what_its_ends_are_off_by() {
         (error.pressure_relative.unwrap(), error.ends.unwrap(), contact)
     };
     let (told, ends, contact) = at("accuracy=1e-4");
-    let (_, _, fine) = at("accuracy=1e-6");
+    let (_, _, fine) = at("accuracy=1e-5");
     let most = |a: &[f64], b: &[f64]| a.iter().zip(b).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
     let off = most(&contact.ends, &fine.ends);
     println!("told {told:e}, ends off by {off:e} mm, told {ends:e}");
