@@ -52,8 +52,8 @@ pub struct Forecast {
 type Sized = (Level, f64, [Sizes; 2]);
 
 impl Problem {
-    /// All levels that a solve may climb to, by meshing them, none where the pressure alone is asked for; about how long by timing the first ones with the clock of the options, which are also
-    /// told of every mesh and elimination.
+    /// All levels that a solve may climb to, by meshing them, none where the pressure alone is asked for; about how long by timing the first ones with
+    /// the clock of the options, which are also told of every mesh and elimination.
     ///
     /// # Errors
     /// What is not built, or cannot be meshed or held.
