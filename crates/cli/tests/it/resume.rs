@@ -314,9 +314,9 @@ fn a_finer_level_without_an_end_loses_neither_the_answer_nor_the_bytes_of_a_cont
     assert_eq!(summary["status"], "accuracy-missed", "{}", call.out);
     assert_eq!(summary["wear"]["time_s"], 60.0);
     let error = summary["error"]["gap_relative"].as_f64().unwrap();
-    assert!((1e-6..1e-4).contains(&error), "{error:e}");
+    assert!((1e-6..3e-4).contains(&error), "{error:e}");
     // Asked for what is reached, it is the answer.
-    let call = bench.call("run turned.toml -o less --set accuracy=2e-4");
+    let call = bench.call("run turned.toml -o less --set accuracy=5e-4");
     assert_eq!(call.code, 0, "{}{}", call.out, call.err);
     let less: serde_json::Value = serde_json::from_str(&bench.read("less/summary.json")).unwrap();
     let depth = |summary: &serde_json::Value| summary["wear"]["depth_um"].as_f64().unwrap();

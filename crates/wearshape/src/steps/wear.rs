@@ -158,7 +158,11 @@ fn apart(stage: Stage<'_>) -> impl Fn(&Solved, &Solved) -> [f64; 2] + Copy {
     let by_wear = matches!(stage.problem.wear.until, Some(End::Depth(_) | End::Volume(_)));
     move |a, b| {
         let [gap, time] = distance(a, b);
-        let times = if stage.ends_move() || on_the_way && b.left.partial { 3.0 } else { 1.0 };
+        let times = match (stage.ends_move(), on_the_way && b.left.partial) {
+            (true, _) => 3.0,
+            (false, true) => 2.0,
+            (false, false) => 1.0,
+        };
         // Where the wear ends a run, its time is an answer.
         let ends = if by_wear { ((a.left.time - b.left.time) / b.left.time).abs() } else { 0.0 };
         [times * gap / part_of_levels(stage, b), times * time.max(ends / (1.0 - STEPS))]
