@@ -165,7 +165,7 @@ fn nodal_load(problem: &ShapeProblem<'_>, traction: &Traction<'_>, side: Side, b
 
 impl Gauge {
     /// Shifts a state of body 1 along its free rigid modes until its rigid coordinates are zero. Gives the coordinates that it had, one a mode of
-    /// [`InterfaceOperator::rigid_modes`]; none where nothing is shifted.
+    /// [`InterfaceOperator::rigid_motions`] (mm, or rad where the mode turns); none where nothing is shifted.
     pub fn zero(&self, body: &InterfaceOperator, state: &mut InterfaceState) -> Vec<f64> {
         let (n, modes) = (state.unknowns.len(), body.rigid_modes.ncols());
         // Values of the functionals that are to vanish, in the state and in each mode.

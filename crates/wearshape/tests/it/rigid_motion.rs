@@ -32,7 +32,7 @@ fn a_contact_closes_by_its_approach_and_tilt_with_or_without_a_rigid_edge() {
         let solution = contact(name, settings);
         let told = solution.contact.as_ref().unwrap();
         let [miss, size] = off(solution.profile.as_ref().unwrap(), [told.approach.unwrap(), told.tilt.unwrap_or(0.0)], about);
-        assert!(miss < 1e-9 * size && told.approach.unwrap() > 0.0, "{name} {settings:?}: {miss:e} of {size}");
+        assert!(miss < 1e-11 * size && told.approach.unwrap() > 0.0, "{name} {settings:?}: {miss:e} of {size}");
     }
 }
 
@@ -44,7 +44,7 @@ fn the_rigid_part_of_a_shape_is_a_motion_along_its_normal_and_a_turn() {
         let shape = solution.shape.as_ref().unwrap();
         let [lifted, turned] = [shape.rigid.unwrap(), shape.turned.unwrap_or(0.0)];
         let [miss, size] = off(solution.profile.as_ref().unwrap(), [-lifted, -turned], about);
-        assert!(miss < 1e-9 * size, "{settings:?}: {miss:e} of {size}");
+        assert!(miss < 1e-11 * size, "{settings:?}: {miss:e} of {size}");
         assert_eq!(shape.turned.is_none(), settings.contains(&"load.tilt=0"));
         [lifted, turned]
     };

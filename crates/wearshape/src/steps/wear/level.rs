@@ -59,6 +59,8 @@ struct Scenes<'a> {
     pair: &'a Pair<'a>,
     operator: &'a ContactOperator<'a>,
     finished: &'a [FinishedLevel],
+    /// Where gaps of levels are compared.
+    samples: Vec<ContactPoint>,
     /// Frictional heat; none of a scene without it.
     hot: Option<Hot<'a>>,
 }
@@ -110,7 +112,8 @@ pub(super) fn run(
         return Ok(Err(Unfinished::Unfit(fault)));
     }
     let (least_error, known_error) = refine(stage, &mut problem, finished);
-    let scenes = Scenes { stages: &stages, loads, pieces, reduced: &reduced, pair: &pair, operator: &operator, finished, hot };
+    let scenes =
+        Scenes { stages: &stages, loads, pieces, reduced: &reduced, pair: &pair, operator: &operator, finished, samples, hot };
     let run_level = RunLevel {
         finished,
         known_steps: states.len(),
@@ -139,7 +142,6 @@ impl Scenes<'_> {
         let found = self.last(&normalised, last, state)?;
         effort.counters.contact_solves += 2;
         effort.counters.wear_steps += state.step;
-        let samples = samples(stage, self.pair, mesh.ends);
         let mut told = self.told((stage, problem), state, &normalised, &found);
         let heat = self.hot.as_ref().map(|hot| hot.tell(self.operator, state, (&found, &mut told), self.finished)).transpose()?;
         let mut wear = result(&run, stage);
@@ -158,13 +160,13 @@ impl Scenes<'_> {
         let left = FinishedLevel {
             degree: level.degree,
             layers: level.layers,
-            gap: samples.iter().map(|p| self.operator.value_at(compared, p.arc)).collect(),
+            gap: self.samples.iter().map(|p| self.operator.value_at(compared, p.arc)).collect(),
             time: state.time,
             to_1_percent: wear.to_1_percent.as_ref().map(|settled| settled.time),
             integration_error: None,
             partial: run.history.states.iter().any(|state| is_partial(&state.pressure)),
             singular: heat.as_ref().map(|told| told.singular.clone()).unwrap_or_default(),
-            closing: if round { Vec::new() } else { samples.iter().flat_map(|point| closing(self.pair, point)).collect() },
+            closing: if round { Vec::new() } else { self.samples.iter().flat_map(|point| closing(self.pair, point)).collect() },
             wear_steps: state.step,
             factorisations: effort.counters.factorisations,
             contact_solves: effort.counters.contact_solves,
