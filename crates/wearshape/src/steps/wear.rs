@@ -100,13 +100,14 @@ fn solve_at(stage: Stage<'_>, pieces: &Pieces, ends: &[f64], watch: &mut Watch<'
         let solved = Solved { left, run: Some(ran) };
         Ok(if ends { ControlFlow::Break(Some(solved)) } else { ControlFlow::Continue(solved) })
     };
-    let decisive = decisive(stage);
+    let left_out = pieces.left_out();
+    let decisive = decisive(stage, left_out);
     let Climbed { mut solved, mut stopped } = climb(&ladder, known, solve, decisive, watch)?;
     for level in &solved {
         effort += level.run.as_ref().map_or_else(|| before(&level.left), |ran| ran.effort.clone());
     }
     let found = if stopped { None } else { best(&ladder, &solved, &decisive) };
-    let found = found.map(|(count, known)| (count, with_times(stage, &solved[..count], known)));
+    let found = found.map(|(count, known)| (count, with_times(stage, &solved[..count], left_out, known)));
     let levels = solved.len();
     if let Some((count, _)) = found.filter(|(count, _)| *count < levels || given_up.is_some()) {
         // Run again, so that the recording holds the level that is reported, also where this run has gone on with another.
@@ -123,7 +124,8 @@ fn solve_at(stage: Stage<'_>, pieces: &Pieces, ends: &[f64], watch: &mut Watch<'
         None => Vec::new(),
     };
     let resume = stopped.then(|| Resume { finished: lefts(&solved), states });
-    let outcome = finish(stage, &ladder, solved, Levels { count: levels, given_up, errors: found.map(|(_, errors)| errors) });
+    let outcome =
+        finish(stage, &ladder, solved, Levels { count: levels, given_up, errors: found.map(|(_, errors)| errors), left_out });
     Ok((Outcome { stopped, resume, ..outcome }, effort))
 }
 
@@ -152,8 +154,8 @@ fn distance(a: &Solved, b: &Solved) -> [f64; 2] {
 }
 
 /// How far two levels of a stage are apart. Where the end of contact moves over the elements, levels fall with a power of the degree only, and
-/// in no order: their differences count so many times, and the steps have their part of the accuracy ([`part_of_levels`]).
-fn apart(stage: Stage<'_>) -> impl Fn(&Solved, &Solved) -> [f64; 2] + Copy {
+/// in no order: their differences count so many times. What is left out besides has its part of the accuracy ([`part_of_levels`]).
+fn apart(stage: Stage<'_>, left_out: f64) -> impl Fn(&Solved, &Solved) -> [f64; 2] + Copy {
     let on_the_way = stage.problem.wear.until.is_some() && stage.problem.heat.is_none();
     let by_wear = matches!(stage.problem.wear.until, Some(End::Depth(_) | End::Volume(_)));
     move |a, b| {
@@ -165,14 +167,14 @@ fn apart(stage: Stage<'_>) -> impl Fn(&Solved, &Solved) -> [f64; 2] + Copy {
         };
         // Where the wear ends a run, its time is an answer.
         let ends = if by_wear { ((a.left.time - b.left.time) / b.left.time).abs() } else { 0.0 };
-        [times * gap / part_of_levels(stage, b), times * time.max(ends / (1.0 - STEPS))]
+        [times * gap / part_of_levels(stage, b, left_out), times * time.max(ends / (1.0 - STEPS))]
     }
 }
 
-/// Part of the accuracy that the steps leave to the levels, where the depth that is wanted has the errors of both.
-fn part_of_levels(stage: Stage<'_>, level: &Solved) -> f64 {
+/// Part of the accuracy that the steps, where the depth that is wanted has their error too, and a mean over cycles leave to the levels.
+fn part_of_levels(stage: Stage<'_>, level: &Solved, left_out: f64) -> f64 {
     let steps = level.left.integration_error.filter(|_| stage.ends_move()).unwrap_or(0.0);
-    1.0 - (steps / stage.accuracy()).min(STEPS)
+    1.0 - (steps / stage.accuracy()).min(STEPS) - (left_out / stage.accuracy()).min(turns::PART)
 }
 
 /// Whether a run ends while heat still moves the ends of contact: what they pass over once leaves its trace in the gap, which levels have in no order.
@@ -182,8 +184,8 @@ fn ends_on_the_way(stage: Stage<'_>) -> bool {
 
 /// How far two levels are apart in what decides whether they are enough. Heat opens a contact that is not worn in: its ends move over the elements
 /// meanwhile, and times fall with a power of the degree only. There the gap decides, and the error of the times is told.
-fn decisive(stage: Stage<'_>) -> impl Fn(&Solved, &Solved) -> [f64; 2] + Copy {
-    let apart = apart(stage);
+fn decisive(stage: Stage<'_>, left_out: f64) -> impl Fn(&Solved, &Solved) -> [f64; 2] + Copy {
+    let apart = apart(stage, left_out);
     let hot = stage.problem.heat.is_some();
     move |a, b| {
         let [gap, time] = apart(a, b);
@@ -192,8 +194,8 @@ fn decisive(stage: Stage<'_>) -> impl Fn(&Solved, &Solved) -> [f64; 2] + Copy {
 }
 
 /// Estimated errors of gap and times of the last of some levels, whose gap alone decided that they are enough where the run is hot.
-fn with_times(stage: Stage<'_>, solved: &[Solved], known: [f64; 2]) -> [f64; 2] {
-    let hot = errors(solved, &apart(stage)).filter(|_| stage.problem.heat.is_some());
+fn with_times(stage: Stage<'_>, solved: &[Solved], left_out: f64, known: [f64; 2]) -> [f64; 2] {
+    let hot = errors(solved, &apart(stage, left_out)).filter(|_| stage.problem.heat.is_some());
     hot.map_or(known, |[_, time]| [known[0], time])
 }
 
@@ -216,6 +218,8 @@ struct Levels {
     given_up: Option<String>,
     /// Estimated errors of the one to report, of a ladder without end.
     errors: Option<[f64; 2]>,
+    /// What a mean over cycles leaves out of the gap.
+    left_out: f64,
 }
 
 /// A groove too deep for a contact that knows it by its mean around the axis of the ball: the square of this ratio is left out.
@@ -238,7 +242,7 @@ fn alike(stage: Stage<'_>, solved: &[Solved]) -> bool {
 }
 
 fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>, levels: Levels) -> Outcome {
-    let distance = apart(stage);
+    let distance = apart(stage, levels.left_out);
     let mut outcome = Outcome { ladder: ladder.rungs(&solved, ("gap", 0), distance), ..Outcome::default() };
     let of = |k: usize| ladder.error_in_time(&solved, &|a, b| distance(a, b)[k]);
     let errors = if ladder.is_fixed() && !alike(stage, &solved) {
@@ -249,7 +253,7 @@ fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>, levels: Le
         levels.errors
     };
     // The depth of a round contact is the worn gap itself, with what the steps leave in it.
-    let part = solved.last().map_or(1.0, |level| part_of_levels(stage, level));
+    let part = solved.last().map_or(1.0, |level| part_of_levels(stage, level, levels.left_out));
     let errors = errors.map(|[gap, time]| [part * gap, time]);
     let steps = solved.last().filter(|_| stage.ends_move()).and_then(|level| level.left.integration_error).unwrap_or(0.0);
     let error = errors.map(|[gap, _]| gap + steps);
@@ -260,8 +264,6 @@ fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>, levels: Le
     let failure = last.failure();
     let run_in_error = run_in_error.filter(|_| failure.is_none());
     outcome.wear = Some(WearResult { run_in_error, ..last.wear });
-    let left_out = outcome.wear.as_ref().and_then(|wear| wear.turns.as_ref()).filter(|turns| turns.averaged);
-    let left_out = left_out.and_then(|turns| turns.ripple).unwrap_or(0.0);
     outcome.history = last.history;
     outcome.groove = last.groove;
     outcome.running_in = Some(last.running_in);
@@ -269,14 +271,14 @@ fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>, levels: Le
     outcome.reported = last.reported;
     outcome.heat = last.heat;
     outcome.ended = failure.map(|why| (Status::NotConverged, why)).or(too_deep(outcome.wear.as_ref()));
-    let Some(error) = error.filter(|_| outcome.ended.is_none()).map(|error| error + left_out) else { return outcome };
+    let Some(error) = error.filter(|_| outcome.ended.is_none()).map(|error| error + levels.left_out) else { return outcome };
     outcome.error.gap_relative = Some(error);
     outcome.error.how = if stage.ends_move() {
         format!("depth worn off along the surface at the end: rest of the series of {} degrees, and of the steps", levels.count)
     } else {
         format!("gap at the end: {}", ladder.told_by(levels.count))
     };
-    if left_out > 0.0 {
+    if levels.left_out > 0.0 {
         outcome.error.how += ", and what the mean over the cycles leaves out";
     }
     if reported < levels.count || levels.given_up.is_some() {

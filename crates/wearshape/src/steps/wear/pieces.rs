@@ -20,6 +20,11 @@ pub(super) struct Pieces {
 }
 
 impl Pieces {
+    /// What a mean over cycles leaves out of the gap, over its size.
+    pub(super) fn left_out(&self) -> f64 {
+        self.turns.as_ref().filter(|turns| turns.averaged).and_then(|turns| turns.ripple).unwrap_or(0.0)
+    }
+
     /// The pieces of a problem, each once; without a schedule the problem itself for ever.
     pub(super) fn of(problem: &Problem) -> Pieces {
         let mut pieces = Pieces { problems: Vec::new(), intervals: Vec::new(), shares: None, cycle: None, turns: None };

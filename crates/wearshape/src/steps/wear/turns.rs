@@ -20,7 +20,7 @@ use crate::steps::wear::ran::MOST_STEPS;
 use crate::turns_result::TurnsResult;
 
 /// Part of the accuracy asked for that an average over cycles may leave out.
-const PART: f64 = 0.3;
+pub(super) const PART: f64 = 0.3;
 /// Degree and error of the run that tells what it leaves out.
 const FIRST: usize = 4;
 const ROUGH: f64 = 1e-3;
