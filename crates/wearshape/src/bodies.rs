@@ -11,7 +11,7 @@ use scene::Fault;
 
 use crate::effort::{Clock, Counters, Effort};
 use crate::level::Level;
-use crate::parts::{Meeting, Parts};
+use crate::parts::{Held, Meeting, Parts};
 use crate::results::Reaction;
 
 /// Kinds of bodies that are kept at once; a sweep over geometries does not keep them all.
@@ -143,7 +143,7 @@ fn keep_last<T>(kept: &Mutex<Vec<T>>, new: T) {
 pub(crate) struct Reduced {
     /// Body 1 and body 2.
     pub interfaces: [InterfaceOperator; 2],
-    support_names: [Vec<String>; 2],
+    held: [Held; 2],
     meeting: Meeting,
     counters: Counters,
     /// Unit responses without and with shear.
@@ -165,8 +165,8 @@ impl Reduced {
 
     /// Bodies of these parts that are reduced already.
     pub(crate) fn of(parts: &Parts, interfaces: [InterfaceOperator; 2], counters: Counters) -> Reduced {
-        let names = |body: usize| parts.parts[body].support_names.clone();
-        Reduced { interfaces, support_names: [names(0), names(1)], meeting: parts.meeting, counters, unit: Default::default() }
+        let held = |body: usize| parts.parts[body].held.clone();
+        Reduced { interfaces, held: [held(0), held(1)], meeting: parts.meeting, counters, unit: Default::default() }
     }
 
     /// Cells and unknowns of the discretisation.
@@ -208,7 +208,7 @@ impl Reduced {
 
     /// Forces of the supports on their bodies.
     pub(crate) fn reactions(&self, states: [Option<&InterfaceState>; 2]) -> Vec<(String, Reaction)> {
-        reactions([&self.interfaces[0], &self.interfaces[1]], [&self.support_names[0], &self.support_names[1]], states)
+        reactions([&self.interfaces[0], &self.interfaces[1]], [&self.held[0], &self.held[1]], states)
     }
 }
 
@@ -226,17 +226,21 @@ pub(crate) fn paired<'b>([first, second]: [&'b InterfaceOperator; 2], meeting: M
     })
 }
 
-/// Forces of the supports on their bodies, edge by edge; supports without a name are planes of symmetry.
+/// Forces of the supports and of a rigid edge's guide on their bodies, edge by edge; supports without a name are planes of symmetry.
 pub(crate) fn reactions(
     bodies: [&InterfaceOperator; 2],
-    support_names: [&[String]; 2],
+    held: [&Held; 2],
     states: [Option<&InterfaceState>; 2],
 ) -> Vec<(String, Reaction)> {
     let mut reactions: Vec<(String, Reaction)> = Vec::new();
-    for ((names, body), state) in support_names.iter().zip(bodies).zip(states) {
+    for ((held, body), state) in held.iter().zip(bodies).zip(states) {
         let Some(state) = state else { continue };
-        for (number, name) in names.iter().enumerate().filter(|(_, name)| !name.is_empty()) {
-            let [x, z, moment] = body.reaction(number, state);
+        for (number, name) in held.names.iter().enumerate().filter(|(_, name)| !name.is_empty()) {
+            let mut reaction = body.reaction(number, state);
+            for (case, force) in held.carried.iter().filter(|_| number + 1 == held.names.len()) {
+                reaction.iter_mut().zip(force).for_each(|(sum, force)| *sum += state.factors[*case] * force);
+            }
+            let [x, z, moment] = reaction;
             match reactions.iter_mut().find(|(known, _)| known == name) {
                 Some((_, sum)) => {
                     sum.x = sum.x.map(|v| v + x);

@@ -21,8 +21,18 @@ pub(crate) const NO_STIFFNESS: &str = "no-stiffness";
 pub(crate) struct BodyParts {
     key: &'static str,
     problem: BodyProblem,
-    /// Names of the supported edges, one a support.
-    pub support_names: Vec<String>,
+    /// What holds it.
+    pub held: Held,
+}
+
+/// What holds a body.
+#[derive(Debug, Clone)]
+pub(crate) struct Held {
+    /// Names of the edges with a reaction, one a support; none is a plane of symmetry.
+    pub names: Vec<String>,
+    /// Load cases of what acts on the mass of the body, and the force [F_x, F_z] (N) and moment about the origin (N mm) by which the last of the edges, which is
+    /// rigid, carries each.
+    pub carried: Vec<(usize, [f64; 3])>,
 }
 
 /// Load cases of body 1: a load of 1 N, then mean displacement functionals of the load edge along x, z, and in rotation.
@@ -54,26 +64,33 @@ impl BodyParts {
             supports.push(Support::hold(AXIS, Direction::First));
             support_names.push(String::new());
         }
-        // The reaction of an edge that turns is the last one.
+        // The reaction of an edge that turns about a pin, or is guided, is the last one.
         support_names.extend(pin.map(|(edge, _)| format!("{key}.{edge}")));
-        let rigid_edge =
-            rigid.filter(|_| kinematics != Kinematics::Torsion).map(|load| rigid_edge(body, load, &mesh, kinematics));
+        let rigid = rigid.filter(|_| kinematics != Kinematics::Torsion);
+        support_names.extend(rigid.map(|load| format!("{key}.{}", load.edge)));
+        let rigid_edge = rigid.map(|load| rigid_edge(body, load, &mesh, kinematics));
         let mut load_cases = match (shaped, kinematics) {
             (true, Kinematics::Torsion) | (false, _) => Vec::new(),
             (true, _) => load_cases(couple, &mesh, kinematics),
         };
-        let loads = body.loads.iter().filter(|_| kinematics != Kinematics::Torsion);
-        load_cases.extend(loads.map(|load| by_mass(body, *load, shaped, (&mesh, kinematics))));
+        let mut carried = Vec::new();
+        for load in body.loads.iter().filter(|_| kinematics != Kinematics::Torsion) {
+            if rigid.is_some() && load.has_resultant() {
+                let force = meshing::resultant(*load, (&mesh, &body.densities()), kinematics, [0.0; 2]);
+                carried.push((load_cases.len(), force.map(|force| -force)));
+            }
+            load_cases.push(by_mass(body, *load, shaped, (&mesh, kinematics)));
+        }
         let problem = BodyProblem {
             degrees,
             materials,
             supports,
-            edge_reaction: pin.is_some(),
+            edge_reaction: pin.is_some() || rigid.is_some(),
             rigid_edge: rigid_edge.or(pin.map(turning)),
             load_cases,
             ..BodyProblem::new(mesh, 1, kinematics).keep(CONTACT)
         };
-        Ok(BodyParts { key, problem, support_names })
+        Ok(BodyParts { key, problem, held: Held { names: support_names, carried } })
     }
 
     /// The mesh.

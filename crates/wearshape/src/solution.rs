@@ -60,7 +60,7 @@ pub struct Solution {
     pub wear: Option<WearResult>,
     /// Strain energies.
     pub energy: Option<EnergyResult>,
-    /// Reaction of each supported edge, by "body1.left".
+    /// Reaction of each supported edge and of a rigid one, by "body1.left".
     pub reactions: Vec<(String, Reaction)>,
     /// Body 1 as a brake under the pressure of the last task, where a pin or a roller guides it.
     pub brake: Option<BrakeResult>,

@@ -335,8 +335,8 @@ impl Setting<'_> {
 
     /// Forces of the supports of the whole scene.
     fn reactions(&self, parts: &Parts, bodies: &[Body; 2], states: [Option<&InterfaceState>; 2]) -> Vec<(String, Reaction)> {
-        let names = [parts.parts[0].support_names.as_slice(), parts.parts[1].support_names.as_slice()];
-        let mut reactions = bodies::reactions([&bodies[0].interface, &bodies[1].interface], names, states);
+        let held = [&parts.parts[0].held, &parts.parts[1].held];
+        let mut reactions = bodies::reactions([&bodies[0].interface, &bodies[1].interface], held, states);
         if self.copies() > 1.0 {
             for (_, reaction) in &mut reactions {
                 let z = reaction.z.map(|z| self.copies() * z);

@@ -100,14 +100,13 @@ fn solve_at(stage: Stage<'_>, pieces: &Pieces, ends: &[f64], watch: &mut Watch<'
         let solved = Solved { left, run: Some(ran) };
         Ok(if ends { ControlFlow::Break(Some(solved)) } else { ControlFlow::Continue(solved) })
     };
-    let left_out = pieces.left_out();
-    let decisive = decisive(stage, left_out);
+    let decisive = decisive(stage, pieces.left_out());
     let Climbed { mut solved, mut stopped } = climb(&ladder, known, solve, decisive, watch)?;
     for level in &solved {
         effort += level.run.as_ref().map_or_else(|| before(&level.left), |ran| ran.effort.clone());
     }
     let found = if stopped { None } else { best(&ladder, &solved, &decisive) };
-    let found = found.map(|(count, known)| (count, with_times(stage, &solved[..count], left_out, known)));
+    let found = found.map(|(count, known)| (count, with_times(stage, &solved[..count], pieces.left_out(), known)));
     let levels = solved.len();
     if let Some((count, _)) = found.filter(|(count, _)| *count < levels || given_up.is_some()) {
         // Run again, so that the recording holds the level that is reported, also where this run has gone on with another.
@@ -125,7 +124,7 @@ fn solve_at(stage: Stage<'_>, pieces: &Pieces, ends: &[f64], watch: &mut Watch<'
     };
     let resume = stopped.then(|| Resume { finished: lefts(&solved), states });
     let outcome =
-        finish(stage, &ladder, solved, Levels { count: levels, given_up, errors: found.map(|(_, errors)| errors), left_out });
+        finish((stage, pieces), &ladder, solved, Levels { count: levels, given_up, errors: found.map(|(_, errors)| errors) });
     Ok((Outcome { stopped, resume, ..outcome }, effort))
 }
 
@@ -218,8 +217,6 @@ struct Levels {
     given_up: Option<String>,
     /// Estimated errors of the one to report, of a ladder without end.
     errors: Option<[f64; 2]>,
-    /// What a mean over cycles leaves out of the gap.
-    left_out: f64,
 }
 
 /// A groove too deep for a contact that knows it by its mean around the axis of the ball: the square of this ratio is left out.
@@ -241,8 +238,9 @@ fn alike(stage: Stage<'_>, solved: &[Solved]) -> bool {
     stage.problem.heat.is_none() || solved.iter().all(|level| Some(steady(level)) == solved.last().map(steady))
 }
 
-fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>, levels: Levels) -> Outcome {
-    let distance = apart(stage, levels.left_out);
+fn finish((stage, pieces): (Stage<'_>, &Pieces), ladder: &Ladder, mut solved: Vec<Solved>, levels: Levels) -> Outcome {
+    let left_out = pieces.left_out();
+    let distance = apart(stage, left_out);
     let mut outcome = Outcome { ladder: ladder.rungs(&solved, ("gap", 0), distance), ..Outcome::default() };
     let of = |k: usize| ladder.error_in_time(&solved, &|a, b| distance(a, b)[k]);
     let errors = if ladder.is_fixed() && !alike(stage, &solved) {
@@ -253,7 +251,7 @@ fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>, levels: Le
         levels.errors
     };
     // The depth of a round contact is the worn gap itself, with what the steps leave in it.
-    let part = solved.last().map_or(1.0, |level| part_of_levels(stage, level, levels.left_out));
+    let part = solved.last().map_or(1.0, |level| part_of_levels(stage, level, left_out));
     let errors = errors.map(|[gap, time]| [part * gap, time]);
     let steps = solved.last().filter(|_| stage.ends_move()).and_then(|level| level.left.integration_error).unwrap_or(0.0);
     let error = errors.map(|[gap, _]| gap + steps);
@@ -271,14 +269,14 @@ fn finish(stage: Stage<'_>, ladder: &Ladder, mut solved: Vec<Solved>, levels: Le
     outcome.reported = last.reported;
     outcome.heat = last.heat;
     outcome.ended = failure.map(|why| (Status::NotConverged, why)).or(too_deep(outcome.wear.as_ref()));
-    let Some(error) = error.filter(|_| outcome.ended.is_none()).map(|error| error + levels.left_out) else { return outcome };
+    let Some(error) = error.filter(|_| outcome.ended.is_none()).map(|error| error + left_out) else { return outcome };
     outcome.error.gap_relative = Some(error);
     outcome.error.how = if stage.ends_move() {
         format!("depth worn off along the surface at the end: rest of the series of {} degrees, and of the steps", levels.count)
     } else {
         format!("gap at the end: {}", ladder.told_by(levels.count))
     };
-    if levels.left_out > 0.0 {
+    if left_out > 0.0 {
         outcome.error.how += ", and what the mean over the cycles leaves out";
     }
     if reported < levels.count || levels.given_up.is_some() {

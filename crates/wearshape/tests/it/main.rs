@@ -8,6 +8,7 @@ mod coarse_cells;
 mod common;
 mod cut_alike;
 mod depth;
+mod edge_reaction;
 mod effort;
 mod estimates;
 mod examples;
