@@ -72,6 +72,11 @@ def test_arguments_of_a_wrong_type_are_named_as_they_were_given() -> None:
         wearshape.sweep(DRUM, ["wear.b"])  # type: ignore[arg-type]
 
 
+def test_a_value_that_stands_alone_is_one_point() -> None:
+    for alone in (0.5, np.float64(0.5), np.array(0.5)):
+        assert wearshape.sweep(DRUM, {"wear.b": alone}).sizes["wear.b"] == 1
+
+
 def test_nothing_to_sweep_over_is_an_error() -> None:
     with pytest.raises(wearshape.Error, match="nothing to sweep"):
         wearshape.sweep(DRUM, {})

@@ -69,6 +69,20 @@ def test_gradients_are_those_of_differences(served: str) -> None:
             assert gradient[number] == pytest.approx(difference, abs=1e-7 * scale)
 
 
+def test_what_is_not_there_is_nan() -> None:
+    model = wearshape.umbridge(SCENE, INPUTS, OUTPUTS)
+    # A sampler may leave the range of a key.
+    [found] = model([[AT[0], -0.1, *AT[2:]]])
+    assert np.isnan(found).all()
+    assert np.isnan(model.gradient(0, 0, [[AT[0], -0.1, *AT[2:]]], [1.0, 0.0, 0.0])).all()
+    # Derivatives come as percent by percent: there is none by a number that is 0.
+    smooth = [[AT[0], 0.0, *AT[2:]]]
+    assert np.isfinite(model(smooth)[0]).all()
+    assert np.isnan(model.gradient(0, 0, smooth, [1.0, 0.0, 0.0])).tolist() == [False, True, False, False, False, False]
+    with pytest.raises(wearshape.Error, match="frictoin"):
+        wearshape.umbridge(SCENE, ["contact.frictoin"], OUTPUTS)([[0.1]])
+
+
 def test_there_is_no_gradient_where_it_is_not_exact() -> None:
     model = wearshape.umbridge(SCENE.set(tasks=["pressure", "shape"], accuracy=1e-2), ["load.force"], ["shape.crown_um"])
     assert not model.supports_gradient()

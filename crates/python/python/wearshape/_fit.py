@@ -187,7 +187,7 @@ def fit(
 
     The covariance is (J^T J)^-1 of the residuals, whose sigma are taken as they are given.
 
-    Raises :class:`Error` for data that the scene does not compute.
+    Raises :class:`Error` for data that the scene does not compute, and where it has no answer beside a point that has one, so that there are no slopes.
     """
     from scipy.optimize import least_squares
 
@@ -213,9 +213,10 @@ def fit(
     bodies = _core.Bodies()
     runs = 0
     length: int | None = None
+    lost: Error | None = None
 
     def residuals(relative: NDArray[np.float64]) -> NDArray[np.float64]:
-        nonlocal runs, length
+        nonlocal runs, length, lost
         values = dict(zip(names, (relative * start).tolist(), strict=True))
         parts: list[NDArray[np.float64]] = []
         for group in experiments.values():
@@ -223,17 +224,26 @@ def fit(
             try:
                 result = _changed(scene, values, group[0].changes).run(bodies=bodies)
                 parts.extend(each.residuals(result) for each in group)
-            except Error:
+            except Error as error:
                 # A step that went too far, to where there is no answer, is made shorter.
                 if length is None:
                     raise
+                lost = error
                 return np.full(length, np.inf)
         found = np.concatenate(parts)
         length = len(found)
         return found
 
     limits = np.sort(bounds / start[:, None], axis=1).T
-    solved = least_squares(residuals, np.ones(len(names)), bounds=(limits[0], limits[1]), diff_step=np.full(len(names), _STEP), x_scale=1.0)
+    steps = np.full(len(names), _STEP)
+    try:
+        solved = least_squares(residuals, np.ones(len(names)), bounds=(limits[0], limits[1]), diff_step=steps, x_scale=1.0)
+    except (ValueError, np.linalg.LinAlgError) as error:  # slopes that are not finite
+        if lost is None or isinstance(error, Error):
+            raise
+        raise _beside(lost) from error
+    if not np.isfinite(solved.jac).all() and lost is not None:
+        raise _beside(lost)
     slopes = np.asarray(solved.jac, dtype=np.float64) * solved.x
     # Fewer measurements than parameters leave directions that none of them tells.
     slopes = np.vstack([slopes, np.zeros((max(0, len(names) - len(slopes)), len(names)))])
@@ -256,6 +266,11 @@ def fit(
         residuals=solved.fun,
         runs=runs,
     )
+
+
+def _beside(lost: Error) -> Error:
+    remedy = "bound the parameters away from there, or start elsewhere"
+    return Error(f"there are no slopes, for the scene has no answer beside a point: {lost.message}", "no-slope", lost.key, remedy)
 
 
 def _told(value: Any) -> Hashable:

@@ -100,8 +100,8 @@ def sweep(
 
 def _listed(values: Any) -> list[Any]:
     """Values one by one, numpy's as Python's; one that stands alone is one."""
-    alone = isinstance(values, (str, Mapping)) or not hasattr(values, "__iter__")
-    return [values] if alone else [value.tolist() if isinstance(value, (np.ndarray, np.generic)) else value for value in values]
+    alone = isinstance(values, (str, Mapping)) or not hasattr(values, "__iter__") or getattr(values, "ndim", 1) == 0
+    return [value.tolist() if isinstance(value, (np.ndarray, np.generic)) else value for value in ([values] if alone else values)]
 
 
 def compute(scene: Scene, changes: Mapping[str, Any], sample: int, bodies: _core.Bodies) -> Point:

@@ -8,6 +8,8 @@ from collections.abc import Iterable, Mapping
 from pathlib import PurePath
 from typing import Any
 
+from wearshape import _arguments as arguments
+
 
 def toml(value: Any) -> str:
     """A value in TOML: numbers (numpy's too), texts, lists, tables."""
@@ -34,9 +36,11 @@ def document(scene: Mapping[str, Any]) -> str:
 
 
 def _key(key: str) -> str:
+    arguments.instance("a key", key, str, "a text")
     bare = key.isascii() and key.replace("-", "").replace("_", "").isalnum()
     return key if bare else json.dumps(key, ensure_ascii=False)
 
 
 def _dotted(key: str) -> str:
+    arguments.instance("a key", key, str, "a text")
     return ".".join(map(_key, key.split(".")))

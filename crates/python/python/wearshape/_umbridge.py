@@ -25,19 +25,25 @@ def umbridge(scene: Scene, inputs: Sequence[str], outputs: Sequence[str], *, nam
     """A scene as a model for ``umbridge.serve_models([model], port)``; the package ``umbridge`` has to be installed.
 
     :param inputs: keys of the scene, the components of the one input vector, in the units of the scene.
-    :param outputs: dotted keys of the summary, the components of the one output vector; nan where a point has no answer.
+    :param outputs: dotted keys of the summary, the components of the one output vector; nan where a point has no answer or is out of the range of
+        a key.
 
     ``Evaluate`` runs the scene; points that differ in load, friction, sliding, wear or optimum share factorised bodies. ``Gradient`` is there
     where all derivatives come with the pressure (``summary["pressure"]["sensitivity"]``): outputs
     ``pressure.wear_depth_um_per_h``, ``pressure.torque_Nmm`` and ``pressure.p_max_MPa`` of a scene with the task ``pressure`` alone, by
-    its given numbers.
+    its given numbers. Derivatives that the pressure has not, as by a number that is 0, are nan.
     """
     import umbridge as protocol
 
     bodies = _core.Bodies()
 
     def summary(values: Sequence[float]) -> dict[str, Any]:
-        return scene.set(dict(zip(inputs, values, strict=True))).run(bodies=bodies).summary
+        try:
+            return scene.set(dict(zip(inputs, values, strict=True))).run(bodies=bodies).summary
+        except Error as error:
+            if error.code == "wrong-value":
+                return {}
+            raise
 
     def exact() -> bool:
         found = scene.run(bodies=bodies).summary
@@ -73,10 +79,11 @@ def umbridge(scene: Scene, inputs: Sequence[str], outputs: Sequence[str], *, nam
             if not self._exact:
                 raise Error("the derivatives of this model are not exact", "no-gradient", None, "see wearshape.umbridge")
             found = summary(parameters[0])
-            known = {row["given"]: row for row in found["pressure"]["sensitivity"]}
+            known = {row["given"]: row for row in found.get("pressure", {}).get("sensitivity", [])}
 
             def slope(output: str, key: str, value: float) -> float:
-                return float(known[key][_EXACT[output]] * _number(found, output) / value)
+                share = known.get(key, {}).get(_EXACT[output])
+                return math.nan if share is None else float(share * _number(found, output) / value)
 
             pairs = list(zip(outputs, sens, strict=True))
             return [sum(s * slope(output, key, value) for output, s in pairs) for key, value in zip(inputs, parameters[0], strict=True)]
