@@ -104,7 +104,7 @@ fn residual(stage: &mut Stage<'_>, nodes: &mut Vec<Node>, free: &[usize]) -> DVe
     values
 }
 
-/// Common factor for which the pivot resultant is met, by bracketing: the resultant grows with the factor.
+/// Common factor for which the pivot resultant is met, by bracketing: the resultant grows with the factor, or where the pressure falls with f it falls.
 fn find_scale(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<(), WearError> {
     let at = |stage: &mut Stage<'_>, nodes: &mut Vec<Node>, scale: f64| {
         stage.law.log_scale = scale;
@@ -113,7 +113,7 @@ fn find_scale(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<(), WearEr
     let mut a = stage.law.log_scale;
     let mut fa = at(stage, nodes, a);
     whole(nodes)?;
-    let mut step = 0.5;
+    let mut step = if stage.law.density.falls_with_force() { -0.5 } else { 0.5_f64 };
     let mut b = a;
     let mut fb = fa;
     // Under a cap at s = 1 every place is either full or empty: a hundred e-folds are all there is.
@@ -124,7 +124,7 @@ fn find_scale(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<(), WearEr
         fb = at(stage, nodes, b);
         whole(nodes)?;
         step *= 2.0;
-        if step > farthest {
+        if step.abs() > farthest {
             let below = matches!(stage.law.density, Density::Given(_)) && fb > 0.0;
             return Err(stage.infeasible(if below {
                 "the whole surface stays below the threshold of the wear rule, where nothing moves"

@@ -80,6 +80,11 @@ impl Density {
         matches!(self, Self::Power { .. } | Self::Mixed { .. } | Self::Exponential)
     }
 
+    /// True when a larger f makes p smaller, of laws with an absolute factor: two bodies with s < 1.
+    pub(crate) fn falls_with_force(&self) -> bool {
+        matches!(*self, Self::Sum { m, .. } if m[0] < 0.0)
+    }
+
     /// True when a larger v makes p smaller.
     pub(crate) fn falls_with_speed(&self) -> bool {
         match *self {

@@ -78,14 +78,37 @@ pub(crate) fn multiplier_factor(
         let of = |[first, second]: [f64; 2]| ((1.0 - problem.q) * (first + second).ln() + stage.law.log_scale).exp() / problem.q;
         return terms.map(of);
     }
+    if let Density::BangBang { speed_power } = stage.law.density {
+        return terms.map(|terms| switched(stage, (nodes, log_pressure), speed_power, terms));
+    }
     let free = || nodes.iter().zip(log_pressure).enumerate().filter(|(_, (node, _))| node.excess < 0.0);
-    let force = |node: &Node| stage.law.force_function(&node.point, &node.modes).0.max(0.0);
+    let force = |node: &Node| match stage.law.density {
+        Density::Exponential => node.modes.phi[stage.law.pivot],
+        _ => stage.law.force_function(&node.point, &node.modes).0.max(0.0),
+    };
     let work: f64 = free().map(|(_, (node, log))| node.point.weight * force(node) * log.exp()).sum();
     if steady {
         let power: f64 = free().map(|(i, (node, log))| node.point.weight * log.exp() * gap[i]).sum();
         return Some(power / work);
     }
     terms.map(|terms| euler(problem, nodes, log_pressure, terms) / work)
+}
+
+/// At s = 1 under a cap dJ/dp = sum_i e_i J_i^(1-q) X_i^q / p does not depend on p: the places that press are those where it is below lambda . phi, in the gauge
+/// of the law those where v^speed_power is below f times the common factor.
+fn switched(stage: &Stage<'_>, (nodes, log_pressure): (&[Node], &[f64]), speed_power: f64, terms: [f64; 2]) -> f64 {
+    let problem = stage.problem;
+    let pressed = nodes.iter().zip(log_pressure).find(|(_, log)| log.is_finite());
+    let slope = |(node, log): (&Node, &f64)| -> f64 {
+        let speed = node.point.sliding_speed;
+        let of = |i: usize| {
+            let e = problem.functional.pressure_power(problem.wear.powers()[i].pressure_exponent);
+            e * ((1.0 - problem.q) * terms[i].ln() + problem.q * log_term(problem, i, *log, speed) - log).exp()
+        };
+        let slope: f64 = (0..2).filter(|i| terms[*i] > 0.0).map(of).sum();
+        slope / if speed_power == 0.0 { 1.0 } else { (speed / stage.law.reference_speed).powf(speed_power) }
+    };
+    pressed.map_or(0.0, slope) * stage.law.log_scale.exp()
 }
 
 /// sum_i e_i J_i, of which only the points below the cap count.

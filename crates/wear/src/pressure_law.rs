@@ -179,9 +179,14 @@ impl PressureLaw {
         !jumps && node.f <= ROUND_OFF * (0..self.count).map(|j| term(j).abs()).sum::<f64>()
     }
 
-    /// Multipliers in the unscaled modes, in the gauge of this law: f = sum_k lambda_k phi_k.
+    /// Multipliers in the unscaled modes, in the gauge of this law: f = sum_k lambda_k phi_k. In the limit s -> 1 where g is the pivot mode itself that is f,
+    /// and the other modes, with which it would be corrected, have none.
     pub(crate) fn gauge_multipliers(&self) -> [f64; MAX_MODES] {
         let mut lambda = [0.0; MAX_MODES];
+        if matches!(self.density, Density::Exponential) {
+            lambda[self.pivot] = 1.0 / self.scale[self.pivot];
+            return lambda;
+        }
         let mut pivot = self.side;
         for j in (0..self.count).filter(|j| *j != self.pivot) {
             lambda[j] = self.y[j] / self.scale[j];

@@ -4,6 +4,7 @@
 mod benchmarks;
 mod engineering;
 mod extreme;
+mod multipliers;
 mod own_functional;
 mod own_rule;
 mod properties;
