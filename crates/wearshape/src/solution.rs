@@ -42,6 +42,8 @@ pub struct Solution {
     pub status: Status,
     /// Why, when it did not end well: one sentence.
     pub reason: Option<String>,
+    /// Whether it ended with a pressure that is none, so that nothing of the bodies was computed.
+    pub without_pressure: bool,
     /// The optimal pressure.
     pub pressure: Option<PressureResult>,
     /// Both senses of a reversing motion.

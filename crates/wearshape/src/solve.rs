@@ -70,6 +70,7 @@ fn stages(given: Given<'_>, watch: &mut Watch<'_>, solution: &mut Solution) -> R
         let found = effort.timed(Step::Pressure, options.clock, |_| pressure::solve(problem, options))?;
         solution.effort += effort;
         solution.take_pressure(found);
+        solution.without_pressure = solution.status == Status::Refused;
     }
     if let Some((found, error)) = known.as_ref().zip(solution.error.as_mut()) {
         // The pressure is as accurate as the force; without an estimate nothing is said.

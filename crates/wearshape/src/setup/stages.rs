@@ -9,6 +9,8 @@ use crate::step::Step;
 /// What of a problem decides about the stages.
 struct Facts {
     tasks: Vec<Task>,
+    /// Whether anything wears in time.
+    wears: bool,
     /// Whether elastic bodies are computed.
     bodies: bool,
     /// Whether friction shear acts on the bodies.
@@ -62,7 +64,10 @@ const TABLE: [(Step, Rule); 19] = [
         (true, false) => Some((false, "check = false")),
         _ => Some((false, "there is no shape to prove")),
     }),
-    (Step::Evolution, |f| f.asked(Task::Wear, "the task \"wear\" asks for it", NO_TASK)),
+    (Step::Evolution, |f| match f.has(Task::Wear) && !f.wears {
+        true => Some((false, "without friction nothing wears by wear.beta")),
+        false => f.asked(Task::Wear, "the task \"wear\" asks for it", NO_TASK),
+    }),
     (Step::Torsion, |f| match (f.bodies && f.revolved, f.shear && (f.slides || f.turned), f.held) {
         (true, true, true) if f.turned => Some((true, "body 1 is turned about the axis, and friction resists")),
         (true, true, true) => Some((true, "friction twists the bodies about the axis")),
@@ -86,7 +91,7 @@ const TABLE: [(Step, Rule); 19] = [
     (Step::Machined, |f| f.asked(Task::Shape, "a shape is there to be machined", "there is no shape to machine")),
     (Step::Plots, |_| Some((true, "every run draws them"))),
     (Step::Page, |f| Some((f.page, if f.page { "output.report is on" } else { "output.report = false" }))),
-    (Step::Recording, |f| match (f.recording, f.has(Task::Wear)) {
+    (Step::Recording, |f| match (f.recording, f.has(Task::Wear) && f.wears) {
         (_, true) => Some((true, "a run in time is recorded")),
         (true, false) => Some((true, "output.recording asks for it")),
         _ => Some((false, "no output asks for it")),
@@ -109,11 +114,13 @@ fn elastic(facts: &Facts) -> Option<(bool, &'static str)> {
 impl Facts {
     fn of(problem: &Problem, tasks: &[Task], check: bool) -> Facts {
         let has = |task| tasks.contains(&task);
+        let wears = problem.wear.laws.as_ref().map_or(true, |laws| laws.active);
         let output = problem.scene.output.clone().unwrap_or_default();
         let couple = problem.couple.as_ref();
         Facts {
             tasks: tasks.to_vec(),
-            bodies: has(Task::Contact) || has(Task::Shape) || has(Task::Wear),
+            wears,
+            bodies: has(Task::Contact) || has(Task::Shape) || (has(Task::Wear) && wears),
             shear: problem.friction.shear() > 0.0,
             check,
             approach: problem.load.approach.is_some() && problem.load.force.is_none(),
