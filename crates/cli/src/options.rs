@@ -1,5 +1,6 @@
 //! What the options of a command mean: for the solver, and for the threads it works on.
 
+use rayon::ThreadPool;
 use scene::{Fault, Place};
 use wearshape::{Options, Sampling};
 
@@ -17,10 +18,23 @@ pub(crate) fn options(common: &Common) -> Result<Options<'static>, Fault> {
     Ok(Options { sample: common.sample.map(Sampling::Even), machining: true, clock: seconds, ..Options::default() })
 }
 
-/// Does the work on the number of threads asked for.
-pub(crate) fn with_threads<T: Send>(common: &Common, work: impl FnOnce() -> T + Send) -> Result<T, Fault> {
+/// The number of threads asked for, or those that the machine has.
+pub(crate) struct Threads(Option<ThreadPool>);
+
+impl Threads {
+    /// Does the work on them.
+    pub(crate) fn install<T: Send>(&self, work: impl FnOnce() -> T + Send) -> T {
+        match &self.0 {
+            Some(pool) => pool.install(work),
+            None => work(),
+        }
+    }
+}
+
+/// The threads to work on, before anything is written.
+pub(crate) fn threads(common: &Common) -> Result<Threads, Fault> {
     let Some(threads) = common.threads else {
-        return Ok(work());
+        return Ok(Threads(None));
     };
     let wrong = |message: String| Fault {
         place: Some(Place::Flag(format!("--threads {threads}"))),
@@ -30,5 +44,5 @@ pub(crate) fn with_threads<T: Send>(common: &Common, work: impl FnOnce() -> T + 
         return Err(wrong(format!("--threads {threads} is out of range")));
     }
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-    Ok(pool.map_err(|error| wrong(format!("cannot start {threads} threads: {error}")))?.install(work))
+    Ok(Threads(Some(pool.map_err(|error| wrong(format!("cannot start {threads} threads: {error}")))?)))
 }

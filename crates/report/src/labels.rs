@@ -5,6 +5,7 @@ const WORDS: &[(&str, &str)] = &[
     ("shape.iterations", "passes of the shape iteration"),
     ("shape.gap_max_um", "most taken off"),
     ("shape.gap_where_mm", "there, along the surface from its middle"),
+    ("shape.gap_least_where_mm", "where nothing, or least, is taken off"),
     ("shape.crown_um", "most above least taken off"),
     ("shape.rigid_mm", "rigid motion in the gap"),
     ("shape.rigid_rad", "turn of body 1 in the gap"),

@@ -77,7 +77,7 @@ fn shape_words(problem: &Problem, solution: &Solution) -> Option<String> {
     if let Some(machined) = &solution.machined {
         (most, least) = ([machined.deepest.s, 1e3 * machined.deepest.gap], [machined.datum.s, 1e3 * machined.datum.gap]);
     } else if let (Some(deepest), Some(at), Some(crown)) = (shape.gap_max, shape.gap_where, shape.crown) {
-        (most, least[1]) = ([at, deepest], deepest - crown);
+        (most, least) = ([at, deepest], [shape.gap_least_where.unwrap_or(least[0]), deepest - crown]);
     }
     let size = most[1].abs().max(least[1].abs());
     if size <= 0.0 {

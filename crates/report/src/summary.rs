@@ -19,7 +19,8 @@ pub fn summary(problem: &Problem, solution: &Solution) -> Value {
     put("scene_sha256", json!(scene::sha256(problem.resolved())));
     put("status", value(&solution.status));
     put("verdict", json!(verdict(problem, solution)));
-    put("stages", value(&problem.plan().as_it_went(solution)));
+    let plan = problem.plan();
+    put("stages", if solution.without_pressure { value(&plan.without_pressure()) } else { value(&plan.stages) });
     put("counters", value(&solution.effort.counters));
     put("unused_keys", json!(problem.unused_keys()));
     put("lints", json!(problem.remarks().iter().chain(&solution.remarks).collect::<Vec<_>>()));

@@ -2,7 +2,6 @@
 
 use serde::Serialize;
 
-use crate::solution::Solution;
 use crate::step::Step;
 
 /// A step of the plan.
@@ -29,10 +28,10 @@ impl Plan {
         self.stages.iter().any(|stage| stage.name == step && stage.ran)
     }
 
-    /// The stages as they went: without a pressure nothing that needs one was done.
-    pub fn as_it_went(&self, solution: &Solution) -> Vec<Stage> {
+    /// The stages of a run that ended without a pressure: nothing that needs one was done.
+    pub fn without_pressure(&self) -> Vec<Stage> {
         let before = |step: Step| matches!(step, Step::Force | Step::Pressure | Step::Plots | Step::Page);
-        let left_out = |stage: &Stage| solution.without_pressure && stage.ran && !before(stage.name);
+        let left_out = |stage: &Stage| stage.ran && !before(stage.name);
         let told = |stage: &Stage| Stage { ran: false, because: "there is no pressure", ..stage.clone() };
         self.stages.iter().map(|stage| if left_out(stage) { told(stage) } else { stage.clone() }).collect()
     }

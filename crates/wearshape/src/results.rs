@@ -232,6 +232,9 @@ pub struct ShapeResult {
     /// Where it is.
     #[serde(rename = "gap_where_mm")]
     pub gap_where: Option<f64>,
+    /// Abscissa of the smallest gap, where the shape is next to the counter-face (mm).
+    #[serde(rename = "gap_least_where_mm")]
+    pub gap_least_where: Option<f64>,
     /// Crown height: the largest gap; above the lowest one where the rigid part is prescribed.
     #[serde(rename = "crown_um")]
     pub crown: Option<f64>,
@@ -298,6 +301,12 @@ pub struct WearResult {
     /// Volume.
     #[serde(rename = "volume_mm3")]
     pub volume: Option<f64>,
+    /// How far body 1 closes from where the gap stands, as of a contact (`approach_mm` there).
+    #[serde(rename = "approach_mm")]
+    pub approach: Option<f64>,
+    /// How far it turns.
+    #[serde(rename = "tilt_rad")]
+    pub tilt: Option<f64>,
     /// Width of the scar of a round contact; of a ball its diameter.
     #[serde(rename = "scar_mm", skip_serializing_if = "Option::is_none")]
     pub scar: Option<f64>,

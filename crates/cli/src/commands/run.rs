@@ -13,7 +13,7 @@ use crate::describe::{describe, plan_json, sizes};
 use crate::exit::Exit;
 use crate::folder::Folder;
 use crate::live::Live;
-use crate::options::{options, with_threads};
+use crate::options::{options, threads};
 use crate::print::{print_json, print_out, talk};
 use crate::progress::Progress;
 use crate::record::{RUN_MCAP, Tape};
@@ -36,6 +36,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
         dry_run(common, (&problem, &bodies), &target, &progress);
         return Ok(Exit::Done);
     }
+    let threads = threads(common)?;
     interrupt::listen();
     let resolved = problem.resolved();
     let wanted = target;
@@ -50,7 +51,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
     let mut live = Live::new(tape, progress);
     let resume = live.tape.as_ref().and_then(Tape::resume);
     let options = Options { resume: resume.as_ref(), ..options };
-    let solved = with_threads(common, || live.solve(&problem, &options, &bodies))?;
+    let solved = threads.install(|| live.solve(&problem, &options, &bodies));
     let solution = match solved {
         Ok(solution) => solution,
         Err(fault) => {

@@ -16,7 +16,7 @@ use crate::exit::Exit;
 use crate::folder::Folder;
 use crate::interrupt;
 use crate::open::Source;
-use crate::options::with_threads;
+use crate::options::threads;
 use crate::print::{print_json, print_out, talk};
 use crate::progress::Progress;
 
@@ -58,10 +58,11 @@ pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
         return Ok(Exit::Done);
     }
     let against = args.reference.as_ref().map_or_else(|| "the finest degree".into(), |folder| folder.display().to_string());
+    let threads = threads(common)?;
     interrupt::listen();
     let resolved = problem.resolved();
     let folder = Folder::begin(&target, &resolved, false)?;
-    let levels = match with_threads(common, || levels(args, &source, truth))? {
+    let levels = match threads.install(|| levels(args, &source, truth)) {
         Ok(Some(levels)) => levels,
         ended => {
             folder.discard();

@@ -18,7 +18,7 @@ use crate::grid::Grid;
 use crate::interrupt;
 use crate::live::Live;
 use crate::open::Source;
-use crate::options::{options, with_threads};
+use crate::options::{options, threads};
 use crate::print::{print_json, print_out, talk};
 use crate::progress::Progress;
 use crate::sweep::curves::{self, CURVES};
@@ -69,11 +69,12 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
     let base = base_units(&source, &grid, &common.set);
     let extras = curves::extras(&first.scene, &grid);
     let sweep = Sweep { args, source, grid, base, options, extras, bodies: Bodies::default() };
+    let threads = threads(common)?;
     interrupt::listen();
     let (folder, mark) = sweep.begin(&target, &first)?;
     let mut rows = sweep.finished(&folder)?;
     let before = rows.count;
-    with_threads(common, || sweep.compute(&folder, &mut rows))??;
+    threads.install(|| sweep.compute(&folder, &mut rows))?;
     if rows.count < count {
         let words = [&["sweep", &args.scene][..], &sweep.over()].concat();
         let again = again(&words, common, Some("every finished row"));

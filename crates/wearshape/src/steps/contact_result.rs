@@ -56,7 +56,7 @@ pub(crate) fn lost(found: &ContactSolution) -> ContactResult {
 
 /// How far body 1 closes (mm) and turns (rad): by the motions of its rigid edge, or by those that its load edge has on the average, as far as
 /// they are free.
-fn closings(stage: Stage<'_>, pair: &Pair<'_>, found: &ContactSolution) -> [Option<f64>; 2] {
+pub(crate) fn closings(stage: Stage<'_>, pair: &Pair<'_>, found: &ContactSolution) -> [Option<f64>; 2] {
     let gauge = stage.gauge(pair);
     if !matches!(gauge, Gauge::MeanOf(_)) {
         let [_, tz, theta] = pair.shaped.frame.map(|unknown| unknown.map(|u| found.shaped.unknowns[u]));

@@ -185,15 +185,17 @@ impl<'a> Shaper<'a> {
         let (stage, pair) = (self.stage, reduced.pair()?);
         let (arcs, gap) = (self.samples(&pair), |arc: f64| shape.gap(&pair, &pair.at_arc(arc)));
         let [highest, most] = maximum(&arcs, gaps, &gap);
+        let [least, depth] = maximum(&arcs, &gaps.iter().map(|gap| -gap).collect::<Vec<_>>(), &|arc| -gap(arc));
         let lowest = match stage.problem.measure() {
             Measure::Largest => 0.0,
-            Measure::Crown => -maximum(&arcs, &gaps.iter().map(|gap| -gap).collect::<Vec<_>>(), &|arc| -gap(arc))[1],
+            Measure::Crown => -depth,
         };
         let [rigid, turned] = rigid_part(stage, &pair, shape);
         let mut result = ShapeResult {
             iterations: passes + 1,
             gap_max: Some(1e3 * most),
             gap_where: Some(stage.start(&pair) + highest),
+            gap_least_where: Some(stage.start(&pair) + least),
             crown: Some(1e3 * (most - lowest)),
             rigid,
             turned,

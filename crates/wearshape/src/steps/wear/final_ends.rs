@@ -8,12 +8,9 @@ use crate::steps::pressure_ends::pressure_ends;
 use crate::steps::wear::pieces::Pieces;
 use crate::steps::{pressure, reversing};
 
-/// Ends inside the surface, from -1 to 1, of the steady pressures: the gap gets its kinks there. None for a run to a given time, or where no steady
-/// pressures are known.
+/// Ends inside the surface, from -1 to 1, of the steady pressures: the gap gets its kinks there. A run that ends on the way has the end of its contact near
+/// them if it is long. None where no steady pressures are known.
 pub(super) fn final_ends(stage: Stage<'_>, pieces: &Pieces) -> Result<(Vec<f64>, Effort), Fault> {
-    if stage.problem.wear.until.is_some() {
-        return Ok(Default::default());
-    }
     if pieces.shares.is_none() {
         return Ok((of_one_pressure(stage, pieces)?, Effort::default()));
     }

@@ -12,6 +12,7 @@ use crate::results::WearResult;
 use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::answer::{Answer, Own, Told};
+use crate::steps::contact_result::closings;
 use crate::steps::heat::running::Running;
 use crate::steps::reported::{Moment, Reported};
 use crate::steps::wear::columns::{Turn, fill};
@@ -145,6 +146,7 @@ impl Scenes<'_> {
         let mut told = self.told((stage, problem), state, &normalised, &found);
         let heat = self.hot.as_ref().map(|hot| hot.tell(self.operator, state, (&found, &mut told), self.finished)).transpose()?;
         let mut wear = result(&run, stage);
+        [wear.approach, wear.tilt] = closings(stage, self.pair, &found);
         let resolved = cycles::resolved(self.pieces, &run.history.states);
         wear.turns = self.pieces.turns.clone().map(|turns| TurnsResult { resolved, ..turns });
         let mut moments: Vec<Moment> = self.moment("", state.time, found, last).into_iter().collect();
@@ -276,6 +278,8 @@ fn result(run: &Run, stage: Stage<'_>) -> WearResult {
         explicit_step_limit: run_in.as_ref().map(|r| r.explicit_limit),
         run_in_distance: run_in.iter().flat_map(|r| r.distances.iter().copied().take(RUN_IN)).collect(),
         lyapunov_increase: (stage.friction() == 0.0).then_some(state.lyapunov_increase),
+        approach: None,
+        tilt: None,
         scar: None,
         ends: None,
         turns: None,
