@@ -1,5 +1,6 @@
 //! Accuracy by levels: degree after degree until the differences of successive ones say that it is enough.
 
+use std::cell::Cell;
 use std::ops::ControlFlow;
 
 use scene::Fault;
@@ -65,8 +66,8 @@ pub(crate) struct Ladder {
     accuracy: Option<f64>,
     /// The level beside a fixed one that tells its error.
     beside: Option<Level>,
-    /// Whether differences of levels fall in no order, so that the larger of the last two is the error.
-    unordered: bool,
+    /// Of levels whose differences fall in no order the number of the last ones of which the largest is the error; a level may tell.
+    unordered: Cell<Option<usize>>,
 }
 
 impl Ladder {
@@ -75,22 +76,20 @@ impl Ladder {
         let levels = levels(problem, options, step);
         let accuracy = problem.wanted.fixed.is_none().then_some(problem.wanted.accuracy);
         let beside = problem.wanted.fixed.filter(|_| step != Step::Evolution && !options.alone).map(fixed::beside);
-        Ladder { step, usual: levels.len(), levels, accuracy, beside, unordered: false }
+        Ladder { step, usual: levels.len(), levels, accuracy, beside, unordered: Cell::default() }
     }
 
-    /// The same for levels whose differences fall in no order, if they do.
-    pub(crate) fn unordered(self, unordered: bool) -> Ladder {
-        Ladder { unordered, ..self }
+    /// Says that differences of levels fall in no order, if they do: the error is the largest of so many of the last ones.
+    pub(crate) fn unordered(&self, of: Option<usize>) {
+        self.unordered.set(self.unordered.get().max(of));
     }
 
     /// Estimated errors of the last of at least three levels.
     pub(crate) fn errors<T, const N: usize>(&self, solved: &[T], distance: &impl Fn(&T, &T) -> [f64; N]) -> Option<[f64; N]> {
-        let [.., a, b, c] = solved else { return None };
-        if !self.unordered {
-            return errors(solved, distance);
-        }
-        let (older, newer) = (distance(a, b), distance(b, c));
-        Some(std::array::from_fn(|k| older[k].max(newer[k])))
+        let [.., _, _, _] = solved else { return None };
+        let Some(count) = self.unordered.get() else { return errors(solved, distance) };
+        let last = solved[solved.len().saturating_sub(count + 1)..].windows(2).map(|pair| distance(&pair[0], &pair[1]));
+        last.reduce(|most, next| std::array::from_fn(|k| most[k].max(next[k])))
     }
 
     /// The same with further degrees for what is nearly there.
@@ -208,7 +207,7 @@ impl Ladder {
     pub(crate) fn told_by(&self, levels: usize) -> String {
         match self.beside {
             Some(Level { degree, layers, .. }) => format!("difference from degree {degree} with {layers} layers"),
-            None if self.unordered => format!("larger difference of the last of {levels} degrees"),
+            None if self.unordered.get().is_some() => format!("largest difference of the last of {levels} degrees"),
             None => format!("rest of the series of {levels} degrees"),
         }
     }
@@ -216,7 +215,7 @@ impl Ladder {
     /// Estimated error of the gap of the last of three levels of a run in time on a fixed discretisation.
     pub(crate) fn error_in_time<T>(&self, solved: &[T], distance: &impl Fn(&T, &T) -> f64) -> Option<f64> {
         let (fixed, [a, b, c]) = (self.levels.last()?, solved) else { return None };
-        if self.unordered {
+        if self.unordered.get().is_some() {
             return Some(distance(a, b).max(distance(b, c)));
         }
         Some(fixed::error_in_time(*fixed, distance(a, b), distance(b, c)))

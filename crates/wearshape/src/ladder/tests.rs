@@ -3,7 +3,14 @@
 use super::*;
 
 fn ladder(accuracy: f64) -> Ladder {
-    Ladder { step: Step::Contact, levels: Vec::new(), usual: 0, accuracy: Some(accuracy), beside: None, unordered: false }
+    Ladder {
+        step: Step::Contact,
+        levels: Vec::new(),
+        usual: 0,
+        accuracy: Some(accuracy),
+        beside: None,
+        unordered: Cell::default(),
+    }
 }
 
 #[allow(clippy::trivially_copy_pass_by_ref)]
