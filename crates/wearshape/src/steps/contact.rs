@@ -143,6 +143,7 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
         embedded,
         unsettled,
         many,
+        shifted: 0.0,
         misplaced: misplaced(&ends, ends.zones(2.0).iter().map(|[from, to]| to - from).sum()),
         imbalance,
         heat,

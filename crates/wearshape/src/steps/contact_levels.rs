@@ -19,6 +19,8 @@ use crate::watch::Watch;
 /// Levels whose differences are believed when they say that the accuracy is out of reach; with nodes on more ends than usual further ones are dear.
 const BELIEVED: usize = 5;
 const OUT_OF_REACH: &str = "finer levels do not reach the accuracy";
+/// Error of the ends of a contact that a shear force has moved, over how far: to first order the zone keeps its form.
+const MOVED: f64 = 0.2;
 /// Error of a contact over the imbalance of its forces.
 const ROUND_OFF: f64 = 2.0;
 
@@ -40,6 +42,8 @@ pub(crate) struct Solved {
     pub many: Option<ManyEnds>,
     /// How far nodes are from the ends of contact, over the length of the contact; about that much the pressure is off by.
     pub misplaced: f64,
+    /// How far a shear force has moved the contact from the nodes on its ends, mm.
+    pub shifted: f64,
     /// How far the forces on body 2 are from balance, relative: what round-off has made of its equations.
     pub imbalance: f64,
     /// Frictional heat.
@@ -146,7 +150,8 @@ fn finish(ladder: &Ladder, mut solved: Vec<Solved>, beside: Option<Solved>) -> (
     let ends_off = |of: fn(&ContactResult) -> &[f64]| {
         let ends: Vec<&[f64]> = solved.iter().map(|level| of(&level.contact)).collect();
         let misplaced = solved.last().map_or(0.0, |last| last.misplaced);
-        ends_error::of(&ends, beside.as_ref().map(|beside| of(&beside.contact)), misplaced)
+        let shifted = solved.last().map_or(0.0, |last| MOVED * last.shifted);
+        ends_error::of(&ends, beside.as_ref().map(|beside| of(&beside.contact)), misplaced).map(|error| error.max(shifted))
     };
     let ends_off = [ends_off(|contact| &contact.ends), ends_off(|contact| &contact.stick_ends)];
     let Some(last) = solved.pop() else { return Default::default() };

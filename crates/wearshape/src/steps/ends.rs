@@ -289,6 +289,7 @@ impl Setting<'_> {
             unsettled: false,
             many: None,
             misplaced: misplaced(&trial.ends, trial.ends.places[trial.ends.places.len() - 1]),
+            shifted: rows.shift().abs(),
             imbalance,
             heat: None,
             refused: (!touches).then(|| found.status.to_string()),

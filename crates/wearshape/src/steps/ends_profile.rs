@@ -71,6 +71,23 @@ impl Rows<'_> {
         })
     }
 
+    /// How far the shear force moves the contact along the surface, mm: the pressure keeps its form, to first order, and its middle is the place where the force
+    /// acts. Nodes stand on both sides of the middle without it.
+    pub(crate) fn shift(&self) -> f64 {
+        let setting = self.setting;
+        if setting.shear == 0.0 || !setting.disc.whole || self.halved() {
+            return 0.0;
+        }
+        let forces = || self.operator.points().iter().zip(&self.found.nodal_force);
+        let moment: f64 = forces().map(|(point, force)| (point.position[0] - setting.disc.middle) * force).sum();
+        moment / forces().map(|(_, force)| force).sum::<f64>()
+    }
+
+    /// Distance of a point from the middle of the contact.
+    fn distance(&self, point: &ContactPoint) -> f64 {
+        (point.position[0] - self.setting.disc.middle - self.shift()).abs()
+    }
+
     /// Whether the meshed part begins at the plane of symmetry or the axis.
     fn nodes_from_axis(&self) -> bool {
         !self.setting.disc.whole
@@ -134,7 +151,7 @@ impl Rows<'_> {
                 Some(node) => values[node],
                 None => self.between(values, place.point.arc),
             };
-            let distance = self.setting.distance(&place.point);
+            let distance = self.distance(&place.point);
             profile.pressure[row] = value(&self.found.pressure).max(0.0);
             profile.shear[row] = sense * value(&self.found.shear);
             profile.gap[row] = match place.node {
@@ -168,7 +185,7 @@ impl Rows<'_> {
     /// State inside the contact between computed points: that between the nodes, or of the nearest point.
     fn state_near(&self, point: &ContactPoint) -> ContactState {
         if self.stick_node {
-            let sticks = self.setting.distance(point) <= self.nodes[0];
+            let sticks = self.distance(point) <= self.nodes[0];
             return if sticks { ContactState::Stick } else { ContactState::Backward };
         }
         let points = self.operator.points();
@@ -180,7 +197,7 @@ impl Rows<'_> {
     /// Ends of stick from the middle: the nodes on them, or the outermost points that stick.
     fn stick_ends(&self) -> Vec<f64> {
         if self.stick_node {
-            return vec![-self.ends[0], self.ends[0]];
+            return [-1.0, 1.0].map(|side| self.shift() + side * self.ends[0]).to_vec();
         }
         let sticking = self.operator.points().iter().zip(&self.found.states).filter(|(_, s)| **s == ContactState::Stick);
         let places: Vec<f64> = sticking.map(|(point, _)| point.position[0] - self.setting.disc.middle).collect();
@@ -193,7 +210,8 @@ impl Rows<'_> {
     /// The largest shear stands at the end of stick, from where on it is `mu p`: its slope is infinite inside, so that values of points are coarse.
     fn largest_shear(&self) -> f64 {
         if self.stick_node {
-            return self.setting.friction * self.pressure_at(self.ends[0]);
+            let at = |side: f64| self.setting.friction * self.pressure_at(self.shift() + side * self.ends[0]);
+            return if self.halved() { at(1.0) } else { at(-1.0).max(at(1.0)) };
         }
         self.found.shear.iter().fold(0.0, |most, shear| most.max(shear.abs()))
     }
@@ -209,7 +227,8 @@ impl Rows<'_> {
         } else {
             setting.copies() * found.force[1] * (setting.disc.middle - about)
         };
-        let both = |end: f64| if setting.revolved() { vec![0.0, end] } else { vec![-end, end] };
+        let shift = self.shift();
+        let both = |end: f64| if setting.revolved() { vec![0.0, end] } else { vec![shift - end, shift + end] };
         let sheared = setting.shear != 0.0;
         ContactResult {
             status: (&found.status).into(),

@@ -105,9 +105,4 @@ impl<'a> Setting<'a> {
         })?;
         Ok((parts, effort))
     }
-
-    /// Distance from the middle, or radius, of a point.
-    pub(crate) fn distance(&self, point: &ContactPoint) -> f64 {
-        (point.position[0] - self.disc.middle).abs()
-    }
 }
