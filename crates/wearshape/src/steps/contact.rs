@@ -131,11 +131,11 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
     let refused = at.refused(heat.as_ref(), twist.as_ref());
     let reported = at.reported(level, &ends, twist.as_ref());
     let twist = twist.map(|twist| twist.answer);
-    let imbalance = imbalance_of(stage, &told, &found, length);
     let inside = if unsettled { FreeEnds::of(&found, length).places.len() } else { ends.places.len() };
     let many = ManyEnds::of(inside, level, &effort);
     let solved = Solved {
         contact,
+        imbalance: imbalance_of(stage, &told, &found, length),
         interface: None,
         told,
         pressure,
@@ -145,7 +145,6 @@ pub(crate) fn solve_level(stage: Stage<'_>, level: Level, search: &mut Search) -
         many,
         shifted: 0.0,
         misplaced: misplaced(&ends, ends.zones(2.0).iter().map(|[from, to]| to - from).sum()),
-        imbalance,
         heat,
         refused,
         reported,

@@ -1,6 +1,5 @@
 //! A half-disc on a rectangle under its load: what its contact is solved from, and the bodies of a level.
 
-use contact::ContactPoint;
 use hpfem::Mesh;
 use meshing::{Couple, HalfDiscOnFlat};
 use scene::Fault;

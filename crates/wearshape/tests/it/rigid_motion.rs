@@ -57,3 +57,18 @@ fn the_rigid_part_of_a_shape_is_a_motion_along_its_normal_and_a_turn() {
     shape(&["load.tilt=0"]);
     shape(&["load.approach=0.03"]);
 }
+
+/// In a run in time as in a contact: the opening is the gap with the displacements of both bodies and the rigid motion of body 1.
+#[test]
+fn a_run_in_time_tells_the_rigid_motion_between_its_gap_and_its_opening() {
+    let solution = solved(&scene("punch-wear", &["accuracy=1e-2", "load.moment=4000"]));
+    let (profile, wear) = (solution.profile.unwrap(), solution.wear.unwrap());
+    let (approach, tilt) = (wear.approach.unwrap(), wear.tilt.unwrap());
+    assert!(tilt > 1e-7, "{tilt:e}");
+    for i in 0..profile.s.len() {
+        let [un1, un2] = [0, 1].map(|body| profile.normal_displacement[body][i]);
+        let closed = 1e3 * (approach + tilt * profile.position[i][0]);
+        let opening = profile.gap[i] + un1 - un2 - closed;
+        assert!((opening - profile.opening[i]).abs() < 1e-9, "{opening} {}", profile.opening[i]);
+    }
+}

@@ -7,10 +7,16 @@ use crate::stage::Stage;
 use crate::steps::pressure_ends::pressure_ends;
 use crate::steps::wear::pieces::Pieces;
 use crate::steps::{pressure, reversing};
+use crate::surface::PatchKind;
 
 /// Ends inside the surface, from -1 to 1, of the steady pressures: the gap gets its kinks there. A run that ends on the way has the end of its contact near
 /// them if it is long. None where no steady pressures are known.
 pub(super) fn final_ends(stage: Stage<'_>, pieces: &Pieces) -> Result<(Vec<f64>, Effort), Fault> {
+    // Whether a body that may turn has a steady pressure where friction bends its balance takes longer to find out than such a run.
+    let (problem, turns) = (stage.problem, stage.problem.freedoms.len() > 1 && stage.patch.kind != PatchKind::Plane);
+    if problem.wear.until.is_some() && turns && problem.friction.shear() > 0.0 {
+        return Ok(Default::default());
+    }
     if pieces.shares.is_none() {
         return Ok((of_one_pressure(stage, pieces)?, Effort::default()));
     }

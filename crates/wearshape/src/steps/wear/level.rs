@@ -24,7 +24,7 @@ use crate::steps::wear::integration_error::{integration_error, refine};
 use crate::steps::wear::mesh_lines::mesh_lines;
 use crate::steps::wear::pieces::Pieces;
 use crate::steps::wear::problem::{Loads, steady_residual, wear_problem};
-use crate::steps::wear::ran::{MOST_STEPS, Ran};
+use crate::steps::wear::ran::{FAR, MOST_STEPS, Ran};
 use crate::steps::wear::round_result::RoundContact;
 use crate::steps::wear::run::Run;
 use crate::steps::wear::samples::samples;
@@ -317,7 +317,9 @@ fn evolve(
     known.into_iter().for_each(|state| history.push(state));
     let mut evolution = start.map_err(|error| Refusal::Reason(error.to_string()))?;
     let mut stopped = !begun;
-    while *evolution.status() == EvolutionStatus::Running && evolution.state().step < MOST_STEPS && !stopped {
+    let deepest = if matches!(problem.until, Until::Steady { .. }) { FAR * scenes.pair.trace().length() } else { f64::INFINITY };
+    let goes_on = |state: &WearState| state.step < MOST_STEPS && state.depth < deepest;
+    while *evolution.status() == EvolutionStatus::Running && goes_on(evolution.state()) && !stopped {
         let Some(state) = cycles::next(&mut evolution, problem, scenes.pieces, &history.states) else { break };
         if state.step == 0 && state.gap_rate.iter().all(|rate| *rate == 0.0) {
             let above = scenes.stages[0].problem.wear.lowest_threshold().is_some();

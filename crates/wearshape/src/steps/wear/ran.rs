@@ -12,6 +12,9 @@ use crate::steps::reported::Reported;
 /// Most steps of a run.
 pub(super) const MOST_STEPS: usize = 20_000;
 
+/// Wear over the length of the surface beyond which a run that is not steady will not be.
+pub(super) const FAR: f64 = 1000.0;
+
 /// A level that was run here, not in an earlier run that this one goes on with.
 pub(super) struct Ran {
     pub ended: EvolutionStatus,
@@ -34,6 +37,9 @@ impl Ran {
     pub(super) fn failure(&self) -> Option<String> {
         match self.ended {
             EvolutionStatus::Stuck { .. } | EvolutionStatus::Unstable { .. } => Some(self.ended.to_string()),
+            EvolutionStatus::Running if self.wear.steps < MOST_STEPS => {
+                Some(format!("the wear was no rigid motion yet when the surface was worn {FAR} times deeper than it is long"))
+            }
             EvolutionStatus::Running => Some(format!("the run was not steady after {MOST_STEPS} steps")),
             EvolutionStatus::Steady | EvolutionStatus::TimeReached | EvolutionStatus::WornOff => None,
         }
