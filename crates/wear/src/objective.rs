@@ -82,10 +82,10 @@ pub(crate) fn multiplier_factor(
         return terms.map(|terms| switched(stage, (nodes, log_pressure), speed_power, terms));
     }
     let free = || nodes.iter().zip(log_pressure).enumerate().filter(|(_, (node, _))| node.excess < 0.0);
-    let force = |node: &Node| match stage.law.density {
-        Density::Exponential => node.modes.phi[stage.law.pivot],
-        _ => stage.law.force_function(&node.point, &node.modes).0.max(0.0),
-    };
+    // In the limit s -> 1 where g is the pivot mode itself f is that mode.
+    let is_cost = matches!(stage.law.density, Density::Exponential);
+    let by_modes = |node: &Node| stage.law.force_function(&node.point, &node.modes).0.max(0.0);
+    let force = |node: &Node| if is_cost { node.modes.phi[stage.law.pivot] } else { by_modes(node) };
     let work: f64 = free().map(|(_, (node, log))| node.point.weight * force(node) * log.exp()).sum();
     if steady {
         let power: f64 = free().map(|(i, (node, log))| node.point.weight * log.exp() * gap[i]).sum();
