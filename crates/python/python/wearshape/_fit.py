@@ -242,9 +242,10 @@ def fit(
         if lost is None or isinstance(error, Error):
             raise
         raise _beside(lost) from error
-    if not np.isfinite(solved.jac).all() and lost is not None:
+    jacobian = np.asarray(solved.jac, dtype=np.float64)
+    if not np.isfinite(jacobian).all() and lost is not None:
         raise _beside(lost)
-    slopes = np.asarray(solved.jac, dtype=np.float64) * solved.x
+    slopes = jacobian * solved.x
     # Fewer measurements than parameters leave directions that none of them tells.
     slopes = np.vstack([slopes, np.zeros((max(0, len(names) - len(slopes)), len(names)))])
     _, singular, rows = np.linalg.svd(slopes, full_matrices=False)
