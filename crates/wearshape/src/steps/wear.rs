@@ -69,7 +69,7 @@ pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome,
 /// The same on meshes with nodes at given places, from -1 to 1 along the surface.
 fn solve_at(stage: Stage<'_>, pieces: &Pieces, ends: &[f64], watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
     let ladder = Ladder::of(stage.problem, stage.options, Step::Evolution);
-    let (known, mut states) = taken_up(stage, &ladder, ends)?;
+    let (known, mut states) = taken_up((stage, pieces), &ladder, ends)?;
     let (mut cut, mut given_up, mut effort) = (None, None, Effort::default());
     let run = |level: Level, before: &[Solved], states: Vec<WearState>, watch: &mut Watch<'_>| {
         let finished = lefts(before);
@@ -88,7 +88,7 @@ fn solve_at(stage: Stage<'_>, pieces: &Pieces, ends: &[f64], watch: &mut Watch<'
             given_up = Some(format!("the level of degree {} has no end ({why})", level.degree));
             return Err(Refusal::Reason(why));
         }
-        ladder.unordered(traces(stage, &left, ends));
+        ladder.unordered(traces((stage, pieces), &left, ends));
         // Of a fixed discretisation coarser levels tell the error alone: one that is too coarse for the heat ends nothing.
         let coarser = ladder.is_fixed() && ladder.levels.last() != Some(&level);
         let ends = match ran.ended {
@@ -127,10 +127,14 @@ fn solve_at(stage: Stage<'_>, pieces: &Pieces, ends: &[f64], watch: &mut Watch<'
 }
 
 /// The levels of an earlier run, and the states of the one that it did not finish.
-fn taken_up(stage: Stage<'_>, ladder: &Ladder, ends: &[f64]) -> Result<(Vec<Solved>, Vec<WearState>), Refusal> {
+fn taken_up(
+    (stage, pieces): (Stage<'_>, &Pieces),
+    ladder: &Ladder,
+    ends: &[f64],
+) -> Result<(Vec<Solved>, Vec<WearState>), Refusal> {
     let resume = stage.options.resume.cloned().unwrap_or_default();
     check_degrees(&resume, ladder)?;
-    resume.finished.iter().for_each(|left| ladder.unordered(traces(stage, left, ends)));
+    resume.finished.iter().for_each(|left| ladder.unordered(traces((stage, pieces), left, ends)));
     Ok((resume.finished.into_iter().map(|left| Solved { left, run: None }).collect(), resume.states))
 }
 
@@ -183,12 +187,13 @@ fn part_of_levels(stage: Stage<'_>, level: &Solved, left_out: f64) -> f64 {
 }
 
 /// Differences of the last levels of a run that ends on the way of which the largest is its error, where ends of contact move by heat or towards no known place
-/// `ends`: what they pass over once leaves its trace in the gap, which levels have in no order. Without heat an end may stay at the end of a cell for some levels.
-fn traces(stage: Stage<'_>, level: &FinishedLevel, ends: &[f64]) -> Option<usize> {
-    let on_the_way = stage.problem.wear.until.is_some();
+/// `ends`: what they pass over once leaves its trace in the gap, which levels have in no order. Without heat an end under one load may stay at the end of a cell for
+/// some levels; loads that change move it to and fro.
+fn traces((stage, pieces): (Stage<'_>, &Pieces), level: &FinishedLevel, ends: &[f64]) -> Option<usize> {
+    let (on_the_way, one) = (stage.problem.wear.until.is_some(), pieces.problems.len() == 1);
     match stage.problem.heat.is_some() {
         true => on_the_way.then_some(2),
-        false => (on_the_way && level.partial && ends.is_empty() && !stage.ends_move()).then_some(4),
+        false => (on_the_way && one && level.partial && ends.is_empty() && !stage.ends_move()).then_some(4),
     }
 }
 
