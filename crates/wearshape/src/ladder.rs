@@ -28,8 +28,6 @@ const DIGITS: f64 = 1.5;
 const GAIN: f64 = 0.03;
 /// Successive levels without a smaller difference after which finer ones are of no use: round-off, or something that degrees do not mend.
 const IDLE: usize = 2;
-/// Power of the degree with which a trace that levels have in no order falls, where one of the last two differences may be small by chance.
-const TRACE: i32 = 3;
 /// A level that is so many times farther away than the one before it was, after a steady fall, is the wrong one of both.
 const WILD: f64 = 100.0;
 
@@ -90,13 +88,8 @@ impl Ladder {
     pub(crate) fn errors<T, const N: usize>(&self, solved: &[T], distance: &impl Fn(&T, &T) -> [f64; N]) -> Option<[f64; N]> {
         let [.., _, _, _] = solved else { return None };
         let Some(count) = self.unordered.get() else { return errors(solved, distance) };
-        let degree = |level: usize| self.levels.get(level).map_or(1.0, |level| level.degree as f64);
-        let last = solved.len() - 1;
-        let counts = |level: usize| if level + 2 > last { 1.0 } else { (degree(level) / degree(last)).powi(TRACE) };
-        let of = |level: usize| distance(&solved[level - 1], &solved[level]).map(|off| counts(level) * off);
-        ((last + 1).saturating_sub(count).max(1)..=last)
-            .map(of)
-            .reduce(|most, next| std::array::from_fn(|k| most[k].max(next[k])))
+        let last = solved[solved.len().saturating_sub(count + 1)..].windows(2).map(|pair| distance(&pair[0], &pair[1]));
+        last.reduce(|most, next| std::array::from_fn(|k| most[k].max(next[k])))
     }
 
     /// The same with further degrees for what is nearly there.

@@ -30,9 +30,12 @@ impl Plan {
 
     /// The stages of a run that ended without a pressure: nothing that needs one was done.
     pub fn without_pressure(&self) -> Vec<Stage> {
-        let before = |step: Step| matches!(step, Step::Force | Step::Pressure | Step::Plots | Step::Page);
-        let left_out = |stage: &Stage| stage.ran && !before(stage.name);
-        let told = |stage: &Stage| Stage { ran: false, because: "there is no pressure", ..stage.clone() };
-        self.stages.iter().map(|stage| if left_out(stage) { told(stage) } else { stage.clone() }).collect()
+        let mut stages = self.stages.clone();
+        for stage in &mut stages {
+            if stage.ran && !matches!(stage.name, Step::Force | Step::Pressure | Step::Plots | Step::Page) {
+                (stage.ran, stage.because) = (false, "there is no pressure");
+            }
+        }
+        stages
     }
 }

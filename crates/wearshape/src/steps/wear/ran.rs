@@ -38,7 +38,7 @@ impl Ran {
         match self.ended {
             EvolutionStatus::Stuck { .. } | EvolutionStatus::Unstable { .. } => Some(self.ended.to_string()),
             EvolutionStatus::Running if self.wear.steps < MOST_STEPS => {
-                Some(format!("the wear was no rigid motion yet when the surface was worn {FAR} times deeper than it is long"))
+                Some("the wear was no rigid motion yet when the surface was worn 1000 times deeper than it is long".into())
             }
             EvolutionStatus::Running => Some(format!("the run was not steady after {MOST_STEPS} steps")),
             EvolutionStatus::Steady | EvolutionStatus::TimeReached | EvolutionStatus::WornOff => None,
