@@ -94,8 +94,9 @@ impl Serialize for SpeedFactor {
     }
 }
 
-/// Largest relative difference of a factor on two meshes, or by all heat and by what of it is smooth. Those of the meshes move with the distance of points, by
-/// a fifth from a degree to the next, or more.
+/// Largest relative difference of a factor on two meshes, or by all heat and by what of it is smooth. Those of the meshes move with the distance of points,
+/// which from one degree to the next is 1.14 (16 after 14) to 1.5 times as small inside a cell and the square of that at its ends; those of the contact differed by up
+/// to .09 on degrees 6 to 10 of `drum-brake-hot`.
 const ALIKE: f64 = 0.1;
 
 impl HeatResult {

@@ -50,7 +50,7 @@ fn under_a_cap_they_are_the_cost_where_the_pressure_ends() {
         };
         let found = at(3e6);
         assert_eq!(found.character, Character::Minimum);
-        assert_relative_eq!(found.multipliers[0], slope(at, 3e6), max_relative = 1e-5);
+        assert_relative_eq!(found.multipliers[0], slope(at, 3e6), max_relative = 1e-6);
     }
 }
 
@@ -83,7 +83,7 @@ fn two_rules_below_one_have_a_stationary_pressure() {
             let force = modes[0].resultant;
             let found = of(force);
             assert_relative_eq!(found.resultants[0], force, max_relative = 1e-10);
-            assert_relative_eq!(found.multipliers[0], slope(of, force), max_relative = 1e-4);
+            assert_relative_eq!(found.multipliers[0], slope(of, force), max_relative = 1e-6);
         }
     }
 }

@@ -19,7 +19,8 @@ use crate::watch::Watch;
 /// Levels whose differences are believed when they say that the accuracy is out of reach; with nodes on more ends than usual further ones are dear.
 const BELIEVED: usize = 5;
 const OUT_OF_REACH: &str = "finer levels do not reach the accuracy";
-/// Error of the ends of a contact that a shear force has moved, over how far: to first order the zone keeps its form.
+/// Error of the ends of a contact that a shear force has moved, over how far. Under 100 times the load of `cattaneo-mindlin`, which moves it by .018 mm, they lie
+/// between the same points as the ends of the pressure there, 3e-3 mm apart.
 const MOVED: f64 = 0.2;
 /// Error of a contact over the imbalance of its forces.
 const ROUND_OFF: f64 = 2.0;

@@ -23,7 +23,7 @@ use crate::results::{EnergyResult, Reaction};
 use crate::step::Step;
 use crate::steps::answer::{Outcome, Told};
 use crate::steps::contact_levels::{Aside, Solved, imbalance, levels};
-use crate::steps::ends_profile::Rows;
+use crate::steps::ends_profile::{Rows, shift};
 use crate::steps::ends_setting::Setting;
 use crate::steps::free_ends::{misplaced, node_tolerance};
 use crate::steps::reported::{Moment, Reported};
@@ -256,7 +256,8 @@ impl Setting<'_> {
         let refined: Vec<f64> = trial.ends.refined().iter().map(|t| t * self.room()).collect();
         let refined = trial.nodes_at(&refined);
         let (setting, pair, operator, found, gap) = (self, &pair, &operator, &found, &gap[..]);
-        let rows = Rows { setting, pair, operator, found, gap, nodes: &nodes, ends: &refined, stick_node: trial.sought };
+        let (stick_node, shift) = (trial.sought, shift(setting, operator, found));
+        let rows = Rows { setting, pair, operator, found, gap, nodes: &nodes, ends: &refined, stick_node, shift };
         let end = refined[refined.len() - 1];
         let pressure = (0..SAMPLES).map(|i| rows.pressure_at(0.95 * end * i as f64 / (SAMPLES - 1) as f64)).collect();
         let profile = self.options.sample.map_or_else(|| rows.own(), |sampling| rows.sampled(sampling));
@@ -289,7 +290,7 @@ impl Setting<'_> {
             unsettled: false,
             many: None,
             misplaced: misplaced(&trial.ends, trial.ends.places[trial.ends.places.len() - 1]),
-            shifted: rows.shift().abs(),
+            shifted: shift.abs(),
             imbalance,
             heat: None,
             refused: (!touches).then(|| found.status.to_string()),

@@ -24,6 +24,21 @@ pub(crate) struct Rows<'r> {
     pub ends: &'r [f64],
     /// Whether a node stands on both ends of stick.
     pub stick_node: bool,
+    /// How far the shear force has moved the contact from its nodes ([`shift`]), mm.
+    pub shift: f64,
+}
+
+/// How far a shear force moves a contact along the surface, mm: to first order the pressure keeps its form, and its middle is where its force acts,
+/// `int (x - x_middle) p dx / int p dx`. Without shear, and where half of the scene stands for the whole, it stays where it is.
+pub(crate) fn shift(setting: &Setting<'_>, operator: &ContactOperator<'_>, found: &ContactSolution) -> f64 {
+    if setting.shear == 0.0 || !setting.disc.whole {
+        return 0.0;
+    }
+    let forces = operator.points().iter().zip(&found.nodal_force);
+    let [moment, force] = forces.fold([0.0; 2], |[moment, sum], (point, force)| {
+        [moment + (point.position[0] - setting.disc.middle) * force, sum + force]
+    });
+    moment / force
 }
 
 /// A place of the surface: a computed point, or one between, and whether it is seen in the mirror.
@@ -71,21 +86,9 @@ impl Rows<'_> {
         })
     }
 
-    /// How far the shear force moves the contact along the surface, mm: the pressure keeps its form, to first order, and its middle is the place where the force
-    /// acts. Nodes stand on both sides of the middle without it.
-    pub(crate) fn shift(&self) -> f64 {
-        let setting = self.setting;
-        if setting.shear == 0.0 || !setting.disc.whole || self.halved() {
-            return 0.0;
-        }
-        let forces = || self.operator.points().iter().zip(&self.found.nodal_force);
-        let moment: f64 = forces().map(|(point, force)| (point.position[0] - setting.disc.middle) * force).sum();
-        moment / forces().map(|(_, force)| force).sum::<f64>()
-    }
-
     /// Distance of a point from the middle of the contact.
     fn distance(&self, point: &ContactPoint) -> f64 {
-        (point.position[0] - self.setting.disc.middle - self.shift()).abs()
+        (point.position[0] - self.setting.disc.middle - self.shift).abs()
     }
 
     /// Whether the meshed part begins at the plane of symmetry or the axis.
@@ -197,7 +200,7 @@ impl Rows<'_> {
     /// Ends of stick from the middle: the nodes on them, or the outermost points that stick.
     fn stick_ends(&self) -> Vec<f64> {
         if self.stick_node {
-            return [-1.0, 1.0].map(|side| self.shift() + side * self.ends[0]).to_vec();
+            return vec![self.shift - self.ends[0], self.shift + self.ends[0]];
         }
         let sticking = self.operator.points().iter().zip(&self.found.states).filter(|(_, s)| **s == ContactState::Stick);
         let places: Vec<f64> = sticking.map(|(point, _)| point.position[0] - self.setting.disc.middle).collect();
@@ -210,8 +213,8 @@ impl Rows<'_> {
     /// The largest shear stands at the end of stick, from where on it is `mu p`: its slope is infinite inside, so that values of points are coarse.
     fn largest_shear(&self) -> f64 {
         if self.stick_node {
-            let at = |side: f64| self.setting.friction * self.pressure_at(self.shift() + side * self.ends[0]);
-            return if self.halved() { at(1.0) } else { at(-1.0).max(at(1.0)) };
+            // Of both ends of stick the pressure is the same, to first order.
+            return self.setting.friction * self.pressure_at(self.shift + self.ends[0]);
         }
         self.found.shear.iter().fold(0.0, |most, shear| most.max(shear.abs()))
     }
@@ -227,8 +230,7 @@ impl Rows<'_> {
         } else {
             setting.copies() * found.force[1] * (setting.disc.middle - about)
         };
-        let shift = self.shift();
-        let both = |end: f64| if setting.revolved() { vec![0.0, end] } else { vec![shift - end, shift + end] };
+        let both = |end: f64| if setting.revolved() { vec![0.0, end] } else { vec![self.shift - end, self.shift + end] };
         let sheared = setting.shear != 0.0;
         ContactResult {
             status: (&found.status).into(),

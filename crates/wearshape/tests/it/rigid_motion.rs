@@ -69,6 +69,6 @@ fn a_run_in_time_tells_the_rigid_motion_between_its_gap_and_its_opening() {
         let [un1, un2] = [0, 1].map(|body| profile.normal_displacement[body][i]);
         let closed = 1e3 * (approach + tilt * profile.position[i][0]);
         let opening = profile.gap[i] + un1 - un2 - closed;
-        assert!((opening - profile.opening[i]).abs() < 1e-9, "{opening} {}", profile.opening[i]);
+        assert!((opening - profile.opening[i]).abs() < 1e-12, "{opening} {}", profile.opening[i]);
     }
 }

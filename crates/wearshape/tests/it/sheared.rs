@@ -10,12 +10,12 @@ fn the_ends_of_a_sheared_contact_are_those_of_its_points_and_of_its_mirror_image
     let told = right.error.as_ref().unwrap().ends.unwrap();
     assert!((1e-6..1e-4).contains(&told), "{told:e}");
     for (a, b) in [(&forth.ends, &back.ends), (&forth.stick_ends, &back.stick_ends)] {
-        assert!((a[0] + b[1]).abs() < told && (a[1] + b[0]).abs() < told, "{a:?} {b:?}");
+        assert!((a[0] + b[1]).abs() < 1e-6 && (a[1] + b[0]).abs() < 1e-6, "{a:?} {b:?}");
         // By no half-space's symmetry.
         assert!((a[0] + a[1]).abs() > 3e-4, "{a:?}");
     }
     let [most, mirrored] = [forth, back].map(|contact| contact.q_max.unwrap());
-    assert!((most - mirrored).abs() < 1e-4 * most, "{most} {mirrored}");
+    assert!((most - mirrored).abs() < 3e-5 * most, "{most} {mirrored}");
     // The last points that press and the first that do not.
     let profile = right.profile.as_ref().unwrap();
     let pressed: Vec<usize> = (0..profile.s.len()).filter(|i| profile.pressure[*i] > 0.0).collect();
