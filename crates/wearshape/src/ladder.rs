@@ -156,6 +156,14 @@ impl Ladder {
         error * ratio.powi(left as i32) <= accuracy
     }
 
+    /// Whether further levels are no use after such changes from level to level. Where these have no order, small ones count once the large ones before
+    /// them are no longer among the last.
+    fn is_stuck(&self, changes: &[f64]) -> bool {
+        let waits =
+            self.unordered.get().is_some() && self.accuracy.zip(changes.last()).is_some_and(|(accuracy, last)| *last <= accuracy);
+        self.accuracy.is_some() && !waits && idle(changes)
+    }
+
     /// Whether the discretisation is fixed.
     pub(crate) fn is_fixed(&self) -> bool {
         self.accuracy.is_none()
@@ -275,7 +283,7 @@ pub(crate) fn climb<T, const N: usize>(
         solved.push(level);
         let error = ladder.errors(&solved, &distance).map(|errors| largest(&errors));
         let enough = ladder.accuracy.zip(error).is_some_and(|(accuracy, error)| error <= accuracy);
-        if !more || enough || (ladder.accuracy.is_some() && idle(&changes(&solved, &distance))) {
+        if !more || enough || ladder.is_stuck(&changes(&solved, &distance)) {
             break;
         }
     }

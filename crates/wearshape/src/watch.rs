@@ -82,6 +82,9 @@ pub struct FinishedLevel {
     /// Whether part of the surface was open at some time.
     #[serde(default)]
     pub partial: bool,
+    /// Ends of contact inside the surface at its end, from -1 to 1 along it, of a run that ends on its way to no known place.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub ends: Vec<f64>,
     /// Factors on the sliding speed at which the contact at its end is singular, with frictional heat alone.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub singular: Vec<f64>,

@@ -4,12 +4,14 @@ mod columns;
 mod cycles;
 mod earlier;
 mod final_ends;
+mod found_ends;
 mod grown;
 mod history;
 mod hot;
 mod integration_error;
 mod level;
 mod mesh_lines;
+mod open_ends;
 mod pieces;
 mod problem;
 mod ran;
@@ -28,7 +30,7 @@ mod turns;
 use std::ops::ControlFlow;
 
 use earlier::check_degrees;
-use level::{Known, Mesh, Unfinished, run};
+use level::{Known, Mesh, Unfinished};
 use nalgebra::DMatrix;
 use pieces::Pieces;
 use problem::STEPS;
@@ -66,14 +68,15 @@ pub(crate) fn solve(stage: Stage<'_>, watch: &mut Watch<'_>) -> Result<(Outcome,
     Ok((outcome, effort))
 }
 
-/// The same on meshes with nodes at given places, from -1 to 1 along the surface.
-fn solve_at(stage: Stage<'_>, pieces: &Pieces, ends: &[f64], watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
+/// The same on meshes with nodes at places that are known, from -1 to 1 along the surface, or at those that the first level finds.
+fn solve_at(stage: Stage<'_>, pieces: &Pieces, known_ends: &[f64], watch: &mut Watch<'_>) -> Result<(Outcome, Effort), Refusal> {
     let ladder = Ladder::of(stage.problem, stage.options, Step::Evolution);
-    let (known, mut states) = taken_up((stage, pieces), &ladder, ends)?;
+    let (known, mut states) = taken_up(stage, &ladder)?;
     let (mut cut, mut given_up, mut effort) = (None, None, Effort::default());
     let run = |level: Level, before: &[Solved], states: Vec<WearState>, watch: &mut Watch<'_>| {
         let finished = lefts(before);
-        run(stage, pieces, Mesh { level, ends }, Known { finished: &finished, states }, watch)
+        let mesh = Mesh { level, ends: known_ends, known: known_ends };
+        found_ends::run(stage, pieces, mesh, Known { finished: &finished, states }, watch)
     };
     let solve = |level: Level, before: &[Solved], watch: &mut Watch<'_>| {
         let (left, ran) = match run(level, before, std::mem::take(&mut states), watch)? {
@@ -88,7 +91,7 @@ fn solve_at(stage: Stage<'_>, pieces: &Pieces, ends: &[f64], watch: &mut Watch<'
             given_up = Some(format!("the level of degree {} has no end ({why})", level.degree));
             return Err(Refusal::Reason(why));
         }
-        ladder.unordered(traces((stage, pieces), &left, ends));
+        ladder.unordered(traces(stage, &left));
         // Of a fixed discretisation coarser levels tell the error alone: one that is too coarse for the heat ends nothing.
         let coarser = ladder.is_fixed() && ladder.levels.last() != Some(&level);
         let ends = match ran.ended {
@@ -127,14 +130,10 @@ fn solve_at(stage: Stage<'_>, pieces: &Pieces, ends: &[f64], watch: &mut Watch<'
 }
 
 /// The levels of an earlier run, and the states of the one that it did not finish.
-fn taken_up(
-    (stage, pieces): (Stage<'_>, &Pieces),
-    ladder: &Ladder,
-    ends: &[f64],
-) -> Result<(Vec<Solved>, Vec<WearState>), Refusal> {
+fn taken_up(stage: Stage<'_>, ladder: &Ladder) -> Result<(Vec<Solved>, Vec<WearState>), Refusal> {
     let resume = stage.options.resume.cloned().unwrap_or_default();
     check_degrees(&resume, ladder)?;
-    resume.finished.iter().for_each(|left| ladder.unordered(traces((stage, pieces), left, ends)));
+    resume.finished.iter().for_each(|left| ladder.unordered(traces(stage, left)));
     Ok((resume.finished.into_iter().map(|left| Solved { left, run: None }).collect(), resume.states))
 }
 
@@ -163,13 +162,13 @@ fn distance(a: &Solved, b: &Solved) -> [f64; 2] {
 }
 
 /// How far two levels of a stage are apart. Where the end of contact moves over the elements, levels fall with a power of the degree only, and
-/// in no order: their differences count so many times. What is left out besides has its part of the accuracy ([`part_of_levels`]).
+/// in no order: their differences count so many times, but where the largest of them is told. What is left out besides has its part of the accuracy ([`part_of_levels`]).
 fn apart(stage: Stage<'_>, left_out: f64) -> impl Fn(&Solved, &Solved) -> [f64; 2] + Copy {
     let on_the_way = stage.problem.wear.until.is_some() && stage.problem.heat.is_none();
     let by_wear = matches!(stage.problem.wear.until, Some(End::Depth(_) | End::Volume(_)));
     move |a, b| {
         let [gap, time] = distance(a, b);
-        let times = match (stage.ends_move(), on_the_way && b.left.partial) {
+        let times = match (stage.ends_move(), on_the_way && b.left.partial && b.left.ends.is_empty()) {
             (true, _) => 3.0,
             (false, true) => 2.0,
             (false, false) => 1.0,
@@ -186,15 +185,12 @@ fn part_of_levels(stage: Stage<'_>, level: &Solved, left_out: f64) -> f64 {
     1.0 - (steps / stage.accuracy()).min(STEPS) - (left_out / stage.accuracy()).min(turns::PART)
 }
 
-/// Differences of the last levels of a run that ends on the way of which the largest is its error, where ends of contact move by heat or towards no known place
-/// `ends`: what they pass over once leaves its trace in the gap, which levels have in no order. Without heat an end under one load may stay at the end of a cell for
-/// some levels; loads that change move it to and fro.
-fn traces((stage, pieces): (Stage<'_>, &Pieces), level: &FinishedLevel, ends: &[f64]) -> Option<usize> {
-    let (on_the_way, one) = (stage.problem.wear.until.is_some(), pieces.problems.len() == 1);
-    match stage.problem.heat.is_some() {
-        true => on_the_way.then_some(2),
-        false => (on_the_way && one && level.partial && ends.is_empty() && !stage.ends_move()).then_some(4),
-    }
+/// Differences of the last levels of a run that ends on the way of which the largest is its error, where ends of contact move by heat or towards no known
+/// place: what they pass over once leaves its trace in the gap, which levels have in no order. Without heat an end may stay at the end of a cell for
+/// some levels.
+fn traces(stage: Stage<'_>, level: &FinishedLevel) -> Option<usize> {
+    let hot = stage.problem.heat.is_some() && stage.problem.wear.until.is_some();
+    if hot { Some(2) } else { (!level.ends.is_empty()).then_some(3) }
 }
 
 /// How far two levels are apart in what decides whether they are enough. Heat opens a contact that is not worn in: its ends move over the elements

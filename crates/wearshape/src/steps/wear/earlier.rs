@@ -35,7 +35,8 @@ pub(super) fn check_levels(finished: &[FinishedLevel], samples: usize, modes: us
             level.gap.iter().chain(&level.closing).all(|v| v.is_finite()) && times.into_iter().all(|t| t >= 0.0 && t.is_finite());
         let counts =
             [level.wear_steps, level.factorisations, level.contact_solves].iter().all(|count| *count <= u32::MAX as usize);
-        if !(fits && finite && counts) {
+        let inside = level.ends.iter().all(|end| end.abs() < 1.0);
+        if !(fits && finite && counts && inside) {
             let what = "numbers of its level of degree";
             return Err(unfit(&format!("{what} {} are not those of {samples} points with {modes} free motions", level.degree)));
         }

@@ -22,6 +22,7 @@ use crate::steps::wear::history::History;
 use crate::steps::wear::hot::Hot;
 use crate::steps::wear::integration_error::{integration_error, refine};
 use crate::steps::wear::mesh_lines::mesh_lines;
+use crate::steps::wear::open_ends::open_ends;
 use crate::steps::wear::pieces::Pieces;
 use crate::steps::wear::problem::{Loads, steady_residual, wear_problem};
 use crate::steps::wear::ran::{FAR, MOST_STEPS, Ran};
@@ -36,11 +37,13 @@ use crate::watch::{Event, FinishedLevel, RunLevel, Watch, WearStep};
 /// Run-in distances in the summary, slowest first.
 const RUN_IN: usize = 4;
 
-/// The discretisation of a run: a level, with nodes at the ends of the final pressure.
+/// The discretisation of a run: a level, with nodes at ends of contact.
 #[derive(Clone, Copy)]
 pub(super) struct Mesh<'a> {
     pub level: Level,
     pub ends: &'a [f64],
+    /// Those of them that were known before all levels: of the final pressure.
+    pub known: &'a [f64],
 }
 
 /// What is known of a run before a level.
@@ -82,7 +85,7 @@ pub(super) fn run(
     known: Known<'_>,
     watch: &mut Watch<'_>,
 ) -> Result<Result<(FinishedLevel, Ran), Unfinished>, Refusal> {
-    let Mesh { level, ends } = mesh;
+    let Mesh { level, ends, .. } = mesh;
     let Known { finished, states } = known;
     let stages = pieces.problems.iter().map(|problem| stage.with(problem)).collect::<Result<Vec<Stage<'_>>, Fault>>()?;
     let running = Running::new(stages[pieces.intervals[0].stage], level, ends)?;
@@ -108,7 +111,7 @@ pub(super) fn run(
     hot.iter().try_for_each(|hot| hot.join(&mut problem, &operator))?;
     // What is worn off a round body is measured from what is not: no rigid part is taken out.
     let modes = if stage.ends_move() { 0 } else { pair.shaped.rigid_modes.ncols() };
-    let samples = samples(stage, &pair, ends);
+    let samples = samples(stage, &pair, mesh.known);
     if let Err(fault) = check_levels(finished, samples.len(), modes).and_then(|()| check_states(&states, &problem)) {
         return Ok(Err(Unfinished::Unfit(fault)));
     }
@@ -167,6 +170,7 @@ impl Scenes<'_> {
             to_1_percent: wear.to_1_percent.as_ref().map(|settled| settled.time),
             integration_error: None,
             partial: run.history.states.iter().any(|state| is_partial(&state.pressure)),
+            ends: if mesh.known.is_empty() { self.open_ends(state) } else { Vec::new() },
             singular: heat.as_ref().map(|told| told.singular.clone()).unwrap_or_default(),
             closing: if round { Vec::new() } else { self.samples.iter().flat_map(|point| closing(self.pair, point)).collect() },
             wear_steps: state.step,
@@ -192,6 +196,11 @@ impl Scenes<'_> {
             columns.extend(contact.columns(&ends));
         }
         Ok((left, Ran { ended, history: columns, groove, running_in, wear, told, heat, reported, effort }))
+    }
+
+    /// Ends of contact that a run finds itself.
+    fn open_ends(&self, state: &WearState) -> Vec<f64> {
+        open_ends(self.stages, self.operator.points(), &state.pressure, self.pair.trace().length())
     }
 
     /// The contact on the gap of a state under the load that acts last; that of hot bodies, of which there may be several, on the points of the state.
