@@ -20,14 +20,15 @@ const DRIVER: &str = "playwright>=1.50,<2";
 /// What all processors of browsers since 2023 have, a stack as large as that of a program, and names of files without the folder of all crates.
 const FLAGS: &str = "-C target-feature=+simd128 -C link-arg=-zstack-size=8388608 --remap-path-prefix=crates/=";
 /// What takes 2 % off the module, of the steps after the compiler's (`wasm-opt` of Binaryen): the first level, as the others
-/// make it larger by brotli, without sets of what is there already and arguments that nothing reads, again until it gets no smaller; and what the
-/// module is built for.
-const SMALLER: [&str; 12] = [
+/// make it larger by brotli, without sets of what is there already and arguments that nothing reads, again until it gets no smaller, without the
+/// alignments of what is read, which processors find themselves; and what the module is built for.
+const SMALLER: [&str; 13] = [
     "-O1",
     "--rse",
     "--vacuum",
     "--dae-optimizing",
     "--converge",
+    "--dealign",
     "--enable-simd",
     "--enable-bulk-memory",
     "--enable-sign-ext",

@@ -94,23 +94,25 @@ impl Serialize for SpeedFactor {
     }
 }
 
-/// Largest relative difference of a factor on two meshes, or by all heat and by what of it is smooth. Those of the meshes move with the distance of points,
-/// which from one degree to the next is 1.14 (16 after 14) to 1.5 times as small inside a cell and the square of that at its ends; those of the contact differed by up
-/// to .09 on degrees 6 to 10 of `drum-brake-hot`.
-const ALIKE: f64 = 0.1;
+/// Largest relative difference of a factor on two meshes. Those of the meshes move with the distance of points, which from one degree to the next is 1.14
+/// (16 after 14) to 1.5 times as small inside a cell and the square of that at its ends; those of the contact differed by up to .09 on degrees 6 to 10 of
+/// `drum-brake-hot`.
+pub(crate) const MESHES_ALIKE: f64 = 0.1;
+/// The same by all heat and by what of it is smooth, on one mesh.
+pub(crate) const HEAT_ALIKE: f64 = 0.01;
 
 impl HeatResult {
     /// Takes in the factors on the sliding speed. Of those at which the contact is singular it is the least that another mesh has as well, or heat that is
-    /// smooth along the surface; without either nothing is said of them.
-    pub(crate) fn take_speeds(&mut self, Speeds { factors: found, separation }: &Speeds, other: Option<&SpeedFactors>) {
+    /// smooth along the surface, alike to the second of `other`; without either nothing is said of them.
+    pub(crate) fn take_speeds(&mut self, Speeds { factors: found, separation }: &Speeds, other: Option<(&SpeedFactors, f64)>) {
         let factor = |found: Option<f64>| Some(found.map_or(SpeedFactor::None, SpeedFactor::At));
         self.staggered_limit_speed_factor = factor(found.staggered);
         self.separation_speed_factor = separation.and_then(factor);
         if other.is_none() && !found.singular.is_empty() {
             return;
         }
-        let others = other.map_or(&[][..], |other| &other.singular);
-        let alike = |s: &&f64| others.iter().any(|t| (*s - t).abs() <= ALIKE * t.abs());
+        let (others, apart) = other.map_or((&[][..], 0.0), |(other, apart)| (&other.singular, apart));
+        let alike = |s: &&f64| others.iter().any(|t| (*s - t).abs() <= apart * t.abs());
         self.critical_speed_factor = factor(found.singular.iter().find(alike).copied());
     }
 

@@ -12,7 +12,7 @@ use shapeopt::{GapCurve, Measure, Shape, SurfacePlace, closing, difference_of_ga
 use crate::bodies::Reduced;
 use crate::effort::Effort;
 use crate::freedom::Role;
-use crate::heat_result::HeatResult;
+use crate::heat_result::{HEAT_ALIKE, HeatResult};
 use crate::ladder::{Climbed, Ladder, Refusal, climb, missed};
 use crate::level::Level;
 use crate::machined::{Machined, SurfacePoint};
@@ -257,7 +257,7 @@ impl<'a> Shaper<'a> {
         if !outcome.stopped {
             let own = hot.following(&solved.reduced);
             let bears = hot_shape::bears(self, &own)?;
-            result.take_speeds(&bears.speeds, bears.smooth.as_ref());
+            result.take_speeds(&bears.speeds, bears.smooth.as_ref().map(|smooth| (smooth, HEAT_ALIKE)));
             result.growth = bears.growth;
             following = Some(own);
         }

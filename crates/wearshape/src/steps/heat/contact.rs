@@ -8,7 +8,7 @@ use scene::Fault;
 
 use crate::bodies::Reduced;
 use crate::effort::Effort;
-use crate::heat_result::HeatResult;
+use crate::heat_result::{HeatResult, MESHES_ALIKE};
 use crate::level::Level;
 use crate::stage::Stage;
 use crate::step::Step;
@@ -105,7 +105,7 @@ impl<'a> HotContact<'a> {
             let following = &self.following;
             let at = (&stage.contact_load(operator.points()), &found.closed[..]);
             let speeds = following.speeds(operator, at, &following.surfaces.rates)?;
-            result.take_speeds(&speeds, before.as_ref());
+            result.take_speeds(&speeds, before.as_ref().map(|before| (before, MESHES_ALIKE)));
             *before = Some(speeds.factors);
         }
         Ok(result)

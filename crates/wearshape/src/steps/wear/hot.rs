@@ -4,7 +4,7 @@ use contact::{ContactLoad, ContactOperator, ContactSolution, SpeedFactors};
 use scene::Fault;
 use shapeopt::{WearProblem, WearState};
 
-use crate::heat_result::{HeatInTime, HeatResult};
+use crate::heat_result::{HeatInTime, HeatResult, MESHES_ALIKE};
 use crate::ladder::Refusal;
 use crate::results::EnergyResult;
 use crate::stage::Stage;
@@ -90,7 +90,7 @@ impl Hot<'_> {
         let closed: Vec<bool> = state.pressure.iter().map(|p| *p > 0.0).collect();
         let speeds = self.running.speeds(operator, at, &closed)?;
         let other = before.last().map(|level| SpeedFactors { singular: level.singular.clone(), ..SpeedFactors::default() });
-        result.take_speeds(&speeds, other.as_ref());
+        result.take_speeds(&speeds, other.as_ref().map(|other| (other, MESHES_ALIKE)));
         Ok(ToldHeat { result, heat, singular: speeds.factors.singular })
     }
 
