@@ -5,6 +5,7 @@ mod absolute;
 mod answer;
 mod balance;
 mod bracket;
+mod cap;
 mod cells;
 mod character;
 mod condition;

@@ -3,6 +3,7 @@
 use crate::WearError;
 use crate::absolute::balance_absolute;
 use crate::balance::{Balanced, balance};
+use crate::cap::is_too_low;
 use crate::continuation::balance_by_continuation;
 use crate::density::Density;
 use crate::pressure_law::Node;
@@ -13,8 +14,14 @@ use crate::turn;
 /// the direction of their multipliers.
 pub(crate) fn balance_any(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<Balanced, WearError> {
     let cap = stage.problem.p_max.map_or(f64::INFINITY, f64::ln);
-    match by_newton(stage, nodes, cap) {
+    let balanced = match by_newton(stage, nodes, cap) {
         Err(error) if turn::may_help(stage, &error) => turned(stage, nodes, cap),
+        other => other,
+    };
+    match balanced {
+        Err(WearError::NotConverged { .. }) if is_too_low(stage) => {
+            Err(stage.infeasible("under p_max the surface does not carry force and moments together"))
+        }
         other => other,
     }
 }

@@ -4,6 +4,7 @@
 mod bodies;
 mod bush_wear;
 mod campaign;
+mod caps;
 mod coarse_cells;
 mod common;
 mod critical_factor;
