@@ -18,10 +18,9 @@ pub(crate) fn balance_any(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Resul
         Err(error) if turn::may_help(stage, &error) => turned(stage, nodes, cap),
         other => other,
     };
+    // Whatever the search for multipliers has ended with, this is why.
     match balanced {
-        Err(WearError::NotConverged { .. }) if is_too_low(stage) => {
-            Err(stage.infeasible("under p_max the surface does not carry force and moments together"))
-        }
+        Err(_) if is_too_low(stage) => Err(stage.infeasible("the load is larger than the surface carries under p_max")),
         other => other,
     }
 }
