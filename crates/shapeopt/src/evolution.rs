@@ -4,6 +4,7 @@
 //! and wear together; the gap alone is the state. Source of the model: Paczelt and Mroz (2007), section 2, with optimality theory, section 6,
 //! of this project's documents.
 
+mod control;
 mod cycles;
 mod ends;
 mod entering;
@@ -16,7 +17,6 @@ use crate::evolution_status::EvolutionStatus;
 use crate::implicit_stage::Contact;
 use crate::rigid_wear::RigidWear;
 use crate::run_in::{RunIn, run_in};
-use crate::tableau::Tableau;
 use crate::turns::loads;
 use crate::wear_problem::{Scheme, Stepping, Until, WearProblem};
 use crate::wear_state::WearState;
@@ -24,13 +24,9 @@ use crate::wear_step::{Trial, gap_scale, shallow};
 use std::cell::RefCell;
 use std::sync::Arc;
 
-/// Largest growth of the step from one to the next.
-const GROWTH: f64 = 8.0;
 /// Part of the stability bound that adaptive explicit steps take, and after how many of them the bound is computed anew.
 const EXPLICIT_PART: f64 = 0.9;
 const EXPLICIT_REVIEW: usize = 50;
-/// Power of the step with which the error falls across a kink of the rates.
-const KINK: f64 = 2.0;
 /// Part of the wear still to come below which a contact that wears itself free has no pressure left but round-off.
 const FREE: f64 = 1e-12;
 /// Part of a deviation whose time is wanted down to which steps see to it.
@@ -270,7 +266,7 @@ impl<'a> Evolution<'a> {
         if !self.driven(&state) && state.steady_residual <= FREE && limit.is_finite() {
             return Ok(self.idle(state, limit));
         }
-        let mut wanted = state.next_step;
+        let mut wanted = state.first_to_try();
         let mut failures = 0;
         loop {
             let left = limit - state.time;
@@ -293,12 +289,7 @@ impl<'a> Evolution<'a> {
                 (Some(_), Stepping::Fixed(_)) => 1.0,
                 (Some(_), _) if self.problem.scheme == Scheme::Explicit => 1.0,
                 (Some((trial, _)), Stepping::Adaptive { accuracy }) => {
-                    let (power, tolerance) =
-                        Tableau::of(self.problem.scheme).map_or((1.0, accuracy), |t| (t.power, t.tolerance(accuracy)));
-                    // Where points enter or leave, rates have kinks and the order is lost.
-                    let power = if failures > 0 { KINK } else { power };
-                    let growth = if failures > 0 { 1.0 } else { GROWTH };
-                    (0.9 * (tolerance / trial.error.max(f64::MIN_POSITIVE)).powf(1.0 / power)).clamp(0.1, growth)
+                    self.factor(&state, accuracy, (step, trial.error), failures)
                 }
             };
             match trial {
@@ -337,6 +328,7 @@ impl<'a> Evolution<'a> {
     /// Moves a state on by a step that is accurate enough.
     fn accept(&self, state: &mut WearState, (trial, conducting): (Trial, Vec<bool>), Taken { step, next, end }: Taken) {
         state.conducting = conducting;
+        self.await_next(state, &trial.contact, step);
         let (before, step_before) = (state.lyapunov, state.next_step);
         state.step += 1;
         state.time = end.unwrap_or(state.time + step);

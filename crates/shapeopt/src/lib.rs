@@ -52,4 +52,4 @@ pub use shape::{Gauge, Integration, RigidPart, Shape, ShapeProblem, closing, sol
 pub use spline::{Fit, Spline};
 pub use tolerance::{Tolerance, tolerances};
 pub use wear_problem::{Interval, LoadStage, Scheme, Stepping, Times, Until, WearProblem};
-pub use wear_state::WearState;
+pub use wear_state::{Entering, WearState};

@@ -51,10 +51,23 @@ pub struct WearState {
     pub conducting: Vec<bool>,
     /// Times that the contact has jumped to another pressure by its frictional heat so far.
     pub jumps: usize,
+    /// What is known of the points that come into a contact that grows.
+    pub entering: Entering,
     /// Number of the interval of the schedule that acts.
     pub interval: usize,
     /// Time at which that interval began, s.
     pub interval_start: f64,
+}
+
+/// Points that come into a contact that grows as it wears ([`WearProblem::growing`](crate::WearProblem::growing)), as steps in time see them.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Entering {
+    /// Whether the last step ends with a point in contact that was open before it.
+    pub entered: bool,
+    /// Time until the next point is expected to enter, s; zero where none is.
+    pub expected: f64,
+    /// Length of the first step after the last point that entered, s; zero before any has.
+    pub first_step: f64,
 }
 
 impl WearState {

@@ -2,7 +2,7 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use shapeopt::WearState;
+use shapeopt::{Entering, WearState};
 
 /// The fields of [`WearState`] with their units; numbers are written so that they read back to the same bits.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -72,6 +72,22 @@ pub(crate) struct State {
     /// Jumps of the contact by its frictional heat so far; left out where there is none.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub(crate) jumps: u64,
+    /// Points that come into a contact that grows; left out where none does.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) entering: Option<Awaited>,
+}
+
+/// The fields of [`Entering`] with their units.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub(crate) struct Awaited {
+    /// Whether a point has come in with the last step.
+    pub(crate) entered: bool,
+    /// Time until the next one is expected; zero where none is.
+    #[serde(rename = "expected_s")]
+    pub(crate) expected: f64,
+    /// Length of the first step after the last one.
+    #[serde(rename = "first_step_s")]
+    pub(crate) first_step: f64,
 }
 
 /// Whether a count is left out.
@@ -108,8 +124,14 @@ impl From<&WearState> for State {
             worn: state.worn.clone(),
             conducting: state.conducting.clone(),
             jumps: state.jumps as u64,
+            entering: awaited(state.entering),
         }
     }
+}
+
+fn awaited(entering: Entering) -> Option<Awaited> {
+    let Entering { entered, expected, first_step } = entering;
+    Some(Awaited { entered, expected, first_step }).filter(|_| entering != Entering::default())
 }
 
 impl From<State> for WearState {
@@ -140,6 +162,11 @@ impl From<State> for WearState {
             newton_iterations: state.linear_solves as usize,
             interval: state.piece as usize,
             interval_start: state.piece_start,
+            entering: state.entering.map_or_else(Entering::default, |Awaited { entered, expected, first_step }| Entering {
+                entered,
+                expected,
+                first_step,
+            }),
         }
     }
 }

@@ -3,7 +3,7 @@
 
 use std::path::{Path, PathBuf};
 
-use shapeopt::WearState;
+use shapeopt::{Entering, WearState};
 use wearshape::{FinishedLevel, RunLevel};
 
 use super::replay::Replay;
@@ -38,6 +38,7 @@ fn state(step: usize) -> WearState {
         rejected: step / 3,
         newton_iterations: 7 * step,
         jumps: step % 3,
+        entering: Entering { entered: step.is_multiple_of(2), expected: odd(19), first_step: odd(20) },
         interval: step % 2,
         interval_start: odd(18),
     }
