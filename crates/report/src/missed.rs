@@ -39,7 +39,7 @@ fn ends(ends: &[f64]) -> Option<String> {
 fn help(problem: &Problem, solution: &Solution) -> Option<String> {
     if solution.status == Status::NotConverged {
         let time = solution.wear.as_ref().and_then(|wear| wear.time)?;
-        return Some(format!("to end it where it is: --set wear.until={}", brief(time)));
+        return (time > 0.0).then(|| format!("to end it where it is: --set wear.until={}", brief(time)));
     }
     let error = error(solution)?;
     let asked = problem.scene().accuracy;

@@ -1,6 +1,6 @@
 //! report.html: one self-contained page, without network, built from the files of the folder.
 
-use scene::Fault;
+use scene::{Document, Fault};
 use serde_json::{Value, json};
 use wearshape::RunningIn;
 
@@ -103,10 +103,8 @@ fn text(summary: &Value, key: &str) -> String {
 /// Up to the verdict and the remarks.
 fn head(summary: &Value, resolved: &str) -> String {
     let text = |key: &str| text(summary, key);
-    let title = resolved
-        .lines()
-        .find_map(|line| line.strip_prefix("title = "))
-        .map_or_else(|| text("scene"), |title| escaped(title.trim_matches('"')));
+    let given = Document::read("scene.resolved.toml", resolved, &[]).ok().and_then(|document| document.scene.title);
+    let title = given.map_or_else(|| text("scene"), |title| escaped(&title));
     let mut out = begin(&title);
     out += &format!(
         "<h1>{title}</h1>\n<p class=\"verdict\">{}</p>\n<p class=\"soft\">{} &middot; wearshape {} &middot; status: {}</p>\n",
@@ -252,4 +250,28 @@ fn missing(name: &str) -> Fault {
 
 fn damaged(name: &str, error: &dyn std::fmt::Display) -> Fault {
     Fault::new("unreadable", format!("{name} is damaged: {error}"), "run the scene again")
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::head;
+
+    #[test]
+    fn a_title_is_what_the_scene_says_however_it_is_quoted() {
+        let summary = json!({ "scene": "a-scene", "verdict": "", "version": "", "status": "ok", "lints": [] });
+        let scene = scene::builtin("drum-brake-block").map_or("", |scene| scene.text);
+        let rest: String = scene.lines().filter(|line| !line.starts_with("title")).map(|line| format!("{line}\n")).collect();
+        for (title, shown) in [
+            ("\"Brake 12 in\"", "Brake 12 in"),
+            ("'Brake 12\" drum'", "Brake 12&quot; drum"),
+            ("\"C:\\\\temp it's\"", "C:\\temp it's"),
+            ("\"\"\"two\nlines\"\"\"", "two\nlines"),
+        ] {
+            let page = head(&summary, &format!("title = {title}\n{rest}"));
+            assert!(page.contains(&format!("<h1>{shown}</h1>")), "{title}: {page}");
+        }
+        assert!(head(&summary, "").contains("<h1>a-scene</h1>"));
+    }
 }

@@ -104,8 +104,8 @@ pub fn glance(summary: &Value) -> Vec<(&'static str, f64, &'static str)> {
     put("friction torque", number("pressure", "torque_Nmm"), 1e-3, "N m");
     put("highest temperature of body 1", number("heat", "T_max1_degC"), 1.0, "\u{b0}C");
     put("highest temperature of body 2", number("heat", "T_max2_degC"), 1.0, "\u{b0}C");
-    put("depth worn off", number("wear", "depth_um"), 1.0, "\u{b5}m");
-    put("volume worn off", number("wear", "volume_mm3"), 1.0, "mm\u{b3}");
+    put("depth worn off body 1", number("wear", "depth_um"), 1.0, "\u{b5}m");
+    put("volume worn off both bodies", number("wear", "volume_mm3"), 1.0, "mm\u{b3}");
     put("scar", number("wear", "scar_mm"), 1.0, "mm");
     put("groove in body 2", summary["wear"]["groove"]["depth_um"].as_f64(), 1.0, "\u{b5}m deep");
     put("after", number("wear", "time_s"), 1.0, "s");

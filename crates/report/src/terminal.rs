@@ -183,7 +183,11 @@ fn ends_line(solution: &Solution) -> Option<String> {
 /// Wear in time; its name is another where that of a pressure has been told.
 fn wear_line(wear: &WearResult, second: bool) -> String {
     let mut words = vec![format!("depth {} um", brief(wear.depth.unwrap_or(0.0)))];
-    words.extend(wear.volume.map(|volume| format!("volume {} mm^3", brief(volume))));
+    words.extend(wear.volume.map(|volume| match wear.volumes {
+        // The depth is that of body 1.
+        Some([first, second]) if first > 0.0 && second > 0.0 => format!("volume {} + {} mm^3", brief(first), brief(second)),
+        _ => format!("volume {} mm^3", brief(volume)),
+    }));
     if let (Some(depth), Some(time), Some(distance)) = (wear.depth, wear.time, wear.distance)
         && time > 0.0
         && distance > 0.0

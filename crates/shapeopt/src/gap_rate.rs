@@ -15,6 +15,8 @@ pub(crate) struct GapRate {
     places: usize,
     /// Weight over track area.
     share: Vec<f64>,
+    /// The gap at the start, where body 2 opens it by its wear too.
+    start: Option<Vec<f64>>,
     /// Rate at which a groove opens the gap at a point (row) by body 2's wear rate at each point (column).
     passing: Option<Mat<f64>>,
 }
@@ -27,7 +29,7 @@ impl GapRate {
         });
         let track = track.unwrap_or(f64::INFINITY);
         let share = weights.iter().map(|w| w / track).collect();
-        GapRate { rules, counterface, part: vec![1.0; weights.len()], places: weights.len(), share, passing: None }
+        GapRate { rules, counterface, part: vec![1.0; weights.len()], places: weights.len(), share, start: None, passing: None }
     }
 
     /// The mean of rates at the same places, each acting a part of the time.
@@ -82,6 +84,20 @@ impl GapRate {
     /// What pressures at other points of the bodies wear off at each point, per second; none where that is nothing.
     pub(crate) fn elsewhere(&self, pressure: &[f64]) -> Option<Vec<f64>> {
         self.others(pressure).or_else(|| self.groove(pressure))
+    }
+
+    /// The same from a gap at the start.
+    pub(crate) fn from(self, gap: &[f64]) -> GapRate {
+        let start = (self.adds() && self.rules[1].iter().any(LocalRule::wears)).then(|| gap.to_vec());
+        GapRate { start, ..self }
+    }
+
+    /// The largest depth of wear in a gap: what is worn off body 1, and off body 2 where that opens the gap too.
+    pub(crate) fn deepest(&self, gap: &[f64], worn: &[f64]) -> f64 {
+        match &self.start {
+            Some(start) => gap.iter().zip(start).map(|(now, start)| now - start).fold(0.0, f64::max),
+            None => worn.iter().copied().fold(0.0, f64::max),
+        }
     }
 
     /// Wear rate of a body at the places.

@@ -36,7 +36,7 @@ pub(crate) fn load<'a>(problem: &'a WearProblem, stage: &LoadStage, system: Cow<
 
 fn rate(problem: &WearProblem, stage: &LoadStage) -> GapRate {
     let rate = GapRate::new(&problem.wear, problem.counterface, &stage.speeds, &weights(problem), problem.track_area);
-    rate.passing(problem.passing.clone())
+    rate.passing(problem.passing.clone()).from(&problem.gap)
 }
 
 fn weights(problem: &WearProblem) -> Vec<f64> {

@@ -175,6 +175,14 @@ impl WearProblem {
         [part, if passed < 1.0 - LAST { part } else { AT_THE_END }]
     }
 
+    /// Depths of wear in the gap of a state, mm: what is worn off body 1, and off body 2 where that opens the gap too.
+    pub fn worn_gap(&self, state: &WearState) -> Vec<f64> {
+        if self.counterface != Counterface::Congruent || !self.wear.wears(1) {
+            return state.worn.clone();
+        }
+        state.gap.iter().zip(&self.gap).map(|(now, start)| now - start).collect()
+    }
+
     /// The largest depth of a profile: that of its deepest point, or beside it.
     pub(crate) fn deepest(&self, worn: &[f64]) -> f64 {
         let Some(deepest) = (0..worn.len()).max_by(|i, j| worn[*i].total_cmp(&worn[*j])) else { return 0.0 };

@@ -77,7 +77,7 @@ fn implicit_step(load: &Load<'_>, state: &WearState, step: f64, tableau: &Tablea
         .collect();
     let (gap_error, pressure_error) = linear.and_then(|linear| load.filter(&linear, &error)).ok_or_else(Unsettled::default)?;
     let force = |p: &[f64]| -> f64 { p.iter().zip(&load.weights).map(|(p, w)| p.abs() * w).sum() };
-    let depth = worn.iter().copied().fold(0.0, f64::max);
+    let depth = load.rate.deepest(&gap, &worn);
     let scale = gap_scale(load, state).max(depth);
     let error = gap_error.iter().fold(0.0_f64, |m, e| m.max(e.abs() / scale));
     let errors = [error, force(&pressure_error) / force(&contact.pressure)];
@@ -112,7 +112,7 @@ fn explicit_step(load: &Load<'_>, state: &WearState, step: f64) -> Result<Trial,
 /// Length that gap errors are measured by: elastic closing or wear depth.
 pub(crate) fn gap_scale(load: &Load<'_>, state: &WearState) -> f64 {
     let elastic = load.elastic(&state.pressure);
-    elastic.iter().fold(state.deepest_point(), |m, v| m.max(v.abs())).max(f64::MIN_POSITIVE)
+    elastic.iter().fold(load.rate.deepest(&state.gap, &state.worn), |m, v| m.max(v.abs())).max(f64::MIN_POSITIVE)
 }
 
 /// By how much errors of the gap count for more than by the length that they are measured by: that over the depth at the end, where that is less, for the depth
@@ -120,7 +120,9 @@ pub(crate) fn gap_scale(load: &Load<'_>, state: &WearState) -> f64 {
 /// only as far as that is as deep as they are pressed together, so that there errors count by the square of it.
 pub(crate) fn shallow(problem: &WearProblem, load: &Load<'_>, state: &WearState) -> f64 {
     let depth = match problem.until {
-        Until::Time(end) => state.deepest_point() + state.gap_rate.iter().copied().fold(0.0, f64::max) * (end - state.time),
+        Until::Time(end) => {
+            load.rate.deepest(&state.gap, &state.worn) + state.gap_rate.iter().copied().fold(0.0, f64::max) * (end - state.time)
+        }
         Until::Depth(depth) => depth,
         Until::Volume(_) | Until::Steady { .. } => return 1.0,
     };

@@ -6,7 +6,7 @@ use meshing::Files;
 use scene::{Fault, Gap, GapSum, Place, Rows};
 
 /// Units of length in the names of columns: as powers of ten of a metre.
-const UNITS: [(&str, i32); 6] = [("mm", -3), ("um", -6), ("µm", -6), ("m", 0), ("cm", -2), ("nm", -9)];
+const UNITS: [(&str, i32); 7] = [("mm", -3), ("um", -6), ("µm", -6), ("μm", -6), ("m", 0), ("cm", -2), ("nm", -9)];
 /// What may part the fields of a line; none stands for blanks.
 const SEPARATORS: [Option<char>; 4] = [Some(';'), Some('\t'), Some(','), None];
 /// Share of the contact surface that a profile may miss at its ends: the digits of a file.

@@ -287,5 +287,6 @@ fn screen(figures: &Figures, rows: &Rows, before: usize, target: &Path) -> Strin
     }
     let (count, failed, target) = (rows.count, rows.failed, target.display());
     let kept = if before > 0 { format!(" ({before} of them from before)") } else { String::new() };
-    out + &format!("\n{count} points{kept}, {failed} without an answer\nfiles     {target} (sweep.csv, report.html)\n")
+    let points = if count == 1 { "point" } else { "points" };
+    out + &format!("\n{count} {points}{kept}, {failed} without an answer\nfiles     {target} (sweep.csv, report.html)\n")
 }

@@ -47,13 +47,22 @@ impl Dimension {
     }
 }
 
-/// Units compare without blanks, dots and asterisks between factors.
+/// Units compare without blanks, dots and asterisks between factors; `m2`, `m²` and `m^2` are one, and so are both letters mu.
 fn normal(unit: &str) -> String {
-    unit.chars()
-        .filter(|c| !c.is_whitespace() && !matches!(c, '*' | '·'))
-        .collect::<String>()
-        .replace('²', "^2")
-        .replace('³', "^3")
+    let mut normal = String::new();
+    for c in unit.chars().filter(|c| !c.is_whitespace() && !matches!(c, '*' | '·')) {
+        let power = match c {
+            '²' => '2',
+            '³' => '3',
+            'μ' => 'µ',
+            c => c,
+        };
+        if matches!(power, '2' | '3') && normal.ends_with(char::is_alphabetic) {
+            normal.push('^');
+        }
+        normal.push(power);
+    }
+    normal
 }
 
 /// Length of the number at the beginning of a text.
@@ -97,7 +106,7 @@ pub(crate) fn pattern(dimension: &Dimension) -> String {
 #[cfg(feature = "schema")]
 fn unit_pattern(unit: &str) -> String {
     let unit = unit.replace('/', "\\s*/\\s*").replace(' ', "[\\s*·]*").replace('(', "\\(").replace(')', "\\)");
-    unit.replace("^2", "(\\^2|²)").replace("^3", "(\\^3|³)")
+    unit.replace("^2", "(\\^?2|²)").replace("^3", "(\\^?3|³)").replace('µ', "[µμ]")
 }
 
 #[cfg(test)]
@@ -115,6 +124,11 @@ mod tests {
         assert_eq!(MOMENT.parse("-5 kN*mm"), Ok((-5e3, true)));
         assert_eq!(WEAR_FACTOR.parse("1.33e-7 mm^3/(N m)"), Ok((1.33e-10, true)));
         assert_eq!(FORCE.parse("1e3"), Ok((1e3, false)));
+        for (same, other) in [("3 N/mm2", "3 N/mm^2"), ("3 N/mm²", "3 MPa")] {
+            assert_eq!(PRESSURE.parse(same), PRESSURE.parse(other));
+        }
+        assert_eq!(WEAR_FACTOR.parse("1e-7 mm3/(N m)"), WEAR_FACTOR.parse("1e-7 mm^3/(N m)"));
+        assert_eq!(length("5 \u{b5}m"), length("5 \u{3bc}m"), "micro sign and Greek mu");
     }
 
     #[test]

@@ -89,6 +89,11 @@ pub(super) fn end(scene: &mut Scene, patch: Option<&Patch>) -> Result<(), Fault>
         Until::Steady => None,
         Until::Depth(depth) => {
             positive("wear.until.depth", depth.0, "depth", " mm")?;
+            if scene.wear.as_ref().is_some_and(|wear| !wear.wearing()[0]) {
+                let message = "body 1 does not wear, and the depth is that of body 1";
+                let remedy = "end the run by a time or a volume, or give body 1 a wear factor, as in wear.k = [1e-7, 1e-7]";
+                return Err(Fault::at("wear.until.depth", "no-wear", message, remedy));
+            }
             return worn(scene, "wear.until.depth");
         }
         Until::Volume(volume) => {

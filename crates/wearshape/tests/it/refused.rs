@@ -31,13 +31,22 @@ fn a_load_without_an_answer_is_a_solution_with_a_reason() {
     }
 }
 
+/// The fault of a built-in scene with settings.
+fn fault(name: &str, settings: &[&str]) -> wearshape::Fault {
+    let settings: Vec<String> = settings.iter().map(|s| s.to_string()).collect();
+    let document = wearshape::Document::read(name, wearshape::builtin(name).unwrap().text, &settings).unwrap();
+    wearshape::Problem::new(&document, &|_| Err("no file".into())).unwrap_err()
+}
+
+#[test]
+fn a_depth_that_nothing_wears_is_no_end_of_a_run() {
+    let settings = ["tasks=[\"wear\"]", "wear={ k = [0, 1e-6], counterface = \"congruent\", until = { depth = 0.1 } }"];
+    let refused = fault("annular-punch", &settings);
+    assert_eq!((refused.code, refused.key.as_deref()), ("no-wear", Some("wear.until.depth")));
+}
+
 #[test]
 fn bodies_that_nothing_holds_are_refused_by_their_free_motions() {
-    let fault = |name: &str, settings: &[&str]| {
-        let settings: Vec<String> = settings.iter().map(|s| s.to_string()).collect();
-        let document = wearshape::Document::read(name, wearshape::builtin(name).unwrap().text, &settings).unwrap();
-        wearshape::Problem::new(&document, &|_| Err("no file".into())).unwrap_err()
-    };
     let first = fault("drum-brake-block", &["body1.support={ }"]);
     assert_eq!((first.code, first.key.as_deref()), ("not-held", Some("body1.support")));
     assert!(first.message.contains("slide along x and turn"), "{}", first.message);

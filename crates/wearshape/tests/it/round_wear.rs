@@ -55,6 +55,23 @@ fn a_rigid_ball_loses_the_cap_of_its_volume() {
     distances.for_each(|(s, v)| assert_relative_eq!(*v, 1e-7 * 21.0 * s, max_relative = 1e-9));
 }
 
+/// Where the same points always meet, the gap opens by the sum of both wear factors, whoever wears: ends, errors and steps are those of one problem.
+#[test]
+fn a_plate_that_wears_alone_has_the_scar_of_a_ball_that_does() {
+    let settings = ["wear.until=100", "accuracy=1e-3", "wear.counterface=congruent"];
+    for name in ["hertz-sphere", "hertz-cylinder"] {
+        let of = |k: &str| solved(&worn(name, 1.0, &[&settings[..], &[k]].concat()));
+        let [first, both, second] = ["wear.k=[1e-7, 0]", "wear.k=[5e-8, 5e-8]", "wear.k=[0, 1e-7]"].map(of);
+        let scar = |solution: &Solution| solution.wear.as_ref().unwrap().scar.unwrap();
+        for other in [&both, &second] {
+            assert_eq!(other.status, Status::Ok, "{:?}", other.reason);
+            assert_relative_eq!(scar(other), scar(&first), max_relative = 1e-9);
+            assert_relative_eq!(estimate(other), estimate(&first), max_relative = 1e-2);
+        }
+        assert_eq!(depth(&second), 0.0, "it is that of body 1");
+    }
+}
+
 /// A rigid cylinder: the segment of height h has the area R^2 acos(1 - h/R) - (R - h) sqrt(h (2R - h)) = k (F/t) s, about (4/3) sqrt(2R) h^(3/2).
 #[test]
 fn a_rigid_cylinder_loses_the_segment_of_its_volume() {

@@ -1,6 +1,6 @@
 //! What the steps of a run in time leave wrong, and how fine they have to be.
 
-use shapeopt::{Evolution, EvolutionStatus, Stepping, Times, WearProblem};
+use shapeopt::{Evolution, EvolutionStatus, Stepping, Times, WearProblem, WearState};
 
 use crate::stage::Stage;
 use crate::steps::wear::cycles;
@@ -56,7 +56,12 @@ pub(super) fn integration_error(problem: &WearProblem, pieces: &Pieces, run: &Ru
         // An end by time has one time, an end by depth one depth.
         (None, None) if run.ended == *evolution.status() => {
             let (fine, coarse) = (&run.state, evolution.state());
-            relative(fine.depth, coarse.depth).max(relative(fine.time, coarse.time))
+            let depth = |state: &WearState| match state.depth {
+                // Where body 2 alone opens the gap the depth of body 1 tells nothing.
+                0.0 => problem.worn_gap(state).into_iter().fold(0.0, f64::max),
+                depth => depth,
+            };
+            relative(depth(fine), depth(coarse)).max(relative(fine.time, coarse.time))
         }
         _ => return None,
     };

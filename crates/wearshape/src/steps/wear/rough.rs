@@ -48,7 +48,8 @@ pub(super) fn run(stage: Stage<'_>, pieces: &Pieces, nodes: &[f64], effort: &mut
     effort.counters.wear_steps += state.step;
     effort.add_seconds(Step::Evolution, stage.clock()() - began);
     let places = from_touch(stage, &pair, &operator);
-    let [start, end] = [&first, state].map(|state| scar::ends(&places, &problem.mean_pressure(&state.pressure), &state.worn));
+    let [start, end] =
+        [&first, state].map(|state| scar::ends(&places, &problem.mean_pressure(&state.pressure), &problem.worn_gap(state)));
     let none = || Refusal::Reason("no point presses at the end of the run".into());
     Ok(Rough { start: start.ok_or_else(none)?, end: end.ok_or_else(none)? })
 }

@@ -38,7 +38,8 @@ impl RoundContact<'_> {
     pub(super) fn ends(&self, history: &History) -> Vec<[f64; 2]> {
         let touch = touch(self.stage);
         let places: Vec<f64> = self.places.iter().map(|place| place - touch).collect();
-        let of = |state: &WearState| scar::ends(&places, &self.problem.mean_pressure(&state.pressure), &state.worn);
+        let of =
+            |state: &WearState| scar::ends(&places, &self.problem.mean_pressure(&state.pressure), &self.problem.worn_gap(state));
         history.states.iter().map(|state| of(state).map_or([touch; 2], |ends| ends.map(|end| touch + end))).collect()
     }
 
