@@ -9,6 +9,7 @@ import { Files } from "./files.js";
 import { Form } from "./form.js";
 import * as link from "./link.js";
 import { Play } from "./play.js";
+import { shown } from "./quantity.js";
 import * as results from "./results.js";
 import { Solver } from "./solver.js";
 import { KINDS } from "./words.js";
@@ -21,6 +22,7 @@ class Page {
   constructor(module, ask, pages) {
     this.ask = ask;
     this.pages = pages;
+    this.said = "";
     this.known = ask({ ask: "known" });
     this.charts = new Charts(find("charts"));
     this.play = new Play();
@@ -30,7 +32,7 @@ class Page {
     this.files = new Files(kept => this.keep(kept), text => this.change(text));
     this.choose();
     this.buttons();
-    downloads(() => this.solver.files(), () => ({ name: this.name, text: this.text }));
+    this.refill = downloads(() => this.solver.files(), () => ({ name: this.name, text: this.text }));
     addEventListener("hashchange", () => { if (location.hash !== this.hash) this.open(location.hash); });
   }
 
@@ -51,13 +53,16 @@ class Page {
   }
 
   async open(hash) {
-    const { name, text } = await link.read(hash);
-    this.begin(this.builtin(name) ? name : FIRST, text);
+    const { name, text, damaged } = await link.read(hash);
+    const known = Boolean(this.builtin(name));
+    this.hash = hash;
+    const said = damaged ? "The text of the scene in the address is damaged; this is the scene as it comes. " : "";
+    this.begin(known ? name : FIRST, text, said || (name && !known && !text ? `There is no scene ${name}; this is another one. ` : ""));
   }
 
-  /** Begins with a scene, as it comes or with another text. */
-  begin(name, text = null) {
-    this.name = name;
+  /** Begins with a scene, as it comes or with another text; what is `said` first stays in the line of the status until something changes. */
+  begin(name, text = null, said = "") {
+    Object.assign(this, { name, said });
     find("scene").value = name;
     this.charts.show([], true);
     this.play.show(null);
@@ -75,6 +80,7 @@ class Page {
   /** Another text: everything follows. */
   change(text, fresh = false) {
     if (text === this.text && !fresh) return;
+    if (!fresh) this.said = "";
     this.asked = performance.now();
     this.text = text;
     this.editor.text = text;
@@ -82,6 +88,7 @@ class Page {
     find("form").inert = Boolean(fault);
     find("reset").disabled = text === this.builtin(this.name).text;
     if (fault) {
+      this.solver.forget();
       this.wrong(fault);
     } else {
       this.written = written;
@@ -90,10 +97,13 @@ class Page {
       const { dataset } = find("status");
       ["check", "pressure", "coarse", "curves", "fine"].forEach(phase => delete dataset[phase]);
       dataset.state = "busy";
+      if (this.said) find("status").textContent = this.said;
       document.body.classList.add("busy");
+      this.refill();
     }
     clearTimeout(this.timer);
-    this.timer = setTimeout(() => this.address(), REST);
+    // A damaged address stays to be mended until there is another scene.
+    if (!this.said) this.timer = setTimeout(() => this.address(), REST);
   }
 
   /** Other files beside the scene. */
@@ -116,9 +126,10 @@ class Page {
 
   settled(state, words) {
     find("status").dataset.state = state;
-    find("status").textContent = words;
+    find("status").textContent = `${this.said}${words}`;
     find("progress").hidden = true;
     document.body.classList.remove("busy");
+    this.refill();
   }
 
   /** What the solver says of the newest scene. */
@@ -129,7 +140,7 @@ class Page {
     const took = performance.now() - this.asked;
     find("status").dataset[answer.phase] = took.toFixed(1);
     if (answer.phase === "check") return this.checked(answer);
-    this.charts.show(answer.curves, answer.phase === "fine");
+    this.charts.show(answer.curves, answer.phase === "fine", this.title);
     if (answer.phase === "pressure") return undefined;
     document.body.classList.remove("stale");
     results.verdict(answer.summary);
@@ -141,7 +152,7 @@ class Page {
   checked({ drawing, notes, unused, stages, title }) {
     this.editor.complain(null);
     document.title = `${title} \u2013 wearshape`;
-    Object.assign(this, { notes, unused });
+    Object.assign(this, { notes, unused, title });
     results.drawing(drawing);
     results.notes(notes, unused, this.pages);
     results.stages(stages);
@@ -154,7 +165,7 @@ class Page {
     results.notes(answer.summary.lints ?? this.notes, this.unused, this.pages);
     find("pin").disabled = false;
     const error = answer.summary.error?.gap_relative ?? answer.summary.error?.pressure_relative;
-    const accuracy = error === undefined ? "" : `, estimated error ${error.toExponential(0)}`;
+    const accuracy = error === undefined ? "" : `, estimated error ${shown(error, 1)}`;
     this.settled("done", `Computed in ${(took / 1000).toFixed(2)} s${accuracy}`);
     if (this.pinned) this.differences();
   }
@@ -164,7 +175,7 @@ class Page {
     if (!late) return;
     find("progress").hidden = false;
     find("progress").value = progress;
-    if (find("status").dataset.state === "busy") find("status").textContent = words;
+    if (find("status").dataset.state === "busy") find("status").textContent = `${this.said}${words}`;
   }
 
   /** Keeps an answer to compare with, or lets it go. */

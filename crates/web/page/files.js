@@ -56,7 +56,7 @@ function stored() {
 }
 
 /** One letter a byte: what JSON and the store of a session take. */
-function lettered(bytes) {
+export function lettered(bytes) {
   const parts = [];
   for (let at = 0; at < bytes.length; at += 32768) parts.push(String.fromCharCode(...bytes.subarray(at, at + 32768)));
   return parts.join("");

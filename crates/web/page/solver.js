@@ -79,8 +79,14 @@ export class Solver {
   /** `heard` gets every message about the scene given last. */
   constructor(module, heard) {
     this.job = { id: 0 };
+    /** The job whose whole answer is there. */
+    this.answered = null;
     const told = data => { if (data.id === this.job.id) heard(data); };
-    this.whole = new Thread(module, data => { if (data.phase !== "whole") told(data); });
+    this.whole = new Thread(module, data => {
+      if (data.phase === "whole") return;
+      if (data.id === this.job.id && data.phase === "fine" && !data.fault) this.answered = data.id;
+      told(data);
+    });
     this.quick = new Thread(module, data => {
       if (data.phase !== "quick") return told(data);
       if (data.id === this.job.id) this.whole.take({ ...this.job, whole: true });
@@ -93,14 +99,21 @@ export class Solver {
     this.quick.take(this.job);
   }
 
+  /** Lets go of the last scene: nothing more is heard of it. */
+  forget() {
+    this.job = { id: this.job.id + 1 };
+  }
+
   /** The files that scenes may name: `[[name, letters]]`, one letter a byte. */
   keep(kept) {
     this.quick.keep(kept);
     this.whole.keep(kept);
   }
 
-  /** The files of the answer, once it is there. */
-  files() {
-    return this.whole.wish(`${this.job.id}-${Math.round(performance.now())}`);
+  /** The files of the answer to the scene given last, with its name; none before it is there. */
+  async files() {
+    const { id, name } = this.job;
+    const files = this.answered === id ? await this.whole.wish(`${id}-${Math.round(performance.now())}`) : {};
+    return { name, files: this.job.id === id ? files : {} };
   }
 }
