@@ -1,11 +1,15 @@
 // The form beside the text: fields for the numbers and words that the scene says. It keeps nothing of its own; each change is an edit of the text.
 
 import { make } from "./dom.js";
-import { UNITS, at, factor, parse, place, reach, short, toml } from "./quantity.js";
+import { UNITS, at, factor, parse, place, plain, reach, short, slip, toml } from "./quantity.js";
 import { CHOICES, GROUPS, TASKS, leaf, words } from "./words.js";
 
 /** Numbers that would be more than this in one part stand behind a line to open. */
 const MANY = 9;
+
+/** Keys that words may stand for in place of a number. */
+const WORDS = /^wear\.until$|(^|\.)gap$/;
+const isWord = typed => /^\s*[A-Za-z]/.test(typed);
 
 const RADII = ["radius", "inner", "outer"];
 
@@ -144,8 +148,11 @@ function numberField(form, members, parsed, range) {
   const unit = units.length > 1 ? make("select", { "aria-label": `unit of ${words(key)}` }, ...units.map(word => make("option", { value: word }, word || Object.keys(UNITS[dimension])[0]))) : null;
   const field = { keys: members.map(member => member.key), range: range ?? reach(name, dimension, parsed.value), unit: parsed.unit };
   const slider = field.range ? make("input", { type: "range", min: 0, max: 200, step: 1, "aria-label": `${words(key)}, slider` }) : null;
+  const note = make("span", { id: `${id}-with`, class: "with", "aria-live": "polite" });
   const put = (number, word) => {
     const value = Number(number);
+    input.value = number;
+    mark("");
     form.edit(members.map(member => [member.key, member.sign > 0 && sameUnit(member, field, word) ? toml(number, word) : other(member, value, word)]));
   };
   const other = (member, value, word) => {
@@ -153,28 +160,36 @@ function numberField(form, members, parsed, range) {
     return toml(short((member.sign * value * factor(dimension, word)) / factor(dimension, theirs)), theirs);
   };
   input.addEventListener("change", () => {
+    const wrong = WORDS.test(key) && isWord(input.value) ? "" : slip(input.value);
+    if (wrong) return mark(`${wrong}; the scene keeps ${`${input.dataset.shown} ${field.unit}`.trim()}`);
     const typed = parse(JSON.stringify(input.value));
-    // Words that are no number go into the text, where they are answered.
-    if (!typed) return form.edit([[key, JSON.stringify(input.value)]]);
-    const known = typed.unit === "" || factor(dimension, typed.unit) !== undefined;
+    const known = typed && (typed.unit === "" || factor(dimension, typed.unit) !== undefined);
+    // Words and unknown units go into the text, where they are answered.
     if (!known) return form.edit([[key, JSON.stringify(input.value)]]);
-    put(typed.number.replace(/^\+/, "").replace(/^(-?)\./, "$10."), typed.unit || (dimension && factor(dimension, field.unit) === undefined ? "" : field.unit));
+    put(plain(typed.number), typed.unit || (dimension && factor(dimension, field.unit) === undefined ? "" : field.unit));
   });
   unit?.addEventListener("change", () => {
-    const from = base(parse(JSON.stringify(`${input.value} ${field.unit}`)), dimension);
+    const from = base(parse(members[0].text), dimension);
     if (Number.isFinite(from)) put(short(from / factor(dimension, unit.value)), unit.value);
   });
   slider?.addEventListener("input", () => put(short(at(field.range, Number(slider.value))), field.unit));
   const also = members.slice(1).map(member => `${words(member.key)}${member.key.split(".")[0] === key.split(".")[0] ? "" : ` (${member.key.split(".")[0].replace("body", "body ")})`}`);
-  const note = make("span", { id: `${id}-with`, class: "with" }, also.length ? `moves ${also.join(", ")} too` : "");
+  const mark = wrong => {
+    input.setAttribute("aria-invalid", String(Boolean(wrong)));
+    note.textContent = wrong || (also.length ? `moves ${also.join(", ")} too` : "");
+  };
+  mark("");
   field.node = make("div", { class: "field" }, make("label", { for: id }, words(key)), make("span", { class: "value" }, input, unit), slider, note);
   field.update = values => {
     const now = parse(values.get(key) ?? "");
     if (!now) return;
     members.forEach(member => { member.text = values.get(member.key) ?? member.text; });
-    if (document.activeElement !== input || input.value === "" || input.dataset.shown !== now.number) input.value = now.number;
+    if (document.activeElement !== input || input.value === "" || input.dataset.shown !== now.number) {
+      input.value = now.number;
+      mark("");
+    }
     input.dataset.shown = now.number;
-    if (unit && now.unit !== field.unit && !units.includes(now.unit)) unit.append(make("option", { value: now.unit }, now.unit));
+    if (unit) offer(unit, now.unit, now.unit || Object.keys(UNITS[dimension])[0]);
     if (now.unit !== field.unit && field.range) field.range = rescaled(field.range, factor(dimension, field.unit) / factor(dimension, now.unit));
     field.unit = now.unit;
     if (unit) unit.value = now.unit;
@@ -225,6 +240,11 @@ function materialField(form, table, all) {
   };
 }
 
+/** A word that a list has not yet. */
+function offer(select, word, shown = word) {
+  if (![...select.options].some(({ value }) => value === word)) select.append(make("option", { value: word }, shown));
+}
+
 /** One word of some. */
 function choiceField(form, key, none) {
   const id = `field-${key}`;
@@ -237,7 +257,7 @@ function choiceField(form, key, none) {
     update(values) {
       const written = values.get(key)?.replace(/^["']|["']$/g, "") ?? none;
       const same = Object.keys(choices).find(value => value === written || (key === "accuracy" && Number(value) === Number(written)));
-      if (same === undefined && written !== undefined) select.append(make("option", { value: written }, written));
+      if (same === undefined && written !== undefined) offer(select, written);
       select.value = same ?? written;
     },
   };
@@ -257,14 +277,29 @@ function switchField(form, key) {
 /** A word or a number with its unit. */
 function wordField(form, key) {
   const input = make("input", { id: `field-${key}`, type: "text", autocomplete: "off", spellcheck: false });
+  const note = make("span", { id: `${input.id}-with`, class: "with", "aria-live": "polite" });
+  input.setAttribute("aria-describedby", note.id);
+  const mark = wrong => {
+    input.setAttribute("aria-invalid", String(Boolean(wrong)));
+    note.textContent = wrong;
+  };
+  let shown = "";
   input.addEventListener("change", () => {
-    const typed = parse(input.value);
-    form.edit([[key, typed ? input.value : JSON.stringify(input.value)]]);
+    const wrong = isWord(input.value) ? "" : slip(input.value);
+    mark(wrong && `${wrong}; the scene keeps ${shown}`);
+    if (wrong) return;
+    const typed = parse(JSON.stringify(input.value));
+    form.edit([[key, typed && !typed.unit ? plain(typed.number) : JSON.stringify(input.value)]]);
   });
   return {
     keys: [key],
-    node: make("div", { class: "field" }, make("label", { for: input.id }, words(key)), input),
-    update: values => { if (document.activeElement !== input) input.value = (values.get(key) ?? "").replace(/^"|"$/g, ""); },
+    node: make("div", { class: "field" }, make("label", { for: input.id }, words(key)), input, note),
+    update(values) {
+      shown = (values.get(key) ?? "").replace(/^"|"$/g, "");
+      if (document.activeElement === input) return;
+      input.value = shown;
+      mark("");
+    },
   };
 }
 

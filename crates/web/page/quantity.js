@@ -15,7 +15,9 @@ export const UNITS = {
   "wear factor": { "": 1, "mm^3/(N mm)": 1, "mm^3/(N m)": 1e-3, "m^3/(N m)": 1e6 },
 };
 
-const NUMBER = /^\s*([-+]?(?:\d[\d_]*\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(.*?)\s*$/;
+const NUMBER = /^\s*([-+]?(?:\d[\d_]*\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*((?:(?:1\/|[^\s\d.,]).*?)?)\s*$/;
+/** A number as TOML takes it; one that begins with its point is mended by `plain`. */
+const STRICT = /^[-+]?(?:0|[1-9](?:_?\d)*)?(?:\.\d(?:_?\d)*)?(?:[eE][-+]?\d(?:_?\d)*)?$/;
 
 /** A value of a scene as TOML, taken apart: number as written, its value, unit ("" for none). None for what is no number. */
 export function parse(toml) {
@@ -24,6 +26,20 @@ export function parse(toml) {
   if (!found || (!quoted && found[2])) return null;
   const value = Number(found[1].replaceAll("_", ""));
   return Number.isFinite(value) ? { number: found[1], value, unit: found[2] } : null;
+}
+
+/** What is wrong with a number that was typed, with or without a unit; nothing where TOML takes it. */
+export function slip(typed) {
+  const found = NUMBER.exec(typed);
+  if (/\d,\d/.test(typed)) return "write a decimal point, no comma";
+  if (!found) return "no number";
+  if (!Number.isFinite(Number(found[1].replaceAll("_", "")))) return "too large";
+  return STRICT.test(found[1]) ? "" : `no number: write ${short(Number(found[1].replaceAll("_", "")))}`;
+}
+
+/** A number that was typed as it is written into a scene. */
+export function plain(number) {
+  return number.replaceAll("_", "").replace(/^\+/, "").replace(/^(-?)\./, "$10.");
 }
 
 /** TOML of a number and a unit. */
@@ -45,8 +61,13 @@ export function short(value, digits = 12) {
 export function shown(value, digits = 4) {
   if (value === null || value === undefined || Number.isNaN(value)) return "\u2013";
   const size = Math.abs(value);
-  const text = value !== 0 && (size >= 1e6 || size < 1e-3) ? value.toExponential(digits - 1).replace(/\.?0+e\+?/, "e") : short(value, digits);
-  return text.replaceAll("-", "\u2212");
+  const text = value !== 0 && (size >= 1e6 || size < 1e-3) ? value.toExponential(digits - 1).replace(/\.?0*e\+?/, "e") : short(value, digits);
+  return minus(text);
+}
+
+/** A text for reading with a true minus before its numbers; other hyphens stay. */
+export function minus(text) {
+  return text.replace(/(^|[\s(,]|\de)-(?=\d)/g, "$1\u2212");
 }
 
 const SHARES = { friction: [0, 1], poisson: [0, 0.49], share: [0.05, 0.95], spread: [0, 0.9] };
