@@ -18,15 +18,15 @@ export class Charts {
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.charts.forEach(chart => chart.rebuild()));
   }
 
-  /** Shows `[{ file, chart }]`; the others wait as they are, or go if the answer is whole. */
-  show(curves, whole) {
+  /** Shows `[{ file, chart }]` of a scene with a title; the others wait as they are, or go if the answer is whole. */
+  show(curves, whole, title = "") {
     for (const { file, chart } of curves) {
       if (!this.charts.has(file)) {
         const made = new Chart(file);
         this.charts.set(file, made);
         this.root.append(made.figure);
       }
-      this.charts.get(file).show(chart, this.pinned.get(file));
+      this.charts.get(file).show({ ...chart, title: without(chart.title, title) }, this.pinned.get(file));
     }
     for (const [file, chart] of this.charts) {
       const there = curves.some(curve => curve.file === file);
@@ -63,11 +63,10 @@ export class Chart {
     Object.assign(this, { chart, pinned });
     const series = [...chart.series, ...(pinned?.series ?? []).filter(one => !one.dashed).map(one => ({ ...one, name: `pinned${one.name ? `: ${one.name}` : ""}`, pinned: true }))];
     const data = joined(series, chart);
-    const title = chart.title.includes(": ") ? chart.title.slice(chart.title.indexOf(": ") + 2) : chart.title;
-    this.title.textContent = title;
+    this.title.textContent = chart.title;
     this.note.hidden = !chart.note;
     this.note.textContent = chart.note ?? "";
-    this.plot.setAttribute("aria-label", described(title, chart));
+    this.plot.setAttribute("aria-label", described(chart));
     const kind = JSON.stringify([chart.x_label, chart.y_label, chart.log_x, chart.log_y, series.map(one => [one.name, one.dashed, one.marks])]);
     if (this.drawn && kind === this.kind) {
       this.drawn.setData(data);
@@ -91,7 +90,8 @@ export class Chart {
   options(series, width) {
     const { chart } = this;
     const axis = label => ({ label, labelSize: 20, labelFont: "12px system-ui", font: "12px system-ui", stroke: colour("--soft"), grid: { stroke: colour("--grid"), width: 1 }, ticks: { stroke: colour("--grid"), width: 1, size: 4 } });
-    const values = (_, ticks) => ticks.map(tick => (tick === null ? "" : shown(tick)));
+    const across = (plot, ticks) => labels(ticks, chart.log_x ? (plot.width - 90) / 48 : Infinity);
+    const up = (_, ticks) => labels(ticks, chart.log_y ? (HEIGHT - 60) / 20 : Infinity);
     const whole = !chart.log_x && series.every(one => one.x.every(Number.isInteger));
     const read = (_, value) => (value === null || value === undefined ? "" : shown(value));
     const lines = series.map((one, number) => ({
@@ -110,7 +110,7 @@ export class Chart {
         x: { time: false, distr: chart.log_x ? 3 : 1 },
         y: { distr: chart.log_y ? 3 : 1, range: (_, low, high) => this.reach(low, high) },
       },
-      axes: [{ ...axis(chart.x_label), values, size: 34, incrs: whole ? [1, 2, 5, 10] : undefined }, { ...axis(chart.y_label), values, size: 58 }],
+      axes: [{ ...axis(chart.x_label), values: across, size: 34, incrs: whole ? [1, 2, 5, 10] : undefined }, { ...axis(chart.y_label), values: up, size: 58 }],
       series: [{ label: chart.x_label.replace(/;.*/, ""), value: read }, ...lines],
       legend: { live: true },
       cursor: { drag: { x: true, y: false }, points: { size: 7 } },
@@ -128,6 +128,22 @@ export class Chart {
     const room = 0.06 * (top - low) || 0.1 * Math.abs(top) || 1;
     return [low - room, top + room];
   }
+}
+
+/** The title of a chart without that of its scene before it. */
+function without(title, scene) {
+  return title.startsWith(`${scene}: `) ? title.slice(scene.length + 2) : title;
+}
+
+/** Labels of ticks, as many as there is room for: uPlot leaves out no decades where one of three had it. */
+function labels(ticks, room) {
+  const every = Math.max(1, Math.ceil(ticks.filter(tick => tick !== null).length / room));
+  let place = -1;
+  return ticks.map(tick => {
+    if (tick === null) return "";
+    place += 1;
+    return place % every ? "" : shown(tick);
+  });
 }
 
 /** Columns with one abscissa for all series. */
@@ -161,11 +177,11 @@ function zones(plot, all) {
 }
 
 /** A chart in words. */
-function described(title, chart) {
+function described(chart) {
   const says = chart.series.map(({ name, x, y }) => {
     let best = -1;
     y.forEach((value, row) => { if (value !== null && (best < 0 || value > y[best])) best = row; });
     return best < 0 ? name : `${name || chart.y_label}: at most ${shown(y[best])} at ${shown(x[best])}`;
   });
-  return `${title}; ${chart.y_label} over ${chart.x_label}. ${says.join(". ")}`;
+  return `${chart.title}; ${chart.y_label} over ${chart.x_label}. ${says.join(". ")}`;
 }

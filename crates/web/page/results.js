@@ -1,7 +1,7 @@
 // What an answer says beside its curves: the verdict, the first numbers, notes, tables.
 
 import { find, make, picture } from "./dom.js";
-import { shown } from "./quantity.js";
+import { minus, shown } from "./quantity.js";
 
 const STATUS = { ok: "", "accuracy-missed": "The accuracy asked for was not reached.", "not-converged": "The computation did not arrive.", refused: "The scene has no answer.", interrupted: "" };
 
@@ -16,7 +16,7 @@ export function drawing(svg) {
 /** The verdict in words. */
 export function verdict(summary) {
   const place = find("verdict");
-  const words = summary.verdict.charAt(0).toUpperCase() + summary.verdict.slice(1);
+  const words = minus(summary.verdict.charAt(0).toUpperCase() + summary.verdict.slice(1));
   if (place.textContent !== words) place.textContent = words;
   place.classList.toggle("bad", Boolean(STATUS[summary.status]));
 }
@@ -72,12 +72,19 @@ function paragraphs(text) {
 export function tables(html) {
   const open = new Set([...find("tables").querySelectorAll("details[open] > summary")].map(node => node.textContent));
   const read = new DOMParser().parseFromString(html, "text/html");
+  const texts = read.createNodeIterator(read.body, NodeFilter.SHOW_TEXT);
+  for (let node = texts.nextNode(); node; node = texts.nextNode()) node.data = readable(node.data);
   const parts = [];
   for (const node of [...read.body.children]) {
     if (node.localName === "h2") parts.push(make("details", { open: open.has(node.textContent) || node.textContent === "Tolerance" }, make("summary", {}, node.textContent)));
     else parts.at(-1)?.append(document.adoptNode(node));
   }
   find("tables").replaceChildren(...parts);
+}
+
+/** A text of a table: a true minus, and three digits of what an error may be. */
+function readable(text) {
+  return minus(text).replace(/\u00b1([\d.]+(?:e[-\u2212]?\d+)?)/g, (_, number) => `\u00b1${shown(Number(number.replace("\u2212", "-")), 3)}`);
 }
 
 /** Stages that were left out and why, of a scene that was read. */
