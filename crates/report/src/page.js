@@ -23,8 +23,8 @@
   function show(value) {
     if (value === 0) return "0";
     const size = Math.abs(value);
-    const text = size >= 1e6 || size < 1e-4 ? value.toExponential(4).replace(/\.?0+e/, "e") : String(Number(value.toPrecision(6)));
-    return text.replace("-", "\u2212");
+    const text = size >= 1e6 || size < 1e-4 ? value.toExponential(4).replace(/\.?0*e\+?/, "e") : String(Number(value.toPrecision(6)));
+    return text.replaceAll("-", "\u2212");
   }
   function range(values) {
     let low = Infinity, high = -Infinity;
