@@ -6,8 +6,12 @@ use faer::Mat;
 /// Eigenvalues `[re, im]` of a square matrix: by faer, which is the quicker one of large matrices, and in browsers by nalgebra, which is the smaller one.
 ///
 /// # Errors
-/// [`Error::Singular`] if they are not found, or the matrix has entries that are no numbers.
+/// [`Error::Singular`] if they are not found, or the matrix has entries that are no numbers; [`Error::Shape`].
 pub fn eigenvalues(matrix: &Mat<f64>) -> Result<Vec<[f64; 2]>, Error> {
+    let given = [matrix.nrows(), matrix.ncols()];
+    if given[0] != given[1] {
+        return Err(Error::Shape { name: "matrix", wanted: [given[0]; 2], given });
+    }
     #[cfg(target_family = "wasm")]
     return small(matrix);
     #[cfg(not(target_family = "wasm"))]

@@ -1,6 +1,8 @@
 //! What a solve found at the contact points and how it ended.
 
+use crate::checked::listed;
 use crate::coulomb::ContactState;
+use crate::error::Error;
 use crate::lcp::Point;
 use crate::status::Status;
 
@@ -27,3 +29,18 @@ pub(crate) struct Warm<'s> {
     pub(crate) closed: &'s [bool],
     pub(crate) states: &'s [ContactState],
 }
+
+impl Warm<'_> {
+    /// Refuses an earlier solution of other points or coordinates, and numbers that are none.
+    pub(crate) fn fitting(self, points: usize, coordinates: usize) -> Result<Self, Error> {
+        listed(EARLIER, &self.point.force, points)?;
+        listed(EARLIER, self.shear, points)?;
+        listed("motions of the earlier solution", &self.point.coordinates, coordinates)?;
+        for given in [self.closed.len(), self.states.len()].into_iter().filter(|given| *given != points) {
+            return Err(Error::Shape { name: EARLIER, wanted: [points, 1], given: [given, 1] });
+        }
+        Ok(self)
+    }
+}
+
+const EARLIER: &str = "earlier solution";

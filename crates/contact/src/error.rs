@@ -1,6 +1,7 @@
 //! What can be wrong with a contact problem.
 
 use crate::side::Side;
+use hpfem::Kinematics;
 
 /// Wrong input, with the numbers that show it.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -16,14 +17,34 @@ pub enum Error {
         /// Distance to the other boundary.
         distance: f64,
     },
+    /// A body was reduced to no boundary.
+    #[error("the {} keeps no boundary: name its contact surface by `BodyProblem::keep`", side.words())]
+    NothingKept {
+        /// The body.
+        side: Side,
+    },
+    /// Two bodies of unlike kinematics or thickness.
+    #[error("bodies in contact need the same thickness or axis; they are {:?} and {:?}", kinematics[0], kinematics[1])]
+    Unlike {
+        /// Those of both bodies.
+        kinematics: [Kinematics; 2],
+    },
+    /// A body has no normal and tangential displacement.
+    #[error("the {} is reduced as {kinematics:?}, which has no displacement along a normal", side.words())]
+    NoNormal {
+        /// The body.
+        side: Side,
+        /// Its kinematics.
+        kinematics: Kinematics,
+    },
     /// A body with its rigid edge held can still move.
-    #[error("the {} is not held although its rigid edge is", match side { Side::Shaped => "shaped body", Side::Counter => "counter-face" })]
+    #[error("the {} is not held although its rigid edge is", side.words())]
     NotHeld {
         /// The body.
         side: Side,
     },
     /// A body can turn about the axis.
-    #[error("the {} can turn about the axis: hold it there against turning", match side { Side::Shaped => "shaped body", Side::Counter => "counter-face" })]
+    #[error("the {} can turn about the axis: hold it there against turning", side.words())]
     FreeToTurn {
         /// The body.
         side: Side,
@@ -68,12 +89,21 @@ pub enum Error {
         /// Number of contact points.
         points: usize,
     },
+    /// What shares the frictional heat is out of its range.
+    #[error("a share of heat lies within 0..=1, and a conductance is at least 0; it is {value}")]
+    HeatSplit {
+        /// Share or conductance.
+        value: f64,
+    },
     /// The points held in contact cannot hold the bodies.
     #[error("the points held in contact cannot balance the load: the linear system is singular")]
     Singular,
     /// Friction is asked of an operator made without shear, or of a compliance that has none.
     #[error("the contact knows no shear; friction needs an operator made with shear, or a compliance along normals and tangents")]
     ShearNotPrepared,
+    /// The pivoting method knows no stick and slip.
+    #[error("stick and slip are not solved by pivoting")]
+    StickBySolve,
     /// A matrix or list has the wrong size.
     #[error("the {name} must be {} x {}; it is {} x {}", wanted[0], wanted[1], given[0], given[1])]
     Shape {

@@ -109,7 +109,8 @@ impl Pair<'_> {
 /// Shares the frictional heat between two surfaces; `weights` are the areas of the points (mm^2), `closed` says which are in contact.
 ///
 /// # Errors
-/// [`Error::Singular`] where both surfaces are held at a temperature at a closed point of infinite conductance.
+/// [`Error::Singular`] where both surfaces are held at a temperature at a closed point of infinite conductance; [`Error::HeatSplit`];
+/// [`Error::Shape`] for lists and surfaces of other numbers of points.
 pub fn share_heat(
     surfaces: [&HeatedSurface; 2],
     weights: &[f64],
@@ -117,6 +118,7 @@ pub fn share_heat(
     split: HeatSplit,
 ) -> Result<SharedHeat, Error> {
     let n = weights.len();
+    fitting(surfaces, n, closed, split)?;
     let even = |share: f64| Mat::from_fn(n, n, |i, j| if i == j { share } else { 0.0 });
     let conductance = match split {
         HeatSplit::Share(share) => {
@@ -166,6 +168,8 @@ pub fn share_known_heat(
     closed: &[bool],
     (split, friction): (HeatSplit, &[f64]),
 ) -> Result<[Vec<f64>; 2], Error> {
+    fitting(surfaces, weights.len(), closed, split)?;
+    long("frictional heat", weights.len(), friction.len())?;
     let conductance = match split {
         HeatSplit::Share(share) => return Ok([share, 1.0 - share].map(|share| friction.iter().map(|g| share * g).collect())),
         HeatSplit::Conductance(conductance) => conductance,
@@ -183,6 +187,28 @@ pub fn share_known_heat(
         into[1][*a] -= flow[(i, 0)];
     }
     Ok(into)
+}
+
+/// Refuses what is not of so many points, and a split out of its range.
+fn fitting(surfaces: [&HeatedSurface; 2], points: usize, closed: &[bool], split: HeatSplit) -> Result<(), Error> {
+    let (value, sound) = match split {
+        HeatSplit::Share(share) => (share, (0.0..=1.0).contains(&share)),
+        HeatSplit::Conductance(conductance) => (conductance, conductance >= 0.0),
+    };
+    if !sound {
+        return Err(Error::HeatSplit { value });
+    }
+    long("list of closed points", points, closed.len())?;
+    for HeatedSurface { by_heat, still } in surfaces {
+        long("temperature", points, by_heat.nrows())?;
+        long("temperature", points, by_heat.ncols())?;
+        long("temperature", points, still.len())?;
+    }
+    Ok(())
+}
+
+fn long(name: &'static str, wanted: usize, given: usize) -> Result<(), Error> {
+    if given == wanted { Ok(()) } else { Err(Error::Shape { name, wanted: [wanted, 1], given: [given, 1] }) }
 }
 
 /// Points at which heat passes from one body to the other.

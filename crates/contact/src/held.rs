@@ -30,8 +30,11 @@ impl<'a> ContactOperator<'a> {
     /// one's own force closes it further than that opens it ([`ContactSolution::closes_itself`]): what is held there is no start for a contact.
     ///
     /// # Errors
-    /// As [`ContactOperator::solve`].
+    /// As [`ContactOperator::solve`]; [`Error::Gap`] for another number of points.
     pub fn solve_on(&self, gap: &[f64], load: &ContactLoad, closed: &[bool]) -> Result<Option<ContactSolution>, Error> {
+        if closed.len() != self.unit.points.len() {
+            return Err(Error::Gap { given: closed.len(), points: self.unit.points.len() });
+        }
         self.held_on(closed, matches!(load.friction, Friction::Coulomb { .. })).solve(gap, load)
     }
 
@@ -145,7 +148,8 @@ impl HeldContact<'_, '_> {
     fn signed(&self, gap: &[f64], load: &ContactLoad, start: &ContactSolution) -> Result<Option<ContactSolution>, Error> {
         let (stage, opening) = self.stage(gap, load)?;
         let friction = load.friction.at(&self.points.at, gap.len())?;
-        let point = Point { force: self.pick(&start.nodal_force), coordinates: stage.warm(start).point.coordinates };
+        let Warm { point: Point { coordinates, .. }, .. } = stage.warm(start, gap.len())?;
+        let point = Point { force: self.pick(&start.nodal_force), coordinates };
         let (shear, closed, states) = (self.pick(&start.nodal_shear), self.pick(&start.closed), self.pick(&start.states));
         let warm = Warm { point, shear: &shear, closed: &closed, states: &states };
         let mut ending = stage.plain.solve(&friction, Some(warm), &|_, _| {})?;

@@ -69,8 +69,14 @@ impl ContactOperator<'_> {
     }
 }
 
-/// Straight lines between values at two or more ascending places; the nearest value outside them.
+/// Straight lines between values at ascending places; the nearest value outside them, nan without any. What one list has more than the other does
+/// not count.
 pub fn piecewise_linear(places: &[f64], values: &[f64], at: f64) -> f64 {
+    let count = places.len().min(values.len());
+    let (places, values) = (&places[..count], &values[..count]);
+    if count < 2 {
+        return values.first().copied().unwrap_or(f64::NAN);
+    }
     let after = places.partition_point(|p| *p < at).clamp(1, places.len() - 1);
     let (a, b) = (places[after - 1], places[after]);
     let t = ((at - a) / (b - a)).clamp(0.0, 1.0);

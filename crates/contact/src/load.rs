@@ -5,7 +5,8 @@ use faer::Mat;
 /// One motion (`t_x`, `t_z` or `theta`) of the shaped body's rigid edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Motion {
-    /// Free, with a force (or a moment about the edge's reference point) that acts along it.
+    /// Free, with a force (or a moment about the edge's reference point) that acts along it. Where neither pressure, stick nor a spring resists the
+    /// motion, it stays at rest: a load along it has no balance unless the drag of sliding balances it; drag without such a load is taken by a guide.
     Free {
         /// Force or moment, positive along the motion.
         resultant: f64,
@@ -27,6 +28,13 @@ pub enum Motion {
 impl Motion {
     /// Free without a resultant.
     pub const FREE: Motion = Motion::Free { resultant: 0.0 };
+
+    pub(crate) fn is_finite(self) -> bool {
+        match self {
+            Motion::Free { resultant: value } | Motion::Prescribed { value } => value.is_finite(),
+            Motion::Sprung { stiffness, rest } => stiffness.is_finite() && rest.is_finite(),
+        }
+    }
 }
 
 /// Friction law.

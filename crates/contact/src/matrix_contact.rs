@@ -86,7 +86,7 @@ pub struct MatrixSolution {
     pub motions: Vec<f64>,
     /// Largest relative violation of `p >= 0`, `opening >= 0`, `p opening = 0`.
     pub complementarity: f64,
-    /// Largest relative residual of the balances of the motions.
+    /// Largest relative residual of the balances of the motions; the drag along a motion that nothing resists is left to a guide, and not counted.
     pub balance: f64,
     /// Linear systems solved.
     pub iterations: usize,
@@ -198,14 +198,9 @@ impl MatrixContact {
     }
 
     fn warm<'s>(&self, solution: &'s MatrixSolution) -> Result<Warm<'s>, Error> {
-        listed("earlier solution", &solution.nodal_force, self.points())?;
-        listed("motions of the earlier solution", &solution.motions, self.guided.len())?;
-        Ok(Warm {
-            point: Point { force: solution.nodal_force.clone(), coordinates: solution.motions.clone() },
-            shear: &solution.nodal_shear,
-            closed: &solution.closed,
-            states: &solution.states,
-        })
+        let point = Point { force: solution.nodal_force.clone(), coordinates: solution.motions.clone() };
+        let MatrixSolution { nodal_shear, closed, states, .. } = solution;
+        Warm { point, shear: nodal_shear, closed, states }.fitting(self.points(), self.guided.len())
     }
 
     fn solution(&self, ending: Ending) -> MatrixSolution {

@@ -12,7 +12,6 @@ use crate::response::Response;
 use crate::segment::Station;
 use crate::side::Side;
 use crate::solution::ContactSolution;
-use crate::verdict;
 use faer::Mat;
 use hpfem::InterfaceOperator;
 use std::sync::{Arc, Mutex, OnceLock};
@@ -48,7 +47,7 @@ impl<'a> ContactOperator<'a> {
     /// Factorises both bodies for unit forces at the contact points: normal ones, and tangential ones if `shear` is asked for.
     ///
     /// # Errors
-    /// [`Error::NotHeld`] if a body with its rigid edge held could still move.
+    /// [`Error::NotHeld`] if a body with its rigid edge held could still move; [`Error::NoNormal`] for torsion and potentials.
     pub fn new(pair: &Pair<'a>, shear: bool) -> Result<ContactOperator<'a>, Error> {
         ContactOperator::made(pair, shear, None)
     }
@@ -71,6 +70,9 @@ impl<'a> ContactOperator<'a> {
         let mut responses = Vec::new();
         for side in [Side::Shaped, Side::Counter] {
             if let Some(body) = pair.side(side) {
+                if body.kinematics.components() != 2 {
+                    return Err(Error::NoNormal { side, kinematics: body.kinematics });
+                }
                 responses.push(Response::new(body, side, &near, &stations, shear)?);
             }
         }
@@ -117,10 +119,11 @@ impl<'a> ContactOperator<'a> {
     /// Solves for a gap (one value a point, positive open) under a load, from an earlier solution if there is one.
     ///
     /// # Errors
-    /// [`Error::Gap`], [`Error::Factors`], [`Error::Drag`], [`Error::ShearNotPrepared`] on wrong sizes.
+    /// [`Error::Gap`], [`Error::Factors`], [`Error::Drag`], [`Error::ShearNotPrepared`] on wrong sizes; [`Error::Shape`] and [`Error::NotFinite`] for
+    /// motions, slips before or an earlier solution that do not fit.
     pub fn solve(&self, gap: &[f64], load: &ContactLoad, warm_start: Option<&ContactSolution>) -> Result<ContactSolution, Error> {
         let stage = self.stage(gap, load)?;
-        let warm = warm_start.map(|solution| stage.warm(solution));
+        let warm = warm_start.map(|solution| stage.warm(solution, gap.len())).transpose()?;
         let ending = stage.plain.solve(&load.friction, warm, &|mu, read| self.with_friction(gap, load, mu, read))?;
         Ok(self.assemble(&stage, ending))
     }
@@ -128,13 +131,14 @@ impl<'a> ContactOperator<'a> {
     /// Solves with the exact active-set method alone, as a second opinion.
     ///
     /// # Errors
-    /// As [`ContactOperator::solve`].
+    /// As [`ContactOperator::solve`]; [`Error::StickBySolve`] for [`Friction::Coulomb`].
     pub fn solve_by_pivoting(&self, gap: &[f64], load: &ContactLoad) -> Result<ContactSolution, Error> {
+        if matches!(load.friction, Friction::Coulomb { .. }) {
+            return Err(Error::StickBySolve);
+        }
         let stage = self.stage(gap, load)?;
-        let plain = &stage.plain;
-        let answer = plain.problem.solve_by_pivoting();
-        let status = verdict::status(&plain.problem, &plain.matrices.normal, &answer);
-        Ok(self.assemble(&stage, plain.ending(answer, status)))
+        let answer = stage.plain.problem.solve_by_pivoting();
+        Ok(self.assemble(&stage, stage.plain.judged(answer)))
     }
 
     /// Gives the problem of another coefficient of friction to `read`; sizes and numbers of the load were found right before.

@@ -34,8 +34,9 @@ impl<'a> Pair<'a> {
     /// Pairs two boundaries that lie on each other.
     ///
     /// # Errors
-    /// [`Error::Unmatched`] when neither boundary is covered by the other, or they lie apart.
+    /// [`Error::Unmatched`] when neither boundary is covered by the other, or they lie apart; [`Error::NothingKept`]; [`Error::Unlike`].
     pub fn new(shaped: &'a InterfaceOperator, counter: Option<&'a InterfaceOperator>) -> Result<Pair<'a>, Error> {
+        alike(shaped, counter)?;
         let Some(other) = counter else {
             return Ok(Pair { shaped, counter, surface: Surface::Common(Side::Shaped), matched: true });
         };
@@ -56,8 +57,9 @@ impl<'a> Pair<'a> {
     /// counter-face, the points of the shaped body are those met along the normal.
     ///
     /// # Errors
-    /// [`Error::Unmatched`] when the shaped body's boundary does not face all of the counter-face's.
+    /// [`Error::Unmatched`] when the shaped body's boundary does not face all of the counter-face's; as [`Pair::new`].
     pub fn facing(shaped: &'a InterfaceOperator, counter: &'a InterfaceOperator) -> Result<Pair<'a>, Error> {
+        alike(shaped, Some(counter))?;
         let pair = |matched| Pair { shaped, counter: Some(counter), surface: Surface::Counter, matched };
         if pair(true).break_points_face() {
             return Ok(pair(true));
@@ -69,8 +71,9 @@ impl<'a> Pair<'a> {
     /// and weights are those of the counter-face, the gap between them is the caller's.
     ///
     /// # Errors
-    /// [`Error::Unmatched`] when the edges of both do not end at the same angles.
+    /// [`Error::Unmatched`] when the edges of both do not end at the same angles; as [`Pair::new`].
     pub fn by_angle(shaped: &'a InterfaceOperator, counter: &'a InterfaceOperator) -> Result<Pair<'a>, Error> {
+        alike(shaped, Some(counter))?;
         let pair = Pair { shaped, counter: Some(counter), surface: Surface::Common(Side::Counter), matched: true };
         match unlike_normal(&shaped.trace, &counter.trace) {
             None => Ok(pair),
@@ -83,8 +86,9 @@ impl<'a> Pair<'a> {
     /// their square, as in Hertz's theory.
     ///
     /// # Errors
-    /// [`Error::Unmatched`] when the edges of both are not of the same lengths.
+    /// [`Error::Unmatched`] when the edges of both are not of the same lengths; as [`Pair::new`].
     pub fn by_arc(shaped: &'a InterfaceOperator, counter: &'a InterfaceOperator) -> Result<Pair<'a>, Error> {
+        alike(shaped, Some(counter))?;
         let pair = Pair { shaped, counter: Some(counter), surface: Surface::Common(Side::Counter), matched: true };
         match unlike_length(&shaped.trace, &counter.trace) {
             None => Ok(pair),
@@ -179,6 +183,19 @@ impl<'a> Pair<'a> {
         let normal = normal(side, &boundary);
         ContactPoint { place, arc, position: boundary.position, normal, tangent: [normal[1], -normal[0]], weight }
     }
+}
+
+/// Refuses bodies without a boundary to touch, and two that do not mean the same by their coordinates.
+fn alike(shaped: &InterfaceOperator, counter: Option<&InterfaceOperator>) -> Result<(), Error> {
+    for (side, body) in [(Side::Shaped, Some(shaped)), (Side::Counter, counter)] {
+        if body.is_some_and(|body| body.trace.edges.is_empty()) {
+            return Err(Error::NothingKept { side });
+        }
+    }
+    let kinematics = [shaped, counter.unwrap_or(shaped)].map(|body| body.kinematics);
+    let [one, other] = kinematics;
+    let like = one.components() == other.components() && one.is_conduction() == other.is_conduction();
+    if like && one.thickness() == other.thickness() { Ok(()) } else { Err(Error::Unlike { kinematics }) }
 }
 
 /// The side whose trace carries the points: the softer one, since there every pressure the points can hold moves the surface; of two

@@ -1,13 +1,15 @@
 //! A gap and a load brought to plain numbers, and its solution: all that a contact solve is once the bodies are matrices.
 
+use crate::checked::listed;
 use crate::coulomb::{ContactState, Coulomb, Outcome, Sheared};
 use crate::ending::{Ending, Warm};
 use crate::error::Error;
 use crate::following::Followed;
 use crate::growth::{Family, grown};
-use crate::lcp::{Answer, Complementarity, Point};
+use crate::lcp::{Answer, BALANCED, Complementarity, Point};
 use crate::load::Friction;
 use crate::matrices::Matrices;
+use crate::products::transposed_times;
 use crate::status::Status;
 use crate::verdict;
 use faer::{Mat, Side};
@@ -44,6 +46,8 @@ pub(crate) struct Plain<'m> {
     pub(crate) slip: Vec<f64>,
     /// Slip by the free coordinates.
     pub(crate) sliding: Option<Mat<f64>>,
+    /// The motions of the free coordinates that neither pressure nor spring resists.
+    idle: Vec<Vec<f64>>,
 }
 
 impl<'m> Plain<'m> {
@@ -57,7 +61,7 @@ impl<'m> Plain<'m> {
         let sliding = matrices.shear_influence.as_ref().map(pick);
         let mut stiffness = Mat::from_fn(free.len(), free.len(), |i, j| held.stiffness[(free[i], free[j])]);
         let held_by_shear = sliding.as_ref().filter(|_| matches!(friction, Friction::Coulomb { .. }));
-        pin_idle_motions(&influence, held_by_shear, &mut stiffness, &matrices.normal);
+        let idle = pin_idle_motions(&influence, held_by_shear, &mut stiffness, &matrices.normal);
         let problem = Complementarity {
             compliance,
             influence,
@@ -67,7 +71,7 @@ impl<'m> Plain<'m> {
             load: free.iter().map(|j| unloaded.forces[*j]).collect(),
             symmetric: !active,
         };
-        Ok(Plain { matrices, problem, slide, slip: unloaded.slip, sliding })
+        Ok(Plain { matrices, problem, slide, slip: unloaded.slip, sliding, idle })
     }
 
     /// Adds what load cases do that follow the nodal normal forces; the problem is no longer symmetric.
@@ -110,8 +114,30 @@ impl<'m> Plain<'m> {
         if !answer.settled && !self.problem.symmetric {
             answer = grown(family, coefficient).unwrap_or(answer);
         }
+        Ok(self.judged(answer))
+    }
+
+    /// The ending of a solve without stick and slip, with its status.
+    pub(crate) fn judged(&self, answer: Answer) -> Ending {
         let status = verdict::status(&self.problem, &self.matrices.normal, &answer);
-        Ok(self.ending(answer, status))
+        self.carried(self.ending(answer, status))
+    }
+
+    /// The same without a balance where the spring of an idle motion carries part of the load; the drag alone a guide takes.
+    fn carried(&self, ending: Ending) -> Ending {
+        let (problem, point) = (&self.problem, &ending.point);
+        let pushed = transposed_times(&problem.balance, &point.force);
+        let force: f64 = point.force.iter().map(|f| f.abs()).sum();
+        let carries = |motion: &Vec<f64>| {
+            let along = |what: &[f64], part: fn(f64) -> f64| motion.iter().zip(what).map(|(m, w)| part(m * w)).sum::<f64>();
+            let least = BALANCED * (force + along(&problem.load, f64::abs) + along(&pushed, f64::abs));
+            let load = along(&problem.load, |part| part);
+            load.abs() > least && (load + along(&pushed, |part| part)).abs() > least
+        };
+        match ending.status.is_solved() && self.idle.iter().any(carries) {
+            true => Ending { status: Status::NoBalance, balance: 1.0, ..ending },
+            false => ending,
+        }
     }
 
     /// The ending of a solve without stick and slip.
@@ -150,6 +176,7 @@ impl<'m> Plain<'m> {
         if !(coefficient >= 0.0 && coefficient.is_finite() && slip_before.len() == n) {
             return Err(Error::Drag { coefficient, given: slip_before.len(), points: n });
         }
+        listed("slip before", slip_before, n)?;
         Ok(Coulomb {
             normal: &self.problem,
             by_shear,
@@ -174,7 +201,7 @@ impl<'m> Plain<'m> {
         };
         let outcome = coulomb.solve(&start, &near);
         let status = verdict::sheared_status(coulomb, &outcome);
-        self.sheared(coulomb, outcome, status)
+        self.carried(self.sheared(coulomb, outcome, status))
     }
 
     /// The ending of a load step; nothing carries where there is no outcome.
@@ -200,12 +227,18 @@ impl<'m> Plain<'m> {
 }
 
 /// Rigid motions without any normal trace (an arc turning about its centre) would make the problem singular: a spring holds them, which
-/// carries nothing if the load has no part along them.
-fn pin_idle_motions(influence: &Mat<f64>, held_by_shear: Option<&Mat<f64>>, stiffness: &mut Mat<f64>, compliance: &Mat<f64>) {
+/// carries nothing if the load has no part along them. Gives these motions.
+fn pin_idle_motions(
+    influence: &Mat<f64>,
+    held_by_shear: Option<&Mat<f64>>,
+    stiffness: &mut Mat<f64>,
+    compliance: &Mat<f64>,
+) -> Vec<Vec<f64>> {
     let shear = |k: usize, i: usize| held_by_shear.map_or(0.0, |s| s[(k, i)]);
     let (n, m) = (influence.nrows(), influence.ncols());
+    let mut idle = Vec::new();
     if m == 0 || n == 0 {
-        return;
+        return idle;
     }
     let scale: Vec<f64> =
         (0..m).map(|j| (0..n).map(|i| influence[(i, j)].abs().max(shear(i, j).abs())).fold(0.0, f64::max)).collect();
@@ -216,7 +249,7 @@ fn pin_idle_motions(influence: &Mat<f64>, held_by_shear: Option<&Mat<f64>>, stif
             (0..n).map(|k| (influence[(k, i)] * influence[(k, j)] + shear(k, i) * shear(k, j)) / unit[i] / unit[j]).sum();
         product + stiffness[(i, j)] * typical / (unit[i] * unit[j])
     });
-    let Ok(eigen) = gram.self_adjoint_eigen(Side::Lower) else { return };
+    let Ok(eigen) = gram.self_adjoint_eigen(Side::Lower) else { return idle };
     for k in 0..m {
         if eigen.S()[k] > 1e-18 * n as f64 {
             continue;
@@ -226,5 +259,7 @@ fn pin_idle_motions(influence: &Mat<f64>, held_by_shear: Option<&Mat<f64>>, stif
                 stiffness[(i, j)] += eigen.U()[(i, k)] * eigen.U()[(j, k)] * unit[i] * unit[j] / typical;
             }
         }
+        idle.push((0..m).map(|i| eigen.U()[(i, k)] / unit[i]).collect());
     }
+    idle
 }

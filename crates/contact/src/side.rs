@@ -17,4 +17,11 @@ impl Side {
             Side::Counter => Side::Shaped,
         }
     }
+
+    pub(crate) fn words(self) -> &'static str {
+        match self {
+            Side::Shaped => "shaped body",
+            Side::Counter => "counter-face",
+        }
+    }
 }

@@ -39,7 +39,8 @@ pub struct ContactSolution {
     pub moment: f64,
     /// Largest relative violation of `p >= 0`, `opening >= 0`, `p opening = 0`.
     pub complementarity: f64,
-    /// Largest relative residual of the force and moment balances of the free coordinates.
+    /// Largest relative residual of the force and moment balances of the free coordinates; the drag of sliding along a motion that nothing resists is
+    /// left to a guide, and not counted.
     pub balance: f64,
     /// Linear systems solved.
     pub iterations: usize,

@@ -45,16 +45,14 @@ impl Stage<'_> {
         (all, columns)
     }
 
-    /// Start from an earlier solution.
-    pub(crate) fn warm<'s>(&self, solution: &'s ContactSolution) -> Warm<'s> {
+    /// Start from an earlier solution at so many points.
+    pub(crate) fn warm<'s>(&self, solution: &'s ContactSolution, points: usize) -> Result<Warm<'s>, Error> {
+        let ContactSolution { nodal_force, nodal_shear, closed, states, .. } = solution;
         let all: Vec<f64> = solution.coordinates.iter().flatten().copied().collect();
-        let coordinates = self.free.iter().map(|j| all[*j]).collect();
-        Warm {
-            point: Point { force: solution.nodal_force.clone(), coordinates },
-            shear: &solution.nodal_shear,
-            closed: &solution.closed,
-            states: &solution.states,
-        }
+        let point = Point { force: nodal_force.clone(), coordinates: all };
+        let mut warm = Warm { point, shear: nodal_shear, closed, states }.fitting(points, self.prescribed.len())?;
+        warm.point.coordinates = self.free.iter().map(|j| warm.point.coordinates[*j]).collect();
+        Ok(warm)
     }
 }
 
@@ -73,7 +71,7 @@ impl ContactOperator<'_> {
     /// What a gap and a load do without contact.
     pub(crate) fn acting(&self, gap: &[f64], load: &ContactLoad) -> Result<Acting, Error> {
         let (mut unloaded, factors) = self.unloaded(gap, load)?;
-        let (stiffness, prescribed) = self.held(load, &mut unloaded.forces);
+        let (stiffness, prescribed) = self.held(load, &mut unloaded.forces)?;
         let free: Vec<usize> = (0..prescribed.len()).filter(|j| prescribed[*j].is_none()).collect();
         self.move_prescribed(&mut unloaded, &stiffness, &prescribed, &free);
         let by_pressure = load.moment == MomentBalance::Pressure;
@@ -110,7 +108,7 @@ impl ContactOperator<'_> {
     }
 
     /// Stiffness of all coordinates and their prescribed values; resultants and springs of the rigid edge add to the forces.
-    fn held(&self, load: &ContactLoad, forces: &mut [f64]) -> (Mat<f64>, Vec<Option<f64>>) {
+    fn held(&self, load: &ContactLoad, forces: &mut [f64]) -> Result<(Mat<f64>, Vec<Option<f64>>), Error> {
         let total = forces.len();
         let mut stiffness = Mat::zeros(total, total);
         let mut offset = 0;
@@ -122,6 +120,9 @@ impl ContactOperator<'_> {
         let mut prescribed = vec![None; total];
         for j in 0..total {
             let Some(k) = self.edge_motion(j) else { continue };
+            if !load.motions[k].is_finite() {
+                return Err(Error::NotFinite { name: "motion of the rigid edge", row: k, column: 0 });
+            }
             match load.motions[k] {
                 Motion::Free { resultant } => forces[j] += resultant,
                 Motion::Prescribed { value } => prescribed[j] = Some(value),
@@ -131,7 +132,7 @@ impl ContactOperator<'_> {
                 }
             }
         }
-        (stiffness, prescribed)
+        Ok((stiffness, prescribed))
     }
 
     /// Opening, slip and resultants of the free coordinates by the prescribed motions.

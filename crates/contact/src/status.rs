@@ -37,7 +37,7 @@ impl fmt::Display for Status {
             Status::Converged => f.write_str("the contact is solved: it fills part of the candidate surface"),
             Status::ClosedEverywhere => f.write_str("the contact is solved: the gap is closed everywhere on the candidate surface"),
             Status::NoContact => f.write_str("no contact: the surfaces stay apart everywhere"),
-            Status::NoBalance => f.write_str("no balance: no pressure between the surfaces can hold the load; check its direction, its moment and the supports"),
+            Status::NoBalance => f.write_str("no balance: no pressure between the surfaces can hold the load; check its direction, its moment, the supports and the friction"),
             Status::Jammed => f.write_str("jammed: friction alone holds the shaped body, the load cannot press it against the counter-face; lower the coefficient of friction"),
             Status::NotUnique => f.write_str("solved, but not unique: at this coefficient of friction other solutions exist; lower it or follow it up from zero"),
             Status::IterationLimit { history } => {

@@ -46,7 +46,7 @@ impl ContactSystem {
         }
     }
 
-    /// Whether the system of the closed points has the sign of determinant that it has without shear and heat. Where these have turned it, the
+    /// Whether the system of the closed points (one a point, open where it says nothing) has the sign of determinant that it has without shear and heat. Where these have turned it, the
     /// contact is beyond the point at which it branches: a deviation of the pressure feeds on itself.
     pub fn is_regular(&self, closed: &[bool]) -> bool {
         let problem = Complementarity {
@@ -58,7 +58,7 @@ impl ContactSystem {
             load: self.load.clone(),
             symmetric: self.symmetric,
         };
-        let index: Vec<usize> = (0..problem.points()).filter(|i| closed[*i]).collect();
+        let index: Vec<usize> = (0..problem.points()).filter(|i| closed.get(*i) == Some(&true)).collect();
         let sign = Factor::new(&problem, &Scaling::new(&problem), &index, 0.0).sign();
         sign == if self.load.len().is_multiple_of(2) { 1.0 } else { -1.0 }
     }

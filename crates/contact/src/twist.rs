@@ -165,7 +165,10 @@ impl TorsionOperator {
         if let Turn::Torque(torque) = turn
             && torque.abs() >= self.slip_torque(limits)
         {
-            answer.status = TwistStatus::TurnsThrough;
+            // No friction holds, and no torque turns.
+            if torque != 0.0 {
+                answer.status = TwistStatus::TurnsThrough;
+            }
             answer.torque = torque;
             return Ok(answer);
         }

@@ -12,6 +12,7 @@ mod hot;
 mod matrices;
 mod patch;
 mod penalty;
+mod refused;
 mod released;
 mod sphere;
 mod statuses;
