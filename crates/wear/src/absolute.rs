@@ -128,6 +128,8 @@ fn find_scale(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<(), WearEr
             let below = matches!(stage.law.density, Density::Given(_)) && fb > 0.0;
             return Err(stage.infeasible(if below {
                 "the whole surface stays below the threshold of the wear rule, where nothing moves"
+            } else if stage.problem.p_max.is_none() {
+                "friction carries it, or q is so large that its pressure is that of an infinite q"
             } else {
                 "the load is larger than the surface carries under p_max, or friction carries it"
             }));

@@ -15,6 +15,9 @@ pub(crate) struct Balanced {
     pub(crate) residual: f64,
 }
 
+/// Why a load has no stationary pressure below s = 1: with one mode.
+pub(crate) const ALL_CLOSED: &str = "with s < 1 the stationary pressure needs a load that closes every point of the surface";
+
 /// Solves the balance for a density known up to a factor (`Power`, `Mixed`, `Exponential`).
 pub(crate) fn balance(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<Balanced, WearError> {
     stage.collect(nodes);
@@ -29,8 +32,7 @@ pub(crate) fn balance(stage: &mut Stage<'_>, nodes: &mut Vec<Node>) -> Result<Ba
         return Err(stage.infeasible("no point of the surface closes under the load"));
     }
     if k < 0.0 && (stage.open_at_ends() || nodes.iter().any(|node| node.f <= 0.0)) {
-        let why = "with s < 1 the stationary pressure needs a load that closes every point of the surface";
-        return Err(stage.infeasible(why));
+        return Err(stage.infeasible(ALL_CLOSED));
     }
     let (iterations, residual) = if stage.law.count == 1 { (0, 0.0) } else { newton(stage, nodes, k)? };
     whole(nodes)?;

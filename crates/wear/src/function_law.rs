@@ -61,6 +61,9 @@ impl FunctionLaw {
 impl From<FunctionLaw> for OwnRule {
     fn from(law: FunctionLaw) -> OwnRule {
         let numbers = law.numbers().into_iter().map(|(_, value)| value).collect();
-        OwnRule::named(law.word(), numbers, move |pressure, sliding_speed| law.at(pressure).map(|value| value * sliding_speed))
+        let rate = move |pressure, sliding_speed| law.at(pressure).map(|value| value * sliding_speed);
+        let mut rule = OwnRule::named(law.word(), numbers, rate);
+        rule.wrong = law.wrong();
+        rule
     }
 }

@@ -28,10 +28,11 @@ impl Groove {
         Groove { length: TAU * track_radius, squares: radii.iter().map(|r| r * r).collect() }
     }
 
-    /// Depth (mm) at a distance (mm) from the middle of the track, from the wear (mm) that the contact points would make standing still.
+    /// Depth (mm) at a distance (mm) from the middle of the track, from the wear (mm) that the contact points would make standing still;
+    /// none where the list ends before them.
     pub fn depth(&self, wear: &[f64], y: f64) -> f64 {
         let mut depth = 0.0;
-        self.chord(y, |j, length| depth += length * wear[j]);
+        self.chord(y, |j, length| depth += length * wear.get(j).copied().unwrap_or(0.0));
         depth / self.length
     }
 

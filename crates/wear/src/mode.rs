@@ -65,6 +65,16 @@ impl RigidMotion {
         }
     }
 
+    /// Whether direction and axis are unit vectors, up to what decimals leave.
+    pub(crate) fn is_sound(&self) -> bool {
+        let unit = |v: &Vector3<f64>| (v.norm() - 1.0).abs() < 1e-4;
+        match self {
+            Self::Translation { direction } => unit(direction),
+            Self::Rotation { axis, about } => unit(axis) && about.norm().is_finite(),
+            Self::Expansion => true,
+        }
+    }
+
     /// Closing velocity phi = -n . u.
     pub fn closing(&self, point: &SurfacePoint) -> f64 {
         match self {

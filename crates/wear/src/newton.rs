@@ -97,6 +97,9 @@ impl Search<'_> {
     }
 }
 
+/// Why a moment has no stationary pressure below s = 1.
+pub(crate) const ON_THE_EDGE: &str = "with s < 1 no stationary pressure carries this moment (its limit has a force on the edge)";
+
 /// No pressure at all carries the load.
 fn not_carried(stage: &Stage<'_>) -> WearError {
     stage.infeasible(if stage.bends() {
@@ -112,7 +115,7 @@ fn failure(stage: &Stage<'_>, nodes: &[Node], k: f64, residual: f64) -> WearErro
         return not_carried(stage);
     }
     if stage.may_lack_function(k) && stage.closeness(nodes) < 1e-3 {
-        return stage.infeasible("with s < 1 no stationary pressure carries this moment (its limit has a force on the edge)");
+        return stage.infeasible(ON_THE_EDGE);
     }
     let ratio = stage.closeness(nodes);
     if k < 0.0 && ratio < 1e-9 {

@@ -1,6 +1,8 @@
 //! From a problem to its answer.
 
+use crate::balance::ALL_CLOSED;
 use crate::density::Density;
+use crate::newton::ON_THE_EDGE;
 use crate::ratio;
 use crate::reduce::{Task, reduce};
 use crate::report::report;
@@ -71,12 +73,14 @@ fn revolving(problem: &Problem) -> Result<Optimum, WearError> {
         });
     }
     let tracked = matches!(problem.surface.shape(), crate::Shape::Sector { .. });
-    if problem.surface.track_area().is_none() && !tracked {
-        return Err(WearError::OutOfRange {
-            name: "track area of the revolving counterface",
-            value: f64::NAN,
-            wanted: "given for a surface that is neither arc nor sector",
-        });
+    let name = "track area of the revolving counterface";
+    match problem.surface.track_area() {
+        Some(value) if !(value > 0.0) => return Err(WearError::OutOfRange { name, value, wanted: "> 0" }),
+        None if !tracked => {
+            let wanted = "given for a surface that is neither arc nor sector";
+            return Err(WearError::OutOfRange { name, value: f64::NAN, wanted });
+        }
+        Some(_) | None => {}
     }
     let density = Density::Receding { log_weight: front.factor.ln(), power: front.speed_exponent, m: front.pressure_exponent };
     solve(problem, density, front.pressure_exponent + 1.0)
@@ -86,6 +90,10 @@ fn solve(problem: &Problem, density: Density, s: f64) -> Result<Optimum, WearErr
     let mut stage = Stage::new(problem, density)?;
     let mut nodes = Vec::new();
     let balanced = balance_any(&mut stage, &mut nodes)?;
+    // The limits of large and of low exponents are one where f > 0 alone.
+    if s == f64::NEG_INFINITY && (stage.open_at_ends() || nodes.iter().any(|node| node.f <= 0.0)) {
+        return Err(stage.infeasible(if stage.law.count == 1 { ALL_CLOSED } else { ON_THE_EDGE }));
+    }
     Ok(report(&mut stage, &nodes, &balanced, s))
 }
 

@@ -15,13 +15,15 @@ pub struct OwnRule {
     law: Arc<RateAndSlope>,
     word: &'static str,
     numbers: Vec<f64>,
+    /// A number with which it is none, and what that must be.
+    pub(crate) wrong: Option<(&'static str, f64, &'static str)>,
 }
 
 impl OwnRule {
     /// The rule of a function `law(pressure, sliding_speed)` that gives `[w', dw'/dp]` in mm/s and mm/(s MPa) from MPa and mm/s. It is called
     /// at pressures above 0 only.
     pub fn new(law: impl Fn(f64, f64) -> [f64; 2] + Send + Sync + 'static) -> OwnRule {
-        OwnRule { law: Arc::new(law), word: "given as a function", numbers: Vec::new() }
+        OwnRule { law: Arc::new(law), word: "given as a function", numbers: Vec::new(), wrong: None }
     }
 
     /// The same of a function that a name ("from a table") and numbers say wholly.
@@ -30,7 +32,7 @@ impl OwnRule {
         numbers: Vec<f64>,
         law: impl Fn(f64, f64) -> [f64; 2] + Send + Sync + 'static,
     ) -> OwnRule {
-        OwnRule { law: Arc::new(law), word, numbers }
+        OwnRule { law: Arc::new(law), word, numbers, wrong: None }
     }
 
     /// What the rule is, in words.

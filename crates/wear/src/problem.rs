@@ -76,6 +76,9 @@ impl Problem {
             if !mode.resultant.is_finite() {
                 return Err(WearError::OutOfRange { name: "resultant", value: mode.resultant, wanted: "finite" });
             }
+            if !mode.motion.is_sound() {
+                return Err(WearError::Modes { count, why: "a direction or an axis is no unit vector through a finite point" });
+            }
         }
         if let Some(cap) = self.p_max
             && (cap.is_nan() || cap <= 0.0)

@@ -113,7 +113,7 @@ impl Rule {
         }
     }
 
-    /// Checks the numbers of the rule; a function of one's own has none.
+    /// Checks the numbers of the rule, those of a [`FunctionLaw`](crate::FunctionLaw) too; a function of one's own has none.
     ///
     /// # Errors
     /// [`WearError::OutOfRange`] for a factor below 0, an exponent b or a threshold that is not greater than 0, and numbers that are not finite.
@@ -121,7 +121,10 @@ impl Rule {
         match self {
             Rule::Power(law) => law.check(),
             Rule::Threshold(law) => law.check(),
-            Rule::Own(_) => Ok(()),
+            Rule::Own(rule) => match rule.wrong {
+                Some((name, value, wanted)) => Err(WearError::OutOfRange { name, value, wanted }),
+                None => Ok(()),
+            },
         }
     }
 

@@ -71,8 +71,17 @@ impl Surface {
     /// A list of points, taken as it is: its weights are the quadrature.
     ///
     /// # Errors
-    /// [`WearError::EmptySurface`] without points or without area.
+    /// [`WearError::EmptySurface`] without points or without area; [`WearError::OutOfRange`] for a weight or a speed below 0, and numbers that are
+    /// not finite.
     pub fn from_points(points: Vec<SurfacePoint>) -> Result<Self, WearError> {
+        for point in &points {
+            finite("place, normal or drag of a point", &[point.position, point.normal, point.drag])?;
+            for (name, value) in [("weight of a point", point.weight), ("sliding speed of a point", point.sliding_speed)] {
+                if !(value >= 0.0 && value.is_finite()) {
+                    return Err(WearError::OutOfRange { name, value, wanted: ">= 0 and finite" });
+                }
+            }
+        }
         let area: f64 = points.iter().map(|point| point.weight).sum();
         if points.is_empty() || !(area > 0.0 && area.is_finite()) {
             return Err(WearError::EmptySurface { points: points.len(), area });
@@ -86,6 +95,7 @@ impl Surface {
     /// [`WearError::OutOfRange`] for lengths, angles and radii that span nothing or are not finite; [`WearError::EmptySurface`] for points
     /// without area.
     pub fn new(shape: Shape, motion: SlidingMotion) -> Result<Self, WearError> {
+        finite("sliding motion", &[motion.velocity, motion.angular_velocity, motion.about])?;
         let surface = Self { shape, motion, track_area: None };
         let positive = |name, value: f64| {
             if value > 0.0 && value.is_finite() {
@@ -96,12 +106,14 @@ impl Surface {
         };
         match &surface.shape {
             Shape::Points(points) => return Self::from_points(points.clone()),
-            Shape::Arc { radius, angles, thickness, .. } => {
+            Shape::Arc { radius, angles, thickness, centre, .. } => {
+                finite("centre", &[*centre])?;
                 positive("radius", *radius)?;
                 positive("thickness", *thickness)?;
                 positive("angle of the arc", angles[1] - angles[0])?;
             }
-            Shape::Strip { x, thickness, .. } => {
+            Shape::Strip { x, thickness, z } => {
+                finite("height of the strip", &[Vector3::new(0.0, 0.0, *z)])?;
                 positive("length of the strip", x[1] - x[0])?;
                 positive("thickness", *thickness)?;
             }
@@ -127,7 +139,8 @@ impl Surface {
         Ok(surface)
     }
 
-    /// The same surface with the area (mm^2) of body 2's closed track, needed by a revolving counter-face under a list of points.
+    /// The same surface with the area (mm^2) of body 2's closed track, greater than 0, needed by a revolving counter-face under a
+    /// list of points.
     pub fn with_track_area(mut self, area: f64) -> Self {
         self.track_area = Some(area);
         self
@@ -293,6 +306,14 @@ impl Surface {
             Shape::Rectangle { x, y } => (x[1] - x[0]) * (y[1] - y[0]),
             Shape::Ellipse { semi_axes } => 0.5 * TAU * semi_axes[0] * semi_axes[1],
         }
+    }
+}
+
+/// Refuses vectors that are not finite.
+fn finite(name: &'static str, vectors: &[Vector3<f64>]) -> Result<(), WearError> {
+    match vectors.iter().flat_map(|v| v.iter()).find(|value| !value.is_finite()) {
+        Some(value) => Err(WearError::OutOfRange { name, value: *value, wanted: "finite" }),
+        None => Ok(()),
     }
 }
 

@@ -11,6 +11,7 @@ mod properties;
 mod random;
 mod reference;
 mod reference_bodies;
+mod refused;
 mod sensitivity;
 mod shell;
 mod surfaces;

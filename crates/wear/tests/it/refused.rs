@@ -1,0 +1,94 @@
+//! Numbers that say nothing are refused by their names.
+
+use crate::surfaces::{problem, punch};
+use nalgebra::Vector3;
+use wear::{
+    Counterface, FunctionLaw, Functional, Groove, OwnRule, Problem, RigidMode, RigidMotion, Shape, SlidingMotion, Surface,
+    SurfacePoint, WearError, WearLaw, WearPair, optimal_pressure,
+};
+
+fn tilted(q: f64, moment: f64) -> Problem {
+    let modes = vec![RigidMode::press_down(1000.0), RigidMode::tilt(moment, Vector3::zeros())];
+    problem(punch(), Functional::WearVolume, q, 1.0, 1.0, modes)
+}
+
+fn named(error: WearError) -> &'static str {
+    match error {
+        WearError::OutOfRange { name, .. } => name,
+        other => unreachable!("{other}"),
+    }
+}
+
+/// The limits of large and of low exponents are one where the load closes every point alone.
+#[test]
+fn q_of_minus_infinity_is_the_limit_of_negative_q() {
+    for moment in [2000.0, 24_000.0] {
+        let wanted = optimal_pressure(&tilted(-1000.0, moment)).unwrap_err();
+        assert!(matches!(wanted, WearError::Infeasible { .. }), "{wanted}");
+        assert_eq!(optimal_pressure(&tilted(f64::NEG_INFINITY, moment)).unwrap_err(), wanted);
+        assert!(optimal_pressure(&tilted(f64::INFINITY, moment)).is_ok());
+    }
+    let even = |q: f64| problem(punch(), Functional::WearVolume, q, 1.0, 1.0, vec![RigidMode::press_down(1000.0)]);
+    let [least, most] = [f64::NEG_INFINITY, f64::INFINITY].map(|q| optimal_pressure(&even(q)).unwrap());
+    assert_eq!(least.p_max, most.p_max);
+    // More than a half turn of an arc has points that no force closes.
+    let arc = Shape::Arc { radius: 80.0, centre: Vector3::zeros(), angles: [-2.0, 1.0], thickness: 10.0, internal: false };
+    let arc = Surface::new(arc, SlidingMotion::in_plane(2.0, Vector3::zeros())).unwrap();
+    let open = |q: f64| Problem { surface: arc.clone(), ..even(q) };
+    let wanted = optimal_pressure(&open(-10.0)).unwrap_err();
+    assert_eq!(optimal_pressure(&open(f64::NEG_INFINITY)).unwrap_err(), wanted);
+    let error = optimal_pressure(&tilted(1e100, 2000.0));
+    assert!(error.as_ref().is_ok() || !error.unwrap_err().to_string().contains("p_max"), "no cap is given");
+}
+
+#[test]
+fn surfaces_of_no_numbers_are_refused_by_name() {
+    let point =
+        SurfacePoint { position: Vector3::zeros(), normal: Vector3::z(), weight: 1.0, sliding_speed: 5.0, drag: Vector3::x() };
+    let nan = Vector3::new(f64::NAN, 0.0, 0.0);
+    for (wrong, name) in [
+        (SurfacePoint { weight: -1.0, ..point }, "weight of a point"),
+        (SurfacePoint { sliding_speed: -3.0, ..point }, "sliding speed of a point"),
+        (SurfacePoint { sliding_speed: f64::NAN, ..point }, "sliding speed of a point"),
+        (SurfacePoint { position: nan, ..point }, "place, normal or drag of a point"),
+        (SurfacePoint { normal: nan, ..point }, "place, normal or drag of a point"),
+    ] {
+        assert_eq!(named(Surface::from_points(vec![point, point, wrong]).unwrap_err()), name);
+    }
+    assert!(Surface::from_points(vec![point, SurfacePoint { weight: 0.0, sliding_speed: 0.0, ..point }]).is_ok());
+    let strip = |z: f64| Shape::Strip { x: [-30.0, 30.0], z, thickness: 10.0 };
+    let arc = Shape::Arc { radius: 80.0, centre: nan, angles: [-1.0, 1.0], thickness: 1.0, internal: false };
+    let refused = |shape, speed| named(Surface::new(shape, SlidingMotion::along_x(speed)).unwrap_err());
+    assert_eq!(refused(strip(f64::NAN), 5.0), "height of the strip");
+    assert_eq!(refused(strip(0.0), f64::NAN), "sliding motion");
+    assert_eq!(refused(arc, 5.0), "centre");
+}
+
+#[test]
+fn modes_tracks_and_rules_of_no_numbers_are_refused_by_name() {
+    let base = tilted(1.5, 100.0);
+    let translation = |z: f64| RigidMotion::Translation { direction: Vector3::new(0.0, 0.0, z) };
+    let about = Vector3::new(0.0, f64::NAN, 0.0);
+    let turned = RigidMotion::Rotation { axis: Vector3::y(), about };
+    for motion in [translation(-2.0), translation(0.0), translation(f64::NAN), turned] {
+        let modes = vec![RigidMode { motion, resultant: 1000.0 }];
+        let error = optimal_pressure(&Problem { modes, ..base.clone() }).unwrap_err();
+        assert!(matches!(error, WearError::Modes { .. }), "{motion:?}: {error}");
+    }
+    let law = WearLaw { factor: 1e-7, speed_exponent: 1.0, pressure_exponent: 1.0 };
+    let force = vec![RigidMode::press_down(1000.0)];
+    for area in [-100.0, 0.0, f64::NAN] {
+        let surface = punch().with_track_area(area);
+        let revolving = Problem { counterface: Counterface::Revolving, ..Problem::new(surface, law, force.clone()) };
+        let revolving = Problem { wear: WearPair::archard([1e-7; 2], [1.0; 2], [1.0; 2]), ..revolving };
+        assert_eq!(named(optimal_pressure(&revolving).unwrap_err()), "track area of the revolving counterface");
+    }
+    for (law, name) in [
+        (FunctionLaw::Saturating { k: -1.0, half: 1.0 }, "k"),
+        (FunctionLaw::Severe { mild: 1e-7, above: f64::NAN, severe: 1.0 }, "above"),
+    ] {
+        let wrong = Problem::new(punch(), OwnRule::from(law), force.clone());
+        assert_eq!(named(optimal_pressure(&wrong).unwrap_err()), name);
+    }
+    assert_eq!(Groove::new(5.0, &[0.0, 1.0]).depth(&[], 0.0), 0.0);
+}
