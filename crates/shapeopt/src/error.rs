@@ -12,6 +12,12 @@ pub enum Error {
         /// Number of free rigid modes.
         modes: usize,
     },
+    /// Numbers of a shape problem do not fit each other.
+    #[error("{what}")]
+    ShapeInput {
+        /// What is wrong.
+        what: &'static str,
+    },
     /// Numbers of a wear run do not fit each other.
     #[error("{what}")]
     WearInput {

@@ -19,6 +19,7 @@ use crate::gap_rate::GapRate;
 use crate::reversal_start::first_feed;
 use crate::reversed_pressure::{Pressures, pressures};
 use crate::rigid_wear::RigidWear;
+use crate::wear_problem::fits;
 use contact::ContactSystem;
 use faer::Mat;
 use faer::linalg::solvers::Solve;
@@ -120,11 +121,9 @@ impl ReversingProblem {
         if !(self.wear.wears(0) || second) {
             return wrong("nothing wears the contact surface; body 1 needs a wear factor".into());
         }
-        for system in &self.systems {
-            let a = &system.compliance;
-            if a.nrows() != n || a.ncols() != n || system.opening.len() != n || system.influence.nrows() != n {
-                return wrong(format!("a contact system does not fit the {n} contact points"));
-            }
+        let alike = self.systems[0].load.len() == self.systems[1].load.len();
+        if !alike || !self.systems.iter().all(|system| fits(system, n)) {
+            return wrong(format!("a contact system does not fit the {n} contact points"));
         }
         if self.counterface == Counterface::Revolving && !self.track_area.is_some_and(|area| area > 0.0) {
             return wrong("a revolving counter-face needs the area of its closed track".into());

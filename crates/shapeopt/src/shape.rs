@@ -4,6 +4,7 @@ use crate::edge::{EdgeLoad, held_edge, solve_edge, solve_held};
 use crate::error::Error;
 use crate::place::SurfacePlace;
 use crate::rigid_part::{Curve, Lowest, lowest};
+use crate::shape_check::wrong;
 use contact::{ContactPoint, Pair, Side, contact_traction, normal};
 use hpfem::{BoundaryPoint, InterfaceOperator, InterfaceState, TraceLoad};
 use nalgebra::{DMatrix, DVector};
@@ -55,7 +56,7 @@ pub enum Gauge {
 pub enum RigidPart {
     /// The smallest gap that is nowhere negative: `g >= 0` with the least `int g dS`.
     Smallest,
-    /// Prescribed coordinates of body 1's rigid modes.
+    /// Prescribed coordinates of body 1's rigid modes; none for zeros.
     Prescribed(Vec<f64>),
     /// The smallest gap that is nowhere negative among the coordinates `start + a direction`: some motions prescribed, one free.
     SmallestAlong {
@@ -89,11 +90,16 @@ pub struct Shape {
 /// the rigid part is the lowest admissible one over the whole continuous surface.
 ///
 /// # Errors
-/// [`Error::NoLowestGap`] if no rigid part makes the gap smallest (no closing mode reaches the surface).
+/// [`Error::NoLowestGap`] if no rigid part makes the gap smallest (no closing mode reaches the surface); [`Error::ShapeInput`] for a gauge that leaves
+/// body 1 a rigid motion, a rigid part of another number of modes, and a traction, factor or coordinate that is not finite.
 pub fn solve_shape(problem: &ShapeProblem<'_>) -> Result<Shape, Error> {
+    problem.check()?;
     let shaped = side_state(problem, Side::Shaped, problem.pair.shaped, problem.cases_shaped);
     let counter = problem.pair.counter.map(|c| side_state(problem, Side::Counter, c, problem.cases_counter));
     let [x, z, _] = shaped.load.resultant;
+    if !(x.is_finite() && z.is_finite()) {
+        return wrong("the wanted traction is not finite everywhere");
+    }
     let mut shape = Shape { shaped, counter, rigid: Vec::new(), contact_force: [x, z], round_off: 0.0 };
     let modes = problem.pair.shaped.rigid_modes.ncols();
     let round_off = |found: &Lowest| f64::EPSILON * found.scale * found.amplification;
@@ -177,9 +183,13 @@ impl Gauge {
             }
             Gauge::MeanOf(columns) => {
                 let mean = |c: usize, m: usize| (0..n).map(|i| body.columns[(i, c)] * body.rigid_modes[(i, m)]).sum::<f64>();
-                columns.iter().map(|c| (body.column_work(*c, state), (0..modes).map(|m| mean(*c, m)).collect())).unzip()
+                let known = columns.iter().filter(|c| **c < body.columns.ncols());
+                known.map(|c| (body.column_work(*c, state), (0..modes).map(|m| mean(*c, m)).collect())).unzip()
             }
         };
+        if values.is_empty() || modes == 0 {
+            return Vec::new();
+        }
         let matrix = DMatrix::from_fn(values.len(), modes, |row, m| of_modes[row][m]);
         // A rigid edge that supports hold in part has more motions than the body has modes: least squares.
         let Ok(shift) = matrix.svd(true, true).solve(&DVector::from_vec(values), 1e-12) else { return Vec::new() };

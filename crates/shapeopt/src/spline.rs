@@ -14,7 +14,7 @@ pub struct Spline<const N: usize> {
 pub struct Fit<const N: usize> {
     /// The spline.
     pub spline: Spline<N>,
-    /// Largest deviation of a coordinate at seven places in each interval.
+    /// Largest deviation of a coordinate at seven places in each interval; infinite where the curve is no number.
     pub deviation: f64,
 }
 
@@ -29,9 +29,12 @@ const MOST: usize = 4096;
 const PLACES: usize = 7;
 
 impl<const N: usize> Spline<N> {
-    /// The spline through `values` at `knots` (four at least) without a break of the third derivative at the second knot and the last but
-    /// one ("not a knot"; de Boor 1978, chapter IV).
-    pub fn through(knots: Vec<f64>, values: &[[f64; N]]) -> Spline<N> {
+    /// The spline through `values` at `knots` without a break of the third derivative at the second knot and the last but one ("not a knot"; de Boor
+    /// 1978, chapter IV): through three of them the parabola, through two the line, through fewer nothing. What one list has more than the other
+    /// does not count.
+    pub fn through(mut knots: Vec<f64>, values: &[[f64; N]]) -> Spline<N> {
+        knots.truncate(values.len());
+        let values = &values[..knots.len()];
         let slopes: [Vec<f64>; N] = std::array::from_fn(|c| slopes(&knots, &values.iter().map(|v| v[c]).collect::<Vec<_>>()));
         let piece = |i: usize| {
             let h = knots[i + 1] - knots[i];
@@ -40,7 +43,7 @@ impl<const N: usize> Spline<N> {
                 [values[i][c], a, (3.0 * d - 2.0 * a - b) / h, (a + b - 2.0 * d) / (h * h)]
             })
         };
-        let pieces = (0..knots.len() - 1).map(piece).collect();
+        let pieces = (0..knots.len().saturating_sub(1)).map(piece).collect();
         Spline { knots, pieces }
     }
 
@@ -56,7 +59,7 @@ impl<const N: usize> Spline<N> {
             let deviations: Vec<f64> = (0..spline.pieces.len()).map(|i| spline.deviation(&curve, i)).collect();
             let deviation = deviations.iter().copied().fold(0.0, f64::max);
             round += 1;
-            if deviation <= tolerance || round > ROUNDS || knots.len() > MOST {
+            if deviation <= tolerance || deviation == f64::INFINITY || round > ROUNDS || knots.len() > MOST {
                 return Fit { spline, deviation };
             }
             // The deviation falls with the fourth power of the interval.
@@ -78,13 +81,16 @@ impl<const N: usize> Spline<N> {
         let far = places.map(|share| {
             let t = (1.0 - share) * self.knots[i] + share * self.knots[i + 1];
             let (a, b) = (curve(t), self.at(t));
-            (0..N).map(|c| (a[c] - b[c]).abs()).fold(0.0, f64::max)
+            (0..N).map(|c| (a[c] - b[c]).abs()).map(|far| if far.is_nan() { f64::INFINITY } else { far }).fold(0.0, f64::max)
         });
         far.fold(0.0, f64::max)
     }
 
-    /// Point at a parameter.
+    /// Point at a parameter; nan without a piece.
     pub fn at(&self, t: f64) -> [f64; N] {
+        if self.pieces.is_empty() {
+            return [f64::NAN; N];
+        }
         let i = self.knots.partition_point(|knot| *knot <= t).clamp(1, self.pieces.len()) - 1;
         let x = t - self.knots[i];
         self.pieces[i].map(|[a, b, c, d]| a + x * (b + x * (c + x * d)))
@@ -92,6 +98,9 @@ impl<const N: usize> Spline<N> {
 
     /// Control points over the knots with the ends fourfold, by the polar form of the pieces.
     pub fn control_points(&self) -> Vec<[f64; N]> {
+        if self.pieces.is_empty() {
+            return Vec::new();
+        }
         let last = self.pieces.len() - 1;
         let knot = |i: usize| self.knots[i.saturating_sub(3).min(self.knots.len() - 1)];
         let point = |i: usize| {
@@ -106,7 +115,7 @@ impl<const N: usize> Spline<N> {
 
     /// The knots with the ends fourfold.
     pub fn padded_knots(&self) -> Vec<f64> {
-        let (first, last) = (self.knots[0], self.knots[self.knots.len() - 1]);
+        let [first, .., last] = self.knots[..] else { return Vec::new() };
         [first; 3].into_iter().chain(self.knots.iter().copied()).chain([last; 3]).collect()
     }
 }
@@ -114,6 +123,9 @@ impl<const N: usize> Spline<N> {
 /// Slopes at the knots: continuity of the second derivative inside, not-a-knot conditions at the ends; a tridiagonal system.
 fn slopes(t: &[f64], f: &[f64]) -> Vec<f64> {
     let n = t.len();
+    if n < 4 {
+        return few(t, f);
+    }
     let h: Vec<f64> = t.windows(2).map(|p| p[1] - p[0]).collect();
     let d: Vec<f64> = f.windows(2).zip(&h).map(|(p, h)| (p[1] - p[0]) / h).collect();
     let (mut lower, mut diagonal, mut upper, mut right) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; n]);
@@ -138,10 +150,38 @@ fn slopes(t: &[f64], f: &[f64]) -> Vec<f64> {
     m
 }
 
+/// Slopes of the parabola or the line through three or two points.
+fn few(t: &[f64], f: &[f64]) -> Vec<f64> {
+    let slope = |i: usize, j: usize| (f[j] - f[i]) / (t[j] - t[i]);
+    match t.len() {
+        3 => {
+            let (a, b, c) = (slope(0, 1), slope(1, 2), slope(0, 2));
+            vec![a + c - b, a + b - c, b + c - a]
+        }
+        2 => vec![slope(0, 1); 2],
+        n => vec![0.0; n],
+    }
+}
+
 #[cfg(test)]
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::Spline;
+
+    #[test]
+    fn few_knots_have_a_parabola_or_a_line_and_a_curve_of_no_numbers_no_small_deviation() {
+        let parabola = Spline::through(vec![0.0, 1.0, 3.0], &[[0.0], [1.0], [9.0]]);
+        let line = Spline::through(vec![0.0, 1.0, 3.0], &[[0.0], [2.0]]);
+        for t in [0.0, 0.5, 2.0, 3.0] {
+            assert!((parabola.at(t)[0] - t * t).abs() < 1e-14 && (line.at(t)[0] - 2.0 * t).abs() < 1e-14, "{t}");
+        }
+        let none = Spline::<1>::through(vec![0.0], &[[1.0]]);
+        assert!(none.at(0.0)[0].is_nan() && none.control_points().is_empty() && none.padded_knots().is_empty());
+        for wrong in [f64::NAN, f64::INFINITY] {
+            let fit = Spline::fit(|t: f64| [if t > 0.305 && t < 0.31 { wrong } else { t }], [0.0, 1.0], 1e-9);
+            assert_eq!(fit.deviation, f64::INFINITY);
+        }
+    }
 
     #[test]
     fn a_cubic_is_its_own_spline() {

@@ -1,7 +1,7 @@
 //! What small errors of a shape do to the pressure, and how soon wear removes them: linear algebra on the contact system.
 
 use crate::gap_rate::GapRate;
-use crate::wear_problem::{LoadStage, WearProblem};
+use crate::wear_problem::{LoadStage, WearProblem, fits};
 use faer::Mat;
 use faer::linalg::solvers::{PartialPivLu, Solve};
 
@@ -27,10 +27,15 @@ const RIGID: f64 = 1e-6;
 /// the first load of the problem.
 ///
 /// With the points in contact staying in contact, nodal forces `f` and free coordinates `y` answer by `dg + A f + Psi y = 0`,
-/// `B^T f = K y`; wear then follows `A f' + Psi y' = -R f` with `R = (dw'/dp) / W`. Points without pressure are left out. `None` for an error
-/// if no forces balance it.
+/// `B^T f = K y`; wear then follows `A f' + Psi y' = -R f` with `R = (dw'/dp) / W`. Points without pressure are left out. `None` if no
+/// forces balance an error, or a list or the first load is not of as many points.
 pub fn tolerances(problem: &WearProblem, pressure: &[f64], errors: &[Vec<f64>]) -> Option<Vec<Tolerance>> {
     let stage = problem.stages.first()?;
+    let count = problem.points.len();
+    let long = pressure.len() == count && stage.speeds.len() == count && errors.iter().all(|error| error.len() == count);
+    if !(long && fits(&stage.system, count)) {
+        return None;
+    }
     let closed = Closed::new(problem, stage, pressure);
     let n = closed.points.len();
     let right = closed.bordered_right(errors.len(), |i, k| -errors[k][closed.points[i]]);

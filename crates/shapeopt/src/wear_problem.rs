@@ -211,17 +211,15 @@ impl WearProblem {
             }
         }
         for stage in &self.stages {
-            let (a, m) = (&stage.system.compliance, stage.system.load.len());
-            let fits = a.nrows() == n && a.ncols() == n && stage.system.opening.len() == n && stage.system.influence.ncols() == m;
-            if !fits || stage.speeds.len() != n || stage.speeds.iter().any(|v| !(*v >= 0.0 && v.is_finite())) {
+            if !fits(&stage.system, n) || stage.speeds.len() != n || stage.speeds.iter().any(|v| !(*v >= 0.0 && v.is_finite())) {
                 return wrong(format!("a load stage does not fit the {n} contact points, or a sliding speed is negative"));
             }
         }
         if self.passing.as_ref().is_some_and(|passing| passing.nrows() != n || passing.ncols() != n) {
             return wrong(format!("the groove does not fit the {n} contact points"));
         }
-        let fits = |(first, weights): &(usize, Vec<f64>)| first + weights.len() <= n && weights.iter().all(|l| l.is_finite());
-        if !self.between.len().is_multiple_of(n.max(2) - 1) || !self.between.iter().all(fits) {
+        let within = |(first, weights): &(usize, Vec<f64>)| first + weights.len() <= n && weights.iter().all(|l| l.is_finite());
+        if !self.between.len().is_multiple_of(n.max(2) - 1) || !self.between.iter().all(within) {
             return wrong(format!("the places between the points do not fit the {n} contact points"));
         }
         if self.schedule.is_empty() || self.schedule.iter().any(|i| i.stage >= self.stages.len()) {
@@ -239,6 +237,36 @@ impl WearProblem {
         if self.counterface == Counterface::Revolving && !self.track_area.is_some_and(|a| a > 0.0) {
             return wrong("a revolving counter-face needs the area of its closed track".into());
         }
-        Ok(())
+        self.check_end()
     }
+
+    /// Checks steps and end of the run.
+    fn check_end(&self) -> Result<(), Error> {
+        let (Stepping::Adaptive { accuracy: size } | Stepping::Fixed(size)) = self.stepping;
+        let (end, from) = match self.until {
+            Until::Steady { residual, not_before } => (residual, not_before),
+            Until::Time(end) | Until::Depth(end) | Until::Volume(end) => (end, 0.0),
+        };
+        let positive = |value: f64| value > 0.0 && value.is_finite();
+        let what = if !positive(size) {
+            format!("the accuracy or length of the steps is {size}; it must be above 0 and finite")
+        } else if !(positive(end) && from >= 0.0 && from.is_finite()) {
+            format!("the end of the run is {:?}; it must be above 0 and finite", self.until)
+        } else if matches!(self.until, Until::Depth(_)) && !self.wear.wears(0) {
+            "body 1 does not wear, so that the run never comes to a depth worn off it".into()
+        } else if matches!(self.until, Until::Volume(_)) && !(self.wear.wears(0) || self.wear.wears(1)) {
+            "nothing wears, so that the run never comes to a worn volume".into()
+        } else {
+            return Ok(());
+        };
+        Err(Error::WearInput { what })
+    }
+}
+
+/// Whether a system is one of so many points, its matrices of one size with each other.
+pub(crate) fn fits(system: &ContactSystem, points: usize) -> bool {
+    let (n, m) = (points, system.load.len());
+    let is = |matrix: &Mat<f64>, rows: usize, columns: usize| matrix.nrows() == rows && matrix.ncols() == columns;
+    let matrices = is(&system.compliance, n, n) && is(&system.influence, n, m) && is(&system.balance, n, m);
+    matrices && is(&system.stiffness, m, m) && system.opening.len() == n
 }

@@ -11,6 +11,7 @@ mod order;
 mod own_rule;
 mod partial;
 mod place;
+mod refused;
 mod reversing;
 mod run_in_times;
 mod schedule;
