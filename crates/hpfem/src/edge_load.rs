@@ -45,7 +45,7 @@ impl<'a> Loads<'a> {
     /// Finds what takes the loads of these cases.
     ///
     /// # Errors
-    /// Boundaries that do not exist or are no open path where part of them is loaded, points outside the mesh.
+    /// Boundaries that do not exist or are no open path where part of them is loaded, parts off the path, points outside the mesh.
     pub(crate) fn new(mesh: &Mesh, cases: &'a [LoadCase]) -> Result<Loads<'a>, Error> {
         let edges = mesh.edges.iter().map(|_| Vec::new()).collect();
         let mut loads = Loads { cases: cases.len(), edges, volume: Vec::new(), points: BTreeMap::new() };
@@ -89,6 +89,10 @@ impl<'a> Loads<'a> {
                 self.edges[e].push(EdgeLoad { owner: neighbours[e][0].0, case, traction, part });
             }
             start += length;
+        }
+        if range[0] >= start || range[1] <= 0.0 {
+            let quantity = format!("the start of a loaded part of \"{}\", which is {start} long", load.boundary);
+            return Err(Error::OutOfRange { quantity, value: range[0], range: "on it" });
         }
         Ok(())
     }

@@ -383,3 +383,8 @@ pub enum Error {
         allowed: f64,
     },
 }
+
+/// Names in a row, or that there is none.
+pub(crate) fn names(known: &[String]) -> String {
+    if known.is_empty() { "none".into() } else { known.join(", ") }
+}

@@ -100,7 +100,8 @@ impl Field {
         energy
     }
 
-    /// State at the reference point `(xi, eta)` of a cell; in a triangle the side `eta = 1` is corner 2, see [`Cell`](crate::Cell).
+    /// State at the reference point `(xi, eta)` of a cell; in a triangle the side `eta = 1` is corner 2, see [`Cell`](crate::Cell). Beyond -1..=1 the
+    /// polynomials of the cell go on: what they say there is no state of the body.
     ///
     /// # Errors
     /// [`Error::Count`] for a cell that the mesh does not have.

@@ -1,6 +1,6 @@
 //! What is left of a body when everything but its kept boundary is eliminated.
 
-use crate::error::Error;
+use crate::error::{Error, names};
 use crate::kinematics::Kinematics;
 use crate::trace::{Trace, TraceLoad};
 use faer::Mat;
@@ -238,7 +238,7 @@ impl InterfaceOperator {
     /// # Errors
     /// [`Error::NoSuchLoadCase`].
     pub fn load_case(&self, name: &str) -> Result<usize, Error> {
-        let missing = || Error::NoSuchLoadCase { name: name.to_string(), known: self.load_cases.join(", ") };
+        let missing = || Error::NoSuchLoadCase { name: name.to_string(), known: names(&self.load_cases) };
         self.load_cases.iter().position(|known| known == name).ok_or_else(missing)
     }
 

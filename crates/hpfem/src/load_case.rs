@@ -74,7 +74,7 @@ pub struct EdgeTraction {
     /// Name of the boundary.
     pub boundary: String,
     /// The part between two arc lengths, mm, from the end of the path with the smaller coordinates (first coordinate first), if not
-    /// the whole; beyond the path it is cut off. The quadrature ends where the traction does, so that a jump inside an edge costs no
+    /// the whole; beyond the path it is cut off, and refused where it is wholly there. The quadrature ends where the traction does, so that a jump inside an edge costs no
     /// accuracy of the load (the stress has a singular point there that the mesh must resolve). The boundary is an open path then.
     pub range: Option<[f64; 2]>,
     /// The traction, MPa; it must be smooth on each edge for the quadrature to be accurate.

@@ -1,7 +1,7 @@
 //! Meshes of curved quadrilaterals and triangles.
 
 use crate::curve::Curve;
-use crate::error::Error;
+use crate::error::{Error, names};
 use crate::triangle::{barycentric, triangle_map};
 
 /// Ends of the four edges of a cell in its corner numbering, each walked towards growing reference coordinate:
@@ -205,7 +205,7 @@ impl Mesh {
             .boundaries
             .iter()
             .position(|n| n == name)
-            .ok_or_else(|| Error::NoSuchBoundary { name: name.to_string(), known: self.boundaries.join(", ") })?;
+            .ok_or_else(|| Error::NoSuchBoundary { name: name.to_string(), known: names(&self.boundaries) })?;
         Ok((0..self.edges.len()).filter(|e| self.edges[*e].tags.contains(&tag)).collect())
     }
 

@@ -74,7 +74,9 @@ pub(crate) fn reduce(problem: &BodyProblem, keep: Keep, clock: Clock, warm: Opti
     condensed.work += &interior_work;
     let finite = |m: &Mat<f64>| m.col_iter().all(|c| c.iter().all(|v| v.is_finite()));
     if !(finite(&condensed.rhs) && finite(&condensed.work) && finite(&reaction_constant)) {
-        let column = condensed.rhs.col_iter().position(|c| c.iter().any(|v| !v.is_finite()));
+        let first = |m: &Mat<f64>| m.col_iter().position(|c| c.iter().any(|v| !v.is_finite()));
+        let works = || (0..condensed.work.ncols()).find(|k| !condensed.work[(*k, *k)].is_finite());
+        let column = first(&condensed.rhs).or_else(works).or_else(|| first(&reaction_constant));
         let quantity = match column.and_then(|column| problem.load_cases.get(column)) {
             Some(case) => format!("a load of load case \"{}\", or what is left of it after elimination,", case.name),
             None => "a load, or what is left of it after elimination,".into(),

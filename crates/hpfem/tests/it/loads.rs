@@ -123,6 +123,9 @@ fn parts_and_displacements_that_cannot_be_are_refused() {
     let part = |boundary, range| held().load("0", traction(boundary, |_| [0.0; 2]).within(range));
     assert!(refused(part("lid", [0.0, 1.0])).contains("\"lid\""));
     assert!(refused(part("top", [1.0, 0.5])).contains("\"top\""));
+    for beyond in [[50.0, 70.0], [-2.0, -1.0]] {
+        assert!(refused(part("top", beyond)).contains("the start of a loaded part of \"top\""));
+    }
     let moved = |boundary, value| held().support(Support::hold(boundary, Direction::First).varying(move |_| value));
     assert!(refused(moved("lid", 0.0)).contains("\"lid\""));
     assert!(refused(moved("left", f64::NAN)).contains("\"left\""));

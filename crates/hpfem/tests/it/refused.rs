@@ -325,6 +325,20 @@ fn numbers_that_are_not_finite_are_refused_wherever_they_come_in() {
     assert!(matches!(body.field(&other.solve(&[("pull", 1.0)]).unwrap()), Err(Error::Count { .. })));
 }
 
+/// A body that keeps no boundary has no unknown left that the number would stand in.
+#[test]
+fn the_load_case_of_a_number_that_is_not_finite_is_told_by_its_name() {
+    let held = BodyProblem::new(rectangle([0.0, 2.0], [0.0, 1.0]), 6, PLANE_STRESS);
+    let held = held.material(Material::isotropic(100.0, 0.3).unwrap()).clamp("left");
+    for load in [Load::from(BodyForce::new(|_| [f64::NAN, 0.0])), Load::from(Eigenstrain::new(|_| [f64::NAN; 4]))] {
+        let body = held.clone().load("good", BodyForce::new(|_| [1.0, 0.0])).load("bad", load);
+        let error = Body::new(body).err().unwrap().to_string();
+        assert!(error.contains("load case \"bad\""), "{error}");
+    }
+    let error = Body::new(held).unwrap().solve(&[("zz", 1.0)]).unwrap_err().to_string();
+    assert_eq!(error, "the body has no load case \"zz\"; it has: none");
+}
+
 #[test]
 fn supports_that_agree_but_for_round_off_are_taken() {
     let problem = BodyProblem::new(rectangle([0.0, 1.0], [0.0, 1.0]), 3, PLANE_STRESS);
