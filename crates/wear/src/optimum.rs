@@ -75,7 +75,7 @@ fn revolving(problem: &Problem) -> Result<Optimum, WearError> {
     let tracked = matches!(problem.surface.shape(), crate::Shape::Sector { .. });
     let name = "track area of the revolving counterface";
     match problem.surface.track_area() {
-        Some(value) if !(value > 0.0) => return Err(WearError::OutOfRange { name, value, wanted: "> 0" }),
+        Some(value) if value.is_nan() || value <= 0.0 => return Err(WearError::OutOfRange { name, value, wanted: "> 0" }),
         None if !tracked => {
             let wanted = "given for a surface that is neither arc nor sector";
             return Err(WearError::OutOfRange { name, value: f64::NAN, wanted });
