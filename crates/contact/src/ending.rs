@@ -36,7 +36,7 @@ impl Warm<'_> {
         listed(EARLIER, &self.point.force, points)?;
         listed(EARLIER, self.shear, points)?;
         listed("motions of the earlier solution", &self.point.coordinates, coordinates)?;
-        for given in [self.closed.len(), self.states.len()].into_iter().filter(|given| *given != points) {
+        if let Some(given) = [self.closed.len(), self.states.len()].into_iter().find(|given| *given != points) {
             return Err(Error::Shape { name: EARLIER, wanted: [points, 1], given: [given, 1] });
         }
         Ok(self)
