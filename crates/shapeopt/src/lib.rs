@@ -23,7 +23,6 @@ mod rigid_wear;
 mod run_in;
 mod settling;
 mod shape;
-mod shape_check;
 mod spline;
 mod stage_contact;
 mod tableau;
