@@ -24,13 +24,13 @@ pub enum Error {
         side: Side,
     },
     /// Two bodies of unlike kinematics or thickness.
-    #[error("bodies in contact need the same thickness or axis; they are {:?} and {:?}", kinematics[0], kinematics[1])]
+    #[error("bodies in contact need the same kinematics and thickness")]
     Unlike {
         /// Those of both bodies.
         kinematics: [Kinematics; 2],
     },
     /// A body has no normal and tangential displacement.
-    #[error("the {} is reduced as {kinematics:?}, which has no displacement along a normal", side.words())]
+    #[error("the {} has no displacement along a normal: reduce it as an elastic body", side.words())]
     NoNormal {
         /// The body.
         side: Side,

@@ -251,11 +251,11 @@ impl WearProblem {
         let what = if !positive(size) {
             format!("the accuracy or length of the steps is {size}; it must be above 0 and finite")
         } else if !(positive(end) && from >= 0.0 && from.is_finite()) {
-            format!("the end of the run is {:?}; it must be above 0 and finite", self.until)
+            "the end of the run must be above 0 and finite".into()
         } else if matches!(self.until, Until::Depth(_)) && !self.wear.wears(0) {
-            "body 1 does not wear, so that the run never comes to a depth worn off it".into()
+            "body 1 does not wear, and the run ends by its depth".into()
         } else if matches!(self.until, Until::Volume(_)) && !(self.wear.wears(0) || self.wear.wears(1)) {
-            "nothing wears, so that the run never comes to a worn volume".into()
+            "nothing wears, and the run ends by its volume".into()
         } else {
             return Ok(());
         };
