@@ -102,7 +102,7 @@ pub enum Error {
     #[error("the contact knows no shear; friction needs an operator made with shear, or a compliance along normals and tangents")]
     ShearNotPrepared,
     /// The pivoting method knows no stick and slip.
-    #[error("stick and slip are not solved by pivoting")]
+    #[error("stick and slip are not solved by pivoting: use `solve`")]
     StickBySolve,
     /// A matrix or list has the wrong size.
     #[error("the {name} must be {} x {}; it is {} x {}", wanted[0], wanted[1], given[0], given[1])]

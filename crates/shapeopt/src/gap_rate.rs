@@ -86,9 +86,8 @@ impl GapRate {
         self.others(pressure).or_else(|| self.groove(pressure))
     }
 
-    /// The same from a gap at the start.
-    pub(crate) fn from(self, gap: &[f64]) -> GapRate {
-        let start = (self.adds() && self.rules[1].iter().any(LocalRule::wears)).then(|| gap.to_vec());
+    /// The same from a gap at the start, where body 2 opens it too.
+    pub(crate) fn opened_by_both(self, start: Option<Vec<f64>>) -> GapRate {
         GapRate { start, ..self }
     }
 

@@ -36,7 +36,7 @@ pub(crate) fn load<'a>(problem: &'a WearProblem, stage: &LoadStage, system: Cow<
 
 fn rate(problem: &WearProblem, stage: &LoadStage) -> GapRate {
     let rate = GapRate::new(&problem.wear, problem.counterface, &stage.speeds, &weights(problem), problem.track_area);
-    rate.passing(problem.passing.clone()).from(&problem.gap)
+    rate.passing(problem.passing.clone()).opened_by_both(problem.is_opened_by_both().then(|| problem.gap.clone()))
 }
 
 fn weights(problem: &WearProblem) -> Vec<f64> {

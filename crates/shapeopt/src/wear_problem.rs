@@ -175,9 +175,14 @@ impl WearProblem {
         [part, if passed < 1.0 - LAST { part } else { AT_THE_END }]
     }
 
+    /// Whether the wear of body 2 opens the gap where it is, beside that of body 1.
+    pub(crate) fn is_opened_by_both(&self) -> bool {
+        self.counterface == Counterface::Congruent && self.wear.wears(1)
+    }
+
     /// Depths of wear in the gap of a state, mm: what is worn off body 1, and off body 2 where that opens the gap too.
     pub fn worn_gap(&self, state: &WearState) -> Vec<f64> {
-        if self.counterface != Counterface::Congruent || !self.wear.wears(1) {
+        if !self.is_opened_by_both() {
             return state.worn.clone();
         }
         state.gap.iter().zip(&self.gap).map(|(now, start)| now - start).collect()

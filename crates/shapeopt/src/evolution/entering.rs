@@ -32,15 +32,17 @@ impl Evolution<'_> {
         (ratio, power): (f64, f64),
         told: f64,
     ) -> f64 {
-        match told {
-            _ if !self.one_by_one() => told,
-            _ if ratio < 1.0 => (0.9 * ratio).clamp(SHARPEST, told),
-            _ if told > 1.0 && state.error > 0.0 && error > 0.0 => {
-                let slower = step / state.step_size * (state.error / error).powf(1.0 / power);
-                (told * slower.clamp(1.0, SMOOTHER)).min(GROWTH)
-            }
-            _ => told,
+        if !self.one_by_one() {
+            return told;
         }
+        if ratio < 1.0 {
+            return (0.9 * ratio).clamp(SHARPEST, told);
+        }
+        if told <= 1.0 || state.error == 0.0 || error == 0.0 {
+            return told;
+        }
+        let slower = step / state.step_size * (state.error / error).powf(1.0 / power);
+        (told * slower.clamp(1.0, SMOOTHER)).min(GROWTH)
     }
 
     /// Whether points enter one by one for a step, at once against its length: a flat worn on a ball, deep against all that the bodies give way by, which is
