@@ -277,32 +277,43 @@ pub fn corner_exponent(sectors: &[Sector], faces: Option<[Face; 2]>, kinematics:
     let mut matrix = SmallMatrix::default();
     let mut f = |l: C| determinant(l, sectors, faces, kinematics, &mut matrix);
     let at_zero = roots_at_zero(sectors, faces, kinematics);
-    let mut best = 1.0_f64;
-    for i in 1..=24 {
-        for j in 0..5 {
-            let mut l = C::new(0.042 * f64::from(i), 0.2 * f64::from(j));
-            let mut step = C::new(1.0, 0.0);
-            for _ in 0..60 {
-                let h = 1e-6;
-                let slope = (f(l + h) - f(l - h)) / (2.0 * h);
-                // Newton's method on f / l^m.
-                let value = f(l);
-                step = value / (slope - value / l * at_zero);
-                if !step.re.is_finite() || l.norm() > 4.0 || l.norm() < 1e-4 {
-                    break;
-                }
-                l -= step;
-                if step.norm() < 1e-11 {
-                    break;
-                }
-            }
-            // Double roots (a crack) converge slowly but surely.
-            if step.norm() < 1e-6 && l.re > 0.02 && l.re < best && l.norm() > 0.02 {
-                best = l.re;
-            }
+    let mut roots: Vec<C> = Vec::new();
+    for i in 1..=STARTS[0] {
+        for j in 0..STARTS[1] {
+            let start = C::new(f64::from(i) / f64::from(STARTS[0]), f64::from(j) / f64::from(STARTS[1]));
+            roots.extend(root_from(start, &mut f, (at_zero, &roots)));
         }
     }
-    best
+    roots.iter().map(|root| root.re).fold(1.0, f64::min)
+}
+
+/// Starts along the real part, up to 1, and along the imaginary one: ten times as many found no other exponent in 6000 random corners of one to three
+/// sectors, but those that are 1 to some 1e-5.
+const STARTS: [u32; 2] = [12, 3];
+
+/// Distance from a known root within which no other one is expected.
+const NEAR: f64 = 1e-4;
+
+/// A root of the determinant from a start by Newton's method on `f / l^m`; none without one, or if it is a known one.
+fn root_from(start: C, f: &mut impl FnMut(C) -> C, (at_zero, known): (f64, &[C])) -> Option<C> {
+    let (mut l, mut step) = (start, C::new(1.0, 0.0));
+    for _ in 0..40 {
+        let (value, h) = (f(l), 1e-6);
+        let slope = (f(l + h) - value) / h;
+        step = value / (slope - value / l * at_zero);
+        if !step.re.is_finite() || l.norm() > 4.0 || l.norm() < 1e-4 {
+            return None;
+        }
+        l -= step;
+        if step.norm() < 1e-11 {
+            break;
+        }
+        if known.iter().any(|root| (l - root).norm().min((l.conj() - root).norm()) < NEAR) {
+            return None;
+        }
+    }
+    // Double roots (a crack) converge slowly but surely.
+    Some(l).filter(|l| step.norm() < 1e-6 && l.re > 0.02 && l.norm() > 0.02)
 }
 
 /// Multiplicity of the root `l = 0` of the determinant, to which starts from near and far would go, slowly: one for each condition on a traction, which
