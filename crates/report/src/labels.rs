@@ -117,7 +117,7 @@ const WORDS: &[(&str, &str)] = &[
     ("heat.T_max2_at_mm", "there (x, z)"),
     ("heat.staggered_limit_speed_factor", "factor on the speed up to which pressure and temperature by turns would settle"),
     ("heat.separation_speed_factor", "factor on the speed at which surfaces without a gap begin to part"),
-    ("heat.critical_speed_factor", "factor on the speed at which the contact is no longer unique"),
+    ("heat.critical_speed_factor", "factor on the speed at which this contact is singular"),
     ("heat.in_time", "temperature in time"),
     ("heat.jumps", "jumps of the contact by its heat"),
     ("energy.body1_Nmm", "strain energy of body 1"),

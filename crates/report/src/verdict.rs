@@ -45,11 +45,13 @@ fn machine(problem: &Problem, solution: &Solution) -> String {
     let words = taken_off(problem, solution);
     let steady = |pressure: &PressureResult| pressure.functional == Functional::Steady && !is_capped(problem, pressure);
     let steady = solution.pressure.as_ref().is_some_and(steady);
-    let lasts = !solution.remarks.iter().any(|remark| remark.code == "thermoelastic-instability");
-    let end = match (steady, lasts) {
-        (true, true) => "it starts worn in",
-        (true, false) => "it starts worn in, but frictional heat does not let it stay so",
-        (false, _) => "it has the wanted pressure",
+    let noted = |code: &str| solution.remarks.iter().any(|remark| remark.code == code);
+    let end = match (steady, noted("thermoelastic-instability"), noted("not-worn-in-from-cold")) {
+        (true, false, false) => "it starts worn in",
+        (true, true, _) => "it starts worn in, but frictional heat does not let it stay so",
+        (true, false, true) => "warm it has the steady pressure, but not from a cold start",
+        (false, _, false) => "it has the wanted pressure",
+        (false, _, true) => "warm it has the wanted pressure, but not from a cold start",
     };
     format!("Machine this shape: {}; {end}.", words.unwrap_or_default())
 }

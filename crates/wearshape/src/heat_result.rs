@@ -40,7 +40,7 @@ pub struct HeatResult {
     /// any speed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub separation_speed_factor: Option<SpeedFactor>,
-    /// Factor on the sliding speed at which the contact is no longer unique.
+    /// Factor on the sliding speed at which this contact is singular, and no longer unique near by. Others may carry the load before, far from it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub critical_speed_factor: Option<SpeedFactor>,
     /// How the temperature follows a run in time; none of what has no time.
@@ -55,6 +55,23 @@ pub struct HeatResult {
     /// Materials that are hotter than they bear.
     #[serde(skip)]
     pub too_hot: Vec<TooHot>,
+    /// The contact that a shape has when it is brought to its speed cold, where that is another one than the wanted.
+    #[serde(skip)]
+    pub from_cold: Option<FromCold>,
+}
+
+/// A contact that grows from that of the cold bodies.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum FromCold {
+    /// It carries the load at the sliding speed.
+    Carries {
+        /// Its largest pressure (MPa).
+        largest: f64,
+        /// Arc lengths between which it lies (mm).
+        ends: [f64; 2],
+    },
+    /// It is lost before.
+    Lost,
 }
 
 /// How the temperature follows a run in time.

@@ -3,6 +3,7 @@
 use meshing::outline;
 use scene::short;
 
+use crate::heat_result::FromCold;
 use crate::problem::Problem;
 use crate::remark::Remark;
 use crate::solution::Solution;
@@ -13,7 +14,10 @@ const WIDE: f64 = 0.01;
 
 /// Remarks on the heat of a run; none of a scene without it.
 pub(crate) fn remarks(problem: &Problem, solution: &Solution) -> Vec<Remark> {
-    [several(solution), growing(solution), too_hot(solution), far(problem, solution)].into_iter().flatten().collect()
+    [several(solution), growing(solution), from_cold(solution), too_hot(solution), far(problem, solution)]
+        .into_iter()
+        .flatten()
+        .collect()
 }
 
 /// A contact with an odd number of critical speeds below its own.
@@ -34,6 +38,23 @@ fn growing(solution: &Solution) -> Option<Remark> {
         rounded(1.0 / growth)
     );
     Some(Remark { code: "thermoelastic-instability", message })
+}
+
+/// A shape that has another contact when it comes to its speed cold.
+fn from_cold(solution: &Solution) -> Option<Remark> {
+    let what = match solution.heat.as_ref()?.from_cold? {
+        FromCold::Carries { largest, ends: [from, to] } => format!(
+            "another contact carries the load as well: it lies between s = {} and {} mm, with some {} MPa at most",
+            rounded(from),
+            rounded(to),
+            short(format!("{largest:.1e}").parse().unwrap_or(largest))
+        ),
+        FromCold::Lost => "none that grows from that of the cold bodies carries the load".into(),
+    };
+    let message = format!(
+        "Brought to its speed cold, this shape does not start worn in: at that speed {what}. Only bodies that are as warm as the wanted pressure makes them have          that pressure; slide more slowly, or let it wear in."
+    );
+    Some(Remark { code: "not-worn-in-from-cold", message })
 }
 
 /// A material beyond the temperature that it bears.

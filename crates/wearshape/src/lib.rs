@@ -64,7 +64,7 @@ pub use brake::{BrakeResult, Sense, SupportForce};
 pub use effort::{Clock, Counters, Effort};
 pub use forecast::Forecast;
 pub use functional::functional_row;
-pub use heat_result::{HeatInTime, HeatResult, SpeedFactor, TooHot};
+pub use heat_result::{FromCold, HeatInTime, HeatResult, SpeedFactor, TooHot};
 pub use holding::{HeldBy, Holding};
 pub use life_result::LifeResult;
 pub use machined::{Machined, SurfacePoint};

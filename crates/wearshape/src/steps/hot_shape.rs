@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use contact::{ContactLoad, Pair, SpeedFactors};
+use contact::{ContactLoad, ContactPoint, Pair, SpeedFactors};
 use meshing::Cut;
 use scene::Fault;
 use shapeopt::SurfacePlace;
@@ -10,13 +10,14 @@ use shapeopt::SurfacePlace;
 use crate::bodies::Reduced;
 use crate::effort::Effort;
 use crate::heat::Heat;
-use crate::heat_result::HeatResult;
+use crate::heat_result::{FromCold, HeatResult};
 use crate::level::Level;
 use crate::results::EnergyResult;
 use crate::step::Step;
 use crate::steps::answer::Told;
 use crate::steps::heat::bodies::{Asked, HotBodies, Warm};
 use crate::steps::heat::following::{Following, Speeds};
+use crate::steps::heat::hot::Hot;
 use crate::steps::heat::known::{PointHeat, with_heat};
 use crate::steps::heat::report::{Thermal, tell};
 use crate::steps::heat::smooth::Smooth;
@@ -83,10 +84,12 @@ pub(crate) struct Bears {
     pub smooth: Option<SpeedFactors>,
     /// The fastest growth of a deviation from its steady pressure (1/s).
     pub growth: Option<f64>,
+    /// The contact that it has when it is brought to its speed cold, where that is another one.
+    pub from_cold: Option<FromCold>,
 }
 
-/// What a shape bears of its sliding speed.
-pub(crate) fn bears(shaper: &Shaper<'_>, following: &Following<'_>) -> Result<Bears, Fault> {
+/// What a shape with this gap bears of its sliding speed.
+pub(crate) fn bears(shaper: &Shaper<'_>, following: &Following<'_>, gap: impl Fn(&ContactPoint) -> f64) -> Result<Bears, Fault> {
     let pair = following.reduced.pair()?;
     let operator = following.reduced.operator(&pair, shaper.stage.friction() > 0.0)?;
     let pressure: Vec<f64> = operator.points().iter().map(|p| shaper.pressure(&SurfacePlace::from(p), Some(&pair))).collect();
@@ -96,11 +99,25 @@ pub(crate) fn bears(shaper: &Shaper<'_>, following: &Following<'_>) -> Result<Be
     let singular = !speeds.factors.singular.is_empty();
     let smooth = singular.then(|| following.smooth_factors(&operator, (&load, &closed))).transpose()?;
     let growth = following.deviation_growth(shaper.stage, &operator, (&load, &pressure))?;
-    Ok(Bears { speeds, smooth, growth })
+    let gap: Vec<f64> = operator.points().iter().map(gap).collect();
+    let another = following.another(&operator, &gap, &load, &pressure)?;
+    let from_cold = another.map(|hot| from_cold(&hot, operator.points(), shaper.stage.start(&pair)));
+    Ok(Bears { speeds, smooth, growth, from_cold })
+}
+
+/// What a contact that grows from that of the cold bodies comes to; arc lengths of the scene begin at `start`.
+fn from_cold(hot: &Hot, points: &[ContactPoint], start: f64) -> FromCold {
+    let found = &hot.found;
+    if hot.lost.is_some() || !found.status.is_solved() {
+        return FromCold::Lost;
+    }
+    let arcs = || points.iter().zip(&found.closed).filter(|(_, closed)| **closed).map(|(point, _)| start + point.arc);
+    let ends = [arcs().fold(f64::INFINITY, f64::min), arcs().fold(f64::NEG_INFINITY, f64::max)];
+    FromCold::Carries { largest: found.pressure.iter().fold(0.0, |most: f64, p| most.max(*p)), ends }
 }
 
 /// Load of a contact on the shape, with the worn motions of its wear.
-pub(crate) fn contact_load(shaper: &Shaper<'_>, points: &[contact::ContactPoint]) -> ContactLoad {
+pub(crate) fn contact_load(shaper: &Shaper<'_>, points: &[ContactPoint]) -> ContactLoad {
     let mut load = shaper.stage.contact_load(points);
     shaper.add_feed(&mut load);
     load

@@ -256,9 +256,9 @@ impl<'a> Shaper<'a> {
         let mut following = None;
         if !outcome.stopped {
             let own = hot.following(&solved.reduced);
-            let bears = hot_shape::bears(self, &own)?;
+            let bears = hot_shape::bears(self, &own, |point| solved.shape.gap(&pair, point))?;
             result.take_speeds(&bears.speeds, bears.smooth.as_ref().map(|smooth| (smooth, HEAT_ALIKE)));
-            result.growth = bears.growth;
+            (result.growth, result.from_cold) = (bears.growth, bears.from_cold);
             following = Some(own);
         }
         outcome.heat = Some(result);

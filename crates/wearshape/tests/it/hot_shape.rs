@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use wearshape::{Bodies, Event, Options, Problem, Sampling, Solution, SpeedFactor, Status, solve};
+use wearshape::{Bodies, Event, FromCold, Options, Problem, Sampling, Solution, SpeedFactor, Status, solve};
 
 use crate::common::{read, scene, solved};
 use crate::heat::{Q, SLABS, near, profile};
@@ -47,6 +47,26 @@ fn a_shape_beyond_the_critical_speed_is_refused_with_and_without_its_proof() {
             refused(&solution, "beyond the critical one");
         }
     }
+}
+
+#[test]
+fn a_shape_that_comes_to_its_speed_cold_may_have_another_contact() {
+    let from_cold = |name: &str, speed: &str| {
+        let omega = format!("sliding.omega={speed}");
+        let solution = solved(&scene(name, &["accuracy=1e-3", "check=false", &omega]));
+        let noted = solution.remarks.iter().any(|remark| remark.code == "not-worn-in-from-cold");
+        let heat = solution.heat.unwrap();
+        assert_eq!(noted, heat.from_cold.is_some(), "{name} at {speed} rad/s");
+        // Another contact may exist at half the speed at which the wanted one is singular.
+        assert!(matches!(heat.critical_speed_factor, Some(SpeedFactor::At(factor)) if factor > 1.7), "{name} at {speed} rad/s");
+        heat.from_cold
+    };
+    assert_eq!(from_cold("drum-brake-hot", "1.5"), None);
+    assert_eq!(from_cold("clutch-hot", "2"), None);
+    // A contact solve on the shape of 2.5 rad/s, on finer meshes: 0.8502 MPa from -39.85 to 44.89 mm.
+    let Some(FromCold::Carries { largest, ends }) = from_cold("drum-brake-hot", "2.5") else { panic!("one contact alone") };
+    assert!((largest / 0.8502 - 1.0).abs() < 0.1, "{largest} MPa");
+    assert!((ends[0] + 39.85).abs() < 10.0 && (ends[1] - 44.89).abs() < 10.0, "{ends:?} mm");
 }
 
 #[test]
