@@ -43,7 +43,7 @@ impl Document {
             });
         }
         flags::apply(&mut tree, settings)?;
-        let scene = Scene::deserialize(&tree).map_err(|mismatch| explain(mismatch, file, text, settings))?;
+        let scene = Scene::deserialize(&tree).map_err(|mismatch| explain(*mismatch, file, text, settings))?;
         let name = Path::new(file).file_stem().map_or_else(|| file.to_string(), |stem| stem.to_string_lossy().into_owned());
         Ok(Document { name, file: file.to_string(), text: text.to_string(), tree, settings: settings.to_vec(), scene })
     }

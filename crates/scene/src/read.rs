@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 
-use serde::de::value::{StrDeserializer, StringDeserializer};
+use serde::de::value::StrDeserializer;
 use serde::de::{
     DeserializeSeed, Deserializer, EnumAccess, Error as _, Expected, IntoDeserializer, MapAccess, SeqAccess, Unexpected,
     VariantAccess, Visitor,
@@ -12,7 +12,7 @@ use serde::forward_to_deserialize_any;
 use crate::fault::did_you_mean;
 use crate::tree::{Entry, Node, Origin, Value};
 
-/// Why a tree is not a scene.
+/// Why a tree is not a scene. Serde hands it up through one function a type, boxed so that each of them is small.
 #[derive(Debug, Clone)]
 pub(crate) struct Mismatch {
     /// Kind of error in one word.
@@ -28,18 +28,31 @@ pub(crate) struct Mismatch {
 }
 
 impl Mismatch {
-    fn new(code: &'static str, message: String, remedy: String) -> Self {
-        Mismatch { code, message, remedy, path: Vec::new(), origin: None }
+    fn new(code: &'static str, message: String, remedy: String) -> Box<Self> {
+        Box::new(Mismatch { code, message, remedy, path: Vec::new(), origin: None })
     }
 
-    fn at(mut self, origin: &Origin) -> Self {
+    fn at(mut self: Box<Self>, origin: &Origin) -> Box<Self> {
         self.origin.get_or_insert_with(|| origin.clone());
         self
     }
 
-    fn under(mut self, key: &str) -> Self {
+    fn under(mut self: Box<Self>, key: &str) -> Box<Self> {
         self.path.insert(0, key.to_string());
         self
+    }
+
+    /// Wrong is the key itself.
+    fn in_key(self: Box<Self>, entry: &Entry) -> Box<Self> {
+        self.at(&entry.origin).under(&entry.key)
+    }
+
+    /// Wrong is the value of a key. A missing key is blamed on the table's own key, a wrong value on the value.
+    fn in_value(mut self: Box<Self>, entry: &Entry) -> Box<Self> {
+        if self.code == "missing-key" && self.path.is_empty() {
+            self.origin = Some(entry.origin.clone());
+        }
+        self.under(&entry.key)
     }
 }
 
@@ -102,7 +115,7 @@ impl Display for Mismatch {
 
 impl std::error::Error for Mismatch {}
 
-impl serde::de::Error for Mismatch {
+impl serde::de::Error for Box<Mismatch> {
     /// A message of two lines is the message and the remedy.
     fn custom<T: Display>(text: T) -> Self {
         let text = text.to_string();
@@ -138,9 +151,9 @@ impl serde::de::Error for Mismatch {
 }
 
 impl<'de> Deserializer<'de> for &'de Node {
-    type Error = Mismatch;
+    type Error = Box<Mismatch>;
 
-    fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Mismatch> {
+    fn deserialize_any<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Box<Mismatch>> {
         match &self.value {
             Value::Bool(flag) => visitor.visit_bool(*flag),
             Value::Integer(number) => visitor.visit_i64(*number),
@@ -152,7 +165,25 @@ impl<'de> Deserializer<'de> for &'de Node {
         .map_err(|error| error.at(&self.origin))
     }
 
-    fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Mismatch> {
+    fn deserialize_seq<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Box<Mismatch>> {
+        match &self.value {
+            Value::List(items) => whole_list(items, visitor).map_err(|error| error.at(&self.origin)),
+            _ => Err(self.is_not(&visitor)),
+        }
+    }
+
+    fn deserialize_tuple<V: Visitor<'de>>(self, _len: usize, visitor: V) -> Result<V::Value, Box<Mismatch>> {
+        self.deserialize_seq(visitor)
+    }
+
+    fn deserialize_map<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Box<Mismatch>> {
+        match &self.value {
+            Value::Table(entries) => visitor.visit_map(TableReader { entries, next: 0 }).map_err(|error| error.at(&self.origin)),
+            _ => Err(self.is_not(&visitor)),
+        }
+    }
+
+    fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Box<Mismatch>> {
         visitor.visit_some(self)
     }
 
@@ -161,15 +192,12 @@ impl<'de> Deserializer<'de> for &'de Node {
         _name: &'static str,
         _fields: &'static [&'static str],
         visitor: V,
-    ) -> Result<V::Value, Mismatch> {
-        // Serde would take the entries of a list for the keys in their order.
-        match &self.value {
-            Value::List(_) => Err(Mismatch::invalid_type(Unexpected::Seq, &visitor).at(&self.origin)),
-            _ => self.deserialize_any(visitor),
-        }
+    ) -> Result<V::Value, Box<Mismatch>> {
+        // Not as a list too, whose entries serde would take for the keys in their order.
+        self.deserialize_map(visitor)
     }
 
-    fn deserialize_newtype_struct<V: Visitor<'de>>(self, _name: &'static str, visitor: V) -> Result<V::Value, Mismatch> {
+    fn deserialize_newtype_struct<V: Visitor<'de>>(self, _name: &'static str, visitor: V) -> Result<V::Value, Box<Mismatch>> {
         visitor.visit_newtype_struct(self)
     }
 
@@ -178,51 +206,66 @@ impl<'de> Deserializer<'de> for &'de Node {
         _name: &'static str,
         words: &'static [&'static str],
         visitor: V,
-    ) -> Result<V::Value, Mismatch> {
-        let entry = match &self.value {
-            Value::Text(text) => {
-                let word: StrDeserializer<'_, Mismatch> = text.as_str().into_deserializer();
-                return visitor.visit_enum(word).map_err(|error| error.at(&self.origin));
-            }
-            Value::Table(entries) => match entries.as_slice() {
-                [entry] => entry,
-                [] => {
-                    let error = Mismatch::new("missing-key", "an empty table".into(), format!("one of: {}", words.join(", ")));
-                    return Err(error.at(&self.origin));
-                }
-                [first, second, ..] => {
-                    let message = format!("both `{}` and `{}` are given, of which only one can hold", first.key, second.key);
-                    let error = Mismatch::new("two-alternatives", message, format!("keep one of: {}", words.join(", ")));
-                    return Err(error.at(&second.origin));
-                }
-            },
-            _ => {
-                let error = Mismatch::new(
-                    "wrong-type",
-                    "wrong type: a word is wanted here".into(),
-                    format!("one of: {}", words.join(", ")),
-                );
-                return Err(error.at(&self.origin));
-            }
-        };
+    ) -> Result<V::Value, Box<Mismatch>> {
+        if let Value::Text(text) = &self.value {
+            let word: StrDeserializer<'_, Box<Mismatch>> = text.as_str().into_deserializer();
+            return visitor.visit_enum(word).map_err(|error| error.at(&self.origin));
+        }
+        let entry = self.alternative(words)?;
         visitor.visit_enum(VariantReader { entry })
     }
 
     forward_to_deserialize_any! {
         bool i8 i16 i32 i64 i128 u8 u16 u32 u64 u128 f32 f64 char str string bytes byte_buf
-        unit unit_struct seq tuple tuple_struct map identifier ignored_any
+        unit unit_struct tuple_struct identifier ignored_any
+    }
+}
+
+impl Node {
+    /// The one key of a table that says which of some alternatives holds.
+    fn alternative(&self, words: &[&str]) -> Result<&Entry, Box<Mismatch>> {
+        let Value::Table(entries) = &self.value else {
+            let message = "wrong type: a word is wanted here".to_string();
+            return Err(Mismatch::new("wrong-type", message, format!("one of: {}", words.join(", "))).at(&self.origin));
+        };
+        match entries.as_slice() {
+            [entry] => Ok(entry),
+            [] => {
+                let error = Mismatch::new("missing-key", "an empty table".into(), format!("one of: {}", words.join(", ")));
+                Err(error.at(&self.origin))
+            }
+            [first, second, ..] => {
+                let message = format!("both `{}` and `{}` are given, of which only one can hold", first.key, second.key);
+                let error = Mismatch::new("two-alternatives", message, format!("keep one of: {}", words.join(", ")));
+                Err(error.at(&second.origin))
+            }
+        }
+    }
+
+    /// It is of another type than is wanted.
+    fn is_not(&self, wanted: &dyn Expected) -> Box<Mismatch> {
+        let found = match &self.value {
+            Value::Bool(flag) => Unexpected::Bool(*flag),
+            Value::Integer(number) => Unexpected::Signed(*number),
+            Value::Float(number) => Unexpected::Float(*number),
+            Value::Text(text) => Unexpected::Str(text),
+            Value::List(_) => Unexpected::Seq,
+            Value::Table(_) => Unexpected::Map,
+        };
+        Box::<Mismatch>::invalid_type(found, wanted).at(&self.origin)
     }
 }
 
 /// Reads a list to its end: a type of fixed length would leave out what comes after.
-fn whole_list<'de, V: Visitor<'de>>(items: &'de [Node], visitor: V) -> Result<V::Value, Mismatch> {
+fn whole_list<'de, V: Visitor<'de>>(items: &'de [Node], visitor: V) -> Result<V::Value, Box<Mismatch>> {
     let mut list = ListReader { items, next: 0 };
     let read = visitor.visit_seq(&mut list)?;
-    if list.next < items.len() {
-        let message = format!("wrong number of entries: found {}", items.len());
-        return Err(Mismatch::new("wrong-type", message, format!("write a list of {}", list.next)));
-    }
-    Ok(read)
+    if list.next < items.len() { Err(too_many(items.len(), list.next)) } else { Ok(read) }
+}
+
+fn too_many(found: usize, wanted: usize) -> Box<Mismatch> {
+    let message = format!("wrong number of entries: found {found}");
+    Mismatch::new("wrong-type", message, format!("write a list of {wanted}"))
 }
 
 struct ListReader<'de> {
@@ -231,15 +274,14 @@ struct ListReader<'de> {
 }
 
 impl<'de> SeqAccess<'de> for ListReader<'de> {
-    type Error = Mismatch;
+    type Error = Box<Mismatch>;
 
-    fn next_element_seed<T: DeserializeSeed<'de>>(&mut self, seed: T) -> Result<Option<T::Value>, Mismatch> {
+    fn next_element_seed<T: DeserializeSeed<'de>>(&mut self, seed: T) -> Result<Option<T::Value>, Box<Mismatch>> {
         let Some(node) = self.items.get(self.next) else {
             return Ok(None);
         };
-        let place = self.next.to_string();
         self.next += 1;
-        seed.deserialize(node).map(Some).map_err(|error| error.under(&place))
+        seed.deserialize(node).map(Some).map_err(|error| error.under(&(self.next - 1).to_string()))
     }
 
     fn size_hint(&self) -> Option<usize> {
@@ -253,30 +295,22 @@ struct TableReader<'de> {
 }
 
 impl<'de> MapAccess<'de> for TableReader<'de> {
-    type Error = Mismatch;
+    type Error = Box<Mismatch>;
 
-    fn next_key_seed<K: DeserializeSeed<'de>>(&mut self, seed: K) -> Result<Option<K::Value>, Mismatch> {
+    fn next_key_seed<K: DeserializeSeed<'de>>(&mut self, seed: K) -> Result<Option<K::Value>, Box<Mismatch>> {
         let Some(entry) = self.entries.get(self.next) else {
             return Ok(None);
         };
-        let key: StringDeserializer<Mismatch> = entry.key.clone().into_deserializer();
-        seed.deserialize(key).map(Some).map_err(|error| error.at(&entry.origin).under(&entry.key))
+        let key: StrDeserializer<'_, Box<Mismatch>> = entry.key.as_str().into_deserializer();
+        seed.deserialize(key).map(Some).map_err(|error| error.in_key(entry))
     }
 
-    fn next_value_seed<V: DeserializeSeed<'de>>(&mut self, seed: V) -> Result<V::Value, Mismatch> {
+    fn next_value_seed<V: DeserializeSeed<'de>>(&mut self, seed: V) -> Result<V::Value, Box<Mismatch>> {
         let Some(entry) = self.entries.get(self.next) else {
-            return Err(Mismatch::custom("a value was read twice"));
+            return Err(Box::<Mismatch>::custom("a value was read twice"));
         };
         self.next += 1;
-        // A missing key is blamed on the table's own key, a wrong value on the value.
-        seed.deserialize(&entry.node).map_err(|error| {
-            let error = if error.code == "missing-key" && error.path.is_empty() {
-                Mismatch { origin: Some(entry.origin.clone()), ..error }
-            } else {
-                error
-            };
-            error.under(&entry.key)
-        })
+        seed.deserialize(&entry.node).map_err(|error| error.in_value(entry))
     }
 }
 
@@ -285,40 +319,33 @@ struct VariantReader<'de> {
 }
 
 impl<'de> EnumAccess<'de> for VariantReader<'de> {
-    type Error = Mismatch;
+    type Error = Box<Mismatch>;
     type Variant = Self;
 
-    fn variant_seed<V: DeserializeSeed<'de>>(self, seed: V) -> Result<(V::Value, Self), Mismatch> {
-        let key: StrDeserializer<'_, Mismatch> = self.entry.key.as_str().into_deserializer();
-        let variant = seed.deserialize(key).map_err(|error| error.at(&self.entry.origin).under(&self.entry.key))?;
+    fn variant_seed<V: DeserializeSeed<'de>>(self, seed: V) -> Result<(V::Value, Self), Box<Mismatch>> {
+        let key: StrDeserializer<'_, Box<Mismatch>> = self.entry.key.as_str().into_deserializer();
+        let variant = seed.deserialize(key).map_err(|error| error.in_key(self.entry))?;
         Ok((variant, self))
     }
 }
 
 impl<'de> VariantAccess<'de> for VariantReader<'de> {
-    type Error = Mismatch;
+    type Error = Box<Mismatch>;
 
-    fn unit_variant(self) -> Result<(), Mismatch> {
+    fn unit_variant(self) -> Result<(), Box<Mismatch>> {
         let message = format!("`{}` takes no keys of its own", self.entry.key);
         Err(Mismatch::new("wrong-type", message, format!("write \"{}\"", self.entry.key)).at(&self.entry.origin))
     }
 
-    fn newtype_variant_seed<T: DeserializeSeed<'de>>(self, seed: T) -> Result<T::Value, Mismatch> {
-        seed.deserialize(&self.entry.node).map_err(|error| {
-            let error = if error.code == "missing-key" && error.path.is_empty() {
-                Mismatch { origin: Some(self.entry.origin.clone()), ..error }
-            } else {
-                error
-            };
-            error.under(&self.entry.key)
-        })
+    fn newtype_variant_seed<T: DeserializeSeed<'de>>(self, seed: T) -> Result<T::Value, Box<Mismatch>> {
+        seed.deserialize(&self.entry.node).map_err(|error| error.in_value(self.entry))
     }
 
-    fn tuple_variant<V: Visitor<'de>>(self, _len: usize, visitor: V) -> Result<V::Value, Mismatch> {
-        self.entry.node.deserialize_any(visitor).map_err(|error| error.under(&self.entry.key))
+    fn tuple_variant<V: Visitor<'de>>(self, _len: usize, visitor: V) -> Result<V::Value, Box<Mismatch>> {
+        self.entry.node.deserialize_seq(visitor).map_err(|error| error.under(&self.entry.key))
     }
 
-    fn struct_variant<V: Visitor<'de>>(self, _fields: &'static [&'static str], visitor: V) -> Result<V::Value, Mismatch> {
-        self.entry.node.deserialize_any(visitor).map_err(|error| error.under(&self.entry.key))
+    fn struct_variant<V: Visitor<'de>>(self, _fields: &'static [&'static str], visitor: V) -> Result<V::Value, Box<Mismatch>> {
+        self.entry.node.deserialize_map(visitor).map_err(|error| error.under(&self.entry.key))
     }
 }
