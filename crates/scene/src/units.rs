@@ -43,6 +43,17 @@ fn in_range(number: f64, written: &str, dimension: &Dimension) -> Result<f64, St
     ))
 }
 
+/// What a bare number says, and that it has no unit.
+fn bare(number: f64, dimension: &Dimension) -> Result<(f64, bool), String> {
+    Ok((in_range(number, &format!("{number:?}"), dimension)?, false))
+}
+
+/// The number that a text means, and whether it has a unit.
+fn with_unit(text: &str, dimension: &Dimension) -> Result<(f64, bool), String> {
+    let (number, unit) = dimension.parse(text)?;
+    Ok((in_range(number, &format!("\"{text}\""), dimension)?, unit))
+}
+
 struct QuantityVisitor(&'static Dimension);
 
 impl Visitor<'_> for QuantityVisitor {
@@ -57,11 +68,10 @@ impl Visitor<'_> for QuantityVisitor {
     }
 
     fn visit_f64<E: de::Error>(self, number: f64) -> Result<(f64, bool), E> {
-        in_range(number, &format!("{number:?}"), self.0).map(|number| (number, false)).map_err(E::custom)
+        bare(number, self.0).map_err(E::custom)
     }
 
     fn visit_str<E: de::Error>(self, text: &str) -> Result<(f64, bool), E> {
-        let (number, unit) = self.0.parse(text).map_err(E::custom)?;
-        in_range(number, &format!("\"{text}\""), self.0).map(|number| (number, unit)).map_err(E::custom)
+        with_unit(text, self.0).map_err(E::custom)
     }
 }
