@@ -132,7 +132,7 @@ struct Plane {
 
 impl Plane {
     fn of(tables: &Tables) -> Result<Plane, GmshError> {
-        let used: BTreeSet<u64> =
+        let used: Vec<u64> =
             tables.elements.iter().filter(|e| corners(e.kind) > 0).flat_map(|e| e.nodes.iter().copied()).collect();
         let extent = |k: usize| {
             let values = used.iter().filter_map(|n| tables.nodes.get(n)).map(|x| x[k]);
@@ -189,7 +189,13 @@ fn edge_curve(points: &[[f64; 2]]) -> Result<Curve, Error> {
 /// Tags of the physical surfaces that have cells, ascending.
 fn surface_tags(tables: &Tables) -> Vec<i32> {
     let cells = tables.elements.iter().filter(|e| corners(e.kind) > 0);
-    cells.filter_map(|e| e.physical.first().copied()).collect::<BTreeSet<i32>>().into_iter().collect()
+    let mut tags = Vec::new();
+    for tag in cells.filter_map(|e| e.physical.first()) {
+        if let Err(place) = tags.binary_search(tag) {
+            tags.insert(place, *tag);
+        }
+    }
+    tags
 }
 
 /// Name of a physical group, its number if it has none.

@@ -1,7 +1,5 @@
 //! All files that a solution has to say.
 
-use std::collections::BTreeMap;
-
 use wearshape::{Problem, Solution, Step};
 
 use crate::drawing::drawing;
@@ -36,10 +34,9 @@ pub fn files(problem: &Problem, solution: &Solution) -> Vec<(String, Vec<u8>)> {
     put("summary.json", pretty(&summary));
     put("scene.resolved.toml", resolved);
     if problem.plan().runs(Step::Page) {
-        let known: BTreeMap<&str, &str> =
-            files.iter().filter_map(|(name, bytes)| Some((name.as_str(), std::str::from_utf8(bytes).ok()?))).collect();
+        let text = |name: &str| files.iter().find(|file| file.0 == name).and_then(|file| String::from_utf8(file.1.clone()).ok());
         // Files that were made a moment ago are whole.
-        if let Ok(page) = page::built(&|name| known.get(name).map(|text| text.to_string()), solution.running_in.as_ref()) {
+        if let Ok(page) = page::built(&text, solution.running_in.as_ref()) {
             files.insert(0, ("report.html".into(), page.into_bytes()));
         }
     }

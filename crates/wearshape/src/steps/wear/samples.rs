@@ -27,6 +27,6 @@ pub(super) fn samples(stage: Stage<'_>, pair: &Pair<'_>, ends: &[f64]) -> Vec<Co
     });
     let inside = |s: &f64| *s > start && *s < start + length;
     let mut places: Vec<f64> = even.into_iter().chain(beside.filter(inside)).collect();
-    places.sort_by(f64::total_cmp);
+    places.sort_unstable_by(f64::total_cmp);
     stage.sample(pair, Sampling::At(&places))
 }
