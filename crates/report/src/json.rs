@@ -5,7 +5,7 @@ pub const SCHEMA_VERSION: u32 = 1;
 
 /// JSON for a file.
 pub fn pretty(value: &serde_json::Value) -> String {
-    serde_json::to_string_pretty(value).unwrap_or_default() + "\n"
+    format!("{value:#}\n")
 }
 
 /// JSON in which no character acts on a terminal or turns the text of a page: such are written as escapes, as which they read back.

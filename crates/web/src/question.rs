@@ -9,7 +9,9 @@ use crate::solve::solve;
 
 /// Answers a question: `{ "ask": .. }` with what it needs. The answer of a scene with a mistake is `{ "fault": .. }`.
 pub(crate) fn answered(engine: &mut Engine, question: &[u8]) -> Value {
-    let question: Value = serde_json::from_slice(question).unwrap_or_default();
+    // As text, which the library reads JSON from too: reading it from bytes is a second reader in the module.
+    let question = std::str::from_utf8(question).unwrap_or_default();
+    let question: Value = serde_json::from_str(question).unwrap_or_default();
     let text = |key: &str| question[key].as_str().unwrap_or("");
     let settings: Vec<String> =
         question["settings"].as_array().into_iter().flatten().filter_map(Value::as_str).map(String::from).collect();
@@ -54,7 +56,8 @@ fn edited(text: &str, edits: &Value) -> Result<Value, scene::Fault> {
 fn kept(engine: &mut Engine, files: &Value) -> Value {
     let bytes = |text: &str| text.chars().map(|letter| u8::try_from(letter).ok()).collect::<Option<Vec<u8>>>();
     let read = |file: &Value| Some((file[0].as_str()?.to_string(), bytes(file[1].as_str()?)?));
-    engine.files = files.as_array().into_iter().flatten().filter_map(read).collect();
+    engine.files.clear();
+    engine.files.extend(files.as_array().into_iter().flatten().filter_map(read));
     json!({ "kept": engine.files.keys().collect::<Vec<_>>() })
 }
 
