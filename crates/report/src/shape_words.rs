@@ -74,10 +74,10 @@ fn shape_words(problem: &Problem, solution: &Solution) -> Option<String> {
     let Read { mut most, mut least, form } = read(&rows)?;
     let shape = solution.shape.as_ref()?;
     // Between the points.
-    if let Some(machined) = &solution.machined {
-        (most, least) = ([machined.deepest.s, 1e3 * machined.deepest.gap], [machined.datum.s, 1e3 * machined.datum.gap]);
-    } else if let (Some(deepest), Some(at), Some(crown)) = (shape.gap_max, shape.gap_where, shape.crown) {
+    if let (Some(deepest), Some(at), Some(crown)) = (shape.gap_max, shape.gap_where, shape.crown) {
         (most, least) = ([at, deepest], [shape.gap_least_where.unwrap_or(least[0]), deepest - crown]);
+    } else if let Some(machined) = &solution.machined {
+        (most, least) = ([machined.deepest.s, 1e3 * machined.deepest.gap], [machined.datum.s, 1e3 * machined.datum.gap]);
     }
     let size = most[1].abs().max(least[1].abs());
     if size <= 0.0 {

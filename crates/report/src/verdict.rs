@@ -94,7 +94,7 @@ fn touching(contact: &ContactResult) -> String {
 /// How the pressure goes with the distance from the edges: a negative exponent lets it grow, a positive one takes it away.
 fn towards_edges(exponents: &[f64]) -> String {
     let powers = |exponents: &[f64]| {
-        let each: Vec<String> = exponents.iter().map(|exponent| format!("d^({exponent:.3})")).collect();
+        let each: Vec<String> = exponents.iter().map(|exponent| format!("d^({exponent:.2})")).collect();
         each.join(" and ")
     };
     let (growing, falling): (Vec<f64>, Vec<f64>) = exponents.iter().partition(|exponent| **exponent < 0.0);

@@ -22,10 +22,13 @@ const HALF: f64 = 0.5;
 /// after a short run had .42 and 3.5e-3, by which it was accurate to 1e-4, and then 4.0e-3.
 const TELLING: f64 = 0.01;
 
+/// The fastest fall that two differences alone tell: a pad that goes to and fro had .57e-3, 1.1e-5 and .76e-6.
+const STEEPEST: f64 = 0.05;
+
 /// The same with the difference `before` those, if there is one: in 33 scenes true errors are 1.5 times the estimated ones at most where a difference is
 /// before, and 2.3 times where the last ones are round-off; by the last two alone they are up to 5 times (a clutch, whose differences fall by .19, .06 and .46).
 pub(crate) fn rest_after(before: Option<f64>, older: f64, newer: f64) -> f64 {
-    let Some(before) = before else { return rest(older.min(TELLING), newer) };
+    let Some(before) = before else { return rest(older.min(TELLING).min(newer / STEEPEST), newer) };
     if is_chance(before, older, newer) { rest(newer / fall(before, older), newer) } else { rest(older, newer) }
 }
 

@@ -190,12 +190,7 @@ impl<'a> Stage<'a> {
 
     /// Sense of the drag along a point's tangent: 1, -1, or 0 without sliding in the plane.
     pub(crate) fn drag(&self, point: &ContactPoint) -> f64 {
-        let along = self.surface_point(point.position, point.normal, 0.0).drag.dot(&Vector3::new(
-            point.tangent[0],
-            0.0,
-            point.tangent[1],
-        ));
-        if along == 0.0 { 0.0 } else { along.signum() }
+        sense(&self.surface_point(point.position, point.normal, 0.0), point)
     }
 
     /// Whether body 1 is loaded through a rigid edge.
@@ -326,7 +321,7 @@ impl<'a> Stage<'a> {
                 profile.wear_rate[row] = 1e3 * rate;
             }
             // Without sliding in the plane tau is the tangent itself.
-            let sense = if self.drag(point) < 0.0 { -1.0 } else { 1.0 };
+            let sense = if sense(on_surface, point) < 0.0 { -1.0 } else { 1.0 };
             for (body, side) in [Side::Shaped, Side::Counter].into_iter().enumerate() {
                 let Some(state) = states[body] else { continue };
                 let u = pair.displacement(side, state, point);
@@ -355,4 +350,10 @@ fn mean_columns(pair: &Pair<'_>) -> Vec<usize> {
         2 => vec![x, rotation],
         _ => vec![x, z, rotation],
     }
+}
+
+/// Sense of the drag at a point of the surface along its tangent: 1, -1, or 0 without sliding in the plane.
+fn sense(on_surface: &wear::SurfacePoint, point: &ContactPoint) -> f64 {
+    let along = on_surface.drag.dot(&Vector3::new(point.tangent[0], 0.0, point.tangent[1]));
+    if along == 0.0 { 0.0 } else { along.signum() }
 }

@@ -70,6 +70,9 @@ pub struct FinishedLevel {
     pub gap: Vec<f64>,
     /// Closing of each rigid mode there, point by point.
     pub closing: Vec<f64>,
+    /// The largest displacement at its end, or the depth worn off if that is larger: a gap that is its round-off is none.
+    #[serde(rename = "moved_mm", default)]
+    pub moved: f64,
     /// Time at its end.
     #[serde(rename = "time_s")]
     pub time: f64,

@@ -15,7 +15,7 @@ pub(crate) fn result(
     operator: &ContactOperator<'_>,
     found: &ContactSolution,
 ) -> ContactResult {
-    let start = stage.start(pair);
+    let (start, length) = (stage.start(pair), pair.trace().length());
     let about = stage.about();
     let points = operator.points();
     let moment =
@@ -31,7 +31,7 @@ pub(crate) fn result(
         moment: Some(moment).filter(|_| !stage.couple.moves_one_way()),
         approach,
         tilt,
-        ends: without_slivers(&found.zones, pair.trace().length()).iter().flatten().map(|arc| start + arc).collect(),
+        ends: without_slivers(&found.zones, length).iter().flatten().map(|arc| start + arc.clamp(0.0, length)).collect(),
         // At a sharp corner the pressure is infinite: its exponent says more than the largest nodal value.
         p_max: Some(operator.maximum(&found.pressure)).filter(|_| !singular),
         edge_exponents,

@@ -49,7 +49,7 @@ struct Solved<'a> {
 }
 
 /// Largest gap over the largest displacement that is round-off.
-const FLAT: f64 = 1e-11;
+pub(crate) const FLAT: f64 = 1e-11;
 
 impl Solved<'_> {
     /// Whether nothing is to be taken off: the gap is round-off.

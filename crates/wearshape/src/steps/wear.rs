@@ -47,6 +47,7 @@ use crate::stage::Stage;
 use crate::step::Step;
 use crate::steps::all_around;
 use crate::steps::answer::Outcome;
+use crate::steps::shape::FLAT;
 use crate::watch::{FinishedLevel, Resume, Watch};
 
 /// A level: what it leaves behind for the others, and what is reported if it is the last.
@@ -155,10 +156,29 @@ fn before(left: &FinishedLevel) -> Effort {
 /// times to the steady pressure (0 without them) over the part of the accuracy that the steps leave to the levels.
 fn distance(a: &Solved, b: &Solved) -> [f64; 2] {
     let (a, b) = (&a.left, &b.left);
+    if is_flat(a) && is_flat(b) {
+        return [0.0, times_apart(a, b)];
+    }
     let points = b.gap.len();
     let closing = DMatrix::from_row_slice(points, b.closing.len() / points.max(1), &b.closing);
-    let time = a.to_1_percent.zip(b.to_1_percent).map_or(0.0, |(a, b)| if a == b { 0.0 } else { ((a - b) / b).abs() });
-    [difference_of_gaps(&a.gap, &b.gap, &closing, Measure::Largest), time / (1.0 - STEPS)]
+    [difference_of_gaps(&a.gap, &b.gap, &closing, Measure::Largest), times_apart(a, b)]
+}
+
+/// Whether a level has no worn gap: what there is is round-off.
+fn is_flat(level: &FinishedLevel) -> bool {
+    level.gap.iter().fold(0.0_f64, |most, gap| most.max(gap.abs())) <= FLAT * level.moved
+}
+
+/// The relative difference of the times of two levels to the steady pressure over the part of the accuracy that the steps leave to the levels.
+fn times_apart(a: &FinishedLevel, b: &FinishedLevel) -> f64 {
+    let apart = |(a, b): (f64, f64)| if a == b { 0.0 } else { ((a - b) / b).abs() };
+    a.to_1_percent.zip(b.to_1_percent).map_or(0.0, apart) / (1.0 - STEPS)
+}
+
+/// What the steps leave wrong in the gap at the end: what they leave in the depth, unless the wear has become steady, which no longer knows its steps.
+fn of_steps(stage: Stage<'_>, level: &Solved) -> f64 {
+    let on_the_way = stage.problem.wear.until.is_some() && level.left.to_1_percent.is_none();
+    level.left.integration_error.filter(|_| stage.ends_move() || on_the_way).unwrap_or(0.0)
 }
 
 /// How far two levels of a stage are apart. Where the end of contact moves over the elements, levels fall with a power of the degree only, and
@@ -168,7 +188,8 @@ fn apart(stage: Stage<'_>, left_out: f64) -> impl Fn(&Solved, &Solved) -> [f64; 
     let by_wear = matches!(stage.problem.wear.until, Some(End::Depth(_) | End::Volume(_)));
     move |a, b| {
         let [gap, time] = distance(a, b);
-        let times = match (stage.ends_move(), on_the_way && b.left.partial && b.left.ends.is_empty()) {
+        let unsettled = b.left.partial && b.left.ends.is_empty() && b.left.to_1_percent.is_none();
+        let times = match (stage.ends_move(), on_the_way && unsettled) {
             (true, _) => 3.0,
             (false, true) => 2.0,
             (false, false) => 1.0,
@@ -179,10 +200,9 @@ fn apart(stage: Stage<'_>, left_out: f64) -> impl Fn(&Solved, &Solved) -> [f64; 
     }
 }
 
-/// Part of the accuracy that the steps, where the depth that is wanted has their error too, and a mean over cycles leave to the levels.
+/// Part of the accuracy that the steps, where the gap at the end has their error too, and a mean over cycles leave to the levels.
 fn part_of_levels(stage: Stage<'_>, level: &Solved, left_out: f64) -> f64 {
-    let steps = level.left.integration_error.filter(|_| stage.ends_move()).unwrap_or(0.0);
-    1.0 - (steps / stage.accuracy()).min(STEPS) - (left_out / stage.accuracy()).min(turns::PART)
+    1.0 - (of_steps(stage, level) / stage.accuracy()).min(STEPS) - (left_out / stage.accuracy()).min(turns::PART)
 }
 
 /// Differences of the last levels of a run that ends on the way of which the largest is its error, where ends of contact move by heat or towards no known
@@ -265,7 +285,7 @@ fn finish((stage, pieces): (Stage<'_>, &Pieces), ladder: &Ladder, mut solved: Ve
     // The depth of a round contact is the worn gap itself, with what the steps leave in it.
     let part = solved.last().map_or(1.0, |level| part_of_levels(stage, level, left_out));
     let errors = errors.map(|[gap, time]| [part * gap, time]);
-    let steps = solved.last().filter(|_| stage.ends_move()).and_then(|level| level.left.integration_error).unwrap_or(0.0);
+    let steps = solved.last().map_or(0.0, |level| of_steps(stage, level));
     let error = errors.map(|[gap, _]| gap + steps);
     outcome.tell(error.filter(|_| ladder.is_fixed()));
     let run_in_error = run_in_error(&solved, errors);
@@ -286,7 +306,8 @@ fn finish((stage, pieces): (Stage<'_>, &Pieces), ladder: &Ladder, mut solved: Ve
     outcome.error.how = if stage.ends_move() {
         format!("depth worn off along the surface at the end: rest of the series of {} degrees, and of the steps", levels.count)
     } else {
-        format!("gap at the end: {}", ladder.told_by(levels.count))
+        let of_steps = if steps > 0.0 { ", and of the steps" } else { "" };
+        format!("gap at the end: {}{of_steps}", ladder.told_by(levels.count))
     };
     if left_out > 0.0 {
         outcome.error.how += ", and what the mean over the cycles leaves out";

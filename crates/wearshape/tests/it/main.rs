@@ -13,6 +13,7 @@ mod depth;
 mod edge_reaction;
 mod effort;
 mod estimates;
+mod even_wear;
 mod examples;
 mod files;
 mod forecast;

@@ -31,8 +31,14 @@ const COARSER: f64 = 16.0;
 /// Least error that is told: what wears has the round-off of its pressures, through the condition of the contact, however few steps it took.
 const ROUND_OFF: f64 = 1e-10;
 
+/// How many times as large the error of a run of order four is whose steps are fewer: as its number of steps tells, up to what steps of so much larger errors
+/// each come to. Runs of few steps (7 and 5) are closer to each other than the errors that they may make.
+fn coarser(fine: usize, coarse: usize) -> f64 {
+    (fine as f64 / coarse as f64).powi(4).clamp(2.0, COARSER.powf(0.8))
+}
+
 /// What the steps of a run leave wrong in its time to the steady pressure and the depth then, or in its depth at the end where it has no such time:
-/// its relative difference from a run with coarser steps, whose error is that many times as large.
+/// its relative difference from a run with coarser steps, by how many times as large the error of that is.
 pub(super) fn integration_error(problem: &WearProblem, pieces: &Pieces, run: &Run) -> Option<f64> {
     let Stepping::Adaptive { accuracy } = problem.stepping else { return None };
     if !matches!(run.ended, EvolutionStatus::Steady | EvolutionStatus::TimeReached | EvolutionStatus::WornOff) {
@@ -65,5 +71,6 @@ pub(super) fn integration_error(problem: &WearProblem, pieces: &Pieces, run: &Ru
         }
         _ => return None,
     };
-    Some((difference / (COARSER - 1.0)).max(ROUND_OFF))
+    let times = if problem.growing { COARSER } else { coarser(run.state.step, evolution.state().step) };
+    Some((difference / (times - 1.0)).max(ROUND_OFF))
 }

@@ -24,7 +24,7 @@ use crate::steps::wear::integration_error::{integration_error, refine};
 use crate::steps::wear::mesh_lines::mesh_lines;
 use crate::steps::wear::open_ends::open_ends;
 use crate::steps::wear::pieces::Pieces;
-use crate::steps::wear::problem::{Loads, steady_residual, wear_problem};
+use crate::steps::wear::problem::{Loads, residual_at_end, wear_problem};
 use crate::steps::wear::ran::{FAR, MOST_STEPS, Ran};
 use crate::steps::wear::round_result::RoundContact;
 use crate::steps::wear::run::Run;
@@ -152,6 +152,8 @@ impl Scenes<'_> {
         [wear.approach, wear.tilt] = closings(stage, self.pair, &found);
         let resolved = cycles::resolved(self.pieces, &run.history.states);
         wear.turns = self.pieces.turns.clone().map(|turns| TurnsResult { resolved, ..turns });
+        let states = [Some(&found.shaped), found.counter.as_ref()].into_iter().flatten();
+        let moved = states.flat_map(|state| &state.unknowns).fold(state.depth, |most, u| most.max(u.abs()));
         let mut moments: Vec<Moment> = self.moment("", state.time, found, last).into_iter().collect();
         if stage.problem.plan.runs(Step::Fields) && heat.is_none() {
             let first = self.pieces.intervals[0].stage;
@@ -166,6 +168,7 @@ impl Scenes<'_> {
             degree: level.degree,
             layers: level.layers,
             gap: self.samples.iter().map(|p| self.operator.value_at(compared, p.arc)).collect(),
+            moved,
             time: state.time,
             to_1_percent: wear.to_1_percent.as_ref().map(|settled| settled.time),
             integration_error: None,
@@ -274,7 +277,7 @@ pub(super) fn with_lowest_rigid_part(stage: Stage<'_>, pair: &Pair<'_>, operator
 /// What the summary says of a run.
 fn result(run: &Run, stage: Stage<'_>) -> WearResult {
     let Run { state, ended, run_in, .. } = run;
-    let steady = state.steady_residual <= steady_residual(stage);
+    let steady = state.steady_residual <= residual_at_end(stage);
     WearResult {
         status: ended.into(),
         steps: state.step,

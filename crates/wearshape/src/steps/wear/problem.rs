@@ -14,7 +14,7 @@ use crate::steps::wear::pieces::Pieces;
 
 /// Certificate of the steady state.
 const STEADY: f64 = 1e-9;
-/// Part of the accuracy asked for that the wear still to come may make where the contact wears itself free.
+/// Part of the accuracy asked for that the wear still to come may make where the contact wears itself free or the run ends by a time, depth or volume.
 const REST: f64 = 0.01;
 
 /// Error of the steps of a contact that grows over the accuracy asked for at the end, and the roughest accuracy by which they go.
@@ -32,6 +32,8 @@ const FINEST_ROUND: f64 = 1e-6;
 const CLOSER: usize = 16;
 /// Roughest accuracy of the steps of a run until a given end: coarser ones pass over the corners of a punch, whose wear is fast at first, in one step.
 const ROUGHEST_SHORT: f64 = 1e-3;
+/// Part of the accuracy that a step of such a run may leave wrong: what all of them leave is in the gap at the end, beside what the levels do.
+const SHORT: f64 = 0.1;
 
 /// Part of the accuracy asked for that steps in time may take from the times reported; the rest is left to the levels.
 pub(super) const STEPS: f64 = 0.3;
@@ -39,6 +41,12 @@ pub(super) const STEPS: f64 = 0.3;
 /// The residual at which a run is steady: of the certificate, or of the wear still to come under a prescribed approach.
 pub(super) fn steady_residual(stage: Stage<'_>) -> f64 {
     if stage.problem.load.approach.is_some() { STEADY.max(REST * stage.accuracy()) } else { STEADY }
+}
+
+/// The residual at which a run has come to its steady state; one that ends on the way need not come closer than the accuracy asks for.
+pub(super) fn residual_at_end(stage: Stage<'_>) -> f64 {
+    let by_accuracy = if stage.problem.wear.until.is_some() { REST * stage.accuracy() } else { 0.0 };
+    steady_residual(stage).max(by_accuracy)
 }
 
 /// Pressure (MPa) and opening (mm) at the start, on the start gap (mm); of loads that act by turns one load after the other.
@@ -113,7 +121,7 @@ pub(super) fn wear_problem(
             End::Depth(depth) => Until::Depth(depth),
             End::Volume(volume) => Until::Volume(volume),
         };
-        problem.stepping = Stepping::Adaptive { accuracy: accuracy.min(ROUGHEST_SHORT) };
+        problem.stepping = Stepping::Adaptive { accuracy: (SHORT * accuracy).min(ROUGHEST_SHORT) };
     }
     if stage.ends_move() {
         (problem.scheme, problem.stepping) = growing(stage);
