@@ -90,15 +90,9 @@ pub(crate) struct Common {
     /// Replace one key of the scene, as in --set contact.friction=.1; repeatable.
     #[arg(long = "set", value_name = "KEY=VALUE", allow_hyphen_values = true)]
     pub(crate) set: Vec<String>,
-    /// Write contact.csv at N equally spaced points; in a sweep, keep the curves of every point.
-    #[arg(long, value_name = "N")]
-    pub(crate) sample: Option<usize>,
     /// Print one JSON document on stdout: summary.json, or the error.
     #[arg(long)]
     pub(crate) json: bool,
-    /// Continue an interrupted run from its partial folder.
-    #[arg(long)]
-    pub(crate) resume: bool,
     /// Say what would be done and write nothing.
     #[arg(long)]
     pub(crate) dry_run: bool,
@@ -119,6 +113,17 @@ pub(crate) struct Common {
     pub(crate) force: bool,
 }
 
+/// Options of run and sweep alone.
+#[derive(Debug, Clone, Default, Args)]
+pub(crate) struct Points {
+    /// Write contact.csv at N equally spaced points; in a sweep, keep the curves of every point.
+    #[arg(long, value_name = "N")]
+    pub(crate) sample: Option<usize>,
+    /// Continue an interrupted run from its partial folder.
+    #[arg(long)]
+    pub(crate) resume: bool,
+}
+
 /// `run`.
 #[derive(Debug, Args)]
 pub(crate) struct RunArgs {
@@ -127,6 +132,9 @@ pub(crate) struct RunArgs {
     /// Options.
     #[command(flatten)]
     pub(crate) common: Common,
+    /// Those of points.
+    #[command(flatten)]
+    pub(crate) points: Points,
 }
 
 /// `check`.
@@ -178,6 +186,9 @@ pub(crate) struct SweepArgs {
     /// Options.
     #[command(flatten)]
     pub(crate) common: Common,
+    /// Those of points.
+    #[command(flatten)]
+    pub(crate) points: Points,
 }
 
 /// `study`.

@@ -4,18 +4,18 @@ use rayon::ThreadPool;
 use scene::{Fault, Place};
 use wearshape::{Options, Sampling};
 
-use crate::args::Common;
+use crate::args::{Common, Points};
 use crate::clock::seconds;
 
 /// The options that reach the solver.
-pub(crate) fn options(common: &Common) -> Result<Options<'static>, Fault> {
-    if let Some(sample) = common.sample.filter(|sample| !(2..=1_000_000).contains(sample)) {
+pub(crate) fn options(points: &Points) -> Result<Options<'static>, Fault> {
+    if let Some(sample) = points.sample.filter(|sample| !(2..=1_000_000).contains(sample)) {
         return Err(Fault {
             place: Some(Place::Flag(format!("--sample {sample}"))),
             ..Fault::new("wrong-flag", format!("--sample {sample} is out of range"), "ask for 2 to 1000000 points")
         });
     }
-    Ok(Options { sample: common.sample.map(Sampling::Even), machining: true, clock: seconds, ..Options::default() })
+    Ok(Options { sample: points.sample.map(Sampling::Even), machining: true, clock: seconds, ..Options::default() })
 }
 
 /// The number of threads asked for, or those that the machine has.

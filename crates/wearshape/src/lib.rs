@@ -84,7 +84,7 @@ pub use reversing_result::{ReversingResult, SenseResult};
 pub use solution::{AsMachined, PressureMap, Rung, RunningIn, RunningInStep, Solution, Status};
 pub use solve::solve;
 pub use step::Step;
-pub use study::{DEGREES, Level as StudyLevel, Quantity, Truth, outermost, study};
+pub use study::{DEGREES, Level as StudyLevel, Quantity, Truth, Unstudied, outermost, study};
 pub use turns_result::TurnsResult;
 pub use watch::{Event, FinishedLevel, Resume, RunLevel, Watch, WearStep};
 pub use wear::{OwnRule, Shape};

@@ -108,6 +108,30 @@ pub struct Level {
     pub error: Option<f64>,
 }
 
+/// Why a study has no levels.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Unstudied {
+    /// Something is to be mended.
+    Wrong(Fault),
+    /// The scene has no answer on a level, or none was found.
+    Unanswered {
+        /// Degree of the level.
+        degree: usize,
+        /// How its solve ended.
+        status: Status,
+        /// Why.
+        reason: String,
+    },
+    /// The watch has ended it.
+    Interrupted,
+}
+
+impl From<Fault> for Unstudied {
+    fn from(fault: Fault) -> Unstudied {
+        Unstudied::Wrong(fault)
+    }
+}
+
 struct Solved {
     degree: usize,
     layers: usize,
@@ -119,13 +143,13 @@ struct Solved {
 /// fixed discretisation of a degree, without the proof of its shape.
 ///
 /// # Errors
-/// Those of `at` and of [`solve`](crate::solve); a level without an answer.
+/// Those of `at` and of [`solve`](crate::solve); a level without an answer, and one that was cut short.
 pub fn study(
     at: &dyn Fn(usize) -> Result<Problem, Fault>,
     given: Option<Truth>,
     clock: Clock,
     watch: &mut Watch<'_>,
-) -> Result<Vec<Level>, Fault> {
+) -> Result<Vec<Level>, Unstudied> {
     let finest = DEGREES[DEGREES.len() - 1];
     let (truth, mut finest_level) = match given {
         Some(truth) => (truth, None),
@@ -168,13 +192,16 @@ fn solve_degree(
     sampling: Sampling<'_>,
     clock: Clock,
     watch: &mut Watch<'_>,
-) -> Result<Solved, Fault> {
+) -> Result<Solved, Unstudied> {
     let options = Options { sample: Some(sampling), alone: true, clock, ..Options::default() };
     let solution = solve(problem, &options, &Bodies::default(), watch)?;
-    let refused = solution.status == Status::Refused || solution.status == Status::Interrupted;
-    let Some(profile) = solution.profile.as_ref().filter(|_| !refused) else {
-        let reason = solution.reason.unwrap_or_else(|| "the scene has no answer".into());
-        return Err(Fault::new("no-answer", reason, "see `wearshape run` of the scene"));
+    let status = solution.status;
+    if status == Status::Interrupted {
+        return Err(Unstudied::Interrupted);
+    }
+    let Some(profile) = solution.profile.as_ref().filter(|_| status != Status::Refused) else {
+        let reason = solution.reason.unwrap_or_else(|| "it has no curve".into());
+        return Err(Unstudied::Unanswered { degree, status, reason });
     };
     let truth = Truth::of(profile, &solution);
     let layers = problem.wanted.fixed.map_or(degree, |level| level.layers);

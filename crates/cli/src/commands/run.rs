@@ -8,7 +8,7 @@ use scene::Fault;
 use wearshape::{Bodies, Options, Problem, Solution, Status, Step};
 
 use crate::again::again;
-use crate::args::{Common, RunArgs};
+use crate::args::{Common, Points, RunArgs};
 use crate::describe::{describe, plan_json, sizes};
 use crate::exit::Exit;
 use crate::folder::Folder;
@@ -23,11 +23,11 @@ use crate::{interrupt, open};
 /// Computes a scene and writes its folder.
 pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
     let start = Instant::now();
-    let common = &args.common;
+    let (common, points) = (&args.common, &args.points);
     let progress = Arc::new(Progress::new(common));
     progress.say("reading the scene");
     let (document, problem) = open::problem(&args.scene, &common.set)?;
-    let options = options(common)?;
+    let options = options(points)?;
     let target = common.output.clone().unwrap_or_else(|| PathBuf::from("out").join(problem.name()));
     progress.say("meshing");
     let bodies = Bodies::default();
@@ -40,14 +40,14 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
     interrupt::listen();
     let resolved = problem.resolved();
     let wanted = target;
-    let folder = Folder::begin(&wanted, &resolved, common.resume)?;
+    let folder = Folder::begin(&wanted, &resolved, points.resume)?;
     let ready = start.elapsed().as_secs_f64();
     folder.write_files_of_scene(problem.files())?;
     if common.verbose && !common.quiet {
         progress.beside(|| talk(describe(&problem).trim_end()));
     }
     progress.run(&problem);
-    let tape = progress.beside(|| tape(&folder, &problem, &resolved, common))?;
+    let tape = progress.beside(|| tape(&folder, &problem, &resolved, (common, points)))?;
     let mut live = Live::new(tape, progress);
     let resume = live.tape.as_ref().and_then(Tape::resume);
     let options = Options { resume: resume.as_ref(), ..options };
@@ -65,7 +65,7 @@ pub(crate) fn run(args: &RunArgs) -> Result<Exit, Fault> {
     if solution.status == Status::Interrupted {
         let kept = live.tape.as_ref().map(|_| "every finished step");
         live.progress.end();
-        talk(&format!("interrupted; {}", again(&["run", &args.scene], common, kept)));
+        talk(&format!("interrupted; {}", again(&["run", &args.scene], (common, points), kept)));
         return Ok(Exit::Interrupted);
     }
     Finished { common, problem: &problem, wanted: &wanted, begun: [ready, start.elapsed().as_secs_f64()] }
@@ -116,14 +116,14 @@ fn dry_run(common: &Common, (problem, bodies): (&Problem, &Bodies), target: &Pat
 }
 
 /// The recording of a run in time; a sentence says from where it goes on.
-fn tape(folder: &Folder, problem: &Problem, resolved: &str, common: &Common) -> Result<Option<Tape>, Fault> {
+fn tape(folder: &Folder, problem: &Problem, resolved: &str, (common, points): (&Common, &Points)) -> Result<Option<Tape>, Fault> {
     if !problem.plan().runs(Step::Evolution) {
-        if common.resume && !common.quiet {
+        if points.resume && !common.quiet {
             talk("only runs in time can be continued; this one begins at its start");
         }
         return Ok(None);
     }
-    let (tape, word) = Tape::new(&folder.own(RUN_MCAP)?, resolved, common.resume)?;
+    let (tape, word) = Tape::new(&folder.own(RUN_MCAP)?, resolved, points.resume)?;
     if let Some(word) = word.filter(|_| !common.quiet) {
         talk(&word);
     }

@@ -4,11 +4,11 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use report::{Axis, LinePlot, Series, line_plot, numbers_row, table};
-use scene::{Fault, Place};
-use wearshape::{DEGREES, Event, Measure, Quantity, Step, StudyLevel, Truth, outermost, study};
+use scene::{Document, Fault, Place};
+use wearshape::{DEGREES, Event, Measure, Problem, Quantity, Status, Step, StudyLevel, Truth, Unstudied, outermost, study};
 
 use crate::again::again;
-use crate::args::StudyArgs;
+use crate::args::{Common, Points, StudyArgs};
 use crate::bounded;
 use crate::clock::seconds;
 use crate::diff::scenes;
@@ -35,12 +35,43 @@ const COLUMNS: [&str; 12] = [
     "error_estimate",
     "error_true",
 ];
+/// So many of them are counted.
+const COUNTS: usize = 4;
+
+/// What the levels of a study are compared with.
+struct Against {
+    /// Its name.
+    name: String,
+    /// None where it is the finest level.
+    truth: Option<Truth>,
+    /// The error that it tells of itself.
+    error: Option<f64>,
+}
+
+/// Differences from a truth say nothing of a level up to so many times the error that it tells, for that may be off itself.
+const SURE: f64 = 3.0;
+
+impl Against {
+    /// The least difference that says something.
+    fn least(&self) -> Option<f64> {
+        self.error.map(|error| SURE * error)
+    }
+}
+
+/// A row of study.csv.
+struct Row {
+    numbers: [f64; 12],
+    /// Whether the level is as near to the truth as that one's own error, so that its true error is not known.
+    within: bool,
+}
 
 /// Solves a scene on a ladder of degrees and writes study.csv, study.json and study.svg.
 pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
     let common = &args.common;
     let source = Source::read(&args.scene)?;
-    let (document, problem) = source.problem(&common.set)?;
+    let document = source.document(&common.set)?;
+    own_degrees(&document)?;
+    let (_, problem) = source.problem(&settings(&document, &common.set))?;
     let Some(quantity) = Quantity::of(&problem) else {
         let remedy = "add a task with elastic bodies: --set tasks=[pressure,shape]";
         return Err(document.locate(Fault::at(
@@ -50,55 +81,138 @@ pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
             remedy,
         )));
     };
-    let truth = args.reference.as_deref().map(|folder| reference(folder, &problem.resolved())).transpose()?;
+    let mut against = match &args.reference {
+        None => Against { name: "the finest degree".into(), truth: None, error: None },
+        Some(folder) => reference(folder, &problem.resolved(), quantity)?,
+    };
     problem.available().map_err(|fault| document.locate(fault))?;
     let target = common.output.clone().unwrap_or_else(|| PathBuf::from("out").join(format!("{}-study", problem.name())));
     if common.dry_run {
-        print_out(&format!("would solve {} degrees and write {}\n", DEGREES.len(), target.display()));
+        dry_run(common, &problem, &target);
         return Ok(Exit::Done);
     }
-    let against = args.reference.as_ref().map_or_else(|| "the finest degree".into(), |folder| folder.display().to_string());
     let threads = threads(common)?;
     interrupt::listen();
-    let resolved = problem.resolved();
-    let folder = Folder::begin(&target, &resolved, false)?;
-    let levels = match threads.install(|| levels(args, &source, truth)) {
-        Ok(Some(levels)) => levels,
-        ended => {
+    let folder = Folder::begin(&target, &problem.resolved(), false)?;
+    let truth = against.truth.take();
+    let found = Found { common, problem: &problem, quantity, against, target: &target };
+    match threads.install(|| levels(args, &source, truth)) {
+        Ok(levels) => found.keep(folder, &levels),
+        Err(Unstudied::Unanswered { degree, status, reason }) => found.keep_unanswered(folder, degree, status, &reason),
+        Err(Unstudied::Interrupted) => {
             folder.discard();
-            ended.map_err(|fault| document.locate(fault))?;
             talk(&format!("interrupted; {}", call(args)));
-            return Ok(Exit::Interrupted);
+            Ok(Exit::Interrupted)
         }
-    };
-    let rows: Vec<[f64; 12]> = levels.iter().map(row).collect();
-    let object = |row: &[f64; 12]| -> serde_json::Value {
-        let known = COLUMNS.iter().zip(row).filter(|(_, value)| value.is_finite());
-        known.map(|(name, value)| (name.to_string(), serde_json::json!(value))).collect::<serde_json::Map<_, _>>().into()
-    };
-    let summary = serde_json::json!({
-        "schema_version": report::SCHEMA_VERSION,
-        "version": env!("CARGO_PKG_VERSION"),
-        "scene": problem.name(),
-        "scene_sha256": scene::sha256(&resolved),
-        "quantity": quantity.description(),
-        "truth": against,
-        "levels": rows.iter().map(object).collect::<Vec<_>>(),
-    });
-    folder.write("study.csv", &table(&COLUMNS, rows.iter().map(|row| numbers_row(row))))?;
-    folder.write("study.json", &report::pretty(&summary))?;
-    folder.write("study.svg", &line_plot(&picture(problem.name(), quantity, &against, &rows)))?;
-    let summary = folder.finish(&summary)?;
-    if common.json {
-        print_json(&summary);
-    } else if !common.quiet {
-        print_out(&screen(&rows, quantity, &target));
+        Err(Unstudied::Wrong(fault)) => {
+            folder.discard();
+            Err(document.locate(fault))
+        }
     }
-    Ok(Exit::Done)
 }
 
-/// The levels of a study; none if Ctrl-C has ended it between two levels or steps.
-fn levels(args: &StudyArgs, source: &Source, truth: Option<Truth>) -> Result<Option<Vec<StudyLevel>>, Fault> {
+/// Refuses a degree in the scene: it would be ignored.
+fn own_degrees(document: &Document) -> Result<(), Fault> {
+    let Some(degree) = document.scene.mesh.as_ref().and_then(|mesh| mesh.degree) else { return Ok(()) };
+    let [first, .., last] = DEGREES;
+    let message = format!("mesh.degree = {degree} has no meaning for a study, which solves the degrees {first} to {last}");
+    let remedy = "leave it out; mesh.layers may stand alone. For the degree in a file: --set accuracy=1e-6 takes its place";
+    Err(document.locate(Fault::at("mesh.degree", "wrong-value", message, remedy)))
+}
+
+/// The settings of the scene as a whole: where the layers are given, those of the finest level.
+fn settings(document: &Document, set: &[String]) -> Vec<String> {
+    let [.., finest] = DEGREES;
+    let layers = document.scene.mesh.as_ref().map(|_| format!("mesh.degree={finest}"));
+    set.iter().cloned().chain(layers).collect()
+}
+
+/// Says what would be done.
+fn dry_run(common: &Common, problem: &Problem, target: &Path) {
+    if common.json {
+        print_json(&serde_json::json!({ "scene": problem.name(), "degrees": DEGREES, "folder": target.display().to_string() }));
+    } else {
+        print_out(&format!("would solve {} degrees and write {}\n", DEGREES.len(), target.display()));
+    }
+}
+
+/// A study that has come to its end.
+struct Found<'a> {
+    common: &'a Common,
+    problem: &'a Problem,
+    quantity: Quantity,
+    against: Against,
+    target: &'a Path,
+}
+
+impl Found<'_> {
+    /// Writes the folder and says what was found.
+    fn keep(&self, folder: Folder, levels: &[StudyLevel]) -> Result<Exit, Fault> {
+        let rows: Vec<Row> = levels.iter().map(|level| row(level, self.against.least())).collect();
+        let within = rows.iter().filter(|row| row.within).count();
+        let mut verdict = format!("{} degrees, compared with {}.", rows.len(), self.against.name);
+        if let Some(least) = self.against.least().filter(|_| within > 0) {
+            verdict +=
+                &format!(" {within} of them are as near to it ({least:.0e}) as its own error: their true error is not known.");
+        }
+        let mut summary = self.summary(Status::Ok, &verdict, &rows);
+        if let Some(error) = self.against.error {
+            summary["truth_error"] = error.into();
+        }
+        folder.write("study.csv", &table(&COLUMNS, rows.iter().map(|row| numbers_row(&row.numbers))))?;
+        folder.write("study.json", &report::pretty(&summary))?;
+        folder.write("study.svg", &line_plot(&picture(self.problem.name(), self.quantity, &self.against.name, &rows)))?;
+        let summary = folder.finish(&summary)?;
+        self.print(&summary, || screen(&rows, self));
+        Ok(Exit::Done)
+    }
+
+    /// Writes the folder of a scene without an answer, beside a good one, and says why.
+    fn keep_unanswered(&self, folder: Folder, degree: usize, status: Status, reason: &str) -> Result<Exit, Fault> {
+        let head = if status == Status::Refused { "This scene has no answer" } else { "The computation did not arrive" };
+        let verdict = format!("{head}, at degree {degree}: {}.", scene::with_short_numbers(reason));
+        let (summary, beside) = folder.finish_beside_good(&self.summary(status, &verdict, &[]))?;
+        if beside.is_some() && !self.common.quiet {
+            talk(&format!("{} keeps the study of before", self.target.display()));
+        }
+        let target = beside.as_deref().unwrap_or(self.target).display();
+        self.print(&summary, || format!("{verdict}\nfiles     {target}\n"));
+        Ok(Exit::of(status))
+    }
+
+    fn print(&self, summary: &serde_json::Value, screen: impl FnOnce() -> String) {
+        if self.common.json {
+            print_json(summary);
+        } else if !self.common.quiet {
+            print_out(&screen());
+        }
+    }
+
+    fn summary(&self, status: Status, verdict: &str, rows: &[Row]) -> serde_json::Value {
+        let object = |row: &Row| -> serde_json::Value {
+            let known = COLUMNS.iter().zip(row.numbers).enumerate().filter(|(_, (_, value))| value.is_finite());
+            // What is counted is whole.
+            let number = |at, value: f64| if at < COUNTS { (value as u64).into() } else { serde_json::json!(value) };
+            let known = known.map(|(at, (name, value))| (name.to_string(), number(at, value)));
+            let within = row.within.then(|| ("within_truth_error".to_string(), true.into()));
+            known.chain(within).collect::<serde_json::Map<_, _>>().into()
+        };
+        serde_json::json!({
+            "schema_version": report::SCHEMA_VERSION,
+            "version": env!("CARGO_PKG_VERSION"),
+            "scene": self.problem.name(),
+            "scene_sha256": scene::sha256(self.problem.resolved()),
+            "status": status,
+            "verdict": verdict,
+            "quantity": self.quantity.description(),
+            "truth": self.against.name,
+            "levels": rows.iter().map(object).collect::<Vec<_>>(),
+        })
+    }
+}
+
+/// The levels of a study.
+fn levels(args: &StudyArgs, source: &Source, truth: Option<Truth>) -> Result<Vec<StudyLevel>, Unstudied> {
     let at = |degree: usize| {
         let mut settings = args.common.set.clone();
         settings.extend([format!("mesh.degree={degree}"), "check=false".into()]);
@@ -113,11 +227,8 @@ fn levels(args: &StudyArgs, source: &Source, truth: Option<Truth>) -> Result<Opt
         }
         if interrupt::asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
-    match study(&at, truth, seconds, &mut watch) {
-        // A level that was cut short is a fault of the study; nothing is wrong with it.
-        Err(_) if interrupt::asked() => Ok(None),
-        solved => solved.map(Some),
-    }
+    // A level that was cut short may be at fault for that alone.
+    study(&at, truth, seconds, &mut watch).map_err(|why| if interrupt::asked() { Unstudied::Interrupted } else { why })
 }
 
 /// How an interrupted study begins again: its levels are compared with the finest one, so that none is of use alone.
@@ -125,7 +236,7 @@ fn call(args: &StudyArgs) -> String {
     let reference = args.reference.as_ref().map(|folder| folder.display().to_string());
     let mut words = vec!["study", &args.scene];
     words.extend(reference.iter().flat_map(|folder| ["--reference", folder]));
-    again(&words, &args.common, None)
+    again(&words, (&args.common, &Points::default()), None)
 }
 
 /// Keys that two runs of one problem may differ in: how finely it is computed, and what is written.
@@ -146,7 +257,7 @@ fn same_problem(scene: &str, here: &str) -> Result<(), String> {
 }
 
 /// The results in the folder of a run of the same problem, as the truth.
-fn reference(folder: &Path, resolved: &str) -> Result<Truth, Fault> {
+fn reference(folder: &Path, resolved: &str, quantity: Quantity) -> Result<Against, Fault> {
     let fault = |message: String| Fault {
         place: Some(Place::Flag(format!("--reference {}", folder.display()))),
         ..Fault::new("no-reference", message, "give the folder of a finished run of the same scene: wearshape run SCENE -o DIR")
@@ -171,7 +282,7 @@ fn reference(folder: &Path, resolved: &str) -> Result<Truth, Fault> {
     if s.len() < 3 {
         return Err(fault(format!("contact.csv has {} points", s.len())));
     }
-    Ok(Truth {
+    let truth = Truth {
         position: vectors(["x_mm", "y_mm", "z_mm"])?,
         normal: vectors(["nx", "ny", "nz"])?,
         pressure: column("pressure_MPa")?,
@@ -179,14 +290,25 @@ fn reference(folder: &Path, resolved: &str) -> Result<Truth, Fault> {
         ends: outermost(&ends, &s),
         energy: energy("body1_Nmm").map(|first| first + energy("body2_Nmm").unwrap_or(0.0)),
         s,
-    })
+    };
+    Ok(Against { name: folder.display().to_string(), truth: Some(truth), error: told(&summary["error"], quantity) })
 }
 
-fn row(level: &StudyLevel) -> [f64; 12] {
-    let seconds = |stages: &[Step]| -> f64 {
-        level.effort.seconds.iter().filter(|(step, _)| stages.contains(step)).map(|(_, seconds)| seconds).sum()
+/// The error that a finished run tells of a quantity.
+fn told(error: &serde_json::Value, quantity: Quantity) -> Option<f64> {
+    let keys: &[&str] = match quantity {
+        Quantity::Gap(_) => &["gap_relative"],
+        Quantity::Contact => &["energy_relative", "pressure_relative"],
     };
-    [
+    keys.iter().filter_map(|key| error[key].as_f64()).reduce(f64::max)
+}
+
+fn row(level: &StudyLevel, least: Option<f64>) -> Row {
+    let seconds = |stages: &[Step]| -> f64 {
+        level.effort.seconds.iter().filter(|(step, _)| stages.contains(step)).fold(0.0, |sum, (_, seconds)| sum + seconds)
+    };
+    let within = level.error.zip(least).is_some_and(|(error, least)| error <= least);
+    let numbers = [
         level.degree as f64,
         level.layers as f64,
         level.effort.counters.dofs as f64,
@@ -198,14 +320,15 @@ fn row(level: &StudyLevel) -> [f64; 12] {
         seconds(&[Step::Contact, Step::Shape, Step::Evolution]),
         level.effort.seconds.iter().map(|(_, s)| s).sum(),
         level.estimate.unwrap_or(f64::NAN),
-        level.error.unwrap_or(f64::NAN),
-    ]
+        level.error.filter(|_| !within).unwrap_or(f64::NAN),
+    ];
+    Row { numbers, within }
 }
 
-fn picture(name: &str, quantity: Quantity, against: &str, rows: &[[f64; 12]]) -> LinePlot {
+fn picture(name: &str, quantity: Quantity, against: &str, rows: &[Row]) -> LinePlot {
     let series = |label: String, column: usize, dashed: bool| Series {
         name: label,
-        points: rows.iter().filter(|row| row[column].is_finite()).map(|row| (row[9], row[column])).collect(),
+        points: rows.iter().map(|row| (row.numbers[9], row.numbers[column])).filter(|point| point.1.is_finite()).collect(),
         marks: true,
         dashed,
     };
@@ -224,11 +347,17 @@ fn picture(name: &str, quantity: Quantity, against: &str, rows: &[[f64; 12]]) ->
     }
 }
 
-fn screen(rows: &[[f64; 12]], quantity: Quantity, target: &Path) -> String {
+fn screen(rows: &[Row], found: &Found<'_>) -> String {
     let mut out = String::from("degree  unknowns   seconds  estimated      true\n");
     let number = |value: f64| if value.is_finite() { format!("{value:.1e}") } else { "-".into() };
+    let least = found.against.least().map_or(String::new(), |least| format!("<{least:.0e}"));
     for row in rows {
-        out += &format!("{:>6}  {:>8}  {:>8.4}  {:>9}  {:>8}\n", row[0], row[2], row[9], number(row[10]), number(row[11]));
+        let [degree, _, dofs, .., seconds, estimate, error] = row.numbers;
+        let error = if row.within { least.clone() } else { number(error) };
+        out += &format!("{degree:>6}  {dofs:>8}  {seconds:>8.4}  {:>9}  {error:>8}\n", number(estimate));
     }
-    out + &format!("error     {}\nfiles     {}\n", quantity.description(), target.display())
+    if rows.iter().any(|row| row.within) {
+        out += &format!("{least:<8}  as near to {} as that one's own error: the true error is not known\n", found.against.name);
+    }
+    out + &format!("error     {}\nfiles     {}\n", found.quantity.description(), found.target.display())
 }

@@ -52,7 +52,7 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
     let start = Instant::now();
     let common = &args.common;
     // Rows hold no lists.
-    let options = Options { machining: false, ..options(common)? };
+    let options = Options { machining: false, ..options(&args.points)? };
     let grid = Grid::read(&args.over)?;
     let source = Source::read(&args.scene)?;
     let first = source.document(&grid.settings(0, &common.set))?;
@@ -77,7 +77,7 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
     threads.install(|| sweep.compute(&folder, &mut rows))?;
     if rows.count < count {
         let words = [&["sweep", &args.scene][..], &sweep.over()].concat();
-        let again = again(&words, common, Some("every finished row"));
+        let again = again(&words, (common, &args.points), Some("every finished row"));
         talk(&format!("interrupted after {} of {count} points; {again}", rows.count));
         return Ok(Exit::Interrupted);
     }
@@ -108,13 +108,14 @@ impl Sweep<'_> {
     /// that text too.
     fn begin(&self, target: &Path, first: &Document) -> Result<(Folder, String), Fault> {
         let common = &self.args.common;
-        let plan = json!({ "scene": self.args.scene, "set": common.set, "over": self.args.over, "sample": common.sample });
+        let plan =
+            json!({ "scene": self.args.scene, "set": common.set, "over": self.args.over, "sample": self.args.points.sample });
         // A first point without an answer is a row like any other; its scene stays as it is written.
         let posed = self.source.pose(first);
         let (resolved, files) =
             posed.map_or_else(|_| (first.scene.clone(), Vec::new()), |problem| (problem.scene().clone(), problem.files()));
         let mark = format!("# {}\n{}", plan, scene::scene_text(&resolved));
-        let folder = Folder::begin(target, &mark, common.resume)?;
+        let folder = Folder::begin(target, &mark, self.args.points.resume)?;
         folder.write_files_of_scene(files)?;
         Ok((folder, mark))
     }

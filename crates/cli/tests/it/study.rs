@@ -21,6 +21,18 @@ fn a_study_shows_the_error_fall_and_its_estimate_follow() {
     assert!(bench.read("out/study.svg").contains("<svg"));
 }
 
+fn json(bench: &Bench, file: &str) -> serde_json::Value {
+    serde_json::from_str(&bench.read(file)).unwrap()
+}
+
+fn study(bench: &Bench, folder: &str) -> serde_json::Value {
+    json(bench, &format!("{folder}/study.json"))
+}
+
+fn summary(bench: &Bench, folder: &str) -> serde_json::Value {
+    json(bench, &format!("{folder}/summary.json"))
+}
+
 /// The columns error_estimate and error_true of a study's table.
 fn errors(bench: &Bench) -> Vec<[f64; 2]> {
     let row = |line: &str| {
@@ -49,8 +61,20 @@ fn a_study_against_a_finished_run_measures_every_degree_at_its_points() {
     let call = bench.call_with(&["study", "drum-brake-block", "--reference", "ref", "-o", "out"]);
     assert_eq!(call.code, 0, "{}", call.err);
     let errors = errors(&bench);
-    // The finest level has the discretisation of the run: what is left is the order of the sums.
-    assert!(errors[6][1] < 1e-12 && errors[5][1] > 1e-10 && errors[5][1] < 1e-7, "{errors:?}");
+    // The finest level has the discretisation of the run, and is nearer to it than its own error: what it is off by is not known.
+    assert!(errors[6][1].is_nan() && errors[5][1] > 1e-10 && errors[5][1] < 1e-7, "{errors:?}");
+    let study = study(&bench, "out");
+    let own = summary(&bench, "ref")["error"]["gap_relative"].clone();
+    assert_eq!((&study["truth_error"], &study["levels"][6]["within_truth_error"]), (&own, &true.into()));
+    assert_eq!((&study["levels"][6]["error_true"], &study["levels"][5]["within_truth_error"]), (&().into(), &().into()));
+    assert!(study["verdict"].as_str().unwrap().contains("1 of them are as near to it ("), "{}", study["verdict"]);
+    assert!(call.out.contains(&format!("<{:.0e}", 3.0 * own.as_f64().unwrap())), "{}", call.out);
+    // A coarse truth says nothing of finer levels.
+    assert_eq!(bench.call_with(&["run", "drum-brake-block", "--set", "accuracy=1e-3", "-q", "-o", "coarse"]).code, 0);
+    let call = bench.call_with(&["study", "drum-brake-block", "--reference", "coarse", "-q", "-o", "x"]);
+    assert_eq!(call.code, 0, "{}", call.err);
+    let levels = self::study(&bench, "x")["levels"].clone();
+    assert!((3..7).all(|level| levels[level]["error_true"].is_null()), "{levels}");
     let call = bench.call_with(&["study", "drum-brake-block", "--reference", "nowhere", "-o", "out"]);
     assert_eq!(call.code, 2);
     assert!(call.err.contains("--reference nowhere"), "{}", call.err);
@@ -83,4 +107,60 @@ fn a_study_of_a_scene_without_a_shape_says_what_to_ask_for() {
     let call = bench.call_with(&["study", "disc-pad", "-o", "out"]);
     assert_eq!(call.code, 2);
     assert!(call.err.contains("tasks=[pressure,shape]"), "{}", call.err);
+}
+
+#[test]
+fn a_study_of_a_scene_without_an_answer_ends_like_a_run_of_it() {
+    let bench = Bench::new();
+    let bushing = ["bushing", "--set", "contact.friction=20"];
+    let soft = ["body1.material={young=\"600 GPa\",poisson=0}", "body2.material={young=\"50 MPa\",poisson=0.3}"];
+    let cam = ["cam", "--set", soft[0], "--set", soft[1]];
+    for scene in [&bushing[..], &cam] {
+        let [run, call] = ["run", "study"].map(|command| bench.call_with(&[&[command], scene, &["-o", "x"]].concat()));
+        assert_eq!((run.code, call.code), (1, 1), "{}{}", call.out, call.err);
+        assert!(!call.err.contains("-->") && call.out.contains("at degree 16: "), "{}{}", call.out, call.err);
+        let summary = summary(&bench, "x");
+        assert_eq!((&summary["status"], &summary["levels"]), (&"refused".into(), &serde_json::json!([])));
+    }
+    // It leaves a good study alone, and with --json is one document.
+    let good = "study bushing --json -o y";
+    let call = bench.call(good);
+    assert!(call.code == 0 && summary(&bench, "y")["status"] == "ok", "{}{}", call.out, call.err);
+    let call = bench.call_with(&[&["study", "--json", "-o", "y"], &bushing[..]].concat());
+    let said: serde_json::Value = serde_json::from_str(&call.out).unwrap();
+    assert_eq!((call.code, &said["status"]), (1, &"refused".into()));
+    assert!(summary(&bench, "y")["status"] == "ok" && summary(&bench, "y.failed") == said);
+}
+
+#[test]
+fn a_study_takes_nothing_that_it_would_ignore() {
+    let bench = Bench::new();
+    let call = bench.call("study drum-brake-block --set mesh.degree=8 -o x");
+    assert_eq!(call.code, 2);
+    assert!(call.err.contains("--> --set mesh.degree=8") && call.err.contains("the degrees 4 to 16"), "{}", call.err);
+    let fixed = include_str!("../../../../data/scenes/drum-brake-block.toml").replace("accuracy = 1e-6 ", "mesh.degree = 8 ");
+    bench.file("fixed.toml", &fixed);
+    let call = bench.call("study fixed.toml -o x");
+    assert!(call.code == 2 && call.err.contains("--> fixed.toml:10"), "{}", call.err);
+    assert_eq!(bench.call("study fixed.toml --set accuracy=1e-6 --dry-run -o x").code, 0);
+    for flag in ["--resume", "--sample=11"] {
+        let call = bench.call(&format!("study drum-brake-block {flag} -o x"));
+        assert!(call.code == 2 && call.err.contains("unexpected argument"), "{}", call.err);
+    }
+    assert!(!bench.path("x").exists());
+}
+
+#[test]
+fn the_documents_of_a_study_are_whole() {
+    let bench = Bench::new();
+    let call = bench.call("study drum-brake-block --dry-run --json -o x");
+    let said: serde_json::Value = serde_json::from_str(&call.out).unwrap();
+    assert_eq!(said["degrees"], serde_json::json!([4, 6, 8, 10, 12, 14, 16]));
+    assert_eq!((&said["scene"], &said["folder"]), (&"drum-brake-block".into(), &"x".into()));
+    let call = bench.call("study drum-brake-block --set mesh.layers=2 --json -o x");
+    assert_eq!(call.code, 0, "{}", call.err);
+    let level = &study(&bench, "x")["levels"][0];
+    assert_eq!((&level["degree"], &level["layers"]), (&4.into(), &2.into()));
+    assert!(level["dofs"].is_u64() && level["trace_dofs"].is_u64(), "{level}");
+    assert!(!call.out.contains("-0.0"), "{}", call.out);
 }
