@@ -77,6 +77,14 @@ def test_a_value_that_stands_alone_is_one_point() -> None:
         assert wearshape.sweep(DRUM, {"wear.b": alone}).sizes["wear.b"] == 1
 
 
+def test_short_lists_of_the_summary_are_variables() -> None:
+    hertz = wearshape.Scene("hertz-cylinder").set(accuracy=1e-3)
+    found = wearshape.sweep(hertz, {"load.force": ["30 kN", "35 kN"]})
+    one = hertz.set({"load.force": "35 kN"}).run().summary
+    assert found["contact.ends_mm.1"].values[1] == one["contact"]["ends_mm"][1]
+    assert found["contact.ends_mm.0"].values[0] == -found["contact.ends_mm.1"].values[0]
+
+
 def test_nothing_to_sweep_over_is_an_error() -> None:
     with pytest.raises(wearshape.Error, match="nothing to sweep"):
         wearshape.sweep(DRUM, {})

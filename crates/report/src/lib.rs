@@ -58,7 +58,7 @@ pub use page::page;
 pub use page_tables::{glance, tables};
 pub use run_in::run_in;
 pub use section_plot::Section;
-pub use summary::{numbers, summary};
+pub use summary::{numbers, numbers_and_short_lists, summary};
 pub use sweep_page::{SweepPage, sweep_page};
 pub use table::{CONTACT_COLUMNS, ContactColumn, column, columns_csv, numbers_row, table};
 pub use terminal::first_screen;

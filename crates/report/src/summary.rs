@@ -62,19 +62,51 @@ pub(crate) fn without_nulls(value: Value) -> Value {
 /// The numbers and words of a summary under dotted keys, without lists.
 pub fn numbers(summary: &Value) -> Vec<(String, Value)> {
     let mut out = Vec::new();
-    flatten("", summary, &mut out);
+    flatten("", summary, 0, &mut out);
     out
 }
 
-fn flatten(prefix: &str, value: &Value, out: &mut Vec<(String, Value)>) {
+/// Numbers in a list that still are columns of a row each.
+const SHORT: usize = 4;
+
+/// The numbers and words of a summary under dotted keys, and the numbers of lists of up to four, counted from 0: `contact.ends_mm.1`.
+pub fn numbers_and_short_lists(summary: &Value) -> Vec<(String, Value)> {
+    let mut out = Vec::new();
+    flatten("", summary, SHORT, &mut out);
+    out
+}
+
+/// Adds what a part of a summary holds; of lists those of numbers alone that are no longer than `short`.
+fn flatten(prefix: &str, value: &Value, short: usize, out: &mut Vec<(String, Value)>) {
     match value {
         Value::Object(map) => {
             for (key, value) in map {
                 let path = if prefix.is_empty() { key.clone() } else { format!("{prefix}.{key}") };
-                flatten(&path, value, out);
+                flatten(&path, value, short, out);
             }
         }
-        Value::Array(_) => {}
+        Value::Array(items) => {
+            if items.len() <= short && items.iter().all(Value::is_number) {
+                out.extend(items.iter().enumerate().map(|(place, item)| (format!("{prefix}.{place}"), item.clone())));
+            }
+        }
         other => out.push((prefix.to_string(), other.clone())),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn short_lists_of_numbers_are_numbers_by_their_place() {
+        let summary =
+            json!({ "a": { "b": [1, 2.5], "long": [1, 2, 3, 4, 5], "words": ["x"], "mixed": [1, "x"], "none": [] }, "c": 3 });
+        let keys = |found: Vec<(String, Value)>| found.into_iter().map(|(key, _)| key).collect::<Vec<_>>();
+        assert_eq!(keys(numbers(&summary)), ["c"]);
+        assert_eq!(
+            numbers_and_short_lists(&summary),
+            [("a.b.0".into(), json!(1)), ("a.b.1".into(), json!(2.5)), ("c".into(), json!(3))]
+        );
     }
 }

@@ -51,7 +51,7 @@ struct Point {
 pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
     let start = Instant::now();
     let common = &args.common;
-    // Rows hold no lists.
+    // Rows hold no long lists.
     let options = Options { machining: false, ..options(&args.points)? };
     let grid = Grid::read(&args.over)?;
     let source = Source::read(&args.scene)?;
@@ -177,7 +177,7 @@ impl Sweep<'_> {
             Ok((solution, _)) if solution.status == Status::Interrupted => return None,
             Ok((solution, summary)) => {
                 let skipped = ["schema_version", "version", "scene", "scene_sha256"];
-                for (key, value) in report::numbers(&summary) {
+                for (key, value) in report::numbers_and_short_lists(&summary) {
                     if !skipped.contains(&key.as_str()) && !key.starts_with("counters.") {
                         row.insert(key, value);
                     }

@@ -84,9 +84,8 @@ fn relative(a: f64, b: f64, like: f64) -> f64 {
 /// The largest number of the same part and unit, in either summary; of a moment also the largest force times one mm.
 fn like(key: &str, both: &[Vec<(String, Value)>; 2]) -> f64 {
     let part = |key: &str| key.split('.').next().unwrap_or("").to_string();
-    let unit = |key: &str| {
-        key.trim_end_matches(|c: char| c == ']' || c == '[' || c.is_ascii_digit()).rsplit('_').next().unwrap_or("").to_string()
-    };
+    let unit =
+        |key: &str| key.trim_end_matches(|c: char| c == '.' || c.is_ascii_digit()).rsplit('_').next().unwrap_or("").to_string();
     let alike = |other: &str| part(other) == part(key) && (unit(other) == unit(key) || unit(key) == "Nmm" && unit(other) == "N");
     let all = both.iter().flatten().filter(|(other, _)| alike(other));
     all.filter_map(|(_, value)| value.as_f64()).fold(0.0, |largest, value| largest.max(value.abs()))
@@ -103,7 +102,7 @@ fn flatten(prefix: &str, value: &Value, found: &mut Vec<(String, Value)>) {
         }
         Value::Array(items) => {
             let numbers = items.iter().enumerate().filter(|(_, item)| item.is_number());
-            found.extend(numbers.map(|(place, item)| (format!("{prefix}[{place}]"), item.clone())));
+            found.extend(numbers.map(|(place, item)| (format!("{prefix}.{place}"), item.clone())));
         }
         other => found.push((prefix.to_string(), other.clone())),
     }

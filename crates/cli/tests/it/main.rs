@@ -46,6 +46,7 @@ mod sound;
 mod streams;
 mod study;
 mod sweep;
+mod sweep_rows;
 mod templates;
 mod terminal;
 mod torque;

@@ -30,6 +30,8 @@ if TYPE_CHECKING:
 CURVES = ("s_mm", "x_mm", "y_mm", "z_mm", "pressure_MPa", "pressure_solved_MPa", "shear_MPa", "gap_um", "opening_um", "wear_rate_um_per_s")
 #: Parts of the summary that tell how, not what.
 _LEFT_OUT = ("schema_version", "version", "scene", "scene_sha256", "counters")
+#: Numbers in a list that still are variables of their own.
+_SHORT = 4
 #: Keys that leave the bodies as they are: points that differ in these alone share what was factorised, and so run one after another.
 _SAME_BODIES = ("contact.friction", "load", "optimum", "sliding", "wear")
 #: Seconds of a batch, and how many of them a worker has at hand.
@@ -72,8 +74,9 @@ def sweep(
         ``interrupted``. So does Ctrl-C, which raises ``KeyboardInterrupt``; tasks on a cluster are cancelled.
 
     Returns a dataset with one dimension a key and ``place``. Variables are the numbers and words of the summary under their dotted names
-    (``pressure.torque_Nmm``), ``status`` and ``reason`` among them, and the curves of the profile (``gap_um`` ...) over ``place``. A point without
-    an answer has a status and a reason, and nan elsewhere; an invalid one has the status ``invalid``.
+    (``pressure.torque_Nmm``; of lists the numbers of those of up to four, counted from 0: ``contact.ends_mm.1``), ``status`` and ``reason``
+    among them, and the curves of the profile (``gap_um`` ...) over ``place``. A point without an answer has a status and a reason, and nan
+    elsewhere; an invalid one has the status ``invalid``.
     """
     arguments.instance("scene", scene, Scene, "a wearshape.Scene")
     arguments.instance("over", over, Mapping, "a mapping of keys to values")
@@ -137,6 +140,9 @@ def _by_threads(scene: Scene, points: list[dict[str, Any]], sample: int) -> Gene
         waiting = [pool.submit(compute, scene, point, sample, bodies) for point in points[1:]]
         try:
             for number, future in enumerate(waiting, 1):
+    elif len(value) <= _SHORT and all(isinstance(item, (int, float)) and not isinstance(item, bool) for item in value):
+        for place, item in enumerate(value):
+            yield f"{prefix}.{place}", item
                 yield number, future.result()
         finally:
             pool.shutdown(wait=False, cancel_futures=True)

@@ -1,0 +1,31 @@
+//! What a sweep keeps of its points: short lists, good folders, the files that its axes name, curves and reasons.
+
+use serde_json::Value;
+
+use crate::call::Bench;
+
+fn rows(bench: &Bench, folder: &str) -> Vec<Value> {
+    bench.read(&format!("{folder}/sweep.jsonl")).lines().map(|line| serde_json::from_str(line).unwrap()).collect()
+}
+
+fn summary(bench: &Bench, folder: &str) -> Value {
+    serde_json::from_str(&bench.read(&format!("{folder}/summary.json"))).unwrap()
+}
+
+#[test]
+fn rows_have_the_numbers_of_short_lists() {
+    let bench = Bench::new();
+    let mesh = "--set mesh.degree=4 --set check=false";
+    let call = bench.call(&format!("sweep hertz-cylinder {mesh} --over load.force=30_kN,35_kN -q -o x"));
+    assert_eq!(call.code, 0, "{}", call.err);
+    assert_eq!(bench.call(&format!("run hertz-cylinder {mesh} --set load.force=35_kN -q -o one")).code, 0);
+    let (rows, one) = (rows(&bench, "x"), summary(&bench, "one"));
+    for place in 0..2 {
+        assert!(one["contact"]["ends_mm"][place].is_number());
+        assert_eq!(rows[1][format!("contact.ends_mm.{place}")], one["contact"]["ends_mm"][place], "{place}");
+    }
+    assert!(rows[1]["contact.ends_mm.2"].is_null());
+    let table = bench.read("x/sweep.csv");
+    let header = table.lines().next().unwrap();
+    assert!(header.contains(",contact.ends_mm.0,contact.ends_mm.1,"), "{header}");
+}
