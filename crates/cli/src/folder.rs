@@ -197,11 +197,9 @@ impl Folder {
         Ok(listed)
     }
 
-    /// Finishes a folder without an answer, or beside its place, as `<dir>.failed`, where the run of before had one; returns that other place too.
+    /// Finishes a folder without an answer, or beside its place, as `<dir>.failed`, where the call of before had one; returns that other place too.
     pub(crate) fn finish_beside_good(mut self, summary: &Value) -> Result<(Value, Option<PathBuf>), Fault> {
-        let good =
-            names::summary(&self.target)["status"].as_str().is_some_and(|status| matches!(status, "ok" | "accuracy-missed"));
-        let other = good.then(|| beside(&self.target, "", ".failed"));
+        let other = names::has_answer(&self.target).then(|| beside(&self.target, "", ".failed"));
         if let Some(other) = &other {
             self.target.clone_from(other);
         }

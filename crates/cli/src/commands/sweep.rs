@@ -62,7 +62,7 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
         if common.json {
             print_json(&json!({ "scene": first.name, "points": count, "folder": target.display().to_string() }));
         } else {
-            print_out(&format!("{count} points of {}\nwould write {}\n", first.name, target.display()));
+            print_out(&format!("{count} {} of {}\nwould write {}\n", points(count), first.name, target.display()));
         }
         return Ok(Exit::Done);
     }
@@ -89,11 +89,15 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
     let figures = Figures::new(&sweep.grid, &rows.first);
     let summary = sweep.summary(&first.name, &mark, rows.failed, before);
     folder.write("report.html", &page(folder.path(), &sweep.grid, &summary, &rows, &mark))?;
-    let summary = folder.finish(&summary)?;
+    let unanswered = rows.answered == 0;
+    let (summary, beside) = if unanswered { folder.finish_beside_good(&summary)? } else { (folder.finish(&summary)?, None) };
+    if beside.is_some() && !common.quiet {
+        talk(&format!("{} keeps the sweep of before", target.display()));
+    }
     if common.json {
         print_json(&summary);
     } else if !common.quiet {
-        print_out(&screen(&figures, &rows, before, &target));
+        print_out(&screen(&figures, &rows, before, beside.as_deref().unwrap_or(&target)));
     }
     Ok(if rows.failed == 0 { Exit::Done } else { Exit::GoalMissed })
 }
@@ -223,7 +227,7 @@ impl Sweep<'_> {
             "scene": name,
             "scene_sha256": scene::sha256(mark),
             "status": if failed == 0 { Status::Ok } else { Status::NotConverged },
-            "verdict": format!("{count} points, {failed} without an answer."),
+            "verdict": format!("{count} {}, {failed} without an answer.", points(count)),
             "over": self.grid.document(),
             "points": count,
             "failed": failed,
@@ -288,6 +292,10 @@ fn screen(figures: &Figures, rows: &Rows, before: usize, target: &Path) -> Strin
     }
     let (count, failed, target) = (rows.count, rows.failed, target.display());
     let kept = if before > 0 { format!(" ({before} of them from before)") } else { String::new() };
-    let points = if count == 1 { "point" } else { "points" };
+    let points = points(count);
     out + &format!("\n{count} {points}{kept}, {failed} without an answer\nfiles     {target} (sweep.csv, report.html)\n")
 }
+fn points(count: usize) -> &'static str {
+    if count == 1 { "point" } else { "points" }
+}
+

@@ -110,6 +110,13 @@ pub(super) fn summary(folder: &Path) -> Value {
     serde_json::from_str(&text).unwrap_or_default()
 }
 
+/// Whether a finished folder holds an answer; that of a sweep at one point at least.
+pub(super) fn has_answer(folder: &Path) -> bool {
+    let summary = summary(folder);
+    let some = summary["points"].as_u64().zip(summary["failed"].as_u64()).is_some_and(|(points, failed)| failed < points);
+    some || matches!(summary["status"].as_str(), Some("ok" | "accuracy-missed"))
+}
+
 /// Everything in a folder but folders, by its path from there with `/` between the parts; sorted.
 fn entries(folder: &Path) -> BTreeSet<String> {
     let mut found = BTreeSet::new();

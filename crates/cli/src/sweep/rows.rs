@@ -29,6 +29,8 @@ pub(crate) struct Rows {
     pub(crate) count: usize,
     /// Rows without an answer.
     pub(crate) failed: usize,
+    /// Rows with an answer, be it less accurate than wanted.
+    pub(crate) answered: usize,
     /// The first rows.
     pub(crate) first: Vec<Value>,
     /// All keys, in order of first appearance.
@@ -46,6 +48,7 @@ impl Rows {
             }
         }
         self.count += 1;
+        self.answered += usize::from(matches!(row["status"].as_str(), Some("ok" | "accuracy-missed")));
         self.failed += usize::from(row["status"] != "ok");
         if self.first.len() < SHOWN {
             self.first.push(row.clone());

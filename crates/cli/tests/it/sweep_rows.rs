@@ -29,3 +29,22 @@ fn rows_have_the_numbers_of_short_lists() {
     let header = table.lines().next().unwrap();
     assert!(header.contains(",contact.ends_mm.0,contact.ends_mm.1,"), "{header}");
 }
+
+#[test]
+fn a_sweep_without_any_answer_leaves_a_good_one_alone() {
+    let bench = Bench::new();
+    let sweep = |moments: &str| {
+        let call = bench.call(&format!("sweep translating-punch --set tasks=[pressure] --over load.moment={moments} -o x"));
+        (call.code, call.out, call.err)
+    };
+    // One point with an answer makes it a good one.
+    assert_eq!(sweep("0,40_kN_mm").0, 1);
+    let (code, out, err) = sweep("40_kN_mm,50_kN_mm");
+    assert!(code == 1 && err.contains("x keeps the sweep of before") && out.contains("x.failed (sweep.csv"), "{out}{err}");
+    assert_eq!((&summary(&bench, "x")["failed"], &summary(&bench, "x.failed")["failed"]), (&1.into(), &2.into()));
+    assert_eq!(sweep("0").0, 0);
+    assert_eq!(summary(&bench, "x")["verdict"], "1 point, 0 without an answer.");
+    // Where there is none, it takes the place.
+    let call = bench.call("sweep translating-punch --set tasks=[pressure] --over load.moment=40_kN_mm -q -o y");
+    assert!(call.code == 1 && summary(&bench, "y")["failed"] == 1 && !bench.path("y.failed").exists());
+}
