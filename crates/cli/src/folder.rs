@@ -279,7 +279,7 @@ fn same_scene(partial: &Path, before: &str, scene: &str) -> Result<(), Fault> {
         sha256(before),
         sha256(scene)
     );
-    let remedy = "give the same scene and --set options as before, or leave out --resume to begin again";
+    let remedy = "give the same scene, files and --set options as before, or leave out --resume to begin again";
     Err(Fault { place: Some(Place::Flag("--resume".into())), ..Fault::new("another-scene", message, remedy) })
 }
 

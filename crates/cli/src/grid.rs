@@ -208,6 +208,27 @@ fn number_and_unit(text: &str) -> Option<(f64, &str)> {
     Some((number.trim().parse().ok().filter(|number: &f64| number.is_finite())?, unit.trim()))
 }
 
+/// The texts in a value as it was typed: all of it, or the words of its list or table, in quotes or bare.
+pub(crate) fn texts(value: &str) -> Vec<String> {
+    if !value.starts_with(['[', '{', '"', '\'']) {
+        return vec![value.to_string()];
+    }
+    let (mut words, mut quote) = (vec![String::new()], None);
+    for c in value.chars() {
+        let ends = match quote {
+            Some(open) => c == open,
+            None => "[]{},=\"'".contains(c),
+        };
+        if ends {
+            quote = Some(c).filter(|c| quote.is_none() && "\"'".contains(*c));
+            words.push(String::new());
+        } else if let Some(last) = words.last_mut() {
+            last.push(c);
+        }
+    }
+    words.into_iter().map(|word| word.trim().to_string()).filter(|word| !word.is_empty()).collect()
+}
+
 /// The parts of a list; commas inside brackets and quotes do not separate.
 fn list(values: &str) -> Vec<String> {
     let mut list = vec![String::new()];

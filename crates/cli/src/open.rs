@@ -105,6 +105,16 @@ impl Source {
         Document::read(&self.file, &self.text, settings)
     }
 
+    /// Whether there is a file of this path beside the scene.
+    pub(crate) fn is_beside(&self, path: &str) -> bool {
+        self.beside.folder.join(path).is_file()
+    }
+
+    /// The bytes of a file beside the scene, or why there are none.
+    pub(crate) fn beside(&self, path: &str) -> Result<Vec<u8>, String> {
+        self.beside.read(path)
+    }
+
     /// The problem that a document of this scene poses.
     pub(crate) fn pose(&self, document: &Document) -> Result<Problem, Fault> {
         Problem::new(document, &|path| self.beside.read(path)).map_err(|fault| self.beside.named(&self.given, fault))

@@ -1,6 +1,6 @@
 //! `wearshape sweep`: a scene over a grid of keys, one row a point, failures kept as rows.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -14,7 +14,7 @@ use crate::again::again;
 use crate::args::SweepArgs;
 use crate::exit::Exit;
 use crate::folder::Folder;
-use crate::grid::Grid;
+use crate::grid::{Grid, texts};
 use crate::interrupt;
 use crate::live::Live;
 use crate::open::Source;
@@ -118,7 +118,7 @@ impl Sweep<'_> {
         let posed = self.source.pose(first);
         let (resolved, files) =
             posed.map_or_else(|_| (first.scene.clone(), Vec::new()), |problem| (problem.scene().clone(), problem.files()));
-        let mark = format!("# {}\n{}", plan, scene::scene_text(&resolved));
+        let mark = format!("# {plan}\n{}{}", self.files_of_axes(), scene::scene_text(&resolved));
         let folder = Folder::begin(target, &mark, self.args.points.resume)?;
         folder.write_files_of_scene(files)?;
         Ok((folder, mark))
@@ -135,6 +135,17 @@ impl Sweep<'_> {
             folder.append(CURVES, &curves::header(&self.grid, &self.extras))?;
         }
         Ok(rows)
+    }
+
+    /// What the files hold that values of axes name, a line each: as they are now, and not only those of the first point.
+    fn files_of_axes(&self) -> String {
+        let files = self.grid.words().flat_map(|(_, value)| texts(value));
+        let files: BTreeSet<String> = files.filter(|path| self.source.is_beside(path)).collect();
+        let line = |path: &String| {
+            let bytes = self.source.beside(path).ok()?;
+            Some(format!("# {} has sha256 {}\n", json!(path), scene::sha256(bytes)))
+        };
+        files.iter().filter_map(line).collect()
     }
 
     /// Adds the rows that are missing, and writes them as they come; Ctrl-C ends it with those that are finished.

@@ -48,3 +48,40 @@ fn a_sweep_without_any_answer_leaves_a_good_one_alone() {
     let call = bench.call("sweep translating-punch --set tasks=[pressure] --over load.moment=40_kN_mm -q -o y");
     assert!(call.code == 1 && summary(&bench, "y")["failed"] == 1 && !bench.path("y.failed").exists());
 }
+
+#[test]
+fn a_sweep_over_files_is_not_resumed_with_others() {
+    let bench = Bench::new();
+    let rows_of = |height: &str| format!("s_mm,gap_um\n-110,{height}\n0,0\n110,{height}\n");
+    for (name, height) in [("a.csv", "1"), ("b.csv", "2"), ("c.csv", "3")] {
+        bench.file(name, &rows_of(height));
+    }
+    let args = "sweep drum-brake-block --set tasks=[contact] --set mesh.degree=4 --over contact.gap=a.csv,\"b.csv\",{rows=\"c.csv\"} -q -o x";
+    let call = bench.call(args);
+    let first = rows(&bench, "x");
+    assert!(call.code < 2 && first[0]["status"] == "ok" && first[1]["status"] == "ok", "{first:?}");
+    let scene = bench.read("x/scene.resolved.toml");
+    for name in ["a.csv", "b.csv", "c.csv"] {
+        let line = format!("\n# \"{name}\" has sha256 {}\n", crate::call::sha256(&bench.read(name)));
+        assert!(scene.contains(&line), "{line}{scene}");
+    }
+    let partial = || {
+        let row = bench.read("x/sweep.jsonl").lines().next().unwrap().to_string() + "\n";
+        bench.file("x.partial/sweep.jsonl", &row);
+        bench.file("x.partial/scene.resolved.toml", &scene);
+    };
+    partial();
+    for name in ["b.csv", "c.csv"] {
+        let kept = bench.read(name);
+        bench.file(name, &rows_of("7"));
+        let call = bench.call(&format!("{args} --resume"));
+        assert!(call.code == 2 && call.err.contains(&format!("\"{name}\" has sha256")), "{}", call.err);
+        bench.file(name, &kept);
+    }
+    assert!(bench.call(&format!("{args} --resume")).code < 2);
+    assert_eq!(rows(&bench, "x"), first);
+    // The page is built again from a folder with such lines.
+    let page = bench.read("x/report.html");
+    assert_eq!(bench.call("report x").code, 0);
+    assert_eq!(bench.read("x/report.html"), page);
+}
