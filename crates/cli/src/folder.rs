@@ -135,6 +135,14 @@ impl Folder {
         Ok(())
     }
 
+    /// Puts a text in the place of a file of the folder, whole or not at all.
+    pub(crate) fn replace(&self, name: &str, text: &str) -> Result<(), Fault> {
+        let new = format!("{name}.new");
+        self.write(&new, text)?;
+        let path = self.own(name)?;
+        fs::rename(self.partial.join(new), &path).map_err(|error| self.unwritable(&path, &error))
+    }
+
     /// Adds to the end of one file of the folder; now and then the file is handed to the disk.
     pub(crate) fn append(&self, name: &str, text: &str) -> Result<(), Fault> {
         let path = self.own(name)?;

@@ -104,7 +104,7 @@
           d += (pen ? "L" : "M") + px(x).toFixed(2) + " " + py(s.y[i]).toFixed(2); pen = true;
         });
         make("path", { d, fill: "none", stroke: COLOURS[n % 7], "stroke-width": 2, "stroke-linejoin": "round", "stroke-dasharray": s.dashed ? "7 5" : "none" }, svg);
-        if (s.name && chart.series.length <= 6) {
+        if (s.name && chart.series.length <= 6 && !chart.names_above) {
           const from = W - R - 40 - legend;
           make("path", { d: `M${from} ${T + row * (n + 1) - 0.34 * size}h24`, stroke: COLOURS[n % 7], "stroke-width": 2, "stroke-dasharray": s.dashed ? "7 5" : "none" }, svg);
           make("text", { class: "tip", x: from + 30, y: T + row * (n + 1) }, svg, s.name);

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use report::SCHEMA_VERSION;
 use scene::{Document, Fault};
 use serde_json::{Map, Value, json};
-use wearshape::{Bodies, Options, Solution, Status};
+use wearshape::{Bodies, Options, Profile, Solution, Status};
 
 use crate::again::again;
 use crate::args::SweepArgs;
@@ -41,10 +41,20 @@ struct Sweep<'a> {
     bodies: Bodies,
 }
 
-/// The row of a point, and its curves where they are kept.
+/// The row of a point, and its curves.
 struct Point {
     row: Value,
-    curve: String,
+    curve: Curve,
+}
+
+/// The curves of a point.
+enum Curve {
+    /// As they are written: those of every point are kept.
+    Written(String),
+    /// Those of few points are kept.
+    Known(Box<Profile>),
+    /// There are none.
+    Absent,
 }
 
 /// Computes all points; writes their rows, curves and page.
@@ -86,6 +96,9 @@ pub(crate) fn run(args: &SweepArgs) -> Result<Exit, Fault> {
         "timing.json",
         &report::pretty(&json!({ "seconds_total": start.elapsed().as_secs_f64(), "points": count - before })),
     )?;
+    if sweep.options.sample.is_none() {
+        curves::leave_drawn(&folder, &rows.drawn)?;
+    }
     let figures = Figures::new(&sweep.grid, &rows.first);
     let summary = sweep.summary(&first.name, &mark, rows.failed, before);
     folder.write("report.html", &page(folder.path(), &sweep.grid, &summary, &rows, &mark))?;
@@ -124,6 +137,17 @@ impl Sweep<'_> {
         Ok((folder, mark))
     }
 
+    /// What the files hold that values of axes name, a line each: as they are now, and not only those of the first point.
+    fn files_of_axes(&self) -> String {
+        let files = self.grid.words().flat_map(|(_, value)| texts(value));
+        let files: BTreeSet<String> = files.filter(|path| self.source.is_beside(path)).collect();
+        let line = |path: &String| {
+            let bytes = self.source.beside(path).ok()?;
+            Some(format!("# {} has sha256 {}\n", json!(path), scene::sha256(bytes)))
+        };
+        files.iter().filter_map(line).collect()
+    }
+
     /// The rows that are there already; what was torn behind them is cut off.
     fn finished(&self, folder: &Folder) -> Result<Rows, Fault> {
         let mut rows = Rows::default();
@@ -135,17 +159,6 @@ impl Sweep<'_> {
             folder.append(CURVES, &curves::header(&self.grid, &self.extras))?;
         }
         Ok(rows)
-    }
-
-    /// What the files hold that values of axes name, a line each: as they are now, and not only those of the first point.
-    fn files_of_axes(&self) -> String {
-        let files = self.grid.words().flat_map(|(_, value)| texts(value));
-        let files: BTreeSet<String> = files.filter(|path| self.source.is_beside(path)).collect();
-        let line = |path: &String| {
-            let bytes = self.source.beside(path).ok()?;
-            Some(format!("# {} has sha256 {}\n", json!(path), scene::sha256(bytes)))
-        };
-        files.iter().filter_map(line).collect()
     }
 
     /// Adds the rows that are missing, and writes them as they come; Ctrl-C ends it with those that are finished.
@@ -163,10 +176,19 @@ impl Sweep<'_> {
             new.sort_by_key(|(point, _)| *point);
             let whole = chunk.zip(new).map_while(|(point, (of, found))| (point == of).then_some(found));
             let new: Vec<Point> = whole.collect();
+            let mut curves = String::new();
+            for Point { row, curve } in &new {
+                let point = rows.count;
+                let drawn = rows.see(row, count);
+                match curve {
+                    Curve::Written(text) => curves += text,
+                    Curve::Known(profile) if drawn => curves += &curves::curve(&self.grid, point, profile, &self.extras),
+                    Curve::Known(_) | Curve::Absent => {}
+                }
+            }
             // Curves first: a row that is there has its curves.
-            folder.append(CURVES, &new.iter().map(|point| point.curve.as_str()).collect::<String>())?;
+            folder.append(CURVES, &curves)?;
             folder.append(ROWS, &new.iter().map(|point| format!("{}\n", point.row)).collect::<String>())?;
-            new.iter().for_each(|point| rows.see(&point.row));
             progress.done(rows.count);
         }
         progress.end();
@@ -187,7 +209,7 @@ impl Sweep<'_> {
                 row.insert(format!("{key}{BASE}"), json!(base));
             }
         }
-        let mut curve = String::new();
+        let mut curve = Curve::Absent;
         match self.solve(&self.grid.settings(point, &self.args.common.set)) {
             Ok((solution, _)) if solution.status == Status::Interrupted => return None,
             Ok((solution, summary)) => {
@@ -197,7 +219,7 @@ impl Sweep<'_> {
                         row.insert(key, value);
                     }
                 }
-                curve = self.curve(point, &solution);
+                curve = self.curve(point, solution);
             }
             Err(fault) => {
                 row.insert("status".into(), json!("invalid"));
@@ -207,16 +229,13 @@ impl Sweep<'_> {
         Some(Point { row: Value::Object(row), curve })
     }
 
-    /// The curves of a point: with --sample those of every point, else those of the points that are drawn.
-    fn curve(&self, point: usize, solution: &Solution) -> String {
-        let sampled = self.options.sample.is_some();
-        let fine = solution.curve.as_ref().filter(|_| !sampled);
-        match fine.or(solution.profile.as_ref()) {
-            Some(profile) if sampled || curves::is_drawn(point, self.grid.count) => {
-                curves::curve(&self.grid, point, profile, &self.extras)
-            }
-            _ => String::new(),
+    /// The curves of a point: with --sample at so many places, else fine ones.
+    fn curve(&self, point: usize, solution: Solution) -> Curve {
+        if self.options.sample.is_some() {
+            let written = |profile| Curve::Written(curves::curve(&self.grid, point, profile, &self.extras));
+            return solution.profile.as_ref().map_or(Curve::Absent, written);
         }
+        solution.curve.or(solution.profile).map_or(Curve::Absent, |profile| Curve::Known(Box::new(profile)))
     }
 
     /// Solution and summary of the scene with some settings.
@@ -259,9 +278,10 @@ fn page(folder: &Path, grid: &Grid, summary: &Value, rows: &Rows, mark: &str) ->
     report::sweep_page(&report::SweepPage {
         title,
         summary,
-        plots: &curves::plots(&folder.join(CURVES), grid, title),
+        plots: &curves::plots(&folder.join(CURVES), grid, &rows.drawn, title),
         names: &figures.names,
         rows: &figures.rows,
+        reasons: &figures.reasons,
         resolved: mark,
     })
 }
@@ -295,6 +315,10 @@ fn base_units(source: &Source, grid: &Grid, set: &[String]) -> BTreeMap<(String,
     grid.words().filter_map(|(key, value)| Some(((key.into(), value.into()), number(key, value)?))).collect()
 }
 
+fn points(count: usize) -> &'static str {
+    if count == 1 { "point" } else { "points" }
+}
+
 /// The first screen: the points, then what is left to say.
 fn screen(figures: &Figures, rows: &Rows, before: usize, target: &Path) -> String {
     let mut out = figures.screen();
@@ -306,7 +330,3 @@ fn screen(figures: &Figures, rows: &Rows, before: usize, target: &Path) -> Strin
     let points = points(count);
     out + &format!("\n{count} {points}{kept}, {failed} without an answer\nfiles     {target} (sweep.csv, report.html)\n")
 }
-fn points(count: usize) -> &'static str {
-    if count == 1 { "point" } else { "points" }
-}
-

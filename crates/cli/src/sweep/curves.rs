@@ -4,17 +4,17 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use report::{Axis, LinePlot, Series};
-use scene::Scene;
+use scene::{Fault, Scene};
 use wearshape::Profile;
 
+use crate::folder::Folder;
 use crate::grid::Grid;
+use crate::sweep::drawn::Drawn;
 use crate::sweep::figures;
 use crate::sweep::rows::lines;
 
 /// The file of all curves.
 pub(crate) const CURVES: &str = "curves.csv";
-/// Points that still can be told apart in one picture.
-const MOST_DRAWN: usize = 12;
 
 /// The columns of contact.csv between the number of the point and the values of its axes.
 const COLUMNS: [&str; 10] = [
@@ -32,11 +32,6 @@ const COLUMNS: [&str; 10] = [
 
 fn columns() -> impl Iterator<Item = &'static report::ContactColumn> {
     report::CONTACT_COLUMNS.iter().filter(|(name, _)| COLUMNS.contains(name))
-}
-
-/// Whether a point of a sweep is drawn: all where they are few, else some that are evenly spread, with the first and the last.
-pub(crate) fn is_drawn(point: usize, count: usize) -> bool {
-    count <= MOST_DRAWN || (0..MOST_DRAWN).any(|number| point == number * (count - 1) / (MOST_DRAWN - 1))
 }
 
 /// The column of sweeps over motions that reverse, and those of sweeps over scenes with heat.
@@ -93,13 +88,24 @@ fn of_point(line: &str) -> Option<usize> {
     line.split(',').next()?.parse().ok()
 }
 
+/// Takes the curves of points that are not drawn out of the file.
+pub(crate) fn leave_drawn(folder: &Folder, drawn: &Drawn) -> Result<(), Fault> {
+    if drawn.all_kept() {
+        return Ok(());
+    }
+    let points = drawn.points();
+    let kept = |line: &String| of_point(line).is_none_or(|point| points.contains(&point));
+    folder.replace(CURVES, &lines(&folder.path().join(CURVES)).filter(kept).collect::<String>())
+}
+
 /// The curves of the points that are drawn, overlaid: pressure and gap, as far as they are known.
-pub(crate) fn plots(file: &Path, grid: &Grid, title: &str) -> Vec<LinePlot> {
+pub(crate) fn plots(file: &Path, grid: &Grid, drawn: &Drawn, title: &str) -> Vec<LinePlot> {
     let mut curves: BTreeMap<usize, Vec<Vec<f64>>> = BTreeMap::new();
     let header = lines(file).next().unwrap_or_default();
+    let drawn = drawn.points();
     let extras: Vec<&str> = TEMPERATURES.into_iter().chain([BACK]).filter(|name| has_column(&header, name)).collect();
     for line in lines(file).skip(1) {
-        let Some(point) = of_point(&line).filter(|point| is_drawn(*point, grid.count)) else { continue };
+        let Some(point) = of_point(&line).filter(|point| drawn.contains(point)) else { continue };
         let cells: Vec<&str> = line.trim_end().split(',').skip(1).collect();
         let more = cells.len().saturating_sub(extras.len()).max(COLUMNS.len());
         let known = cells.iter().take(COLUMNS.len()).chain(&cells[more.min(cells.len())..]);
@@ -143,18 +149,4 @@ pub(crate) fn plots(file: &Path, grid: &Grid, title: &str) -> Vec<LinePlot> {
 /// Whether a header has a column.
 fn has_column(header: &str, name: &str) -> bool {
     header.trim_end().split(',').any(|column| column == name)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn at_most_twelve_points_are_drawn_with_the_first_and_the_last() {
-        for count in [1, 2, 12, 13, 100, 10_000_000] {
-            let drawn: Vec<usize> = (0..count.min(200)).filter(|point| is_drawn(*point, count)).collect();
-            assert!(drawn.len() <= MOST_DRAWN && drawn[0] == 0 && is_drawn(count - 1, count), "{count}: {drawn:?}");
-        }
-        assert_eq!((0..100).filter(|point| is_drawn(*point, 100)).count(), MOST_DRAWN);
-    }
 }

@@ -6,7 +6,7 @@ use crate::grid::Grid;
 
 /// Width of a terminal.
 const WIDTH: usize = 80;
-/// Rows without an answer whose reason is told.
+/// Rows without an answer whose reason is told on a terminal.
 const REASONS: usize = 5;
 
 /// The figures in the order of their worth: name, and the keys of a row that have it, the first that is there.
@@ -40,7 +40,7 @@ pub(crate) struct Figures {
     /// A row for each point.
     pub(crate) rows: Vec<Vec<String>>,
     /// Why points have no answer.
-    reasons: Vec<String>,
+    pub(crate) reasons: Vec<String>,
 }
 
 /// Names of the axes: the last word of the key where that is enough.
@@ -72,7 +72,7 @@ impl Figures {
             });
             grid.label(point).into_iter().chain(figures).chain(failed.then(|| word(row, "status"))).collect()
         };
-        let without = rows.iter().enumerate().filter(|(_, row)| row["status"] != "ok").take(REASONS);
+        let without = rows.iter().enumerate().filter(|(_, row)| row["status"] != "ok");
         let reason = |(point, row): (usize, &Value)| format!("{}: {}", grid.label(point).join(", "), word(row, "verdict"));
         Figures { rows: rows.iter().enumerate().map(cells).collect(), reasons: without.map(reason).collect(), names }
     }
@@ -101,7 +101,7 @@ impl Figures {
         };
         let mut out = line(&self.names);
         out.extend(self.rows.iter().map(|row| line(row)));
-        out.extend(self.reasons.iter().map(|reason| format!("no answer at {reason}\n")));
+        out.extend(self.reasons.iter().take(REASONS).map(|reason| format!("no answer at {reason}\n")));
         out
     }
 }

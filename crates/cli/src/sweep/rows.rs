@@ -10,6 +10,7 @@ use serde_json::Value;
 
 use crate::folder::Folder;
 use crate::grid::Grid;
+use crate::sweep::drawn::Drawn;
 
 /// The rows as they come.
 pub(crate) const ROWS: &str = "sweep.jsonl";
@@ -31,6 +32,8 @@ pub(crate) struct Rows {
     pub(crate) failed: usize,
     /// Rows with an answer, be it less accurate than wanted.
     pub(crate) answered: usize,
+    /// The points whose curves are drawn.
+    pub(crate) drawn: Drawn,
     /// The first rows.
     pub(crate) first: Vec<Value>,
     /// All keys, in order of first appearance.
@@ -39,20 +42,23 @@ pub(crate) struct Rows {
 }
 
 impl Rows {
-    /// Takes note of the next row.
-    pub(crate) fn see(&mut self, row: &Value) {
+    /// Takes note of the next row, of `all`; whether the curve of its point is to be kept.
+    pub(crate) fn see(&mut self, row: &Value, all: usize) -> bool {
         for key in row.as_object().into_iter().flatten().map(|(key, _)| key) {
             if !self.known.contains(key) {
                 self.known.insert(key.clone());
                 self.columns.push(key.clone());
             }
         }
+        let has_curve = !matches!(row["status"].as_str(), Some("invalid" | "refused"));
+        let keep = has_curve && self.drawn.see(self.count, all);
         self.count += 1;
         self.answered += usize::from(matches!(row["status"].as_str(), Some("ok" | "accuracy-missed")));
         self.failed += usize::from(row["status"] != "ok");
         if self.first.len() < SHOWN {
             self.first.push(row.clone());
         }
+        keep
     }
 
     /// Takes note of the finished rows of an interrupted sweep, up to the first that is torn or not of its point. Returns the bytes they have.
@@ -65,7 +71,7 @@ impl Rows {
             if point >= grid.count || !line.ends_with('\n') || !row.is_object() || !of_its_point() {
                 break;
             }
-            self.see(&row);
+            self.see(&row, grid.count);
             bytes += line.len() as u64;
         }
         bytes

@@ -85,3 +85,37 @@ fn a_sweep_over_files_is_not_resumed_with_others() {
     assert_eq!(bench.call("report x").code, 0);
     assert_eq!(bench.read("x/report.html"), page);
 }
+
+#[test]
+fn the_page_draws_points_with_an_answer_and_says_why_others_have_none() {
+    let bench = Bench::new();
+    let args = "sweep translating-punch --set tasks=[pressure] --over load.moment=0:40_kN_mm:60 -q -o x";
+    assert_eq!(bench.call(args).code, 1);
+    let rows = rows(&bench, "x");
+    let answered = rows.iter().filter(|row| row["status"] == "ok").count();
+    assert!((15..50).contains(&answered), "{answered}");
+    let mut points: Vec<usize> =
+        bench.read("x/curves.csv").lines().skip(1).map(|row| row.split(',').next().unwrap().parse().unwrap()).collect();
+    points.dedup();
+    assert!(points.len() == 12 && points[0] == 0 && points[11] + 4 > answered && points[11] < answered, "{points:?}");
+    let page = bench.read("x/report.html");
+    let reason = rows[answered]["verdict"].as_str().unwrap();
+    assert!(page.contains("<h3>Without an answer</h3>") && page.contains(&reason.replace('>', "&gt;")), "{reason}");
+    assert!(!bench.path("x/curves.csv.new").exists());
+    assert_eq!(bench.call("report x").code, 0);
+    assert_eq!(bench.read("x/report.html"), page);
+}
+
+#[test]
+fn long_values_of_an_axis_stand_above_the_charts() {
+    let bench = Bench::new();
+    let over = "body1.material={young=\"5 GPa\",poisson=0.3},{young=\"50 GPa\",poisson=0.3}";
+    let mesh = ["--set", "mesh.degree=4", "--set", "check=false", "-q"];
+    let page = |over: &str, folder: &str| {
+        let call = bench.call_with(&[&["sweep", "drum-brake-block", "--over", over, "-o", folder], &mesh[..]].concat());
+        assert_eq!(call.code, 0, "{}", call.err);
+        bench.read(&format!("{folder}/report.html"))
+    };
+    assert!(page(over, "x").contains("\"names_above\":true"));
+    assert!(!page("body1.material.young=5 GPa,50 GPa", "y").contains("\"names_above\":true"));
+}
