@@ -71,8 +71,18 @@ fn read(folder: &Path) -> Result<Results, Fault> {
     if !summary["schema_version"].is_u64() {
         return Err(damaged(&"it has no schema_version"));
     }
+    if let Some(what) = other_than_run(&summary) {
+        return Err(fault(format!("{} holds {what}, and only runs can be compared", folder.display())));
+    }
     let contact = if folder.join("contact.csv").exists() { Some(read("contact.csv")?) } else { None };
     Ok(Results { summary, scene: read("scene.resolved.toml")?, contact })
+}
+
+/// What a folder holds that is no run, by its summary.
+fn other_than_run(summary: &Value) -> Option<&'static str> {
+    let kinds =
+        [("levels", "a study"), ("over", "a sweep"), ("item", "a figure of the paper"), ("items", "figures of the paper")];
+    kinds.into_iter().find(|(key, _)| !summary[key].is_null()).map(|(_, what)| what)
 }
 
 /// Closing velocities of the free rigid modes of the scene in a folder, at the points of its table; none where the scene is no problem any more.

@@ -64,3 +64,23 @@ fn what_is_no_folder_of_results_cannot_be_compared() {
     let call = bench.call("diff a b");
     assert!(call.code == 2 && call.err.contains("summary.json is damaged"), "{}", call.err);
 }
+
+#[test]
+fn only_runs_can_be_compared() {
+    let bench = Bench::new();
+    for args in [
+        "run disc-pad -q -o run",
+        "sweep disc-pad --over contact.friction=.1,.2 -q -o sweep",
+        "reproduce fig19 -q -o figure",
+        "study hertz-cylinder -q -o study",
+    ] {
+        assert_eq!(bench.call(args).code, 0, "{args}");
+    }
+    for (folder, what) in [("study", "a study"), ("sweep", "a sweep"), ("figure", "a figure of the paper")] {
+        for args in [format!("run {folder}"), format!("{folder} run"), format!("{folder} {folder}")] {
+            let call = bench.call(&format!("diff {args}"));
+            assert_eq!(call.code, 2, "{args}: {}", call.out);
+            assert!(call.err.contains(&format!("{folder} holds {what}")), "{args}: {}", call.err);
+        }
+    }
+}
