@@ -77,6 +77,16 @@ def test_a_value_that_stands_alone_is_one_point() -> None:
         assert wearshape.sweep(DRUM, {"wear.b": alone}).sizes["wear.b"] == 1
 
 
+def test_a_key_that_no_scene_has_is_an_error_as_in_a_run() -> None:
+    with pytest.raises(wearshape.Error, match="unknown key `bb`") as raised:
+        wearshape.sweep(DRUM, {"wear.bb": [1, 2]})
+    assert raised.value.code == "unknown-key"
+    # One that stands in some points alone is a row.
+    punch = wearshape.Scene("translating-punch").set(tasks=["pressure"])
+    found = wearshape.sweep(punch, {"contact": [{"friktion": 0.1}, {"edges": ["bottom", "top"], "friction": 0.2, "gap": 0}]})
+    assert found.status.values.tolist() == ["invalid", "ok"]
+
+
 def test_short_lists_of_the_summary_are_variables() -> None:
     hertz = wearshape.Scene("hertz-cylinder").set(accuracy=1e-3)
     found = wearshape.sweep(hertz, {"load.force": ["30 kN", "35 kN"]})

@@ -77,6 +77,8 @@ def sweep(
     (``pressure.torque_Nmm``; of lists the numbers of those of up to four, counted from 0: ``contact.ends_mm.1``), ``status`` and ``reason``
     among them, and the curves of the profile (``gap_um`` ...) over ``place``. A point without an answer has a status and a reason, and nan
     elsewhere; an invalid one has the status ``invalid``.
+
+    Raises :class:`Error` for a key that no scene has.
     """
     arguments.instance("scene", scene, Scene, "a wearshape.Scene")
     arguments.instance("over", over, Mapping, "a mapping of keys to values")
@@ -87,6 +89,7 @@ def sweep(
     # The keys that change bodies come first, so that neighbours share them.
     order = sorted(axes, key=lambda key: any(key == known or key.startswith(known + ".") for known in _SAME_BODIES))
     points = [dict(zip(order, values, strict=True)) for values in itertools.product(*(axes[key] for key in order))]
+    _refuse_unknown(scene, points[0])
     found: list[Point | None] = [None] * len(points)
     left = len(points)
     with watched(progress, f"{scene.name}: {len(points)} points") as told:
@@ -99,6 +102,15 @@ def sweep(
                 results.close()
                 break
     return _dataset(scene, axes, order, found)
+
+
+def _refuse_unknown(scene: Scene, point: dict[str, Any]) -> None:
+    """Raises what stands in every point: a key that no scene has."""
+    try:
+        scene.set(point)
+    except Error as error:
+        if error.code == "unknown-key" and error.key in point:
+            raise
 
 
 def _listed(values: Any) -> list[Any]:
@@ -130,6 +142,9 @@ def _flat(value: Any, prefix: str = "") -> Iterator[tuple[str, Any]]:
             yield from _flat(item, f"{prefix}.{key}" if prefix else key)
     elif not isinstance(value, list):
         yield prefix, value
+    elif len(value) <= _SHORT and all(isinstance(item, (int, float)) and not isinstance(item, bool) for item in value):
+        for place, item in enumerate(value):
+            yield f"{prefix}.{place}", item
 
 
 def _by_threads(scene: Scene, points: list[dict[str, Any]], sample: int) -> Generator[tuple[int, Point], None, None]:
@@ -140,9 +155,6 @@ def _by_threads(scene: Scene, points: list[dict[str, Any]], sample: int) -> Gene
         waiting = [pool.submit(compute, scene, point, sample, bodies) for point in points[1:]]
         try:
             for number, future in enumerate(waiting, 1):
-    elif len(value) <= _SHORT and all(isinstance(item, (int, float)) and not isinstance(item, bool) for item in value):
-        for place, item in enumerate(value):
-            yield f"{prefix}.{place}", item
                 yield number, future.result()
         finally:
             pool.shutdown(wait=False, cancel_futures=True)
