@@ -199,6 +199,12 @@ pub(crate) struct StudyArgs {
     /// Folder of a run that is taken as the truth.
     #[arg(long, value_name = "DIR")]
     pub(crate) reference: Option<PathBuf>,
+    /// Accepted; a study has no contact.csv.
+    #[arg(long, hide = true)]
+    pub(crate) sample: Option<usize>,
+    /// Accepted; a study begins anew.
+    #[arg(long, hide = true)]
+    pub(crate) resume: bool,
     /// Options.
     #[command(flatten)]
     pub(crate) common: Common,

@@ -70,7 +70,6 @@ pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
     let common = &args.common;
     let source = Source::read(&args.scene)?;
     let document = source.document(&common.set)?;
-    own_degrees(&document)?;
     let (_, problem) = source.problem(&settings(&document, &common.set))?;
     let Some(quantity) = Quantity::of(&problem) else {
         let remedy = "add a task with elastic bodies: --set tasks=[pressure,shape]";
@@ -90,6 +89,9 @@ pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
     if common.dry_run {
         dry_run(common, &problem, &target);
         return Ok(Exit::Done);
+    }
+    if !common.quiet {
+        unused(&document, args).iter().for_each(|what| talk(what));
     }
     let threads = threads(common)?;
     interrupt::listen();
@@ -111,13 +113,14 @@ pub(crate) fn run(args: &StudyArgs) -> Result<Exit, Fault> {
     }
 }
 
-/// Refuses a degree in the scene: it would be ignored.
-fn own_degrees(document: &Document) -> Result<(), Fault> {
-    let Some(degree) = document.scene.mesh.as_ref().and_then(|mesh| mesh.degree) else { return Ok(()) };
+/// What of the scene and the options a study does not use, with the reason.
+fn unused(document: &Document, args: &StudyArgs) -> Vec<String> {
     let [first, .., last] = DEGREES;
-    let message = format!("mesh.degree = {degree} has no meaning for a study, which solves the degrees {first} to {last}");
-    let remedy = "leave it out; mesh.layers may stand alone. For the degree in a file: --set accuracy=1e-6 takes its place";
-    Err(document.locate(Fault::at("mesh.degree", "wrong-value", message, remedy)))
+    let degree = document.scene.mesh.as_ref().and_then(|mesh| mesh.degree);
+    let degree = degree.map(|degree| format!("mesh.degree = {degree} is not used: a study solves the degrees {first} to {last}"));
+    let sample = args.sample.map(|_| "--sample is not used: a study has no contact.csv".into());
+    let resume = args.resume.then(|| "--resume is not used: a study begins anew".into());
+    [degree, sample, resume].into_iter().flatten().collect()
 }
 
 /// The settings of the scene as a whole: where the layers are given, those of the finest level.
