@@ -54,7 +54,7 @@ fn a_pressure_that_wears_itself_away_tells_what_the_steps_leave() {
             let told = solution.error.unwrap().gap_relative.unwrap();
             let exact = share * 1e3 * closed * (1.0 - (-sum * 10.0 * 3000.0 / compliance).exp());
             let off = (solution.wear.unwrap().depth.unwrap() / exact - 1.0).abs();
-            assert!(off < 1.5 * told && told < accuracy, "{factors}: {off:e} where {told:e} is told");
+            assert!(off < 2.0 * told && told < accuracy, "{factors}: {off:e} where {told:e} is told");
         }
     }
 }

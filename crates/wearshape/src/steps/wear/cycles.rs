@@ -4,8 +4,8 @@ use shapeopt::{Evolution, Stepping, WearProblem, WearState};
 
 use crate::steps::wear::pieces::Pieces;
 
-/// Part of the error of the steps that the cycles still to come may stray.
-const PART: f64 = 0.3;
+/// Part of the error that each step may make which the cycles still to come may stray, where the steps of a contact that grows are much finer than what they leave.
+const GROWING: f64 = 0.3;
 
 /// The next state of a run: of a step, or of all cycles but the last at once, where they are alike.
 pub(super) fn next<'a>(
@@ -43,5 +43,6 @@ fn leap(evolution: &Evolution<'_>, problem: &WearProblem, states: &[WearState], 
     // What cycles stray falls as a geometric series.
     let ratio = last / one;
     let rest = last * ratio / (1.0 - ratio);
-    (ratio < 1.0 && rest <= PART * accuracy).then(|| evolution.after_cycles(before, state, count - 1 - done))
+    let allowed = if problem.growing { GROWING * accuracy } else { accuracy };
+    (ratio < 1.0 && rest <= allowed).then(|| evolution.after_cycles(before, state, count - 1 - done))
 }

@@ -32,10 +32,8 @@ const FINEST_ROUND: f64 = 1e-6;
 const CLOSER: usize = 16;
 /// Roughest accuracy of the steps of a run until a given end: coarser ones pass over the corners of a punch, whose wear is fast at first, in one step.
 const ROUGHEST_SHORT: f64 = 1e-3;
-/// Part of the accuracy that a step of such a run may leave wrong: what all of them leave is in the gap at the end, beside what the levels do.
-const SHORT: f64 = 0.1;
 
-/// Part of the accuracy asked for that steps in time may take from the times reported; the rest is left to the levels.
+/// Part of the accuracy asked for that steps in time may take from what is reported; the rest is left to the levels.
 pub(super) const STEPS: f64 = 0.3;
 
 /// The residual at which a run is steady: of the certificate, or of the wear still to come under a prescribed approach.
@@ -121,7 +119,7 @@ pub(super) fn wear_problem(
             End::Depth(depth) => Until::Depth(depth),
             End::Volume(volume) => Until::Volume(volume),
         };
-        problem.stepping = Stepping::Adaptive { accuracy: (SHORT * accuracy).min(ROUGHEST_SHORT) };
+        problem.stepping = Stepping::Adaptive { accuracy: (STEPS * accuracy).min(ROUGHEST_SHORT) };
     }
     if stage.ends_move() {
         (problem.scheme, problem.stepping) = growing(stage);
