@@ -152,8 +152,7 @@ impl Scenes<'_> {
         [wear.approach, wear.tilt] = closings(stage, self.pair, &found);
         let resolved = cycles::resolved(self.pieces, &run.history.states);
         wear.turns = self.pieces.turns.clone().map(|turns| TurnsResult { resolved, ..turns });
-        let states = [Some(&found.shaped), found.counter.as_ref()].into_iter().flatten();
-        let moved = states.flat_map(|state| &state.unknowns).fold(state.depth, |most, u| most.max(u.abs()));
+        let moved = moved(state, &found);
         let mut moments: Vec<Moment> = self.moment("", state.time, found, last).into_iter().collect();
         if stage.problem.plan.runs(Step::Fields) && heat.is_none() {
             let first = self.pieces.intervals[0].stage;
@@ -254,6 +253,12 @@ impl Scenes<'_> {
         let around = torsion::around(stage, self.operator.points(), &at.pressure);
         at.counter.map(|counter| Moment { time, name, states: [stage.held(self.pair, &at.shaped), counter], around })
     }
+}
+
+/// The largest displacement of the bodies in a contact (mm), or the depth worn off if that is larger.
+fn moved(state: &WearState, found: &ContactSolution) -> f64 {
+    let states = [Some(&found.shaped), found.counter.as_ref()].into_iter().flatten();
+    states.flat_map(|state| &state.unknowns).fold(state.depth, |most, u| most.max(u.abs()))
 }
 
 /// Whether some of the points press and some do not.
