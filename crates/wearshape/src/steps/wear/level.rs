@@ -155,10 +155,8 @@ impl Scenes<'_> {
         let moved = moved(state, &found);
         let mut moments: Vec<Moment> = self.moment("", state.time, found, last).into_iter().collect();
         if stage.problem.plan.runs(Step::Fields) && heat.is_none() {
-            let first = self.pieces.intervals[0].stage;
-            let started = self.solve(&problem.gap, first)?;
+            moments.extend(self.start(problem)?);
             effort.counters.contact_solves += 1;
-            moments.extend(self.moment("start", 0.0, started, first));
         }
         let round = stage.ends_move();
         let worn: Vec<f64> = state.gap.iter().zip(&problem.gap).map(|(now, start)| now - start).collect();
@@ -245,6 +243,12 @@ impl Scenes<'_> {
     fn turns(&self, problem: &WearProblem, state: &WearState, at: impl Fn(&[f64]) -> Vec<f64>) -> Vec<Turn<'_>> {
         let turns = self.stages.iter().zip(problem.pressures(&state.pressure));
         turns.map(|(stage, (pressure, share))| Turn { stage: *stage, share, pressure: at(pressure) }).collect()
+    }
+
+    /// The bodies on the start gap.
+    fn start(&self, problem: &WearProblem) -> Result<Option<Moment>, Fault> {
+        let first = self.pieces.intervals[0].stage;
+        Ok(self.moment("start", 0.0, self.solve(&problem.gap, first)?, first))
     }
 
     /// The bodies at a moment; each is twisted by the sliding of its own piece of the schedule.
