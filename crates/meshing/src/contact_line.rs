@@ -97,7 +97,11 @@ fn of_line(walk: &[Curve], start: [f64; 2], near: impl Fn(f64, f64) -> bool, sha
     for curve in walk {
         match curve {
             Curve::Line { start, end } if near(start[1], height) && near(end[1], height) => {}
-            Curve::Line { .. } => return Err("is not horizontal".into()),
+            Curve::Line { .. } => {
+                let heights = walk.iter().flat_map(|curve| [curve.point(-1.0)[1], curve.point(1.0)[1]]);
+                let off = heights.map(|z| (z - height).abs()).fold(0.0, f64::max);
+                return Err(format!("is not horizontal: it leaves the height of its first point by {} mm", short(off)));
+            }
             Curve::Arc { .. } | Curve::Polynomial { .. } => return Err("is partly straight and partly curved".into()),
         }
     }

@@ -1,8 +1,8 @@
 //! The tolerance band of a shape on the page.
 
-use scene::short;
 use serde_json::Value;
 
+use crate::brief::brief;
 use crate::escape::escaped;
 
 /// A table of `summary.shape.tolerance` with a sentence under it; empty without entries.
@@ -16,7 +16,7 @@ pub(crate) fn tolerance(entries: &Value) -> String {
                    <th>1 um changes it by, %</th><th>rms, %</th><th>worn to 1/e after, mm</th></tr>\n"
         .to_string();
     for entry in entries {
-        let cell = |key: &str, factor: f64| number(entry, key).map_or("-".into(), |value| short(factor * value));
+        let cell = |key: &str, factor: f64| number(entry, key).map_or("-".into(), |value| brief(factor * value));
         out += &format!(
             "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td></tr>\n",
             escaped(entry["error"].as_str().unwrap_or("")),
@@ -30,6 +30,6 @@ pub(crate) fn tolerance(entries: &Value) -> String {
         "</table></div>\n<p>An error of &plusmn;{} um keeps the pressure within 10 % of its mean, whichever of these it is. In proportion \
          to the error, over the inner 95 % of the surface; L is its length. Errors that the free motions of body 1 take up \
          are left out.</p>\n",
-        short(tightest)
+        brief(tightest)
     )
 }
