@@ -44,15 +44,16 @@ fn growing(solution: &Solution) -> Option<Remark> {
 fn from_cold(solution: &Solution) -> Option<Remark> {
     let what = match solution.heat.as_ref()?.from_cold? {
         FromCold::Carries { largest, ends: [from, to] } => format!(
-            "another contact carries the load as well: it lies between s = {} and {} mm, with some {} MPa at most",
-            rounded(from),
-            rounded(to),
-            short(format!("{largest:.1e}").parse().unwrap_or(largest))
+            "another contact carries the load as well, about from s = {} to {} mm, with some {} MPa at most",
+            about(from),
+            about(to),
+            about(largest)
         ),
         FromCold::Lost => "none that grows from that of the cold bodies carries the load".into(),
     };
     let message = format!(
-        "Brought to its speed cold, this shape does not start worn in: at that speed {what}. Only bodies that are as warm as the wanted pressure makes them have          that pressure; slide more slowly, or let it wear in."
+        "Brought to its speed cold, this shape does not start worn in: at that speed {what}. \
+         Only bodies that are as warm as the wanted pressure makes them have that pressure; slide more slowly, or let it wear in."
     );
     Some(Remark { code: "not-worn-in-from-cold", message })
 }
@@ -88,6 +89,11 @@ fn far(problem: &Problem, solution: &Solution) -> Option<Remark> {
         rounded(100.0 * share)
     );
     (share > WIDE && share.is_finite()).then_some(Remark { code: "thermal-part-not-small", message })
+}
+
+/// Two digits.
+fn about(number: f64) -> String {
+    short(format!("{number:.1e}").parse().unwrap_or(number))
 }
 
 /// Three digits.

@@ -101,17 +101,17 @@ pub(crate) fn bears(shaper: &Shaper<'_>, following: &Following<'_>, gap: impl Fn
     let growth = following.deviation_growth(shaper.stage, &operator, (&load, &pressure))?;
     let gap: Vec<f64> = operator.points().iter().map(gap).collect();
     let another = following.another(&operator, &gap, &load, &pressure)?;
-    let from_cold = another.map(|hot| from_cold(&hot, operator.points(), shaper.stage.start(&pair)));
+    let from_cold = another.map(|hot| from_cold(&hot, shaper.stage.start(&pair)));
     Ok(Bears { speeds, smooth, growth, from_cold })
 }
 
 /// What a contact that grows from that of the cold bodies comes to; arc lengths of the scene begin at `start`.
-fn from_cold(hot: &Hot, points: &[ContactPoint], start: f64) -> FromCold {
+fn from_cold(hot: &Hot, start: f64) -> FromCold {
     let found = &hot.found;
     if hot.lost.is_some() || !found.status.is_solved() {
         return FromCold::Lost;
     }
-    let arcs = || points.iter().zip(&found.closed).filter(|(_, closed)| **closed).map(|(point, _)| start + point.arc);
+    let arcs = || found.zones.iter().flatten().map(|arc| start + arc);
     let ends = [arcs().fold(f64::INFINITY, f64::min), arcs().fold(f64::NEG_INFINITY, f64::max)];
     FromCold::Carries { largest: found.pressure.iter().fold(0.0, |most: f64, p| most.max(*p)), ends }
 }

@@ -5,6 +5,7 @@ mod cycles;
 mod earlier;
 mod final_ends;
 mod found_ends;
+mod gaps;
 mod grown;
 mod history;
 mod hot;

@@ -30,7 +30,7 @@ pub(super) fn check_degrees(resume: &Resume, ladder: &Ladder) -> Result<(), Faul
 pub(super) fn check_levels(finished: &[FinishedLevel], samples: usize, modes: usize) -> Result<(), Fault> {
     for level in finished {
         let fits = level.gap.len() == samples && level.closing.len() == samples * modes;
-        let times = [Some(level.time), level.to_1_percent, level.integration_error].into_iter().flatten();
+        let times = [Some(level.time), Some(level.moved), level.to_1_percent, level.integration_error].into_iter().flatten();
         let finite =
             level.gap.iter().chain(&level.closing).all(|v| v.is_finite()) && times.into_iter().all(|t| t >= 0.0 && t.is_finite());
         let counts =

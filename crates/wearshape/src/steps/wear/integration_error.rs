@@ -4,6 +4,7 @@ use shapeopt::{Evolution, EvolutionStatus, Stepping, Times, WearProblem, WearSta
 
 use crate::stage::Stage;
 use crate::steps::wear::cycles;
+use crate::steps::wear::gaps::ApartFrom;
 use crate::steps::wear::history::History;
 use crate::steps::wear::pieces::Pieces;
 use crate::steps::wear::ran::MOST_STEPS;
@@ -37,9 +38,10 @@ fn coarser(fine: usize, coarse: usize) -> f64 {
     (fine as f64 / coarse as f64).powi(4).clamp(2.0, COARSER.powf(0.8))
 }
 
-/// What the steps of a run leave wrong in its time to the steady pressure and the depth then, or in its depth at the end where it has no such time:
+/// What the steps of a run leave wrong in its time to the steady pressure and the depth then, or, where it ends before it is steady, in its depth and time at
+/// the end; `gaps` tells how far its gap then is from another one, of a run whose gap is an answer of its own beside the depth:
 /// its relative difference from a run with coarser steps, by how many times as large the error of that is.
-pub(super) fn integration_error(problem: &WearProblem, pieces: &Pieces, run: &Run) -> Option<f64> {
+pub(super) fn integration_error(problem: &WearProblem, pieces: &Pieces, run: &Run, gaps: Option<ApartFrom<'_>>) -> Option<f64> {
     let Stepping::Adaptive { accuracy } = problem.stepping else { return None };
     if !matches!(run.ended, EvolutionStatus::Steady | EvolutionStatus::TimeReached | EvolutionStatus::WornOff) {
         return None;
@@ -56,8 +58,8 @@ pub(super) fn integration_error(problem: &WearProblem, pieces: &Pieces, run: &Ru
     }
     let relative = |fine: f64, coarse: f64| if fine == coarse { 0.0 } else { (fine - coarse).abs() / fine.abs() };
     // A round contact comes near no steady pressure.
-    let settled = problem.times.and_then(|_| history.settled(&evolution));
-    let difference = match (&run.settled, settled) {
+    let settled = problem.times.filter(|_| gaps.is_none()).and_then(|_| history.settled(&evolution));
+    let difference = match (run.settled.as_ref().filter(|_| gaps.is_none()), settled) {
         (Some(fine), Some(coarse)) => relative(fine.time, coarse.time).max(relative(fine.depth, coarse.depth)),
         // An end by time has one time, an end by depth one depth.
         (None, None) if run.ended == *evolution.status() => {
@@ -67,7 +69,8 @@ pub(super) fn integration_error(problem: &WearProblem, pieces: &Pieces, run: &Ru
                 0.0 => problem.worn_gap(state).into_iter().fold(0.0, f64::max),
                 depth => depth,
             };
-            relative(depth(fine), depth(coarse)).max(relative(fine.time, coarse.time))
+            let gap = gaps.map_or(0.0, |apart| apart(&coarse.gap));
+            relative(depth(fine), depth(coarse)).max(relative(fine.time, coarse.time)).max(gap)
         }
         _ => return None,
     };

@@ -2,7 +2,7 @@
 
 use contact::{ContactLoad, ContactOperator, ContactPoint, ContactSolution, Pair};
 use scene::Fault;
-use shapeopt::{Evolution, EvolutionStatus, NodalCurve, Until, WearProblem, WearState, closing, lowest_nonnegative};
+use shapeopt::{Evolution, EvolutionStatus, Until, WearProblem, WearState, closing};
 
 use crate::bodies::Reduced;
 use crate::effort::Effort;
@@ -18,6 +18,7 @@ use crate::steps::reported::{Moment, Reported};
 use crate::steps::wear::columns::{Turn, fill};
 use crate::steps::wear::cycles;
 use crate::steps::wear::earlier::{check_levels, check_states};
+use crate::steps::wear::gaps::{ApartFrom, gaps_apart, with_lowest_rigid_part};
 use crate::steps::wear::history::History;
 use crate::steps::wear::hot::Hot;
 use crate::steps::wear::integration_error::{integration_error, refine};
@@ -129,13 +130,23 @@ pub(super) fn run(
     if run.stopped {
         return Ok(Err(Unfinished::Stopped(run.history)));
     }
-    let integration_error = known_error.unwrap_or_else(|| Some(integration_error(&problem, pieces, &run)?.max(least_error)));
+    let integration_error = known_error.unwrap_or_else(|| scenes.left_by_steps(&problem, &run, least_error));
     effort.add_seconds(Step::Evolution, stage.clock()() - start);
     let (left, ran) = scenes.ran(mesh, &problem, run, effort)?;
     Ok(Ok((FinishedLevel { integration_error, ..left }, ran)))
 }
 
 impl Scenes<'_> {
+    /// What the steps of a run leave wrong, at least `least`: in its gap too, where it ends before it is steady.
+    fn left_by_steps(&self, problem: &WearProblem, run: &Run, least: f64) -> Option<f64> {
+        let stage = self.stages[self.pieces.intervals[run.state.interval].stage];
+        let steady = run.state.steady_residual <= residual_at_end(stage);
+        let gaps = |other: &[f64]| gaps_apart((stage, self.pair, self.operator), &run.state, other);
+        let on_the_way = stage.problem.wear.until.is_some() && !stage.ends_move() && !steady;
+        let gaps: Option<ApartFrom<'_>> = if on_the_way { Some(&gaps) } else { None };
+        Some(integration_error(problem, self.pieces, run, gaps)?.max(least))
+    }
+
     /// What a run leaves to the levels after it, and what is reported of it.
     fn ran(&self, mesh: Mesh<'_>, problem: &WearProblem, run: Run, mut effort: Effort) -> Result<(FinishedLevel, Ran), Refusal> {
         let (state, level) = (&run.state, mesh.level);
@@ -272,15 +283,6 @@ fn is_partial(pressure: &[f64]) -> bool {
 
 fn no_contact(error: contact::Error) -> Fault {
     Fault::at("contact", "no-contact", error.to_string(), "check the contact and its load")
-}
-
-/// A gap with its lowest rigid part that keeps it open, unless the rigid part is prescribed.
-pub(super) fn with_lowest_rigid_part(stage: Stage<'_>, pair: &Pair<'_>, operator: &ContactOperator<'_>, gap: &[f64]) -> Vec<f64> {
-    let curve = NodalCurve { pair, operator, gap };
-    let rigid = if stage.rigid_prescribed() || stage.turned() != 0.0 { None } else { lowest_nonnegative(&curve) };
-    let rigid = rigid.unwrap_or_else(|| vec![0.0; pair.shaped.rigid_modes.ncols()]);
-    let lifted = |p: &ContactPoint| rigid.iter().zip(closing(pair, p)).map(|(a, phi)| a * phi).sum::<f64>();
-    operator.points().iter().zip(gap).map(|(p, g)| g + lifted(p)).collect()
 }
 
 /// What the summary says of a run.

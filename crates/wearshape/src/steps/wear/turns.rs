@@ -13,7 +13,7 @@ use crate::ladder::Refusal;
 use crate::problem::{Cycles, Problem};
 use crate::stage::Stage;
 use crate::step::Step;
-use crate::steps::wear::level::with_lowest_rigid_part;
+use crate::steps::wear::gaps::with_lowest_rigid_part;
 use crate::steps::wear::pieces::Pieces;
 use crate::steps::wear::problem::{Loads, wear_problem};
 use crate::steps::wear::ran::MOST_STEPS;
