@@ -48,8 +48,9 @@ fn machine(problem: &Problem, solution: &Solution) -> String {
     let noted = |code: &str| solution.remarks.iter().any(|remark| remark.code == code);
     let end = match (steady, noted("thermoelastic-instability"), noted("not-worn-in-from-cold")) {
         (true, false, false) => "it starts worn in",
-        (true, true, _) => "it starts worn in, but frictional heat does not let it stay so",
+        (true, true, false) => "it starts worn in, but frictional heat does not let it stay so",
         (true, false, true) => "warm it has the steady pressure, but not from a cold start",
+        (true, true, true) => "warm it has the steady pressure, but not from a cold start, nor for long",
         (false, _, false) => "it has the wanted pressure",
         (false, _, true) => "warm it has the wanted pressure, but not from a cold start",
     };

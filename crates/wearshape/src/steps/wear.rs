@@ -176,7 +176,7 @@ fn times_apart(a: &FinishedLevel, b: &FinishedLevel) -> f64 {
     a.to_1_percent.zip(b.to_1_percent).map_or(0.0, apart) / (1.0 - STEPS)
 }
 
-/// What the steps leave wrong in the gap at the end: what they leave in the depth, unless the wear has become steady, which no longer knows its steps.
+/// What the steps leave wrong in the gap at the end; nothing where the wear has become steady, which no longer knows its steps.
 fn of_steps(stage: Stage<'_>, level: &Solved) -> f64 {
     let on_the_way = stage.problem.wear.until.is_some() && level.left.to_1_percent.is_none();
     level.left.integration_error.filter(|_| stage.ends_move() || on_the_way).unwrap_or(0.0)

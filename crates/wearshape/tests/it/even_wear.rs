@@ -33,7 +33,7 @@ fn a_gap_that_is_round_off_has_no_error() {
         assert_eq!(solution.status, Status::Ok, "{settings:?} {:?}", solution.reason);
         let told = solution.error.unwrap().gap_relative.unwrap();
         let wear = solution.wear.unwrap();
-        assert!(told < 1e-9 && wear.steady, "{settings:?}: {told:e}");
+        assert!(told < 1e-12 && wear.steady, "{settings:?}: {told:e}");
         let ended = wear.depth.unwrap();
         let depth = if settings == ["wear.threshold=1"] { 9.0 } else { 10.0 };
         assert!(settings.contains(&cosine) || (ended / depth - 1.0).abs() < 1e-11, "{settings:?}: {ended} um");

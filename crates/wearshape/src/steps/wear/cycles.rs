@@ -4,7 +4,7 @@ use shapeopt::{Evolution, Stepping, WearProblem, WearState};
 
 use crate::steps::wear::pieces::Pieces;
 
-/// Part of the error that each step may make which the cycles still to come may stray, where the steps of a contact that grows are much finer than what they leave.
+/// Part of the error of a step that the cycles still to come may stray where the contact grows; else they may stray by all of it.
 const GROWING: f64 = 0.3;
 
 /// The next state of a run: of a step, or of all cycles but the last at once, where they are alike.
